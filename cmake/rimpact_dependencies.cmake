@@ -1,0 +1,31 @@
+# Third-party packages, all from Debian 12 (see ./run for the package names).
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(fmt REQUIRED)
+find_package(spdlog REQUIRED)
+find_package(CLI11 REQUIRED)
+find_package(nlohmann_json REQUIRED)
+find_package(tomlplusplus REQUIRED)
+find_package(Threads REQUIRED)
+find_package(Ceres REQUIRED)
+find_package(GTest REQUIRED)
+
+# HDF5, the OpenMPI flavour: deal.II and PETSc are linked to it, and two flavours in one process do not mix.
+add_library(rimpact_hdf5 INTERFACE)
+find_package(MPI REQUIRED COMPONENTS C)
+target_include_directories(rimpact_hdf5 SYSTEM INTERFACE /usr/include/hdf5/openmpi)
+find_library(HDF5_OPENMPI hdf5_openmpi REQUIRED)
+find_library(HDF5_HL_OPENMPI hdf5_openmpi_hl REQUIRED)
+target_link_libraries(rimpact_hdf5 INTERFACE ${HDF5_HL_OPENMPI} ${HDF5_OPENMPI} MPI::MPI_C)
+
+# SUNDIALS, serial vectors
+add_library(rimpact_sundials INTERFACE)
+foreach(component cvode nvecserial sunmatrixdense sunlinsoldense)
+  find_library(SUNDIALS_${component} sundials_${component} REQUIRED)
+  target_link_libraries(rimpact_sundials INTERFACE ${SUNDIALS_${component}})
+endforeach()
+
+if(RIMPACT_FE)
+  find_package(deal.II 9.4 REQUIRED)
+  find_library(RIMPACT_GMSH gmsh REQUIRED)
+  find_library(RIMPACT_PETSC petsc_real REQUIRED)
+endif()

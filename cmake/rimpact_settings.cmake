@@ -1,0 +1,32 @@
+# Compiler settings shared by every target.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+set(CMAKE_CXX_FLAGS_RELEASE "-O3")
+
+find_program(CCACHE_PROGRAM ccache)
+if(CCACHE_PROGRAM)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+  set(CMAKE_C_COMPILER_LAUNCHER ${CCACHE_PROGRAM})
+endif()
+
+add_library(rimpact_settings INTERFACE)
+target_include_directories(rimpact_settings INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(rimpact_settings INTERFACE -Wall -Wextra -Wpedantic -Wno-psabi -fno-math-errno)
+# One alignment for every unit: Debian's Ceres and deal.II are compiled for plain x86-64.
+target_compile_definitions(rimpact_settings INTERFACE EIGEN_MAX_ALIGN_BYTES=16
+                           RIMPACT_VERSION="${PROJECT_VERSION}" RIMPACT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+if(RIMPACT_NATIVE)
+  target_compile_options(rimpact_settings INTERFACE -march=native)
+endif()
+
+set(RIMPACT_SANITIZE "" CACHE STRING "Sanitizers, e.g. address,undefined")
+if(RIMPACT_SANITIZE)
+  add_compile_options(-fsanitize=${RIMPACT_SANITIZE} -fno-omit-frame-pointer)
+  add_link_options(-fsanitize=${RIMPACT_SANITIZE})
+endif()

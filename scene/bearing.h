@@ -1,0 +1,82 @@
+/// A single-dish friction-pendulum bearing with a restraining rim: every dimension, in SI.
+/// Frame: origin at the dish's vertex, z up; the plate is fixed, the upper slider moves.
+/// Values marked *assumption* are ours (the thesis's drawing is not available); `assumptions()` lists them.
+#pragma once
+#include "scene/material.h"
+#include "scene/surface.h"
+#include <string>
+#include <vector>
+
+namespace rimpact::scene {
+
+struct UpperSlider {
+  double diameter = 0.240;     ///< b_s [m]
+  double bottom = 0.05825;     ///< bottom plane above the vertex at rest [m], assumption
+  double top = 0.15825;        ///< top plane above the vertex at rest [m], assumption
+  double edge_radius = 0.002;  ///< rounding of the lower edge [m], >= 0, assumption
+  bool operator==(const UpperSlider &) const = default;
+};
+struct Rim {
+  double height = 0.060;    ///< above the dish's edge [m], assumption
+  double thickness = 0.040; ///< radial [m], assumption
+  double ledge = 0.0;       ///< flat step between dish edge and wall [m], assumption
+  bool operator==(const Rim &) const = default;
+};
+struct Plate {
+  double base = 0.050; ///< bottom plane below the vertex [m], assumption
+  bool operator==(const Plate &) const = default;
+};
+struct Pad { // assumption, but for its area (853 kN at 60 MPa)
+  double inner_radius = 0.020, outer_radius = 0.07019; ///< [m]
+  double thickness = 0.040, recess = 0.020;            ///< [m]
+  double shape_radius = 1.400;                         ///< of its face [m]
+  bool operator==(const Pad &) const = default;
+};
+struct Foot { // assumption
+  double radius = 0.086, bottom = 0.020, shoulder = 0.033; ///< [m]
+  double cap_radius = 0.090; ///< of the spherical cap, centred on the middle of the sliding face [m]
+  bool operator==(const Foot &) const = default;
+};
+struct ContactFriction {
+  double steel_steel = 0.10;     ///< socket-cap [-]
+  double steel_ertalyte = 0.07;  ///< dish-pad [-]
+  double rim = 0.0;              ///< slider-rim [-]
+  std::string pad_foot = "tied"; ///< "tied" | "frictional"
+  bool operator==(const ContactFriction &) const = default;
+};
+
+struct Bearing {
+  std::string name = "shfps-225";
+  SurfaceSpec surface;
+  UpperSlider slider;
+  Rim rim;
+  Plate plate;
+  Pad pad;
+  Foot foot;
+  Material steel{200e9, 0.30, 7850.0, 360e6, 1450e6};
+  Material ertalyte{3.2e9, 0.30, 1390.0};
+  ContactFriction contact;
+
+  /// L_c = r_p - b_s/2 (eq. 2-5) [m].
+  double lateral_capacity() const { return surface.planar_radius + rim.ledge - slider.diameter / 2; }
+  double pad_area() const; ///< [m^2]
+  /// Throws InputError with both numbers for geometry that cannot be built or collides over 0..L_c of travel.
+  void validate() const;
+  bool operator==(const Bearing &) const = default;
+};
+
+/// An assumed key with its value as the bearing file writes it, e.g. {"rim.height_mm", "60"}.
+struct Assumption {
+  std::string key, value;
+};
+std::vector<Assumption> assumptions(const Bearing &bearing);
+
+/// Tilt of the slider on the surface at travel r [rad] and the height its origin rises [m].
+double tilt(const Bearing &bearing, double travel);
+double lift(const Bearing &bearing, double travel);
+
+/// Built-in bearings: shfps-225 (default) and fps-225 (a = R0). Throws InputError with the nearest name.
+Bearing builtin_bearing(const std::string &name);
+std::vector<std::string> builtin_bearing_names();
+
+} // namespace rimpact::scene

@@ -1,0 +1,71 @@
+/// A scene: a bearing, its load, what excites it, and the models' settings. Read from TOML, every default filled in.
+#pragma once
+#include "scene/bearing.h"
+#include "scene/excitation.h"
+#include <string>
+#include <vector>
+
+namespace rimpact::scene {
+
+struct Load {
+  double vertical = 853e3;  ///< dead load W [N], >= 0
+  double mass = 86952.0;    ///< inertia in all directions [kg], > 0
+  double gravity = 9.81;    ///< [m/s^2]
+};
+
+/// [model]: the finite-element side.
+struct FeSettings {
+  std::string rung = "rim"; ///< rim | rigid-dish | full
+  int mesh = 1;             ///< 1 | 2 | 3, h divided by 1.5 a level
+  double step = 0.0;        ///< time step inside an impact [s], 0: chosen by the plan (key `step_ms`)
+  double rho_inf = 0.5;     ///< spectral radius of generalised-alpha, 0..1
+  std::string symmetry = "auto"; ///< auto | half | whole
+};
+
+/// [reduced]: the physical model.
+struct ReducedSettings {
+  std::string model = "physical";
+  double k_i = 4.5e8;       ///< impact stiffness [N/m]; 0 switches the impact element off
+  double restitution = 0.65; ///< e in (0, 1]
+  std::string impact_law = "signed";  ///< signed | no-tension | printed
+  std::string friction = "coulomb";   ///< coulomb | park-wen
+  double elastic_slip = 1e-4;         ///< q of the Park-Wen state [m] (key elastic_slip_mm)
+  double mu_fast = 0.07, mu_slow = 0.07;
+  double rate = 0.0;                  ///< of the velocity law [s/m], needed when mu_slow != mu_fast
+  std::string normal_force = "inertia"; ///< inertia | static | constant
+  double vertical_restitution = 0.0;  ///< of re-contact with the dish after uplift [-], 0..1
+  bool finite_pad = false;            ///< extra lift (Ro^2+Ri^2)/8 (kappa_m + kappa_c - 2/R0)
+  bool socket_friction = false;       ///< moment of the socket resisting tilt
+  double tolerance = 1e-9;            ///< relative, of the integrator
+  double output_step = 0.005;         ///< spacing of stored samples [s]; samples are dense during contact
+};
+
+struct Scene {
+  std::string name = "scene";
+  Bearing bearing;
+  Load load;
+  Excitation excitation;
+  FeSettings model;
+  ReducedSettings reduced;
+
+  /// Throws InputError naming value and bound; includes bearing.validate().
+  void validate() const;
+};
+
+/// `where` is a path to a TOML file or the name of a built-in scene; `overrides` are dotted KEY=VALUE (--set).
+/// Throws InputError ("file:line:column: ... did you mean ...") or DataError (records). Records are read.
+Scene load_scene(const std::string &where, const std::vector<std::string> &overrides = {});
+/// The same from text; `origin` stands for the file's name in messages, relative files are sought in `folder`.
+Scene parse_scene(const std::string &text, const std::string &origin, const std::vector<std::string> &overrides = {},
+                  const std::string &folder = ".");
+/// A bearing file or a built-in bearing's name.
+Bearing load_bearing(const std::string &where);
+/// As resolved: every default written out, round-trips through parse_scene. Assumptions carry the word as comment.
+std::string to_toml(const Scene &scene);
+std::string to_toml(const Bearing &bearing);
+
+std::vector<std::string> builtin_scene_names();
+/// A built-in scene's or bearing's commented TOML text, as `rimpact new` writes it.
+std::string builtin_scene_text(const std::string &name);
+
+} // namespace rimpact::scene
