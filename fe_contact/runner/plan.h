@@ -1,0 +1,33 @@
+/// The plan of a finite-element run, made from the scout (the reduced model) before anything is solved
+/// (DESIGN 1): symmetric half or whole, which arcs of the rim take part, steps, expected time and memory.
+#pragma once
+#include "scene/scene.h"
+#include <nlohmann/json.hpp>
+
+namespace rimpact::fe {
+
+/// An expected meeting of slider and rim, from the scout.
+struct ExpectedImpact {
+  double touch_time;     ///< [s]
+  double direction_deg;  ///< of the contact on the rim
+  double approach_speed; ///< [m/s], radial
+  double tangential_speed;
+};
+
+struct Plan {
+  bool half = true;                  ///< symmetric half about each arc's plane
+  bool rim_takes_part = true;        ///< the scout sees a touch, or comes within `margin` of it
+  double closest_gap = 0.0;          ///< smallest gap of the scout [m]
+  std::vector<ExpectedImpact> impacts;
+  double sector_half_angle = 1.0;    ///< [rad]
+  double step_in_contact = 5e-4;     ///< [s]
+  int mesh = 1;
+  long expected_dofs = 0;
+  double expected_seconds = 0, expected_memory_bytes = 0;
+  std::vector<std::string> notes;    ///< sentences for the user: pad pressure, grazing, critical amplitude ...
+};
+Plan make_plan(const scene::Scene &scene);
+std::string describe(const Plan &plan); ///< as printed by `check` and before a run
+nlohmann::json to_json(const Plan &plan);
+
+} // namespace rimpact::fe

@@ -1,0 +1,33 @@
+/// Runs a scene by finite elements. The only header of fe_contact the application needs; no deal.II in it.
+#pragma once
+#include "fe_contact/runner/plan.h"
+#include "scene/summary.h"
+#include <atomic>
+#include <functional>
+
+namespace rimpact::fe {
+
+/// What a progress line shows (INTERFACE).
+struct Progress {
+  double time, end_time, step;
+  int newton_iterations;
+  double gap, force;
+  std::string phase; ///< "flight", "contact", "relax", ...
+};
+struct RunOptions {
+  std::string folder;    ///< run folder to write
+  bool resume = false;
+  bool fields = true;    ///< VTU files and pictures
+  std::function<void(const Progress &)> progress;
+  const std::atomic<bool> *interrupted = nullptr; ///< set by Ctrl-C
+};
+
+/// Writes the run folder whatever happens (partial results, status, checkpoint). Returns the summary.
+/// Throws SolverStopped, Interrupted after writing.
+scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions &options);
+
+/// Versions of deal.II, PETSc, MUMPS, SUNDIALS, gmsh and the BLAS in use; second: a warning when it is not OpenBLAS.
+std::vector<std::pair<std::string, std::string>> component_versions();
+std::string blas_warning();
+
+} // namespace rimpact::fe

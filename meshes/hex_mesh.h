@@ -1,0 +1,42 @@
+/// A mesh of 27-node hexahedra whose nodes lie on the exact surfaces, with named groups. No deal.II here.
+#pragma once
+#include <array>
+#include <string>
+#include <vector>
+
+namespace rimpact::meshes {
+
+/// Names of INTERFACE ("Mesh groups"); the value is the gmsh physical tag.
+enum class Volume { plate = 1, rim, pad, foot, upper_slider };
+enum class Surface { dish = 11, rim_wall, pad_face, pad_top, foot_seat, foot_cap, socket, slider_side, top, fixed,
+                     symmetry, sector_end };
+std::string to_string(Volume);
+std::string to_string(Surface);
+
+struct BoundaryFace {
+  std::array<unsigned, 4> corners; ///< node indices
+  Surface group;
+};
+
+/// Nodes [m]. Connectivity in gmsh's order for the 27-node hexahedron (8 corners, 12 edges, 6 faces, 1 centre);
+/// corners alone make the linear mesh. Ungrouped boundary faces are traction free and not listed.
+struct HexMesh {
+  std::vector<std::array<double, 3>> nodes;
+  std::vector<std::array<unsigned, 27>> cells;
+  std::vector<Volume> volumes; ///< one a cell
+  std::vector<BoundaryFace> faces;
+};
+
+struct MeshQuality {
+  std::size_t n_cells, n_nodes;
+  double min_scaled_jacobian; ///< over corners, (0, 1]
+  double worst_aspect;        ///< longest over shortest edge
+  int n_components;           ///< connected pieces: touching bodies must not be welded
+};
+MeshQuality quality(const HexMesh &mesh);
+/// Throws DataError naming the first inverted cell, a missing group or a wrong number of components.
+void check(const HexMesh &mesh, int expected_components);
+/// gmsh .msh (version 2.2, ASCII, 8-node cells, $PhysicalNames). Throws IoError.
+void write_msh(const HexMesh &mesh, const std::string &path);
+
+} // namespace rimpact::meshes

@@ -1,0 +1,81 @@
+/// The physical model of a single bearing (thesis 2.2): a mass riding a curved dish with Coulomb or Park-Wen
+/// friction, unilateral vertical support, and an impact element at the rim. Rung R0, and the part of R1 that is
+/// not solid. SI units; the plate is fixed, u is the upper slider's displacement relative to the plate.
+#pragma once
+#include "scene/scene.h"
+#include "scene/summary.h"
+#include <functional>
+
+namespace rimpact::reduced {
+
+/// Where the mass is and whether the dish carries it.
+struct BearingState {
+  double t = 0.0;
+  Eigen::Vector3d u = Eigen::Vector3d::Zero(); ///< [m]; on the surface u_z = height(u_x, u_y)
+  Eigen::Vector3d v = Eigen::Vector3d::Zero(); ///< [m/s]
+  bool airborne = false;                       ///< lifted off the dish
+  Eigen::Vector2d eta = Eigen::Vector2d::Zero(); ///< Park-Wen state, |eta| <= 1 (unused for coulomb)
+};
+
+/// Forces on the mass [N] (what the bearing does to the mass), and the surface's normal force.
+struct BearingForces {
+  Eigen::Vector3d pendular, friction, impact;
+  double normal; ///< N >= 0
+};
+
+/// What a flight or a run hands back besides its samples.
+struct FlightEnd {
+  BearingState state;
+  bool stopped = false; ///< the stop function crossed zero before t_end
+};
+
+/// Friction force for a given normal force, smoothed at zero speed, with its derivative: what an implicit
+/// time step of the finite-element side needs. Includes the socket's share when switched on.
+struct FrictionForce {
+  Eigen::Vector3d force;
+  Eigen::Matrix3d d_velocity;
+};
+
+class PhysicalModel {
+public:
+  explicit PhysicalModel(const scene::Scene &scene);
+  ~PhysicalModel();
+  PhysicalModel(PhysicalModel &&) noexcept;
+
+  BearingState initial_state() const;
+
+  /// Integrates WITHOUT the rim element from `start` to t_end, or until stop(u) falls to zero (located to 1e-12 s).
+  /// Samples go to `response` (all signals of the reduced model, impact zero), energies accumulate in `ledger`.
+  FlightEnd fly(const BearingState &start, double t_end, const std::function<double(const Eigen::Vector3d &u)> &stop,
+                scene::Response &response, scene::EnergyLedger &ledger) const;
+
+  /// Height the slider rides at, with gradient and Hessian; includes the finite pad's lift when switched on.
+  scene::SurfacePoint height(double x, double y) const;
+  Eigen::Vector3d ground_acceleration(double t) const;
+  /// `speed_scale` [m/s] > 0: |v| is replaced by sqrt(|v|^2 + speed_scale^2).
+  FrictionForce smoothed_friction(const Eigen::Vector3d &u, const Eigen::Vector3d &v, double normal_force,
+                                  double speed_scale) const;
+  /// Forces and normal force in a state, without the rim element.
+  BearingForces forces(const BearingState &state) const;
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+/// A whole scene by the reduced model named in scene.reduced.model, rim element included.
+struct ReducedRun {
+  scene::Response response;
+  scene::Summary summary;
+};
+ReducedRun simulate(const scene::Scene &scene);
+/// The same by SUNDIALS CVODE with root finding: the independent check of the event-driven stepper.
+ReducedRun simulate_with_cvode(const scene::Scene &scene);
+/// Peaks and impacts only, nothing stored: the calibration's and the benchmarks' hot path.
+scene::Summary simulate_summary(const scene::Scene &scene);
+
+/// Scale of the excitation at which the rim is first touched (thesis notes, 1), by bisection to `relative`;
+/// nullopt when it is not bracketed in [low, high].
+std::optional<double> critical_scale(scene::Scene scene, double low = 0.2, double high = 3.0, double relative = 1e-6);
+
+} // namespace rimpact::reduced
