@@ -1,0 +1,151 @@
+#include "fe_contact/laws/hencky_j2.h"
+
+#include <cmath>
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+
+namespace rimpact::fe {
+namespace {
+
+constexpr int row_of[6] = {0, 1, 2, 0, 1, 2};
+constexpr int column_of[6] = {0, 1, 2, 1, 2, 0};
+
+/// Principal Kirchhoff stresses (deviatoric) after the return map, and their derivative with respect to the
+/// trial logarithmic strains.
+struct PrincipalReturn {
+  Eigen::Vector3d elastic_strain; ///< deviatoric
+  Eigen::Vector3d stress;
+  Matrix3 moduli;
+  double alpha;
+};
+
+Matrix3 deviatoric_projector() { return Matrix3::Identity() - Matrix3::Constant(1.0 / 3.0); }
+
+/// Radial return in principal axes: |dev tau| = sqrt(2/3) sigma_y(alpha). The bilinear curve is solved exactly.
+PrincipalReturn return_map(const HenckyJ2 &law, const Eigen::Vector3d &trial_deviator, double alpha) {
+  const double mu = law.shear_modulus;
+  PrincipalReturn result{trial_deviator, 2 * mu * trial_deviator, 2 * mu * deviatoric_projector(), alpha};
+  if (law.elastic) return result;
+  const double norm = result.stress.norm();
+  const double excess = norm - std::sqrt(2.0 / 3.0) * law.hardening.stress(alpha);
+  if (excess <= 0) return result;
+  const double slope = law.hardening.slope(alpha);
+  const double gamma = excess / (2 * mu + 2.0 / 3.0 * slope);
+  const Eigen::Vector3d direction = result.stress / norm;
+  result.elastic_strain -= gamma * direction;
+  result.stress = 2 * mu * result.elastic_strain;
+  result.alpha = alpha + std::sqrt(2.0 / 3.0) * gamma;
+  const double theta = 1 - 2 * mu * gamma / norm;
+  const double theta_bar = 2 * mu / (2 * mu + 2.0 / 3.0 * slope) - (1 - theta);
+  result.moduli =
+      2 * mu * theta * deviatoric_projector() - 2 * mu * theta_bar * direction * direction.transpose();
+  return result;
+}
+
+/// Spatial tangent from principal moduli (Simo 1998, eq. 46.28): normal part in the dyads m_i x m_j, shear part
+/// with the divided difference (tau_i b_j - tau_j b_i)/(b_i - b_j), or its limit at equal stretches.
+Matrix6 assemble_tangent(const PrincipalReturn &principal, const Eigen::Vector3d &b, const Matrix3 &axes) {
+  Eigen::Matrix<double, 6, 6> rotation; // columns: symmetrised dyads n_i n_i, then n_i n_j (i != j) in Voigt form
+  constexpr int pair_first[3] = {0, 1, 2}, pair_second[3] = {1, 2, 0};
+  for (int v = 0; v < 6; ++v)
+    for (int k = 0; k < 3; ++k) {
+      const int r = row_of[v], c = column_of[v], i = pair_first[k], j = pair_second[k];
+      rotation(v, k) = axes(r, k) * axes(c, k);
+      rotation(v, 3 + k) = 0.5 * (axes(r, i) * axes(c, j) + axes(r, j) * axes(c, i));
+    }
+  Matrix6 local = Matrix6::Zero();
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) local(i, j) = principal.moduli(i, j);
+    local(i, i) -= 2 * principal.stress(i);
+  }
+  for (int k = 0; k < 3; ++k) {
+    const int i = pair_first[k], j = pair_second[k];
+    const double difference = b(i) - b(j);
+    // A divided difference loses digits as the stretches meet; below 1e-6 the limit is the better value.
+    double shear = 0.0;
+    if (std::abs(difference) > 1e-6 * (b(i) + b(j)))
+      shear = (principal.stress(i) * b(j) - principal.stress(j) * b(i)) / difference;
+    else
+      shear = 0.25 * (principal.moduli(i, i) - principal.moduli(i, j) + principal.moduli(j, j) - principal.moduli(j, i)) -
+              0.5 * (principal.stress(i) + principal.stress(j));
+    local(3 + k, 3 + k) = 4 * shear; // the dyads are halved on both sides
+  }
+  return rotation * local * rotation.transpose();
+}
+
+} // namespace
+
+Matrix3 to_matrix(const Vector6 &s) {
+  Matrix3 m;
+  m << s(0), s(3), s(5), s(3), s(1), s(4), s(5), s(4), s(2);
+  return m;
+}
+
+Vector6 to_vector(const Matrix3 &m) {
+  return (Vector6() << m(0, 0), m(1, 1), m(2, 2), m(0, 1), m(1, 2), m(2, 0)).finished();
+}
+
+HenckyJ2 HenckyJ2::from(const scene::Material &material) {
+  HenckyJ2 law{material.E / (2 * (1 + material.nu)), !material.yield.has_value(), {}};
+  if (material.yield) law.hardening = {*material.yield, scene::hardening_modulus(material)};
+  return law;
+}
+
+IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F) const {
+  IsochoricResult result;
+  const double J = F.determinant();
+  if (!(J > 0) || !std::isfinite(J)) {
+    result.admissible = false;
+    return result;
+  }
+  const Matrix3 b_trial = F * to_matrix(old.cp_inverse) * F.transpose();
+  // The iterative solver: Eigen's closed form returns parallel axes for nearly equal eigenvalues (F close to I).
+  const Eigen::SelfAdjointEigenSolver<Matrix3> spectrum(b_trial);
+  const Eigen::Vector3d b = spectrum.eigenvalues();
+  const Matrix3 axes = spectrum.eigenvectors();
+  if (!(b.minCoeff() > 0)) {
+    result.admissible = false;
+    return result;
+  }
+  const Eigen::Vector3d strain = 0.5 * b.array().log();
+  const Eigen::Vector3d deviator = strain.array() - strain.mean();
+  const PrincipalReturn principal = return_map(*this, deviator, old.alpha);
+
+  result.energy = shear_modulus * principal.elastic_strain.squaredNorm();
+  result.response.stress = to_vector(axes * principal.stress.asDiagonal() * axes.transpose());
+  result.response.tangent = assemble_tangent(principal, b, axes);
+  result.state = old;
+  if (principal.alpha > old.alpha) {
+    const Eigen::Vector3d b_elastic = (2 * (principal.elastic_strain.array() + strain.mean())).exp();
+    const Matrix3 F_inverse = F.inverse();
+    const Matrix3 pulled = F_inverse * axes;
+    result.state.cp_inverse = to_vector(pulled * b_elastic.asDiagonal() * pulled.transpose());
+    result.state.alpha = principal.alpha;
+  }
+  return result;
+}
+
+HenckyVolumetric HenckyVolumetric::from(const scene::Material &material) {
+  return {material.E / (3 * (1 - 2 * material.nu))};
+}
+
+VolumetricResult HenckyVolumetric::at(double J) const {
+  VolumetricResult result;
+  if (!(J > 0) || !std::isfinite(J)) {
+    result.admissible = false;
+    return result;
+  }
+  const double log_J = std::log(J), pressure = bulk_modulus * log_J;
+  result.energy = 0.5 * bulk_modulus * log_J * log_J;
+  result.response.stress << pressure, pressure, pressure, 0, 0, 0;
+  Matrix6 c = Matrix6::Zero();
+  c.topLeftCorner<3, 3>().setConstant(bulk_modulus);
+  for (int i = 0; i < 3; ++i) {
+    c(i, i) -= 2 * pressure;
+    c(3 + i, 3 + i) -= pressure;
+  }
+  result.response.tangent = c;
+  return result;
+}
+
+} // namespace rimpact::fe

@@ -1,0 +1,75 @@
+/// Finite-strain J2 plasticity with Hencky (logarithmic) elasticity, split into its isochoric and volumetric parts
+/// so that an element may integrate the two with different quadratures (selective reduction).
+///
+/// Multiplicative split F = F_e F_p, b_e = F C_p^-1 F^T, exponential map in principal axes (Simo 1992; Simo and
+/// Hughes, Computational Inelasticity, box 9.1). Stored energy per reference volume
+///   Psi = mu |dev eps_e|^2 + kappa/2 (ln J)^2 + integral of the hardening curve,
+/// Kirchhoff stress tau = 2 mu dev eps_e + kappa ln J 1. Signs: tension positive. Units: Pa, J/m^3.
+#pragma once
+#include "scene/material.h"
+#include <Eigen/Core>
+
+namespace rimpact::fe {
+
+using Matrix3 = Eigen::Matrix3d;
+using Matrix6 = Eigen::Matrix<double, 6, 6>;
+/// Symmetric tensors as (xx, yy, zz, xy, yz, zx).
+using Vector6 = Eigen::Matrix<double, 6, 1>;
+
+/// Isotropic hardening: flow stress and plastic work as functions of the accumulated plastic strain alpha >= 0.
+struct BilinearHardening {
+  double yield;   ///< [Pa], > 0
+  double modulus; ///< H [Pa], >= 0
+  double stress(double alpha) const { return yield + modulus * alpha; }
+  double slope(double) const { return modulus; }
+  double work(double alpha) const { return alpha * (yield + 0.5 * modulus * alpha); } ///< integral of stress [J/m^3]
+};
+
+/// Memory of a material point.
+struct J2State {
+  Vector6 cp_inverse{1.0, 1.0, 1.0, 0.0, 0.0, 0.0}; ///< C_p^-1
+  double alpha = 0.0;                                              ///< accumulated plastic strain [-]
+};
+
+/// Kirchhoff stress and its tangent c of the Lie derivative (L_v tau = c : d), in Voigt form with engineering
+/// shear rates; c has minor and major symmetry.
+struct StressAndTangent {
+  Vector6 stress;  ///< [Pa]
+  Matrix6 tangent; ///< [Pa]
+};
+
+struct IsochoricResult {
+  StressAndTangent response;
+  J2State state;        ///< at the end of the step
+  double energy = 0.0;  ///< elastic, isochoric [J/m^3]
+  bool admissible = true; ///< false: det F <= 0 or not finite; nothing else is then valid
+};
+
+/// Isochoric part with plasticity.
+struct HenckyJ2 {
+  double shear_modulus;      ///< mu [Pa], > 0
+  bool elastic = false;      ///< never yields
+  BilinearHardening hardening{0.0, 0.0};
+
+  static HenckyJ2 from(const scene::Material &material);
+  /// F: deformation gradient at the end of the step; old: state at its start.
+  IsochoricResult step(const J2State &old, const Matrix3 &F) const;
+};
+
+struct VolumetricResult {
+  StressAndTangent response;
+  double energy = 0.0;
+  bool admissible = true;
+};
+
+/// Volumetric part: pressure kappa ln J (Kirchhoff).
+struct HenckyVolumetric {
+  double bulk_modulus; ///< kappa [Pa], > 0
+  static HenckyVolumetric from(const scene::Material &material);
+  VolumetricResult at(double J) const;
+};
+
+Matrix3 to_matrix(const Vector6 &symmetric);
+Vector6 to_vector(const Matrix3 &symmetric);
+
+} // namespace rimpact::fe
