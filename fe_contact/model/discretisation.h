@@ -1,0 +1,65 @@
+/// A mesh of hexahedra made into displacement nodes, quadrature data and boundary faces, in plain arrays.
+/// deal.II builds it (triangulation, Lagrange elements, curved mapping); the hot loops never see deal.II.
+///
+/// Nodes are the support points of FE_Q(degree); dof = 3 node + component. Total Lagrangian: gradients are taken
+/// once, in the reference configuration. SI units.
+#pragma once
+#include "meshes/hex_mesh.h"
+#include <Eigen/Core>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace rimpact::fe {
+
+/// Shape gradients and weights of all cells at one quadrature.
+struct QuadratureData {
+  int n_points = 0;                ///< per cell
+  std::vector<double> gradients;   ///< [cell][point][direction][node]
+  std::vector<double> weights;     ///< JxW [m^3], [cell][point]
+};
+
+/// A boundary face: (degree+1)^2 nodes in lexicographic order of its own coordinates (xi fast, eta slow), each in
+/// [-1, 1]; `orientation` makes orientation * (x_xi cross x_eta) point out of the solid.
+struct Face {
+  meshes::Surface group;
+  unsigned cell;
+  std::vector<unsigned> nodes;
+  double orientation;
+};
+
+class Discretisation {
+public:
+  /// degree 1 or 2; geometry is always the 27-node one.
+  Discretisation(const meshes::HexMesh &mesh, int degree);
+  ~Discretisation();
+  Discretisation(const Discretisation &) = delete;
+
+  int degree, nodes_per_cell;
+  std::size_t n_cells, n_nodes;
+  std::vector<Eigen::Vector3d> positions; ///< of the nodes, reference configuration [m]
+  std::vector<unsigned> cell_nodes;       ///< [cell][local node]
+  std::vector<meshes::Volume> volumes;    ///< [cell]
+  QuadratureData full, reduced;           ///< Gauss, degree + 1 and degree points a direction
+  std::vector<double> full_values;        ///< shape values at the full points, [point][local node]
+  std::vector<Face> faces;                ///< of all groups
+
+  std::size_t n_dofs() const { return 3 * n_nodes; }
+  std::vector<const Face *> faces_of(meshes::Surface group) const;
+  std::vector<unsigned> nodes_of(meshes::Surface group) const; ///< sorted, unique
+
+  /// One nodal or cell field of a VTU file; `values` has 1 or 3 components per node, or 1 per cell.
+  struct Field {
+    std::string name;
+    int components;
+    bool per_cell;
+    std::vector<double> values;
+  };
+  void write_vtu(const std::string &path, const std::vector<Field> &fields) const;
+
+private:
+  struct DealII;
+  std::unique_ptr<DealII> dealii_;
+};
+
+} // namespace rimpact::fe

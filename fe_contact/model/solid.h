@@ -1,0 +1,68 @@
+/// Elastoplastic solids on a discretisation: internal forces, tangent, energies, consistent mass. Total Lagrangian;
+/// isochoric part at the full quadrature, volumetric part at the reduced one (selective reduction keeps Q2 and Q1
+/// from locking where the steel flows, and stays symmetric). Memory is trial/committed: `old` in, `next` out.
+#pragma once
+#include "fe_contact/laws/hencky_j2.h"
+#include "fe_contact/model/discretisation.h"
+#include "fe_contact/solver/equations.h"
+#include "fe_contact/solver/symmetric_matrix.h"
+#include "scene/bearing.h"
+
+namespace rimpact::fe {
+
+/// States of all material points, [cell][full point].
+using SolidHistory = std::vector<J2State>;
+
+struct SolidEnergies {
+  double elastic = 0.0; ///< [J]
+  double plastic = 0.0; ///< plastic work, hardening included [J]; a function of the history alone
+};
+
+/// Cell averages for pictures.
+struct SolidFields {
+  std::vector<double> plastic_strain; ///< [-] largest over the cell's points
+  std::vector<double> von_mises;      ///< Cauchy, mean over the points [Pa]
+};
+
+class Solid {
+public:
+  /// All volumes of a bearing's mesh are steel but the pad (Ertalyte).
+  Solid(const Discretisation &space, const scene::Bearing &bearing);
+
+  SolidHistory virgin() const { return SolidHistory(space_.n_cells * space_.full.n_points); }
+  /// Cliques of coupled equations, one a cell.
+  std::vector<std::vector<int>> cliques(const Equations &equations) const;
+
+  /// Adds internal forces at dof displacements u to `forces` (equations) and, when given, the tangent.
+  /// False when a point is inadmissible (inverted): the step must be cut.
+  bool assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, const Equations &equations,
+                Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies) const;
+  void add_mass(const Equations &equations, SymmetricMatrix &mass) const;
+  /// Mass of one volume [kg].
+  double mass_of(meshes::Volume volume) const;
+  SolidFields fields(const Eigen::VectorXd &u, const SolidHistory &history) const;
+
+private:
+  struct Law {
+    HenckyJ2 isochoric;
+    HenckyVolumetric volumetric;
+    double density;
+  };
+  const Law &law_of(std::size_t cell) const { return laws_[space_.volumes[cell] == meshes::Volume::pad ? 1 : 0]; }
+  template <int n>
+  bool assemble_cells(std::size_t begin, std::size_t end, const Eigen::VectorXd &u, const SolidHistory &old,
+                      SolidHistory &next, const Equations &equations, Eigen::VectorXd &forces, const std::vector<int> *places,
+                      double *tangent, SolidEnergies &energies) const;
+  const std::vector<int> &places_in(const SymmetricMatrix &matrix, const Equations &equations) const;
+
+  const Discretisation &space_;
+  std::vector<Law> laws_;
+  /// Where each local pair (i <= j) of each cell goes in the matrix; made once per pattern.
+  mutable std::vector<int> places_;
+  mutable long places_of_ = 0; ///< pattern_id
+};
+
+/// Threads used by the assembly (RIMPACT_THREADS, else the machine's cores).
+int assembly_threads();
+
+} // namespace rimpact::fe

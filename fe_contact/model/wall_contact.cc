@@ -1,0 +1,278 @@
+#include "fe_contact/model/wall_contact.h"
+
+#include <cmath>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+#include <map>
+
+namespace rimpact::fe {
+namespace {
+
+/// Gauss-Legendre points and weights on [-1, 1], n = 2..5, by Newton on the Legendre polynomial.
+void gauss(int n, std::vector<double> &points, std::vector<double> &weights) {
+  for (int i = 0; i < n; ++i) {
+    double x = std::cos(M_PI * (i + 0.75) / (n + 0.5)), derivative = 1;
+    for (int iteration = 0; iteration < 50; ++iteration) {
+      double p0 = 1, p1 = x;
+      for (int k = 2; k <= n; ++k) {
+        const double p2 = ((2 * k - 1) * x * p1 - (k - 1) * p0) / k;
+        p0 = p1;
+        p1 = p2;
+      }
+      derivative = n * (x * p1 - p0) / (x * x - 1);
+      const double change = p1 / derivative;
+      x -= change;
+      if (std::abs(change) < 1e-15) break;
+    }
+    points.push_back(x);
+    weights.push_back(2 / ((1 - x * x) * derivative * derivative));
+  }
+}
+
+/// Centre and radius of a ball around a face.
+struct Ball {
+  Eigen::Vector3d centre;
+  double radius;
+};
+Ball ball(const FaceNodes &nodes, int n) {
+  Ball result{nodes.leftCols(n).rowwise().mean(), 0.0};
+  for (int a = 0; a < n; ++a) result.radius = std::max(result.radius, (nodes.col(a) - result.centre).norm());
+  return result;
+}
+
+/// Local nodes at the middles (or ends) of a face's edges identify it among its neighbours.
+std::vector<unsigned> edge_nodes(const Face &face, int degree, int edge) {
+  const int n = degree + 1;
+  std::vector<unsigned> result;
+  for (int k = 0; k < n; ++k)
+    result.push_back(face.nodes[edge == 0 ? k * n : edge == 1 ? k * n + degree : edge == 2 ? k : degree * n + k]);
+  std::sort(result.begin(), result.end());
+  return result;
+}
+
+} // namespace
+
+double default_penalty(double softer_E, double cell_size) { return softer_E / cell_size; }
+
+WallContact::WallContact(const Discretisation &space, meshes::Surface slave, meshes::Surface master,
+                         const ContactOptions &options)
+    : space_(space), options_(options), slaves_(space.faces_of(slave)) {
+  std::map<std::vector<unsigned>, int> edges;
+  for (const auto *face : space.faces_of(master))
+    for (int e = 0; e < 4; ++e) ++edges[edge_nodes(*face, space.degree, e)];
+  for (const auto *face : space.faces_of(master)) {
+    MasterFace entry{face, {}};
+    for (int e = 0; e < 4; ++e) entry.open_edge[e] = edges[edge_nodes(*face, space.degree, e)] == 1;
+    masters_.push_back(entry);
+  }
+  std::vector<double> x, w;
+  gauss(options.points, x, w);
+  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(space.n_dofs());
+  for (std::size_t f = 0; f < slaves_.size(); ++f) {
+    const FaceNodes nodes = nodes_at(*slaves_[f], zero);
+    for (int j = 0; j < options.points; ++j)
+      for (int i = 0; i < options.points; ++i) {
+        SlavePoint point{static_cast<int>(f), face_shapes(space.degree, x[i], x[j]), 0.0};
+        Eigen::Vector3d t1 = Eigen::Vector3d::Zero(), t2 = t1;
+        for (int a = 0; a < point.shapes.n; ++a) {
+          t1 += point.shapes.dxi[a] * nodes.col(a);
+          t2 += point.shapes.deta[a] * nodes.col(a);
+        }
+        point.area = w[i] * w[j] * t1.cross(t2).norm();
+        points_.push_back(point);
+      }
+  }
+}
+
+ContactState WallContact::open() const {
+  const std::size_t n = points_.size();
+  return {std::vector<double>(n, 0.0), std::vector<double>(n, no_gap), std::vector<double>(n, 0.0)};
+}
+
+FaceNodes WallContact::nodes_at(const Face &face, const Eigen::VectorXd &u) const {
+  FaceNodes nodes;
+  for (std::size_t a = 0; a < face.nodes.size(); ++a)
+    nodes.col(a) = space_.positions[face.nodes[a]] + u.segment<3>(3 * face.nodes[a]);
+  return nodes;
+}
+
+std::vector<std::vector<const WallContact::MasterFace *>> WallContact::near_faces(const Eigen::VectorXd &u,
+                                                                                 double margin) const {
+  const int n = (space_.degree + 1) * (space_.degree + 1);
+  std::vector<Ball> masters;
+  for (const auto &master : masters_) masters.push_back(ball(nodes_at(*master.face, u), n));
+  std::vector<std::vector<const MasterFace *>> result(slaves_.size());
+  for (std::size_t f = 0; f < slaves_.size(); ++f) {
+    const Ball slave = ball(nodes_at(*slaves_[f], u), n);
+    for (std::size_t m = 0; m < masters.size(); ++m)
+      if ((slave.centre - masters[m].centre).norm() < slave.radius + masters[m].radius + margin)
+        result[f].push_back(&masters_[m]);
+  }
+  return result;
+}
+
+std::vector<std::vector<int>> WallContact::cliques(const Eigen::VectorXd &u, const Equations &equations) const {
+  std::vector<std::vector<int>> result;
+  const auto near = near_faces(u, options_.margin);
+  for (std::size_t f = 0; f < slaves_.size(); ++f)
+    for (const auto *master : near[f]) {
+      std::vector<int> clique;
+      for (const auto *face : {slaves_[f], master->face})
+        for (const unsigned node : face->nodes)
+          for (int i = 0; i < 3; ++i) clique.push_back(equations.of_dof[3 * node + i]);
+      result.push_back(clique);
+    }
+  return result;
+}
+
+WallContact::Pair WallContact::find(const Eigen::Vector3d &x, const std::vector<const MasterFace *> &near,
+                                    const std::vector<FaceNodes> &nodes) const {
+  // A point just past an inner edge belongs to the neighbour; where neither claims it (a convex kink) the nearer
+  // one does, up to a small overshoot. Past an open edge of the wall there is nothing to touch.
+  constexpr double overshoot_limit = 0.05;
+  Pair best;
+  double best_overshoot = overshoot_limit, best_distance = no_gap;
+  for (std::size_t m = 0; m < near.size(); ++m) {
+    const Projection p = project(x, nodes[near[m] - masters_.data()], space_.degree, 0, 0);
+    if (!p.converged) continue;
+    const double beyond[4] = {-1 - p.xi, p.xi - 1, -1 - p.eta, p.eta - 1};
+    double overshoot = 0;
+    bool off_the_edge = false;
+    for (int e = 0; e < 4; ++e) {
+      if (beyond[e] > 1e-12 && near[m]->open_edge[e]) off_the_edge = true;
+      overshoot = std::max(overshoot, beyond[e]);
+    }
+    if (off_the_edge || overshoot > best_overshoot) continue;
+    const double distance = (x - p.point).norm();
+    if (overshoot > 1e-12 ? overshoot < best_overshoot : (best_overshoot > 0 || distance < best_distance)) {
+      best = {near[m], p};
+      best_overshoot = overshoot > 1e-12 ? overshoot : 0;
+      best_distance = distance;
+    }
+  }
+  return best;
+}
+
+ContactReport WallContact::assemble(const Eigen::VectorXd &u, ContactState &state, const Equations &equations,
+                                    Eigen::VectorXd *forces, SymmetricMatrix *tangent) const {
+  ContactReport report;
+  const auto near = near_faces(u, 0.001);
+  std::vector<FaceNodes> master_nodes;
+  for (const auto &master : masters_) master_nodes.push_back(nodes_at(*master.face, u));
+  FaceNodes slave_nodes;
+  int current = -1;
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    const SlavePoint &point = points_[k];
+    state.gap[k] = no_gap;
+    state.pressure[k] = 0;
+    if (near[point.face].empty()) continue;
+    if (point.face != current) slave_nodes = nodes_at(*slaves_[current = point.face], u);
+    Eigen::Vector3d x = Eigen::Vector3d::Zero();
+    for (int a = 0; a < point.shapes.n; ++a) x += point.shapes.N[a] * slave_nodes.col(a);
+    const Pair pair = find(x, near[point.face], master_nodes);
+    if (!pair.master) continue;
+    const Eigen::Vector3d normal =
+        pair.master->face->orientation * pair.projection.tangent[0].cross(pair.projection.tangent[1]).normalized();
+    const double gap = normal.dot(x - pair.projection.point);
+    state.gap[k] = gap;
+    report.smallest_gap = std::min(report.smallest_gap, gap);
+    const auto law = options_.law.at(gap, state.multiplier[k]);
+    state.pressure[k] = law.pressure;
+    if (law.pressure <= 0) continue;
+    ++report.active;
+    report.penetration = std::max(report.penetration, std::abs(gap));
+    report.largest_pressure = std::max(report.largest_pressure, law.pressure);
+    report.force += point.area * law.pressure * normal;
+    if (forces && !add_point(point, *slaves_[point.face], pair, normal, gap, law, equations, *forces, tangent))
+      report.pattern_holds = false;
+  }
+  return report;
+}
+
+bool WallContact::add_point(const SlavePoint &point, const Face &slave, const Pair &pair, const Eigen::Vector3d &normal,
+                            double gap, const NormalContact::Result &law, const Equations &equations,
+                            Eigen::VectorXd &forces, SymmetricMatrix *tangent) const {
+  // Variation of the gap: dg = n . (dx_s - dx_m) = N . du; second variation as in Laursen (2002), sec. 5.3.
+  constexpr int most = 6 * FaceShapes::max_nodes;
+  using Row = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
+  const auto &p = pair.projection;
+  const int n = p.shapes.n, size = 6 * n;
+  Row N(size), T[2] = {Row(size), Row(size)}, NN[2] = {Row::Zero(size), Row::Zero(size)};
+  const double *master_derivative[2] = {p.shapes.dxi, p.shapes.deta};
+  for (int a = 0; a < n; ++a)
+    for (int i = 0; i < 3; ++i) {
+      const int s = 3 * a + i, m = 3 * (n + a) + i;
+      N[s] = point.shapes.N[a] * normal[i];
+      N[m] = -p.shapes.N[a] * normal[i];
+      for (int d = 0; d < 2; ++d) {
+        T[d][s] = point.shapes.N[a] * p.tangent[d][i];
+        T[d][m] = -p.shapes.N[a] * p.tangent[d][i];
+        NN[d][m] = master_derivative[d][a] * normal[i];
+      }
+    }
+  int eqs[most];
+  double weights[most];
+  for (int a = 0; a < 2 * n; ++a)
+    for (int i = 0; i < 3; ++i) {
+      const unsigned dof = 3 * (a < n ? slave.nodes[a] : pair.master->face->nodes[a - n]) + i;
+      eqs[3 * a + i] = equations.of_dof[dof];
+      weights[3 * a + i] = equations.weight[dof];
+    }
+  for (int r = 0; r < size; ++r)
+    if (eqs[r] >= 0) forces[eqs[r]] -= point.area * law.pressure * weights[r] * N[r];
+  if (!tangent) return true;
+
+  Eigen::Matrix2d metric, curvature;
+  metric << p.tangent[0].squaredNorm(), p.tangent[0].dot(p.tangent[1]), p.tangent[0].dot(p.tangent[1]),
+      p.tangent[1].squaredNorm();
+  curvature << normal.dot(p.second[0]), normal.dot(p.second[1]), normal.dot(p.second[1]), normal.dot(p.second[2]);
+  const Eigen::Matrix2d inverse = (metric - gap * curvature).inverse(), metric_inverse = metric.inverse();
+  Row D[2], B[2];
+  for (int d = 0; d < 2; ++d)
+    D[d] = inverse(d, 0) * (T[0] + gap * NN[0]) + inverse(d, 1) * (T[1] + gap * NN[1]);
+  for (int d = 0; d < 2; ++d) B[d] = NN[d] + curvature(d, 0) * D[0] + curvature(d, 1) * D[1];
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most, most> K = law.slope * N * N.transpose();
+  for (int d = 0; d < 2; ++d) {
+    K += law.pressure * (NN[d] * D[d].transpose() + D[d] * NN[d].transpose());
+    for (int e = 0; e < 2; ++e)
+      K += law.pressure * (curvature(d, e) * D[d] * D[e].transpose() - gap * metric_inverse(d, e) * B[d] * B[e].transpose());
+  }
+  for (int r = 0; r < size; ++r)
+    for (int c = r; c < size; ++c) {
+      if (eqs[r] < 0 || eqs[c] < 0) continue;
+      const int place = tangent->find(std::min(eqs[r], eqs[c]), std::max(eqs[r], eqs[c]));
+      if (place < 0) return false;
+      const double twice = r != c && eqs[r] == eqs[c] ? 2.0 : 1.0;
+      tangent->values()[place] += twice * point.area * weights[r] * weights[c] * K(r, c);
+    }
+  return true;
+}
+
+double WallContact::work(const ContactState &before, const ContactState &after) const {
+  double sum = 0;
+  for (std::size_t k = 0; k < points_.size(); ++k)
+    if (before.gap[k] < no_gap && after.gap[k] < no_gap)
+      sum -= 0.5 * points_[k].area * (before.pressure[k] + after.pressure[k]) * (after.gap[k] - before.gap[k]);
+  return sum;
+}
+
+void WallContact::nodal_fields(const ContactState &state, std::vector<double> &pressure, std::vector<double> &gap) const {
+  std::vector<double> weight(space_.n_nodes, 0.0);
+  pressure.assign(space_.n_nodes, 0.0);
+  gap.assign(space_.n_nodes, 0.0);
+  for (std::size_t k = 0; k < points_.size(); ++k)
+    for (int a = 0; a < points_[k].shapes.n && state.gap[k] < no_gap; ++a) {
+      const unsigned node = slaves_[points_[k].face]->nodes[a];
+      const double w = points_[k].area * std::abs(points_[k].shapes.N[a]);
+      weight[node] += w;
+      pressure[node] += w * state.pressure[k];
+      gap[node] += w * state.gap[k];
+    }
+  for (std::size_t i = 0; i < weight.size(); ++i)
+    if (weight[i] > 0) {
+      pressure[i] /= weight[i];
+      gap[i] /= weight[i];
+    }
+}
+
+} // namespace rimpact::fe

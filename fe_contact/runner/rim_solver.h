@@ -1,0 +1,118 @@
+/// The solids of rung R1 (rim sector with plate, upper slider) as something that can be pushed or stepped: the only
+/// place that knows both the solids and the numerics. One RimSolver serves every arc; each arc has its own ArcState.
+///
+/// Local frame: +x radially outwards through the arc's middle, z up. The master is the slider's top face (remote
+/// displacement, no rotation); its displacement is measured from the position of first touch.
+#pragma once
+#include "fe_contact/model/solid.h"
+#include "fe_contact/model/wall_contact.h"
+#include "fe_contact/solver/direct_solver.h"
+#include "fe_contact/solver/generalized_alpha.h"
+#include "meshes/rim_mesh.h"
+#include <functional>
+#include <map>
+#include <optional>
+
+namespace rimpact::fe {
+
+/// Committed state of one arc.
+struct ArcState {
+  Eigen::VectorXd u, v, a; ///< equations: displacement [m], velocity, acceleration
+  SolidHistory history;
+  ContactState contact;
+  Eigen::VectorXd R; ///< forces that accelerate the equations (loads less internal and contact forces) [N]
+  SolidEnergies energies;
+  ContactReport report;
+  Eigen::Vector3d master = Eigen::Vector3d::Zero(); ///< displacement of the top face [m]
+  Eigen::Vector3d master_velocity = Eigen::Vector3d::Zero();
+};
+
+/// What acts on the top face besides the solids, for the whole bearing (the solver halves it for a half model).
+struct MasterLoad {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  Eigen::Matrix3d d_displacement = Eigen::Matrix3d::Zero(); ///< symmetric part of d force / d u
+  Eigen::Matrix3d d_velocity = Eigen::Matrix3d::Zero();
+  bool constrained = false;        ///< the dish carries the mass, or its height is held
+  double constraint = 0;           ///< value that must vanish [m]
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();     ///< of the constraint
+  Eigen::Vector3d d_multiplier = Eigen::Vector3d::Zero(); ///< d force / d multiplier
+};
+using MasterLaw = std::function<MasterLoad(const Eigen::Vector3d &u, const Eigen::Vector3d &v, double multiplier)>;
+
+struct StepReport {
+  bool converged = false;
+  int iterations = 0, augmentations = 0;
+  std::vector<double> residuals; ///< relative, one an iteration
+  double multiplier = 0;
+  double integrator_loss = 0; ///< [J], whole bearing
+  double contact_work = 0;    ///< [J]
+  Eigen::Vector3d rim_force = Eigen::Vector3d::Zero(); ///< of the rim on the slider [N], whole bearing
+  std::string reason;         ///< when not converged
+};
+
+struct RimSolverOptions {
+  int degree = 2;
+  double rho_inf = 0.5;
+  double penalty_factor = 1.0;
+  double gap_tolerance = 1e-6;    ///< [m]
+  int max_augmentations = 6;      ///< reported when reached
+  int max_iterations = 15;
+  double tolerance = 1e-7;        ///< relative residual
+  double attached_mass = 0;       ///< supported mass on the top face, the slider's own included [kg]
+};
+
+class RimSolver {
+public:
+  RimSolver(const scene::Bearing &bearing, const meshes::RimMeshOptions &mesh, const RimSolverOptions &options);
+  ~RimSolver();
+
+  ArcState virgin() const;
+  /// Quasi-static: moves the top face to `target`, everything else in equilibrium. State unchanged on failure.
+  StepReport push(ArcState &state, const Eigen::Vector3d &target);
+  /// One implicit step in time. State unchanged on failure.
+  StepReport step(ArcState &state, double dt, const MasterLaw &law, double multiplier);
+  /// Lets the parts come to rest with the walls apart and the top face held: the state kept for a next impact.
+  StepReport relax(ArcState &state);
+  /// Places the slider, at rest in itself, at a master displacement with a velocity and acceleration.
+  void place(ArcState &state, const Eigen::Vector3d &master, const Eigen::Vector3d &velocity,
+             const Eigen::Vector3d &acceleration) const;
+  /// Smallest distance of the walls with the slider moved rigidly to a master displacement.
+  double surface_gap(const ArcState &state, const Eigen::Vector3d &master) const;
+  /// Kinetic energy of solids and mass, whole bearing [J]; of the mass moving with the top face alone.
+  double kinetic_energy(const ArcState &state) const;
+  double rigid_kinetic_energy(const Eigen::Vector3d &velocity) const;
+  double share() const { return half_ ? 2.0 : 1.0; } ///< whole bearing over model
+
+  int n_equations() const { return equations_.n; }
+  const Discretisation &space() const { return space_; }
+  const Solid &solid() const { return solid_; }
+  const WallContact &contact() const { return contact_; }
+  Eigen::VectorXd displacements(const ArcState &state) const { return equations_.expand(state.u); }
+  double largest_plastic_strain(const ArcState &state) const;
+  std::map<std::string, double> time_split; ///< [s]
+
+private:
+  struct Trial;
+  struct Inertia;
+  void make_equations(const scene::Bearing &bearing, const meshes::RimMeshOptions &mesh);
+  void make_pattern(const Eigen::VectorXd &u);
+  bool evaluate(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia, const MasterLaw *law);
+  StepReport iterate(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia, const MasterLaw *law,
+                     const Eigen::Vector3d *prescribed);
+  void commit(ArcState &state, Trial &trial) const;
+  Eigen::Vector3d master_of(const Eigen::VectorXd &values) const;
+
+  bool half_;
+  RimSolverOptions options_;
+  Discretisation space_;
+  Solid solid_;
+  WallContact contact_;
+  Equations equations_;
+  int master_[3];                          ///< equations of the top face, -1 where fixed
+  std::vector<int> slider_equations_[3];   ///< of the slider's nodes, by component, unique
+  std::unique_ptr<SymmetricMatrix> mass_, tangent_;
+  std::unique_ptr<DirectSolver> direct_;
+  std::vector<std::vector<int>> pairs_;    ///< contact cliques in the pattern
+};
+
+} // namespace rimpact::fe
