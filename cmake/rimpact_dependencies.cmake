@@ -28,4 +28,17 @@ if(RIMPACT_FE)
   find_package(deal.II 9.4 REQUIRED)
   find_library(RIMPACT_GMSH gmsh REQUIRED)
   find_library(RIMPACT_PETSC petsc_real REQUIRED)
+  # deal.II's targets without its compiler flags: deal_ii_setup_target() would impose C++17 and -O2 -g.
+  add_library(rimpact_dealii INTERFACE)
+  list(REMOVE_ITEM DEAL_II_INCLUDE_DIRS /usr/include)
+  target_include_directories(rimpact_dealii SYSTEM INTERFACE ${DEAL_II_INCLUDE_DIRS})
+  target_compile_definitions(rimpact_dealii INTERFACE ${DEAL_II_USER_DEFINITIONS}
+    $<IF:$<CONFIG:Debug>,${DEAL_II_USER_DEFINITIONS_DEBUG},${DEAL_II_USER_DEFINITIONS_RELEASE}>)
+  target_link_libraries(rimpact_dealii INTERFACE
+    $<IF:$<CONFIG:Debug>,${DEAL_II_TARGET_DEBUG},${DEAL_II_TARGET_RELEASE}> MPI::MPI_C)
+  # inlined deal.II code needs symbols of libraries that deal.II links but does not pass on (TBB, Trilinos)
+  target_link_options(rimpact_dealii INTERFACE -Wl,--copy-dt-needed-entries)
+  add_library(rimpact_petsc INTERFACE)
+  target_include_directories(rimpact_petsc SYSTEM INTERFACE /usr/lib/petscdir/petsc-real/include /usr/include/petsc)
+  target_link_libraries(rimpact_petsc INTERFACE ${RIMPACT_PETSC} MPI::MPI_C)
 endif()

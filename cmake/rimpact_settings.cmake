@@ -18,6 +18,8 @@ endif()
 add_library(rimpact_settings INTERFACE)
 target_include_directories(rimpact_settings INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(rimpact_settings INTERFACE -Wall -Wextra -Wpedantic -Wno-psabi -fno-math-errno)
+# GCC 12 reports its own AVX-512 intrinsics (bug 105593).
+target_compile_options(rimpact_settings INTERFACE -Wno-maybe-uninitialized)
 # One alignment for every unit: Debian's Ceres and deal.II are compiled for plain x86-64.
 target_compile_definitions(rimpact_settings INTERFACE EIGEN_MAX_ALIGN_BYTES=16
                            RIMPACT_VERSION="${PROJECT_VERSION}" RIMPACT_SOURCE_DIR="${PROJECT_SOURCE_DIR}")

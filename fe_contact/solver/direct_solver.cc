@@ -48,7 +48,8 @@ DirectSolver::~DirectSolver() {
 
 bool DirectSolver::factorise() {
   auto &p = *petsc_;
-  check(PetscObjectStateIncrease(reinterpret_cast<PetscObject>(p.matrix))); // values changed behind PETSc's back
+  check(MatAssemblyBegin(p.matrix, MAT_FINAL_ASSEMBLY)); // the values changed behind PETSc's back: tell it
+  check(MatAssemblyEnd(p.matrix, MAT_FINAL_ASSEMBLY));
   check(KSPSetOperators(p.ksp, p.matrix, p.matrix));
   check(KSPSetUp(p.ksp));
   PC pc;
