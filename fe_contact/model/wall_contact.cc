@@ -86,7 +86,8 @@ WallContact::WallContact(const Discretisation &space, meshes::Surface slave, mes
 
 ContactState WallContact::open() const {
   const std::size_t n = points_.size();
-  return {std::vector<double>(n, 0.0), std::vector<double>(n, no_gap), std::vector<double>(n, 0.0)};
+  return {std::vector<double>(n, 0.0), std::vector<double>(n, no_gap), std::vector<double>(n, 0.0),
+          std::vector<char>(n, 0)};
 }
 
 FaceNodes WallContact::nodes_at(const Face &face, const Eigen::VectorXd &u) const {
@@ -125,51 +126,75 @@ std::vector<std::vector<int>> WallContact::cliques(const Eigen::VectorXd &u, con
   return result;
 }
 
+std::vector<FaceNodes> WallContact::master_nodes(const Eigen::VectorXd &u) const {
+  std::vector<FaceNodes> nodes;
+  for (const auto &master : masters_) nodes.push_back(nodes_at(*master.face, u));
+  return nodes;
+}
+
+Eigen::Vector3d WallContact::position(const SlavePoint &point, const FaceNodes &nodes) const {
+  Eigen::Vector3d x = Eigen::Vector3d::Zero();
+  for (int a = 0; a < point.shapes.n; ++a) x += point.shapes.N[a] * nodes.col(a);
+  return x;
+}
+
 WallContact::Pair WallContact::find(const Eigen::Vector3d &x, const std::vector<const MasterFace *> &near,
-                                    const std::vector<FaceNodes> &nodes) const {
+                                    const std::vector<FaceNodes> &nodes, double beyond_edges) const {
   // A point just past an inner edge belongs to the neighbour; where neither claims it (a convex kink) the nearer
-  // one does, up to a small overshoot. Past an open edge of the wall there is nothing to touch.
+  // one does, up to a small overshoot. Past a free edge of the wall only `beyond_edges` of a face is allowed.
   constexpr double overshoot_limit = 0.05;
   Pair best;
   double best_overshoot = overshoot_limit, best_distance = no_gap;
-  for (std::size_t m = 0; m < near.size(); ++m) {
-    const Projection p = project(x, nodes[near[m] - masters_.data()], space_.degree, 0, 0);
+  for (const MasterFace *master : near) {
+    const Projection p = project(x, nodes[master - masters_.data()], space_.degree, 0, 0);
     if (!p.converged) continue;
     const double beyond[4] = {-1 - p.xi, p.xi - 1, -1 - p.eta, p.eta - 1};
     double overshoot = 0;
-    bool off_the_edge = false;
+    bool off_the_wall = false;
     for (int e = 0; e < 4; ++e) {
-      if (beyond[e] > 1e-12 && near[m]->open_edge[e]) off_the_edge = true;
-      overshoot = std::max(overshoot, beyond[e]);
+      if (master->open_edge[e]) off_the_wall = off_the_wall || beyond[e] > beyond_edges;
+      else overshoot = std::max(overshoot, beyond[e]);
     }
-    if (off_the_edge || overshoot > best_overshoot) continue;
+    if (off_the_wall || overshoot > best_overshoot) continue;
     const double distance = (x - p.point).norm();
-    if (overshoot > 1e-12 ? overshoot < best_overshoot : (best_overshoot > 0 || distance < best_distance)) {
-      best = {near[m], p};
-      best_overshoot = overshoot > 1e-12 ? overshoot : 0;
+    const bool inside = overshoot <= 1e-12;
+    if (inside ? (best_overshoot > 0 || distance < best_distance) : overshoot < best_overshoot) {
+      best = {master, p};
+      best_overshoot = inside ? 0 : overshoot;
       best_distance = distance;
     }
   }
   return best;
 }
 
+void WallContact::settle_edges(const Eigen::VectorXd &u, ContactState &state) const {
+  const auto near = near_faces(u, options_.margin);
+  const auto masters = master_nodes(u);
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    const auto &faces = near[points_[k].face];
+    const bool on = !faces.empty() &&
+                    find(position(points_[k], nodes_at(*slaves_[points_[k].face], u)), faces, masters, 0.0).master;
+    if (!on) state.multiplier[k] = 0;
+    state.on_wall[k] = on;
+  }
+}
+
 ContactReport WallContact::assemble(const Eigen::VectorXd &u, ContactState &state, const Equations &equations,
                                     Eigen::VectorXd *forces, SymmetricMatrix *tangent) const {
   ContactReport report;
   const auto near = near_faces(u, 0.001);
-  std::vector<FaceNodes> master_nodes;
-  for (const auto &master : masters_) master_nodes.push_back(nodes_at(*master.face, u));
+  const auto masters = master_nodes(u);
+  constexpr double beyond_edges = 0.5; // of a face's half-width, for points that cross a free edge in this step
   FaceNodes slave_nodes;
   int current = -1;
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const SlavePoint &point = points_[k];
     state.gap[k] = no_gap;
     state.pressure[k] = 0;
-    if (near[point.face].empty()) continue;
+    if (!state.on_wall[k] || near[point.face].empty()) continue;
     if (point.face != current) slave_nodes = nodes_at(*slaves_[current = point.face], u);
-    Eigen::Vector3d x = Eigen::Vector3d::Zero();
-    for (int a = 0; a < point.shapes.n; ++a) x += point.shapes.N[a] * slave_nodes.col(a);
-    const Pair pair = find(x, near[point.face], master_nodes);
+    const Eigen::Vector3d x = position(point, slave_nodes);
+    const Pair pair = find(x, near[point.face], masters, beyond_edges);
     if (!pair.master) continue;
     const Eigen::Vector3d normal =
         pair.master->face->orientation * pair.projection.tangent[0].cross(pair.projection.tangent[1]).normalized();

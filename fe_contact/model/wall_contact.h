@@ -24,6 +24,9 @@ struct ContactState {
   std::vector<double> multiplier; ///< [Pa]
   std::vector<double> gap;        ///< [m]; `no_gap` where nothing is opposite
   std::vector<double> pressure;   ///< [Pa]
+  /// Opposite the master wall, not past its free edge. Settled once a step: a point that crosses the edge within a
+  /// step sees the extended face until the step ends, so that Newton does not chatter between two states.
+  std::vector<char> on_wall;
 };
 constexpr double no_gap = 1.0;
 
@@ -47,6 +50,8 @@ public:
   /// Adds contact forces (and tangent) at u; fills gap and pressure of `state`.
   ContactReport assemble(const Eigen::VectorXd &u, ContactState &state, const Equations &equations,
                          Eigen::VectorXd *forces, SymmetricMatrix *tangent) const;
+  /// Decides anew which points are opposite the wall.
+  void settle_edges(const Eigen::VectorXd &u, ContactState &state) const;
   /// lambda <- p at every point.
   static void augment(ContactState &state) { state.multiplier = state.pressure; }
   /// Energy taken up by the contact between two states, trapezoidal in -p dg [J].
@@ -70,7 +75,10 @@ private:
     Projection projection;
   };
   FaceNodes nodes_at(const Face &face, const Eigen::VectorXd &u) const;
-  Pair find(const Eigen::Vector3d &x, const std::vector<const MasterFace *> &near, const std::vector<FaceNodes> &nodes) const;
+  Pair find(const Eigen::Vector3d &x, const std::vector<const MasterFace *> &near, const std::vector<FaceNodes> &nodes,
+            double beyond_edges) const;
+  std::vector<FaceNodes> master_nodes(const Eigen::VectorXd &u) const;
+  Eigen::Vector3d position(const SlavePoint &point, const FaceNodes &nodes) const;
   std::vector<std::vector<const MasterFace *>> near_faces(const Eigen::VectorXd &u, double margin) const;
   bool add_point(const SlavePoint &point, const Face &slave, const Pair &pair, const Eigen::Vector3d &normal, double gap,
                  const NormalContact::Result &law, const Equations &equations, Eigen::VectorXd &forces,

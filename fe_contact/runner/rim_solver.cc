@@ -3,10 +3,14 @@
 #include "scene/error.h"
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <set>
 
 namespace rimpact::fe {
 namespace {
+
+/// Forces below this are equilibrium for the residual's scale [N].
+constexpr double smallest_force = 1e-2;
 
 /// Adds the time of its life to one entry of a split.
 class Stopwatch {
@@ -56,15 +60,19 @@ struct RimSolver::Inertia {
 };
 
 RimSolver::RimSolver(const scene::Bearing &bearing, const meshes::RimMeshOptions &mesh, const RimSolverOptions &options)
-    : half_(mesh.half), options_(options), space_(meshes::rim_mesh(bearing, mesh), options.degree), solid_(space_, bearing),
+    : RimSolver(bearing, meshes::rim_mesh(bearing, mesh), mesh, options) {}
+
+RimSolver::RimSolver(const scene::Bearing &bearing, const meshes::HexMesh &own, const meshes::RimMeshOptions &mesh,
+                     const RimSolverOptions &options)
+    : half_(mesh.half), options_(options), space_(own, options.degree), solid_(space_, bearing),
       contact_(space_, meshes::Surface::slider_side, meshes::Surface::rim_wall, contact_options(bearing, mesh, options)) {
-  make_equations(bearing, mesh);
+  make_equations(mesh);
   make_pattern(Eigen::VectorXd::Zero(space_.n_dofs()));
 }
 
 RimSolver::~RimSolver() = default;
 
-void RimSolver::make_equations(const scene::Bearing &, const meshes::RimMeshOptions &mesh) {
+void RimSolver::make_equations(const meshes::RimMeshOptions &mesh) {
   equations_.of_dof.assign(space_.n_dofs(), -2); // -2: not yet numbered
   equations_.weight.assign(space_.n_dofs(), 1.0);
   auto &of = equations_.of_dof;
@@ -186,87 +194,125 @@ bool RimSolver::evaluate(const ArcState &old, Trial &trial, bool with_contact, c
   return true;
 }
 
+bool RimSolver::evaluate_on_a_pattern(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia,
+                                      const MasterLaw *law) {
+  for (int builds = 0; builds < 4; ++builds) {
+    trial.pattern_holds = true;
+    if (evaluate(old, trial, with_contact, inertia, law)) return true;
+    if (trial.pattern_holds) return false;
+    make_pattern(equations_.expand(trial.u));
+  }
+  return false;
+}
+
+double RimSolver::relative_residual(const Trial &trial, bool prescribed) const {
+  Eigen::VectorXd residual = trial.residual;
+  for (const int equation : master_)
+    if (prescribed && equation >= 0) residual[equation] = 0; // the top face is driven: its rows are dropped
+  return residual.norm() / (trial.scale + smallest_force / options_.tolerance);
+}
+
+Eigen::VectorXd RimSolver::newton_change(Trial &trial, bool inertial, const Eigen::Vector3d *to_go, double &multiplier_change) {
+  Eigen::VectorXd residual = trial.residual;
+  if (to_go) { // the driven top face enters by its columns, then its rows become unit rows
+    for (int i = 0; i < 3; ++i)
+      for (int k = master_[i] < 0 ? 0 : tangent_->starts()[master_[i]]; master_[i] >= 0 && k < tangent_->starts()[master_[i] + 1]; ++k)
+        residual[tangent_->columns()[k]] += tangent_->values()[k] * (*to_go)[i];
+    for (const int equation : master_)
+      if (equation >= 0) {
+        residual[equation] = 0;
+        tangent_->make_unit_row(equation, 1e10);
+      }
+  }
+  {
+    const Stopwatch watch(time_split["factor"]);
+    if (!direct_->factorise()) return {};
+  }
+  const Stopwatch watch(time_split["solve"]);
+  Eigen::VectorXd change = direct_->solve(-residual);
+  multiplier_change = 0;
+  if (inertial && trial.load.constrained) { // bordered by the height's constraint
+    Eigen::VectorXd push = Eigen::VectorXd::Zero(equations_.n), gradient = push;
+    for (int i = 0; i < 3; ++i)
+      if (master_[i] >= 0) {
+        push[master_[i]] = trial.load.d_multiplier[i] / share();
+        gradient[master_[i]] = trial.load.gradient[i];
+      }
+    const Eigen::VectorXd response = direct_->solve(push);
+    multiplier_change = (-trial.load.constraint - gradient.dot(change)) / gradient.dot(response);
+    change += multiplier_change * response;
+  }
+  for (int i = 0; i < 3 && to_go; ++i)
+    if (master_[i] >= 0) change[master_[i]] = (*to_go)[i];
+  return change;
+}
+
 StepReport RimSolver::iterate(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia,
                               const MasterLaw *law, const Eigen::Vector3d *prescribed) {
   StepReport report;
   trial.contact = old.contact;
-  Eigen::Vector3d still_to_go = prescribed ? Eigen::Vector3d(*prescribed - master_of(trial.u)) : Eigen::Vector3d::Zero();
-  const Eigen::VectorXd start = trial.u;
-  int pattern_builds = 0;
-  for (report.iterations = 0; report.iterations <= options_.max_iterations;) {
-    if (!evaluate(old, trial, with_contact, inertia, law)) {
-      if (!trial.pattern_holds && ++pattern_builds < 4) {
-        trial.pattern_holds = true;
-        make_pattern(equations_.expand(trial.u));
-        continue;
-      }
-      report.reason = "a cell turned inside out";
-      return report;
-    }
-    Eigen::VectorXd residual = trial.residual;
-    if (prescribed) // the top face is driven: its rows are dropped, its motion enters the first iteration only
-      for (const int equation : master_)
-        if (equation >= 0) residual[equation] = 0;
-    const double relative = residual.norm() / (trial.scale + 1e-2 / options_.tolerance);
+  if (!evaluate_on_a_pattern(old, trial, with_contact, inertia, law)) {
+    report.reason = "a cell turned inside out";
+    return report;
+  }
+  Eigen::Vector3d to_go = prescribed ? Eigen::Vector3d(*prescribed - master_of(trial.u)) : Eigen::Vector3d::Zero();
+  double relative = relative_residual(trial, prescribed);
+  bool first = true; // the first change carries the step's loading: its residual is no measure of progress
+  for (int since_augmentation = 0;;) {
     report.residuals.push_back(relative);
-    if (!std::isfinite(relative)) {
-      report.reason = "the residual is not a number";
-      return report;
-    }
-    const bool moved = still_to_go.isZero();
-    if (moved && relative < options_.tolerance && std::abs(trial.load.constrained ? trial.load.constraint : 0.0) < 1e-11) {
-      if (!with_contact || trial.report.penetration <= options_.gap_tolerance ||
-          report.augmentations >= options_.max_augmentations) {
+    const bool on_the_dish = !trial.load.constrained || std::abs(trial.load.constraint) < 1e-11;
+    if (relative < options_.tolerance && to_go.isZero() && on_the_dish && !(first && inertia)) {
+      if (!with_contact || trial.report.penetration <= options_.gap_tolerance || report.augmentations >= options_.max_augmentations) {
         report.converged = true;
         return report;
       }
       ++report.augmentations;
+      since_augmentation = 0;
       WallContact::augment(trial.contact);
-      continue; // the residual is re-evaluated with the new multipliers
+      evaluate_on_a_pattern(old, trial, with_contact, inertia, law);
+      relative = relative_residual(trial, prescribed);
+      continue;
     }
-    if (report.iterations++ == options_.max_iterations) break;
-
-    if (prescribed)
-      for (int i = 0; i < 3; ++i) {
-        if (master_[i] < 0) continue;
-        const int row = master_[i];
-        for (int k = tangent_->starts()[row]; k < tangent_->starts()[row + 1]; ++k)
-          residual[tangent_->columns()[k]] += tangent_->values()[k] * still_to_go[i];
+    if (since_augmentation++ >= options_.max_iterations) {
+      report.reason = "Newton did not converge in " + std::to_string(options_.max_iterations) + " iterations";
+      return report;
+    }
+    ++report.iterations;
+    double multiplier_change = 0;
+    const Eigen::VectorXd change = newton_change(trial, inertia, prescribed ? &to_go : nullptr, multiplier_change);
+    if (change.size() == 0 || !change.allFinite()) {
+      report.reason = "the tangent could not be factorised";
+      return report;
+    }
+    to_go.setZero();
+    // Backtracking, bounded: contact is not smooth, so after three halvings the best step found is taken.
+    const Eigen::VectorXd u = trial.u;
+    const double multiplier = trial.multiplier;
+    double best = std::numeric_limits<double>::infinity(), best_factor = 0;
+    for (double factor = 1.0; factor > 0.1; factor /= 2) {
+      trial.u = u + factor * change;
+      trial.multiplier = multiplier + factor * multiplier_change;
+      const bool admissible = evaluate_on_a_pattern(old, trial, with_contact, inertia, law);
+      const double reached = admissible ? relative_residual(trial, prescribed) : best;
+      if (admissible && reached < best) {
+        best = reached;
+        best_factor = factor;
       }
-    if (prescribed)
-      for (const int equation : master_)
-        if (equation >= 0) {
-          residual[equation] = 0;
-          tangent_->make_unit_row(equation, 1e10);
-        }
-    {
-      const Stopwatch watch(time_split["factor"]);
-      if (!direct_->factorise()) {
-        report.reason = "the tangent could not be factorised";
-        return report;
-      }
+      if (admissible && (first || reached < relative)) break;
+      if (first && prescribed) break; // a driven face cannot go half the way
     }
-    const Stopwatch watch(time_split["solve"]);
-    Eigen::VectorXd change = direct_->solve(-residual);
-    if (inertia && trial.load.constrained) {
-      Eigen::VectorXd push = Eigen::VectorXd::Zero(equations_.n), gradient = push;
-      for (int i = 0; i < 3; ++i)
-        if (master_[i] >= 0) {
-          push[master_[i]] = trial.load.d_multiplier[i] / share();
-          gradient[master_[i]] = trial.load.gradient[i];
-        }
-      const Eigen::VectorXd response = direct_->solve(push);
-      const double d = (-trial.load.constraint - gradient.dot(change)) / gradient.dot(response);
-      change += d * response;
-      trial.multiplier += d;
+    if (best_factor == 0) {
+      report.reason = "a cell turned inside out";
+      return report;
     }
-    for (int i = 0; i < 3 && prescribed; ++i)
-      if (master_[i] >= 0) change[master_[i]] = still_to_go[i];
-    still_to_go.setZero();
-    trial.u += change;
+    if (trial.u != u + best_factor * change) {
+      trial.u = u + best_factor * change;
+      trial.multiplier = multiplier + best_factor * multiplier_change;
+      evaluate_on_a_pattern(old, trial, with_contact, inertia, law);
+    }
+    relative = best;
+    first = false;
   }
-  report.reason = "Newton did not converge in " + std::to_string(options_.max_iterations) + " iterations";
-  return report;
 }
 
 void RimSolver::commit(ArcState &state, Trial &trial) const {
@@ -274,6 +320,7 @@ void RimSolver::commit(ArcState &state, Trial &trial) const {
   state.history.swap(trial.history);
   state.contact = trial.contact;
   WallContact::augment(state.contact); // the pressure reached is the next step's multiplier
+  contact_.settle_edges(equations_.expand(trial.u), state.contact);
   state.R = trial.R;
   state.energies = trial.energies;
   state.report = trial.report;
@@ -311,10 +358,21 @@ StepReport RimSolver::step(ArcState &state, double dt, const MasterLaw &law, dou
   const Inertia inertia{scheme, dt, scheme.predicted_displacement(state.u, state.v, state.a, dt),
                         scheme.predicted_velocity(state.v, state.a, dt), state.a};
   Trial trial;
-  trial.u = inertia.u_predicted + scheme.beta * dt * dt * state.a;
+  // Start from the last increment repeated: loading goes on mostly as it did. Where it does not, from the old state.
+  const bool extrapolate = state.last_dt > 0;
+  trial.u = extrapolate ? Eigen::VectorXd(state.u + dt / state.last_dt * state.last_change) : state.u;
   trial.multiplier = multiplier;
   StepReport report = iterate(state, trial, true, &inertia, &law, nullptr);
+  if (!report.converged && extrapolate) {
+    const int spent = report.iterations;
+    trial.u = state.u;
+    trial.multiplier = multiplier;
+    report = iterate(state, trial, true, &inertia, &law, nullptr);
+    report.iterations += spent;
+  }
   if (!report.converged) return report;
+  state.last_dt = dt;
+  state.last_change = trial.u - state.u;
   const Eigen::VectorXd a = inertia.acceleration(trial.u), change_of_a = a - state.a;
   report.integrator_loss = share() * scheme.loss(dt, trial.u - state.u, change_of_a, mass_->multiply(change_of_a), state.R, trial.R);
   const ContactState before = state.contact;
@@ -337,14 +395,36 @@ void RimSolver::place(ArcState &state, const Eigen::Vector3d &master, const Eige
       state.v[equation] = velocity[i];
       state.a[equation] = acceleration[i];
     }
+  state.last_dt = 0;
   state.master = master_of(state.u);
   state.master_velocity = master_of(state.v);
+  state.contact = contact_.open();
+  contact_.settle_edges(equations_.expand(state.u), state.contact);
+}
+
+void RimSolver::kick(ArcState &state, const Eigen::Vector3d &velocity) const {
+  for (int i = 0; i < 3; ++i)
+    for (const int equation : slider_equations_[i]) state.v[equation] += velocity[i];
+  state.master_velocity = master_of(state.v);
+}
+
+void RimSolver::refresh_forces(ArcState &state, const MasterLaw &law, double multiplier) {
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations_.n);
+  SolidHistory unchanged;
+  state.energies = {};
+  if (!solid_.assemble(equations_.expand(state.u), state.history, unchanged, equations_, forces, nullptr, state.energies))
+    throw SolverStopped("a stored state of the rim is not admissible");
+  state.R = -forces;
+  const MasterLoad load = law(state.master, state.master_velocity, multiplier);
+  for (int i = 0; i < 3; ++i)
+    if (master_[i] >= 0) state.R[master_[i]] += load.force[i] / share();
 }
 
 double RimSolver::surface_gap(const ArcState &state, const Eigen::Vector3d &master) const {
   ArcState moved = state;
   place(moved, master, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
   ContactState contact = contact_.open();
+  contact_.settle_edges(equations_.expand(moved.u), contact);
   return contact_.assemble(equations_.expand(moved.u), contact, equations_, nullptr, nullptr).smallest_gap;
 }
 

@@ -25,6 +25,8 @@ struct ArcState {
   ContactReport report;
   Eigen::Vector3d master = Eigen::Vector3d::Zero(); ///< displacement of the top face [m]
   Eigen::Vector3d master_velocity = Eigen::Vector3d::Zero();
+  Eigen::VectorXd last_change; ///< of u over the last step, the next one's first guess
+  double last_dt = 0;          ///< [s], 0: none
 };
 
 /// What acts on the top face besides the solids, for the whole bearing (the solver halves it for a half model).
@@ -53,9 +55,9 @@ struct StepReport {
 struct RimSolverOptions {
   int degree = 2;
   double rho_inf = 0.5;
-  double penalty_factor = 1.0;
-  double gap_tolerance = 1e-6;    ///< [m]
-  int max_augmentations = 6;      ///< reported when reached
+  double penalty_factor = 5.0;
+  double gap_tolerance = 2e-6;    ///< [m]
+  int max_augmentations = 3;      ///< reported when reached
   int max_iterations = 15;
   double tolerance = 1e-7;        ///< relative residual
   double attached_mass = 0;       ///< supported mass on the top face, the slider's own included [kg]
@@ -64,6 +66,9 @@ struct RimSolverOptions {
 class RimSolver {
 public:
   RimSolver(const scene::Bearing &bearing, const meshes::RimMeshOptions &mesh, const RimSolverOptions &options);
+  /// On a mesh of one's own with the groups of rim_mesh.
+  RimSolver(const scene::Bearing &bearing, const meshes::HexMesh &own, const meshes::RimMeshOptions &mesh,
+            const RimSolverOptions &options);
   ~RimSolver();
 
   ArcState virgin() const;
@@ -76,6 +81,12 @@ public:
   /// Places the slider, at rest in itself, at a master displacement with a velocity and acceleration.
   void place(ArcState &state, const Eigen::Vector3d &master, const Eigen::Vector3d &velocity,
              const Eigen::Vector3d &acceleration) const;
+  /// Adds a velocity to the whole slider.
+  void kick(ArcState &state, const Eigen::Vector3d &velocity) const;
+  /// Recomputes energies and the forces R of a state that was placed, not solved.
+  void refresh_forces(ArcState &state, const MasterLaw &law, double multiplier);
+  Eigen::Vector3d master_acceleration(const ArcState &state) const { return master_of(state.a); }
+  const RimSolverOptions &options() const { return options_; }
   /// Smallest distance of the walls with the slider moved rigidly to a master displacement.
   double surface_gap(const ArcState &state, const Eigen::Vector3d &master) const;
   /// Kinetic energy of solids and mass, whole bearing [J]; of the mass moving with the top face alone.
@@ -94,9 +105,12 @@ public:
 private:
   struct Trial;
   struct Inertia;
-  void make_equations(const scene::Bearing &bearing, const meshes::RimMeshOptions &mesh);
+  void make_equations(const meshes::RimMeshOptions &mesh);
   void make_pattern(const Eigen::VectorXd &u);
   bool evaluate(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia, const MasterLaw *law);
+  bool evaluate_on_a_pattern(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia, const MasterLaw *law);
+  double relative_residual(const Trial &trial, bool prescribed) const;
+  Eigen::VectorXd newton_change(Trial &trial, bool inertial, const Eigen::Vector3d *to_go, double &multiplier_change);
   StepReport iterate(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia, const MasterLaw *law,
                      const Eigen::Vector3d *prescribed);
   void commit(ArcState &state, Trial &trial) const;

@@ -123,6 +123,7 @@ TEST(WallContact, ForcesBalanceAndTangentAgreesWithDifferences) {
   move(space, Volume::upper_slider, {0, 0, -3e-4}, u); // pressed in by more than the roughness
   SymmetricMatrix tangent(equations.n, contact.cliques(u, equations));
   ContactState state = contact.open();
+  contact.settle_edges(u, state);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations.n), plus = forces, minus = forces;
   const auto report = contact.assemble(u, state, equations, &forces, &tangent);
   ASSERT_GT(report.active, 10);
@@ -149,6 +150,7 @@ TEST(WallContact, NothingOppositeGivesNothing) {
   Eigen::VectorXd u = Eigen::VectorXd::Zero(space.n_dofs());
   move(space, Volume::upper_slider, {0.5, 0, -3e-4}, u); // far off the master's edge
   ContactState state = contact.open();
+  contact.settle_edges(u, state);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations.n);
   const auto report = contact.assemble(u, state, equations, &forces, nullptr);
   EXPECT_EQ(report.active, 0);

@@ -1,0 +1,106 @@
+// The quasi-static push of rung R1: the top face is driven beyond touch and back, the height following the dish.
+#include "fe_contact/runner/rim_run.h"
+#include "scene/error.h"
+
+namespace rimpact::fe {
+namespace {
+
+struct Pusher {
+  const scene::Scene &scene;
+  const RunOptions &options;
+  RimSolver &solver;
+  RunRecord &record;
+  reduced::PhysicalModel model;
+  RimFrame frame;
+  ArcState state;
+  double elastic_before = 0, work = 0;
+  Eigen::Vector3d last_force = Eigen::Vector3d::Zero();
+
+  Pusher(const scene::Scene &scene, const RunOptions &options, RimSolver &solver, RunRecord &record)
+      : scene(scene), options(options), solver(solver), record(record), model(scene), state(solver.virgin()) {
+    const double capacity = scene.bearing.lateral_capacity();
+    frame = {scene.excitation.direction_deg * M_PI / 180, capacity, model.height(capacity, 0).z};
+  }
+
+  Eigen::Vector3d target(double travel) const {
+    return {travel, 0, model.height(frame.lateral_capacity + travel, 0).z - frame.touch_height};
+  }
+
+  void sample(double parameter, const StepReport &report, double travel_step) {
+    const Eigen::Vector3d u = frame.displacement(state.master), force = frame.to_global(report.rim_force);
+    auto &r = record.response;
+    const auto put = [&](const char *name, double value) { r.append(name, value); };
+    put("time", parameter);
+    const char *axes[3] = {"x", "y", "z"};
+    for (int i = 0; i < 3; ++i) {
+      r.append(std::string("displacement_") + axes[i], u[i]);
+      r.append(std::string("velocity_") + axes[i], 0);
+      r.append(std::string("force_") + axes[i], force[i]);
+      if (i == 2) break;
+      r.append(std::string("pendular_") + axes[i], 0);
+      r.append(std::string("friction_") + axes[i], 0);
+      r.append(std::string("impact_") + axes[i], force[i]);
+    }
+    put("gap", frame.lateral_capacity - u.head<2>().norm());
+    put("surface_gap", std::min(state.report.smallest_gap, no_gap));
+    put("plastic_strain_max", solver.largest_plastic_strain(state));
+    put("contact_pressure_max", state.report.largest_pressure);
+    put("newton_iterations", report.iterations);
+    put("step", travel_step);
+    const auto &ledger = record.ledger;
+    put("energy_external", ledger.external);
+    put("energy_elastic", ledger.elastic);
+    put("energy_plastic", ledger.plastic);
+    put("energy_contact", ledger.contact);
+    for (const char *name : {"energy_gravity", "energy_kinetic", "energy_friction", "energy_impact", "energy_integrator"}) put(name, 0);
+  }
+
+  /// Moves to a travel, cutting the way where Newton needs it.
+  void advance(double travel, double parameter, double &reached) {
+    double step = travel - reached;
+    for (int cuts = 0; std::abs(travel - reached) > 1e-12;) {
+      if (options.interrupted && *options.interrupted) throw Interrupted();
+      const double next = std::abs(travel - reached) < std::abs(step) ? travel : reached + step;
+      const Eigen::Vector3d before = state.master;
+      const StepReport report = solver.push(state, target(next));
+      record.n_newton += report.iterations;
+      if (!report.converged) {
+        ++record.n_cuts;
+        if (++cuts > 12) throw SolverStopped("the push stopped at " + std::to_string(1e3 * reached) +
+                                             " mm beyond touch: " + report.reason + "; try a finer mesh or a smaller travel_mm");
+        step /= 2;
+        continue;
+      }
+      ++record.n_steps;
+      record.ledger.external -= 0.5 * (report.rim_force + last_force).dot(state.master - before);
+      last_force = report.rim_force;
+      record.ledger.elastic = solver.share() * state.energies.elastic;
+      record.ledger.plastic = solver.share() * state.energies.plastic;
+      record.ledger.contact += report.contact_work;
+      record.ledger.largest_input = std::max(record.ledger.largest_input, std::abs(record.ledger.external));
+      sample(parameter, report, std::abs(next - reached));
+      reached = next;
+      if (options.progress)
+        options.progress({parameter, 1.0, std::abs(next - reached), report.iterations, state.report.smallest_gap,
+                          report.rim_force.head<2>().norm(), "push"});
+    }
+  }
+};
+
+} // namespace
+
+void run_rim_push(const scene::Scene &scene, const RunOptions &options, RimSolver &solver, RunRecord &record) {
+  constexpr int steps_in = 32, steps_out = 64;
+  Pusher pusher(scene, options, solver, record);
+  const double travel = scene.excitation.travel * scene.excitation.scale, out = scene.excitation.unload ? 0.5 : 1.0;
+  double reached = 0;
+  pusher.sample(0, {}, 0);
+  for (int n = 1; n <= steps_in; ++n) pusher.advance(travel * n / steps_in, out * n / steps_in, reached);
+  write_fields(solver, pusher.state, pusher.frame, out, options, record);
+  // Unloading is nearly elastic and short: fine steps until the walls part.
+  for (int n = 1; scene.excitation.unload && n <= steps_out && pusher.state.report.active > 0; ++n)
+    pusher.advance(travel * (1 - double(n) / steps_out), 0.5 + 0.5 * n / steps_out, reached);
+  if (scene.excitation.unload) write_fields(solver, pusher.state, pusher.frame, 1.0, options, record);
+}
+
+} // namespace rimpact::fe

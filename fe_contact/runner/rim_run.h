@@ -1,0 +1,43 @@
+/// Rung R1: whole histories and windows (rim_run.cc), quasi-static pushes (rim_push.cc). Between impacts the reduced
+/// model flies; while the walls touch, the solids are stepped implicitly with the rest of the bearing acting on the
+/// slider's top face. Each touched arc keeps its own yielded state.
+#pragma once
+#include "fe_contact/runner/checkpoint.h"
+#include "fe_contact/runner/mass_loads.h"
+#include "fe_contact/runner/run.h"
+
+namespace rimpact::fe {
+
+/// What a run accumulates, whatever drives it.
+struct RunRecord {
+  scene::Response response;
+  scene::EnergyLedger ledger;
+  std::vector<scene::Impact> impacts;
+  long n_steps = 0, n_newton = 0, n_cuts = 0, augmentation_caps = 0;
+  double smallest_normal = 0;
+  std::vector<std::pair<double, std::string>> fields; ///< (time, VTU file) for the PVD
+  std::vector<std::string> warnings;
+};
+
+/// One touched arc of the rim.
+struct Arc {
+  RimFrame frame;
+  ArcState state;
+  bool yielded = false;
+};
+
+/// Mesh options of the plan, and solver options of the scene.
+meshes::RimMeshOptions rim_mesh_options(const scene::Scene &scene, const Plan &plan);
+RimSolverOptions rim_solver_options(const scene::Scene &scene);
+
+/// Runs into `record`. Throw SolverStopped or Interrupted with the record as it stands.
+void run_rim_dynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RimSolver &solver,
+                     RunRecord &record);
+void run_rim_push(const scene::Scene &scene, const RunOptions &options, RimSolver &solver, RunRecord &record);
+
+/// Writes a VTU of the solver's solids in a state and notes it for the PVD.
+void write_fields(const RimSolver &solver, const ArcState &state, const RimFrame &frame, double time,
+                  const RunOptions &options, RunRecord &record);
+void write_pvd(const RunOptions &options, const RunRecord &record);
+
+} // namespace rimpact::fe
