@@ -74,6 +74,12 @@ ReducedRun simulate_with_cvode(const scene::Scene &scene);
 /// Peaks and impacts only, nothing stored: the calibration's and the benchmarks' hot path.
 scene::Summary simulate_summary(const scene::Scene &scene);
 
+/// As `simulate`, but from `start` at time start.t to t_end: one impact shot from a state just at touch, say.
+/// `lateral_capacity_override` >= 0 replaces the bearing's L_c (a dented rim is touched further out). Ignored kinds:
+/// the quasi-static ones have no state to start from (InputError).
+ReducedRun simulate_from(const scene::Scene &scene, const BearingState &start, double t_end,
+                         double lateral_capacity_override = -1);
+
 /// Scale of the excitation at which the rim is first touched (thesis notes, 1), by bisection to `relative`;
 /// nullopt when it is not bracketed in [low, high].
 std::optional<double> critical_scale(scene::Scene scene, double low = 0.2, double high = 3.0, double relative = 1e-6);

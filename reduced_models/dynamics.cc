@@ -1,0 +1,185 @@
+#include "reduced_models/dynamics.h"
+#include "scene/error.h"
+#include <cmath>
+
+namespace rimpact::reduced {
+
+using Eigen::Vector2d, Eigen::Vector3d;
+
+namespace {
+
+bool weightless(const scene::Scene &scene) {
+  return scene.excitation.kind == scene::ExcitationKind::window && !scene.excitation.with_weight;
+}
+
+NormalForce reading_of(const scene::Scene &scene) {
+  const auto &name = scene.reduced.normal_force;
+  if (name == "constant" || weightless(scene)) // in a horizontal plane nothing changes N
+    return NormalForce::constant;
+  if (name == "inertia")
+    return NormalForce::inertia;
+  if (name == "static")
+    return NormalForce::statics;
+  throw InputError("reduced.normal_force \"" + name + "\" is unknown; known: inertia, static, constant");
+}
+
+} // namespace
+
+Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
+    : mass(scene.load.mass), weight(scene.load.vertical),
+      lateral_capacity(capacity >= 0 ? capacity : scene.bearing.lateral_capacity()),
+      height(weightless(scene) ? RidingHeight::plane(scene.bearing, scene.bearing.lateral_capacity())
+                               : RidingHeight(scene.bearing, scene.reduced.finite_pad)),
+      reading(reading_of(scene)), ground(scene.excitation, scene.load.gravity) {
+  const auto &r = scene.reduced;
+  const bool window = scene.excitation.kind == scene::ExcitationKind::window;
+  if (!window || scene.excitation.with_friction) {
+    friction_law = {r.mu_slow, r.mu_fast, r.mu_slow == r.mu_fast ? 0.0 : r.rate};
+    if (r.socket_friction && !height.is_plane())
+      socket = scene.bearing.contact.steel_steel * scene.bearing.foot.cap_radius;
+    if (r.friction == "park-wen") {
+      park_wen_ = true, elastic_slip = r.elastic_slip;
+      if (!(elastic_slip > 0))
+        throw InputError("reduced.elastic_slip_mm " + std::to_string(elastic_slip * 1e3) + " must be above 0");
+    } else if (r.friction != "coulomb") {
+      throw InputError("reduced.friction \"" + r.friction + "\" is unknown; known: coulomb, park-wen");
+    }
+  } else {
+    friction_law = {0, 0, 0};
+  }
+  friction_law.validate();
+  if (with_rim && r.k_i > 0)
+    rim = {r.k_i, damping_coefficient(r.k_i, r.restitution, mass), &impact_law(r.impact_law)};
+  dead_load_ = height.is_plane() ? 0.0 : weight;
+  vertical_restitution_ = r.vertical_restitution;
+  limit_squared_ = height.limit_radius() * height.limit_radius();
+  speed_scale = std::sqrt(scene.load.gravity * lateral_capacity);
+  stop_speed = 5 * r.tolerance * speed_scale;
+}
+
+void Dynamics::rim_terms(const Mode &mode, const Vector2d &u, const Vector2d &v, Evaluation &e) const {
+  const double r = u.norm();
+  e.gap = lateral_capacity - r;
+  e.gap_rate = r > 0 ? -u.dot(v) / r : -v.norm();
+  e.impact.setZero();
+  if (mode.rim != RimContact::pressed)
+    return;
+  e.rim_force = rim.at(-e.gap, -e.gap_rate, v.norm()).force;
+  e.impact.head<2>() = -e.rim_force / r * u;
+}
+
+Vector3d Dynamics::friction_per_normal(const scene::SurfacePoint &p, const Vector2d &u, const Vector2d &v,
+                                       double mu) const {
+  const double vz = p.gradient.dot(v), speed = std::sqrt(v.squaredNorm() + vz * vz);
+  if (!(speed > 0))
+    return Vector3d::Zero();
+  Vector3d f(-mu / speed * v[0], -mu / speed * v[1], -mu / speed * vz);
+  if (socket > 0) {
+    const double r = u.norm();
+    const Vector2d er = r > 0 ? Vector2d(u / r) : Vector2d::UnitX(), ec(-er[1], er[0]);
+    const auto k = height.curvatures(r);
+    const double slope = p.gradient.dot(er), S = std::sqrt(1 + slope * slope);
+    const double wm = k.meridional * S * v.dot(er), wc = k.circumferential * v.dot(ec), w = std::hypot(wm, wc);
+    if (w > 0) {
+      const double fm = -socket * k.meridional * wm / w, fc = -socket * k.circumferential * wc / w;
+      f.head<2>() += fm / S * er + fc * ec;
+      f[2] += fm * slope / S;
+    }
+  }
+  return f;
+}
+
+Vector3d Dynamics::applied(const Evaluation &e, double t, Vector3d &a_g) const {
+  a_g = ground.acceleration(t);
+  Vector3d force = e.impact - mass * a_g;
+  force[2] -= dead_load_;
+  return force;
+}
+
+Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y) const {
+  Evaluation e;
+  const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
+  rim_terms(mode, u, v, e);
+  e.eta_rate.setZero();
+  Vector3d a_g;
+  const Vector3d F = applied(e, t, a_g);
+  if (mode.support == Support::airborne) {
+    e.pendular.setZero(), e.friction.setZero();
+    e.acceleration = F / mass;
+    e.ground_power = -mass * (a_g[0] * v[0] + a_g[1] * v[1] + a_g[2] * y[iVZ]);
+    return e;
+  }
+  const auto p = height.at(u[0], u[1]);
+  const Vector2d &g = p.gradient;
+  const double S = std::sqrt(1 + g.squaredNorm()), vz = g.dot(v);
+  if (mode.support == Support::stuck) {
+    const Hold h = hold(mode, t, y);
+    e.normal = h.normal;
+    e.pendular = h.normal / S * Vector3d(-g[0], -g[1], 1), e.friction = h.friction;
+    e.acceleration.setZero();
+    return e;
+  }
+  // friction per unit of N
+  Vector3d f;
+  const double speed = std::sqrt(v.squaredNorm() + vz * vz), mu = friction_law.at(speed).value;
+  if (park_wen_) {
+    const Vector2d eta(y[iEX], y[iEY]);
+    e.eta_rate = park_wen_rate(eta, v, elastic_slip);
+    f = friction_per_normal(p, u, eta, mu) * eta.norm();
+  } else {
+    const double side = v.dot(mode.e0);
+    f = side > 0 ? friction_per_normal(p, u, v, mu)
+                 : (side < 0 ? friction_per_normal(p, u, -v, mu) : friction_per_normal(p, u, mode.e0, mu));
+  }
+  const double curvature = v.dot(p.hessian * v);
+  switch (reading) {
+  case NormalForce::inertia:
+    e.normal = (mass * curvature + g.dot(F.head<2>()) - F[2]) / S;
+    break;
+  case NormalForce::statics:
+    e.normal = std::max(0.0, -F[2] / (1 / S + f[2]));
+    break;
+  case NormalForce::constant:
+    e.normal = weight;
+    break;
+  }
+  e.pendular = e.normal / S * Vector3d(-g[0], -g[1], 1);
+  e.friction = e.normal * f;
+  e.acceleration.head<2>() = (F + e.pendular + e.friction).head<2>() / mass;
+  e.acceleration[2] = g.dot(e.acceleration.head<2>()) + curvature;
+  e.ground_power = -mass * (a_g[0] * v[0] + a_g[1] * v[1] + (reading == NormalForce::constant ? 0.0 : a_g[2] * vz));
+  return e;
+}
+
+void Dynamics::rhs(const Mode &mode, double t, const State &y, State &dy) const {
+  dy.fill(0.0);
+  if (!inside(y)) { // beyond the dish: inadmissible, the step control cuts the step
+    dy.fill(std::nan(""));
+    return;
+  }
+  const Evaluation e = evaluate(mode, t, y);
+  dy[iX] = y[iVX], dy[iY] = y[iVY];
+  dy[iVX] = e.acceleration[0], dy[iVY] = e.acceleration[1];
+  dy[iExternal] = e.ground_power;
+  dy[iImpact] = -e.impact[0] * y[iVX] - e.impact[1] * y[iVY];
+  if (mode.support == Support::airborne) {
+    dy[iZ] = y[iVZ], dy[iVZ] = e.acceleration[2];
+    return;
+  }
+  dy[iEX] = e.eta_rate[0], dy[iEY] = e.eta_rate[1];
+  dy[iPendular] = -e.pendular[0] * y[iVX] - e.pendular[1] * y[iVY];
+  dy[iFriction] = -e.friction[0] * y[iVX] - e.friction[1] * y[iVY];
+  if (reading != NormalForce::constant && e.pendular[2] > 0) // v_z = grad h . v, and grad h = -pendular_xy / pendular_z
+    dy[iFriction] += e.friction[2] * (e.pendular[0] * y[iVX] + e.pendular[1] * y[iVY]) / e.pendular[2];
+}
+
+double Dynamics::kinetic_energy(const Mode &, const State &y) const {
+  const double vz = reading == NormalForce::inertia ? y[iVZ] : 0.0;
+  return mass / 2 * (y[iVX] * y[iVX] + y[iVY] * y[iVY] + vz * vz);
+}
+
+double Dynamics::potential_energy(const State &y) const {
+  return reading == NormalForce::constant ? y[iPendular] : dead_load_ * y[iZ];
+}
+
+} // namespace rimpact::reduced

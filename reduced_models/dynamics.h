@@ -1,0 +1,115 @@
+/// Equations of motion of a mass on a dish with a rim (thesis 2.2), one smooth branch at a time; the events that end
+/// a branch and what follows them. Both integrators (own stepper, CVODE) drive these same branches. SI units.
+///
+///   m u'' = -m a_g - W e_z + N n + f_t + I,      z = h(x, y) while the dish carries the mass,
+///
+/// n the upward unit normal, f_t tangent to the surface, I horizontal. Along the surface z'' = grad h . (x'', y'') + v^T H v,
+/// so N = m v^T H v / S - n . (-m a_g - W e_z + I), S = sqrt(1 + |grad h|^2): exact, vertical inertia, ground motion and
+/// the rim's unloading included; a tangent friction drops out of it.
+///   `inertia`   this N; the mass lifts off when it reaches zero.
+///   `static`    N from vertical equilibrium N n_z + f_z = W + m a_gz; planar inertia only, no uplift.
+///   `constant`  N = W; planar inertia only, no uplift.
+#pragma once
+#include "reduced_models/friction_law.h"
+#include "reduced_models/impact_law.h"
+#include "reduced_models/physical_model.h"
+#include "reduced_models/riding_height.h"
+#include <array>
+#include <span>
+
+namespace rimpact::reduced {
+
+/// u, v, eta, then energies gathered along the way: work of the ground (external), lost in friction, taken by the rim,
+/// and work against the pendular force (only read for `constant`, where it is not W h).
+enum Index { iX, iY, iZ, iVX, iVY, iVZ, iEX, iEY, iExternal, iFriction, iImpact, iPendular, n_state };
+using State = std::array<double, n_state>;
+
+enum class Support { sliding, stuck, airborne };
+enum class RimContact { open, pressed, relaxed }; ///< relaxed: d > 0, but a unilateral element has let go
+
+/// The branch the system is on.
+struct Mode {
+  Support support = Support::sliding;
+  RimContact rim = RimContact::open;
+  /// Direction of sliding when the branch (or step) began. Friction keeps to its half plane, so that straight-line
+  /// motion continues smoothly through v = 0 and the stop is a simple root of v . e0.
+  Eigen::Vector2d e0 = Eigen::Vector2d::UnitX();
+};
+
+enum class NormalForce { inertia, statics, constant };
+
+/// Everything that acts in a state.
+struct Evaluation {
+  double normal = 0, rim_force = 0; ///< N; force of the rim, > 0 inwards [N]
+  double gap = 0, gap_rate = 0;     ///< L_c - |u_xy| and its rate
+  double ground_power = 0;          ///< [W]
+  Eigen::Vector3d pendular, friction, impact, acceleration;
+  Eigen::Vector2d eta_rate;
+};
+
+/// Whether friction can hold the mass at rest. `excess` > 0: it cannot, by so much over N [-].
+struct Hold {
+  double excess, normal;
+  Eigen::Vector2d direction; ///< in which it would start to slide (planar, unit)
+  Eigen::Vector3d friction;  ///< holding force, when it holds [N]
+};
+
+/// What ends a branch. Each has a value that is positive before and falls through zero at the event.
+enum class Event { stop, uplift, landing, touch, release, let_go, press_again, turning };
+
+class Dynamics {
+public:
+  /// `with_rim` false or k_i = 0: no rim element. `lateral_capacity` < 0: the bearing's own.
+  explicit Dynamics(const scene::Scene &scene, bool with_rim = true, double lateral_capacity = -1);
+
+  Evaluation evaluate(const Mode &mode, double t, const State &y) const;
+  void rhs(const Mode &mode, double t, const State &y, State &dy) const;
+  /// At rest on the dish; the rim, when pressed, pushes with its spring.
+  Hold hold(const Mode &mode, double t, const State &y) const;
+
+  /// Events that can end `mode`.
+  std::span<const Event> events(const Mode &mode) const;
+  double value(Event event, const Mode &mode, double t, const State &y) const;
+  /// Applies an event: switches the branch, projects the state on it. Returns the energy lost in a landing [J].
+  double apply(Event event, Mode &mode, double t, State &y) const;
+  /// Branch of a state at the start of a run or after a jump: decides between sliding, stuck and airborne.
+  void settle(Mode &mode, double t, State &y) const;
+  Mode starting_mode(const BearingState &start, State &y) const;
+  /// Fills z and v_z from the surface; before each step e0 follows the velocity.
+  void project(Mode &mode, State &y) const;
+
+  double kinetic_energy(const Mode &mode, const State &y) const;
+  double potential_energy(const State &y) const; ///< W z, or the pendular work for `constant`
+  double coulomb_limit() const { return friction_law.mu_slow; }
+  bool inside(const State &y) const { return y[iX] * y[iX] + y[iY] * y[iY] < limit_squared_; }
+  bool has_rim() const { return rim.stiffness > 0; }
+  bool park_wen() const { return park_wen_; }
+
+  // Read by the drivers and the recorder.
+  double mass, weight, lateral_capacity, elastic_slip = 0;
+  double speed_scale, stop_speed; ///< scale for tolerances [m/s]; below stop_speed a decelerating mass has stopped
+  RimElement rim;
+  RidingHeight height;
+  FrictionCoefficient friction_law;
+  NormalForce reading = NormalForce::inertia;
+  scene::GroundMotion ground;
+
+  /// Friction per unit of normal force, tangent to the surface and opposed to `v`; zero for v = 0.
+  /// `p` the riding height at `u`. Includes the socket: the foot must turn with the surface's normal n inside the
+  /// socket of radius R_cap, dissipating mu_ss N R_cap |n'|, n' = -(kappa_m v_m, kappa_c v_c) along meridian and circle,
+  /// i.e. a tangent force mu_ss N R_cap K^2 v / |K v|; in unidirectional motion mu_ss N R_cap kappa_m.
+  Eigen::Vector3d friction_per_normal(const scene::SurfacePoint &p, const Eigen::Vector2d &u, const Eigen::Vector2d &v,
+                                      double mu) const;
+  /// Per unit of normal force: mu_ss R_cap [m], 0 when the socket is frictionless.
+  double socket = 0;
+
+private:
+  Eigen::Vector3d applied(const Evaluation &e, double t, Eigen::Vector3d &ground) const;
+  void rim_terms(const Mode &mode, const Eigen::Vector2d &u, const Eigen::Vector2d &v, Evaluation &e) const;
+  double land(Mode &mode, double t, State &y) const;
+  double dead_load_ = 0;   ///< W that acts vertically (0 for a window without weight)
+  double vertical_restitution_ = 0, limit_squared_ = 0;
+  bool park_wen_ = false;
+};
+
+} // namespace rimpact::reduced

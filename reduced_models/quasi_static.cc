@@ -1,0 +1,115 @@
+#include "reduced_models/quasi_static.h"
+#include "reduced_models/dynamics.h"
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace rimpact::reduced {
+
+using Eigen::Vector2d;
+
+namespace {
+
+/// The prescribed path over the load parameter s, and the forces on it.
+class Path {
+public:
+  explicit Path(const scene::Scene &scene) : excitation_(scene.excitation), dynamics_(scene) {}
+
+  Vector2d at(double s) const {
+    return scene::prescribed_displacement(excitation_, dynamics_.lateral_capacity, s);
+  }
+  /// Direction of arrival (of departure at s = 0): friction persists until the path really turns.
+  Vector2d direction(double s) const {
+    constexpr double ds = 1e-6;
+    const Vector2d step = s > ds ? at(s) - at(s - ds) : at(s + ds) - at(s);
+    return step.norm() > 0 ? Vector2d(step.normalized()) : Vector2d::UnitX();
+  }
+  State state(const Vector2d &u) const {
+    State y{};
+    y[iX] = u[0], y[iY] = u[1], y[iZ] = dynamics_.height.at(u[0], u[1]).z;
+    return y;
+  }
+  Evaluation forces(const Vector2d &u, const Vector2d &direction) const {
+    Mode mode;
+    mode.e0 = direction;
+    mode.rim = dynamics_.has_rim() && u.norm() >= dynamics_.lateral_capacity ? RimContact::pressed : RimContact::open;
+    return dynamics_.evaluate(mode, 0, state(u));
+  }
+  const Dynamics &dynamics() const { return dynamics_; }
+
+private:
+  const scene::Excitation &excitation_;
+  Dynamics dynamics_;
+};
+
+/// Works over one interval of the path by Gauss's four points: of the drive, the friction and the rim.
+void add_works(const Path &path, double s0, double s1, scene::EnergyLedger &ledger) {
+  constexpr double x[] = {0.8611363115940526, 0.3399810435848563}, w[] = {0.3478548451374538, 0.6521451548625461};
+  for (int i = 0; i < 4; ++i) {
+    const double s = (s0 + s1) / 2 + (i % 2 ? -1 : 1) * x[i / 2] * (s1 - s0) / 2, ds = 1e-3 * (s1 - s0);
+    const Vector2d du = (path.at(s + ds) - path.at(s - ds)) / (2 * ds) * w[i / 2] * (s1 - s0) / 2;
+    if (du.norm() == 0)
+      continue;
+    const Vector2d u = path.at(s);
+    const Evaluation e = path.forces(u, du.normalized());
+    const double dz = path.dynamics().height.at(u[0], u[1]).gradient.dot(du);
+    const bool constant = path.dynamics().reading == NormalForce::constant;
+    ledger.external -= (e.pendular + e.friction + e.impact).head<2>().dot(du);
+    ledger.friction -= e.friction.head<2>().dot(du) + (constant ? 0.0 : e.friction[2] * dz);
+    ledger.impact -= e.impact.head<2>().dot(du);
+    if (constant)
+      ledger.gravity -= e.pendular.head<2>().dot(du);
+  }
+}
+
+void store(const Path &path, double s, scene::EnergyLedger &ledger, scene::Response &response,
+           scene::Summary &summary) {
+  const Vector2d u = path.at(s);
+  const Evaluation e = path.forces(u, path.direction(s));
+  const State y = path.state(u);
+  const Eigen::Vector3d force = e.pendular + e.friction + e.impact;
+  if (path.dynamics().reading != NormalForce::constant)
+    ledger.gravity = path.dynamics().potential_energy(y) - path.dynamics().potential_energy(path.state(path.at(0)));
+  ledger.largest_input = std::max(ledger.largest_input, std::abs(ledger.external));
+  const std::pair<const char *, double> row[] = {
+      {"time", s}, {"displacement_x", u[0]}, {"displacement_y", u[1]}, {"displacement_z", y[iZ]}, {"velocity_x", 0},
+      {"velocity_y", 0}, {"velocity_z", 0}, {"force_x", force[0]}, {"force_y", force[1]}, {"force_z", force[2]},
+      {"pendular_x", e.pendular[0]}, {"pendular_y", e.pendular[1]}, {"friction_x", e.friction[0]},
+      {"friction_y", e.friction[1]}, {"impact_x", e.impact[0]}, {"impact_y", e.impact[1]}, {"gap", e.gap},
+      {"normal_force", e.normal},
+      {"energy_external", ledger.external}, {"energy_gravity", ledger.gravity}, {"energy_kinetic", 0},
+      {"energy_friction", ledger.friction}, {"energy_impact", ledger.impact}, {"energy_contact", 0}};
+  for (const auto &[name, value] : row)
+    response.append(name, value);
+  summary.min_normal_force = std::min(summary.min_normal_force.value_or(e.normal), e.normal);
+}
+
+} // namespace
+
+ReducedRun quasi_static(const scene::Scene &given) {
+  const auto begin = std::chrono::steady_clock::now();
+  scene::Scene scene = given;
+  // Slow motion: nothing accelerates, friction is fully developed and its vertical part shares in carrying W.
+  if (scene.reduced.normal_force == "inertia")
+    scene.reduced.normal_force = "static";
+  scene.reduced.friction = "coulomb";
+  const Path path(scene);
+  ReducedRun run;
+  scene::EnergyLedger ledger;
+  // a multiple of 4 samples a cycle, so that turning points are samples
+  const int n = 2000 * std::max(1, static_cast<int>(std::ceil(scene.excitation.cycles)));
+  store(path, 0, ledger, run.response, run.summary);
+  for (int i = 1; i <= n; ++i) {
+    add_works(path, double(i - 1) / n, double(i) / n, ledger);
+    store(path, double(i) / n, ledger, run.response, run.summary);
+  }
+  scene::summarise_response(run.response, run.summary);
+  run.summary.energy = ledger;
+  run.summary.rung = "reduced";
+  run.summary.n_dofs = 3;
+  run.summary.n_steps = n;
+  run.summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return run;
+}
+
+} // namespace rimpact::reduced

@@ -1,0 +1,232 @@
+#include "reduced_models/recorder.h"
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rimpact::reduced {
+
+namespace {
+
+/// Samples beside a jump of the rim force stand this far from it [s].
+constexpr double beside = 1e-6;
+
+const char *const columns[] = {"time", "displacement_x", "displacement_y", "displacement_z", "velocity_x",
+                               "velocity_y", "velocity_z", "force_x", "force_y", "force_z", "pendular_x", "pendular_y",
+                               "friction_x", "friction_y", "impact_x", "impact_y", "gap", "normal_force",
+                               "energy_external",
+                               "energy_gravity", "energy_kinetic", "energy_friction", "energy_impact",
+                               "energy_contact"};
+
+double lateral(const Evaluation &e) {
+  return (e.pendular + e.friction + e.impact).head<2>().norm();
+}
+
+/// Largest value of f over [0, 1] inside the interval, from values at its ends and middle; no search when a parabola
+/// through them has its top outside or does not beat `known`.
+template <class Function> double inner_maximum(const Function &f, double f0, double fm, double f1, double known) {
+  const double curvature = f0 - 2 * fm + f1, slope = f1 - f0;
+  if (!(curvature < 0) || std::abs(slope) >= -2 * curvature)
+    return std::max({f0, fm, f1});
+  const double top = fm - slope * slope / (8 * curvature);
+  if (top + 1e-3 * std::abs(top) <= known)
+    return std::max({f0, fm, f1});
+  double a = 0, b = 1;
+  constexpr double golden = 0.6180339887498949;
+  double l = b - golden * (b - a), r = a + golden * (b - a), fl = f(l), fr = f(r);
+  while (b - a > 1e-5) {
+    if (fl > fr)
+      b = r, r = l, fr = fl, l = b - golden * (b - a), fl = f(l);
+    else
+      a = l, l = r, fl = fr, r = a + golden * (b - a), fr = f(r);
+  }
+  return std::max({f0, fm, f1, fl, fr});
+}
+
+} // namespace
+
+Recorder::Recorder(const Dynamics &dynamics, scene::Response *response, double output_step,
+                   const scene::EnergyLedger &before)
+    : dynamics_(dynamics), response_(response), output_step_(output_step), contact_step_(output_step),
+      last_sample_(-1e300), before_(before) {
+  if (dynamics.has_rim()) // at least 120 samples over the half period of mass and spring
+    contact_step_ =
+        std::min(output_step, std::numbers::pi * std::sqrt(dynamics.mass / dynamics.rim.stiffness) / 120);
+  if (response_) {
+    for (const char *name : columns)
+      columns_.push_back(&response_->series(name));
+    if (!columns_[0]->empty())
+      last_sample_ = columns_[0]->back();
+  }
+}
+
+double Recorder::next_after(const Mode &mode, double t) const {
+  if (mode.rim != RimContact::open) // a unilateral element may press again: dense until it is open
+    return t + contact_step_;
+  return (std::floor(t / output_step_ + 1e-9) + 1) * output_step_;
+}
+
+void Recorder::begin(const Mode &mode, double t, const State &y) {
+  initial_potential_ = dynamics_.potential_energy(y);
+  const Evaluation e = dynamics_.evaluate(mode, t, y);
+  watch(mode, t, y, last_ = e);
+  store(mode, t, y);
+  next_sample_ = next_after(mode, t);
+  if (mode.rim == RimContact::pressed)
+    open_impact(t, y);
+}
+
+void Recorder::watch(const Mode &mode, double t, const State &y, Evaluation &e) {
+  (void)t;
+  peak_displacement_ = std::max(peak_displacement_, std::hypot(y[iX], y[iY]));
+  peak_height_ = std::max(peak_height_, y[iZ]);
+  peak_lateral_ = std::max(peak_lateral_, lateral(e));
+  smallest_normal_ = std::min(smallest_normal_, mode.support == Support::airborne ? 0.0 : std::max(0.0, e.normal));
+  smallest_gap_ = std::min(smallest_gap_, e.gap);
+  if (in_impact_) {
+    auto &i = impacts_.back();
+    i.peak_force = std::max(i.peak_force, e.rim_force);
+    i.peak_penetration = std::max(i.peak_penetration, -e.gap);
+  }
+}
+
+void Recorder::refine(const Mode &mode, const Segment &s, const Evaluation &e0, const Evaluation &mid,
+                      const Evaluation &e1) {
+  const auto at = [&](double theta) {
+    const double t = s.t0 + theta * (s.t1 - s.t0);
+    State y = s.at(t);
+    Mode m = mode;
+    dynamics_.project(m, y);
+    return dynamics_.evaluate(mode, t, y);
+  };
+  peak_lateral_ = std::max(peak_lateral_, inner_maximum([&](double x) { return lateral(at(x)); }, lateral(e0),
+                                                        lateral(mid), lateral(e1), peak_lateral_));
+  if (mode.support != Support::airborne)
+    smallest_normal_ = std::min(smallest_normal_,
+                                std::max(0.0, -inner_maximum([&](double x) { return -at(x).normal; }, -e0.normal,
+                                                             -mid.normal, -e1.normal, -smallest_normal_)));
+  if (in_impact_) {
+    auto &force = impacts_.back().peak_force;
+    force = std::max(force, inner_maximum([&](double x) { return at(x).rim_force; }, e0.rim_force, mid.rim_force,
+                                          e1.rim_force, force));
+  }
+}
+
+void Recorder::segment(const Mode &mode, const Segment &s, bool rim_changes_at_end) {
+  if (response_) {
+    while (next_sample_ <= s.t1) {
+      State y = s.at(next_sample_);
+      Mode m = mode;
+      dynamics_.project(m, y);
+      store(mode, next_sample_, y);
+      next_sample_ = next_after(mode, next_sample_);
+    }
+    if (rim_changes_at_end) {
+      if (mode.rim != RimContact::pressed && s.t1 - beside > s.t0) {
+        State y = s.at(s.t1 - beside);
+        Mode m = mode;
+        dynamics_.project(m, y);
+        store(mode, s.t1 - beside, y);
+      }
+      store(mode, s.t1, s.y1);
+    }
+  }
+  Evaluation e = dynamics_.evaluate(mode, s.t1, s.y1);
+  if (s.t1 > s.t0 && mode.support != Support::stuck) {
+    State y = s.at((s.t0 + s.t1) / 2);
+    Mode m = mode;
+    dynamics_.project(m, y);
+    Evaluation mid = dynamics_.evaluate(mode, (s.t0 + s.t1) / 2, y);
+    watch(mode, (s.t0 + s.t1) / 2, y, mid);
+    refine(mode, s, last_, mid, e);
+  }
+  watch(mode, s.t1, s.y1, e);
+  last_ = e;
+  largest_input_ = std::max(largest_input_, std::abs(before_.external + s.y1[iExternal]));
+}
+
+void Recorder::open_impact(double t, const State &y) {
+  in_impact_ = true;
+  const double r = std::hypot(y[iX], y[iY]);
+  scene::Impact impact{};
+  impact.touch_time = t;
+  impact.direction_deg = std::atan2(y[iY], y[iX]) * 180 / std::numbers::pi;
+  impact.approach_speed = (y[iX] * y[iVX] + y[iY] * y[iVY]) / r;
+  impacts_.push_back(impact);
+}
+
+void Recorder::close_impact(double t, const State &y) {
+  in_impact_ = false;
+  impacts_.back().release_time = t;
+  impacts_.back().rebound_speed = -(y[iX] * y[iVX] + y[iY] * y[iVY]) / std::hypot(y[iX], y[iY]);
+}
+
+void Recorder::branch(const Mode &before, const Mode &after, double t, const State &y, double loss) {
+  landing_loss_ += loss;
+  const bool pressed_before = before.rim == RimContact::pressed, pressed = after.rim == RimContact::pressed;
+  if (pressed_before && !pressed)
+    close_impact(t, y);
+  if (!pressed_before && pressed)
+    open_impact(t, y);
+  Evaluation e = dynamics_.evaluate(after, t, y);
+  watch(after, t, y, e);
+  last_ = e;
+  if (pressed_before == pressed)
+    return;
+  if (response_ && pressed && !columns_[0]->empty() && last_sample_ >= t) { // the touch belongs to the pressed branch
+    for (auto *column : columns_)
+      column->pop_back();
+    last_sample_ = columns_[0]->empty() ? -1e300 : columns_[0]->back();
+  }
+  if (pressed)
+    store(after, t, y);
+  next_sample_ = pressed ? next_after(after, t) : t + beside;
+}
+
+void Recorder::store(const Mode &mode, double t, const State &y) {
+  if (!response_ || t < last_sample_ + beside / 2)
+    return;
+  last_sample_ = t;
+  const Evaluation e = dynamics_.evaluate(mode, t, y);
+  const Eigen::Vector3d force = e.pendular + e.friction + e.impact;
+  const scene::EnergyLedger l = ledger(mode, y);
+  const double row[] = {t, y[iX], y[iY], y[iZ], y[iVX], y[iVY], y[iVZ], force[0], force[1], force[2], e.pendular[0],
+                        e.pendular[1], e.friction[0], e.friction[1], e.impact[0], e.impact[1], e.gap, e.normal, l.external,
+                        l.gravity, l.kinetic, l.friction, l.impact, l.contact};
+  for (std::size_t i = 0; i < std::size(row); ++i)
+    columns_[i]->push_back(row[i]);
+}
+
+void Recorder::end(const Mode &mode, double t, const State &y) {
+  store(mode, t, y);
+  if (in_impact_)
+    close_impact(t, y);
+  final_ = y, final_mode_ = mode;
+}
+
+scene::EnergyLedger Recorder::ledger(const Mode &mode, const State &y) const {
+  scene::EnergyLedger l = before_;
+  l.external += y[iExternal];
+  l.gravity += dynamics_.potential_energy(y) - initial_potential_;
+  l.kinetic = dynamics_.kinetic_energy(mode, y);
+  l.friction += y[iFriction];
+  l.impact += y[iImpact];
+  l.contact += landing_loss_;
+  l.largest_input = std::max(before_.largest_input, largest_input_ + l.initial);
+  return l;
+}
+
+void Recorder::summarise(scene::Summary &summary) const {
+  summary.peak_displacement = peak_displacement_;
+  summary.peak_lateral_force = peak_lateral_;
+  summary.peak_vertical_displacement = peak_height_;
+  summary.residual_displacement = std::hypot(final_[iX], final_[iY]);
+  summary.min_normal_force = smallest_normal_;
+  summary.impacts = impacts_;
+  double peak = 0;
+  for (const auto &impact : impacts_)
+    peak = std::max(peak, impact.peak_force);
+  summary.peak_impact_force = peak;
+  summary.energy = ledger(final_mode_, final_);
+}
+
+} // namespace rimpact::reduced

@@ -1,0 +1,46 @@
+/// The height the upper slider rides at over the plan position: the dish, plus the finite pad's lift when asked for.
+#pragma once
+#include "scene/bearing.h"
+#include <memory>
+#include <vector>
+
+namespace rimpact::reduced {
+
+/// Even function of the radius as a Chebyshev interpolant in s = r^2: value and two derivatives by s to near rounding
+/// for the smooth profiles of surfaces of revolution, without a special case at r = 0.
+class RadialInterpolant {
+public:
+  template <class Function> RadialInterpolant(const Function &of_radius, double largest_radius);
+  struct Values {
+    double value, d1, d2; ///< derivatives by s = r^2
+  };
+  Values at(double s) const;
+
+private:
+  void fit(const std::vector<double> &samples);
+  double half_ = 0; ///< half of the range of s
+  std::vector<double> coefficients_;
+};
+
+class RidingHeight {
+public:
+  /// `finite_pad` adds (Ro^2 + Ri^2)/8 (kappa_m + kappa_c - 2/R0) (DESIGN 2): a flat annulus bearing on a curved
+  /// dish rides on the mean of the height over its face.
+  RidingHeight(const scene::Bearing &bearing, bool finite_pad);
+  /// A horizontal plane at the height of travel `radius`: an impact window without weight.
+  static RidingHeight plane(const scene::Bearing &bearing, double radius);
+
+  scene::SurfacePoint at(double x, double y) const;
+  scene::Curvatures curvatures(double radius) const; ///< of the dish; zero on the plane
+  /// Radius beyond which there is no dish to ride on [m].
+  double limit_radius() const { return limit_; }
+  bool is_plane() const { return plane_; }
+
+private:
+  std::unique_ptr<scene::SlidingSurface> surface_;
+  std::unique_ptr<RadialInterpolant> lift_;
+  double limit_ = 0, plane_height_ = 0;
+  bool plane_ = false;
+};
+
+} // namespace rimpact::reduced

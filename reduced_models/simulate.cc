@@ -1,0 +1,112 @@
+// Whole scenes by the physical model: the entry points of physical_model.h.
+#include "reduced_models/catalogue.h"
+#include "reduced_models/hybrid_run.h"
+#include "reduced_models/quasi_static.h"
+#include "scene/error.h"
+#include <chrono>
+#include <cmath>
+
+namespace rimpact::reduced {
+
+namespace {
+
+struct Job {
+  const scene::Scene &scene;
+  BearingState start;
+  double t_end;
+  double capacity = -1; ///< < 0: the bearing's own
+};
+
+/// `response` may be null. A slider that leaves the dish ends the run with status `stopped`.
+void run(const Job &job, scene::Response *response, scene::Summary &summary) {
+  const auto begin = std::chrono::steady_clock::now();
+  const Dynamics dynamics(job.scene, true, job.capacity);
+  scene::EnergyLedger before;
+  State y;
+  const Mode mode = dynamics.starting_mode(job.start, y);
+  before.initial = dynamics.kinetic_energy(mode, y);
+  Recorder recorder(dynamics, response, job.scene.reduced.output_step, before);
+  HybridRun stepper(dynamics, job.scene);
+  try {
+    summary.n_steps = stepper.run(job.start, job.t_end, {}, recorder).n_steps;
+  } catch (const SolverStopped &stop) {
+    summary.status = "stopped", summary.reason = stop.what();
+  }
+  recorder.summarise(summary);
+  summary.rung = "reduced";
+  summary.n_dofs = 3;
+  summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  summary.time_split["solve"] = summary.wall_time;
+}
+
+ReducedRun simulate_physical(const scene::Scene &scene) {
+  if (!scene.excitation.is_dynamic())
+    return quasi_static(scene);
+  ReducedRun result;
+  run({scene, PhysicalModel(scene).initial_state(), scene.excitation.duration}, &result.response, result.summary);
+  return result;
+}
+
+} // namespace
+
+const std::vector<ReducedModel> &reduced_models() {
+  static const std::vector<ReducedModel> models = {
+      {"physical",
+       "a mass on the dish with Coulomb or Park-Wen friction, uplift and a rim element (thesis 2.2)", simulate_physical},
+  };
+  return models;
+}
+
+const ReducedModel &reduced_model(const std::string &name) {
+  std::string known;
+  for (const auto &model : reduced_models()) {
+    if (model.name == name)
+      return model;
+    known += (known.empty() ? "" : ", ") + model.name;
+  }
+  throw InputError("reduced.model \"" + name + "\" is unknown; known: " + known);
+}
+
+ReducedRun simulate(const scene::Scene &scene) {
+  return reduced_model(scene.reduced.model).simulate(scene);
+}
+
+scene::Summary simulate_summary(const scene::Scene &scene) {
+  if (scene.reduced.model != "physical" || !scene.excitation.is_dynamic())
+    return simulate(scene).summary;
+  scene::Summary summary;
+  run({scene, PhysicalModel(scene).initial_state(), scene.excitation.duration}, nullptr, summary);
+  return summary;
+}
+
+ReducedRun simulate_from(const scene::Scene &scene, const BearingState &start, double t_end, double capacity) {
+  if (!scene.excitation.is_dynamic())
+    throw InputError("excitation.kind \"" + scene::to_string(scene.excitation.kind) +
+                     "\" is quasi-static: there is no state to start from");
+  ReducedRun result;
+  run({scene, start, t_end, capacity}, &result.response, result.summary);
+  return result;
+}
+
+std::optional<double> critical_scale(scene::Scene scene, double low, double high, double relative) {
+  const auto touches = [&](double scale) {
+    scene.excitation.scale = scale;
+    const Dynamics dynamics(scene, false);
+    Recorder recorder(dynamics, nullptr, scene.reduced.output_step);
+    HybridRun stepper(dynamics, scene);
+    const double capacity = dynamics.lateral_capacity;
+    return stepper
+        .run(PhysicalModel(scene).initial_state(), scene.excitation.duration,
+             [&](const Eigen::Vector3d &u) { return capacity - std::hypot(u[0], u[1]); }, recorder)
+        .stopped;
+  };
+  if (touches(low) || !touches(high))
+    return std::nullopt;
+  while (high - low > relative * high) {
+    const double middle = (low + high) / 2;
+    (touches(middle) ? high : low) = middle;
+  }
+  return high;
+}
+
+} // namespace rimpact::reduced

@@ -1,0 +1,219 @@
+// The hybrid part of Dynamics: holding, events and the branch that follows each.
+#include "reduced_models/dynamics.h"
+#include <cmath>
+#include <stdexcept>
+
+namespace rimpact::reduced {
+
+using Eigen::Vector2d, Eigen::Vector3d;
+
+namespace {
+
+/// A landing is the fall of the clearance below this: lift-off starts at exactly zero clearance and rate [m].
+constexpr double landing_clearance = 1e-13;
+
+/// Orthonormal tangent frame of the surface at u: along the meridian and along the circle.
+struct TangentFrame {
+  Vector3d meridian, circle, normal;
+  TangentFrame(const scene::SurfacePoint &p, const Vector2d &u) {
+    const double r = u.norm();
+    const Vector2d er = r > 0 ? Vector2d(u / r) : Vector2d::UnitX();
+    meridian = Vector3d(er[0], er[1], p.gradient.dot(er)).normalized();
+    circle = Vector3d(-er[1], er[0], 0);
+    normal = Vector3d(-p.gradient[0], -p.gradient[1], 1).normalized();
+  }
+};
+
+/// What remains of a drive on a body at rest after the socket's share, for the direction in which it would slide:
+/// e fulfils drive = socket(e) + beta e, beta being what the sliding face must hold.
+struct Onset {
+  Vector2d direction;
+  double beta;
+};
+Onset onset(const Vector2d &drive, double socket_force, const scene::Curvatures &k) {
+  const double size = drive.norm();
+  if (size == 0)
+    return {Vector2d::UnitX(), 0};
+  Onset o{drive / size, size};
+  if (socket_force == 0)
+    return o;
+  const Vector2d K(k.meridional, k.circumferential);
+  for (int i = 0; i < 30; ++i) {
+    const Vector2d turned = K.cwiseProduct(o.direction);
+    const Vector2d rest = drive - socket_force / turned.norm() * K.cwiseProduct(turned);
+    o.beta = rest.dot(o.direction);
+    if (o.beta <= 0)
+      return o; // the socket alone holds it
+    const Vector2d next = rest.normalized();
+    const double change = (next - o.direction).norm();
+    o.direction = next;
+    if (change < 1e-14)
+      break;
+  }
+  return o;
+}
+
+} // namespace
+
+Hold Dynamics::hold(const Mode &mode, double t, const State &y) const {
+  const Vector2d u(y[iX], y[iY]);
+  const auto p = height.at(u[0], u[1]);
+  const TangentFrame frame(p, u);
+  Evaluation e;
+  rim_terms(mode, u, Vector2d::Zero(), e);
+  Vector3d a_g;
+  const Vector3d F = applied(e, t, a_g);
+  Hold h;
+  Vector2d drive; // tangential, in the frame (meridian, circle)
+  if (reading == NormalForce::constant) {
+    h.normal = weight;
+    const Vector2d planar = F.head<2>() + weight * frame.normal.head<2>();
+    const Vector3d tangent(planar[0], planar[1], p.gradient.dot(planar));
+    drive = {tangent.dot(frame.meridian), tangent.dot(frame.circle)};
+  } else {
+    h.normal = -frame.normal.dot(F);
+    drive = {F.dot(frame.meridian), F.dot(frame.circle)};
+  }
+  const double N = std::max(0.0, h.normal);
+  const Onset o = onset(drive, N * socket, height.curvatures(u.norm()));
+  h.excess = weight > 0 ? (o.beta - coulomb_limit() * N) / weight : o.beta;
+  const Vector3d direction = o.direction[0] * frame.meridian + o.direction[1] * frame.circle;
+  h.direction = direction.head<2>().normalized();
+  h.friction = -(drive[0] * frame.meridian + drive[1] * frame.circle);
+  return h;
+}
+
+std::span<const Event> Dynamics::events(const Mode &mode) const {
+  using enum Event;
+  static constexpr Event air_open[] = {landing, touch, turning}, air_pressed[] = {landing, release, turning},
+                         air_pressed_uni[] = {landing, let_go, turning},
+                         air_relaxed[] = {landing, release, press_again, turning};
+  static constexpr Event dish_open[] = {turning, stop, uplift, touch}, dish_pressed[] = {turning, stop, uplift, release},
+                         dish_pressed_uni[] = {turning, stop, uplift, let_go},
+                         dish_relaxed[] = {turning, stop, uplift, release, press_again};
+  const bool air = mode.support == Support::airborne;
+  if (mode.rim == RimContact::open)
+    return air ? std::span<const Event>(air_open) : dish_open;
+  if (mode.rim == RimContact::relaxed)
+    return air ? std::span<const Event>(air_relaxed) : dish_relaxed;
+  if (rim.law->unilateral)
+    return air ? std::span<const Event>(air_pressed_uni) : dish_pressed_uni;
+  return air ? std::span<const Event>(air_pressed) : dish_pressed;
+}
+
+double Dynamics::value(Event event, const Mode &mode, double t, const State &y) const {
+  constexpr double never = 1.0;
+  const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
+  const double r = u.norm(), d = r - lateral_capacity;
+  const auto trial = [&] { return rim.trial(d, u.dot(v) / r) / rim.stiffness; };
+  switch (event) {
+  case Event::stop:
+    return park_wen_ ? never : v.dot(mode.e0);
+  case Event::uplift:
+    return reading == NormalForce::inertia ? evaluate(mode, t, y).normal / weight : never;
+  case Event::landing:
+    return y[iZ] - height.at(u[0], u[1]).z + landing_clearance;
+  case Event::touch:
+    return has_rim() ? -d : never;
+  case Event::release:
+    return d;
+  case Event::let_go:
+    return trial();
+  case Event::press_again:
+    return -trial();
+  case Event::turning:
+    return u.dot(v);
+  }
+  throw std::logic_error("unknown event");
+}
+
+void Dynamics::project(Mode &mode, State &y) const {
+  if (mode.support == Support::airborne)
+    return;
+  const auto p = height.at(y[iX], y[iY]);
+  y[iZ] = p.z;
+  y[iVZ] = p.gradient[0] * y[iVX] + p.gradient[1] * y[iVY];
+  const double speed = std::hypot(y[iVX], y[iVY]);
+  if (mode.support == Support::sliding && speed > 0)
+    mode.e0 = Vector2d(y[iVX], y[iVY]) / speed;
+}
+
+void Dynamics::settle(Mode &mode, double t, State &y) const {
+  if (mode.support == Support::airborne)
+    return;
+  mode.support = Support::sliding;
+  project(mode, y);
+  const bool at_rest = y[iVX] == 0 && y[iVY] == 0;
+  if (at_rest && !park_wen_) {
+    const Hold h = hold(mode, t, y);
+    mode.e0 = h.direction;
+    if (h.excess <= 0)
+      mode.support = Support::stuck;
+  }
+  if (reading == NormalForce::inertia && evaluate(mode, t, y).normal < 0)
+    mode.support = Support::airborne;
+}
+
+double Dynamics::land(Mode &mode, double t, State &y) const {
+  const auto p = height.at(y[iX], y[iY]);
+  const Vector3d n = Vector3d(-p.gradient[0], -p.gradient[1], 1).normalized();
+  Vector3d v(y[iVX], y[iVY], y[iVZ]);
+  const double vn = v.dot(n);
+  double rebound = -vertical_restitution_ * vn;
+  // Ever smaller bounces would follow one another without end: below this the mass stays on the dish.
+  const bool bounces = rebound > 1e-6 * speed_scale;
+  if (!bounces)
+    rebound = 0;
+  v += (rebound - vn) * n; // frictionless impulse along the normal
+  y[iVX] = v[0], y[iVY] = v[1], y[iVZ] = v[2], y[iZ] = p.z;
+  if (!bounces) {
+    mode.support = Support::sliding;
+    settle(mode, t, y);
+  }
+  return mass / 2 * (vn * vn - rebound * rebound);
+}
+
+double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
+  switch (event) {
+  case Event::stop:
+    // A right angle turned within one step is no stop: the caller goes on with the new direction.
+    if (std::hypot(y[iVX], y[iVY]) <= stop_speed)
+      y[iVX] = y[iVY] = y[iVZ] = 0;
+    break;
+  case Event::uplift:
+    project(mode, y);
+    mode.support = Support::airborne;
+    return 0;
+  case Event::landing:
+    return land(mode, t, y);
+  case Event::touch:
+  case Event::press_again:
+    mode.rim = RimContact::pressed;
+    break;
+  case Event::release:
+    mode.rim = RimContact::open;
+    break;
+  case Event::let_go:
+    mode.rim = RimContact::relaxed;
+    break;
+  case Event::turning:
+    return 0;
+  }
+  settle(mode, t, y);
+  return 0;
+}
+
+Mode Dynamics::starting_mode(const BearingState &start, State &y) const {
+  y = {start.u[0], start.u[1], start.u[2], start.v[0], start.v[1], start.v[2], start.eta[0], start.eta[1], 0, 0, 0, 0};
+  Mode mode;
+  const double r = std::hypot(y[iX], y[iY]), d = r - lateral_capacity;
+  const double rate = r > 0 ? (y[iX] * y[iVX] + y[iY] * y[iVY]) / r : 0;
+  // A state located at touch lies within rounding of it and moves outwards.
+  if (has_rim() && (d > 0 || (d > -1e-12 && rate > 0)))
+    mode.rim = rim.law->unilateral && rim.trial(d, rate) <= 0 ? RimContact::relaxed : RimContact::pressed;
+  mode.support = start.airborne && reading == NormalForce::inertia ? Support::airborne : Support::sliding;
+  settle(mode, start.t, y);
+  return mode;
+}
+
+} // namespace rimpact::reduced
