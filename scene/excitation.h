@@ -34,7 +34,7 @@ struct Excitation {
   bool unload = true;    ///< the key is `return`
   // window
   double speed = 0.1;                        ///< approach speed [m/s]
-  bool with_weight = false, with_friction = false, with_ground = false;
+  bool with_weight = false, with_friction = false, with_ground = false; ///< ground: the Ricker pulse of these fields
   // record: file names as given, and what they hold after reading [m/s^2]
   std::string x_file, y_file, z_file;
   SampledSignal x, y, z;
@@ -42,6 +42,11 @@ struct Excitation {
   Eigen::Vector2d initial_displacement = Eigen::Vector2d::Zero(), initial_velocity = Eigen::Vector2d::Zero();
 
   bool is_dynamic() const; ///< ricker, record, free, window
+  Eigen::Vector2d direction() const; ///< unit vector of direction_deg, exact along the axes
+  /// Approach speed of a window [m/s], initial state of `free`: scale included, as it multiplies any excitation.
+  double impact_speed() const { return scale * speed; }
+  Eigen::Vector2d start_displacement() const { return scale * initial_displacement; }
+  Eigen::Vector2d start_velocity() const { return scale * initial_velocity; }
 };
 
 std::string to_string(ExcitationKind kind);
@@ -64,7 +69,15 @@ private:
   std::vector<double> breakpoints_;
 };
 
-/// Prescribed planar path of the quasi-static kinds (cyclic, figure-eight, push) over load parameter 0..1.
+/// Prescribed planar path [m] of the quasi-static kinds over load parameter s in 0..1, scale included:
+/// cyclic u = A sin(2 pi n s) along direction_deg; figure-eight ux = u0 sin(2 pi n s), uy = u0 sin(4 pi n s) (thesis
+/// 2.3.1); push: 0 to L_c (s = 0.2), on to L_c + travel (s = 0.6), back to L_c - travel * push_clearance (s = 1);
+/// without `return`: 0 to L_c (s = 0.3), on to L_c + travel (s = 1).
 Eigen::Vector2d prescribed_displacement(const Excitation &excitation, double lateral_capacity, double parameter);
+
+/// Where a push ends, short of L_c, as a share of its travel: the rim has let go there.
+inline constexpr double push_clearance = 0.125;
+/// Load parameters at which the path has a kink; empty when smooth.
+std::vector<double> prescribed_breakpoints(const Excitation &excitation);
 
 } // namespace rimpact::scene

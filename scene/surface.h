@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace rimpact::scene {
 
@@ -44,6 +45,7 @@ struct SurfaceSpec {
   bool operator==(const SurfaceSpec &) const = default;
 };
 
+std::vector<std::string> surface_kind_names();
 /// One line a kind in surface.cc's catalogue. Throws InputError naming the known kinds.
 std::unique_ptr<SlidingSurface> make_surface(const SurfaceSpec &spec);
 

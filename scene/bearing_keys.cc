@@ -1,0 +1,74 @@
+#include "scene/keys.h"
+
+namespace rimpact::scene {
+namespace {
+
+constexpr Range length_mm{0, 1e5, true};
+constexpr Range size_mm{0, 1e5};
+constexpr Range length_m{0, 1e3, true};
+constexpr Range coefficient{0, 2};
+constexpr bool assumption = true;
+
+void visit(KeyVisitor &v, Material &m) {
+  v.number({"E_MPa", "Young's modulus"}, m.E, mega, {0, 1e9, true});
+  v.number({"nu", "Poisson's ratio"}, m.nu, si, {0, 0.5, false, true});
+  v.limit({"yield_MPa", "initial yield stress; inf: elastic"}, m.yield, mega, {0, 1e9, true});
+  if (v.wants(m.yield.has_value()))
+    v.limit({"tangent_modulus_MPa", "slope past yield", assumption}, m.tangent_modulus, mega, {0, 1e9});
+  v.number({"density_kg_per_m3", "", assumption}, m.density, si, {0, 1e6, true});
+}
+
+void visit_foot_and_pad(KeyVisitor &v, Bearing &b) {
+  v.section("pad", [&] {
+    v.number({"inner_radius_mm", "", assumption}, b.pad.inner_radius, milli, size_mm);
+    v.number({"outer_radius_mm", "", assumption}, b.pad.outer_radius, milli, length_mm);
+    v.number({"thickness_mm", "", assumption}, b.pad.thickness, milli, length_mm);
+    v.number({"recess_mm", "depth of its seat in the foot", assumption}, b.pad.recess, milli, size_mm);
+    v.number({"shape_radius_mm", "of its sliding face", assumption}, b.pad.shape_radius, milli, length_mm);
+  });
+  v.section("foot", [&] {
+    v.number({"radius_mm", "", assumption}, b.foot.radius, milli, length_mm);
+    v.number({"bottom_mm", "flat bottom above the vertex at rest", assumption}, b.foot.bottom, milli, size_mm);
+    v.number({"shoulder_mm", "where its cap begins", assumption}, b.foot.shoulder, milli, length_mm);
+    v.number({"cap_radius_mm", "spherical cap, centred on the middle of the sliding face", assumption},
+             b.foot.cap_radius, milli, length_mm);
+  });
+}
+
+} // namespace
+
+void visit(KeyVisitor &v, Bearing &b) {
+  v.section("surface", [&] {
+    v.choice({"kind", "ellipse | sphere"}, b.surface.kind, surface_kind_names());
+    v.number({"R0_m", "radius of curvature at the vertex"}, b.surface.R0, si, length_m);
+    if (v.wants(b.surface.kind == "ellipse")) v.number({"a_m", "half-width of the ellipse"}, b.surface.a, si, length_m);
+    v.number({"planar_radius_mm", "the dish's edge"}, b.surface.planar_radius, milli, length_mm);
+  });
+  v.section("slider", [&] {
+    v.number({"diameter_mm"}, b.slider.diameter, milli, length_mm);
+    v.number({"bottom_mm", "bottom plane above the vertex at rest", assumption}, b.slider.bottom, milli, length_mm);
+    v.number({"top_mm", "top plane above the vertex at rest", assumption}, b.slider.top, milli, length_mm);
+    v.number({"edge_radius_mm", "rounding of the lower edge", assumption}, b.slider.edge_radius, milli, size_mm);
+  });
+  v.section("rim", [&] {
+    v.number({"height_mm", "above the dish's edge", assumption}, b.rim.height, milli, length_mm);
+    v.number({"thickness_mm", "radial", assumption}, b.rim.thickness, milli, length_mm);
+    v.number({"ledge_mm", "flat step between the dish's edge and the wall", assumption}, b.rim.ledge, milli, size_mm);
+  });
+  v.section("plate", [&] {
+    v.number({"base_mm", "bottom plane below the vertex", assumption}, b.plate.base, milli, length_mm);
+  });
+  visit_foot_and_pad(v, b);
+  v.section("material", [&] {
+    v.section("steel", [&] { visit(v, b.steel); });
+    v.section("ertalyte", [&] { visit(v, b.ertalyte); });
+  });
+  v.section("contact", [&] {
+    v.number({"steel_steel", "socket on cap"}, b.contact.steel_steel, si, coefficient);
+    v.number({"steel_ertalyte", "pad on dish"}, b.contact.steel_ertalyte, si, coefficient);
+    v.number({"rim", "slider on rim"}, b.contact.rim, si, coefficient);
+    v.choice({"pad_foot", "tied | frictional"}, b.contact.pad_foot, {"tied", "frictional"});
+  });
+}
+
+} // namespace rimpact::scene

@@ -1,0 +1,116 @@
+#include "scene/excitation.h"
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace rimpact::scene {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+Eigen::Vector2d unit_vector(double direction_deg) {
+  // Exact along the axes, so that a pulse along x leaves y at zero and not at 1e-17.
+  const double quarter = direction_deg / 90;
+  if (quarter == std::floor(quarter)) {
+    const int turns = static_cast<int>(std::fmod(std::fmod(quarter, 4) + 4, 4));
+    const double cosines[] = {1, 0, -1, 0}, sines[] = {0, 1, 0, -1};
+    return {cosines[turns], sines[turns]};
+  }
+  return {std::cos(direction_deg * pi / 180), std::sin(direction_deg * pi / 180)};
+}
+
+bool has_ricker(const Excitation &e) {
+  return e.kind == ExcitationKind::ricker || (e.kind == ExcitationKind::window && e.with_ground);
+}
+
+/// Share of a push's load parameter spent until touch, and until the end of pressing.
+struct PushPhases {
+  double touch, pressed;
+};
+PushPhases push_phases(const Excitation &e) { return e.unload ? PushPhases{0.2, 0.6} : PushPhases{0.3, 1.0}; }
+
+} // namespace
+
+double SampledSignal::at(double t) const {
+  if (values.empty() || t < 0 || t > duration()) return 0;
+  const double position = t / dt;
+  const auto i = static_cast<std::size_t>(position);
+  if (i + 1 >= values.size()) return values.back();
+  const double share = position - static_cast<double>(i);
+  return values[i] + share * (values[i + 1] - values[i]);
+}
+
+bool Excitation::is_dynamic() const {
+  return kind == ExcitationKind::ricker || kind == ExcitationKind::record || kind == ExcitationKind::free ||
+         kind == ExcitationKind::window;
+}
+
+Eigen::Vector2d Excitation::direction() const { return unit_vector(direction_deg); }
+
+std::string to_string(ExcitationKind kind) {
+  switch (kind) {
+  case ExcitationKind::ricker: return "ricker";
+  case ExcitationKind::cyclic: return "cyclic";
+  case ExcitationKind::figure_eight: return "figure-eight";
+  case ExcitationKind::push: return "push";
+  case ExcitationKind::window: return "window";
+  case ExcitationKind::record: return "record";
+  case ExcitationKind::free: return "free";
+  }
+  return "unknown";
+}
+
+double ricker_shape(double t, double centre, double period) {
+  const double p = pi * (t - centre) / period, p2 = p * p;
+  return (1 - 2 * p2) * std::exp(-p2);
+}
+
+GroundMotion::GroundMotion(const Excitation &excitation, double gravity)
+    : excitation_(excitation), direction_(excitation.direction()) {
+  if (has_ricker(excitation)) amplitude_ = excitation.scale * excitation.amplitude_g * gravity;
+  if (excitation.kind != ExcitationKind::record) return;
+  for (const auto *signal : {&excitation.x, &excitation.y, &excitation.z})
+    for (std::size_t i = 0; i < signal->values.size(); ++i)
+      breakpoints_.push_back(static_cast<double>(i) * signal->dt);
+  std::sort(breakpoints_.begin(), breakpoints_.end());
+  // Components sampled alike agree to rounding: keep one instant of each.
+  const auto same = [](double a, double b) { return b - a < 1e-9; };
+  breakpoints_.erase(std::unique(breakpoints_.begin(), breakpoints_.end(), same), breakpoints_.end());
+}
+
+Eigen::Vector3d GroundMotion::acceleration(double t) const {
+  if (amplitude_ != 0) {
+    const double a = amplitude_ * ricker_shape(t, excitation_.centre, excitation_.period);
+    return {a * direction_.x(), a * direction_.y(), 0};
+  }
+  if (excitation_.kind == ExcitationKind::record)
+    return excitation_.scale * Eigen::Vector3d(excitation_.x.at(t), excitation_.y.at(t), excitation_.z.at(t));
+  return Eigen::Vector3d::Zero();
+}
+
+Eigen::Vector2d prescribed_displacement(const Excitation &e, double lateral_capacity, double parameter) {
+  const double s = std::clamp(parameter, 0.0, 1.0), angle = 2 * pi * e.cycles * s;
+  switch (e.kind) {
+  case ExcitationKind::cyclic: return e.scale * e.amplitude * std::sin(angle) * e.direction();
+  case ExcitationKind::figure_eight:
+    return e.scale * e.amplitude * Eigen::Vector2d(std::sin(angle), std::sin(2 * angle));
+  case ExcitationKind::push: {
+    const auto [touch, pressed] = push_phases(e);
+    const double travel = e.scale * e.travel, ease = travel * push_clearance;
+    double u = 0;
+    if (s <= touch) u = lateral_capacity * s / touch;
+    else if (s <= pressed) u = lateral_capacity + travel * (s - touch) / (pressed - touch);
+    else u = lateral_capacity + travel - (travel + ease) * (s - pressed) / (1 - pressed);
+    return u * e.direction();
+  }
+  default: return Eigen::Vector2d::Zero();
+  }
+}
+
+std::vector<double> prescribed_breakpoints(const Excitation &e) {
+  if (e.kind != ExcitationKind::push) return {};
+  const auto [touch, pressed] = push_phases(e);
+  return e.unload ? std::vector<double>{touch, pressed} : std::vector<double>{touch};
+}
+
+} // namespace rimpact::scene

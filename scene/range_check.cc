@@ -1,0 +1,86 @@
+#include "scene/error.h"
+#include "scene/keys.h"
+#include "scene/text.h"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::scene {
+namespace {
+
+/// Throws InputError at the first value outside its range.
+class RangeCheck final : public KeyVisitor {
+public:
+  void section(const char *name, const std::function<void()> &body) override {
+    const std::string outer = path_;
+    path_ += std::string(name) + ".";
+    body();
+    path_ = outer;
+  }
+  void number(const Key &key, double &value, Unit unit, Range range) override {
+    // The conversion's rounding must not push a value at a bound over it.
+    const double shown = std::isfinite(value) ? *to_number(file_number(value, unit)) : value;
+    if (!range.contains(shown)) fail(key, fmt::format("{} must be {}", shown, range.text()));
+  }
+  void limit(const Key &key, std::optional<double> &value, Unit unit, Range range) override {
+    if (value) number(key, *value, unit, range);
+  }
+  void integer(const Key &key, int &value, int low, int high) override {
+    if (value < low || value > high) fail(key, fmt::format("{} must be between {} and {}", value, low, high));
+  }
+  void choice(const Key &key, std::string &value, const std::vector<std::string> &options) override {
+    for (const auto &option : options)
+      if (option == value) return;
+    fail(key, not_among(value, options));
+  }
+  void pair(const Key &key, Eigen::Vector2d &value, Range range) override {
+    for (double component : value)
+      if (!range.contains(component)) fail(key, fmt::format("{} must be {}", component, range.text()));
+  }
+  void flag(const Key &, bool &) override {}
+  void text(const Key &, std::string &) override {}
+  void switches(const Key &, const std::vector<std::pair<std::string, bool *>> &) override {}
+
+private:
+  [[noreturn]] void fail(const Key &key, const std::string &what) const {
+    throw InputError(fmt::format("{}{} {}", path_, key.name, what));
+  }
+  std::string path_;
+};
+
+} // namespace
+
+std::string Range::text() const {
+  const bool no_low = low <= -huge, no_high = high >= huge;
+  if (no_low && no_high) return "a finite number";
+  if (no_high) return fmt::format("{} {}", low_open ? ">" : ">=", low);
+  if (no_low) return fmt::format("{} {}", high_open ? "<" : "<=", high);
+  return fmt::format("{} {} and {} {}", low_open ? ">" : ">=", low, high_open ? "<" : "<=", high);
+}
+
+void check_ranges(const Bearing &bearing) {
+  RangeCheck check;
+  Bearing copy = bearing;
+  visit(check, copy);
+}
+
+void check_ranges(const Scene &scene) {
+  RangeCheck check;
+  Scene copy = scene;
+  visit_settings(check, copy);
+}
+
+std::string file_number(double value, Unit unit) {
+  if (!std::isfinite(value)) return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
+  const double raw = unit.from_si(value);
+  std::string best;
+  // The product itself may carry a rounding (0.07019 m * 1000 = 70.19000000000001): its neighbours are tried too.
+  for (const double candidate : {raw, std::nextafter(raw, -huge), std::nextafter(raw, huge)}) {
+    std::string text = fmt::format("{}", candidate);
+    if (unit.to_si(candidate) == value && (best.empty() || text.size() < best.size())) best = text;
+  }
+  if (best.empty()) best = fmt::format("{}", raw);
+  if (best.find_first_of(".e") == std::string::npos) best += ".0";
+  return best;
+}
+
+} // namespace rimpact::scene

@@ -1,0 +1,38 @@
+/// Ground-motion records: PEER AT2 files, CSV files and built-in ones. Accelerations are returned in m/s^2.
+#pragma once
+#include "scene/excitation.h"
+#include <string>
+#include <vector>
+
+namespace rimpact::scene {
+
+/// Standard gravity [m/s^2], for records read outside a scene; a scene uses its own load.gravity_m_per_s2.
+inline constexpr double standard_gravity = 9.80665;
+
+/// What is in a record (verb `motion`). Velocity and displacement by exact integration of the piecewise linear
+/// acceleration from rest, without baseline correction. Arias = pi/(2g) int a^2 dt; D5-95 between its 5 and 95 %.
+struct RecordInfo {
+  std::size_t npts;
+  double dt;        ///< [s]
+  double pga_g;     ///< largest |a| [g]
+  double pgv, pgd;  ///< [m/s], [m]
+  double arias;     ///< [m/s]
+  double duration;  ///< significant duration D5-95 [s]
+};
+
+/// Reads `path` (.csv: CSV, "builtin:NAME": a built-in record, anything else: AT2). Throws DataError naming file and
+/// line: missing file, velocity or displacement, fewer values than NPTS, dt <= 0, values that are not finite.
+SampledSignal read_record(const std::string &path, double gravity = standard_gravity);
+RecordInfo inspect(const SampledSignal &record, double gravity = standard_gravity);
+
+/// The two forms from text; `path` is for messages only.
+/// AT2: 4 header lines as PEER writes them (old and new), NPTS and DT in any spelling met in practice.
+SampledSignal parse_at2(const std::string &text, const std::string &path, double gravity);
+/// CSV: `time_s,acceleration_g` or `time_s,acceleration_m_per_s2`, uniformly sampled, starting at any time.
+SampledSignal parse_record_csv(const std::string &text, const std::string &path, double gravity);
+
+/// Built-in records: "builtin:near-fault-x", "builtin:near-fault-y" (see near_fault_pulse.cc).
+bool is_builtin_record(const std::string &name);
+SampledSignal builtin_record(const std::string &name); ///< throws InputError with the nearest name
+
+} // namespace rimpact::scene

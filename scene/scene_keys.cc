@@ -1,0 +1,102 @@
+#include "scene/keys.h"
+#include <array>
+
+namespace rimpact::scene {
+namespace {
+
+constexpr Range positive{0, huge, true};
+constexpr Range not_negative{0, huge};
+constexpr Range anything{-huge, huge};
+constexpr Range share{0, 1};
+constexpr Range seconds{0, 1e5, true};
+
+constexpr std::array kinds{ExcitationKind::ricker, ExcitationKind::cyclic, ExcitationKind::figure_eight,
+                           ExcitationKind::push,   ExcitationKind::window, ExcitationKind::record,
+                           ExcitationKind::free};
+
+void visit_kind(KeyVisitor &v, ExcitationKind &kind) {
+  std::vector<std::string> names;
+  for (const auto k : kinds) names.push_back(to_string(k));
+  std::string name = to_string(kind);
+  v.choice({"kind", "ricker | cyclic | figure-eight | push | window | record | free"}, name, names);
+  for (const auto k : kinds)
+    if (to_string(k) == name) kind = k;
+}
+
+void visit_motion(KeyVisitor &v, Excitation &e) {
+  using enum ExcitationKind;
+  const auto is = [&](auto... kind) { return v.wants(((e.kind == kind) || ...)); };
+  if (is(window))
+    v.switches({"with", "what acts beside the impact: weight, friction, ground"},
+               {{"weight", &e.with_weight}, {"friction", &e.with_friction}, {"ground", &e.with_ground}});
+  const bool pulse = v.wants(e.kind == ricker || (e.kind == window && e.with_ground));
+  if (pulse) {
+    v.number({"amplitude_g", "ground acceleration of the Ricker pulse (2-25)"}, e.amplitude_g, si, anything);
+    v.number({"period_s", "T_p"}, e.period, si, seconds);
+    v.number({"centre_s", "instant of the pulse's peak"}, e.centre, si, {-1e5, 1e5});
+  }
+  if (is(cyclic, figure_eight)) {
+    v.number({"amplitude_m"}, e.amplitude, si, {0, 1e3, true});
+    v.number({"cycles"}, e.cycles, si, {0, 1e4, true});
+  }
+  if (is(push)) {
+    v.number({"travel_mm", "beyond touch"}, e.travel, milli, {0, 1e4, true});
+    v.flag({"return", "unload afterwards"}, e.unload);
+  }
+  if (is(window)) v.number({"speed_m_per_s", "approach speed"}, e.speed, si, {0, 100, true});
+  if (is(ricker, cyclic, push, window))
+    v.number({"direction_deg", "in the plane, from x"}, e.direction_deg, si, {-360, 360});
+  if (is(record)) {
+    v.text({"x", "AT2 or CSV file, or a built-in record; empty: no motion"}, e.x_file);
+    v.text({"y"}, e.y_file);
+    v.text({"z"}, e.z_file);
+  }
+  if (is(free)) {
+    v.pair({"displacement_m", "initial"}, e.initial_displacement, {-1e3, 1e3});
+    v.pair({"velocity_m_per_s", "initial"}, e.initial_velocity, {-1e3, 1e3});
+  }
+  if (v.wants(e.is_dynamic())) v.number({"duration_s"}, e.duration, si, seconds);
+}
+
+void visit(KeyVisitor &v, ReducedSettings &r) {
+  v.text({"model"}, r.model);
+  v.number({"k_i_kN_per_m", "impact stiffness; 0: no impact element"}, r.k_i, kilo, not_negative);
+  v.number({"restitution", "e"}, r.restitution, si, {0, 1, true});
+  v.choice({"impact_law", "signed | no-tension | printed"}, r.impact_law, {"signed", "no-tension", "printed"});
+  v.choice({"friction", "coulomb | park-wen"}, r.friction, {"coulomb", "park-wen"});
+  v.number({"elastic_slip_mm", "of park-wen"}, r.elastic_slip, milli, {0, 1e3, true});
+  v.number({"mu_fast"}, r.mu_fast, si, {0, 2});
+  v.number({"mu_slow", "differs from mu_fast: the velocity law"}, r.mu_slow, si, {0, 2});
+  v.number({"rate_s_per_m", "of the velocity law"}, r.rate, si, {0, 1e6});
+  v.choice({"normal_force", "inertia | static | constant"}, r.normal_force, {"inertia", "static", "constant"});
+  v.number({"vertical_restitution", "of coming back to the dish after uplift"}, r.vertical_restitution, si, share);
+  v.flag({"finite_pad", "extra lift of the pad's finite size"}, r.finite_pad);
+  v.flag({"socket_friction", "moment of the socket resisting tilt"}, r.socket_friction);
+  v.number({"tolerance", "relative, of the integrator"}, r.tolerance, si, {1e-14, 1e-2});
+  v.number({"output_step_ms", "between stored samples outside contact"}, r.output_step, milli, {0, 1e4, true});
+}
+
+} // namespace
+
+void visit_settings(KeyVisitor &v, Scene &s) {
+  v.section("load", [&] {
+    v.number({"vertical_kN", "dead load"}, s.load.vertical, kilo, not_negative);
+    v.number({"mass_kg", "inertia in all directions"}, s.load.mass, si, positive);
+    v.number({"gravity_m_per_s2"}, s.load.gravity, si, {0, 1e3, true});
+  });
+  v.section("excitation", [&] {
+    visit_kind(v, s.excitation.kind);
+    v.number({"scale", "multiplies any excitation"}, s.excitation.scale, si, {-1e6, 1e6});
+    visit_motion(v, s.excitation);
+  });
+  v.section("model", [&] {
+    v.choice({"rung", "rim | rigid-dish | full"}, s.model.rung, {"rim", "rigid-dish", "full"});
+    v.integer({"mesh", "1 | 2 | 3"}, s.model.mesh, 1, 3);
+    v.number({"step_ms", "inside an impact; 0: chosen by the plan"}, s.model.step, milli, {0, 1e3});
+    v.number({"rho_inf", "spectral radius of generalised-alpha"}, s.model.rho_inf, si, share);
+    v.choice({"symmetry", "auto | half | whole"}, s.model.symmetry, {"auto", "half", "whole"});
+  });
+  v.section("reduced", [&] { visit(v, s.reduced); });
+}
+
+} // namespace rimpact::scene

@@ -1,0 +1,214 @@
+#include "scene/toml_reader.h"
+#include "scene/text.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <sstream>
+
+namespace rimpact::scene {
+namespace {
+
+constexpr std::size_t max_bytes = 1 << 20;
+constexpr std::ptrdiff_t max_dots_a_line = 64;
+
+/// The parser recurses over dotted keys, so that megabytes of "a.a.a" would exhaust the stack.
+void refuse_absurd(const std::string &text, const std::string &origin) {
+  if (text.size() > max_bytes)
+    throw InputError(fmt::format("{}: {} bytes; a scene has at most {}", origin, text.size(), max_bytes));
+  std::size_t line_number = 0;
+  for (const auto line : lines_of(text)) {
+    ++line_number;
+    if (std::count(line.begin(), line.end(), '.') > max_dots_a_line)
+      throw InputError(fmt::format("{}:{}: more than {} dots in a line", origin, line_number, max_dots_a_line));
+  }
+}
+
+toml::table parse(const std::string &text, const std::string &origin) {
+  refuse_absurd(text, origin);
+  try {
+    return toml::parse(std::string_view(text), std::string_view(origin));
+  } catch (const toml::parse_error &error) {
+    const auto &at = error.source().begin;
+    throw InputError(fmt::format("{}:{}:{}: {}", origin, at.line, at.column, std::string(error.description())));
+  }
+}
+
+std::string type_name(const toml::node &node) {
+  if (const auto *text = node.as_string()) return fmt::format("the string \"{}\"", text->get().substr(0, 60));
+  if (const auto *flag = node.as_boolean()) return flag->get() ? "true" : "false";
+  if (node.is_table()) return "a table";
+  if (node.is_array()) return "an array";
+  if (const auto *whole = node.as_integer()) return fmt::format("{}", whole->get());
+  if (const auto *real = node.as_floating_point()) return fmt::format("{}", real->get());
+  return "a date or time";
+}
+
+} // namespace
+
+TomlFile::TomlFile(const std::string &text, const std::string &origin) : origin_(origin), root_(parse(text, origin)) {}
+
+void TomlFile::set(const std::string &assignment) {
+  const std::string where = "--set " + assignment;
+  const auto equals = assignment.find('=');
+  if (equals == std::string::npos || assignment.size() > 4096) throw InputError(where + ": must be KEY=VALUE");
+  const std::string path(trim(std::string_view(assignment).substr(0, equals)));
+  const std::string value(trim(std::string_view(assignment).substr(equals + 1)));
+  const auto names = split(path, '.');
+  for (const auto name : names)
+    if (trim(name).empty() || names.size() > 8) throw InputError(where + ": KEY must be dotted names, e.g. rim.height_mm");
+  toml::table parsed;
+  try {
+    parsed = parse("v = " + value, where);
+  } catch (const InputError &) {
+    parsed.clear(); // a bare word
+  }
+  if (parsed.size() != 1 || !parsed.contains("v")) {
+    parsed.clear();
+    parsed.insert_or_assign("v", value);
+  }
+  toml::table *table = &root_;
+  for (std::size_t i = 0; i + 1 < names.size(); ++i) {
+    const std::string_view name = trim(names[i]);
+    if (!table->contains(name)) table->insert_or_assign(name, toml::table{});
+    table = table->get(name)->as_table();
+    if (!table) throw InputError(fmt::format("{}: {} is not a table", where, name));
+  }
+  table->insert_or_assign(trim(names.back()), std::move(*parsed.get("v")));
+  overrides_[path] = where;
+}
+
+const toml::node *TomlFile::find(const std::string &path) const {
+  const toml::node *node = &root_;
+  if (path.empty()) return node;
+  for (const auto name : split(path, '.')) {
+    const auto *table = node->as_table();
+    node = table ? table->get(name) : nullptr;
+    if (!node) return nullptr;
+  }
+  return node;
+}
+
+std::string TomlFile::location(const std::string &path) const {
+  if (const auto found = overrides_.find(path); found != overrides_.end()) return found->second;
+  const toml::node *node = find(path);
+  if (node && node->source().begin.line > 0)
+    return fmt::format("{}:{}:{}", origin_, node->source().begin.line, node->source().begin.column);
+  // A table that only an override brought into being.
+  for (const auto &[key, typed] : overrides_)
+    if (node && key.compare(0, path.size() + 1, path + ".") == 0) return typed;
+  return origin_;
+}
+
+std::string TomlFile::location_of_key(const std::string &path, const toml::key &key) const {
+  if (key.source().begin.line == 0 || overrides_.count(path)) return location(path);
+  return fmt::format("{}:{}:{}", origin_, key.source().begin.line, key.source().begin.column);
+}
+
+void TomlReader::fail(const std::string &name, const std::string &what) const {
+  throw InputError(fmt::format("{}: {} {}", file_.location(full(name)), full(name), what));
+}
+
+const toml::node *TomlReader::node(const Key &key) {
+  asked_[path_].push_back(key.name);
+  return file_.find(full(key.name));
+}
+
+void TomlReader::section(const char *name, const std::function<void()> &body) {
+  asked_[path_].push_back(name);
+  const auto *table = file_.find(full(name));
+  if (table && !table->is_table()) fail(name, "must be a table, got " + type_name(*table));
+  const std::string outer = path_;
+  path_ = full(name);
+  body();
+  refuse_unknown({});
+  path_ = outer;
+}
+
+void TomlReader::refuse_unknown(const std::vector<std::string> &also) const {
+  const auto *node = file_.find(path_);
+  if (!node || !node->is_table()) return;
+  std::vector<std::string> known = also;
+  if (const auto found = asked_.find(path_); found != asked_.end())
+    known.insert(known.end(), found->second.begin(), found->second.end());
+  for (const auto &[key, value] : *node->as_table()) {
+    const std::string name(key.str());
+    if (std::find(known.begin(), known.end(), name) != known.end()) continue;
+    const auto close = nearest(name, known);
+    throw InputError(fmt::format("{}: unknown key \"{}\"{}{}", file_.location_of_key(full(name), key), name.substr(0, 80),
+                                 path_.empty() ? "" : " in [" + path_ + "]",
+                                 close ? "; did you mean \"" + *close + "\"?" : ""));
+  }
+}
+
+double TomlReader::number_of(const std::string &name, const toml::node &node, Range range) const {
+  if (!node.is_number()) fail(name, "must be a number, got " + type_name(node));
+  const double value = node.is_integer() ? static_cast<double>(node.as_integer()->get())
+                                         : node.as_floating_point()->get();
+  if (!range.contains(value)) fail(name, fmt::format("{} must be {}", value, range.text()));
+  return value;
+}
+
+void TomlReader::number(const Key &key, double &value, Unit unit, Range range) {
+  if (const auto *found = node(key)) value = unit.to_si(number_of(key.name, *found, range));
+}
+
+void TomlReader::limit(const Key &key, std::optional<double> &value, Unit unit, Range range) {
+  const auto *found = node(key);
+  if (!found) return;
+  const auto *real = found->as_floating_point();
+  if (real && std::isinf(real->get()) && real->get() > 0) value.reset();
+  else value = unit.to_si(number_of(key.name, *found, range));
+}
+
+void TomlReader::integer(const Key &key, int &value, int low, int high) {
+  const auto *found = node(key);
+  if (!found) return;
+  if (!found->is_integer()) fail(key.name, "must be a whole number, got " + type_name(*found));
+  const auto whole = found->as_integer()->get();
+  if (whole < low || whole > high) fail(key.name, fmt::format("{} must be between {} and {}", whole, low, high));
+  value = static_cast<int>(whole);
+}
+
+void TomlReader::flag(const Key &key, bool &value) {
+  const auto *found = node(key);
+  if (!found) return;
+  if (!found->is_boolean()) fail(key.name, "must be true or false, got " + type_name(*found));
+  value = found->as_boolean()->get();
+}
+
+void TomlReader::text(const Key &key, std::string &value) {
+  const auto *found = node(key);
+  if (!found) return;
+  if (!found->is_string()) fail(key.name, "must be a string, got " + type_name(*found));
+  value = found->as_string()->get();
+}
+
+void TomlReader::choice(const Key &key, std::string &value, const std::vector<std::string> &options) {
+  text(key, value);
+  if (std::find(options.begin(), options.end(), value) == options.end()) fail(key.name, not_among(value, options));
+}
+
+void TomlReader::pair(const Key &key, Eigen::Vector2d &value, Range range) {
+  const auto *found = node(key);
+  if (!found) return;
+  const auto *array = found->as_array();
+  if (!array || array->size() != 2) fail(key.name, "must be two numbers, e.g. [0.1, 0.0]");
+  for (int i = 0; i < 2; ++i) value[i] = number_of(key.name, (*array)[static_cast<std::size_t>(i)], range);
+}
+
+void TomlReader::switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &flags) {
+  const auto *found = node(key);
+  if (!found) return;
+  const auto *array = found->as_array();
+  if (!array) fail(key.name, "must be an array of words, got " + type_name(*found));
+  std::vector<std::string> names;
+  for (const auto &[name, target] : flags) names.push_back(name), *target = false;
+  for (const auto &entry : *array) {
+    if (!entry.is_string()) fail(key.name, "must be an array of words, got " + type_name(entry));
+    const auto at = std::find(names.begin(), names.end(), entry.as_string()->get());
+    if (at == names.end()) fail(key.name, not_among(entry.as_string()->get(), names));
+    *flags[static_cast<std::size_t>(at - names.begin())].second = true;
+  }
+}
+
+} // namespace rimpact::scene
