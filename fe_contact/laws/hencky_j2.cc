@@ -19,9 +19,12 @@ struct PrincipalReturn {
   double alpha;
 };
 
-Matrix3 deviatoric_projector() { return Matrix3::Identity() - Matrix3::Constant(1.0 / 3.0); }
+Matrix3 deviatoric_projector() {
+  return Matrix3::Identity() - Matrix3::Constant(1.0 / 3.0);
+}
 
-/// Radial return in principal axes: |dev tau| = sqrt(2/3) sigma_y(alpha). The bilinear curve is solved exactly.
+/// Radial return in principal axes: |dev tau| = sqrt(2/3) sigma_y(alpha). The bilinear curve is solved
+/// exactly.
 PrincipalReturn return_map(const HenckyJ2 &law, const Eigen::Vector3d &trial_deviator, double alpha) {
   const double mu = law.shear_modulus;
   PrincipalReturn result{trial_deviator, 2 * mu * trial_deviator, 2 * mu * deviatoric_projector(), alpha};
@@ -42,10 +45,11 @@ PrincipalReturn return_map(const HenckyJ2 &law, const Eigen::Vector3d &trial_dev
   return result;
 }
 
-/// Spatial tangent from principal moduli (Simo 1998, eq. 46.28): normal part in the dyads m_i x m_j, shear part
-/// with the divided difference (tau_i b_j - tau_j b_i)/(b_i - b_j), or its limit at equal stretches.
+/// Spatial tangent from principal moduli (Simo 1998, eq. 46.28): normal part in the dyads m_i x m_j, shear
+/// part with the divided difference (tau_i b_j - tau_j b_i)/(b_i - b_j), or its limit at equal stretches.
 Matrix6 assemble_tangent(const PrincipalReturn &principal, const Eigen::Vector3d &b, const Matrix3 &axes) {
-  Eigen::Matrix<double, 6, 6> rotation; // columns: symmetrised dyads n_i n_i, then n_i n_j (i != j) in Voigt form
+  Eigen::Matrix<double, 6, 6>
+      rotation; // columns: symmetrised dyads n_i n_i, then n_i n_j (i != j) in Voigt form
   constexpr int pair_first[3] = {0, 1, 2}, pair_second[3] = {1, 2, 0};
   for (int v = 0; v < 6; ++v)
     for (int k = 0; k < 3; ++k) {
@@ -66,7 +70,8 @@ Matrix6 assemble_tangent(const PrincipalReturn &principal, const Eigen::Vector3d
     if (std::abs(difference) > 1e-6 * (b(i) + b(j)))
       shear = (principal.stress(i) * b(j) - principal.stress(j) * b(i)) / difference;
     else
-      shear = 0.25 * (principal.moduli(i, i) - principal.moduli(i, j) + principal.moduli(j, j) - principal.moduli(j, i)) -
+      shear = 0.25 * (principal.moduli(i, i) - principal.moduli(i, j) + principal.moduli(j, j) -
+                      principal.moduli(j, i)) -
               0.5 * (principal.stress(i) + principal.stress(j));
     local(3 + k, 3 + k) = 4 * shear; // the dyads are halved on both sides
   }
@@ -99,7 +104,8 @@ IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F) const {
     return result;
   }
   const Matrix3 b_trial = F * to_matrix(old.cp_inverse) * F.transpose();
-  // The iterative solver: Eigen's closed form returns parallel axes for nearly equal eigenvalues (F close to I).
+  // The iterative solver: Eigen's closed form returns parallel axes for nearly equal eigenvalues (F close to
+  // I).
   const Eigen::SelfAdjointEigenSolver<Matrix3> spectrum(b_trial);
   const Eigen::Vector3d b = spectrum.eigenvalues();
   const Matrix3 axes = spectrum.eigenvectors();

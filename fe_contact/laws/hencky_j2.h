@@ -1,8 +1,8 @@
-/// Finite-strain J2 plasticity with Hencky (logarithmic) elasticity, split into its isochoric and volumetric parts
-/// so that an element may integrate the two with different quadratures (selective reduction).
+/// Finite-strain J2 plasticity with Hencky (logarithmic) elasticity, split into its isochoric and volumetric
+/// parts so that an element may integrate the two with different quadratures (selective reduction).
 ///
-/// Multiplicative split F = F_e F_p, b_e = F C_p^-1 F^T, exponential map in principal axes (Simo 1992; Simo and
-/// Hughes, Computational Inelasticity, box 9.1). Stored energy per reference volume
+/// Multiplicative split F = F_e F_p, b_e = F C_p^-1 F^T, exponential map in principal axes (Simo 1992; Simo
+/// and Hughes, Computational Inelasticity, box 9.1). Stored energy per reference volume
 ///   Psi = mu |dev eps_e|^2 + kappa/2 (ln J)^2 + integral of the hardening curve,
 /// Kirchhoff stress tau = 2 mu dev eps_e + kappa ln J 1. Signs: tension positive. Units: Pa, J/m^3.
 #pragma once
@@ -16,19 +16,22 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// Symmetric tensors as (xx, yy, zz, xy, yz, zx).
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Isotropic hardening: flow stress and plastic work as functions of the accumulated plastic strain alpha >= 0.
+/// Isotropic hardening: flow stress and plastic work as functions of the accumulated plastic strain alpha >=
+/// 0.
 struct BilinearHardening {
   double yield;   ///< [Pa], > 0
   double modulus; ///< H [Pa], >= 0
   double stress(double alpha) const { return yield + modulus * alpha; }
   double slope(double) const { return modulus; }
-  double work(double alpha) const { return alpha * (yield + 0.5 * modulus * alpha); } ///< integral of stress [J/m^3]
+  double work(double alpha) const {
+    return alpha * (yield + 0.5 * modulus * alpha);
+  } ///< integral of stress [J/m^3]
 };
 
 /// Memory of a material point.
 struct J2State {
   Vector6 cp_inverse{1.0, 1.0, 1.0, 0.0, 0.0, 0.0}; ///< C_p^-1
-  double alpha = 0.0;                                              ///< accumulated plastic strain [-]
+  double alpha = 0.0;                               ///< accumulated plastic strain [-]
 };
 
 /// Kirchhoff stress and its tangent c of the Lie derivative (L_v tau = c : d), in Voigt form with engineering
@@ -40,15 +43,15 @@ struct StressAndTangent {
 
 struct IsochoricResult {
   StressAndTangent response;
-  J2State state;        ///< at the end of the step
-  double energy = 0.0;  ///< elastic, isochoric [J/m^3]
+  J2State state;          ///< at the end of the step
+  double energy = 0.0;    ///< elastic, isochoric [J/m^3]
   bool admissible = true; ///< false: det F <= 0 or not finite; nothing else is then valid
 };
 
 /// Isochoric part with plasticity.
 struct HenckyJ2 {
-  double shear_modulus;      ///< mu [Pa], > 0
-  bool elastic = false;      ///< never yields
+  double shear_modulus; ///< mu [Pa], > 0
+  bool elastic = false; ///< never yields
   BilinearHardening hardening{0.0, 0.0};
 
   static HenckyJ2 from(const scene::Material &material);

@@ -1,6 +1,9 @@
-/// Unilateral normal contact by augmented Lagrangian, at one point. Signs: gap > 0 open; pressure >= 0, pushing.
-///   p = max(0, lambda - epsilon g)            (Alart and Curnier 1991; Wriggers, Computational Contact Mechanics)
-/// The multiplier lambda is the pressure of the last augmentation, so the penetration left is (p - lambda)/epsilon.
+/// Unilateral normal contact by augmented Lagrangian, at one point. Signs: gap > 0 open; pressure >= 0,
+/// pushing.
+///   p = max(0, lambda - epsilon g)            (Alart and Curnier 1991; Wriggers, Computational Contact
+///   Mechanics)
+/// The multiplier lambda is the pressure of the last augmentation, so the penetration left is (p -
+/// lambda)/epsilon.
 #pragma once
 #include <algorithm>
 

@@ -23,7 +23,8 @@ using namespace dealii;
 /// Corner pairs and quadruples of gmsh's 27-node hexahedron, in the order of nodes 8..19 and 20..25.
 constexpr int gmsh_edges[12][2] = {{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 5}, {2, 3},
                                    {2, 6}, {3, 7}, {4, 5}, {4, 7}, {5, 6}, {6, 7}};
-constexpr int gmsh_faces[6][4] = {{0, 1, 2, 3}, {0, 1, 5, 4}, {0, 3, 7, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {4, 5, 6, 7}};
+constexpr int gmsh_faces[6][4] = {{0, 1, 2, 3}, {0, 1, 5, 4}, {0, 3, 7, 4},
+                                  {1, 2, 6, 5}, {2, 3, 7, 6}, {4, 5, 6, 7}};
 constexpr int gmsh_corner_of_dealii[8] = {0, 1, 3, 2, 4, 5, 7, 6};
 
 /// Key of an edge or face: its sorted vertex numbers.
@@ -45,7 +46,9 @@ struct CurvedPoints {
 CurvedPoints curved_points(const meshes::HexMesh &mesh) {
   CurvedPoints points;
   points.vertex_of_node.assign(mesh.nodes.size(), numbers::invalid_unsigned_int);
-  const auto point = [&](unsigned node) { return Point<3>(mesh.nodes[node][0], mesh.nodes[node][1], mesh.nodes[node][2]); };
+  const auto point = [&](unsigned node) {
+    return Point<3>(mesh.nodes[node][0], mesh.nodes[node][1], mesh.nodes[node][2]);
+  };
   for (const auto &cell : mesh.cells)
     for (int corner = 0; corner < 8; ++corner)
       if (points.vertex_of_node[cell[corner]] == numbers::invalid_unsigned_int) {
@@ -54,7 +57,8 @@ CurvedPoints curved_points(const meshes::HexMesh &mesh) {
       }
   for (const auto &cell : mesh.cells) {
     const auto vertex = [&](int corner) { return points.vertex_of_node[cell[corner]]; };
-    for (int e = 0; e < 12; ++e) points.middles[key({vertex(gmsh_edges[e][0]), vertex(gmsh_edges[e][1])})] = point(cell[8 + e]);
+    for (int e = 0; e < 12; ++e)
+      points.middles[key({vertex(gmsh_edges[e][0]), vertex(gmsh_edges[e][1])})] = point(cell[8 + e]);
     for (int f = 0; f < 6; ++f) {
       const auto &c = gmsh_faces[f];
       points.middles[key({vertex(c[0]), vertex(c[1]), vertex(c[2]), vertex(c[3])})] = point(cell[20 + f]);
@@ -67,10 +71,12 @@ CurvedPoints curved_points(const meshes::HexMesh &mesh) {
   return points;
 }
 
-void make_triangulation(const meshes::HexMesh &mesh, const CurvedPoints &points, Triangulation<3> &triangulation) {
+void make_triangulation(const meshes::HexMesh &mesh, const CurvedPoints &points,
+                        Triangulation<3> &triangulation) {
   std::vector<CellData<3>> cells(mesh.cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    for (int v = 0; v < 8; ++v) cells[c].vertices[v] = points.vertex_of_node[mesh.cells[c][gmsh_corner_of_dealii[v]]];
+    for (int v = 0; v < 8; ++v)
+      cells[c].vertices[v] = points.vertex_of_node[mesh.cells[c][gmsh_corner_of_dealii[v]]];
     cells[c].material_id = static_cast<types::material_id>(mesh.volumes[c]);
     cells[c].manifold_id = c; // remembers the cell's place in HexMesh; no manifold is attached
   }
@@ -86,14 +92,15 @@ void make_triangulation(const meshes::HexMesh &mesh, const CurvedPoints &points,
   for (const auto &cell : triangulation.active_cell_iterators())
     for (const auto &face : cell->face_iterators())
       if (face->at_boundary()) {
-        const auto found = group_of.find(
-            key({face->vertex_index(0), face->vertex_index(1), face->vertex_index(2), face->vertex_index(3)}));
+        const auto found = group_of.find(key(
+            {face->vertex_index(0), face->vertex_index(1), face->vertex_index(2), face->vertex_index(3)}));
         if (found != group_of.end()) face->set_boundary_id(found->second);
       }
 }
 
 /// The 27 support points of one cell in deal.II's hierarchic order (vertices, lines, quads, interior).
-std::vector<Point<3>> support_points(const Triangulation<3>::cell_iterator &cell, const CurvedPoints &points) {
+std::vector<Point<3>> support_points(const Triangulation<3>::cell_iterator &cell,
+                                     const CurvedPoints &points) {
   std::vector<Point<3>> result;
   std::vector<unsigned> all;
   for (unsigned v = 0; v < 8; ++v) {
@@ -101,7 +108,8 @@ std::vector<Point<3>> support_points(const Triangulation<3>::cell_iterator &cell
     all.push_back(cell->vertex_index(v));
   }
   for (unsigned l = 0; l < 12; ++l)
-    result.push_back(points.middles.at(key({cell->line(l)->vertex_index(0), cell->line(l)->vertex_index(1)})));
+    result.push_back(
+        points.middles.at(key({cell->line(l)->vertex_index(0), cell->line(l)->vertex_index(1)})));
   for (unsigned f = 0; f < 6; ++f) {
     const auto face = cell->face(f);
     result.push_back(points.middles.at(
@@ -112,8 +120,8 @@ std::vector<Point<3>> support_points(const Triangulation<3>::cell_iterator &cell
   return result;
 }
 
-void fill(QuadratureData &data, const FESystem<3> &fe, const DoFHandler<3> &dofs, const Mapping<3> &mapping, int n_1d,
-          int n, const std::vector<unsigned> &dof_of_node) {
+void fill(QuadratureData &data, const FESystem<3> &fe, const DoFHandler<3> &dofs, const Mapping<3> &mapping,
+          int n_1d, int n, const std::vector<unsigned> &dof_of_node) {
   const QGauss<3> quadrature(n_1d);
   FEValues<3> values(mapping, fe, quadrature, update_gradients | update_JxW_values);
   data.n_points = quadrature.size();
@@ -136,12 +144,13 @@ struct Discretisation::DealII {
   std::unique_ptr<FESystem<3>> fe;
   DoFHandler<3> dof_handler;
   MappingQCache<3> mapping{2};
-  std::vector<unsigned> dof_of_node;  ///< local x-dof of each local node
-  std::vector<Point<3>> unit_points;  ///< of the local nodes
+  std::vector<unsigned> dof_of_node; ///< local x-dof of each local node
+  std::vector<Point<3>> unit_points; ///< of the local nodes
 };
 
 Discretisation::Discretisation(const meshes::HexMesh &mesh, int degree)
-    : degree(degree), nodes_per_cell((degree + 1) * (degree + 1) * (degree + 1)), dealii_(std::make_unique<DealII>()) {
+    : degree(degree), nodes_per_cell((degree + 1) * (degree + 1) * (degree + 1)),
+      dealii_(std::make_unique<DealII>()) {
   auto &d = *dealii_;
   const CurvedPoints curved = curved_points(mesh);
   make_triangulation(mesh, curved, d.triangulation);
@@ -181,7 +190,10 @@ Discretisation::Discretisation(const meshes::HexMesh &mesh, int degree)
     for (unsigned f = 0; f < 6; ++f) {
       if (!cell->face(f)->at_boundary() || cell->face(f)->boundary_id() == 0) continue;
       const int fixed = f / 2, first = (fixed + 1) % 3, second = (fixed + 2) % 3;
-      Face face{static_cast<meshes::Surface>(cell->face(f)->boundary_id()), cell->active_cell_index(), {}, f % 2 ? 1.0 : -1.0};
+      Face face{static_cast<meshes::Surface>(cell->face(f)->boundary_id()),
+                cell->active_cell_index(),
+                {},
+                f % 2 ? 1.0 : -1.0};
       std::vector<std::pair<std::pair<double, double>, unsigned>> sorted;
       for (int a = 0; a < nodes_per_cell; ++a)
         if (std::abs(d.unit_points[a][fixed] - (f % 2)) < 1e-12)
@@ -204,7 +216,8 @@ std::vector<const Face *> Discretisation::faces_of(meshes::Surface group) const 
 
 std::vector<unsigned> Discretisation::nodes_of(meshes::Surface group) const {
   std::vector<unsigned> result;
-  for (const auto *face : faces_of(group)) result.insert(result.end(), face->nodes.begin(), face->nodes.end());
+  for (const auto *face : faces_of(group))
+    result.insert(result.end(), face->nodes.begin(), face->nodes.end());
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
@@ -227,14 +240,16 @@ void Discretisation::write_vtu(const std::string &path, const std::vector<Field>
       out.add_data_vector(kept.back(), field.name, DataOut<3>::type_cell_data);
     } else if (field.components == 3) {
       kept.emplace_back(field.values.begin(), field.values.end());
-      out.add_data_vector(d.dof_handler, kept.back(), std::vector<std::string>(3, field.name),
-                          std::vector<Interpretation>(3, DataComponentInterpretation::component_is_part_of_vector));
+      out.add_data_vector(
+          d.dof_handler, kept.back(), std::vector<std::string>(3, field.name),
+          std::vector<Interpretation>(3, DataComponentInterpretation::component_is_part_of_vector));
     } else {
       kept.emplace_back(n_nodes);
       for (const auto &cell : scalar.active_cell_iterators()) {
         cell->get_dof_indices(scalar_indices);
         for (int a = 0; a < nodes_per_cell; ++a)
-          kept.back()(scalar_indices[a]) = field.values[cell_nodes[cell->active_cell_index() * nodes_per_cell + a]];
+          kept.back()(scalar_indices[a]) =
+              field.values[cell_nodes[cell->active_cell_index() * nodes_per_cell + a]];
       }
       out.add_data_vector(scalar, kept.back(), field.name);
     }

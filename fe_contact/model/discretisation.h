@@ -1,8 +1,8 @@
 /// A mesh of hexahedra made into displacement nodes, quadrature data and boundary faces, in plain arrays.
 /// deal.II builds it (triangulation, Lagrange elements, curved mapping); the hot loops never see deal.II.
 ///
-/// Nodes are the support points of FE_Q(degree); dof = 3 node + component. Total Lagrangian: gradients are taken
-/// once, in the reference configuration. SI units.
+/// Nodes are the support points of FE_Q(degree); dof = 3 node + component. Total Lagrangian: gradients are
+/// taken once, in the reference configuration. SI units.
 #pragma once
 #include "meshes/hex_mesh.h"
 #include <Eigen/Core>
@@ -14,12 +14,13 @@ namespace rimpact::fe {
 
 /// Shape gradients and weights of all cells at one quadrature.
 struct QuadratureData {
-  int n_points = 0;                ///< per cell
-  std::vector<double> gradients;   ///< [cell][point][direction][node]
-  std::vector<double> weights;     ///< JxW [m^3], [cell][point]
+  int n_points = 0;              ///< per cell
+  std::vector<double> gradients; ///< [cell][point][direction][node]
+  std::vector<double> weights;   ///< JxW [m^3], [cell][point]
 };
 
-/// A boundary face: (degree+1)^2 nodes in lexicographic order of its own coordinates (xi fast, eta slow), each in
+/// A boundary face: (degree+1)^2 nodes in lexicographic order of its own coordinates (xi fast, eta slow),
+/// each in
 /// [-1, 1]; `orientation` makes orientation * (x_xi cross x_eta) point out of the solid.
 struct Face {
   meshes::Surface group;

@@ -57,7 +57,8 @@ Projection project(const Eigen::Vector3d &x, const FaceNodes &nodes, int degree,
     Eigen::Matrix2d metric, hessian;
     metric << p.tangent[0].squaredNorm(), p.tangent[0].dot(p.tangent[1]), p.tangent[0].dot(p.tangent[1]),
         p.tangent[1].squaredNorm();
-    hessian << p.second[0].dot(distance), p.second[1].dot(distance), p.second[1].dot(distance), p.second[2].dot(distance);
+    hessian << p.second[0].dot(distance), p.second[1].dot(distance), p.second[1].dot(distance),
+        p.second[2].dot(distance);
     Eigen::Matrix2d tangent = metric - hessian;
     if (tangent.determinant() <= 0.1 * metric.determinant()) tangent = metric; // far away: Gauss-Newton
     const Eigen::Vector2d change = tangent.inverse() * residual;

@@ -1,4 +1,5 @@
-/// Points on a deformed quadrilateral face (Lagrange, degree 1 or 2), and the closest-point projection onto it.
+/// Points on a deformed quadrilateral face (Lagrange, degree 1 or 2), and the closest-point projection onto
+/// it.
 #pragma once
 #include <Eigen/Core>
 
@@ -8,7 +9,8 @@ namespace rimpact::fe {
 struct FaceShapes {
   static constexpr int max_nodes = 9;
   int n = 0;
-  double N[max_nodes], dxi[max_nodes], deta[max_nodes], dxixi[max_nodes], dxieta[max_nodes], detaeta[max_nodes];
+  double N[max_nodes], dxi[max_nodes], deta[max_nodes], dxixi[max_nodes], dxieta[max_nodes],
+      detaeta[max_nodes];
 };
 FaceShapes face_shapes(int degree, double xi, double eta);
 

@@ -7,12 +7,12 @@
 namespace rimpact::fe {
 namespace {
 
-/// Calls body(begin, end, worker) on equal shares of [0, n), one thread each; shares do not depend on timing, so
-/// results are reproducible for a given number of threads.
-template <typename Body>
-void share(std::size_t n, int workers, const Body &body) {
+/// Calls body(begin, end, worker) on equal shares of [0, n), one thread each; shares do not depend on timing,
+/// so results are reproducible for a given number of threads.
+template <typename Body> void share(std::size_t n, int workers, const Body &body) {
   std::vector<std::thread> threads;
-  for (int w = 1; w < workers; ++w) threads.emplace_back([&, w] { body(n * w / workers, n * (w + 1) / workers, w); });
+  for (int w = 1; w < workers; ++w)
+    threads.emplace_back([&, w] { body(n * w / workers, n * (w + 1) / workers, w); });
   body(0, n / workers, 0);
   for (auto &thread : threads) thread.join();
 }
@@ -58,9 +58,10 @@ const std::vector<int> &Solid::places_in(const SymmetricMatrix &matrix, const Eq
 }
 
 template <int n>
-bool Solid::assemble_cells(std::size_t begin, std::size_t end, const Eigen::VectorXd &u, const SolidHistory &old,
-                           SolidHistory &next, const Equations &equations, Eigen::VectorXd &forces,
-                           const std::vector<int> *places, double *tangent, SolidEnergies &energies) const {
+bool Solid::assemble_cells(std::size_t begin, std::size_t end, const Eigen::VectorXd &u,
+                           const SolidHistory &old, SolidHistory &next, const Equations &equations,
+                           Eigen::VectorXd &forces, const std::vector<int> *places, double *tangent,
+                           SolidEnergies &energies) const {
   auto kernel = std::make_unique<CellKernel<n>>();
   const int n_full = space_.full.n_points, n_reduced = space_.reduced.n_points, m = 3 * n;
   for (std::size_t c = begin; c < end; ++c) {
@@ -106,15 +107,17 @@ bool Solid::assemble_cells(std::size_t begin, std::size_t end, const Eigen::Vect
           for (int k = b == a ? i : 0; k < 3; ++k, ++place) {
             if (*place < 0) continue;
             const int row = 3 * a + i, column = 3 * b + k;
-            const double twice = row != column && eqs[row] == eqs[column] ? 2.0 : 1.0; // tied dofs share a diagonal
+            const double twice =
+                row != column && eqs[row] == eqs[column] ? 2.0 : 1.0; // tied dofs share a diagonal
             tangent[*place] += twice * weights[row] * weights[column] * kernel->block[i][k][a][b];
           }
   }
   return true;
 }
 
-bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, const Equations &equations,
-                     Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies) const {
+bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next,
+                     const Equations &equations, Eigen::VectorXd &forces, SymmetricMatrix *tangent,
+                     SolidEnergies &energies) const {
   const int workers = assembly_threads();
   const std::vector<int> *places = tangent ? &places_in(*tangent, equations) : nullptr;
   next.resize(old.size());
@@ -130,7 +133,8 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
       values = part_values[w].data();
     }
     const auto run = space_.degree == 2 ? &Solid::assemble_cells<27> : &Solid::assemble_cells<8>;
-    admissible[w] = (this->*run)(begin, end, u, old, next, equations, part_forces[w], places, values, part_energies[w]);
+    admissible[w] =
+        (this->*run)(begin, end, u, old, next, equations, part_forces[w], places, values, part_energies[w]);
   });
   for (int w = 0; w < workers; ++w) {
     if (!admissible[w]) return false;
@@ -154,7 +158,8 @@ void Solid::add_mass(const Equations &equations, SymmetricMatrix &mass) const {
           value += density * space_.full.weights[c * n_points + q] * space_.full_values[q * n + a] *
                    space_.full_values[q * n + b];
         for (int i = 0; i < 3; ++i) {
-          const unsigned row = 3 * space_.cell_nodes[c * n + a] + i, column = 3 * space_.cell_nodes[c * n + b] + i;
+          const unsigned row = 3 * space_.cell_nodes[c * n + a] + i,
+                         column = 3 * space_.cell_nodes[c * n + b] + i;
           const int eq_row = equations.of_dof[row], eq_column = equations.of_dof[column];
           if (eq_row < 0 || eq_column < 0) continue;
           const double twice = a != b && eq_row == eq_column ? 2.0 : 1.0;
@@ -181,8 +186,7 @@ SolidFields Solid::fields(const Eigen::VectorXd &u, const SolidHistory &history)
       Matrix3 F = Matrix3::Identity();
       const double *G = &space_.full.gradients[(c * n_points + q) * 3 * n];
       for (int a = 0; a < n; ++a)
-        for (int J = 0; J < 3; ++J)
-          F.col(J) += u.segment<3>(3 * space_.cell_nodes[c * n + a]) * G[J * n + a];
+        for (int J = 0; J < 3; ++J) F.col(J) += u.segment<3>(3 * space_.cell_nodes[c * n + a]) * G[J * n + a];
       const auto &state = history[c * n_points + q];
       strain = std::max(strain, state.alpha);
       const Matrix3 tau = to_matrix(law_of(c).isochoric.step(state, F).response.stress);

@@ -1,6 +1,7 @@
-/// Elastoplastic solids on a discretisation: internal forces, tangent, energies, consistent mass. Total Lagrangian;
-/// isochoric part at the full quadrature, volumetric part at the reduced one (selective reduction keeps Q2 and Q1
-/// from locking where the steel flows, and stays symmetric). Memory is trial/committed: `old` in, `next` out.
+/// Elastoplastic solids on a discretisation: internal forces, tangent, energies, consistent mass. Total
+/// Lagrangian; isochoric part at the full quadrature, volumetric part at the reduced one (selective reduction
+/// keeps Q2 and Q1 from locking where the steel flows, and stays symmetric). Memory is trial/committed: `old`
+/// in, `next` out.
 #pragma once
 #include "fe_contact/laws/hencky_j2.h"
 #include "fe_contact/model/discretisation.h"
@@ -35,8 +36,9 @@ public:
 
   /// Adds internal forces at dof displacements u to `forces` (equations) and, when given, the tangent.
   /// False when a point is inadmissible (inverted): the step must be cut.
-  bool assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, const Equations &equations,
-                Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies) const;
+  bool assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next,
+                const Equations &equations, Eigen::VectorXd &forces, SymmetricMatrix *tangent,
+                SolidEnergies &energies) const;
   void add_mass(const Equations &equations, SymmetricMatrix &mass) const;
   /// Mass of one volume [kg].
   double mass_of(meshes::Volume volume) const;
@@ -48,11 +50,13 @@ private:
     HenckyVolumetric volumetric;
     double density;
   };
-  const Law &law_of(std::size_t cell) const { return laws_[space_.volumes[cell] == meshes::Volume::pad ? 1 : 0]; }
+  const Law &law_of(std::size_t cell) const {
+    return laws_[space_.volumes[cell] == meshes::Volume::pad ? 1 : 0];
+  }
   template <int n>
   bool assemble_cells(std::size_t begin, std::size_t end, const Eigen::VectorXd &u, const SolidHistory &old,
-                      SolidHistory &next, const Equations &equations, Eigen::VectorXd &forces, const std::vector<int> *places,
-                      double *tangent, SolidEnergies &energies) const;
+                      SolidHistory &next, const Equations &equations, Eigen::VectorXd &forces,
+                      const std::vector<int> *places, double *tangent, SolidEnergies &energies) const;
   const std::vector<int> &places_in(const SymmetricMatrix &matrix, const Equations &equations) const;
 
   const Discretisation &space_;

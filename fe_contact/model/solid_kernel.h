@@ -8,8 +8,7 @@
 
 namespace rimpact::fe {
 
-template <int n>
-struct CellKernel {
+template <int n> struct CellKernel {
   static constexpr int padded = (n + 3) / 4 * 4;
   alignas(32) double force[3][padded];
   alignas(32) double block[3][3][n][padded]; ///< upper in (a, b); diagonal blocks are full

@@ -45,14 +45,19 @@ std::vector<unsigned> edge_nodes(const Face &face, int degree, int edge) {
   const int n = degree + 1;
   std::vector<unsigned> result;
   for (int k = 0; k < n; ++k)
-    result.push_back(face.nodes[edge == 0 ? k * n : edge == 1 ? k * n + degree : edge == 2 ? k : degree * n + k]);
+    result.push_back(face.nodes[edge == 0   ? k * n
+                                : edge == 1 ? k * n + degree
+                                : edge == 2 ? k
+                                            : degree * n + k]);
   std::sort(result.begin(), result.end());
   return result;
 }
 
 } // namespace
 
-double default_penalty(double softer_E, double cell_size) { return softer_E / cell_size; }
+double default_penalty(double softer_E, double cell_size) {
+  return softer_E / cell_size;
+}
 
 WallContact::WallContact(const Discretisation &space, meshes::Surface slave, meshes::Surface master,
                          const ContactOptions &options)
@@ -98,7 +103,7 @@ FaceNodes WallContact::nodes_at(const Face &face, const Eigen::VectorXd &u) cons
 }
 
 std::vector<std::vector<const WallContact::MasterFace *>> WallContact::near_faces(const Eigen::VectorXd &u,
-                                                                                 double margin) const {
+                                                                                  double margin) const {
   const int n = (space_.degree + 1) * (space_.degree + 1);
   std::vector<Ball> masters;
   for (const auto &master : masters_) masters.push_back(ball(nodes_at(*master.face, u), n));
@@ -112,7 +117,8 @@ std::vector<std::vector<const WallContact::MasterFace *>> WallContact::near_face
   return result;
 }
 
-std::vector<std::vector<int>> WallContact::cliques(const Eigen::VectorXd &u, const Equations &equations) const {
+std::vector<std::vector<int>> WallContact::cliques(const Eigen::VectorXd &u,
+                                                   const Equations &equations) const {
   std::vector<std::vector<int>> result;
   const auto near = near_faces(u, options_.margin);
   for (std::size_t f = 0; f < slaves_.size(); ++f)
@@ -140,8 +146,9 @@ Eigen::Vector3d WallContact::position(const SlavePoint &point, const FaceNodes &
 
 WallContact::Pair WallContact::find(const Eigen::Vector3d &x, const std::vector<const MasterFace *> &near,
                                     const std::vector<FaceNodes> &nodes, double beyond_edges) const {
-  // A point just past an inner edge belongs to the neighbour; where neither claims it (a convex kink) the nearer
-  // one does, up to a small overshoot. Past a free edge of the wall only `beyond_edges` of a face is allowed.
+  // A point just past an inner edge belongs to the neighbour; where neither claims it (a convex kink) the
+  // nearer one does, up to a small overshoot. Past a free edge of the wall only `beyond_edges` of a face is
+  // allowed.
   constexpr double overshoot_limit = 0.05;
   Pair best;
   double best_overshoot = overshoot_limit, best_distance = no_gap;
@@ -152,8 +159,10 @@ WallContact::Pair WallContact::find(const Eigen::Vector3d &x, const std::vector<
     double overshoot = 0;
     bool off_the_wall = false;
     for (int e = 0; e < 4; ++e) {
-      if (master->open_edge[e]) off_the_wall = off_the_wall || beyond[e] > beyond_edges;
-      else overshoot = std::max(overshoot, beyond[e]);
+      if (master->open_edge[e])
+        off_the_wall = off_the_wall || beyond[e] > beyond_edges;
+      else
+        overshoot = std::max(overshoot, beyond[e]);
     }
     if (off_the_wall || overshoot > best_overshoot) continue;
     const double distance = (x - p.point).norm();
@@ -172,8 +181,9 @@ void WallContact::settle_edges(const Eigen::VectorXd &u, ContactState &state) co
   const auto masters = master_nodes(u);
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const auto &faces = near[points_[k].face];
-    const bool on = !faces.empty() &&
-                    find(position(points_[k], nodes_at(*slaves_[points_[k].face], u)), faces, masters, 0.0).master;
+    const bool on =
+        !faces.empty() &&
+        find(position(points_[k], nodes_at(*slaves_[points_[k].face], u)), faces, masters, 0.0).master;
     if (!on) state.multiplier[k] = 0;
     state.on_wall[k] = on;
   }
@@ -184,7 +194,8 @@ ContactReport WallContact::assemble(const Eigen::VectorXd &u, ContactState &stat
   ContactReport report;
   const auto near = near_faces(u, 0.001);
   const auto masters = master_nodes(u);
-  constexpr double beyond_edges = 0.5; // of a face's half-width, for points that cross a free edge in this step
+  constexpr double beyond_edges =
+      0.5; // of a face's half-width, for points that cross a free edge in this step
   FaceNodes slave_nodes;
   int current = -1;
   for (std::size_t k = 0; k < points_.size(); ++k) {
@@ -196,8 +207,8 @@ ContactReport WallContact::assemble(const Eigen::VectorXd &u, ContactState &stat
     const Eigen::Vector3d x = position(point, slave_nodes);
     const Pair pair = find(x, near[point.face], masters, beyond_edges);
     if (!pair.master) continue;
-    const Eigen::Vector3d normal =
-        pair.master->face->orientation * pair.projection.tangent[0].cross(pair.projection.tangent[1]).normalized();
+    const Eigen::Vector3d normal = pair.master->face->orientation *
+                                   pair.projection.tangent[0].cross(pair.projection.tangent[1]).normalized();
     const double gap = normal.dot(x - pair.projection.point);
     state.gap[k] = gap;
     report.smallest_gap = std::min(report.smallest_gap, gap);
@@ -208,15 +219,17 @@ ContactReport WallContact::assemble(const Eigen::VectorXd &u, ContactState &stat
     report.penetration = std::max(report.penetration, std::abs(gap));
     report.largest_pressure = std::max(report.largest_pressure, law.pressure);
     report.force += point.area * law.pressure * normal;
-    if (forces && !add_point(point, *slaves_[point.face], pair, normal, gap, law, equations, *forces, tangent))
+    if (forces &&
+        !add_point(point, *slaves_[point.face], pair, normal, gap, law, equations, *forces, tangent))
       report.pattern_holds = false;
   }
   return report;
 }
 
-bool WallContact::add_point(const SlavePoint &point, const Face &slave, const Pair &pair, const Eigen::Vector3d &normal,
-                            double gap, const NormalContact::Result &law, const Equations &equations,
-                            Eigen::VectorXd &forces, SymmetricMatrix *tangent) const {
+bool WallContact::add_point(const SlavePoint &point, const Face &slave, const Pair &pair,
+                            const Eigen::Vector3d &normal, double gap, const NormalContact::Result &law,
+                            const Equations &equations, Eigen::VectorXd &forces,
+                            SymmetricMatrix *tangent) const {
   // Variation of the gap: dg = n . (dx_s - dx_m) = N . du; second variation as in Laursen (2002), sec. 5.3.
   constexpr int most = 6 * FaceShapes::max_nodes;
   using Row = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most, 1>;
@@ -250,7 +263,8 @@ bool WallContact::add_point(const SlavePoint &point, const Face &slave, const Pa
   Eigen::Matrix2d metric, curvature;
   metric << p.tangent[0].squaredNorm(), p.tangent[0].dot(p.tangent[1]), p.tangent[0].dot(p.tangent[1]),
       p.tangent[1].squaredNorm();
-  curvature << normal.dot(p.second[0]), normal.dot(p.second[1]), normal.dot(p.second[1]), normal.dot(p.second[2]);
+  curvature << normal.dot(p.second[0]), normal.dot(p.second[1]), normal.dot(p.second[1]),
+      normal.dot(p.second[2]);
   const Eigen::Matrix2d inverse = (metric - gap * curvature).inverse(), metric_inverse = metric.inverse();
   Row D[2], B[2];
   for (int d = 0; d < 2; ++d)
@@ -260,7 +274,8 @@ bool WallContact::add_point(const SlavePoint &point, const Face &slave, const Pa
   for (int d = 0; d < 2; ++d) {
     K += law.pressure * (NN[d] * D[d].transpose() + D[d] * NN[d].transpose());
     for (int e = 0; e < 2; ++e)
-      K += law.pressure * (curvature(d, e) * D[d] * D[e].transpose() - gap * metric_inverse(d, e) * B[d] * B[e].transpose());
+      K += law.pressure *
+           (curvature(d, e) * D[d] * D[e].transpose() - gap * metric_inverse(d, e) * B[d] * B[e].transpose());
   }
   for (int r = 0; r < size; ++r)
     for (int c = r; c < size; ++c) {
@@ -277,11 +292,13 @@ double WallContact::work(const ContactState &before, const ContactState &after) 
   double sum = 0;
   for (std::size_t k = 0; k < points_.size(); ++k)
     if (before.gap[k] < no_gap && after.gap[k] < no_gap)
-      sum -= 0.5 * points_[k].area * (before.pressure[k] + after.pressure[k]) * (after.gap[k] - before.gap[k]);
+      sum -=
+          0.5 * points_[k].area * (before.pressure[k] + after.pressure[k]) * (after.gap[k] - before.gap[k]);
   return sum;
 }
 
-void WallContact::nodal_fields(const ContactState &state, std::vector<double> &pressure, std::vector<double> &gap) const {
+void WallContact::nodal_fields(const ContactState &state, std::vector<double> &pressure,
+                               std::vector<double> &gap) const {
   std::vector<double> weight(space_.n_nodes, 0.0);
   pressure.assign(space_.n_nodes, 0.0);
   gap.assign(space_.n_nodes, 0.0);

@@ -1,6 +1,6 @@
-/// Frictionless augmented-Lagrangian contact between two deformable walls: Gauss points of the slave faces against
-/// the closest points of the master faces. Both are quadratic faces with their nodes on the exact surfaces, so
-/// undeformed cylinders are exact to about 1e-9 m. Pairing is found anew at every evaluation.
+/// Frictionless augmented-Lagrangian contact between two deformable walls: Gauss points of the slave faces
+/// against the closest points of the master faces. Both are quadratic faces with their nodes on the exact
+/// surfaces, so undeformed cylinders are exact to about 1e-9 m. Pairing is found anew at every evaluation.
 #pragma once
 #include "fe_contact/laws/normal_contact.h"
 #include "fe_contact/model/discretisation.h"
@@ -19,13 +19,15 @@ struct ContactOptions {
 /// Penalty from the softer side: E / h, h the size of the wall's cells [Pa/m].
 double default_penalty(double softer_E, double cell_size);
 
-/// Per slave point. `multiplier` is trial/committed by the caller; gap and pressure are those of the last evaluation.
+/// Per slave point. `multiplier` is trial/committed by the caller; gap and pressure are those of the last
+/// evaluation.
 struct ContactState {
   std::vector<double> multiplier; ///< [Pa]
   std::vector<double> gap;        ///< [m]; `no_gap` where nothing is opposite
   std::vector<double> pressure;   ///< [Pa]
-  /// Opposite the master wall, not past its free edge. Settled once a step: a point that crosses the edge within a
-  /// step sees the extended face until the step ends, so that Newton does not chatter between two states.
+  /// Opposite the master wall, not past its free edge. Settled once a step: a point that crosses the edge
+  /// within a step sees the extended face until the step ends, so that Newton does not chatter between two
+  /// states.
   std::vector<char> on_wall;
 };
 constexpr double no_gap = 1.0;
@@ -36,12 +38,13 @@ struct ContactReport {
   double largest_pressure = 0;                     ///< [Pa]
   double penetration = 0;                          ///< largest |g| where p > 0 [m]
   int active = 0;                                  ///< points in contact
-  bool pattern_holds = true;                       ///< false: a pair is outside the matrix pattern, rebuild it
+  bool pattern_holds = true; ///< false: a pair is outside the matrix pattern, rebuild it
 };
 
 class WallContact {
 public:
-  WallContact(const Discretisation &space, meshes::Surface slave, meshes::Surface master, const ContactOptions &options);
+  WallContact(const Discretisation &space, meshes::Surface slave, meshes::Surface master,
+              const ContactOptions &options);
 
   ContactState open() const;
   /// Cliques of every pair of faces within the margin at displacements u.
@@ -75,14 +78,14 @@ private:
     Projection projection;
   };
   FaceNodes nodes_at(const Face &face, const Eigen::VectorXd &u) const;
-  Pair find(const Eigen::Vector3d &x, const std::vector<const MasterFace *> &near, const std::vector<FaceNodes> &nodes,
-            double beyond_edges) const;
+  Pair find(const Eigen::Vector3d &x, const std::vector<const MasterFace *> &near,
+            const std::vector<FaceNodes> &nodes, double beyond_edges) const;
   std::vector<FaceNodes> master_nodes(const Eigen::VectorXd &u) const;
   Eigen::Vector3d position(const SlavePoint &point, const FaceNodes &nodes) const;
   std::vector<std::vector<const MasterFace *>> near_faces(const Eigen::VectorXd &u, double margin) const;
-  bool add_point(const SlavePoint &point, const Face &slave, const Pair &pair, const Eigen::Vector3d &normal, double gap,
-                 const NormalContact::Result &law, const Equations &equations, Eigen::VectorXd &forces,
-                 SymmetricMatrix *tangent) const;
+  bool add_point(const SlavePoint &point, const Face &slave, const Pair &pair, const Eigen::Vector3d &normal,
+                 double gap, const NormalContact::Result &law, const Equations &equations,
+                 Eigen::VectorXd &forces, SymmetricMatrix *tangent) const;
 
   const Discretisation &space_;
   ContactOptions options_;

@@ -26,7 +26,8 @@ private:
 
 bool write_array(hid_t file, const std::string &name, hid_t type, const void *data, hsize_t size) {
   const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
-  const Handle set(H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose);
+  const Handle set(H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                   H5Dclose);
   return set.valid() && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) >= 0;
 }
 
@@ -48,7 +49,8 @@ bool read_array(hid_t group, const std::string &name, hid_t type, Container &val
 
 double Checkpoint::number(const std::string &name) const {
   const auto found = numbers.find(name);
-  if (found == numbers.end() || found->second.empty()) throw DataError("checkpoint: '" + name + "' is missing");
+  if (found == numbers.end() || found->second.empty())
+    throw DataError("checkpoint: '" + name + "' is missing");
   return found->second.front();
 }
 
@@ -59,8 +61,10 @@ void write_checkpoint(const Checkpoint &checkpoint, const std::string &path) {
   {
     const Handle file(H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
     good = file.valid();
-    const Handle numbers(good ? H5Gcreate2(file, "numbers", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT) : -1, H5Gclose);
-    const Handle texts(good ? H5Gcreate2(file, "texts", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT) : -1, H5Gclose);
+    const Handle numbers(good ? H5Gcreate2(file, "numbers", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT) : -1,
+                         H5Gclose);
+    const Handle texts(good ? H5Gcreate2(file, "texts", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT) : -1,
+                       H5Gclose);
     for (const auto &[name, values] : checkpoint.numbers)
       good = good && write_array(numbers, name, H5T_NATIVE_DOUBLE, values.data(), values.size());
     for (const auto &[name, text] : checkpoint.texts)

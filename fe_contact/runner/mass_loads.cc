@@ -2,12 +2,14 @@
 
 namespace rimpact::fe {
 namespace {
-/// Below this speed the Coulomb force is smoothed in the implicit step [m/s]; an impact passes it in microseconds.
+/// Below this speed the Coulomb force is smoothed in the implicit step [m/s]; an impact passes it in
+/// microseconds.
 constexpr double smoothing_speed = 1e-3;
 } // namespace
 
 MassLoads::MassLoads(const scene::Scene &scene, const reduced::PhysicalModel &model)
-    : model_(model), mass_(scene.load.mass), weight_(scene.load.vertical), held_(false), friction_(true), ground_(true) {
+    : model_(model), mass_(scene.load.mass), weight_(scene.load.vertical), held_(false), friction_(true),
+      ground_(true) {
   if (scene.excitation.kind == scene::ExcitationKind::window) {
     held_ = !scene.excitation.with_weight;
     friction_ = scene.excitation.with_friction;
@@ -16,7 +18,9 @@ MassLoads::MassLoads(const scene::Scene &scene, const reduced::PhysicalModel &mo
   held_height_ = model.height(scene.bearing.lateral_capacity(), 0).z;
 }
 
-double MassLoads::height_above_dish(const Eigen::Vector3d &u) const { return u.z() - model_.height(u.x(), u.y()).z; }
+double MassLoads::height_above_dish(const Eigen::Vector3d &u) const {
+  return u.z() - model_.height(u.x(), u.y()).z;
+}
 
 Eigen::Vector3d MassLoads::normal(const Eigen::Vector3d &u) const {
   return constraint_gradient(u, Support::dish).normalized();
@@ -43,7 +47,8 @@ MassForces MassLoads::forces(const Eigen::Vector3d &u, const Eigen::Vector3d &v,
 }
 
 MasterLaw MassLoads::law(const RimFrame &frame, double t, Support support) const {
-  return [this, frame, t, support](const Eigen::Vector3d &master, const Eigen::Vector3d &velocity, double multiplier) {
+  return [this, frame, t, support](const Eigen::Vector3d &master, const Eigen::Vector3d &velocity,
+                                   double multiplier) {
     const Eigen::Vector3d u = frame.displacement(master), v = frame.to_global(velocity);
     const Eigen::Matrix3d R = frame.rotation();
     MasterLoad load;
@@ -61,7 +66,8 @@ MasterLaw MassLoads::law(const RimFrame &frame, double t, Support support) const
     if (!friction_) return load;
     const double normal = std::max(0.0, multiplier) * gradient.norm();
     load.d_velocity = R.transpose() * model_.smoothed_friction(u, v, normal, smoothing_speed).d_velocity * R;
-    load.d_multiplier += frame.to_local(model_.smoothed_friction(u, v, gradient.norm(), smoothing_speed).force);
+    load.d_multiplier +=
+        frame.to_local(model_.smoothed_friction(u, v, gradient.norm(), smoothing_speed).force);
     return load;
   };
 }

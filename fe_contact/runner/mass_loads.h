@@ -1,5 +1,6 @@
-/// What acts on the supported mass while the rim is solid: everything of the reduced model but the rim. Ground motion,
-/// dead load, the dish's normal force (a constraint on the height) and its friction, in an arc's frame.
+/// What acts on the supported mass while the rim is solid: everything of the reduced model but the rim.
+/// Ground motion, dead load, the dish's normal force (a constraint on the height) and its friction, in an
+/// arc's frame.
 #pragma once
 #include "fe_contact/runner/rim_frame.h"
 #include "fe_contact/runner/rim_solver.h"
@@ -16,8 +17,8 @@ enum class Support {
 
 /// Forces on the mass in the plate's frame [N].
 struct MassForces {
-  Eigen::Vector3d ground = Eigen::Vector3d::Zero(), weight = Eigen::Vector3d::Zero(), pendular = Eigen::Vector3d::Zero(),
-                  friction = Eigen::Vector3d::Zero();
+  Eigen::Vector3d ground = Eigen::Vector3d::Zero(), weight = Eigen::Vector3d::Zero(),
+                  pendular = Eigen::Vector3d::Zero(), friction = Eigen::Vector3d::Zero();
   double normal = 0; ///< N of the dish, negative when the constraint would have to pull
   Eigen::Vector3d total() const { return ground + weight + pendular + friction; }
 };
@@ -27,7 +28,8 @@ public:
   MassLoads(const scene::Scene &scene, const reduced::PhysicalModel &model);
 
   /// Forces at a displacement u, velocity v (global), time t, for a multiplier of the vertical constraint.
-  MassForces forces(const Eigen::Vector3d &u, const Eigen::Vector3d &v, double t, Support support, double multiplier) const;
+  MassForces forces(const Eigen::Vector3d &u, const Eigen::Vector3d &v, double t, Support support,
+                    double multiplier) const;
   /// The same as a master law of an arc at time t.
   MasterLaw law(const RimFrame &frame, double t, Support support) const;
   /// Height above the sliding surface [m]; negative: sunk in.

@@ -15,16 +15,16 @@ struct ExpectedImpact {
 };
 
 struct Plan {
-  bool half = true;                  ///< symmetric half about each arc's plane
-  bool rim_takes_part = true;        ///< the scout sees a touch, or comes within `margin` of it
-  double closest_gap = 0.0;          ///< smallest gap of the scout [m]
+  bool half = true;           ///< symmetric half about each arc's plane
+  bool rim_takes_part = true; ///< the scout sees a touch, or comes within `margin` of it
+  double closest_gap = 0.0;   ///< smallest gap of the scout [m]
   std::vector<ExpectedImpact> impacts;
-  double sector_half_angle = 1.0;    ///< [rad]
-  double step_in_contact = 5e-4;     ///< [s]
+  double sector_half_angle = 1.0; ///< [rad]
+  double step_in_contact = 5e-4;  ///< [s]
   int mesh = 1;
   long expected_dofs = 0;
   double expected_seconds = 0, expected_memory_bytes = 0;
-  std::vector<std::string> notes;    ///< sentences for the user: pad pressure, grazing, critical amplitude ...
+  std::vector<std::string> notes; ///< sentences for the user: pad pressure, grazing, critical amplitude ...
 };
 Plan make_plan(const scene::Scene &scene);
 std::string describe(const Plan &plan); ///< as printed by `check` and before a run

@@ -1,5 +1,5 @@
-/// Between the plate's frame and an arc's: +x' radially outwards at the arc's direction, origin of displacements at
-/// the position of first touch (travel L_c, height of the surface there).
+/// Between the plate's frame and an arc's: +x' radially outwards at the arc's direction, origin of
+/// displacements at the position of first touch (travel L_c, height of the surface there).
 #pragma once
 #include <cmath>
 #include <Eigen/Core>

@@ -1,4 +1,5 @@
-// The quasi-static push of rung R1: the top face is driven beyond touch and back, the height following the dish.
+// The quasi-static push of rung R1: the top face is driven beyond touch and back, the height following the
+// dish.
 #include "fe_contact/runner/rim_run.h"
 #include "scene/error.h"
 
@@ -52,7 +53,9 @@ struct Pusher {
     put("energy_elastic", ledger.elastic);
     put("energy_plastic", ledger.plastic);
     put("energy_contact", ledger.contact);
-    for (const char *name : {"energy_gravity", "energy_kinetic", "energy_friction", "energy_impact", "energy_integrator"}) put(name, 0);
+    for (const char *name :
+         {"energy_gravity", "energy_kinetic", "energy_friction", "energy_impact", "energy_integrator"})
+      put(name, 0);
   }
 
   /// Moves to a travel, cutting the way where Newton needs it.
@@ -66,8 +69,9 @@ struct Pusher {
       record.n_newton += report.iterations;
       if (!report.converged) {
         ++record.n_cuts;
-        if (++cuts > 12) throw SolverStopped("the push stopped at " + std::to_string(1e3 * reached) +
-                                             " mm beyond touch: " + report.reason + "; try a finer mesh or a smaller travel_mm");
+        if (++cuts > 12)
+          throw SolverStopped("the push stopped at " + std::to_string(1e3 * reached) + " mm beyond touch: " +
+                              report.reason + "; try a finer mesh or a smaller travel_mm");
         step /= 2;
         continue;
       }
@@ -81,18 +85,20 @@ struct Pusher {
       sample(parameter, report, std::abs(next - reached));
       reached = next;
       if (options.progress)
-        options.progress({parameter, 1.0, std::abs(next - reached), report.iterations, state.report.smallest_gap,
-                          report.rim_force.head<2>().norm(), "push"});
+        options.progress({parameter, 1.0, std::abs(next - reached), report.iterations,
+                          state.report.smallest_gap, report.rim_force.head<2>().norm(), "push"});
     }
   }
 };
 
 } // namespace
 
-void run_rim_push(const scene::Scene &scene, const RunOptions &options, RimSolver &solver, RunRecord &record) {
+void run_rim_push(const scene::Scene &scene, const RunOptions &options, RimSolver &solver,
+                  RunRecord &record) {
   constexpr int steps_in = 32, steps_out = 64;
   Pusher pusher(scene, options, solver, record);
-  const double travel = scene.excitation.travel * scene.excitation.scale, out = scene.excitation.unload ? 0.5 : 1.0;
+  const double travel = scene.excitation.travel * scene.excitation.scale,
+               out = scene.excitation.unload ? 0.5 : 1.0;
   double reached = 0;
   pusher.sample(0, {}, 0);
   for (int n = 1; n <= steps_in; ++n) pusher.advance(travel * n / steps_in, out * n / steps_in, reached);

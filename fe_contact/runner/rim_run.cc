@@ -1,4 +1,4 @@
-#include "fe_contact/runner/rim_run.h"
+#include "fe_contact/runner/rim_dynamic.h"
 
 #include "scene/error.h"
 #include <algorithm>
@@ -8,328 +8,324 @@ namespace rimpact::fe {
 namespace {
 
 /// Names of the signals only the finite-element side writes.
-constexpr const char *fe_signals[] = {"surface_gap", "plastic_strain_max", "contact_pressure_max", "newton_iterations", "step"};
+constexpr const char *fe_signals[] = {"surface_gap", "plastic_strain_max", "contact_pressure_max",
+                                      "newton_iterations", "step"};
 
 /// Arcs closer than this share one yielded state [rad].
 constexpr double arc_width = 0.14;
 constexpr double nearest_look = 1e-3; ///< a dented arc's true gap is computed within this of touch [m]
 constexpr int checkpoint_every = 25;  ///< contact steps
 
-class DynamicRun {
-public:
-  DynamicRun(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RimSolver &solver, RunRecord &record)
-      : scene_(scene), plan_(plan), options_(options), solver_(solver), record_(record), model_(scene), loads_(scene, model_),
-        bearing_(model_.initial_state()), support_(loads_.initial_support()),
-        touch_height_(model_.height(scene.bearing.lateral_capacity(), 0).z) {}
-
-  void run() {
-    if (options_.resume && !options_.folder.empty()) restore();
-    else start();
-    while (bearing_.t < end_time()) {
-      if (!in_contact_ && !fly()) return finish();
-      contact();
-      if (window() && !in_contact_) return finish();
-    }
-    finish();
-  }
-
-private:
-  bool window() const { return scene_.excitation.kind == scene::ExcitationKind::window; }
-  double end_time() const { return scene_.excitation.duration; }
-  double capacity() const { return scene_.bearing.lateral_capacity(); }
-
-  void start() {
-    record_.ledger.initial = 0.5 * scene_.load.mass * bearing_.v.squaredNorm();
-    record_.ledger.largest_input = record_.ledger.initial;
-    record_.ledger.kinetic = record_.ledger.initial;
-  }
-
-  /// Distance of the walls at a slider displacement: exact for fresh arcs, by projection for dented ones.
-  double wall_gap(const Eigen::Vector3d &u) const {
-    const double plain = capacity() - u.head<2>().norm();
-    if (plain > nearest_look) return plain;
-    const Arc *arc = arc_at(u);
-    return arc && arc->yielded ? solver_.surface_gap(arc->state, arc->frame.master(u)) : plain;
-  }
-
-  const Arc *arc_at(const Eigen::Vector3d &u) const {
-    const double direction = std::atan2(u.y(), u.x());
-    for (const auto &arc : arcs_)
-      if (std::abs(std::remainder(direction - arc.frame.direction, 2 * M_PI)) < arc_width) return &arc;
-    return nullptr;
-  }
-
-  Arc &touched_arc() {
-    if (const Arc *known = arc_at(bearing_.u)) return const_cast<Arc &>(*known);
-    const double direction = std::atan2(bearing_.u.y(), bearing_.u.x());
-    for (const auto &arc : arcs_)
-      if (std::abs(std::remainder(direction - arc.frame.direction, 2 * M_PI)) < 3 * arc_width)
-        record_.warnings.push_back("two touched arcs lie within " + std::to_string(int(3 * arc_width * 180 / M_PI)) +
-                                   " degrees of one another; each was solved with its own yielded state");
-    arcs_.push_back({{direction, capacity(), touch_height_}, solver_.virgin(), false});
-    return arcs_.back();
-  }
-
-  /// Reduced flight until the walls touch. False: the scene ended first.
-  bool fly() {
-    if (window() && bearing_.t == 0) return true; // a window starts at touch
-    const auto stop = [this](const Eigen::Vector3d &u) { return wall_gap(u); };
-    const double chunk = 0.25; // for progress and Ctrl-C [s]
-    while (bearing_.t < end_time()) {
-      if (options_.interrupted && *options_.interrupted) throw Interrupted();
-      scene::EnergyLedger before = record_.ledger;
-      const auto end = model_.fly(bearing_, std::min(end_time(), bearing_.t + chunk), stop, record_.response, record_.ledger);
-      pad_fe_signals();
-      bearing_ = end.state;
-      record_.ledger.elastic = before.elastic; // what the arcs keep
-      record_.ledger.plastic = before.plastic;
-      if (options_.progress)
-        options_.progress({bearing_.t, end_time(), chunk, 0, wall_gap(bearing_.u), 0.0, "flight"});
-      if (end.stopped) return true;
-    }
-    return false;
-  }
-
-  void pad_fe_signals() {
-    double strain = 0;
-    for (const auto &arc : arcs_) strain = std::max(strain, solver_.largest_plastic_strain(arc.state));
-    auto &r = record_.response;
-    for (const char *name : fe_signals) {
-      const std::size_t have = r.has(name) ? r.series(name).size() : 0;
-      for (std::size_t k = have; k < r.size(); ++k) {
-        const std::string n = name;
-        r.append(n, n == "surface_gap" ? r.series("gap")[k] : n == "plastic_strain_max" ? strain
-                    : n == "step" && k > 0 ? r.series("time")[k] - r.series("time")[k - 1] : 0.0);
-      }
-    }
-  }
-
-  /// Global forces at the present end of the step.
-  MassForces forces_now(const Arc &arc, double t) const {
-    return loads_.forces(arc.frame.displacement(arc.state.master), arc.frame.to_global(arc.state.master_velocity), t, support_, multiplier_);
-  }
-
-  /// The walls touch: the solids take over, moving as the mass does.
-  void begin_contact(Arc &arc) {
-    if (support_ != Support::held) support_ = bearing_.airborne ? Support::airborne : Support::dish;
-    const auto reduced = model_.forces(bearing_);
-    multiplier_ = support_ == Support::dish ? reduced.normal / std::hypot(1.0, model_.height(bearing_.u.x(), bearing_.u.y()).gradient.norm()) : 0;
-    const MassForces now = loads_.forces(bearing_.u, bearing_.v, bearing_.t, support_, multiplier_);
-    Eigen::Vector3d acceleration = now.total() / scene_.load.mass;
-    if (support_ == Support::held) acceleration.z() = 0;
-    arc.state.v.setZero();
-    arc.state.a.setZero();
-    arc.state.R.setZero();
-    solver_.place(arc.state, arc.frame.master(bearing_.u), arc.frame.to_local(bearing_.v), arc.frame.to_local(acceleration));
-    solver_.refresh_forces(arc.state, loads_.law(arc.frame, bearing_.t, support_), multiplier_);
-    const Eigen::Vector2d radial = bearing_.u.head<2>().normalized();
-    impact_ = {bearing_.t, bearing_.t, std::atan2(radial.y(), radial.x()) * 180 / M_PI, bearing_.v.head<2>().dot(radial), 0, 0, 0};
-    others_elastic_ = record_.ledger.elastic - solver_.share() * arc.state.energies.elastic;
-    others_plastic_ = record_.ledger.plastic - solver_.share() * arc.state.energies.plastic;
-    touched_ = false;
-    peak_written_ = false;
-    dt_ = 0.25 * plan_.step_in_contact;
-    in_contact_ = true;
-    if (record_.response.size() == 0) sample(arc, {}, now, 0); // a window starts here
-  }
-
-  void contact() {
-    Arc &arc = touched_arc();
-    if (!in_contact_) begin_contact(arc);
-    for (int steps = 0; in_contact_; ++steps) {
-      if (options_.interrupted && *options_.interrupted) {
-        save();
-        throw Interrupted();
-      }
-      if (bearing_.t >= end_time() - 1e-12) break;
-      step(arc);
-      if (steps % checkpoint_every == checkpoint_every - 1) save();
-    }
-  }
-
-  void step(Arc &arc) {
-    const double dt = std::min(dt_, end_time() - bearing_.t);
-    const MassForces before = forces_now(arc, bearing_.t);
-    const ArcState kept = arc.state;
-    const auto law = loads_.law(arc.frame, bearing_.t + dt, support_);
-    const StepReport report = solver_.step(arc.state, dt, law, multiplier_);
-    record_.n_newton += report.iterations;
-    if (!report.converged) {
-      ++record_.n_cuts;
-      dt_ = dt / 2;
-      if (dt_ < plan_.step_in_contact / 4096) {
-        save();
-        throw SolverStopped("the solver stopped at t = " + std::to_string(bearing_.t) + " s, in contact, with a step of " +
-                            std::to_string(1e6 * dt) + " us: " + report.reason +
-                            "; partial results are kept; try --set model.mesh=2 or a smaller model.step_ms and --resume");
-      }
-      return;
-    }
-    const double finest = plan_.step_in_contact / 32;
-    if (!event_is_sharp(arc, report, dt, finest) || !error_is_small(arc, kept, dt)) {
-      arc.state = kept;
-      return;
-    }
-    accept(arc, kept, before, report, dt);
-    if (support_ == Support::dish && report.multiplier < 0) {
-      support_ = Support::airborne;
-      multiplier_ = 0;
-    } else if (support_ == Support::airborne && loads_.height_above_dish(arc.frame.displacement(arc.state.master)) < 0) {
-      land(arc);
-    }
-    if (arc.state.report.active > 0) touched_ = true;
-    const double radial_speed = arc.state.master_velocity.x();
-    if (arc.state.report.active == 0 && (touched_ || radial_speed < 0)) end_contact(arc);
-  }
-
-  /// Lift-off, landing and release are cut down to a fine step, so that their instants are sharp.
-  bool event_is_sharp(const Arc &arc, const StepReport &report, double dt, double finest) {
-    const bool lift_off = support_ == Support::dish && report.multiplier < 0;
-    const bool landing = support_ == Support::airborne &&
-                         loads_.height_above_dish(arc.frame.displacement(arc.state.master)) < -1e-6;
-    const bool release = touched_ && arc.state.report.active == 0;
-    if ((!lift_off && !landing && !release) || dt <= finest) return true;
-    dt_ = dt / 4;
-    return false;
-  }
-
-  /// Local error of the top face's displacement; also sets the next step's length.
-  bool error_is_small(const Arc &arc, const ArcState &kept, double dt) {
-    constexpr double tolerance = 1e-6; // [m]
-    const auto scheme = GeneralizedAlpha::from(scene_.model.rho_inf);
-    const double change = solver_.master_acceleration(arc.state).x() - solver_.master_acceleration(kept).x();
-    const double error = std::abs(scheme.beta - 1.0 / 6) * dt * dt * std::abs(change);
-    if (error > 4 * tolerance && dt > plan_.step_in_contact / 16) {
-      dt_ = dt / 2;
-      return false;
-    }
-    dt_ = std::min(plan_.step_in_contact, dt * std::clamp(0.9 * std::cbrt(tolerance / std::max(error, 1e-30)), 0.5, 1.6));
-    return true;
-  }
-
-  void accept(Arc &arc, const ArcState &kept, const MassForces &before, const StepReport &report, double dt) {
-    ++record_.n_steps;
-    if (report.augmentations >= solver_.options().max_augmentations) ++record_.augmentation_caps;
-    bearing_.t += dt;
-    multiplier_ = report.multiplier;
-    const MassForces after = forces_now(arc, bearing_.t);
-    const Eigen::Vector3d u0 = arc.frame.displacement(kept.master), u1 = arc.frame.displacement(arc.state.master), du = u1 - u0;
-    auto &ledger = record_.ledger;
-    ledger.external += 0.5 * (before.ground + after.ground).dot(du);
-    ledger.gravity -= 0.5 * (before.weight + after.weight).dot(du);
-    ledger.friction -= 0.5 * (before.friction + after.friction).dot(du);
-    ledger.elastic = others_elastic_ + solver_.share() * arc.state.energies.elastic;
-    ledger.plastic = others_plastic_ + solver_.share() * arc.state.energies.plastic;
-    ledger.contact += report.contact_work;
-    ledger.integrator += report.integrator_loss;
-    ledger.kinetic = solver_.kinetic_energy(arc.state);
-    ledger.largest_input = std::max(ledger.largest_input, ledger.initial + std::abs(ledger.external));
-    bearing_.u = u1;
-    bearing_.v = arc.frame.to_global(arc.state.master_velocity);
-    if (support_ == Support::dish) record_.smallest_normal = std::min(record_.smallest_normal, after.normal);
-    sample(arc, report, after, dt);
-
-    const double force = report.rim_force.head<2>().norm();
-    impact_.peak_force = std::max(impact_.peak_force, force);
-    impact_.peak_penetration = std::max(impact_.peak_penetration, bearing_.u.head<2>().norm() - capacity());
-    if (force > 0) impact_.release_time = bearing_.t;
-    if (!peak_written_ && touched_ && arc.state.master_velocity.x() < 0) {
-      write_fields(solver_, arc.state, arc.frame, bearing_.t, options_, record_);
-      peak_written_ = true;
-    }
-    if (options_.progress)
-      options_.progress({bearing_.t, end_time(), dt, report.iterations, arc.state.report.smallest_gap, force, "contact"});
-  }
-
-  /// Touchdown on the dish: the normal velocity is reversed with the stated restitution, its energy booked as contact.
-  void land(Arc &arc) {
-    const Eigen::Vector3d n = loads_.normal(bearing_.u);
-    const double approach = bearing_.v.dot(n);
-    support_ = Support::dish;
-    if (approach >= 0) return;
-    const double before = solver_.kinetic_energy(arc.state);
-    solver_.kick(arc.state, arc.frame.to_local(-(1 + scene_.reduced.vertical_restitution) * approach * n));
-    record_.ledger.kinetic = solver_.kinetic_energy(arc.state);
-    record_.ledger.contact += before - record_.ledger.kinetic;
-    bearing_.v = arc.frame.to_global(arc.state.master_velocity);
-  }
-
-  /// The walls have parted: the parts come to rest, what they still vibrated with is booked as lost in the impact.
-  void end_contact(Arc &arc) {
-    const Eigen::Vector2d radial = bearing_.u.head<2>().normalized();
-    impact_.rebound_speed = -bearing_.v.head<2>().dot(radial);
-    const double strained = solver_.share() * (arc.state.energies.elastic + arc.state.energies.plastic);
-    const double moving = solver_.kinetic_energy(arc.state) - solver_.rigid_kinetic_energy(arc.state.master_velocity);
-    const StepReport report = solver_.relax(arc.state);
-    record_.n_newton += report.iterations;
-    if (!report.converged) throw SolverStopped("the parts did not come to rest after the release: " + report.reason);
-    record_.ledger.elastic = others_elastic_ + solver_.share() * arc.state.energies.elastic;
-    record_.ledger.plastic = others_plastic_ + solver_.share() * arc.state.energies.plastic;
-    record_.ledger.impact += moving + strained - solver_.share() * (arc.state.energies.elastic + arc.state.energies.plastic);
-    record_.ledger.kinetic = solver_.rigid_kinetic_energy(arc.state.master_velocity);
-    arc.yielded = solver_.largest_plastic_strain(arc.state) > 0;
-    bearing_.airborne = support_ == Support::airborne;
-    if (support_ == Support::dish) bearing_.u.z() = model_.height(bearing_.u.x(), bearing_.u.y()).z;
-    if (touched_) {
-      record_.impacts.push_back(impact_);
-      write_fields(solver_, arc.state, arc.frame, bearing_.t, options_, record_);
-    }
-    in_contact_ = false;
-    save();
-  }
-
-  void sample(const Arc &arc, const StepReport &report, const MassForces &forces, double dt) {
-    auto &r = record_.response;
-    const Eigen::Vector3d impact = arc.frame.to_global(report.rim_force), total = forces.pendular + forces.friction + impact;
-    r.append("time", bearing_.t);
-    const char *axes[3] = {"x", "y", "z"};
-    for (int i = 0; i < 3; ++i) {
-      r.append(std::string("displacement_") + axes[i], bearing_.u[i]);
-      r.append(std::string("velocity_") + axes[i], bearing_.v[i]);
-      r.append(std::string("force_") + axes[i], total[i]);
-      if (i == 2) break;
-      r.append(std::string("pendular_") + axes[i], forces.pendular[i]);
-      r.append(std::string("friction_") + axes[i], forces.friction[i]);
-      r.append(std::string("impact_") + axes[i], impact[i]);
-    }
-    r.append("gap", capacity() - bearing_.u.head<2>().norm());
-    const auto &e = record_.ledger;
-    const std::pair<const char *, double> energies[] = {
-        {"energy_external", e.external}, {"energy_gravity", e.gravity}, {"energy_kinetic", e.kinetic}, {"energy_elastic", e.elastic}, {"energy_plastic", e.plastic},
-        {"energy_friction", e.friction}, {"energy_impact", e.impact}, {"energy_contact", e.contact}, {"energy_integrator", e.integrator}};
-    for (const auto &[name, value] : energies) r.append(name, value);
-    r.append("surface_gap", arc.state.report.smallest_gap);
-    r.append("plastic_strain_max", solver_.largest_plastic_strain(arc.state));
-    r.append("contact_pressure_max", arc.state.report.largest_pressure);
-    r.append("newton_iterations", report.iterations);
-    r.append("step", dt);
-  }
-
-  void finish() {
-    if (!arcs_.empty() && in_contact_) write_fields(solver_, arcs_.back().state, arcs_.back().frame, bearing_.t, options_, record_);
-    save();
-  }
-
-  void save() const;
-  void restore();
-
-  const scene::Scene &scene_;
-  const Plan &plan_;
-  const RunOptions &options_;
-  RimSolver &solver_;
-  RunRecord &record_;
-  reduced::PhysicalModel model_;
-  MassLoads loads_;
-  reduced::BearingState bearing_;
-  Support support_;
-  double touch_height_;
-  std::vector<Arc> arcs_;
-  bool in_contact_ = false, touched_ = false, peak_written_ = false;
-  double dt_ = 0, multiplier_ = 0, others_elastic_ = 0, others_plastic_ = 0;
-  scene::Impact impact_{};
-};
-
 } // namespace
+
+void DynamicRun::run() {
+  if (options_.resume)
+    restore();
+  else
+    start();
+  while (bearing_.t < end_time()) {
+    if (!in_contact_ && !fly()) return finish();
+    contact();
+    if (window() && !in_contact_) return finish();
+  }
+  finish();
+}
+
+void DynamicRun::start() {
+  record_.ledger.initial = 0.5 * scene_.load.mass * bearing_.v.squaredNorm();
+  record_.ledger.largest_input = record_.ledger.initial;
+  record_.ledger.kinetic = record_.ledger.initial;
+}
+
+double DynamicRun::wall_gap(const Eigen::Vector3d &u) const {
+  const double plain = capacity() - u.head<2>().norm();
+  if (plain > nearest_look) return plain;
+  const Arc *arc = arc_at(u);
+  return arc && arc->yielded ? solver_.surface_gap(arc->state, arc->frame.master(u)) : plain;
+}
+
+const Arc *DynamicRun::arc_at(const Eigen::Vector3d &u) const {
+  const double direction = std::atan2(u.y(), u.x());
+  for (const auto &arc : arcs_)
+    if (std::abs(std::remainder(direction - arc.frame.direction, 2 * M_PI)) < arc_width) return &arc;
+  return nullptr;
+}
+
+Arc &DynamicRun::touched_arc() {
+  if (in_contact_) return arcs_[current_];
+  if (const Arc *known = arc_at(bearing_.u)) {
+    current_ = known - arcs_.data();
+    return arcs_[current_];
+  }
+  const double direction = std::atan2(bearing_.u.y(), bearing_.u.x());
+  for (const auto &arc : arcs_)
+    if (std::abs(std::remainder(direction - arc.frame.direction, 2 * M_PI)) < 3 * arc_width)
+      record_.warnings.push_back("two touched arcs lie within " +
+                                 std::to_string(int(3 * arc_width * 180 / M_PI)) +
+                                 " degrees of one another; each was solved with its own yielded state");
+  arcs_.push_back({{direction, capacity(), touch_height_}, solver_.virgin(), false});
+  current_ = arcs_.size() - 1;
+  return arcs_.back();
+}
+
+bool DynamicRun::fly() {
+  if (window() && bearing_.t == 0) return true; // a window starts at touch
+  const auto stop = [this](const Eigen::Vector3d &u) { return wall_gap(u); };
+  const double chunk = 0.25; // for progress and Ctrl-C [s]
+  while (bearing_.t < end_time()) {
+    if (options_.interrupted && *options_.interrupted) throw Interrupted();
+    scene::EnergyLedger before = record_.ledger;
+    const auto end = model_.fly(bearing_, std::min(end_time(), bearing_.t + chunk), stop, record_.response,
+                                record_.ledger);
+    pad_fe_signals();
+    bearing_ = end.state;
+    record_.ledger.elastic = before.elastic; // what the arcs keep
+    record_.ledger.plastic = before.plastic;
+    if (options_.progress)
+      options_.progress({bearing_.t, end_time(), chunk, 0, wall_gap(bearing_.u), 0.0, "flight"});
+    if (end.stopped) return true;
+  }
+  return false;
+}
+
+void DynamicRun::pad_fe_signals() {
+  double strain = 0;
+  for (const auto &arc : arcs_) strain = std::max(strain, solver_.largest_plastic_strain(arc.state));
+  auto &r = record_.response;
+  for (const char *name : fe_signals) {
+    const std::size_t have = r.has(name) ? r.series(name).size() : 0;
+    for (std::size_t k = have; k < r.size(); ++k) {
+      const std::string n = name;
+      r.append(n, n == "surface_gap"          ? r.series("gap")[k]
+                  : n == "plastic_strain_max" ? strain
+                  : n == "step" && k > 0      ? r.series("time")[k] - r.series("time")[k - 1]
+                                              : 0.0);
+    }
+  }
+}
+
+MassForces DynamicRun::forces_now(const Arc &arc, double t) const {
+  return loads_.forces(arc.frame.displacement(arc.state.master),
+                       arc.frame.to_global(arc.state.master_velocity), t, support_, multiplier_);
+}
+
+void DynamicRun::begin_contact(Arc &arc) {
+  if (support_ != Support::held) support_ = bearing_.airborne ? Support::airborne : Support::dish;
+  const auto reduced = model_.forces(bearing_);
+  multiplier_ =
+      support_ == Support::dish
+          ? reduced.normal / std::hypot(1.0, model_.height(bearing_.u.x(), bearing_.u.y()).gradient.norm())
+          : 0;
+  const MassForces now = loads_.forces(bearing_.u, bearing_.v, bearing_.t, support_, multiplier_);
+  Eigen::Vector3d acceleration = now.total() / scene_.load.mass;
+  if (support_ == Support::held) acceleration.z() = 0;
+  arc.state.v.setZero();
+  arc.state.a.setZero();
+  arc.state.R.setZero();
+  solver_.place(arc.state, arc.frame.master(bearing_.u), arc.frame.to_local(bearing_.v),
+                arc.frame.to_local(acceleration));
+  solver_.refresh_forces(arc.state, loads_.law(arc.frame, bearing_.t, support_), multiplier_);
+  const Eigen::Vector2d radial = bearing_.u.head<2>().normalized();
+  impact_ = {bearing_.t,
+             bearing_.t,
+             std::atan2(radial.y(), radial.x()) * 180 / M_PI,
+             bearing_.v.head<2>().dot(radial),
+             0,
+             0,
+             0};
+  others_elastic_ = record_.ledger.elastic - solver_.share() * arc.state.energies.elastic;
+  others_plastic_ = record_.ledger.plastic - solver_.share() * arc.state.energies.plastic;
+  touched_ = false;
+  peak_written_ = false;
+  dt_ = 0.25 * plan_.step_in_contact;
+  in_contact_ = true;
+  if (record_.response.size() == 0) sample(arc, {}, now, 0); // a window starts here
+}
+
+void DynamicRun::contact() {
+  Arc &arc = touched_arc();
+  if (!in_contact_) begin_contact(arc);
+  for (int steps = 0; in_contact_; ++steps) {
+    if (options_.interrupted && *options_.interrupted) {
+      save();
+      throw Interrupted();
+    }
+    if (bearing_.t >= end_time() - 1e-12) break;
+    step(arc);
+    if (steps % checkpoint_every == checkpoint_every - 1) save();
+  }
+}
+
+void DynamicRun::step(Arc &arc) {
+  const double dt = std::min(dt_, end_time() - bearing_.t);
+  const MassForces before = forces_now(arc, bearing_.t);
+  const ArcState kept = arc.state;
+  const auto law = loads_.law(arc.frame, bearing_.t + dt, support_);
+  const StepReport report = solver_.step(arc.state, dt, law, multiplier_);
+  record_.n_newton += report.iterations;
+  if (!report.converged) {
+    ++record_.n_cuts;
+    dt_ = dt / 2;
+    if (dt_ < plan_.step_in_contact / 4096) {
+      save();
+      throw SolverStopped(
+          "the solver stopped at t = " + std::to_string(bearing_.t) + " s, in contact, with a step of " +
+          std::to_string(1e6 * dt) + " us: " + report.reason +
+          "; partial results are kept; try --set model.mesh=2 or a smaller model.step_ms and --resume");
+    }
+    return;
+  }
+  const double finest = plan_.step_in_contact / 32;
+  if (!event_is_sharp(arc, report, dt, finest) || !error_is_small(arc, kept, dt)) {
+    arc.state = kept;
+    return;
+  }
+  accept(arc, kept, before, report, dt);
+  if (support_ == Support::dish && report.multiplier < 0) {
+    support_ = Support::airborne;
+    multiplier_ = 0;
+  } else if (support_ == Support::airborne &&
+             loads_.height_above_dish(arc.frame.displacement(arc.state.master)) < 0) {
+    land(arc);
+  }
+  if (arc.state.report.active > 0) touched_ = true;
+  const double radial_speed = arc.state.master_velocity.x();
+  if (arc.state.report.active == 0 && (touched_ || radial_speed < 0)) end_contact(arc);
+}
+
+bool DynamicRun::event_is_sharp(const Arc &arc, const StepReport &report, double dt, double finest) {
+  const bool lift_off = support_ == Support::dish && report.multiplier < 0;
+  const bool landing = support_ == Support::airborne &&
+                       loads_.height_above_dish(arc.frame.displacement(arc.state.master)) < -1e-6;
+  const bool release = touched_ && arc.state.report.active == 0;
+  if ((!lift_off && !landing && !release) || dt <= finest) return true;
+  dt_ = dt / 4;
+  return false;
+}
+
+bool DynamicRun::error_is_small(const Arc &arc, const ArcState &kept, double dt) {
+  constexpr double tolerance = 1e-6; // [m]
+  const auto scheme = GeneralizedAlpha::from(scene_.model.rho_inf);
+  const double change = solver_.master_acceleration(arc.state).x() - solver_.master_acceleration(kept).x();
+  const double error = std::abs(scheme.beta - 1.0 / 6) * dt * dt * std::abs(change);
+  if (error > 4 * tolerance && dt > plan_.step_in_contact / 16) {
+    dt_ = dt / 2;
+    return false;
+  }
+  dt_ = std::min(plan_.step_in_contact,
+                 dt * std::clamp(0.9 * std::cbrt(tolerance / std::max(error, 1e-30)), 0.5, 1.6));
+  return true;
+}
+
+void DynamicRun::accept(Arc &arc, const ArcState &kept, const MassForces &before, const StepReport &report,
+                        double dt) {
+  ++record_.n_steps;
+  if (report.augmentations >= solver_.options().max_augmentations) ++record_.augmentation_caps;
+  bearing_.t += dt;
+  multiplier_ = report.multiplier;
+  const MassForces after = forces_now(arc, bearing_.t);
+  const Eigen::Vector3d u0 = arc.frame.displacement(kept.master),
+                        u1 = arc.frame.displacement(arc.state.master), du = u1 - u0;
+  auto &ledger = record_.ledger;
+  ledger.external += 0.5 * (before.ground + after.ground).dot(du);
+  ledger.gravity -= 0.5 * (before.weight + after.weight).dot(du);
+  ledger.friction -= 0.5 * (before.friction + after.friction).dot(du);
+  ledger.elastic = others_elastic_ + solver_.share() * arc.state.energies.elastic;
+  ledger.plastic = others_plastic_ + solver_.share() * arc.state.energies.plastic;
+  ledger.contact += report.contact_work;
+  ledger.integrator += report.integrator_loss;
+  ledger.kinetic = solver_.kinetic_energy(arc.state);
+  ledger.largest_input = std::max(ledger.largest_input, ledger.initial + std::abs(ledger.external));
+  bearing_.u = u1;
+  bearing_.v = arc.frame.to_global(arc.state.master_velocity);
+  if (support_ == Support::dish) record_.smallest_normal = std::min(record_.smallest_normal, after.normal);
+  sample(arc, report, after, dt);
+
+  const double force = report.rim_force.head<2>().norm();
+  impact_.peak_force = std::max(impact_.peak_force, force);
+  impact_.peak_penetration = std::max(impact_.peak_penetration, bearing_.u.head<2>().norm() - capacity());
+  if (force > 0) impact_.release_time = bearing_.t;
+  if (!peak_written_ && touched_ && arc.state.master_velocity.x() < 0) {
+    write_fields(solver_, arc.state, arc.frame, bearing_.t, options_, record_);
+    peak_written_ = true;
+  }
+  if (options_.progress)
+    options_.progress(
+        {bearing_.t, end_time(), dt, report.iterations, arc.state.report.smallest_gap, force, "contact"});
+}
+
+void DynamicRun::land(Arc &arc) {
+  const Eigen::Vector3d n = loads_.normal(bearing_.u);
+  const double approach = bearing_.v.dot(n);
+  support_ = Support::dish;
+  if (approach >= 0) return;
+  const double before = solver_.kinetic_energy(arc.state);
+  solver_.kick(arc.state, arc.frame.to_local(-(1 + scene_.reduced.vertical_restitution) * approach * n));
+  record_.ledger.kinetic = solver_.kinetic_energy(arc.state);
+  record_.ledger.contact += before - record_.ledger.kinetic;
+  bearing_.v = arc.frame.to_global(arc.state.master_velocity);
+}
+
+void DynamicRun::end_contact(Arc &arc) {
+  const Eigen::Vector2d radial = bearing_.u.head<2>().normalized();
+  impact_.rebound_speed = -bearing_.v.head<2>().dot(radial);
+  const double strained = solver_.share() * (arc.state.energies.elastic + arc.state.energies.plastic);
+  const double moving =
+      solver_.kinetic_energy(arc.state) - solver_.rigid_kinetic_energy(arc.state.master_velocity);
+  const StepReport report = solver_.relax(arc.state);
+  record_.n_newton += report.iterations;
+  if (!report.converged)
+    throw SolverStopped("the parts did not come to rest after the release: " + report.reason);
+  record_.ledger.elastic = others_elastic_ + solver_.share() * arc.state.energies.elastic;
+  record_.ledger.plastic = others_plastic_ + solver_.share() * arc.state.energies.plastic;
+  record_.ledger.impact +=
+      moving + strained - solver_.share() * (arc.state.energies.elastic + arc.state.energies.plastic);
+  record_.ledger.kinetic = solver_.rigid_kinetic_energy(arc.state.master_velocity);
+  arc.yielded = solver_.largest_plastic_strain(arc.state) > 0;
+  bearing_.airborne = support_ == Support::airborne;
+  if (support_ == Support::dish) bearing_.u.z() = model_.height(bearing_.u.x(), bearing_.u.y()).z;
+  if (touched_) {
+    record_.impacts.push_back(impact_);
+    write_fields(solver_, arc.state, arc.frame, bearing_.t, options_, record_);
+  }
+  in_contact_ = false;
+  save();
+}
+
+void DynamicRun::sample(const Arc &arc, const StepReport &report, const MassForces &forces, double dt) {
+  auto &r = record_.response;
+  const Eigen::Vector3d impact = arc.frame.to_global(report.rim_force),
+                        total = forces.pendular + forces.friction + impact;
+  r.append("time", bearing_.t);
+  const char *axes[3] = {"x", "y", "z"};
+  for (int i = 0; i < 3; ++i) {
+    r.append(std::string("displacement_") + axes[i], bearing_.u[i]);
+    r.append(std::string("velocity_") + axes[i], bearing_.v[i]);
+    r.append(std::string("force_") + axes[i], total[i]);
+    if (i == 2) break;
+    r.append(std::string("pendular_") + axes[i], forces.pendular[i]);
+    r.append(std::string("friction_") + axes[i], forces.friction[i]);
+    r.append(std::string("impact_") + axes[i], impact[i]);
+  }
+  r.append("gap", capacity() - bearing_.u.head<2>().norm());
+  const auto &e = record_.ledger;
+  const std::pair<const char *, double> energies[] = {
+      {"energy_external", e.external}, {"energy_gravity", e.gravity}, {"energy_kinetic", e.kinetic},
+      {"energy_elastic", e.elastic},   {"energy_plastic", e.plastic}, {"energy_friction", e.friction},
+      {"energy_impact", e.impact},     {"energy_contact", e.contact}, {"energy_integrator", e.integrator}};
+  for (const auto &[name, value] : energies) r.append(name, value);
+  r.append("surface_gap", arc.state.report.smallest_gap);
+  r.append("plastic_strain_max", solver_.largest_plastic_strain(arc.state));
+  r.append("contact_pressure_max", arc.state.report.largest_pressure);
+  r.append("newton_iterations", report.iterations);
+  r.append("step", dt);
+}
+
+void DynamicRun::finish() {
+  if (in_contact_)
+    write_fields(solver_, arcs_[current_].state, arcs_[current_].frame, bearing_.t, options_, record_);
+  save();
+}
 
 meshes::RimMeshOptions rim_mesh_options(const scene::Scene &scene, const Plan &plan) {
   meshes::RimMeshOptions mesh;
@@ -346,8 +342,8 @@ RimSolverOptions rim_solver_options(const scene::Scene &scene) {
   return options;
 }
 
-void run_rim_dynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RimSolver &solver,
-                     RunRecord &record) {
+void run_rim_dynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options,
+                     RimSolver &solver, RunRecord &record) {
   DynamicRun(scene, plan, options, solver, record).run();
 }
 

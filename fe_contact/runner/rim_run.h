@@ -1,6 +1,6 @@
-/// Rung R1: whole histories and windows (rim_run.cc), quasi-static pushes (rim_push.cc). Between impacts the reduced
-/// model flies; while the walls touch, the solids are stepped implicitly with the rest of the bearing acting on the
-/// slider's top face. Each touched arc keeps its own yielded state.
+/// Rung R1: whole histories and windows (rim_run.cc), quasi-static pushes (rim_push.cc). Between impacts the
+/// reduced model flies; while the walls touch, the solids are stepped implicitly with the rest of the bearing
+/// acting on the slider's top face. Each touched arc keeps its own yielded state.
 #pragma once
 #include "fe_contact/runner/checkpoint.h"
 #include "fe_contact/runner/mass_loads.h"
@@ -31,8 +31,8 @@ meshes::RimMeshOptions rim_mesh_options(const scene::Scene &scene, const Plan &p
 RimSolverOptions rim_solver_options(const scene::Scene &scene);
 
 /// Runs into `record`. Throw SolverStopped or Interrupted with the record as it stands.
-void run_rim_dynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RimSolver &solver,
-                     RunRecord &record);
+void run_rim_dynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options,
+                     RimSolver &solver, RunRecord &record);
 void run_rim_push(const scene::Scene &scene, const RunOptions &options, RimSolver &solver, RunRecord &record);
 
 /// Writes a VTU of the solver's solids in a state and notes it for the PVD.

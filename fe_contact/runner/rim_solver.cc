@@ -16,7 +16,9 @@ constexpr double smallest_force = 1e-2;
 class Stopwatch {
 public:
   explicit Stopwatch(double &seconds) : seconds_(seconds), start_(std::chrono::steady_clock::now()) {}
-  ~Stopwatch() { seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  ~Stopwatch() {
+    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
 
 private:
   double &seconds_;
@@ -53,19 +55,23 @@ struct RimSolver::Inertia {
   GeneralizedAlpha scheme;
   double dt;
   Eigen::VectorXd u_predicted, v_predicted, a_old;
-  Eigen::VectorXd acceleration(const Eigen::VectorXd &u) const { return (u - u_predicted) / (scheme.beta * dt * dt); }
+  Eigen::VectorXd acceleration(const Eigen::VectorXd &u) const {
+    return (u - u_predicted) / (scheme.beta * dt * dt);
+  }
   Eigen::VectorXd velocity(const Eigen::VectorXd &a) const { return v_predicted + scheme.gamma * dt * a; }
   double mass_factor() const { return (1 - scheme.alpha_m) / (scheme.beta * dt * dt); }
   double velocity_factor() const { return scheme.gamma / (scheme.beta * dt); }
 };
 
-RimSolver::RimSolver(const scene::Bearing &bearing, const meshes::RimMeshOptions &mesh, const RimSolverOptions &options)
+RimSolver::RimSolver(const scene::Bearing &bearing, const meshes::RimMeshOptions &mesh,
+                     const RimSolverOptions &options)
     : RimSolver(bearing, meshes::rim_mesh(bearing, mesh), mesh, options) {}
 
-RimSolver::RimSolver(const scene::Bearing &bearing, const meshes::HexMesh &own, const meshes::RimMeshOptions &mesh,
-                     const RimSolverOptions &options)
+RimSolver::RimSolver(const scene::Bearing &bearing, const meshes::HexMesh &own,
+                     const meshes::RimMeshOptions &mesh, const RimSolverOptions &options)
     : half_(mesh.half), options_(options), space_(own, options.degree), solid_(space_, bearing),
-      contact_(space_, meshes::Surface::slider_side, meshes::Surface::rim_wall, contact_options(bearing, mesh, options)) {
+      contact_(space_, meshes::Surface::slider_side, meshes::Surface::rim_wall,
+               contact_options(bearing, mesh, options)) {
   make_equations(mesh);
   make_pattern(Eigen::VectorXd::Zero(space_.n_dofs()));
 }
@@ -109,7 +115,8 @@ void RimSolver::make_equations(const meshes::RimMeshOptions &mesh) {
   std::set<unsigned> slider_nodes;
   for (std::size_t c = 0; c < space_.n_cells; ++c)
     if (space_.volumes[c] == meshes::Volume::upper_slider)
-      slider_nodes.insert(&space_.cell_nodes[c * space_.nodes_per_cell], &space_.cell_nodes[(c + 1) * space_.nodes_per_cell]);
+      slider_nodes.insert(&space_.cell_nodes[c * space_.nodes_per_cell],
+                          &space_.cell_nodes[(c + 1) * space_.nodes_per_cell]);
   for (int i = 0; i < 3; ++i) {
     std::set<int> unique;
     for (const unsigned node : slider_nodes)
@@ -131,7 +138,8 @@ void RimSolver::make_pattern(const Eigen::VectorXd &u) {
   tangent_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
   mass_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
   solid_.add_mass(equations_, *mass_);
-  const double extra = (options_.attached_mass - share() * solid_.mass_of(meshes::Volume::upper_slider)) / share();
+  const double extra =
+      (options_.attached_mass - share() * solid_.mass_of(meshes::Volume::upper_slider)) / share();
   for (const int equation : master_)
     if (equation >= 0 && options_.attached_mass > 0) mass_->add(equation, equation, extra);
   direct_ = std::make_unique<DirectSolver>(*tangent_);
@@ -152,14 +160,16 @@ ArcState RimSolver::virgin() const {
   return state;
 }
 
-bool RimSolver::evaluate(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia, const MasterLaw *law) {
+bool RimSolver::evaluate(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia,
+                         const MasterLaw *law) {
   const Eigen::VectorXd u = equations_.expand(trial.u);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations_.n);
   tangent_->set_zero();
   trial.energies = {};
   {
     const Stopwatch watch(time_split["assembly"]);
-    if (!solid_.assemble(u, old.history, trial.history, equations_, forces, tangent_.get(), trial.energies)) return false;
+    if (!solid_.assemble(u, old.history, trial.history, equations_, forces, tangent_.get(), trial.energies))
+      return false;
   }
   trial.scale = forces.norm();
   trial.report = {};
@@ -182,8 +192,11 @@ bool RimSolver::evaluate(const ArcState &old, Trial &trial, bool with_contact, c
     trial.R[master_[i]] += trial.load.force[i] / share();
     for (int k = i; k < 3; ++k)
       if (master_[k] >= 0)
-        tangent_->add(master_[i], master_[k], -(0.5 * (trial.load.d_displacement(i, k) + trial.load.d_displacement(k, i)) +
-            inertia->velocity_factor() * 0.5 * (trial.load.d_velocity(i, k) + trial.load.d_velocity(k, i))) / share());
+        tangent_->add(master_[i], master_[k],
+                      -(0.5 * (trial.load.d_displacement(i, k) + trial.load.d_displacement(k, i)) +
+                        inertia->velocity_factor() * 0.5 *
+                            (trial.load.d_velocity(i, k) + trial.load.d_velocity(k, i))) /
+                          share());
   }
   const double alpha_m = inertia->scheme.alpha_m;
   const Eigen::VectorXd inertial = mass_->multiply((1 - alpha_m) * a + alpha_m * inertia->a_old);
@@ -194,8 +207,8 @@ bool RimSolver::evaluate(const ArcState &old, Trial &trial, bool with_contact, c
   return true;
 }
 
-bool RimSolver::evaluate_on_a_pattern(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia,
-                                      const MasterLaw *law) {
+bool RimSolver::evaluate_on_a_pattern(const ArcState &old, Trial &trial, bool with_contact,
+                                      const Inertia *inertia, const MasterLaw *law) {
   for (int builds = 0; builds < 4; ++builds) {
     trial.pattern_holds = true;
     if (evaluate(old, trial, with_contact, inertia, law)) return true;
@@ -212,11 +225,13 @@ double RimSolver::relative_residual(const Trial &trial, bool prescribed) const {
   return residual.norm() / (trial.scale + smallest_force / options_.tolerance);
 }
 
-Eigen::VectorXd RimSolver::newton_change(Trial &trial, bool inertial, const Eigen::Vector3d *to_go, double &multiplier_change) {
+Eigen::VectorXd RimSolver::newton_change(Trial &trial, bool inertial, const Eigen::Vector3d *to_go,
+                                         bool reuse_factor, double &multiplier_change) {
   Eigen::VectorXd residual = trial.residual;
   if (to_go) { // the driven top face enters by its columns, then its rows become unit rows
     for (int i = 0; i < 3; ++i)
-      for (int k = master_[i] < 0 ? 0 : tangent_->starts()[master_[i]]; master_[i] >= 0 && k < tangent_->starts()[master_[i] + 1]; ++k)
+      for (int k = master_[i] < 0 ? 0 : tangent_->starts()[master_[i]];
+           master_[i] >= 0 && k < tangent_->starts()[master_[i] + 1]; ++k)
         residual[tangent_->columns()[k]] += tangent_->values()[k] * (*to_go)[i];
     for (const int equation : master_)
       if (equation >= 0) {
@@ -224,7 +239,7 @@ Eigen::VectorXd RimSolver::newton_change(Trial &trial, bool inertial, const Eige
         tangent_->make_unit_row(equation, 1e10);
       }
   }
-  {
+  if (!reuse_factor) {
     const Stopwatch watch(time_split["factor"]);
     if (!direct_->factorise()) return {};
   }
@@ -255,14 +270,17 @@ StepReport RimSolver::iterate(const ArcState &old, Trial &trial, bool with_conta
     report.reason = "a cell turned inside out";
     return report;
   }
-  Eigen::Vector3d to_go = prescribed ? Eigen::Vector3d(*prescribed - master_of(trial.u)) : Eigen::Vector3d::Zero();
+  Eigen::Vector3d to_go =
+      prescribed ? Eigen::Vector3d(*prescribed - master_of(trial.u)) : Eigen::Vector3d::Zero();
   double relative = relative_residual(trial, prescribed);
+  double last_reduction = 1.0;
   bool first = true; // the first change carries the step's loading: its residual is no measure of progress
   for (int since_augmentation = 0;;) {
     report.residuals.push_back(relative);
     const bool on_the_dish = !trial.load.constrained || std::abs(trial.load.constraint) < 1e-11;
     if (relative < options_.tolerance && to_go.isZero() && on_the_dish && !(first && inertia)) {
-      if (!with_contact || trial.report.penetration <= options_.gap_tolerance || report.augmentations >= options_.max_augmentations) {
+      if (!with_contact || trial.report.penetration <= options_.gap_tolerance ||
+          report.augmentations >= options_.max_augmentations) {
         report.converged = true;
         return report;
       }
@@ -271,6 +289,7 @@ StepReport RimSolver::iterate(const ArcState &old, Trial &trial, bool with_conta
       WallContact::augment(trial.contact);
       evaluate_on_a_pattern(old, trial, with_contact, inertia, law);
       relative = relative_residual(trial, prescribed);
+      last_reduction = 0; // only multipliers moved
       continue;
     }
     if (since_augmentation++ >= options_.max_iterations) {
@@ -279,7 +298,13 @@ StepReport RimSolver::iterate(const ArcState &old, Trial &trial, bool with_conta
     }
     ++report.iterations;
     double multiplier_change = 0;
-    const Eigen::VectorXd change = newton_change(trial, inertia, prescribed ? &to_go : nullptr, multiplier_change);
+    // A factor that has just served well serves once more: a back-substitution costs a twentieth of it.
+    const bool reuse = !first && factored_for_ == tangent_->pattern_id() && last_reduction < 0.1 &&
+                       !prescribed == !driven_factor_;
+    factored_for_ = tangent_->pattern_id();
+    driven_factor_ = prescribed;
+    const Eigen::VectorXd change =
+        newton_change(trial, inertia, prescribed ? &to_go : nullptr, reuse, multiplier_change);
     if (change.size() == 0 || !change.allFinite()) {
       report.reason = "the tangent could not be factorised";
       return report;
@@ -310,6 +335,7 @@ StepReport RimSolver::iterate(const ArcState &old, Trial &trial, bool with_conta
       trial.multiplier = multiplier + best_factor * multiplier_change;
       evaluate_on_a_pattern(old, trial, with_contact, inertia, law);
     }
+    last_reduction = first ? 1.0 : best / relative;
     relative = best;
     first = false;
   }
@@ -358,7 +384,8 @@ StepReport RimSolver::step(ArcState &state, double dt, const MasterLaw &law, dou
   const Inertia inertia{scheme, dt, scheme.predicted_displacement(state.u, state.v, state.a, dt),
                         scheme.predicted_velocity(state.v, state.a, dt), state.a};
   Trial trial;
-  // Start from the last increment repeated: loading goes on mostly as it did. Where it does not, from the old state.
+  // Start from the last increment repeated: loading goes on mostly as it did. Where it does not, from the old
+  // state.
   const bool extrapolate = state.last_dt > 0;
   trial.u = extrapolate ? Eigen::VectorXd(state.u + dt / state.last_dt * state.last_change) : state.u;
   trial.multiplier = multiplier;
@@ -374,7 +401,8 @@ StepReport RimSolver::step(ArcState &state, double dt, const MasterLaw &law, dou
   state.last_dt = dt;
   state.last_change = trial.u - state.u;
   const Eigen::VectorXd a = inertia.acceleration(trial.u), change_of_a = a - state.a;
-  report.integrator_loss = share() * scheme.loss(dt, trial.u - state.u, change_of_a, mass_->multiply(change_of_a), state.R, trial.R);
+  report.integrator_loss = share() * scheme.loss(dt, trial.u - state.u, change_of_a,
+                                                 mass_->multiply(change_of_a), state.R, trial.R);
   const ContactState before = state.contact;
   commit(state, trial);
   state.v = inertia.velocity(a);
@@ -412,7 +440,8 @@ void RimSolver::refresh_forces(ArcState &state, const MasterLaw &law, double mul
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations_.n);
   SolidHistory unchanged;
   state.energies = {};
-  if (!solid_.assemble(equations_.expand(state.u), state.history, unchanged, equations_, forces, nullptr, state.energies))
+  if (!solid_.assemble(equations_.expand(state.u), state.history, unchanged, equations_, forces, nullptr,
+                       state.energies))
     throw SolverStopped("a stored state of the rim is not admissible");
   state.R = -forces;
   const MasterLoad load = law(state.master, state.master_velocity, multiplier);

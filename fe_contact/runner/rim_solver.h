@@ -1,8 +1,9 @@
-/// The solids of rung R1 (rim sector with plate, upper slider) as something that can be pushed or stepped: the only
-/// place that knows both the solids and the numerics. One RimSolver serves every arc; each arc has its own ArcState.
+/// The solids of rung R1 (rim sector with plate, upper slider) as something that can be pushed or stepped:
+/// the only place that knows both the solids and the numerics. One RimSolver serves every arc; each arc has
+/// its own ArcState.
 ///
-/// Local frame: +x radially outwards through the arc's middle, z up. The master is the slider's top face (remote
-/// displacement, no rotation); its displacement is measured from the position of first touch.
+/// Local frame: +x radially outwards through the arc's middle, z up. The master is the slider's top face
+/// (remote displacement, no rotation); its displacement is measured from the position of first touch.
 #pragma once
 #include "fe_contact/model/solid.h"
 #include "fe_contact/model/wall_contact.h"
@@ -29,54 +30,59 @@ struct ArcState {
   double last_dt = 0;          ///< [s], 0: none
 };
 
-/// What acts on the top face besides the solids, for the whole bearing (the solver halves it for a half model).
+/// What acts on the top face besides the solids, for the whole bearing (the solver halves it for a half
+/// model).
 struct MasterLoad {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   Eigen::Matrix3d d_displacement = Eigen::Matrix3d::Zero(); ///< symmetric part of d force / d u
   Eigen::Matrix3d d_velocity = Eigen::Matrix3d::Zero();
-  bool constrained = false;        ///< the dish carries the mass, or its height is held
-  double constraint = 0;           ///< value that must vanish [m]
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();     ///< of the constraint
+  bool constrained = false;                           ///< the dish carries the mass, or its height is held
+  double constraint = 0;                              ///< value that must vanish [m]
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero(); ///< of the constraint
   Eigen::Vector3d d_multiplier = Eigen::Vector3d::Zero(); ///< d force / d multiplier
 };
-using MasterLaw = std::function<MasterLoad(const Eigen::Vector3d &u, const Eigen::Vector3d &v, double multiplier)>;
+using MasterLaw =
+    std::function<MasterLoad(const Eigen::Vector3d &u, const Eigen::Vector3d &v, double multiplier)>;
 
 struct StepReport {
   bool converged = false;
   int iterations = 0, augmentations = 0;
   std::vector<double> residuals; ///< relative, one an iteration
   double multiplier = 0;
-  double integrator_loss = 0; ///< [J], whole bearing
-  double contact_work = 0;    ///< [J]
+  double integrator_loss = 0;                          ///< [J], whole bearing
+  double contact_work = 0;                             ///< [J]
   Eigen::Vector3d rim_force = Eigen::Vector3d::Zero(); ///< of the rim on the slider [N], whole bearing
-  std::string reason;         ///< when not converged
+  std::string reason;                                  ///< when not converged
 };
 
 struct RimSolverOptions {
   int degree = 2;
   double rho_inf = 0.5;
   double penalty_factor = 5.0;
-  double gap_tolerance = 2e-6;    ///< [m]
-  int max_augmentations = 3;      ///< reported when reached
+  double gap_tolerance = 2e-6; ///< [m]
+  int max_augmentations = 3;   ///< reported when reached
   int max_iterations = 15;
-  double tolerance = 1e-7;        ///< relative residual
-  double attached_mass = 0;       ///< supported mass on the top face, the slider's own included [kg]
+  double tolerance = 1e-7;  ///< relative residual
+  double attached_mass = 0; ///< supported mass on the top face, the slider's own included [kg]
 };
 
 class RimSolver {
 public:
-  RimSolver(const scene::Bearing &bearing, const meshes::RimMeshOptions &mesh, const RimSolverOptions &options);
+  RimSolver(const scene::Bearing &bearing, const meshes::RimMeshOptions &mesh,
+            const RimSolverOptions &options);
   /// On a mesh of one's own with the groups of rim_mesh.
   RimSolver(const scene::Bearing &bearing, const meshes::HexMesh &own, const meshes::RimMeshOptions &mesh,
             const RimSolverOptions &options);
   ~RimSolver();
 
   ArcState virgin() const;
-  /// Quasi-static: moves the top face to `target`, everything else in equilibrium. State unchanged on failure.
+  /// Quasi-static: moves the top face to `target`, everything else in equilibrium. State unchanged on
+  /// failure.
   StepReport push(ArcState &state, const Eigen::Vector3d &target);
   /// One implicit step in time. State unchanged on failure.
   StepReport step(ArcState &state, double dt, const MasterLaw &law, double multiplier);
-  /// Lets the parts come to rest with the walls apart and the top face held: the state kept for a next impact.
+  /// Lets the parts come to rest with the walls apart and the top face held: the state kept for a next
+  /// impact.
   StepReport relax(ArcState &state);
   /// Places the slider, at rest in itself, at a master displacement with a velocity and acceleration.
   void place(ArcState &state, const Eigen::Vector3d &master, const Eigen::Vector3d &velocity,
@@ -107,12 +113,15 @@ private:
   struct Inertia;
   void make_equations(const meshes::RimMeshOptions &mesh);
   void make_pattern(const Eigen::VectorXd &u);
-  bool evaluate(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia, const MasterLaw *law);
-  bool evaluate_on_a_pattern(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia, const MasterLaw *law);
+  bool evaluate(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia,
+                const MasterLaw *law);
+  bool evaluate_on_a_pattern(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia,
+                             const MasterLaw *law);
   double relative_residual(const Trial &trial, bool prescribed) const;
-  Eigen::VectorXd newton_change(Trial &trial, bool inertial, const Eigen::Vector3d *to_go, double &multiplier_change);
-  StepReport iterate(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia, const MasterLaw *law,
-                     const Eigen::Vector3d *prescribed);
+  Eigen::VectorXd newton_change(Trial &trial, bool inertial, const Eigen::Vector3d *to_go, bool reuse_factor,
+                                double &multiplier_change);
+  StepReport iterate(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia,
+                     const MasterLaw *law, const Eigen::Vector3d *prescribed);
   void commit(ArcState &state, Trial &trial) const;
   Eigen::Vector3d master_of(const Eigen::VectorXd &values) const;
 
@@ -122,11 +131,13 @@ private:
   Solid solid_;
   WallContact contact_;
   Equations equations_;
-  int master_[3];                          ///< equations of the top face, -1 where fixed
-  std::vector<int> slider_equations_[3];   ///< of the slider's nodes, by component, unique
+  int master_[3];                        ///< equations of the top face, -1 where fixed
+  std::vector<int> slider_equations_[3]; ///< of the slider's nodes, by component, unique
   std::unique_ptr<SymmetricMatrix> mass_, tangent_;
   std::unique_ptr<DirectSolver> direct_;
-  std::vector<std::vector<int>> pairs_;    ///< contact cliques in the pattern
+  long factored_for_ = 0;               ///< pattern of the factor at hand
+  bool driven_factor_ = false;          ///< it has unit rows for a driven top face
+  std::vector<std::vector<int>> pairs_; ///< contact cliques in the pattern
 };
 
 } // namespace rimpact::fe

@@ -15,9 +15,9 @@ struct Progress {
   std::string phase; ///< "flight", "contact", "relax", ...
 };
 struct RunOptions {
-  std::string folder;    ///< run folder to write
+  std::string folder; ///< run folder to write
   bool resume = false;
-  bool fields = true;    ///< VTU files and pictures
+  bool fields = true; ///< VTU files and pictures
   std::function<void(const Progress &)> progress;
   const std::atomic<bool> *interrupted = nullptr; ///< set by Ctrl-C
 };
@@ -26,7 +26,8 @@ struct RunOptions {
 /// Throws SolverStopped, Interrupted after writing.
 scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions &options);
 
-/// Versions of deal.II, PETSc, MUMPS, SUNDIALS, gmsh and the BLAS in use; second: a warning when it is not OpenBLAS.
+/// Versions of deal.II, PETSc, MUMPS, SUNDIALS, gmsh and the BLAS in use; second: a warning when it is not
+/// OpenBLAS.
 std::vector<std::pair<std::string, std::string>> component_versions();
 std::string blas_warning();
 

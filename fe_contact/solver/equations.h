@@ -1,5 +1,5 @@
-/// From displacement dofs to equations: each dof is fixed, free, or a multiple of one equation (ties, symmetry planes,
-/// remote displacement). Masters of remote displacements come first in the numbering.
+/// From displacement dofs to equations: each dof is fixed, free, or a multiple of one equation (ties,
+/// symmetry planes, remote displacement). Masters of remote displacements come first in the numbering.
 #pragma once
 #include <Eigen/Core>
 #include <vector>
@@ -14,7 +14,8 @@ struct Equations {
   /// Displacements of all dofs from the equations' values.
   Eigen::VectorXd expand(const Eigen::VectorXd &values) const {
     Eigen::VectorXd result(of_dof.size());
-    for (std::size_t i = 0; i < of_dof.size(); ++i) result[i] = of_dof[i] < 0 ? 0.0 : weight[i] * values[of_dof[i]];
+    for (std::size_t i = 0; i < of_dof.size(); ++i)
+      result[i] = of_dof[i] < 0 ? 0.0 : weight[i] * values[of_dof[i]];
     return result;
   }
 };

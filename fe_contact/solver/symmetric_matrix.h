@@ -22,8 +22,8 @@ public:
   void add(int i, int j, double value);
   void set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
   Eigen::VectorXd multiply(const Eigen::VectorXd &x) const;
-  /// Makes row and column `i` the unit row scaled by `diagonal` (i must be smaller than every other coupled index
-  /// that matters, as masters are: only the stored row is cleared).
+  /// Makes row and column `i` the unit row scaled by `diagonal` (i must be smaller than every other coupled
+  /// index that matters, as masters are: only the stored row is cleared).
   void make_unit_row(int i, double diagonal);
 
   std::vector<int> &starts() { return starts_; }

@@ -26,7 +26,8 @@ Equations all_free(const Discretisation &space) {
 meshes::HexMesh bent_box() {
   meshes::HexMesh mesh;
   test::add_box(mesh, {{0, 0, 0}, {0.2, 0.1, 0.1}, {2, 1, 2}, Volume::rim, {}}, [](std::array<double, 3> x) {
-    return std::array<double, 3>{x[0] + 0.3 * x[1] * x[2], x[1] + 0.5 * x[0] * x[0], x[2] - 0.4 * x[0] * x[1]};
+    return std::array<double, 3>{x[0] + 0.3 * x[1] * x[2], x[1] + 0.5 * x[0] * x[0],
+                                 x[2] - 0.4 * x[0] * x[1]};
   });
   return mesh;
 }
@@ -48,10 +49,12 @@ TEST_P(SolidTest, UniformDeformationGivesUniformStressOnABentMesh) {
   // The energy density of a uniform strain times the volume, by the law itself.
   const scene::Material steel = scene::Bearing{}.steel;
   const Matrix3 F = Matrix3::Identity() + gradient;
-  const double density = HenckyJ2::from(steel).step(J2State{}, F).energy + HenckyVolumetric::from(steel).at(F.determinant()).energy;
+  const double density = HenckyJ2::from(steel).step(J2State{}, F).energy +
+                         HenckyVolumetric::from(steel).at(F.determinant()).energy;
   double volume = 0;
   for (const double w : space.full.weights) volume += w;
-  EXPECT_NEAR(energies.elastic, density * volume, 1e-3 * density * volume); // the reduced rule integrates a bent volume closely, not exactly
+  EXPECT_NEAR(energies.elastic, density * volume,
+              1e-3 * density * volume); // the reduced rule integrates a bent volume closely, not exactly
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
   for (std::size_t a = 0; a < space.n_nodes; ++a) sum += forces.segment<3>(3 * a);
   EXPECT_LT(sum.norm(), 1e-9 * forces.norm());
@@ -87,7 +90,8 @@ TEST_P(SolidTest, MassMovesAsARigidBody) {
   solid.add_mass(equations, mass);
   Eigen::VectorXd v = Eigen::VectorXd::Zero(equations.n);
   for (std::size_t a = 0; a < space.n_nodes; ++a) v.segment<3>(3 * a) = Eigen::Vector3d(1, 2, 3);
-  EXPECT_NEAR(v.dot(mass.multiply(v)), 14 * solid.mass_of(Volume::rim), 1e-9 * 14 * solid.mass_of(Volume::rim));
+  EXPECT_NEAR(v.dot(mass.multiply(v)), 14 * solid.mass_of(Volume::rim),
+              1e-9 * 14 * solid.mass_of(Volume::rim));
 }
 
 INSTANTIATE_TEST_SUITE_P(Degrees, SolidTest, ::testing::Values(1, 2));
@@ -95,10 +99,16 @@ INSTANTIATE_TEST_SUITE_P(Degrees, SolidTest, ::testing::Values(1, 2));
 /// A block resting askew on another with a non-matching mesh.
 meshes::HexMesh two_blocks() {
   meshes::HexMesh mesh;
-  test::add_box(mesh, {{0, 0, 0}, {0.1, 0.1, 0.05}, {3, 2, 1}, Volume::rim, {{5, Surface::rim_wall}}}, [](std::array<double, 3> x) {
-    return std::array<double, 3>{x[0], x[1], x[2] + 0.4 * x[2] / 0.05 * (x[0] - 0.05) * (x[0] - 0.05)};
-  });
-  test::add_box(mesh, {{0.013, 0.011, 0.05}, {0.083, 0.087, 0.09}, {2, 2, 1}, Volume::upper_slider, {{4, Surface::slider_side}}});
+  test::add_box(
+      mesh, {{0, 0, 0}, {0.1, 0.1, 0.05}, {3, 2, 1}, Volume::rim, {{5, Surface::rim_wall}}},
+      [](std::array<double, 3> x) {
+        return std::array<double, 3>{x[0], x[1], x[2] + 0.4 * x[2] / 0.05 * (x[0] - 0.05) * (x[0] - 0.05)};
+      });
+  test::add_box(mesh, {{0.013, 0.011, 0.05},
+                       {0.083, 0.087, 0.09},
+                       {2, 2, 1},
+                       Volume::upper_slider,
+                       {{4, Surface::slider_side}}});
   return mesh;
 }
 
@@ -107,7 +117,8 @@ void move(const Discretisation &space, Volume volume, const Eigen::Vector3d &by,
   std::set<unsigned> nodes;
   for (std::size_t c = 0; c < space.n_cells; ++c)
     if (space.volumes[c] == volume)
-      nodes.insert(&space.cell_nodes[c * space.nodes_per_cell], &space.cell_nodes[(c + 1) * space.nodes_per_cell]);
+      nodes.insert(&space.cell_nodes[c * space.nodes_per_cell],
+                   &space.cell_nodes[(c + 1) * space.nodes_per_cell]);
   for (const unsigned node : nodes) u.segment<3>(3 * node) += by;
 }
 
@@ -132,7 +143,8 @@ TEST(WallContact, ForcesBalanceAndTangentAgreesWithDifferences) {
   for (std::size_t a = 0; a < space.n_nodes; ++a) {
     sum += forces.segment<3>(3 * a);
     const Eigen::Vector3d x = space.positions[a] + u.segment<3>(3 * a), f = forces.segment<3>(3 * a);
-    moment += Eigen::Vector3d(x.y() * f.z() - x.z() * f.y(), x.z() * f.x() - x.x() * f.z(), x.x() * f.y() - x.y() * f.x());
+    moment += Eigen::Vector3d(x.y() * f.z() - x.z() * f.y(), x.z() * f.x() - x.x() * f.z(),
+                              x.x() * f.y() - x.y() * f.x());
   }
   EXPECT_LT(sum.norm(), 1e-10 * forces.norm());
   EXPECT_LT(moment.norm(), 1e-10 * forces.norm());
