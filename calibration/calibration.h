@@ -1,8 +1,9 @@
 /// The verb `calibrate`: from run folders to fitted parameters, predictions and their range of validity.
 ///
-/// Runs are told apart by their scene: isolated impacts (`window`) and histories. With histories among the runs to
-/// fit, the constant parameters come from these and the windows give k_i(v), e(v) and the range in which the constant
-/// pair holds; with windows alone, the parameters are the best constant ones over all of them.
+/// Runs are told apart by their scene: isolated impacts (`window`) and histories. With histories among the
+/// runs to fit, the constant parameters come from these and the windows give k_i(v), e(v) and the range in
+/// which the constant pair holds; with windows alone, the parameters are the best constant ones over all of
+/// them.
 #pragma once
 #include "calibration/metrics.h"
 #include "calibration/sensitivity.h"
@@ -21,25 +22,26 @@ struct CalibrationOptions {
 /// An impact restarted from the reference's state, with the fitted values.
 struct ImpactCheck {
   double touch_time, approach_speed; ///< of the reference [s], [m/s]
-  double peak_force_error, rebound_error;
-  double normalised_force;           ///< reference F / (v sqrt(k m)) [-]
+  double peak_force_error;           ///< signed relative [-]
+  double rebound_error;    ///< of the radial speed at the end of the window, over the approach speed [-]
+  double normalised_force; ///< reference F / (v sqrt(k m)) [-]
   bool fitted, grazing, dented;
 };
 /// A run against the reduced model, simulated from rest with the fitted values.
 struct RunCheck {
   Comparison history;
-  Comparison published;              ///< the same with the published k_i, e
+  Comparison published; ///< the same with the published k_i, e
   std::vector<ImpactCheck> impacts;
   std::vector<std::string> notes;
 };
 
 struct Calibration {
   FitResult result;
-  std::string fitted_on; ///< "histories" | "windows"
+  std::string fitted_on;                           ///< "histories" | "windows"
   std::map<std::string, RunCheck> fit, prediction; ///< by run folder
   std::optional<WindowsTable> windows;
   std::vector<GrazingReport> grazing;
-  scene::Scene scene;    ///< the first fitted run's, with the fitted values: mass, law, friction
+  scene::Scene scene; ///< the first fitted run's, with the fitted values: mass, law, friction
   std::vector<std::string> notes;
 };
 
@@ -47,11 +49,11 @@ struct Calibration {
 inline constexpr double published_k_i = 4.5e8; ///< [N/m]
 inline constexpr double published_e = 0.65;
 
-/// Throws InputError (options, runs of different bearings, masses, loads or laws), DataError (no impact, too few
-/// samples, unreadable run), each naming the folder.
+/// Throws InputError (options, runs of different bearings, masses, loads or laws), DataError (no impact, too
+/// few samples, unreadable run), each naming the folder.
 Calibration calibrate(const std::vector<std::string> &run_folders, const CalibrationOptions &options = {});
 
-/// Throws GateError when the fit did not converge or a parameter ended at a bound; call it after writing.
+/// Throws GateError when the fit did not converge; call it after writing.
 void check_gate(const Calibration &calibration);
 
 } // namespace rimpact::calibration

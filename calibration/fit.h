@@ -1,10 +1,11 @@
 /// Least-squares fit of reduced-model parameters to the impacts of stored runs ("impact-wise shooting").
 ///
-/// Each impact is restarted from the reference's own state just before touch and integrated, ground motion and
-/// friction included, through contact to shortly after release. It contributes four groups of residuals, each a
-/// difference over its stated uncertainty and each group counting as one observation, so that neither the number of
-/// samples nor the duration weighs:
-///   force         radial rim force where the reference exceeds 5 % of its peak (a `signed` law pulls before release,
+/// Each impact is restarted from the reference's own state just before touch and integrated, ground motion
+/// and friction included, through contact to shortly after release. It contributes four groups of residuals,
+/// each a difference over its stated uncertainty and each group counting as one observation, so that neither
+/// the number of samples nor the duration weighs:
+///   force         radial rim force where the reference exceeds 5 % of its peak (a `signed` law pulls before
+///   release,
 ///                 where a real rim is silent: that tension is a property of the law, not of the data)
 ///   displacement  radial travel from start to end
 ///   rebound       radial velocity at the window's end, the same instant for both
@@ -17,8 +18,8 @@
 
 namespace rimpact::calibration {
 
-/// Stated uncertainties of the reference. Those of force and speed are shares of the run's own largest value, so a
-/// light second impact does not outweigh the hard one.
+/// Stated uncertainties of the reference. Those of force and speed are shares of the run's own largest value,
+/// so a light second impact does not outweigh the hard one.
 struct Uncertainty {
   double force = 0.01;         ///< share of the run's peak impact force, > 0
   double displacement = 0.001; ///< share of L_c, > 0
@@ -33,20 +34,20 @@ struct Bounds {
 
 struct FitOptions {
   std::vector<std::string> parameters = {"k_i", "e"};
-  std::map<std::string, Bounds> bounds;   ///< instead of the catalogue's
-  std::map<std::string, double> start;    ///< a first start, reported units; others are added to it
-  int n_starts = 5;                       ///< >= 1, spread over the bounds
-  double robust_scale = 20.0;             ///< Huber's, on the norm of an impact's residuals; 0: least squares
-  double difference_step = 1e-4;          ///< of central differences in the fitted variable, >= 1e-6
+  std::map<std::string, Bounds> bounds; ///< instead of the catalogue's
+  std::map<std::string, double> start;  ///< a first start, reported units; others are added to it
+  int n_starts = 5;                     ///< >= 1, spread over the bounds
+  double robust_scale = 20.0;           ///< Huber's, on the norm of an impact's residuals; 0: least squares
+  double difference_step = 1e-4;        ///< of central differences in the fitted variable, >= 1e-6
   int max_iterations = 60;
-  bool keep_grazing = false;              ///< fit grazing impacts beside others too
+  bool keep_grazing = false; ///< fit grazing impacts beside others too
   Uncertainty uncertainty;
   Weights weights;
   void validate() const; ///< throws InputError naming option, value and bound
 };
 
 struct Estimate {
-  double value = 0, standard_error = 0; ///< reported unit
+  double value = 0, standard_error = 0;       ///< reported unit
   double interval_low = 0, interval_high = 0; ///< 95 %
   bool identifiable = true;
   bool at_bound = false;
@@ -67,14 +68,16 @@ struct FitResult {
   std::vector<std::string> notes;
 };
 
-/// Standard errors: sandwich covariance, each group's variance the larger of the stated and the one found, inflated
-/// by the residuals' autocorrelation (a model error is one error, not one a sample); intervals in the fitted variable.
-/// Throws DataError when no impact is left to fit, InputError for bad options.
+/// Standard errors: sandwich covariance, each group's variance the larger of the stated and the one found,
+/// inflated by the residuals' autocorrelation (a model error is one error, not one a sample); intervals in
+/// the fitted variable. Throws DataError when no impact is left to fit, InputError for bad options.
 FitResult fit(const std::vector<const Run *> &runs, const FitOptions &options);
 
-/// Half the sum of squares with one parameter held at each of `values` (reported unit) and the others refitted.
-std::vector<double> profile(const std::vector<const Run *> &runs, const FitOptions &options, const FitResult &best,
-                            const std::string &name, const std::vector<double> &values);
+/// Half the sum of squares with one parameter held at each of `values` (reported unit) and the others
+/// refitted.
+std::vector<double> profile(const std::vector<const Run *> &runs, const FitOptions &options,
+                            const FitResult &best, const std::string &name,
+                            const std::vector<double> &values);
 
 /// The run's scene with the fitted values set.
 scene::Scene with_fitted(const scene::Scene &scene, const FitResult &result);

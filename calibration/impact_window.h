@@ -14,27 +14,33 @@ enum class TouchReference {
 
 struct WindowOptions {
   TouchReference touch = TouchReference::automatic;
-  double tail = 0.05;             ///< compared after release [s], cut at the next touch; > 0
-  double force_threshold = 0.0;   ///< share of the peak below which a force is noise (laboratory records); 0..0.5
-  int minimum_samples = 8;        ///< with rim force, below which an impact is not fitted; >= 4
+  double tail = 0.05; ///< compared after release [s], cut at the next touch; > 0
+  double force_threshold =
+      0.0;                 ///< share of the peak below which a force is noise (laboratory records); 0..0.5
+  int minimum_samples = 8; ///< with rim force, below which an impact is not fitted; >= 4
   double grazing_overshoot = 0.01; ///< share of L_c; see ImpactWindow::grazing; >= 0
-  void validate() const;          ///< throws InputError naming option, value and bound
+  void validate() const;           ///< throws InputError naming option, value and bound
 };
 
-/// One impact of a reference, in the radial direction of its touch. The reduced model is started from `start`, a
-/// state of the reference just before the rim acts, so that a fit does not see errors of the flight before it.
+/// One impact of a reference, in the radial direction of its touch. The reduced model is started from
+/// `start`, a state of the reference just before the rim acts, so that a fit does not see errors of the
+/// flight before it.
 struct ImpactWindow {
   scene::Impact impact;
   Eigen::Vector2d direction = Eigen::Vector2d::UnitX(); ///< outward unit vector at touch
   reduced::BearingState start;
   double end_time = 0; ///< release + tail, or the next touch, or where the response ends [s]
-  double capacity = 0; ///< travel at which the reduced rim begins [m]: L_c, or beyond it where the rim is dented
+  double capacity =
+      0; ///< travel at which the reduced rim begins [m]: L_c, or beyond it where the rim is dented
   bool dented = false; ///< the reference was beyond L_c without rim force
-  std::vector<double> times, displacement, force; ///< samples in start.t..end_time: [s], radial [m], pushing > 0 [N]
-  double peak = 0;        ///< peak of the radial force by smooth_peak() [N]
-  double end_speed = 0;   ///< radial velocity at end_time, < 0 inwards [m/s]
-  double overshoot = 0;   ///< travel beyond `capacity` if there were no rim [m], infinite when nothing else stops it
-  /// overshoot < grazing_overshoot L_c: a slightly different flight would miss the rim, so its force says little
+  std::vector<double> times, displacement,
+      force;            ///< samples in start.t..end_time: [s], radial [m], pushing > 0 [N]
+  double peak = 0;      ///< peak of the radial force by smooth_peak() [N]
+  double end_speed = 0; ///< radial velocity at end_time, < 0 inwards [m/s]
+  double overshoot =
+      0; ///< travel beyond `capacity` if there were no rim [m], infinite when nothing else stops it
+  /// overshoot < grazing_overshoot L_c: a slightly different flight would miss the rim, so its force says
+  /// little
   bool grazing = false;
 };
 
@@ -51,14 +57,15 @@ struct Run {
   double approach_speed() const; ///< the largest [m/s]
 };
 
-/// Reads scene.toml, the response and (for its status) summary.json. Velocities are differentiated where a CSV has
-/// none. Throws InputError or DataError naming folder and reason.
+/// Reads scene.toml, the response and (for its status) summary.json. Velocities are differentiated where a
+/// CSV has none. Throws InputError or DataError naming folder and reason.
 Run read_run(const std::string &folder, const WindowOptions &options);
 /// The same from memory.
-Run make_run(const std::string &folder, const scene::Scene &scene, scene::Response response, const WindowOptions &options);
+Run make_run(const std::string &folder, const scene::Scene &scene, scene::Response response,
+             const WindowOptions &options);
 
-/// Peak of a sampled pulse: a quartic through the samples above 0.8 of the largest, so that noise and the sampling's
-/// phase do not enter; the largest sample when there are too few.
+/// Peak of a sampled pulse: a quartic through the samples above 0.8 of the largest, so that noise and the
+/// sampling's phase do not enter; the largest sample when there are too few.
 double smooth_peak(const std::vector<double> &times, const std::vector<double> &force);
 
 } // namespace rimpact::calibration

@@ -7,15 +7,15 @@
 namespace rimpact::calibration {
 
 struct Parameter {
-  std::string name;        ///< as on the command line and in calibration.json
-  std::string unit;        ///< of the reported value
-  std::string toml_key;    ///< where a scene file holds it
-  double si;               ///< reported value times this is SI
-  double lower, upper;     ///< default bounds, in the reported unit
-  bool logarithmic;        ///< fitted by its logarithm
-  bool seen_in_flight;     ///< the motion before the first touch informs on it
-  double (*get)(const scene::Scene &);        ///< SI
-  void (*set)(scene::Scene &, double value);  ///< SI
+  std::string name;                          ///< as on the command line and in calibration.json
+  std::string unit;                          ///< of the reported value
+  std::string toml_key;                      ///< where a scene file holds it
+  double si;                                 ///< reported value times this is SI
+  double lower, upper;                       ///< default bounds, in the reported unit
+  bool logarithmic;                          ///< fitted by its logarithm
+  bool seen_in_flight;                       ///< the motion before the first touch informs on it
+  double (*get)(const scene::Scene &);       ///< SI
+  void (*set)(scene::Scene &, double value); ///< SI
 };
 const std::vector<Parameter> &parameter_catalogue();
 /// Throws InputError naming the known parameters and the nearest.

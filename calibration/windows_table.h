@@ -1,4 +1,5 @@
-/// k_i and e over impact speed, from runs of one isolated impact each, and the range in which one pair serves.
+/// k_i and e over impact speed, from runs of one isolated impact each, and the range in which one pair
+/// serves.
 #pragma once
 #include "calibration/fit.h"
 
@@ -6,32 +7,32 @@ namespace rimpact::calibration {
 
 struct WindowRow {
   std::string folder;
-  double speed;                        ///< approach speed [m/s]
+  double speed;                                                     ///< approach speed [m/s]
   double peak_force, contact_time, peak_penetration, rebound_speed; ///< of the reference, SI
-  double normalised_force;             ///< F / (v sqrt(k m)) with the pair's k [-]
-  double restitution;                  ///< rebound / approach of the reference [-]
-  FitResult own;                       ///< fit of this window alone
-  /// straight from the curve, for a linear Kelvin-Voigt rim: k from the peak force and from the contact time [N/m]
+  double normalised_force; ///< F / (v sqrt(k m)) with the pair's k [-]
+  double restitution;      ///< rebound / approach of the reference [-]
+  FitResult own;           ///< fit of this window alone
+  /// straight from the curve, for a linear Kelvin-Voigt rim: k from the peak force and from the contact time
+  /// [N/m]
   std::optional<double> k_from_peak, k_from_contact_time;
   double pair_force_error, pair_rebound_error; ///< the constant pair in this window, signed relative
-  bool pair_holds;                     ///< |pair_force_error| <= tolerance
+  bool pair_holds;                             ///< |pair_force_error| <= tolerance
 };
 
 struct WindowsTable {
   std::vector<WindowRow> rows; ///< by speed
   double tolerance = 0.10;     ///< on the peak force
-  std::optional<double> valid_from, valid_to; ///< largest run of neighbouring speeds at which the pair holds [m/s]
-  std::string sentence;        ///< for engineers
+  std::optional<double> valid_from,
+      valid_to;         ///< largest run of neighbouring speeds at which the pair holds [m/s]
+  std::string sentence; ///< for engineers
 };
 
 /// `pair` is the constant pair (its k_i, e are judged against every window).
-WindowsTable windows_table(const std::vector<const Run *> &windows, const FitResult &pair, const FitOptions &options,
-                           double tolerance = 0.10);
+WindowsTable windows_table(const std::vector<const Run *> &windows, const FitResult &pair,
+                           const FitOptions &options, double tolerance = 0.10);
 
 /// F_peak / (v sqrt(k m)) of a free mass on a linear Kelvin-Voigt rim of restitution e (law `signed`):
 /// exp(-xi t*), 0.853 at e = 0.65. e in (0, 1].
 double kelvin_voigt_peak(double restitution);
-/// Damping ratio of (2-20), -ln e / sqrt(pi^2 + ln^2 e).
-double damping_ratio(double restitution);
 
 } // namespace rimpact::calibration

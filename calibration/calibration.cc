@@ -1,0 +1,100 @@
+#include "calibration/calibration.h"
+#include "calibration/calibration_check.h"
+#include "scene/error.h"
+#include <algorithm>
+#include <fmt/format.h>
+#include <set>
+#include <tuple>
+
+namespace rimpact::calibration {
+
+namespace {
+
+std::vector<Run> read_runs(const std::vector<std::string> &folders, const WindowOptions &options) {
+  std::vector<Run> runs;
+  for (const auto &folder : folders) runs.push_back(read_run(folder, options));
+  return runs;
+}
+
+/// Every run to fit must have something to fit.
+void require_impacts(const std::vector<Run> &runs) {
+  for (const auto &run : runs) {
+    if (!run.impacts.empty()) continue;
+    if (!run.notes.empty())
+      throw DataError(fmt::format("{}: no impact can be fitted: {}", run.folder, run.notes.front()));
+    throw DataError(fmt::format(
+        "{}: the rim is never touched (travel {:.4g} m of L_c {:.4g} m), so there is nothing to fit",
+        run.folder, run.summary.peak_displacement, run.scene.bearing.lateral_capacity()));
+  }
+}
+
+std::vector<const Run *> select(const std::vector<Run> &runs, bool windows) {
+  std::vector<const Run *> selected;
+  for (const auto &run : runs)
+    if (run.is_window() == windows) selected.push_back(&run);
+  return selected;
+}
+
+/// One report for each pulse among the runs, at its printed amplitude (scale 1).
+std::vector<GrazingReport> grazing_reports(const std::vector<const std::vector<Run> *> &sets,
+                                           const FitResult &result) {
+  std::vector<GrazingReport> reports;
+  std::set<std::tuple<double, double, double>> seen;
+  for (const auto *runs : sets)
+    for (const auto &run : *runs) {
+      const auto &x = run.scene.excitation;
+      if (x.kind != scene::ExcitationKind::ricker ||
+          !seen.insert({x.amplitude_g, x.period, x.direction_deg}).second)
+        continue;
+      auto scene = with_fitted(run.scene, result);
+      scene.name = fmt::format("ricker-{:g}g-{:.1f}s", x.amplitude_g, x.period);
+      scene.excitation.scale = 1.0;
+      reports.push_back(grazing_report(scene));
+    }
+  return reports;
+}
+
+void note_outcome(Calibration &c) {
+  for (const auto &[name, estimate] : c.result.parameters)
+    if (!estimate.identifiable)
+      c.notes.push_back(fmt::format("{} is not identifiable: {}", name, estimate.reason));
+  if (!c.result.converged) c.notes.push_back("the fit did not converge: " + c.result.message);
+  if (c.result.n_starts_agreeing < c.result.n_starts)
+    c.notes.push_back(fmt::format("{} of {} starts ended at the best minimum", c.result.n_starts_agreeing,
+                                  c.result.n_starts));
+  c.notes.insert(c.notes.end(), c.result.notes.begin(), c.result.notes.end());
+}
+
+} // namespace
+
+Calibration calibrate(const std::vector<std::string> &run_folders, const CalibrationOptions &options) {
+  options.fit.validate();
+  options.window.validate();
+  if (run_folders.empty()) throw InputError("no run folder to calibrate on is named");
+  const auto runs = read_runs(run_folders, options.window),
+             predicted = read_runs(options.predict, options.window);
+  auto all = runs;
+  all.insert(all.end(), predicted.begin(), predicted.end());
+  require_same_device(all);
+  require_impacts(runs);
+
+  const auto windows = select(runs, true), histories = select(runs, false);
+  Calibration c;
+  c.fitted_on = histories.empty() ? "windows" : "histories";
+  const auto &fitted = histories.empty() ? windows : histories;
+  c.result = fit(fitted, options.fit);
+  c.scene = with_fitted(fitted.front()->scene, c.result);
+  for (const Run *run : fitted) c.fit[run->folder] = check_run(*run, c.result, options.fit, true);
+  for (const auto &run : predicted) c.prediction[run.folder] = check_run(run, c.result, options.fit, false);
+  if (!windows.empty()) c.windows = windows_table(windows, c.result, options.fit, options.validity_tolerance);
+  if (options.grazing_reports) c.grazing = grazing_reports({&runs, &predicted}, c.result);
+  note_outcome(c);
+  return c;
+}
+
+void check_gate(const Calibration &calibration) {
+  if (!calibration.result.converged)
+    throw GateError("the calibration did not converge: " + calibration.result.message);
+}
+
+} // namespace rimpact::calibration

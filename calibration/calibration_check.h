@@ -1,0 +1,13 @@
+/// What a calibration reports of each run, and whether a set of runs may be fitted together.
+#pragma once
+#include "calibration/calibration.h"
+
+namespace rimpact::calibration {
+
+/// Throws InputError naming both folders and what differs: bearing, load or settings of the reduced model.
+void require_same_device(const std::vector<Run> &runs);
+
+/// The run against the reduced model with the fitted values; `fitted`: the run took part in the fit.
+RunCheck check_run(const Run &run, const FitResult &result, const FitOptions &options, bool fitted);
+
+} // namespace rimpact::calibration

@@ -1,0 +1,210 @@
+#include "calibration/calibration_json.h"
+#include "reduced_models/impact_law.h"
+#include "scene/error.h"
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace rimpact::calibration {
+
+using nlohmann::json;
+
+namespace {
+
+/// JSON knows no infinity and no NaN.
+json number(double value) {
+  return std::isfinite(value) ? json(value) : json(nullptr);
+}
+json number(const std::optional<double> &value) {
+  return value ? number(*value) : json(nullptr);
+}
+
+json parameters_json(const FitResult &result) {
+  json all = json::object();
+  for (const auto &[name, e] : result.parameters)
+    all[name] = {{"value", number(e.value)},
+                 {"unit", parameter(name).unit},
+                 {"standard_error", number(e.standard_error)},
+                 {"interval_95", {number(e.interval_low), number(e.interval_high)}},
+                 {"identifiable", e.identifiable},
+                 {"at_bound", e.at_bound},
+                 {"reason", e.reason.empty() ? json(nullptr) : json(e.reason)}};
+  return all;
+}
+
+double damping(const scene::Scene &scene) {
+  return reduced::damping_coefficient(scene.reduced.k_i, scene.reduced.restitution, scene.load.mass);
+}
+
+json derived_json(const scene::Scene &scene) {
+  const auto &r = scene.reduced;
+  return {
+      {"c_i",
+       {{"value", damping(scene) / 1e3},
+        {"unit", "kN s/m"},
+        {"formula", "2 xi sqrt(k_i m1), (2-20), m2 infinite"}}},
+      {"xi", reduced::damping_ratio(r.restitution)},
+      {"masses",
+       {{"m1_kg", scene.load.mass}, {"m2_kg", nullptr}, {"note", "m1: supported mass; m2: the rim, fixed"}}},
+      {"law", r.impact_law},
+      {"friction", r.friction},
+      {"elastic_slip_mm", r.friction == "park-wen" ? json(1e3 * r.elastic_slip) : json(nullptr)},
+      {"normal_force", r.normal_force},
+      {"mu_fast", r.mu_fast},
+      {"vertical_kN", scene.load.vertical / 1e3},
+      {"gravity_m_per_s2", scene.load.gravity},
+      {"model", r.model},
+      {"bearing", scene.bearing.name}};
+}
+
+json checks_json(const std::map<std::string, RunCheck> &checks) {
+  json all = json::object();
+  for (const auto &[folder, check] : checks) {
+    json entry = to_json(check.history);
+    entry["published_values"] = to_json(check.published);
+    entry["impacts"] = json::array();
+    for (const auto &i : check.impacts)
+      entry["impacts"].push_back({{"touch_time_s", i.touch_time},
+                                  {"approach_speed_m_s", i.approach_speed},
+                                  {"peak_force_error", number(i.peak_force_error)},
+                                  {"rebound_error_over_approach", number(i.rebound_error)},
+                                  {"normalised_force", number(i.normalised_force)},
+                                  {"fitted", i.fitted},
+                                  {"grazing", i.grazing},
+                                  {"dented", i.dented}});
+    for (const auto &note : check.notes) entry["notes"].push_back(note);
+    all[folder] = entry;
+  }
+  return all;
+}
+
+json windows_json(const WindowsTable &table) {
+  json rows = json::array();
+  for (const auto &row : table.rows)
+    rows.push_back(
+        {{"folder", row.folder},
+         {"speed_m_s", row.speed},
+         {"peak_force_N", row.peak_force},
+         {"contact_time_s", row.contact_time},
+         {"peak_penetration_m", row.peak_penetration},
+         {"rebound_speed_m_s", row.rebound_speed},
+         {"restitution", row.restitution},
+         {"normalised_force", number(row.normalised_force)},
+         {"parameters", parameters_json(row.own)},
+         {"k_from_peak_kN_per_m", row.k_from_peak ? number(*row.k_from_peak / 1e3) : json(nullptr)},
+         {"k_from_contact_time_kN_per_m",
+          row.k_from_contact_time ? number(*row.k_from_contact_time / 1e3) : json(nullptr)},
+         {"pair_force_error", number(row.pair_force_error)},
+         {"pair_rebound_error", number(row.pair_rebound_error)},
+         {"pair_holds", row.pair_holds}});
+  return {{"rows", rows},
+          {"tolerance", table.tolerance},
+          {"valid_from_m_s", number(table.valid_from)},
+          {"valid_to_m_s", number(table.valid_to)},
+          {"sentence", table.sentence}};
+}
+
+json grazing_json(const std::vector<GrazingReport> &reports) {
+  const auto band = [](const Band &b) {
+    return json{{"nominal", b.nominal}, {"low", b.low}, {"high", b.high}};
+  };
+  json all = json::array();
+  for (const auto &r : reports)
+    all.push_back({{"scene", r.scene},
+                   {"scale", r.scale},
+                   {"critical_scale", number(r.critical_scale)},
+                   {"critical_amplitude_g", number(r.critical_amplitude_g)},
+                   {"approach_speed_m_s", band(r.approach_speed)},
+                   {"peak_impact_force_N", band(r.peak_force)},
+                   {"varied", r.varied}});
+  return all;
+}
+
+} // namespace
+
+json to_json(const Calibration &c) {
+  json out;
+  out["parameters"] = parameters_json(c.result);
+  out["correlation"] = c.result.correlation;
+  out["condition"] = number(c.result.condition);
+  out["derived"] = derived_json(c.scene);
+  out["fit"] = checks_json(c.fit);
+  out["prediction"] = checks_json(c.prediction);
+  out["published"] = {{"k_i", {{"value", published_k_i / 1e3}, {"unit", "kN/m"}}},
+                      {"e", {{"value", published_e}, {"unit", "-"}}},
+                      {"source", "thesis 2.5.3, for shfps-225"}};
+  out["fitted_on"] = c.fitted_on;
+  out["windows"] = c.windows ? windows_json(*c.windows) : json(nullptr);
+  out["critical_amplitudes"] = grazing_json(c.grazing);
+  out["converged"] = c.result.converged;
+  out["search"] = {{"message", c.result.message},          {"cost", number(c.result.cost)},
+                   {"impacts", c.result.n_impacts},        {"residuals", c.result.n_residuals},
+                   {"starts", c.result.n_starts},          {"starts_agreeing", c.result.n_starts_agreeing},
+                   {"evaluations", c.result.n_evaluations}};
+  out["notes"] = c.notes;
+  return out;
+}
+
+std::string to_toml_fragment(const Calibration &c) {
+  const auto &r = c.scene.reduced;
+  std::string text =
+      fmt::format("# Fitted by rimpact on {} of {}; c_i = {:.6g} kN s/m with m1 = {:g} kg and a fixed rim.\n",
+                  c.fitted_on, c.scene.bearing.name, damping(c.scene) / 1e3, c.scene.load.mass);
+  if (c.windows) text += "# " + c.windows->sentence + "\n";
+  for (const auto &note : c.notes) text += "# " + note + "\n";
+  text += fmt::format(
+      "[reduced]\nmodel = \"{}\"\nk_i_kN_per_m = {:.9g}\nrestitution = {:.9g}\nimpact_law = \"{}\"\n",
+      r.model, r.k_i / 1e3, r.restitution, r.impact_law);
+  std::string load;
+  for (const auto &[name, estimate] : c.result.parameters) {
+    if (name == "k_i" || name == "e") continue;
+    const std::string key = parameter(name).toml_key;
+    const auto dot = key.find('.');
+    (key.substr(0, dot) == "reduced" ? text : load) +=
+        fmt::format("{} = {:.9g}\n", key.substr(dot + 1), estimate.value);
+  }
+  return load.empty() ? text : text + "[load]\n" + load;
+}
+
+std::string describe(const Calibration &c) {
+  const auto percent = [](const std::optional<double> &v) {
+    return v ? fmt::format("{:+8.1f} %", 100 * *v) : "         -";
+  };
+  std::string text = fmt::format("fitted on {} ({} impacts, {} starts)\n", c.fitted_on, c.result.n_impacts,
+                                 c.result.n_starts);
+  for (const auto &name : c.result.names) {
+    const auto &e = c.result.parameters.at(name);
+    text += fmt::format("  {:<13} {:>12.5g} {:<6} +- {:<10.3g} 95 %: {:.5g} .. {:.5g}{}\n", name, e.value,
+                        parameter(name).unit, e.standard_error, e.interval_low, e.interval_high,
+                        e.identifiable ? "" : "  NOT IDENTIFIABLE: " + e.reason);
+  }
+  const auto section = [&](const char *title, const std::map<std::string, RunCheck> &checks) {
+    if (checks.empty()) return;
+    text += fmt::format("{:<44} peak force  displacement  rebound\n", title);
+    for (const auto &[folder, check] : checks)
+      text +=
+          fmt::format("  {:<42} {}  {}  {}\n", folder, percent(check.history.peak_force_error),
+                      percent(check.history.peak_displacement_error), percent(check.history.rebound_error));
+  };
+  section("fitted runs", c.fit);
+  section("predicted runs", c.prediction);
+  if (c.windows) text += c.windows->sentence + "\n";
+  for (const auto &r : c.grazing)
+    text += fmt::format(
+        "{}: first touch at scale {}; at {:g} the peak impact force is {:.4g} kN ({:.4g} .. {:.4g} kN)\n",
+        r.scene, r.critical_scale ? fmt::format("{:.5f}", *r.critical_scale) : "-", r.scale,
+        r.peak_force.nominal / 1e3, r.peak_force.low / 1e3, r.peak_force.high / 1e3);
+  for (const auto &note : c.notes) text += "note: " + note + "\n";
+  return text;
+}
+
+void write_calibration(const Calibration &calibration, const std::string &folder) {
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure) throw IoError(fmt::format("{}: {}", folder, failure.message()));
+  const auto path = std::filesystem::path(folder);
+  scene::write_text(to_json(calibration).dump(2) + "\n", (path / "calibration.json").string());
+  scene::write_text(to_toml_fragment(calibration), (path / "calibration.toml").string());
+}
+
+} // namespace rimpact::calibration

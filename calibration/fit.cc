@@ -1,0 +1,175 @@
+#include "calibration/fit.h"
+#include "calibration/problem.h"
+#include "calibration/uncertainty.h"
+#include "scene/error.h"
+#include <algorithm>
+#include <ceres/ceres.h>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <glog/logging.h>
+#include <set>
+
+namespace rimpact::calibration {
+
+namespace {
+
+/// Starts whose ends differ by less are the same minimum (in the fitted variable, relative to 1).
+constexpr double same_minimum = 1e-3;
+
+class Cost final : public ceres::CostFunction {
+public:
+  Cost(const Problem &problem, const ResidualBlock &block) : problem_(problem), block_(block) {
+    set_num_residuals(block.size());
+    mutable_parameter_block_sizes()->push_back(problem.n_parameters());
+  }
+  bool Evaluate(double const *const *x, double *r, double **jacobians) const override {
+    if (!problem_.residuals(block_, x[0], r)) return false;
+    return !jacobians || !jacobians[0] || problem_.jacobian(block_, x[0], jacobians[0]);
+  }
+
+private:
+  const Problem &problem_;
+  const ResidualBlock &block_;
+};
+
+struct Ending {
+  Eigen::VectorXd x;
+  double cost;
+  bool usable, converged;
+  std::string message;
+};
+
+Ending search(const Problem &problem, Eigen::VectorXd x, const FitOptions &options) {
+  // Ceres logs through glog; what it has to say is in its summary.
+  FLAGS_minloglevel = google::GLOG_FATAL;
+  ceres::Problem ceres_problem;
+  for (const auto &block : problem.blocks()) {
+    ceres::LossFunction *loss =
+        options.robust_scale > 0 ? new ceres::HuberLoss(options.robust_scale) : nullptr;
+    ceres_problem.AddResidualBlock(new Cost(problem, *block), loss, x.data());
+  }
+  for (int i = 0; i < problem.n_parameters(); ++i) {
+    ceres_problem.SetParameterLowerBound(x.data(), i, problem.lower()(i));
+    ceres_problem.SetParameterUpperBound(x.data(), i, problem.upper()(i));
+  }
+  ceres::Solver::Options solver;
+  solver.linear_solver_type = ceres::DENSE_QR;
+  solver.logging_type = ceres::SILENT;
+  solver.max_num_iterations = options.max_iterations;
+  solver.function_tolerance = 1e-10;
+  solver.gradient_tolerance = 1e-12;
+  solver.parameter_tolerance = 1e-9;
+  ceres::Solver::Summary summary;
+  ceres::Solve(solver, &ceres_problem, &summary);
+  return {x, summary.final_cost, summary.IsSolutionUsable(), summary.termination_type == ceres::CONVERGENCE,
+          summary.message};
+}
+
+FitResult result_of(const Problem &problem, const std::vector<Ending> &endings, const FitOptions &options) {
+  const auto best = std::min_element(endings.begin(), endings.end(), [](const Ending &a, const Ending &b) {
+    return a.usable != b.usable ? a.usable : a.cost < b.cost;
+  });
+  FitResult result;
+  result.names = options.parameters;
+  result.n_impacts = problem.n_impacts();
+  for (const auto &block : problem.blocks()) result.n_residuals += block->size();
+  result.n_starts = static_cast<int>(endings.size());
+  result.notes = problem.notes();
+  result.message = best->message;
+  if (!best->usable) throw DataError("the fit failed from every start: " + best->message);
+  result.cost = best->cost;
+  result.converged = best->converged;
+  for (const auto &e : endings)
+    if (e.usable && (e.x - best->x).cwiseAbs().maxCoeff() < same_minimum) ++result.n_starts_agreeing;
+  judge(problem, best->x, spread_at(problem, best->x, options.robust_scale), result);
+  result.n_evaluations = problem.n_evaluations();
+  return result;
+}
+
+void require(bool ok, const std::string &name, double value, const std::string &bound) {
+  if (!ok) throw InputError(fmt::format("{} {:g} must be {}", name, value, bound));
+}
+
+} // namespace
+
+void FitOptions::validate() const {
+  if (parameters.empty()) throw InputError("no parameter to fit is named");
+  if (std::set<std::string>(parameters.begin(), parameters.end()).size() != parameters.size())
+    throw InputError(fmt::format("a parameter to fit is named twice: {}", fmt::join(parameters, ", ")));
+  for (const auto &name : parameters) calibration::parameter(name);
+  const auto fitted = [&](const std::string &name) {
+    if (std::find(parameters.begin(), parameters.end(), name) == parameters.end())
+      throw InputError(
+          fmt::format("{} is not among the parameters to fit: {}", name, fmt::join(parameters, ", ")));
+  };
+  for (const auto &[name, b] : bounds) {
+    fitted(name);
+    const auto &p = calibration::parameter(name);
+    if (!(b.lower < b.upper))
+      throw InputError(fmt::format("bounds of {}: {:g} must be < {:g}", name, b.lower, b.upper));
+    require(b.lower >= 0 && (b.lower > 0 || !p.logarithmic), "lower bound of " + name, b.lower, "> 0");
+    if (name == "e")
+      require(b.upper <= 1 && b.lower > 0, "bound of e", b.upper > 1 ? b.upper : b.lower, "in (0, 1]");
+  }
+  for (const auto &[name, value] : start) {
+    fitted(name);
+    require(value > 0, "start of " + name, value, "> 0");
+  }
+  require(n_starts >= 1, "n_starts", n_starts, ">= 1");
+  require(robust_scale >= 0, "robust_scale", robust_scale, ">= 0");
+  require(difference_step >= 1e-6 && difference_step <= 0.1, "difference_step", difference_step,
+          "in 1e-6..0.1");
+  require(max_iterations >= 1, "max_iterations", max_iterations, ">= 1");
+  require(uncertainty.force > 0, "uncertainty of the force", uncertainty.force, "> 0");
+  require(uncertainty.displacement > 0, "uncertainty of the displacement", uncertainty.displacement, "> 0");
+  require(uncertainty.speed > 0, "uncertainty of the speed", uncertainty.speed, "> 0");
+  for (const double w : {weights.force, weights.displacement, weights.rebound, weights.peak, weights.flight})
+    require(w >= 0, "weight", w, ">= 0");
+}
+
+FitResult fit(const std::vector<const Run *> &runs, const FitOptions &options) {
+  options.validate();
+  const Problem problem(runs, options);
+  std::vector<Ending> endings;
+  for (const auto &x : problem.starts()) endings.push_back(search(problem, x, options));
+  return result_of(problem, endings, options);
+}
+
+std::vector<double> profile(const std::vector<const Run *> &runs, const FitOptions &options,
+                            const FitResult &best, const std::string &name,
+                            const std::vector<double> &values) {
+  options.validate();
+  FitOptions others = options;
+  std::erase(others.parameters, name);
+  if (others.parameters.size() == options.parameters.size())
+    throw InputError(fmt::format("{} is not among the fitted parameters", name));
+  if (others.parameters.empty()) throw InputError("a profile needs a second fitted parameter");
+  others.bounds.erase(name);
+  others.start.clear();
+  others.n_starts = 1;
+  for (const auto &other : others.parameters) others.start[other] = best.parameters.at(other).value;
+  std::vector<double> costs;
+  for (const double value : values) {
+    std::vector<Run> held; // the parameter becomes a setting of the runs' scenes
+    for (const Run *run : runs) {
+      held.push_back(*run);
+      calibration::parameter(name).set(held.back().scene, value * calibration::parameter(name).si);
+    }
+    std::vector<const Run *> pointers;
+    for (const Run &run : held) pointers.push_back(&run);
+    costs.push_back(fit(pointers, others).cost);
+  }
+  return costs;
+}
+
+scene::Scene with_fitted(const scene::Scene &scene, const FitResult &result) {
+  scene::Scene fitted = scene;
+  for (const auto &[name, estimate] : result.parameters) {
+    const auto &p = calibration::parameter(name);
+    p.set(fitted, estimate.value * p.si);
+  }
+  return fitted;
+}
+
+} // namespace rimpact::calibration

@@ -1,0 +1,44 @@
+#include "calibration/parameter.h"
+#include "scene/error.h"
+#include "scene/text.h"
+
+namespace rimpact::calibration {
+
+using scene::Scene;
+
+const std::vector<Parameter> &parameter_catalogue() {
+  static const std::vector<Parameter> catalogue = {
+      {"k_i", "kN/m", "reduced.k_i_kN_per_m", 1e3, 5e3, 5e7, true, false, //
+       [](const Scene &s) { return s.reduced.k_i; }, [](Scene &s, double v) { s.reduced.k_i = v; }},
+      {"e", "-", "reduced.restitution", 1, 0.01, 1.0, false, false, //
+       [](const Scene &s) { return s.reduced.restitution; },
+       [](Scene &s, double v) { s.reduced.restitution = v; }},
+      {"mu_fast", "-", "reduced.mu_fast", 1, 0.001, 0.5, false, true,
+       [](const Scene &s) { return s.reduced.mu_fast; },
+       [](Scene &s, double v) { // a constant coefficient stays constant
+         if (s.reduced.mu_slow == s.reduced.mu_fast) s.reduced.mu_slow = v;
+         s.reduced.mu_fast = v;
+       }},
+      {"mu_slow", "-", "reduced.mu_slow", 1, 0.001, 0.5, false, true,
+       [](const Scene &s) { return s.reduced.mu_slow; }, [](Scene &s, double v) { s.reduced.mu_slow = v; }},
+      {"rate", "s/m", "reduced.rate_s_per_m", 1, 1.0, 300.0, true, true,
+       [](const Scene &s) { return s.reduced.rate; }, [](Scene &s, double v) { s.reduced.rate = v; }},
+      {"elastic_slip", "mm", "reduced.elastic_slip_mm", 1e-3, 0.01, 5.0, true, true,
+       [](const Scene &s) { return s.reduced.elastic_slip; },
+       [](Scene &s, double v) { s.reduced.elastic_slip = v; }},
+      {"mass", "kg", "load.mass_kg", 1, 1e2, 1e8, true, true, //
+       [](const Scene &s) { return s.load.mass; }, [](Scene &s, double v) { s.load.mass = v; }},
+  };
+  return catalogue;
+}
+
+const Parameter &parameter(const std::string &name) {
+  std::vector<std::string> known;
+  for (const auto &p : parameter_catalogue()) {
+    if (p.name == name) return p;
+    known.push_back(p.name);
+  }
+  throw InputError("parameter to fit: " + scene::not_among(name, known));
+}
+
+} // namespace rimpact::calibration

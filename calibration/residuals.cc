@@ -1,0 +1,102 @@
+#include "calibration/residuals.h"
+#include "calibration/series.h"
+#include "calibration/shooting.h"
+#include <cmath>
+
+namespace rimpact::calibration {
+
+double ResidualBlock::add_group(const std::string &name, int count, double weight, double sigma) {
+  if (weight == 0 || count == 0) return 0;
+  groups_.push_back({name, size(), count});
+  return weight / (sigma * std::sqrt(static_cast<double>(count)));
+}
+
+namespace {
+
+/// Share of its peak the reference's force must reach to be compared.
+constexpr double pressed_share = 0.05;
+
+class ImpactBlock final : public ResidualBlock {
+public:
+  ImpactBlock(const Run &run, const ImpactWindow &window, const FitOptions &options)
+      : ResidualBlock(run.scene), window_(window) {
+    for (std::size_t i = 0; i < window.force.size(); ++i)
+      if (window.force[i] >= pressed_share * window.peak) pressed_.push_back(i);
+    const auto &u = options.uncertainty;
+    const auto &w = options.weights;
+    const double force = u.force * run.peak_force(), speed = u.speed * run.approach_speed();
+    force_ = add_group("force", static_cast<int>(pressed_.size()), w.force, force);
+    displacement_ = add_group("displacement", static_cast<int>(window.times.size()), w.displacement,
+                              u.displacement * run.scene.bearing.lateral_capacity());
+    rebound_ = add_group("rebound", 1, w.rebound, speed);
+    peak_ = add_group("peak", 1, w.peak, force);
+  }
+
+  void evaluate(const scene::Scene &scene, std::span<double> r) const override {
+    const Shot shot = shoot(scene, window_);
+    std::size_t n = 0;
+    if (force_ > 0)
+      for (const std::size_t i : pressed_) r[n++] = force_ * (shot.force[i] - window_.force[i]);
+    if (displacement_ > 0)
+      for (std::size_t i = 0; i < window_.times.size(); ++i)
+        r[n++] = displacement_ * (shot.displacement[i] - window_.displacement[i]);
+    if (rebound_ > 0) r[n++] = rebound_ * (shot.end_speed - window_.end_speed);
+    if (peak_ > 0) r[n++] = peak_ * (shot.peak - window_.peak);
+  }
+
+private:
+  const ImpactWindow &window_;
+  std::vector<std::size_t> pressed_;
+  double force_, displacement_, rebound_, peak_;
+};
+
+class FlightBlock final : public ResidualBlock {
+public:
+  FlightBlock(const Run &run, const FitOptions &options) : ResidualBlock(run.scene), response_(run.response) {
+    const auto &times = response_.series("time");
+    const double end = run.summary.impacts.empty() ? times.back() : run.summary.impacts.front().touch_time;
+    while (n_ < times.size() && times[n_] < end) ++n_;
+    const bool moved = run.scene.excitation.is_dynamic();
+    signal_ = moved ? "displacement" : "force";
+    const auto &u = options.uncertainty;
+    const double sigma = moved ? u.displacement * run.scene.bearing.lateral_capacity()
+                               : u.force * run.summary.peak_lateral_force;
+    scale_ = add_group("flight", static_cast<int>(2 * n_), options.weights.flight, sigma);
+  }
+
+  void evaluate(const scene::Scene &scene, std::span<double> r) const override {
+    const auto run = reduced::simulate(scene);
+    const auto &times = run.response.series("time");
+    std::size_t n = 0;
+    for (const char *axis : {"_x", "_y"}) {
+      const auto &ours = run.response.series(signal_ + axis), &theirs = response_.series(signal_ + axis);
+      for (std::size_t i = 0; i < n_; ++i) {
+        const double t = response_.series("time")[i];
+        const double value =
+            signal_ == "displacement"
+                ? hermite_at(times, ours, run.response.series(std::string("velocity") + axis), t)
+                : linear_at(times, ours, t);
+        r[n++] = scale_ * (value - theirs[i]);
+      }
+    }
+  }
+
+private:
+  const scene::Response &response_;
+  std::string signal_;
+  std::size_t n_ = 0;
+  double scale_;
+};
+
+} // namespace
+
+std::unique_ptr<ResidualBlock> impact_block(const Run &run, const ImpactWindow &window,
+                                            const FitOptions &options) {
+  return std::make_unique<ImpactBlock>(run, window, options);
+}
+
+std::unique_ptr<ResidualBlock> flight_block(const Run &run, const FitOptions &options) {
+  return std::make_unique<FlightBlock>(run, options);
+}
+
+} // namespace rimpact::calibration

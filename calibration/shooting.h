@@ -1,0 +1,16 @@
+/// The reduced model in place of the reference within one impact window.
+#pragma once
+#include "calibration/impact_window.h"
+
+namespace rimpact::calibration {
+
+/// Radial quantities as in ImpactWindow, at its sample times.
+struct Shot {
+  std::vector<double> displacement, force;
+  double peak = 0, end_speed = 0;
+};
+
+/// Starts from window.start and integrates to window.end_time with the settings of `scene`.
+Shot shoot(const scene::Scene &scene, const ImpactWindow &window);
+
+} // namespace rimpact::calibration

@@ -1,0 +1,114 @@
+#include "calibration/uncertainty.h"
+#include <cmath>
+#include <Eigen/SVD>
+#include <fmt/format.h>
+#include <limits>
+#include <stdexcept>
+
+namespace rimpact::calibration {
+
+namespace {
+
+constexpr double normal_95 = 1.959964;
+/// A parameter whose 95 % interval reaches this share of its value to either side is not identified.
+constexpr double vague = 0.5;
+/// Condition (relative changes) beyond which the valley is called flat.
+constexpr double flat_condition = 1e4;
+/// Share of the bounds' range within which a value counts as standing at the bound.
+constexpr double at_bound = 1e-6;
+
+/// Variance of one residual of a group: stated (1 / count) or found, whichever is larger, times what
+/// correlated residuals lose in independent observations, (1 + rho) / (1 - rho) for lag-one correlation rho,
+/// at most `count`.
+double group_variance(const Group &group, const Eigen::VectorXd &r) {
+  const Eigen::VectorXd part = r.segment(group.first, group.count);
+  const double n = group.count, found = part.squaredNorm() / n;
+  if (found <= 1 / n) return 1 / n; // within the stated uncertainty
+  double inflation = 1;
+  if (group.count > 2) {
+    const double lag = part.head(group.count - 1).dot(part.tail(group.count - 1)) / part.squaredNorm();
+    inflation = lag > 0 ? std::min((1 + lag) / std::max(1 - lag, 1e-12), n) : 1;
+  }
+  return found * inflation;
+}
+
+/// Derivative of Huber's loss with respect to the squared norm s.
+double huber_slope(double s, double scale) {
+  return scale <= 0 || s <= scale * scale ? 1.0 : scale / std::sqrt(s);
+}
+
+} // namespace
+
+Spread spread_at(const Problem &problem, const Eigen::VectorXd &x, double robust_scale) {
+  const int n = problem.n_parameters();
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  Eigen::MatrixXd bread = Eigen::MatrixXd::Zero(n, n), filling = bread;
+  for (const auto &block : problem.blocks()) {
+    Eigen::VectorXd r(block->size());
+    RowMajor J(block->size(), n);
+    if (!problem.residuals(*block, x.data(), r.data()) || !problem.jacobian(*block, x.data(), J.data()))
+      throw std::logic_error("the fitted values cannot be evaluated");
+    const double w = huber_slope(r.squaredNorm(), robust_scale);
+    bread += w * J.transpose() * J;
+    for (const auto &group : block->groups()) {
+      const auto part = J.middleRows(group.first, group.count);
+      filling += w * w * group_variance(group, r) * part.transpose() * part;
+    }
+  }
+  Eigen::VectorXd relative(n);
+  for (int i = 0; i < n; ++i) relative(i) = problem.per_relative_change(i, x(i));
+  const Eigen::MatrixXd scaled = relative.asDiagonal() * bread * relative.asDiagonal();
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled);
+  const double least = svd.singularValues()(n - 1), most = svd.singularValues()(0);
+  Spread spread;
+  spread.condition = least > 0 ? std::sqrt(most / least) : std::numeric_limits<double>::infinity();
+  if (!(most > 0) || least < 1e-14 * most) {
+    spread.condition = std::numeric_limits<double>::infinity();
+    spread.covariance = Eigen::MatrixXd::Constant(n, n, std::numeric_limits<double>::infinity());
+    return spread;
+  }
+  const Eigen::MatrixXd inverse = bread.inverse();
+  spread.covariance = inverse * filling * inverse;
+  return spread;
+}
+
+void judge(const Problem &problem, const Eigen::VectorXd &x, const Spread &spread, FitResult &result) {
+  const int n = problem.n_parameters();
+  result.condition = spread.condition;
+  for (int i = 0; i < n; ++i) {
+    const Parameter &p = problem.parameter(i);
+    const double sd = std::sqrt(spread.covariance(i, i)), value = problem.to_reported(i, x(i));
+    const double range = problem.upper()(i) - problem.lower()(i);
+    Estimate estimate;
+    estimate.value = value;
+    estimate.standard_error = p.logarithmic ? value * sd : sd;
+    estimate.interval_low = problem.to_reported(i, std::max(x(i) - normal_95 * sd, problem.lower()(i)));
+    estimate.interval_high = problem.to_reported(i, std::min(x(i) + normal_95 * sd, problem.upper()(i)));
+    const bool low = x(i) - problem.lower()(i) < at_bound * range;
+    estimate.at_bound = low || problem.upper()(i) - x(i) < at_bound * range;
+    const double half_width = normal_95 * estimate.standard_error;
+    if (problem.all_grazing() && !p.seen_in_flight)
+      estimate.reason = "every impact only grazes the rim: a slightly different flight would miss it";
+    else if (estimate.at_bound)
+      estimate.reason =
+          fmt::format("it ended at its {} bound {:g} {}", low ? "lower" : "upper", value, p.unit);
+    else if (!(spread.condition < flat_condition))
+      estimate.reason =
+          fmt::format("flat valley: condition {:.3g} exceeds {:g}", spread.condition, flat_condition);
+    else if (half_width > vague * std::abs(value))
+      estimate.reason =
+          fmt::format("flat: the 95 % interval is +-{:.0f} % of the value", 100 * half_width / value);
+    estimate.identifiable = estimate.reason.empty();
+    result.parameters[p.name] = estimate;
+  }
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; j < n; ++j) {
+      const double scale = std::sqrt(spread.covariance(i, i) * spread.covariance(j, j));
+      const double value = i == j                              ? 1.0
+                           : std::isfinite(scale) && scale > 0 ? spread.covariance(i, j) / scale
+                                                               : 0.0;
+      result.correlation[problem.parameter(i).name][problem.parameter(j).name] = value;
+    }
+}
+
+} // namespace rimpact::calibration
