@@ -1,0 +1,79 @@
+"""What a section is made of. Each block is a small dictionary that the template knows how to draw."""
+from dataclasses import dataclass, field
+
+from markupsafe import Markup
+
+from .errors import IoError, ReportError
+from .style import embedded
+
+KI, E = Markup("<i>k</i><sub>i</sub>"), Markup("<i>e</i>")
+
+
+@dataclass
+class Section:
+    id: str
+    title: str
+    blocks: list = field(default_factory=list)
+    lead: str = ""
+
+    def add(self, block):
+        if block is not None:
+            self.blocks.append(block)
+
+
+def text(sentence):
+    return {"kind": "text", "text": sentence}
+
+
+def heading(title, tag=""):
+    return {"kind": "heading", "title": title, "tag": tag}
+
+
+def note(sentence, level="info"):
+    """level: info | warning | missing."""
+    return {"kind": "note", "text": sentence, "level": level}
+
+
+def table(header, rows, caption="", left=1, emphasise=()):
+    """`left`: how many columns are text, set flush left; the others are figures, set flush right."""
+    return {"kind": "table", "header": header, "rows": rows, "caption": caption, "left": left,
+            "emphasise": set(emphasise)} if rows else None
+
+
+def cards(items):
+    """items: {"title", "value", "unit", "lines": [...]}."""
+    return {"kind": "cards", "items": items} if items else None
+
+
+def bullets(items):
+    return {"kind": "bullets", "items": items} if items else None
+
+
+def details(title, content):
+    return {"kind": "details", "title": title, "content": content} if content else None
+
+
+class Pictures:
+    """Draws figures into one folder and embeds them. A figure that cannot be drawn becomes a sentence."""
+
+    def __init__(self, folder, problems):
+        self.folder, self.problems = folder, problems
+
+    def path(self, name):
+        safe = "".join(c if c.isalnum() or c in "-._" else "-" for c in name)
+        return f"{self.folder}/{safe}.png"
+
+    def figure(self, name, caption, draw, *arguments, **options):
+        """draw(*arguments, path, **options) gives the path, or None when there is nothing to draw."""
+        path = self.path(name)
+        try:
+            drawn = draw(*arguments, path, **options)
+        except IoError:
+            raise
+        except (ReportError, KeyError, ValueError, IndexError, TypeError, ZeroDivisionError) as error:
+            self.problems.append(f"figure {name} could not be drawn: {error}")
+            return None
+        return self.existing(drawn, caption) if drawn else None
+
+    def existing(self, path, caption):
+        return {"kind": "figure", "source": embedded(path), "caption": caption, "file": path.rsplit("/", 1)[-1]}

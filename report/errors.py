@@ -1,0 +1,27 @@
+"""Errors a user can meet, each with the exit code of the `rimpact` command and one clear sentence."""
+import sys
+
+
+class ReportError(Exception):
+    code = 1
+
+
+class DataError(ReportError):
+    """A data file cannot be read or makes no sense."""
+    code = 3
+
+
+class IoError(ReportError):
+    """Reading or writing failed: disk full, permission."""
+    code = 6
+
+
+def run_main(main):
+    """Runs main(argv) and turns errors into one sentence on stderr and an exit code."""
+    try:
+        main(sys.argv[1:])
+    except ReportError as error:
+        print(f"rimpact report: {error}", file=sys.stderr)
+        sys.exit(error.code)
+    except KeyboardInterrupt:
+        sys.exit(130)

@@ -1,0 +1,77 @@
+"""Zoom on each impact: rim force over time since touch, and over penetration; every model from its own touch."""
+import numpy as np
+
+from ..series import contact_stretches, keep_peaks, penetration, radial_impact_force
+from ..style import MUTED, figure, line_of, save, shared_legend
+from .response_panels import LABELS
+
+
+def draw(models, path, most=4, labels=None):
+    """One row an impact (the first `most`). None when no model touches the rim."""
+    stretches = [(role, run, contact_stretches(run)) for role, run in models]
+    n_rows = min(most, max((len(parts) for _, _, parts in stretches), default=0))
+    if n_rows == 0:
+        return None
+    fig, grid = figure(n_rows, 2, 0.45 + 1.95 * n_rows)
+    labels = labels or LABELS
+    for row, (over_time, over_depth) in enumerate(grid):
+        for role, run, parts in stretches:
+            if row < len(parts):
+                _draw_one(over_time, over_depth, run, parts[row], line_of(role), labels[role])
+        _finish(over_time, over_depth, row, last=row == n_rows - 1)
+    shared_legend(fig, grid[:, 0])
+    return save(fig, path)
+
+
+def _draw_one(over_time, over_depth, run, part, style, label):
+    force, time = 1e-3 * radial_impact_force(run, part), run.time[part]
+    touch = time[1] if len(time) > 2 else time[0]
+    depth = 1e3 * penetration(run, part) if run.has("gap") else np.zeros_like(force)
+    kept = keep_peaks(force, depth, limit=900)
+    over_time.plot(1e3 * (time - touch)[kept], force[kept], label=label, **style)
+    over_depth.plot(depth[kept], force[kept], **style)
+    top = int(np.argmax(force))
+    over_time.annotate(f"{force[top]:.0f} kN", (1e3 * (time[top] - touch), force[top]), xytext=(3, 1.5),
+                       textcoords="offset points", fontsize=6.5, color=style["color"])
+
+
+def _finish(over_time, over_depth, row, last):
+    over_time.set_title(f"Impact {row + 1}: force over time")
+    over_depth.set_title(f"Impact {row + 1}: force over penetration")
+    over_time.margins(y=0.14)
+    for ax in (over_time, over_depth):
+        ax.set_ylabel("rim force (kN)")
+        ax.axhline(0, color=MUTED, lw=0.5, zorder=0)
+    if last:
+        over_time.set_xlabel("time since the model's own touch (ms)")
+        over_depth.set_xlabel("penetration −gap (mm)")
+
+
+def draw_windows(entries, path):
+    """All single-impact windows of the FE side together, darker with speed; the fitted model dotted beside."""
+    drawn = [entry for entry in entries if entry.fe is not None and contact_stretches(entry.fe)]
+    if not drawn:
+        return None
+    from matplotlib import colormaps
+    fig, grid = figure(1, 2, 2.9)
+    over_time, over_depth = grid[0]
+    for i, entry in enumerate(drawn):
+        colour = colormaps["viridis_r"](0.12 + 0.85 * i / max(1, len(drawn) - 1))
+        _window_line(over_time, over_depth, entry.fe, dict(color=colour, lw=1.5),
+                     f"{entry.speed:g} m/s" if entry.speed else entry.name)
+        if entry.fitted is not None:
+            _window_line(over_time, over_depth, entry.fitted, dict(color=colour, lw=0.8, ls=(0, (1, 1.4))), None)
+    over_time.set(title="(a) Force over time", xlabel="time since touch (ms)", ylabel="rim force (kN)")
+    over_depth.set(title="(b) Force over penetration", xlabel="penetration −gap (mm)", ylabel="rim force (kN)")
+    over_depth.legend(title="approach speed", title_fontsize=7, loc="lower right")
+    return save(fig, path)
+
+
+def _window_line(over_time, over_depth, run, style, label):
+    for part in contact_stretches(run)[:1]:
+        force, time = 1e-3 * radial_impact_force(run, part), run.time[part]
+        touch = time[1] if len(time) > 2 else time[0]
+        kept = keep_peaks(force, limit=900)
+        over_time.plot(1e3 * (time - touch)[kept], force[kept], **style)
+        if run.has("gap"):
+            over_depth.plot(1e3 * penetration(run, part)[kept], force[kept], label=label, **style)

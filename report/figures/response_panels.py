@@ -1,0 +1,100 @@
+"""The panels of thesis Figures 2-7 and 2-8: displacement, lateral force, loop, vertical displacement.
+
+Forces are drawn as −F, so that a positive displacement meets a positive force and loops read as in the thesis."""
+import numpy as np
+
+from ..series import keep_peaks
+from ..style import MUTED, RIM, figure, line_of, save, shared_legend
+
+LABELS = {"fe": "finite elements", "fitted": "reduced, fitted", "published": "reduced, published values"}
+
+
+def draw(models, path, capacity=None, labels=None):
+    """models: (role, run) pairs, the reference first. One line of motion gives four panels, a plane motion six."""
+    planar = all(run.is_planar() for _, run in models)
+    if planar:
+        fig, grid = figure(2, 2, 4.5)
+        panels = dict(zip(("u", "F", "loop", "z"), grid.flat))
+        _draw_direction(panels, models, models[0][1].direction(), "", labels or LABELS)
+    else:
+        fig, grid = figure(3, 2, 6.4)
+        panels = dict(zip(("u", "F", "loop", "loop_y", "path", "z"), grid.flat))
+        _draw_plane(panels, models, labels or LABELS)
+    _draw_vertical(panels["z"], models)
+    _draw_capacity(panels, capacity, planar)
+    _letters(grid.flat)
+    shared_legend(fig, [panels["u"]])
+    return save(fig, path)
+
+
+def _draw_direction(panels, models, direction, axis, labels):
+    for role, run in models:
+        u = 1e3 * run.along("displacement", direction)
+        force = -1e-3 * run.along("force", direction) if run.has("force_x", "force_y") else np.zeros_like(u)
+        kept, style = keep_peaks(u, force), line_of(role)
+        panels["u"].plot(run.time[kept], u[kept], label=labels[role], **style)
+        panels["F"].plot(run.time[kept], force[kept], **style)
+        panels["loop"].plot(u[kept], force[kept], **style)
+    _name(panels["u"], "Lateral displacement", "time (s)", f"displacement u{axis} (mm)")
+    _name(panels["F"], "Lateral force", "time (s)", f"lateral force −F{axis} (kN)")
+    _name(panels["loop"], "Loop", f"displacement u{axis} (mm)", f"lateral force −F{axis} (kN)")
+
+
+def _draw_plane(panels, models, labels):
+    for role, run in models:
+        ux, uy = 1e3 * run.signals["displacement_x"], 1e3 * run.signals["displacement_y"]
+        fx, fy = -1e-3 * run.signals["force_x"], -1e-3 * run.signals["force_y"]
+        size, force = np.hypot(ux, uy), np.hypot(fx, fy)
+        kept, style = keep_peaks(ux, uy, fx, fy), line_of(role)
+        panels["u"].plot(run.time[kept], size[kept], label=labels[role], **style)
+        panels["F"].plot(run.time[kept], force[kept], **style)
+        panels["loop"].plot(ux[kept], fx[kept], **style)
+        panels["loop_y"].plot(uy[kept], fy[kept], **style)
+        panels["path"].plot(ux[kept], uy[kept], **style)
+    _name(panels["u"], "Lateral displacement, norm", "time (s)", "|u| (mm)")
+    _name(panels["F"], "Lateral force, norm", "time (s)", "|F| (kN)")
+    _name(panels["loop"], "Loop in x", "displacement u$_x$ (mm)", "lateral force −F$_x$ (kN)")
+    _name(panels["loop_y"], "Loop in y", "displacement u$_y$ (mm)", "lateral force −F$_y$ (kN)")
+    _name(panels["path"], "Path in plan", "u$_x$ (mm)", "u$_y$ (mm)")
+    panels["path"].set_aspect("equal", adjustable="datalim")
+
+
+def _draw_vertical(ax, models):
+    for role, run in models:
+        if run.has("displacement_z"):
+            z = 1e3 * run.signals["displacement_z"]
+            kept = keep_peaks(z)
+            ax.plot(run.time[kept], z[kept], **line_of(role))
+    _name(ax, "Vertical displacement", "time (s)", "u$_z$ (mm), up positive")
+
+
+def _draw_capacity(panels, capacity, planar):
+    if not capacity:
+        return
+    mm = 1e3 * capacity
+    style = dict(color=RIM, lw=0.7, ls=(0, (1, 1.5)), zorder=1)
+    for level in ((mm, -mm) if planar else (mm,)):
+        panels["u"].axhline(level, **style)
+    panels["u"].annotate(f"L$_c$ = {mm:.0f} mm", (1.0, mm), xycoords=("axes fraction", "data"), ha="right", va="bottom",
+                         xytext=(0, 1.5), textcoords="offset points", color=RIM, fontsize=6.5)
+    for name in ("loop", "loop_y"):
+        for level in (mm, -mm):
+            if name in panels and abs(panels[name].get_xlim()[0 if level < 0 else 1]) >= 0.6 * mm:
+                panels[name].axvline(level, **style)
+    if "path" in panels:
+        angle = np.linspace(0, 2 * np.pi, 181)
+        panels["path"].plot(mm * np.cos(angle), mm * np.sin(angle), **style)
+
+
+def _name(ax, title, x, y):
+    ax.set_title(title)
+    ax.set_xlabel(x)
+    ax.set_ylabel(y)
+    if x == "time (s)":
+        ax.margins(x=0)
+        ax.axhline(0, color=MUTED, lw=0.4, zorder=0)
+
+
+def _letters(axes):
+    for letter, ax in zip("abcdef", axes):
+        ax.set_title(f"({letter}) {ax.get_title(loc='left')}")

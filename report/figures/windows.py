@@ -1,0 +1,69 @@
+"""k_i and e over impact speed, beside the constant pair, its band of validity, and the published pair."""
+from ..style import FE, FITTED, INK, MUTED, PUBLISHED, figure, save
+
+
+def draw(calibration, path):
+    """None when no window gave k_i or e."""
+    rows = calibration.windows
+    with_k, with_e = [r for r in rows if r.k_i], [r for r in rows if r.e or r.restitution is not None]
+    if not with_k and not with_e:
+        return None
+    fig, grid = figure(1, 3, 2.55)
+    k_ax, e_ax, force_ax = grid[0]
+    _points(k_ax, with_k, lambda r: r.k_i, 1e-5)
+    _points(e_ax, with_e, lambda r: r.e, 1.0)
+    rebound = [r for r in rows if r.restitution is not None]
+    e_ax.plot([r.speed for r in rebound], [r.restitution for r in rebound], ls="none", marker="x", ms=4, mew=0.9,
+              color=MUTED, label="rebound / approach")
+    _constants(k_ax, calibration.parameter("k_i"), 1e-5)
+    _constants(e_ax, calibration.parameter("e"), 1.0)
+    _force(force_ax, rows, calibration.tolerance)
+    k_ax.set(title="(a) Impact stiffness", ylabel="k$_i$ (10⁵ kN/m)")
+    e_ax.set(title="(b) Restitution", ylabel="e (–)")
+    for ax in grid[0]:
+        ax.set_xlabel("approach speed (m/s)")
+        ax.set_xlim(left=0)
+        if calibration.valid_from is not None and calibration.valid_to is not None:
+            ax.axvspan(calibration.valid_from, calibration.valid_to, color=FITTED, alpha=0.10, lw=0, zorder=0)
+    k_ax.set_ylim(bottom=0)
+    e_ax.set_ylim(0, max(1.0, e_ax.get_ylim()[1]))
+    handles = {label: handle for ax in (k_ax, e_ax) for handle, label in zip(*ax.get_legend_handles_labels())}
+    fig.legend(handles.values(), handles.keys(), loc="outside upper left", ncols=4)
+    return save(fig, path)
+
+
+def _points(ax, rows, parameter, factor):
+    rows = [row for row in rows if parameter(row)]
+    if not rows:
+        return
+    speeds, values = [r.speed for r in rows], [factor * parameter(r).value for r in rows]
+    below, above = [], []
+    for row, value in zip(rows, values):
+        low, high = parameter(row).interval or (parameter(row).value, parameter(row).value)
+        below.append(max(0.0, value - factor * low))
+        above.append(max(0.0, factor * high - value))
+    ax.errorbar(speeds, values, yerr=[below, above], color=FE, marker="o", ms=3.5, lw=1.2, elinewidth=0.8,
+                capsize=2, label="each window alone, 95 %")
+
+
+def _constants(ax, parameter, factor):
+    if parameter is None:
+        return
+    ax.axhline(factor * parameter.value, color=FITTED, lw=1.1, label="constant pair, fitted")
+    if parameter.interval:
+        ax.axhspan(factor * parameter.interval[0], factor * parameter.interval[1], color=FITTED, alpha=0.15, lw=0)
+    if parameter.published is not None:
+        ax.axhline(factor * parameter.published, color=PUBLISHED, lw=0.9, ls=(0, (4, 1.6)), label="published")
+
+
+def _force(ax, rows, tolerance):
+    rows = [row for row in rows if row.pair_force_error is not None]
+    ax.set(title="(c) Peak force by the pair", ylabel="error of peak force (%)")
+    if not rows:
+        ax.text(0.5, 0.5, "not available", transform=ax.transAxes, ha="center", color=MUTED)
+        return
+    ax.plot([r.speed for r in rows], [100 * r.pair_force_error for r in rows], color=FITTED, marker="o", ms=3.5)
+    ax.axhline(0, color=INK, lw=0.5)
+    if tolerance:
+        for level in (tolerance, -tolerance):
+            ax.axhline(100 * level, color=MUTED, lw=0.7, ls=(0, (1, 1.5)))

@@ -1,0 +1,90 @@
+"""Numbers as an engineer reads them: sensible digits, a thin space between thousands, a true minus sign."""
+import math
+
+DASH = "–"
+NARROW = "\u202f"
+SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def is_number(value):
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def _grouped(text):
+    sign, text = ("−", text[1:]) if text.startswith("-") else ("", text)
+    whole, _, fraction = text.partition(".")
+    if len(whole) > 4:
+        whole = f"{int(whole):,}".replace(",", NARROW)
+    return sign + whole + ("." + fraction if fraction else "")
+
+
+def sig(value, digits=3):
+    """`digits` significant figures; powers of ten outside 1e-3 .. 1e6; a dash for what is not there."""
+    if not is_number(value):
+        return DASH
+    if value == 0:
+        return "0"
+    exponent = math.floor(math.log10(abs(float(f"{value:.{digits - 1}e}"))))
+    if exponent < -3 or exponent > 6:
+        return power(value, digits)
+    return _grouped(f"{round(value, digits - 1 - exponent):.{max(0, digits - 1 - exponent)}f}")
+
+
+def power(value, digits=3):
+    """4.50 × 10⁵."""
+    if not is_number(value):
+        return DASH
+    mantissa, exponent = f"{value:.{digits - 1}e}".split("e")
+    return f"{mantissa.replace('-', '−')} × 10{str(int(exponent)).translate(SUPERSCRIPT)}"
+
+
+def fixed(value, decimals=1):
+    return _grouped(f"{value:.{decimals}f}") if is_number(value) else DASH
+
+
+def integer(value):
+    return _grouped(f"{value:.0f}") if is_number(value) else DASH
+
+
+def percent(ratio, decimals=1, signed=True):
+    """A ratio as signed per cent: 0.034 -> +3.4 %."""
+    if not is_number(ratio):
+        return DASH
+    text = f"{100 * ratio:+.{decimals}f}" if signed else f"{100 * ratio:.{decimals}f}"
+    return text.replace("-", "−") + NARROW + "%"
+
+
+def scaled(value, factor, decimals=1):
+    """value * factor with a fixed number of decimals; a dash for None."""
+    return fixed(value * factor, decimals) if is_number(value) else DASH
+
+
+def duration(seconds):
+    if not is_number(seconds):
+        return DASH
+    if seconds < 0.1:
+        return f"{sig(1e3 * seconds, 2)} ms"
+    if seconds < 120:
+        return f"{sig(seconds, 3)} s"
+    return f"{int(seconds // 60)} min {int(seconds % 60):02d} s"
+
+
+def memory(n_bytes):
+    if not is_number(n_bytes) or n_bytes <= 0:
+        return DASH
+    return f"{n_bytes / 1e9:.2f} GB" if n_bytes >= 1e9 else f"{n_bytes / 1e6:.0f} MB"
+
+
+def plain(value):
+    """A value of any JSON or TOML type as text."""
+    if value is None:
+        return DASH
+    if isinstance(value, bool):
+        return "yes" if value else "no"
+    if isinstance(value, int):
+        return integer(value)
+    if isinstance(value, float):
+        return sig(value, 4) if value != round(value) or abs(value) >= 1e6 else integer(value)
+    if isinstance(value, (list, tuple)):
+        return ", ".join(plain(item) for item in value)
+    return str(value)

@@ -1,0 +1,68 @@
+"""Draws the boundary of hexahedral meshes with matplotlib alone: boundary faces, bodies, painter's algorithm."""
+import numpy as np
+from matplotlib.collections import PolyCollection
+
+#: the six faces of a hexahedron in VTK's (and gmsh's) corner order, outward
+FACES = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
+
+
+def merged(points, tolerance=1e-7):
+    """For each point the number of its place: cell-wise copies of a node get the same number."""
+    return np.unique(np.round(points / tolerance).astype(np.int64), axis=0, return_inverse=True)[1].reshape(-1)
+
+
+def boundary_faces(cells, place):
+    """(corner indices (n, 4), cell of each) of faces that only one cell has; `place` as from merged()."""
+    faces = cells[:, FACES].reshape(-1, 4)
+    keys = np.sort(place[faces], axis=1)
+    _, first, count = np.unique(keys, axis=0, return_index=True, return_counts=True)
+    alone = np.sort(first[count == 1])
+    return faces[alone], alone // 6
+
+
+def bodies(cells, place):
+    """Number of the connected body of each cell. Cells are connected through a common face, so bodies that only
+    touch stay apart."""
+    keys = np.sort(place[cells[:, FACES].reshape(-1, 4)], axis=1)
+    order = np.lexsort(keys.T)
+    same = np.all(keys[order][1:] == keys[order][:-1], axis=1)
+    one, other = order[:-1][same] // 6, order[1:][same] // 6
+    label = np.arange(len(cells))
+    while True:
+        lowest = label.copy()
+        np.minimum.at(lowest, one, label[other])
+        np.minimum.at(lowest, other, label[one])
+        lowest = lowest[lowest]
+        if np.array_equal(lowest, label):
+            return np.unique(label, return_inverse=True)[1]
+        label = lowest
+
+
+def view(azimuth, elevation):
+    """Orthographic axes (right, up, towards the viewer) for a viewer at azimuth and elevation [deg] around z."""
+    a, e = np.radians([azimuth, elevation])
+    towards = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
+    right = np.array([-np.sin(a), np.cos(a), 0.0])
+    return np.array([right, np.cross(towards, right), towards])
+
+
+def normals(quads):
+    """Unit normals of (n, 4, 3) faces, from their diagonals."""
+    n = np.cross(quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1])
+    return n / np.maximum(np.linalg.norm(n, axis=1, keepdims=True), 1e-300)
+
+
+def paint(ax, quads, colours, axes, edge=(0, 0, 0, 0.25), line_width=0.25, shading=0.35):
+    """Draws faces (n, 4, 3) in (n, 4) RGBA colours, far ones first, darker where they turn from the viewer.
+    Faces turned away are left out."""
+    facing = normals(quads) @ axes[2]
+    seen = facing > 1e-9
+    quads, colours, facing = quads[seen], colours[seen].copy(), facing[seen]
+    order = np.argsort(quads.mean(axis=1) @ axes[2])
+    colours[:, :3] *= (1 - shading + shading * facing)[:, None]
+    flat = np.stack([quads @ axes[0], quads @ axes[1]], axis=-1)
+    ax.add_collection(PolyCollection(flat[order], facecolors=colours[order], edgecolors=edge, linewidths=line_width))
+    ax.set_aspect("equal")
+    ax.autoscale_view()
+    ax.axis("off")
+    return flat

@@ -1,0 +1,192 @@
+"""A results folder of `rimpact main`, or one run folder taken as such.
+
+    DIR/runs/<name>/  FE runs    DIR/reduced/<name>/  the same scenes by the reduced model, fitted values
+    DIR/published/<name>/ or DIR/reduced/<name>-published/  the same, published values
+    DIR/calibration/calibration.json    DIR/main.json: {"runs": [{name, role, fe, reduced, published}], totals, ...}
+
+Whatever is missing or unreadable becomes a sentence in `problems`, never an error, as long as something is left."""
+import os
+import re
+from dataclasses import dataclass, field
+
+from .errors import DataError
+from .run_folder import Run, is_run_folder, load_run, read_json
+
+ROLES = ("fit", "predict", "window", "push")
+
+
+@dataclass
+class Entry:
+    """One scene: its FE run and what the reduced model makes of it. Any of the three may be None."""
+    name: str
+    role: str
+    fe: Run = None
+    fitted: Run = None
+    published: Run = None
+
+    def models(self):
+        """(style role, run) of those that have a response, the reference first."""
+        pairs = (("fe", self.fe), ("fitted", self.fitted), ("published", self.published))
+        return [(role, run) for role, run in pairs if run is not None and run.signals]
+
+    @property
+    def any_run(self):
+        return self.fe or self.fitted or self.published
+
+    @property
+    def scale(self):
+        return self.any_run.get("excitation", "scale", default=1.0) if self.any_run else 1.0
+
+    @property
+    def speed(self):
+        """Approach speed a window asks for [m/s]."""
+        return self.any_run.get("excitation", "speed_m_per_s") if self.any_run else None
+
+
+@dataclass
+class Results:
+    folder: str
+    single: bool = False
+    entries: list = field(default_factory=list)
+    calibration: dict = field(default_factory=dict)
+    main: dict = field(default_factory=dict)
+    problems: list = field(default_factory=list)
+
+    def having(self, *roles):
+        return [entry for entry in self.entries if entry.role in roles]
+
+    @property
+    def histories(self):
+        return self.having("fit", "predict", "history")
+
+    @property
+    def windows(self):
+        windows = self.having("window")
+        return sorted(windows, key=lambda entry: entry.speed or 0.0)
+
+    @property
+    def reference(self):
+        """The run whose scene stands for the bearing and the load."""
+        for entry in self.histories + self.entries:
+            for run in (entry.fe, entry.fitted, entry.published):
+                if run is not None and run.scene:
+                    return run
+        return None
+
+
+def load_results(folder):
+    """Throws DataError when the folder holds nothing that can be reported."""
+    if not os.path.isdir(folder):
+        raise DataError(f"{folder} is not a folder")
+    if is_run_folder(folder):
+        return single_run(folder)
+    results = Results(folder)
+    _read_main(results)
+    _read_calibration(results)
+    for item in _listed_runs(results) or _found_runs(folder):
+        results.entries.append(_load_entry(results, item))
+    if not any(entry.any_run for entry in results.entries) and not results.calibration:
+        reasons = f" ({results.problems[0]})" if results.problems else ""
+        raise DataError(f"{folder} holds no run folder with a response and no calibration{reasons}")
+    return results
+
+
+def single_run(folder):
+    run = load_run(folder)
+    if not run.signals and not run.summary:
+        raise DataError(f"{folder} holds no response and no summary")
+    results = Results(folder, single=True, problems=[f"{run.name}: {problem}" for problem in run.problems])
+    entry = Entry(run.name, _role_of(run.kind, run.name))
+    setattr(entry, "fitted" if run.rung == "reduced" else "fe", run)
+    results.entries.append(entry)
+    return results
+
+
+def _read_main(results):
+    path = os.path.join(results.folder, "main.json")
+    if not os.path.isfile(path):
+        results.problems.append("no main.json: totals and versions are not known")
+        return
+    data = read_json(path)
+    results.main = data if isinstance(data, dict) else {"runs": data if isinstance(data, list) else []}
+
+
+def _read_calibration(results):
+    for path in ("calibration/calibration.json", "calibration.json"):
+        path = os.path.join(results.folder, path)
+        if os.path.isfile(path):
+            data = read_json(path)
+            if not isinstance(data, dict):
+                raise DataError(f"{path} holds no JSON object")
+            results.calibration = data
+            return
+    results.problems.append("calibration: not run (no calibration/calibration.json)")
+
+
+def _listed_runs(results):
+    for key in ("runs", "layout", "scenes", "jobs"):
+        listed = results.main.get(key)
+        if isinstance(listed, list) and all(isinstance(item, dict) and "name" in item for item in listed):
+            return listed
+    return []
+
+
+def _found_runs(folder):
+    names = []
+    for sub in ("runs", "reduced"):
+        path = os.path.join(folder, sub)
+        if os.path.isdir(path):
+            names += [n for n in os.listdir(path) if os.path.isdir(os.path.join(path, n)) and not _is_published(n)]
+    return [{"name": name} for name in sorted(set(names), key=_natural)]
+
+
+def _is_published(name):
+    return name.endswith("-published")
+
+
+def _natural(name):
+    return [float(part) if part.replace(".", "", 1).isdigit() else part for part in re.split(r"(\d+\.?\d*)", name)]
+
+
+def _load_entry(results, item):
+    name = str(item["name"])
+    entry = Entry(name, "")
+    places = {"fe": [item.get("fe"), f"runs/{name}"],
+              "fitted": [item.get("reduced"), item.get("fitted"), f"reduced/{name}"],
+              "published": [item.get("published"), f"published/{name}", f"reduced/{name}-published"]}
+    for slot, candidates in places.items():
+        setattr(entry, slot, _first_run(results, name, slot, candidates))
+    if entry.fe is None:
+        results.problems.append(f"{name}: finite-element run not run")
+    role = item.get("role")
+    kind = entry.any_run.kind if entry.any_run else ""
+    entry.role = role if role in ROLES else _role_of(kind, name)
+    return entry
+
+
+def _first_run(results, name, slot, candidates):
+    for place in candidates:
+        if not isinstance(place, str) or not place:
+            continue
+        for path in (os.path.join(results.folder, place), place):
+            if os.path.isdir(path) and is_run_folder(path):
+                return _tolerant_load(results, path, f"{name} ({slot})")
+    return None
+
+
+def _tolerant_load(results, path, label):
+    try:
+        run = load_run(path)
+    except DataError as error:
+        results.problems.append(f"{label}: {error}")
+        return None
+    results.problems += [f"{label}: {problem}" for problem in run.problems]
+    return run
+
+
+def _role_of(kind, name):
+    if kind == "window" or name.startswith(("window", "impact-window")):
+        return "window"
+    if kind == "push" or name.startswith(("push", "rim-push")):
+        return "push"
+    return "history"

@@ -1,0 +1,142 @@
+"""python3 -m report.rim_picture FILE.vtu OUT.png [--scale S]: rim and slider, deformed, coloured by plastic strain.
+
+Three views: the rim's wall as the slider sees it, the slider's side as the rim sees it, and the cut through the
+touched point (the symmetry plane of a half model). Displacements are drawn S times too large; S is chosen when not
+given. The slider's rigid translation is not enlarged."""
+import argparse
+
+import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import LinearSegmentedColormap, Normalize
+
+from . import vtu
+from .errors import DataError, run_main
+from .painter import bodies, boundary_faces, merged, normals, paint, view
+from .style import MUTED, plt, save
+
+STRAIN = LinearSegmentedColormap.from_list("strain", ["#e6ebf0", "#f7d794", "#ef8f3f", "#bb372f", "#4a0d3a"])
+FINE = 3            # each face is drawn as FINE x FINE patches
+DRAWN_SHARE = 0.02  # of the model's size the largest drawn deformation should have
+
+
+class Deformed:
+    """Boundary of the model, deformed and enlarged, with the strain at its corners."""
+
+    def __init__(self, grid, scale=None):
+        if "displacement" not in grid.point_data:
+            raise DataError("the VTU file holds no field `displacement`")
+        place = merged(grid.points)
+        body = bodies(grid.hexahedra, place)
+        reach = [np.hypot(*grid.points[grid.hexahedra[body == b].ravel(), :2].T).max() for b in range(body.max() + 1)]
+        slider = body != int(np.argmax(reach))  # the plate with its rim reaches farthest from the axis
+        moved = grid.point_data["displacement"].astype(float)
+        on_slider = np.zeros(len(grid.points), bool)
+        on_slider[grid.hexahedra[slider].ravel()] = True
+        rigid = np.where(on_slider[:, None], moved[on_slider].mean(axis=0) if on_slider.any() else 0.0, 0.0)
+        local = moved - rigid
+        self.scale = scale or _nice(DRAWN_SHARE * np.ptp(grid.points, axis=0).max() / max(np.abs(local).max(), 1e-12))
+        corners, cell = boundary_faces(grid.hexahedra, place)
+        self.quads = (grid.points + rigid + self.scale * local)[corners]
+        self.strain = _strain(grid, corners, cell)
+        self.on_slider = slider[cell]
+        y = grid.points[corners][:, :, 1]
+        self.half = grid.points[:, 1].min() > -1e-6
+        self.on_cut = self.half & np.all(np.abs(y) < 1e-6, axis=1)
+
+
+def _strain(grid, corners, cell):
+    name = "equivalent_plastic_strain"
+    if name in grid.point_data:
+        return np.asarray(grid.point_data[name], float)[corners]
+    if name in grid.cell_data:
+        return np.repeat(np.asarray(grid.cell_data[name], float)[cell][:, None], 4, axis=1)
+    raise DataError(f"the VTU file holds no field `{name}`")
+
+
+def _nice(value):
+    """1, 2, 5, 10 ... not above value, at least 1 and at most 100."""
+    steps = [1, 2, 5, 10, 20, 50, 100]
+    return max([s for s in steps if s <= value], default=1)
+
+
+def _patches(quads, strain):
+    """Each face as FINE x FINE bilinear patches: corners and mean strain."""
+    s = np.linspace(0.0, 1.0, FINE + 1)
+    weights = np.stack([np.outer(1 - s, 1 - s), np.outer(s, 1 - s), np.outer(s, s), np.outer(1 - s, s)])
+    points = np.einsum("kij,nkd->nijd", weights, quads)
+    values = np.einsum("kij,nk->nij", weights, strain)
+    around = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    cut = [(slice(a, FINE + a), slice(b, FINE + b)) for a, b in around]
+    fine = np.stack([points[:, i, j] for i, j in cut], axis=3).reshape(-1, 4, points.shape[-1])
+    return fine, np.mean([values[:, i, j] for i, j in cut], axis=0).reshape(-1)
+
+
+def draw(grid, path, scale=None):
+    """Writes the picture; gives (largest plastic strain, enlargement)."""
+    model = Deformed(grid, scale)
+    top = float(model.strain.max())
+    norm = Normalize(0.0, top if top > 1e-9 else 1e-3)
+    n_panels = 3 if model.on_cut.any() else 2
+    fig, grid_axes = plt.subplots(1, n_panels, figsize=(7.2, 2.75), layout="constrained",
+                                  gridspec_kw={"width_ratios": [1.55, 1.0, 1.0][:n_panels]})
+    _draw_body(grid_axes[0], model, ~model.on_slider, norm, view(180, 26), "Rim, seen from the slider")
+    _draw_body(grid_axes[1], model, model.on_slider, norm, view(0, 20), "Slider, seen from the rim")
+    if n_panels == 3:
+        _draw_cut(grid_axes[2], model, norm)
+    bar = fig.colorbar(ScalarMappable(norm, STRAIN), ax=list(grid_axes), orientation="horizontal", shrink=0.42,
+                       aspect=38, pad=0.02)
+    bar.set_label(f"equivalent plastic strain, largest {top:.2%}".replace("%", " %") if top > 1e-9
+                  else "equivalent plastic strain: none, the model stayed elastic")
+    bar.ax.xaxis.set_major_formatter(lambda value, _: f"{100 * value:.3g} %")
+    bar.outline.set_visible(False)
+    fig.text(0.995, 0.02, f"deformation × {model.scale:g}", ha="right", fontsize=6.5, color=MUTED)
+    save(fig, path)
+    return top, model.scale
+
+
+def _draw_body(ax, model, chosen, norm, axes, title):
+    chosen = chosen & ~model.on_cut
+    quads, strain = model.quads[chosen], model.strain[chosen]
+    if model.half:  # the other half is its mirror image
+        quads = np.concatenate([quads, (quads * [1, -1, 1])[:, ::-1]])
+        strain = np.concatenate([strain, strain[:, ::-1]])
+    if not len(quads):
+        ax.axis("off")
+        return
+    fine, values = _patches(quads, strain)
+    paint(ax, fine, STRAIN(norm(values)), axes, edge="face", line_width=0.3)
+    front = quads[normals(quads) @ axes[2] > 1e-9]
+    ax.add_collection(PolyCollection(np.stack([front @ axes[0], front @ axes[1]], axis=-1), facecolors="none",
+                                     edgecolors=(0.1, 0.15, 0.2, 0.22), linewidths=0.25))
+    ax.set_title(title, loc="center", fontsize=7.5)
+
+
+def _draw_cut(ax, model, norm):
+    quads, strain = model.quads[model.on_cut], model.strain[model.on_cut]
+    fine, values = _patches(1e3 * quads[:, :, [0, 2]], strain)
+    ax.add_collection(PolyCollection(fine, facecolors=STRAIN(norm(values)), edgecolors="face", linewidths=0.3))
+    ax.add_collection(PolyCollection(1e3 * quads[:, :, [0, 2]], facecolors="none",
+                                     edgecolors=(0.1, 0.15, 0.2, 0.35), linewidths=0.3))
+    rim = 1e3 * model.quads[model.on_cut & ~model.on_slider][:, :, [0, 2]].reshape(-1, 2)
+    right, top = rim.max(axis=0)
+    ax.set_xlim(right - 110, right + 6)
+    ax.set_ylim(top - 85, top + 45)
+    ax.set_aspect("equal", adjustable="box")
+    ax.grid(False)
+    ax.set_title("Cut through the contact", loc="center", fontsize=7.5)
+    ax.set_xlabel("x (mm)")
+    ax.set_ylabel("z (mm)")
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(prog="report.rim_picture", description=__doc__.splitlines()[0])
+    parser.add_argument("vtu")
+    parser.add_argument("png")
+    parser.add_argument("--scale", type=float, help="enlargement of the deformation; chosen when not given")
+    options = parser.parse_args(arguments)
+    draw(vtu.read(options.vtu), options.png, options.scale)
+
+
+if __name__ == "__main__":
+    run_main(main)

@@ -1,0 +1,75 @@
+"""The fit: values, intervals, correlation, and how every run comes out."""
+from ..blocks import Section, bullets, note, table
+from ..figures import calibration as figure_calibration
+from ..numbers import fixed, is_number, percent, plain, power, sig
+from .common import ROLE_TEXT, errors_of, title_of
+
+
+def make(context):
+    if context.results.single:
+        return None
+    section = Section("calibration", "Calibration")
+    calibration = context.calibration
+    if not calibration.parameters:
+        section.add(note("Calibration: not run.", "missing"))
+        return section
+    section.lead = "Impact parameters of the reduced model, fitted to the finite-element impacts" + (
+        f" of the {calibration.fitted_on}." if calibration.fitted_on else ".")
+    section.add(_parameters(calibration))
+    section.add(context.pictures.figure("calibration-parameters", "", figure_calibration.draw_parameters, calibration))
+    section.add(_correlation(calibration))
+    section.add(_derived(calibration))
+    section.add(_runs(context))
+    rows = [{"name": entry.name, "fitted": errors_of(context, entry, "fitted"),
+             "published": errors_of(context, entry, "published")} for entry in context.results.histories]
+    section.add(context.pictures.figure("calibration-errors", "Signed errors of the reduced model against FE.",
+                                        figure_calibration.draw_errors, rows))
+    section.add(context.pictures.figure(
+        "calibration-residuals", "First impact of every ground motion, FE and fitted reduced model simulated from rest.",
+        figure_calibration.draw_residuals, context.results.histories))
+    section.add(bullets(calibration.notes))
+    return section
+
+
+def _parameters(calibration):
+    rows = []
+    for p in calibration.parameters:
+        show = (lambda x: power(x, 3)) if is_number(p.value) and abs(p.value) >= 1e4 else (lambda x: sig(x, 3))
+        interval = f"{show(p.interval[0])} to {show(p.interval[1])}" if p.interval else "–"
+        verdict = {True: "yes", False: "no" + (f": {p.reason}" if p.reason else "")}.get(p.identifiable, "–")
+        rows.append([p.name, show(p.value), p.unit, show(p.standard_error) if p.standard_error else "–", interval,
+                     verdict, show(p.published) if p.published is not None else "–"])
+    return table(["parameter", "value", "unit", "standard error", "95 % interval", "identifiable", "published"], rows)
+
+
+def _correlation(calibration):
+    names = [name for name in calibration.correlation if isinstance(calibration.correlation[name], dict)]
+    if len(names) < 2:
+        return None
+    rows = [[name, *(fixed(calibration.correlation[name].get(other), 3) for other in names)] for name in names]
+    condition = f" Condition number {sig(calibration.condition, 3)}." if is_number(calibration.condition) else ""
+    return table(["correlation", *names], rows, caption="Correlation of the estimates." + condition)
+
+
+def _derived(calibration):
+    rows = []
+    for name, value in calibration.derived.items():
+        if isinstance(value, dict):
+            value = f"{plain(value.get('value'))} {value.get('unit', '')}".strip() if "value" in value else \
+                ", ".join(f"{k} {plain(v)}" for k, v in value.items())
+        rows.append([name, value if isinstance(value, str) else plain(value)])
+    return table(["stated with the fit", ""], rows, left=2)
+
+
+def _runs(context):
+    rows = []
+    for entry in context.results.histories:
+        errors = errors_of(context, entry, "fitted")
+        if errors:
+            rows.append([title_of(entry.name), ROLE_TEXT.get(entry.role, ""), percent(errors.get("peak_force")),
+                         percent(errors.get("peak_displacement"), 2), percent(errors.get("rebound")),
+                         percent(errors.get("nrmse_displacement"), 2, False), percent(errors.get("nrmse_force"), 1, False)])
+    return table(["run", "role", "peak impact force", "peak displacement", "rebound", "NRMSE displacement",
+                  "NRMSE force"], rows, left=2,
+                 caption="Fitted reduced model against FE. NRMSE: root mean square difference from first touch to 0.5 s "
+                         "after the last release, displacement over L_c, force over its peak.")

@@ -1,0 +1,75 @@
+"""What several sections say in the same way: names of runs and roles, errors against FE, states of runs."""
+from ..blocks import note
+from ..numbers import is_number
+
+ROLE_TEXT = {"fit": "used for the fit", "predict": "predicted, not fitted", "window": "single impact",
+             "push": "quasi-static", "history": ""}
+METRIC_NAMES = {"peak_force": "peak impact force", "peak_displacement": "peak displacement",
+                "rebound": "rebound speed"}
+
+
+def title_of(name):
+    """ricker-0.78g-1.0s-x1.05 -> Ricker pulse 0.78 g, 1.0 s, × 1.05; other names as they are."""
+    parts = name.split("-")
+    if parts[0] == "ricker" and len(parts) >= 3 and parts[1].endswith("g") and parts[2].endswith("s"):
+        scale = [f"× {p[1:]}" for p in parts[3:] if p.startswith("x")]
+        return ", ".join([f"Ricker pulse {parts[1][:-1]} g", f"{parts[2][:-1]} s"] + scale)
+    if "window" in parts and _is_float(parts[-1]):
+        return f"impact window {parts[-1]} m/s"
+    return name
+
+
+def _is_float(text):
+    try:
+        float(text)
+    except ValueError:
+        return False
+    return True
+
+
+def impact_peak(run):
+    value = run.summary.get("peak_impact_force_N")
+    return value if is_number(value) else None
+
+
+def hardest(run):
+    """The impact with the largest force, or an empty dictionary."""
+    impacts = [i for i in run.impacts if is_number(i.get("peak_force_N"))]
+    return max(impacts, key=lambda i: i["peak_force_N"]) if impacts else {}
+
+
+def figures_of(run):
+    """Peaks that are compared between models, SI; None where the run does not know them."""
+    return {"peak_force": impact_peak(run), "peak_displacement": run.summary.get("peak_displacement_m"),
+            "rebound": hardest(run).get("rebound_speed_m_s")}
+
+
+def errors_of(context, entry, who):
+    """Signed relative errors against FE: calibration.json's where it has them, else from the two summaries."""
+    run = getattr(entry, who)
+    stored = context.calibration.metrics(entry.name)
+    if who == "published":
+        stored = stored.get("published") if isinstance(stored.get("published"), dict) else {}
+    reference = figures_of(entry.fe) if entry.fe else {}
+    candidate = figures_of(run) if run else {}
+    errors = {}
+    for metric in METRIC_NAMES:
+        value = stored.get(f"{metric}_error")
+        a, b = reference.get(metric), candidate.get(metric)
+        if not is_number(value) and is_number(a) and is_number(b) and a != 0:
+            value = b / a - 1
+        if is_number(value):
+            errors[metric] = value
+    for metric in ("nrmse_displacement", "nrmse_force"):
+        if is_number(stored.get(metric)):
+            errors[metric] = stored[metric]
+    return errors
+
+
+def status_note(run):
+    """Says it when a run did not end as it should."""
+    if run.status in ("done", "missing"):
+        return None
+    reason = run.summary.get("reason")
+    return note(f"{run.name} ({run.rung}): {run.status}" + (f": {reason}" if reason else "") +
+                ". What is shown of it is partial.", "warning")

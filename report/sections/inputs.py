@@ -1,0 +1,96 @@
+"""Inputs and assumptions: every number of the resolved scene, those assumed marked as such."""
+import re
+
+from ..blocks import Section, note, table
+from ..numbers import plain
+from ..run_folder import assumption_keys
+from .common import title_of
+
+UNITS = {"_kg_per_m3": "kg/m³", "_kN_per_m": "kN/m", "_m_per_s2": "m/s²", "_m_per_s": "m/s", "_s_per_m": "s/m",
+         "_MPa": "MPa", "_mm": "mm", "_kN": "kN", "_kg": "kg", "_deg": "°", "_ms": "ms", "_m": "m", "_N": "N",
+         "_g": "g", "_s": "s"}
+LABELS = {
+    "surface.R0": "radius of curvature at the vertex", "surface.a": "half-width of the ellipse",
+    "surface.planar_radius": "planar radius of the dish", "surface.kind": "sliding surface",
+    "slider.diameter": "diameter of the upper slider", "slider.bottom": "slider's bottom plane above the vertex",
+    "slider.top": "slider's top plane above the vertex", "slider.edge_radius": "rounding of the slider's lower edge",
+    "rim.height": "rim above the dish's edge", "rim.thickness": "thickness of the rim",
+    "rim.ledge": "ledge between dish and rim", "plate.base": "bottom of the plate below the vertex",
+    "pad.inner_radius": "pad, inner radius", "pad.outer_radius": "pad, outer radius",
+    "pad.thickness": "pad, thickness", "pad.recess": "pad, depth in the foot",
+    "pad.shape_radius": "pad, radius its face is shaped to", "foot.radius": "foot, radius",
+    "foot.bottom": "foot, flat bottom above the vertex", "foot.shoulder": "foot, shoulder above the vertex",
+    "foot.cap_radius": "foot, radius of the spherical cap", "material.steel.E": "steel, Young's modulus",
+    "material.steel.nu": "steel, Poisson's ratio", "material.steel.yield": "steel, yield stress",
+    "material.steel.tangent_modulus": "steel, tangent modulus past yield", "material.steel.density": "steel, density",
+    "material.ertalyte.E": "Ertalyte, Young's modulus", "material.ertalyte.nu": "Ertalyte, Poisson's ratio",
+    "material.ertalyte.density": "Ertalyte, density", "contact.steel_steel": "friction steel on steel",
+    "contact.steel_ertalyte": "friction steel on Ertalyte", "contact.rim": "friction slider on rim",
+    "contact.pad_foot": "pad on foot", "load.vertical": "dead load W", "load.mass": "supported mass",
+    "load.gravity": "gravity",
+}
+PARTS = {"bearing": "Bearing", "load": "Load", "model": "Finite-element model", "reduced": "Reduced model"}
+
+
+def make(context):
+    run = context.results.reference
+    section = Section("inputs", "Inputs and assumptions")
+    if run is None:
+        section.add(note("No run folder holds a scene.toml: the inputs are not known.", "missing"))
+        return section
+    assumed = assumption_keys(run.scene_text)
+    section.lead = ("As resolved for the first run, every default written out. An assumption is a value that no source "
+                    "gives; it is ours, and the results depend on it.")
+    section.add(_table(run, "bearing", assumed, lambda key: key.count(".") > 0))
+    section.add(_table(run, "load", assumed))
+    if not any(key.startswith(("bearing.", "rim.", "slider.")) for key in assumed):
+        section.add(note("The scene file marks no value as an assumption.", "missing"))
+    section.add(_excitations(context))
+    section.add(_table(run, "model", assumed))
+    section.add(_table(run, "reduced", assumed))
+    return section
+
+
+def _table(run, part, assumed, wanted=lambda key: True):
+    rows = []
+    for key, value in _flat(run.scene.get(part, {})):
+        if not wanted(key):
+            continue
+        name, unit = split_unit(key)
+        marked = f"{part}.{key}" in assumed or (part == "bearing" and key in assumed)
+        rows.append([LABELS.get(f"{part}.{name}") or LABELS.get(name) or key, plain(value), unit,
+                     "assumption" if marked else ""])
+    return table([PARTS[part], "value", "unit", ""], rows, left=1)
+
+
+def _flat(tree, prefix=""):
+    for key, value in tree.items():
+        if isinstance(value, dict):
+            yield from _flat(value, f"{prefix}{key}.")
+        else:
+            yield prefix + key, value
+
+
+def split_unit(key):
+    """rim.height_mm -> ("rim.height", "mm"); a key without unit is a number or a name."""
+    for suffix, unit in UNITS.items():
+        if key.endswith(suffix):
+            return key.removesuffix(suffix), unit
+    return key, ""
+
+
+def _excitations(context):
+    rows = []
+    for entry in context.results.entries:
+        run = entry.any_run
+        values = run.scene.get("excitation", {}) if run else {}
+        said = ", ".join(f"{_plain_key(split_unit(k)[0])} {plain(v)} {split_unit(k)[1]}".strip()
+                         for k, v in values.items() if k not in ("kind", "scale") and v not in ("", []))
+        if run:
+            rows.append([title_of(entry.name), values.get("kind", ""), plain(values.get("scale")), said])
+    block = table(["Excitation", "kind", "scale", "what it is made of"], rows, left=4)
+    return block
+
+
+def _plain_key(key):
+    return re.sub("_", " ", key)

@@ -1,0 +1,62 @@
+"""The deformed rim, coloured by plastic strain: a picture the FE run left, or one drawn from its last VTU file."""
+import glob
+import os
+import re
+
+from .. import rim_picture, vtu
+from ..blocks import Section, heading, note
+from .common import title_of
+
+READY = ("fields/deformed.png", "rim.png", "fields/rim.png", "deformed.png")
+MOST = 4  # pictures; drawing one takes about a second
+
+
+def make(context):
+    runs = [(entry, entry.fe) for entry in context.results.entries if entry.fe is not None and entry.fe.rung != "reduced"]
+    if not runs and context.results.single:
+        return None
+    section = Section("rim", "The deformed rim")
+    chosen = _most_strained(runs)
+    section.lead = "Equivalent plastic strain on rim and slider" + (
+        "" if context.results.single else ", for the runs that strain the rim most") + "."
+    for entry, run in chosen:
+        picture = _picture(context, entry, run)
+        if picture:
+            section.add(None if context.results.single else heading(title_of(entry.name)))
+            section.add(picture)
+    if not section.blocks:
+        section.add(note("No finite-element run left fields (fields/*.vtu) or a picture of the rim.", "missing"))
+    return section
+
+
+def _most_strained(runs):
+    """Histories first, then windows; within each the hardest."""
+    with_fields = [(entry, run) for entry, run in runs if _ready(run) or _files(run)]
+    with_fields.sort(key=lambda pair: (pair[0].role == "window", -(pair[1].summary.get("max_plastic_strain") or 0.0)))
+    histories = [pair for pair in with_fields if pair[0].role != "window"]
+    windows = [pair for pair in with_fields if pair[0].role == "window"]
+    return histories[:MOST - 1] + windows[:MOST - len(histories[:MOST - 1])]
+
+
+def _ready(run):
+    return next((path for path in (os.path.join(run.folder, name) for name in READY) if os.path.isfile(path)), None)
+
+
+def _files(run):
+    """VTU files in order of their numbers."""
+    files = glob.glob(os.path.join(glob.escape(run.folder), "fields", "*.vtu"))
+    return sorted(files, key=lambda path: [int(n) for n in re.findall(r"\d+", os.path.basename(path))])
+
+
+def _picture(context, entry, run):
+    files = _files(run)
+    if not files:
+        return context.pictures.existing(_ready(run), "As the finite-element run left it.")
+    return context.pictures.figure(f"rim-{entry.name}", f"Drawn from {os.path.basename(files[-1])}.", _draw, files[-1])
+
+
+def _draw(file, path):
+    """Drawn again only when the field is newer than the picture."""
+    if not os.path.isfile(path) or os.path.getmtime(path) < os.path.getmtime(file):
+        rim_picture.draw(vtu.read(file), path)
+    return path

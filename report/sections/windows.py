@@ -1,0 +1,66 @@
+"""Single impacts at given speeds: k_i and e over speed, and the range in which one pair serves."""
+from ..blocks import Section, note, table
+from ..figures import impacts, windows as figure_windows
+from ..numbers import fixed, is_number, percent, power, scaled, sig
+from .common import errors_of, hardest, status_note
+
+
+def make(context):
+    if context.results.single:
+        return None
+    section = Section("windows", "Impact stiffness and restitution over speed")
+    entries, calibration = context.results.windows, context.calibration
+    if not entries and not calibration.windows:
+        section.add(note("Impact windows: not run. k_i and e over speed are not known.", "missing"))
+        return section
+    section.lead = ("One impact at a given speed, without ground motion, weight or friction: only here is rebound over "
+                    "approach speed the restitution e. Shaded: the speeds at which the constant pair holds.")
+    section.add(context.pictures.figure("ki-and-e-over-speed", "", figure_windows.draw, calibration))
+    if calibration.validity:
+        section.add(note(calibration.validity))
+    section.add(_table(context, entries, calibration))
+    for entry in entries:
+        section.add(status_note(entry.fe) if entry.fe else None)
+    section.add(context.pictures.figure(
+        "windows-force", "Solid: finite elements. Dotted: reduced model with the fitted pair, same speed.",
+        impacts.draw_windows, entries))
+    return section
+
+
+def _table(context, entries, calibration):
+    rows, used = [], set()
+    for entry in entries:
+        impact = hardest(entry.fe) if entry.fe else {}
+        speed = entry.speed or impact.get("approach_speed_m_s")
+        row = next((r for r in calibration.windows if is_number(speed) and abs(r.speed - speed) < 0.02 * speed), None)
+        used.add(id(row))
+        rows.append(_row(speed, impact, entry.fe, row, errors_of(context, entry, "fitted").get("peak_force")))
+    for row in calibration.windows:
+        if id(row) not in used:
+            rows.append(_row(row.speed, {}, None, row, None))
+    return table(["approach (m/s)", "peak force (kN)", "contact (ms)", "penetration (mm)", "rebound / approach",
+                  "plastic strain", "k_i (kN/m)", "e", "pair: peak force"], rows, left=0,
+                 caption="FE figures of each window, k_i and e fitted to it alone (95 % interval half-width), and the "
+                         "error of the peak force by the constant pair.")
+
+
+def _row(speed, impact, run, row, error):
+    touch, release = impact.get("touch_time_s"), impact.get("release_time_s")
+    contact = release - touch if is_number(touch) and is_number(release) else row.contact_time_s if row else None
+    peak = impact.get("peak_force_N") or (row.peak_force_N if row else None)
+    if row and row.pair_force_error is not None:
+        error = row.pair_force_error
+    return [sig(speed, 3), scaled(peak, 1e-3, 0), scaled(contact, 1e3, 1), scaled(impact.get("peak_penetration_m"), 1e3, 2),
+            fixed(impact.get("restitution") or (row.restitution if row else None), 3),
+            percent(run.summary.get("max_plastic_strain") if run else None, 2, False),
+            _with_interval(row.k_i if row else None, lambda x: power(x, 3)),
+            _with_interval(row.e if row else None, lambda x: fixed(x, 3)), percent(error)]
+
+
+def _with_interval(parameter, show):
+    if parameter is None:
+        return "–"
+    if not parameter.interval:
+        return show(parameter.value)
+    half = 0.5 * (parameter.interval[1] - parameter.interval[0]) / parameter.value if parameter.value else None
+    return f"{show(parameter.value)} ± {percent(half, 1, False)}"

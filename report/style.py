@@ -1,0 +1,75 @@
+"""One look for every figure: colour-blind safe (Okabe-Ito), thin axes, units on axes, no chart junk."""
+import base64
+import os
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
+
+from .errors import IoError  # noqa: E402
+
+INK, MUTED, FAINT, PAPER = "#1c2733", "#66727f", "#dde3e8", "#ffffff"
+FE, FITTED, PUBLISHED, RIM = "#0b4f8a", "#d55e00", "#7a8793", "#a3123a"
+BLUE, SKY, GREEN, YELLOW, PURPLE = "#0072b2", "#56b4e9", "#009e73", "#e3b505", "#a8568c"
+ENERGY = {"kinetic": BLUE, "gravity": SKY, "elastic": YELLOW, "contact": "#b8c1c9", "friction": GREEN,
+          "impact": PURPLE, "plastic": FITTED, "integrator": INK}
+CYCLE = [FE, FITTED, GREEN, PURPLE, SKY, YELLOW, INK, PUBLISHED]
+WIDTH = 7.2  # of a full-width figure [inch], the text block of an A4 page
+DPI = 200
+
+plt.rcParams.update({
+    "figure.dpi": DPI, "savefig.dpi": DPI, "figure.facecolor": PAPER, "savefig.facecolor": PAPER,
+    "font.family": "sans-serif", "font.sans-serif": ["DejaVu Sans"], "font.size": 7.5, "mathtext.fontset": "dejavusans",
+    "axes.titlesize": 8, "axes.titleweight": "bold", "axes.titlelocation": "left", "axes.titlecolor": INK,
+    "axes.labelsize": 7.5, "axes.labelcolor": INK, "axes.edgecolor": MUTED, "axes.linewidth": 0.6,
+    "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "axes.axisbelow": True,
+    "axes.prop_cycle": plt.cycler(color=CYCLE), "axes.unicode_minus": True,
+    "grid.color": FAINT, "grid.linewidth": 0.5,
+    "xtick.color": MUTED, "ytick.color": MUTED, "xtick.labelcolor": INK, "ytick.labelcolor": INK,
+    "xtick.labelsize": 7, "ytick.labelsize": 7, "xtick.major.width": 0.6, "ytick.major.width": 0.6,
+    "xtick.major.size": 2.5, "ytick.major.size": 2.5,
+    "legend.frameon": False, "legend.fontsize": 7, "legend.handlelength": 1.8,
+    "lines.linewidth": 1.2, "lines.solid_capstyle": "round", "text.color": INK,
+})
+
+
+def line_of(role):
+    """Line style of a model in overlays: the reference thick below, the fitted thin above, the published dashed."""
+    return {"fe": dict(color=FE, lw=1.9, zorder=2), "fitted": dict(color=FITTED, lw=1.0, zorder=4),
+            "published": dict(color=PUBLISHED, lw=0.9, ls=(0, (4, 1.6)), zorder=3)}[role]
+
+
+def figure(rows, columns, height, width=WIDTH, **options):
+    return plt.subplots(rows, columns, figsize=(width, height), layout="constrained", squeeze=False, **options)
+
+
+def shared_legend(fig, axes, n_columns=4):
+    """One legend above all panels, from the first axes that has entries."""
+    for ax in axes:
+        handles, labels = ax.get_legend_handles_labels()
+        if handles:
+            fig.legend(handles, labels, loc="outside upper left", ncols=n_columns)
+            return
+
+
+def save(fig, path):
+    """Writes beside the final name and renames, so that a full disk keeps the earlier picture."""
+    try:
+        os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
+        fig.savefig(path + ".part", format="png", pil_kwargs={"compress_level": 6})
+        os.replace(path + ".part", path)
+    except OSError as error:
+        raise IoError(f"cannot write {path}: {error.strerror or error}") from None
+    finally:
+        plt.close(fig)
+    return path
+
+
+def embedded(path):
+    """A PNG file as a data address, so that the report needs no other file."""
+    try:
+        with open(path, "rb") as file:
+            return "data:image/png;base64," + base64.b64encode(file.read()).decode()
+    except OSError as error:
+        raise IoError(f"cannot read {path}: {error.strerror}") from None
