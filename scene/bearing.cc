@@ -54,6 +54,8 @@ double tilt(const Bearing &bearing, double travel) {
   return std::atan(make_surface(bearing.surface)->at(travel, 0).gradient.x());
 }
 
-double lift(const Bearing &bearing, double travel) { return make_surface(bearing.surface)->at(travel, 0).z; }
+double lift(const Bearing &bearing, double travel) {
+  return make_surface(bearing.surface)->at(travel, 0).z;
+}
 
 } // namespace rimpact::scene

@@ -7,10 +7,12 @@ namespace rimpact::scene {
 namespace {
 
 /// The thesis's SH-FPS: R0 = 2.25 m, a = R0/4.
-Bearing shfps_225() { return {}; }
+Bearing shfps_225() {
+  return {};
+}
 
-/// Its spherical sibling (a = R0): same capacity, slider, foot and pad. The dish's edge lies lower, so the rim is
-/// higher for the same overlap with the slider's wall, and the pad is shaped to the dish.
+/// Its spherical sibling (a = R0): same capacity, slider, foot and pad. The dish's edge lies lower, so the
+/// rim is higher for the same overlap with the slider's wall, and the pad is shaped to the dish.
 Bearing fps_225() {
   Bearing b;
   b.name = "fps-225";

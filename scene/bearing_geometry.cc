@@ -12,7 +12,9 @@ template <class... Values>
 void require(bool good, fmt::format_string<Values...> sentence, Values &&...values) {
   if (!good) throw InputError(fmt::format(sentence, std::forward<Values>(values)...));
 }
-double mm(double metres) { return std::round(metres * 1e6) / 1e3; } // shown to a micrometre
+double mm(double metres) {
+  return std::round(metres * 1e6) / 1e3;
+} // shown to a micrometre
 
 void check_materials(const Bearing &b) {
   const auto check = [](const char *name, const Material &m) {
@@ -29,7 +31,8 @@ void check_materials(const Bearing &b) {
 void check_dish(const Bearing &b) {
   const auto &s = b.surface;
   const double limit = make_surface(s)->limit_radius();
-  require(s.planar_radius < limit, "surface.planar_radius_mm {} mm reaches beyond the {}, which ends at {} mm ({})",
+  require(s.planar_radius < limit,
+          "surface.planar_radius_mm {} mm reaches beyond the {}, which ends at {} mm ({})",
           mm(s.planar_radius), s.kind, mm(limit), s.kind == "ellipse" ? "a_m" : "R0_m");
   require(b.lateral_capacity() > 0,
           "slider.diameter_mm {} mm leaves no travel in a rim of radius {} mm: L_c = {} mm must be > 0",
@@ -39,50 +42,67 @@ void check_dish(const Bearing &b) {
 void check_slider(const Bearing &b) {
   const auto &s = b.slider;
   const double cap = b.foot.cap_radius, radius = s.diameter / 2;
-  require(s.bottom < s.top, "slider.top_mm {} mm must lie above slider.bottom_mm {} mm", mm(s.top), mm(s.bottom));
-  require(cap > s.bottom, "foot.cap_radius_mm {} mm does not reach slider.bottom_mm {} mm: there is no socket", mm(cap),
+  require(s.bottom < s.top, "slider.top_mm {} mm must lie above slider.bottom_mm {} mm", mm(s.top),
           mm(s.bottom));
-  require(cap < s.top, "slider.top_mm {} mm must lie above the socket's apex at foot.cap_radius_mm {} mm", mm(s.top),
-          mm(cap));
+  require(cap > s.bottom,
+          "foot.cap_radius_mm {} mm does not reach slider.bottom_mm {} mm: there is no socket", mm(cap),
+          mm(s.bottom));
+  require(cap < s.top, "slider.top_mm {} mm must lie above the socket's apex at foot.cap_radius_mm {} mm",
+          mm(s.top), mm(cap));
   const double opening = std::sqrt(cap * cap - s.bottom * s.bottom);
-  require(opening < radius, "slider.diameter_mm {} mm is too small for its socket, {} mm wide at the bottom plane",
+  require(opening < radius,
+          "slider.diameter_mm {} mm is too small for its socket, {} mm wide at the bottom plane",
           mm(s.diameter), mm(2 * opening));
   require(s.edge_radius < radius - opening,
           "slider.edge_radius_mm {} mm must be below the {} mm left between the socket and the slider's wall",
           mm(s.edge_radius), mm(radius - opening));
-  require(s.edge_radius < s.top - s.bottom, "slider.edge_radius_mm {} mm must be below the slider's height {} mm",
-          mm(s.edge_radius), mm(s.top - s.bottom));
+  require(s.edge_radius < s.top - s.bottom,
+          "slider.edge_radius_mm {} mm must be below the slider's height {} mm", mm(s.edge_radius),
+          mm(s.top - s.bottom));
 }
 
 void check_foot_and_pad(const Bearing &b) {
   const auto &f = b.foot;
   const auto &p = b.pad;
-  require(f.radius < f.cap_radius, "foot.radius_mm {} mm must be below foot.cap_radius_mm {} mm: the foot is wider than "
-          "its cap", mm(f.radius), mm(f.cap_radius));
+  require(f.radius < f.cap_radius,
+          "foot.radius_mm {} mm must be below foot.cap_radius_mm {} mm: the foot is wider than "
+          "its cap",
+          mm(f.radius), mm(f.cap_radius));
   require(f.bottom < f.shoulder, "foot.shoulder_mm {} mm must lie above foot.bottom_mm {} mm", mm(f.shoulder),
           mm(f.bottom));
-  require(f.shoulder < f.cap_radius, "foot.shoulder_mm {} mm must lie below the cap's apex at {} mm", mm(f.shoulder),
-          mm(f.cap_radius));
+  require(f.shoulder < f.cap_radius, "foot.shoulder_mm {} mm must lie below the cap's apex at {} mm",
+          mm(f.shoulder), mm(f.cap_radius));
   const double cap_at_shoulder = std::sqrt(f.cap_radius * f.cap_radius - f.shoulder * f.shoulder);
-  require(cap_at_shoulder <= f.radius, "foot.radius_mm {} mm is narrower than its cap, {} mm at foot.shoulder_mm {} mm",
-          mm(f.radius), mm(cap_at_shoulder), mm(f.shoulder));
-  require(p.inner_radius < p.outer_radius, "pad.inner_radius_mm {} mm must be below pad.outer_radius_mm {} mm",
-          mm(p.inner_radius), mm(p.outer_radius));
-  require(p.outer_radius < f.radius, "pad.outer_radius_mm {} mm must be below foot.radius_mm {} mm: the pad is wider "
-          "than the foot", mm(p.outer_radius), mm(f.radius));
+  require(cap_at_shoulder <= f.radius,
+          "foot.radius_mm {} mm is narrower than its cap, {} mm at foot.shoulder_mm {} mm", mm(f.radius),
+          mm(cap_at_shoulder), mm(f.shoulder));
+  require(p.inner_radius < p.outer_radius,
+          "pad.inner_radius_mm {} mm must be below pad.outer_radius_mm {} mm", mm(p.inner_radius),
+          mm(p.outer_radius));
+  require(p.outer_radius < f.radius,
+          "pad.outer_radius_mm {} mm must be below foot.radius_mm {} mm: the pad is wider "
+          "than the foot",
+          mm(p.outer_radius), mm(f.radius));
   require(p.recess < p.thickness, "pad.recess_mm {} mm must be below pad.thickness_mm {} mm", mm(p.recess),
           mm(p.thickness));
   require(std::abs(p.thickness - p.recess - f.bottom) < 1e-6,
-          "foot.bottom_mm {} mm must equal pad.thickness_mm - pad.recess_mm = {} mm: the pad's face passes through the "
-          "vertex", mm(f.bottom), mm(p.thickness - p.recess));
+          "foot.bottom_mm {} mm must equal pad.thickness_mm - pad.recess_mm = {} mm: the pad's face passes "
+          "through the "
+          "vertex",
+          mm(f.bottom), mm(p.thickness - p.recess));
   require(p.outer_radius < p.shape_radius, "pad.shape_radius_mm {} mm must exceed pad.outer_radius_mm {} mm",
           mm(p.shape_radius), mm(p.outer_radius));
-  const double rise = p.shape_radius - std::sqrt(p.shape_radius * p.shape_radius - p.outer_radius * p.outer_radius);
-  require(rise < f.bottom, "pad.shape_radius_mm {} mm raises the pad's face by {} mm at its edge, above foot.bottom_mm "
-          "{} mm", mm(p.shape_radius), mm(rise), mm(f.bottom));
+  const double rise =
+      p.shape_radius - std::sqrt(p.shape_radius * p.shape_radius - p.outer_radius * p.outer_radius);
+  require(rise < f.bottom,
+          "pad.shape_radius_mm {} mm raises the pad's face by {} mm at its edge, above foot.bottom_mm "
+          "{} mm",
+          mm(p.shape_radius), mm(rise), mm(f.bottom));
   const double seat_corner = std::hypot(p.outer_radius, p.thickness);
-  require(seat_corner < f.cap_radius, "pad.recess_mm {} mm cuts through the cap: the seat's corner is {} mm from the "
-          "cap's centre, foot.cap_radius_mm is {} mm", mm(p.recess), mm(seat_corner), mm(f.cap_radius));
+  require(seat_corner < f.cap_radius,
+          "pad.recess_mm {} mm cuts through the cap: the seat's corner is {} mm from the "
+          "cap's centre, foot.cap_radius_mm is {} mm",
+          mm(p.recess), mm(seat_corner), mm(f.cap_radius));
 }
 
 /// Clearances at one travel; the foot tilts with the surface, the upper slider does not.
@@ -95,17 +115,21 @@ public:
     const double slope = std::atan(here.gradient.x()), c = std::cos(slope), s = std::sin(slope);
     const double bottom = b_.slider.bottom + here.z, reach = travel + b_.slider.diameter / 2;
     require(bottom > height(reach),
-            "slider.bottom_mm {} mm: at a travel of {} mm the slider's bottom, at z = {} mm, meets the dish at z = {} mm",
+            "slider.bottom_mm {} mm: at a travel of {} mm the slider's bottom, at z = {} mm, meets the dish "
+            "at z = {} mm",
             mm(b_.slider.bottom), mm(travel), mm(bottom), mm(height(reach)));
     const double pad_edge = travel + b_.pad.outer_radius * c;
     require(pad_edge < b_.surface.planar_radius,
-            "pad.outer_radius_mm {} mm: at a travel of {} mm the pad reaches {} mm, past the dish's edge at {} mm",
+            "pad.outer_radius_mm {} mm: at a travel of {} mm the pad reaches {} mm, past the dish's edge at "
+            "{} mm",
             mm(b_.pad.outer_radius), mm(travel), mm(pad_edge), mm(b_.surface.planar_radius));
     const double shoulder = b_.foot.radius * s + b_.foot.shoulder * c;
     require(shoulder < b_.slider.bottom,
-            "foot.shoulder_mm {} mm: tilted by {:.1f} deg at a travel of {} mm the shoulder rises to {} mm and meets the "
-            "slider's bottom plane at {} mm", mm(b_.foot.shoulder), slope * 180 / std::numbers::pi, mm(travel),
-            mm(shoulder), mm(b_.slider.bottom));
+            "foot.shoulder_mm {} mm: tilted by {:.1f} deg at a travel of {} mm the shoulder rises to {} mm "
+            "and meets the "
+            "slider's bottom plane at {} mm",
+            mm(b_.foot.shoulder), slope * 180 / std::numbers::pi, mm(travel), mm(shoulder),
+            mm(b_.slider.bottom));
     for (int i = 0; i <= 12; ++i) check_foot(travel, here.z, c, s, std::numbers::pi * i / 12);
   }
   double height(double radius) const { return surface_->at(std::min(radius, b_.surface.planar_radius), 0).z; }
@@ -116,11 +140,13 @@ private:
     const double along = b_.foot.radius * std::cos(azimuth), across = b_.foot.radius * std::sin(azimuth);
     const double x = travel + along * c - b_.foot.bottom * s, z = lifted + along * s + b_.foot.bottom * c;
     const double radius = std::hypot(x, across);
-    require(radius < b_.surface.planar_radius + b_.rim.ledge,
-            "foot.radius_mm {} mm: at a travel of {} mm the foot reaches {} mm and meets the rim's wall at {} mm",
-            mm(b_.foot.radius), mm(travel), mm(radius), mm(b_.surface.planar_radius + b_.rim.ledge));
+    require(
+        radius < b_.surface.planar_radius + b_.rim.ledge,
+        "foot.radius_mm {} mm: at a travel of {} mm the foot reaches {} mm and meets the rim's wall at {} mm",
+        mm(b_.foot.radius), mm(travel), mm(radius), mm(b_.surface.planar_radius + b_.rim.ledge));
     require(z > height(radius),
-            "foot.bottom_mm {} mm: at a travel of {} mm the foot's lower edge, at z = {} mm, meets the dish at z = {} mm",
+            "foot.bottom_mm {} mm: at a travel of {} mm the foot's lower edge, at z = {} mm, meets the dish "
+            "at z = {} mm",
             mm(b_.foot.bottom), mm(travel), mm(z), mm(height(radius)));
   }
   const Bearing &b_;
@@ -130,11 +156,14 @@ private:
 void check_rim(const Bearing &b, const Clearance &clearance) {
   const double top = clearance.height(b.surface.planar_radius) + b.rim.height;
   const double bottom = b.slider.bottom + clearance.height(b.lateral_capacity());
-  require(top > bottom, "rim.height_mm {} mm leaves the rim's top at z = {} mm, below the slider's bottom at {} mm when "
-          "it touches", mm(b.rim.height), mm(top), mm(bottom));
-  require(top > bottom + b.slider.edge_radius, "rim.height_mm {} mm leaves the rim's top at z = {} mm: it meets only the "
-          "rounded edge of the slider, which ends at {} mm when it touches", mm(b.rim.height), mm(top),
-          mm(bottom + b.slider.edge_radius));
+  require(top > bottom,
+          "rim.height_mm {} mm leaves the rim's top at z = {} mm, below the slider's bottom at {} mm when "
+          "it touches",
+          mm(b.rim.height), mm(top), mm(bottom));
+  require(top > bottom + b.slider.edge_radius,
+          "rim.height_mm {} mm leaves the rim's top at z = {} mm: it meets only the "
+          "rounded edge of the slider, which ends at {} mm when it touches",
+          mm(b.rim.height), mm(top), mm(bottom + b.slider.edge_radius));
 }
 
 } // namespace

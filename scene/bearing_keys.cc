@@ -28,7 +28,8 @@ void visit_foot_and_pad(KeyVisitor &v, Bearing &b) {
   });
   v.section("foot", [&] {
     v.number({"radius_mm", "", assumption}, b.foot.radius, milli, length_mm);
-    v.number({"bottom_mm", "flat bottom above the vertex at rest", assumption}, b.foot.bottom, milli, size_mm);
+    v.number({"bottom_mm", "flat bottom above the vertex at rest", assumption}, b.foot.bottom, milli,
+             size_mm);
     v.number({"shoulder_mm", "where its cap begins", assumption}, b.foot.shoulder, milli, length_mm);
     v.number({"cap_radius_mm", "spherical cap, centred on the middle of the sliding face", assumption},
              b.foot.cap_radius, milli, length_mm);
@@ -41,19 +42,23 @@ void visit(KeyVisitor &v, Bearing &b) {
   v.section("surface", [&] {
     v.choice({"kind", "ellipse | sphere"}, b.surface.kind, surface_kind_names());
     v.number({"R0_m", "radius of curvature at the vertex"}, b.surface.R0, si, length_m);
-    if (v.wants(b.surface.kind == "ellipse")) v.number({"a_m", "half-width of the ellipse"}, b.surface.a, si, length_m);
+    if (v.wants(b.surface.kind == "ellipse"))
+      v.number({"a_m", "half-width of the ellipse"}, b.surface.a, si, length_m);
     v.number({"planar_radius_mm", "the dish's edge"}, b.surface.planar_radius, milli, length_mm);
   });
   v.section("slider", [&] {
     v.number({"diameter_mm"}, b.slider.diameter, milli, length_mm);
-    v.number({"bottom_mm", "bottom plane above the vertex at rest", assumption}, b.slider.bottom, milli, length_mm);
+    v.number({"bottom_mm", "bottom plane above the vertex at rest", assumption}, b.slider.bottom, milli,
+             length_mm);
     v.number({"top_mm", "top plane above the vertex at rest", assumption}, b.slider.top, milli, length_mm);
-    v.number({"edge_radius_mm", "rounding of the lower edge", assumption}, b.slider.edge_radius, milli, size_mm);
+    v.number({"edge_radius_mm", "rounding of the lower edge", assumption}, b.slider.edge_radius, milli,
+             size_mm);
   });
   v.section("rim", [&] {
     v.number({"height_mm", "above the dish's edge", assumption}, b.rim.height, milli, length_mm);
     v.number({"thickness_mm", "radial", assumption}, b.rim.thickness, milli, length_mm);
-    v.number({"ledge_mm", "flat step between the dish's edge and the wall", assumption}, b.rim.ledge, milli, size_mm);
+    v.number({"ledge_mm", "flat step between the dish's edge and the wall", assumption}, b.rim.ledge, milli,
+             size_mm);
   });
   v.section("plate", [&] {
     v.number({"base_mm", "bottom plane below the vertex", assumption}, b.plate.base, milli, length_mm);

@@ -27,7 +27,9 @@ bool has_ricker(const Excitation &e) {
 struct PushPhases {
   double touch, pressed;
 };
-PushPhases push_phases(const Excitation &e) { return e.unload ? PushPhases{0.2, 0.6} : PushPhases{0.3, 1.0}; }
+PushPhases push_phases(const Excitation &e) {
+  return e.unload ? PushPhases{0.2, 0.6} : PushPhases{0.3, 1.0};
+}
 
 } // namespace
 
@@ -45,17 +47,26 @@ bool Excitation::is_dynamic() const {
          kind == ExcitationKind::window;
 }
 
-Eigen::Vector2d Excitation::direction() const { return unit_vector(direction_deg); }
+Eigen::Vector2d Excitation::direction() const {
+  return unit_vector(direction_deg);
+}
 
 std::string to_string(ExcitationKind kind) {
   switch (kind) {
-  case ExcitationKind::ricker: return "ricker";
-  case ExcitationKind::cyclic: return "cyclic";
-  case ExcitationKind::figure_eight: return "figure-eight";
-  case ExcitationKind::push: return "push";
-  case ExcitationKind::window: return "window";
-  case ExcitationKind::record: return "record";
-  case ExcitationKind::free: return "free";
+  case ExcitationKind::ricker:
+    return "ricker";
+  case ExcitationKind::cyclic:
+    return "cyclic";
+  case ExcitationKind::figure_eight:
+    return "figure-eight";
+  case ExcitationKind::push:
+    return "push";
+  case ExcitationKind::window:
+    return "window";
+  case ExcitationKind::record:
+    return "record";
+  case ExcitationKind::free:
+    return "free";
   }
   return "unknown";
 }
@@ -91,19 +102,24 @@ Eigen::Vector3d GroundMotion::acceleration(double t) const {
 Eigen::Vector2d prescribed_displacement(const Excitation &e, double lateral_capacity, double parameter) {
   const double s = std::clamp(parameter, 0.0, 1.0), angle = 2 * pi * e.cycles * s;
   switch (e.kind) {
-  case ExcitationKind::cyclic: return e.scale * e.amplitude * std::sin(angle) * e.direction();
+  case ExcitationKind::cyclic:
+    return e.scale * e.amplitude * std::sin(angle) * e.direction();
   case ExcitationKind::figure_eight:
     return e.scale * e.amplitude * Eigen::Vector2d(std::sin(angle), std::sin(2 * angle));
   case ExcitationKind::push: {
     const auto [touch, pressed] = push_phases(e);
     const double travel = e.scale * e.travel, ease = travel * push_clearance;
     double u = 0;
-    if (s <= touch) u = lateral_capacity * s / touch;
-    else if (s <= pressed) u = lateral_capacity + travel * (s - touch) / (pressed - touch);
-    else u = lateral_capacity + travel - (travel + ease) * (s - pressed) / (1 - pressed);
+    if (s <= touch)
+      u = lateral_capacity * s / touch;
+    else if (s <= pressed)
+      u = lateral_capacity + travel * (s - touch) / (pressed - touch);
+    else
+      u = lateral_capacity + travel - (travel + ease) * (s - pressed) / (1 - pressed);
     return u * e.direction();
   }
-  default: return Eigen::Vector2d::Zero();
+  default:
+    return Eigen::Vector2d::Zero();
   }
 }
 

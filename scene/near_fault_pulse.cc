@@ -1,7 +1,8 @@
 /// The built-in two-component near-fault motion: velocity pulses of Mavroeidis and Papageorgiou (2003),
-///   v(t) = A/2 [1 + cos(w tau / gamma)] cos(w tau + nu),  w = 2 pi f_p,  |tau| = |t - t0| <= gamma / (2 f_p),
-/// differentiated. Amplitudes are our choice: large enough that shfps-225 (853 kN, mu = 0.07) meets its rim at about
-/// 0.3 m/s, well past the grazing amplitude, obliquely (near 195 deg), and then on other sides.
+///   v(t) = A/2 [1 + cos(w tau / gamma)] cos(w tau + nu),  w = 2 pi f_p,  |tau| = |t - t0| <= gamma / (2
+///   f_p),
+/// differentiated. Amplitudes are our choice: large enough that shfps-225 (853 kN, mu = 0.07) meets its rim
+/// at about 0.3 m/s, well past the grazing amplitude, obliquely (near 195 deg), and then on other sides.
 #include "scene/error.h"
 #include "scene/record.h"
 #include "scene/text.h"
@@ -25,13 +26,15 @@ struct VelocityPulse {
   double acceleration(double t) const {
     const double tau = t - centre, w = 2 * pi * frequency;
     if (std::abs(tau) >= cycles / (2 * frequency)) return 0;
-    const double envelope = 1 + std::cos(w * tau / cycles), d_envelope = -w / cycles * std::sin(w * tau / cycles);
-    return amplitude / 2 * (d_envelope * std::cos(w * tau + phase) - envelope * w * std::sin(w * tau + phase));
+    const double envelope = 1 + std::cos(w * tau / cycles),
+                 d_envelope = -w / cycles * std::sin(w * tau / cycles);
+    return amplitude / 2 *
+           (d_envelope * std::cos(w * tau + phase) - envelope * w * std::sin(w * tau + phase));
   }
 };
 // The catalogue: one line a record.
 constexpr std::array pulses{
-    VelocityPulse{"builtin:near-fault-x", 1.1, 0.5, 1.6, 0.0, 3.0},     // fault normal: one strong reversal
+    VelocityPulse{"builtin:near-fault-x", 1.1, 0.5, 1.6, 0.0, 3.0},      // fault normal: one strong reversal
     VelocityPulse{"builtin:near-fault-y", 0.495, 0.8, 1.5, pi / 2, 3.2}, // fault parallel
 };
 constexpr double step = 0.01;
@@ -39,7 +42,9 @@ constexpr std::size_t n_samples = 601; // 6 s: both pulses are over at 4.6 s
 
 } // namespace
 
-bool is_builtin_record(const std::string &name) { return name.starts_with("builtin:"); }
+bool is_builtin_record(const std::string &name) {
+  return name.starts_with("builtin:");
+}
 
 SampledSignal builtin_record(const std::string &name) {
   std::vector<std::string> names;
@@ -47,7 +52,8 @@ SampledSignal builtin_record(const std::string &name) {
     names.emplace_back(pulse.name);
     if (name != pulse.name) continue;
     SampledSignal record{step, std::vector<double>(n_samples)};
-    for (std::size_t i = 0; i < n_samples; ++i) record.values[i] = pulse.acceleration(static_cast<double>(i) * step);
+    for (std::size_t i = 0; i < n_samples; ++i)
+      record.values[i] = pulse.acceleration(static_cast<double>(i) * step);
     return record;
   }
   throw InputError("record " + not_among(name, names));

@@ -73,7 +73,8 @@ std::string file_number(double value, Unit unit) {
   if (!std::isfinite(value)) return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
   const double raw = unit.from_si(value);
   std::string best;
-  // The product itself may carry a rounding (0.07019 m * 1000 = 70.19000000000001): its neighbours are tried too.
+  // The product itself may carry a rounding (0.07019 m * 1000 = 70.19000000000001): its neighbours are tried
+  // too.
   for (const double candidate : {raw, std::nextafter(raw, -huge), std::nextafter(raw, huge)}) {
     std::string text = fmt::format("{}", candidate);
     if (unit.to_si(candidate) == value && (best.empty() || text.size() < best.size())) best = text;

@@ -12,7 +12,9 @@ namespace rimpact::scene {
 namespace {
 
 /// Integral of the square of a linear segment from a to b over dt.
-double square_integral(double a, double b, double dt) { return dt * (a * a + a * b + b * b) / 3; }
+double square_integral(double a, double b, double dt) {
+  return dt * (a * a + a * b + b * b) / 3;
+}
 
 /// Time between 5 % and 95 % of the growth of int a^2 dt, linear within a sample.
 double significant_duration(const SampledSignal &record, double total) {

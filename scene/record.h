@@ -10,7 +10,7 @@ namespace rimpact::scene {
 inline constexpr double standard_gravity = 9.80665;
 
 /// What is in a record (verb `motion`). Velocity and displacement by exact integration of the piecewise linear
-/// acceleration from rest, without baseline correction. Arias = pi/(2g) int a^2 dt; D5-95 between its 5 and 95 %.
+/// acceleration from rest, without baseline correction. Arias = pi/(2g) int a^2 dt (trapezoidal); D5-95 between its 5 and 95 %.
 struct RecordInfo {
   std::size_t npts;
   double dt;        ///< [s]

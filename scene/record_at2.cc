@@ -10,7 +10,9 @@
 namespace rimpact::scene {
 namespace {
 
-bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
+bool is_digit(char c) {
+  return std::isdigit(static_cast<unsigned char>(c)) != 0;
+}
 
 /// Reads one Fortran number from the front of `text` and drops it: 1.2, .5, -.3780051E-03, 1.2D-03, 1.2-103.
 /// Numbers may touch (fixed columns): a sign ends a number unless it opens an exponent.
@@ -48,7 +50,8 @@ std::optional<double> take_number(std::string_view &text) {
 }
 
 std::string_view skip_blanks(std::string_view text) {
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == ',')) text.remove_prefix(1);
+  while (!text.empty() && (text.front() == ' ' || text.front() == '\t' || text.front() == ','))
+    text.remove_prefix(1);
   return text;
 }
 
@@ -66,8 +69,8 @@ std::optional<double> number_after(const std::string &line, std::string_view nam
 
 struct Header {
   double npts = 0, dt = 0;
-  double unit = 0;            ///< [m/s^2]
-  std::size_t data_line = 0;  ///< index of the first line of values
+  double unit = 0;           ///< [m/s^2]
+  std::size_t data_line = 0; ///< index of the first line of values
 };
 
 /// Metres per second squared of the units named in a header line; velocity and displacement are refused.
@@ -85,11 +88,12 @@ std::optional<double> unit_of(const std::string &line, const std::string &where,
   if (starts("CM/S/S") || starts("CM/SEC/SEC") || starts("CM/S**2") || starts("CM/S2") || starts("CM/SEC2") ||
       starts("GAL"))
     return 0.01;
-  if (starts("M/S/S") || starts("M/SEC/SEC") || starts("M/S**2") || starts("M/S2") || starts("M/SEC2")) return 1.0;
+  if (starts("M/S/S") || starts("M/SEC/SEC") || starts("M/S**2") || starts("M/S2") || starts("M/SEC2"))
+    return 1.0;
   if (name == "G" || (starts("G") && name.size() > 1 && !std::isalpha(static_cast<unsigned char>(name[1]))))
     return gravity;
-  throw DataError(fmt::format("{}: the unit \"{}\" of the acceleration is not known (G, CM/S/S, M/S/S)", where,
-                              name.substr(0, 40)));
+  throw DataError(fmt::format("{}: the unit \"{}\" of the acceleration is not known (G, CM/S/S, M/S/S)",
+                              where, name.substr(0, 40)));
 }
 
 /// NPTS and DT of a line, as "NPTS= 2000, DT= .0200 SEC" or "2000 .0200 NPTS, DT".
@@ -142,15 +146,15 @@ SampledSignal parse_at2(const std::string &text, const std::string &path, double
       const std::string_view shown = rest.substr(0, rest.find_first_of(" \t,")).substr(0, 40);
       const auto value = take_number(rest);
       if (!value || !std::isfinite(*value))
-        throw DataError(fmt::format("{}:{}: \"{}\" is not a finite number ({} of {} values read)", path, i + 1, shown,
-                                    record.values.size(), expected));
+        throw DataError(fmt::format("{}:{}: \"{}\" is not a finite number ({} of {} values read)", path,
+                                    i + 1, shown, record.values.size(), expected));
       record.values.push_back(*value * header.unit);
       rest = skip_blanks(rest);
     }
   }
   if (record.values.size() < expected)
-    throw DataError(fmt::format("{}: truncated: {} values found, NPTS promises {}", path, record.values.size(),
-                                expected));
+    throw DataError(fmt::format("{}: truncated: {} values found, NPTS promises {}", path,
+                                record.values.size(), expected));
   return record;
 }
 

@@ -22,8 +22,8 @@ Columns read_header(std::string_view line, const std::string &where, double grav
     ++columns.count;
   }
   if (columns.time == std::string::npos || columns.acceleration == std::string::npos)
-    throw DataError(fmt::format("{}: the header must be \"time_s,acceleration_g\" or \"time_s,acceleration_m_per_s2\"",
-                                where));
+    throw DataError(fmt::format(
+        "{}: the header must be \"time_s,acceleration_g\" or \"time_s,acceleration_m_per_s2\"", where));
   return columns;
 }
 
@@ -36,13 +36,14 @@ double finite(std::string_view cell, const std::string &where) {
 
 /// The sampling interval of instants that are uniform to 5 % of it (files round their times).
 double uniform_step(const std::vector<double> &time, const std::string &path) {
-  if (time.size() < 2) throw DataError(fmt::format("{}: {} samples, at least 2 are needed", path, time.size()));
+  if (time.size() < 2)
+    throw DataError(fmt::format("{}: {} samples, at least 2 are needed", path, time.size()));
   const double dt = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   if (!(dt > 0)) throw DataError(fmt::format("{}: time must grow; its mean step is {} s", path, dt));
   for (std::size_t i = 0; i < time.size(); ++i)
     if (!(std::abs(time[i] - time.front() - static_cast<double>(i) * dt) < 0.05 * dt))
-      throw DataError(fmt::format("{}: sample {} at {} s: the sampling is not uniform (mean step {} s)", path, i + 1,
-                                  time[i], dt));
+      throw DataError(fmt::format("{}: sample {} at {} s: the sampling is not uniform (mean step {} s)", path,
+                                  i + 1, time[i], dt));
   return dt;
 }
 

@@ -60,7 +60,9 @@ const std::vector<SignalInfo> &known_signals() {
   return signals;
 }
 
-void Response::append(const std::string &name, double value) { series(name).push_back(value); }
+void Response::append(const std::string &name, double value) {
+  series(name).push_back(value);
+}
 
 std::vector<double> &Response::series(const std::string &name) {
   const auto found = series_.find(name);
@@ -83,19 +85,24 @@ std::size_t Response::size() const {
 void Response::check() const {
   for (const auto &[name, values] : series_) {
     if (values.size() != size())
-      throw std::logic_error(fmt::format("signal {} has {} values, time has {}", name, values.size(), size()));
+      throw std::logic_error(
+          fmt::format("signal {} has {} values, time has {}", name, values.size(), size()));
     for (std::size_t i = 0; i < values.size(); ++i)
-      if (!std::isfinite(values[i])) throw std::logic_error(fmt::format("signal {}, value {}: {}", name, i, values[i]));
+      if (!std::isfinite(values[i]))
+        throw std::logic_error(fmt::format("signal {}, value {}: {}", name, i, values[i]));
   }
 }
 
-void write_text(const std::string &text, const std::string &path) { write_atomically(text, path); }
+void write_text(const std::string &text, const std::string &path) {
+  write_atomically(text, path);
+}
 
 namespace {
 
 /// What a file must satisfy, whoever wrote it.
 void check_read(const Response &response, const std::string &path) {
-  if (!response.has("time") || response.size() == 0) throw DataError(fmt::format("{}: holds no instants", path));
+  if (!response.has("time") || response.size() == 0)
+    throw DataError(fmt::format("{}: holds no instants", path));
   for (const char *name : {"displacement_x", "displacement_y", "force_x", "force_y"})
     if (!response.has(name)) throw DataError(fmt::format("{}: the signal \"{}\" is missing", path, name));
   try {
@@ -106,7 +113,8 @@ void check_read(const Response &response, const std::string &path) {
   const auto &time = response.series("time");
   for (std::size_t i = 1; i < time.size(); ++i)
     if (time[i] < time[i - 1])
-      throw DataError(fmt::format("{}: time falls from {} s to {} s at instant {}", path, time[i - 1], time[i], i));
+      throw DataError(
+          fmt::format("{}: time falls from {} s to {} s at instant {}", path, time[i - 1], time[i], i));
 }
 
 } // namespace
@@ -118,7 +126,8 @@ Response read_response(const std::string &where) {
   if (fs::is_directory(where, ignored)) {
     path = (fs::path(where) / "response.h5").string();
     if (!fs::exists(path, ignored)) path = (fs::path(where) / "response.csv").string();
-    if (!fs::exists(path, ignored)) throw DataError(fmt::format("{}: holds no response.h5 and no response.csv", where));
+    if (!fs::exists(path, ignored))
+      throw DataError(fmt::format("{}: holds no response.h5 and no response.csv", where));
   }
   const std::string bytes = read_file(path);
   // HDF5 is known by its signature, whatever the file is called.

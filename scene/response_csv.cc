@@ -1,6 +1,7 @@
-/// CSV: time_s,ux_m,uy_m,uz_m,Fx_N,Fy_N,Fz_N,Ix_N,Iy_N,gap_m. The reader also takes files of laboratories: columns
-/// in any order, more columns, `;` or tabs, mm, cm, kN, MN, ms in the names, comment lines (#); a planar test may
-/// leave out uy and Fy, which are then zero. velocities (vx_m_per_s, ...) are read when there.
+/// CSV: time_s,ux_m,uy_m,uz_m,Fx_N,Fy_N,Fz_N,Ix_N,Iy_N,gap_m. The reader also takes files of laboratories:
+/// columns in any order, more columns, `;` or tabs, mm, cm, kN, MN, ms in the names, comment lines (#); a
+/// planar test may leave out uy and Fy, which are then zero. velocities (vx_m_per_s, ...) are read when
+/// there.
 #include "scene/error.h"
 #include "scene/files.h"
 #include "scene/response_files.h"
@@ -37,9 +38,9 @@ struct UnitName {
   double factor;
 };
 constexpr std::array unit_names{
-    UnitName{"s", "s", 1},    UnitName{"ms", "s", 1e-3},  UnitName{"m", "m", 1},
+    UnitName{"s", "s", 1},     UnitName{"ms", "s", 1e-3}, UnitName{"m", "m", 1},
     UnitName{"cm", "m", 1e-2}, UnitName{"mm", "m", 1e-3}, UnitName{"N", "N", 1},
-    UnitName{"kN", "N", 1e3}, UnitName{"MN", "N", 1e6},   UnitName{"m_per_s", "m_per_s", 1},
+    UnitName{"kN", "N", 1e3},  UnitName{"MN", "N", 1e6},  UnitName{"m_per_s", "m_per_s", 1},
 };
 
 /// Where the values of a column go; no signal: a column of someone else's, left alone.
@@ -51,13 +52,15 @@ Target target_of(std::string_view header, const std::string &path) {
   for (const auto &column : columns) {
     const std::string prefix = std::string(column.symbol) + "_";
     if (header == column.symbol)
-      throw DataError(fmt::format("{}: column \"{}\" needs its unit, e.g. {}_{}", path, header, column.symbol, column.unit));
+      throw DataError(fmt::format("{}: column \"{}\" needs its unit, e.g. {}_{}", path, header, column.symbol,
+                                  column.unit));
     if (header.substr(0, prefix.size()) != prefix) continue;
     const auto unit = header.substr(prefix.size());
     for (const auto &known : unit_names)
-      if (unit == known.unit && std::string_view(known.base) == column.unit) return {column.signal, known.factor};
-    throw DataError(fmt::format("{}: column \"{}\": the unit is not known; use {}_{}", path, header.substr(0, 80),
-                                column.symbol, column.unit));
+      if (unit == known.unit && std::string_view(known.base) == column.unit)
+        return {column.signal, known.factor};
+    throw DataError(fmt::format("{}: column \"{}\": the unit is not known; use {}_{}", path,
+                                header.substr(0, 80), column.symbol, column.unit));
   }
   return {};
 }
@@ -67,7 +70,8 @@ char separator_of(std::string_view header) {
   return header.find(';') != std::string_view::npos ? ';' : '\t';
 }
 
-std::vector<Target> read_header(std::string_view header, char separator, Response &response, const std::string &path) {
+std::vector<Target> read_header(std::string_view header, char separator, Response &response,
+                                const std::string &path) {
   std::vector<Target> targets;
   for (auto cell : split(header, separator)) {
     cell = trim(cell);
@@ -101,7 +105,8 @@ Response parse_csv(const std::string &text, const std::string &path) {
     }
     const auto cells = split(line, separator);
     if (cells.size() < targets.size())
-      throw DataError(fmt::format("{}:{}: {} of {} columns", path, line_number, cells.size(), targets.size()));
+      throw DataError(
+          fmt::format("{}:{}: {} of {} columns", path, line_number, cells.size(), targets.size()));
     for (std::size_t i = 0; i < targets.size(); ++i) {
       if (!targets[i].signal) continue;
       const auto value = to_number(cells[i]);

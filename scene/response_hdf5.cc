@@ -1,5 +1,5 @@
-/// HDF5 through its C interface, in memory: the library never sees a full disk (after a failed write it cannot close
-/// its file), and the bytes go through the same atomic write as every other file.
+/// HDF5 through its C interface, in memory: the library never sees a full disk (after a failed write it
+/// cannot close its file), and the bytes go through the same atomic write as every other file.
 #include "scene/error.h"
 #include "scene/files.h"
 #include "scene/response_files.h"
@@ -56,19 +56,22 @@ void write_string(hid_t place, const std::string &name, const std::string &text,
   check(H5Tset_cset(type, H5T_CSET_UTF8), "string encoding");
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "text space");
   if (as_attribute) {
-    const Handle attribute(H5Acreate2(place, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose, "attribute");
+    const Handle attribute(H5Acreate2(place, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
+                           "attribute");
     check(H5Awrite(attribute, type, text.c_str()), "attribute");
     return;
   }
-  const Handle set(H5Dcreate2(place, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose, "text");
+  const Handle set(H5Dcreate2(place, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                   H5Dclose, "text");
   check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()), "text");
 }
 
 void write_signal(hid_t group, const SignalInfo &info, const std::vector<double> &values) {
   const hsize_t n = values.size();
   const Handle space(H5Screate_simple(1, &n, nullptr), H5Sclose, "space");
-  const Handle set(H5Dcreate2(group, info.name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                   H5Dclose, "dataset");
+  const Handle set(
+      H5Dcreate2(group, info.name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+      H5Dclose, "dataset");
   if (n > 0) check(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "values");
   write_string(set, "units", info.units, true);
   write_string(set, "description", info.description, true);
@@ -85,7 +88,8 @@ std::string to_bytes(const Response &response) {
   check(H5Pset_fapl_core(access, 1 << 20, false), "memory driver");
   const Handle file(H5Fcreate("response in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "file");
   {
-    const Handle group(H5Gcreate2(file, "response", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "group");
+    const Handle group(H5Gcreate2(file, "response", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
+                       "group");
     for (const auto &info : known_signals())
       if (response.has(info.name)) write_signal(group, info, response.series(info.name));
     const Handle meta(H5Gcreate2(file, "meta", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "group");
@@ -99,7 +103,9 @@ std::string to_bytes(const Response &response) {
   return bytes;
 }
 
-bool exists(hid_t place, const char *name) { return H5Lexists(place, name, H5P_DEFAULT) > 0; }
+bool exists(hid_t place, const char *name) {
+  return H5Lexists(place, name, H5P_DEFAULT) > 0;
+}
 
 std::vector<double> read_signal(hid_t group, const std::string &name) {
   const Handle set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose, "cannot be opened");
@@ -111,7 +117,8 @@ std::vector<double> read_signal(hid_t group, const std::string &name) {
   const hssize_t n = H5Sget_simple_extent_npoints(space);
   if (n < 0 || n > 200'000'000) throw std::runtime_error("has an impossible length");
   std::vector<double> values(static_cast<std::size_t>(n));
-  if (n > 0) check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "is damaged");
+  if (n > 0)
+    check(H5Dread(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "is damaged");
   return values;
 }
 
@@ -182,7 +189,8 @@ Response parse_hdf5(const std::string &bytes, const std::string &path) {
     check(H5Pset_fapl_core(access, 1 << 20, false), "memory driver");
     // The library only reads from its own copy of the image.
     check(H5Pset_file_image(access, const_cast<char *>(bytes.data()), bytes.size()), "file image");
-    const Handle file(H5Fopen("response in memory", H5F_ACC_RDONLY, access), H5Fclose, "damaged or truncated");
+    const Handle file(H5Fopen("response in memory", H5F_ACC_RDONLY, access), H5Fclose,
+                      "damaged or truncated");
     return from_image(file, path);
   } catch (const Error &) {
     throw;

@@ -15,7 +15,8 @@ std::string dump(const nlohmann::json &json) {
 
 } // namespace
 
-void write_run_folder(const std::string &folder, const Scene &scene, Response response, const Summary &summary) {
+void write_run_folder(const std::string &folder, const Scene &scene, Response response,
+                      const Summary &summary) {
   namespace fs = std::filesystem;
   std::error_code error;
   fs::create_directories(folder, error);

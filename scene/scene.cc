@@ -1,6 +1,7 @@
 #include "scene/scene.h"
 #include "scene/error.h"
 #include "scene/keys.h"
+#include <cmath>
 #include <fmt/format.h>
 
 namespace rimpact::scene {
@@ -11,7 +12,8 @@ void check_friction(const ReducedSettings &r) {
     throw InputError(fmt::format("reduced.mu_slow {} exceeds reduced.mu_fast {}", r.mu_slow, r.mu_fast));
   if (r.mu_slow != r.mu_fast && !(r.rate > 0))
     throw InputError(fmt::format("reduced.rate_s_per_m {} must be > 0 when reduced.mu_slow {} differs from "
-                                 "reduced.mu_fast {}", r.rate, r.mu_slow, r.mu_fast));
+                                 "reduced.mu_fast {}",
+                                 r.rate, r.mu_slow, r.mu_fast));
 }
 
 void check_excitation(const Excitation &e, double lateral_capacity) {
@@ -29,15 +31,18 @@ void check_excitation(const Excitation &e, double lateral_capacity) {
 /// A prescribed path the sliding surface cannot follow is refused here, not by the surface in mid-run.
 void check_path(const Scene &scene) {
   const auto &e = scene.excitation;
-  if (e.is_dynamic()) return;
   const double limit = make_surface(scene.bearing.surface)->limit_radius();
-  constexpr int n_samples = 400;
-  for (int i = 0; i <= n_samples; ++i) {
-    const double r = prescribed_displacement(e, scene.bearing.lateral_capacity(), double(i) / n_samples).norm();
-    if (!(r < limit))
-      throw InputError(fmt::format("excitation.{} takes the slider to {} m, past the sliding surface's end at {} m",
-                                   e.kind == ExcitationKind::push ? "travel_mm" : "amplitude_m", r, limit));
-  }
+  const auto refuse = [&](const char *key, double value, double reach) {
+    if (reach < limit) return;
+    throw InputError(
+        fmt::format("excitation.{} {} takes the slider to {:.6g} m, past the sliding surface's end at {} m",
+                    key, value, reach, limit));
+  };
+  const double reach = std::abs(e.scale) * e.amplitude;
+  if (e.kind == ExcitationKind::cyclic) refuse("amplitude_m", e.amplitude, reach);
+  if (e.kind == ExcitationKind::figure_eight) refuse("amplitude_m", e.amplitude, 1.25 * reach);
+  if (e.kind == ExcitationKind::push)
+    refuse("travel_mm", e.travel * 1e3, scene.bearing.lateral_capacity() + e.scale * e.travel);
 }
 
 } // namespace

@@ -8,7 +8,8 @@
 namespace rimpact::scene {
 namespace {
 
-const char *static_unidirectional = R"(# One slow cycle along x (thesis 2.3.1): the lateral force over displacement against the closed form.
+const char *static_unidirectional =
+    R"(# One slow cycle along x (thesis 2.3.1): the lateral force over displacement against the closed form.
 [bearing]
 name = "shfps-225"
 
@@ -21,7 +22,8 @@ cycles = 1.0
 rung = "rigid-dish"
 )";
 
-const char *static_figure_eight = R"(# Slow figure-eight (thesis 2.3.1): ux = u0 sin(w t), uy = u0 sin(2 w t). Largest radius 1.25 u0: no impact.
+const char *static_figure_eight =
+    R"(# Slow figure-eight (thesis 2.3.1): ux = u0 sin(w t), uy = u0 sin(2 w t). Largest radius 1.25 u0: no impact.
 [bearing]
 name = "shfps-225"
 
@@ -34,7 +36,8 @@ cycles = 1.0
 rung = "rigid-dish"
 )";
 
-const char *ricker_short = R"(# Ricker pulse of 1.0 s (thesis 2.3.2, Fig. 2-7). At the printed amplitude it only grazes the rim: the impact force is
+const char *ricker_short =
+    R"(# Ricker pulse of 1.0 s (thesis 2.3.2, Fig. 2-7). At the printed amplitude it only grazes the rim: the impact force is
 # then nearly singular in everything. scale = 1.05 or 1.10 gives well-conditioned impacts.
 [bearing]
 name = "shfps-225"
@@ -53,7 +56,8 @@ period_s = 1.0
 rung = "rim"
 )";
 
-const char *ricker_long = R"(# Ricker pulse of 1.5 s (thesis 2.3.2, Fig. 2-8). At the printed amplitude it only grazes the rim: the impact force is
+const char *ricker_long =
+    R"(# Ricker pulse of 1.5 s (thesis 2.3.2, Fig. 2-8). At the printed amplitude it only grazes the rim: the impact force is
 # then nearly singular in everything. scale = 1.05 or 1.10 gives well-conditioned impacts.
 [bearing]
 name = "shfps-225"
@@ -72,7 +76,8 @@ period_s = 1.5
 rung = "rim"
 )";
 
-const char *impact_window = R"(# One impact at a given speed, isolated: no ground motion, no weight, no friction. Only here is rebound over approach
+const char *impact_window =
+    R"(# One impact at a given speed, isolated: no ground motion, no weight, no friction. Only here is rebound over approach
 # speed the coefficient of restitution.
 [bearing]
 name = "shfps-225"
@@ -87,7 +92,8 @@ with = []                 # "weight", "friction", "ground"
 rung = "rim"
 )";
 
-const char *rim_push = R"(# The slider pressed slowly into the rim and withdrawn: stiffness, yielding, residual indentation.
+const char *rim_push =
+    R"(# The slider pressed slowly into the rim and withdrawn: stiffness, yielding, residual indentation.
 [bearing]
 name = "shfps-225"
 
@@ -101,7 +107,8 @@ return = true             # unload afterwards
 rung = "rim"
 )";
 
-const char *sylmar = R"(# Sylmar - Olive View Med FF, Northridge 1994, both horizontal components (thesis 2.3.2, Figs. 2-9 to 2-11), scaled by
+const char *sylmar =
+    R"(# Sylmar - Olive View Med FF, Northridge 1994, both horizontal components (thesis 2.3.2, Figs. 2-9 to 2-11), scaled by
 # 0.86. The thesis sees the impact mainly along x, so the stronger component, 360, is put there.
 # The records are PEER's (NGA-West2, RSN 1086) and not part of this program: put your own copy beside this file.
 [bearing]
@@ -117,7 +124,8 @@ y = "RSN1086_NORTHR_SYL090.AT2"
 rung = "rim"
 )";
 
-const char *pulse_bidirectional = R"(# A synthetic near-fault motion, built in: a fault-normal velocity pulse along x, a fault-parallel one along y.
+const char *pulse_bidirectional =
+    R"(# A synthetic near-fault motion, built in: a fault-normal velocity pulse along x, a fault-parallel one along y.
 [bearing]
 name = "shfps-225"
 
@@ -141,7 +149,8 @@ const std::vector<BuiltinScene> &catalogue() {
       {"impact-window", impact_window},
       {"rim-push", rim_push},
       {"sylmar-bidirectional", sylmar,
-       "sylmar-bidirectional needs your own copy of PEER's NGA-West2 record RSN1086: RSN1086_NORTHR_SYL360.AT2 and "
+       "sylmar-bidirectional needs your own copy of PEER's NGA-West2 record RSN1086: "
+       "RSN1086_NORTHR_SYL360.AT2 and "
        "RSN1086_NORTHR_SYL090.AT2 in the current folder, or --set excitation.x=FILE --set excitation.y=FILE"},
       {"pulse-bidirectional", pulse_bidirectional},
   };
@@ -165,7 +174,8 @@ std::vector<std::string> builtin_scene_names() {
 std::string builtin_scene_text(const std::string &name) {
   if (const auto *scene = find_builtin_scene(name)) return scene->text;
   const auto bearings = builtin_bearing_names();
-  if (std::find(bearings.begin(), bearings.end(), name) != bearings.end()) return to_toml(builtin_bearing(name));
+  if (std::find(bearings.begin(), bearings.end(), name) != bearings.end())
+    return to_toml(builtin_bearing(name));
   throw InputError("scene " + not_among(name, builtin_scene_names()));
 }
 

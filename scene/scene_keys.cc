@@ -62,18 +62,22 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
   v.text({"model"}, r.model);
   v.number({"k_i_kN_per_m", "impact stiffness; 0: no impact element"}, r.k_i, kilo, not_negative);
   v.number({"restitution", "e"}, r.restitution, si, {0, 1, true});
-  v.choice({"impact_law", "signed | no-tension | printed"}, r.impact_law, {"signed", "no-tension", "printed"});
+  v.choice({"impact_law", "signed | no-tension | printed"}, r.impact_law,
+           {"signed", "no-tension", "printed"});
   v.choice({"friction", "coulomb | park-wen"}, r.friction, {"coulomb", "park-wen"});
   v.number({"elastic_slip_mm", "of park-wen"}, r.elastic_slip, milli, {0, 1e3, true});
   v.number({"mu_fast"}, r.mu_fast, si, {0, 2});
   v.number({"mu_slow", "differs from mu_fast: the velocity law"}, r.mu_slow, si, {0, 2});
   v.number({"rate_s_per_m", "of the velocity law"}, r.rate, si, {0, 1e6});
-  v.choice({"normal_force", "inertia | static | constant"}, r.normal_force, {"inertia", "static", "constant"});
-  v.number({"vertical_restitution", "of coming back to the dish after uplift"}, r.vertical_restitution, si, share);
+  v.choice({"normal_force", "inertia | static | constant"}, r.normal_force,
+           {"inertia", "static", "constant"});
+  v.number({"vertical_restitution", "of coming back to the dish after uplift"}, r.vertical_restitution, si,
+           share);
   v.flag({"finite_pad", "extra lift of the pad's finite size"}, r.finite_pad);
   v.flag({"socket_friction", "moment of the socket resisting tilt"}, r.socket_friction);
   v.number({"tolerance", "relative, of the integrator"}, r.tolerance, si, {1e-14, 1e-2});
-  v.number({"output_step_ms", "between stored samples outside contact"}, r.output_step, milli, {0, 1e4, true});
+  v.number({"output_step_ms", "between stored samples outside contact"}, r.output_step, milli,
+           {0, 1e4, true});
 }
 
 } // namespace

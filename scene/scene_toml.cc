@@ -1,4 +1,5 @@
-/// Scenes and bearings from TOML: defaults that depend on other keys, files beside the scene, errors with their place.
+/// Scenes and bearings from TOML: defaults that depend on other keys, files beside the scene, errors with
+/// their place.
 #include "scene/files.h"
 #include "scene/record.h"
 #include "scene/scene_catalogue.h"
@@ -31,8 +32,10 @@ std::string name_from(const std::string &origin) {
 
 /// Material keys that hang together: no yield, no slope past it; yield alone is perfectly plastic.
 void settle(Material &m) {
-  if (!m.yield) m.tangent_modulus.reset();
-  else if (!m.tangent_modulus) m.tangent_modulus = 0.0;
+  if (!m.yield)
+    m.tangent_modulus.reset();
+  else if (!m.tangent_modulus)
+    m.tangent_modulus = 0.0;
 }
 
 void read_bearing(TomlReader &reader, Bearing &bearing) {
@@ -107,14 +110,17 @@ void set_dependent_defaults(const TomlFile &file, Scene &scene) {
   if (!given("excitation.centre_s")) e.centre = window ? 0.0 : 2 * e.period;
   if (!given("excitation.duration_s")) {
     e.duration = window ? 0.2 : 2 * e.period + 6;
-    if (e.kind == ExcitationKind::record) e.duration = std::max({e.x.duration(), e.y.duration(), e.z.duration()});
+    const bool has_record = !e.x.values.empty() || !e.y.values.empty() || !e.z.values.empty();
+    if (e.kind == ExcitationKind::record && has_record)
+      e.duration = std::max({e.x.duration(), e.y.duration(), e.z.duration()});
   }
   if (!given("excitation.amplitude_m") && e.kind == ExcitationKind::figure_eight) e.amplitude = 0.31;
   if (!given("reduced.mu_fast")) scene.reduced.mu_fast = scene.bearing.contact.steel_ertalyte;
   if (!given("reduced.mu_slow")) scene.reduced.mu_slow = scene.reduced.mu_fast;
 }
 
-/// Reads the records a scene names; afterwards their names are absolute, so that a resolved scene runs anywhere.
+/// Reads the records a scene names; afterwards their names are absolute, so that a resolved scene runs
+/// anywhere.
 void read_records(const TomlFile &file, Scene &scene, const std::string &folder) {
   auto &e = scene.excitation;
   if (e.kind != ExcitationKind::record) return;
@@ -141,8 +147,8 @@ void read_records(const TomlFile &file, Scene &scene, const std::string &folder)
 
 } // namespace
 
-Scene parse_scene(const std::string &text, const std::string &origin, const std::vector<std::string> &overrides,
-                  const std::string &folder) {
+Scene parse_scene(const std::string &text, const std::string &origin,
+                  const std::vector<std::string> &overrides, const std::string &folder) {
   TomlFile file(text, origin);
   for (const auto &assignment : overrides) file.set(assignment);
   Scene scene;
@@ -179,7 +185,8 @@ Scene load_scene(const std::string &where, const std::vector<std::string> &overr
     try {
       return parse_scene(entry->text, where, overrides);
     } catch (const DataError &error) {
-      throw DataError(entry->needs.empty() ? error.what() : fmt::format("{} ({})", entry->needs, error.what()));
+      throw DataError(entry->needs.empty() ? error.what()
+                                           : fmt::format("{} ({})", entry->needs, error.what()));
     }
   }
   std::error_code ignored;

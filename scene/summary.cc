@@ -14,7 +14,8 @@ double largest_norm(const Response &r, const std::string &name) {
   return largest;
 }
 
-/// Outward radial speed; from the stored velocities, or one-sided differences of the radius where none are stored
+/// Outward radial speed; from the stored velocities, or one-sided differences of the radius where none are
+/// stored
 /// (`side` -1: before the sample, +1: after it).
 double radial_speed(const Response &r, std::size_t i, int side) {
   const auto &ux = r.series("displacement_x"), &uy = r.series("displacement_y");
@@ -60,33 +61,35 @@ std::vector<Impact> impacts_of(const Response &r) {
 }
 
 nlohmann::json to_json(const Impact &impact) {
-  return {{"touch_time_s", impact.touch_time},
-          {"release_time_s", impact.release_time},
-          {"direction_deg", impact.direction_deg},
-          {"approach_speed_m_s", impact.approach_speed},
-          {"rebound_speed_m_s", impact.rebound_speed},
-          {"restitution", impact.restitution()},
-          {"peak_force_N", impact.peak_force},
-          {"peak_penetration_m", impact.peak_penetration}};
+  return {{"touch_time_s", impact.touch_time},         {"release_time_s", impact.release_time},
+          {"direction_deg", impact.direction_deg},     {"approach_speed_m_s", impact.approach_speed},
+          {"rebound_speed_m_s", impact.rebound_speed}, {"restitution", impact.restitution()},
+          {"peak_force_N", impact.peak_force},         {"peak_penetration_m", impact.peak_penetration}};
 }
 
 nlohmann::json to_json(const EnergyLedger &e) {
-  return {{"external_J", e.external},     {"gravity_J", e.gravity},     {"kinetic_J", e.kinetic},
-          {"elastic_J", e.elastic},       {"plastic_J", e.plastic},     {"friction_J", e.friction},
-          {"impact_J", e.impact},         {"contact_J", e.contact},     {"integrator_J", e.integrator},
-          {"initial_J", e.initial},       {"imbalance_relative", e.imbalance_relative()}};
+  return {{"external_J", e.external},
+          {"gravity_J", e.gravity},
+          {"kinetic_J", e.kinetic},
+          {"elastic_J", e.elastic},
+          {"plastic_J", e.plastic},
+          {"friction_J", e.friction},
+          {"impact_J", e.impact},
+          {"contact_J", e.contact},
+          {"integrator_J", e.integrator},
+          {"initial_J", e.initial},
+          {"imbalance_relative", e.imbalance_relative()}};
 }
 
-template <class T>
-nlohmann::json or_null(const std::optional<T> &value) {
+template <class T> nlohmann::json or_null(const std::optional<T> &value) {
   return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
 }
 
 } // namespace
 
 double EnergyLedger::imbalance_relative() const {
-  const double left = initial + external -
-                      (gravity + kinetic + elastic + plastic + friction + impact + contact + integrator);
+  const double left =
+      initial + external - (gravity + kinetic + elastic + plastic + friction + impact + contact + integrator);
   const double input = std::max(largest_input, std::abs(external) + std::abs(initial));
   return input > 0 ? left / input : 0;
 }

@@ -27,7 +27,7 @@ public:
   }
   SurfacePoint at(double x, double y) const override {
     const double s = depth(x * x + y * y);
-    const double slope = inv_R0_ / s;            // dz/dr / r
+    const double slope = inv_R0_ / s;              // dz/dr / r
     const double bend = slope * inv_a2_ / (s * s); // d(slope)/dr / r
     SurfacePoint p;
     p.z = b_ * (1 - s);
@@ -49,8 +49,8 @@ private:
   double depth(double r2) const {
     const double s2 = 1 - r2 * inv_a2_;
     if (!(s2 > 0))
-      throw std::domain_error(
-          fmt::format("planar radius {} m lies outside the sliding surface, which ends at {} m", std::sqrt(r2), a_));
+      throw std::domain_error(fmt::format(
+          "planar radius {} m lies outside the sliding surface, which ends at {} m", std::sqrt(r2), a_));
     return std::sqrt(s2);
   }
   double a_, b_, inv_a2_, inv_b2_, inv_R0_;
@@ -62,10 +62,12 @@ struct SurfaceKind {
 };
 // The catalogue: one line a kind.
 const std::array surface_kinds{
-    SurfaceKind{"ellipse", [](const SurfaceSpec &s) -> std::unique_ptr<SlidingSurface> {
+    SurfaceKind{"ellipse",
+                [](const SurfaceSpec &s) -> std::unique_ptr<SlidingSurface> {
                   return std::make_unique<Ellipsoid>(s.a, s.a * s.a / s.R0);
                 }},
-    SurfaceKind{"sphere", [](const SurfaceSpec &s) -> std::unique_ptr<SlidingSurface> {
+    SurfaceKind{"sphere",
+                [](const SurfaceSpec &s) -> std::unique_ptr<SlidingSurface> {
                   return std::make_unique<Ellipsoid>(s.R0, s.R0);
                 }},
 };

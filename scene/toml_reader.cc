@@ -19,7 +19,8 @@ void refuse_absurd(const std::string &text, const std::string &origin) {
   for (const auto line : lines_of(text)) {
     ++line_number;
     if (std::count(line.begin(), line.end(), '.') > max_dots_a_line)
-      throw InputError(fmt::format("{}:{}: more than {} dots in a line", origin, line_number, max_dots_a_line));
+      throw InputError(
+          fmt::format("{}:{}: more than {} dots in a line", origin, line_number, max_dots_a_line));
   }
 }
 
@@ -29,7 +30,8 @@ toml::table parse(const std::string &text, const std::string &origin) {
     return toml::parse(std::string_view(text), std::string_view(origin));
   } catch (const toml::parse_error &error) {
     const auto &at = error.source().begin;
-    throw InputError(fmt::format("{}:{}:{}: {}", origin, at.line, at.column, std::string(error.description())));
+    throw InputError(
+        fmt::format("{}:{}:{}: {}", origin, at.line, at.column, std::string(error.description())));
   }
 }
 
@@ -45,17 +47,20 @@ std::string type_name(const toml::node &node) {
 
 } // namespace
 
-TomlFile::TomlFile(const std::string &text, const std::string &origin) : origin_(origin), root_(parse(text, origin)) {}
+TomlFile::TomlFile(const std::string &text, const std::string &origin)
+    : origin_(origin), root_(parse(text, origin)) {}
 
 void TomlFile::set(const std::string &assignment) {
   const std::string where = "--set " + assignment;
   const auto equals = assignment.find('=');
-  if (equals == std::string::npos || assignment.size() > 4096) throw InputError(where + ": must be KEY=VALUE");
+  if (equals == std::string::npos || assignment.size() > 4096)
+    throw InputError(where + ": must be KEY=VALUE");
   const std::string path(trim(std::string_view(assignment).substr(0, equals)));
   const std::string value(trim(std::string_view(assignment).substr(equals + 1)));
   const auto names = split(path, '.');
   for (const auto name : names)
-    if (trim(name).empty() || names.size() > 8) throw InputError(where + ": KEY must be dotted names, e.g. rim.height_mm");
+    if (trim(name).empty() || names.size() > 8)
+      throw InputError(where + ": KEY must be dotted names, e.g. rim.height_mm");
   toml::table parsed;
   try {
     parsed = parse("v = " + value, where);
@@ -134,16 +139,16 @@ void TomlReader::refuse_unknown(const std::vector<std::string> &also) const {
     const std::string name(key.str());
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
     const auto close = nearest(name, known);
-    throw InputError(fmt::format("{}: unknown key \"{}\"{}{}", file_.location_of_key(full(name), key), name.substr(0, 80),
-                                 path_.empty() ? "" : " in [" + path_ + "]",
+    throw InputError(fmt::format("{}: unknown key \"{}\"{}{}", file_.location_of_key(full(name), key),
+                                 name.substr(0, 80), path_.empty() ? "" : " in [" + path_ + "]",
                                  close ? "; did you mean \"" + *close + "\"?" : ""));
   }
 }
 
 double TomlReader::number_of(const std::string &name, const toml::node &node, Range range) const {
   if (!node.is_number()) fail(name, "must be a number, got " + type_name(node));
-  const double value = node.is_integer() ? static_cast<double>(node.as_integer()->get())
-                                         : node.as_floating_point()->get();
+  const double value =
+      node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
   if (!range.contains(value)) fail(name, fmt::format("{} must be {}", value, range.text()));
   return value;
 }
@@ -156,8 +161,10 @@ void TomlReader::limit(const Key &key, std::optional<double> &value, Unit unit, 
   const auto *found = node(key);
   if (!found) return;
   const auto *real = found->as_floating_point();
-  if (real && std::isinf(real->get()) && real->get() > 0) value.reset();
-  else value = unit.to_si(number_of(key.name, *found, range));
+  if (real && std::isinf(real->get()) && real->get() > 0)
+    value.reset();
+  else
+    value = unit.to_si(number_of(key.name, *found, range));
 }
 
 void TomlReader::integer(const Key &key, int &value, int low, int high) {
@@ -165,7 +172,8 @@ void TomlReader::integer(const Key &key, int &value, int low, int high) {
   if (!found) return;
   if (!found->is_integer()) fail(key.name, "must be a whole number, got " + type_name(*found));
   const auto whole = found->as_integer()->get();
-  if (whole < low || whole > high) fail(key.name, fmt::format("{} must be between {} and {}", whole, low, high));
+  if (whole < low || whole > high)
+    fail(key.name, fmt::format("{} must be between {} and {}", whole, low, high));
   value = static_cast<int>(whole);
 }
 
@@ -185,7 +193,8 @@ void TomlReader::text(const Key &key, std::string &value) {
 
 void TomlReader::choice(const Key &key, std::string &value, const std::vector<std::string> &options) {
   text(key, value);
-  if (std::find(options.begin(), options.end(), value) == options.end()) fail(key.name, not_among(value, options));
+  if (std::find(options.begin(), options.end(), value) == options.end())
+    fail(key.name, not_among(value, options));
 }
 
 void TomlReader::pair(const Key &key, Eigen::Vector2d &value, Range range) {

@@ -7,9 +7,12 @@ namespace {
 std::string quoted(const std::string &text) {
   std::string result = "\"";
   for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\', result += c;
-    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) result += fmt::format("\\u{:04X}", static_cast<int>(c));
-    else result += c;
+    if (c == '"' || c == '\\')
+      result += '\\', result += c;
+    else if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+      result += fmt::format("\\u{:04X}", static_cast<int>(c));
+    else
+      result += c;
   }
   return result + "\"";
 }
@@ -35,7 +38,9 @@ public:
     const std::string comment = fmt::format("{}{}{}", key.assumption ? "assumption" : "", joint, key.comment);
     out += comment.empty() ? text + "\n" : fmt::format("{:<32} # {}\n", text, comment);
   }
-  void number(const Key &key, double &value, Unit unit, Range) override { line(key, file_number(value, unit)); }
+  void number(const Key &key, double &value, Unit unit, Range) override {
+    line(key, file_number(value, unit));
+  }
   void limit(const Key &key, std::optional<double> &value, Unit unit, Range) override {
     line(key, value ? file_number(*value, unit) : "inf");
   }
@@ -74,8 +79,8 @@ std::string to_toml(const Scene &scene) {
   Scene copy = scene;
   visit(bearing, copy.bearing);
   visit_settings(settings, copy);
-  return fmt::format("name = {}\n\n[bearing]\nname = {}\n{}{}", quoted(scene.name), quoted(scene.bearing.name),
-                     bearing.out, settings.out);
+  return fmt::format("name = {}\n\n[bearing]\nname = {}\n{}{}", quoted(scene.name),
+                     quoted(scene.bearing.name), bearing.out, settings.out);
 }
 
 } // namespace rimpact::scene

@@ -1,0 +1,146 @@
+#include "expect_error.h"
+#include "scene/bearing.h"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace {
+using namespace rimpact;
+using namespace rimpact::scene;
+
+TEST(Bearing, DefaultIsTheThesisDevice) {
+  const Bearing b;
+  EXPECT_DOUBLE_EQ(b.lateral_capacity(), 0.400);
+  EXPECT_NEAR(853e3 / b.pad_area(), 60e6, 0.05e6);
+  EXPECT_NEAR(b.slider.bottom + lift(b, b.lateral_capacity()), 0.100, 1e-5);
+  EXPECT_NEAR(tilt(b, 0.42) * 180 / M_PI, 15.6, 0.1);
+  EXPECT_NEAR(std::tan(tilt(b, 0.40)), 0.253, 5e-4);
+}
+
+TEST(Bearing, BuiltInsAreBuildable) {
+  for (const auto &name : builtin_bearing_names()) {
+    const Bearing b = builtin_bearing(name);
+    EXPECT_EQ(b.name, name);
+    EXPECT_NO_THROW(b.validate());
+    EXPECT_DOUBLE_EQ(b.lateral_capacity(), 0.400) << name;
+  }
+  expect_error<InputError>([] { builtin_bearing("shfps225"); }, {"shfps225", "did you mean \"shfps-225\""});
+}
+
+struct Refused {
+  const char *what;
+  void (*change)(Bearing &);
+  std::initializer_list<const char *> words;
+};
+const double nan_value = std::numeric_limits<double>::quiet_NaN();
+
+const Refused refused[] = {
+    {"negative radius", [](Bearing &b) { b.surface.R0 = -2.25; }, {"surface.R0_m", "-2.25", "> 0"}},
+    {"zero height", [](Bearing &b) { b.rim.height = 0; }, {"rim.height_mm", "> 0"}},
+    {"NaN", [](Bearing &b) { b.foot.radius = nan_value; }, {"foot.radius_mm", "nan"}},
+    {"infinite", [](Bearing &b) { b.plate.base = INFINITY; }, {"plate.base_mm", "inf"}},
+    {"low rim", [](Bearing &b) { b.rim.height = 0.005; }, {"rim.height_mm 5 mm", "92", "100"}},
+    {"rim at the rounding", [](Bearing &b) { b.rim.height = 0.0141; }, {"rim.height_mm", "rounded edge"}},
+    {"beyond the ellipse",
+     [](Bearing &b) { b.surface.planar_radius = 0.6; },
+     {"600", "562.5", "planar_radius_mm"}},
+    {"beyond the sphere",
+     [](Bearing &b) {
+       b.surface = {"sphere", 0.5, 0.5, 0.6};
+     },
+     {"600", "500", "sphere"}},
+    {"no capacity", [](Bearing &b) { b.slider.diameter = 1.1; }, {"1100", "520", "L_c = -30"}},
+    {"wide foot", [](Bearing &b) { b.foot.radius = 0.090; }, {"foot.radius_mm 90", "cap_radius_mm 90"}},
+    {"foot inside its cap", [](Bearing &b) { b.foot.radius = 0.080; }, {"foot.radius_mm 80", "83.7"}},
+    {"socket wider than the slider",
+     [](Bearing &b) { b.slider.diameter = 0.13; },
+     {"slider.diameter_mm 130", "137"}},
+    {"apex through the top", [](Bearing &b) { b.slider.top = 0.085; }, {"slider.top_mm 85", "90"}},
+    {"upside down", [](Bearing &b) { b.slider.top = 0.05; }, {"slider.top_mm 50", "58.25"}},
+    {"no socket", [](Bearing &b) { b.slider.bottom = 0.095; }, {"cap_radius_mm 90", "95"}},
+    {"edge radius", [](Bearing &b) { b.slider.edge_radius = 0.06; }, {"slider.edge_radius_mm 60", "51.3"}},
+    {"pad wider than foot", [](Bearing &b) { b.pad.outer_radius = 0.0861; }, {"86.1", "86", "wider"}},
+    {"pad inside out", [](Bearing &b) { b.pad.inner_radius = 0.08; }, {"80", "70.19"}},
+    {"recess through the pad", [](Bearing &b) { b.pad.recess = 0.040; }, {"recess_mm 40", "thickness_mm 40"}},
+    {"pad off the vertex", [](Bearing &b) { b.foot.bottom = 0.021; }, {"foot.bottom_mm 21", "20"}},
+    {"seat through the cap",
+     [](Bearing &b) { b.pad.thickness = 0.06, b.pad.recess = 0.04; },
+     {"recess_mm 40", "92.3", "90"}},
+    {"pad face", [](Bearing &b) { b.pad.shape_radius = 0.07; }, {"shape_radius_mm 70", "70.19"}},
+    {"slider in the dish",
+     [](Bearing &b) { b.slider.bottom = 0.035, b.foot.shoulder = 0.0345; },
+     {"meets the"}},
+    {"shoulder in the slider",
+     [](Bearing &b) { b.foot.shoulder = 0.045; },
+     {"foot.shoulder_mm 45", "deg", "58.25"}},
+    {"foot in the dish",
+     [](Bearing &b) {
+       b.pad.thickness = 0.026, b.pad.recess = 0.0245, b.foot.bottom = 0.0015, b.pad.shape_radius = 10;
+     },
+     {"foot.bottom_mm 1.5", "dish"}},
+    {"pad over the edge",
+     [](Bearing &b) {
+       b.slider.diameter = 0.15, b.foot.shoulder = 0.028, b.slider.edge_radius = 0.001, b.rim.ledge = 0.03;
+     },
+     {"past the dish's edge"}},
+    {"nu", [](Bearing &b) { b.ertalyte.nu = 0.5; }, {"material.ertalyte.nu", "0.5"}},
+    {"E", [](Bearing &b) { b.steel.E = 0; }, {"material.steel.E_MPa", "> 0"}},
+    {"negative tangent",
+     [](Bearing &b) { b.steel.tangent_modulus = -1e6; },
+     {"tangent_modulus_MPa", "-1", ">= 0"}},
+    {"steep tangent",
+     [](Bearing &b) { b.steel.tangent_modulus = 200e9; },
+     {"tangent_modulus_MPa 200000", "below"}},
+    {"tangent without yield",
+     [](Bearing &b) { b.steel.yield.reset(); },
+     {"tangent_modulus_MPa", "yield_MPa"}},
+    {"friction", [](Bearing &b) { b.contact.steel_steel = -0.1; }, {"contact.steel_steel", "-0.1"}},
+    {"pad_foot", [](Bearing &b) { b.contact.pad_foot = "tide"; }, {"tide", "did you mean \"tied\""}},
+    {"surface kind", [](Bearing &b) { b.surface.kind = "cone"; }, {"surface.kind", "cone"}},
+};
+
+TEST(Bearing, RefusesWhatCannotBeBuilt) {
+  for (const auto &entry : refused) {
+    SCOPED_TRACE(entry.what);
+    Bearing b;
+    entry.change(b);
+    expect_error<InputError>([&] { b.validate(); }, entry.words);
+  }
+}
+
+TEST(Bearing, LeavesRoomForStudies) {
+  for (const double height : {0.02, 0.04, 0.08, 0.12}) {
+    Bearing b;
+    b.rim.height = height;
+    EXPECT_NO_THROW(b.validate()) << height;
+  }
+  for (const double diameter : {0.20, 0.22, 0.26, 0.28}) {
+    Bearing b;
+    b.slider.diameter = diameter;
+    EXPECT_NO_THROW(b.validate()) << diameter;
+  }
+  Bearing elastic;
+  elastic.steel.yield.reset(), elastic.steel.tangent_modulus.reset();
+  EXPECT_NO_THROW(elastic.validate());
+  Bearing perfect;
+  perfect.steel.tangent_modulus = 0.0;
+  EXPECT_NO_THROW(perfect.validate());
+}
+
+TEST(Bearing, ListsItsAssumptions) {
+  const auto list = assumptions(Bearing{});
+  const auto value = [&](const std::string &key) {
+    const auto found = std::find_if(list.begin(), list.end(), [&](const auto &a) { return a.key == key; });
+    return found == list.end() ? "absent" : found->value;
+  };
+  EXPECT_EQ(value("rim.height_mm"), "60");
+  EXPECT_EQ(value("slider.bottom_mm"), "58.25");
+  EXPECT_EQ(value("pad.outer_radius_mm"), "70.19");
+  EXPECT_EQ(value("foot.cap_radius_mm"), "90");
+  EXPECT_EQ(value("material.steel.tangent_modulus_MPa"), "1450");
+  EXPECT_EQ(value("material.ertalyte.density_kg_per_m3"), "1390");
+  EXPECT_EQ(value("slider.diameter_mm"), "absent") << "the thesis gives it";
+  EXPECT_EQ(value("material.steel.yield_MPa"), "absent");
+}
+
+} // namespace
