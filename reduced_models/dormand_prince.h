@@ -19,8 +19,7 @@ struct DormandPrinceStep {
       const double weights[] = {a...};
       for (int j = 0; j < n_state; ++j) {
         double sum = 0;
-        for (int s = 0; s < int(sizeof...(a)); ++s)
-          sum += weights[s] * k[s][j];
+        for (int s = 0; s < int(sizeof...(a)); ++s) sum += weights[s] * k[s][j];
         y[j] = y0[j] + h * sum;
       }
       f(t + c * h, y, k[i]);
@@ -40,28 +39,27 @@ struct DormandPrinceStep {
     double largest = 0;
     for (int j = 0; j < n_state; ++j) {
       double sum = 0;
-      for (int s = 0; s < 7; ++s)
-        sum += e[s] * k[s][j];
+      for (int s = 0; s < 7; ++s) sum += e[s] * k[s][j];
       const double scaled = std::abs(h * sum) * inverse_scale[j];
       if (!(scaled <= largest)) // keeps a NaN
         largest = scaled;
-      if (std::isnan(largest))
-        return largest;
+      if (std::isnan(largest)) return largest;
     }
     return largest;
   }
 
   /// Continuous extension at t + theta h, theta in [0, 1].
   State at(double theta) const {
-    constexpr double d[] = {-12715105075. / 11282082432., 0, 87487479700. / 32700410799., -10690763975. / 1880347072.,
-                            701980252875. / 199316789632., -1453857185. / 822651844., 69997945. / 29380423.};
+    constexpr double d[] = {-12715105075. / 11282082432.,  0,
+                            87487479700. / 32700410799.,   -10690763975. / 1880347072.,
+                            701980252875. / 199316789632., -1453857185. / 822651844.,
+                            69997945. / 29380423.};
     State y;
     const double rest = 1 - theta;
     for (int j = 0; j < n_state; ++j) {
       const double dy = y1[j] - y0[j], b = h * k[0][j] - dy, c = dy - h * k[6][j] - b;
       double sum = 0;
-      for (int s = 0; s < 7; ++s)
-        sum += d[s] * k[s][j];
+      for (int s = 0; s < 7; ++s) sum += d[s] * k[s][j];
       y[j] = y0[j] + theta * (dy + rest * (b + theta * (c + rest * h * sum)));
     }
     return y;

@@ -16,11 +16,17 @@ NormalForce reading_of(const scene::Scene &scene) {
   const auto &name = scene.reduced.normal_force;
   if (name == "constant" || weightless(scene)) // in a horizontal plane nothing changes N
     return NormalForce::constant;
-  if (name == "inertia")
-    return NormalForce::inertia;
-  if (name == "static")
-    return NormalForce::statics;
+  if (name == "inertia") return NormalForce::inertia;
+  if (name == "static") return NormalForce::statics;
   throw InputError("reduced.normal_force \"" + name + "\" is unknown; known: inertia, static, constant");
+}
+
+/// Vector that friction opposes, in the plane.
+Vector2d sliding_direction(const Mode &mode, const Vector2d &v, const Vector3d &applied,
+                           const Vector2d &slope) {
+  if (mode.starting) return tangential(applied, slope);
+  const double side = v.dot(mode.e0);
+  return side > 0 ? v : (side < 0 ? Vector2d(-v) : mode.e0);
 }
 
 } // namespace
@@ -40,7 +46,8 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
     if (r.friction == "park-wen") {
       park_wen_ = true, elastic_slip = r.elastic_slip;
       if (!(elastic_slip > 0))
-        throw InputError("reduced.elastic_slip_mm " + std::to_string(elastic_slip * 1e3) + " must be above 0");
+        throw InputError("reduced.elastic_slip_mm " + std::to_string(elastic_slip * 1e3) +
+                         " must be above 0");
     } else if (r.friction != "coulomb") {
       throw InputError("reduced.friction \"" + r.friction + "\" is unknown; known: coulomb, park-wen");
     }
@@ -55,6 +62,8 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
   limit_squared_ = height.limit_radius() * height.limit_radius();
   speed_scale = std::sqrt(scene.load.gravity * lateral_capacity);
   stop_speed = 5 * r.tolerance * speed_scale;
+  onset_speed =
+      5e-6 * speed_scale; // the direction still lags by |v| / (mu g) times its rate of turning: < 1e-4 rad
 }
 
 void Dynamics::rim_terms(const Mode &mode, const Vector2d &u, const Vector2d &v, Evaluation &e) const {
@@ -62,8 +71,7 @@ void Dynamics::rim_terms(const Mode &mode, const Vector2d &u, const Vector2d &v,
   e.gap = lateral_capacity - r;
   e.gap_rate = r > 0 ? -u.dot(v) / r : -v.norm();
   e.impact.setZero();
-  if (mode.rim != RimContact::pressed)
-    return;
+  if (mode.rim != RimContact::pressed) return;
   e.rim_force = rim.at(-e.gap, -e.gap_rate, v.norm()).force;
   e.impact.head<2>() = -e.rim_force / r * u;
 }
@@ -71,15 +79,15 @@ void Dynamics::rim_terms(const Mode &mode, const Vector2d &u, const Vector2d &v,
 Vector3d Dynamics::friction_per_normal(const scene::SurfacePoint &p, const Vector2d &u, const Vector2d &v,
                                        double mu) const {
   const double vz = p.gradient.dot(v), speed = std::sqrt(v.squaredNorm() + vz * vz);
-  if (!(speed > 0))
-    return Vector3d::Zero();
+  if (!(speed > 0)) return Vector3d::Zero();
   Vector3d f(-mu / speed * v[0], -mu / speed * v[1], -mu / speed * vz);
   if (socket > 0) {
     const double r = u.norm();
     const Vector2d er = r > 0 ? Vector2d(u / r) : Vector2d::UnitX(), ec(-er[1], er[0]);
     const auto k = height.curvatures(r);
     const double slope = p.gradient.dot(er), S = std::sqrt(1 + slope * slope);
-    const double wm = k.meridional * S * v.dot(er), wc = k.circumferential * v.dot(ec), w = std::hypot(wm, wc);
+    const double wm = k.meridional * S * v.dot(er), wc = k.circumferential * v.dot(ec),
+                 w = std::hypot(wm, wc);
     if (w > 0) {
       const double fm = -socket * k.meridional * wm / w, fc = -socket * k.circumferential * wc / w;
       f.head<2>() += fm / S * er + fc * ec;
@@ -127,9 +135,7 @@ Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y) const 
     e.eta_rate = park_wen_rate(eta, v, elastic_slip);
     f = friction_per_normal(p, u, eta, mu) * eta.norm();
   } else {
-    const double side = v.dot(mode.e0);
-    f = side > 0 ? friction_per_normal(p, u, v, mu)
-                 : (side < 0 ? friction_per_normal(p, u, -v, mu) : friction_per_normal(p, u, mode.e0, mu));
+    f = friction_per_normal(p, u, sliding_direction(mode, v, F, p.gradient), mu);
   }
   const double curvature = v.dot(p.hessian * v);
   switch (reading) {
@@ -147,7 +153,8 @@ Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y) const 
   e.friction = e.normal * f;
   e.acceleration.head<2>() = (F + e.pendular + e.friction).head<2>() / mass;
   e.acceleration[2] = g.dot(e.acceleration.head<2>()) + curvature;
-  e.ground_power = -mass * (a_g[0] * v[0] + a_g[1] * v[1] + (reading == NormalForce::constant ? 0.0 : a_g[2] * vz));
+  e.ground_power =
+      -mass * (a_g[0] * v[0] + a_g[1] * v[1] + (reading == NormalForce::constant ? 0.0 : a_g[2] * vz));
   return e;
 }
 
@@ -169,7 +176,8 @@ void Dynamics::rhs(const Mode &mode, double t, const State &y, State &dy) const 
   dy[iEX] = e.eta_rate[0], dy[iEY] = e.eta_rate[1];
   dy[iPendular] = -e.pendular[0] * y[iVX] - e.pendular[1] * y[iVY];
   dy[iFriction] = -e.friction[0] * y[iVX] - e.friction[1] * y[iVY];
-  if (reading != NormalForce::constant && e.pendular[2] > 0) // v_z = grad h . v, and grad h = -pendular_xy / pendular_z
+  if (reading != NormalForce::constant &&
+      e.pendular[2] > 0) // v_z = grad h . v, and grad h = -pendular_xy / pendular_z
     dy[iFriction] += e.friction[2] * (e.pendular[0] * y[iVX] + e.pendular[1] * y[iVY]) / e.pendular[2];
 }
 

@@ -1,11 +1,12 @@
-/// Equations of motion of a mass on a dish with a rim (thesis 2.2), one smooth branch at a time; the events that end
-/// a branch and what follows them. Both integrators (own stepper, CVODE) drive these same branches. SI units.
+/// Equations of motion of a mass on a dish with a rim (thesis 2.2), one smooth branch at a time; the events
+/// that end a branch and what follows them. Both integrators (own stepper, CVODE) drive these same branches.
+/// SI units.
 ///
 ///   m u'' = -m a_g - W e_z + N n + f_t + I,      z = h(x, y) while the dish carries the mass,
 ///
-/// n the upward unit normal, f_t tangent to the surface, I horizontal. Along the surface z'' = grad h . (x'', y'') + v^T H v,
-/// so N = m v^T H v / S - n . (-m a_g - W e_z + I), S = sqrt(1 + |grad h|^2): exact, vertical inertia, ground motion and
-/// the rim's unloading included; a tangent friction drops out of it.
+/// n the upward unit normal, f_t tangent to the surface, I horizontal. Along the surface z'' = grad h . (x'',
+/// y'') + v^T H v, so N = m v^T H v / S - n . (-m a_g - W e_z + I), S = sqrt(1 + |grad h|^2): exact, vertical
+/// inertia, ground motion and the rim's unloading included; a tangent friction drops out of it.
 ///   `inertia`   this N; the mass lifts off when it reaches zero.
 ///   `static`    N from vertical equilibrium N n_z + f_z = W + m a_gz; planar inertia only, no uplift.
 ///   `constant`  N = W; planar inertia only, no uplift.
@@ -15,12 +16,11 @@
 #include "reduced_models/physical_model.h"
 #include "reduced_models/riding_height.h"
 #include <array>
-#include <span>
 
 namespace rimpact::reduced {
 
-/// u, v, eta, then energies gathered along the way: work of the ground (external), lost in friction, taken by the rim,
-/// and work against the pendular force (only read for `constant`, where it is not W h).
+/// u, v, eta, then energies gathered along the way: work of the ground (external), lost in friction, taken by
+/// the rim, and work against the pendular force (only read for `constant`, where it is not W h).
 enum Index { iX, iY, iZ, iVX, iVY, iVZ, iEX, iEY, iExternal, iFriction, iImpact, iPendular, n_state };
 using State = std::array<double, n_state>;
 
@@ -31,9 +31,13 @@ enum class RimContact { open, pressed, relaxed }; ///< relaxed: d > 0, but a uni
 struct Mode {
   Support support = Support::sliding;
   RimContact rim = RimContact::open;
-  /// Direction of sliding when the branch (or step) began. Friction keeps to its half plane, so that straight-line
-  /// motion continues smoothly through v = 0 and the stop is a simple root of v . e0.
+  /// Direction of sliding when the branch (or step) began. Friction keeps to its half plane, so that
+  /// straight-line motion continues smoothly through v = 0 and the stop is a simple root of v . e0.
   Eigen::Vector2d e0 = Eigen::Vector2d::UnitX();
+  /// Just off rest: friction opposes the drive instead of the velocity. In two directions the velocity turns
+  /// towards the drive at the rate mu g / |v|, infinitely stiff at the start; below `onset_speed` it has
+  /// arrived there.
+  bool starting = false;
 };
 
 enum class NormalForce { inertia, statics, constant };
@@ -55,7 +59,24 @@ struct Hold {
 };
 
 /// What ends a branch. Each has a value that is positive before and falls through zero at the event.
-enum class Event { stop, uplift, landing, touch, release, let_go, press_again, turning };
+enum class Event { turning, stop, underway, uplift, landing, touch, release, let_go, press_again };
+/// Touch and what follows it change the rim's force.
+inline bool changes_rim(Event event) {
+  return event >= Event::touch;
+}
+struct EventList {
+  std::array<Event, 8> list{};
+  int n = 0;
+  void add(Event event) { list[n++] = event; }
+  const Event *begin() const { return list.data(); }
+  const Event *end() const { return list.data() + n; }
+};
+
+/// Planar part of a force's component tangent to a surface of the given slope.
+inline Eigen::Vector2d tangential(const Eigen::Vector3d &force, const Eigen::Vector2d &slope) {
+  const Eigen::Vector2d planar = force.head<2>();
+  return planar - (slope.dot(planar) - force[2]) / (1 + slope.squaredNorm()) * slope;
+}
 
 class Dynamics {
 public:
@@ -68,12 +89,15 @@ public:
   Hold hold(const Mode &mode, double t, const State &y) const;
 
   /// Events that can end `mode`.
-  std::span<const Event> events(const Mode &mode) const;
+  EventList events(const Mode &mode) const;
   double value(Event event, const Mode &mode, double t, const State &y) const;
-  /// Applies an event: switches the branch, projects the state on it. Returns the energy lost in a landing [J].
+  /// Applies an event: switches the branch, projects the state on it. Returns the energy lost in a landing
+  /// [J].
   double apply(Event event, Mode &mode, double t, State &y) const;
   /// Branch of a state at the start of a run or after a jump: decides between sliding, stuck and airborne.
   void settle(Mode &mode, double t, State &y) const;
+  /// At the end of a rest: slides (or lifts) whatever rounding says of the limit.
+  void release_from_rest(Mode &mode, double t, State &y) const;
   Mode starting_mode(const BearingState &start, State &y) const;
   /// Fills z and v_z from the surface; before each step e0 follows the velocity.
   void project(Mode &mode, State &y) const;
@@ -87,7 +111,9 @@ public:
 
   // Read by the drivers and the recorder.
   double mass, weight, lateral_capacity, elastic_slip = 0;
-  double speed_scale, stop_speed; ///< scale for tolerances [m/s]; below stop_speed a decelerating mass has stopped
+  double speed_scale; ///< for tolerances [m/s]
+  double stop_speed;  ///< below it a decelerating mass has stopped [m/s]
+  double onset_speed; ///< see Mode::starting [m/s]
   RimElement rim;
   RidingHeight height;
   FrictionCoefficient friction_law;
@@ -95,19 +121,21 @@ public:
   scene::GroundMotion ground;
 
   /// Friction per unit of normal force, tangent to the surface and opposed to `v`; zero for v = 0.
-  /// `p` the riding height at `u`. Includes the socket: the foot must turn with the surface's normal n inside the
-  /// socket of radius R_cap, dissipating mu_ss N R_cap |n'|, n' = -(kappa_m v_m, kappa_c v_c) along meridian and circle,
-  /// i.e. a tangent force mu_ss N R_cap K^2 v / |K v|; in unidirectional motion mu_ss N R_cap kappa_m.
-  Eigen::Vector3d friction_per_normal(const scene::SurfacePoint &p, const Eigen::Vector2d &u, const Eigen::Vector2d &v,
-                                      double mu) const;
+  /// `p` the riding height at `u`. Includes the socket: the foot must turn with the surface's normal n inside
+  /// the socket of radius R_cap, dissipating mu_ss N R_cap |n'|, n' = -(kappa_m v_m, kappa_c v_c) along
+  /// meridian and circle, i.e. a tangent force mu_ss N R_cap K^2 v / |K v|; in unidirectional motion mu_ss N
+  /// R_cap kappa_m.
+  Eigen::Vector3d friction_per_normal(const scene::SurfacePoint &p, const Eigen::Vector2d &u,
+                                      const Eigen::Vector2d &v, double mu) const;
   /// Per unit of normal force: mu_ss R_cap [m], 0 when the socket is frictionless.
   double socket = 0;
 
 private:
   Eigen::Vector3d applied(const Evaluation &e, double t, Eigen::Vector3d &ground) const;
+  Eigen::Vector2d drive(const Mode &mode, double t, const State &y) const;
   void rim_terms(const Mode &mode, const Eigen::Vector2d &u, const Eigen::Vector2d &v, Evaluation &e) const;
   double land(Mode &mode, double t, State &y) const;
-  double dead_load_ = 0;   ///< W that acts vertically (0 for a window without weight)
+  double dead_load_ = 0; ///< W that acts vertically (0 for a window without weight)
   double vertical_restitution_ = 0, limit_squared_ = 0;
   bool park_wen_ = false;
 };

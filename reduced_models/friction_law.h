@@ -19,10 +19,12 @@ struct FrictionCoefficient {
   ValueAndSlope at(double speed) const; ///< speed [m/s] >= 0 -> mu [-], dmu/dspeed [s/m]
 };
 
-/// Rate of the Park-Wen state (Park, Wen, Ang 1986, A = 1, beta = gamma = 0.5) in its rotation-invariant form:
+/// Rate of the Park-Wen state (Park, Wen, Ang 1986, A = 1, beta = gamma = 0.5) in its rotation-invariant
+/// form:
 ///   q eta' = v - eta max(0, eta . v),
 /// equal to the original in unidirectional motion. |eta| <= 1 is invariant, eta -> v/|v| as q -> 0.
-inline Eigen::Vector2d park_wen_rate(const Eigen::Vector2d &eta, const Eigen::Vector2d &v, double elastic_slip) {
+inline Eigen::Vector2d park_wen_rate(const Eigen::Vector2d &eta, const Eigen::Vector2d &v,
+                                     double elastic_slip) {
   const double work = eta.dot(v);
   return (v - (work > 0 ? work : 0.0) * eta) / elastic_slip;
 }

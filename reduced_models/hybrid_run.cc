@@ -15,9 +15,11 @@ Eigen::Vector3d position(const Dynamics &dynamics, const Mode &mode, const State
 [[noreturn]] void give_up(const Dynamics &dynamics, double t, const State &y) {
   const double r = std::hypot(y[iX], y[iY]);
   if (r > 0.98 * dynamics.height.limit_radius())
-    throw SolverStopped("the slider left the dish at t = " + std::to_string(t) + " s: travel " + std::to_string(r) +
-                        " m reaches its edge at " + std::to_string(dynamics.height.limit_radius()) + " m");
-  throw SolverStopped("the time step of the reduced model became too small at t = " + std::to_string(t) + " s");
+    throw SolverStopped("the slider left the dish at t = " + std::to_string(t) + " s: travel " +
+                        std::to_string(r) + " m reaches its edge at " +
+                        std::to_string(dynamics.height.limit_radius()) + " m");
+  throw SolverStopped("the time step of the reduced model became too small at t = " + std::to_string(t) +
+                      " s");
 }
 
 } // namespace
@@ -29,18 +31,15 @@ HybridRun::HybridRun(const Dynamics &dynamics, const scene::Scene &scene)
   // a contact is half a period of mass and spring: never fewer than 20 steps
   contact_limit_ = pulse_scale_;
   if (dynamics.has_rim())
-    contact_limit_ = std::min(2e-3, std::numbers::pi * std::sqrt(dynamics.mass / dynamics.rim.stiffness) / 20);
-  for (int i : {iX, iY, iZ})
-    inverse_scale_[i] = 1 / (tolerance_ * dynamics.lateral_capacity);
-  for (int i : {iVX, iVY, iVZ})
-    inverse_scale_[i] = 1 / (tolerance_ * dynamics.speed_scale);
-  for (int i : {iEX, iEY})
-    inverse_scale_[i] = 1 / std::max(1e-8, tolerance_); // enters through m a only
+    contact_limit_ =
+        std::min(2e-3, std::numbers::pi * std::sqrt(dynamics.mass / dynamics.rim.stiffness) / 20);
+  for (int i : {iX, iY, iZ}) inverse_scale_[i] = 1 / (tolerance_ * dynamics.lateral_capacity);
+  for (int i : {iVX, iVY, iVZ}) inverse_scale_[i] = 1 / (tolerance_ * dynamics.speed_scale);
+  for (int i : {iEX, iEY}) inverse_scale_[i] = 1 / std::max(1e-8, tolerance_); // enters through m a only
 }
 
 double HybridRun::largest_step(const Mode &mode) const {
-  if (mode.rim != RimContact::open)
-    return contact_limit_;
+  if (mode.rim != RimContact::open) return contact_limit_;
   return mode.support == Support::airborne ? 5e-3 : pulse_scale_;
 }
 
@@ -54,16 +53,15 @@ double HybridRun::event_value(const Crossing &c, double t, const State &y) const
 
 bool HybridRun::crosses(const Crossing &c) {
   const double after = event_value(c, step_.t + step_.h, step_.y1);
-  if (after > 0)
-    return false;
+  if (after > 0) return false;
   const double before = c.by_stop ? stop_start_ : event_value(c, step_.t, step_.y0);
-  if (before > 0)
-    return true;
+  if (before > 0) return true;
   return after < 0 && !(c.event == Event::turning && !c.by_stop);
 }
 
-/// Shortens the step to the crossing. When the value was not positive at the start (a branch that began exactly at
-/// the event's zero), first looks for a shorter step at whose end it is; `locate` then leaves the step there.
+/// Shortens the step to the crossing. When the value was not positive at the start (a branch that began
+/// exactly at the event's zero), first looks for a shorter step at whose end it is; `locate` then leaves the
+/// step there.
 void HybridRun::locate(const Crossing &c) {
   double low = 0, high = step_.h;
   double f_low = c.by_stop ? stop_start_ : event_value(c, step_.t, step_.y0);
@@ -71,12 +69,10 @@ void HybridRun::locate(const Crossing &c) {
   int last_side = 0;
   for (int i = 0; i < 100 && high - low > 1e-15 + 1e-16 * step_.t; ++i) {
     double h = (low * f_high - high * f_low) / (f_high - f_low);
-    if (!(h > low && h < high) || i % 12 == 11)
-      h = (low + high) / 2;
+    if (!(h > low && h < high) || i % 12 == 11) h = (low + high) / 2;
     try_step(h);
     const double f = event_value(c, step_.t + h, step_.y1);
-    if (f == 0)
-      return;
+    if (f == 0) return;
     const int side = f > 0 ? 1 : -1;
     (f > 0 ? low : high) = h;
     (f > 0 ? f_low : f_high) = f;
@@ -90,8 +86,7 @@ void HybridRun::locate(const Crossing &c) {
 HybridRun::Crossing HybridRun::first_crossing(const StopFunction &stop) {
   Crossing first;
   const auto look = [&](const Crossing &c) {
-    if (!crosses(c))
-      return;
+    if (!crosses(c)) return;
     const double before = c.by_stop ? stop_start_ : event_value(c, step_.t, step_.y0);
     if (before <= 0) {
       for (double h = step_.h / 4; h > 1e-10; h /= 4) {
@@ -108,17 +103,14 @@ HybridRun::Crossing HybridRun::first_crossing(const StopFunction &stop) {
     first = c;
     first.found = true;
   };
-  for (const Event event : dynamics_.events(mode_))
-    look({false, false, event});
-  if (stop)
-    look({false, true, Event::touch});
+  for (const Event event : dynamics_.events(mode_)) look({false, false, event});
+  if (stop) look({false, true, Event::touch});
   return first;
 }
 
 double HybridRun::next_break(double t, double t_end) {
   const auto &breaks = dynamics_.ground.breakpoints();
-  while (break_index_ < breaks.size() && breaks[break_index_] <= t + 1e-12)
-    ++break_index_;
+  while (break_index_ < breaks.size() && breaks[break_index_] <= t + 1e-12) ++break_index_;
   return break_index_ < breaks.size() ? std::min(breaks[break_index_], t_end) : t_end;
 }
 
@@ -130,12 +122,12 @@ void HybridRun::attempt_until_accepted(double t_limit) {
     const double error = step_.error(inverse_scale_);
     if (error <= 1) {
       const double grown = h * std::min(4.0, 0.9 * std::pow(std::max(error, 1e-10), -0.2));
-      h_ = h < h_ ? std::max(h_, grown) : grown; // a step cut short by a limit says nothing against a longer one
+      h_ = h < h_ ? std::max(h_, grown)
+                  : grown; // a step cut short by a limit says nothing against a longer one
       return;
     }
     h_ = std::isfinite(error) ? h * std::max(0.2, 0.9 * std::pow(error, -0.2)) : h / 4;
-    if (h_ < 1e-13)
-      give_up(dynamics_, step_.t, step_.y0);
+    if (h_ < 1e-13) give_up(dynamics_, step_.t, step_.y0);
   }
 }
 
@@ -144,14 +136,9 @@ void HybridRun::rest(double t_end, Recorder &recorder) {
   const State y = step_.y0;
   recorder.segment(mode_, {step_.t, t1, y, y, [&](double) { return y; }}, false);
   step_.t = t1;
-  if (t1 >= t_end)
-    return;
+  if (t1 >= t_end) return;
   const Mode before = mode_;
-  dynamics_.settle(mode_, t1, step_.y0);
-  if (mode_.support == Support::stuck) { // the root lies within rounding of the limit
-    mode_.support = Support::sliding;
-    mode_.e0 = dynamics_.hold(mode_, t1, y).direction;
-  }
+  dynamics_.release_from_rest(mode_, t1, step_.y0);
   recorder.branch(before, mode_, t1, step_.y0, 0);
   dynamics_.rhs(mode_, t1, step_.y0, step_.k[0]);
 }
@@ -165,8 +152,7 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
   step_.t = start.t;
   mode_ = dynamics_.starting_mode(start, step_.y0);
   recorder.begin(mode_, step_.t, step_.y0);
-  if (stop)
-    stop_start_ = stop(position(dynamics_, mode_, step_.y0));
+  if (stop) stop_start_ = stop(position(dynamics_, mode_, step_.y0));
   dynamics_.rhs(mode_, step_.t, step_.y0, step_.k[0]);
   int n_short = 0;
   while (step_.t < t_end - 1e-13) {
@@ -179,22 +165,24 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
     ++result.n_steps;
     n_short = step_.h < 1e-10 ? n_short + 1 : 0;
     if (n_short > 100)
-      throw SolverStopped("the reduced model chatters between branches at t = " + std::to_string(step_.t) + " s");
+      throw SolverStopped("the reduced model chatters between branches at t = " + std::to_string(step_.t) +
+                          " s");
     dynamics_.project(mode_, step_.y1);
     const double t1 = step_.t + step_.h;
-    const bool rim_changes = crossing.found && (crossing.by_stop || crossing.event >= Event::touch);
-    recorder.segment(mode_, {step_.t, t1, step_.y0, step_.y1,
-                             [&](double t) { return step_.at((t - step_.t) / step_.h); }}, rim_changes);
+    const bool rim_changes = crossing.found && (crossing.by_stop || changes_rim(crossing.event));
+    recorder.segment(
+        mode_, {step_.t, t1, step_.y0, step_.y1, [&](double t) { return step_.at((t - step_.t) / step_.h); }},
+        rim_changes);
     step_.t = t1;
     step_.y0 = step_.y1;
-    if (stop)
-      stop_start_ = stop(position(dynamics_, mode_, step_.y0));
+    if (stop) stop_start_ = stop(position(dynamics_, mode_, step_.y0));
     if (crossing.found && crossing.by_stop) {
       result.stopped = true;
       break;
     }
     const double speed = std::hypot(step_.y0[iVX], step_.y0[iVY]);
-    const bool creeps = mode_.support == Support::sliding && !dynamics_.park_wen() && speed <= dynamics_.stop_speed &&
+    const bool creeps = mode_.support == Support::sliding && !dynamics_.park_wen() &&
+                        speed <= dynamics_.stop_speed &&
                         step_.y0[iVX] * step_.k[6][iVX] + step_.y0[iVY] * step_.k[6][iVY] < 0;
     if (crossing.found || creeps) {
       const Mode before = mode_;
@@ -208,45 +196,12 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
   recorder.end(mode_, step_.t, step_.y0);
   const State &y = step_.y0;
   result.mode = mode_;
-  result.state = {step_.t, {y[iX], y[iY], y[iZ]}, {y[iVX], y[iVY], y[iVZ]},
-                  mode_.support == Support::airborne, {y[iEX], y[iEY]}};
+  result.state = {step_.t,
+                  {y[iX], y[iY], y[iZ]},
+                  {y[iVX], y[iVY], y[iVZ]},
+                  mode_.support == Support::airborne,
+                  {y[iEX], y[iEY]}};
   return result;
-}
-
-double end_of_rest(const Dynamics &dynamics, const Mode &mode, const State &y, double t, double t_end, double scan) {
-  const auto excess = [&](double at) { return dynamics.hold(mode, at, y).excess; };
-  const auto root = [&](double low, double high) {
-    for (int i = 0; i < 200 && high - low > 1e-14 + 2e-16 * high; ++i) {
-      const double middle = (low + high) / 2;
-      (excess(middle) > 0 ? high : low) = middle;
-    }
-    return high;
-  };
-  const auto &breaks = dynamics.ground.breakpoints();
-  auto next_break = std::upper_bound(breaks.begin(), breaks.end(), t + 1e-12);
-  double t0 = t, f0 = excess(t), t1 = t, f1 = f0;
-  while (t1 < t_end) {
-    double t2 = std::min(t1 + scan, t_end);
-    // Between samples of a record the demand is convex: its maxima lie at the samples.
-    if (next_break != breaks.end() && *next_break <= t2)
-      t2 = *next_break++;
-    const double f2 = excess(t2);
-    if (f2 > 0)
-      return root(t1, t2);
-    if (breaks.empty() && f1 > f0 && f1 > f2) { // a maximum between: does it reach the limit?
-      double a = t0, b = t2;
-      for (int i = 0; i < 60; ++i) {
-        const double l = b - 0.6180339887498949 * (b - a), r = a + 0.6180339887498949 * (b - a);
-        (excess(l) > excess(r) ? b : a) = excess(l) > excess(r) ? r : l;
-        if (f1 + 2 * std::max(f1 - f0, f1 - f2) < 0)
-          break; // far below it
-      }
-      if (const double top = (a + b) / 2; excess(top) > 0)
-        return root(t0, top);
-    }
-    t0 = t1, f0 = f1, t1 = t2, f1 = f2;
-  }
-  return t_end;
 }
 
 } // namespace rimpact::reduced

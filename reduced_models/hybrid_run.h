@@ -1,5 +1,6 @@
-/// The event-driven stepper: Dormand-Prince steps with error control on each smooth branch; an event is located by
-/// repeating the step with other lengths, so its accuracy is the integrator's own and not that of an interpolant.
+/// The event-driven stepper: Dormand-Prince steps with error control on each smooth branch; an event is
+/// located by repeating the step with other lengths, so its accuracy is the integrator's own and not that of
+/// an interpolant.
 #pragma once
 #include "reduced_models/dormand_prince.h"
 #include "reduced_models/recorder.h"
@@ -18,8 +19,8 @@ public:
     bool stopped = false;
     long n_steps = 0;
   };
-  /// Runs to t_end, or until stop(u) (may be empty) falls to zero. Throws SolverStopped when the slider leaves the
-  /// dish or the steps become too small.
+  /// Runs to t_end, or until stop(u) (may be empty) falls to zero. Throws SolverStopped when the slider
+  /// leaves the dish or the steps become too small.
   Result run(const BearingState &start, double t_end, const StopFunction &stop, Recorder &recorder);
 
 private:
@@ -49,7 +50,9 @@ private:
   std::size_t break_index_ = 0;
 };
 
-/// Instant in (t, t_end] at which a mass at rest starts to slide (or lift), or t_end; shared with the CVODE driver.
-double end_of_rest(const Dynamics &dynamics, const Mode &mode, const State &y, double t, double t_end, double scan);
+/// Instant in (t, t_end] at which a mass at rest starts to slide (or lift), or t_end; shared with the CVODE
+/// driver.
+double end_of_rest(const Dynamics &dynamics, const Mode &mode, const State &y, double t, double t_end,
+                   double scan);
 
 } // namespace rimpact::reduced

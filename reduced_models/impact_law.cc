@@ -8,7 +8,8 @@ namespace rimpact::reduced {
 
 namespace {
 
-// Kelvin-Voigt with the radial rate; pulls while separating (tension) until the penetration ends: returns e exactly.
+// Kelvin-Voigt with the radial rate; pulls while separating (tension) until the penetration ends: returns e
+// exactly.
 ImpactForce signed_law(double k, double c, double d, double rate, double) {
   return {k * d + c * rate, k, c};
 }
@@ -29,7 +30,8 @@ ImpactForce printed_law(double k, double c, double d, double, double speed) {
 
 const std::vector<ImpactLaw> &impact_laws() {
   static const std::vector<ImpactLaw> laws = {
-      {"signed", "k d + c d' with the radial rate until the penetration ends; returns e exactly", signed_law, false},
+      {"signed", "k d + c d' with the radial rate until the penetration ends; returns e exactly", signed_law,
+       false},
       {"no-tension", "max(0, k d + c d'): never pulls; rebound 0.675 for e = 0.65", no_tension_law, true},
       {"printed", "(2-21) as printed, k d + c |v|: rebound 1.000 for every e", printed_law, false},
   };
@@ -39,8 +41,7 @@ const std::vector<ImpactLaw> &impact_laws() {
 const ImpactLaw &impact_law(const std::string &name) {
   std::string known;
   for (const auto &law : impact_laws()) {
-    if (law.name == name)
-      return law;
+    if (law.name == name) return law;
     known += (known.empty() ? "" : ", ") + law.name;
   }
   throw InputError("reduced.impact_law \"" + name + "\" is unknown; known: " + known);

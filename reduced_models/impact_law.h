@@ -1,5 +1,6 @@
-/// Laws of the rim element: force of the rim on the slider over penetration d and its rate (thesis eq. 2-19 to 2-22).
-/// Pure values; one function and one catalogue line a law. SI units, force > 0 pushes the slider inwards.
+/// Laws of the rim element: force of the rim on the slider over penetration d and its rate (thesis eq. 2-19
+/// to 2-22). Pure values; one function and one catalogue line a law. SI units, force > 0 pushes the slider
+/// inwards.
 #pragma once
 #include <string>
 #include <vector>
@@ -18,8 +19,8 @@ struct ImpactForce {
 struct ImpactLaw {
   std::string name, description;
   ImpactForce (*at)(double k, double c, double d, double rate, double speed);
-  /// True: the element lets go when k d + c d' falls to zero and presses again when it rises through zero with d > 0
-  /// (the force is then max(0, k d + c d')). False: it lets go when the penetration ends.
+  /// True: the element lets go when k d + c d' falls to zero and presses again when it rises through zero
+  /// with d > 0 (the force is then max(0, k d + c d')). False: it lets go when the penetration ends.
   bool unilateral;
 };
 const std::vector<ImpactLaw> &impact_laws();
@@ -36,7 +37,9 @@ struct RimElement {
   double stiffness = 0; ///< k_i [N/m]; 0: no element
   double damping = 0;   ///< c_i [N s/m]
   const ImpactLaw *law = nullptr;
-  ImpactForce at(double d, double rate, double speed) const { return law->at(stiffness, damping, d, rate, speed); }
+  ImpactForce at(double d, double rate, double speed) const {
+    return law->at(stiffness, damping, d, rate, speed);
+  }
   /// k d + c d' [N]: its sign decides whether a unilateral element presses.
   double trial(double d, double rate) const { return stiffness * d + damping * rate; }
 };

@@ -1,6 +1,6 @@
 /// The physical model of a single bearing (thesis 2.2): a mass riding a curved dish with Coulomb or Park-Wen
-/// friction, unilateral vertical support, and an impact element at the rim. Rung R0, and the part of R1 that is
-/// not solid. SI units; the plate is fixed, u is the upper slider's displacement relative to the plate.
+/// friction, unilateral vertical support, and an impact element at the rim. Rung R0, and the part of R1 that
+/// is not solid. SI units; the plate is fixed, u is the upper slider's displacement relative to the plate.
 #pragma once
 #include "scene/scene.h"
 #include "scene/summary.h"
@@ -11,9 +11,9 @@ namespace rimpact::reduced {
 /// Where the mass is and whether the dish carries it.
 struct BearingState {
   double t = 0.0;
-  Eigen::Vector3d u = Eigen::Vector3d::Zero(); ///< [m]; on the surface u_z = height(u_x, u_y)
-  Eigen::Vector3d v = Eigen::Vector3d::Zero(); ///< [m/s]
-  bool airborne = false;                       ///< lifted off the dish
+  Eigen::Vector3d u = Eigen::Vector3d::Zero();   ///< [m]; on the surface u_z = height(u_x, u_y)
+  Eigen::Vector3d v = Eigen::Vector3d::Zero();   ///< [m/s]
+  bool airborne = false;                         ///< lifted off the dish
   Eigen::Vector2d eta = Eigen::Vector2d::Zero(); ///< Park-Wen state, |eta| <= 1 (unused for coulomb)
 };
 
@@ -44,10 +44,12 @@ public:
 
   BearingState initial_state() const;
 
-  /// Integrates WITHOUT the rim element from `start` to t_end, or until stop(u) falls to zero (located to 1e-12 s).
-  /// Samples go to `response` (all signals of the reduced model, impact zero), energies accumulate in `ledger`.
-  FlightEnd fly(const BearingState &start, double t_end, const std::function<double(const Eigen::Vector3d &u)> &stop,
-                scene::Response &response, scene::EnergyLedger &ledger) const;
+  /// Integrates WITHOUT the rim element from `start` to t_end, or until stop(u) falls to zero (located to
+  /// 1e-12 s). Samples go to `response` (all signals of the reduced model, impact zero), energies accumulate
+  /// in `ledger`.
+  FlightEnd fly(const BearingState &start, double t_end,
+                const std::function<double(const Eigen::Vector3d &u)> &stop, scene::Response &response,
+                scene::EnergyLedger &ledger) const;
 
   /// Height the slider rides at, with gradient and Hessian; includes the finite pad's lift when switched on.
   scene::SurfacePoint height(double x, double y) const;
@@ -75,13 +77,14 @@ ReducedRun simulate_with_cvode(const scene::Scene &scene);
 scene::Summary simulate_summary(const scene::Scene &scene);
 
 /// As `simulate`, but from `start` at time start.t to t_end: one impact shot from a state just at touch, say.
-/// `lateral_capacity_override` >= 0 replaces the bearing's L_c (a dented rim is touched further out). Ignored kinds:
-/// the quasi-static ones have no state to start from (InputError).
+/// `lateral_capacity_override` >= 0 replaces the bearing's L_c (a dented rim is touched further out). Ignored
+/// kinds: the quasi-static ones have no state to start from (InputError).
 ReducedRun simulate_from(const scene::Scene &scene, const BearingState &start, double t_end,
                          double lateral_capacity_override = -1);
 
 /// Scale of the excitation at which the rim is first touched (thesis notes, 1), by bisection to `relative`;
 /// nullopt when it is not bracketed in [low, high].
-std::optional<double> critical_scale(scene::Scene scene, double low = 0.2, double high = 3.0, double relative = 1e-6);
+std::optional<double> critical_scale(scene::Scene scene, double low = 0.2, double high = 3.0,
+                                     double relative = 1e-6);
 
 } // namespace rimpact::reduced

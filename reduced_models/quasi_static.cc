@@ -32,7 +32,8 @@ public:
   Evaluation forces(const Vector2d &u, const Vector2d &direction) const {
     Mode mode;
     mode.e0 = direction;
-    mode.rim = dynamics_.has_rim() && u.norm() >= dynamics_.lateral_capacity ? RimContact::pressed : RimContact::open;
+    mode.rim = dynamics_.has_rim() && u.norm() >= dynamics_.lateral_capacity ? RimContact::pressed
+                                                                             : RimContact::open;
     return dynamics_.evaluate(mode, 0, state(u));
   }
   const Dynamics &dynamics() const { return dynamics_; }
@@ -44,12 +45,12 @@ private:
 
 /// Works over one interval of the path by Gauss's four points: of the drive, the friction and the rim.
 void add_works(const Path &path, double s0, double s1, scene::EnergyLedger &ledger) {
-  constexpr double x[] = {0.8611363115940526, 0.3399810435848563}, w[] = {0.3478548451374538, 0.6521451548625461};
+  constexpr double x[] = {0.8611363115940526, 0.3399810435848563},
+                   w[] = {0.3478548451374538, 0.6521451548625461};
   for (int i = 0; i < 4; ++i) {
     const double s = (s0 + s1) / 2 + (i % 2 ? -1 : 1) * x[i / 2] * (s1 - s0) / 2, ds = 1e-3 * (s1 - s0);
     const Vector2d du = (path.at(s + ds) - path.at(s - ds)) / (2 * ds) * w[i / 2] * (s1 - s0) / 2;
-    if (du.norm() == 0)
-      continue;
+    if (du.norm() == 0) continue;
     const Vector2d u = path.at(s);
     const Evaluation e = path.forces(u, du.normalized());
     const double dz = path.dynamics().height.at(u[0], u[1]).gradient.dot(du);
@@ -57,8 +58,7 @@ void add_works(const Path &path, double s0, double s1, scene::EnergyLedger &ledg
     ledger.external -= (e.pendular + e.friction + e.impact).head<2>().dot(du);
     ledger.friction -= e.friction.head<2>().dot(du) + (constant ? 0.0 : e.friction[2] * dz);
     ledger.impact -= e.impact.head<2>().dot(du);
-    if (constant)
-      ledger.gravity -= e.pendular.head<2>().dot(du);
+    if (constant) ledger.gravity -= e.pendular.head<2>().dot(du);
   }
 }
 
@@ -69,18 +69,34 @@ void store(const Path &path, double s, scene::EnergyLedger &ledger, scene::Respo
   const State y = path.state(u);
   const Eigen::Vector3d force = e.pendular + e.friction + e.impact;
   if (path.dynamics().reading != NormalForce::constant)
-    ledger.gravity = path.dynamics().potential_energy(y) - path.dynamics().potential_energy(path.state(path.at(0)));
+    ledger.gravity =
+        path.dynamics().potential_energy(y) - path.dynamics().potential_energy(path.state(path.at(0)));
   ledger.largest_input = std::max(ledger.largest_input, std::abs(ledger.external));
-  const std::pair<const char *, double> row[] = {
-      {"time", s}, {"displacement_x", u[0]}, {"displacement_y", u[1]}, {"displacement_z", y[iZ]}, {"velocity_x", 0},
-      {"velocity_y", 0}, {"velocity_z", 0}, {"force_x", force[0]}, {"force_y", force[1]}, {"force_z", force[2]},
-      {"pendular_x", e.pendular[0]}, {"pendular_y", e.pendular[1]}, {"friction_x", e.friction[0]},
-      {"friction_y", e.friction[1]}, {"impact_x", e.impact[0]}, {"impact_y", e.impact[1]}, {"gap", e.gap},
-      {"normal_force", e.normal},
-      {"energy_external", ledger.external}, {"energy_gravity", ledger.gravity}, {"energy_kinetic", 0},
-      {"energy_friction", ledger.friction}, {"energy_impact", ledger.impact}, {"energy_contact", 0}};
-  for (const auto &[name, value] : row)
-    response.append(name, value);
+  const std::pair<const char *, double> row[] = {{"time", s},
+                                                 {"displacement_x", u[0]},
+                                                 {"displacement_y", u[1]},
+                                                 {"displacement_z", y[iZ]},
+                                                 {"velocity_x", 0},
+                                                 {"velocity_y", 0},
+                                                 {"velocity_z", 0},
+                                                 {"force_x", force[0]},
+                                                 {"force_y", force[1]},
+                                                 {"force_z", force[2]},
+                                                 {"pendular_x", e.pendular[0]},
+                                                 {"pendular_y", e.pendular[1]},
+                                                 {"friction_x", e.friction[0]},
+                                                 {"friction_y", e.friction[1]},
+                                                 {"impact_x", e.impact[0]},
+                                                 {"impact_y", e.impact[1]},
+                                                 {"gap", e.gap},
+                                                 {"normal_force", e.normal},
+                                                 {"energy_external", ledger.external},
+                                                 {"energy_gravity", ledger.gravity},
+                                                 {"energy_kinetic", 0},
+                                                 {"energy_friction", ledger.friction},
+                                                 {"energy_impact", ledger.impact},
+                                                 {"energy_contact", 0}};
+  for (const auto &[name, value] : row) response.append(name, value);
   summary.min_normal_force = std::min(summary.min_normal_force.value_or(e.normal), e.normal);
 }
 
@@ -90,8 +106,7 @@ ReducedRun quasi_static(const scene::Scene &given) {
   const auto begin = std::chrono::steady_clock::now();
   scene::Scene scene = given;
   // Slow motion: nothing accelerates, friction is fully developed and its vertical part shares in carrying W.
-  if (scene.reduced.normal_force == "inertia")
-    scene.reduced.normal_force = "static";
+  if (scene.reduced.normal_force == "inertia") scene.reduced.normal_force = "static";
   scene.reduced.friction = "coulomb";
   const Path path(scene);
   ReducedRun run;

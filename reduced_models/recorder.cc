@@ -10,26 +10,43 @@ namespace {
 /// Samples beside a jump of the rim force stand this far from it [s].
 constexpr double beside = 1e-6;
 
-const char *const columns[] = {"time", "displacement_x", "displacement_y", "displacement_z", "velocity_x",
-                               "velocity_y", "velocity_z", "force_x", "force_y", "force_z", "pendular_x", "pendular_y",
-                               "friction_x", "friction_y", "impact_x", "impact_y", "gap", "normal_force",
+const char *const columns[] = {"time",
+                               "displacement_x",
+                               "displacement_y",
+                               "displacement_z",
+                               "velocity_x",
+                               "velocity_y",
+                               "velocity_z",
+                               "force_x",
+                               "force_y",
+                               "force_z",
+                               "pendular_x",
+                               "pendular_y",
+                               "friction_x",
+                               "friction_y",
+                               "impact_x",
+                               "impact_y",
+                               "gap",
+                               "normal_force",
                                "energy_external",
-                               "energy_gravity", "energy_kinetic", "energy_friction", "energy_impact",
+                               "energy_gravity",
+                               "energy_kinetic",
+                               "energy_friction",
+                               "energy_impact",
                                "energy_contact"};
 
 double lateral(const Evaluation &e) {
   return (e.pendular + e.friction + e.impact).head<2>().norm();
 }
 
-/// Largest value of f over [0, 1] inside the interval, from values at its ends and middle; no search when a parabola
-/// through them has its top outside or does not beat `known`.
-template <class Function> double inner_maximum(const Function &f, double f0, double fm, double f1, double known) {
+/// Largest value of f over [0, 1] inside the interval, from values at its ends and middle; no search when a
+/// parabola through them has its top outside or does not beat `known`.
+template <class Function>
+double inner_maximum(const Function &f, double f0, double fm, double f1, double known) {
   const double curvature = f0 - 2 * fm + f1, slope = f1 - f0;
-  if (!(curvature < 0) || std::abs(slope) >= -2 * curvature)
-    return std::max({f0, fm, f1});
+  if (!(curvature < 0) || std::abs(slope) >= -2 * curvature) return std::max({f0, fm, f1});
   const double top = fm - slope * slope / (8 * curvature);
-  if (top + 1e-3 * std::abs(top) <= known)
-    return std::max({f0, fm, f1});
+  if (top + 1e-3 * std::abs(top) <= known) return std::max({f0, fm, f1});
   double a = 0, b = 1;
   constexpr double golden = 0.6180339887498949;
   double l = b - golden * (b - a), r = a + golden * (b - a), fl = f(l), fr = f(r);
@@ -52,10 +69,8 @@ Recorder::Recorder(const Dynamics &dynamics, scene::Response *response, double o
     contact_step_ =
         std::min(output_step, std::numbers::pi * std::sqrt(dynamics.mass / dynamics.rim.stiffness) / 120);
   if (response_) {
-    for (const char *name : columns)
-      columns_.push_back(&response_->series(name));
-    if (!columns_[0]->empty())
-      last_sample_ = columns_[0]->back();
+    for (const char *name : columns) columns_.push_back(&response_->series(name));
+    if (!columns_[0]->empty()) last_sample_ = columns_[0]->back();
   }
 }
 
@@ -71,8 +86,7 @@ void Recorder::begin(const Mode &mode, double t, const State &y) {
   watch(mode, t, y, last_ = e);
   store(mode, t, y);
   next_sample_ = next_after(mode, t);
-  if (mode.rim == RimContact::pressed)
-    open_impact(t, y);
+  if (mode.rim == RimContact::pressed) open_impact(t, y);
 }
 
 void Recorder::watch(const Mode &mode, double t, const State &y, Evaluation &e) {
@@ -80,7 +94,8 @@ void Recorder::watch(const Mode &mode, double t, const State &y, Evaluation &e) 
   peak_displacement_ = std::max(peak_displacement_, std::hypot(y[iX], y[iY]));
   peak_height_ = std::max(peak_height_, y[iZ]);
   peak_lateral_ = std::max(peak_lateral_, lateral(e));
-  smallest_normal_ = std::min(smallest_normal_, mode.support == Support::airborne ? 0.0 : std::max(0.0, e.normal));
+  smallest_normal_ =
+      std::min(smallest_normal_, mode.support == Support::airborne ? 0.0 : std::max(0.0, e.normal));
   smallest_gap_ = std::min(smallest_gap_, e.gap);
   if (in_impact_) {
     auto &i = impacts_.back();
@@ -101,13 +116,13 @@ void Recorder::refine(const Mode &mode, const Segment &s, const Evaluation &e0, 
   peak_lateral_ = std::max(peak_lateral_, inner_maximum([&](double x) { return lateral(at(x)); }, lateral(e0),
                                                         lateral(mid), lateral(e1), peak_lateral_));
   if (mode.support != Support::airborne)
-    smallest_normal_ = std::min(smallest_normal_,
-                                std::max(0.0, -inner_maximum([&](double x) { return -at(x).normal; }, -e0.normal,
-                                                             -mid.normal, -e1.normal, -smallest_normal_)));
+    smallest_normal_ = std::min(
+        smallest_normal_, std::max(0.0, -inner_maximum([&](double x) { return -at(x).normal; }, -e0.normal,
+                                                       -mid.normal, -e1.normal, -smallest_normal_)));
   if (in_impact_) {
     auto &force = impacts_.back().peak_force;
-    force = std::max(force, inner_maximum([&](double x) { return at(x).rim_force; }, e0.rim_force, mid.rim_force,
-                                          e1.rim_force, force));
+    force = std::max(force, inner_maximum([&](double x) { return at(x).rim_force; }, e0.rim_force,
+                                          mid.rim_force, e1.rim_force, force));
   }
 }
 
@@ -163,43 +178,38 @@ void Recorder::close_impact(double t, const State &y) {
 void Recorder::branch(const Mode &before, const Mode &after, double t, const State &y, double loss) {
   landing_loss_ += loss;
   const bool pressed_before = before.rim == RimContact::pressed, pressed = after.rim == RimContact::pressed;
-  if (pressed_before && !pressed)
-    close_impact(t, y);
-  if (!pressed_before && pressed)
-    open_impact(t, y);
+  if (pressed_before && !pressed) close_impact(t, y);
+  if (!pressed_before && pressed) open_impact(t, y);
   Evaluation e = dynamics_.evaluate(after, t, y);
   watch(after, t, y, e);
   last_ = e;
-  if (pressed_before == pressed)
-    return;
-  if (response_ && pressed && !columns_[0]->empty() && last_sample_ >= t) { // the touch belongs to the pressed branch
-    for (auto *column : columns_)
-      column->pop_back();
+  if (pressed_before == pressed) return;
+  if (response_ && pressed && !columns_[0]->empty() &&
+      last_sample_ >= t) { // the touch belongs to the pressed branch
+    for (auto *column : columns_) column->pop_back();
     last_sample_ = columns_[0]->empty() ? -1e300 : columns_[0]->back();
   }
-  if (pressed)
-    store(after, t, y);
+  if (pressed) store(after, t, y);
   next_sample_ = pressed ? next_after(after, t) : t + beside;
 }
 
 void Recorder::store(const Mode &mode, double t, const State &y) {
-  if (!response_ || t < last_sample_ + beside / 2)
-    return;
+  if (!response_ || t < last_sample_ + beside / 2) return;
   last_sample_ = t;
   const Evaluation e = dynamics_.evaluate(mode, t, y);
   const Eigen::Vector3d force = e.pendular + e.friction + e.impact;
   const scene::EnergyLedger l = ledger(mode, y);
-  const double row[] = {t, y[iX], y[iY], y[iZ], y[iVX], y[iVY], y[iVZ], force[0], force[1], force[2], e.pendular[0],
-                        e.pendular[1], e.friction[0], e.friction[1], e.impact[0], e.impact[1], e.gap, e.normal, l.external,
-                        l.gravity, l.kinetic, l.friction, l.impact, l.contact};
-  for (std::size_t i = 0; i < std::size(row); ++i)
-    columns_[i]->push_back(row[i]);
+  const double row[] = {
+      t,           y[iX],       y[iY],    y[iZ],         y[iVX],        y[iVY],        y[iVZ],
+      force[0],    force[1],    force[2], e.pendular[0], e.pendular[1], e.friction[0], e.friction[1],
+      e.impact[0], e.impact[1], e.gap,    e.normal,      l.external,    l.gravity,     l.kinetic,
+      l.friction,  l.impact,    l.contact};
+  for (std::size_t i = 0; i < std::size(row); ++i) columns_[i]->push_back(row[i]);
 }
 
 void Recorder::end(const Mode &mode, double t, const State &y) {
   store(mode, t, y);
-  if (in_impact_)
-    close_impact(t, y);
+  if (in_impact_) close_impact(t, y);
   final_ = y, final_mode_ = mode;
 }
 
@@ -223,8 +233,7 @@ void Recorder::summarise(scene::Summary &summary) const {
   summary.min_normal_force = smallest_normal_;
   summary.impacts = impacts_;
   double peak = 0;
-  for (const auto &impact : impacts_)
-    peak = std::max(peak, impact.peak_force);
+  for (const auto &impact : impacts_) peak = std::max(peak, impact.peak_force);
   summary.peak_impact_force = peak;
   summary.energy = ledger(final_mode_, final_);
 }

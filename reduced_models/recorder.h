@@ -1,5 +1,5 @@
-/// Watches a run: stores samples, keeps peaks, impacts and the energy ledger. Knows nothing of integrators: it is
-/// handed smooth segments with an interpolant, and the events between them.
+/// Watches a run: stores samples, keeps peaks, impacts and the energy ledger. Knows nothing of integrators:
+/// it is handed smooth segments with an interpolant, and the events between them.
 #pragma once
 #include "reduced_models/dynamics.h"
 #include <functional>

@@ -10,7 +10,8 @@ namespace {
 constexpr int n_nodes = 44;
 } // namespace
 
-template <class Function> RadialInterpolant::RadialInterpolant(const Function &of_radius, double largest_radius) {
+template <class Function>
+RadialInterpolant::RadialInterpolant(const Function &of_radius, double largest_radius) {
   half_ = largest_radius * largest_radius / 2;
   std::vector<double> samples(n_nodes);
   for (int i = 0; i < n_nodes; ++i)
@@ -32,18 +33,19 @@ RadialInterpolant::Values RadialInterpolant::at(double s) const {
   const double x = s / half_ - 1;
   double b1 = 0, b2 = 0, p1 = 0, p2 = 0, q1 = 0, q2 = 0;
   for (int j = n_nodes - 1; j >= 1; --j) {
-    const double q = 2 * x * q1 - q2 + 4 * p1, p = 2 * x * p1 - p2 + 2 * b1, b = 2 * x * b1 - b2 + coefficients_[j];
+    const double q = 2 * x * q1 - q2 + 4 * p1, p = 2 * x * p1 - p2 + 2 * b1,
+                 b = 2 * x * b1 - b2 + coefficients_[j];
     q2 = q1, q1 = q, p2 = p1, p1 = p, b2 = b1, b1 = b;
   }
-  return {coefficients_[0] + x * b1 - b2, (b1 + x * p1 - p2) / half_, (2 * p1 + x * q1 - q2) / (half_ * half_)};
+  return {coefficients_[0] + x * b1 - b2, (b1 + x * p1 - p2) / half_,
+          (2 * p1 + x * q1 - q2) / (half_ * half_)};
 }
 
 RidingHeight::RidingHeight(const scene::Bearing &bearing, bool finite_pad)
     : surface_(scene::make_surface(bearing.surface)) {
   // The dish ends at its planar radius; a pad centre beyond it has nothing to ride on.
   limit_ = std::min(bearing.surface.planar_radius, surface_->limit_radius() * (1 - 1e-9));
-  if (!finite_pad)
-    return;
+  if (!finite_pad) return;
   const double ro = bearing.pad.outer_radius, ri = bearing.pad.inner_radius;
   lift_ = std::make_unique<RadialInterpolant>(
       [&](double r) {
@@ -62,8 +64,7 @@ RidingHeight RidingHeight::plane(const scene::Bearing &bearing, double radius) {
 }
 
 scene::SurfacePoint RidingHeight::at(double x, double y) const {
-  if (plane_)
-    return {plane_height_, Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero()};
+  if (plane_) return {plane_height_, Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero()};
   scene::SurfacePoint p = surface_->at(x, y);
   if (lift_) {
     const auto l = lift_->at(x * x + y * y);

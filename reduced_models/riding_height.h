@@ -1,4 +1,5 @@
-/// The height the upper slider rides at over the plan position: the dish, plus the finite pad's lift when asked for.
+/// The height the upper slider rides at over the plan position: the dish, plus the finite pad's lift when
+/// asked for.
 #pragma once
 #include "scene/bearing.h"
 #include <memory>
@@ -6,8 +7,8 @@
 
 namespace rimpact::reduced {
 
-/// Even function of the radius as a Chebyshev interpolant in s = r^2: value and two derivatives by s to near rounding
-/// for the smooth profiles of surfaces of revolution, without a special case at r = 0.
+/// Even function of the radius as a Chebyshev interpolant in s = r^2: value and two derivatives by s to near
+/// rounding for the smooth profiles of surfaces of revolution, without a special case at r = 0.
 class RadialInterpolant {
 public:
   template <class Function> RadialInterpolant(const Function &of_radius, double largest_radius);
@@ -24,8 +25,8 @@ private:
 
 class RidingHeight {
 public:
-  /// `finite_pad` adds (Ro^2 + Ri^2)/8 (kappa_m + kappa_c - 2/R0) (DESIGN 2): a flat annulus bearing on a curved
-  /// dish rides on the mean of the height over its face.
+  /// `finite_pad` adds (Ro^2 + Ri^2)/8 (kappa_m + kappa_c - 2/R0) (DESIGN 2): a flat annulus bearing on a
+  /// curved dish rides on the mean of the height over its face.
   RidingHeight(const scene::Bearing &bearing, bool finite_pad);
   /// A horizontal plane at the height of travel `radius`: an impact window without weight.
   static RidingHeight plane(const scene::Bearing &bearing, double radius);

@@ -1,5 +1,6 @@
 // Whole scenes by the physical model: the entry points of physical_model.h.
 #include "reduced_models/catalogue.h"
+#include "reduced_models/cvode_run.h"
 #include "reduced_models/hybrid_run.h"
 #include "reduced_models/quasi_static.h"
 #include "scene/error.h"
@@ -15,6 +16,7 @@ struct Job {
   BearingState start;
   double t_end;
   double capacity = -1; ///< < 0: the bearing's own
+  bool by_cvode = false;
 };
 
 /// `response` may be null. A slider that leaves the dish ends the run with status `stopped`.
@@ -26,9 +28,10 @@ void run(const Job &job, scene::Response *response, scene::Summary &summary) {
   const Mode mode = dynamics.starting_mode(job.start, y);
   before.initial = dynamics.kinetic_energy(mode, y);
   Recorder recorder(dynamics, response, job.scene.reduced.output_step, before);
-  HybridRun stepper(dynamics, job.scene);
   try {
-    summary.n_steps = stepper.run(job.start, job.t_end, {}, recorder).n_steps;
+    summary.n_steps = job.by_cvode
+                          ? run_with_cvode(dynamics, job.scene, job.start, job.t_end, recorder)
+                          : HybridRun(dynamics, job.scene).run(job.start, job.t_end, {}, recorder).n_steps;
   } catch (const SolverStopped &stop) {
     summary.status = "stopped", summary.reason = stop.what();
   }
@@ -40,10 +43,10 @@ void run(const Job &job, scene::Response *response, scene::Summary &summary) {
 }
 
 ReducedRun simulate_physical(const scene::Scene &scene) {
-  if (!scene.excitation.is_dynamic())
-    return quasi_static(scene);
+  if (!scene.excitation.is_dynamic()) return quasi_static(scene);
   ReducedRun result;
-  run({scene, PhysicalModel(scene).initial_state(), scene.excitation.duration}, &result.response, result.summary);
+  run({scene, PhysicalModel(scene).initial_state(), scene.excitation.duration}, &result.response,
+      result.summary);
   return result;
 }
 
@@ -52,7 +55,8 @@ ReducedRun simulate_physical(const scene::Scene &scene) {
 const std::vector<ReducedModel> &reduced_models() {
   static const std::vector<ReducedModel> models = {
       {"physical",
-       "a mass on the dish with Coulomb or Park-Wen friction, uplift and a rim element (thesis 2.2)", simulate_physical},
+       "a mass on the dish with Coulomb or Park-Wen friction, uplift and a rim element (thesis 2.2)",
+       simulate_physical},
   };
   return models;
 }
@@ -60,8 +64,7 @@ const std::vector<ReducedModel> &reduced_models() {
 const ReducedModel &reduced_model(const std::string &name) {
   std::string known;
   for (const auto &model : reduced_models()) {
-    if (model.name == name)
-      return model;
+    if (model.name == name) return model;
     known += (known.empty() ? "" : ", ") + model.name;
   }
   throw InputError("reduced.model \"" + name + "\" is unknown; known: " + known);
@@ -71,15 +74,28 @@ ReducedRun simulate(const scene::Scene &scene) {
   return reduced_model(scene.reduced.model).simulate(scene);
 }
 
+ReducedRun simulate_with_cvode(const scene::Scene &scene) {
+  if (!scene.excitation.is_dynamic())
+    throw InputError("excitation.kind \"" + scene::to_string(scene.excitation.kind) +
+                     "\" is quasi-static: there is nothing for CVODE to integrate");
+  ReducedRun result;
+  run({.scene = scene,
+       .start = PhysicalModel(scene).initial_state(),
+       .t_end = scene.excitation.duration,
+       .by_cvode = true},
+      &result.response, result.summary);
+  return result;
+}
+
 scene::Summary simulate_summary(const scene::Scene &scene) {
-  if (scene.reduced.model != "physical" || !scene.excitation.is_dynamic())
-    return simulate(scene).summary;
+  if (scene.reduced.model != "physical" || !scene.excitation.is_dynamic()) return simulate(scene).summary;
   scene::Summary summary;
   run({scene, PhysicalModel(scene).initial_state(), scene.excitation.duration}, nullptr, summary);
   return summary;
 }
 
-ReducedRun simulate_from(const scene::Scene &scene, const BearingState &start, double t_end, double capacity) {
+ReducedRun simulate_from(const scene::Scene &scene, const BearingState &start, double t_end,
+                         double capacity) {
   if (!scene.excitation.is_dynamic())
     throw InputError("excitation.kind \"" + scene::to_string(scene.excitation.kind) +
                      "\" is quasi-static: there is no state to start from");
@@ -96,12 +112,12 @@ std::optional<double> critical_scale(scene::Scene scene, double low, double high
     HybridRun stepper(dynamics, scene);
     const double capacity = dynamics.lateral_capacity;
     return stepper
-        .run(PhysicalModel(scene).initial_state(), scene.excitation.duration,
-             [&](const Eigen::Vector3d &u) { return capacity - std::hypot(u[0], u[1]); }, recorder)
+        .run(
+            PhysicalModel(scene).initial_state(), scene.excitation.duration,
+            [&](const Eigen::Vector3d &u) { return capacity - std::hypot(u[0], u[1]); }, recorder)
         .stopped;
   };
-  if (touches(low) || !touches(high))
-    return std::nullopt;
+  if (touches(low) || !touches(high)) return std::nullopt;
   while (high - low > relative * high) {
     const double middle = (low + high) / 2;
     (touches(middle) ? high : low) = middle;

@@ -24,31 +24,27 @@ struct TangentFrame {
   }
 };
 
-/// What remains of a drive on a body at rest after the socket's share, for the direction in which it would slide:
-/// e fulfils drive = socket(e) + beta e, beta being what the sliding face must hold.
+/// What remains of a drive on a body at rest after the socket's share, for the direction in which it would
+/// slide: e fulfils drive = socket(e) + beta e, beta being what the sliding face must hold.
 struct Onset {
   Vector2d direction;
   double beta;
 };
 Onset onset(const Vector2d &drive, double socket_force, const scene::Curvatures &k) {
   const double size = drive.norm();
-  if (size == 0)
-    return {Vector2d::UnitX(), 0};
+  if (size == 0) return {Vector2d::UnitX(), 0};
   Onset o{drive / size, size};
-  if (socket_force == 0)
-    return o;
+  if (socket_force == 0) return o;
   const Vector2d K(k.meridional, k.circumferential);
   for (int i = 0; i < 30; ++i) {
     const Vector2d turned = K.cwiseProduct(o.direction);
     const Vector2d rest = drive - socket_force / turned.norm() * K.cwiseProduct(turned);
     o.beta = rest.dot(o.direction);
-    if (o.beta <= 0)
-      return o; // the socket alone holds it
+    if (o.beta <= 0) return o; // the socket alone holds it
     const Vector2d next = rest.normalized();
     const double change = (next - o.direction).norm();
     o.direction = next;
-    if (change < 1e-14)
-      break;
+    if (change < 1e-14) break;
   }
   return o;
 }
@@ -83,38 +79,50 @@ Hold Dynamics::hold(const Mode &mode, double t, const State &y) const {
   return h;
 }
 
-std::span<const Event> Dynamics::events(const Mode &mode) const {
-  using enum Event;
-  static constexpr Event air_open[] = {landing, touch, turning}, air_pressed[] = {landing, release, turning},
-                         air_pressed_uni[] = {landing, let_go, turning},
-                         air_relaxed[] = {landing, release, press_again, turning};
-  static constexpr Event dish_open[] = {turning, stop, uplift, touch}, dish_pressed[] = {turning, stop, uplift, release},
-                         dish_pressed_uni[] = {turning, stop, uplift, let_go},
-                         dish_relaxed[] = {turning, stop, uplift, release, press_again};
-  const bool air = mode.support == Support::airborne;
-  if (mode.rim == RimContact::open)
-    return air ? std::span<const Event>(air_open) : dish_open;
-  if (mode.rim == RimContact::relaxed)
-    return air ? std::span<const Event>(air_relaxed) : dish_relaxed;
-  if (rim.law->unilateral)
-    return air ? std::span<const Event>(air_pressed_uni) : dish_pressed_uni;
-  return air ? std::span<const Event>(air_pressed) : dish_pressed;
+EventList Dynamics::events(const Mode &mode) const {
+  EventList list;
+  list.add(Event::turning);
+  if (mode.support == Support::airborne) {
+    list.add(Event::landing);
+  } else {
+    if (!park_wen_) list.add(Event::stop);
+    if (mode.starting) list.add(Event::underway);
+    if (reading == NormalForce::inertia) list.add(Event::uplift);
+  }
+  if (mode.rim == RimContact::open) {
+    if (has_rim()) list.add(Event::touch);
+  } else if (mode.rim == RimContact::relaxed) {
+    list.add(Event::release);
+    list.add(Event::press_again);
+  } else {
+    list.add(rim.law->unilateral ? Event::let_go : Event::release);
+  }
+  return list;
+}
+
+Vector2d Dynamics::drive(const Mode &mode, double t, const State &y) const {
+  Evaluation e;
+  rim_terms(mode, {y[iX], y[iY]}, {y[iVX], y[iVY]}, e);
+  Vector3d a_g;
+  const Vector3d F = applied(e, t, a_g);
+  return tangential(F, height.at(y[iX], y[iY]).gradient);
 }
 
 double Dynamics::value(Event event, const Mode &mode, double t, const State &y) const {
-  constexpr double never = 1.0;
   const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
   const double r = u.norm(), d = r - lateral_capacity;
   const auto trial = [&] { return rim.trial(d, u.dot(v) / r) / rim.stiffness; };
   switch (event) {
   case Event::stop:
-    return park_wen_ ? never : v.dot(mode.e0);
+    return v.dot(mode.e0);
+  case Event::underway:
+    return std::min(1 - v.norm() / onset_speed, drive(mode, t, y).dot(mode.e0) / weight);
   case Event::uplift:
-    return reading == NormalForce::inertia ? evaluate(mode, t, y).normal / weight : never;
+    return evaluate(mode, t, y).normal / weight;
   case Event::landing:
     return y[iZ] - height.at(u[0], u[1]).z + landing_clearance;
   case Event::touch:
-    return has_rim() ? -d : never;
+    return -d;
   case Event::release:
     return d;
   case Event::let_go:
@@ -128,30 +136,38 @@ double Dynamics::value(Event event, const Mode &mode, double t, const State &y) 
 }
 
 void Dynamics::project(Mode &mode, State &y) const {
-  if (mode.support == Support::airborne)
-    return;
+  if (mode.support == Support::airborne) return;
   const auto p = height.at(y[iX], y[iY]);
   y[iZ] = p.z;
   y[iVZ] = p.gradient[0] * y[iVX] + p.gradient[1] * y[iVY];
   const double speed = std::hypot(y[iVX], y[iVY]);
-  if (mode.support == Support::sliding && speed > 0)
-    mode.e0 = Vector2d(y[iVX], y[iVY]) / speed;
+  if (mode.support == Support::sliding && speed > 0) mode.e0 = Vector2d(y[iVX], y[iVY]) / speed;
 }
 
 void Dynamics::settle(Mode &mode, double t, State &y) const {
-  if (mode.support == Support::airborne)
-    return;
+  if (mode.support == Support::airborne) return;
   mode.support = Support::sliding;
   project(mode, y);
   const bool at_rest = y[iVX] == 0 && y[iVY] == 0;
   if (at_rest && !park_wen_) {
     const Hold h = hold(mode, t, y);
     mode.e0 = h.direction;
-    if (h.excess <= 0)
-      mode.support = Support::stuck;
+    mode.starting = h.excess > 0 && coulomb_limit() > 0;
+    if (h.excess <= 0) mode.support = Support::stuck;
   }
-  if (reading == NormalForce::inertia && evaluate(mode, t, y).normal < 0)
+  if (reading == NormalForce::inertia && evaluate(mode, t, y).normal < 0) {
     mode.support = Support::airborne;
+    mode.starting = false;
+  }
+}
+
+void Dynamics::release_from_rest(Mode &mode, double t, State &y) const {
+  settle(mode, t, y);
+  if (mode.support == Support::stuck) {
+    mode.e0 = hold(mode, t, y).direction;
+    mode.support = Support::sliding;
+    mode.starting = coulomb_limit() > 0;
+  }
 }
 
 double Dynamics::land(Mode &mode, double t, State &y) const {
@@ -162,8 +178,7 @@ double Dynamics::land(Mode &mode, double t, State &y) const {
   double rebound = -vertical_restitution_ * vn;
   // Ever smaller bounces would follow one another without end: below this the mass stays on the dish.
   const bool bounces = rebound > 1e-6 * speed_scale;
-  if (!bounces)
-    rebound = 0;
+  if (!bounces) rebound = 0;
   v += (rebound - vn) * n; // frictionless impulse along the normal
   y[iVX] = v[0], y[iVY] = v[1], y[iVZ] = v[2], y[iZ] = p.z;
   if (!bounces) {
@@ -177,12 +192,12 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
   switch (event) {
   case Event::stop:
     // A right angle turned within one step is no stop: the caller goes on with the new direction.
-    if (std::hypot(y[iVX], y[iVY]) <= stop_speed)
-      y[iVX] = y[iVY] = y[iVZ] = 0;
+    if (std::hypot(y[iVX], y[iVY]) <= stop_speed) y[iVX] = y[iVY] = y[iVZ] = 0;
     break;
   case Event::uplift:
     project(mode, y);
     mode.support = Support::airborne;
+    mode.starting = false;
     return 0;
   case Event::landing:
     return land(mode, t, y);
@@ -196,6 +211,9 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
   case Event::let_go:
     mode.rim = RimContact::relaxed;
     break;
+  case Event::underway:
+    mode.starting = false;
+    return 0;
   case Event::turning:
     return 0;
   }
@@ -204,7 +222,8 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
 }
 
 Mode Dynamics::starting_mode(const BearingState &start, State &y) const {
-  y = {start.u[0], start.u[1], start.u[2], start.v[0], start.v[1], start.v[2], start.eta[0], start.eta[1], 0, 0, 0, 0};
+  y = {start.u[0],   start.u[1],   start.u[2], start.v[0], start.v[1], start.v[2],
+       start.eta[0], start.eta[1], 0,          0,          0,          0};
   Mode mode;
   const double r = std::hypot(y[iX], y[iY]), d = r - lateral_capacity;
   const double rate = r > 0 ? (y[iX] * y[iVX] + y[iY] * y[iVY]) / r : 0;
