@@ -34,13 +34,13 @@ std::optional<double> take_number(std::string_view &text) {
   if (i < text.size() && std::string_view("EeDd").find(text[i]) != std::string_view::npos) {
     const auto [good, end] = exponent_at(i + 1);
     if (!good) return std::nullopt;
-    number += "e" + std::string(text.substr(i + 1, end - i - 1));
+    number.append(1, 'e').append(text.substr(i + 1, end - i - 1));
     i = end;
   } else if (i < text.size() && (text[i] == '+' || text[i] == '-')) {
     // Fortran drops the E of a three-digit exponent.
     const auto [good, end] = exponent_at(i);
     if (good && end == i + 4 && (end == text.size() || text[end] == ' ')) {
-      number += "e" + std::string(text.substr(i, 4));
+      number.append(1, 'e').append(text.substr(i, 4));
       i = end;
     }
   }

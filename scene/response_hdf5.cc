@@ -50,20 +50,22 @@ private:
   void *data_ = nullptr;
 };
 
+/// Text of variable length, which every reader hands back as text.
 void write_string(hid_t place, const std::string &name, const std::string &text, bool as_attribute) {
   const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "string type");
-  check(H5Tset_size(type, text.size() + 1), "string size");
+  check(H5Tset_size(type, H5T_VARIABLE), "string size");
   check(H5Tset_cset(type, H5T_CSET_UTF8), "string encoding");
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "text space");
+  const char *const pointer = text.c_str();
   if (as_attribute) {
     const Handle attribute(H5Acreate2(place, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                            "attribute");
-    check(H5Awrite(attribute, type, text.c_str()), "attribute");
+    check(H5Awrite(attribute, type, &pointer), "attribute");
     return;
   }
   const Handle set(H5Dcreate2(place, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                    H5Dclose, "text");
-  check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()), "text");
+  check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &pointer), "text");
 }
 
 void write_signal(hid_t group, const SignalInfo &info, const std::vector<double> &values) {

@@ -26,9 +26,9 @@ public:
     return Eigen::Vector3d(2 * inv_a2_, 2 * inv_a2_, 2 * inv_b2_).asDiagonal();
   }
   SurfacePoint at(double x, double y) const override {
-    const double s = depth(x * x + y * y);
-    const double slope = inv_R0_ / s;              // dz/dr / r
-    const double bend = slope * inv_a2_ / (s * s); // d(slope)/dr / r
+    const double s = depth(x * x + y * y), inv_s = 1 / s;
+    const double slope = inv_R0_ * inv_s;                  // (dz/dr) / r
+    const double bend = slope * inv_a2_ * (inv_s * inv_s); // (d slope/dr) / r
     SurfacePoint p;
     p.z = b_ * (1 - s);
     p.gradient = {slope * x, slope * y};
