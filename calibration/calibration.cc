@@ -10,14 +10,14 @@ namespace rimpact::calibration {
 
 namespace {
 
-std::vector<Run> read_runs(const std::vector<std::string> &folders, const WindowOptions &options) {
-  std::vector<Run> runs;
+std::vector<StoredRun> read_runs(const std::vector<std::string> &folders, const WindowOptions &options) {
+  std::vector<StoredRun> runs;
   for (const auto &folder : folders) runs.push_back(read_run(folder, options));
   return runs;
 }
 
 /// Every run to fit must have something to fit.
-void require_impacts(const std::vector<Run> &runs) {
+void require_impacts(const std::vector<StoredRun> &runs) {
   for (const auto &run : runs) {
     if (!run.impacts.empty()) continue;
     if (!run.notes.empty())
@@ -28,15 +28,15 @@ void require_impacts(const std::vector<Run> &runs) {
   }
 }
 
-std::vector<const Run *> select(const std::vector<Run> &runs, bool windows) {
-  std::vector<const Run *> selected;
+std::vector<const StoredRun *> select(const std::vector<StoredRun> &runs, bool windows) {
+  std::vector<const StoredRun *> selected;
   for (const auto &run : runs)
     if (run.is_window() == windows) selected.push_back(&run);
   return selected;
 }
 
 /// One report for each pulse among the runs, at its printed amplitude (scale 1).
-std::vector<GrazingReport> grazing_reports(const std::vector<const std::vector<Run> *> &sets,
+std::vector<GrazingReport> grazing_reports(const std::vector<const std::vector<StoredRun> *> &sets,
                                            const FitResult &result) {
   std::vector<GrazingReport> reports;
   std::set<std::tuple<double, double, double>> seen;
@@ -84,7 +84,7 @@ Calibration calibrate(const std::vector<std::string> &run_folders, const Calibra
   const auto &fitted = histories.empty() ? windows : histories;
   c.result = fit(fitted, options.fit);
   c.scene = with_fitted(fitted.front()->scene, c.result);
-  for (const Run *run : fitted) c.fit[run->folder] = check_run(*run, c.result, options.fit, true);
+  for (const StoredRun *run : fitted) c.fit[run->folder] = check_run(*run, c.result, options.fit, true);
   for (const auto &run : predicted) c.prediction[run.folder] = check_run(run, c.result, options.fit, false);
   if (!windows.empty()) c.windows = windows_table(windows, c.result, options.fit, options.validity_tolerance);
   if (options.grazing_reports) c.grazing = grazing_reports({&runs, &predicted}, c.result);

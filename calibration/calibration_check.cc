@@ -32,7 +32,7 @@ std::string difference(const scene::Scene &a, const scene::Scene &b) {
   return {};
 }
 
-ImpactCheck check_impact(const Run &run, const ImpactWindow &w, const scene::Scene &scene) {
+ImpactCheck check_impact(const StoredRun &run, const ImpactWindow &w, const scene::Scene &scene) {
   const Shot shot = shoot(scene, w);
   ImpactCheck check{};
   check.touch_time = w.impact.touch_time;
@@ -48,14 +48,14 @@ ImpactCheck check_impact(const Run &run, const ImpactWindow &w, const scene::Sce
 
 } // namespace
 
-void require_same_device(const std::vector<Run> &runs) {
+void require_same_device(const std::vector<StoredRun> &runs) {
   for (std::size_t i = 1; i < runs.size(); ++i)
     if (const auto found = difference(runs[0].scene, runs[i].scene); !found.empty())
       throw InputError(
           fmt::format("{} and {} cannot be calibrated together: {}", runs[0].folder, runs[i].folder, found));
 }
 
-RunCheck check_run(const Run &run, const FitResult &result, const FitOptions &options, bool fitted) {
+RunCheck check_run(const StoredRun &run, const FitResult &result, const FitOptions &options, bool fitted) {
   RunCheck check;
   const double L_c = run.scene.bearing.lateral_capacity();
   const auto scene = with_fitted(run.scene, result);

@@ -5,9 +5,9 @@
 namespace rimpact::calibration {
 
 /// Throws InputError naming both folders and what differs: bearing, load or settings of the reduced model.
-void require_same_device(const std::vector<Run> &runs);
+void require_same_device(const std::vector<StoredRun> &runs);
 
 /// The run against the reduced model with the fitted values; `fitted`: the run took part in the fit.
-RunCheck check_run(const Run &run, const FitResult &result, const FitOptions &options, bool fitted);
+RunCheck check_run(const StoredRun &run, const FitResult &result, const FitOptions &options, bool fitted);
 
 } // namespace rimpact::calibration

@@ -128,7 +128,7 @@ void FitOptions::validate() const {
     require(w >= 0, "weight", w, ">= 0");
 }
 
-FitResult fit(const std::vector<const Run *> &runs, const FitOptions &options) {
+FitResult fit(const std::vector<const StoredRun *> &runs, const FitOptions &options) {
   options.validate();
   const Problem problem(runs, options);
   std::vector<Ending> endings;
@@ -136,7 +136,7 @@ FitResult fit(const std::vector<const Run *> &runs, const FitOptions &options) {
   return result_of(problem, endings, options);
 }
 
-std::vector<double> profile(const std::vector<const Run *> &runs, const FitOptions &options,
+std::vector<double> profile(const std::vector<const StoredRun *> &runs, const FitOptions &options,
                             const FitResult &best, const std::string &name,
                             const std::vector<double> &values) {
   options.validate();
@@ -151,13 +151,13 @@ std::vector<double> profile(const std::vector<const Run *> &runs, const FitOptio
   for (const auto &other : others.parameters) others.start[other] = best.parameters.at(other).value;
   std::vector<double> costs;
   for (const double value : values) {
-    std::vector<Run> held; // the parameter becomes a setting of the runs' scenes
-    for (const Run *run : runs) {
+    std::vector<StoredRun> held; // the parameter becomes a setting of the runs' scenes
+    for (const StoredRun *run : runs) {
       held.push_back(*run);
       calibration::parameter(name).set(held.back().scene, value * calibration::parameter(name).si);
     }
-    std::vector<const Run *> pointers;
-    for (const Run &run : held) pointers.push_back(&run);
+    std::vector<const StoredRun *> pointers;
+    for (const StoredRun &run : held) pointers.push_back(&run);
     costs.push_back(fit(pointers, others).cost);
   }
   return costs;

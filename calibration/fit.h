@@ -71,11 +71,11 @@ struct FitResult {
 /// Standard errors: sandwich covariance, each group's variance the larger of the stated and the one found,
 /// inflated by the residuals' autocorrelation (a model error is one error, not one a sample); intervals in
 /// the fitted variable. Throws DataError when no impact is left to fit, InputError for bad options.
-FitResult fit(const std::vector<const Run *> &runs, const FitOptions &options);
+FitResult fit(const std::vector<const StoredRun *> &runs, const FitOptions &options);
 
 /// Half the sum of squares with one parameter held at each of `values` (reported unit) and the others
 /// refitted.
-std::vector<double> profile(const std::vector<const Run *> &runs, const FitOptions &options,
+std::vector<double> profile(const std::vector<const StoredRun *> &runs, const FitOptions &options,
                             const FitResult &best, const std::string &name,
                             const std::vector<double> &values);
 

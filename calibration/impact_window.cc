@@ -58,7 +58,7 @@ std::vector<scene::Impact> merge_chatter(const std::vector<scene::Impact> &impac
 
 class Cutter {
 public:
-  Cutter(const Run &run, const WindowOptions &options)
+  Cutter(const StoredRun &run, const WindowOptions &options)
       : run_(run), r_(run.response), times_(run.response.series("time")), options_(options),
         model_(run.scene), L_c_(run.scene.bearing.lateral_capacity()) {}
 
@@ -156,7 +156,7 @@ private:
     return a < 0 ? v * v / (-2 * a) : std::numeric_limits<double>::infinity();
   }
 
-  const Run &run_;
+  const StoredRun &run_;
   const scene::Response &r_;
   const std::vector<double> &times_;
   const WindowOptions &options_;
@@ -177,22 +177,22 @@ void WindowOptions::validate() const {
   require(grazing_overshoot >= 0, "grazing_overshoot", grazing_overshoot, ">= 0");
 }
 
-double Run::peak_force() const {
+double StoredRun::peak_force() const {
   double peak = 0;
   for (const auto &w : impacts) peak = std::max(peak, w.peak);
   return peak;
 }
 
-double Run::approach_speed() const {
+double StoredRun::approach_speed() const {
   double speed = 0;
   for (const auto &w : impacts) speed = std::max(speed, w.impact.approach_speed);
   return speed;
 }
 
-Run make_run(const std::string &folder, const scene::Scene &scene, scene::Response response,
+StoredRun make_run(const std::string &folder, const scene::Scene &scene, scene::Response response,
              const WindowOptions &options) {
   options.validate();
-  Run run{.folder = folder,
+  StoredRun run{.folder = folder,
           .scene = scene,
           .response = std::move(response),
           .summary = {},
@@ -215,13 +215,13 @@ Run make_run(const std::string &folder, const scene::Scene &scene, scene::Respon
   return run;
 }
 
-Run read_run(const std::string &folder, const WindowOptions &options) {
+StoredRun read_run(const std::string &folder, const WindowOptions &options) {
   namespace fs = std::filesystem;
   if (!fs::is_directory(folder)) throw DataError(folder + ": not a run folder");
   if (!fs::exists(fs::path(folder) / "scene.toml"))
     throw DataError(folder + ": no scene.toml, so its bearing and load are unknown");
   const auto scene = scene::load_scene((fs::path(folder) / "scene.toml").string());
-  Run run = make_run(folder, scene, scene::read_response(folder), options);
+  StoredRun run = make_run(folder, scene, scene::read_response(folder), options);
   if (std::ifstream file(fs::path(folder) / "summary.json"); file) {
     const auto json = nlohmann::json::parse(file, nullptr, false);
     if (json.is_discarded()) throw DataError(folder + "/summary.json is not valid JSON");

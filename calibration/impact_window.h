@@ -45,7 +45,7 @@ struct ImpactWindow {
 };
 
 /// A stored run with its impacts. A `window` run is one isolated impact at a given speed.
-struct Run {
+struct StoredRun {
   std::string folder;
   scene::Scene scene;
   scene::Response response;
@@ -59,9 +59,9 @@ struct Run {
 
 /// Reads scene.toml, the response and (for its status) summary.json. Velocities are differentiated where a
 /// CSV has none. Throws InputError or DataError naming folder and reason.
-Run read_run(const std::string &folder, const WindowOptions &options);
+StoredRun read_run(const std::string &folder, const WindowOptions &options);
 /// The same from memory.
-Run make_run(const std::string &folder, const scene::Scene &scene, scene::Response response,
+StoredRun make_run(const std::string &folder, const scene::Scene &scene, scene::Response response,
              const WindowOptions &options);
 
 /// Peak of a sampled pulse: a quartic through the samples above 0.8 of the largest, so that noise and the

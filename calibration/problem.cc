@@ -23,7 +23,7 @@ bool any_flight(const std::vector<const Parameter *> &parameters) {
 
 } // namespace
 
-Problem::Problem(const std::vector<const Run *> &runs, const FitOptions &options) : options_(options) {
+Problem::Problem(const std::vector<const StoredRun *> &runs, const FitOptions &options) : options_(options) {
   const auto n = static_cast<Eigen::Index>(options.parameters.size());
   lower_.resize(n), upper_.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -37,9 +37,9 @@ Problem::Problem(const std::vector<const Run *> &runs, const FitOptions &options
   add_blocks(runs);
 }
 
-void Problem::add_blocks(const std::vector<const Run *> &runs) {
+void Problem::add_blocks(const std::vector<const StoredRun *> &runs) {
   int n_clear = 0, n_grazing = 0;
-  for (const Run *run : runs)
+  for (const StoredRun *run : runs)
     for (const auto &w : run->impacts) ++(w.grazing ? n_grazing : n_clear);
   all_grazing_ = n_clear == 0 && n_grazing > 0;
   const bool drop = n_clear > 0 && !options_.keep_grazing;
@@ -47,7 +47,7 @@ void Problem::add_blocks(const std::vector<const Run *> &runs) {
     notes_.push_back(
         fmt::format("{} grazing impact{} left out: a slightly different flight would miss the rim", n_grazing,
                     n_grazing > 1 ? "s" : ""));
-  for (const Run *run : runs) {
+  for (const StoredRun *run : runs) {
     for (const auto &w : run->impacts) {
       if (drop && w.grazing) continue;
       blocks_.push_back(impact_block(*run, w, options_));

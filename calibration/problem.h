@@ -8,7 +8,7 @@ namespace rimpact::calibration {
 
 class Problem {
 public:
-  Problem(const std::vector<const Run *> &runs, const FitOptions &options);
+  Problem(const std::vector<const StoredRun *> &runs, const FitOptions &options);
 
   int n_parameters() const { return static_cast<int>(parameters_.size()); }
   const Parameter &parameter(int i) const { return *parameters_[i]; }
@@ -36,7 +36,7 @@ public:
   std::vector<Eigen::VectorXd> starts() const;
 
 private:
-  void add_blocks(const std::vector<const Run *> &runs);
+  void add_blocks(const std::vector<const StoredRun *> &runs);
   Eigen::VectorXd clamped(const Eigen::VectorXd &x) const;
   Eigen::VectorXd guess() const;
   Eigen::VectorXd spread_point(int index) const;
@@ -45,7 +45,7 @@ private:
   std::vector<const Parameter *> parameters_;
   Eigen::VectorXd lower_, upper_;
   std::vector<std::unique_ptr<ResidualBlock>> blocks_;
-  const Run *hardest_ = nullptr;
+  const StoredRun *hardest_ = nullptr;
   int n_impacts_ = 0;
   bool all_grazing_ = false;
   std::vector<std::string> notes_;

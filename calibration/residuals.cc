@@ -18,7 +18,7 @@ constexpr double pressed_share = 0.05;
 
 class ImpactBlock final : public ResidualBlock {
 public:
-  ImpactBlock(const Run &run, const ImpactWindow &window, const FitOptions &options)
+  ImpactBlock(const StoredRun &run, const ImpactWindow &window, const FitOptions &options)
       : ResidualBlock(run.scene), window_(window) {
     for (std::size_t i = 0; i < window.force.size(); ++i)
       if (window.force[i] >= pressed_share * window.peak) pressed_.push_back(i);
@@ -52,7 +52,7 @@ private:
 
 class FlightBlock final : public ResidualBlock {
 public:
-  FlightBlock(const Run &run, const FitOptions &options) : ResidualBlock(run.scene), response_(run.response) {
+  FlightBlock(const StoredRun &run, const FitOptions &options) : ResidualBlock(run.scene), response_(run.response) {
     const auto &times = response_.series("time");
     const double end = run.summary.impacts.empty() ? times.back() : run.summary.impacts.front().touch_time;
     while (n_ < times.size() && times[n_] < end) ++n_;
@@ -90,12 +90,12 @@ private:
 
 } // namespace
 
-std::unique_ptr<ResidualBlock> impact_block(const Run &run, const ImpactWindow &window,
+std::unique_ptr<ResidualBlock> impact_block(const StoredRun &run, const ImpactWindow &window,
                                             const FitOptions &options) {
   return std::make_unique<ImpactBlock>(run, window, options);
 }
 
-std::unique_ptr<ResidualBlock> flight_block(const Run &run, const FitOptions &options) {
+std::unique_ptr<ResidualBlock> flight_block(const StoredRun &run, const FitOptions &options) {
   return std::make_unique<FlightBlock>(run, options);
 }
 

@@ -32,9 +32,9 @@ private:
   std::vector<Group> groups_;
 };
 
-std::unique_ptr<ResidualBlock> impact_block(const Run &run, const ImpactWindow &window,
+std::unique_ptr<ResidualBlock> impact_block(const StoredRun &run, const ImpactWindow &window,
                                             const FitOptions &options);
 /// Motion from rest to the first touch; of quasi-static scenes the force instead.
-std::unique_ptr<ResidualBlock> flight_block(const Run &run, const FitOptions &options);
+std::unique_ptr<ResidualBlock> flight_block(const StoredRun &run, const FitOptions &options);
 
 } // namespace rimpact::calibration

@@ -1,5 +1,6 @@
 #include "calibration/uncertainty.h"
 #include <cmath>
+#include <Eigen/LU>
 #include <Eigen/SVD>
 #include <fmt/format.h>
 #include <limits>

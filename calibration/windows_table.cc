@@ -18,7 +18,7 @@ double kelvin_voigt_peak(double restitution) {
 
 namespace {
 
-WindowRow make_row(const Run &run, const FitResult &pair, const FitOptions &options, double tolerance) {
+WindowRow make_row(const StoredRun &run, const FitResult &pair, const FitOptions &options, double tolerance) {
   const ImpactWindow &w = run.impacts.front();
   const double m = run.scene.load.mass, v = w.impact.approach_speed, e = w.impact.restitution();
   WindowRow row{};
@@ -92,7 +92,7 @@ std::string sentence(const WindowsTable &table, const scene::Scene &scene) {
 
 } // namespace
 
-WindowsTable windows_table(const std::vector<const Run *> &windows, const FitResult &pair,
+WindowsTable windows_table(const std::vector<const StoredRun *> &windows, const FitResult &pair,
                            const FitOptions &options, double tolerance) {
   WindowsTable table;
   table.tolerance = tolerance;
@@ -102,7 +102,7 @@ WindowsTable windows_table(const std::vector<const Run *> &windows, const FitRes
   std::erase_if(own.bounds, [](const auto &entry) { return parameter(entry.first).seen_in_flight; });
   own.n_starts = std::min(options.n_starts, 3);
   if (own.parameters.empty()) own.parameters = {"k_i", "e"};
-  for (const Run *run : windows) {
+  for (const StoredRun *run : windows) {
     if (run->impacts.empty()) throw DataError(run->folder + ": the window holds no impact to fit");
     table.rows.push_back(make_row(*run, pair, own, tolerance));
   }

@@ -28,7 +28,7 @@ struct WindowsTable {
 };
 
 /// `pair` is the constant pair (its k_i, e are judged against every window).
-WindowsTable windows_table(const std::vector<const Run *> &windows, const FitResult &pair,
+WindowsTable windows_table(const std::vector<const StoredRun *> &windows, const FitResult &pair,
                            const FitOptions &options, double tolerance = 0.10);
 
 /// F_peak / (v sqrt(k m)) of a free mass on a linear Kelvin-Voigt rim of restitution e (law `signed`):

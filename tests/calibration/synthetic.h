@@ -1,0 +1,85 @@
+/// Runs with a known answer: the reduced model's own responses.
+#pragma once
+#include "calibration/calibration.h"
+#include <filesystem>
+#include <fmt/format.h>
+#include <random>
+#include <unistd.h>
+
+namespace rimpact::calibration::testing {
+
+inline scene::Scene ricker(double scale, double k_i = 3e8, double e = 0.4, double amplitude_g = 0.78,
+                           double period = 1.0) {
+  scene::Scene s;
+  s.name = fmt::format("ricker-{:g}g-x{:g}", amplitude_g, scale);
+  s.excitation.kind = scene::ExcitationKind::ricker;
+  s.excitation.amplitude_g = amplitude_g;
+  s.excitation.period = period;
+  s.excitation.centre = 2 * period;
+  s.excitation.duration = 2 * period + 4;
+  s.excitation.scale = scale;
+  s.reduced.k_i = k_i;
+  s.reduced.restitution = e;
+  return s;
+}
+
+inline scene::Scene window(double speed, double k_i = 3e8, double e = 0.4) {
+  scene::Scene s;
+  s.name = fmt::format("window-{:g}", speed);
+  s.excitation.kind = scene::ExcitationKind::window;
+  s.excitation.speed = speed;
+  s.excitation.duration = 0.3;
+  s.reduced.k_i = k_i;
+  s.reduced.restitution = e;
+  return s;
+}
+
+inline StoredRun run_of(const scene::Scene &s, const WindowOptions &options = {}) {
+  return make_run(s.name, s, reduced::simulate(s).response, options);
+}
+
+/// Gaussian noise on force and displacement while the rim is pressed; the state before touch stays exact.
+inline StoredRun noisy(const scene::Scene &s, unsigned seed, const Uncertainty &u,
+                 const WindowOptions &options = {}) {
+  auto response = reduced::simulate(s).response;
+  std::mt19937 generator(seed);
+  std::normal_distribution<double> normal;
+  double peak = 0;
+  for (const double f : response.series("impact_x")) peak = std::max(peak, std::abs(f));
+  bool first = true;
+  for (std::size_t i = 0; i < response.size(); ++i) {
+    auto &force = response.series("impact_x")[i];
+    if (force == 0) continue;
+    force += u.force * peak * normal(generator);
+    if (!first)
+      response.series("displacement_x")[i] +=
+          u.displacement * s.bearing.lateral_capacity() * normal(generator);
+    first = false;
+  }
+  return make_run(s.name, s, response, options);
+}
+
+/// A folder that goes away with the test.
+class TemporaryFolder {
+public:
+  TemporaryFolder() {
+    static int count = 0;
+    path_ = std::filesystem::temp_directory_path() /
+            fmt::format("rimpact-calibration-{}-{}", ::getpid(), count++);
+    std::filesystem::create_directories(path_);
+  }
+  ~TemporaryFolder() { std::filesystem::remove_all(path_); }
+  TemporaryFolder(const TemporaryFolder &) = delete;
+  std::string at(const std::string &name) const { return (path_ / name).string(); }
+  /// Simulates and writes a run folder; returns its path.
+  std::string write(const scene::Scene &s) const {
+    const auto run = reduced::simulate(s);
+    scene::write_run_folder(at(s.name), s, run.response, run.summary);
+    return at(s.name);
+  }
+
+private:
+  std::filesystem::path path_;
+};
+
+} // namespace rimpact::calibration::testing

@@ -1,0 +1,117 @@
+#include "calibration/calibration_json.h"
+#include "scene/error.h"
+#include "synthetic.h"
+#include <fstream>
+#include <gtest/gtest.h>
+
+namespace rimpact::calibration {
+namespace {
+using namespace testing;
+
+nlohmann::json read_json(const std::string &path) {
+  return nlohmann::json::parse(std::ifstream(path));
+}
+
+TEST(Calibrate, RunFoldersToCalibrationJson) {
+  TemporaryFolder folder;
+  std::vector<std::string> runs = {folder.write(ricker(1.05)), folder.write(ricker(1.1)),
+                                   folder.write(window(0.1)), folder.write(window(0.5))};
+  CalibrationOptions options;
+  options.predict = {folder.write(ricker(1.2)), folder.write(ricker(0.5))};
+  const auto c = calibrate(runs, options);
+  EXPECT_NO_THROW(check_gate(c));
+  EXPECT_EQ(c.fitted_on, "histories");
+  EXPECT_NEAR(c.result.parameters.at("k_i").value / 3e5, 1, 1e-6);
+  EXPECT_NEAR(c.result.parameters.at("e").value / 0.4, 1, 1e-6);
+  write_calibration(c, folder.at("calibration"));
+
+  const auto json = read_json(folder.at("calibration/calibration.json"));
+  for (const char *key : {"value", "unit", "standard_error", "interval_95", "identifiable"})
+    for (const char *name : {"k_i", "e"}) EXPECT_TRUE(json["parameters"][name].contains(key)) << name << key;
+  EXPECT_EQ(json["parameters"]["k_i"]["unit"], "kN/m");
+  EXPECT_TRUE(json["correlation"]["k_i"].contains("e"));
+  EXPECT_GT(json["condition"].get<double>(), 1);
+  EXPECT_EQ(json["derived"]["law"], "signed");
+  EXPECT_NEAR(json["derived"]["c_i"]["value"].get<double>(),
+              2 * json["derived"]["xi"].get<double>() * std::sqrt(3e8 * 86952.0) / 1e3, 0.1);
+  ASSERT_TRUE(json["fit"].contains(runs[0]));
+  for (const char *key : {"peak_force_error", "peak_displacement_error", "rebound_error",
+                          "nrmse_displacement", "nrmse_force"}) {
+    EXPECT_NEAR(json["fit"][runs[0]][key].get<double>(), 0, 1e-3) << key;
+    EXPECT_NEAR(json["prediction"][options.predict[0]][key].get<double>(), 0, 1e-3) << key;
+  }
+  EXPECT_TRUE(json["prediction"][options.predict[1]]["peak_force_error"].is_null());
+  EXPECT_EQ(json["windows"]["rows"].size(), 2u);
+  EXPECT_FALSE(json["windows"]["sentence"].get<std::string>().empty());
+  EXPECT_EQ(json["published"]["k_i"]["value"], 4.5e5);
+  ASSERT_EQ(json["critical_amplitudes"].size(), 1u);
+  // thesis notes, 1: 0.1-0.2 % below the printed amplitude
+  EXPECT_NEAR(json["critical_amplitudes"][0]["critical_amplitude_g"].get<double>(), 0.78 * 0.9985,
+              0.78 * 0.001);
+
+  // the fragment is a scene's [reduced]
+  std::ifstream file(folder.at("calibration/calibration.toml"));
+  const std::string text((std::istreambuf_iterator<char>(file)), {});
+  const auto scene = scene::parse_scene(text, "calibration.toml");
+  EXPECT_NEAR(scene.reduced.k_i / 3e8, 1, 1e-6);
+  EXPECT_NEAR(scene.reduced.restitution, 0.4, 1e-6);
+  EXPECT_NE(describe(c).find("k_i"), std::string::npos);
+}
+
+TEST(Calibrate, WindowsAloneGiveTheConstantPair) {
+  TemporaryFolder folder;
+  const auto c = calibrate({folder.write(window(0.1)), folder.write(window(0.3))});
+  EXPECT_EQ(c.fitted_on, "windows");
+  EXPECT_NEAR(c.result.parameters.at("k_i").value / 3e5, 1, 1e-6);
+  EXPECT_NEAR(c.windows->valid_from.value(), 0.1, 1e-6);
+  EXPECT_NEAR(c.windows->valid_to.value(), 0.3, 1e-6);
+}
+
+template <typename Error>
+void expect_refusal(const std::vector<std::string> &runs, const std::string &words) {
+  try {
+    calibrate(runs);
+    ADD_FAILURE() << "accepted: " << words;
+  } catch (const Error &error) {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+TEST(Calibrate, RefusesWithTheReason) {
+  TemporaryFolder folder;
+  expect_refusal<InputError>({}, "no run folder");
+  expect_refusal<DataError>({folder.at("absent")}, "not a run folder");
+  expect_refusal<DataError>({folder.write(ricker(0.5))}, "never touched");
+  auto heavier = window(0.2);
+  heavier.name = "heavier";
+  heavier.load.mass = 90000;
+  expect_refusal<InputError>({folder.write(window(0.2)), folder.write(heavier)},
+                             "load.mass_kg 86952 and 90000");
+  auto other = window(0.2);
+  other.name = "other";
+  other.bearing.rim.height = 0.05;
+  expect_refusal<InputError>({folder.write(window(0.2)), folder.write(other)}, "different dimensions");
+}
+
+TEST(Calibrate, AFitThatDidNotConvergeIsAGate) {
+  TemporaryFolder folder;
+  CalibrationOptions options;
+  options.fit.max_iterations = 1;
+  options.fit.n_starts = 1;
+  const auto c = calibrate({folder.write(window(0.2))}, options);
+  EXPECT_THROW(check_gate(c), GateError);
+  EXPECT_NO_THROW(write_calibration(c, folder.at("out"))); // results are kept all the same
+}
+
+TEST(Calibrate, ReadsALaboratoryCsvWithoutVelocities) {
+  TemporaryFolder folder;
+  const auto scene = window(0.3);
+  const auto run = folder.write(scene);
+  std::filesystem::remove(run + "/response.h5");
+  const auto c = calibrate({run});
+  EXPECT_NEAR(c.result.parameters.at("k_i").value / 3e5, 1, 0.01);
+  EXPECT_NEAR(c.result.parameters.at("e").value, 0.4, 0.01);
+}
+
+} // namespace
+} // namespace rimpact::calibration

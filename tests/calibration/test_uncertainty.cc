@@ -1,0 +1,86 @@
+#include "calibration/fit.h"
+#include "synthetic.h"
+#include <gtest/gtest.h>
+
+namespace rimpact::calibration {
+namespace {
+using namespace testing;
+
+TEST(Uncertainty, IntervalsCoverTheTruth) {
+  const auto scene = window(0.3);
+  const Uncertainty noise{.force = 0.01, .displacement = 0.001, .speed = 0.01};
+  constexpr int n = 40;
+  int k_inside = 0, e_inside = 0;
+  double k_spread = 0, k_stated = 0;
+  for (int seed = 1; seed <= n; ++seed) {
+    const StoredRun run = noisy(scene, seed, noise);
+    FitOptions options;
+    options.n_starts = 1;
+    const auto result = fit({&run}, options);
+    const auto &k = result.parameters.at("k_i"), &e = result.parameters.at("e");
+    k_inside += k.interval_low <= 3e5 && 3e5 <= k.interval_high;
+    e_inside += e.interval_low <= 0.4 && 0.4 <= e.interval_high;
+    k_spread += std::pow(k.value / 3e5 - 1, 2) / n;
+    k_stated += std::pow(k.standard_error / 3e5, 2) / n;
+  }
+  std::printf("coverage of 95 %%: k_i %d/%d, e %d/%d; spread of k_i %.2e, stated %.2e\n", k_inside, n,
+              e_inside, n, std::sqrt(k_spread), std::sqrt(k_stated));
+  EXPECT_GE(k_inside, 34);
+  EXPECT_GE(e_inside, 34);
+  EXPECT_GT(std::sqrt(k_spread),
+            0.1 * std::sqrt(k_stated)); // not vacuous: stated errors are of the spread's order
+}
+
+TEST(Uncertainty, CorrelationIsOneWithItselfSymmetricAndBounded) {
+  const StoredRun run = run_of(window(0.3));
+  const auto c = fit({&run}, {}).correlation;
+  EXPECT_DOUBLE_EQ(c.at("k_i").at("k_i"), 1);
+  EXPECT_DOUBLE_EQ(c.at("e").at("e"), 1);
+  EXPECT_DOUBLE_EQ(c.at("k_i").at("e"), c.at("e").at("k_i"));
+  EXPECT_LT(std::abs(c.at("k_i").at("e")), 1);
+}
+
+TEST(Uncertainty, PeaksAloneDoNotTellE) {
+  // thesis notes, 7: the peak force hardly sees e, so a fit on peaks alone is a flat valley
+  const StoredRun run = run_of(window(0.3));
+  FitOptions options;
+  options.weights = {.force = 0, .displacement = 0, .rebound = 0, .peak = 1, .flight = 0};
+  const auto result = fit({&run}, options);
+  EXPECT_FALSE(result.parameters.at("e").identifiable);
+  EXPECT_FALSE(result.parameters.at("e").reason.empty());
+}
+
+TEST(Uncertainty, GrazingIdentifiesNothing) {
+  auto scene = ricker(1.0);
+  scene.excitation.scale = reduced::critical_scale(scene).value() * 1.0005;
+  const StoredRun run = run_of(scene);
+  ASSERT_FALSE(run.impacts.empty());
+  EXPECT_TRUE(run.impacts.front().grazing);
+  const auto result = fit({&run}, {});
+  EXPECT_FALSE(result.parameters.at("k_i").identifiable);
+  EXPECT_NE(result.parameters.at("k_i").reason.find("graze"), std::string::npos);
+}
+
+TEST(Uncertainty, GrazingImpactsBesideOthersAreLeftOut) {
+  auto scene = ricker(1.0);
+  scene.excitation.scale = reduced::critical_scale(scene).value() * 1.0005;
+  const StoredRun grazing = run_of(scene), clear = run_of(ricker(1.1));
+  const auto result = fit({&grazing, &clear}, {});
+  EXPECT_TRUE(result.parameters.at("k_i").identifiable);
+  ASSERT_FALSE(result.notes.empty());
+  EXPECT_NE(result.notes[0].find("left out"), std::string::npos);
+}
+
+TEST(Uncertainty, ProfileHasItsMinimumAtTheFit) {
+  const StoredRun run = run_of(window(0.3));
+  FitOptions options;
+  options.n_starts = 1;
+  const auto result = fit({&run}, options);
+  const auto costs = profile({&run}, options, result, "k_i", {2.7e5, 3e5, 3.3e5});
+  EXPECT_LT(costs[1], 1e-6);
+  EXPECT_GT(costs[0], 1);
+  EXPECT_GT(costs[2], 1);
+}
+
+} // namespace
+} // namespace rimpact::calibration
