@@ -4,7 +4,7 @@ from dataclasses import dataclass, field
 from markupsafe import Markup
 
 from .errors import IoError, ReportError
-from .style import embedded
+from .style import DPI, WIDTH, embedded, plt
 
 KI, E = Markup("<i>k</i><sub>i</sub>"), Markup("<i>e</i>")
 
@@ -34,10 +34,12 @@ def note(sentence, level="info"):
     return {"kind": "note", "text": sentence, "level": level}
 
 
-def table(header, rows, caption="", left=1, emphasise=()):
-    """`left`: how many columns are text, set flush left; the others are figures, set flush right."""
+def table(header, rows, caption="", left=1, compact=False, prose=False):
+    """`left`: how many columns, or which (numbered from 0), are text, set flush left; figures are set flush right.
+    A row is a list of cells, or {"span", "tag"}: a heading across the table. `compact`: no wider than it needs; `prose`: long cells wrap."""
+    left = set(range(left)) if isinstance(left, int) else set(left)
     return {"kind": "table", "header": header, "rows": rows, "caption": caption, "left": left,
-            "emphasise": set(emphasise)} if rows else None
+            "style": "compact" if compact else "prose" if prose else ""} if rows else None
 
 
 def cards(items):
@@ -46,7 +48,9 @@ def cards(items):
 
 
 def bullets(items):
-    return {"kind": "bullets", "items": items} if items else None
+    """items: sentences, or (lead, sentence) pairs."""
+    pairs = [item if isinstance(item, tuple) else ("", item) for item in items if item]
+    return {"kind": "bullets", "items": pairs} if pairs else None
 
 
 def details(title, content):
@@ -71,9 +75,12 @@ class Pictures:
         except IoError:
             raise
         except (ReportError, KeyError, ValueError, IndexError, TypeError, ZeroDivisionError) as error:
+            plt.close("all")
             self.problems.append(f"figure {name} could not be drawn: {error}")
             return None
         return self.existing(drawn, caption) if drawn else None
 
     def existing(self, path, caption):
-        return {"kind": "figure", "source": embedded(path), "caption": caption, "file": path.rsplit("/", 1)[-1]}
+        source, width = embedded(path)
+        share = min(100, round(100 * width / (WIDTH * DPI)))
+        return {"kind": "figure", "source": source, "caption": caption, "file": path.rsplit("/", 1)[-1], "share": share}

@@ -1,7 +1,9 @@
 """From a results folder to report.html: read, draw, fill the template, write."""
 import os
+import re
 
 import jinja2
+from markupsafe import Markup, escape
 
 from . import calibration_file, sections
 from .blocks import Pictures
@@ -9,6 +11,11 @@ from .errors import IoError
 from .results import load_results
 
 TEMPLATES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "templates")
+
+
+def with_subscripts(value):
+    """L_c, k_i, u_z ... in running text as proper subscripts."""
+    return Markup(re.sub(r"(?<![\w.])([A-Za-zΔμ])_([a-z]{1,3})(?![\w])", r"<i>\1</i><sub>\2</sub>", str(escape(value))))
 
 
 class Context:
@@ -28,6 +35,7 @@ def build(folder, output=None):
     made = [section for section in (make(context) for make in sections.CATALOGUE) if section is not None]
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATES), autoescape=True, trim_blocks=True,
                                      lstrip_blocks=True, undefined=jinja2.StrictUndefined)
+    environment.filters["sub"] = with_subscripts
     page = environment.get_template("report.html.j2").render(
         head=sections.head(context), sections=made, problems=list(dict.fromkeys(context.problems)))
     _write(output, page)

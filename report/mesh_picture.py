@@ -104,7 +104,7 @@ def _panel(ax, quads, tags, dimension, mesh, colours, axes, title):
     colour_of = {tag: to_rgba(colours[i % len(colours)]) for i, tag in enumerate(present)} | {0: to_rgba("#eceff2")}
     paint(ax, quads, np.array([colour_of[tag] for tag in tags]), axes, edge=(0, 0, 0, 0.45), line_width=0.2)
     handles = [Patch(color=colour_of[tag], label=mesh.name(dimension, tag)) for tag in present]
-    ax.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncols=4, handlelength=1.0)
+    ax.legend(handles=handles, loc="upper center", bbox_to_anchor=(0.5, 0.0), ncol=4, handlelength=1.0)
     ax.set_title(title)
 
 

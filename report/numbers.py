@@ -38,6 +38,16 @@ def power(value, digits=3):
     return f"{mantissa.replace('-', '−')} × 10{str(int(exponent)).translate(SUPERSCRIPT)}"
 
 
+def interval(low, high, digits=3):
+    """3.98 to 4.22 × 10⁵: the power of ten is said once."""
+    if not is_number(low) or not is_number(high):
+        return DASH
+    a, b = power(low, digits), power(high, digits)
+    if max(abs(low), abs(high)) < 1e4:
+        return f"{sig(low, digits)} to {sig(high, digits)}"
+    return f"{a.split(' ')[0]} to {b}" if a.split(" ")[2] == b.split(" ")[2] else f"{a} to {b}"
+
+
 def fixed(value, decimals=1):
     return _grouped(f"{value:.{decimals}f}") if is_number(value) else DASH
 
@@ -84,7 +94,7 @@ def plain(value):
     if isinstance(value, int):
         return integer(value)
     if isinstance(value, float):
-        return sig(value, 4) if value != round(value) or abs(value) >= 1e6 else integer(value)
+        return _grouped(f"{value:.6g}") if value == 0 or 1e-4 <= abs(value) < 1e6 else power(value, 3)
     if isinstance(value, (list, tuple)):
         return ", ".join(plain(item) for item in value)
     return str(value)

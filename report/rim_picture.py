@@ -16,6 +16,7 @@ from .painter import bodies, boundary_faces, merged, normals, paint, view
 from .style import MUTED, plt, save
 
 STRAIN = LinearSegmentedColormap.from_list("strain", ["#e6ebf0", "#f7d794", "#ef8f3f", "#bb372f", "#4a0d3a"])
+STRAIN_FIELD = "equivalent_plastic_strain"
 FINE = 3            # each face is drawn as FINE x FINE patches
 DRAWN_SHARE = 0.02  # of the model's size the largest drawn deformation should have
 
@@ -28,8 +29,9 @@ class Deformed:
             raise DataError("the VTU file holds no field `displacement`")
         place = merged(grid.points)
         body = bodies(grid.hexahedra, place)
-        reach = [np.hypot(*grid.points[grid.hexahedra[body == b].ravel(), :2].T).max() for b in range(body.max() + 1)]
-        slider = body != int(np.argmax(reach))  # the plate with its rim reaches farthest from the axis
+        reach = np.array([np.hypot(*grid.points[grid.hexahedra[body == b].ravel(), :2].T).max()
+                          for b in range(body.max() + 1)])
+        slider = (reach < 0.999 * reach.max())[body]  # plate and rim reach farthest from the axis
         moved = grid.point_data["displacement"].astype(float)
         on_slider = np.zeros(len(grid.points), bool)
         on_slider[grid.hexahedra[slider].ravel()] = True
@@ -45,8 +47,13 @@ class Deformed:
         self.on_cut = self.half & np.all(np.abs(y) < 1e-6, axis=1)
 
 
+def largest_strain(grid):
+    values = grid.point_data.get(STRAIN_FIELD, grid.cell_data.get(STRAIN_FIELD))
+    return float(np.max(values)) if values is not None and len(values) else 0.0
+
+
 def _strain(grid, corners, cell):
-    name = "equivalent_plastic_strain"
+    name = STRAIN_FIELD
     if name in grid.point_data:
         return np.asarray(grid.point_data[name], float)[corners]
     if name in grid.cell_data:

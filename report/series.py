@@ -19,14 +19,13 @@ def keep_peaks(*series, limit=2400):
 
 
 def contact_stretches(run):
-    """Slices of consecutive samples with rim force, widened by one sample at either side (zero force)."""
+    """Slices of consecutive samples with rim force."""
     if not run.has("impact_x", "impact_y"):
         return []
     touching = np.concatenate([[False], run.norm("impact") > 0.0, [False]])
     starts = np.flatnonzero(~touching[:-1] & touching[1:])
     ends = np.flatnonzero(touching[:-1] & ~touching[1:])
-    n = len(run.time)
-    return [slice(max(0, first - 1), min(n, end + 1)) for first, end in zip(starts, ends)]
+    return [slice(first, end) for first, end in zip(starts, ends) if end - first > 1]
 
 
 def radial_impact_force(run, part):
@@ -36,6 +35,10 @@ def radial_impact_force(run, part):
     return -(run.signals["impact_x"][part] * ux + run.signals["impact_y"][part] * uy) / r
 
 
-def penetration(run, part):
-    """-gap [m]."""
-    return -run.signals["gap"][part]
+def impact_curve(run, part):
+    """(time since touch [s], force [N], penetration -gap [m]) of one impact, closed by the zero force before touch
+    and after release."""
+    time, force = run.time[part] - run.time[part][0], radial_impact_force(run, part)
+    depth = -run.signals["gap"][part] if run.has("gap") else np.zeros_like(time)
+    return (np.concatenate([time[:1], time, time[-1:]]), np.concatenate([[0.0], force, [0.0]]),
+            np.concatenate([depth[:1], depth, depth[-1:]]))

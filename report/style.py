@@ -25,6 +25,7 @@ plt.rcParams.update({
     "axes.labelsize": 7.5, "axes.labelcolor": INK, "axes.edgecolor": MUTED, "axes.linewidth": 0.6,
     "axes.spines.top": False, "axes.spines.right": False, "axes.grid": True, "axes.axisbelow": True,
     "axes.prop_cycle": plt.cycler(color=CYCLE), "axes.unicode_minus": True,
+    "figure.constrained_layout.w_pad": 0.06, "figure.constrained_layout.h_pad": 0.05,
     "grid.color": FAINT, "grid.linewidth": 0.5,
     "xtick.color": MUTED, "ytick.color": MUTED, "xtick.labelcolor": INK, "ytick.labelcolor": INK,
     "xtick.labelsize": 7, "ytick.labelsize": 7, "xtick.major.width": 0.6, "ytick.major.width": 0.6,
@@ -45,12 +46,18 @@ def figure(rows, columns, height, width=WIDTH, **options):
 
 
 def shared_legend(fig, axes, n_columns=4):
-    """One legend above all panels, from the first axes that has entries."""
+    """One legend above all panels, with every label of the given axes once."""
+    entries = {}
     for ax in axes:
         handles, labels = ax.get_legend_handles_labels()
-        if handles:
-            fig.legend(handles, labels, loc="outside upper left", ncols=n_columns)
-            return
+        entries |= {label: handle for label, handle in zip(labels, handles) if label not in entries}
+    if not entries:
+        return
+    n_rows = -(-len(entries) // n_columns)
+    strip = (0.08 + 0.155 * n_rows) / fig.get_figheight()
+    fig.get_layout_engine().set(rect=(0, 0, 1, 1 - strip))
+    fig.legend(entries.values(), entries.keys(), loc="upper left", bbox_to_anchor=(0.0, 1.0), ncol=n_columns,
+               borderaxespad=0.1)
 
 
 def save(fig, path):
@@ -67,9 +74,10 @@ def save(fig, path):
 
 
 def embedded(path):
-    """A PNG file as a data address, so that the report needs no other file."""
+    """(a PNG file as a data address, its width in pixels), so that the report needs no other file."""
     try:
         with open(path, "rb") as file:
-            return "data:image/png;base64," + base64.b64encode(file.read()).decode()
+            content = file.read()
+        return "data:image/png;base64," + base64.b64encode(content).decode(), int.from_bytes(content[16:20], "big")
     except OSError as error:
         raise IoError(f"cannot read {path}: {error.strerror}") from None

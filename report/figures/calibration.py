@@ -2,8 +2,8 @@
 import numpy as np
 
 from ..numbers import is_number
-from ..series import contact_stretches, radial_impact_force
-from ..style import FE, FITTED, INK, MUTED, PUBLISHED, figure, save
+from ..series import contact_stretches, impact_curve
+from ..style import FE, FITTED, INK, MUTED, PUBLISHED, figure, save, shared_legend
 
 METRICS = (("peak_force", "peak impact force"), ("rebound", "rebound speed"),
            ("peak_displacement", "peak displacement"))
@@ -26,12 +26,11 @@ def draw_errors(rows, path):
         low, high = ax.get_xlim()
         ax.set_xlim(min(low, -1.0), max(high, 1.0))
     grid[0, 0].set_yticks(y, [row["name"] for row in rows])
-    handles, labels = grid[0, 0].get_legend_handles_labels()
-    fig.legend(handles, labels, loc="outside upper left", ncols=2)
+    shared_legend(fig, grid[0, :1])
     return save(fig, path)
 
 
-def draw_residuals(entries, path):
+def draw_residuals(entries, path, label=str):
     """Reduced minus FE rim force through the first impact of every run, both from their own touch, over the peak."""
     drawn = [(entry, contact_stretches(entry.fe), contact_stretches(entry.fitted)) for entry in entries
              if entry.fe is not None and entry.fitted is not None]
@@ -44,7 +43,7 @@ def draw_residuals(entries, path):
     for i, (entry, fe_parts, reduced_parts) in enumerate(drawn):
         time, reference, candidate = _aligned(entry, fe_parts[0], reduced_parts[0])
         style = dict(color=f"C{i % 8}", lw=1.1)
-        over_time.plot(1e3 * time, 100 * (candidate - reference) / reference.max(), label=entry.name, **style)
+        over_time.plot(1e3 * time, 100 * (candidate - reference) / reference.max(), label=label(entry.name), **style)
         scatter.plot(1e-3 * reference, 1e-3 * candidate, **style)
         largest = max(largest, 1e-3 * reference.max(), 1e-3 * candidate.max())
     over_time.axhline(0, color=INK, lw=0.6)
@@ -52,15 +51,14 @@ def draw_residuals(entries, path):
                   ylabel="(reduced − FE) / FE peak (%)")
     scatter.plot([0, largest], [0, largest], color=MUTED, lw=0.8, ls=(0, (1, 1.5)))
     scatter.set(title="(b) Reduced over FE", xlabel="FE rim force (kN)", ylabel="reduced rim force (kN)")
-    fig.legend(*over_time.get_legend_handles_labels(), loc="outside upper left", ncols=2)
+    shared_legend(fig, [over_time], n_columns=3)
     return save(fig, path)
 
 
 def _aligned(entry, fe_part, reduced_part):
     series = []
     for run, part in ((entry.fe, fe_part), (entry.fitted, reduced_part)):
-        time, force = run.time[part], radial_impact_force(run, part)
-        series.append((time - (time[1] if len(time) > 2 else time[0]), force))
+        series.append(impact_curve(run, part)[:2])
     end = max(series[0][0][-1], series[1][0][-1])
     time = np.linspace(0.0, end, 400)
     return time, *(np.interp(time, t, f, left=0.0, right=0.0) for t, f in series)

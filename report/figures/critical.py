@@ -1,5 +1,5 @@
 """Peak impact force and approach speed over the pulse's scale: how steep they are near grazing."""
-from ..style import RIM, figure, line_of, save
+from ..style import RIM, figure, line_of, save, shared_legend
 from .response_panels import LABELS
 
 
@@ -21,11 +21,12 @@ def draw(families, critical, path):
         row[0].set(title=f"{name}: peak impact force", ylabel="force (kN)")
         row[1].set(title=f"{name}: approach speed", ylabel="speed (m/s)")
         for ax in row:
+            ax.margins(x=0.12)
             ax.set_ylim(bottom=0)
             ax.set_xlabel("scale of the pulse (–)")
             if critical.get(name):
                 ax.axvline(critical[name], color=RIM, lw=0.8, ls=(0, (1, 1.5)))
-                ax.annotate("first touch", (critical[name], 1), xycoords=("data", "axes fraction"), xytext=(-3, -2),
+                ax.annotate("first touch", (critical[name], 1), xycoords=("data", "axes fraction"), xytext=(-1, -2),
                             textcoords="offset points", rotation=90, va="top", ha="right", fontsize=6.5, color=RIM)
-    fig.legend(*grid[0, 0].get_legend_handles_labels(), loc="outside upper left", ncols=3)
+    shared_legend(fig, grid[:, 0])
     return save(fig, path)

@@ -2,35 +2,52 @@
 import numpy as np
 
 from ..series import keep_peaks
-from ..style import ENERGY, INK, figure, save
+from ..style import ENERGY, INK, figure, save, shared_legend
 
 NAMES = {"kinetic": "kinetic", "gravity": "lift against gravity", "elastic": "elastic", "contact": "contact",
          "friction": "friction (spent)", "impact": "impact element", "plastic": "plastic (spent)",
          "integrator": "integrator's loss"}
 
 
-def draw(run, path):
-    """None when the run stores no energy signals."""
-    terms = [name for name in ENERGY if f"energy_{name}" in run.signals]
-    if not terms or "energy_external" not in run.signals:
+def draw(runs, path):
+    """runs: [(title, run)]; two panels a row. None when no run stores energy signals."""
+    runs = [(title, run) for title, run in runs if run.has("energy_external") and _terms(run)]
+    if not runs:
         return None
-    fig, grid = figure(1, 1, 2.5)
-    ax = grid[0, 0]
+    columns = min(2, len(runs))
+    rows = -(-len(runs) // columns)
+    fig, grid = figure(rows, columns, 0.5 + (1.85 if columns == 2 else 2.3) * rows)
+    for ax in grid.flat[len(runs):]:
+        ax.axis("off")
+    for ax, (title, run) in zip(grid.flat, runs):
+        _stack(ax, run)
+        ax.set_title(title)
+        ax.margins(x=0)
+    for ax in grid[:, 0]:
+        ax.set_ylabel("energy (kJ)")
+    for ax in grid.flat[max(0, len(runs) - columns):len(runs)]:
+        ax.set_xlabel("time (s)")
+    shared_legend(fig, grid.flat[:len(runs)], n_columns=5)
+    return save(fig, path)
+
+
+def _terms(run):
+    return [name for name in list(ENERGY)[::-1] if run.has(f"energy_{name}")]
+
+
+def _stack(ax, run):
+    """What is spent lies below, what is stored above it."""
     given = 1e-3 * (run.signals["energy_external"] + _initial(run))
-    series = [1e-3 * run.signals[f"energy_{name}"] for name in terms]
-    kept = keep_peaks(given, sum(series), limit=1500)
+    series = {name: 1e-3 * run.signals[f"energy_{name}"] for name in _terms(run)}
+    kept = keep_peaks(given, sum(series.values()), limit=1500)
+    shown = max(1e-9, 0.005 * np.max(np.abs(given)))
     base = np.zeros(len(kept))
-    shown = max(1e-9, 0.002 * np.max(np.abs(given)))
-    for name, values in sorted(zip(terms, series), key=lambda pair: list(ENERGY)[::-1].index(pair[0])):
+    for name, values in series.items():
         top = base + values[kept]
         if np.max(np.abs(values)) > shown:
             ax.fill_between(run.time[kept], base, top, color=ENERGY[name], lw=0, alpha=0.9, label=NAMES[name])
         base = top
-    ax.plot(run.time[kept], given[kept], color=INK, lw=1.1, label="put in")
-    ax.set(title="Where the energy is", xlabel="time (s)", ylabel="energy (kJ)")
-    ax.margins(x=0)
-    ax.legend(loc="center left", bbox_to_anchor=(1.01, 0.5))
-    return save(fig, path)
+    ax.plot(run.time[kept], given[kept], color=INK, lw=1.0, label="put in")
 
 
 def _initial(run):

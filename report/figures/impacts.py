@@ -1,7 +1,5 @@
 """Zoom on each impact: rim force over time since touch, and over penetration; every model from its own touch."""
-import numpy as np
-
-from ..series import contact_stretches, keep_peaks, penetration, radial_impact_force
+from ..series import contact_stretches, impact_curve, keep_peaks
 from ..style import MUTED, figure, line_of, save, shared_legend
 from .response_panels import LABELS
 
@@ -15,30 +13,29 @@ def draw(models, path, most=4, labels=None):
     fig, grid = figure(n_rows, 2, 0.45 + 1.95 * n_rows)
     labels = labels or LABELS
     for row, (over_time, over_depth) in enumerate(grid):
+        lines = 0
         for role, run, parts in stretches:
             if row < len(parts):
-                _draw_one(over_time, over_depth, run, parts[row], line_of(role), labels[role])
+                _draw_one(over_time, over_depth, run, parts[row], line_of(role), labels[role], lines)
+                lines += 1
         _finish(over_time, over_depth, row, last=row == n_rows - 1)
     shared_legend(fig, grid[:, 0])
     return save(fig, path)
 
 
-def _draw_one(over_time, over_depth, run, part, style, label):
-    force, time = 1e-3 * radial_impact_force(run, part), run.time[part]
-    touch = time[1] if len(time) > 2 else time[0]
-    depth = 1e3 * penetration(run, part) if run.has("gap") else np.zeros_like(force)
+def _draw_one(over_time, over_depth, run, part, style, label, line):
+    """`line`: which line of the panel's corner names this model's peak."""
+    time, force, depth = impact_curve(run, part)
     kept = keep_peaks(force, depth, limit=900)
-    over_time.plot(1e3 * (time - touch)[kept], force[kept], label=label, **style)
-    over_depth.plot(depth[kept], force[kept], **style)
-    top = int(np.argmax(force))
-    over_time.annotate(f"{force[top]:.0f} kN", (1e3 * (time[top] - touch), force[top]), xytext=(3, 1.5),
-                       textcoords="offset points", fontsize=6.5, color=style["color"])
+    over_time.plot(1e3 * time[kept], 1e-3 * force[kept], label=label, **style)
+    over_depth.plot(1e3 * depth[kept], 1e-3 * force[kept], **style)
+    over_time.annotate(f"peak {1e-3 * force.max():.0f} kN", (1.0, 1.0), xycoords="axes fraction", ha="right", va="top",
+                       xytext=(-2, -2 - 9 * line), textcoords="offset points", fontsize=6.5, color=style["color"])
 
 
 def _finish(over_time, over_depth, row, last):
     over_time.set_title(f"Impact {row + 1}: force over time")
     over_depth.set_title(f"Impact {row + 1}: force over penetration")
-    over_time.margins(y=0.14)
     for ax in (over_time, over_depth):
         ax.set_ylabel("rim force (kN)")
         ax.axhline(0, color=MUTED, lw=0.5, zorder=0)
@@ -63,15 +60,14 @@ def draw_windows(entries, path):
             _window_line(over_time, over_depth, entry.fitted, dict(color=colour, lw=0.8, ls=(0, (1, 1.4))), None)
     over_time.set(title="(a) Force over time", xlabel="time since touch (ms)", ylabel="rim force (kN)")
     over_depth.set(title="(b) Force over penetration", xlabel="penetration −gap (mm)", ylabel="rim force (kN)")
-    over_depth.legend(title="approach speed", title_fontsize=7, loc="lower right")
+    over_depth.legend(title="approach speed", title_fontsize=7, loc="center left",
+                      bbox_to_anchor=(1.0, 0.5))
     return save(fig, path)
 
 
 def _window_line(over_time, over_depth, run, style, label):
     for part in contact_stretches(run)[:1]:
-        force, time = 1e-3 * radial_impact_force(run, part), run.time[part]
-        touch = time[1] if len(time) > 2 else time[0]
-        kept = keep_peaks(force, limit=900)
-        over_time.plot(1e3 * (time - touch)[kept], force[kept], **style)
-        if run.has("gap"):
-            over_depth.plot(1e3 * penetration(run, part)[kept], force[kept], label=label, **style)
+        time, force, depth = impact_curve(run, part)
+        kept = keep_peaks(force, depth, limit=900)
+        over_time.plot(1e3 * time[kept], 1e-3 * force[kept], **style)
+        over_depth.plot(1e3 * depth[kept], 1e-3 * force[kept], label=label, **style)

@@ -1,16 +1,17 @@
 """Where the time of each FE run goes."""
 import numpy as np
 
-from ..style import BLUE, FITTED, GREEN, PURPLE, SKY, YELLOW, FAINT, figure, save
+from ..style import BLUE, FITTED, GREEN, PURPLE, SKY, YELLOW, FAINT, figure, save, shared_legend
 
 PARTS = {"search": PURPLE, "assembly": BLUE, "factor": FITTED, "solve": YELLOW, "output": GREEN}
 
 
 def draw(runs, path):
-    """Stacked bars of wall time, the unaccounted rest in grey. None when no run tells its time."""
-    runs = [run for run in runs if run.summary.get("wall_time_s")]
+    """runs: [(name, run)]; stacked bars of wall time, the unaccounted rest in grey. None when no run tells its time."""
+    runs = [(name, run) for name, run in runs if run.summary.get("wall_time_s")]
     if not runs:
         return None
+    names, runs = zip(*runs)
     fig, grid = figure(1, 1, 0.7 + 0.24 * len(runs))
     ax, y = grid[0, 0], np.arange(len(runs))[::-1]
     done = np.zeros(len(runs))
@@ -22,8 +23,8 @@ def draw(runs, path):
         done += values
     rest = np.maximum(0.0, np.array([run.summary["wall_time_s"] for run in runs]) - done)
     ax.barh(y, rest, 0.62, left=done, color=FAINT, label="other")
-    ax.set_yticks(y, [run.name for run in runs])
+    ax.set_yticks(y, names)
     ax.set_xlabel("wall time (s)")
     ax.grid(axis="y", visible=False)
-    fig.legend(*ax.get_legend_handles_labels(), loc="outside upper left", ncols=7)
+    shared_legend(fig, [ax], n_columns=7)
     return save(fig, path)

@@ -1,35 +1,44 @@
 """k_i and e over impact speed, beside the constant pair, its band of validity, and the published pair."""
-from ..style import FE, FITTED, INK, MUTED, PUBLISHED, figure, save
+from ..style import FE, FITTED, INK, MUTED, PUBLISHED, figure, save, shared_legend
 
 
 def draw(calibration, path):
     """None when no window gave k_i or e."""
     rows = calibration.windows
-    with_k, with_e = [r for r in rows if r.k_i], [r for r in rows if r.e or r.restitution is not None]
-    if not with_k and not with_e:
+    with_e = [r for r in rows if r.e or r.restitution is not None]
+    if not with_e and not any(r.k_i for r in rows):
         return None
     fig, grid = figure(1, 3, 2.55)
     k_ax, e_ax, force_ax = grid[0]
-    _points(k_ax, with_k, lambda r: r.k_i, 1e-5)
+    draw_stiffness(k_ax, calibration, "(a) Impact stiffness")
     _points(e_ax, with_e, lambda r: r.e, 1.0)
     rebound = [r for r in rows if r.restitution is not None]
     e_ax.plot([r.speed for r in rebound], [r.restitution for r in rebound], ls="none", marker="x", ms=4, mew=0.9,
               color=MUTED, label="rebound / approach")
-    _constants(k_ax, calibration.parameter("k_i"), 1e-5)
     _constants(e_ax, calibration.parameter("e"), 1.0)
     _force(force_ax, rows, calibration.tolerance)
-    k_ax.set(title="(a) Impact stiffness", ylabel="k$_i$ (10⁵ kN/m)")
     e_ax.set(title="(b) Restitution", ylabel="e (–)")
-    for ax in grid[0]:
-        ax.set_xlabel("approach speed (m/s)")
-        ax.set_xlim(left=0)
-        if calibration.valid_from is not None and calibration.valid_to is not None:
-            ax.axvspan(calibration.valid_from, calibration.valid_to, color=FITTED, alpha=0.10, lw=0, zorder=0)
-    k_ax.set_ylim(bottom=0)
+    for ax in (e_ax, force_ax):
+        _speed_axis(ax, calibration)
     e_ax.set_ylim(0, max(1.0, e_ax.get_ylim()[1]))
-    handles = {label: handle for ax in (k_ax, e_ax) for handle, label in zip(*ax.get_legend_handles_labels())}
-    fig.legend(handles.values(), handles.keys(), loc="outside upper left", ncols=4)
+    shared_legend(fig, (k_ax, e_ax))
     return save(fig, path)
+
+
+def draw_stiffness(ax, calibration, title):
+    """k_i over approach speed: each window alone, the constant pair, the published value."""
+    _points(ax, [row for row in calibration.windows if row.k_i], lambda r: r.k_i, 1e-5)
+    _constants(ax, calibration.parameter("k_i"), 1e-5)
+    ax.set(title=title, ylabel="k$_i$ (10⁵ kN/m)")
+    _speed_axis(ax, calibration)
+    ax.set_ylim(bottom=0)
+
+
+def _speed_axis(ax, calibration):
+    ax.set_xlabel("approach speed (m/s)")
+    ax.set_xlim(left=0)
+    if calibration.valid_from is not None and calibration.valid_to is not None:
+        ax.axvspan(calibration.valid_from, calibration.valid_to, color=FITTED, alpha=0.10, lw=0, zorder=0)
 
 
 def _points(ax, rows, parameter, factor):

@@ -2,9 +2,10 @@
 yields, and how well the pulses that were not fitted are predicted. For a single run: its peaks."""
 import datetime
 
+from ..figures import answer as figure_answer
 from ..blocks import KI, Section, bullets, cards, note
-from ..numbers import fixed, integer, is_number, percent, power, scaled, sig
-from .common import METRIC_NAMES, errors_of, impact_peak, status_note, title_of
+from ..numbers import fixed, integer, interval, is_number, percent, power, scaled, sig
+from .common import METRIC_NAMES, errors_of, impact_peak, short_name, status_note, title_of
 
 
 def head(context):
@@ -48,6 +49,9 @@ def make(context):
         section.add(note("Calibration: not run. There are no fitted values to report.", "missing"))
     section.add(bullets([s for s in (_validity(calibration), _identifiable(calibration), _yields(context),
                                      _predictions(context)) if s]))
+    shown = next((entry for entry in context.results.having("predict", "fit", "history") if entry.models()), None)
+    section.add(context.pictures.figure("answer", "", figure_answer.draw, shown.models() if shown else [],
+                                        short_name(shown.name) if shown else "", calibration))
     for entry in context.results.entries:
         for _, run in entry.models():
             section.add(status_note(run))
@@ -71,10 +75,10 @@ def _single(section, run):
 def _parameter_card(p):
     is_k = p.name == "k_i"
     show = (lambda x: power(x, 3)) if is_k else (lambda x: fixed(x, 3))
-    lines = [f"95 %: {show(p.interval[0])} to {show(p.interval[1])}" if p.interval else "no interval available"]
+    lines = [f"95 %: {interval(*p.interval)}" if p.interval else "no interval available"]
     if p.published is not None:
         lines.append(f"published {power(p.published, 2) if is_k else sig(p.published, 2)} "
-                     f"(ours {percent(p.value / p.published - 1, 0)})")
+                     f"(ours\u00a0{percent(p.value / p.published - 1, 0)})")
     if p.identifiable is False:
         lines.append("not identifiable from these runs")
     return {"title": {"k_i": "Impact stiffness", "e": "Coefficient of restitution"}.get(p.name, p.name),
@@ -113,26 +117,26 @@ def _yield_card(context):
 
 def _validity(calibration):
     if calibration.validity:
-        return "Range of validity. " + calibration.validity
+        return "Range of validity.", calibration.validity
     if calibration.parameters:
-        return "Range of validity. Not known: no impact windows over speed were run."
+        return "Range of validity.", "Not known: no impact windows over speed were run."
     return None
 
 
 def _identifiable(calibration):
     doubtful = [p for p in calibration.parameters if p.identifiable is False]
-    return "Not identifiable. " + "; ".join(f"{p.name}: {p.reason or 'see calibration'}" for p in doubtful) \
+    return ("Not identifiable.", "; ".join(f"{p.name}: {p.reason or 'see calibration'}" for p in doubtful)) \
         if doubtful else None
 
 
 def _yields(context):
     strains = _strains(context)
     if not strains:
-        return "Yielding. No finite-element run tells the plastic strain." if context.results.entries else None
+        return ("Yielding.", "No finite-element run tells the plastic strain.") if context.results.entries else None
     yielded = [(entry, strain) for entry, strain in strains if strain > 1e-6]
-    sentence = f"Yielding. Plastic strain develops in {len(yielded)} of {len(strains)} finite-element runs"
+    sentence = f"Plastic strain develops in {len(yielded)} of {len(strains)} finite-element runs"
     slow = [entry.speed for entry, _ in yielded if entry.role == "window" and entry.speed]
-    return sentence + (f", already at {sig(min(slow), 2)} m/s." if slow else ".")
+    return "Yielding.", sentence + (f", already at {sig(min(slow), 2)} m/s." if slow else ".")
 
 
 def _predictions(context):
@@ -143,4 +147,4 @@ def _predictions(context):
         said = f"{title_of(entry.name)}: FE {integer(1e-3 * impact_peak(entry.fe))} kN, {METRIC_NAMES['peak_force']} "
         said += f"{percent(fitted)} by the fitted pair"
         parts.append(said + (f", {percent(published)} by the published pair" if is_number(published) else ""))
-    return "Pulses not fitted. " + "; ".join(parts) + "." if parts else None
+    return ("Pulses not fitted.", "; ".join(parts) + ".") if parts else None

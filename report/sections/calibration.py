@@ -1,8 +1,8 @@
 """The fit: values, intervals, correlation, and how every run comes out."""
 from ..blocks import Section, bullets, note, table
 from ..figures import calibration as figure_calibration
-from ..numbers import fixed, is_number, percent, plain, power, sig
-from .common import ROLE_TEXT, errors_of, title_of
+from ..numbers import fixed, interval, is_number, percent, plain, power, sig
+from .common import ROLE_TEXT, errors_of, short_name
 
 
 def make(context):
@@ -20,13 +20,14 @@ def make(context):
     section.add(_correlation(calibration))
     section.add(_derived(calibration))
     section.add(_runs(context))
-    rows = [{"name": entry.name, "fitted": errors_of(context, entry, "fitted"),
+    rows = [{"name": short_name(entry.name), "fitted": errors_of(context, entry, "fitted"),
              "published": errors_of(context, entry, "published")} for entry in context.results.histories]
     section.add(context.pictures.figure("calibration-errors", "Signed errors of the reduced model against FE.",
                                         figure_calibration.draw_errors, rows))
     section.add(context.pictures.figure(
         "calibration-residuals", "First impact of every ground motion, FE and fitted reduced model simulated from rest.",
-        figure_calibration.draw_residuals, context.results.histories))
+        figure_calibration.draw_residuals, context.results.histories,
+        label=short_name))
     section.add(bullets(calibration.notes))
     return section
 
@@ -35,9 +36,9 @@ def _parameters(calibration):
     rows = []
     for p in calibration.parameters:
         show = (lambda x: power(x, 3)) if is_number(p.value) and abs(p.value) >= 1e4 else (lambda x: sig(x, 3))
-        interval = f"{show(p.interval[0])} to {show(p.interval[1])}" if p.interval else "–"
+        limits = interval(*p.interval) if p.interval else "–"
         verdict = {True: "yes", False: "no" + (f": {p.reason}" if p.reason else "")}.get(p.identifiable, "–")
-        rows.append([p.name, show(p.value), p.unit, show(p.standard_error) if p.standard_error else "–", interval,
+        rows.append([p.name, show(p.value), p.unit.strip("-"), show(p.standard_error) if p.standard_error else "–", limits,
                      verdict, show(p.published) if p.published is not None else "–"])
     return table(["parameter", "value", "unit", "standard error", "95 % interval", "identifiable", "published"], rows)
 
@@ -48,7 +49,8 @@ def _correlation(calibration):
         return None
     rows = [[name, *(fixed(calibration.correlation[name].get(other), 3) for other in names)] for name in names]
     condition = f" Condition number {sig(calibration.condition, 3)}." if is_number(calibration.condition) else ""
-    return table(["correlation", *names], rows, caption="Correlation of the estimates." + condition)
+    return table(["correlation", *names], rows, caption="Correlation of the estimates." + condition,
+                 compact=True)
 
 
 def _derived(calibration):
@@ -58,7 +60,7 @@ def _derived(calibration):
             value = f"{plain(value.get('value'))} {value.get('unit', '')}".strip() if "value" in value else \
                 ", ".join(f"{k} {plain(v)}" for k, v in value.items())
         rows.append([name, value if isinstance(value, str) else plain(value)])
-    return table(["stated with the fit", ""], rows, left=2)
+    return table(["stated with the fit", ""], rows, left=2, compact=True)
 
 
 def _runs(context):
@@ -66,10 +68,10 @@ def _runs(context):
     for entry in context.results.histories:
         errors = errors_of(context, entry, "fitted")
         if errors:
-            rows.append([title_of(entry.name), ROLE_TEXT.get(entry.role, ""), percent(errors.get("peak_force")),
+            rows.append([short_name(entry.name), ROLE_TEXT.get(entry.role, ""), percent(errors.get("peak_force")),
                          percent(errors.get("peak_displacement"), 2), percent(errors.get("rebound")),
                          percent(errors.get("nrmse_displacement"), 2, False), percent(errors.get("nrmse_force"), 1, False)])
-    return table(["run", "role", "peak impact force", "peak displacement", "rebound", "NRMSE displacement",
+    return table(["run", "", "peak impact force", "peak displacement", "rebound", "NRMSE displacement",
                   "NRMSE force"], rows, left=2,
                  caption="Fitted reduced model against FE. NRMSE: root mean square difference from first touch to 0.5 s "
                          "after the last release, displacement over L_c, force over its peak.")

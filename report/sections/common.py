@@ -12,11 +12,16 @@ def title_of(name):
     """ricker-0.78g-1.0s-x1.05 -> Ricker pulse 0.78 g, 1.0 s, × 1.05; other names as they are."""
     parts = name.split("-")
     if parts[0] == "ricker" and len(parts) >= 3 and parts[1].endswith("g") and parts[2].endswith("s"):
-        scale = [f"× {p[1:]}" for p in parts[3:] if p.startswith("x")]
-        return ", ".join([f"Ricker pulse {parts[1][:-1]} g", f"{parts[2][:-1]} s"] + scale)
+        scale = [f"×\u00a0{p[1:]}" for p in parts[3:] if p.startswith("x")]
+        return ", ".join([f"Ricker pulse {parts[1][:-1]}\u00a0g", f"{parts[2][:-1]}\u00a0s"] + scale)
     if "window" in parts and _is_float(parts[-1]):
         return f"impact window {parts[-1]} m/s"
     return name
+
+
+def short_name(name):
+    """ricker-0.78g-1.0s-x1.05 -> 0.78 g, 1.0 s × 1.05, for the axes of figures."""
+    return title_of(name).removeprefix("Ricker pulse ").replace(", ×", " ×")
 
 
 def _is_float(text):

@@ -22,5 +22,5 @@ ROWS = [
 
 def make(_context):
     section = Section("conventions", "Signs and terms")
-    section.add(table(["term", "meaning"], ROWS, left=2))
+    section.add(table(["term", "meaning"], ROWS, left=2, prose=True))
     return section

@@ -3,7 +3,7 @@ from ..blocks import Section, note, table
 from ..calibration_file import pick
 from ..figures import critical as figure_critical
 from ..numbers import is_number, plain, scaled, sig
-from .common import hardest, impact_peak, title_of
+from .common import hardest, impact_peak, short_name
 
 
 def make(context):
@@ -26,7 +26,7 @@ def _grazing(reports):
     rows = []
     for item in reports:
         speed, force = _band(pick(item, "approach_speed"), 1.0, 3), _band(pick(item, "peak_force"), _force_factor(item), 0)
-        rows.append([title_of(str(item.get("scene", ""))), sig(item.get("scale"), 3), sig(item.get("critical_scale"), 5),
+        rows.append([short_name(str(item.get("scene", ""))), sig(item.get("scale"), 3), sig(item.get("critical_scale"), 5),
                      sig(pick(item, "critical_amplitude"), 4), speed, force])
     varied = next((item["varied"] for item in reports if item.get("varied")), [])
     return table(["pulse", "scale", "critical scale", "critical amplitude (g)", "approach speed (m/s)",

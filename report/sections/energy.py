@@ -1,8 +1,10 @@
 """The energy ledger: an e is only worth reporting beside what became of the energy."""
-from ..blocks import Section, heading, note, table
+import math
+
+from ..blocks import Section, note, table
 from ..figures import energy as figure_energy
-from ..numbers import integer, is_number, percent, sig
-from .common import title_of
+from ..numbers import fixed, is_number, percent, sig
+from .common import short_name
 
 TERMS = ("external", "gravity", "kinetic", "elastic", "plastic", "friction", "impact", "contact", "integrator")
 
@@ -21,25 +23,24 @@ def make(context):
     header = ["run", "model", "at start", *TERMS, "imbalance"]
     section.add(table([h for i, h in enumerate(header) if i not in unused],
                       [[c for i, c in enumerate(row) if i not in unused] for row in rows], left=2))
-    for entry, run in runs:
-        if entry.role == "window" and not context.results.single:
-            continue
-        picture = context.pictures.figure(f"energy-{entry.name}", "", figure_energy.draw, run)
-        if picture:
-            section.add(None if context.results.single else heading(title_of(entry.name)))
-            section.add(picture)
+    drawn = [(short_name(entry.name), run) for entry, run in runs if entry.role != "window" or context.results.single]
+    section.add(context.pictures.figure("energy", "Where the energy is, over time: spent below, stored above.",
+                                        figure_energy.draw, drawn))
     return section
 
 
 def _row(entry, run):
     ledger = run.summary["energy"]
-    values = [_kilojoule(ledger.get(f"{name}_J")) for name in ("initial", *TERMS)]
+    values = [ledger.get(f"{name}_J") for name in ("initial", *TERMS)]
+    largest = max((abs(value) for value in values if is_number(value)), default=0.0)
+    values = [_kilojoule(value, largest) for value in values]
     imbalance = ledger.get("imbalance_relative")
-    return [title_of(entry.name), "reduced" if run.rung == "reduced" else "FE", *values,
+    return [short_name(entry.name), "reduced" if run.rung == "reduced" else "FE", *values,
             sig(imbalance, 2) if is_number(imbalance) and abs(imbalance) < 1e-3 else percent(imbalance, 2)]
 
 
-def _kilojoule(value):
-    if not is_number(value):
+def _kilojoule(value, largest):
+    """The row's largest energy gets four digits, the others as many decimals."""
+    if not is_number(value) or largest <= 0:
         return "–"
-    return "0" if value == 0 else integer(1e-3 * value) if abs(value) >= 1e6 else sig(1e-3 * value, 3)
+    return "0" if value == 0 else fixed(1e-3 * value, max(0, 3 - math.floor(math.log10(1e-3 * largest))))

@@ -1,6 +1,4 @@
 """Inputs and assumptions: every number of the resolved scene, those assumed marked as such."""
-import re
-
 from ..blocks import Section, note, table
 from ..numbers import plain
 from ..run_folder import assumption_keys
@@ -27,7 +25,10 @@ LABELS = {
     "material.ertalyte.density": "Ertalyte, density", "contact.steel_steel": "friction steel on steel",
     "contact.steel_ertalyte": "friction steel on Ertalyte", "contact.rim": "friction slider on rim",
     "contact.pad_foot": "pad on foot", "load.vertical": "dead load W", "load.mass": "supported mass",
-    "load.gravity": "gravity",
+    "load.gravity": "gravity", "model.rho_inf": "generalised-α, spectral radius ρ∞", "model.step": "step in contact (0: planned)",
+    "reduced.k_i": "impact stiffness k_i", "reduced.restitution": "coefficient of restitution e",
+    "reduced.mu_fast": "friction at speed", "reduced.mu_slow": "friction at rest", "reduced.rate": "rate of the velocity law",
+    "reduced.normal_force": "normal force from", "reduced.elastic_slip": "elastic slip (park-wen)",
 }
 PARTS = {"bearing": "Bearing", "load": "Load", "model": "Finite-element model", "reduced": "Reduced model"}
 
@@ -41,26 +42,22 @@ def make(context):
     assumed = assumption_keys(run.scene_text)
     section.lead = ("As resolved for the first run, every default written out. An assumption is a value that no source "
                     "gives; it is ours, and the results depend on it.")
-    section.add(_table(run, "bearing", assumed, lambda key: key.count(".") > 0))
-    section.add(_table(run, "load", assumed))
+    rows = [row for part in PARTS for row in _rows(run, part, assumed)]
+    section.add(table(["quantity", "value", "unit", ""], rows, left=(0, 2, 3)))
     if not any(key.startswith(("bearing.", "rim.", "slider.")) for key in assumed):
         section.add(note("The scene file marks no value as an assumption.", "missing"))
     section.add(_excitations(context))
-    section.add(_table(run, "model", assumed))
-    section.add(_table(run, "reduced", assumed))
     return section
 
 
-def _table(run, part, assumed, wanted=lambda key: True):
+def _rows(run, part, assumed):
     rows = []
     for key, value in _flat(run.scene.get(part, {})):
-        if not wanted(key):
-            continue
         name, unit = split_unit(key)
         marked = f"{part}.{key}" in assumed or (part == "bearing" and key in assumed)
-        rows.append([LABELS.get(f"{part}.{name}") or LABELS.get(name) or key, plain(value), unit,
+        rows.append([LABELS.get(f"{part}.{name}") or LABELS.get(name) or _plain_key(name), plain(value), unit,
                      "assumption" if marked else ""])
-    return table([PARTS[part], "value", "unit", ""], rows, left=1)
+    return [{"span": PARTS[part]}, *rows] if rows else []
 
 
 def _flat(tree, prefix=""):
@@ -84,13 +81,12 @@ def _excitations(context):
     for entry in context.results.entries:
         run = entry.any_run
         values = run.scene.get("excitation", {}) if run else {}
-        said = ", ".join(f"{_plain_key(split_unit(k)[0])} {plain(v)} {split_unit(k)[1]}".strip()
+        said = ", ".join(f"{_plain_key(split_unit(k)[0])} {plain(v)} {split_unit(k)[1]}".replace(" °", "°").strip()
                          for k, v in values.items() if k not in ("kind", "scale") and v not in ("", []))
         if run:
             rows.append([title_of(entry.name), values.get("kind", ""), plain(values.get("scale")), said])
-    block = table(["Excitation", "kind", "scale", "what it is made of"], rows, left=4)
-    return block
+    return table(["excitation", "kind", "scale", "what it is made of"], rows, left=4, prose=True)
 
 
 def _plain_key(key):
-    return re.sub("_", " ", key)
+    return key.replace("_", " ").replace(".", ", ")

@@ -8,6 +8,7 @@ from ..blocks import Section, heading, note
 from .common import title_of
 
 READY = ("fields/deformed.png", "rim.png", "fields/rim.png", "deformed.png")
+LATEST = 8  # fields looked at, each touched arc of the rim writes its own
 MOST = 4  # pictures; drawing one takes about a second
 
 
@@ -52,11 +53,11 @@ def _picture(context, entry, run):
     files = _files(run)
     if not files:
         return context.pictures.existing(_ready(run), "As the finite-element run left it.")
-    return context.pictures.figure(f"rim-{entry.name}", f"Drawn from {os.path.basename(files[-1])}.", _draw, files[-1])
+    return context.pictures.figure(f"rim-{entry.name}", "The most strained of the stored fields.", _draw, files[-LATEST:])
 
 
-def _draw(file, path):
-    """Drawn again only when the field is newer than the picture."""
-    if not os.path.isfile(path) or os.path.getmtime(path) < os.path.getmtime(file):
-        rim_picture.draw(vtu.read(file), path)
+def _draw(files, path):
+    """The last of the most strained fields; drawn again only when a field is newer than the picture."""
+    if not os.path.isfile(path) or os.path.getmtime(path) < max(map(os.path.getmtime, files)):
+        rim_picture.draw(max((vtu.read(file) for file in reversed(files)), key=rim_picture.largest_strain), path)
     return path

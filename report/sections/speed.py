@@ -2,37 +2,49 @@
 from ..blocks import Section, note, table
 from ..figures import speed as figure_speed
 from ..numbers import duration, integer, is_number, memory, percent
-from .common import errors_of, title_of
+from .common import errors_of, short_name
 
 
 def make(context):
     section = Section("speed", "Speed beside error")
-    rows = []
-    for entry in context.results.entries:
-        for who, run in (("fe", entry.fe), ("fitted", entry.fitted), ("published", entry.published)):
-            if run is not None and is_number(run.summary.get("wall_time_s")):
-                rows.append(_row(context, entry, who, run))
-    if not rows:
+    single = context.results.single
+    known = [entry for entry in context.results.entries
+             if any(is_number((run.summary if run else {}).get("wall_time_s")) for run in (entry.fe, entry.fitted))]
+    if not known:
         section.add(note("No run tells its wall time.", "missing"))
         return section
-    section.add(table(["run", "model", "mesh", "wall time", "unknowns", "steps", "Newton", "memory",
-                       "peak force against FE", "against finer mesh"], rows, left=2,
-                      caption="The error of an FE run against the next finer mesh is given where a study is stored with "
-                              "it; a dash says it is not known here."))
-    runs = [entry.fe for entry in context.results.entries if entry.fe is not None and entry.fe.rung != "reduced"]
+    section.add(_single(known[0].any_run) if single else _all(context, known))
+    runs = [(short_name(entry.name), entry.fe) for entry in known if entry.fe is not None and entry.fe.rung != "reduced"]
     section.add(context.pictures.figure("speed-time-split", "Where the wall time of the finite-element runs goes.",
                                         figure_speed.draw, runs))
     return section
 
 
-def _row(context, entry, who, run):
-    s = run.summary
-    against = percent(errors_of(context, entry, who).get("peak_force")) if who != "fe" else \
-        "reference" if not context.results.single else "–"
-    finer = s.get("error_against_finer")
-    finer = finer.get("peak_force") if isinstance(finer, dict) else finer
-    return [title_of(entry.name), {"fe": f"FE, {run.rung}", "fitted": "reduced, fitted"}.get(who, "reduced, published")
-            if not context.results.single else run.rung,
-            integer(s.get("mesh")), duration(s["wall_time_s"]), integer(s.get("n_dofs") or None),
-            integer(s.get("n_steps")), integer(s.get("n_newton_iterations") or None), memory(s.get("peak_memory_bytes")),
-            against, percent(finer)]
+def _all(context, entries):
+    rows = [[short_name(entry.name), *_cost(entry.fe), _finer(entry.fe), _wall(entry.fitted),
+             percent(errors_of(context, entry, "fitted").get("peak_force")),
+             percent(errors_of(context, entry, "published").get("peak_force"))] for entry in entries]
+    return table(["run", "mesh", "FE time", "unknowns", "steps", "Newton", "memory", "error to finer mesh",
+                  "reduced time", "error, fitted", "error, published"], rows,
+                 caption="Errors are of the peak impact force: of FE against the next finer mesh, where a study is stored "
+                         "with the run (a dash: not known here), and of the reduced model against FE.")
+
+
+def _single(run):
+    return table(["model", "mesh", "wall time", "unknowns", "steps", "Newton", "memory", "error to finer mesh"],
+                 [[run.rung, *_cost(run), _finer(run)]])
+
+
+def _cost(run):
+    s = run.summary if run else {}
+    return [integer(s.get("mesh")), duration(s.get("wall_time_s")), integer(s.get("n_dofs") or None),
+            integer(s.get("n_steps")), integer(s.get("n_newton_iterations") or None), memory(s.get("peak_memory_bytes"))]
+
+
+def _wall(run):
+    return duration(run.summary.get("wall_time_s")) if run else "–"
+
+
+def _finer(run):
+    value = (run.summary if run else {}).get("error_against_finer")
+    return percent(value.get("peak_force") if isinstance(value, dict) else value)

@@ -1,7 +1,7 @@
 """Single impacts at given speeds: k_i and e over speed, and the range in which one pair serves."""
 from ..blocks import Section, note, table
 from ..figures import impacts, windows as figure_windows
-from ..numbers import fixed, is_number, percent, power, scaled, sig
+from ..numbers import fixed, is_number, percent, plain, power, scaled
 from .common import errors_of, hardest, status_note
 
 
@@ -50,7 +50,7 @@ def _row(speed, impact, run, row, error):
     peak = impact.get("peak_force_N") or (row.peak_force_N if row else None)
     if row and row.pair_force_error is not None:
         error = row.pair_force_error
-    return [sig(speed, 3), scaled(peak, 1e-3, 0), scaled(contact, 1e3, 1), scaled(impact.get("peak_penetration_m"), 1e3, 2),
+    return [plain(speed), scaled(peak, 1e-3, 0), scaled(contact, 1e3, 1), scaled(impact.get("peak_penetration_m"), 1e3, 2),
             fixed(impact.get("restitution") or (row.restitution if row else None), 3),
             percent(run.summary.get("max_plastic_strain") if run else None, 2, False),
             _with_interval(row.k_i if row else None, lambda x: power(x, 3)),
