@@ -8,21 +8,12 @@ from .numbers import is_number
 PUBLISHED = {"k_i": 4.5e5, "e": 0.65}  # thesis 2.5.3, in kN/m and -
 
 
-def pick(tree, *names):
-    """The first of the names that is there, with or without a unit suffix (speed, speed_m_s, speed_m_per_s ...)."""
-    if not isinstance(tree, dict):
-        return None
-    for name in names:
-        if tree.get(name) is not None:
-            return tree[name]
-        for key, value in tree.items():
-            suffix = key.removeprefix(name)
-            if suffix != key and suffix.startswith("_") and value is not None and suffix[1:] in SUFFIXES:
-                return value
-    return None
+UNITS = ("", "_m_s", "_kN_per_m", "_N", "_s", "_m", "_g")
 
 
-SUFFIXES = {"m_s", "m_per_s", "kN_per_m", "N_per_m", "kN_m", "N", "kN", "s", "ms", "m", "mm", "g"}
+def pick(tree, name):
+    """The value of a key that may carry its SI unit: speed or speed_m_s. None when it is not there."""
+    return next((tree[name + unit] for unit in UNITS if tree.get(name + unit) is not None), None)
 
 
 @dataclass
@@ -66,12 +57,14 @@ class Calibration:
     grazing: list = field(default_factory=list)
     notes: list = field(default_factory=list)
     fitted_on: str = ""
+    search: dict = field(default_factory=dict)
 
     def parameter(self, name):
         return next((p for p in self.parameters if p.name == name), None)
 
     def metrics(self, run_name):
-        """The metrics of a run, whose key is its folder: matched by the folder's last part."""
+        """The metrics of a run, whose key is its folder: matched by the folder's last part. `published_values` in it
+        holds the same for the published pair."""
         for table in (self.fit, self.prediction):
             for key, value in table.items():
                 if key.rstrip("/").split("/")[-1] == run_name and isinstance(value, dict):
@@ -92,38 +85,36 @@ def parameter_of(name, data):
 
 
 def _window_row(data):
-    own = pick(data, "own", "fit", "parameters") or data
-    own = own.get("parameters", own) if isinstance(own, dict) else data
-    row = WindowRow(pick(data, "speed", "approach_speed"))
-    row.k_i = parameter_of("k_i", pick(own, "k_i"))
-    row.e = parameter_of("e", pick(own, "e"))
+    own = data.get("parameters") if isinstance(data.get("parameters"), dict) else {}
+    row = WindowRow(pick(data, "speed"))
+    row.k_i = parameter_of("k_i", own.get("k_i"))
+    row.e = parameter_of("e", own.get("e"))
     row.peak_force_N = pick(data, "peak_force")
     row.contact_time_s = pick(data, "contact_time")
     row.restitution = pick(data, "restitution")
-    row.pair_force_error = pick(data, "pair_force_error", "pair_peak_force_error")
-    row.pair_holds = pick(data, "pair_holds", "holds")
+    row.pair_force_error = data.get("pair_force_error")
+    row.pair_holds = data.get("pair_holds")
     return row
 
 
 def read(data):
     """From the JSON object; an empty object gives an empty calibration."""
-    parameters = [parameter_of(name, item) for name, item in (data.get("parameters") or {}).items()]
+    listed = data.get("parameters")
+    parameters = [parameter_of(name, item) for name, item in listed.items()] if isinstance(listed, dict) else []
     published = data.get("published") if isinstance(data.get("published"), dict) else {}
     found = Calibration(parameters=[p for p in parameters if p])
     for parameter in found.parameters:
-        value = pick(published, parameter.name)
+        value = published.get(parameter.name)
         value = value.get("value") if isinstance(value, dict) else value
         parameter.published = value if is_number(value) else PUBLISHED.get(parameter.name)
-    for name in ("correlation", "derived", "fit", "prediction"):
+    for name in ("correlation", "derived", "fit", "prediction", "search"):
         if isinstance(data.get(name), dict):
             setattr(found, name, data[name])
     found.condition = data.get("condition")
     found.notes = [str(note) for note in data.get("notes") or []]
     found.fitted_on = data.get("fitted_on") or ""
     _read_windows(found, data)
-    grazing = data.get("grazing") or data.get("critical_amplitudes") or data.get("critical") or []
-    found.grazing = [item for item in grazing if isinstance(item, dict)] if isinstance(grazing, list) else [
-        {"scene": key, **value} for key, value in grazing.items() if isinstance(value, dict)]
+    found.grazing = [item for item in data.get("critical_amplitudes") or [] if isinstance(item, dict)]
     return found
 
 
@@ -132,10 +123,6 @@ def _read_windows(found, data):
     table = windows if isinstance(windows, dict) else {"rows": windows}
     rows = [_window_row(row) for row in table.get("rows") or [] if isinstance(row, dict)]
     found.windows = sorted((row for row in rows if is_number(row.speed)), key=lambda row: row.speed)
-    said = data.get("validity") or data.get("range_of_validity") or table
-    if isinstance(said, str):
-        found.validity = said
-        said = table
-    found.validity = found.validity or said.get("sentence") or table.get("sentence") or ""
-    found.valid_from, found.valid_to = pick(said, "valid_from", "from"), pick(said, "valid_to", "to")
-    found.tolerance = pick(said, "tolerance") or table.get("tolerance")
+    found.validity = table.get("sentence") or ""
+    found.valid_from, found.valid_to = pick(table, "valid_from"), pick(table, "valid_to")
+    found.tolerance = table.get("tolerance")

@@ -4,6 +4,7 @@ import argparse
 
 import numpy as np
 
+from .data_files import read_table
 from .errors import DataError, run_main
 from .series import keep_peaks
 from .style import FE, MUTED, RIM, figure, save
@@ -16,17 +17,12 @@ PANELS = (("acceleration", 1 / GRAVITY, "acceleration (g)", "PGA", "g"),
 
 def read(path):
     """{"time": ..., "acceleration": ...} in SI."""
-    try:
-        with open(path, encoding="utf-8") as file:
-            names = [name.strip().lower() for name in file.readline().split(",")]
-            table = np.loadtxt(file, delimiter=",", ndmin=2)
-    except (OSError, ValueError, UnicodeDecodeError) as error:
-        raise DataError(f"{path} is not a readable table ({error})") from None
-    if table.shape[0] < 2 or table.shape[1] != len(names) or not np.all(np.isfinite(table)):
-        raise DataError(f"{path} needs at least two rows of {len(names)} finite numbers")
+    names, table = read_table(path)
+    if len(table) < 2 or not np.all(np.isfinite(table)):
+        raise DataError(f"{path} needs at least two rows of finite numbers")
     columns = {}
     for name, values in zip(names, table.T):
-        base = name.split("_")[0]
+        base = name.lower().split("_")[0]
         columns[base] = values * (GRAVITY if base == "acceleration" and name.endswith("_g") else 1.0)
     if "time" not in columns or "acceleration" not in columns:
         raise DataError(f"{path} needs the columns time and acceleration, and has {', '.join(names)}")

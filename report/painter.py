@@ -52,17 +52,26 @@ def normals(quads):
     return n / np.maximum(np.linalg.norm(n, axis=1, keepdims=True), 1e-300)
 
 
-def paint(ax, quads, colours, axes, edge=(0, 0, 0, 0.25), line_width=0.25, shading=0.35):
-    """Draws faces (n, 4, 3) in (n, 4) RGBA colours, far ones first, darker where they turn from the viewer.
-    Faces turned away are left out."""
+def paint(ax, quads, colours, axes, outlines=None, edge=(0.1, 0.15, 0.2, 0.4), line_width=0.25, shading=0.35):
+    """Draws faces (n, 4, 3) in (n, 4) RGBA colours, far ones first, darker where they turn from the viewer. Faces
+    turned away are left out. `outlines`: faces (m, 4, 3) whose edges are drawn, hidden like the faces; without it
+    every face is outlined."""
     facing = normals(quads) @ axes[2]
     seen = facing > 1e-9
     quads, colours, facing = quads[seen], colours[seen].copy(), facing[seen]
-    order = np.argsort(quads.mean(axis=1) @ axes[2])
     colours[:, :3] *= (1 - shading + shading * facing)[:, None]
+    edges = np.tile(edge, (len(quads), 1)) if outlines is None else colours
+    depth = quads.mean(axis=1) @ axes[2]
+    if outlines is not None:
+        outlines = outlines[normals(outlines) @ axes[2] > 1e-9]
+        size = np.linalg.norm(outlines[:, 2] - outlines[:, 0], axis=1)
+        quads, depth = np.concatenate([quads, outlines]), np.concatenate([depth, outlines.mean(axis=1) @ axes[2] + size])
+        colours = np.concatenate([colours, np.zeros((len(outlines), 4))])
+        edges = np.concatenate([edges, np.tile(edge, (len(outlines), 1))])
+    order = np.argsort(depth)
     flat = np.stack([quads @ axes[0], quads @ axes[1]], axis=-1)
-    ax.add_collection(PolyCollection(flat[order], facecolors=colours[order], edgecolors=edge, linewidths=line_width))
-    ax.set_aspect("equal")
+    ax.add_collection(PolyCollection(flat[order], facecolors=colours[order], edgecolors=edges[order],
+                                     linewidths=line_width))
+    ax.set_aspect("equal", adjustable="datalim")
     ax.autoscale_view()
     ax.axis("off")
-    return flat

@@ -9,8 +9,9 @@ import os
 import re
 from dataclasses import dataclass, field
 
+from .data_files import read_json
 from .errors import DataError
-from .run_folder import Run, is_run_folder, load_run, read_json
+from .run_folder import Run, is_run_folder, load_run
 
 ROLES = ("fit", "predict", "window", "push")
 

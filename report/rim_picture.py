@@ -1,8 +1,8 @@
 """python3 -m report.rim_picture FILE.vtu OUT.png [--scale S]: rim and slider, deformed, coloured by plastic strain.
 
 Three views: the rim's wall as the slider sees it, the slider's side as the rim sees it, and the cut through the
-touched point (the symmetry plane of a half model). Displacements are drawn S times too large; S is chosen when not
-given. The slider's rigid translation is not enlarged."""
+touched point (the symmetry plane of a half model), in true scale. On the bodies displacements are drawn S times too
+large; S is chosen when not given. The slider's rigid translation is not enlarged."""
 import argparse
 
 import numpy as np
@@ -12,7 +12,7 @@ from matplotlib.colors import LinearSegmentedColormap, Normalize
 
 from . import vtu
 from .errors import DataError, run_main
-from .painter import bodies, boundary_faces, merged, normals, paint, view
+from .painter import bodies, boundary_faces, merged, paint, view
 from .style import MUTED, plt, save
 
 STRAIN = LinearSegmentedColormap.from_list("strain", ["#e6ebf0", "#f7d794", "#ef8f3f", "#bb372f", "#4a0d3a"])
@@ -40,6 +40,7 @@ class Deformed:
         self.scale = scale or _nice(DRAWN_SHARE * np.ptp(grid.points, axis=0).max() / max(np.abs(local).max(), 1e-12))
         corners, cell = boundary_faces(grid.hexahedra, place)
         self.quads = (grid.points + rigid + self.scale * local)[corners]
+        self.true_quads = (grid.points + moved)[corners]
         self.strain = _strain(grid, corners, cell)
         self.on_slider = slider[cell]
         y = grid.points[corners][:, :, 1]
@@ -97,7 +98,7 @@ def draw(grid, path, scale=None):
                   else "equivalent plastic strain: none, the model stayed elastic")
     bar.ax.xaxis.set_major_formatter(lambda value, _: f"{100 * value:.3g} %")
     bar.outline.set_visible(False)
-    fig.text(0.995, 0.02, f"deformation × {model.scale:g}", ha="right", fontsize=6.5, color=MUTED)
+    fig.text(0.995, 0.02, f"bodies: deformation × {model.scale:g}; cut: × 1", ha="right", fontsize=6.5, color=MUTED)
     save(fig, path)
     return top, model.scale
 
@@ -112,20 +113,18 @@ def _draw_body(ax, model, chosen, norm, axes, title):
         ax.axis("off")
         return
     fine, values = _patches(quads, strain)
-    paint(ax, fine, STRAIN(norm(values)), axes, edge="face", line_width=0.3)
-    front = quads[normals(quads) @ axes[2] > 1e-9]
-    ax.add_collection(PolyCollection(np.stack([front @ axes[0], front @ axes[1]], axis=-1), facecolors="none",
-                                     edgecolors=(0.1, 0.15, 0.2, 0.22), linewidths=0.25))
+    paint(ax, fine, STRAIN(norm(values)), axes, outlines=quads, edge=(0.1, 0.15, 0.2, 0.22), line_width=0.3)
     ax.set_title(title, loc="center", fontsize=7.5)
 
 
 def _draw_cut(ax, model, norm):
-    quads, strain = model.quads[model.on_cut], model.strain[model.on_cut]
+    """In true scale: what touches, touches."""
+    quads, strain = model.true_quads[model.on_cut], model.strain[model.on_cut]
     fine, values = _patches(1e3 * quads[:, :, [0, 2]], strain)
     ax.add_collection(PolyCollection(fine, facecolors=STRAIN(norm(values)), edgecolors="face", linewidths=0.3))
     ax.add_collection(PolyCollection(1e3 * quads[:, :, [0, 2]], facecolors="none",
                                      edgecolors=(0.1, 0.15, 0.2, 0.35), linewidths=0.3))
-    rim = 1e3 * model.quads[model.on_cut & ~model.on_slider][:, :, [0, 2]].reshape(-1, 2)
+    rim = 1e3 * model.true_quads[model.on_cut & ~model.on_slider][:, :, [0, 2]].reshape(-1, 2)
     right, top = rim.max(axis=0)
     ax.set_xlim(right - 110, right + 6)
     ax.set_ylim(top - 85, top + 45)

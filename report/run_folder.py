@@ -2,20 +2,14 @@
 
 A file that is missing leaves its part empty and is told in `problems`; a file that is there and cannot be read
 raises DataError. Signals keep their names (displacement_x, impact_y, energy_plastic ...)."""
-import json
 import os
-import re
 import tomllib
 from dataclasses import dataclass, field
 
-import h5py
 import numpy as np
 
+from .data_files import check_signals, read_csv, read_hdf5, read_json
 from .errors import DataError
-
-CSV_NAMES = {"time_s": "time", "ux_m": "displacement_x", "uy_m": "displacement_y", "uz_m": "displacement_z",
-             "Fx_N": "force_x", "Fy_N": "force_y", "Fz_N": "force_z", "Ix_N": "impact_x", "Iy_N": "impact_y",
-             "gap_m": "gap"}
 
 
 @dataclass
@@ -103,68 +97,6 @@ def is_run_folder(folder):
     return any(os.path.isfile(os.path.join(folder, name)) for name in ("response.h5", "response.csv", "summary.json"))
 
 
-def read_json(path):
-    try:
-        with open(path, encoding="utf-8") as file:
-            return json.load(file)
-    except (ValueError, UnicodeDecodeError) as error:
-        raise DataError(f"{path} is not readable JSON ({error})") from None
-    except OSError as error:
-        raise DataError(f"cannot read {path}: {error.strerror}") from None
-
-
-def read_hdf5(path):
-    """Signals and meta text of a response.h5."""
-    try:
-        with h5py.File(path, "r") as file:
-            if "response" not in file:
-                raise DataError(f"{path} holds no group /response")
-            signals = {name: np.asarray(data[()], dtype=float) for name, data in file["response"].items()}
-            group = file.get("meta")
-            meta = {}
-            if group is not None:
-                meta.update({key: _text(value) for key, value in group.attrs.items()})
-                meta.update({key: _text(data[()]) for key, data in group.items() if isinstance(data, h5py.Dataset)})
-    except OSError as error:
-        raise DataError(f"{path} is not readable HDF5 ({str(error).splitlines()[0]})") from None
-    except (ValueError, KeyError, RuntimeError, TypeError) as error:
-        raise DataError(f"{path} is damaged ({error})") from None
-    return signals, meta
-
-
-def _text(value):
-    value = value.item() if isinstance(value, np.ndarray) and value.size == 1 else value
-    return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
-
-
-def read_csv(path):
-    try:
-        with open(path, encoding="utf-8") as file:
-            header = file.readline().strip().split(",")
-            table = np.loadtxt(file, delimiter=",", ndmin=2)
-    except (ValueError, UnicodeDecodeError) as error:
-        raise DataError(f"{path} is not a readable response table ({error})") from None
-    except OSError as error:
-        raise DataError(f"cannot read {path}: {error.strerror}") from None
-    if table.size == 0 or table.shape[1] != len(header):
-        raise DataError(f"{path} has {len(header)} columns in its header and "
-                        f"{table.shape[1] if table.size else 0} in its rows")
-    return {CSV_NAMES.get(name.strip(), name.strip()): table[:, i] for i, name in enumerate(header)}
-
-
-def check_signals(path, signals):
-    if "time" not in signals:
-        raise DataError(f"{path} holds no signal `time`")
-    n = len(signals["time"])
-    if n < 2:
-        raise DataError(f"{path} holds {n} instants; at least 2 are needed")
-    for name, values in signals.items():
-        if values.shape != (n,):
-            raise DataError(f"{path}: signal {name} has {values.size} values, time has {n}")
-        if not np.all(np.isfinite(values)):
-            raise DataError(f"{path}: signal {name} holds a value that is not a number")
-
-
 def load_run(folder, name=None):
     """Reads what the folder holds. Throws DataError for a file that is there but unreadable."""
     run = Run(name or os.path.basename(os.path.normpath(folder)), folder)
@@ -209,18 +141,3 @@ def _read_scene(run):
         run.scene = tomllib.loads(run.scene_text)
     except tomllib.TOMLDecodeError as error:
         raise DataError(f"{path} is not readable TOML ({error})") from None
-
-
-def assumption_keys(scene_text):
-    """Dotted keys whose line, or whose table's header line, carries the word "assumption" as a comment."""
-    table, whole_table, keys = "", False, set()
-    for line in scene_text.splitlines():
-        code, _, comment = line.partition("#")
-        said = "assumption" in comment.lower()
-        header = re.match(r"\s*\[([^\[\]]+)\]", code)
-        entry = re.match(r"\s*([\w.\-]+)\s*=", code)
-        if header:
-            table, whole_table = header.group(1).strip(), said
-        elif entry and (said or whole_table):
-            keys.add(f"{table}.{entry.group(1)}" if table else entry.group(1))
-    return keys

@@ -78,7 +78,7 @@ def draw_parameters(calibration, path):
         if parameter.published is not None:
             ax.plot(parameter.published / parameter.value, y, "D", color=PUBLISHED, ms=4.5,
                     label="published" if y == 0 else None)
-    ax.set_yticks(range(len(shown)), [p.name for p in shown[::-1]])
+    ax.set_yticks(range(len(shown)), ["k$_i$" if p.name == "k_i" else p.name for p in shown[::-1]])
     ax.set_xlabel("value / fitted value")
     ax.set_ylim(-0.6, len(shown) - 0.4)
     ax.grid(axis="y", visible=False)

@@ -1,5 +1,6 @@
 """k_i and e over impact speed, beside the constant pair, its band of validity, and the published pair."""
 from ..style import FE, FITTED, INK, MUTED, PUBLISHED, figure, save, shared_legend
+from .response_panels import LABELS
 
 
 def draw(calibration, path):
@@ -58,11 +59,11 @@ def _points(ax, rows, parameter, factor):
 def _constants(ax, parameter, factor):
     if parameter is None:
         return
-    ax.axhline(factor * parameter.value, color=FITTED, lw=1.1, label="constant pair, fitted")
+    ax.axhline(factor * parameter.value, color=FITTED, lw=1.1, label=LABELS["fitted"])
     if parameter.interval:
         ax.axhspan(factor * parameter.interval[0], factor * parameter.interval[1], color=FITTED, alpha=0.15, lw=0)
     if parameter.published is not None:
-        ax.axhline(factor * parameter.published, color=PUBLISHED, lw=0.9, ls=(0, (4, 1.6)), label="published")
+        ax.axhline(factor * parameter.published, color=PUBLISHED, lw=0.9, ls=(0, (4, 1.6)), label=LABELS["published"])
 
 
 def _force(ax, rows, tolerance):

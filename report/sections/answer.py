@@ -2,8 +2,8 @@
 yields, and how well the pulses that were not fitted are predicted. For a single run: its peaks."""
 import datetime
 
-from ..figures import answer as figure_answer
 from ..blocks import KI, Section, bullets, cards, note
+from ..figures import answer as figure_answer
 from ..numbers import fixed, integer, interval, is_number, percent, power, scaled, sig
 from .common import METRIC_NAMES, errors_of, impact_peak, short_name, status_note, title_of
 
@@ -52,6 +52,8 @@ def make(context):
     shown = next((entry for entry in context.results.having("predict", "fit", "history") if entry.models()), None)
     section.add(context.pictures.figure("answer", "", figure_answer.draw, shown.models() if shown else [],
                                         short_name(shown.name) if shown else "", calibration))
+    for warning in _warnings(context.results.main):
+        section.add(note(warning, "warning"))
     for entry in context.results.entries:
         for _, run in entry.models():
             section.add(status_note(run))
@@ -70,6 +72,11 @@ def _single(section, run):
         values.append(("Largest plastic strain", percent(strain, 2, signed=False), "", "rim and slider"))
     section.add(cards([{"title": t, "value": v, "unit": u, "lines": [line]} for t, v, u, line in values]))
     section.add(status_note(run))
+
+
+def _warnings(main):
+    found = main.get("warnings") or (main.get("totals") or {}).get("warnings") or []
+    return [str(warning) for warning in ([found] if isinstance(found, str) else found)]
 
 
 def _parameter_card(p):

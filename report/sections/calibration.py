@@ -56,11 +56,18 @@ def _correlation(calibration):
 def _derived(calibration):
     rows = []
     for name, value in calibration.derived.items():
-        if isinstance(value, dict):
-            value = f"{plain(value.get('value'))} {value.get('unit', '')}".strip() if "value" in value else \
-                ", ".join(f"{k} {plain(v)}" for k, v in value.items())
-        rows.append([name, value if isinstance(value, str) else plain(value)])
-    return table(["stated with the fit", ""], rows, left=2, compact=True)
+        if isinstance(value, dict) and "value" in value:
+            formula = f" ({value['formula']})" if value.get("formula") else ""
+            value = f"{plain(value['value'])} {value.get('unit', '')}{formula}".strip()
+        elif isinstance(value, dict):
+            value = ", ".join(f"{key} {plain(item)}" for key, item in value.items() if item is not None)
+        if value is not None:
+            rows.append([name, plain(value)])
+    search = calibration.search
+    if search:
+        rows.append(["search", f"{plain(search.get('impacts'))} impacts, {plain(search.get('starts_agreeing'))} of "
+                               f"{plain(search.get('starts'))} starts agree. {search.get('message') or ''}"])
+    return table(["stated with the fit", ""], rows, left=2, prose=True)
 
 
 def _runs(context):

@@ -21,7 +21,7 @@ def title_of(name):
 
 def short_name(name):
     """ricker-0.78g-1.0s-x1.05 -> 0.78 g, 1.0 s × 1.05, for the axes of figures."""
-    return title_of(name).removeprefix("Ricker pulse ").replace(", ×", " ×")
+    return title_of(name).removeprefix("Ricker pulse ").removeprefix("impact ").replace(", ×", " ×")
 
 
 def _is_float(text):
@@ -54,7 +54,7 @@ def errors_of(context, entry, who):
     run = getattr(entry, who)
     stored = context.calibration.metrics(entry.name)
     if who == "published":
-        stored = stored.get("published") if isinstance(stored.get("published"), dict) else {}
+        stored = stored.get("published_values") if isinstance(stored.get("published_values"), dict) else {}
     reference = figures_of(entry.fe) if entry.fe else {}
     candidate = figures_of(run) if run else {}
     errors = {}

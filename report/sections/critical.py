@@ -25,17 +25,13 @@ def make(context):
 def _grazing(reports):
     rows = []
     for item in reports:
-        speed, force = _band(pick(item, "approach_speed"), 1.0, 3), _band(pick(item, "peak_force"), _force_factor(item), 0)
+        speed, force = _band(pick(item, "approach_speed"), 1.0, 3), _band(pick(item, "peak_impact_force"), 1e-3, 0)
         rows.append([short_name(str(item.get("scene", ""))), sig(item.get("scale"), 3), sig(item.get("critical_scale"), 5),
                      sig(pick(item, "critical_amplitude"), 4), speed, force])
     varied = next((item["varied"] for item in reports if item.get("varied")), [])
     return table(["pulse", "scale", "critical scale", "critical amplitude (g)", "approach speed (m/s)",
                   "peak impact force (kN)"], rows,
                  caption="Reduced model. In brackets: the band" + (f" over {plain(varied)}." if varied else "."))
-
-
-def _force_factor(item):
-    return 1.0 if "peak_force_kN" in item else 1e-3
 
 
 def _band(band, factor, decimals):

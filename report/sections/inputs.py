@@ -1,7 +1,8 @@
 """Inputs and assumptions: every number of the resolved scene, those assumed marked as such."""
+import re
+
 from ..blocks import Section, note, table
 from ..numbers import plain
-from ..run_folder import assumption_keys
 from .common import title_of
 
 UNITS = {"_kg_per_m3": "kg/m³", "_kN_per_m": "kN/m", "_m_per_s2": "m/s²", "_m_per_s": "m/s", "_s_per_m": "s/m",
@@ -30,7 +31,7 @@ LABELS = {
     "reduced.mu_fast": "friction at speed", "reduced.mu_slow": "friction at rest", "reduced.rate": "rate of the velocity law",
     "reduced.normal_force": "normal force from", "reduced.elastic_slip": "elastic slip (park-wen)",
 }
-PARTS = {"bearing": "Bearing", "load": "Load", "model": "Finite-element model", "reduced": "Reduced model"}
+PARTS = {"bearing": "Bearing", "load": "Load", "model": "Finite-element model", "reduced": "Reduced model, before any fit"}
 
 
 def make(context):
@@ -90,3 +91,18 @@ def _excitations(context):
 
 def _plain_key(key):
     return key.replace("_", " ").replace(".", ", ")
+
+
+def assumption_keys(scene_text):
+    """Dotted keys whose line, or whose table's header line, carries the word "assumption" as a comment."""
+    table, whole_table, keys = "", False, set()
+    for line in scene_text.splitlines():
+        code, _, comment = line.partition("#")
+        said = "assumption" in comment.lower()
+        header = re.match(r"\s*\[([^\[\]]+)\]", code)
+        entry = re.match(r"\s*([\w.\-]+)\s*=", code)
+        if header:
+            table, whole_table = header.group(1).strip(), said
+        elif entry and (said or whole_table):
+            keys.add(f"{table}.{entry.group(1)}" if table else entry.group(1))
+    return keys

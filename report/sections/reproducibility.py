@@ -1,5 +1,5 @@
-"""Versions, machine, totals, warnings and the resolved scenes: what is needed to get the same numbers again."""
-from ..blocks import Section, bullets, details, note, table
+"""Versions, machine, totals and the resolved scenes: what is needed to get the same numbers again."""
+from ..blocks import Section, details, note, table
 from ..numbers import duration, is_number, memory, plain
 from .common import title_of
 
@@ -9,12 +9,10 @@ def make(context):
     main = context.results.main
     totals = main.get("totals") if isinstance(main.get("totals"), dict) else main
     versions = totals.get("versions") or main.get("versions")
-    section.add(table(["total", ""], _totals(totals, main), left=2))
-    section.add(table(["component", "version"], _pairs(versions), left=2))
+    section.add(table(["total", ""], _totals(totals, main), left=2, compact=True))
+    section.add(table(["component", "version"], _pairs(versions), left=2, compact=True))
     if not versions:
-        section.add(table(["stored with the run", ""], _meta(context), left=2))
-    warnings = totals.get("warnings") or main.get("warnings") or []
-    section.add(bullets([str(w) for w in ([warnings] if isinstance(warnings, str) else warnings)]))
+        section.add(table(["stored with the run", ""], _meta(context), left=2, compact=True))
     scenes = 0
     for entry in context.results.entries:
         run = entry.any_run

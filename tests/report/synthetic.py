@@ -174,24 +174,28 @@ def summarise(s, rung, status):
             **({"reason": "step fell below 1e-7 s"} if status == "stopped" else {})}
 
 
-def main_folder(folder):
-    """Two pulses at three scales, seven windows, a calibration: everything `rimpact main` leaves."""
+PULSES = ((0.78, 1.0), (0.38, 1.5))
+SPEEDS = (0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0)
+
+
+def main_folder(folder, pulses=PULSES, speeds=SPEEDS):
+    """Pulses at three scales, windows, a calibration: everything `rimpact main` leaves."""
     jobs = [(f"ricker-{a:g}g-{T:.1f}s" + (f"-x{s:.2f}" if s != 1 else ""), a, T, s, "predict" if s == 1 else "fit")
-            for a, T in ((0.78, 1.0), (0.38, 1.5)) for s in (1.0, 1.05, 1.10)]
+            for a, T in pulses for s in (1.0, 1.05, 1.10)]
     entries, calm = [], lambda t: 0.0
     for name, a, T, scale, role in jobs:
         text = f'kind = "ricker"\nscale = {scale}\namplitude_g = {a}\nperiod_s = {T}\ncentre_s = {2 * T}'
         _trio(folder, name, text, ricker((1.10 if T < 1.2 else 1.14) * a * scale, T))
         entries.append({"name": name, "role": role, "fe": f"runs/{name}", "reduced": f"reduced/{name}"})
     windows = []
-    for v in (0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0):
+    for v in speeds:
         name = f"window-{v:.2f}"
         fe = _trio(folder, name, f'kind = "window"\nscale = 1.0\nspeed_m_per_s = {v}', calm, v)
         entries.append({"name": name, "role": "window", "fe": f"runs/{name}", "reduced": f"reduced/{name}"})
         e = fe["impacts"][0]["restitution"]
         windows.append({"folder": f"runs/{name}", "speed_m_s": v, "restitution": e, "pair_force_error": 0.5 * (v - 0.25),
-                        "own": {"parameters": {"k_i": _estimate(5.2e5 * (1 - 0.5 * v), 0.02, "kN/m"),
-                                               "e": _estimate(e, 0.015, "-")}}})
+                        "parameters": {"k_i": _estimate(5.2e5 * (1 - 0.5 * v), 0.02, "kN/m"),
+                                       "e": _estimate(e, 0.015, "-")}})
     _calibration(folder, windows)
     with open(os.path.join(folder, "main.json"), "w", encoding="utf-8") as file:
         json.dump({"runs": entries, "totals": {"wall_time_s": 402.0, "peak_memory_bytes": 1.4e9},
@@ -217,14 +221,17 @@ def _calibration(folder, windows):
     os.makedirs(f"{folder}/calibration", exist_ok=True)
     data = {"parameters": {"k_i": _estimate(4.1e5, 0.03, "kN/m"), "e": _estimate(0.62, 0.02, "-")},
             "correlation": {"k_i": {"k_i": 1.0, "e": -0.31}, "e": {"k_i": -0.31, "e": 1.0}}, "condition": 5.4,
-            "derived": {"c_i": {"value": 1790.0, "unit": "kN s/m"}, "impact_law": "signed", "mass_kg": MASS},
-            "fit": {}, "prediction": {}, "fitted_on": "histories",
-            "windows": {"rows": windows, "tolerance": 0.10, "valid_from": 0.1, "valid_to": 0.3,
+            "derived": {"c_i": {"value": 1790.0, "unit": "kN s/m"}, "law": "signed", "masses": {"m1_kg": MASS, "m2_kg": None}},
+            "fit": {}, "search": {"impacts": 8, "starts": 5, "starts_agreeing": 5, "message": "converged"},
+            "prediction": {"results/runs/ricker-0.78g-1.0s": {"peak_force_error": 0.031, "nrmse_force": 0.05,
+                                                              "published_values": {"peak_force_error": 0.111}}},
+            "fitted_on": "histories",
+            "windows": {"rows": windows, "tolerance": 0.10, "valid_from_m_s": 0.1, "valid_to_m_s": 0.3,
                         "sentence": "The constant pair holds the peak force within 10 % from 0.10 to 0.30 m/s; beyond, it "
                                     "overstates the force."},
-            "grazing": [{"scene": "ricker-0.78g-1.0s", "scale": 1.0, "critical_scale": 0.9982,
-                         "critical_amplitude_g": 0.7786, "approach_speed": {"nominal": 0.07, "low": 0.0, "high": 0.11},
-                         "peak_force": {"nominal": 3.9e5, "low": 0.0, "high": 6.1e5},
+            "critical_amplitudes": [{"scene": "ricker-0.78g-1.0s", "scale": 1.0, "critical_scale": 0.9982,
+                         "critical_amplitude_g": 0.7786, "approach_speed_m_s": {"nominal": 0.07, "low": 0.0, "high": 0.11},
+                         "peak_impact_force_N": {"nominal": 3.9e5, "low": 0.0, "high": 6.1e5},
                          "varied": ["amplitude ± 0.2 %", "g 9.80665"]}], "notes": []}
     with open(f"{folder}/calibration/calibration.json", "w", encoding="utf-8") as file:
         json.dump(data, file, indent=1)

@@ -1,0 +1,206 @@
+"""Whole reports: of a results folder, of one run, and of folders in which things are missing or broken."""
+import html
+import json
+import os
+import re
+import shutil
+import tempfile
+import time
+import unittest
+
+from support import InFolder, command
+
+import synthetic
+from report.build import build
+from report.results import load_results
+
+
+def text_of(path):
+    with open(path, encoding="utf-8") as file:
+        page = file.read()
+    return page, html.unescape(re.sub(r"[ \n]+", " ", re.sub(r"<[^>]+>", " ", re.sub(r"<style.*?</style>", "", page, flags=re.S))))
+
+
+class MainResults(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.holder = tempfile.TemporaryDirectory()
+        cls.folder = cls.holder.name
+        synthetic.main_folder(cls.folder, pulses=synthetic.PULSES[:1], speeds=(0.1, 0.3, 1.0))
+        start = time.monotonic()
+        cls.path, cls.problems = build(cls.folder)
+        cls.seconds = time.monotonic() - start
+        cls.page, cls.text = text_of(cls.path)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.holder.cleanup()
+
+    def test_nothing_is_missing(self):
+        self.assertEqual(self.problems, [])
+        self.assertNotIn("not run", self.text)
+        self.assertNotIn("could not be drawn", self.text)
+
+    def test_one_file_and_no_links_out(self):
+        self.assertEqual(re.findall(r'(?:src|href)="(?!data:image/png;base64,|#)', self.page), [])
+        self.assertNotRegex(self.page, r"https?://|<script|@import|url\(")
+        self.assertLess(len(self.page), 12e6)
+
+    def test_the_answer_comes_first(self):
+        answer = self.text.index("The answer", self.text.index("1 The answer"))
+        self.assertLess(answer, self.text.index("2 Inputs and assumptions"))
+        head = self.text[answer:self.text.index("2 Inputs and assumptions")]
+        for said in ("4.10 × 10⁵", "3.98 to 4.22 × 10⁵", "published 4.5 × 10⁵", "0.620", "published 0.65",
+                     "Range of validity. The constant pair holds", "Does the rim yield? Yes", "Pulses not fitted."):
+            self.assertIn(said, head)
+
+    def test_errors_come_from_the_calibration_where_it_has_them(self):
+        self.assertIn("+3.1\u202f%", self.text)
+        self.assertIn("+11.1\u202f%", self.text)
+
+    def test_assumptions_are_marked(self):
+        self.assertEqual(self.page.count('class="assumed"'), 7)
+        self.assertRegex(self.text, r"thickness of the rim 40 mm assumption")
+
+    def test_pictures_lie_beside(self):
+        names = set(os.listdir(os.path.join(self.folder, "figures")))
+        for name in ("answer", "response-ricker-0.78g-1.0s", "impacts-ricker-0.78g-1.0s-x1.10", "ki-and-e-over-speed",
+                     "windows-force", "calibration-errors", "calibration-residuals", "calibration-parameters",
+                     "critical-amplitudes", "energy", "speed-time-split", "rim-ricker-0.78g-1.0s-x1.10"):
+            self.assertIn(name + ".png", names)
+        self.assertFalse([name for name in names if name.endswith(".part")])
+
+    def test_every_section_and_scene_is_there(self):
+        for section in ("inputs", "histories", "rim", "windows", "calibration", "comparison", "critical", "energy",
+                        "speed", "reproducibility", "conventions"):
+            self.assertIn(f'<section id="{section}">', self.page)
+        self.assertEqual(self.page.count("<details>"), 6)
+        self.assertIn("deal.II", self.text)
+
+    def test_quick_enough(self):
+        self.assertLess(self.seconds, 60)  # about 4 s on one idle core; the machine may be busy
+
+
+class OneRun(InFolder):
+    def run_folder(self, rung="reduced", **options):
+        synthetic.run(self.path("run"), "ricker-0.78g-1.0s", 'kind = "ricker"\nscale = 1.0\namplitude_g = 0.78',
+                      synthetic.ricker(0.9, 1.0), synthetic.Rim(4e8, 0.6), rung, **options)
+        return self.path("run")
+
+    def test_report_of_a_run(self):
+        done = command("report", self.run_folder(), "--output", self.path("out.html"))
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        self.assertEqual(done.stdout.strip(), self.path("out.html"))
+        page, text = text_of(self.path("out.html"))
+        self.assertIn("Peak impact force", text)
+        self.assertNotIn("What is missing", text)
+        self.assertNotIn("Calibration", text)
+        self.assertGreaterEqual(page.count("data:image/png"), 3)
+
+    def test_a_stopped_run_says_so(self):
+        path, _ = build(self.run_folder("rim", status="stopped", truncate=0.4))
+        self.assertIn("stopped: step fell below 1e-7 s. What is shown of it is partial.", text_of(path)[1])
+
+    def test_two_directions(self):
+        import numpy as np
+
+        from report.run_folder import load_run
+        run = load_run(self.run_folder())
+        run.signals["displacement_y"] = 0.1 * np.sin(3 * run.time)
+        run.signals["force_y"] = -2e4 * np.sin(3 * run.time)
+        synthetic.write_signals(self.path("run"), run.signals)
+        path, problems = build(self.path("run"))
+        self.assertEqual(problems, [])
+
+    def test_quick_picture(self):
+        self.assertEqual(command("report.quick", "reduced", self.run_folder()).returncode, 0)
+        self.assertTrue(os.path.isfile(self.path("run", "response.png")))
+
+    def test_only_a_summary(self):
+        os.remove(os.path.join(self.run_folder(), "response.h5"))
+        os.remove(self.path("run", "response.csv"))
+        os.remove(self.path("run", "scene.toml"))
+        path, problems = build(self.path("run"))
+        text = text_of(path)[1]
+        self.assertIn("no response.h5 or response.csv", text)
+        self.assertIn("No response is stored.", text)
+
+
+class Missing(InFolder):
+    def small(self):
+        """One pulse, one window, no calibration."""
+        motion = synthetic.ricker(0.9, 1.0)
+        scene = 'kind = "ricker"\nscale = 1.0\namplitude_g = 0.78\nperiod_s = 1.0'
+        synthetic.run(self.path("runs/ricker-0.78g-1.0s"), "ricker-0.78g-1.0s", scene, motion, synthetic.Rim(5e8), "rim")
+        synthetic.run(self.path("reduced/ricker-0.78g-1.0s"), "ricker-0.78g-1.0s", scene, motion, synthetic.Rim(4e8, .6),
+                      "reduced")
+        synthetic.run(self.path("reduced/window-0.10"), "window-0.10", 'kind = "window"\nspeed_m_per_s = 0.1',
+                      lambda t: 0.0, synthetic.Rim(4e8, 0.6), "reduced", 0.1)
+
+    def test_no_main_no_calibration_no_window(self):
+        self.small()
+        path, _ = build(self.folder)
+        text = text_of(path)[1]
+        for said in ("Calibration: not run", "window-0.10: finite-element run not run", "no main.json",
+                     "Critical amplitudes: not run"):
+            self.assertIn(said, text)
+        self.assertNotIn("could not be drawn", text)
+
+    def test_a_broken_run_does_not_lose_the_others(self):
+        self.small()
+        with open(self.path("reduced/window-0.10/response.h5"), "wb") as file:
+            file.write(b"not HDF5")
+        path, problems = build(self.folder)
+        self.assertTrue(any("window-0.10" in p and "not readable HDF5" in p for p in problems))
+        self.assertIn("peak impact force", text_of(path)[1])
+
+    def test_listed_runs_that_never_ran(self):
+        self.small()
+        with open(self.path("main.json"), "w", encoding="utf-8") as file:
+            json.dump({"runs": [{"name": "ricker-0.78g-1.0s", "role": "fit", "fe": "runs/ricker-0.78g-1.0s"},
+                                {"name": "ricker-0.38g-1.5s", "role": "predict", "fe": None, "reduced": 7}],
+                       "warnings": ["the BLAS is slow"]}, file)
+        path, _ = build(self.folder)
+        text = text_of(path)[1]
+        self.assertIn("Finite-element run: not run.", text)
+        self.assertIn("the BLAS is slow", text)
+
+    def test_calibration_alone(self):
+        synthetic._calibration(self.folder, [])
+        path, _ = build(self.folder)
+        self.assertIn("4.10 × 10⁵", text_of(path)[1])
+
+    def test_odd_json_is_borne(self):
+        self.small()
+        os.makedirs(self.path("calibration"))
+        self.write("calibration/calibration.json", json.dumps(
+            {"parameters": {"k_i": {"value": 4e5, "interval_95": [None, None], "identifiable": False}},
+             "fit": {"ricker-0.78g-1.0s": None}, "windows": {"rows": [None, {}]}, "critical_amplitudes": [{}],
+             "notes": None, "correlation": {"k_i": 1}, "derived": {"c_i": None}}))
+        self.write("main.json", '["not", "what", "it", "should", "be"]')
+        path, _ = build(self.folder)
+        self.assertIn("not identifiable from these runs", text_of(path)[1])
+
+    def test_exit_codes(self):
+        for folder in (self.path("nowhere"), self.folder):
+            done = command("report", folder)
+            self.assertEqual(done.returncode, 3)
+            self.assertRegex(done.stderr, r"^rimpact report: .+\n$")
+        self.assertEqual(command("report").returncode, 2)
+        self.small()
+        run = self.path("reduced/window-0.10")
+        done = command("report", run, "--output", self.write("file", "") + "/report.html")
+        self.assertEqual(done.returncode, 6)
+        self.assertRegex(done.stderr, r"^rimpact report: cannot write .+\n$")
+        shutil.copy(self.path("file"), os.path.join(run, "response.h5"))
+        self.assertEqual(command("report", run).returncode, 3)
+
+    def test_roles(self):
+        self.small()
+        results = load_results(self.folder)
+        self.assertEqual([(e.name, e.role) for e in results.entries],
+                         [("ricker-0.78g-1.0s", "history"), ("window-0.10", "window")])
+
+
+if __name__ == "__main__":
+    unittest.main()
