@@ -39,7 +39,7 @@ Impact impact_of(const Response &r, std::size_t first, std::size_t last) {
   impact.release_time = r.series("time")[last];
   impact.direction_deg = std::atan2(uy[first], ux[first]) * 180 / std::numbers::pi;
   impact.approach_speed = radial_speed(r, first, -1);
-  impact.rebound_speed = -radial_speed(r, last, +1);
+  impact.rebound_speed = 0 - radial_speed(r, last, +1); // never -0
   for (std::size_t i = first; i <= last; ++i) {
     impact.peak_force = std::max(impact.peak_force, std::hypot(ix[i], iy[i]));
     if (r.has("gap")) impact.peak_penetration = std::max(impact.peak_penetration, -r.series("gap")[i]);

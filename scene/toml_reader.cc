@@ -3,37 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <sstream>
 
 namespace rimpact::scene {
 namespace {
-
-constexpr std::size_t max_bytes = 1 << 20;
-constexpr std::ptrdiff_t max_dots_a_line = 64;
-
-/// The parser recurses over dotted keys, so that megabytes of "a.a.a" would exhaust the stack.
-void refuse_absurd(const std::string &text, const std::string &origin) {
-  if (text.size() > max_bytes)
-    throw InputError(fmt::format("{}: {} bytes; a scene has at most {}", origin, text.size(), max_bytes));
-  std::size_t line_number = 0;
-  for (const auto line : lines_of(text)) {
-    ++line_number;
-    if (std::count(line.begin(), line.end(), '.') > max_dots_a_line)
-      throw InputError(
-          fmt::format("{}:{}: more than {} dots in a line", origin, line_number, max_dots_a_line));
-  }
-}
-
-toml::table parse(const std::string &text, const std::string &origin) {
-  refuse_absurd(text, origin);
-  try {
-    return toml::parse(std::string_view(text), std::string_view(origin));
-  } catch (const toml::parse_error &error) {
-    const auto &at = error.source().begin;
-    throw InputError(
-        fmt::format("{}:{}:{}: {}", origin, at.line, at.column, std::string(error.description())));
-  }
-}
 
 std::string type_name(const toml::node &node) {
   if (const auto *text = node.as_string()) return fmt::format("the string \"{}\"", text->get().substr(0, 60));
@@ -46,68 +18,6 @@ std::string type_name(const toml::node &node) {
 }
 
 } // namespace
-
-TomlFile::TomlFile(const std::string &text, const std::string &origin)
-    : origin_(origin), root_(parse(text, origin)) {}
-
-void TomlFile::set(const std::string &assignment) {
-  const std::string where = "--set " + assignment;
-  const auto equals = assignment.find('=');
-  if (equals == std::string::npos || assignment.size() > 4096)
-    throw InputError(where + ": must be KEY=VALUE");
-  const std::string path(trim(std::string_view(assignment).substr(0, equals)));
-  const std::string value(trim(std::string_view(assignment).substr(equals + 1)));
-  const auto names = split(path, '.');
-  for (const auto name : names)
-    if (trim(name).empty() || names.size() > 8)
-      throw InputError(where + ": KEY must be dotted names, e.g. rim.height_mm");
-  toml::table parsed;
-  try {
-    parsed = parse("v = " + value, where);
-  } catch (const InputError &) {
-    parsed.clear(); // a bare word
-  }
-  if (parsed.size() != 1 || !parsed.contains("v")) {
-    parsed.clear();
-    parsed.insert_or_assign("v", value);
-  }
-  toml::table *table = &root_;
-  for (std::size_t i = 0; i + 1 < names.size(); ++i) {
-    const std::string_view name = trim(names[i]);
-    if (!table->contains(name)) table->insert_or_assign(name, toml::table{});
-    table = table->get(name)->as_table();
-    if (!table) throw InputError(fmt::format("{}: {} is not a table", where, name));
-  }
-  table->insert_or_assign(trim(names.back()), std::move(*parsed.get("v")));
-  overrides_[path] = where;
-}
-
-const toml::node *TomlFile::find(const std::string &path) const {
-  const toml::node *node = &root_;
-  if (path.empty()) return node;
-  for (const auto name : split(path, '.')) {
-    const auto *table = node->as_table();
-    node = table ? table->get(name) : nullptr;
-    if (!node) return nullptr;
-  }
-  return node;
-}
-
-std::string TomlFile::location(const std::string &path) const {
-  if (const auto found = overrides_.find(path); found != overrides_.end()) return found->second;
-  const toml::node *node = find(path);
-  if (node && node->source().begin.line > 0)
-    return fmt::format("{}:{}:{}", origin_, node->source().begin.line, node->source().begin.column);
-  // A table that only an override brought into being.
-  for (const auto &[key, typed] : overrides_)
-    if (node && key.compare(0, path.size() + 1, path + ".") == 0) return typed;
-  return origin_;
-}
-
-std::string TomlFile::location_of_key(const std::string &path, const toml::key &key) const {
-  if (key.source().begin.line == 0 || overrides_.count(path)) return location(path);
-  return fmt::format("{}:{}:{}", origin_, key.source().begin.line, key.source().begin.column);
-}
 
 void TomlReader::fail(const std::string &name, const std::string &what) const {
   throw InputError(fmt::format("{}: {} {}", file_.location(full(name)), full(name), what));
