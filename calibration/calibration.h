@@ -23,8 +23,8 @@ struct CalibrationOptions {
 struct ImpactCheck {
   double touch_time, approach_speed; ///< of the reference [s], [m/s]
   double peak_force_error;           ///< signed relative [-]
-  double rebound_error;    ///< of the radial speed at the end of the window, over the approach speed [-]
-  double normalised_force; ///< reference F / (v sqrt(k m)) [-]
+  double rebound_error;              ///< of the radial speed at release, over the approach speed [-]
+  double normalised_force;           ///< reference F / (v sqrt(k m)) [-]
   bool fitted, grazing, dented;
 };
 /// A run against the reduced model, simulated from rest with the fitted values.

@@ -38,7 +38,7 @@ ImpactCheck check_impact(const StoredRun &run, const ImpactWindow &w, const scen
   check.touch_time = w.impact.touch_time;
   check.approach_speed = w.impact.approach_speed;
   check.peak_force_error = shot.peak / w.peak - 1;
-  check.rebound_error = (shot.end_speed - w.end_speed) / w.impact.approach_speed;
+  check.rebound_error = (shot.rebound_speed - w.impact.rebound_speed) / w.impact.approach_speed;
   check.normalised_force =
       w.impact.peak_force / (w.impact.approach_speed * std::sqrt(scene.reduced.k_i * run.scene.load.mass));
   check.grazing = w.grazing;

@@ -8,7 +8,7 @@
 ///   release,
 ///                 where a real rim is silent: that tension is a property of the law, not of the data)
 ///   displacement  radial travel from start to end
-///   rebound       radial velocity at the window's end, the same instant for both
+///   rebound       inward radial speed at release, each at its own
 ///   peak          peak force
 /// Parameters that the flight informs on (mu_fast, ...) add a group for the motion before the first touch.
 #pragma once
@@ -25,8 +25,10 @@ struct Uncertainty {
   double displacement = 0.001; ///< share of L_c, > 0
   double speed = 0.01;         ///< share of the run's largest approach speed, > 0
 };
-struct Weights { ///< of the groups, >= 0; 0 leaves one out
-  double force = 1, displacement = 1, rebound = 1, peak = 1, flight = 1;
+/// Of the groups, >= 0; 0 leaves one out. Peak and rebound are what an impact element is for, so where its
+/// shape cannot follow a yielding rim these two are met first.
+struct Weights {
+  double force = 1, displacement = 1, rebound = 3, peak = 3, flight = 1;
 };
 struct Bounds {
   double lower, upper; ///< in the parameter's reported unit

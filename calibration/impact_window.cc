@@ -142,7 +142,6 @@ private:
       w.force.push_back(-planar(r_, "impact", i).dot(w.direction));
     }
     w.end_time = w.times.back();
-    w.end_speed = planar(r_, "velocity", i - 1).dot(w.direction);
   }
 
   double overshoot(const ImpactWindow &w) const {
@@ -190,14 +189,14 @@ double StoredRun::approach_speed() const {
 }
 
 StoredRun make_run(const std::string &folder, const scene::Scene &scene, scene::Response response,
-             const WindowOptions &options) {
+                   const WindowOptions &options) {
   options.validate();
   StoredRun run{.folder = folder,
-          .scene = scene,
-          .response = std::move(response),
-          .summary = {},
-          .impacts = {},
-          .notes = {}};
+                .scene = scene,
+                .response = std::move(response),
+                .summary = {},
+                .impacts = {},
+                .notes = {}};
   if (run.response.size() < 2) throw DataError(folder + ": the response has fewer than two samples");
   complete_velocities(run.response);
   silence_noise(run.response, options.force_threshold);

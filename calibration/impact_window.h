@@ -34,9 +34,8 @@ struct ImpactWindow {
       0; ///< travel at which the reduced rim begins [m]: L_c, or beyond it where the rim is dented
   bool dented = false; ///< the reference was beyond L_c without rim force
   std::vector<double> times, displacement,
-      force;            ///< samples in start.t..end_time: [s], radial [m], pushing > 0 [N]
-  double peak = 0;      ///< peak of the radial force by smooth_peak() [N]
-  double end_speed = 0; ///< radial velocity at end_time, < 0 inwards [m/s]
+      force;       ///< samples in start.t..end_time: [s], radial [m], pushing > 0 [N]
+  double peak = 0; ///< peak of the radial force by smooth_peak() [N]
   double overshoot =
       0; ///< travel beyond `capacity` if there were no rim [m], infinite when nothing else stops it
   /// overshoot < grazing_overshoot L_c: a slightly different flight would miss the rim, so its force says
@@ -62,7 +61,7 @@ struct StoredRun {
 StoredRun read_run(const std::string &folder, const WindowOptions &options);
 /// The same from memory.
 StoredRun make_run(const std::string &folder, const scene::Scene &scene, scene::Response response,
-             const WindowOptions &options);
+                   const WindowOptions &options);
 
 /// Peak of a sampled pulse: a quartic through the samples above 0.8 of the largest, so that noise and the
 /// sampling's phase do not enter; the largest sample when there are too few.

@@ -7,7 +7,7 @@ namespace rimpact::calibration {
 
 double ResidualBlock::add_group(const std::string &name, int count, double weight, double sigma) {
   if (weight == 0 || count == 0) return 0;
-  groups_.push_back({name, size(), count});
+  groups_.push_back({name, size(), count, weight});
   return weight / (sigma * std::sqrt(static_cast<double>(count)));
 }
 
@@ -40,7 +40,7 @@ public:
     if (displacement_ > 0)
       for (std::size_t i = 0; i < window_.times.size(); ++i)
         r[n++] = displacement_ * (shot.displacement[i] - window_.displacement[i]);
-    if (rebound_ > 0) r[n++] = rebound_ * (shot.end_speed - window_.end_speed);
+    if (rebound_ > 0) r[n++] = rebound_ * (shot.rebound_speed - window_.impact.rebound_speed);
     if (peak_ > 0) r[n++] = peak_ * (shot.peak - window_.peak);
   }
 
@@ -52,7 +52,8 @@ private:
 
 class FlightBlock final : public ResidualBlock {
 public:
-  FlightBlock(const StoredRun &run, const FitOptions &options) : ResidualBlock(run.scene), response_(run.response) {
+  FlightBlock(const StoredRun &run, const FitOptions &options)
+      : ResidualBlock(run.scene), response_(run.response) {
     const auto &times = response_.series("time");
     const double end = run.summary.impacts.empty() ? times.back() : run.summary.impacts.front().touch_time;
     while (n_ < times.size() && times[n_] < end) ++n_;

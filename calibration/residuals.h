@@ -11,6 +11,7 @@ namespace rimpact::calibration {
 struct Group {
   std::string name;
   int first, count;
+  double weight;
 };
 
 class ResidualBlock {

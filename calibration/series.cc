@@ -59,15 +59,21 @@ double pulse_at(const std::vector<double> &times, const std::vector<double> &val
 std::vector<double> differentiate(const std::vector<double> &times, const std::vector<double> &values) {
   const std::size_t n = times.size();
   std::vector<double> rates(n, 0.0);
+  // secants, NaN-free across jumps: an interval of no length has none
+  const auto length = [&](std::size_t i) { return i + 1 < n ? times[i + 1] - times[i] : 0.0; };
+  const auto secant = [&](std::size_t i) { return (values[i + 1] - values[i]) / length(i); };
+  const auto one_sided = [&](std::size_t near, bool has_next, std::size_t next) {
+    if (!has_next || !(length(next) > 0)) return secant(near);
+    return secant(near) + (secant(near) - secant(next)) * length(near) / (length(near) + length(next));
+  };
   for (std::size_t i = 0; i < n; ++i) {
-    const bool left = i > 0 && times[i] > times[i - 1], right = i + 1 < n && times[i + 1] > times[i];
-    const double hl = left ? times[i] - times[i - 1] : 0, hr = right ? times[i + 1] - times[i] : 0;
-    const double sl = left ? (values[i] - values[i - 1]) / hl : 0;
-    const double sr = right ? (values[i + 1] - values[i]) / hr : 0;
-    if (left && right)
-      rates[i] = (sl * hr + sr * hl) / (hl + hr);
-    else
-      rates[i] = left ? sl : sr;
+    const double left = i > 0 ? length(i - 1) : 0, right = length(i);
+    if (left > 0 && right > 0)
+      rates[i] = (secant(i - 1) * right + secant(i) * left) / (left + right);
+    else if (right > 0)
+      rates[i] = one_sided(i, true, i + 1);
+    else if (left > 0)
+      rates[i] = one_sided(i - 1, i > 1, i - 2);
   }
   return rates;
 }

@@ -17,7 +17,8 @@ double hermite_at(const std::vector<double> &times, const std::vector<double> &v
 /// jumps at touch and release.
 double pulse_at(const std::vector<double> &times, const std::vector<double> &values, double t);
 
-/// d values / dt: at each sample the slope of the parabola through its neighbours (equal times are skipped).
+/// d values / dt: at each sample the slope of the parabola through it and its neighbours, at ends and jumps
+/// (equal times) of the parabola on its own side.
 std::vector<double> differentiate(const std::vector<double> &times, const std::vector<double> &values);
 
 } // namespace rimpact::calibration

@@ -1,5 +1,6 @@
 #include "calibration/shooting.h"
 #include "calibration/series.h"
+#include <algorithm>
 
 namespace rimpact::calibration {
 
@@ -13,10 +14,26 @@ std::vector<double> radial(const scene::Response &response, const std::string &n
   return values;
 }
 
+/// Looked for a late release this long after the window [s].
+constexpr double patience = 0.5;
+
+/// Index of the last sample of the first pulse; the series' size when it lasts to the end, 0 when there is
+/// none.
+std::size_t end_of_first_pulse(const std::vector<double> &force) {
+  std::size_t i = 0;
+  while (i < force.size() && force[i] == 0) ++i;
+  if (i == force.size()) return 0;
+  while (i < force.size() && force[i] != 0) ++i;
+  return i == force.size() ? i : i - 1;
+}
+
 } // namespace
 
 Shot shoot(const scene::Scene &scene, const ImpactWindow &window) {
-  const auto run = reduced::simulate_from(scene, window.start, window.end_time, window.capacity);
+  auto run = reduced::simulate_from(scene, window.start, window.end_time, window.capacity);
+  if (end_of_first_pulse(radial(run.response, "impact", window.direction)) ==
+      run.response.size()) // a late release
+    run = reduced::simulate_from(scene, window.start, window.end_time + patience, window.capacity);
   const auto &times = run.response.series("time");
   const auto u = radial(run.response, "displacement", window.direction);
   const auto v = radial(run.response, "velocity", window.direction);
@@ -29,7 +46,7 @@ Shot shoot(const scene::Scene &scene, const ImpactWindow &window) {
     shot.force.push_back(pulse_at(times, force, t));
   }
   shot.peak = smooth_peak(times, force);
-  shot.end_speed = linear_at(times, v, window.end_time);
+  shot.rebound_speed = -v[std::min(end_of_first_pulse(force), v.size() - 1)];
   return shot;
 }
 

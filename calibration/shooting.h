@@ -7,7 +7,8 @@ namespace rimpact::calibration {
 /// Radial quantities as in ImpactWindow, at its sample times.
 struct Shot {
   std::vector<double> displacement, force;
-  double peak = 0, end_speed = 0;
+  double peak = 0;          ///< smooth_peak() of the force [N]
+  double rebound_speed = 0; ///< inward radial speed at the end of the first contact [m/s]
 };
 
 /// Starts from window.start and integrates to window.end_time with the settings of `scene`.

@@ -18,13 +18,13 @@ constexpr double flat_condition = 1e4;
 /// Share of the bounds' range within which a value counts as standing at the bound.
 constexpr double at_bound = 1e-6;
 
-/// Variance of one residual of a group: stated (1 / count) or found, whichever is larger, times what
+/// Variance of one residual of a group: stated (weight^2 / count) or found, whichever is larger, times what
 /// correlated residuals lose in independent observations, (1 + rho) / (1 - rho) for lag-one correlation rho,
 /// at most `count`.
 double group_variance(const Group &group, const Eigen::VectorXd &r) {
   const Eigen::VectorXd part = r.segment(group.first, group.count);
-  const double n = group.count, found = part.squaredNorm() / n;
-  if (found <= 1 / n) return 1 / n; // within the stated uncertainty
+  const double n = group.count, found = part.squaredNorm() / n, stated = group.weight * group.weight / n;
+  if (found <= stated) return stated;
   double inflation = 1;
   if (group.count > 2) {
     const double lag = part.head(group.count - 1).dot(part.tail(group.count - 1)) / part.squaredNorm();

@@ -40,7 +40,7 @@ WindowRow make_row(const StoredRun &run, const FitResult &pair, const FitOptions
   const Shot shot = shoot(scene, w);
   row.normalised_force = row.peak_force / (v * std::sqrt(scene.reduced.k_i * m));
   row.pair_force_error = shot.peak / w.peak - 1;
-  row.pair_rebound_error = w.end_speed != 0 ? shot.end_speed / w.end_speed - 1 : 0;
+  row.pair_rebound_error = (shot.rebound_speed - w.impact.rebound_speed) / v;
   row.pair_holds = std::abs(row.pair_force_error) <= tolerance;
   return row;
 }

@@ -15,8 +15,9 @@ struct WindowRow {
   /// straight from the curve, for a linear Kelvin-Voigt rim: k from the peak force and from the contact time
   /// [N/m]
   std::optional<double> k_from_peak, k_from_contact_time;
-  double pair_force_error, pair_rebound_error; ///< the constant pair in this window, signed relative
-  bool pair_holds;                             ///< |pair_force_error| <= tolerance
+  double pair_force_error;   ///< of the constant pair in this window, signed relative
+  double pair_rebound_error; ///< over the approach speed
+  bool pair_holds;           ///< |pair_force_error| <= tolerance
 };
 
 struct WindowsTable {

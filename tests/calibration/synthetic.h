@@ -38,24 +38,31 @@ inline StoredRun run_of(const scene::Scene &s, const WindowOptions &options = {}
   return make_run(s.name, s, reduced::simulate(s).response, options);
 }
 
-/// Gaussian noise on force and displacement while the rim is pressed; the state before touch stays exact.
+/// Errors as an instrument makes them: force scaled by one draw, each sample of force and displacement under
+/// the rim noisy, the speed after release off by one draw; the state before touch stays exact.
 inline StoredRun noisy(const scene::Scene &s, unsigned seed, const Uncertainty &u,
-                 const WindowOptions &options = {}) {
+                       const WindowOptions &options = {}) {
   auto response = reduced::simulate(s).response;
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal;
   double peak = 0;
   for (const double f : response.series("impact_x")) peak = std::max(peak, std::abs(f));
+  const double scale = 1 + u.force * normal(generator);
   bool first = true;
   for (std::size_t i = 0; i < response.size(); ++i) {
     auto &force = response.series("impact_x")[i];
     if (force == 0) continue;
-    force += u.force * peak * normal(generator);
+    force = scale * force + u.force * peak * normal(generator);
     if (!first)
       response.series("displacement_x")[i] +=
           u.displacement * s.bearing.lateral_capacity() * normal(generator);
     first = false;
   }
+  const double approach = response.series("velocity_x").front(),
+               slip = u.speed * approach * normal(generator);
+  for (std::size_t i = 0; i < response.size(); ++i)
+    if (response.series("velocity_x")[i] < 0 && response.series("impact_x")[i] == 0)
+      response.series("velocity_x")[i] += slip;
   return make_run(s.name, s, response, options);
 }
 

@@ -20,7 +20,7 @@ TEST(ImpactWindow, ShootingWithTheTruthRepeatsTheRun) {
         }
       }
       EXPECT_NEAR(shot.peak, w.peak, 1e-6 * w.peak);
-      EXPECT_NEAR(shot.end_speed, w.end_speed, 1e-7);
+      EXPECT_NEAR(shot.rebound_speed, w.impact.rebound_speed, 1e-7);
       EXPECT_FALSE(w.dented);
       EXPECT_DOUBLE_EQ(w.capacity, scene.bearing.lateral_capacity());
     }
