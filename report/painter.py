@@ -6,9 +6,16 @@ from matplotlib.collections import PolyCollection
 FACES = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
 
 
-def merged(points, tolerance=1e-7):
-    """For each point the number of its place: cell-wise copies of a node get the same number."""
-    return np.unique(np.round(points / tolerance).astype(np.int64), axis=0, return_inverse=True)[1].reshape(-1)
+def merged(points, tolerance=5e-7):
+    """For each point the number of its place: cell-wise copies of a node get the same number, also where single
+    precision has moved them by a few units in the last place. Per coordinate, values with smaller gaps than
+    `tolerance` [m] count as one."""
+    place = np.empty(points.shape, dtype=np.int64)
+    for axis in range(3):
+        order = np.argsort(points[:, axis], kind="stable")
+        steps = np.diff(points[order, axis], prepend=points[order[:1], axis]) > tolerance
+        place[order, axis] = np.cumsum(steps)
+    return np.unique(place, axis=0, return_inverse=True)[1].reshape(-1)
 
 
 def boundary_faces(cells, place):

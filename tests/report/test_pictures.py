@@ -74,6 +74,12 @@ class Boundary(unittest.TestCase):
         body = bodies(cells, merged(points))
         self.assertEqual(body.tolist(), [0] * 8 + [1] * 8)
 
+    def test_nodes_in_single_precision_are_joined(self):
+        points, cells = synthetic_mesh.block((9, 7, 5), lambda a, b, c: (0.4 + 0.12345 * a, 0.3 * b, 0.1 * c))
+        copies = np.concatenate([points[cell] for cell in cells])
+        copies = copies + np.random.default_rng(2).uniform(-6e-8, 6e-8, copies.shape)
+        self.assertEqual(len(np.unique(merged(copies))), len(points))
+
     def test_views_are_right_handed(self):
         axes = view(205, 28)
         np.testing.assert_allclose(axes @ axes.T, np.eye(3), atol=1e-12)
