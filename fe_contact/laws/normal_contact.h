@@ -3,14 +3,18 @@
 ///   p = max(0, lambda - epsilon g)            (Alart and Curnier 1991; Wriggers, Computational Contact
 ///   Mechanics)
 /// The multiplier lambda is the pressure of the last augmentation, so the penetration left is (p -
-/// lambda)/epsilon.
+/// lambda)/epsilon. Above `ceiling`, a pressure no solution reaches, the slope drops: a Newton iterate that
+/// overlaps by far then pushes firmly instead of turning cells inside out. The law stays monotone and
+/// continuous.
 #pragma once
-#include <algorithm>
+#include <limits>
 
 namespace rimpact::fe {
 
 struct NormalContact {
-  double penalty; ///< epsilon [Pa/m], > 0
+  double penalty;                                           ///< epsilon [Pa/m], > 0
+  double ceiling = std::numeric_limits<double>::infinity(); ///< [Pa]; see above
+  static constexpr double slope_above = 0.02;               ///< of epsilon
 
   struct Result {
     double pressure; ///< [Pa]
@@ -18,7 +22,9 @@ struct NormalContact {
   };
   Result at(double gap, double multiplier) const {
     const double pressure = multiplier - penalty * gap;
-    return pressure > 0 ? Result{pressure, penalty} : Result{0.0, 0.0};
+    if (pressure <= 0) return {0.0, 0.0};
+    if (pressure <= ceiling) return {pressure, penalty};
+    return {ceiling + slope_above * (pressure - ceiling), slope_above * penalty};
   }
 };
 

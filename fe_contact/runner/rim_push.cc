@@ -14,7 +14,7 @@ struct Pusher {
   reduced::PhysicalModel model;
   RimFrame frame;
   ArcState state;
-  double elastic_before = 0, work = 0;
+  double step = 1e-5; ///< of travel [m]; the first contact wants a small one
   Eigen::Vector3d last_force = Eigen::Vector3d::Zero();
 
   Pusher(const scene::Scene &scene, const RunOptions &options, RimSolver &solver, RunRecord &record)
@@ -58,23 +58,25 @@ struct Pusher {
       put(name, 0);
   }
 
-  /// Moves to a travel, cutting the way where Newton needs it.
+  /// Moves to a travel in steps that grow while Newton likes them and halve where it does not.
   void advance(double travel, double parameter, double &reached) {
-    double step = travel - reached;
-    for (int cuts = 0; std::abs(travel - reached) > 1e-12;) {
+    constexpr double growth = 1.6, smallest = 1e-8;
+    while (std::abs(travel - reached) > 1e-12) {
       if (options.interrupted && *options.interrupted) throw Interrupted();
-      const double next = std::abs(travel - reached) < std::abs(step) ? travel : reached + step;
+      const double to_go = travel - reached,
+                   next = std::abs(to_go) <= step ? travel : reached + std::copysign(step, to_go);
       const Eigen::Vector3d before = state.master;
       const StepReport report = solver.push(state, target(next));
       record.n_newton += report.iterations;
       if (!report.converged) {
         ++record.n_cuts;
-        if (++cuts > 12)
+        step = 0.5 * std::abs(next - reached);
+        if (step < smallest)
           throw SolverStopped("the push stopped at " + std::to_string(1e3 * reached) + " mm beyond touch: " +
                               report.reason + "; try a finer mesh or a smaller travel_mm");
-        step /= 2;
         continue;
       }
+      if (std::abs(next - reached) >= 0.99 * step) step *= growth;
       ++record.n_steps;
       record.ledger.external -= 0.5 * (report.rim_force + last_force).dot(state.master - before);
       last_force = report.rim_force;

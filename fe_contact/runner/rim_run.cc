@@ -13,8 +13,9 @@ constexpr const char *fe_signals[] = {"surface_gap", "plastic_strain_max", "cont
 
 /// Arcs closer than this share one yielded state [rad].
 constexpr double arc_width = 0.14;
-constexpr double nearest_look = 1e-3; ///< a dented arc's true gap is computed within this of touch [m]
-constexpr int checkpoint_every = 25;  ///< contact steps
+constexpr double nearest_look = 1e-3;  ///< a dented arc's true gap is computed within this of touch [m]
+constexpr double first_overlap = 1e-5; ///< the first step moves the slider by this [m]
+constexpr int checkpoint_every = 25;   ///< contact steps
 
 } // namespace
 
@@ -137,7 +138,7 @@ void DynamicRun::begin_contact(Arc &arc) {
   others_plastic_ = record_.ledger.plastic - solver_.share() * arc.state.energies.plastic;
   touched_ = false;
   peak_written_ = false;
-  dt_ = 0.25 * plan_.step_in_contact;
+  dt_ = std::min(0.25 * plan_.step_in_contact, first_overlap / std::max(1e-3, impact_.approach_speed));
   in_contact_ = true;
   if (record_.response.size() == 0) sample(arc, {}, now, 0); // a window starts here
 }

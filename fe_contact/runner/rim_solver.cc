@@ -30,6 +30,7 @@ ContactOptions contact_options(const scene::Bearing &bearing, const meshes::RimM
   ContactOptions result;
   const double cell = 0.006 / std::pow(1.5, mesh.level - 1); // the meshes' target size in the contact zone
   result.law.penalty = options.penalty_factor * default_penalty(bearing.steel.E, cell);
+  result.law.ceiling = 20 * bearing.steel.yield.value_or(bearing.steel.E / 100);
   result.gap_tolerance = options.gap_tolerance;
   return result;
 }

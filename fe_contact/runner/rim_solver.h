@@ -58,8 +58,8 @@ struct StepReport {
 struct RimSolverOptions {
   int degree = 2;
   double rho_inf = 0.5;
-  double penalty_factor = 5.0;
-  double gap_tolerance = 2e-6; ///< [m]
+  double penalty_factor = 2.0;
+  double gap_tolerance = 5e-6; ///< [m]
   int max_augmentations = 3;   ///< reported when reached
   int max_iterations = 15;
   double tolerance = 1e-7;  ///< relative residual

@@ -1,0 +1,12 @@
+/// Quadrilaterals filling a half disc, by gmsh: the core of the slider, whose rim nodes must meet given angles.
+#pragma once
+#include "meshes/section.h"
+
+namespace rimpact::meshes {
+
+/// Half disc x^2 + y^2 <= radius^2, y >= 0. Its arc has nodes exactly at `angles` (0 .. pi, an even number of
+/// intervals, each odd-numbered angle midway between its neighbours). Size: wanted edge length inside [m].
+/// Edge groups: edges on y = 0 carry `symmetry`.
+std::vector<Quad9> half_disc(double radius, const std::vector<double> &angles, double size);
+
+} // namespace rimpact::meshes

@@ -1,0 +1,104 @@
+#include "meshes/rim_mesh.h"
+
+#include "meshes/half_disc.h"
+#include "meshes/hex_order.h"
+#include "meshes/slider_section.h"
+#include <cmath>
+
+namespace rimpact::meshes {
+namespace {
+
+constexpr double mm = 1e-3;
+
+/// Section of plate and rim in (r, z). Sizes [mm] at level 1 are what the refinement study of docs/ settled.
+std::vector<Quad9> plate_and_rim(const scene::Bearing &bearing, const RimMeshOptions &options, double h) {
+  const auto surface = scene::make_surface(bearing.surface);
+  const auto dish = [&](double r) { return surface->at(r, 0).z; };
+  const double edge = bearing.surface.planar_radius, wall = edge + bearing.rim.ledge, outer = wall + bearing.rim.thickness;
+  const double z0 = dish(edge), top = z0 + bearing.rim.height, base = -bearing.plate.base;
+  const double bite = bearing.slider.bottom + scene::lift(bearing, bearing.lateral_capacity());
+
+  std::vector<Anchor> radii{{options.plate_inner_radius, 60 * mm * h}, {edge, 18 * mm * h}};
+  if (bearing.rim.ledge > 0) radii.push_back({wall, 12 * mm * h});
+  radii.back().size = 9 * mm * h;
+  radii.push_back({outer, 18 * mm * h});
+  std::vector<Anchor> heights{{base, 80 * mm * h}, {z0, 12 * mm * h}, {z0, 7 * mm * h}};
+  heights.erase(heights.begin() + 2);
+  heights.push_back({bite, 4 * mm * h});
+  heights.push_back({top, 14 * mm * h});
+  const std::vector<double> r = graded_lines(radii), z = graded_lines(heights);
+
+  // Below the dish the horizontal lines follow its surface.
+  const auto point = [&](double radius, double height) -> Point2 {
+    if (radius >= edge || height > z0) return {radius, height};
+    const double share = (height - base) / (z0 - base);
+    return {radius, base + share * (dish(radius) - base)};
+  };
+  std::vector<Quad9> section;
+  for (std::size_t i = 0; i + 1 < r.size(); ++i)
+    for (std::size_t j = 0; j + 1 < z.size(); ++j) {
+      const bool above = z[j] >= z0 - 1e-12;
+      if (above && r[i] < wall - 1e-12) continue;
+      Quad9 quad = straight_quad(point(r[i], z[j]), point(r[i + 1], z[j]), point(r[i + 1], z[j + 1]),
+                                 point(r[i], z[j + 1]), above ? Volume::rim : Volume::plate);
+      const double middle = 0.5 * (r[i] + r[i + 1]);
+      quad.nodes[1] = point(middle, z[j]);
+      quad.nodes[7] = point(middle, z[j + 1]);
+      centre(quad);
+      if (j == 0) quad.groups[2] = Surface::fixed;
+      if (i == 0) quad.groups[0] = Surface::sector_end;
+      if (above && std::abs(r[i] - wall) < 1e-12) quad.groups[0] = Surface::rim_wall;
+      if (r[i + 1] <= edge + 1e-12 && std::abs(z[j + 1] - z0) < 1e-12) quad.groups[3] = Surface::dish;
+      section.push_back(quad);
+    }
+  return section;
+}
+
+/// y -> -y, merged along y = 0; the symmetry group disappears.
+HexMesh mirrored(const HexMesh &half) {
+  HexMesh whole = half;
+  std::vector<unsigned> image(half.nodes.size());
+  for (std::size_t k = 0; k < half.nodes.size(); ++k) {
+    image[k] = k;
+    if (half.nodes[k][1] == 0) continue;
+    image[k] = whole.nodes.size();
+    whole.nodes.push_back({half.nodes[k][0], -half.nodes[k][1], half.nodes[k][2]});
+  }
+  int swap[27];
+  for (int a = 0; a < 27; ++a)
+    for (int b = 0; b < 27; ++b)
+      if (hex27[b][0] == hex27[a][0] && hex27[b][1] == 2 - hex27[a][1] && hex27[b][2] == hex27[a][2]) swap[a] = b;
+  for (std::size_t c = 0; c < half.cells.size(); ++c) {
+    std::array<unsigned, 27> cell;
+    for (int a = 0; a < 27; ++a) cell[a] = image[half.cells[c][swap[a]]];
+    whole.cells.push_back(cell);
+    whole.volumes.push_back(half.volumes[c]);
+  }
+  whole.faces.clear();
+  for (const auto &face : half.faces) {
+    if (face.group == Surface::symmetry) continue;
+    whole.faces.push_back(face);
+    whole.faces.push_back({{image[face.corners[0]], image[face.corners[3]], image[face.corners[2]], image[face.corners[1]]}, face.group});
+  }
+  return whole;
+}
+
+} // namespace
+
+HexMesh rim_mesh(const scene::Bearing &bearing, const RimMeshOptions &options) {
+  const double h = std::pow(1.5, -(options.level - 1));
+  HexMesh mesh;
+  const double wall = bearing.surface.planar_radius + bearing.rim.ledge;
+  const double fine = 8 * mm * h / wall, zone = 24 * mm / wall;
+  Body(mesh).revolve(plate_and_rim(bearing, options, h),
+                     graded_lines({{0, fine}, {zone, fine}, {options.sector_half_angle, 0.5 * h}}), 0.0,
+                     Surface::symmetry, Surface::sector_end);
+  add_slider(mesh, bearing, h);
+  for (auto &node : mesh.nodes) // rounding of sin(pi): the plane of symmetry is exact
+    if (std::abs(node[1]) < 1e-12) node[1] = 0;
+  HexMesh result = options.half ? mesh : mirrored(mesh);
+  check(result, 2);
+  return result;
+}
+
+} // namespace rimpact::meshes

@@ -1,0 +1,135 @@
+#include "meshes/slider_section.h"
+
+#include "meshes/half_disc.h"
+#include <cmath>
+
+namespace rimpact::meshes {
+namespace {
+
+constexpr double mm = 1e-3;
+
+/// Heights are measured from the slider's bottom plane; radii from its axis.
+struct SliderShape {
+  double radius, height, edge;       ///< outer radius, height, rounding
+  double cap, cap_depth, opening;    ///< socket sphere: radius, centre below the bottom plane, opening radius
+  double bottom;                     ///< of the bottom plane, in the plate's frame
+
+  /// Height of the underside: the sphere inside the opening, the bottom plane outside.
+  double underside(double r) const { return r >= opening ? 0.0 : std::sqrt(cap * cap - r * r) - cap_depth; }
+  /// Layers follow the underside and flatten towards the top.
+  Point2 point(double r, double layer) const {
+    const double s = underside(r);
+    return {r, bottom + s + layer / height * (height - s)};
+  }
+};
+
+SliderShape shape_of(const scene::Bearing &bearing) {
+  SliderShape s;
+  s.radius = bearing.slider.diameter / 2;
+  s.height = bearing.slider.top - bearing.slider.bottom;
+  s.edge = bearing.slider.edge_radius;
+  s.cap = bearing.foot.cap_radius;
+  s.cap_depth = bearing.slider.bottom;
+  s.opening = s.cap > s.cap_depth ? std::sqrt(s.cap * s.cap - s.cap_depth * s.cap_depth) : 0.0;
+  s.bottom = bearing.slider.bottom + scene::lift(bearing, bearing.lateral_capacity());
+  return s;
+}
+
+/// The grid of the ring between socket and side: columns at `radii`, layers at `inner`, wrapped at the outside by one
+/// more column whose wall nodes are `wall`; the last two columns end below at the two halves of the rounded edge.
+struct RingGrid {
+  std::vector<double> radii, inner, wall;
+};
+
+RingGrid ring_grid(const SliderShape &s, double h) {
+  const double t = 6 * mm; // depth of the wrapping layer
+  RingGrid grid;
+  grid.radii = graded_lines({{s.opening, 30 * mm * h}, {s.radius - 2.2 * t, 14 * mm * h}});
+  grid.radii.push_back(s.radius - t);
+  // Wall: fine at the rounded edge; layers of the inner columns keep the same number and approach the wall's upwards.
+  const std::vector<double> above = graded_lines({{s.edge, 3.5 * mm * h}, {0.5 * s.height, 13 * mm * h}, {s.height, 30 * mm * h}});
+  grid.inner = {0.0, t};
+  grid.wall = {0.0, s.edge * (1 - std::sqrt(0.5))};
+  for (std::size_t k = 0; k < above.size(); ++k) {
+    grid.wall.push_back(above[k]);
+    const double share = double(k + 1) / above.size(); // from t at the edge's middle to the top
+    const double lifted = t + (s.height - t) * (above[k] - s.edge) / (s.height - s.edge) * share + 3.2 * mm * (1 - share);
+    grid.inner.push_back(k + 1 == above.size() ? s.height : lifted);
+  }
+  return grid;
+}
+
+std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
+  const std::size_t columns = grid.radii.size(), layers = grid.inner.size();
+  const Point2 centre_of_edge{s.radius - s.edge, s.bottom + s.edge};
+  const auto arc = [&](double angle) -> Point2 {
+    return {centre_of_edge[0] + s.edge * std::cos(angle), centre_of_edge[1] + s.edge * std::sin(angle)};
+  };
+  const auto inside = [&](std::size_t i, std::size_t j) -> Point2 {
+    if (j > 0 || i + 2 < columns) return s.point(grid.radii[i], grid.inner[j]);
+    return arc(i + 1 == columns ? -M_PI / 4 : -M_PI / 2); // below: ends of the rounded edge's lower half
+  };
+  const auto wall = [&](std::size_t j) -> Point2 { return j == 1 ? arc(-M_PI / 4) : Point2{s.radius, s.bottom + grid.wall[j]}; };
+  std::vector<Quad9> section;
+  for (std::size_t i = 0; i + 1 < columns; ++i)
+    for (std::size_t j = 0; j + 1 < layers; ++j) {
+      Quad9 quad = straight_quad(inside(i, j), inside(i + 1, j), inside(i + 1, j + 1), inside(i, j + 1), Volume::upper_slider);
+      if (j == 0 && i + 2 == columns) {
+        quad.nodes[1] = arc(-3 * M_PI / 8);
+        quad.groups[2] = Surface::slider_side;
+      }
+      if (j + 2 == layers) quad.groups[3] = Surface::top;
+      centre(quad);
+      section.push_back(quad);
+    }
+  for (std::size_t j = 1; j + 1 < layers; ++j) {
+    Quad9 quad = straight_quad(inside(columns - 1, j), wall(j), wall(j + 1), inside(columns - 1, j + 1), Volume::upper_slider);
+    if (j == 1) quad.nodes[5] = arc(-M_PI / 8);
+    quad.groups[1] = Surface::slider_side;
+    if (j + 2 == layers) quad.groups[3] = Surface::top;
+    centre(quad);
+    section.push_back(quad);
+  }
+  return section;
+}
+
+/// The core above the socket: a plan of quadrilaterals raised into the ring's layers.
+void add_core(Body &body, const SliderShape &s, const std::vector<Quad9> &plan, const std::vector<double> &layers, double axis_x) {
+  constexpr int face_of_edge[4] = {0, 1, 2, 3};
+  for (const auto &quad : plan)
+    for (std::size_t j = 0; j + 1 < layers.size(); ++j) {
+      std::map<int, Surface> groups;
+      for (const auto &[edge, group] : quad.groups) groups[face_of_edge[edge]] = group;
+      if (j == 0) groups[4] = Surface::socket;
+      if (j + 2 == layers.size()) groups[5] = Surface::top;
+      body.add_cell(
+          [&](int a, int b, int c) -> std::array<double, 3> {
+            const Point2 p = quad.nodes[a + 3 * b];
+            const double layer = layers[j] + 0.5 * c * (layers[j + 1] - layers[j]);
+            return {axis_x + p[0], p[1], s.point(std::min(std::hypot(p[0], p[1]), s.opening), layer)[1]};
+          },
+          Volume::upper_slider, groups);
+    }
+}
+
+} // namespace
+
+void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h) {
+  const SliderShape s = shape_of(bearing);
+  const RingGrid grid = ring_grid(s, h);
+  // Angles come in equal pairs: gmsh halves every edge of the core's plan.
+  const double fine = 2 * 8.5 * mm * h / s.radius;
+  std::vector<double> angles;
+  const auto coarse = graded_lines({{0, fine}, {28 * mm / s.radius, fine}, {M_PI, 2 * 0.8 * h}});
+  for (std::size_t k = 0; k + 1 < coarse.size(); ++k) {
+    angles.push_back(coarse[k]);
+    angles.push_back(0.5 * (coarse[k] + coarse[k + 1]));
+  }
+  angles.push_back(M_PI);
+  Body body(mesh);
+  const double axis_x = bearing.lateral_capacity();
+  body.revolve(ring_section(s, grid), angles, axis_x, Surface::symmetry, Surface::symmetry);
+  add_core(body, s, half_disc(s.opening, angles, 32 * mm * h), grid.inner, axis_x);
+}
+
+} // namespace rimpact::meshes
