@@ -172,6 +172,7 @@ long run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const B
     recorder.segment(mode, {t0, t, y0, y, [&](double at) { return cvode.interpolate(at); }},
                      at_root && changes_rim(event));
     fresh = at_root || t >= limit;
+    if (!at_root && dynamics.becomes_slow(mode, t, y)) fresh = true;
     if (at_root) {
       const Mode before = mode;
       const double loss = dynamics.apply(event, mode, t, y);

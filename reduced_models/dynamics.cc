@@ -21,14 +21,6 @@ NormalForce reading_of(const scene::Scene &scene) {
   throw InputError("reduced.normal_force \"" + name + "\" is unknown; known: inertia, static, constant");
 }
 
-/// Vector that friction opposes, in the plane.
-Vector2d sliding_direction(const Mode &mode, const Vector2d &v, const Vector3d &applied,
-                           const Vector2d &slope) {
-  if (mode.starting) return tangential(applied, slope);
-  const double side = v.dot(mode.e0);
-  return side > 0 ? v : (side < 0 ? Vector2d(-v) : mode.e0);
-}
-
 } // namespace
 
 Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
@@ -62,8 +54,7 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
   limit_squared_ = height.limit_radius() * height.limit_radius();
   speed_scale = std::sqrt(scene.load.gravity * lateral_capacity);
   stop_speed = 5 * r.tolerance * speed_scale;
-  onset_speed =
-      5e-6 * speed_scale; // the direction still lags by |v| / (mu g) times its rate of turning: < 1e-4 rad
+  slow_speed = 1e-4 * speed_scale;
 }
 
 void Dynamics::rim_terms(const Mode &mode, const Vector2d &u, const Vector2d &v, Evaluation &e) const {
@@ -135,7 +126,12 @@ Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y) const 
     e.eta_rate = park_wen_rate(eta, v, elastic_slip);
     f = friction_per_normal(p, u, eta, mu) * eta.norm();
   } else {
-    f = friction_per_normal(p, u, sliding_direction(mode, v, F, p.gradient), mu);
+    const double side = v.squaredNorm() > stop_speed * stop_speed ? v.dot(mode.e0) : 0.0;
+    const Vector2d direction = mode.slow  ? slow_direction(mode, t, y)
+                               : side > 0 ? v
+                               : side < 0 ? Vector2d(-v)
+                                          : mode.e0;
+    f = friction_per_normal(p, u, direction, mu);
   }
   const double curvature = v.dot(p.hessian * v);
   switch (reading) {

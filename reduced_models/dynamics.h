@@ -34,10 +34,11 @@ struct Mode {
   /// Direction of sliding when the branch (or step) began. Friction keeps to its half plane, so that
   /// straight-line motion continues smoothly through v = 0 and the stop is a simple root of v . e0.
   Eigen::Vector2d e0 = Eigen::Vector2d::UnitX();
-  /// Just off rest: friction opposes the drive instead of the velocity. In two directions the velocity turns
-  /// towards the drive at the rate mu g / |v|, infinitely stiff at the start; below `onset_speed` it has
-  /// arrived there.
-  bool starting = false;
+  /// Slow sliding driven by |D| >= 0.6 mu N: the velocity turns towards the drive D at the rate |D| / (m
+  /// |v|), stiffer without bound as |v| -> 0. Below `slow_speed` friction therefore takes the direction where
+  /// that leads: the drive's, less a lag of |v| m / (2 |D| - mu N) times its rate of turning (error of second
+  /// order in it).
+  bool slow = false;
 };
 
 enum class NormalForce { inertia, statics, constant };
@@ -54,6 +55,7 @@ struct Evaluation {
 /// Whether friction can hold the mass at rest. `excess` > 0: it cannot, by so much over N [-].
 struct Hold {
   double excess, normal;
+  double drive;              ///< what the sliding face would have to hold [N]
   Eigen::Vector2d direction; ///< in which it would start to slide (planar, unit)
   Eigen::Vector3d friction;  ///< holding force, when it holds [N]
 };
@@ -71,12 +73,6 @@ struct EventList {
   const Event *begin() const { return list.data(); }
   const Event *end() const { return list.data() + n; }
 };
-
-/// Planar part of a force's component tangent to a surface of the given slope.
-inline Eigen::Vector2d tangential(const Eigen::Vector3d &force, const Eigen::Vector2d &slope) {
-  const Eigen::Vector2d planar = force.head<2>();
-  return planar - (slope.dot(planar) - force[2]) / (1 + slope.squaredNorm()) * slope;
-}
 
 class Dynamics {
 public:
@@ -96,6 +92,8 @@ public:
   double apply(Event event, Mode &mode, double t, State &y) const;
   /// Branch of a state at the start of a run or after a jump: decides between sliding, stuck and airborne.
   void settle(Mode &mode, double t, State &y) const;
+  /// After a step: true when sliding has become slow (the branch changes).
+  bool becomes_slow(Mode &mode, double t, const State &y) const;
   /// At the end of a rest: slides (or lifts) whatever rounding says of the limit.
   void release_from_rest(Mode &mode, double t, State &y) const;
   Mode starting_mode(const BearingState &start, State &y) const;
@@ -113,7 +111,7 @@ public:
   double mass, weight, lateral_capacity, elastic_slip = 0;
   double speed_scale; ///< for tolerances [m/s]
   double stop_speed;  ///< below it a decelerating mass has stopped [m/s]
-  double onset_speed; ///< see Mode::starting [m/s]
+  double slow_speed;  ///< see Mode::slow [m/s]
   RimElement rim;
   RidingHeight height;
   FrictionCoefficient friction_law;
@@ -132,7 +130,8 @@ public:
 
 private:
   Eigen::Vector3d applied(const Evaluation &e, double t, Eigen::Vector3d &ground) const;
-  Eigen::Vector2d drive(const Mode &mode, double t, const State &y) const;
+  Eigen::Vector2d slow_direction(const Mode &mode, double t, const State &y) const;
+  double drive_share(const Mode &mode, double t, const State &y) const;
   void rim_terms(const Mode &mode, const Eigen::Vector2d &u, const Eigen::Vector2d &v, Evaluation &e) const;
   double land(Mode &mode, double t, State &y) const;
   double dead_load_ = 0; ///< W that acts vertically (0 for a window without weight)

@@ -189,6 +189,8 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
       const double loss = dynamics_.apply(crossing.found ? crossing.event : Event::stop, mode_, t1, step_.y0);
       recorder.branch(before, mode_, t1, step_.y0, loss);
       dynamics_.rhs(mode_, t1, step_.y0, step_.k[0]);
+    } else if (dynamics_.becomes_slow(mode_, t1, step_.y0)) {
+      dynamics_.rhs(mode_, t1, step_.y0, step_.k[0]);
     } else {
       step_.k[0] = step_.k[6];
     }

@@ -75,6 +75,7 @@ Hold Dynamics::hold(const Mode &mode, double t, const State &y) const {
   h.excess = weight > 0 ? (o.beta - coulomb_limit() * N) / weight : o.beta;
   const Vector3d direction = o.direction[0] * frame.meridian + o.direction[1] * frame.circle;
   h.direction = direction.head<2>().normalized();
+  h.drive = o.beta;
   h.friction = -(drive[0] * frame.meridian + drive[1] * frame.circle);
   return h;
 }
@@ -86,7 +87,7 @@ EventList Dynamics::events(const Mode &mode) const {
     list.add(Event::landing);
   } else {
     if (!park_wen_) list.add(Event::stop);
-    if (mode.starting) list.add(Event::underway);
+    if (mode.slow) list.add(Event::underway);
     if (reading == NormalForce::inertia) list.add(Event::uplift);
   }
   if (mode.rim == RimContact::open) {
@@ -100,12 +101,31 @@ EventList Dynamics::events(const Mode &mode) const {
   return list;
 }
 
-Vector2d Dynamics::drive(const Mode &mode, double t, const State &y) const {
-  Evaluation e;
-  rim_terms(mode, {y[iX], y[iY]}, {y[iVX], y[iVY]}, e);
-  Vector3d a_g;
-  const Vector3d F = applied(e, t, a_g);
-  return tangential(F, height.at(y[iX], y[iY]).gradient);
+Vector2d Dynamics::slow_direction(const Mode &mode, double t, const State &y) const {
+  constexpr double dt = 1e-5; // to see the drive turn [s]
+  State ahead = y;
+  ahead[iX] += dt * y[iVX], ahead[iY] += dt * y[iVY];
+  const Hold now = hold(mode, t, y), next = hold(mode, t + dt, ahead);
+  const Vector2d &e = now.direction;
+  const double turning = (e[0] * next.direction[1] - e[1] * next.direction[0]) / dt;
+  const double lag = std::hypot(y[iVX], y[iVY]) * turning * mass / (now.drive + now.excess * weight);
+  return e - lag * Vector2d(-e[1], e[0]);
+}
+
+/// Drive along the motion over the Coulomb limit.
+double Dynamics::drive_share(const Mode &mode, double t, const State &y) const {
+  const Hold h = hold(mode, t, y);
+  return h.drive * h.direction.dot(mode.e0) / (coulomb_limit() * h.normal);
+}
+
+bool Dynamics::becomes_slow(Mode &mode, double t, const State &y) const {
+  const Vector2d v(y[iVX], y[iVY]);
+  if (mode.slow || mode.support != Support::sliding || park_wen_ || v.norm() > slow_speed / 2 ||
+      coulomb_limit() == 0)
+    return false;
+  const Vector2d e = hold(mode, t, y).direction;
+  mode.slow = std::abs(e[0] * mode.e0[1] - e[1] * mode.e0[0]) < 0.01 && drive_share(mode, t, y) > 0.8;
+  return mode.slow;
 }
 
 double Dynamics::value(Event event, const Mode &mode, double t, const State &y) const {
@@ -116,7 +136,7 @@ double Dynamics::value(Event event, const Mode &mode, double t, const State &y) 
   case Event::stop:
     return v.dot(mode.e0);
   case Event::underway:
-    return std::min(1 - v.norm() / onset_speed, drive(mode, t, y).dot(mode.e0) / weight);
+    return std::min(1 - v.norm() / slow_speed, drive_share(mode, t, y) - 0.6);
   case Event::uplift:
     return evaluate(mode, t, y).normal / weight;
   case Event::landing:
@@ -152,12 +172,12 @@ void Dynamics::settle(Mode &mode, double t, State &y) const {
   if (at_rest && !park_wen_) {
     const Hold h = hold(mode, t, y);
     mode.e0 = h.direction;
-    mode.starting = h.excess > 0 && coulomb_limit() > 0;
+    mode.slow = h.excess > 0 && coulomb_limit() > 0;
     if (h.excess <= 0) mode.support = Support::stuck;
   }
   if (reading == NormalForce::inertia && evaluate(mode, t, y).normal < 0) {
     mode.support = Support::airborne;
-    mode.starting = false;
+    mode.slow = false;
   }
 }
 
@@ -166,7 +186,7 @@ void Dynamics::release_from_rest(Mode &mode, double t, State &y) const {
   if (mode.support == Support::stuck) {
     mode.e0 = hold(mode, t, y).direction;
     mode.support = Support::sliding;
-    mode.starting = coulomb_limit() > 0;
+    mode.slow = coulomb_limit() > 0;
   }
 }
 
@@ -197,7 +217,7 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
   case Event::uplift:
     project(mode, y);
     mode.support = Support::airborne;
-    mode.starting = false;
+    mode.slow = false;
     return 0;
   case Event::landing:
     return land(mode, t, y);
@@ -212,7 +232,7 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
     mode.rim = RimContact::relaxed;
     break;
   case Event::underway:
-    mode.starting = false;
+    mode.slow = false;
     return 0;
   case Event::turning:
     return 0;

@@ -1,0 +1,57 @@
+// The own stepper against SUNDIALS CVODE: other integrator, other event location, same branches.
+#include "scene/error.h"
+#include "scenes.h"
+#include <gtest/gtest.h>
+
+using namespace rimpact;
+using namespace rimpact::reduced;
+using namespace rimpact::reduced::testing;
+
+namespace {
+
+void expect_same(scene::Scene s) {
+  s.reduced.tolerance = 1e-10;
+  const auto own = simulate(s), other = simulate_with_cvode(s);
+  EXPECT_NEAR(own.summary.peak_displacement, other.summary.peak_displacement,
+              1e-6 * own.summary.peak_displacement);
+  EXPECT_NEAR(own.summary.residual_displacement, other.summary.residual_displacement, 1e-6);
+  ASSERT_EQ(own.summary.impacts.size(), other.summary.impacts.size());
+  for (std::size_t i = 0; i < own.summary.impacts.size(); ++i) {
+    EXPECT_NEAR(own.summary.impacts[i].touch_time, other.summary.impacts[i].touch_time, 1e-6);
+    EXPECT_NEAR(own.summary.impacts[i].peak_force / other.summary.impacts[i].peak_force, 1, 1e-6);
+    EXPECT_NEAR(own.summary.impacts[i].rebound_speed, other.summary.impacts[i].rebound_speed, 1e-6);
+  }
+  EXPECT_LT(std::abs(other.summary.energy->imbalance_relative()), 1e-6);
+}
+
+} // namespace
+
+TEST(Cvode, Coulomb) {
+  expect_same(ricker(1.05));
+}
+TEST(Cvode, UpliftAndTwoImpacts) {
+  expect_same(ricker(1.4));
+}
+TEST(Cvode, NoTension) {
+  scene::Scene s = ricker(1.4);
+  s.reduced.impact_law = "no-tension";
+  expect_same(s);
+}
+TEST(Cvode, ParkWen) {
+  scene::Scene s = ricker(1.05);
+  s.reduced.friction = "park-wen";
+  expect_same(s);
+}
+TEST(Cvode, TwoDirections) {
+  expect_same(free_motion({0.35, 0}, {0.5, 2}));
+}
+TEST(Cvode, PadAndSocket) {
+  scene::Scene s = ricker(1.1);
+  s.reduced.finite_pad = s.reduced.socket_friction = true;
+  expect_same(s);
+}
+TEST(Cvode, RefusesQuasiStaticScenes) {
+  scene::Scene s;
+  s.excitation.kind = ExcitationKind::cyclic;
+  EXPECT_THROW(simulate_with_cvode(s), InputError);
+}

@@ -1,0 +1,85 @@
+// Catalogues, refusals, and inputs that must not matter.
+#include "reduced_models/catalogue.h"
+#include "reduced_models/impact_law.h"
+#include "scene/error.h"
+#include "scenes.h"
+#include <gtest/gtest.h>
+
+using namespace rimpact;
+using namespace rimpact::reduced;
+using namespace rimpact::reduced::testing;
+
+namespace {
+
+std::string refusal(const std::function<void(scene::Scene &)> &spoil) {
+  scene::Scene s = ricker();
+  spoil(s);
+  try {
+    simulate(s);
+  } catch (const InputError &e) {
+    return e.what();
+  }
+  return "accepted";
+}
+
+} // namespace
+
+TEST(Input, UnknownNamesListTheKnown) {
+  EXPECT_NE(refusal([](auto &s) { s.reduced.model = "pysical"; }).find("known: physical"), std::string::npos);
+  EXPECT_NE(
+      refusal([](auto &s) { s.reduced.impact_law = "sign"; }).find("known: signed, no-tension, printed"),
+      std::string::npos);
+  EXPECT_NE(refusal([](auto &s) { s.reduced.friction = "x"; }).find("known: coulomb, park-wen"),
+            std::string::npos);
+  EXPECT_NE(refusal([](auto &s) { s.reduced.normal_force = "x"; }).find("known: inertia, static, constant"),
+            std::string::npos);
+  for (const auto &model : reduced_models()) EXPECT_FALSE(model.description.empty());
+  EXPECT_EQ(impact_laws().size(), 3u);
+}
+
+TEST(Input, PoisonInUnusedInputsDoesNotMatter) {
+  const double nan = std::nan("");
+  scene::Scene s = ricker(1.05);
+  const auto clean = simulate_summary(s);
+  s.reduced.elastic_slip = s.reduced.rate = nan;
+  s.bearing.contact = {nan, nan, nan, "tied"};
+  s.bearing.pad = {nan, nan, nan, nan, nan};
+  s.bearing.foot = {nan, nan, nan, nan};
+  s.bearing.steel.E = s.bearing.rim.height = s.bearing.rim.thickness = nan;
+  s.excitation.amplitude = s.excitation.cycles = s.excitation.travel = s.excitation.speed = nan;
+  s.excitation.initial_displacement.setConstant(nan);
+  s.excitation.initial_velocity.setConstant(nan);
+  s.model.step = s.model.rho_inf = nan;
+  s.reduced.vertical_restitution = nan; // no uplift at this scale
+  const auto poisoned = simulate_summary(s);
+  EXPECT_EQ(poisoned.peak_displacement, clean.peak_displacement);
+  EXPECT_EQ(*poisoned.peak_impact_force, *clean.peak_impact_force);
+
+  scene::Scene no_rim = ricker(0.9);
+  const double travel = simulate_summary(no_rim).peak_displacement;
+  no_rim.reduced.k_i = 0;
+  no_rim.reduced.restitution = nan;
+  no_rim.reduced.impact_law = "";
+  EXPECT_NEAR(simulate_summary(no_rim).peak_displacement, travel, 1e-9);
+}
+
+TEST(Input, LeavingTheDishStopsWithASentence) {
+  scene::Scene s = ricker(3);
+  s.reduced.k_i = 0;
+  const auto run = simulate(s);
+  EXPECT_EQ(run.summary.status, "stopped");
+  EXPECT_NE(run.summary.reason.find("left the dish"), std::string::npos) << run.summary.reason;
+  run.response.check();
+  EXPECT_GT(run.response.size(), 100u);
+}
+
+TEST(Input, StiffAndSoftRimsRun) {
+  for (const double k : {1e6, 1e7, 1e10, 1e12}) {
+    scene::Scene s = ricker(1.05, 4);
+    s.reduced.k_i = k;
+    const auto summary = simulate_summary(s);
+    EXPECT_EQ(summary.status, "done") << k << summary.reason;
+    EXPECT_LT(std::abs(summary.energy->imbalance_relative()), 1e-6) << k;
+    EXPECT_FALSE(summary.impacts.empty());
+  }
+}

@@ -1,0 +1,131 @@
+// Loops of 2.3.1 and the rim push against closed forms written from the thesis's equations, not from the
+// module's.
+#include "reduced_models/physical_model.h"
+#include "scenes.h"
+#include <gtest/gtest.h>
+
+using namespace rimpact;
+using namespace rimpact::reduced;
+using reduced::testing::Ellipse;
+
+namespace {
+
+constexpr double W = 853e3, mu = 0.07;
+
+scene::Scene cyclic() {
+  scene::Scene s;
+  s.excitation.kind = scene::ExcitationKind::cyclic;
+  s.excitation.amplitude = 0.39;
+  return s;
+}
+
+/// Resisting force at x on the way out and back within the first quarter and second quarter of the cycle.
+struct Loop {
+  double loading, unloading, height;
+};
+Loop at(const scene::Response &r, double x) {
+  const auto &u = r.series("displacement_x"), &f = r.series("force_x"), &z = r.series("displacement_z");
+  Loop loop{NAN, NAN, NAN};
+  const std::size_t peak = std::max_element(u.begin(), u.end()) - u.begin();
+  const auto between = [&](std::size_t i, const std::vector<double> &y) {
+    const double s = (x - u[i - 1]) / (u[i] - u[i - 1]);
+    return y[i - 1] + s * (y[i] - y[i - 1]);
+  };
+  for (std::size_t i = 1; i < u.size() / 2; ++i)
+    if (u[i] != u[i - 1] && (u[i - 1] - x) * (u[i] - x) <= 0) {
+      (i <= peak ? loop.loading : loop.unloading) = -between(i, f);
+      loop.height = between(i, z);
+    }
+  return loop;
+}
+
+} // namespace
+
+TEST(Cyclic, ClosedFormLoads) {
+  const auto run = simulate(cyclic());
+  const Ellipse e;
+  struct Row { // published table of the closed form (kN), loading and unloading
+    double x, loading, unloading;
+  };
+  for (const Row &row : {Row{0.10, 98.6, -21.1}, Row{0.31, 202.9, 80.2}}) {
+    const Loop loop = at(run.response, row.x);
+    EXPECT_NEAR(loop.loading / 1e3, row.loading, 0.06);
+    EXPECT_NEAR(loop.unloading / 1e3, row.unloading, 0.06);
+    const double theta = std::atan(e.slope(row.x));
+    EXPECT_NEAR(loop.loading, W * std::tan(theta + std::atan(mu)), 1e-5 * W);
+    EXPECT_NEAR(loop.unloading, W * std::tan(theta - std::atan(mu)), 1e-5 * W);
+  }
+  // at the turning point the last loading sample is the peak itself
+  const auto &f = run.response.series("force_x"), &u = run.response.series("displacement_x");
+  const std::size_t peak = std::max_element(u.begin(), u.end()) - u.begin();
+  EXPECT_NEAR(-f[peak] / 1e3, 269.4, 0.05);
+  EXPECT_NEAR(-f[peak + 1] / 1e3, 143.1, 0.1);
+  EXPECT_NEAR(run.response.series("displacement_z")[peak] * 1e3, 39.29, 0.005);
+  EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-6);
+}
+
+TEST(Cyclic, SocketFrictionAddsItsMomentOverTheCurvature) {
+  scene::Scene s = cyclic();
+  s.reduced.socket_friction = true;
+  const Ellipse e;
+  const Loop loop = at(simulate(s).response, 0.31);
+  const double share = 0.10 * 0.090 * e.meridional(0.31), theta = std::atan(e.slope(0.31));
+  EXPECT_NEAR(loop.loading, W * std::tan(theta + std::atan(mu + share)), 1e-5 * W);
+  EXPECT_NEAR(loop.unloading, W * std::tan(theta - std::atan(mu + share)), 1e-5 * W);
+}
+
+TEST(Cyclic, PadAddsItsSlope) {
+  scene::Scene s = cyclic();
+  s.reduced.finite_pad = true;
+  const double h = 1e-5, c = (0.07019 * 0.07019 + 0.02 * 0.02) / 8;
+  const Ellipse e;
+  const auto lift = [&](double r) { return c * (e.meridional(r) + e.circumferential(r) - 2 / e.R0); };
+  const double slope = e.slope(0.31) + (lift(0.31 + h) - lift(0.31 - h)) / (2 * h);
+  const Loop loop = at(simulate(s).response, 0.31);
+  EXPECT_NEAR(loop.loading, W * std::tan(std::atan(slope) + std::atan(mu)), 2e-5 * W);
+  EXPECT_NEAR(loop.height, e.height(0.31) + lift(0.31), 1e-6);
+}
+
+TEST(FigureEight, ForcesFromTheImplicitSurface) {
+  scene::Scene s;
+  s.excitation.kind = scene::ExcitationKind::figure_eight;
+  s.excitation.amplitude = 0.31;
+  const auto run = simulate(s);
+  const auto &r = run.response;
+  const auto surface = scene::make_surface(s.bearing.surface);
+  double largest = 0, worst = 0;
+  const double w = 2 * std::numbers::pi;
+  for (std::size_t i = 1; i < r.size(); ++i) {
+    const double t = r.series("time")[i];
+    const Eigen::Vector3d x(r.series("displacement_x")[i], r.series("displacement_y")[i],
+                            r.series("displacement_z")[i]);
+    largest = std::max(largest, x.head<2>().norm());
+    ASSERT_NEAR(surface->F(x), 0, 1e-12);
+    // (2-14): unit normal from the implicit function, upwards; 2.3.1's angle atan(u_y'/u_x')
+    Eigen::Vector3d n = surface->gradient(x).normalized();
+    if (n[2] < 0) n = -n;
+    const Eigen::Vector2d rate(std::cos(w * t), 2 * std::cos(2 * w * t));
+    Eigen::Vector3d sliding(rate[0], rate[1], -n.head<2>().dot(rate) / n[2]);
+    sliding.normalize();
+    const double N = W / (n[2] - mu * sliding[2]);
+    const Eigen::Vector3d force = N * n - mu * N * sliding;
+    worst = std::max(worst, std::hypot(r.series("force_x")[i] - force[0], r.series("force_y")[i] - force[1]));
+  }
+  EXPECT_NEAR(largest, 0.387, 5e-4); // notes, item 9: no impact
+  EXPECT_TRUE(run.summary.impacts.empty());
+  EXPECT_LT(worst, 1e-4 * W);
+  EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-6);
+}
+
+TEST(Push, SpringBeyondTouch) {
+  scene::Scene s;
+  s.excitation.kind = scene::ExcitationKind::push;
+  s.excitation.travel = 0.008;
+  s.excitation.direction_deg = 30;
+  const auto run = simulate(s);
+  EXPECT_NEAR(*run.summary.peak_impact_force, 4.5e8 * 0.008, 1e-6 * 4.5e8 * 0.008);
+  EXPECT_NEAR(run.summary.peak_displacement, 0.408, 1e-9);
+  EXPECT_EQ(run.summary.impacts.size(), 1u);
+  EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-6);
+  EXPECT_NEAR(run.summary.energy->impact, 0, 1e-6 * 0.5 * 4.5e8 * 0.008 * 0.008); // a spring gives all back
+}
