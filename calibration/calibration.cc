@@ -16,8 +16,11 @@ std::vector<StoredRun> read_runs(const std::vector<std::string> &folders, const 
   return runs;
 }
 
-/// Every run to fit must have something to fit.
-void require_impacts(const std::vector<StoredRun> &runs) {
+/// Every run to fit must have something to fit: an impact, unless the flight informs on every parameter.
+void require_impacts(const std::vector<StoredRun> &runs, const FitOptions &options) {
+  if (std::all_of(options.parameters.begin(), options.parameters.end(),
+                  [](const std::string &name) { return parameter(name).seen_in_flight; }))
+    return;
   for (const auto &run : runs) {
     if (!run.impacts.empty()) continue;
     if (!run.notes.empty())
@@ -76,7 +79,7 @@ Calibration calibrate(const std::vector<std::string> &run_folders, const Calibra
   auto all = runs;
   all.insert(all.end(), predicted.begin(), predicted.end());
   require_same_device(all);
-  require_impacts(runs);
+  require_impacts(runs, options.fit);
 
   const auto windows = select(runs, true), histories = select(runs, false);
   Calibration c;

@@ -5,6 +5,8 @@
 namespace rimpact::calibration {
 
 nlohmann::json to_json(const Calibration &calibration);
+/// c_i of (2-20) [N s/m]: m1 the supported mass, m2 infinite (the rim is fixed to the ground).
+double damping_coefficient(const scene::Scene &scene);
 /// `[reduced]` (and `[load]`) keys, to be pasted into a scene or bearing case.
 std::string to_toml_fragment(const Calibration &calibration);
 /// A table for the terminal.

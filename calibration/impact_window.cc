@@ -1,11 +1,11 @@
 #include "calibration/impact_window.h"
 #include "calibration/series.h"
+#include "calibration/window_cutter.h"
 #include "scene/error.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
-#include <limits>
 
 namespace rimpact::calibration {
 
@@ -13,10 +13,6 @@ namespace {
 
 /// A rim touched again counts as one impact within this time [s]: walls chatter, bearings do not.
 constexpr double chatter_time = 2e-3;
-/// Travel beyond L_c without rim force that means a dent [m]; above the contact's own gap tolerance.
-constexpr double dent_tolerance = 1e-5;
-/// Travel within which a sample counts as the instant of touch [m].
-constexpr double touch_tolerance = 1e-9;
 
 void complete_velocities(scene::Response &response) {
   for (const char *axis : {"x", "y", "z"}) {
@@ -24,10 +20,6 @@ void complete_velocities(scene::Response &response) {
     if (response.has(u) && !response.has(v))
       response.series(v) = differentiate(response.series("time"), response.series(u));
   }
-}
-
-Eigen::Vector2d planar(const scene::Response &response, const std::string &name, std::size_t i) {
-  return {response.series(name + "_x")[i], response.series(name + "_y")[i]};
 }
 
 void silence_noise(scene::Response &response, double share) {
@@ -55,113 +47,6 @@ std::vector<scene::Impact> merge_chatter(const std::vector<scene::Impact> &impac
   }
   return merged;
 }
-
-class Cutter {
-public:
-  Cutter(const StoredRun &run, const WindowOptions &options)
-      : run_(run), r_(run.response), times_(run.response.series("time")), options_(options),
-        model_(run.scene), L_c_(run.scene.bearing.lateral_capacity()) {}
-
-  /// Empty with a reason when the impact cannot be fitted.
-  std::optional<ImpactWindow> cut(std::size_t index, std::string &reason) const {
-    ImpactWindow w;
-    w.impact = run_.summary.impacts[index];
-    const std::size_t touch = touch_sample(w.impact);
-    w.direction = planar(r_, "displacement", touch).normalized();
-    w.capacity = touch_travel(touch, w.dented);
-    std::size_t start = touch;
-    while (start > 0 && travel(start) > w.capacity + touch_tolerance) --start;
-    if (travel(start) > w.capacity + touch_tolerance) {
-      reason = fmt::format("it begins pressed {:.3g} mm into the rim", 1e3 * (travel(start) - w.capacity));
-      return {};
-    }
-    w.start = state(start);
-    const double next = index + 1 < run_.summary.impacts.size() ? run_.summary.impacts[index + 1].touch_time
-                                                                : std::numeric_limits<double>::infinity();
-    collect(w, start, std::min(w.impact.release_time + options_.tail, next));
-    const auto pressed = std::count_if(w.force.begin(), w.force.end(), [](double f) { return f != 0; });
-    if (pressed < options_.minimum_samples) {
-      reason = fmt::format("only {} samples carry rim force, {} are needed: run it with a smaller step",
-                           pressed, options_.minimum_samples);
-      return {};
-    }
-    w.peak = smooth_peak(w.times, w.force);
-    w.overshoot = overshoot(w);
-    w.grazing = w.overshoot < options_.grazing_overshoot * L_c_;
-    return w;
-  }
-
-private:
-  double travel(std::size_t i) const { return planar(r_, "displacement", i).norm(); }
-  double pressing(std::size_t i) const { return planar(r_, "impact", i).norm(); }
-
-  std::size_t touch_sample(const scene::Impact &impact) const {
-    auto i = static_cast<std::size_t>(
-        std::lower_bound(times_.begin(), times_.end(), impact.touch_time - 1e-12) - times_.begin());
-    while (i + 1 < times_.size() && pressing(i) == 0) ++i;
-    return std::min(i, times_.size() - 1);
-  }
-
-  double touch_travel(std::size_t touch, bool &dented) const {
-    dented = touch > 0 && travel(touch - 1) > L_c_ + dent_tolerance;
-    const bool own = options_.touch == TouchReference::own_touch ||
-                     (options_.touch == TouchReference::automatic && dented);
-    if (!own || touch == 0 || touch + 1 >= times_.size()) return L_c_;
-    // the force of the first two samples, followed back to zero: touch lies between two samples
-    const double u = travel(touch), slope = (pressing(touch + 1) - pressing(touch)) / (travel(touch + 1) - u);
-    const double back = slope > 0 ? u - pressing(touch) / slope : u;
-    return std::clamp(back, std::min(travel(touch - 1), u), u);
-  }
-
-  reduced::BearingState state(std::size_t i) const {
-    reduced::BearingState s;
-    s.t = times_[i];
-    s.u.head<2>() = planar(r_, "displacement", i);
-    s.v.head<2>() = planar(r_, "velocity", i);
-    const auto ground = model_.height(s.u.x(), s.u.y());
-    const bool has_height = r_.has("displacement_z");
-    const double z = has_height ? r_.series("displacement_z")[i] : ground.z;
-    s.airborne = run_.scene.excitation.kind != scene::ExcitationKind::window && z > ground.z + 1e-4;
-    s.u.z() = s.airborne ? z : ground.z;
-    s.v.z() = s.airborne ? r_.series("velocity_z")[i] : ground.gradient.dot(s.v.head<2>());
-    if (s.v.head<2>().norm() > 0)
-      s.eta = s.v.head<2>().normalized(); // it has slid far beyond the elastic slip
-    return s;
-  }
-
-  void collect(ImpactWindow &w, std::size_t start, double end) const {
-    std::size_t i = start;
-    for (; i < times_.size() && times_[i] <= end; ++i) {
-      if (!w.times.empty() &&
-          times_[i] <= w.times.back()) { // a jump stored twice: the later value is the one after
-        w.force.back() = -planar(r_, "impact", i).dot(w.direction);
-        continue;
-      }
-      w.times.push_back(times_[i]);
-      w.displacement.push_back(planar(r_, "displacement", i).dot(w.direction));
-      w.force.push_back(-planar(r_, "impact", i).dot(w.direction));
-    }
-    w.end_time = w.times.back();
-  }
-
-  double overshoot(const ImpactWindow &w) const {
-    const auto &x = run_.scene.excitation;
-    if (x.kind == scene::ExcitationKind::window && !x.with_weight && !x.with_friction && !x.with_ground)
-      return std::numeric_limits<double>::infinity();
-    const auto forces = model_.forces(w.start);
-    const double a = (forces.pendular + forces.friction).head<2>().dot(w.direction) / run_.scene.load.mass -
-                     model_.ground_acceleration(w.start.t).head<2>().dot(w.direction);
-    const double v = w.start.v.head<2>().dot(w.direction);
-    return a < 0 ? v * v / (-2 * a) : std::numeric_limits<double>::infinity();
-  }
-
-  const StoredRun &run_;
-  const scene::Response &r_;
-  const std::vector<double> &times_;
-  const WindowOptions &options_;
-  reduced::PhysicalModel model_;
-  double L_c_;
-};
 
 void require(bool ok, const std::string &name, double value, const std::string &bound) {
   if (!ok) throw InputError(fmt::format("{} {:g} must be {}", name, value, bound));
@@ -202,7 +87,11 @@ StoredRun make_run(const std::string &folder, const scene::Scene &scene, scene::
   silence_noise(run.response, options.force_threshold);
   scene::summarise_response(run.response, run.summary);
   run.summary.impacts = merge_chatter(run.summary.impacts);
-  const Cutter cutter(run, options);
+  if (!scene.excitation.is_dynamic()) {
+    run.notes.push_back("a quasi-static path holds no impact");
+    return run;
+  }
+  const WindowCutter cutter(run, options);
   for (std::size_t i = 0; i < run.summary.impacts.size(); ++i) {
     std::string reason;
     if (auto window = cutter.cut(i, reason))

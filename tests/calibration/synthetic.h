@@ -66,6 +66,40 @@ inline StoredRun noisy(const scene::Scene &s, unsigned seed, const Uncertainty &
   return make_run(s.name, s, response, options);
 }
 
+/// An isolated mass on an elastoplastic rim that cannot pull: stiffness k, yield force, hardening 0.05 k;
+/// integrated here (symplectic Euler, 1 us), nothing of the reduced model in it. What a yielding solid rim
+/// looks like to a fit.
+inline StoredRun yielding_rim(double speed, double k = 6e8, double yield_force = 0.8e6) {
+  const auto s = window(speed, 4.5e8, 0.65);
+  scene::Response r;
+  const double dt = 1e-6, hardening = 0.05 * k;
+  double u = s.bearing.lateral_capacity(), v = speed, force = 0, plastic = 0, yield = yield_force;
+  for (int n = 0; n <= 150000; ++n) {
+    if (n % 500 == 0) {
+      r.append("time", n * dt);
+      r.append("displacement_x", u);
+      r.append("velocity_x", v);
+      r.append("impact_x", -force);
+      r.append("force_x", -force);
+      for (const char *zero :
+           {"displacement_y", "displacement_z", "velocity_y", "velocity_z", "impact_y", "force_y", "force_z"})
+        r.append(zero, 0);
+      r.append("gap", s.bearing.lateral_capacity() - u);
+    }
+    v -= force / s.load.mass * dt;
+    u += v * dt;
+    force = k * (u - s.bearing.lateral_capacity() - plastic);
+    if (force > yield) {
+      const double flow = (force - yield) / (k + hardening);
+      plastic += flow;
+      yield += hardening * flow;
+      force -= k * flow;
+    }
+    force = std::max(force, 0.0);
+  }
+  return make_run(s.name, s, r, {});
+}
+
 /// A folder that goes away with the test.
 class TemporaryFolder {
 public:

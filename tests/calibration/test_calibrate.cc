@@ -82,6 +82,10 @@ TEST(Calibrate, RefusesWithTheReason) {
   expect_refusal<InputError>({}, "no run folder");
   expect_refusal<DataError>({folder.at("absent")}, "not a run folder");
   expect_refusal<DataError>({folder.write(ricker(0.5))}, "never touched");
+  auto push = window(0.2);
+  push.name = "push";
+  push.excitation.kind = scene::ExcitationKind::push;
+  expect_refusal<DataError>({folder.write(push)}, "quasi-static");
   auto heavier = window(0.2);
   heavier.name = "heavier";
   heavier.load.mass = 90000;

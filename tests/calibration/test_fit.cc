@@ -1,4 +1,5 @@
 #include "calibration/fit.h"
+#include "calibration/shooting.h"
 #include "scene/error.h"
 #include "synthetic.h"
 #include <chrono>
@@ -90,6 +91,44 @@ TEST(Fit, MovesOtherNamedParameters) {
   const auto result = fit({&run}, options);
   EXPECT_NEAR(result.parameters.at("mu_fast").value, 0.06, 1e-6);
   EXPECT_NEAR(result.parameters.at("k_i").value / true_k, 1, 1e-5);
+}
+
+TEST(Fit, OfAYieldingRimKeepsPeakAndRebound) {
+  double stiffness_before = 1e12, restitution_before = 2;
+  for (const double speed : {0.1, 0.2, 0.3, 0.5, 1.0}) {
+    const StoredRun run = yielding_rim(speed);
+    ASSERT_EQ(run.impacts.size(), 1u);
+    const auto &w = run.impacts.front();
+    const auto result = fit({&run}, {});
+    const Shot shot = shoot(with_fitted(run.scene, result), w);
+    EXPECT_NEAR(shot.peak / w.peak, 1, 0.04) << speed;
+    EXPECT_NEAR(shot.rebound_speed / speed, w.impact.restitution(), 0.02) << speed;
+    EXPECT_LT(result.parameters.at("k_i").value, stiffness_before)
+        << speed; // it yields more the faster it is hit
+    EXPECT_LT(result.parameters.at("e").value, restitution_before) << speed;
+    EXPECT_EQ(result.n_starts_agreeing, result.n_starts) << speed;
+    stiffness_before = result.parameters.at("k_i").value;
+    restitution_before = result.parameters.at("e").value;
+    if (speed == 0.1) { // below yield: elastic, and the bound e = 1 is met and said
+      EXPECT_NEAR(result.parameters.at("k_i").value / 6e5, 1, 1e-3);
+      EXPECT_NEAR(result.parameters.at("e").value, 1, 1e-3);
+    }
+  }
+}
+
+TEST(Fit, FrictionFromAQuasiStaticLoop) {
+  scene::Scene truth;
+  truth.name = "loop";
+  truth.excitation.kind = scene::ExcitationKind::cyclic;
+  truth.excitation.amplitude = 0.3;
+  truth.reduced.mu_fast = truth.reduced.mu_slow = 0.055;
+  StoredRun run = run_of(truth);
+  run.scene.reduced.mu_fast = run.scene.reduced.mu_slow = 0.07;
+  FitOptions options;
+  options.parameters = {"mu_fast"};
+  const auto result = fit({&run}, options);
+  EXPECT_NEAR(result.parameters.at("mu_fast").value, 0.055, 1e-7);
+  EXPECT_TRUE(result.parameters.at("mu_fast").identifiable);
 }
 
 TEST(Fit, RefusesNonsense) {

@@ -1,0 +1,64 @@
+#include "calibration/calibration_json.h"
+#include "reduced_models/impact_law.h"
+#include <fmt/format.h>
+
+namespace rimpact::calibration {
+
+double damping_coefficient(const scene::Scene &scene) {
+  return reduced::damping_coefficient(scene.reduced.k_i, scene.reduced.restitution, scene.load.mass);
+}
+
+std::string to_toml_fragment(const Calibration &c) {
+  const auto &r = c.scene.reduced;
+  std::string text =
+      fmt::format("# Fitted by rimpact on {} of {}; c_i = {:.6g} kN s/m with m1 = {:g} kg and a fixed rim.\n",
+                  c.fitted_on, c.scene.bearing.name, damping_coefficient(c.scene) / 1e3, c.scene.load.mass);
+  if (c.windows) text += "# " + c.windows->sentence + "\n";
+  for (const auto &note : c.notes) text += "# " + note + "\n";
+  text += fmt::format(
+      "[reduced]\nmodel = \"{}\"\nk_i_kN_per_m = {:.9g}\nrestitution = {:.9g}\nimpact_law = \"{}\"\n",
+      r.model, r.k_i / 1e3, r.restitution, r.impact_law);
+  std::string load;
+  for (const auto &[name, estimate] : c.result.parameters) {
+    if (name == "k_i" || name == "e") continue;
+    const std::string key = parameter(name).toml_key;
+    const auto dot = key.find('.');
+    (key.substr(0, dot) == "reduced" ? text : load) +=
+        fmt::format("{} = {:.9g}\n", key.substr(dot + 1), estimate.value);
+  }
+  return load.empty() ? text : text + "[load]\n" + load;
+}
+
+std::string describe(const Calibration &c) {
+  const auto percent = [](const std::optional<double> &v) {
+    return v ? fmt::format("{:+8.1f} %", 100 * *v) : "         -";
+  };
+  std::string text = fmt::format("fitted on {} ({} impacts, {} starts)\n", c.fitted_on, c.result.n_impacts,
+                                 c.result.n_starts);
+  for (const auto &name : c.result.names) {
+    const auto &e = c.result.parameters.at(name);
+    text += fmt::format("  {:<13} {:>12.5g} {:<6} +- {:<10.3g} 95 %: {:.5g} .. {:.5g}{}\n", name, e.value,
+                        parameter(name).unit, e.standard_error, e.interval_low, e.interval_high,
+                        e.identifiable ? "" : "  NOT IDENTIFIABLE: " + e.reason);
+  }
+  const auto section = [&](const char *title, const std::map<std::string, RunCheck> &checks) {
+    if (checks.empty()) return;
+    text += fmt::format("{:<44} peak force  displacement  rebound\n", title);
+    for (const auto &[folder, check] : checks)
+      text +=
+          fmt::format("  {:<42} {}  {}  {}\n", folder, percent(check.history.peak_force_error),
+                      percent(check.history.peak_displacement_error), percent(check.history.rebound_error));
+  };
+  section("fitted runs", c.fit);
+  section("predicted runs", c.prediction);
+  if (c.windows) text += c.windows->sentence + "\n";
+  for (const auto &r : c.grazing)
+    text += fmt::format(
+        "{}: first touch at scale {}; at {:g} the peak impact force is {:.4g} kN ({:.4g} .. {:.4g} kN)\n",
+        r.scene, r.critical_scale ? fmt::format("{:.5f}", *r.critical_scale) : "-", r.scale,
+        r.peak_force.nominal / 1e3, r.peak_force.low / 1e3, r.peak_force.high / 1e3);
+  for (const auto &note : c.notes) text += "note: " + note + "\n";
+  return text;
+}
+
+} // namespace rimpact::calibration

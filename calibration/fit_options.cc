@@ -1,0 +1,53 @@
+#include "calibration/fit.h"
+#include "scene/error.h"
+#include <algorithm>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <set>
+
+namespace rimpact::calibration {
+
+namespace {
+
+void require(bool ok, const std::string &name, double value, const std::string &bound) {
+  if (!ok) throw InputError(fmt::format("{} {:g} must be {}", name, value, bound));
+}
+
+} // namespace
+
+void FitOptions::validate() const {
+  if (parameters.empty()) throw InputError("no parameter to fit is named");
+  if (std::set<std::string>(parameters.begin(), parameters.end()).size() != parameters.size())
+    throw InputError(fmt::format("a parameter to fit is named twice: {}", fmt::join(parameters, ", ")));
+  for (const auto &name : parameters) calibration::parameter(name);
+  const auto fitted = [&](const std::string &name) {
+    if (std::find(parameters.begin(), parameters.end(), name) == parameters.end())
+      throw InputError(
+          fmt::format("{} is not among the parameters to fit: {}", name, fmt::join(parameters, ", ")));
+  };
+  for (const auto &[name, b] : bounds) {
+    fitted(name);
+    const auto &p = calibration::parameter(name);
+    if (!(b.lower < b.upper))
+      throw InputError(fmt::format("bounds of {}: {:g} must be < {:g}", name, b.lower, b.upper));
+    require(b.lower >= 0 && (b.lower > 0 || !p.logarithmic), "lower bound of " + name, b.lower, "> 0");
+    if (name == "e")
+      require(b.upper <= 1 && b.lower > 0, "bound of e", b.upper > 1 ? b.upper : b.lower, "in (0, 1]");
+  }
+  for (const auto &[name, value] : start) {
+    fitted(name);
+    require(value > 0, "start of " + name, value, "> 0");
+  }
+  require(n_starts >= 1, "n_starts", n_starts, ">= 1");
+  require(robust_scale >= 0, "robust_scale", robust_scale, ">= 0");
+  require(difference_step >= 1e-6 && difference_step <= 0.1, "difference_step", difference_step,
+          "in 1e-6..0.1");
+  require(max_iterations >= 1, "max_iterations", max_iterations, ">= 1");
+  require(uncertainty.force > 0, "uncertainty of the force", uncertainty.force, "> 0");
+  require(uncertainty.displacement > 0, "uncertainty of the displacement", uncertainty.displacement, "> 0");
+  require(uncertainty.speed > 0, "uncertainty of the speed", uncertainty.speed, "> 0");
+  for (const double w : {weights.force, weights.displacement, weights.rebound, weights.peak, weights.flight})
+    require(w >= 0, "weight", w, ">= 0");
+}
+
+} // namespace rimpact::calibration

@@ -1,0 +1,37 @@
+/// Cuts one impact out of a run: where it begins, from which state, until when, and whether it only grazes.
+#pragma once
+#include "calibration/impact_window.h"
+
+namespace rimpact::calibration {
+
+/// Horizontal part of a signal at sample i.
+inline Eigen::Vector2d planar(const scene::Response &response, const std::string &signal, std::size_t i) {
+  return {response.series(signal + "_x")[i], response.series(signal + "_y")[i]};
+}
+
+class WindowCutter {
+public:
+  /// Both must outlive the cutter; run.summary holds the impacts.
+  WindowCutter(const StoredRun &run, const WindowOptions &options);
+  /// Empty, with a reason, when the impact cannot be fitted.
+  std::optional<ImpactWindow> cut(std::size_t index, std::string &reason) const;
+
+private:
+  double travel(std::size_t i) const { return planar(r_, "displacement", i).norm(); }
+  double pressing(std::size_t i) const { return planar(r_, "impact", i).norm(); }
+  std::size_t touch_sample(const scene::Impact &impact) const;
+  /// Travel at which the reduced rim is to begin.
+  double touch_travel(std::size_t touch, bool &dented) const;
+  reduced::BearingState state(std::size_t i) const;
+  void collect(ImpactWindow &window, std::size_t start, double end) const;
+  double overshoot(const ImpactWindow &window) const;
+
+  const StoredRun &run_;
+  const scene::Response &r_;
+  const std::vector<double> &times_;
+  const WindowOptions &options_;
+  reduced::PhysicalModel model_;
+  double L_c_;
+};
+
+} // namespace rimpact::calibration
