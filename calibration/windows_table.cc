@@ -58,13 +58,13 @@ void find_range(WindowsTable &table) {
 }
 
 std::string misses(const WindowRow &row) {
-  return fmt::format("at {:.3g} m/s it {} the peak force by {:.0f} %", row.speed,
+  return fmt::format("at {:.2g} m/s it {} the peak force by {:.0f} %", row.speed,
                      row.pair_force_error > 0 ? "overstates" : "understates",
                      100 * std::abs(row.pair_force_error));
 }
 
 std::string sentence(const WindowsTable &table, const scene::Scene &scene) {
-  const auto name = fmt::format("The constant pair k_i = {:.3g} kN/m, e = {:.2f}", scene.reduced.k_i / 1e3,
+  const auto name = fmt::format("The constant pair k_i = {:.0f} kN/m, e = {:.2f}", scene.reduced.k_i / 1e3,
                                 scene.reduced.restitution);
   const auto &first = table.rows.front(), &last = table.rows.back();
   std::string text;
@@ -74,16 +74,16 @@ std::string sentence(const WindowsTable &table, const scene::Scene &scene) {
           return std::abs(a.pair_force_error) < std::abs(b.pair_force_error);
         });
     text = fmt::format(
-        "{} meets the peak force within {:.0f} % at none of the speeds from {:.3g} to {:.3g} m/s; it comes "
-        "closest at {:.3g} m/s ({:+.0f} %)",
+        "{} meets the peak force within {:.0f} % at none of the speeds from {:.3g} to {:.2g} m/s; it comes "
+        "closest at {:.2g} m/s ({:+.0f} %)",
         name, 100 * table.tolerance, first.speed, last.speed, best->speed, 100 * best->pair_force_error);
     return text + ".";
   }
   if (*table.valid_from == *table.valid_to)
-    text = fmt::format("{} meets the peak force within {:.0f} % at {:.3g} m/s only", name,
+    text = fmt::format("{} meets the peak force within {:.0f} % at {:.2g} m/s only", name,
                        100 * table.tolerance, *table.valid_from);
   else
-    text = fmt::format("{} meets the peak force within {:.0f} % for impacts at {:.3g} to {:.3g} m/s", name,
+    text = fmt::format("{} meets the peak force within {:.0f} % for impacts at {:.3g} to {:.2g} m/s", name,
                        100 * table.tolerance, *table.valid_from, *table.valid_to);
   if (*table.valid_from > first.speed) text += "; " + misses(first);
   if (*table.valid_to < last.speed) text += "; " + misses(last);
