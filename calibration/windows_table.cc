@@ -74,7 +74,7 @@ std::string sentence(const WindowsTable &table, const scene::Scene &scene) {
           return std::abs(a.pair_force_error) < std::abs(b.pair_force_error);
         });
     text = fmt::format(
-        "{} meets the peak force within {:.0f} % at none of the speeds from {:.3g} to {:.2g} m/s; it comes "
+        "{} meets the peak force within {:.0f} % at none of the speeds from {:.2g} to {:.2g} m/s; it comes "
         "closest at {:.2g} m/s ({:+.0f} %)",
         name, 100 * table.tolerance, first.speed, last.speed, best->speed, 100 * best->pair_force_error);
     return text + ".";
@@ -83,7 +83,7 @@ std::string sentence(const WindowsTable &table, const scene::Scene &scene) {
     text = fmt::format("{} meets the peak force within {:.0f} % at {:.2g} m/s only", name,
                        100 * table.tolerance, *table.valid_from);
   else
-    text = fmt::format("{} meets the peak force within {:.0f} % for impacts at {:.3g} to {:.2g} m/s", name,
+    text = fmt::format("{} meets the peak force within {:.0f} % for impacts at {:.2g} to {:.2g} m/s", name,
                        100 * table.tolerance, *table.valid_from, *table.valid_to);
   if (*table.valid_from > first.speed) text += "; " + misses(first);
   if (*table.valid_to < last.speed) text += "; " + misses(last);
