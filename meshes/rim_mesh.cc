@@ -18,15 +18,14 @@ std::vector<Quad9> plate_and_rim(const scene::Bearing &bearing, const RimMeshOpt
   const double z0 = dish(edge), top = z0 + bearing.rim.height, base = -bearing.plate.base;
   const double bite = bearing.slider.bottom + scene::lift(bearing, bearing.lateral_capacity());
 
-  std::vector<Anchor> radii{{options.plate_inner_radius, 60 * mm * h}, {edge, 18 * mm * h}};
+  std::vector<Anchor> radii{{options.plate_inner_radius, 60 * mm * h}, {edge, 25 * mm * h}};
   if (bearing.rim.ledge > 0) radii.push_back({wall, 12 * mm * h});
-  radii.back().size = 9 * mm * h;
-  radii.push_back({outer, 18 * mm * h});
-  std::vector<Anchor> heights{{base, 80 * mm * h}, {z0, 12 * mm * h}, {z0, 7 * mm * h}};
-  heights.erase(heights.begin() + 2);
-  heights.push_back({bite, 4 * mm * h});
-  heights.push_back({top, 14 * mm * h});
-  const std::vector<double> r = graded_lines(radii), z = graded_lines(heights);
+  radii.back().size = 10 * mm * h;
+  radii.push_back({outer, 20 * mm * h});
+  const std::vector<double> r = graded_lines(radii);
+  std::vector<double> z = graded_lines({{base, 90 * mm * h}, {z0, 30 * mm * h}});
+  const std::vector<double> above_dish = graded_lines({{z0, 9 * mm * h}, {bite, 5 * mm * h}, {top, 22 * mm * h}});
+  z.insert(z.end(), above_dish.begin() + 1, above_dish.end());
 
   // Below the dish the horizontal lines follow its surface.
   const auto point = [&](double radius, double height) -> Point2 {
@@ -89,9 +88,9 @@ HexMesh rim_mesh(const scene::Bearing &bearing, const RimMeshOptions &options) {
   const double h = std::pow(1.5, -(options.level - 1));
   HexMesh mesh;
   const double wall = bearing.surface.planar_radius + bearing.rim.ledge;
-  const double fine = 8 * mm * h / wall, zone = 24 * mm / wall;
+  const double fine = 9 * mm * h / wall, zone = 27 * mm / wall;
   Body(mesh).revolve(plate_and_rim(bearing, options, h),
-                     graded_lines({{0, fine}, {zone, fine}, {options.sector_half_angle, 0.5 * h}}), 0.0,
+                     graded_lines({{0, fine}, {zone, fine}, {options.sector_half_angle, 0.7 * h}}), 0.0,
                      Surface::symmetry, Surface::sector_end);
   add_slider(mesh, bearing, h);
   for (auto &node : mesh.nodes) // rounding of sin(pi): the plane of symmetry is exact

@@ -44,17 +44,16 @@ struct RingGrid {
 RingGrid ring_grid(const SliderShape &s, double h) {
   const double t = 6 * mm; // depth of the wrapping layer
   RingGrid grid;
-  grid.radii = graded_lines({{s.opening, 30 * mm * h}, {s.radius - 2.2 * t, 14 * mm * h}});
+  const double step = 3.2 * mm; // the layers' offset from the wall's nodes at the edge
+  grid.radii = graded_lines({{s.opening, 45 * mm * h}, {s.radius - t - step, 45 * mm * h}});
   grid.radii.push_back(s.radius - t);
-  // Wall: fine at the rounded edge; layers of the inner columns keep the same number and approach the wall's upwards.
-  const std::vector<double> above = graded_lines({{s.edge, 3.5 * mm * h}, {0.5 * s.height, 13 * mm * h}, {s.height, 30 * mm * h}});
+  const std::vector<double> above =
+      graded_lines({{s.edge, 5 * mm * h}, {0.5 * s.height, 22 * mm * h}, {s.height, 70 * mm * h}});
   grid.inner = {0.0, t};
   grid.wall = {0.0, s.edge * (1 - std::sqrt(0.5))};
-  for (std::size_t k = 0; k < above.size(); ++k) {
-    grid.wall.push_back(above[k]);
-    const double share = double(k + 1) / above.size(); // from t at the edge's middle to the top
-    const double lifted = t + (s.height - t) * (above[k] - s.edge) / (s.height - s.edge) * share + 3.2 * mm * (1 - share);
-    grid.inner.push_back(k + 1 == above.size() ? s.height : lifted);
+  for (const double height : above) { // offset at the edge, level at the top
+    grid.wall.push_back(height);
+    grid.inner.push_back(height + (t + step - s.edge) * (s.height - height) / (s.height - s.edge));
   }
   return grid;
 }
@@ -118,9 +117,9 @@ void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h) {
   const SliderShape s = shape_of(bearing);
   const RingGrid grid = ring_grid(s, h);
   // Angles come in equal pairs: gmsh halves every edge of the core's plan.
-  const double fine = 2 * 8.5 * mm * h / s.radius;
+  const double fine = 2 * 9.5 * mm * h / s.radius;
   std::vector<double> angles;
-  const auto coarse = graded_lines({{0, fine}, {28 * mm / s.radius, fine}, {M_PI, 2 * 0.8 * h}});
+  const auto coarse = graded_lines({{0, fine}, {28 * mm / s.radius, fine}, {M_PI, 2 * 1.0 * h}});
   for (std::size_t k = 0; k + 1 < coarse.size(); ++k) {
     angles.push_back(coarse[k]);
     angles.push_back(0.5 * (coarse[k] + coarse[k + 1]));
@@ -129,7 +128,7 @@ void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h) {
   Body body(mesh);
   const double axis_x = bearing.lateral_capacity();
   body.revolve(ring_section(s, grid), angles, axis_x, Surface::symmetry, Surface::symmetry);
-  add_core(body, s, half_disc(s.opening, angles, 32 * mm * h), grid.inner, axis_x);
+  add_core(body, s, half_disc(s.opening, angles, 25 * mm * h), grid.inner, axis_x);
 }
 
 } // namespace rimpact::meshes
