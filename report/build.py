@@ -24,6 +24,9 @@ class Context:
     def __init__(self, folder, figures):
         self.results = load_results(folder)
         self.calibration = calibration_file.read(self.results.calibration)
+        for entry in self.results.entries:  # main.json tells the roles; without it the calibration does
+            if entry.role == "history":
+                entry.role = self.calibration.role(entry.name) or entry.role
         self.problems = self.results.problems
         self.pictures = Pictures(figures, self.problems)
 

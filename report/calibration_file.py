@@ -62,14 +62,25 @@ class Calibration:
     def parameter(self, name):
         return next((p for p in self.parameters if p.name == name), None)
 
+    def role(self, run_name):
+        """fit | predict, or None for a run the calibration did not use."""
+        for role, table in (("fit", self.fit), ("predict", self.prediction)):
+            if any(_last_part(key) == run_name for key in table):
+                return role
+        return None
+
     def metrics(self, run_name):
         """The metrics of a run, whose key is its folder: matched by the folder's last part. `published_values` in it
         holds the same for the published pair."""
         for table in (self.fit, self.prediction):
             for key, value in table.items():
-                if key.rstrip("/").split("/")[-1] == run_name and isinstance(value, dict):
+                if _last_part(key) == run_name and isinstance(value, dict):
                     return value
         return {}
+
+
+def _last_part(folder):
+    return folder.rstrip("/").split("/")[-1]
 
 
 def parameter_of(name, data):
@@ -102,7 +113,8 @@ def read(data):
     listed = data.get("parameters")
     parameters = [parameter_of(name, item) for name, item in listed.items()] if isinstance(listed, dict) else []
     published = data.get("published") if isinstance(data.get("published"), dict) else {}
-    found = Calibration(parameters=[p for p in parameters if p])
+    order = {"k_i": 0, "e": 1}
+    found = Calibration(parameters=sorted((p for p in parameters if p), key=lambda p: order.get(p.name, 2)))
     for parameter in found.parameters:
         value = published.get(parameter.name)
         value = value.get("value") if isinstance(value, dict) else value

@@ -49,7 +49,7 @@ def interval(low, high, digits=3):
 
 
 def fixed(value, decimals=1):
-    return _grouped(f"{value:.{decimals}f}") if is_number(value) else DASH
+    return _grouped(f"{round(value, decimals) + 0.0:.{decimals}f}") if is_number(value) else DASH
 
 
 def integer(value):
@@ -60,7 +60,8 @@ def percent(ratio, decimals=1, signed=True):
     """A ratio as signed per cent: 0.034 -> +3.4 %."""
     if not is_number(ratio):
         return DASH
-    text = f"{100 * ratio:+.{decimals}f}" if signed else f"{100 * ratio:.{decimals}f}"
+    rounded = round(100 * ratio, decimals)
+    text = f"{rounded:+.{decimals}f}" if signed and rounded != 0 else f"{rounded + 0.0:.{decimals}f}"
     return text.replace("-", "−") + NARROW + "%"
 
 
@@ -93,6 +94,8 @@ def plain(value):
         return "yes" if value else "no"
     if isinstance(value, int):
         return integer(value)
+    if isinstance(value, float) and math.isinf(value):
+        return "∞" if value > 0 else "−∞"
     if isinstance(value, float):
         return _grouped(f"{value:.6g}") if value == 0 or 1e-4 <= abs(value) < 1e6 else power(value, 3)
     if isinstance(value, (list, tuple)):

@@ -39,6 +39,11 @@ class Run:
         return self.get("excitation", "kind", default="")
 
     @property
+    def time_label(self):
+        """For quasi-static scenes `time` is a load parameter."""
+        return "load parameter (–)" if self.kind in ("push", "cyclic", "figure-eight") else "time (s)"
+
+    @property
     def rung(self):
         return self.summary.get("rung") or ("reduced" if "plastic_strain_max" not in self.signals else "FE")
 

@@ -23,10 +23,9 @@ def draw(runs, path):
         _stack(ax, run)
         ax.set_title(title)
         ax.margins(x=0)
+        ax.set_xlabel(run.time_label)
     for ax in grid[:, 0]:
         ax.set_ylabel("energy (kJ)")
-    for ax in grid.flat[max(0, len(runs) - columns):len(runs)]:
-        ax.set_xlabel("time (s)")
     shared_legend(fig, grid.flat[:len(runs)], n_columns=5)
     return save(fig, path)
 

@@ -35,8 +35,8 @@ def _draw_direction(panels, models, direction, axis, labels):
         panels["u"].plot(run.time[kept], u[kept], label=labels[role], **style)
         panels["F"].plot(run.time[kept], force[kept], **style)
         panels["loop"].plot(u[kept], force[kept], **style)
-    _name(panels["u"], "Lateral displacement", "time (s)", f"displacement u{axis} (mm)")
-    _name(panels["F"], "Lateral force", "time (s)", f"lateral force −F{axis} (kN)")
+    _name(panels["u"], "Lateral displacement", models[0][1].time_label, f"displacement u{axis} (mm)")
+    _name(panels["F"], "Lateral force", models[0][1].time_label, f"lateral force −F{axis} (kN)")
     _name(panels["loop"], "Loop", f"displacement u{axis} (mm)", f"lateral force −F{axis} (kN)")
 
 
@@ -51,12 +51,12 @@ def _draw_plane(panels, models, labels):
         panels["loop"].plot(ux[kept], fx[kept], **style)
         panels["loop_y"].plot(uy[kept], fy[kept], **style)
         panels["path"].plot(ux[kept], uy[kept], **style)
-    _name(panels["u"], "Lateral displacement, norm", "time (s)", "|u| (mm)")
-    _name(panels["F"], "Lateral force, norm", "time (s)", "|F| (kN)")
+    _name(panels["u"], "Lateral displacement, norm", models[0][1].time_label, "|u| (mm)")
+    _name(panels["F"], "Lateral force, norm", models[0][1].time_label, "|F| (kN)")
     _name(panels["loop"], "Loop in x", "displacement u$_x$ (mm)", "lateral force −F$_x$ (kN)")
     _name(panels["loop_y"], "Loop in y", "displacement u$_y$ (mm)", "lateral force −F$_y$ (kN)")
     _name(panels["path"], "Path in plan", "u$_x$ (mm)", "u$_y$ (mm)")
-    panels["path"].set_aspect("equal", adjustable="datalim")
+    panels["path"].set_aspect("equal", adjustable="box")
 
 
 def _draw_vertical(ax, models):
@@ -65,7 +65,7 @@ def _draw_vertical(ax, models):
             z = 1e3 * run.signals["displacement_z"]
             kept = keep_peaks(z)
             ax.plot(run.time[kept], z[kept], **line_of(role))
-    _name(ax, "Vertical displacement", "time (s)", "u$_z$ (mm), up positive")
+    _name(ax, "Vertical displacement", models[0][1].time_label, "u$_z$ (mm), up positive")
 
 
 def _draw_capacity(panels, capacity, planar):
@@ -90,7 +90,7 @@ def _name(ax, title, x, y):
     ax.set_title(title)
     ax.set_xlabel(x)
     ax.set_ylabel(y)
-    if x == "time (s)":
+    if x in ("time (s)", "load parameter (–)"):
         ax.margins(x=0)
         ax.axhline(0, color=MUTED, lw=0.4, zorder=0)
 

@@ -49,7 +49,8 @@ def make(context):
         section.add(note("Calibration: not run. There are no fitted values to report.", "missing"))
     section.add(bullets([s for s in (_validity(calibration), _identifiable(calibration), _yields(context),
                                      _predictions(context)) if s]))
-    shown = next((entry for entry in context.results.having("predict", "fit", "history") if entry.models()), None)
+    candidates = context.results.having("predict") + context.results.having("fit", "history")
+    shown = max((entry for entry in candidates if entry.models()), key=lambda entry: len(entry.models()), default=None)
     section.add(context.pictures.figure("answer", "", figure_answer.draw, shown.models() if shown else [],
                                         short_name(shown.name) if shown else "", calibration))
     for warning in _warnings(context.results.main):

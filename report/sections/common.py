@@ -50,7 +50,7 @@ def figures_of(run):
 
 
 def errors_of(context, entry, who):
-    """Signed relative errors against FE: calibration.json's where it has them, else from the two summaries."""
+    """Signed relative errors against FE: from the two summaries, else (no such run) as calibration.json has them."""
     run = getattr(entry, who)
     stored = context.calibration.metrics(entry.name)
     if who == "published":
@@ -59,10 +59,9 @@ def errors_of(context, entry, who):
     candidate = figures_of(run) if run else {}
     errors = {}
     for metric in METRIC_NAMES:
-        value = stored.get(f"{metric}_error")
         a, b = reference.get(metric), candidate.get(metric)
-        if not is_number(value) and is_number(a) and is_number(b) and a != 0:
-            value = b / a - 1
+        known = is_number(a) and is_number(b) and a != 0
+        value = b / a - 1 if known else stored.get(f"{metric}_error")
         if is_number(value):
             errors[metric] = value
     for metric in ("nrmse_displacement", "nrmse_force"):

@@ -31,7 +31,7 @@ def _grazing(reports):
     varied = next((item["varied"] for item in reports if item.get("varied")), [])
     return table(["pulse", "scale", "critical scale", "critical amplitude (g)", "approach speed (m/s)",
                   "peak impact force (kN)"], rows,
-                 caption="Reduced model. In brackets: the band" + (f" over {plain(varied)}." if varied else "."))
+                 caption="Reduced model. In brackets: the band" + (f" over {plain(varied)}.".replace("+-", "±").replace("^2", "²") if varied else "."))
 
 
 def _band(band, factor, decimals):

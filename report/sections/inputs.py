@@ -23,6 +23,7 @@ LABELS = {
     "material.steel.nu": "steel, Poisson's ratio", "material.steel.yield": "steel, yield stress",
     "material.steel.tangent_modulus": "steel, tangent modulus past yield", "material.steel.density": "steel, density",
     "material.ertalyte.E": "Ertalyte, Young's modulus", "material.ertalyte.nu": "Ertalyte, Poisson's ratio",
+    "material.ertalyte.yield": "Ertalyte, yield stress (∞: elastic)",
     "material.ertalyte.density": "Ertalyte, density", "contact.steel_steel": "friction steel on steel",
     "contact.steel_ertalyte": "friction steel on Ertalyte", "contact.rim": "friction slider on rim",
     "contact.pad_foot": "pad on foot", "load.vertical": "dead load W", "load.mass": "supported mass",

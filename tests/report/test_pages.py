@@ -54,9 +54,14 @@ class MainResults(unittest.TestCase):
                      "Range of validity. The constant pair holds", "Does the rim yield? Yes", "Pulses not fitted."):
             self.assertIn(said, head)
 
-    def test_errors_come_from_the_calibration_where_it_has_them(self):
-        self.assertIn("+3.1\u202f%", self.text)
-        self.assertIn("+11.1\u202f%", self.text)
+    def test_errors_belong_to_the_forces_beside_them(self):
+        forces = {}
+        for place in ("runs", "reduced"):
+            with open(os.path.join(self.folder, place, "ricker-0.78g-1.0s", "summary.json"), encoding="utf-8") as file:
+                forces[place] = json.load(file)["peak_impact_force_N"]
+        error = 100 * (forces["reduced"] / forces["runs"] - 1)
+        self.assertIn(f"reduced, fitted {forces['reduced'] / 1e3:.0f} {error:+.1f}\u202f%", self.text)
+        self.assertIn("NRMSE force 0.78\u00a0g, 1.0\u00a0s predicted, not fitted", self.text)
 
     def test_assumptions_are_marked(self):
         self.assertEqual(self.page.count('class="assumed"'), 7)

@@ -25,6 +25,7 @@ class Numbers(unittest.TestCase):
         self.assertEqual(numbers.interval(398e3, 422e3), "3.98 to 4.22 × 10⁵")
         self.assertEqual(numbers.interval(9.8e4, 1.02e5), "9.80 × 10⁴ to 1.02 × 10⁵")
         self.assertEqual(numbers.percent(-0.0345), "−3.5\u202f%")
+        self.assertEqual(numbers.percent(-1e-9), "0.0\u202f%")
         self.assertEqual(numbers.duration(402.4), "6 min 42 s")
         self.assertEqual(numbers.duration(8e-4), "0.80 ms")
 
@@ -151,18 +152,21 @@ class Calibration(unittest.TestCase):
         for data in ({}, {"parameters": None, "windows": None}, {"parameters": [], "windows": [], "fit": "?"}):
             self.assertEqual(calibration_file.read(data).parameters, [])
 
-    def test_errors_are_relative_to_fe_and_the_file_goes_first(self):
+    def test_errors_are_relative_to_fe_and_the_file_stands_in(self):
         class Stub:
             pass
         fe, fitted, context, entry = Stub(), Stub(), Stub(), Stub()
         fe.summary, fe.impacts = {"peak_impact_force_N": 2e6, "peak_displacement_m": 0.41}, []
         fitted.summary, fitted.impacts = {"peak_impact_force_N": 2.2e6, "peak_displacement_m": 0.41}, []
-        context.calibration = calibration_file.read({"fit": {"a/b/x": {"peak_displacement_error": -0.5}}})
+        context.calibration = calibration_file.read({"fit": {"a/b/x": {
+            "peak_force_error": -0.5, "nrmse_force": 0.03, "published_values": {"peak_force_error": 0.25}}}})
         entry.name, entry.fe, entry.fitted, entry.published = "x", fe, fitted, None
         errors = errors_of(context, entry, "fitted")
         self.assertAlmostEqual(errors["peak_force"], 0.1)
-        self.assertEqual(errors["peak_displacement"], -0.5)
-        self.assertEqual(errors_of(context, entry, "published"), {})
+        self.assertEqual(errors["peak_displacement"], 0.0)
+        self.assertEqual(errors["nrmse_force"], 0.03)
+        self.assertEqual(errors_of(context, entry, "published"), {"peak_force": 0.25})
+        self.assertEqual(context.calibration.role("x"), "fit")
 
 
 if __name__ == "__main__":
