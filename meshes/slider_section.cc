@@ -117,9 +117,9 @@ void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h) {
   const SliderShape s = shape_of(bearing);
   const RingGrid grid = ring_grid(s, h);
   // Angles come in equal pairs: gmsh halves every edge of the core's plan.
-  const double fine = 2 * 9.5 * mm * h / s.radius;
+  const double fine = 2 * 10 * mm * h / s.radius;
   std::vector<double> angles;
-  const auto coarse = graded_lines({{0, fine}, {28 * mm / s.radius, fine}, {M_PI, 2 * 1.0 * h}});
+  const auto coarse = graded_lines({{0, fine}, {20 * mm / s.radius, fine}, {M_PI, 2 * 1.2 * h}});
   for (std::size_t k = 0; k + 1 < coarse.size(); ++k) {
     angles.push_back(coarse[k]);
     angles.push_back(0.5 * (coarse[k] + coarse[k + 1]));

@@ -58,11 +58,11 @@ struct StepReport {
 struct RimSolverOptions {
   int degree = 2;
   double rho_inf = 0.5;
-  double penalty_factor = 2.0;
-  double gap_tolerance = 5e-6; ///< [m]
+  double penalty_factor = 4.0;
+  double gap_tolerance = 3e-5; ///< [m]
   int max_augmentations = 3;   ///< reported when reached
   int max_iterations = 15;
-  double tolerance = 1e-7;  ///< relative residual
+  double tolerance = 1e-6;  ///< relative residual
   double attached_mass = 0; ///< supported mass on the top face, the slider's own included [kg]
 };
 
