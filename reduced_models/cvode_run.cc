@@ -70,6 +70,8 @@ public:
     std::fill_n(falling, 8, -1);
     check(CVodeSetRootDirection(memory_, falling), "CVodeSetRootDirection");
   }
+  /// The direction of sliding turns along the way; the branch stays.
+  void follow(const Mode &mode) { mode_ = mode; }
   /// One internal step, not beyond `limit`. True when it ended at a root.
   bool step(double limit, double &t, State &y) {
     check(CVodeSetStopTime(memory_, limit), "CVodeSetStopTime");
@@ -82,7 +84,7 @@ public:
     int info[8] = {};
     CVodeGetRootInfo(memory_, info);
     const auto events = dynamics_.events(mode_);
-    for (int i = 0; i < events.n; ++i)
+    for (int i = events.n - 1; i >= 0; --i) // turning stands first: a stop at the same instant goes before it
       if (info[i] != 0) return events.list[i];
     throw SolverStopped("CVODE reports a root without naming it");
   }
@@ -171,13 +173,14 @@ long run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const B
     dynamics.project(mode, y);
     recorder.segment(mode, {t0, t, y0, y, [&](double at) { return cvode.interpolate(at); }},
                      at_root && changes_rim(event));
-    fresh = at_root || t >= limit;
-    if (!at_root && dynamics.becomes_slow(mode, t, y)) fresh = true;
-    if (at_root) {
-      const Mode before = mode;
-      const double loss = dynamics.apply(event, mode, t, y);
-      recorder.branch(before, mode, t, y, loss);
-    }
+    const Mode before = mode;
+    double loss = 0;
+    if (at_root) loss = dynamics.apply(event, mode, t, y);
+    const bool slowed = event == Event::turning && dynamics.slow_down(mode, t, y);
+    const bool changed = at_root || slowed;
+    if (changed) recorder.branch(before, mode, t, y, loss);
+    fresh = changed || t >= limit;
+    cvode.follow(mode);
   }
   recorder.end(mode, t, y);
   return n_steps;

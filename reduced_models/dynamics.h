@@ -92,8 +92,9 @@ public:
   double apply(Event event, Mode &mode, double t, State &y) const;
   /// Branch of a state at the start of a run or after a jump: decides between sliding, stuck and airborne.
   void settle(Mode &mode, double t, State &y) const;
-  /// After a step: true when sliding has become slow (the branch changes).
-  bool becomes_slow(Mode &mode, double t, const State &y) const;
+  /// After a step: true when the branch changed because a mass has crept to its stop or its sliding has
+  /// become slow.
+  bool slow_down(Mode &mode, double t, State &y) const;
   /// At the end of a rest: slides (or lifts) whatever rounding says of the limit.
   void release_from_rest(Mode &mode, double t, State &y) const;
   Mode starting_mode(const BearingState &start, State &y) const;

@@ -28,13 +28,24 @@ HybridRun::HybridRun(const Dynamics &dynamics, const scene::Scene &scene)
     : dynamics_(dynamics), tolerance_(scene.reduced.tolerance), pulse_scale_(0.02) {
   if (scene.excitation.kind == scene::ExcitationKind::ricker)
     pulse_scale_ = std::min(pulse_scale_, scene.excitation.period / 20);
+  quiet_ = scene.excitation.kind == scene::ExcitationKind::free ||
+           (scene.excitation.kind == scene::ExcitationKind::window && !scene.excitation.with_ground);
   // a contact is half a period of mass and spring: never fewer than 20 steps
   contact_limit_ = pulse_scale_;
   if (dynamics.has_rim())
     contact_limit_ =
         std::min(2e-3, std::numbers::pi * std::sqrt(dynamics.mass / dynamics.rim.stiffness) / 20);
-  for (int i : {iX, iY, iZ}) inverse_scale_[i] = 1 / (tolerance_ * dynamics.lateral_capacity);
-  for (int i : {iVX, iVY, iVZ}) inverse_scale_[i] = 1 / (tolerance_ * dynamics.speed_scale);
+}
+
+void HybridRun::set_scales(const BearingState &start) {
+  // Without ground motion the energy at the start bounds the speeds: a gentle motion gets as many digits.
+  double share = 1;
+  if (quiet_) {
+    const double energy = dynamics_.mass / 2 * start.v.squaredNorm() + dynamics_.weight * start.u[2];
+    share = std::clamp(std::sqrt(2 * energy / dynamics_.mass) / dynamics_.speed_scale, 1e-4, 1.0);
+  }
+  for (int i : {iX, iY, iZ}) inverse_scale_[i] = 1 / (tolerance_ * share * dynamics_.lateral_capacity);
+  for (int i : {iVX, iVY, iVZ}) inverse_scale_[i] = 1 / (tolerance_ * share * dynamics_.speed_scale);
   for (int i : {iEX, iEY}) inverse_scale_[i] = 1 / std::max(1e-8, tolerance_); // enters through m a only
 }
 
@@ -148,6 +159,7 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
   Result result;
   stop_ = &stop;
   break_index_ = 0;
+  set_scales(start);
   h_ = 1e-3;
   step_.t = start.t;
   mode_ = dynamics_.starting_mode(start, step_.y0);
@@ -180,16 +192,11 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
       result.stopped = true;
       break;
     }
-    const double speed = std::hypot(step_.y0[iVX], step_.y0[iVY]);
-    const bool creeps = mode_.support == Support::sliding && !dynamics_.park_wen() &&
-                        speed <= dynamics_.stop_speed &&
-                        step_.y0[iVX] * step_.k[6][iVX] + step_.y0[iVY] * step_.k[6][iVY] < 0;
-    if (crossing.found || creeps) {
-      const Mode before = mode_;
-      const double loss = dynamics_.apply(crossing.found ? crossing.event : Event::stop, mode_, t1, step_.y0);
+    const Mode before = mode_;
+    double loss = 0;
+    if (crossing.found) loss = dynamics_.apply(crossing.event, mode_, t1, step_.y0);
+    if (crossing.found || dynamics_.slow_down(mode_, t1, step_.y0)) {
       recorder.branch(before, mode_, t1, step_.y0, loss);
-      dynamics_.rhs(mode_, t1, step_.y0, step_.k[0]);
-    } else if (dynamics_.becomes_slow(mode_, t1, step_.y0)) {
       dynamics_.rhs(mode_, t1, step_.y0, step_.k[0]);
     } else {
       step_.k[0] = step_.k[6];

@@ -28,6 +28,7 @@ private:
     bool found = false, by_stop = false;
     Event event{};
   };
+  void set_scales(const BearingState &start);
   double largest_step(const Mode &mode) const;
   void try_step(double h);
   double event_value(const Crossing &c, double t, const State &y) const;
@@ -42,7 +43,7 @@ private:
   double tolerance_, pulse_scale_, contact_limit_;
   State inverse_scale_{};
   const StopFunction *stop_ = nullptr;
-  bool stop_armed_ = false;
+  bool quiet_ = false; ///< no ground motion
   double stop_start_ = 0;
   DormandPrinceStep step_;
   Mode mode_;

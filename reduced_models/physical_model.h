@@ -65,7 +65,11 @@ private:
   std::unique_ptr<Impl> impl_;
 };
 
-/// A whole scene by the reduced model named in scene.reduced.model, rim element included.
+/// A whole scene by the reduced model named in scene.reduced.model, rim element included. A slider that
+/// leaves the dish gives status "stopped" with the reason. Energy: `impact` is what the rim element has taken
+/// (dissipated, plus stored while pressed); `contact` what landings after uplift have lost; a `free` scene's
+/// height at the start counts as initial energy. A weightless window moves in the horizontal plane; its
+/// friction, if asked for, is mu W.
 struct ReducedRun {
   scene::Response response;
   scene::Summary summary;
@@ -77,8 +81,8 @@ ReducedRun simulate_with_cvode(const scene::Scene &scene);
 scene::Summary simulate_summary(const scene::Scene &scene);
 
 /// As `simulate`, but from `start` at time start.t to t_end: one impact shot from a state just at touch, say.
-/// `lateral_capacity_override` >= 0 replaces the bearing's L_c (a dented rim is touched further out). Ignored
-/// kinds: the quasi-static ones have no state to start from (InputError).
+/// `lateral_capacity_override` >= 0 replaces the bearing's L_c (a dented rim is touched further out).
+/// Throws InputError for the quasi-static kinds: they have no state to start from.
 ReducedRun simulate_from(const scene::Scene &scene, const BearingState &start, double t_end,
                          double lateral_capacity_override = -1);
 

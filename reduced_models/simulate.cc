@@ -27,6 +27,11 @@ void run(const Job &job, scene::Response *response, scene::Summary &summary) {
   State y;
   const Mode mode = dynamics.starting_mode(job.start, y);
   before.initial = dynamics.kinetic_energy(mode, y);
+  if (job.scene.excitation.kind ==
+      scene::ExcitationKind::free) { // let go from a height: part of what it starts with
+    before.gravity = dynamics.potential_energy(y);
+    before.initial += before.gravity;
+  }
   Recorder recorder(dynamics, response, job.scene.reduced.output_step, before);
   try {
     summary.n_steps = job.by_cvode

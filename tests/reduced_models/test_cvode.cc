@@ -1,6 +1,8 @@
 // The own stepper against SUNDIALS CVODE: other integrator, other event location, same branches.
 #include "scene/error.h"
 #include "scenes.h"
+#include <cstdlib>
+#include <filesystem>
 #include <gtest/gtest.h>
 
 using namespace rimpact;
@@ -44,6 +46,39 @@ TEST(Cvode, ParkWen) {
 }
 TEST(Cvode, TwoDirections) {
   expect_same(free_motion({0.35, 0}, {0.5, 2}));
+}
+TEST(Cvode, BidirectionalPulseWithManyStops) {
+  scene::Scene s = scene::load_scene("pulse-bidirectional");
+  expect_same(s);
+  s.excitation.scale = 0.6;
+  expect_same(s);
+}
+TEST(Cvode, ObliquePulse) {
+  scene::Scene s = ricker(1.05);
+  s.excitation.direction_deg = 37;
+  expect_same(s);
+}
+TEST(Cvode, TwoDimensionalStopWithSocket) {
+  // turns by more than a right angle while it comes to rest
+  scene::Scene s = free_motion({0.00699383, -0.000866734}, {-0.251706, 0.584094}, 5);
+  set_friction(s, 0.0813039);
+  s.reduced.normal_force = "constant";
+  s.reduced.finite_pad = s.reduced.socket_friction = true;
+  expect_same(s);
+}
+TEST(Cvode, RecordsInThreeDirections) {
+  const char *given = std::getenv("RIMPACT_RECORDS");
+  const std::string folder = given ? given : RIMPACT_SOURCE_DIR "/../shared/records";
+  if (!std::filesystem::exists(folder + "/RSN1086_NORTHR_SYL360.AT2"))
+    GTEST_SKIP() << "no records in " << folder << " (set RIMPACT_RECORDS)";
+  for (const char *scale : {"0.5", "0.86"}) {
+    const scene::Scene s =
+        scene::parse_scene(std::string("[excitation]\nkind = 'record'\nduration_s = 30\nscale = ") + scale +
+                               "\nx = 'RSN1086_NORTHR_SYL360.AT2'\ny = 'RSN1086_NORTHR_SYL090.AT2'\n"
+                               "z = 'RSN1086_NORTHR_SYL-UP.AT2'\n",
+                           "test", {}, folder);
+    expect_same(s);
+  }
 }
 TEST(Cvode, PadAndSocket) {
   scene::Scene s = ricker(1.1);
