@@ -1,13 +1,14 @@
-/// Quadrilaterals filling a half disc, by gmsh: the core of the slider, whose rim nodes must meet given angles.
+/// Quadrilaterals filling a half disc, by gmsh: the core of the slider, whose rim nodes must meet given
+/// angles.
 #pragma once
 #include "meshes/section.h"
 
 namespace rimpact::meshes {
 
-/// Half disc x^2 + y^2 <= radius^2, y >= 0: one ring of cells along the arc, and a polygon inside it that gmsh fills.
-/// (Without the ring a cell may have two edges on the smooth arc: a flat corner.) The arc has nodes exactly at
-/// `angles` (0 .. pi, an even number of intervals, each odd-numbered angle midway between its neighbours). Size:
-/// wanted edge length inside [m]. Edges on y = 0 carry the group `symmetry`.
+/// Half disc x^2 + y^2 <= radius^2, y >= 0: one ring of cells along the arc, and a polygon inside it that
+/// gmsh fills. (Without the ring a cell may have two edges on the smooth arc: a flat corner.) The arc has
+/// nodes exactly at `angles` (0 .. pi, an even number of intervals, each odd-numbered angle midway between
+/// its neighbours). Size: wanted edge length inside [m]. Edges on y = 0 carry the group `symmetry`.
 std::vector<Quad9> half_disc(double radius, const std::vector<double> &angles, double size);
 
 } // namespace rimpact::meshes

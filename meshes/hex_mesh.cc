@@ -14,10 +14,13 @@
 namespace rimpact::meshes {
 namespace {
 
-Eigen::Vector3d at(const HexMesh &mesh, unsigned node) { return Eigen::Map<const Eigen::Vector3d>(mesh.nodes[node].data()); }
+Eigen::Vector3d at(const HexMesh &mesh, unsigned node) {
+  return Eigen::Map<const Eigen::Vector3d>(mesh.nodes[node].data());
+}
 
 /// Jacobian of the 27-node map at a point of [-1, 1]^3.
-Eigen::Matrix3d jacobian(const HexMesh &mesh, const std::array<unsigned, 27> &cell, const Eigen::Vector3d &xi) {
+Eigen::Matrix3d jacobian(const HexMesh &mesh, const std::array<unsigned, 27> &cell,
+                         const Eigen::Vector3d &xi) {
   double N[3][3], dN[3][3];
   for (int d = 0; d < 3; ++d) {
     const double x = xi[d];
@@ -27,7 +30,8 @@ Eigen::Matrix3d jacobian(const HexMesh &mesh, const std::array<unsigned, 27> &ce
   Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
   for (int a = 0; a < 27; ++a) {
     const auto &p = hex27[a];
-    const Eigen::RowVector3d gradient(dN[0][p[0]] * N[1][p[1]] * N[2][p[2]], N[0][p[0]] * dN[1][p[1]] * N[2][p[2]],
+    const Eigen::RowVector3d gradient(dN[0][p[0]] * N[1][p[1]] * N[2][p[2]],
+                                      N[0][p[0]] * dN[1][p[1]] * N[2][p[2]],
                                       N[0][p[0]] * N[1][p[1]] * dN[2][p[2]]);
     J += at(mesh, cell[a]) * gradient;
   }
@@ -56,8 +60,8 @@ std::string to_string(Volume volume) {
 }
 
 std::string to_string(Surface surface) {
-  constexpr const char *names[] = {"dish", "rim_wall", "pad_face", "pad_top", "foot_seat", "foot_cap",
-                                   "socket", "slider_side", "top", "fixed", "symmetry", "sector_end"};
+  constexpr const char *names[] = {"dish",   "rim_wall",    "pad_face", "pad_top", "foot_seat", "foot_cap",
+                                   "socket", "slider_side", "top",      "fixed",   "symmetry",  "sector_end"};
   return names[static_cast<int>(surface) - static_cast<int>(Surface::dish)];
 }
 
@@ -69,7 +73,8 @@ MeshQuality quality(const HexMesh &mesh) {
       const auto &p = hex27[corner];
       const Eigen::Matrix3d J = jacobian(mesh, cell, Eigen::Vector3d(p[0] - 1, p[1] - 1, p[2] - 1));
       result.min_scaled_jacobian =
-          std::min(result.min_scaled_jacobian, J.determinant() / (J.col(0).norm() * J.col(1).norm() * J.col(2).norm()));
+          std::min(result.min_scaled_jacobian,
+                   J.determinant() / (J.col(0).norm() * J.col(1).norm() * J.col(2).norm()));
     }
     for (const auto &face : hex_faces)
       for (int e = 0; e < 4; ++e) {
@@ -86,16 +91,21 @@ void check(const HexMesh &mesh, int expected_components) {
   const double g = std::sqrt(0.6), points[3] = {-g, 0, g};
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     for (int k = 0; k < 27; ++k)
-      if (!(jacobian(mesh, mesh.cells[c], {points[k % 3], points[k / 3 % 3], points[k / 9]}).determinant() > 0)) {
+      if (!(jacobian(mesh, mesh.cells[c], {points[k % 3], points[k / 3 % 3], points[k / 9]}).determinant() >
+            0)) {
         const auto centre = mesh.nodes[mesh.cells[c][26]];
-        throw DataError(fmt::format("mesh: cell {} of '{}' at ({:.1f}, {:.1f}, {:.1f}) mm is inverted; check the bearing's dimensions", c,
-                                    to_string(mesh.volumes[c]), 1e3 * centre[0], 1e3 * centre[1], 1e3 * centre[2]));
+        throw DataError(fmt::format("mesh: cell {} of '{}' at ({:.1f}, {:.1f}, {:.1f}) mm is inverted; check "
+                                    "the bearing's dimensions",
+                                    c, to_string(mesh.volumes[c]), 1e3 * centre[0], 1e3 * centre[1],
+                                    1e3 * centre[2]));
       }
   const int found = components(mesh);
   if (found != expected_components)
-    throw DataError(fmt::format("mesh: {} connected pieces where {} were expected", found, expected_components));
+    throw DataError(
+        fmt::format("mesh: {} connected pieces where {} were expected", found, expected_components));
   for (const Surface group : {Surface::rim_wall, Surface::slider_side, Surface::top, Surface::fixed})
-    if (std::none_of(mesh.faces.begin(), mesh.faces.end(), [&](const auto &face) { return face.group == group; }))
+    if (std::none_of(mesh.faces.begin(), mesh.faces.end(),
+                     [&](const auto &face) { return face.group == group; }))
       throw DataError("mesh: group '" + to_string(group) + "' is missing");
 }
 
@@ -103,9 +113,12 @@ void write_msh(const HexMesh &mesh, const std::string &path) {
   std::set<int> volumes, surfaces;
   for (const auto volume : mesh.volumes) volumes.insert(static_cast<int>(volume));
   for (const auto &face : mesh.faces) surfaces.insert(static_cast<int>(face.group));
-  std::string text = fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n{}\n", volumes.size() + surfaces.size());
-  for (const int tag : surfaces) text += fmt::format("2 {} \"{}\"\n", tag, to_string(static_cast<Surface>(tag)));
-  for (const int tag : volumes) text += fmt::format("3 {} \"{}\"\n", tag, to_string(static_cast<Volume>(tag)));
+  std::string text = fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n{}\n",
+                                 volumes.size() + surfaces.size());
+  for (const int tag : surfaces)
+    text += fmt::format("2 {} \"{}\"\n", tag, to_string(static_cast<Surface>(tag)));
+  for (const int tag : volumes)
+    text += fmt::format("3 {} \"{}\"\n", tag, to_string(static_cast<Volume>(tag)));
   std::vector<unsigned> number(mesh.nodes.size(), 0);
   std::string nodes;
   unsigned count = 0;
@@ -116,7 +129,8 @@ void write_msh(const HexMesh &mesh, const std::string &path) {
         const auto &x = mesh.nodes[cell[corner]];
         nodes += fmt::format("{} {:.17g} {:.17g} {:.17g}\n", count, x[0], x[1], x[2]);
       }
-  text += fmt::format("$EndPhysicalNames\n$Nodes\n{}\n{}$EndNodes\n$Elements\n{}\n", count, nodes, mesh.faces.size() + mesh.cells.size());
+  text += fmt::format("$EndPhysicalNames\n$Nodes\n{}\n{}$EndNodes\n$Elements\n{}\n", count, nodes,
+                      mesh.faces.size() + mesh.cells.size());
   std::size_t element = 0;
   for (const auto &face : mesh.faces) {
     const int tag = static_cast<int>(face.group);

@@ -8,8 +8,20 @@ namespace rimpact::meshes {
 
 /// Names of INTERFACE ("Mesh groups"); the value is the gmsh physical tag.
 enum class Volume { plate = 1, rim, pad, foot, upper_slider };
-enum class Surface { dish = 11, rim_wall, pad_face, pad_top, foot_seat, foot_cap, socket, slider_side, top, fixed,
-                     symmetry, sector_end };
+enum class Surface {
+  dish = 11,
+  rim_wall,
+  pad_face,
+  pad_top,
+  foot_seat,
+  foot_cap,
+  socket,
+  slider_side,
+  top,
+  fixed,
+  symmetry,
+  sector_end
+};
 std::string to_string(Volume);
 std::string to_string(Surface);
 
@@ -18,8 +30,8 @@ struct BoundaryFace {
   Surface group;
 };
 
-/// Nodes [m]. Connectivity in gmsh's order for the 27-node hexahedron (8 corners, 12 edges, 6 faces, 1 centre);
-/// corners alone make the linear mesh. Ungrouped boundary faces are traction free and not listed.
+/// Nodes [m]. Connectivity in gmsh's order for the 27-node hexahedron (8 corners, 12 edges, 6 faces, 1
+/// centre); corners alone make the linear mesh. Ungrouped boundary faces are traction free and not listed.
 struct HexMesh {
   std::vector<std::array<double, 3>> nodes;
   std::vector<std::array<unsigned, 27>> cells;

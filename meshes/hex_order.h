@@ -9,6 +9,7 @@ inline constexpr int hex27[27][3] = {
     {2, 1, 2}, {1, 2, 2}, {1, 1, 0}, {1, 0, 1}, {0, 1, 1}, {2, 1, 1}, {1, 2, 1}, {1, 1, 2}, {1, 1, 1}};
 
 /// Corners of the faces xi-, xi+, eta-, eta+, zeta-, zeta+.
-inline constexpr int hex_faces[6][4] = {{0, 3, 7, 4}, {1, 2, 6, 5}, {0, 1, 5, 4}, {3, 2, 6, 7}, {0, 1, 2, 3}, {4, 5, 6, 7}};
+inline constexpr int hex_faces[6][4] = {{0, 3, 7, 4}, {1, 2, 6, 5}, {0, 1, 5, 4},
+                                        {3, 2, 6, 7}, {0, 1, 2, 3}, {4, 5, 6, 7}};
 
 } // namespace rimpact::meshes

@@ -14,7 +14,8 @@ constexpr double mm = 1e-3;
 std::vector<Quad9> plate_and_rim(const scene::Bearing &bearing, const RimMeshOptions &options, double h) {
   const auto surface = scene::make_surface(bearing.surface);
   const auto dish = [&](double r) { return surface->at(r, 0).z; };
-  const double edge = bearing.surface.planar_radius, wall = edge + bearing.rim.ledge, outer = wall + bearing.rim.thickness;
+  const double edge = bearing.surface.planar_radius, wall = edge + bearing.rim.ledge,
+               outer = wall + bearing.rim.thickness;
   const double z0 = dish(edge), top = z0 + bearing.rim.height, base = -bearing.plate.base;
   const double bite = bearing.slider.bottom + scene::lift(bearing, bearing.lateral_capacity());
 
@@ -24,7 +25,8 @@ std::vector<Quad9> plate_and_rim(const scene::Bearing &bearing, const RimMeshOpt
   radii.push_back({outer, 20 * mm * h});
   const std::vector<double> r = graded_lines(radii);
   std::vector<double> z = graded_lines({{base, 90 * mm * h}, {z0, 45 * mm * h}});
-  const std::vector<double> above_dish = graded_lines({{z0, 9 * mm * h}, {bite, 5 * mm * h}, {top, 22 * mm * h}});
+  const std::vector<double> above_dish =
+      graded_lines({{z0, 9 * mm * h}, {bite, 5 * mm * h}, {top, 22 * mm * h}});
   z.insert(z.end(), above_dish.begin() + 1, above_dish.end());
 
   // Below the dish the horizontal lines follow its surface.
@@ -66,7 +68,8 @@ HexMesh mirrored(const HexMesh &half) {
   int swap[27];
   for (int a = 0; a < 27; ++a)
     for (int b = 0; b < 27; ++b)
-      if (hex27[b][0] == hex27[a][0] && hex27[b][1] == 2 - hex27[a][1] && hex27[b][2] == hex27[a][2]) swap[a] = b;
+      if (hex27[b][0] == hex27[a][0] && hex27[b][1] == 2 - hex27[a][1] && hex27[b][2] == hex27[a][2])
+        swap[a] = b;
   for (std::size_t c = 0; c < half.cells.size(); ++c) {
     std::array<unsigned, 27> cell;
     for (int a = 0; a < 27; ++a) cell[a] = image[half.cells[c][swap[a]]];
@@ -77,7 +80,9 @@ HexMesh mirrored(const HexMesh &half) {
   for (const auto &face : half.faces) {
     if (face.group == Surface::symmetry) continue;
     whole.faces.push_back(face);
-    whole.faces.push_back({{image[face.corners[0]], image[face.corners[3]], image[face.corners[2]], image[face.corners[1]]}, face.group});
+    whole.faces.push_back(
+        {{image[face.corners[0]], image[face.corners[3]], image[face.corners[2]], image[face.corners[1]]},
+         face.group});
   }
   return whole;
 }

@@ -1,6 +1,6 @@
-/// The solids of rung R1 (DESIGN 1): a sector of the rim with the plate below it, and the upper slider with its
-/// socket cavity, in the position of first touch. Frame: the plate's, rotated so that the touched side is +x;
-/// the slider's axis stands at x = L_c, its bottom at slider.bottom + lift(L_c).
+/// The solids of rung R1 (DESIGN 1): a sector of the rim with the plate below it, and the upper slider with
+/// its socket cavity, in the position of first touch. Frame: the plate's, rotated so that the touched side is
+/// +x; the slider's axis stands at x = L_c, its bottom at slider.bottom + lift(L_c).
 #pragma once
 #include "meshes/hex_mesh.h"
 #include "scene/bearing.h"
@@ -8,9 +8,9 @@
 namespace rimpact::meshes {
 
 struct RimMeshOptions {
-  int level = 1;                  ///< 1 | 2 | 3: every size divided by 1.5 a level
-  bool half = true;               ///< y >= 0 only, with the group `symmetry` on y = 0
-  double sector_half_angle = 1.0; ///< of rim and plate [rad]; the ends carry `sector_end`
+  int level = 1;                    ///< 1 | 2 | 3: every size divided by 1.5 a level
+  bool half = true;                 ///< y >= 0 only, with the group `symmetry` on y = 0
+  double sector_half_angle = 1.0;   ///< of rim and plate [rad]; the ends carry `sector_end`
   double plate_inner_radius = 0.44; ///< where the plate is cut [m]; the cut carries `sector_end`
 };
 HexMesh rim_mesh(const scene::Bearing &bearing, const RimMeshOptions &options);

@@ -1,5 +1,6 @@
-/// Plane meshes of 9-node quadrilaterals, and the ways to make solids of them: revolving a section about a vertical
-/// axis, raising a plan into layers. Coincident nodes are merged within one body, never between bodies.
+/// Plane meshes of 9-node quadrilaterals, and the ways to make solids of them: revolving a section about a
+/// vertical axis, raising a plan into layers. Coincident nodes are merged within one body, never between
+/// bodies.
 #pragma once
 #include "meshes/hex_mesh.h"
 #include <functional>
@@ -10,7 +11,8 @@ namespace rimpact::meshes {
 
 using Point2 = std::array<double, 2>;
 
-/// Nodes lexicographic (first coordinate fast). Edges 0..3: first-, first+, second-, second+; `groups` of edges.
+/// Nodes lexicographic (first coordinate fast). Edges 0..3: first-, first+, second-, second+; `groups` of
+/// edges.
 struct Quad9 {
   std::array<Point2, 9> nodes;
   Volume volume;
@@ -21,8 +23,8 @@ Quad9 straight_quad(Point2 a, Point2 b, Point2 c, Point2 d, Volume volume);
 /// Moves the centre to follow curved edges (transfinite interpolation).
 void centre(Quad9 &quad);
 
-/// Lines between anchors, their spacing following the size wanted at each anchor: geometric, so that the spacing is
-/// linear in place. Anchors are hit exactly.
+/// Lines between anchors, their spacing following the size wanted at each anchor: geometric, so that the
+/// spacing is linear in place. Anchors are hit exactly.
 struct Anchor {
   double at, size;
 };

@@ -10,9 +10,9 @@ constexpr double mm = 1e-3;
 
 /// Heights are measured from the slider's bottom plane; radii from its axis.
 struct SliderShape {
-  double radius, height, edge;       ///< outer radius, height, rounding
-  double cap, cap_depth, opening;    ///< socket sphere: radius, centre below the bottom plane, opening radius
-  double bottom;                     ///< of the bottom plane, in the plate's frame
+  double radius, height, edge;    ///< outer radius, height, rounding
+  double cap, cap_depth, opening; ///< socket sphere: radius, centre below the bottom plane, opening radius
+  double bottom;                  ///< of the bottom plane, in the plate's frame
 
   /// Height of the underside: the sphere inside the opening, the bottom plane outside.
   double underside(double r) const { return r >= opening ? 0.0 : std::sqrt(cap * cap - r * r) - cap_depth; }
@@ -35,8 +35,9 @@ SliderShape shape_of(const scene::Bearing &bearing) {
   return s;
 }
 
-/// The grid of the ring between socket and side: columns at `radii`, layers at `inner`, wrapped at the outside by one
-/// more column whose wall nodes are `wall`; the last two columns end below at the two halves of the rounded edge.
+/// The grid of the ring between socket and side: columns at `radii`, layers at `inner`, wrapped at the
+/// outside by one more column whose wall nodes are `wall`; the last two columns end below at the two halves
+/// of the rounded edge.
 struct RingGrid {
   std::vector<double> radii, inner, wall;
 };
@@ -68,11 +69,14 @@ std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
     if (j > 0 || i + 2 < columns) return s.point(grid.radii[i], grid.inner[j]);
     return arc(i + 1 == columns ? -M_PI / 4 : -M_PI / 2); // below: ends of the rounded edge's lower half
   };
-  const auto wall = [&](std::size_t j) -> Point2 { return j == 1 ? arc(-M_PI / 4) : Point2{s.radius, s.bottom + grid.wall[j]}; };
+  const auto wall = [&](std::size_t j) -> Point2 {
+    return j == 1 ? arc(-M_PI / 4) : Point2{s.radius, s.bottom + grid.wall[j]};
+  };
   std::vector<Quad9> section;
   for (std::size_t i = 0; i + 1 < columns; ++i)
     for (std::size_t j = 0; j + 1 < layers; ++j) {
-      Quad9 quad = straight_quad(inside(i, j), inside(i + 1, j), inside(i + 1, j + 1), inside(i, j + 1), Volume::upper_slider);
+      Quad9 quad = straight_quad(inside(i, j), inside(i + 1, j), inside(i + 1, j + 1), inside(i, j + 1),
+                                 Volume::upper_slider);
       if (j == 0 && i + 2 == columns) {
         quad.nodes[1] = arc(-3 * M_PI / 8);
         quad.groups[2] = Surface::slider_side;
@@ -82,7 +86,8 @@ std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
       section.push_back(quad);
     }
   for (std::size_t j = 1; j + 1 < layers; ++j) {
-    Quad9 quad = straight_quad(inside(columns - 1, j), wall(j), wall(j + 1), inside(columns - 1, j + 1), Volume::upper_slider);
+    Quad9 quad = straight_quad(inside(columns - 1, j), wall(j), wall(j + 1), inside(columns - 1, j + 1),
+                               Volume::upper_slider);
     if (j == 1) quad.nodes[5] = arc(-M_PI / 8);
     quad.groups[1] = Surface::slider_side;
     if (j + 2 == layers) quad.groups[3] = Surface::top;
@@ -93,7 +98,8 @@ std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
 }
 
 /// The core above the socket: a plan of quadrilaterals raised into the ring's layers.
-void add_core(Body &body, const SliderShape &s, const std::vector<Quad9> &plan, const std::vector<double> &layers, double axis_x) {
+void add_core(Body &body, const SliderShape &s, const std::vector<Quad9> &plan,
+              const std::vector<double> &layers, double axis_x) {
   constexpr int face_of_edge[4] = {0, 1, 2, 3};
   for (const auto &quad : plan)
     for (std::size_t j = 0; j + 1 < layers.size(); ++j) {

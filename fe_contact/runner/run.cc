@@ -10,19 +10,6 @@
 namespace rimpact::fe {
 namespace {
 
-void check_supported(const scene::Scene &scene) {
-  using Kind = scene::ExcitationKind;
-  if (scene.model.rung != "rim")
-    throw InputError("model.rung '" + scene.model.rung +
-                     "' is not in this build; it has: rim (and reduced, by `rimpact reduced`)");
-  if (scene.excitation.kind == Kind::cyclic || scene.excitation.kind == Kind::figure_eight)
-    throw InputError("excitation.kind '" + scene::to_string(scene.excitation.kind) +
-                     "' moves on the dish without touching the rim; rung `rim` has nothing to solve there");
-  if (scene.bearing.contact.rim != 0)
-    throw InputError("contact.rim " + std::to_string(scene.bearing.contact.rim) +
-                     " is not 0: rung `rim` has frictionless walls");
-}
-
 scene::Summary summarise(const scene::Scene &scene, const RunRecord &record, const RimSolver *solver,
                          double seconds) {
   scene::Summary summary;
@@ -53,6 +40,19 @@ scene::Summary summarise(const scene::Scene &scene, const RunRecord &record, con
 }
 
 } // namespace
+
+void check_supported(const scene::Scene &scene) {
+  using Kind = scene::ExcitationKind;
+  if (scene.model.rung != "rim")
+    throw InputError("model.rung '" + scene.model.rung +
+                     "' is not in this build; it has: rim (and reduced, by `rimpact reduced`)");
+  if (scene.excitation.kind == Kind::cyclic || scene.excitation.kind == Kind::figure_eight)
+    throw InputError("excitation.kind '" + scene::to_string(scene.excitation.kind) +
+                     "' moves on the dish without touching the rim; rung `rim` has nothing to solve there");
+  if (scene.bearing.contact.rim != 0)
+    throw InputError("contact.rim " + std::to_string(scene.bearing.contact.rim) +
+                     " is not 0: rung `rim` has frictionless walls");
+}
 
 scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions &options) {
   check_supported(scene);

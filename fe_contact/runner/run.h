@@ -22,6 +22,9 @@ struct RunOptions {
   const std::atomic<bool> *interrupted = nullptr; ///< set by Ctrl-C
 };
 
+/// Throws InputError when this build cannot run the scene (rung, kind of excitation, friction at the rim).
+void check_supported(const scene::Scene &scene);
+
 /// Writes the run folder whatever happens (partial results, status, checkpoint). Returns the summary.
 /// Throws SolverStopped, Interrupted after writing.
 scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions &options);

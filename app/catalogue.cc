@@ -1,0 +1,31 @@
+#include "app/catalogue.h"
+
+namespace rimpact::app {
+namespace {
+
+// Shown in --help here, carried out by rimpact-fe (main_light.cc hands them over before parsing).
+constexpr const char *run_name = "run", *run_help = "run a scene by finite elements";
+constexpr const char *mesh_name = "mesh", *mesh_help = "mesh a bearing into a .msh file";
+constexpr const char *version_name = "version", *version_help = "versions of the libraries in use";
+
+} // namespace
+
+const std::vector<Verb> &light_verbs() {
+  static const std::vector<Verb> verbs{
+      {"main", add_main},
+      {"new", add_new},
+      {"check", add_check},
+      {"motion", add_motion},
+      {"reduced", add_reduced},
+      {"run", [](CLI::App &app, Console &) { app.add_subcommand(run_name, run_help); }},
+      {"mesh", [](CLI::App &app, Console &) { app.add_subcommand(mesh_name, mesh_help); }},
+      {"calibrate", add_calibrate},
+      {"compare", add_compare},
+      {"report", add_report},
+      {"export", add_export},
+      {"list", add_list},
+      {"version", [](CLI::App &app, Console &) { app.add_subcommand(version_name, version_help); }}};
+  return verbs;
+}
+
+} // namespace rimpact::app

@@ -1,0 +1,20 @@
+// The light executable: everything but finite elements, which it hands to its sibling.
+#include "app/catalogue.h"
+#include "app/sibling.h"
+
+#include <fmt/format.h>
+#include <set>
+
+int main(int argc, char **argv) {
+  using namespace rimpact;
+  static const std::set<std::string> elsewhere{"run", "mesh", "version"};
+  if (argc > 1 && elsewhere.count(argv[1])) {
+    try {
+      app::become_fe(argc, argv);
+    } catch (const Error &error) {
+      fmt::print(stderr, "error: {}\n", error.what());
+      return static_cast<int>(error.code());
+    }
+  }
+  return app::run_command(argc, argv, app::light_verbs());
+}

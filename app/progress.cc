@@ -1,0 +1,35 @@
+#include "app/progress.h"
+
+#include "app/console.h"
+#include <fmt/format.h>
+
+namespace rimpact::app {
+
+void ProgressLine::show(const std::string &line) {
+  if (quiet_) return;
+  const auto now = std::chrono::steady_clock::now();
+  const auto pause = std::chrono::milliseconds(fancy_terminal() ? 100 : 2000);
+  if (now - last_ < pause) return;
+  last_ = now;
+  if (!fancy_terminal()) {
+    fmt::print(stderr, "{}\n", line);
+    return;
+  }
+  fmt::print(stderr, "\r\033[K{}", line);
+  std::fflush(stderr);
+  open_ = true;
+}
+
+void ProgressLine::finish() {
+  if (open_) fmt::print(stderr, "\n");
+  open_ = false;
+}
+
+std::string duration(double seconds) {
+  const long s = static_cast<long>(seconds + 0.5);
+  if (s < 60) return fmt::format("{} s", s);
+  if (s < 3600) return fmt::format("{} min {} s", s / 60, s % 60);
+  return fmt::format("{} h {} min", s / 3600, s % 3600 / 60);
+}
+
+} // namespace rimpact::app

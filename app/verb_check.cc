@@ -1,0 +1,42 @@
+// rimpact check SCENE: geometry, scout and plan; solves nothing.
+#include "app/verb.h"
+#include "fe_contact/runner/plan.h"
+#include <fmt/format.h>
+
+namespace rimpact::app {
+
+void add_check(CLI::App &app, Console &console) {
+  auto *verb = app.add_subcommand("check", "geometry, the scout's result and the plan; solves nothing");
+  auto where = std::make_shared<std::string>();
+  verb->add_option("SCENE", *where, "a TOML file or a built-in scene")->required();
+  console.add_common(*verb);
+  console.add_json(*verb);
+  console.add_overrides(*verb);
+  verb->callback([where, &console] {
+    const scene::Scene scene = scene::load_scene(*where, console.overrides);
+    const fe::Plan plan = fe::make_plan(scene);
+    const auto assumed = scene::assumptions(scene.bearing);
+    if (console.json) {
+      nlohmann::json table = fe::to_json(plan);
+      table["scene"] = scene.name;
+      table["bearing"] = scene.bearing.name;
+      table["lateral_capacity_m"] = scene.bearing.lateral_capacity();
+      table["rung"] = scene.model.rung;
+      for (const auto &item : assumed) table["assumptions"][item.key] = item.value;
+      return console.data(table.dump(2) + "\n");
+    }
+    std::string text = fmt::format(
+        "{}: bearing {}, L_c = {:.1f} mm, lift there {:.2f} mm; geometry can be built and nothing collides\n",
+        scene.name, scene.bearing.name, 1e3 * scene.bearing.lateral_capacity(),
+        1e3 * scene::lift(scene.bearing, scene.bearing.lateral_capacity()));
+    if (scene.model.rung != "rim")
+      text += fmt::format("  rung {} is not in this build: `run` would refuse; the plan is for rung rim\n",
+                          scene.model.rung);
+    text += fe::describe(plan);
+    text += "assumed, not measured:";
+    for (const auto &item : assumed) text += fmt::format(" {} = {};", item.key, item.value);
+    console.data(text + "\n");
+  });
+}
+
+} // namespace rimpact::app

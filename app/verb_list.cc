@@ -1,0 +1,82 @@
+// rimpact list: what there is to choose from.
+#include "app/verb.h"
+#include "reduced_models/catalogue.h"
+#include "scene/scene.h"
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace rimpact::app {
+namespace {
+
+using Entries = std::vector<std::pair<std::string, std::string>>;
+
+Entries bearings() {
+  Entries result;
+  for (const auto &name : scene::builtin_bearing_names()) {
+    const auto b = scene::builtin_bearing(name);
+    result.emplace_back(name, fmt::format("{} surface, R0 {:.3g} m, L_c {:.0f} mm", b.surface.kind,
+                                          b.surface.R0, 1e3 * b.lateral_capacity()));
+  }
+  return result;
+}
+Entries scenes() {
+  Entries result;
+  for (const auto &name : scene::builtin_scene_names()) {
+    const std::string text = scene::builtin_scene_text(name);
+    const auto first = text.find_first_not_of("# "), end = text.find('\n');
+    result.emplace_back(name, text[0] == '#' ? text.substr(first, end - first) : "");
+  }
+  return result;
+}
+Entries models() {
+  Entries result;
+  for (const auto &model : reduced::reduced_models()) result.emplace_back(model.name, model.description);
+  return result;
+}
+Entries laws() {
+  return {{"signed", "k d + c d', radial rate, tension allowed until penetration ends; returns e exactly"},
+          {"no-tension", "the same, never pulling"},
+          {"printed", "(2-21) as printed: c times the speed's magnitude; elastic for every e"}};
+}
+Entries materials() {
+  Entries result;
+  const scene::Bearing b;
+  for (const auto &[name, m] : {std::pair{"steel", b.steel}, {"ertalyte", b.ertalyte}})
+    result.emplace_back(
+        name, fmt::format("E {:.0f} MPa, nu {:.2f}, {}, {:.0f} kg/m3", 1e-6 * m.E, m.nu,
+                          m.yield ? fmt::format("yield {:.0f} MPa, tangent {:.0f} MPa", 1e-6 * *m.yield,
+                                                1e-6 * m.tangent_modulus.value_or(0))
+                                  : std::string("elastic"),
+                          m.density));
+  return result;
+}
+
+} // namespace
+
+void add_list(CLI::App &app, Console &console) {
+  auto *verb = app.add_subcommand("list", "bearings, scenes, models, laws, materials");
+  auto what = std::make_shared<std::string>();
+  verb->add_option("WHAT", *what, "one of them; all without")
+      ->check(CLI::IsMember({"bearings", "scenes", "models", "laws", "materials"}));
+  console.add_common(*verb);
+  console.add_json(*verb);
+  verb->callback([what, &console] {
+    const std::pair<const char *, Entries (*)()> kinds[] = {{"bearings", bearings},
+                                                            {"scenes", scenes},
+                                                            {"models", models},
+                                                            {"laws", laws},
+                                                            {"materials", materials}};
+    nlohmann::ordered_json all;
+    for (const auto &[kind, entries] : kinds) {
+      if (!what->empty() && *what != kind) continue;
+      if (!console.json) console.data(fmt::format("{}\n", kind));
+      for (const auto &[name, text] : entries()) {
+        all[kind][name] = text;
+        if (!console.json) console.data(fmt::format("  {:24s} {}\n", name, text));
+      }
+    }
+    if (console.json) console.data(all.dump(2) + "\n");
+  });
+}
+
+} // namespace rimpact::app

@@ -1,0 +1,45 @@
+// rimpact reduced SCENE: a scene by the reduced model.
+#include "app/sibling.h"
+#include "app/verb.h"
+#include "reduced_models/physical_model.h"
+#include <fmt/format.h>
+
+namespace rimpact::app {
+
+void add_reduced(CLI::App &app, Console &console) {
+  struct Options {
+    std::string scene, folder, model;
+    bool picture = false;
+  };
+  auto *verb = app.add_subcommand("reduced", "a scene by the reduced model, in about a millisecond");
+  auto options = std::make_shared<Options>();
+  verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
+  verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>-reduced)");
+  verb->add_option("--model", options->model, "see rimpact list models");
+  verb->add_flag("--png", options->picture, "also draw response.png");
+  console.add_common(*verb);
+  console.add_json(*verb);
+  console.add_overrides(*verb);
+  verb->callback([options, &console] {
+    if (!options->model.empty()) console.overrides.push_back("reduced.model=\"" + options->model + "\"");
+    const scene::Scene scene = scene::load_scene(options->scene, console.overrides);
+    const auto run = reduced::simulate(scene);
+    const std::string folder =
+        options->folder.empty() ? default_folder(scene.name) + "-reduced" : options->folder;
+    scene::write_run_folder(folder, scene, run.response, run.summary);
+    if (options->picture && python({"report.quick", "reduced", folder}) != 0)
+      throw IoError("the picture in " + folder + " was not made");
+    const auto &s = run.summary;
+    if (console.json) return console.data(scene::to_json(s).dump(2) + "\n");
+    std::string text = fmt::format(
+        "{}: peak displacement {:.2f} mm, peak lateral force {:.1f} kN, {} impact(s); {}\n", scene.name,
+        1e3 * s.peak_displacement, 1e-3 * s.peak_lateral_force, s.impacts.size(), folder);
+    for (const auto &i : s.impacts)
+      text += fmt::format("  {:.4f} s {:7.1f} deg  in {:.4f} m/s  out {:.4f} m/s  {:.1f} kN  {:.3f} mm\n",
+                          i.touch_time, i.direction_deg, i.approach_speed, i.rebound_speed,
+                          1e-3 * i.peak_force, 1e3 * i.peak_penetration);
+    console.data(text);
+  });
+}
+
+} // namespace rimpact::app

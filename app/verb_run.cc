@@ -1,0 +1,88 @@
+// rimpact run SCENE: a scene by finite elements.
+#include "app/progress.h"
+#include "app/sibling.h"
+#include "app/verb.h"
+#include "fe_contact/runner/run.h"
+#include <chrono>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace rimpact::app {
+namespace {
+
+struct Options {
+  std::string scene, folder, rung;
+  int mesh = 0;
+  bool resume = false, dry_run = false, no_fields = false;
+};
+
+void run(Options &options, Console &console) {
+  if (!options.rung.empty()) console.overrides.push_back("model.rung=\"" + options.rung + "\"");
+  if (options.mesh > 0) console.overrides.push_back("model.mesh=" + std::to_string(options.mesh));
+  const scene::Scene scene = scene::load_scene(options.scene, console.overrides);
+  if (const std::string warning = fe::blas_warning(); !warning.empty()) console.warn(warning);
+  fe::check_supported(scene);
+  const fe::Plan plan = fe::make_plan(scene);
+  if (options.dry_run)
+    return console.data(console.json ? fe::to_json(plan).dump(2) + "\n" : fe::describe(plan));
+  console.message(fe::describe(plan));
+  for (const auto &[name, version] : fe::component_versions()) console.detail(name + " " + version);
+
+  fe::RunOptions run_options;
+  run_options.folder = options.folder.empty() ? default_folder(scene.name) : options.folder;
+  run_options.resume = options.resume;
+  run_options.fields = !options.no_fields;
+  run_options.interrupted = &interrupted();
+  ProgressLine line(console.quiet);
+  const auto start = std::chrono::steady_clock::now();
+  run_options.progress = [&](const fe::Progress &p) {
+    const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    line.show(fmt::format(
+        "{:8s} t {:.4f} of {:.4g}  step {:.3g}  newton {}  gap {:+.3f} mm  force {:.1f} kN  {}", p.phase,
+        p.time, p.end_time, p.step, p.newton_iterations, 1e3 * p.gap, 1e-3 * p.force, duration(spent)));
+  };
+  std::exception_ptr failure;
+  scene::Summary summary;
+  try {
+    summary = fe::run(scene, plan, run_options);
+  } catch (const Error &) {
+    failure = std::current_exception();
+  }
+  line.finish();
+  if (!failure) {
+    for (const auto &warning : summary.extra["warnings"]) console.warn(warning.get<std::string>());
+    for (const auto &impact : summary.impacts)
+      console.message(
+          fmt::format("impact at {:.4f} s, {:.1f} deg: {:.3f} m/s in, {:.3f} m/s out, {:.0f} kN, {:.2f} mm",
+                      impact.touch_time, impact.direction_deg, impact.approach_speed, impact.rebound_speed,
+                      1e-3 * impact.peak_force, 1e3 * impact.peak_penetration));
+  }
+  if (std::filesystem::exists(run_options.folder))
+    scene::write_text(console.log(), run_options.folder + "/log.txt");
+  if (failure) std::rethrow_exception(failure);
+  console.data(console.json ? scene::to_json(summary).dump(2) + "\n"
+                            : fmt::format("{}: peak impact force {:.1f} kN, {} impact(s), {} steps, {}; {}\n",
+                                          scene.name, 1e-3 * summary.peak_impact_force.value_or(0),
+                                          summary.impacts.size(), summary.n_steps,
+                                          duration(summary.wall_time), run_options.folder));
+}
+
+} // namespace
+
+void add_run(CLI::App &app, Console &console) {
+  auto *verb = app.add_subcommand("run", "run a scene by finite elements");
+  auto options = std::make_shared<Options>();
+  verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
+  verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>)");
+  verb->add_option("--rung", options->rung, "rim | rigid-dish | full");
+  verb->add_option("--mesh", options->mesh, "1 | 2 | 3")->check(CLI::Range(1, 3));
+  verb->add_flag("--resume", options->resume, "go on from the folder's checkpoint");
+  verb->add_flag("--dry-run", options->dry_run, "print the plan and stop");
+  verb->add_flag("--no-fields", options->no_fields, "no VTU files");
+  console.add_common(*verb);
+  console.add_json(*verb);
+  console.add_overrides(*verb);
+  verb->callback([options, &console] { run(*options, console); });
+}
+
+} // namespace rimpact::app

@@ -1,0 +1,22 @@
+// rimpact version
+#include "app/verb.h"
+#include "fe_contact/runner/run.h"
+#include <fmt/format.h>
+
+namespace rimpact::app {
+
+void add_version(CLI::App &app, Console &console) {
+  auto *verb = app.add_subcommand("version", "versions of the libraries in use");
+  console.add_common(*verb);
+  console.add_json(*verb);
+  verb->callback([&console] {
+    nlohmann::ordered_json table{{"rimpact", RIMPACT_VERSION}};
+    for (const auto &[name, version] : fe::component_versions()) table[name] = version;
+    if (const std::string warning = fe::blas_warning(); !warning.empty()) console.warn(warning);
+    if (console.json) return console.data(table.dump(2) + "\n");
+    for (const auto &[name, version] : table.items())
+      console.data(fmt::format("{:10s} {}\n", name, version.get<std::string>()));
+  });
+}
+
+} // namespace rimpact::app

@@ -1,0 +1,135 @@
+#include "fe_contact/runner/plan.h"
+
+#include "reduced_models/physical_model.h"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::fe {
+namespace {
+
+/// Measured on two cores, half models of the default bearing (docs/user-guide.md): unknowns, seconds a Newton
+/// iteration, memory; the whole model has twice the unknowns and takes about three times as long.
+struct MeshCost {
+  long dofs;
+  double seconds_per_iteration, memory;
+};
+constexpr MeshCost costs[3] = {{15300, 0.16, 0.35e9}, {45900, 0.85, 1.0e9}, {119000, 4.5, 3.0e9}};
+constexpr double steps_an_impact = 60, iterations_a_step = 6, contact_time = 0.045; // an impact of 25-45 ms
+
+void add_impacts(Plan &plan, const scene::Summary &scout, const scene::Response &response) {
+  const auto &t = response.series("time");
+  for (const auto &impact : scout.impacts) {
+    std::size_t k = std::lower_bound(t.begin(), t.end(), impact.touch_time) - t.begin();
+    k = std::min(k, t.size() - 1);
+    const Eigen::Vector2d u(response.series("displacement_x")[k], response.series("displacement_y")[k]);
+    const Eigen::Vector2d v(response.series("velocity_x")[k], response.series("velocity_y")[k]);
+    const double tangential = std::abs(u.x() * v.y() - u.y() * v.x()) / std::max(1e-9, u.norm());
+    plan.impacts.push_back({impact.touch_time, impact.direction_deg, impact.approach_speed, tangential});
+  }
+}
+
+void add_pad_note(Plan &plan, const scene::Scene &scene) {
+  const double at_rest = scene.load.vertical / scene.bearing.pad_area();
+  plan.notes.push_back(fmt::format("pad pressure at rest {:.1f} MPa over its whole face", 1e-6 * at_rest));
+  constexpr double ertalyte_strength = 90e6, full_face_travel = 0.30;
+  if (scene.bearing.lateral_capacity() > full_face_travel)
+    plan.notes.push_back(fmt::format(
+        "beyond {:.2f} m of travel the pad bears fore and aft only and its peak pressure passes Ertalyte's "
+        "{:.0f} MPa: 'elastic' is then a modelling convention",
+        full_face_travel, 1e-6 * ertalyte_strength));
+  if (at_rest > ertalyte_strength)
+    plan.notes.push_back(fmt::format("the pad pressure at rest, {:.1f} MPa, exceeds Ertalyte's {:.0f} MPa",
+                                     1e-6 * at_rest, 1e-6 * ertalyte_strength));
+}
+
+/// The scout: the reduced model, as the scene has it and with the two extra terms that a real stack adds.
+void scout(Plan &plan, const scene::Scene &scene) {
+  const auto run = reduced::simulate(scene);
+  add_impacts(plan, run.summary, run.response);
+  plan.closest_gap = scene.bearing.lateral_capacity() - run.summary.peak_displacement;
+  constexpr double margin = 0.005; // of travel [m]: a pass this near may touch in the finite-element run
+  plan.rim_takes_part = !plan.impacts.empty() || plan.closest_gap < margin;
+  for (const auto &impact : plan.impacts) plan.half = plan.half && impact.tangential_speed < 1e-9;
+
+  scene::Scene stack = scene;
+  stack.reduced.finite_pad = stack.reduced.socket_friction = true;
+  const auto stack_run = reduced::simulate_summary(stack);
+  plan.notes.push_back(fmt::format("with the pad's finite size and the socket's friction the scout sees {} "
+                                   "impact(s), closest gap {:.2f} mm",
+                                   stack_run.impacts.size(),
+                                   1e3 * (scene.bearing.lateral_capacity() - stack_run.peak_displacement)));
+  if (scene.excitation.kind != scene::ExcitationKind::ricker) return;
+  for (const auto &[label, variant] :
+       {std::pair{"as the scene has it", &scene}, {"with both terms", &stack}}) {
+    scene::Scene unit = *variant;
+    if (const auto critical = reduced::critical_scale(unit))
+      plan.notes.push_back(fmt::format("the rim is first touched at {:.5f} of scale 1, {:.4f} g ({})",
+                                       *critical, *critical * scene.excitation.amplitude_g, label));
+  }
+}
+
+} // namespace
+
+Plan make_plan(const scene::Scene &scene) {
+  using Kind = scene::ExcitationKind;
+  Plan plan;
+  plan.mesh = scene.model.mesh;
+  if (scene.model.step > 0) plan.step_in_contact = scene.model.step;
+  const Kind kind = scene.excitation.kind;
+  int impacts = 1;
+  if (kind == Kind::window)
+    plan.impacts.push_back(
+        {0.0, scene.excitation.direction_deg, scene.excitation.speed * scene.excitation.scale, 0.0});
+  else if (kind != Kind::push && kind != Kind::cyclic && kind != Kind::figure_eight) {
+    scout(plan, scene);
+    impacts = plan.impacts.empty() && plan.rim_takes_part ? 1 : plan.impacts.size();
+  } else if (kind != Kind::push)
+    plan.rim_takes_part = false;
+  add_pad_note(plan, scene);
+  if (scene.model.symmetry != "auto") plan.half = scene.model.symmetry == "half";
+
+  const MeshCost &cost = costs[plan.mesh - 1];
+  plan.expected_dofs = cost.dofs * (plan.half ? 1 : 2);
+  plan.expected_memory_bytes = cost.memory * (plan.half ? 1 : 2.3);
+  plan.expected_seconds = 3 + impacts * steps_an_impact *
+                                  std::max(1.0, contact_time / (steps_an_impact * plan.step_in_contact)) *
+                                  iterations_a_step * cost.seconds_per_iteration * (plan.half ? 1 : 3);
+  return plan;
+}
+
+std::string describe(const Plan &plan) {
+  std::string text =
+      fmt::format("plan: {} model, mesh {}, about {} unknowns; steps of {:.2f} ms in contact; about {:.0f} s "
+                  "and {:.1f} GB\n",
+                  plan.half ? "symmetric half" : "whole", plan.mesh, plan.expected_dofs,
+                  1e3 * plan.step_in_contact, plan.expected_seconds, 1e-9 * plan.expected_memory_bytes);
+  if (!plan.rim_takes_part)
+    text += fmt::format("  the rim takes no part: the scout stays {:.2f} mm away\n", 1e3 * plan.closest_gap);
+  for (const auto &impact : plan.impacts)
+    text += fmt::format("  impact expected at {:.4f} s, {:.1f} deg, {:.3f} m/s\n", impact.touch_time,
+                        impact.direction_deg, impact.approach_speed);
+  for (const auto &note : plan.notes) text += "  " + note + "\n";
+  return text;
+}
+
+nlohmann::json to_json(const Plan &plan) {
+  nlohmann::json impacts = nlohmann::json::array();
+  for (const auto &impact : plan.impacts)
+    impacts.push_back({{"touch_time_s", impact.touch_time},
+                       {"direction_deg", impact.direction_deg},
+                       {"approach_speed_m_s", impact.approach_speed},
+                       {"tangential_speed_m_s", impact.tangential_speed}});
+  return {{"symmetry", plan.half ? "half" : "whole"},
+          {"rim_takes_part", plan.rim_takes_part},
+          {"closest_gap_m", plan.closest_gap},
+          {"impacts", impacts},
+          {"sector_half_angle_deg", plan.sector_half_angle * 180 / M_PI},
+          {"step_in_contact_s", plan.step_in_contact},
+          {"mesh", plan.mesh},
+          {"expected_dofs", plan.expected_dofs},
+          {"expected_seconds", plan.expected_seconds},
+          {"expected_memory_bytes", plan.expected_memory_bytes},
+          {"notes", plan.notes}};
+}
+
+} // namespace rimpact::fe
