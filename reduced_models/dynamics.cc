@@ -177,7 +177,7 @@ void Dynamics::rhs(const Mode &mode, double t, const State &y, State &dy) const 
     dy[iFriction] += e.friction[2] * (e.pendular[0] * y[iVX] + e.pendular[1] * y[iVY]) / e.pendular[2];
 }
 
-double Dynamics::kinetic_energy(const Mode &, const State &y) const {
+double Dynamics::kinetic_energy(const State &y) const {
   const double vz = reading == NormalForce::inertia ? y[iVZ] : 0.0;
   return mass / 2 * (y[iVX] * y[iVX] + y[iVY] * y[iVY] + vz * vz);
 }

@@ -101,7 +101,7 @@ public:
   /// Fills z and v_z from the surface; before each step e0 follows the velocity.
   void project(Mode &mode, State &y) const;
 
-  double kinetic_energy(const Mode &mode, const State &y) const;
+  double kinetic_energy(const State &y) const;
   double potential_energy(const State &y) const; ///< W z, or the pendular work for `constant`
   double coulomb_limit() const { return friction_law.mu_slow; }
   bool inside(const State &y) const { return y[iX] * y[iX] + y[iY] * y[iY] < limit_squared_; }

@@ -70,9 +70,7 @@ bool HybridRun::crosses(const Crossing &c) {
   return after < 0 && !(c.event == Event::turning && !c.by_stop);
 }
 
-/// Shortens the step to the crossing. When the value was not positive at the start (a branch that began
-/// exactly at the event's zero), first looks for a shorter step at whose end it is; `locate` then leaves the
-/// step there.
+/// Shortens the step to the crossing, by steps of other lengths from its start (Illinois).
 void HybridRun::locate(const Crossing &c) {
   double low = 0, high = step_.h;
   double f_low = c.by_stop ? stop_start_ : event_value(c, step_.t, step_.y0);
@@ -99,7 +97,8 @@ HybridRun::Crossing HybridRun::first_crossing(const StopFunction &stop) {
   const auto look = [&](const Crossing &c) {
     if (!crosses(c)) return;
     const double before = c.by_stop ? stop_start_ : event_value(c, step_.t, step_.y0);
-    if (before <= 0) {
+    if (before <=
+        0) { // a branch that began exactly at the zero: is there a shorter step with a positive value?
       for (double h = step_.h / 4; h > 1e-10; h /= 4) {
         try_step(h);
         if (event_value(c, step_.t + h, step_.y1) > 0) {

@@ -12,10 +12,6 @@ struct PhysicalModel::Impl {
   scene::Scene scene;
   Dynamics dynamics;
   explicit Impl(const scene::Scene &s) : scene(s), dynamics(s, false) {}
-
-  State state(const BearingState &s) const {
-    return {s.u[0], s.u[1], s.u[2], s.v[0], s.v[1], s.v[2], s.eta[0], s.eta[1], 0, 0, 0, 0};
-  }
 };
 
 PhysicalModel::PhysicalModel(const scene::Scene &scene) : impl_(std::make_unique<Impl>(scene)) {}

@@ -83,14 +83,13 @@ double Recorder::next_after(const Mode &mode, double t) const {
 void Recorder::begin(const Mode &mode, double t, const State &y) {
   initial_potential_ = dynamics_.potential_energy(y);
   const Evaluation e = dynamics_.evaluate(mode, t, y);
-  watch(mode, t, y, last_ = e);
+  watch(mode, y, last_ = e);
   store(mode, t, y);
   next_sample_ = next_after(mode, t);
   if (mode.rim == RimContact::pressed) open_impact(t, y);
 }
 
-void Recorder::watch(const Mode &mode, double t, const State &y, Evaluation &e) {
-  (void)t;
+void Recorder::watch(const Mode &mode, const State &y, const Evaluation &e) {
   peak_displacement_ = std::max(peak_displacement_, std::hypot(y[iX], y[iY]));
   peak_height_ = std::max(peak_height_, y[iZ]);
   peak_lateral_ = std::max(peak_lateral_, lateral(e));
@@ -151,10 +150,10 @@ void Recorder::segment(const Mode &mode, const Segment &s, bool rim_changes_at_e
     Mode m = mode;
     dynamics_.project(m, y);
     Evaluation mid = dynamics_.evaluate(mode, (s.t0 + s.t1) / 2, y);
-    watch(mode, (s.t0 + s.t1) / 2, y, mid);
+    watch(mode, y, mid);
     refine(mode, s, last_, mid, e);
   }
-  watch(mode, s.t1, s.y1, e);
+  watch(mode, s.y1, e);
   last_ = e;
   largest_input_ = std::max(largest_input_, std::abs(before_.external + s.y1[iExternal]));
 }
@@ -181,7 +180,7 @@ void Recorder::branch(const Mode &before, const Mode &after, double t, const Sta
   if (pressed_before && !pressed) close_impact(t, y);
   if (!pressed_before && pressed) open_impact(t, y);
   Evaluation e = dynamics_.evaluate(after, t, y);
-  watch(after, t, y, e);
+  watch(after, y, e);
   last_ = e;
   if (pressed_before == pressed) return;
   if (response_ && pressed && !columns_[0]->empty() &&
@@ -198,7 +197,7 @@ void Recorder::store(const Mode &mode, double t, const State &y) {
   last_sample_ = t;
   const Evaluation e = dynamics_.evaluate(mode, t, y);
   const Eigen::Vector3d force = e.pendular + e.friction + e.impact;
-  const scene::EnergyLedger l = ledger(mode, y);
+  const scene::EnergyLedger l = ledger(y);
   const double row[] = {
       t,           y[iX],       y[iY],    y[iZ],         y[iVX],        y[iVY],        y[iVZ],
       force[0],    force[1],    force[2], e.pendular[0], e.pendular[1], e.friction[0], e.friction[1],
@@ -210,14 +209,14 @@ void Recorder::store(const Mode &mode, double t, const State &y) {
 void Recorder::end(const Mode &mode, double t, const State &y) {
   store(mode, t, y);
   if (in_impact_) close_impact(t, y);
-  final_ = y, final_mode_ = mode;
+  final_ = y;
 }
 
-scene::EnergyLedger Recorder::ledger(const Mode &mode, const State &y) const {
+scene::EnergyLedger Recorder::ledger(const State &y) const {
   scene::EnergyLedger l = before_;
   l.external += y[iExternal];
   l.gravity += dynamics_.potential_energy(y) - initial_potential_;
-  l.kinetic = dynamics_.kinetic_energy(mode, y);
+  l.kinetic = dynamics_.kinetic_energy(y);
   l.friction += y[iFriction];
   l.impact += y[iImpact];
   l.contact += landing_loss_;
@@ -235,7 +234,7 @@ void Recorder::summarise(scene::Summary &summary) const {
   double peak = 0;
   for (const auto &impact : impacts_) peak = std::max(peak, impact.peak_force);
   summary.peak_impact_force = peak;
-  summary.energy = ledger(final_mode_, final_);
+  summary.energy = ledger(final_);
 }
 
 } // namespace rimpact::reduced

@@ -25,8 +25,8 @@ public:
   void branch(const Mode &before, const Mode &after, double t, const State &y, double loss);
   void end(const Mode &mode, double t, const State &y);
 
-  scene::EnergyLedger ledger(const Mode &mode, const State &y) const;
-  scene::EnergyLedger final_ledger() const { return ledger(final_mode_, final_); } ///< after `end`
+  scene::EnergyLedger ledger(const State &y) const;
+  scene::EnergyLedger final_ledger() const { return ledger(final_); } ///< after `end`
   /// Peaks, impacts and energies. Call after `end`.
   void summarise(scene::Summary &summary) const;
   double smallest_gap() const { return smallest_gap_; }
@@ -35,7 +35,7 @@ private:
   void store(const Mode &mode, double t, const State &y);
   void open_impact(double t, const State &y);
   void close_impact(double t, const State &y);
-  void watch(const Mode &mode, double t, const State &y, Evaluation &e);
+  void watch(const Mode &mode, const State &y, const Evaluation &e);
   void refine(const Mode &mode, const Segment &segment, const Evaluation &e0, const Evaluation &mid,
               const Evaluation &e1);
   double next_after(const Mode &mode, double t) const;
@@ -49,7 +49,6 @@ private:
   double initial_potential_ = 0, landing_loss_ = 0, largest_input_ = 0;
   Evaluation last_; ///< at the latest watched instant
   State final_{};
-  Mode final_mode_;
   bool in_impact_ = false;
   std::vector<scene::Impact> impacts_;
   double peak_displacement_ = 0, peak_height_ = -1e300, peak_lateral_ = 0, smallest_normal_ = 1e300;

@@ -26,7 +26,7 @@ void run(const Job &job, scene::Response *response, scene::Summary &summary) {
   scene::EnergyLedger before;
   State y;
   const Mode mode = dynamics.starting_mode(job.start, y);
-  before.initial = dynamics.kinetic_energy(mode, y);
+  before.initial = dynamics.kinetic_energy(y);
   if (job.scene.excitation.kind ==
       scene::ExcitationKind::free) { // let go from a height: part of what it starts with
     before.gravity = dynamics.potential_energy(y);
