@@ -65,7 +65,7 @@ std::vector<Job> main_jobs(const scene::Bearing &bearing, const std::string &fol
   std::vector<Job> jobs;
   const auto add = [&](const std::string &name, const std::string &role, const std::string &scene,
                        const std::string &override) {
-    Job job{name, role, scene::load_scene(scene, {override}), folder + "/runs/" + name};
+    Job job{name, role, scene::load_scene(scene, {override}), folder + "/runs/" + name, false, false, {}};
     job.scene.bearing = bearing;
     job.scene.name = name;
     job.scene.validate();

@@ -2,7 +2,9 @@
 #include "app/sibling.h"
 #include "app/verb.h"
 #include "meshes/rim_mesh.h"
+#include "scene/scene.h"
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 
 namespace rimpact::app {
 

@@ -1,5 +1,6 @@
 // rimpact new DIR: a commented case folder.
 #include "app/verb.h"
+#include "scene/response.h"
 #include "scene/scene.h"
 #include <filesystem>
 #include <fmt/format.h>

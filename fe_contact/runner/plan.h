@@ -20,7 +20,7 @@ struct Plan {
   double closest_gap = 0.0;   ///< smallest gap of the scout [m]
   std::vector<ExpectedImpact> impacts;
   double sector_half_angle = 1.0; ///< [rad]
-  double step_in_contact = 5e-4;  ///< [s]
+  double step_in_contact = 1e-3;  ///< longest step in contact [s]; the error control shortens it
   int mesh = 1;
   long expected_dofs = 0;
   double expected_seconds = 0, expected_memory_bytes = 0;

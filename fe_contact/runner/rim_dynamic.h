@@ -47,8 +47,8 @@ private:
   /// Lift-off, landing and release are cut down to a fine step, so that their instants are sharp.
   bool event_is_sharp(const Arc &arc, const StepReport &report, double dt, double finest);
 
-  /// Local error of the top face's displacement; also sets the next step's length.
-  bool error_is_small(const Arc &arc, const ArcState &kept, double dt);
+  /// Local errors of the top face's displacement and of the energy; also sets the next step's length.
+  bool error_is_small(const Arc &arc, const ArcState &kept, const MassForces &before, const StepReport &report, double dt);
 
   void accept(Arc &arc, const ArcState &kept, const MassForces &before, const StepReport &report, double dt);
 

@@ -177,7 +177,7 @@ void DynamicRun::step(Arc &arc) {
     return;
   }
   const double finest = plan_.step_in_contact / 32;
-  if (!event_is_sharp(arc, report, dt, finest) || !error_is_small(arc, kept, dt)) {
+  if (!event_is_sharp(arc, report, dt, finest) || !error_is_small(arc, kept, before, report, dt)) {
     arc.state = kept;
     return;
   }
@@ -204,17 +204,27 @@ bool DynamicRun::event_is_sharp(const Arc &arc, const StepReport &report, double
   return false;
 }
 
-bool DynamicRun::error_is_small(const Arc &arc, const ArcState &kept, double dt) {
-  constexpr double tolerance = 1e-6; // [m]
+bool DynamicRun::error_is_small(const Arc &arc, const ArcState &kept, const MassForces &before, const StepReport &report,
+                                double dt) {
+  constexpr double displacement_tolerance = 2e-6; // [m] a step
+  constexpr double energy_tolerance = 1.5e-5;     // of the largest input, a step
   const auto scheme = GeneralizedAlpha::from(scene_.model.rho_inf);
   const double change = solver_.master_acceleration(arc.state).x() - solver_.master_acceleration(kept).x();
-  const double error = std::abs(scheme.beta - 1.0 / 6) * dt * dt * std::abs(change);
-  if (error > 4 * tolerance && dt > plan_.step_in_contact / 16) {
-    dt_ = dt / 2;
+  const double displacement = std::abs(scheme.beta - 1.0 / 6) * dt * dt * std::abs(change) / displacement_tolerance;
+  // What the step leaves unbalanced: the trapezoidal work of the forces against the change of energy.
+  const MassForces after = loads_.forces(arc.frame.displacement(arc.state.master), arc.frame.to_global(arc.state.master_velocity),
+                                         bearing_.t + dt, support_, report.multiplier);
+  const Eigen::Vector3d du = arc.frame.displacement(arc.state.master) - arc.frame.displacement(kept.master);
+  const double stored = solver_.share() * (arc.state.energies.elastic + arc.state.energies.plastic - kept.energies.elastic - kept.energies.plastic);
+  const double unbalanced = 0.5 * (before.total() + after.total()).dot(du) -
+                            (solver_.kinetic_energy(arc.state) - solver_.kinetic_energy(kept) + stored + report.contact_work + report.integrator_loss);
+  const double energy = std::abs(unbalanced) / (energy_tolerance * std::max(1.0, record_.ledger.largest_input));
+  const double error = std::max(displacement, energy);
+  if (error > 4 && dt > plan_.step_in_contact / 32) {
+    dt_ = dt * std::clamp(0.8 / std::cbrt(error), 0.25, 0.7);
     return false;
   }
-  dt_ = std::min(plan_.step_in_contact,
-                 dt * std::clamp(0.9 * std::cbrt(tolerance / std::max(error, 1e-30)), 0.5, 1.6));
+  dt_ = std::min(plan_.step_in_contact, dt * std::clamp(0.9 / std::cbrt(std::max(error, 1e-3)), 0.5, 1.6));
   return true;
 }
 
