@@ -48,7 +48,8 @@ private:
   bool event_is_sharp(const Arc &arc, const StepReport &report, double dt, double finest);
 
   /// Local errors of the top face's displacement and of the energy; also sets the next step's length.
-  bool error_is_small(const Arc &arc, const ArcState &kept, const MassForces &before, const StepReport &report, double dt);
+  bool error_is_small(const Arc &arc, const ArcState &kept, const MassForces &before,
+                      const StepReport &report, double dt);
 
   void accept(Arc &arc, const ArcState &kept, const MassForces &before, const StepReport &report, double dt);
 

@@ -7,10 +7,6 @@
 namespace rimpact::fe {
 namespace {
 
-/// Names of the signals only the finite-element side writes.
-constexpr const char *fe_signals[] = {"surface_gap", "plastic_strain_max", "contact_pressure_max",
-                                      "newton_iterations", "step"};
-
 /// Arcs closer than this share one yielded state [rad].
 constexpr double arc_width = 0.14;
 constexpr double nearest_look = 1e-3;  ///< a dented arc's true gap is computed within this of touch [m]
@@ -93,16 +89,20 @@ void DynamicRun::pad_fe_signals() {
   double strain = 0;
   for (const auto &arc : arcs_) strain = std::max(strain, solver_.largest_plastic_strain(arc.state));
   auto &r = record_.response;
-  for (const char *name : fe_signals) {
-    const std::size_t have = r.has(name) ? r.series(name).size() : 0;
-    for (std::size_t k = have; k < r.size(); ++k) {
-      const std::string n = name;
-      r.append(n, n == "surface_gap"          ? r.series("gap")[k]
-                  : n == "plastic_strain_max" ? strain
-                  : n == "step" && k > 0      ? r.series("time")[k] - r.series("time")[k - 1]
-                                              : 0.0);
-    }
-  }
+  const auto &e = record_.ledger;
+  const std::pair<const char *, double> values[] = {{"plastic_strain_max", strain},
+                                                    {"contact_pressure_max", 0},
+                                                    {"newton_iterations", 0},
+                                                    {"energy_elastic", e.elastic},
+                                                    {"energy_plastic", e.plastic},
+                                                    {"energy_integrator", e.integrator},
+                                                    {"impact_z", 0}};
+  for (const auto &[name, value] : values) r.series(name).resize(r.size(), value);
+  auto &gap = r.series("surface_gap");
+  auto &step = r.series("step");
+  for (std::size_t k = gap.size(); k < r.size(); ++k) gap.push_back(r.series("gap")[k]);
+  for (std::size_t k = step.size(); k < r.size(); ++k)
+    step.push_back(k > 0 ? r.series("time")[k] - r.series("time")[k - 1] : 0.0);
 }
 
 MassForces DynamicRun::forces_now(const Arc &arc, double t) const {
@@ -204,21 +204,26 @@ bool DynamicRun::event_is_sharp(const Arc &arc, const StepReport &report, double
   return false;
 }
 
-bool DynamicRun::error_is_small(const Arc &arc, const ArcState &kept, const MassForces &before, const StepReport &report,
-                                double dt) {
+bool DynamicRun::error_is_small(const Arc &arc, const ArcState &kept, const MassForces &before,
+                                const StepReport &report, double dt) {
   constexpr double displacement_tolerance = 2e-6; // [m] a step
   constexpr double energy_tolerance = 1.5e-5;     // of the largest input, a step
   const auto scheme = GeneralizedAlpha::from(scene_.model.rho_inf);
   const double change = solver_.master_acceleration(arc.state).x() - solver_.master_acceleration(kept).x();
-  const double displacement = std::abs(scheme.beta - 1.0 / 6) * dt * dt * std::abs(change) / displacement_tolerance;
+  const double displacement =
+      std::abs(scheme.beta - 1.0 / 6) * dt * dt * std::abs(change) / displacement_tolerance;
   // What the step leaves unbalanced: the trapezoidal work of the forces against the change of energy.
-  const MassForces after = loads_.forces(arc.frame.displacement(arc.state.master), arc.frame.to_global(arc.state.master_velocity),
-                                         bearing_.t + dt, support_, report.multiplier);
+  const MassForces after =
+      loads_.forces(arc.frame.displacement(arc.state.master), arc.frame.to_global(arc.state.master_velocity),
+                    bearing_.t + dt, support_, report.multiplier);
   const Eigen::Vector3d du = arc.frame.displacement(arc.state.master) - arc.frame.displacement(kept.master);
-  const double stored = solver_.share() * (arc.state.energies.elastic + arc.state.energies.plastic - kept.energies.elastic - kept.energies.plastic);
+  const double stored = solver_.share() * (arc.state.energies.elastic + arc.state.energies.plastic -
+                                           kept.energies.elastic - kept.energies.plastic);
   const double unbalanced = 0.5 * (before.total() + after.total()).dot(du) -
-                            (solver_.kinetic_energy(arc.state) - solver_.kinetic_energy(kept) + stored + report.contact_work + report.integrator_loss);
-  const double energy = std::abs(unbalanced) / (energy_tolerance * std::max(1.0, record_.ledger.largest_input));
+                            (solver_.kinetic_energy(arc.state) - solver_.kinetic_energy(kept) + stored +
+                             report.contact_work + report.integrator_loss);
+  const double energy =
+      std::abs(unbalanced) / (energy_tolerance * std::max(1.0, record_.ledger.largest_input));
   const double error = std::max(displacement, energy);
   if (error > 4 && dt > plan_.step_in_contact / 32) {
     dt_ = dt * std::clamp(0.8 / std::cbrt(error), 0.25, 0.7);
@@ -313,11 +318,11 @@ void DynamicRun::sample(const Arc &arc, const StepReport &report, const MassForc
     r.append(std::string("displacement_") + axes[i], bearing_.u[i]);
     r.append(std::string("velocity_") + axes[i], bearing_.v[i]);
     r.append(std::string("force_") + axes[i], total[i]);
-    if (i == 2) break;
     r.append(std::string("pendular_") + axes[i], forces.pendular[i]);
     r.append(std::string("friction_") + axes[i], forces.friction[i]);
     r.append(std::string("impact_") + axes[i], impact[i]);
   }
+  r.append("normal_force", std::max(0.0, forces.normal));
   r.append("gap", capacity() - bearing_.u.head<2>().norm());
   const auto &e = record_.ledger;
   const std::pair<const char *, double> energies[] = {

@@ -12,6 +12,11 @@ namespace {
 /// Forces below this are equilibrium for the residual's scale [N].
 constexpr double smallest_force = 1e-2;
 
+/// GMRES on a stale factor: relative residual, and iterations after which it is given up or the factor
+/// renewed.
+constexpr double linear_tolerance = 1e-3;
+constexpr int most_linear_iterations = 20, worn_after = 8;
+
 /// Adds the time of its life to one entry of a split.
 class Stopwatch {
 public:
@@ -227,7 +232,7 @@ double RimSolver::relative_residual(const Trial &trial, bool prescribed) const {
 }
 
 Eigen::VectorXd RimSolver::newton_change(Trial &trial, bool inertial, const Eigen::Vector3d *to_go,
-                                         bool reuse_factor, double &multiplier_change) {
+                                         bool stale_factor, double &multiplier_change) {
   Eigen::VectorXd residual = trial.residual;
   if (to_go) { // the driven top face enters by its columns, then its rows become unit rows
     for (int i = 0; i < 3; ++i)
@@ -240,12 +245,20 @@ Eigen::VectorXd RimSolver::newton_change(Trial &trial, bool inertial, const Eige
         tangent_->make_unit_row(equation, 1e10);
       }
   }
-  if (!reuse_factor) {
+  Eigen::VectorXd change;
+  if (stale_factor) { // inexact Newton: a residual a thousand times smaller is what the next iteration can
+                      // use
+    const Stopwatch watch(time_split["solve"]);
+    change = direct_->solve_iteratively(-residual, linear_tolerance, most_linear_iterations);
+  }
+  const bool fresh = change.size() == 0;
+  if (fresh) {
     const Stopwatch watch(time_split["factor"]);
     if (!direct_->factorise()) return {};
   }
   const Stopwatch watch(time_split["solve"]);
-  Eigen::VectorXd change = direct_->solve(-residual);
+  if (fresh) change = direct_->solve(-residual);
+  factor_is_worn_ = !fresh && direct_->last_iterations() > worn_after;
   multiplier_change = 0;
   if (inertial && trial.load.constrained) { // bordered by the height's constraint
     Eigen::VectorXd push = Eigen::VectorXd::Zero(equations_.n), gradient = push;
@@ -254,7 +267,9 @@ Eigen::VectorXd RimSolver::newton_change(Trial &trial, bool inertial, const Eige
         push[master_[i]] = trial.load.d_multiplier[i] / share();
         gradient[master_[i]] = trial.load.gradient[i];
       }
-    const Eigen::VectorXd response = direct_->solve(push);
+    const Eigen::VectorXd response =
+        fresh ? direct_->solve(push) : direct_->solve_iteratively(push, 1e-6, 2 * most_linear_iterations);
+    if (response.size() == 0) return {};
     multiplier_change = (-trial.load.constraint - gradient.dot(change)) / gradient.dot(response);
     change += multiplier_change * response;
   }
@@ -274,7 +289,6 @@ StepReport RimSolver::iterate(const ArcState &old, Trial &trial, bool with_conta
   Eigen::Vector3d to_go =
       prescribed ? Eigen::Vector3d(*prescribed - master_of(trial.u)) : Eigen::Vector3d::Zero();
   double relative = relative_residual(trial, prescribed);
-  double last_reduction = 1.0;
   bool first = true; // the first change carries the step's loading: its residual is no measure of progress
   for (int since_augmentation = 0;;) {
     report.residuals.push_back(relative);
@@ -290,7 +304,6 @@ StepReport RimSolver::iterate(const ArcState &old, Trial &trial, bool with_conta
       WallContact::augment(trial.contact);
       evaluate_on_a_pattern(old, trial, with_contact, inertia, law);
       relative = relative_residual(trial, prescribed);
-      last_reduction = 0; // only multipliers moved
       continue;
     }
     if (since_augmentation++ >= options_.max_iterations) {
@@ -299,9 +312,9 @@ StepReport RimSolver::iterate(const ArcState &old, Trial &trial, bool with_conta
     }
     ++report.iterations;
     double multiplier_change = 0;
-    // A factor that has just served well serves once more: a back-substitution costs a twentieth of it.
-    const bool reuse = !first && factored_for_ == tangent_->pattern_id() && last_reduction < 0.1 &&
-                       !prescribed == !driven_factor_;
+    // A factor of another pattern, or with other rows driven, is of no use; a worn one is renewed.
+    const bool reuse =
+        factored_for_ == tangent_->pattern_id() && !prescribed == !driven_factor_ && !factor_is_worn_;
     factored_for_ = tangent_->pattern_id();
     driven_factor_ = prescribed;
     const Eigen::VectorXd change =
@@ -336,7 +349,6 @@ StepReport RimSolver::iterate(const ArcState &old, Trial &trial, bool with_conta
       trial.multiplier = multiplier + best_factor * multiplier_change;
       evaluate_on_a_pattern(old, trial, with_contact, inertia, law);
     }
-    last_reduction = first ? 1.0 : best / relative;
     relative = best;
     first = false;
   }

@@ -118,7 +118,7 @@ private:
   bool evaluate_on_a_pattern(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia,
                              const MasterLaw *law);
   double relative_residual(const Trial &trial, bool prescribed) const;
-  Eigen::VectorXd newton_change(Trial &trial, bool inertial, const Eigen::Vector3d *to_go, bool reuse_factor,
+  Eigen::VectorXd newton_change(Trial &trial, bool inertial, const Eigen::Vector3d *to_go, bool stale_factor,
                                 double &multiplier_change);
   StepReport iterate(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia,
                      const MasterLaw *law, const Eigen::Vector3d *prescribed);
@@ -136,6 +136,7 @@ private:
   std::unique_ptr<SymmetricMatrix> mass_, tangent_;
   std::unique_ptr<DirectSolver> direct_;
   long factored_for_ = 0;               ///< pattern of the factor at hand
+  bool factor_is_worn_ = false;         ///< GMRES needed many iterations with it
   bool driven_factor_ = false;          ///< it has unit rows for a driven top face
   std::vector<std::vector<int>> pairs_; ///< contact cliques in the pattern
 };

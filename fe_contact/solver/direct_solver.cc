@@ -50,6 +50,7 @@ bool DirectSolver::factorise() {
   auto &p = *petsc_;
   check(MatAssemblyBegin(p.matrix, MAT_FINAL_ASSEMBLY)); // the values changed behind PETSc's back: tell it
   check(MatAssemblyEnd(p.matrix, MAT_FINAL_ASSEMBLY));
+  check(KSPSetReusePreconditioner(p.ksp, PETSC_FALSE));
   check(KSPSetOperators(p.ksp, p.matrix, p.matrix));
   check(KSPSetUp(p.ksp));
   PC pc;
@@ -60,6 +61,32 @@ bool DirectSolver::factorise() {
 }
 
 Eigen::VectorXd DirectSolver::solve(const Eigen::VectorXd &right_side) {
+  check(KSPSetType(petsc_->ksp, KSPPREONLY));
+  return solve_by_ksp(right_side);
+}
+
+Eigen::VectorXd DirectSolver::solve_iteratively(const Eigen::VectorXd &right_side, double relative,
+                                                int max_iterations) {
+  auto &p = *petsc_;
+  check(MatAssemblyBegin(p.matrix, MAT_FINAL_ASSEMBLY));
+  check(MatAssemblyEnd(p.matrix, MAT_FINAL_ASSEMBLY));
+  check(KSPSetReusePreconditioner(p.ksp, PETSC_TRUE));
+  check(KSPSetType(p.ksp, KSPGMRES));
+  check(KSPGMRESSetRestart(p.ksp, max_iterations));
+  check(KSPSetPCSide(p.ksp, PC_RIGHT)); // the true residual decides
+  check(KSPSetTolerances(p.ksp, relative, 0.0, PETSC_DEFAULT, max_iterations));
+  check(KSPSetOperators(p.ksp, p.matrix, p.matrix));
+  Eigen::VectorXd result = solve_by_ksp(right_side);
+  KSPConvergedReason reason;
+  check(KSPGetConvergedReason(p.ksp, &reason));
+  PetscInt iterations;
+  check(KSPGetIterationNumber(p.ksp, &iterations));
+  last_iterations_ = iterations;
+  if (reason < 0) return {};
+  return result;
+}
+
+Eigen::VectorXd DirectSolver::solve_by_ksp(const Eigen::VectorXd &right_side) {
   auto &p = *petsc_;
   PetscScalar *data;
   check(VecGetArray(p.b, &data));

@@ -1,4 +1,5 @@
-/// Factorisation and solves by MUMPS through PETSc (L D L^T of a symmetric indefinite matrix). Owns its KSP.
+/// Solves by MUMPS through PETSc (L D L^T of a symmetric indefinite matrix). Owns its KSP: a factor that has
+/// become stale goes on as the preconditioner of GMRES and is renewed when the iterations become many.
 #pragma once
 #include "fe_contact/solver/symmetric_matrix.h"
 #include <memory>
@@ -12,12 +13,18 @@ public:
   ~DirectSolver();
   /// Factorises the matrix's present values. False when MUMPS finds it singular or runs out of memory.
   bool factorise();
-  /// Solves with the last factorisation.
+  /// Solves with the last factorisation, as if the matrix had not changed since.
   Eigen::VectorXd solve(const Eigen::VectorXd &right_side);
+  /// Solves with the matrix's present values to a relative residual, by GMRES on the stale factor. Empty when
+  /// that takes more than `max_iterations`; the factor is then due.
+  Eigen::VectorXd solve_iteratively(const Eigen::VectorXd &right_side, double relative, int max_iterations);
+  int last_iterations() const { return last_iterations_; }
 
 private:
+  Eigen::VectorXd solve_by_ksp(const Eigen::VectorXd &right_side);
   struct Petsc;
   std::unique_ptr<Petsc> petsc_;
+  int last_iterations_ = 0;
 };
 
 } // namespace rimpact::fe
