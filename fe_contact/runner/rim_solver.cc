@@ -15,7 +15,7 @@ constexpr double smallest_force = 1e-2;
 /// GMRES on a stale factor: relative residual, and iterations after which it is given up or the factor
 /// renewed.
 constexpr double linear_tolerance = 1e-3;
-constexpr int most_linear_iterations = 20, worn_after = 8;
+constexpr int most_linear_iterations = 20, worn_after = 6;
 
 /// Adds the time of its life to one entry of a split.
 class Stopwatch {

@@ -1,0 +1,45 @@
+# Shared by ./run and ./test: installs what is missing from Debian or Ubuntu, configures, builds. Sourced, not run.
+
+packages="g++ cmake ninja-build ccache pkg-config git ca-certificates libdeal.ii-dev libpetsc-real-dev libgmsh-dev libceres-dev
+  libsundials-dev libopenblas0-pthread libtomlplusplus-dev libcli11-dev libspdlog-dev libfmt-dev nlohmann-json3-dev libgtest-dev
+  libgmock-dev libbenchmark-dev libeigen3-dev libhdf5-openmpi-dev python3-h5py python3-matplotlib python3-jinja2"
+
+say() { printf '%s\n' "$*" >&2; }
+
+install_missing() {
+  local missing="" package sudo=""
+  for package in $packages; do
+    dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing="$missing $package"
+  done
+  if [ -n "$missing" ]; then
+    say "Installing from Debian (about 3 GB with what they need):$missing"
+    if [ "$(id -u)" -ne 0 ]; then
+      command -v sudo >/dev/null || { say "error: these packages need root; install them by hand or install sudo"; exit 1; }
+      sudo=sudo
+    fi
+    $sudo env DEBIAN_FRONTEND=noninteractive apt-get update -q >&2 || { say "error: apt-get update failed"; exit 1; }
+    # shellcheck disable=SC2086
+    $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing >&2 ||
+      { say "error: apt-get install failed; see above"; exit 1; }
+  fi
+}
+
+# The reference BLAS makes factorisations 10 to 20 times slower: prefer OpenBLAS for this process and its children.
+prefer_openblas() {
+  local folder
+  for folder in /usr/lib/*/openblas-pthread; do
+    [ -e "$folder/libblas.so.3" ] && export LD_LIBRARY_PATH="$folder${LD_LIBRARY_PATH:+:$LD_LIBRARY_PATH}" && return
+  done
+  say "warning: OpenBLAS was not found; the runs will take 10 to 20 times longer"
+}
+
+build() {
+  local jobs memory
+  memory=$(awk '/MemAvailable/ {print int($2 / 1500000)}' /proc/meminfo) # deal.II units take over 1 GB each
+  jobs=$(nproc)
+  [ "$memory" -lt "$jobs" ] && jobs=$((memory > 0 ? memory : 1))
+  say "Configuring and building in build/release with $jobs job(s)"
+  cmake --preset release >build-configure.log 2>&1 || { tail -n 30 build-configure.log >&2; say "error: configuring failed"; exit 1; }
+  rm -f build-configure.log
+  cmake --build --preset release --parallel "$jobs" >&2 || { say "error: the build failed"; exit 1; }
+}
