@@ -1,0 +1,140 @@
+"""Bad input is refused with one sentence and the right exit code; good input gives what INTERFACE says."""
+import json
+import os
+import tempfile
+import unittest
+
+from command import rimpact
+
+AT2 = "PEER\nA RECORD\n{}\nNPTS= {}, DT= .0100 SEC\n"
+
+
+class BadInput(unittest.TestCase):
+    def refused(self, code, *needles, arguments):
+        run = rimpact(*arguments)
+        self.assertEqual(run.returncode, code, run.stderr)
+        self.assertEqual(run.stdout, "")
+        self.assertEqual(len([line for line in run.stderr.splitlines() if line.startswith("error:")]), 1, run.stderr)
+        for needle in needles:
+            self.assertIn(needle, run.stderr)
+
+    def check(self, key_value, *needles, code=2):
+        self.refused(code, *needles, arguments=["check", "ricker-0.78g-1.0s", "--set", key_value])
+
+    def test_negative_radius(self):
+        self.check("bearing.slider.diameter_mm=-240", "diameter_mm", "-240")
+
+    def test_rim_lower_than_the_slider(self):
+        self.check("bearing.rim.height_mm=5", "height_mm", "5")
+
+    def test_dish_beyond_the_ellipse(self):
+        self.check("bearing.surface.planar_radius_mm=600", "600", "562.5")
+
+    def test_no_lateral_capacity(self):
+        self.check("bearing.slider.diameter_mm=1100", "diameter_mm")
+
+    def test_foot_wider_than_its_cap(self):
+        self.check("bearing.foot.radius_mm=95", "95", "90")
+
+    def test_unknown_key_has_a_suggestion(self):
+        self.check("excitation.amplitud_g=0.7", "did you mean", "amplitude_g")
+
+    def test_wrong_type(self):
+        self.check('excitation.scale="much"', "scale")
+
+    def test_not_a_number(self):
+        self.check("excitation.amplitude_g=nan", "amplitude_g")
+
+    def test_missing_scene(self):
+        self.refused(2, "nowhere.toml", arguments=["check", "nowhere.toml"])
+
+    def test_unknown_verb_and_option(self):
+        self.assertEqual(rimpact("runn").returncode, 2)
+        self.assertEqual(rimpact("check", "ricker-0.78g-1.0s", "--fast").returncode, 2)
+
+    def test_toml_error_names_file_line_and_column(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "scene.toml")
+            with open(path, "w") as file:
+                file.write("[excitation]\nkind = \"ricker\"\nscal = 1.0\n")
+            self.refused(2, "scene.toml:3:", "scale", arguments=["check", path])
+
+    def test_records(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "a.AT2")
+            self.refused(3, "a.AT2", arguments=["motion", path])
+            for units, npts, needle in (("VELOCITY TIME SERIES IN UNITS OF CM/S", 3, "VELOCITY"),
+                                        ("ACCELERATION TIME SERIES IN UNITS OF G", 30, "30")):
+                with open(path, "w") as file:
+                    file.write(AT2.format(units, npts) + " .1E-01 .2E-01 .1E-01\n")
+                run = rimpact("motion", path)
+                self.assertEqual(run.returncode, 3)
+                self.assertIn(needle.lower(), run.stderr.lower())
+
+
+class GoodInput(unittest.TestCase):
+    def test_list_and_check_as_json(self):
+        table = json.loads(rimpact("list", "--json").stdout)
+        self.assertIn("shfps-225", table["bearings"])
+        self.assertIn("rim-push", table["scenes"])
+        plan = json.loads(rimpact("check", "ricker-0.78g-1.0s", "--set", "excitation.scale=1.05", "--json").stdout)
+        self.assertEqual(plan["symmetry"], "half")
+        self.assertEqual(len(plan["impacts"]), 1)
+        self.assertEqual(rimpact("check", "pulse-bidirectional", "--json").returncode, 0)
+
+    def test_reduced_compare_and_calibrate(self):
+        with tempfile.TemporaryDirectory() as folder:
+            one, two = os.path.join(folder, "one"), os.path.join(folder, "two")
+            for path, stiffness in ((one, 3e5), (two, 4.5e5)):
+                run = rimpact("reduced", "ricker-0.78g-1.0s", "--set", "excitation.scale=1.05", "--set",
+                              f"reduced.k_i_kN_per_m={stiffness}", "-o", path)
+                self.assertEqual(run.returncode, 0, run.stderr)
+            metrics = json.loads(rimpact("compare", one, two, "--json").stdout)
+            self.assertGreater(metrics["peak_force_error"], 0.1)
+            self.assertEqual(json.loads(rimpact("compare", one, one, "--json").stdout)["nrmse_displacement"], 0)
+            run = rimpact("calibrate", one, "--predict", two, "-o", os.path.join(folder, "fit"))
+            self.assertEqual(run.returncode, 0, run.stderr)
+            with open(os.path.join(folder, "fit", "calibration.json")) as file:
+                fit = json.load(file)
+            self.assertAlmostEqual(fit["parameters"]["k_i"]["value"] / 3e5, 1, places=5)
+            self.assertAlmostEqual(fit["parameters"]["e"]["value"], 0.65, places=5)
+            self.assertEqual(rimpact("export", os.path.join(folder, "fit"), "--opensees").returncode, 0)
+
+    def test_grazing_is_not_identifiable(self):
+        with tempfile.TemporaryDirectory() as folder:
+            rimpact("reduced", "ricker-0.78g-1.0s", "-o", folder)
+            run = rimpact("calibrate", folder, "-o", os.path.join(folder, "fit"), "--json")
+            table = json.loads(run.stdout)
+            self.assertFalse(table["parameters"]["k_i"]["identifiable"])
+
+    def test_new_case_can_be_checked(self):
+        with tempfile.TemporaryDirectory() as folder:
+            case = os.path.join(folder, "case")
+            self.assertEqual(rimpact("new", case).returncode, 0)
+            self.assertEqual(rimpact("check", os.path.join(case, "scene.toml")).returncode, 0)
+            self.assertEqual(rimpact("new", case).returncode, 2)  # nothing is overwritten
+
+    def test_full_disk_leaves_the_earlier_result(self):
+        with tempfile.TemporaryDirectory() as folder:
+            rimpact("reduced", "impact-window", "-o", folder)
+            with open(os.path.join(folder, "summary.json")) as file:
+                before = file.read()
+            import subprocess
+            from command import RIMPACT
+            run = subprocess.run(["bash", "-c", f"ulimit -f 4; trap '' XFSZ; '{RIMPACT}' reduced impact-window -o '{folder}'"],
+                                 capture_output=True, text=True)
+            self.assertEqual(run.returncode, 6, run.stderr)
+            with open(os.path.join(folder, "summary.json")) as file:
+                self.assertEqual(file.read(), before)
+
+    def test_motion_of_real_records(self):
+        records = os.environ.get("RIMPACT_RECORDS", os.path.join(os.path.dirname(__file__), "../../../shared/records"))
+        path = os.path.join(records, "RSN1086_NORTHR_SYL360.AT2")
+        if not os.path.exists(path):
+            self.skipTest("the ground-motion records are not here (set RIMPACT_RECORDS)")
+        table = json.loads(rimpact("motion", path, "--json").stdout)
+        self.assertAlmostEqual(table[0]["dt_s"], 0.02)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,67 @@
+"""Rung R1 from the command line: a light window, its ledger, interruption and resumption."""
+import csv
+import json
+import os
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+from command import RIMPACT, rimpact
+
+WINDOW = ["run", "impact-window", "--set", "excitation.speed_m_per_s=0.05", "--quiet"]
+
+
+def summary(folder):
+    with open(os.path.join(folder, "summary.json")) as file:
+        return json.load(file)
+
+
+class RimWindow(unittest.TestCase):
+    def test_light_window_and_resumption(self):
+        with tempfile.TemporaryDirectory() as folder:
+            whole, halves = os.path.join(folder, "whole"), os.path.join(folder, "halves")
+            run = rimpact(*WINDOW, "-o", whole)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            result = summary(whole)
+            energy = result["energy"]
+            self.assertLess(abs(energy["imbalance_relative"]), 1e-3)
+            self.assertLess(abs(energy["integrator_J"]), 0.01 * 0.5 * 86952 * 0.05**2)
+            self.assertEqual(result["n_impacts"], 1)
+            self.assertGreater(result["impacts"][0]["restitution"], 0.3)
+            self.assertLess(result["impacts"][0]["restitution"], 1.0)
+            # Impulse of the rim's force = change of momentum of the mass: independent of the solver.
+            with open(os.path.join(whole, "response.csv")) as file:
+                rows = list(csv.DictReader(file))
+            impulse = sum(0.5 * (float(a["Ix_N"]) + float(b["Ix_N"])) * (float(b["time_s"]) - float(a["time_s"]))
+                          for a, b in zip(rows, rows[1:]))
+            change = -86952 * 0.05 * (1 + result["impacts"][0]["restitution"])
+            self.assertAlmostEqual(impulse / change, 1, delta=0.005)
+
+            process = subprocess.Popen([RIMPACT, *WINDOW, "-o", halves], stderr=subprocess.PIPE)
+            while not os.path.exists(os.path.join(halves, "checkpoint.h5")) and process.poll() is None:
+                time.sleep(0.05)
+            process.send_signal(signal.SIGINT)
+            process.communicate()
+            self.assertEqual(process.returncode, 130)
+            self.assertEqual(summary(halves)["status"], "interrupted")
+            run = rimpact(*WINDOW, "-o", halves, "--resume")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertAlmostEqual(summary(halves)["peak_impact_force_N"] / result["peak_impact_force_N"], 1, places=5)
+            other = rimpact(*WINDOW, "-o", halves, "--resume", "--set", "bearing.rim.height_mm=58")
+            self.assertEqual(other.returncode, 3)  # another bearing's checkpoint is refused
+
+    def test_what_this_build_cannot_run_is_said(self):
+        for arguments, needle in ((["--rung", "full"], "rim"), (["--set", "bearing.contact.rim=0.1"], "contact.rim")):
+            run = rimpact(*WINDOW, *arguments)
+            self.assertEqual(run.returncode, 2)
+            self.assertIn(needle, run.stderr)
+
+    def test_version_names_the_blas(self):
+        table = json.loads(rimpact("version", "--json").stdout)
+        self.assertEqual(set(table) & {"deal.II", "PETSc", "MUMPS", "SUNDIALS", "BLAS"}, {"deal.II", "PETSc", "MUMPS", "SUNDIALS", "BLAS"})
+
+
+if __name__ == "__main__":
+    unittest.main()
