@@ -75,7 +75,7 @@ std::vector<Job> main_jobs(const scene::Bearing &bearing, const std::string &fol
     for (const char *pulse : {"ricker-0.78g-1.0s", "ricker-0.38g-1.5s"})
       add(fmt::format("{}-x{:.2f}", pulse, scale), scale > 1 ? "fit" : "predict", pulse,
           fmt::format("excitation.scale={:.2f}", scale));
-  for (const double speed : {1.0, 0.75, 0.5, 0.3, 0.2, 0.1, 0.05})
+  for (const double speed : {1.0, 0.6, 0.35, 0.2, 0.1, 0.05})
     add(fmt::format("window-{:.2f}", speed), "window", "impact-window",
         fmt::format("excitation.speed_m_per_s={}", speed));
   return jobs;

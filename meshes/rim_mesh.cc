@@ -19,12 +19,12 @@ std::vector<Quad9> plate_and_rim(const scene::Bearing &bearing, const RimMeshOpt
   const double z0 = dish(edge), top = z0 + bearing.rim.height, base = -bearing.plate.base;
   const double bite = bearing.slider.bottom + scene::lift(bearing, bearing.lateral_capacity());
 
-  std::vector<Anchor> radii{{options.plate_inner_radius, 60 * mm * h}, {edge, 25 * mm * h}};
+  std::vector<Anchor> radii{{options.plate_inner_radius, 60 * mm * h}, {edge, 40 * mm * h}};
   if (bearing.rim.ledge > 0) radii.push_back({wall, 12 * mm * h});
   radii.back().size = 10 * mm * h;
   radii.push_back({outer, 20 * mm * h});
   const std::vector<double> r = graded_lines(radii);
-  std::vector<double> z = graded_lines({{base, 90 * mm * h}, {z0, 45 * mm * h}});
+  std::vector<double> z = graded_lines({{base, 100 * mm * h}, {z0, 60 * mm * h}});
   const std::vector<double> above_dish =
       graded_lines({{z0, 9 * mm * h}, {bite, 5 * mm * h}, {top, 22 * mm * h}});
   z.insert(z.end(), above_dish.begin() + 1, above_dish.end());
@@ -95,7 +95,7 @@ HexMesh rim_mesh(const scene::Bearing &bearing, const RimMeshOptions &options) {
   const double wall = bearing.surface.planar_radius + bearing.rim.ledge;
   const double fine = 10 * mm * h / wall, zone = 20 * mm / wall;
   Body(mesh).revolve(plate_and_rim(bearing, options, h),
-                     graded_lines({{0, fine}, {zone, fine}, {options.sector_half_angle, 0.8 * h}}), 0.0,
+                     graded_lines({{0, fine}, {zone, fine}, {options.sector_half_angle, 0.9 * h}}), 0.0,
                      Surface::symmetry, Surface::sector_end);
   add_slider(mesh, bearing, h);
   for (auto &node : mesh.nodes) // rounding of sin(pi): the plane of symmetry is exact

@@ -125,7 +125,7 @@ void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h) {
   // Angles come in equal pairs: gmsh halves every edge of the core's plan.
   const double fine = 2 * 10 * mm * h / s.radius;
   std::vector<double> angles;
-  const auto coarse = graded_lines({{0, fine}, {20 * mm / s.radius, fine}, {M_PI, 2 * 1.2 * h}});
+  const auto coarse = graded_lines({{0, fine}, {20 * mm / s.radius, fine}, {M_PI, 2 * 1.5 * h}});
   for (std::size_t k = 0; k + 1 < coarse.size(); ++k) {
     angles.push_back(coarse[k]);
     angles.push_back(0.5 * (coarse[k] + coarse[k + 1]));

@@ -13,7 +13,7 @@ struct MeshCost {
   long dofs;
   double seconds_per_iteration, memory;
 };
-constexpr MeshCost costs[3] = {{15300, 0.16, 0.35e9}, {45900, 0.85, 1.0e9}, {119000, 4.5, 3.0e9}};
+constexpr MeshCost costs[3] = {{11900, 0.17, 0.35e9}, {42400, 1.0, 1.0e9}, {107000, 4.5, 3.0e9}};
 constexpr double steps_an_impact = 60, iterations_a_step = 6, contact_time = 0.045; // an impact of 25-45 ms
 
 void add_impacts(Plan &plan, const scene::Summary &scout, const scene::Response &response) {

@@ -62,7 +62,7 @@ struct RimSolverOptions {
   double gap_tolerance = 3e-5; ///< [m]
   int max_augmentations = 3;   ///< reported when reached
   int max_iterations = 15;
-  double tolerance = 1e-6;  ///< relative residual
+  double tolerance = 1e-5;  ///< relative residual
   double attached_mass = 0; ///< supported mass on the top face, the slider's own included [kg]
 };
 
