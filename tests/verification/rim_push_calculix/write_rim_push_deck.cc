@@ -1,0 +1,132 @@
+// Writes the scene `rim-push` as a CalculiX deck: same mesh (27-node cells reduced to ccx's), material and
+// boundary conditions as fe_contact/runner/rim_push.cc and rim_solver.cc. Units: mm, N, MPa. The half model
+// is written: the reactions in the .dat file are half of the bearing's.
+#include "ccx_deck.h"
+#include "fe_contact/runner/plan.h"
+#include "fe_contact/runner/rim_run.h"
+#include "meshes/rim_mesh.h"
+#include "reduced_models/physical_model.h"
+#include "scene/error.h"
+#include "scene/scene.h"
+#include <algorithm>
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <fmt/format.h>
+#include <fstream>
+#include <iostream>
+
+namespace rimpact::verification {
+namespace {
+
+using meshes::Surface;
+
+struct Settings {
+  std::string file, element = "C3D20R";
+  double contact_stiffness = 1e7; ///< [MPa/mm]: 50 E over a millimetre
+  double withdrawal = 1.5;        ///< travel of unloading [mm]
+  double longest = 0.0625;        ///< longest increment, as a share of a step
+  std::vector<std::string> overrides;
+};
+
+/// Steel of the bearing: Cauchy stress over logarithmic plastic strain, linear far beyond what a push
+/// reaches.
+std::string materials(const scene::Material &steel, const Settings &settings) {
+  const double E = 1e-6 * steel.E, yield = 1e-6 * steel.yield.value(),
+               hardening = 1e-6 * hardening_modulus(steel);
+  return fmt::format("*MATERIAL, NAME=STEEL\n*ELASTIC\n{}, {}\n*PLASTIC\n{:.9g}, 0.\n{:.9g}, 2.\n", E,
+                     steel.nu, yield, yield + 2 * hardening) +
+         fmt::format(
+             "*SURFACE INTERACTION, NAME=WALLS\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:g}\n"
+             "*CONTACT PAIR, INTERACTION=WALLS, TYPE=SURFACE TO SURFACE\nslider_side, rim_wall\n",
+             settings.contact_stiffness);
+}
+
+/// Groups as node sets, free of overlaps: a node is held by one card only.
+std::string sets_and_surfaces(const DeckMesh &deck, const meshes::HexMesh &mesh,
+                              const meshes::RimMeshOptions &options) {
+  const std::set<unsigned> fixed = deck.nodes_of(Surface::fixed), top = deck.nodes_of(Surface::top);
+  auto symmetry = deck.nodes_of(Surface::symmetry);
+  std::set<unsigned> inner, end, cuts;
+  for (const unsigned n : deck.nodes_of(Surface::sector_end)) {
+    if (fixed.count(n)) continue;
+    const auto &x = mesh.nodes[n];
+    cuts.insert(n);
+    if (std::hypot(x[0], x[1]) < options.plate_inner_radius + 1e-9) inner.insert(n);
+    if (std::abs(std::atan2(x[1], x[0]) - options.sector_half_angle) < 1e-9 || symmetry.count(n))
+      end.insert(n);
+  }
+  for (const auto &others : std::initializer_list<std::set<unsigned>>{fixed, top, cuts})
+    for (const unsigned n : others) symmetry.erase(n);
+  return node_set("FIXED", fixed) + node_set("TOP", top) + node_set("TOP_ONE", {*top.begin()}) +
+         node_set("SYMMETRY", symmetry) + node_set("CUTS", cuts) + node_set("CUT_INNER", inner) +
+         node_set("CUT_END", end) + deck.surface(Surface::slider_side) + deck.surface(Surface::rim_wall);
+}
+
+/// The top face's path over total time: pressed in during [0, 1], withdrawn during [1, 2].
+std::string path(const scene::Scene &scene, const Settings &settings) {
+  const reduced::PhysicalModel model(scene);
+  const double capacity = scene.bearing.lateral_capacity(), start = model.height(capacity, 0).z;
+  const double deepest = scene.excitation.travel * scene.excitation.scale, back = 1e-3 * settings.withdrawal;
+  std::string x = "*AMPLITUDE, NAME=ALONG, TIME=TOTAL TIME\n", z = "*AMPLITUDE, NAME=UP, TIME=TOTAL TIME\n";
+  constexpr int points = 128; // the height follows a curve, the cards a polygon
+  for (int n = 0; n <= points; ++n) {
+    const double time = 2.0 * n / points;
+    const double travel = time <= 1 ? deepest * time : deepest - back * (time - 1);
+    x += fmt::format("{:.12g}, {:.12g}\n", time, 1e3 * travel);
+    z += fmt::format("{:.12g}, {:.12g}\n", time, 1e3 * (model.height(capacity + travel, 0).z - start));
+  }
+  return x + z;
+}
+
+std::string step(const Settings &settings, const char *boundary) {
+  return fmt::format("*STEP, NLGEOM, INC=2000\n*STATIC\n0.01, 1., 1e-7, {:g}\n{}", settings.longest,
+                     boundary) +
+         "*NODE PRINT, NSET=TOP, TOTALS=ONLY\nRF\n*NODE PRINT, NSET=TOP_ONE\nU\n*END STEP\n";
+}
+
+void write(const Settings &settings) {
+  const scene::Scene scene = scene::load_scene("rim-push", settings.overrides);
+  fe::Plan plan = fe::make_plan(scene);
+  const auto options = fe::rim_mesh_options(scene, plan);
+  if (!options.half) throw InputError("the deck is that of a symmetric half; leave model.symmetry at auto");
+  const meshes::HexMesh mesh = meshes::rim_mesh(scene.bearing, options);
+  const DeckMesh deck(mesh, settings.element.starts_with("C3D20") ? 20 : 8);
+
+  std::ofstream file(settings.file);
+  file << "*HEADING\nrim-push of " << scene.bearing.name << ", mesh " << options.level
+       << ", half model; mm, N, MPa\n"
+       << deck.nodes_and_elements(settings.element) << sets_and_surfaces(deck, mesh, options)
+       << materials(scene.bearing.steel, settings);
+  for (const auto volume : {"plate", "rim", "upper_slider"})
+    file << "*SOLID SECTION, ELSET=" << volume << ", MATERIAL=STEEL\n";
+  file << "*TRANSFORM, NSET=CUTS, TYPE=C\n0., 0., 0., 0., 0., 1.\n" // 1 radial, 2 circumferential
+       << path(scene, settings)
+       << "*BOUNDARY\nFIXED, 1, 3\nSYMMETRY, 2, 2\nCUT_INNER, 1, 1\nCUT_END, 2, 2\nTOP, 2, 2\n"
+       << step(settings,
+               "*BOUNDARY, AMPLITUDE=ALONG\nTOP, 1, 1, 1.\n*BOUNDARY, AMPLITUDE=UP\nTOP, 3, 3, 1.\n")
+       << step(settings, "");
+  if (!file.flush()) throw Error(ExitCode::io, "cannot write " + settings.file);
+}
+
+} // namespace
+} // namespace rimpact::verification
+
+int main(int argc, char **argv) {
+  rimpact::verification::Settings settings;
+  CLI::App app("Writes rim-push as a CalculiX deck");
+  app.add_option("deck", settings.file, "the .inp file")->required();
+  app.add_option("--element", settings.element)->check(CLI::IsMember({"C3D20R", "C3D20", "C3D8", "C3D8I"}));
+  app.add_option("--contact-stiffness", settings.contact_stiffness, "MPa/mm")->check(CLI::PositiveNumber);
+  app.add_option("--withdrawal", settings.withdrawal, "travel of unloading, mm")->check(CLI::PositiveNumber);
+  app.add_option("--longest", settings.longest, "longest increment, of a step's 1")
+      ->check(CLI::Range(1e-4, 1.0));
+  app.add_option("--set", settings.overrides, "KEY=VALUE of the scene")->allow_extra_args(false);
+  CLI11_PARSE(app, argc, argv);
+  try {
+    rimpact::verification::write(settings);
+  } catch (const rimpact::Error &error) {
+    std::cerr << error.what() << "\n";
+    return int(error.code());
+  }
+  return 0;
+}
