@@ -1,0 +1,166 @@
+#!/usr/bin/env python3
+"""`rim-push` against CalculiX on the same mesh, material and boundary conditions.
+
+Gates: force within 3 % over the loading, unloading stiffness within 3 %. The stiffness is the secant of the unloading
+branch between 90 % and 50 % of the force at the deepest point. Both programs get the same cores. With --study the
+neighbours of both runs (contact stiffness, element, increments, our mesh) are run too and their distance reported.
+Exit codes: 0 gates met, 1 missed, 77 ccx is absent (CTest: skipped)."""
+import argparse
+import csv
+import json
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import time
+
+import numpy as np
+
+GATE = 0.03
+TRAVELS = np.arange(0.5, 8.01, 0.5)  # mm, loading
+SKIPPED = 77
+
+
+class Run:
+    """Travel [mm], force against the push and upward force of the rim on the slider [kN], whole bearing."""
+
+    def __init__(self, name, travel, force, lift, seconds, note):
+        self.name, self.seconds, self.note = name, seconds, note
+        self.travel, self.force, self.lift = (np.asarray(v, float) for v in (travel, force, lift))
+        self.deepest = int(np.argmax(self.travel))
+
+    def loading(self, of="force"):
+        part = slice(0, self.deepest + 1)
+        return np.interp(TRAVELS, self.travel[part], getattr(self, of)[part])
+
+    def unloading_stiffness(self):
+        force, travel = self.force[self.deepest:], self.travel[self.deepest:]
+        ends = np.array([0.5, 0.9]) * force[0]
+        if force.min() > ends[0]:
+            raise SystemExit(f"{self.name}: unloading ended at {force.min():.0f} kN, above half of the peak")
+        past = int(np.argmax(force <= ends[0])) + 1  # np.interp wants the force ascending
+        at = np.interp(ends, force[:past][::-1], travel[:past][::-1])
+        return (ends[1] - ends[0]) / (at[1] - at[0])
+
+
+def timed(command, folder, log, cores):
+    """Runs on the first `cores` cores; returns seconds."""
+    allowed = sorted(os.sched_getaffinity(0))[:cores]
+    environment = dict(os.environ, OMP_NUM_THREADS=str(cores), OPENBLAS_NUM_THREADS=str(cores))
+    start = time.perf_counter()
+    with open(log, "w") as output:
+        done = subprocess.run(command, cwd=folder, stdout=output, stderr=subprocess.STDOUT, env=environment,
+                              preexec_fn=lambda: os.sched_setaffinity(0, allowed))
+    if done.returncode != 0:
+        raise SystemExit(f"{command[0]} ended with exit code {done.returncode}; see {log}")
+    return time.perf_counter() - start
+
+
+def run_ours(options, name, mesh):
+    folder = options.folder / name
+    seconds = timed([options.rimpact, "run", "rim-push", "-o", str(folder), "--mesh", str(mesh), "--quiet"],
+                    options.folder, options.folder / f"{name}.log", options.cores)
+    with open(folder / "response.csv") as file:
+        rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+    summary = json.loads((folder / "summary.json").read_text())
+    return Run(name, [-1e3 * row["gap_m"] for row in rows], [-1e-3 * row["Fx_N"] for row in rows],
+               [1e-3 * row["Fz_N"] for row in rows], seconds,
+               f"{summary['n_dofs']} unknowns, {summary['n_steps']} steps, {summary['n_newton_iterations']} iterations")
+
+
+def run_ccx(options, name, mesh, *settings):
+    deck = options.folder / f"{name}.inp"
+    subprocess.run([options.writer, str(deck), "--set", f"model.mesh={mesh}", *settings], check=True)
+    seconds = timed(["ccx", name], options.folder, options.folder / f"{name}.log", options.cores)
+    text = (options.folder / f"{name}.dat").read_text()
+    number = r"\s+([-+0-9.E]+)"
+    forces = re.findall(r"total force .* TOP and time" + number + r"\s*" + 3 * number, text)
+    moves = re.findall(r"displacements .* TOP_ONE and time" + number + r"\s+\d+" + 3 * number, text)
+    forces, moves = np.array(forces, float), np.array(moves, float)
+    if len(forces) == 0 or forces[-1, 0] < 2 or not np.array_equal(forces[:, 0], moves[:, 0]):
+        raise SystemExit(f"ccx did not finish {deck}; see {name}.log and {name}.sta")
+    zero = np.zeros(1)
+    attempts = [line.split() for line in (options.folder / f"{name}.sta").read_text().splitlines()[2:]]
+    log = (options.folder / f"{name}.log").read_text()
+    unknowns = re.findall(r"number of equations\s+(\d+)", log)
+    return Run(name, np.append(zero, moves[:, 1]), np.append(zero, 2e-3 * forces[:, 1]),
+               np.append(zero, -2e-3 * forces[:, 3]), seconds,
+               f"{unknowns[0] if unknowns else '?'} unknowns, {len(forces)} increments, "
+               f"{sum(int(words[3]) for words in attempts)} iterations")
+
+
+def table(ours, ccx):
+    lines = [f"{'travel_mm':>9} {'F_ccx_kN':>9} {'F_ours_kN':>9} {'diff_%':>7} {'Fz_ccx_kN':>9} {'Fz_ours_kN':>10}"]
+    for row in zip(TRAVELS, ccx.loading(), ours.loading(), ccx.loading("lift"), ours.loading("lift")):
+        travel, theirs, mine, theirs_z, mine_z = row
+        lines.append(f"{travel:9.2f} {theirs:9.1f} {mine:9.1f} {100 * (mine / theirs - 1):7.2f} "
+                     f"{theirs_z:9.1f} {mine_z:10.1f}")
+    return lines
+
+
+def gates(ours, ccx):
+    """(name, signed relative difference)"""
+    differences = ours.loading() / ccx.loading() - 1
+    worst = int(np.argmax(np.abs(differences)))
+    stiffness = ours.unloading_stiffness() / ccx.unloading_stiffness() - 1
+    return [(f"largest difference of force, at {TRAVELS[worst]:.2f} mm", differences[worst]),
+            ("difference of unloading stiffness", stiffness)]
+
+
+def summary_of(run, reference):
+    distance = run.loading() / reference.loading() - 1
+    return (f"{run.name:<22} worst {100 * distance[np.argmax(np.abs(distance))]:6.2f} %  mean {100 * distance.mean():6.2f} %"
+            f"  peak {run.force.max():7.1f} kN  unloading {run.unloading_stiffness():7.1f} kN/mm"
+            f"  {run.seconds:6.0f} s  {run.note}")
+
+
+def study(options, ccx):
+    variants = [("ccx-stiffness-tenth", 1, "--contact-stiffness", "1e6"), ("ccx-increments-halved", 1, "--longest", "0.03125"),
+                ("ccx-full-integration", 1, "--element", "C3D20"), ("ccx-mesh-2", 2)]
+    lines = ["", f"neighbours, against {ccx.name}:"]
+    for name, *settings in variants:
+        lines.append(summary_of(run_ccx(options, name, *settings), ccx))
+        print(lines[-1], flush=True)
+    lines.append(summary_of(run_ours(options, "ours-mesh-2", 2), ccx))
+    return lines
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--writer", required=True, help="the program write_rim_push_deck")
+    parser.add_argument("--rimpact", required=True, help="the program rimpact or rimpact-fe")
+    parser.add_argument("--folder", required=True, type=pathlib.Path)
+    parser.add_argument("--write", type=pathlib.Path, help="keep the table here (the baseline)")
+    parser.add_argument("--mesh", type=int, default=1)
+    parser.add_argument("--cores", type=int, default=1)
+    parser.add_argument("--study", action="store_true")
+    options = parser.parse_args()
+    if shutil.which("ccx") is None:
+        print("skipped: CalculiX (ccx) is not installed, so rim-push has nothing to be compared with")
+        return SKIPPED
+    options.folder = options.folder.resolve()
+    options.folder.mkdir(parents=True, exist_ok=True)
+    ours, ccx = run_ours(options, "ours", options.mesh), run_ccx(options, "ccx", options.mesh)
+    lines = [f"rim-push, mesh {options.mesh}: rimpact against CalculiX (C3D20R), {options.cores} core(s)", *table(ours, ccx), ""]
+    for run in (ccx, ours):
+        lines.append(f"{run.name:<4} unloading stiffness {run.unloading_stiffness():8.1f} kN/mm, "
+                     f"{run.seconds:6.1f} s, {run.note}")
+    missed = [f"{name}: {100 * value:.2f} %, the gate is {100 * GATE:.0f} %" for name, value in gates(ours, ccx)
+              if not abs(value) <= GATE]
+    lines += [f"{name}: {100 * value:.2f} %" for name, value in gates(ours, ccx)]
+    print("\n".join(lines), flush=True)
+    if options.study:
+        neighbours = study(options, ccx)
+        print("\n".join(neighbours))
+        lines += neighbours
+    if options.write:
+        options.write.write_text("\n".join(lines) + "\n")
+    for sentence in missed:
+        print("gate missed: " + sentence, file=sys.stderr)
+    return 1 if missed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
