@@ -43,7 +43,7 @@ double huber_slope(double s, double scale) {
 Spread spread_at(const Problem &problem, const Eigen::VectorXd &x, double robust_scale) {
   const int n = problem.n_parameters();
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-  Eigen::MatrixXd bread = Eigen::MatrixXd::Zero(n, n), filling = bread;
+  Eigen::MatrixXd bread = Eigen::MatrixXd::Zero(n, n), filling = bread, stated = bread;
   for (const auto &block : problem.blocks()) {
     Eigen::VectorXd r(block->size());
     RowMajor J(block->size(), n);
@@ -54,6 +54,7 @@ Spread spread_at(const Problem &problem, const Eigen::VectorXd &x, double robust
     for (const auto &group : block->groups()) {
       const auto part = J.middleRows(group.first, group.count);
       filling += w * w * group_variance(group, r) * part.transpose() * part;
+      stated += w * w * group.weight * group.weight / group.count * part.transpose() * part;
     }
   }
   Eigen::VectorXd relative(n);
@@ -66,10 +67,12 @@ Spread spread_at(const Problem &problem, const Eigen::VectorXd &x, double robust
   if (!(most > 0) || least < 1e-14 * most) {
     spread.condition = std::numeric_limits<double>::infinity();
     spread.covariance = Eigen::MatrixXd::Constant(n, n, std::numeric_limits<double>::infinity());
+    spread.stated_covariance = spread.covariance;
     return spread;
   }
   const Eigen::MatrixXd inverse = bread.inverse();
   spread.covariance = inverse * filling * inverse;
+  spread.stated_covariance = inverse * stated * inverse;
   return spread;
 }
 
@@ -88,6 +91,7 @@ void judge(const Problem &problem, const Eigen::VectorXd &x, const Spread &sprea
     const bool low = x(i) - problem.lower()(i) < at_bound * range;
     estimate.at_bound = low || problem.upper()(i) - x(i) < at_bound * range;
     const double half_width = normal_95 * estimate.standard_error;
+    const double stated_half_width = half_width * std::sqrt(spread.stated_covariance(i, i)) / sd;
     if (problem.all_grazing() && !p.seen_in_flight)
       estimate.reason = "every impact only grazes the rim: a slightly different flight would miss it";
     else if (estimate.at_bound)
@@ -96,9 +100,14 @@ void judge(const Problem &problem, const Eigen::VectorXd &x, const Spread &sprea
     else if (!(spread.condition < flat_condition))
       estimate.reason =
           fmt::format("flat valley: condition {:.3g} exceeds {:g}", spread.condition, flat_condition);
-    else if (half_width > vague * std::abs(value))
+    else if (stated_half_width > vague * std::abs(value))
       estimate.reason =
-          fmt::format("flat: the 95 % interval is +-{:.0f} % of the value", 100 * half_width / value);
+          fmt::format("flat: the data leave +-{:.0f} % of the value open", 100 * stated_half_width / value);
+    else if (half_width > vague * std::abs(value))
+      result.notes.push_back(fmt::format(
+          "{} is determined by the data (+-{:.1f} %), but the model's form does not follow them: what it leaves "
+          "unexplained widens the 95 % interval to +-{:.0f} %",
+          p.name, 100 * stated_half_width / value, 100 * half_width / value));
     estimate.identifiable = estimate.reason.empty();
     result.parameters[p.name] = estimate;
   }
