@@ -1,3 +1,4 @@
+# shellcheck shell=bash
 # Shared by ./run and ./test: installs what is missing from Debian or Ubuntu, configures, builds. Sourced, not run.
 
 packages="g++ cmake ninja-build ccache pkg-config git ca-certificates libdeal.ii-dev libpetsc-real-dev libgmsh-dev libceres-dev
@@ -8,6 +9,11 @@ say() { printf '%s\n' "$*" >&2; }
 
 install_missing() {
   local missing="" package sudo=""
+  command -v apt-get >/dev/null || {
+    # shellcheck disable=SC2086
+    say "error: no apt-get here; on other systems than Debian 12 and Ubuntu install by hand, then use --no-install:" $packages
+    exit 1
+  }
   for package in $packages; do
     dpkg-query -W -f='${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || missing="$missing $package"
   done
@@ -39,7 +45,11 @@ build() {
   jobs=$(nproc)
   [ "$memory" -lt "$jobs" ] && jobs=$((memory > 0 ? memory : 1))
   say "Configuring and building in build/release with $jobs job(s)"
-  cmake --preset release >build-configure.log 2>&1 || { tail -n 30 build-configure.log >&2; say "error: configuring failed"; exit 1; }
-  rm -f build-configure.log
+  mkdir -p build
+  cmake --preset release >build/configure.log 2>&1 || {
+    tail -n 30 build/configure.log >&2
+    say "error: configuring failed; all of it is in build/configure.log"
+    exit 1
+  }
   cmake --build --preset release --parallel "$jobs" >&2 || { say "error: the build failed"; exit 1; }
 }
