@@ -1,6 +1,8 @@
 #include "app/console.h"
 
 #include "app/verb.h"
+#include "scene/text.h"
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -10,11 +12,39 @@
 namespace rimpact::app {
 namespace {
 
-std::atomic<bool> interrupt_flag{false};
+std::atomic<bool> interrupt_flag{false}, interrupts_watched{false};
 
 void on_interrupt(int) {
-  if (interrupt_flag) _exit(static_cast<int>(ExitCode::interrupted));
+  if (!interrupts_watched || interrupt_flag) _exit(static_cast<int>(ExitCode::interrupted));
   interrupt_flag = true;
+}
+
+int fail(const std::string &sentence, ExitCode code) {
+  fmt::print(stderr, "{} {}\n", coloured("error:", "31"), sentence);
+  return static_cast<int>(code);
+}
+
+/// The sentence for a command line that does not parse, with the nearest known verb or option.
+std::string explain(const CLI::App &app, const CLI::ParseError &error, int argc, char **argv) {
+  const auto visible = [](const CLI::App *) { return true; };
+  std::vector<std::string> verbs, options;
+  const CLI::App *verb = nullptr;
+  for (const auto *each : app.get_subcommands(visible)) {
+    verbs.push_back(each->get_name());
+    if (each->parsed()) verb = each;
+  }
+  if (!verb && argc > 1 && argv[1][0] != '-')
+    return fmt::format("verb {} (see rimpact --help)", scene::not_among(argv[1], verbs));
+  const std::string help = verb ? fmt::format("rimpact {} --help", verb->get_name()) : "rimpact --help";
+  if (verb && dynamic_cast<const CLI::ExtrasError *>(&error)) {
+    for (const auto *option : verb->get_options())
+      for (const auto &name : option->get_lnames()) options.push_back("--" + name);
+    for (const auto &word : verb->remaining())
+      if (const auto near = scene::nearest(word, options); near && word[0] == '-')
+        return fmt::format("{} is not an option of {}; did you mean {}? (see {})", word, verb->get_name(),
+                           *near, help);
+  }
+  return fmt::format("{} (see {})", error.what(), help);
 }
 
 } // namespace
@@ -31,8 +61,7 @@ void Console::detail(const std::string &sentence) {
 
 void Console::warn(const std::string &sentence) {
   log_ += "warning: " + sentence + "\n";
-  fmt::print(stderr, "{}warning:{} {}\n", fancy_terminal() ? "\033[33m" : "",
-             fancy_terminal() ? "\033[0m" : "", sentence);
+  fmt::print(stderr, "{} {}\n", coloured("warning:", "33"), sentence);
 }
 
 void Console::data(const std::string &text) const {
@@ -57,13 +86,17 @@ const std::atomic<bool> &interrupted() {
   return interrupt_flag;
 }
 
-void catch_interrupts() {
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+void watch_interrupts() {
+  interrupts_watched = true;
 }
 
-bool fancy_terminal() {
-  return isatty(STDERR_FILENO) && !std::getenv("NO_COLOR");
+bool is_terminal() {
+  return isatty(STDERR_FILENO);
+}
+
+std::string coloured(const char *text, const char *code) {
+  const char *no_color = std::getenv("NO_COLOR");
+  return is_terminal() && !(no_color && *no_color) ? fmt::format("\033[{}m{}\033[0m", code, text) : text;
 }
 
 std::string default_folder(const std::string &scene_name) {
@@ -75,28 +108,25 @@ int run_command(int argc, char **argv, const std::vector<Verb> &verbs) {
                "calibrated impact parameters, and how far each model is from the reference."};
   app.name("rimpact");
   app.require_subcommand(1);
+  app.set_version_flag("--version", "rimpact " RIMPACT_VERSION,
+                       "this program's version; `version` names its libraries too");
   Console console;
   for (const auto &verb : verbs) verb.add(app, console);
-  const auto fail = [](const std::string &sentence, int code) {
-    fmt::print(stderr, "{}error:{} {}\n", fancy_terminal() ? "\033[31m" : "",
-               fancy_terminal() ? "\033[0m" : "", sentence);
-    return code;
-  };
+  std::signal(SIGINT, on_interrupt);
+  std::signal(SIGTERM, on_interrupt);
   try {
-    catch_interrupts();
     app.parse(argc, argv);
     return 0;
-  } catch (const CLI::CallForHelp &help) {
-    return app.exit(help);
+  } catch (const CLI::Success &wanted) { // --help, --version
+    return app.exit(wanted);
   } catch (const CLI::ParseError &error) {
-    return fail(std::string(error.what()) + " (see rimpact --help)", static_cast<int>(ExitCode::input));
+    return fail(explain(app, error, argc, argv), ExitCode::input);
   } catch (const Error &error) {
-    return fail(error.what(), static_cast<int>(error.code()));
+    return fail(error.what(), error.code());
   } catch (const std::bad_alloc &) {
-    return fail("out of memory; a coarser mesh (--mesh 1) needs less", static_cast<int>(ExitCode::stopped));
+    return fail("out of memory; a coarser mesh (--mesh 1) needs less", ExitCode::stopped);
   } catch (const std::exception &error) {
-    return fail(std::string("a bug in rimpact, please report it: ") + error.what(),
-                static_cast<int>(ExitCode::bug));
+    return fail(std::string("a bug in rimpact, please report it: ") + error.what(), ExitCode::bug);
   }
 }
 

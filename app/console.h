@@ -27,11 +27,15 @@ private:
   std::string log_;
 };
 
-/// Set by Ctrl-C and SIGTERM; a second Ctrl-C ends the process at once.
+/// Set by Ctrl-C and SIGTERM once a verb watches it; a second one ends the process at once.
 const std::atomic<bool> &interrupted();
-void catch_interrupts();
-/// Colours and rewritten lines: a terminal, and NO_COLOR not set.
-bool fancy_terminal();
+/// From now on Ctrl-C sets the flag only. Until a verb calls it, Ctrl-C ends the process with exit code 130:
+/// files are written atomically, so nothing is left half-way.
+void watch_interrupts();
+/// The progress line may be rewritten: stderr is a terminal.
+bool is_terminal();
+/// `text` in an ANSI colour, where stderr is a terminal and NO_COLOR is not set.
+std::string coloured(const char *text, const char *code);
 /// Name of a run's default folder: results/<scene>.
 std::string default_folder(const std::string &scene_name);
 

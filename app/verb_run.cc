@@ -33,6 +33,7 @@ void run(Options &options, Console &console) {
   run_options.resume = options.resume;
   run_options.fields = !options.no_fields;
   run_options.interrupted = &interrupted();
+  watch_interrupts();
   ProgressLine line(console.quiet);
   const auto start = std::chrono::steady_clock::now();
   run_options.progress = [&](const fe::Progress &p) {
