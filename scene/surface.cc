@@ -48,7 +48,7 @@ private:
   /// sqrt(1 - r^2/a^2), the relative height below the ellipse's centre.
   double depth(double r2) const {
     const double s2 = 1 - r2 * inv_a2_;
-    if (!(s2 > 0))
+    if (!(s2 > 1e-15)) // with fused multiply-add the edge itself rounds to 1e-17, not to zero
       throw std::domain_error(fmt::format(
           "planar radius {} m lies outside the sliding surface, which ends at {} m", std::sqrt(r2), a_));
     return std::sqrt(s2);

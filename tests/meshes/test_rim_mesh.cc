@@ -52,14 +52,18 @@ double exact_slider_half(const scene::Bearing &b) {
 
 TEST(RimMesh, VolumesConvergeToClosedForms) {
   const scene::Bearing bearing;
-  double last = 1;
+  // Far cells span up to half a radian; a quadratic arc then misses 2e-4 of the volume, 1.5^4 times less a level.
+  double last = 1, last_ring = 1;
   for (int level = 1; level <= 2; ++level) {
     const HexMesh mesh = rim_mesh(bearing, {.level = level});
     const double ring = 0.5 * 1.0 * (std::pow(0.56, 2) - std::pow(0.52, 2)) * 0.060; // half angle 1 rad
-    EXPECT_NEAR(volume(mesh, Volume::rim), ring, 2e-6 * ring) << "level " << level;
+    const double ring_error = std::abs(volume(mesh, Volume::rim) - ring);
+    EXPECT_LT(ring_error, 3e-4 * ring) << "level " << level;
+    EXPECT_LT(ring_error, last_ring / 2.5);
+    last_ring = ring_error;
     const double slider = volume(mesh, Volume::upper_slider), exact = exact_slider_half(bearing);
-    EXPECT_NEAR(slider, exact, 3e-4 * exact) << "level " << level;
-    EXPECT_LT(std::abs(slider - exact), last);
+    EXPECT_NEAR(slider, exact, 1.5e-3 * exact) << "level " << level;
+    EXPECT_LT(std::abs(slider - exact), last / 2.5);
     last = std::abs(slider - exact);
   }
 }
@@ -122,7 +126,7 @@ TEST(RimMesh, OtherDimensions) {
     scene::Bearing bearing;
     bearing.rim.thickness = thickness;
     const double outer = 0.52 + thickness, ring = 0.5 * (outer * outer - 0.52 * 0.52) * 0.060;
-    EXPECT_NEAR(volume(rim_mesh(bearing, {}), Volume::rim), ring, 1e-5 * ring);
+    EXPECT_NEAR(volume(rim_mesh(bearing, {}), Volume::rim), ring, 3e-4 * ring);
   }
   for (const double angle : {0.5, 1.4}) EXPECT_NO_THROW(rim_mesh({}, {.sector_half_angle = angle}));
   scene::Bearing with_ledge;
