@@ -48,7 +48,8 @@ class RimWindow(unittest.TestCase):
             self.assertEqual(summary(halves)["status"], "interrupted")
             run = rimpact(*WINDOW, "-o", halves, "--resume")
             self.assertEqual(run.returncode, 0, run.stderr)
-            self.assertAlmostEqual(summary(halves)["peak_impact_force_N"] / result["peak_impact_force_N"], 1, places=5)
+            # Not bit for bit: the resumed run starts with a fresh factor, and Newton stops at a residual of 1e-5.
+            self.assertAlmostEqual(summary(halves)["peak_impact_force_N"] / result["peak_impact_force_N"], 1, delta=5e-5)
             other = rimpact(*WINDOW, "-o", halves, "--resume", "--set", "bearing.rim.height_mm=58")
             self.assertEqual(other.returncode, 3)  # another bearing's checkpoint is refused
 
