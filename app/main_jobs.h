@@ -1,12 +1,11 @@
-/// The finite-element runs of the main job: what they are, and running them side by side.
+/// The finite-element runs of the main job.
 #pragma once
-#include "app/console.h"
 #include "scene/scene.h"
 
 namespace rimpact::app {
 
 struct Job {
-  std::string name, role; ///< role: fit | predict | window | push
+  std::string name, role; ///< role: fit | predict | window
   scene::Scene scene;
   std::string folder; ///< DIR/runs/NAME
   bool done = false, reused = false;
@@ -15,9 +14,5 @@ struct Job {
 
 /// Both Ricker pulses at scale 1.0 (predicted), 1.05 and 1.10 (fitted), windows over speed, longest first.
 std::vector<Job> main_jobs(const scene::Bearing &bearing, const std::string &folder);
-/// Runs them as processes, as many at a time as there are cores (one thread each); those already done with
-/// the same scene are kept. A failing run does not lose the others. Throws Interrupted after stopping the
-/// children.
-void run_jobs(std::vector<Job> &jobs, Console &console);
 
 } // namespace rimpact::app

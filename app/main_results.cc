@@ -1,144 +1,93 @@
 #include "app/main_results.h"
 
+#include "app/comparison.h"
+#include "app/job_runner.h"
 #include "calibration/calibration_json.h"
 #include "reduced_models/physical_model.h"
-#include "scene/summary.h"
-#include <fmt/format.h>
+#include <filesystem>
 #include <fstream>
-#include <sstream>
+#include <optional>
 #include <sys/utsname.h>
 #include <thread>
 
 namespace rimpact::app {
 namespace {
 
-/// Runs a scene by the reduced model with a pair (k_i, e) into a folder.
-scene::Summary run_reduced(const Job &job, double k_i, double e, const std::string &folder) {
+using nlohmann::json;
+
+void run_reduced(const Job &job, double k_i, double e, const std::string &folder) {
   scene::Scene scene = job.scene;
   scene.reduced.k_i = k_i;
   scene.reduced.restitution = e;
   const auto run = reduced::simulate(scene);
   scene::write_run_folder(folder, scene, run.response, run.summary);
-  return run.summary;
 }
 
-nlohmann::json critical_amplitudes(const std::vector<Job> &jobs) {
-  nlohmann::json result = nlohmann::json::array();
+json critical_amplitudes(const std::vector<Job> &jobs) {
+  json result = json::array();
   for (const auto &job : jobs) {
     if (job.role != "predict") continue;
-    nlohmann::json row{{"scene", job.name}, {"printed_g", job.scene.excitation.amplitude_g}};
+    json row{{"scene", job.name}, {"printed_g", job.scene.excitation.amplitude_g}};
     scene::Scene stack = job.scene;
     stack.reduced.finite_pad = stack.reduced.socket_friction = true;
     for (const auto &[key, scene] :
          {std::pair{"reduced_g", &job.scene}, {"reduced_with_pad_and_socket_g", &stack}}) {
       const auto scale = reduced::critical_scale(*scene);
-      row[key] = scale ? nlohmann::json(*scale * job.scene.excitation.amplitude_g) : nlohmann::json();
+      row[key] = scale ? json(*scale * job.scene.excitation.amplitude_g) : json();
     }
     result.push_back(row);
   }
   return result;
 }
 
-std::string processor() {
+json machine() {
+  std::string processor = "unknown processor";
   std::ifstream file("/proc/cpuinfo");
   for (std::string line; std::getline(file, line);)
-    if (line.rfind("model name", 0) == 0) return line.substr(line.find(':') + 2);
-  return "unknown processor";
-}
-
-nlohmann::json machine() {
+    if (line.rfind("model name", 0) == 0) {
+      processor = line.substr(line.find(':') + 2);
+      break;
+    }
   utsname system{};
   uname(&system);
-  return {{"processor", processor()},
+  return {{"processor", processor},
           {"cores", std::thread::hardware_concurrency()},
           {"system", std::string(system.sysname) + " " + system.release}};
 }
 
-std::string percent(const nlohmann::json &value) {
-  return value.is_number() ? fmt::format("{:+.1f} %", 100 * value.get<double>()) : "-";
-}
-
-/// Comparison of each history with the reduced model run from rest, fitted and published pair.
-std::string comparison_table(const std::vector<Job> &jobs, const std::string &folder, nlohmann::json &rows) {
-  std::string text = fmt::format("{:26s} {:>12s} {:>9s} {:>9s}   {:>11s} {:>9s} {:>9s}   {:>11s} {:>9s}\n",
-                                 "peak impact force", "FE [kN]", "in [m/s]", "out/in", "fitted [kN]", "error",
-                                 "rebound", "4.5e5, 0.65", "error");
-  const auto summary_of = [](const std::string &path) {
-    std::ifstream file(path + "/summary.json");
-    return nlohmann::json::parse(file, nullptr, false);
-  };
-  for (const auto &job : jobs) {
-    if (!job.done) continue;
-    const auto fe = summary_of(job.folder), fitted = summary_of(folder + "/reduced/" + job.name),
-               published = summary_of(folder + "/published/" + job.name);
-    const auto force = [](const nlohmann::json &s) {
-      return s["peak_impact_force_N"].is_number() ? 1e-3 * s["peak_impact_force_N"].get<double>() : 0.0;
-    };
-    const auto relative = [&](const nlohmann::json &s) {
-      return force(fe) > 0 ? nlohmann::json(force(s) / force(fe) - 1) : nlohmann::json();
-    };
-    const auto hardest = [](const nlohmann::json &s, const char *key) {
-      double best = -1;
-      nlohmann::json value;
-      for (const auto &impact : s["impacts"])
-        if (impact["peak_force_N"].get<double>() > best) best = impact["peak_force_N"], value = impact[key];
-      return value;
-    };
-    const auto speed = hardest(fe, "approach_speed_m_s"), out = hardest(fe, "restitution"),
-               reduced_out = hardest(fitted, "restitution");
-    const auto rebound = out.is_number() && reduced_out.is_number()
-                             ? nlohmann::json(reduced_out.get<double>() / out.get<double>() - 1)
-                             : nlohmann::json();
-    rows.push_back({{"name", job.name},
-                    {"role", job.role},
-                    {"fe_kN", force(fe)},
-                    {"fitted_kN", force(fitted)},
-                    {"published_kN", force(published)},
-                    {"approach_speed_m_s", speed},
-                    {"rebound_over_approach", out},
-                    {"fitted_error", relative(fitted)},
-                    {"published_error", relative(published)},
-                    {"fitted_rebound_error", rebound}});
-    text += fmt::format(
-        "{:26s} {:12.1f} {:>9s} {:>9s}   {:11.1f} {:>9s} {:>9s}   {:11.1f} {:>9s}\n", job.name, force(fe),
-        speed.is_number() ? fmt::format("{:.3f}", speed.get<double>()) : "-",
-        out.is_number() ? fmt::format("{:.3f}", out.get<double>()) : "-", force(fitted),
-        percent(relative(fitted)), percent(rebound), force(published), percent(relative(published)));
-  }
-  return text;
-}
-
-} // namespace
-
-std::string make_results(const std::vector<Job> &jobs, const std::string &folder, double seconds,
-                         Console &console) {
+/// Which runs to fit and which to predict; what is left out is said in `warnings`.
+struct Selection {
   std::vector<std::string> fit;
   calibration::CalibrationOptions options;
-  nlohmann::json warnings = nlohmann::json::array();
-  for (const auto &job : jobs) {
+  json warnings = json::array();
+};
+Selection select(const std::vector<Job> &jobs) {
+  Selection s;
+  for (const auto &job : jobs)
     if (!job.done)
-      warnings.push_back(job.name + ": " + job.failure);
+      s.warnings.push_back(job.name + ": " + job.failure);
     else if (job.role == "predict")
-      options.predict.push_back(job.folder);
-    else if (job.role != "push")
-      fit.push_back(job.folder);
-  }
-  if (fit.empty()) throw SolverStopped("no run of the main job ended well; see " + folder + "/runs/*.log");
-  const auto calibration = calibration::calibrate(fit, options);
-  calibration::write_calibration(calibration, folder + "/calibration");
-  const double k_i = calibration.scene.reduced.k_i, e = calibration.scene.reduced.restitution;
+      s.options.predict.push_back(job.folder);
+    else if (summary_of(job.folder).value("n_impacts", 0) == 0)
+      s.warnings.push_back(job.name + ": the rim is never touched, so nothing is fitted to this run");
+    else
+      s.fit.push_back(job.folder);
+  return s;
+}
 
-  nlohmann::json runs = nlohmann::json::array(), rows = nlohmann::json::array();
-  long memory = 0;
+/// Reduced runs beside the finite-element ones: with the fitted pair when there is one, and with the
+/// published.
+json reduced_runs(const std::vector<Job> &jobs, const std::string &folder,
+                  const std::optional<calibration::Calibration> &fitted) {
+  json runs = json::array();
+  std::filesystem::remove_all(folder + "/reduced"); // an earlier calibration's
   for (const auto &job : jobs) {
-    if (job.done) {
-      run_reduced(job, k_i, e, folder + "/reduced/" + job.name);
+    if (job.done && fitted)
+      run_reduced(job, fitted->scene.reduced.k_i, fitted->scene.reduced.restitution,
+                  folder + "/reduced/" + job.name);
+    if (job.done)
       run_reduced(job, calibration::published_k_i, calibration::published_e,
                   folder + "/published/" + job.name);
-      std::ifstream file(job.folder + "/summary.json");
-      const auto summary = nlohmann::json::parse(file, nullptr, false);
-      memory = std::max(memory, summary.value("peak_memory_bytes", 0L));
-    }
     runs.push_back({{"name", job.name},
                     {"role", job.role},
                     {"fe", "runs/" + job.name},
@@ -146,18 +95,49 @@ std::string make_results(const std::vector<Job> &jobs, const std::string &folder
                     {"published", "published/" + job.name},
                     {"reused", job.reused}});
   }
-  const std::string table = comparison_table(jobs, folder, rows);
-  const nlohmann::json main{{"runs", runs},
-                            {"comparison", rows},
-                            {"critical_amplitudes", critical_amplitudes(jobs)},
-                            {"totals", {{"wall_time_s", seconds}, {"peak_memory_bytes", memory}}},
-                            {"versions", {{"rimpact", RIMPACT_VERSION}}},
-                            {"machine", machine()},
-                            {"warnings", warnings}};
-  scene::write_text(main.dump(2) + "\n", folder + "/main.json");
-  console.message(calibration::describe(calibration));
-  calibration::check_gate(calibration);
-  return table;
+  return runs;
+}
+
+} // namespace
+
+MainResults make_results(const std::vector<Job> &jobs, const std::string &folder, const json &versions,
+                         double seconds, Console &console) {
+  const Selection selection = select(jobs);
+  for (const auto &job : jobs)
+    if (job.done && summary_of(job.folder).value("n_impacts", 0) == 0)
+      console.warn(job.name + ": the rim is never touched");
+  if (selection.fit.empty() && selection.options.predict.empty())
+    throw SolverStopped("no run of the main job ended well; see " + folder + "/runs/*.log");
+
+  MainResults results;
+  std::optional<calibration::Calibration> fitted;
+  try {
+    if (selection.fit.empty()) throw DataError("no run that touches the rim is left to fit");
+    fitted = calibration::calibrate(selection.fit, selection.options);
+    calibration::write_calibration(*fitted, folder + "/calibration");
+    results.text = calibration::describe(*fitted);
+    calibration::check_gate(*fitted);
+  } catch (const Error &error) { // the runs are still worth a table and a report
+    results.failure = std::current_exception();
+    console.warn(std::string("calibration: ") + error.what());
+  }
+  if (!fitted)
+    std::filesystem::remove_all(folder + "/calibration"); // an earlier one would belong to other runs
+  const json runs = reduced_runs(jobs, folder, fitted), rows = comparison_rows(jobs, folder);
+  results.text += comparison_text(rows);
+  long memory = 0;
+  for (const auto &job : jobs)
+    memory = std::max(memory, summary_of(job.folder).value("peak_memory_bytes", 0L));
+  results.main = {{"runs", runs},
+                  {"comparison", rows},
+                  {"critical_amplitudes", critical_amplitudes(jobs)},
+                  {"totals", {{"wall_time_s", seconds}, {"peak_memory_bytes", memory}}},
+                  {"versions", versions},
+                  {"machine", machine()},
+                  {"warnings", selection.warnings}};
+  if (fitted) results.main["parameters"] = calibration::to_json(*fitted)["parameters"];
+  scene::write_text(results.main.dump(2) + "\n", folder + "/main.json");
+  return results;
 }
 
 } // namespace rimpact::app

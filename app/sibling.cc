@@ -2,9 +2,11 @@
 
 #include "scene/error.h"
 #include <climits>
+#include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -18,6 +20,13 @@ std::vector<char *> pointers(std::vector<std::string> &words) {
   return result;
 }
 
+/// In the child: `descriptor` goes to a file. A child that cannot write its log would fail without a word.
+void redirect(const std::string &path, int descriptor) {
+  if (path.empty()) return;
+  const int file = open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
+  if (file < 0 || dup2(file, descriptor) < 0) _exit(static_cast<int>(ExitCode::io));
+}
+
 } // namespace
 
 std::string sibling(const std::string &name) {
@@ -28,49 +37,59 @@ std::string sibling(const std::string &name) {
   return (std::filesystem::path(path).parent_path() / name).string();
 }
 
-void become_fe(int argc, char **argv) {
-  std::string program = sibling("rimpact-fe");
-  std::vector<std::string> words{program};
-  words.insert(words.end(), argv + 1, argv + argc);
-  execv(program.c_str(), pointers(words).data());
-  throw InputError("this build has no finite-element side (" + program +
-                   " is missing); build with RIMPACT_FE=ON");
+std::string fe_program() {
+  const std::string program = sibling("rimpact-fe");
+  if (access(program.c_str(), X_OK) != 0)
+    throw InputError("this build has no finite-element side (" + program +
+                     " is missing); build with RIMPACT_FE=ON");
+  return program;
 }
 
-pid_t start(const std::vector<std::string> &command, const std::string &log,
-            const std::vector<std::string> &environment) {
-  std::vector<std::string> words = command, added = environment;
+void become_fe(int argc, char **argv) {
+  std::vector<std::string> words{fe_program()};
+  words.insert(words.end(), argv + 1, argv + argc);
+  execv(words[0].c_str(), pointers(words).data());
+  throw IoError("cannot start " + words[0]);
+}
+
+pid_t start(const Launch &launch) {
+  std::vector<std::string> words = launch.command, added = launch.environment;
   const auto arguments = pointers(words);
-  const pid_t process = fork();
-  if (process < 0) throw IoError("cannot start " + command.front());
+  const pid_t parent = getpid(), process = fork();
+  if (process < 0) throw IoError("cannot start " + words[0]);
   if (process > 0) return process;
-  for (auto &entry : added) putenv(entry.data());
-  if (!log.empty()) {
-    const int file = open(log.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0644);
-    if (file >= 0) {
-      dup2(file, STDOUT_FILENO);
-      dup2(file, STDERR_FILENO);
-    }
+  if (launch.apart) {
+    setpgid(0, 0);
+    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    if (getppid() != parent) _exit(static_cast<int>(ExitCode::interrupted)); // it died before the line above
   }
+  for (auto &entry : added) putenv(entry.data());
+  redirect(launch.output, STDOUT_FILENO);
+  if (launch.errors.empty() || launch.errors != launch.output)
+    redirect(launch.errors, STDERR_FILENO);
+  else
+    dup2(STDOUT_FILENO, STDERR_FILENO);
   execv(arguments[0], arguments.data());
   _exit(127);
 }
 
 int poll(pid_t process, bool wait) {
   int status = 0;
-  const pid_t done = waitpid(process, &status, wait ? 0 : WNOHANG);
+  pid_t done = 0;
+  do done = waitpid(process, &status, wait ? 0 : WNOHANG);
+  while (done < 0 && errno == EINTR);
   if (done == 0) return -1;
-  if (done < 0) return 1;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+  if (done < 0) return static_cast<int>(ExitCode::bug);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
 int python(const std::vector<std::string> &arguments) {
-  std::vector<std::string> command{"/usr/bin/python3", "-m"};
-  command.insert(command.end(), arguments.begin(), arguments.end());
+  Launch launch{.command = {"/usr/bin/python3", "-m"}, .output = "/dev/null"};
+  launch.command.insert(launch.command.end(), arguments.begin(), arguments.end());
   const char *path = std::getenv("PYTHONPATH");
-  return poll(start(command, "",
-                    {std::string("PYTHONPATH=" RIMPACT_SOURCE_DIR) + (path ? std::string(":") + path : "")}),
-              true);
+  launch.environment = {std::string("PYTHONPATH=" RIMPACT_SOURCE_DIR) +
+                        (path ? std::string(":") + path : "")};
+  return poll(start(launch), true);
 }
 
 } // namespace rimpact::app

@@ -9,14 +9,24 @@ namespace rimpact::app {
 /// Path of a program in this executable's folder. RIMPACT_FE_PROGRAM replaces rimpact-fe (the tests'
 /// stand-in).
 std::string sibling(const std::string &name);
-/// Replaces this process by the sibling with the same arguments. Throws InputError when it was not built.
+/// The finite-element program. Throws InputError when it was not built.
+std::string fe_program();
+/// Replaces this process by the finite-element program with the same arguments. Throws as fe_program().
 [[noreturn]] void become_fe(int argc, char **argv);
-/// Starts a program; its output goes to `log` ("": inherited). `environment`: NAME=VALUE to add.
-pid_t start(const std::vector<std::string> &command, const std::string &log,
-            const std::vector<std::string> &environment);
-/// Exit code of a finished process, -1 while it runs (when not waiting). Death by a signal counts as 1.
+
+/// A program to start.
+struct Launch {
+  std::vector<std::string> command;
+  std::string output = {}, errors = {};      ///< files (may be the same one); "": inherited
+  std::vector<std::string> environment = {}; ///< NAME=VALUE to add
+  /// In a process group of its own, so that a Ctrl-C on the terminal reaches this program only, which then
+  /// tells the other once (SIGTERM); told as well when this program is killed.
+  bool apart = false;
+};
+pid_t start(const Launch &launch);
+/// Exit code of a process, -1 while it runs (when not waiting), 128 + the signal that ended it.
 int poll(pid_t process, bool wait);
-/// Runs `python3 -m MODULE ARGS` of the report package; returns its exit code.
+/// Runs `python3 -m MODULE ARGS` of the report package, its errors shown; returns its exit code.
 int python(const std::vector<std::string> &arguments);
 
 } // namespace rimpact::app

@@ -1,42 +1,56 @@
 // rimpact main: from a bearing to calibrated k_i and e, with a report.
+#include "app/job_runner.h"
 #include "app/main_results.h"
-#include "app/progress.h"
 #include "app/sibling.h"
 #include "app/verb.h"
 #include <filesystem>
 #include <fmt/format.h>
 
 namespace rimpact::app {
+namespace {
+
+struct Options {
+  std::string bearing = "shfps-225", folder = "results/main";
+};
+
+void run_main(const Options &options, Console &console) {
+  const auto begin = std::chrono::steady_clock::now();
+  const auto spent = [&] {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  };
+  auto jobs = main_jobs(scene::load_bearing(options.bearing), options.folder);
+  JobRunner runner(jobs, console);
+  std::error_code error;
+  std::filesystem::create_directories(options.folder + "/runs", error);
+  if (error) throw IoError("cannot make " + options.folder + "/runs: " + error.message());
+  const auto versions = fe_versions(options.folder, console);
+
+  watch_interrupts();
+  runner.run();
+  MainResults results = make_results(jobs, options.folder, versions, spent(), console);
+  const int code = python({"report", options.folder});
+  const std::string report = options.folder + "/report.html";
+  results.main["report"] = code == 0 ? nlohmann::json(report) : nlohmann::json();
+  console.data(console.json ? results.main.dump(2) + "\n" : results.text);
+  if (interrupted())
+    throw Error(ExitCode::interrupted, "interrupted; the same command goes on where it stopped");
+  if (code != 0) throw IoError("the report was not written; try rimpact report " + options.folder);
+  if (!console.json) console.data(fmt::format("report: {}  ({} in all)\n", report, duration(spent())));
+  for (const auto &job : jobs)
+    if (!job.done) throw SolverStopped(job.name + " did not end well: " + job.failure);
+  if (results.failure) std::rethrow_exception(results.failure);
+}
+
+} // namespace
 
 void add_main(CLI::App &app, Console &console) {
-  struct Options {
-    std::string bearing = "shfps-225", folder = "results/main";
-  };
   auto *verb = app.add_subcommand("main", "the main job: rim impacts by FE, calibration, comparison, report");
   auto options = std::make_shared<Options>();
   verb->add_option("BEARING", options->bearing, "a TOML file or a built-in bearing");
   verb->add_option("-o,--output", options->folder, "results folder");
   console.add_common(*verb);
-  verb->callback([options, &console] {
-    const auto begin = std::chrono::steady_clock::now();
-    const auto bearing = scene::load_bearing(options->bearing);
-    bearing.validate();
-    std::error_code error;
-    std::filesystem::create_directories(options->folder, error);
-    if (error) throw IoError("cannot make " + options->folder + ": " + error.message());
-    auto jobs = main_jobs(bearing, options->folder);
-    run_jobs(jobs, console);
-    const auto spent = [&] {
-      return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-    };
-    const std::string table = make_results(jobs, options->folder, spent(), console);
-    const int code = python({"report", options->folder});
-    console.data(table);
-    if (code != 0) throw IoError("the report was not written; try rimpact report " + options->folder);
-    console.data(fmt::format("report: {}/report.html  ({} in all)\n", options->folder, duration(spent())));
-    for (const auto &job : jobs)
-      if (!job.done) throw SolverStopped("not every run ended well; the report says which");
-  });
+  console.add_json(*verb);
+  verb->callback([options, &console] { run_main(*options, console); });
 }
 
 } // namespace rimpact::app

@@ -1,5 +1,6 @@
 """Runs the command and keeps what it printed."""
 import os
+import pty
 import subprocess
 
 RIMPACT = os.environ["RIMPACT"]
@@ -8,3 +9,19 @@ RIMPACT = os.environ["RIMPACT"]
 def rimpact(*arguments, cwd=None, **environment):
     return subprocess.run([RIMPACT, *arguments], capture_output=True, text=True, cwd=cwd, timeout=900,
                           env={**os.environ, **environment})
+
+
+def in_terminal(*arguments, **environment):
+    """What the command prints to stderr when that is a terminal."""
+    master, slave = pty.openpty()
+    base = {name: value for name, value in os.environ.items() if name != "NO_COLOR"}
+    subprocess.run([RIMPACT, *arguments], stdout=subprocess.DEVNULL, stderr=slave, env={**base, **environment}, timeout=60)
+    os.close(slave)
+    text = b""
+    try:
+        while chunk := os.read(master, 4096):
+            text += chunk
+    except OSError:  # how Linux says that nobody writes any more
+        pass
+    os.close(master)
+    return text.decode()

@@ -1,10 +1,11 @@
 """Bad input is refused with one sentence and the right exit code; good input gives what INTERFACE says."""
 import json
 import os
+import subprocess
 import tempfile
 import unittest
 
-from command import rimpact
+from command import RIMPACT, in_terminal, rimpact
 
 AT2 = "PEER\nA RECORD\n{}\nNPTS= {}, DT= .0100 SEC\n"
 
@@ -49,8 +50,32 @@ class BadInput(unittest.TestCase):
         self.refused(2, "nowhere.toml", arguments=["check", "nowhere.toml"])
 
     def test_unknown_verb_and_option(self):
-        self.assertEqual(rimpact("runn").returncode, 2)
-        self.assertEqual(rimpact("check", "ricker-0.78g-1.0s", "--fast").returncode, 2)
+        self.refused(2, "did you mean \"run\"", arguments=["runn"])
+        self.refused(2, "did you mean --json", arguments=["check", "ricker-0.78g-1.0s", "--jsn"])
+        self.refused(2, "--fast", arguments=["check", "ricker-0.78g-1.0s", "--fast"])
+        self.refused(2, arguments=[])
+
+    def test_a_terminal_gets_colours_unless_told_not_to(self):
+        self.assertIn("\033[31m", in_terminal("check", "nowhere.toml"))
+        self.assertNotIn("\033", in_terminal("check", "nowhere.toml", NO_COLOR="1"))
+        self.assertNotIn("\033", rimpact("check", "nowhere.toml").stderr)
+
+    def test_unwritable_places(self):
+        for arguments in (["reduced", "impact-window", "-o", "/proc/nowhere"], ["new", "/proc/nowhere"]):
+            self.refused(6, "/proc/nowhere", arguments=arguments)
+        with open("/dev/full", "w") as full:
+            run = subprocess.run([RIMPACT, "list"], stdout=full, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(run.returncode, 6, run.stderr)
+
+    def test_unreadable_data(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "response.h5")
+            with open(path, "wb") as file:
+                file.write(b"\x89HDF\r\n\x1a\n and then nothing")
+            self.refused(3, "response.h5", arguments=["compare", path, path])
+            self.refused(3, folder, arguments=["export", folder, "--opensees"])
+            self.assertEqual(rimpact("report", folder).returncode, 3)
+            self.assertEqual(rimpact("calibrate", folder).returncode, 3)
 
     def test_toml_error_names_file_line_and_column(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -99,6 +124,11 @@ class GoodInput(unittest.TestCase):
             self.assertAlmostEqual(fit["parameters"]["k_i"]["value"] / 3e5, 1, places=5)
             self.assertAlmostEqual(fit["parameters"]["e"]["value"], 0.65, places=5)
             self.assertEqual(rimpact("export", os.path.join(folder, "fit"), "--opensees").returncode, 0)
+            values = {}
+            with open(os.path.join(folder, "fit", "impact.py")) as file:
+                exec(file.read(), values)
+            self.assertAlmostEqual(values["k_i"] / 3e8, 1, places=5)
+            self.assertAlmostEqual(values["restitution"], 0.65, places=5)
 
     def test_grazing_is_not_identifiable(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -119,8 +149,6 @@ class GoodInput(unittest.TestCase):
             rimpact("reduced", "impact-window", "-o", folder)
             with open(os.path.join(folder, "summary.json")) as file:
                 before = file.read()
-            import subprocess
-            from command import RIMPACT
             run = subprocess.run(["bash", "-c", f"ulimit -f 4; trap '' XFSZ; '{RIMPACT}' reduced impact-window -o '{folder}'"],
                                  capture_output=True, text=True)
             self.assertEqual(run.returncode, 6, run.stderr)

@@ -1,0 +1,145 @@
+#include "app/job_runner.h"
+
+#include "app/sibling.h"
+#include "scene/response.h"
+#include <algorithm>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+namespace rimpact::app {
+namespace {
+
+std::string read_text(const std::string &path) {
+  std::ifstream file(path);
+  std::stringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::string last_line(const std::string &path) {
+  std::string line, last;
+  for (std::istringstream text(read_text(path)); std::getline(text, line);)
+    if (!line.empty()) last = line;
+  return last;
+}
+
+/// "done", "interrupted", "stopped"; empty when the folder holds no run of this very scene.
+std::string status_of(const Job &job) {
+  const auto summary = summary_of(job.folder);
+  return read_text(job.folder + "/scene.toml") == scene::to_toml(job.scene) ? summary.value("status", "")
+                                                                            : "";
+}
+
+std::string failure_of(const Job &job, int code) {
+  if (code == 128 + SIGKILL) return "killed, perhaps for want of memory";
+  if (code > 128 && code != static_cast<int>(ExitCode::interrupted))
+    return fmt::format("ended by signal {} ({})", code - 128, strsignal(code - 128));
+  const std::string last = last_line(job.folder + ".log");
+  if (last.empty()) return fmt::format("ended with exit code {}; its log is empty", code);
+  return last.rfind("error: ", 0) == 0 ? last.substr(7) : last;
+}
+
+} // namespace
+
+nlohmann::json summary_of(const std::string &folder) {
+  const auto json = nlohmann::json::parse(read_text(folder + "/summary.json"), nullptr, false);
+  return json.is_object() ? json : nlohmann::json::object();
+}
+
+nlohmann::json fe_versions(const std::string &folder, Console &console) {
+  const std::string file = folder + "/versions.json", log = folder + "/versions.log";
+  const int code =
+      poll(start({.command = {fe_program(), "version", "--json"}, .output = file, .errors = log}), true);
+  const auto versions = nlohmann::json::parse(read_text(file), nullptr, false);
+  const std::string said = last_line(log);
+  if (code != 0 || !versions.is_object())
+    throw IoError(fmt::format("the finite-element program does not start (exit code {}){}{}", code,
+                              said.empty() ? "" : ": ", said));
+  std::filesystem::remove(log);
+  if (said.rfind("warning: ", 0) == 0) console.warn(said.substr(9));
+  return versions;
+}
+
+JobRunner::JobRunner(std::vector<Job> &jobs, Console &console)
+    : jobs_(jobs), console_(console), program_(fe_program()),
+      at_once_(std::clamp(std::thread::hardware_concurrency(), 1u, 8u)), line_(console.quiet) {}
+
+void JobRunner::run() {
+  while (next_ < jobs_.size() || !children_.empty()) {
+    if (interrupted()) stop_all();
+    while (next_ < jobs_.size() && children_.size() < at_once_) start_next();
+    collect();
+    show_progress();
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  }
+  line_.finish();
+}
+
+void JobRunner::start_next() {
+  Job &job = jobs_[next_++];
+  const std::string status = status_of(job), scene_file = job.folder + ".toml", log = job.folder + ".log";
+  if (status == "done") {
+    job.done = job.reused = true;
+    ++finished_;
+    console_.message(job.name + ": already done, kept");
+    return;
+  }
+  scene::write_text(scene::to_toml(job.scene), scene_file);
+  Launch launch{
+      .command = {program_, "run", scene_file, "-o", job.folder, "--quiet"}, .output = log, .errors = log};
+  launch.apart = true;
+  if (status == "interrupted" && std::filesystem::exists(job.folder + "/checkpoint.h5"))
+    launch.command.push_back("--resume");
+  if (at_once_ > 1) launch.environment = {"OPENBLAS_NUM_THREADS=1", "OMP_NUM_THREADS=1", "RIMPACT_THREADS=1"};
+  children_.push_back({start(launch), &job});
+}
+
+void JobRunner::collect() {
+  for (auto child = children_.begin(); child != children_.end();) {
+    const int code = poll(child->process, false);
+    if (code < 0) {
+      ++child;
+      continue;
+    }
+    finish(*child->job, code);
+    child = children_.erase(child);
+  }
+}
+
+void JobRunner::finish(Job &job, int code) {
+  ++finished_;
+  line_.finish();
+  job.done = code == 0 && status_of(job) == "done";
+  if (!job.done) {
+    job.failure = failure_of(job, code);
+    return console_.warn(job.name + ": " + job.failure);
+  }
+  const auto summary = summary_of(job.folder);
+  const auto &force = summary["peak_impact_force_N"];
+  console_.message(fmt::format("{:26s} {:8.1f} kN, {} impact(s), {}", job.name,
+                               force.is_number() ? 1e-3 * force.get<double>() : 0.0,
+                               summary.value("n_impacts", 0), duration(summary.value("wall_time_s", 0.0))));
+}
+
+void JobRunner::show_progress() {
+  std::string running;
+  for (const auto &child : children_) running += " " + child.job->name;
+  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
+  line_.show(fmt::format("{} of {} runs done, running:{}  ({})", finished_, jobs_.size(), running,
+                         duration(spent.count())));
+}
+
+void JobRunner::stop_all() {
+  line_.finish();
+  console_.message("interrupted: waiting for the runs to write their checkpoints");
+  for (const auto &child : children_) kill(child.process, SIGTERM);
+  for (const auto &child : children_) poll(child.process, true);
+  throw Error(ExitCode::interrupted, "interrupted; the same command goes on where it stopped");
+}
+
+} // namespace rimpact::app

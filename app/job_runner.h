@@ -1,0 +1,48 @@
+/// Runs the jobs of `main` as processes, side by side.
+#pragma once
+#include "app/console.h"
+#include "app/main_jobs.h"
+#include "app/progress.h"
+#include <nlohmann/json.hpp>
+
+namespace rimpact::app {
+
+class JobRunner {
+public:
+  /// Throws InputError when the finite-element program is missing.
+  JobRunner(std::vector<Job> &jobs, Console &console);
+
+  /// As many at a time as there are cores, one thread each. Jobs done with the same scene are kept,
+  /// interrupted ones go on from their checkpoint, a failing one does not lose the others (its sentence is in
+  /// Job::failure). On Ctrl-C the children are told, write their checkpoints, and an Error of exit code 130
+  /// is thrown.
+  void run();
+
+private:
+  struct Child {
+    pid_t process;
+    Job *job;
+  };
+  void start_next();
+  void collect();
+  void finish(Job &job, int code);
+  void show_progress();
+  void stop_all();
+
+  std::vector<Job> &jobs_;
+  Console &console_;
+  std::string program_;
+  std::size_t at_once_, next_ = 0, finished_ = 0;
+  std::vector<Child> children_;
+  ProgressLine line_;
+  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+};
+
+/// Versions of the libraries the finite-element program uses (`version --json`), kept in `folder`. Warns when
+/// its BLAS is slow; throws IoError with its last words when it does not start.
+nlohmann::json fe_versions(const std::string &folder, Console &console);
+
+/// A job's summary.json; null when there is none to read.
+nlohmann::json summary_of(const std::string &folder);
+
+} // namespace rimpact::app
