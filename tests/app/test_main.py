@@ -1,6 +1,7 @@
 """The main job with a stand-in for the finite elements (stand_in_fe.py): what it runs, keeps, says and writes."""
 import json
 import os
+import shutil
 import signal
 import subprocess
 import tempfile
@@ -19,6 +20,16 @@ def read(*path):
 
 
 class Main(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.shared = tempfile.TemporaryDirectory()
+        cls.done = os.path.join(cls.shared.name, "main")
+        cls.first = rimpact("main", "--json", "-o", cls.done, RIMPACT_FE_PROGRAM=STAND_IN)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.shared.cleanup()
+
     def setUp(self):
         self.temporary = tempfile.TemporaryDirectory()
         self.addCleanup(self.temporary.cleanup)
@@ -38,13 +49,12 @@ class Main(unittest.TestCase):
             return file.read().splitlines()
 
     def test_the_references_pair_is_found_and_everything_is_written(self):
-        run = self.main("--json")
-        self.assertEqual(run.returncode, 0, run.stderr)
-        table = json.loads(run.stdout)
+        self.assertEqual(self.first.returncode, 0, self.first.stderr)
+        table = json.loads(self.first.stdout)
         self.assertAlmostEqual(table["parameters"]["k_i"]["value"] / 2.0e5, 1, places=4)
         self.assertAlmostEqual(table["parameters"]["e"]["value"], 0.4, places=4)
-        self.assertTrue(os.path.getsize(table["report"]) > 10000)
-        main = read(self.folder, "main.json")
+        self.assertGreater(os.path.getsize(table["report"]), 10000)
+        main = read(self.done, "main.json")
         self.assertEqual(len(main["runs"]), N_RUNS)
         self.assertEqual({run["role"] for run in main["runs"]}, {"fit", "predict", "window"})
         self.assertEqual(main["warnings"], [])
@@ -54,18 +64,32 @@ class Main(unittest.TestCase):
         for pulse in main["critical_amplitudes"]:  # both pulses only graze the rim at the printed amplitudes
             self.assertLess(abs(pulse["reduced_g"] / pulse["printed_g"] - 1), 0.003)
 
-    def test_done_runs_are_kept_unless_the_bearing_changes(self):
-        self.assertEqual(self.main("--quiet").returncode, 0)
+    def test_done_runs_are_kept_and_an_interrupted_one_goes_on(self):
+        shutil.copytree(self.done, self.folder)
+        run_folder = os.path.join(self.folder, "runs", "window-0.20")
+        summary = read(run_folder, "summary.json")
+        with open(os.path.join(run_folder, "summary.json"), "w") as file:
+            json.dump({**summary, "status": "interrupted"}, file)
+        with open(os.path.join(run_folder, "checkpoint.h5"), "w"):
+            pass
+        run = self.main()
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(run.stderr.count("already done, kept"), N_RUNS - 1)
+        self.assertEqual(len(self.calls()), 1)
+        self.assertIn("window-0.20", self.calls()[0])
+        self.assertIn("--resume", self.calls()[0])
+        self.assertIn("report: " + self.folder, run.stdout)
+
+    def test_another_bearing_runs_afresh_and_total_failure_is_said(self):
+        shutil.copytree(self.done, self.folder)
+        run = self.main("fps-225", "--quiet", STAND_IN_FAIL="*")
+        self.assertEqual(run.returncode, 4)
+        self.assertIn("no run of the main job ended well", run.stderr)
         self.assertEqual(len(self.calls()), N_RUNS)
-        again = self.main()
-        self.assertEqual(again.returncode, 0, again.stderr)
-        self.assertEqual(len(self.calls()), N_RUNS)
-        self.assertIn("already done, kept", again.stderr)
-        self.assertIn("report: " + self.folder, again.stdout)
-        self.assertEqual(self.main("fps-225", "--quiet").returncode, 0)
-        self.assertEqual(len(self.calls()), 2 * N_RUNS)
 
     def test_a_failing_run_does_not_lose_the_others(self):
+        shutil.copytree(self.done, self.folder)
+        shutil.rmtree(os.path.join(self.folder, "runs", "window-0.20"))
         run = self.main("--quiet", STAND_IN_FAIL="window-0.20")
         self.assertEqual(run.returncode, 4)
         self.assertIn("window-0.20: the solver stopped because the test asked for it", run.stderr)
@@ -73,7 +97,7 @@ class Main(unittest.TestCase):
         self.assertTrue(os.path.exists(os.path.join(self.folder, "report.html")))
         self.assertTrue(os.path.exists(os.path.join(self.folder, "calibration", "calibration.json")))
 
-    def test_an_interruption_stops_the_children_and_can_be_taken_up(self):
+    def test_an_interruption_stops_the_children(self):
         process = subprocess.Popen([RIMPACT, "main", "-o", self.folder], stdout=subprocess.PIPE, stderr=subprocess.PIPE,
                                    text=True, env={**os.environ, **self.environment(STAND_IN_SLEEP="60")})
         while not self.calls():
@@ -84,8 +108,6 @@ class Main(unittest.TestCase):
         self.assertEqual(process.returncode, 130)
         self.assertLess(time.monotonic() - started, 20)  # the children sleep for a minute: they were told
         self.assertIn("interrupted; the same command goes on", errors)
-        run = self.main("--quiet")
-        self.assertEqual(run.returncode, 0, run.stderr)
 
     def test_pulses_that_miss_the_rim_are_said_and_not_fitted(self):
         bearing = os.path.join(self.temporary.name, "wide.toml")
