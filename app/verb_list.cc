@@ -4,6 +4,7 @@
 #include "scene/scene.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 namespace rimpact::app {
 namespace {
@@ -19,13 +20,21 @@ Entries bearings() {
   }
   return result;
 }
+/// First sentence of the comment a scene's text begins with ("Fig. 2-7" does not end it).
+std::string first_sentence(const std::string &text) {
+  std::string sentence, line;
+  for (std::istringstream lines(text); std::getline(lines, line) && line.rfind("# ", 0) == 0;) {
+    if (!sentence.empty()) sentence += ' ';
+    sentence.append(line, 2);
+  }
+  for (std::size_t end = 0; (end = sentence.find(". ", end)) != std::string::npos; ++end)
+    if (!std::isdigit(static_cast<unsigned char>(sentence[end + 2]))) return sentence.substr(0, end + 1);
+  return sentence;
+}
 Entries scenes() {
   Entries result;
-  for (const auto &name : scene::builtin_scene_names()) {
-    const std::string text = scene::builtin_scene_text(name);
-    const auto first = text.find_first_not_of("# "), end = text.find('\n');
-    result.emplace_back(name, text[0] == '#' ? text.substr(first, end - first) : "");
-  }
+  for (const auto &name : scene::builtin_scene_names())
+    result.emplace_back(name, first_sentence(scene::builtin_scene_text(name)));
   return result;
 }
 Entries models() {

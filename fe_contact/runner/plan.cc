@@ -28,22 +28,35 @@ void add_impacts(Plan &plan, const scene::Summary &scout, const scene::Response 
   }
 }
 
+/// Travel beyond which the dish is too curved for the pad to bear on its whole face; none within L_c. An
+/// estimate: on the default dish that is about 0.30 m, where the meridional curvature is 1.6 times the
+/// vertex's.
+std::optional<double> full_face_travel(const scene::Bearing &bearing) {
+  constexpr double curvature_ratio = 1.6;
+  const auto surface = scene::make_surface(bearing.surface);
+  const double vertex = surface->curvatures(0).meridional, capacity = bearing.lateral_capacity();
+  for (double r = 0; r < capacity; r += 0.01 * capacity)
+    if (surface->curvatures(r).meridional > curvature_ratio * vertex) return r;
+  return std::nullopt;
+}
+
 void add_pad_note(Plan &plan, const scene::Scene &scene) {
   const double at_rest = scene.load.vertical / scene.bearing.pad_area();
   plan.notes.push_back(fmt::format("pad pressure at rest {:.1f} MPa over its whole face", 1e-6 * at_rest));
-  constexpr double ertalyte_strength = 90e6, full_face_travel = 0.30;
-  if (scene.bearing.lateral_capacity() > full_face_travel)
+  constexpr double ertalyte_strength = 90e6;
+  if (const auto travel = full_face_travel(scene.bearing))
     plan.notes.push_back(fmt::format(
         "beyond {:.2f} m of travel the pad bears fore and aft only and its peak pressure passes Ertalyte's "
         "{:.0f} MPa: 'elastic' is then a modelling convention",
-        full_face_travel, 1e-6 * ertalyte_strength));
+        *travel, 1e-6 * ertalyte_strength));
   if (at_rest > ertalyte_strength)
     plan.notes.push_back(fmt::format("the pad pressure at rest, {:.1f} MPa, exceeds Ertalyte's {:.0f} MPa",
                                      1e-6 * at_rest, 1e-6 * ertalyte_strength));
 }
 
 /// The scout: the reduced model, as the scene has it and with the two extra terms that a real stack adds.
-void scout(Plan &plan, const scene::Scene &scene) {
+void scout(Plan &plan, scene::Scene scene) {
+  if (scene.reduced.k_i == 0) scene.reduced.k_i = scene::ReducedSettings{}.k_i; // a scout must feel the rim
   const auto run = reduced::simulate(scene);
   add_impacts(plan, run.summary, run.response);
   plan.closest_gap = scene.bearing.lateral_capacity() - run.summary.peak_displacement;
@@ -80,11 +93,14 @@ Plan make_plan(const scene::Scene &scene) {
   if (kind == Kind::window)
     plan.impacts.push_back(
         {0.0, scene.excitation.direction_deg, scene.excitation.speed * scene.excitation.scale, 0.0});
-  else if (kind != Kind::push && kind != Kind::cyclic && kind != Kind::figure_eight) {
+  else if (kind == Kind::cyclic || kind == Kind::figure_eight) {
+    plan.closest_gap = scene.bearing.lateral_capacity() - reduced::simulate_summary(scene).peak_displacement;
+    plan.rim_takes_part = plan.closest_gap < 0;
+  } else if (kind != Kind::push) {
     scout(plan, scene);
-    impacts = plan.impacts.empty() && plan.rim_takes_part ? 1 : plan.impacts.size();
-  } else if (kind != Kind::push)
-    plan.rim_takes_part = false;
+    impacts = std::max<int>(1, plan.impacts.size());
+  }
+  if (!plan.rim_takes_part) impacts = 0;
   add_pad_note(plan, scene);
   if (scene.model.symmetry != "auto") plan.half = scene.model.symmetry == "half";
 

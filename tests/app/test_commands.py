@@ -105,7 +105,18 @@ class GoodInput(unittest.TestCase):
         plan = json.loads(rimpact("check", "ricker-0.78g-1.0s", "--set", "excitation.scale=1.05", "--json").stdout)
         self.assertEqual(plan["symmetry"], "half")
         self.assertEqual(len(plan["impacts"]), 1)
-        self.assertEqual(rimpact("check", "pulse-bidirectional", "--json").returncode, 0)
+        whole = json.loads(rimpact("check", "pulse-bidirectional", "--json").stdout)
+        self.assertEqual(whole["symmetry"], "whole")  # impacts aslant
+
+    def test_the_scout_sees_what_the_scene_does(self):
+        cyclic = json.loads(rimpact("check", "static-unidirectional", "--json").stdout)
+        self.assertAlmostEqual(cyclic["closest_gap_m"], 0.010, places=4)  # 0.39 m of 0.40 m
+        self.assertFalse(cyclic["rim_takes_part"])
+        blind = json.loads(rimpact("check", "ricker-0.78g-1.0s", "--set", "reduced.k_i_kN_per_m=0", "--json").stdout)
+        self.assertEqual(len(blind["impacts"]), 1)  # whatever element the scene gives its own reduced model
+        for bearing, said in (("shfps-225", True), ("fps-225", False)):  # a sphere is as curved everywhere
+            plan = json.loads(rimpact("check", "impact-window", "--set", f"bearing.name={bearing}", "--json").stdout)
+            self.assertEqual(any("fore and aft" in note for note in plan["notes"]), said)
 
     def test_reduced_compare_and_calibrate(self):
         with tempfile.TemporaryDirectory() as folder:
