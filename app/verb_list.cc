@@ -1,6 +1,7 @@
 // rimpact list: what there is to choose from.
 #include "app/verb.h"
 #include "reduced_models/catalogue.h"
+#include "reduced_models/impact_law.h"
 #include "scene/scene.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -43,9 +44,9 @@ Entries models() {
   return result;
 }
 Entries laws() {
-  return {{"signed", "k d + c d', radial rate, tension allowed until penetration ends; returns e exactly"},
-          {"no-tension", "the same, never pulling"},
-          {"printed", "(2-21) as printed: c times the speed's magnitude; elastic for every e"}};
+  Entries result;
+  for (const auto &law : reduced::impact_laws()) result.emplace_back(law.name, law.description);
+  return result;
 }
 Entries materials() {
   Entries result;

@@ -47,8 +47,7 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
     friction_law = {0, 0, 0};
   }
   friction_law.validate();
-  if (with_rim && r.k_i > 0)
-    rim = {r.k_i, damping_coefficient(r.k_i, r.restitution, mass), &impact_law(r.impact_law)};
+  if (with_rim && r.k_i > 0) rim = rim_element(r, mass);
   dead_load_ = height.is_plane() ? 0.0 : weight;
   vertical_restitution_ = r.vertical_restitution;
   limit_squared_ = height.limit_radius() * height.limit_radius();
@@ -63,7 +62,7 @@ void Dynamics::rim_terms(const Mode &mode, const Vector2d &u, const Vector2d &v,
   e.gap_rate = r > 0 ? -u.dot(v) / r : -v.norm();
   e.impact.setZero();
   if (mode.rim != RimContact::pressed) return;
-  e.rim_force = rim.at(-e.gap, -e.gap_rate, v.norm()).force;
+  e.rim_force = rim.at({-e.gap, -e.gap_rate, v.norm(), mode.deepest}).force;
   e.impact.head<2>() = -e.rim_force / r * u;
 }
 

@@ -39,6 +39,8 @@ struct Mode {
   /// that leads: the drive's, less a lag of |v| m / (2 |D| - mu N) times its rate of turning (error of second
   /// order in it).
   bool slow = false;
+  RimMemory memory;   ///< dents of a rim that yields
+  double deepest = 0; ///< of the arc in contact, when the branch began [m]
 };
 
 enum class NormalForce { inertia, statics, constant };
@@ -133,6 +135,8 @@ private:
   Eigen::Vector3d applied(const Evaluation &e, double t, Eigen::Vector3d &ground) const;
   Eigen::Vector2d slow_direction(const Mode &mode, double t, const State &y) const;
   double drive_share(const Mode &mode, double t, const State &y) const;
+  RimMotion rim_motion(const Mode &mode, const State &y) const;
+  void remember(Mode &mode, const State &y) const;
   void rim_terms(const Mode &mode, const Eigen::Vector2d &u, const Eigen::Vector2d &v, Evaluation &e) const;
   double land(Mode &mode, double t, State &y) const;
   double dead_load_ = 0; ///< W that acts vertically (0 for a window without weight)

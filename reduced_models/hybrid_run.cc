@@ -208,7 +208,8 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
                   {y[iX], y[iY], y[iZ]},
                   {y[iVX], y[iVY], y[iVZ]},
                   mode_.support == Support::airborne,
-                  {y[iEX], y[iEY]}};
+                  {y[iEX], y[iEY]},
+                  mode_.memory};
   return result;
 }
 

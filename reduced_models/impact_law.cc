@@ -8,32 +8,69 @@ namespace rimpact::reduced {
 
 namespace {
 
-// Kelvin-Voigt with the radial rate; pulls while separating (tension) until the penetration ends: returns e
-// exactly.
-ImpactForce signed_law(double k, double c, double d, double rate, double) {
-  return {k * d + c * rate, k, c};
-}
-
-// Never pulls: max(0, k d + c d').
-ImpactForce no_tension_law(double k, double c, double d, double rate, double) {
-  const double force = k * d + c * rate;
-  return force > 0 ? ImpactForce{force, k, c} : ImpactForce{0, 0, 0};
+// Kelvin-Voigt with the radial rate. Bilateral it pulls while separating until the penetration ends, and
+// returns e exactly; unilateral it never pulls.
+ImpactForce kelvin_voigt(const RimElement &r, const RimMotion &m) {
+  return {r.stiffness * m.d + r.damping * m.rate, r.stiffness, r.damping};
 }
 
 // (2-21) to the letter: c times the planar speed whatever its direction, so that the dashpot gives back in
 // separation what it took in approach (rebound 1.000 for every e).
-ImpactForce printed_law(double k, double c, double d, double, double speed) {
-  return {k * d + c * speed, k, 0, c};
+ImpactForce printed_law(const RimElement &r, const RimMotion &m) {
+  return {r.stiffness * m.d + r.damping * m.speed, r.stiffness, 0, r.damping};
+}
+
+// Hunt and Crossley (1975): damping grows with the penetration, so that the force starts and ends at zero
+// and the restitution falls with speed. K = k_i d_1 / d_1^n, d_1 = 1 mm.
+ImpactForce hunt_crossley(const RimElement &r, const RimMotion &m) {
+  const double damped = 1 + r.dissipation * m.rate;
+  if (m.d <= 0 || damped <= 0) return {0, 0, 0};
+  const double spring =
+      r.stiffness * hunt_crossley_penetration * std::pow(m.d / hunt_crossley_penetration, r.exponent);
+  return {spring * damped, r.exponent * spring / m.d * damped, spring * r.dissipation};
+}
+
+// Rate-independent: along the backbone to the deepest penetration, from and to it along the unloading slope.
+ImpactForce elastoplastic(const RimElement &r, const RimMotion &m) {
+  if (m.d >= m.deepest) return elastoplastic_backbone(r, m.d);
+  const double top = elastoplastic_backbone(r, m.deepest).force, slope = unloading_stiffness(r, top);
+  return {top - slope * (m.deepest - m.d), slope, 0};
 }
 
 } // namespace
 
 const std::vector<ImpactLaw> &impact_laws() {
   static const std::vector<ImpactLaw> laws = {
-      {"signed", "k d + c d' with the radial rate until the penetration ends; returns e exactly", signed_law,
+      {"signed",
+       "k d + c d' with the radial rate until the penetration ends; returns e exactly",
+       {"k_i", "e"},
+       kelvin_voigt,
+       false,
        false},
-      {"no-tension", "max(0, k d + c d'): never pulls; rebound 0.675 for e = 0.65", no_tension_law, true},
-      {"printed", "(2-21) as printed, k d + c |v|: rebound 1.000 for every e", printed_law, false},
+      {"no-tension",
+       "max(0, k d + c d'): never pulls; rebound 0.675 for e = 0.65",
+       {"k_i", "e"},
+       kelvin_voigt,
+       true,
+       false},
+      {"printed",
+       "(2-21) as printed, k d + c |v|: rebound 1.000 for every e",
+       {"k_i", "e"},
+       printed_law,
+       false,
+       false},
+      {"hunt-crossley",
+       "K d^n (1 + chi d'): damping grows with penetration, rebound falls with speed",
+       {"k_i", "e", "exponent"},
+       hunt_crossley,
+       false,
+       false},
+      {"elastoplastic",
+       "yielding rim: softening load path, stiffer unloading, dents that stay",
+       {"k_i", "yield_force", "hardening", "unloading_gain"},
+       elastoplastic,
+       true,
+       true},
   };
   return laws;
 }
@@ -47,6 +84,24 @@ const ImpactLaw &impact_law(const std::string &name) {
   throw InputError("reduced.impact_law \"" + name + "\" is unknown; known: " + known);
 }
 
+ImpactForce RimElement::at(const RimMotion &motion) const {
+  const ImpactForce f = law->at(*this, motion);
+  return law->unilateral && f.force <= 0 ? ImpactForce{0, 0, 0} : f;
+}
+
+RimElement rim_element(const scene::ReducedSettings &s, double mass) {
+  const ImpactLaw &law = impact_law(s.impact_law);
+  const bool hunt = law.at == hunt_crossley; // others leave its reference speed unread
+  return {.stiffness = s.k_i,
+          .damping = damping_coefficient(s.k_i, s.restitution, mass),
+          .exponent = s.impact_exponent,
+          .dissipation = hunt ? hunt_crossley_dissipation(s.restitution, s.reference_speed) : 0,
+          .yield_force = s.yield_force,
+          .hardening = s.hardening,
+          .unloading_gain = s.unloading_gain,
+          .law = &law};
+}
+
 double damping_ratio(double restitution) {
   if (!(restitution > 0 && restitution <= 1))
     throw InputError("reduced.restitution " + std::to_string(restitution) + " is outside (0, 1]");
@@ -56,6 +111,36 @@ double damping_ratio(double restitution) {
 
 double damping_coefficient(double stiffness, double restitution, double mass) {
   return 2 * damping_ratio(restitution) * std::sqrt(stiffness * mass);
+}
+
+double hunt_crossley_dissipation(double e, double speed) {
+  if (!(e > 0 && e <= 1)) throw InputError("reduced.restitution " + std::to_string(e) + " is outside (0, 1]");
+  if (!(speed > 0))
+    throw InputError("reduced.reference_speed_m_per_s " + std::to_string(speed) + " must be > 0");
+  if (e == 1) return 0;
+  // taken minus given back is positive for small a and falls without bound towards a = 1 / e
+  double low = 0, high = 1 / e;
+  while (high - low > 1e-15 * high) {
+    const double a = (low + high) / 2;
+    if (a <= low || a >= high) break;
+    (a - std::log1p(a) + e * a + std::log1p(-e * a) > 0 ? low : high) = a;
+  }
+  return low / speed;
+}
+
+ImpactForce elastoplastic_backbone(const RimElement &r, double d) {
+  const double h = r.hardening, left = std::exp(-(1 - h) * r.stiffness * d / r.yield_force);
+  return {h * r.stiffness * d + r.yield_force * (1 - left), h * r.stiffness + (1 - h) * r.stiffness * left,
+          0};
+}
+
+double unloading_stiffness(const RimElement &r, double force) {
+  return r.stiffness * (1 + r.unloading_gain * std::max(0.0, force / r.yield_force - 1));
+}
+
+double residual_indentation(const RimElement &r, double deepest) {
+  const double top = elastoplastic_backbone(r, deepest).force;
+  return deepest - top / unloading_stiffness(r, top);
 }
 
 } // namespace rimpact::reduced

@@ -1,7 +1,8 @@
 /// Laws of the rim element: force of the rim on the slider over penetration d and its rate (thesis eq. 2-19
-/// to 2-22). Pure values; one function and one catalogue line a law. SI units, force > 0 pushes the slider
-/// inwards.
+/// to 2-22, and laws for a rim that yields). Pure values; one function and one catalogue line a law. SI
+/// units, force > 0 pushes the slider inwards.
 #pragma once
+#include "scene/scene.h"
 #include <string>
 #include <vector>
 
@@ -15,33 +16,63 @@ struct ImpactForce {
   double d_speed = 0;   ///< [N s/m]
 };
 
-/// One law. `at` is meant for d >= 0 and returns the force while the element is pressed.
+/// What a law sees of the contact.
+struct RimMotion {
+  double d;           ///< penetration [m], >= 0
+  double rate;        ///< d' [m/s], > 0 while approaching
+  double speed = 0;   ///< planar [m/s], >= |rate|
+  double deepest = 0; ///< penetration this arc of the rim had reached before [m]; read by laws that yield
+};
+
+struct RimElement;
+
 struct ImpactLaw {
   std::string name, description;
-  ImpactForce (*at)(double k, double c, double d, double rate, double speed);
-  /// True: the element lets go when k d + c d' falls to zero and presses again when it rises through zero
-  /// with d > 0 (the force is then max(0, k d + c d')). False: it lets go when the penetration ends.
+  std::vector<std::string> parameters; ///< of the element that the law reads, named as calibrations do
+  ImpactForce (*at)(const RimElement &rim, const RimMotion &motion);
+  /// True: never pulls. The element lets go when `at` falls to zero and presses again when it rises through
+  /// zero with d > 0. False: it lets go when the penetration ends.
   bool unilateral;
+  bool yields; ///< reads `deepest`: the rim remembers its dents
 };
 const std::vector<ImpactLaw> &impact_laws();
 /// Throws InputError naming the known laws.
 const ImpactLaw &impact_law(const std::string &name);
+
+/// The element of one rim.
+struct RimElement {
+  double stiffness = 0;           ///< k_i [N/m]; 0: no element
+  double damping = 0;             ///< c_i [N s/m] (signed, no-tension, printed)
+  double exponent = 1.5;          ///< of the penetration [-] (hunt-crossley), > 0
+  double dissipation = 0;         ///< chi [s/m] (hunt-crossley), >= 0
+  double yield_force = 1;         ///< F_y [N] (elastoplastic), > 0
+  double hardening = 0;           ///< tangent over k_i far beyond yield [-] (elastoplastic), 0..1
+  double unloading_gain = 0;      ///< a [-] (elastoplastic), >= 0
+  const ImpactLaw *law = nullptr; ///< into impact_laws()
+  ImpactForce at(const RimMotion &motion) const;
+  /// The law's force before a unilateral element lets go [N]: its sign decides whether it presses.
+  double trial(const RimMotion &motion) const { return law->at(*this, motion).force; }
+};
+/// Throws InputError for e outside (0, 1] or an unknown law.
+RimElement rim_element(const scene::ReducedSettings &settings, double mass);
 
 /// xi of (2-20): -ln e / sqrt(pi^2 + ln^2 e) [-], 0 < e <= 1.
 double damping_ratio(double restitution);
 /// c_i of (2-20) with m1 = supported mass and m2 -> infinity (rim fixed): 2 xi sqrt(k m) [N s/m].
 double damping_coefficient(double stiffness, double restitution, double mass);
 
-/// The element of one rim.
-struct RimElement {
-  double stiffness = 0; ///< k_i [N/m]; 0: no element
-  double damping = 0;   ///< c_i [N s/m]
-  const ImpactLaw *law = nullptr;
-  ImpactForce at(double d, double rate, double speed) const {
-    return law->at(stiffness, damping, d, rate, speed);
-  }
-  /// k d + c d' [N]: its sign decides whether a unilateral element presses.
-  double trial(double d, double rate) const { return stiffness * d + damping * rate; }
-};
+/// chi [s/m] of F = K d^n (1 + chi d') that gives restitution e at the approach speed v: with a = chi v,
+/// a - ln(1 + a) = -e a - ln(1 - e a), whatever K, n and the mass (work of both phases over the same d).
+double hunt_crossley_dissipation(double restitution, double speed);
+/// Penetration at which k_i of `hunt-crossley` is the secant stiffness [m].
+inline constexpr double hunt_crossley_penetration = 1e-3;
+
+/// First loading of `elastoplastic`: h k d + F_y (1 - exp(-(1 - h) k d / F_y)), and its slope.
+ImpactForce elastoplastic_backbone(const RimElement &rim, double d);
+/// Slope of unloading from the force F [N/m], k (1 + a max(0, F / F_y - 1)): the linear growth of Walton and
+/// Braun (1986), beyond yield.
+double unloading_stiffness(const RimElement &rim, double force);
+/// Indentation left after unloading from `deepest` [m].
+double residual_indentation(const RimElement &rim, double deepest);
 
 } // namespace rimpact::reduced

@@ -32,15 +32,22 @@ public:
   Evaluation forces(const Vector2d &u, const Vector2d &direction) const {
     Mode mode;
     mode.e0 = direction;
+    mode.deepest = rim_.deepest_at(u);
     mode.rim = dynamics_.has_rim() && u.norm() >= dynamics_.lateral_capacity ? RimContact::pressed
                                                                              : RimContact::open;
     return dynamics_.evaluate(mode, 0, state(u));
+  }
+  /// What has been reached so far stays in a rim that yields.
+  void press(const Vector2d &u) {
+    const double d = u.norm() - dynamics_.lateral_capacity;
+    if (d > 0) rim_.press(u, d);
   }
   const Dynamics &dynamics() const { return dynamics_; }
 
 private:
   const scene::Excitation &excitation_;
   Dynamics dynamics_;
+  RimMemory rim_;
 };
 
 /// Works over one interval of the path by Gauss's four points: of the drive, the friction and the rim.
@@ -108,7 +115,7 @@ ReducedRun quasi_static(const scene::Scene &given) {
   // Slow motion: nothing accelerates, friction is fully developed and its vertical part shares in carrying W.
   if (scene.reduced.normal_force == "inertia") scene.reduced.normal_force = "static";
   scene.reduced.friction = "coulomb";
-  const Path path(scene);
+  Path path(scene);
   ReducedRun run;
   scene::EnergyLedger ledger;
   // a multiple of 4 samples a cycle, so that turning points are samples
@@ -116,6 +123,7 @@ ReducedRun quasi_static(const scene::Scene &given) {
   store(path, 0, ledger, run.response, run.summary);
   for (int i = 1; i <= n; ++i) {
     add_works(path, double(i - 1) / n, double(i) / n, ledger);
+    path.press(path.at(double(i) / n));
     store(path, double(i) / n, ledger, run.response, run.summary);
   }
   scene::summarise_response(run.response, run.summary);

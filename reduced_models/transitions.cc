@@ -38,7 +38,7 @@ EventList Dynamics::events(const Mode &mode) const {
 double Dynamics::value(Event event, const Mode &mode, double t, const State &y) const {
   const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
   const double r = u.norm(), d = r - lateral_capacity;
-  const auto trial = [&] { return rim.trial(d, u.dot(v) / r) / rim.stiffness; };
+  const auto trial = [&] { return rim.trial(rim_motion(mode, y)) / rim.stiffness; };
   switch (event) {
   case Event::stop:
     return v.dot(mode.e0);
@@ -60,6 +60,20 @@ double Dynamics::value(Event event, const Mode &mode, double t, const State &y) 
     return u.dot(v);
   }
   throw std::logic_error("unknown event");
+}
+
+RimMotion Dynamics::rim_motion(const Mode &mode, const State &y) const {
+  const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
+  const double r = u.norm();
+  return {r - lateral_capacity, r > 0 ? u.dot(v) / r : 0, v.norm(), mode.deepest};
+}
+
+/// Where the way outwards ends (a turning, or a stop at the same instant) the rim keeps what it has reached.
+void Dynamics::remember(Mode &mode, const State &y) const {
+  const RimMotion at = rim_motion(mode, y);
+  if (at.d <= mode.deepest || at.rate > stop_speed) return;
+  mode.memory.press({y[iX], y[iY]}, at.d);
+  mode.deepest = at.d;
 }
 
 void Dynamics::project(Mode &mode, State &y) const {
@@ -116,6 +130,7 @@ double Dynamics::land(Mode &mode, double t, State &y) const {
 }
 
 double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
+  if (rim.law && rim.law->yields && mode.rim == RimContact::pressed) remember(mode, y);
   switch (event) {
   case Event::stop:
     // A right angle turned within one step is no stop: the run goes on with the new direction. In slow
@@ -131,6 +146,11 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
   case Event::landing:
     return land(mode, t, y);
   case Event::touch:
+    mode.deepest = mode.memory.deepest_at({y[iX], y[iY]});
+    // a dented arc is met only at its dent's bottom
+    mode.rim =
+        mode.deepest > 0 && rim.trial(rim_motion(mode, y)) <= 0 ? RimContact::relaxed : RimContact::pressed;
+    break;
   case Event::press_again:
     mode.rim = RimContact::pressed;
     break;
@@ -154,11 +174,12 @@ Mode Dynamics::starting_mode(const BearingState &start, State &y) const {
   y = {start.u[0],   start.u[1],   start.u[2], start.v[0], start.v[1], start.v[2],
        start.eta[0], start.eta[1], 0,          0,          0,          0};
   Mode mode;
-  const double r = std::hypot(y[iX], y[iY]), d = r - lateral_capacity;
-  const double rate = r > 0 ? (y[iX] * y[iVX] + y[iY] * y[iVY]) / r : 0;
+  mode.memory = start.rim;
+  mode.deepest = mode.memory.deepest_at({y[iX], y[iY]});
+  const RimMotion at = rim_motion(mode, y);
   // A state located at touch lies within rounding of it and moves outwards.
-  if (has_rim() && (d > 0 || (d > -1e-12 && rate > 0)))
-    mode.rim = rim.law->unilateral && rim.trial(d, rate) <= 0 ? RimContact::relaxed : RimContact::pressed;
+  if (has_rim() && (at.d > 0 || (at.d > -1e-12 && at.rate > 0)))
+    mode.rim = rim.law->unilateral && rim.trial(at) <= 0 ? RimContact::relaxed : RimContact::pressed;
   mode.support = start.airborne && reading == NormalForce::inertia ? Support::airborne : Support::sliding;
   settle(mode, start.t, y);
   return mode;

@@ -27,7 +27,12 @@ struct ReducedSettings {
   std::string model = "physical";
   double k_i = 4.5e8;       ///< impact stiffness [N/m]; 0 switches the impact element off
   double restitution = 0.65; ///< e in (0, 1]
-  std::string impact_law = "signed";  ///< signed | no-tension | printed
+  std::string impact_law = "signed";  ///< signed | no-tension | printed | hunt-crossley | elastoplastic
+  double impact_exponent = 1.5;       ///< n of hunt-crossley [-], > 0
+  double reference_speed = 0.5;       ///< at which `restitution` holds for hunt-crossley [m/s], > 0
+  double yield_force = 0.8e6;         ///< F_y of elastoplastic [N], > 0
+  double hardening = 0.08;            ///< of elastoplastic: tangent over k_i far beyond yield [-], 0..1
+  double unloading_gain = 0.5;        ///< of elastoplastic [-], >= 0: unloads at k_i (1 + gain (F / F_y - 1))
   std::string friction = "coulomb";   ///< coulomb | park-wen
   double elastic_slip = 1e-4;         ///< q of the Park-Wen state [m] (key elastic_slip_mm)
   double mu_fast = 0.07, mu_slow = 0.07;

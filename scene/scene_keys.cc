@@ -62,8 +62,18 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
   v.text({"model"}, r.model);
   v.number({"k_i_kN_per_m", "impact stiffness; 0: no impact element"}, r.k_i, kilo, not_negative);
   v.number({"restitution", "e"}, r.restitution, si, {0, 1, true});
-  v.choice({"impact_law", "signed | no-tension | printed"}, r.impact_law,
-           {"signed", "no-tension", "printed"});
+  v.choice({"impact_law", "signed | no-tension | printed | hunt-crossley | elastoplastic"}, r.impact_law,
+           {"signed", "no-tension", "printed", "hunt-crossley", "elastoplastic"});
+  if (v.wants(r.impact_law == "hunt-crossley")) {
+    v.number({"impact_exponent", "n of K d^n (1 + chi d')"}, r.impact_exponent, si, {0, 10, true});
+    v.number({"reference_speed_m_per_s", "approach speed at which the restitution holds"}, r.reference_speed, si,
+             {0, 100, true});
+  }
+  if (v.wants(r.impact_law == "elastoplastic")) {
+    v.number({"yield_force_kN", "F_y"}, r.yield_force, kilo, positive);
+    v.number({"hardening", "tangent over k_i far beyond yield"}, r.hardening, si, share);
+    v.number({"unloading_gain", "unloads at k_i (1 + gain (F / F_y - 1))"}, r.unloading_gain, si, {0, 100});
+  }
   v.choice({"friction", "coulomb | park-wen"}, r.friction, {"coulomb", "park-wen"});
   v.number({"elastic_slip_mm", "of park-wen"}, r.elastic_slip, milli, {0, 1e3, true});
   v.number({"mu_fast"}, r.mu_fast, si, {0, 2});

@@ -39,6 +39,14 @@ TEST(Cvode, NoTension) {
   s.reduced.impact_law = "no-tension";
   expect_same(s);
 }
+TEST(Cvode, LawsOfAYieldingRim) {
+  for (const char *law : {"hunt-crossley", "elastoplastic"}) {
+    SCOPED_TRACE(law);
+    scene::Scene s = ricker(1.4);
+    s.reduced.impact_law = law;
+    expect_same(s);
+  }
+}
 TEST(Cvode, ParkWen) {
   scene::Scene s = ricker(1.05);
   s.reduced.friction = "park-wen";

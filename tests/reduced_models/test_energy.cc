@@ -23,6 +23,8 @@ std::vector<Case> cases() {
       {"bouncing", [](auto &s) { s.reduced.vertical_restitution = 0.6; }},
       {"no_tension", [](auto &s) { s.reduced.impact_law = "no-tension"; }},
       {"printed", [](auto &s) { s.reduced.impact_law = "printed"; }},
+      {"hunt_crossley", [](auto &s) { s.reduced.impact_law = "hunt-crossley"; }},
+      {"elastoplastic", [](auto &s) { s.reduced.impact_law = "elastoplastic"; }},
       {"static_normal", [](auto &s) { s.reduced.normal_force = "static"; }},
       {"constant_normal", [](auto &s) { s.reduced.normal_force = "constant"; }},
       {"velocity_law", [](auto &s) { s.reduced.mu_slow = 0.03, s.reduced.rate = 20; }},

@@ -26,15 +26,16 @@ std::string refusal(const std::function<void(scene::Scene &)> &spoil) {
 
 TEST(Input, UnknownNamesListTheKnown) {
   EXPECT_NE(refusal([](auto &s) { s.reduced.model = "pysical"; }).find("known: physical"), std::string::npos);
-  EXPECT_NE(
-      refusal([](auto &s) { s.reduced.impact_law = "sign"; }).find("known: signed, no-tension, printed"),
-      std::string::npos);
+  EXPECT_NE(refusal([](auto &s) {
+              s.reduced.impact_law = "sign";
+            }).find("known: signed, no-tension, printed, hunt-crossley, elastoplastic"),
+            std::string::npos);
   EXPECT_NE(refusal([](auto &s) { s.reduced.friction = "x"; }).find("known: coulomb, park-wen"),
             std::string::npos);
   EXPECT_NE(refusal([](auto &s) { s.reduced.normal_force = "x"; }).find("known: inertia, static, constant"),
             std::string::npos);
   for (const auto &model : reduced_models()) EXPECT_FALSE(model.description.empty());
-  EXPECT_EQ(impact_laws().size(), 3u);
+  EXPECT_EQ(impact_laws().size(), 5u);
 }
 
 TEST(Input, PoisonInUnusedInputsDoesNotMatter) {
@@ -42,6 +43,8 @@ TEST(Input, PoisonInUnusedInputsDoesNotMatter) {
   scene::Scene s = ricker(1.05);
   const auto clean = simulate_summary(s);
   s.reduced.elastic_slip = s.reduced.rate = nan;
+  s.reduced.impact_exponent = s.reduced.reference_speed = s.reduced.yield_force = nan;
+  s.reduced.hardening = s.reduced.unloading_gain = nan;
   s.bearing.contact = {nan, nan, nan, "tied"};
   s.bearing.pad = {nan, nan, nan, nan, nan};
   s.bearing.foot = {nan, nan, nan, nan};

@@ -11,18 +11,27 @@ using namespace rimpact::reduced;
 
 namespace {
 
-void expect_consistent_tangent(const ImpactLaw &law, double d, double rate, double speed) {
-  const double k = 4.5e8, c = 1.7e6, h = 1e-7;
-  const auto at = law.at(k, c, d, rate, speed);
-  EXPECT_NEAR(at.d_penetration,
-              (law.at(k, c, d + h, rate, speed).force - law.at(k, c, d - h, rate, speed).force) / (2 * h),
-              1e-5 * k);
-  EXPECT_NEAR(at.d_rate,
-              (law.at(k, c, d, rate + h, speed).force - law.at(k, c, d, rate - h, speed).force) / (2 * h),
-              1e-5 * c);
-  EXPECT_NEAR(at.d_speed,
-              (law.at(k, c, d, rate, speed + h).force - law.at(k, c, d, rate, speed - h).force) / (2 * h),
-              1e-5 * c);
+/// Every parameter set, whether the law reads it or not.
+RimElement element(const std::string &law) {
+  return {.stiffness = 4.5e8,
+          .damping = 1.7e6,
+          .exponent = 1.3,
+          .dissipation = 0.8,
+          .yield_force = 0.8e6,
+          .hardening = 0.08,
+          .unloading_gain = 0.5,
+          .law = &impact_law(law)};
+}
+
+void expect_consistent_tangent(const RimElement &rim, const RimMotion &m) {
+  const double k = rim.stiffness, c = rim.damping, h = 1e-7;
+  const auto force = [&](double dd, double dr, double ds) {
+    return rim.at({m.d + dd, m.rate + dr, m.speed + ds, m.deepest}).force;
+  };
+  const auto at = rim.at(m);
+  EXPECT_NEAR(at.d_penetration, (force(h, 0, 0) - force(-h, 0, 0)) / (2 * h), 1e-5 * k) << rim.law->name;
+  EXPECT_NEAR(at.d_rate, (force(0, h, 0) - force(0, -h, 0)) / (2 * h), 1e-5 * c) << rim.law->name;
+  EXPECT_NEAR(at.d_speed, (force(0, 0, h) - force(0, 0, -h)) / (2 * h), 1e-5 * c) << rim.law->name;
 }
 
 } // namespace
@@ -30,15 +39,59 @@ void expect_consistent_tangent(const ImpactLaw &law, double d, double rate, doub
 TEST(ImpactLaws, TangentsAgreeWithDifferences) {
   for (const auto &law : impact_laws())
     for (const double rate : {0.3, 0.0, -0.1, -0.9})
-      expect_consistent_tangent(law, 1e-3, rate, std::abs(rate) + 0.05);
+      for (const double deepest : {0.0, 1.2e-3, 4e-3})
+        expect_consistent_tangent(element(law.name), {1e-3, rate, std::abs(rate) + 0.05, deepest});
 }
 
 TEST(ImpactLaws, SignsInSeparation) {
-  const double k = 4.5e8, c = 1.7e6, d = 1e-3, rate = -0.5;
-  EXPECT_DOUBLE_EQ(impact_law("signed").at(k, c, d, rate, 0.5).force, k * d + c * rate);
-  EXPECT_LT(impact_law("signed").at(k, c, d, rate, 0.5).force, 0);
-  EXPECT_EQ(impact_law("no-tension").at(k, c, d, rate, 0.5).force, 0);
-  EXPECT_DOUBLE_EQ(impact_law("printed").at(k, c, d, rate, 0.5).force, k * d + c * 0.5);
+  const double k = 4.5e8, c = 1.7e6, d = 1e-3;
+  const RimMotion leaving{d, -0.5, 0.5, 0};
+  EXPECT_DOUBLE_EQ(element("signed").at(leaving).force, k * d - c * 0.5);
+  EXPECT_LT(element("signed").at(leaving).force, 0);
+  EXPECT_EQ(element("no-tension").at(leaving).force, 0);
+  EXPECT_DOUBLE_EQ(element("no-tension").trial(leaving), k * d - c * 0.5);
+  EXPECT_DOUBLE_EQ(element("printed").at(leaving).force, k * d + c * 0.5);
+}
+
+TEST(ImpactLaws, HuntCrossleyByItsOwnFormula) {
+  const auto rim = element("hunt-crossley");
+  EXPECT_DOUBLE_EQ(rim.at({1e-3, 0}).force, 4.5e5); // k_i is the secant stiffness at 1 mm
+  EXPECT_NEAR(rim.at({3e-3, 0.2}).force, 4.5e5 * std::pow(3, 1.3) * 1.16, 1e-6);
+  EXPECT_EQ(rim.at({1e-3, -2}).force, 0); // never pulls
+  // small losses: e = 1 - (2/3) chi v, Hunt and Crossley (1975)
+  EXPECT_NEAR(hunt_crossley_dissipation(0.999, 0.5), 1.5 * 0.001 / 0.5, 1e-5);
+  EXPECT_EQ(hunt_crossley_dissipation(1, 0.5), 0);
+  EXPECT_NEAR(hunt_crossley_dissipation(0.3, 0.5), 2 * hunt_crossley_dissipation(0.3, 1.0), 1e-12);
+  EXPECT_THROW(hunt_crossley_dissipation(0, 0.5), InputError);
+  EXPECT_THROW(hunt_crossley_dissipation(0.5, 0), InputError);
+}
+
+TEST(ImpactLaws, ElastoplasticByItsOwnFormula) {
+  const auto rim = element("elastoplastic");
+  const double k = rim.stiffness, Fy = rim.yield_force;
+  EXPECT_NEAR(rim.at({1e-9, 0.1}).d_penetration, k, 1e-4 * k);
+  EXPECT_NEAR(rim.at({0.2, 0.1}).d_penetration, 0.08 * k, 1e-9 * k); // hardening
+  EXPECT_NEAR(rim.at({0.2, 0.1}).force, Fy + 0.08 * k * 0.2, 1e-6 * Fy);
+  const double deepest = 5e-3, top = rim.at({deepest, 0}).force, slope = k * (1 + 0.5 * (top / Fy - 1));
+  ASSERT_GT(top, Fy);
+  EXPECT_DOUBLE_EQ(rim.at({4.8e-3, 0.1, 0.1, deepest}).force, top - slope * 0.2e-3);
+  EXPECT_NEAR(residual_indentation(rim, deepest), deepest - top / slope, 1e-15);
+  EXPECT_EQ(rim.at({residual_indentation(rim, deepest) - 1e-6, 0.1, 0.1, deepest}).force, 0);
+  EXPECT_NEAR(rim.at({deepest + 1e-12, 0, 0, deepest}).force, top, 1e-3); // continuous where it yields again
+  EXPECT_EQ(unloading_stiffness(rim, 0.5 * Fy), k);
+}
+
+TEST(RimMemory, KeepsArcsApart) {
+  RimMemory rim;
+  rim.press({0.4, 0}, 1e-3);
+  rim.press({0.4 * std::cos(0.1), 0.4 * std::sin(0.1)}, 2e-3); // 5.7 degrees on: the same arc
+  rim.press({0, -0.4}, 3e-3);
+  EXPECT_EQ(rim.dents().size(), 2u);
+  EXPECT_EQ(rim.deepest_at({1, 0}), 2e-3);
+  EXPECT_EQ(rim.deepest_at({0, -7}), 3e-3);
+  EXPECT_EQ(rim.deepest_at({1, 1}), 0);
+  rim.press({1, 0}, 1e-3); // shallower: nothing forgotten
+  EXPECT_EQ(rim.deepest_at({1, 0}), 2e-3);
 }
 
 TEST(ImpactLaws, DampingOfTheThesis) {

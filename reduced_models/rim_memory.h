@@ -1,0 +1,43 @@
+/// What earlier impacts have left on the rim, arc by arc.
+#pragma once
+#include <algorithm>
+#include <cmath>
+#include <Eigen/Core>
+#include <numbers>
+#include <vector>
+
+namespace rimpact::reduced {
+
+/// An arc pressed before.
+struct Dent {
+  Eigen::Vector2d direction; ///< outward unit vector
+  double deepest;            ///< penetration beyond L_c [m], > 0
+};
+
+/// An impact within 8 degrees of a dent meets the rim as that left it, others a fresh arc (as rung R1 does).
+class RimMemory {
+public:
+  /// Of the arc around `u` (any length > 0) [m]; 0: never pressed there.
+  double deepest_at(const Eigen::Vector2d &u) const {
+    const Dent *dent = near(dents_, u);
+    return dent ? dent->deepest : 0;
+  }
+  void press(const Eigen::Vector2d &u, double d) {
+    if (Dent *dent = near(dents_, u))
+      dent->deepest = std::max(dent->deepest, d);
+    else
+      dents_.push_back({u.normalized(), d});
+  }
+  const std::vector<Dent> &dents() const { return dents_; }
+
+private:
+  template <class Dents> static auto near(Dents &dents, const Eigen::Vector2d &u) -> decltype(dents.data()) {
+    static const double cosine = std::cos(8 * std::numbers::pi / 180);
+    for (auto &dent : dents)
+      if (dent.direction.dot(u) > cosine * u.norm()) return &dent;
+    return nullptr;
+  }
+  std::vector<Dent> dents_;
+};
+
+} // namespace rimpact::reduced
