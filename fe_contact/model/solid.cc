@@ -28,9 +28,17 @@ int assembly_threads() {
   return n;
 }
 
-Solid::Solid(const Discretisation &space, const scene::Bearing &bearing) : space_(space) {
-  for (const auto *material : {&bearing.steel, &bearing.ertalyte})
-    laws_.push_back({HenckyJ2::from(*material), HenckyVolumetric::from(*material), material->density});
+Solid::Solid(const Discretisation &space, const scene::Bearing &bearing)
+    : Solid(space, {{meshes::Volume::plate, bearing.steel},
+                    {meshes::Volume::rim, bearing.steel},
+                    {meshes::Volume::foot, bearing.steel},
+                    {meshes::Volume::upper_slider, bearing.steel},
+                    {meshes::Volume::pad, bearing.ertalyte}}) {}
+
+Solid::Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials)
+    : space_(space) {
+  for (const auto &[volume, material] : materials)
+    laws_.emplace(volume, Law{HenckyJ2::from(material), HenckyVolumetric::from(material), material.density});
 }
 
 std::vector<std::vector<int>> Solid::cliques(const Equations &equations) const {

@@ -8,6 +8,7 @@
 #include "fe_contact/solver/equations.h"
 #include "fe_contact/solver/symmetric_matrix.h"
 #include "scene/bearing.h"
+#include <map>
 
 namespace rimpact::fe {
 
@@ -29,6 +30,7 @@ class Solid {
 public:
   /// All volumes of a bearing's mesh are steel but the pad (Ertalyte).
   Solid(const Discretisation &space, const scene::Bearing &bearing);
+  Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials);
 
   SolidHistory virgin() const { return SolidHistory(space_.n_cells * space_.full.n_points); }
   /// Cliques of coupled equations, one a cell.
@@ -51,7 +53,7 @@ private:
     double density;
   };
   const Law &law_of(std::size_t cell) const {
-    return laws_[space_.volumes[cell] == meshes::Volume::pad ? 1 : 0];
+    return laws_.at(space_.volumes[cell]);
   }
   template <int n>
   bool assemble_cells(std::size_t begin, std::size_t end, const Eigen::VectorXd &u, const SolidHistory &old,
@@ -60,7 +62,7 @@ private:
   const std::vector<int> &places_in(const SymmetricMatrix &matrix, const Equations &equations) const;
 
   const Discretisation &space_;
-  std::vector<Law> laws_;
+  std::map<meshes::Volume, Law> laws_;
   /// Where each local pair (i <= j) of each cell goes in the matrix; made once per pattern.
   mutable std::vector<int> places_;
   mutable long places_of_ = 0; ///< pattern_id

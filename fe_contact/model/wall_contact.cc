@@ -8,27 +8,6 @@
 namespace rimpact::fe {
 namespace {
 
-/// Gauss-Legendre points and weights on [-1, 1], n = 2..5, by Newton on the Legendre polynomial.
-void gauss(int n, std::vector<double> &points, std::vector<double> &weights) {
-  for (int i = 0; i < n; ++i) {
-    double x = std::cos(M_PI * (i + 0.75) / (n + 0.5)), derivative = 1;
-    for (int iteration = 0; iteration < 50; ++iteration) {
-      double p0 = 1, p1 = x;
-      for (int k = 2; k <= n; ++k) {
-        const double p2 = ((2 * k - 1) * x * p1 - (k - 1) * p0) / k;
-        p0 = p1;
-        p1 = p2;
-      }
-      derivative = n * (x * p1 - p0) / (x * x - 1);
-      const double change = p1 / derivative;
-      x -= change;
-      if (std::abs(change) < 1e-15) break;
-    }
-    points.push_back(x);
-    weights.push_back(2 / ((1 - x * x) * derivative * derivative));
-  }
-}
-
 /// Centre and radius of a ball around a face.
 struct Ball {
   Eigen::Vector3d centre;
@@ -70,23 +49,7 @@ WallContact::WallContact(const Discretisation &space, meshes::Surface slave, mes
     for (int e = 0; e < 4; ++e) entry.open_edge[e] = edges[edge_nodes(*face, space.degree, e)] == 1;
     masters_.push_back(entry);
   }
-  std::vector<double> x, w;
-  gauss(options.points, x, w);
-  const Eigen::VectorXd zero = Eigen::VectorXd::Zero(space.n_dofs());
-  for (std::size_t f = 0; f < slaves_.size(); ++f) {
-    const FaceNodes nodes = nodes_at(*slaves_[f], zero);
-    for (int j = 0; j < options.points; ++j)
-      for (int i = 0; i < options.points; ++i) {
-        SlavePoint point{static_cast<int>(f), face_shapes(space.degree, x[i], x[j]), 0.0};
-        Eigen::Vector3d t1 = Eigen::Vector3d::Zero(), t2 = t1;
-        for (int a = 0; a < point.shapes.n; ++a) {
-          t1 += point.shapes.dxi[a] * nodes.col(a);
-          t2 += point.shapes.deta[a] * nodes.col(a);
-        }
-        point.area = w[i] * w[j] * t1.cross(t2).norm();
-        points_.push_back(point);
-      }
-  }
+  points_ = face_points(space, slaves_, options.points);
 }
 
 ContactState WallContact::open() const {
@@ -138,7 +101,7 @@ std::vector<FaceNodes> WallContact::master_nodes(const Eigen::VectorXd &u) const
   return nodes;
 }
 
-Eigen::Vector3d WallContact::position(const SlavePoint &point, const FaceNodes &nodes) const {
+Eigen::Vector3d WallContact::position(const FacePoint &point, const FaceNodes &nodes) const {
   Eigen::Vector3d x = Eigen::Vector3d::Zero();
   for (int a = 0; a < point.shapes.n; ++a) x += point.shapes.N[a] * nodes.col(a);
   return x;
@@ -199,7 +162,7 @@ ContactReport WallContact::assemble(const Eigen::VectorXd &u, ContactState &stat
   FaceNodes slave_nodes;
   int current = -1;
   for (std::size_t k = 0; k < points_.size(); ++k) {
-    const SlavePoint &point = points_[k];
+    const FacePoint &point = points_[k];
     state.gap[k] = no_gap;
     state.pressure[k] = 0;
     if (!state.on_wall[k] || near[point.face].empty()) continue;
@@ -226,7 +189,7 @@ ContactReport WallContact::assemble(const Eigen::VectorXd &u, ContactState &stat
   return report;
 }
 
-bool WallContact::add_point(const SlavePoint &point, const Face &slave, const Pair &pair,
+bool WallContact::add_point(const FacePoint &point, const Face &slave, const Pair &pair,
                             const Eigen::Vector3d &normal, double gap, const NormalContact::Result &law,
                             const Equations &equations, Eigen::VectorXd &forces,
                             SymmetricMatrix *tangent) const {

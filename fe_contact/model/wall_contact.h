@@ -4,7 +4,7 @@
 #pragma once
 #include "fe_contact/laws/normal_contact.h"
 #include "fe_contact/model/discretisation.h"
-#include "fe_contact/model/face_geometry.h"
+#include "fe_contact/model/face_points.h"
 #include "fe_contact/solver/equations.h"
 #include "fe_contact/solver/symmetric_matrix.h"
 
@@ -64,11 +64,6 @@ public:
   const ContactOptions &options() const { return options_; }
 
 private:
-  struct SlavePoint {
-    int face;
-    FaceShapes shapes;
-    double area; ///< weight times reference area [m^2]
-  };
   struct MasterFace {
     const Face *face;
     bool open_edge[4]; ///< xi = -1, xi = +1, eta = -1, eta = +1 border no other master face
@@ -81,9 +76,9 @@ private:
   Pair find(const Eigen::Vector3d &x, const std::vector<const MasterFace *> &near,
             const std::vector<FaceNodes> &nodes, double beyond_edges) const;
   std::vector<FaceNodes> master_nodes(const Eigen::VectorXd &u) const;
-  Eigen::Vector3d position(const SlavePoint &point, const FaceNodes &nodes) const;
+  Eigen::Vector3d position(const FacePoint &point, const FaceNodes &nodes) const;
   std::vector<std::vector<const MasterFace *>> near_faces(const Eigen::VectorXd &u, double margin) const;
-  bool add_point(const SlavePoint &point, const Face &slave, const Pair &pair, const Eigen::Vector3d &normal,
+  bool add_point(const FacePoint &point, const Face &slave, const Pair &pair, const Eigen::Vector3d &normal,
                  double gap, const NormalContact::Result &law, const Equations &equations,
                  Eigen::VectorXd &forces, SymmetricMatrix *tangent) const;
 
@@ -91,7 +86,7 @@ private:
   ContactOptions options_;
   std::vector<const Face *> slaves_;
   std::vector<MasterFace> masters_;
-  std::vector<SlavePoint> points_;
+  std::vector<FacePoint> points_;
 };
 
 } // namespace rimpact::fe

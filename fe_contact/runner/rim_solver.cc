@@ -1,7 +1,7 @@
 #include "fe_contact/runner/rim_solver.h"
 
+#include "fe_contact/solver/stopwatch.h"
 #include "scene/error.h"
-#include <chrono>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -16,19 +16,6 @@ constexpr double smallest_force = 1e-2;
 /// renewed.
 constexpr double linear_tolerance = 1e-3;
 constexpr int most_linear_iterations = 20, worn_after = 6;
-
-/// Adds the time of its life to one entry of a split.
-class Stopwatch {
-public:
-  explicit Stopwatch(double &seconds) : seconds_(seconds), start_(std::chrono::steady_clock::now()) {}
-  ~Stopwatch() {
-    seconds_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
-private:
-  double &seconds_;
-  std::chrono::steady_clock::time_point start_;
-};
 
 ContactOptions contact_options(const scene::Bearing &bearing, const meshes::RimMeshOptions &mesh,
                                const RimSolverOptions &options) {

@@ -17,16 +17,27 @@ struct DirectSolver::Petsc {
 };
 
 DirectSolver::DirectSolver(SymmetricMatrix &matrix) : petsc_(std::make_unique<Petsc>()) {
-  auto &p = *petsc_;
   const int n = matrix.n();
   check(MatCreateSeqSBAIJWithArrays(PETSC_COMM_SELF, 1, n, n, matrix.starts().data(), matrix.columns().data(),
-                                    matrix.values().data(), &p.matrix));
+                                    matrix.values().data(), &petsc_->matrix));
+  set_up(true, n);
+}
+
+DirectSolver::DirectSolver(GeneralMatrix &matrix) : petsc_(std::make_unique<Petsc>()) {
+  const int n = matrix.n();
+  check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, matrix.starts().data(), matrix.columns().data(),
+                                  matrix.values().data(), &petsc_->matrix));
+  set_up(false, n);
+}
+
+void DirectSolver::set_up(bool symmetric, int n) {
+  auto &p = *petsc_;
   check(MatSetOption(p.matrix, MAT_NEW_NONZERO_LOCATION_ERR, PETSC_TRUE));
   check(KSPCreate(PETSC_COMM_SELF, &p.ksp));
   check(KSPSetType(p.ksp, KSPPREONLY));
   PC pc;
   check(KSPGetPC(p.ksp, &pc));
-  check(PCSetType(pc, PCCHOLESKY));
+  check(PCSetType(pc, symmetric ? PCCHOLESKY : PCLU));
   check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
   check(KSPSetOperators(p.ksp, p.matrix, p.matrix));
   check(PCFactorSetUpMatSolverType(pc));

@@ -1,7 +1,7 @@
-/// Solves by MUMPS through PETSc (L D L^T of a symmetric indefinite matrix). Owns its KSP: a factor that has
+/// Solves by MUMPS through PETSc: L D L^T of a symmetric indefinite matrix, L U of an unsymmetric one. Owns its KSP: a factor that has
 /// become stale goes on as the preconditioner of GMRES and is renewed when the iterations become many.
 #pragma once
-#include "fe_contact/solver/symmetric_matrix.h"
+#include "fe_contact/solver/general_matrix.h"
 #include <memory>
 
 namespace rimpact::fe {
@@ -10,6 +10,7 @@ class DirectSolver {
 public:
   /// Keeps a reference: the matrix's pattern must not change during the solver's life.
   explicit DirectSolver(SymmetricMatrix &matrix);
+  explicit DirectSolver(GeneralMatrix &matrix);
   ~DirectSolver();
   /// Factorises the matrix's present values. False when MUMPS finds it singular or runs out of memory.
   bool factorise();
@@ -21,6 +22,7 @@ public:
   int last_iterations() const { return last_iterations_; }
 
 private:
+  void set_up(bool symmetric, int n);
   Eigen::VectorXd solve_by_ksp(const Eigen::VectorXd &right_side);
   struct Petsc;
   std::unique_ptr<Petsc> petsc_;

@@ -1,0 +1,91 @@
+#include "fe_contact/model/contact_steps.h"
+
+namespace rimpact::fe {
+namespace {
+
+constexpr double slow = 0.5; ///< left after an augmentation over left before
+
+/// Newton inside Uzawa's loop, from u; the system's trial then holds the solution.
+ContactStepReport solve(ContactSystem &system, const SystemState &state, const StepTerms &terms,
+                        const StepOptions &options, Eigen::VectorXd &u) {
+  ContactStepReport report;
+  system.prepare(state, terms);
+  for (double worst = 0;;) {
+    const NewtonReport newton_report = newton(system, u, options.newton);
+    report.iterations += newton_report.iterations;
+    report.residuals = newton_report.residuals;
+    if (!newton_report.converged) {
+      report.reason = newton_report.reason;
+      return report;
+    }
+    const double before = worst;
+    const auto left = system.left_to_augment();
+    report.gap_left = left.gap;
+    report.slip_left = left.slip;
+    worst = std::max(left.gap / options.gap_tolerance, left.slip / options.slip_tolerance);
+    if (worst <= 1) break;
+    if (report.augmentations >= options.max_augmentations) {
+      report.capped = options.max_augmentations > 0;
+      break;
+    }
+    // Uzawa's loop is as slow as the penalty is soft beside the body: then the penalty grows (Bertsekas 1982).
+    if (report.augmentations > 0 && worst > slow * before && system.stiffen(4))
+      report.stiffened = true;
+    ++report.augmentations;
+    system.augment();
+  }
+  report.converged = true;
+  return report;
+}
+
+} // namespace
+
+ContactStepReport static_step(ContactSystem &system, SystemState &state, const StepTerms &terms,
+                              const StepOptions &options, const Eigen::VectorXd &guess) {
+  Eigen::VectorXd u = guess.size() ? guess : state.u;
+  const ContactStepReport report = solve(system, state, terms, options, u);
+  if (report.converged) system.commit(u, state, options.max_augmentations > 0);
+  return report;
+}
+
+ContactStepReport time_step(ContactSystem &system, SystemState &state, const StepTerms &terms,
+                            const StepOptions &options) {
+  const Inertia inertia(GeneralizedAlpha::from(options.rho_inf), terms.dt, state);
+  StepTerms in_time = terms;
+  in_time.inertia = &inertia;
+  Eigen::VectorXd u = state.u + terms.dt * state.v;
+  ContactStepReport report = solve(system, state, in_time, options, u);
+  if (!report.converged) return report;
+  const Eigen::VectorXd a = inertia.acceleration(u), du = u - state.u, da = a - state.a, R_old = state.R;
+  system.commit(u, state, options.max_augmentations > 0);
+  report.integrator_loss = inertia.scheme.loss(terms.dt, du, da, system.mass_times(da), R_old, state.R);
+  state.v = inertia.velocity(a);
+  state.a = a;
+  return report;
+}
+
+PreloadReport preload(ContactSystem &system, SystemState &state, const Eigen::VectorXd &load, double stiffness,
+                      const StepOptions &options, double share) {
+  constexpr int most_rounds = 30;
+  PreloadReport report;
+  StepTerms terms{load};
+  for (terms.stabilisation = stiffness; report.rounds < most_rounds; terms.stabilisation *= 0.1) {
+    const ContactStepReport step = static_step(system, state, terms, options);
+    report.iterations += step.iterations;
+    if (!step.converged) {
+      report.reason = step.reason;
+      return report;
+    }
+    ++report.rounds;
+    report.stabilisation_share = system.stabilisation_share();
+    if (report.stabilisation_share < share) {
+      report.converged = true;
+      return report;
+    }
+  }
+  report.reason = "the stabilising springs still carry " + std::to_string(report.stabilisation_share) +
+                  " of the forces: contact does not hold the bodies";
+  return report;
+}
+
+} // namespace rimpact::fe

@@ -1,0 +1,96 @@
+/// Frictional contact of a deformable body's faces with an exact surface: Gauss points of the slave faces
+/// against the signed distance. The surface may be carried by a rigid body in translation, whose three dofs
+/// stand behind the nodes' ones in the equations (see Equations). Slip is measured along the surface from the
+/// step's start, so sliding may be as long as it likes.
+///
+/// More Gauss points than a face has room for would over-constrain it if each had a multiplier of its own: the
+/// pressures oscillate (the inf-sup condition fails). Multipliers are therefore the tractions' least-squares
+/// fit over a face's active points, bilinear for Q2 and constant for Q1; the penalty sees every point.
+#pragma once
+#include "fe_contact/laws/coulomb.h"
+#include "fe_contact/laws/master_surface.h"
+#include "fe_contact/model/discretisation.h"
+#include "fe_contact/model/face_points.h"
+#include "fe_contact/solver/equations.h"
+#include "fe_contact/solver/general_matrix.h"
+#include <limits>
+
+namespace rimpact::fe {
+
+struct SurfaceContactOptions {
+  CoulombContact law;
+  int points = 4;        ///< Gauss points a direction and slave face
+  int carrier_dof = -1;  ///< first of the rigid carrier's three dofs; -1: the surface stands still
+};
+
+/// Per slave point; trial/committed by the caller.
+struct SurfaceContactState {
+  std::vector<double> multiplier;           ///< normal [Pa]
+  std::vector<Eigen::Vector3d> tangential;  ///< friction multiplier [Pa]
+  std::vector<Eigen::Vector3d> start;       ///< position relative to the carrier at the step's start [m]
+  std::vector<double> gap, pressure;        ///< at the last evaluation [m], [Pa]
+  std::vector<Eigen::Vector3d> friction;    ///< [Pa]
+  std::vector<ContactStatus> status;
+  double stiffening = 1; ///< factor on the stated penalties where augmentation alone was slow
+};
+
+struct SurfaceContactReport {
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< on the body [N]
+  double smallest_gap = std::numeric_limits<double>::infinity(); ///< [m]
+  double penetration = 0;                 ///< largest, pointwise [m]
+  double largest_pressure = 0;            ///< [Pa]
+  int stick = 0, slip = 0;                ///< points
+  double normal_work = 0, friction_work = 0; ///< taken up since the step's start, trapezoidal [J]
+};
+
+class SurfaceContact {
+public:
+  SurfaceContact(const Discretisation &space, meshes::Surface slave, MasterSurface master,
+                 const SurfaceContactOptions &options);
+
+  SurfaceContactState open(const Eigen::VectorXd &u) const;
+  std::vector<std::vector<int>> cliques(const Equations &equations) const;
+  /// Adds (internal-sign) contact forces and the tangent at dof displacements u; fills `state`'s results.
+  SurfaceContactReport assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,
+                                const Equations &equations, Eigen::VectorXd &forces,
+                                GeneralMatrix *tangent) const;
+  /// Multipliers of the next augmentation, and how far they are from the present ones over the penalty: the
+  /// gap and the stick's slip, in the multipliers' sense, that are left [m].
+  struct Augmentation {
+    std::vector<double> multiplier;
+    std::vector<Eigen::Vector3d> tangential;
+    double gap_left = 0, slip_left = 0;
+  };
+  Augmentation augmentation(const SurfaceContactState &state) const;
+  /// Work of the step from `before` to `after`, both evaluated.
+  void add_work(const SurfaceContactState &before, const SurfaceContactState &after, const Eigen::VectorXd &u,
+                SurfaceContactReport &report) const;
+  /// Ends a step at u: friction (and, if asked, the pressure) becomes the multiplier, positions the next step's
+  /// start.
+  void commit(const Eigen::VectorXd &u, SurfaceContactState &state, bool keep_pressure) const;
+
+  /// Mean stiffness of the faces' nodes over their area [Pa/m], from the solid's tangent.
+  double stiffness_per_area(const Equations &equations, const SymmetricMatrix &solid) const;
+  /// Shortest time until an open point touches at dof velocities v [s]; infinity when none closes.
+  double time_to_touch(const Eigen::VectorXd &u, const Eigen::VectorXd &v) const;
+
+  /// One entry a point: where it is and what acts there.
+  struct Sample {
+    Eigen::Vector3d position, friction;
+    double area, pressure, gap;
+  };
+  std::vector<Sample> samples(const Eigen::VectorXd &u, const SurfaceContactState &state) const;
+  SurfaceContactOptions &options() { return options_; }
+  const SurfaceContactOptions &options() const { return options_; }
+
+private:
+  Eigen::Vector3d relative_position(const FacePoint &point, const Eigen::VectorXd &u) const;
+
+  const Discretisation &space_;
+  MasterSurface master_;
+  SurfaceContactOptions options_;
+  std::vector<const Face *> faces_;
+  std::vector<FacePoint> points_;
+};
+
+} // namespace rimpact::fe

@@ -1,0 +1,102 @@
+// A run in time: steps clipped to the predicted touch and cut by their energy error, with its ledger.
+#include "fe_contact/model/contact_steps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rimpact::fe {
+namespace {
+
+struct Run {
+  ContactSystem &system;
+  SystemState &state;
+  const std::function<Eigen::VectorXd(double)> &load;
+  const TransientOptions &options;
+  const std::function<void(double, const SystemState &, const ContactStepReport &)> &after_step;
+  TransientReport report{};
+
+  bool in_contact() const {
+    return std::any_of(state.reports.begin(), state.reports.end(),
+                       [](const auto &r) { return r.stick + r.slip > 0; });
+  }
+
+  Attempt attempt(double t, double dt);
+};
+
+Attempt Run::attempt(double t, double dt) {
+  const bool was_in_contact = in_contact();
+  const double until_touch = was_in_contact ? 0 : system.time_to_touch(state);
+  // Arrive at the touch, then go on with the short step.
+  if (!was_in_contact && until_touch < dt && until_touch > 1e-3 * options.contact_step &&
+      dt > 1.001 * options.smallest_step)
+    return {false, std::max(until_touch * (1 + 1e-9), options.smallest_step), "the walls are about to touch"};
+  if (!was_in_contact && until_touch < dt && dt > 1.001 * options.contact_step)
+    return {false, options.contact_step, "the walls touch"};
+  const SystemState kept = state;
+  StepTerms terms{load(t + dt)};
+  terms.dt = dt;
+  const Eigen::VectorXd load_before = load(t);
+  StepOptions step_options = options.step;
+  if (t == 0) step_options.rho_inf = 1; // the first, shortest step: its end's accelerations balance the forces
+  const ContactStepReport step = time_step(system, state, terms, step_options);
+  report.iterations += step.iterations;
+  if (!step.converged) {
+    state = kept;
+    return {false, 0, step.reason};
+  }
+  const double external = 0.5 * (load_before + terms.load).dot(state.u - kept.u);
+  const double kinetic = system.kinetic_energy(state);
+  double friction = 0, contact = 0;
+  for (const auto &r : state.reports) {
+    friction += r.friction_work;
+    contact += r.normal_work;
+  }
+  auto &ledger = report.ledger;
+  const double unbalanced = external - (kinetic - ledger.kinetic) - (state.energies.elastic - ledger.elastic) -
+                            (state.energies.plastic - ledger.plastic) - friction - contact - step.integrator_loss;
+  const double largest =
+      std::max({ledger.largest, std::abs(ledger.initial + ledger.external + external), kinetic, 1e-300});
+  // A loss is the integrator's damping of waves the step cannot resolve; a gain is an error.
+  const double error = (std::abs(unbalanced) + std::max(0.0, -step.integrator_loss)) / (options.energy_tolerance * largest);
+  // Halving buys a factor of about eight; at the smallest step the step is taken and the ledger shows it.
+  if (error > 1 && dt > 1.001 * options.smallest_step) {
+    state = kept;
+    return {false, dt * std::clamp(0.8 / std::cbrt(error), 0.2, 0.7), "the step's energy error is too large"};
+  }
+  ledger.external += external;
+  ledger.kinetic = kinetic;
+  ledger.elastic = state.energies.elastic;
+  ledger.plastic = state.energies.plastic;
+  ledger.friction += friction;
+  ledger.contact += contact;
+  ledger.integrator += step.integrator_loss;
+  ledger.largest = largest;
+  report.capped_steps += step.capped;
+  after_step(t + dt, state, step);
+  return {true, dt * std::clamp(0.9 / std::cbrt(std::max(error, 1e-3)), 0.5, 2.0), {}};
+}
+
+} // namespace
+
+double SystemLedger::imbalance() const {
+  const double left =
+      initial + external - kinetic - elastic - plastic - friction - contact - integrator;
+  return largest > 0 ? std::abs(left) / largest : 0.0;
+}
+
+TransientReport run_in_time(
+    ContactSystem &system, SystemState &state, double end, const std::function<Eigen::VectorXd(double)> &load,
+    const TransientOptions &options,
+    const std::function<void(double, const SystemState &, const ContactStepReport &)> &after_step) {
+  Run run{system, state, load, options, after_step};
+  run.report.ledger.kinetic = system.kinetic_energy(state);
+  run.report.ledger.elastic = state.energies.elastic;
+  run.report.ledger.plastic = state.energies.plastic;
+  run.report.ledger.initial = run.report.ledger.kinetic + state.energies.elastic + state.energies.plastic;
+  run.report.ledger.largest = run.report.ledger.initial;
+  run.report.march = march(0, end, {options.smallest_step, options.smallest_step, options.largest_step},
+                           [&](double t, double dt) { return run.attempt(t, dt); });
+  return run.report;
+}
+
+} // namespace rimpact::fe

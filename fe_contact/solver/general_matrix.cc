@@ -1,0 +1,60 @@
+#include "fe_contact/solver/general_matrix.h"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace rimpact::fe {
+
+GeneralMatrix::GeneralMatrix(const SymmetricMatrix &pattern) {
+  const int n = pattern.n();
+  const auto &starts = pattern.starts(), &columns = pattern.columns();
+  std::vector<int> count(n, 0);
+  for (int i = 0; i < n; ++i)
+    for (int k = starts[i]; k < starts[i + 1]; ++k) {
+      ++count[i];
+      if (columns[k] != i) ++count[columns[k]];
+    }
+  starts_.assign(n + 1, 0);
+  for (int i = 0; i < n; ++i) starts_[i + 1] = starts_[i] + count[i];
+  columns_.resize(starts_[n]);
+  values_.assign(starts_[n], 0.0);
+  upper_.resize(columns.size());
+  lower_.resize(columns.size());
+  // Row by row, the lower entries of a row come from the rows above it, so columns come out sorted.
+  std::vector<int> next(starts_.begin(), starts_.end() - 1);
+  for (int i = 0; i < n; ++i)
+    for (int k = starts[i]; k < starts[i + 1]; ++k) {
+      const int j = columns[k];
+      columns_[upper_[k] = next[i]++] = j;
+      lower_[k] = upper_[k];
+      if (j != i) columns_[lower_[k] = next[j]++] = i;
+    }
+}
+
+void GeneralMatrix::assign(const SymmetricMatrix &symmetric) {
+  const auto &values = symmetric.values();
+  for (std::size_t k = 0; k < values.size(); ++k) values_[upper_[k]] = values_[lower_[k]] = values[k];
+}
+
+int GeneralMatrix::place(int row, int column) const {
+  const auto begin = columns_.begin() + starts_[row], end = columns_.begin() + starts_[row + 1];
+  const auto found = std::lower_bound(begin, end, column);
+  if (found == end || *found != column) throw std::logic_error("matrix entry outside the sparsity pattern");
+  return static_cast<int>(found - columns_.begin());
+}
+
+void GeneralMatrix::add(int row, int column, double value) { values_[place(row, column)] += value; }
+
+void GeneralMatrix::make_unit_row(int row, double diagonal) {
+  std::fill(values_.begin() + starts_[row], values_.begin() + starts_[row + 1], 0.0);
+  values_[place(row, row)] = diagonal;
+}
+
+Eigen::VectorXd GeneralMatrix::multiply(const Eigen::VectorXd &x) const {
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(n());
+  for (int i = 0; i < n(); ++i)
+    for (int k = starts_[i]; k < starts_[i + 1]; ++k) y[i] += values_[k] * x[columns_[k]];
+  return y;
+}
+
+} // namespace rimpact::fe

@@ -1,0 +1,35 @@
+/// Unsymmetric sparse matrix with a symmetric pattern, by rows (CSR): the tangent of frictional contact. The
+/// pattern is fixed; an entry outside it is an error in every build.
+#pragma once
+#include "fe_contact/solver/symmetric_matrix.h"
+
+namespace rimpact::fe {
+
+class GeneralMatrix {
+public:
+  /// Both triangles of a symmetric matrix's pattern.
+  explicit GeneralMatrix(const SymmetricMatrix &pattern);
+  GeneralMatrix(const GeneralMatrix &) = delete;
+
+  int n() const { return static_cast<int>(starts_.size()) - 1; }
+  /// Takes the values of a symmetric matrix with the pattern this one was made from.
+  void assign(const SymmetricMatrix &symmetric);
+  /// Throws std::logic_error outside the pattern.
+  void add(int row, int column, double value);
+  /// The row becomes `diagonal` times the unit row.
+  void make_unit_row(int row, double diagonal);
+  double diagonal(int row) const { return values_[place(row, row)]; }
+  Eigen::VectorXd multiply(const Eigen::VectorXd &x) const;
+
+  std::vector<int> &starts() { return starts_; }
+  std::vector<int> &columns() { return columns_; }
+  std::vector<double> &values() { return values_; }
+
+private:
+  int place(int row, int column) const;
+  std::vector<int> starts_, columns_;
+  std::vector<int> upper_, lower_; ///< where each entry of the symmetric matrix goes
+  std::vector<double> values_;
+};
+
+} // namespace rimpact::fe

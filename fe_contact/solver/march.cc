@@ -1,0 +1,39 @@
+#include "fe_contact/solver/march.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rimpact::fe {
+
+MarchReport march(double start, double end, const StepLimits &limits,
+                  const std::function<Attempt(double, double)> &attempt) {
+  MarchReport report;
+  double t = start, wanted = limits.first;
+  const double rounding = 1e-12 * std::max(std::abs(start), std::abs(end));
+  while (end - t > rounding) {
+    double dt = std::clamp(wanted, limits.smallest, limits.largest);
+    if (t + 1.001 * dt >= end)
+      dt = end - t;
+    else if (t + 2 * dt > end)
+      dt = 0.5 * (end - t); // no sliver of a last step
+    const Attempt result = attempt(t, dt);
+    if (result.accepted) {
+      t += dt;
+      ++report.steps;
+      wanted = result.wish > 0 ? result.wish : std::max(wanted, dt) * limits.growth;
+      continue;
+    }
+    ++report.cuts;
+    if (dt <= limits.smallest * 1.001) {
+      report.reached = t;
+      report.reason = result.reason;
+      return report;
+    }
+    wanted = result.wish > 0 ? std::min(result.wish, 0.7 * dt) : 0.5 * dt;
+  }
+  report.finished = true;
+  report.reached = end;
+  return report;
+}
+
+} // namespace rimpact::fe

@@ -1,0 +1,32 @@
+/// The one place where steps are cut, retried and grown.
+#pragma once
+#include <functional>
+#include <string>
+
+namespace rimpact::fe {
+
+struct StepLimits {
+  double first, smallest, largest; ///< [s], or of the load parameter
+  double growth = 1.5;             ///< after an accepted step that wishes no other
+};
+
+/// What came of one attempt at a step. A rejected one may wish a shorter step (else it is halved), an accepted
+/// one the next step's length (else it grows).
+struct Attempt {
+  bool accepted = false;
+  double wish = 0; ///< 0: none
+  std::string reason;
+};
+
+struct MarchReport {
+  bool finished = false;
+  double reached = 0; ///< where it stopped
+  int steps = 0, cuts = 0;
+  std::string reason; ///< when not finished: why the smallest step failed
+};
+
+/// From `start` to `end`. `attempt(t, dt)` must leave everything as it was when it does not accept.
+MarchReport march(double start, double end, const StepLimits &limits,
+                  const std::function<Attempt(double t, double dt)> &attempt);
+
+} // namespace rimpact::fe

@@ -1,0 +1,88 @@
+#include "fe_contact/solver/newton.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rimpact::fe {
+namespace {
+
+constexpr int most_linear_iterations = 30, worn_after = 10;
+
+/// Eisenstat and Walker (1996), choice 2 with its safeguard: how well the linear system need be solved.
+double forcing_term(const std::vector<double> &residuals, double last) {
+  constexpr double largest = 1e-2, gamma = 0.9;
+  if (residuals.size() < 2) return largest;
+  const double ratio = residuals.back() / residuals[residuals.size() - 2];
+  const double safeguard = gamma * last * last;
+  const double term = std::max(gamma * ratio * ratio, safeguard > 0.1 ? safeguard : 0.0);
+  return std::clamp(term, 1e-10, largest);
+}
+
+} // namespace
+
+NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOptions &options) {
+  NewtonReport report;
+  if (!target.evaluate(u)) {
+    report.reason = "a cell turned inside out before the first iteration";
+    return report;
+  }
+  const auto relative = [&] { return target.residual().norm() / target.force_scale(); };
+  double forcing = 0;
+  bool have_factor = false, worn = false;
+  report.residuals.push_back(relative());
+  while (report.residuals.back() > options.tolerance || report.iterations == 0) {
+    if (report.iterations >= options.max_iterations) {
+      report.reason = "Newton did not converge in " + std::to_string(options.max_iterations) + " iterations";
+      return report;
+    }
+    ++report.iterations;
+    forcing = forcing_term(report.residuals, forcing);
+    Eigen::VectorXd change;
+    if (options.stale_factor && have_factor && !worn) {
+      change = target.solver().solve_iteratively(-target.residual(), forcing, most_linear_iterations);
+      worn = target.solver().last_iterations() > worn_after;
+    }
+    if (change.size() == 0) {
+      if (!target.solver().factorise()) {
+        report.reason = "the tangent is singular: is every body held by supports or contact?";
+        return report;
+      }
+      ++report.factorisations;
+      have_factor = true;
+      worn = false;
+      change = target.solver().solve(-target.residual());
+    }
+    if (!change.allFinite()) {
+      report.reason = "the tangent is singular: is every body held by supports or contact?";
+      return report;
+    }
+    // Bounded backtracking: contact is not smooth, so the best step found is taken when none is better. The
+    // first change carries the step's loading, its residual is no measure: any admissible one will do.
+    const Eigen::VectorXd start = u;
+    const double before = report.residuals.back();
+    double best = -1, best_factor = 0, factor = 1;
+    for (int trial = 0; trial <= options.max_backtracks; ++trial, factor /= 2) {
+      u = start + factor * change;
+      if (!target.evaluate(u)) continue;
+      const double reached = relative();
+      if (best_factor == 0 || reached < best) {
+        best = reached;
+        best_factor = factor;
+      }
+      if (report.iterations == 1 || reached < before) break;
+    }
+    if (best_factor == 0 || !std::isfinite(best)) {
+      report.reason = "a cell turned inside out";
+      return report;
+    }
+    if (u != start + best_factor * change) {
+      u = start + best_factor * change;
+      target.evaluate(u);
+    }
+    report.residuals.push_back(best);
+  }
+  report.converged = true;
+  return report;
+}
+
+} // namespace rimpact::fe

@@ -1,0 +1,39 @@
+/// Newton's method for R(u) = 0: bounded backtracking, a stale factor inside GMRES with Eisenstat-Walker's
+/// forcing terms, and a report of every residual. Knows functions, not bearings.
+#pragma once
+#include "fe_contact/solver/direct_solver.h"
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+namespace rimpact::fe {
+
+class NewtonTarget {
+public:
+  virtual ~NewtonTarget() = default;
+  /// Residual and tangent at u; false where a law finds u inadmissible (the step must be shortened).
+  virtual bool evaluate(const Eigen::VectorXd &u) = 0;
+  virtual const Eigen::VectorXd &residual() const = 0;
+  /// Size of the forces in play [N], against which the residual is small or not.
+  virtual double force_scale() const = 0;
+  virtual DirectSolver &solver() = 0; ///< of the tangent
+};
+
+struct NewtonOptions {
+  double tolerance = 1e-8; ///< residual over the forces in play
+  int max_iterations = 20;
+  int max_backtracks = 4;
+  bool stale_factor = true; ///< false: factorise at every iteration
+};
+
+struct NewtonReport {
+  bool converged = false;
+  int iterations = 0, factorisations = 0;
+  std::vector<double> residuals; ///< relative, before each iteration and at the end
+  std::string reason;            ///< when not converged
+};
+
+/// From u to the solution, in place. The target stays evaluated at u.
+NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOptions &options);
+
+} // namespace rimpact::fe

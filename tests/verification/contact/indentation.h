@@ -1,0 +1,30 @@
+/// A rigid sphere or cylinder on an elastic half-space, under a normal and then a tangential load: shared by
+/// Hertz (VERIFICATION 4) and Cattaneo-Mindlin (5).
+#pragma once
+#include "setups.h"
+
+namespace rimpact::verification {
+
+struct Indentation {
+  bool sphere;     ///< else a cylinder along y, plane strain
+  double E, nu;    ///< of the half-space [Pa]
+  double radius;   ///< [m]
+  double load;     ///< [N]; per metre for a cylinder
+  double half_size;///< theoretical a or b [m]: sets the mesh
+  int cells;       ///< a direction
+  double mu = 0, tangential = 0; ///< friction, and tangential over normal load, put on after the normal load
+  double penalty_factor = 1.0;
+};
+
+struct IndentationResult {
+  double half_size, peak_pressure, depth, size; ///< a or b from the pressures' second moment; h [m]
+  double stick_ratio_area, stick_ratio_traction; ///< c/a
+  std::size_t dofs;
+  int iterations = 0, cuts = 0, tangential_iterations_most = 0;
+  std::vector<double> residuals; ///< of the last frictional Newton solution
+  double seconds;
+};
+/// Throws std::runtime_error when a step fails.
+IndentationResult indent(const Indentation &problem);
+
+} // namespace rimpact::verification

@@ -1,0 +1,194 @@
+// VERIFICATION 6 (analytic half), 7 and 8: patch test, block on an incline, shallow ironing.
+#include "setups.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::verification {
+
+Table contact_patch() {
+  Table table;
+  constexpr double E = 1e9, nu = 0.3, pressure = 1e6;
+  for (const int n : {2, 3, 4}) {
+    const Timer timer;
+    meshes::HexMesh mesh; // inner nodes moved: cells are no parallelepipeds, outer faces stay plane
+    test::add_box(mesh, {{0, 0, 0}, {1, 1, 1}, {n, n, n}, Volume::rim, {{4, Surface::slider_side}, {5, Surface::top}}},
+                  [](std::array<double, 3> x) {
+                    const double bump = 0.25 * x[0] * (1 - x[0]) * x[1] * (1 - x[1]) * x[2] * (1 - x[2]);
+                    return std::array<double, 3>{x[0] + bump, x[1] - bump, x[2] + 2 * bump};
+                  });
+    Setup setup(mesh, elastic(E, nu));
+    setup.supports.fix(0, [](const Vector3d &x) { return x.x() < 1e-12; });
+    setup.supports.fix(1, [](const Vector3d &x) { return x.y() < 1e-12; });
+    setup.make();
+    auto &system = *setup.system;
+    // The plane overlaps a little at the start, so that the block is held.
+    system.add_contact(Surface::slider_side, fe::plane(Vector3d(0, 0, 1e-6), Vector3d::UnitZ()), contact_options(E, 1.0 / n, 0));
+    SystemState state = system.at_rest();
+    const Eigen::VectorXd load =
+        system.surface_load(Surface::top, [&](const Vector3d &, const Vector3d &normal) { return Vector3d(-pressure * normal); });
+    fe::StepOptions options;
+    options.gap_tolerance = 1e-9;
+    options.max_augmentations = 20;
+    const auto step = static_step(system, state, fe::StepTerms{load}, options);
+    double worst = 0;
+    for (const auto &sample : system.contact(0).samples(system.expand(state), state.contacts[0]))
+      worst = std::max(worst, std::abs(sample.pressure / pressure - 1));
+    const std::size_t dofs = system.equations().n;
+    table.add({"worst pressure error", 1.0 / n, worst, 0, dofs, step.iterations, timer.seconds()});
+    table.add({"force / load", 1.0 / n, state.reports[0].force.z() / pressure, 1, dofs, step.iterations, timer.seconds()});
+    table.gate("converged", step.converged ? 0 : 1, 0);
+  }
+  // Dead load on 0.1 % strain: the side faces' traction-free deformation is of that order, nothing else is left.
+  table.gate("pressure uniform", table.rows()[table.rows().size() - 2].value, 5e-3);
+  table.gate("force", table.last_error("force / load"), 1e-7);
+  table.note("pressures are per reference area; distorted inner cells, plane outer faces");
+  return table;
+}
+
+namespace {
+
+/// A stiff block on a plane tilted by `degrees`: its centre's displacement along the slope after 0.2 s from rest.
+double slide(double degrees, double mu, double tolerance, int &iterations, std::size_t &dofs, double &imbalance) {
+  meshes::HexMesh mesh;
+  test::add_box(mesh, {{0, 0, 0}, {0.2, 0.1, 0.05}, {4, 1, 1}, Volume::rim, {{4, Surface::slider_side}}});
+  Setup setup(mesh, elastic(1e9, 0.3, 2000));
+  setup.supports.fix(1, [](const Vector3d &) { return true; });
+  setup.make();
+  auto &system = *setup.system;
+  auto contact = contact_options(1e9, 0.05, mu);
+  system.add_contact(Surface::slider_side, fe::plane(Vector3d(0, 0, 1e-9), Vector3d::UnitZ()), contact);
+  SystemState state = system.at_rest();
+  const double angle = degrees * M_PI / 180, g = 9.81;
+  // Rest under the weight's normal part first, its tangential part released with time.
+  fe::StepOptions still;
+  still.gap_tolerance = 1e-9;
+  const Eigen::VectorXd normal = system.gravity({0, 0, -g * std::cos(angle)});
+  fe::preload(system, state, normal, 1e9, still);
+  fe::TransientOptions options;
+  options.step.gap_tolerance = 1e-8;
+  options.step.slip_tolerance = 1e-8;
+  options.step.max_augmentations = 3;
+  options.step.rho_inf = 0.5;
+  options.largest_step = options.contact_step = 0.01;
+  options.smallest_step = 1e-5;
+  options.energy_tolerance = tolerance;
+  const Eigen::VectorXd load = normal + system.gravity({g * std::sin(angle), 0, 0});
+  const auto report = fe::run_in_time(system, state, 0.2, [&](double) { return load; }, options,
+                                      [](double, const SystemState &, const fe::ContactStepReport &) {});
+  iterations = report.iterations;
+  dofs = system.equations().n;
+  imbalance = report.ledger.imbalance();
+  const Eigen::VectorXd unit = system.gravity({1, 0, 0});
+  return unit.dot(state.u) / unit.dot(Eigen::VectorXd::Ones(state.u.size()));
+}
+
+} // namespace
+
+Table incline() {
+  Table table;
+  constexpr double mu = 0.07, g = 9.81;
+  int iterations = 0;
+  std::size_t dofs = 0;
+  double imbalance = 0;
+  for (const double tolerance : {1e-2, 1e-3, 1e-4}) {
+    const Timer timer;
+    const double angle = 10 * M_PI / 180, exact = 0.5 * g * (std::sin(angle) - mu * std::cos(angle)) * 0.04;
+    const double distance = slide(10, mu, tolerance, iterations, dofs, imbalance);
+    table.add({"10 deg: distance in 0.2 s [m]", tolerance, distance, exact, dofs, iterations, timer.seconds()});
+  }
+  table.gate("distance", table.last_error("10 deg: distance in 0.2 s [m]"), 0.005);
+  for (const double degrees : {3.9, 4.1}) { // sticks below 4.004 degrees
+    const Timer timer;
+    const double angle = degrees * M_PI / 180;
+    const double exact = std::max(0.0, 0.5 * g * (std::sin(angle) - mu * std::cos(angle)) * 0.04);
+    const double distance = slide(degrees, mu, 1e-3, iterations, dofs, imbalance);
+    table.add({fmt::format("{} deg: distance [mm]", degrees), 1e-3, 1e3 * distance, 1e3 * exact, dofs, iterations,
+               timer.seconds()});
+    table.gate("imbalance", imbalance, 5e-3);
+    table.gate(fmt::format("{} deg", degrees), 1e3 * (distance - exact), degrees < 4 ? 2e-3 : 2e-2 * 1e3 * exact + 2e-3);
+  }
+  return table;
+}
+
+Table ironing() {
+  Table table;
+  // Die: an exact cylinder of 3 mm radius, 1 mm down and 10 mm across a slab of 20 x 4 mm.
+  constexpr double E = 6.896e8, nu = 0.32, mm = 1e-3, R = 3 * mm, mu = 0.3;
+  for (const int n : {20, 30, 45}) {
+    const Timer timer;
+    meshes::HexMesh mesh;
+    test::add_box(mesh, {{0, 0, -4 * mm}, {20 * mm, 1 * mm, 0}, {n, 1, n / 5}, Volume::rim, {{5, Surface::slider_side}}});
+    Setup setup(mesh, elastic(E, nu));
+    for (int i = 0; i < 3; ++i) setup.supports.fix(i, [](const Vector3d &x) { return x.z() < -4 * mm + 1e-12; });
+    setup.supports.fix(1, [](const Vector3d &) { return true; });
+    const int die = setup.supports.add_body();
+    setup.supports.fix_dof(die + 1);
+    setup.make();
+    auto &system = *setup.system;
+    const double h = 20 * mm / n;
+    system.add_contact(Surface::slider_side, fe::cylinder(Vector3d(5 * mm, 0, R), Vector3d::UnitY(), R, fe::Side::outside),
+                       contact_options(E, h, mu, 1.0, die));
+    SystemState state = system.at_rest();
+    const int x_equation = system.equations().of_dof[die], z_equation = system.equations().of_dof[die + 2];
+    fe::StepOptions options;
+    options.max_augmentations = 2;
+    options.gap_tolerance = options.slip_tolerance = 1e-6;
+    options.newton.stale_factor = true;
+    int iterations = 0, most = 0, steps = 0, cuts = 0;
+    std::vector<double> last_residuals, vertical, along;
+    Eigen::VectorXd change;
+    const auto move = [&](const Vector3d &from, const Vector3d &to, int pieces) {
+      const auto report = fe::march(0, 1, {1.0 / pieces, 0.05 / pieces, 1.0 / pieces}, [&](double t, double dt) -> fe::Attempt {
+        fe::StepTerms terms{Eigen::VectorXd::Zero(state.u.size())};
+        const Vector3d at = from + (t + dt) * (to - from);
+        terms.driven = {{x_equation, at.x()}, {z_equation, at.z()}};
+        const Eigen::VectorXd before = state.u;
+        // Sliding goes on as it did: the last change is the first guess.
+        const auto step = static_step(system, state, terms, options, change.size() ? Eigen::VectorXd(state.u + change) : Eigen::VectorXd());
+        iterations += step.iterations;
+        if (!step.converged) return {false, 0, step.reason};
+        change = state.u - before;
+        most = std::max(most, step.iterations / (1 + step.augmentations));
+        ++steps;
+        last_residuals = step.residuals;
+        vertical.push_back(-state.reports[0].force.z());
+        along.push_back(state.reports[0].force.x());
+        return {true, 0, {}};
+      });
+      cuts += report.cuts;
+      return report;
+    };
+    const auto pressed = move(Vector3d::Zero(), Vector3d(0, 0, -1 * mm), 10);
+    change.resize(0);
+    vertical.clear();
+    along.clear();
+    const auto slid = move(Vector3d(0, 0, -1 * mm), Vector3d(10 * mm, 0, -1 * mm), 200);
+    // Ripple: the force less its average over one element, over the middle part of the slide.
+    const int window = std::max(1, int(std::lround(h / (0.05 * mm)))), first = vertical.size() / 4, last = 3 * vertical.size() / 4;
+    double ripple = 0, mean = 0;
+    for (int k = first; k < last; ++k) {
+      double average = 0;
+      for (int j = 0; j <= window; ++j) // trapezoid over one element, centred
+        average += (j == 0 || j == window ? 0.5 : 1.0) * vertical[k + j - window / 2] / window;
+      ripple = std::max(ripple, std::abs(vertical[k] - average));
+      mean += vertical[k] / (last - first);
+    }
+    const std::size_t dofs = system.equations().n;
+    const int per_step = std::lround(double(iterations) / steps);
+    table.add({"vertical force [N/mm]", h / mm, std::abs(mean), 0, dofs, iterations, timer.seconds()});
+    table.add({"ripple / mean", h / mm, ripple / std::abs(mean), 0, dofs, iterations, timer.seconds()});
+    table.add({"friction / normal at the end", h / mm, std::abs(along.back() / vertical.back()), mu, dofs, iterations, timer.seconds()});
+    table.add({"Newton iterations a solution", h / mm, double(most), 0, dofs, iterations, timer.seconds()});
+    table.gate("finished", pressed.finished && slid.finished ? 0 : 1, 0);
+    std::string residuals;
+    for (const double value : last_residuals) residuals += fmt::format(" {:.1e}", value);
+    table.note(fmt::format("h {:.2f} mm: {} steps, {} cuts, {} iterations a step with augmentations; residuals of the last{}",
+                           h / mm, steps, cuts, per_step, residuals));
+  }
+  for (const auto &row : table.rows())
+    if (row.quantity == "ripple / mean" && row.size < 0.5) table.gate("ripple", row.value, 1e-3);
+  return table;
+}
+
+} // namespace rimpact::verification
