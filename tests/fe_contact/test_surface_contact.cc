@@ -1,0 +1,162 @@
+// Contact of a solid with exact surfaces: tangents against differences, cut-backs, the unsymmetric matrix.
+#include "box_mesh.h"
+#include "fe_contact/model/contact_steps.h"
+#include "fe_contact/model/supports.h"
+#include "fe_contact/solver/general_matrix.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace rimpact::fe {
+namespace {
+
+using Eigen::Vector3d;
+using meshes::Surface;
+using meshes::Volume;
+
+constexpr double E = 1e9;
+
+/// A block whose lower face rides on a carried sphere, held by its top.
+struct Block {
+  explicit Block(const FrictionCoefficient &friction, int degree = 2)
+      : space(mesh(), degree), solid(space, {{Volume::rim, scene::Material{E, 0.3, 1000, {}, {}}}}), supports(space) {
+    carrier = supports.add_body();
+    for (int i = 0; i < 3; ++i) supports.fix(i, [](const Vector3d &x) { return x.z() > 0.1 - 1e-9; });
+    system.emplace(space, solid, supports.number());
+    SurfaceContactOptions options{{E / 0.05, E / 0.05, friction}};
+    options.carrier_dof = carrier;
+    system->add_contact(Surface::slider_side, sphere({0.1, 0.05, -20.0}, 20.0, Side::outside), options);
+    system->add_mass(carrier, 5.0);
+    for (int i = 0; i < 3; ++i) carrier_equations[i] = system->equations().of_dof[carrier + i];
+  }
+  static meshes::HexMesh mesh() {
+    meshes::HexMesh result;
+    test::add_box(result, {{0, 0, 0}, {0.2, 0.1, 0.1}, {2, 1, 1}, Volume::rim, {{4, Surface::slider_side}}});
+    return result;
+  }
+  StepTerms drive(double dx, double dz, double dt) const {
+    StepTerms terms{Eigen::VectorXd::Zero(system->equations().n)};
+    terms.driven = {{carrier_equations[0], dx}, {carrier_equations[1], 0.3 * dx}, {carrier_equations[2], dz}};
+    terms.dt = dt;
+    return terms;
+  }
+
+  Discretisation space;
+  Solid solid;
+  Supports supports;
+  int carrier = -1;
+  int carrier_equations[3]{};
+  std::optional<ContactSystem> system;
+};
+
+struct Tangent : ::testing::TestWithParam<std::tuple<int, double>> {};
+
+TEST_P(Tangent, IsTheDerivativeOfTheForcesWhereSomePointsStickAndOthersSlip) {
+  const auto [degree, rate] = GetParam();
+  Block block({0.3, rate > 0 ? 0.1 : 0.3, rate}, degree);
+  const auto &space = block.space;
+  const Equations &equations = block.system->equations();
+  const SurfaceContact contact = block.system->contact(0);
+  SurfaceContactState state = contact.open(Eigen::VectorXd::Zero(equations.of_dof.size()));
+  std::mt19937 random(7);
+  std::uniform_real_distribution<double> unit(-1, 1);
+  Eigen::VectorXd u(equations.n);
+  for (int i = 0; i < equations.n; ++i) u[i] = 2e-5 * unit(random);
+  for (int i = 0; i < 3; ++i) u[block.carrier_equations[i]] = i == 2 ? 3e-4 : 5e-5;
+  for (auto &multiplier : state.tangential) multiplier = 3e5 * Vector3d(unit(random), unit(random), unit(random));
+
+  auto cliques = contact.cliques(equations);
+  for (int i = 0; i < equations.n; ++i) cliques.push_back({i});
+  const SymmetricMatrix pattern(equations.n, cliques);
+  GeneralMatrix tangent(pattern);
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations.n);
+  const auto report = contact.assemble(equations.expand(u), state, 1e-3, equations, forces, &tangent);
+  ASSERT_GT(report.stick, 0);
+  ASSERT_GT(report.slip, 0);
+  for (int trial = 0; trial < 5; ++trial) {
+    Eigen::VectorXd direction(equations.n);
+    for (int i = 0; i < equations.n; ++i) direction[i] = unit(random);
+    const double h = 1e-10;
+    Eigen::VectorXd up = Eigen::VectorXd::Zero(equations.n), down = up;
+    contact.assemble(equations.expand(u + h * direction), state, 1e-3, equations, up, nullptr);
+    contact.assemble(equations.expand(u - h * direction), state, 1e-3, equations, down, nullptr);
+    const Eigen::VectorXd expected = (up - down) / (2 * h);
+    EXPECT_LT((tangent.multiply(direction) - expected).norm(), 1e-5 * expected.norm());
+  }
+  // What the body gets the carrier gives.
+  Vector3d on_carrier, on_body = report.force;
+  for (int i = 0; i < 3; ++i) on_carrier[i] = -forces[block.carrier_equations[i]];
+  contact.assemble(equations.expand(u), state, 1e-3, equations, forces, nullptr);
+  EXPECT_LT((on_carrier + on_body).norm(), 1e-9 * on_body.norm());
+}
+INSTANTIATE_TEST_SUITE_P(DegreeAndRate, Tangent,
+                         ::testing::Combine(::testing::Values(1, 2), ::testing::Values(0.0, 20.0)));
+
+/// Three steps of 1 ms pressing and dragging the block; `spoil`: every step is first tried over a far longer way.
+SystemState dragged(bool spoil) {
+  Block block(FrictionCoefficient::constant(0.3));
+  SystemState state = block.system->at_rest();
+  for (int k = 1; k <= 3; ++k) {
+    if (spoil) {
+      SystemState trial = state;
+      static_step(*block.system, trial, block.drive(20e-3 * k, 5e-4 * k, 1e-3), {});
+    }
+    EXPECT_TRUE(static_step(*block.system, state, block.drive(2e-4 * k, 1e-4 * k, 1e-3), {}).converged);
+  }
+  return state;
+}
+
+TEST(CutBack, LeavesNothingBehind) {
+  const SystemState straight = dragged(false), cut = dragged(true);
+  EXPECT_GT(straight.reports[0].slip, 0);
+  EXPECT_LT((straight.u - cut.u).norm(), 1e-12 * straight.u.norm());
+  EXPECT_LT((straight.reports[0].force - cut.reports[0].force).norm(), 1e-9 * straight.reports[0].force.norm());
+}
+
+TEST(CutBack, AFailedStepLeavesTheStateAsItWas) {
+  Block block(FrictionCoefficient::constant(0.3));
+  SystemState state = block.system->at_rest();
+  ASSERT_TRUE(static_step(*block.system, state, block.drive(1e-4, 1e-4, 1e-3), {}).converged);
+  const SystemState before = state;
+  const auto step = static_step(*block.system, state, block.drive(0, 0.2, 1e-3), {}); // through the whole block
+  EXPECT_FALSE(step.converged);
+  EXPECT_FALSE(step.reason.empty());
+  EXPECT_EQ((state.u - before.u).norm(), 0);
+  EXPECT_EQ(state.contacts[0].pressure, before.contacts[0].pressure);
+}
+
+TEST(SlidingBlock, PenaltyAndMultiplierAgreeOnTheFrictionForce) {
+  for (const int augmentations : {0, 10}) {
+    Block block(FrictionCoefficient::constant(0.3));
+    SystemState state = block.system->at_rest();
+    StepOptions options;
+    options.max_augmentations = augmentations;
+    for (int k = 1; k <= 4; ++k)
+      ASSERT_TRUE(static_step(*block.system, state, block.drive(1e-3 * k, 1e-4, 1e-3), options).converged);
+    const Vector3d force = state.reports[0].force;
+    // Every point slips: the tangential force is mu times the normal one, but for the sphere's small slope.
+    EXPECT_EQ(state.reports[0].stick, 0);
+    EXPECT_NEAR(force.head<2>().norm() / force.z(), 0.3, 0.01) << augmentations;
+  }
+}
+
+TEST(GeneralMatrix, MultipliesSolvesAndRefusesEntriesOutsideItsPattern) {
+  const SymmetricMatrix pattern(4, {{0, 1, 2}, {2, 3}});
+  GeneralMatrix matrix(pattern);
+  Eigen::Matrix4d dense = Eigen::Matrix4d::Zero();
+  for (const auto &[i, j, value] : std::vector<std::tuple<int, int, double>>{
+           {0, 0, 4}, {0, 1, 1}, {1, 0, -2}, {1, 1, 5}, {2, 2, 3}, {2, 3, 1}, {3, 2, 0.5}, {3, 3, 6}, {0, 2, 0.7}}) {
+    matrix.add(i, j, value);
+    dense(i, j) += value;
+  }
+  const Eigen::Vector4d x(1, -2, 0.5, 3);
+  EXPECT_LT((matrix.multiply(x) - dense * x).norm(), 1e-14);
+  EXPECT_THROW(matrix.add(0, 3, 1.0), std::logic_error);
+  matrix.make_unit_row(1, 2.0);
+  dense.row(1) << 0, 2, 0, 0;
+  EXPECT_LT((matrix.multiply(x) - dense * x).norm(), 1e-14);
+}
+
+} // namespace
+} // namespace rimpact::fe
