@@ -34,12 +34,29 @@ Vector3d far_field(const Vector3d &x, double P, double Q, double E, double nu) {
   return {down.x() + along.x(), down.y() + along.y(), -down.z() - along.z()};
 }
 
+/// Mean of sqrt(1 - r^2/c^2) over r < r0 <= c, on a disc or a strip.
+double mean_profile(bool sphere, double c, double r0) {
+  const double edge = std::sqrt(1 - r0 * r0 / (c * c));
+  return sphere ? 2 * c * c / (3 * r0 * r0) * (1 - std::pow(edge, 3)) : 0.5 * (edge + c / r0 * std::asin(r0 / c));
+}
+
+/// Mindlin's stick radius over a from the share q of the friction limit used, on average, inside r < r0:
+/// 1 - q = (c/a) mean_profile(c) / mean_profile(a).
+double stick_ratio(bool sphere, double a, double r0, double q) {
+  double low = r0, high = a;
+  for (int i = 0; i < 60; ++i) {
+    const double c = 0.5 * (low + high);
+    (c / a * mean_profile(sphere, c, r0) < (1 - q) * mean_profile(sphere, a, r0) ? low : high) = c;
+  }
+  return low / a;
+}
+
 } // namespace
 
 IndentationResult indent(const Indentation &p) {
   const Timer timer;
   const bool both = p.tangential > 0;
-  const double first = p.half_size / (0.45 * p.cells), L = (p.sphere ? 8 : 40) * p.half_size;
+  const double first = p.half_size / (0.45 * p.cells), L = (p.sphere ? 5 : 40) * p.half_size;
   Setup setup(block(p, L, first, both), elastic(p.E, p.nu));
   const double edge = L * (1 - 1e-9);
   const auto outer = [=](const Vector3d &x) {
@@ -109,7 +126,8 @@ IndentationResult indent(const Indentation &p) {
     load_in_steps(true);
   }
 
-  double force = 0, moment = 0, contact_area = 0, stick_area = 0, traction_at_centre = 0, nearest = 1e9;
+  double force = 0, moment = 0, contact_area = 0, stick_area = 0, friction_inside = 0, force_inside = 0;
+  const double inside = 0.4 * p.half_size;
   const auto samples = system.contact(0).samples(system.expand(state), state.contacts[0]);
   for (std::size_t k = 0; k < samples.size(); ++k) {
     const auto &s = samples[k];
@@ -119,10 +137,9 @@ IndentationResult indent(const Indentation &p) {
     moment += s.area * s.pressure * r2;
     contact_area += s.area;
     if (state.contacts[0].status[k] == fe::ContactStatus::stick) stick_area += s.area;
-    if (r2 < nearest) {
-      nearest = r2;
-      traction_at_centre = s.friction.norm() / std::max(1e-300, p.mu * s.pressure);
-    }
+    if (r2 > inside * inside) continue;
+    friction_inside += s.area * s.friction.x();
+    force_inside += s.area * s.pressure;
   }
   // Hertz's profile is p^2 = p0^2 (1 - r^2/a^2): its height by least squares over the contact's inside.
   double s0 = 0, s1 = 0, s2 = 0, t0 = 0, t1 = 0;
@@ -135,7 +152,9 @@ IndentationResult indent(const Indentation &p) {
   result.peak_pressure = std::sqrt((t0 * s2 - t1 * s1) / (s0 * s2 - s1 * s1));
   result.half_size = std::sqrt((p.sphere ? 2.5 : 4.0) * moment / force); // Hertz: <r^2> = 2 a^2/5, <x^2> = b^2/4
   result.stick_ratio_area = p.sphere ? std::sqrt(stick_area / contact_area) : stick_area / contact_area;
-  result.stick_ratio_traction = 1 - traction_at_centre;
+  if (both)
+    result.stick_ratio_traction =
+        stick_ratio(p.sphere, p.half_size, inside, std::abs(friction_inside) / (p.mu * force_inside));
   result.size = first;
   result.dofs = system.equations().n;
   result.seconds = timer.seconds();
