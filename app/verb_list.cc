@@ -16,8 +16,9 @@ Entries bearings() {
   Entries result;
   for (const auto &name : scene::builtin_bearing_names()) {
     const auto b = scene::builtin_bearing(name);
+    const double curvature = scene::make_surface(b.surface)->curvatures(0).meridional;
     result.emplace_back(name, fmt::format("{} surface, R0 {:.3g} m, L_c {:.0f} mm", b.surface.kind,
-                                          b.surface.R0, 1e3 * b.lateral_capacity()));
+                                          1 / curvature, 1e3 * b.lateral_capacity()));
   }
   return result;
 }

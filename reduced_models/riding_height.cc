@@ -47,12 +47,12 @@ RidingHeight::RidingHeight(const scene::Bearing &bearing, bool finite_pad)
   limit_ = std::min(bearing.surface.planar_radius, surface_->limit_radius() * (1 - 1e-9));
   if (!finite_pad) return;
   const double ro = bearing.pad.outer_radius, ri = bearing.pad.inner_radius;
+  const auto sum = [&](double r) {
+    const auto k = surface_->curvatures(r);
+    return k.meridional + k.circumferential;
+  };
   lift_ = std::make_unique<RadialInterpolant>(
-      [&](double r) {
-        const auto k = surface_->curvatures(r);
-        return (ro * ro + ri * ri) / 8 * (k.meridional + k.circumferential - 2 / bearing.surface.R0);
-      },
-      limit_);
+      [&](double r) { return (ro * ro + ri * ri) / 8 * (sum(r) - sum(0)); }, limit_);
 }
 
 RidingHeight RidingHeight::plane(const scene::Bearing &bearing, double radius) {

@@ -26,7 +26,8 @@ private:
 class RidingHeight {
 public:
   /// `finite_pad` adds (Ro^2 + Ri^2)/8 (kappa_m + kappa_c - 2/R0) (DESIGN 2): a flat annulus bearing on a
-  /// curved dish rides on the mean of the height over its face.
+  /// curved dish rides on the mean of the height over its face. Curvature that is no smooth function of r^2
+  /// (odd powers of a polynomial, a table's rows) is rounded over some 15 mm, less than the pad's own size.
   RidingHeight(const scene::Bearing &bearing, bool finite_pad);
   /// A horizontal plane at the height of travel `radius`: an impact window without weight.
   static RidingHeight plane(const scene::Bearing &bearing, double radius);

@@ -30,6 +30,7 @@ public:
   void text(const Key &, std::string &) override {}
   void choice(const Key &, std::string &, const std::vector<std::string> &) override {}
   void pair(const Key &, Eigen::Vector2d &, Range) override {}
+  void numbers(const Key &, std::vector<double> &, Unit, Range) override {}
   void switches(const Key &, const std::vector<std::pair<std::string, bool *>> &) override {}
 
 private:

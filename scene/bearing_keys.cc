@@ -36,16 +36,35 @@ void visit_foot_and_pad(KeyVisitor &v, Bearing &b) {
   });
 }
 
+void visit(KeyVisitor &v, SurfaceSpec &s) {
+  const auto is = [&](auto... kind) { return v.wants(((s.kind == kind) || ...)); };
+  v.choice({"kind", "ellipse | sphere | cone | polynomial | table"}, s.kind, surface_kind_names());
+  if (is("ellipse", "sphere", "cone"))
+    v.number({"R0_m", "radius of curvature at the vertex"}, s.R0, si, length_m);
+  if (is("ellipse")) v.number({"a_m", "half-width of the ellipse"}, s.a, si, length_m);
+  if (is("cone"))
+    v.number({"slope", "of the cone, rise over run; R0_m rounds its vertex"}, s.slope, si, {0, 1, true});
+  if (is("polynomial")) {
+    constexpr Range coefficient{-1e6, 1e6};
+    v.number({"c2_per_m", "height = c2 r^2 + c3 r^3 + ... + c6 r^6"}, s.coefficients[0], si, coefficient);
+    v.number({"c3_per_m2"}, s.coefficients[1], si, coefficient);
+    v.number({"c4_per_m3"}, s.coefficients[2], si, coefficient);
+    v.number({"c5_per_m4"}, s.coefficients[3], si, coefficient);
+    v.number({"c6_per_m5"}, s.coefficients[4], si, coefficient);
+  }
+  if (is("table")) {
+    v.numbers({"radius_mm", "rows of the table, from 0, growing"}, s.table_radius, milli, size_mm);
+    v.numbers({"height_mm", "the surface above its vertex there"}, s.table_height, milli, size_mm);
+  }
+  if (v.wants(!s.table_file.empty()))
+    v.text({"file", "CSV file of the table instead: radius_mm,height_mm"}, s.table_file);
+  v.number({"planar_radius_mm", "the dish's edge"}, s.planar_radius, milli, length_mm);
+}
+
 } // namespace
 
 void visit(KeyVisitor &v, Bearing &b) {
-  v.section("surface", [&] {
-    v.choice({"kind", "ellipse | sphere"}, b.surface.kind, surface_kind_names());
-    v.number({"R0_m", "radius of curvature at the vertex"}, b.surface.R0, si, length_m);
-    if (v.wants(b.surface.kind == "ellipse"))
-      v.number({"a_m", "half-width of the ellipse"}, b.surface.a, si, length_m);
-    v.number({"planar_radius_mm", "the dish's edge"}, b.surface.planar_radius, milli, length_mm);
-  });
+  v.section("surface", [&] { visit(v, b.surface); });
   v.section("slider", [&] {
     v.number({"diameter_mm"}, b.slider.diameter, milli, length_mm);
     v.number({"bottom_mm", "bottom plane above the vertex at rest", assumption}, b.slider.bottom, milli,

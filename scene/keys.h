@@ -52,6 +52,8 @@ public:
   virtual void text(const Key &key, std::string &value) = 0;
   virtual void choice(const Key &key, std::string &value, const std::vector<std::string> &options) = 0;
   virtual void pair(const Key &key, Eigen::Vector2d &value, Range range) = 0;
+  /// An array of any length.
+  virtual void numbers(const Key &key, std::vector<double> &values, Unit unit, Range range) = 0;
   /// An array of words, each switching a flag on.
   virtual void switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &flags) = 0;
 };

@@ -36,6 +36,9 @@ public:
     for (double component : value)
       if (!range.contains(component)) fail(key, fmt::format("{} must be {}", component, range.text()));
   }
+  void numbers(const Key &key, std::vector<double> &values, Unit unit, Range range) override {
+    for (double &value : values) number(key, value, unit, range);
+  }
   void flag(const Key &, bool &) override {}
   void text(const Key &, std::string &) override {}
   void switches(const Key &, const std::vector<std::pair<std::string, bool *>> &) override {}

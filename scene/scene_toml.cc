@@ -38,9 +38,31 @@ void settle(Material &m) {
     m.tangent_modulus = 0.0;
 }
 
-void read_bearing(TomlReader &reader, Bearing &bearing) {
+/// Puts the rows of the surface's file in its place, so that a resolved scene runs anywhere. `prefix`: of the
+/// bearing's keys in the file.
+void read_table(const TomlFile &file, const std::string &prefix, SurfaceSpec &surface,
+                const std::string &folder) {
+  if (surface.table_file.empty()) return;
+  const std::string name = surface.table_file, key = prefix + "surface.file";
+  const auto fail = [&](const std::string &what) {
+    throw InputError(fmt::format("{}: {} \"{}\" {}", file.location(key), key, name.substr(0, 200), what));
+  };
+  if (surface.kind != "table") fail("needs surface.kind \"table\", not \"" + surface.kind + "\"");
+  if (file.find(prefix + "surface.radius_mm") || file.find(prefix + "surface.height_mm"))
+    fail("stands beside radius_mm or height_mm; give the file or the rows");
+  try {
+    read_surface_table((fs::path(folder) / name).lexically_normal().string(), surface);
+  } catch (const DataError &error) {
+    throw DataError(fmt::format("{}: {} {}", file.location(key), key, error.what()));
+  }
+  surface.table_file.clear();
+}
+
+void read_bearing(const TomlFile &file, TomlReader &reader, const std::string &prefix,
+                  const std::string &folder, Bearing &bearing) {
   reader.text({"name"}, bearing.name);
   visit(reader, bearing);
+  read_table(file, prefix, bearing.surface, folder);
   settle(bearing.steel);
   settle(bearing.ertalyte);
   if (bearing.surface.kind == "sphere") bearing.surface.a = bearing.surface.R0;
@@ -60,11 +82,12 @@ void with_location(const TomlFile &file, const std::string &prefix, const Check 
 }
 
 Bearing parse_bearing(const std::string &text, const std::string &origin) {
+  const std::string folder = fs::path(origin).parent_path().string();
   const TomlFile file(text, origin);
   Bearing bearing;
   bearing.name = name_from(origin);
   TomlReader reader(file, "");
-  read_bearing(reader, bearing);
+  read_bearing(file, reader, "", folder, bearing);
   reader.finish();
   with_location(file, "", [&] { bearing.validate(); });
   return bearing;
@@ -159,7 +182,7 @@ Scene parse_scene(const std::string &text, const std::string &origin,
     scene.bearing = base_bearing(file, folder);
     std::string bearing_file;
     reader.text({"file"}, bearing_file);
-    read_bearing(reader, scene.bearing);
+    read_bearing(file, reader, "bearing.", folder, scene.bearing);
   });
   visit_settings(reader, scene);
   reader.finish();

@@ -1,5 +1,6 @@
 #include "scene/surface.h"
 #include "scene/error.h"
+#include "scene/surface_of_revolution.h"
 #include "scene/text.h"
 #include <array>
 #include <cmath>
@@ -70,6 +71,9 @@ const std::array surface_kinds{
                 [](const SurfaceSpec &s) -> std::unique_ptr<SlidingSurface> {
                   return std::make_unique<Ellipsoid>(s.R0, s.R0);
                 }},
+    SurfaceKind{"cone", make_cone},
+    SurfaceKind{"polynomial", make_polynomial},
+    SurfaceKind{"table", make_table},
 };
 
 } // namespace

@@ -115,6 +115,15 @@ void TomlReader::pair(const Key &key, Eigen::Vector2d &value, Range range) {
   for (int i = 0; i < 2; ++i) value[i] = number_of(key.name, (*array)[static_cast<std::size_t>(i)], range);
 }
 
+void TomlReader::numbers(const Key &key, std::vector<double> &values, Unit unit, Range range) {
+  const auto *found = node(key);
+  if (!found) return;
+  const auto *array = found->as_array();
+  if (!array) fail(key.name, "must be an array of numbers, got " + type_name(*found));
+  values.clear();
+  for (const auto &entry : *array) values.push_back(unit.to_si(number_of(key.name, entry, range)));
+}
+
 void TomlReader::switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &flags) {
   const auto *found = node(key);
   if (!found) return;

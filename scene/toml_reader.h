@@ -48,6 +48,7 @@ public:
   void text(const Key &key, std::string &value) override;
   void choice(const Key &key, std::string &value, const std::vector<std::string> &options) override;
   void pair(const Key &key, Eigen::Vector2d &value, Range range) override;
+  void numbers(const Key &key, std::vector<double> &values, Unit unit, Range range) override;
   void switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &flags) override;
 
 private:

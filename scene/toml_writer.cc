@@ -53,6 +53,11 @@ public:
   void pair(const Key &key, Eigen::Vector2d &value, Range) override {
     line(key, fmt::format("[{}, {}]", file_number(value.x(), si), file_number(value.y(), si)));
   }
+  void numbers(const Key &key, std::vector<double> &values, Unit unit, Range) override {
+    std::string list;
+    for (const double value : values) list += (list.empty() ? "" : ", ") + file_number(value, unit);
+    line(key, "[" + list + "]");
+  }
   void switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &flags) override {
     std::string list;
     for (const auto &[name, on] : flags)

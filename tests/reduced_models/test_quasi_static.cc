@@ -86,6 +86,37 @@ TEST(Cyclic, PadAddsItsSlope) {
   EXPECT_NEAR(loop.height, e.height(0.31) + lift(0.31), 1e-6);
 }
 
+/// Closed-form loops W tan(atan h' +- atan mu) on the other surfaces, slopes written down here.
+TEST(Cyclic, ClosedFormOnEverySurface) {
+  struct Row {
+    const char *kind;
+    double (*slope)(double);
+  };
+  constexpr double s = 0.11, c = 0.11 * 0.3;
+  for (const Row &row :
+       {Row{"cone", [](double x) { return s * x / std::sqrt(x * x + c * c); }},
+        Row{"polynomial", [](double x) { return 0.4 * x - 0.6 * x * x * x + 1.8 * std::pow(x, 5); }},
+        Row{"table", [](double x) { return 0.5 * x - 0.15 * x * x; }}}) {
+    SCOPED_TRACE(row.kind);
+    scene::Scene scene = cyclic();
+    auto &surface = scene.bearing.surface;
+    surface.kind = row.kind, surface.R0 = 0.3, surface.slope = s;
+    surface.coefficients = {0.2, 0, -0.15, 0, 0.3};
+    for (const double r : {0.0, 0.1, 0.25, 0.4, 0.53}) {
+      surface.table_radius.push_back(r);
+      surface.table_height.push_back(r * r * (0.25 - 0.05 * r));
+    }
+    scene.validate();
+    const auto run = simulate(scene);
+    for (const double x : {0.05, 0.21, 0.36}) {
+      const Loop loop = at(run.response, x);
+      EXPECT_NEAR(loop.loading, W * std::tan(std::atan(row.slope(x)) + std::atan(mu)), 2e-5 * W);
+      EXPECT_NEAR(loop.unloading, W * std::tan(std::atan(row.slope(x)) - std::atan(mu)), 2e-5 * W);
+    }
+    EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-6);
+  }
+}
+
 TEST(FigureEight, ForcesFromTheImplicitSurface) {
   scene::Scene s;
   s.excitation.kind = scene::ExcitationKind::figure_eight;

@@ -1,7 +1,9 @@
 #include "expect_error.h"
 #include "scene/scene.h"
 #include "temporary_folder.h"
+#include <cmath>
 #include <filesystem>
+#include <fmt/format.h>
 
 namespace {
 using namespace rimpact;
@@ -102,6 +104,8 @@ TEST(SceneToml, EveryBuiltInRoundTripsExactly) {
 TEST(SceneToml, EveryOverrideRoundTripsExactly) {
   const Overrides each{"bearing.name=fps-225",
                        "bearing.surface.kind=sphere",
+                       "bearing.surface.kind=cone",
+                       "bearing.surface.kind=polynomial",
                        "bearing.rim.height_mm=70.3",
                        "bearing.slider.diameter_mm=230.1",
                        "bearing.plate.base_mm=33.33",
@@ -236,6 +240,46 @@ TEST(SceneFiles, SylmarAsksForItsRecords) {
   if (std::filesystem::exists("RSN1086_NORTHR_SYL360.AT2"))
     GTEST_SKIP() << "the records are in the current folder";
   expect_error<DataError>([] { load_scene("sylmar-bidirectional"); }, {"RSN1086_NORTHR_SYL360.AT2", "--set"});
+}
+
+const char *const table_text = "[surface]\nkind = 'table'\nfile = 'dish.csv'\n";
+
+TEST(SceneToml, TableOfRevolutionFromAFileIsWrittenOut) {
+  const TemporaryFolder folder;
+  std::string rows = "# a sphere of 2.25 m\nradius_mm,height_mm\n";
+  for (int r = 0; r <= 530; r += 10)
+    rows += fmt::format("{}, {:.9f}\n", r, 2250 - std::sqrt(2250.0 * 2250 - double(r) * r));
+  folder.write("dish.csv", rows);
+  const auto name = folder.write("b.toml", table_text);
+  const Bearing b = load_bearing(name);
+  EXPECT_NEAR(lift(b, 0.39), 2.25 - std::sqrt(2.25 * 2.25 - 0.39 * 0.39), 1e-9);
+  EXPECT_EQ(b.surface.table_file, "");
+  EXPECT_EQ(load_bearing(folder.write("out.toml", to_toml(b))), b) << "rows in place of the file";
+  const auto scene = folder.write("scene.toml", "[bearing]\nfile = 'b.toml'\n");
+  EXPECT_EQ(load_scene(scene).bearing.surface, b.surface);
+}
+
+TEST(SceneToml, RefusesTablesWithTheirPlace) {
+  const TemporaryFolder folder;
+  const auto load = [&](const std::string &bearing) {
+    const auto name = folder.write("b.toml", bearing);
+    return [name] { load_bearing(name); };
+  };
+  expect_error<DataError>(load(table_text), {"b.toml:3", "surface.file", "dish.csv"});
+  folder.write("dish.csv", "radius_mm,height_mm\n0,0\n10,x\n");
+  expect_error<DataError>(load(table_text), {"b.toml:3", "dish.csv:3", "\"x\" is not a finite number"});
+  folder.write("dish.csv", "r,z\n0,0\n");
+  expect_error<DataError>(load(table_text), {"dish.csv:1", "radius_mm,height_mm"});
+  folder.write("dish.csv", "radius_mm,height_mm\n0,0\n10,1,2\n");
+  expect_error<DataError>(load(table_text), {"dish.csv:3", "3 of 2 columns"});
+  expect_error<InputError>(load(std::string(table_text) + "radius_mm = [0, 1]\n"),
+                           {"b.toml:3", "or the rows"});
+  expect_error<InputError>(load("[surface]\nfile = 'dish.csv'\n"),
+                           {"b.toml:2", "needs surface.kind \"table\""});
+  expect_error<InputError>(load("[surface]\nkind = 'table'\nradius_mm = [0, 'a']\n"),
+                           {"b.toml:3", "surface.radius_mm must be a number", "\"a\""});
+  expect_error<InputError>(load("[surface]\nkind = 'table'\nradius_mm = [0, 10]\nheight_mm = [0, 1]\n"),
+                           {"b.toml:3", "at least 4 rows"});
 }
 
 } // namespace
