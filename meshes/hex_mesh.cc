@@ -87,7 +87,7 @@ MeshQuality quality(const HexMesh &mesh) {
   return result;
 }
 
-void check(const HexMesh &mesh, int expected_components) {
+void check(const HexMesh &mesh, int expected_components, const std::vector<Surface> &required) {
   const double g = std::sqrt(0.6), points[3] = {-g, 0, g};
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     for (int k = 0; k < 27; ++k)
@@ -103,7 +103,7 @@ void check(const HexMesh &mesh, int expected_components) {
   if (found != expected_components)
     throw DataError(
         fmt::format("mesh: {} connected pieces where {} were expected", found, expected_components));
-  for (const Surface group : {Surface::rim_wall, Surface::slider_side, Surface::top, Surface::fixed})
+  for (const Surface group : required)
     if (std::none_of(mesh.faces.begin(), mesh.faces.end(),
                      [&](const auto &face) { return face.group == group; }))
       throw DataError("mesh: group '" + to_string(group) + "' is missing");

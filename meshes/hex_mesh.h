@@ -46,8 +46,9 @@ struct MeshQuality {
   int n_components;           ///< connected pieces: touching bodies must not be welded
 };
 MeshQuality quality(const HexMesh &mesh);
-/// Throws DataError naming the first inverted cell, a missing group or a wrong number of components.
-void check(const HexMesh &mesh, int expected_components);
+/// Throws DataError naming the first inverted cell, a required group that is missing or a wrong number of
+/// components.
+void check(const HexMesh &mesh, int expected_components, const std::vector<Surface> &required);
 /// gmsh .msh (version 2.2, ASCII, 8-node cells, $PhysicalNames). Throws IoError.
 void write_msh(const HexMesh &mesh, const std::string &path);
 

@@ -1,7 +1,6 @@
 #include "meshes/rim_mesh.h"
 
-#include "meshes/half_disc.h"
-#include "meshes/hex_order.h"
+#include "meshes/mirror.h"
 #include "meshes/slider_section.h"
 #include <cmath>
 
@@ -55,53 +54,29 @@ std::vector<Quad9> plate_and_rim(const scene::Bearing &bearing, const RimMeshOpt
   return section;
 }
 
-/// y -> -y, merged along y = 0; the symmetry group disappears.
-HexMesh mirrored(const HexMesh &half) {
-  HexMesh whole = half;
-  std::vector<unsigned> image(half.nodes.size());
-  for (std::size_t k = 0; k < half.nodes.size(); ++k) {
-    image[k] = k;
-    if (half.nodes[k][1] == 0) continue;
-    image[k] = whole.nodes.size();
-    whole.nodes.push_back({half.nodes[k][0], -half.nodes[k][1], half.nodes[k][2]});
-  }
-  int swap[27];
-  for (int a = 0; a < 27; ++a)
-    for (int b = 0; b < 27; ++b)
-      if (hex27[b][0] == hex27[a][0] && hex27[b][1] == 2 - hex27[a][1] && hex27[b][2] == hex27[a][2])
-        swap[a] = b;
-  for (std::size_t c = 0; c < half.cells.size(); ++c) {
-    std::array<unsigned, 27> cell;
-    for (int a = 0; a < 27; ++a) cell[a] = image[half.cells[c][swap[a]]];
-    whole.cells.push_back(cell);
-    whole.volumes.push_back(half.volumes[c]);
-  }
-  whole.faces.clear();
-  for (const auto &face : half.faces) {
-    if (face.group == Surface::symmetry) continue;
-    whole.faces.push_back(face);
-    whole.faces.push_back(
-        {{image[face.corners[0]], image[face.corners[3]], image[face.corners[2]], image[face.corners[1]]},
-         face.group});
-  }
-  return whole;
-}
-
 } // namespace
 
-HexMesh rim_mesh(const scene::Bearing &bearing, const RimMeshOptions &options) {
-  const double h = std::pow(1.5, -(options.level - 1));
-  HexMesh mesh;
+void add_rim(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions &options) {
+  const double h = size_factor(options.level);
   const double wall = bearing.surface.planar_radius + bearing.rim.ledge;
   const double fine = 10 * mm * h / wall, zone = 20 * mm / wall;
   Body(mesh).revolve(plate_and_rim(bearing, options, h),
                      graded_lines({{0, fine}, {zone, fine}, {options.sector_half_angle, 0.9 * h}}), 0.0,
                      Surface::symmetry, Surface::sector_end);
-  add_slider(mesh, bearing, h);
-  for (auto &node : mesh.nodes) // rounding of sin(pi): the plane of symmetry is exact
+}
+
+void flatten(HexMesh &mesh) {
+  for (auto &node : mesh.nodes)
     if (std::abs(node[1]) < 1e-12) node[1] = 0;
+}
+
+HexMesh rim_mesh(const scene::Bearing &bearing, const RimMeshOptions &options) {
+  HexMesh mesh;
+  add_rim(mesh, bearing, options);
+  add_slider(mesh, bearing, size_factor(options.level), bearing.lateral_capacity());
+  flatten(mesh);
   HexMesh result = options.half ? mesh : mirrored(mesh);
-  check(result, 2);
+  check(result, 2, rim_groups);
   return result;
 }
 

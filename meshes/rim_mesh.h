@@ -4,6 +4,7 @@
 #pragma once
 #include "meshes/hex_mesh.h"
 #include "scene/bearing.h"
+#include <cmath>
 
 namespace rimpact::meshes {
 
@@ -14,5 +15,13 @@ struct RimMeshOptions {
   double plate_inner_radius = 0.44; ///< where the plate is cut [m]; the cut carries `sector_end`
 };
 HexMesh rim_mesh(const scene::Bearing &bearing, const RimMeshOptions &options);
+/// What a mesh of rim and slider must carry.
+inline const std::vector<Surface> rim_groups{Surface::rim_wall, Surface::slider_side, Surface::top, Surface::fixed};
+/// Sizes of a level over those of level 1.
+inline double size_factor(int level) { return std::pow(1.5, -(level - 1)); }
+/// The half sector alone, added to a mesh.
+void add_rim(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions &options);
+/// Puts nodes that rounding moved off the plane of symmetry back on it.
+void flatten(HexMesh &mesh);
 
 } // namespace rimpact::meshes

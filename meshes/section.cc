@@ -39,6 +39,11 @@ std::vector<double> graded_lines(const std::vector<Anchor> &anchors) {
   return lines;
 }
 
+Body::Body(const Body &other, const std::function<bool(const std::array<double, 3> &)> &tied) : mesh_(other.mesh_) {
+  for (const auto &[key, node] : other.known_)
+    if (tied(mesh_.nodes[node])) known_[key] = node;
+}
+
 void Body::add_cell(const std::function<std::array<double, 3>(int, int, int)> &place, Volume volume,
                     const std::map<int, Surface> &groups) {
   std::array<unsigned, 27> cell;

@@ -34,6 +34,8 @@ std::vector<double> graded_lines(const std::vector<Anchor> &anchors);
 class Body {
 public:
   explicit Body(HexMesh &mesh) : mesh_(mesh) {}
+  /// A body tied to another along the other's nodes where `tied` is true.
+  Body(const Body &other, const std::function<bool(const std::array<double, 3> &)> &tied);
   using Place = std::function<std::array<double, 3>(double, double, double)>;
   /// One hexahedron: place(xi, eta, zeta) in half cells 0, 1, 2; groups by face (as hex_faces).
   void add_cell(const std::function<std::array<double, 3>(int, int, int)> &place, Volume volume,

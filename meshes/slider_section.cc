@@ -23,7 +23,7 @@ struct SliderShape {
   }
 };
 
-SliderShape shape_of(const scene::Bearing &bearing) {
+SliderShape shape_of(const scene::Bearing &bearing, double travel) {
   SliderShape s;
   s.radius = bearing.slider.diameter / 2;
   s.height = bearing.slider.top - bearing.slider.bottom;
@@ -31,7 +31,7 @@ SliderShape shape_of(const scene::Bearing &bearing) {
   s.cap = bearing.foot.cap_radius;
   s.cap_depth = bearing.slider.bottom;
   s.opening = s.cap > s.cap_depth ? std::sqrt(s.cap * s.cap - s.cap_depth * s.cap_depth) : 0.0;
-  s.bottom = bearing.slider.bottom + scene::lift(bearing, bearing.lateral_capacity());
+  s.bottom = bearing.slider.bottom + scene::lift(bearing, travel);
   return s;
 }
 
@@ -119,8 +119,8 @@ void add_core(Body &body, const SliderShape &s, const std::vector<Quad9> &plan,
 
 } // namespace
 
-void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h) {
-  const SliderShape s = shape_of(bearing);
+void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double travel) {
+  const SliderShape s = shape_of(bearing, travel);
   const RingGrid grid = ring_grid(s, h);
   // Angles come in equal pairs: gmsh halves every edge of the core's plan.
   const double fine = 2 * 10 * mm * h / s.radius;
@@ -132,9 +132,8 @@ void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h) {
   }
   angles.push_back(M_PI);
   Body body(mesh);
-  const double axis_x = bearing.lateral_capacity();
-  body.revolve(ring_section(s, grid), angles, axis_x, Surface::symmetry, Surface::symmetry);
-  add_core(body, s, half_disc(s.opening, angles, 25 * mm * h), grid.inner, axis_x);
+  body.revolve(ring_section(s, grid), angles, travel, Surface::symmetry, Surface::symmetry);
+  add_core(body, s, half_disc(s.opening, angles, 25 * mm * h), grid.inner, travel);
 }
 
 } // namespace rimpact::meshes

@@ -1,6 +1,7 @@
 #include "fe_contact/model/contact_system.h"
 
 #include "fe_contact/solver/stopwatch.h"
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -22,10 +23,12 @@ void ContactSystem::add_contact(meshes::Surface slave, const MasterSurface &mast
 
 void ContactSystem::add_mass(int dof, double mass) { body_masses_.emplace_back(dof, mass); }
 
-void ContactSystem::make_pattern() {
+void ContactSystem::make_pattern(const Eigen::VectorXd &displacements) {
+  const Stopwatch watch(time_split["pattern"]);
+  ++patterns_made_;
   auto cliques = solid_.cliques(equations_);
-  for (const auto &contact : contacts_)
-    for (auto &clique : contact.cliques(equations_)) cliques.push_back(std::move(clique));
+  for (auto &contact : contacts_)
+    for (auto &clique : contact.cliques(equations_, displacements)) cliques.push_back(std::move(clique));
   solid_tangent_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
   mass_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
   solid_.add_mass(equations_, *mass_);
@@ -37,9 +40,9 @@ void ContactSystem::make_pattern() {
 }
 
 SystemState ContactSystem::at_rest() {
-  make_pattern();
   SystemState state;
   state.u = state.v = state.a = state.R = Eigen::VectorXd::Zero(equations_.n);
+  make_pattern(equations_.expand(state.u));
   state.history = solid_.virgin();
   for (const auto &contact : contacts_) state.contacts.push_back(contact.open(equations_.expand(state.u)));
   state.reports.resize(contacts_.size());
@@ -53,6 +56,14 @@ void ContactSystem::prepare(const SystemState &old, const StepTerms &terms) {
 }
 
 bool ContactSystem::evaluate(const Eigen::VectorXd &u) {
+  bool pattern_holds = true;
+  const bool admissible = evaluate_on_the_pattern(u, pattern_holds);
+  if (pattern_holds || !admissible) return admissible;
+  make_pattern(equations_.expand(u));
+  return evaluate_on_the_pattern(u, pattern_holds);
+}
+
+bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool &pattern_holds) {
   const Eigen::VectorXd displacements = equations_.expand(u);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations_.n);
   solid_tangent_->set_zero();
@@ -76,6 +87,7 @@ bool ContactSystem::evaluate(const Eigen::VectorXd &u) {
   for (std::size_t i = 0; i < contacts_.size(); ++i)
     trial_.reports[i] = contacts_[i].assemble(displacements, trial_.contacts[i], terms_->dt, equations_, forces,
                                               tangent_.get());
+  pattern_holds = std::all_of(trial_.reports.begin(), trial_.reports.end(), [](const auto &r) { return r.pattern_holds; });
   trial_.R = terms_->load - forces;
   residual_ = -trial_.R;
   // Coordinates are known to rounding, forces therefore to rounding times stiffness times size.

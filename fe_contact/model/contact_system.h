@@ -91,11 +91,13 @@ public:
   const SurfaceContact &contact(std::size_t i) const { return contacts_[i]; }
   SurfaceContact &contact(std::size_t i) { return contacts_[i]; }
   std::size_t n_contacts() const { return contacts_.size(); }
+  int patterns_made() const { return patterns_made_; } ///< times the matrix's pattern was (re)built
   double stabilisation_share() const { return stabilisation_share_; } ///< of the forces in play, last evaluation
   std::map<std::string, double> time_split; ///< [s]
 
 private:
-  void make_pattern();
+  void make_pattern(const Eigen::VectorXd &displacements);
+  bool evaluate_on_the_pattern(const Eigen::VectorXd &u, bool &pattern_holds);
 
   const Discretisation &space_;
   const Solid &solid_;
@@ -112,6 +114,7 @@ private:
   std::vector<SurfaceContact::Augmentation> augmentations_;
   Eigen::VectorXd residual_;
   double scale_ = 0, stabilisation_share_ = 0, size_ = 0;
+  int patterns_made_ = 0;
 };
 
 } // namespace rimpact::fe

@@ -8,19 +8,19 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-/// A number with its derivatives by the point's position.
+/// A number with its derivatives by the relative displacement w.
 using Dual = Eigen::AutoDiffScalar<Vector3d>;
 using DualVector = Eigen::Matrix<Dual, 3, 1>;
 
-/// The law at a point with its tangent d traction / d position.
+/// The law at a point with its tangent d traction / d w; `pull_back` is d slip / d w.
 CoulombContact::Result<double> differentiate(const CoulombContact &law, const Distance &d, const Vector3d &slip,
-                                             double multiplier, const Vector3d &tangential, double dt,
-                                             Matrix3d &tangent) {
+                                             const Matrix3d &pull_back, double multiplier, const Vector3d &tangential,
+                                             double dt, Matrix3d &tangent) {
   const Dual gap(d.gap, d.normal);
   DualVector normal, moving_slip;
   for (int i = 0; i < 3; ++i) {
     normal[i] = Dual(d.normal[i], d.curvature.row(i).transpose());
-    moving_slip[i] = Dual(slip[i], Vector3d::Unit(i));
+    moving_slip[i] = Dual(slip[i], pull_back.row(i).transpose());
   }
   const auto result = law.at(gap, normal, moving_slip, multiplier, tangential, dt);
   CoulombContact::Result<double> values;
@@ -39,16 +39,61 @@ CoulombContact::Result<double> differentiate(const CoulombContact &law, const Di
 SurfaceContact::SurfaceContact(const Discretisation &space, meshes::Surface slave, MasterSurface master,
                                const SurfaceContactOptions &options)
     : space_(space), master_(std::move(master)), options_(options), faces_(space.faces_of(slave)),
-      points_(face_points(space, faces_, options.points)) {}
+      points_(face_points(space, faces_, options.points)) {
+  if (options.carrier_faces) carrier_.emplace(space, *options.carrier_faces);
+}
 
-Vector3d SurfaceContact::relative_position(const FacePoint &point, const Eigen::VectorXd &u) const {
+Vector3d SurfaceContact::position(const FacePoint &point, const Eigen::VectorXd &u) const {
   Vector3d x = Vector3d::Zero();
   for (int a = 0; a < point.shapes.n; ++a) {
     const unsigned node = faces_[point.face]->nodes[a];
     x += point.shapes.N[a] * (space_.positions[node] + u.segment<3>(3 * node));
   }
-  if (options_.carrier_dof >= 0) x -= u.segment<3>(options_.carrier_dof);
   return x;
+}
+
+std::optional<SurfaceContact::Coupling> SurfaceContact::couple(std::size_t k, const Eigen::VectorXd &u, int guess,
+                                                               double beyond) const {
+  const FacePoint &point = points_[k];
+  Coupling result;
+  for (int a = 0; a < point.shapes.n; ++a) result.add(3 * faces_[point.face]->nodes[a], point.shapes.N[a]);
+  result.y = position(point, u);
+  if (options_.carrier_dof >= 0) {
+    result.y -= u.segment<3>(options_.carrier_dof);
+    result.add(options_.carrier_dof, -1.0);
+  }
+  if (carrier_) {
+    const Opposite opposite = carrier_->find(result.y, u, guess, beyond);
+    if (opposite.face < 0) return {};
+    result.y = opposite.y;
+    result.inverse = opposite.inverse;
+    result.dxi = opposite.dxi;
+    result.carrier_face = opposite.face;
+    result.inside = opposite.inside;
+    for (int a = 0; a < opposite.shapes.n; ++a)
+      result.add(3 * carrier_->face(opposite.face).nodes[a], -opposite.shapes.N[a], -opposite.shapes.dxi[a],
+                 -opposite.shapes.deta[a]);
+  }
+  if (master_.covers) result.inside = result.inside && master_.covers(result.y);
+  return result;
+}
+
+Vector3d SurfaceContact::relative_position(std::size_t k, const Eigen::VectorXd &u,
+                                           const SurfaceContactState &state) const {
+  constexpr double anywhere = 0.5; // as in assemble
+  if (const auto coupling = couple(k, u, state.opposite[k], anywhere)) return coupling->y;
+  return carrier_->roughly_back(position(points_[k], u), u);
+}
+
+void SurfaceContact::settle(const Eigen::VectorXd &u, SurfaceContactState &state) const {
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    const auto coupling = couple(k, u, state.opposite[k], 0.0);
+    state.covered[k] = coupling && coupling->inside;
+    state.opposite[k] = coupling ? coupling->carrier_face : -1;
+    if (state.covered[k]) continue;
+    state.multiplier[k] = 0;
+    state.tangential[k].setZero();
+  }
 }
 
 SurfaceContactState SurfaceContact::open(const Eigen::VectorXd &u) const {
@@ -59,22 +104,53 @@ SurfaceContactState SurfaceContact::open(const Eigen::VectorXd &u) const {
                             std::vector<double>(n, std::numeric_limits<double>::infinity()),
                             std::vector<double>(n, 0.0),
                             std::vector<Vector3d>(n, Vector3d::Zero()),
-                            std::vector<ContactStatus>(n, ContactStatus::open)};
-  for (const auto &point : points_) state.start.push_back(relative_position(point, u));
+                            std::vector<ContactStatus>(n, ContactStatus::open),
+                            std::vector<char>(n, 0),
+                            std::vector<int>(n, -1)};
+  settle(u, state);
+  for (std::size_t k = 0; k < n; ++k) state.start.push_back(relative_position(k, u, state));
   return state;
 }
 
-std::vector<std::vector<int>> SurfaceContact::cliques(const Equations &equations) const {
+std::vector<std::vector<int>> SurfaceContact::cliques(const Equations &equations, const Eigen::VectorXd &u) {
   std::vector<std::vector<int>> result;
-  for (const auto *face : faces_) {
-    std::vector<int> clique;
-    for (const unsigned node : face->nodes)
-      for (int i = 0; i < 3; ++i) clique.push_back(equations.of_dof[3 * node + i]);
-    for (int i = 0; i < 3 && options_.carrier_dof >= 0; ++i)
-      clique.push_back(equations.of_dof[options_.carrier_dof + i]);
-    result.push_back(clique);
+  const int per_face = options_.points * options_.points;
+  pairs_.assign(faces_.size(), {});
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    std::vector<int> own;
+    const auto add = [&](std::vector<int> &clique, int dof) {
+      for (int i = 0; i < 3; ++i) clique.push_back(equations.of_dof[dof + i]);
+    };
+    for (const unsigned node : faces_[f]->nodes) add(own, 3 * node);
+    if (options_.carrier_dof >= 0) add(own, options_.carrier_dof);
+    if (!carrier_) {
+      result.push_back(own);
+      continue;
+    }
+    Vector3d low = Vector3d::Constant(1e300), high = -low;
+    for (std::size_t k = f * per_face; k < (f + 1) * per_face; ++k) {
+      const Vector3d y = carrier_->roughly_back(position(points_[k], u), u);
+      low = low.cwiseMin(y);
+      high = high.cwiseMax(y);
+    }
+    pairs_[f] = carrier_->near(low, high, options_.margin);
+    for (const int master : pairs_[f]) {
+      result.push_back(own);
+      for (const unsigned node : carrier_->face(master).nodes) add(result.back(), 3 * node);
+    }
   }
   return result;
+}
+
+Distance SurfaceContact::pushed_forward(const Coupling &coupling) const {
+  const Distance d = master_.distance(coupling.y);
+  if (coupling.carrier_face < 0) return d;
+  // The gap's gradient by w; its length differs from one by the carrier's strain.
+  const Vector3d gradient = coupling.inverse.transpose() * d.normal;
+  const double length = gradient.norm();
+  const Vector3d normal = gradient / length;
+  const Matrix3d P = Matrix3d::Identity() - normal * normal.transpose();
+  return {d.gap / length, normal, P * coupling.inverse.transpose() * d.curvature * coupling.inverse * P / length};
 }
 
 SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,
@@ -84,21 +160,24 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
   CoulombContact contact_law = options_.law;
   contact_law.normal_penalty *= state.stiffening;
   contact_law.tangential_penalty *= state.stiffening;
+  constexpr double beyond = 0.5; // half widths of a face, for points that cross a free edge in this step
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const FacePoint &point = points_[k];
-    const Vector3d y = relative_position(point, u);
     state.pressure[k] = 0;
     state.friction[k].setZero();
     state.status[k] = ContactStatus::open;
     state.gap[k] = std::numeric_limits<double>::infinity();
-    if (master_.covers && !master_.covers(y)) continue;
-    const Distance distance = master_.distance(y);
+    if (!state.covered[k]) continue;
+    const auto coupling = couple(k, u, state.opposite[k], beyond);
+    if (!coupling) continue;
+    state.opposite[k] = coupling->carrier_face;
+    const Distance distance = pushed_forward(*coupling);
     state.gap[k] = distance.gap;
     report.smallest_gap = std::min(report.smallest_gap, distance.gap);
     if (state.multiplier[k] - contact_law.normal_penalty * distance.gap <= 0) continue;
     Matrix3d D;
-    const Vector3d slip = y - state.start[k];
-    const auto law = differentiate(contact_law, distance, slip, state.multiplier[k], state.tangential[k], dt, D);
+    const auto law = differentiate(contact_law, distance, coupling->y - state.start[k], coupling->inverse,
+                                   state.multiplier[k], state.tangential[k], dt, D);
     state.pressure[k] = law.pressure;
     state.friction[k] = law.friction;
     state.status[k] = law.status;
@@ -106,29 +185,37 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
     report.penetration = std::max(report.penetration, std::abs(distance.gap));
     report.largest_pressure = std::max(report.largest_pressure, law.pressure);
     ++(law.status == ContactStatus::stick ? report.stick : report.slip);
-
-    // The carrier is one more node with shape function -1.
-    const int n = point.shapes.n, n_all = n + (options_.carrier_dof >= 0);
-    int eqs[FaceShapes::max_nodes + 1][3];
-    double N[FaceShapes::max_nodes + 1], weights[FaceShapes::max_nodes + 1][3];
-    for (int a = 0; a < n_all; ++a) {
-      N[a] = a < n ? point.shapes.N[a] : -1.0;
-      for (int i = 0; i < 3; ++i) {
-        const int dof = (a < n ? 3 * static_cast<int>(faces_[point.face]->nodes[a]) : options_.carrier_dof) + i;
-        eqs[a][i] = equations.of_dof[dof];
-        weights[a][i] = equations.weight[dof];
-        if (eqs[a][i] >= 0) forces[eqs[a][i]] -= point.area * N[a] * weights[a][i] * law.traction[i];
-      }
-    }
-    for (int a = 0; a < n_all && tangent; ++a)
-      for (int i = 0; i < 3; ++i)
-        for (int b = 0; b < n_all; ++b)
-          for (int j = 0; j < 3; ++j)
-            if (eqs[a][i] >= 0 && eqs[b][j] >= 0)
-              tangent->add(eqs[a][i], eqs[b][j],
-                           -point.area * N[a] * weights[a][i] * N[b] * weights[b][j] * D(i, j));
+    if (coupling->carrier_face >= 0 && !std::binary_search(pairs_[point.face].begin(), pairs_[point.face].end(),
+                                                           coupling->carrier_face))
+      report.pattern_holds = false;
+    else
+      add_to(equations, *coupling, point.area, law.traction, D, forces, tangent);
   }
   return report;
+}
+
+void SurfaceContact::add_to(const Equations &equations, const Coupling &coupling, double area,
+                            const Vector3d &traction, const Matrix3d &D, Eigen::VectorXd &forces,
+                            GeneralMatrix *tangent) const {
+  int eqs[Coupling::most][3];
+  double weights[Coupling::most][3];
+  for (int a = 0; a < coupling.n; ++a)
+    for (int i = 0; i < 3; ++i) {
+      eqs[a][i] = equations.of_dof[coupling.dofs[a] + i];
+      weights[a][i] = equations.weight[coupling.dofs[a] + i];
+      if (eqs[a][i] >= 0) forces[eqs[a][i]] -= area * coupling.N[a] * weights[a][i] * traction[i];
+    }
+  if (!tangent) return;
+  for (int a = 0; a < coupling.n; ++a) {
+    // The traction changes, and the place on the carrier's face where it acts.
+    const Matrix3d row = coupling.N[a] * D + traction * (coupling.dN[a][0] * coupling.dxi.row(0) +
+                                                         coupling.dN[a][1] * coupling.dxi.row(1));
+    for (int i = 0; i < 3; ++i)
+      for (int b = 0; b < coupling.n && eqs[a][i] >= 0; ++b)
+        for (int j = 0; j < 3; ++j)
+          if (eqs[b][j] >= 0)
+            tangent->add(eqs[a][i], eqs[b][j], -area * weights[a][i] * row(i, j) * coupling.N[b] * weights[b][j]);
+  }
 }
 
 SurfaceContact::Augmentation SurfaceContact::augmentation(const SurfaceContactState &state) const {
@@ -180,7 +267,7 @@ void SurfaceContact::add_work(const SurfaceContactState &before, const SurfaceCo
     else if (std::isfinite(before.gap[k]) && std::isfinite(after.gap[k]))
       report.normal_work -= 0.5 * area * (p0 + p1) * (after.gap[k] - before.gap[k]);
     report.friction_work -= 0.5 * area * (before.friction[k] + after.friction[k])
-                                             .dot(relative_position(points_[k], u) - before.start[k]);
+                                             .dot(relative_position(k, u, after) - before.start[k]);
   }
 }
 
@@ -191,7 +278,8 @@ void SurfaceContact::commit(const Eigen::VectorXd &u, SurfaceContactState &state
     state.multiplier = next.multiplier;
   else
     std::fill(state.multiplier.begin(), state.multiplier.end(), 0.0);
-  for (std::size_t k = 0; k < points_.size(); ++k) state.start[k] = relative_position(points_[k], u);
+  for (std::size_t k = 0; k < points_.size(); ++k) state.start[k] = relative_position(k, u, state);
+  settle(u, state);
 }
 
 double SurfaceContact::stiffness_per_area(const Equations &equations, const SymmetricMatrix &solid) const {
@@ -208,13 +296,19 @@ double SurfaceContact::stiffness_per_area(const Equations &equations, const Symm
 double SurfaceContact::time_to_touch(const Eigen::VectorXd &u, const Eigen::VectorXd &v) const {
   double time = std::numeric_limits<double>::infinity();
   for (const auto &point : points_) {
-    const Vector3d y = relative_position(point, u);
-    if (master_.covers && !master_.covers(y)) continue;
-    const Distance distance = master_.distance(y);
-    Vector3d velocity = Vector3d::Zero();
+    Vector3d y = position(point, u), velocity = Vector3d::Zero();
     for (int a = 0; a < point.shapes.n; ++a)
       velocity += point.shapes.N[a] * v.segment<3>(3 * faces_[point.face]->nodes[a]);
-    if (options_.carrier_dof >= 0) velocity -= v.segment<3>(options_.carrier_dof);
+    if (options_.carrier_dof >= 0) {
+      y -= u.segment<3>(options_.carrier_dof);
+      velocity -= v.segment<3>(options_.carrier_dof);
+    }
+    if (carrier_) {
+      y = carrier_->roughly_back(y, u);
+      velocity = velocity + carrier_->roughly_back(Vector3d::Zero(), v);
+    }
+    if (master_.covers && !master_.covers(y)) continue;
+    const Distance distance = master_.distance(y);
     const double closing = -velocity.dot(distance.normal);
     if (closing > 0) time = std::min(time, std::max(0.0, distance.gap) / closing);
   }
@@ -225,7 +319,7 @@ std::vector<SurfaceContact::Sample> SurfaceContact::samples(const Eigen::VectorX
                                                             const SurfaceContactState &state) const {
   std::vector<Sample> result;
   for (std::size_t k = 0; k < points_.size(); ++k)
-    result.push_back({relative_position(points_[k], u), state.friction[k], points_[k].area, state.pressure[k],
+    result.push_back({relative_position(k, u, state), state.friction[k], points_[k].area, state.pressure[k],
                       state.gap[k]});
   return result;
 }

@@ -1,7 +1,9 @@
 /// Frictional contact of a deformable body's faces with an exact surface: Gauss points of the slave faces
 /// against the signed distance. The surface may be carried by a rigid body in translation, whose three dofs
-/// stand behind the nodes' ones in the equations (see Equations). Slip is measured along the surface from the
-/// step's start, so sliding may be as long as it likes.
+/// stand behind the nodes' ones in the equations (see Equations), or by the displacement of a deformable body's
+/// faces (see MasterFaces), which must not turn by large angles. Slip is measured along the surface from the
+/// step's start, in the carrier's reference configuration: sliding may be as long as it likes, and friction goes
+/// from face to face without being handed over.
 ///
 /// More Gauss points than a face has room for would over-constrain it if each had a multiplier of its own: the
 /// pressures oscillate (the inf-sup condition fails). Multipliers are therefore the tractions' least-squares
@@ -11,9 +13,11 @@
 #include "fe_contact/laws/master_surface.h"
 #include "fe_contact/model/discretisation.h"
 #include "fe_contact/model/face_points.h"
+#include "fe_contact/model/master_faces.h"
 #include "fe_contact/solver/equations.h"
 #include "fe_contact/solver/general_matrix.h"
 #include <limits>
+#include <optional>
 
 namespace rimpact::fe {
 
@@ -21,6 +25,8 @@ struct SurfaceContactOptions {
   CoulombContact law;
   int points = 4;        ///< Gauss points a direction and slave face
   int carrier_dof = -1;  ///< first of the rigid carrier's three dofs; -1: the surface stands still
+  std::optional<meshes::Surface> carrier_faces{}; ///< or: whose displacement carries the surface
+  double margin = 0.01; ///< pairs of faces nearer than this are coupled in the matrix [m]
 };
 
 /// Per slave point; trial/committed by the caller.
@@ -31,6 +37,10 @@ struct SurfaceContactState {
   std::vector<double> gap, pressure;        ///< at the last evaluation [m], [Pa]
   std::vector<Eigen::Vector3d> friction;    ///< [Pa]
   std::vector<ContactStatus> status;
+  /// Opposite the master, not past its edge; settled once a step, so that Newton does not chatter: within a step
+  /// a point that crosses the edge sees the surface go on.
+  std::vector<char> covered;
+  std::vector<int> opposite; ///< carrier face last found opposite, -1: none
   double stiffening = 1; ///< factor on the stated penalties where augmentation alone was slow
 };
 
@@ -41,6 +51,7 @@ struct SurfaceContactReport {
   double largest_pressure = 0;            ///< [Pa]
   int stick = 0, slip = 0;                ///< points
   double normal_work = 0, friction_work = 0; ///< taken up since the step's start, trapezoidal [J]
+  bool pattern_holds = true; ///< false: a pair of faces is not in the matrix's pattern
 };
 
 class SurfaceContact {
@@ -49,7 +60,9 @@ public:
                  const SurfaceContactOptions &options);
 
   SurfaceContactState open(const Eigen::VectorXd &u) const;
-  std::vector<std::vector<int>> cliques(const Equations &equations) const;
+  /// Equations coupled by each slave face and what is opposite or near it at dof displacements u; the pairs are
+  /// remembered as those the pattern holds.
+  std::vector<std::vector<int>> cliques(const Equations &equations, const Eigen::VectorXd &u);
   /// Adds (internal-sign) contact forces and the tangent at dof displacements u; fills `state`'s results.
   SurfaceContactReport assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,
                                 const Equations &equations, Eigen::VectorXd &forces,
@@ -84,13 +97,40 @@ public:
   const SurfaceContactOptions &options() const { return options_; }
 
 private:
-  Eigen::Vector3d relative_position(const FacePoint &point, const Eigen::VectorXd &u) const;
+  /// The nodes a point couples, with the derivatives of their weights by (xi, eta) of the carrier's face.
+  struct Coupling {
+    static constexpr int most = 2 * FaceShapes::max_nodes;
+    Eigen::Vector3d y;                                            ///< relative position [m]
+    Eigen::Matrix3d inverse = Eigen::Matrix3d::Identity();        ///< dy/dw, w = sum of N u
+    Eigen::Matrix<double, 2, 3> dxi = Eigen::Matrix<double, 2, 3>::Zero(); ///< d(xi, eta)/dw
+    int n = 0, carrier_face = -1;
+    int dofs[most];
+    double N[most], dN[most][2];
+    bool inside = true;
+    void add(int dof, double value, double by_xi = 0, double by_eta = 0) {
+      dofs[n] = dof;
+      N[n] = value;
+      dN[n][0] = by_xi;
+      dN[n++][1] = by_eta;
+    }
+  };
+  Eigen::Vector3d position(const FacePoint &point, const Eigen::VectorXd &u) const;
+  /// Empty where nothing is opposite.
+  std::optional<Coupling> couple(std::size_t k, const Eigen::VectorXd &u, int guess, double beyond) const;
+  /// Relative position by the present opposite, else by the carrier's rough displacement.
+  Eigen::Vector3d relative_position(std::size_t k, const Eigen::VectorXd &u, const SurfaceContactState &state) const;
+  void settle(const Eigen::VectorXd &u, SurfaceContactState &state) const;
+  Distance pushed_forward(const Coupling &coupling) const;
+  void add_to(const Equations &equations, const Coupling &coupling, double area, const Eigen::Vector3d &traction,
+              const Eigen::Matrix3d &D, Eigen::VectorXd &forces, GeneralMatrix *tangent) const;
 
   const Discretisation &space_;
   MasterSurface master_;
   SurfaceContactOptions options_;
   std::vector<const Face *> faces_;
   std::vector<FacePoint> points_;
+  std::optional<MasterFaces> carrier_;
+  std::vector<std::vector<int>> pairs_; ///< carrier faces in the pattern, by slave face, sorted
 };
 
 } // namespace rimpact::fe

@@ -68,7 +68,8 @@ bool DirectSolver::factorise() {
   check(KSPGetPC(p.ksp, &pc));
   PCFailedReason reason;
   check(PCGetFailedReason(pc, &reason));
-  return reason == PC_NOERROR;
+  has_factor_ = reason == PC_NOERROR;
+  return has_factor_;
 }
 
 Eigen::VectorXd DirectSolver::solve(const Eigen::VectorXd &right_side) {

@@ -20,6 +20,7 @@ public:
   /// that takes more than `max_iterations`; the factor is then due.
   Eigen::VectorXd solve_iteratively(const Eigen::VectorXd &right_side, double relative, int max_iterations);
   int last_iterations() const { return last_iterations_; }
+  bool has_factor() const { return has_factor_; }
 
 private:
   void set_up(bool symmetric, int n);
@@ -27,6 +28,7 @@ private:
   struct Petsc;
   std::unique_ptr<Petsc> petsc_;
   int last_iterations_ = 0;
+  bool has_factor_ = false;
 };
 
 } // namespace rimpact::fe

@@ -28,7 +28,7 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
   }
   const auto relative = [&] { return target.residual().norm() / target.force_scale(); };
   double forcing = 0;
-  bool have_factor = false, worn = false;
+  bool worn = false; // a factor of an earlier solution, or of another step, may still serve
   report.residuals.push_back(relative());
   while (report.residuals.back() > options.tolerance || report.iterations == 0) {
     if (report.iterations >= options.max_iterations) {
@@ -38,7 +38,7 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
     ++report.iterations;
     forcing = forcing_term(report.residuals, forcing);
     Eigen::VectorXd change;
-    if (options.stale_factor && have_factor && !worn) {
+    if (options.stale_factor && target.solver().has_factor() && !worn) {
       change = target.solver().solve_iteratively(-target.residual(), forcing, most_linear_iterations);
       worn = target.solver().last_iterations() > worn_after;
     }
@@ -48,7 +48,6 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
         return report;
       }
       ++report.factorisations;
-      have_factor = true;
       worn = false;
       change = target.solver().solve(-target.residual());
     }

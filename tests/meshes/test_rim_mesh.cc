@@ -138,10 +138,10 @@ TEST(RimMesh, InvertedCellsAndMissingGroupsAreRefused) {
   HexMesh mesh = rim_mesh({}, {});
   HexMesh bad = mesh;
   std::swap(bad.nodes[bad.cells[0][0]], bad.nodes[bad.cells[0][6]]);
-  EXPECT_THROW(check(bad, 2), DataError);
-  EXPECT_THROW(check(mesh, 1), DataError);
+  EXPECT_THROW(check(bad, 2, rim_groups), DataError);
+  EXPECT_THROW(check(mesh, 1, rim_groups), DataError);
   mesh.faces.clear();
-  EXPECT_THROW(check(mesh, 2), DataError);
+  EXPECT_THROW(check(mesh, 2, rim_groups), DataError);
 }
 
 TEST(GradedLines, HitTheAnchorsAndFollowTheSizes) {
