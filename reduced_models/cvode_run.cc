@@ -170,8 +170,9 @@ long run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const B
     const bool at_root = cvode.step(limit, t, y);
     ++n_steps;
     const Event event = at_root ? cvode.root() : Event::turning;
+    const Mode during = mode; // with the direction the step began in
     dynamics.project(mode, y);
-    recorder.segment(mode, {t0, t, y0, y, [&](double at) { return cvode.interpolate(at); }},
+    recorder.segment(during, {t0, t, y0, y, [&](double at) { return cvode.interpolate(at); }},
                      at_root && changes_rim(event));
     const Mode before = mode;
     double loss = 0;

@@ -46,7 +46,8 @@ void HybridRun::set_scales(const BearingState &start) {
   }
   for (int i : {iX, iY, iZ}) inverse_scale_[i] = 1 / (tolerance_ * share * dynamics_.lateral_capacity);
   for (int i : {iVX, iVY, iVZ}) inverse_scale_[i] = 1 / (tolerance_ * share * dynamics_.speed_scale);
-  for (int i : {iEX, iEY}) inverse_scale_[i] = 1 / std::max(1e-8, tolerance_); // enters through m a only
+  // enters through m a only: one digit less where many are asked for
+  for (int i : {iEX, iEY}) inverse_scale_[i] = 1 / std::min(std::max(1e-8, tolerance_), 10 * tolerance_);
 }
 
 double HybridRun::largest_step(const Mode &mode) const {
@@ -118,6 +119,19 @@ HybridRun::Crossing HybridRun::first_crossing(const StopFunction &stop) {
   return first;
 }
 
+/// A step shortened to a stop has stages close to v = 0, where the direction of friction swings round unless
+/// the motion is straight. When that spoils the step it ends before the stop: the next ones come closer.
+bool HybridRun::stops_accurately() {
+  const double h = step_.h;
+  if (step_.error(inverse_scale_) <= 1) return true;
+  for (double share = 0.9; share * h > 1e-12; share /= 2) {
+    try_step(share * h);
+    if (step_.error(inverse_scale_) <= 1) return false;
+  }
+  try_step(h);
+  return true;
+}
+
 double HybridRun::next_break(double t, double t_end) {
   const auto &breaks = dynamics_.ground.breakpoints();
   while (break_index_ < breaks.size() && breaks[break_index_] <= t + 1e-12) ++break_index_;
@@ -172,17 +186,19 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
       continue;
     }
     attempt_until_accepted(next_break(step_.t, t_end));
-    const Crossing crossing = first_crossing(stop);
+    Crossing crossing = first_crossing(stop);
+    if (crossing.found && crossing.event == Event::stop && !crossing.by_stop) crossing.found = stops_accurately();
     ++result.n_steps;
     n_short = step_.h < 1e-10 ? n_short + 1 : 0;
     if (n_short > 100)
       throw SolverStopped("the reduced model chatters between branches at t = " + std::to_string(step_.t) +
                           " s");
+    const Mode during = mode_; // with the direction the step began in: at a stop y1 may lie just beyond v = 0
     dynamics_.project(mode_, step_.y1);
     const double t1 = step_.t + step_.h;
     const bool rim_changes = crossing.found && (crossing.by_stop || changes_rim(crossing.event));
     recorder.segment(
-        mode_, {step_.t, t1, step_.y0, step_.y1, [&](double t) { return step_.at((t - step_.t) / step_.h); }},
+        during, {step_.t, t1, step_.y0, step_.y1, [&](double t) { return step_.at((t - step_.t) / step_.h); }},
         rim_changes);
     step_.t = t1;
     step_.y0 = step_.y1;

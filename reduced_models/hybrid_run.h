@@ -35,6 +35,7 @@ private:
   bool crosses(const Crossing &c);
   void locate(const Crossing &c);
   Crossing first_crossing(const StopFunction &stop);
+  bool stops_accurately();
   void rest(double t_end, Recorder &recorder);
   double next_break(double t, double t_end);
   void attempt_until_accepted(double t_limit);

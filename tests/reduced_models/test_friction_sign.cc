@@ -1,0 +1,52 @@
+// Recorded friction opposes the recorded velocity, also in the step that ends at a reversal or a stop.
+#include "scenes.h"
+#include <gtest/gtest.h>
+
+using namespace rimpact;
+using namespace rimpact::reduced;
+using namespace rimpact::reduced::testing;
+
+namespace {
+
+struct Opposition {
+  double worst = -1;       ///< largest cosine between friction and velocity
+  int n_slow = 0;          ///< samples moving slower than 10 mm/s
+  double peak_power = 0.0; ///< largest friction . v [W]
+};
+
+Opposition opposition(const scene::Response &r) {
+  Opposition o;
+  for (std::size_t i = 0; i < r.size(); ++i) {
+    const Eigen::Vector2d v(r.series("velocity_x")[i], r.series("velocity_y")[i]),
+        f(r.series("friction_x")[i], r.series("friction_y")[i]);
+    if (v.norm() < 1e-6 || f.norm() < 1) continue; // at rest, or in the air
+    o.n_slow += v.norm() < 0.01;
+    o.worst = std::max(o.worst, v.dot(f) / v.norm() / f.norm());
+  }
+  return o;
+}
+
+void expect_opposed(scene::Scene s) {
+  s.reduced.output_step = 2e-4; // many samples in the steps that end at v = 0
+  for (const auto &run : {simulate(s), simulate_with_cvode(s)}) {
+    const Opposition o = opposition(run.response);
+    EXPECT_LT(o.worst, -0.9999);
+    EXPECT_GT(o.n_slow, 10);
+  }
+}
+
+} // namespace
+
+TEST(FrictionSign, StraightMotionThroughItsReversals) {
+  expect_opposed(ricker(1.05));
+  expect_opposed(ricker(1.4));
+}
+TEST(FrictionSign, ObliqueMotion) {
+  scene::Scene s = ricker(1.05);
+  s.excitation.direction_deg = 37;
+  expect_opposed(s);
+}
+TEST(FrictionSign, MotionThatTurnsWhileItStops) {
+  expect_opposed(free_motion({0.35, 0}, {0.5, 2}));
+  expect_opposed(scene::load_scene("pulse-bidirectional"));
+}
