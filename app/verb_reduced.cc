@@ -1,6 +1,7 @@
 // rimpact reduced SCENE: a scene by the reduced model.
 #include "app/sibling.h"
 #include "app/verb.h"
+#include "reduced_models/node_kinematics.h"
 #include "reduced_models/physical_model.h"
 #include <fmt/format.h>
 
@@ -9,12 +10,18 @@ namespace rimpact::app {
 void add_reduced(CLI::App &app, Console &console) {
   struct Options {
     std::string scene, folder, model;
+    std::vector<double> nodes; // [mm]
     bool picture = false;
   };
   auto *verb = app.add_subcommand("reduced", "a scene by the reduced model, in about a millisecond");
   auto options = std::make_shared<Options>();
   verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
   verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>-reduced)");
+  verb->add_option("--nodes", options->nodes,
+                   "BELOW,ABOVE: also the moments at nodes so many mm from the dish's vertex (P-Delta)")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(CLI::Range(0.0, 1e5));
   verb->add_option("--model", options->model, "see rimpact list models");
   verb->add_flag("--png", options->picture, "also draw response.png");
   console.add_common(*verb);
@@ -23,7 +30,9 @@ void add_reduced(CLI::App &app, Console &console) {
   verb->callback([options, &console] {
     if (!options->model.empty()) console.overrides.push_back("reduced.model=\"" + options->model + "\"");
     const scene::Scene scene = scene::load_scene(options->scene, console.overrides);
-    const auto run = reduced::simulate(scene);
+    auto run = reduced::simulate(scene);
+    if (!options->nodes.empty())
+      reduced::add_nodal_moments(run.response, {options->nodes[0] / 1e3, options->nodes[1] / 1e3});
     const std::string folder =
         options->folder.empty() ? default_folder(scene.name) + "-reduced" : options->folder;
     scene::write_run_folder(folder, scene, run.response, run.summary);

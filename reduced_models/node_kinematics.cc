@@ -34,4 +34,22 @@ NodalVector nodal_forces(const NodeHeights &heights, const NodalVector &u, const
   return velocity_matrix(heights, u).transpose() * force;
 }
 
+void add_nodal_moments(scene::Response &response, const NodeHeights &heights) {
+  constexpr const char *axes[] = {"x", "y", "z"};
+  const auto read = [&](const std::string &name, std::size_t i) {
+    Vector3d v;
+    for (int k = 0; k < 3; ++k) v[k] = response.series(name + "_" + axes[k])[i];
+    return v;
+  };
+  for (std::size_t i = 0; i < response.size(); ++i) {
+    NodalVector u = NodalVector::Zero();
+    u.segment<3>(uJ) = read("displacement", i);
+    const NodalVector F = nodal_forces(heights, u, read("force", i));
+    for (int k = 0; k < 3; ++k) {
+      response.append(std::string("moment_below_") + axes[k], F[rI + k]);
+      response.append(std::string("moment_above_") + axes[k], F[rJ + k]);
+    }
+  }
+}
+
 } // namespace rimpact::reduced

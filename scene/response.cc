@@ -23,6 +23,8 @@ std::vector<SignalInfo> make_signals() {
   vector("pendular", "N", "share of the force normal to the sliding surface");
   vector("friction", "N", "share of the force from friction");
   vector("impact", "N", "share of the force from the rim");
+  vector("moment_below", "N m", "moment of the bearing on the node below");
+  vector("moment_above", "N m", "moment of the bearing on the node above");
   list.push_back({"gap", "m", "L_c - |u|, negative while the rim is pressed"});
   list.push_back({"normal_force", "N", "normal force of the sliding surface, never negative"});
   for (const auto &[name, what] : std::initializer_list<std::pair<const char *, const char *>>{

@@ -5,6 +5,8 @@ import subprocess
 import tempfile
 import unittest
 
+import h5py
+
 from command import RIMPACT, in_terminal, rimpact
 
 AT2 = "PEER\nA RECORD\n{}\nNPTS= {}, DT= .0100 SEC\n"
@@ -140,6 +142,16 @@ class GoodInput(unittest.TestCase):
                 exec(file.read(), values)
             self.assertAlmostEqual(values["k_i"] / 3e8, 1, places=5)
             self.assertAlmostEqual(values["restitution"], 0.65, places=5)
+
+    def test_moments_at_nodes(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = rimpact("reduced", "ricker-0.78g-1.0s", "--nodes", "350,220", "-o", folder)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            with h5py.File(os.path.join(folder, "response.h5")) as file:
+                force, moment = file["response/force_x"][:], file["response/moment_above_y"][:]
+            self.assertLess(abs(moment + 0.22 * force).max(), 1e-6)
+            self.assertEqual(rimpact("reduced", "ricker-0.78g-1.0s", "--nodes", "350").returncode, 2)
+            self.assertEqual(rimpact("reduced", "ricker-0.78g-1.0s", "--nodes=-1,2").returncode, 2)
 
     def test_grazing_is_not_identifiable(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -98,3 +98,25 @@ TEST(NodeKinematics, PDeltaMomentsOfABearingOnItsDish) {
   EXPECT_NEAR(F[10], 0.3 * force.z() - (e.height(0.3) + heights.below) * force.x(), 1e-9);
   EXPECT_NEAR(force.x(), -force.z() * e.slope(0.3), 1e-6 * force.z());
 }
+
+/// A slow cycle: equilibrium of the whole bearing about the lower node at every stored instant.
+TEST(NodeKinematics, MomentsOfAResponse) {
+  scene::Scene s;
+  s.excitation.kind = scene::ExcitationKind::figure_eight;
+  s.excitation.amplitude = 0.3;
+  auto response = simulate(s).response;
+  add_nodal_moments(response, heights);
+  response.check();
+  double largest = 0;
+  const auto at = [&](const std::string &name, std::size_t i) {
+    return Vector3d(response.series(name + "_x")[i], response.series(name + "_y")[i],
+                    response.series(name + "_z")[i]);
+  };
+  for (std::size_t i = 0; i < response.size(); ++i) {
+    const Vector3d arm = at("displacement", i) + Vector3d(0, 0, heights.below + heights.above);
+    const Vector3d sum = at("moment_below", i) + at("moment_above", i) + arm.cross(at("force", i));
+    EXPECT_LT(sum.norm(), 1e-6);
+    largest = std::max(largest, at("moment_below", i).norm());
+  }
+  EXPECT_GT(largest, 0.25 * 853e3); // W u is most of it
+}
