@@ -40,6 +40,24 @@ void cvode(benchmark::State &state, const char *friction) {
   report(state, run, reduced::simulate_summary(pulse(friction, 1e-13)));
 }
 
+/// The same pulse on another dish; `table` has the ellipse's rows every 10 mm.
+void on_dish(benchmark::State &state, const char *kind) {
+  scene::Scene s = pulse("coulomb", 1e-9), tight = pulse("coulomb", 1e-13);
+  for (scene::Scene *scene : {&s, &tight}) {
+    auto &surface = scene->bearing.surface;
+    surface.kind = kind;
+    surface.coefficients = {1 / 4.5, 0, 0.3, 0, 0.5};
+    const auto ellipse = scene::make_surface(scene::SurfaceSpec{});
+    for (int i = 0; i <= 53; ++i) {
+      surface.table_radius.push_back(0.01 * i);
+      surface.table_height.push_back(ellipse->at(0.01 * i, 0).z);
+    }
+  }
+  scene::Summary run;
+  for (auto _ : state) run = reduced::simulate_summary(s);
+  report(state, run, reduced::simulate_summary(tight));
+}
+
 void stored(benchmark::State &state) {
   const scene::Scene s = pulse("coulomb", 1e-9);
   for (auto _ : state) benchmark::DoNotOptimize(reduced::simulate(s));
@@ -62,6 +80,9 @@ BENCHMARK_CAPTURE(own_stepper, coulomb, "coulomb")->DenseRange(5, 11, 2)->Unit(b
 BENCHMARK_CAPTURE(own_stepper, park_wen, "park-wen")->DenseRange(5, 9, 2)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(cvode, coulomb, "coulomb")->Arg(9)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(cvode, park_wen, "park-wen")->Arg(9)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(on_dish, cone, "cone")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(on_dish, polynomial, "polynomial")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(on_dish, table, "table")->Unit(benchmark::kMillisecond);
 BENCHMARK(stored)->Unit(benchmark::kMillisecond);
 BENCHMARK(scout)->Unit(benchmark::kMillisecond);
 BENCHMARK(critical)->Unit(benchmark::kMillisecond);

@@ -102,6 +102,13 @@ void add_surfaces(std::vector<Case> &list) {
   list.push_back({"sphere", dish("sphere")});
   list.push_back({"polynomial", dish("polynomial")});
   list.push_back({"cone", with(dish("cone"), [](auto &s) { s.bearing.surface.R0 = 0.3; })});
+  list.push_back({"table, rows each 10 mm", with(dish("table"), [](auto &s) {
+                    const auto ellipse = scene::make_surface(scene::SurfaceSpec{});
+                    for (int i = 0; i <= 53; ++i) {
+                      s.bearing.surface.table_radius.push_back(0.01 * i);
+                      s.bearing.surface.table_height.push_back(ellipse->at(0.01 * i, 0).z);
+                    }
+                  })});
   list.push_back(
       {"r_p within 1 % of a",
        with(pulse(1.1), [](auto &s) { s.bearing.surface.planar_radius = 0.995 * s.bearing.surface.a; }),
