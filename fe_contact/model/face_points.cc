@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <Eigen/Geometry>
+#include <map>
 
 namespace rimpact::fe {
 namespace {
@@ -48,6 +49,20 @@ std::vector<FacePoint> face_points(const Discretisation &space, const std::vecto
         result.push_back(point);
       }
   return result;
+}
+
+void average_to_nodes(const std::vector<FacePoint> &points, const std::vector<const Face *> &faces,
+                      const std::vector<double> &values, std::vector<double> &nodal) {
+  std::map<unsigned, std::pair<double, double>> sums; // weight, weighted value
+  for (std::size_t k = 0; k < points.size(); ++k)
+    for (int a = 0; a < points[k].shapes.n && std::isfinite(values[k]); ++a) {
+      auto &[weight, sum] = sums[faces[points[k].face]->nodes[a]];
+      const double w = points[k].area * std::abs(points[k].shapes.N[a]);
+      weight += w;
+      sum += w * values[k];
+    }
+  for (const auto &[node, entry] : sums)
+    if (entry.first > 0) nodal[node] = entry.second / entry.first;
 }
 
 } // namespace rimpact::fe

@@ -15,4 +15,9 @@ struct FacePoint {
 /// `n` points a direction and face, xi fastest.
 std::vector<FacePoint> face_points(const Discretisation &space, const std::vector<const Face *> &faces, int n);
 
+/// Values at the points averaged to the faces' nodes, weighted by area; other nodes are left alone. Points whose
+/// value is not finite are passed over.
+void average_to_nodes(const std::vector<FacePoint> &points, const std::vector<const Face *> &faces,
+                      const std::vector<double> &values, std::vector<double> &nodal);
+
 } // namespace rimpact::fe

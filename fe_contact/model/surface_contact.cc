@@ -182,6 +182,7 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
     state.friction[k] = law.friction;
     state.status[k] = law.status;
     report.force += point.area * law.traction;
+    report.friction += point.area * law.friction;
     report.penetration = std::max(report.penetration, std::abs(distance.gap));
     report.largest_pressure = std::max(report.largest_pressure, law.pressure);
     ++(law.status == ContactStatus::stick ? report.stick : report.slip);

@@ -46,6 +46,7 @@ struct SurfaceContactState {
 
 struct SurfaceContactReport {
   Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< on the body [N]
+  Eigen::Vector3d friction = Eigen::Vector3d::Zero(); ///< its tangential tractions' part [N]
   double smallest_gap = std::numeric_limits<double>::infinity(); ///< [m]
   double penetration = 0;                 ///< largest, pointwise [m]
   double largest_pressure = 0;            ///< [Pa]
@@ -93,6 +94,11 @@ public:
     double area, pressure, gap;
   };
   std::vector<Sample> samples(const Eigen::VectorXd &u, const SurfaceContactState &state) const;
+  /// Pressure [Pa] and gap [m] averaged to the slave faces' nodes, for pictures; other nodes are left alone.
+  void nodal_fields(const SurfaceContactState &state, std::vector<double> &pressure, std::vector<double> &gap) const {
+    average_to_nodes(points_, faces_, state.pressure, pressure);
+    average_to_nodes(points_, faces_, state.gap, gap);
+  }
   SurfaceContactOptions &options() { return options_; }
   const SurfaceContactOptions &options() const { return options_; }
 

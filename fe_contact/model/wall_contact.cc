@@ -3,6 +3,7 @@
 #include <cmath>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <limits>
 #include <map>
 
 namespace rimpact::fe {
@@ -262,22 +263,13 @@ double WallContact::work(const ContactState &before, const ContactState &after) 
 
 void WallContact::nodal_fields(const ContactState &state, std::vector<double> &pressure,
                                std::vector<double> &gap) const {
-  std::vector<double> weight(space_.n_nodes, 0.0);
   pressure.assign(space_.n_nodes, 0.0);
   gap.assign(space_.n_nodes, 0.0);
-  for (std::size_t k = 0; k < points_.size(); ++k)
-    for (int a = 0; a < points_[k].shapes.n && state.gap[k] < no_gap; ++a) {
-      const unsigned node = slaves_[points_[k].face]->nodes[a];
-      const double w = points_[k].area * std::abs(points_[k].shapes.N[a]);
-      weight[node] += w;
-      pressure[node] += w * state.pressure[k];
-      gap[node] += w * state.gap[k];
-    }
-  for (std::size_t i = 0; i < weight.size(); ++i)
-    if (weight[i] > 0) {
-      pressure[i] /= weight[i];
-      gap[i] /= weight[i];
-    }
+  std::vector<double> opposite = state.pressure, gaps = state.gap;
+  for (std::size_t k = 0; k < gaps.size(); ++k)
+    if (!(gaps[k] < no_gap)) opposite[k] = gaps[k] = std::numeric_limits<double>::quiet_NaN();
+  average_to_nodes(points_, slaves_, opposite, pressure);
+  average_to_nodes(points_, slaves_, gaps, gap);
 }
 
 } // namespace rimpact::fe

@@ -4,20 +4,9 @@
 #pragma once
 #include "fe_contact/runner/checkpoint.h"
 #include "fe_contact/runner/mass_loads.h"
-#include "fe_contact/runner/run.h"
+#include "fe_contact/runner/run_record.h"
 
 namespace rimpact::fe {
-
-/// What a run accumulates, whatever drives it.
-struct RunRecord {
-  scene::Response response;
-  scene::EnergyLedger ledger;
-  std::vector<scene::Impact> impacts;
-  long n_steps = 0, n_newton = 0, n_cuts = 0, augmentation_caps = 0;
-  double smallest_normal = 0;
-  std::vector<std::pair<double, std::string>> fields; ///< (time, VTU file) for the PVD
-  std::vector<std::string> warnings;
-};
 
 /// One touched arc of the rim.
 struct Arc {
@@ -38,6 +27,5 @@ void run_rim_push(const scene::Scene &scene, const RunOptions &options, RimSolve
 /// Writes a VTU of the solver's solids in a state and notes it for the PVD.
 void write_fields(const RimSolver &solver, const ArcState &state, const RimFrame &frame, double time,
                   const RunOptions &options, RunRecord &record);
-void write_pvd(const RunOptions &options, const RunRecord &record);
 
 } // namespace rimpact::fe

@@ -2,6 +2,7 @@
 #include "fe_contact/runner/run.h"
 
 #include "fe_contact/runner/rim_run.h"
+#include "fe_contact/runner/stack_run.h"
 #include "scene/error.h"
 #include <chrono>
 #include <filesystem>
@@ -10,28 +11,24 @@
 namespace rimpact::fe {
 namespace {
 
-scene::Summary summarise(const scene::Scene &scene, const RunRecord &record, const RimSolver *solver,
-                         double seconds) {
+scene::Summary summarise(const scene::Scene &scene, const RunRecord &record, double seconds) {
   scene::Summary summary;
   if (record.response.size() > 0) scene::summarise_response(record.response, summary);
   summary.impacts = record.impacts; // exact instants and speeds, not those of the samples
   summary.energy = record.ledger;
-  summary.rung = "rim";
+  summary.rung = scene.model.rung;
   summary.mesh = scene.model.mesh;
   summary.n_steps = record.n_steps;
   summary.n_newton_iterations = record.n_newton;
   summary.min_normal_force = record.smallest_normal;
   summary.wall_time = seconds;
   summary.peak_memory_bytes = scene::peak_memory_bytes();
+  summary.n_dofs = record.n_dofs;
+  summary.time_split = record.time_split;
   double output = seconds;
-  if (solver) {
-    summary.n_dofs = solver->n_equations();
-    summary.time_split = solver->time_split;
-    for (const auto &[name, value] : solver->time_split) output -= value;
-    const auto &r = record.response;
-    if (r.has("plastic_strain_max") && r.size() > 0)
-      summary.max_plastic_strain = r.series("plastic_strain_max").back();
-  }
+  for (const auto &[name, value] : record.time_split) output -= value;
+  const auto &r = record.response;
+  if (r.has("plastic_strain_max") && r.size() > 0) summary.max_plastic_strain = r.series("plastic_strain_max").back();
   summary.time_split["output"] = std::max(0.0, output); // meshing, flights and files
   summary.extra["cuts"] = record.n_cuts;
   summary.extra["augmentation_cap_reached"] = record.augmentation_caps;
@@ -43,32 +40,52 @@ scene::Summary summarise(const scene::Scene &scene, const RunRecord &record, con
 
 void check_supported(const scene::Scene &scene) {
   using Kind = scene::ExcitationKind;
-  if (scene.model.rung != "rim")
+  const Kind kind = scene.excitation.kind;
+  const bool on_the_dish = kind == Kind::cyclic || kind == Kind::figure_eight;
+  const std::string name = "excitation.kind '" + scene::to_string(kind) + "'";
+  if (scene.model.rung != "rim" && scene.model.rung != "rigid-dish")
     throw InputError("model.rung '" + scene.model.rung +
-                     "' is not in this build; it has: rim (and reduced, by `rimpact reduced`)");
-  if (scene.excitation.kind == Kind::cyclic || scene.excitation.kind == Kind::figure_eight)
-    throw InputError("excitation.kind '" + scene::to_string(scene.excitation.kind) +
-                     "' moves on the dish without touching the rim; rung `rim` has nothing to solve there");
+                     "' is not in this build; it has: rim, rigid-dish (and reduced, by `rimpact reduced`)");
+  if (scene.model.rung == "rim" && on_the_dish)
+    throw InputError(name + " moves on the dish without touching the rim; rung `rim` has nothing to solve there: try "
+                            "--rung rigid-dish");
+  if (scene.model.rung == "rigid-dish" && !on_the_dish)
+    throw InputError(name + " is not in this build's rung `rigid-dish`; it has: cyclic, figure-eight");
   if (scene.bearing.contact.rim != 0)
     throw InputError("contact.rim " + std::to_string(scene.bearing.contact.rim) +
-                     " is not 0: rung `rim` has frictionless walls");
+                     " is not 0: the rim's walls are frictionless in this build");
 }
+
+namespace {
+
+void run_rung(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record) {
+  if (scene.model.rung == "rigid-dish") return run_stack_static(scene, plan, options, record);
+  RimSolver solver(scene.bearing, rim_mesh_options(scene, plan), rim_solver_options(scene));
+  record.n_dofs = solver.n_equations();
+  const auto keep_times = [&] { record.time_split = solver.time_split; };
+  try {
+    if (scene.excitation.kind == scene::ExcitationKind::push)
+      run_rim_push(scene, options, solver, record);
+    else
+      run_rim_dynamic(scene, plan, options, solver, record);
+  } catch (...) {
+    keep_times();
+    throw;
+  }
+  keep_times();
+}
+
+} // namespace
 
 scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions &options) {
   check_supported(scene);
   const auto start = std::chrono::steady_clock::now();
   RunRecord record;
-  std::unique_ptr<RimSolver> solver;
   std::exception_ptr failure;
   std::string status = "done", reason;
   std::filesystem::create_directories(options.folder);
   try {
-    solver =
-        std::make_unique<RimSolver>(scene.bearing, rim_mesh_options(scene, plan), rim_solver_options(scene));
-    if (scene.excitation.kind == scene::ExcitationKind::push)
-      run_rim_push(scene, options, *solver, record);
-    else
-      run_rim_dynamic(scene, plan, options, *solver, record);
+    run_rung(scene, plan, options, record);
   } catch (const Interrupted &error) {
     status = "interrupted";
     reason = error.what();
@@ -79,7 +96,7 @@ scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions
     failure = std::current_exception();
   }
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  scene::Summary summary = summarise(scene, record, solver.get(), seconds);
+  scene::Summary summary = summarise(scene, record, seconds);
   summary.status = status;
   summary.reason = reason;
   summary.extra["plan"] = to_json(plan);
