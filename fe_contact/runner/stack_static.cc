@@ -1,11 +1,15 @@
 // Quasi-static paths of rung R2: preload under the dead load, then the top face is driven along the path.
+#include "fe_contact/runner/record_checkpoint.h"
 #include "fe_contact/runner/stack_model.h"
 #include "fe_contact/runner/stack_run.h"
+#include "fe_contact/runner/system_checkpoint.h"
 #include "scene/error.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <tuple>
 
 namespace rimpact::fe {
 namespace {
@@ -162,25 +166,53 @@ struct StaticPath {
 
   double rest_elastic = 0; ///< energy of the preload, not counted [J]
 
+  std::string checkpoint_path() const { return options.folder + "/checkpoint.h5"; }
+
+  void save(double s, double ds) const {
+    if (options.folder.empty()) return;
+    Checkpoint file;
+    put(file, scene, record);
+    put(file, state);
+    file.numbers["path"] = {s, ds, rest_height, rest_elastic, last_way.x(), last_way.y()};
+    file.numbers["last_change"] = list(last_change);
+    write_checkpoint(file, checkpoint_path());
+  }
+
+  /// Where the kept run stopped, and its next step.
+  std::pair<double, double> restore() {
+    const Checkpoint file = read_checkpoint(checkpoint_path());
+    get(file, checkpoint_path(), scene, record);
+    get(file, state);
+    const auto &p = numbers(file, "path");
+    rest_height = p[2], rest_elastic = p[3], last_way = {p[4], p[5]};
+    last_change = vector(numbers(file, "last_change"));
+    return {p[0], p[1]};
+  }
+
   void run() {
-    preload();
-    rest_elastic = model.share() * state.energies.elastic;
-    sample(0, {}, 0);
-    write_fields(0);
+    constexpr int steps_a_cycle = 160, checkpoint_every = 10;
     const double cycles = scene.excitation.kind == scene::ExcitationKind::cyclic ? scene.excitation.cycles : 1.0;
-    const double largest = 1.0 / (160 * cycles);
-    double next_picture = 0.25 / cycles;
-    const MarchReport report = march(0, 1, {1e-3 * largest, 1e-5 * largest, largest, 2.0}, [&](double s, double ds) {
+    const double largest = 1.0 / (steps_a_cycle * cycles), picture = 0.25 / cycles;
+    double start = 0, first = 1e-3 * largest;
+    if (options.resume) {
+      std::tie(start, first) = restore();
+    } else {
+      preload();
+      rest_elastic = model.share() * state.energies.elastic;
+      sample(0, {}, 0);
+      write_fields(0);
+    }
+    const MarchReport report = march(start, 1, {first, 1e-8 * largest, largest, 2.0}, [&](double s, double ds) {
       const Attempt result = attempt(s, ds);
-      if (result.accepted && s + ds >= next_picture - 1e-12) {
-        write_fields(s + ds);
-        next_picture += 0.25 / cycles;
-      }
+      if (!result.accepted) return result;
+      if (std::floor((s + ds) / picture + 1e-9) > std::floor(s / picture + 1e-9)) write_fields(s + ds);
+      if (record.n_steps % checkpoint_every == 0) save(s + ds, ds);
       return result;
     });
+    save(report.reached, largest);
     if (!report.finished)
       throw SolverStopped(fmt::format("the path stopped at load parameter {:.4f}: {}; partial results are kept; try "
-                                      "--mesh 2 or a smaller amplitude",
+                                      "--mesh 2, or go on with --resume",
                                       report.reached, report.reason));
   }
 };
