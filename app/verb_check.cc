@@ -29,9 +29,7 @@ void add_check(CLI::App &app, Console &console) {
         "{}: bearing {}, L_c = {:.1f} mm, lift there {:.2f} mm; geometry can be built and nothing collides\n",
         scene.name, scene.bearing.name, 1e3 * scene.bearing.lateral_capacity(),
         1e3 * scene::lift(scene.bearing, scene.bearing.lateral_capacity()));
-    if (scene.model.rung != "rim")
-      text += fmt::format("  rung {} is not in this build: `run` would refuse; the plan is for rung rim\n",
-                          scene.model.rung);
+    if (const auto refusal = fe::refusal(scene)) text += "  `run` would refuse: " + *refusal + "\n";
     text += fe::describe(plan);
     text += "assumed, not measured:";
     for (const auto &item : assumed) text += fmt::format(" {} = {};", item.key, item.value);

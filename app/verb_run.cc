@@ -61,10 +61,13 @@ void run(Options &options, Console &console) {
   if (std::filesystem::exists(run_options.folder))
     scene::write_text(console.log(), run_options.folder + "/log.txt");
   if (failure) std::rethrow_exception(failure);
+  const std::string peak = plan.rim_takes_part
+                               ? fmt::format("peak impact force {:.1f} kN, {} impact(s)",
+                                             1e-3 * summary.peak_impact_force.value_or(0), summary.impacts.size())
+                               : fmt::format("peak displacement {:.1f} mm, peak lateral force {:.1f} kN, no impact",
+                                             1e3 * summary.peak_displacement, 1e-3 * summary.peak_lateral_force);
   console.data(console.json ? scene::to_json(summary).dump(2) + "\n"
-                            : fmt::format("{}: peak impact force {:.1f} kN, {} impact(s), {} steps, {}; {}\n",
-                                          scene.name, 1e-3 * summary.peak_impact_force.value_or(0),
-                                          summary.impacts.size(), summary.n_steps,
+                            : fmt::format("{}: {}, {} steps, {}; {}\n", scene.name, peak, summary.n_steps,
                                           duration(summary.wall_time), run_options.folder));
 }
 

@@ -24,7 +24,7 @@ void ContactSystem::add_contact(meshes::Surface slave, const MasterSurface &mast
 void ContactSystem::add_mass(int dof, double mass) { body_masses_.emplace_back(dof, mass); }
 
 void ContactSystem::make_pattern(const Eigen::VectorXd &displacements) {
-  const Stopwatch watch(time_split["pattern"]);
+  const Stopwatch watch(time_split["search"]);
   ++patterns_made_;
   auto cliques = solid_.cliques(equations_);
   for (auto &contact : contacts_)
@@ -74,7 +74,7 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool &patt
                          trial_.energies))
       return false;
   }
-  const Stopwatch watch(time_split["contact"]);
+  const Stopwatch watch(time_split["search"]);
   Eigen::VectorXd spent = forces.cwiseAbs();
   if (const Inertia *inertia = terms_->inertia) {
     const double alpha_m = inertia->scheme.alpha_m;

@@ -93,7 +93,6 @@ public:
   std::size_t n_contacts() const { return contacts_.size(); }
   int patterns_made() const { return patterns_made_; } ///< times the matrix's pattern was (re)built
   double stabilisation_share() const { return stabilisation_share_; } ///< of the forces in play, last evaluation
-  std::map<std::string, double> time_split; ///< [s]
 
 private:
   void make_pattern(const Eigen::VectorXd &displacements);

@@ -81,9 +81,43 @@ void scout(Plan &plan, scene::Scene scene) {
   }
 }
 
+/// Rung R2 along a quasi-static path: no rim, the half model when the path stays in its plane of symmetry.
+Plan stack_plan(const scene::Scene &scene) {
+  // Measured, half models: unknowns, seconds a Newton iteration, memory (docs/measured.md).
+  constexpr MeshCost half[3] = {{18900, 0.25, 0.7e9}, {59000, 1.2, 2.0e9}, {167000, 6.0, 6.5e9}};
+  constexpr double steps_a_cycle = 170, iterations_a_path_step = 5, whole_over_half = 3;
+  Plan plan;
+  plan.rung = "rigid-dish";
+  plan.mesh = scene.model.mesh;
+  const auto &e = scene.excitation;
+  const bool in_plane = e.kind == scene::ExcitationKind::cyclic && std::abs(e.direction().y()) < 1e-12;
+  plan.half = in_plane && scene.model.symmetry != "whole";
+  const double capacity = scene.bearing.lateral_capacity();
+  double travel = 0;
+  for (int k = 0; k <= 1000; ++k)
+    travel = std::max(travel, scene::prescribed_displacement(e, capacity, 1e-3 * k).norm());
+  plan.closest_gap = capacity - travel;
+  plan.rim_takes_part = plan.closest_gap <= 0;
+  plan.expected_steps = std::lround(steps_a_cycle * (e.kind == scene::ExcitationKind::cyclic ? e.cycles : 1.0));
+  const MeshCost &cost = half[plan.mesh - 1];
+  plan.expected_dofs = cost.dofs * (plan.half ? 1 : 2);
+  plan.expected_memory_bytes = cost.memory * (plan.half ? 1 : 2.3);
+  plan.expected_seconds = 5 + plan.expected_steps * iterations_a_path_step * cost.seconds_per_iteration *
+                                  (plan.half ? 1 : whole_over_half);
+  add_pad_note(plan, scene);
+  if (plan.rim_takes_part)
+    plan.notes.push_back(fmt::format("the path reaches the rim ({:.1f} mm past L_c), which this rung does not mesh in "
+                                     "a quasi-static scene: `run` refuses; try --rung rim and a push",
+                                     -1e3 * plan.closest_gap));
+  return plan;
+}
+
 } // namespace
 
 Plan make_plan(const scene::Scene &scene) {
+  if (scene.model.rung == "rigid-dish" && !scene.excitation.is_dynamic() &&
+      scene.excitation.kind != scene::ExcitationKind::push)
+    return stack_plan(scene);
   using Kind = scene::ExcitationKind;
   Plan plan;
   plan.mesh = scene.model.mesh;
@@ -114,11 +148,11 @@ Plan make_plan(const scene::Scene &scene) {
 }
 
 std::string describe(const Plan &plan) {
-  std::string text =
-      fmt::format("plan: {} model, mesh {}, about {} unknowns; steps of {:.2f} ms in contact; about {:.0f} s "
-                  "and {:.1f} GB\n",
-                  plan.half ? "symmetric half" : "whole", plan.mesh, plan.expected_dofs,
-                  1e3 * plan.step_in_contact, plan.expected_seconds, 1e-9 * plan.expected_memory_bytes);
+  const std::string steps = plan.rung == "rim" ? fmt::format("steps of {:.2f} ms in contact", 1e3 * plan.step_in_contact)
+                                               : fmt::format("about {} steps along the path", plan.expected_steps);
+  std::string text = fmt::format("plan: rung {}, {} model, mesh {}, about {} unknowns; {}; about {:.0f} s and {:.1f} GB\n",
+                                 plan.rung, plan.half ? "symmetric half" : "whole", plan.mesh, plan.expected_dofs, steps,
+                                 plan.expected_seconds, 1e-9 * plan.expected_memory_bytes);
   if (!plan.rim_takes_part)
     text += fmt::format("  the rim takes no part: the scout stays {:.2f} mm away\n", 1e3 * plan.closest_gap);
   for (const auto &impact : plan.impacts)
@@ -135,7 +169,9 @@ nlohmann::json to_json(const Plan &plan) {
                        {"direction_deg", impact.direction_deg},
                        {"approach_speed_m_s", impact.approach_speed},
                        {"tangential_speed_m_s", impact.tangential_speed}});
-  return {{"symmetry", plan.half ? "half" : "whole"},
+  return {{"rung", plan.rung},
+          {"expected_steps", plan.expected_steps},
+          {"symmetry", plan.half ? "half" : "whole"},
           {"rim_takes_part", plan.rim_takes_part},
           {"closest_gap_m", plan.closest_gap},
           {"impacts", impacts},

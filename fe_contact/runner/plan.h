@@ -3,6 +3,7 @@
 #pragma once
 #include "scene/scene.h"
 #include <nlohmann/json.hpp>
+#include <optional>
 
 namespace rimpact::fe {
 
@@ -15,6 +16,8 @@ struct ExpectedImpact {
 };
 
 struct Plan {
+  std::string rung = "rim";
+  long expected_steps = 0; ///< of a quasi-static path on rung rigid-dish
   bool half = true;           ///< symmetric half about each arc's plane
   bool rim_takes_part = true; ///< the scout sees a touch, or comes within `margin` of it
   double closest_gap = 0.0;   ///< smallest gap of the scout [m]
@@ -27,6 +30,8 @@ struct Plan {
   std::vector<std::string> notes; ///< sentences for the user: pad pressure, grazing, critical amplitude ...
 };
 Plan make_plan(const scene::Scene &scene);
+/// Why this build cannot run the scene by finite elements (rung, kind of excitation, contact), a sentence.
+std::optional<std::string> refusal(const scene::Scene &scene);
 std::string describe(const Plan &plan); ///< as printed by `check` and before a run
 nlohmann::json to_json(const Plan &plan);
 

@@ -39,21 +39,7 @@ scene::Summary summarise(const scene::Scene &scene, const RunRecord &record, dou
 } // namespace
 
 void check_supported(const scene::Scene &scene) {
-  using Kind = scene::ExcitationKind;
-  const Kind kind = scene.excitation.kind;
-  const bool on_the_dish = kind == Kind::cyclic || kind == Kind::figure_eight;
-  const std::string name = "excitation.kind '" + scene::to_string(kind) + "'";
-  if (scene.model.rung != "rim" && scene.model.rung != "rigid-dish")
-    throw InputError("model.rung '" + scene.model.rung +
-                     "' is not in this build; it has: rim, rigid-dish (and reduced, by `rimpact reduced`)");
-  if (scene.model.rung == "rim" && on_the_dish)
-    throw InputError(name + " moves on the dish without touching the rim; rung `rim` has nothing to solve there: try "
-                            "--rung rigid-dish");
-  if (scene.model.rung == "rigid-dish" && !on_the_dish)
-    throw InputError(name + " is not in this build's rung `rigid-dish`; it has: cyclic, figure-eight");
-  if (scene.bearing.contact.rim != 0)
-    throw InputError("contact.rim " + std::to_string(scene.bearing.contact.rim) +
-                     " is not 0: the rim's walls are frictionless in this build");
+  if (const auto reason = refusal(scene)) throw InputError(*reason);
 }
 
 namespace {

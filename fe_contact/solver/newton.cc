@@ -1,5 +1,6 @@
 #include "fe_contact/solver/newton.h"
 
+#include "fe_contact/solver/stopwatch.h"
 #include <algorithm>
 #include <cmath>
 
@@ -39,16 +40,23 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
     forcing = forcing_term(report.residuals, forcing);
     Eigen::VectorXd change;
     if (options.stale_factor && target.solver().has_factor() && !worn) {
+      const Stopwatch watch(target.time_split["solve"]);
       change = target.solver().solve_iteratively(-target.residual(), forcing, most_linear_iterations);
       worn = target.solver().last_iterations() > worn_after;
     }
     if (change.size() == 0) {
-      if (!target.solver().factorise()) {
+      bool regular = false;
+      {
+        const Stopwatch watch(target.time_split["factor"]);
+        regular = target.solver().factorise();
+      }
+      if (!regular) {
         report.reason = "the tangent is singular: is every body held by supports or contact?";
         return report;
       }
       ++report.factorisations;
       worn = false;
+      const Stopwatch watch(target.time_split["solve"]);
       change = target.solver().solve(-target.residual());
     }
     if (!change.allFinite()) {

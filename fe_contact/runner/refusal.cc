@@ -1,0 +1,29 @@
+#include "fe_contact/runner/plan.h"
+
+#include <fmt/format.h>
+
+namespace rimpact::fe {
+
+std::optional<std::string> refusal(const scene::Scene &scene) {
+  using Kind = scene::ExcitationKind;
+  const Kind kind = scene.excitation.kind;
+  const std::string rung = scene.model.rung, name = "excitation.kind '" + scene::to_string(kind) + "'";
+  const bool on_the_dish = kind == Kind::cyclic || kind == Kind::figure_eight;
+  const auto &contact = scene.bearing.contact;
+  if (rung != "rim" && rung != "rigid-dish")
+    return fmt::format("model.rung '{}' is not in this build; it has: rim, rigid-dish (and reduced, by `rimpact reduced`)", rung);
+  if (rung == "rim" && on_the_dish)
+    return name + " moves on the dish without touching the rim; rung `rim` has nothing to solve there: try --rung rigid-dish";
+  if (rung == "rigid-dish" && !on_the_dish)
+    return name + " is not in this build's rung `rigid-dish`; it has: cyclic, figure-eight";
+  if (contact.rim != 0) return fmt::format("contact.rim {} is not 0: the rim's walls are frictionless in this build", contact.rim);
+  if (rung == "rigid-dish" && contact.pad_foot != "tied")
+    return fmt::format("contact.pad_foot '{}' is not in this build; it has: tied", contact.pad_foot);
+  if (rung == "rigid-dish" && make_plan(scene).rim_takes_part)
+    return fmt::format("excitation.amplitude_m {} carries the slider to the rim, L_c = {} m; a path of rung `rigid-dish` "
+                       "must stay below it",
+                       scene.excitation.amplitude * scene.excitation.scale, scene.bearing.lateral_capacity());
+  return std::nullopt;
+}
+
+} // namespace rimpact::fe
