@@ -1,5 +1,5 @@
 """The fit: values, intervals, correlation, and how every run comes out."""
-from ..blocks import Section, bullets, note, table
+from ..blocks import Section, bullets, heading, note, table
 from ..figures import calibration as figure_calibration
 from ..numbers import fixed, interval, is_number, percent, plain, power, sig
 from .common import ROLE_TEXT, errors_of, short_name
@@ -29,6 +29,10 @@ def make(context):
         figure_calibration.draw_residuals, context.results.histories,
         label=short_name))
     section.add(bullets(calibration.notes))
+    differences = _published(calibration)
+    if differences:
+        section.add(heading("The published values beside ours"))
+        section.add(bullets(differences))
     return section
 
 
@@ -82,3 +86,25 @@ def _runs(context):
                   "NRMSE force"], rows, left=2,
                  caption="Fitted reduced model against FE. NRMSE: root mean square difference from first touch to 0.5 s "
                          "after the last release, displacement over L_c, force over its peak.")
+
+
+def _published(calibration):
+    """How far the published pair is from the fitted one, and what the windows say of the reason."""
+    k, e = calibration.parameter("k_i"), calibration.parameter("e")
+    if not (k and e and is_number(k.published) and is_number(e.published)):
+        return []
+    sentences = [f"Published: k_i = {sig(k.published)} kN/m, e = {sig(e.published)}; here {sig(k.value)} kN/m, "
+                 f"{sig(e.value, 2)}."]
+    rows = [row for row in calibration.windows if row.k_i and row.e]
+    if len(rows) < 2:
+        return sentences
+    near = min(rows, key=lambda row: abs(row.k_i.value / k.published - 1))
+    sentences.append(f"Of the windows, each fitted alone, the one at {sig(near.speed, 2)} m/s comes nearest to the published "
+                     f"stiffness: {sig(near.k_i.value)} kN/m, e = {sig(near.e.value, 2)}.")
+    slow, fast = rows[0], rows[-1]
+    if fast.k_i.value < slow.k_i.value:
+        sentences.append(f"The rim softens with speed: {sig(slow.k_i.value)} kN/m at {sig(slow.speed, 2)} m/s, "
+                         f"{sig(fast.k_i.value)} kN/m at {sig(fast.speed, 2)} m/s. A pair belongs to the speeds it was "
+                         "fitted at; the published one was fitted to the two pulses at scale 1, which graze the rim, and to rim dimensions "
+                         "that are not published (ours are assumptions, listed under the inputs).")
+    return sentences

@@ -82,6 +82,11 @@ class MainResults(unittest.TestCase):
         self.assertEqual(self.page.count("<details>"), 6)
         self.assertIn("deal.II", self.text)
 
+    def test_the_published_pair_is_beside_ours(self):
+        # synthetic windows: k_i = 5.2e5 (1 - 0.5 v), so that 0.3 m/s is nearest to 4.5e5
+        for said in ("The published values beside ours", "The rim softens with speed", "the one at 0.30 m/s comes nearest"):
+            self.assertIn(said, self.text)
+
     def test_quick_enough(self):
         self.assertLess(self.seconds, 60)  # about 4 s on one idle core; the machine may be busy
 
