@@ -25,7 +25,7 @@ def rows(name):
 
 
 def errors(output):
-    figure, axis = plt.subplots(figsize=(7, 4.5))
+    figure, axis = plt.subplots(figsize=(9, 4.5))
     for name, quantities in SHOWN.items():
         table = list(rows(name))
         for quantity in quantities:
@@ -37,7 +37,7 @@ def errors(output):
     axis.set_xlabel("cell size over the coarsest mesh's")
     axis.set_ylabel("relative error")
     axis.grid(True, which="both", alpha=0.3)
-    axis.legend(fontsize=7)
+    axis.legend(fontsize=7, loc="center left", bbox_to_anchor=(1.01, 0.5))
     figure.tight_layout()
     figure.savefig(output / "contact_errors.svg")
 
