@@ -1,4 +1,5 @@
-// rimpact reduced SCENE: a scene by the reduced model.
+// rimpact reduced SCENE: a scene by the reduced model, or a fleet of them (--sweep).
+#include "app/reduced_sweep.h"
 #include "app/sibling.h"
 #include "app/verb.h"
 #include "reduced_models/node_kinematics.h"
@@ -9,26 +10,46 @@ namespace rimpact::app {
 
 void add_reduced(CLI::App &app, Console &console) {
   struct Options {
-    std::string scene, folder, model;
+    std::string scene, folder, model, shard;
+    std::vector<std::string> sweep;
     std::vector<double> nodes; // [mm]
+    int n_threads = 0;
     bool picture = false;
   };
   auto *verb = app.add_subcommand("reduced", "a scene by the reduced model, in about a millisecond");
   auto options = std::make_shared<Options>();
   verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
   verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>-reduced)");
-  verb->add_option("--nodes", options->nodes,
-                   "BELOW,ABOVE: also the moments at nodes so many mm from the dish's vertex (P-Delta)")
-      ->delimiter(',')
-      ->expected(2)
-      ->check(CLI::Range(0.0, 1e5));
+  auto *nodes =
+      verb->add_option("--nodes", options->nodes,
+                       "BELOW,ABOVE: also the moments at nodes so many mm from the dish's vertex (P-Delta)")
+          ->delimiter(',')
+          ->expected(2)
+          ->check(CLI::Range(0.0, 1e5));
   verb->add_option("--model", options->model, "see rimpact list models");
   verb->add_flag("--png", options->picture, "also draw response.png");
+  auto *sweep =
+      verb->add_option("--sweep", options->sweep,
+                       "many runs, one table: a sweep file, or KEY=a:b:n (repeatable; n values from a to b)")
+          ->allow_extra_args(false)
+          ->excludes(nodes);
+  verb->add_option("--shard", options->shard, "I/N: every N-th run of the sweep from the I-th on")
+      ->needs(sweep);
+  verb->add_option("--threads", options->n_threads, "of the sweep (default: as many as the machine has)")
+      ->needs(sweep)
+      ->check(CLI::Range(1, 1024));
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);
   verb->callback([options, &console] {
     if (!options->model.empty()) console.overrides.push_back("reduced.model=\"" + options->model + "\"");
+    if (!options->sweep.empty())
+      return reduced_sweep({.scene = options->scene,
+                            .sweep = options->sweep,
+                            .folder = options->folder,
+                            .shard = options->shard,
+                            .n_threads = options->n_threads},
+                           console);
     const scene::Scene scene = scene::load_scene(options->scene, console.overrides);
     auto run = reduced::simulate(scene);
     if (!options->nodes.empty())

@@ -1,80 +1,20 @@
-/// HDF5 through its C interface, in memory: the library never sees a full disk (after a failed write it
-/// cannot close its file), and the bytes go through the same atomic write as every other file.
+// A response as HDF5, from and to bytes.
 #include "scene/error.h"
 #include "scene/files.h"
+#include "scene/hdf5_memory.h"
 #include "scene/response_files.h"
 #include <fmt/format.h>
-#include <hdf5.h>
 #include <hdf5_hl.h>
-#include <mutex>
 
 namespace rimpact::scene {
+
+using namespace hdf5;
+
 namespace {
 
-/// Debian's library is not thread safe; fleets of runs write from several threads.
-std::mutex &library_lock() {
-  static std::mutex lock;
-  return lock;
-}
-
-/// An HDF5 identifier closed at the end of its scope; a negative one is a failure.
-class Handle {
-public:
-  Handle(hid_t id, herr_t (*close)(hid_t), const char *what) : id_(id), close_(close) {
-    if (id < 0) throw std::runtime_error(what);
-  }
-  ~Handle() { close_(id_); }
-  Handle(const Handle &) = delete;
-  Handle &operator=(const Handle &) = delete;
-  operator hid_t() const { return id_; }
-
-private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-void check(herr_t status, const char *what) {
-  if (status < 0) throw std::runtime_error(what);
-}
-
-/// Switches the library's own printing off; failures come back as codes.
-class Quiet {
-public:
-  Quiet() {
-    H5Eget_auto2(H5E_DEFAULT, &function_, &data_);
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  }
-  ~Quiet() { H5Eset_auto2(H5E_DEFAULT, function_, data_); }
-
-private:
-  H5E_auto2_t function_ = nullptr;
-  void *data_ = nullptr;
-};
-
-/// Text of variable length, which every reader hands back as text.
-void write_string(hid_t place, const std::string &name, const std::string &text, bool as_attribute) {
-  const Handle type(H5Tcopy(H5T_C_S1), H5Tclose, "string type");
-  check(H5Tset_size(type, H5T_VARIABLE), "string size");
-  check(H5Tset_cset(type, H5T_CSET_UTF8), "string encoding");
-  const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "text space");
-  const char *const pointer = text.c_str();
-  if (as_attribute) {
-    const Handle attribute(H5Acreate2(place, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
-                           "attribute");
-    check(H5Awrite(attribute, type, &pointer), "attribute");
-    return;
-  }
-  const Handle set(H5Dcreate2(place, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                   H5Dclose, "text");
-  check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &pointer), "text");
-}
-
 void write_signal(hid_t group, const SignalInfo &info, const std::vector<double> &values) {
-  const hsize_t n = values.size();
-  const Handle space(H5Screate_simple(1, &n, nullptr), H5Sclose, "space");
-  const Handle set(
-      H5Dcreate2(group, info.name.c_str(), H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-      H5Dclose, "dataset");
-  if (n > 0) check(H5Dwrite(set, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "values");
+  write_numbers(group, info.name, values);
+  const Handle set(H5Dopen2(group, info.name.c_str(), H5P_DEFAULT), H5Dclose, "dataset");
   write_string(set, "units", info.units, true);
   write_string(set, "description", info.description, true);
   if (info.name == "time") {
@@ -85,24 +25,11 @@ void write_signal(hid_t group, const SignalInfo &info, const std::vector<double>
   check(H5DSattach_scale(set, time, 0), "dimension scale");
 }
 
-std::string to_bytes(const Response &response) {
-  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "access list");
-  check(H5Pset_fapl_core(access, 1 << 20, false), "memory driver");
-  const Handle file(H5Fcreate("response in memory", H5F_ACC_TRUNC, H5P_DEFAULT, access), H5Fclose, "file");
-  {
-    const Handle group(H5Gcreate2(file, "response", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose,
-                       "group");
-    for (const auto &info : known_signals())
-      if (response.has(info.name)) write_signal(group, info, response.series(info.name));
-    const Handle meta(H5Gcreate2(file, "meta", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "group");
-    for (const auto &[name, text] : response.meta) write_string(meta, name, text, false);
-  }
-  check(H5Fflush(file, H5F_SCOPE_GLOBAL), "flush");
-  const ssize_t size = H5Fget_file_image(file, nullptr, 0);
-  if (size < 0) throw std::runtime_error("file image");
-  std::string bytes(static_cast<std::size_t>(size), '\0');
-  if (H5Fget_file_image(file, bytes.data(), bytes.size()) < 0) throw std::runtime_error("file image");
-  return bytes;
+void write_groups(hid_t file, const Response &response) {
+  const Handle group(H5Gcreate2(file, "response", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "group");
+  for (const auto &info : known_signals())
+    if (response.has(info.name)) write_signal(group, info, response.series(info.name));
+  write_meta(file, response.meta);
 }
 
 bool exists(hid_t place, const char *name) {
@@ -175,12 +102,7 @@ Response from_image(hid_t file, const std::string &path) {
 void write_hdf5(const Response &response, const std::string &path) {
   response.check();
   if (!response.has("time")) throw std::logic_error("a response without time");
-  const std::string bytes = [&] {
-    const std::lock_guard guard(library_lock());
-    const Quiet quiet;
-    return to_bytes(response);
-  }();
-  write_atomically(bytes, path);
+  write_atomically(file_in_memory([&](hid_t file) { write_groups(file, response); }), path);
 }
 
 Response parse_hdf5(const std::string &bytes, const std::string &path) {

@@ -63,6 +63,9 @@ Scene load_scene(const std::string &where, const std::vector<std::string> &overr
 /// The same from text; `origin` stands for the file's name in messages, relative files are sought in `folder`.
 Scene parse_scene(const std::string &text, const std::string &origin, const std::vector<std::string> &overrides = {},
                   const std::string &folder = ".");
+/// One dotted KEY=VALUE by itself: throws InputError, opening with `where`, for an unknown key, a value of the
+/// wrong type or out of its range.
+void check_assignment(const std::string &assignment, const std::string &where);
 /// A bearing file or a built-in bearing's name.
 Bearing load_bearing(const std::string &where);
 /// As resolved: every default written out, round-trips through parse_scene. Assumptions carry the word as comment.

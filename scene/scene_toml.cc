@@ -194,6 +194,22 @@ Scene parse_scene(const std::string &text, const std::string &origin,
   return scene;
 }
 
+void check_assignment(const std::string &assignment, const std::string &where) {
+  TomlFile file("", where);
+  file.set(assignment, where);
+  Scene scene;
+  std::string bearing_file;
+  TomlReader reader(file, "");
+  reader.text({"name"}, scene.name);
+  reader.section("bearing", [&] { // the keys alone: what they mean together is the whole scene's matter
+    reader.text({"file"}, bearing_file);
+    reader.text({"name"}, scene.bearing.name);
+    visit(reader, scene.bearing);
+  });
+  visit_settings(reader, scene);
+  reader.finish();
+}
+
 Bearing load_bearing(const std::string &where) {
   const auto names = builtin_bearing_names();
   if (std::find(names.begin(), names.end(), where) != names.end()) return builtin_bearing(where);

@@ -38,8 +38,8 @@ toml::table parse(const std::string &text, const std::string &origin) {
 TomlFile::TomlFile(const std::string &text, const std::string &origin)
     : origin_(origin), root_(parse(text, origin)) {}
 
-void TomlFile::set(const std::string &assignment) {
-  const std::string where = "--set " + assignment;
+void TomlFile::set(const std::string &assignment, const std::string &place) {
+  const std::string where = place.empty() ? "--set " + assignment : place;
   const auto equals = assignment.find('=');
   if (equals == std::string::npos || assignment.size() > 4096)
     throw InputError(where + ": must be KEY=VALUE");

@@ -18,7 +18,8 @@ class TomlFile {
 public:
   TomlFile(const std::string &text, const std::string &origin);
   /// `assignment` is KEY=VALUE, KEY dotted, VALUE as in TOML; a bare word counts as a string.
-  void set(const std::string &assignment);
+  /// `place` stands in messages; empty: "--set KEY=VALUE".
+  void set(const std::string &assignment, const std::string &place = "");
 
   const toml::table &root() const { return root_; }
   /// "file:line:column" or "--set KEY=VALUE" of a dotted key; the file alone when the key is not there.

@@ -7,6 +7,7 @@ import sys
 MAY_INCLUDE = {
     "scene": {"scene"},
     "reduced_models": {"reduced_models", "scene"},
+    "fleets": {"fleets", "reduced_models", "scene"},
     "calibration": {"calibration", "reduced_models", "scene"},
     "meshes": {"meshes", "scene"},
     "fe_contact/laws": {"fe_contact/laws", "scene"},
@@ -14,7 +15,7 @@ MAY_INCLUDE = {
     "fe_contact/model": {"fe_contact/model", "fe_contact/laws", "fe_contact/solver", "meshes", "scene"},
     "fe_contact/runner": {"fe_contact/runner", "fe_contact/model", "fe_contact/laws", "fe_contact/solver", "meshes", "scene",
                           "reduced_models"},
-    "app": {"app", "calibration", "reduced_models", "scene", "meshes", "fe_contact/runner"},
+    "app": {"app", "calibration", "fleets", "reduced_models", "scene", "meshes", "fe_contact/runner"},
 }
 HEAVY = re.compile(r"deal\.II/|petsc|gmsh\.h|dmumps|slepc")
 MAY_SEE_HEAVY = ("meshes/", "fe_contact/", "app/main_fe.cc")

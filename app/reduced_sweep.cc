@@ -1,0 +1,87 @@
+#include "app/reduced_sweep.h"
+#include "app/progress.h"
+#include "fleets/fleet.h"
+#include "scene/text.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace rimpact::app {
+namespace {
+
+/// "2/8" -> {2, 8}.
+std::pair<int, int> parse_shard(const std::string &text) {
+  if (text.empty()) return {1, 1};
+  const auto parts = scene::split(text, '/');
+  constexpr double most = 100'000;
+  double number[2] = {0, 0};
+  for (std::size_t i = 0; i < 2 && parts.size() == 2; ++i) number[i] = scene::to_number(parts[i]).value_or(0);
+  if (!(number[0] >= 1 && number[0] <= number[1] && number[1] <= most && number[0] == std::floor(number[0]) &&
+        number[1] == std::floor(number[1])))
+    throw InputError(fmt::format("--shard {} must be I/N with 1 <= I <= N, e.g. 2/8", text));
+  return {static_cast<int>(number[0]), static_cast<int>(number[1])};
+}
+
+bool is_grid_argument(const std::string &text) {
+  return text.find('=') != std::string::npos && !std::filesystem::exists(text);
+}
+
+fleets::Sweep sweep_of(const std::vector<std::string> &arguments) {
+  if (std::all_of(arguments.begin(), arguments.end(), is_grid_argument))
+    return fleets::grid_of_arguments(arguments);
+  if (arguments.size() == 1) return fleets::read_sweep(arguments.front());
+  throw InputError("--sweep is given more than once; then each must be KEY=a:b:n (a file holds them all)");
+}
+
+std::string default_fleet_folder(const SweepOptions &options) {
+  const std::filesystem::path scene = options.scene, sweep = options.sweep.front();
+  return default_folder(scene.stem().string()) +
+         (is_grid_argument(options.sweep.front()) ? "-sweep" : "-" + sweep.stem().string());
+}
+
+} // namespace
+
+void reduced_sweep(const SweepOptions &options, Console &console) {
+  const auto [shard, n_shards] = parse_shard(options.shard);
+  const fleets::Sweep sweep = sweep_of(options.sweep);
+  for (const auto &sentence : sweep.left_out) console.message(sentence);
+  ProgressLine line(console.quiet);
+  fleets::FleetOptions fleet{.folder =
+                                 options.folder.empty() ? default_fleet_folder(options) : options.folder,
+                             .shard = shard,
+                             .n_shards = n_shards,
+                             .n_threads = options.n_threads,
+                             .interrupted = &interrupted()};
+  fleet.progress = [&](const fleets::FleetProgress &p) {
+    line.show(fmt::format("{} of {} runs, {} without a result, {}, about {} to go", p.done, p.total, p.failed,
+                          duration(p.seconds), duration(p.seconds_left)));
+  };
+  watch_interrupts();
+  const auto result = fleets::run_fleet(options.scene, console.overrides, sweep, fleet);
+  line.finish();
+  if (result.done < result.total)
+    console.warn(
+        fmt::format("{} of {} runs did not end well: {} stopped, {} refused, {} failed; the columns status "
+                    "and reason say why",
+                    result.total - result.done, result.total, result.stopped, result.refused, result.failed));
+  if (console.json) {
+    const nlohmann::ordered_json json = {{"table", result.table + ".csv"},
+                                         {"n_runs", result.total},
+                                         {"kept", result.kept},
+                                         {"done", result.done},
+                                         {"stopped", result.stopped},
+                                         {"refused", result.refused},
+                                         {"failed", result.failed},
+                                         {"wall_time_s", result.seconds}};
+    return console.data(json.dump(2) + "\n");
+  }
+  console.data(
+      fmt::format("{} runs ({} of them kept from before) in {}: {} done, {} stopped, {} refused, {} failed; "
+                  "{}.csv and .h5\n",
+                  result.total, result.kept, duration(result.seconds), result.done, result.stopped,
+                  result.refused, result.failed, result.table));
+}
+
+} // namespace rimpact::app

@@ -1,0 +1,214 @@
+#include "fleets/fleet.h"
+#include "fleets/fleet_table.h"
+#include "fleets/fractiles.h"
+#include "reduced_models/physical_model.h"
+#include "scene/error.h"
+#include "scene/files.h"
+#include <chrono>
+#include <condition_variable>
+#include <filesystem>
+#include <fmt/format.h>
+#include <mutex>
+#include <thread>
+
+namespace rimpact::fleets {
+namespace {
+
+namespace fs = std::filesystem;
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+struct FleetScene {
+  std::string where;
+  std::vector<std::string> overrides;
+  const Sweep &sweep;
+  scene::Scene load(std::size_t run) const {
+    std::vector<std::string> all = overrides;
+    for (auto &assignment : sweep.assignments(run)) all.push_back(std::move(assignment));
+    return scene::load_scene(where, all);
+  }
+};
+
+/// One run, whatever becomes of it.
+Row run_one(const FleetScene &fleet, std::size_t run) {
+  scene::Scene scene;
+  try {
+    scene = fleet.load(run);
+  } catch (const Error &error) {
+    return row_without_result("refused", error.what());
+  }
+  try {
+    return row_of(reduced::simulate_summary(scene));
+  } catch (const InputError &error) {
+    return row_without_result("refused", error.what());
+  } catch (const SolverStopped &error) {
+    return row_without_result("stopped", error.what());
+  } catch (const std::exception &error) {
+    return row_without_result("failed", error.what());
+  }
+}
+
+/// The first run that can be read as a scene; the sweep is refused when none can.
+scene::Scene first_scene(const FleetScene &fleet) {
+  std::exception_ptr first;
+  for (std::size_t run = 0; run < fleet.sweep.runs.size(); ++run) {
+    try {
+      return fleet.load(run);
+    } catch (const Error &) {
+      if (!first) first = std::current_exception();
+    }
+  }
+  std::rethrow_exception(first);
+}
+
+/// What makes two fleets the same: program, scene and every run's keys and values.
+std::string identity(const FleetScene &fleet, const scene::Scene &scene) {
+  std::uint64_t hash = 14695981039346656037u; // FNV-1a
+  const auto add = [&](const std::string &text) {
+    for (const char c : text + '\n') hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
+  };
+  add(RIMPACT_VERSION);
+  add(fleet.where);
+  if (fs::is_regular_file(fleet.where)) add(scene::read_file(fleet.where));
+  for (const auto &assignment : fleet.overrides) add(assignment);
+  add(scene::to_toml(scene.bearing));
+  for (const auto &key : fleet.sweep.keys) add(key);
+  for (const auto &run : fleet.sweep.runs)
+    for (const auto &value : run) add(value.toml);
+  return fmt::format("{:016x}", hash);
+}
+
+void open_folder(const std::string &folder, const std::string &id, const Sweep &sweep,
+                 const std::string &scene) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError(fmt::format("cannot create the folder {}: {}", folder, error.message()));
+  const std::string path = folder + "/fleet.json";
+  if (fs::exists(path)) {
+    const auto json = nlohmann::json::parse(scene::read_file(path), nullptr, false);
+    if (!json.is_object() || json.value("identity", "") != id)
+      throw InputError(
+          fmt::format("{} holds a fleet of another scene, sweep or version ({}); choose another folder "
+                      "with -o, or remove it",
+                      folder, path));
+    return;
+  }
+  const nlohmann::json json = {{"identity", id},        {"version", RIMPACT_VERSION},  {"scene", scene},
+                               {"sweep", sweep.origin}, {"n_runs", sweep.runs.size()}, {"keys", sweep.keys}};
+  scene::write_text(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n", path);
+}
+
+/// Threads that work through a list of runs and hand their rows to the owner.
+class Workers {
+public:
+  Workers(const FleetScene &fleet, const std::vector<std::size_t> &todo, int n_threads)
+      : fleet_(fleet), todo_(todo) {
+    for (int i = 0; i < n_threads; ++i) threads_.emplace_back([this] { work(); });
+  }
+  ~Workers() { stop(); }
+  /// Runs begun are finished, no others begin.
+  void stop() {
+    stopped_ = true;
+    threads_.clear(); // joins
+  }
+  /// Rows finished since the last call; waits up to a tenth of a second for one.
+  std::vector<std::pair<std::size_t, Row>> take() {
+    std::unique_lock guard(lock_);
+    ready_.wait_for(guard, std::chrono::milliseconds(100), [&] { return !rows_.empty(); });
+    return std::exchange(rows_, {});
+  }
+
+private:
+  void work() {
+    for (std::size_t i; !stopped_ && (i = next_++) < todo_.size();) {
+      Row row = run_one(fleet_, todo_[i]);
+      const std::lock_guard guard(lock_);
+      rows_.emplace_back(todo_[i], std::move(row));
+      ready_.notify_one();
+    }
+  }
+  const FleetScene &fleet_;
+  const std::vector<std::size_t> &todo_;
+  std::atomic<bool> stopped_{false};
+  std::atomic<std::size_t> next_{0};
+  std::mutex lock_;
+  std::condition_variable ready_;
+  std::vector<std::pair<std::size_t, Row>> rows_;
+  std::vector<std::jthread> threads_;
+};
+
+void count(FleetResult &result, const Row &row) {
+  const auto *status = std::get_if<std::string>(&row.at("status"));
+  const std::string word = status ? *status : "failed";
+  ++(word == "done"      ? result.done
+     : word == "stopped" ? result.stopped
+     : word == "refused" ? result.refused
+                         : result.failed);
+}
+
+} // namespace
+
+FleetResult run_fleet(const std::string &where, const std::vector<std::string> &overrides, const Sweep &sweep,
+                      const FleetOptions &options) {
+  const FleetScene fleet{where, overrides, sweep};
+  const scene::Scene first = first_scene(fleet);
+  open_folder(options.folder, identity(fleet, first), sweep, where);
+  FleetTable table(sweep, {{"version", RIMPACT_VERSION}, {"scene_of_first_run", scene::to_toml(first)}});
+  table.read_folder(options.folder);
+
+  std::vector<std::size_t> mine, todo;
+  for (std::size_t run = options.shard - 1; run < sweep.runs.size(); run += options.n_shards) {
+    mine.push_back(run);
+    if (!table.has(run)) todo.push_back(run);
+  }
+  FleetResult result;
+  result.total = mine.size(), result.kept = mine.size() - todo.size();
+  result.table = options.folder + "/table";
+  if (options.n_shards > 1) result.table += fmt::format("-{}-of-{}", options.shard, options.n_shards);
+
+  const auto start = Clock::now();
+  auto last_flush = start;
+  std::size_t n_new = 0, n_failed = 0;
+  const auto was_interrupted = [&] { return options.interrupted && *options.interrupted; };
+  {
+    const int machine = std::max(1u, std::thread::hardware_concurrency());
+    Workers workers(fleet, todo, options.n_threads > 0 ? options.n_threads : machine);
+    const auto take = [&] {
+      for (auto &[run, row] : workers.take()) {
+        if (row.size() <= 2) ++n_failed; // status and reason only
+        table.set(run, std::move(row)), ++n_new;
+      }
+    };
+    while (n_new < todo.size() && !was_interrupted()) {
+      take();
+      const double spent = seconds_since(start);
+      if (options.progress)
+        options.progress({result.kept + n_new, result.total, n_failed, spent,
+                          n_new ? spent * (todo.size() - n_new) / n_new : 0});
+      if (seconds_since(last_flush) > options.flush_seconds) {
+        table.write(result.table, mine);
+        last_flush = Clock::now();
+      }
+    }
+    workers.stop();
+    take();
+  }
+  table.write(result.table, mine);
+  result.seconds = seconds_since(start);
+  if (n_new < todo.size())
+    throw Error(ExitCode::interrupted,
+                fmt::format("interrupted after {} of {} runs; the same command goes on from there",
+                            result.kept + n_new, result.total));
+  for (const auto run : mine) count(result, table.row(run));
+  if (options.n_shards == 1 && !sweep.fractiles_along.empty()) {
+    const scene::Table curves = fractiles(table.table(mine), sweep.fractiles_along);
+    scene::write_hdf5(curves, options.folder + "/fractiles.h5");
+    scene::write_csv(curves, options.folder + "/fractiles.csv");
+  }
+  return result;
+}
+
+} // namespace rimpact::fleets

@@ -1,0 +1,40 @@
+/// Fleets of runs: one scene, a sweep over its keys, one table. Runs go on the machine's threads; a run that
+/// fails says so in its row. What is finished is kept: the same call goes on where an earlier one stopped.
+#pragma once
+#include "fleets/sweep.h"
+#include <atomic>
+#include <functional>
+
+namespace rimpact::fleets {
+
+struct FleetProgress {
+  std::size_t done, total; ///< runs of this shard
+  std::size_t failed;      ///< of them, without a result
+  double seconds, seconds_left;
+};
+
+struct FleetOptions {
+  std::string folder;
+  /// Run j (from 0) belongs to shard j mod n_shards + 1; 1 <= shard <= n_shards.
+  int shard = 1, n_shards = 1;
+  int n_threads = 0;        ///< 0: as many as the machine has
+  double flush_seconds = 5; ///< at most this long between writings of the table
+  const std::atomic<bool> *interrupted = nullptr;
+  std::function<void(const FleetProgress &)> progress = {}; ///< called by the calling thread only
+};
+
+struct FleetResult {
+  std::size_t total = 0, kept = 0, done = 0, stopped = 0, refused = 0, failed = 0;
+  double seconds = 0;
+  std::string table; ///< path without .csv or .h5
+};
+
+/// Fills FOLDER/table.csv and table.h5, of a shard table-I-of-N.*; rows that any table of the folder already
+/// has are not run again (so a call without a shard gathers the shards' tables). Without shards and with
+/// [fractiles] in the sweep also FOLDER/fractiles.csv and .h5. FOLDER/fleet.json says what
+/// the fleet is; InputError when the folder holds another one, or when no run of the sweep can be read as a
+/// scene. Throws Error{ExitCode::interrupted} after the table is written.
+FleetResult run_fleet(const std::string &scene, const std::vector<std::string> &overrides, const Sweep &sweep,
+                      const FleetOptions &options);
+
+} // namespace rimpact::fleets

@@ -1,0 +1,83 @@
+#include "fleets/fractiles.h"
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace rimpact::fleets {
+namespace {
+
+constexpr double beyond = std::numeric_limits<double>::infinity(); ///< where a stopped run stands
+const char *const quantities[] = {"peak_displacement_m", "peak_lateral_force_N", "peak_impact_force_N"};
+const std::pair<const char *, double> shares[] = {{"p16_", 0.16}, {"p50_", 0.50}, {"p84_", 0.84}};
+
+struct Level {
+  int n_runs = 0, n_stopped = 0, n_with_impact = 0, n_without_result = 0;
+  std::vector<double> values[std::size(quantities)];
+};
+
+std::size_t column(const scene::Table &table, const std::string &name) {
+  const auto found = std::find(table.columns.begin(), table.columns.end(), name);
+  if (found == table.columns.end()) throw std::logic_error("a table without the column " + name);
+  return static_cast<std::size_t>(found - table.columns.begin());
+}
+
+scene::Cell fractile(std::vector<double> values, double share) {
+  if (values.empty()) return {};
+  std::sort(values.begin(), values.end());
+  const double place = share * static_cast<double>(values.size() - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const std::size_t above = std::min(below + (place > static_cast<double>(below)), values.size() - 1);
+  if (values[above] == beyond) return {};
+  return std::lerp(values[below], values[above], place - static_cast<double>(below));
+}
+
+void add(Level &level, const scene::Table &runs, const std::vector<scene::Cell> &row) {
+  const auto number = [&](const std::string &name) { return std::get_if<double>(&row[column(runs, name)]); };
+  const auto text = [&](const char *name) {
+    const auto *found = std::get_if<std::string>(&row[column(runs, name)]);
+    return found ? *found : std::string();
+  };
+  const bool stopped =
+      text("status") == "stopped" && text("reason").find("left the dish") != std::string::npos;
+  if (!stopped && text("status") != "done") {
+    ++level.n_without_result;
+    return;
+  }
+  ++level.n_runs;
+  level.n_stopped += stopped;
+  if (const auto *n = number("n_impacts")) level.n_with_impact += *n > 0;
+  for (std::size_t i = 0; i < std::size(quantities); ++i) {
+    const auto *value = number(quantities[i]);
+    if (stopped)
+      level.values[i].push_back(beyond);
+    else if (value)
+      level.values[i].push_back(*value);
+  }
+}
+
+} // namespace
+
+scene::Table fractiles(const scene::Table &runs, const std::string &along) {
+  const std::size_t place = column(runs, along);
+  std::map<double, Level> levels;
+  for (const auto &row : runs.rows) {
+    const auto *value = std::get_if<double>(&row[place]);
+    if (!value) throw std::logic_error("fractiles along a column that is not of numbers");
+    add(levels[*value], runs, row);
+  }
+  scene::Table result;
+  result.columns = {along, "n_runs", "n_stopped", "n_with_impact", "n_without_result"};
+  for (const auto *quantity : quantities)
+    for (const auto &[prefix, share] : shares) result.columns.push_back(std::string(prefix) + quantity);
+  for (const auto &[value, level] : levels) {
+    std::vector<scene::Cell> row{value, double(level.n_runs), double(level.n_stopped),
+                                 double(level.n_with_impact), double(level.n_without_result)};
+    for (const auto &values : level.values)
+      for (const auto &[prefix, share] : shares) row.push_back(fractile(values, share));
+    result.rows.push_back(std::move(row));
+  }
+  return result;
+}
+
+} // namespace rimpact::fleets

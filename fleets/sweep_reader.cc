@@ -1,0 +1,219 @@
+#include "fleets/sweep_reader.h"
+#include "fleets/sweep_toml.h"
+#include "scene/scene.h"
+#include "scene/text.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace rimpact::fleets {
+namespace {
+
+const std::vector<std::string> part_names = {"case",   "records",  "grid", "latin_hypercube",
+                                             "linked", "fractiles"};
+
+class PartsReader : SweepToml {
+public:
+  using SweepToml::SweepToml;
+
+  SweepParts read() {
+    for (const auto &[name, node] : file_.root())
+      if (std::find(part_names.begin(), part_names.end(), name.str()) == part_names.end())
+        fail(node, scene::not_among(name.str(), part_names));
+    read_cases();
+    read_records();
+    each_key("grid", [&](const std::string &key, const toml::node &node) {
+      parts_.grid.push_back({key, grid_values(key, node)});
+    });
+    read_latin_hypercube();
+    each_key("linked", [&](const std::string &key, const toml::node &node) { read_linked(key, node); });
+    read_fractiles();
+    return std::move(parts_);
+  }
+
+private:
+  void read_cases() {
+    const auto *node = file_.root().get("case");
+    if (!node) return;
+    const auto *list = node->as_array();
+    if (!list || list->empty()) fail(*node, "cases are written [[case]], one table each");
+    for (const auto &entry : *list) {
+      if (!entry.is_table()) fail(entry, "cases are written [[case]], one table each");
+      std::vector<Axis> axes;
+      leaves(*entry.as_table(), "", [&](const std::string &key, const toml::node &leaf) {
+        if (key != "name") return axes.push_back({key, {value(key, leaf)}});
+        if (!leaf.is_string()) fail(leaf, "name must be a text");
+        axes.push_back({"case", {{leaf.as_string()->get(), leaf.as_string()->get()}}});
+      });
+      const auto &first = parts_.cases.empty() ? axes : parts_.cases.front();
+      const auto same = [](const Axis &a, const Axis &b) { return a.key == b.key; };
+      if (!std::equal(axes.begin(), axes.end(), first.begin(), first.end(), same))
+        fail(entry, "this case has not the same keys as the first one");
+      parts_.cases.push_back(std::move(axes));
+    }
+  }
+
+  void read_records() {
+    const auto *node = file_.root().get("records");
+    if (!node) return;
+    const auto *table = node->as_table();
+    if (!table) fail(*node, "records must be a table: [records]");
+    only(*table, {"folder", "components"}, "records");
+    const auto text = [&](const char *name) {
+      const auto *entry = table->get(name);
+      if (!entry || !entry->is_string())
+        fail(entry ? *entry : *node, fmt::format("records.{} must be a text", name));
+      return entry->as_string()->get();
+    };
+    const std::string components = text("components");
+    if (components != "x" && components != "xy" && components != "xyz")
+      fail(*table->get("components"),
+           "records.components: " + scene::not_among(components, {"x", "xy", "xyz"}));
+    parts_.records = record_cases(text("folder"), components, place(*table->get("folder")));
+  }
+
+  /// Files are sought beside the sweep file.
+  RecordCases record_cases(const std::string &folder, const std::string &components,
+                           const std::string &where) const {
+    try {
+      return cases_of_folder((std::filesystem::path(origin_).parent_path() / folder).string(), components);
+    } catch (const InputError &error) {
+      throw InputError(fmt::format("{}: records.folder: {}", where, error.what()));
+    }
+  }
+
+  void read_fractiles() {
+    const auto *node = file_.root().get("fractiles");
+    if (!node) return;
+    const auto *table = node->as_table();
+    const auto *along = table ? table->get("along") : nullptr;
+    if (!along || !along->is_string()) fail(*node, "[fractiles] needs along = \"KEY\"");
+    only(*table, {"along"}, "fractiles");
+    parts_.fractiles_along = along->as_string()->get();
+    const auto axis = std::find_if(parts_.grid.begin(), parts_.grid.end(),
+                                   [&](const Axis &a) { return a.key == parts_.fractiles_along; });
+    const auto is_number = [](const Value &v) { return std::holds_alternative<double>(v.cell); };
+    if (axis == parts_.grid.end() || !std::all_of(axis->values.begin(), axis->values.end(), is_number))
+      fail(*along,
+           fmt::format("fractiles.along: \"{}\" is no key of [grid] with numbers", parts_.fractiles_along));
+  }
+
+  std::vector<Value> grid_values(const std::string &key, const toml::node &node) const {
+    std::vector<Value> values;
+    if (const auto *list = node.as_array()) {
+      for (const auto &entry : *list) values.push_back(value(key, entry));
+    } else if (const auto *table = node.as_table()) {
+      only(*table, {"from", "to", "count"}, key);
+      const double from = number_in(*table, "from", key), to = number_in(*table, "to", key),
+                   count = number_in(*table, "count", key);
+      if (!(count >= 2 && count <= largest_fleet && count == std::floor(count)))
+        fail(*table->get("count"),
+             fmt::format("{}.count must be a whole number from 2 to {}", key, largest_fleet));
+      values = even_values(key, from, to, static_cast<int>(count), place(node));
+    } else {
+      fail(node, key + " must be a list of values or { from = .., to = .., count = .. }");
+    }
+    if (values.empty()) fail(node, key + " has no values");
+    return values;
+  }
+
+  void read_latin_hypercube() {
+    const auto *node = file_.root().get("latin_hypercube");
+    each_key("latin_hypercube", [&](const std::string &key, const toml::node &leaf) {
+      const auto whole = leaf.value<std::int64_t>();
+      if (key == "samples") {
+        if (!leaf.is_integer() || *whole < 1 || *whole > static_cast<std::int64_t>(largest_fleet))
+          fail(leaf, fmt::format("samples must be a whole number from 1 to {}", largest_fleet));
+        parts_.samples = static_cast<int>(*whole);
+      } else if (key == "seed") {
+        if (!leaf.is_integer() || *whole < 0) fail(leaf, "seed must be a whole number, 0 or more");
+        parts_.seed = static_cast<std::uint64_t>(*whole);
+      } else {
+        parts_.sampled.push_back({key, distribution(key, leaf)});
+      }
+    });
+    if (node && parts_.samples == 0) fail(*node, "latin_hypercube needs samples, the number of its points");
+    if (node && parts_.sampled.empty()) fail(*node, "latin_hypercube has no key to sample");
+  }
+
+  Distribution distribution(const std::string &key, const toml::node &node) const {
+    const auto *table = node.as_table();
+    if (!table)
+      fail(node, key + " must be { low = .., high = .. }, with mean and deviation for a normal one");
+    only(*table, {"low", "high", "log", "mean", "deviation"}, key);
+    Distribution d{.low = number_in(*table, "low", key), .high = number_in(*table, "high", key)};
+    if (!(d.low < d.high)) fail(node, fmt::format("{}: low {} must be below high {}", key, d.low, d.high));
+    if (const auto *log = table->get("log"); log && log->value_or(false)) {
+      if (!(d.low > 0)) fail(node, fmt::format("{}: low {} must be > 0 with log = true", key, d.low));
+      d.kind = Distribution::Kind::log_uniform;
+    } else if (log && !log->is_boolean()) {
+      fail(*log, key + ".log must be true or false");
+    }
+    if (table->contains("mean") || table->contains("deviation")) {
+      if (d.kind == Distribution::Kind::log_uniform) fail(node, key + ": log and mean exclude each other");
+      d.kind = Distribution::Kind::normal;
+      d.mean = number_in(*table, "mean", key), d.deviation = number_in(*table, "deviation", key);
+      if (!(d.deviation > 0)) fail(node, fmt::format("{}: deviation {} must be > 0", key, d.deviation));
+      if (!(d.quantile(0.75) > d.quantile(0.25)))
+        fail(node, fmt::format("{}: nothing of the normal distribution lies between {} and {}", key, d.low,
+                               d.high));
+    }
+    for (const double end : {d.low, d.high})
+      if (!is_variable(key)) scene::check_assignment(key + "=" + number_value(end).toml, place(node));
+    return d;
+  }
+
+  void read_linked(const std::string &key, const toml::node &node) {
+    const auto *table = node.as_table();
+    const auto *list = table ? table->get_as<toml::array>("product") : nullptr;
+    if (!list || list->empty()) fail(node, key + " must be { product = [..] } of numbers and keys");
+    only(*table, {"product", "over"}, key);
+    LinkedKey linked{key, place(node), 1, {}, {}};
+    for (const auto &entry : *list)
+      if (entry.is_string())
+        linked.factors.push_back(varying(entry, key));
+      else
+        linked.factor *= number(entry, key + ".product");
+    if (const auto *over = table->get("over")) {
+      if (!over->is_string()) fail(*over, key + ".over must be one key");
+      linked.divisor = varying(*over, key);
+    }
+    parts_.linked.push_back(std::move(linked));
+  }
+  std::string varying(const toml::node &node, const std::string &key) const {
+    const std::string name = node.as_string()->get();
+    if (!varies(name)) fail(node, fmt::format("{} uses \"{}\", which no part above sets", key, name));
+    return name;
+  }
+  bool varies(const std::string &name) const {
+    const auto has = [&](const auto &axes) {
+      return std::any_of(axes.begin(), axes.end(), [&](const auto &axis) { return axis.key == name; });
+    };
+    return has(parts_.grid) || has(parts_.sampled) || (!parts_.cases.empty() && has(parts_.cases.front())) ||
+           (!parts_.records.cases.empty() && has(parts_.records.cases.front()));
+  }
+
+  SweepParts parts_;
+};
+
+} // namespace
+
+std::vector<Value> even_values(const std::string &key, double from, double to, int count,
+                               const std::string &place) {
+  std::vector<Value> values;
+  for (int i = 0; i < count; ++i) {
+    const double share = i / std::max(1.0, count - 1.0), exact = std::lerp(from, to, share);
+    const bool end = i == 0 || i + 1 == count; // between the ends 0.8, not 0.7999999999999999
+    values.push_back(
+        number_value(end ? exact : scene::to_number(fmt::format("{:.14g}", exact)).value_or(exact)));
+    if (!is_variable(key)) scene::check_assignment(key + "=" + values.back().toml, place);
+  }
+  return values;
+}
+
+SweepParts read_parts(const scene::TomlFile &file, const std::string &origin) {
+  return PartsReader(file, origin).read();
+}
+
+} // namespace rimpact::fleets

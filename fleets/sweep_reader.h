@@ -1,0 +1,54 @@
+/// Reads the parts of a sweep file; sweep.cc puts them together.
+#pragma once
+#include "fleets/sampling.h"
+#include "fleets/sweep.h"
+#include "scene/toml_reader.h"
+#include <optional>
+
+namespace rimpact::fleets {
+
+/// Values along one key.
+struct Axis {
+  std::string key;
+  std::vector<Value> values;
+};
+struct SampledKey {
+  std::string key;
+  Distribution distribution;
+};
+struct LinkedKey {
+  std::string key, place;           ///< place: file:line:column
+  double factor = 1;                ///< product of its numbers
+  std::vector<std::string> factors; ///< keys it is multiplied with
+  std::string divisor;              ///< key it is divided by, or empty
+};
+/// Ground motions of a folder: column `record`, excitation.*, variable.record_pga_g and _pgv_m_per_s.
+struct RecordCases {
+  std::vector<std::vector<Axis>> cases; ///< each with one value a key
+  std::vector<std::string> left_out;    ///< sentences
+};
+
+struct SweepParts {
+  std::vector<std::vector<Axis>> cases; ///< each with one value a key, the same keys in all
+  RecordCases records;
+  std::vector<Axis> grid;
+  std::vector<SampledKey> sampled;
+  int samples = 0;
+  std::uint64_t seed = 1;
+  std::vector<LinkedKey> linked;
+  std::string fractiles_along; ///< a key of the grid, or empty
+};
+
+/// `count` values evenly from `from` to `to`, both included; each is checked to be one the key can take.
+/// `place` opens the message.
+std::vector<Value> even_values(const std::string &key, double from, double to, int count,
+                               const std::string &place);
+/// `components`: "x" (every horizontal component alone), "xy" or "xyz"; a station without them all is left
+/// out and said. Throws InputError when the folder has none, DataError for a damaged record.
+RecordCases cases_of_folder(const std::string &folder, const std::string &components);
+/// Throws as parse_sweep, but for what only the whole sweep shows.
+SweepParts read_parts(const scene::TomlFile &file, const std::string &origin);
+/// Every combination of the parts.
+Sweep combine(const SweepParts &parts, const std::string &origin);
+
+} // namespace rimpact::fleets

@@ -1,0 +1,39 @@
+/// Helpers of the sweep reader: places in messages, numbers, dotted keys, values a scene can take.
+#pragma once
+#include "fleets/sweep.h"
+#include "scene/toml_reader.h"
+#include <functional>
+
+namespace rimpact::fleets {
+
+/// A key that is only a column and a factor, not one of the scene.
+bool is_variable(const std::string &key);
+Value number_value(double number);
+
+class SweepToml {
+public:
+  SweepToml(const scene::TomlFile &file, const std::string &origin) : file_(file), origin_(origin) {}
+
+protected:
+  using Visit = std::function<void(const std::string &key, const toml::node &leaf)>;
+
+  std::string place(const toml::node &node) const; ///< file:line:column
+  [[noreturn]] void fail(const toml::node &node, const std::string &what) const;
+  double number(const toml::node &node, const std::string &what) const;
+  double number_in(const toml::table &table, const char *name, const std::string &key) const;
+  /// Refuses names that are not known.
+  void only(const toml::table &table, const std::vector<std::string> &known, const std::string &key) const;
+  /// Visits the dotted keys of a part of the file.
+  void each_key(const char *part, const Visit &visit) const;
+  void leaves(const toml::table &table, const std::string &prefix, const Visit &visit) const;
+  /// A value for the scene: its key is known, its type and range are right.
+  Value value(const std::string &key, const toml::node &node) const;
+
+  const scene::TomlFile &file_;
+  const std::string &origin_;
+
+private:
+  Value list_value(const std::string &key, const toml::array &list) const;
+};
+
+} // namespace rimpact::fleets

@@ -1,0 +1,46 @@
+#include "../scene/expect_error.h"
+#include "../scene/temporary_folder.h"
+#include "scene/table.h"
+#include <cmath>
+#include <limits>
+
+using namespace rimpact;
+using scene::Cell, scene::Table;
+
+TEST(Table, ReadsBackExactly) {
+  const TemporaryFolder folder;
+  const Table t{{"run", "text", "value_m"},
+                {{1.0, std::string("a, \"b\"; c"), 0.1 + 0.2},
+                 {2.0, Cell{}, Cell{}},
+                 {3.0, std::string(""), -1e-300},
+                 {4.0, std::string("12"), std::numeric_limits<double>::max()}},
+                {}};
+  scene::write_csv(t, folder / "t.csv");
+  const Table r = scene::read_table(folder / "t.csv");
+  EXPECT_EQ(r.columns, t.columns);
+  EXPECT_EQ(r.rows, t.rows);
+}
+
+TEST(Table, RefusesWhatIsNotFinite) {
+  const TemporaryFolder folder;
+  for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+    const Table t{{"x"}, {{bad}}, {}};
+    EXPECT_THROW(scene::write_csv(t, folder / "t.csv"), std::logic_error);
+    EXPECT_THROW(scene::write_hdf5(t, folder / "t.h5"), std::logic_error);
+  }
+  EXPECT_EQ(folder.n_files(), 0u);
+}
+
+TEST(Table, DamageIsNamedWithItsLine) {
+  const TemporaryFolder folder;
+  const auto refused = [&](const char *text, std::initializer_list<const char *> words) {
+    const auto path = folder.write("t.csv", text);
+    expect_error<DataError>([&] { scene::read_table(path); }, words);
+  };
+  refused("", {"t.csv", "empty"});
+  refused("a,b\n1,2\n3\n", {"t.csv:3", "2 cells"});
+  refused("a,b\n1,2,3\n", {"t.csv:2"});
+  refused("a\nword\n", {"t.csv:2", "word"});
+  refused("a\n\"open\n", {"t.csv:2", "quote"});
+  refused("a\nnan\n", {"t.csv:2", "nan"});
+}
