@@ -13,7 +13,7 @@ namespace {
 double capacity_of(const std::string &path, double given) {
   if (given > 0) return given;
   const std::string scene_file = path + "/scene.toml";
-  return std::filesystem::exists(scene_file) ? scene::load_scene(scene_file).bearing.lateral_capacity()
+  return std::filesystem::exists(scene_file) ? scene::load_scene(scene_file).lateral_capacity()
                                              : scene::builtin_bearing("shfps-225").lateral_capacity();
 }
 

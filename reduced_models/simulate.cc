@@ -3,6 +3,7 @@
 #include "reduced_models/cvode_run.h"
 #include "reduced_models/hybrid_run.h"
 #include "reduced_models/quasi_static.h"
+#include "reduced_models/rigid_body/double_concave.h"
 #include "scene/error.h"
 #include <chrono>
 #include <cmath>
@@ -62,6 +63,11 @@ const std::vector<ReducedModel> &reduced_models() {
       {"physical",
        "a mass on the dish with Coulomb or Park-Wen friction, uplift and a rim element (thesis 2.2)",
        simulate_physical},
+      {"dcfp", "double concave bearing: slider and top plate as rigid bodies on contact points (thesis 3.3)",
+       simulate_double_concave},
+      {"lir-dcfp",
+       "double concave bearing whose slider has a high-friction interface with a gap (thesis 3.3)",
+       simulate_double_concave},
   };
   return models;
 }

@@ -27,6 +27,9 @@ std::vector<SignalInfo> make_signals() {
   vector("moment_above", "N m", "moment of the bearing on the node above");
   list.push_back({"gap", "m", "L_c - |u|, negative while the rim is pressed"});
   list.push_back({"normal_force", "N", "normal force of the sliding surface, never negative"});
+  list.push_back({"tilt", "rad", "angle of the (bottom) slider's axis to the vertical, double concave models"});
+  for (const char *axis : {"x", "y"})
+    list.push_back({fmt::format("interface_slip_{}", axis), "m", "of the top slider past the bottom one"});
   for (const auto &[name, what] : std::initializer_list<std::pair<const char *, const char *>>{
            {"external", "work of ground motion and drives"},
            {"gravity", "potential energy gained"},

@@ -28,10 +28,34 @@ void check_excitation(const Excitation &e, double lateral_capacity) {
                                  e.start_displacement().norm(), lateral_capacity));
 }
 
+/// What the double concave models do not offer is refused, never ignored.
+void check_double_concave(const Scene &s) {
+  const auto refuse = [&](const std::string &key, const std::string &why) {
+    throw InputError(fmt::format("{} is not for reduced.model \"{}\": {}", key, s.reduced.model, why));
+  };
+  s.isolator.validate(s.impact_resilient());
+  const auto &e = s.excitation;
+  if (e.kind == ExcitationKind::window)
+    refuse("excitation.kind \"window\"", "it isolates the rim element of the physical model");
+  if (s.reduced.normal_force != "inertia")
+    refuse("reduced.normal_force", "its normal forces follow from the motion, \"inertia\"");
+  if (s.reduced.finite_pad || s.reduced.socket_friction)
+    refuse(s.reduced.finite_pad ? "reduced.finite_pad" : "reduced.socket_friction", "its slider is rigid");
+  if (s.isolator.space == "spatial") return;
+  const bool off_x = (e.kind == ExcitationKind::record && !e.y.values.empty()) ||
+                     e.kind == ExcitationKind::figure_eight ||
+                     (e.kind != ExcitationKind::record && e.kind != ExcitationKind::free && e.direction()[1] != 0) ||
+                     (e.kind == ExcitationKind::free &&
+                      (e.initial_displacement[1] != 0 || e.initial_velocity[1] != 0));
+  if (off_x)
+    throw InputError("isolator.space \"planar\" moves along x only: this excitation needs \"spatial\"");
+}
+
 /// A prescribed path the sliding surface cannot follow is refused here, not by the surface in mid-run.
 void check_path(const Scene &scene) {
   const auto &e = scene.excitation;
-  const double limit = make_surface(scene.bearing.surface)->limit_radius();
+  const double limit = scene.double_concave() ? scene.isolator.effective_radius()
+                                              : make_surface(scene.bearing.surface)->limit_radius();
   const auto refuse = [&](const char *key, double value, double reach) {
     if (reach < limit) return;
     throw InputError(
@@ -42,7 +66,7 @@ void check_path(const Scene &scene) {
   if (e.kind == ExcitationKind::cyclic) refuse("amplitude_m", e.amplitude, reach);
   if (e.kind == ExcitationKind::figure_eight) refuse("amplitude_m", e.amplitude, 1.25 * reach);
   if (e.kind == ExcitationKind::push)
-    refuse("travel_mm", e.travel * 1e3, scene.bearing.lateral_capacity() + e.scale * e.travel);
+    refuse("travel_mm", e.travel * 1e3, scene.lateral_capacity() + e.scale * e.travel);
 }
 
 } // namespace
@@ -51,7 +75,8 @@ void Scene::validate() const {
   bearing.validate();
   check_ranges(*this);
   check_friction(reduced);
-  check_excitation(excitation, bearing.lateral_capacity());
+  check_excitation(excitation, lateral_capacity());
+  if (double_concave()) check_double_concave(*this);
   check_path(*this);
 }
 

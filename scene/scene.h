@@ -1,6 +1,7 @@
 /// A scene: a bearing, its load, what excites it, and the models' settings. Read from TOML, every default filled in.
 #pragma once
 #include "scene/bearing.h"
+#include "scene/double_concave.h"
 #include "scene/excitation.h"
 #include <string>
 #include <vector>
@@ -22,7 +23,7 @@ struct FeSettings {
   std::string symmetry = "auto"; ///< auto | half | whole
 };
 
-/// [reduced]: the physical model.
+/// [reduced]: the physical model; friction, impact element and sampling of the other reduced models too.
 struct ReducedSettings {
   std::string model = "physical";
   double k_i = 4.5e8;       ///< impact stiffness [N/m]; 0 switches the impact element off
@@ -52,6 +53,12 @@ struct Scene {
   Excitation excitation;
   FeSettings model;
   ReducedSettings reduced;
+  DoubleConcave isolator; ///< [isolator]: the bearing of the double concave models
+
+  bool impact_resilient() const { return reduced.model == "lir-dcfp"; }
+  bool double_concave() const { return reduced.model == "dcfp" || impact_resilient(); }
+  /// Displacement at which the rim of the model's bearing is touched [m].
+  double lateral_capacity() const { return double_concave() ? isolator.capacity : bearing.lateral_capacity(); }
 
   /// Throws InputError naming value and bound; includes bearing.validate().
   void validate() const;

@@ -1,4 +1,5 @@
 #include "scene/scene_catalogue.h"
+#include "scene/double_concave_scenes.h"
 #include "scene/error.h"
 #include "scene/scene.h"
 #include "scene/text.h"
@@ -141,19 +142,24 @@ rung = "rim"
 
 // The catalogue: one line a scene.
 const std::vector<BuiltinScene> &catalogue() {
-  static const std::vector<BuiltinScene> scenes{
-      {"static-unidirectional", static_unidirectional},
-      {"static-figure-eight", static_figure_eight},
-      {"ricker-0.78g-1.0s", ricker_short},
-      {"ricker-0.38g-1.5s", ricker_long},
-      {"impact-window", impact_window},
-      {"rim-push", rim_push},
-      {"sylmar-bidirectional", sylmar,
-       "sylmar-bidirectional needs your own copy of PEER's NGA-West2 record RSN1086: "
-       "RSN1086_NORTHR_SYL360.AT2 and "
-       "RSN1086_NORTHR_SYL090.AT2 in the current folder, or --set excitation.x=FILE --set excitation.y=FILE"},
-      {"pulse-bidirectional", pulse_bidirectional},
-  };
+  static const std::vector<BuiltinScene> scenes = [] {
+    std::vector<BuiltinScene> list{
+        {"static-unidirectional", static_unidirectional},
+        {"static-figure-eight", static_figure_eight},
+        {"ricker-0.78g-1.0s", ricker_short},
+        {"ricker-0.38g-1.5s", ricker_long},
+        {"impact-window", impact_window},
+        {"rim-push", rim_push},
+        {"sylmar-bidirectional", sylmar,
+         "sylmar-bidirectional needs your own copy of PEER's NGA-West2 record RSN1086: "
+         "RSN1086_NORTHR_SYL360.AT2 and "
+         "RSN1086_NORTHR_SYL090.AT2 in the current folder, or --set excitation.x=FILE --set "
+         "excitation.y=FILE"},
+        {"pulse-bidirectional", pulse_bidirectional},
+    };
+    for (auto &scene : double_concave_scenes()) list.push_back(std::move(scene));
+    return list;
+  }();
   return scenes;
 }
 

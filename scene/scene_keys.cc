@@ -111,6 +111,8 @@ void visit_settings(KeyVisitor &v, Scene &s) {
     v.choice({"symmetry", "auto | half | whole"}, s.model.symmetry, {"auto", "half", "whole"});
   });
   v.section("reduced", [&] { visit(v, s.reduced); });
+  if (v.wants(s.double_concave()))
+    v.section("isolator", [&] { visit(v, s.isolator, s.impact_resilient()); });
 }
 
 } // namespace rimpact::scene

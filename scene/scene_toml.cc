@@ -138,6 +138,7 @@ void set_dependent_defaults(const TomlFile &file, Scene &scene) {
       e.duration = std::max({e.x.duration(), e.y.duration(), e.z.duration()});
   }
   if (!given("excitation.amplitude_m") && e.kind == ExcitationKind::figure_eight) e.amplitude = 0.31;
+  if (!given("isolator.points") && scene.isolator.space == "spatial") scene.isolator.points = 8;
   if (!given("reduced.mu_fast")) scene.reduced.mu_fast = scene.bearing.contact.steel_ertalyte;
   if (!given("reduced.mu_slow")) scene.reduced.mu_slow = scene.reduced.mu_fast;
 }

@@ -31,7 +31,7 @@ def main(root):
     root = pathlib.Path(root)
     errors, n_files = [], 0
     for name in MAY_INCLUDE:
-        for file in sorted((root / name).glob("*.[hc]*")):
+        for file in sorted((root / name).rglob("*.[hc]*")):
             if file.suffix not in (".h", ".cc"):
                 continue
             n_files += 1

@@ -1,5 +1,6 @@
 #include "expect_error.h"
 #include "scene/scene.h"
+#include "scene/scene_catalogue.h"
 #include "temporary_folder.h"
 #include <cmath>
 #include <filesystem>
@@ -15,8 +16,8 @@ Scene parse(const std::string &text, const Overrides &overrides = {}) {
 }
 
 bool is_available(const std::string &name) {
-  return name != "sylmar-bidirectional";
-} // needs the user's records
+  return find_builtin_scene(name)->needs.empty(); // not the user's records
+}
 
 /// Everything a scene says, compared field by field where it has an ==, by text for the settings.
 void expect_same(const Scene &a, const Scene &b) {

@@ -1,0 +1,173 @@
+#include "reduced_models/rigid_body/double_concave_recorder.h"
+#include <algorithm>
+#include <cmath>
+
+namespace rimpact::reduced::rigid {
+
+using Eigen::Vector3d;
+
+namespace {
+
+/// Shares of the force of the bearing on the top plate.
+struct PlateForces {
+  Vector3d pendular = Vector3d::Zero(), friction = Vector3d::Zero(), impact = Vector3d::Zero();
+  double normal = 0;
+};
+
+PlateForces on_plate(const DoubleConcaveSystem &model, const MotionState &s) {
+  PlateForces p;
+  for (std::size_t i = 0; i < s.contact.size(); ++i) {
+    const auto &c = model.system.contacts[i];
+    if (c.master != model.plate) continue;
+    (c.surface == Surface::rim ? p.impact : p.pendular) -= s.contact[i].normal;
+    p.friction -= s.contact[i].friction;
+    if (c.surface == Surface::dish) p.normal += s.contact[i].size;
+  }
+  return p;
+}
+
+bool rim_pressed(const DoubleConcaveSystem &model, const MotionState &s) {
+  for (std::size_t i = 0; i < s.contact.size(); ++i)
+    if (model.system.contacts[i].surface == Surface::rim && s.contact[i].size != 0) return true;
+  return false;
+}
+
+} // namespace
+
+DoubleConcaveRecorder::DoubleConcaveRecorder(DoubleConcaveSystem &model, const scene::Scene &scene,
+                                             double time_unit, ReducedRun &result)
+    : model_(model), result_(result), time_unit_(time_unit),
+      sample_(model.driven ? time_unit / (2000 * std::max(1.0, std::ceil(scene.excitation.cycles)))
+                           : scene.reduced.output_step),
+      dents_(model.system.contacts.size()), largest_normal_(model.system.contacts.size(), 0),
+      smallest_normal_(model.system.contacts.size(), 1e300) {
+  result.summary.n_dofs = std::count(model.system.free.begin(), model.system.free.end(), true);
+}
+
+void DoubleConcaveRecorder::begin(const MotionState &s) {
+  potential_ = model_.potential_energy(s), stored_ = model_.stored_energy(s);
+  rest_height_ = model_.plate_displacement(model_.state_at({0, 0}, {0, 0}))[2];
+  initial_ = model_.system.kinetic_energy(s.poses, s.velocity);
+  const MotionState rest = model_.state_at({0, 0}, {0, 0});
+  const double height = potential_ - model_.potential_energy(rest);
+  initial_ += height, potential_ -= height; // let go from a height: part of what it starts with
+  watch(s);
+  store(s);
+}
+
+void DoubleConcaveRecorder::count(const StepReport &report) {
+  ++result_.summary.n_steps;
+  result_.summary.n_newton_iterations += report.iterations;
+}
+
+double DoubleConcaveRecorder::next_sample(const MotionState &s) const {
+  return (std::floor(s.t / sample_ + 1e-9) + 1) * sample_;
+}
+
+void DoubleConcaveRecorder::accept(const MotionState &s, const MotionState &before) {
+  watch(s);
+  press(s);
+  const bool due = std::abs(s.t / sample_ - std::round(s.t / sample_)) < 1e-9;
+  if (due || rim_pressed(model_, s) || rim_pressed(model_, before)) store(s);
+}
+
+/// What a rim that yields keeps, arc by arc.
+void DoubleConcaveRecorder::press(const MotionState &s) {
+  if (!model_.system.rim.law || !model_.system.rim.law->yields) return;
+  for (std::size_t i = 0; i < s.contact.size(); ++i) {
+    const auto &c = model_.system.contacts[i];
+    if (c.surface != Surface::rim && c.surface != Surface::stop) continue;
+    const Vector3d foot = c.master == ground ? Vector3d(Vector3d::Zero()) : s.poses[c.master].position;
+    const Eigen::Vector2d arm = (s.contact[i].at - foot).head<2>();
+    if (s.contact[i].size != 0) dents_[i].press(arm, s.contact[i].penetration);
+    model_.system.deepest[i] = dents_[i].deepest_at(arm);
+  }
+}
+
+void DoubleConcaveRecorder::watch(const MotionState &s) {
+  largest_input_ = std::max(largest_input_, std::abs(s.works.external));
+  for (std::size_t i = 0; i < s.contact.size(); ++i) {
+    largest_normal_[i] = std::max(largest_normal_[i], s.contact[i].size);
+    smallest_normal_[i] = std::min(smallest_normal_[i], s.contact[i].size);
+  }
+  const auto p = on_plate(model_, s);
+  const double vertical = (p.pendular + p.friction)[2];
+  largest_vertical_ = std::max(largest_vertical_, vertical);
+  smallest_vertical_ = std::min(smallest_vertical_, vertical);
+}
+
+scene::EnergyLedger DoubleConcaveRecorder::ledger(const MotionState &s) const {
+  scene::EnergyLedger l;
+  l.initial = initial_;
+  l.external = s.works.external;
+  l.gravity = model_.potential_energy(s) - potential_;
+  l.kinetic = model_.system.kinetic_energy(s.poses, s.velocity);
+  l.friction = s.works.slip, l.impact = s.works.wall, l.contact = s.works.normal;
+  l.largest_input = largest_input_ + initial_;
+  return l;
+}
+
+void DoubleConcaveRecorder::store(const MotionState &s) {
+  if (s.t <= last_) return;
+  last_ = s.t;
+  const auto p = on_plate(model_, s);
+  const Vector3d u = model_.plate_displacement(s), v = s.velocity.segment<3>(6 * model_.plate);
+  const Vector3d force = p.pendular + p.friction + p.impact, slip = model_.interface_slip(s);
+  const auto l = ledger(s);
+  const std::pair<const char *, double> row[] = {{"time", s.t / time_unit_},
+                                                 {"displacement_x", u[0]},
+                                                 {"displacement_y", u[1]},
+                                                 {"displacement_z", u[2] - rest_height_},
+                                                 {"velocity_x", model_.driven ? 0 : v[0]},
+                                                 {"velocity_y", model_.driven ? 0 : v[1]},
+                                                 {"velocity_z", model_.driven ? 0 : v[2]},
+                                                 {"force_x", force[0]},
+                                                 {"force_y", force[1]},
+                                                 {"force_z", force[2]},
+                                                 {"pendular_x", p.pendular[0]},
+                                                 {"pendular_y", p.pendular[1]},
+                                                 {"friction_x", p.friction[0]},
+                                                 {"friction_y", p.friction[1]},
+                                                 {"impact_x", p.impact[0]},
+                                                 {"impact_y", p.impact[1]},
+                                                 {"gap", model_.gap(s)},
+                                                 {"normal_force", p.normal},
+                                                 {"tilt", model_.tilt(s)},
+                                                 {"interface_slip_x", slip[0]},
+                                                 {"interface_slip_y", slip[1]},
+                                                 {"energy_external", l.external},
+                                                 {"energy_gravity", l.gravity},
+                                                 {"energy_kinetic", l.kinetic},
+                                                 {"energy_friction", l.friction},
+                                                 {"energy_impact", l.impact},
+                                                 {"energy_contact", l.contact}};
+  for (const auto &[name, value] : row) result_.response.append(name, value);
+}
+
+void DoubleConcaveRecorder::end(const MotionState &s) {
+  store(s);
+  auto &summary = result_.summary;
+  scene::summarise_response(result_.response, summary);
+  summary.energy = ledger(s);
+  summary.rung = "reduced";
+  nlohmann::json points = nlohmann::json::object();
+  int index[3] = {};
+  for (std::size_t i = 0; i < model_.system.contacts.size(); ++i) {
+    const auto &c = model_.system.contacts[i];
+    if (c.surface != Surface::dish && c.surface != Surface::interface) continue;
+    const std::string name = std::string(1, "BCA"[c.set]) + std::to_string(++index[c.set]);
+    points[name] = {{"max_N", largest_normal_[i]}, {"min_N", smallest_normal_[i]}};
+  }
+  summary.extra["isolator"] = {{"point_forces", points},
+                               {"max_vertical_force_N", largest_vertical_},
+                               {"min_vertical_force_N", smallest_vertical_},
+                               {"residual_interface_slip_m", model_.interface_slip(s).norm()}};
+}
+
+void DoubleConcaveRecorder::stop(const MotionState &s, const std::string &reason) {
+  end(s);
+  result_.summary.status = "stopped",
+  result_.summary.reason = reason + " at t = " + std::to_string(s.t) + " s";
+}
+
+} // namespace rimpact::reduced::rigid

@@ -1,0 +1,37 @@
+/// Stores what a rigid-body bearing does, and keeps its extremes and energies.
+#pragma once
+#include "reduced_models/physical_model.h"
+#include "reduced_models/rigid_body/double_concave_system.h"
+#include "reduced_models/rim_memory.h"
+
+namespace rimpact::reduced::rigid {
+
+class DoubleConcaveRecorder {
+public:
+  /// `time_unit`: `time` of the response is t / time_unit (1, or a quasi-static run's duration).
+  DoubleConcaveRecorder(DoubleConcaveSystem &model, const scene::Scene &scene, double time_unit,
+                        ReducedRun &result);
+  void begin(const MotionState &state);
+  void count(const StepReport &report);
+  /// After a step: stores it when a sample is due or a rim is, or was, pressed; remembers dents.
+  void accept(const MotionState &state, const MotionState &before);
+  double next_sample(const MotionState &state) const; ///< instant that must be a step's end
+  void end(const MotionState &state);
+  void stop(const MotionState &state, const std::string &reason);
+
+private:
+  void store(const MotionState &state);
+  void watch(const MotionState &state);
+  void press(const MotionState &state);
+  scene::EnergyLedger ledger(const MotionState &state) const;
+
+  DoubleConcaveSystem &model_;
+  ReducedRun &result_;
+  double time_unit_, sample_, potential_ = 0, stored_ = 0, initial_ = 0, largest_input_ = 0, last_ = -1;
+  double rest_height_ = 0;
+  std::vector<RimMemory> dents_; ///< of each contact
+  std::vector<double> largest_normal_, smallest_normal_;
+  double largest_vertical_ = 0, smallest_vertical_ = 1e300;
+};
+
+} // namespace rimpact::reduced::rigid

@@ -1,0 +1,227 @@
+#include "reduced_models/rigid_body/double_concave_system.h"
+#include <algorithm>
+#include <Eigen/Geometry>
+#include <numbers>
+
+namespace rimpact::reduced::rigid {
+
+using Eigen::Vector2d, Eigen::Vector3d;
+
+namespace {
+
+RigidBody cylinder(double mass, double diameter, double height, double gravity) {
+  const double across = mass * (diameter * diameter / 16 + height * height / 12);
+  return {mass, {across, across, mass * diameter * diameter / 8}, mass * gravity};
+}
+
+/// Where the contact points of a set lie in its plane: on a line (planar) or a circle (spatial).
+std::vector<Vector2d> layout(const scene::DoubleConcave &b, double radius) {
+  std::vector<Vector2d> points;
+  for (int i = 0; i < b.points; ++i) {
+    const double angle = 2 * std::numbers::pi * i / b.points;
+    points.push_back(b.space == "planar" ? Vector2d(radius * (2.0 * i / (b.points - 1) - 1), 0)
+                                         : Vector2d(radius * std::cos(angle), radius * std::sin(angle)));
+  }
+  return points;
+}
+
+double depth(double R, double r) {
+  return R - std::sqrt(R * R - r * r);
+}
+
+} // namespace
+
+double contact_damping(const scene::DoubleConcave &b, double mass, int n_sets) {
+  return 2 * damping_ratio(b.contact_restitution) * std::sqrt(b.contact_stiffness * mass * n_sets / b.points);
+}
+
+DoubleConcaveSystem::DoubleConcaveSystem(const scene::Scene &scene)
+    : plate(scene.impact_resilient() ? 2 : 1), top_slider(plate - 1), driven(!scene.excitation.is_dynamic()),
+      bearing_(scene.isolator), resilient_(scene.impact_resilient()), n_sets_(resilient_ ? 3 : 2) {
+  const auto &r = scene.reduced;
+  add_bodies(scene);
+  add_points(bearing_);
+  add_walls(bearing_);
+  system.deepest.assign(system.contacts.size(), 0.0);
+  system.normal = {bearing_.contact_stiffness, contact_damping(bearing_, scene.load.mass, n_sets_)};
+  const double fast = driven ? r.mu_slow : r.mu_fast; // slow motion
+  system.dish_friction = {r.mu_slow, fast, fast == r.mu_slow ? 0.0 : r.rate};
+  system.interface_friction = {bearing_.mu_interface, bearing_.mu_interface, 0};
+  system.park_wen = r.friction == "park-wen" && !driven;
+  if (system.park_wen) system.elastic_slip = r.elastic_slip;
+  // Both rims stop the mass in series: the pair has half of k and c, and must return e.
+  if (r.k_i > 0) system.rim = rim_element(r, 2 * scene.load.mass);
+  if (driven) system.rim.damping = 0;
+}
+
+void DoubleConcaveSystem::add_bodies(const scene::Scene &scene) {
+  const auto &b = bearing_;
+  const double g = scene.load.gravity, H = b.slider_height();
+  if (resilient_) {
+    system.bodies.push_back(
+        cylinder(b.slider_mass * b.bottom_height / H, b.slider_diameter, b.bottom_height, g));
+    system.bodies.push_back(cylinder(b.slider_mass * b.top_height / H, b.slider_diameter, b.top_height, g));
+  } else {
+    system.bodies.push_back(cylinder(b.slider_mass, b.slider_diameter, H, g));
+  }
+  const double J = b.plate_inertia;
+  system.bodies.push_back({scene.load.mass, {J, J, J}, scene.load.vertical});
+  const bool planar = b.space == "planar", plate_turns = b.plate_rotation == "free";
+  for (int body = 0; body <= plate; ++body)
+    for (int dof = 0; dof < 6; ++dof) {
+      const bool in_plane = dof == 0 || dof == 2 || dof == 4, turns = dof >= 3;
+      system.free.push_back((!planar || in_plane) &&
+                            (body != plate || ((!turns || plate_turns) && (!driven || dof > 1))));
+    }
+}
+
+void DoubleConcaveSystem::add_points(const scene::DoubleConcave &b) {
+  const double R = b.radius, H = b.slider_height();
+  const double bottom = (resilient_ ? b.bottom_height : H) / 2, top = (resilient_ ? b.top_height : H) / 2;
+  for (const auto &p : layout(b, b.slider_diameter / 2))
+    system.contacts.push_back({.surface = Surface::dish,
+                               .body = 0,
+                               .master = ground,
+                               .point = {p[0], p[1], depth(R, p.norm()) - bottom},
+                               .centre = {0, 0, R},
+                               .radius = R});
+  if (resilient_)
+    for (const auto &p : layout(b, b.slider_diameter / 2 - b.top_wall))
+      system.contacts.push_back({.surface = Surface::interface,
+                                 .body = 1,
+                                 .master = 0,
+                                 .point = {p[0], p[1], -top},
+                                 .centre = {0, 0, bottom},
+                                 .set = 1});
+  for (const auto &p : layout(b, b.slider_diameter / 2))
+    system.contacts.push_back({.surface = Surface::dish,
+                               .body = top_slider,
+                               .master = plate,
+                               .point = {p[0], p[1], top - depth(R, p.norm())},
+                               .centre = {0, 0, -R},
+                               .radius = R,
+                               .set = 2});
+}
+
+void DoubleConcaveSystem::add_walls(const scene::DoubleConcave &b) {
+  const double R = b.radius, H = b.slider_height(), half = b.slider_diameter / 2;
+  const double bottom = (resilient_ ? b.bottom_height : H) / 2, top = (resilient_ ? b.top_height : H) / 2;
+  const double edge = depth(R, half), wall = b.rim_radius(), foot = depth(R, wall);
+  const auto add = [&](const Vector2d &at, double reach) {
+    system.contacts.push_back({.surface = Surface::rim,
+                               .body = 0,
+                               .master = ground,
+                               .point = {at[0], at[1], edge - bottom},
+                               .centre = {0, 0, foot},
+                               .radius = wall,
+                               .reach = reach,
+                               .wall_height = b.rim_height});
+    system.contacts.push_back({.surface = Surface::rim,
+                               .body = top_slider,
+                               .master = plate,
+                               .point = {at[0], at[1], top - edge},
+                               .centre = {0, 0, -foot},
+                               .radius = wall,
+                               .reach = reach,
+                               .wall_height = b.rim_height,
+                               .upward = -1,
+                               .set = 2});
+  };
+  if (b.space == "planar")
+    add({-half, 0}, 0), add({half, 0}, 0);
+  else if (b.rim == "circle")
+    add({0, 0}, half);
+  else
+    for (const auto &p : layout(b, half)) add(p, 0);
+  if (resilient_)
+    system.contacts.push_back({.surface = Surface::stop,
+                               .body = 1,
+                               .master = 0,
+                               .point = {0, 0, -top},
+                               .centre = {0, 0, bottom},
+                               .radius = b.gap(),
+                               .reach = half - b.top_wall,
+                               .wall_height = b.stop_height,
+                               .set = 1});
+}
+
+MotionState DoubleConcaveSystem::state_at(const Vector2d &u, const Vector2d &v) const {
+  const auto &b = bearing_;
+  const double R_eff = b.effective_radius(), H = b.slider_height();
+  Vector3d axis(-u[0] / R_eff, -u[1] / R_eff, 0);
+  axis[2] = std::sqrt(1 - axis.squaredNorm());
+  const Vector3d velocity(v[0], v[1], -v.dot(axis.head<2>()) / axis[2]);
+  const Vector3d omega = -axis.cross(velocity) / R_eff, centre(0, 0, b.radius);
+  MotionState s;
+  s.velocity = Vector::Zero(system.n_dofs());
+  const auto rotation = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis).toRotationMatrix();
+  // Under the weights the springs of each set give way: from the static penetration nothing rings.
+  double weight = 0, sunk[3] = {};
+  for (int body = plate; body >= 0; --body) weight += system.bodies[body].weight, sunk[body] = weight;
+  const double cosine = std::cos(b.edge_angle()), spring = b.points * b.contact_stiffness;
+  double below = 0;
+  for (int body = 0; body <= plate; ++body) {
+    const bool plane = resilient_ && body == 1;
+    below += sunk[body] / spring / (plane ? 1 : cosine * cosine);
+    const double height = !resilient_ ? H / 2 : body == 0 ? b.bottom_height / 2 : H - b.top_height / 2;
+    const Vector3d from_vertex =
+        body == plate ? Vector3d(H * axis + b.radius * (Vector3d::UnitZ() - axis)) : Vector3d(height * axis);
+    s.poses[body].position = centre - b.radius * axis + from_vertex - Vector3d(0, 0, below);
+    if (body != plate) s.poses[body].rotation = rotation;
+    s.velocity.segment<3>(6 * body) = body == plate ? velocity : omega.cross(s.poses[body].position - centre);
+    if (body != plate) s.velocity.segment<3>(6 * body + 3) = omega;
+  }
+  return s;
+}
+
+Vector3d DoubleConcaveSystem::plate_displacement(const MotionState &s) const {
+  return s.poses[plate].position - Vector3d(0, 0, bearing_.slider_height());
+}
+
+Vector3d DoubleConcaveSystem::interface_slip(const MotionState &s) const {
+  if (!resilient_) return Vector3d::Zero();
+  const Vector3d up = s.poses[0].rotation.col(2);
+  const Vector3d apart =
+      s.poses[1].at({0, 0, -bearing_.top_height / 2}) - s.poses[0].at({0, 0, bearing_.bottom_height / 2});
+  return apart - up * up.dot(apart);
+}
+
+double DoubleConcaveSystem::tilt(const MotionState &s) const {
+  const Vector3d up = s.poses[0].rotation.col(2);
+  return std::atan2(std::hypot(up[0], up[1]), up[2]);
+}
+
+double DoubleConcaveSystem::gap(const MotionState &s) const {
+  return bearing_.capacity - (plate_displacement(s) - interface_slip(s)).head<2>().norm();
+}
+
+double DoubleConcaveSystem::potential_energy(const MotionState &s) const {
+  double energy = 0;
+  for (int body = 0; body <= plate; ++body) energy += system.bodies[body].weight * s.poses[body].position[2];
+  return energy;
+}
+
+double DoubleConcaveSystem::stored_energy(const MotionState &s) const {
+  double energy = 0;
+  for (std::size_t i = 0; i < s.contact.size(); ++i) {
+    const bool wall =
+        system.contacts[i].surface == Surface::rim || system.contacts[i].surface == Surface::stop;
+    const double d = std::max(0.0, s.contact[i].penetration);
+    if (!wall) energy += system.normal.stiffness / 2 * d * d;
+  }
+  return energy;
+}
+
+const char *DoubleConcaveSystem::lost(const MotionState &s) const {
+  for (std::size_t i = 0; i < s.contact.size(); ++i)
+    if (s.contact[i].passed)
+      return system.contacts[i].surface == Surface::rim ? "the slider has left over a rim"
+                                                        : "the top slider has left over the stop";
+  // Past the angle at which its diagonal stands upright a block does not come back.
+  const double limit = std::atan2(bearing_.slider_diameter, bearing_.slider_height()) + bearing_.rim_tilt();
+  for (int body = 0; body < plate; ++body)
+    if (s.poses[body].rotation(2, 2) < std::cos(std::min(limit, 1.5))) return "the slider has overturned";
+  return nullptr;
+}
+
+} // namespace rimpact::reduced::rigid

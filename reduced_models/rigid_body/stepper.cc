@@ -1,0 +1,153 @@
+#include "reduced_models/rigid_body/stepper.h"
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace rimpact::reduced::rigid {
+
+using Eigen::Vector2d, Eigen::Vector3d;
+
+namespace {
+
+const double diagonal = 1 - std::sqrt(0.5); ///< of both stages
+const double outer = std::sqrt(2.0) / 4;    ///< weight of the first two in the last
+
+Pose moved_by(const Pose &pose, const Vector &motion, int body) {
+  const Vector3d turn = motion.segment<3>(6 * body + 3);
+  const double angle = turn.norm();
+  Pose result = pose;
+  result.position += motion.segment<3>(6 * body);
+  if (angle > 0) result.rotation = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() * pose.rotation;
+  return result;
+}
+
+} // namespace
+
+Stepper::Stepper(const System &system, const Loads &loads) : system_(system), loads_(loads) {
+  for (int i = 0; i < system.n_dofs(); ++i)
+    if (system.free[i]) dofs_.push_back(i);
+}
+
+Vector Stepper::applied(double t) const {
+  Vector f = Vector::Zero(system_.n_dofs());
+  const Vector3d a = loads_.ground_acceleration(t);
+  for (std::size_t i = 0; i < system_.bodies.size(); ++i) f.segment<3>(6 * i) = -system_.bodies[i].mass * a;
+  return f;
+}
+
+void Stepper::drive(double t, MotionState &s) const {
+  if (!loads_.path) return;
+  const double dt = 1e-6 * loads_.time_scale;
+  s.poses[loads_.driven].position.head<2>() = loads_.path(t);
+  s.velocity.segment<2>(6 * loads_.driven) = (loads_.path(t + dt) - loads_.path(t - dt)) / (2 * dt);
+}
+
+Works Stepper::powers(const MotionState &s) const {
+  Works p;
+  for (std::size_t i = 0; i < s.contact.size(); ++i) {
+    const auto surface = system_.contacts[i].surface;
+    (surface == Surface::rim || surface == Surface::stop ? p.wall : p.normal) += s.contact[i].normal_power;
+    p.slip += s.contact[i].slip_power;
+  }
+  p.external = applied(s.t).dot(s.velocity);
+  if (loads_.path) { // the drive balances what the contacts do to the driven body
+    Vector3d force = Vector3d::Zero();
+    for (std::size_t i = 0; i < s.contact.size(); ++i) {
+      const auto &c = system_.contacts[i];
+      const Vector3d f = s.contact[i].normal + s.contact[i].friction;
+      if (c.body == loads_.driven) force += f;
+      if (c.master == loads_.driven) force -= f;
+    }
+    p.external -= force.head<2>().dot(s.velocity.segment<2>(6 * loads_.driven));
+  }
+  return p;
+}
+
+void Stepper::start(MotionState &s) {
+  const auto n = system_.contacts.size();
+  if (s.slip.size() != n) s.slip.assign(n, Vector3d::Zero());
+  s.slip_rate.assign(n, Vector3d::Zero());
+  const Vector f = system_.forces(s.poses, s.velocity, {0, 0, s.slip}, s.contact, nullptr) + applied(s.t);
+  const Matrix M = system_.mass_matrix(s.poses);
+  s.acceleration = Vector::Zero(system_.n_dofs());
+  s.acceleration(dofs_) = M(dofs_, dofs_).partialPivLu().solve(f(dofs_)).eval();
+  s.power = powers(s);
+}
+
+bool Stepper::solve(const MotionState &from, double h, const Vector &moved, const Vector &base, double t,
+                    double slip_step, MotionState &to, int &iterations) {
+  const int n = static_cast<int>(dofs_.size());
+  const double weight = h * diagonal;
+  const Vector load = applied(t);
+  Vector f, motion;
+  Matrix tangent, J(n, n);
+  Vector residual(n), correction;
+  to.t = t;
+  for (int iteration = 0; iteration < 14; ++iteration) {
+    drive(t, to);
+    motion = moved + weight * to.velocity;
+    for (std::size_t b = 0; b < system_.bodies.size(); ++b) to.poses[b] = moved_by(from.poses[b], motion, b);
+    drive(t, to);
+    f = system_.forces(to.poses, to.velocity, {weight, slip_step, to.slip}, to.contact, &tangent) + load;
+    const Matrix M = system_.mass_matrix(to.poses);
+    to.acceleration = (to.velocity - base) / weight;
+    const Vector imbalance = M * to.acceleration - f;
+    for (int i = 0; i < n; ++i) {
+      residual[i] = -imbalance[dofs_[i]];
+      for (int j = 0; j < n; ++j) J(i, j) = M(dofs_[i], dofs_[j]) / weight - tangent(dofs_[i], dofs_[j]);
+    }
+    correction = J.partialPivLu().solve(residual);
+    ++iterations;
+    if (!correction.allFinite()) return false;
+    for (int i = 0; i < n; ++i) to.velocity[dofs_[i]] += correction[i];
+    if (correction.lpNorm<Eigen::Infinity>() * weight < 1e-12 ||
+        correction.lpNorm<Eigen::Infinity>() < 1e-11) {
+      to.acceleration = (to.velocity - base) / weight;
+      return true;
+    }
+  }
+  return false;
+}
+
+StepReport Stepper::step(const MotionState &from, double h, MotionState &to) {
+  StepReport report;
+  const std::size_t n = system_.contacts.size();
+  const auto stage = [&](double t, double reach, const Vector &moved, const Vector &base, double w1,
+                         double w2, MotionState &at) {
+    at.slip.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      at.slip[i] = from.slip[i];
+      if (system_.park_wen) at.slip[i] += w1 * from.slip_rate[i];
+      if (system_.park_wen && w2 > 0) at.slip[i] += w2 * middle_.slip_rate[i];
+    }
+    const double slip_step = system_.park_wen ? h * diagonal : reach;
+    at.velocity = w2 > 0 ? Vector(middle_.velocity + (1 - 2 * diagonal) * h * middle_.acceleration)
+                         : Vector(from.velocity + reach * from.acceleration);
+    if (!solve(from, h, moved, base, t, slip_step, at, report.iterations)) return false;
+    at.slip_rate.resize(n);
+    for (std::size_t i = 0; i < n; ++i) {
+      at.slip_rate[i] = (at.contact[i].slip - at.slip[i]) / slip_step;
+      at.slip[i] = at.contact[i].slip;
+    }
+    at.power = powers(at);
+    return true;
+  };
+  middle_.poses = to.poses = from.poses;
+  const double first = h * diagonal, w = h * outer;
+  if (!stage(from.t + 2 * first, 2 * first, first * from.velocity, from.velocity + first * from.acceleration,
+             first, 0, middle_))
+    return report;
+  if (!stage(from.t + h, h, w * (from.velocity + middle_.velocity),
+             from.velocity + w * (from.acceleration + middle_.acceleration), w, w, to))
+    return report;
+  const auto summed = [&](double Works::*p) {
+    return from.works.*p + w * (from.power.*p + middle_.power.*p) + first * to.power.*p;
+  };
+  to.works = {summed(&Works::external), summed(&Works::normal), summed(&Works::slip), summed(&Works::wall)};
+  const double e1 = h * (4 * outer - 1) / 3, e2 = -h / 3, e3 = h * 2 * diagonal / 3;
+  report.position_error = e1 * from.velocity + e2 * middle_.velocity + e3 * to.velocity;
+  report.velocity_error = e1 * from.acceleration + e2 * middle_.acceleration + e3 * to.acceleration;
+  report.converged = true;
+  return report;
+}
+
+} // namespace rimpact::reduced::rigid

@@ -1,0 +1,60 @@
+/// TR-BDF2 for rigid bodies with contacts: both implicit stages by Newton with the analytic tangent, a
+/// third-order error estimate. Source: Bank et al. (1985); coefficients as Hosea and Shampine (1996). Second
+/// order, L-stable: the slider's contact modes (thousands of rad/s, next to no energy) need not be resolved.
+#pragma once
+#include "reduced_models/rigid_body/system.h"
+#include <functional>
+
+namespace rimpact::reduced::rigid {
+
+struct Works {
+  double external = 0, normal = 0, slip = 0, wall = 0; ///< [J]; as rates [W]
+};
+
+struct MotionState {
+  double t = 0;
+  Poses poses;
+  Vector velocity, acceleration;
+  std::vector<Eigen::Vector3d> slip, slip_rate;
+  std::vector<ContactForce> contact;
+  Works works, power;
+};
+
+/// What acts beside the contacts.
+struct Loads {
+  std::function<Eigen::Vector3d(double t)> ground_acceleration; ///< [m/s^2]
+  /// Planar path of a driven body; empty: none is driven. Its two dofs must not be free.
+  std::function<Eigen::Vector2d(double t)> path;
+  int driven = 0;
+  double time_scale = 1; ///< for differences of `path` [s]
+};
+
+struct StepReport {
+  bool converged = false;
+  int iterations = 0;
+  Vector position_error, velocity_error; ///< of each dof
+};
+
+class Stepper {
+public:
+  Stepper(const System &system, const Loads &loads);
+  /// Fills accelerations, contact forces and powers of a state at its instant.
+  void start(MotionState &state);
+  /// One step from `from`; `to` is meaningful when converged.
+  StepReport step(const MotionState &from, double h, MotionState &to);
+
+private:
+  struct StageData;
+  bool solve(const MotionState &from, double h, const Vector &moved, const Vector &base, double t,
+             double slip_step, MotionState &to, int &iterations);
+  Vector applied(double t) const;
+  void drive(double t, MotionState &state) const;
+  Works powers(const MotionState &state) const;
+
+  const System &system_;
+  const Loads &loads_;
+  std::vector<int> dofs_;
+  MotionState middle_;
+};
+
+} // namespace rimpact::reduced::rigid

@@ -1,0 +1,34 @@
+#include "scene/keys.h"
+
+namespace rimpact::scene {
+
+void visit(KeyVisitor &v, DoubleConcave &b, bool impact_resilient) {
+  constexpr Range length_mm{0, 1e5, true}, size_mm{0, 1e5}, positive{0, huge, true};
+  v.number({"radius_m", "R of both sliding surfaces"}, b.radius, si, {0, 1e3, true});
+  v.number({"capacity_m", "C_t: displacement at which the rims are touched"}, b.capacity, si, {0, 1e3, true});
+  v.number({"slider_diameter_mm", "D_s"}, b.slider_diameter, milli, length_mm);
+  v.number({"top_height_mm", "h_ts; a DCFP's slider is h_ts + h_bs high"}, b.top_height, milli, length_mm);
+  v.number({"bottom_height_mm", "h_bs"}, b.bottom_height, milli, length_mm);
+  if (v.wants(impact_resilient)) {
+    v.number({"top_wall_mm", "e_ts; the gap is e_ts - e_bs"}, b.top_wall, milli, size_mm);
+    v.number({"bottom_wall_mm", "e_bs"}, b.bottom_wall, milli, size_mm);
+    v.number({"stop_height_mm", "l_bs, above the interface"}, b.stop_height, milli, length_mm);
+    v.number({"mu_interface", "mu_s of the high-friction interface"}, b.mu_interface, si, {0, 2});
+  }
+  v.number({"rim_height_mm", "l, above the edge of the sliding surface"}, b.rim_height, milli, length_mm);
+  v.number({"slider_mass_kg", "whole slider"}, b.slider_mass, si, positive);
+  v.choice({"space", "planar | spatial"}, b.space, {"planar", "spatial"});
+  v.integer({"points", "contact points a set"}, b.points, 2, 64);
+  if (v.wants(b.space == "spatial")) {
+    v.choice({"rim", "circle: the slider's whole edge | points: only where the contact points are"}, b.rim,
+             {"circle", "points"});
+    v.choice({"plate_rotation", "fixed: held by what it carries | free"}, b.plate_rotation, {"fixed", "free"});
+  }
+  if (v.wants(b.plate_rotation == "free"))
+    v.number({"plate_inertia_kg_m2", "what turns with the top plate"}, b.plate_inertia, si, positive);
+  v.number({"contact_stiffness_kN_per_m", "of one contact point"}, b.contact_stiffness, kilo, positive);
+  v.number({"contact_restitution", "of the contact's dashpot"}, b.contact_restitution, si, {0, 1, true});
+  v.number({"step_tolerance", "relative, local error of a time step"}, b.step_tolerance, si, {1e-12, 1e-1});
+}
+
+} // namespace rimpact::scene

@@ -1,0 +1,138 @@
+// Whole histories: against the physical model on a sphere of radius R_eff, energy, space, number of points.
+#include "quasi_static_loop.h"
+#include "scenes.h"
+#include <gtest/gtest.h>
+
+namespace rimpact::reduced::testing {
+namespace {
+
+/// A pulse on the default double concave bearing; its slider as good as weightless.
+scene::Scene pulse(const std::string &model, double amplitude_g) {
+  scene::Scene s;
+  s.reduced.model = model;
+  s.reduced.mu_fast = s.reduced.mu_slow = 0.05;
+  s.load.vertical = 2e5 * s.load.gravity, s.load.mass = 2e5;
+  s.isolator.slider_mass = 0.1;
+  s.excitation.amplitude_g = amplitude_g, s.excitation.period = 1.5, s.excitation.centre = 3;
+  return s;
+}
+
+scene::Scene spatial(scene::Scene s, int points, double direction_deg) {
+  s.isolator.space = "spatial", s.isolator.points = points;
+  s.excitation.direction_deg = direction_deg;
+  s.excitation.duration = 4.5; // past the second impact
+  return s;
+}
+
+/// The same as a mass on a sphere: u = R_eff sin(theta) whatever the slider does, friction at mu_e.
+scene::Scene as_sphere(const scene::Scene &given, double mu) {
+  scene::Scene s = given;
+  const auto &b = given.isolator;
+  s.reduced.model = "physical";
+  s.bearing.surface = {"sphere", b.effective_radius()};
+  s.bearing.surface.planar_radius = b.capacity + s.bearing.slider.diameter / 2;
+  s.reduced.mu_fast = s.reduced.mu_slow = effective_friction(b, mu);
+  // Two rims in series, each penetrated by R cos(theta + phi) / (R_eff cos(theta)) of the travel beyond C_t.
+  const double share =
+      b.radius * std::cos(b.rim_tilt() + b.edge_angle()) / (b.effective_radius() * std::cos(b.rim_tilt()));
+  s.reduced.k_i = 2 * given.reduced.k_i * share * share;
+  return s;
+}
+
+double value_at(const scene::Response &r, const char *name, double t) {
+  const auto &time = r.series("time"), &value = r.series(name);
+  const std::size_t i = std::upper_bound(time.begin(), time.end() - 1, t) - time.begin();
+  const double share = (t - time[i - 1]) / (time[i] - time[i - 1]);
+  return value[i - 1] + share * (value[i] - value[i - 1]);
+}
+
+TEST(DoubleConcaveMotion, FollowsTheSphereOfItsEffectiveRadius) {
+  for (const double amplitude : {0.15, 0.2}) {
+    auto scene = pulse("dcfp", amplitude);
+    scene.isolator.contact_stiffness = 1e11; // as good as rigid
+    const auto run = simulate(scene), sphere = simulate(as_sphere(scene, 0.05));
+    ASSERT_TRUE(sphere.summary.impacts.empty());
+    EXPECT_NEAR(run.summary.peak_displacement, sphere.summary.peak_displacement,
+                2e-3 * sphere.summary.peak_displacement);
+    EXPECT_NEAR(run.summary.peak_lateral_force, sphere.summary.peak_lateral_force,
+                5e-3 * sphere.summary.peak_lateral_force);
+    for (double t = 0.1; t < 7.9; t += 0.1)
+      ASSERT_NEAR(value_at(run.response, "displacement_x", t), value_at(sphere.response, "displacement_x", t),
+                  5e-3 * sphere.summary.peak_displacement)
+          << t;
+  }
+}
+
+TEST(DoubleConcaveMotion, AnImpactIsThatOfOneRimWithTheStiffnessOfBoth) {
+  const auto scene = pulse("dcfp", 0.6);
+  const auto run = simulate(scene), sphere = simulate(as_sphere(scene, 0.05));
+  ASSERT_FALSE(sphere.summary.impacts.empty());
+  ASSERT_FALSE(run.summary.impacts.empty());
+  const auto &first = run.summary.impacts[0], &expected = sphere.summary.impacts[0];
+  EXPECT_NEAR(first.touch_time, expected.touch_time, 2e-3);
+  EXPECT_NEAR(first.approach_speed, expected.approach_speed, 0.01 * expected.approach_speed);
+  EXPECT_NEAR(first.rebound_speed, expected.rebound_speed, 0.05 * expected.approach_speed);
+  EXPECT_NEAR(run.summary.peak_displacement, sphere.summary.peak_displacement, 2e-3);
+}
+
+TEST(DoubleConcaveMotion, EnergyBalances) {
+  for (const char *model : {"dcfp", "lir-dcfp"})
+    for (const double amplitude : {0.3, 0.6}) {
+      auto scene = pulse(model, amplitude);
+      scene.isolator.slider_mass = 100;
+      EXPECT_LT(std::abs(simulate(scene).summary.energy->imbalance_relative()), 1e-4) << model << amplitude;
+    }
+}
+
+TEST(DoubleConcaveMotion, TheStepToleranceGovernsTheError) {
+  auto scene = pulse("lir-dcfp", 0.6);
+  const auto at = [&](double tolerance) {
+    scene.isolator.step_tolerance = tolerance;
+    return simulate(scene).summary;
+  };
+  const auto reference = at(1e-6), fine = at(1e-5), coarse = at(scene::DoubleConcave{}.step_tolerance);
+  EXPECT_NEAR(coarse.peak_lateral_force, reference.peak_lateral_force, 0.01 * reference.peak_lateral_force);
+  EXPECT_NEAR(fine.peak_lateral_force, reference.peak_lateral_force, 0.002 * reference.peak_lateral_force);
+  EXPECT_LT(coarse.n_steps, fine.n_steps);
+}
+
+TEST(DoubleConcaveMotion, SpaceDoesNotPreferADirection) {
+  const auto along = simulate(spatial(pulse("lir-dcfp", 0.5), 8, 0)).summary;
+  ASSERT_FALSE(along.impacts.empty());
+  for (const double degrees : {45.0, 200.0}) {
+    const auto turned = simulate(spatial(pulse("lir-dcfp", 0.5), 8, degrees)).summary;
+    EXPECT_NEAR(turned.peak_displacement, along.peak_displacement, 0.01 * along.peak_displacement);
+    EXPECT_NEAR(turned.peak_lateral_force, along.peak_lateral_force, 0.015 * along.peak_lateral_force);
+    EXPECT_EQ(turned.impacts.size(), along.impacts.size());
+  }
+}
+
+TEST(DoubleConcaveMotion, EightPointsAreEnough) {
+  const auto at = [](int points) { return simulate(spatial(pulse("lir-dcfp", 0.5), points, 20)).summary; };
+  const auto eight = at(8), twelve = at(12);
+  EXPECT_NEAR(eight.peak_displacement, twelve.peak_displacement, 0.01 * twelve.peak_displacement);
+  EXPECT_NEAR(eight.peak_lateral_force, twelve.peak_lateral_force, 0.01 * twelve.peak_lateral_force);
+}
+
+TEST(DoubleConcaveMotion, SpaceAlongXIsThePlane) {
+  auto flat = pulse("dcfp", 0.3);
+  const auto plane = simulate(flat).summary, space = simulate(spatial(flat, 16, 0)).summary;
+  EXPECT_NEAR(space.peak_displacement, plane.peak_displacement, 0.01 * plane.peak_displacement);
+}
+
+TEST(DoubleConcaveMotion, ParkWenTendsToCoulomb) {
+  auto scene = pulse("lir-dcfp", 0.3);
+  const double coulomb = simulate(scene).summary.peak_displacement;
+  scene.reduced.friction = "park-wen";
+  double last = 1;
+  for (const double slip : {1e-3, 1e-4}) {
+    scene.reduced.elastic_slip = slip;
+    const double difference = std::abs(simulate(scene).summary.peak_displacement - coulomb);
+    EXPECT_LT(difference, last);
+    last = difference;
+  }
+  EXPECT_LT(last, 0.01 * coulomb);
+}
+
+} // namespace
+} // namespace rimpact::reduced::testing

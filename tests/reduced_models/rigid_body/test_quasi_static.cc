@@ -1,0 +1,72 @@
+// Slow loops against the closed form; appendix B's sequence of hits.
+#include "quasi_static_loop.h"
+#include "scenes.h"
+#include <gtest/gtest.h>
+
+namespace rimpact::reduced::testing {
+namespace {
+
+using Column = const std::vector<double> &;
+
+/// Where the model slides (the closed form has no elastic slip): away from turning points of the path.
+constexpr double settled = 2e-4;
+
+TEST(DoubleConcaveLoop, LowFrictionSlidingIsAtTheEffectiveFriction) {
+  for (const char *model : {"dcfp", "lir-dcfp"}) {
+    const auto scene = cyclic(specimen(model), 0.15);
+    const auto run = simulate(scene);
+    QuasiStaticLoop loop{scene.isolator, 0.066, scene.impact_resilient()};
+    Column u = run.response.series("displacement_x"), F = run.response.series("force_x");
+    ASSERT_EQ(run.summary.status, "done");
+    double since_turn = 0;
+    for (std::size_t i = 1; i < u.size(); ++i) {
+      const double sense = loop.sense, expected = loop.move(u[i]);
+      since_turn = sense == loop.sense ? since_turn + std::abs(u[i] - u[i - 1]) : 0;
+      if (since_turn > settled)
+        ASSERT_NEAR(-F[i] / scene.load.vertical, expected, 1e-4) << model << " u " << u[i];
+    }
+    EXPECT_EQ(run.summary.impacts.size(), 0u);
+  }
+}
+
+TEST(DoubleConcaveLoop, TheEffectiveFrictionIsNotThatOfOneSurface) {
+  const auto scene = specimen();
+  const double mu_e = effective_friction(scene.isolator, 0.066),
+               approximate = 0.066 * 2 * scene.isolator.radius / scene.isolator.effective_radius() /
+                             std::cos(scene.isolator.edge_angle());
+  EXPECT_NEAR(mu_e, approximate, 1e-3 * approximate);
+  EXPECT_GT(mu_e, 1.05 * 0.066);
+}
+
+TEST(DoubleConcaveLoop, TheInterfaceSlidesAtItsOwnAngle) {
+  const auto scene = cyclic(specimen(), 0.185);
+  const auto run = simulate(scene);
+  Column F = run.response.series("force_x"), tilt = run.response.series("tilt"),
+         slip = run.response.series("interface_slip_x"), u = run.response.series("displacement_x");
+  int n_sliding = 0, n_before = 0; // the mass settles vertically over the first samples of a slide
+  for (std::size_t i = 1; i < u.size(); ++i) {
+    n_before = std::abs(slip[i] - slip[i - 1]) < 1e-5 ? 0 : n_before + 1;
+    if (n_before < 6) continue;
+    const double sense = slip[i] > slip[i - 1] ? 1 : -1, theta = u[i] > 0 ? tilt[i] : -tilt[i];
+    ASSERT_NEAR(-F[i] / scene.load.vertical, std::tan(theta + sense * std::atan(0.126)), 1e-6)
+        << "u " << u[i];
+    ++n_sliding;
+  }
+  EXPECT_GT(n_sliding, 20);
+}
+
+TEST(DoubleConcaveLoop, AppendixBHitsAt175Then165Millimetres) {
+  const auto run = simulate(cyclic(specimen(), 0.185, 2));
+  Column u = run.response.series("displacement_x"), impact = run.response.series("impact_x");
+  std::vector<double> hits;
+  for (std::size_t i = 1; i < u.size(); ++i)
+    if (impact[i] != 0 && impact[i - 1] == 0) hits.push_back(u[i]);
+  ASSERT_EQ(hits.size(), 4u);
+  EXPECT_NEAR(hits[0], 0.175, 5e-4);
+  EXPECT_NEAR(hits[1], -0.165, 5e-4);
+  EXPECT_NEAR(hits[2], 0.165, 5e-4);
+  EXPECT_NEAR(hits[3], -0.165, 5e-4);
+}
+
+} // namespace
+} // namespace rimpact::reduced::testing
