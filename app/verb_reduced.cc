@@ -4,6 +4,7 @@
 #include "app/verb.h"
 #include "reduced_models/node_kinematics.h"
 #include "reduced_models/physical_model.h"
+#include "scene/error.h"
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -51,6 +52,9 @@ void add_reduced(CLI::App &app, Console &console) {
                             .n_threads = options->n_threads},
                            console);
     const scene::Scene scene = scene::load_scene(options->scene, console.overrides);
+    if (!options->nodes.empty() && scene.double_concave())
+      throw InputError("--nodes is for bearings of one dish: reduced.model \"" + scene.reduced.model +
+                       "\" passes moments through both plates");
     auto run = reduced::simulate(scene);
     if (!options->nodes.empty())
       reduced::add_nodal_moments(run.response, {options->nodes[0] / 1e3, options->nodes[1] / 1e3});
