@@ -14,7 +14,11 @@ struct PhysicalModel::Impl {
   explicit Impl(const scene::Scene &s) : scene(s), dynamics(s, false) {}
 };
 
-PhysicalModel::PhysicalModel(const scene::Scene &scene) : impl_(std::make_unique<Impl>(scene)) {}
+PhysicalModel::PhysicalModel(const scene::Scene &scene) : impl_(std::make_unique<Impl>(scene)) {
+  if (scene.double_concave())
+    throw InputError("reduced.model \"" + scene.reduced.model +
+                     "\" is a rigid-body bearing of two dishes, without a finite-element rung");
+}
 PhysicalModel::~PhysicalModel() = default;
 PhysicalModel::PhysicalModel(PhysicalModel &&) noexcept = default;
 

@@ -1,7 +1,6 @@
 #include "fe_contact/runner/plan.h"
 
 #include "reduced_models/physical_model.h"
-#include "scene/error.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -120,9 +119,6 @@ Plan make_plan(const scene::Scene &scene) {
       scene.excitation.kind != scene::ExcitationKind::push)
     return stack_plan(scene);
   using Kind = scene::ExcitationKind;
-  if (scene.double_concave())
-    throw InputError("reduced.model \"" + scene.reduced.model +
-                     "\" is a rigid-body bearing without a finite-element rung: see rimpact reduced");
   Plan plan;
   plan.mesh = scene.model.mesh;
   if (scene.model.step > 0) plan.step_in_contact = scene.model.step;
