@@ -51,7 +51,7 @@ std::vector<std::string> Table::differences(const std::string &stored, double to
       break;
     }
     const Row &row = rows_[i++];
-    std::istringstream fields(line.substr(std::min<std::size_t>(34, line.size())));
+    std::istringstream fields(line.substr(std::min(std::max<std::size_t>(34, row.quantity.size()), line.size())));
     double size = 0, value = 0;
     fields >> size >> value;
     // Where nothing is expected, what is left is rounding and tolerances: looser.
