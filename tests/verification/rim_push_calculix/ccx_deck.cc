@@ -45,7 +45,8 @@ DeckMesh::DeckMesh(const meshes::HexMesh &mesh, int n_nodes) : mesh_(mesh), n_no
   }
 }
 
-std::string DeckMesh::nodes_and_elements(const std::string &element_type) const {
+std::string DeckMesh::nodes_and_elements(const std::string &element_type,
+                                         const std::map<meshes::Volume, std::string> &others) const {
   std::set<unsigned> used;
   for (const auto &cell : mesh_.cells)
     for (int k = 0; k < n_nodes_; ++k) used.insert(cell[ccx_order[k]]);
@@ -56,7 +57,9 @@ std::string DeckMesh::nodes_and_elements(const std::string &element_type) const 
   }
   const std::set<meshes::Volume> volumes(mesh_.volumes.begin(), mesh_.volumes.end());
   for (const auto volume : volumes) {
-    text += fmt::format("*ELEMENT, TYPE={}, ELSET={}\n", element_type, to_string(volume));
+    const auto other = others.find(volume);
+    text += fmt::format("*ELEMENT, TYPE={}, ELSET={}\n", other == others.end() ? element_type : other->second,
+                        to_string(volume));
     for (std::size_t c = 0; c < mesh_.cells.size(); ++c) {
       if (mesh_.volumes[c] != volume) continue;
       text += std::to_string(c + 1);
@@ -72,6 +75,13 @@ std::set<unsigned> DeckMesh::nodes_of(meshes::Surface group) const {
   std::set<unsigned> nodes;
   if (const auto found = faces_.find(group); found != faces_.end())
     for (const auto &face : found->second) nodes.insert(face.nodes.begin(), face.nodes.end());
+  return nodes;
+}
+
+std::set<unsigned> DeckMesh::nodes_of(meshes::Volume volume) const {
+  std::set<unsigned> nodes;
+  for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
+    for (int k = 0; k < n_nodes_ && mesh_.volumes[c] == volume; ++k) nodes.insert(mesh_.cells[c][ccx_order[k]]);
   return nodes;
 }
 

@@ -29,9 +29,12 @@ public:
   /// `n_nodes`: 8 or 20 a hexahedron; the others of the 27 are left out. Throws std::invalid_argument for
   /// another number or a boundary face that no cell owns.
   DeckMesh(const meshes::HexMesh &mesh, int n_nodes);
-  /// *NODE and *ELEMENT, the latter with one set a volume, named as the mesh names it.
-  std::string nodes_and_elements(const std::string &element_type) const;
+  /// *NODE and *ELEMENT, the latter with one set a volume, named as the mesh names it. `others`: volumes of another
+  /// element type (with as many nodes).
+  std::string nodes_and_elements(const std::string &element_type,
+                                 const std::map<meshes::Volume, std::string> &others = {}) const;
   std::set<unsigned> nodes_of(meshes::Surface group) const;
+  std::set<unsigned> nodes_of(meshes::Volume volume) const;
   /// *SURFACE of a group's faces.
   std::string surface(meshes::Surface group) const;
 
