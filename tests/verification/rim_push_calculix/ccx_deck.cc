@@ -81,7 +81,8 @@ std::set<unsigned> DeckMesh::nodes_of(meshes::Surface group) const {
 std::set<unsigned> DeckMesh::nodes_of(meshes::Volume volume) const {
   std::set<unsigned> nodes;
   for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
-    for (int k = 0; k < n_nodes_ && mesh_.volumes[c] == volume; ++k) nodes.insert(mesh_.cells[c][ccx_order[k]]);
+    for (int k = 0; k < n_nodes_ && mesh_.volumes[c] == volume; ++k)
+      nodes.insert(mesh_.cells[c][ccx_order[k]]);
   return nodes;
 }
 
