@@ -2,6 +2,7 @@
 
 #include "meshes/mirror.h"
 #include "meshes/slider_section.h"
+#include <algorithm>
 #include <cmath>
 
 namespace rimpact::meshes {
@@ -60,9 +61,14 @@ void add_rim(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions 
   const double h = size_factor(options.level);
   const double wall = bearing.surface.planar_radius + bearing.rim.ledge;
   const double fine = 10 * mm * h / wall, zone = 20 * mm / wall;
-  Body(mesh).revolve(plate_and_rim(bearing, options, h),
-                     graded_lines({{0, fine}, {zone, fine}, {options.sector_half_angle, 0.9 * h}}), 0.0,
-                     Surface::symmetry, Surface::sector_end);
+  std::vector<double> angles = graded_lines({{0, fine}, {zone, fine}, {options.sector_half_angle, 0.9 * h}});
+  if (options.opposite) {
+    std::reverse(angles.begin(), angles.end());
+    for (double &angle : angles) angle = M_PI - angle;
+  }
+  Body(mesh).revolve(plate_and_rim(bearing, options, h), angles, 0.0,
+                     options.opposite ? Surface::sector_end : Surface::symmetry,
+                     options.opposite ? Surface::symmetry : Surface::sector_end);
 }
 
 void flatten(HexMesh &mesh) {

@@ -12,6 +12,7 @@ struct RimMeshOptions {
   int level = 1;                    ///< 1 | 2 | 3: every size divided by 1.5 a level
   bool half = true;                 ///< y >= 0 only, with the group `symmetry` on y = 0
   double sector_half_angle = 1.0;   ///< of rim and plate [rad]; the ends carry `sector_end`
+  bool opposite = false;            ///< about -x instead
   double plate_inner_radius = 0.44; ///< where the plate is cut [m]; the cut carries `sector_end`
 };
 HexMesh rim_mesh(const scene::Bearing &bearing, const RimMeshOptions &options);

@@ -119,13 +119,16 @@ void add_core(Body &body, const SliderShape &s, const std::vector<Quad9> &plan,
 
 } // namespace
 
-void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double travel) {
+void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double travel, bool both_sides) {
   const SliderShape s = shape_of(bearing, travel);
   const RingGrid grid = ring_grid(s, h);
   // Angles come in equal pairs: gmsh halves every edge of the core's plan.
   const double fine = 2 * 10 * mm * h / s.radius;
   std::vector<double> angles;
-  const auto coarse = graded_lines({{0, fine}, {20 * mm / s.radius, fine}, {M_PI, 2 * 1.5 * h}});
+  const double zone = 20 * mm / s.radius;
+  std::vector<Anchor> sizes{{0, fine}, {zone, fine}, {M_PI, 2 * 1.5 * h}};
+  if (both_sides) sizes = {{0, fine}, {zone, fine}, {M_PI / 2, 0.9 * h}, {M_PI - zone, fine}, {M_PI, fine}};
+  const auto coarse = graded_lines(sizes);
   for (std::size_t k = 0; k + 1 < coarse.size(); ++k) {
     angles.push_back(coarse[k]);
     angles.push_back(0.5 * (coarse[k] + coarse[k + 1]));

@@ -6,6 +6,7 @@
 namespace rimpact::meshes {
 
 /// Adds the half y >= 0 at a travel along x [m], lifted as the surface lifts it; h scales every size (1 at level 1).
-void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double travel);
+/// Finest towards +x, or towards both sides.
+void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double travel, bool both_sides = false);
 
 } // namespace rimpact::meshes

@@ -1,6 +1,6 @@
 /// The solids of rung R2 (DESIGN 1): pad, foot and upper slider at rest on the vertex and, where a scene asks for
-/// it, the rim sector with the plate below it. Frame: the plate's, the sector's middle on +x. The meshes of the
-/// slider and the foot are finest towards +x.
+/// it, rim sectors with the plate below them. Frame: the plate's. Slider, foot and first sector are finest towards
+/// `direction`.
 #pragma once
 #include "meshes/rim_mesh.h"
 
@@ -9,7 +9,10 @@ namespace rimpact::meshes {
 struct StackMeshOptions {
   int level = 1;         ///< 1 | 2 | 3: every size divided by 1.5 a level
   bool half = true;      ///< y >= 0 only, with the group `symmetry` on y = 0
-  bool with_rim = false; ///< a sector of RimMeshOptions' size
+  bool rim = false;      ///< a sector of rim and plate, its middle at `direction`
+  bool opposite_rim = false; ///< and a second one on the other side
+  double sector_half_angle = 1.0; ///< of each [rad]
+  double direction = 0;           ///< [rad]; a half model takes 0 or pi
 };
 /// Groups: pad_face, foot_cap, socket, slider_side, top, and with a rim those of rim_mesh. Pad and foot are one
 /// connected piece (tied); the slider's socket lies on the foot's cap.

@@ -63,9 +63,14 @@ struct TransientReport {
   int iterations = 0, capped_steps = 0;
 };
 
+using AfterStep = std::function<void(double t, const SystemState &, const ContactStepReport &)>;
+/// One step from t: rejected, with everything as it was, when it does not converge or its energy error is too large.
+Attempt checked_step(ContactSystem &system, SystemState &state, double t, double dt,
+                     const std::function<Eigen::VectorXd(double)> &load, const TransientOptions &options,
+                     TransientReport &report, const AfterStep &after_step);
 /// From t = 0 to `end` under a load that may vary in time; `after_step(t, state, step)` sees every accepted state.
 TransientReport run_in_time(ContactSystem &system, SystemState &state, double end,
                             const std::function<Eigen::VectorXd(double)> &load, const TransientOptions &options,
-                            const std::function<void(double, const SystemState &, const ContactStepReport &)> &after_step);
+                            const AfterStep &after_step);
 
 } // namespace rimpact::fe

@@ -50,6 +50,18 @@ std::vector<std::vector<int>> Solid::cliques(const Equations &equations) const {
   return result;
 }
 
+std::vector<unsigned> Solid::moving_cells(const Equations &equations) const {
+  std::vector<unsigned> result;
+  const int n = space_.nodes_per_cell;
+  for (std::size_t c = 0; c < space_.n_cells; ++c)
+    for (int k = 0; k < 3 * n; ++k)
+      if (equations.of_dof[3 * space_.cell_nodes[c * n + k / 3] + k % 3] >= 0) {
+        result.push_back(c);
+        break;
+      }
+  return result;
+}
+
 const std::vector<int> &Solid::places_in(const SymmetricMatrix &matrix, const Equations &equations) const {
   if (places_of_ == matrix.pattern_id()) return places_;
   places_.clear();
@@ -66,13 +78,14 @@ const std::vector<int> &Solid::places_in(const SymmetricMatrix &matrix, const Eq
 }
 
 template <int n>
-bool Solid::assemble_cells(std::size_t begin, std::size_t end, const Eigen::VectorXd &u,
+bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eigen::VectorXd &u,
                            const SolidHistory &old, SolidHistory &next, const Equations &equations,
                            Eigen::VectorXd &forces, const std::vector<int> *places, double *tangent,
                            SolidEnergies &energies) const {
   auto kernel = std::make_unique<CellKernel<n>>();
   const int n_full = space_.full.n_points, n_reduced = space_.reduced.n_points, m = 3 * n;
-  for (std::size_t c = begin; c < end; ++c) {
+  for (const unsigned *cell = begin; cell < end; ++cell) {
+    const std::size_t c = *cell;
     const unsigned *nodes = &space_.cell_nodes[c * n];
     const Law &law = law_of(c);
     kernel->clear();
@@ -128,12 +141,13 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
                      SolidEnergies &energies) const {
   const int workers = assembly_threads();
   const std::vector<int> *places = tangent ? &places_in(*tangent, equations) : nullptr;
-  next.resize(old.size());
+  next = old; // cells that do not move keep theirs
+  const std::vector<unsigned> cells = moving_cells(equations);
   std::vector<Eigen::VectorXd> part_forces(workers, Eigen::VectorXd::Zero(equations.n));
   std::vector<std::vector<double>> part_values(workers);
   std::vector<SolidEnergies> part_energies(workers);
   std::vector<char> admissible(workers, 1);
-  share(space_.n_cells, workers, [&](std::size_t begin, std::size_t end, int w) {
+  share(cells.size(), workers, [&](std::size_t begin, std::size_t end, int w) {
     double *values = nullptr;
     if (tangent && w == 0) values = tangent->values().data();
     if (tangent && w > 0) {
@@ -142,7 +156,7 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
     }
     const auto run = space_.degree == 2 ? &Solid::assemble_cells<27> : &Solid::assemble_cells<8>;
     admissible[w] =
-        (this->*run)(begin, end, u, old, next, equations, part_forces[w], places, values, part_energies[w]);
+        (this->*run)(cells.data() + begin, cells.data() + end, u, old, next, equations, part_forces[w], places, values, part_energies[w]);
   });
   for (int w = 0; w < workers; ++w) {
     if (!admissible[w]) return false;

@@ -37,7 +37,8 @@ public:
   std::vector<std::vector<int>> cliques(const Equations &equations) const;
 
   /// Adds internal forces at dof displacements u to `forces` (equations) and, when given, the tangent.
-  /// False when a point is inadmissible (inverted): the step must be cut.
+  /// False when a point is inadmissible (inverted): the step must be cut. A cell whose dofs are all held has no
+  /// part in it: its history is kept, its energy not counted.
   bool assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next,
                 const Equations &equations, Eigen::VectorXd &forces, SymmetricMatrix *tangent,
                 SolidEnergies &energies) const;
@@ -56,9 +57,10 @@ private:
     return laws_.at(space_.volumes[cell]);
   }
   template <int n>
-  bool assemble_cells(std::size_t begin, std::size_t end, const Eigen::VectorXd &u, const SolidHistory &old,
+  bool assemble_cells(const unsigned *begin, const unsigned *end, const Eigen::VectorXd &u, const SolidHistory &old,
                       SolidHistory &next, const Equations &equations, Eigen::VectorXd &forces,
                       const std::vector<int> *places, double *tangent, SolidEnergies &energies) const;
+  std::vector<unsigned> moving_cells(const Equations &equations) const; ///< with a dof that is not held
   const std::vector<int> &places_in(const SymmetricMatrix &matrix, const Equations &equations) const;
 
   const Discretisation &space_;

@@ -11,6 +11,13 @@ void Supports::fix(int component, const std::function<bool(const Eigen::Vector3d
     if (where(space_.positions[node])) of_dof_[3 * node + component] = -1;
 }
 
+void Supports::fix(meshes::Volume volume) {
+  const int n = space_.nodes_per_cell;
+  for (std::size_t c = 0; c < space_.n_cells; ++c)
+    for (int k = 0; k < 3 * n && space_.volumes[c] == volume; ++k)
+      of_dof_[3 * space_.cell_nodes[c * n + k / 3] + k % 3] = -1;
+}
+
 int Supports::tie(meshes::Surface group, int component) {
   for (const unsigned node : space_.nodes_of(group)) of_dof_[3 * node + component] = n_;
   return n_++;

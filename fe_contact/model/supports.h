@@ -15,6 +15,7 @@ public:
   /// Holds one component (0, 1, 2) of a group's nodes, or of all nodes where `where` is true.
   void fix(meshes::Surface group, int component);
   void fix(int component, const std::function<bool(const Eigen::Vector3d &)> &where);
+  void fix(meshes::Volume volume); ///< all of a body
   /// One displacement for a group's nodes: a remote displacement's component. Returns its equation.
   int tie(meshes::Surface group, int component);
   int tie(int component, const std::function<bool(const Eigen::Vector3d &)> &where);

@@ -12,7 +12,7 @@ struct Run {
   SystemState &state;
   const std::function<Eigen::VectorXd(double)> &load;
   const TransientOptions &options;
-  const std::function<void(double, const SystemState &, const ContactStepReport &)> &after_step;
+  const AfterStep &after_step;
   TransientReport report{};
 
   bool in_contact() const {
@@ -32,6 +32,14 @@ Attempt Run::attempt(double t, double dt) {
     return {false, std::max(until_touch * (1 + 1e-9), options.smallest_step), "the walls are about to touch"};
   if (!was_in_contact && until_touch < dt && dt > 1.001 * options.contact_step)
     return {false, options.contact_step, "the walls touch"};
+  return checked_step(system, state, t, dt, load, options, report, after_step);
+}
+
+} // namespace
+
+Attempt checked_step(ContactSystem &system, SystemState &state, double t, double dt,
+                     const std::function<Eigen::VectorXd(double)> &load, const TransientOptions &options,
+                     TransientReport &report, const AfterStep &after_step) {
   const SystemState kept = state;
   StepTerms terms{load(t + dt)};
   terms.dt = dt;
@@ -76,8 +84,6 @@ Attempt Run::attempt(double t, double dt) {
   return {true, dt * std::clamp(0.9 / std::cbrt(std::max(error, 1e-3)), 0.5, 2.0), {}};
 }
 
-} // namespace
-
 double SystemLedger::imbalance() const {
   const double left =
       initial + external - kinetic - elastic - plastic - friction - contact - integrator;
@@ -86,8 +92,7 @@ double SystemLedger::imbalance() const {
 
 TransientReport run_in_time(
     ContactSystem &system, SystemState &state, double end, const std::function<Eigen::VectorXd(double)> &load,
-    const TransientOptions &options,
-    const std::function<void(double, const SystemState &, const ContactStepReport &)> &after_step) {
+    const TransientOptions &options, const AfterStep &after_step) {
   Run run{system, state, load, options, after_step};
   run.report.ledger.kinetic = system.kinetic_energy(state);
   run.report.ledger.elastic = state.energies.elastic;

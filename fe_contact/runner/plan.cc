@@ -1,4 +1,4 @@
-#include "fe_contact/runner/plan.h"
+#include "fe_contact/runner/plan_parts.h"
 
 #include "reduced_models/physical_model.h"
 #include <cmath>
@@ -7,14 +7,11 @@
 namespace rimpact::fe {
 namespace {
 
-/// Measured on two cores, half models of the default bearing (docs/user-guide.md): unknowns, seconds a Newton
-/// iteration, memory; the whole model has twice the unknowns and takes about three times as long.
-struct MeshCost {
-  long dofs;
-  double seconds_per_iteration, memory;
-};
+/// Measured on two cores, half models of the default bearing (docs/user-guide.md).
 constexpr MeshCost costs[3] = {{11900, 0.17, 0.35e9}, {42400, 1.0, 1.0e9}, {107000, 4.5, 3.0e9}};
 constexpr double steps_an_impact = 60, iterations_a_step = 6, contact_time = 0.045; // an impact of 25-45 ms
+
+} // namespace
 
 void add_impacts(Plan &plan, const scene::Summary &scout, const scene::Response &response) {
   const auto &t = response.series("time");
@@ -28,6 +25,8 @@ void add_impacts(Plan &plan, const scene::Summary &scout, const scene::Response 
   }
 }
 
+namespace {
+
 /// Travel beyond which the dish is too curved for the pad to bear on its whole face; none within L_c. An
 /// estimate: on the default dish that is about 0.30 m, where the meridional curvature is 1.6 times the
 /// vertex's.
@@ -39,6 +38,8 @@ std::optional<double> full_face_travel(const scene::Bearing &bearing) {
     if (surface->curvatures(r).meridional > curvature_ratio * vertex) return r;
   return std::nullopt;
 }
+
+} // namespace
 
 void add_pad_note(Plan &plan, const scene::Scene &scene) {
   const double at_rest = scene.load.vertical / scene.bearing.pad_area();
@@ -53,6 +54,8 @@ void add_pad_note(Plan &plan, const scene::Scene &scene) {
     plan.notes.push_back(fmt::format("the pad pressure at rest, {:.1f} MPa, exceeds Ertalyte's {:.0f} MPa",
                                      1e-6 * at_rest, 1e-6 * ertalyte_strength));
 }
+
+namespace {
 
 /// The scout: the reduced model, as the scene has it and with the two extra terms that a real stack adds.
 void scout(Plan &plan, scene::Scene scene) {
@@ -81,43 +84,11 @@ void scout(Plan &plan, scene::Scene scene) {
   }
 }
 
-/// Rung R2 along a quasi-static path: no rim, the half model when the path stays in its plane of symmetry.
-Plan stack_plan(const scene::Scene &scene) {
-  // Measured, half models: unknowns, seconds a Newton iteration, memory (docs/measured.md).
-  constexpr MeshCost half[3] = {{18900, 0.25, 0.7e9}, {59000, 1.2, 2.0e9}, {167000, 6.0, 6.5e9}};
-  constexpr double steps_a_cycle = 170, iterations_a_path_step = 5, whole_over_half = 3;
-  Plan plan;
-  plan.rung = "rigid-dish";
-  plan.mesh = scene.model.mesh;
-  const auto &e = scene.excitation;
-  const bool in_plane = e.kind == scene::ExcitationKind::cyclic && std::abs(e.direction().y()) < 1e-12;
-  plan.half = in_plane && scene.model.symmetry != "whole";
-  const double capacity = scene.bearing.lateral_capacity();
-  double travel = 0;
-  for (int k = 0; k <= 1000; ++k)
-    travel = std::max(travel, scene::prescribed_displacement(e, capacity, 1e-3 * k).norm());
-  plan.closest_gap = capacity - travel;
-  plan.rim_takes_part = plan.closest_gap <= 0;
-  plan.expected_steps = std::lround(steps_a_cycle * (e.kind == scene::ExcitationKind::cyclic ? e.cycles : 1.0));
-  const MeshCost &cost = half[plan.mesh - 1];
-  plan.expected_dofs = cost.dofs * (plan.half ? 1 : 2);
-  plan.expected_memory_bytes = cost.memory * (plan.half ? 1 : 2.3);
-  plan.expected_seconds = 5 + plan.expected_steps * iterations_a_path_step * cost.seconds_per_iteration *
-                                  (plan.half ? 1 : whole_over_half);
-  add_pad_note(plan, scene);
-  if (plan.rim_takes_part)
-    plan.notes.push_back(fmt::format("the path reaches the rim ({:.1f} mm past L_c), which this rung does not mesh in "
-                                     "a quasi-static scene: `run` refuses; try --rung rim and a push",
-                                     -1e3 * plan.closest_gap));
-  return plan;
-}
-
 } // namespace
 
 Plan make_plan(const scene::Scene &scene) {
-  if (scene.model.rung == "rigid-dish" && !scene.excitation.is_dynamic() &&
-      scene.excitation.kind != scene::ExcitationKind::push)
-    return stack_plan(scene);
+  if (scene.model.rung == "rigid-dish" && scene.excitation.kind != scene::ExcitationKind::push)
+    return scene.excitation.is_dynamic() ? stack_motion_plan(scene) : stack_path_plan(scene);
   using Kind = scene::ExcitationKind;
   Plan plan;
   plan.mesh = scene.model.mesh;
@@ -148,8 +119,12 @@ Plan make_plan(const scene::Scene &scene) {
 }
 
 std::string describe(const Plan &plan) {
-  const std::string steps = plan.rung == "rim" ? fmt::format("steps of {:.2f} ms in contact", 1e3 * plan.step_in_contact)
-                                               : fmt::format("about {} steps along the path", plan.expected_steps);
+  const std::string steps =
+      plan.expected_steps == 0
+          ? fmt::format("steps of {:.2f} ms in contact", 1e3 * plan.step_in_contact)
+          : fmt::format("about {} steps{}", plan.expected_steps,
+                        plan.moves_in_time ? fmt::format(", of {:.2f} ms in contact", 1e3 * plan.step_in_contact)
+                                           : " along the path");
   std::string text = fmt::format("plan: rung {}, {} model, mesh {}, about {} unknowns; {}; about {:.0f} s and {:.1f} GB\n",
                                  plan.rung, plan.half ? "symmetric half" : "whole", plan.mesh, plan.expected_dofs, steps,
                                  plan.expected_seconds, 1e-9 * plan.expected_memory_bytes);
@@ -175,6 +150,8 @@ nlohmann::json to_json(const Plan &plan) {
           {"rim_takes_part", plan.rim_takes_part},
           {"closest_gap_m", plan.closest_gap},
           {"impacts", impacts},
+          {"sector_direction_deg", plan.sector_direction * 180 / M_PI},
+          {"opposite_sector", plan.opposite_sector},
           {"sector_half_angle_deg", plan.sector_half_angle * 180 / M_PI},
           {"step_in_contact_s", plan.step_in_contact},
           {"mesh", plan.mesh},

@@ -17,12 +17,15 @@ struct ExpectedImpact {
 
 struct Plan {
   std::string rung = "rim";
-  long expected_steps = 0; ///< of a quasi-static path on rung rigid-dish
+  long expected_steps = 0;    ///< of rung rigid-dish
+  bool moves_in_time = true;  ///< false: a quasi-static path
   bool half = true;           ///< symmetric half about each arc's plane
   bool rim_takes_part = true; ///< the scout sees a touch, or comes within `margin` of it
   double closest_gap = 0.0;   ///< smallest gap of the scout [m]
   std::vector<ExpectedImpact> impacts;
   double sector_half_angle = 1.0; ///< [rad]
+  double sector_direction = 0;    ///< of the meshed sector's middle, rung rigid-dish [rad]
+  bool opposite_sector = false;   ///< a second one faces it
   double step_in_contact = 1e-3;  ///< longest step in contact [s]; the error control shortens it
   int mesh = 1;
   long expected_dofs = 0;

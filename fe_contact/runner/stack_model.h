@@ -1,5 +1,5 @@
-/// The solids of rung R2 as one system: pad (tied to the foot), foot and upper slider on the exact dish, with the
-/// contacts dish-pad and cap-socket. Frame and reference position: at rest on the vertex (see stack_mesh).
+/// The solids of rung R2: pad (tied to the foot), foot and upper slider on the exact dish, and the rim's sectors
+/// where a scene needs them. Frame and reference position: at rest on the vertex (see stack_mesh).
 #pragma once
 #include "fe_contact/model/contact_steps.h"
 #include "fe_contact/model/supports.h"
@@ -7,29 +7,41 @@
 
 namespace rimpact::fe {
 
-class StackModel {
-public:
-  StackModel(const scene::Bearing &bearing, const meshes::StackMeshOptions &mesh);
+struct StackModel {
+  StackModel(const scene::Bearing &bearing, const meshes::StackMeshOptions &mesh, bool friction = true);
   StackModel(const StackModel &) = delete;
 
-  ContactSystem &system() { return *system_; }
-  const ContactSystem &system() const { return *system_; }
-  const Discretisation &space() const { return space_; }
-  const Solid &solid() const { return solid_; }
-  double share() const { return half_ ? 2.0 : 1.0; } ///< whole bearing over model
+  double share() const { return mesh.half ? 2.0 : 1.0; } ///< whole bearing over model
+  double own_mass() const; ///< of the parts that move with the supported mass, whole bearing [kg]
+
+  const scene::Bearing bearing;
+  const meshes::StackMeshOptions mesh;
+  const bool friction; ///< false: dish and socket are smooth
+  const Discretisation space;
+  const Solid solid;
+};
+
+/// The model's equations, with the rim's solids or with these held: the rim joins only while it may be touched.
+/// Contacts: dish-pad, cap-socket and, with the rim, wall-slider.
+class StackSystem : public ContactSystem {
+public:
+  StackSystem(const StackModel &model, bool with_rim);
+
+  bool with_rim() const { return with_rim_; }
   /// Equation of a component of the upper slider's top face (remote displacement, no rotation); -1: held.
   int top(int component) const { return top_[component]; }
   Eigen::Vector3d top_of(const Eigen::VectorXd &by_equation) const;
+  /// The supported mass, in translation with the top face; to be called before the first state is made [kg].
+  void carry(double mass);
   /// A vertical dead load of the whole bearing on the top face [N], by equation.
   Eigen::VectorXd dead_load(double vertical) const;
-  static constexpr std::size_t dish = 0, socket = 1; ///< numbers of the contacts
+  static constexpr std::size_t dish = 0, socket = 1, rim = 2; ///< numbers of the contacts
 
 private:
-  bool half_;
-  Discretisation space_;
-  Solid solid_;
+  StackSystem(const StackModel &model, bool with_rim, Supports supports);
+  const StackModel &model_;
+  bool with_rim_;
   int top_[3];
-  std::optional<ContactSystem> system_;
 };
 
 } // namespace rimpact::fe

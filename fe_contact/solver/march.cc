@@ -21,6 +21,7 @@ MarchReport march(double start, double end, const StepLimits &limits,
       t += dt;
       ++report.steps;
       wanted = result.wish > 0 ? result.wish : std::max(wanted, dt) * limits.growth;
+      if (result.last) break;
       continue;
     }
     ++report.cuts;
@@ -32,7 +33,8 @@ MarchReport march(double start, double end, const StepLimits &limits,
     wanted = result.wish > 0 ? std::min(result.wish, 0.7 * dt) : 0.5 * dt;
   }
   report.finished = true;
-  report.reached = end;
+  report.reached = end - t > rounding ? t : end;
+  report.wanted = wanted;
   return report;
 }
 

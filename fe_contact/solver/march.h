@@ -16,11 +16,13 @@ struct Attempt {
   bool accepted = false;
   double wish = 0; ///< 0: none
   std::string reason;
+  bool last = false; ///< accepted, and the march is to end here
 };
 
 struct MarchReport {
-  bool finished = false;
+  bool finished = false; ///< the end, or a last step, was reached
   double reached = 0; ///< where it stopped
+  double wanted = 0;  ///< length the next step would have had
   int steps = 0, cuts = 0;
   std::string reason; ///< when not finished: why the smallest step failed
 };

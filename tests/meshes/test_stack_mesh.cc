@@ -52,7 +52,7 @@ TEST(StackMesh, CellsAreSoundAtEveryLevelWholeAndHalfWithAndWithoutRim) {
     for (const bool rim : {false, true})
       for (const int level : {1, 2, 3}) {
         if (level == 3 && !half) continue;
-        const HexMesh mesh = stack_mesh(scene::Bearing{}, {level, half, rim});
+        const HexMesh mesh = stack_mesh(scene::Bearing{}, {level, half, rim, rim, 1.0, half ? M_PI : 0.3});
         const MeshQuality q = quality(mesh);
         EXPECT_GT(q.min_scaled_jacobian, 0.1) << level << half << rim;
         EXPECT_LT(q.worst_aspect, 100) << level << half << rim;

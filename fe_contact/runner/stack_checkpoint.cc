@@ -1,0 +1,40 @@
+// What rung R2's dynamic run must remember to go on where it stopped.
+#include "fe_contact/runner/record_checkpoint.h"
+#include "fe_contact/runner/stack_dynamic.h"
+#include "fe_contact/runner/system_checkpoint.h"
+
+namespace rimpact::fe {
+
+void StackDynamic::save() const {
+  if (options_.folder.empty()) return;
+  Checkpoint file;
+  put(file, scene_, record_);
+  put(file, state_);
+  const auto &e = report_.ledger;
+  file.numbers["stack"] = {t_, next_step_, double(with_rim_), double(touched_), double(peak_written_), rest_height_,
+                           rest_elastic_, external_before_, height_before_, held_.energies.elastic,
+                           held_.energies.plastic};
+  file.numbers["model_ledger"] = {e.initial, e.external, e.kinetic, e.elastic, e.plastic, e.friction, e.contact,
+                                  e.integrator, e.largest};
+  if (held_.displacement.size()) file.numbers["held_rim"] = list(held_.displacement);
+  file.numbers["impact"] = list(impact_);
+  write_checkpoint(file, options_.folder + "/checkpoint.h5");
+}
+
+void StackDynamic::restore() {
+  const std::string path = options_.folder + "/checkpoint.h5";
+  const Checkpoint file = read_checkpoint(path);
+  get(file, path, scene_, record_);
+  const auto &s = numbers(file, "stack");
+  t_ = s[0], next_step_ = s[1], with_rim_ = s[2] != 0, touched_ = s[3] != 0, peak_written_ = s[4] != 0;
+  rest_height_ = s[5], rest_elastic_ = s[6], external_before_ = s[7], height_before_ = s[8];
+  held_.energies = {s[9], s[10]};
+  if (file.numbers.count("held_rim")) held_.displacement = vector(numbers(file, "held_rim"));
+  const auto &e = numbers(file, "model_ledger");
+  report_.ledger = {e[0], e[1], e[2], e[3], e[4], e[5], e[6], e[7], e[8]};
+  impact_ = impact_from(numbers(file, "impact"));
+  state_ = active().at_rest();
+  get(file, state_);
+}
+
+} // namespace rimpact::fe

@@ -1,0 +1,280 @@
+#include "fe_contact/runner/stack_dynamic.h"
+
+#include "fe_contact/runner/stack_run.h"
+#include "scene/error.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::fe {
+namespace {
+
+constexpr double longest_flight_step = 0.01; // [s]
+constexpr double joining_gap = 2e-3;         // the rim's solids join here [m]
+constexpr double parting_gap = 1e-3;         // and leave here, the walls moving apart [m]
+constexpr double first_gap = 5e-5;           // a window starts here [m]
+constexpr int checkpoint_every = 25;
+
+meshes::StackMeshOptions mesh_options(const scene::Scene &scene, const Plan &plan) {
+  return {scene.model.mesh, plan.half, true, plan.opposite_sector, plan.sector_half_angle, plan.sector_direction};
+}
+
+bool has_friction(const scene::Scene &scene) {
+  return scene.excitation.kind != scene::ExcitationKind::window || scene.excitation.with_friction;
+}
+
+} // namespace
+
+StackDynamic::StackDynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record)
+    : scene_(scene), plan_(plan), options_(options), record_(record),
+      model_(scene.bearing, mesh_options(scene, plan), has_friction(scene)), alone_(model_, false), joined_(model_, true),
+      recorder_(scene, model_, options, record), ground_(scene.excitation, scene.load.gravity) {
+  const double mass = scene.load.mass - model_.own_mass();
+  alone_.carry(mass);
+  joined_.carry(mass);
+  transient_.step = stack_step_options();
+  transient_.step.rho_inf = scene.model.rho_inf;
+  transient_.contact_step = 0.1 * plan.step_in_contact;
+  transient_.smallest_step = 1e-3 * plan.step_in_contact;
+  transient_.energy_tolerance = 2e-5;
+  record.n_dofs = joined_.equations().n;
+}
+
+void StackDynamic::run() {
+  if (options_.resume)
+    restore();
+  else
+    start();
+  while (t_ < end_time() - 1e-12) march_on();
+  if (with_rim_ && touched_) record_.impacts.push_back(impact_);
+  write_fields();
+  save();
+}
+
+void StackDynamic::start() {
+  state_ = alone_.at_rest();
+  record_.n_newton += preload_stack(alone_, state_, alone_.dead_load(scene_.load.vertical), transient_.step);
+  rest_height_ = alone_.top_of(state_.u).z();
+  if (scene_.excitation.kind == scene::ExcitationKind::window) slide_out();
+  rest_elastic_ = model_.share() * state_.energies.elastic;
+  height_before_ = travel().z();
+  auto &ledger = report_.ledger;
+  ledger.kinetic = alone_.kinetic_energy(state_);
+  ledger.elastic = state_.energies.elastic;
+  ledger.plastic = state_.energies.plastic;
+  ledger.initial = ledger.largest = ledger.kinetic + ledger.elastic + ledger.plastic;
+  record_.ledger.initial = record_.ledger.kinetic = record_.ledger.largest_input = model_.share() * ledger.kinetic;
+  next_step_ = transient_.smallest_step;
+  recorder_.sample(0, travel(), alone_.top_of(state_.v), state_, 0, 0);
+  write_fields();
+}
+
+void StackDynamic::slide_out() {
+  constexpr double longest = 0.01, last = 2e-4; // steps [m]
+  const Eigen::VectorXd load = alone_.dead_load(scene_.load.vertical);
+  const Eigen::Vector2d direction = scene_.excitation.direction();
+  const double end = scene_.bearing.lateral_capacity() - first_gap;
+  TopDrive drive;
+  const auto go = [&](double from, double step) {
+    if (options_.interrupted && *options_.interrupted) throw Interrupted();
+    const auto report = drive.move_to(alone_, state_, (from + step) * direction, load, transient_.step);
+    record_.n_newton += report.iterations;
+    if (options_.progress)
+      options_.progress({0, end_time(), step, report.iterations, end - from - step, 0, "sliding out"});
+    return Attempt{report.converged, 0, report.reason};
+  };
+  for (const auto &[from, to, step] : {std::tuple{0.0, end - last, longest}, {end - last, end, last}}) {
+    const MarchReport report = march(from, to, {1e-3 * step, 1e-5 * step, step, 2.0}, go);
+    if (!report.finished) throw SolverStopped("the slide out to the rim stopped: " + report.reason);
+  }
+  state_.v = drive.last_change * (scene_.excitation.impact_speed() / drive.last_way.norm());
+}
+
+Eigen::VectorXd StackDynamic::load(double t) const {
+  const StackSystem &system = active();
+  return system.dead_load(scene_.load.vertical) + system.gravity(-ground_.acceleration(t));
+}
+
+/// One phase: the stack alone, or with the rim.
+void StackDynamic::march_on() {
+  if (!with_rim_ && gap() < joining_gap && closing_speed() > 0) join();
+  const double longest = with_rim_ ? plan_.step_in_contact : longest_flight_step;
+  const MarchReport report =
+      march(t_, end_time(), {std::min(next_step_, longest), transient_.smallest_step, longest},
+            [&](double t, double dt) { return attempt(t, dt); });
+  record_.n_cuts += report.cuts;
+  next_step_ = report.wanted;
+  if (!report.finished) {
+    save();
+    throw SolverStopped(fmt::format("the solver stopped at t = {:.5f} s: {}; partial results are kept; try --mesh 2, a "
+                                    "smaller model.step_ms, or --resume",
+                                    report.reached, report.reason));
+  }
+  if (with_rim_ && !touching() && surface_gap() > parting_gap && closing_speed() < 0) part();
+}
+
+double StackDynamic::clipped(double dt) const {
+  const double closing = closing_speed();
+  if (closing <= 0 || touching()) return 0;
+  const double left = with_rim_ ? surface_gap() : gap() - 0.9 * joining_gap, until = left / closing;
+  if (until >= dt) return 0;
+  if (!with_rim_) return until > 1e-4 * dt ? until : 0;
+  if (until > transient_.contact_step) return until;
+  return dt > 1.001 * transient_.contact_step ? transient_.contact_step : 0;
+}
+
+Attempt StackDynamic::attempt(double t, double dt) {
+  if (options_.interrupted && *options_.interrupted) {
+    save();
+    throw Interrupted();
+  }
+  if (const double shorter = clipped(dt); shorter > 0) return {false, shorter, "the walls are about to touch"};
+  closing_before_ = closing_speed();
+  const int before = report_.iterations;
+  Attempt result = checked_step(active(), state_, t, dt, [this](double at) { return load(at); }, transient_, report_,
+                                [&](double, const SystemState &, const ContactStepReport &step) { after_step(t + dt, dt, step); });
+  record_.n_newton += report_.iterations - before;
+  if (result.accepted && with_rim_)
+    result.last = !touching() && surface_gap() > parting_gap && closing_speed() < 0;
+  else if (result.accepted)
+    result.last = gap() < joining_gap && closing_speed() > 0;
+  return result;
+}
+
+void StackDynamic::after_step(double t, double dt, const ContactStepReport &step) {
+  t_ = t;
+  ++record_.n_steps;
+  record_.augmentation_caps += step.capped;
+  account();
+  follow_impact(t, dt);
+  const StackForces forces = forces_of(model_, state_);
+  record_.smallest_normal = std::min(record_.smallest_normal, forces.dish.z());
+  recorder_.sample(t, travel(), active().top_of(state_.v), state_, step.iterations, dt);
+  if (options_.progress)
+    options_.progress({t, end_time(), dt, step.iterations, gap(), forces.rim.head<2>().norm(),
+                       touching() ? "contact" : with_rim_ ? "near the rim" : "sliding"});
+  if (record_.n_steps % checkpoint_every == 0) {
+    next_step_ = dt;
+    save();
+  }
+}
+
+/// The model's ledger of the step becomes the whole bearing's.
+void StackDynamic::account() {
+  auto &ledger = record_.ledger;
+  const auto &model = report_.ledger;
+  const double share = model_.share();
+  const double weight = -scene_.load.vertical * (travel().z() - height_before_); // work of the dead load
+  ledger.external += share * (model.external - external_before_) - weight;
+  ledger.gravity -= weight;
+  ledger.kinetic = share * model.kinetic;
+  ledger.elastic = share * (model.elastic + (with_rim_ ? 0 : held_.energies.elastic)) - rest_elastic_;
+  ledger.plastic = share * (model.plastic + (with_rim_ ? 0 : held_.energies.plastic));
+  ledger.friction = share * model.friction;
+  ledger.contact = share * model.contact;
+  ledger.integrator = share * model.integrator;
+  ledger.largest_input = std::max(ledger.largest_input, ledger.initial + std::abs(ledger.external));
+  external_before_ = model.external;
+  height_before_ = travel().z();
+}
+
+void StackDynamic::follow_impact(double t, double dt) {
+  const double force = forces_of(model_, state_).rim.head<2>().norm();
+  if (force <= 0) return;
+  const Eigen::Vector3d u = travel();
+  if (!touched_) impact_ = {t - dt, t, std::atan2(u.y(), u.x()) * 180 / M_PI, closing_before_, 0, 0, 0};
+  touched_ = true;
+  impact_.release_time = t;
+  impact_.rebound_speed = -closing_speed();
+  impact_.peak_force = std::max(impact_.peak_force, force);
+  impact_.peak_penetration = std::max(impact_.peak_penetration, -gap());
+  if (peak_written_ || closing_speed() > 0) return;
+  peak_written_ = true;
+  write_fields();
+}
+
+void StackDynamic::check_sector() const {
+  const Eigen::Vector3d u = travel();
+  const double direction = std::atan2(u.y(), u.x()), off = std::remainder(direction - plan_.sector_direction, 2 * M_PI);
+  const double reach = plan_.sector_half_angle - 0.3; // the sector's ends are held
+  if (std::abs(off) < reach || (plan_.opposite_sector && M_PI - std::abs(off) < reach)) return;
+  save();
+  throw SolverStopped(fmt::format("at t = {:.4f} s the slider comes to the rim at {:.0f} deg, where the scout saw no impact and "
+                                  "no rim was meshed; partial results are kept; rung `rim` meshes any side",
+                                  t_, direction * 180 / M_PI));
+}
+
+void StackDynamic::join() {
+  check_sector();
+  state_ = joined_state(model_, alone_, state_, held_, joined_);
+  with_rim_ = true;
+  touched_ = peak_written_ = false;
+  report_.ledger.elastic = state_.energies.elastic;
+  report_.ledger.plastic = state_.energies.plastic;
+}
+
+void StackDynamic::part() {
+  const double kinetic = joined_.kinetic_energy(state_);
+  if (touched_) {
+    record_.impacts.push_back(impact_);
+    write_fields();
+  }
+  state_ = parted_state(model_, joined_, state_, alone_, held_);
+  with_rim_ = touched_ = false;
+  auto &ledger = report_.ledger;
+  ledger.elastic = state_.energies.elastic;
+  ledger.plastic = state_.energies.plastic;
+  ledger.kinetic = alone_.kinetic_energy(state_);
+  record_.ledger.impact += model_.share() * (kinetic - ledger.kinetic); // the rim still rang
+  record_.ledger.kinetic = model_.share() * ledger.kinetic;
+  next_step_ = transient_.contact_step;
+}
+
+Eigen::VectorXd StackDynamic::displacements() const {
+  Eigen::VectorXd u = active().expand(state_);
+  if (!with_rim_ && held_.displacement.size()) u += held_.displacement;
+  return u;
+}
+
+Eigen::Vector3d StackDynamic::travel() const {
+  return active().top_of(state_.u) - Eigen::Vector3d(0, 0, rest_height_);
+}
+
+double StackDynamic::gap() const { return scene_.bearing.lateral_capacity() - travel().head<2>().norm(); }
+
+double StackDynamic::surface_gap() const {
+  const double exact = with_rim_ ? state_.reports[StackSystem::rim].smallest_gap : gap();
+  return std::isfinite(exact) && touched_ ? exact : gap();
+}
+
+double StackDynamic::closing_speed() const {
+  const Eigen::Vector2d u = travel().head<2>(), v = active().top_of(state_.v).head<2>();
+  return u.norm() > 0 ? v.dot(u.normalized()) : 0;
+}
+
+bool StackDynamic::touching() const {
+  if (!with_rim_) return false;
+  const auto &wall = state_.reports[StackSystem::rim];
+  return wall.stick + wall.slip > 0;
+}
+
+void StackDynamic::write_fields() { recorder_.write_fields(t_, active(), state_, displacements()); }
+
+std::map<std::string, double> StackDynamic::time_split() const {
+  auto result = alone_.time_split;
+  for (const auto &[name, seconds] : joined_.time_split) result[name] += seconds;
+  return result;
+}
+
+void run_stack_dynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record) {
+  StackDynamic dynamic(scene, plan, options, record);
+  try {
+    dynamic.run();
+  } catch (...) {
+    record.time_split = dynamic.time_split();
+    throw;
+  }
+  record.time_split = dynamic.time_split();
+}
+
+} // namespace rimpact::fe

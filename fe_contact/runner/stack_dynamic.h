@@ -1,0 +1,64 @@
+/// The dynamic run of rung R2: the stack slides on the exact dish; while the rim may be touched its solids join.
+/// Private to the runner; see stack_run.h.
+#pragma once
+#include "fe_contact/runner/stack_drive.h"
+#include "fe_contact/runner/stack_recorder.h"
+#include "fe_contact/runner/stack_transfer.h"
+
+namespace rimpact::fe {
+
+class StackDynamic {
+public:
+  StackDynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record);
+  void run();
+  std::map<std::string, double> time_split() const;
+
+private:
+  double end_time() const { return scene_.excitation.duration; }
+  StackSystem &active() { return with_rim_ ? joined_ : alone_; }
+  const StackSystem &active() const { return with_rim_ ? joined_ : alone_; }
+  Eigen::VectorXd displacements() const; ///< by dof, the held rim's shape included
+  Eigen::Vector3d travel() const;        ///< of the top face from rest on the vertex [m]
+  double gap() const;                    ///< left of the lateral capacity [m]
+  double surface_gap() const;            ///< of the walls [m]
+  double closing_speed() const;          ///< towards the rim [m/s]
+  bool touching() const;
+
+  void start();
+  /// Quasi-static slide to just short of the rim, then the speed of a window's impact.
+  void slide_out();
+  void march_on();
+  Attempt attempt(double t, double dt);
+  /// Length of a step that would overshoot the rim's joining or the touch; 0: none.
+  double clipped(double dt) const;
+  void after_step(double t, double dt, const ContactStepReport &step);
+  void account();
+  void follow_impact(double t, double dt);
+  void check_sector() const; ///< throws SolverStopped where no rim is meshed
+  void join();
+  void part();
+  Eigen::VectorXd load(double t) const;
+  void write_fields();
+  void save() const;
+  void restore();
+
+  const scene::Scene &scene_;
+  const Plan &plan_;
+  const RunOptions &options_;
+  RunRecord &record_;
+  StackModel model_;
+  StackSystem alone_;
+  StackSystem joined_;
+  StackRecorder recorder_;
+  scene::GroundMotion ground_;
+  TransientOptions transient_;
+  SystemState state_;
+  TransientReport report_;  ///< its ledger: of the model, without the held rim
+  HeldRim held_;
+  bool with_rim_ = false, touched_ = false, peak_written_ = false;
+  double t_ = 0, next_step_ = 0, rest_height_ = 0, rest_elastic_ = 0;
+  double external_before_ = 0, height_before_ = 0, closing_before_ = 0;
+  scene::Impact impact_{};
+};
+
+} // namespace rimpact::fe

@@ -1,0 +1,108 @@
+// Plans of rung R2.
+#include "fe_contact/runner/plan_parts.h"
+
+#include "reduced_models/physical_model.h"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::fe {
+namespace {
+
+/// Measured (docs/measured.md): the stack; what a meshed sector of the rim adds while it takes part.
+constexpr MeshCost stack[3] = {{18900, 0.25, 0.7e9}, {59000, 1.2, 2.0e9}, {167000, 6.0, 6.5e9}};
+constexpr MeshCost sector[3] = {{7000, 0.12, 0.3e9}, {24000, 0.6, 0.8e9}, {70000, 3.0, 2.5e9}};
+
+void add_cost(Plan &plan, double iterations, double iterations_with_rim, int sectors) {
+  constexpr double whole_over_half = 3;
+  const MeshCost &own = stack[plan.mesh - 1], &rim = sector[plan.mesh - 1];
+  plan.expected_dofs = (own.dofs + sectors * rim.dofs) * (plan.half ? 1 : 2);
+  plan.expected_memory_bytes = (own.memory + sectors * rim.memory) * (plan.half ? 1 : 2.3);
+  plan.expected_seconds = 5 + ((iterations + iterations_with_rim) * own.seconds_per_iteration +
+                               iterations_with_rim * sectors * rim.seconds_per_iteration) *
+                                  (plan.half ? 1 : whole_over_half);
+}
+
+bool moves_along_x(const scene::Excitation &e) {
+  if (e.kind == scene::ExcitationKind::record)
+    return std::all_of(e.y.values.begin(), e.y.values.end(), [](double a) { return a == 0; });
+  return std::abs(e.direction().y()) < 1e-12;
+}
+
+/// Where the rim is to be meshed, and what the scout saw of it.
+void scout_stack(Plan &plan, scene::Scene scene) {
+  scene.reduced.finite_pad = scene.reduced.socket_friction = true;
+  if (scene.reduced.k_i == 0) scene.reduced.k_i = scene::ReducedSettings{}.k_i; // a scout must feel the rim
+  const auto run = reduced::simulate(scene);
+  add_impacts(plan, run.summary, run.response);
+  const auto &x = run.response.series("displacement_x"), &y = run.response.series("displacement_y");
+  Eigen::Vector2d farthest = Eigen::Vector2d::UnitX() * 1e-12;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (std::hypot(x[k], y[k]) > farthest.norm()) farthest = {x[k], y[k]};
+  const Eigen::Vector2d first =
+      plan.impacts.empty() ? farthest
+                           : Eigen::Vector2d(std::cos(plan.impacts[0].direction_deg * M_PI / 180),
+                                             std::sin(plan.impacts[0].direction_deg * M_PI / 180));
+  plan.sector_direction = plan.half ? (first.x() < 0 ? M_PI : 0.0) : std::atan2(first.y(), first.x());
+  const double capacity = scene.bearing.lateral_capacity(), margin = 0.02; // a pass this near is meshed [m]
+  const Eigen::Vector2d way(std::cos(plan.sector_direction), std::sin(plan.sector_direction));
+  double opposite = 0;
+  for (std::size_t k = 0; k < x.size(); ++k)
+    if (way.dot(Eigen::Vector2d(x[k], y[k])) < 0) opposite = std::max(opposite, std::hypot(x[k], y[k]));
+  plan.opposite_sector = opposite > capacity - margin;
+  plan.closest_gap = capacity - farthest.norm();
+  plan.rim_takes_part = plan.closest_gap < 0.005;
+}
+
+} // namespace
+
+Plan stack_path_plan(const scene::Scene &scene) {
+  constexpr double steps_a_cycle = 170, iterations_a_step = 5;
+  Plan plan;
+  plan.rung = "rigid-dish";
+  plan.moves_in_time = false;
+  plan.mesh = scene.model.mesh;
+  const auto &e = scene.excitation;
+  const bool cyclic = e.kind == scene::ExcitationKind::cyclic;
+  plan.half = cyclic && moves_along_x(e) && scene.model.symmetry != "whole";
+  const double capacity = scene.bearing.lateral_capacity();
+  double travel = 0;
+  for (int k = 0; k <= 1000; ++k)
+    travel = std::max(travel, scene::prescribed_displacement(e, capacity, 1e-3 * k).norm());
+  plan.closest_gap = capacity - travel;
+  plan.rim_takes_part = plan.closest_gap <= 0;
+  plan.expected_steps = std::lround(steps_a_cycle * (cyclic ? e.cycles : 1.0));
+  add_cost(plan, plan.expected_steps * iterations_a_step, 0, 0);
+  add_pad_note(plan, scene);
+  if (plan.rim_takes_part)
+    plan.notes.push_back(fmt::format("the path reaches the rim ({:.1f} mm past L_c), which this rung does not mesh in "
+                                     "a quasi-static scene: `run` refuses; try --rung rim and a push",
+                                     -1e3 * plan.closest_gap));
+  return plan;
+}
+
+Plan stack_motion_plan(const scene::Scene &scene) {
+  constexpr double step_in_flight = 0.008, iterations_a_step = 4, contact_time = 0.06, steps_out = 45;
+  Plan plan;
+  plan.rung = "rigid-dish";
+  plan.mesh = scene.model.mesh;
+  if (scene.model.step > 0) plan.step_in_contact = scene.model.step;
+  const auto &e = scene.excitation;
+  plan.half = moves_along_x(e) && scene.model.symmetry != "whole";
+  double flight = e.duration / step_in_flight;
+  int impacts = 1;
+  if (e.kind == scene::ExcitationKind::window) {
+    plan.impacts.push_back({0.0, e.direction_deg, e.impact_speed(), 0.0});
+    plan.sector_direction = std::atan2(e.direction().y(), e.direction().x());
+    flight += steps_out;
+  } else {
+    scout_stack(plan, scene);
+    impacts = plan.impacts.size();
+  }
+  const double contact = 2 * impacts * contact_time / plan.step_in_contact;
+  plan.expected_steps = std::lround(flight + contact);
+  add_cost(plan, flight * iterations_a_step, contact * iterations_a_step, plan.opposite_sector ? 2 : 1);
+  add_pad_note(plan, scene);
+  return plan;
+}
+
+} // namespace rimpact::fe
