@@ -55,6 +55,7 @@ struct TransientOptions {
   double smallest_step;            ///< [s]
   double contact_step;             ///< first step after a predicted touch [s]
   double energy_tolerance = 1e-4;  ///< unaccounted energy of a step over the largest; beyond it the step is cut
+  double gain_tolerance = 1e-4;    ///< likewise, what the integrator adds (it takes, on the whole)
 };
 
 struct TransientReport {

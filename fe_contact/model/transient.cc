@@ -65,7 +65,8 @@ Attempt checked_step(ContactSystem &system, SystemState &state, double t, double
   const double largest =
       std::max({ledger.largest, std::abs(ledger.initial + ledger.external + external), kinetic, 1e-300});
   // A loss is the integrator's damping of waves the step cannot resolve; a gain is an error.
-  const double error = (std::abs(unbalanced) + std::max(0.0, -step.integrator_loss)) / (options.energy_tolerance * largest);
+  const double error = std::abs(unbalanced) / (options.energy_tolerance * largest) +
+                       std::max(0.0, -step.integrator_loss) / (options.gain_tolerance * largest);
   // Halving buys a factor of about eight; at the smallest step the step is taken and the ledger shows it.
   if (error > 1 && dt > 1.001 * options.smallest_step) {
     state = kept;
