@@ -1,0 +1,100 @@
+// Rung R2's plans, and the hand-over of a state when the rim joins and leaves.
+#include "fe_contact/runner/plan.h"
+#include "fe_contact/runner/stack_transfer.h"
+#include <gtest/gtest.h>
+
+namespace rimpact::fe {
+namespace {
+
+Plan plan_of(const std::string &scene, std::vector<std::string> settings = {}) {
+  settings.push_back("model.rung=\"rigid-dish\"");
+  return make_plan(scene::load_scene(scene, settings));
+}
+
+TEST(StackPlan, AWindowAlongXTakesTheHalfAndMeshesTheRimItMeets) {
+  const std::vector<std::string> weight{"excitation.with=[\"weight\",\"friction\"]"};
+  EXPECT_TRUE(plan_of("impact-window", weight).half);
+  EXPECT_EQ(plan_of("impact-window", weight).sector_direction, 0);
+  const Plan aslant = plan_of("impact-window", {weight[0], "excitation.direction_deg=30"});
+  EXPECT_FALSE(aslant.half);
+  EXPECT_NEAR(aslant.sector_direction, M_PI / 6, 1e-12);
+  EXPECT_EQ(aslant.impacts.size(), 1u);
+}
+
+TEST(StackPlan, APulseMeshesTheSideTheScoutTouchesAndTheOtherOnlyWhenItComesNear) {
+  const Plan plain = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05"});
+  ASSERT_FALSE(plain.impacts.empty());
+  EXPECT_NEAR(std::cos(plain.sector_direction), std::cos(plain.impacts[0].direction_deg * M_PI / 180), 1e-9);
+  const Plan turned = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05", "excitation.direction_deg=180"});
+  EXPECT_NEAR(std::abs(std::remainder(turned.sector_direction - plain.sector_direction, 2 * M_PI)), M_PI, 1e-9);
+  EXPECT_TRUE(plan_of("ricker-0.78g-1.0s", {"excitation.scale=2.0"}).opposite_sector);
+}
+
+TEST(StackPlan, RefusesWhatWouldFloatAndWhatItDoesNotHave) {
+  const auto why = [](const std::string &scene, std::vector<std::string> settings = {}) {
+    settings.push_back("model.rung=\"rigid-dish\"");
+    return refusal(scene::load_scene(scene, settings)).value_or("");
+  };
+  EXPECT_NE(why("impact-window").find("excitation.with"), std::string::npos);
+  EXPECT_NE(why("rim-push").find("push"), std::string::npos);
+  EXPECT_EQ(why("ricker-0.38g-1.5s"), "");
+}
+
+class StackTransfer : public testing::Test {
+protected:
+  StackTransfer() : model_(scene::Bearing{}, options()), alone_(model_, false), joined_(model_, true) {
+    alone_.carry(80e3);
+    joined_.carry(80e3);
+  }
+  static meshes::StackMeshOptions options() {
+    meshes::StackMeshOptions result;
+    result.rim = true;
+    return result;
+  }
+  /// Smooth and small, so that no cell turns inside out.
+  static Eigen::VectorXd wave(int n, double size) {
+    Eigen::VectorXd v(n);
+    for (int i = 0; i < n; ++i) v[i] = size * std::sin(0.001 * i);
+    return v;
+  }
+  StackModel model_;
+  StackSystem alone_, joined_;
+};
+
+TEST_F(StackTransfer, TheRimIsHeldWithoutItsEquationsAndKeepsItsShape) {
+  EXPECT_LT(alone_.equations().n, joined_.equations().n - 2000);
+  SystemState together = joined_.at_rest();
+  const Eigen::VectorXd u = wave(joined_.equations().n, 1e-6), v = wave(joined_.equations().n, 0.1);
+  together.u = u;
+  together.v = v;
+  together.history[joined_.space().n_cells * 27 - 1].alpha = 0.02;
+  together.energies = {50.0, 7.0};
+  HeldRim held;
+  const SystemState apart = parted_state(model_, joined_, together, alone_, held);
+  // Energies split without loss, motion of the rim is gone.
+  EXPECT_GT(held.energies.elastic, 0);
+  EXPECT_DOUBLE_EQ(apart.energies.elastic + held.energies.elastic, 50.0);
+  EXPECT_DOUBLE_EQ(apart.energies.plastic + held.energies.plastic, 7.0);
+  EXPECT_LT(alone_.kinetic_energy(apart), joined_.kinetic_energy(together));
+  EXPECT_EQ(alone_.top_of(apart.u), joined_.top_of(u));
+  // And back: the same displacements everywhere, the rim at rest.
+  const SystemState again = joined_state(model_, alone_, apart, held, joined_);
+  EXPECT_LT((again.u - u).norm(), 1e-14 * u.norm());
+  EXPECT_DOUBLE_EQ(joined_.kinetic_energy(again), alone_.kinetic_energy(apart));
+  EXPECT_EQ(again.history[joined_.space().n_cells * 27 - 1].alpha, 0.02);
+  EXPECT_NEAR(again.energies.elastic, 50.0, 1e-12);
+}
+
+TEST_F(StackTransfer, TheCarriedMassIsTheWholeOfIt) {
+  SystemState state = alone_.at_rest();
+  state.v.setZero();
+  for (int i = 0; i < 3; ++i)
+    if (alone_.top(i) >= 0) EXPECT_GE(alone_.top(i), 0);
+  for (std::size_t dof = 0; dof < alone_.equations().of_dof.size(); dof += 3)
+    if (const int equation = alone_.equations().of_dof[dof]; equation >= 0) state.v[equation] = 1.0;
+  EXPECT_NEAR(2 * model_.share() * alone_.kinetic_energy(state), 80e3 + model_.own_mass(), 0.5);
+  EXPECT_NEAR(model_.own_mass(), 35, 15);
+}
+
+} // namespace
+} // namespace rimpact::fe
