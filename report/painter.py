@@ -53,6 +53,12 @@ def view(azimuth, elevation):
     return np.array([right, np.cross(towards, right), towards])
 
 
+def turned(vectors, angle):
+    """As seen in axes that stand at `angle` [rad] about z."""
+    c, s = np.cos(angle), np.sin(angle)
+    return np.column_stack([c * vectors[:, 0] + s * vectors[:, 1], c * vectors[:, 1] - s * vectors[:, 0], vectors[:, 2]])
+
+
 def normals(quads):
     """Unit normals of (n, 4, 3) faces, from their diagonals."""
     n = np.cross(quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1])

@@ -12,7 +12,7 @@ from matplotlib.colors import LinearSegmentedColormap, Normalize
 
 from . import vtu
 from .errors import DataError, run_main
-from .painter import bodies, boundary_faces, merged, paint, view
+from .painter import bodies, boundary_faces, merged, paint, turned, view
 from .style import MUTED, plt, save
 
 STRAIN = LinearSegmentedColormap.from_list("strain", ["#e6ebf0", "#f7d794", "#ef8f3f", "#bb372f", "#4a0d3a"])
@@ -33,19 +33,32 @@ class Deformed:
                           for b in range(body.max() + 1)])
         slider = (reach < 0.999 * reach.max())[body]  # plate and rim reach farthest from the axis
         moved = grid.point_data["displacement"].astype(float)
+        angle = _direction(grid, body, slider)
+        points, moved = turned(grid.points, angle), turned(moved, angle)
         on_slider = np.zeros(len(grid.points), bool)
         on_slider[grid.hexahedra[slider].ravel()] = True
         rigid = np.where(on_slider[:, None], moved[on_slider].mean(axis=0) if on_slider.any() else 0.0, 0.0)
         local = moved - rigid
-        self.scale = scale or _nice(DRAWN_SHARE * np.ptp(grid.points, axis=0).max() / max(np.abs(local).max(), 1e-12))
+        self.scale = scale or _nice(DRAWN_SHARE * np.ptp(points, axis=0).max() / max(np.abs(local).max(), 1e-12))
         corners, cell = boundary_faces(grid.hexahedra, place)
-        self.quads = (grid.points + rigid + self.scale * local)[corners]
-        self.true_quads = (grid.points + moved)[corners]
+        self.quads = (points + rigid + self.scale * local)[corners]
+        self.true_quads = (points + moved)[corners]
         self.strain = _strain(grid, corners, cell)
         self.on_slider = slider[cell]
-        y = grid.points[corners][:, :, 1]
-        self.half = grid.points[:, 1].min() > -1e-6
+        y = points[corners][:, :, 1]
+        self.half = points[:, 1].min() > -1e-6
         self.on_cut = self.half & np.all(np.abs(y) < 1e-6, axis=1)
+
+
+def _direction(grid, body, slider):
+    """Of the most strained sector of the rim [rad]; a half model's is 0 or pi."""
+    strain = _strain(grid, grid.hexahedra, np.arange(len(body))).max(axis=1)
+    sectors = np.unique(body[~slider])
+    hardest = max(sectors, key=lambda b: strain[body == b].max()) if len(sectors) else -1
+    x, y = grid.points[grid.hexahedra[body == hardest].ravel(), :2].mean(axis=0) if len(sectors) else (1.0, 0.0)
+    if min(abs(grid.points[:, 1].min()), abs(grid.points[:, 1].max())) < 1e-6:
+        return 0.0 if x > 0 else np.pi
+    return float(np.arctan2(y, x))
 
 
 def largest_strain(grid):

@@ -1,6 +1,7 @@
 #include "fe_contact/runner/stack_dynamic.h"
 
 #include "fe_contact/runner/stack_run.h"
+#include "reduced_models/physical_model.h"
 #include "scene/error.h"
 #include <algorithm>
 #include <cmath>
@@ -21,6 +22,21 @@ meshes::StackMeshOptions mesh_options(const scene::Scene &scene, const Plan &pla
 
 bool has_friction(const scene::Scene &scene) {
   return scene.excitation.kind != scene::ExcitationKind::window || scene.excitation.with_friction;
+}
+
+/// Of the mass as it comes to the rim at a window's speed, by the reduced model [m/s^2].
+Eigen::Vector3d arriving_acceleration(const scene::Scene &scene) {
+  const reduced::PhysicalModel model(scene);
+  reduced::BearingState state;
+  const Eigen::Vector2d direction = scene.excitation.direction();
+  const scene::SurfacePoint surface =
+      model.height(scene.bearing.lateral_capacity() * direction.x(), scene.bearing.lateral_capacity() * direction.y());
+  state.u << scene.bearing.lateral_capacity() * direction, surface.z;
+  state.v << scene.excitation.impact_speed() * direction, 0;
+  state.v.z() = surface.gradient.dot(state.v.head<2>());
+  const reduced::BearingForces forces = model.forces(state);
+  return (forces.pendular + forces.friction) / scene.load.mass -
+         scene.load.vertical / scene.load.mass * Eigen::Vector3d::UnitZ();
 }
 
 } // namespace
@@ -72,8 +88,9 @@ void StackDynamic::start() {
 
 void StackDynamic::slide_out() {
   constexpr double longest = 0.01, last = 2e-4; // steps [m]
-  const Eigen::VectorXd load = alone_.dead_load(scene_.load.vertical);
   const Eigen::Vector2d direction = scene_.excitation.direction();
+  // As if it came sliding at its speed: the dish carries the weight less what the path's curve takes off.
+  const Eigen::VectorXd load = alone_.dead_load(scene_.load.vertical + scene_.load.mass * arriving_acceleration(scene_).z());
   const double end = scene_.bearing.lateral_capacity() - first_gap;
   TopDrive drive;
   const auto go = [&](double from, double step) {

@@ -1,4 +1,8 @@
 """What several sections say in the same way: names of runs and roles, errors against FE, states of runs."""
+import glob
+import os
+import re
+
 from ..blocks import note
 from ..numbers import is_number
 
@@ -30,6 +34,12 @@ def _is_float(text):
     except ValueError:
         return False
     return True
+
+
+def field_files(run):
+    """VTU files of a run in order of their numbers."""
+    files = glob.glob(os.path.join(glob.escape(run.folder), "fields", "*.vtu"))
+    return sorted(files, key=lambda path: [int(n) for n in re.findall(r"\d+", os.path.basename(path))])
 
 
 def impact_peak(run):

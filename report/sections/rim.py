@@ -1,11 +1,9 @@
 """The deformed rim, coloured by plastic strain: a picture the FE run left, or one drawn from its last VTU file."""
-import glob
 import os
-import re
 
 from .. import rim_picture, vtu
 from ..blocks import Section, heading, note
-from .common import title_of
+from .common import field_files, title_of
 
 READY = ("fields/deformed.png", "rim.png", "fields/rim.png", "deformed.png")
 LATEST = 8  # fields looked at, each touched arc of the rim writes its own
@@ -13,7 +11,7 @@ MOST = 4  # pictures; drawing one takes about a second
 
 
 def make(context):
-    runs = [(entry, entry.fe) for entry in context.results.entries if entry.fe is not None and entry.fe.rung != "reduced"]
+    runs = [(entry, entry.fe) for entry in context.results.entries if _meets_the_rim(entry.fe)]
     if not runs and context.results.single:
         return None
     section = Section("rim", "The deformed rim")
@@ -30,9 +28,13 @@ def make(context):
     return section
 
 
+def _meets_the_rim(run):
+    return run is not None and run.rung != "reduced" and (run.rung == "rim" or bool(run.impacts))
+
+
 def _most_strained(runs):
     """Histories first, then windows; within each the hardest."""
-    with_fields = [(entry, run) for entry, run in runs if _ready(run) or _files(run)]
+    with_fields = [(entry, run) for entry, run in runs if _ready(run) or field_files(run)]
     with_fields.sort(key=lambda pair: (pair[0].role == "window", -(pair[1].summary.get("max_plastic_strain") or 0.0)))
     histories = [pair for pair in with_fields if pair[0].role != "window"]
     windows = [pair for pair in with_fields if pair[0].role == "window"]
@@ -43,14 +45,8 @@ def _ready(run):
     return next((path for path in (os.path.join(run.folder, name) for name in READY) if os.path.isfile(path)), None)
 
 
-def _files(run):
-    """VTU files in order of their numbers."""
-    files = glob.glob(os.path.join(glob.escape(run.folder), "fields", "*.vtu"))
-    return sorted(files, key=lambda path: [int(n) for n in re.findall(r"\d+", os.path.basename(path))])
-
-
 def _picture(context, entry, run):
-    files = _files(run)
+    files = field_files(run)
     if not files:
         return context.pictures.existing(_ready(run), "As the finite-element run left it.")
     return context.pictures.figure(f"rim-{entry.name}", "The most strained of the stored fields.", _draw, files[-LATEST:])

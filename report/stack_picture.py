@@ -1,0 +1,119 @@
+"""python3 -m report.stack_picture FILE.vtu OUT.png: the deformed bearing of rung rigid-dish, in true scale.
+
+Left: the cut through the axis in the direction of travel, coloured by von Mises stress. Right: the pressure under
+the pad, seen from above, its axes fixed to the pad. A half model is mirrored where the picture needs the whole."""
+import argparse
+
+import numpy as np
+from matplotlib.cm import ScalarMappable
+from matplotlib.collections import PolyCollection
+from matplotlib.colors import LinearSegmentedColormap, Normalize
+
+from . import vtu
+from .errors import DataError, run_main
+from .painter import FACES, boundary_faces, merged, normals, turned
+from .style import MUTED, plt, save
+
+STRESS = LinearSegmentedColormap.from_list("stress", ["#eef2f5", "#b7cfe0", "#5b9bc4", "#1f5f94", "#0a2342"])
+PRESSURE = LinearSegmentedColormap.from_list("pressure", ["#f4f6f8", "#f7d794", "#ef8f3f", "#bb372f", "#4a0d3a"])
+PAD_REACH, PAD_DEPTH = 0.12, 0.012  # the sliding face lies within this radius and height of the vertex [m]
+
+
+def travel_angle(grid):
+    """Direction in which the bearing has moved [rad]; 0 while it is at rest."""
+    moved = grid.point_data["displacement"]
+    slider = grid.points[:, 2] > grid.points[:, 2].max() - 1e-6
+    x, y = moved[slider].mean(axis=0)[:2]
+    return float(np.arctan2(y, x)) if np.hypot(x, y) > 1e-4 else 0.0
+
+
+class Stack:
+    """The model turned so that it has moved towards +x."""
+
+    def __init__(self, grid):
+        for name in ("displacement", "contact_pressure_MPa", "von_mises_MPa"):
+            if name not in grid.point_data:
+                raise DataError(f"the VTU file holds no field `{name}`")
+        angle = travel_angle(grid)
+        self.cells = grid.hexahedra
+        self.stress = grid.point_data["von_mises_MPa"][self.cells].mean(axis=1)  # a cell's value stands at its corners
+        self.points = turned(grid.points, angle)
+        self.moved = self.points + turned(grid.point_data["displacement"].astype(float), angle)
+        self.pressure = grid.point_data["contact_pressure_MPa"].astype(float)
+        self.half = self.points[:, 1].min() > -1e-6 or self.points[:, 1].max() < 1e-6
+        self.place = merged(self.points)
+
+    def cut(self):
+        """Quadrilaterals (x, z) [mm] of the faces on the plane y = 0, and the stress of their cells."""
+        faces = self.cells[:, FACES].reshape(-1, 4)
+        on = np.all(np.abs(self.points[faces][:, :, 1]) < 1e-6, axis=1)
+        cell = np.repeat(np.arange(len(self.cells)), 6)[on]
+        return 1e3 * self.moved[faces[on]][:, :, [0, 2]], self.stress[cell]
+
+    def pad(self):
+        """Quadrilaterals (x, y) [mm] of the sliding face about its own middle, and the pressure at their corners."""
+        corners, _ = boundary_faces(self.cells, self.place)
+        quads = self.points[corners]
+        sliding = ((np.hypot(*quads[:, :, :2].reshape(-1, 2).T).reshape(-1, 4).max(axis=1) < PAD_REACH)
+                   & (quads[:, :, 2].max(axis=1) < PAD_DEPTH) & (normals(quads)[:, 2] < -0.7))
+        flat, values = 1e3 * quads[sliding][:, :, :2], self.pressure[corners[sliding]]
+        if self.half and len(flat):
+            flat, values = np.concatenate([flat, flat * [1, -1]]), np.concatenate([values, values])
+        return flat, values
+
+
+def draw(grid, path, dish=None):
+    """Writes the picture. `dish`: (x, z) [m] of the sliding surface along the cut, drawn as a line."""
+    stack = Stack(grid)
+    fig, (left, right) = plt.subplots(1, 2, figsize=(7.2, 2.9), layout="constrained",
+                                      gridspec_kw={"width_ratios": [2.1, 1.0]})
+    _draw_cut(fig, left, stack, dish)
+    _draw_pad(fig, right, stack)
+    return save(fig, path)
+
+
+def _draw_cut(fig, ax, stack, dish):
+    quads, stress = stack.cut()
+    norm = Normalize(0.0, max(np.percentile(stress, 99.0), 1e-3) if len(stress) else 1.0)
+    ax.add_collection(PolyCollection(quads, facecolors=STRESS(norm(stress)), edgecolors=(0.1, 0.15, 0.2, 0.5),
+                                     linewidths=0.3))
+    if dish is not None:
+        ax.plot(1e3 * dish[0], 1e3 * dish[1], color=MUTED, lw=1.2)
+    corners = quads.reshape(-1, 2)
+    ax.set_xlim(corners[:, 0].min() - 15, corners[:, 0].max() + 15)
+    ax.set_ylim(min(corners[:, 1].min(), 0) - 10, corners[:, 1].max() + 10)
+    ax.set_aspect("equal", adjustable="box")
+    ax.grid(False)
+    ax.set(title="Cut along the travel, true scale", xlabel="along the travel (mm)", ylabel="z (mm)")
+    bar = fig.colorbar(ScalarMappable(norm, STRESS), ax=ax, orientation="horizontal", shrink=0.6, aspect=35, extend="max")
+    bar.set_label("von Mises stress (MPa), mean of a cell")
+    bar.outline.set_visible(False)
+
+
+def _draw_pad(fig, ax, stack):
+    quads, pressure = stack.pad()
+    if not len(quads):
+        ax.axis("off")
+        return
+    norm = Normalize(0.0, max(pressure.max(), 1e-3))
+    ax.add_collection(PolyCollection(quads, facecolors=PRESSURE(norm(pressure.mean(axis=1))),
+                                     edgecolors=(0.1, 0.15, 0.2, 0.35), linewidths=0.3))
+    reach = 1.05 * np.abs(quads).max()
+    ax.set(xlim=(-reach, reach), ylim=(-reach, reach), xlabel="along the travel (mm)", title="Pressure under the pad")
+    ax.set_aspect("equal", adjustable="box")
+    ax.grid(False)
+    bar = fig.colorbar(ScalarMappable(norm, PRESSURE), ax=ax, orientation="horizontal", shrink=0.9, aspect=22)
+    bar.set_label(f"MPa, largest {pressure.max():.0f}")
+    bar.outline.set_visible(False)
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(prog="report.stack_picture", description=__doc__.splitlines()[0])
+    parser.add_argument("vtu")
+    parser.add_argument("png")
+    options = parser.parse_args(arguments)
+    draw(vtu.read(options.vtu), options.png)
+
+
+if __name__ == "__main__":
+    run_main(main)
