@@ -1,60 +1,14 @@
 #include "meshes/rim_mesh.h"
 
 #include "meshes/mirror.h"
+#include "meshes/plate_section.h"
 #include "meshes/slider_section.h"
 #include <algorithm>
 #include <cmath>
 
 namespace rimpact::meshes {
 namespace {
-
 constexpr double mm = 1e-3;
-
-/// Section of plate and rim in (r, z). Sizes [mm] at level 1 are what the refinement study of docs/ settled.
-std::vector<Quad9> plate_and_rim(const scene::Bearing &bearing, const RimMeshOptions &options, double h) {
-  const auto surface = scene::make_surface(bearing.surface);
-  const auto dish = [&](double r) { return surface->at(r, 0).z; };
-  const double edge = bearing.surface.planar_radius, wall = edge + bearing.rim.ledge,
-               outer = wall + bearing.rim.thickness;
-  const double z0 = dish(edge), top = z0 + bearing.rim.height, base = -bearing.plate.base;
-  const double bite = bearing.slider.bottom + scene::lift(bearing, bearing.lateral_capacity());
-
-  std::vector<Anchor> radii{{options.plate_inner_radius, 60 * mm * h}, {edge, 40 * mm * h}};
-  if (bearing.rim.ledge > 0) radii.push_back({wall, 12 * mm * h});
-  radii.back().size = 10 * mm * h;
-  radii.push_back({outer, 20 * mm * h});
-  const std::vector<double> r = graded_lines(radii);
-  std::vector<double> z = graded_lines({{base, 100 * mm * h}, {z0, 60 * mm * h}});
-  const std::vector<double> above_dish =
-      graded_lines({{z0, 9 * mm * h}, {bite, 5 * mm * h}, {top, 22 * mm * h}});
-  z.insert(z.end(), above_dish.begin() + 1, above_dish.end());
-
-  // Below the dish the horizontal lines follow its surface.
-  const auto point = [&](double radius, double height) -> Point2 {
-    if (radius >= edge || height > z0) return {radius, height};
-    const double share = (height - base) / (z0 - base);
-    return {radius, base + share * (dish(radius) - base)};
-  };
-  std::vector<Quad9> section;
-  for (std::size_t i = 0; i + 1 < r.size(); ++i)
-    for (std::size_t j = 0; j + 1 < z.size(); ++j) {
-      const bool above = z[j] >= z0 - 1e-12;
-      if (above && r[i] < wall - 1e-12) continue;
-      Quad9 quad = straight_quad(point(r[i], z[j]), point(r[i + 1], z[j]), point(r[i + 1], z[j + 1]),
-                                 point(r[i], z[j + 1]), above ? Volume::rim : Volume::plate);
-      const double middle = 0.5 * (r[i] + r[i + 1]);
-      quad.nodes[1] = point(middle, z[j]);
-      quad.nodes[7] = point(middle, z[j + 1]);
-      centre(quad);
-      if (j == 0) quad.groups[2] = Surface::fixed;
-      if (i == 0) quad.groups[0] = Surface::sector_end;
-      if (above && std::abs(r[i] - wall) < 1e-12) quad.groups[0] = Surface::rim_wall;
-      if (r[i + 1] <= edge + 1e-12 && std::abs(z[j + 1] - z0) < 1e-12) quad.groups[3] = Surface::dish;
-      section.push_back(quad);
-    }
-  return section;
-}
-
 } // namespace
 
 void add_rim(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions &options) {
@@ -66,7 +20,7 @@ void add_rim(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions 
     std::reverse(angles.begin(), angles.end());
     for (double &angle : angles) angle = M_PI - angle;
   }
-  Body(mesh).revolve(plate_and_rim(bearing, options, h), angles, 0.0,
+  Body(mesh).revolve(plate_and_rim(bearing, {options.plate_inner_radius, 60 * mm * h, plate_layers(bearing, h)}, h), angles, 0.0,
                      options.opposite ? Surface::sector_end : Surface::symmetry,
                      options.opposite ? Surface::symmetry : Surface::sector_end);
 }

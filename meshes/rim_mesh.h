@@ -22,6 +22,8 @@ inline const std::vector<Surface> rim_groups{Surface::rim_wall, Surface::slider_
 inline double size_factor(int level) { return std::pow(1.5, -(level - 1)); }
 /// The half sector alone, added to a mesh.
 void add_rim(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions &options);
+/// The half y >= 0 of the whole plate with the same sector of the rim on it (rung R3); fine under the path along x.
+void add_whole_plate(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions &options, bool both_sides);
 /// Puts nodes that rounding moved off the plane of symmetry back on it.
 void flatten(HexMesh &mesh);
 

@@ -23,17 +23,20 @@ HexMesh stack_mesh(const scene::Bearing &bearing, const StackMeshOptions &option
   RimMeshOptions rim;
   rim.level = options.level;
   rim.sector_half_angle = options.sector_half_angle;
-  if (options.rim) add_rim(mesh, bearing, rim);
+  if (options.whole_plate)
+    add_whole_plate(mesh, bearing, rim, options.opposite_rim);
+  else if (options.rim)
+    add_rim(mesh, bearing, rim);
   rim.opposite = true;
-  if (options.opposite_rim) add_rim(mesh, bearing, rim);
+  if (options.opposite_rim && !options.whole_plate) add_rim(mesh, bearing, rim);
   flatten(mesh);
   HexMesh result = options.half ? mesh : mirrored(mesh);
   turn(result, options.direction);
   if (options.half) flatten(result);
   std::vector<Surface> required{Surface::pad_face, Surface::foot_cap, Surface::socket, Surface::slider_side, Surface::top};
-  const int sectors = options.rim + options.opposite_rim;
-  if (sectors > 0) required.insert(required.end(), rim_groups.begin(), rim_groups.end());
-  check(result, 2 + sectors, required);
+  const int plates = options.whole_plate ? 1 : options.rim + options.opposite_rim;
+  if (plates > 0) required.insert(required.end(), rim_groups.begin(), rim_groups.end());
+  check(result, 2 + plates, required);
   return result;
 }
 

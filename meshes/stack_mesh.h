@@ -12,6 +12,7 @@ struct StackMeshOptions {
   bool rim = false;      ///< a sector of rim and plate, its middle at `direction`
   bool opposite_rim = false; ///< and a second one on the other side
   double sector_half_angle = 1.0; ///< of each [rad]
+  bool whole_plate = false;       ///< the dish is meshed as well, from its middle (rung R3)
   double direction = 0;           ///< [rad]; a half model takes 0 or pi
 };
 /// Groups: pad_face, foot_cap, socket, slider_side, top, and with a rim those of rim_mesh. Pad and foot are one

@@ -87,7 +87,7 @@ void scout(Plan &plan, scene::Scene scene) {
 } // namespace
 
 Plan make_plan(const scene::Scene &scene) {
-  if (scene.model.rung == "rigid-dish" && scene.excitation.kind != scene::ExcitationKind::push)
+  if (scene.model.rung != "rim" && scene.excitation.kind != scene::ExcitationKind::push)
     return scene.excitation.is_dynamic() ? stack_motion_plan(scene) : stack_path_plan(scene);
   using Kind = scene::ExcitationKind;
   Plan plan;

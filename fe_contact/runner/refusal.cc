@@ -10,21 +10,19 @@ std::optional<std::string> refusal(const scene::Scene &scene) {
   const std::string rung = scene.model.rung, name = "excitation.kind '" + scene::to_string(kind) + "'";
   const bool on_the_dish = kind == Kind::cyclic || kind == Kind::figure_eight;
   const auto &contact = scene.bearing.contact;
-  if (rung != "rim" && rung != "rigid-dish")
-    return fmt::format("model.rung '{}' is not in this build; it has: rim, rigid-dish (and reduced, by `rimpact reduced`)", rung);
   if (rung == "rim" && on_the_dish)
     return name + " moves on the dish without touching the rim; rung `rim` has nothing to solve there: try --rung rigid-dish";
-  if (rung == "rigid-dish" && (kind == Kind::push || kind == Kind::free))
-    return name + " is not in this build's rung `rigid-dish`; it has: cyclic, figure-eight, ricker, record, window";
-  if (rung == "rigid-dish" && kind == Kind::window && !scene.excitation.with_weight)
-    return "a weightless window has nothing that holds the stack of rung `rigid-dish` on its dish: set excitation.with to "
+  if (rung != "rim" && (kind == Kind::push || kind == Kind::free))
+    return name + " is not in this build's rung `" + rung + "`; it has: cyclic, figure-eight, ricker, record, window";
+  if (rung != "rim" && kind == Kind::window && !scene.excitation.with_weight)
+    return "a weightless window has nothing that holds the stack on its dish: set excitation.with to "
            "[\"weight\", \"friction\"], or run it on rung `rim`";
-  if (rung == "rim" && contact.rim != 0) return fmt::format("contact.rim {} is not 0: the rim's walls are frictionless on rung `rim`; rung `rigid-dish` has the friction", contact.rim);
-  if (rung == "rigid-dish" && contact.pad_foot != "tied")
+  if (rung == "rim" && contact.rim != 0) return fmt::format("contact.rim {} is not 0: the rim's walls are frictionless on rung `rim`; rungs `rigid-dish` and `full` have the friction", contact.rim);
+  if (rung != "rim" && contact.pad_foot != "tied")
     return fmt::format("contact.pad_foot '{}' is not in this build; it has: tied", contact.pad_foot);
-  if (rung == "rigid-dish" && on_the_dish && make_plan(scene).rim_takes_part)
-    return fmt::format("excitation.amplitude_m {} carries the slider to the rim, L_c = {} m; a path of rung `rigid-dish` "
-                       "must stay below it",
+  if (rung != "rim" && on_the_dish && make_plan(scene).rim_takes_part)
+    return fmt::format("excitation.amplitude_m {} carries the slider to the rim, L_c = {} m; a quasi-static path must "
+                       "stay below it",
                        scene.excitation.amplitude * scene.excitation.scale, scene.bearing.lateral_capacity());
   return std::nullopt;
 }

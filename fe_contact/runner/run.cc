@@ -45,7 +45,7 @@ void check_supported(const scene::Scene &scene) {
 namespace {
 
 void run_rung(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record) {
-  if (scene.model.rung == "rigid-dish")
+  if (scene.model.rung != "rim")
     return (scene.excitation.is_dynamic() ? run_stack_dynamic : run_stack_static)(scene, plan, options, record);
   RimSolver solver(scene.bearing, rim_mesh_options(scene, plan), rim_solver_options(scene));
   record.n_dofs = solver.n_equations();

@@ -11,7 +11,7 @@ void StackDynamic::save() const {
   put(file, scene_, record_);
   put(file, state_);
   const auto &e = report_.ledger;
-  file.numbers["stack"] = {t_, next_step_, double(with_rim_), double(touched_), double(peak_written_), rest_height_,
+  file.numbers["stack"] = {t_, next_step_, double(near_rim_), double(touched_), double(peak_written_), rest_height_,
                            rest_elastic_, external_before_, height_before_, held_.energies.elastic,
                            held_.energies.plastic};
   file.numbers["model_ledger"] = {e.initial, e.external, e.kinetic, e.elastic, e.plastic, e.friction, e.contact,
@@ -26,7 +26,7 @@ void StackDynamic::restore() {
   const Checkpoint file = read_checkpoint(path);
   get(file, path, scene_, record_);
   const auto &s = numbers(file, "stack");
-  t_ = s[0], next_step_ = s[1], with_rim_ = s[2] != 0, touched_ = s[3] != 0, peak_written_ = s[4] != 0;
+  t_ = s[0], next_step_ = s[1], near_rim_ = s[2] != 0, touched_ = s[3] != 0, peak_written_ = s[4] != 0;
   rest_height_ = s[5], rest_elastic_ = s[6], external_before_ = s[7], height_before_ = s[8];
   held_.energies = {s[9], s[10]};
   if (file.numbers.count("held_rim")) held_.displacement = vector(numbers(file, "held_rim"));

@@ -17,7 +17,15 @@ constexpr double first_gap = 5e-5;           // a window starts here [m]
 constexpr int checkpoint_every = 25;
 
 meshes::StackMeshOptions mesh_options(const scene::Scene &scene, const Plan &plan) {
-  return {scene.model.mesh, plan.half, true, plan.opposite_sector, plan.sector_half_angle, plan.sector_direction};
+  meshes::StackMeshOptions mesh;
+  mesh.level = scene.model.mesh;
+  mesh.half = plan.half;
+  mesh.rim = true;
+  mesh.opposite_rim = plan.opposite_sector;
+  mesh.sector_half_angle = plan.sector_half_angle;
+  mesh.direction = plan.sector_direction;
+  mesh.whole_plate = plan.rung == "full";
+  return mesh;
 }
 
 bool has_friction(const scene::Scene &scene) {
@@ -63,26 +71,26 @@ void StackDynamic::run() {
   else
     start();
   while (t_ < end_time() - 1e-12) march_on();
-  if (with_rim_ && touched_) record_.impacts.push_back(impact_);
+  if (near_rim_ && touched_) record_.impacts.push_back(impact_);
   write_fields();
   save();
 }
 
 void StackDynamic::start() {
-  state_ = alone_.at_rest();
-  record_.n_newton += preload_stack(alone_, state_, alone_.dead_load(scene_.load.vertical), transient_.step);
-  rest_height_ = alone_.top_of(state_.u).z();
+  state_ = active().at_rest();
+  record_.n_newton += preload_stack(active(), state_, active().dead_load(scene_.load.vertical), transient_.step);
+  rest_height_ = active().top_of(state_.u).z();
   if (scene_.excitation.kind == scene::ExcitationKind::window) slide_out();
   rest_elastic_ = model_.share() * state_.energies.elastic;
   height_before_ = travel().z();
   auto &ledger = report_.ledger;
-  ledger.kinetic = alone_.kinetic_energy(state_);
+  ledger.kinetic = active().kinetic_energy(state_);
   ledger.elastic = state_.energies.elastic;
   ledger.plastic = state_.energies.plastic;
   ledger.initial = ledger.largest = ledger.kinetic + ledger.elastic + ledger.plastic;
   record_.ledger.initial = record_.ledger.kinetic = record_.ledger.largest_input = model_.share() * ledger.kinetic;
   next_step_ = transient_.smallest_step;
-  recorder_.sample(0, travel(), alone_.top_of(state_.v), state_, 0, 0);
+  recorder_.sample(0, travel(), active().top_of(state_.v), state_, 0, 0);
   write_fields();
 }
 
@@ -90,12 +98,12 @@ void StackDynamic::slide_out() {
   constexpr double longest = 0.01, last = 2e-4; // steps [m]
   const Eigen::Vector2d direction = scene_.excitation.direction();
   // As if it came sliding at its speed: the dish carries the weight less what the path's curve takes off.
-  const Eigen::VectorXd load = alone_.dead_load(scene_.load.vertical + scene_.load.mass * arriving_acceleration(scene_).z());
+  const Eigen::VectorXd load = active().dead_load(scene_.load.vertical + scene_.load.mass * arriving_acceleration(scene_).z());
   const double end = scene_.bearing.lateral_capacity() - first_gap;
   TopDrive drive;
   const auto go = [&](double from, double step) {
     if (options_.interrupted && *options_.interrupted) throw Interrupted();
-    const auto report = drive.move_to(alone_, state_, (from + step) * direction, load, transient_.step);
+    const auto report = drive.move_to(active(), state_, (from + step) * direction, load, transient_.step);
     record_.n_newton += report.iterations;
     if (options_.progress)
       options_.progress({0, end_time(), step, report.iterations, end - from - step, 0, "sliding out"});
@@ -118,8 +126,8 @@ Eigen::VectorXd StackDynamic::load(double t) const {
 
 /// One phase: the stack alone, or with the rim.
 void StackDynamic::march_on() {
-  if (!with_rim_ && gap() < joining_gap && closing_speed() > 0) join();
-  const double longest = with_rim_ ? plan_.step_in_contact : longest_flight_step;
+  if (!near_rim_ && gap() < joining_gap && closing_speed() > 0) join();
+  const double longest = near_rim_ ? plan_.step_in_contact : longest_flight_step;
   const MarchReport report =
       march(t_, end_time(), {std::min(next_step_, longest), transient_.smallest_step, longest},
             [&](double t, double dt) { return attempt(t, dt); });
@@ -131,15 +139,15 @@ void StackDynamic::march_on() {
                                     "smaller model.step_ms, or --resume",
                                     report.reached, report.reason));
   }
-  if (with_rim_ && !touching() && surface_gap() > parting_gap && closing_speed() < 0) part();
+  if (near_rim_ && !touching() && surface_gap() > parting_gap && closing_speed() < 0) part();
 }
 
 double StackDynamic::clipped(double dt) const {
   const double closing = closing_speed();
   if (closing <= 0 || touching()) return 0;
-  const double left = with_rim_ ? surface_gap() : gap() - 0.9 * joining_gap, until = left / closing;
+  const double left = near_rim_ ? surface_gap() : gap() - 0.9 * joining_gap, until = left / closing;
   if (until >= dt) return 0;
-  if (!with_rim_) return until > 1e-4 * dt ? until : 0;
+  if (!near_rim_) return until > 1e-4 * dt ? until : 0;
   if (until > transient_.contact_step) return until;
   return dt > 1.001 * transient_.contact_step ? transient_.contact_step : 0;
 }
@@ -155,7 +163,7 @@ Attempt StackDynamic::attempt(double t, double dt) {
   Attempt result = checked_step(active(), state_, t, dt, [this](double at) { return load(at); }, transient_, report_,
                                 [&](double, const SystemState &, const ContactStepReport &step) { after_step(t + dt, dt, step); });
   record_.n_newton += report_.iterations - before;
-  if (result.accepted && with_rim_)
+  if (result.accepted && near_rim_)
     result.last = !touching() && surface_gap() > parting_gap && closing_speed() < 0;
   else if (result.accepted)
     result.last = gap() < joining_gap && closing_speed() > 0;
@@ -173,7 +181,7 @@ void StackDynamic::after_step(double t, double dt, const ContactStepReport &step
   recorder_.sample(t, travel(), active().top_of(state_.v), state_, step.iterations, dt);
   if (options_.progress)
     options_.progress({t, end_time(), dt, step.iterations, gap(), forces.rim.head<2>().norm(),
-                       touching() ? "contact" : with_rim_ ? "near the rim" : "sliding"});
+                       touching() ? "contact" : near_rim_ ? "near the rim" : "sliding"});
   if (record_.n_steps % checkpoint_every == 0) {
     next_step_ = dt;
     save();
@@ -189,8 +197,8 @@ void StackDynamic::account() {
   ledger.external += share * (model.external - external_before_) - weight;
   ledger.gravity -= weight;
   ledger.kinetic = share * model.kinetic;
-  ledger.elastic = share * (model.elastic + (with_rim_ ? 0 : held_.energies.elastic)) - rest_elastic_;
-  ledger.plastic = share * (model.plastic + (with_rim_ ? 0 : held_.energies.plastic));
+  ledger.elastic = share * (model.elastic + (rim_is_solid() ? 0 : held_.energies.elastic)) - rest_elastic_;
+  ledger.plastic = share * (model.plastic + (rim_is_solid() ? 0 : held_.energies.plastic));
   ledger.friction = share * model.friction;
   ledger.contact = share * model.contact;
   ledger.integrator = share * model.integrator;
@@ -227,33 +235,37 @@ void StackDynamic::check_sector() const {
 
 void StackDynamic::join() {
   check_sector();
-  state_ = joined_state(model_, alone_, state_, held_, joined_);
-  with_rim_ = true;
+  if (!model_.full()) state_ = joined_state(model_, alone_, state_, held_, joined_);
+  near_rim_ = true;
   touched_ = peak_written_ = false;
   report_.ledger.elastic = state_.energies.elastic;
   report_.ledger.plastic = state_.energies.plastic;
 }
 
 void StackDynamic::part() {
-  const double kinetic = joined_.kinetic_energy(state_);
   if (touched_) {
     record_.impacts.push_back(impact_);
     write_fields();
   }
+  next_step_ = transient_.contact_step;
+  if (model_.full()) {
+    near_rim_ = touched_ = false;
+    return;
+  }
+  const double kinetic = joined_.kinetic_energy(state_);
   state_ = parted_state(model_, joined_, state_, alone_, held_);
-  with_rim_ = touched_ = false;
+  near_rim_ = touched_ = false;
   auto &ledger = report_.ledger;
   ledger.elastic = state_.energies.elastic;
   ledger.plastic = state_.energies.plastic;
   ledger.kinetic = alone_.kinetic_energy(state_);
   record_.ledger.impact += model_.share() * (kinetic - ledger.kinetic); // the rim still rang
   record_.ledger.kinetic = model_.share() * ledger.kinetic;
-  next_step_ = transient_.contact_step;
 }
 
 Eigen::VectorXd StackDynamic::displacements() const {
   Eigen::VectorXd u = active().expand(state_);
-  if (!with_rim_ && held_.displacement.size()) u += held_.displacement;
+  if (!rim_is_solid() && held_.displacement.size()) u += held_.displacement;
   return u;
 }
 
@@ -264,7 +276,7 @@ Eigen::Vector3d StackDynamic::travel() const {
 double StackDynamic::gap() const { return scene_.bearing.lateral_capacity() - travel().head<2>().norm(); }
 
 double StackDynamic::surface_gap() const {
-  const double exact = with_rim_ ? state_.reports[StackSystem::rim].smallest_gap : gap();
+  const double exact = rim_is_solid() ? state_.reports[StackSystem::rim].smallest_gap : gap();
   return std::isfinite(exact) && touched_ ? exact : gap();
 }
 
@@ -274,7 +286,7 @@ double StackDynamic::closing_speed() const {
 }
 
 bool StackDynamic::touching() const {
-  if (!with_rim_) return false;
+  if (!rim_is_solid()) return false;
   const auto &wall = state_.reports[StackSystem::rim];
   return wall.stick + wall.slip > 0;
 }

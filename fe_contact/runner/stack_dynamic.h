@@ -1,4 +1,5 @@
-/// The dynamic run of rung R2: the stack slides on the exact dish; while the rim may be touched its solids join.
+/// The dynamic run of rungs R2 and R3. R2: the stack slides on the exact dish, and while the rim may be touched its
+/// solids join. R3: everything is solid all the time.
 /// Private to the runner; see stack_run.h.
 #pragma once
 #include "fe_contact/runner/stack_drive.h"
@@ -15,8 +16,9 @@ public:
 
 private:
   double end_time() const { return scene_.excitation.duration; }
-  StackSystem &active() { return with_rim_ ? joined_ : alone_; }
-  const StackSystem &active() const { return with_rim_ ? joined_ : alone_; }
+  bool rim_is_solid() const { return near_rim_ || model_.full(); }
+  StackSystem &active() { return rim_is_solid() ? joined_ : alone_; }
+  const StackSystem &active() const { return rim_is_solid() ? joined_ : alone_; }
   Eigen::VectorXd displacements() const; ///< by dof, the held rim's shape included
   Eigen::Vector3d travel() const;        ///< of the top face from rest on the vertex [m]
   double gap() const;                    ///< left of the lateral capacity [m]
@@ -55,7 +57,7 @@ private:
   SystemState state_;
   TransientReport report_;  ///< its ledger: of the model, without the held rim
   HeldRim held_;
-  bool with_rim_ = false, touched_ = false, peak_written_ = false;
+  bool near_rim_ = false, touched_ = false, peak_written_ = false;
   double t_ = 0, next_step_ = 0, rest_height_ = 0, rest_elastic_ = 0;
   double external_before_ = 0, height_before_ = 0, closing_before_ = 0;
   scene::Impact impact_{};

@@ -52,8 +52,9 @@ StackSystem::StackSystem(const StackModel &model, bool with_rim, Supports suppor
   const double h = meshes::size_factor(model.mesh.level), smooth = model.friction ? 1 : 0;
   constexpr double pad_cell = 0.012, cap_cell = 0.020, wall_cell = 0.010; // at level 1 [m]
   const std::shared_ptr<const scene::SlidingSurface> surface = scene::make_surface(bearing.surface);
-  add_contact(Surface::pad_face, fe::dish(surface, bearing.surface.planar_radius),
-              frictional(bearing.ertalyte.E, pad_cell * h, smooth * bearing.contact.steel_ertalyte));
+  auto sliding = frictional(bearing.ertalyte.E, pad_cell * h, smooth * bearing.contact.steel_ertalyte);
+  if (model.full()) sliding.carrier_faces = Surface::dish;
+  add_contact(Surface::pad_face, fe::dish(surface, bearing.surface.planar_radius), sliding);
   // The socket does not turn, so it carries the sphere; the foot's cap turns under it.
   auto joint = frictional(bearing.steel.E, cap_cell * h, smooth * bearing.contact.steel_steel);
   joint.carrier_faces = Surface::socket;

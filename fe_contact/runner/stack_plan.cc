@@ -1,4 +1,4 @@
-// Plans of rung R2.
+// Plans of rungs R2 and R3.
 #include "fe_contact/runner/plan_parts.h"
 
 #include "reduced_models/physical_model.h"
@@ -12,8 +12,20 @@ namespace {
 constexpr MeshCost stack[3] = {{18900, 0.25, 0.7e9}, {59000, 1.2, 2.0e9}, {167000, 6.0, 6.5e9}};
 constexpr MeshCost sector[3] = {{7000, 0.12, 0.3e9}, {24000, 0.6, 0.8e9}, {70000, 3.0, 2.5e9}};
 
+/// The whole plate, solid all the time (rung R3).
+constexpr MeshCost plate[3] = {{28000, 0.6, 1.2e9}, {90000, 3.0, 3.5e9}, {270000, 15.0, 11e9}};
+
 void add_cost(Plan &plan, double iterations, double iterations_with_rim, int sectors) {
   constexpr double whole_over_half = 3;
+  if (plan.rung == "full") {
+    const MeshCost &own = stack[plan.mesh - 1], &all = plate[plan.mesh - 1];
+    plan.expected_dofs = (own.dofs + all.dofs) * (plan.half ? 1 : 2);
+    plan.expected_memory_bytes = (own.memory + all.memory) * (plan.half ? 1 : 2.3);
+    plan.expected_seconds = 10 + (iterations + iterations_with_rim) *
+                                     (own.seconds_per_iteration + all.seconds_per_iteration) *
+                                     (plan.half ? 1 : whole_over_half);
+    return;
+  }
   const MeshCost &own = stack[plan.mesh - 1], &rim = sector[plan.mesh - 1];
   plan.expected_dofs = (own.dofs + sectors * rim.dofs) * (plan.half ? 1 : 2);
   plan.expected_memory_bytes = (own.memory + sectors * rim.memory) * (plan.half ? 1 : 2.3);
@@ -58,7 +70,7 @@ void scout_stack(Plan &plan, scene::Scene scene) {
 Plan stack_path_plan(const scene::Scene &scene) {
   constexpr double steps_a_cycle = 170, iterations_a_step = 5;
   Plan plan;
-  plan.rung = "rigid-dish";
+  plan.rung = scene.model.rung;
   plan.moves_in_time = false;
   plan.mesh = scene.model.mesh;
   const auto &e = scene.excitation;
@@ -83,7 +95,7 @@ Plan stack_path_plan(const scene::Scene &scene) {
 Plan stack_motion_plan(const scene::Scene &scene) {
   constexpr double step_in_flight = 0.008, iterations_a_step = 4, contact_time = 0.06, steps_out = 45;
   Plan plan;
-  plan.rung = "rigid-dish";
+  plan.rung = scene.model.rung;
   plan.mesh = scene.model.mesh;
   if (scene.model.step > 0) plan.step_in_contact = scene.model.step;
   const auto &e = scene.excitation;

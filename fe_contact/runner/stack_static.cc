@@ -14,6 +14,14 @@
 namespace rimpact::fe {
 namespace {
 
+meshes::StackMeshOptions mesh_options(const scene::Scene &scene, const Plan &plan) {
+  meshes::StackMeshOptions mesh;
+  mesh.level = scene.model.mesh;
+  mesh.half = plan.half;
+  mesh.whole_plate = mesh.rim = mesh.opposite_rim = plan.rung == "full";
+  return mesh;
+}
+
 struct StaticPath {
   const scene::Scene &scene;
   const RunOptions &options;
@@ -28,8 +36,8 @@ struct StaticPath {
   double rest_height = 0; ///< of the top face under the load [m]
 
   StaticPath(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record)
-      : scene(scene), options(options), record(record), model(scene.bearing, {scene.model.mesh, plan.half}),
-        system(model, false), state(system.at_rest()), recorder(scene, model, options, record),
+      : scene(scene), options(options), record(record), model(scene.bearing, mesh_options(scene, plan)),
+        system(model, model.full()), state(system.at_rest()), recorder(scene, model, options, record),
         load(system.dead_load(scene.load.vertical)) {
     record.n_dofs = system.equations().n;
   }

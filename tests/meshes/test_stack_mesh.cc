@@ -52,11 +52,51 @@ TEST(StackMesh, CellsAreSoundAtEveryLevelWholeAndHalfWithAndWithoutRim) {
     for (const bool rim : {false, true})
       for (const int level : {1, 2, 3}) {
         if (level == 3 && !half) continue;
-        const HexMesh mesh = stack_mesh(scene::Bearing{}, {level, half, rim, rim, 1.0, half ? M_PI : 0.3});
+        StackMeshOptions options;
+        options.level = level;
+        options.half = half;
+        options.rim = options.opposite_rim = rim;
+        options.direction = half ? M_PI : 0.3;
+        const HexMesh mesh = stack_mesh(scene::Bearing{}, options);
         const MeshQuality q = quality(mesh);
         EXPECT_GT(q.min_scaled_jacobian, 0.1) << level << half << rim;
         EXPECT_LT(q.worst_aspect, 100) << level << half << rim;
       }
+}
+
+TEST(StackMesh, TheWholePlateCarriesTheExactDishFromItsMiddleToItsEdge) {
+  for (const bool both : {false, true}) {
+    StackMeshOptions options;
+    options.rim = options.whole_plate = true;
+    options.opposite_rim = both;
+    const scene::Bearing bearing;
+    const HexMesh mesh = stack_mesh(bearing, options);
+    const MeshQuality q = quality(mesh);
+    EXPECT_EQ(q.n_components, 3);
+    EXPECT_GT(q.min_scaled_jacobian, 0.05); // slender cells of the core, where nothing happens
+    const auto surface = scene::make_surface(bearing.surface);
+    double area = 0, nearest = 1, farthest = 0, to_minus_x = 0;
+    for (const auto &face : mesh.faces) {
+      if (face.group == Surface::rim_wall)
+        for (const unsigned node : face.corners) to_minus_x = std::min(to_minus_x, mesh.nodes[node][0]);
+      if (face.group != Surface::dish) continue;
+      double plan = 0;
+      for (int k = 0; k < 4; ++k) {
+        const auto &a = mesh.nodes[face.corners[k]], &b = mesh.nodes[face.corners[(k + 1) % 4]];
+        const double r = std::hypot(a[0], a[1]);
+        EXPECT_NEAR(a[2], surface->at(r, 0).z, 1e-9);
+        nearest = std::min(nearest, r);
+        farthest = std::max(farthest, r);
+        plan += 0.5 * (a[0] * b[1] - a[1] * b[0]);
+      }
+      area += std::abs(plan);
+    }
+    EXPECT_NEAR(area, 0.5 * M_PI * 0.52 * 0.52, 0.01 * 0.42); // chords for arcs
+    EXPECT_LT(nearest, 0.03);
+    EXPECT_NEAR(farthest, 0.52, 1e-9);
+    EXPECT_NEAR(to_minus_x, both ? -0.52 : 0.0, 1e-6);
+    EXPECT_LT(q.n_nodes, both ? 20000u : 13000u);
+  }
 }
 
 } // namespace
