@@ -21,6 +21,7 @@ const std::vector<Verb> &light_verbs() {
       {"mesh", [](CLI::App &app, Console &) { app.add_subcommand(mesh_name, mesh_help); }},
       {"calibrate", add_calibrate},
       {"compare", add_compare},
+      {"geometry", add_geometry},
       {"report", add_report},
       {"export", add_export},
       {"list", add_list},

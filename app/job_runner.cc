@@ -46,6 +46,10 @@ std::string failure_of(const Job &job, int code) {
 
 } // namespace
 
+bool is_done(const Job &job) {
+  return status_of(job) == "done";
+}
+
 nlohmann::json summary_of(const std::string &folder) {
   const auto json = nlohmann::json::parse(read_text(folder + "/summary.json"), nullptr, false);
   return json.is_object() ? json : nlohmann::json::object();
@@ -114,7 +118,7 @@ void JobRunner::collect() {
 void JobRunner::finish(Job &job, int code) {
   ++finished_;
   line_.finish();
-  job.done = code == 0 && status_of(job) == "done";
+  job.done = code == 0 && is_done(job);
   if (!job.done) {
     job.failure = failure_of(job, code);
     return console_.warn(job.name + ": " + job.failure);

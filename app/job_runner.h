@@ -1,4 +1,4 @@
-/// Runs the jobs of `main` as processes, side by side.
+/// Runs the jobs of `main` and `geometry` as processes, side by side.
 #pragma once
 #include "app/console.h"
 #include "app/main_jobs.h"
@@ -41,6 +41,9 @@ private:
 /// Versions of the libraries the finite-element program uses (`version --json`), kept in `folder`. Warns when
 /// its BLAS is slow; throws IoError with its last words when it does not start.
 nlohmann::json fe_versions(const std::string &folder, Console &console);
+
+/// Whether the job's folder holds a run of this very scene that ended well.
+bool is_done(const Job &job);
 
 /// A job's summary.json; null when there is none to read.
 nlohmann::json summary_of(const std::string &folder);

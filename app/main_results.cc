@@ -101,8 +101,9 @@ json reduced_runs(const std::vector<Job> &jobs, const std::string &folder,
 } // namespace
 
 MainResults make_results(const std::vector<Job> &jobs, const std::string &folder, const json &versions,
-                         double seconds, Console &console) {
-  const Selection selection = select(jobs);
+                         double seconds, const std::vector<std::string> &laws, Console &console) {
+  Selection selection = select(jobs);
+  selection.options.laws = laws;
   for (const auto &job : jobs)
     if (job.done && summary_of(job.folder).value("n_impacts", 0) == 0)
       console.warn(job.name + ": the rim is never touched");

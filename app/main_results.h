@@ -15,8 +15,9 @@ struct MainResults {
 
 /// Writes DIR/calibration, DIR/reduced, DIR/published and DIR/main.json. Runs that touch the rim nowhere are
 /// not fitted, which is said; with no history to fit, the windows are. Throws SolverStopped when no run ended
-/// well.
+/// well. `laws`: ranked on all runs to fit.
 MainResults make_results(const std::vector<Job> &jobs, const std::string &folder,
-                         const nlohmann::json &versions, double seconds, Console &console);
+                         const nlohmann::json &versions, double seconds, const std::vector<std::string> &laws,
+                         Console &console);
 
 } // namespace rimpact::app

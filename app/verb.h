@@ -17,6 +17,7 @@ void add_calibrate(CLI::App &app, Console &console);
 void add_check(CLI::App &app, Console &console);
 void add_compare(CLI::App &app, Console &console);
 void add_export(CLI::App &app, Console &console);
+void add_geometry(CLI::App &app, Console &console);
 void add_list(CLI::App &app, Console &console);
 void add_main(CLI::App &app, Console &console);
 void add_mesh(CLI::App &app, Console &console);

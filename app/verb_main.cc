@@ -1,4 +1,5 @@
 // rimpact main: from a bearing to calibrated k_i and e, with a report.
+#include "app/calibrate_options.h"
 #include "app/job_runner.h"
 #include "app/main_results.h"
 #include "app/sibling.h"
@@ -10,7 +11,7 @@ namespace rimpact::app {
 namespace {
 
 struct Options {
-  std::string bearing = "shfps-225", folder = "results/main";
+  std::string bearing = "shfps-225", folder = "results/main", laws = "signed,no-tension,elastoplastic";
 };
 
 void run_main(const Options &options, Console &console) {
@@ -18,6 +19,7 @@ void run_main(const Options &options, Console &console) {
   const auto spent = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
+  const auto laws = laws_named(options.laws);
   auto jobs = main_jobs(scene::load_bearing(options.bearing), options.folder);
   JobRunner runner(jobs, console);
   std::error_code error;
@@ -27,7 +29,7 @@ void run_main(const Options &options, Console &console) {
 
   watch_interrupts();
   runner.run();
-  MainResults results = make_results(jobs, options.folder, versions, spent(), console);
+  MainResults results = make_results(jobs, options.folder, versions, spent(), laws, console);
   const int code = python({"report", options.folder});
   const std::string report = options.folder + "/report.html";
   results.main["report"] = code == 0 ? nlohmann::json(report) : nlohmann::json();
@@ -48,6 +50,8 @@ void add_main(CLI::App &app, Console &console) {
   auto options = std::make_shared<Options>();
   verb->add_option("BEARING", options->bearing, "a TOML file or a built-in bearing");
   verb->add_option("-o,--output", options->folder, "results folder");
+  verb->add_option("--laws", options->laws, "impact laws to rank in the report: all, none or names")
+      ->capture_default_str();
   console.add_common(*verb);
   console.add_json(*verb);
   verb->callback([options, &console] { run_main(*options, console); });

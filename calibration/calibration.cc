@@ -57,6 +57,17 @@ std::vector<GrazingReport> grazing_reports(const std::vector<const std::vector<S
   return reports;
 }
 
+/// The laws on every run to fit; what is fitted beside a law's own parameters stays at its fitted value.
+LawRanking rank(const std::vector<StoredRun> &runs, const CalibrationOptions &options,
+                const FitResult &result, std::vector<std::string> &notes) {
+  std::vector<const StoredRun *> every;
+  for (const auto &run : runs) every.push_back(&run);
+  FitOptions own = options.fit;
+  for (const auto &[name, estimate] : result.parameters)
+    if (!of_a_law(name)) own.fixed[name] = estimate.value;
+  return rank_laws(every, options.laws, own, notes);
+}
+
 void note_outcome(Calibration &c) {
   for (const auto &[name, estimate] : c.result.parameters)
     if (!estimate.identifiable)
@@ -90,6 +101,11 @@ Calibration calibrate(const std::vector<std::string> &run_folders, const Calibra
   for (const StoredRun *run : fitted) c.fit[run->folder] = check_run(*run, c.result, options.fit, true);
   for (const auto &run : predicted) c.prediction[run.folder] = check_run(run, c.result, options.fit, false);
   if (!windows.empty()) c.windows = windows_table(windows, c.result, options.fit, options.validity_tolerance);
+  if (c.windows) c.speed_laws = speed_laws(*c.windows);
+  if (options.profiles && options.fit.parameters.size() > 1)
+    for (const auto &name : options.fit.parameters)
+      c.profiles[name] = profile_of(fitted, options.fit, c.result, name);
+  c.laws = rank(runs, options, c.result, c.notes);
   if (options.grazing_reports) c.grazing = grazing_reports({&runs, &predicted}, c.result);
   note_outcome(c);
   return c;

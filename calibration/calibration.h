@@ -5,18 +5,22 @@
 /// which the constant pair holds; with windows alone, the parameters are the best constant ones over all of
 /// them.
 #pragma once
+#include "calibration/law_ranking.h"
 #include "calibration/metrics.h"
+#include "calibration/profile.h"
 #include "calibration/sensitivity.h"
-#include "calibration/windows_table.h"
+#include "calibration/speed_law.h"
 
 namespace rimpact::calibration {
 
 struct CalibrationOptions {
   FitOptions fit;
   WindowOptions window;
-  std::vector<std::string> predict; ///< run folders not fitted, only predicted
-  bool grazing_reports = true;      ///< critical amplitudes of the Ricker scenes at scale 1
-  double validity_tolerance = 0.10; ///< on the peak force, over speed
+  std::vector<std::string> predict;   ///< run folders not fitted, only predicted
+  bool grazing_reports = true;        ///< critical amplitudes of the Ricker scenes at scale 1
+  double validity_tolerance = 0.10;   ///< on the peak force, over speed
+  std::vector<std::string> laws = {}; ///< impact laws to rank on all runs to fit
+  bool profiles = true;               ///< profile likelihood of every parameter (two or more)
 };
 
 /// An impact restarted from the reference's state, with the fitted values.
@@ -40,6 +44,9 @@ struct Calibration {
   std::string fitted_on;                           ///< "histories" | "windows"
   std::map<std::string, RunCheck> fit, prediction; ///< by run folder
   std::optional<WindowsTable> windows;
+  std::vector<SpeedLaw> speed_laws;
+  std::map<std::string, Profile> profiles; ///< by parameter
+  LawRanking laws;
   std::vector<GrazingReport> grazing;
   scene::Scene scene; ///< the first fitted run's, with the fitted values: mass, law, friction
   std::vector<std::string> notes;

@@ -1,4 +1,5 @@
 #include "calibration/calibration_json.h"
+#include "calibration/laws_json.h"
 #include "reduced_models/impact_law.h"
 #include "scene/error.h"
 #include <cmath>
@@ -11,25 +12,15 @@ using nlohmann::json;
 
 namespace {
 
-/// JSON knows no infinity and no NaN.
-json number(double value) {
-  return std::isfinite(value) ? json(value) : json(nullptr);
-}
-json number(const std::optional<double> &value) {
-  return value ? number(*value) : json(nullptr);
-}
-
-json parameters_json(const FitResult &result) {
-  json all = json::object();
-  for (const auto &[name, e] : result.parameters)
-    all[name] = {{"value", number(e.value)},
-                 {"unit", parameter(name).unit},
-                 {"standard_error", number(e.standard_error)},
-                 {"interval_95", {number(e.interval_low), number(e.interval_high)}},
-                 {"identifiable", e.identifiable},
-                 {"at_bound", e.at_bound},
-                 {"reason", e.reason.empty() ? json(nullptr) : json(e.reason)}};
-  return all;
+/// Every parameter the law reads, fitted or not, and where the rim begins.
+json element_json(const scene::Scene &scene) {
+  json element = {{"lateral_capacity_m", scene.bearing.lateral_capacity() + scene.reduced.capacity_offset}};
+  for (const auto &name : reduced::impact_law(scene.reduced.impact_law).parameters) {
+    const auto &p = parameter(name);
+    element[name] = {{"value", p.get(scene) / p.si}, {"unit", p.unit}};
+  }
+  if (element.contains("exponent")) element["reference_speed_m_per_s"] = scene.reduced.reference_speed;
+  return element;
 }
 
 json derived_json(const scene::Scene &scene) {
@@ -43,6 +34,7 @@ json derived_json(const scene::Scene &scene) {
       {"masses",
        {{"m1_kg", scene.load.mass}, {"m2_kg", nullptr}, {"note", "m1: supported mass; m2: the rim, fixed"}}},
       {"law", r.impact_law},
+      {"element", element_json(scene)},
       {"friction", r.friction},
       {"elastic_slip_mm", r.friction == "park-wen" ? json(1e3 * r.elastic_slip) : json(nullptr)},
       {"normal_force", r.normal_force},
@@ -131,6 +123,9 @@ json to_json(const Calibration &c) {
                       {"source", "thesis 2.5.3, for shfps-225"}};
   out["fitted_on"] = c.fitted_on;
   out["windows"] = c.windows ? windows_json(*c.windows) : json(nullptr);
+  out["laws"] = laws_json(c.laws);
+  out["speed_laws"] = speed_laws_json(c.speed_laws);
+  out["profiles"] = profiles_json(c.profiles);
   out["critical_amplitudes"] = grazing_json(c.grazing);
   out["converged"] = c.result.converged;
   out["search"] = {{"message", c.result.message},          {"cost", number(c.result.cost)},

@@ -19,15 +19,32 @@ std::string to_toml_fragment(const Calibration &c) {
       "[reduced]\nmodel = \"{}\"\nk_i_kN_per_m = {:.9g}\nrestitution = {:.9g}\nimpact_law = \"{}\"\n",
       r.model, r.k_i / 1e3, r.restitution, r.impact_law);
   std::string load;
-  for (const auto &[name, estimate] : c.result.parameters) {
+  auto values = c.result.fixed;
+  for (const auto &[name, estimate] : c.result.parameters) values[name] = estimate.value;
+  for (const auto &[name, value] : values) {
     if (name == "k_i" || name == "e") continue;
     const std::string key = parameter(name).toml_key;
     const auto dot = key.find('.');
     (key.substr(0, dot) == "reduced" ? text : load) +=
-        fmt::format("{} = {:.9g}\n", key.substr(dot + 1), estimate.value);
+        fmt::format("{} = {:.9g}\n", key.substr(dot + 1), value);
   }
   return load.empty() ? text : text + "[load]\n" + load;
 }
+
+namespace {
+
+std::string describe(const LawRanking &ranking) {
+  if (ranking.rows.empty()) return {};
+  std::string text =
+      fmt::format("{:<16} force left   fitted: peak  rebound   left out: peak  rebound\n", "impact law");
+  for (const auto &row : ranking.rows)
+    text += fmt::format("  {:<14} {:8.1f} % {:12.1f} % {:6.1f} % {:14.1f} % {:6.1f} %\n", row.result.law,
+                        100 * row.unexplained, 100 * row.largest_peak_error, 100 * row.largest_rebound_error,
+                        100 * row.left_out_peak_error, 100 * row.left_out_rebound_error);
+  return text + ranking.sentence + "\n";
+}
+
+} // namespace
 
 std::string describe(const Calibration &c) {
   const auto percent = [](const std::optional<double> &v) {
@@ -52,6 +69,11 @@ std::string describe(const Calibration &c) {
   section("fitted runs", c.fit);
   section("predicted runs", c.prediction);
   if (c.windows) text += c.windows->sentence + "\n";
+  for (const auto &law : c.speed_laws)
+    text += fmt::format("{} = {:.4g} {} (v / 1 m/s)^{:.3f} from {:.2g} to {:.2g} m/s, within {:.1f} %\n",
+                        law.name, law.coefficient, law.unit, law.exponent, law.from, law.to,
+                        100 * law.largest_error);
+  text += describe(c.laws);
   for (const auto &r : c.grazing)
     text += fmt::format(
         "{}: first touch at scale {}; at {:g} the peak impact force is {:.4g} kN ({:.4g} .. {:.4g} kN)\n",

@@ -54,7 +54,7 @@ Ending search(const Problem &problem, Eigen::VectorXd x, const FitOptions &optio
   solver.linear_solver_type = ceres::DENSE_QR;
   solver.logging_type = ceres::SILENT;
   solver.max_num_iterations = options.max_iterations;
-  solver.function_tolerance = 1e-10;
+  solver.function_tolerance = 1e-7; // data without errors go on until the parameters stand still
   solver.gradient_tolerance = 1e-12;
   solver.parameter_tolerance = 1e-9;
   ceres::Solver::Summary summary;
@@ -69,6 +69,8 @@ FitResult result_of(const Problem &problem, const std::vector<Ending> &endings, 
   });
   FitResult result;
   result.names = options.parameters;
+  result.law = options.law;
+  result.fixed = options.fixed;
   result.n_impacts = problem.n_impacts();
   for (const auto &block : problem.blocks()) result.n_residuals += block->size();
   result.n_starts = static_cast<int>(endings.size());
@@ -86,7 +88,9 @@ FitResult result_of(const Problem &problem, const std::vector<Ending> &endings, 
 
 } // namespace
 
-FitResult fit(const std::vector<const StoredRun *> &runs, const FitOptions &options) {
+FitResult fit(const std::vector<const StoredRun *> &runs, const FitOptions &given) {
+  FitOptions options = given;
+  if (options.law.empty() && !runs.empty()) options.law = runs.front()->scene.reduced.impact_law;
   options.validate();
   const Problem problem(runs, options);
   std::vector<Ending> endings;
@@ -105,24 +109,28 @@ std::vector<double> profile(const std::vector<const StoredRun *> &runs, const Fi
   if (others.parameters.empty()) throw InputError("a profile needs a second fitted parameter");
   others.bounds.erase(name);
   others.start.clear();
-  others.n_starts = 1;
+  others.n_starts = 0;
   for (const auto &other : others.parameters) others.start[other] = best.parameters.at(other).value;
   std::vector<double> costs;
   for (const double value : values) {
-    std::vector<StoredRun> held; // the parameter becomes a setting of the runs' scenes
-    for (const StoredRun *run : runs) {
-      held.push_back(*run);
-      calibration::parameter(name).set(held.back().scene, value * calibration::parameter(name).si);
-    }
-    std::vector<const StoredRun *> pointers;
-    for (const StoredRun &run : held) pointers.push_back(&run);
-    costs.push_back(fit(pointers, others).cost);
+    others.fixed[name] = value;
+    costs.push_back(fit(runs, others).cost);
   }
   return costs;
 }
 
+scene::Scene with_settings(scene::Scene scene, const std::string &law,
+                           const std::map<std::string, double> &fixed) {
+  if (!law.empty()) scene.reduced.impact_law = law;
+  for (const auto &[name, value] : fixed) {
+    const auto &p = calibration::parameter(name);
+    p.set(scene, value * p.si);
+  }
+  return scene;
+}
+
 scene::Scene with_fitted(const scene::Scene &scene, const FitResult &result) {
-  scene::Scene fitted = scene;
+  scene::Scene fitted = with_settings(scene, result.law, result.fixed);
   for (const auto &[name, estimate] : result.parameters) {
     const auto &p = calibration::parameter(name);
     p.set(fitted, estimate.value * p.si);

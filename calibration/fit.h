@@ -10,21 +10,17 @@
 ///   displacement  radial travel from start to end
 ///   rebound       inward radial speed at release, each at its own
 ///   peak          peak force
+/// Where the clock of force and displacement is uncertain (Uncertainty::time), each impact may be shifted by
+/// the time that serves it best, at the price of a fifth group, `phase`: shift over its uncertainty.
 /// Parameters that the flight informs on (mu_fast, ...) add a group for the motion before the first touch.
 #pragma once
 #include "calibration/impact_window.h"
 #include "calibration/parameter.h"
 #include <map>
+#include <optional>
 
 namespace rimpact::calibration {
 
-/// Stated uncertainties of the reference. Those of force and speed are shares of the run's own largest value,
-/// so a light second impact does not outweigh the hard one.
-struct Uncertainty {
-  double force = 0.01;         ///< share of the run's peak impact force, > 0
-  double displacement = 0.001; ///< share of L_c, > 0
-  double speed = 0.01;         ///< share of the run's largest approach speed, > 0
-};
 /// Of the groups, >= 0; 0 leaves one out. Peak and rebound are what an impact element is for, so where its
 /// shape cannot follow a yielding rim these two are met first.
 struct Weights {
@@ -36,6 +32,8 @@ struct Bounds {
 
 struct FitOptions {
   std::vector<std::string> parameters = {"k_i", "e"};
+  std::string law;                      ///< impact law; empty: the runs' own
+  std::map<std::string, double> fixed;  ///< held at these values, reported units
   std::map<std::string, Bounds> bounds; ///< instead of the catalogue's
   std::map<std::string, double> start;  ///< a first start, reported units; others are added to it
   int n_starts = 5;                     ///< >= 1, spread over the bounds
@@ -50,14 +48,19 @@ struct FitOptions {
 
 struct Estimate {
   double value = 0, standard_error = 0;       ///< reported unit
+  double stated_error = 0;                    ///< standard error from the stated uncertainties alone
   double interval_low = 0, interval_high = 0; ///< 95 %
   bool identifiable = true;
   bool at_bound = false;
   std::string reason; ///< when not identifiable
+  std::string
+      verdict; ///< determined | form (determined, but the law does not follow) | flat | bound | grazing
 };
 
 struct FitResult {
   std::vector<std::string> names;
+  std::string law;
+  std::map<std::string, double> fixed; ///< as in FitOptions
   std::map<std::string, Estimate> parameters;
   std::map<std::string, std::map<std::string, double>> correlation;
   double condition = 0; ///< of the Jacobian in relative changes of the parameters
@@ -81,7 +84,10 @@ std::vector<double> profile(const std::vector<const StoredRun *> &runs, const Fi
                             const FitResult &best, const std::string &name,
                             const std::vector<double> &values);
 
-/// The run's scene with the fitted values set.
+/// The scene with the law and the held values of a fit, before anything is fitted.
+scene::Scene with_settings(scene::Scene scene, const std::string &law,
+                           const std::map<std::string, double> &fixed);
+/// The run's scene with law, held and fitted values set.
 scene::Scene with_fitted(const scene::Scene &scene, const FitResult &result);
 
 } // namespace rimpact::calibration

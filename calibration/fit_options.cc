@@ -1,4 +1,5 @@
 #include "calibration/fit.h"
+#include "reduced_models/impact_law.h"
 #include "scene/error.h"
 #include <algorithm>
 #include <fmt/format.h>
@@ -13,6 +14,21 @@ void require(bool ok, const std::string &name, double value, const std::string &
   if (!ok) throw InputError(fmt::format("{} {:g} must be {}", name, value, bound));
 }
 
+/// A parameter of another law would not move anything.
+void require_read(const std::vector<std::string> &parameters, const std::string &law) {
+  const auto &own = reduced::impact_law(law).parameters;
+  const auto among = [](const std::vector<std::string> &names, const std::string &name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  for (const auto &name : parameters) {
+    const bool of_a_law = std::any_of(reduced::impact_laws().begin(), reduced::impact_laws().end(),
+                                      [&](const auto &other) { return among(other.parameters, name); });
+    if (of_a_law && !among(own, name))
+      throw InputError(fmt::format("{} is not read by the law {}, whose parameters are {}", name, law,
+                                   fmt::join(own, ", ")));
+  }
+}
+
 } // namespace
 
 void FitOptions::validate() const {
@@ -20,6 +36,7 @@ void FitOptions::validate() const {
   if (std::set<std::string>(parameters.begin(), parameters.end()).size() != parameters.size())
     throw InputError(fmt::format("a parameter to fit is named twice: {}", fmt::join(parameters, ", ")));
   for (const auto &name : parameters) calibration::parameter(name);
+  if (!law.empty()) require_read(parameters, law);
   const auto fitted = [&](const std::string &name) {
     if (std::find(parameters.begin(), parameters.end(), name) == parameters.end())
       throw InputError(
@@ -30,15 +47,23 @@ void FitOptions::validate() const {
     const auto &p = calibration::parameter(name);
     if (!(b.lower < b.upper))
       throw InputError(fmt::format("bounds of {}: {:g} must be < {:g}", name, b.lower, b.upper));
-    require(b.lower >= 0 && (b.lower > 0 || !p.logarithmic), "lower bound of " + name, b.lower, "> 0");
+    require(p.lower < 0 || b.lower > 0 || (b.lower == 0 && !p.logarithmic), "lower bound of " + name, b.lower,
+            "> 0");
     if (name == "e")
       require(b.upper <= 1 && b.lower > 0, "bound of e", b.upper > 1 ? b.upper : b.lower, "in (0, 1]");
   }
   for (const auto &[name, value] : start) {
     fitted(name);
-    require(value > 0, "start of " + name, value, "> 0");
+    require(value > 0 || calibration::parameter(name).lower <= 0, "start of " + name, value, "> 0");
   }
-  require(n_starts >= 1, "n_starts", n_starts, ">= 1");
+  for (const auto &[name, value] : fixed) {
+    const auto &p = calibration::parameter(name);
+    if (std::find(parameters.begin(), parameters.end(), name) != parameters.end())
+      throw InputError(fmt::format("{} is to be fitted and to be held at {:g}", name, value));
+    require(value >= p.lower && value <= p.upper, "fixed " + name, value,
+            fmt::format("in {:g}..{:g} {}", p.lower, p.upper, p.unit));
+  }
+  require(n_starts >= (start.empty() ? 1 : 0), "n_starts", n_starts, ">= 1, or 0 beside a given start");
   require(robust_scale >= 0, "robust_scale", robust_scale, ">= 0");
   require(difference_step >= 1e-6 && difference_step <= 0.1, "difference_step", difference_step,
           "in 1e-6..0.1");
@@ -46,6 +71,7 @@ void FitOptions::validate() const {
   require(uncertainty.force > 0, "uncertainty of the force", uncertainty.force, "> 0");
   require(uncertainty.displacement > 0, "uncertainty of the displacement", uncertainty.displacement, "> 0");
   require(uncertainty.speed > 0, "uncertainty of the speed", uncertainty.speed, "> 0");
+  require(uncertainty.time >= 0, "uncertainty of the time", uncertainty.time, ">= 0 s");
   for (const double w : {weights.force, weights.displacement, weights.rebound, weights.peak, weights.flight})
     require(w >= 0, "weight", w, ">= 0");
 }

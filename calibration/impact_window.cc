@@ -1,4 +1,5 @@
 #include "calibration/impact_window.h"
+#include "calibration/measured_run.h"
 #include "calibration/series.h"
 #include "calibration/window_cutter.h"
 #include "scene/error.h"
@@ -55,6 +56,7 @@ void require(bool ok, const std::string &name, double value, const std::string &
 } // namespace
 
 void WindowOptions::validate() const {
+  require(lead >= 0, "lead", lead, ">= 0 m");
   require(tail > 0, "tail", tail, "> 0 s");
   require(force_threshold >= 0 && force_threshold <= 0.5, "force_threshold", force_threshold, "in 0..0.5");
   require(minimum_samples >= 4, "minimum_samples", minimum_samples, ">= 4");
@@ -81,6 +83,7 @@ StoredRun make_run(const std::string &folder, const scene::Scene &scene, scene::
                 .response = std::move(response),
                 .summary = {},
                 .impacts = {},
+                .uncertainty = {},
                 .notes = {}};
   if (run.response.size() < 2) throw DataError(folder + ": the response has fewer than two samples");
   complete_velocities(run.response);
@@ -105,6 +108,7 @@ StoredRun make_run(const std::string &folder, const scene::Scene &scene, scene::
 
 StoredRun read_run(const std::string &folder, const WindowOptions &options) {
   namespace fs = std::filesystem;
+  if (is_mapping(folder)) return read_measured(folder, options);
   if (!fs::is_directory(folder)) throw DataError(folder + ": not a run folder");
   if (!fs::exists(fs::path(folder) / "scene.toml"))
     throw DataError(folder + ": no scene.toml, so its bearing and load are unknown");

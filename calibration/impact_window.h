@@ -2,6 +2,7 @@
 #pragma once
 #include "reduced_models/physical_model.h"
 #include "scene/summary.h"
+#include <optional>
 
 namespace rimpact::calibration {
 
@@ -12,8 +13,18 @@ enum class TouchReference {
   own_touch  ///< the travel at which the reference itself touched
 };
 
+/// Stated uncertainties of the reference. Those of force and speed are shares of the run's own largest value,
+/// so a light second impact does not outweigh the hard one.
+struct Uncertainty {
+  double force = 0.01;         ///< share of the run's peak impact force, > 0
+  double displacement = 0.001; ///< share of L_c, > 0
+  double speed = 0.01;         ///< share of the run's largest approach speed, > 0
+  double time = 0;             ///< of the reference's clock within one impact [s]; 0: exact
+};
+
 struct WindowOptions {
   TouchReference touch = TouchReference::automatic;
+  double lead = 0;    ///< travel before touch at which a shot starts [m], where the response allows; >= 0
   double tail = 0.05; ///< compared after release [s], cut at the next touch; > 0
   double force_threshold =
       0.0;                 ///< share of the peak below which a force is noise (laboratory records); 0..0.5
@@ -50,14 +61,16 @@ struct StoredRun {
   scene::Response response;
   scene::Summary summary; ///< peaks and impacts, made anew from the response
   std::vector<ImpactWindow> impacts;
-  std::vector<std::string> notes; ///< impacts left out and why, a run that stopped early, ...
+  std::optional<Uncertainty> uncertainty; ///< the run's own, instead of the fit's
+  std::vector<std::string> notes;         ///< impacts left out and why, a run that stopped early, ...
   bool is_window() const { return scene.excitation.kind == scene::ExcitationKind::window; }
   double peak_force() const;     ///< of all impacts [N]
   double approach_speed() const; ///< the largest [m/s]
 };
 
-/// Reads scene.toml, the response and (for its status) summary.json. Velocities are differentiated where a
-/// CSV has none. Throws InputError or DataError naming folder and reason.
+/// A mapping file is read by read_measured(). Otherwise reads scene.toml, the response and (for its status)
+/// summary.json. Velocities are differentiated where a CSV has none. Throws InputError or DataError naming
+/// folder and reason.
 StoredRun read_run(const std::string &folder, const WindowOptions &options);
 /// The same from memory.
 StoredRun make_run(const std::string &folder, const scene::Scene &scene, scene::Response response,

@@ -1,4 +1,5 @@
 #include "calibration/problem.h"
+#include "calibration/halton.h"
 #include "calibration/windows_table.h"
 #include "scene/error.h"
 #include <algorithm>
@@ -8,13 +9,6 @@
 namespace rimpact::calibration {
 
 namespace {
-
-/// Radical inverse of `index` in `base`: the Halton sequence, in (0, 1).
-double radical_inverse(int index, int base) {
-  double value = 0, digit = 1.0 / base;
-  for (; index > 0; index /= base, digit /= base) value += digit * (index % base);
-  return value;
-}
 
 bool any_flight(const std::vector<const Parameter *> &parameters) {
   return std::any_of(parameters.begin(), parameters.end(),
@@ -114,6 +108,7 @@ Eigen::VectorXd Problem::guess() const {
     const double ratio = hardest->peak / (hardest->impact.approach_speed * kelvin_voigt_peak(e));
     scene.reduced.restitution = e;
     scene.reduced.k_i = ratio * ratio / scene.load.mass;
+    scene.reduced.yield_force = 0.4 * hardest->peak;
   }
   Eigen::VectorXd x(n_parameters());
   for (int i = 0; i < n_parameters(); ++i)
@@ -122,10 +117,10 @@ Eigen::VectorXd Problem::guess() const {
 }
 
 Eigen::VectorXd Problem::spread_point(int index) const {
-  static constexpr int primes[] = {2, 3, 5, 7, 11, 13, 17};
   Eigen::VectorXd x(n_parameters());
   for (int i = 0; i < n_parameters(); ++i)
-    x(i) = lower_(i) + radical_inverse(index, primes[i % std::size(primes)]) * (upper_(i) - lower_(i));
+    x(i) = lower_(i) +
+           radical_inverse(index, halton_bases[i % std::size(halton_bases)]) * (upper_(i) - lower_(i));
   return clamped(x);
 }
 
@@ -139,7 +134,7 @@ std::vector<Eigen::VectorXd> Problem::starts() const {
         x(i) = std::clamp(to_variable(i, given->second), lower_(i), upper_(i));
     points.push_back(x);
   }
-  points.push_back(own);
+  if (options_.n_starts > 0) points.push_back(own);
   for (int i = 1; i < options_.n_starts; ++i) points.push_back(spread_point(i));
   return points;
 }

@@ -19,10 +19,10 @@ constexpr double pressed_share = 0.05;
 class ImpactBlock final : public ResidualBlock {
 public:
   ImpactBlock(const StoredRun &run, const ImpactWindow &window, const FitOptions &options)
-      : ResidualBlock(run.scene), window_(window) {
+      : ResidualBlock(with_settings(run.scene, options.law, options.fixed)), window_(window) {
     for (std::size_t i = 0; i < window.force.size(); ++i)
       if (window.force[i] >= pressed_share * window.peak) pressed_.push_back(i);
-    const auto &u = options.uncertainty;
+    const Uncertainty u = run.uncertainty.value_or(options.uncertainty);
     const auto &w = options.weights;
     const double force = u.force * run.peak_force(), speed = u.speed * run.approach_speed();
     force_ = add_group("force", static_cast<int>(pressed_.size()), w.force, force);
@@ -30,6 +30,7 @@ public:
                               u.displacement * run.scene.bearing.lateral_capacity());
     rebound_ = add_group("rebound", 1, w.rebound, speed);
     peak_ = add_group("peak", 1, w.peak, force);
+    phase_ = u.time > 0 ? add_group("phase", 1, 1, u.time) : 0;
   }
 
   void evaluate(const scene::Scene &scene, std::span<double> r) const override {
@@ -42,24 +43,42 @@ public:
         r[n++] = displacement_ * (shot.displacement[i] - window_.displacement[i]);
     if (rebound_ > 0) r[n++] = rebound_ * (shot.rebound_speed - window_.impact.rebound_speed);
     if (peak_ > 0) r[n++] = peak_ * (shot.peak - window_.peak);
+    if (phase_ > 0) r[n] = shift(shot, r);
   }
 
 private:
+  /// Moves the model's force and displacement by the time that makes all residuals smallest (linear in it);
+  /// returns the time over its uncertainty.
+  double shift(const Shot &shot, std::span<double> r) const {
+    const auto force = differentiate(window_.times, shot.force),
+               speed = differentiate(window_.times, shot.displacement);
+    std::vector<double> slope; // of the residuals over a later clock of the reference
+    if (force_ > 0)
+      for (const std::size_t i : pressed_) slope.push_back(-force_ * force[i]);
+    if (displacement_ > 0)
+      for (const double v : speed) slope.push_back(-displacement_ * v);
+    double along = 0, square = phase_ * phase_;
+    for (std::size_t i = 0; i < slope.size(); ++i) along += slope[i] * r[i], square += slope[i] * slope[i];
+    const double delay = -along / square;
+    for (std::size_t i = 0; i < slope.size(); ++i) r[i] += delay * slope[i];
+    return phase_ * delay;
+  }
+
   const ImpactWindow &window_;
   std::vector<std::size_t> pressed_;
-  double force_, displacement_, rebound_, peak_;
+  double force_, displacement_, rebound_, peak_, phase_;
 };
 
 class FlightBlock final : public ResidualBlock {
 public:
   FlightBlock(const StoredRun &run, const FitOptions &options)
-      : ResidualBlock(run.scene), response_(run.response) {
+      : ResidualBlock(with_settings(run.scene, options.law, options.fixed)), response_(run.response) {
     const auto &times = response_.series("time");
     const double end = run.summary.impacts.empty() ? times.back() : run.summary.impacts.front().touch_time;
     while (n_ < times.size() && times[n_] < end) ++n_;
     const bool moved = run.scene.excitation.is_dynamic();
     signal_ = moved ? "displacement" : "force";
-    const auto &u = options.uncertainty;
+    const Uncertainty u = run.uncertainty.value_or(options.uncertainty);
     const double sigma = moved ? u.displacement * run.scene.bearing.lateral_capacity()
                                : u.force * run.summary.peak_lateral_force;
     scale_ = add_group("flight", static_cast<int>(2 * n_), options.weights.flight, sigma);

@@ -1,5 +1,6 @@
 #include "calibration/shooting.h"
 #include "calibration/series.h"
+#include "reduced_models/impact_law.h"
 #include <algorithm>
 
 namespace rimpact::calibration {
@@ -30,10 +31,13 @@ std::size_t end_of_first_pulse(const std::vector<double> &force) {
 } // namespace
 
 Shot shoot(const scene::Scene &scene, const ImpactWindow &window) {
-  auto run = reduced::simulate_from(scene, window.start, window.end_time, window.capacity);
+  const double capacity = reduced::impact_law(scene.reduced.impact_law).yields
+                              ? scene.bearing.lateral_capacity()
+                              : window.capacity;
+  auto run = reduced::simulate_from(scene, window.start, window.end_time, capacity);
   if (end_of_first_pulse(radial(run.response, "impact", window.direction)) ==
       run.response.size()) // a late release
-    run = reduced::simulate_from(scene, window.start, window.end_time + patience, window.capacity);
+    run = reduced::simulate_from(scene, window.start, window.end_time + patience, capacity);
   const auto &times = run.response.series("time");
   const auto u = radial(run.response, "displacement", window.direction);
   const auto v = radial(run.response, "velocity", window.direction);

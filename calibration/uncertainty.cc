@@ -86,28 +86,40 @@ void judge(const Problem &problem, const Eigen::VectorXd &x, const Spread &sprea
     Estimate estimate;
     estimate.value = value;
     estimate.standard_error = p.logarithmic ? value * sd : sd;
+    estimate.stated_error = estimate.standard_error * std::sqrt(spread.stated_covariance(i, i)) / sd;
     estimate.interval_low = problem.to_reported(i, std::max(x(i) - normal_95 * sd, problem.lower()(i)));
     estimate.interval_high = problem.to_reported(i, std::min(x(i) + normal_95 * sd, problem.upper()(i)));
     const bool low = x(i) - problem.lower()(i) < at_bound * range;
     estimate.at_bound = low || problem.upper()(i) - x(i) < at_bound * range;
+    // a parameter that may vanish is judged against what its bounds admit
+    const double size =
+        p.lower > 0 ? std::abs(value)
+                    : std::max(std::abs(value), 0.05 * std::max(std::abs(p.lower), std::abs(p.upper)));
     const double half_width = normal_95 * estimate.standard_error;
-    const double stated_half_width = half_width * std::sqrt(spread.stated_covariance(i, i)) / sd;
-    if (problem.all_grazing() && !p.seen_in_flight)
+    const double stated_half_width = normal_95 * estimate.stated_error;
+    estimate.verdict = "determined";
+    if (problem.all_grazing() && !p.seen_in_flight) {
+      estimate.verdict = "grazing";
       estimate.reason = "every impact only grazes the rim: a slightly different flight would miss it";
-    else if (estimate.at_bound)
+    } else if (estimate.at_bound) {
+      estimate.verdict = "bound";
       estimate.reason =
           fmt::format("it ended at its {} bound {:g} {}", low ? "lower" : "upper", value, p.unit);
-    else if (!(spread.condition < flat_condition))
+    } else if (!(spread.condition < flat_condition)) {
+      estimate.verdict = "flat";
       estimate.reason =
           fmt::format("flat valley: condition {:.3g} exceeds {:g}", spread.condition, flat_condition);
-    else if (stated_half_width > vague * std::abs(value))
+    } else if (!(stated_half_width <= vague * size)) {
+      estimate.verdict = "flat";
       estimate.reason =
-          fmt::format("flat: the data leave +-{:.0f} % of the value open", 100 * stated_half_width / value);
-    else if (half_width > vague * std::abs(value))
-      result.notes.push_back(fmt::format(
-          "{} is determined by the data (+-{:.1f} %), but the model's form does not follow them: what it leaves "
-          "unexplained widens the 95 % interval to +-{:.0f} %",
-          p.name, 100 * stated_half_width / value, 100 * half_width / value));
+          fmt::format("flat: the data leave +-{:.0f} % of the value open", 100 * stated_half_width / size);
+    } else if (half_width > vague * size) {
+      estimate.verdict = "form";
+      result.notes.push_back(fmt::format("{} is determined by the data (+-{:.1f} %), but the model's form "
+                                         "does not follow them: what it leaves "
+                                         "unexplained widens the 95 % interval to +-{:.0f} %",
+                                         p.name, 100 * stated_half_width / size, 100 * half_width / size));
+    }
     estimate.identifiable = estimate.reason.empty();
     result.parameters[p.name] = estimate;
   }

@@ -5,7 +5,8 @@
 namespace rimpact::calibration {
 
 struct Spread {
-  Eigen::MatrixXd stated_covariance; ///< the same from the stated uncertainties alone: what the data could tell
+  Eigen::MatrixXd
+      stated_covariance;      ///< the same from the stated uncertainties alone: what the data could tell
   Eigen::MatrixXd covariance; ///< of the fitted variables
   double condition = 0; ///< of the Jacobian in relative changes; infinite when a parameter has no effect
 };

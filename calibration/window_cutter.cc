@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
+#include <numbers>
 
 namespace rimpact::calibration {
 
@@ -25,12 +26,18 @@ std::optional<ImpactWindow> WindowCutter::cut(std::size_t index, std::string &re
   w.direction = planar(r_, "displacement", touch).normalized();
   w.capacity = touch_travel(touch, w.dented);
   std::size_t start = touch;
-  while (start > 0 && travel(start) > w.capacity + touch_tolerance) --start;
+  const double begin = w.capacity - options_.lead;
+  while (start > 0 && travel(start) > begin + touch_tolerance) --start;
   if (travel(start) > w.capacity + touch_tolerance) {
     reason = fmt::format("it begins pressed {:.3g} mm into the rim", 1e3 * (travel(start) - w.capacity));
     return {};
   }
   w.start = state(start);
+  for (std::size_t earlier = 0; earlier < index; ++earlier) { // what they have left on the rim
+    const auto &impact = run_.summary.impacts[earlier];
+    const double angle = impact.direction_deg * std::numbers::pi / 180;
+    w.start.rim.press({std::cos(angle), std::sin(angle)}, impact.peak_penetration);
+  }
   const double next = index + 1 < run_.summary.impacts.size() ? run_.summary.impacts[index + 1].touch_time
                                                               : std::numeric_limits<double>::infinity();
   collect(w, start, std::min(w.impact.release_time + options_.tail, next));

@@ -25,7 +25,8 @@ NormalForce reading_of(const scene::Scene &scene) {
 
 Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
     : mass(scene.load.mass), weight(scene.load.vertical),
-      lateral_capacity(capacity >= 0 ? capacity : scene.bearing.lateral_capacity()),
+      lateral_capacity((capacity >= 0 ? capacity : scene.bearing.lateral_capacity()) +
+                       scene.reduced.capacity_offset),
       height(weightless(scene) ? RidingHeight::plane(scene.bearing, scene.bearing.lateral_capacity())
                                : RidingHeight(scene.bearing, scene.reduced.finite_pad)),
       reading(reading_of(scene)), ground(scene.excitation, scene.load.gravity) {

@@ -83,8 +83,9 @@ ReducedRun simulate_with_cvode(const scene::Scene &scene);
 scene::Summary simulate_summary(const scene::Scene &scene);
 
 /// As `simulate`, but from `start` at time start.t to t_end: one impact shot from a state just at touch, say.
-/// `lateral_capacity_override` >= 0 replaces the bearing's L_c (a dented rim is touched further out).
-/// Throws InputError for the quasi-static kinds: they have no state to start from.
+/// `lateral_capacity_override` >= 0 replaces the bearing's L_c (a dented rim is touched further out; laws
+/// that yield read start.rim instead). The scene's capacity_offset comes on top. Throws InputError for the
+/// quasi-static kinds: they have no state to start from.
 ReducedRun simulate_from(const scene::Scene &scene, const BearingState &start, double t_end,
                          double lateral_capacity_override = -1);
 

@@ -58,6 +58,10 @@ class Calibration:
     notes: list = field(default_factory=list)
     fitted_on: str = ""
     search: dict = field(default_factory=dict)
+    laws: list = field(default_factory=list)  # the rows of calibration.json, the best first
+    laws_sentence: str = ""
+    speed_laws: dict = field(default_factory=dict)
+    profiles: dict = field(default_factory=dict)
 
     def parameter(self, name):
         return next((p for p in self.parameters if p.name == name), None)
@@ -126,6 +130,7 @@ def read(data):
     found.notes = [str(note) for note in data.get("notes") or []]
     found.fitted_on = data.get("fitted_on") or ""
     _read_windows(found, data)
+    _read_laws(found, data)
     found.grazing = [item for item in data.get("critical_amplitudes") or [] if isinstance(item, dict)]
     return found
 
@@ -138,3 +143,12 @@ def _read_windows(found, data):
     found.validity = table.get("sentence") or ""
     found.valid_from, found.valid_to = pick(table, "valid_from"), pick(table, "valid_to")
     found.tolerance = table.get("tolerance")
+
+
+def _read_laws(found, data):
+    laws = data.get("laws") if isinstance(data.get("laws"), dict) else {}
+    found.laws = [row for row in laws.get("rows") or [] if isinstance(row, dict)]
+    found.laws_sentence = laws.get("sentence") or ""
+    for name in ("speed_laws", "profiles"):
+        entries = data.get(name) if isinstance(data.get(name), dict) else {}
+        setattr(found, name, {key: value for key, value in entries.items() if isinstance(value, dict)})

@@ -1,9 +1,10 @@
-"""python3 -m report.quick reduced|fe DIR: writes DIR/response.png, the panels of one run."""
+"""python3 -m report.quick reduced|fe|geometry DIR: writes DIR/response.png, the panels of one run, or DIR/geometry.png."""
 import argparse
+import json
 import os
 
 from .errors import DataError, run_main
-from .figures import response_panels
+from .figures import geometry, response_panels
 from .run_folder import load_run
 
 
@@ -18,12 +19,25 @@ def draw(kind, folder):
     return response_panels.draw([(role, run)], path, run.lateral_capacity, {role: f"{run.name}, {label}"})
 
 
+def draw_geometry(folder):
+    path = os.path.join(folder, "geometry.json")
+    try:
+        with open(path) as file:
+            study = json.load(file)
+    except (OSError, ValueError) as error:
+        raise DataError(f"{path} cannot be read: {error}") from error
+    return geometry.draw(study, os.path.join(folder, "geometry.png"))
+
+
 def main(arguments):
     parser = argparse.ArgumentParser(prog="report.quick", description=__doc__.splitlines()[0])
-    parser.add_argument("kind", choices=("reduced", "fe"))
+    parser.add_argument("kind", choices=("reduced", "fe", "geometry"))
     parser.add_argument("folder")
     options = parser.parse_args(arguments)
-    draw(options.kind, options.folder)
+    if options.kind == "geometry":
+        draw_geometry(options.folder)
+    else:
+        draw(options.kind, options.folder)
 
 
 if __name__ == "__main__":

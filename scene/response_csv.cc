@@ -33,22 +33,20 @@ constexpr std::array columns{
     Column{"vy", "m_per_s", "velocity_y", false},
     Column{"vz", "m_per_s", "velocity_z", false},
 };
-struct UnitName {
-  const char *unit, *base;
-  double factor;
-};
 constexpr std::array unit_names{
-    UnitName{"s", "s", 1},     UnitName{"ms", "s", 1e-3}, UnitName{"m", "m", 1},
-    UnitName{"cm", "m", 1e-2}, UnitName{"mm", "m", 1e-3}, UnitName{"N", "N", 1},
-    UnitName{"kN", "N", 1e3},  UnitName{"MN", "N", 1e6},  UnitName{"m_per_s", "m_per_s", 1},
+    CsvUnit{"s", "s", 1},
+    CsvUnit{"ms", "s", 1e-3},
+    CsvUnit{"m", "m", 1},
+    CsvUnit{"cm", "m", 1e-2},
+    CsvUnit{"mm", "m", 1e-3},
+    CsvUnit{"N", "N", 1},
+    CsvUnit{"kN", "N", 1e3},
+    CsvUnit{"MN", "N", 1e6},
+    CsvUnit{"m_per_s", "m_per_s", 1},
+    CsvUnit{"mm_per_s", "m_per_s", 1e-3},
 };
 
-/// Where the values of a column go; no signal: a column of someone else's, left alone.
-struct Target {
-  const char *signal = nullptr;
-  double factor = 1;
-};
-Target target_of(std::string_view header, const std::string &path) {
+CsvTarget target_of(std::string_view header, const std::string &path) {
   for (const auto &column : columns) {
     const std::string prefix = std::string(column.symbol) + "_";
     if (header == column.symbol)
@@ -56,9 +54,8 @@ Target target_of(std::string_view header, const std::string &path) {
                                   column.unit));
     if (header.substr(0, prefix.size()) != prefix) continue;
     const auto unit = header.substr(prefix.size());
-    for (const auto &known : unit_names)
-      if (unit == known.unit && std::string_view(known.base) == column.unit)
-        return {column.signal, known.factor};
+    if (const auto known = csv_unit(unit); known && std::string_view(known->base) == column.unit)
+      return {column.signal, known->factor};
     throw DataError(fmt::format("{}: column \"{}\": the unit is not known; use {}_{}", path,
                                 header.substr(0, 80), column.symbol, column.unit));
   }
@@ -70,37 +67,40 @@ char separator_of(std::string_view header) {
   return header.find(';') != std::string_view::npos ? ';' : '\t';
 }
 
-std::vector<Target> read_header(std::string_view header, char separator, Response &response,
-                                const std::string &path) {
-  std::vector<Target> targets;
+std::vector<CsvTarget> read_header(std::string_view header, char separator, const CsvColumns &columns_of,
+                                   Response &response, const std::string &path) {
+  std::vector<CsvTarget> targets;
   for (auto cell : split(header, separator)) {
     cell = trim(cell);
     if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
-    const Target target = target_of(cell, path);
-    if (target.signal && response.has(target.signal))
+    const CsvTarget target = columns_of(cell);
+    if (!target.signal.empty() && response.has(target.signal))
       throw DataError(fmt::format("{}: column \"{}\" stands twice", path, cell));
-    if (target.signal) response.series(target.signal);
+    if (!target.signal.empty()) response.series(target.signal);
     targets.push_back(target);
   }
-  for (const char *needed : {"time_s", "ux_m", "Fx_N"})
-    if (!response.has(target_of(needed, path).signal))
-      throw DataError(fmt::format("{}: the column {} is missing", path, needed));
   return targets;
 }
 
 } // namespace
 
-Response parse_csv(const std::string &text, const std::string &path) {
+std::optional<CsvUnit> csv_unit(std::string_view name) {
+  for (const auto &known : unit_names)
+    if (name == known.name) return known;
+  return {};
+}
+
+Response parse_columns(const std::string &text, const std::string &path, const CsvColumns &columns_of,
+                       std::size_t skip_lines) {
   Response response;
-  std::vector<Target> targets;
+  std::vector<CsvTarget> targets;
   char separator = ',';
   std::size_t line_number = 0;
   for (const auto line : lines_of(text)) {
-    ++line_number;
-    if (trim(line).empty() || trim(line).front() == '#') continue;
+    if (++line_number <= skip_lines || trim(line).empty() || trim(line).front() == '#') continue;
     if (targets.empty()) {
       separator = separator_of(line);
-      targets = read_header(line, separator, response, path);
+      targets = read_header(line, separator, columns_of, response, path);
       continue;
     }
     const auto cells = split(line, separator);
@@ -108,15 +108,24 @@ Response parse_csv(const std::string &text, const std::string &path) {
       throw DataError(
           fmt::format("{}:{}: {} of {} columns", path, line_number, cells.size(), targets.size()));
     for (std::size_t i = 0; i < targets.size(); ++i) {
-      if (!targets[i].signal) continue;
+      if (targets[i].signal.empty()) continue;
       const auto value = to_number(cells[i]);
       if (!value || !std::isfinite(*value))
         throw DataError(fmt::format("{}:{}: \"{}\" is not a finite number", path, line_number,
                                     trim(cells[i]).substr(0, 40)));
-      response.append(targets[i].signal, *value * targets[i].factor);
+      response.append(targets[i].signal, (*value - targets[i].zero) * targets[i].factor);
     }
   }
   if (targets.empty()) throw DataError(fmt::format("{}: holds no header line", path));
+  return response;
+}
+
+Response parse_csv(const std::string &text, const std::string &path) {
+  Response response =
+      parse_columns(text, path, [&](std::string_view header) { return target_of(header, path); });
+  for (const char *needed : {"time_s", "ux_m", "Fx_N"})
+    if (!response.has(target_of(needed, path).signal))
+      throw DataError(fmt::format("{}: the column {} is missing", path, needed));
   for (const char *other : {"displacement_y", "force_y"})
     if (!response.has(other)) response.series(other).assign(response.size(), 0.0);
   return response;

@@ -34,6 +34,7 @@ struct ReducedSettings {
   double yield_force = 0.8e6;         ///< F_y of elastoplastic [N], > 0
   double hardening = 0.08;            ///< of elastoplastic: tangent over k_i far beyond yield [-], 0..1
   double unloading_gain = 0.5;        ///< of elastoplastic [-], >= 0: unloads at k_i (1 + gain (F / F_y - 1))
+  double capacity_offset = 0.0;       ///< the reduced rim begins at L_c plus this [m]
   std::string friction = "coulomb";   ///< coulomb | park-wen
   double elastic_slip = 1e-4;         ///< q of the Park-Wen state [m] (key elastic_slip_mm)
   double mu_fast = 0.07, mu_slow = 0.07;

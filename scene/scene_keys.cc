@@ -66,14 +66,17 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
            {"signed", "no-tension", "printed", "hunt-crossley", "elastoplastic"});
   if (v.wants(r.impact_law == "hunt-crossley")) {
     v.number({"impact_exponent", "n of K d^n (1 + chi d')"}, r.impact_exponent, si, {0, 10, true});
-    v.number({"reference_speed_m_per_s", "approach speed at which the restitution holds"}, r.reference_speed, si,
-             {0, 100, true});
+    v.number({"reference_speed_m_per_s", "approach speed at which the restitution holds"}, r.reference_speed,
+             si, {0, 100, true});
   }
   if (v.wants(r.impact_law == "elastoplastic")) {
     v.number({"yield_force_kN", "F_y"}, r.yield_force, kilo, positive);
     v.number({"hardening", "tangent over k_i far beyond yield"}, r.hardening, si, share);
     v.number({"unloading_gain", "unloads at k_i (1 + gain (F / F_y - 1))"}, r.unloading_gain, si, {0, 100});
   }
+  if (v.wants(r.capacity_offset != 0))
+    v.number({"capacity_offset_mm", "the reduced rim begins at L_c plus this"}, r.capacity_offset, milli,
+             {-100, 100});
   v.choice({"friction", "coulomb | park-wen"}, r.friction, {"coulomb", "park-wen"});
   v.number({"elastic_slip_mm", "of park-wen"}, r.elastic_slip, milli, {0, 1e3, true});
   v.number({"mu_fast"}, r.mu_fast, si, {0, 2});

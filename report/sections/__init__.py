@@ -1,7 +1,7 @@
 """The report's sections, in order: one file each, one line here. make(context) gives a Section, or None when there
 is nothing to say."""
-from . import (answer, calibration, comparison, conventions, critical, energy, histories, inputs, reproducibility, rim,
-               speed, stack, windows)
+from . import (answer, calibration, comparison, conventions, critical, energy, histories, inputs, laws, reproducibility,
+               rim, speed, stack, windows)
 from .answer import head  # noqa: F401  (the page's title)
 
 CATALOGUE = [
@@ -12,6 +12,7 @@ CATALOGUE = [
     rim.make,
     windows.make,
     calibration.make,
+    laws.make,
     comparison.make,
     critical.make,
     energy.make,

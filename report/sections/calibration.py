@@ -60,6 +60,8 @@ def _correlation(calibration):
 def _derived(calibration):
     rows = []
     for name, value in calibration.derived.items():
+        if name == "element":  # its parameters stand in the table above
+            continue
         if isinstance(value, dict) and "value" in value:
             formula = f" ({value['formula']})" if value.get("formula") else ""
             value = f"{plain(value['value'])} {value.get('unit', '')}{formula}".strip()

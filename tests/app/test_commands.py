@@ -2,6 +2,7 @@
 import csv
 import json
 import os
+import shutil
 import subprocess
 import tempfile
 import unittest
@@ -11,6 +12,15 @@ import h5py
 from command import RIMPACT, in_terminal, rimpact
 
 AT2 = "PEER\nA RECORD\n{}\nNPTS= {}, DT= .0100 SEC\n"
+
+
+class Recorder:
+    """Takes the place of openseespy: keeps what it is asked for."""
+    def __init__(self, calls):
+        self.calls = calls
+
+    def __getattr__(self, name):
+        return lambda *arguments: self.calls.append((name, *arguments))
 
 
 class BadInput(unittest.TestCase):
@@ -48,6 +58,12 @@ class BadInput(unittest.TestCase):
 
     def test_not_a_number(self):
         self.check("excitation.amplitude_g=nan", "amplitude_g")
+
+    def test_words_of_calibrate(self):
+        for words, said in ((["--fixed", "e"], "NAME=VALUE"), (["--bounds", "k_i=3"], "NAME=LOW:HIGH"),
+                            (["--sigma", "forse=0.1"], "did you mean \"force\""), (["--law", "signd"], "signed"),
+                            (["--fit", "k_i,stiffness"], "stiffness"), (["--start", "k_i=much"], "is not a number")):
+            self.refused(2, said, arguments=["calibrate", "/nowhere", *words])
 
     def test_missing_scene(self):
         self.refused(2, "nowhere.toml", arguments=["check", "nowhere.toml"])
@@ -143,6 +159,44 @@ class GoodInput(unittest.TestCase):
                 exec(file.read(), values)
             self.assertAlmostEqual(values["k_i"] / 3e8, 1, places=5)
             self.assertAlmostEqual(values["restitution"], 0.65, places=5)
+            calls = []
+            values["rim_springs"](Recorder(calls), 7, 100, 1, 2)
+            self.assertEqual(calls[0][:3], ("uniaxialMaterial", "ViscoelasticGap", 7))
+            self.assertEqual([call[2] for call in calls[1:]], [100, 101])
+            self.assertEqual(rimpact("export", os.path.join(folder, "fit"), "--opensees", "--springs", "1").returncode, 2)
+
+    def test_tcl_of_the_export_can_be_run(self):
+        if not shutil.which("tclsh"):
+            self.skipTest("tclsh is not here")
+        with tempfile.TemporaryDirectory() as folder:
+            one = os.path.join(folder, "one")
+            rimpact("reduced", "impact-window", "-o", one)
+            rimpact("calibrate", one, "-o", folder)
+            self.assertEqual(rimpact("export", folder, "--opensees", "--springs", "8").returncode, 0)
+            script = ("proc uniaxialMaterial {args} {puts $args}\nproc element {args} {puts $args}\n"
+                      f"source {folder}/impact.tcl\nrim_springs 7 100 1 2\n")
+            run = subprocess.run(["tclsh"], input=script, capture_output=True, text=True)
+            self.assertEqual(run.stderr, "")
+            lines = run.stdout.splitlines()
+            self.assertTrue(lines[0].startswith("ViscoelasticGap 7 "), lines[0])
+            self.assertEqual(len(lines), 9)
+            x = [float(word) for word in lines[3].split()[-6:]]  # the third spring: pressed by motion along +y
+            for value, expected in zip(x, (0, -1, 0, 1, 0, 0)):
+                self.assertAlmostEqual(value, expected)
+
+    def test_calibrate_takes_laws_bounds_and_uncertainties(self):
+        with tempfile.TemporaryDirectory() as folder:
+            runs = []
+            for speed in ("0.1", "0.2", "0.4"):
+                runs.append(os.path.join(folder, speed))
+                rimpact("reduced", "impact-window", "--set", f"excitation.speed_m_per_s={speed}", "-o", runs[-1])
+            run = rimpact("calibrate", *runs, "-o", folder, "--json", "--fixed", "e=0.65", "--bounds", "k_i=1e5:1e6", "--laws",
+                          "no-tension,signed", "--sigma", "force=0.02", "--starts", "2")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            table = json.loads(run.stdout)
+            self.assertEqual(list(table["parameters"]), ["k_i"])
+            self.assertEqual([row["law"] for row in table["laws"]["rows"]], ["signed", "no-tension"])
+            self.assertEqual(len(table["laws"]["rows"][0]["leave_one_out"]), 3)
 
     def test_moments_at_nodes(self):
         with tempfile.TemporaryDirectory() as folder:

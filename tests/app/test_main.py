@@ -24,7 +24,7 @@ class Main(unittest.TestCase):
     def setUpClass(cls):
         cls.shared = tempfile.TemporaryDirectory()
         cls.done = os.path.join(cls.shared.name, "main")
-        cls.first = rimpact("main", "--json", "-o", cls.done, RIMPACT_FE_PROGRAM=STAND_IN)
+        cls.first = rimpact("main", "--json", "--laws", "signed,no-tension", "-o", cls.done, RIMPACT_FE_PROGRAM=STAND_IN)
 
     @classmethod
     def tearDownClass(cls):
@@ -40,7 +40,7 @@ class Main(unittest.TestCase):
         return {"RIMPACT_FE_PROGRAM": STAND_IN, "STAND_IN_LOG": self.log, **more}
 
     def main(self, *arguments, **more):
-        return rimpact("main", *arguments, "-o", self.folder, **self.environment(**more))
+        return rimpact("main", *arguments, "--laws", "none", "-o", self.folder, **self.environment(**more))
 
     def calls(self):
         if not os.path.exists(self.log):

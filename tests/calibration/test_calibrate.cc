@@ -17,6 +17,7 @@ TEST(Calibrate, RunFoldersToCalibrationJson) {
   std::vector<std::string> runs = {folder.write(ricker(1.05)), folder.write(ricker(1.1)),
                                    folder.write(window(0.1)), folder.write(window(0.5))};
   CalibrationOptions options;
+  options.laws = {"no-tension", "signed"};
   options.predict = {folder.write(ricker(1.2)), folder.write(ricker(0.5))};
   const auto c = calibrate(runs, options);
   EXPECT_NO_THROW(check_gate(c));
@@ -44,6 +45,9 @@ TEST(Calibrate, RunFoldersToCalibrationJson) {
   EXPECT_EQ(json["windows"]["rows"].size(), 2u);
   EXPECT_FALSE(json["windows"]["sentence"].get<std::string>().empty());
   EXPECT_EQ(json["published"]["k_i"]["value"], 4.5e5);
+  EXPECT_EQ(json["laws"]["rows"][0]["law"], "signed");            // which made them
+  EXPECT_EQ(json["laws"]["rows"][0]["leave_one_out"].size(), 5u); // each run, and the pulse with both scales
+  EXPECT_TRUE(json["profiles"].contains("e"));
   ASSERT_EQ(json["critical_amplitudes"].size(), 1u);
   // thesis notes, 1: 0.1-0.2 % below the printed amplitude
   EXPECT_NEAR(json["critical_amplitudes"][0]["critical_amplitude_g"].get<double>(), 0.78 * 0.9985,

@@ -76,7 +76,7 @@ class MainResults(unittest.TestCase):
         self.assertFalse([name for name in names if name.endswith(".part")])
 
     def test_every_section_and_scene_is_there(self):
-        for section in ("inputs", "histories", "rim", "windows", "calibration", "comparison", "critical", "energy",
+        for section in ("inputs", "histories", "rim", "windows", "calibration", "laws", "comparison", "critical", "energy",
                         "speed", "reproducibility", "conventions"):
             self.assertIn(f'<section id="{section}">', self.page)
         self.assertEqual(self.page.count("<details>"), 6)
@@ -85,6 +85,12 @@ class MainResults(unittest.TestCase):
     def test_the_published_pair_is_beside_ours(self):
         # synthetic windows: k_i = 5.2e5 (1 - 0.5 v), so that 0.3 m/s is nearest to 4.5e5
         for said in ("The published values beside ours", "The rim softens with speed", "the one at 0.30 m/s comes nearest"):
+            self.assertIn(said, self.text)
+
+    def test_laws_are_ranked(self):
+        for said in ("elastoplastic 3.0\u202f% 3.0\u202f% 3.0\u202f% 6.0\u202f% 6.0\u202f% 0.10 to 0.50",
+                     "signed 20.0\u202f% 20.0\u202f% 20.0\u202f% 40.0\u202f% 40.0\u202f% nowhere",
+                     "The law that leaves least unexplained", "^−0.80"):
             self.assertIn(said, self.text)
 
     def test_quick_enough(self):
@@ -186,6 +192,7 @@ class Missing(InFolder):
         self.write("calibration/calibration.json", json.dumps(
             {"parameters": {"k_i": {"value": 4e5, "interval_95": [None, None], "identifiable": False}},
              "fit": {"ricker-0.78g-1.0s": None}, "windows": {"rows": [None, {}]}, "critical_amplitudes": [{}],
+             "laws": {"rows": [None, {"law": "signed", "leave_one_out": [{}]}]}, "speed_laws": {"k_i": 3},
              "notes": None, "correlation": {"k_i": 1}, "derived": {"c_i": None}}))
         self.write("main.json", '["not", "what", "it", "should", "be"]')
         path, _ = build(self.folder)

@@ -1,0 +1,124 @@
+#include "app/calibrate_options.h"
+#include "reduced_models/impact_law.h"
+#include "scene/text.h"
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace rimpact::app {
+namespace {
+
+/// Travel before touch at which shots start when the rim's own place is fitted [m].
+constexpr double lead_of_an_offset = 6e-3;
+
+std::vector<std::string> names_of(const std::string &list) {
+  std::vector<std::string> names;
+  for (const auto part : scene::split(list, ','))
+    if (!scene::trim(part).empty()) names.emplace_back(scene::trim(part));
+  return names;
+}
+
+double number_in(std::string_view text, const std::string &option, const std::string &word) {
+  if (const auto value = scene::to_number(text)) return *value;
+  throw InputError(fmt::format("{} {}: \"{}\" is not a number", option, word, text.substr(0, 40)));
+}
+
+/// NAME=REST.
+std::pair<std::string, std::string_view> assignment(const std::string &word, const std::string &option,
+                                                    const char *form) {
+  const auto equals = word.find('=');
+  if (equals == std::string::npos) throw InputError(fmt::format("{} {}: must be {}", option, word, form));
+  return {word.substr(0, equals), std::string_view(word).substr(equals + 1)};
+}
+
+std::map<std::string, double> values_of(const std::vector<std::string> &words, const std::string &option) {
+  std::map<std::string, double> values;
+  for (const auto &word : words) {
+    const auto [name, text] = assignment(word, option, "NAME=VALUE");
+    values[name] = number_in(text, option, word);
+  }
+  return values;
+}
+
+std::map<std::string, calibration::Bounds> bounds_of(const std::vector<std::string> &words) {
+  std::map<std::string, calibration::Bounds> bounds;
+  for (const auto &word : words) {
+    const auto [name, text] = assignment(word, "--bounds", "NAME=LOW:HIGH");
+    const auto ends = scene::split(text, ':');
+    if (ends.size() != 2) throw InputError(fmt::format("--bounds {}: must be NAME=LOW:HIGH", word));
+    bounds[name] = {number_in(ends[0], "--bounds", word), number_in(ends[1], "--bounds", word)};
+  }
+  return bounds;
+}
+
+calibration::Uncertainty uncertainty_of(const std::vector<std::string> &words) {
+  calibration::Uncertainty u;
+  double time_ms = 0;
+  const std::map<std::string, double *> known = {
+      {"force", &u.force}, {"displacement", &u.displacement}, {"speed", &u.speed}, {"time_ms", &time_ms}};
+  for (const auto &[name, value] : values_of(words, "--sigma")) {
+    const auto found = known.find(name);
+    if (found == known.end())
+      throw InputError("--sigma " + scene::not_among(name, {"force", "displacement", "speed", "time_ms"}));
+    *found->second = value;
+  }
+  u.time = 1e-3 * time_ms;
+  return u;
+}
+
+} // namespace
+
+void add_calibrate_options(CLI::App &verb, CalibrateWords &words) {
+  verb.add_option("--fit", words.fit, "parameters, e.g. k_i,e (default: those of the impact law)");
+  verb.add_option("--predict", words.predict, "run folders to predict, not to fit");
+  verb.add_option("--law", words.law, "impact law of the fit (default: the runs' own)");
+  verb.add_option("--laws", words.laws,
+                  "impact laws to rank, with leave-one-out: all, none or names; seconds to a minute")
+      ->capture_default_str();
+  verb.add_option("--fixed", words.fixed, "NAME=VALUE, held instead of fitted; repeatable");
+  verb.add_option("--bounds", words.bounds, "NAME=LOW:HIGH; repeatable");
+  verb.add_option("--start", words.start, "NAME=VALUE, where a search starts; repeatable");
+  verb.add_option(
+      "--sigma", words.sigma,
+      "uncertainty of the runs, e.g. force=0.03 (share of the peak), displacement=0.001 (share of L_c), "
+      "speed=0.01 (share of the approach speed), time_ms=0.5 (of the clock within an impact)");
+  verb.add_option("--robust", words.robust, "Huber loss beyond so many uncertainties (0: least squares)")
+      ->capture_default_str();
+  verb.add_option("--starts", words.starts, "searches, spread over the bounds")->capture_default_str();
+  verb.add_option("--lead-mm", words.lead_mm, "travel before touch at which impacts are restarted");
+}
+
+std::vector<std::string> laws_named(const std::string &list) {
+  if (list == "none") return {};
+  if (list == "all") return {"signed", "no-tension", "hunt-crossley", "elastoplastic"};
+  const auto laws = names_of(list);
+  for (const auto &law : laws) reduced::impact_law(law);
+  return laws;
+}
+
+calibration::CalibrationOptions calibrate_settings(const CalibrateWords &words) {
+  calibration::CalibrationOptions settings;
+  settings.predict = words.predict;
+  settings.fit.law = words.law;
+  if (!words.law.empty()) settings.fit.parameters = reduced::impact_law(words.law).parameters;
+  if (!words.fit.empty()) settings.fit.parameters = names_of(words.fit);
+  settings.fit.fixed = values_of(words.fixed, "--fixed");
+  if (words.fit.empty())
+    for (const auto &[name, value] : settings.fit.fixed) std::erase(settings.fit.parameters, name);
+  settings.fit.bounds = bounds_of(words.bounds);
+  settings.fit.start = values_of(words.start, "--start");
+  settings.fit.uncertainty = uncertainty_of(words.sigma);
+  settings.fit.robust_scale = words.robust;
+  settings.fit.n_starts = words.starts;
+  settings.laws = laws_named(words.laws);
+  const auto &names = settings.fit.parameters;
+  if (std::find(names.begin(), names.end(), "capacity_offset") != names.end() ||
+      settings.fit.fixed.count("capacity_offset") >
+          0) { // the offset says where the rim begins, not the reference
+    settings.window.touch = calibration::TouchReference::gap;
+    settings.window.lead = lead_of_an_offset;
+  }
+  if (words.lead_mm >= 0) settings.window.lead = 1e-3 * words.lead_mm;
+  return settings;
+}
+
+} // namespace rimpact::app

@@ -1,0 +1,129 @@
+#include "calibration/law_ranking.h"
+#include "calibration/law_errors.h"
+#include "reduced_models/impact_law.h"
+#include "scene/error.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::calibration {
+
+namespace {
+
+using Runs = std::vector<const StoredRun *>;
+
+/// Searches for each law: the hardest impact's reading and points spread over the bounds.
+constexpr int starts_a_law = 3;
+
+/// `errors` by speed, not empty.
+std::string range_sentence(const LawRow &row, const std::vector<LawError> &errors, double tolerance) {
+  std::string text =
+      fmt::format("{}: predicts peak force and rebound within {:.0f} % ", row.result.law, 100 * tolerance);
+  if (row.valid_from)
+    text += fmt::format("from {:.2g} to {:.2g} m/s", *row.valid_from, *row.valid_to);
+  else
+    text += fmt::format("at none of {} runs left out", errors.size());
+  for (const LawError *end : {&errors.front(), &errors.back()})
+    if (!row.valid_from || end->speed < *row.valid_from || end->speed > *row.valid_to)
+      text += fmt::format("; at {:.2g} m/s the peak force is {} by {:.0f} %, the rebound is off by {:+.0f} %",
+                          end->speed, end->peak_force > 0 ? "overstated" : "understated",
+                          100 * std::abs(end->peak_force), 100 * end->rebound);
+  return text;
+}
+
+/// The longest range of neighbouring speeds at which runs not fitted are met.
+void find_range(LawRow &row, double tolerance) {
+  std::vector<LawError> errors;
+  for (const auto &left : row.left_out)
+    if (left.errors.size() == 1 && left.errors[0].folder == left.what && !left.errors[0].grazing)
+      errors.push_back(left.errors[0]);
+  std::sort(errors.begin(), errors.end(), [](const auto &a, const auto &b) { return a.speed < b.speed; });
+  std::size_t longest = 0, n = 0;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const bool met = std::abs(errors[i].peak_force) <= tolerance && std::abs(errors[i].rebound) <= tolerance;
+    n = met ? n + 1 : 0;
+    if (n <= longest) continue;
+    longest = n;
+    row.valid_from = errors[i + 1 - n].speed, row.valid_to = errors[i].speed;
+  }
+  if (!errors.empty()) row.sentence = range_sentence(row, errors, tolerance);
+}
+
+LawRow row_of(const Runs &runs, const FitOptions &options, double tolerance) {
+  LawRow row;
+  row.result = fit(runs, options);
+  double square = 0;
+  int n = 0;
+  for (const StoredRun *run : runs) {
+    row.fitted.push_back(error_of(*run, row.result));
+    const auto &error = row.fitted.back();
+    if (error.grazing) continue;
+    square += error.unexplained * error.unexplained, ++n;
+    row.largest_peak_error = std::max(row.largest_peak_error, std::abs(error.peak_force));
+    row.largest_rebound_error = std::max(row.largest_rebound_error, std::abs(error.rebound));
+  }
+  row.unexplained = n > 0 ? std::sqrt(square / n) : 0;
+  row.left_out = leave_out(runs, options, row.result);
+  for (const auto &left : row.left_out)
+    for (const auto &error : left.errors) {
+      if (error.grazing || error.folder != left.what) continue;
+      row.left_out_peak_error = std::max(row.left_out_peak_error, std::abs(error.peak_force));
+      row.left_out_rebound_error = std::max(row.left_out_rebound_error, std::abs(error.rebound));
+    }
+  find_range(row, tolerance);
+  return row;
+}
+
+FitOptions options_of(const std::string &law, const FitOptions &given) {
+  FitOptions own = given;
+  own.law = law;
+  own.parameters = reduced::impact_law(law).parameters;
+  own.start.clear();
+  own.n_starts = std::min(given.n_starts, starts_a_law);
+  const auto read = [&](const std::string &name) {
+    return std::find(own.parameters.begin(), own.parameters.end(), name) != own.parameters.end();
+  };
+  std::erase_if(own.bounds, [&](const auto &entry) { return !read(entry.first); });
+  std::erase_if(own.fixed, [&](const auto &entry) { return of_a_law(entry.first) && !read(entry.first); });
+  for (const auto &[name, value] : own.fixed) std::erase(own.parameters, name), own.bounds.erase(name);
+  return own;
+}
+
+} // namespace
+
+bool of_a_law(const std::string &parameter) {
+  const auto &laws = reduced::impact_laws();
+  return std::any_of(laws.begin(), laws.end(), [&](const auto &law) {
+    return std::find(law.parameters.begin(), law.parameters.end(), parameter) != law.parameters.end();
+  });
+}
+
+LawRanking rank_laws(const std::vector<const StoredRun *> &runs, const std::vector<std::string> &laws,
+                     const FitOptions &options, std::vector<std::string> &notes, double tolerance) {
+  LawRanking ranking{.tolerance = tolerance, .rows = {}, .sentence = {}};
+  Runs struck;
+  for (const StoredRun *run : runs)
+    if (!run->impacts.empty()) struck.push_back(run);
+  for (const auto &law : laws) {
+    const FitOptions own = options_of(law, options);
+    if (own.parameters.empty()) {
+      notes.push_back(fmt::format("the law {} is not ranked: all its parameters are fixed", law));
+      continue;
+    }
+    try {
+      ranking.rows.push_back(row_of(struck, own, tolerance));
+    } catch (const DataError &error) {
+      notes.push_back(fmt::format("the law {} is not ranked: {}", law, error.what()));
+    }
+  }
+  std::sort(ranking.rows.begin(), ranking.rows.end(),
+            [](const auto &a, const auto &b) { return a.unexplained < b.unexplained; });
+  if (ranking.rows.empty()) return ranking;
+  const auto &best = ranking.rows.front();
+  ranking.sentence = fmt::format("The law that leaves least unexplained is {} ({:.1f} % of the force)",
+                                 best.result.law, 100 * best.unexplained);
+  ranking.sentence += best.sentence.empty() ? "." : "; " + best.sentence + ".";
+  return ranking;
+}
+
+} // namespace rimpact::calibration

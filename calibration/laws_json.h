@@ -1,0 +1,16 @@
+/// Parts of calibration.json on parameters, laws and profiles.
+#pragma once
+#include "calibration/calibration.h"
+
+namespace rimpact::calibration {
+
+/// JSON knows no infinity and no NaN: null.
+nlohmann::json number(double value);
+nlohmann::json number(const std::optional<double> &value);
+
+nlohmann::json parameters_json(const FitResult &result);
+nlohmann::json laws_json(const LawRanking &ranking);
+nlohmann::json speed_laws_json(const std::vector<SpeedLaw> &laws);
+nlohmann::json profiles_json(const std::map<std::string, Profile> &profiles);
+
+} // namespace rimpact::calibration

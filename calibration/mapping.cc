@@ -1,0 +1,96 @@
+#include "calibration/mapping.h"
+#include "scene/files.h"
+#include "scene/response_files.h"
+#include "scene/text.h"
+#include "scene/toml_reader.h"
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace rimpact::calibration {
+
+namespace {
+
+/// "m/s" is written m_per_s in names of columns.
+std::string base_of(const std::string &units) {
+  return units == "m/s" ? "m_per_s" : units;
+}
+
+void check_unit(Column &column, const scene::SignalInfo &info, const std::string &path) {
+  const auto unit = scene::csv_unit(column.unit);
+  if (unit && base_of(info.units) == unit->base) {
+    column.si = unit->factor;
+    return;
+  }
+  throw InputError(fmt::format("{}: columns.{}.unit \"{}\" is no unit of {}; it is stored in {}", path,
+                               column.signal, column.unit, info.name, info.units));
+}
+
+std::vector<Column> read_columns(const scene::TomlFile &toml, const std::string &path) {
+  std::vector<std::string> known;
+  for (const auto &info : scene::known_signals()) known.push_back(info.name);
+  const auto *table = toml.find("columns");
+  if (!table || !table->is_table()) throw InputError(path + ": the table [columns] is missing");
+  std::vector<Column> columns;
+  for (const auto &[key, value] : *table->as_table()) {
+    Column column;
+    column.signal = std::string(key.str());
+    const auto info = std::find_if(scene::known_signals().begin(), scene::known_signals().end(),
+                                   [&](const auto &s) { return s.name == column.signal; });
+    if (info == scene::known_signals().end())
+      throw InputError(fmt::format("{}: columns.{}", toml.location("columns." + column.signal),
+                                   scene::not_among(column.signal, known)));
+    scene::TomlReader reader(toml, "columns." + column.signal);
+    reader.text({"column"}, column.header);
+    reader.text({"unit"}, column.unit);
+    reader.number({"factor"}, column.factor, scene::si, {-scene::huge, scene::huge});
+    reader.number({"zero"}, column.zero, scene::si, {-scene::huge, scene::huge});
+    reader.finish();
+    if (column.header.empty())
+      throw InputError(fmt::format("{}: columns.{}.column is missing", path, column.signal));
+    check_unit(column, *info, path);
+    columns.push_back(column);
+  }
+  return columns;
+}
+
+std::optional<Uncertainty> read_uncertainty(const scene::TomlFile &toml) {
+  if (!toml.find("uncertainty")) return {};
+  Uncertainty u;
+  scene::TomlReader reader(toml, "uncertainty");
+  const scene::Range share{0, 1, true};
+  reader.number({"force"}, u.force, scene::si, share);
+  reader.number({"displacement"}, u.displacement, scene::si, share);
+  reader.number({"speed"}, u.speed, scene::si, share);
+  reader.number({"time_ms"}, u.time, scene::milli, {0, 1e3});
+  reader.finish();
+  return u;
+}
+
+} // namespace
+
+Mapping read_mapping(const std::string &path) {
+  const scene::TomlFile toml(scene::read_file(path), path);
+  Mapping mapping;
+  scene::TomlReader reader(toml, "");
+  reader.text({"scene"}, mapping.scene);
+  reader.text({"file"}, mapping.file);
+  reader.integer({"skip_lines"}, mapping.skip_lines, 0, 10000);
+  reader.number({"force_noise"}, mapping.force_noise, scene::si, {0, 0.5});
+  reader.finish({"columns", "uncertainty", "set"});
+  for (const auto &[name, value] : {std::pair{"scene", &mapping.scene}, std::pair{"file", &mapping.file}})
+    if (value->empty()) throw InputError(fmt::format("{}: {} is missing", path, name));
+  if (const auto *list = toml.find("set")) {
+    const auto *array = list->as_array();
+    if (!array) throw InputError(toml.location("set") + ": set must be an array of KEY=VALUE strings");
+    for (const auto &item : *array)
+      if (const auto *text = item.as_string())
+        mapping.overrides.push_back(text->get());
+      else
+        throw InputError(toml.location("set") + ": set must be an array of KEY=VALUE strings");
+  }
+  mapping.columns = read_columns(toml, path);
+  mapping.uncertainty = read_uncertainty(toml);
+  return mapping;
+}
+
+} // namespace rimpact::calibration

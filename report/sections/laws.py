@@ -1,0 +1,77 @@
+"""Which impact law serves: what each leaves unexplained, what it predicts unseen."""
+from ..blocks import Section, note, table
+from ..numbers import fixed, interval, is_number, percent, sig
+from .common import short_name
+
+
+def make(context):
+    calibration = context.calibration
+    if context.results.single or not (calibration.laws or calibration.speed_laws or calibration.profiles):
+        return None
+    section = Section("laws", "Impact laws, ranked")
+    section.lead = ("Every law fitted to the same impacts, each restarted from the reference's own state, and asked to "
+                    "predict runs it has not been fitted to.")
+    section.add(_ranking(calibration.laws))
+    section.add(note(calibration.laws_sentence) if calibration.laws_sentence else None)
+    section.add(_parameters(calibration.laws))
+    section.add(_left_out(calibration.laws))
+    section.add(_speed_laws(calibration.speed_laws))
+    section.add(_profiles(calibration.profiles))
+    return section
+
+
+def _ranking(laws):
+    rows = [[row.get("law"), percent(row.get("force_unexplained"), 1, False),
+             percent(row.get("largest_peak_force_error"), 1, False), percent(row.get("largest_rebound_error"), 1, False),
+             percent(row.get("left_out_peak_force_error"), 1, False), percent(row.get("left_out_rebound_error"), 1, False),
+             _range(row)] for row in laws]
+    return table(["law", "force unexplained", "peak force, fitted", "rebound, fitted", "peak force, left out",
+                  "rebound, left out", "valid (m/s)"], rows,
+                 caption="Largest errors over the runs, grazing ones apart. Valid: speeds at which peak force and rebound of "
+                         "runs left out are both met within 5 %.")
+
+
+def _range(row):
+    low, high = row.get("valid_from_m_s"), row.get("valid_to_m_s")
+    return f"{sig(low, 2)} to {sig(high, 2)}" if is_number(low) and is_number(high) else "nowhere"
+
+
+def _parameters(laws):
+    rows = []
+    for row in laws:
+        for name, p in (row.get("parameters") or {}).items():
+            rows.append([row.get("law"), name, sig(p.get("value"), 3), (p.get("unit") or "").strip("-"),
+                         interval(*(p.get("interval_95") or [None, None])), p.get("verdict") or "–"])
+    return table(["law", "parameter", "value", "unit", "95 % interval", "verdict"], rows, left=2,
+                 caption="Verdict: determined; form (determined by the data, but the law does not follow them, which "
+                         "widens the interval); flat; bound; grazing.")
+
+
+def _left_out(laws):
+    """The best law's errors on what it has not seen."""
+    if not laws:
+        return None
+    rows = []
+    for left in laws[0].get("leave_one_out") or []:
+        for folder, error in (left.get("runs") or {}).items():
+            name = short_name(folder.rstrip("/").split("/")[-1])
+            rows.append([left.get("left_out") if len(left.get("runs") or {}) > 1 else name, name, sig(error.get("approach_speed_m_s"), 2),
+                         percent(error.get("peak_force_error")), percent(error.get("rebound_error")),
+                         percent(error.get("nrmse_displacement"), 2, False), "grazes" if error.get("grazing") else ""])
+    return table(["left out", "run", "approach (m/s)", "peak force", "rebound", "NRMSE displacement", ""], rows, left=2,
+                 caption=f"{laws[0].get('law')}: fitted without what is left out, then asked for it.")
+
+
+def _speed_laws(laws):
+    rows = [[name, f"{sig(law.get('coefficient'), 3)} {law.get('unit', '').strip('-')} · (v / 1 m/s)^{fixed(law.get('exponent'), 2)}",
+             f"{sig(law.get('from_m_s'), 2)} to {sig(law.get('to_m_s'), 2)}", percent(law.get("largest_error"), 0, False)]
+            for name, law in laws.items()]
+    return table(["parameter", "over speed", "from windows (m/s)", "largest error"], rows, left=2, compact=True,
+                 caption="Where one pair does not serve: the pair of `signed` as a function of the approach speed.")
+
+
+def _profiles(profiles):
+    rows = [[name, interval(*(p.get("interval_95") or [None, None])), (p.get("unit") or "").strip("-")]
+            for name, p in profiles.items()]
+    return table(["parameter", "95 % by profile likelihood", "unit"], rows, compact=True,
+                 caption="From the stated uncertainties alone, the other parameters refitted; a dash: not reached.")

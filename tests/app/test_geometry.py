@@ -1,0 +1,60 @@
+"""The geometry study with a stand-in for the finite elements (stand_in_fe.py): shards, what is kept, what is written."""
+import csv
+import json
+import os
+import tempfile
+import unittest
+
+from command import rimpact
+
+STAND_IN = os.path.join(os.path.dirname(os.path.abspath(__file__)), "stand_in_fe.py")
+
+
+class Geometry(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder, self.log = os.path.join(temporary.name, "study"), os.path.join(temporary.name, "calls")
+
+    def geometry(self, *arguments, **more):
+        return rimpact("geometry", "-o", self.folder, *arguments, RIMPACT_FE_PROGRAM=STAND_IN, STAND_IN_LOG=self.log, **more)
+
+    def calls(self):
+        with open(self.log) as file:
+            return len(file.read().splitlines())
+
+    def test_shards_add_up_and_nothing_is_run_twice(self):
+        first = self.geometry("--samples", "12", "--shard", "1/2", "--json")
+        self.assertEqual(first.returncode, 0, first.stderr)
+        self.assertEqual(len(json.loads(first.stdout)["rows"]), 6)
+        second = self.geometry("--samples", "12", "--shard", "2/2", "--json")
+        self.assertEqual(len(json.loads(second.stdout)["rows"]), 12)
+        self.assertEqual(self.calls(), 12)
+        again = self.geometry("--samples", "12", "--json")
+        self.assertEqual(again.returncode, 0, again.stderr)
+        self.assertEqual(self.calls(), 12)
+        study = json.loads(again.stdout)
+        for row in study["rows"]:  # the pair the stand-in has, whatever the dimensions
+            self.assertAlmostEqual(row["k_i"] / 2.0e5, 1, places=4)
+            self.assertAlmostEqual(row["e"], 0.4, places=4)
+        self.assertLess(study["surrogates"]["k_i"]["left_out_error_largest"], 1e-3)
+        with open(os.path.join(self.folder, "geometry.csv")) as file:
+            self.assertEqual(len(list(csv.DictReader(file))), 12)
+        self.assertGreater(os.path.getsize(os.path.join(self.folder, "geometry.png")), 1000)
+
+    def test_a_run_that_stops_does_not_lose_the_others(self):
+        run = self.geometry("--samples", "4", "--json", STAND_IN_FAIL="g002")
+        self.assertEqual(run.returncode, 4, run.stderr)
+        self.assertEqual([row["name"] for row in json.loads(run.stdout)["rows"]], ["g000", "g001", "g003"])
+
+    def test_bad_words_are_refused(self):
+        for words, said in ((["--shard", "3/2"], "--shard 3/2"), (["--range", "rim_height"], "NAME=LOW:HIGH"),
+                            (["--range", "rim_hight=50:70"], "did you mean"), (["--samples", "1"], "samples 1"),
+                            (["--range", "speed=0.5:0.1"], "LOW < HIGH")):
+            run = self.geometry(*words)
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertIn(said, run.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,121 @@
+#include "calibration/calibration.h"
+#include "calibration/measured_run.h"
+#include "scene/error.h"
+#include "synthetic.h"
+#include <fstream>
+#include <gtest/gtest.h>
+
+namespace rimpact::calibration {
+namespace {
+using namespace testing;
+
+constexpr const char *columns = R"([columns.time]
+column = "t"
+unit = "ms"
+[columns.displacement_x]
+column = "LVDT 1"
+unit = "mm"
+factor = -1.0
+zero = 3.0
+[columns.impact_x]
+column = "cell"
+unit = "kN"
+)";
+
+/// A table as a laboratory writes it: ms, mm with an offset and the sign turned, kN, a name line, a column
+/// more.
+std::string write_test(const TemporaryFolder &folder, const scene::Scene &s, double force_factor = 1) {
+  const auto r = reduced::simulate(s).response;
+  std::ofstream table(folder.at("test.csv"));
+  table << "Impact test 7\nt;room;LVDT 1;cell\n";
+  for (std::size_t i = 0; i < r.size(); ++i)
+    if (i == 0 || r.series("time")[i] > r.series("time")[i - 1])
+      table << fmt::format("{};21.5;{};{}\n", 1e3 * r.series("time")[i],
+                           3 - 1e3 * r.series("displacement_x")[i],
+                           1e-3 * force_factor * r.series("impact_x")[i]);
+  std::ofstream(folder.at("scene.toml")) << scene::to_toml(s);
+  return folder.at("test.toml");
+}
+
+std::string head(const std::string &more = "") {
+  return "scene = \"scene.toml\"\nfile = \"test.csv\"\nskip_lines = 1\n" + more;
+}
+
+TEST(MeasuredRun, IsCalibratedLikeAnyOther) {
+  TemporaryFolder folder;
+  const auto path = write_test(folder, window(0.3));
+  std::ofstream(path) << head("set = [\"reduced.k_i_kN_per_m=4.5e5\"]\n") + columns +
+                             "[uncertainty]\nforce = 0.03\n";
+  const auto run = read_run(path, {});
+  ASSERT_EQ(run.impacts.size(), 1u);
+  EXPECT_DOUBLE_EQ(run.uncertainty->force, 0.03);
+  EXPECT_NEAR(run.impacts[0].impact.approach_speed, 0.3, 3e-3);
+  const auto c = calibrate({path});
+  EXPECT_NEAR(c.result.parameters.at("k_i").value / 3e5, 1, 0.01);
+  EXPECT_NEAR(c.result.parameters.at("e").value, 0.4, 0.01);
+}
+
+template <class E> void expect_refusal(const std::string &path, const std::string &words) {
+  try {
+    read_run(path, {});
+    ADD_FAILURE() << "accepted: " << words;
+  } catch (const E &error) {
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+  }
+}
+
+std::string replaced(std::string text, const std::string &from, const std::string &to) {
+  return text.replace(text.find(from), from.size(), to);
+}
+
+TEST(MeasuredRun, RefusesAMappingThatIsWrong) {
+  TemporaryFolder folder;
+  const auto path = write_test(folder, window(0.3));
+  const auto write = [&](const std::string &text) { std::ofstream(path) << text; };
+  write(head() + replaced(columns, "unit = \"mm\"", "unit = \"kN\""));
+  expect_refusal<InputError>(path, "columns.displacement_x.unit \"kN\" is no unit of displacement_x");
+  write(head() + replaced(columns, "columns.impact_x", "columns.impakt_x"));
+  expect_refusal<InputError>(path, "did you mean \"impact_x\"");
+  write(head() + replaced(columns, "\"cell\"", "\"cell 2\""));
+  expect_refusal<DataError>(path, "no column \"cell 2\" (impact_x)");
+  write(head("colour = 1\n") + columns);
+  expect_refusal<InputError>(path, "unknown key \"colour\"");
+  write("file = \"test.csv\"\n" + std::string(columns));
+  expect_refusal<InputError>(path, "scene is missing");
+}
+
+TEST(MeasuredRun, RefusesFiguresThatContradictEachOther) {
+  TemporaryFolder folder;
+  const auto path = write_test(folder, window(0.3));
+  const auto write = [&](const std::string &text) { std::ofstream(path) << text; };
+  write(head() + replaced(columns, "unit = \"kN\"", "unit = \"N\""));
+  expect_refusal<DataError>(path, "times the change of momentum");
+  write(head() + replaced(columns, "factor = -1.0", "factor = -25.4"));
+  expect_refusal<DataError>(path, "is the displacement's unit right?");
+  write(head() + replaced(columns, "unit = \"kN\"", "unit = \"kN\"\nfactor = -1.0"));
+  expect_refusal<DataError>(path, "is its sign right?");
+  write_test(folder, window(0.3), 0);
+  write(head() + columns);
+  EXPECT_TRUE(read_run(path, {}).impacts.empty());
+}
+
+TEST(MeasuredRun, NoiseOnTheForceIsNoImpact) {
+  TemporaryFolder folder;
+  const auto s = window(0.3);
+  const auto path = write_test(folder, s);
+  std::ofstream(path) << head("force_noise = 0.02\n") + columns;
+  // a cell that reads a little all the time
+  std::ifstream in(folder.at("test.csv"));
+  std::string text((std::istreambuf_iterator<char>(in)), {}), noisy;
+  int n = 0;
+  std::istringstream lines(text);
+  for (std::string line; std::getline(lines, line); ++n)
+    noisy += n > 1 && line.size() > 2 && line.substr(line.size() - 2) == ";0"
+                 ? line + (n % 2 ? ".5\n" : ".7\n")
+                 : line + "\n";
+  std::ofstream(folder.at("test.csv")) << noisy;
+  EXPECT_EQ(read_run(path, {}).impacts.size(), 1u);
+}
+
+} // namespace
+} // namespace rimpact::calibration
