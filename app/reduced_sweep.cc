@@ -1,28 +1,15 @@
 #include "app/reduced_sweep.h"
 #include "app/progress.h"
+#include "app/shard.h"
 #include "fleets/fleet.h"
 #include "scene/text.h"
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace rimpact::app {
 namespace {
-
-/// "2/8" -> {2, 8}.
-std::pair<int, int> parse_shard(const std::string &text) {
-  if (text.empty()) return {1, 1};
-  const auto parts = scene::split(text, '/');
-  constexpr double most = 100'000;
-  double number[2] = {0, 0};
-  for (std::size_t i = 0; i < 2 && parts.size() == 2; ++i) number[i] = scene::to_number(parts[i]).value_or(0);
-  if (!(number[0] >= 1 && number[0] <= number[1] && number[1] <= most && number[0] == std::floor(number[0]) &&
-        number[1] == std::floor(number[1])))
-    throw InputError(fmt::format("--shard {} must be I/N with 1 <= I <= N, e.g. 2/8", text));
-  return {static_cast<int>(number[0]), static_cast<int>(number[1])};
-}
 
 bool is_grid_argument(const std::string &text) {
   return text.find('=') != std::string::npos && !std::filesystem::exists(text);

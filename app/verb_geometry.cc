@@ -1,6 +1,7 @@
 // rimpact geometry: k_i, e, peak force and plastic strain over rim and slider dimensions, yield stress and
 // speed.
 #include "app/job_runner.h"
+#include "app/shard.h"
 #include "app/sibling.h"
 #include "app/verb.h"
 #include "calibration/geometry_study.h"
@@ -13,20 +14,10 @@ namespace rimpact::app {
 namespace {
 
 struct Options {
-  std::string bearing = "shfps-225", folder = "results/geometry", shard = "1/1";
+  std::string bearing = "shfps-225", folder = "results/geometry", shard;
   std::vector<std::string> ranges;
   calibration::GeometryOptions study;
 };
-
-/// "2/4": the second of four equal parts.
-std::pair<int, int> shard_of(const std::string &text) {
-  const auto parts = scene::split(text, '/');
-  const auto i = parts.size() == 2 ? scene::to_number(parts[0]) : std::nullopt,
-             n = parts.size() == 2 ? scene::to_number(parts[1]) : std::nullopt;
-  if (!i || !n || *i < 1 || *i > *n || *n > 1e6 || *i != static_cast<int>(*i) || *n != static_cast<int>(*n))
-    throw InputError("--shard " + text + ": must be i/n with 1 <= i <= n");
-  return {static_cast<int>(*i), static_cast<int>(*n)};
-}
 
 void read_ranges(Options &options) {
   for (const auto &word : options.ranges) {
@@ -56,7 +47,7 @@ std::vector<calibration::GeometryRow> rows_of(const std::vector<Job> &jobs, Cons
 }
 
 void run_geometry(Options options, Console &console) {
-  const auto [part, n_parts] = shard_of(options.shard);
+  const auto [part, n_parts] = parse_shard(options.shard);
   read_ranges(options);
   auto window = scene::load_scene("impact-window", console.overrides);
   window.bearing = scene::load_bearing(options.bearing);
@@ -101,8 +92,7 @@ void add_geometry(CLI::App &app, Console &console) {
   verb->add_option("--strain-limit", options->study.strain_limit,
                    "plastic strain at which a rim counts as lost")
       ->capture_default_str();
-  verb->add_option("--shard", options->shard, "i/n: run the i-th of n parts, with the same -o")
-      ->capture_default_str();
+  verb->add_option("--shard", options->shard, "I/N: every N-th run from the I-th on, with the same -o");
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);

@@ -34,33 +34,51 @@ public:
   }
 
   void evaluate(const scene::Scene &scene, std::span<double> r) const override {
-    const Shot shot = shoot(scene, window_);
+    Shot shot = shoot(scene, window_);
+    std::size_t n = compare_curves(shot, r);
+    const double shifted = phase_ > 0 ? shift(shot, r) : 0;
+    if (rebound_ > 0) r[n++] = rebound_ * (shot.rebound_speed - window_.impact.rebound_speed);
+    if (peak_ > 0) r[n++] = peak_ * (shot.peak - window_.peak);
+    if (phase_ > 0) r[n] = shifted;
+  }
+
+private:
+  /// Fills the groups force and displacement; returns their size.
+  std::size_t compare_curves(const Shot &shot, std::span<double> r) const {
     std::size_t n = 0;
     if (force_ > 0)
       for (const std::size_t i : pressed_) r[n++] = force_ * (shot.force[i] - window_.force[i]);
     if (displacement_ > 0)
       for (std::size_t i = 0; i < window_.times.size(); ++i)
         r[n++] = displacement_ * (shot.displacement[i] - window_.displacement[i]);
-    if (rebound_ > 0) r[n++] = rebound_ * (shot.rebound_speed - window_.impact.rebound_speed);
-    if (peak_ > 0) r[n++] = peak_ * (shot.peak - window_.peak);
-    if (phase_ > 0) r[n] = shift(shot, r);
+    return n;
   }
 
-private:
-  /// Moves the model's force and displacement by the time that makes all residuals smallest (linear in it);
+  /// Moves the model's force and displacement by the time that makes all residuals smallest (Gauss-Newton);
   /// returns the time over its uncertainty.
-  double shift(const Shot &shot, std::span<double> r) const {
-    const auto force = differentiate(window_.times, shot.force),
-               speed = differentiate(window_.times, shot.displacement);
-    std::vector<double> slope; // of the residuals over a later clock of the reference
-    if (force_ > 0)
-      for (const std::size_t i : pressed_) slope.push_back(-force_ * force[i]);
-    if (displacement_ > 0)
-      for (const double v : speed) slope.push_back(-displacement_ * v);
-    double along = 0, square = phase_ * phase_;
-    for (std::size_t i = 0; i < slope.size(); ++i) along += slope[i] * r[i], square += slope[i] * slope[i];
-    const double delay = -along / square;
-    for (std::size_t i = 0; i < slope.size(); ++i) r[i] += delay * slope[i];
+  double shift(Shot &shot, std::span<double> r) const {
+    constexpr int iterations = 4; // the curves are smooth over such a time
+    const Shot own = shot;
+    double delay = 0;
+    for (int n = 0; n < iterations; ++n) {
+      const auto force = differentiate(window_.times, shot.force),
+                 speed = differentiate(window_.times, shot.displacement);
+      double along = delay * phase_ * phase_, square = phase_ * phase_;
+      std::size_t i = 0;
+      const auto add = [&](double slope) { along += slope * r[i++], square += slope * slope; };
+      if (force_ > 0)
+        for (const std::size_t j : pressed_) add(-force_ * force[j]);
+      if (displacement_ > 0)
+        for (const double v : speed) add(-displacement_ * v);
+      delay -= along / square;
+      for (std::size_t j = 0; j < window_.times.size(); ++j) {
+        const double t = window_.times[j] - delay;
+        shot.force[j] = pulse_at(window_.times, own.force, t);
+        shot.displacement[j] = own.displacement.front() + std::min(0.0, t - window_.times[0]) * speed[0];
+        if (t > window_.times[0]) shot.displacement[j] = linear_at(window_.times, own.displacement, t);
+      }
+      compare_curves(shot, r);
+    }
     return phase_ * delay;
   }
 
