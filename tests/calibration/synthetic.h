@@ -39,7 +39,7 @@ inline StoredRun run_of(const scene::Scene &s, const WindowOptions &options = {}
 }
 
 /// Errors as an instrument makes them: force scaled by one draw, each sample of force and displacement under
-/// the rim noisy, the speed after release off by one draw; the state before touch stays exact.
+/// the rim noisy, the returning speed off by one draw; the state before touch stays exact.
 inline StoredRun noisy(const scene::Scene &s, unsigned seed, const Uncertainty &u,
                        const WindowOptions &options = {}) {
   auto response = reduced::simulate(s).response;
@@ -61,7 +61,7 @@ inline StoredRun noisy(const scene::Scene &s, unsigned seed, const Uncertainty &
   const double approach = response.series("velocity_x").front(),
                slip = u.speed * approach * normal(generator);
   for (std::size_t i = 0; i < response.size(); ++i)
-    if (response.series("velocity_x")[i] < 0 && response.series("impact_x")[i] == 0)
+    if (response.series("velocity_x")[i] < 0) // from the turn on: the rebound is read at the last pressed sample
       response.series("velocity_x")[i] += slip;
   return make_run(s.name, s, response, options);
 }
