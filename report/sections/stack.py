@@ -1,4 +1,4 @@
-"""The deformed bearing of rung rigid-dish: the cut along its travel and the pressure under the pad."""
+"""The deformed bearing of rungs rigid-dish and full: the cut along its travel and the pressure under the pad."""
 import os
 import re
 
@@ -13,11 +13,11 @@ MOST = 4  # runs shown
 
 def make(context):
     runs = [(entry, entry.fe) for entry in context.results.entries
-            if entry.fe is not None and entry.fe.rung == "rigid-dish" and field_files(entry.fe)]
+            if entry.fe is not None and entry.fe.rung in ("rigid-dish", "full") and field_files(entry.fe)]
     if not runs:
         return None
     section = Section("stack", "The deformed bearing")
-    section.lead = "Pad, foot and slider on the exact dish, at the stored instant farthest from the vertex."
+    section.lead = "The deformed solids at the stored instant farthest from the vertex."
     for entry, run in runs[:MOST]:
         section.add(None if context.results.single else heading(title_of(entry.name)))
         section.add(context.pictures.figure(f"stack-{entry.name}", _caption(run), _draw, run))

@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+"""One window with weight and friction by every rung: what each leaves out, and what that costs. The reduced model and rung
+rim carry the finite pad's and the socket's terms, which rungs rigid-dish and full have by themselves; the reduced model
+has the k_i and e fitted on the pulses (docs/measured.md).
+
+Gates: rigid-dish against rim within 3 % in peak force; rigid-dish against full within 2 % in peak force and 0.3 % of L_c
+in displacement; imbalance below 1e-3. Runs kept in FOLDER are not repeated, so the table may be made in several calls.
+Prints the table, writes it to FOLDER/baseline.txt, fails when a gate is missed.
+usage: windows_of_rungs.py RIMPACT FOLDER [speeds, e.g. 0.1,0.5] [rungs, e.g. reduced,rim,rigid-dish,full]"""
+import json
+import pathlib
+import subprocess
+import sys
+
+COMMON = ['excitation.with=["weight","friction"]', "excitation.duration_s=0.06", "reduced.finite_pad=true",
+          "reduced.socket_friction=true"]
+FITTED = ["reduced.k_i_kN_per_m=76363", "reduced.restitution=0.114"]
+RUNGS = ("reduced", "rim", "rigid-dish", "full")
+LATERAL_CAPACITY = 0.4  # [m]
+
+
+def window(program, folder, rung, speed):
+    summary = folder / f"{rung}_{speed}" / "summary.json"
+    if not (summary.exists() and json.loads(summary.read_text())["status"] == "done"):
+        verb = ["reduced"] if rung == "reduced" else ["run", "--rung", rung]
+        command = [program, verb[0], "impact-window", *verb[1:], "-o", str(summary.parent), "--quiet"]
+        for setting in [*COMMON, *(FITTED if rung == "reduced" else []), f"excitation.speed_m_per_s={speed}"]:
+            command += ["--set", setting]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    return json.loads(summary.read_text())
+
+
+def line(rung, speed, run, reference):
+    impact = run["impacts"][0]
+    force = run["peak_impact_force_N"]
+    return (f"{rung:10s} {speed:5.2f} {run.get('n_dofs', 0):6d} {run['n_steps']:6d} {run['n_newton_iterations']:6d} "
+            f"{run['wall_time_s']:8.2f} {run['peak_memory_bytes'] / 1e9:5.2f} {force / 1e3:8.1f} "
+            f"{100 * (force / reference - 1):7.2f} {1e3 * impact['peak_penetration_m']:8.3f} {impact['restitution']:8.4f} "
+            f"{1e3 * (impact['release_time_s'] - impact['touch_time_s']):7.2f} {run.get('max_plastic_strain') or 0:8.4f} "
+            f"{run['energy']['imbalance_relative']:9.1e}")
+
+
+def main(program, folder, speeds=(0.1, 0.5), rungs=RUNGS):
+    folder = pathlib.Path(folder)
+    lines = ["rung       speed   dofs  steps newton  seconds    GB  peak_kN error_% press_mm  rebound time_ms   strain imbalance"]
+    failures = []
+
+    def gate(what, value, bound):
+        if not abs(value) < bound:
+            failures.append(f"MISSED {what}: {value:.3g} is not below {bound}")
+
+    for speed in speeds:
+        runs = {rung: window(program, folder, rung, speed) for rung in rungs}
+        finest = runs[rungs[-1]]["peak_impact_force_N"]
+        lines += [line(rung, speed, run, finest) for rung, run in runs.items()]
+        for first, second, bound in (("rim", "rigid-dish", 0.03), ("rigid-dish", "full", 0.02)):
+            if first in runs and second in runs:
+                a, b = runs[first], runs[second]
+                gate(f"peak force of {first} over {second} at {speed}",
+                     a["peak_impact_force_N"] / b["peak_impact_force_N"] - 1, bound)
+                if second == "full":
+                    gate(f"peak displacement of {first} and {second} at {speed}, over L_c",
+                         (a["peak_displacement_m"] - b["peak_displacement_m"]) / LATERAL_CAPACITY, 0.003)
+        for rung, run in runs.items():
+            gate(f"imbalance of {rung} at {speed}", run["energy"]["imbalance_relative"], 1e-3)
+    text = "\n".join([*lines, f"# error of the peak force over rung {rungs[-1]}", *failures]) + "\n"
+    print(text)
+    (folder / "baseline.txt").write_text(text)
+    return 1 if failures else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1], sys.argv[2], *(tuple(convert(x) for x in text.split(","))
+                                              for convert, text in zip((float, str), sys.argv[3:]))))
