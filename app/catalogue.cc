@@ -22,6 +22,7 @@ const std::vector<Verb> &light_verbs() {
       {"calibrate", add_calibrate},
       {"compare", add_compare},
       {"geometry", add_geometry},
+      {"study", add_study},
       {"report", add_report},
       {"export", add_export},
       {"list", add_list},

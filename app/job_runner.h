@@ -1,4 +1,4 @@
-/// Runs the jobs of `main` and `geometry` as processes, side by side.
+/// Runs the jobs of `main`, `geometry` and `study` as processes, side by side.
 #pragma once
 #include "app/console.h"
 #include "app/main_jobs.h"

@@ -5,7 +5,7 @@
 namespace rimpact::app {
 
 struct Job {
-  std::string name, role; ///< role: fit | predict | window | geometry
+  std::string name, role; ///< role: fit | predict | window | geometry | study
   scene::Scene scene;
   std::string folder; ///< DIR/runs/NAME
   bool done = false, reused = false;

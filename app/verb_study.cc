@@ -1,0 +1,154 @@
+// rimpact study SCENE: the same scene with cheaper and dearer settings, speed against error.
+#include "app/job_runner.h"
+#include "app/shard.h"
+#include "app/sibling.h"
+#include "app/verb.h"
+#include "calibration/speed_error.h"
+#include "reduced_models/physical_model.h"
+#include "scene/response.h"
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace rimpact::app {
+namespace {
+
+struct Options {
+  std::string scene, folder, shard;
+  std::vector<std::string> axes{"rung", "mesh"};
+  std::vector<std::string> rungs{"reduced", "rim"};
+  std::vector<int> meshes{1, 2};
+  std::vector<double> steps{1.0, 0.5}; // [ms]
+  double wanted = 2;                   // [%]
+  bool varies(const std::string &axis) const { return std::find(axes.begin(), axes.end(), axis) != axes.end(); }
+};
+
+/// One job a combination; the reduced model knows neither mesh nor step.
+std::vector<Job> study_jobs(const Options &options, const scene::Scene &base) {
+  const auto rungs = options.varies("rung") ? options.rungs : std::vector<std::string>{base.model.rung};
+  const auto meshes = options.varies("mesh") ? options.meshes : std::vector<int>{base.model.mesh};
+  const auto steps = options.varies("step") ? options.steps : std::vector<double>{1e3 * base.model.step};
+  std::vector<Job> jobs;
+  const auto add = [&](const std::string &name, scene::Scene scene) {
+    scene.name = base.name;
+    jobs.push_back({name, "study", scene, options.folder + "/runs/" + name, false, false, {}});
+  };
+  for (const auto &rung : rungs) {
+    if (rung == "reduced") {
+      add("reduced", base);
+      continue;
+    }
+    for (const int mesh : meshes)
+      for (const double step : steps) {
+        scene::Scene scene = base;
+        scene.model.rung = rung;
+        scene.model.mesh = mesh;
+        scene.model.step = 1e-3 * step;
+        add(fmt::format("{}-mesh{}", rung, mesh) + (options.varies("step") ? fmt::format("-{:g}ms", step) : ""), scene);
+      }
+  }
+  return jobs;
+}
+
+/// The reduced model is done in a moment; the others are left for the runner.
+std::vector<Job> without_reduced(const std::vector<Job> &jobs) {
+  std::vector<Job> left;
+  for (const auto &job : jobs) {
+    if (job.name != "reduced") {
+      left.push_back(job);
+      continue;
+    }
+    auto run = reduced::simulate(job.scene);
+    scene::write_run_folder(job.folder, job.scene, std::move(run.response), run.summary);
+  }
+  return left;
+}
+
+std::vector<calibration::StudyRun> runs_of(const std::vector<Job> &jobs, Console &console) {
+  std::vector<calibration::StudyRun> runs;
+  for (const auto &job : jobs) {
+    if (!is_done(job)) continue;
+    try {
+      runs.push_back(calibration::study_run(job.name, summary_of(job.folder), scene::read_response(job.folder)));
+      runs.back().step = job.scene.model.step;
+    } catch (const DataError &error) {
+      console.warn(error.what());
+    }
+  }
+  return runs;
+}
+
+void write(const calibration::SpeedError &study, const std::string &folder, Console &console) {
+  const auto json = calibration::to_json(study);
+  scene::write_text(json.dump(2) + "\n", folder + "/study.json");
+  scene::write_text(calibration::to_csv(study), folder + "/study.csv");
+  scene::write_text(calibration::describe(study), folder + "/study.txt");
+  console.data(console.json ? json.dump(2) + "\n" : calibration::describe(study));
+  if (python({"report.quick", "study", folder}) != 0) console.warn("the picture in " + folder + " was not made");
+}
+
+void run_study(Options options, Console &console) {
+  for (const auto &axis : options.axes)
+    if (axis != "rung" && axis != "mesh" && axis != "step")
+      throw InputError("--axes " + axis + ": must be of rung, mesh, step");
+  const auto [part, n_parts] = parse_shard(options.shard);
+  const scene::Scene base = scene::load_scene(options.scene, console.overrides);
+  if (options.folder.empty()) options.folder = "results/study-" + base.name;
+  const std::vector<Job> jobs = study_jobs(options, base);
+  std::vector<Job> own;
+  for (std::size_t k = 0; k < jobs.size(); ++k)
+    if (static_cast<int>(k) % n_parts == part - 1) own.push_back(jobs[k]);
+  std::error_code error;
+  std::filesystem::create_directories(options.folder + "/runs", error);
+  if (error) throw IoError("cannot make " + options.folder + "/runs: " + error.message());
+  own = without_reduced(own);
+  if (!own.empty()) {
+    JobRunner runner(own, console);
+    watch_interrupts();
+    runner.run();
+  }
+  const auto runs = runs_of(jobs, console);
+  if (runs.size() < 2 && n_parts > 1) {
+    console.message(fmt::format("{} of {} runs are done; the other shards make the table", runs.size(), jobs.size()));
+    return;
+  }
+  const auto study = calibration::speed_against_error(runs, base.lateral_capacity(), options.wanted / 100);
+  write(study, options.folder, console);
+  for (const auto &job : own)
+    if (!job.done) throw SolverStopped(job.name + " did not end well: " + job.failure);
+  if (study.recommended.empty())
+    throw GateError(fmt::format("no setting of this study has an error of {:g} % or less", options.wanted));
+}
+
+} // namespace
+
+void add_study(CLI::App &app, Console &console) {
+  auto *verb = app.add_subcommand("study", "speed against error of a scene: rungs, meshes, steps");
+  auto options = std::make_shared<Options>();
+  verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
+  verb->add_option("-o,--output", options->folder, "results folder (default results/study-SCENE)");
+  verb->add_option("--axes", options->axes, "what varies, of rung,mesh,step; the rest is the scene's")
+      ->delimiter(',')
+      ->capture_default_str();
+  verb->add_option("--rungs", options->rungs, "values of the axis rung")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"reduced", "rim", "rigid-dish", "full"}))
+      ->capture_default_str();
+  verb->add_option("--meshes", options->meshes, "values of the axis mesh")
+      ->delimiter(',')
+      ->check(CLI::Range(1, 3))
+      ->capture_default_str();
+  verb->add_option("--steps", options->steps, "values of the axis step [ms]")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_option("--error", options->wanted, "wanted error [%], for the recommendation")
+      ->check(CLI::PositiveNumber)
+      ->capture_default_str();
+  verb->add_option("--shard", options->shard, "I/N: every N-th run from the I-th on, with the same -o");
+  console.add_common(*verb);
+  console.add_json(*verb);
+  console.add_overrides(*verb);
+  verb->callback([options, &console] { run_study(*options, console); });
+}
+
+} // namespace rimpact::app
