@@ -55,7 +55,7 @@ class Stack:
         corners, _ = boundary_faces(self.cells, self.place)
         quads = self.points[corners]
         sliding = ((np.hypot(*quads[:, :, :2].reshape(-1, 2).T).reshape(-1, 4).max(axis=1) < PAD_REACH)
-                   & (quads[:, :, 2].max(axis=1) < PAD_DEPTH) & (normals(quads)[:, 2] < -0.7))
+                   & (quads[:, :, 2].min(axis=1) > -1e-6) & (quads[:, :, 2].max(axis=1) < PAD_DEPTH) & (normals(quads)[:, 2] < -0.7))
         flat, values = 1e3 * quads[sliding][:, :, :2], self.pressure[corners[sliding]]
         if self.half and len(flat):
             flat, values = np.concatenate([flat, flat * [1, -1]]), np.concatenate([values, values])

@@ -25,7 +25,19 @@ def bearing(travel, angle=0.0, side=1):
                                 "von_mises_MPa": np.full(len(points), 100.0)}, {})
 
 
+def with_plate(grid):
+    """A plate below it, whose base faces down as the pad does."""
+    points, cells = synthetic_mesh.block((3, 6, 1), lambda a, b, c: synthetic_mesh._polar(0.01 + 0.5 * a, np.pi * b, 0.05 * c - 0.05))
+    below, number = points[cells].reshape(-1, 3), np.arange(cells.size).reshape(-1, 8) + len(grid.points)
+    zeros = {name: np.zeros((len(below),) + values.shape[1:]) for name, values in grid.point_data.items()}
+    return Grid(np.concatenate([grid.points, below]), np.concatenate([grid.hexahedra, number]),
+                {name: np.concatenate([values, zeros[name]]) for name, values in grid.point_data.items()}, {})
+
+
 class StackPicture(InFolder):
+    def test_the_plates_base_is_no_pad(self):
+        self.assertEqual(len(stack_picture.Stack(with_plate(bearing(0.3))).pad()[0]), 2 * 3 * 8)
+
     def test_the_pads_face_is_found_and_mirrored(self):
         flat, pressure = stack_picture.Stack(bearing(0.3)).pad()
         self.assertEqual(len(flat), 2 * 3 * 8)
