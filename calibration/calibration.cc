@@ -58,14 +58,19 @@ std::vector<GrazingReport> grazing_reports(const std::vector<const std::vector<S
 }
 
 /// The laws on every run to fit; what is fitted beside a law's own parameters stays at its fitted value.
-LawRanking rank(const std::vector<StoredRun> &runs, const CalibrationOptions &options,
-                const FitResult &result, std::vector<std::string> &notes) {
+void rank(const std::vector<StoredRun> &runs, const CalibrationOptions &options, Calibration &c) {
+  if (options.laws.empty()) return;
   std::vector<const StoredRun *> every;
   for (const auto &run : runs) every.push_back(&run);
   FitOptions own = options.fit;
-  for (const auto &[name, estimate] : result.parameters)
+  for (const auto &[name, estimate] : c.result.parameters)
     if (!of_a_law(name)) own.fixed[name] = estimate.value;
-  return rank_laws(every, options.laws, own, notes);
+  c.laws = rank_laws(every, options.laws, own, c.notes);
+  c.pair_range = pair_range(every, own, c.laws.tolerance);
+  if (!c.pair_range)
+    c.notes.push_back(fmt::format("no constant pair meets peak force and rebound within {:.0f} % over three "
+                                  "neighbouring speeds",
+                                  100 * c.laws.tolerance));
 }
 
 void note_outcome(Calibration &c) {
@@ -105,7 +110,7 @@ Calibration calibrate(const std::vector<std::string> &run_folders, const Calibra
   if (options.profiles && options.fit.parameters.size() > 1)
     for (const auto &name : options.fit.parameters)
       c.profiles[name] = profile_of(fitted, options.fit, c.result, name);
-  c.laws = rank(runs, options, c.result, c.notes);
+  rank(runs, options, c);
   if (options.grazing_reports) c.grazing = grazing_reports({&runs, &predicted}, c.result);
   note_outcome(c);
   return c;

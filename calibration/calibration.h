@@ -5,7 +5,7 @@
 /// which the constant pair holds; with windows alone, the parameters are the best constant ones over all of
 /// them.
 #pragma once
-#include "calibration/law_ranking.h"
+#include "calibration/pair_range.h"
 #include "calibration/metrics.h"
 #include "calibration/profile.h"
 #include "calibration/sensitivity.h"
@@ -47,6 +47,7 @@ struct Calibration {
   std::vector<SpeedLaw> speed_laws;
   std::map<std::string, Profile> profiles; ///< by parameter
   LawRanking laws;
+  std::optional<PairRange> pair_range; ///< where laws are ranked: the range of a constant pair
   std::vector<GrazingReport> grazing;
   scene::Scene scene; ///< the first fitted run's, with the fitted values: mass, law, friction
   std::vector<std::string> notes;

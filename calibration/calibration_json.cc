@@ -19,7 +19,8 @@ json element_json(const scene::Scene &scene) {
     const auto &p = parameter(name);
     element[name] = {{"value", p.get(scene) / p.si}, {"unit", p.unit}};
   }
-  if (element.contains("exponent")) element["reference_speed_m_per_s"] = scene.reduced.reference_speed;
+  if (element.contains("exponent") || element.contains("yield_force"))
+    element["reference_speed_m_per_s"] = scene.reduced.reference_speed;
   return element;
 }
 
@@ -124,6 +125,7 @@ json to_json(const Calibration &c) {
   out["fitted_on"] = c.fitted_on;
   out["windows"] = c.windows ? windows_json(*c.windows) : json(nullptr);
   out["laws"] = laws_json(c.laws);
+  out["constant_pair"] = c.pair_range ? pair_range_json(*c.pair_range) : json(nullptr);
   out["speed_laws"] = speed_laws_json(c.speed_laws);
   out["profiles"] = profiles_json(c.profiles);
   out["critical_amplitudes"] = grazing_json(c.grazing);

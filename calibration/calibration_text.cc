@@ -74,6 +74,7 @@ std::string describe(const Calibration &c) {
                         law.name, law.coefficient, law.unit, law.exponent, law.from, law.to,
                         100 * law.largest_error);
   text += describe(c.laws);
+  if (c.pair_range) text += c.pair_range->sentence + "\n";
   for (const auto &r : c.grazing)
     text += fmt::format(
         "{}: first touch at scale {}; at {:g} the peak impact force is {:.4g} kN ({:.4g} .. {:.4g} kN)\n",

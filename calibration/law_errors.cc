@@ -26,11 +26,11 @@ std::vector<std::pair<std::string, Runs>> sets_of(const Runs &runs) {
   return sets;
 }
 
+} // namespace
+
 bool only_grazing(const StoredRun &run) {
   return std::all_of(run.impacts.begin(), run.impacts.end(), [](const auto &w) { return w.grazing; });
 }
-
-} // namespace
 
 LawError error_of(const StoredRun &run, const FitResult &result) {
   const auto scene = with_fitted(run.scene, result);

@@ -4,6 +4,9 @@
 
 namespace rimpact::calibration {
 
+/// Whether it has impacts and all of them graze the rim, or it has none.
+bool only_grazing(const StoredRun &run);
+
 /// Throws what the reduced model throws for values it refuses.
 LawError error_of(const StoredRun &run, const FitResult &result);
 

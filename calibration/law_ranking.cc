@@ -74,7 +74,16 @@ LawRow row_of(const Runs &runs, const FitOptions &options, double tolerance) {
   return row;
 }
 
-FitOptions options_of(const std::string &law, const FitOptions &given) {
+} // namespace
+
+bool of_a_law(const std::string &parameter) {
+  const auto &laws = reduced::impact_laws();
+  return std::any_of(laws.begin(), laws.end(), [&](const auto &law) {
+    return std::find(law.parameters.begin(), law.parameters.end(), parameter) != law.parameters.end();
+  });
+}
+
+FitOptions options_for(const std::string &law, const FitOptions &given) {
   FitOptions own = given;
   own.law = law;
   own.parameters = reduced::impact_law(law).parameters;
@@ -89,15 +98,6 @@ FitOptions options_of(const std::string &law, const FitOptions &given) {
   return own;
 }
 
-} // namespace
-
-bool of_a_law(const std::string &parameter) {
-  const auto &laws = reduced::impact_laws();
-  return std::any_of(laws.begin(), laws.end(), [&](const auto &law) {
-    return std::find(law.parameters.begin(), law.parameters.end(), parameter) != law.parameters.end();
-  });
-}
-
 LawRanking rank_laws(const std::vector<const StoredRun *> &runs, const std::vector<std::string> &laws,
                      const FitOptions &options, std::vector<std::string> &notes, double tolerance) {
   LawRanking ranking{.tolerance = tolerance, .rows = {}, .sentence = {}};
@@ -105,7 +105,7 @@ LawRanking rank_laws(const std::vector<const StoredRun *> &runs, const std::vect
   for (const StoredRun *run : runs)
     if (!run->impacts.empty()) struck.push_back(run);
   for (const auto &law : laws) {
-    const FitOptions own = options_of(law, options);
+    const FitOptions own = options_for(law, options);
     if (own.parameters.empty()) {
       notes.push_back(fmt::format("the law {} is not ranked: all its parameters are fixed", law));
       continue;

@@ -42,6 +42,8 @@ struct LawRanking {
 
 /// Whether some impact law reads the parameter.
 bool of_a_law(const std::string &parameter);
+/// `given` for another law: its own parameters, what is held or bounded where it reads that, fewer starts.
+FitOptions options_for(const std::string &law, const FitOptions &given);
 
 /// `runs` are fitted, grazing impacts apart. Laws that cannot be fitted are left out with a note.
 LawRanking rank_laws(const std::vector<const StoredRun *> &runs, const std::vector<std::string> &laws,

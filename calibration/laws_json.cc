@@ -67,6 +67,18 @@ json laws_json(const LawRanking &ranking) {
   return {{"tolerance", ranking.tolerance}, {"sentence", ranking.sentence}, {"rows", rows}};
 }
 
+json pair_range_json(const PairRange &range) {
+  return {{"law", range.law},
+          {"tolerance", range.tolerance},
+          {"parameters", parameters_json(range.result)},
+          {"valid_from_m_s", range.from},
+          {"valid_to_m_s", range.to},
+          {"fitted", errors_json(range.inside)},
+          {"left_out", errors_json(range.left_out)},
+          {"outside", errors_json(range.outside)},
+          {"sentence", range.sentence}};
+}
+
 json speed_laws_json(const std::vector<SpeedLaw> &laws) {
   json all = json::object();
   for (const auto &law : laws)

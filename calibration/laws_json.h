@@ -10,6 +10,7 @@ nlohmann::json number(const std::optional<double> &value);
 
 nlohmann::json parameters_json(const FitResult &result);
 nlohmann::json laws_json(const LawRanking &ranking);
+nlohmann::json pair_range_json(const PairRange &range);
 nlohmann::json speed_laws_json(const std::vector<SpeedLaw> &laws);
 nlohmann::json profiles_json(const std::map<std::string, Profile> &profiles);
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <numbers>
 
 namespace rimpact::calibration {
 
@@ -53,11 +52,16 @@ Material material_of(const RimSprings &r) {
             "restitution stays where the fitted law's falls with speed",
             r.reference_speed)};
   }
-  if (r.law == "elastoplastic")
-    return {"ElasticPPGap",
-            {r.k_i, -r.yield_force, gap, r.hardening},
-            "damage",
-            "the fitted law with a sharp corner at the yield force and unloading along k_i; the dent stays"};
+  if (r.law == "elastoplastic") {
+    const auto [yield_force, hardening] = bilinear_of(r);
+    return {
+        "ElasticPPGap",
+        {r.k_i, -yield_force, gap, hardening},
+        "damage",
+        fmt::format("bilinear, with the fitted law's largest force and penetration at {:g} m/s; it unloads "
+                    "along k_i and rebounds faster; the dent stays",
+                    r.reference_speed)};
+  }
   throw DataError(fmt::format("OpenSees has no material for the impact law {}", r.law));
 }
 
@@ -100,28 +104,12 @@ RimSprings rim_springs(const json &calibration) {
     r.exponent = number_at(element, "exponent");
     r.reference_speed = number_at(element, "reference_speed_m_per_s");
   } else if (elastoplastic) {
+    r.reference_speed = number_at(element, "reference_speed_m_per_s");
     r.yield_force = number_at(element, "yield_force", 1e3);
     r.hardening = number_at(element, "hardening");
   } else
     r.damping = number_at(derived, "c_i", 1e3);
   return r;
-}
-
-PolygonError polygon_error(int n, double L_c, double penetration) {
-  PolygonError error{.gap = L_c * (1 / std::cos(std::numbers::pi / n) - 1), .force = 0};
-  const double u = L_c + penetration;
-  constexpr int n_directions = 181; // from a spring's direction to half-way to the next; the rest repeats
-  for (int i = 0; i < n_directions; ++i) {
-    const double direction = std::numbers::pi / n * i / (n_directions - 1);
-    double x = 0, y = 0;
-    for (int k = 0; k < n; ++k) {
-      const double angle = 2 * std::numbers::pi * k / n - direction;
-      const double pressed = std::max(0.0, u * std::cos(angle) - L_c);
-      x += pressed * std::cos(angle), y += pressed * std::sin(angle);
-    }
-    error.force = std::max(error.force, std::hypot(x - penetration, y) / penetration);
-  }
-  return error;
 }
 
 std::string opensees_tcl(const RimSprings &r, int n) {

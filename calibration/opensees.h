@@ -14,12 +14,20 @@ struct RimSprings {
   double mass = 0;             ///< supported, m1 [kg]; m2, the rim, is fixed
   double lateral_capacity = 0; ///< where the rim begins [m], > 0
   double exponent = 1;         ///< hunt-crossley [-]
-  double reference_speed = 0;  ///< hunt-crossley [m/s]
+  double reference_speed = 0;  ///< hunt-crossley, elastoplastic [m/s], > 0
   double yield_force = 0;      ///< elastoplastic [N]
   double hardening = 0;        ///< elastoplastic [-]
 };
 /// From calibration.json. Throws DataError naming the key that is missing.
 RimSprings rim_springs(const nlohmann::json &calibration);
+
+/// Bilinear spring that stands for the elastoplastic law, whose load path bends further: both stop the
+/// supported mass at the reference speed at the same penetration with the same force.
+struct Bilinear {
+  double yield_force; ///< [N]
+  double hardening;   ///< tangent beyond yield over k_i [-]
+};
+Bilinear bilinear_of(const RimSprings &rim);
 
 /// What n plane springs make of a round rim.
 struct PolygonError {

@@ -46,7 +46,7 @@ struct RimElement {
   double exponent = 1.5;          ///< of the penetration [-] (hunt-crossley), > 0
   double dissipation = 0;         ///< chi [s/m] (hunt-crossley), >= 0
   double yield_force = 1;         ///< F_y [N] (elastoplastic), > 0
-  double hardening = 0;           ///< tangent over k_i far beyond yield [-] (elastoplastic), 0..1
+  double hardening = 0;           ///< h [-] (elastoplastic), 0..1: tangent h k_i (1 + x)^(p - 1) beyond yield
   double unloading_gain = 0;      ///< a [-] (elastoplastic), >= 0
   const ImpactLaw *law = nullptr; ///< into impact_laws()
   ImpactForce at(const RimMotion &motion) const;
@@ -67,8 +67,8 @@ double hunt_crossley_dissipation(double restitution, double speed);
 /// Penetration at which k_i of `hunt-crossley` is the secant stiffness [m].
 inline constexpr double hunt_crossley_penetration = 1e-3;
 
-/// First loading of `elastoplastic`: h k d + F_y (1 - exp(-(1 - h) k d / F_y)), and its slope.
-ImpactForce elastoplastic_backbone(const RimElement &rim, double d);
+/// First loading of `elastoplastic`, F_y [c x / sqrt(1 + (c x)^2) + h ((1 + x)^p - 1) / p], and its slope;
+ImpactForce elastoplastic_backbone(const RimElement &rim, double d); ///< x = k_i d / F_y, c = 1 - h, p = 3/4
 /// Slope of unloading from the force F [N/m], k (1 + a max(0, F / F_y - 1)): the linear growth of Walton and
 /// Braun (1986), beyond yield.
 double unloading_stiffness(const RimElement &rim, double force);

@@ -60,6 +60,7 @@ class Calibration:
     search: dict = field(default_factory=dict)
     laws: list = field(default_factory=list)  # the rows of calibration.json, the best first
     laws_sentence: str = ""
+    constant_pair: dict = field(default_factory=dict)
     speed_laws: dict = field(default_factory=dict)
     profiles: dict = field(default_factory=dict)
 
@@ -149,6 +150,7 @@ def _read_laws(found, data):
     laws = data.get("laws") if isinstance(data.get("laws"), dict) else {}
     found.laws = [row for row in laws.get("rows") or [] if isinstance(row, dict)]
     found.laws_sentence = laws.get("sentence") or ""
+    found.constant_pair = data.get("constant_pair") if isinstance(data.get("constant_pair"), dict) else {}
     for name in ("speed_laws", "profiles"):
         entries = data.get(name) if isinstance(data.get(name), dict) else {}
         setattr(found, name, {key: value for key, value in entries.items() if isinstance(value, dict)})

@@ -32,7 +32,7 @@ struct ReducedSettings {
   double impact_exponent = 1.5;       ///< n of hunt-crossley [-], > 0
   double reference_speed = 0.5;       ///< at which `restitution` holds for hunt-crossley [m/s], > 0
   double yield_force = 0.8e6;         ///< F_y of elastoplastic [N], > 0
-  double hardening = 0.08;            ///< of elastoplastic: tangent over k_i far beyond yield [-], 0..1
+  double hardening = 0.08;            ///< h of elastoplastic [-], 0..1: its tangent beyond yield falls from h k_i
   double unloading_gain = 0.5;        ///< of elastoplastic [-], >= 0: unloads at k_i (1 + gain (F / F_y - 1))
   double capacity_offset = 0.0;       ///< the reduced rim begins at L_c plus this [m]
   std::string friction = "coulomb";   ///< coulomb | park-wen

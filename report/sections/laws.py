@@ -15,6 +15,8 @@ def make(context):
     section.add(note(calibration.laws_sentence) if calibration.laws_sentence else None)
     section.add(_parameters(calibration.laws))
     section.add(_left_out(calibration.laws))
+    section.add(note(calibration.constant_pair["sentence"]) if calibration.constant_pair.get("sentence") else None)
+    section.add(_constant_pair(calibration.constant_pair))
     section.add(_speed_laws(calibration.speed_laws))
     section.add(_profiles(calibration.profiles))
     return section
@@ -60,6 +62,17 @@ def _left_out(laws):
                          percent(error.get("nrmse_displacement"), 2, False), "grazes" if error.get("grazing") else ""])
     return table(["left out", "run", "approach (m/s)", "peak force", "rebound", "NRMSE displacement", ""], rows, left=2,
                  caption=f"{laws[0].get('law')}: fitted without what is left out, then asked for it.")
+
+
+def _constant_pair(pair):
+    """The errors of the pair with the widest range, inside and outside of it."""
+    rows = []
+    for part, said in (("fitted", "inside, fitted"), ("left_out", "inside, left out"), ("outside", "outside")):
+        for folder, error in (pair.get(part) or {}).items():
+            rows.append([short_name(folder.rstrip("/").split("/")[-1]), said, sig(error.get("approach_speed_m_s"), 2),
+                         percent(error.get("peak_force_error")), percent(error.get("rebound_error"))])
+    return table(["run", "range", "approach (m/s)", "peak force", "rebound"], rows, left=2,
+                 caption="One constant k_i and e over the widest range of speeds that it meets.") if rows else None
 
 
 def _speed_laws(laws):

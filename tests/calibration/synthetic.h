@@ -61,7 +61,8 @@ inline StoredRun noisy(const scene::Scene &s, unsigned seed, const Uncertainty &
   const double approach = response.series("velocity_x").front(),
                slip = u.speed * approach * normal(generator);
   for (std::size_t i = 0; i < response.size(); ++i)
-    if (response.series("velocity_x")[i] < 0) // from the turn on: the rebound is read at the last pressed sample
+    if (response.series("velocity_x")[i] <
+        0) // from the turn on: the rebound is read at the last pressed sample
       response.series("velocity_x")[i] += slip;
   return make_run(s.name, s, response, options);
 }

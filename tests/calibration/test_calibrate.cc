@@ -1,6 +1,7 @@
 #include "calibration/calibration_json.h"
 #include "scene/error.h"
 #include "synthetic.h"
+#include <algorithm>
 #include <fstream>
 #include <gtest/gtest.h>
 
@@ -90,6 +91,17 @@ TEST(Calibrate, RefusesWithTheReason) {
   push.name = "push";
   push.excitation.kind = scene::ExcitationKind::push;
   expect_refusal<DataError>({folder.write(push)}, "quasi-static");
+  auto coarse = window(0.2);
+  coarse.name = "coarse";
+  const auto fine = reduced::simulate(coarse).response;
+  const auto &force = fine.series("impact_x");
+  const std::size_t pressed = force.size() - std::count(force.begin(), force.end(), 0.0),
+                    stride = pressed / 5;
+  scene::Response few; // about five samples on the rim
+  for (const auto &[name, values] : fine.all())
+    for (std::size_t i = 0; i < values.size(); i += stride) few.append(name, values[i]);
+  scene::write_run_folder(folder.at(coarse.name), coarse, few, {});
+  expect_refusal<DataError>({folder.at(coarse.name)}, "samples carry rim force, 8 are needed");
   auto heavier = window(0.2);
   heavier.name = "heavier";
   heavier.load.mass = 90000;

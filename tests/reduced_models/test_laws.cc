@@ -70,8 +70,12 @@ TEST(ImpactLaws, ElastoplasticByItsOwnFormula) {
   const auto rim = element("elastoplastic");
   const double k = rim.stiffness, Fy = rim.yield_force;
   EXPECT_NEAR(rim.at({1e-9, 0.1}).d_penetration, k, 1e-4 * k);
-  EXPECT_NEAR(rim.at({0.2, 0.1}).d_penetration, 0.08 * k, 1e-9 * k); // hardening
-  EXPECT_NEAR(rim.at({0.2, 0.1}).force, Fy + 0.08 * k * 0.2, 1e-6 * Fy);
+  const double x = k * 0.2 / rim.yield_force;
+  const double knee = Fy / (0.92 * k), far = k * 0.2 / Fy; // the knee's term has 1 / sqrt 2 of F_y there
+  EXPECT_NEAR(rim.at({knee, 0.1}).force,
+              Fy / std::sqrt(2.0) + 0.08 * Fy * (std::pow(1 + 1 / 0.92, 0.75) - 1) / 0.75, 1e-9 * Fy);
+  EXPECT_NEAR(rim.at({0.2, 0.1}).d_penetration, 0.08 * k * std::pow(1 + far, -0.25), 1e-5 * k); // hardening
+  EXPECT_NEAR(rim.at({0.2, 0.1}).force, Fy + 0.08 * Fy * (std::pow(1 + far, 0.75) - 1) / 0.75, 1e-3 * Fy);
   const double deepest = 5e-3, top = rim.at({deepest, 0}).force, slope = k * (1 + 0.5 * (top / Fy - 1));
   ASSERT_GT(top, Fy);
   EXPECT_DOUBLE_EQ(rim.at({4.8e-3, 0.1, 0.1, deepest}).force, top - slope * 0.2e-3);

@@ -241,6 +241,8 @@ def _calibration(folder, windows):
             "laws": {"tolerance": 0.05, "sentence": "The law that leaves least unexplained is elastoplastic.", "rows": [
                 _law("elastoplastic", 0.03, {"k_i": _estimate(6.0e5, 0.02, "kN/m"), "yield_force": _estimate(900, 0.02, "kN")}),
                 _law("signed", 0.2, {"k_i": _estimate(4.1e5, 0.03, "kN/m"), "e": _estimate(0.62, 0.02, "-")})]},
+            "constant_pair": {"sentence": "A constant pair is valid from 0.1 to 0.2 m/s.", "fitted": {
+                "runs/window-0.10": {"approach_speed_m_s": 0.1, "peak_force_error": 0.031, "rebound_error": -0.02}}},
             "speed_laws": {"k_i": {"coefficient": 1.2e5, "unit": "kN/m", "exponent": -0.8, "largest_error": 0.12,
                                    "from_m_s": 0.05, "to_m_s": 1.0}},
             "profiles": {"k_i": {"unit": "kN/m", "values": [4e5, 4.1e5, 4.2e5], "cost_above_best": [2, 0, 2],

@@ -90,7 +90,8 @@ class MainResults(unittest.TestCase):
     def test_laws_are_ranked(self):
         for said in ("elastoplastic 3.0\u202f% 3.0\u202f% 3.0\u202f% 6.0\u202f% 6.0\u202f% 0.10 to 0.50",
                      "signed 20.0\u202f% 20.0\u202f% 20.0\u202f% 40.0\u202f% 40.0\u202f% nowhere",
-                     "The law that leaves least unexplained", "^−0.80"):
+                     "The law that leaves least unexplained", "^−0.80", "A constant pair is valid from 0.1 to 0.2 m/s.",
+                     "inside, fitted 0.10 +3.1\u202f% −2.0\u202f%"):
             self.assertIn(said, self.text)
 
     def test_quick_enough(self):

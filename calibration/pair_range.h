@@ -1,0 +1,24 @@
+/// Where a constant (k_i, e) serves: the widest range of speeds over which one pair meets peak force and
+/// rebound, fitted and predicted.
+#pragma once
+#include "calibration/law_ranking.h"
+
+namespace rimpact::calibration {
+
+struct PairRange {
+  std::string law;                ///< whose pair it is: signed
+  double tolerance;               ///< on peak force and rebound [-]
+  FitResult result;               ///< of the runs inside
+  double from, to;                ///< approach speeds of the runs inside [m/s]
+  std::vector<LawError> inside;   ///< fitted, by speed
+  std::vector<LawError> left_out; ///< each predicted by the pair fitted to the others inside
+  std::vector<LawError> outside;  ///< predicted, by speed
+  std::string sentence;           ///< for engineers
+};
+
+/// Among sets of at least three runs of neighbouring speeds the one with the widest ratio of speeds whose own
+/// pair meets the tolerance in every run of it, fitted and left out. Grazing runs take no part. Empty: none.
+std::optional<PairRange> pair_range(const std::vector<const StoredRun *> &runs, const FitOptions &options,
+                                    double tolerance = 0.05);
+
+} // namespace rimpact::calibration

@@ -1,0 +1,47 @@
+#include "calibration/pair_range.h"
+#include "synthetic.h"
+#include <gtest/gtest.h>
+
+namespace rimpact::calibration {
+namespace {
+using namespace testing;
+
+std::optional<PairRange> range_of(const std::vector<StoredRun> &runs,
+                                  std::vector<const StoredRun *> all = {}) {
+  for (const auto &run : runs) all.push_back(&run);
+  return pair_range(all, {});
+}
+
+TEST(PairRange, IsWhereOnePairMadeTheRuns) {
+  const std::vector<StoredRun> runs = {run_of(window(0.8, 6e8)), run_of(window(0.1)), run_of(window(0.4)),
+                                       run_of(window(0.2))};
+  const auto range = range_of(runs);
+  ASSERT_TRUE(range);
+  EXPECT_NEAR(range->from, 0.1, 1e-9);
+  EXPECT_NEAR(range->to, 0.4, 1e-9);
+  EXPECT_NEAR(range->result.parameters.at("k_i").value / 3e5, 1, 1e-5);
+  EXPECT_EQ(range->left_out.size(), 3u);
+  ASSERT_EQ(range->outside.size(), 1u);
+  EXPECT_NEAR(range->outside[0].peak_force, std::sqrt(0.5) - 1, 1e-3); // the peak goes with sqrt(k)
+  EXPECT_NEAR(range->outside[0].rebound, 0, 1e-3);
+  EXPECT_NE(range->sentence.find("beyond, at 0.8 m/s it understates the peak force by 29 %"),
+            std::string::npos)
+      << range->sentence;
+}
+
+TEST(PairRange, IsEmptyWhereNoPairServesThreeSpeeds) {
+  std::vector<StoredRun> runs;
+  for (const double v : {0.1, 0.2, 0.4, 0.8}) runs.push_back(run_of(window(v, 3e8 * std::pow(v, -0.8))));
+  EXPECT_FALSE(range_of(runs));
+}
+
+TEST(PairRange, DoesNotAskGrazingImpacts) {
+  auto graze = ricker(1.0);
+  graze.excitation.scale = reduced::critical_scale(graze).value() * 1.0005;
+  const auto range = range_of({run_of(graze), run_of(window(0.1)), run_of(window(0.2)), run_of(window(0.4))});
+  ASSERT_TRUE(range);
+  EXPECT_NEAR(range->from, 0.1, 1e-9);
+}
+
+} // namespace
+} // namespace rimpact::calibration
