@@ -66,8 +66,8 @@ void rank(const std::vector<StoredRun> &runs, const CalibrationOptions &options,
   for (const auto &[name, estimate] : c.result.parameters)
     if (!of_a_law(name)) own.fixed[name] = estimate.value;
   c.laws = rank_laws(every, options.laws, own, c.notes);
-  c.pair_range = pair_range(every, own, c.laws.tolerance);
-  if (!c.pair_range)
+  c.pair_range = pair_range(every, own);
+  if (!c.pair_range || c.pair_range->tolerance > c.laws.tolerance)
     c.notes.push_back(fmt::format("no constant pair meets peak force and rebound within {:.0f} % over three "
                                   "neighbouring speeds",
                                   100 * c.laws.tolerance));

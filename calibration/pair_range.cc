@@ -27,14 +27,43 @@ std::vector<Set> sets_of(const Runs &runs) {
   return sets;
 }
 
-bool met(const LawError &error, double tolerance) {
-  return std::abs(error.peak_force) <= tolerance && std::abs(error.rebound) <= tolerance;
+bool met(const std::vector<LawError> &errors, double tolerance) {
+  return std::all_of(errors.begin(), errors.end(), [&](const LawError &e) {
+    return std::abs(e.peak_force) <= tolerance && std::abs(e.rebound) <= tolerance;
+  });
 }
 
-std::vector<LawError> errors_of(const Runs &runs, const FitResult &result) {
-  std::vector<LawError> errors;
-  for (const StoredRun *run : runs) errors.push_back(error_of(*run, result));
-  return errors;
+/// Hit hard enough to tell, the slowest first.
+Runs by_speed(const Runs &given) {
+  Runs runs;
+  for (const StoredRun *run : given)
+    if (!run->impacts.empty() && !only_grazing(*run)) runs.push_back(run);
+  std::sort(runs.begin(), runs.end(),
+            [](const auto *a, const auto *b) { return a->approach_speed() < b->approach_speed(); });
+  return runs;
+}
+
+PairRange range_of(const Runs &runs, const Set &set, const FitOptions &options) {
+  const Runs inside(runs.begin() + set.first, runs.begin() + set.last + 1);
+  PairRange range{.law = pair_law,
+                  .tolerance = 0,
+                  .result = fit(inside, options),
+                  .from = inside.front()->approach_speed(),
+                  .to = inside.back()->approach_speed(),
+                  .inside = {},
+                  .left_out = {},
+                  .outside = {},
+                  .sentence = {}};
+  for (const StoredRun *run : inside) range.inside.push_back(error_of(*run, range.result));
+  return range;
+}
+
+void leave_out_of(PairRange &range, const Runs &runs, const FitOptions &options) {
+  Runs inside;
+  for (const StoredRun *run : runs)
+    if (run->approach_speed() >= range.from && run->approach_speed() <= range.to) inside.push_back(run);
+  for (const auto &left : leave_out(inside, options, range.result))
+    if (left.errors.size() == 1) range.left_out.push_back(left.errors[0]);
 }
 
 std::string miss(const LawError &e) {
@@ -59,37 +88,26 @@ std::string sentence_of(const PairRange &range) {
 
 } // namespace
 
-std::optional<PairRange> pair_range(const Runs &given, const FitOptions &options, double tolerance) {
-  Runs runs;
-  for (const StoredRun *run : given)
-    if (!run->impacts.empty() && !only_grazing(*run)) runs.push_back(run);
-  std::sort(runs.begin(), runs.end(),
-            [](const auto *a, const auto *b) { return a->approach_speed() < b->approach_speed(); });
+std::optional<PairRange> pair_range(const Runs &given, const FitOptions &options,
+                                    const std::vector<double> &tolerances) {
+  const Runs runs = by_speed(given);
   FitOptions own = options_for(pair_law, options);
-  if (own.parameters.size() < 2) return {}; // held by the caller: not a pair to find
-  for (const auto &set : sets_of(runs)) {
-    const Runs inside(runs.begin() + set.first, runs.begin() + set.last + 1);
-    PairRange range{.law = pair_law,
-                    .tolerance = tolerance,
-                    .result = fit(inside, own),
-                    .from = inside.front()->approach_speed(),
-                    .to = inside.back()->approach_speed(),
-                    .inside = {},
-                    .left_out = {},
-                    .outside = {},
-                    .sentence = {}};
-    range.inside = errors_of(inside, range.result);
-    const auto good = [&](const LawError &e) { return met(e, tolerance); };
-    if (!std::all_of(range.inside.begin(), range.inside.end(), good)) continue;
-    for (const auto &left : leave_out(inside, own, range.result))
-      if (left.errors.size() == 1) range.left_out.push_back(left.errors[0]);
-    if (!std::all_of(range.left_out.begin(), range.left_out.end(), good)) continue;
-    for (const StoredRun *run : runs)
-      if (std::find(inside.begin(), inside.end(), run) == inside.end())
-        range.outside.push_back(error_of(*run, range.result));
-    range.sentence = sentence_of(range);
-    return range;
-  }
+  own.weights = {.force = 0, .displacement = 0}; // a pair is judged by peak force and rebound
+  if (own.parameters.size() < 2) return {};      // held by the caller: not a pair to find
+  std::vector<PairRange> ranges;
+  for (const auto &set : sets_of(runs)) ranges.push_back(range_of(runs, set, own));
+  for (const double tolerance : tolerances)
+    for (auto &range : ranges) {
+      if (!met(range.inside, tolerance)) continue;
+      if (range.left_out.empty()) leave_out_of(range, runs, own);
+      if (!met(range.left_out, tolerance)) continue;
+      for (const StoredRun *run : runs)
+        if (run->approach_speed() < range.from || run->approach_speed() > range.to)
+          range.outside.push_back(error_of(*run, range.result));
+      range.tolerance = tolerance;
+      range.sentence = sentence_of(range);
+      return range;
+    }
   return {};
 }
 

@@ -17,8 +17,9 @@ struct PairRange {
 };
 
 /// Among sets of at least three runs of neighbouring speeds the one with the widest ratio of speeds whose own
-/// pair meets the tolerance in every run of it, fitted and left out. Grazing runs take no part. Empty: none.
+/// pair, fitted to peak force and rebound, meets them in every run of it, fitted and left out, within the
+/// first of `tolerances` that any set meets. Grazing runs take no part. Empty: none.
 std::optional<PairRange> pair_range(const std::vector<const StoredRun *> &runs, const FitOptions &options,
-                                    double tolerance = 0.05);
+                                    const std::vector<double> &tolerances = {0.05, 0.10, 0.20});
 
 } // namespace rimpact::calibration

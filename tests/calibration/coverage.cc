@@ -1,6 +1,6 @@
 // How often the 95 % intervals hold the truth: an isolated impact at 0.3 m/s, k_i = 3e5 kN/m, e = 0.4, each
 // repetition with errors of its own (synthetic.h: 1 % on the force, its gain and every sample). Prints the
-// table; fails outside 92..98 %. Seeds are 1..n, so that it can be made again.
+// table; fails outside 92..98 %. Seeds are 1..n, so that it can be made again; coverage.txt holds what it gave.
 #include "calibration/fit.h"
 #include "synthetic.h"
 #include <chrono>
