@@ -39,6 +39,7 @@ prefer_openblas() {
   say "warning: OpenBLAS was not found; the runs will take 10 to 20 times longer"
 }
 
+# build [TARGET ...]: all, or these and what they need.
 build() {
   local jobs memory
   memory=$(awk '/MemAvailable/ {print int($2 / 1500000)}' /proc/meminfo) # deal.II units take over 1 GB each
@@ -51,5 +52,5 @@ build() {
     say "error: configuring failed; all of it is in build/configure.log"
     exit 1
   }
-  cmake --build --preset release --parallel "$jobs" >&2 || { say "error: the build failed"; exit 1; }
+  cmake --build --preset release --parallel "$jobs" ${1:+--target "$@"} >&2 || { say "error: the build failed"; exit 1; }
 }
