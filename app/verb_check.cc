@@ -1,6 +1,7 @@
 // rimpact check SCENE: geometry, scout and plan; solves nothing.
 #include "app/verb.h"
 #include "fe_contact/runner/plan.h"
+#include "scene/error.h"
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -14,6 +15,7 @@ void add_check(CLI::App &app, Console &console) {
   console.add_overrides(*verb);
   verb->callback([where, &console] {
     const scene::Scene scene = scene::load_scene(*where, console.overrides);
+    if (const auto reason = fe::beyond_rungs(scene)) throw InputError(*reason);
     const fe::Plan plan = fe::make_plan(scene);
     const auto assumed = scene::assumptions(scene.bearing);
     if (console.json) {

@@ -8,7 +8,8 @@ namespace rimpact::fleets {
 namespace {
 
 constexpr double beyond = std::numeric_limits<double>::infinity(); ///< where a stopped run stands
-const char *const quantities[] = {"peak_displacement_m", "peak_lateral_force_N", "peak_impact_force_N"};
+const char *const quantities[] = {"peak_displacement_m", "peak_lateral_force_N", "peak_impact_force_N",
+                                  "peak_drift_m",        "ductility"};
 const std::pair<const char *, double> shares[] = {{"p16_", 0.16}, {"p50_", 0.50}, {"p84_", 0.84}};
 
 struct Level {
@@ -20,6 +21,10 @@ std::size_t column(const scene::Table &table, const std::string &name) {
   const auto found = std::find(table.columns.begin(), table.columns.end(), name);
   if (found == table.columns.end()) throw std::logic_error("a table without the column " + name);
   return static_cast<std::size_t>(found - table.columns.begin());
+}
+
+bool has(const scene::Table &table, const std::string &name) {
+  return std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end();
 }
 
 scene::Cell fractile(std::vector<double> values, double share) {
@@ -38,8 +43,9 @@ void add(Level &level, const scene::Table &runs, const std::vector<scene::Cell> 
     const auto *found = std::get_if<std::string>(&row[column(runs, name)]);
     return found ? *found : std::string();
   };
-  const bool stopped =
-      text("status") == "stopped" && text("reason").find("left the dish") != std::string::npos;
+  const std::string reason = text("reason");
+  const bool stopped = text("status") == "stopped" && (reason.find("left the dish") != std::string::npos ||
+                                                       reason.find("collapsed") != std::string::npos);
   if (!stopped && text("status") != "done") {
     ++level.n_without_result;
     return;
@@ -48,6 +54,7 @@ void add(Level &level, const scene::Table &runs, const std::vector<scene::Cell> 
   level.n_stopped += stopped;
   if (const auto *n = number("n_impacts")) level.n_with_impact += *n > 0;
   for (std::size_t i = 0; i < std::size(quantities); ++i) {
+    if (!has(runs, quantities[i])) continue;
     const auto *value = number(quantities[i]);
     if (stopped)
       level.values[i].push_back(beyond);
@@ -68,13 +75,16 @@ scene::Table fractiles(const scene::Table &runs, const std::string &along) {
   }
   scene::Table result;
   result.columns = {along, "n_runs", "n_stopped", "n_with_impact", "n_without_result"};
-  for (const auto *quantity : quantities)
+  for (const auto *quantity : quantities) {
+    if (!has(runs, quantity)) continue;
     for (const auto &[prefix, share] : shares) result.columns.push_back(std::string(prefix) + quantity);
+  }
   for (const auto &[value, level] : levels) {
     std::vector<scene::Cell> row{value, double(level.n_runs), double(level.n_stopped),
                                  double(level.n_with_impact), double(level.n_without_result)};
-    for (const auto &values : level.values)
-      for (const auto &[prefix, share] : shares) row.push_back(fractile(values, share));
+    for (std::size_t i = 0; i < std::size(quantities); ++i)
+      if (has(runs, quantities[i]))
+        for (const auto &[prefix, share] : shares) row.push_back(fractile(level.values[i], share));
     result.rows.push_back(std::move(row));
   }
   return result;

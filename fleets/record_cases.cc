@@ -16,28 +16,30 @@ Value text_value(const std::string &text) {
 
 /// All three components are set, so that none of the scene's own remains.
 std::vector<Axis> case_of(const std::string &name, const std::vector<std::string> &horizontal,
-                          const std::string &vertical) {
+                          const std::string &vertical, double sa_period) {
   const auto file = [](const std::string &path) {
     return text_value(path.empty() ? path : std::filesystem::absolute(path).lexically_normal().string());
   };
-  const auto [pga_g, pgv] = intensity(horizontal);
-  return {{"record", {text_value(name)}},
-          {"excitation.kind", {text_value("record")}},
-          {"excitation.x", {file(horizontal.front())}},
-          {"excitation.y", {file(horizontal.size() > 1 ? horizontal[1] : "")}},
-          {"excitation.z", {file(vertical)}},
-          {"variable.record_pga_g", {number_value(pga_g)}},
-          {"variable.record_pgv_m_per_s", {number_value(pgv)}}};
+  const auto [pga_g, pgv, sa_g] = intensity(horizontal, sa_period);
+  std::vector<Axis> axes{{"record", {text_value(name)}},
+                         {"excitation.kind", {text_value("record")}},
+                         {"excitation.x", {file(horizontal.front())}},
+                         {"excitation.y", {file(horizontal.size() > 1 ? horizontal[1] : "")}},
+                         {"excitation.z", {file(vertical)}},
+                         {"variable.record_pga_g", {number_value(pga_g)}},
+                         {"variable.record_pgv_m_per_s", {number_value(pgv)}}};
+  if (sa_period > 0) axes.push_back({"variable.record_sa_g", {number_value(sa_g)}});
+  return axes;
 }
 
 } // namespace
 
-RecordCases cases_of_folder(const std::string &folder, const std::string &components) {
+RecordCases cases_of_folder(const std::string &folder, const std::string &components, double sa_period) {
   RecordCases result;
   for (const auto &motion : ground_motions(folder)) {
     if (components == "x") {
       for (const auto &path : motion.horizontal)
-        result.cases.push_back(case_of(std::filesystem::path(path).stem().string(), {path}, ""));
+        result.cases.push_back(case_of(std::filesystem::path(path).stem().string(), {path}, "", sa_period));
       continue;
     }
     const bool with_vertical = components == "xyz";
@@ -47,7 +49,7 @@ RecordCases cases_of_folder(const std::string &folder, const std::string &compon
                                             motion.vertical.empty() ? " and no vertical one" : ""));
       continue;
     }
-    result.cases.push_back(case_of(motion.name, motion.horizontal, with_vertical ? motion.vertical : ""));
+    result.cases.push_back(case_of(motion.name, motion.horizontal, with_vertical ? motion.vertical : "", sa_period));
   }
   if (result.cases.empty())
     throw InputError(fmt::format("the folder {} has no station with the components {}", folder, components));

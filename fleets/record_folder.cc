@@ -1,6 +1,7 @@
 #include "fleets/record_folder.h"
 #include "scene/error.h"
 #include "scene/record.h"
+#include "scene/spectral_acceleration.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
@@ -56,11 +57,14 @@ std::vector<GroundMotion> ground_motions(const std::string &folder) {
   return result;
 }
 
-Intensity intensity(const std::vector<std::string> &horizontal) {
-  Intensity largest{0, 0};
+Intensity intensity(const std::vector<std::string> &horizontal, double sa_period) {
+  Intensity largest{0, 0, 0};
   for (const auto &path : horizontal) {
-    const auto info = scene::inspect(scene::read_record(path));
-    largest = {std::max(largest.pga_g, info.pga_g), std::max(largest.pgv, info.pgv)};
+    const auto record = scene::read_record(path);
+    const auto info = scene::inspect(record);
+    const double sa =
+        sa_period > 0 ? scene::spectral_acceleration(record, sa_period) / scene::standard_gravity : 0.0;
+    largest = {std::max(largest.pga_g, info.pga_g), std::max(largest.pgv, info.pgv), std::max(largest.sa_g, sa)};
   }
   return largest;
 }

@@ -16,12 +16,13 @@ struct GroundMotion {
 /// All of a folder, by name. Throws InputError when it is no folder or holds no AT2 file.
 std::vector<GroundMotion> ground_motions(const std::string &folder);
 
-/// Peaks of a motion before any scale: the largest of its horizontal components'.
+/// Of a motion before any scale: the largest of its horizontal components'.
 struct Intensity {
   double pga_g; ///< peak acceleration [standard g]
   double pgv;   ///< peak velocity [m/s]
+  double sa_g;  ///< spectral acceleration at sa_period with 5 % damping [standard g], 0 when none is asked for
 };
-/// Throws DataError naming a file that cannot be read.
-Intensity intensity(const std::vector<std::string> &horizontal);
+/// `sa_period` [s]; 0: none. Throws DataError naming a file that cannot be read.
+Intensity intensity(const std::vector<std::string> &horizontal, double sa_period = 0);
 
 } // namespace rimpact::fleets

@@ -8,6 +8,7 @@
 ///   [records]                     # one case for each ground motion of a folder of AT2 files
 ///   folder = "records"
 ///   components = "xy"             # "x": every horizontal component alone; "xy", "xyz": stations that have them
+///   sa_period_s = 3.0             # also variable.record_sa_g
 ///   [grid]                        # every combination
 ///   variable.pga_g = [0.2, 0.4, 0.6]
 ///   excitation.scale = [0.5, 0.75, 1.0]
@@ -24,7 +25,7 @@
 ///   along = "variable.pga_g"
 ///
 /// Each motion of [records] sets excitation.kind, x, y and z, the column `record`, and variable.record_pga_g
-/// and variable.record_pgv_m_per_s: the largest of its horizontal components, unscaled.
+/// and variable.record_pgv_m_per_s (and variable.record_sa_g, the spectral acceleration with 5 % damping): the largest of its horizontal components, unscaled.
 /// On the command line KEY=a:b:n stands for one line of [grid]: n values from a to b.
 /// Runs are cases x records x grid x samples, in this order, the last changing fastest. Keys are those of a scene,
 /// dotted; a key that begins with "variable." is only a column and a factor for [linked].

@@ -59,7 +59,7 @@ private:
     if (!node) return;
     const auto *table = node->as_table();
     if (!table) fail(*node, "records must be a table: [records]");
-    only(*table, {"folder", "components"}, "records");
+    only(*table, {"folder", "components", "sa_period_s"}, "records");
     const auto text = [&](const char *name) {
       const auto *entry = table->get(name);
       if (!entry || !entry->is_string())
@@ -70,14 +70,20 @@ private:
     if (components != "x" && components != "xy" && components != "xyz")
       fail(*table->get("components"),
            "records.components: " + scene::not_among(components, {"x", "xy", "xyz"}));
-    parts_.records = record_cases(text("folder"), components, place(*table->get("folder")));
+    double period = 0;
+    if (const auto *entry = table->get("sa_period_s")) {
+      period = entry->value<double>().value_or(0);
+      if (!(period > 0 && period <= 100)) fail(*entry, "records.sa_period_s must be > 0 and at most 100");
+    }
+    parts_.records = record_cases(text("folder"), components, period, place(*table->get("folder")));
   }
 
   /// Files are sought beside the sweep file.
-  RecordCases record_cases(const std::string &folder, const std::string &components,
+  RecordCases record_cases(const std::string &folder, const std::string &components, double period,
                            const std::string &where) const {
     try {
-      return cases_of_folder((std::filesystem::path(origin_).parent_path() / folder).string(), components);
+      return cases_of_folder((std::filesystem::path(origin_).parent_path() / folder).string(), components,
+                             period);
     } catch (const InputError &error) {
       throw InputError(fmt::format("{}: records.folder: {}", where, error.what()));
     }

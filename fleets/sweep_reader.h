@@ -22,7 +22,8 @@ struct LinkedKey {
   std::vector<std::string> factors; ///< keys it is multiplied with
   std::string divisor;              ///< key it is divided by, or empty
 };
-/// Ground motions of a folder: column `record`, excitation.*, variable.record_pga_g and _pgv_m_per_s.
+/// Ground motions of a folder: column `record`, excitation.*, variable.record_pga_g, _pgv_m_per_s and, when asked
+/// for, _sa_g.
 struct RecordCases {
   std::vector<std::vector<Axis>> cases; ///< each with one value a key
   std::vector<std::string> left_out;    ///< sentences
@@ -45,7 +46,8 @@ std::vector<Value> even_values(const std::string &key, double from, double to, i
                                const std::string &place);
 /// `components`: "x" (every horizontal component alone), "xy" or "xyz"; a station without them all is left
 /// out and said. Throws InputError when the folder has none, DataError for a damaged record.
-RecordCases cases_of_folder(const std::string &folder, const std::string &components);
+/// `sa_period` [s]: of the spectral acceleration, 0: none.
+RecordCases cases_of_folder(const std::string &folder, const std::string &components, double sa_period);
 /// Throws as parse_sweep, but for what only the whole sweep shows.
 SweepParts read_parts(const scene::TomlFile &file, const std::string &origin);
 /// Every combination of the parts.

@@ -18,11 +18,12 @@ class Cvode {
 public:
   Cvode(const Dynamics &dynamics, double tolerance) : dynamics_(dynamics) {
     SUNContext_Create(nullptr, &context_);
+    const int n_state = dynamics.n_state();
     y_ = N_VNew_Serial(n_state, context_);
     absolute_ = N_VNew_Serial(n_state, context_);
     // Displacements and velocities decide; the works are quadratures along the way.
     const double work = dynamics.weight * dynamics.lateral_capacity;
-    const double scales[n_state] = {dynamics.lateral_capacity,
+    const double scales[n_bearing] = {dynamics.lateral_capacity,
                                     dynamics.lateral_capacity,
                                     dynamics.lateral_capacity,
                                     dynamics.speed_scale,
@@ -34,7 +35,9 @@ public:
                                     work,
                                     work,
                                     work};
-    for (int i = 0; i < n_state; ++i) NV_Ith_S(absolute_, i) = tolerance * std::max(scales[i], 1e-12);
+    for (int i = 0; i < n_bearing; ++i) NV_Ith_S(absolute_, i) = tolerance * std::max(scales[i], 1e-12);
+    for (int i = iDamping; i < n_state; ++i)
+      NV_Ith_S(absolute_, i) = tolerance * (i < iFloors ? work : scales[(i - iFloors) % n_floor]);
     matrix_ = SUNDenseMatrix(n_state, n_state, context_);
     solver_ = SUNLinSol_Dense(y_, matrix_, context_);
     memory_ = CVodeCreate(CV_BDF, context_);
@@ -66,8 +69,8 @@ public:
     check(CVodeSetMaxStep(memory_, largest_step), "CVodeSetMaxStep");
     const auto events = dynamics_.events(mode);
     check(CVodeRootInit(memory_, events.n, roots), "CVodeRootInit");
-    int falling[8];
-    std::fill_n(falling, 8, -1);
+    int falling[EventList::largest];
+    std::fill_n(falling, EventList::largest, -1);
     check(CVodeSetRootDirection(memory_, falling), "CVodeSetRootDirection");
   }
   /// The direction of sliding turns along the way; the branch stays.
@@ -77,11 +80,11 @@ public:
     check(CVodeSetStopTime(memory_, limit), "CVodeSetStopTime");
     const int flag = CVode(memory_, limit, y_, &t, CV_ONE_STEP);
     check(flag, "CVode");
-    std::copy_n(N_VGetArrayPointer(y_), n_state, y.begin());
+    std::copy_n(N_VGetArrayPointer(y_), y.size(), y.begin());
     return flag == CV_ROOT_RETURN;
   }
   Event root() const {
-    int info[8] = {};
+    int info[EventList::largest] = {};
     CVodeGetRootInfo(memory_, info);
     const auto events = dynamics_.events(mode_);
     for (int i = events.n - 1; i >= 0; --i) // turning stands first: a stop at the same instant goes before it
@@ -89,8 +92,8 @@ public:
     throw SolverStopped("CVODE reports a root without naming it");
   }
   State interpolate(double t) const {
-    State y;
-    N_Vector at = N_VMake_Serial(n_state, y.data(), context_);
+    State y(dynamics_.n_state());
+    N_Vector at = N_VMake_Serial(y.size(), y.begin(), context_);
     CVodeGetDky(memory_, t, 0, at);
     N_VDestroy(at);
     return y;
@@ -99,8 +102,8 @@ public:
 private:
   static int rhs(double t, N_Vector y, N_Vector dy, void *self) {
     const auto &c = *static_cast<Cvode *>(self);
-    State from, to;
-    std::copy_n(N_VGetArrayPointer(y), n_state, from.begin());
+    State from(c.dynamics_.n_state()), to = from;
+    std::copy_n(N_VGetArrayPointer(y), from.size(), from.begin());
     c.dynamics_.rhs(c.mode_, t, from, to);
     if (std::isnan(to[iX])) return 1; // recoverable: off the dish
     std::copy(to.begin(), to.end(), N_VGetArrayPointer(dy));
@@ -108,8 +111,8 @@ private:
   }
   static int roots(double t, N_Vector y, double *values, void *self) {
     const auto &c = *static_cast<Cvode *>(self);
-    State at;
-    std::copy_n(N_VGetArrayPointer(y), n_state, at.begin());
+    State at(c.dynamics_.n_state());
+    std::copy_n(N_VGetArrayPointer(y), at.size(), at.begin());
     for (const Event event : c.dynamics_.events(c.mode_))
       *values++ = c.dynamics_.value(event, c.mode_, t, at);
     return 0;
@@ -146,7 +149,7 @@ void rest(const Dynamics &dynamics, Mode &mode, double &t, State &y, double t_en
 
 } // namespace
 
-long run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const BearingState &start,
+CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const BearingState &start,
                     double t_end, Recorder &recorder) {
   Cvode cvode(dynamics, std::min(scene.reduced.tolerance, 1e-9));
   State y;
@@ -157,7 +160,7 @@ long run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const B
   long n_steps = 0;
   bool fresh = true;
   while (t < t_end - 1e-13) {
-    if (mode.support == Support::stuck) {
+    if (dynamics.at_rest(mode)) {
       rest(dynamics, mode, t, y, t_end, recorder);
       fresh = true;
       continue;
@@ -174,6 +177,10 @@ long run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const B
     dynamics.project(mode, y);
     recorder.segment(during, {t0, t, y0, y, [&](double at) { return cvode.interpolate(at); }},
                      at_root && changes_rim(event));
+    if (event == Event::collapse) {
+      recorder.end(mode, t, y);
+      return {n_steps, true};
+    }
     const Mode before = mode;
     double loss = 0;
     if (at_root) loss = dynamics.apply(event, mode, t, y);
@@ -184,7 +191,7 @@ long run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const B
     cvode.follow(mode);
   }
   recorder.end(mode, t, y);
-  return n_steps;
+  return {n_steps, false};
 }
 
 } // namespace rimpact::reduced

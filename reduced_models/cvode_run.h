@@ -5,8 +5,12 @@
 
 namespace rimpact::reduced {
 
-/// Runs from `start` to t_end. Throws SolverStopped when CVODE gives up. Returns the number of steps.
-long run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const BearingState &start,
+struct CvodeResult {
+  long n_steps;
+  bool collapsed; ///< the building has: the run ended there
+};
+/// Runs from `start` to t_end. Throws SolverStopped when CVODE gives up.
+CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const BearingState &start,
                     double t_end, Recorder &recorder);
 
 } // namespace rimpact::reduced

@@ -9,15 +9,21 @@ namespace rimpact::reduced {
 /// A step from (t, y0) over h; k[0] must hold f(t, y0). After `advance` y1 and k[6] = f(t + h, y1) are set.
 struct DormandPrinceStep {
   double t = 0, h = 0;
-  State y0{}, y1{};
-  std::array<State, 7> k{};
+  State y0, y1;
+  std::array<State, 7> k; ///< as long as y0 (resize)
+
+  void resize(int n_state) {
+    y0 = y1 = State(n_state);
+    k.fill(y0);
+  }
 
   template <class Rhs> void advance(const Rhs &f, double step) {
     h = step;
-    State y;
+    const int n = y0.size();
+    State y(n);
     const auto stage = [&](int i, double c, auto... a) {
       const double weights[] = {a...};
-      for (int j = 0; j < n_state; ++j) {
+      for (int j = 0; j < n; ++j) {
         double sum = 0;
         for (int s = 0; s < int(sizeof...(a)); ++s) sum += weights[s] * k[s][j];
         y[j] = y0[j] + h * sum;
@@ -37,7 +43,7 @@ struct DormandPrinceStep {
   double error(const State &inverse_scale) const {
     constexpr double e[] = {71. / 57600, 0, -71. / 16695, 71. / 1920, -17253. / 339200, 22. / 525, -1. / 40};
     double largest = 0;
-    for (int j = 0; j < n_state; ++j) {
+    for (int j = 0; j < y0.size(); ++j) {
       double sum = 0;
       for (int s = 0; s < 7; ++s) sum += e[s] * k[s][j];
       const double scaled = std::abs(h * sum) * inverse_scale[j];
@@ -54,9 +60,9 @@ struct DormandPrinceStep {
                             87487479700. / 32700410799.,   -10690763975. / 1880347072.,
                             701980252875. / 199316789632., -1453857185. / 822651844.,
                             69997945. / 29380423.};
-    State y;
+    State y(y0.size());
     const double rest = 1 - theta;
-    for (int j = 0; j < n_state; ++j) {
+    for (int j = 0; j < y0.size(); ++j) {
       const double dy = y1[j] - y0[j], b = h * k[0][j] - dy, c = dy - h * k[6][j] - b;
       double sum = 0;
       for (int s = 0; s < 7; ++s) sum += d[s] * k[s][j];

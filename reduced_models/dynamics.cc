@@ -24,7 +24,8 @@ NormalForce reading_of(const scene::Scene &scene) {
 } // namespace
 
 Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
-    : mass(scene.load.mass), weight(scene.load.vertical),
+    : building(scene), mass(scene.load.mass - building.mass()), supported_mass(scene.load.mass),
+      weight(scene.load.vertical),
       lateral_capacity((capacity >= 0 ? capacity : scene.bearing.lateral_capacity()) +
                        scene.reduced.capacity_offset),
       height(weightless(scene) ? RidingHeight::plane(scene.bearing, scene.bearing.lateral_capacity())
@@ -48,7 +49,7 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
     friction_law = {0, 0, 0};
   }
   friction_law.validate();
-  if (with_rim && r.k_i > 0) rim = rim_element(r, mass);
+  if (with_rim && r.k_i > 0) rim = rim_element(r, supported_mass);
   dead_load_ = height.is_plane() ? 0.0 : weight;
   vertical_restitution_ = r.vertical_restitution;
   limit_squared_ = height.limit_radius() * height.limit_radius();
@@ -88,11 +89,19 @@ Vector3d Dynamics::friction_per_normal(const scene::SurfacePoint &p, const Vecto
   return f;
 }
 
-Vector3d Dynamics::applied(const Evaluation &e, double t, Vector3d &a_g) const {
+Vector3d Dynamics::applied(const Evaluation &e, double t, const State &y, const FloorMotion &base,
+                           Vector3d &a_g) const {
   a_g = ground.acceleration(t);
   Vector3d force = e.impact - mass * a_g;
   force[2] -= dead_load_;
+  if (building.any()) force += building.force_on_base(y, base);
   return force;
+}
+
+FloorMotion Dynamics::base(const Mode &mode, const State &y) const {
+  if (mode.support == Support::airborne) return {{y[iX], y[iY], y[iZ]}, {y[iVX], y[iVY], y[iVZ]}};
+  const auto p = height.at(y[iX], y[iY]);
+  return {{y[iX], y[iY], p.z}, {y[iVX], y[iVY], p.gradient[0] * y[iVX] + p.gradient[1] * y[iVY]}};
 }
 
 Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y) const {
@@ -101,8 +110,8 @@ Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y) const 
   rim_terms(mode, u, v, e);
   e.eta_rate.setZero();
   Vector3d a_g;
-  const Vector3d F = applied(e, t, a_g);
   if (mode.support == Support::airborne) {
+    const Vector3d F = applied(e, t, y, {{u[0], u[1], y[iZ]}, {v[0], v[1], y[iVZ]}}, a_g);
     e.pendular.setZero(), e.friction.setZero();
     e.acceleration = F / mass;
     e.ground_power = -mass * (a_g[0] * v[0] + a_g[1] * v[1] + a_g[2] * y[iVZ]);
@@ -111,6 +120,7 @@ Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y) const 
   const auto p = height.at(u[0], u[1]);
   const Vector2d &g = p.gradient;
   const double S = std::sqrt(1 + g.squaredNorm()), vz = g.dot(v);
+  const Vector3d F = applied(e, t, y, {{u[0], u[1], p.z}, {v[0], v[1], vz}}, a_g);
   if (mode.support == Support::stuck) {
     const Hold h = hold(mode, t, y);
     e.normal = h.normal;
@@ -165,6 +175,7 @@ void Dynamics::rhs(const Mode &mode, double t, const State &y, State &dy) const 
   dy[iVX] = e.acceleration[0], dy[iVY] = e.acceleration[1];
   dy[iExternal] = e.ground_power;
   dy[iImpact] = -e.impact[0] * y[iVX] - e.impact[1] * y[iVY];
+  if (building.any()) building.rates(y, base(mode, y), ground.acceleration(t), dy);
   if (mode.support == Support::airborne) {
     dy[iZ] = y[iVZ], dy[iVZ] = e.acceleration[2];
     return;
@@ -179,7 +190,7 @@ void Dynamics::rhs(const Mode &mode, double t, const State &y, State &dy) const 
 
 double Dynamics::kinetic_energy(const State &y) const {
   const double vz = reading == NormalForce::inertia ? y[iVZ] : 0.0;
-  return mass / 2 * (y[iVX] * y[iVX] + y[iVY] * y[iVY] + vz * vz);
+  return mass / 2 * (y[iVX] * y[iVX] + y[iVY] * y[iVY] + vz * vz) + building.kinetic_energy(y);
 }
 
 double Dynamics::potential_energy(const State &y) const {

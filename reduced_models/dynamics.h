@@ -10,19 +10,17 @@
 ///   `inertia`   this N; the mass lifts off when it reaches zero.
 ///   `static`    N from vertical equilibrium N n_z + f_z = W + m a_gz; planar inertia only, no uplift.
 ///   `constant`  N = W; planar inertia only, no uplift.
+/// Under a building m is the base's mass, W the whole dead load, and the first storey's force (a change from the
+/// dead load) acts on the base beside the others.
 #pragma once
 #include "reduced_models/friction_law.h"
 #include "reduced_models/impact_law.h"
 #include "reduced_models/physical_model.h"
 #include "reduced_models/riding_height.h"
+#include "reduced_models/superstructure.h"
 #include <array>
 
 namespace rimpact::reduced {
-
-/// u, v, eta, then energies gathered along the way: work of the ground (external), lost in friction, taken by
-/// the rim, and work against the pendular force (only read for `constant`, where it is not W h).
-enum Index { iX, iY, iZ, iVX, iVY, iVZ, iEX, iEY, iExternal, iFriction, iImpact, iPendular, n_state };
-using State = std::array<double, n_state>;
 
 enum class Support { sliding, stuck, airborne };
 enum class RimContact { open, pressed, relaxed }; ///< relaxed: d > 0, but a unilateral element has let go
@@ -63,13 +61,14 @@ struct Hold {
 };
 
 /// What ends a branch. Each has a value that is positive before and falls through zero at the event.
-enum class Event { turning, stop, underway, uplift, landing, touch, release, let_go, press_again };
+enum class Event { turning, stop, slip, underway, uplift, landing, collapse, touch, release, let_go, press_again };
 /// Touch and what follows it change the rim's force.
 inline bool changes_rim(Event event) {
   return event >= Event::touch;
 }
 struct EventList {
-  std::array<Event, 8> list{};
+  static constexpr int largest = 8;
+  std::array<Event, largest> list{};
   int n = 0;
   void add(Event event) { list[n++] = event; }
   const Event *begin() const { return list.data(); }
@@ -110,8 +109,17 @@ public:
   bool has_rim() const { return rim.stiffness > 0; }
   bool park_wen() const { return park_wen_; }
 
+  /// A mass held by friction is at rest, and with it everything: only time passes until it slides.
+  bool at_rest(const Mode &mode) const { return mode.support == Support::stuck && !building.any(); }
+  int n_state() const { return state_size(building.n_floors()); }
+  /// Position and velocity of the mass, on the surface while the dish carries it.
+  FloorMotion base(const Mode &mode, const State &y) const;
+
   // Read by the drivers and the recorder.
-  double mass, weight, lateral_capacity, elastic_slip = 0;
+  Superstructure building;
+  double mass;             ///< of what slides: without the building's floors [kg]
+  double supported_mass;   ///< with them [kg]
+  double weight, lateral_capacity, elastic_slip = 0;
   double speed_scale; ///< for tolerances [m/s]
   double stop_speed;  ///< below it a decelerating mass has stopped [m/s]
   double slow_speed;  ///< see Mode::slow [m/s]
@@ -132,7 +140,8 @@ public:
   double socket = 0;
 
 private:
-  Eigen::Vector3d applied(const Evaluation &e, double t, Eigen::Vector3d &ground) const;
+  Eigen::Vector3d applied(const Evaluation &e, double t, const State &y, const FloorMotion &base,
+                          Eigen::Vector3d &ground) const;
   Eigen::Vector2d slow_direction(const Mode &mode, double t, const State &y) const;
   double drive_share(const Mode &mode, double t, const State &y) const;
   RimMotion rim_motion(const Mode &mode, const State &y) const;

@@ -54,7 +54,7 @@ Hold Dynamics::hold(const Mode &mode, double t, const State &y) const {
   Evaluation e;
   rim_terms(mode, u, Vector2d::Zero(), e);
   Vector3d a_g;
-  const Vector3d F = applied(e, t, a_g);
+  const Vector3d F = applied(e, t, y, {{u[0], u[1], p.z}, Vector3d::Zero()}, a_g);
   Hold h;
   Vector2d drive; // tangential, in the frame (meridian, circle)
   if (reading == NormalForce::constant) {
@@ -80,6 +80,8 @@ Vector2d Dynamics::slow_direction(const Mode &mode, double t, const State &y) co
   constexpr double dt = 1e-5; // to see the drive turn [s]
   State ahead = y;
   ahead[iX] += dt * y[iVX], ahead[iY] += dt * y[iVY];
+  for (int i = 0; i < building.n_floors(); ++i)
+    for (int c = fX; c <= fZ; ++c) ahead[iFloors + i * n_floor + c] += dt * y[iFloors + i * n_floor + fVX + c];
   const Hold now = hold(mode, t, y), next = hold(mode, t + dt, ahead);
   const Vector2d &e = now.direction;
   const double turning = (e[0] * next.direction[1] - e[1] * next.direction[0]) / dt;

@@ -41,13 +41,16 @@ void HybridRun::set_scales(const BearingState &start) {
   // Without ground motion the energy at the start bounds the speeds: a gentle motion gets as many digits.
   double share = 1;
   if (quiet_) {
-    const double energy = dynamics_.mass / 2 * start.v.squaredNorm() + dynamics_.weight * start.u[2];
-    share = std::clamp(std::sqrt(2 * energy / dynamics_.mass) / dynamics_.speed_scale, 1e-4, 1.0);
+    const double energy = dynamics_.supported_mass / 2 * start.v.squaredNorm() + dynamics_.weight * start.u[2];
+    share = std::clamp(std::sqrt(2 * energy / dynamics_.supported_mass) / dynamics_.speed_scale, 1e-4, 1.0);
   }
+  inverse_scale_ = State(dynamics_.n_state());
   for (int i : {iX, iY, iZ}) inverse_scale_[i] = 1 / (tolerance_ * share * dynamics_.lateral_capacity);
   for (int i : {iVX, iVY, iVZ}) inverse_scale_[i] = 1 / (tolerance_ * share * dynamics_.speed_scale);
   // enters through m a only: one digit less where many are asked for
   for (int i : {iEX, iEY}) inverse_scale_[i] = 1 / std::min(std::max(1e-8, tolerance_), 10 * tolerance_);
+  for (int floor = 0; floor < dynamics_.building.n_floors(); ++floor)
+    for (int i = 0; i < n_floor; ++i) inverse_scale_[iFloors + floor * n_floor + i] = inverse_scale_[iX + i];
 }
 
 double HybridRun::largest_step(const Mode &mode) const {
@@ -174,6 +177,7 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
   break_index_ = 0;
   set_scales(start);
   h_ = 1e-3;
+  step_.resize(dynamics_.n_state());
   step_.t = start.t;
   mode_ = dynamics_.starting_mode(start, step_.y0);
   recorder.begin(mode_, step_.t, step_.y0);
@@ -181,7 +185,7 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
   dynamics_.rhs(mode_, step_.t, step_.y0, step_.k[0]);
   int n_short = 0;
   while (step_.t < t_end - 1e-13) {
-    if (mode_.support == Support::stuck) {
+    if (dynamics_.at_rest(mode_)) {
       rest(t_end, recorder);
       continue;
     }
@@ -205,6 +209,10 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
     if (stop) stop_start_ = stop(position(dynamics_, mode_, step_.y0));
     if (crossing.found && crossing.by_stop) {
       result.stopped = true;
+      break;
+    }
+    if (crossing.found && crossing.event == Event::collapse) {
+      result.collapsed = true;
       break;
     }
     const Mode before = mode_;

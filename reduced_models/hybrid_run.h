@@ -16,7 +16,8 @@ public:
   struct Result {
     BearingState state;
     Mode mode;
-    bool stopped = false;
+    bool stopped = false;   ///< by the stop function
+    bool collapsed = false; ///< the building has: the run ends there
     long n_steps = 0;
   };
   /// Runs to t_end, or until stop(u) (may be empty) falls to zero. Throws SolverStopped when the slider
@@ -42,7 +43,7 @@ private:
 
   const Dynamics &dynamics_;
   double tolerance_, pulse_scale_, contact_limit_;
-  State inverse_scale_{};
+  State inverse_scale_;
   const StopFunction *stop_ = nullptr;
   bool quiet_ = false; ///< no ground motion
   double stop_start_ = 0;

@@ -25,7 +25,7 @@ public:
     return step.norm() > 0 ? Vector2d(step.normalized()) : Vector2d::UnitX();
   }
   State state(const Vector2d &u) const {
-    State y{};
+    State y;
     y[iX] = u[0], y[iY] = u[1], y[iZ] = dynamics_.height.at(u[0], u[1]).z;
     return y;
   }

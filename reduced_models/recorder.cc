@@ -35,6 +35,8 @@ const char *const columns[] = {"time",
                                "energy_impact",
                                "energy_contact"};
 
+const char *const building_energies[] = {"energy_elastic", "energy_plastic", "energy_damping"};
+
 double lateral(const Evaluation &e) {
   return (e.pendular + e.friction + e.impact).head<2>().norm();
 }
@@ -64,12 +66,16 @@ double inner_maximum(const Function &f, double f0, double fm, double f1, double 
 Recorder::Recorder(const Dynamics &dynamics, scene::Response *response, double output_step,
                    const scene::EnergyLedger &before)
     : dynamics_(dynamics), response_(response), output_step_(output_step), contact_step_(output_step),
-      last_sample_(-1e300), before_(before) {
+      last_sample_(-1e300), before_(before), final_(dynamics.n_state()), building_(dynamics.building) {
   if (dynamics.has_rim()) // at least 120 samples over the half period of mass and spring
     contact_step_ =
         std::min(output_step, std::numbers::pi * std::sqrt(dynamics.mass / dynamics.rim.stiffness) / 120);
   if (response_) {
     for (const char *name : columns) columns_.push_back(&response_->series(name));
+    if (dynamics_.building.any()) {
+      for (const char *name : building_energies) columns_.push_back(&response_->series(name));
+      for (const auto &name : BuildingRecorder::signals()) columns_.push_back(&response_->series(name));
+    }
     if (!columns_[0]->empty()) last_sample_ = columns_[0]->back();
   }
 }
@@ -101,6 +107,22 @@ void Recorder::watch(const Mode &mode, const State &y, const Evaluation &e) {
     i.peak_force = std::max(i.peak_force, e.rim_force);
     i.peak_penetration = std::max(i.peak_penetration, -e.gap);
   }
+  if (dynamics_.building.any()) building_.watch(building_at(mode, y));
+}
+
+BuildingSnapshot Recorder::building_at(const Mode &mode, const State &y) const {
+  return snapshot(dynamics_.building, y, dynamics_.base(mode, y));
+}
+
+/// A storey's drift peaks inside a step.
+void Recorder::refine_drifts(const Mode &mode, const Segment &s) {
+  const auto drift = [&](double theta, int storey) {
+    const State y = theta == 0 ? s.y0 : theta == 1 ? s.y1 : s.at(s.t0 + theta * (s.t1 - s.t0));
+    return dynamics_.building.drift(y, dynamics_.base(mode, y).position, storey).head<2>().norm();
+  };
+  for (int i = 0; i < dynamics_.building.n_floors(); ++i)
+    building_.raise_drift(i, inner_maximum([&](double x) { return drift(x, i); }, drift(0, i), drift(0.5, i),
+                                           drift(1, i), building_.peak_drift(i)));
 }
 
 void Recorder::refine(const Mode &mode, const Segment &s, const Evaluation &e0, const Evaluation &mid,
@@ -145,13 +167,14 @@ void Recorder::segment(const Mode &mode, const Segment &s, bool rim_changes_at_e
     }
   }
   Evaluation e = dynamics_.evaluate(mode, s.t1, s.y1);
-  if (s.t1 > s.t0 && mode.support != Support::stuck) {
+  if (s.t1 > s.t0 && !dynamics_.at_rest(mode)) {
     State y = s.at((s.t0 + s.t1) / 2);
     Mode m = mode;
     dynamics_.project(m, y);
     Evaluation mid = dynamics_.evaluate(mode, (s.t0 + s.t1) / 2, y);
     watch(mode, y, mid);
     refine(mode, s, last_, mid, e);
+    if (dynamics_.building.any()) refine_drifts(mode, s);
   }
   watch(mode, s.y1, e);
   last_ = e;
@@ -197,22 +220,26 @@ void Recorder::store(const Mode &mode, double t, const State &y) {
   last_sample_ = t;
   const Evaluation e = dynamics_.evaluate(mode, t, y);
   const Eigen::Vector3d force = e.pendular + e.friction + e.impact;
-  const scene::EnergyLedger l = ledger(y);
+  const scene::EnergyLedger l = ledger(mode, y);
   const double row[] = {
       t,           y[iX],       y[iY],    y[iZ],         y[iVX],        y[iVY],        y[iVZ],
       force[0],    force[1],    force[2], e.pendular[0], e.pendular[1], e.friction[0], e.friction[1],
       e.impact[0], e.impact[1], e.gap,    e.normal,      l.external,    l.gravity,     l.kinetic,
       l.friction,  l.impact,    l.contact};
   for (std::size_t i = 0; i < std::size(row); ++i) columns_[i]->push_back(row[i]);
+  if (!dynamics_.building.any()) return;
+  const double energies[] = {l.elastic, l.plastic, l.damping};
+  for (int i = 0; i < 3; ++i) response_->append(building_energies[i], energies[i]);
+  BuildingRecorder::append(building_at(mode, y), dynamics_.building.n_floors(), *response_);
 }
 
 void Recorder::end(const Mode &mode, double t, const State &y) {
   store(mode, t, y);
   if (in_impact_) close_impact(t, y);
-  final_ = y;
+  final_ = y, final_mode_ = mode, final_time_ = t;
 }
 
-scene::EnergyLedger Recorder::ledger(const State &y) const {
+scene::EnergyLedger Recorder::ledger(const Mode &mode, const State &y) const {
   scene::EnergyLedger l = before_;
   l.external += y[iExternal];
   l.gravity += dynamics_.potential_energy(y) - initial_potential_;
@@ -220,11 +247,16 @@ scene::EnergyLedger Recorder::ledger(const State &y) const {
   l.friction += y[iFriction];
   l.impact += y[iImpact];
   l.contact += landing_loss_;
+  if (dynamics_.building.any()) {
+    l.elastic += dynamics_.building.elastic_energy(y, dynamics_.base(mode, y).position);
+    l.plastic += dynamics_.building.plastic_energy(y);
+    l.damping += y[iDamping];
+  }
   l.largest_input = std::max(before_.largest_input, largest_input_ + l.initial);
   return l;
 }
 
-void Recorder::summarise(scene::Summary &summary) const {
+void Recorder::summarise(scene::Summary &summary, bool collapsed) const {
   summary.peak_displacement = peak_displacement_;
   summary.peak_lateral_force = peak_lateral_;
   summary.peak_vertical_displacement = peak_height_;
@@ -234,7 +266,10 @@ void Recorder::summarise(scene::Summary &summary) const {
   double peak = 0;
   for (const auto &impact : impacts_) peak = std::max(peak, impact.peak_force);
   summary.peak_impact_force = peak;
-  summary.energy = ledger(final_);
+  summary.energy = final_ledger();
+  if (dynamics_.building.any())
+    building_.summarise(building_at(final_mode_, final_),
+                        collapsed ? std::optional(final_time_) : std::nullopt, summary);
 }
 
 } // namespace rimpact::reduced

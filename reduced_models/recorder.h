@@ -1,6 +1,7 @@
 /// Watches a run: stores samples, keeps peaks, impacts and the energy ledger. Knows nothing of integrators:
 /// it is handed smooth segments with an interpolant, and the events between them.
 #pragma once
+#include "reduced_models/building_recorder.h"
 #include "reduced_models/dynamics.h"
 #include <functional>
 
@@ -25,16 +26,18 @@ public:
   void branch(const Mode &before, const Mode &after, double t, const State &y, double loss);
   void end(const Mode &mode, double t, const State &y);
 
-  scene::EnergyLedger ledger(const State &y) const;
-  scene::EnergyLedger final_ledger() const { return ledger(final_); } ///< after `end`
+  scene::EnergyLedger ledger(const Mode &mode, const State &y) const;
+  scene::EnergyLedger final_ledger() const { return ledger(final_mode_, final_); } ///< after `end`
   /// Peaks, impacts and energies. Call after `end`.
-  void summarise(scene::Summary &summary) const;
+  void summarise(scene::Summary &summary, bool collapsed = false) const;
   double smallest_gap() const { return smallest_gap_; }
 
 private:
   void store(const Mode &mode, double t, const State &y);
   void open_impact(double t, const State &y);
   void close_impact(double t, const State &y);
+  BuildingSnapshot building_at(const Mode &mode, const State &y) const;
+  void refine_drifts(const Mode &mode, const Segment &segment);
   void watch(const Mode &mode, const State &y, const Evaluation &e);
   void refine(const Mode &mode, const Segment &segment, const Evaluation &e0, const Evaluation &mid,
               const Evaluation &e1);
@@ -48,7 +51,10 @@ private:
   scene::EnergyLedger before_;
   double initial_potential_ = 0, landing_loss_ = 0, largest_input_ = 0;
   Evaluation last_; ///< at the latest watched instant
-  State final_{};
+  State final_;
+  Mode final_mode_;
+  double final_time_ = 0;
+  BuildingRecorder building_;
   bool in_impact_ = false;
   std::vector<scene::Impact> impacts_;
   double peak_displacement_ = 0, peak_height_ = -1e300, peak_lateral_ = 0, smallest_normal_ = 1e300;

@@ -34,16 +34,21 @@ void run(const Job &job, scene::Response *response, scene::Summary &summary) {
     before.initial += before.gravity;
   }
   Recorder recorder(dynamics, response, job.scene.reduced.output_step, before);
+  bool collapsed = false;
   try {
-    summary.n_steps = job.by_cvode
-                          ? run_with_cvode(dynamics, job.scene, job.start, job.t_end, recorder)
-                          : HybridRun(dynamics, job.scene).run(job.start, job.t_end, {}, recorder).n_steps;
+    if (job.by_cvode) {
+      const auto end = run_with_cvode(dynamics, job.scene, job.start, job.t_end, recorder);
+      summary.n_steps = end.n_steps, collapsed = end.collapsed;
+    } else {
+      const auto end = HybridRun(dynamics, job.scene).run(job.start, job.t_end, {}, recorder);
+      summary.n_steps = end.n_steps, collapsed = end.collapsed;
+    }
   } catch (const SolverStopped &stop) {
     summary.status = "stopped", summary.reason = stop.what();
   }
-  recorder.summarise(summary);
+  recorder.summarise(summary, collapsed);
   summary.rung = "reduced";
-  summary.n_dofs = 3;
+  summary.n_dofs = 3 * (1 + dynamics.building.n_floors());
   summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   summary.time_split["solve"] = summary.wall_time;
 }

@@ -19,11 +19,14 @@ EventList Dynamics::events(const Mode &mode) const {
   list.add(Event::turning);
   if (mode.support == Support::airborne) {
     list.add(Event::landing);
+  } else if (mode.support == Support::stuck) {
+    list.add(Event::slip);
   } else {
     if (!park_wen_) list.add(Event::stop);
     if (mode.slow) list.add(Event::underway);
     if (reading == NormalForce::inertia) list.add(Event::uplift);
   }
+  if (std::isfinite(building.collapse_drift)) list.add(Event::collapse);
   if (mode.rim == RimContact::open) {
     if (has_rim()) list.add(Event::touch);
   } else if (mode.rim == RimContact::relaxed) {
@@ -42,6 +45,10 @@ double Dynamics::value(Event event, const Mode &mode, double t, const State &y) 
   switch (event) {
   case Event::stop:
     return v.dot(mode.e0);
+  case Event::slip:
+    return -hold(mode, t, y).excess;
+  case Event::collapse:
+    return building.collapse_drift - building.largest_drift(y, base(mode, y).position);
   case Event::underway:
     return std::min(1 - v.norm() / slow_speed, drive_share(mode, t, y) - 0.6);
   case Event::uplift:
@@ -138,6 +145,9 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
     if (mode.slow || std::hypot(y[iVX], y[iVY]) <= stop_speed) y[iVX] = y[iVY] = y[iVZ] = 0;
     mode.slow = false;
     break;
+  case Event::slip:
+    release_from_rest(mode, t, y);
+    return 0;
   case Event::uplift:
     project(mode, y);
     mode.support = Support::airborne;
@@ -164,6 +174,7 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
     mode.slow = false;
     return 0;
   case Event::turning:
+  case Event::collapse:
     return 0;
   }
   settle(mode, t, y);
@@ -171,8 +182,10 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
 }
 
 Mode Dynamics::starting_mode(const BearingState &start, State &y) const {
-  y = {start.u[0],   start.u[1],   start.u[2], start.v[0], start.v[1], start.v[2],
-       start.eta[0], start.eta[1], 0,          0,          0,          0};
+  y = State(n_state());
+  for (int c = 0; c < 3; ++c) y[iX + c] = start.u[c], y[iVX + c] = start.v[c];
+  y[iEX] = start.eta[0], y[iEY] = start.eta[1];
+  building.follow({start.u, start.v}, y);
   Mode mode;
   mode.memory = start.rim;
   mode.deepest = mode.memory.deepest_at({y[iX], y[iY]});

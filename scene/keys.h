@@ -1,6 +1,6 @@
 /// The keys of scene and bearing files, described once: the reader, the writer, the range check and the list of
 /// assumptions are visitors of this description. A new key is one line in bearing_keys.cc,
-/// double_concave_keys.cc or scene_keys.cc.
+/// double_concave_keys.cc, superstructure.cc or scene_keys.cc.
 #pragma once
 #include "scene/scene.h"
 #include <functional>
@@ -62,7 +62,9 @@ public:
 void visit(KeyVisitor &visitor, Bearing &bearing);       ///< all but its name
 /// [isolator], read by the reduced models "dcfp" and "lir-dcfp".
 void visit(KeyVisitor &visitor, DoubleConcave &bearing, bool impact_resilient);
-void visit_settings(KeyVisitor &visitor, Scene &scene);  ///< [load], [excitation], [model], [reduced], [isolator]
+void visit(KeyVisitor &visitor, Superstructure &structure); ///< [superstructure]
+/// [load], [excitation], [model], [reduced], [isolator], [superstructure]
+void visit_settings(KeyVisitor &visitor, Scene &scene);
 
 /// Throws InputError for the first value outside its range: "rim.height_mm -3 must be > 0".
 void check_ranges(const Bearing &bearing);

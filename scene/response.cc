@@ -30,12 +30,19 @@ std::vector<SignalInfo> make_signals() {
   list.push_back({"tilt", "rad", "angle of the (bottom) slider's axis to the vertical, double concave models"});
   for (const char *axis : {"x", "y"})
     list.push_back({fmt::format("interface_slip_{}", axis), "m", "of the top slider past the bottom one"});
+  for (const char *axis : {"x", "y"}) {
+    list.push_back({fmt::format("drift_{}", axis), "m", "of the superstructure's first storey, u_s"});
+    list.push_back({fmt::format("storey_shear_{}", axis), "N", "force of the superstructure's first storey on the base"});
+  }
+  vector("roof", "m", "displacement of the highest floor relative to the base");
+  vector("roof_acceleration", "m/s^2", "absolute acceleration of the highest floor, gravity left out");
   for (const auto &[name, what] : std::initializer_list<std::pair<const char *, const char *>>{
            {"external", "work of ground motion and drives"},
            {"gravity", "potential energy gained"},
            {"kinetic", "kinetic energy"},
            {"elastic", "stored elastic energy"},
-           {"plastic", "dissipated by plastic flow"},
+           {"plastic", "dissipated by plastic flow or a hysteretic storey"},
+           {"damping", "dissipated by the superstructure's dashpots"},
            {"friction", "dissipated by friction"},
            {"impact", "dissipated by the reduced impact law"},
            {"contact", "stored in or lost by contact penalties"},

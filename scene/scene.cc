@@ -51,6 +51,18 @@ void check_double_concave(const Scene &s) {
     throw InputError("isolator.space \"planar\" moves along x only: this excitation needs \"spatial\"");
 }
 
+/// A building's axial springs need the vertical motion, and its sway a time.
+void check_superstructure(const Scene &s) {
+  const auto &e = s.excitation;
+  s.superstructure.validate(s.load.mass);
+  if (!e.is_dynamic() || e.kind == ExcitationKind::window)
+    throw InputError(fmt::format("superstructure.kind \"{}\" needs a motion in time, not excitation.kind \"{}\"",
+                                 s.superstructure.kind, to_string(e.kind)));
+  if (s.reduced.normal_force != "inertia")
+    throw InputError(fmt::format("superstructure.kind \"{}\" needs reduced.normal_force \"inertia\", not \"{}\"",
+                                 s.superstructure.kind, s.reduced.normal_force));
+}
+
 /// A prescribed path the sliding surface cannot follow is refused here, not by the surface in mid-run.
 void check_path(const Scene &scene) {
   const auto &e = scene.excitation;
@@ -77,6 +89,7 @@ void Scene::validate() const {
   check_friction(reduced);
   check_excitation(excitation, lateral_capacity());
   if (double_concave()) check_double_concave(*this);
+  if (superstructure.any()) check_superstructure(*this);
   check_path(*this);
 }
 

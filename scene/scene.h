@@ -3,6 +3,7 @@
 #include "scene/bearing.h"
 #include "scene/double_concave.h"
 #include "scene/excitation.h"
+#include "scene/superstructure.h"
 #include <string>
 #include <vector>
 
@@ -10,7 +11,7 @@ namespace rimpact::scene {
 
 struct Load {
   double vertical = 853e3;  ///< dead load W [N], >= 0
-  double mass = 86952.0;    ///< inertia in all directions [kg], > 0
+  double mass = 86952.0;    ///< inertia in all directions [kg], > 0; base and superstructure together
   double gravity = 9.81;    ///< [m/s^2]
 };
 
@@ -55,6 +56,7 @@ struct Scene {
   FeSettings model;
   ReducedSettings reduced;
   DoubleConcave isolator; ///< [isolator]: the bearing of the double concave models
+  Superstructure superstructure; ///< [superstructure]: what the bearing carries
 
   bool impact_resilient() const { return reduced.model == "lir-dcfp"; }
   bool double_concave() const { return reduced.model == "dcfp" || impact_resilient(); }

@@ -1,5 +1,6 @@
 #include "scene/scene_catalogue.h"
 #include "scene/double_concave_scenes.h"
+#include "scene/superstructure_scenes.h"
 #include "scene/error.h"
 #include "scene/scene.h"
 #include "scene/text.h"
@@ -158,6 +159,7 @@ const std::vector<BuiltinScene> &catalogue() {
         {"pulse-bidirectional", pulse_bidirectional},
     };
     for (auto &scene : double_concave_scenes()) list.push_back(std::move(scene));
+    for (auto &scene : superstructure_scenes()) list.push_back(std::move(scene));
     return list;
   }();
   return scenes;

@@ -98,7 +98,7 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
 void visit_settings(KeyVisitor &v, Scene &s) {
   v.section("load", [&] {
     v.number({"vertical_kN", "dead load"}, s.load.vertical, kilo, not_negative);
-    v.number({"mass_kg", "inertia in all directions"}, s.load.mass, si, positive);
+    v.number({"mass_kg", "inertia in all directions, a superstructure's included"}, s.load.mass, si, positive);
     v.number({"gravity_m_per_s2"}, s.load.gravity, si, {0, 1e3, true});
   });
   v.section("excitation", [&] {
@@ -116,6 +116,7 @@ void visit_settings(KeyVisitor &v, Scene &s) {
   v.section("reduced", [&] { visit(v, s.reduced); });
   if (v.wants(s.double_concave()))
     v.section("isolator", [&] { visit(v, s.isolator, s.impact_resilient()); });
+  v.section("superstructure", [&] { visit(v, s.superstructure); });
 }
 
 } // namespace rimpact::scene

@@ -73,6 +73,7 @@ nlohmann::json to_json(const EnergyLedger &e) {
           {"kinetic_J", e.kinetic},
           {"elastic_J", e.elastic},
           {"plastic_J", e.plastic},
+          {"damping_J", e.damping},
           {"friction_J", e.friction},
           {"impact_J", e.impact},
           {"contact_J", e.contact},
@@ -89,7 +90,7 @@ template <class T> nlohmann::json or_null(const std::optional<T> &value) {
 
 double EnergyLedger::imbalance_relative() const {
   const double left =
-      initial + external - (gravity + kinetic + elastic + plastic + friction + impact + contact + integrator);
+      initial + external - (gravity + kinetic + elastic + plastic + damping + friction + impact + contact + integrator);
   const double input = std::max(largest_input, std::abs(external) + std::abs(initial));
   return input > 0 ? left / input : 0;
 }

@@ -16,14 +16,15 @@ struct Impact {
 };
 
 /// Energy ledger of a run [J]. external: work of the ground motion and drives; gravity: potential energy gained
-/// (positive when lifted); impact: dissipated by the reduced impact law; contact: stored in or lost by contact
+/// (positive when lifted; of a building as if no axial spring were strained); damping: lost in a building's
+/// dashpots; impact: dissipated by the reduced impact law; contact: stored in or lost by contact
 /// penalties; integrator: the time integrator's loss from its own formula.
 struct EnergyLedger {
-  double external = 0, gravity = 0, kinetic = 0, elastic = 0, plastic = 0, friction = 0, impact = 0, contact = 0,
-         integrator = 0;
+  double external = 0, gravity = 0, kinetic = 0, elastic = 0, plastic = 0, damping = 0, friction = 0, impact = 0,
+         contact = 0, integrator = 0;
   double initial = 0;      ///< energy present at the start (a window's kinetic energy)
   double largest_input = 0; ///< running maximum of |external| + initial
-  /// initial + external - (gravity + kinetic + elastic + plastic + friction + impact + contact + integrator),
+  /// initial + external - (gravity + kinetic + elastic + plastic + damping + friction + impact + contact + integrator),
   /// divided by largest_input.
   double imbalance_relative() const;
 };

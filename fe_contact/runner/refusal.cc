@@ -4,7 +4,20 @@
 
 namespace rimpact::fe {
 
+std::optional<std::string> beyond_rungs(const scene::Scene &scene) {
+  if (scene.double_concave())
+    return fmt::format("reduced.model \"{}\" is a rigid-body bearing of two dishes: the finite-element rungs know bearings "
+                       "of one dish only; use `rimpact reduced`",
+                       scene.reduced.model);
+  if (scene.superstructure.any())
+    return fmt::format("superstructure.kind \"{}\" is not for the finite-element rungs, which carry a rigid mass; use "
+                       "`rimpact reduced`, or --set superstructure.kind=\"none\"",
+                       scene.superstructure.kind);
+  return std::nullopt;
+}
+
 std::optional<std::string> refusal(const scene::Scene &scene) {
+  if (const auto reason = beyond_rungs(scene)) return reason;
   using Kind = scene::ExcitationKind;
   const Kind kind = scene.excitation.kind;
   const std::string rung = scene.model.rung, name = "excitation.kind '" + scene::to_string(kind) + "'";

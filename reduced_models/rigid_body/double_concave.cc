@@ -37,6 +37,7 @@ public:
     while (state.t < duration_ * (1 - 1e-12)) {
       advance(state, h);
       if (const char *why = model_.lost(state)) return recorder_.stop(state, why);
+      if (recorder_.collapsed()) return recorder_.end(state);
     }
     recorder_.end(state);
   }
@@ -67,9 +68,9 @@ private:
   }
   double error(const StepReport &report) const {
     double largest = 0;
-    for (int body = 0; body <= model_.plate; ++body) {
+    for (int body = 0; body < static_cast<int>(model_.system.bodies.size()); ++body) {
       largest = std::max(largest, report.position_error.segment<3>(6 * body).norm() / position_tolerance_);
-      if (body == model_.plate)
+      if (body >= model_.plate)
         largest = std::max(largest, report.velocity_error.segment<3>(6 * body).norm() / velocity_tolerance_);
     }
     return largest;

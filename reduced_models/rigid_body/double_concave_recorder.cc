@@ -1,5 +1,6 @@
 #include "reduced_models/rigid_body/double_concave_recorder.h"
 #include <algorithm>
+#include <Eigen/Geometry>
 #include <cmath>
 
 namespace rimpact::reduced::rigid {
@@ -12,6 +13,7 @@ namespace {
 struct PlateForces {
   Vector3d pendular = Vector3d::Zero(), friction = Vector3d::Zero(), impact = Vector3d::Zero();
   double normal = 0;
+  Vector3d moment = Vector3d::Zero(); ///< about the plate's vertex
 };
 
 PlateForces on_plate(const DoubleConcaveSystem &model, const MotionState &s) {
@@ -21,6 +23,7 @@ PlateForces on_plate(const DoubleConcaveSystem &model, const MotionState &s) {
     if (c.master != model.plate) continue;
     (c.surface == Surface::rim ? p.impact : p.pendular) -= s.contact[i].normal;
     p.friction -= s.contact[i].friction;
+    p.moment -= (s.contact[i].at - s.poses[model.plate].position).cross(s.contact[i].normal + s.contact[i].friction);
     if (c.surface == Surface::dish) p.normal += s.contact[i].size;
   }
   return p;
@@ -40,7 +43,7 @@ DoubleConcaveRecorder::DoubleConcaveRecorder(DoubleConcaveSystem &model, const s
       sample_(model.driven ? time_unit / (2000 * std::max(1.0, std::ceil(scene.excitation.cycles)))
                            : scene.reduced.output_step),
       dents_(model.system.contacts.size()), largest_normal_(model.system.contacts.size(), 0),
-      smallest_normal_(model.system.contacts.size(), 1e300) {
+      smallest_normal_(model.system.contacts.size(), 1e300), building_(model.building) {
   result.summary.n_dofs = std::count(model.system.free.begin(), model.system.free.end(), true);
 }
 
@@ -91,9 +94,15 @@ void DoubleConcaveRecorder::watch(const MotionState &s) {
     smallest_normal_[i] = std::min(smallest_normal_[i], s.contact[i].size);
   }
   const auto p = on_plate(model_, s);
+  largest_moment_ = std::max(largest_moment_, p.moment.head<2>().norm());
   const double vertical = (p.pendular + p.friction)[2];
   largest_vertical_ = std::max(largest_vertical_, vertical);
   smallest_vertical_ = std::min(smallest_vertical_, vertical);
+  if (!model_.building.any()) return;
+  const auto building = model_.building_at(s);
+  building_.watch(building);
+  for (int i = 0; i < model_.building.n_floors(); ++i)
+    if (building.drift[i].norm() >= model_.building.collapse_drift) collapse_time_ = s.t;
 }
 
 scene::EnergyLedger DoubleConcaveRecorder::ledger(const MotionState &s) const {
@@ -103,6 +112,8 @@ scene::EnergyLedger DoubleConcaveRecorder::ledger(const MotionState &s) const {
   l.gravity = model_.potential_energy(s) - potential_;
   l.kinetic = model_.system.kinetic_energy(s.poses, s.velocity);
   l.friction = s.works.slip, l.impact = s.works.wall, l.contact = s.works.normal;
+  l.damping = s.works.damping, l.plastic = s.works.hysteretic;
+  for (const auto &link : s.link) l.elastic += link.elastic_energy, l.plastic -= link.hysteretic_energy;
   l.largest_input = largest_input_ + initial_;
   return l;
 }
@@ -142,6 +153,11 @@ void DoubleConcaveRecorder::store(const MotionState &s) {
                                                  {"energy_impact", l.impact},
                                                  {"energy_contact", l.contact}};
   for (const auto &[name, value] : row) result_.response.append(name, value);
+  if (!model_.building.any()) return;
+  for (const auto &[name, value] : {std::pair{"energy_elastic", l.elastic}, {"energy_plastic", l.plastic},
+                                    {"energy_damping", l.damping}})
+    result_.response.append(name, value);
+  BuildingRecorder::append(model_.building_at(s), model_.building.n_floors(), result_.response);
 }
 
 void DoubleConcaveRecorder::end(const MotionState &s) {
@@ -161,7 +177,9 @@ void DoubleConcaveRecorder::end(const MotionState &s) {
   summary.extra["isolator"] = {{"point_forces", points},
                                {"max_vertical_force_N", largest_vertical_},
                                {"min_vertical_force_N", smallest_vertical_},
+                               {"max_moment_N_m", largest_moment_},
                                {"residual_interface_slip_m", model_.interface_slip(s).norm()}};
+  if (model_.building.any()) building_.summarise(model_.building_at(s), collapse_time_, summary);
 }
 
 void DoubleConcaveRecorder::stop(const MotionState &s, const std::string &reason) {

@@ -17,6 +17,7 @@ public:
   void accept(const MotionState &state, const MotionState &before);
   double next_sample(const MotionState &state) const; ///< instant that must be a step's end
   void end(const MotionState &state);
+  bool collapsed() const { return collapse_time_.has_value(); } ///< the building has
   void stop(const MotionState &state, const std::string &reason);
 
 private:
@@ -31,7 +32,9 @@ private:
   double rest_height_ = 0;
   std::vector<RimMemory> dents_; ///< of each contact
   std::vector<double> largest_normal_, smallest_normal_;
-  double largest_vertical_ = 0, smallest_vertical_ = 1e300;
+  BuildingRecorder building_;
+  std::optional<double> collapse_time_;
+  double largest_moment_ = 0, largest_vertical_ = 0, smallest_vertical_ = 1e300;
 };
 
 } // namespace rimpact::reduced::rigid

@@ -37,7 +37,7 @@ double contact_damping(const scene::DoubleConcave &b, double mass, int n_sets) {
 
 DoubleConcaveSystem::DoubleConcaveSystem(const scene::Scene &scene)
     : plate(scene.impact_resilient() ? 2 : 1), top_slider(plate - 1), driven(!scene.excitation.is_dynamic()),
-      bearing_(scene.isolator), resilient_(scene.impact_resilient()), n_sets_(resilient_ ? 3 : 2) {
+      building(scene), bearing_(scene.isolator), resilient_(scene.impact_resilient()), n_sets_(resilient_ ? 3 : 2) {
   const auto &r = scene.reduced;
   add_bodies(scene);
   add_points(bearing_);
@@ -65,7 +65,7 @@ void DoubleConcaveSystem::add_bodies(const scene::Scene &scene) {
     system.bodies.push_back(cylinder(b.slider_mass, b.slider_diameter, H, g));
   }
   const double J = b.plate_inertia;
-  system.bodies.push_back({scene.load.mass, {J, J, J}, scene.load.vertical});
+  system.bodies.push_back({scene.load.mass - building.mass(), {J, J, J}, scene.load.vertical});
   const bool planar = b.space == "planar", plate_turns = b.plate_rotation == "free";
   for (int body = 0; body <= plate; ++body)
     for (int dof = 0; dof < 6; ++dof) {
@@ -73,6 +73,12 @@ void DoubleConcaveSystem::add_bodies(const scene::Scene &scene) {
       system.free.push_back((!planar || in_plane) &&
                             (body != plate || ((!turns || plate_turns) && (!driven || dof > 1))));
     }
+  // The dead load of the floors is the plate's: axial springs know changes from it only.
+  for (int i = 0; i < building.n_floors(); ++i) {
+    system.bodies.push_back({building.storeys[i].mass, {1, 1, 1}, 0.0});
+    system.links.push_back({building.storeys[i], plate + i, plate + i + 1});
+    for (int dof = 0; dof < 6; ++dof) system.free.push_back(dof < 3 && (!planar || dof != 1));
+  }
 }
 
 void DoubleConcaveSystem::add_points(const scene::DoubleConcave &b) {
@@ -171,11 +177,24 @@ MotionState DoubleConcaveSystem::state_at(const Vector2d &u, const Vector2d &v) 
     s.velocity.segment<3>(6 * body) = body == plate ? velocity : omega.cross(s.poses[body].position - centre);
     if (body != plate) s.velocity.segment<3>(6 * body + 3) = omega;
   }
+  for (int i = 1; i <= building.n_floors(); ++i) {
+    s.poses[plate + i].position = s.poses[plate].position;
+    s.velocity.segment<3>(6 * (plate + i)) = velocity;
+  }
   return s;
 }
 
 Vector3d DoubleConcaveSystem::plate_displacement(const MotionState &s) const {
   return s.poses[plate].position - Vector3d(0, 0, bearing_.slider_height());
+}
+
+BuildingSnapshot DoubleConcaveSystem::building_at(const MotionState &s) const {
+  const auto motion = [&](int body) {
+    return FloorMotion{s.poses[body].position, s.velocity.segment<3>(6 * body)};
+  };
+  std::array<FloorMotion, max_floors> floors;
+  for (int i = 0; i < building.n_floors(); ++i) floors[i] = motion(plate + 1 + i);
+  return snapshot(building, motion(plate), floors.data(), s.z.data());
 }
 
 Vector3d DoubleConcaveSystem::interface_slip(const MotionState &s) const {

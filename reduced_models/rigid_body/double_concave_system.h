@@ -4,6 +4,7 @@
 /// to rotate.
 #pragma once
 #include "reduced_models/rigid_body/stepper.h"
+#include "reduced_models/building_recorder.h"
 #include "scene/scene.h"
 
 namespace rimpact::reduced::rigid {
@@ -20,6 +21,7 @@ public:
   System system;
   int plate, top_slider; ///< indices of bodies; the bottom slider is 0
   bool driven;           ///< a quasi-static kind: the plate follows a path
+  Superstructure building; ///< its floors are the bodies above the plate, its storeys the system's links
 
   /// At rest, or with the plate displaced and moving on its sphere of radius R_eff, sliders following.
   MotionState state_at(const Eigen::Vector2d &displacement, const Eigen::Vector2d &velocity) const;
@@ -31,6 +33,7 @@ public:
   double gap(const MotionState &state) const;  ///< C_t - |u - slip|
   double potential_energy(const MotionState &state) const;
   double stored_energy(const MotionState &state) const; ///< in the normal contacts' springs [J]
+  BuildingSnapshot building_at(const MotionState &state) const; ///< only of one that is there
   /// Why a run cannot go on: the slider has left a rim or the stop, or overturned; null otherwise.
   const char *lost(const MotionState &state) const;
 

@@ -48,6 +48,7 @@ Works Stepper::powers(const MotionState &s) const {
     (surface == Surface::rim || surface == Surface::stop ? p.wall : p.normal) += s.contact[i].normal_power;
     p.slip += s.contact[i].slip_power;
   }
+  for (const auto &link : s.link) p.damping += link.damping_power, p.hysteretic += link.hysteretic_power;
   p.external = applied(s.t).dot(s.velocity);
   if (loads_.path) { // the drive balances what the contacts do to the driven body
     Vector3d force = Vector3d::Zero();
@@ -66,7 +67,15 @@ void Stepper::start(MotionState &s) {
   const auto n = system_.contacts.size();
   if (s.slip.size() != n) s.slip.assign(n, Vector3d::Zero());
   s.slip_rate.assign(n, Vector3d::Zero());
-  const Vector f = system_.forces(s.poses, s.velocity, {0, 0, s.slip}, s.contact, nullptr) + applied(s.t);
+  if (s.z.size() != system_.links.size()) s.z.assign(system_.links.size(), Vector2d::Zero());
+  Vector f = system_.forces(s.poses, s.velocity, {0, 0, s.slip}, s.contact, nullptr) + applied(s.t);
+  add_links(system_, s.poses, s.velocity, {0, 0, s.z}, s.link, f, nullptr);
+  s.z_rate.assign(s.z.size(), Vector2d::Zero());
+  for (std::size_t i = 0; i < s.z.size(); ++i) {
+    const auto &[storey, below, above] = system_.links[i];
+    if (storey.hysteresis)
+      s.z_rate[i] = storey.hysteresis->rate(s.z[i], (s.velocity.segment<2>(6 * above) - s.velocity.segment<2>(6 * below)));
+  }
   const Matrix M = system_.mass_matrix(s.poses);
   s.acceleration = Vector::Zero(system_.n_dofs());
   s.acceleration(dofs_) = M(dofs_, dofs_).partialPivLu().solve(f(dofs_)).eval();
@@ -88,6 +97,7 @@ bool Stepper::solve(const MotionState &from, double h, const Vector &moved, cons
     for (std::size_t b = 0; b < system_.bodies.size(); ++b) to.poses[b] = moved_by(from.poses[b], motion, b);
     drive(t, to);
     f = system_.forces(to.poses, to.velocity, {weight, slip_step, to.slip}, to.contact, &tangent) + load;
+    add_links(system_, to.poses, to.velocity, {weight, weight, to.z}, to.link, f, &tangent);
     const Matrix M = system_.mass_matrix(to.poses);
     to.acceleration = (to.velocity - base) / weight;
     const Vector imbalance = M * to.acceleration - f;
@@ -108,41 +118,53 @@ bool Stepper::solve(const MotionState &from, double h, const Vector &moved, cons
   return false;
 }
 
+/// A stage at t + reach that weighs the rates of the step's start and (where w2 > 0) of the middle stage.
+bool Stepper::stage(const MotionState &from, double h, double w1, double w2, double reach, MotionState &at,
+                    int &iterations) {
+  const std::size_t n = system_.contacts.size(), n_links = system_.links.size();
+  at.slip.resize(n), at.slip_rate.resize(n), at.z.resize(n_links), at.z_rate.resize(n_links);
+  for (std::size_t i = 0; i < n; ++i) {
+    at.slip[i] = from.slip[i];
+    if (system_.park_wen) at.slip[i] += w1 * from.slip_rate[i];
+    if (system_.park_wen && w2 > 0) at.slip[i] += w2 * middle_.slip_rate[i];
+  }
+  for (std::size_t i = 0; i < n_links; ++i) {
+    at.z[i] = from.z[i] + w1 * from.z_rate[i];
+    if (w2 > 0) at.z[i] += w2 * middle_.z_rate[i];
+  }
+  const double own = h * diagonal, slip_step = system_.park_wen ? own : reach;
+  Vector moved = w1 * from.velocity, base = from.velocity + w1 * from.acceleration;
+  if (w2 > 0) {
+    moved += w2 * middle_.velocity, base += w2 * middle_.acceleration;
+    at.velocity = middle_.velocity + (1 - 2 * diagonal) * h * middle_.acceleration;
+  } else {
+    at.velocity = from.velocity + reach * from.acceleration;
+  }
+  if (!solve(from, h, moved, base, from.t + reach, slip_step, at, iterations)) return false;
+  for (std::size_t i = 0; i < n; ++i) {
+    at.slip_rate[i] = (at.contact[i].slip - at.slip[i]) / slip_step;
+    at.slip[i] = at.contact[i].slip;
+  }
+  for (std::size_t i = 0; i < n_links; ++i) {
+    at.z_rate[i] = (at.link[i].z - at.z[i]) / own;
+    at.z[i] = at.link[i].z;
+  }
+  at.power = powers(at);
+  return true;
+}
+
 StepReport Stepper::step(const MotionState &from, double h, MotionState &to) {
   StepReport report;
-  const std::size_t n = system_.contacts.size();
-  const auto stage = [&](double t, double reach, const Vector &moved, const Vector &base, double w1,
-                         double w2, MotionState &at) {
-    at.slip.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      at.slip[i] = from.slip[i];
-      if (system_.park_wen) at.slip[i] += w1 * from.slip_rate[i];
-      if (system_.park_wen && w2 > 0) at.slip[i] += w2 * middle_.slip_rate[i];
-    }
-    const double slip_step = system_.park_wen ? h * diagonal : reach;
-    at.velocity = w2 > 0 ? Vector(middle_.velocity + (1 - 2 * diagonal) * h * middle_.acceleration)
-                         : Vector(from.velocity + reach * from.acceleration);
-    if (!solve(from, h, moved, base, t, slip_step, at, report.iterations)) return false;
-    at.slip_rate.resize(n);
-    for (std::size_t i = 0; i < n; ++i) {
-      at.slip_rate[i] = (at.contact[i].slip - at.slip[i]) / slip_step;
-      at.slip[i] = at.contact[i].slip;
-    }
-    at.power = powers(at);
-    return true;
-  };
   middle_.poses = to.poses = from.poses;
   const double first = h * diagonal, w = h * outer;
-  if (!stage(from.t + 2 * first, 2 * first, first * from.velocity, from.velocity + first * from.acceleration,
-             first, 0, middle_))
-    return report;
-  if (!stage(from.t + h, h, w * (from.velocity + middle_.velocity),
-             from.velocity + w * (from.acceleration + middle_.acceleration), w, w, to))
+  if (!stage(from, h, first, 0, 2 * first, middle_, report.iterations) ||
+      !stage(from, h, w, w, h, to, report.iterations))
     return report;
   const auto summed = [&](double Works::*p) {
     return from.works.*p + w * (from.power.*p + middle_.power.*p) + first * to.power.*p;
   };
-  to.works = {summed(&Works::external), summed(&Works::normal), summed(&Works::slip), summed(&Works::wall)};
+  to.works = {summed(&Works::external), summed(&Works::normal), summed(&Works::slip), summed(&Works::wall),
+              summed(&Works::damping), summed(&Works::hysteretic)};
   const double e1 = h * (4 * outer - 1) / 3, e2 = -h / 3, e3 = h * 2 * diagonal / 3;
   report.position_error = e1 * from.velocity + e2 * middle_.velocity + e3 * to.velocity;
   report.velocity_error = e1 * from.acceleration + e2 * middle_.acceleration + e3 * to.acceleration;

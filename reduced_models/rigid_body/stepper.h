@@ -2,13 +2,13 @@
 /// third-order error estimate. Source: Bank et al. (1985); coefficients as Hosea and Shampine (1996). Second
 /// order, L-stable: the slider's contact modes (thousands of rad/s, next to no energy) need not be resolved.
 #pragma once
-#include "reduced_models/rigid_body/system.h"
+#include "reduced_models/rigid_body/storey_link.h"
 #include <functional>
 
 namespace rimpact::reduced::rigid {
 
 struct Works {
-  double external = 0, normal = 0, slip = 0, wall = 0; ///< [J]; as rates [W]
+  double external = 0, normal = 0, slip = 0, wall = 0, damping = 0, hysteretic = 0; ///< [J]; as rates [W]
 };
 
 struct MotionState {
@@ -17,6 +17,8 @@ struct MotionState {
   Vector velocity, acceleration;
   std::vector<Eigen::Vector3d> slip, slip_rate;
   std::vector<ContactForce> contact;
+  std::vector<Eigen::Vector2d> z, z_rate; ///< of the links
+  std::vector<LinkForce> link;
   Works works, power;
 };
 
@@ -47,6 +49,8 @@ private:
   struct StageData;
   bool solve(const MotionState &from, double h, const Vector &moved, const Vector &base, double t,
              double slip_step, MotionState &to, int &iterations);
+  bool stage(const MotionState &from, double h, double weight_from, double weight_middle, double reach,
+             MotionState &at, int &iterations);
   Vector applied(double t) const;
   void drive(double t, MotionState &state) const;
   Works powers(const MotionState &state) const;

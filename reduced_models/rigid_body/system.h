@@ -8,12 +8,13 @@
 #include "reduced_models/impact_law.h"
 #include "reduced_models/rigid_body/contact.h"
 #include "reduced_models/rigid_body/slip.h"
+#include "reduced_models/superstructure.h"
 #include <array>
 #include <vector>
 
 namespace rimpact::reduced::rigid {
 
-inline constexpr int max_bodies = 3, max_dofs = 6 * max_bodies;
+inline constexpr int max_bodies = 3 + max_floors, max_dofs = 6 * max_bodies;
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_dofs, 1>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_dofs, max_dofs>;
 using Poses = std::array<Pose, max_bodies>;
@@ -22,6 +23,12 @@ struct RigidBody {
   double mass;             ///< [kg]
   Eigen::Vector3d inertia; ///< principal, about the mass centre, body axes [kg m^2]
   double weight;           ///< [N]
+};
+
+/// A storey of the building the bearing carries; both bodies only translate, alike where no spring is strained.
+struct Link {
+  Storey storey;
+  int below, above; ///< bodies
 };
 
 struct NormalLaw {
@@ -51,6 +58,7 @@ class System {
 public:
   std::vector<RigidBody> bodies;
   std::vector<Contact> contacts;
+  std::vector<Link> links; ///< see storey_link.h
   std::vector<bool> free; ///< of each dof; the others are at rest or driven
   NormalLaw normal{};
   FrictionCoefficient dish_friction, interface_friction;

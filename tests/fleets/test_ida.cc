@@ -64,6 +64,9 @@ TEST(RecordFolder, StationsByTheirFilesNames) {
   const auto peak = intensity(motions[0].horizontal);
   EXPECT_NEAR(peak.pga_g, 0.4, 1e-6);
   EXPECT_NEAR(peak.pgv, 0.4 * scene::standard_gravity / std::acos(-1.0), 1e-3);
+  EXPECT_EQ(peak.sa_g, 0); // not asked for
+  // so stiff that it rides along, but for the small overshoot of its free vibration
+  EXPECT_NEAR(intensity(motions[0].horizontal, 0.01).sa_g, 0.4, 0.02);
 }
 
 TEST(RecordFolder, ComponentsThatAMotionHas) {
@@ -87,6 +90,22 @@ TEST(RecordFolder, ComponentsThatAMotionHas) {
   EXPECT_NEAR(std::get<double>(three.runs[1][static_cast<std::size_t>(scale)].cell), 1.5, 1e-5);
 }
 
+TEST(RecordFolder, SpectralAccelerationIsAVariable) {
+  const TemporaryFolder folder;
+  write_station(folder);
+  const Sweep sweep = parse_sweep("[records]\nfolder = '.'\ncomponents = 'xy'\nsa_period_s = 1.0\n[grid]\n"
+                                  "variable.sa_g = [0.5]\n[linked]\nexcitation.scale = { product = ['variable.sa_g'], "
+                                  "over = 'variable.record_sa_g' }\n",
+                                  folder / "ida.toml");
+  ASSERT_EQ(sweep.runs.size(), 1u);
+  const auto at = [&](const char *key) {
+    const auto i = std::find(sweep.keys.begin(), sweep.keys.end(), key) - sweep.keys.begin();
+    return std::get<double>(sweep.runs[0].at(static_cast<std::size_t>(i)).cell);
+  };
+  EXPECT_NEAR(at("excitation.scale"), 0.5 / at("variable.record_sa_g"), 1e-12);
+  EXPECT_GT(at("variable.record_sa_g"), 0.8); // two thirds of the way to resonance in one cycle
+}
+
 TEST(RecordFolder, ErrorsNameFolderAndKey) {
   const TemporaryFolder folder;
   const auto refused = [&](const std::string &text, std::initializer_list<const char *> words) {
@@ -98,6 +117,7 @@ TEST(RecordFolder, ErrorsNameFolderAndKey) {
   refused("[records]\nfolder = '.'\ncomponents = 'xz'\n", {"s.toml:3:", "components", "xz", "xyz"});
   refused("[records]\nfolder = '.'\ncomponents = 'xy'\n", {"s.toml:2:", "no station", "xy"});
   refused("[records]\nfolder = '.'\n", {"s.toml:1:", "records.components"});
+  refused("[records]\nfolder = '.'\ncomponents = 'x'\nsa_period_s = 0\n", {"s.toml:4:", "sa_period_s", "> 0"});
   refused("[grid]\nexcitation.scale = [1]\n[fractiles]\nalong = 'excitation.scal'\n",
           {"s.toml:4:", "excitation.scal"});
   refused("[grid]\nvariable.a = [1]\nvariable.b = [0]\n[linked]\nexcitation.scale = { product = "

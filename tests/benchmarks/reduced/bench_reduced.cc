@@ -58,6 +58,39 @@ void on_dish(benchmark::State &state, const char *kind) {
   report(state, run, reduced::simulate_summary(tight));
 }
 
+/// 20 s of the built-in near-fault motion on the bearing of the stages' scene, rims struck; bounds: planar 100 ms at 1 % of
+/// the peak force, spatial with 4 points 3 s. `points` 2: planar.
+void double_concave(benchmark::State &state, const char *model, int points) {
+  scene::Scene s = scene::load_scene("lir-dcfp-compared", {"excitation.x=\"builtin:near-fault-x\""});
+  s.reduced.model = model;
+  s.isolator.points = points;
+  if (points > 2) {
+    s.isolator.space = "spatial";
+    s.excitation.y = scene::load_scene("pulse-bidirectional").excitation.y;
+  }
+  s.excitation.scale = 1.2, s.excitation.duration = 20;
+  scene::Scene tight = s;
+  tight.isolator.step_tolerance = 0.01 * s.isolator.step_tolerance;
+  scene::Summary run;
+  for (auto _ : state) run = reduced::simulate_summary(s);
+  const scene::Summary exact = reduced::simulate_summary(tight);
+  report(state, run, exact);
+  state.counters["error_lateral"] = std::abs(run.peak_lateral_force / exact.peak_lateral_force - 1);
+  state.counters["impacts"] = static_cast<double>(run.impacts.size());
+}
+
+/// The four-degrees-of-freedom model of thesis 2.6.1 over 12 s, at the tolerance 10^-range(0).
+void four_dof(benchmark::State &state) {
+  scene::Scene s = scene::load_scene("frame-four-dof", {"excitation.scale=1.1", "excitation.duration_s=12"}), tight = s;
+  s.reduced.tolerance = std::pow(10, -static_cast<double>(state.range(0))), tight.reduced.tolerance = 1e-12;
+  scene::Summary run;
+  for (auto _ : state) run = reduced::simulate_summary(s);
+  const scene::Summary exact = reduced::simulate_summary(tight);
+  report(state, run, exact);
+  state.counters["error_drift"] =
+      std::abs(run.extra["peak_drift_m"].get<double>() / exact.extra["peak_drift_m"].get<double>() - 1);
+}
+
 void stored(benchmark::State &state) {
   const scene::Scene s = pulse("coulomb", 1e-9);
   for (auto _ : state) benchmark::DoNotOptimize(reduced::simulate(s));
@@ -83,6 +116,11 @@ BENCHMARK_CAPTURE(cvode, park_wen, "park-wen")->Arg(9)->Unit(benchmark::kMillise
 BENCHMARK_CAPTURE(on_dish, cone, "cone")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(on_dish, polynomial, "polynomial")->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(on_dish, table, "table")->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(double_concave, dcfp_planar, "dcfp", 2)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(double_concave, lir_planar, "lir-dcfp", 2)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(double_concave, lir_spatial, "lir-dcfp", 4)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(double_concave, lir_spatial_8, "lir-dcfp", 8)->Unit(benchmark::kMillisecond);
+BENCHMARK(four_dof)->DenseRange(6, 9, 1)->Unit(benchmark::kMillisecond);
 BENCHMARK(stored)->Unit(benchmark::kMillisecond);
 BENCHMARK(scout)->Unit(benchmark::kMillisecond);
 BENCHMARK(critical)->Unit(benchmark::kMillisecond);
