@@ -34,14 +34,15 @@ vertical_period_s = 0.1   # assumption: k_v is not printed
 
 const char *frame_on_lir =
     R"(# Thesis 4.3: an inelastic frame on an LIR-DCFP bearing of 25 cm with a gap of 5 cm. The DCFP ones: --model dcfp, and
-# --set isolator.capacity_m=0.30 for the larger. The record is PEER's (RSN 180, H-E05140): put your own copy beside this file.
+# --set isolator.capacity_m=0.30 for the larger. The thesis names H-E05140 "of Array #4"; unscaled, neither it nor Array #4's
+# E04140 reaches the rim. The same station's H-E05230 does. PEER's RSN 180: put your own copy beside this file.
 [load]
 vertical_kN = 4905.0
 mass_kg = 500000.0
 
 [excitation]
 kind = "record"
-x = "RSN180_IMPVALL.H_H-E05140.AT2"
+x = "RSN180_IMPVALL.H_H-E05230.AT2"
 duration_s = 20.0
 
 [reduced]
@@ -99,7 +100,7 @@ std::vector<BuiltinScene> superstructure_scenes() {
   return {{"frame-four-dof", four_dof},
           {"frame-on-lir-dcfp", frame_on_lir,
            "frame-on-lir-dcfp needs your own copy of PEER's NGA-West2 record RSN180: "
-           "RSN180_IMPVALL.H_H-E05140.AT2 in the current folder, or --set excitation.x=FILE"},
+           "RSN180_IMPVALL.H_H-E05230.AT2 in the current folder, or --set excitation.x=FILE"},
           {"shear-building", building}};
 }
 

@@ -93,7 +93,7 @@ std::vector<Case> cases() {
   const auto printed = near_interface(0.0528);
   return {{"gap exceeded", gap_exceeded, true, "done", "gap left [m]",
            [gap](const auto &run) { return std::max(0.0, gap_left(run, gap)); }, 0},
-          {"one point lifted", slender(0.8, 0.1), true, "done", "least N of a point", least_point_force, 0},
+          {"one point lifted", slender(0.5, 0.1), true, "done", "least N of a point", least_point_force, 0},
           {"45 degrees, DCFP, circle", in_space("dcfp", 8, 45), true, "done", "off 0 degrees",
            against(in_space("dcfp", 8, 0)), 0.01},
           {"45 degrees, LIR, circle", in_space("lir-dcfp", 8, 45), true, "done", "off 0 degrees",
@@ -107,6 +107,7 @@ std::vector<Case> cases() {
           {"mu_s = mu_e + 0.001", near_interface(0.0538)},
           {"inelastic frame above", with_frame(0.05)},
           {"softening frame above", with_frame(-0.1), false, "stopped"},
+          {"overturned", slender(0.8, 0.1), false, "stopped"},
           {"low rim left", slender(1.5, 1e-4), false, "stopped"}};
 }
 

@@ -54,16 +54,16 @@ def word(column, ours, thesis):
     if "mm" in column:
         if abs(ours - thesis) < 3:
             return "same within 3 mm"
-        return "the interface is pushed less: force at the rim" if "slip" in column else "rests elsewhere in the friction band"
+        return "pushed less, as the rim's force is smaller" if "slip" in column else "rests elsewhere within the friction's width"
     if abs(ours / thesis - 1) < 0.03:
         return "same within 3 %"
     if column.startswith("lateral"):
-        return "softer rim pair (k_imp at one or all points is not said)"
+        return "not explained; k_imp x 5 closes 60 % of it at slenderness 0.33"
     if column.startswith("vertical"):
-        return "damping of the vertical mode: supported mass, not (3-46)"
+        return "not explained; (3-46) would damp less (not tried)"
     if column.startswith("moment"):
-        return "about the plate's vertex; the thesis's point is not said"
-    return "less impact force on the edge" if abs(ours - 393) < abs(thesis - 393) else "more of the moment on the edge"
+        return "ours about the plate's vertex, the thesis's point is not said"
+    return "more even than the thesis's points" if abs(ours - 393) < abs(thesis - 393) else "less even than the thesis's points"
 
 
 def main(rimpact, folder, baseline=None):
