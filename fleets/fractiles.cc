@@ -9,7 +9,7 @@ namespace {
 
 constexpr double beyond = std::numeric_limits<double>::infinity(); ///< where a stopped run stands
 const char *const quantities[] = {"peak_displacement_m", "peak_lateral_force_N", "peak_impact_force_N",
-                                  "peak_drift_m",        "ductility"};
+                                  "peak_drift_m", "ductility"};
 const std::pair<const char *, double> shares[] = {{"p16_", 0.16}, {"p50_", 0.50}, {"p84_", 0.84}};
 
 struct Level {

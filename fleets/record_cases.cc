@@ -49,7 +49,8 @@ RecordCases cases_of_folder(const std::string &folder, const std::string &compon
                                             motion.vertical.empty() ? " and no vertical one" : ""));
       continue;
     }
-    result.cases.push_back(case_of(motion.name, motion.horizontal, with_vertical ? motion.vertical : "", sa_period));
+    result.cases.push_back(
+        case_of(motion.name, motion.horizontal, with_vertical ? motion.vertical : "", sa_period));
   }
   if (result.cases.empty())
     throw InputError(fmt::format("the folder {} has no station with the components {}", folder, components));

@@ -64,7 +64,8 @@ Intensity intensity(const std::vector<std::string> &horizontal, double sa_period
     const auto info = scene::inspect(record);
     const double sa =
         sa_period > 0 ? scene::spectral_acceleration(record, sa_period) / scene::standard_gravity : 0.0;
-    largest = {std::max(largest.pga_g, info.pga_g), std::max(largest.pgv, info.pgv), std::max(largest.sa_g, sa)};
+    largest = {std::max(largest.pga_g, info.pga_g), std::max(largest.pgv, info.pgv),
+               std::max(largest.sa_g, sa)};
   }
   return largest;
 }

@@ -1,6 +1,6 @@
 #include "reduced_models/bouc_wen.h"
-#include <Eigen/LU>
 #include <cmath>
+#include <Eigen/LU>
 #include <limits>
 
 namespace rimpact::reduced {
@@ -29,7 +29,8 @@ BoucWen::Rate BoucWen::rate_and_slopes(const Vector2d &z, const Vector2d &v) con
   Rate r;
   r.rate = (v - p * g * z) / yield;
   r.d_rate = (Matrix2d::Identity() - p * slope * z * z.transpose()) / yield;
-  r.d_z = -(p * g * Matrix2d::Identity() + curving * z * z.transpose() + p * slope * z * v.transpose()) / yield;
+  r.d_z =
+      -(p * g * Matrix2d::Identity() + curving * z * z.transpose() + p * slope * z * v.transpose()) / yield;
   return r;
 }
 

@@ -9,9 +9,10 @@
 namespace rimpact::reduced {
 
 struct BoucWen {
-  double yield = 0.02;     ///< u_y [m], > 0
-  double exponent = 2;     ///< n [-], >= 1: sharpness of the knee
-  double beta = 0.5;       ///< [-], 0.5..1: unloads with the elastic stiffness at 0.5, loses energy within loops above
+  double yield = 0.02; ///< u_y [m], > 0
+  double exponent = 2; ///< n [-], >= 1: sharpness of the knee
+  double beta =
+      0.5; ///< [-], 0.5..1: unloads with the elastic stiffness at 0.5, loses energy within loops above
   double post_yield = 0.05; ///< r [-], < 1; negative: softening
 
   struct Rate {
@@ -28,8 +29,8 @@ struct BoucWen {
   };
   Step implicit_step(const Eigen::Vector2d &z0, const Eigen::Vector2d &drift_rate, double h) const;
 
-  /// Drift at which a softening storey has no strength left, (1 - r) u_y / -r [m] (thesis Fig. 4-3c); infinite
-  /// for r >= 0.
+  /// Drift at which a softening storey has no strength left, (1 - r) u_y / -r [m] (thesis Fig. 4-3c);
+  /// infinite for r >= 0.
   double collapse_drift() const;
 };
 

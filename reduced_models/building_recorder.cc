@@ -74,9 +74,10 @@ void BuildingRecorder::summarise(const BuildingSnapshot &last, std::optional<dou
   extra["superstructure"] = {{"storeys", storeys}};
   if (!collapse_time) return;
   summary.status = "stopped";
-  summary.reason = fmt::format("the superstructure collapsed at t = {:.6g} s: its drift reached {:.6g} m, where "
-                               "softening leaves it no strength",
-                               *collapse_time, building_.collapse_drift);
+  summary.reason =
+      fmt::format("the superstructure collapsed at t = {:.6g} s: its drift reached {:.6g} m, where "
+                  "softening leaves it no strength",
+                  *collapse_time, building_.collapse_drift);
 }
 
 } // namespace rimpact::reduced

@@ -9,7 +9,8 @@ namespace rimpact::reduced {
 
 /// One instant. Lateral parts but for the roof.
 struct BuildingSnapshot {
-  std::array<Eigen::Vector2d, max_floors> drift, shear; ///< of the storeys [m]; restoring and damping force on the floor above [N]
+  std::array<Eigen::Vector2d, max_floors> drift,
+      shear; ///< of the storeys [m]; restoring and damping force on the floor above [N]
   std::array<Eigen::Vector3d, max_floors> acceleration; ///< of the floors, absolute [m/s^2]
   Eigen::Vector3d roof;                                 ///< relative to the base [m]
 };
@@ -29,10 +30,11 @@ public:
   /// roof_acceleration_x|y|z.
   static const std::vector<std::string> &signals();
   static void append(const BuildingSnapshot &now, int n_floors, scene::Response &response);
-  /// Adds peak_drift_m, ductility (inelastic), peak_storey_shear_N, peak_floor_acceleration_m_s2, collapsed, and
-  /// `superstructure` with the list of storeys, to summary.extra; `last` is the run's end. A collapse sets the
-  /// status "stopped".
-  void summarise(const BuildingSnapshot &last, std::optional<double> collapse_time, scene::Summary &summary) const;
+  /// Adds peak_drift_m, ductility (inelastic), peak_storey_shear_N, peak_floor_acceleration_m_s2, collapsed,
+  /// and `superstructure` with the list of storeys, to summary.extra; `last` is the run's end. A collapse
+  /// sets the status "stopped".
+  void summarise(const BuildingSnapshot &last, std::optional<double> collapse_time,
+                 scene::Summary &summary) const;
 
 private:
   const Superstructure &building_;

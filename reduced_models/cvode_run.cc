@@ -24,17 +24,17 @@ public:
     // Displacements and velocities decide; the works are quadratures along the way.
     const double work = dynamics.weight * dynamics.lateral_capacity;
     const double scales[n_bearing] = {dynamics.lateral_capacity,
-                                    dynamics.lateral_capacity,
-                                    dynamics.lateral_capacity,
-                                    dynamics.speed_scale,
-                                    dynamics.speed_scale,
-                                    dynamics.speed_scale,
-                                    1,
-                                    1,
-                                    work,
-                                    work,
-                                    work,
-                                    work};
+                                      dynamics.lateral_capacity,
+                                      dynamics.lateral_capacity,
+                                      dynamics.speed_scale,
+                                      dynamics.speed_scale,
+                                      dynamics.speed_scale,
+                                      1,
+                                      1,
+                                      work,
+                                      work,
+                                      work,
+                                      work};
     for (int i = 0; i < n_bearing; ++i) NV_Ith_S(absolute_, i) = tolerance * std::max(scales[i], 1e-12);
     for (int i = iDamping; i < n_state; ++i)
       NV_Ith_S(absolute_, i) = tolerance * (i < iFloors ? work : scales[(i - iFloors) % n_floor]);
@@ -150,7 +150,7 @@ void rest(const Dynamics &dynamics, Mode &mode, double &t, State &y, double t_en
 } // namespace
 
 CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const BearingState &start,
-                    double t_end, Recorder &recorder) {
+                           double t_end, Recorder &recorder) {
   Cvode cvode(dynamics, std::min(scene.reduced.tolerance, 1e-9));
   State y;
   Mode mode = dynamics.starting_mode(start, y);

@@ -10,8 +10,8 @@
 ///   `inertia`   this N; the mass lifts off when it reaches zero.
 ///   `static`    N from vertical equilibrium N n_z + f_z = W + m a_gz; planar inertia only, no uplift.
 ///   `constant`  N = W; planar inertia only, no uplift.
-/// Under a building m is the base's mass, W the whole dead load, and the first storey's force (a change from the
-/// dead load) acts on the base beside the others.
+/// Under a building m is the base's mass, W the whole dead load, and the first storey's force (a change from
+/// the dead load) acts on the base beside the others.
 #pragma once
 #include "reduced_models/friction_law.h"
 #include "reduced_models/impact_law.h"
@@ -61,7 +61,19 @@ struct Hold {
 };
 
 /// What ends a branch. Each has a value that is positive before and falls through zero at the event.
-enum class Event { turning, stop, slip, underway, uplift, landing, collapse, touch, release, let_go, press_again };
+enum class Event {
+  turning,
+  stop,
+  slip,
+  underway,
+  uplift,
+  landing,
+  collapse,
+  touch,
+  release,
+  let_go,
+  press_again
+};
 /// Touch and what follows it change the rim's force.
 inline bool changes_rim(Event event) {
   return event >= Event::touch;
@@ -117,8 +129,8 @@ public:
 
   // Read by the drivers and the recorder.
   Superstructure building;
-  double mass;             ///< of what slides: without the building's floors [kg]
-  double supported_mass;   ///< with them [kg]
+  double mass;           ///< of what slides: without the building's floors [kg]
+  double supported_mass; ///< with them [kg]
   double weight, lateral_capacity, elastic_slip = 0;
   double speed_scale; ///< for tolerances [m/s]
   double stop_speed;  ///< below it a decelerating mass has stopped [m/s]

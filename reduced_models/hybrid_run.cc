@@ -41,7 +41,8 @@ void HybridRun::set_scales(const BearingState &start) {
   // Without ground motion the energy at the start bounds the speeds: a gentle motion gets as many digits.
   double share = 1;
   if (quiet_) {
-    const double energy = dynamics_.supported_mass / 2 * start.v.squaredNorm() + dynamics_.weight * start.u[2];
+    const double energy =
+        dynamics_.supported_mass / 2 * start.v.squaredNorm() + dynamics_.weight * start.u[2];
     share = std::clamp(std::sqrt(2 * energy / dynamics_.supported_mass) / dynamics_.speed_scale, 1e-4, 1.0);
   }
   inverse_scale_ = State(dynamics_.n_state());
@@ -191,7 +192,8 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
     }
     attempt_until_accepted(next_break(step_.t, t_end));
     Crossing crossing = first_crossing(stop);
-    if (crossing.found && crossing.event == Event::stop && !crossing.by_stop) crossing.found = stops_accurately();
+    if (crossing.found && crossing.event == Event::stop && !crossing.by_stop)
+      crossing.found = stops_accurately();
     ++result.n_steps;
     n_short = step_.h < 1e-10 ? n_short + 1 : 0;
     if (n_short > 100)
@@ -202,7 +204,8 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
     const double t1 = step_.t + step_.h;
     const bool rim_changes = crossing.found && (crossing.by_stop || changes_rim(crossing.event));
     recorder.segment(
-        during, {step_.t, t1, step_.y0, step_.y1, [&](double t) { return step_.at((t - step_.t) / step_.h); }},
+        during,
+        {step_.t, t1, step_.y0, step_.y1, [&](double t) { return step_.at((t - step_.t) / step_.h); }},
         rim_changes);
     step_.t = t1;
     step_.y0 = step_.y1;
@@ -228,12 +231,9 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
   recorder.end(mode_, step_.t, step_.y0);
   const State &y = step_.y0;
   result.mode = mode_;
-  result.state = {step_.t,
-                  {y[iX], y[iY], y[iZ]},
-                  {y[iVX], y[iVY], y[iVZ]},
-                  mode_.support == Support::airborne,
-                  {y[iEX], y[iEY]},
-                  mode_.memory};
+  result.state = {
+      step_.t,          {y[iX], y[iY], y[iZ]}, {y[iVX], y[iVY], y[iVZ]}, mode_.support == Support::airborne,
+      {y[iEX], y[iEY]}, mode_.memory};
   return result;
 }
 

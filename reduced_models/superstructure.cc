@@ -1,6 +1,6 @@
 #include "reduced_models/superstructure.h"
-#include <Eigen/Eigenvalues>
 #include <cmath>
+#include <Eigen/Eigenvalues>
 #include <numbers>
 
 namespace rimpact::reduced {
@@ -37,7 +37,8 @@ Vector3d Storey::force(const Vector3d &drift, const Vector3d &rate, const Vector
 
 double Storey::hysteretic_energy(const Vector2d &z) const {
   if (!hysteresis) return 0;
-  return (1 - hysteresis->post_yield) * stiffness * hysteresis->yield * hysteresis->yield * z.squaredNorm() / 2;
+  return (1 - hysteresis->post_yield) * stiffness * hysteresis->yield * hysteresis->yield * z.squaredNorm() /
+         2;
 }
 
 double Storey::elastic_energy(const Vector3d &drift, const Vector2d &z) const {
@@ -51,7 +52,8 @@ double Storey::damping_power(const Vector3d &rate) const {
 }
 
 double Storey::hysteretic_power(const Vector3d &rate, const Vector2d &z) const {
-  return hysteresis ? (1 - hysteresis->post_yield) * stiffness * hysteresis->yield * z.dot(rate.head<2>()) : 0.0;
+  return hysteresis ? (1 - hysteresis->post_yield) * stiffness * hysteresis->yield * z.dot(rate.head<2>())
+                    : 0.0;
 }
 
 Superstructure::Superstructure(const scene::Scene &scene) {

@@ -1,7 +1,7 @@
-/// A building on an isolated base (thesis Figs. 2-33, 4-3): a chain of floors joined by storeys, each a lateral
-/// spring (linear, or Bouc-Wen) with a dashpot and an axial spring with its own. Displacements are relative to
-/// the ground, vertical ones from the statically compressed building, so that axial forces here are changes
-/// from the dead load. Every isolator model carries the same chain. SI units.
+/// A building on an isolated base (thesis Figs. 2-33, 4-3): a chain of floors joined by storeys, each a
+/// lateral spring (linear, or Bouc-Wen) with a dashpot and an axial spring with its own. Displacements are
+/// relative to the ground, vertical ones from the statically compressed building, so that axial forces here
+/// are changes from the dead load. Every isolator model carries the same chain. SI units.
 #pragma once
 #include "reduced_models/bouc_wen.h"
 #include "reduced_models/state.h"
@@ -12,14 +12,15 @@
 namespace rimpact::reduced {
 
 struct Storey {
-  double mass;                         ///< of the floor above it [kg]
-  double stiffness, damping;           ///< lateral, elastic k and c [N/m], [N s/m]
+  double mass;               ///< of the floor above it [kg]
+  double stiffness, damping; ///< lateral, elastic k and c [N/m], [N s/m]
   double axial_stiffness, axial_damping;
-  std::optional<BoucWen> hysteresis;   ///< absent: linear
+  std::optional<BoucWen> hysteresis; ///< absent: linear
 
   /// What the storey does to the floor above it [N]; the opposite acts below. `drift`, `rate`: of the floor
   /// above relative to the one below.
-  Eigen::Vector3d force(const Eigen::Vector3d &drift, const Eigen::Vector3d &rate, const Eigen::Vector2d &z) const;
+  Eigen::Vector3d force(const Eigen::Vector3d &drift, const Eigen::Vector3d &rate,
+                        const Eigen::Vector2d &z) const;
   double elastic_energy(const Eigen::Vector3d &drift, const Eigen::Vector2d &z) const;
   double damping_power(const Eigen::Vector3d &rate) const;
   /// Of the hysteretic part alone; what of it is not in elastic_energy is lost.
@@ -53,7 +54,7 @@ public:
 
   double kinetic_energy(const State &y) const;
   double elastic_energy(const State &y, const Eigen::Vector3d &base) const;
-  double plastic_energy(const State &y) const; ///< lost in hysteresis [J]
+  double plastic_energy(const State &y) const;                             ///< lost in hysteresis [J]
   double largest_drift(const State &y, const Eigen::Vector3d &base) const; ///< lateral, of all storeys [m]
   Eigen::Vector3d drift(const State &y, const Eigen::Vector3d &base, int i) const;
 };

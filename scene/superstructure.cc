@@ -16,8 +16,8 @@ void Superstructure::validate(double supported) const {
   if (kind != "shear-building") return;
   const auto check_count = [&](const char *key, std::size_t count) {
     if (count != 0 && count != static_cast<std::size_t>(storeys))
-      throw InputError(fmt::format("superstructure.{} has {} numbers, superstructure.storeys is {}", key, count,
-                                   storeys));
+      throw InputError(
+          fmt::format("superstructure.{} has {} numbers, superstructure.storeys is {}", key, count, storeys));
   };
   check_count("masses_kg", masses.size());
   check_count("stiffnesses_kN_per_m", stiffnesses.size());
@@ -33,8 +33,8 @@ void visit(KeyVisitor &v, Superstructure &s) {
   const bool any = v.wants(s.any()), building = v.wants(s.kind == "shear-building");
   v.choice({"kind", "none | bouc-wen | shear-building"}, s.kind, {"none", "bouc-wen", "shear-building"});
   if (any) {
-    v.number({"mass_ratio", "gamma = m_s / (m_s + m_b); the base keeps the rest of load.mass_kg"}, s.mass_ratio, si,
-             {0, 1, true, true});
+    v.number({"mass_ratio", "gamma = m_s / (m_s + m_b); the base keeps the rest of load.mass_kg"},
+             s.mass_ratio, si, {0, 1, true, true});
     v.number({"period_s", "T_s: elastic, with the base held"}, s.period, si, seconds);
     v.number({"damping_ratio", "xi_s, at that period"}, s.damping_ratio, si, share);
   }
@@ -47,7 +47,8 @@ void visit(KeyVisitor &v, Superstructure &s) {
   }
   if (building) {
     v.integer({"storeys"}, s.storeys, 1, 12);
-    v.numbers({"masses_kg", "of the floors above the base; empty: alike, by mass_ratio"}, s.masses, si, positive);
+    v.numbers({"masses_kg", "of the floors above the base; empty: alike, by mass_ratio"}, s.masses, si,
+              positive);
     v.numbers({"stiffnesses_kN_per_m", "of the storeys from the base up; empty: alike, by period_s"},
               s.stiffnesses, kilo, positive);
   }

@@ -1,7 +1,7 @@
 #include "reduced_models/rigid_body/double_concave_recorder.h"
 #include <algorithm>
-#include <Eigen/Geometry>
 #include <cmath>
+#include <Eigen/Geometry>
 
 namespace rimpact::reduced::rigid {
 
@@ -23,7 +23,8 @@ PlateForces on_plate(const DoubleConcaveSystem &model, const MotionState &s) {
     if (c.master != model.plate) continue;
     (c.surface == Surface::rim ? p.impact : p.pendular) -= s.contact[i].normal;
     p.friction -= s.contact[i].friction;
-    p.moment -= (s.contact[i].at - s.poses[model.plate].position).cross(s.contact[i].normal + s.contact[i].friction);
+    p.moment -=
+        (s.contact[i].at - s.poses[model.plate].position).cross(s.contact[i].normal + s.contact[i].friction);
     if (c.surface == Surface::dish) p.normal += s.contact[i].size;
   }
   return p;
@@ -154,8 +155,8 @@ void DoubleConcaveRecorder::store(const MotionState &s) {
                                                  {"energy_contact", l.contact}};
   for (const auto &[name, value] : row) result_.response.append(name, value);
   if (!model_.building.any()) return;
-  for (const auto &[name, value] : {std::pair{"energy_elastic", l.elastic}, {"energy_plastic", l.plastic},
-                                    {"energy_damping", l.damping}})
+  for (const auto &[name, value] :
+       {std::pair{"energy_elastic", l.elastic}, {"energy_plastic", l.plastic}, {"energy_damping", l.damping}})
     result_.response.append(name, value);
   BuildingRecorder::append(model_.building_at(s), model_.building.n_floors(), result_.response);
 }

@@ -37,7 +37,8 @@ double contact_damping(const scene::DoubleConcave &b, double mass, int n_sets) {
 
 DoubleConcaveSystem::DoubleConcaveSystem(const scene::Scene &scene)
     : plate(scene.impact_resilient() ? 2 : 1), top_slider(plate - 1), driven(!scene.excitation.is_dynamic()),
-      building(scene), bearing_(scene.isolator), resilient_(scene.impact_resilient()), n_sets_(resilient_ ? 3 : 2) {
+      building(scene), bearing_(scene.isolator), resilient_(scene.impact_resilient()),
+      n_sets_(resilient_ ? 3 : 2) {
   const auto &r = scene.reduced;
   add_bodies(scene);
   add_points(bearing_);

@@ -3,8 +3,8 @@
 /// origin, z up. Planar: 5 (DCFP) or 8 (LIR) dofs; spatial: 9 or 15, and 12 or 18 when the top plate is free
 /// to rotate.
 #pragma once
-#include "reduced_models/rigid_body/stepper.h"
 #include "reduced_models/building_recorder.h"
+#include "reduced_models/rigid_body/stepper.h"
 #include "scene/scene.h"
 
 namespace rimpact::reduced::rigid {
@@ -19,8 +19,8 @@ public:
   explicit DoubleConcaveSystem(const scene::Scene &scene);
 
   System system;
-  int plate, top_slider; ///< indices of bodies; the bottom slider is 0
-  bool driven;           ///< a quasi-static kind: the plate follows a path
+  int plate, top_slider;   ///< indices of bodies; the bottom slider is 0
+  bool driven;             ///< a quasi-static kind: the plate follows a path
   Superstructure building; ///< its floors are the bodies above the plate, its storeys the system's links
 
   /// At rest, or with the plate displaced and moving on its sphere of radius R_eff, sliders following.
@@ -32,7 +32,7 @@ public:
   double tilt(const MotionState &state) const; ///< of the bottom slider's axis [rad]
   double gap(const MotionState &state) const;  ///< C_t - |u - slip|
   double potential_energy(const MotionState &state) const;
-  double stored_energy(const MotionState &state) const; ///< in the normal contacts' springs [J]
+  double stored_energy(const MotionState &state) const;         ///< in the normal contacts' springs [J]
   BuildingSnapshot building_at(const MotionState &state) const; ///< only of one that is there
   /// Why a run cannot go on: the slider has left a rim or the stop, or overturned; null otherwise.
   const char *lost(const MotionState &state) const;

@@ -74,7 +74,8 @@ void Stepper::start(MotionState &s) {
   for (std::size_t i = 0; i < s.z.size(); ++i) {
     const auto &[storey, below, above] = system_.links[i];
     if (storey.hysteresis)
-      s.z_rate[i] = storey.hysteresis->rate(s.z[i], (s.velocity.segment<2>(6 * above) - s.velocity.segment<2>(6 * below)));
+      s.z_rate[i] = storey.hysteresis->rate(
+          s.z[i], (s.velocity.segment<2>(6 * above) - s.velocity.segment<2>(6 * below)));
   }
   const Matrix M = system_.mass_matrix(s.poses);
   s.acceleration = Vector::Zero(system_.n_dofs());
@@ -163,8 +164,8 @@ StepReport Stepper::step(const MotionState &from, double h, MotionState &to) {
   const auto summed = [&](double Works::*p) {
     return from.works.*p + w * (from.power.*p + middle_.power.*p) + first * to.power.*p;
   };
-  to.works = {summed(&Works::external), summed(&Works::normal), summed(&Works::slip), summed(&Works::wall),
-              summed(&Works::damping), summed(&Works::hysteretic)};
+  to.works = {summed(&Works::external), summed(&Works::normal),  summed(&Works::slip),
+              summed(&Works::wall),     summed(&Works::damping), summed(&Works::hysteretic)};
   const double e1 = h * (4 * outer - 1) / 3, e2 = -h / 3, e3 = h * 2 * diagonal / 3;
   report.position_error = e1 * from.velocity + e2 * middle_.velocity + e3 * to.velocity;
   report.velocity_error = e1 * from.acceleration + e2 * middle_.acceleration + e3 * to.acceleration;

@@ -25,7 +25,8 @@ struct RigidBody {
   double weight;           ///< [N]
 };
 
-/// A storey of the building the bearing carries; both bodies only translate, alike where no spring is strained.
+/// A storey of the building the bearing carries; both bodies only translate, alike where no spring is
+/// strained.
 struct Link {
   Storey storey;
   int below, above; ///< bodies
@@ -59,7 +60,7 @@ public:
   std::vector<RigidBody> bodies;
   std::vector<Contact> contacts;
   std::vector<Link> links; ///< see storey_link.h
-  std::vector<bool> free; ///< of each dof; the others are at rest or driven
+  std::vector<bool> free;  ///< of each dof; the others are at rest or driven
   NormalLaw normal{};
   FrictionCoefficient dish_friction, interface_friction;
   double elastic_slip = 1e-8; ///< q [m]; Coulomb's limit is approached with the square root of q

@@ -53,6 +53,10 @@ class BadInput(unittest.TestCase):
     def test_unknown_key_has_a_suggestion(self):
         self.check("excitation.amplitud_g=0.7", "did you mean", "amplitude_g")
 
+    def test_models_without_a_rung(self):
+        self.refused(2, "two dishes", "rimpact reduced", arguments=["check", "lir-dcfp-stages"])
+        self.refused(2, "superstructure.kind", "rigid mass", arguments=["check", "frame-four-dof"])
+
     def test_wrong_type(self):
         self.check('excitation.scale="much"', "scale")
 

@@ -93,10 +93,11 @@ TEST(RecordFolder, ComponentsThatAMotionHas) {
 TEST(RecordFolder, SpectralAccelerationIsAVariable) {
   const TemporaryFolder folder;
   write_station(folder);
-  const Sweep sweep = parse_sweep("[records]\nfolder = '.'\ncomponents = 'xy'\nsa_period_s = 1.0\n[grid]\n"
-                                  "variable.sa_g = [0.5]\n[linked]\nexcitation.scale = { product = ['variable.sa_g'], "
-                                  "over = 'variable.record_sa_g' }\n",
-                                  folder / "ida.toml");
+  const Sweep sweep =
+      parse_sweep("[records]\nfolder = '.'\ncomponents = 'xy'\nsa_period_s = 1.0\n[grid]\n"
+                  "variable.sa_g = [0.5]\n[linked]\nexcitation.scale = { product = ['variable.sa_g'], "
+                  "over = 'variable.record_sa_g' }\n",
+                  folder / "ida.toml");
   ASSERT_EQ(sweep.runs.size(), 1u);
   const auto at = [&](const char *key) {
     const auto i = std::find(sweep.keys.begin(), sweep.keys.end(), key) - sweep.keys.begin();
@@ -117,7 +118,8 @@ TEST(RecordFolder, ErrorsNameFolderAndKey) {
   refused("[records]\nfolder = '.'\ncomponents = 'xz'\n", {"s.toml:3:", "components", "xz", "xyz"});
   refused("[records]\nfolder = '.'\ncomponents = 'xy'\n", {"s.toml:2:", "no station", "xy"});
   refused("[records]\nfolder = '.'\n", {"s.toml:1:", "records.components"});
-  refused("[records]\nfolder = '.'\ncomponents = 'x'\nsa_period_s = 0\n", {"s.toml:4:", "sa_period_s", "> 0"});
+  refused("[records]\nfolder = '.'\ncomponents = 'x'\nsa_period_s = 0\n",
+          {"s.toml:4:", "sa_period_s", "> 0"});
   refused("[grid]\nexcitation.scale = [1]\n[fractiles]\nalong = 'excitation.scal'\n",
           {"s.toml:4:", "excitation.scal"});
   refused("[grid]\nvariable.a = [1]\nvariable.b = [0]\n[linked]\nexcitation.scale = { product = "

@@ -18,7 +18,8 @@ Vector2d along(const BoucWen &law, Vector2d z, const Vector2d &drift) {
 
 } // namespace
 
-// n = 1, beta = gamma = 1/2: z' = (1 - z) / u_y on loading, z = 1 - exp(-d / u_y); unloading is a straight line.
+// n = 1, beta = gamma = 1/2: z' = (1 - z) / u_y on loading, z = 1 - exp(-d / u_y); unloading is a straight
+// line.
 TEST(BoucWen, ClosedFormOfExponentOne) {
   const BoucWen law{.yield = 0.02, .exponent = 1};
   const Vector2d z = along(law, {0, 0}, {0.03, 0});

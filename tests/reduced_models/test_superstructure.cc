@@ -31,7 +31,8 @@ scene::SampledSignal sine(double amplitude, double period, double duration) {
 }
 /// x'' + 2 xi w x' + w^2 x = -a(t), from rest, by Runge-Kutta of order four: x and the absolute acceleration.
 template <class Ground>
-std::vector<std::array<double, 2>> single_mass(double w, double xi, const Ground &a, double dt, int n, int every) {
+std::vector<std::array<double, 2>> single_mass(double w, double xi, const Ground &a, double dt, int n,
+                                               int every) {
   std::array<double, 2> y{0, 0};
   std::vector<std::array<double, 2>> samples;
   const auto f = [&](double t, const std::array<double, 2> &s) {
@@ -52,8 +53,8 @@ std::vector<std::array<double, 2>> single_mass(double w, double xi, const Ground
 
 } // namespace
 
-// Small free motion on a frictionless sphere without dashpots: base and floors are a linear chain on the spring
-// W / R (Kelly's model of an isolated building).
+// Small free motion on a frictionless sphere without dashpots: base and floors are a linear chain on the
+// spring W / R (Kelly's model of an isolated building).
 TEST(Superstructure, ModesOfALinearBuilding) {
   scene::Scene s = on_sphere(free_motion({1e-3, 0}, {0, 0}, 4));
   set_friction(s, 0);
@@ -89,7 +90,8 @@ TEST(Superstructure, UniformBuildingHasItsPeriod) {
   scene::Scene s;
   s.superstructure.kind = "shear-building", s.superstructure.storeys = 5, s.superstructure.period = 0.5;
   const Superstructure b(s);
-  const double w = 2 * std::sqrt(b.storeys[0].stiffness / b.storeys[0].mass) * std::sin(std::numbers::pi / 22);
+  const double w =
+      2 * std::sqrt(b.storeys[0].stiffness / b.storeys[0].mass) * std::sin(std::numbers::pi / 22);
   EXPECT_NEAR(2 * std::numbers::pi / w, 0.5, 1e-12);
   EXPECT_NEAR(b.mass(), 0.9 * s.load.mass, 1e-6);
   EXPECT_NEAR(b.storeys[4].damping, 2 * 0.02 / w * b.storeys[4].stiffness, 1e-6);
@@ -111,7 +113,8 @@ TEST(Superstructure, HeldBase) {
     EXPECT_NEAR(roof[i], exact[i][1], 1e-6);
   }
   double peak = 0;
-  for (const auto &sample : single_mass(w, 0.02, a, 5e-4, 16000, 1)) peak = std::max(peak, std::abs(sample[0]));
+  for (const auto &sample : single_mass(w, 0.02, a, 5e-4, 16000, 1))
+    peak = std::max(peak, std::abs(sample[0]));
   EXPECT_NEAR(run.summary.extra["peak_drift_m"].get<double>(), peak, 1e-5 * peak);
   EXPECT_EQ(run.summary.peak_displacement, 0);
 }
@@ -124,7 +127,8 @@ TEST(Superstructure, VerticalMotionReachesTheNormalForce) {
   s.superstructure = frame();
   const auto run = simulate(s);
   const double w = 2 * std::numbers::pi / 0.1, m_s = 0.7 * s.load.mass, m_b = 0.3 * s.load.mass;
-  const auto exact = single_mass(w, 0.02, [&](double t) { return s.excitation.z.at(t); }, 1e-4, 30000, 50);
+  const auto exact = single_mass(
+      w, 0.02, [&](double t) { return s.excitation.z.at(t); }, 1e-4, 30000, 50);
   const auto &normal = run.response.series("normal_force"), &roof = run.response.series("roof_z");
   ASSERT_EQ(normal.size(), exact.size());
   for (std::size_t i = 0; i < exact.size(); ++i) {
@@ -188,7 +192,8 @@ TEST(Superstructure, AgreesWithCvode) {
     ASSERT_GE(own.summary.impacts.size(), 1u);
     EXPECT_NEAR(*own.summary.peak_impact_force / *other.summary.peak_impact_force, 1, 1e-5);
     for (const char *key : {"peak_drift_m", "peak_storey_shear_N"})
-      EXPECT_NEAR(own.summary.extra[key].get<double>() / other.summary.extra[key].get<double>(), 1, 1e-4) << key;
+      EXPECT_NEAR(own.summary.extra[key].get<double>() / other.summary.extra[key].get<double>(), 1, 1e-4)
+          << key;
   }
 }
 
@@ -217,7 +222,8 @@ TEST(Superstructure, WhatItCannotDoIsRefused) {
   refused(frame + "yield_mm = 0\n", {"yield_mm", "> 0"});
   refused(frame + "period = 0.5\n", {"period_s"});
   refused("[superstructure]\nkind = \"frame\"\n", {"frame", "bouc-wen"});
-  refused("[superstructure]\nkind = \"shear-building\"\nstoreys = 2\nmasses_kg = [1e3]\n", {"masses_kg", "1", "2"});
+  refused("[superstructure]\nkind = \"shear-building\"\nstoreys = 2\nmasses_kg = [1e3]\n",
+          {"masses_kg", "1", "2"});
   refused("[superstructure]\nkind = \"shear-building\"\nstoreys = 2\nmasses_kg = [5e4, 4e4]\n",
           {"masses_kg", "90000", "86952"});
   refused(frame + "[excitation]\nkind = \"push\"\n", {"superstructure.kind", "push"});
