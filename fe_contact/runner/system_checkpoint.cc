@@ -78,4 +78,16 @@ void get(const Checkpoint &file, SystemState &state) {
   }
 }
 
+void put(Checkpoint &file, const TransientPoint &point) {
+  const SystemLedger &e = point.ledger;
+  file.numbers["march"] = {point.t,   point.next_step, e.initial, e.external,   e.kinetic, e.elastic,
+                           e.plastic, e.friction,      e.contact, e.integrator, e.largest};
+}
+
+void get(const Checkpoint &file, TransientPoint &point) {
+  const auto &v = numbers(file, "march");
+  if (v.size() != 11) throw DataError("the checkpoint belongs to another version: its march has other numbers");
+  point = {v[0], v[1], {v[2], v[3], v[4], v[5], v[6], v[7], v[8], v[9], v[10]}};
+}
+
 } // namespace rimpact::fe
