@@ -127,8 +127,8 @@ TEST_P(Carried, TangentIsTheDerivativeAndActionIsReaction) {
     contact.assemble(u + h * direction, state, 1e-3, equations, up, nullptr);
     contact.assemble(u - h * direction, state, 1e-3, equations, down, nullptr);
     const Eigen::VectorXd expected = (up - down) / (2 * h);
-    // The turning of the normal by the carrier's own strain is left out: penetration over cell size, 0.8 % here.
-    EXPECT_LT((tangent.multiply(direction) - expected).norm(), 1e-2 * expected.norm());
+    // Left out: how the reference face's own curvature changes the carrier's strain along it.
+    EXPECT_LT((tangent.multiply(direction) - expected).norm(), 1e-3 * expected.norm());
   }
 }
 INSTANTIATE_TEST_SUITE_P(Degree, Carried, ::testing::Values(1, 2));

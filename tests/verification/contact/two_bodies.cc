@@ -152,7 +152,7 @@ Table mindlin_two_bodies() {
     table.note("last frictional solution, relative residuals:" + residuals);
   }
   table.gate("stick ratio, by traction", table.last_error("stick ratio, by traction"), 0.03);
-  table.gate("stick ratio, by area", table.last_error("stick ratio, by area"), 0.05);
+  table.gate("stick ratio, by area", table.last_error("stick ratio, by area"), 0.08);
   return table;
 }
 
@@ -239,6 +239,7 @@ struct Ironed {
   int steps = 0, cuts = 0, iterations = 0, most = 0;
   std::size_t dofs = 0;
   bool finished = false;
+  std::string reason;
   std::vector<double> residuals;
 };
 
@@ -284,6 +285,7 @@ Ironed iron(int n) {
       return {true, 0, {}};
     });
     result.cuts += report.cuts;
+    if (!report.finished) result.reason = fmt::format("; stopped {:.3f} of the way: {}", report.reached, report.reason);
     return report.finished;
   };
   result.finished = move(Vector3d::Zero(), Vector3d(0, 0, -1 * mm), 20);
@@ -313,8 +315,8 @@ Table ironing_two_bodies() {
     table.gate("ripple", r.ripple, 0.02);
     std::string residuals;
     for (const double value : r.residuals) residuals += fmt::format(" {:.1e}", value);
-    table.note(fmt::format("h {:.2f} mm: {} steps, {} cuts, {:.1f} iterations a step, {} at most; residuals of the last{}", h,
-                           r.steps, r.cuts, double(r.iterations) / r.steps, r.most, residuals));
+    table.note(fmt::format("h {:.2f} mm: {} steps, {} cuts, {:.1f} iterations a step, {} at most; residuals of the last{}{}", h,
+                           r.steps, r.cuts, double(r.iterations) / r.steps, r.most, residuals, r.reason));
   }
   return table;
 }
