@@ -161,6 +161,7 @@ Table ironing() {
       return report;
     };
     const auto pressed = move(Vector3d::Zero(), Vector3d(0, 0, -1 * mm), 10);
+    const int pressing_iterations = iterations, pressing_steps = steps;
     change.resize(0);
     vertical.clear();
     along.clear();
@@ -173,12 +174,13 @@ Table ironing() {
     table.add({"friction / normal at the end", h / mm, std::abs(along.back() / vertical.back()), mu, dofs, iterations, timer.seconds()});
     table.add({"Newton iterations a solution", h / mm, double(most), 0, dofs, iterations, timer.seconds()});
     table.gate("finished", pressed.finished && slid.finished ? 0 : 1, 0);
-    table.gate("Newton iterations a step, all augmentations", double(iterations) / steps, 5);
+    const double per_step = double(iterations - pressing_iterations) / (steps - pressing_steps);
+    table.gate("Newton iterations a sliding step, all augmentations", per_step, 5);
     table.gate("cuts", cuts, 0);
     std::string residuals;
     for (const double value : last_residuals) residuals += fmt::format(" {:.1e}", value);
-    table.note(fmt::format("h {:.2f} mm: {} steps, {} cuts, {:.2f} iterations a step with augmentations; residuals of the last{}",
-                           h / mm, steps, cuts, double(iterations) / steps, residuals));
+    table.note(fmt::format("h {:.2f} mm: {} steps, {} cuts, {:.2f} iterations a sliding step with augmentations; residuals of the last{}",
+                           h / mm, steps, cuts, per_step, residuals));
   }
   for (const auto &row : table.rows())
     if (row.quantity == "ripple / mean" && row.size < 0.5) table.gate("ripple", row.value, 1e-3);
