@@ -308,11 +308,13 @@ Table ironing_two_bodies() {
     const Timer timer;
     const Ironed r = iron(n);
     const double h = 20.0 / n;
-    table.add({"vertical force [N/mm]", h, 1e-3 * r.force, 0, r.dofs, r.iterations, timer.seconds()});
-    table.add({"ripple / mean", h, r.ripple, 0, r.dofs, r.iterations, timer.seconds()});
-    table.add({"friction / normal at the end", h, r.friction, 0.3, r.dofs, r.iterations, timer.seconds()});
     table.gate("finished", r.finished ? 0 : 1, 0);
-    table.gate("ripple", r.ripple, 0.02);
+    if (r.finished) {
+      table.add({"vertical force [N/mm]", h, 1e-3 * r.force, 0, r.dofs, r.iterations, timer.seconds()});
+      table.add({"ripple / mean", h, r.ripple, 0, r.dofs, r.iterations, timer.seconds()});
+      table.add({"friction / normal at the end", h, r.friction, 0.3, r.dofs, r.iterations, timer.seconds()});
+      table.gate("ripple", r.ripple, 0.02);
+    }
     std::string residuals;
     for (const double value : r.residuals) residuals += fmt::format(" {:.1e}", value);
     table.note(fmt::format("h {:.2f} mm: {} steps, {} cuts, {:.1f} iterations a step, {} at most; residuals of the last{}{}", h,
