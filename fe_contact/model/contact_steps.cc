@@ -1,5 +1,7 @@
 #include "fe_contact/model/contact_steps.h"
 
+#include <algorithm>
+
 namespace rimpact::fe {
 namespace {
 
@@ -10,8 +12,10 @@ ContactStepReport solve(ContactSystem &system, const SystemState &state, const S
                         const StepOptions &options, Eigen::VectorXd &u) {
   ContactStepReport report;
   system.prepare(state, terms);
+  NewtonOptions newton_options = options.newton;
+  if (options.max_augmentations > 0) newton_options.tolerance = std::max(options.newton.tolerance, options.tolerance_between);
   for (double worst = 0;;) {
-    const NewtonReport newton_report = newton(system, u, options.newton);
+    const NewtonReport newton_report = newton(system, u, newton_options);
     report.iterations += newton_report.iterations;
     report.residuals = newton_report.residuals;
     if (!newton_report.converged) {
@@ -23,9 +27,13 @@ ContactStepReport solve(ContactSystem &system, const SystemState &state, const S
     report.gap_left = left.gap;
     report.slip_left = left.slip;
     worst = std::max(left.gap / options.gap_tolerance, left.slip / options.slip_tolerance);
-    if (worst <= 1) break;
-    if (report.augmentations >= options.max_augmentations) {
-      report.capped = options.max_augmentations > 0;
+    const bool augmented = worst <= 1, capped = !augmented && report.augmentations >= options.max_augmentations;
+    if ((augmented || capped) && newton_report.residuals.back() > options.newton.tolerance) {
+      newton_options.tolerance = options.newton.tolerance; // now to the end
+      continue;
+    }
+    if (augmented || capped) {
+      report.capped = capped && options.max_augmentations > 0;
       break;
     }
     // Uzawa's loop is as slow as the penalty is soft beside the body: then the penalty grows (Bertsekas 1982).

@@ -11,6 +11,9 @@ struct StepOptions {
   double gap_tolerance = 1e-6;  ///< penetration augmentation is to leave, in the multipliers' sense [m]
   double slip_tolerance = 1e-6; ///< likewise, slip of sticking points [m]
   int max_augmentations = 10;   ///< a cap, reported when reached; 0: pure penalty
+  /// Newton's tolerance while multipliers are still to change: solving better than they are known is wasted. The last
+  /// solution meets newton.tolerance. 0: all do.
+  double tolerance_between = 0;
   double rho_inf = 0.8;
 };
 
@@ -49,6 +52,13 @@ struct SystemLedger {
   double imbalance() const;
 };
 
+/// Where a run in time stands after an accepted step; with the state it is all a restart needs.
+struct TransientPoint {
+  double t = 0;         ///< [s]
+  double next_step = 0; ///< the step it would try next [s]; 0: the smallest
+  SystemLedger ledger{};
+};
+
 struct TransientOptions {
   StepOptions step;
   double largest_step;             ///< [s]
@@ -56,6 +66,8 @@ struct TransientOptions {
   double contact_step;             ///< first step after a predicted touch [s]
   double energy_tolerance = 1e-4;  ///< unaccounted energy of a step over the largest; beyond it the step is cut
   double gain_tolerance = 1e-4;    ///< likewise, what the integrator adds (it takes, on the whole)
+  TransientPoint from{}; ///< t = 0: a new run, whose ledger starts from the state
+  std::function<void(const TransientPoint &)> after_point{}; ///< sees where the run stands, to keep it
 };
 
 struct TransientReport {
@@ -69,7 +81,7 @@ using AfterStep = std::function<void(double t, const SystemState &, const Contac
 Attempt checked_step(ContactSystem &system, SystemState &state, double t, double dt,
                      const std::function<Eigen::VectorXd(double)> &load, const TransientOptions &options,
                      TransientReport &report, const AfterStep &after_step);
-/// From t = 0 to `end` under a load that may vary in time; `after_step(t, state, step)` sees every accepted state.
+/// From `options.from` to `end` under a load that may vary in time; `after_step(t, state, step)` sees every accepted state.
 TransientReport run_in_time(ContactSystem &system, SystemState &state, double end,
                             const std::function<Eigen::VectorXd(double)> &load, const TransientOptions &options,
                             const AfterStep &after_step);

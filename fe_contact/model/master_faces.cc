@@ -112,11 +112,15 @@ Opposite MasterFaces::find(const Eigen::Vector3d &x, const Eigen::VectorXd &u, i
     result.shapes = p.shapes;
     Eigen::Vector3d carried = Eigen::Vector3d::Zero();
     Eigen::Matrix<double, 3, 2> gradient = Eigen::Matrix<double, 3, 2>::Zero();
+    for (auto &second : result.second) second.setZero();
     for (int a = 0; a < p.shapes.n; ++a) {
       const Eigen::Vector3d ua = u.segment<3>(3 * faces_[place.face]->nodes[a]);
       carried += p.shapes.N[a] * ua;
       gradient.col(0) += p.shapes.dxi[a] * ua;
       gradient.col(1) += p.shapes.deta[a] * ua;
+      result.second[0] += p.shapes.dxixi[a] * ua;
+      result.second[1] += p.shapes.dxieta[a] * ua;
+      result.second[2] += p.shapes.detaeta[a] * ua;
     }
     const Eigen::Vector3d off = result.y - p.point;
     Eigen::Matrix2d metric;

@@ -15,6 +15,7 @@ struct Opposite {
   Eigen::Vector3d y;            ///< the point, pulled back [m]
   Eigen::Matrix3d inverse;      ///< dy/dw: the inverse of (I + grad u_m)
   Eigen::Matrix<double, 2, 3> dxi; ///< d(xi, eta)/dw [1/m]
+  Eigen::Vector3d second[3];    ///< second derivatives of u_m: xixi, xieta, etaeta [m]
   bool inside = false;          ///< on the faces; else past a free edge, by no more than was allowed
 };
 

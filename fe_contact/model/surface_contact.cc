@@ -8,32 +8,6 @@ namespace {
 
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
-/// A number with its derivatives by the relative displacement w.
-using Dual = Eigen::AutoDiffScalar<Vector3d>;
-using DualVector = Eigen::Matrix<Dual, 3, 1>;
-
-/// The law at a point with its tangent d traction / d w; `pull_back` is d slip / d w.
-CoulombContact::Result<double> differentiate(const CoulombContact &law, const Distance &d, const Vector3d &slip,
-                                             const Matrix3d &pull_back, double multiplier, const Vector3d &tangential,
-                                             double dt, Matrix3d &tangent) {
-  const Dual gap(d.gap, d.normal);
-  DualVector normal, moving_slip;
-  for (int i = 0; i < 3; ++i) {
-    normal[i] = Dual(d.normal[i], d.curvature.row(i).transpose());
-    moving_slip[i] = Dual(slip[i], pull_back.row(i).transpose());
-  }
-  const auto result = law.at(gap, normal, moving_slip, multiplier, tangential, dt);
-  CoulombContact::Result<double> values;
-  for (int i = 0; i < 3; ++i) {
-    values.traction[i] = result.traction[i].value();
-    values.friction[i] = result.friction[i].value();
-    tangent.row(i) = result.traction[i].derivatives().transpose();
-  }
-  values.pressure = result.pressure.value();
-  values.status = result.status;
-  return values;
-}
-
 } // namespace
 
 SurfaceContact::SurfaceContact(const Discretisation &space, meshes::Surface slave, MasterSurface master,
@@ -68,6 +42,7 @@ std::optional<SurfaceContact::Coupling> SurfaceContact::couple(std::size_t k, co
     result.y = opposite.y;
     result.inverse = opposite.inverse;
     result.dxi = opposite.dxi;
+    std::copy(std::begin(opposite.second), std::end(opposite.second), std::begin(result.second));
     result.carrier_face = opposite.face;
     result.inside = opposite.inside;
     for (int a = 0; a < opposite.shapes.n; ++a)
@@ -142,15 +117,52 @@ std::vector<std::vector<int>> SurfaceContact::cliques(const Equations &equations
   return result;
 }
 
-Distance SurfaceContact::pushed_forward(const Coupling &coupling) const {
+SurfaceContact::Carried SurfaceContact::pushed_forward(const Coupling &coupling) const {
   const Distance d = master_.distance(coupling.y);
-  if (coupling.carrier_face < 0) return d;
-  // The gap's gradient by w; its length differs from one by the carrier's strain.
-  const Vector3d gradient = coupling.inverse.transpose() * d.normal;
-  const double length = gradient.norm();
-  const Vector3d normal = gradient / length;
+  if (coupling.carrier_face < 0) return {d.gap, d.normal, d.normal, d.curvature};
+  const Vector3d nu = coupling.inverse.transpose() * d.normal;
+  const double stretch = nu.norm(); // one but for the carrier's strain
+  const Vector3d normal = nu / stretch;
+  Eigen::Matrix2d bend; // of the carrier's displacement along the normal
+  bend << coupling.second[0].dot(nu), coupling.second[1].dot(nu), coupling.second[1].dot(nu), coupling.second[2].dot(nu);
+  const Matrix3d dnu = coupling.inverse.transpose() * d.curvature * coupling.inverse - coupling.dxi.transpose() * bend * coupling.dxi;
   const Matrix3d P = Matrix3d::Identity() - normal * normal.transpose();
-  return {d.gap / length, normal, P * coupling.inverse.transpose() * d.curvature * coupling.inverse * P / length};
+  const double gap = d.gap / stretch;
+  return {gap, normal, normal - gap / stretch * dnu.transpose() * normal, P * dnu / stretch, nu, stretch};
+}
+
+/// The law with its tangents; of n derivatives three are by w and, where the carrier deforms, three by nu.
+template <int n>
+CoulombContact::Result<double> SurfaceContact::differentiate(const CoulombContact &law, const Carried &d,
+                                                             const Vector3d &slip, const Matrix3d &pull_back,
+                                                             double multiplier, const Vector3d &tangential, double dt,
+                                                             Tangents &tangents) {
+  using Derivatives = Eigen::Matrix<double, n, 1>;
+  using Dual = Eigen::AutoDiffScalar<Derivatives>;
+  const auto both = [](const Vector3d &by_w, const Vector3d &by_nu) {
+    Derivatives result;
+    result.template head<3>() = by_w;
+    if constexpr (n > 3) result.template tail<3>() = by_nu;
+    return result;
+  };
+  const Matrix3d P = (Matrix3d::Identity() - d.normal * d.normal.transpose()) / d.stretch;
+  const Dual gap(d.gap, both(d.gradient, -d.gap / d.stretch * d.normal));
+  Eigen::Matrix<Dual, 3, 1> normal, moving_slip;
+  for (int i = 0; i < 3; ++i) {
+    normal[i] = Dual(d.normal[i], both(d.curvature.row(i).transpose(), P.row(i).transpose()));
+    moving_slip[i] = Dual(slip[i], both(pull_back.row(i).transpose(), Vector3d::Zero()));
+  }
+  const auto result = law.at(gap, normal, moving_slip, multiplier, tangential, dt);
+  CoulombContact::Result<double> values;
+  for (int i = 0; i < 3; ++i) {
+    values.traction[i] = result.traction[i].value();
+    values.friction[i] = result.friction[i].value();
+    tangents.by_w.row(i) = result.traction[i].derivatives().template head<3>().transpose();
+    if constexpr (n > 3) tangents.by_nu.row(i) = result.traction[i].derivatives().template tail<3>().transpose();
+  }
+  values.pressure = result.pressure.value();
+  values.status = result.status;
+  return values;
 }
 
 SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,
@@ -171,13 +183,14 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
     const auto coupling = couple(k, u, state.opposite[k], beyond);
     if (!coupling) continue;
     state.opposite[k] = coupling->carrier_face;
-    const Distance distance = pushed_forward(*coupling);
+    const Carried distance = pushed_forward(*coupling);
     state.gap[k] = distance.gap;
     report.smallest_gap = std::min(report.smallest_gap, distance.gap);
     if (state.multiplier[k] - contact_law.normal_penalty * distance.gap <= 0) continue;
-    Matrix3d D;
-    const auto law = differentiate(contact_law, distance, coupling->y - state.start[k], coupling->inverse,
-                                   state.multiplier[k], state.tangential[k], dt, D);
+    Tangents D;
+    const auto differentiated = coupling->carrier_face >= 0 ? differentiate<6> : differentiate<3>;
+    const auto law = differentiated(contact_law, distance, coupling->y - state.start[k], coupling->inverse,
+                                    state.multiplier[k], state.tangential[k], dt, D);
     state.pressure[k] = law.pressure;
     state.friction[k] = law.friction;
     state.status[k] = law.status;
@@ -190,14 +203,14 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
                                                            coupling->carrier_face))
       report.pattern_holds = false;
     else
-      add_to(equations, *coupling, point.area, law.traction, D, forces, tangent);
+      add_to(equations, *coupling, point.area, law.traction, D, distance.nu, forces, tangent);
   }
   return report;
 }
 
 void SurfaceContact::add_to(const Equations &equations, const Coupling &coupling, double area,
-                            const Vector3d &traction, const Matrix3d &D, Eigen::VectorXd &forces,
-                            GeneralMatrix *tangent) const {
+                            const Vector3d &traction, const Tangents &D, const Vector3d &nu,
+                            Eigen::VectorXd &forces, GeneralMatrix *tangent) const {
   int eqs[Coupling::most][3];
   double weights[Coupling::most][3];
   for (int a = 0; a < coupling.n; ++a)
@@ -207,15 +220,20 @@ void SurfaceContact::add_to(const Equations &equations, const Coupling &coupling
       if (eqs[a][i] >= 0) forces[eqs[a][i]] -= area * coupling.N[a] * weights[a][i] * traction[i];
     }
   if (!tangent) return;
+  // Strain of the carrier turns the normal: d nu / d u_b = -F^-T grad N_b nu^T, by its own nodes b only.
+  Vector3d turn[Coupling::most];
+  for (int b = 0; b < coupling.n; ++b)
+    turn[b] = D.by_nu * coupling.dxi.transpose() * Eigen::Vector2d(coupling.dN[b][0], coupling.dN[b][1]);
   for (int a = 0; a < coupling.n; ++a) {
     // The traction changes, and the place on the carrier's face where it acts.
-    const Matrix3d row = coupling.N[a] * D + traction * (coupling.dN[a][0] * coupling.dxi.row(0) +
+    const Matrix3d row = coupling.N[a] * D.by_w + traction * (coupling.dN[a][0] * coupling.dxi.row(0) +
                                                          coupling.dN[a][1] * coupling.dxi.row(1));
     for (int i = 0; i < 3; ++i)
       for (int b = 0; b < coupling.n && eqs[a][i] >= 0; ++b)
         for (int j = 0; j < 3; ++j)
           if (eqs[b][j] >= 0)
-            tangent->add(eqs[a][i], eqs[b][j], -area * weights[a][i] * row(i, j) * coupling.N[b] * weights[b][j]);
+            tangent->add(eqs[a][i], eqs[b][j], -area * weights[a][i] * weights[b][j] *
+                                                   (row(i, j) * coupling.N[b] + coupling.N[a] * turn[b][i] * nu[j]));
   }
 }
 

@@ -109,6 +109,7 @@ private:
     Eigen::Vector3d y;                                            ///< relative position [m]
     Eigen::Matrix3d inverse = Eigen::Matrix3d::Identity();        ///< dy/dw, w = sum of N u
     Eigen::Matrix<double, 2, 3> dxi = Eigen::Matrix<double, 2, 3>::Zero(); ///< d(xi, eta)/dw
+    Eigen::Vector3d second[3]; ///< of the carrier's displacement by (xi, eta), see Opposite
     int n = 0, carrier_face = -1;
     int dofs[most];
     double N[most], dN[most][2];
@@ -126,9 +127,27 @@ private:
   /// Relative position by the present opposite, else by the carrier's rough displacement.
   Eigen::Vector3d relative_position(std::size_t k, const Eigen::VectorXd &u, const SurfaceContactState &state) const;
   void settle(const Eigen::VectorXd &u, SurfaceContactState &state) const;
-  Distance pushed_forward(const Coupling &coupling) const;
+  /// The master's distance where a point is, on the deformed carrier. The gap's gradient by w, nu, has the length
+  /// `stretch`; it changes with w and, w held, with the carrier's own strain.
+  struct Carried {
+    double gap;                ///< [m]
+    Eigen::Vector3d normal, gradient; ///< unit; d gap / d w
+    Eigen::Matrix3d curvature; ///< d normal / d w [1/m]
+    Eigen::Vector3d nu = Eigen::Vector3d::Zero();
+    double stretch = 1;
+  };
+  Carried pushed_forward(const Coupling &coupling) const;
+  /// Tangents of a traction by w and by nu.
+  struct Tangents {
+    Eigen::Matrix3d by_w, by_nu = Eigen::Matrix3d::Zero();
+  };
+  template <int n>
+  static CoulombContact::Result<double> differentiate(const CoulombContact &law, const Carried &d,
+                                                      const Eigen::Vector3d &slip, const Eigen::Matrix3d &pull_back,
+                                                      double multiplier, const Eigen::Vector3d &tangential, double dt,
+                                                      Tangents &tangents);
   void add_to(const Equations &equations, const Coupling &coupling, double area, const Eigen::Vector3d &traction,
-              const Eigen::Matrix3d &D, Eigen::VectorXd &forces, GeneralMatrix *tangent) const;
+              const Tangents &D, const Eigen::Vector3d &nu, Eigen::VectorXd &forces, GeneralMatrix *tangent) const;
 
   const Discretisation &space_;
   MasterSurface master_;

@@ -82,7 +82,9 @@ Attempt checked_step(ContactSystem &system, SystemState &state, double t, double
   ledger.largest = largest;
   report.capped_steps += step.capped;
   after_step(t + dt, state, step);
-  return {true, dt * std::clamp(0.9 / std::cbrt(std::max(error, 1e-3)), 0.5, 2.0), {}};
+  const double next = dt * std::clamp(0.9 / std::cbrt(std::max(error, 1e-3)), 0.5, 2.0);
+  if (options.after_point) options.after_point({t + dt, next, ledger});
+  return {true, next, {}};
 }
 
 double SystemLedger::imbalance() const {
@@ -95,12 +97,17 @@ TransientReport run_in_time(
     ContactSystem &system, SystemState &state, double end, const std::function<Eigen::VectorXd(double)> &load,
     const TransientOptions &options, const AfterStep &after_step) {
   Run run{system, state, load, options, after_step};
-  run.report.ledger.kinetic = system.kinetic_energy(state);
-  run.report.ledger.elastic = state.energies.elastic;
-  run.report.ledger.plastic = state.energies.plastic;
-  run.report.ledger.initial = run.report.ledger.kinetic + state.energies.elastic + state.energies.plastic;
-  run.report.ledger.largest = run.report.ledger.initial;
-  run.report.march = march(0, end, {options.smallest_step, options.smallest_step, options.largest_step},
+  auto &ledger = run.report.ledger;
+  if (options.from.t > 0) {
+    ledger = options.from.ledger;
+  } else {
+    ledger.kinetic = system.kinetic_energy(state);
+    ledger.elastic = state.energies.elastic;
+    ledger.plastic = state.energies.plastic;
+    ledger.initial = ledger.largest = ledger.kinetic + ledger.elastic + ledger.plastic;
+  }
+  const double first = options.from.next_step > 0 ? options.from.next_step : options.smallest_step;
+  run.report.march = march(options.from.t, end, {first, options.smallest_step, options.largest_step},
                            [&](double t, double dt) { return run.attempt(t, dt); });
   return run.report;
 }

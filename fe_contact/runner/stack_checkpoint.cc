@@ -35,6 +35,8 @@ void StackDynamic::restore() {
   impact_ = impact_from(numbers(file, "impact"));
   state_ = active().at_rest();
   get(file, state_);
+  active().start_afresh_at(state_);
+  steps_kept_ = record_.n_steps;
 }
 
 } // namespace rimpact::fe

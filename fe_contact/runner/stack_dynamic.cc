@@ -154,6 +154,7 @@ double StackDynamic::clipped(double dt) const {
 
 Attempt StackDynamic::attempt(double t, double dt) {
   if (options_.interrupted && *options_.interrupted) {
+    next_step_ = dt;
     save();
     throw Interrupted();
   }
@@ -167,6 +168,12 @@ Attempt StackDynamic::attempt(double t, double dt) {
     result.last = !touching() && surface_gap() > parting_gap && closing_speed() < 0;
   else if (result.accepted)
     result.last = gap() < joining_gap && closing_speed() > 0;
+  if (result.accepted && !result.last && record_.n_steps - steps_kept_ >= checkpoint_every) {
+    next_step_ = result.wish;
+    active().start_afresh_at(state_); // as the run that reads it will
+    save();
+    steps_kept_ = record_.n_steps;
+  }
   return result;
 }
 
@@ -182,10 +189,6 @@ void StackDynamic::after_step(double t, double dt, const ContactStepReport &step
   if (options_.progress)
     options_.progress({t, end_time(), dt, step.iterations, gap(), forces.rim.head<2>().norm(),
                        touching() ? "contact" : near_rim_ ? "near the rim" : "sliding"});
-  if (record_.n_steps % checkpoint_every == 0) {
-    next_step_ = dt;
-    save();
-  }
 }
 
 /// The model's ledger of the step becomes the whole bearing's.

@@ -33,6 +33,7 @@ struct StaticPath {
   TopDrive drive;
   Eigen::VectorXd load;
   StepOptions step_options = stack_step_options();
+  static constexpr double growth = 2; ///< of the next step: by this one alone, so that a checkpoint holds it
   double rest_height = 0; ///< of the top face under the load [m]
 
   StaticPath(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record)
@@ -59,7 +60,7 @@ struct StaticPath {
     if (options.progress)
       options.progress({s + ds, 1.0, ds, step.iterations, scene.bearing.lateral_capacity() - target.norm(),
                         forces_of(model, state).dish.head<2>().norm(), "sliding"});
-    return {true, 0, {}};
+    return {true, growth * ds, {}};
   }
 
   void account(const Eigen::Vector3d &before, const Eigen::Vector3d &force_before) {
@@ -86,8 +87,10 @@ struct StaticPath {
 
   std::string checkpoint_path() const { return options.folder + "/checkpoint.h5"; }
 
-  void save(double s, double ds) const {
+  /// ds: the next step.
+  void save(double s, double ds) {
     if (options.folder.empty()) return;
+    system.start_afresh_at(state); // as the run that reads it will
     Checkpoint file;
     put(file, scene, record);
     put(file, state);
@@ -104,6 +107,7 @@ struct StaticPath {
     const auto &p = numbers(file, "path");
     rest_height = p[2], rest_elastic = p[3], drive.last_way = {p[4], p[5]};
     drive.last_change = vector(numbers(file, "last_change"));
+    system.start_afresh_at(state);
     return {p[0], p[1]};
   }
 
@@ -121,11 +125,11 @@ struct StaticPath {
       sample(0, 0, 0);
       write_fields(0);
     }
-    const MarchReport report = march(start, 1, {first, 1e-8 * largest, largest, 2.0}, [&](double s, double ds) {
+    const MarchReport report = march(start, 1, {first, 1e-8 * largest, largest, growth}, [&](double s, double ds) {
       const Attempt result = attempt(s, ds);
       if (!result.accepted) return result;
       if (std::floor((s + ds) / picture + 1e-9) > std::floor(s / picture + 1e-9)) write_fields(s + ds);
-      if (record.n_steps % checkpoint_every == 0) save(s + ds, ds);
+      if (record.n_steps % checkpoint_every == 0) save(s + ds, growth * ds);
       return result;
     });
     save(report.reached, largest);

@@ -56,7 +56,8 @@ void put(Checkpoint &file, const SystemState &state) {
     const auto &r = state.reports[i];
     file.numbers["report" + std::to_string(i)] = {r.force.x(),    r.force.y(),    r.force.z(),
                                                   r.friction.x(), r.friction.y(), r.friction.z(),
-                                                  r.largest_pressure, double(r.stick), double(r.slip)};
+                                                  r.largest_pressure, double(r.stick), double(r.slip),
+                                                  r.smallest_gap, r.penetration};
   }
 }
 
@@ -71,11 +72,24 @@ void get(const Checkpoint &file, SystemState &state) {
   for (std::size_t i = 0; i < state.contacts.size(); ++i) {
     get(file, "contact" + std::to_string(i) + "_", state.contacts[i]);
     const auto &v = numbers(file, "report" + std::to_string(i));
+    if (v.size() != 11) throw DataError("the checkpoint belongs to another version: its contacts' reports have other numbers");
     auto &r = state.reports[i];
     r.force = {v[0], v[1], v[2]};
     r.friction = {v[3], v[4], v[5]};
-    r.largest_pressure = v[6], r.stick = int(v[7]), r.slip = int(v[8]);
+    r.largest_pressure = v[6], r.stick = int(v[7]), r.slip = int(v[8]), r.smallest_gap = v[9], r.penetration = v[10];
   }
+}
+
+void put(Checkpoint &file, const TransientPoint &point) {
+  const SystemLedger &e = point.ledger;
+  file.numbers["march"] = {point.t,   point.next_step, e.initial, e.external,   e.kinetic, e.elastic,
+                           e.plastic, e.friction,      e.contact, e.integrator, e.largest};
+}
+
+void get(const Checkpoint &file, TransientPoint &point) {
+  const auto &v = numbers(file, "march");
+  if (v.size() != 11) throw DataError("the checkpoint belongs to another version: its march has other numbers");
+  point = {v[0], v[1], {v[2], v[3], v[4], v[5], v[6], v[7], v[8], v[9], v[10]}};
 }
 
 } // namespace rimpact::fe

@@ -1,6 +1,6 @@
-/// A ContactSystem's state in a checkpoint.
+/// A ContactSystem's state in a checkpoint. Whoever writes or reads one calls start_afresh_at.
 #pragma once
-#include "fe_contact/model/contact_system.h"
+#include "fe_contact/model/contact_steps.h"
 #include "fe_contact/runner/checkpoint.h"
 
 namespace rimpact::fe {
@@ -8,5 +8,9 @@ namespace rimpact::fe {
 void put(Checkpoint &file, const SystemState &state);
 /// Into a state of the same system. Throws DataError when the file is of another mesh.
 void get(const Checkpoint &file, SystemState &state);
+
+/// Where a run in time stands.
+void put(Checkpoint &file, const TransientPoint &point);
+void get(const Checkpoint &file, TransientPoint &point);
 
 } // namespace rimpact::fe

@@ -53,6 +53,38 @@ double stick_ratio(bool sphere, double a, double r0, double q) {
 
 } // namespace
 
+void measure(const Indentation &p, const std::vector<fe::SurfaceContact::Sample> &samples,
+             const fe::SurfaceContactState &state, IndentationResult &result) {
+  double force = 0, moment = 0, contact_area = 0, stick_area = 0, friction_inside = 0, force_inside = 0;
+  const double inside = 0.4 * p.half_size;
+  for (std::size_t k = 0; k < samples.size(); ++k) {
+    const auto &s = samples[k];
+    if (s.pressure <= 0) continue;
+    const double r2 = p.sphere ? s.position.head<2>().squaredNorm() : s.position.x() * s.position.x();
+    force += s.area * s.pressure;
+    moment += s.area * s.pressure * r2;
+    contact_area += s.area;
+    if (state.status[k] == fe::ContactStatus::stick) stick_area += s.area;
+    if (r2 > inside * inside) continue;
+    friction_inside += s.area * s.friction.x();
+    force_inside += s.area * s.pressure;
+  }
+  // Hertz's profile is p^2 = p0^2 (1 - r^2/a^2): its height by least squares over the contact's inside.
+  double s0 = 0, s1 = 0, s2 = 0, t0 = 0, t1 = 0;
+  for (const auto &s : samples) {
+    const double r2 = p.sphere ? s.position.head<2>().squaredNorm() : s.position.x() * s.position.x();
+    if (s.pressure <= 0 || r2 > 0.8 * 0.8 * p.half_size * p.half_size) continue;
+    const double x = r2 / (p.half_size * p.half_size), y = s.pressure * s.pressure, w = s.area;
+    s0 += w, s1 += w * x, s2 += w * x * x, t0 += w * y, t1 += w * x * y;
+  }
+  result.peak_pressure = std::sqrt((t0 * s2 - t1 * s1) / (s0 * s2 - s1 * s1));
+  result.half_size = std::sqrt((p.sphere ? 2.5 : 4.0) * moment / force); // Hertz: <r^2> = 2 a^2/5, <x^2> = b^2/4
+  result.stick_ratio_area = p.sphere ? std::sqrt(stick_area / contact_area) : stick_area / contact_area;
+  if (p.tangential > 0)
+    result.stick_ratio_traction =
+        stick_ratio(p.sphere, p.half_size, inside, std::abs(friction_inside) / (p.mu * force_inside));
+}
+
 IndentationResult indent(const Indentation &p) {
   const Timer timer;
   const bool both = p.tangential > 0;
@@ -126,35 +158,7 @@ IndentationResult indent(const Indentation &p) {
     load_in_steps(true);
   }
 
-  double force = 0, moment = 0, contact_area = 0, stick_area = 0, friction_inside = 0, force_inside = 0;
-  const double inside = 0.4 * p.half_size;
-  const auto samples = system.contact(0).samples(system.expand(state), state.contacts[0]);
-  for (std::size_t k = 0; k < samples.size(); ++k) {
-    const auto &s = samples[k];
-    if (s.pressure <= 0) continue;
-    const double r2 = p.sphere ? s.position.head<2>().squaredNorm() : s.position.x() * s.position.x();
-    force += s.area * s.pressure;
-    moment += s.area * s.pressure * r2;
-    contact_area += s.area;
-    if (state.contacts[0].status[k] == fe::ContactStatus::stick) stick_area += s.area;
-    if (r2 > inside * inside) continue;
-    friction_inside += s.area * s.friction.x();
-    force_inside += s.area * s.pressure;
-  }
-  // Hertz's profile is p^2 = p0^2 (1 - r^2/a^2): its height by least squares over the contact's inside.
-  double s0 = 0, s1 = 0, s2 = 0, t0 = 0, t1 = 0;
-  for (const auto &s : samples) {
-    const double r2 = p.sphere ? s.position.head<2>().squaredNorm() : s.position.x() * s.position.x();
-    if (s.pressure <= 0 || r2 > 0.8 * 0.8 * p.half_size * p.half_size) continue;
-    const double x = r2 / (p.half_size * p.half_size), y = s.pressure * s.pressure, w = s.area;
-    s0 += w, s1 += w * x, s2 += w * x * x, t0 += w * y, t1 += w * x * y;
-  }
-  result.peak_pressure = std::sqrt((t0 * s2 - t1 * s1) / (s0 * s2 - s1 * s1));
-  result.half_size = std::sqrt((p.sphere ? 2.5 : 4.0) * moment / force); // Hertz: <r^2> = 2 a^2/5, <x^2> = b^2/4
-  result.stick_ratio_area = p.sphere ? std::sqrt(stick_area / contact_area) : stick_area / contact_area;
-  if (both)
-    result.stick_ratio_traction =
-        stick_ratio(p.sphere, p.half_size, inside, std::abs(friction_inside) / (p.mu * force_inside));
+  measure(p, system.contact(0).samples(system.expand(state), state.contacts[0]), state.contacts[0], result);
   result.size = first;
   result.dofs = system.equations().n;
   result.seconds = timer.seconds();

@@ -24,6 +24,9 @@ struct IndentationResult {
   std::vector<double> residuals; ///< of the last frictional Newton solution
   double seconds;
 };
+/// Half-size, peak pressure and stick ratios from a contact's points, whose centre is x = y = 0.
+void measure(const Indentation &problem, const std::vector<fe::SurfaceContact::Sample> &samples,
+             const fe::SurfaceContactState &state, IndentationResult &result);
 /// Throws std::runtime_error when a step fails.
 IndentationResult indent(const Indentation &problem);
 

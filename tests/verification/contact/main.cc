@@ -24,6 +24,10 @@ const std::vector<Case> cases{
     {"ironing", "8: shallow ironing by an exact cylinder", ironing},
     {"thick-cylinder", "9: thick cylinder, first yield and collapse", thick_cylinder},
     {"cook-membrane", "9: Cook's membrane", cook_membrane},
+    {"hertz-two-bodies", "4: Hertz, a cylinder and a half-space, both deformable", hertz_two_bodies},
+    {"mindlin-two-bodies", "5: Cattaneo-Mindlin, a cylinder and a half-space, both deformable", mindlin_two_bodies},
+    {"patch-two-bodies", "6: patch test, two bodies of non-matching cells", patch_two_bodies},
+    {"ironing-two-bodies", "8: shallow ironing by a deformable die", ironing_two_bodies},
     {"hard-states", "states contact codes stumble over", hard_states},
 };
 } // namespace

@@ -14,6 +14,8 @@ import matplotlib.pyplot as plt
 BASELINES = pathlib.Path(__file__).parent / "baselines"
 SHOWN = {"hertz-cylinder": ["half-width b [mm]", "peak pressure [MPa]"], "hertz-sphere": ["peak pressure [Pa]"],
          "mindlin-cylinder": ["stick ratio, by traction"], "thick-cylinder": ["first yield [MPa]"],
+         "mindlin-sphere": ["stick ratio, by traction"],
+         "hertz-two-bodies": ["plane: half-width b [mm]", "cylinder: peak pressure [MPa]"],
          "cook-membrane": ["Q1 tip, plane strain [mm]", "Q2 tip, plane strain [mm]"], "ironing": ["ripple / mean"]}
 
 

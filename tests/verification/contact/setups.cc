@@ -47,6 +47,20 @@ meshes::HexMesh quarter_bar(double radius, double bottom, double length, int n, 
   return mesh;
 }
 
+double ripple(const std::vector<double> &force, int window, double &mean) {
+  const int first = force.size() / 4, last = 3 * force.size() / 4;
+  double worst = 0;
+  mean = 0;
+  for (int k = first; k < last; ++k) {
+    double average = 0;
+    for (int j = 0; j <= window; ++j) // trapezoid over one element, centred
+      average += (j == 0 || j == window ? 0.5 : 1.0) * force[k + j - window / 2] / window;
+    worst = std::max(worst, std::abs(force[k] - average));
+    mean += force[k] / (last - first);
+  }
+  return worst / std::abs(mean);
+}
+
 double momentum(const ContactSystem &system, const SystemState &state, int component) {
   Eigen::VectorXd unit = Eigen::VectorXd::Zero(state.v.size());
   const auto &equations = system.equations();

@@ -19,7 +19,9 @@ inline scene::Material elastic(double E, double nu, double density = 1.0) { retu
 /// A discretised body with its law; `supports` is to be filled before `make`.
 struct Setup {
   Setup(const meshes::HexMesh &mesh, const scene::Material &material, int degree = 2)
-      : space(mesh, degree), solid(space, {{Volume::rim, material}}), supports(space) {}
+      : Setup(mesh, {{Volume::rim, material}}, degree) {}
+  Setup(const meshes::HexMesh &mesh, const std::map<Volume, scene::Material> &materials, int degree = 2)
+      : space(mesh, degree), solid(space, materials), supports(space) {}
   void make() { system.emplace(space, solid, supports.number()); }
   int equation(unsigned node, int component) const { return system->equations().of_dof[3 * node + component]; }
 
@@ -42,6 +44,9 @@ std::function<double(double)> graded(int n, double first);
 /// Quarter of a round bar, 0 <= x, y, along z from `bottom`: an O-grid of three blocks of n by n cells, nz
 /// layers. Groups: bottom plane `slave`, x = 0 and y = 0 planes are held by position.
 meshes::HexMesh quarter_bar(double radius, double bottom, double length, int n, int nz, Surface slave);
+/// Largest departure of a series from its average over one period of `window` samples, over the mean of its middle
+/// half, which is also given: the ripple of a force as a body crosses elements.
+double ripple(const std::vector<double> &force, int window, double &mean);
 /// Mass centre's velocity along an axis from momenta [m/s]; mass [kg].
 double momentum(const ContactSystem &system, const SystemState &state, int component);
 

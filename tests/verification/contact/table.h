@@ -67,5 +67,9 @@ Table ironing();
 Table thick_cylinder();
 Table cook_membrane();
 Table hard_states();
+Table hertz_two_bodies();
+Table mindlin_two_bodies();
+Table patch_two_bodies();
+Table ironing_two_bodies();
 
 } // namespace rimpact::verification

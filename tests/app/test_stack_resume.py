@@ -1,0 +1,56 @@
+"""Rung R2's restarts: interrupted in mid-slide and resumed, a run goes on as the one that was left alone, to the last bit."""
+import os
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+import h5py
+
+from command import RIMPACT, rimpact
+
+LOOP = ["run", "static-unidirectional", "--quiet"]
+
+
+def run_until_next_checkpoint(folder, *more):
+    """Runs until the checkpoint is written once more (every ten steps), interrupts; the checkpoint's numbers."""
+    path = os.path.join(folder, "checkpoint.h5")
+    before = os.stat(path).st_mtime_ns if os.path.exists(path) else None
+    process = subprocess.Popen([RIMPACT, *LOOP, "-o", folder, *more], stderr=subprocess.PIPE, text=True)
+    while process.poll() is None and (not os.path.exists(path) or os.stat(path).st_mtime_ns == before):
+        time.sleep(0.05)
+    process.send_signal(signal.SIGINT)
+    _, errors = process.communicate()
+    assert process.returncode == 130, errors
+    with h5py.File(path) as file:
+        return {name: data[()] for name, data in file["numbers"].items()}
+
+
+class Resume(unittest.TestCase):
+    def test_interrupted_in_mid_slide(self):
+        with tempfile.TemporaryDirectory() as folder:
+            whole, halves = os.path.join(folder, "whole"), os.path.join(folder, "halves")
+            first = run_until_next_checkpoint(halves)
+            second = run_until_next_checkpoint(halves, "--resume")
+            self.assertEqual([first["counts"][0], second["counts"][0]], [10, 20])
+            process = subprocess.Popen([RIMPACT, *LOOP, "-o", whole], stderr=subprocess.PIPE)
+            path, straight = os.path.join(whole, "checkpoint.h5"), None
+            while process.poll() is None and straight is None:
+                time.sleep(0.05)
+                if os.path.exists(path):
+                    with h5py.File(path) as file:
+                        if file["numbers/counts"][0] == 20:
+                            straight = {name: data[()] for name, data in file["numbers"].items()}
+            process.send_signal(signal.SIGINT)
+            process.communicate()
+            self.assertGreater(sum(straight["contact0_status"] == 2), 0)  # slipping: something is at stake
+            for name, values in second.items():
+                self.assertEqual(values.tolist(), straight[name].tolist(), name)
+            other = rimpact(*LOOP, "-o", halves, "--resume", "--set", "model.mesh=2")
+            self.assertEqual(other.returncode, 3)
+            self.assertIn("another", other.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,93 @@
+/// Blocks in contact that several tests share.
+#pragma once
+#include "box_mesh.h"
+#include "fe_contact/model/contact_steps.h"
+#include "fe_contact/model/supports.h"
+
+#include <cmath>
+#include <random>
+
+namespace rimpact::fe {
+
+using Eigen::Vector3d;
+using meshes::Surface;
+using meshes::Volume;
+
+constexpr double block_modulus = 1e9; ///< [Pa]
+
+/// A block whose lower face rides on a carried sphere, held by its top.
+struct Block {
+  explicit Block(const FrictionCoefficient &friction, int degree = 2)
+      : space(mesh(), degree), solid(space, {{Volume::rim, scene::Material{block_modulus, 0.3, 1000, {}, {}}}}), supports(space) {
+    carrier = supports.add_body();
+    for (int i = 0; i < 3; ++i) supports.fix(i, [](const Vector3d &x) { return x.z() > 0.1 - 1e-9; });
+    system.emplace(space, solid, supports.number());
+    SurfaceContactOptions options{{block_modulus / 0.05, block_modulus / 0.05, friction}};
+    options.carrier_dof = carrier;
+    system->add_contact(Surface::slider_side, sphere({0.1, 0.05, -20.0}, 20.0, Side::outside), options);
+    system->add_mass(carrier, 5.0);
+    for (int i = 0; i < 3; ++i) carrier_equations[i] = system->equations().of_dof[carrier + i];
+  }
+  static meshes::HexMesh mesh() {
+    meshes::HexMesh result;
+    test::add_box(result, {{0, 0, 0}, {0.2, 0.1, 0.1}, {2, 1, 1}, Volume::rim, {{4, Surface::slider_side}}});
+    return result;
+  }
+  StepTerms drive(double dx, double dz, double dt) const {
+    StepTerms terms{Eigen::VectorXd::Zero(system->equations().n)};
+    terms.driven = {{carrier_equations[0], dx}, {carrier_equations[1], 0.3 * dx}, {carrier_equations[2], dz}};
+    terms.dt = dt;
+    return terms;
+  }
+
+  Discretisation space;
+  Solid solid;
+  Supports supports;
+  int carrier = -1;
+  int carrier_equations[3]{};
+  std::optional<ContactSystem> system;
+};
+
+/// Two blocks that meet on a sphere of radius 2 m, the lower one's deformed face carrying it; meshes do not match.
+struct TwoBlocks {
+  explicit TwoBlocks(int degree)
+      : space(mesh(), degree),
+        solid(space, {{Volume::rim, scene::Material{block_modulus, 0.3, 1000, {}, {}}}, {Volume::plate, scene::Material{block_modulus, 0.3, 1000, {}, {}}}}),
+        supports(space), equations(supports.number()) {
+    SurfaceContactOptions options{{block_modulus / 0.05, block_modulus / 0.05, FrictionCoefficient::constant(0.3)}};
+    options.carrier_faces = Surface::dish;
+    contact.emplace(space, Surface::slider_side, sphere(Vector3d(0, 0, -2), 2.0, Side::outside), options);
+  }
+  static meshes::HexMesh mesh() {
+    const auto bent = [](std::array<double, 3> x) {
+      return std::array<double, 3>{x[0], x[1], x[2] + std::sqrt(4 - x[0] * x[0] - x[1] * x[1]) - 2};
+    };
+    meshes::HexMesh result;
+    test::add_box(result, {{-0.1, -0.1, 0}, {0.1, 0.1, 0.1}, {2, 2, 1}, Volume::rim, {{4, Surface::slider_side}}}, bent);
+    test::add_box(result, {{-0.15, -0.15, -0.1}, {0.15, 0.15, 0}, {3, 3, 1}, Volume::plate, {{5, Surface::dish}}}, bent);
+    return result;
+  }
+  /// Upper block moved by `slide`, all nodes off by noise, the lower block sheared.
+  Eigen::VectorXd moved(const Vector3d &slide, double noise) const {
+    std::mt19937 random(3);
+    std::uniform_real_distribution<double> unit(-1, 1);
+    Eigen::VectorXd u(equations.n);
+    std::vector<char> upper(space.n_nodes, 0);
+    for (std::size_t c = 0; c < space.n_cells; ++c)
+      for (int a = 0; a < space.nodes_per_cell; ++a)
+        upper[space.cell_nodes[c * space.nodes_per_cell + a]] = space.volumes[c] == Volume::rim;
+    for (std::size_t a = 0; a < space.n_nodes; ++a) {
+      const Vector3d x = space.positions[a];
+      u.segment<3>(3 * a) = (upper[a] ? slide : Vector3d(0.02 * x.z(), 0, 0.01 * x.x())) +
+                            noise * Vector3d(unit(random), unit(random), unit(random));
+    }
+    return u;
+  }
+  Discretisation space;
+  Solid solid;
+  Supports supports;
+  Equations equations;
+  std::optional<SurfaceContact> contact;
+};
+
+} // namespace rimpact::fe

@@ -1,0 +1,125 @@
+// Failures of other contact codes, each a test (VERIFICATION, last paragraph). The state after a cut-back is tested in
+// test_surface_contact.cc, restarts in test_restart.cc, stiff and soft penalties by verify_contact hard-states.
+#include "blocks.h"
+
+#include <gtest/gtest.h>
+
+namespace rimpact::fe {
+namespace {
+
+TEST(Pitfall, FrictionFollowsThePressureOfItsOwnStepNotTheLastOnes) {
+  Block block(FrictionCoefficient::constant(0.3));
+  SystemState state = block.system->at_rest();
+  ASSERT_TRUE(static_step(*block.system, state, block.drive(1e-3, 1e-4, 1e-3), {}).converged);
+  const double before = state.reports[0].force.z();
+  // One step slides on and trebles the pressure.
+  const auto step = static_step(*block.system, state, block.drive(2e-3, 3e-4, 1e-3), {});
+  ASSERT_TRUE(step.converged) << step.reason;
+  EXPECT_GT(state.reports[0].force.z(), 2.5 * before);
+  const auto &contact = state.contacts[0];
+  int slipping = 0;
+  for (std::size_t k = 0; k < contact.pressure.size(); ++k) {
+    if (contact.status[k] != ContactStatus::slip) continue;
+    ++slipping;
+    EXPECT_NEAR(contact.friction[k].norm(), 0.3 * contact.pressure[k], 1e-9 * contact.pressure[k]);
+  }
+  EXPECT_GT(slipping, 0);
+}
+
+TEST(Pitfall, PairingIsNotFrozenWithinAStep) {
+  // The lower block's faces are 0.1 m wide; one step slides by 0.08 m, many points over a face's edge.
+  TwoBlocks blocks(2);
+  SurfaceContactState state = blocks.contact->open(blocks.moved({0.0, 0, 0}, 0));
+  const auto first = state.opposite;
+  const Eigen::VectorXd u = blocks.moved({0.045, 0.03, -1e-4}, 1e-5);
+  blocks.contact->cliques(blocks.equations, u);
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(blocks.equations.n), fresh_forces = forces;
+  const auto report = blocks.contact->assemble(u, state, 0, blocks.equations, forces, nullptr);
+  SurfaceContactState fresh = blocks.contact->open(u);
+  fresh.start = state.start;
+  blocks.contact->assemble(u, fresh, 0, blocks.equations, fresh_forces, nullptr);
+  int changed = 0;
+  for (std::size_t k = 0; k < first.size(); ++k) {
+    changed += state.opposite[k] != first[k];
+    EXPECT_EQ(state.opposite[k], fresh.opposite[k]) << k;
+    EXPECT_NEAR(state.gap[k], fresh.gap[k], 1e-15) << k;
+  }
+  EXPECT_GT(changed, 10);
+  EXPECT_GT(report.slip, 0);
+  EXPECT_LT((forces - fresh_forces).norm(), 1e-12 * forces.norm());
+}
+
+/// A block on a plane under its weight `normal` [N] and a push along the plane, shared out over its mass.
+struct Pushed {
+  Pushed() : space(mesh(), 2), solid(space, {{Volume::rim, scene::Material{block_modulus, 0.0, 1000, {}, {}}}}), supports(space) {
+    supports.fix(1, [](const Vector3d &) { return true; });
+    system.emplace(space, solid, supports.number());
+    system->add_contact(Surface::slider_side, plane(Vector3d(0, 0, 1e-9), Vector3d::UnitZ()),
+                        {{block_modulus / 0.05, block_modulus / 0.05, FrictionCoefficient::constant(0.3)}});
+    state = system->at_rest();
+    options.gap_tolerance = options.slip_tolerance = 1e-10;
+  }
+  static meshes::HexMesh mesh() {
+    meshes::HexMesh result;
+    test::add_box(result, {{0, 0, 0}, {0.4, 0.1, 0.01}, {4, 1, 1}, Volume::rim, {{4, Surface::slider_side}, {5, Surface::top}}});
+    return result;
+  }
+  Eigen::VectorXd load(double pressure, double share) const {
+    return system->surface_load(Surface::top, [=](const Vector3d &, const Vector3d &) {
+      return Vector3d(share * 0.3 * pressure, 0, -pressure);
+    });
+  }
+  Discretisation space;
+  Solid solid;
+  Supports supports;
+  std::optional<ContactSystem> system;
+  SystemState state;
+  StepOptions options;
+};
+
+TEST(Pitfall, ALoadOnTheVergeOfSlipOrOfTouchDoesNotChatter) {
+  Pushed pushed;
+  // One step from half the friction's limit to nine tenths fails and is cut; to and fro near the limit none is.
+  ASSERT_TRUE(preload(*pushed.system, pushed.state, pushed.load(1e5, 0.5), 1e8, pushed.options).converged);
+  for (const auto &[from, to] : {std::pair{0.5, 0.9}, {0.9, 0.99}, {0.99, 0.97}, {0.97, 0.99}}) {
+    int iterations = 0;
+    const auto report = march(0, 1, {1, 0.01, 1}, [&](double t, double dt) -> Attempt {
+      const StepTerms terms{pushed.load(1e5, from + (t + dt) * (to - from))};
+      const auto step = static_step(*pushed.system, pushed.state, terms, pushed.options);
+      iterations += step.iterations;
+      return {step.converged, 0, step.reason};
+    });
+    ASSERT_TRUE(report.finished) << to << ": " << report.reason;
+    EXPECT_LE(report.cuts, 3) << to;
+    EXPECT_NEAR(pushed.state.reports[0].force.x() / pushed.state.reports[0].force.z(), -0.3 * to, 1e-6);
+    EXPECT_LE(iterations, 120) << to; // about two a solution of the augmentations
+  }
+  // Beyond the limit nothing holds the block: a bounded number of iterations and a sentence, not a dance.
+  const SystemState before = pushed.state;
+  const auto step = static_step(*pushed.system, pushed.state, StepTerms{pushed.load(1e5, 1.05)}, pushed.options);
+  EXPECT_FALSE(step.converged);
+  EXPECT_FALSE(step.reason.empty());
+  EXPECT_EQ((before.u - pushed.state.u).norm(), 0);
+}
+
+TEST(Pitfall, ABodyThatJustTouchesStaysAsItIs) {
+  Block block(FrictionCoefficient::constant(0.3));
+  SystemState state = block.system->at_rest();
+  for (int k = 0; k < 5; ++k) { // to and fro by a hundred nanometres about touch
+    const auto step = static_step(*block.system, state, block.drive(0, k % 2 ? 1e-7 : 0.0, 1e-3), {});
+    ASSERT_TRUE(step.converged) << step.reason;
+    EXPECT_LE(step.iterations / (1 + step.augmentations), 6);
+  }
+  EXPECT_GE(state.reports[0].force.z(), 0);
+}
+
+TEST(Pitfall, NoNodeOfAQuadraticFacePullsUnderPressure) {
+  // The 20-node brick's corners get a negative share of a uniform pressure; 27 nodes have 1/36, 1/9 and 4/9.
+  Pushed pushed;
+  const Eigen::VectorXd load = pushed.load(1e5, 0);
+  for (const unsigned node : pushed.space.nodes_of(Surface::top))
+    EXPECT_LT(load[pushed.system->equations().of_dof[3 * node + 2]], 0);
+}
+
+} // namespace
+} // namespace rimpact::fe

@@ -1,0 +1,190 @@
+// Restarts: N steps are k steps, a checkpoint, and N - k steps; what is not this system's checkpoint is refused.
+#include "blocks.h"
+#include "fe_contact/runner/record_checkpoint.h"
+#include "fe_contact/runner/system_checkpoint.h"
+#include "scene/error.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+namespace rimpact::fe {
+namespace {
+
+/// A checkpoint file that is gone at the end of its scope.
+struct File {
+  std::string path = (std::filesystem::temp_directory_path() / ("rimpact_restart_" + std::to_string(::getpid()) + ".h5")).string();
+  ~File() { std::filesystem::remove(path); }
+};
+
+void keep(ContactSystem &system, const SystemState &state, const std::string &path, const TransientPoint *point = nullptr) {
+  Checkpoint file;
+  put(file, state);
+  if (point) put(file, *point);
+  write_checkpoint(file, path);
+  system.start_afresh_at(state);
+}
+
+SystemState resume(ContactSystem &system, const std::string &path, TransientPoint *point = nullptr) {
+  SystemState state = system.at_rest();
+  const Checkpoint file = read_checkpoint(path);
+  get(file, state);
+  if (point) get(file, *point);
+  system.start_afresh_at(state);
+  return state;
+}
+
+enum class Way { straight, kept, resumed };
+
+/// Eight steps that press and drag a block until part of it slips; after the fourth a checkpoint.
+SystemState dragged(Way way, double tolerance, std::vector<ContactStatus> *at_checkpoint = nullptr) {
+  const File file;
+  StepOptions options;
+  options.newton.tolerance = tolerance;
+  std::optional<Block> block(std::in_place, FrictionCoefficient{0.3, 0.2, 50});
+  SystemState state = block->system->at_rest();
+  for (int k = 1; k <= 8; ++k) {
+    EXPECT_TRUE(static_step(*block->system, state, block->drive(6e-6 * k, 1e-4, 1e-3), options).converged) << k;
+    if (k != 4 || way == Way::straight) continue;
+    if (at_checkpoint) *at_checkpoint = state.contacts[0].status;
+    keep(*block->system, state, file.path);
+    if (way != Way::resumed) continue;
+    block.emplace(FrictionCoefficient{0.3, 0.2, 50}); // nothing of the first process is left
+    state = resume(*block->system, file.path);
+    if (at_checkpoint) {
+      EXPECT_EQ(state.contacts[0].status, *at_checkpoint);
+    }
+  }
+  return state;
+}
+
+void expect_equal(const SystemState &a, const SystemState &b) {
+  EXPECT_EQ((a.u - b.u).norm(), 0);
+  EXPECT_EQ((a.v - b.v).norm(), 0);
+  EXPECT_EQ((a.a - b.a).norm(), 0);
+  EXPECT_EQ(a.contacts[0].pressure, b.contacts[0].pressure);
+  EXPECT_EQ(a.contacts[0].status, b.contacts[0].status);
+  EXPECT_EQ((a.reports[0].friction - b.reports[0].friction).norm(), 0);
+}
+
+TEST(Restart, MidSlipItIsExactToTheLastBit) {
+  std::vector<ContactStatus> status;
+  const SystemState resumed = dragged(Way::resumed, 1e-8, &status);
+  // Otherwise nothing would be shown: at the checkpoint some points slip and some stick.
+  EXPECT_GT(std::count(status.begin(), status.end(), ContactStatus::slip), 0);
+  EXPECT_GT(std::count(status.begin(), status.end(), ContactStatus::stick), 0);
+  expect_equal(dragged(Way::kept, 1e-8), resumed);
+}
+
+TEST(Restart, MidSlipItAgreesWithARunThatNeverStopped) {
+  const SystemState straight = dragged(Way::straight, 1e-10), resumed = dragged(Way::resumed, 1e-10);
+  EXPECT_LT((straight.u - resumed.u).norm(), 1e-10 * straight.u.norm());
+  EXPECT_LT((straight.reports[0].friction - resumed.reports[0].friction).norm(), 1e-10 * straight.reports[0].friction.norm());
+  EXPECT_EQ(straight.contacts[0].status, resumed.contacts[0].status);
+}
+
+/// A copper bar, plane strain, that hits a wall at 100 m/s and yields.
+struct Bar {
+  Bar() : space(mesh(), 2), solid(space, {{Volume::rim, scene::Material{117e9, 0.35, 8930, 200e6, 100e6}}}), supports(space) {
+    supports.fix(1, [](const Vector3d &) { return true; });
+    supports.fix(0, [](const Vector3d &x) { return x.x() < 1e-12; });
+    system.emplace(space, solid, supports.number());
+    const double penalty = 117e9 / 0.004;
+    system->add_contact(Surface::slider_side, plane(Vector3d::Zero(), Vector3d::UnitZ()),
+                        {{penalty, penalty, FrictionCoefficient::constant(0.2)}});
+    options.step.max_augmentations = 0;
+    options.largest_step = options.contact_step = 4e-7;
+    options.smallest_step = 1e-8;
+    options.energy_tolerance = 1e-3;
+  }
+  static meshes::HexMesh mesh() {
+    meshes::HexMesh result;
+    test::add_box(result, {{0, 0, 2e-4}, {0.006, 0.002, 0.024}, {2, 1, 5}, Volume::rim, {{4, Surface::slider_side}}});
+    return result;
+  }
+  SystemState thrown() {
+    SystemState state = system->at_rest();
+    for (std::size_t dof = 2; dof < system->equations().of_dof.size(); dof += 3)
+      if (const int equation = system->equations().of_dof[dof]; equation >= 0) state.v[equation] = -100;
+    return state;
+  }
+  TransientReport run(SystemState &state, double end) {
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(state.u.size());
+    return run_in_time(*system, state, end, [&](double) { return none; }, options,
+                       [](double, const SystemState &, const ContactStepReport &) {});
+  }
+  Discretisation space;
+  Solid solid;
+  Supports supports;
+  std::optional<ContactSystem> system;
+  TransientOptions options;
+};
+
+/// Flight, impact and rebound; the checkpoint falls on the twelfth step, in the middle of contact.
+std::pair<SystemState, TransientReport> impact(Way way) {
+  constexpr double end = 14e-6;
+  const File file;
+  Bar bar;
+  SystemState state = bar.thrown();
+  int steps = 0;
+  TransientPoint kept_at;
+  bar.options.after_point = [&](const TransientPoint &point) {
+    if (++steps != 20 || way == Way::straight) return;
+    EXPECT_GT(state.reports[0].stick + state.reports[0].slip, 0);
+    EXPECT_GT(state.energies.plastic, 0);
+    kept_at = point;
+    keep(*bar.system, state, file.path, &point);
+  };
+  TransientReport report = bar.run(state, end);
+  EXPECT_TRUE(report.march.finished) << report.march.reason;
+  EXPECT_GT(steps, 30);
+  if (way != Way::resumed) return {state, report};
+  Bar second;
+  SystemState resumed = resume(*second.system, file.path, &second.options.from);
+  EXPECT_EQ(second.options.from.t, kept_at.t);
+  report = second.run(resumed, end);
+  EXPECT_TRUE(report.march.finished) << report.march.reason;
+  return {resumed, report};
+}
+
+TEST(Restart, MidImpactItIsExactToTheLastBitWithItsLedger) {
+  const auto [kept, kept_report] = impact(Way::kept);
+  const auto [resumed, resumed_report] = impact(Way::resumed);
+  expect_equal(kept, resumed);
+  EXPECT_EQ(kept_report.ledger.plastic, resumed_report.ledger.plastic);
+  EXPECT_EQ(kept_report.ledger.integrator, resumed_report.ledger.integrator);
+  EXPECT_EQ(kept_report.ledger.imbalance(), resumed_report.ledger.imbalance());
+  EXPECT_LT(resumed_report.ledger.imbalance(), 5e-3);
+}
+
+TEST(Restart, ACheckpointOfAnotherMeshIsRefused) {
+  const File file;
+  Block quadratic(FrictionCoefficient::constant(0.3), 2), linear(FrictionCoefficient::constant(0.3), 1);
+  keep(*quadratic.system, quadratic.system->at_rest(), file.path);
+  try {
+    resume(*linear.system, file.path);
+    FAIL() << "another mesh's checkpoint was taken";
+  } catch (const DataError &error) {
+    EXPECT_NE(std::string(error.what()).find("another mesh"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Restart, ACheckpointOfAnotherVersionSceneOrHalfWrittenIsRefused) {
+  const File file;
+  const scene::Scene scene = scene::load_scene("static-unidirectional"),
+                     finer = scene::load_scene("static-unidirectional", {"model.mesh=2"});
+  RunRecord record;
+  Checkpoint checkpoint;
+  put(checkpoint, scene, record);
+  EXPECT_NO_THROW(get(checkpoint, "c", scene, record));
+  EXPECT_THROW(get(checkpoint, "c", finer, record), DataError);
+  checkpoint.texts["signature"].insert(0, "0.");
+  EXPECT_THROW(get(checkpoint, "c", scene, record), DataError);
+  write_checkpoint(checkpoint, file.path);
+  std::filesystem::resize_file(file.path, std::filesystem::file_size(file.path) / 2);
+  EXPECT_THROW(read_checkpoint(file.path), DataError);
+}
+
+} // namespace
+} // namespace rimpact::fe
