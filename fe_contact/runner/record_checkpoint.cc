@@ -8,6 +8,13 @@ std::string signature(const scene::Scene &scene) {
   return std::string(RIMPACT_VERSION) + "\n" + scene::to_toml(scene);
 }
 constexpr std::size_t per_point = 7, per_impact = 7;
+/// By name: the ledger may gain entries that no finite-element run fills.
+using LedgerEntry = double scene::EnergyLedger::*;
+constexpr LedgerEntry ledger_entries[] = {
+    &scene::EnergyLedger::external, &scene::EnergyLedger::gravity,    &scene::EnergyLedger::kinetic,
+    &scene::EnergyLedger::elastic,  &scene::EnergyLedger::plastic,    &scene::EnergyLedger::friction,
+    &scene::EnergyLedger::impact,   &scene::EnergyLedger::contact,    &scene::EnergyLedger::integrator,
+    &scene::EnergyLedger::initial,  &scene::EnergyLedger::largest_input};
 } // namespace
 
 std::vector<double> list(const Eigen::VectorXd &v) { return {v.data(), v.data() + v.size()}; }
@@ -48,9 +55,7 @@ scene::Impact impact_from(const std::vector<double> &v) { return {v[0], v[1], v[
 
 void put(Checkpoint &file, const scene::Scene &scene, const RunRecord &record) {
   file.texts["signature"] = signature(scene);
-  const auto &e = record.ledger;
-  file.numbers["ledger"] = {e.external, e.gravity, e.kinetic,    e.elastic, e.plastic,      e.friction,
-                            e.impact,   e.contact, e.integrator, e.initial, e.largest_input};
+  for (const LedgerEntry entry : ledger_entries) file.numbers["ledger"].push_back(record.ledger.*entry);
   auto &impacts = file.numbers["impacts"];
   for (const auto &impact : record.impacts)
     for (const double value : list(impact)) impacts.push_back(value);
@@ -64,8 +69,8 @@ void get(const Checkpoint &file, const std::string &path, const scene::Scene &sc
   const auto text = file.texts.find("signature");
   if (text == file.texts.end() || text->second != signature(scene))
     throw DataError(path + ": written by another version or for another scene; run without --resume to start afresh");
-  const auto &e = numbers(file, "ledger");
-  record.ledger = {e[0], e[1], e[2], e[3], e[4], e[5], e[6], e[7], e[8], e[9], e[10]};
+  const auto &ledger = numbers(file, "ledger");
+  for (std::size_t k = 0; k < std::size(ledger_entries); ++k) record.ledger.*ledger_entries[k] = ledger.at(k);
   const auto &impacts = numbers(file, "impacts");
   for (std::size_t k = 0; k + per_impact <= impacts.size(); k += per_impact)
     record.impacts.push_back(impact_from({impacts.begin() + k, impacts.begin() + k + per_impact}));
