@@ -69,6 +69,9 @@ std::vector<calibration::StudyRun> runs_of(const std::vector<Job> &jobs, Console
     if (!is_done(job)) continue;
     try {
       runs.push_back(calibration::study_run(job.name, summary_of(job.folder), scene::read_response(job.folder)));
+      if (job.name == "reduced") continue;
+      runs.back().rung = job.scene.model.rung; // as asked for, whatever wrote the summary
+      runs.back().mesh = job.scene.model.mesh;
       runs.back().step = job.scene.model.step;
     } catch (const DataError &error) {
       console.warn(error.what());
