@@ -1,6 +1,7 @@
 // The quasi-static push of rung R1: the top face is driven beyond touch and back, the height following the
 // dish.
 #include "fe_contact/runner/rim_run.h"
+#include "fe_contact/runner/sample_row.h"
 #include "scene/error.h"
 
 namespace rimpact::fe {
@@ -29,33 +30,10 @@ struct Pusher {
 
   void sample(double parameter, const StepReport &report, double travel_step) {
     const Eigen::Vector3d u = frame.displacement(state.master), force = frame.to_global(report.rim_force);
-    auto &r = record.response;
-    const auto put = [&](const char *name, double value) { r.append(name, value); };
-    put("time", parameter);
-    const char *axes[3] = {"x", "y", "z"};
-    for (int i = 0; i < 3; ++i) {
-      r.append(std::string("displacement_") + axes[i], u[i]);
-      r.append(std::string("velocity_") + axes[i], 0);
-      r.append(std::string("force_") + axes[i], force[i]);
-      if (i == 2) break;
-      r.append(std::string("pendular_") + axes[i], 0);
-      r.append(std::string("friction_") + axes[i], 0);
-      r.append(std::string("impact_") + axes[i], force[i]);
-    }
-    put("gap", frame.lateral_capacity - u.head<2>().norm());
-    put("surface_gap", std::min(state.report.smallest_gap, no_gap));
-    put("plastic_strain_max", solver.largest_plastic_strain(state));
-    put("contact_pressure_max", state.report.largest_pressure);
-    put("newton_iterations", report.iterations);
-    put("step", travel_step);
-    const auto &ledger = record.ledger;
-    put("energy_external", ledger.external);
-    put("energy_elastic", ledger.elastic);
-    put("energy_plastic", ledger.plastic);
-    put("energy_contact", ledger.contact);
-    for (const char *name :
-         {"energy_gravity", "energy_kinetic", "energy_friction", "energy_impact", "energy_integrator"})
-      put(name, 0);
+    const Eigen::Vector3d none = Eigen::Vector3d::Zero();
+    append(record, {parameter, u, none, force, none, none, force, {}, frame.lateral_capacity - u.head<2>().norm(),
+                    std::min(state.report.smallest_gap, no_gap), solver.largest_plastic_strain(state),
+                    state.report.largest_pressure, report.iterations, travel_step});
   }
 
   /// Moves to a travel in steps that grow while Newton likes them and halve where it does not.

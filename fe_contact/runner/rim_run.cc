@@ -1,4 +1,5 @@
 #include "fe_contact/runner/rim_dynamic.h"
+#include "fe_contact/runner/sample_row.h"
 
 #include "scene/error.h"
 #include <algorithm>
@@ -305,33 +306,11 @@ void DynamicRun::end_contact(Arc &arc) {
 }
 
 void DynamicRun::sample(const Arc &arc, const StepReport &report, const MassForces &forces, double dt) {
-  auto &r = record_.response;
-  const Eigen::Vector3d impact = arc.frame.to_global(report.rim_force),
-                        total = forces.pendular + forces.friction + impact;
-  r.append("time", bearing_.t);
-  const char *axes[3] = {"x", "y", "z"};
-  for (int i = 0; i < 3; ++i) {
-    r.append(std::string("displacement_") + axes[i], bearing_.u[i]);
-    r.append(std::string("velocity_") + axes[i], bearing_.v[i]);
-    r.append(std::string("force_") + axes[i], total[i]);
-    if (i == 2) break;
-    r.append(std::string("pendular_") + axes[i], forces.pendular[i]);
-    r.append(std::string("friction_") + axes[i], forces.friction[i]);
-    r.append(std::string("impact_") + axes[i], impact[i]);
-  }
-  r.append("normal_force", std::max(0.0, forces.normal));
-  r.append("gap", capacity() - bearing_.u.head<2>().norm());
-  const auto &e = record_.ledger;
-  const std::pair<const char *, double> energies[] = {
-      {"energy_external", e.external}, {"energy_gravity", e.gravity}, {"energy_kinetic", e.kinetic},
-      {"energy_elastic", e.elastic},   {"energy_plastic", e.plastic}, {"energy_friction", e.friction},
-      {"energy_impact", e.impact},     {"energy_contact", e.contact}, {"energy_integrator", e.integrator}};
-  for (const auto &[name, value] : energies) r.append(name, value);
-  r.append("surface_gap", arc.state.report.smallest_gap);
-  r.append("plastic_strain_max", solver_.largest_plastic_strain(arc.state));
-  r.append("contact_pressure_max", arc.state.report.largest_pressure);
-  r.append("newton_iterations", report.iterations);
-  r.append("step", dt);
+  const Eigen::Vector3d impact = arc.frame.to_global(report.rim_force);
+  append(record_, {bearing_.t, bearing_.u, bearing_.v, forces.pendular + forces.friction + impact, forces.pendular,
+                   forces.friction, impact, std::max(0.0, forces.normal), capacity() - bearing_.u.head<2>().norm(),
+                   arc.state.report.smallest_gap, solver_.largest_plastic_strain(arc.state),
+                   arc.state.report.largest_pressure, report.iterations, dt});
 }
 
 void DynamicRun::finish() {

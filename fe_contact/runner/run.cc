@@ -49,17 +49,15 @@ void run_rung(const scene::Scene &scene, const Plan &plan, const RunOptions &opt
     return (scene.excitation.is_dynamic() ? run_stack_dynamic : run_stack_static)(scene, plan, options, record);
   RimSolver solver(scene.bearing, rim_mesh_options(scene, plan), rim_solver_options(scene));
   record.n_dofs = solver.n_equations();
-  const auto keep_times = [&] { record.time_split = solver.time_split; };
-  try {
-    if (scene.excitation.kind == scene::ExcitationKind::push)
-      run_rim_push(scene, options, solver, record);
-    else
-      run_rim_dynamic(scene, plan, options, solver, record);
-  } catch (...) {
-    keep_times();
-    throw;
-  }
-  keep_times();
+  run_timed(
+      record,
+      [&] {
+        if (scene.excitation.kind == scene::ExcitationKind::push)
+          run_rim_push(scene, options, solver, record);
+        else
+          run_rim_dynamic(scene, plan, options, solver, record);
+      },
+      [&] { return solver.time_split; });
 }
 
 } // namespace

@@ -19,6 +19,17 @@ struct RunRecord {
   std::vector<std::string> warnings;
 };
 
+/// Runs, and keeps where the time went whatever ends it: `times()` gives the split.
+template <class Run, class Times> void run_timed(RunRecord &record, const Run &run, const Times &times) {
+  try {
+    run();
+  } catch (...) {
+    record.time_split = times();
+    throw;
+  }
+  record.time_split = times();
+}
+
 void write_pvd(const RunOptions &options, const RunRecord &record);
 
 } // namespace rimpact::fe

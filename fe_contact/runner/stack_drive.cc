@@ -4,6 +4,18 @@
 
 namespace rimpact::fe {
 
+meshes::StackMeshOptions stack_mesh_options(const scene::Scene &scene, const Plan &plan) {
+  meshes::StackMeshOptions mesh;
+  mesh.level = scene.model.mesh;
+  mesh.half = plan.half;
+  mesh.whole_plate = plan.rung == "full";
+  mesh.rim = plan.moves_in_time || mesh.whole_plate;
+  mesh.opposite_rim = plan.opposite_sector;
+  mesh.sector_half_angle = plan.sector_half_angle;
+  mesh.direction = plan.sector_direction;
+  return mesh;
+}
+
 StepOptions stack_step_options() {
   StepOptions options;
   options.newton.tolerance = 1e-6;

@@ -1,9 +1,12 @@
 /// A stack whose top face is driven: what the preload and every quasi-static path share.
 #pragma once
+#include "fe_contact/runner/plan.h"
 #include "fe_contact/runner/stack_model.h"
 
 namespace rimpact::fe {
 
+/// What the plan says of the mesh.
+meshes::StackMeshOptions stack_mesh_options(const scene::Scene &scene, const Plan &plan);
 /// Tolerances of quasi-static steps of the stack.
 StepOptions stack_step_options();
 

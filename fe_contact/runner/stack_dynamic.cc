@@ -16,18 +16,6 @@ constexpr double parting_gap = 1e-3;         // and leave here, the walls moving
 constexpr double first_gap = 5e-5;           // a window starts here [m]
 constexpr int checkpoint_every = 25;
 
-meshes::StackMeshOptions mesh_options(const scene::Scene &scene, const Plan &plan) {
-  meshes::StackMeshOptions mesh;
-  mesh.level = scene.model.mesh;
-  mesh.half = plan.half;
-  mesh.rim = true;
-  mesh.opposite_rim = plan.opposite_sector;
-  mesh.sector_half_angle = plan.sector_half_angle;
-  mesh.direction = plan.sector_direction;
-  mesh.whole_plate = plan.rung == "full";
-  return mesh;
-}
-
 bool has_friction(const scene::Scene &scene) {
   return scene.excitation.kind != scene::ExcitationKind::window || scene.excitation.with_friction;
 }
@@ -51,7 +39,7 @@ Eigen::Vector3d arriving_acceleration(const scene::Scene &scene) {
 
 StackDynamic::StackDynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record)
     : scene_(scene), plan_(plan), options_(options), record_(record),
-      model_(scene.bearing, mesh_options(scene, plan), has_friction(scene)), alone_(model_, false), joined_(model_, true),
+      model_(scene.bearing, stack_mesh_options(scene, plan), has_friction(scene)), alone_(model_, false), joined_(model_, true),
       recorder_(scene, model_, options, record), ground_(scene.excitation, scene.load.gravity) {
   const double mass = scene.load.mass - model_.own_mass();
   alone_.carry(mass);
@@ -238,7 +226,7 @@ void StackDynamic::check_sector() const {
 
 void StackDynamic::join() {
   check_sector();
-  if (!model_.full()) state_ = joined_state(model_, alone_, state_, held_, joined_);
+  if (!model_.full()) state_ = joined_state(alone_, state_, held_, joined_);
   near_rim_ = true;
   touched_ = peak_written_ = false;
   report_.ledger.elastic = state_.energies.elastic;
@@ -304,13 +292,7 @@ std::map<std::string, double> StackDynamic::time_split() const {
 
 void run_stack_dynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record) {
   StackDynamic dynamic(scene, plan, options, record);
-  try {
-    dynamic.run();
-  } catch (...) {
-    record.time_split = dynamic.time_split();
-    throw;
-  }
-  record.time_split = dynamic.time_split();
+  run_timed(record, [&] { dynamic.run(); }, [&] { return dynamic.time_split(); });
 }
 
 } // namespace rimpact::fe

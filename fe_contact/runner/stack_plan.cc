@@ -72,6 +72,7 @@ Plan stack_path_plan(const scene::Scene &scene) {
   Plan plan;
   plan.rung = scene.model.rung;
   plan.moves_in_time = false;
+  plan.opposite_sector = plan.rung == "full"; // a path goes both ways
   plan.mesh = scene.model.mesh;
   const auto &e = scene.excitation;
   const bool cyclic = e.kind == scene::ExcitationKind::cyclic;

@@ -1,5 +1,6 @@
 #include "fe_contact/runner/stack_recorder.h"
 
+#include "fe_contact/runner/sample_row.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
@@ -17,45 +18,15 @@ StackForces forces_of(const StackModel &model, const SystemState &state) {
 
 void StackRecorder::sample(double time, const Eigen::Vector3d &u, const Eigen::Vector3d &v, const SystemState &state,
                            int iterations, double step) {
-  auto &r = record_.response;
   const StackForces forces = forces_of(model_, state);
-  const Eigen::Vector3d total = forces.total();
-  r.append("time", time);
-  const char *axes[3] = {"x", "y", "z"};
-  for (int i = 0; i < 3; ++i) {
-    r.append(std::string("displacement_") + axes[i], u[i]);
-    r.append(std::string("velocity_") + axes[i], v[i]);
-    r.append(std::string("force_") + axes[i], total[i]);
-    if (i == 2) break;
-    r.append(std::string("pendular_") + axes[i], forces.dish[i] - forces.friction[i]);
-    r.append(std::string("friction_") + axes[i], forces.friction[i]);
-    r.append(std::string("impact_") + axes[i], forces.rim[i]);
-  }
   const double gap = scene_.bearing.lateral_capacity() - u.head<2>().norm();
   double strain = 0, pressure = 0, surface_gap = gap;
   for (const auto &point : state.history) strain = std::max(strain, point.alpha);
   for (const auto &report : state.reports) pressure = std::max(pressure, report.largest_pressure);
   if (state.reports.size() > StackSystem::rim && std::isfinite(state.reports[StackSystem::rim].smallest_gap))
     surface_gap = state.reports[StackSystem::rim].smallest_gap;
-  const auto &e = record_.ledger;
-  const std::pair<const char *, double> values[] = {
-      {"normal_force", forces.dish.z()},
-      {"gap", gap},
-      {"surface_gap", surface_gap},
-      {"plastic_strain_max", strain},
-      {"contact_pressure_max", pressure},
-      {"newton_iterations", static_cast<double>(iterations)},
-      {"step", step},
-      {"energy_external", e.external},
-      {"energy_gravity", e.gravity},
-      {"energy_kinetic", e.kinetic},
-      {"energy_elastic", e.elastic},
-      {"energy_plastic", e.plastic},
-      {"energy_friction", e.friction},
-      {"energy_impact", e.impact},
-      {"energy_contact", e.contact},
-      {"energy_integrator", e.integrator}};
-  for (const auto &[name, value] : values) r.append(name, value);
+  append(record_, {time, u, v, forces.total(), forces.dish - forces.friction, forces.friction, forces.rim, forces.dish.z(),
+                   gap, surface_gap, strain, pressure, iterations, step});
 }
 
 void StackRecorder::write_fields(double time, const StackSystem &system, const SystemState &state,

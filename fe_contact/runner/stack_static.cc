@@ -14,14 +14,6 @@
 namespace rimpact::fe {
 namespace {
 
-meshes::StackMeshOptions mesh_options(const scene::Scene &scene, const Plan &plan) {
-  meshes::StackMeshOptions mesh;
-  mesh.level = scene.model.mesh;
-  mesh.half = plan.half;
-  mesh.whole_plate = mesh.rim = mesh.opposite_rim = plan.rung == "full";
-  return mesh;
-}
-
 struct StaticPath {
   const scene::Scene &scene;
   const RunOptions &options;
@@ -37,7 +29,7 @@ struct StaticPath {
   double rest_height = 0; ///< of the top face under the load [m]
 
   StaticPath(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record)
-      : scene(scene), options(options), record(record), model(scene.bearing, mesh_options(scene, plan)),
+      : scene(scene), options(options), record(record), model(scene.bearing, stack_mesh_options(scene, plan)),
         system(model, model.full()), state(system.at_rest()), recorder(scene, model, options, record),
         load(system.dead_load(scene.load.vertical)) {
     record.n_dofs = system.equations().n;
@@ -144,16 +136,7 @@ struct StaticPath {
 
 void run_stack_static(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record) {
   StaticPath path(scene, plan, options, record);
-  const auto keep = [&] {
-    record.time_split = path.system.time_split;
-  };
-  try {
-    path.run();
-  } catch (...) {
-    keep();
-    throw;
-  }
-  keep();
+  run_timed(record, [&] { path.run(); }, [&] { return path.system.time_split; });
 }
 
 } // namespace rimpact::fe

@@ -24,8 +24,7 @@ void carry_over(const StackSystem &from, const StackSystem &to, const SystemStat
 
 } // namespace
 
-SystemState joined_state(const StackModel &, const StackSystem &alone, const SystemState &state, const HeldRim &held,
-                         StackSystem &joined) {
+SystemState joined_state(const StackSystem &alone, const SystemState &state, const HeldRim &held, StackSystem &joined) {
   SystemState result = joined.at_rest();
   Eigen::VectorXd shape = Eigen::VectorXd::Zero(joined.equations().n);
   if (held.displacement.size())

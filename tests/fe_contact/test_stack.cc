@@ -78,7 +78,7 @@ TEST_F(StackTransfer, TheRimIsHeldWithoutItsEquationsAndKeepsItsShape) {
   EXPECT_LT(alone_.kinetic_energy(apart), joined_.kinetic_energy(together));
   EXPECT_EQ(alone_.top_of(apart.u), joined_.top_of(u));
   // And back: the same displacements everywhere, the rim at rest.
-  const SystemState again = joined_state(model_, alone_, apart, held, joined_);
+  const SystemState again = joined_state(alone_, apart, held, joined_);
   EXPECT_LT((again.u - u).norm(), 1e-14 * u.norm());
   EXPECT_DOUBLE_EQ(joined_.kinetic_energy(again), alone_.kinetic_energy(apart));
   EXPECT_EQ(again.history[joined_.space().n_cells * 27 - 1].alpha, 0.02);

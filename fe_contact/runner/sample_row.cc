@@ -1,0 +1,38 @@
+#include "fe_contact/runner/sample_row.h"
+
+namespace rimpact::fe {
+
+void append(RunRecord &record, const SampleRow &row) {
+  auto &r = record.response;
+  const char *axes[3] = {"x", "y", "z"};
+  for (int i = 0; i < 3; ++i) {
+    r.append(std::string("displacement_") + axes[i], row.u[i]);
+    r.append(std::string("velocity_") + axes[i], row.v[i]);
+    r.append(std::string("force_") + axes[i], row.total[i]);
+    if (i == 2) break;
+    r.append(std::string("pendular_") + axes[i], row.pendular[i]);
+    r.append(std::string("friction_") + axes[i], row.friction[i]);
+    r.append(std::string("impact_") + axes[i], row.impact[i]);
+  }
+  const auto &e = record.ledger;
+  const std::pair<const char *, double> values[] = {{"time", row.time},
+                                                    {"gap", row.gap},
+                                                    {"surface_gap", row.surface_gap},
+                                                    {"plastic_strain_max", row.plastic_strain},
+                                                    {"contact_pressure_max", row.contact_pressure},
+                                                    {"newton_iterations", static_cast<double>(row.newton_iterations)},
+                                                    {"step", row.step},
+                                                    {"energy_external", e.external},
+                                                    {"energy_gravity", e.gravity},
+                                                    {"energy_kinetic", e.kinetic},
+                                                    {"energy_elastic", e.elastic},
+                                                    {"energy_plastic", e.plastic},
+                                                    {"energy_friction", e.friction},
+                                                    {"energy_impact", e.impact},
+                                                    {"energy_contact", e.contact},
+                                                    {"energy_integrator", e.integrator}};
+  for (const auto &[name, value] : values) r.append(name, value);
+  if (row.normal_force) r.append("normal_force", *row.normal_force);
+}
+
+} // namespace rimpact::fe
