@@ -1,4 +1,5 @@
 #include "app/calibrate_options.h"
+#include "app/assignments.h"
 #include "reduced_models/impact_law.h"
 #include "scene/text.h"
 #include <algorithm>
@@ -15,39 +16,6 @@ std::vector<std::string> names_of(const std::string &list) {
   for (const auto part : scene::split(list, ','))
     if (!scene::trim(part).empty()) names.emplace_back(scene::trim(part));
   return names;
-}
-
-double number_in(std::string_view text, const std::string &option, const std::string &word) {
-  if (const auto value = scene::to_number(text)) return *value;
-  throw InputError(fmt::format("{} {}: \"{}\" is not a number", option, word, text.substr(0, 40)));
-}
-
-/// NAME=REST.
-std::pair<std::string, std::string_view> assignment(const std::string &word, const std::string &option,
-                                                    const char *form) {
-  const auto equals = word.find('=');
-  if (equals == std::string::npos) throw InputError(fmt::format("{} {}: must be {}", option, word, form));
-  return {word.substr(0, equals), std::string_view(word).substr(equals + 1)};
-}
-
-std::map<std::string, double> values_of(const std::vector<std::string> &words, const std::string &option) {
-  std::map<std::string, double> values;
-  for (const auto &word : words) {
-    const auto [name, text] = assignment(word, option, "NAME=VALUE");
-    values[name] = number_in(text, option, word);
-  }
-  return values;
-}
-
-std::map<std::string, calibration::Bounds> bounds_of(const std::vector<std::string> &words) {
-  std::map<std::string, calibration::Bounds> bounds;
-  for (const auto &word : words) {
-    const auto [name, text] = assignment(word, "--bounds", "NAME=LOW:HIGH");
-    const auto ends = scene::split(text, ':');
-    if (ends.size() != 2) throw InputError(fmt::format("--bounds {}: must be NAME=LOW:HIGH", word));
-    bounds[name] = {number_in(ends[0], "--bounds", word), number_in(ends[1], "--bounds", word)};
-  }
-  return bounds;
 }
 
 calibration::Uncertainty uncertainty_of(const std::vector<std::string> &words) {
@@ -104,7 +72,7 @@ calibration::CalibrationOptions calibrate_settings(const CalibrateWords &words) 
   settings.fit.fixed = values_of(words.fixed, "--fixed");
   if (words.fit.empty())
     for (const auto &[name, value] : settings.fit.fixed) std::erase(settings.fit.parameters, name);
-  settings.fit.bounds = bounds_of(words.bounds);
+  settings.fit.bounds = ranges_of(words.bounds, "--bounds");
   settings.fit.start = values_of(words.start, "--start");
   settings.fit.uncertainty = uncertainty_of(words.sigma);
   settings.fit.robust_scale = words.robust;

@@ -46,6 +46,23 @@ std::string failure_of(const Job &job, int code) {
 
 } // namespace
 
+void make_runs_folder(const std::string &folder) {
+  std::error_code error;
+  std::filesystem::create_directories(folder + "/runs", error);
+  if (error) throw IoError("cannot make " + folder + "/runs: " + error.message());
+}
+
+std::vector<Job> shard_of(const std::vector<Job> &jobs, int part, int n_parts) {
+  std::vector<Job> own;
+  for (std::size_t k = part - 1; k < jobs.size(); k += n_parts) own.push_back(jobs[k]);
+  return own;
+}
+
+void require_done(const std::vector<Job> &jobs) {
+  for (const auto &job : jobs)
+    if (!job.done) throw SolverStopped(job.name + " did not end well: " + job.failure);
+}
+
 bool is_done(const Job &job) {
   return status_of(job) == "done";
 }

@@ -38,6 +38,15 @@ private:
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
 };
 
+/// The folder of a study's runs; throws IoError when it cannot be made.
+void make_runs_folder(const std::string &folder);
+
+/// Every `n_parts`-th job from the `part`-th (from 1) on.
+std::vector<Job> shard_of(const std::vector<Job> &jobs, int part, int n_parts);
+
+/// Throws SolverStopped naming the first job that did not end well.
+void require_done(const std::vector<Job> &jobs);
+
 /// Versions of the libraries the finite-element program uses (`version --json`), kept in `folder`. Warns when
 /// its BLAS is slow; throws IoError with its last words when it does not start.
 nlohmann::json fe_versions(const std::string &folder, Console &console);

@@ -1,13 +1,12 @@
 // rimpact geometry: k_i, e, peak force and plastic strain over rim and slider dimensions, yield stress and
 // speed.
+#include "app/assignments.h"
 #include "app/job_runner.h"
 #include "app/shard.h"
 #include "app/sibling.h"
 #include "app/verb.h"
 #include "calibration/geometry_study.h"
 #include "scene/response.h"
-#include "scene/text.h"
-#include <filesystem>
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -18,17 +17,6 @@ struct Options {
   std::vector<std::string> ranges;
   calibration::GeometryOptions study;
 };
-
-void read_ranges(Options &options) {
-  for (const auto &word : options.ranges) {
-    const auto equals = word.find('='), colon = word.find(':');
-    const auto low = equals < colon ? scene::to_number(word.substr(equals + 1, colon - equals - 1))
-                                    : std::nullopt,
-               high = colon != std::string::npos ? scene::to_number(word.substr(colon + 1)) : std::nullopt;
-    if (!low || !high) throw InputError("--range " + word + ": must be NAME=LOW:HIGH");
-    options.study.ranges[word.substr(0, equals)] = {*low, *high};
-  }
-}
 
 /// Rows of all runs that are done, whichever shard ran them.
 std::vector<calibration::GeometryRow> rows_of(const std::vector<Job> &jobs, Console &console) {
@@ -48,18 +36,15 @@ std::vector<calibration::GeometryRow> rows_of(const std::vector<Job> &jobs, Cons
 
 void run_geometry(Options options, Console &console) {
   const auto [part, n_parts] = parse_shard(options.shard);
-  read_ranges(options);
+  options.study.ranges = ranges_of(options.ranges, "--range");
   auto window = scene::load_scene("impact-window", console.overrides);
   window.bearing = scene::load_bearing(options.bearing);
   window.validate();
-  std::vector<Job> jobs, own;
-  for (const auto &scene : calibration::geometry_scenes(window, options.study)) {
+  std::vector<Job> jobs;
+  for (const auto &scene : calibration::geometry_scenes(window, options.study))
     jobs.push_back({scene.name, "geometry", scene, options.folder + "/runs/" + scene.name, false, false, {}});
-    if (static_cast<int>(jobs.size() - 1) % n_parts == part - 1) own.push_back(jobs.back());
-  }
-  std::error_code error;
-  std::filesystem::create_directories(options.folder + "/runs", error);
-  if (error) throw IoError("cannot make " + options.folder + "/runs: " + error.message());
+  std::vector<Job> own = shard_of(jobs, part, n_parts);
+  make_runs_folder(options.folder);
   JobRunner runner(own, console);
   watch_interrupts();
   runner.run();
@@ -72,8 +57,7 @@ void run_geometry(Options options, Console &console) {
     console.warn("the picture in " + options.folder + " was not made");
   if (interrupted())
     throw Error(ExitCode::interrupted, "interrupted; the same command goes on where it stopped");
-  for (const auto &job : own)
-    if (!job.done) throw SolverStopped(job.name + " did not end well: " + job.failure);
+  require_done(own);
 }
 
 } // namespace

@@ -4,7 +4,6 @@
 #include "app/main_results.h"
 #include "app/sibling.h"
 #include "app/verb.h"
-#include <filesystem>
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -22,9 +21,7 @@ void run_main(const Options &options, Console &console) {
   const auto laws = laws_named(options.laws);
   auto jobs = main_jobs(scene::load_bearing(options.bearing), options.folder);
   JobRunner runner(jobs, console);
-  std::error_code error;
-  std::filesystem::create_directories(options.folder + "/runs", error);
-  if (error) throw IoError("cannot make " + options.folder + "/runs: " + error.message());
+  make_runs_folder(options.folder);
   const auto versions = fe_versions(options.folder, console);
 
   watch_interrupts();
@@ -38,8 +35,7 @@ void run_main(const Options &options, Console &console) {
     throw Error(ExitCode::interrupted, "interrupted; the same command goes on where it stopped");
   if (code != 0) throw IoError("the report was not written; try rimpact report " + options.folder);
   if (!console.json) console.data(fmt::format("report: {}  ({} in all)\n", report, duration(spent())));
-  for (const auto &job : jobs)
-    if (!job.done) throw SolverStopped(job.name + " did not end well: " + job.failure);
+  require_done(jobs);
   if (results.failure) std::rethrow_exception(results.failure);
 }
 

@@ -6,7 +6,6 @@
 #include "calibration/speed_error.h"
 #include "reduced_models/physical_model.h"
 #include "scene/response.h"
-#include <filesystem>
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -97,13 +96,8 @@ void run_study(Options options, Console &console) {
   const scene::Scene base = scene::load_scene(options.scene, console.overrides);
   if (options.folder.empty()) options.folder = "results/study-" + base.name;
   const std::vector<Job> jobs = study_jobs(options, base);
-  std::vector<Job> own;
-  for (std::size_t k = 0; k < jobs.size(); ++k)
-    if (static_cast<int>(k) % n_parts == part - 1) own.push_back(jobs[k]);
-  std::error_code error;
-  std::filesystem::create_directories(options.folder + "/runs", error);
-  if (error) throw IoError("cannot make " + options.folder + "/runs: " + error.message());
-  own = without_reduced(own);
+  make_runs_folder(options.folder);
+  std::vector<Job> own = without_reduced(shard_of(jobs, part, n_parts));
   if (!own.empty()) {
     JobRunner runner(own, console);
     watch_interrupts();
@@ -116,8 +110,7 @@ void run_study(Options options, Console &console) {
   }
   const auto study = calibration::speed_against_error(runs, base.lateral_capacity(), options.wanted / 100);
   write(study, options.folder, console);
-  for (const auto &job : own)
-    if (!job.done) throw SolverStopped(job.name + " did not end well: " + job.failure);
+  require_done(own);
   if (study.recommended.empty())
     throw GateError(fmt::format("no setting of this study has an error of {:g} % or less", options.wanted));
 }

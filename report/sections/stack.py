@@ -20,20 +20,20 @@ def make(context):
     section.lead = "The deformed solids at the stored instant farthest from the vertex."
     for entry, run in runs[:MOST]:
         section.add(None if context.results.single else heading(title_of(entry.name)))
-        section.add(context.pictures.figure(f"stack-{entry.name}", _caption(run), _draw, run))
+        grid, when = _farthest(run)
+        section.add(context.pictures.figure(f"stack-{entry.name}", _caption(run, when), _draw, grid, run))
     return section
 
 
-def _caption(run):
-    _, when = _farthest(run)
+def _caption(run, when):
     return "" if when is None else f"At {run.time_label.split(' (')[0]} {when:.4g}{' s' if 'time' in run.time_label else ''}."
 
 
 def _farthest(run):
-    """(VTU file, its time or None) with the largest displacement."""
+    """(fields, their time or None) with the largest displacement."""
     times = _times(run)
-    return max(((file, times.get(os.path.basename(file))) for file in field_files(run)),
-               key=lambda pair: np.abs(vtu.read(pair[0]).point_data["displacement"][:, :2]).max())
+    return max(((vtu.read(file), times.get(os.path.basename(file))) for file in field_files(run)),
+               key=lambda pair: np.abs(pair[0].point_data["displacement"][:, :2]).max())
 
 
 def _times(run):
@@ -45,8 +45,8 @@ def _times(run):
         return {}
 
 
-def _draw(run, path):
-    return stack_picture.draw(vtu.read(_farthest(run)[0]), path, _dish(run))
+def _draw(grid, run, path):
+    return stack_picture.draw(grid, path, _dish(run))
 
 
 def _dish(run):
