@@ -15,7 +15,7 @@ void add_rim(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions 
   const double h = size_factor(options.level);
   const double wall = bearing.surface.planar_radius + bearing.rim.ledge;
   const double fine = 10 * mm * h / wall, zone = 20 * mm / wall;
-  std::vector<double> angles = graded_lines({{0, fine}, {zone, fine}, {options.sector_half_angle, 0.9 * h}});
+  std::vector<double> angles = graded_lines({{0, fine}, {zone, fine}, {options.sector_half_angle, 0.45 * h}});
   if (options.opposite) {
     std::reverse(angles.begin(), angles.end());
     for (double &angle : angles) angle = M_PI - angle;

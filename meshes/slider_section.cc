@@ -49,7 +49,7 @@ RingGrid ring_grid(const SliderShape &s, double h) {
   grid.radii = graded_lines({{s.opening, 45 * mm * h}, {s.radius - t - step, 45 * mm * h}});
   grid.radii.push_back(s.radius - t);
   const std::vector<double> above =
-      graded_lines({{s.edge, 5 * mm * h}, {0.5 * s.height, 22 * mm * h}, {s.height, 70 * mm * h}});
+      graded_lines({{s.edge, 5 * mm * h}, {0.5 * s.height, 40 * mm * h}, {s.height, 70 * mm * h}});
   grid.inner = {0.0, t};
   grid.wall = {0.0, s.edge * (1 - std::sqrt(0.5))};
   for (const double height : above) { // offset at the edge, level at the top

@@ -255,7 +255,7 @@ Eigen::VectorXd RimSolver::newton_change(Trial &trial, bool inertial, const Eige
         gradient[master_[i]] = trial.load.gradient[i];
       }
     const Eigen::VectorXd response =
-        fresh ? direct_->solve(push) : direct_->solve_iteratively(push, 1e-6, 2 * most_linear_iterations);
+        fresh ? direct_->solve(push) : direct_->solve_iteratively(push, linear_tolerance, most_linear_iterations);
     if (response.size() == 0) return {};
     multiplier_change = (-trial.load.constraint - gradient.dot(change)) / gradient.dot(response);
     change += multiplier_change * response;
