@@ -105,4 +105,14 @@ std::vector<Quad9> half_disc(double radius, const std::vector<double> &angles, d
   return quads;
 }
 
+std::vector<double> halved(const std::vector<double> &lines) {
+  std::vector<double> result;
+  for (std::size_t k = 0; k + 1 < lines.size(); ++k) {
+    result.push_back(lines[k]);
+    result.push_back(0.5 * (lines[k] + lines[k + 1]));
+  }
+  result.push_back(lines.back());
+  return result;
+}
+
 } // namespace rimpact::meshes

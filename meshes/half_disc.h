@@ -11,4 +11,7 @@ namespace rimpact::meshes {
 /// its neighbours). Size: wanted edge length inside [m]. Edges on y = 0 carry the group `symmetry`.
 std::vector<Quad9> half_disc(double radius, const std::vector<double> &angles, double size);
 
+/// Angles as half_disc wants them: every interval halved.
+std::vector<double> halved(const std::vector<double> &lines);
+
 } // namespace rimpact::meshes

@@ -42,23 +42,6 @@ std::vector<Quad9> band(const std::vector<double> &radii, int layers, const std:
   return section;
 }
 
-/// The foot's middle, inside the pad's hole: a plan raised between seat and cap.
-void add_core(Body &body, const Shape &s, const std::vector<Quad9> &plan, int layers) {
-  for (const auto &quad : plan)
-    for (int j = 0; j < layers; ++j) {
-      std::map<int, Surface> groups;
-      for (const auto &[edge, group] : quad.groups) groups[edge] = group;
-      if (j + 1 == layers) groups[5] = Surface::foot_cap;
-      body.add_cell(
-          [&](int a, int b, int c) -> std::array<double, 3> {
-            const Point2 p = quad.nodes[a + 3 * b];
-            const double r = std::min(std::hypot(p[0], p[1]), s.inner);
-            return {p[0], p[1], s.seat + (s.cap_at(r) - s.seat) * (j + 0.5 * c) / layers};
-          },
-          Volume::foot, groups);
-    }
-}
-
 } // namespace
 
 void add_pad_and_foot(HexMesh &mesh, const scene::Bearing &bearing, double h) {
@@ -75,7 +58,10 @@ void add_pad_and_foot(HexMesh &mesh, const scene::Bearing &bearing, double h) {
                 angles, 0.0, Surface::symmetry, Surface::symmetry);
   stack.revolve(band(annulus, layers, seat, cap, Volume::foot, {}, Surface::foot_cap), angles, 0.0, Surface::symmetry,
                 Surface::symmetry);
-  add_core(stack, s, half_disc(s.inner, angles, 12 * mm * h), layers);
+  const auto middle = [&](double r, double level) { // the foot's, inside the pad's hole
+    return s.seat + (s.cap_at(std::min(r, s.inner)) - s.seat) * level / layers;
+  };
+  stack.raise(half_disc(s.inner, angles, 12 * mm * h), layers, 0.0, middle, Volume::foot, {}, Surface::foot_cap);
 
   // The ring around the pad is joined to the foot above the seat alone: below it, its wall only faces the pad.
   Body ring(stack, [&](const std::array<double, 3> &x) { return x[2] > s.seat - 1e-9; });

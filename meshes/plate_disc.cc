@@ -19,35 +19,7 @@ std::vector<double> disc_angles(double fine, double zone, double sector, double 
   } else {
     sizes.push_back({M_PI, 0.6 * h});
   }
-  const std::vector<double> coarse = graded_lines(sizes);
-  std::vector<double> angles;
-  for (std::size_t k = 0; k + 1 < coarse.size(); ++k) {
-    angles.push_back(coarse[k]);
-    angles.push_back(0.5 * (coarse[k] + coarse[k + 1]));
-  }
-  angles.push_back(M_PI);
-  return angles;
-}
-
-/// The core's plan raised between base and dish.
-void add_core(Body &body, const scene::Bearing &bearing, double radius, const std::vector<double> &angles,
-              const std::vector<double> &layers, double size) {
-  const auto surface = scene::make_surface(bearing.surface);
-  const double base = -bearing.plate.base;
-  for (const auto &quad : half_disc(radius, angles, size))
-    for (std::size_t j = 0; j + 1 < layers.size(); ++j) {
-      std::map<int, Surface> groups;
-      for (const auto &[edge, group] : quad.groups) groups[edge] = group;
-      if (j == 0) groups[4] = Surface::fixed;
-      if (j + 2 == layers.size()) groups[5] = Surface::dish;
-      body.add_cell(
-          [&](int a, int b, int c) -> std::array<double, 3> {
-            const Point2 p = quad.nodes[a + 3 * b];
-            const double share = layers[j] + 0.5 * c * (layers[j + 1] - layers[j]);
-            return {p[0], p[1], base + share * (surface->at(std::hypot(p[0], p[1]), 0).z - base)};
-          },
-          Volume::plate, groups);
-    }
+  return halved(graded_lines(sizes));
 }
 
 } // namespace
@@ -75,7 +47,10 @@ void add_whole_plate(HexMesh &mesh, const scene::Bearing &bearing, const RimMesh
   }
   body.revolve(rim, front, 0.0, Surface::symmetry, {});
   if (both_sides) body.revolve(rim, back, 0.0, {}, Surface::symmetry);
-  add_core(body, bearing, core, angles, layers, size);
+  const auto surface = scene::make_surface(bearing.surface);
+  const double base = -bearing.plate.base;
+  const auto height = [&](double r, double level) { return base + at_level(layers, level) * (surface->at(r, 0).z - base); };
+  body.raise(half_disc(core, angles, size), layers.size() - 1, 0.0, height, Volume::plate, Surface::fixed, Surface::dish);
 }
 
 } // namespace rimpact::meshes

@@ -39,6 +39,11 @@ std::vector<double> graded_lines(const std::vector<Anchor> &anchors) {
   return lines;
 }
 
+double at_level(const std::vector<double> &lines, double level) {
+  const std::size_t k = std::min(static_cast<std::size_t>(level), lines.size() - 2);
+  return lines[k] + (level - k) * (lines[k + 1] - lines[k]);
+}
+
 Body::Body(const Body &other, const std::function<bool(const std::array<double, 3> &)> &tied) : mesh_(other.mesh_) {
   for (const auto &[key, node] : other.known_)
     if (tied(mesh_.nodes[node])) known_[key] = node;
@@ -89,6 +94,23 @@ void Body::revolve(const std::vector<Quad9> &section, const std::vector<double> 
             return {axis_x + p[0] * std::cos(angle), p[0] * std::sin(angle), p[1]};
           },
           quad.volume, groups);
+    }
+}
+
+void Body::raise(const std::vector<Quad9> &plan, int layers, double axis_x,
+                 const std::function<double(double, double)> &height, Volume volume, std::optional<Surface> below,
+                 std::optional<Surface> above) {
+  for (const auto &quad : plan)
+    for (int k = 0; k < layers; ++k) {
+      std::map<int, Surface> groups = quad.groups; // edges and sides are numbered alike
+      if (k == 0 && below) groups[4] = *below;
+      if (k + 1 == layers && above) groups[5] = *above;
+      add_cell(
+          [&](int a, int b, int c) -> std::array<double, 3> {
+            const Point2 p = quad.nodes[a + 3 * b];
+            return {axis_x + p[0], p[1], height(std::hypot(p[0], p[1]), k + 0.5 * c)};
+          },
+          volume, groups);
     }
 }
 

@@ -29,6 +29,8 @@ struct Anchor {
   double at, size;
 };
 std::vector<double> graded_lines(const std::vector<Anchor> &anchors);
+/// Between lines: 1.5 is midway from lines[1] to lines[2].
+double at_level(const std::vector<double> &lines, double level);
 
 /// Adds bodies to a mesh, merging nodes nearer than `merge_distance` within the body.
 class Body {
@@ -43,6 +45,10 @@ public:
   /// Section in (r, z) about the vertical axis through (axis_x, 0), between successive angles.
   void revolve(const std::vector<Quad9> &section, const std::vector<double> &angles, double axis_x,
                std::optional<Surface> first, std::optional<Surface> last);
+  /// Plan in (x, y) about the same axis, raised into layers: height(r, level) [m] at radius r, level 0 .. layers.
+  void raise(const std::vector<Quad9> &plan, int layers, double axis_x,
+             const std::function<double(double, double)> &height, Volume volume, std::optional<Surface> below,
+             std::optional<Surface> above);
 
 private:
   static constexpr double merge_distance = 1e-8;

@@ -97,26 +97,6 @@ std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
   return section;
 }
 
-/// The core above the socket: a plan of quadrilaterals raised into the ring's layers.
-void add_core(Body &body, const SliderShape &s, const std::vector<Quad9> &plan,
-              const std::vector<double> &layers, double axis_x) {
-  constexpr int face_of_edge[4] = {0, 1, 2, 3};
-  for (const auto &quad : plan)
-    for (std::size_t j = 0; j + 1 < layers.size(); ++j) {
-      std::map<int, Surface> groups;
-      for (const auto &[edge, group] : quad.groups) groups[face_of_edge[edge]] = group;
-      if (j == 0) groups[4] = Surface::socket;
-      if (j + 2 == layers.size()) groups[5] = Surface::top;
-      body.add_cell(
-          [&](int a, int b, int c) -> std::array<double, 3> {
-            const Point2 p = quad.nodes[a + 3 * b];
-            const double layer = layers[j] + 0.5 * c * (layers[j + 1] - layers[j]);
-            return {axis_x + p[0], p[1], s.point(std::min(std::hypot(p[0], p[1]), s.opening), layer)[1]};
-          },
-          Volume::upper_slider, groups);
-    }
-}
-
 } // namespace
 
 void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double travel, bool both_sides) {
@@ -124,19 +104,15 @@ void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double t
   const RingGrid grid = ring_grid(s, h);
   // Angles come in equal pairs: gmsh halves every edge of the core's plan.
   const double fine = 2 * 10 * mm * h / s.radius;
-  std::vector<double> angles;
   const double zone = 20 * mm / s.radius;
   std::vector<Anchor> sizes{{0, fine}, {zone, fine}, {M_PI, 2 * 1.5 * h}};
   if (both_sides) sizes = {{0, fine}, {zone, fine}, {M_PI / 2, 0.9 * h}, {M_PI - zone, fine}, {M_PI, fine}};
-  const auto coarse = graded_lines(sizes);
-  for (std::size_t k = 0; k + 1 < coarse.size(); ++k) {
-    angles.push_back(coarse[k]);
-    angles.push_back(0.5 * (coarse[k] + coarse[k + 1]));
-  }
-  angles.push_back(M_PI);
+  const std::vector<double> angles = halved(graded_lines(sizes));
   Body body(mesh);
   body.revolve(ring_section(s, grid), angles, travel, Surface::symmetry, Surface::symmetry);
-  add_core(body, s, half_disc(s.opening, angles, 25 * mm * h), grid.inner, travel);
+  const auto height = [&](double r, double level) { return s.point(std::min(r, s.opening), at_level(grid.inner, level))[1]; };
+  body.raise(half_disc(s.opening, angles, 25 * mm * h), grid.inner.size() - 1, travel, height, Volume::upper_slider,
+             Surface::socket, Surface::top);
 }
 
 } // namespace rimpact::meshes

@@ -3,24 +3,18 @@
 rebound, error against the finest mesh, unknowns, iterations, seconds; fails when a gate is missed:
 mesh 1 within 4 %, mesh 2 within 1.5 % of mesh 3 in peak force; halving the step changes the rebound by less than 0.5 %;
 integrator loss below 1 % of the impact's energy; imbalance below 1e-3."""
-import json
 import pathlib
-import subprocess
 import sys
+
+from kept_run import kept_run
 
 SPEEDS = (0.1, 0.5)
 
 
 def window(program, folder, speed, mesh, *settings):
     name = f"v{speed}_mesh{mesh}" + "".join("_" + s.split(".")[-1].replace("=", "") for s in settings)
-    summary = folder / name / "summary.json"
-    if not (summary.exists() and json.loads(summary.read_text())["status"] == "done"):  # kept from an earlier call
-        command = [program, "run", "impact-window", "-o", str(folder / name), "--mesh", str(mesh), "--quiet", "--no-fields",
-                   "--set", f"excitation.speed_m_per_s={speed}"]
-        for setting in settings:
-            command += ["--set", setting]
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-    return json.loads(summary.read_text())
+    return kept_run(program, "run", "impact-window", folder / name, [f"excitation.speed_m_per_s={speed}", *settings],
+                    ["--mesh", str(mesh), "--no-fields"])
 
 
 def main(program, folder, meshes=(1, 2, 3)):

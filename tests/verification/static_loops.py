@@ -7,10 +7,10 @@ reversal the socket's friction has not turned yet (the pad's rocking must give s
 closed form leaves out. Errors of force are over the force on the way out at the same place. Runs kept in FOLDER are not
 repeated. Prints the table, writes it to FOLDER/baseline.txt, fails when a gate is missed."""
 import csv
-import json
 import pathlib
-import subprocess
 import sys
+
+from kept_run import kept_run
 
 POINT = ["bearing.pad.inner_radius_mm=2", "bearing.pad.outer_radius_mm=10", "bearing.material.ertalyte.E_MPa=2e7",
          "bearing.material.steel.yield_MPa=100000", "bearing.contact.steel_steel=0"]
@@ -23,14 +23,10 @@ CASES = {  # name: (settings of both, settings of the closed form, gate on force
 
 
 def loop(program, verb, folder, settings):
-    if not (folder / "summary.json").exists() or json.loads((folder / "summary.json").read_text())["status"] != "done":
-        command = [program, verb, "static-unidirectional", "-o", str(folder), "--quiet"]
-        for setting in ["excitation.amplitude_m=0.39", *settings]:
-            command += ["--set", setting]
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    summary = kept_run(program, verb, "static-unidirectional", folder, ["excitation.amplitude_m=0.39", *settings])
     with open(folder / "response.csv") as file:
         rows = [[float(row[key]) for key in ("ux_m", "Fx_N", "uz_m")] for row in csv.DictReader(file)]
-    return rows, json.loads((folder / "summary.json").read_text())
+    return rows, summary
 
 
 def branch(rows, back):

@@ -7,10 +7,10 @@ Gates: rigid-dish against rim within 3 % in peak force; rigid-dish against full 
 in displacement; imbalance below 1e-3. Runs kept in FOLDER are not repeated, so the table may be made in several calls.
 Prints the table, writes it to FOLDER/baseline.txt, fails when a gate is missed.
 usage: windows_of_rungs.py RIMPACT FOLDER [speeds, e.g. 0.1,0.5] [rungs, e.g. reduced,rim,rigid-dish,full]"""
-import json
 import pathlib
-import subprocess
 import sys
+
+from kept_run import kept_run
 
 COMMON = ['excitation.with=["weight","friction"]', "excitation.duration_s=0.06", "reduced.finite_pad=true",
           "reduced.socket_friction=true"]
@@ -20,14 +20,10 @@ LATERAL_CAPACITY = 0.4  # [m]
 
 
 def window(program, folder, rung, speed):
-    summary = folder / f"{rung}_{speed}" / "summary.json"
-    if not (summary.exists() and json.loads(summary.read_text())["status"] == "done"):
-        verb = ["reduced"] if rung == "reduced" else ["run", "--rung", rung]
-        command = [program, verb[0], "impact-window", *verb[1:], "-o", str(summary.parent), "--quiet"]
-        for setting in [*COMMON, *(FITTED if rung == "reduced" else []), f"excitation.speed_m_per_s={speed}"]:
-            command += ["--set", setting]
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
-    return json.loads(summary.read_text())
+    reduced = rung == "reduced"
+    return kept_run(program, "reduced" if reduced else "run", "impact-window", folder / f"{rung}_{speed}",
+                    [*COMMON, *(FITTED if reduced else []), f"excitation.speed_m_per_s={speed}"],
+                    [] if reduced else ["--rung", rung])
 
 
 def line(rung, speed, run, reference):

@@ -1,0 +1,23 @@
+"""A run of the program, made unless its folder holds it already."""
+import json
+import os
+import pathlib
+import subprocess
+
+
+def kept_run(program, verb, scene, folder, settings=(), options=()):
+    """The run's summary. What an older build left behind is made again, unless RIMPACT_KEEP_RUNS is set."""
+    summary = pathlib.Path(folder) / "summary.json"
+    if not _is_kept(summary, program):
+        command = [program, verb, scene, "-o", str(folder), "--quiet", *options]
+        for setting in settings:
+            command += ["--set", setting]
+        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+    return json.loads(summary.read_text())
+
+
+def _is_kept(summary, program):
+    if not summary.exists() or json.loads(summary.read_text())["status"] != "done":
+        return False
+    built = max(os.path.getmtime(file) for file in pathlib.Path(program).parent.glob("rimpact*"))
+    return bool(os.environ.get("RIMPACT_KEEP_RUNS")) or summary.stat().st_mtime > built
