@@ -1,0 +1,66 @@
+// [isolator]: what cannot be built is refused with its place, its value and its bound.
+#include "expect_error.h"
+#include "scene/scene.h"
+
+namespace {
+using namespace rimpact;
+
+struct Case {
+  const char *name, *lines; ///< of [isolator]; the last line is at fault
+  std::initializer_list<const char *> words;
+};
+
+const Case cases[] = {
+    {"negative_radius", "radius_m = -1.6", {"isolator.radius_m -1.6", "must be > 0"}},
+    {"nan", "capacity_m = nan", {"isolator.capacity_m", "nan"}},
+    {"capacity_beyond_the_sphere", "capacity_m = 5", {"isolator.capacity_m 5 must be below R_eff = 3 m"}},
+    {"slider_as_wide_as_the_sphere",
+     "slider_diameter_mm = 4000",
+     {"slider_diameter_mm 4000 must be below 2 R"}},
+    {"slider_flatter_than_its_face",
+     "top_height_mm = 1",
+     {"top_height_mm 1 must exceed", "depth of its curved face"}},
+    {"no_gap",
+     "top_wall_mm = 20\nbottom_wall_mm = 60",
+     {"bottom_wall_mm 60 exceeds isolator.top_wall_mm 20", "no gap"}},
+    {"wall_fills_the_slider", "top_wall_mm = 900", {"top_wall_mm 900 leaves no interface"}},
+    {"friction_out_of_range", "mu_interface = 3", {"isolator.mu_interface 3 must be >= 0 and <= 2"}},
+    {"restitution_above_one", "contact_restitution = 1.2", {"isolator.contact_restitution 1.2"}},
+    {"too_few_points", "space = \"spatial\"\npoints = 2", {"isolator.points 2 must be at least 3 in space"}},
+    {"one_point", "points = 1", {"isolator.points 1 must be between 2 and 64"}},
+    {"plate_turns_in_the_plane", "space = \"planar\"\nplate_rotation = \"free\"", {"plate_rotation"}},
+    {"wrong_type", "radius_m = \"two\"", {"isolator.radius_m", "number"}},
+    {"unknown_key", "capasity_m = 0.3", {"unknown key \"capasity_m\"", "did you mean \"capacity_m\"?"}},
+    {"unknown_word", "space = \"planer\"", {"isolator.space \"planer\"", "did you mean \"planar\"?"}},
+};
+
+void PrintTo(const Case &c, std::ostream *out) {
+  *out << c.name;
+}
+
+class Isolator : public testing::TestWithParam<Case> {};
+
+TEST_P(Isolator, IsRefusedWithPlaceValueAndBound) {
+  const std::string text =
+      std::string("[excitation]\nkind = \"ricker\"\n[reduced]\nmodel = \"lir-dcfp\"\n[isolator]\n") +
+      GetParam().lines;
+  const int line = 5 + std::count(text.begin() + text.find("[isolator]"), text.end(), '\n');
+  const std::string place = "my.toml:" + std::to_string(line) + ":";
+  expect_error<InputError>([&] { scene::parse_scene(text, "my.toml", {}); }, GetParam().words);
+  expect_error<InputError>([&] { scene::parse_scene(text, "my.toml", {}); }, {place.c_str()});
+}
+
+INSTANTIATE_TEST_SUITE_P(Input, Isolator, testing::ValuesIn(cases),
+                         [](const auto &info) { return std::string(info.param.name); });
+
+TEST(IsolatorOfAPlane, MovesAlongXOnly) {
+  expect_error<InputError>(
+      [] {
+        scene::parse_scene("[excitation]\nkind = \"figure-eight\"\n[reduced]\nmodel = "
+                           "\"dcfp\"\n[isolator]\nspace = \"planar\"\n",
+                           "my.toml", {});
+      },
+      {"my.toml", "isolator.space \"planar\" moves along x only"});
+}
+
+} // namespace
