@@ -29,10 +29,8 @@ void add_whole_plate(HexMesh &mesh, const scene::Bearing &bearing, const RimMesh
   const double h = size_factor(options.level), wall = bearing.surface.planar_radius + bearing.rim.ledge;
   const double sector = options.sector_half_angle;
   const std::vector<double> angles = disc_angles(10 * mm * h / wall, 20 * mm / wall, sector, h, both_sides);
-  // The massive plate hardly gives: its cells are as coarse as the pad's path allows.
-  const double size = 80 * mm * h;
-  std::vector<double> layers;
-  for (int k = 0, n = options.level; k <= n; ++k) layers.push_back(static_cast<double>(k) / n);
+  const double size = 80 * mm * h; // as coarse as the pad's path allows
+  const std::vector<double> layers = plate_layers(bearing, h); // the rim's foot bends the plate as in rung R2
   std::vector<Quad9> plate, rim;
   for (auto &quad : plate_and_rim(bearing, {core, size, layers}, h)) {
     if (quad.groups.count(0) && quad.groups.at(0) == Surface::sector_end) quad.groups.erase(0); // the core goes on there
