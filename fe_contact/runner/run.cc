@@ -85,6 +85,7 @@ scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions
   summary.status = status;
   summary.reason = reason;
   summary.extra["plan"] = to_json(plan);
+  if (!failure && options.annotate) options.annotate(summary);
   scene::write_run_folder(options.folder, scene, record.response, summary);
   write_pvd(options, record);
   if (failure) std::rethrow_exception(failure);

@@ -20,6 +20,7 @@ struct RunOptions {
   bool fields = true; ///< VTU files and pictures
   std::function<void(const Progress &)> progress;
   const std::atomic<bool> *interrupted = nullptr; ///< set by Ctrl-C
+  std::function<void(scene::Summary &)> annotate; ///< adds keys to the summary of a run that ended well
 };
 
 /// Throws InputError when this build cannot run the scene (rung, kind of excitation, friction at the rim).
