@@ -2,6 +2,7 @@
 #include "app/progress.h"
 #include "app/sibling.h"
 #include "app/verb.h"
+#include "calibration/stored_study.h"
 #include "fe_contact/runner/run.h"
 #include <chrono>
 #include <filesystem>
@@ -33,6 +34,10 @@ void run(Options &options, Console &console) {
   run_options.resume = options.resume;
   run_options.fields = !options.no_fields;
   run_options.interrupted = &interrupted();
+  run_options.annotate = [&](scene::Summary &summary) {
+    const auto beside = std::filesystem::absolute(run_options.folder).lexically_normal().parent_path();
+    summary.extra["error_estimate"] = calibration::error_estimate(scene, summary, calibration::stored_studies(beside));
+  };
   watch_interrupts();
   ProgressLine line(console.quiet);
   const auto start = std::chrono::steady_clock::now();
@@ -57,6 +62,8 @@ void run(Options &options, Console &console) {
           fmt::format("impact at {:.4f} s, {:.1f} deg: {:.3f} m/s in, {:.3f} m/s out, {:.0f} kN, {:.2f} mm",
                       impact.touch_time, impact.direction_deg, impact.approach_speed, impact.rebound_speed,
                       1e-3 * impact.peak_force, 1e3 * impact.peak_penetration));
+    const auto &estimate = summary.extra["error_estimate"];
+    console.message("discretisation: " + estimate.value("sentence", estimate.value("none", "")));
   }
   if (std::filesystem::exists(run_options.folder))
     scene::write_text(console.log(), run_options.folder + "/log.txt");

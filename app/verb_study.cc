@@ -79,8 +79,12 @@ std::vector<calibration::StudyRun> runs_of(const std::vector<Job> &jobs, Console
   return runs;
 }
 
-void write(const calibration::SpeedError &study, const std::string &folder, Console &console) {
-  const auto json = calibration::to_json(study);
+void write(const calibration::SpeedError &study, const scene::Scene &base, const std::string &folder, Console &console) {
+  auto json = calibration::to_json(study);
+  json["scene"] = {{"name", base.name}, {"bearing", base.bearing.name}, {"approach_speed_m_s", nullptr}};
+  for (const auto &row : study.rows) // the reference's first impact
+    if (const auto impacts = summary_of(folder + "/runs/" + row.run.name)["impacts"]; row.reference && !impacts.empty())
+      json["scene"]["approach_speed_m_s"] = impacts[0]["approach_speed_m_s"];
   scene::write_text(json.dump(2) + "\n", folder + "/study.json");
   scene::write_text(calibration::to_csv(study), folder + "/study.csv");
   scene::write_text(calibration::describe(study), folder + "/study.txt");
@@ -109,7 +113,7 @@ void run_study(Options options, Console &console) {
     return;
   }
   const auto study = calibration::speed_against_error(runs, base.lateral_capacity(), options.wanted / 100);
-  write(study, options.folder, console);
+  write(study, base, options.folder, console);
   require_done(own);
   if (study.recommended.empty())
     throw GateError(fmt::format("no setting of this study has an error of {:g} % or less", options.wanted));

@@ -21,6 +21,7 @@ struct FeSettings {
   int mesh = 1;             ///< 1 | 2 | 3, h divided by 1.5 a level
   double step = 0.0;        ///< time step inside an impact [s], 0: chosen by the plan (key `step_ms`)
   double rho_inf = 0.5;     ///< spectral radius of generalised-alpha, 0..1
+  double penalty_scale = 1; ///< of contact, times the default of the softer side's stiffness, > 0
   std::string symmetry = "auto"; ///< auto | half | whole
 };
 

@@ -15,7 +15,6 @@ MassLoads::MassLoads(const scene::Scene &scene, const reduced::PhysicalModel &mo
     friction_ = scene.excitation.with_friction;
     ground_ = scene.excitation.with_ground;
   }
-  held_height_ = model.height(scene.bearing.lateral_capacity(), 0).z;
 }
 
 double MassLoads::height_above_dish(const Eigen::Vector3d &u) const {
@@ -56,13 +55,14 @@ MasterLaw MassLoads::law(const RimFrame &frame, double t, Support support) const
     if (support == Support::airborne) return load;
     const Eigen::Vector3d gradient = constraint_gradient(u, support);
     load.constrained = true;
-    load.constraint = support == Support::held ? u.z() - held_height_ : height_above_dish(u);
+    load.constraint = gradient.dot(v);
     load.gradient = frame.to_local(gradient);
     load.d_multiplier = load.gradient;
     if (support == Support::held) return load;
-    Eigen::Matrix3d d_displacement = Eigen::Matrix3d::Zero();
-    d_displacement.topLeftCorner<2, 2>() = -multiplier * model_.height(u.x(), u.y()).hessian;
-    load.d_displacement = R.transpose() * d_displacement * R;
+    Eigen::Matrix3d d_gradient = Eigen::Matrix3d::Zero();
+    d_gradient.topLeftCorner<2, 2>() = -model_.height(u.x(), u.y()).hessian;
+    load.by_displacement = frame.to_local(d_gradient * v);
+    load.d_displacement = multiplier * R.transpose() * d_gradient * R;
     if (!friction_) return load;
     const double normal = std::max(0.0, multiplier) * gradient.norm();
     load.d_velocity = R.transpose() * model_.smoothed_friction(u, v, normal, smoothing_speed).d_velocity * R;

@@ -44,7 +44,6 @@ private:
   const reduced::PhysicalModel &model_;
   double mass_, weight_;
   bool held_, friction_, ground_;
-  double held_height_;
 };
 
 } // namespace rimpact::fe

@@ -58,7 +58,7 @@ void DynamicRun::save() const {
   const auto &b = bearing_;
   file.numbers["bearing"] = {
       b.t, b.u.x(), b.u.y(), b.u.z(), b.v.x(), b.v.y(), b.v.z(), double(b.airborne), b.eta.x(), b.eta.y()};
-  file.numbers["step"] = {dt_, multiplier_, others_elastic_, others_plastic_};
+  file.numbers["step"] = {dt_, multiplier_, others_elastic_, others_plastic_, lift_height_};
   file.numbers["impact_now"] = list(impact_);
   write_checkpoint(file, options_.folder + "/checkpoint.h5");
 }
@@ -78,7 +78,7 @@ void DynamicRun::restore() {
   const auto &b = file.numbers.at("bearing");
   bearing_ = {b[0], {b[1], b[2], b[3]}, {b[4], b[5], b[6]}, b[7] != 0, {b[8], b[9]}};
   const auto &s = file.numbers.at("step");
-  dt_ = s[0], multiplier_ = s[1], others_elastic_ = s[2], others_plastic_ = s[3];
+  dt_ = s[0], multiplier_ = s[1], others_elastic_ = s[2], others_plastic_ = s[3], lift_height_ = s[4];
   impact_ = impact_from(numbers(file, "impact_now"));
 }
 

@@ -9,6 +9,8 @@ namespace rimpact::fe {
 namespace {
 
 constexpr double first_overlap = 1e-5;  ///< the first step moves the slider by this [m]
+constexpr double smallest_pull = 1e-3;   ///< of the dish on the mass, over m g: lifted off beyond it
+constexpr double deepest_landing = 1e-6; ///< the mass is back on the dish when it has sunk by this [m]
 constexpr int checkpoint_every = 25;   ///< contact steps
 
 } // namespace
@@ -19,6 +21,7 @@ MassForces DynamicRun::forces_now(const Arc &arc, double t) const {
 }
 
 void DynamicRun::begin_contact(Arc &arc) {
+  lift_height_ = 0;
   if (support_ != Support::held) support_ = bearing_.airborne ? Support::airborne : Support::dish;
   const auto reduced = model_.forces(bearing_);
   multiplier_ =
@@ -90,11 +93,11 @@ void DynamicRun::step(Arc &arc) {
     return;
   }
   accept(arc, kept, before, report, dt);
-  if (support_ == Support::dish && report.multiplier < 0) {
+  if (lifts_off(report)) {
     support_ = Support::airborne;
     multiplier_ = 0;
-  } else if (support_ == Support::airborne &&
-             loads_.height_above_dish(arc.frame.displacement(arc.state.master)) < 0) {
+    lift_height_ = std::min(0.0, height_above_dish(arc));
+  } else if (lands(arc)) {
     land(arc);
   }
   if (arc.state.report.active > 0) touched_ = true;
@@ -102,12 +105,21 @@ void DynamicRun::step(Arc &arc) {
   if (arc.state.report.active == 0 && (touched_ || radial_speed < 0)) end_contact(arc);
 }
 
+bool DynamicRun::lifts_off(const StepReport &report) const {
+  return support_ == Support::dish && report.multiplier < -smallest_pull * scene_.load.mass * scene_.load.gravity;
+}
+
+bool DynamicRun::lands(const Arc &arc) const {
+  return support_ == Support::airborne && height_above_dish(arc) < lift_height_ - deepest_landing;
+}
+
+double DynamicRun::height_above_dish(const Arc &arc) const {
+  return loads_.height_above_dish(arc.frame.displacement(arc.state.master));
+}
+
 bool DynamicRun::event_is_sharp(const Arc &arc, const StepReport &report, double dt, double finest) {
-  const bool lift_off = support_ == Support::dish && report.multiplier < 0;
-  const bool landing = support_ == Support::airborne &&
-                       loads_.height_above_dish(arc.frame.displacement(arc.state.master)) < -1e-6;
   const bool release = touched_ && arc.state.report.active == 0;
-  if ((!lift_off && !landing && !release) || dt <= finest) return true;
+  if ((!lifts_off(report) && !lands(arc) && !release) || dt <= finest) return true;
   dt_ = dt / 4;
   return false;
 }
@@ -207,7 +219,8 @@ void DynamicRun::end_contact(Arc &arc) {
   record_.ledger.kinetic = solver_.rigid_kinetic_energy(arc.state.master_velocity);
   arc.yielded = solver_.largest_plastic_strain(arc.state) > 0;
   bearing_.airborne = support_ == Support::airborne;
-  if (support_ == Support::dish) bearing_.u.z() = model_.height(bearing_.u.x(), bearing_.u.y()).z;
+  const double dish = model_.height(bearing_.u.x(), bearing_.u.y()).z; // the height may have drifted by microns
+  if (support_ != Support::held) bearing_.u.z() = support_ == Support::dish ? dish : std::max(dish, bearing_.u.z());
   if (touched_) {
     record_.impacts.push_back(impact_);
     write_fields(solver_, arc.state, arc.frame, bearing_.t, options_, record_);

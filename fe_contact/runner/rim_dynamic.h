@@ -44,6 +44,11 @@ private:
 
   void step(Arc &arc);
 
+  bool lifts_off(const StepReport &report) const;
+  /// The dish is held by its speed (see MasterLoad), so that heights drift by microns: those since the lift-off count.
+  bool lands(const Arc &arc) const;
+  double height_above_dish(const Arc &arc) const; ///< [m]
+
   /// Lift-off, landing and release are cut down to a fine step, so that their instants are sharp.
   bool event_is_sharp(const Arc &arc, const StepReport &report, double dt, double finest);
 
@@ -82,6 +87,7 @@ private:
   std::size_t current_ = 0; ///< arc in contact
   bool in_contact_ = false, touched_ = false, peak_written_ = false;
   double dt_ = 0, multiplier_ = 0, others_elastic_ = 0, others_plastic_ = 0;
+  double lift_height_ = 0; ///< above the dish when the mass lifted off, at most 0 [m]
   scene::Impact impact_{};
 };
 

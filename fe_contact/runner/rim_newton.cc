@@ -11,6 +11,8 @@ namespace {
 /// Forces below this are equilibrium for the residual's scale [N].
 constexpr double smallest_force = 1e-2;
 
+constexpr double constraint_tolerance = 1e-9; ///< speed off the dish [m/s]
+
 /// GMRES on a stale factor: relative residual, and iterations after which it is given up or the factor
 /// renewed.
 constexpr double linear_tolerance = 1e-3;
@@ -83,7 +85,7 @@ double RimSolver::relative_residual(const Trial &trial, bool prescribed) const {
   return residual.norm() / (trial.scale + smallest_force / options_.tolerance);
 }
 
-Eigen::VectorXd RimSolver::newton_change(Trial &trial, bool inertial, const Eigen::Vector3d *to_go,
+Eigen::VectorXd RimSolver::newton_change(Trial &trial, const Inertia *inertia, const Eigen::Vector3d *to_go,
                                          bool stale_factor, double &multiplier_change) {
   Eigen::VectorXd residual = trial.residual;
   if (to_go) { // the driven top face enters by its columns, then its rows become unit rows
@@ -112,12 +114,12 @@ Eigen::VectorXd RimSolver::newton_change(Trial &trial, bool inertial, const Eige
   if (fresh) change = direct_->solve(-residual);
   factor_is_worn_ = !fresh && direct_->last_iterations() > worn_after;
   multiplier_change = 0;
-  if (inertial && trial.load.constrained) { // bordered by the height's constraint
+  if (inertia && trial.load.constrained) { // bordered by the dish's constraint
     Eigen::VectorXd push = Eigen::VectorXd::Zero(equations_.n), gradient = push;
     for (int i = 0; i < 3; ++i)
       if (master_[i] >= 0) {
         push[master_[i]] = trial.load.d_multiplier[i] / share();
-        gradient[master_[i]] = trial.load.gradient[i];
+        gradient[master_[i]] = inertia->velocity_factor() * trial.load.gradient[i] + trial.load.by_displacement[i];
       }
     const Eigen::VectorXd response =
         fresh ? direct_->solve(push) : direct_->solve_iteratively(push, linear_tolerance, most_linear_iterations);
@@ -144,7 +146,7 @@ StepReport RimSolver::iterate(const ArcState &old, Trial &trial, bool with_conta
   bool first = true; // the first change carries the step's loading: its residual is no measure of progress
   for (int since_augmentation = 0;;) {
     report.residuals.push_back(relative);
-    const bool on_the_dish = !trial.load.constrained || std::abs(trial.load.constraint) < 1e-11;
+    const bool on_the_dish = !trial.load.constrained || std::abs(trial.load.constraint) < constraint_tolerance;
     if (relative < options_.tolerance && to_go.isZero() && on_the_dish && !(first && inertia)) {
       if (!with_contact || trial.report.penetration <= options_.gap_tolerance ||
           report.augmentations >= options_.max_augmentations) {

@@ -37,8 +37,11 @@ struct MasterLoad {
   Eigen::Matrix3d d_displacement = Eigen::Matrix3d::Zero(); ///< symmetric part of d force / d u
   Eigen::Matrix3d d_velocity = Eigen::Matrix3d::Zero();
   bool constrained = false;                           ///< the dish carries the mass, or its height is held
-  double constraint = 0;                              ///< value that must vanish [m]
-  Eigen::Vector3d gradient = Eigen::Vector3d::Zero(); ///< of the constraint
+  /// Speed off the dish, which must vanish [m/s]: held so, and not by the height itself, the multiplier stays of the size of
+  /// the forces however short the step (index 2, not 3).
+  double constraint = 0;
+  Eigen::Vector3d gradient = Eigen::Vector3d::Zero();      ///< of it by the velocity
+  Eigen::Vector3d by_displacement = Eigen::Vector3d::Zero(); ///< of it by the displacement
   Eigen::Vector3d d_multiplier = Eigen::Vector3d::Zero(); ///< d force / d multiplier
 };
 using MasterLaw =
@@ -118,7 +121,7 @@ private:
   bool evaluate_on_a_pattern(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia,
                              const MasterLaw *law);
   double relative_residual(const Trial &trial, bool prescribed) const;
-  Eigen::VectorXd newton_change(Trial &trial, bool inertial, const Eigen::Vector3d *to_go, bool stale_factor,
+  Eigen::VectorXd newton_change(Trial &trial, const Inertia *inertia, const Eigen::Vector3d *to_go, bool stale_factor,
                                 double &multiplier_change);
   StepReport iterate(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia,
                      const MasterLaw *law, const Eigen::Vector3d *prescribed);

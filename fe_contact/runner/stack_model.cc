@@ -30,8 +30,8 @@ Supports supports_of(const StackModel &model, bool with_rim) {
 
 } // namespace
 
-StackModel::StackModel(const scene::Bearing &bearing, const meshes::StackMeshOptions &mesh, bool friction)
-    : bearing(bearing), mesh(mesh), friction(friction), space(meshes::stack_mesh(bearing, mesh), 2),
+StackModel::StackModel(const scene::Bearing &bearing, const meshes::StackMeshOptions &mesh, bool friction, double penalty_scale)
+    : bearing(bearing), mesh(mesh), friction(friction), penalty_scale(penalty_scale), space(meshes::stack_mesh(bearing, mesh), 2),
       solid(space, bearing) {}
 
 double StackModel::own_mass() const {
@@ -49,18 +49,18 @@ StackSystem::StackSystem(const StackModel &model, bool with_rim, Supports suppor
   const unsigned any = model.space.nodes_of(Surface::top).front();
   for (int i = 0; i < 3; ++i) top_[i] = equations().of_dof[3 * any + i];
   const scene::Bearing &bearing = model.bearing;
-  const double h = meshes::size_factor(model.mesh.level), smooth = model.friction ? 1 : 0;
+  const double reach = meshes::size_factor(model.mesh.level) / model.penalty_scale, smooth = model.friction ? 1 : 0;
   constexpr double pad_cell = 0.012, cap_cell = 0.020, wall_cell = 0.010; // at level 1 [m]
   const std::shared_ptr<const scene::SlidingSurface> surface = scene::make_surface(bearing.surface);
-  auto sliding = frictional(bearing.ertalyte.E, pad_cell * h, smooth * bearing.contact.steel_ertalyte);
+  auto sliding = frictional(bearing.ertalyte.E, pad_cell * reach, smooth * bearing.contact.steel_ertalyte);
   if (model.full()) sliding.carrier_faces = Surface::dish;
   add_contact(Surface::pad_face, fe::dish(surface, bearing.surface.planar_radius), sliding);
   // The socket does not turn, so it carries the sphere; the foot's cap turns under it.
-  auto joint = frictional(bearing.steel.E, cap_cell * h, smooth * bearing.contact.steel_steel);
+  auto joint = frictional(bearing.steel.E, cap_cell * reach, smooth * bearing.contact.steel_steel);
   joint.carrier_faces = Surface::socket;
   add_contact(Surface::foot_cap, sphere(Eigen::Vector3d::Zero(), bearing.foot.cap_radius, Side::inside), joint);
   if (!with_rim) return;
-  auto wall = frictional(bearing.steel.E, wall_cell * h, bearing.contact.rim);
+  auto wall = frictional(bearing.steel.E, wall_cell * reach, bearing.contact.rim);
   wall.carrier_faces = Surface::rim_wall;
   add_contact(Surface::slider_side,
               cylinder(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), bearing.surface.planar_radius + bearing.rim.ledge,

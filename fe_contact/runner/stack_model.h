@@ -8,7 +8,8 @@
 namespace rimpact::fe {
 
 struct StackModel {
-  StackModel(const scene::Bearing &bearing, const meshes::StackMeshOptions &mesh, bool friction = true);
+  StackModel(const scene::Bearing &bearing, const meshes::StackMeshOptions &mesh, bool friction = true,
+             double penalty_scale = 1);
   StackModel(const StackModel &) = delete;
 
   double share() const { return mesh.half ? 2.0 : 1.0; } ///< whole bearing over model
@@ -18,6 +19,7 @@ struct StackModel {
   const scene::Bearing bearing;
   const meshes::StackMeshOptions mesh;
   const bool friction; ///< false: dish and socket are smooth
+  const double penalty_scale; ///< of the contacts, times the default
   const Discretisation space;
   const Solid solid;
 };

@@ -8,7 +8,7 @@ import subprocess
 def kept_run(program, verb, scene, folder, settings=(), options=()):
     """The run's summary. What an older build left behind is made again, unless RIMPACT_KEEP_RUNS is set."""
     summary = pathlib.Path(folder) / "summary.json"
-    if not _is_kept(summary, program):
+    if not (is_kept(summary, program) and json.loads(summary.read_text())["status"] == "done"):
         command = [program, verb, scene, "-o", str(folder), "--quiet", *options]
         for setting in settings:
             command += ["--set", setting]
@@ -16,8 +16,9 @@ def kept_run(program, verb, scene, folder, settings=(), options=()):
     return json.loads(summary.read_text())
 
 
-def _is_kept(summary, program):
-    if not summary.exists() or json.loads(summary.read_text())["status"] != "done":
+def is_kept(file, program):
+    """Whether the file is there and younger than the program."""
+    if not file.exists():
         return False
     built = max(os.path.getmtime(file) for file in pathlib.Path(program).parent.glob("rimpact*"))
-    return bool(os.environ.get("RIMPACT_KEEP_RUNS")) or summary.stat().st_mtime > built
+    return bool(os.environ.get("RIMPACT_KEEP_RUNS")) or file.stat().st_mtime > built

@@ -1,0 +1,87 @@
+#include "calibration/stored_study.h"
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+
+namespace {
+using namespace rimpact;
+using namespace rimpact::calibration;
+
+nlohmann::json row(int mesh, double error, bool reference) {
+  return {{"rung", "rim"},      {"mesh", mesh},           {"name", "rim-mesh" + std::to_string(mesh)}, {"error", error},
+          {"rebound_error", 2 * error}, {"peak_displacement_error", -error}, {"reference", reference}};
+}
+
+StoredStudy study(const std::string &name, double speed, double error, bool extrapolated) {
+  return {name,
+          "shfps-225",
+          speed,
+          {{"rows", {row(1, error, false), row(2, error / 2, true)}},
+           {"extrapolated_peak_force_N", extrapolated ? nlohmann::json(1e6) : nlohmann::json()},
+           {"observed_order", extrapolated ? nlohmann::json(2.0) : nlohmann::json()}}};
+}
+
+struct ErrorEstimate : testing::Test {
+  scene::Scene scene = scene::load_scene("impact-window", {});
+  scene::Summary summary;
+  std::vector<StoredStudy> studies{study("slow", 0.1, 0.002, true), study("fast", 0.5, 0.02, false)};
+  ErrorEstimate() { summary.impacts.push_back({0, 0.1, 0, 0.4, -0.1, 0, 0}); }
+};
+
+TEST_F(ErrorEstimate, IsThatOfTheNearestSpeed) {
+  const auto estimate = error_estimate(scene, summary, studies);
+  EXPECT_EQ(estimate["from"], "fast");
+  EXPECT_DOUBLE_EQ(estimate["peak_force_relative"], 0.02);
+  EXPECT_DOUBLE_EQ(estimate["rebound_relative"], 0.04);
+  const std::string sentence = estimate["sentence"];
+  EXPECT_NE(sentence.find("2.0 % of its finest run, rim-mesh2"), std::string::npos) << sentence;
+  EXPECT_EQ(sentence.find("far from it"), std::string::npos);
+}
+
+TEST_F(ErrorEstimate, SaysWhenTheNearestIsFar) {
+  summary.impacts[0].approach_speed = 0.02;
+  const auto estimate = error_estimate(scene, summary, studies);
+  EXPECT_EQ(estimate["from"], "slow");
+  const std::string sentence = estimate["sentence"];
+  EXPECT_NE(sentence.find("far from it"), std::string::npos) << sentence;
+  EXPECT_NE(sentence.find("the limit of three meshes (observed order 2)"), std::string::npos) << sentence;
+}
+
+TEST_F(ErrorEstimate, IsNoneForAReferenceWithoutLimitAnotherRungBearingOrNoImpact) {
+  scene.model.mesh = 2;
+  EXPECT_EQ(error_estimate(scene, summary, studies)["from"], "slow"); // fast's mesh 2 is its reference
+  EXPECT_TRUE(error_estimate(scene, summary, {studies[1]}).contains("none"));
+  scene.model.rung = "full";
+  EXPECT_TRUE(error_estimate(scene, summary, studies).contains("none"));
+  scene.model.rung = "rim";
+  scene.bearing.name = "mine";
+  EXPECT_TRUE(error_estimate(scene, summary, studies).contains("none"));
+  scene.bearing.name = "shfps-225";
+  summary.impacts.clear();
+  EXPECT_TRUE(error_estimate(scene, summary, studies).contains("none"));
+}
+
+TEST(StoredStudies, AreReadFromBesideTheRunAndOthersPassedOver) {
+  const auto folder = std::filesystem::temp_directory_path() / "rimpact_stored_studies";
+  std::filesystem::create_directories(folder / "study-a");
+  std::filesystem::create_directories(folder / "study-b");
+  auto json = study("", 0.3, 0.01, true).json;
+  json["scene"] = {{"name", "x"}, {"bearing", "mine"}, {"approach_speed_m_s", 0.3}};
+  std::ofstream(folder / "study-a/study.json") << json;
+  std::ofstream(folder / "study-b/study.json") << "{ broken";
+  int own = 0;
+  for (const auto &found : stored_studies(folder)) own += found.bearing == "mine";
+  EXPECT_EQ(own, 1);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(StoredStudies, OfTheProgramKnowTheDefaultBearing) {
+  const auto studies = stored_studies("");
+  ASSERT_FALSE(studies.empty());
+  for (const auto &study : studies) {
+    EXPECT_EQ(study.bearing, "shfps-225");
+    EXPECT_GT(study.approach_speed.value_or(0), 0);
+  }
+}
+
+} // namespace
