@@ -8,7 +8,7 @@ namespace rimpact::fe {
 namespace {
 
 /// Measured on two cores, half models of the default bearing (docs/user-guide.md).
-constexpr MeshCost costs[3] = {{11900, 0.17, 0.35e9}, {42400, 1.0, 1.0e9}, {107000, 4.5, 3.0e9}};
+constexpr MeshCost costs[3] = {{12200, 0.17, 0.35e9}, {39400, 1.0, 0.8e9}, {99800, 4.0, 2.0e9}};
 constexpr double steps_an_impact = 60, iterations_a_step = 6, contact_time = 0.045; // an impact of 25-45 ms
 
 } // namespace
