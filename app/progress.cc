@@ -8,7 +8,7 @@ namespace rimpact::app {
 void ProgressLine::show(const std::string &line) {
   if (quiet_) return;
   const auto now = std::chrono::steady_clock::now();
-  const auto pause = std::chrono::milliseconds(is_terminal() ? 100 : 2000);
+  const auto pause = std::chrono::milliseconds(is_terminal() ? 100 : 10000);
   if (now - last_ < pause) return;
   last_ = now;
   if (!is_terminal()) {

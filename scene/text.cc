@@ -51,7 +51,7 @@ std::optional<double> to_number(std::string_view text) {
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error == std::errc::result_out_of_range) {
     // from_chars leaves the value alone: an underflow is zero, an overflow is infinite.
-    value = text.find("-", 1) != std::string_view::npos ? 0.0 : std::numeric_limits<double>::infinity();
+    value = text.find('-', 1) != std::string_view::npos ? 0.0 : std::numeric_limits<double>::infinity();
   } else if (error != std::errc()) {
     return std::nullopt;
   }
