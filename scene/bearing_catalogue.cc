@@ -37,6 +37,7 @@ constexpr std::array catalogue{
 
 std::vector<std::string> builtin_bearing_names() {
   std::vector<std::string> names;
+  names.reserve(catalogue.size());
   for (const auto &entry : catalogue) names.emplace_back(entry.name);
   return names;
 }
