@@ -6,7 +6,10 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
+#include <sstream>
 #include <unistd.h>
 
 namespace rimpact::app {
@@ -101,6 +104,18 @@ std::string coloured(const char *text, const char *code) {
 
 std::string default_folder(const std::string &scene_name) {
   return "results/" + scene_name;
+}
+
+void keep_scene_file(const std::string &given, const scene::Scene &scene, const std::string &folder) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  const fs::path written = fs::path(folder) / "scene.toml", own = fs::is_directory(given, none) ? fs::path(given) / "scene.toml" : fs::path(given);
+  if (!fs::equivalent(written, own, none)) return;
+  std::ifstream file(own);
+  std::stringstream text;
+  text << file.rdbuf();
+  if (text.str() != scene::to_toml(scene)) // a run's own folder may be run again
+    throw InputError("-o " + folder + " would replace the scene file " + own.string() + " itself; choose another folder");
 }
 
 int run_command(int argc, char **argv, const std::vector<Verb> &verbs) {

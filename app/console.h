@@ -1,6 +1,7 @@
 /// What verbs share: data to stdout, messages to stderr and to log.txt, options every verb has.
 #pragma once
 #include "scene/error.h"
+#include "scene/scene.h"
 #include <atomic>
 #include <CLI/CLI.hpp>
 #include <string>
@@ -38,5 +39,7 @@ bool is_terminal();
 std::string coloured(const char *text, const char *code);
 /// Name of a run's default folder: results/<scene>.
 std::string default_folder(const std::string &scene_name);
+/// Throws InputError where writing a run into `folder` would replace the user's own scene file.
+void keep_scene_file(const std::string &given, const scene::Scene &scene, const std::string &folder);
 
 } // namespace rimpact::app

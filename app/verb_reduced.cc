@@ -55,16 +55,23 @@ void add_reduced(CLI::App &app, Console &console) {
     if (!options->nodes.empty() && scene.double_concave())
       throw InputError("--nodes is for bearings of one dish: reduced.model \"" + scene.reduced.model +
                        "\" passes moments through both plates");
+    const std::string folder =
+        options->folder.empty() ? default_folder(scene.name) + "-reduced" : options->folder;
+    keep_scene_file(options->scene, scene, folder);
     auto run = reduced::simulate(scene);
     if (!options->nodes.empty())
       reduced::add_nodal_moments(run.response, {options->nodes[0] / 1e3, options->nodes[1] / 1e3});
-    const std::string folder =
-        options->folder.empty() ? default_folder(scene.name) + "-reduced" : options->folder;
     scene::write_run_folder(folder, scene, run.response, run.summary);
     if (options->picture && python({"report.quick", "reduced", folder}) != 0)
       throw IoError("the picture in " + folder + " was not made");
     const auto &s = run.summary;
-    if (console.json) return console.data(scene::to_json(s).dump(2) + "\n");
+    const auto judge = [&s] {
+      if (s.status == "stopped") throw SolverStopped(s.reason + "; what is before it is kept");
+    };
+    if (console.json) {
+      console.data(scene::to_json(s).dump(2) + "\n");
+      return judge();
+    }
     std::string text = fmt::format(
         "{}: peak displacement {:.2f} mm, peak lateral force {:.1f} kN, {} impact(s); {}\n", scene.name,
         1e3 * s.peak_displacement, 1e-3 * s.peak_lateral_force, s.impacts.size(), folder);
@@ -73,6 +80,7 @@ void add_reduced(CLI::App &app, Console &console) {
                           i.touch_time, i.direction_deg, i.approach_speed, i.rebound_speed,
                           1e-3 * i.peak_force, 1e3 * i.peak_penetration);
     console.data(text);
+    judge();
   });
 }
 

@@ -31,6 +31,7 @@ void run(Options &options, Console &console) {
 
   fe::RunOptions run_options;
   run_options.folder = options.folder.empty() ? default_folder(scene.name) : options.folder;
+  keep_scene_file(options.scene, scene, run_options.folder);
   run_options.resume = options.resume;
   run_options.fields = !options.no_fields;
   run_options.interrupted = &interrupted();

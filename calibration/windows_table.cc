@@ -85,6 +85,10 @@ std::string sentence(const WindowsTable &table, const scene::Scene &scene) {
   else
     text = fmt::format("{} meets the peak force within {:.0f} % for impacts at {:.2g} to {:.2g} m/s", name,
                        100 * table.tolerance, *table.valid_from, *table.valid_to);
+  double rebound = 0;
+  for (const auto &row : table.rows)
+    if (row.speed >= *table.valid_from && row.speed <= *table.valid_to) rebound = std::max(rebound, std::abs(row.pair_rebound_error));
+  text += fmt::format(", its rebound there off by up to {:.0f} % of the approach speed", 100 * rebound);
   if (*table.valid_from > first.speed) text += "; " + misses(first);
   if (*table.valid_to < last.speed) text += "; " + misses(last);
   return text + ".";

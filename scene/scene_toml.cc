@@ -216,7 +216,7 @@ Bearing load_bearing(const std::string &where) {
   if (std::find(names.begin(), names.end(), where) != names.end()) return builtin_bearing(where);
   std::error_code ignored;
   if (!fs::exists(where, ignored))
-    throw InputError(fmt::format("no such file, and bearing {}", not_among(where, names)));
+    throw InputError(fmt::format("{}: no such file, and bearing {}", where, not_among(where, names)));
   return parse_bearing(read_toml(where), where);
 }
 

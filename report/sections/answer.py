@@ -119,8 +119,8 @@ def _yield_card(context):
     if not strains:
         return None
     entry, largest = max(strains, key=lambda pair: pair[1])
-    return {"title": "Does the rim yield?", "value": "Yes" if largest > 1e-6 else "No", "unit": "",
-            "lines": [f"plastic strain up to {percent(largest, 2, signed=False)}", title_of(entry.name)]}
+    return {"title": "Do rim or slider yield?", "value": "Yes" if largest > 1e-6 else "No", "unit": "",
+            "lines": [f"plastic strain up to {percent(largest, 1, signed=False)}, in either", title_of(entry.name)]}
 
 
 def _validity(calibration):

@@ -107,6 +107,27 @@ class BadInput(unittest.TestCase):
                 file.write("[excitation]\nkind = \"ricker\"\nscal = 1.0\n")
             self.refused(2, "scene.toml:3:", "scale", arguments=["check", path])
 
+    def test_a_reduced_run_that_stops_says_so(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = rimpact("reduced", "ricker-0.78g-1.0s", "--set", "excitation.scale=50", "-o", folder)
+            self.assertEqual(run.returncode, 4)
+            self.assertIn("left the dish", run.stderr)
+            with open(os.path.join(folder, "summary.json")) as file:
+                self.assertEqual(json.load(file)["status"], "stopped")
+
+    def test_a_scene_file_is_not_replaced_by_its_run(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "scene.toml")
+            with open(path, "w") as file:
+                file.write("# mine\n[excitation]\nkind = \"ricker\"\n")
+            for verb in ("reduced", "run"):
+                self.refused(2, "would replace the scene file", path, arguments=[verb, path, "-o", folder])
+            with open(path) as file:
+                self.assertTrue(file.read().startswith("# mine"))
+            again = os.path.join(folder, "run")
+            self.assertEqual(rimpact("reduced", path, "-o", again).returncode, 0)
+            self.assertEqual(rimpact("reduced", again, "-o", again).returncode, 0)  # a run's own scene, once more
+
     def test_records(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "a.AT2")
