@@ -25,11 +25,11 @@ def free(u, v, seconds, *more):
                     f"excitation.duration_s={seconds}", *more]
 
 
-def record(folder, axis, seconds, *more):
+def record(stem, axis, seconds):
     """A record of rest with what `axis` = {"x": function of time [g]} says, every 5 ms."""
-    settings = ['excitation.kind="record"', f"excitation.duration_s={seconds}", *more]
+    settings = ['excitation.kind="record"', f"excitation.duration_s={seconds}"]
     for name, value in axis.items():
-        file = folder / f"motion_{name}_{seconds}s.csv"
+        file = stem.with_name(f"{stem.name}_{name}.csv")
         file.write_text("time_s,acceleration_g\n" + "".join(f"{k * 0.005:.3f},{value(k * 0.005):.6g}\n"
                                                              for k in range(int(seconds / 0.005) + 1)))
         settings.append(f'excitation.{name}="{file}"')
@@ -47,9 +47,11 @@ def cases(folder):
     def impacts(at_least):
         return lambda s, of: len(s["impacts"]) >= at_least
 
-    spike = record(folder, {"x": lambda t: 1.0 if 1.0 <= t < 1.05 else 0.0}, 4, "load.vertical_kN=853")
-    tiny = record(folder, {"x": lambda t: 0.002 * ((int(t / 0.3) % 2) * 2 - 1)}, 100)
-    upward = record(folder, {"x": lambda t: 0.9 if 1 <= t < 1.6 else 0.0, "z": lambda t: -1.3 if 1.2 <= t < 1.3 else 0.0}, 5)
+    spike = record(folder / "spike", {"x": lambda t: 1.0 if 1.0 <= t < 1.05 else 0.0}, 4)
+    tiny = record(folder / "tiny", {"x": lambda t: 0.002 * ((int(t / 0.3) % 2) * 2 - 1)}, 100)
+    def lifted(g, until):
+        return record(folder / f"lifted_{g}g", {"x": lambda t: g if 1 <= t < until else 0.0, "z": lambda t: -1.3 if 1.2 <= t < 1.3 else 0.0}, 5)
+
     return [
         ("reference: 0.2 m/s", True, base, 0, None),
         ("grazing, 5 mm/s", True, window(0.005), 0, lambda s, of: s["impacts"][0]["restitution"] > 0.95),
@@ -75,7 +77,8 @@ def cases(folder):
         ("steps x 10", False, window(0.2, "model.step_ms=10"), 0, close_to("reference: 0.2 m/s", 0.05)),
         ("zero vertical load, weight on", True, window(0.2, WEIGHT, "load.vertical_kN=0"), 0, close_to("reference: 0.2 m/s", 0.02)),
         ("a spike of 1 g for 50 ms", True, spike, 0, None),
-        ("1.3 g upwards", True, upward, 0, None),
+        ("1.3 g upwards, 0.7 m/s", True, lifted(0.3, 1.5), 0, impacts(1)),
+        ("1.3 g upwards, 2.5 m/s in flight", False, lifted(0.9, 1.6), 0, impacts(1)),
         ("100 s of tiny shaking", True, tiny, 0, lambda s, of: s["peak_displacement_m"] < 1e-3),
         ("initial overlap 0.5 mm", True, free((0.4005, 0), (0, 0), 0.3), 2, None),
     ]
