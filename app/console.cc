@@ -1,6 +1,7 @@
 #include "app/console.h"
 
 #include "app/verb.h"
+#include "scene/files.h"
 #include "scene/text.h"
 #include <algorithm>
 #include <csignal>
@@ -8,8 +9,6 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
-#include <sstream>
 #include <unistd.h>
 
 namespace rimpact::app {
@@ -111,10 +110,7 @@ void keep_scene_file(const std::string &given, const scene::Scene &scene, const 
   std::error_code none;
   const fs::path written = fs::path(folder) / "scene.toml", own = fs::is_directory(given, none) ? fs::path(given) / "scene.toml" : fs::path(given);
   if (!fs::equivalent(written, own, none)) return;
-  std::ifstream file(own);
-  std::stringstream text;
-  text << file.rdbuf();
-  if (text.str() != scene::to_toml(scene)) // a run's own folder may be run again
+  if (scene::read_file(own.string()) != scene::to_toml(scene)) // a run's own folder may be run again
     throw InputError("-o " + folder + " would replace the scene file " + own.string() + " itself; choose another folder");
 }
 

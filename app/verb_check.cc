@@ -1,6 +1,7 @@
 // rimpact check SCENE: geometry, scout and plan; solves nothing.
 #include "app/verb.h"
 #include "fe_contact/runner/plan.h"
+#include "scene/doubts.h"
 #include "scene/error.h"
 #include <fmt/format.h>
 
@@ -15,8 +16,13 @@ void add_check(CLI::App &app, Console &console) {
   console.add_overrides(*verb);
   verb->callback([where, &console] {
     const scene::Scene scene = scene::load_scene(*where, console.overrides);
+    for (const auto &doubt : scene::doubts(scene)) console.warn(doubt);
     if (const auto reason = fe::beyond_rungs(scene)) throw InputError(*reason);
     const fe::Plan plan = fe::make_plan(scene);
+    const auto refusal = fe::refusal(scene);
+    const auto judge = [&refusal] {
+      if (refusal) throw InputError("`run` would refuse: " + *refusal);
+    };
     const auto assumed = scene::assumptions(scene.bearing);
     if (console.json) {
       nlohmann::json table = fe::to_json(plan);
@@ -25,17 +31,19 @@ void add_check(CLI::App &app, Console &console) {
       table["lateral_capacity_m"] = scene.bearing.lateral_capacity();
       table["rung"] = scene.model.rung;
       for (const auto &item : assumed) table["assumptions"][item.key] = item.value;
-      return console.data(table.dump(2) + "\n");
+      table["refusal"] = refusal ? nlohmann::json(*refusal) : nlohmann::json(nullptr);
+      console.data(table.dump(2) + "\n");
+      return judge();
     }
     std::string text = fmt::format(
         "{}: bearing {}, L_c = {:.1f} mm, lift there {:.2f} mm; geometry can be built and nothing collides\n",
         scene.name, scene.bearing.name, 1e3 * scene.bearing.lateral_capacity(),
         1e3 * scene::lift(scene.bearing, scene.bearing.lateral_capacity()));
-    if (const auto refusal = fe::refusal(scene)) text += "  `run` would refuse: " + *refusal + "\n";
     text += fe::describe(plan);
     text += "assumed, not measured:";
     for (const auto &item : assumed) text += fmt::format(" {} = {};", item.key, item.value);
     console.data(text + "\n");
+    judge();
   });
 }
 

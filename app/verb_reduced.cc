@@ -4,10 +4,25 @@
 #include "app/verb.h"
 #include "reduced_models/node_kinematics.h"
 #include "reduced_models/physical_model.h"
+#include "scene/doubts.h"
 #include "scene/error.h"
 #include <fmt/format.h>
 
 namespace rimpact::app {
+namespace {
+
+std::string describe(const scene::Summary &s, const std::string &name, const std::string &folder) {
+  std::string text =
+      fmt::format("{}: peak displacement {:.2f} mm, peak lateral force {:.1f} kN, {} impact(s); {}\n", name,
+                  1e3 * s.peak_displacement, 1e-3 * s.peak_lateral_force, s.impacts.size(), folder);
+  for (const auto &i : s.impacts)
+    text += fmt::format("  {:.4f} s {:7.1f} deg  in {:.4f} m/s  out {:.4f} m/s  {:.1f} kN  {:.3f} mm\n", i.touch_time,
+                        i.direction_deg, i.approach_speed, i.rebound_speed, 1e-3 * i.peak_force,
+                        1e3 * i.peak_penetration);
+  return text;
+}
+
+} // namespace
 
 void add_reduced(CLI::App &app, Console &console) {
   struct Options {
@@ -52,6 +67,7 @@ void add_reduced(CLI::App &app, Console &console) {
                             .n_threads = options->n_threads},
                            console);
     const scene::Scene scene = scene::load_scene(options->scene, console.overrides);
+    for (const auto &doubt : scene::doubts(scene)) console.warn(doubt);
     if (!options->nodes.empty() && scene.double_concave())
       throw InputError("--nodes is for bearings of one dish: reduced.model \"" + scene.reduced.model +
                        "\" passes moments through both plates");
@@ -65,22 +81,8 @@ void add_reduced(CLI::App &app, Console &console) {
     if (options->picture && python({"report.quick", "reduced", folder}) != 0)
       throw IoError("the picture in " + folder + " was not made");
     const auto &s = run.summary;
-    const auto judge = [&s] {
-      if (s.status == "stopped") throw SolverStopped(s.reason + "; what is before it is kept");
-    };
-    if (console.json) {
-      console.data(scene::to_json(s).dump(2) + "\n");
-      return judge();
-    }
-    std::string text = fmt::format(
-        "{}: peak displacement {:.2f} mm, peak lateral force {:.1f} kN, {} impact(s); {}\n", scene.name,
-        1e3 * s.peak_displacement, 1e-3 * s.peak_lateral_force, s.impacts.size(), folder);
-    for (const auto &i : s.impacts)
-      text += fmt::format("  {:.4f} s {:7.1f} deg  in {:.4f} m/s  out {:.4f} m/s  {:.1f} kN  {:.3f} mm\n",
-                          i.touch_time, i.direction_deg, i.approach_speed, i.rebound_speed,
-                          1e-3 * i.peak_force, 1e3 * i.peak_penetration);
-    console.data(text);
-    judge();
+    console.data(console.json ? scene::to_json(s).dump(2) + "\n" : describe(s, scene.name, folder));
+    if (s.status == "stopped") throw SolverStopped(s.reason + "; what is before it is kept");
   });
 }
 

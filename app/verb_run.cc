@@ -4,6 +4,7 @@
 #include "app/verb.h"
 #include "calibration/stored_study.h"
 #include "fe_contact/runner/run.h"
+#include "scene/doubts.h"
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
@@ -21,6 +22,7 @@ void run(Options &options, Console &console) {
   if (!options.rung.empty()) console.overrides.push_back("model.rung=\"" + options.rung + "\"");
   if (options.mesh > 0) console.overrides.push_back("model.mesh=" + std::to_string(options.mesh));
   const scene::Scene scene = scene::load_scene(options.scene, console.overrides);
+  for (const auto &doubt : scene::doubts(scene)) console.warn(doubt);
   if (const std::string warning = fe::blas_warning(); !warning.empty()) console.warn(warning);
   fe::check_supported(scene);
   const fe::Plan plan = fe::make_plan(scene);

@@ -6,6 +6,7 @@
 #include "calibration/speed_error.h"
 #include "reduced_models/physical_model.h"
 #include "scene/response.h"
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -82,8 +83,9 @@ std::vector<calibration::StudyRun> runs_of(const std::vector<Job> &jobs, Console
 void write(const calibration::SpeedError &study, const scene::Scene &base, const std::string &folder, Console &console) {
   auto json = calibration::to_json(study);
   json["scene"] = {{"name", base.name}, {"bearing", base.bearing.name}, {"approach_speed_m_s", nullptr}};
-  for (const auto &row : study.rows) // the reference's first impact
-    if (const auto impacts = summary_of(folder + "/runs/" + row.run.name)["impacts"]; row.reference && !impacts.empty())
+  const auto reference = std::find_if(study.rows.begin(), study.rows.end(), [](const auto &row) { return row.reference; });
+  if (reference != study.rows.end())
+    if (const auto impacts = summary_of(folder + "/runs/" + reference->run.name)["impacts"]; !impacts.empty())
       json["scene"]["approach_speed_m_s"] = impacts[0]["approach_speed_m_s"];
   scene::write_text(json.dump(2) + "\n", folder + "/study.json");
   scene::write_text(calibration::to_csv(study), folder + "/study.csv");

@@ -65,12 +65,17 @@ Material material_of(const RimSprings &r) {
   throw DataError(fmt::format("OpenSees has no material for the impact law {}", r.law));
 }
 
+void require_springs(int n) {
+  if (n != 2 && n < 4) throw InputError(fmt::format("springs {} must be 2 (along x), or 4 or more (around the slider)", n));
+}
+
 std::string stated(const RimSprings &r, int n, const Material &material, const char *assign) {
   std::string text = "# Rim impact fitted by rimpact; SI units: N, m, s, kg.\n";
   const auto line = [&](const char *name, double value, const char *what) {
     text += fmt::format(fmt::runtime(assign), name, value) + fmt::format("  # {}\n", what);
   };
   text += fmt::format("# Impact law {}; material {}: {}.\n", r.law, material.name, material.note);
+  for (const auto &remark : r.remarks) text += "# " + remark + "\n";
   line("k_i", r.k_i, "N/m");
   line("restitution", r.restitution, "-");
   line("c_i", r.damping, "N s/m, 2 xi sqrt(k_i m1), m2 infinite");
@@ -86,6 +91,23 @@ std::string stated(const RimSprings &r, int n, const Material &material, const c
         1e3 * error.gap, 1e3 * d, 100 * error.force);
   }
   return text;
+}
+
+/// Each fitted value with its interval, and where the values hold.
+std::vector<std::string> remarks_of(const json &calibration) {
+  std::vector<std::string> remarks;
+  const json parameters = calibration.value("parameters", json::object());
+  for (const auto &[name, fitted] : parameters.items()) {
+    std::string text = fmt::format("Fitted: {} = {:.4g} {}", name, number_at(fitted, "value"), fitted.value("unit", ""));
+    const json interval = fitted.value("interval_95", json());
+    if (interval.is_array() && interval.size() == 2 && interval[0].is_number() && interval[1].is_number())
+      text += fmt::format(", 95 % interval {:.4g} to {:.4g}", interval[0].get<double>(), interval[1].get<double>());
+    remarks.push_back(text + (fitted.value("identifiable", true) ? "." : "; not identifiable from these runs."));
+  }
+  const json windows = calibration.value("windows", json());
+  const std::string sentence = windows.is_object() ? windows.value("sentence", "") : "";
+  remarks.push_back("Validity: " + (sentence.empty() ? "not known, no impact windows over speed were given." : sentence));
+  return remarks;
 }
 
 } // namespace
@@ -109,11 +131,12 @@ RimSprings rim_springs(const json &calibration) {
     r.hardening = number_at(element, "hardening");
   } else
     r.damping = number_at(derived, "c_i", 1e3);
+  r.remarks = remarks_of(calibration);
   return r;
 }
 
 std::string opensees_tcl(const RimSprings &r, int n) {
-  if (n < 2) throw InputError(fmt::format("springs {} must be >= 2", n));
+  require_springs(n);
   const Material material = material_of(r);
   return stated(r, n, material, "set {} {:.10g};") +
          fmt::format("# Adds the material `tag` and n_springs zeroLength elements, numbered from `first`, "
@@ -137,7 +160,7 @@ std::string opensees_tcl(const RimSprings &r, int n) {
 }
 
 std::string opensees_python(const RimSprings &r, int n) {
-  if (n < 2) throw InputError(fmt::format("springs {} must be >= 2", n));
+  require_springs(n);
   const Material material = material_of(r);
   return stated(r, n, material, "{} = {:.10g}") +
          fmt::format(

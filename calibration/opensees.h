@@ -3,6 +3,7 @@
 #pragma once
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace rimpact::calibration {
 
@@ -17,6 +18,7 @@ struct RimSprings {
   double reference_speed = 0;  ///< hunt-crossley, elastoplastic [m/s], > 0
   double yield_force = 0;      ///< elastoplastic [N]
   double hardening = 0;        ///< elastoplastic [-]
+  std::vector<std::string> remarks{}; ///< how far the values are known and hold, sentences
 };
 /// From calibration.json. Throws DataError naming the key that is missing.
 RimSprings rim_springs(const nlohmann::json &calibration);
@@ -37,7 +39,7 @@ struct PolygonError {
 /// n >= 3; penetration [m] > 0 beyond L_c. The springs are linear; several act at once where they overlap.
 PolygonError polygon_error(int n, double lateral_capacity, double penetration);
 
-/// `n` springs, evenly around; 2: along the x axis, exact for motion along it. Throws InputError for n < 2,
+/// `n` >= 4 springs, evenly around; 2: along the x axis, exact for motion along it. Throws InputError otherwise,
 /// DataError for a law that OpenSees has no material for.
 std::string opensees_tcl(const RimSprings &rim, int n);
 std::string opensees_python(const RimSprings &rim, int n);

@@ -98,7 +98,12 @@ scale = 1.6               # unscaled, a rigid superstructure does not reach the 
 x = "RSN180_IMPVALL.H_H-E05140.AT2"
 duration_s = 20.0
 
-[reduced]
+)";
+
+} // namespace
+
+std::string isolators_of_43() {
+  return R"([reduced]
 model = "lir-dcfp"
 mu_slow = 0.035
 mu_fast = 0.07
@@ -117,21 +122,15 @@ top_wall_mm = 60.0
 bottom_wall_mm = 10.0
 mu_interface = 0.14
 )";
-
-std::string needs(const std::string &scene, const std::string &record, const std::string &file) {
-  return scene + " needs your own copy of PEER's NGA-West2 record " + record + ": " + file +
-         " in the current folder, or --set excitation.x=FILE";
 }
-
-} // namespace
 
 std::vector<BuiltinScene> double_concave_scenes() {
   return {{"lir-dcfp-stages", stages},
           {"lir-dcfp-specimen", specimen},
           {"lir-dcfp-slider-study", slider_study,
-           needs("lir-dcfp-slider-study", "RSN1044", "RSN1044_NORTHR_NWH360.AT2")},
-          {"lir-dcfp-compared", comparison,
-           needs("lir-dcfp-compared", "RSN180", "RSN180_IMPVALL.H_H-E05140.AT2")}};
+           needs_record("lir-dcfp-slider-study", "RSN1044", "RSN1044_NORTHR_NWH360.AT2")},
+          {"lir-dcfp-compared", comparison + isolators_of_43(),
+           needs_record("lir-dcfp-compared", "RSN180", "RSN180_IMPVALL.H_H-E05140.AT2")}};
 }
 
 } // namespace rimpact::scene

@@ -6,5 +6,7 @@
 namespace rimpact::scene {
 
 std::vector<BuiltinScene> double_concave_scenes();
+/// [reduced] and [isolator] of the comparison in thesis 4.3: LIR-DCFP of 25 cm.
+std::string isolators_of_43();
 
 } // namespace rimpact::scene

@@ -133,6 +133,17 @@ Header read_header(const std::vector<std::string_view> &lines, const std::string
                               std::min(lines.size(), n_header_lines)));
 }
 
+/// Padding with zeros after the last value is usual; anything else says that NPTS or the data are wrong.
+void refuse_surplus(std::string_view rest, const std::string &where, std::size_t expected) {
+  for (rest = skip_blanks(rest); !rest.empty(); rest = skip_blanks(rest)) {
+    const auto value = take_number(rest);
+    if (!value) return; // a remark
+    if (*value != 0)
+      throw DataError(fmt::format("{}: {:g} comes after the {} values that NPTS promises: NPTS or the data are wrong", where,
+                                  *value, expected));
+  }
+}
+
 } // namespace
 
 SampledSignal parse_at2(const std::string &text, const std::string &path, double gravity) {
@@ -140,7 +151,7 @@ SampledSignal parse_at2(const std::string &text, const std::string &path, double
   const Header header = read_header(lines, path, gravity);
   const auto expected = static_cast<std::size_t>(header.npts);
   SampledSignal record{header.dt, {}};
-  for (std::size_t i = header.data_line; i < lines.size() && record.values.size() < expected; ++i) {
+  for (std::size_t i = header.data_line; i < lines.size(); ++i) {
     std::string_view rest = skip_blanks(lines[i]);
     while (!rest.empty() && record.values.size() < expected) {
       const std::string_view shown = rest.substr(0, rest.find_first_of(" \t,")).substr(0, 40);
@@ -151,6 +162,7 @@ SampledSignal parse_at2(const std::string &text, const std::string &path, double
       record.values.push_back(*value * header.unit);
       rest = skip_blanks(rest);
     }
+    refuse_surplus(rest, fmt::format("{}:{}", path, i + 1), expected);
   }
   if (record.values.size() < expected)
     throw DataError(fmt::format("{}: truncated: {} values found, NPTS promises {}", path,

@@ -167,6 +167,11 @@ const std::vector<BuiltinScene> &catalogue() {
 
 } // namespace
 
+std::string needs_record(const std::string &scene, const std::string &record, const std::string &file) {
+  return scene + " needs your own copy of PEER's NGA-West2 record " + record + ": " + file +
+         " in the current folder, or --set excitation.x=FILE";
+}
+
 const BuiltinScene *find_builtin_scene(const std::string &name) {
   for (const auto &scene : catalogue())
     if (scene.name == name) return &scene;

@@ -1,5 +1,7 @@
 #include "scene/superstructure_scenes.h"
 
+#include "scene/double_concave_scenes.h"
+
 namespace rimpact::scene {
 namespace {
 
@@ -32,7 +34,7 @@ damping_ratio = 0.02      # assumption: chapter 4's
 vertical_period_s = 0.1   # assumption: k_v is not printed
 )";
 
-const char *frame_on_lir =
+const char *motion_for_lir =
     R"(# Thesis 4.3: an inelastic frame on an LIR-DCFP bearing of 25 cm with a gap of 5 cm. The DCFP ones: --model dcfp, and
 # --set isolator.capacity_m=0.30 for the larger. The thesis names H-E05140 "of Array #4"; unscaled, neither it nor Array #4's
 # E04140 reaches the rim. The same station's H-E05230 does. PEER's RSN 180: put your own copy beside this file.
@@ -45,25 +47,10 @@ kind = "record"
 x = "RSN180_IMPVALL.H_H-E05230.AT2"
 duration_s = 20.0
 
-[reduced]
-model = "lir-dcfp"
-mu_slow = 0.035
-mu_fast = 0.07
-rate_s_per_m = 30.0
-k_i_kN_per_m = 4e4
-impact_law = "hunt-crossley"
-impact_exponent = 1.0
-reference_speed_m_per_s = 0.4 # assumption
+)";
 
-[isolator]
-radius_m = 1.175          # R_eff = 2.25 m
-capacity_m = 0.25
-top_height_mm = 50.0      # assumption
-bottom_height_mm = 50.0   # assumption
-top_wall_mm = 60.0
-bottom_wall_mm = 10.0
-mu_interface = 0.14
-
+const char *frame_on_lir =
+    R"(
 [superstructure]
 kind = "bouc-wen"
 mass_ratio = 0.7
@@ -98,9 +85,8 @@ vertical_period_s = 0.1
 
 std::vector<BuiltinScene> superstructure_scenes() {
   return {{"frame-four-dof", four_dof},
-          {"frame-on-lir-dcfp", frame_on_lir,
-           "frame-on-lir-dcfp needs your own copy of PEER's NGA-West2 record RSN180: "
-           "RSN180_IMPVALL.H_H-E05230.AT2 in the current folder, or --set excitation.x=FILE"},
+          {"frame-on-lir-dcfp", motion_for_lir + isolators_of_43() + frame_on_lir,
+           needs_record("frame-on-lir-dcfp", "RSN180", "RSN180_IMPVALL.H_H-E05230.AT2")},
           {"shear-building", building}};
 }
 

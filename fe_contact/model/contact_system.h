@@ -13,6 +13,8 @@ namespace rimpact::fe {
 struct SystemState {
   Eigen::VectorXd u, v, a;
   Eigen::VectorXd R; ///< loads less internal and contact forces [N]: what accelerates the equations
+  Eigen::VectorXd last_change; ///< of u over the last step in time, from which the next one's first guess is made
+  double last_dt = 0;          ///< [s]; 0: none
   SolidHistory history;
   std::vector<SurfaceContactState> contacts;
   SolidEnergies energies;

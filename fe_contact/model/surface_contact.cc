@@ -173,6 +173,8 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
   contact_law.normal_penalty *= state.stiffening;
   contact_law.tangential_penalty *= state.stiffening;
   constexpr double beyond = 0.5; // half widths of a face, for points that cross a free edge in this step
+  Pair pair;
+  int face = -1, carrier_face = -1; // of the pair
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const FacePoint &point = points_[k];
     state.pressure[k] = 0;
@@ -200,41 +202,58 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
     report.largest_pressure = std::max(report.largest_pressure, law.pressure);
     ++(law.status == ContactStatus::stick ? report.stick : report.slip);
     if (coupling->carrier_face >= 0 && !std::binary_search(pairs_[point.face].begin(), pairs_[point.face].end(),
-                                                           coupling->carrier_face))
+                                                           coupling->carrier_face)) {
       report.pattern_holds = false;
-    else
-      add_to(equations, *coupling, point.area, law.traction, D, distance.nu, forces, tangent);
+      continue;
+    }
+    if (face != point.face || carrier_face != coupling->carrier_face) flush(pair, equations, forces, tangent);
+    face = point.face;
+    carrier_face = coupling->carrier_face;
+    add_to(pair, *coupling, point.area, law.traction, D, distance.nu, tangent != nullptr);
   }
+  flush(pair, equations, forces, tangent);
   return report;
 }
 
-void SurfaceContact::add_to(const Equations &equations, const Coupling &coupling, double area,
-                            const Vector3d &traction, const Tangents &D, const Vector3d &nu,
-                            Eigen::VectorXd &forces, GeneralMatrix *tangent) const {
-  int eqs[Coupling::most][3];
-  double weights[Coupling::most][3];
-  for (int a = 0; a < coupling.n; ++a)
-    for (int i = 0; i < 3; ++i) {
-      eqs[a][i] = equations.of_dof[coupling.dofs[a] + i];
-      weights[a][i] = equations.weight[coupling.dofs[a] + i];
-      if (eqs[a][i] >= 0) forces[eqs[a][i]] -= area * coupling.N[a] * weights[a][i] * traction[i];
-    }
-  if (!tangent) return;
-  // Strain of the carrier turns the normal: d nu / d u_b = -F^-T grad N_b nu^T, by its own nodes b only.
-  Vector3d turn[Coupling::most];
-  for (int b = 0; b < coupling.n; ++b)
-    turn[b] = D.by_nu * coupling.dxi.transpose() * Eigen::Vector2d(coupling.dN[b][0], coupling.dN[b][1]);
-  for (int a = 0; a < coupling.n; ++a) {
-    // The traction changes, and the place on the carrier's face where it acts.
-    const Matrix3d row = coupling.N[a] * D.by_w + traction * (coupling.dN[a][0] * coupling.dxi.row(0) +
-                                                         coupling.dN[a][1] * coupling.dxi.row(1));
-    for (int i = 0; i < 3; ++i)
-      for (int b = 0; b < coupling.n && eqs[a][i] >= 0; ++b)
-        for (int j = 0; j < 3; ++j)
-          if (eqs[b][j] >= 0)
-            tangent->add(eqs[a][i], eqs[b][j], -area * weights[a][i] * weights[b][j] *
-                                                   (row(i, j) * coupling.N[b] + coupling.N[a] * turn[b][i] * nu[j]));
+void SurfaceContact::add_to(Pair &pair, const Coupling &coupling, double area, const Vector3d &traction,
+                            const Tangents &D, const Vector3d &nu, bool with_stiffness) {
+  const int n = 3 * coupling.n;
+  if (pair.dofs.empty()) {
+    pair.dofs.assign(coupling.dofs, coupling.dofs + coupling.n);
+    pair.forces.setZero(n);
+    pair.stiffness.setZero(n, n);
   }
+  for (int a = 0; a < coupling.n; ++a) pair.forces.segment<3>(3 * a) -= area * coupling.N[a] * traction;
+  if (!with_stiffness) return;
+  for (int b = 0; b < coupling.n; ++b) {
+    // Strain of the carrier turns the normal: d nu / d u_b = -F^-T grad N_b nu^T, by its own nodes b only.
+    const Vector3d turn = D.by_nu * coupling.dxi.transpose() * Eigen::Vector2d(coupling.dN[b][0], coupling.dN[b][1]);
+    const Matrix3d column = -area * (D.by_w * coupling.N[b] + turn * nu.transpose());
+    // The traction changes, and the place on the carrier's face where it acts.
+    const Matrix3d moved[2] = {-area * coupling.N[b] * traction * coupling.dxi.row(0),
+                               -area * coupling.N[b] * traction * coupling.dxi.row(1)};
+    for (int a = 0; a < coupling.n; ++a)
+      pair.stiffness.block<3, 3>(3 * a, 3 * b) +=
+          coupling.N[a] * column + coupling.dN[a][0] * moved[0] + coupling.dN[a][1] * moved[1];
+  }
+}
+
+void SurfaceContact::flush(Pair &pair, const Equations &equations, Eigen::VectorXd &forces, GeneralMatrix *tangent) {
+  const int n = static_cast<int>(pair.dofs.size());
+  std::vector<int> equation(3 * n);
+  std::vector<double> weight(3 * n);
+  for (int a = 0; a < n; ++a)
+    for (int i = 0; i < 3; ++i) {
+      equation[3 * a + i] = equations.of_dof[pair.dofs[a] + i];
+      weight[3 * a + i] = equations.weight[pair.dofs[a] + i];
+    }
+  for (int a = 0; a < 3 * n; ++a) {
+    if (equation[a] < 0) continue;
+    forces[equation[a]] += weight[a] * pair.forces[a];
+    for (int b = 0; tangent && b < 3 * n; ++b)
+      if (equation[b] >= 0) tangent->add(equation[a], equation[b], weight[a] * weight[b] * pair.stiffness(a, b));
+  }
+  pair.dofs.clear();
 }
 
 SurfaceContact::Augmentation SurfaceContact::augmentation(const SurfaceContactState &state) const {

@@ -146,8 +146,16 @@ private:
                                                       const Eigen::Vector3d &slip, const Eigen::Matrix3d &pull_back,
                                                       double multiplier, const Eigen::Vector3d &tangential, double dt,
                                                       Tangents &tangents);
-  void add_to(const Equations &equations, const Coupling &coupling, double area, const Eigen::Vector3d &traction,
-              const Tangents &D, const Eigen::Vector3d &nu, Eigen::VectorXd &forces, GeneralMatrix *tangent) const;
+  /// Forces and stiffness of a pair of faces by their nodes: the points of a pair are summed up before any of them
+  /// looks for its place in the matrix, which is what assembling contact costs.
+  struct Pair {
+    std::vector<int> dofs; ///< first of each node's three; empty: nothing summed up
+    Eigen::VectorXd forces;
+    Eigen::MatrixXd stiffness;
+  };
+  static void add_to(Pair &pair, const Coupling &coupling, double area, const Eigen::Vector3d &traction, const Tangents &D,
+                     const Eigen::Vector3d &nu, bool with_stiffness);
+  static void flush(Pair &pair, const Equations &equations, Eigen::VectorXd &forces, GeneralMatrix *tangent);
 
   const Discretisation &space_;
   MasterSurface master_;

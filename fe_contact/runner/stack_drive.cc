@@ -19,6 +19,8 @@ meshes::StackMeshOptions stack_mesh_options(const scene::Scene &scene, const Pla
 StepOptions stack_step_options() {
   StepOptions options;
   options.newton.tolerance = 1e-6;
+  options.newton.finest_forcing = 1e-3;
+  options.tolerance_between = 1e-3;
   options.gap_tolerance = 1e-5;
   options.slip_tolerance = 1e-5;
   options.max_augmentations = 4;

@@ -83,7 +83,7 @@ void StackDynamic::start() {
 }
 
 void StackDynamic::slide_out() {
-  constexpr double longest = 0.01, last = 2e-4; // steps [m]
+  constexpr double longest = 0.025, last = 2e-4; // steps [m]
   const Eigen::Vector2d direction = scene_.excitation.direction();
   // As if it came sliding at its speed: the dish carries the weight less what the path's curve takes off.
   const Eigen::VectorXd load = active().dead_load(scene_.load.vertical + scene_.load.mass * arriving_acceleration(scene_).z());
@@ -98,7 +98,7 @@ void StackDynamic::slide_out() {
     return Attempt{report.converged, 0, report.reason};
   };
   for (const auto &[from, to, step] : {std::tuple{0.0, end - last, longest}, {end - last, end, last}}) {
-    const MarchReport report = march(from, to, {1e-3 * step, 1e-5 * step, step, 2.0}, go);
+    const MarchReport report = march(from, to, {from > 0 ? step : 1e-3 * step, 1e-5 * step, step, 2.0}, go);
     if (!report.finished) throw SolverStopped("the slide out to the rim stopped: " + report.reason);
   }
   // What the dish takes on the last stretch is added, so that the walls meet at the speed asked for.

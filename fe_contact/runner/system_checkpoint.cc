@@ -49,6 +49,8 @@ void get(const Checkpoint &file, const std::string &prefix, SurfaceContactState 
 void put(Checkpoint &file, const SystemState &state) {
   for (const auto &[name, value] : {std::pair{"u", &state.u}, {"v", &state.v}, {"a", &state.a}, {"R", &state.R}})
     file.numbers[name] = list(*value);
+  file.numbers["last_change"] = list(state.last_change);
+  file.numbers["last_dt"] = {state.last_dt};
   file.numbers["history"] = list(state.history);
   file.numbers["energies"] = {state.energies.elastic, state.energies.plastic};
   for (std::size_t i = 0; i < state.contacts.size(); ++i) {
@@ -67,6 +69,8 @@ void get(const Checkpoint &file, SystemState &state) {
                     " unknowns, this run " + std::to_string(state.u.size()));
   for (const auto &[name, value] : {std::pair{"u", &state.u}, {"v", &state.v}, {"a", &state.a}, {"R", &state.R}})
     *value = vector(numbers(file, name));
+  state.last_change = vector(numbers(file, "last_change"));
+  state.last_dt = numbers(file, "last_dt")[0];
   restore(numbers(file, "history"), state.history);
   state.energies = {numbers(file, "energies")[0], numbers(file, "energies")[1]};
   for (std::size_t i = 0; i < state.contacts.size(); ++i) {

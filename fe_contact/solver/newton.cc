@@ -7,23 +7,25 @@
 namespace rimpact::fe {
 namespace {
 
-constexpr int most_linear_iterations = 30, worn_after = 10;
+constexpr int most_linear_iterations = 30, worn_after = 6;
 
 /// Eisenstat and Walker (1996), choice 2 with its safeguard: how well the linear system need be solved.
-double forcing_term(const std::vector<double> &residuals, double last) {
+double forcing_term(const std::vector<double> &residuals, double last, const NewtonOptions &options) {
   constexpr double largest = 1e-2, gamma = 0.9;
   if (residuals.size() < 2) return largest;
+  // What falls below the tolerance anyhow need not be solved further (Kelley 1995).
+  const double enough = std::max(options.finest_forcing, 0.3 * options.tolerance / residuals.back());
   const double ratio = residuals.back() / residuals[residuals.size() - 2];
   const double safeguard = gamma * last * last;
   const double term = std::max(gamma * ratio * ratio, safeguard > 0.1 ? safeguard : 0.0);
-  return std::clamp(term, 1e-10, largest);
+  return std::clamp(term, std::min(enough, largest), largest);
 }
 
 } // namespace
 
 NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOptions &options) {
   NewtonReport report;
-  if (!target.evaluate(u)) {
+  if (!options.evaluated && !target.evaluate(u)) {
     report.reason = "a cell turned inside out before the first iteration";
     return report;
   }
@@ -37,7 +39,7 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
       return report;
     }
     ++report.iterations;
-    forcing = forcing_term(report.residuals, forcing);
+    forcing = forcing_term(report.residuals, forcing, options);
     Eigen::VectorXd change;
     if (options.stale_factor && target.solver().has_factor() && !worn) {
       const Stopwatch watch(target.time_split["solve"]);

@@ -26,6 +26,8 @@ struct NewtonOptions {
   int max_iterations = 20;
   int max_backtracks = 4;
   bool stale_factor = true; ///< false: factorise at every iteration
+  double finest_forcing = 1e-10; ///< the linear systems are never asked for a smaller relative residual
+  bool evaluated = false;        ///< the target stands evaluated at u already
 };
 
 struct NewtonReport {

@@ -33,6 +33,7 @@ TEST(OpenSees, HoldsTheValuesAndTheLawsMaterial) {
   }
   EXPECT_THROW(opensees_tcl(springs("printed"), 2), DataError);
   EXPECT_THROW(opensees_tcl(springs("signed"), 1), InputError);
+  EXPECT_THROW(opensees_tcl(springs("signed"), 3), InputError);
 }
 
 TEST(OpenSees, HertzdampIsTheHuntCrossleyLawAtItsReferenceSpeed) {
@@ -83,6 +84,10 @@ TEST(OpenSees, ReadsWhatACalibrationWrites) {
   EXPECT_NEAR(rim.damping, reduced::damping_coefficient(rim.k_i, rim.restitution, rim.mass), 1);
   EXPECT_DOUBLE_EQ(rim.lateral_capacity, 0.4);
   EXPECT_THROW(rim_springs(nlohmann::json::object()), DataError);
+  const auto text = opensees_tcl(rim, 2);
+  EXPECT_NE(text.find("# Fitted: k_i = "), std::string::npos) << text;
+  EXPECT_NE(text.find("95 % interval"), std::string::npos) << text;
+  EXPECT_NE(text.find("# Validity: "), std::string::npos) << text;
 }
 
 } // namespace

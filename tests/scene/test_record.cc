@@ -37,8 +37,6 @@ TEST(At2, ReadsFortransOddities) {
   EXPECT_NEAR(r.values[2], 3, 1e-15);
   r = at2(head + line + "1,2,3\nthe end, trailing junk NaN\n");
   EXPECT_EQ(r.values.size(), 3u);
-  r = at2(head + line + "1 2\n\n3 4 5 6\n"); // more than promised
-  EXPECT_EQ(r.values.size(), 3u);
 }
 
 TEST(At2, KnowsUnits) {
@@ -59,6 +57,9 @@ TEST(At2, RefusesWithFileAndLine) {
   refuse("a\nb\nVELOCITY TIME SERIES IN UNITS OF CM/S\nNPTS= 2, DT= .01\n1 2\n", {"test.AT2:3", "velocity"});
   refuse("a\nb\nDISPLACEMENT TIME SERIES IN UNITS OF CM\nNPTS= 2, DT= .01\n1 2\n", {"displacement"});
   refuse(head + "NPTS= 9, DT= .01\n1 2 3\n4 5 6\n", {"test.AT2", "6 values", "9"});
+  refuse(head + "NPTS= 3, DT= .01\n1 2 3\n4 5 6\n", {"test.AT2:6", "4 comes after the 3 values"});
+  refuse(head + "NPTS= 3, DT= .01\n1 2 3 0 7\n", {"test.AT2:5", "7 comes after"});
+  EXPECT_EQ(at2(head + "NPTS= 3, DT= .01\n1 2 3 0\n0 0\n").values.size(), 3u) << "padding";
   refuse(head + "NPTS= 3, DT= .01\n1 NaN 3\n", {"test.AT2:5", "NaN"});
   refuse(head + "NPTS= 3, DT= .01\n1 2\n***** 3\n", {"test.AT2:6", "*****"});
   refuse(head + "NPTS= 3, DT= .01\n1 2 1e999\n", {"test.AT2:5", "1e999"});

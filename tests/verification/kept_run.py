@@ -9,11 +9,12 @@ def kept_run(program, verb, scene, folder, settings=(), options=()):
     """The run's summary. What an older build left behind is made again, unless RIMPACT_KEEP_RUNS is set."""
     summary = pathlib.Path(folder) / "summary.json"
     if not (is_kept(summary, program) and json.loads(summary.read_text())["status"] == "done"):
-        command = [program, verb, scene, "-o", str(folder), "--quiet", *options]
-        for setting in settings:
-            command += ["--set", setting]
-        subprocess.run(command, check=True, stdout=subprocess.DEVNULL)
+        subprocess.run(command(program, verb, scene, folder, settings, options), check=True, stdout=subprocess.DEVNULL)
     return json.loads(summary.read_text())
+
+
+def command(program, verb, scene, folder, settings=(), options=()):
+    return [program, verb, scene, "-o", str(folder), "--quiet", *options, *(word for setting in settings for word in ("--set", setting))]
 
 
 def is_kept(file, program):

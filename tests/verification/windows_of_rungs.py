@@ -14,7 +14,7 @@ from kept_run import kept_run
 
 COMMON = ['excitation.with=["weight","friction"]', "excitation.duration_s=0.06", "reduced.finite_pad=true",
           "reduced.socket_friction=true"]
-FITTED = ["reduced.k_i_kN_per_m=76363", "reduced.restitution=0.114"]
+FITTED = ["reduced.k_i_kN_per_m=62903", "reduced.restitution=0.094"]
 RUNGS = ("reduced", "rim", "rigid-dish", "full")
 LATERAL_CAPACITY = 0.4  # [m]
 

@@ -9,7 +9,7 @@ import subprocess
 import sys
 
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification"))
-from kept_run import is_kept  # noqa: E402
+from kept_run import command, is_kept  # noqa: E402
 
 IMBALANCE = 1e-3
 PULSE, WINDOW = "ricker-0.78g-1.0s", "impact-window"
@@ -92,10 +92,8 @@ class Table:
         folder = self.folder / "".join(c if c.isalnum() else "_" for c in name)
         summary, verdict = folder / "summary.json", folder / "exit.txt"
         if not (verdict.exists() and is_kept(verdict, self.program)):
-            command = [self.program, "run", scene, "-o", str(folder), "--quiet", "--no-fields"]
-            for setting in settings:
-                command += ["--set", setting]
-            done = subprocess.run(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, timeout=3600)
+            done = subprocess.run(command(self.program, "run", scene, folder, settings, ["--no-fields"]),
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, timeout=3600)
             folder.mkdir(parents=True, exist_ok=True)
             verdict.write_text(f"{done.returncode}\n{done.stderr.strip().splitlines()[-1] if done.stderr.strip() else ''}\n")
         code, sentence = verdict.read_text().split("\n")[:2]

@@ -85,6 +85,18 @@ void measure(const Indentation &p, const std::vector<fe::SurfaceContact::Sample>
         stick_ratio(p.sphere, p.half_size, inside, std::abs(friction_inside) / (p.mu * force_inside));
 }
 
+void load_in_steps(fe::ContactSystem &system, SystemState &state, const std::function<fe::StepTerms(double)> &terms,
+                   const fe::StepOptions &options, IndentationResult &result) {
+  const auto report = fe::march(0, 1, {0.25, 0.01, 0.25}, [&](double t, double dt) -> fe::Attempt {
+    const auto step = static_step(system, state, terms(t + dt), options);
+    result.iterations += step.iterations;
+    result.residuals = step.residuals;
+    return {step.converged, 0, step.reason};
+  });
+  result.cuts += report.cuts;
+  if (!report.finished) throw std::runtime_error("loading stopped: " + report.reason);
+}
+
 IndentationResult indent(const Indentation &p) {
   const Timer timer;
   const bool both = p.tangential > 0;
@@ -139,23 +151,16 @@ IndentationResult indent(const Indentation &p) {
   if (x_equation >= 0) lowered.driven.push_back({x_equation, 0.0});
   if (!static_step(system, state, lowered, step_options).converged)
     throw std::runtime_error("the first touch did not converge");
-  const auto load_in_steps = [&](bool sideways) {
-    const auto report = fe::march(0, 1, {0.25, 0.01, 0.25}, [&](double t, double dt) -> fe::Attempt {
-      auto terms = sideways ? terms_at(1, t + dt) : terms_at(t + dt, 0);
-      if (!sideways && x_equation >= 0) terms.driven.push_back({x_equation, 0.0});
-      const auto step = static_step(system, state, terms, step_options);
-      result.iterations += step.iterations;
-      result.residuals = step.residuals;
-      return {step.converged, 0, step.reason};
-    });
-    result.cuts += report.cuts;
-    if (!report.finished) throw std::runtime_error("loading stopped: " + report.reason);
+  const auto pressed = [&](double share) {
+    auto terms = terms_at(share, 0);
+    if (x_equation >= 0) terms.driven.push_back({x_equation, 0.0});
+    return terms;
   };
-  load_in_steps(false);
+  load_in_steps(system, state, pressed, step_options, result);
   result.depth = -state.u[z_equation];
   if (both) {
     system.contact(0).options().law.friction = fe::FrictionCoefficient::constant(p.mu);
-    load_in_steps(true);
+    load_in_steps(system, state, [&](double share) { return terms_at(1, share); }, step_options, result);
   }
 
   measure(p, system.contact(0).samples(system.expand(state), state.contacts[0]), state.contacts[0], result);

@@ -2,6 +2,7 @@
 /// Hertz (VERIFICATION 4) and Cattaneo-Mindlin (5).
 #pragma once
 #include "setups.h"
+#include <functional>
 
 namespace rimpact::verification {
 
@@ -27,6 +28,11 @@ struct IndentationResult {
 /// Half-size, peak pressure and stick ratios from a contact's points, whose centre is x = y = 0.
 void measure(const Indentation &problem, const std::vector<fe::SurfaceContact::Sample> &samples,
              const fe::SurfaceContactState &state, IndentationResult &result);
+/// Four steps of the terms at a growing share of the load; adds to `result`. Throws std::runtime_error when it stops.
+void load_in_steps(fe::ContactSystem &system, SystemState &state, const std::function<fe::StepTerms(double)> &terms,
+                   const fe::StepOptions &options, IndentationResult &result);
+/// Stick ratios, cuts and last residuals of a frictional result, as a table's rows.
+void add_stick_rows(Table &table, const IndentationResult &result, double reference);
 /// Throws std::runtime_error when a step fails.
 IndentationResult indent(const Indentation &problem);
 

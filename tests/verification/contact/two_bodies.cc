@@ -79,22 +79,15 @@ IndentationResult press(const Pair &pair) {
   if (along >= 0) lowered.driven.push_back({along, 0.0});
   if (const auto step = static_step(system, state, lowered, step_options); !step.converged)
     throw std::runtime_error("the first touch did not converge: " + step.reason);
-  const auto load_in_steps = [&](bool sideways) {
-    const auto report = fe::march(0, 1, {0.25, 0.01, 0.25}, [&](double t, double dt) -> fe::Attempt {
-      auto terms = sideways ? terms_at(1, t + dt) : terms_at(t + dt, 0);
-      if (!sideways && along >= 0) terms.driven.push_back({along, 0.0});
-      const auto step = static_step(system, state, terms, step_options);
-      result.iterations += step.iterations;
-      result.residuals = step.residuals;
-      return {step.converged, 0, step.reason};
-    });
-    result.cuts += report.cuts;
-    if (!report.finished) throw std::runtime_error("loading stopped: " + report.reason);
+  const auto pressed = [&](double share) {
+    auto terms = terms_at(share, 0);
+    if (along >= 0) terms.driven.push_back({along, 0.0});
+    return terms;
   };
-  load_in_steps(false);
+  load_in_steps(system, state, pressed, step_options, result);
   if (both) {
     system.contact(0).options().law.friction = fe::FrictionCoefficient::constant(p.mu);
-    load_in_steps(true);
+    load_in_steps(system, state, [&](double share) { return terms_at(1, share); }, step_options, result);
   }
   measure(p, system.contact(0).samples(system.expand(state), state.contacts[0]), state.contacts[0], result);
   result.size = first;
@@ -144,12 +137,7 @@ Table mindlin_two_bodies() {
   const double b = std::sqrt(8 * load * R * (1 - nu * nu) / (M_PI * E)), reference = std::sqrt(0.5);
   for (const int cells : {10, 15, 22}) {
     const auto r = press({{false, E, nu, R, load, b, cells, 0.3, 0.5}});
-    table.add({"stick ratio, by traction", r.size, r.stick_ratio_traction, reference, r.dofs, r.iterations, r.seconds});
-    table.add({"stick ratio, by area", r.size, r.stick_ratio_area, reference, r.dofs, r.iterations, r.seconds});
-    table.gate("cuts", r.cuts, 0);
-    std::string residuals;
-    for (const double value : r.residuals) residuals += fmt::format(" {:.1e}", value);
-    table.note("last frictional solution, relative residuals:" + residuals);
+    add_stick_rows(table, r, reference);
   }
   table.gate("stick ratio, by traction", table.last_error("stick ratio, by traction"), 0.03);
   table.gate("stick ratio, by area", table.last_error("stick ratio, by area"), 0.08);
