@@ -30,6 +30,10 @@ std::optional<std::string> refusal(const scene::Scene &scene) {
   if (rung != "rim" && kind == Kind::window && !scene.excitation.with_weight)
     return "a weightless window has nothing that holds the stack on its dish: set excitation.with to "
            "[\"weight\", \"friction\"], or run it on rung `rim`";
+  if (rung != "rim" && scene.load.vertical <= 0)
+    return fmt::format("load.vertical_kN {:g} has nothing that holds the stack on its dish: rung `{}` needs a weight > 0; rung "
+                       "`rim` can do without",
+                       scene.load.vertical / 1e3, rung);
   if (rung == "rim" && contact.rim != 0) return fmt::format("contact.rim {} is not 0: the rim's walls are frictionless on rung `rim`; rungs `rigid-dish` and `full` have the friction", contact.rim);
   if (rung != "rim" && contact.pad_foot != "tied")
     return fmt::format("contact.pad_foot '{}' is not in this build; it has: tied", contact.pad_foot);

@@ -12,9 +12,10 @@ constexpr int most_linear_iterations = 30, worn_after = 6;
 /// Eisenstat and Walker (1996), choice 2 with its safeguard: how well the linear system need be solved.
 double forcing_term(const std::vector<double> &residuals, double last, const NewtonOptions &options) {
   constexpr double largest = 1e-2, gamma = 0.9;
-  if (residuals.size() < 2) return largest;
   // What falls below the tolerance anyhow need not be solved further (Kelley 1995).
   const double enough = std::max(options.finest_forcing, 0.3 * options.tolerance / residuals.back());
+  // A solution taken up again, its multipliers changed, starts near: Dembo, Eisenstat and Steihaug's choice.
+  if (residuals.size() < 2) return std::clamp(residuals.back(), std::min(enough, largest), largest);
   const double ratio = residuals.back() / residuals[residuals.size() - 2];
   const double safeguard = gamma * last * last;
   const double term = std::max(gamma * ratio * ratio, safeguard > 0.1 ? safeguard : 0.0);

@@ -1,0 +1,77 @@
+#!/usr/bin/env python3
+"""Hard cases of a finite-element rung, mesh 1: what became of each, its energy imbalance, steps, cuts and iterations. Rows with * must
+come out right, that is: the expected status, an imbalance below 1e-3 of the input, and what the row's own check asks. A case
+that fails stays in the table, as failing. Runs kept in FOLDER are not repeated (see kept_run.py).
+usage: hard_cases.py RUNG RIMPACT FOLDER [part of a case's name]"""
+import importlib
+import json
+import pathlib
+import subprocess
+import sys
+
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verification"))
+from kept_run import command, is_kept  # noqa: E402
+
+IMBALANCE = 1e-3
+
+
+class Table:
+    def __init__(self, rung, program, folder):
+        self.rung, self.program, self.folder, self.summaries = rung, program, folder, {}
+
+    def run(self, name, scene, settings):
+        folder = self.folder / "".join(c if c.isalnum() else "_" for c in name)
+        summary, verdict = folder / "summary.json", folder / "exit.txt"
+        if not (verdict.exists() and is_kept(verdict, self.program)):
+            done = subprocess.run(command(self.program, "run", scene, folder, settings, ["--no-fields", "--rung", self.rung]),
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True, timeout=3600)
+            folder.mkdir(parents=True, exist_ok=True)
+            verdict.write_text(f"{done.returncode}\n{done.stderr.strip().splitlines()[-1] if done.stderr.strip() else ''}\n")
+        code, sentence = verdict.read_text().split("\n")[:2]
+        self.summaries[name] = json.loads(summary.read_text()) if summary.exists() else {}
+        return int(code), sentence, self.summaries[name]
+
+    def row(self, name, starred, what, expected, check):
+        code, sentence, s = self.run(name, *what)
+        imbalance = abs(s.get("energy", {}).get("imbalance_relative", 0))
+        wrong = []
+        if code != expected:
+            wrong.append(f"exit code {code}, not {expected}")
+        elif code == 0:
+            if not imbalance < IMBALANCE:
+                wrong.append(f"imbalance {imbalance:.1e}")
+            if check and not check(s, self.summaries.get):
+                wrong.append("its check fails")
+        if code != 0 and not sentence:
+            wrong.append("no sentence")
+        figures = (f"{len(s.get('impacts', [])):3d} {1e-3 * (s.get('peak_impact_force_N') or 0):9.1f} {imbalance:9.1e} "
+                   f"{s.get('n_steps', 0):6d} {s.get('cuts', 0):4d} {s.get('n_newton_iterations', 0):6d} "
+                   f"{s.get('wall_time_s', 0):7.0f}" if s else " " * 50)
+        outcome = "FAILS" if wrong else ("right" if code == 0 else "refused" if code == 2 else "stopped")
+        return bool(wrong), (f"{name + (' *' if starred else ''):38s} {outcome:8s} {figures} "
+                             f"{'; '.join(wrong + ([sentence] if code else []))}").rstrip()
+
+
+def main(rung, program, folder, only=""):
+    scenes = importlib.import_module("cases_" + rung.replace("-", "_"))
+    folder = pathlib.Path(folder)
+    folder.mkdir(parents=True, exist_ok=True)
+    table, lines, failed = Table(rung, program, folder), [], []
+    header = (f"{'# case':38s} {'outcome':8s} hit   peak_kN imbalance  steps cuts newton seconds\n")
+    for name, starred, what, expected, check in scenes.cases(folder):
+        if only not in name and not name.startswith("reference"):
+            continue
+        wrong, line = table.row(name, starred, what, expected, check)
+        lines.append(line)
+        print(line, flush=True)
+        if wrong and starred:
+            failed.append(name)
+    text = (f"# Hard cases of rung {rung}, mesh 1; rows with * must be right. Made by hard_cases.py.\n" + header
+            + "\n".join(lines) + "\n" + scenes.NOTES)
+    if not only:
+        (folder / "table.txt").write_text(text)
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:5]))
