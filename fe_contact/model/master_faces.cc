@@ -69,8 +69,14 @@ std::vector<int> MasterFaces::near(const Eigen::Vector3d &low, const Eigen::Vect
 
 MasterFaces::Place MasterFaces::locate(const Eigen::Vector3d &y, int guess, double beyond) const {
   if (guess >= 0) {
+    // A point keeps its face a little past an inner edge: where the surface has a kink, each face may send it to the
+    // other for ever.
+    constexpr double hold = 0.02; // half widths
     const Projection p = project(y, nodes_[guess], space_.degree, 0, 0);
-    if (p.converged && std::max(std::abs(p.xi), std::abs(p.eta)) <= 1) return {guess, p, true};
+    const double past[4] = {-1 - p.xi, p.xi - 1, -1 - p.eta, p.eta - 1};
+    bool kept = p.converged;
+    for (int e = 0; e < 4; ++e) kept = kept && past[e] <= (open_edges_[guess][e] ? 0 : hold);
+    if (kept) return {guess, p, true};
   }
   // A point just past an inner edge belongs to the neighbour; where neither claims it (a convex kink) the one
   // it overshoots least does.

@@ -202,19 +202,20 @@ Table patch_two_bodies() {
     table.add({"pressure error, L2, by points", 1.0 / points, r.square, 0, r.dofs, r.iterations, timer.seconds()});
     table.gate("converged", r.converged ? 0 : 1, 0);
   }
+  table.gate("pressure by 16 points", table.last_error("pressure error, L2, by points"), 2.5e-3);
   table.note("n^3 cells below, (3 n / 2)^3 above, inner nodes moved; size 1/n, or 1 over the Gauss points a direction and face");
   return table;
 }
 
 namespace {
 
-constexpr double mm = 1e-3, die_radius = 3 * mm;
+constexpr double mm = 1e-3, die_radius = 5 * mm;
 
-/// Slab of 20 x 4 mm in n by n/5 cells; a die with a cylindrical lower face of 3 mm radius over x = 5 mm.
+/// Slab of 20 x 4 mm in n by n/5 cells, the slave; a die with a cylindrical lower face over x = 5 mm, wider than its contact.
 meshes::HexMesh ironing_mesh(int n, int die_cells) {
   meshes::HexMesh mesh;
-  test::add_box(mesh, {{0, 0, -4 * mm}, {20 * mm, 1 * mm, 0}, {n, 1, n / 5}, Volume::rim, {{5, Surface::dish}}});
-  test::add_box(mesh, {{-2.6 * mm, 0, 0}, {2.6 * mm, 1 * mm, 1}, {die_cells, 1, die_cells / 3}, Volume::pad, {{4, Surface::slider_side}, {5, Surface::top}}},
+  test::add_box(mesh, {{0, 0, -4 * mm}, {20 * mm, 1 * mm, 0}, {n, 1, n / 5}, Volume::rim, {{5, Surface::slider_side}}});
+  test::add_box(mesh, {{-4.2 * mm, 0, 0}, {4.2 * mm, 1 * mm, 1}, {die_cells, 1, die_cells / 3}, Volume::pad, {{4, Surface::dish}, {5, Surface::top}}},
                 [](std::array<double, 3> x) {
                   const double bottom = die_radius - std::sqrt(die_radius * die_radius - x[0] * x[0]);
                   return std::array<double, 3>{5 * mm + x[0], x[1], bottom + (4 * mm - bottom) * x[2]};
@@ -244,10 +245,12 @@ Ironed iron(int n) {
   auto contact = contact_options(E, h, mu);
   contact.carrier_faces = Surface::dish;
   contact.margin = h;
-  system.add_contact(Surface::slider_side, fe::plane(Vector3d::Zero(), Vector3d::UnitZ()), contact);
+  system.add_contact(Surface::slider_side,
+                     fe::cylinder(Vector3d(5 * mm, 0, die_radius), Vector3d::UnitY(), die_radius, fe::Side::outside), contact);
   SystemState state = system.at_rest();
   fe::StepOptions options;
   options.max_augmentations = 2;
+  options.tolerance_between = 1e-2;
   options.gap_tolerance = options.slip_tolerance = 1e-6;
   Ironed result{};
   std::vector<double> vertical, along;
@@ -261,6 +264,9 @@ Ironed iron(int n) {
       const auto step = static_step(system, state, terms, options, change.size() ? Eigen::VectorXd(state.u + change) : Eigen::VectorXd());
       result.iterations += step.iterations;
       if (!step.converged) {
+        printf("t %.5f dt %.5f aug %d:", t, dt, step.augmentations);
+        for (double r : step.residuals) printf(" %.1e", r);
+        printf("\n");
         change.resize(0);
         return {false, 0, step.reason};
       }
