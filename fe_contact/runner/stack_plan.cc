@@ -10,10 +10,10 @@ namespace {
 
 /// Measured (docs/measured.md): the stack; what a meshed sector of the rim adds while it takes part.
 constexpr MeshCost stack[3] = {{18900, 0.25, 0.7e9}, {59000, 1.2, 2.0e9}, {167000, 6.0, 6.5e9}};
-constexpr MeshCost sector[3] = {{7000, 0.12, 0.3e9}, {24000, 0.6, 0.8e9}, {70000, 3.0, 2.5e9}};
+constexpr MeshCost sector[3] = {{4800, 0.12, 0.3e9}, {24000, 0.6, 0.8e9}, {70000, 3.0, 2.5e9}};
 
 /// The whole plate, solid all the time (rung R3).
-constexpr MeshCost plate[3] = {{28000, 0.6, 1.2e9}, {90000, 3.0, 3.5e9}, {270000, 15.0, 11e9}};
+constexpr MeshCost plate[3] = {{20000, 0.6, 0.9e9}, {90000, 3.0, 3.5e9}, {270000, 15.0, 11e9}};
 
 void add_cost(Plan &plan, double iterations, double iterations_with_rim, int sectors) {
   constexpr double whole_over_half = 3;
@@ -94,7 +94,7 @@ Plan stack_path_plan(const scene::Scene &scene) {
 }
 
 Plan stack_motion_plan(const scene::Scene &scene) {
-  constexpr double step_in_flight = 0.008, iterations_a_step = 4, contact_time = 0.06, steps_out = 45;
+  constexpr double step_in_flight = 0.008, iterations_in_flight = 4, contact_time = 0.06, iterations_in_contact = 5, steps_out = 30;
   Plan plan;
   plan.rung = scene.model.rung;
   plan.mesh = scene.model.mesh;
@@ -111,9 +111,9 @@ Plan stack_motion_plan(const scene::Scene &scene) {
     scout_stack(plan, scene);
     impacts = plan.impacts.size();
   }
-  const double contact = 2 * impacts * contact_time / plan.step_in_contact;
+  const double contact = 1.2 * impacts * contact_time / plan.step_in_contact;
   plan.expected_steps = std::lround(flight + contact);
-  add_cost(plan, flight * iterations_a_step, contact * iterations_a_step, plan.opposite_sector ? 2 : 1);
+  add_cost(plan, flight * iterations_in_flight, contact * iterations_in_contact, plan.opposite_sector ? 2 : 1);
   add_pad_note(plan, scene);
   return plan;
 }

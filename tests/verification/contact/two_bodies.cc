@@ -264,9 +264,6 @@ Ironed iron(int n) {
       const auto step = static_step(system, state, terms, options, change.size() ? Eigen::VectorXd(state.u + change) : Eigen::VectorXd());
       result.iterations += step.iterations;
       if (!step.converged) {
-        printf("t %.5f dt %.5f aug %d:", t, dt, step.augmentations);
-        for (double r : step.residuals) printf(" %.1e", r);
-        printf("\n");
         change.resize(0);
         return {false, 0, step.reason};
       }
@@ -274,7 +271,7 @@ Ironed iron(int n) {
       result.most = std::max(result.most, step.iterations);
       ++result.steps;
       result.residuals = step.residuals;
-      vertical.push_back(state.reports[0].force.z());
+      vertical.push_back(-state.reports[0].force.z());
       along.push_back(state.reports[0].force.x());
       return {true, 0, {}};
     });
