@@ -98,7 +98,8 @@ std::vector<std::string> remarks_of(const json &calibration) {
   std::vector<std::string> remarks;
   const json parameters = calibration.value("parameters", json::object());
   for (const auto &[name, fitted] : parameters.items()) {
-    std::string text = fmt::format("Fitted: {} = {:.4g} {}", name, number_at(fitted, "value"), fitted.value("unit", ""));
+    const std::string unit = fitted.value("unit", "");
+    std::string text = fmt::format("Fitted: {} = {:.4g}{}", name, number_at(fitted, "value"), unit == "-" ? "" : " " + unit);
     const json interval = fitted.value("interval_95", json());
     if (interval.is_array() && interval.size() == 2 && interval[0].is_number() && interval[1].is_number())
       text += fmt::format(", 95 % interval {:.4g} to {:.4g}", interval[0].get<double>(), interval[1].get<double>());
