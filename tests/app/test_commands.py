@@ -115,6 +115,22 @@ class BadInput(unittest.TestCase):
             with open(os.path.join(folder, "summary.json")) as file:
                 self.assertEqual(json.load(file)["status"], "stopped")
 
+    def test_check_says_what_run_would_refuse(self):
+        for more, word in ((["--set", 'model.rung="rigid-dish"'], "weightless"),
+                           (["--set", 'model.rung="rigid-dish"', "--set", 'excitation.with=["weight"]', "--set", "load.vertical_kN=0"],
+                            "holds the stack")):
+            checked = rimpact("check", "impact-window", *more, "--json")
+            self.assertEqual(checked.returncode, 2)
+            self.assertIn(word, checked.stderr)
+            self.assertIn(word, json.loads(checked.stdout)["refusal"])
+            self.assertEqual(rimpact("run", "impact-window", "--dry-run", *more).returncode, 2)
+
+    def test_a_mass_in_tonnes_is_remarked_upon(self):
+        for verb in (["check"], ["run", "--dry-run"]):
+            done = rimpact(*verb, "ricker-0.78g-1.0s", "--set", "load.mass_kg=87")
+            self.assertEqual(done.returncode, 0)
+            self.assertIn("are the units right?", done.stderr)
+
     def test_a_scene_file_is_not_replaced_by_its_run(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "scene.toml")

@@ -4,6 +4,7 @@
 set -eu
 seconds=${1:-60}
 folder=${2:-$(mktemp -d)}
+mkdir -p "$folder"
 root=$(cd "$(dirname "$0")/../.." && pwd)
 if ! echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char *, unsigned long) { return 0; }' |
   clang++ -x c++ -fsanitize=fuzzer - -o "$folder/probe" 2>/dev/null; then
