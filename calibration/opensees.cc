@@ -65,11 +65,8 @@ Material material_of(const RimSprings &r) {
   throw DataError(fmt::format("OpenSees has no material for the impact law {}", r.law));
 }
 
-void require_springs(int n) {
-  if (n != 2 && n < 4) throw InputError(fmt::format("springs {} must be 2 (along x), or 4 or more (around the slider)", n));
-}
-
 std::string stated(const RimSprings &r, int n, const Material &material, const char *assign) {
+  if (n != 2 && n < 4) throw InputError(fmt::format("springs {} must be 2 (along x), or 4 or more (around the slider)", n));
   std::string text = "# Rim impact fitted by rimpact; SI units: N, m, s, kg.\n";
   const auto line = [&](const char *name, double value, const char *what) {
     text += fmt::format(fmt::runtime(assign), name, value) + fmt::format("  # {}\n", what);
@@ -137,7 +134,6 @@ RimSprings rim_springs(const json &calibration) {
 }
 
 std::string opensees_tcl(const RimSprings &r, int n) {
-  require_springs(n);
   const Material material = material_of(r);
   return stated(r, n, material, "set {} {:.10g};") +
          fmt::format("# Adds the material `tag` and n_springs zeroLength elements, numbered from `first`, "
@@ -161,7 +157,6 @@ std::string opensees_tcl(const RimSprings &r, int n) {
 }
 
 std::string opensees_python(const RimSprings &r, int n) {
-  require_springs(n);
   const Material material = material_of(r);
   return stated(r, n, material, "{} = {:.10g}") +
          fmt::format(

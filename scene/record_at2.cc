@@ -162,7 +162,7 @@ SampledSignal parse_at2(const std::string &text, const std::string &path, double
       record.values.push_back(*value * header.unit);
       rest = skip_blanks(rest);
     }
-    refuse_surplus(rest, fmt::format("{}:{}", path, i + 1), expected);
+    if (!rest.empty()) refuse_surplus(rest, fmt::format("{}:{}", path, i + 1), expected);
   }
   if (record.values.size() < expected)
     throw DataError(fmt::format("{}: truncated: {} values found, NPTS promises {}", path,

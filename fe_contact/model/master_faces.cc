@@ -29,6 +29,9 @@ std::vector<unsigned> edge_nodes(const Face &face, int degree, int edge) {
   return result;
 }
 
+/// How far a place lies past each edge [half widths], in the order of edge_nodes; below zero: inside it.
+std::array<double, 4> past_edges(const Projection &p) { return {-1 - p.xi, p.xi - 1, -1 - p.eta, p.eta - 1}; }
+
 } // namespace
 
 struct MasterFaces::Tree {
@@ -73,7 +76,7 @@ MasterFaces::Place MasterFaces::locate(const Eigen::Vector3d &y, int guess, doub
     // other for ever.
     constexpr double hold = 0.02; // half widths
     const Projection p = project(y, nodes_[guess], space_.degree, 0, 0);
-    const double past[4] = {-1 - p.xi, p.xi - 1, -1 - p.eta, p.eta - 1};
+    const auto past = past_edges(p);
     bool kept = p.converged;
     for (int e = 0; e < 4; ++e) kept = kept && past[e] <= (open_edges_[guess][e] ? 0 : hold);
     if (kept) return {guess, p, true};
@@ -86,7 +89,7 @@ MasterFaces::Place MasterFaces::locate(const Eigen::Vector3d &y, int guess, doub
   for (const int f : near(y, y, 0.0)) {
     const Projection p = project(y, nodes_[f], space_.degree, 0, 0);
     if (!p.converged) continue;
-    const double past[4] = {-1 - p.xi, p.xi - 1, -1 - p.eta, p.eta - 1};
+    const auto past = past_edges(p);
     double overshoot = 0, off = 0;
     for (int e = 0; e < 4; ++e) (open_edges_[f][e] ? off : overshoot) = std::max(open_edges_[f][e] ? off : overshoot, past[e]);
     if (off > beyond || overshoot > best_overshoot) continue;

@@ -97,8 +97,8 @@ void StackDynamic::slide_out() {
       options_.progress({0, end_time(), step, report.iterations, end - from - step, 0, "sliding out"});
     return Attempt{report.converged, 0, report.reason};
   };
-  for (const auto &[from, to, step] : {std::tuple{0.0, end - last, longest}, {end - last, end, last}}) {
-    const MarchReport report = march(from, to, {from > 0 ? step : 1e-3 * step, 1e-5 * step, step, 2.0}, go);
+  for (const auto &[from, to, first, step] : {std::tuple{0.0, end - last, 1e-3 * longest, longest}, {end - last, end, last, last}}) {
+    const MarchReport report = march(from, to, {first, 1e-5 * step, step, 2.0}, go);
     if (!report.finished) throw SolverStopped("the slide out to the rim stopped: " + report.reason);
   }
   // What the dish takes on the last stretch is added, so that the walls meet at the speed asked for.

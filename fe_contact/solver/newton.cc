@@ -13,13 +13,13 @@ constexpr int most_linear_iterations = 30, worn_after = 6;
 double forcing_term(const std::vector<double> &residuals, double last, const NewtonOptions &options) {
   constexpr double largest = 1e-2, gamma = 0.9;
   // What falls below the tolerance anyhow need not be solved further (Kelley 1995).
-  const double enough = std::max(options.finest_forcing, 0.3 * options.tolerance / residuals.back());
+  const double enough = std::min(largest, std::max(options.finest_forcing, 0.3 * options.tolerance / residuals.back()));
   // A solution taken up again, its multipliers changed, starts near: Dembo, Eisenstat and Steihaug's choice.
-  if (residuals.size() < 2) return std::clamp(residuals.back(), std::min(enough, largest), largest);
+  if (residuals.size() < 2) return std::clamp(residuals.back(), enough, largest);
   const double ratio = residuals.back() / residuals[residuals.size() - 2];
   const double safeguard = gamma * last * last;
   const double term = std::max(gamma * ratio * ratio, safeguard > 0.1 ? safeguard : 0.0);
-  return std::clamp(term, std::min(enough, largest), largest);
+  return std::clamp(term, enough, largest);
 }
 
 } // namespace

@@ -22,20 +22,12 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size
   if (size == 0) return 0;
   const std::string text(reinterpret_cast<const char *>(data) + 1, size - 1);
   try {
-    switch (data[0]) {
-    case 'a': {
-      const auto record = scene::parse_at2(text, "fuzz.AT2", 9.81);
+    if (data[0] == 'a' || data[0] == 'c') {
+      const auto record = (data[0] == 'a' ? scene::parse_at2 : scene::parse_record_csv)(text, "fuzz", 9.81);
       require_finite(record.values);
       scene::inspect(record);
-      break;
-    }
-    case 'c': {
-      const auto record = scene::parse_record_csv(text, "fuzz.csv", 9.81);
-      require_finite(record.values);
-      scene::inspect(record);
-      break;
-    }
-    default: require_finite(scene::parse_csv(text, "fuzz.csv").series("time"));
+    } else {
+      require_finite(scene::parse_csv(text, "fuzz").series("time"));
     }
   } catch (const Error &) {
   }
