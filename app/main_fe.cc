@@ -1,7 +1,31 @@
-// The finite-element executable: run, mesh, version. Starts PETSc (and MPI) once.
+// The finite-element executable: run, mesh, version. Starts PETSc (and MPI) once; under mpirun the first rank speaks.
 #include "app/verb.h"
+#include "fe_contact/runner/run.h"
 
+#include <chrono>
+#include <cstdio>
+#include <cstring>
 #include <petscsys.h>
+#include <thread>
+
+namespace {
+
+/// A failure all ranks share ends each of them alike; one that struck this rank alone must end the others too, which
+/// would wait for it for ever.
+void leave_together(MPI_Comm comm, int code) {
+  constexpr auto patience = std::chrono::seconds(10);
+  MPI_Request request;
+  MPI_Ibarrier(comm, &request);
+  int all_here = 0;
+  for (const auto start = std::chrono::steady_clock::now(); std::chrono::steady_clock::now() - start < patience;) {
+    MPI_Test(&request, &all_here, MPI_STATUS_IGNORE);
+    if (all_here) return;
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));
+  }
+  MPI_Abort(MPI_COMM_WORLD, code);
+}
+
+} // namespace
 
 int main(int argc, char **argv) {
   // PETSc would take options of its own from the command line: give it none.
@@ -9,10 +33,22 @@ int main(int argc, char **argv) {
   char *name[] = {argv[0], nullptr}, **names = name;
   if (PetscInitialize(&none, &names, nullptr, nullptr)) return 1;
   PetscPopSignalHandler();
-  const int code = rimpact::app::run_command(argc, argv,
-                                             {{"run", rimpact::app::add_run},
-                                              {"mesh", rimpact::app::add_mesh},
-                                              {"version", rimpact::app::add_version}});
+  int n_ranks = 1;
+  MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);
+  MPI_Comm leaving;
+  MPI_Comm_dup(MPI_COMM_WORLD, &leaving);
+  const bool first = rimpact::fe::is_first_rank(), shares = argc > 1 && std::strcmp(argv[1], "run") == 0;
+  if (n_ranks > 1) rimpact::fe::use_one_blas_thread();
+  if (!first && (!std::freopen("/dev/null", "w", stdout) || !std::freopen("/dev/null", "w", stderr))) return 1;
+  int code = 0;
+  if (first || shares)
+    code = rimpact::app::run_command(argc, argv,
+                                     {{"run", rimpact::app::add_run},
+                                      {"mesh", rimpact::app::add_mesh},
+                                      {"version", rimpact::app::add_version}});
+  std::fflush(stdout);
+  if (code != 0 && n_ranks > 1) leave_together(leaving, code);
+  MPI_Comm_free(&leaving);
   PetscFinalize();
   return code;
 }

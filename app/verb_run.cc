@@ -36,6 +36,7 @@ void run(Options &options, Console &console) {
   keep_scene_file(options.scene, scene, run_options.folder);
   run_options.resume = options.resume;
   run_options.fields = !options.no_fields;
+  run_options.writes = fe::is_first_rank();
   run_options.interrupted = &interrupted();
   run_options.annotate = [&](scene::Summary &summary) {
     const auto beside = std::filesystem::absolute(run_options.folder).lexically_normal().parent_path();
@@ -58,6 +59,10 @@ void run(Options &options, Console &console) {
     failure = std::current_exception();
   }
   line.finish();
+  if (!run_options.writes) { // the first rank tells
+    if (failure) std::rethrow_exception(failure);
+    return;
+  }
   if (!failure) {
     for (const auto &warning : summary.extra["warnings"]) console.warn(warning.get<std::string>());
     for (const auto &impact : summary.impacts)

@@ -1,5 +1,6 @@
 #include "fe_contact/model/contact_system.h"
 
+#include "fe_contact/solver/ranks.h"
 #include "fe_contact/solver/stopwatch.h"
 #include <algorithm>
 #include <cmath>
@@ -76,24 +77,29 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool &patt
   }
   const Stopwatch watch(time_split["search"]);
   Eigen::VectorXd spent = forces.cwiseAbs();
-  if (const Inertia *inertia = terms_->inertia) {
+  // Of the tangent every rank has the share of its cells and faces, and the first one what belongs to none.
+  const bool first = ranks().first();
+  if (const Inertia *inertia = terms_->inertia; inertia && first) {
     const double alpha_m = inertia->scheme.alpha_m;
     const double factor = (1 - alpha_m) / (inertia->scheme.beta * inertia->dt * inertia->dt);
     for (std::size_t k = 0; k < mass_->n_entries(); ++k)
       solid_tangent_->values()[k] += factor * mass_->values()[k];
   }
   tangent_->assign(*solid_tangent_);
+  if (!first) forces.setZero(); // until they are summed up with the contacts'
   trial_.reports.assign(contacts_.size(), {});
   for (std::size_t i = 0; i < contacts_.size(); ++i)
     trial_.reports[i] = contacts_[i].assemble(displacements, trial_.contacts[i], terms_->dt, equations_, forces,
                                               tangent_.get());
+  ranks().sum(forces);
   pattern_holds = std::all_of(trial_.reports.begin(), trial_.reports.end(), [](const auto &r) { return r.pattern_holds; });
   trial_.R = terms_->load - forces;
   residual_ = -trial_.R;
   // Coordinates are known to rounding, forces therefore to rounding times stiffness times size.
-  double stiffness = 0;
-  for (int i = 0; i < equations_.n; ++i) stiffness += std::pow(tangent_->diagonal(i), 2);
-  const double rounding = 4 * std::numeric_limits<double>::epsilon() * std::sqrt(stiffness) * size_;
+  Eigen::VectorXd diagonal(equations_.n);
+  for (int i = 0; i < equations_.n; ++i) diagonal[i] = tangent_->diagonal(i);
+  ranks().sum(diagonal);
+  const double rounding = 4 * std::numeric_limits<double>::epsilon() * diagonal.norm() * size_;
   scale_ = spent.norm() + terms_->load.norm() + rounding / usual_tolerance;
   if (const Inertia *inertia = terms_->inertia) {
     const Eigen::VectorXd a = inertia->acceleration(u);
@@ -106,14 +112,14 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool &patt
     const Eigen::VectorXd springs = terms_->stabilisation * (u - old_->u);
     residual_ += springs;
     stabilisation_share_ = springs.norm() / scale_;
-    for (int i = 0; i < equations_.n; ++i) tangent_->add(i, i, terms_->stabilisation);
+    for (int i = 0; first && i < equations_.n; ++i) tangent_->add(i, i, terms_->stabilisation);
   } else {
     stabilisation_share_ = 0;
   }
   for (const auto &[equation, target] : terms_->driven) {
     trial_.R[equation] = 0; // the drive's reaction balances it
-    const double stiffness = std::abs(tangent_->diagonal(equation)) + 1.0;
-    tangent_->make_unit_row(equation, stiffness);
+    const double stiffness = std::abs(diagonal[equation] + terms_->stabilisation) + 1.0;
+    tangent_->make_unit_row(equation, first ? stiffness : 0.0);
     residual_[equation] = stiffness * (u[equation] - target);
   }
   return residual_.allFinite();

@@ -1,6 +1,8 @@
 #include "fe_contact/model/solid.h"
 
 #include "fe_contact/model/solid_kernel.h"
+#include "fe_contact/solver/ranks.h"
+#include <algorithm>
 #include <cstdlib>
 #include <thread>
 
@@ -22,8 +24,8 @@ template <typename Body> void share(std::size_t n, int workers, const Body &body
 int assembly_threads() {
   static const int n = [] {
     const char *wanted = std::getenv("RIMPACT_THREADS");
-    const int cores = std::max(1u, std::thread::hardware_concurrency());
-    return wanted && std::atoi(wanted) > 0 ? std::atoi(wanted) : std::min(cores, 8);
+    const int cores = std::max(1u, std::thread::hardware_concurrency()) / ranks().size;
+    return wanted && std::atoi(wanted) > 0 ? std::atoi(wanted) : std::clamp(cores, 1, 8);
   }();
   return n;
 }
@@ -143,11 +145,13 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
   const std::vector<int> *places = tangent ? &places_in(*tangent, equations) : nullptr;
   next = old; // cells that do not move keep theirs
   const std::vector<unsigned> cells = moving_cells(equations);
+  const std::vector<std::size_t> starts = ranks().starts(cells.size());
+  const unsigned *own_cells = cells.data() + starts[ranks().own];
   std::vector<Eigen::VectorXd> part_forces(workers, Eigen::VectorXd::Zero(equations.n));
   std::vector<std::vector<double>> part_values(workers);
   std::vector<SolidEnergies> part_energies(workers);
   std::vector<char> admissible(workers, 1);
-  share(cells.size(), workers, [&](std::size_t begin, std::size_t end, int w) {
+  share(starts[ranks().own + 1] - starts[ranks().own], workers, [&](std::size_t begin, std::size_t end, int w) {
     double *values = nullptr;
     if (tangent && w == 0) values = tangent->values().data();
     if (tangent && w > 0) {
@@ -156,17 +160,30 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
     }
     const auto run = space_.degree == 2 ? &Solid::assemble_cells<27> : &Solid::assemble_cells<8>;
     admissible[w] =
-        (this->*run)(cells.data() + begin, cells.data() + end, u, old, next, equations, part_forces[w], places, values, part_energies[w]);
+        (this->*run)(own_cells + begin, own_cells + end, u, old, next, equations, part_forces[w], places, values, part_energies[w]);
   });
+  if (ranks().any(std::find(admissible.begin(), admissible.end(), 0) != admissible.end())) return false;
+  Eigen::VectorXd summed = Eigen::VectorXd::Zero(equations.n + 2); // forces, energies
   for (int w = 0; w < workers; ++w) {
-    if (!admissible[w]) return false;
-    forces += part_forces[w];
-    energies.elastic += part_energies[w].elastic;
-    energies.plastic += part_energies[w].plastic;
+    summed.head(equations.n) += part_forces[w];
+    summed.tail<2>() += Eigen::Vector2d(part_energies[w].elastic, part_energies[w].plastic);
     if (tangent && w > 0)
       for (std::size_t k = 0; k < part_values[w].size(); ++k) tangent->values()[k] += part_values[w][k];
   }
+  ranks().sum(summed);
+  forces += summed.head(equations.n);
+  energies.elastic += summed[equations.n];
+  energies.plastic += summed[equations.n + 1];
+  hand_round(next, cells, starts);
   return true;
+}
+
+/// The history of each rank's cells, and of those at rest between them, goes to all the others.
+void Solid::hand_round(SolidHistory &history, const std::vector<unsigned> &cells, const std::vector<std::size_t> &starts) const {
+  std::vector<std::size_t> points{0};
+  for (int r = 1; r < ranks().size; ++r) points.push_back((starts[r] < cells.size() ? cells[starts[r]] : space_.n_cells) * space_.full.n_points);
+  points.push_back(history.size());
+  ranks().hand_round(history, points);
 }
 
 void Solid::add_mass(const Equations &equations, SymmetricMatrix &mass) const {

@@ -38,7 +38,8 @@ public:
 
   /// Adds internal forces at dof displacements u to `forces` (equations) and, when given, the tangent.
   /// False when a point is inadmissible (inverted): the step must be cut. A cell whose dofs are all held has no
-  /// part in it: its history is kept, its energy not counted.
+  /// part in it: its history is kept, its energy not counted. With several ranks the tangent is that of this
+  /// rank's cells alone; all else is whole.
   bool assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next,
                 const Equations &equations, Eigen::VectorXd &forces, SymmetricMatrix *tangent,
                 SolidEnergies &energies) const;
@@ -60,6 +61,7 @@ private:
   bool assemble_cells(const unsigned *begin, const unsigned *end, const Eigen::VectorXd &u, const SolidHistory &old,
                       SolidHistory &next, const Equations &equations, Eigen::VectorXd &forces,
                       const std::vector<int> *places, double *tangent, SolidEnergies &energies) const;
+  void hand_round(SolidHistory &history, const std::vector<unsigned> &cells, const std::vector<std::size_t> &starts) const;
   std::vector<unsigned> moving_cells(const Equations &equations) const; ///< with a dof that is not held
   const std::vector<int> &places_in(const SymmetricMatrix &matrix, const Equations &equations) const;
 

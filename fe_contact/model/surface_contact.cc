@@ -1,5 +1,7 @@
 #include "fe_contact/model/surface_contact.h"
 
+#include "fe_contact/solver/ranks.h"
+
 #include <Eigen/QR>
 #include <unsupported/Eigen/AutoDiff>
 
@@ -175,7 +177,8 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
   constexpr double beyond = 0.5; // half widths of a face, for points that cross a free edge in this step
   Pair pair;
   int face = -1, carrier_face = -1; // of the pair
-  for (std::size_t k = 0; k < points_.size(); ++k) {
+  const std::vector<std::size_t> starts = starts_of_ranks();
+  for (std::size_t k = starts[ranks().own]; k < starts[ranks().own + 1]; ++k) {
     const FacePoint &point = points_[k];
     state.pressure[k] = 0;
     state.friction[k].setZero();
@@ -212,7 +215,37 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
     add_to(pair, *coupling, point.area, law.traction, D, distance.nu, tangent != nullptr);
   }
   flush(pair, equations, forces, tangent);
+  hand_round(state, report);
   return report;
+}
+
+std::vector<std::size_t> SurfaceContact::starts_of_ranks() const {
+  std::vector<std::size_t> starts = ranks().starts(faces_.size());
+  for (auto &start : starts) start *= options_.points * options_.points;
+  return starts;
+}
+
+void SurfaceContact::hand_round(SurfaceContactState &state, SurfaceContactReport &report) const {
+  if (ranks().size == 1) return;
+  const std::vector<std::size_t> starts = starts_of_ranks();
+  ranks().hand_round(state.gap, starts);
+  ranks().hand_round(state.pressure, starts);
+  ranks().hand_round(state.friction, starts);
+  ranks().hand_round(state.status, starts);
+  ranks().hand_round(state.opposite, starts);
+  Eigen::VectorXd sums(8), largest(4);
+  sums << report.force, report.friction, report.stick, report.slip;
+  largest << -report.smallest_gap, report.penetration, report.largest_pressure, !report.pattern_holds;
+  ranks().sum(sums);
+  ranks().largest(largest);
+  report.force = sums.head<3>();
+  report.friction = sums.segment<3>(3);
+  report.stick = static_cast<int>(sums[6]);
+  report.slip = static_cast<int>(sums[7]);
+  report.smallest_gap = -largest[0];
+  report.penetration = largest[1];
+  report.largest_pressure = largest[2];
+  report.pattern_holds = largest[3] == 0;
 }
 
 void SurfaceContact::add_to(Pair &pair, const Coupling &coupling, double area, const Vector3d &traction,
@@ -328,7 +361,7 @@ double SurfaceContact::stiffness_per_area(const Equations &equations, const Symm
         if (const int equation = equations.of_dof[3 * node + i]; equation >= 0)
           stiffness += solid.values()[solid.starts()[equation]] / 3;
   for (const auto &point : points_) area += point.area;
-  return stiffness / area;
+  return ranks().sum(stiffness) / area;
 }
 
 double SurfaceContact::time_to_touch(const Eigen::VectorXd &u, const Eigen::VectorXd &v) const {

@@ -64,7 +64,8 @@ public:
   /// Equations coupled by each slave face and what is opposite or near it at dof displacements u; the pairs are
   /// remembered as those the pattern holds.
   std::vector<std::vector<int>> cliques(const Equations &equations, const Eigen::VectorXd &u);
-  /// Adds (internal-sign) contact forces and the tangent at dof displacements u; fills `state`'s results.
+  /// Adds (internal-sign) contact forces and the tangent at dof displacements u; fills `state`'s results. With several
+  /// ranks forces and tangent are those of this rank's faces, to be summed up; state and report are whole.
   SurfaceContactReport assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,
                                 const Equations &equations, Eigen::VectorXd &forces,
                                 GeneralMatrix *tangent) const;
@@ -121,6 +122,8 @@ private:
       dN[n++][1] = by_eta;
     }
   };
+  std::vector<std::size_t> starts_of_ranks() const; ///< of the points, whole faces each
+  void hand_round(SurfaceContactState &state, SurfaceContactReport &report) const;
   Eigen::Vector3d position(const FacePoint &point, const Eigen::VectorXd &u) const;
   /// Empty where nothing is opposite.
   std::optional<Coupling> couple(std::size_t k, const Eigen::VectorXd &u, int guess, double beyond) const;

@@ -58,7 +58,7 @@ void DynamicRun::contact() {
   Arc &arc = touched_arc();
   if (!in_contact_) begin_contact(arc);
   for (int steps = 0; in_contact_; ++steps) {
-    if (options_.interrupted && *options_.interrupted) {
+    if (is_interrupted(options_)) {
       save();
       throw Interrupted();
     }

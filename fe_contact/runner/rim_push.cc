@@ -40,7 +40,7 @@ struct Pusher {
   void advance(double travel, double parameter, double &reached) {
     constexpr double growth = 1.6, smallest = 1e-8;
     while (std::abs(travel - reached) > 1e-12) {
-      if (options.interrupted && *options.interrupted) throw Interrupted();
+      if (is_interrupted(options)) throw Interrupted();
       const double to_go = travel - reached,
                    next = std::abs(to_go) <= step ? travel : reached + std::copysign(step, to_go);
       const Eigen::Vector3d before = state.master;

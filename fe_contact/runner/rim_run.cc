@@ -69,7 +69,7 @@ bool DynamicRun::fly() {
   const auto stop = [this](const Eigen::Vector3d &u) { return wall_gap(u); };
   const double chunk = 0.25; // for progress and Ctrl-C [s]
   while (bearing_.t < end_time()) {
-    if (options_.interrupted && *options_.interrupted) throw Interrupted();
+    if (is_interrupted(options_)) throw Interrupted();
     scene::EnergyLedger before = record_.ledger;
     const auto end = model_.fly(bearing_, std::min(end_time(), bearing_.t + chunk), stop, record_.response,
                                 record_.ledger);

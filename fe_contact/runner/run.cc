@@ -3,10 +3,12 @@
 
 #include "fe_contact/runner/rim_run.h"
 #include "fe_contact/runner/stack_run.h"
+#include "fe_contact/solver/ranks.h"
 #include "scene/error.h"
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
+#include <optional>
 
 namespace rimpact::fe {
 namespace {
@@ -38,6 +40,10 @@ scene::Summary summarise(const scene::Scene &scene, const RunRecord &record, dou
 
 } // namespace
 
+bool is_first_rank() { return ranks().first(); }
+
+bool is_interrupted(const RunOptions &options) { return ranks().any(options.interrupted && *options.interrupted); }
+
 void check_supported(const scene::Scene &scene) {
   if (const auto reason = refusal(scene)) throw InputError(*reason);
 }
@@ -64,11 +70,15 @@ void run_rung(const scene::Scene &scene, const Plan &plan, const RunOptions &opt
 
 scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions &options) {
   check_supported(scene);
+  const bool on_its_own = scene.model.rung == "rim"; // too small to be shared: the first rank's work
+  if (on_its_own && !options.writes) return {};
+  std::optional<OnOneRank> alone;
+  if (on_its_own) alone.emplace();
   const auto start = std::chrono::steady_clock::now();
   RunRecord record;
   std::exception_ptr failure;
   std::string status = "done", reason;
-  std::filesystem::create_directories(options.folder);
+  if (options.writes) std::filesystem::create_directories(options.folder);
   try {
     run_rung(scene, plan, options, record);
   } catch (const Interrupted &error) {
@@ -85,9 +95,12 @@ scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions
   summary.status = status;
   summary.reason = reason;
   summary.extra["plan"] = to_json(plan);
+  summary.extra["ranks"] = ranks().size;
   if (!failure && options.annotate) options.annotate(summary);
-  scene::write_run_folder(options.folder, scene, record.response, summary);
-  write_pvd(options, record);
+  if (options.writes) {
+    scene::write_run_folder(options.folder, scene, record.response, summary);
+    write_pvd(options, record);
+  }
   if (failure) std::rethrow_exception(failure);
   return summary;
 }

@@ -18,6 +18,7 @@ struct RunOptions {
   std::string folder; ///< run folder to write
   bool resume = false;
   bool fields = true; ///< VTU files and pictures
+  bool writes = true; ///< false: a rank that computes along and leaves the files to the first one
   std::function<void(const Progress &)> progress;
   const std::atomic<bool> *interrupted = nullptr; ///< set by Ctrl-C
   std::function<void(scene::Summary &)> annotate; ///< adds keys to the summary of a run that ended well
@@ -30,9 +31,14 @@ void check_supported(const scene::Scene &scene);
 /// Throws SolverStopped, Interrupted after writing.
 scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions &options);
 
+/// Whether this process is alone, or the first of `mpirun -np N`.
+bool is_first_rank();
+
 /// Versions of deal.II, PETSc, MUMPS, SUNDIALS, gmsh and the BLAS in use; second: a warning when it is not
 /// OpenBLAS.
 std::vector<std::pair<std::string, std::string>> component_versions();
 std::string blas_warning();
+/// For several ranks on one machine, whose threads would fight over its cores.
+void use_one_blas_thread();
 
 } // namespace rimpact::fe

@@ -30,6 +30,9 @@ template <class Run, class Times> void run_timed(RunRecord &record, const Run &r
   record.time_split = times();
 }
 
+/// On any rank.
+bool is_interrupted(const RunOptions &options);
+
 void write_pvd(const RunOptions &options, const RunRecord &record);
 
 } // namespace rimpact::fe

@@ -90,7 +90,7 @@ void StackDynamic::slide_out() {
   const double end = scene_.bearing.lateral_capacity() - first_gap;
   TopDrive drive;
   const auto go = [&](double from, double step) {
-    if (options_.interrupted && *options_.interrupted) throw Interrupted();
+    if (is_interrupted(options_)) throw Interrupted();
     const auto report = drive.move_to(active(), state_, (from + step) * direction, load, transient_.step);
     record_.n_newton += report.iterations;
     if (options_.progress)
@@ -141,7 +141,7 @@ double StackDynamic::clipped(double dt) const {
 }
 
 Attempt StackDynamic::attempt(double t, double dt) {
-  if (options_.interrupted && *options_.interrupted) {
+  if (is_interrupted(options_)) {
     next_step_ = dt;
     save();
     throw Interrupted();

@@ -36,7 +36,7 @@ struct StaticPath {
   }
 
   Attempt attempt(double s, double ds) {
-    if (options.interrupted && *options.interrupted) throw Interrupted();
+    if (is_interrupted(options)) throw Interrupted();
     const Eigen::Vector2d target = scene::prescribed_displacement(scene.excitation, scene.bearing.lateral_capacity(), s + ds);
     const Eigen::Vector3d before = system.top_of(state.u), force_before = forces_of(model, state).dish;
     const ContactStepReport step = drive.move_to(system, state, target, load, step_options);
@@ -83,6 +83,7 @@ struct StaticPath {
   void save(double s, double ds) {
     if (options.folder.empty()) return;
     system.start_afresh_at(state); // as the run that reads it will
+    if (!options.writes) return;
     Checkpoint file;
     put(file, scene, record);
     put(file, state);

@@ -44,4 +44,8 @@ std::string blas_warning() {
          "libblas.so.3-x86_64-linux-gnu";
 }
 
+void use_one_blas_thread() {
+  if (void *set = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) reinterpret_cast<void (*)(int)>(set)(1);
+}
+
 } // namespace rimpact::fe

@@ -1,5 +1,6 @@
 /// Solves by MUMPS through PETSc: L D L^T of a symmetric indefinite matrix, L U of an unsymmetric one. Owns its KSP: a factor that has
-/// become stale goes on as the preconditioner of GMRES and is renewed when the iterations become many.
+/// become stale goes on as the preconditioner of GMRES and is renewed when the iterations become many. An unsymmetric
+/// matrix is summed up and solved for by all ranks together, right sides and solutions being whole on each.
 #pragma once
 #include "fe_contact/solver/general_matrix.h"
 #include <memory>
@@ -23,10 +24,13 @@ public:
   bool has_factor() const { return has_factor_; }
 
 private:
-  void set_up(bool symmetric, int n);
+  void set_up(bool symmetric, int own_rows);
+  void take_values(); ///< of the matrix as it stands
   Eigen::VectorXd solve_by_ksp(const Eigen::VectorXd &right_side);
   struct Petsc;
+  struct Rows;
   std::unique_ptr<Petsc> petsc_;
+  std::unique_ptr<Rows> rows_; ///< with several ranks only
   int last_iterations_ = 0;
   bool has_factor_ = false;
 };

@@ -24,6 +24,9 @@ public:
   std::vector<int> &starts() { return starts_; }
   std::vector<int> &columns() { return columns_; }
   std::vector<double> &values() { return values_; }
+  const std::vector<int> &starts() const { return starts_; }
+  const std::vector<int> &columns() const { return columns_; }
+  const std::vector<double> &values() const { return values_; }
 
 private:
   int place(int row, int column) const;

@@ -90,4 +90,41 @@ struct TwoBlocks {
   std::optional<SurfaceContact> contact;
 };
 
+/// A copper bar, plane strain, that hits a wall at 100 m/s and yields.
+struct Bar {
+  Bar() : space(mesh(), 2), solid(space, {{Volume::rim, scene::Material{117e9, 0.35, 8930, 200e6, 100e6}}}), supports(space) {
+    supports.fix(1, [](const Vector3d &) { return true; });
+    supports.fix(0, [](const Vector3d &x) { return x.x() < 1e-12; });
+    system.emplace(space, solid, supports.number());
+    const double penalty = 117e9 / 0.004;
+    system->add_contact(Surface::slider_side, plane(Vector3d::Zero(), Vector3d::UnitZ()),
+                        {{penalty, penalty, FrictionCoefficient::constant(0.2)}});
+    options.step.max_augmentations = 0;
+    options.largest_step = options.contact_step = 4e-7;
+    options.smallest_step = 1e-8;
+    options.energy_tolerance = 1e-3;
+  }
+  static meshes::HexMesh mesh() {
+    meshes::HexMesh result;
+    test::add_box(result, {{0, 0, 2e-4}, {0.006, 0.002, 0.024}, {2, 1, 5}, Volume::rim, {{4, Surface::slider_side}}});
+    return result;
+  }
+  SystemState thrown() {
+    SystemState state = system->at_rest();
+    for (std::size_t dof = 2; dof < system->equations().of_dof.size(); dof += 3)
+      if (const int equation = system->equations().of_dof[dof]; equation >= 0) state.v[equation] = -100;
+    return state;
+  }
+  TransientReport run(SystemState &state, double end) {
+    const Eigen::VectorXd none = Eigen::VectorXd::Zero(state.u.size());
+    return run_in_time(*system, state, end, [&](double) { return none; }, options,
+                       [](double, const SystemState &, const ContactStepReport &) {});
+  }
+  Discretisation space;
+  Solid solid;
+  Supports supports;
+  std::optional<ContactSystem> system;
+  TransientOptions options;
+};
+
 } // namespace rimpact::fe

@@ -6,7 +6,7 @@ has the k_i and e fitted on the pulses (docs/measured.md).
 Gates: rigid-dish against rim within 3 % in peak force; rigid-dish against full within 2 % in peak force and 0.3 % of L_c
 in displacement; imbalance below 1e-3. Runs kept in FOLDER are not repeated, so the table may be made in several calls.
 Prints the table, writes it to FOLDER/baseline.txt, fails when a gate is missed.
-usage: windows_of_rungs.py RIMPACT FOLDER [speeds, e.g. 0.1,0.5] [rungs, e.g. reduced,rim,rigid-dish,full]"""
+usage: windows_of_rungs.py RIMPACT FOLDER [speeds, e.g. 0.1,0.5] [rungs, e.g. reduced,rim,rigid-dish,full] [mesh]"""
 import pathlib
 import sys
 
@@ -19,11 +19,11 @@ RUNGS = ("reduced", "rim", "rigid-dish", "full")
 LATERAL_CAPACITY = 0.4  # [m]
 
 
-def window(program, folder, rung, speed):
+def window(program, folder, rung, speed, mesh):
     reduced = rung == "reduced"
-    return kept_run(program, "reduced" if reduced else "run", "impact-window", folder / f"{rung}_{speed}",
+    return kept_run(program, "reduced" if reduced else "run", "impact-window", folder / f"{rung}_{speed}{f'_mesh{mesh}' * (mesh > 1)}",
                     [*COMMON, *(FITTED if reduced else []), f"excitation.speed_m_per_s={speed}"],
-                    [] if reduced else ["--rung", rung])
+                    [] if reduced else ["--rung", rung, "--mesh", str(mesh)])
 
 
 def line(rung, speed, run, reference):
@@ -36,7 +36,7 @@ def line(rung, speed, run, reference):
             f"{run['energy']['imbalance_relative']:9.1e}")
 
 
-def main(program, folder, speeds=(0.1, 0.5), rungs=RUNGS):
+def main(program, folder, speeds=(0.1, 0.5), rungs=RUNGS, meshes=(1,)):
     folder = pathlib.Path(folder)
     lines = ["rung       speed   dofs  steps newton  seconds    GB  peak_kN error_% press_mm  rebound time_ms   strain imbalance"]
     failures = []
@@ -45,8 +45,8 @@ def main(program, folder, speeds=(0.1, 0.5), rungs=RUNGS):
         if not abs(value) < bound:
             failures.append(f"MISSED {what}: {value:.3g} is not below {bound}")
 
-    for speed in speeds:
-        runs = {rung: window(program, folder, rung, speed) for rung in rungs}
+    for mesh, speed in ((mesh, speed) for mesh in meshes for speed in speeds):
+        runs = {rung: window(program, folder, rung, speed, mesh) for rung in rungs}
         finest = runs[rungs[-1]]["peak_impact_force_N"]
         lines += [line(rung, speed, run, finest) for rung, run in runs.items()]
         for first, second, bound in (("rim", "rigid-dish", 0.03), ("rigid-dish", "full", 0.02)):
@@ -67,4 +67,4 @@ def main(program, folder, speeds=(0.1, 0.5), rungs=RUNGS):
 
 if __name__ == "__main__":
     sys.exit(main(sys.argv[1], sys.argv[2], *(tuple(convert(x) for x in text.split(","))
-                                              for convert, text in zip((float, str), sys.argv[3:]))))
+                                              for convert, text in zip((float, str, int), sys.argv[3:]))))

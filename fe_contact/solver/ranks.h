@@ -1,0 +1,44 @@
+/// The processes that share one run (`mpirun -np N`). Each holds the mesh and the whole state; cells, slave faces
+/// and the matrix's rows are shared out. What is decided on the way is decided alike on every rank, because all
+/// of them see the same numbers, bit for bit. Without mpirun there is one rank, and nothing is sent.
+#pragma once
+#include <Eigen/Core>
+#include <cstddef>
+#include <vector>
+
+namespace rimpact::fe {
+
+struct Ranks {
+  int size = 1, own = 0;
+
+  bool first() const { return own == 0; }
+  /// Of n things rank r has those from starts[r] up to starts[r + 1].
+  std::vector<std::size_t> starts(std::size_t n) const;
+  void sum(Eigen::VectorXd &values) const;
+  double sum(double value) const;
+  void largest(Eigen::VectorXd &values) const;
+  bool any(bool value) const;
+  /// Entry by entry the sum over the ranks, of which each keeps its own share.
+  void sum_to_owners(const std::vector<double> &values, const std::vector<std::size_t> &starts, std::vector<double> &own_share) const;
+  /// Each rank's own share of `values` goes to all the others.
+  template <class T> void hand_round(std::vector<T> &values, const std::vector<std::size_t> &starts) const {
+    if (size > 1) hand_round_bytes(values.data(), sizeof(T), starts);
+  }
+  void hand_round_bytes(void *data, std::size_t bytes_each, const std::vector<std::size_t> &starts) const;
+};
+
+/// Those of this process.
+const Ranks &ranks();
+
+/// In its life this process is on its own: what is small, or keeps no shares.
+class OnOneRank {
+public:
+  OnOneRank();
+  ~OnOneRank();
+  OnOneRank(const OnOneRank &) = delete;
+
+private:
+  Ranks before_;
+};
+
+} // namespace rimpact::fe

@@ -1,0 +1,118 @@
+// Several ranks compute what one does. Run under mpirun; each rank also solves every problem on its own.
+#include "blocks.h"
+#include "fe_contact/solver/ranks.h"
+
+#include <gtest/gtest.h>
+
+namespace rimpact::fe {
+namespace {
+
+/// Of everything a state holds, relative to its size.
+void expect_close(const SystemState &alone, const SystemState &shared, double bound) {
+  const auto relative = [](const auto &a, const auto &b) { return (a - b).norm() / std::max(1e-300, a.norm()); };
+  EXPECT_LT(relative(alone.u, shared.u), bound);
+  EXPECT_LT((alone.R - shared.R).norm(), bound * (alone.R.norm() + alone.reports[0].force.norm()));
+  EXPECT_LT(relative(alone.reports[0].force, shared.reports[0].force), bound);
+  EXPECT_LT(relative(alone.reports[0].friction, shared.reports[0].friction), bound);
+  EXPECT_EQ(alone.contacts[0].status, shared.contacts[0].status);
+  EXPECT_EQ(alone.contacts[0].opposite, shared.contacts[0].opposite);
+  EXPECT_EQ(alone.reports[0].slip, shared.reports[0].slip);
+  EXPECT_EQ(alone.reports[0].stick, shared.reports[0].stick);
+  EXPECT_NEAR(alone.energies.elastic, shared.energies.elastic, bound * alone.energies.elastic);
+  EXPECT_NEAR(alone.energies.plastic, shared.energies.plastic, bound * alone.energies.elastic);
+  double strain = 0;
+  for (std::size_t k = 0; k < alone.history.size(); ++k)
+    strain = std::max(strain, std::abs(alone.history[k].alpha - shared.history[k].alpha));
+  EXPECT_LT(strain, bound);
+}
+
+template <class Solve> auto on_one_rank(const Solve &solve) {
+  const OnOneRank alone;
+  return solve();
+}
+
+SystemState dragged() {
+  Block block(FrictionCoefficient{0.3, 0.2, 50});
+  SystemState state = block.system->at_rest();
+  StepOptions options;
+  options.newton.tolerance = 1e-10;
+  for (int k = 1; k <= 8; ++k)
+    EXPECT_TRUE(static_step(*block.system, state, block.drive(6e-6 * k, 1e-4, 1e-3), options).converged) << k;
+  return state;
+}
+
+TEST(Ranks, ThereAreSeveral) { EXPECT_GT(ranks().size, 1) << "run by mpirun"; }
+
+TEST(Ranks, StickAndSlipAreThoseOfOneRank) {
+  const SystemState alone = on_one_rank(dragged);
+  EXPECT_GT(alone.reports[0].slip, 0);
+  expect_close(alone, dragged(), 1e-8);
+}
+
+/// Ten steps of one deformable block over another, whose faces do not match.
+SystemState slid() {
+  const Discretisation space(TwoBlocks::mesh(), 2);
+  const scene::Material elastic{block_modulus, 0.3, 1000, {}, {}};
+  const Solid solid(space, {{Volume::rim, elastic}, {Volume::plate, elastic}});
+  Supports supports(space);
+  int top[3];
+  for (int i = 0; i < 3; ++i) {
+    top[i] = supports.tie(i, [](const Vector3d &x) { return x.z() > 0.09; });
+    supports.fix(i, [](const Vector3d &x) { return x.z() < -0.09; });
+  }
+  ContactSystem system(space, solid, supports.number());
+  SurfaceContactOptions contact{{block_modulus / 0.05, block_modulus / 0.05, FrictionCoefficient::constant(0.3)}};
+  contact.carrier_faces = Surface::dish;
+  system.add_contact(Surface::slider_side, sphere(Vector3d(0, 0, -2), 2.0, Side::outside), contact);
+  SystemState state = system.at_rest();
+  StepOptions options;
+  options.newton.tolerance = 1e-10;
+  for (int k = 1; k <= 10; ++k) {
+    StepTerms terms{Eigen::VectorXd::Zero(system.equations().n)};
+    terms.driven = {{top[0], 8e-3 * k}, {top[1], 2e-3 * k}, {top[2], -2e-4}};
+    const auto step = static_step(system, state, terms, options);
+    EXPECT_TRUE(step.converged) << k << ": " << step.reason;
+    if (k == 5) system.start_afresh_at(state); // another pattern, another solver
+  }
+  return state;
+}
+
+TEST(Ranks, SlidingOverADeformableMasterIsThatOfOneRank) {
+  const SystemState alone = on_one_rank(slid);
+  EXPECT_GT(alone.reports[0].slip, 0);
+  expect_close(alone, slid(), 1e-8);
+}
+
+std::pair<SystemState, TransientReport> impact() {
+  Bar bar;
+  bar.options.step.newton.tolerance = 1e-10;
+  SystemState state = bar.thrown();
+  const TransientReport report = bar.run(state, 14e-6);
+  EXPECT_TRUE(report.march.finished) << report.march.reason;
+  return {state, report};
+}
+
+TEST(Ranks, AnImpactWithPlasticFlowAndItsLedgerAreThoseOfOneRank) {
+  const auto [alone, alone_report] = on_one_rank(impact);
+  const auto [shared, shared_report] = impact();
+  EXPECT_GT(alone.energies.plastic, 0);
+  expect_close(alone, shared, 1e-8);
+  EXPECT_EQ(alone_report.march.steps, shared_report.march.steps);
+  EXPECT_NEAR(alone_report.ledger.friction, shared_report.ledger.friction, 1e-8 * alone_report.ledger.largest);
+  EXPECT_NEAR(alone_report.ledger.integrator, shared_report.ledger.integrator, 1e-8 * alone_report.ledger.largest);
+}
+
+TEST(Ranks, ABodyTurnedInsideOutOnOneRankIsSeenByAll) {
+  Block block(FrictionCoefficient::constant(0.3));
+  SystemState state = block.system->at_rest();
+  const StepTerms terms = block.drive(0, 1e-4, 1e-3);
+  block.system->prepare(state, terms);
+  Eigen::VectorXd u = state.u;
+  for (std::size_t node = 0; node < block.space.n_nodes; ++node) // its last nodes only: the last rank's cells
+    if (const int equation = block.system->equations().of_dof[3 * node]; equation >= 0 && block.space.positions[node].x() > 0.19)
+      u[equation] = -0.5;
+  EXPECT_FALSE(block.system->evaluate(u));
+}
+
+} // namespace
+} // namespace rimpact::fe
