@@ -46,6 +46,8 @@ std::string fe_program() {
 }
 
 void become_fe(int argc, char **argv) {
+  // OpenBLAS's idle threads spin for tens of milliseconds and take the core from the assembly: let them sleep at once.
+  setenv("OPENBLAS_THREAD_TIMEOUT", "4", 0);
   std::vector<std::string> words{fe_program()};
   words.insert(words.end(), argv + 1, argv + argc);
   execv(words[0].c_str(), pointers(words).data());

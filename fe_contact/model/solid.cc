@@ -85,6 +85,7 @@ bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eig
                            Eigen::VectorXd &forces, const std::vector<int> *places, double *tangent,
                            SolidEnergies &energies) const {
   auto kernel = std::make_unique<CellKernel<n>>();
+  SolidEnergies sum; // not yet where other threads write beside it
   const int n_full = space_.full.n_points, n_reduced = space_.reduced.n_points, m = 3 * n;
   for (const unsigned *cell = begin; cell < end; ++cell) {
     const std::size_t c = *cell;
@@ -100,8 +101,8 @@ bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eig
       const IsochoricResult result = law.isochoric.step(old[point], F);
       if (!result.admissible) return false;
       next[point] = result.state;
-      energies.elastic += weight * result.energy;
-      energies.plastic += weight * law.isochoric.hardening.work(result.state.alpha);
+      sum.elastic += weight * result.energy;
+      sum.plastic += weight * law.isochoric.hardening.work(result.state.alpha);
       kernel->add(G, F, weight, result.response, tangent != nullptr);
     }
     for (int q = 0; q < n_reduced; ++q) {
@@ -110,7 +111,7 @@ bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eig
       const Matrix3 F = kernel->deformation_gradient(G);
       const VolumetricResult result = law.volumetric.at(F.determinant());
       if (!result.admissible) return false;
-      energies.elastic += weight * result.energy;
+      sum.elastic += weight * result.energy;
       kernel->add(G, F, weight, result.response, tangent != nullptr);
     }
     double weights[3 * n];
@@ -135,6 +136,7 @@ bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eig
             tangent[*place] += twice * weights[row] * weights[column] * kernel->block[i][k][a][b];
           }
   }
+  energies = sum;
   return true;
 }
 
@@ -148,15 +150,15 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
   const std::vector<std::size_t> starts = ranks().starts(cells.size());
   const unsigned *own_cells = cells.data() + starts[ranks().own];
   std::vector<Eigen::VectorXd> part_forces(workers, Eigen::VectorXd::Zero(equations.n));
-  std::vector<std::vector<double>> part_values(workers);
+  part_values_.resize(workers);
   std::vector<SolidEnergies> part_energies(workers);
   std::vector<char> admissible(workers, 1);
   share(starts[ranks().own + 1] - starts[ranks().own], workers, [&](std::size_t begin, std::size_t end, int w) {
     double *values = nullptr;
     if (tangent && w == 0) values = tangent->values().data();
     if (tangent && w > 0) {
-      part_values[w].assign(tangent->n_entries(), 0.0);
-      values = part_values[w].data();
+      part_values_[w].assign(tangent->n_entries(), 0.0);
+      values = part_values_[w].data();
     }
     const auto run = space_.degree == 2 ? &Solid::assemble_cells<27> : &Solid::assemble_cells<8>;
     admissible[w] =
@@ -167,9 +169,12 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
   for (int w = 0; w < workers; ++w) {
     summed.head(equations.n) += part_forces[w];
     summed.tail<2>() += Eigen::Vector2d(part_energies[w].elastic, part_energies[w].plastic);
-    if (tangent && w > 0)
-      for (std::size_t k = 0; k < part_values[w].size(); ++k) tangent->values()[k] += part_values[w][k];
   }
+  if (tangent)
+    share(tangent->n_entries(), workers, [&](std::size_t begin, std::size_t end, int) {
+      for (int w = 1; w < workers; ++w)
+        for (std::size_t k = begin; k < end; ++k) tangent->values()[k] += part_values_[w][k];
+    });
   ranks().sum(summed);
   forces += summed.head(equations.n);
   energies.elastic += summed[equations.n];

@@ -70,6 +70,7 @@ private:
   /// Where each local pair (i <= j) of each cell goes in the matrix; made once per pattern.
   mutable std::vector<int> places_;
   mutable long places_of_ = 0; ///< pattern_id
+  mutable std::vector<std::vector<double>> part_values_; ///< of the tangent, by thread; kept, for making them anew costs as much as filling them
 };
 
 /// Threads used by the assembly (RIMPACT_THREADS, else the machine's cores).

@@ -24,7 +24,7 @@ scene::Summary summarise(const scene::Scene &scene, const RunRecord &record, dou
   summary.n_newton_iterations = record.n_newton;
   summary.min_normal_force = record.smallest_normal;
   summary.wall_time = seconds;
-  summary.peak_memory_bytes = scene::peak_memory_bytes();
+  summary.peak_memory_bytes = static_cast<long>(ranks().sum(static_cast<double>(scene::peak_memory_bytes())));
   summary.n_dofs = record.n_dofs;
   summary.time_split = record.time_split;
   double output = seconds;

@@ -27,7 +27,7 @@ SIDES = {       # name: (element, contact, cells of the cap)
 }
 CELLS = {       # a direction, coarse to fine
     "elastic": {"ours": (4, 6, 8), "ccx-C3D20R": (4, 6, 8), "ccx-C3D8I": (6, 9, 12)},
-    "steel": {"ours": (4, 6, 8), "ccx-C3D20R": (4, 6, 8), "ccx-C3D8I": (4, 6)},
+    "steel": {"ours": (4, 6, 8, 10, 12), "ccx-C3D20R": (4, 6, 8, 10, 12), "ccx-C3D8I": (4, 6, 9)},
 }
 
 
