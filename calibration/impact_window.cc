@@ -112,16 +112,18 @@ StoredRun read_run(const std::string &folder, const WindowOptions &options) {
   if (!fs::is_directory(folder)) throw DataError(folder + ": not a run folder");
   if (!fs::exists(fs::path(folder) / "scene.toml"))
     throw DataError(folder + ": no scene.toml, so its bearing and load are unknown");
-  const auto scene = scene::load_scene((fs::path(folder) / "scene.toml").string());
+  auto scene = scene::load_scene((fs::path(folder) / "scene.toml").string());
+  auto summary = nlohmann::json::object();
+  if (std::ifstream file(fs::path(folder) / "summary.json"); file) summary = nlohmann::json::parse(file, nullptr, false);
+  if (!summary.is_object()) throw DataError(folder + "/summary.json is not valid JSON");
+  const std::string rung = summary.contains("rung") && summary["rung"].is_string() ? summary["rung"] : "";
+  // The reference has the pad's and the socket's terms by itself; what is fitted to it must have them too.
+  if (rung == "rigid-dish" || rung == "full") scene.reduced.finite_pad = scene.reduced.socket_friction = true;
   StoredRun run = make_run(folder, scene, scene::read_response(folder), options);
-  if (std::ifstream file(fs::path(folder) / "summary.json"); file) {
-    const auto json = nlohmann::json::parse(file, nullptr, false);
-    if (json.is_discarded()) throw DataError(folder + "/summary.json is not valid JSON");
-    run.summary.status = json.value("status", "done");
-    if (json.contains("rung") && json["rung"].is_string()) run.summary.rung = json["rung"];
-    if (run.summary.status != "done")
-      run.notes.push_back(fmt::format("the run is {}: only what it holds is used", run.summary.status));
-  }
+  run.summary.status = summary.value("status", "done");
+  if (!rung.empty()) run.summary.rung = rung;
+  if (run.summary.status != "done")
+    run.notes.push_back(fmt::format("the run is {}: only what it holds is used", run.summary.status));
   return run;
 }
 
