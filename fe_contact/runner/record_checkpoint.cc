@@ -62,6 +62,7 @@ void put(Checkpoint &file, const scene::Scene &scene, const RunRecord &record) {
   file.numbers["counts"] = {double(record.n_steps), double(record.n_newton), double(record.n_cuts),
                             double(record.augmentation_caps), record.smallest_normal};
   for (const auto &[name, values] : record.response.all()) file.numbers["response_" + name] = values;
+  for (const auto &[name, seconds] : record.spent()) file.numbers["seconds_" + name] = {seconds};
   for (const auto &[time, name] : record.fields) file.numbers["field_" + name.substr(name.find('/') + 1)] = {time};
 }
 
@@ -80,6 +81,7 @@ void get(const Checkpoint &file, const std::string &path, const scene::Scene &sc
   for (const auto &[name, values] : file.numbers) {
     if (name.rfind("response_", 0) == 0)
       for (const double value : values) record.response.append(name.substr(9), value);
+    if (name.rfind("seconds_", 0) == 0) record.earlier[name.substr(8)] = values[0];
     if (name.rfind("field_", 0) == 0) record.fields.emplace_back(values[0], "fields/" + name.substr(6));
   }
 }

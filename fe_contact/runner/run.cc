@@ -5,7 +5,6 @@
 #include "fe_contact/runner/stack_run.h"
 #include "fe_contact/solver/ranks.h"
 #include "scene/error.h"
-#include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
@@ -13,7 +12,8 @@
 namespace rimpact::fe {
 namespace {
 
-scene::Summary summarise(const scene::Scene &scene, const RunRecord &record, double seconds) {
+scene::Summary summarise(const scene::Scene &scene, const RunRecord &record) {
+  const double seconds = record.spent()["wall"];
   scene::Summary summary;
   if (record.response.size() > 0) scene::summarise_response(record.response, summary);
   summary.impacts = record.impacts; // exact instants and speeds, not those of the samples
@@ -74,7 +74,6 @@ scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions
   if (on_its_own && !options.writes) return {};
   std::optional<OnOneRank> alone;
   if (on_its_own) alone.emplace();
-  const auto start = std::chrono::steady_clock::now();
   RunRecord record;
   std::exception_ptr failure;
   std::string status = "done", reason;
@@ -90,8 +89,7 @@ scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions
     reason = error.what();
     failure = std::current_exception();
   }
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  scene::Summary summary = summarise(scene, record, seconds);
+  scene::Summary summary = summarise(scene, record);
   summary.status = status;
   summary.reason = reason;
   summary.extra["plan"] = to_json(plan);
