@@ -77,7 +77,9 @@ scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions
   RunRecord record;
   std::exception_ptr failure;
   std::string status = "done", reason;
-  if (options.writes) std::filesystem::create_directories(options.folder);
+  std::error_code failed;
+  if (options.writes) std::filesystem::create_directories(options.folder, failed);
+  if (failed) throw IoError("cannot make the run folder " + options.folder + ": " + failed.message());
   try {
     run_rung(scene, plan, options, record);
   } catch (const Interrupted &error) {

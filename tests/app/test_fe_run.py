@@ -59,6 +59,13 @@ class RimWindow(unittest.TestCase):
             self.assertEqual(run.returncode, 2)
             self.assertIn(needle, run.stderr)
 
+    def test_under_mpirun_the_first_rank_speaks(self):
+        environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
+        run = subprocess.run(["mpirun", "--oversubscribe", "-np", "2", RIMPACT, "run", "no-such-scene"], capture_output=True,
+                             text=True, timeout=60, env=environment)
+        self.assertEqual(run.returncode, 2)
+        self.assertEqual(run.stderr.count("error: "), 1, run.stderr)
+
     def test_version_names_the_blas(self):
         table = json.loads(rimpact("version", "--json").stdout)
         self.assertEqual(set(table) & {"deal.II", "PETSc", "MUMPS", "SUNDIALS", "BLAS"}, {"deal.II", "PETSc", "MUMPS", "SUNDIALS", "BLAS"})

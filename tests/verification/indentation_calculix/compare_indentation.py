@@ -26,8 +26,8 @@ SIDES = {       # name: (element, contact, cells of the cap)
     "ccx-C3D8I": ("C3D8I", "NODE TO SURFACE", "32"),
 }
 CELLS = {       # a direction, coarse to fine
-    "elastic": {"ours": (4, 6, 8), "ccx-C3D20R": (4, 6, 8), "ccx-C3D8I": (6, 9, 12)},
-    "steel": {"ours": (4, 6, 8, 10, 12), "ccx-C3D20R": (4, 6, 8, 10, 12), "ccx-C3D8I": (4, 6, 9)},
+    "elastic": {"ours": (4, 5, 6, 8), "ccx-C3D20R": (4, 5, 6, 8), "ccx-C3D8I": (6, 9, 12)},
+    "steel": {"ours": (4, 5, 6, 8, 10), "ccx-C3D20R": (4, 5, 6, 8, 10), "ccx-C3D8I": (4, 6, 9)},
 }
 
 

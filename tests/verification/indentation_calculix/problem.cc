@@ -27,7 +27,7 @@ Problem problem(const std::string &name) {
 }
 
 double smallest_cell(const Problem &problem, int cells) {
-  return problem.contact() / (0.45 * cells);
+  return problem.contact() / (0.7 * cells);
 }
 
 meshes::HexMesh block(const Problem &problem, int cells) {

@@ -1,0 +1,53 @@
+"""Rung R2 under `mpirun -np 2`: the run of one rank, within 1e-8, and a failure of one rank that ends both."""
+import csv
+import json
+import os
+import subprocess
+import tempfile
+import unittest
+
+from command import RIMPACT, rimpact
+
+TOUCH = ["run", "impact-window", "--rung", "rigid-dish", "--set", 'excitation.with=["weight","friction"]', "--set",
+         "excitation.duration_s=0.001", "--no-fields", "--quiet"]
+ROOT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_mpi_yield_when_idle": "1"}
+
+
+def on_two_ranks(*arguments):
+    return subprocess.run(["mpirun", "--oversubscribe", "-np", "2", RIMPACT, *arguments], capture_output=True, text=True,
+                          timeout=900, env={**os.environ, **ROOT})
+
+
+def columns(folder):
+    with open(os.path.join(folder, "response.csv")) as file:
+        rows = list(csv.DictReader(file))
+    return {name: [float(row[name] or 0) for row in rows] for name in rows[0]}
+
+
+class Ranks(unittest.TestCase):
+    def test_a_touch_is_that_of_one_rank(self):
+        with tempfile.TemporaryDirectory() as folder:
+            one, two = os.path.join(folder, "one"), os.path.join(folder, "two")
+            self.assertEqual(rimpact(*TOUCH, "-o", one).returncode, 0)
+            run = on_two_ranks(*TOUCH, "-o", two)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertEqual(run.stdout.count("impact-window"), 1, "the first rank alone speaks")
+            with open(os.path.join(two, "summary.json")) as file:
+                self.assertEqual(json.load(file)["ranks"], 2)
+            alone, shared = columns(one), columns(two)
+            self.assertGreater(max(map(abs, alone["Ix_N"])), 1e5)
+            for name, values in alone.items():
+                size = max(map(abs, values))
+                for a, b in zip(values, shared[name], strict=True):
+                    self.assertLessEqual(abs(a - b), 1e-8 * size, name)
+
+    def test_a_failure_on_the_first_rank_ends_both(self):
+        run = on_two_ranks(*TOUCH, "-o", "/proc/no-such-folder/run")
+        self.assertNotEqual(run.returncode, 0)
+        said = [line for line in run.stderr.splitlines() if line.startswith("error: ")]
+        self.assertEqual(len(said), 1, run.stderr)
+        self.assertIn("/proc/no-such-folder/run", said[0])
+
+
+if __name__ == "__main__":
+    unittest.main()
