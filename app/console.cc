@@ -1,6 +1,7 @@
 #include "app/console.h"
 
 #include "app/verb.h"
+#include "scene/doubts.h"
 #include "scene/files.h"
 #include "scene/text.h"
 #include <algorithm>
@@ -69,6 +70,12 @@ void Console::warn(const std::string &sentence) {
 void Console::data(const std::string &text) const {
   fmt::print("{}", text);
   if (std::fflush(stdout) != 0) throw IoError("cannot write to standard output");
+}
+
+scene::Scene Console::load(const std::string &given) {
+  const scene::Scene scene = scene::load_scene(given, overrides);
+  for (const auto &doubt : scene::doubts(scene)) warn(doubt);
+  return scene;
 }
 
 void Console::add_common(CLI::App &verb) {

@@ -19,6 +19,8 @@ public:
   void warn(const std::string &sentence);    ///< stderr even with --quiet; kept
   void data(const std::string &text) const;  ///< stdout
   const std::string &log() const { return log_; }
+  /// The scene with its overrides; warns of what it allows but doubts.
+  scene::Scene load(const std::string &given);
 
   void add_common(CLI::App &verb);    ///< --quiet, --verbose
   void add_json(CLI::App &verb);      ///< --json

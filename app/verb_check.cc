@@ -1,7 +1,6 @@
 // rimpact check SCENE: geometry, scout and plan; solves nothing.
 #include "app/verb.h"
 #include "fe_contact/runner/plan.h"
-#include "scene/doubts.h"
 #include "scene/error.h"
 #include <fmt/format.h>
 
@@ -15,8 +14,7 @@ void add_check(CLI::App &app, Console &console) {
   console.add_json(*verb);
   console.add_overrides(*verb);
   verb->callback([where, &console] {
-    const scene::Scene scene = scene::load_scene(*where, console.overrides);
-    for (const auto &doubt : scene::doubts(scene)) console.warn(doubt);
+    const scene::Scene scene = console.load(*where);
     if (const auto reason = fe::beyond_rungs(scene)) throw InputError(*reason);
     const fe::Plan plan = fe::make_plan(scene);
     const auto refusal = fe::refusal(scene);

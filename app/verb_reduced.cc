@@ -4,7 +4,6 @@
 #include "app/verb.h"
 #include "reduced_models/node_kinematics.h"
 #include "reduced_models/physical_model.h"
-#include "scene/doubts.h"
 #include "scene/error.h"
 #include <fmt/format.h>
 
@@ -66,8 +65,7 @@ void add_reduced(CLI::App &app, Console &console) {
                             .shard = options->shard,
                             .n_threads = options->n_threads},
                            console);
-    const scene::Scene scene = scene::load_scene(options->scene, console.overrides);
-    for (const auto &doubt : scene::doubts(scene)) console.warn(doubt);
+    const scene::Scene scene = console.load(options->scene);
     if (!options->nodes.empty() && scene.double_concave())
       throw InputError("--nodes is for bearings of one dish: reduced.model \"" + scene.reduced.model +
                        "\" passes moments through both plates");

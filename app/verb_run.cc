@@ -4,7 +4,6 @@
 #include "app/verb.h"
 #include "calibration/stored_study.h"
 #include "fe_contact/runner/run.h"
-#include "scene/doubts.h"
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
@@ -21,8 +20,7 @@ struct Options {
 void run(Options &options, Console &console) {
   if (!options.rung.empty()) console.overrides.push_back("model.rung=\"" + options.rung + "\"");
   if (options.mesh > 0) console.overrides.push_back("model.mesh=" + std::to_string(options.mesh));
-  const scene::Scene scene = scene::load_scene(options.scene, console.overrides);
-  for (const auto &doubt : scene::doubts(scene)) console.warn(doubt);
+  const scene::Scene scene = console.load(options.scene);
   if (const std::string warning = fe::blas_warning(); !warning.empty()) console.warn(warning);
   fe::check_supported(scene);
   const fe::Plan plan = fe::make_plan(scene);
@@ -70,6 +68,9 @@ void run(Options &options, Console &console) {
           fmt::format("impact at {:.4f} s, {:.1f} deg: {:.3f} m/s in, {:.3f} m/s out, {:.0f} kN, {:.2f} mm",
                       impact.touch_time, impact.direction_deg, impact.approach_speed, impact.rebound_speed,
                       1e-3 * impact.peak_force, 1e3 * impact.peak_penetration));
+    std::string split;
+    for (const auto &[name, seconds] : summary.time_split) split += fmt::format(" {} {:.1f} s,", name, seconds);
+    console.message("time:" + split.substr(0, split.size() - 1));
     const auto &estimate = summary.extra["error_estimate"];
     console.message("discretisation: " + estimate.value("sentence", estimate.value("none", "")));
   }
