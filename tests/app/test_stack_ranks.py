@@ -9,7 +9,7 @@ import unittest
 from command import RIMPACT, rimpact
 
 TOUCH = ["run", "impact-window", "--rung", "rigid-dish", "--set", 'excitation.with=["weight","friction"]', "--set",
-         "excitation.duration_s=0.001", "--no-fields", "--quiet"]
+         "excitation.speed_m_per_s=0.5", "--set", "excitation.duration_s=0.0005", "--no-fields", "--quiet"]
 ROOT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_mpi_yield_when_idle": "1"}
 
 
