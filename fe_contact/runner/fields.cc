@@ -10,7 +10,7 @@ namespace rimpact::fe {
 
 void write_fields(const RimSolver &solver, const ArcState &state, const RimFrame &frame, double time,
                   const RunOptions &options, RunRecord &record) {
-  if (!options.fields || !options.writes || options.folder.empty()) return;
+  if (!options.keeps_fields()) return;
   const Discretisation &space = solver.space();
   const Eigen::VectorXd u = solver.displacements(state);
   const SolidFields cells = solver.solid().fields(u, state.history);

@@ -62,7 +62,8 @@ void put(Checkpoint &file, const scene::Scene &scene, const RunRecord &record) {
   file.numbers["counts"] = {double(record.n_steps), double(record.n_newton), double(record.n_cuts),
                             double(record.augmentation_caps), record.smallest_normal};
   for (const auto &[name, values] : record.response.all()) file.numbers["response_" + name] = values;
-  for (const auto &[name, seconds] : record.spent()) file.numbers["seconds_" + name] = {seconds};
+  file.numbers["seconds_wall"] = {record.wall_so_far()};
+  for (const auto &[name, seconds] : record.split_so_far()) file.numbers["seconds_" + name] = {seconds};
   for (const auto &[time, name] : record.fields) file.numbers["field_" + name.substr(name.find('/') + 1)] = {time};
 }
 
@@ -81,7 +82,10 @@ void get(const Checkpoint &file, const std::string &path, const scene::Scene &sc
   for (const auto &[name, values] : file.numbers) {
     if (name.rfind("response_", 0) == 0)
       for (const double value : values) record.response.append(name.substr(9), value);
-    if (name.rfind("seconds_", 0) == 0) record.earlier[name.substr(8)] = values[0];
+    if (name == "seconds_wall")
+      record.earlier_wall = values[0];
+    else if (name.rfind("seconds_", 0) == 0)
+      record.time_split[name.substr(8)] = values[0];
     if (name.rfind("field_", 0) == 0) record.fields.emplace_back(values[0], "fields/" + name.substr(6));
   }
 }

@@ -48,7 +48,7 @@ void get(const Checkpoint &file, const std::string &prefix, Arc &arc) {
 } // namespace
 
 void DynamicRun::save() const {
-  if (options_.folder.empty()) return;
+  if (!options_.keeps_files()) return;
   Checkpoint file;
   put(file, scene_, record_);
   file.numbers["arcs"] = {double(arcs_.size()), double(in_contact_), double(touched_), double(peak_written_),

@@ -13,7 +13,7 @@ namespace rimpact::fe {
 namespace {
 
 scene::Summary summarise(const scene::Scene &scene, const RunRecord &record) {
-  const double seconds = record.spent()["wall"];
+  const double seconds = record.wall_so_far();
   scene::Summary summary;
   if (record.response.size() > 0) scene::summarise_response(record.response, summary);
   summary.impacts = record.impacts; // exact instants and speeds, not those of the samples

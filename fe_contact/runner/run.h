@@ -22,6 +22,9 @@ struct RunOptions {
   std::function<void(const Progress &)> progress;
   const std::atomic<bool> *interrupted = nullptr; ///< set by Ctrl-C
   std::function<void(scene::Summary &)> annotate; ///< adds keys to the summary of a run that ended well
+
+  bool keeps_files() const { return writes && !folder.empty(); }
+  bool keeps_fields() const { return fields && keeps_files(); }
 };
 
 /// Throws InputError when this build cannot run the scene (rung, kind of excitation, friction at the rim).

@@ -16,18 +16,19 @@ struct RunRecord {
   double smallest_normal = 0;
   long n_dofs = 0;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  std::map<std::string, double> earlier;    ///< [s] time split and "wall" of the processes before a restart
-  std::function<std::map<std::string, double>()> times; ///< [s] time split of this process so far; empty once it ended
-  std::map<std::string, double> time_split; ///< [s] of all of them, at the end
+  double earlier_wall = 0; ///< of the processes before a restart [s]
+  std::map<std::string, double> time_split; ///< [s] of those and, once it ended, of this one
+  std::function<std::map<std::string, double>()> times; ///< [s] time split of this one while it runs
   std::vector<std::pair<double, std::string>> fields; ///< (time, VTU file) for the PVD
   std::vector<std::string> warnings;
 
-  /// What was spent so far, with "wall" [s].
-  std::map<std::string, double> spent() const {
-    auto result = times ? times() : time_split;
-    result["wall"] += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    for (const auto &[name, seconds] : earlier)
-      if (times || name == "wall") result[name] += seconds;
+  double wall_so_far() const { ///< [s]
+    return earlier_wall + std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+  std::map<std::string, double> split_so_far() const { ///< [s]
+    auto result = time_split;
+    if (times)
+      for (const auto &[name, seconds] : times()) result[name] += seconds;
     return result;
   }
 };
@@ -35,8 +36,7 @@ struct RunRecord {
 /// Runs, and keeps where the time went whatever ends it: `times()` gives the split.
 template <class Run, class Times> void run_timed(RunRecord &record, const Run &run, const Times &times) {
   const auto keep = [&] {
-    record.time_split = record.spent();
-    record.time_split.erase("wall");
+    record.time_split = record.split_so_far();
     record.times = nullptr;
   };
   record.times = times;

@@ -6,7 +6,7 @@
 namespace rimpact::fe {
 
 void StackDynamic::save() const {
-  if (!options_.writes || options_.folder.empty()) return;
+  if (!options_.keeps_files()) return;
   Checkpoint file;
   put(file, scene_, record_);
   put(file, state_);

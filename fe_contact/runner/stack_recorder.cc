@@ -31,7 +31,7 @@ void StackRecorder::sample(double time, const Eigen::Vector3d &u, const Eigen::V
 
 void StackRecorder::write_fields(double time, const StackSystem &system, const SystemState &state,
                                  const Eigen::VectorXd &displacements) {
-  if (!options_.fields || !options_.writes || options_.folder.empty()) return;
+  if (!options_.keeps_fields()) return;
   const Discretisation &space = model_.space;
   SolidFields cells = model_.solid.fields(displacements, state.history);
   std::vector<double> pressure(space.n_nodes, 0.0), gap(space.n_nodes, 0.0);

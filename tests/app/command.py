@@ -11,6 +11,13 @@ def rimpact(*arguments, cwd=None, **environment):
                           env={**os.environ, **environment})
 
 
+def on_two_ranks(*arguments):
+    """The command under mpirun, as any user, root too."""
+    return subprocess.run(["mpirun", "--oversubscribe", "-np", "2", RIMPACT, *arguments], capture_output=True, text=True, timeout=900,
+                          env={**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+                               "OMPI_MCA_mpi_yield_when_idle": "1"})
+
+
 def in_terminal(*arguments, **environment):
     """What the command prints to stderr when that is a terminal."""
     master, slave = pty.openpty()

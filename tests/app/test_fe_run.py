@@ -8,7 +8,7 @@ import tempfile
 import time
 import unittest
 
-from command import RIMPACT, rimpact
+from command import RIMPACT, on_two_ranks, rimpact
 
 WINDOW = ["run", "impact-window", "--set", "excitation.speed_m_per_s=0.05", "--quiet"]
 
@@ -60,9 +60,7 @@ class RimWindow(unittest.TestCase):
             self.assertIn(needle, run.stderr)
 
     def test_under_mpirun_the_first_rank_speaks(self):
-        environment = {**os.environ, "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1"}
-        run = subprocess.run(["mpirun", "--oversubscribe", "-np", "2", RIMPACT, "run", "no-such-scene"], capture_output=True,
-                             text=True, timeout=60, env=environment)
+        run = on_two_ranks("run", "no-such-scene")
         self.assertEqual(run.returncode, 2)
         self.assertEqual(run.stderr.count("error: "), 1, run.stderr)
 

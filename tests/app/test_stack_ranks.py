@@ -2,20 +2,13 @@
 import csv
 import json
 import os
-import subprocess
 import tempfile
 import unittest
 
-from command import RIMPACT, rimpact
+from command import on_two_ranks, rimpact
 
 TOUCH = ["run", "impact-window", "--rung", "rigid-dish", "--set", 'excitation.with=["weight","friction"]', "--set",
          "excitation.speed_m_per_s=0.5", "--set", "excitation.duration_s=0.0005", "--no-fields", "--quiet"]
-ROOT = {"OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1", "OMPI_MCA_mpi_yield_when_idle": "1"}
-
-
-def on_two_ranks(*arguments):
-    return subprocess.run(["mpirun", "--oversubscribe", "-np", "2", RIMPACT, *arguments], capture_output=True, text=True,
-                          timeout=900, env={**os.environ, **ROOT})
 
 
 def columns(folder):

@@ -52,11 +52,18 @@ struct Block {
 struct TwoBlocks {
   explicit TwoBlocks(int degree)
       : space(mesh(), degree),
-        solid(space, {{Volume::rim, scene::Material{block_modulus, 0.3, 1000, {}, {}}}, {Volume::plate, scene::Material{block_modulus, 0.3, 1000, {}, {}}}}),
-        supports(space), equations(supports.number()) {
-    SurfaceContactOptions options{{block_modulus / 0.05, block_modulus / 0.05, FrictionCoefficient::constant(0.3)}};
-    options.carrier_faces = Surface::dish;
-    contact.emplace(space, Surface::slider_side, sphere(Vector3d(0, 0, -2), 2.0, Side::outside), options);
+        solid(space, materials()), supports(space), equations(supports.number()) {
+    contact.emplace(space, Surface::slider_side, master(), options());
+  }
+  static std::map<Volume, scene::Material> materials() {
+    const scene::Material elastic{block_modulus, 0.3, 1000, {}, {}};
+    return {{Volume::rim, elastic}, {Volume::plate, elastic}};
+  }
+  static MasterSurface master() { return sphere(Vector3d(0, 0, -2), 2.0, Side::outside); }
+  static SurfaceContactOptions options() {
+    SurfaceContactOptions result{{block_modulus / 0.05, block_modulus / 0.05, FrictionCoefficient::constant(0.3)}};
+    result.carrier_faces = Surface::dish;
+    return result;
   }
   static meshes::HexMesh mesh() {
     const auto bent = [](std::array<double, 3> x) {

@@ -52,8 +52,7 @@ TEST(Ranks, StickAndSlipAreThoseOfOneRank) {
 /// Ten steps of one deformable block over another, whose faces do not match.
 SystemState slid() {
   const Discretisation space(TwoBlocks::mesh(), 2);
-  const scene::Material elastic{block_modulus, 0.3, 1000, {}, {}};
-  const Solid solid(space, {{Volume::rim, elastic}, {Volume::plate, elastic}});
+  const Solid solid(space, TwoBlocks::materials());
   Supports supports(space);
   int top[3];
   for (int i = 0; i < 3; ++i) {
@@ -61,9 +60,7 @@ SystemState slid() {
     supports.fix(i, [](const Vector3d &x) { return x.z() < -0.09; });
   }
   ContactSystem system(space, solid, supports.number());
-  SurfaceContactOptions contact{{block_modulus / 0.05, block_modulus / 0.05, FrictionCoefficient::constant(0.3)}};
-  contact.carrier_faces = Surface::dish;
-  system.add_contact(Surface::slider_side, sphere(Vector3d(0, 0, -2), 2.0, Side::outside), contact);
+  system.add_contact(Surface::slider_side, TwoBlocks::master(), TwoBlocks::options());
   SystemState state = system.at_rest();
   StepOptions options;
   options.newton.tolerance = 1e-10;

@@ -21,7 +21,8 @@ LATERAL_CAPACITY = 0.4  # [m]
 
 def window(program, folder, rung, speed, mesh):
     reduced = rung == "reduced"
-    return kept_run(program, "reduced" if reduced else "run", "impact-window", folder / f"{rung}_{speed}{f'_mesh{mesh}' * (mesh > 1)}",
+    name = f"{rung}_{speed}" + (f"_mesh{mesh}" if mesh > 1 else "")
+    return kept_run(program, "reduced" if reduced else "run", "impact-window", folder / name,
                     [*COMMON, *(FITTED if reduced else []), f"excitation.speed_m_per_s={speed}"],
                     [] if reduced else ["--rung", rung, "--mesh", str(mesh)])
 
