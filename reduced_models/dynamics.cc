@@ -1,4 +1,6 @@
 #include "reduced_models/dynamics.h"
+
+#include "reduced_models/pad_on_dish.h"
 #include "scene/error.h"
 #include <cmath>
 
@@ -29,14 +31,14 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
       lateral_capacity((capacity >= 0 ? capacity : scene.bearing.lateral_capacity()) +
                        scene.reduced.capacity_offset),
       height(weightless(scene) ? RidingHeight::plane(scene.bearing, scene.bearing.lateral_capacity())
-                               : RidingHeight(scene.bearing, scene.reduced.finite_pad)),
+                               : RidingHeight(scene.bearing, scene.reduced.finite_pad ? scene.load.vertical : 0.0)),
       reading(reading_of(scene)), ground(scene.excitation, scene.load.gravity) {
   const auto &r = scene.reduced;
   const bool window = scene.excitation.kind == scene::ExcitationKind::window;
   if (!window || scene.excitation.with_friction) {
     friction_law = {r.mu_slow, r.mu_fast, r.mu_slow == r.mu_fast ? 0.0 : r.rate};
     if (r.socket_friction && !height.is_plane())
-      socket = scene.bearing.contact.steel_steel * scene.bearing.foot.cap_radius;
+      socket = scene.bearing.contact.steel_steel * socket_arm(scene.bearing);
     if (r.friction == "park-wen") {
       park_wen_ = true, elastic_slip = r.elastic_slip;
       if (!(elastic_slip > 0))

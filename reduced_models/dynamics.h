@@ -143,12 +143,11 @@ public:
 
   /// Friction per unit of normal force, tangent to the surface and opposed to `v`; zero for v = 0.
   /// `p` the riding height at `u`. Includes the socket: the foot must turn with the surface's normal n inside
-  /// the socket of radius R_cap, dissipating mu_ss N R_cap |n'|, n' = -(kappa_m v_m, kappa_c v_c) along
-  /// meridian and circle, i.e. a tangent force mu_ss N R_cap K^2 v / |K v|; in unidirectional motion mu_ss N
-  /// R_cap kappa_m.
+  /// the socket of arm a (pad_on_dish.h), dissipating mu_ss N a |n'|, n' = -(kappa_m v_m, kappa_c v_c) along
+  /// meridian and circle, i.e. a tangent force mu_ss N a K^2 v / |K v|; in unidirectional motion mu_ss N a kappa_m.
   Eigen::Vector3d friction_per_normal(const scene::SurfacePoint &p, const Eigen::Vector2d &u,
                                       const Eigen::Vector2d &v, double mu) const;
-  /// Per unit of normal force: mu_ss R_cap [m], 0 when the socket is frictionless.
+  /// Per unit of normal force: mu_ss times the socket's arm [m], 0 when the socket is frictionless.
   double socket = 0;
 
 private:

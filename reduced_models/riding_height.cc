@@ -1,6 +1,9 @@
 #include "reduced_models/riding_height.h"
+
+#include "reduced_models/pad_on_dish.h"
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <numbers>
 
 namespace rimpact::reduced {
@@ -41,22 +44,35 @@ RadialInterpolant::Values RadialInterpolant::at(double s) const {
           (2 * p1 + x * q1 - q2) / (half_ * half_)};
 }
 
-RidingHeight::RidingHeight(const scene::Bearing &bearing, bool finite_pad)
+namespace {
+
+/// Fits and fleets build thousands of models of one bearing, and a lift costs as much as ten of their runs: the last one is kept.
+std::shared_ptr<const RadialInterpolant> lift_under(const scene::Bearing &bearing, const scene::SlidingSurface &surface,
+                                                    double load, double limit) {
+  static std::mutex guard;
+  static scene::Bearing kept_bearing;
+  static double kept_load = 0;
+  static std::shared_ptr<const RadialInterpolant> kept;
+  const std::scoped_lock lock(guard);
+  if (kept && kept_load == load && kept_bearing == bearing) return kept;
+  const PadOnDish pad(bearing, surface, load);
+  const double at_rest = pad.lift(0);
+  kept = std::make_shared<RadialInterpolant>([&](double r) { return pad.lift(r) - at_rest; }, limit);
+  kept_bearing = bearing, kept_load = load;
+  return kept;
+}
+
+} // namespace
+
+RidingHeight::RidingHeight(const scene::Bearing &bearing, double pad_load)
     : surface_(scene::make_surface(bearing.surface)) {
   // The dish ends at its planar radius; a pad centre beyond it has nothing to ride on.
   limit_ = std::min(bearing.surface.planar_radius, surface_->limit_radius() * (1 - 1e-9));
-  if (!finite_pad) return;
-  const double ro = bearing.pad.outer_radius, ri = bearing.pad.inner_radius;
-  const auto sum = [&](double r) {
-    const auto k = surface_->curvatures(r);
-    return k.meridional + k.circumferential;
-  };
-  lift_ = std::make_unique<RadialInterpolant>(
-      [&](double r) { return (ro * ro + ri * ri) / 8 * (sum(r) - sum(0)); }, limit_);
+  if (pad_load > 0) lift_ = lift_under(bearing, *surface_, pad_load, limit_);
 }
 
 RidingHeight RidingHeight::plane(const scene::Bearing &bearing, double radius) {
-  RidingHeight height(bearing, false);
+  RidingHeight height(bearing);
   height.plane_height_ = height.at(radius, 0).z;
   height.plane_ = true;
   height.limit_ = std::numeric_limits<double>::infinity();

@@ -25,10 +25,10 @@ private:
 
 class RidingHeight {
 public:
-  /// `finite_pad` adds (Ro^2 + Ri^2)/8 (kappa_m + kappa_c - 2/R0) (DESIGN 2): a flat annulus bearing on a
-  /// curved dish rides on the mean of the height over its face. Curvature that is no smooth function of r^2
-  /// (odd powers of a polynomial, a table's rows) is rounded over some 15 mm, less than the pad's own size.
-  RidingHeight(const scene::Bearing &bearing, bool finite_pad);
+  /// A `pad_load` above zero [N] adds the finite pad's lift under it (pad_on_dish.h), zero at rest; by itself the
+  /// slider rides as a point. A lift that is no smooth function of r^2 (odd powers of a polynomial, a table's
+  /// rows) is rounded over some 15 mm, less than the pad's own size.
+  explicit RidingHeight(const scene::Bearing &bearing, double pad_load = 0);
   /// A horizontal plane at the height of travel `radius`: an impact window without weight.
   static RidingHeight plane(const scene::Bearing &bearing, double radius);
 
@@ -40,7 +40,7 @@ public:
 
 private:
   std::unique_ptr<scene::SlidingSurface> surface_;
-  std::unique_ptr<RadialInterpolant> lift_;
+  std::shared_ptr<const RadialInterpolant> lift_;
   double limit_ = 0, plane_height_ = 0;
   bool plane_ = false;
 };

@@ -1,4 +1,5 @@
 // Motion without ground acceleration against closed forms.
+#include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
 #include "scenes.h"
 #include <gtest/gtest.h>
@@ -119,14 +120,14 @@ TEST(FreeMotion, TwoDimensionalStopIsFoundAndKept) {
 }
 
 TEST(Socket, StickLimitCountsTheSocket) {
-  // along the meridian the limit is mu + mu_ss R_cap kappa_m
+  // along the meridian the limit is mu + mu_ss kappa_m times the socket's arm
   scene::Scene s = free_motion({0, 0}, {0, 0}, 1);
   s.reduced.socket_friction = true;
   const Ellipse e;
   double low = 0.1, high = 0.2;
   for (int i = 0; i < 100; ++i) {
     const double r = (low + high) / 2;
-    (e.slope(r) < 0.07 + 0.1 * 0.09 * e.meridional(r) ? low : high) = r;
+    (e.slope(r) < 0.07 + 0.1 * socket_arm(s.bearing) * e.meridional(r) ? low : high) = r;
   }
   s.excitation.initial_displacement = {0, low - 1e-6};
   EXPECT_EQ(simulate_summary(s).energy->friction, 0);
