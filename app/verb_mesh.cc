@@ -19,7 +19,7 @@ void add_mesh(CLI::App &app, Console &console) {
   verb->add_option("BEARING", options->bearing, "a TOML file or a built-in bearing");
   verb->add_option("-o,--output", options->file, "the .msh file to write")->required();
   verb->add_option("--png", options->picture, "a picture of the mesh");
-  verb->add_option("--mesh", options->level, "1 | 2 | 3")->check(CLI::Range(1, 3));
+  verb->add_option("--mesh", options->level, "1 | 2 | 3; 0: a draft")->check(CLI::Range(0, 3));
   verb->add_flag("--whole", options->whole, "not just the symmetric half");
   console.add_common(*verb);
   console.add_json(*verb);

@@ -108,7 +108,7 @@ void visit_settings(KeyVisitor &v, Scene &s) {
   });
   v.section("model", [&] {
     v.choice({"rung", "rim | rigid-dish | full"}, s.model.rung, {"rim", "rigid-dish", "full"});
-    v.integer({"mesh", "1 | 2 | 3"}, s.model.mesh, 1, 3);
+    v.integer({"mesh", "1 | 2 | 3; 0: a draft, every size x 1.5"}, s.model.mesh, 0, 3);
     v.number({"step_ms", "inside an impact; 0: chosen by the plan"}, s.model.step, milli, {0, 1e3});
     v.number({"rho_inf", "spectral radius of generalised-alpha"}, s.model.rho_inf, si, share);
     v.number({"penalty_scale", "of contact, times the default"}, s.model.penalty_scale, si, {1e-4, 1e4});

@@ -25,8 +25,8 @@ std::optional<std::string> refusal(const scene::Scene &scene) {
   const auto &contact = scene.bearing.contact;
   if (rung == "rim" && on_the_dish)
     return name + " moves on the dish without touching the rim; rung `rim` has nothing to solve there: try --rung rigid-dish";
-  if (rung != "rim" && (kind == Kind::push || kind == Kind::free))
-    return name + " is not in this build's rung `" + rung + "`; it has: cyclic, figure-eight, ricker, record, window";
+  if (rung != "rim" && kind == Kind::free)
+    return name + " is not in this build's rung `" + rung + "`; it has: cyclic, figure-eight, push, ricker, record, window";
   if (rung != "rim" && kind == Kind::window && !scene.excitation.with_weight)
     return "a weightless window has nothing that holds the stack on its dish: set excitation.with to "
            "[\"weight\", \"friction\"], or run it on rung `rim`";

@@ -24,18 +24,20 @@ bool RimSolver::evaluate(const ArcState &old, Trial &trial, bool with_contact, c
                          const MasterLaw *law) {
   const Eigen::VectorXd u = equations_.expand(trial.u);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations_.n);
-  tangent_->set_zero();
+  SymmetricMatrix *tangent = trial.keeps_tangent ? nullptr : tangent_.get();
+  trial.keeps_tangent = false;
+  if (tangent) tangent->set_zero();
   trial.energies = {};
   {
     const Stopwatch watch(time_split["assembly"]);
-    if (!solid_.assemble(u, old.history, trial.history, equations_, forces, tangent_.get(), trial.energies))
+    if (!solid_.assemble(u, old.history, trial.history, equations_, forces, tangent, trial.energies))
       return false;
   }
   trial.scale = forces.norm();
   trial.report = {};
   if (with_contact) {
     const Stopwatch watch(time_split["search"]);
-    trial.report = contact_.assemble(u, trial.contact, equations_, &forces, tangent_.get());
+    trial.report = contact_.assemble(u, trial.contact, equations_, &forces, tangent);
     if (!trial.report.pattern_holds) {
       trial.pattern_holds = false;
       return false;

@@ -141,6 +141,7 @@ private:
   long factored_for_ = 0;               ///< pattern of the factor at hand
   bool factor_is_worn_ = false;         ///< GMRES needed many iterations with it
   bool driven_factor_ = false;          ///< it has unit rows for a driven top face
+  Eigen::Vector3d last_push_ = Eigen::Vector3d::Zero(); ///< of the top face [m], the tangent at hand being its solution's; else zero
   std::vector<std::vector<int>> pairs_; ///< contact cliques in the pattern
 };
 

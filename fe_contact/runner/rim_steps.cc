@@ -18,10 +18,23 @@ void RimSolver::commit(ArcState &state, Trial &trial) const {
 }
 
 StepReport RimSolver::push(ArcState &state, const Eigen::Vector3d &target) {
+  // Evaluated anew, the points are at rest and their tangent is elastic where they are about to flow on: onwards the
+  // first change is made with the tangent of the last solution. Back from the deepest point the new one is right.
+  const Eigen::Vector3d to_go = target - state.master;
+  const bool onwards = to_go.dot(last_push_) > 0;
+  last_push_.setZero();
   Trial trial;
   trial.u = state.u;
+  trial.keeps_tangent = onwards;
   StepReport report = iterate(state, trial, true, nullptr, nullptr, &target);
+  if (!report.converged && onwards) {
+    const int spent = report.iterations;
+    trial.u = state.u;
+    report = iterate(state, trial, true, nullptr, nullptr, &target);
+    report.iterations += spent;
+  }
   if (!report.converged) return report;
+  last_push_ = to_go;
   const ContactState before = state.contact;
   commit(state, trial);
   report.contact_work = share() * contact_.work(before, state.contact);
@@ -31,6 +44,7 @@ StepReport RimSolver::push(ArcState &state, const Eigen::Vector3d &target) {
 }
 
 StepReport RimSolver::relax(ArcState &state) {
+  last_push_.setZero();
   Trial trial;
   trial.u = state.u;
   const Eigen::Vector3d target = state.master;
@@ -44,6 +58,7 @@ StepReport RimSolver::relax(ArcState &state) {
 }
 
 StepReport RimSolver::step(ArcState &state, double dt, const MasterLaw &law, double multiplier) {
+  last_push_.setZero();
   const GeneralizedAlpha scheme = GeneralizedAlpha::from(options_.rho_inf);
   const Inertia inertia{scheme, dt, scheme.predicted_displacement(state.u, state.v, state.a, dt),
                         scheme.predicted_velocity(state.v, state.a, dt), state.a};

@@ -16,6 +16,7 @@ struct RimSolver::Trial {
   MasterLoad load;
   double scale = 0; ///< size of the forces in play [N]
   bool pattern_holds = true;
+  bool keeps_tangent = false; ///< the next evaluation gives forces only
 };
 
 /// The terms of the time integrator in a step: u -> v, a.

@@ -9,7 +9,7 @@ meshes::StackMeshOptions stack_mesh_options(const scene::Scene &scene, const Pla
   mesh.level = scene.model.mesh;
   mesh.half = plan.half;
   mesh.whole_plate = plan.rung == "full";
-  mesh.rim = plan.moves_in_time || mesh.whole_plate;
+  mesh.rim = plan.moves_in_time || plan.rim_takes_part || mesh.whole_plate;
   mesh.opposite_rim = plan.opposite_sector;
   mesh.sector_half_angle = plan.sector_half_angle;
   mesh.direction = plan.sector_direction;

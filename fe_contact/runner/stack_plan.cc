@@ -8,17 +8,17 @@
 namespace rimpact::fe {
 namespace {
 
-/// Measured (docs/measured.md): the stack; what a meshed sector of the rim adds while it takes part.
-constexpr MeshCost stack[3] = {{18900, 0.25, 0.7e9}, {59000, 1.2, 2.0e9}, {167000, 6.0, 6.5e9}};
-constexpr MeshCost sector[3] = {{4800, 0.12, 0.3e9}, {24000, 0.6, 0.8e9}, {70000, 3.0, 2.5e9}};
+/// Measured (docs/measured.md), by mesh: the stack; what a meshed sector of the rim adds while it takes part.
+constexpr MeshCost stack[4] = {{8000, 0.1, 0.4e9}, {18900, 0.25, 0.7e9}, {59000, 1.2, 2.0e9}, {167000, 6.0, 6.5e9}};
+constexpr MeshCost sector[4] = {{2000, 0.05, 0.15e9}, {4800, 0.12, 0.3e9}, {24000, 0.6, 0.8e9}, {70000, 3.0, 2.5e9}};
 
 /// The whole plate, solid all the time (rung R3).
-constexpr MeshCost plate[3] = {{20000, 0.6, 0.9e9}, {90000, 3.0, 3.5e9}, {270000, 15.0, 11e9}};
+constexpr MeshCost plate[4] = {{8000, 0.25, 0.4e9}, {20000, 0.6, 0.9e9}, {90000, 3.0, 3.5e9}, {270000, 15.0, 11e9}};
 
 void add_cost(Plan &plan, double iterations, double iterations_with_rim, int sectors) {
   constexpr double whole_over_half = 3;
   if (plan.rung == "full") {
-    const MeshCost &own = stack[plan.mesh - 1], &all = plate[plan.mesh - 1];
+    const MeshCost &own = stack[plan.mesh], &all = plate[plan.mesh];
     plan.expected_dofs = (own.dofs + all.dofs) * (plan.half ? 1 : 2);
     plan.expected_memory_bytes = (own.memory + all.memory) * (plan.half ? 1 : 2.3);
     plan.expected_seconds = 10 + (iterations + iterations_with_rim) *
@@ -26,7 +26,7 @@ void add_cost(Plan &plan, double iterations, double iterations_with_rim, int sec
                                      (plan.half ? 1 : whole_over_half);
     return;
   }
-  const MeshCost &own = stack[plan.mesh - 1], &rim = sector[plan.mesh - 1];
+  const MeshCost &own = stack[plan.mesh], &rim = sector[plan.mesh];
   plan.expected_dofs = (own.dofs + sectors * rim.dofs) * (plan.half ? 1 : 2);
   plan.expected_memory_bytes = (own.memory + sectors * rim.memory) * (plan.half ? 1 : 2.3);
   plan.expected_seconds = 5 + ((iterations + iterations_with_rim) * own.seconds_per_iteration +
@@ -68,25 +68,28 @@ void scout_stack(Plan &plan, scene::Scene scene) {
 } // namespace
 
 Plan stack_path_plan(const scene::Scene &scene) {
-  constexpr double steps_a_cycle = 170, iterations_a_step = 5;
+  constexpr double steps_a_cycle = 170, steps_a_push = 95, iterations_a_step = 5;
   Plan plan;
   plan.rung = scene.model.rung;
   plan.moves_in_time = false;
-  plan.opposite_sector = plan.rung == "full"; // a path goes both ways
+  const bool push = scene.excitation.kind == scene::ExcitationKind::push;
+  plan.opposite_sector = plan.rung == "full" && !push; // a path goes both ways
   plan.mesh = scene.model.mesh;
   const auto &e = scene.excitation;
   const bool cyclic = e.kind == scene::ExcitationKind::cyclic;
-  plan.half = cyclic && moves_along_x(e) && scene.model.symmetry != "whole";
+  plan.half = (cyclic || push) && moves_along_x(e) && scene.model.symmetry != "whole";
   const double capacity = scene.bearing.lateral_capacity();
   double travel = 0;
   for (int k = 0; k <= 1000; ++k)
     travel = std::max(travel, scene::prescribed_displacement(e, capacity, 1e-3 * k).norm());
   plan.closest_gap = capacity - travel;
   plan.rim_takes_part = plan.closest_gap <= 0;
-  plan.expected_steps = std::lround(steps_a_cycle * (cyclic ? e.cycles : 1.0));
-  add_cost(plan, plan.expected_steps * iterations_a_step, 0, 0);
+  if (push) plan.sector_direction = std::atan2(e.direction().y(), e.direction().x());
+  plan.expected_steps = push ? steps_a_push : std::lround(steps_a_cycle * (cyclic ? e.cycles : 1.0));
+  const double iterations = plan.expected_steps * iterations_a_step;
+  add_cost(plan, push ? 0 : iterations, push ? iterations : 0, 1);
   add_pad_note(plan, scene);
-  if (plan.rim_takes_part)
+  if (plan.rim_takes_part && !push)
     plan.notes.push_back(fmt::format("the path reaches the rim ({:.1f} mm past L_c), which this rung does not mesh in "
                                      "a quasi-static scene: `run` refuses; try --rung rim and a push",
                                      -1e3 * plan.closest_gap));

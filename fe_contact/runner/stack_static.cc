@@ -1,4 +1,5 @@
-// Quasi-static paths of rung R2: preload under the dead load, then the top face is driven along the path.
+// Quasi-static paths of rungs R2 and R3: preload under the dead load, then the top face is driven along the path, of a
+// push into the rim and back.
 #include "fe_contact/runner/record_checkpoint.h"
 #include "fe_contact/runner/stack_drive.h"
 #include "fe_contact/runner/stack_recorder.h"
@@ -30,7 +31,7 @@ struct StaticPath {
 
   StaticPath(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record)
       : scene(scene), options(options), record(record), model(scene.bearing, stack_mesh_options(scene, plan), true, scene.model.penalty_scale),
-        system(model, model.full()), state(system.at_rest()), recorder(scene, model, options, record),
+        system(model, model.full() || plan.rim_takes_part), state(system.at_rest()), recorder(scene, model, options, record),
         load(system.dead_load(scene.load.vertical)) {
     record.n_dofs = system.equations().n;
   }
@@ -38,7 +39,7 @@ struct StaticPath {
   Attempt attempt(double s, double ds) {
     if (is_interrupted(options)) throw Interrupted();
     const Eigen::Vector2d target = scene::prescribed_displacement(scene.excitation, scene.bearing.lateral_capacity(), s + ds);
-    const Eigen::Vector3d before = system.top_of(state.u), force_before = forces_of(model, state).dish;
+    const Eigen::Vector3d before = system.top_of(state.u), force_before = forces_of(model, state).total();
     const ContactStepReport step = drive.move_to(system, state, target, load, step_options);
     record.n_newton += step.iterations;
     if (!step.converged) {
@@ -51,14 +52,15 @@ struct StaticPath {
     sample(s + ds, step.iterations, ds);
     if (options.progress)
       options.progress({s + ds, 1.0, ds, step.iterations, scene.bearing.lateral_capacity() - target.norm(),
-                        forces_of(model, state).dish.head<2>().norm(), "sliding"});
+                        forces_of(model, state).total().head<2>().norm(),
+                        forces_of(model, state).rim.any() ? "pressing" : "sliding"});
     return {true, growth * ds, {}};
   }
 
   void account(const Eigen::Vector3d &before, const Eigen::Vector3d &force_before) {
     const Eigen::Vector3d du = system.top_of(state.u) - before;
     auto &ledger = record.ledger;
-    ledger.external -= 0.5 * (force_before + forces_of(model, state).dish).head<2>().dot(du.head<2>());
+    ledger.external -= 0.5 * (force_before + forces_of(model, state).total()).head<2>().dot(du.head<2>());
     ledger.gravity += scene.load.vertical * du.z();
     ledger.elastic = model.share() * state.energies.elastic - rest_elastic;
     ledger.plastic = model.share() * state.energies.plastic;
@@ -104,13 +106,31 @@ struct StaticPath {
     return {p[0], p[1]};
   }
 
+  struct Phase {
+    double end, first, largest; ///< of the load parameter
+  };
+  /// Of a push: out to the rim, into it, back.
+  std::vector<Phase> phases() const {
+    constexpr double steps_a_cycle = 160, longest_slide = 0.025; // [m]
+    constexpr double steps_in = 32, steps_back = 32;
+    const auto &e = scene.excitation;
+    std::vector<double> ends = scene::prescribed_breakpoints(e);
+    if (ends.empty()) {
+      const double largest = 1 / (steps_a_cycle * cycles());
+      return {{1, 1e-3 * largest, largest}};
+    }
+    ends.push_back(1);
+    const double slide = ends[0] * longest_slide / scene.bearing.lateral_capacity(), in = (ends[1] - ends[0]) / steps_in;
+    std::vector<Phase> result{{ends[0], 1e-3 * slide, slide}, {ends[1], 1e-2 * in, in}};
+    if (ends.size() > 2) result.push_back({1, 0.1 * (1 - ends[1]) / steps_back, (1 - ends[1]) / steps_back});
+    return result;
+  }
+  double cycles() const { return scene.excitation.kind == scene::ExcitationKind::cyclic ? scene.excitation.cycles : 1.0; }
+
   void run() {
-    constexpr int steps_a_cycle = 160, checkpoint_every = 10;
-    const double cycles = scene.excitation.kind == scene::ExcitationKind::cyclic ? scene.excitation.cycles : 1.0;
-    const double largest = 1.0 / (steps_a_cycle * cycles), picture = 0.25 / cycles;
-    double start = 0, first = 1e-3 * largest;
+    double reached = 0, next = 0; // next step; 0: the phase's first
     if (options.resume) {
-      std::tie(start, first) = restore();
+      std::tie(reached, next) = restore();
     } else {
       record.n_newton += preload_stack(system, state, load, step_options);
       rest_height = system.top_of(state.u).z();
@@ -118,18 +138,29 @@ struct StaticPath {
       sample(0, 0, 0);
       write_fields(0);
     }
-    const MarchReport report = march(start, 1, {first, 1e-8 * largest, largest, growth}, [&](double s, double ds) {
+    for (const Phase &phase : phases()) {
+      if (reached > phase.end - 1e-9) continue;
+      reached = follow(reached, phase, next > 0 ? next : phase.first);
+      next = 0;
+    }
+    save(1, 0);
+  }
+
+  double follow(double start, const Phase &phase, double first) {
+    constexpr int checkpoint_every = 10;
+    const double picture = 0.25 / cycles();
+    const MarchReport report = march(start, phase.end, {first, 1e-8 * phase.largest, phase.largest, growth}, [&](double s, double ds) {
       const Attempt result = attempt(s, ds);
       if (!result.accepted) return result;
       if (std::floor((s + ds) / picture + 1e-9) > std::floor(s / picture + 1e-9)) write_fields(s + ds);
       if (record.n_steps % checkpoint_every == 0) save(s + ds, growth * ds);
       return result;
     });
-    save(report.reached, largest);
-    if (!report.finished)
-      throw SolverStopped(fmt::format("the path stopped at load parameter {:.4f}: {}; partial results are kept; try "
-                                      "--mesh 2, or go on with --resume",
-                                      report.reached, report.reason));
+    if (report.finished) return phase.end;
+    save(report.reached, phase.largest);
+    throw SolverStopped(fmt::format("the path stopped at load parameter {:.4f}: {}; partial results are kept; try "
+                                    "--mesh 2, or go on with --resume",
+                                    report.reached, report.reason));
   }
 };
 

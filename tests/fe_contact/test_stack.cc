@@ -30,13 +30,31 @@ TEST(StackPlan, APulseMeshesTheSideTheScoutTouchesAndTheOtherOnlyWhenItComesNear
   EXPECT_TRUE(plan_of("ricker-0.78g-1.0s", {"excitation.scale=2.0"}).opposite_sector);
 }
 
+TEST(StackPlan, APushMeshesTheRimWhereItGoes) {
+  const Plan along = plan_of("rim-push"), aslant = plan_of("rim-push", {"excitation.direction_deg=30"});
+  EXPECT_TRUE(along.half && along.rim_takes_part);
+  EXPECT_FALSE(along.moves_in_time);
+  EXPECT_FALSE(aslant.half);
+  EXPECT_NEAR(aslant.sector_direction, M_PI / 6, 1e-12);
+  const scene::Scene scene = scene::load_scene("rim-push", {"model.rung=\"full\""});
+  const Plan full = make_plan(scene);
+  EXPECT_FALSE(full.opposite_sector);
+  EXPECT_EQ(refusal(scene), std::nullopt);
+  const Plan draft = plan_of("rim-push", {"model.mesh=0"}); // the draft mesh has its own costs
+  EXPECT_LT(draft.expected_dofs, along.expected_dofs);
+  EXPECT_LT(draft.expected_seconds, along.expected_seconds);
+}
+
 TEST(StackPlan, RefusesWhatWouldFloatAndWhatItDoesNotHave) {
   const auto why = [](const std::string &scene, std::vector<std::string> settings = {}) {
     settings.push_back("model.rung=\"rigid-dish\"");
     return refusal(scene::load_scene(scene, settings)).value_or("");
   };
   EXPECT_NE(why("impact-window").find("excitation.with"), std::string::npos);
-  EXPECT_NE(why("rim-push").find("push"), std::string::npos);
+  EXPECT_NE(why("impact-window", {"excitation.kind=\"free\"", "excitation.displacement_m=[0.39, 0]", "excitation.velocity_m_per_s=[0.5, 0]"})
+                .find("'free'"),
+            std::string::npos);
+  EXPECT_EQ(why("rim-push"), "");
   EXPECT_EQ(why("ricker-0.38g-1.5s"), "");
 }
 
