@@ -11,6 +11,7 @@ namespace rimpact::fe {
 namespace {
 
 constexpr double longest_flight_step = 0.01; // [s]
+constexpr double turning_step = 5e-4;        // the slider turns round in steps of this [s]
 constexpr double joining_gap = 2e-3;         // the rim's solids join here [m]
 constexpr double parting_gap = 1e-3;         // and leave here, the walls moving apart [m]
 constexpr double first_gap = 5e-5;           // a window starts here [m]
@@ -130,7 +131,16 @@ void StackDynamic::march_on() {
   if (near_rim_ && !touching() && surface_gap() > parting_gap && closing_speed() < 0) part();
 }
 
+/// Where the slider turns round its friction does, and a step takes it as it is at the step's end: by up to a step's length
+/// too early, an impulse of 2 mu N dt. So steps shrink with the time to (and since) the turn; a slider at rest has none.
+double StackDynamic::longest_at_turn() const {
+  constexpr double at_rest = 0.3, share = 0.7; // [m/s^2]; of that time
+  const double speed = active().top_of(state_.v).head<2>().norm(), rate = active().top_of(state_.a).head<2>().norm();
+  return rate > at_rest ? std::max(turning_step, share * speed / rate) : longest_flight_step;
+}
+
 double StackDynamic::clipped(double dt) const {
+  if (const double longest = longest_at_turn(); !near_rim_ && dt > 1.001 * longest) return longest;
   const double closing = closing_speed();
   if (closing <= 0 || touching()) return 0;
   const double left = near_rim_ ? surface_gap() : gap() - 0.9 * joining_gap, until = left / closing;
@@ -146,7 +156,7 @@ Attempt StackDynamic::attempt(double t, double dt) {
     save();
     throw Interrupted();
   }
-  if (const double shorter = clipped(dt); shorter > 0) return {false, shorter, "the walls are about to touch"};
+  if (const double shorter = clipped(dt); shorter > 0) return {false, shorter, "the walls are about to touch, or the slider to turn round"};
   closing_before_ = closing_speed();
   const int before = report_.iterations;
   Attempt result = checked_step(active(), state_, t, dt, [this](double at) { return load(at); }, transient_, report_,

@@ -31,7 +31,8 @@ private:
   void slide_out();
   void march_on();
   Attempt attempt(double t, double dt);
-  /// Length of a step that would overshoot the rim's joining or the touch; 0: none.
+  double longest_at_turn() const; ///< step [s]
+  /// Length instead of a step that would overshoot a turn, the rim's joining or the touch; 0: it would not.
   double clipped(double dt) const;
   void after_step(double t, double dt, const ContactStepReport &step);
   void account();

@@ -65,6 +65,7 @@ def cases(folder):
     ]
 
 
+MESH = 1
 NOTES = """# Elsewhere: resumed in mid-impact to 1e-10 (tests/fe_contact/test_restart.cc, app_fe_run). Not in this rung: the pad (Poisson
 # 0.499). Two ranks: rungs rigid-dish and full only (tests/fe_contact/test_ranks.cc,
 # app_stack_ranks). Not in this build: meshes of one's own (aspect 20, skewed).

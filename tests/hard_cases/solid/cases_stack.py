@@ -1,4 +1,4 @@
-"""Hard cases of rung rigid-dish, mesh 1: name, must be right, (scene, settings), expected exit code, check of the summary."""
+"""Hard cases of rungs rigid-dish and full, on the draft mesh: name, must be right, (scene, settings), expected exit code, check of the summary."""
 from checks import close_to, impacts
 
 BASE = "reference: 0.2 m/s"
@@ -34,9 +34,12 @@ def cases(folder):
         ("a tenth of the weight", True, window("load.vertical_kN=85.3"), 0, impacts(1)),
         ("zero vertical load", True, window("load.vertical_kN=0"), 2, None),
         ("no weight on the dish", True, window(dish=[]), 2, None),
+        ("negative tangent modulus", True, window("bearing.material.steel.tangent_modulus_MPa=-10"), 2, None),
         ("frictional foot in the pad", True, window('bearing.contact.pad_foot="frictional"'), 2, None),
     ]
 
 
-NOTES = """# Elsewhere: resumed in mid-slip and mid-impact (tests/fe_contact/test_restart.cc, app_stack_resume).
+MESH = 0
+NOTES = """# Elsewhere: resumed in mid-slip and mid-impact (tests/fe_contact/test_restart.cc, app_stack_resume), two ranks
+# (tests/fe_contact/test_ranks.cc, app_stack_ranks). Records with spikes, tiny shaking, upward accelerations, repeated and oblique impacts: rung rim.
 """
