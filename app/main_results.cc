@@ -3,6 +3,7 @@
 #include "app/comparison.h"
 #include "app/job_runner.h"
 #include "calibration/calibration_json.h"
+#include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
 #include <filesystem>
 #include <fstream>
@@ -29,7 +30,7 @@ json critical_amplitudes(const std::vector<Job> &jobs) {
     if (job.role != "predict") continue;
     json row{{"scene", job.name}, {"printed_g", job.scene.excitation.amplitude_g}};
     scene::Scene stack = job.scene;
-    stack.reduced.finite_pad = stack.reduced.socket_friction = true;
+    reduced::add_stack_terms(stack);
     for (const auto &[key, scene] :
          {std::pair{"reduced_g", &job.scene}, {"reduced_with_pad_and_socket_g", &stack}}) {
       const auto scale = reduced::critical_scale(*scene);

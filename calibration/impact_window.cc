@@ -2,6 +2,7 @@
 #include "calibration/measured_run.h"
 #include "calibration/series.h"
 #include "calibration/window_cutter.h"
+#include "reduced_models/pad_on_dish.h"
 #include "scene/error.h"
 #include <algorithm>
 #include <filesystem>
@@ -118,7 +119,7 @@ StoredRun read_run(const std::string &folder, const WindowOptions &options) {
   if (!summary.is_object()) throw DataError(folder + "/summary.json is not valid JSON");
   const std::string rung = summary.contains("rung") && summary["rung"].is_string() ? summary["rung"] : "";
   // The reference has the pad's and the socket's terms by itself; what is fitted to it must have them too.
-  if (rung == "rigid-dish" || rung == "full") scene.reduced.finite_pad = scene.reduced.socket_friction = true;
+  if (rung == "rigid-dish" || rung == "full") reduced::add_stack_terms(scene);
   StoredRun run = make_run(folder, scene, scene::read_response(folder), options);
   run.summary.status = summary.value("status", "done");
   if (!rung.empty()) run.summary.rung = rung;

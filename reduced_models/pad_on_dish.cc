@@ -87,4 +87,17 @@ double socket_arm(const scene::Bearing &bearing) {
   return bearing.foot.cap_radius * moment / ((1 - c * c * c) / 3);
 }
 
+double pad_elastic_slip(const scene::Bearing &bearing, double normal_force, double mu) {
+  const auto &pad = bearing.ertalyte;
+  return mu * normal_force * bearing.pad.thickness / (pad.E / (2 * (1 + pad.nu)) * bearing.pad_area());
+}
+
+void add_stack_terms(scene::Scene &scene) {
+  auto &r = scene.reduced;
+  r.finite_pad = r.socket_friction = true;
+  const double slip = pad_elastic_slip(scene.bearing, scene.load.vertical, r.mu_fast);
+  if (r.friction == "park-wen" || !(slip > 0)) return;
+  r.friction = "park-wen", r.elastic_slip = slip;
+}
+
 } // namespace rimpact::reduced

@@ -1,8 +1,7 @@
-/// What the pad's size and the socket's width add to a bearing reduced to a point: two laws of the slider stack in
-/// closed or nearly closed form, for rungs `rigid-dish` and `full` to be compared with.
+/// What the pad's size and elasticity and the socket's width add to a bearing reduced to a point: laws of the slider stack
+/// in closed or nearly closed form, for rungs `rigid-dish` and `full` to be compared with.
 #pragma once
-#include "scene/bearing.h"
-#include "scene/surface.h"
+#include "scene/scene.h"
 
 namespace rimpact::reduced {
 
@@ -31,5 +30,13 @@ private:
 /// goes with the cosine of the polar angle, so that its sum over the face exceeds the load it carries; a point
 /// turns at its distance from the axis. Cap radius times 1.11 for the default socket, 1 for a narrow one.
 double socket_arm(const scene::Bearing &bearing);
+
+/// Travel over which the pad, in shear, builds up the friction mu N of its face: mu N t / (G A) [m], 0.14 mm by default. A
+/// slider that turns round keeps its old friction for some milliseconds; on a pulse that is 5 to 20 % of the touch speed.
+double pad_elastic_slip(const scene::Bearing &bearing, double normal_force, double mu);
+
+/// Switches on what rungs `rigid-dish` and `full` have by themselves: the finite pad, the socket's friction, and (Park-Wen,
+/// unless the scene has chosen that itself) the pad's elastic slip under the dead load.
+void add_stack_terms(scene::Scene &scene);
 
 } // namespace rimpact::reduced

@@ -32,6 +32,7 @@ BearingState PhysicalModel::initial_state() const {
     const double angle = x.direction_deg * std::numbers::pi / 180;
     const Vector2d direction(std::cos(angle), std::sin(angle));
     u = impl_->dynamics.lateral_capacity * direction, v = x.scale * x.speed * direction;
+    s.eta = direction; // it comes sliding
   }
   const auto p = height(u[0], u[1]);
   s.u = {u[0], u[1], p.z};

@@ -1,5 +1,6 @@
 #include "fe_contact/runner/plan_parts.h"
 
+#include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -57,7 +58,7 @@ void add_pad_note(Plan &plan, const scene::Scene &scene) {
 
 namespace {
 
-/// The scout: the reduced model, as the scene has it and with the two extra terms that a real stack adds.
+/// The scout: the reduced model, as the scene has it and with the extra terms that a real stack adds.
 void scout(Plan &plan, scene::Scene scene) {
   if (scene.reduced.k_i == 0) scene.reduced.k_i = scene::ReducedSettings{}.k_i; // a scout must feel the rim
   const auto run = reduced::simulate(scene);
@@ -68,9 +69,9 @@ void scout(Plan &plan, scene::Scene scene) {
   for (const auto &impact : plan.impacts) plan.half = plan.half && impact.tangential_speed < 1e-9;
 
   scene::Scene stack = scene;
-  stack.reduced.finite_pad = stack.reduced.socket_friction = true;
+  reduced::add_stack_terms(stack);
   const auto stack_run = reduced::simulate_summary(stack);
-  plan.notes.push_back(fmt::format("with the pad's finite size and the socket's friction the scout sees {} "
+  plan.notes.push_back(fmt::format("with the pad's size and elasticity and the socket's friction the scout sees {} "
                                    "impact(s), closest gap {:.2f} mm",
                                    stack_run.impacts.size(),
                                    1e3 * (scene.bearing.lateral_capacity() - stack_run.peak_displacement)));

@@ -76,7 +76,7 @@ void DynamicRun::restore() {
   }
   current_ = int(file.number("current_arc"));
   const auto &b = file.numbers.at("bearing");
-  bearing_ = {b[0], {b[1], b[2], b[3]}, {b[4], b[5], b[6]}, b[7] != 0, {b[8], b[9]}};
+  bearing_ = {b[0], {b[1], b[2], b[3]}, {b[4], b[5], b[6]}, b[7] != 0, {b[8], b[9]}, {}};
   const auto &s = file.numbers.at("step");
   dt_ = s[0], multiplier_ = s[1], others_elastic_ = s[2], others_plastic_ = s[3], lift_height_ = s[4];
   impact_ = impact_from(numbers(file, "impact_now"));

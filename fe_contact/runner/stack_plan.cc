@@ -1,6 +1,7 @@
 // Plans of rungs R2 and R3.
 #include "fe_contact/runner/plan_parts.h"
 
+#include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -42,7 +43,7 @@ bool moves_along_x(const scene::Excitation &e) {
 
 /// Where the rim is to be meshed, and what the scout saw of it.
 void scout_stack(Plan &plan, scene::Scene scene) {
-  scene.reduced.finite_pad = scene.reduced.socket_friction = true;
+  reduced::add_stack_terms(scene);
   if (scene.reduced.k_i == 0) scene.reduced.k_i = scene::ReducedSettings{}.k_i; // a scout must feel the rim
   const auto run = reduced::simulate(scene);
   add_impacts(plan, run.summary, run.response);

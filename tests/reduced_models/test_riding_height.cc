@@ -1,6 +1,8 @@
+#include "reduced_models/pad_on_dish.h"
 #include "reduced_models/riding_height.h"
 #include "scenes.h"
 #include <gtest/gtest.h>
+#include <numbers>
 
 using namespace rimpact;
 using namespace rimpact::reduced;
@@ -68,4 +70,21 @@ TEST(RidingHeight, PlaneIsFlat) {
   const auto plane = RidingHeight::plane(bearing, 0.4);
   EXPECT_EQ(plane.at(3, 4).z, RidingHeight(bearing).at(0.4, 0).z);
   EXPECT_EQ(plane.at(3, 4).gradient.norm(), 0);
+}
+
+TEST(StackTerms, PadInShearGivesTheElasticSlip) {
+  scene::Scene s;
+  const double G = 3.2e9 / 2.6, area = std::numbers::pi * (0.07019 * 0.07019 - 0.02 * 0.02);
+  EXPECT_NEAR(pad_elastic_slip(s.bearing, 853e3, 0.07), 0.07 * 853e3 * 0.040 / (G * area), 1e-12);
+  add_stack_terms(s);
+  EXPECT_TRUE(s.reduced.finite_pad && s.reduced.socket_friction);
+  EXPECT_EQ(s.reduced.friction, "park-wen");
+  EXPECT_NEAR(s.reduced.elastic_slip, 1.365e-4, 1e-6);
+  s.reduced.elastic_slip = 2e-4; // chosen: kept
+  add_stack_terms(s);
+  EXPECT_EQ(s.reduced.elastic_slip, 2e-4);
+  scene::Scene smooth;
+  smooth.reduced.mu_fast = smooth.reduced.mu_slow = 0;
+  add_stack_terms(smooth); // nothing to slip
+  EXPECT_EQ(smooth.reduced.friction, "coulomb");
 }
