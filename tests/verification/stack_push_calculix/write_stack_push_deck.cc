@@ -132,7 +132,8 @@ void write(const Settings &settings) {
        << "*AMPLITUDE, NAME=AT_ONCE\n0., 1., 1., 1.\n"
        << step(0.1, 0.25, held + "TOP, 1, 1\nTOP_ONE, 3, 3\n")
        << step(0.1, 0.5, held + "TOP, 1, 1\n" + weight)
-       << step(0.001, settings.longest, held + fmt::format("TOP, 1, 1, {:g}\n", end) + weight);
+       << step(0.001, settings.longest, held + fmt::format("TOP, 1, 1, {:g}\n", 1e3 * settings.before - 0.02) + weight)
+       << step(0.002, settings.longest, held + fmt::format("TOP, 1, 1, {:g}\n", end) + weight); // the walls meet at once
   if (!file.flush()) throw Error(ExitCode::io, "cannot write " + settings.file);
 }
 
