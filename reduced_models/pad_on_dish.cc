@@ -18,7 +18,10 @@ constexpr int n_angles = 12; // over half of the face, the other half being its 
 
 PadOnDish::PadOnDish(const scene::Bearing &bearing, const scene::SlidingSurface &surface, double load)
     : bearing_(bearing), surface_(surface), load_(load),
-      edge_(std::min(bearing.surface.planar_radius, surface.limit_radius() * (1 - 1e-9))) {}
+      edge_(std::min(bearing.surface.planar_radius, surface.limit_radius() * (1 - 1e-9))) {
+  const double nu = bearing.ertalyte.nu;
+  stiffness_ = bearing.ertalyte.E * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) / bearing.pad.thickness;
+}
 
 PadOnDish::Profile PadOnDish::profile(double r) const {
   const double inside = std::min(r, edge_);
@@ -26,54 +29,46 @@ PadOnDish::Profile PadOnDish::profile(double r) const {
   return {p.z + (r - inside) * p.gradient[0], p.gradient[0]};
 }
 
-double PadOnDish::lift(double r) const {
+PadOnDish::Potential PadOnDish::potential(double r, const Eigen::Vector2d &at) const {
   const auto &pad = bearing_.pad;
-  const double nu = bearing_.ertalyte.nu;
-  const double stiffness = bearing_.ertalyte.E * (1 - nu) / ((1 + nu) * (1 - 2 * nu)) / pad.thickness; // [N/m^3]
   const double middle = (pad.outer_radius + pad.inner_radius) / 2, half = (pad.outer_radius - pad.inner_radius) / 2;
-  struct Sum {
-    double energy = 0; // potential [J]
-    Eigen::Vector2d slope = Eigen::Vector2d::Zero();
-    Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero(); // Gauss's and Newton's: overlaps being small
-  };
-  const auto sum = [&](const Eigen::Vector2d &at) { // height of the face's middle, tilt
-    Sum s;
-    s.energy = load_ * at[0];
-    s.slope[0] = load_;
-    const double c = std::cos(at[1]), sine = std::sin(at[1]);
-    for (std::size_t i = 0; i < gauss_points.size(); ++i) {
-      const double rho = middle + half * gauss_points[i], depth = rho * rho / (2 * pad.shape_radius);
-      const double weight = 2 * gauss_weights[i] * half * rho * std::numbers::pi / n_angles * stiffness;
-      for (int j = 0; j < n_angles; ++j) {
-        const double angle = std::numbers::pi * (j + 0.5) / n_angles, along = rho * std::cos(angle);
-        const double x = r + c * along - sine * depth, rise = sine * along + c * depth;
-        const double from_axis = std::hypot(x, rho * std::sin(angle));
-        const Profile dish = profile(from_axis);
-        const double cosine = 1 / std::sqrt(1 + dish.slope * dish.slope);
-        const double overlap = (dish.z - at[0] - rise) * cosine;
-        if (overlap <= 0) continue;
-        const Eigen::Vector2d change(-cosine, (-dish.slope * x / from_axis * rise - c * along + sine * depth) * cosine);
-        s.energy += weight * overlap * overlap / 2;
-        s.slope += weight * overlap * change;
-        s.hessian += weight * change * change.transpose();
-      }
+  const double c = std::cos(at[1]), s = std::sin(at[1]);
+  Potential result;
+  result.value = load_ * at[0], result.slope[0] = load_;
+  for (std::size_t i = 0; i < gauss_points.size(); ++i) {
+    const double rho = middle + half * gauss_points[i], depth = rho * rho / (2 * pad.shape_radius);
+    const double weight = 2 * gauss_weights[i] * half * rho * std::numbers::pi / n_angles * stiffness_;
+    for (int j = 0; j < n_angles; ++j) {
+      const double angle = std::numbers::pi * (j + 0.5) / n_angles, along = rho * std::cos(angle);
+      const double x = r + c * along - s * depth, rise = s * along + c * depth;
+      const double from_axis = std::hypot(x, rho * std::sin(angle));
+      const Profile dish = profile(from_axis);
+      const double cosine = 1 / std::sqrt(1 + dish.slope * dish.slope);
+      const double overlap = (dish.z - at[0] - rise) * cosine;
+      if (overlap <= 0) continue;
+      const Eigen::Vector2d change(-cosine, (-dish.slope * x / from_axis * rise - c * along + s * depth) * cosine);
+      result.value += weight * overlap * overlap / 2;
+      result.slope += weight * overlap * change;
+      result.hessian += weight * change * change.transpose();
     }
-    return s;
-  };
+  }
+  return result;
+}
+
+double PadOnDish::lift(double r) const {
   const Profile here = profile(r);
-  const double area = std::numbers::pi * (std::pow(pad.outer_radius, 2) - std::pow(pad.inner_radius, 2));
-  Eigen::Vector2d at(here.z - load_ / (stiffness * area), std::atan(here.slope));
-  Sum now = sum(at);
+  Eigen::Vector2d at(here.z - load_ / (stiffness_ * bearing_.pad_area()), std::atan(here.slope));
+  Potential now = potential(r, at);
   for (int k = 0; k < 50; ++k) {
     const Eigen::Matrix2d H = now.hessian + 1e-9 * load_ * Eigen::Matrix2d::Identity();
     Eigen::Vector2d change = -H.ldlt().solve(now.slope);
-    Sum next = sum(at + change);
-    for (int cut = 0; cut < 20 && next.energy > now.energy; ++cut) next = sum(at + (change /= 2));
-    if (next.energy > now.energy) break; // at the least energy, to rounding
+    Potential next = potential(r, at + change);
+    for (int cut = 0; cut < 20 && next.value > now.value; ++cut) next = potential(r, at + (change /= 2));
+    if (next.value > now.value) break; // at the least value, to rounding
     at += change, now = next;
     if (std::abs(change[0]) < 1e-12) break;
   }
-  return now.energy / load_ - here.z;
+  return now.value / load_ - here.z;
 }
 
 double socket_arm(const scene::Bearing &bearing) {

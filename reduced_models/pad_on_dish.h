@@ -21,9 +21,16 @@ private:
     double z, slope;
   };
   Profile profile(double r) const; ///< of the dish; beyond its edge its tangent goes on
+  struct Potential {
+    double value = 0; ///< of load and springs [J]
+    Eigen::Vector2d slope = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d hessian = Eigen::Matrix2d::Zero(); ///< Gauss's and Newton's: overlaps are small
+  };
+  /// By the height of the face's middle [m] and the tilt [rad].
+  Potential potential(double r, const Eigen::Vector2d &height_and_tilt) const;
   const scene::Bearing &bearing_;
   const scene::SlidingSurface &surface_;
-  double load_, edge_;
+  double load_, edge_, stiffness_; ///< [N], [m], of the layer [N/m^3]
 };
 
 /// Arm of the socket's friction about a horizontal axis [m]: moment over mu N. The pressure of a ball in its socket

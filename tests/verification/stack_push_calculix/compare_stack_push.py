@@ -61,7 +61,7 @@ def ccx(options):
         blocks = re.findall(rf"slave set {name} and time" + NUMBER + r"\s+total surface force[^\n]*\n" + 3 * NUMBER, text)
         force[name.split(",")[0]] = np.array(blocks, float)
     sliding = moves[:, 0] > 2
-    if not sliding.any() or moves[-1, 0] < 3:
+    if not sliding.any() or moves[-1, 0] < 3.999:
         raise SystemExit("ccx did not finish; see ccx.log and ccx.sta")
     rim, dish = (np.interp(moves[:, 0], f[:, 0], -2e-3 * f[:, 1]) for f in (force["SLIDER_SIDE"], force["PAD_FACE"]))
     return np.column_stack([moves[:, 1] - BEFORE, rim, dish, moves[:, 3]])[sliding], seconds
