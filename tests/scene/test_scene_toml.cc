@@ -164,7 +164,7 @@ TEST(SceneToml, ErrorsNameFileLineColumnAndBound) {
   refuse("[excitation]\nwith = ['wieght']\n", {"my.toml:2", "wieght", "did you mean \"weight\""});
   refuse("[excitation]\nreturn = 1\n", {"my.toml:2", "true or false"});
   refuse("[model]\nmesh = 2.0\n", {"my.toml:2", "whole number"});
-  refuse("[model]\nmesh = 9\n", {"my.toml:2", "9", "between 1 and 3"});
+  refuse("[model]\nmesh = 9\n", {"my.toml:2", "9", "between 0 and 3"});
   refuse("[model\n", {"my.toml:1"});
   refuse("[load]\nmass_kg = 1\nmass_kg = 2\n", {"my.toml:3"});
   refuse("load = 3\n", {"my.toml:1", "load must be a table"});
