@@ -77,7 +77,7 @@ void scout(Plan &plan, scene::Scene scene) {
                                    1e3 * (scene.bearing.lateral_capacity() - stack_run.peak_displacement)));
   if (scene.excitation.kind != scene::ExcitationKind::ricker) return;
   for (const auto &[label, variant] :
-       {std::pair{"as the scene has it", &scene}, {"with both terms", &stack}}) {
+       {std::pair{"as the scene has it", &scene}, {"with the terms of pad and socket", &stack}}) {
     scene::Scene unit = *variant;
     if (const auto critical = reduced::critical_scale(unit))
       plan.notes.push_back(fmt::format("the rim is first touched at {:.5f} of scale 1, {:.4f} g ({})",
