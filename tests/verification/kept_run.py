@@ -23,3 +23,11 @@ def is_kept(file, program):
         return False
     built = max(os.path.getmtime(file) for file in pathlib.Path(program).parent.glob("rimpact*"))
     return bool(os.environ.get("RIMPACT_KEEP_RUNS")) or file.stat().st_mtime > built
+
+
+def finish(folder, lines, failures):
+    """Prints the table with what was missed, keeps it as FOLDER/baseline.txt; the script's exit code."""
+    text = "\n".join([*lines, *failures]) + "\n"
+    print(text)
+    (folder / "baseline.txt").write_text(text)
+    return 1 if failures else 0

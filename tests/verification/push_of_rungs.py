@@ -7,7 +7,7 @@ usage: push_of_rungs.py RIMPACT FOLDER [mesh]"""
 import pathlib
 import sys
 
-from kept_run import kept_run
+from kept_run import finish, kept_run
 
 
 def main(program, folder, mesh="0"):
@@ -25,10 +25,7 @@ def main(program, folder, mesh="0"):
     off = force["rigid-dish"] / force["full"] - 1
     if not abs(off) < 0.02:
         failures.append(f"MISSED force of rigid-dish over full: {100 * off:.2f} % is not below 2 %")
-    text = "\n".join(lines + failures) + "\n"
-    print(text)
-    (folder / "baseline.txt").write_text(text)
-    return 1 if failures else 0
+    return finish(folder, lines, failures)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ import csv
 import pathlib
 import sys
 
-from kept_run import kept_run
+from kept_run import finish, kept_run
 
 POINT = ["bearing.pad.inner_radius_mm=2", "bearing.pad.outer_radius_mm=10", "bearing.material.ertalyte.E_MPa=2e7",
          "bearing.material.steel.yield_MPa=100000", "bearing.contact.steel_steel=0"]
@@ -73,10 +73,7 @@ def main(program, folder):
                      f"{summary['wall_time_s']:.0f} s, imbalance {imbalance:.1e}")
         if not abs(imbalance) < 1e-3:
             failures.append(f"MISSED {name}: imbalance {imbalance:.1e}")
-    text = "\n".join(lines + failures) + "\n"
-    print(text)
-    (folder / "baseline.txt").write_text(text)
-    return 1 if failures else 0
+    return finish(folder, lines, failures)
 
 
 if __name__ == "__main__":

@@ -10,7 +10,7 @@ usage: windows_of_rungs.py RIMPACT FOLDER [speeds, e.g. 0.1,0.5] [rungs, e.g. re
 import pathlib
 import sys
 
-from kept_run import kept_run
+from kept_run import finish, kept_run
 
 COMMON = ['excitation.with=["weight","friction"]', "excitation.duration_s=0.06", "reduced.finite_pad=true",
           "reduced.socket_friction=true"]
@@ -60,10 +60,7 @@ def main(program, folder, speeds=(0.1, 0.5), rungs=RUNGS, meshes=(1,)):
                          (a["peak_displacement_m"] - b["peak_displacement_m"]) / LATERAL_CAPACITY, 0.003)
         for rung, run in runs.items():
             gate(f"imbalance of {rung} at {speed}", run["energy"]["imbalance_relative"], 1e-3)
-    text = "\n".join([*lines, f"# error of the peak force over rung {rungs[-1]}", *failures]) + "\n"
-    print(text)
-    (folder / "baseline.txt").write_text(text)
-    return 1 if failures else 0
+    return finish(folder, [*lines, f"# error of the peak force over rung {rungs[-1]}"], failures)
 
 
 if __name__ == "__main__":

@@ -98,4 +98,17 @@ std::string node_set(const std::string &name, const std::set<unsigned> &nodes) {
   return text;
 }
 
+std::string material(const char *name, const scene::Material &data) {
+  std::string text = fmt::format("*MATERIAL, NAME={}\n*ELASTIC\n{}, {}\n", name, 1e-6 * data.E, data.nu);
+  if (data.yield)
+    text += fmt::format("*PLASTIC\n{:.9g}, 0.\n{:.9g}, 2.\n", 1e-6 * *data.yield, 1e-6 * *data.yield + 2e-6 * hardening_modulus(data));
+  return text;
+}
+
+std::string contact(const char *name, const char *slave, const char *master, double stiffness, double mu) {
+  std::string text = fmt::format("*SURFACE INTERACTION, NAME={}\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:g}\n", name, stiffness);
+  if (mu > 0) text += fmt::format("*FRICTION\n{:g}, {:g}\n", mu, 0.1 * stiffness);
+  return text + fmt::format("*CONTACT PAIR, INTERACTION={}, TYPE=SURFACE TO SURFACE\n{}, {}\n", name, slave, master);
+}
+
 } // namespace rimpact::verification

@@ -2,6 +2,7 @@
 /// Lengths in mm (the deck is in mm, N, MPa).
 #pragma once
 #include "meshes/hex_mesh.h"
+#include "scene/material.h"
 #include <map>
 #include <set>
 #include <string>
@@ -46,5 +47,10 @@ private:
 
 /// *NSET; nodes are counted from 1 in a deck.
 std::string node_set(const std::string &name, const std::set<unsigned> &nodes);
+
+/// *MATERIAL: Cauchy stress over logarithmic plastic strain, linear far beyond what a push reaches.
+std::string material(const char *name, const scene::Material &data);
+/// *SURFACE INTERACTION and *CONTACT PAIR, surface to surface, penalty [MPa/mm]; mu 0: no friction.
+std::string contact(const char *name, const char *slave, const char *master, double stiffness, double mu);
 
 } // namespace rimpact::verification

@@ -28,19 +28,6 @@ struct Settings {
   std::vector<std::string> overrides;
 };
 
-/// Steel of the bearing: Cauchy stress over logarithmic plastic strain, linear far beyond what a push
-/// reaches.
-std::string materials(const scene::Material &steel, const Settings &settings) {
-  const double E = 1e-6 * steel.E, yield = 1e-6 * steel.yield.value(),
-               hardening = 1e-6 * hardening_modulus(steel);
-  return fmt::format("*MATERIAL, NAME=STEEL\n*ELASTIC\n{}, {}\n*PLASTIC\n{:.9g}, 0.\n{:.9g}, 2.\n", E,
-                     steel.nu, yield, yield + 2 * hardening) +
-         fmt::format(
-             "*SURFACE INTERACTION, NAME=WALLS\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:g}\n"
-             "*CONTACT PAIR, INTERACTION=WALLS, TYPE=SURFACE TO SURFACE\nslider_side, rim_wall\n",
-             settings.contact_stiffness);
-}
-
 /// Groups as node sets, free of overlaps: a node is held by one card only.
 std::string sets_and_surfaces(const DeckMesh &deck, const meshes::HexMesh &mesh,
                               const meshes::RimMeshOptions &options) {
@@ -96,7 +83,8 @@ void write(const Settings &settings) {
   file << "*HEADING\nrim-push of " << scene.bearing.name << ", mesh " << options.level
        << ", half model; mm, N, MPa\n"
        << deck.nodes_and_elements(settings.element) << sets_and_surfaces(deck, mesh, options)
-       << materials(scene.bearing.steel, settings);
+       << material("STEEL", scene.bearing.steel)
+       << contact("WALLS", "slider_side", "rim_wall", settings.contact_stiffness, 0);
   for (const auto volume : {"plate", "rim", "upper_slider"})
     file << "*SOLID SECTION, ELSET=" << volume << ", MATERIAL=STEEL\n";
   file << "*TRANSFORM, NSET=CUTS, TYPE=C\n0., 0., 0., 0., 0., 1.\n" // 1 radial, 2 circumferential

@@ -7,27 +7,22 @@ CalculiX's foot from tumbling carry 1 % of the lateral force; the contacts' own 
 Exit codes: 0 gates met, 1 missed, 77 ccx is absent (CTest: skipped)."""
 import argparse
 import csv
-import os
 import pathlib
 import re
 import shutil
 import subprocess
 import sys
-import time
 
 import numpy as np
 
-BEFORE, TRAVEL, SKIPPED = 20.0, 4.0, 77  # [mm], [mm]
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path[:0] = [str(HERE.parent), str(HERE.parent / "rim_push_calculix")]
+from compare_rim_push import SKIPPED, timed  # noqa: E402
+from kept_run import finish  # noqa: E402
+
+BEFORE, TRAVEL = 20.0, 4.0  # [mm]
 SMOOTH = ["bearing.contact.steel_ertalyte=0", "bearing.contact.steel_steel=0"]
 NUMBER = r"\s+([-+0-9.E]+)"
-
-
-def timed(words, folder, log):
-    start = time.perf_counter()
-    with open(log, "w") as output:
-        subprocess.run(words, cwd=folder, stdout=output, stderr=subprocess.STDOUT, check=True,
-                       env=dict(os.environ, OMP_NUM_THREADS="1", OPENBLAS_NUM_THREADS="1", RIMPACT_THREADS="1"))
-    return time.perf_counter() - start
 
 
 def settings(mesh):
@@ -41,7 +36,7 @@ def ours(options):
     seconds = 0
     if not (folder / "response.csv").exists():
         seconds = timed([options.rimpact, "run", "rim-push", "--rung", "full", *settings(options.mesh),
-                         "--set", "excitation.return=false", "-o", str(folder), "--quiet"], options.folder, options.folder / "ours.log")
+                         "--set", "excitation.return=false", "-o", str(folder), "--quiet"], options.folder, options.folder / "ours.log", 1)
     with open(folder / "response.csv") as file:
         rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
     table = np.array([[-1e3 * r["gap_m"], -1e-3 * r["Ix_N"], -1e-3 * (r["Fx_N"] - r["Ix_N"]), 1e3 * r["uz_m"]] for r in rows])
@@ -53,7 +48,7 @@ def ccx(options):
     seconds = 0
     if not (options.folder / "ccx.dat").exists():
         subprocess.run([options.writer, str(deck), *settings(options.mesh)], check=True)
-        seconds = timed(["ccx", "ccx"], options.folder, options.folder / "ccx.log")
+        seconds = timed(["ccx", "ccx"], options.folder, options.folder / "ccx.log", 1)
     text = (options.folder / "ccx.dat").read_text()
     moves = np.array(re.findall(r"for set TOP_ONE and time" + NUMBER + r"\s+\d+" + 3 * NUMBER, text), float)
     force = {}
@@ -96,10 +91,7 @@ def main():
             failures.append(f"MISSED lift at {x} mm: {Z - z:.3f} mm")
     if my_seconds and their_seconds:
         lines.append(f"seconds: CalculiX {their_seconds:.0f} from 20 mm before the rim, ours {my_seconds:.0f} from the dish's middle")
-    text = "\n".join(lines + failures) + "\n"
-    print(text)
-    (options.folder / "baseline.txt").write_text(text)
-    return 1 if failures else 0
+    return finish(options.folder, lines, failures)
 
 
 if __name__ == "__main__":

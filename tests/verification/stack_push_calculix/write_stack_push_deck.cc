@@ -52,20 +52,6 @@ void place(meshes::HexMesh &mesh, const scene::Bearing &bearing, double x0, doub
     if (of_stack[n]) mesh.nodes[n][2] += rise - 1e-3 * sinking;
 }
 
-std::string material(const char *name, const scene::Material &data) {
-  std::string text = fmt::format("*MATERIAL, NAME={}\n*ELASTIC\n{}, {}\n", name, 1e-6 * data.E, data.nu);
-  if (data.yield)
-    text += fmt::format("*PLASTIC\n{:.9g}, 0.\n{:.9g}, 2.\n", 1e-6 * *data.yield, 1e-6 * *data.yield + 2e-6 * hardening_modulus(data));
-  return text;
-}
-
-/// Penalties [MPa/mm]: some micrometres of penetration at the pressures each pair carries.
-std::string contact(const char *name, const char *slave, const char *master, double stiffness, double mu) {
-  std::string text = fmt::format("*SURFACE INTERACTION, NAME={}\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:g}\n", name, stiffness);
-  if (mu > 0) text += fmt::format("*FRICTION\n{:g}, {:g}\n", mu, 0.1 * stiffness);
-  return text + fmt::format("*CONTACT PAIR, INTERACTION={}, TYPE=SURFACE TO SURFACE\n{}, {}\n", name, slave, master);
-}
-
 /// The top face stays level: the heights of its nodes are that of the first.
 std::string level(const std::set<unsigned> &top) {
   std::string text;
@@ -74,7 +60,7 @@ std::string level(const std::set<unsigned> &top) {
   return text;
 }
 
-/// Soft springs that keep the foot from tumbling while ccx seeks its seat [N/mm]; what they carry is printed and taken off.
+/// Soft springs that keep the foot from tumbling while ccx seeks its seat [N/mm]; the contacts' own forces hold none of theirs.
 std::string springs(const meshes::HexMesh &mesh, const std::set<unsigned> &foot, std::size_t first_element) {
   std::string text;
   const auto by = [&](int i) { return [&mesh, i](unsigned a, unsigned b) { return mesh.nodes[a][i] < mesh.nodes[b][i]; }; };
@@ -85,12 +71,12 @@ std::string springs(const meshes::HexMesh &mesh, const std::set<unsigned> &foot,
     for (const unsigned n : {*left, *right, *low, *high}) text += fmt::format("{}, {}\n", first_element++, n + 1);
     text += fmt::format("*SPRING, ELSET=HOLD{0}\n{0}\n100.\n", component);
   }
-  return text + node_set("HELD", {*left, *right, *low, *high});
+  return text;
 }
 
 std::string step(double first, double longest, const std::string &boundary) {
   std::string text = fmt::format("*STEP, NLGEOM, INC=4000\n*STATIC\n{:g}, 1., 1e-7, {:g}\n{}", first, longest, boundary);
-  text += "*NODE PRINT, NSET=TOP, TOTALS=ONLY\nRF\n*NODE PRINT, NSET=TOP_ONE\nU\n*NODE PRINT, NSET=HELD\nU\n";
+  text += "*NODE PRINT, NSET=TOP, TOTALS=ONLY\nRF\n*NODE PRINT, NSET=TOP_ONE\nU\n";
   for (const char *pair : {"SLAVE=pad_face, MASTER=dish", "SLAVE=slider_side, MASTER=rim_wall"})
     text += fmt::format("*CONTACT PRINT, {}\nCF\n", pair);
   return text + "*END STEP\n";
@@ -126,6 +112,7 @@ void write(const Settings &settings) {
   for (const Volume volume : {Volume::plate, Volume::rim, Volume::foot, Volume::upper_slider, Volume::pad})
     if (!deck.nodes_of(volume).empty())
       file << "*SOLID SECTION, ELSET=" << to_string(volume) << ", MATERIAL=" << (volume == Volume::pad ? "ERTALYTE\n" : "STEEL\n");
+  // Penalties that leave some micrometres of penetration at the pressures each pair carries.
   file << contact("SLIDING", "pad_face", "dish", 5e3, b.contact.steel_ertalyte)
        << contact("JOINT", "foot_cap", "socket", 1e5, b.contact.steel_steel)
        << contact("WALLS", "slider_side", "rim_wall", 1e7, b.contact.rim) << level(top)
@@ -145,7 +132,7 @@ int main(int argc, char **argv) {
   CLI::App app("Writes a push of the whole bearing as a CalculiX deck");
   app.add_option("deck", settings.file, "the .inp file")->required();
   app.add_option("--before", settings.before, "way before the walls meet, m")->check(CLI::PositiveNumber);
-  app.add_option("--sinking", settings.first_sinking, "first sinking of the top face, mm")->check(CLI::PositiveNumber);
+  app.add_option("--sinking", settings.first_sinking, "first sinking of the pad into the dish, mm")->check(CLI::PositiveNumber);
   app.add_option("--longest", settings.longest, "longest increment, of the slide")->check(CLI::Range(1e-4, 1.0));
   app.add_option("--set", settings.overrides, "KEY=VALUE of the scene")->allow_extra_args(false);
   CLI11_PARSE(app, argc, argv);
