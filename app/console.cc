@@ -129,6 +129,7 @@ int run_command(int argc, char **argv, const std::vector<Verb> &verbs) {
   app.set_version_flag("--version", "rimpact " RIMPACT_VERSION,
                        "this program's version; `version` names its libraries too");
   Console console;
+  console.argc = argc, console.argv = argv;
   for (const auto &verb : verbs) verb.add(app, console);
   std::signal(SIGINT, on_interrupt);
   std::signal(SIGTERM, on_interrupt);

@@ -13,6 +13,8 @@ class Console {
 public:
   bool quiet = false, verbose = false, json = false;
   std::vector<std::string> overrides; ///< --set
+  int argc = 0;                       ///< the command as it was given
+  char **argv = nullptr;
 
   void message(const std::string &sentence); ///< stderr, unless --quiet; kept for log.txt
   void detail(const std::string &sentence);  ///< only with --verbose; kept for log.txt

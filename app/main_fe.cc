@@ -1,4 +1,4 @@
-// The finite-element executable: run, mesh, version. Starts PETSc (and MPI) once; under mpirun the first rank speaks.
+// The finite-element executable: run, mesh, version, and check of a scene with a mesh of its own. Starts PETSc (and MPI) once; under mpirun the first rank speaks.
 #include "app/verb.h"
 #include "fe_contact/runner/run.h"
 
@@ -44,6 +44,7 @@ int main(int argc, char **argv) {
   if (first || shares)
     code = rimpact::app::run_command(argc, argv,
                                      {{"run", rimpact::app::add_run},
+                                      {"check", rimpact::app::add_check},
                                       {"mesh", rimpact::app::add_mesh},
                                       {"version", rimpact::app::add_version}});
   std::fflush(stdout);

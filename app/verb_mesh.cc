@@ -1,6 +1,7 @@
-// rimpact mesh BEARING -o FILE.msh
+// rimpact mesh BEARING -o FILE.msh, or of a scene's run
 #include "app/sibling.h"
 #include "app/verb.h"
+#include "fe_contact/runner/run.h"
 #include "meshes/rim_mesh.h"
 #include "scene/scene.h"
 #include <fmt/format.h>
@@ -8,30 +9,48 @@
 
 namespace rimpact::app {
 
+namespace {
+
+struct Options {
+  std::string bearing = "shfps-225", scene, file, picture;
+  int level = 1;
+  bool whole = false, curved = false;
+};
+
+meshes::HexMesh rim_mesh(const Options &options) {
+  const auto bearing = scene::load_bearing(options.bearing);
+  bearing.validate();
+  meshes::RimMeshOptions mesh;
+  mesh.level = options.level;
+  mesh.half = !options.whole;
+  return meshes::rim_mesh(bearing, mesh);
+}
+
+meshes::HexMesh scene_mesh(const Options &options, Console &console) {
+  const scene::Scene scene = console.load(options.scene);
+  fe::check_supported(scene);
+  return fe::mesh_of(scene, fe::make_plan(scene));
+}
+
+} // namespace
+
 void add_mesh(CLI::App &app, Console &console) {
-  struct Options {
-    std::string bearing = "shfps-225", file, picture;
-    int level = 1;
-    bool whole = false;
-  };
   auto *verb = app.add_subcommand("mesh", "mesh the rim sector and the slider of a bearing");
   auto options = std::make_shared<Options>();
   verb->add_option("BEARING", options->bearing, "a TOML file or a built-in bearing");
+  verb->add_option("--scene", options->scene, "instead: what a scene's run is solved on, by any rung, own meshes included");
   verb->add_option("-o,--output", options->file, "the .msh file to write")->required();
   verb->add_option("--png", options->picture, "a picture of the mesh");
   verb->add_option("--mesh", options->level, "1 | 2 | 3; 0: a draft")->check(CLI::Range(0, 3));
+  verb->add_flag("--curved", options->curved, "27-node cells with the exact surfaces, not straight 8-node ones");
   verb->add_flag("--whole", options->whole, "not just the symmetric half");
   console.add_common(*verb);
   console.add_json(*verb);
+  console.add_overrides(*verb);
   verb->callback([options, &console] {
-    const auto bearing = scene::load_bearing(options->bearing);
-    bearing.validate();
-    meshes::RimMeshOptions mesh_options;
-    mesh_options.level = options->level;
-    mesh_options.half = !options->whole;
-    const auto mesh = meshes::rim_mesh(bearing, mesh_options);
+    const auto mesh = options->scene.empty() ? rim_mesh(*options) : scene_mesh(*options, console);
     const auto q = meshes::quality(mesh);
-    meshes::write_msh(mesh, options->file);
+    meshes::write_msh(mesh, options->file, options->curved);
     if (!options->picture.empty() && python({"report.mesh_picture", options->file, options->picture}) != 0)
       throw IoError("the picture " + options->picture + " was not made");
     const nlohmann::json table{{"file", options->file},

@@ -15,10 +15,12 @@ namespace {
 /// Every parameter the law reads, fitted or not, and where the rim begins.
 json element_json(const scene::Scene &scene) {
   json element = {{"lateral_capacity_m", scene.bearing.lateral_capacity() + scene.reduced.capacity_offset}};
-  for (const auto &name : reduced::impact_law(scene.reduced.impact_law).parameters) {
-    const auto &p = parameter(name);
-    element[name] = {{"value", p.get(scene) / p.si}, {"unit", p.unit}};
-  }
+  const reduced::ImpactLaw &law = reduced::impact_law(scene.reduced.impact_law);
+  for (const auto *names : {&law.parameters, &law.exponents})
+    for (const auto &name : *names) {
+      const auto &p = parameter(name);
+      element[name] = {{"value", p.get(scene) / p.si}, {"unit", p.unit}};
+    }
   if (element.contains("exponent") || element.contains("yield_force"))
     element["reference_speed_m_per_s"] = scene.reduced.reference_speed;
   return element;

@@ -6,7 +6,7 @@
 namespace rimpact::calibration {
 
 Bilinear bilinear_of(const RimSprings &r) {
-  const reduced::RimElement rim{.stiffness = r.k_i, .yield_force = r.yield_force, .hardening = r.hardening};
+  const reduced::RimElement rim{.stiffness = r.k_i, .yield_force = r.yield_force, .hardening = r.hardening, .hardening_exponent = r.hardening_exponent};
   const auto force = [&](double d) { return reduced::elastoplastic_backbone(rim, d).force; };
   const double energy = r.mass * r.reference_speed * r.reference_speed / 2;
   constexpr double step = 5e-6; // [m]

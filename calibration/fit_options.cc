@@ -16,16 +16,12 @@ void require(bool ok, const std::string &name, double value, const std::string &
 
 /// A parameter of another law would not move anything.
 void require_read(const std::vector<std::string> &parameters, const std::string &law) {
-  const auto &own = reduced::impact_law(law).parameters;
-  const auto among = [](const std::vector<std::string> &names, const std::string &name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  };
+  const auto &own = reduced::impact_law(law);
   for (const auto &name : parameters) {
-    const bool of_a_law = std::any_of(reduced::impact_laws().begin(), reduced::impact_laws().end(),
-                                      [&](const auto &other) { return among(other.parameters, name); });
-    if (of_a_law && !among(own, name))
+    const bool of_a_law = std::any_of(reduced::impact_laws().begin(), reduced::impact_laws().end(), [&](const auto &other) { return other.reads(name); });
+    if (of_a_law && !own.reads(name))
       throw InputError(fmt::format("{} is not read by the law {}, whose parameters are {}", name, law,
-                                   fmt::join(own, ", ")));
+                                   fmt::join(own.parameters, ", ")));
   }
 }
 

@@ -49,9 +49,27 @@ void find_range(LawRow &row, double tolerance) {
   if (!errors.empty()) row.sentence = range_sentence(row, errors, tolerance);
 }
 
-LawRow row_of(const Runs &runs, const FitOptions &options, double tolerance) {
+/// A law's exponents join once its other parameters are found, where the impacts are enough to tell them apart; `options`
+/// then holds them too.
+FitResult fit_in_stages(const Runs &runs, FitOptions &options) {
+  std::vector<std::string> late = reduced::impact_law(options.law).exponents;
+  std::erase_if(late, [&](const auto &name) { return options.fixed.count(name) > 0; });
+  FitOptions early = options;
+  for (const auto &name : late) early.bounds.erase(name);
+  const FitResult first = fit(runs, early);
+  if (late.empty() || first.n_impacts < static_cast<int>(options.parameters.size() + late.size())) {
+    options = early;
+    return first;
+  }
+  for (const auto &name : options.parameters) options.start[name] = first.parameters.at(name).value;
+  options.parameters.insert(options.parameters.end(), late.begin(), late.end());
+  options.n_starts = 0;
+  return fit(runs, options);
+}
+
+LawRow row_of(const Runs &runs, FitOptions options, double tolerance) {
   LawRow row;
-  row.result = fit(runs, options);
+  row.result = fit_in_stages(runs, options);
   double square = 0;
   int n = 0;
   for (const StoredRun *run : runs) {
@@ -78,9 +96,7 @@ LawRow row_of(const Runs &runs, const FitOptions &options, double tolerance) {
 
 bool of_a_law(const std::string &parameter) {
   const auto &laws = reduced::impact_laws();
-  return std::any_of(laws.begin(), laws.end(), [&](const auto &law) {
-    return std::find(law.parameters.begin(), law.parameters.end(), parameter) != law.parameters.end();
-  });
+  return std::any_of(laws.begin(), laws.end(), [&](const auto &law) { return law.reads(parameter); });
 }
 
 FitOptions options_for(const std::string &law, const FitOptions &given) {
@@ -89,9 +105,7 @@ FitOptions options_for(const std::string &law, const FitOptions &given) {
   own.parameters = reduced::impact_law(law).parameters;
   own.start.clear();
   own.n_starts = std::min(given.n_starts, starts_a_law);
-  const auto read = [&](const std::string &name) {
-    return std::find(own.parameters.begin(), own.parameters.end(), name) != own.parameters.end();
-  };
+  const auto read = [&](const std::string &name) { return reduced::impact_law(law).reads(name); };
   std::erase_if(own.bounds, [&](const auto &entry) { return !read(entry.first); });
   std::erase_if(own.fixed, [&](const auto &entry) { return of_a_law(entry.first) && !read(entry.first); });
   for (const auto &[name, value] : own.fixed) std::erase(own.parameters, name), own.bounds.erase(name);

@@ -127,6 +127,7 @@ RimSprings rim_springs(const json &calibration) {
     r.reference_speed = number_at(element, "reference_speed_m_per_s");
     r.yield_force = number_at(element, "yield_force", 1e3);
     r.hardening = number_at(element, "hardening");
+    if (element.contains("hardening_exponent")) r.hardening_exponent = number_at(element, "hardening_exponent");
   } else
     r.damping = number_at(derived, "c_i", 1e3);
   r.remarks = remarks_of(calibration);

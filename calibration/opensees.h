@@ -18,6 +18,7 @@ struct RimSprings {
   double reference_speed = 0;  ///< hunt-crossley, elastoplastic [m/s], > 0
   double yield_force = 0;      ///< elastoplastic [N]
   double hardening = 0;        ///< elastoplastic [-]
+  double hardening_exponent = 0.75; ///< elastoplastic [-]
   std::vector<std::string> remarks{}; ///< how far the values are known and hold, sentences
 };
 /// From calibration.json. Throws DataError naming the key that is missing.

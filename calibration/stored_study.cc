@@ -57,7 +57,7 @@ std::string against(const json &study) {
 }
 
 json none(const std::string &why) {
-  return {{"none", why + "; rimpact study makes one"}};
+  return {{"none", why}};
 }
 
 } // namespace
@@ -74,8 +74,9 @@ std::vector<StoredStudy> stored_studies(const std::string &folder) {
 }
 
 json error_estimate(const scene::Scene &scene, const scene::Summary &summary, const std::vector<StoredStudy> &studies) {
+  if (scene.model.own_mesh.any()) return none("no study knows the mesh " + scene.model.own_mesh.file);
   const std::string what = fmt::format("rung {}, mesh {} of bearing {}", scene.model.rung, scene.model.mesh, scene.bearing.name);
-  if (summary.impacts.empty()) return none("no study without an impact is kept for " + what);
+  if (summary.impacts.empty()) return none("no study without an impact is kept for " + what + "; rimpact study makes one");
   const double speed = std::max(1e-6, summary.impacts.front().approach_speed);
   const auto distance = [&](const StoredStudy &s) { return std::abs(std::log(*s.approach_speed / speed)); };
   const StoredStudy *nearest = nullptr;
@@ -83,7 +84,7 @@ json error_estimate(const scene::Scene &scene, const scene::Summary &summary, co
     if (study.bearing == scene.bearing.name && study.approach_speed.value_or(0) > 0 && knows(study, scene) &&
         (!nearest || distance(study) < distance(*nearest)))
       nearest = &study;
-  if (!nearest) return none("no stored study has " + what);
+  if (!nearest) return none("no stored study has " + what + "; rimpact study makes one");
   const bool far = distance(*nearest) > std::log(near_in_speed);
   const double error = largest(*nearest, scene, "error");
   return {{"peak_force_relative", error},

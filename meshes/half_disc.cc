@@ -1,23 +1,11 @@
 #include "meshes/half_disc.h"
 
+#include "meshes/gmsh_session.h"
 #include "scene/error.h"
 #include <cmath>
-#include <gmsh.h>
 
 namespace rimpact::meshes {
 namespace {
-
-/// gmsh is a process-wide singleton: one session an owner, quiet and deterministic.
-struct GmshSession {
-  GmshSession() {
-    gmsh::initialize();
-    gmsh::option::setNumber("General.Terminal", 0);
-    gmsh::option::setNumber("Mesh.RecombineAll", 1);
-    gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 1);
-    gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", 1); // leaves quadrilaterals only
-  }
-  ~GmshSession() { gmsh::finalize(); }
-};
 
 constexpr double polygon_share = 0.55; ///< of the radius
 
@@ -56,6 +44,9 @@ void mesh_polygon(double radius, const std::vector<double> &angles, double size)
 /// Straight-edged quadrilaterals of the polygon.
 std::vector<Quad9> polygon_quads(double radius, const std::vector<double> &angles, double size) {
   const GmshSession session;
+  gmsh::option::setNumber("Mesh.RecombineAll", 1);
+  gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 1);
+  gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", 1); // leaves quadrilaterals only
   try {
     mesh_polygon(radius, angles, size);
   } catch (const std::string &message) { // what gmsh 4.8 throws

@@ -2,6 +2,7 @@
 
 #include "meshes/hex_order.h"
 #include "scene/error.h"
+#include "scene/own_mesh.h"
 #include "scene/response.h"
 #include <algorithm>
 #include <cmath>
@@ -55,14 +56,11 @@ int components(const HexMesh &mesh) {
 } // namespace
 
 std::string to_string(Volume volume) {
-  constexpr const char *names[] = {"plate", "rim", "pad", "foot", "upper_slider"};
-  return names[static_cast<int>(volume) - static_cast<int>(Volume::plate)];
+  return scene::mesh_group_names[static_cast<std::size_t>(volume) - static_cast<std::size_t>(Volume::plate)];
 }
 
 std::string to_string(Surface surface) {
-  constexpr const char *names[] = {"dish",   "rim_wall",    "pad_face", "pad_top", "foot_seat", "foot_cap",
-                                   "socket", "slider_side", "top",      "fixed",   "symmetry",  "sector_end"};
-  return names[static_cast<int>(surface) - static_cast<int>(Surface::dish)];
+  return scene::mesh_group_names[n_volumes + static_cast<std::size_t>(surface) - static_cast<std::size_t>(Surface::dish)];
 }
 
 MeshQuality quality(const HexMesh &mesh) {
@@ -95,7 +93,8 @@ void check(const HexMesh &mesh, int expected_components, const std::vector<Surfa
             0)) {
         const auto centre = mesh.nodes[mesh.cells[c][26]];
         throw DataError(fmt::format("mesh: cell {} of '{}' at ({:.1f}, {:.1f}, {:.1f}) mm is inverted; check "
-                                    "the bearing's dimensions",
+                                    "the bearing's dimensions; of a drawn mesh, the cell, or whether its straight edges are too long for the "
+                                    "curved surface (finer cells, or 27-node ones)",
                                     c, to_string(mesh.volumes[c]), 1e3 * centre[0], 1e3 * centre[1],
                                     1e3 * centre[2]));
       }
@@ -109,7 +108,7 @@ void check(const HexMesh &mesh, int expected_components, const std::vector<Surfa
       throw DataError("mesh: group '" + to_string(group) + "' is missing");
 }
 
-void write_msh(const HexMesh &mesh, const std::string &path) {
+void write_msh(const HexMesh &mesh, const std::string &path, bool curved) {
   std::set<int> volumes, surfaces;
   for (const auto volume : mesh.volumes) volumes.insert(static_cast<int>(volume));
   for (const auto &face : mesh.faces) surfaces.insert(static_cast<int>(face.group));
@@ -119,20 +118,21 @@ void write_msh(const HexMesh &mesh, const std::string &path) {
     text += fmt::format("2 {} \"{}\"\n", tag, to_string(static_cast<Surface>(tag)));
   for (const int tag : volumes)
     text += fmt::format("3 {} \"{}\"\n", tag, to_string(static_cast<Volume>(tag)));
+  const int n_nodes = curved ? 27 : 8, hexahedron = curved ? 12 : 5;
   std::vector<unsigned> number(mesh.nodes.size(), 0);
   std::string nodes;
   unsigned count = 0;
   for (const auto &cell : mesh.cells)
-    for (int corner = 0; corner < 8; ++corner)
-      if (number[cell[corner]] == 0) {
-        number[cell[corner]] = ++count;
-        const auto &x = mesh.nodes[cell[corner]];
+    for (int a = 0; a < n_nodes; ++a)
+      if (number[cell[a]] == 0) {
+        number[cell[a]] = ++count;
+        const auto &x = mesh.nodes[cell[a]];
         nodes += fmt::format("{} {:.17g} {:.17g} {:.17g}\n", count, x[0], x[1], x[2]);
       }
   text += fmt::format("$EndPhysicalNames\n$Nodes\n{}\n{}$EndNodes\n$Elements\n{}\n", count, nodes,
                       mesh.faces.size() + mesh.cells.size());
   std::size_t element = 0;
-  for (const auto &face : mesh.faces) {
+  for (const auto &face : mesh.faces) { // four corners suffice to say which face it is
     const int tag = static_cast<int>(face.group);
     text += fmt::format("{} 3 2 {} {}", ++element, tag, tag);
     for (const unsigned node : face.corners) text += fmt::format(" {}", number[node]);
@@ -140,8 +140,8 @@ void write_msh(const HexMesh &mesh, const std::string &path) {
   }
   for (std::size_t c = 0; c < mesh.cells.size(); ++c) {
     const int tag = static_cast<int>(mesh.volumes[c]);
-    text += fmt::format("{} 5 2 {} {}", ++element, tag, tag);
-    for (int corner = 0; corner < 8; ++corner) text += fmt::format(" {}", number[mesh.cells[c][corner]]);
+    text += fmt::format("{} {} 2 {} {}", ++element, hexahedron, tag, tag);
+    for (int a = 0; a < n_nodes; ++a) text += fmt::format(" {}", number[mesh.cells[c][a]]);
     text += '\n';
   }
   scene::write_text(text + "$EndElements\n", path);

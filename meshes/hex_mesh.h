@@ -22,7 +22,8 @@ enum class Surface {
   symmetry,
   sector_end
 };
-std::string to_string(Volume);
+inline constexpr std::size_t n_volumes = 5, n_surfaces = 12;
+std::string to_string(Volume); ///< as in scene::mesh_group_names
 std::string to_string(Surface);
 
 struct BoundaryFace {
@@ -49,7 +50,7 @@ MeshQuality quality(const HexMesh &mesh);
 /// Throws DataError naming the first inverted cell, a required group that is missing or a wrong number of
 /// components.
 void check(const HexMesh &mesh, int expected_components, const std::vector<Surface> &required);
-/// gmsh .msh (version 2.2, ASCII, 8-node cells, $PhysicalNames). Throws IoError.
-void write_msh(const HexMesh &mesh, const std::string &path);
+/// gmsh .msh (version 2.2, ASCII, cells of 8 nodes or of all 27, $PhysicalNames). Throws IoError.
+void write_msh(const HexMesh &mesh, const std::string &path, bool curved = false);
 
 } // namespace rimpact::meshes

@@ -1,6 +1,7 @@
 #include "meshes/rim_mesh.h"
 
 #include "meshes/mirror.h"
+#include "meshes/own_mesh.h"
 #include "meshes/plate_section.h"
 #include "meshes/slider_section.h"
 #include <algorithm>
@@ -31,6 +32,8 @@ void flatten(HexMesh &mesh) {
 }
 
 HexMesh rim_mesh(const scene::Bearing &bearing, const RimMeshOptions &options) {
+  if (options.own.any())
+    return own_mesh(options.own, bearing, {{Volume::plate, Volume::rim, Volume::upper_slider}, rim_groups, bearing.lateral_capacity(), options.half});
   HexMesh mesh;
   add_rim(mesh, bearing, options);
   add_slider(mesh, bearing, size_factor(options.level), bearing.lateral_capacity());

@@ -4,6 +4,7 @@
 #pragma once
 #include "meshes/hex_mesh.h"
 #include "scene/bearing.h"
+#include "scene/own_mesh.h"
 #include <cmath>
 
 namespace rimpact::meshes {
@@ -14,6 +15,7 @@ struct RimMeshOptions {
   double sector_half_angle = 1.0;   ///< of rim and plate [rad]; the ends carry `sector_end`
   bool opposite = false;            ///< about -x instead
   double plate_inner_radius = 0.44; ///< where the plate is cut [m]; the cut carries `sector_end`
+  scene::OwnMesh own = {};          ///< drawn elsewhere; then only `half` counts
 };
 HexMesh rim_mesh(const scene::Bearing &bearing, const RimMeshOptions &options);
 /// What a mesh of rim and slider must carry.

@@ -30,11 +30,7 @@ ImpactForce hunt_crossley(const RimElement &r, const RimMotion &m) {
   return {spring * damped, r.exponent * spring / m.d * damped, spring * r.dissipation};
 }
 
-/// p of the hardening: a dent spreads as it deepens, so the rim hardens less than linearly. Chosen on windows
-/// of rung rim: 1 overstates hard impacts there, 1/2 understates them.
-constexpr double hardening_exponent = 0.75;
-
-// Rate-independent: along the backbone to the deepest penetration, from and to it along the unloading slope.
+// A dent spreads as it deepens, so the rim hardens less than linearly (p < 1). Rate-independent: along the backbone to the deepest penetration, from and to it along the unloading slope.
 ImpactForce elastoplastic(const RimElement &r, const RimMotion &m) {
   if (m.d >= m.deepest) return elastoplastic_backbone(r, m.d);
   const double top = elastoplastic_backbone(r, m.deepest).force, slope = unloading_stiffness(r, top);
@@ -48,30 +44,35 @@ const std::vector<ImpactLaw> &impact_laws() {
       {"signed",
        "k d + c d' with the radial rate until the penetration ends; returns e exactly",
        {"k_i", "e"},
+       {},
        kelvin_voigt,
        false,
        false},
       {"no-tension",
        "max(0, k d + c d'): never pulls; rebound 0.675 for e = 0.65",
        {"k_i", "e"},
+       {},
        kelvin_voigt,
        true,
        false},
       {"printed",
        "(2-21) as printed, k d + c |v|: rebound 1.000 for every e",
        {"k_i", "e"},
+       {},
        printed_law,
        false,
        false},
       {"hunt-crossley",
        "K d^n (1 + chi d'): damping grows with penetration, rebound falls with speed",
        {"k_i", "e", "exponent"},
+       {},
        hunt_crossley,
        false,
        false},
       {"elastoplastic",
        "yielding rim: softening load path, stiffer unloading, dents that stay",
        {"k_i", "yield_force", "hardening", "unloading_gain"},
+       {"hardening_exponent", "unloading_exponent"},
        elastoplastic,
        true,
        true},
@@ -88,6 +89,11 @@ const ImpactLaw &impact_law(const std::string &name) {
   throw InputError("reduced.impact_law \"" + name + "\" is unknown; known: " + known);
 }
 
+bool ImpactLaw::reads(const std::string &parameter) const {
+  const auto among = [&](const std::vector<std::string> &names) { return std::find(names.begin(), names.end(), parameter) != names.end(); };
+  return among(parameters) || among(exponents);
+}
+
 ImpactForce RimElement::at(const RimMotion &motion) const {
   const ImpactForce f = law->at(*this, motion);
   return law->unilateral && f.force <= 0 ? ImpactForce{0, 0, 0} : f;
@@ -102,7 +108,9 @@ RimElement rim_element(const scene::ReducedSettings &s, double mass) {
           .dissipation = hunt ? hunt_crossley_dissipation(s.restitution, s.reference_speed) : 0,
           .yield_force = s.yield_force,
           .hardening = s.hardening,
+          .hardening_exponent = s.hardening_exponent,
           .unloading_gain = s.unloading_gain,
+          .unloading_exponent = s.unloading_exponent,
           .law = &law};
 }
 
@@ -134,14 +142,14 @@ double hunt_crossley_dissipation(double e, double speed) {
 
 // The knee is that of Menegotto and Pinto (1973) with exponent 2.
 ImpactForce elastoplastic_backbone(const RimElement &r, double d) {
-  const double p = hardening_exponent, h = r.hardening, x = r.stiffness * d / r.yield_force,
+  const double p = r.hardening_exponent, h = r.hardening, x = r.stiffness * d / r.yield_force,
                knee = (1 - h) * x, root = std::sqrt(1 + knee * knee);
   return {r.yield_force * (knee / root + h / p * (std::pow(1 + x, p) - 1)),
           r.stiffness * ((1 - h) / (root * root * root) + h * std::pow(1 + x, p - 1)), 0};
 }
 
 double unloading_stiffness(const RimElement &r, double force) {
-  return r.stiffness * (1 + r.unloading_gain * std::max(0.0, force / r.yield_force - 1));
+  return r.stiffness * (1 + r.unloading_gain * std::pow(std::max(0.0, force / r.yield_force - 1), r.unloading_exponent));
 }
 
 double residual_indentation(const RimElement &r, double deepest) {

@@ -29,11 +29,13 @@ struct RimElement;
 struct ImpactLaw {
   std::string name, description;
   std::vector<std::string> parameters; ///< of the element that the law reads, named as calibrations do
+  std::vector<std::string> exponents;  ///< of its curves' shape: fitted last, where impacts are many enough
   ImpactForce (*at)(const RimElement &rim, const RimMotion &motion);
   /// True: never pulls. The element lets go when `at` falls to zero and presses again when it rises through
   /// zero with d > 0. False: it lets go when the penetration ends.
   bool unilateral;
   bool yields; ///< reads `deepest`: the rim remembers its dents
+  bool reads(const std::string &parameter) const; ///< exponents too
 };
 const std::vector<ImpactLaw> &impact_laws();
 /// Throws InputError naming the known laws.
@@ -47,7 +49,9 @@ struct RimElement {
   double dissipation = 0;         ///< chi [s/m] (hunt-crossley), >= 0
   double yield_force = 1;         ///< F_y [N] (elastoplastic), > 0
   double hardening = 0;           ///< h [-] (elastoplastic), 0..1: tangent h k_i (1 + x)^(p - 1) beyond yield
+  double hardening_exponent = 0.75; ///< p [-] (elastoplastic), 0..1
   double unloading_gain = 0;      ///< a [-] (elastoplastic), >= 0
+  double unloading_exponent = 1;  ///< m [-] (elastoplastic), > 0
   const ImpactLaw *law = nullptr; ///< into impact_laws()
   ImpactForce at(const RimMotion &motion) const;
   /// The law's force before a unilateral element lets go [N]: its sign decides whether it presses.
@@ -68,8 +72,8 @@ double hunt_crossley_dissipation(double restitution, double speed);
 inline constexpr double hunt_crossley_penetration = 1e-3;
 
 /// First loading of `elastoplastic`, F_y [c x / sqrt(1 + (c x)^2) + h ((1 + x)^p - 1) / p], and its slope;
-ImpactForce elastoplastic_backbone(const RimElement &rim, double d); ///< x = k_i d / F_y, c = 1 - h, p = 3/4
-/// Slope of unloading from the force F [N/m], k (1 + a max(0, F / F_y - 1)): the linear growth of Walton and
+ImpactForce elastoplastic_backbone(const RimElement &rim, double d); ///< x = k_i d / F_y, c = 1 - h
+/// Slope of unloading from the force F [N/m], k (1 + a max(0, F / F_y - 1)^m): with m = 1 the linear growth of Walton and
 /// Braun (1986), beyond yield.
 double unloading_stiffness(const RimElement &rim, double force);
 /// Indentation left after unloading from `deepest` [m].

@@ -54,6 +54,7 @@ void write_strings(hid_t place, const std::string &name, const std::vector<std::
   const Handle set(H5Dcreate2(place, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
                    H5Dclose, "texts");
   std::vector<const char *> pointers;
+  pointers.reserve(texts.size());
   for (const auto &text : texts) pointers.push_back(text.c_str());
   if (n > 0) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()), "texts");
 }

@@ -147,7 +147,7 @@ Response read_response(const std::string &where) {
   const std::string extension = upper(fs::path(path).extension().string());
   if (!hdf5 && (extension == ".H5" || extension == ".HDF5"))
     throw DataError(fmt::format("{}: is not an HDF5 file (damaged or truncated)", path));
-  const Response response = hdf5 ? parse_hdf5(bytes, path) : parse_csv(bytes, path);
+  Response response = hdf5 ? parse_hdf5(bytes, path) : parse_csv(bytes, path);
   check_read(response, path);
   return response;
 }

@@ -60,13 +60,14 @@ std::string read_string(hid_t group, const std::string &name) {
   if (H5Tis_variable_str(type) > 0) {
     char *text = nullptr;
     check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &text), "text");
-    const std::string result = text ? text : "";
+    std::string result = text ? text : "";
     H5Dvlen_reclaim(type, space, H5P_DEFAULT, &text);
     return result;
   }
   std::string text(H5Tget_size(type) + 1, '\0');
   check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), "text");
-  return text.c_str();
+  text.resize(text.find('\0')); // padded with zeros
+  return text;
 }
 
 std::vector<std::string> names_in(hid_t group) {

@@ -3,6 +3,7 @@
 #include "scene/bearing.h"
 #include "scene/double_concave.h"
 #include "scene/excitation.h"
+#include "scene/own_mesh.h"
 #include "scene/superstructure.h"
 #include <string>
 #include <vector>
@@ -18,11 +19,12 @@ struct Load {
 /// [model]: the finite-element side.
 struct FeSettings {
   std::string rung = "rim"; ///< rim | rigid-dish | full
-  int mesh = 1;             ///< 1 | 2 | 3, h divided by 1.5 a level
+  int mesh = 1;             ///< 1 | 2 | 3, h divided by 1.5 a level; 0: a draft, h x 1.5
   double step = 0.0;        ///< time step inside an impact [s], 0: chosen by the plan (key `step_ms`)
   double rho_inf = 0.5;     ///< spectral radius of generalised-alpha, 0..1
   double penalty_scale = 1; ///< of contact, times the default of the softer side's stiffness, > 0
   std::string symmetry = "auto"; ///< auto | half | whole
+  OwnMesh own_mesh;              ///< instead of the built-in one
 };
 
 /// [reduced]: the physical model; friction, impact element and sampling of the other reduced models too.
@@ -34,8 +36,10 @@ struct ReducedSettings {
   double impact_exponent = 1.5;       ///< n of hunt-crossley [-], > 0
   double reference_speed = 0.5;       ///< at which `restitution` holds for hunt-crossley [m/s], > 0
   double yield_force = 0.8e6;         ///< F_y of elastoplastic [N], > 0
-  double hardening = 0.08;            ///< h of elastoplastic [-], 0..1: its tangent beyond yield falls from h k_i
-  double unloading_gain = 0.5;        ///< of elastoplastic [-], >= 0: unloads at k_i (1 + gain (F / F_y - 1))
+  double hardening = 0.08;            ///< h of elastoplastic [-], 0..1: its tangent beyond yield falls from h k_i as (1 + x)^(p - 1)
+  double hardening_exponent = 0.75;   ///< p of elastoplastic [-], 0..1
+  double unloading_gain = 0.5;        ///< a of elastoplastic [-], >= 0: unloads at k_i (1 + a (F / F_y - 1)^m)
+  double unloading_exponent = 1.0;    ///< m of elastoplastic [-], > 0
   double capacity_offset = 0.0;       ///< the reduced rim begins at L_c plus this [m]
   std::string friction = "coulomb";   ///< coulomb | park-wen
   double elastic_slip = 1e-4;         ///< q of the Park-Wen state [m] (key elastic_slip_mm)

@@ -1,4 +1,5 @@
 #include "scene/keys.h"
+#include <algorithm>
 #include <array>
 
 namespace rimpact::scene {
@@ -71,8 +72,10 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
   }
   if (v.wants(r.impact_law == "elastoplastic")) {
     v.number({"yield_force_kN", "F_y"}, r.yield_force, kilo, positive);
-    v.number({"hardening", "tangent over k_i far beyond yield"}, r.hardening, si, share);
-    v.number({"unloading_gain", "unloads at k_i (1 + gain (F / F_y - 1))"}, r.unloading_gain, si, {0, 100});
+    v.number({"hardening", "h: tangent over k_i just beyond yield"}, r.hardening, si, share);
+    v.number({"hardening_exponent", "p: the tangent falls as (1 + k_i d / F_y)^(p - 1)"}, r.hardening_exponent, si, {0, 1, true});
+    v.number({"unloading_gain", "a: unloads at k_i (1 + a (F / F_y - 1)^m)"}, r.unloading_gain, si, {0, 100});
+    v.number({"unloading_exponent", "m"}, r.unloading_exponent, si, {0, 10, true});
   }
   if (v.wants(r.capacity_offset != 0))
     v.number({"capacity_offset_mm", "the reduced rim begins at L_c plus this"}, r.capacity_offset, milli,
@@ -91,6 +94,19 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
   v.number({"tolerance", "relative, of the integrator"}, r.tolerance, si, {1e-14, 1e-2});
   v.number({"output_step_ms", "between stored samples outside contact"}, r.output_step, milli,
            {0, 1e4, true});
+}
+
+void visit(KeyVisitor &v, OwnMesh &m) {
+  v.text({"file", ".msh, .geo or .step, instead of the built-in mesh"}, m.file);
+  v.choice({"unit", "of the file's lengths: m | cm | mm | in"}, m.unit, {"m", "cm", "mm", "in"});
+  v.number({"size_mm", "of cells meshed from .geo or .step"}, m.size, milli, {0, 1e3, true});
+  v.number({"contact_size_mm", "of those where slider and rim meet"}, m.contact_size, milli, {0, 1e3, true});
+  const bool renamed = std::any_of(m.groups.begin(), m.groups.end(), [](const std::string &name) { return !name.empty(); });
+  if (!v.wants(renamed)) return;
+  v.section("groups", [&] {
+    for (std::size_t k = 0; k < m.groups.size(); ++k)
+      if (v.wants(!m.groups[k].empty())) v.text({mesh_group_names[k]}, m.groups[k]);
+  });
 }
 
 } // namespace
@@ -113,6 +129,7 @@ void visit_settings(KeyVisitor &v, Scene &s) {
     v.number({"rho_inf", "spectral radius of generalised-alpha"}, s.model.rho_inf, si, share);
     v.number({"penalty_scale", "of contact, times the default"}, s.model.penalty_scale, si, {1e-4, 1e4});
     v.choice({"symmetry", "auto | half | whole"}, s.model.symmetry, {"auto", "half", "whole"});
+    if (v.wants(s.model.own_mesh.any())) v.section("own_mesh", [&] { visit(v, s.model.own_mesh); });
   });
   v.section("reduced", [&] { visit(v, s.reduced); });
   if (v.wants(s.double_concave()))

@@ -143,19 +143,21 @@ void set_dependent_defaults(const TomlFile &file, Scene &scene) {
   if (!given("reduced.mu_slow")) scene.reduced.mu_slow = scene.reduced.mu_fast;
 }
 
-/// Reads the records a scene names; afterwards their names are absolute, so that a resolved scene runs
-/// anywhere.
+/// A file beside the scene, by its absolute name: a resolved scene runs anywhere.
+void make_absolute(std::string &name, const std::string &folder) {
+  std::error_code ignored;
+  const fs::path absolute = fs::absolute(fs::path(folder) / name, ignored);
+  if (!ignored) name = absolute.lexically_normal().string();
+}
+
+/// Reads the records a scene names; afterwards their names are absolute.
 void read_records(const TomlFile &file, Scene &scene, const std::string &folder) {
   auto &e = scene.excitation;
   if (e.kind != ExcitationKind::record) return;
   const auto read = [&](const char *axis, std::string &name, SampledSignal &signal) {
     if (name.empty()) return;
     const std::string key = std::string("excitation.") + axis;
-    if (!is_builtin_record(name)) {
-      std::error_code ignored;
-      const fs::path absolute = fs::absolute(fs::path(folder) / name, ignored);
-      if (!ignored) name = absolute.lexically_normal().string();
-    }
+    if (!is_builtin_record(name)) make_absolute(name, folder);
     try {
       signal = read_record(name, scene.load.gravity);
     } catch (const InputError &error) {
@@ -190,6 +192,7 @@ Scene parse_scene(const std::string &text, const std::string &origin,
   // Geometry first: a bearing that cannot be built is said before a record that is missing.
   with_location(file, "bearing", [&] { scene.bearing.validate(); });
   read_records(file, scene, folder);
+  if (scene.model.own_mesh.any()) make_absolute(scene.model.own_mesh.file, folder);
   set_dependent_defaults(file, scene);
   with_location(file, "bearing", [&] { scene.validate(); });
   return scene;

@@ -1,5 +1,6 @@
 #include "fe_contact/model/discretisation.h"
 
+#include "meshes/hex_order.h"
 #include "scene/error.h"
 #include <algorithm>
 #include <array>
@@ -20,11 +21,6 @@ namespace {
 
 using namespace dealii;
 
-/// Corner pairs and quadruples of gmsh's 27-node hexahedron, in the order of nodes 8..19 and 20..25.
-constexpr int gmsh_edges[12][2] = {{0, 1}, {0, 3}, {0, 4}, {1, 2}, {1, 5}, {2, 3},
-                                   {2, 6}, {3, 7}, {4, 5}, {4, 7}, {5, 6}, {6, 7}};
-constexpr int gmsh_faces[6][4] = {{0, 1, 2, 3}, {0, 1, 5, 4}, {0, 3, 7, 4},
-                                  {1, 2, 6, 5}, {2, 3, 7, 6}, {4, 5, 6, 7}};
 constexpr int gmsh_corner_of_dealii[8] = {0, 1, 3, 2, 4, 5, 7, 6};
 
 /// Key of an edge or face: its sorted vertex numbers.
@@ -58,9 +54,9 @@ CurvedPoints curved_points(const meshes::HexMesh &mesh) {
   for (const auto &cell : mesh.cells) {
     const auto vertex = [&](int corner) { return points.vertex_of_node[cell[corner]]; };
     for (int e = 0; e < 12; ++e)
-      points.middles[key({vertex(gmsh_edges[e][0]), vertex(gmsh_edges[e][1])})] = point(cell[8 + e]);
+      points.middles[key({vertex(meshes::hex27_edges[e][0]), vertex(meshes::hex27_edges[e][1])})] = point(cell[8 + e]);
     for (int f = 0; f < 6; ++f) {
-      const auto &c = gmsh_faces[f];
+      const auto &c = meshes::hex27_faces[f];
       points.middles[key({vertex(c[0]), vertex(c[1]), vertex(c[2]), vertex(c[3])})] = point(cell[20 + f]);
     }
     std::vector<unsigned> all;

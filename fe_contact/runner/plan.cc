@@ -87,9 +87,9 @@ void scout(Plan &plan, scene::Scene scene) {
 
 } // namespace
 
-Plan make_plan(const scene::Scene &scene) {
-  if (scene.model.rung != "rim")
-    return scene.excitation.is_dynamic() ? stack_motion_plan(scene) : stack_path_plan(scene);
+namespace {
+
+Plan rim_plan(const scene::Scene &scene) {
   using Kind = scene::ExcitationKind;
   Plan plan;
   plan.mesh = scene.model.mesh;
@@ -116,6 +116,17 @@ Plan make_plan(const scene::Scene &scene) {
   plan.expected_seconds = 3 + impacts * steps_an_impact *
                                   std::max(1.0, contact_time / (steps_an_impact * plan.step_in_contact)) *
                                   iterations_a_step * cost.seconds_per_iteration * (plan.half ? 1 : 3);
+  return plan;
+}
+
+} // namespace
+
+Plan make_plan(const scene::Scene &scene) {
+  Plan plan = scene.model.rung == "rim"              ? rim_plan(scene)
+              : scene.excitation.is_dynamic() ? stack_motion_plan(scene)
+                                                     : stack_path_plan(scene);
+  if (scene.model.own_mesh.any())
+    plan.notes.insert(plan.notes.begin(), "own mesh " + scene.model.own_mesh.file + ": unknowns, time and memory above are the built-in mesh's");
   return plan;
 }
 

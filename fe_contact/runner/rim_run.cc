@@ -119,6 +119,7 @@ meshes::RimMeshOptions rim_mesh_options(const scene::Scene &scene, const Plan &p
   mesh.level = scene.model.mesh;
   mesh.half = plan.half;
   mesh.sector_half_angle = plan.sector_half_angle;
+  mesh.own = scene.model.own_mesh;
   return mesh;
 }
 

@@ -3,6 +3,7 @@
 
 #include "fe_contact/solver/stopwatch.h"
 #include <cmath>
+#include <Eigen/Geometry>
 #include <set>
 
 namespace rimpact::fe {
@@ -29,13 +30,13 @@ RimSolver::RimSolver(const scene::Bearing &bearing, const meshes::HexMesh &own,
     : half_(mesh.half), options_(options), space_(own, options.degree), solid_(space_, bearing),
       contact_(space_, meshes::Surface::slider_side, meshes::Surface::rim_wall,
                contact_options(bearing, mesh, options)) {
-  make_equations(mesh);
+  make_equations();
   make_pattern(Eigen::VectorXd::Zero(space_.n_dofs()));
 }
 
 RimSolver::~RimSolver() = default;
 
-void RimSolver::make_equations(const meshes::RimMeshOptions &mesh) {
+void RimSolver::make_equations() {
   equations_.of_dof.assign(space_.n_dofs(), -2); // -2: not yet numbered
   equations_.weight.assign(space_.n_dofs(), 1.0);
   auto &of = equations_.of_dof;
@@ -48,24 +49,7 @@ void RimSolver::make_equations(const meshes::RimMeshOptions &mesh) {
     master_[i] = half_ && i == 1 ? -1 : equations_.n++;
     for (const unsigned node : top) of[3 * node + i] = master_[i];
   }
-  // The sector's cuts move within themselves: no displacement along the cut's normal.
-  std::map<unsigned, int> tied_to_x; // y-dof = ratio * x-dof, numbered below
-  for (const unsigned node : space_.nodes_of(meshes::Surface::sector_end)) {
-    const Eigen::Vector3d &p = space_.positions[node];
-    const double radius = p.head<2>().norm(), angle = std::atan2(p.y(), p.x());
-    const bool inner = radius < mesh.plate_inner_radius + 1e-9;
-    const bool end = std::abs(std::abs(angle) - mesh.sector_half_angle) < 1e-9;
-    if (of[3 * node] == -1) continue;
-    if ((inner && end) || (inner && of[3 * node + 1] == -1)) {
-      of[3 * node] = of[3 * node + 1] = -1;
-      continue;
-    }
-    const Eigen::Vector2d allowed = inner ? Eigen::Vector2d(-std::sin(angle), std::cos(angle))
-                                          : Eigen::Vector2d(std::cos(angle), std::sin(angle));
-    of[3 * node] = of[3 * node + 1] = equations_.n++;
-    equations_.weight[3 * node] = allowed.x();
-    equations_.weight[3 * node + 1] = allowed.y();
-  }
+  hold_cuts();
   for (int &equation : of)
     if (equation == -2) equation = equations_.n++;
 
@@ -79,6 +63,32 @@ void RimSolver::make_equations(const meshes::RimMeshOptions &mesh) {
     for (const unsigned node : slider_nodes)
       if (of[3 * node + i] >= 0) unique.insert(of[3 * node + i]);
     slider_equations_[i].assign(unique.begin(), unique.end());
+  }
+}
+
+/// The sector's cuts, radial ones and one about the axis, move within themselves: no displacement along the cut's normal.
+void RimSolver::hold_cuts() {
+  auto &of = equations_.of_dof;
+  std::map<unsigned, std::pair<bool, bool>> cut; // node -> on a cut about the axis, on a radial one
+  for (const Face *face : space_.faces_of(meshes::Surface::sector_end)) {
+    const std::size_t m = std::size_t(space_.degree) + 1;
+    const auto at = [&](std::size_t k) { return space_.positions[face->nodes[k]]; };
+    const Eigen::Vector3d normal = (at(m * m - 1) - at(0)).cross(at(m * (m - 1)) - at(m - 1)).normalized();
+    const bool about_axis = std::abs(normal.head<2>().dot(at(0).head<2>().normalized())) > std::sqrt(0.5);
+    for (const unsigned node : face->nodes) (about_axis ? cut[node].first : cut[node].second) = true;
+  }
+  for (const auto &[node, kinds] : cut) {
+    if (of[3 * node] == -1) continue;
+    const auto [about_axis, radial] = kinds;
+    if (about_axis && (radial || of[3 * node + 1] == -1)) {
+      of[3 * node] = of[3 * node + 1] = -1;
+      continue;
+    }
+    const Eigen::Vector2d out = space_.positions[node].head<2>().normalized();
+    const Eigen::Vector2d allowed = about_axis ? Eigen::Vector2d(-out.y(), out.x()) : out;
+    of[3 * node] = of[3 * node + 1] = equations_.n++;
+    equations_.weight[3 * node] = allowed.x();
+    equations_.weight[3 * node + 1] = allowed.y();
   }
 }
 

@@ -114,7 +114,8 @@ public:
 private:
   struct Trial;
   struct Inertia;
-  void make_equations(const meshes::RimMeshOptions &mesh);
+  void make_equations();
+  void hold_cuts();
   void make_pattern(const Eigen::VectorXd &u);
   bool evaluate(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia,
                 const MasterLaw *law);

@@ -2,6 +2,7 @@
 #include "fe_contact/runner/run.h"
 
 #include "fe_contact/runner/rim_run.h"
+#include "fe_contact/runner/stack_drive.h"
 #include "fe_contact/runner/stack_run.h"
 #include "fe_contact/solver/ranks.h"
 #include "scene/error.h"
@@ -39,6 +40,11 @@ scene::Summary summarise(const scene::Scene &scene, const RunRecord &record) {
 }
 
 } // namespace
+
+meshes::HexMesh mesh_of(const scene::Scene &scene, const Plan &plan) {
+  if (scene.model.rung == "rim") return meshes::rim_mesh(scene.bearing, rim_mesh_options(scene, plan));
+  return meshes::stack_mesh(scene.bearing, stack_mesh_options(scene, plan));
+}
 
 bool is_first_rank() { return ranks().first(); }
 

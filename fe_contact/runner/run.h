@@ -1,6 +1,7 @@
 /// Runs a scene by finite elements. The only header of fe_contact the application needs; no deal.II in it.
 #pragma once
 #include "fe_contact/runner/plan.h"
+#include "meshes/hex_mesh.h"
 #include "scene/summary.h"
 #include <atomic>
 #include <functional>
@@ -33,6 +34,9 @@ void check_supported(const scene::Scene &scene);
 /// Writes the run folder whatever happens (partial results, status, checkpoint). Returns the summary.
 /// Throws SolverStopped, Interrupted after writing.
 scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions &options);
+
+/// What the scene's run is solved on: built-in, or the scene's own mesh. Throws DataError for one that does not fit.
+meshes::HexMesh mesh_of(const scene::Scene &scene, const Plan &plan);
 
 /// Whether this process is alone, or the first of `mpirun -np N`.
 bool is_first_rank();

@@ -13,6 +13,7 @@ meshes::StackMeshOptions stack_mesh_options(const scene::Scene &scene, const Pla
   mesh.opposite_rim = plan.opposite_sector;
   mesh.sector_half_angle = plan.sector_half_angle;
   mesh.direction = plan.sector_direction;
+  mesh.own = scene.model.own_mesh;
   return mesh;
 }
 

@@ -71,3 +71,55 @@ class RimWindow(unittest.TestCase):
 
 if __name__ == "__main__":
     unittest.main()
+
+
+class OwnMesh(unittest.TestCase):
+    """The built-in mesh, written and read back as a user's own."""
+
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.mesh = os.path.join(self.folder.name, "drawn.msh")
+        made = rimpact("mesh", "shfps-225", "--mesh", "0", "--curved", "-o", self.mesh)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        self.scene = os.path.join(self.folder.name, "scene.toml")
+        with open(self.scene, "w") as file:
+            file.write('[excitation]\nkind = "push"\ntravel_mm = 0.5\nreturn = false\n'
+                       '[model]\nmesh = 0\n[model.own_mesh]\nfile = "drawn.msh"\n')
+
+    def tearDown(self):
+        self.folder.cleanup()
+
+    def test_gives_the_force_of_the_built_in_mesh(self):
+        forces = []
+        for name, own in (("own", []), ("built-in", ["--set", 'model.own_mesh.file=""'])):
+            out = os.path.join(self.folder.name, name)
+            run = rimpact("run", self.scene, "-o", out, "--quiet", *own)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            forces.append(summary(out)["peak_impact_force_N"])
+        self.assertAlmostEqual(forces[0] / forces[1], 1, delta=1e-6)
+        with open(os.path.join(self.folder.name, "own", "scene.toml")) as resolved:
+            self.assertIn(self.mesh, resolved.read())  # by its absolute name
+
+    def test_check_reads_it(self):
+        told = rimpact("check", self.scene)
+        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertIn("it fits the bearing", told.stdout)
+        table = json.loads(rimpact("check", self.scene, "--json").stdout)
+        self.assertEqual(table["own_mesh"]["components"], 2)
+        for change, needle in (('model.own_mesh.unit="mm"', "0.001 times as much"), ('model.own_mesh.groups.rim="ring"', '"ring" is not known'),
+                               ("bearing.slider.diameter_mm=236", "402.00 and 200.51 mm at first touch"), ('model.own_mesh.file="other.msh"', "no such mesh file")):
+            told = rimpact("check", self.scene, "--set", change)
+            self.assertEqual(told.returncode, 3, told.stderr)
+            self.assertIn(needle, told.stderr)
+
+    def test_a_study_over_meshes_is_refused(self):
+        told = rimpact("study", self.scene, "--axes", "mesh")
+        self.assertEqual(told.returncode, 2)
+        self.assertIn("--axes mesh", told.stderr)
+
+    def test_the_mesh_of_a_run_can_be_written(self):
+        out = os.path.join(self.folder.name, "run.msh")
+        told = rimpact("mesh", "--scene", self.scene, "-o", out, "--json")
+        self.assertEqual(told.returncode, 0, told.stderr)
+        self.assertEqual(json.loads(told.stdout)["components"], 2)
+        self.assertGreater(os.path.getsize(out), 3e4)

@@ -50,6 +50,29 @@ TEST(LawRanking, PutsTheLawThatMadeTheDataFirst) {
   EXPECT_NE(ranking.sentence.find("elastoplastic"), std::string::npos);
 }
 
+TEST(LawRanking, FindsTheExponentsOnceImpactsAreEnough) {
+  std::vector<StoredRun> runs;
+  for (const double v : {0.1, 0.2, 0.3, 0.45, 0.7, 1.0}) {
+    auto truth = yielding_window(v);
+    truth.reduced.hardening_exponent = 0.6;
+    truth.reduced.unloading_exponent = 1.8;
+    runs.push_back(run_of(truth));
+    runs.back().scene.reduced = {};
+  }
+  std::vector<std::string> notes;
+  FitOptions options;
+  options.n_starts = 1;
+  const auto ranking = rank_laws(pointers(runs), {"elastoplastic"}, options, notes);
+  ASSERT_EQ(ranking.rows.size(), 1u) << (notes.empty() ? "" : notes[0]);
+  const auto &found = ranking.rows[0].result.parameters;
+  ASSERT_TRUE(found.count("unloading_exponent"));
+  EXPECT_NEAR(found.at("unloading_exponent").value, 1.8, 0.02);
+  EXPECT_NEAR(found.at("hardening_exponent").value, 0.6, 0.01);
+  EXPECT_LT(ranking.rows[0].left_out_rebound_error, 0.01);
+  std::vector<StoredRun> few(runs.begin(), runs.begin() + 5); // one impact short of the six parameters
+  EXPECT_FALSE(rank_laws(pointers(few), {"elastoplastic"}, options, notes).rows.at(0).result.parameters.count("unloading_exponent"));
+}
+
 TEST(LawRanking, SaysWhereALawPredictsAndWhatItMissesBeyond) {
   std::vector<StoredRun> runs;
   for (const double v : {0.05, 0.1, 0.15, 1.0}) runs.push_back(run_of(yielding_window(v)));

@@ -19,7 +19,9 @@ RimElement element(const std::string &law) {
           .dissipation = 0.8,
           .yield_force = 0.8e6,
           .hardening = 0.08,
+          .hardening_exponent = 0.7,
           .unloading_gain = 0.5,
+          .unloading_exponent = 1.6,
           .law = &impact_law(law)};
 }
 
@@ -73,10 +75,10 @@ TEST(ImpactLaws, ElastoplasticByItsOwnFormula) {
   const double x = k * 0.2 / rim.yield_force;
   const double knee = Fy / (0.92 * k), far = k * 0.2 / Fy; // the knee's term has 1 / sqrt 2 of F_y there
   EXPECT_NEAR(rim.at({knee, 0.1}).force,
-              Fy / std::sqrt(2.0) + 0.08 * Fy * (std::pow(1 + 1 / 0.92, 0.75) - 1) / 0.75, 1e-9 * Fy);
-  EXPECT_NEAR(rim.at({0.2, 0.1}).d_penetration, 0.08 * k * std::pow(1 + far, -0.25), 1e-5 * k); // hardening
-  EXPECT_NEAR(rim.at({0.2, 0.1}).force, Fy + 0.08 * Fy * (std::pow(1 + far, 0.75) - 1) / 0.75, 1e-3 * Fy);
-  const double deepest = 5e-3, top = rim.at({deepest, 0}).force, slope = k * (1 + 0.5 * (top / Fy - 1));
+              Fy / std::sqrt(2.0) + 0.08 * Fy * (std::pow(1 + 1 / 0.92, 0.7) - 1) / 0.7, 1e-9 * Fy);
+  EXPECT_NEAR(rim.at({0.2, 0.1}).d_penetration, 0.08 * k * std::pow(1 + far, -0.3), 1e-5 * k); // hardening
+  EXPECT_NEAR(rim.at({0.2, 0.1}).force, Fy + 0.08 * Fy * (std::pow(1 + far, 0.7) - 1) / 0.7, 1e-3 * Fy);
+  const double deepest = 5e-3, top = rim.at({deepest, 0}).force, slope = k * (1 + 0.5 * std::pow(top / Fy - 1, 1.6));
   ASSERT_GT(top, Fy);
   EXPECT_DOUBLE_EQ(rim.at({4.8e-3, 0.1, 0.1, deepest}).force, top - slope * 0.2e-3);
   EXPECT_NEAR(residual_indentation(rim, deepest), deepest - top / slope, 1e-15);

@@ -1,0 +1,17 @@
+/// What `check` says of a scene's own mesh. Two definitions: the light program has no gmsh and becomes the
+/// finite-element one, which reads the mesh.
+#pragma once
+#include "app/console.h"
+#include "fe_contact/runner/plan.h"
+#include <nlohmann/json.hpp>
+
+namespace rimpact::app {
+
+struct MeshCheck {
+  std::string sentence;
+  nlohmann::json table;
+};
+/// Throws DataError for a mesh that does not fit bearing or rung.
+MeshCheck check_own_mesh(const scene::Scene &scene, const fe::Plan &plan, const Console &console);
+
+} // namespace rimpact::app

@@ -1,0 +1,256 @@
+// Meshes drawn elsewhere: read, checked against the bearing, put where a rung wants them.
+#include "meshes/cell_nodes.h"
+#include "meshes/exact_surfaces.h"
+#include "meshes/hex_order.h"
+#include "meshes/rim_mesh.h"
+#include "meshes/stack_mesh.h"
+#include "scene/error.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <gmsh.h>
+#include <gtest/gtest.h>
+#include <set>
+
+namespace rimpact::meshes {
+namespace {
+
+const scene::Bearing bearing;
+
+std::string path_of(const std::string &name) { return (std::filesystem::temp_directory_path() / ("rimpact_own_" + std::to_string(getpid()) + "_" + name)).string(); }
+
+/// A file in the temporary folder, gone with this object.
+struct TemporaryFile {
+  std::string path;
+  explicit TemporaryFile(const std::string &name) : path(path_of(name)) {}
+  ~TemporaryFile() { std::filesystem::remove(path); }
+};
+
+/// A built-in mesh, changed, written and read back for rung rim.
+HexMesh through_a_file(const std::function<void(HexMesh &)> &change, const std::function<void(RimMeshOptions &)> &options = [](auto &) {},
+                       int level = 0, bool curved = true) {
+  HexMesh mesh = rim_mesh(bearing, {.level = level});
+  change(mesh);
+  const TemporaryFile file("mesh.msh");
+  write_msh(mesh, file.path, curved);
+  RimMeshOptions own;
+  own.own.file = file.path;
+  options(own);
+  return rim_mesh(bearing, own);
+}
+
+std::string refusal(const std::function<void(HexMesh &)> &change, const std::function<void(RimMeshOptions &)> &options = [](auto &) {}) {
+  try {
+    through_a_file(change, options);
+  } catch (const DataError &error) {
+    return error.what();
+  }
+  return "accepted";
+}
+const auto as_it_is = [](HexMesh &) {};
+void expect_says(const std::string &sentence, const std::string &part) { EXPECT_NE(sentence.find(part), std::string::npos) << sentence; }
+
+void scale(HexMesh &mesh, double factor) {
+  for (auto &node : mesh.nodes)
+    for (double &x : node) x *= factor;
+}
+void drop(HexMesh &mesh, Surface group) { std::erase_if(mesh.faces, [&](const auto &face) { return face.group == group; }); }
+
+/// Cells body by body, as a file is read.
+HexMesh by_bodies(const HexMesh &mesh) {
+  HexMesh result = mesh;
+  result.cells.clear(), result.volumes.clear();
+  for (const Volume body : {Volume::plate, Volume::rim, Volume::pad, Volume::foot, Volume::upper_slider})
+    for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+      if (mesh.volumes[c] == body) result.cells.push_back(mesh.cells[c]), result.volumes.push_back(body);
+  return result;
+}
+
+/// Largest distance of two meshes' nodes, cell by cell.
+double distance(const HexMesh &a, const HexMesh &b, const std::vector<Volume> &bodies = {Volume::plate, Volume::rim, Volume::upper_slider}) {
+  double largest = 0;
+  for (std::size_t c = 0; c < a.cells.size(); ++c)
+    for (int n = 0; n < 27 && std::count(bodies.begin(), bodies.end(), a.volumes[c]); ++n)
+      for (int i = 0; i < 3; ++i) largest = std::max(largest, std::abs(a.nodes[a.cells[c][n]][i] - b.nodes[b.cells[c][n]][i]));
+  return largest;
+}
+
+TEST(OwnMesh, CurvedCellsComeBackAsTheyWere) {
+  const HexMesh own = through_a_file(as_it_is), built_in = by_bodies(rim_mesh(bearing, {.level = 0}));
+  ASSERT_EQ(own.cells.size(), built_in.cells.size());
+  EXPECT_EQ(own.nodes.size(), built_in.nodes.size());
+  EXPECT_EQ(own.faces.size(), built_in.faces.size());
+  EXPECT_EQ(own.volumes, built_in.volumes);
+  EXPECT_LT(distance(own, built_in), 1e-9);
+}
+
+TEST(OwnMesh, StraightCellsGetTheirCurvatureBack) {
+  const HexMesh own = through_a_file(as_it_is, [](auto &) {}, 3, false), built_in = by_bodies(rim_mesh(bearing, {.level = 3}));
+  ASSERT_EQ(own.cells.size(), built_in.cells.size());
+  EXPECT_EQ(own.nodes.size(), built_in.nodes.size());
+  EXPECT_LT(distance(own, built_in, {Volume::rim}), 1e-9);
+  EXPECT_LT(distance(own, built_in), 4e-3); // the layers above the socket, which lies 20 mm from its chord there
+  HexMesh again = own;
+  fit_to_surfaces(again, bearing, bearing.lateral_capacity(), "again");
+  EXPECT_LT(distance(again, own), 1e-12); // nothing left to move
+}
+
+TEST(OwnMesh, DrawnAtRestInMillimetresUnderOtherNames) {
+  const double capacity = bearing.lateral_capacity(), up = scene::lift(bearing, capacity);
+  const HexMesh own = through_a_file(
+      [&](HexMesh &mesh) {
+        std::vector<char> of_slider(mesh.nodes.size(), 0);
+        for (std::size_t c = 0; c < mesh.cells.size(); ++c)
+          if (mesh.volumes[c] == Volume::upper_slider)
+            for (const unsigned node : mesh.cells[c]) of_slider[node] = 1;
+        for (std::size_t k = 0; k < mesh.nodes.size(); ++k)
+          if (of_slider[k]) mesh.nodes[k][0] -= capacity, mesh.nodes[k][2] -= up;
+        scale(mesh, 1e3);
+        for (auto &face : mesh.faces) // the file's names no longer mean what they say
+          face.group = face.group == Surface::top ? Surface::foot_cap : face.group;
+      },
+      [](RimMeshOptions &options) {
+        options.own.unit = "mm";
+        options.own.groups[static_cast<std::size_t>(n_volumes) + static_cast<std::size_t>(Surface::top) - static_cast<std::size_t>(Surface::dish)] = "foot_cap";
+      });
+  double rightmost = 0, highest = 0;
+  for (std::size_t c = 0; c < own.cells.size(); ++c)
+    if (own.volumes[c] == Volume::upper_slider)
+      for (const unsigned node : own.cells[c]) rightmost = std::max(rightmost, own.nodes[node][0]), highest = std::max(highest, own.nodes[node][2]);
+  EXPECT_NEAR(rightmost, capacity + 0.12, 1e-12);
+  EXPECT_NEAR(highest, bearing.slider.top + up, 1e-12);
+}
+
+TEST(OwnMesh, AHalfIsMirroredForAWholeModel) {
+  const HexMesh half = through_a_file(as_it_is), whole = through_a_file(as_it_is, [](RimMeshOptions &options) { options.half = false; });
+  EXPECT_EQ(whole.cells.size(), 2 * half.cells.size());
+  EXPECT_TRUE(std::none_of(whole.faces.begin(), whole.faces.end(), [](const auto &f) { return f.group == Surface::symmetry; }));
+}
+
+TEST(OwnMesh, AStackAtRestWithItsRim) {
+  const TemporaryFile file("stack.msh");
+  const HexMesh built_in = stack_mesh(bearing, {.level = 0, .rim = true});
+  write_msh(built_in, file.path, true);
+  StackMeshOptions options{.rim = true};
+  options.own.file = file.path;
+  EXPECT_EQ(stack_mesh(bearing, options).cells.size(), built_in.cells.size());
+  options.rim = false; // what the scene does not need is left out
+  EXPECT_LT(stack_mesh(bearing, options).cells.size(), built_in.cells.size());
+  options.rim = options.opposite_rim = true;
+  EXPECT_THROW(stack_mesh(bearing, options), DataError); // no wall at -x
+}
+
+TEST(OwnMesh, RefusalsNameWhatIsWrong) {
+  expect_says(refusal([](HexMesh &m) { drop(m, Surface::rim_wall); }), "surface 'rim_wall' is missing");
+  expect_says(refusal([](HexMesh &m) { drop(m, Surface::symmetry); }), "model.symmetry = \"whole\"");
+  expect_says(refusal([](HexMesh &m) { scale(m, 1e3); }), "1e+03 times as much: model.own_mesh.unit is \"m\"");
+  expect_says(refusal([](HexMesh &m) { for (auto &node : m.nodes) node[0] += 0.01; }), "drawn at x = 410.00 mm");
+  expect_says(refusal([](HexMesh &m) {
+                for (std::size_t c = 0; c < m.cells.size(); ++c)
+                  if (m.volumes[c] == Volume::plate) m.volumes[c] = Volume::foot;
+              }),
+              "volume 'plate' is missing");
+  expect_says(refusal([](HexMesh &m) {
+                std::set<unsigned> outside;
+                for (const auto &face : m.faces) outside.insert(face.corners.begin(), face.corners.end());
+                for (const auto &cell : m.cells)
+                  if (std::none_of(cell.begin(), cell.begin() + 8, [&](unsigned node) { return outside.count(node) > 0; })) {
+                    for (int i = 0; i < 3; ++i) m.nodes[cell[0]][i] = 2 * m.nodes[cell[6]][i] - m.nodes[cell[0]][i];
+                    return;
+                  }
+              }),
+              "is inverted");
+  expect_says(refusal(as_it_is, [](RimMeshOptions &o) { o.own.groups[1] = "rimm"; }), "did you mean \"rim\"");
+  expect_says(refusal(as_it_is, [](RimMeshOptions &o) { o.own.file = "/nowhere.msh"; }), "no such mesh file");
+}
+
+TEST(OwnMesh, AWallElsewhereThanTheBearingsIsRefused) {
+  expect_says(refusal([](HexMesh &m) {
+                for (const auto &face : m.faces)
+                  if (face.group == Surface::rim_wall)
+                    for (const unsigned k : face.corners) {
+                      auto &node = m.nodes[k];
+                      const double factor = 0.521 / std::hypot(node[0], node[1]);
+                      node[0] *= factor, node[1] *= factor;
+                    }
+              }),
+              "drawing and bearing file differ");
+}
+
+TEST(OwnMesh, WeldedBodiesAreRefused) {
+  expect_says(refusal([](HexMesh &m) {
+                unsigned on_wall = 0, on_side = 0; // one corner of the slider becomes one of the rim
+                for (const auto &face : m.faces) {
+                  if (face.group == Surface::rim_wall) on_wall = face.corners[0];
+                  if (face.group == Surface::slider_side) on_side = face.corners[0];
+                }
+                for (auto &cell : m.cells)
+                  for (unsigned &node : cell)
+                    if (node == on_side) node = on_wall;
+                for (auto &face : m.faces)
+                  for (unsigned &node : face.corners)
+                    if (node == on_side) node = on_wall;
+              }),
+              "rim and upper_slider are welded: they share 1 nodes");
+}
+
+/// Corners, edges and the rest of a cell under a quadratic map: 20 nodes determine it but for the highest products.
+TEST(CellNodes, TwentyNodesAreCompletedBySerendipity) {
+  const auto place = [](double x, double y, double z) { return std::array{x + 0.1 * y * y, y + 0.05 * x * z, z + 0.1 * x * y}; };
+  HexMesh mesh;
+  std::vector<unsigned> twenty;
+  for (int a = 0; a < 20; ++a) {
+    mesh.nodes.push_back(place(hex27[a][0], hex27[a][1], hex27[a][2]));
+    twenty.push_back(a);
+  }
+  CellNodes complete(mesh);
+  const auto cell = complete(twenty);
+  for (int a = 20; a < 27; ++a) {
+    const auto wanted = place(hex27[a][0], hex27[a][1], hex27[a][2]);
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(mesh.nodes[cell[a]][i], wanted[i], 1e-14) << a;
+  }
+}
+
+/// Rim sector and slider without their foot and socket, drawn with OpenCASCADE; a STEP file knows neither groups nor cells.
+void draw_step(const std::string &path) {
+  namespace occ = gmsh::model::occ;
+  gmsh::initialize();
+  gmsh::option::setNumber("General.Terminal", 0);
+  gmsh::model::add("step");
+  const double edge = 1e3 * scene::make_surface(bearing.surface)->at(0.52, 0).z, bottom = 1e3 * bearing.slider.bottom;
+  const int outer = occ::addCylinder(0, 0, -50, 0, 0, edge + 110, 560, -1, 1.0), inner = occ::addCylinder(0, 0, -51, 0, 0, edge + 112, 520, -1, 1.0);
+  gmsh::vectorpair result;
+  std::vector<gmsh::vectorpair> map;
+  occ::cut({{3, outer}}, {{3, inner}}, result, map);
+  occ::addCylinder(0, 0, bottom, 0, 0, 100, 120, -1, M_PI);
+  occ::synchronize();
+  gmsh::write(path);
+  gmsh::finalize();
+}
+
+TEST(OwnMesh, AStepFileIsMeshedWithHexahedra) {
+  const TemporaryFile file("bearing.step");
+  draw_step(file.path);
+  RimMeshOptions options;
+  options.own.file = file.path;
+  options.own.unit = "mm";
+  options.own.size = 0.06, options.own.contact_size = 0.03;
+  const auto name = [&](auto group, const char *in_file) {
+    for (std::size_t k = 0; k < scene::mesh_group_names.size(); ++k)
+      if (to_string(group) == scene::mesh_group_names[k]) options.own.groups[k] = in_file;
+  };
+  name(Volume::plate, "volume 1"), name(Volume::upper_slider, "volume 2");
+  // Numbers as gmsh shows them (its statistics window, or `rimpact` when a name is wrong).
+  name(Surface::rim_wall, "surface 6"), name(Surface::fixed, "surface 4"), name(Surface::symmetry, "surface 5, surface 10, surface 11");
+  name(Surface::slider_side, "surface 7"), name(Surface::top, "surface 8"), name(Surface::sector_end, "surface 3");
+  const HexMesh mesh = rim_mesh(bearing, options);
+  EXPECT_EQ(quality(mesh).n_components, 2);
+  EXPECT_GT(mesh.cells.size(), 100u);
+  EXPECT_GT(quality(mesh).min_scaled_jacobian, 0.01);
+}
+
+} // namespace
+} // namespace rimpact::meshes
