@@ -73,7 +73,7 @@ void Console::data(const std::string &text) const {
 }
 
 scene::Scene Console::load(const std::string &given) {
-  const scene::Scene scene = scene::load_scene(given, overrides);
+  scene::Scene scene = scene::load_scene(given, overrides);
   for (const auto &doubt : scene::doubts(scene)) warn(doubt);
   return scene;
 }

@@ -76,7 +76,7 @@ nlohmann::json fe_versions(const std::string &folder, Console &console) {
   const std::string file = folder + "/versions.json", log = folder + "/versions.log";
   const int code =
       poll(start({.command = {fe_program(), "version", "--json"}, .output = file, .errors = log}), true);
-  const auto versions = nlohmann::json::parse(read_text(file), nullptr, false);
+  auto versions = nlohmann::json::parse(read_text(file), nullptr, false);
   const std::string said = last_line(log);
   if (code != 0 || !versions.is_object())
     throw IoError(fmt::format("the finite-element program does not start (exit code {}){}{}", code,

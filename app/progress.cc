@@ -1,6 +1,7 @@
 #include "app/progress.h"
 
 #include "app/console.h"
+#include <cmath>
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -26,7 +27,7 @@ void ProgressLine::finish() {
 }
 
 std::string duration(double seconds) {
-  const long s = static_cast<long>(seconds + 0.5);
+  const long s = std::lround(seconds);
   if (s < 60) return fmt::format("{} s", s);
   if (s < 3600) return fmt::format("{} min {} s", s / 60, s % 60);
   return fmt::format("{} h {} min", s / 3600, s % 3600 / 60);

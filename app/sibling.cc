@@ -15,6 +15,7 @@ namespace {
 
 std::vector<char *> pointers(std::vector<std::string> &words) {
   std::vector<char *> result;
+  result.reserve(words.size() + 1);
   for (auto &word : words) result.push_back(word.data());
   result.push_back(nullptr);
   return result;
@@ -38,7 +39,7 @@ std::string sibling(const std::string &name) {
 }
 
 std::string fe_program() {
-  const std::string program = sibling("rimpact-fe");
+  std::string program = sibling("rimpact-fe");
   if (access(program.c_str(), X_OK) != 0)
     throw InputError("this build has no finite-element side (" + program +
                      " is missing); build with RIMPACT_FE=ON");

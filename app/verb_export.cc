@@ -12,7 +12,7 @@ nlohmann::json read_calibration(const std::string &folder) {
   for (const std::string &path : {folder + "/calibration.json", folder + "/calibration/calibration.json"}) {
     std::ifstream file(path);
     if (!file) continue;
-    const auto json = nlohmann::json::parse(file, nullptr, false);
+    auto json = nlohmann::json::parse(file, nullptr, false);
     if (json.is_discarded()) throw DataError(path + ": not valid JSON");
     return json;
   }

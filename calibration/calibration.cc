@@ -12,6 +12,7 @@ namespace {
 
 std::vector<StoredRun> read_runs(const std::vector<std::string> &folders, const WindowOptions &options) {
   std::vector<StoredRun> runs;
+  runs.reserve(folders.size());
   for (const auto &folder : folders) runs.push_back(read_run(folder, options));
   return runs;
 }
@@ -61,6 +62,7 @@ std::vector<GrazingReport> grazing_reports(const std::vector<const std::vector<S
 void rank(const std::vector<StoredRun> &runs, const CalibrationOptions &options, Calibration &c) {
   if (options.laws.empty()) return;
   std::vector<const StoredRun *> every;
+  every.reserve(runs.size());
   for (const auto &run : runs) every.push_back(&run);
   FitOptions own = options.fit;
   for (const auto &[name, estimate] : c.result.parameters)

@@ -67,9 +67,11 @@ GeometryStudy geometry_study(std::vector<GeometryRow> rows, const scene::Scene &
                              const GeometryOptions &options) {
   GeometryStudy study{.rows = std::move(rows), .surrogates = {}, .sentence = {}};
   std::vector<std::vector<double>> x;
+  x.reserve(study.rows.size());
   for (const auto &row : study.rows) x.push_back(row.inputs);
   for (const auto &output : outputs) {
     std::vector<double> y;
+    y.reserve(study.rows.size());
     for (const auto &row : study.rows) y.push_back(row.*output.value / output.si);
     study.surrogates[output.name] = power_surrogate(x, y);
   }

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <future>
+#include <optional>
 
 namespace rimpact::calibration {
 
@@ -57,20 +59,32 @@ LawError error_of(const StoredRun &run, const FitResult &result) {
   return error;
 }
 
+namespace {
+
+/// Fitted to the others and asked for the set; none when only grazing impacts are left to fit.
+std::optional<LeftOut> without(const Runs &runs, const std::pair<std::string, Runs> &set, const FitOptions &options) {
+  const auto &[what, out] = set;
+  Runs kept;
+  for (const StoredRun *run : runs)
+    if (std::find(out.begin(), out.end(), run) == out.end()) kept.push_back(run);
+  if (std::all_of(kept.begin(), kept.end(), [](const auto *run) { return only_grazing(*run); })) return std::nullopt;
+  const FitResult result = fit(kept, options);
+  LeftOut left{.what = what, .errors = {}, .converged = result.converged};
+  for (const StoredRun *run : out) left.errors.push_back(error_of(*run, result));
+  return left;
+}
+
+} // namespace
+
 std::vector<LeftOut> leave_out(const Runs &runs, const FitOptions &options, const FitResult &all) {
   FitOptions again = options;
   again.n_starts = 0; // from the fit of all runs alone
   for (const auto &name : again.parameters) again.start[name] = all.parameters.at(name).value;
+  std::vector<std::future<std::optional<LeftOut>>> pending; // the sets know nothing of each other
+  for (const auto &set : sets_of(runs)) pending.push_back(std::async(std::launch::async, [&runs, &again, set] { return without(runs, set, again); }));
   std::vector<LeftOut> table;
-  for (const auto &[what, out] : sets_of(runs)) {
-    Runs kept;
-    for (const StoredRun *run : runs)
-      if (std::find(out.begin(), out.end(), run) == out.end()) kept.push_back(run);
-    if (std::all_of(kept.begin(), kept.end(), [](const auto *run) { return only_grazing(*run); })) continue;
-    const FitResult result = fit(kept, again);
-    table.push_back({.what = what, .errors = {}, .converged = result.converged});
-    for (const StoredRun *run : out) table.back().errors.push_back(error_of(*run, result));
-  }
+  for (auto &each : pending)
+    if (auto left = each.get()) table.push_back(std::move(*left));
   return table;
 }
 

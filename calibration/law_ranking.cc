@@ -49,27 +49,10 @@ void find_range(LawRow &row, double tolerance) {
   if (!errors.empty()) row.sentence = range_sentence(row, errors, tolerance);
 }
 
-/// A law's exponents join once its other parameters are found, where the impacts are enough to tell them apart; `options`
-/// then holds them too.
-FitResult fit_in_stages(const Runs &runs, FitOptions &options) {
-  std::vector<std::string> late = reduced::impact_law(options.law).exponents;
-  std::erase_if(late, [&](const auto &name) { return options.fixed.count(name) > 0; });
-  FitOptions early = options;
-  for (const auto &name : late) early.bounds.erase(name);
-  const FitResult first = fit(runs, early);
-  if (late.empty() || first.n_impacts < static_cast<int>(options.parameters.size() + late.size())) {
-    options = early;
-    return first;
-  }
-  for (const auto &name : options.parameters) options.start[name] = first.parameters.at(name).value;
-  options.parameters.insert(options.parameters.end(), late.begin(), late.end());
-  options.n_starts = 0;
-  return fit(runs, options);
-}
-
-LawRow row_of(const Runs &runs, FitOptions options, double tolerance) {
+/// What a fit leaves, on the runs it saw and on each left out.
+LawRow judged(const Runs &runs, const FitOptions &options, const FitResult &result, double tolerance) {
   LawRow row;
-  row.result = fit_in_stages(runs, options);
+  row.result = result;
   double square = 0;
   int n = 0;
   for (const StoredRun *run : runs) {
@@ -90,6 +73,23 @@ LawRow row_of(const Runs &runs, FitOptions options, double tolerance) {
     }
   find_range(row, tolerance);
   return row;
+}
+
+/// The law's exponents join once its other parameters are found, where the impacts are enough to tell them apart, and stay
+/// if runs left out are then predicted better: on the runs fitted two more parameters always look well.
+LawRow row_of(const Runs &runs, FitOptions options, double tolerance) {
+  std::vector<std::string> exponents = reduced::impact_law(options.law).exponents;
+  std::erase_if(exponents, [&](const auto &name) { return options.fixed.count(name) > 0; });
+  FitOptions plain = options;
+  for (const auto &name : exponents) plain.bounds.erase(name);
+  const LawRow row = judged(runs, plain, fit(runs, plain), tolerance);
+  options.parameters.insert(options.parameters.end(), exponents.begin(), exponents.end());
+  if (exponents.empty() || row.result.n_impacts < static_cast<int>(options.parameters.size())) return row;
+  for (const auto &name : plain.parameters) options.start[name] = row.result.parameters.at(name).value;
+  options.n_starts = 0;
+  const LawRow shaped = judged(runs, options, fit(runs, options), tolerance);
+  const auto worst = [](const LawRow &r) { return std::max(r.left_out_peak_error, r.left_out_rebound_error); };
+  return worst(shaped) < worst(row) ? shaped : row;
 }
 
 } // namespace

@@ -101,6 +101,7 @@ Sweep combine(const SweepParts &parts, const std::string &origin) {
   auto points = product(case_points(parts.cases), case_points(parts.records.cases), origin);
   for (const auto &axis : parts.grid) {
     std::vector<Point> along;
+    along.reserve(axis.values.size());
     for (const auto &value : axis.values) along.push_back({{axis.key, value}});
     points = product(points, along, origin);
   }

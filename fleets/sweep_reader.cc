@@ -188,7 +188,7 @@ private:
     parts_.linked.push_back(std::move(linked));
   }
   std::string varying(const toml::node &node, const std::string &key) const {
-    const std::string name = node.as_string()->get();
+    std::string name = node.as_string()->get();
     if (!varies(name)) fail(node, fmt::format("{} uses \"{}\", which no part above sets", key, name));
     return name;
   }

@@ -40,6 +40,7 @@ Entities named_entities(int dimension) {
 
 std::vector<std::string> names_of(const Entities &entities) {
   std::vector<std::string> names;
+  names.reserve(entities.size());
   for (const auto &[name, list] : entities) names.push_back(name);
   return names;
 }

@@ -51,6 +51,7 @@ std::vector<SignalInfo> make_signals() {
   list.push_back({"surface_gap", "m", "smallest distance of slider and rim walls"});
   list.push_back({"plastic_strain_max", "1", "largest equivalent plastic strain"});
   list.push_back({"contact_pressure_max", "Pa", "largest contact pressure"});
+  list.push_back({"pad_pressure_max", "Pa", "largest pressure of the pad on the dish"});
   list.push_back({"newton_iterations", "1", "Newton iterations of the step"});
   list.push_back({"step", "s", "time step"});
   return list;

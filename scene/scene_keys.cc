@@ -17,6 +17,7 @@ constexpr std::array kinds{ExcitationKind::ricker, ExcitationKind::cyclic, Excit
 
 void visit_kind(KeyVisitor &v, ExcitationKind &kind) {
   std::vector<std::string> names;
+  names.reserve(kinds.size());
   for (const auto k : kinds) names.push_back(to_string(k));
   std::string name = to_string(kind);
   v.choice({"kind", "ricker | cyclic | figure-eight | push | window | record | free"}, name, names);

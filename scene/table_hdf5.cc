@@ -31,6 +31,7 @@ void write_column(hid_t group, hid_t present, const Table &table, std::size_t i)
   }
   const auto column = [&](const auto &convert) {
     std::vector<decltype(convert(Cell{}))> values;
+    values.reserve(table.rows.size());
     for (const auto &row : table.rows) values.push_back(convert(row[i]));
     return values;
   };

@@ -130,6 +130,7 @@ void TomlReader::switches(const Key &key, const std::vector<std::pair<std::strin
   const auto *array = found->as_array();
   if (!array) fail(key.name, "must be an array of words, got " + type_name(*found));
   std::vector<std::string> names;
+  names.reserve(flags.size());
   for (const auto &[name, target] : flags) names.push_back(name), *target = false;
   for (const auto &entry : *array) {
     if (!entry.is_string()) fail(key.name, "must be an array of words, got " + type_name(entry));

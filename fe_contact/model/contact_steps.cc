@@ -53,7 +53,7 @@ ContactStepReport solve(ContactSystem &system, const SystemState &state, const S
 ContactStepReport static_step(ContactSystem &system, SystemState &state, const StepTerms &terms,
                               const StepOptions &options, const Eigen::VectorXd &guess) {
   Eigen::VectorXd u = guess.size() ? guess : state.u;
-  const ContactStepReport report = solve(system, state, terms, options, u);
+  ContactStepReport report = solve(system, state, terms, options, u);
   if (report.converged) system.commit(u, state, options.max_augmentations > 0);
   return report;
 }

@@ -70,6 +70,7 @@ std::vector<std::vector<const WallContact::MasterFace *>> WallContact::near_face
                                                                                   double margin) const {
   const int n = (space_.degree + 1) * (space_.degree + 1);
   std::vector<Ball> masters;
+  masters.reserve(masters_.size());
   for (const auto &master : masters_) masters.push_back(ball(nodes_at(*master.face, u), n));
   std::vector<std::vector<const MasterFace *>> result(slaves_.size());
   for (std::size_t f = 0; f < slaves_.size(); ++f) {
@@ -98,6 +99,7 @@ std::vector<std::vector<int>> WallContact::cliques(const Eigen::VectorXd &u,
 
 std::vector<FaceNodes> WallContact::master_nodes(const Eigen::VectorXd &u) const {
   std::vector<FaceNodes> nodes;
+  nodes.reserve(masters_.size());
   for (const auto &master : masters_) nodes.push_back(nodes_at(*master.face, u));
   return nodes;
 }

@@ -32,6 +32,8 @@ void append(RunRecord &record, const SampleRow &row) {
                                                     {"energy_contact", e.contact},
                                                     {"energy_integrator", e.integrator}};
   for (const auto &[name, value] : values) r.append(name, value);
+  const bool kept_so_far = r.size() == 1 || r.has("pad_pressure_max"); // a checkpoint of an older build has none
+  if (row.pad_pressure && kept_so_far) r.append("pad_pressure_max", *row.pad_pressure);
   if (row.normal_force) r.append("normal_force", *row.normal_force);
 }
 

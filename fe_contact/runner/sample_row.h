@@ -16,6 +16,7 @@ struct SampleRow {
   double plastic_strain, contact_pressure; ///< largest
   int newton_iterations;
   double step; ///< taken [s], or of the load parameter
+  std::optional<double> pad_pressure = {}; ///< largest of the pad on the dish [Pa]; empty: there is no pad
 };
 /// With the energies of the record's ledger as it stands.
 void append(RunRecord &record, const SampleRow &row);

@@ -42,7 +42,7 @@ ContactStepReport TopDrive::move_to(StackSystem &system, SystemState &state, con
     if (system.top(i) >= 0) terms.driven.push_back({system.top(i), target[i]});
   const Eigen::VectorXd before = state.u;
   const Eigen::Vector2d way = target - system.top_of(state.u).head<2>();
-  const ContactStepReport step = static_step(system, state, terms, options, guess(system, state, way));
+  ContactStepReport step = static_step(system, state, terms, options, guess(system, state, way));
   if (!step.converged) return step;
   last_change = state.u - before;
   last_way = way;

@@ -26,7 +26,7 @@ void StackRecorder::sample(double time, const Eigen::Vector3d &u, const Eigen::V
   if (state.reports.size() > StackSystem::rim && std::isfinite(state.reports[StackSystem::rim].smallest_gap))
     surface_gap = state.reports[StackSystem::rim].smallest_gap;
   append(record_, {time, u, v, forces.total(), forces.dish - forces.friction, forces.friction, forces.rim, forces.dish.z(),
-                   gap, surface_gap, strain, pressure, iterations, step});
+                   gap, surface_gap, strain, pressure, iterations, step, state.reports[StackSystem::dish].largest_pressure});
 }
 
 void StackRecorder::write_fields(double time, const StackSystem &system, const SystemState &state,

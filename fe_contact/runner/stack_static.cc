@@ -150,7 +150,7 @@ struct StaticPath {
     constexpr int checkpoint_every = 10;
     const double picture = 0.25 / cycles();
     const MarchReport report = march(start, phase.end, {first, 1e-8 * phase.largest, phase.largest, growth}, [&](double s, double ds) {
-      const Attempt result = attempt(s, ds);
+      Attempt result = attempt(s, ds);
       if (!result.accepted) return result;
       if (std::floor((s + ds) / picture + 1e-9) > std::floor(s / picture + 1e-9)) write_fields(s + ds);
       if (record.n_steps % checkpoint_every == 0) save(s + ds, growth * ds);
