@@ -3,6 +3,7 @@
 #pragma once
 #include "app/console.h"
 #include "fe_contact/runner/plan.h"
+#include "meshes/hex_mesh.h"
 #include <nlohmann/json.hpp>
 
 namespace rimpact::app {
@@ -11,6 +12,8 @@ struct MeshCheck {
   std::string sentence;
   nlohmann::json table;
 };
+/// Keys of a mesh's quality; defined in the finite-element program alone.
+nlohmann::json quality_table(const std::string &file, const meshes::MeshQuality &quality);
 /// Throws DataError for a mesh that does not fit bearing or rung.
 MeshCheck check_own_mesh(const scene::Scene &scene, const fe::Plan &plan, const Console &console);
 

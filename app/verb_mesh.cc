@@ -1,11 +1,11 @@
 // rimpact mesh BEARING -o FILE.msh, or of a scene's run
+#include "app/mesh_check.h"
 #include "app/sibling.h"
 #include "app/verb.h"
 #include "fe_contact/runner/run.h"
 #include "meshes/rim_mesh.h"
 #include "scene/scene.h"
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 namespace rimpact::app {
 
@@ -53,15 +53,9 @@ void add_mesh(CLI::App &app, Console &console) {
     meshes::write_msh(mesh, options->file, options->curved);
     if (!options->picture.empty() && python({"report.mesh_picture", options->file, options->picture}) != 0)
       throw IoError("the picture " + options->picture + " was not made");
-    const nlohmann::json table{{"file", options->file},
-                               {"cells", q.n_cells},
-                               {"nodes", q.n_nodes},
-                               {"components", q.n_components},
-                               {"min_scaled_jacobian", q.min_scaled_jacobian},
-                               {"worst_aspect", q.worst_aspect}};
     console.data(
         console.json
-            ? table.dump(2) + "\n"
+            ? quality_table(options->file, q).dump(2) + "\n"
             : fmt::format(
                   "{}: {} hexahedra, {} nodes, smallest scaled Jacobian {:.3f}, worst aspect {:.1f}\n",
                   options->file, q.n_cells, q.n_nodes, q.min_scaled_jacobian, q.worst_aspect));

@@ -6,17 +6,14 @@
 #include "scene/text.h"
 #include <algorithm>
 #include <fmt/format.h>
-#include <map>
 #include <set>
 
 namespace rimpact::meshes {
 namespace {
 
-using Entities = std::map<std::string, std::vector<int>>;
-
 /// Entities of a dimension by every name a user may call them: physical group, part of a STEP file, "volume 3".
-Entities named_entities(int dimension) {
-  Entities result;
+NamedEntities named_entities(int dimension) {
+  NamedEntities result;
   gmsh::vectorpair groups, entities;
   gmsh::model::getPhysicalGroups(groups, dimension);
   for (const auto &[dim, tag] : groups) {
@@ -38,7 +35,7 @@ Entities named_entities(int dimension) {
   return result;
 }
 
-std::vector<std::string> names_of(const Entities &entities) {
+std::vector<std::string> names_of(const NamedEntities &entities) {
   std::vector<std::string> names;
   names.reserve(entities.size());
   for (const auto &[name, list] : entities) names.push_back(name);
@@ -50,7 +47,7 @@ std::vector<std::string> names_of(const Entities &entities) {
 GmshGroups::GmshGroups(const scene::OwnMesh &own) : own_(own), entities_(scene::mesh_group_names.size()) {
   const std::set<std::string> taken(own.groups.begin(), own.groups.end()); // one of our names, given to another group
   for (const int dimension : {3, 2}) {
-    const Entities known = named_entities(dimension);
+    const NamedEntities known = named_entities(dimension);
     const std::size_t first = dimension == 3 ? 0 : n_volumes, last = dimension == 3 ? n_volumes : entities_.size();
     for (std::size_t k = first; k < last; ++k) {
       const bool mapped = !own.groups[k].empty();
@@ -65,8 +62,8 @@ GmshGroups::GmshGroups(const scene::OwnMesh &own) : own_(own), entities_(scene::
           throw DataError(fmt::format("{}: model.own_mesh.groups.{}: {}", own.file, scene::mesh_group_names[k], scene::not_among(name, names_of(known))));
       }
     }
+    if (dimension == 3) refuse_unclaimed(known);
   }
-  refuse_unclaimed_volumes();
 }
 
 std::string GmshGroups::name(std::size_t group) const {
@@ -75,10 +72,10 @@ std::string GmshGroups::name(std::size_t group) const {
 }
 
 /// A body nobody named would be left out without a word.
-void GmshGroups::refuse_unclaimed_volumes() const {
+void GmshGroups::refuse_unclaimed(const NamedEntities &volumes) const {
   std::set<int> claimed;
   for (std::size_t k = 0; k < n_volumes; ++k) claimed.insert(entities_[k].begin(), entities_[k].end());
-  for (const auto &[name, list] : named_entities(3))
+  for (const auto &[name, list] : volumes)
     for (const int entity : list)
       if (claimed.count(entity) == 0)
         throw DataError(fmt::format("{}: volume '{}' is none of plate, rim, pad, foot, upper_slider: say which in [model.own_mesh.groups], or leave it "

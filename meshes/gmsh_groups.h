@@ -1,10 +1,13 @@
 /// Which of gmsh's entities make up each named group of a bearing. Private to the meshes.
 #pragma once
 #include "scene/own_mesh.h"
+#include <map>
 #include <string>
 #include <vector>
 
 namespace rimpact::meshes {
+
+using NamedEntities = std::map<std::string, std::vector<int>>;
 
 /// Of the model open in gmsh; groups are numbered as in scene::mesh_group_names. Throws DataError for a name of
 /// [model.own_mesh.groups] that the file has not, and for cells no group claims.
@@ -15,7 +18,7 @@ public:
   std::string name(std::size_t group) const; ///< with the file's name for it
 
 private:
-  void refuse_unclaimed_volumes() const;
+  void refuse_unclaimed(const NamedEntities &volumes) const;
   const scene::OwnMesh &own_;
   std::vector<std::vector<int>> entities_;
 };

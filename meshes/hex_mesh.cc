@@ -85,7 +85,7 @@ MeshQuality quality(const HexMesh &mesh) {
   return result;
 }
 
-void check(const HexMesh &mesh, int expected_components, const std::vector<Surface> &required) {
+void check_cells(const HexMesh &mesh) {
   const double g = std::sqrt(0.6), points[3] = {-g, 0, g};
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     for (int k = 0; k < 27; ++k)
@@ -98,6 +98,10 @@ void check(const HexMesh &mesh, int expected_components, const std::vector<Surfa
                                     c, to_string(mesh.volumes[c]), 1e3 * centre[0], 1e3 * centre[1],
                                     1e3 * centre[2]));
       }
+}
+
+void check(const HexMesh &mesh, int expected_components, const std::vector<Surface> &required) {
+  check_cells(mesh);
   const int found = components(mesh);
   if (found != expected_components)
     throw DataError(

@@ -47,8 +47,9 @@ struct MeshQuality {
   int n_components;           ///< connected pieces: touching bodies must not be welded
 };
 MeshQuality quality(const HexMesh &mesh);
-/// Throws DataError naming the first inverted cell, a required group that is missing or a wrong number of
-/// components.
+/// Throws DataError naming the first inverted cell.
+void check_cells(const HexMesh &mesh);
+/// As check_cells, and for a required group that is missing or a wrong number of components.
 void check(const HexMesh &mesh, int expected_components, const std::vector<Surface> &required);
 /// gmsh .msh (version 2.2, ASCII, cells of 8 nodes or of all 27, $PhysicalNames). Throws IoError.
 void write_msh(const HexMesh &mesh, const std::string &path, bool curved = false);

@@ -156,7 +156,7 @@ HexMesh own_mesh(const scene::OwnMesh &own, const scene::Bearing &bearing, const
   fit_to_surfaces(mesh, bearing, need.travel, own.file, read.divided);
   if (!need.half && !drawn.nodes_of(Surface::symmetry).empty()) mesh = mirrored(mesh);
   try {
-    check(mesh, quality(mesh).n_components, need.groups);
+    check_cells(mesh);
   } catch (const DataError &error) {
     drawn.fail(error.what());
   }

@@ -35,7 +35,7 @@ HexMesh built_in(const scene::Bearing &bearing, const StackMeshOptions &options)
 
 HexMesh drawn(const scene::Bearing &bearing, const StackMeshOptions &options, const std::vector<Surface> &groups) {
   OwnMeshNeed need{{Volume::pad, Volume::foot, Volume::upper_slider}, groups, 0.0, options.half, options.opposite_rim};
-  if (options.rim) need.bodies.insert(need.bodies.end(), {Volume::plate, Volume::rim});
+  if (options.plates() > 0) need.bodies.insert(need.bodies.end(), {Volume::plate, Volume::rim});
   return own_mesh(options.own, bearing, need);
 }
 
@@ -43,14 +43,12 @@ HexMesh drawn(const scene::Bearing &bearing, const StackMeshOptions &options, co
 
 HexMesh stack_mesh(const scene::Bearing &bearing, const StackMeshOptions &options) {
   std::vector<Surface> required{Surface::pad_face, Surface::foot_cap, Surface::socket, Surface::slider_side, Surface::top};
-  const bool plate = options.rim || options.opposite_rim || options.whole_plate;
-  if (plate) required.insert(required.end(), rim_groups.begin(), rim_groups.end());
+  if (options.plates() > 0) required.insert(required.end(), rim_groups.begin(), rim_groups.end());
   if (options.whole_plate) required.push_back(Surface::dish);
   HexMesh result = options.own.any() ? drawn(bearing, options, required) : built_in(bearing, options);
   turn(result, options.direction);
   if (options.half) flatten(result);
-  const int plates = options.whole_plate ? 1 : options.rim + options.opposite_rim;
-  if (!options.own.any()) check(result, 2 + plates, required);
+  if (!options.own.any()) check(result, 2 + options.plates(), required);
   return result;
 }
 

@@ -15,6 +15,8 @@ struct StackMeshOptions {
   bool whole_plate = false;       ///< the dish is meshed as well, from its middle (rung R3)
   double direction = 0;           ///< [rad]; a half model takes 0 or pi
   scene::OwnMesh own = {};        ///< drawn elsewhere; then `half`, `whole_plate`, `opposite_rim` and `direction` count
+
+  int plates() const { return whole_plate ? 1 : rim + opposite_rim; } ///< pieces of the plate, each with its rim
 };
 /// Groups: pad_face, foot_cap, socket, slider_side, top, and with a rim those of rim_mesh. Pad and foot are one
 /// connected piece (tied); the slider's socket lies on the foot's cap.

@@ -25,6 +25,11 @@ def is_kept(file, program):
     return bool(os.environ.get("RIMPACT_KEEP_RUNS")) or file.stat().st_mtime > built
 
 
+def gate(failures, what, value, bound):
+    if not abs(value) < bound:
+        failures.append(f"MISSED {what}: {value:.3g} is not below {bound}")
+
+
 def finish(folder, lines, failures):
     """Prints the table with what was missed, keeps it as FOLDER/baseline.txt; the script's exit code."""
     text = "\n".join([*lines, *failures]) + "\n"
