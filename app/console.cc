@@ -73,7 +73,10 @@ void Console::data(const std::string &text) const {
 }
 
 scene::Scene Console::load(const std::string &given) {
-  scene::Scene scene = scene::load_scene(given, overrides);
+  auto settings = overrides;
+  if (!rung.empty()) settings.push_back("model.rung=\"" + rung + "\"");
+  if (mesh >= 0) settings.push_back("model.mesh=" + std::to_string(mesh));
+  scene::Scene scene = scene::load_scene(given, settings);
   for (const auto &doubt : scene::doubts(scene)) warn(doubt);
   return scene;
 }
@@ -89,6 +92,11 @@ void Console::add_overrides(CLI::App &verb) {
   verb.add_option("--set", overrides, "override a key of the scene, e.g. excitation.scale=1.05 (repeatable)")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+}
+
+void Console::add_model(CLI::App &verb) {
+  verb.add_option("--rung", rung, "rim | rigid-dish | full");
+  verb.add_option("--mesh", mesh, "1 | 2 | 3; 0: a draft")->check(CLI::Range(0, 3));
 }
 
 const std::atomic<bool> &interrupted() {

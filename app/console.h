@@ -13,6 +13,8 @@ class Console {
 public:
   bool quiet = false, verbose = false, json = false;
   std::vector<std::string> overrides; ///< --set
+  std::string rung;                   ///< --rung; empty: the scene's
+  int mesh = -1;                      ///< --mesh; negative: the scene's
   int argc = 0;                       ///< the command as it was given
   char **argv = nullptr;
 
@@ -27,6 +29,7 @@ public:
   void add_common(CLI::App &verb);    ///< --quiet, --verbose
   void add_json(CLI::App &verb);      ///< --json
   void add_overrides(CLI::App &verb); ///< --set KEY=VALUE
+  void add_model(CLI::App &verb);     ///< --rung, --mesh
 
 private:
   std::string log_;

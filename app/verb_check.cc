@@ -14,6 +14,7 @@ void add_check(CLI::App &app, Console &console) {
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);
+  console.add_model(*verb);
   verb->callback([where, &console] {
     const scene::Scene scene = console.load(*where);
     if (const auto reason = fe::beyond_rungs(scene)) throw InputError(*reason);

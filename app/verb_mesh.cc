@@ -13,20 +13,20 @@ namespace {
 
 struct Options {
   std::string bearing = "shfps-225", scene, file, picture;
-  int level = 1;
   bool whole = false, curved = false;
 };
 
-meshes::HexMesh rim_mesh(const Options &options) {
+meshes::HexMesh rim_mesh(const Options &options, const Console &console) {
   const auto bearing = scene::load_bearing(options.bearing);
   bearing.validate();
   meshes::RimMeshOptions mesh;
-  mesh.level = options.level;
+  mesh.level = console.mesh < 0 ? mesh.level : console.mesh;
   mesh.half = !options.whole;
   return meshes::rim_mesh(bearing, mesh);
 }
 
 meshes::HexMesh scene_mesh(const Options &options, Console &console) {
+  if (options.whole) console.overrides.push_back("model.symmetry=\"whole\"");
   const scene::Scene scene = console.load(options.scene);
   fe::check_supported(scene);
   return fe::mesh_of(scene, fe::make_plan(scene));
@@ -41,14 +41,14 @@ void add_mesh(CLI::App &app, Console &console) {
   verb->add_option("--scene", options->scene, "instead: what a scene's run is solved on, by any rung, own meshes included");
   verb->add_option("-o,--output", options->file, "the .msh file to write")->required();
   verb->add_option("--png", options->picture, "a picture of the mesh");
-  verb->add_option("--mesh", options->level, "1 | 2 | 3; 0: a draft")->check(CLI::Range(0, 3));
   verb->add_flag("--curved", options->curved, "27-node cells with the exact surfaces, not straight 8-node ones");
   verb->add_flag("--whole", options->whole, "not just the symmetric half");
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);
+  console.add_model(*verb);
   verb->callback([options, &console] {
-    const auto mesh = options->scene.empty() ? rim_mesh(*options) : scene_mesh(*options, console);
+    const auto mesh = options->scene.empty() ? rim_mesh(*options, console) : scene_mesh(*options, console);
     const auto q = meshes::quality(mesh);
     meshes::write_msh(mesh, options->file, options->curved);
     if (!options->picture.empty() && python({"report.mesh_picture", options->file, options->picture}) != 0)

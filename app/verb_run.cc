@@ -12,14 +12,11 @@ namespace rimpact::app {
 namespace {
 
 struct Options {
-  std::string scene, folder, rung;
-  int mesh = -1; ///< none: the scene's
+  std::string scene, folder;
   bool resume = false, dry_run = false, no_fields = false;
 };
 
 void run(Options &options, Console &console) {
-  if (!options.rung.empty()) console.overrides.push_back("model.rung=\"" + options.rung + "\"");
-  if (options.mesh >= 0) console.overrides.push_back("model.mesh=" + std::to_string(options.mesh));
   const scene::Scene scene = console.load(options.scene);
   if (const std::string warning = fe::blas_warning(); !warning.empty()) console.warn(warning);
   fe::check_supported(scene);
@@ -94,14 +91,13 @@ void add_run(CLI::App &app, Console &console) {
   auto options = std::make_shared<Options>();
   verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
   verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>)");
-  verb->add_option("--rung", options->rung, "rim | rigid-dish | full");
-  verb->add_option("--mesh", options->mesh, "1 | 2 | 3; 0: a draft")->check(CLI::Range(0, 3));
   verb->add_flag("--resume", options->resume, "go on from the folder's checkpoint");
   verb->add_flag("--dry-run", options->dry_run, "print the plan and stop");
   verb->add_flag("--no-fields", options->no_fields, "no VTU files");
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);
+  console.add_model(*verb);
   verb->callback([options, &console] { run(*options, console); });
 }
 

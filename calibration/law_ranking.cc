@@ -82,7 +82,7 @@ LawRow row_of(const Runs &runs, FitOptions options, double tolerance) {
   std::erase_if(exponents, [&](const auto &name) { return options.fixed.count(name) > 0; });
   FitOptions plain = options;
   for (const auto &name : exponents) plain.bounds.erase(name);
-  const LawRow row = judged(runs, plain, fit(runs, plain), tolerance);
+  LawRow row = judged(runs, plain, fit(runs, plain), tolerance);
   options.parameters.insert(options.parameters.end(), exponents.begin(), exponents.end());
   if (exponents.empty() || row.result.n_impacts < static_cast<int>(options.parameters.size())) return row;
   for (const auto &name : plain.parameters) options.start[name] = row.result.parameters.at(name).value;

@@ -6,11 +6,15 @@
 ///   file = "test-07.csv"            # beside this file
 ///   skip_lines = 2                  # before the header line
 ///   force_noise = 0.02              # share of the peak below which the rim's force counts as none
-///   [columns.displacement_x]        # any stored signal; time, displacement_x and impact_x (or _y) are
-///   needed column = "LVDT 1"               # as the header says unit = "mm"                     # s ms m cm
-///   mm N kN MN m_per_s mm_per_s factor = -1.0                   # stored = (value - zero) factor, in SI zero
-///   = 12.5                     # in the column's unit [uncertainty]                   # optional, instead of
-///   the fit's own: shares, and the clock within an impact force = 0.02 displacement = 0.001 speed = 0.02
+///   [columns.displacement_x]        # any stored signal; time, displacement_x and impact_x (or _y) are needed
+///   column = "LVDT 1"               # as the header says
+///   unit = "mm"                     # s ms m cm mm N kN MN m_per_s mm_per_s
+///   factor = -1.0                   # stored = (value - zero) factor, in SI
+///   zero = 12.5                     # in the column's unit
+///   [uncertainty]                   # optional, instead of the fit's own: shares, and the clock within an impact
+///   force = 0.02
+///   displacement = 0.001
+///   speed = 0.02
 ///   time_ms = 0.2
 #pragma once
 #include "calibration/impact_window.h"

@@ -126,7 +126,7 @@ meshes::RimMeshOptions rim_mesh_options(const scene::Scene &scene, const Plan &p
 RimSolverOptions rim_solver_options(const scene::Scene &scene) {
   RimSolverOptions options;
   options.rho_inf = scene.model.rho_inf;
-  options.penalty_factor *= scene.model.penalty_scale;
+  options.penalty_factor *= usable_penalty_scale(scene);
   options.attached_mass = scene.load.mass;
   return options;
 }

@@ -40,7 +40,7 @@ Eigen::Vector3d arriving_acceleration(const scene::Scene &scene) {
 
 StackDynamic::StackDynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record)
     : scene_(scene), plan_(plan), options_(options), record_(record),
-      model_(scene.bearing, stack_mesh_options(scene, plan), has_friction(scene), scene.model.penalty_scale), alone_(model_, false), joined_(model_, true),
+      model_(scene.bearing, stack_mesh_options(scene, plan), has_friction(scene), usable_penalty_scale(scene)), alone_(model_, false), joined_(model_, true),
       recorder_(scene, model_, options, record), ground_(scene.excitation, scene.load.gravity) {
   const double mass = scene.load.mass - model_.own_mass();
   alone_.carry(mass);

@@ -30,7 +30,7 @@ struct StaticPath {
   double rest_height = 0; ///< of the top face under the load [m]
 
   StaticPath(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record)
-      : scene(scene), options(options), record(record), model(scene.bearing, stack_mesh_options(scene, plan), true, scene.model.penalty_scale),
+      : scene(scene), options(options), record(record), model(scene.bearing, stack_mesh_options(scene, plan), true, usable_penalty_scale(scene)),
         system(model, model.full() || plan.rim_takes_part), state(system.at_rest()), recorder(scene, model, options, record),
         load(system.dead_load(scene.load.vertical)) {
     record.n_dofs = system.equations().n;

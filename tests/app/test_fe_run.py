@@ -69,8 +69,21 @@ class RimWindow(unittest.TestCase):
         self.assertEqual(set(table) & {"deal.II", "PETSc", "MUMPS", "SUNDIALS", "BLAS"}, {"deal.II", "PETSc", "MUMPS", "SUNDIALS", "BLAS"})
 
 
-if __name__ == "__main__":
-    unittest.main()
+class Plan(unittest.TestCase):
+    def plan(self, *arguments):
+        told = rimpact("check", "impact-window", "--json", *arguments)
+        self.assertEqual(told.returncode, 0, told.stderr)
+        return json.loads(told.stdout)
+
+    def test_rung_and_mesh_as_for_run(self):
+        plan = self.plan("--rung", "rigid-dish", "--mesh", "2", "--set", 'excitation.with=["weight","friction"]')
+        self.assertEqual((plan["rung"], plan["mesh"]), ("rigid-dish", 2))
+
+    def test_a_penalty_too_stiff_is_cut_and_said(self):
+        said = [note for note in self.plan("--set", "model.penalty_scale=100")["notes"] if "penalty_scale" in note]
+        self.assertEqual(len(said), 1)
+        self.assertIn("100 is cut to 10", said[0])
+        self.assertFalse([note for note in self.plan("--set", "model.penalty_scale=10")["notes"] if "penalty_scale" in note])
 
 
 class OwnMesh(unittest.TestCase):
@@ -123,3 +136,17 @@ class OwnMesh(unittest.TestCase):
         self.assertEqual(told.returncode, 0, told.stderr)
         self.assertEqual(json.loads(told.stdout)["components"], 2)
         self.assertGreater(os.path.getsize(out), 3e4)
+
+    def test_the_mesh_of_a_scene_follows_mesh_and_whole(self):
+        def cells(*arguments):
+            told = rimpact("mesh", "--scene", "impact-window", "-o", os.path.join(self.folder.name, "of.msh"), "--json", *arguments)
+            self.assertEqual(told.returncode, 0, told.stderr)
+            return json.loads(told.stdout)["cells"]
+
+        draft = cells("--mesh", "0")
+        self.assertLess(draft, cells())
+        self.assertEqual(cells("--mesh", "0", "--whole"), 2 * draft)
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -13,7 +13,7 @@ def friction(mu):
     return [f"bearing.contact.steel_ertalyte={mu}", f"bearing.contact.steel_steel={mu}"]
 
 
-def cases(folder):
+def cases(program, folder):
     return [
         (BASE, True, window(), 0, impacts(1)),
         ("grazing, 5 mm/s", True, window(speed=0.005), 0, lambda s, of: s["peak_impact_force_N"] > 0),

@@ -72,7 +72,7 @@ def main(rung, program, folder, only=""):
     folder.mkdir(parents=True, exist_ok=True)
     table, lines, failed = Table(rung, scenes.MESH, program, folder), [], []
     header = (f"{'# case':38s} {'outcome':8s} hit   peak_kN imbalance  steps cuts newton seconds\n")
-    for name, starred, what, expected, check in scenes.cases(folder):
+    for name, starred, what, expected, check in scenes.cases(program, folder):
         if only not in name and not name.startswith("reference"):
             continue
         wrong, line = table.row(name, starred, what, expected, check)

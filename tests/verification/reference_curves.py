@@ -1,0 +1,61 @@
+#!/usr/bin/env python3
+"""Makes the reference curves kept in calibration/references: rung rigid-dish on mesh 1, windows with weight and friction from
+0.07 to 1.3 m/s, and Ricker pulses to half a second after release. Runs kept in FOLDER are not repeated. Of each run KEPT gets scene.toml,
+summary.json and response.csv, nine digits, from the start on: a run folder `rimpact calibrate` and `compare` read.
+Fails when a run's imbalance is 1e-3 or more, or it has no impact.
+usage: reference_curves.py RIMPACT FOLDER KEPT [part of a run's name]"""
+import pathlib
+import shutil
+import sys
+
+import h5py
+import numpy as np
+from kept_run import kept_run
+
+WINDOW = ['excitation.with=["weight","friction"]', "excitation.duration_s=0.06"]
+SPEEDS = (0.07, 0.1, 0.2, 0.35, 0.5, 0.7, 1.0, 1.3)  # [m/s]
+PULSES = {"pulse-0.78g-1.05": ("ricker-0.78g-1.0s", 1.05, 3.1), "pulse-0.78g-1.10": ("ricker-0.78g-1.0s", 1.10, 3.1),
+          "pulse-0.38g-1.05": ("ricker-0.38g-1.5s", 1.05, 4.3)}  # scene, scale, end [s]
+COLUMNS = {"time_s": "time", "ux_m": "displacement_x", "uy_m": "displacement_y", "uz_m": "displacement_z", "vx_m_per_s": "velocity_x",
+           "vy_m_per_s": "velocity_y", "vz_m_per_s": "velocity_z", "Fx_N": "force_x", "Fy_N": "force_y", "Fz_N": "force_z",
+           "Ix_N": "impact_x", "Iy_N": "impact_y", "gap_m": "gap"}
+SHOWN_AFTER = 0.5  # [s], after the last release
+
+
+def runs():
+    for speed in SPEEDS:
+        yield f"window-{speed:.2f}", "impact-window", [*WINDOW, f"excitation.speed_m_per_s={speed}"]
+    for name, (scene, scale, end) in PULSES.items():
+        yield name, scene, [f"excitation.scale={scale}", f"excitation.duration_s={end}"]
+
+
+def keep(folder, kept, summary):
+    kept.mkdir(parents=True, exist_ok=True)
+    for name in ("scene.toml", "summary.json"):
+        shutil.copy(folder / name, kept / name)
+    end = summary["impacts"][-1]["release_time_s"] + SHOWN_AFTER
+    with h5py.File(folder / "response.h5") as file:
+        table = np.column_stack([file[f"response/{signal}"][:] for signal in COLUMNS.values()])
+    np.savetxt(kept / "response.csv", table[table[:, 0] <= end], fmt="%.9g", delimiter=",", header=",".join(COLUMNS), comments="")
+
+
+def main(program, folder, kept, only=""):
+    failed = []
+    for name, scene, settings in runs():
+        if only not in name:
+            continue
+        run = pathlib.Path(folder) / name
+        summary = kept_run(program, "run", scene, run, settings, ["--rung", "rigid-dish", "--no-fields"])
+        imbalance = abs(summary["energy"]["imbalance_relative"])
+        print(f"{name}: {1e-3 * summary['peak_impact_force_N']:.1f} kN, imbalance {imbalance:.1e}, {summary['wall_time_s']:.0f} s", flush=True)
+        if not summary["impacts"] or imbalance >= 1e-3:
+            failed.append(name)
+            continue
+        keep(run, pathlib.Path(kept) / name, summary)
+    if failed:
+        print("FAILED " + ", ".join(failed))
+    return 1 if failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:5]))
