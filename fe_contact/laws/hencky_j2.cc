@@ -107,8 +107,8 @@ IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F) const {
   // The iterative solver: Eigen's closed form returns parallel axes for nearly equal eigenvalues (F close to
   // I).
   const Eigen::SelfAdjointEigenSolver<Matrix3> spectrum(b_trial);
-  const Eigen::Vector3d b = spectrum.eigenvalues();
-  const Matrix3 axes = spectrum.eigenvectors();
+  const Eigen::Vector3d &b = spectrum.eigenvalues();
+  const Matrix3 &axes = spectrum.eigenvectors();
   if (!(b.minCoeff() > 0)) {
     result.admissible = false;
     return result;

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <Eigen/LU>
+#include <utility>
 
 namespace rimpact::fe {
 namespace {
@@ -60,7 +61,7 @@ MasterSurface cylinder(const Vector3d &point, const Vector3d &axis, double radiu
 }
 
 MasterSurface dish(std::shared_ptr<const scene::SlidingSurface> surface, double planar_radius) {
-  const auto distance = [surface](const Vector3d &x) {
+  const auto distance = [surface = std::move(surface)](const Vector3d &x) {
     const Vector3d y = nearest_point(*surface, x), gradient = surface->gradient(y);
     const Vector3d n = -gradient.normalized(); // F < 0 above the dish
     const double gap = n.dot(x - y);

@@ -59,8 +59,8 @@ CurvedPoints curved_points(const meshes::HexMesh &mesh) {
       const auto &c = meshes::hex27_faces[f];
       points.middles[key({vertex(c[0]), vertex(c[1]), vertex(c[2]), vertex(c[3])})] = point(cell[20 + f]);
     }
-    std::vector<unsigned> all;
-    for (int corner = 0; corner < 8; ++corner) all.push_back(vertex(corner));
+    std::vector<unsigned> all(8);
+    for (int corner = 0; corner < 8; ++corner) all[corner] = vertex(corner);
     std::sort(all.begin(), all.end());
     points.centres[all] = point(cell[26]);
   }

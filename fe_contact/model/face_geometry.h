@@ -1,6 +1,7 @@
 /// Points on a deformed quadrilateral face (Lagrange, degree 1 or 2), and the closest-point projection onto
 /// it.
 #pragma once
+#include <array>
 #include <Eigen/Core>
 
 namespace rimpact::fe {
@@ -21,7 +22,9 @@ struct Projection {
   bool converged = false;
   double xi = 0, eta = 0;
   FaceShapes shapes;
-  Eigen::Vector3d point, tangent[2], second[3]; ///< second derivatives: xixi, xieta, etaeta
+  Eigen::Vector3d point;
+  std::array<Eigen::Vector3d, 2> tangent;
+  std::array<Eigen::Vector3d, 3> second; ///< derivatives: xixi, xieta, etaeta
 };
 /// Closest point of the (extended) face to x, started at (xi, eta). Stops when it wanders beyond |xi| = 3.
 Projection project(const Eigen::Vector3d &x, const FaceNodes &nodes, int degree, double xi, double eta);

@@ -23,12 +23,12 @@ Ball ball(const FaceNodes &nodes, int n) {
 /// Local nodes at the middles (or ends) of a face's edges identify it among its neighbours.
 std::vector<unsigned> edge_nodes(const Face &face, int degree, int edge) {
   const int n = degree + 1;
-  std::vector<unsigned> result;
+  std::vector<unsigned> result(n);
   for (int k = 0; k < n; ++k)
-    result.push_back(face.nodes[edge == 0   ? k * n
-                                : edge == 1 ? k * n + degree
-                                : edge == 2 ? k
-                                            : degree * n + k]);
+    result[k] = face.nodes[edge == 0   ? k * n
+                           : edge == 1 ? k * n + degree
+                           : edge == 2 ? k
+                                       : degree * n + k];
   std::sort(result.begin(), result.end());
   return result;
 }

@@ -3,6 +3,7 @@
 #include "scene/error.h"
 #include <cstdio>
 #include <filesystem>
+#include <fmt/format.h>
 #include <hdf5.h>
 
 namespace rimpact::fe {
@@ -92,7 +93,7 @@ Checkpoint read_checkpoint(const std::string &path) {
     for (const auto &name : names)
       if (kind[0] == 'n' ? !read_array(group, name, H5T_NATIVE_DOUBLE, checkpoint.numbers[name])
                          : !read_array(group, name, H5T_NATIVE_CHAR, checkpoint.texts[name]))
-        throw DataError(path + ": damaged at '" + name + "'");
+        throw DataError(fmt::format("{}: damaged at '{}'", path, name));
   }
   return checkpoint;
 }

@@ -17,7 +17,7 @@ std::optional<std::string> beyond_rungs(const scene::Scene &scene) {
 }
 
 std::optional<std::string> refusal(const scene::Scene &scene) {
-  if (const auto reason = beyond_rungs(scene)) return reason;
+  if (auto reason = beyond_rungs(scene)) return reason;
   using Kind = scene::ExcitationKind;
   const Kind kind = scene.excitation.kind;
   const std::string rung = scene.model.rung, name = "excitation.kind '" + scene::to_string(kind) + "'";
