@@ -17,6 +17,7 @@ struct Options {
 };
 
 meshes::HexMesh rim_mesh(const Options &options, const Console &console) {
+  if (!console.rung.empty()) throw InputError("--rung " + console.rung + " needs --scene: a bearing alone is meshed for rung `rim`");
   const auto bearing = scene::load_bearing(options.bearing);
   bearing.validate();
   meshes::RimMeshOptions mesh;

@@ -146,6 +146,9 @@ class OwnMesh(unittest.TestCase):
         draft = cells("--mesh", "0")
         self.assertLess(draft, cells())
         self.assertEqual(cells("--mesh", "0", "--whole"), 2 * draft)
+        told = rimpact("mesh", "shfps-225", "--rung", "full", "-o", os.path.join(self.folder.name, "of.msh"))
+        self.assertEqual(told.returncode, 2)
+        self.assertIn("--scene", told.stderr)
 
 
 if __name__ == "__main__":
