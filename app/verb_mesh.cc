@@ -21,7 +21,7 @@ meshes::HexMesh rim_mesh(const Options &options, const Console &console) {
   const auto bearing = scene::load_bearing(options.bearing);
   bearing.validate();
   meshes::RimMeshOptions mesh;
-  mesh.level = console.mesh < 0 ? mesh.level : console.mesh;
+  if (console.mesh >= 0) mesh.level = console.mesh;
   mesh.half = !options.whole;
   return meshes::rim_mesh(bearing, mesh);
 }

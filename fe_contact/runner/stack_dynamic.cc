@@ -151,7 +151,7 @@ double StackDynamic::clipped(double dt) const {
 }
 
 Attempt StackDynamic::attempt(double t, double dt) {
-  if (is_interrupted(options_)) {
+  if (is_interrupted(options_) && report_.energy_cuts == 0) { // else the resumed run would count a step's cuts anew
     next_step_ = dt;
     save();
     throw Interrupted();

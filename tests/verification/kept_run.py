@@ -4,6 +4,8 @@ import os
 import pathlib
 import subprocess
 
+WINDOW_ON_THE_DISH = ['excitation.with=["weight","friction"]', "excitation.duration_s=0.06"]  # settings of impact-window
+
 
 def kept_run(program, verb, scene, folder, settings=(), options=()):
     """The run's summary. What an older build left behind is made again, unless RIMPACT_KEEP_RUNS is set."""

@@ -11,17 +11,16 @@ import pathlib
 import sys
 
 import h5py
-from kept_run import finish, gate, kept_run
+from kept_run import WINDOW_ON_THE_DISH, finish, gate, kept_run
 
-WINDOW = ['excitation.with=["weight","friction"]', "excitation.duration_s=0.06", "excitation.speed_m_per_s=0.5"]
-SCENES = {"window": ("impact-window", WINDOW), "cycle": ("static-unidirectional", ["excitation.amplitude_m=0.39"])}
+SCENES = {"window": ("impact-window", [*WINDOW_ON_THE_DISH, "excitation.speed_m_per_s=0.5"]), "cycle": ("static-unidirectional", ["excitation.amplitude_m=0.39"])}
 CHANGES = {"window": ["model.step_ms=0.5", "model.penalty_scale=0.3", "model.penalty_scale=3", "model.rho_inf=0", "model.rho_inf=1"],
            "cycle": ["model.penalty_scale=0.3", "model.penalty_scale=3"]}
 
 
 def run_of(program, folder, name, mesh, change):
     scene, settings = SCENES[name]
-    slug = f"{name}_mesh{mesh}" + ("_" + change.split(".")[1].replace("=", "") if change else "")
+    slug = f"{name}_mesh{mesh}" + ("_" + change.removeprefix("model.").replace("=", "_") if change else "")
     summary = kept_run(program, "run", scene, folder / slug, [*settings, *([change] if change else [])],
                        ["--rung", "rigid-dish", "--mesh", str(mesh), "--no-fields"])
     with h5py.File(folder / slug / "response.h5") as file:

@@ -10,10 +10,9 @@ usage: windows_of_rungs.py RIMPACT FOLDER [speeds, e.g. 0.1,0.5] [rungs, e.g. re
 import pathlib
 import sys
 
-from kept_run import finish, gate, kept_run
+from kept_run import WINDOW_ON_THE_DISH, finish, gate, kept_run
 
-COMMON = ['excitation.with=["weight","friction"]', "excitation.duration_s=0.06", "reduced.finite_pad=true",
-          "reduced.socket_friction=true"]
+COMMON = [*WINDOW_ON_THE_DISH, "reduced.finite_pad=true", "reduced.socket_friction=true"]
 FITTED = ["reduced.k_i_kN_per_m=62903", "reduced.restitution=0.094"]
 RUNGS = ("reduced", "rim", "rigid-dish", "full")
 LATERAL_CAPACITY = 0.4  # [m]

@@ -4,7 +4,7 @@ import itertools
 import random
 import subprocess
 
-QUADRANGLE, HEXAHEDRON = 10, 12  # gmsh's types of 9 and 27 nodes; corners first, then the middles of these edges and faces
+HEXAHEDRON = 12  # gmsh's type of 27 nodes: corners first, then the middles of these edges and faces
 EDGES = ((0, 1), (0, 3), (0, 4), (1, 2), (1, 5), (2, 3), (2, 6), (3, 7), (4, 5), (4, 7), (5, 6), (6, 7))
 FACES = ((0, 1, 2, 3), (0, 1, 4, 5), (0, 3, 4, 7), (1, 2, 5, 6), (2, 3, 6, 7), (4, 5, 6, 7))
 
@@ -20,7 +20,7 @@ def skewed(program, file, share):
     cells = [words[3 + words[2]:] for words in elements if words[1] == HEXAHEDRON]
     sides = [(frozenset(cell[k] for k in face), cell, face, n) for cell in cells for n, face in enumerate(FACES)]
     shared = collections.Counter(side for side, *_ in sides)
-    held = {node for words in elements if words[1] == QUADRANGLE for node in words[3 + words[2]:]}
+    held = set()  # on a body's boundary
     for side, cell, face, n in sides:
         if shared[side] == 1:
             held.update(side, (cell[20 + n],), (cell[8 + e] for e, edge in enumerate(EDGES) if set(edge) <= set(face)))
