@@ -17,7 +17,8 @@ struct ExpectedImpact {
 
 struct Plan {
   std::string rung = "rim";
-  long expected_steps = 0;    ///< of rung rigid-dish
+  long expected_steps = 0;    ///< of rungs rigid-dish and full
+  double rests_from = 0;      ///< the scout sees no sliding any more [s]; 0: no motion to scout
   bool moves_in_time = true;  ///< false: a quasi-static path
   bool half = true;           ///< symmetric half about each arc's plane
   bool rim_takes_part = true; ///< the scout sees a touch, or comes within `margin` of it

@@ -10,11 +10,10 @@
 namespace rimpact::fe {
 namespace {
 
-constexpr double longest_flight_step = 0.01; // [s]
-constexpr double turning_step = 5e-4;        // the slider turns round in steps of this [s]
-constexpr double joining_gap = 2e-3;         // the rim's solids join here [m]
-constexpr double parting_gap = 1e-3;         // and leave here, the walls moving apart [m]
-constexpr double first_gap = 5e-5;           // a window starts here [m]
+constexpr double turning_step = 5e-4; // the slider turns round in steps of this [s]
+constexpr double joining_gap = 2e-3;  // the rim's solids join here [m]
+constexpr double parting_gap = 1e-3;  // and leave here, the walls moving apart [m]
+constexpr double first_gap = 5e-5;    // a window starts here [m]
 constexpr int checkpoint_every = 25;
 
 bool has_friction(const scene::Scene &scene) {
@@ -113,10 +112,11 @@ Eigen::VectorXd StackDynamic::load(double t) const {
   return system.dead_load(scene_.load.vertical) + system.gravity(-ground_.acceleration(t));
 }
 
-/// One phase: the stack alone, or with the rim.
+/// One phase: the stack sliding, at rest, or with the rim.
 void StackDynamic::march_on() {
   if (!near_rim_ && gap() < joining_gap && closing_speed() > 0) join();
-  const double longest = near_rim_ ? plan_.step_in_contact : longest_flight_step;
+  resting_ = rests();
+  const double longest = near_rim_ ? plan_.step_in_contact : resting_ ? longest_resting_step : longest_sliding_step;
   const MarchReport report =
       march(t_, end_time(), {std::min(next_step_, longest), transient_.smallest_step, longest},
             [&](double t, double dt) { return attempt(t, dt); });
@@ -132,15 +132,19 @@ void StackDynamic::march_on() {
 }
 
 /// Where the slider turns round its friction does, and a step takes it as it is at the step's end: by up to a step's length
-/// too early, an impulse of 2 mu N dt. So steps shrink with the time to (and since) the turn; a slider at rest has none.
+/// too early, an impulse of 2 mu N dt. So steps shrink with the time to (and since) the turn.
 double StackDynamic::longest_at_turn() const {
   constexpr double at_rest = 0.3, share = 0.7; // [m/s^2]; of that time
   const double speed = active().top_of(state_.v).head<2>().norm(), rate = active().top_of(state_.a).head<2>().norm();
-  return rate > at_rest ? std::max(turning_step, share * speed / rate) : longest_flight_step;
+  return rate > at_rest ? std::max(turning_step, share * speed / rate) : longest_sliding_step;
+}
+
+bool StackDynamic::rests() const {
+  return plan_.rests_from > 0 && t_ > plan_.rests_from && active().top_of(state_.v).head<2>().norm() < sliding_speed;
 }
 
 double StackDynamic::clipped(double dt) const {
-  if (const double longest = longest_at_turn(); !near_rim_ && dt > 1.001 * longest) return longest;
+  if (const double longest = longest_at_turn(); !near_rim_ && !resting_ && dt > 1.001 * longest) return longest;
   const double closing = closing_speed();
   if (closing <= 0 || touching()) return 0;
   const double left = near_rim_ ? surface_gap() : gap() - 0.9 * joining_gap, until = left / closing;
@@ -165,7 +169,7 @@ Attempt StackDynamic::attempt(double t, double dt) {
   if (result.accepted && near_rim_)
     result.last = !touching() && surface_gap() > parting_gap && closing_speed() < 0;
   else if (result.accepted)
-    result.last = gap() < joining_gap && closing_speed() > 0;
+    result.last = (gap() < joining_gap && closing_speed() > 0) || rests() != resting_;
   if (result.accepted && !result.last && record_.n_steps - steps_kept_ >= checkpoint_every) {
     next_step_ = result.wish;
     active().start_afresh_at(state_); // as the run that reads it will

@@ -25,6 +25,7 @@ private:
   double surface_gap() const;            ///< of the walls [m]
   double closing_speed() const;          ///< towards the rim [m/s]
   bool touching() const;
+  bool rests() const; ///< as the scout has for good
 
   void start();
   /// Quasi-static slide to just short of the rim, then the speed of a window's impact.
@@ -58,7 +59,7 @@ private:
   SystemState state_;
   TransientReport report_;  ///< its ledger: of the model, without the held rim
   HeldRim held_;
-  bool near_rim_ = false, touched_ = false, peak_written_ = false;
+  bool near_rim_ = false, touched_ = false, peak_written_ = false, resting_ = false;
   double t_ = 0, next_step_ = 0, rest_height_ = 0, rest_elastic_ = 0;
   double external_before_ = 0, height_before_ = 0, closing_before_ = 0;
   long steps_kept_ = 0; ///< steps made when the last checkpoint was written

@@ -1,5 +1,6 @@
 // Plans of rungs R2 and R3.
 #include "fe_contact/runner/plan_parts.h"
+#include "fe_contact/runner/stack_run.h"
 
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
@@ -35,6 +36,15 @@ void add_cost(Plan &plan, double iterations, double iterations_with_rim, int sec
                                   (plan.half ? 1 : whole_over_half);
 }
 
+/// Half a second after it was last farther than a millimetre from where it stays, which is more than its springs ring by [s].
+double end_of_sliding(const scene::Response &response) {
+  constexpr double time_to_settle = 0.5, ringing = 1e-3;
+  const auto &t = response.series("time"), &x = response.series("displacement_x"), &y = response.series("displacement_y");
+  std::size_t k = t.size() - 1;
+  while (k > 0 && std::hypot(x[k] - x.back(), y[k] - y.back()) < ringing) --k;
+  return t[k] + time_to_settle;
+}
+
 bool moves_along_x(const scene::Excitation &e) {
   if (e.kind == scene::ExcitationKind::record)
     return std::all_of(e.y.values.begin(), e.y.values.end(), [](double a) { return a == 0; });
@@ -47,6 +57,7 @@ void scout_stack(Plan &plan, scene::Scene scene) {
   if (scene.reduced.k_i == 0) scene.reduced.k_i = scene::ReducedSettings{}.k_i; // a scout must feel the rim
   const auto run = reduced::simulate(scene);
   add_impacts(plan, run.summary, run.response);
+  plan.rests_from = end_of_sliding(run.response);
   const auto &x = run.response.series("displacement_x"), &y = run.response.series("displacement_y");
   Eigen::Vector2d farthest = Eigen::Vector2d::UnitX() * 1e-12;
   for (std::size_t k = 0; k < x.size(); ++k)
@@ -105,7 +116,7 @@ Plan stack_motion_plan(const scene::Scene &scene) {
   if (scene.model.step > 0) plan.step_in_contact = scene.model.step;
   const auto &e = scene.excitation;
   plan.half = moves_along_x(e) && scene.model.symmetry != "whole";
-  double flight = e.duration / step_in_flight;
+  double flight = e.duration / step_in_flight, rest = 0;
   int impacts = 1;
   if (e.kind == scene::ExcitationKind::window) {
     plan.impacts.push_back({0.0, e.direction_deg, e.impact_speed(), 0.0});
@@ -114,6 +125,8 @@ Plan stack_motion_plan(const scene::Scene &scene) {
   } else {
     scout_stack(plan, scene);
     impacts = plan.impacts.size();
+    rest = std::max(0.0, e.duration - plan.rests_from);
+    flight = (e.duration - rest) / step_in_flight + rest / longest_resting_step;
   }
   const double contact = 1.2 * impacts * contact_time / plan.step_in_contact;
   plan.expected_steps = std::lround(flight + contact);

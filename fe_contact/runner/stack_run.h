@@ -5,6 +5,11 @@
 
 namespace rimpact::fe {
 
+/// Away from the rim, sliding; and at rest, where only the shaking's inertia forces change [s].
+constexpr double longest_sliding_step = 0.01, longest_resting_step = 0.05;
+/// A slower slider rests, if the scout has done sliding too [m/s].
+constexpr double sliding_speed = 2e-3;
+
 /// Runs a cyclic or figure-eight scene into `record`. Throws SolverStopped or Interrupted with the record as it
 /// stands.
 void run_stack_static(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record);
