@@ -13,7 +13,7 @@ void StackDynamic::save() const {
   const auto &e = report_.ledger;
   file.numbers["stack"] = {t_, next_step_, double(near_rim_), double(touched_), double(peak_written_), rest_height_,
                            rest_elastic_, external_before_, height_before_, held_.energies.elastic,
-                           held_.energies.plastic};
+                           held_.energies.plastic, rest_plastic_};
   file.numbers["model_ledger"] = {e.initial, e.external, e.kinetic, e.elastic, e.plastic, e.friction, e.contact,
                                   e.integrator, e.largest};
   if (held_.displacement.size()) file.numbers["held_rim"] = list(held_.displacement);
@@ -28,7 +28,7 @@ void StackDynamic::restore() {
   const auto &s = numbers(file, "stack");
   t_ = s[0], next_step_ = s[1], near_rim_ = s[2] != 0, touched_ = s[3] != 0, peak_written_ = s[4] != 0;
   rest_height_ = s[5], rest_elastic_ = s[6], external_before_ = s[7], height_before_ = s[8];
-  held_.energies = {s[9], s[10]};
+  held_.energies = {s[9], s[10]}, rest_plastic_ = s[11];
   if (file.numbers.count("held_rim")) held_.displacement = vector(numbers(file, "held_rim"));
   const auto &e = numbers(file, "model_ledger");
   report_.ledger = {e[0], e[1], e[2], e[3], e[4], e[5], e[6], e[7], e[8]};

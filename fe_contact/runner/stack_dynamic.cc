@@ -70,6 +70,7 @@ void StackDynamic::start() {
   rest_height_ = active().top_of(state_.u).z();
   if (scene_.excitation.kind == scene::ExcitationKind::window) slide_out();
   rest_elastic_ = model_.share() * state_.energies.elastic;
+  rest_plastic_ = model_.share() * state_.energies.plastic; // yielded on the way out
   height_before_ = travel().z();
   auto &ledger = report_.ledger;
   ledger.kinetic = active().kinetic_energy(state_);
@@ -203,7 +204,7 @@ void StackDynamic::account() {
   ledger.gravity -= weight;
   ledger.kinetic = share * model.kinetic;
   ledger.elastic = share * (model.elastic + (rim_is_solid() ? 0 : held_.energies.elastic)) - rest_elastic_;
-  ledger.plastic = share * (model.plastic + (rim_is_solid() ? 0 : held_.energies.plastic));
+  ledger.plastic = share * (model.plastic + (rim_is_solid() ? 0 : held_.energies.plastic)) - rest_plastic_;
   ledger.friction = share * model.friction;
   ledger.contact = share * model.contact;
   ledger.integrator = share * model.integrator;

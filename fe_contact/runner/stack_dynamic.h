@@ -60,7 +60,7 @@ private:
   TransientReport report_;  ///< its ledger: of the model, without the held rim
   HeldRim held_;
   bool near_rim_ = false, touched_ = false, peak_written_ = false, resting_ = false;
-  double t_ = 0, next_step_ = 0, rest_height_ = 0, rest_elastic_ = 0;
+  double t_ = 0, next_step_ = 0, rest_height_ = 0, rest_elastic_ = 0, rest_plastic_ = 0;
   double external_before_ = 0, height_before_ = 0, closing_before_ = 0;
   long steps_kept_ = 0; ///< steps made when the last checkpoint was written
   scene::Impact impact_{};
