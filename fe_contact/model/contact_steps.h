@@ -74,8 +74,6 @@ struct TransientReport {
   MarchReport march;
   SystemLedger ledger;
   int iterations = 0, capped_steps = 0;
-  int energy_cuts = 0;          ///< of the step being tried, for its energy error
-  double first_energy_error = 0; ///< which it had before them, over what is tolerated
 };
 
 using AfterStep = std::function<void(double t, const SystemState &, const ContactStepReport &)>;

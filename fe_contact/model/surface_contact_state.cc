@@ -74,16 +74,20 @@ SurfaceContact::Augmentation SurfaceContact::augmentation(const SurfaceContactSt
 void SurfaceContact::add_work(const SurfaceContactState &before, const SurfaceContactState &after,
                               const Eigen::VectorXd &u, SurfaceContactReport &report) const {
   for (std::size_t k = 0; k < points_.size(); ++k) {
-    const double area = points_[k].area;
+    const double area = points_[k].area, p0 = before.pressure[k], p1 = after.pressure[k];
+    if (p0 == 0 && p1 == 0) continue;
+    const Vector3d y = relative_position(k, u, after);
+    // What came over an edge or left over it had a force at one end of the step, and that force did work.
+    const bool over_an_edge = !std::isfinite(before.gap[k]) || !std::isfinite(after.gap[k]);
+    const double g0 = std::isfinite(before.gap[k]) ? before.gap[k] : master_.distance(before.start[k]).gap,
+                 g1 = std::isfinite(after.gap[k]) ? after.gap[k] : master_.distance(y).gap;
     // A penalty's spring stores energy; what is left of the trapezoidal rule at touch and release is an error of
     // the step, and must show as one. With multipliers there is only the work.
-    const double p0 = before.pressure[k], p1 = after.pressure[k];
-    if (before.multiplier[k] == 0 && after.multiplier[k] == 0)
+    if (!over_an_edge && before.multiplier[k] == 0 && after.multiplier[k] == 0)
       report.normal_work += area * (p1 * p1 - p0 * p0) / (2 * options_.law.normal_penalty * after.stiffening);
-    else if (std::isfinite(before.gap[k]) && std::isfinite(after.gap[k]))
-      report.normal_work -= 0.5 * area * (p0 + p1) * (after.gap[k] - before.gap[k]);
-    report.friction_work -= 0.5 * area * (before.friction[k] + after.friction[k])
-                                             .dot(relative_position(k, u, after) - before.start[k]);
+    else
+      report.normal_work -= 0.5 * area * (p0 + p1) * (g1 - g0);
+    report.friction_work -= 0.5 * area * (before.friction[k] + after.friction[k]).dot(y - before.start[k]);
   }
 }
 

@@ -67,17 +67,11 @@ Attempt checked_step(ContactSystem &system, SystemState &state, double t, double
   // A loss is the integrator's damping of waves the step cannot resolve; a gain is an error.
   const double error = std::abs(unbalanced) / (options.energy_tolerance * largest) +
                        std::max(0.0, -step.integrator_loss) / (options.gain_tolerance * largest);
-  // Halving buys a factor of about eight. What two cuts leave as it was is not the step's: it came with what is settled between two
-  // steps, whatever their length (points covered, the multipliers' fit). Such a step, and the smallest one, is taken and the ledger shows it.
-  constexpr int most_in_vain = 2;
-  constexpr double hardly_less = 0.9, small = 10;
-  const bool in_vain = report.energy_cuts >= most_in_vain && error > hardly_less * report.first_energy_error && error < small;
-  if (error > 1 && dt > 1.001 * options.smallest_step && !in_vain) {
-    if (report.energy_cuts++ == 0) report.first_energy_error = error;
+  // Halving buys a factor of about eight; the smallest step is taken whatever its error, and the ledger shows it.
+  if (error > 1 && dt > 1.001 * options.smallest_step) {
     state = kept;
     return {false, dt * std::clamp(0.8 / std::cbrt(error), 0.2, 0.7), "the step's energy error is too large"};
   }
-  report.energy_cuts = 0;
   ledger.external += external;
   ledger.kinetic = kinetic;
   ledger.elastic = state.energies.elastic;

@@ -156,7 +156,7 @@ double StackDynamic::clipped(double dt) const {
 }
 
 Attempt StackDynamic::attempt(double t, double dt) {
-  if (is_interrupted(options_) && report_.energy_cuts == 0) { // else the resumed run would count a step's cuts anew
+  if (is_interrupted(options_)) {
     next_step_ = dt;
     save();
     throw Interrupted();
