@@ -15,16 +15,18 @@ using meshes::Volume;
 
 constexpr double block_modulus = 1e9; ///< [Pa]
 
-/// A block whose lower face rides on a carried sphere, held by its top.
+/// A block whose lower face rides on a carried sphere, held by its top; `covers`: where there is a sphere.
 struct Block {
-  explicit Block(const FrictionCoefficient &friction, int degree = 2)
+  explicit Block(const FrictionCoefficient &friction, int degree = 2, std::function<bool(const Vector3d &)> covers = {})
       : space(mesh(), degree), solid(space, {{Volume::rim, scene::Material{block_modulus, 0.3, 1000, {}, {}}}}), supports(space) {
     carrier = supports.add_body();
     for (int i = 0; i < 3; ++i) supports.fix(i, [](const Vector3d &x) { return x.z() > 0.1 - 1e-9; });
     system.emplace(space, solid, supports.number());
     SurfaceContactOptions options{{block_modulus / 0.05, block_modulus / 0.05, friction}};
     options.carrier_dof = carrier;
-    system->add_contact(Surface::slider_side, sphere({0.1, 0.05, -20.0}, 20.0, Side::outside), options);
+    MasterSurface ball = sphere({0.1, 0.05, -20.0}, 20.0, Side::outside);
+    if (covers) ball.covers = std::move(covers);
+    system->add_contact(Surface::slider_side, std::move(ball), options);
     system->add_mass(carrier, 5.0);
     for (int i = 0; i < 3; ++i) carrier_equations[i] = system->equations().of_dof[carrier + i];
   }

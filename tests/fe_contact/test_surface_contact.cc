@@ -97,6 +97,31 @@ TEST(SlidingBlock, PenaltyAndMultiplierAgreeOnTheFrictionForce) {
   }
 }
 
+TEST(Ledger, CountsPointsThatLeaveOverAnEdgeAndThatComeOverIt) {
+  constexpr double first_points = 0.1 * 0.0694318442, edge = first_points - 1e-3, pressed = 6e-4; // the points from the face's side [m]
+  Block block(FrictionCoefficient::constant(0), 2, [](const Vector3d &y) { return y.x() > edge; });
+  SystemState state = block.system->at_rest();
+  double elastic = 0, x = 0, z = 0;
+  Vector3d force = Vector3d::Zero();
+  const auto left_by = [&](double next_x, double next_z) {
+    EXPECT_TRUE(static_step(*block.system, state, block.drive(next_x, next_z, 1e-3), {}).converged);
+    const Vector3d moved(next_x - x, 0.3 * (next_x - x), next_z - z);
+    const auto &report = state.reports[0];
+    const double left = 0.5 * (force + report.force).dot(moved) - (state.energies.elastic - elastic) - report.normal_work;
+    elastic = state.energies.elastic, force = report.force, x = next_x, z = next_z;
+    return std::abs(left);
+  };
+  left_by(0, pressed);
+  const double stored = elastic, whole = force.z();
+  EXPECT_LT(left_by(2e-3, pressed), 2e-3 * stored); // settled at its end: a column of points is past the edge
+  EXPECT_LT(left_by(2.1e-3, pressed), 2e-3 * stored);
+  EXPECT_LT(force.z(), 0.99 * whole);
+  EXPECT_GT(state.reports[0].normal_work, 5e-3 * stored);
+  EXPECT_LT(left_by(0, pressed), 2e-3 * stored);
+  EXPECT_LT(left_by(1e-5, pressed), 2e-3 * stored); // they are back
+  EXPECT_NEAR(force.z(), whole, 1e-3 * whole);
+}
+
 struct Carried : ::testing::TestWithParam<int> {};
 
 TEST_P(Carried, TangentIsTheDerivativeAndActionIsReaction) {
