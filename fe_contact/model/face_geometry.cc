@@ -1,7 +1,9 @@
 #include "fe_contact/model/face_geometry.h"
 
+#include <algorithm>
 #include <cmath>
 #include <Eigen/LU>
+#include <limits>
 
 namespace rimpact::fe {
 namespace {
@@ -46,13 +48,25 @@ FaceShapes face_shapes(int degree, double xi, double eta) {
 }
 
 Projection project(const Eigen::Vector3d &x, const FaceNodes &nodes, int degree, double xi, double eta) {
+  // On a face whose corner is nearly straight a full step from the middle can lead away for good, so steps are bounded,
+  // and halved until the point comes nearer.
+  constexpr double longest = 1.0; // half widths
   Projection p;
   p.xi = xi;
   p.eta = eta;
-  for (int iteration = 0; iteration < 20; ++iteration) {
+  Eigen::Vector2d step = Eigen::Vector2d::Zero();
+  double nearest = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < 40; ++iteration) {
     p.shapes = face_shapes(degree, p.xi, p.eta);
     evaluate(p, nodes);
     const Eigen::Vector3d distance = x - p.point;
+    if (distance.squaredNorm() > nearest * (1 + 1e-9) && step.cwiseAbs().maxCoeff() > 1e-6) {
+      step *= 0.5;
+      p.xi -= step[0];
+      p.eta -= step[1];
+      continue;
+    }
+    nearest = distance.squaredNorm();
     const Eigen::Vector2d residual(p.tangent[0].dot(distance), p.tangent[1].dot(distance));
     Eigen::Matrix2d metric, hessian;
     metric << p.tangent[0].squaredNorm(), p.tangent[0].dot(p.tangent[1]), p.tangent[0].dot(p.tangent[1]),
@@ -60,14 +74,15 @@ Projection project(const Eigen::Vector3d &x, const FaceNodes &nodes, int degree,
     hessian << p.second[0].dot(distance), p.second[1].dot(distance), p.second[1].dot(distance),
         p.second[2].dot(distance);
     Eigen::Matrix2d tangent = metric - hessian;
-    if (tangent.determinant() <= 0.1 * metric.determinant()) tangent = metric; // far away: Gauss-Newton
+    if (tangent.determinant() <= 0.1 * metric.determinant() || tangent.trace() <= 0) tangent = metric; // far away: Gauss-Newton
     const Eigen::Vector2d change = tangent.inverse() * residual;
     if (change.cwiseAbs().maxCoeff() < 1e-13) {
       p.converged = true;
       return p;
     }
-    p.xi += change[0];
-    p.eta += change[1];
+    step = change * std::min(1.0, longest / change.cwiseAbs().maxCoeff());
+    p.xi += step[0];
+    p.eta += step[1];
     if (std::abs(p.xi) > 3 || std::abs(p.eta) > 3) return p;
   }
   // Rounding can keep the change just above the threshold; the last point is as close as doubles allow.

@@ -1,6 +1,8 @@
 // Rung R2's plans, and the hand-over of a state when the rim joins and leaves.
+#include "fe_contact/model/master_faces.h"
 #include "fe_contact/runner/plan.h"
 #include "fe_contact/runner/stack_transfer.h"
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 namespace rimpact::fe {
@@ -101,6 +103,34 @@ TEST_F(StackTransfer, TheRimIsHeldWithoutItsEquationsAndKeepsItsShape) {
   EXPECT_DOUBLE_EQ(joined_.kinetic_energy(again), alone_.kinetic_energy(apart));
   EXPECT_EQ(again.history[joined_.space().n_cells * 27 - 1].alpha, 0.02);
   EXPECT_NEAR(again.energies.elastic, 50.0, 1e-12);
+}
+
+/// From its own face as a start and from none: a point that is not found would be out of contact, whatever it bears.
+TEST(StackFaces, EveryPointOnSocketAndRimIsFound) {
+  meshes::StackMeshOptions options;
+  options.rim = true;
+  options.half = false;
+  for (options.level = 0; options.level < 2; ++options.level) {
+    const StackModel model(scene::Bearing{}, options);
+    const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(3 * model.space.n_nodes);
+    for (const auto group : {meshes::Surface::socket, meshes::Surface::rim_wall}) {
+      const MasterFaces faces(model.space, group);
+      int lost = 0;
+      for (std::size_t f = 0; f < model.space.faces_of(group).size(); ++f)
+        for (double xi = -0.95; xi < 1; xi += 0.38)
+          for (double eta = -0.95; eta < 1; eta += 0.38) {
+            Eigen::Vector3d x = Eigen::Vector3d::Zero(), along[2] = {x, x};
+            const FaceShapes shapes = face_shapes(model.space.degree, xi, eta);
+            for (int a = 0; a < shapes.n; ++a) {
+              const Eigen::Vector3d &node = model.space.positions[faces.face(f).nodes[a]];
+              x += shapes.N[a] * node, along[0] += shapes.dxi[a] * node, along[1] += shapes.deta[a] * node;
+            }
+            x += 2e-4 * along[0].cross(along[1]).normalized();
+            for (const int guess : {-1, static_cast<int>(f)}) lost += faces.find(x, at_rest, guess, 0.0).face != static_cast<int>(f);
+          }
+      EXPECT_EQ(lost, 0) << "level " << options.level << ", group " << static_cast<int>(group);
+    }
+  }
 }
 
 TEST_F(StackTransfer, TheCarriedMassIsTheWholeOfIt) {
