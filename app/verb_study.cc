@@ -139,7 +139,7 @@ void add_study(CLI::App &app, Console &console) {
       ->capture_default_str();
   verb->add_option("--meshes", options->meshes, "values of the axis mesh")
       ->delimiter(',')
-      ->check(CLI::Range(1, 3))
+      ->check(CLI::Range(0, 3))
       ->capture_default_str();
   verb->add_option("--steps", options->steps, "values of the axis step [ms]")
       ->delimiter(',')
