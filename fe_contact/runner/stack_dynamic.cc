@@ -117,6 +117,7 @@ Eigen::VectorXd StackDynamic::load(double t) const {
 void StackDynamic::march_on() {
   if (!near_rim_ && gap() < joining_gap && closing_speed() > 0) join();
   resting_ = rests();
+  transient_.step.rho_inf = resting_ ? 0 : scene_.model.rho_inf; // what rings on, of springs without damping, is of no interest
   const double longest = near_rim_ ? plan_.step_in_contact : resting_ ? longest_resting_step : longest_sliding_step;
   const MarchReport report =
       march(t_, end_time(), {std::min(next_step_, longest), transient_.smallest_step, longest},

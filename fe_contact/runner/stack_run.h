@@ -7,8 +7,8 @@ namespace rimpact::fe {
 
 /// Away from the rim, sliding; and at rest, where only the shaking's inertia forces change [s].
 constexpr double longest_sliding_step = 0.01, longest_resting_step = 0.05;
-/// A slower slider rests, if the scout has done sliding too [m/s].
-constexpr double sliding_speed = 2e-3;
+/// A slower slider rests, if the scout has done sliding too; the stack rings with half of it [m/s].
+constexpr double sliding_speed = 1e-2;
 
 /// Runs a cyclic or figure-eight scene into `record`. Throws SolverStopped or Interrupted with the record as it
 /// stands.

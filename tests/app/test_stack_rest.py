@@ -10,7 +10,7 @@ from command import rimpact
 
 MASS, GRAVITY = 853e3 / 9.81, 9.81
 PUSH_ENDS, END, SWAY = 0.1, 5.0, 0.02  # [s], [s], [g]
-RINGS_ON = 2.6  # [s]; until the steps have damped what it rings with on stopping
+RINGS_ON = 0.5  # [s]; until the steps have damped what it rings with on stopping
 
 
 def ground(t):
