@@ -32,6 +32,18 @@ TEST(StackPlan, APulseMeshesTheSideTheScoutTouchesAndTheOtherOnlyWhenItComesNear
   EXPECT_TRUE(plan_of("ricker-0.78g-1.0s", {"excitation.scale=2.0"}).opposite_sector);
 }
 
+TEST(StackPlan, RestTakesLongStepsAndIsSaid) {
+  const Plan whole = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05"}), cut = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05", "excitation.duration_s=3"});
+  EXPECT_GT(whole.rests_from, 4);
+  EXPECT_LT(whole.rests_from, 6);
+  EXPECT_LT(whole.expected_steps - cut.expected_steps, (whole.rests_from - 3) / 0.008 + (8 - whole.rests_from) / 0.05 + 1);
+  const auto said = [](const Plan &plan) {
+    return std::any_of(plan.notes.begin(), plan.notes.end(), [](const auto &note) { return note.find("rests from") != std::string::npos; });
+  };
+  EXPECT_TRUE(said(whole));
+  EXPECT_FALSE(said(cut));
+}
+
 TEST(StackPlan, APushMeshesTheRimWhereItGoes) {
   const Plan along = plan_of("rim-push"), aslant = plan_of("rim-push", {"excitation.direction_deg=30"});
   EXPECT_TRUE(along.half && along.rim_takes_part);
