@@ -60,7 +60,7 @@ void put(Checkpoint &file, const scene::Scene &scene, const RunRecord &record) {
   for (const auto &impact : record.impacts)
     for (const double value : list(impact)) impacts.push_back(value);
   file.numbers["counts"] = {double(record.n_steps), double(record.n_newton), double(record.n_cuts),
-                            double(record.augmentation_caps), record.smallest_normal};
+                            double(record.augmentation_caps)};
   for (const auto &[name, values] : record.response.all()) file.numbers["response_" + name] = values;
   file.numbers["seconds_wall"] = {record.wall_so_far()};
   for (const auto &[name, seconds] : record.split_so_far()) file.numbers["seconds_" + name] = {seconds};
@@ -77,8 +77,7 @@ void get(const Checkpoint &file, const std::string &path, const scene::Scene &sc
   for (std::size_t k = 0; k + per_impact <= impacts.size(); k += per_impact)
     record.impacts.push_back(impact_from({impacts.begin() + k, impacts.begin() + k + per_impact}));
   const auto &n = numbers(file, "counts");
-  record.n_steps = n[0], record.n_newton = n[1], record.n_cuts = n[2], record.augmentation_caps = n[3],
-  record.smallest_normal = n[4];
+  record.n_steps = n[0], record.n_newton = n[1], record.n_cuts = n[2], record.augmentation_caps = n[3];
   for (const auto &[name, values] : file.numbers) {
     if (name.rfind("response_", 0) == 0)
       for (const double value : values) record.response.append(name.substr(9), value);

@@ -174,7 +174,6 @@ void DynamicRun::accept(Arc &arc, const ArcState &kept, const MassForces &before
   ledger.largest_input = std::max(ledger.largest_input, ledger.initial + std::abs(ledger.external));
   bearing_.u = u1;
   bearing_.v = arc.frame.to_global(arc.state.master_velocity);
-  if (support_ == Support::dish) record_.smallest_normal = std::min(record_.smallest_normal, after.normal);
   sample(arc, report, after, dt);
 
   const double force = report.rim_force.head<2>().norm();

@@ -23,7 +23,7 @@ scene::Summary summarise(const scene::Scene &scene, const RunRecord &record) {
   summary.mesh = scene.model.mesh;
   summary.n_steps = record.n_steps;
   summary.n_newton_iterations = record.n_newton;
-  summary.min_normal_force = record.smallest_normal;
+  if (scene.excitation.kind == scene::ExcitationKind::window && !scene.excitation.with_weight) summary.min_normal_force.reset();
   summary.wall_time = seconds;
   summary.peak_memory_bytes = static_cast<long>(ranks().sum(static_cast<double>(scene::peak_memory_bytes())));
   summary.n_dofs = record.n_dofs;

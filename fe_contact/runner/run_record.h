@@ -13,7 +13,6 @@ struct RunRecord {
   scene::EnergyLedger ledger;
   std::vector<scene::Impact> impacts;
   long n_steps = 0, n_newton = 0, n_cuts = 0, augmentation_caps = 0;
-  double smallest_normal = 0;
   long n_dofs = 0;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   double earlier_wall = 0; ///< of the processes before a restart [s]

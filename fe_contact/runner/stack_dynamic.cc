@@ -188,7 +188,6 @@ void StackDynamic::after_step(double t, double dt, const ContactStepReport &step
   account();
   follow_impact(t, dt);
   const StackForces forces = forces_of(model_, state_);
-  record_.smallest_normal = std::min(record_.smallest_normal, forces.dish.z());
   recorder_.sample(t, travel(), active().top_of(state_.v), state_, step.iterations, dt);
   if (options_.progress)
     options_.progress({t, end_time(), dt, step.iterations, gap(), forces.rim.head<2>().norm(),

@@ -29,6 +29,7 @@ class RimWindow(unittest.TestCase):
             self.assertLess(abs(energy["imbalance_relative"]), 1e-3)
             self.assertLess(abs(energy["integrator_J"]), 0.01 * 0.5 * 86952 * 0.05**2)
             self.assertEqual(result["n_impacts"], 1)
+            self.assertIsNone(result["min_normal_force_N"])  # a window without weight
             self.assertGreater(result["impacts"][0]["restitution"], 0.3)
             self.assertLess(result["impacts"][0]["restitution"], 1.0)
             # Impulse of the rim's force = change of momentum of the mass: independent of the solver.

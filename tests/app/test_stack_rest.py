@@ -32,7 +32,9 @@ class Rest(unittest.TestCase):
             made = rimpact("run", *scene, "-o", run, "--no-fields", "--quiet")
             self.assertEqual(made.returncode, 0, made.stderr)
             with open(os.path.join(run, "summary.json")) as file:
-                self.assertLess(abs(json.load(file)["energy"]["imbalance_relative"]), 1e-3)
+                summary = json.load(file)
+            self.assertLess(abs(summary["energy"]["imbalance_relative"]), 1e-3)
+            self.assertAlmostEqual(summary["min_normal_force_N"] / (MASS * GRAVITY), 1, delta=0.2)
             with open(os.path.join(run, "response.csv")) as file:
                 rows = [(float(row["time_s"]), float(row["ux_m"]), float(row["Fx_N"])) for row in csv.DictReader(file)]
             rest = [row for row in rows if row[0] > plan["rests_from_s"] + RINGS_ON]
