@@ -28,8 +28,11 @@ void add(const fs::path &file, const std::string &name, std::vector<StoredStudy>
   }
 }
 
-/// Whether the study has the rung and mesh with an error that is known.
+/// Whether the study has the rung and mesh with an error that is known: against a finer mesh of that rung, not against another
+/// rung, which models more.
 bool knows(const StoredStudy &study, const scene::Scene &scene) {
+  for (const json &row : study.json["rows"])
+    if (row.value("reference", false) && row.value("rung", "") != scene.model.rung) return false;
   const bool extrapolated = study.json.value("extrapolated_peak_force_N", json()).is_number();
   for (const json &row : study.json["rows"])
     if (row.value("rung", "") == scene.model.rung && row.value("mesh", 0) == scene.model.mesh &&

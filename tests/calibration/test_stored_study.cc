@@ -38,6 +38,13 @@ TEST_F(ErrorEstimate, IsThatOfTheNearestSpeed) {
   EXPECT_EQ(sentence.find("far from it"), std::string::npos);
 }
 
+TEST_F(ErrorEstimate, IsNotTakenFromAStudyAgainstAnotherRung) {
+  StoredStudy rungs = study("rungs", 0.4, 0.05, false);
+  rungs.json["rows"][1]["rung"] = "full";
+  studies.push_back(rungs);
+  EXPECT_EQ(error_estimate(scene, summary, studies)["from"], "fast");
+}
+
 TEST_F(ErrorEstimate, SaysWhenTheNearestIsFar) {
   summary.impacts[0].approach_speed = 0.02;
   const auto estimate = error_estimate(scene, summary, studies);
