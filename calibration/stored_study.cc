@@ -28,11 +28,17 @@ void add(const fs::path &file, const std::string &name, std::vector<StoredStudy>
   }
 }
 
+/// The row the others' errors are against; none: the study is not finished.
+const json *reference_of(const json &study) {
+  for (const json &row : study["rows"])
+    if (row.value("reference", false)) return &row;
+  return nullptr;
+}
+
 /// Whether the study has the rung and mesh with an error that is known: against a finer mesh of that rung, not against another
 /// rung, which models more.
 bool knows(const StoredStudy &study, const scene::Scene &scene) {
-  for (const json &row : study.json["rows"])
-    if (row.value("reference", false) && row.value("rung", "") != scene.model.rung) return false;
+  if (const json *reference = reference_of(study.json); reference && reference->value("rung", "") != scene.model.rung) return false;
   const bool extrapolated = study.json.value("extrapolated_peak_force_N", json()).is_number();
   for (const json &row : study.json["rows"])
     if (row.value("rung", "") == scene.model.rung && row.value("mesh", 0) == scene.model.mesh &&
@@ -54,8 +60,7 @@ json largest(const StoredStudy &study, const scene::Scene &scene, const char *er
 std::string against(const json &study) {
   if (study["extrapolated_peak_force_N"].is_number())
     return fmt::format("the limit of three meshes (observed order {:.2g})", study["observed_order"].get<double>());
-  for (const json &row : study["rows"])
-    if (row.value("reference", false)) return "its finest run, " + row.value("name", "");
+  if (const json *reference = reference_of(study)) return "its finest run, " + reference->value("name", "");
   return "its finest run";
 }
 

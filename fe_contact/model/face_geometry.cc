@@ -60,13 +60,14 @@ Projection project(const Eigen::Vector3d &x, const FaceNodes &nodes, int degree,
     p.shapes = face_shapes(degree, p.xi, p.eta);
     evaluate(p, nodes);
     const Eigen::Vector3d distance = x - p.point;
-    if (distance.squaredNorm() > nearest * (1 + 1e-9) && step.cwiseAbs().maxCoeff() > 1e-6) {
+    const double square = distance.squaredNorm();
+    if (square > nearest * (1 + 1e-9) && step.cwiseAbs().maxCoeff() > 1e-6) {
       step *= 0.5;
       p.xi -= step[0];
       p.eta -= step[1];
       continue;
     }
-    nearest = distance.squaredNorm();
+    nearest = square;
     const Eigen::Vector2d residual(p.tangent[0].dot(distance), p.tangent[1].dot(distance));
     Eigen::Matrix2d metric, hessian;
     metric << p.tangent[0].squaredNorm(), p.tangent[0].dot(p.tangent[1]), p.tangent[0].dot(p.tangent[1]),
@@ -76,11 +77,12 @@ Projection project(const Eigen::Vector3d &x, const FaceNodes &nodes, int degree,
     Eigen::Matrix2d tangent = metric - hessian;
     if (tangent.determinant() <= 0.1 * metric.determinant() || tangent.trace() <= 0) tangent = metric; // far away: Gauss-Newton
     const Eigen::Vector2d change = tangent.inverse() * residual;
-    if (change.cwiseAbs().maxCoeff() < 1e-13) {
+    const double size = change.cwiseAbs().maxCoeff();
+    if (size < 1e-13) {
       p.converged = true;
       return p;
     }
-    step = change * std::min(1.0, longest / change.cwiseAbs().maxCoeff());
+    step = change * std::min(1.0, longest / size);
     p.xi += step[0];
     p.eta += step[1];
     if (std::abs(p.xi) > 3 || std::abs(p.eta) > 3) return p;

@@ -28,7 +28,8 @@ void StackDynamic::restore() {
   const auto &s = numbers(file, "stack");
   t_ = s[0], next_step_ = s[1], near_rim_ = s[2] != 0, touched_ = s[3] != 0, peak_written_ = s[4] != 0;
   rest_height_ = s[5], rest_elastic_ = s[6], external_before_ = s[7], height_before_ = s[8];
-  held_.energies = {s[9], s[10]}, rest_plastic_ = s[11];
+  held_.energies = {s[9], s[10]};
+  rest_plastic_ = s.size() > 11 ? s[11] : 0; // a checkpoint of an older build has none
   if (file.numbers.count("held_rim")) held_.displacement = vector(numbers(file, "held_rim"));
   const auto &e = numbers(file, "model_ledger");
   report_.ledger = {e[0], e[1], e[2], e[3], e[4], e[5], e[6], e[7], e[8]};

@@ -134,7 +134,7 @@ void StackDynamic::march_on() {
 }
 
 /// Where the slider turns round its friction does, and a step takes it as it is at the step's end: by up to a step's length
-/// too early, an impulse of 2 mu N dt. So steps shrink with the time to (and since) the turn.
+/// too early, an impulse of 2 mu N dt. So steps shrink with the time to (and since) the turn; a slider that hardly accelerates has none.
 double StackDynamic::longest_at_turn() const {
   constexpr double at_rest = 0.3, share = 0.7; // [m/s^2]; of that time
   const double speed = active().top_of(state_.v).head<2>().norm(), rate = active().top_of(state_.a).head<2>().norm();
