@@ -2,7 +2,10 @@
 #include "meshes/half_disc.h"
 #include "meshes/plate_section.h"
 #include "meshes/rim_mesh.h"
+#include "meshes/touched_places.h"
 #include <algorithm>
+#include <cmath>
+#include <utility>
 
 namespace rimpact::meshes {
 namespace {
@@ -10,25 +13,40 @@ namespace {
 constexpr double mm = 1e-3;
 
 /// 0 .. pi in pairs of equal intervals, as half_disc asks; fine where the rim is touched.
-std::vector<double> disc_angles(double fine, double zone, double sector, double h, bool both_sides) {
-  std::vector<Anchor> sizes{{0, 2 * fine}, {zone, 2 * fine}, {sector, 0.6 * h}};
-  if (both_sides) {
-    sizes.push_back({M_PI - sector, 0.6 * h});
-    sizes.push_back({M_PI - zone, 2 * fine});
-    sizes.push_back({M_PI, 2 * fine});
-  } else {
-    sizes.push_back({M_PI, 0.6 * h});
+std::vector<double> disc_angles(const std::vector<double> &places, const PlaceSizes &sizes) {
+  std::vector<Anchor> anchors;
+  for (const double place : places) {
+    if (!anchors.empty()) add_between(anchors, anchors.back().at, place, sizes);
+    anchors.push_back({place, sizes.fine});
   }
-  return halved(graded_lines(sizes));
+  const double last = places.back();
+  if (last + sizes.zone < M_PI) anchors.push_back({last + sizes.zone, sizes.fine});
+  if (last + sizes.reach < M_PI) anchors.push_back({last + sizes.reach, sizes.coarse});
+  if (last < M_PI) anchors.push_back({M_PI, sizes.coarse});
+  return halved(graded_lines(anchors));
+}
+
+/// Runs of the grid's intervals that belong to a sector of the rim.
+std::vector<std::vector<double>> rim_runs(const std::vector<double> &angles, const std::vector<double> &places, double reach) {
+  std::vector<std::vector<double>> runs;
+  bool in_rim = false;
+  for (std::size_t k = 0; k + 1 < angles.size(); ++k) {
+    const double middle = 0.5 * (angles[k] + angles[k + 1]);
+    const bool was_in_rim = std::exchange(in_rim, std::any_of(places.begin(), places.end(), [&](double place) { return std::abs(middle - place) < reach; }));
+    if (!in_rim) continue;
+    if (!was_in_rim) runs.push_back({angles[k]});
+    runs.back().push_back(angles[k + 1]);
+  }
+  return runs;
 }
 
 } // namespace
 
-void add_whole_plate(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions &options, bool both_sides) {
+void add_whole_plate(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions &options) {
   constexpr double core = 0.25; // radius [m]
   const double h = size_factor(options.level), wall = bearing.surface.planar_radius + bearing.rim.ledge;
-  const double sector = options.sector_half_angle;
-  const std::vector<double> angles = disc_angles(10 * mm * h / wall, 20 * mm / wall, sector, h, both_sides);
+  const PlaceSizes sizes{2 * 10 * mm * h / wall, 20 * mm / wall, options.sector_half_angle, 0.6 * h};
+  const std::vector<double> places = folded(from_the_first(options.directions)), angles = disc_angles(places, sizes);
   const double size = 80 * mm * h; // as coarse as the pad's path allows
   const std::vector<double> layers = plate_layers(bearing, h); // the rim's foot bends the plate as in rung R2
   std::vector<Quad9> plate, rim;
@@ -38,13 +56,10 @@ void add_whole_plate(HexMesh &mesh, const scene::Bearing &bearing, const RimMesh
   }
   Body body(mesh);
   body.revolve(plate, angles, 0.0, Surface::symmetry, Surface::symmetry);
-  std::vector<double> front, back;
-  for (const double angle : angles) {
-    if (angle <= sector + 1e-9) front.push_back(angle);
-    if (angle >= M_PI - sector - 1e-9) back.push_back(angle);
+  for (const auto &run : rim_runs(angles, places, sizes.reach)) {
+    const auto end = [&](double at, double symmetry) { return std::abs(at - symmetry) < 1e-9 ? std::optional(Surface::symmetry) : std::nullopt; };
+    body.revolve(rim, run, 0.0, end(run.front(), 0), end(run.back(), M_PI));
   }
-  body.revolve(rim, front, 0.0, Surface::symmetry, {});
-  if (both_sides) body.revolve(rim, back, 0.0, {}, Surface::symmetry);
   const auto surface = scene::make_surface(bearing.surface);
   const double base = -bearing.plate.base;
   const auto height = [&](double r, double level) { return base + at_level(layers, level) * (surface->at(r, 0).z - base); };

@@ -4,7 +4,7 @@
 #include "meshes/own_mesh.h"
 #include "meshes/plate_section.h"
 #include "meshes/slider_section.h"
-#include <algorithm>
+#include "meshes/touched_places.h"
 #include <cmath>
 
 namespace rimpact::meshes {
@@ -15,15 +15,15 @@ constexpr double mm = 1e-3;
 void add_rim(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions &options) {
   const double h = size_factor(options.level);
   const double wall = bearing.surface.planar_radius + bearing.rim.ledge;
-  const double fine = 10 * mm * h / wall, zone = 20 * mm / wall;
-  std::vector<double> angles = graded_lines({{0, fine}, {zone, fine}, {options.sector_half_angle, 0.45 * h}});
-  if (options.opposite) {
-    std::reverse(angles.begin(), angles.end());
-    for (double &angle : angles) angle = M_PI - angle;
+  const PlaceSizes sizes{10 * mm * h / wall, 20 * mm / wall, options.sector_half_angle, 0.45 * h};
+  const std::vector<Quad9> section = plate_and_rim(bearing, {options.plate_inner_radius, 60 * mm * h, plate_layers(bearing, h)}, h);
+  for (const RimArc &arc : rim_arcs(from_the_first(options.directions), sizes, options.half)) {
+    const auto end = [&](bool at_symmetry) -> std::optional<Surface> {
+      if (arc.closed) return {};
+      return at_symmetry ? Surface::symmetry : Surface::sector_end;
+    };
+    Body(mesh).revolve(section, arc.angles, 0.0, end(arc.from_symmetry), end(arc.to_symmetry));
   }
-  Body(mesh).revolve(plate_and_rim(bearing, {options.plate_inner_radius, 60 * mm * h, plate_layers(bearing, h)}, h), angles, 0.0,
-                     options.opposite ? Surface::sector_end : Surface::symmetry,
-                     options.opposite ? Surface::symmetry : Surface::sector_end);
 }
 
 void flatten(HexMesh &mesh) {
@@ -35,7 +35,9 @@ HexMesh rim_mesh(const scene::Bearing &bearing, const RimMeshOptions &options) {
   if (options.own.any())
     return own_mesh(options.own, bearing, {{Volume::plate, Volume::rim, Volume::upper_slider}, rim_groups, bearing.lateral_capacity(), options.half});
   HexMesh mesh;
-  add_rim(mesh, bearing, options);
+  RimMeshOptions half = options;
+  half.half = true;
+  add_rim(mesh, bearing, half);
   add_slider(mesh, bearing, size_factor(options.level), bearing.lateral_capacity());
   flatten(mesh);
   HexMesh result = options.half ? mesh : mirrored(mesh);

@@ -1,6 +1,7 @@
 #include "meshes/slider_section.h"
 
 #include "meshes/half_disc.h"
+#include "meshes/touched_places.h"
 #include <cmath>
 
 namespace rimpact::meshes {
@@ -99,15 +100,23 @@ std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
 
 } // namespace
 
-void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double travel, bool both_sides) {
+void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double travel, const std::vector<double> &places) {
   const SliderShape s = shape_of(bearing, travel);
   const RingGrid grid = ring_grid(s, h);
   // Angles come in equal pairs: gmsh halves every edge of the core's plan.
-  const double fine = 2 * 10 * mm * h / s.radius;
-  const double zone = 20 * mm / s.radius;
-  std::vector<Anchor> sizes{{0, fine}, {zone, fine}, {M_PI, 2 * 1.5 * h}};
-  if (both_sides) sizes = {{0, fine}, {zone, fine}, {M_PI / 2, 0.9 * h}, {M_PI - zone, fine}, {M_PI, fine}};
-  const std::vector<double> angles = halved(graded_lines(sizes));
+  const PlaceSizes sizes{2 * 10 * mm * h / s.radius, 20 * mm / s.radius, M_PI / 2, 0.9 * h};
+  std::vector<Anchor> anchors;
+  for (const double place : places) {
+    if (!anchors.empty()) add_between(anchors, anchors.back().at, place, sizes);
+    anchors.push_back({place, sizes.fine});
+  }
+  if (const double left = M_PI - anchors.back().at; left > sizes.zone) {
+    anchors.push_back({anchors.back().at + sizes.zone, sizes.fine});
+    anchors.push_back({M_PI, std::max(sizes.fine, 2 * 1.5 * h * left / M_PI)});
+  } else if (left > 1e-9) {
+    anchors.push_back({M_PI, sizes.fine});
+  }
+  const std::vector<double> angles = halved(graded_lines(anchors));
   Body body(mesh);
   body.revolve(ring_section(s, grid), angles, travel, Surface::symmetry, Surface::symmetry);
   const auto height = [&](double r, double level) { return s.point(std::min(r, s.opening), at_level(grid.inner, level))[1]; };

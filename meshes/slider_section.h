@@ -6,7 +6,7 @@
 namespace rimpact::meshes {
 
 /// Adds the half y >= 0 at a travel along x [m], lifted as the surface lifts it; h scales every size (1 at level 1).
-/// Finest towards +x, or towards both sides.
-void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double travel, bool both_sides = false);
+/// Finest at its places (see folded in touched_places.h).
+void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double travel, const std::vector<double> &places = {0.0});
 
 } // namespace rimpact::meshes

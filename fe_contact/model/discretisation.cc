@@ -160,6 +160,9 @@ Discretisation::Discretisation(const meshes::HexMesh &mesh, int degree)
     if (d.fe->system_to_component_index(i).first == 0) {
       d.dof_of_node.push_back(i);
       d.unit_points.push_back(d.fe->unit_support_point(i));
+      std::array<int, 3> place;
+      for (int k = 0; k < 3; ++k) place[k] = static_cast<int>(std::lround(degree * d.unit_points.back()[k]));
+      node_places.push_back(place);
     }
   positions.resize(n_nodes);
   std::vector<types::global_dof_index> indices(d.fe->dofs_per_cell);

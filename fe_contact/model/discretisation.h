@@ -5,6 +5,7 @@
 /// taken once, in the reference configuration. SI units.
 #pragma once
 #include "meshes/hex_mesh.h"
+#include <array>
 #include <Eigen/Core>
 #include <memory>
 #include <string>
@@ -41,6 +42,7 @@ public:
   std::vector<Eigen::Vector3d> positions; ///< of the nodes, reference configuration [m]
   std::vector<unsigned> cell_nodes;       ///< [cell][local node]
   std::vector<meshes::Volume> volumes;    ///< [cell]
+  std::vector<std::array<int, 3>> node_places; ///< of a cell's local nodes, in steps of 1 / degree along its axes
   QuadratureData full, reduced;           ///< Gauss, degree + 1 and degree points a direction
   std::vector<double> full_values;        ///< shape values at the full points, [point][local node]
   std::vector<Face> faces;                ///< of all groups

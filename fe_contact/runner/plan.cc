@@ -166,6 +166,8 @@ nlohmann::json to_json(const Plan &plan) {
                        {"direction_deg", impact.direction_deg},
                        {"approach_speed_m_s", impact.approach_speed},
                        {"tangential_speed_m_s", impact.tangential_speed}});
+  nlohmann::json sectors = nlohmann::json::array();
+  for (const double direction : plan.sectors) sectors.push_back(direction * 180 / M_PI);
   return {{"rung", plan.rung},
           {"expected_steps", plan.expected_steps},
           {"symmetry", plan.half ? "half" : "whole"},
@@ -173,8 +175,7 @@ nlohmann::json to_json(const Plan &plan) {
           {"rim_takes_part", plan.rim_takes_part},
           {"closest_gap_m", plan.closest_gap},
           {"impacts", impacts},
-          {"sector_direction_deg", plan.sector_direction * 180 / M_PI},
-          {"opposite_sector", plan.opposite_sector},
+          {"sector_directions_deg", sectors},
           {"sector_half_angle_deg", plan.sector_half_angle * 180 / M_PI},
           {"step_in_contact_s", plan.step_in_contact},
           {"mesh", plan.mesh},

@@ -24,9 +24,8 @@ struct Plan {
   bool rim_takes_part = true; ///< the scout sees a touch, or comes within `margin` of it
   double closest_gap = 0.0;   ///< smallest gap of the scout [m]
   std::vector<ExpectedImpact> impacts;
-  double sector_half_angle = 1.0; ///< [rad]
-  double sector_direction = 0;    ///< of the meshed sector's middle, rung rigid-dish [rad]
-  bool opposite_sector = false;   ///< a second one faces it
+  std::vector<double> sectors{0}; ///< where slider and rim may meet and are meshed for it, rungs rigid-dish and full [rad]
+  double sector_half_angle = 1.0; ///< meshed on either side of each [rad]
   double step_in_contact = 1e-3;  ///< longest step in contact [s]; the error control shortens it
   int mesh = 1;
   long expected_dofs = 0;

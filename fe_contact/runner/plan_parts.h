@@ -18,5 +18,7 @@ void add_pad_note(Plan &plan, const scene::Scene &scene);
 /// Rung rigid-dish (stack_plan.cc): a quasi-static path; a window, pulse or record.
 Plan stack_path_plan(const scene::Scene &scene);
 Plan stack_motion_plan(const scene::Scene &scene);
+/// Impacts, sectors, rest, closest gap of its plan.
+void scout_stack(Plan &plan, scene::Scene scene);
 
 } // namespace rimpact::fe

@@ -1,6 +1,7 @@
 #include "fe_contact/runner/record_checkpoint.h"
 
 #include "scene/error.h"
+#include <sstream>
 
 namespace rimpact::fe {
 namespace {
@@ -55,6 +56,7 @@ scene::Impact impact_from(const std::vector<double> &v) { return {v[0], v[1], v[
 
 void put(Checkpoint &file, const scene::Scene &scene, const RunRecord &record) {
   file.texts["signature"] = signature(scene);
+  for (const auto &warning : record.warnings) file.texts["warnings"] += warning + "\n";
   for (const LedgerEntry entry : ledger_entries) file.numbers["ledger"].push_back(record.ledger.*entry);
   auto &impacts = file.numbers["impacts"];
   for (const auto &impact : record.impacts)
@@ -71,6 +73,10 @@ void get(const Checkpoint &file, const std::string &path, const scene::Scene &sc
   const auto text = file.texts.find("signature");
   if (text == file.texts.end() || text->second != signature(scene))
     throw DataError(path + ": written by another version or for another scene; run without --resume to start afresh");
+  if (const auto warnings = file.texts.find("warnings"); warnings != file.texts.end()) {
+    std::istringstream lines(warnings->second);
+    for (std::string line; std::getline(lines, line);) record.warnings.push_back(line);
+  }
   const auto &ledger = numbers(file, "ledger");
   for (std::size_t k = 0; k < std::size(ledger_entries); ++k) record.ledger.*ledger_entries[k] = ledger.at(k);
   const auto &impacts = numbers(file, "impacts");

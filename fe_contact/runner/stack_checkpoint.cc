@@ -18,6 +18,7 @@ void StackDynamic::save() const {
                                   e.integrator, e.largest};
   if (held_.displacement.size()) file.numbers["held_rim"] = list(held_.displacement);
   file.numbers["impact"] = list(impact_);
+  file.numbers["sectors"] = plan_.sectors;
   write_checkpoint(file, options_.folder + "/checkpoint.h5");
 }
 
@@ -38,6 +39,12 @@ void StackDynamic::restore() {
   get(file, state_);
   active().start_afresh_at(state_);
   steps_kept_ = record_.n_steps;
+}
+
+std::vector<double> sectors_of_checkpoint(const RunOptions &options) {
+  const Checkpoint file = read_checkpoint(options.folder + "/checkpoint.h5");
+  const auto found = file.numbers.find("sectors");
+  return found == file.numbers.end() ? std::vector<double>{} : found->second;
 }
 
 } // namespace rimpact::fe

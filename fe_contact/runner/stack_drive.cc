@@ -10,9 +10,8 @@ meshes::StackMeshOptions stack_mesh_options(const scene::Scene &scene, const Pla
   mesh.half = plan.half;
   mesh.whole_plate = plan.rung == "full";
   mesh.rim = plan.moves_in_time || plan.rim_takes_part || mesh.whole_plate;
-  mesh.opposite_rim = plan.opposite_sector;
   mesh.sector_half_angle = plan.sector_half_angle;
-  mesh.direction = plan.sector_direction;
+  mesh.directions = plan.sectors;
   mesh.own = scene.model.own_mesh;
   return mesh;
 }

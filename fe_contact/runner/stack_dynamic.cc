@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <memory>
 
 namespace rimpact::fe {
 namespace {
@@ -53,15 +54,25 @@ StackDynamic::StackDynamic(const scene::Scene &scene, const Plan &plan, const Ru
   record.n_dofs = joined_.equations().n;
 }
 
-void StackDynamic::run() {
+void StackDynamic::begin() {
   if (options_.resume)
     restore();
   else
     start();
-  while (t_ < end_time() - 1e-12) march_on();
+}
+
+std::optional<double> StackDynamic::run() {
+  while (t_ < end_time() - 1e-12) {
+    if (!near_rim_ && gap() < joining_gap && closing_speed() > 0) {
+      if (const auto direction = unmeshed_direction()) return direction;
+      join();
+    }
+    march_on();
+  }
   if (near_rim_ && touched_) record_.impacts.push_back(impact_);
   write_fields();
   save();
+  return {};
 }
 
 void StackDynamic::start() {
@@ -115,7 +126,6 @@ Eigen::VectorXd StackDynamic::load(double t) const {
 
 /// One phase: the stack sliding, at rest, or with the rim.
 void StackDynamic::march_on() {
-  if (!near_rim_ && gap() < joining_gap && closing_speed() > 0) join();
   resting_ = rests();
   transient_.step.rho_inf = resting_ ? 0 : scene_.model.rho_inf; // what rings on, of springs without damping, is of no interest
   const double longest = near_rim_ ? plan_.step_in_contact : resting_ ? longest_resting_step : longest_sliding_step;
@@ -228,19 +238,7 @@ void StackDynamic::follow_impact(double t, double dt) {
   write_fields();
 }
 
-void StackDynamic::check_sector() const {
-  const Eigen::Vector3d u = travel();
-  const double direction = std::atan2(u.y(), u.x()), off = std::remainder(direction - plan_.sector_direction, 2 * M_PI);
-  const double reach = plan_.sector_half_angle - 0.3; // the sector's ends are held
-  if (std::abs(off) < reach || (plan_.opposite_sector && M_PI - std::abs(off) < reach)) return;
-  save();
-  throw SolverStopped(fmt::format("at t = {:.4f} s the slider comes to the rim at {:.0f} deg, where the scout saw no impact and "
-                                  "no rim was meshed; partial results are kept; rung `rim` meshes any side",
-                                  t_, direction * 180 / M_PI));
-}
-
 void StackDynamic::join() {
-  check_sector();
   if (!model_.full()) state_ = joined_state(alone_, state_, held_, joined_);
   near_rim_ = true;
   touched_ = peak_written_ = false;
@@ -306,8 +304,26 @@ std::map<std::string, double> StackDynamic::time_split() const {
 }
 
 void run_stack_dynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record) {
-  StackDynamic dynamic(scene, plan, options, record);
-  run_timed(record, [&] { dynamic.run(); }, [&] { return dynamic.time_split(); });
+  Plan now = plan;
+  if (options.resume)
+    if (const auto sectors = sectors_of_checkpoint(options); !sectors.empty()) now.sectors = sectors;
+  auto dynamic = std::make_unique<StackDynamic>(scene, now, options, record);
+  std::map<std::string, double> before; // of those replanned
+  const auto times = [&] {
+    auto result = before;
+    for (const auto &[name, seconds] : dynamic->time_split()) result[name] += seconds;
+    return result;
+  };
+  run_timed(record, [&] {
+    dynamic->begin();
+    while (const auto direction = dynamic->run()) {
+      now.sectors.push_back(*direction);
+      auto next = std::make_unique<StackDynamic>(scene, now, options, record);
+      next->take_over(*dynamic);
+      before = times();
+      dynamic = std::move(next);
+    }
+  }, times);
 }
 
 } // namespace rimpact::fe

@@ -5,13 +5,19 @@
 #include "fe_contact/runner/stack_drive.h"
 #include "fe_contact/runner/stack_recorder.h"
 #include "fe_contact/runner/stack_transfer.h"
+#include <optional>
 
 namespace rimpact::fe {
 
 class StackDynamic {
 public:
   StackDynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record);
-  void run();
+  /// From the start, or from the folder's checkpoint.
+  void begin();
+  /// Instead of begin: from where another one stands, whose plan has a sector less.
+  void take_over(const StackDynamic &old);
+  /// To the end, or to a place where the rim is not meshed, whose direction it returns [rad].
+  std::optional<double> run();
   std::map<std::string, double> time_split() const;
 
 private:
@@ -38,7 +44,9 @@ private:
   void after_step(double t, double dt, const ContactStepReport &step);
   void account();
   void follow_impact(double t, double dt);
-  void check_sector() const; ///< throws SolverStopped where no rim is meshed
+  /// Of the slider, where the rim it comes to is not meshed. Throws SolverStopped where it cannot be.
+  std::optional<double> unmeshed_direction() const;
+  double book_hand_over(const SolidEnergies &held_before);
   void join();
   void part();
   Eigen::VectorXd load(double t) const;
@@ -47,7 +55,7 @@ private:
   void restore();
 
   const scene::Scene &scene_;
-  const Plan &plan_;
+  const Plan plan_;
   const RunOptions &options_;
   RunRecord &record_;
   StackModel model_;
@@ -65,5 +73,8 @@ private:
   long steps_kept_ = 0; ///< steps made when the last checkpoint was written
   scene::Impact impact_{};
 };
+
+/// Directions of the sectors that the folder's checkpoint was written with; empty: those of the plan.
+std::vector<double> sectors_of_checkpoint(const RunOptions &options);
 
 } // namespace rimpact::fe

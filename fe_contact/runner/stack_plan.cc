@@ -2,8 +2,7 @@
 #include "fe_contact/runner/plan_parts.h"
 #include "fe_contact/runner/stack_run.h"
 
-#include "reduced_models/pad_on_dish.h"
-#include "reduced_models/physical_model.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -36,45 +35,10 @@ void add_cost(Plan &plan, double iterations, double iterations_with_rim, int sec
                                   (plan.half ? 1 : whole_over_half);
 }
 
-/// Half a second after it was last farther than a millimetre from where it stays, which is more than its springs ring by [s].
-double end_of_sliding(const scene::Response &response) {
-  constexpr double time_to_settle = 0.5, ringing = 1e-3;
-  const auto &t = response.series("time"), &x = response.series("displacement_x"), &y = response.series("displacement_y");
-  std::size_t k = t.size() - 1;
-  while (k > 0 && std::hypot(x[k] - x.back(), y[k] - y.back()) < ringing) --k;
-  return t[k] + time_to_settle;
-}
-
 bool moves_along_x(const scene::Excitation &e) {
   if (e.kind == scene::ExcitationKind::record)
     return std::all_of(e.y.values.begin(), e.y.values.end(), [](double a) { return a == 0; });
   return std::abs(e.direction().y()) < 1e-12;
-}
-
-/// Where the rim is to be meshed, and what the scout saw of it.
-void scout_stack(Plan &plan, scene::Scene scene) {
-  reduced::add_stack_terms(scene);
-  if (scene.reduced.k_i == 0) scene.reduced.k_i = scene::ReducedSettings{}.k_i; // a scout must feel the rim
-  const auto run = reduced::simulate(scene);
-  add_impacts(plan, run.summary, run.response);
-  plan.rests_from = end_of_sliding(run.response);
-  const auto &x = run.response.series("displacement_x"), &y = run.response.series("displacement_y");
-  Eigen::Vector2d farthest = Eigen::Vector2d::UnitX() * 1e-12;
-  for (std::size_t k = 0; k < x.size(); ++k)
-    if (std::hypot(x[k], y[k]) > farthest.norm()) farthest = {x[k], y[k]};
-  const Eigen::Vector2d first =
-      plan.impacts.empty() ? farthest
-                           : Eigen::Vector2d(std::cos(plan.impacts[0].direction_deg * M_PI / 180),
-                                             std::sin(plan.impacts[0].direction_deg * M_PI / 180));
-  plan.sector_direction = plan.half ? (first.x() < 0 ? M_PI : 0.0) : std::atan2(first.y(), first.x());
-  const double capacity = scene.bearing.lateral_capacity(), margin = 0.02; // a pass this near is meshed [m]
-  const Eigen::Vector2d way(std::cos(plan.sector_direction), std::sin(plan.sector_direction));
-  double opposite = 0;
-  for (std::size_t k = 0; k < x.size(); ++k)
-    if (way.dot(Eigen::Vector2d(x[k], y[k])) < 0) opposite = std::max(opposite, std::hypot(x[k], y[k]));
-  plan.opposite_sector = opposite > capacity - margin;
-  plan.closest_gap = capacity - farthest.norm();
-  plan.rim_takes_part = plan.closest_gap < 0.005;
 }
 
 } // namespace
@@ -85,7 +49,7 @@ Plan stack_path_plan(const scene::Scene &scene) {
   plan.rung = scene.model.rung;
   plan.moves_in_time = false;
   const bool push = scene.excitation.kind == scene::ExcitationKind::push;
-  plan.opposite_sector = plan.rung == "full" && !push; // a path goes both ways
+  if (plan.rung == "full" && !push) plan.sectors = {0, M_PI}; // a path goes both ways
   plan.mesh = scene.model.mesh;
   const auto &e = scene.excitation;
   const bool cyclic = e.kind == scene::ExcitationKind::cyclic;
@@ -96,7 +60,7 @@ Plan stack_path_plan(const scene::Scene &scene) {
     travel = std::max(travel, scene::prescribed_displacement(e, capacity, 1e-3 * k).norm());
   plan.closest_gap = capacity - travel;
   plan.rim_takes_part = plan.closest_gap <= 0;
-  if (push) plan.sector_direction = std::atan2(e.direction().y(), e.direction().x());
+  if (push) plan.sectors = {std::atan2(e.direction().y(), e.direction().x())};
   plan.expected_steps = push ? steps_a_push : std::lround(steps_a_cycle * (cyclic ? e.cycles : 1.0));
   const double iterations = plan.expected_steps * iterations_a_step;
   add_cost(plan, push ? 0 : iterations, push ? iterations : 0, 1);
@@ -120,7 +84,7 @@ Plan stack_motion_plan(const scene::Scene &scene) {
   int impacts = 1;
   if (e.kind == scene::ExcitationKind::window) {
     plan.impacts.push_back({0.0, e.direction_deg, e.impact_speed(), 0.0});
-    plan.sector_direction = std::atan2(e.direction().y(), e.direction().x());
+    plan.sectors = {std::atan2(e.direction().y(), e.direction().x())};
     flight += steps_out;
   } else {
     scout_stack(plan, scene);
@@ -132,7 +96,7 @@ Plan stack_motion_plan(const scene::Scene &scene) {
   }
   const double contact = 1.2 * impacts * contact_time / plan.step_in_contact;
   plan.expected_steps = std::lround(flight + contact);
-  add_cost(plan, flight * iterations_in_flight, contact * iterations_in_contact, plan.opposite_sector ? 2 : 1);
+  add_cost(plan, flight * iterations_in_flight, contact * iterations_in_contact, std::min<int>(plan.sectors.size(), 4)); // more overlap
   add_pad_note(plan, scene);
   return plan;
 }

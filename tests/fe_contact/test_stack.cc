@@ -16,20 +16,29 @@ Plan plan_of(const std::string &scene, std::vector<std::string> settings = {}) {
 TEST(StackPlan, AWindowAlongXTakesTheHalfAndMeshesTheRimItMeets) {
   const std::vector<std::string> weight{"excitation.with=[\"weight\",\"friction\"]"};
   EXPECT_TRUE(plan_of("impact-window", weight).half);
-  EXPECT_EQ(plan_of("impact-window", weight).sector_direction, 0);
+  EXPECT_EQ(plan_of("impact-window", weight).sectors, std::vector<double>{0});
   const Plan aslant = plan_of("impact-window", {weight[0], "excitation.direction_deg=30"});
   EXPECT_FALSE(aslant.half);
-  EXPECT_NEAR(aslant.sector_direction, M_PI / 6, 1e-12);
+  ASSERT_EQ(aslant.sectors.size(), 1u);
+  EXPECT_NEAR(aslant.sectors[0], M_PI / 6, 1e-12);
   EXPECT_EQ(aslant.impacts.size(), 1u);
 }
 
 TEST(StackPlan, APulseMeshesTheSideTheScoutTouchesAndTheOtherOnlyWhenItComesNear) {
   const Plan plain = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05"});
   ASSERT_FALSE(plain.impacts.empty());
-  EXPECT_NEAR(std::cos(plain.sector_direction), std::cos(plain.impacts[0].direction_deg * M_PI / 180), 1e-9);
+  EXPECT_NEAR(std::cos(plain.sectors[0]), std::cos(plain.impacts[0].direction_deg * M_PI / 180), 1e-9);
   const Plan turned = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05", "excitation.direction_deg=180"});
-  EXPECT_NEAR(std::abs(std::remainder(turned.sector_direction - plain.sector_direction, 2 * M_PI)), M_PI, 1e-9);
-  EXPECT_TRUE(plan_of("ricker-0.78g-1.0s", {"excitation.scale=2.0"}).opposite_sector);
+  EXPECT_NEAR(std::abs(std::remainder(turned.sectors[0] - plain.sectors[0], 2 * M_PI)), M_PI, 1e-9);
+  EXPECT_EQ(plan_of("ricker-0.78g-1.0s", {"excitation.scale=2.0"}).sectors.size(), 2u);
+}
+
+TEST(StackPlan, EveryDirectionOfABidirectionalPulseThatMayTouchIsMeshedOnce) {
+  const Plan plan = plan_of("pulse-bidirectional", {"excitation.scale=1.3"});
+  ASSERT_EQ(plan.impacts.size(), 3u);
+  ASSERT_EQ(plan.sectors.size(), 3u);
+  for (int k = 0; k < 3; ++k) EXPECT_NEAR(std::remainder(plan.sectors[k] - plan.impacts[k].direction_deg * M_PI / 180, 2 * M_PI), 0, 1e-12);
+  EXPECT_EQ(plan_of("pulse-bidirectional", {"excitation.scale=0.5"}).sectors.size(), 1u); // where it comes nearest
 }
 
 TEST(StackPlan, RestTakesLongStepsAndIsSaid) {
@@ -49,10 +58,11 @@ TEST(StackPlan, APushMeshesTheRimWhereItGoes) {
   EXPECT_TRUE(along.half && along.rim_takes_part);
   EXPECT_FALSE(along.moves_in_time);
   EXPECT_FALSE(aslant.half);
-  EXPECT_NEAR(aslant.sector_direction, M_PI / 6, 1e-12);
+  ASSERT_EQ(aslant.sectors.size(), 1u);
+  EXPECT_NEAR(aslant.sectors[0], M_PI / 6, 1e-12);
   const scene::Scene scene = scene::load_scene("rim-push", {"model.rung=\"full\""});
   const Plan full = make_plan(scene);
-  EXPECT_FALSE(full.opposite_sector);
+  EXPECT_EQ(full.sectors.size(), 1u);
   EXPECT_EQ(refusal(scene), std::nullopt);
   const Plan draft = plan_of("rim-push", {"model.mesh=0"}); // the draft mesh has its own costs
   EXPECT_LT(draft.expected_dofs, along.expected_dofs);

@@ -139,7 +139,8 @@ TEST(OwnMesh, AStackAtRestWithItsRim) {
   EXPECT_EQ(stack_mesh(bearing, options).cells.size(), built_in.cells.size());
   options.rim = false; // what the scene does not need is left out
   EXPECT_LT(stack_mesh(bearing, options).cells.size(), built_in.cells.size());
-  options.rim = options.opposite_rim = true;
+  options.rim = true;
+  options.directions = {0, M_PI};
   EXPECT_THROW(stack_mesh(bearing, options), DataError); // no wall at -x
 }
 

@@ -55,8 +55,9 @@ TEST(StackMesh, CellsAreSoundAtEveryLevelWholeAndHalfWithAndWithoutRim) {
         StackMeshOptions options;
         options.level = level;
         options.half = half;
-        options.rim = options.opposite_rim = rim;
-        options.direction = half ? M_PI : 0.3;
+        options.rim = rim;
+        options.directions = {half ? M_PI : 0.3};
+        if (rim) options.directions.push_back(options.directions[0] + M_PI);
         const HexMesh mesh = stack_mesh(scene::Bearing{}, options);
         const MeshQuality q = quality(mesh);
         EXPECT_GT(q.min_scaled_jacobian, 0.1) << level << half << rim;
@@ -68,7 +69,7 @@ TEST(StackMesh, TheWholePlateCarriesTheExactDishFromItsMiddleToItsEdge) {
   for (const bool both : {false, true}) {
     StackMeshOptions options;
     options.rim = options.whole_plate = true;
-    options.opposite_rim = both;
+    if (both) options.directions = {0, M_PI};
     const scene::Bearing bearing;
     const HexMesh mesh = stack_mesh(bearing, options);
     const MeshQuality q = quality(mesh);

@@ -1,0 +1,89 @@
+#include "meshes/touched_places.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace rimpact::meshes {
+namespace {
+
+constexpr double same = 1e-9; ///< [rad]
+
+void sort_and_merge(std::vector<double> &angles) {
+  std::sort(angles.begin(), angles.end());
+  angles.erase(std::unique(angles.begin(), angles.end(), [](double a, double b) { return b - a < same; }), angles.end());
+}
+
+void cut_at_symmetry(RimArc &arc) {
+  arc.from_symmetry = arc.angles.front() < -same;
+  arc.to_symmetry = arc.angles.back() > M_PI + same;
+  const auto outside = [](double angle) { return angle < -same || angle > M_PI + same; };
+  arc.angles.erase(std::remove_if(arc.angles.begin(), arc.angles.end(), outside), arc.angles.end());
+}
+
+/// From place `first` on, `count` of them, neighbours joined.
+RimArc arc_about(const std::vector<double> &places, std::size_t first, std::size_t count, const PlaceSizes &sizes) {
+  const auto place = [&](std::size_t k) { return places[k % places.size()] + 2 * M_PI * (k / places.size()); };
+  RimArc arc;
+  arc.closed = count > places.size();
+  std::vector<Anchor> anchors;
+  if (!arc.closed) anchors = {{place(first) - sizes.reach, sizes.coarse}, {place(first) - sizes.zone, sizes.fine}};
+  for (std::size_t k = first; k < first + count; ++k) {
+    anchors.push_back({place(k), sizes.fine});
+    if (k + 1 < first + count) add_between(anchors, place(k), place(k + 1), sizes);
+  }
+  const double last = place(first + count - 1);
+  if (!arc.closed) anchors.insert(anchors.end(), {{last + sizes.zone, sizes.fine}, {last + sizes.reach, sizes.coarse}});
+  arc.angles = graded_lines(anchors);
+  return arc;
+}
+
+} // namespace
+
+std::vector<double> from_the_first(const std::vector<double> &directions) {
+  std::vector<double> places;
+  for (const double direction : directions) {
+    double angle = std::remainder(direction - directions.front(), 2 * M_PI);
+    if (angle < -same) angle += 2 * M_PI;
+    places.push_back(std::abs(angle) < same ? 0.0 : std::abs(angle - M_PI) < same ? M_PI : angle);
+  }
+  sort_and_merge(places);
+  return places;
+}
+
+std::vector<double> folded(const std::vector<double> &places) {
+  std::vector<double> result;
+  for (const double place : places) result.push_back(place > M_PI ? 2 * M_PI - place : place);
+  sort_and_merge(result);
+  return result;
+}
+
+void add_between(std::vector<Anchor> &anchors, double from, double to, const PlaceSizes &sizes) {
+  const double half = 0.5 * (to - from);
+  if (half <= sizes.zone + same) return;
+  anchors.push_back({from + sizes.zone, sizes.fine});
+  if (half > sizes.reach + same)
+    anchors.insert(anchors.end(), {{from + sizes.reach, sizes.coarse}, {to - sizes.reach, sizes.coarse}});
+  else
+    anchors.push_back({from + half, sizes.fine + (sizes.coarse - sizes.fine) * (half - sizes.zone) / (sizes.reach - sizes.zone)});
+  anchors.push_back({to - sizes.zone, sizes.fine});
+}
+
+std::vector<RimArc> rim_arcs(const std::vector<double> &places, const PlaceSizes &sizes, bool half) {
+  const std::size_t n = places.size();
+  const auto joined = [&](std::size_t k) { // to the next
+    const double next = k + 1 < n ? places[k + 1] : places[0] + 2 * M_PI;
+    return next - places[k] < 2 * sizes.reach - same;
+  };
+  std::size_t start = 0; // where nothing comes before
+  while (start < n && joined((start + n - 1) % n)) ++start;
+  if (start == n) return {arc_about(places, 0, n + 1, sizes)};
+  std::vector<RimArc> arcs;
+  for (std::size_t k = start, count = 1; k < start + n; k += count, count = 1) {
+    while (joined((k + count - 1) % n)) ++count;
+    arcs.push_back(arc_about(places, k, count, sizes));
+    if (half) cut_at_symmetry(arcs.back());
+  }
+  return arcs;
+}
+
+} // namespace rimpact::meshes

@@ -1,0 +1,29 @@
+/// Directions in which slider and rim meet, and grids of angles that are fine there. An angle of 0 is the first place's; the
+/// others are counted from it.
+#pragma once
+#include "meshes/section.h"
+
+namespace rimpact::meshes {
+
+/// Of a graded grid: the size at a place and as far as `zone` from it, growing to `coarse` at `reach` [rad].
+struct PlaceSizes {
+  double fine, zone, reach, coarse;
+};
+
+/// From the first, in [0, 2 pi), ascending.
+std::vector<double> from_the_first(const std::vector<double> &directions);
+/// Of places and their images in the plane of the first: in [0, pi], ascending.
+std::vector<double> folded(const std::vector<double> &places);
+
+/// Anchors between two neighbouring places, neither of them included.
+void add_between(std::vector<Anchor> &anchors, double from, double to, const PlaceSizes &sizes);
+
+/// An arc of the rim: lines of its grid; whether it is cut at a plane of symmetry, or has no end at all.
+struct RimArc {
+  std::vector<double> angles;
+  bool from_symmetry = false, to_symmetry = false, closed = false;
+};
+/// As far as sizes.reach beyond each place; arcs that would overlap are one. half: places at 0 and pi only, y >= 0 kept.
+std::vector<RimArc> rim_arcs(const std::vector<double> &places, const PlaceSizes &sizes, bool half);
+
+} // namespace rimpact::meshes
