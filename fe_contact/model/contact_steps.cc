@@ -1,6 +1,7 @@
 #include "fe_contact/model/contact_steps.h"
 
 #include <algorithm>
+#include <string>
 
 namespace rimpact::fe {
 namespace {
@@ -44,7 +45,9 @@ ContactStepReport solve(ContactSystem &system, const SystemState &state, const S
     ++report.augmentations;
     system.augment();
   }
-  report.converged = true;
+  const int lost = system.lost_points();
+  if (lost > 0) report.reason = std::to_string(lost) + " contact points moved past the faces opposite them within the step";
+  report.converged = lost == 0;
   return report;
 }
 

@@ -125,6 +125,12 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool &patt
   return residual_.allFinite();
 }
 
+int ContactSystem::lost_points() const {
+  int lost = 0;
+  for (const auto &report : trial_.reports) lost += report.lost;
+  return lost;
+}
+
 ContactSystem::Left ContactSystem::left_to_augment() {
   Left left;
   augmentations_.clear();

@@ -96,6 +96,7 @@ public:
   const SurfaceContact &contact(std::size_t i) const { return contacts_[i]; }
   SurfaceContact &contact(std::size_t i) { return contacts_[i]; }
   std::size_t n_contacts() const { return contacts_.size(); }
+  int lost_points() const; ///< of all contacts, last evaluation
   int patterns_made() const { return patterns_made_; } ///< times the matrix's pattern was (re)built
   double stabilisation_share() const { return stabilisation_share_; } ///< of the forces in play, last evaluation
 

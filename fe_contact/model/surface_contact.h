@@ -51,6 +51,7 @@ struct SurfaceContactReport {
   double penetration = 0;                 ///< largest, pointwise [m]
   double largest_pressure = 0;            ///< [Pa]
   int stick = 0, slip = 0;                ///< points
+  int lost = 0; ///< points opposite the master at the step's start for which nothing is found: what they bore is missing
   double normal_work = 0, friction_work = 0; ///< taken up since the step's start, trapezoidal [J]
   bool pattern_holds = true; ///< false: a pair of faces is not in the matrix's pattern
 };

@@ -76,7 +76,10 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
     state.gap[k] = std::numeric_limits<double>::infinity();
     if (!state.covered[k]) continue;
     const auto coupling = couple(k, u, state.opposite[k], beyond);
-    if (!coupling) continue;
+    if (!coupling) {
+      ++report.lost;
+      continue;
+    }
     state.opposite[k] = coupling->carrier_face;
     const Carried distance = pushed_forward(*coupling);
     state.gap[k] = distance.gap;
@@ -123,8 +126,8 @@ void SurfaceContact::hand_round(SurfaceContactState &state, SurfaceContactReport
   ranks().hand_round(state.friction, starts);
   ranks().hand_round(state.status, starts);
   ranks().hand_round(state.opposite, starts);
-  Eigen::VectorXd sums(8), largest(4);
-  sums << report.force, report.friction, report.stick, report.slip;
+  Eigen::VectorXd sums(9), largest(4);
+  sums << report.force, report.friction, report.stick, report.slip, report.lost;
   largest << -report.smallest_gap, report.penetration, report.largest_pressure, !report.pattern_holds;
   ranks().sum(sums);
   ranks().largest(largest);
@@ -132,6 +135,7 @@ void SurfaceContact::hand_round(SurfaceContactState &state, SurfaceContactReport
   report.friction = sums.segment<3>(3);
   report.stick = static_cast<int>(sums[6]);
   report.slip = static_cast<int>(sums[7]);
+  report.lost = static_cast<int>(sums[8]);
   report.smallest_gap = -largest[0];
   report.penetration = largest[1];
   report.largest_pressure = largest[2];

@@ -49,6 +49,36 @@ TEST(Pitfall, PairingIsNotFrozenWithinAStep) {
   EXPECT_LT((forces - fresh_forces).norm(), 1e-12 * forces.norm());
 }
 
+TEST(Pitfall, APointThrownPastTheFacesOppositeIsMissedAndItsStepRefused) {
+  // The upper block ends at 0.1 m, the lower one at 0.15 m; half of half a face's width beyond is still looked at.
+  const Discretisation space(TwoBlocks::mesh(), 2);
+  const Solid solid(space, TwoBlocks::materials());
+  Supports supports(space);
+  supports.fix(Volume::plate);
+  const auto top = [](const Vector3d &x) { return x.z() > 0.09; };
+  const int along = supports.tie(0, top), down = supports.tie(2, top);
+  supports.fix(1, top);
+  ContactSystem system(space, solid, supports.number());
+  system.add_contact(Surface::slider_side, TwoBlocks::master(), TwoBlocks::options());
+  SystemState state = system.at_rest();
+  const auto step = [&](double x, double z) {
+    StepTerms terms{Eigen::VectorXd::Zero(system.equations().n)};
+    terms.driven = {{along, x}, {down, z}};
+    return static_step(system, state, terms, {});
+  };
+  ASSERT_TRUE(step(0, -1e-4).converged);
+  const double bore = state.reports[0].force.z();
+  EXPECT_GT(bore, 0);
+  const auto refused = step(0.09, -1e-4);
+  EXPECT_FALSE(refused.converged);
+  EXPECT_NE(refused.reason.find("past the faces"), std::string::npos);
+  EXPECT_EQ(state.reports[0].force.z(), bore); // the state is as it was
+  for (double x = 0.01; x < 0.095; x += 0.01) {
+    const auto taken = step(x, -1e-4);
+    EXPECT_TRUE(taken.converged) << x << ": " << taken.reason;
+  }
+}
+
 /// A block on a plane under its weight `normal` [N] and a push along the plane, shared out over its mass.
 struct Pushed {
   Pushed() : space(mesh(), 2), solid(space, {{Volume::rim, scene::Material{block_modulus, 0.0, 1000, {}, {}}}}), supports(space) {
