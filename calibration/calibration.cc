@@ -108,6 +108,9 @@ Calibration calibrate(const std::vector<std::string> &run_folders, const Calibra
   for (const StoredRun *run : fitted) c.fit[run->folder] = check_run(*run, c.result, options.fit, true);
   for (const auto &run : predicted) c.prediction[run.folder] = check_run(run, c.result, options.fit, false);
   if (!windows.empty()) c.windows = windows_table(windows, c.result, options.fit, options.validity_tolerance);
+  if (!windows.empty() && !histories.empty())
+    c.notes.push_back(fmt::format("{} window(s) are not in the fit, which is on whole histories; each is fitted by itself for k_i and e over speed, and the laws are ranked on all",
+                                  windows.size()));
   if (c.windows) c.speed_laws = speed_laws(*c.windows);
   if (options.profiles && options.fit.parameters.size() > 1)
     for (const auto &name : options.fit.parameters)

@@ -36,7 +36,7 @@ std::optional<ImpactWindow> WindowCutter::cut(std::size_t index, std::string &re
   for (std::size_t earlier = 0; earlier < index; ++earlier) { // what they have left on the rim
     const auto &impact = run_.summary.impacts[earlier];
     const double angle = impact.direction_deg * std::numbers::pi / 180;
-    w.start.rim.press({std::cos(angle), std::sin(angle)}, impact.peak_penetration);
+    w.start.rim.press({std::cos(angle), std::sin(angle)}, impact.peak_penetration, reduced::dent_shape(run_.scene));
   }
   const double next = index + 1 < run_.summary.impacts.size() ? run_.summary.impacts[index + 1].touch_time
                                                               : std::numeric_limits<double>::infinity();

@@ -181,6 +181,7 @@ CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, 
       recorder.end(mode, t, y);
       return {n_steps, true};
     }
+    dynamics.dent(mode, y);
     const Mode before = mode;
     double loss = 0;
     if (at_root) loss = dynamics.apply(event, mode, t, y);

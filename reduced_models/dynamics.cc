@@ -52,6 +52,7 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
   }
   friction_law.validate();
   if (with_rim && r.k_i > 0) rim = rim_element(r, supported_mass);
+  dents = dent_shape(scene);
   dead_load_ = height.is_plane() ? 0.0 : weight;
   vertical_restitution_ = r.vertical_restitution;
   limit_squared_ = height.limit_radius() * height.limit_radius();
@@ -66,8 +67,9 @@ void Dynamics::rim_terms(const Mode &mode, const Vector2d &u, const Vector2d &v,
   e.gap_rate = r > 0 ? -u.dot(v) / r : -v.norm();
   e.impact.setZero();
   if (mode.rim != RimContact::pressed) return;
-  e.rim_force = rim.at({-e.gap, -e.gap_rate, v.norm(), mode.deepest}).force;
-  e.impact.head<2>() = -e.rim_force / r * u;
+  const RimPush push = rim_push(mode, u, v);
+  e.rim_force = push.inwards;
+  e.impact.head<2>() = -push.inwards / r * u + push.along / r * Vector2d(-u.y(), u.x());
 }
 
 Vector3d Dynamics::friction_per_normal(const scene::SurfacePoint &p, const Vector2d &u, const Vector2d &v,

@@ -37,8 +37,7 @@ struct Mode {
   /// that leads: the drive's, less a lag of |v| m / (2 |D| - mu N) times its rate of turning (error of second
   /// order in it).
   bool slow = false;
-  RimMemory memory;   ///< dents of a rim that yields
-  double deepest = 0; ///< of the arc in contact, when the branch began [m]
+  DentedRim dented; ///< read by a rim that yields: as the last step left it
 };
 
 enum class NormalForce { inertia, statics, constant };
@@ -105,6 +104,8 @@ public:
   double apply(Event event, Mode &mode, double t, State &y) const;
   /// Branch of a state at the start of a run or after a jump: decides between sliding, stuck and airborne.
   void settle(Mode &mode, double t, State &y) const;
+  /// After a step: a rim that yields keeps what it was pressed to.
+  void dent(Mode &mode, const State &y) const;
   /// After a step: true when the branch changed because a mass has crept to its stop or its sliding has
   /// become slow.
   bool slow_down(Mode &mode, double t, State &y) const;
@@ -136,6 +137,7 @@ public:
   double stop_speed;  ///< below it a decelerating mass has stopped [m/s]
   double slow_speed;  ///< see Mode::slow [m/s]
   RimElement rim;
+  DentShape dents;
   RidingHeight height;
   FrictionCoefficient friction_law;
   NormalForce reading = NormalForce::inertia;
@@ -155,8 +157,7 @@ private:
                           Eigen::Vector3d &ground) const;
   Eigen::Vector2d slow_direction(const Mode &mode, double t, const State &y) const;
   double drive_share(const Mode &mode, double t, const State &y) const;
-  RimMotion rim_motion(const Mode &mode, const State &y) const;
-  void remember(Mode &mode, const State &y) const;
+  RimPush rim_push(const Mode &mode, const Eigen::Vector2d &u, const Eigen::Vector2d &v) const;
   void rim_terms(const Mode &mode, const Eigen::Vector2d &u, const Eigen::Vector2d &v, Evaluation &e) const;
   double land(Mode &mode, double t, State &y) const;
   double dead_load_ = 0; ///< W that acts vertically (0 for a window without weight)

@@ -218,6 +218,7 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
       result.collapsed = true;
       break;
     }
+    dynamics_.dent(mode_, step_.y0);
     const Mode before = mode_;
     double loss = 0;
     if (crossing.found) loss = dynamics_.apply(crossing.event, mode_, t1, step_.y0);
@@ -233,7 +234,7 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
   result.mode = mode_;
   result.state = {
       step_.t,          {y[iX], y[iY], y[iZ]}, {y[iVX], y[iVY], y[iVZ]}, mode_.support == Support::airborne,
-      {y[iEX], y[iEY]}, mode_.memory};
+      {y[iEX], y[iEY]}, mode_.dented};
   return result;
 }
 

@@ -2,7 +2,7 @@
 /// friction, unilateral vertical support, and an impact element at the rim. Rung R0, and the part of R1 that
 /// is not solid. SI units; the plate is fixed, u is the upper slider's displacement relative to the plate.
 #pragma once
-#include "reduced_models/rim_memory.h"
+#include "reduced_models/dented_rim.h"
 #include "scene/scene.h"
 #include "scene/summary.h"
 #include <functional>
@@ -16,7 +16,7 @@ struct BearingState {
   Eigen::Vector3d v = Eigen::Vector3d::Zero();   ///< [m/s]
   bool airborne = false;                         ///< lifted off the dish
   Eigen::Vector2d eta = Eigen::Vector2d::Zero(); ///< Park-Wen state, |eta| <= 1 (unused for coulomb)
-  RimMemory rim;                                 ///< dents, read by laws that yield
+  DentedRim rim;                                 ///< read by laws that yield
 };
 
 /// Forces on the mass [N] (what the bearing does to the mass), and the surface's normal force.

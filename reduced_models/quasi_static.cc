@@ -32,7 +32,7 @@ public:
   Evaluation forces(const Vector2d &u, const Vector2d &direction) const {
     Mode mode;
     mode.e0 = direction;
-    mode.deepest = rim_.deepest_at(u);
+    mode.dented = rim_;
     mode.rim = dynamics_.has_rim() && u.norm() >= dynamics_.lateral_capacity ? RimContact::pressed
                                                                              : RimContact::open;
     return dynamics_.evaluate(mode, 0, state(u));
@@ -40,14 +40,14 @@ public:
   /// What has been reached so far stays in a rim that yields.
   void press(const Vector2d &u) {
     const double d = u.norm() - dynamics_.lateral_capacity;
-    if (d > 0) rim_.press(u, d);
+    if (d > 0) rim_.press(u, d, dynamics_.dents);
   }
   const Dynamics &dynamics() const { return dynamics_; }
 
 private:
   const scene::Excitation &excitation_;
   Dynamics dynamics_;
-  RimMemory rim_;
+  DentedRim rim_;
 };
 
 /// Works over one interval of the path by Gauss's four points: of the drive, the friction and the rim.

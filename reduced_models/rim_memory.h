@@ -1,5 +1,6 @@
-/// What earlier impacts have left on the rim, arc by arc.
+/// What earlier impacts have left on the rims and stops of a bearing of several bodies, arc by arc (one dish: dented_rim.h).
 #pragma once
+#include "reduced_models/dented_rim.h"
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Core>
@@ -7,12 +8,6 @@
 #include <vector>
 
 namespace rimpact::reduced {
-
-/// An arc pressed before.
-struct Dent {
-  Eigen::Vector2d direction; ///< outward unit vector
-  double deepest;            ///< penetration beyond L_c [m], > 0
-};
 
 /// An impact within 8 degrees of a dent meets the rim as that left it, others a fresh arc (as rung R1 does).
 class RimMemory {

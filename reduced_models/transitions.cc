@@ -41,7 +41,7 @@ EventList Dynamics::events(const Mode &mode) const {
 double Dynamics::value(Event event, const Mode &mode, double t, const State &y) const {
   const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
   const double r = u.norm(), d = r - lateral_capacity;
-  const auto trial = [&] { return rim.trial(rim_motion(mode, y)) / rim.stiffness; };
+  const auto trial = [&] { return rim_push(mode, u, v).trial / rim.stiffness; };
   switch (event) {
   case Event::stop:
     return v.dot(mode.e0);
@@ -69,18 +69,17 @@ double Dynamics::value(Event event, const Mode &mode, double t, const State &y) 
   throw std::logic_error("unknown event");
 }
 
-RimMotion Dynamics::rim_motion(const Mode &mode, const State &y) const {
-  const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
+RimPush Dynamics::rim_push(const Mode &mode, const Vector2d &u, const Vector2d &v) const {
   const double r = u.norm();
-  return {r - lateral_capacity, r > 0 ? u.dot(v) / r : 0, v.norm(), mode.deepest};
+  const RimMotion motion{r - lateral_capacity, r > 0 ? u.dot(v) / r : 0, v.norm()};
+  if (rim.law->yields) return mode.dented.push(rim, u, motion, dents);
+  return {rim.at(motion).force, 0, rim.trial(motion)};
 }
 
-/// Where the way outwards ends (a turning, or a stop at the same instant) the rim keeps what it has reached.
-void Dynamics::remember(Mode &mode, const State &y) const {
-  const RimMotion at = rim_motion(mode, y);
-  if (at.d <= mode.deepest || at.rate > stop_speed) return;
-  mode.memory.press({y[iX], y[iY]}, at.d);
-  mode.deepest = at.d;
+void Dynamics::dent(Mode &mode, const State &y) const {
+  if (mode.rim != RimContact::pressed || !rim.law->yields) return;
+  const Vector2d u(y[iX], y[iY]);
+  mode.dented.press(u, u.norm() - lateral_capacity, dents);
 }
 
 void Dynamics::project(Mode &mode, State &y) const {
@@ -137,7 +136,6 @@ double Dynamics::land(Mode &mode, double t, State &y) const {
 }
 
 double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
-  if (rim.law && rim.law->yields && mode.rim == RimContact::pressed) remember(mode, y);
   switch (event) {
   case Event::stop:
     // A right angle turned within one step is no stop: the run goes on with the new direction. In slow
@@ -156,10 +154,10 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
   case Event::landing:
     return land(mode, t, y);
   case Event::touch:
-    mode.deepest = mode.memory.deepest_at({y[iX], y[iY]});
-    // a dented arc is met only at its dent's bottom
-    mode.rim =
-        mode.deepest > 0 && rim.trial(rim_motion(mode, y)) <= 0 ? RimContact::relaxed : RimContact::pressed;
+    // a dented place is met only at its dent's bottom
+    mode.rim = mode.dented.deepest_at({y[iX], y[iY]}, dents) > 0 && rim_push(mode, {y[iX], y[iY]}, {y[iVX], y[iVY]}).trial <= 0
+                   ? RimContact::relaxed
+                   : RimContact::pressed;
     break;
   case Event::press_again:
     mode.rim = RimContact::pressed;
@@ -187,12 +185,12 @@ Mode Dynamics::starting_mode(const BearingState &start, State &y) const {
   y[iEX] = start.eta[0], y[iEY] = start.eta[1];
   building.follow({start.u, start.v}, y);
   Mode mode;
-  mode.memory = start.rim;
-  mode.deepest = mode.memory.deepest_at({y[iX], y[iY]});
-  const RimMotion at = rim_motion(mode, y);
+  mode.dented = start.rim;
+  const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
+  const double d = u.norm() - lateral_capacity;
   // A state located at touch lies within rounding of it and moves outwards.
-  if (has_rim() && (at.d > 0 || (at.d > -1e-12 && at.rate > 0)))
-    mode.rim = rim.law->unilateral && rim.trial(at) <= 0 ? RimContact::relaxed : RimContact::pressed;
+  if (has_rim() && (d > 0 || (d > -1e-12 && u.dot(v) > 0)))
+    mode.rim = rim.law->unilateral && rim_push(mode, u, v).trial <= 0 ? RimContact::relaxed : RimContact::pressed;
   mode.support = start.airborne && reading == NormalForce::inertia ? Support::airborne : Support::sliding;
   settle(mode, start.t, y);
   return mode;

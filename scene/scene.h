@@ -40,6 +40,7 @@ struct ReducedSettings {
   double hardening_exponent = 0.75;   ///< p of elastoplastic [-], 0..1
   double unloading_gain = 0.5;        ///< a of elastoplastic [-], >= 0: unloads at k_i (1 + a (F / F_y - 1)^m)
   double unloading_exponent = 1.0;    ///< m of elastoplastic [-], > 0
+  double dent_spread = 3.0;           ///< of elastoplastic [-], > 0: flank radius of a dent over that of slider and wall as circles
   double capacity_offset = 0.0;       ///< the reduced rim begins at L_c plus this [m]
   std::string friction = "coulomb";   ///< coulomb | park-wen
   double elastic_slip = 1e-4;         ///< q of the Park-Wen state [m] (key elastic_slip_mm)

@@ -77,6 +77,7 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
     v.number({"hardening_exponent", "p: the tangent falls as (1 + k_i d / F_y)^(p - 1)"}, r.hardening_exponent, si, {0, 1, true});
     v.number({"unloading_gain", "a: unloads at k_i (1 + a (F / F_y - 1)^m)"}, r.unloading_gain, si, {0, 100});
     v.number({"unloading_exponent", "m"}, r.unloading_exponent, si, {0, 10, true});
+    v.number({"dent_spread", "a dent's flank radius over that of two circles"}, r.dent_spread, si, {0, 1e6, true});
   }
   if (v.wants(r.capacity_offset != 0))
     v.number({"capacity_offset_mm", "the reduced rim begins at L_c plus this"}, r.capacity_offset, milli,

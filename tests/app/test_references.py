@@ -16,7 +16,7 @@ class References(unittest.TestCase):
         law = json.loads((REFERENCES / "elastoplastic.json").read_text())
         settings = [word for key, value in law.items() for word in ("--set", f"{key}={json.dumps(value)}")]
         curves = sorted(folder for folder in REFERENCES.iterdir() if folder.is_dir())
-        self.assertEqual(len(curves), 11)
+        self.assertEqual(len(curves), 12)
         for curve in curves:
             with self.subTest(curve.name), tempfile.TemporaryDirectory() as folder:
                 made = rimpact("reduced", str(curve / "scene.toml"), "-o", folder, "--quiet", *settings)

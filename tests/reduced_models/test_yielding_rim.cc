@@ -66,7 +66,7 @@ TEST(YieldingRim, TheSecondImpactFindsTheDent) {
   const double deepest = simulate_summary(s).impacts.at(0).peak_penetration;
   BearingState again = PhysicalModel(s).initial_state();
   again.v.x() = 0.05;
-  again.rim.press({1, 0}, deepest);
+  again.rim.press({1, 0}, deepest, dent_shape(s));
   const auto second = simulate_from(s, again, 0.4);
   ASSERT_EQ(second.summary.impacts.size(), 1u);
   const auto &impact = second.summary.impacts[0];
@@ -83,7 +83,7 @@ TEST(YieldingRim, AHarderSecondImpactGoesOnAlongTheBackbone) {
   const auto rim = rim_element(s.reduced, s.load.mass);
   BearingState again = PhysicalModel(s).initial_state();
   again.v.x() = 0.5;
-  again.rim.press({1, 0}, 2e-3);
+  again.rim.press({1, 0}, 2e-3, dent_shape(s));
   const auto impact = simulate_from(s, again, 0.4).summary.impacts.at(0);
   EXPECT_NEAR(impact.peak_force, elastoplastic_backbone(rim, impact.peak_penetration).force,
               1e-6 * impact.peak_force);

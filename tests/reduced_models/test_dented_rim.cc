@@ -1,0 +1,120 @@
+// Dents with a place: the law itself for straight impacts, flanks for oblique ones and for those beside a dent.
+#include "reduced_models/dented_rim.h"
+#include "reduced_models/physical_model.h"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <optional>
+
+namespace rimpact::reduced {
+namespace {
+
+using Eigen::Vector2d;
+
+const DentShape shape{0.52, 0.12, 3};
+
+RimElement yielding() {
+  scene::ReducedSettings settings;
+  settings.impact_law = "elastoplastic";
+  settings.k_i = 1.073e9, settings.yield_force = 655e3, settings.hardening = 0.154, settings.unloading_gain = 0.456;
+  return rim_element(settings, 86952);
+}
+
+Vector2d at(double angle) { return {std::cos(angle), std::sin(angle)}; }
+
+TEST(DentedRim, AStraightImpactMeetsTheLawAsItStands) {
+  const RimElement rim = yielding();
+  for (const double angle : {0.0, 0.5, M_PI, -2.0}) {
+    DentedRim dented;
+    for (const double d : {1e-3, 3e-3, 5e-3, 4e-3, 1e-3}) dented.press(at(angle), d, shape);
+    EXPECT_EQ(dented.dents().size(), 1u);
+    for (const double d : {2e-3, 4.5e-3, 6e-3}) {
+      const RimPush push = dented.push(rim, 0.4 * at(angle), {d, 0.1, 0.1}, shape);
+      EXPECT_EQ(push.inwards, rim.at({d, 0.1, 0.1, 5e-3}).force);
+      EXPECT_EQ(push.along, 0);
+    }
+  }
+}
+
+TEST(DentedRim, OnTheFlankItPushesHarderAndBackToTheDentsBottom) {
+  const RimElement rim = yielding();
+  DentedRim dented;
+  dented.press(at(0), 7e-3, shape);
+  double before = dented.push(rim, at(0), {6.5e-3, 0, 0}, shape).inwards;
+  for (const double s : {0.01, 0.02, 0.04}) {
+    const RimPush left = dented.push(rim, at(s / shape.wall), {6.5e-3, 0, 0}, shape), right = dented.push(rim, at(-s / shape.wall), {6.5e-3, 0, 0}, shape);
+    EXPECT_GT(left.inwards, before);
+    EXPECT_NEAR(left.inwards, right.inwards, 1e-9 * left.inwards);
+    EXPECT_LT(left.along, 0); // counter-clockwise of the dent: clockwise, back to it
+    EXPECT_NEAR(left.along, -right.along, 1e-9 * left.inwards);
+    before = left.inwards;
+  }
+  const double far = 2 * std::sqrt(2 * shape.flank() * 7e-3) / shape.wall; // touches apart: a fresh rim
+  EXPECT_EQ(dented.push(rim, at(far + 1e-6), {6.5e-3, 0, 0}, shape).inwards, rim.at({6.5e-3, 0, 0}).force);
+}
+
+TEST(DentedRim, SlidingWhilePressedLeavesAGrooveNoShallowerThanAnyDentInIt) {
+  DentedRim dented;
+  for (int k = 0; k <= 40; ++k) dented.press(at(1e-3 * k), 5e-3 - 1e-3 * std::pow((k - 20) / 20.0, 2), shape);
+  for (int k = 0; k <= 40; ++k) EXPECT_GE(dented.deepest_at(at(1e-3 * k), shape), 5e-3 - 1e-3 * std::pow((k - 20) / 20.0, 2));
+  EXPECT_LE(dented.deepest_at(at(0.02), shape), 5e-3 + 1e-12);
+  EXPECT_LE(dented.dents().size(), 41u);
+}
+
+/// Thrown at the rim with 0.48 m/s across and `along` along it, without friction (docs/measured.md).
+scene::Scene thrown(double along) {
+  scene::Scene s;
+  s.excitation.kind = scene::ExcitationKind::free;
+  s.excitation.initial_displacement = {0.395, 0};
+  s.excitation.initial_velocity = {0.48, along};
+  s.excitation.duration = 0.12;
+  s.load.vertical = 853e3, s.load.mass = 86952;
+  s.reduced.impact_law = "elastoplastic";
+  s.reduced.k_i = 1.073e9, s.reduced.yield_force = 655e3, s.reduced.hardening = 0.154, s.reduced.unloading_gain = 0.456;
+  s.reduced.mu_fast = s.reduced.mu_slow = 0;
+  return s;
+}
+
+TEST(DentedRim, AnObliqueReboundGrowsWithTheSpeedAlongTheRimAsRungRimHasIt) {
+  const struct {
+    double along, out_over_in, along_after;
+  } solid[] = {{0, 0.298, 0}, {0.25, 0.334, 0.2222}, {0.5, 0.393, 0.4453}, {0.75, 0.469, 0.6757}};
+  for (const auto &fe : solid) {
+    const auto run = simulate(thrown(fe.along));
+    ASSERT_EQ(run.summary.impacts.size(), 1u);
+    const auto &impact = run.summary.impacts[0];
+    EXPECT_NEAR(impact.restitution(), fe.out_over_in, 0.05 * fe.out_over_in) << fe.along;
+    const auto &t = run.response.series("time"), &x = run.response.series("displacement_x"), &y = run.response.series("displacement_y"),
+               &vx = run.response.series("velocity_x"), &vy = run.response.series("velocity_y");
+    std::size_t k = 0;
+    while (t[k] < impact.release_time) ++k;
+    EXPECT_NEAR((x[k] * vy[k] - y[k] * vx[k]) / std::hypot(x[k], y[k]), fe.along_after, 0.06 * fe.along + 1e-12) << fe.along;
+    scene::Scene lumped = thrown(fe.along);
+    lumped.reduced.dent_spread = 1e5; // a dent all round the rim: what the law alone says
+    EXPECT_LE(simulate_summary(lumped).impacts.at(0).restitution(), 0.305);
+  }
+}
+
+TEST(DentedRim, BothIntegratorsAgreeOnAnObliqueImpact) {
+  const auto own = simulate(thrown(0.5)).summary.impacts.at(0), cvode = simulate_with_cvode(thrown(0.5)).summary.impacts.at(0);
+  EXPECT_NEAR(own.peak_force, cvode.peak_force, 1e-3 * own.peak_force);
+  EXPECT_NEAR(own.rebound_speed, cvode.rebound_speed, 2e-3 * own.rebound_speed);
+}
+
+TEST(DentedRim, ASecondImpactBesideTheDentStandsOnItsFlank) {
+  const auto second = [](std::optional<double> dent) { // its restitution, 0.3 m/s along x, by the earlier dent's direction
+    scene::Scene s = thrown(0);
+    s.excitation.initial_displacement = {0.4, 0}, s.excitation.initial_velocity = {0.3, 0};
+    BearingState start = PhysicalModel(s).initial_state();
+    if (dent) start.rim.press(at(*dent), 7e-3, shape);
+    return simulate_from(s, start, 0.2).summary.impacts.at(0).restitution();
+  };
+  const double fresh = second({});
+  EXPECT_GT(second(0), 1.2 * fresh); // in the dent, until it deepens it
+  EXPECT_LT(second(0.03), second(0));
+  EXPECT_LT(second(0.06), second(0.03));
+  EXPECT_NEAR(second(0.06), second(-0.06), 1e-3); // what a step leaves is known to the step
+  EXPECT_NEAR(second(0.4), fresh, 1e-9); // touches apart
+}
+
+} // namespace
+} // namespace rimpact::reduced
