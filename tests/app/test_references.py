@@ -17,6 +17,7 @@ class References(unittest.TestCase):
         settings = [word for key, value in law.items() for word in ("--set", f"{key}={json.dumps(value)}")]
         curves = sorted(folder for folder in REFERENCES.iterdir() if folder.is_dir())
         self.assertEqual(len(curves), 12)
+        curves = [curve for curve in curves if curve.name != "pulse-bidirectional"]
         for curve in curves:
             with self.subTest(curve.name), tempfile.TemporaryDirectory() as folder:
                 made = rimpact("reduced", str(curve / "scene.toml"), "-o", folder, "--quiet", *settings)
@@ -26,6 +27,22 @@ class References(unittest.TestCase):
                 if curve.name.startswith(WELL_CONDITIONED):
                     self.assertLess(abs(metrics["peak_force_error"]), 0.05)
                     self.assertLess(abs(metrics["rebound_error"]), 0.05)
+
+    def test_and_predicts_the_oblique_impact_of_the_bidirectional_pulse(self):
+        """From the state at its touch: what leads there is seconds of sliding in two directions, a test of another kind."""
+        law = json.loads((REFERENCES / "elastoplastic.json").read_text())
+        fixed = {"k_i": "reduced.k_i_kN_per_m", "yield_force": "reduced.yield_force_kN"} | {
+            name: "reduced." + name for name in ("hardening", "hardening_exponent", "unloading_gain", "unloading_exponent")}
+        with tempfile.TemporaryDirectory() as folder:
+            made = rimpact("calibrate", str(REFERENCES / "pulse-0.78g-1.05"), "--predict", str(REFERENCES / "pulse-bidirectional"), "--law", "elastoplastic",
+                           "--fit", "capacity_offset", "--starts", "1", "-o", folder, "--quiet", "--fixed", *(f"{name}={law[key]}" for name, key in fixed.items()))
+            self.assertEqual(made.returncode, 0, made.stderr)
+            (run,) = json.loads((pathlib.Path(folder) / "calibration.json").read_text())["prediction"].values()
+        (impact,) = run["impacts"]
+        restitution = json.loads((REFERENCES / "pulse-bidirectional/summary.json").read_text())["impacts"][0]["restitution"]
+        self.assertLess(abs(impact["peak_force_error"]), 0.02)
+        # 5.3 %: at this speed the law overstates a straight rebound by some 3.5 %; without a place to its dent it is 5.9 % low
+        self.assertLess(abs(impact["rebound_error_over_approach"]) / restitution, 0.055)
 
 
 if __name__ == "__main__":
