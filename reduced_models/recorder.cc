@@ -261,7 +261,7 @@ void Recorder::summarise(scene::Summary &summary, bool collapsed) const {
   summary.peak_lateral_force = peak_lateral_;
   summary.peak_vertical_displacement = peak_height_;
   summary.residual_displacement = std::hypot(final_[iX], final_[iY]);
-  summary.min_normal_force = smallest_normal_;
+  if (!dynamics_.height.is_plane()) summary.min_normal_force = smallest_normal_; // a window without weight has none
   summary.impacts = impacts_;
   double peak = 0;
   for (const auto &impact : impacts_) peak = std::max(peak, impact.peak_force);

@@ -85,6 +85,8 @@ TEST(Window, FrictionAloneSlowsByMuW) {
 TEST(Window, WeightPullsBack) {
   scene::Scene s = window(0.2);
   s.excitation.with_weight = true;
+  EXPECT_TRUE(simulate_summary(s).min_normal_force.has_value());
+  EXPECT_FALSE(simulate_summary(window(0.2)).min_normal_force.has_value()); // nothing bears on the dish
   const auto heavy = simulate_summary(s).impacts.at(0);
   EXPECT_GT(heavy.restitution(), 0.65); // the slope gives speed back: not e
   EXPECT_LT(heavy.peak_force, impact_of("signed", 0.65, 0.2).peak_force);
