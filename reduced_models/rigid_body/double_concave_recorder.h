@@ -2,7 +2,7 @@
 #pragma once
 #include "reduced_models/physical_model.h"
 #include "reduced_models/rigid_body/double_concave_system.h"
-#include "reduced_models/rim_memory.h"
+#include "reduced_models/rigid_body/rim_memory.h"
 
 namespace rimpact::reduced::rigid {
 

@@ -1,7 +1,7 @@
 // Laws as pure values: forces against formulas, derivatives against differences.
 #include "reduced_models/friction_law.h"
 #include "reduced_models/impact_law.h"
-#include "reduced_models/rim_memory.h"
+#include "reduced_models/rigid_body/rim_memory.h"
 #include "scene/error.h"
 #include "scenes.h"
 #include <Eigen/Geometry>
