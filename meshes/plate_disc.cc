@@ -14,11 +14,7 @@ constexpr double mm = 1e-3;
 
 /// 0 .. pi in pairs of equal intervals, as half_disc asks; fine where the rim is touched.
 std::vector<double> disc_angles(const std::vector<double> &places, const PlaceSizes &sizes) {
-  std::vector<Anchor> anchors;
-  for (const double place : places) {
-    if (!anchors.empty()) add_between(anchors, anchors.back().at, place, sizes);
-    anchors.push_back({place, sizes.fine});
-  }
+  std::vector<Anchor> anchors = anchors_at(places, sizes);
   const double last = places.back();
   if (last + sizes.zone < M_PI) anchors.push_back({last + sizes.zone, sizes.fine});
   if (last + sizes.reach < M_PI) anchors.push_back({last + sizes.reach, sizes.coarse});

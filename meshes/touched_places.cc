@@ -20,19 +20,29 @@ void cut_at_symmetry(RimArc &arc) {
   arc.angles.erase(std::remove_if(arc.angles.begin(), arc.angles.end(), outside), arc.angles.end());
 }
 
+/// Between two neighbouring places, neither of them included.
+void add_between(std::vector<Anchor> &anchors, double from, double to, const PlaceSizes &sizes) {
+  const double half = 0.5 * (to - from);
+  if (half <= sizes.zone + same) return;
+  anchors.push_back({from + sizes.zone, sizes.fine});
+  if (half > sizes.reach + same)
+    anchors.insert(anchors.end(), {{from + sizes.reach, sizes.coarse}, {to - sizes.reach, sizes.coarse}});
+  else
+    anchors.push_back({from + half, sizes.fine + (sizes.coarse - sizes.fine) * (half - sizes.zone) / (sizes.reach - sizes.zone)});
+  anchors.push_back({to - sizes.zone, sizes.fine});
+}
+
 /// From place `first` on, `count` of them, neighbours joined.
 RimArc arc_about(const std::vector<double> &places, std::size_t first, std::size_t count, const PlaceSizes &sizes) {
-  const auto place = [&](std::size_t k) { return places[k % places.size()] + 2 * M_PI * (k / places.size()); };
+  std::vector<double> joined;
+  for (std::size_t k = first; k < first + count; ++k) joined.push_back(places[k % places.size()] + 2 * M_PI * (k / places.size()));
+  std::vector<Anchor> anchors = anchors_at(joined, sizes);
   RimArc arc;
   arc.closed = count > places.size();
-  std::vector<Anchor> anchors;
-  if (!arc.closed) anchors = {{place(first) - sizes.reach, sizes.coarse}, {place(first) - sizes.zone, sizes.fine}};
-  for (std::size_t k = first; k < first + count; ++k) {
-    anchors.push_back({place(k), sizes.fine});
-    if (k + 1 < first + count) add_between(anchors, place(k), place(k + 1), sizes);
+  if (!arc.closed) {
+    anchors.insert(anchors.begin(), {{joined.front() - sizes.reach, sizes.coarse}, {joined.front() - sizes.zone, sizes.fine}});
+    anchors.insert(anchors.end(), {{joined.back() + sizes.zone, sizes.fine}, {joined.back() + sizes.reach, sizes.coarse}});
   }
-  const double last = place(first + count - 1);
-  if (!arc.closed) anchors.insert(anchors.end(), {{last + sizes.zone, sizes.fine}, {last + sizes.reach, sizes.coarse}});
   arc.angles = graded_lines(anchors);
   return arc;
 }
@@ -57,15 +67,13 @@ std::vector<double> folded(const std::vector<double> &places) {
   return result;
 }
 
-void add_between(std::vector<Anchor> &anchors, double from, double to, const PlaceSizes &sizes) {
-  const double half = 0.5 * (to - from);
-  if (half <= sizes.zone + same) return;
-  anchors.push_back({from + sizes.zone, sizes.fine});
-  if (half > sizes.reach + same)
-    anchors.insert(anchors.end(), {{from + sizes.reach, sizes.coarse}, {to - sizes.reach, sizes.coarse}});
-  else
-    anchors.push_back({from + half, sizes.fine + (sizes.coarse - sizes.fine) * (half - sizes.zone) / (sizes.reach - sizes.zone)});
-  anchors.push_back({to - sizes.zone, sizes.fine});
+std::vector<Anchor> anchors_at(const std::vector<double> &places, const PlaceSizes &sizes) {
+  std::vector<Anchor> anchors;
+  for (const double place : places) {
+    if (!anchors.empty()) add_between(anchors, anchors.back().at, place, sizes);
+    anchors.push_back({place, sizes.fine});
+  }
+  return anchors;
 }
 
 std::vector<RimArc> rim_arcs(const std::vector<double> &places, const PlaceSizes &sizes, bool half) {

@@ -15,8 +15,8 @@ std::vector<double> from_the_first(const std::vector<double> &directions);
 /// Of places and their images in the plane of the first: in [0, pi], ascending.
 std::vector<double> folded(const std::vector<double> &places);
 
-/// Anchors between two neighbouring places, neither of them included.
-void add_between(std::vector<Anchor> &anchors, double from, double to, const PlaceSizes &sizes);
+/// Of a grid from the first to the last of ascending places.
+std::vector<Anchor> anchors_at(const std::vector<double> &places, const PlaceSizes &sizes);
 
 /// An arc of the rim: lines of its grid; whether it is cut at a plane of symmetry, or has no end at all.
 struct RimArc {

@@ -60,8 +60,8 @@ void DentedRim::press(const Eigen::Vector2d &u, double d, const DentShape &shape
   }
   if (std::min(before, behind) >= d) return;
   const auto covered = [&](const Dent &dent) {
-    const double s = beside(dent, u, shape);
-    return seen(dent, s, s > 0 ? -half : half, flank) <= d && std::abs(s) < half;
+    const double s = std::abs(beside(dent, u, shape));
+    return seen(dent, s, -half, flank) <= d && s < half;
   };
   dents_.erase(std::remove_if(dents_.begin(), dents_.end(), covered), dents_.end());
   dents_.push_back({u.normalized(), d});
@@ -74,8 +74,8 @@ RimPush DentedRim::push(const RimElement &rim, const Eigen::Vector2d &u, const R
   at.deepest = deepest_at(u, shape);
   const double half = half_touch(std::max(at.deepest, motion.d), flank);
   const auto aside = [&](const Dent &dent) {
-    const double s = beside(dent, u, shape);
-    return std::abs(s) > same_place && dent.deepest - (s * s - 2 * half * std::abs(s)) / (2 * flank) > 0;
+    const double s = std::abs(beside(dent, u, shape));
+    return s > same_place && seen(dent, s, -half, flank) > 0;
   };
   if (!(half > 0) || std::none_of(dents_.begin(), dents_.end(), aside)) {
     const double force = rim.trial(at);

@@ -29,7 +29,7 @@ struct Dent {
 
 /// On the slider, by the unit vectors outwards and round the bearing (counter-clockwise).
 struct RimPush {
-  double inwards = 0; ///< [N], >= 0
+  double inwards = 0; ///< [N], >= 0 unless the law pulls
   double along = 0;   ///< [N]
   /// As `inwards`, but below zero where nothing presses: by how much the law is from pressing [N].
   double trial = 0;

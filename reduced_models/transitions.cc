@@ -1,5 +1,6 @@
 // The hybrid part of Dynamics: the events and the branch that follows each.
 #include "reduced_models/dynamics.h"
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -73,7 +74,8 @@ RimPush Dynamics::rim_push(const Mode &mode, const Vector2d &u, const Vector2d &
   const double r = u.norm();
   const RimMotion motion{r - lateral_capacity, r > 0 ? u.dot(v) / r : 0, v.norm()};
   if (rim.law->yields) return mode.dented.push(rim, u, motion, dents);
-  return {rim.at(motion).force, 0, rim.trial(motion)};
+  const double force = rim.trial(motion);
+  return {rim.law->unilateral ? std::max(0.0, force) : force, 0, force};
 }
 
 void Dynamics::dent(Mode &mode, const State &y) const {

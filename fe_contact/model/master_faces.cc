@@ -103,14 +103,15 @@ MasterFaces::Place MasterFaces::locate(const Eigen::Vector3d &y, int guess, doub
   return best;
 }
 
-Eigen::Vector3d MasterFaces::roughly_back(const Eigen::Vector3d &x, const Eigen::VectorXd &u) const {
-  return x - u.segment<3>(3 * faces_.front()->nodes[faces_.front()->nodes.size() / 2]);
+Eigen::Vector3d MasterFaces::roughly_back(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int face) const {
+  const auto &nodes = faces_[std::max(face, 0)]->nodes;
+  return x - u.segment<3>(3 * nodes[nodes.size() / 2]);
 }
 
 Opposite MasterFaces::find(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int guess, double beyond) const {
   Opposite result;
   if (faces_.empty()) return result;
-  result.y = guess < 0 ? roughly_back(x, u) : x - u.segment<3>(3 * faces_[guess]->nodes[faces_[guess]->nodes.size() / 2]);
+  result.y = roughly_back(x, u, guess);
   const double tolerance = 1e-15 * (1 + x.norm());
   for (int iteration = 0; iteration < 12; ++iteration) {
     const Place place = locate(result.y, guess, beyond);

@@ -28,8 +28,8 @@ public:
   /// Opposite of x at dof displacements u, `guess` the face to try first (-1: none); past free edges up to
   /// `beyond` half widths of a face.
   Opposite find(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int guess, double beyond) const;
-  /// x pulled back with the displacement of the group's first face: good enough to look up what is near.
-  Eigen::Vector3d roughly_back(const Eigen::Vector3d &x, const Eigen::VectorXd &u) const;
+  /// x pulled back with the displacement of a face's middle (-1: the group's first): good enough to look up what is near.
+  Eigen::Vector3d roughly_back(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int face = -1) const;
   /// Faces within `margin` of a box of pulled-back points [m].
   std::vector<int> near(const Eigen::Vector3d &low, const Eigen::Vector3d &high, double margin) const;
   const Face &face(int i) const { return *faces_[i]; }

@@ -57,6 +57,10 @@ Vector3d SurfaceContact::relative_position(std::size_t k, const Eigen::VectorXd 
   return carrier_->roughly_back(position(points_[k], u), u);
 }
 
+bool SurfaceContact::may_bear(std::size_t k, const Eigen::VectorXd &u, int opposite) const {
+  return master_.distance(carrier_->roughly_back(position(points_[k], u), u, opposite)).gap < options_.margin;
+}
+
 std::vector<std::vector<int>> SurfaceContact::cliques(const Equations &equations, const Eigen::VectorXd &u) {
   std::vector<std::vector<int>> result;
   const int per_face = options_.points * options_.points;

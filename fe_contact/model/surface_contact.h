@@ -51,7 +51,7 @@ struct SurfaceContactReport {
   double penetration = 0;                 ///< largest, pointwise [m]
   double largest_pressure = 0;            ///< [Pa]
   int stick = 0, slip = 0;                ///< points
-  int lost = 0; ///< points opposite the master at the step's start for which nothing is found: what they bore is missing
+  int lost = 0; ///< points opposite and near the master at the step's start for which nothing is found: what they bore is missing
   double normal_work = 0, friction_work = 0; ///< taken up since the step's start, trapezoidal [J]
   bool pattern_holds = true; ///< false: a pair of faces is not in the matrix's pattern
 };
@@ -62,6 +62,9 @@ public:
                  const SurfaceContactOptions &options);
 
   SurfaceContactState open(const Eigen::VectorXd &u) const;
+  /// What the same points bore and stuck to on another mesh, where they are opposite this one's master at u. Throws
+  /// std::invalid_argument where they are not as many.
+  SurfaceContactState carried(const SurfaceContactState &other, const Eigen::VectorXd &u) const;
   /// Equations coupled by each slave face and what is opposite or near it at dof displacements u; the pairs are
   /// remembered as those the pattern holds.
   std::vector<std::vector<int>> cliques(const Equations &equations, const Eigen::VectorXd &u);
@@ -131,6 +134,8 @@ private:
   /// Relative position by the present opposite, else by the carrier's rough displacement.
   Eigen::Vector3d relative_position(std::size_t k, const Eigen::VectorXd &u, const SurfaceContactState &state) const;
   void settle(const Eigen::VectorXd &u, SurfaceContactState &state) const;
+  /// Whether the master's surface is within the margin of a point for which no face is found, judged by the face last opposite.
+  bool may_bear(std::size_t k, const Eigen::VectorXd &u, int opposite) const;
   /// The master's distance where a point is, on the deformed carrier. The gap's gradient by w, nu, has the length
   /// `stretch`; it changes with w and, w held, with the carrier's own strain.
   struct Carried {

@@ -77,7 +77,7 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
     if (!state.covered[k]) continue;
     const auto coupling = couple(k, u, state.opposite[k], beyond);
     if (!coupling) {
-      ++report.lost;
+      report.lost += may_bear(k, u, state.opposite[k]);
       continue;
     }
     state.opposite[k] = coupling->carrier_face;

@@ -2,6 +2,7 @@
 #include "fe_contact/model/surface_contact.h"
 
 #include <Eigen/QR>
+#include <stdexcept>
 
 namespace rimpact::fe {
 
@@ -31,6 +32,19 @@ SurfaceContactState SurfaceContact::open(const Eigen::VectorXd &u) const {
                             std::vector<int>(n, -1)};
   settle(u, state);
   for (std::size_t k = 0; k < n; ++k) state.start.push_back(relative_position(k, u, state));
+  return state;
+}
+
+SurfaceContactState SurfaceContact::carried(const SurfaceContactState &other, const Eigen::VectorXd &u) const {
+  if (other.covered.size() != points_.size()) throw std::invalid_argument("a contact's state of other points");
+  SurfaceContactState state = open(u);
+  state.stiffening = other.stiffening;
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    if (!state.covered[k] || !other.covered[k]) continue; // edges differ by what the meshes' faces do
+    state.multiplier[k] = other.multiplier[k], state.tangential[k] = other.tangential[k], state.start[k] = other.start[k];
+    state.gap[k] = other.gap[k], state.pressure[k] = other.pressure[k], state.friction[k] = other.friction[k];
+    state.status[k] = other.status[k];
+  }
   return state;
 }
 

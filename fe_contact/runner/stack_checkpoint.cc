@@ -19,13 +19,11 @@ void StackDynamic::save() const {
   if (held_.displacement.size()) file.numbers["held_rim"] = list(held_.displacement);
   file.numbers["impact"] = list(impact_);
   file.numbers["sectors"] = plan_.sectors;
-  write_checkpoint(file, options_.folder + "/checkpoint.h5");
+  write_checkpoint(file, checkpoint_of(options_));
 }
 
-void StackDynamic::restore() {
-  const std::string path = options_.folder + "/checkpoint.h5";
-  const Checkpoint file = read_checkpoint(path);
-  get(file, path, scene_, record_);
+void StackDynamic::restore(const Checkpoint &file) {
+  get(file, checkpoint_of(options_), scene_, record_);
   const auto &s = numbers(file, "stack");
   t_ = s[0], next_step_ = s[1], near_rim_ = s[2] != 0, touched_ = s[3] != 0, peak_written_ = s[4] != 0;
   rest_height_ = s[5], rest_elastic_ = s[6], external_before_ = s[7], height_before_ = s[8];
@@ -39,12 +37,6 @@ void StackDynamic::restore() {
   get(file, state_);
   active().start_afresh_at(state_);
   steps_kept_ = record_.n_steps;
-}
-
-std::vector<double> sectors_of_checkpoint(const RunOptions &options) {
-  const Checkpoint file = read_checkpoint(options.folder + "/checkpoint.h5");
-  const auto found = file.numbers.find("sectors");
-  return found == file.numbers.end() ? std::vector<double>{} : found->second;
 }
 
 } // namespace rimpact::fe

@@ -54,13 +54,6 @@ StackDynamic::StackDynamic(const scene::Scene &scene, const Plan &plan, const Ru
   record.n_dofs = joined_.equations().n;
 }
 
-void StackDynamic::begin() {
-  if (options_.resume)
-    restore();
-  else
-    start();
-}
-
 std::optional<double> StackDynamic::run() {
   while (t_ < end_time() - 1e-12) {
     if (!near_rim_ && gap() < joining_gap && closing_speed() > 0) {
@@ -214,8 +207,9 @@ std::map<std::string, double> StackDynamic::time_split() const {
 
 void run_stack_dynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record) {
   Plan now = plan;
-  if (options.resume)
-    if (const auto sectors = sectors_of_checkpoint(options); !sectors.empty()) now.sectors = sectors;
+  std::optional<Checkpoint> kept;
+  if (options.resume) kept = read_checkpoint(checkpoint_of(options));
+  if (kept && kept->numbers.count("sectors")) now.sectors = kept->numbers["sectors"]; // it may have been replanned
   auto dynamic = std::make_unique<StackDynamic>(scene, now, options, record);
   std::map<std::string, double> before; // of those replanned
   const auto times = [&] {
@@ -224,7 +218,11 @@ void run_stack_dynamic(const scene::Scene &scene, const Plan &plan, const RunOpt
     return result;
   };
   run_timed(record, [&] {
-    dynamic->begin();
+    if (kept)
+      dynamic->restore(*kept);
+    else
+      dynamic->start();
+    kept.reset();
     while (const auto direction = dynamic->run()) {
       now.sectors.push_back(*direction);
       auto next = std::make_unique<StackDynamic>(scene, now, options, record);

@@ -2,6 +2,7 @@
 /// solids join. R3: everything is solid all the time.
 /// Private to the runner; see stack_run.h.
 #pragma once
+#include "fe_contact/runner/checkpoint.h"
 #include "fe_contact/runner/stack_drive.h"
 #include "fe_contact/runner/stack_recorder.h"
 #include "fe_contact/runner/stack_transfer.h"
@@ -12,9 +13,9 @@ namespace rimpact::fe {
 class StackDynamic {
 public:
   StackDynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record);
-  /// From the start, or from the folder's checkpoint.
-  void begin();
-  /// Instead of begin: from where another one stands, whose plan has a sector less.
+  /// From the beginning, from a checkpoint whose sectors the plan has, or from where another one stands, whose plan has a sector less.
+  void start();
+  void restore(const Checkpoint &file);
   void take_over(const StackDynamic &old);
   /// To the end, or to a place where the rim is not meshed, whose direction it returns [rad].
   std::optional<double> run();
@@ -33,7 +34,6 @@ private:
   bool touching() const;
   bool rests() const; ///< as the scout has for good
 
-  void start();
   /// Quasi-static slide to just short of the rim, then the speed of a window's impact.
   void slide_out();
   void march_on();
@@ -52,7 +52,6 @@ private:
   Eigen::VectorXd load(double t) const;
   void write_fields();
   void save() const;
-  void restore();
 
   const scene::Scene &scene_;
   const Plan plan_;
@@ -74,7 +73,6 @@ private:
   scene::Impact impact_{};
 };
 
-/// Directions of the sectors that the folder's checkpoint was written with; empty: those of the plan.
-std::vector<double> sectors_of_checkpoint(const RunOptions &options);
+inline std::string checkpoint_of(const RunOptions &options) { return options.folder + "/checkpoint.h5"; }
 
 } // namespace rimpact::fe

@@ -10,14 +10,6 @@
 namespace rimpact::fe {
 namespace {
 
-/// Values of the equations from those of all dofs.
-Eigen::VectorXd gathered(const Equations &equations, const Eigen::VectorXd &by_dof) {
-  Eigen::VectorXd result = Eigen::VectorXd::Zero(equations.n);
-  for (std::size_t dof = 0; dof < equations.of_dof.size(); ++dof)
-    if (equations.of_dof[dof] >= 0) result[equations.of_dof[dof]] = by_dof[dof] / equations.weight[dof];
-  return result;
-}
-
 SolidEnergies energies_at(const StackModel &model, const StackSystem &system, const Eigen::VectorXd &displacements,
                           const SolidHistory &history) {
   SolidHistory same;
@@ -29,12 +21,11 @@ SolidEnergies energies_at(const StackModel &model, const StackSystem &system, co
 }
 
 /// What sticks and bears of pad and socket, whose slave faces are the same in both meshes.
-void carry_contacts(const SystemState &old, SystemState &state) {
+void carry_contacts(const SystemState &old, const StackSystem &system, SystemState &state) {
   for (const std::size_t i : {StackSystem::dish, StackSystem::socket}) {
     if (old.contacts[i].multiplier.size() != state.contacts[i].multiplier.size())
       throw SolverStopped("the state could not be carried over to the mesh with one more sector: pad or cap have other points there");
-    state.contacts[i] = old.contacts[i];
-    std::fill(state.contacts[i].opposite.begin(), state.contacts[i].opposite.end(), -1); // other faces carry the surfaces
+    state.contacts[i] = system.contact(i).carried(old.contacts[i], system.expand(state));
     state.reports[i] = old.reports[i];
   }
 }
@@ -57,11 +48,11 @@ std::optional<double> StackDynamic::unmeshed_direction() const {
 void StackDynamic::take_over(const StackDynamic &old) {
   const MeshTransfer transfer(old.model_.space, model_.space);
   state_ = active().at_rest();
-  const auto moved = [&](const Eigen::VectorXd &values) { return gathered(active().equations(), transfer.nodal(old.active().equations().expand(values))); };
+  const auto moved = [&](const Eigen::VectorXd &values) { return active().equations().gather(transfer.nodal(old.active().equations().expand(values))); };
   state_.u = moved(old.state_.u), state_.v = moved(old.state_.v), state_.a = moved(old.state_.a);
   state_.R = active().mass_times(state_.a);
   state_.history = transfer.history(old.state_.history);
-  carry_contacts(old.state_, state_);
+  carry_contacts(old.state_, active(), state_);
   if (!model_.full() && old.held_.displacement.size()) held_.displacement = transfer.nodal(old.held_.displacement);
   state_.energies = energies_at(model_, active(), active().expand(state_), state_.history);
   if (!model_.full()) {

@@ -26,12 +26,9 @@ void carry_over(const StackSystem &from, const StackSystem &to, const SystemStat
 
 SystemState joined_state(const StackSystem &alone, const SystemState &state, const HeldRim &held, StackSystem &joined) {
   SystemState result = joined.at_rest();
-  Eigen::VectorXd shape = Eigen::VectorXd::Zero(joined.equations().n);
-  if (held.displacement.size())
-    for (std::size_t dof = 0; dof < joined.equations().of_dof.size(); ++dof)
-      if (const int equation = joined.equations().of_dof[dof]; equation >= 0) shape[equation] = held.displacement[dof];
   carry_over(alone, joined, state, result);
-  result.u = carried_over(alone.equations(), joined.equations(), state.u, shape);
+  result.u = carried_over(alone.equations(), joined.equations(), state.u,
+                          held.displacement.size() ? joined.equations().gather(held.displacement) : Eigen::VectorXd::Zero(joined.equations().n));
   result.contacts[StackSystem::rim] = joined.contact(StackSystem::rim).open(joined.expand(result));
   result.energies.elastic = state.energies.elastic + held.energies.elastic;
   result.energies.plastic = state.energies.plastic + held.energies.plastic;

@@ -18,6 +18,13 @@ struct Equations {
       result[i] = of_dof[i] < 0 ? 0.0 : weight[i] * values[of_dof[i]];
     return result;
   }
+  /// The equations' values from those of all dofs.
+  Eigen::VectorXd gather(const Eigen::VectorXd &by_dof) const {
+    Eigen::VectorXd result = Eigen::VectorXd::Zero(n);
+    for (std::size_t i = 0; i < of_dof.size(); ++i)
+      if (of_dof[i] >= 0) result[of_dof[i]] = by_dof[i] / weight[i];
+    return result;
+  }
 };
 
 } // namespace rimpact::fe

@@ -2,6 +2,7 @@
 // test_surface_contact.cc, restarts in test_restart.cc, stiff and soft penalties by verify_contact hard-states.
 #include "blocks.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace rimpact::fe {
@@ -79,6 +80,10 @@ TEST(Pitfall, APointThrownPastTheFacesOppositeIsMissedAndItsStepRefused) {
     const auto taken = step(x, -1e-4);
     EXPECT_TRUE(taken.converged) << x << ": " << taken.reason;
   }
+  ASSERT_TRUE(step(0, 0.015).converged); // lifted: what has nothing opposite any more bore nothing
+  const auto &covered = state.contacts[0].covered;
+  ASSERT_NE(std::find(covered.begin(), covered.end(), 1), covered.end());
+  EXPECT_TRUE(step(0.09, 0.015).converged);
 }
 
 /// A block on a plane under its weight `normal` [N] and a push along the plane, shared out over its mass.
