@@ -70,6 +70,7 @@ LawRow judged(const Runs &runs, const FitOptions &options, const FitResult &resu
       if (error.grazing || error.folder != left.what) continue;
       row.left_out_peak_error = std::max(row.left_out_peak_error, std::abs(error.peak_force));
       row.left_out_rebound_error = std::max(row.left_out_rebound_error, std::abs(error.rebound));
+      row.left_out_sum += std::abs(error.peak_force) + std::abs(error.rebound);
     }
   find_range(row, tolerance);
   return row;
@@ -88,8 +89,8 @@ LawRow row_of(const Runs &runs, FitOptions options, double tolerance) {
   for (const auto &name : plain.parameters) options.start[name] = row.result.parameters.at(name).value;
   options.n_starts = 0;
   const LawRow shaped = judged(runs, options, fit(runs, options), tolerance);
-  const auto worst = [](const LawRow &r) { return std::max(r.left_out_peak_error, r.left_out_rebound_error); };
-  return worst(shaped) < worst(row) ? shaped : row;
+  // By all of them and not by squares: a single run beyond what any exponents can follow does not decide.
+  return shaped.left_out_sum < row.left_out_sum ? shaped : row;
 }
 
 } // namespace
@@ -104,7 +105,7 @@ FitOptions options_for(const std::string &law, const FitOptions &given) {
   own.law = law;
   own.parameters = reduced::impact_law(law).parameters;
   own.start.clear();
-  own.n_starts = std::min(given.n_starts, starts_a_law);
+  own.n_starts = std::clamp(given.n_starts, 1, starts_a_law);
   const auto read = [&](const std::string &name) { return reduced::impact_law(law).reads(name); };
   std::erase_if(own.bounds, [&](const auto &entry) { return !read(entry.first); });
   std::erase_if(own.fixed, [&](const auto &entry) { return of_a_law(entry.first) && !read(entry.first); });

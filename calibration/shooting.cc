@@ -50,7 +50,9 @@ Shot shoot(const scene::Scene &scene, const ImpactWindow &window) {
     shot.force.push_back(pulse_at(times, force, t));
   }
   shot.peak = smooth_peak(times, force);
-  shot.rebound_speed = -v[std::min(end_of_first_pulse(force), v.size() - 1)];
+  const std::size_t last = std::min(end_of_first_pulse(force), times.size() - 1);
+  const auto at_release = [&](const char *name) { return Eigen::Vector2d(run.response.series(name + std::string("_x"))[last], run.response.series(name + std::string("_y"))[last]); };
+  shot.rebound_speed = -at_release("velocity").dot(at_release("displacement").normalized()); // radial there, as a summary's
   return shot;
 }
 

@@ -104,7 +104,7 @@ WindowsTable windows_table(const std::vector<const StoredRun *> &windows, const 
   std::erase_if(own.parameters, [](const std::string &name) { return parameter(name).seen_in_flight; });
   own.start.clear();
   std::erase_if(own.bounds, [](const auto &entry) { return parameter(entry.first).seen_in_flight; });
-  own.n_starts = std::min(options.n_starts, 3);
+  own.n_starts = std::clamp(options.n_starts, 1, 3);
   if (own.parameters.empty()) own.parameters = {"k_i", "e"};
   for (const StoredRun *run : windows) {
     if (run->impacts.empty()) throw DataError(run->folder + ": the window holds no impact to fit");

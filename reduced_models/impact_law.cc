@@ -30,11 +30,14 @@ ImpactForce hunt_crossley(const RimElement &r, const RimMotion &m) {
   return {spring * damped, r.exponent * spring / m.d * damped, spring * r.dissipation};
 }
 
-// A dent spreads as it deepens, so the rim hardens less than linearly (p < 1). Rate-independent: along the backbone to the deepest penetration, from and to it along the unloading slope.
+// A dent spreads as it deepens, so the rim hardens less than linearly (p < 1). Rate-independent: along the backbone to the deepest
+// penetration, from and to it along the curve of unloading; below that the force by which the law is from pressing.
 ImpactForce elastoplastic(const RimElement &r, const RimMotion &m) {
+  if (!(m.deepest > 0) && m.d < 0) return {r.stiffness * m.d, r.stiffness, 0};
   if (m.d >= m.deepest) return elastoplastic_backbone(r, m.d);
-  const double top = elastoplastic_backbone(r, m.deepest).force, slope = unloading_stiffness(r, top);
-  return {top - slope * (m.deepest - m.d), slope, 0};
+  const Unloading back = unloading(r, m.deepest);
+  const double s = 1 - (m.deepest - m.d) / back.length, bend = back.curvature * std::max(0.0, s), slope = back.top / back.length;
+  return {back.top * s * (1 - back.curvature + bend), slope * (1 - back.curvature + 2 * bend), 0};
 }
 
 } // namespace
@@ -148,13 +151,13 @@ ImpactForce elastoplastic_backbone(const RimElement &r, double d) {
           r.stiffness * ((1 - h) / (root * root * root) + h * std::pow(1 + x, p - 1)), 0};
 }
 
-double unloading_stiffness(const RimElement &r, double force) {
-  return r.stiffness * (1 + r.unloading_gain * std::pow(std::max(0.0, force / r.yield_force - 1), r.unloading_exponent));
+Unloading unloading(const RimElement &r, double deepest) {
+  const double top = elastoplastic_backbone(r, deepest).force,
+               slope = r.stiffness * (1 + r.unloading_gain * std::pow(r.stiffness * deepest / r.yield_force, r.unloading_exponent)),
+               w = std::min(opening, slope * deepest / top - 1);
+  return {deepest, top, w, (1 + w) * top / slope};
 }
 
-double residual_indentation(const RimElement &r, double deepest) {
-  const double top = elastoplastic_backbone(r, deepest).force;
-  return deepest - top / unloading_stiffness(r, top);
-}
+double residual_indentation(const RimElement &r, double deepest) { return deepest - unloading(r, deepest).length; }
 
 } // namespace rimpact::reduced

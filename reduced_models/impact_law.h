@@ -51,7 +51,7 @@ struct RimElement {
   double hardening = 0;           ///< h [-] (elastoplastic), 0..1: tangent h k_i (1 + x)^(p - 1) beyond yield
   double hardening_exponent = 0.75; ///< p [-] (elastoplastic), 0..1
   double unloading_gain = 0;      ///< a [-] (elastoplastic), >= 0
-  double unloading_exponent = 1;  ///< m [-] (elastoplastic), > 0
+  double unloading_exponent = 0.5; ///< m [-] (elastoplastic), > 0
   const ImpactLaw *law = nullptr; ///< into impact_laws()
   ImpactForce at(const RimMotion &motion) const;
   /// The law's force before a unilateral element lets go [N]: its sign decides whether it presses.
@@ -73,9 +73,19 @@ inline constexpr double hunt_crossley_penetration = 1e-3;
 
 /// First loading of `elastoplastic`, F_y [c x / sqrt(1 + (c x)^2) + h ((1 + x)^p - 1) / p], and its slope;
 ImpactForce elastoplastic_backbone(const RimElement &rim, double d); ///< x = k_i d / F_y, c = 1 - h
-/// Slope of unloading from the force F [N/m], k (1 + a max(0, F / F_y - 1)^m): with m = 1 the linear growth of Walton and
-/// Braun (1986), beyond yield.
-double unloading_stiffness(const RimElement &rim, double force);
+/// From the deepest penetration D and its force F back: F [(1 - w) s + w s^2], s = 1 - (D - d) / length, as a touch that opens
+/// does. The slope at the top, (1 + w) F / length, is k (1 + a (k D / F_y)^m): a deeper dent is wider and so stiffer. w = opening,
+/// less where the curve would reach past d = 0.
+struct Unloading {
+  double deepest, top; ///< D [m], > 0; F [N]
+  double curvature;    ///< w [-], 0..1
+  double length;       ///< [m], <= D
+  double elastic_energy() const { return top * length * (1.0 / 2 - curvature / 6); } ///< [J]
+};
+/// As s^1.4 (within 1.6 % of F), to which the reference curves of rungs rim and rigid-dish open from 0.1 to 0.7 m/s
+/// (docs/measured.md), but smooth at its end.
+inline constexpr double opening = 0.5;
+Unloading unloading(const RimElement &rim, double deepest);
 /// Indentation left after unloading from `deepest` [m].
 double residual_indentation(const RimElement &rim, double deepest);
 

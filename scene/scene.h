@@ -38,8 +38,8 @@ struct ReducedSettings {
   double yield_force = 0.8e6;         ///< F_y of elastoplastic [N], > 0
   double hardening = 0.08;            ///< h of elastoplastic [-], 0..1: its tangent beyond yield falls from h k_i as (1 + x)^(p - 1)
   double hardening_exponent = 0.75;   ///< p of elastoplastic [-], 0..1
-  double unloading_gain = 0.5;        ///< a of elastoplastic [-], >= 0: unloads at k_i (1 + a (F / F_y - 1)^m)
-  double unloading_exponent = 1.0;    ///< m of elastoplastic [-], > 0
+  double unloading_gain = 0.3;        ///< a of elastoplastic [-], >= 0: unloading begins at k_i (1 + a (k_i d / F_y)^m)
+  double unloading_exponent = 0.5;    ///< m of elastoplastic [-], > 0
   double dent_spread = 3.0;           ///< of elastoplastic [-], > 0: flank radius of a dent over that of slider and wall as circles
   double capacity_offset = 0.0;       ///< the reduced rim begins at L_c plus this [m]
   std::string friction = "coulomb";   ///< coulomb | park-wen

@@ -75,7 +75,7 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
     v.number({"yield_force_kN", "F_y"}, r.yield_force, kilo, positive);
     v.number({"hardening", "h: tangent over k_i just beyond yield"}, r.hardening, si, share);
     v.number({"hardening_exponent", "p: the tangent falls as (1 + k_i d / F_y)^(p - 1)"}, r.hardening_exponent, si, {0, 1, true});
-    v.number({"unloading_gain", "a: unloads at k_i (1 + a (F / F_y - 1)^m)"}, r.unloading_gain, si, {0, 100});
+    v.number({"unloading_gain", "a: unloading begins at k_i (1 + a (k_i d / F_y)^m)"}, r.unloading_gain, si, {0, 100});
     v.number({"unloading_exponent", "m"}, r.unloading_exponent, si, {0, 10, true});
     v.number({"dent_spread", "a dent's flank radius over that of two circles"}, r.dent_spread, si, {0, 1e6, true});
   }

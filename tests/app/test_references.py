@@ -1,5 +1,5 @@
 """The reduced model with the fitted law against the stored curves of rung rigid-dish (calibration/references), each from its own
-start: a pulse from rest. The grazing windows and the one beyond the law's range (1 m/s) are held by their displacement alone."""
+start: a pulse from rest. The one beyond the law's range (1 m/s) is held by its displacement alone."""
 import json
 import pathlib
 import tempfile
@@ -8,7 +8,7 @@ import unittest
 from command import rimpact
 
 REFERENCES = pathlib.Path(__file__).resolve().parents[2] / "calibration/references"
-WELL_CONDITIONED = ("pulse", "window-0.20", "window-0.35", "window-0.50", "window-0.70", "window-1.00")
+BEYOND = "window-1.20"
 
 
 class References(unittest.TestCase):
@@ -24,14 +24,14 @@ class References(unittest.TestCase):
                 self.assertEqual(made.returncode, 0, made.stderr)
                 metrics = json.loads(rimpact("compare", str(curve), folder, "--json").stdout)
                 self.assertLess(metrics["nrmse_displacement"], 0.01)
-                if curve.name.startswith(WELL_CONDITIONED):
+                if curve.name != BEYOND:
                     self.assertLess(abs(metrics["peak_force_error"]), 0.05)
                     self.assertLess(abs(metrics["rebound_error"]), 0.05)
 
     def test_and_predicts_the_oblique_impact_of_the_bidirectional_pulse(self):
         """From the state at its touch: what leads there is seconds of sliding in two directions, a test of another kind."""
         law = json.loads((REFERENCES / "elastoplastic.json").read_text())
-        fixed = {"k_i": "reduced.k_i_kN_per_m", "yield_force": "reduced.yield_force_kN"} | {
+        fixed = {"k_i": "reduced.k_i_kN_per_m", "yield_force": "reduced.yield_force_kN", "elastic_slip": "reduced.elastic_slip_mm"} | {
             name: "reduced." + name for name in ("hardening", "hardening_exponent", "unloading_gain", "unloading_exponent")}
         with tempfile.TemporaryDirectory() as folder:
             made = rimpact("calibrate", str(REFERENCES / "pulse-0.78g-1.05"), "--predict", str(REFERENCES / "pulse-bidirectional"), "--law", "elastoplastic",
@@ -40,9 +40,8 @@ class References(unittest.TestCase):
             (run,) = json.loads((pathlib.Path(folder) / "calibration.json").read_text())["prediction"].values()
         (impact,) = run["impacts"]
         restitution = json.loads((REFERENCES / "pulse-bidirectional/summary.json").read_text())["impacts"][0]["restitution"]
-        self.assertLess(abs(impact["peak_force_error"]), 0.02)
-        # 5.3 %: at this speed the law overstates a straight rebound by some 3.5 %; without a place to its dent it is 5.9 % low
-        self.assertLess(abs(impact["rebound_error_over_approach"]) / restitution, 0.055)
+        self.assertLess(abs(impact["peak_force_error"]), 0.05)
+        self.assertLess(abs(impact["rebound_error_over_approach"]) / restitution, 0.05)
 
 
 if __name__ == "__main__":

@@ -79,13 +79,25 @@ TEST(ImpactLaws, ElastoplasticByItsOwnFormula) {
               Fy / std::sqrt(2.0) + 0.08 * Fy * (std::pow(1 + 1 / 0.92, 0.7) - 1) / 0.7, 1e-9 * Fy);
   EXPECT_NEAR(rim.at({0.2, 0.1}).d_penetration, 0.08 * k * std::pow(1 + far, -0.3), 1e-5 * k); // hardening
   EXPECT_NEAR(rim.at({0.2, 0.1}).force, Fy + 0.08 * Fy * (std::pow(1 + far, 0.7) - 1) / 0.7, 1e-3 * Fy);
-  const double deepest = 5e-3, top = rim.at({deepest, 0}).force, slope = k * (1 + 0.5 * std::pow(top / Fy - 1, 1.6));
+  const double deepest = 5e-3, top = rim.at({deepest, 0}).force, slope = k * (1 + 0.5 * std::pow(k * deepest / Fy, 1.6));
   ASSERT_GT(top, Fy);
-  EXPECT_DOUBLE_EQ(rim.at({4.8e-3, 0.1, 0.1, deepest}).force, top - slope * 0.2e-3);
-  EXPECT_NEAR(residual_indentation(rim, deepest), deepest - top / slope, 1e-15);
+  const double length = 1.5 * top / slope;
+  EXPECT_NEAR(rim.at({deepest - 0.3 * length, 0.1, 0.1, deepest}).force, top * (0.7 + 0.49) / 2, 1e-9 * top);
+  for (const double s : {0.1, 0.3, 0.5, 0.7, 0.9}) EXPECT_NEAR(rim.at({deepest - (1 - s) * length, 0, 0, deepest}).force, top * std::pow(s, 1.4), 0.016 * top);
+  EXPECT_NEAR(rim.at({deepest - 1e-12, 0.1, 0.1, deepest}).d_penetration, slope, 1e-6 * slope);
+  EXPECT_NEAR(residual_indentation(rim, deepest), deepest - length, 1e-15);
   EXPECT_EQ(rim.at({residual_indentation(rim, deepest) - 1e-6, 0.1, 0.1, deepest}).force, 0);
+  EXPECT_LT(rim.trial({residual_indentation(rim, deepest) - 1e-6, 0.1, 0.1, deepest}), 0);
   EXPECT_NEAR(rim.at({deepest + 1e-12, 0, 0, deepest}).force, top, 1e-3); // continuous where it yields again
-  EXPECT_EQ(unloading_stiffness(rim, 0.5 * Fy), k);
+}
+
+TEST(ImpactLaws, ElastoplasticIsElasticWhereItHardlyYields) {
+  const auto rim = element("elastoplastic");
+  const double k = rim.stiffness, deepest = 1e-7; // far below F_y / k
+  EXPECT_NEAR(residual_indentation(rim, deepest), 0, 1e-20);
+  EXPECT_NEAR(rim.at({0.5 * deepest, -0.1, 0.1, deepest}).force, 0.5 * k * deepest, 1e-4 * k * deepest);
+  EXPECT_NEAR(unloading(rim, deepest).elastic_energy(), 0.5 * k * deepest * deepest, 1e-4 * k * deepest * deepest);
+  EXPECT_LT(rim.trial({-1e-3, 0.1, 0.1, 0}), 0); // short of a fresh rim
 }
 
 TEST(RimMemory, KeepsArcsApart) {

@@ -49,7 +49,7 @@ TEST(YieldingRim, ElastoplasticBalancesEnergy) {
     const auto rim = rim_element(s.reduced, s.load.mass);
     const double deepest = deepest_of(rim, s.load.mass * v * v / 2),
                  top = elastoplastic_backbone(rim, deepest).force,
-                 rebound = top / std::sqrt(unloading_stiffness(rim, top) * s.load.mass);
+                 rebound = std::sqrt(2 * unloading(rim, deepest).elastic_energy() / s.load.mass);
     const auto impact = simulate_summary(s).impacts.at(0);
     EXPECT_NEAR(impact.peak_force / top, 1, 1e-6) << v;
     EXPECT_NEAR(impact.peak_penetration / deepest, 1, 1e-6) << v;
@@ -88,9 +88,7 @@ TEST(YieldingRim, AHarderSecondImpactGoesOnAlongTheBackbone) {
   EXPECT_NEAR(impact.peak_force, elastoplastic_backbone(rim, impact.peak_penetration).force,
               1e-6 * impact.peak_force);
   // what is left of the energy above the elastic part of the dent: reached from the dent as from its force
-  const double top = elastoplastic_backbone(rim, 2e-3).force;
-  const double elastic = top * top / (2 * unloading_stiffness(rim, top));
-  const double whole = s.load.mass * 0.5 * 0.5 / 2 - elastic;
+  const double whole = s.load.mass * 0.5 * 0.5 / 2 - unloading(rim, 2e-3).elastic_energy();
   const double to_dent = simulate_summary(struck("elastoplastic", 0.5)).impacts.at(0).peak_penetration;
   EXPECT_GT(impact.peak_penetration, to_dent); // the dent costs nothing this time
   double work = 0;
