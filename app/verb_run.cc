@@ -24,7 +24,7 @@ void run(Options &options, Console &console) {
   if (options.dry_run)
     return console.data(console.json ? fe::to_json(plan).dump(2) + "\n" : fe::describe(plan));
   console.message(fe::describe(plan));
-  for (const auto &[name, version] : fe::component_versions()) console.detail(name + " " + version);
+  for (const auto &[name, version] : fe::component_versions()) console.detail(fmt::format("{} {}", name, version));
 
   fe::RunOptions run_options;
   run_options.folder = options.folder.empty() ? default_folder(scene.name) : options.folder;

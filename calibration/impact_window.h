@@ -50,7 +50,7 @@ struct ImpactWindow {
   double overshoot =
       0; ///< travel beyond `capacity` if there were no rim [m], infinite when nothing else stops it
   /// overshoot < grazing_overshoot L_c: a slightly different flight would miss the rim, so its force says
-  /// little
+  /// little. Never a window's, which comes with a speed that is given.
   bool grazing = false;
 };
 

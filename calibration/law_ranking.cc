@@ -38,12 +38,12 @@ void find_range(LawRow &row, double tolerance) {
     if (left.errors.size() == 1 && left.errors[0].folder == left.what && !left.errors[0].grazing)
       errors.push_back(left.errors[0]);
   std::sort(errors.begin(), errors.end(), [](const auto &a, const auto &b) { return a.speed < b.speed; });
-  std::size_t longest = 0, n = 0;
+  int n = 0;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const bool met = std::abs(errors[i].peak_force) <= tolerance && std::abs(errors[i].rebound) <= tolerance;
     n = met ? n + 1 : 0;
-    if (n <= longest) continue;
-    longest = n;
+    if (n <= row.n_valid) continue;
+    row.n_valid = n;
     row.valid_from = errors[i + 1 - n].speed, row.valid_to = errors[i].speed;
   }
   if (!errors.empty()) row.sentence = range_sentence(row, errors, tolerance);
@@ -70,7 +70,6 @@ LawRow judged(const Runs &runs, const FitOptions &options, const FitResult &resu
       if (error.grazing || error.folder != left.what) continue;
       row.left_out_peak_error = std::max(row.left_out_peak_error, std::abs(error.peak_force));
       row.left_out_rebound_error = std::max(row.left_out_rebound_error, std::abs(error.rebound));
-      row.left_out_sum += std::abs(error.peak_force) + std::abs(error.rebound);
     }
   find_range(row, tolerance);
   return row;
@@ -89,8 +88,9 @@ LawRow row_of(const Runs &runs, FitOptions options, double tolerance) {
   for (const auto &name : plain.parameters) options.start[name] = row.result.parameters.at(name).value;
   options.n_starts = 0;
   const LawRow shaped = judged(runs, options, fit(runs, options), tolerance);
-  // By all of them and not by squares: a single run beyond what any exponents can follow does not decide.
-  return shaped.left_out_sum < row.left_out_sum ? shaped : row;
+  const auto worst = [](const LawRow &r) { return std::max(r.left_out_peak_error, r.left_out_rebound_error); };
+  const bool wider = shaped.n_valid > row.n_valid; // first: a run beyond what any exponents can follow does not decide
+  return wider || (shaped.n_valid == row.n_valid && worst(shaped) < worst(row)) ? shaped : row;
 }
 
 } // namespace

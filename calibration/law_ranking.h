@@ -30,9 +30,9 @@ struct LawRow {
   double largest_rebound_error = 0;
   double left_out_peak_error = 0; ///< largest over runs left out one at a time
   double left_out_rebound_error = 0;
-  double left_out_sum = 0; ///< of both errors' amounts over them
   /// Speeds (neighbouring) at which the left-out peak force and rebound both stay within the tolerance.
   std::optional<double> valid_from, valid_to;
+  int n_valid = 0; ///< runs in that range
   std::string sentence;
 };
 struct LawRanking {

@@ -1,6 +1,7 @@
 #include "calibration/problem.h"
 #include "calibration/halton.h"
 #include "calibration/windows_table.h"
+#include "reduced_models/impact_law.h"
 #include "scene/error.h"
 #include <algorithm>
 #include <cmath>
@@ -45,6 +46,7 @@ void Problem::add_blocks(const std::vector<const StoredRun *> &runs) {
     for (const auto &w : run->impacts) {
       if (drop && w.grazing) continue;
       blocks_.push_back(impact_block(*run, w, options_));
+      if (!gentlest_ || w.impact.approach_speed < gentlest_->impact.approach_speed) gentlest_ = &w;
       ++n_impacts_;
     }
     if (!run->impacts.empty() && (!hardest_ || run->peak_force() > hardest_->peak_force())) hardest_ = run;
@@ -109,6 +111,9 @@ Eigen::VectorXd Problem::guess() const {
     scene.reduced.restitution = e;
     scene.reduced.k_i = ratio * ratio / scene.load.mass;
     scene.reduced.yield_force = 0.4 * hardest->peak;
+    // A rim that yields is as stiff as its gentlest impact finds it, F = v sqrt(k m).
+    if (gentlest_ && reduced::impact_law(scene.reduced.impact_law).yields)
+      scene.reduced.k_i = std::pow(gentlest_->peak / gentlest_->impact.approach_speed, 2) / scene.load.mass;
   }
   Eigen::VectorXd x(n_parameters());
   for (int i = 0; i < n_parameters(); ++i)

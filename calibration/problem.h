@@ -31,8 +31,8 @@ public:
   /// Central differences (one-sided at a bound). `jacobian` is row-major, size() x n_parameters().
   bool jacobian(const ResidualBlock &block, const double *x, double *jacobian) const;
 
-  /// Where searches begin: the given start, the hardest impact read as a Kelvin-Voigt rim, the scene's own
-  /// values, then points spread over the bounds; n_starts in all (the given one comes on top).
+  /// Where searches begin: the given start, the hardest impact read as a Kelvin-Voigt rim (the gentlest for a
+  /// law that yields), the scene's own values, then points spread over the bounds; n_starts in all (the given one comes on top).
   std::vector<Eigen::VectorXd> starts() const;
 
 private:
@@ -46,6 +46,7 @@ private:
   Eigen::VectorXd lower_, upper_;
   std::vector<std::unique_ptr<ResidualBlock>> blocks_;
   const StoredRun *hardest_ = nullptr;
+  const ImpactWindow *gentlest_ = nullptr;
   int n_impacts_ = 0;
   bool all_grazing_ = false;
   std::vector<std::string> notes_;

@@ -7,6 +7,7 @@ namespace rimpact::calibration {
 namespace {
 
 constexpr int degree = 4;
+constexpr double share = 0.8; ///< of the largest sample
 using Coefficients = Eigen::Matrix<double, degree + 1, 1>;
 
 double polynomial(const Coefficients &c, double s) {
@@ -39,8 +40,8 @@ double smooth_peak(const std::vector<double> &times, const std::vector<double> &
   const auto top = std::max_element(force.begin(), force.end());
   if (top == force.end() || *top <= 0) return 0;
   std::size_t first = static_cast<std::size_t>(top - force.begin()), last = first;
-  while (first > 0 && force[first - 1] >= 0.8 * *top) --first;
-  while (last + 1 < force.size() && force[last + 1] >= 0.8 * *top) ++last;
+  while (first > 0 && force[first - 1] >= share * *top) --first;
+  while (last + 1 < force.size() && force[last + 1] >= share * *top) ++last;
   const auto n = static_cast<Eigen::Index>(last - first + 1);
   if (n < degree + 2 || times[last] <= times[first]) return *top;
 
@@ -48,10 +49,11 @@ double smooth_peak(const std::vector<double> &times, const std::vector<double> &
   Eigen::VectorXd b(n);
   const double middle = 0.5 * (times[first] + times[last]), half = 0.5 * (times[last] - times[first]);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const double s = (times[first + i] - middle) / half;
-    A(i, 0) = 1;
+    const double s = (times[first + i] - middle) / half, above = std::clamp((force[first + i] / *top - share) / 0.1, 0.0, 1.0);
+    const double weight = above * above * (3 - 2 * above); // a sample that comes in by a hair counts for one
+    A(i, 0) = weight;
     for (int k = 1; k <= degree; ++k) A(i, k) = A(i, k - 1) * s;
-    b(i) = force[first + i];
+    b(i) = weight * force[first + i];
   }
   const Coefficients c = A.householderQr().solve(b);
   return largest_value(c);

@@ -49,10 +49,9 @@ Shot shoot(const scene::Scene &scene, const ImpactWindow &window) {
     shot.displacement.push_back(hermite_at(times, u, v, t));
     shot.force.push_back(pulse_at(times, force, t));
   }
-  shot.peak = smooth_peak(times, force);
-  const std::size_t last = std::min(end_of_first_pulse(force), times.size() - 1);
-  const auto at_release = [&](const char *name) { return Eigen::Vector2d(run.response.series(name + std::string("_x"))[last], run.response.series(name + std::string("_y"))[last]); };
-  shot.rebound_speed = -at_release("velocity").dot(at_release("displacement").normalized()); // radial there, as a summary's
+  shot.peak = smooth_peak(window.times, shot.force); // at the reference's samples, as its own
+  const auto &impacts = run.summary.impacts;
+  shot.rebound_speed = impacts.empty() ? -v.back() : impacts.front().rebound_speed;
   return shot;
 }
 

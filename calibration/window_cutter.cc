@@ -49,7 +49,7 @@ std::optional<ImpactWindow> WindowCutter::cut(std::size_t index, std::string &re
   }
   w.peak = smooth_peak(w.times, w.force);
   w.overshoot = overshoot(w);
-  w.grazing = w.overshoot < options_.grazing_overshoot * L_c_;
+  w.grazing = !run_.is_window() && w.overshoot < options_.grazing_overshoot * L_c_;
   return w;
 }
 

@@ -7,9 +7,6 @@ namespace rimpact::reduced {
 
 namespace {
 
-/// Samples beside a jump of the rim force stand this far from it [s].
-constexpr double beside = 1e-6;
-
 const char *const columns[] = {"time",
                                "displacement_x",
                                "displacement_y",
@@ -207,16 +204,16 @@ void Recorder::branch(const Mode &before, const Mode &after, double t, const Sta
   last_ = e;
   if (pressed_before == pressed) return;
   if (response_ && pressed && !columns_[0]->empty() &&
-      last_sample_ >= t) { // the touch belongs to the pressed branch
+      last_sample_ > t - 1e-9) { // the touch belongs to the pressed branch
     for (auto *column : columns_) column->pop_back();
     last_sample_ = columns_[0]->empty() ? -1e300 : columns_[0]->back();
   }
-  if (pressed) store(after, t, y);
+  if (pressed) store(after, t, y, 0); // however soon after another sample: where a dashpot's force begins
   next_sample_ = pressed ? next_after(after, t) : t + beside;
 }
 
-void Recorder::store(const Mode &mode, double t, const State &y) {
-  if (!response_ || t < last_sample_ + beside / 2) return;
+void Recorder::store(const Mode &mode, double t, const State &y, double apart) {
+  if (!response_ || t < last_sample_ + apart) return;
   last_sample_ = t;
   const Evaluation e = dynamics_.evaluate(mode, t, y);
   const Eigen::Vector3d force = e.pendular + e.friction + e.impact;

@@ -33,7 +33,8 @@ public:
   double smallest_gap() const { return smallest_gap_; }
 
 private:
-  void store(const Mode &mode, double t, const State &y);
+  static constexpr double beside = 1e-6; ///< samples beside a jump of the rim force stand this far from it [s]
+  void store(const Mode &mode, double t, const State &y, double apart = beside / 2); ///< none sooner than `apart` after the last [s]
   void open_impact(double t, const State &y);
   void close_impact(double t, const State &y);
   BuildingSnapshot building_at(const Mode &mode, const State &y) const;

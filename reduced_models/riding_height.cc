@@ -1,6 +1,7 @@
 #include "reduced_models/riding_height.h"
 
 #include "reduced_models/pad_on_dish.h"
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <mutex>
@@ -11,6 +12,27 @@ namespace rimpact::reduced {
 namespace {
 // The profile of the default ellipse has its singularity at 1.34 half-ranges: coefficients fall as 2.2^-n.
 constexpr int n_nodes = 44;
+
+/// Chebyshev coefficients from values at the nodes cos(pi (i + 1/2) / n).
+std::vector<double> chebyshev(const std::vector<double> &samples) {
+  const auto n = static_cast<int>(samples.size());
+  std::vector<double> c(n, 0.0);
+  for (int j = 0; j < n; ++j) {
+    for (int i = 0; i < n; ++i) c[j] += samples[i] * std::cos(std::numbers::pi * j * (i + 0.5) / n);
+    c[j] *= (j == 0 ? 1.0 : 2.0) / n;
+  }
+  return c;
+}
+
+/// Clenshaw's recurrence.
+double series(const std::vector<double> &c, double x) {
+  double b1 = 0, b2 = 0;
+  for (std::size_t j = c.size() - 1; j >= 1; --j) {
+    const double b = 2 * x * b1 - b2 + c[j];
+    b2 = b1, b1 = b;
+  }
+  return c[0] + x * b1 - b2;
+}
 } // namespace
 
 template <class Function>
@@ -23,25 +45,35 @@ RadialInterpolant::RadialInterpolant(const Function &of_radius, double largest_r
 }
 
 void RadialInterpolant::fit(const std::vector<double> &samples) {
-  coefficients_.assign(n_nodes, 0.0);
-  for (int j = 0; j < n_nodes; ++j) {
-    for (int i = 0; i < n_nodes; ++i)
-      coefficients_[j] += samples[i] * std::cos(std::numbers::pi * j * (i + 0.5) / n_nodes);
-    coefficients_[j] *= (j == 0 ? 1.0 : 2.0) / n_nodes;
+  const std::vector<double> whole = chebyshev(samples);
+  std::vector<double> values(degree + 1);
+  for (int i = 0; i < n_pieces; ++i) {
+    for (int k = 0; k <= degree; ++k)
+      values[k] = series(whole, (2 * i + 1 + std::cos(std::numbers::pi * (k + 0.5) / (degree + 1))) / n_pieces - 1);
+    const std::vector<double> own = chebyshev(values);
+    Piece before{}, now{}; // T_{j-1} and T_j in powers of t
+    now[0] = 1;
+    for (int j = 0; j <= degree; ++j) {
+      for (int k = 0; k <= degree; ++k) pieces_[i][k] += own[j] * now[k];
+      Piece next{};
+      for (int k = 0; k <= degree; ++k) next[k] = (k > 0 ? (j == 0 ? 1 : 2) * now[k - 1] : 0.0) - before[k];
+      before = now, now = next;
+    }
   }
 }
 
 RadialInterpolant::Values RadialInterpolant::at(double s) const {
-  // Clenshaw's recurrence and its derivatives by x in [-1, 1].
-  const double x = s / half_ - 1;
-  double b1 = 0, b2 = 0, p1 = 0, p2 = 0, q1 = 0, q2 = 0;
-  for (int j = n_nodes - 1; j >= 1; --j) {
-    const double q = 2 * x * q1 - q2 + 4 * p1, p = 2 * x * p1 - p2 + 2 * b1,
-                 b = 2 * x * b1 - b2 + coefficients_[j];
-    q2 = q1, q1 = q, p2 = p1, p1 = p, b2 = b1, b1 = b;
+  const double place = s / half_ * (n_pieces / 2);
+  const int i = place > 0 ? static_cast<int>(std::min(place, n_pieces - 0.5)) : 0;
+  const Piece &a = pieces_[i];
+  const double t = 2 * (place - i) - 1, scale = n_pieces / half_;
+  double value = a[degree], d1 = 0, d2 = 0; // Horner, d2 half of the second derivative
+  for (int k = degree - 1; k >= 0; --k) {
+    d2 = d2 * t + d1;
+    d1 = d1 * t + value;
+    value = value * t + a[k];
   }
-  return {coefficients_[0] + x * b1 - b2, (b1 + x * p1 - p2) / half_,
-          (2 * p1 + x * q1 - q2) / (half_ * half_)};
+  return {value, d1 * scale, 2 * d2 * scale * scale};
 }
 
 namespace {

@@ -2,13 +2,14 @@
 /// asked for.
 #pragma once
 #include "scene/bearing.h"
+#include <array>
 #include <memory>
 #include <vector>
 
 namespace rimpact::reduced {
 
-/// Even function of the radius as a Chebyshev interpolant in s = r^2: value and two derivatives by s to near
-/// rounding for the smooth profiles of surfaces of revolution, without a special case at r = 0.
+/// Even function of the radius as polynomials in s = r^2, piece by piece: those of a Chebyshev interpolant over the whole range,
+/// within 1e-15 of its largest value, 1e-12 and 1e-9 of its derivatives'. No special case at r = 0.
 class RadialInterpolant {
 public:
   template <class Function> RadialInterpolant(const Function &of_radius, double largest_radius);
@@ -18,9 +19,11 @@ public:
   Values at(double s) const;
 
 private:
+  static constexpr int n_pieces = 32, degree = 9;
+  using Piece = std::array<double, degree + 1>; ///< powers of t in [-1, 1]
   void fit(const std::vector<double> &samples);
   double half_ = 0; ///< half of the range of s
-  std::vector<double> coefficients_;
+  std::array<Piece, n_pieces> pieces_{};
 };
 
 class RidingHeight {

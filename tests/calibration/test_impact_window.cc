@@ -32,6 +32,11 @@ TEST(ImpactWindow, KnowsWhichImpactsGraze) {
   EXPECT_FALSE(clear.impacts.front().grazing);
   EXPECT_GT(clear.impacts.front().overshoot, 0.01);
   EXPECT_FALSE(isolated.impacts.front().grazing); // nothing but the rim stops an isolated mass, however slow
+  auto slow = window(0.05);
+  slow.excitation.with_weight = true;
+  const StoredRun heavy = run_of(slow);
+  EXPECT_LT(heavy.impacts.front().overshoot, 0.004); // its dish would nearly stop it, but its speed is given
+  EXPECT_FALSE(heavy.impacts.front().grazing);
 }
 
 TEST(ImpactWindow, FollowsADentedRimToItsOwnTouch) {

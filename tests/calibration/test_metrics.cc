@@ -39,8 +39,8 @@ TEST(Metrics, AgreeWithHandComputedValues) {
   EXPECT_NEAR(*c.rebound_error, -0.2, 1e-12);
   EXPECT_NEAR(*c.nrmse_displacement, 0.01 / 0.4, 1e-12);
   // force difference 200 N x triangle on [1, 3]; its square integrates to 2/3. Span: first non-zero sample
-  // (1.01 s) to 0.5 s after the last (2.99 s)
-  const double span = 2.99 + 0.5 - 1.01, missing = std::pow(0.01, 3) / 3;
+  // (1.01 s) to 0.5 s after the release, where the force's last samples point to (3 s)
+  const double span = 3.0 + 0.5 - 1.01, missing = std::pow(0.01, 3) / 3;
   EXPECT_NEAR(*c.nrmse_force, std::sqrt(200 * 200 * (2.0 / 3 - missing) / span) / 1000, 1e-6);
   EXPECT_NEAR(*c.touch_time_difference, 0, 1e-12);
 }

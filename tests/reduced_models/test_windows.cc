@@ -108,3 +108,17 @@ TEST(Window, SamplesAreDenseAndEndExactly) {
   EXPECT_NEAR(again.impacts[0].peak_force, run.summary.impacts[0].peak_force,
               1e-3 * again.impacts[0].peak_force);
 }
+
+TEST(Window, ATouchRightAfterTheFirstSampleHasItsOwn) {
+  const scene::Scene s = window(0.3);
+  BearingState start = PhysicalModel(s).initial_state();
+  for (const double gap : {1e-12, 1e-8, 1e-7, 1e-6, 1e-5}) {
+    start.u.x() = s.bearing.lateral_capacity() - gap;
+    const auto r = simulate_from(s, start, 0.01).response;
+    const auto &force = r.series("impact_x");
+    std::size_t i = 0;
+    while (force.at(i) == 0) ++i;
+    EXPECT_NEAR(r.series("time")[i], gap / 0.3, 2e-9) << gap; // where a dashpot's force begins
+    EXPECT_NEAR(-force[i], damping_coefficient(k, 0.65, m) * 0.3, 1e-6 * -force[i]) << gap;
+  }
+}
