@@ -16,12 +16,22 @@ namespace {
 
 using nlohmann::json;
 
-void run_reduced(const Job &job, double k_i, double e, const std::string &folder) {
-  scene::Scene scene = job.scene;
-  scene.reduced.k_i = k_i;
-  scene.reduced.restitution = e;
+void run_reduced(const scene::Scene &scene, const std::string &folder) {
   const auto run = reduced::simulate(scene);
   scene::write_run_folder(folder, scene, run.response, run.summary);
+}
+
+scene::Scene with_pair(scene::Scene scene, double k_i, double e) {
+  scene.reduced.k_i = k_i;
+  scene.reduced.restitution = e;
+  return scene;
+}
+
+/// The fit of the law that leaves least unexplained, where it is another than the pair's.
+const calibration::FitResult *best_law(const calibration::Calibration &fitted) {
+  if (fitted.laws.rows.empty()) return nullptr;
+  const auto &best = fitted.laws.rows.front().result;
+  return best.law == fitted.result.law ? nullptr : &best;
 }
 
 json critical_amplitudes(const std::vector<Job> &jobs) {
@@ -76,23 +86,23 @@ Selection select(const std::vector<Job> &jobs) {
   return s;
 }
 
-/// Reduced runs beside the finite-element ones: with the fitted pair when there is one, and with the
-/// published.
+/// Reduced runs beside the finite-element ones: with the fitted pair and the best law when there are, and with the published pair.
 json reduced_runs(const std::vector<Job> &jobs, const std::string &folder,
                   const std::optional<calibration::Calibration> &fitted) {
   json runs = json::array();
-  std::filesystem::remove_all(folder + "/reduced"); // an earlier calibration's
+  for (const char *earlier : {"/reduced", "/law"}) std::filesystem::remove_all(folder + earlier); // another calibration's
+  const calibration::FitResult *law = fitted ? best_law(*fitted) : nullptr;
   for (const auto &job : jobs) {
     if (job.done && fitted)
-      run_reduced(job, fitted->scene.reduced.k_i, fitted->scene.reduced.restitution,
-                  folder + "/reduced/" + job.name);
+      run_reduced(with_pair(job.scene, fitted->scene.reduced.k_i, fitted->scene.reduced.restitution), folder + "/reduced/" + job.name);
+    if (job.done && law) run_reduced(calibration::with_fitted(job.scene, *law), folder + "/law/" + job.name);
     if (job.done)
-      run_reduced(job, calibration::published_k_i, calibration::published_e,
-                  folder + "/published/" + job.name);
+      run_reduced(with_pair(job.scene, calibration::published_k_i, calibration::published_e), folder + "/published/" + job.name);
     runs.push_back({{"name", job.name},
                     {"role", job.role},
                     {"fe", "runs/" + job.name},
                     {"reduced", "reduced/" + job.name},
+                    {"law", law ? json("law/" + job.name) : json()},
                     {"published", "published/" + job.name},
                     {"reused", job.reused}});
   }

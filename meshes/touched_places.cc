@@ -35,7 +35,8 @@ void add_between(std::vector<Anchor> &anchors, double from, double to, const Pla
 /// From place `first` on, `count` of them, neighbours joined.
 RimArc arc_about(const std::vector<double> &places, std::size_t first, std::size_t count, const PlaceSizes &sizes) {
   std::vector<double> joined;
-  for (std::size_t k = first; k < first + count; ++k) joined.push_back(places[k % places.size()] + 2 * M_PI * (k / places.size()));
+  joined.reserve(count);
+  for (std::size_t k = first; k < first + count; ++k) joined.push_back(places[k % places.size()] + (k < places.size() ? 0 : 2 * M_PI));
   std::vector<Anchor> anchors = anchors_at(joined, sizes);
   RimArc arc;
   arc.closed = count > places.size();
@@ -62,6 +63,7 @@ std::vector<double> from_the_first(const std::vector<double> &directions) {
 
 std::vector<double> folded(const std::vector<double> &places) {
   std::vector<double> result;
+  result.reserve(places.size());
   for (const double place : places) result.push_back(place > M_PI ? 2 * M_PI - place : place);
   sort_and_merge(result);
   return result;

@@ -1,8 +1,9 @@
 """A results folder of `rimpact main`, or one run folder taken as such.
 
     DIR/runs/<name>/  FE runs    DIR/reduced/<name>/  the same scenes by the reduced model, fitted values
+    DIR/law/<name>/  the same, with the impact law that leaves least unexplained
     DIR/published/<name>/ or DIR/reduced/<name>-published/  the same, published values
-    DIR/calibration/calibration.json    DIR/main.json: {"runs": [{name, role, fe, reduced, published}], totals, ...}
+    DIR/calibration/calibration.json    DIR/main.json: {"runs": [{name, role, fe, reduced, law, published}], totals, ...}
 
 Whatever is missing or unreadable becomes a sentence in `problems`, never an error, as long as something is left."""
 import os
@@ -18,16 +19,17 @@ ROLES = ("fit", "predict", "window", "push")
 
 @dataclass
 class Entry:
-    """One scene: its FE run and what the reduced model makes of it. Any of the three may be None."""
+    """One scene: its FE run and what the reduced model makes of it. Any of them may be None."""
     name: str
     role: str
     fe: Run = None
     fitted: Run = None
+    law: Run = None
     published: Run = None
 
     def models(self):
         """(style role, run) of those that have a response, the reference first."""
-        pairs = (("fe", self.fe), ("fitted", self.fitted), ("published", self.published))
+        pairs = (("fe", self.fe), ("fitted", self.fitted), ("law", self.law), ("published", self.published))
         return [(role, run) for role, run in pairs if run is not None and run.signals]
 
     @property
@@ -154,6 +156,7 @@ def _load_entry(results, item):
     entry = Entry(name, "")
     places = {"fe": [item.get("fe"), f"runs/{name}"],
               "fitted": [item.get("reduced"), item.get("fitted"), f"reduced/{name}"],
+              "law": [item.get("law"), f"law/{name}"],
               "published": [item.get("published"), f"published/{name}", f"reduced/{name}-published"]}
     for slot, candidates in places.items():
         setattr(entry, slot, _first_run(results, name, slot, candidates))

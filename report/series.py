@@ -37,8 +37,12 @@ def radial_impact_force(run, part):
 
 def impact_curve(run, part):
     """(time since touch [s], force [N], penetration -gap [m]) of one impact, closed by the zero force before touch
-    and after release."""
-    time, force = run.time[part] - run.time[part][0], radial_impact_force(run, part)
-    depth = -run.signals["gap"][part] if run.has("gap") else np.zeros_like(time)
-    return (np.concatenate([time[:1], time, time[-1:]]), np.concatenate([[0.0], force, [0.0]]),
-            np.concatenate([depth[:1], depth, depth[-1:]]))
+    and after release: by the neighbouring samples where they are at the rim too, else straight down."""
+    gap = run.signals["gap"] if run.has("gap") else None
+    at_rim = lambda i: gap is not None and 0 <= i < len(gap) and gap[i] <= 1e-9
+    first = part.start - 1 if at_rim(part.start - 1) else part.start
+    last = part.stop if at_rim(part.stop) else part.stop - 1
+    time, force = run.time[part], radial_impact_force(run, part)
+    depth = -gap if gap is not None else np.zeros_like(run.time)
+    return (np.concatenate([run.time[[first]], time, run.time[[last]]]) - run.time[first], np.concatenate([[0.0], force, [0.0]]),
+            np.concatenate([depth[[first]], depth[part], depth[[last]]]))

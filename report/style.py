@@ -36,8 +36,9 @@ plt.rcParams.update({
 
 
 def line_of(role):
-    """Line style of a model in overlays: the reference thick below, the fitted thin above, the published dashed."""
+    """Line style of a model in overlays: the reference thick below, the fitted pair and the best law thin above, the published pair dashed."""
     return {"fe": dict(color=FE, lw=1.9, zorder=2), "fitted": dict(color=FITTED, lw=1.0, zorder=4),
+            "law": dict(color=GREEN, lw=1.0, zorder=5),
             "published": dict(color=PUBLISHED, lw=0.9, ls=(0, (4, 1.6)), zorder=3)}[role]
 
 

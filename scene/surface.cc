@@ -80,6 +80,7 @@ const std::array surface_kinds{
 
 std::vector<std::string> surface_kind_names() {
   std::vector<std::string> names;
+  names.reserve(std::size(surface_kinds));
   for (const auto &kind : surface_kinds) names.emplace_back(kind.name);
   return names;
 }

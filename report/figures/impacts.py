@@ -45,7 +45,8 @@ def _finish(over_time, over_depth, row, last):
 
 
 def draw_windows(entries, path):
-    """All single-impact windows of the FE side together, darker with speed; the fitted model dotted beside."""
+    """All single-impact windows of the FE side together, darker with speed; the fitted pair dotted and the best law dashed
+    beside."""
     drawn = [entry for entry in entries if entry.fe is not None and contact_stretches(entry.fe)]
     if not drawn:
         return None
@@ -56,8 +57,9 @@ def draw_windows(entries, path):
         colour = colormaps["viridis_r"](0.12 + 0.85 * i / max(1, len(drawn) - 1))
         _window_line(over_time, over_depth, entry.fe, dict(color=colour, lw=1.5),
                      f"{entry.speed:g} m/s" if entry.speed else entry.name)
-        if entry.fitted is not None:
-            _window_line(over_time, over_depth, entry.fitted, dict(color=colour, lw=0.8, ls=(0, (1, 1.4))), None)
+        for run, dashes in ((entry.fitted, (1, 1.4)), (entry.law, (4, 1.6))):
+            if run is not None:
+                _window_line(over_time, over_depth, run, dict(color=colour, lw=0.8, ls=(0, dashes)), None)
     over_time.set(title="(a) Force over time", xlabel="time since touch (ms)", ylabel="rim force (kN)")
     over_depth.set(title="(b) Force over penetration", xlabel="penetration −gap (mm)", ylabel="rim force (kN)")
     over_depth.legend(title="approach speed", title_fontsize=7, loc="center left",

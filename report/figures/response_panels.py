@@ -6,7 +6,7 @@ import numpy as np
 from ..series import keep_peaks
 from ..style import MUTED, RIM, figure, line_of, save, shared_legend
 
-LABELS = {"fe": "finite elements", "fitted": "reduced, fitted", "published": "reduced, published values"}
+LABELS = {"fe": "finite elements", "fitted": "reduced, fitted pair", "law": "reduced, best law", "published": "reduced, published pair"}
 
 
 def draw(models, path, capacity=None, labels=None):

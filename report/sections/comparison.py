@@ -1,7 +1,9 @@
-"""FE, the fitted pair and the published pair side by side."""
+"""FE, the fitted pair, the best law and the published pair side by side."""
 from ..blocks import Section, note, table
 from ..numbers import fixed, percent, scaled
 from .common import ROLE_TEXT, errors_of, hardest, impact_peak, title_of
+
+WHO = (("fitted", "reduced, fitted pair"), ("law", "reduced, best law"), ("published", "reduced, published pair"))
 
 
 def make(context):
@@ -11,9 +13,11 @@ def make(context):
     rows = []
     for entry in context.results.histories:
         rows.append({"span": title_of(entry.name), "tag": ROLE_TEXT.get(entry.role, "")})
-        for who, label in (("fe", "finite elements"), ("fitted", "reduced, fitted"), ("published", "reduced, published")):
+        for who, label in (("fe", "finite elements"), *WHO):
             run = getattr(entry, who)
             errors = {} if who == "fe" else errors_of(context, entry, who)
+            if who == "law" and run is None:
+                continue
             if run is None and not errors:
                 rows.append([label, "not run"] + [""] * 7)
                 continue

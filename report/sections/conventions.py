@@ -9,7 +9,7 @@ ROWS = [
     ["Ground acceleration", "positive along +axis; the load on the mass is −m a_g."],
     ["Gap, penetration", "gap = L_c − |u|, negative while the rim is pressed; penetration = −gap. Finite elements also "
      "know the smallest distance of the walls: a yielded rim is touched later than L_c."],
-    ["Touch, release", "first and last instant of non-zero rim force."],
+    ["Touch, release", "first instant of non-zero rim force, and where the force, falling as at its last samples, is gone."],
     ["Rebound over approach", "radial speed at release over that at touch. It is not e: ground motion, slope and friction "
      "act during contact. Only an impact window isolates the impact."],
     ["k_i, e, c_i", "stiffness, restitution and dashpot of the reduced model's impact element; c_i = 2 ξ √(k_i m) with "

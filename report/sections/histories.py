@@ -5,7 +5,7 @@ from ..figures import impacts, response_panels
 from ..numbers import fixed, integer, is_number, percent, scaled
 from .common import ROLE_TEXT, errors_of, hardest, status_note, title_of
 
-WHO = (("fe", "FE"), ("fitted", "reduced, fitted"), ("published", "reduced, published"))
+WHO = (("fe", "FE"), ("fitted", "reduced, fitted pair"), ("law", "reduced, best law"), ("published", "reduced, published pair"))
 
 
 def make(context):
@@ -34,7 +34,7 @@ def _entry(section, context, entry):
     if not models:
         section.add(note("No response is stored.", "missing"))
         return
-    labels = {"fe": "finite elements", "fitted": "reduced model", "published": "reduced model"} \
+    labels = {role: "finite elements" if role == "fe" else "reduced model" for role, _ in models} \
         if context.results.single else None
     capacity = next((run.lateral_capacity for _, run in models if run.lateral_capacity), None)
     section.add(context.pictures.figure(

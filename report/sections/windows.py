@@ -22,7 +22,8 @@ def make(context):
     for entry in entries:
         section.add(status_note(entry.fe) if entry.fe else None)
     section.add(context.pictures.figure(
-        "windows-force", "Solid: finite elements. Dotted: reduced model with the fitted pair, same speed.",
+        "windows-force", "Solid: finite elements. Reduced model at the same speed: dotted with the fitted pair, dashed with the law that leaves least "
+        "unexplained.",
         impacts.draw_windows, entries))
     return section
 

@@ -74,7 +74,8 @@ class Runs(InFolder):
         self.assertEqual((time[0], force[0], force[-1]), (0.0, 0.0, 0.0))
         self.assertAlmostEqual(force.max(), summary["impacts"][0]["peak_force_N"], delta=1e-6)
         self.assertAlmostEqual(depth.max(), summary["impacts"][0]["peak_penetration_m"])
-        self.assertAlmostEqual(time[-1], summary["impacts"][0]["release_time_s"] - summary["impacts"][0]["touch_time_s"])
+        contact = summary["impacts"][0]["release_time_s"] - summary["impacts"][0]["touch_time_s"]
+        self.assertAlmostEqual(time[-1], contact, delta=3e-4)  # the next sample is at the rim too, and closes the curve
 
     def test_csv_stands_in_for_hdf5(self):
         self.run_folder()
