@@ -63,7 +63,7 @@ void RadialInterpolant::fit(const std::vector<double> &samples) {
 }
 
 RadialInterpolant::Values RadialInterpolant::at(double s) const {
-  const double place = s / half_ * (n_pieces / 2);
+  const double place = s / half_ * (n_pieces / 2.0);
   const int i = place > 0 ? static_cast<int>(std::min(place, n_pieces - 0.5)) : 0;
   const Piece &a = pieces_[i];
   const double t = 2 * (place - i) - 1, scale = n_pieces / half_;
