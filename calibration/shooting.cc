@@ -18,14 +18,10 @@ std::vector<double> radial(const scene::Response &response, const std::string &n
 /// Looked for a late release this long after the window [s].
 constexpr double patience = 0.5;
 
-/// Index of the last sample of the first pulse; the series' size when it lasts to the end, 0 when there is
-/// none.
-std::size_t end_of_first_pulse(const std::vector<double> &force) {
-  std::size_t i = 0;
-  while (i < force.size() && force[i] == 0) ++i;
-  if (i == force.size()) return 0;
-  while (i < force.size() && force[i] != 0) ++i;
-  return i == force.size() ? i : i - 1;
+/// Whether the first pulse lasts to the end.
+bool presses_on(const std::vector<double> &force) {
+  const auto touch = std::find_if(force.begin(), force.end(), [](double f) { return f != 0; });
+  return touch != force.end() && std::find(touch, force.end(), 0.0) == force.end();
 }
 
 } // namespace
@@ -35,8 +31,7 @@ Shot shoot(const scene::Scene &scene, const ImpactWindow &window) {
                               ? scene.bearing.lateral_capacity()
                               : window.capacity;
   auto run = reduced::simulate_from(scene, window.start, window.end_time, capacity);
-  if (end_of_first_pulse(radial(run.response, "impact", window.direction)) ==
-      run.response.size()) // a late release
+  if (presses_on(radial(run.response, "impact", window.direction))) // a late release
     run = reduced::simulate_from(scene, window.start, window.end_time + patience, capacity);
   const auto &times = run.response.series("time");
   const auto u = radial(run.response, "displacement", window.direction);

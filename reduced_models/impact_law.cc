@@ -155,7 +155,7 @@ Unloading unloading(const RimElement &r, double deepest) {
   const double top = elastoplastic_backbone(r, deepest).force,
                slope = r.stiffness * (1 + r.unloading_gain * std::pow(r.stiffness * deepest / r.yield_force, r.unloading_exponent)),
                w = std::min(opening, slope * deepest / top - 1);
-  return {deepest, top, w, (1 + w) * top / slope};
+  return {top, w, (1 + w) * top / slope};
 }
 
 double residual_indentation(const RimElement &r, double deepest) { return deepest - unloading(r, deepest).length; }

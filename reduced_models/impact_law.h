@@ -77,15 +77,15 @@ ImpactForce elastoplastic_backbone(const RimElement &rim, double d); ///< x = k_
 /// does. The slope at the top, (1 + w) F / length, is k (1 + a (k D / F_y)^m): a deeper dent is wider and so stiffer. w = opening,
 /// less where the curve would reach past d = 0.
 struct Unloading {
-  double deepest, top; ///< D [m], > 0; F [N]
-  double curvature;    ///< w [-], 0..1
-  double length;       ///< [m], <= D
+  double top;       ///< F [N]
+  double curvature; ///< w [-], 0..1
+  double length;    ///< [m], <= D
   double elastic_energy() const { return top * length * (1.0 / 2 - curvature / 6); } ///< [J]
 };
 /// As s^1.4 (within 1.6 % of F), to which the reference curves of rungs rim and rigid-dish open from 0.1 to 0.7 m/s
 /// (docs/measured.md), but smooth at its end.
 inline constexpr double opening = 0.5;
-Unloading unloading(const RimElement &rim, double deepest);
+Unloading unloading(const RimElement &rim, double deepest); ///< D [m], > 0
 /// Indentation left after unloading from `deepest` [m].
 double residual_indentation(const RimElement &rim, double deepest);
 

@@ -13,7 +13,9 @@ namespace {
 // The profile of the default ellipse has its singularity at 1.34 half-ranges: coefficients fall as 2.2^-n.
 constexpr int n_nodes = 44;
 
-/// Chebyshev coefficients from values at the nodes cos(pi (i + 1/2) / n).
+double node(int i, int n) { return std::cos(std::numbers::pi * (i + 0.5) / n); }
+
+/// Chebyshev coefficients from values at the n nodes.
 std::vector<double> chebyshev(const std::vector<double> &samples) {
   const auto n = static_cast<int>(samples.size());
   std::vector<double> c(n, 0.0);
@@ -40,7 +42,7 @@ RadialInterpolant::RadialInterpolant(const Function &of_radius, double largest_r
   half_ = largest_radius * largest_radius / 2;
   std::vector<double> samples(n_nodes);
   for (int i = 0; i < n_nodes; ++i)
-    samples[i] = of_radius(std::sqrt(half_ * (1 + std::cos(std::numbers::pi * (i + 0.5) / n_nodes))));
+    samples[i] = of_radius(std::sqrt(half_ * (1 + node(i, n_nodes))));
   fit(samples);
 }
 
@@ -49,7 +51,7 @@ void RadialInterpolant::fit(const std::vector<double> &samples) {
   std::vector<double> values(degree + 1);
   for (int i = 0; i < n_pieces; ++i) {
     for (int k = 0; k <= degree; ++k)
-      values[k] = series(whole, (2 * i + 1 + std::cos(std::numbers::pi * (k + 0.5) / (degree + 1))) / n_pieces - 1);
+      values[k] = series(whole, (2 * i + 1 + node(k, degree + 1)) / n_pieces - 1);
     const std::vector<double> own = chebyshev(values);
     Piece before{}, now{}; // T_{j-1} and T_j in powers of t
     now[0] = 1;

@@ -1,9 +1,8 @@
 """FE, the fitted pair, the best law and the published pair side by side."""
 from ..blocks import Section, note, table
+from ..figures.response_panels import LABELS
 from ..numbers import fixed, percent, scaled
 from .common import ROLE_TEXT, errors_of, hardest, impact_peak, title_of
-
-WHO = (("fitted", "reduced, fitted pair"), ("law", "reduced, best law"), ("published", "reduced, published pair"))
 
 
 def make(context):
@@ -13,11 +12,11 @@ def make(context):
     rows = []
     for entry in context.results.histories:
         rows.append({"span": title_of(entry.name), "tag": ROLE_TEXT.get(entry.role, "")})
-        for who, label in (("fe", "finite elements"), *WHO):
+        for who, label in LABELS.items():
             run = getattr(entry, who)
-            errors = {} if who == "fe" else errors_of(context, entry, who)
             if who == "law" and run is None:
                 continue
+            errors = {} if who == "fe" else errors_of(context, entry, who)
             if run is None and not errors:
                 rows.append([label, "not run"] + [""] * 7)
                 continue

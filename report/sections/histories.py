@@ -5,7 +5,7 @@ from ..figures import impacts, response_panels
 from ..numbers import fixed, integer, is_number, percent, scaled
 from .common import ROLE_TEXT, errors_of, hardest, status_note, title_of
 
-WHO = (("fe", "FE"), ("fitted", "reduced, fitted pair"), ("law", "reduced, best law"), ("published", "reduced, published pair"))
+WHO = {**response_panels.LABELS, "fe": "FE"}
 
 
 def make(context):
@@ -52,7 +52,7 @@ def _impact_caption(models, most=4):
 
 
 def _numbers(context, entry):
-    known = [(who, label, getattr(entry, who)) for who, label in WHO if getattr(entry, who) is not None]
+    known = [(who, label, getattr(entry, who)) for who, label in WHO.items() if getattr(entry, who) is not None]
     if not known:
         return None
     rows = [
