@@ -58,7 +58,8 @@ Vector3d SurfaceContact::relative_position(std::size_t k, const Eigen::VectorXd 
 }
 
 bool SurfaceContact::may_bear(std::size_t k, const Eigen::VectorXd &u, int opposite) const {
-  return master_.distance(carrier_->roughly_back(position(points_[k], u), u, opposite)).gap < options_.margin;
+  constexpr double rough = 2e-3; // more than the rough place errs by [m]
+  return master_.distance(carrier_->roughly_back(position(points_[k], u), u, opposite)).gap < rough;
 }
 
 std::vector<std::vector<int>> SurfaceContact::cliques(const Equations &equations, const Eigen::VectorXd &u) {

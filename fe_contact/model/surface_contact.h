@@ -51,7 +51,7 @@ struct SurfaceContactReport {
   double penetration = 0;                 ///< largest, pointwise [m]
   double largest_pressure = 0;            ///< [Pa]
   int stick = 0, slip = 0;                ///< points
-  int lost = 0; ///< points opposite and near the master at the step's start for which nothing is found: what they bore is missing
+  int lost = 0; ///< points opposite the master at the step's start and still on its surface for which no face is found: what they bear is missing
   double normal_work = 0, friction_work = 0; ///< taken up since the step's start, trapezoidal [J]
   bool pattern_holds = true; ///< false: a pair of faces is not in the matrix's pattern
 };
@@ -134,7 +134,7 @@ private:
   /// Relative position by the present opposite, else by the carrier's rough displacement.
   Eigen::Vector3d relative_position(std::size_t k, const Eigen::VectorXd &u, const SurfaceContactState &state) const;
   void settle(const Eigen::VectorXd &u, SurfaceContactState &state) const;
-  /// Whether the master's surface is within the margin of a point for which no face is found, judged by the face last opposite.
+  /// Whether a point for which no face is found may be on the master's surface, judged by the face last opposite.
   bool may_bear(std::size_t k, const Eigen::VectorXd &u, int opposite) const;
   /// The master's distance where a point is, on the deformed carrier. The gap's gradient by w, nu, has the length
   /// `stretch`; it changes with w and, w held, with the carrier's own strain.
