@@ -13,8 +13,8 @@ constexpr double smallest_force = 1e-2;
 
 constexpr double constraint_tolerance = 1e-9; ///< speed off the dish [m/s]
 
-/// GMRES on a stale factor: relative residual, and iterations after which it is given up or the factor
-/// renewed.
+/// Inexact Newton: a residual a thousand times smaller is what the next iteration can use. Iterations after which a
+/// stale factor is given up, or renewed.
 constexpr double linear_tolerance = 1e-3;
 constexpr int most_linear_iterations = 20, worn_after = 6;
 
@@ -102,18 +102,10 @@ Eigen::VectorXd RimSolver::newton_change(Trial &trial, const Inertia *inertia, c
       }
   }
   Eigen::VectorXd change;
-  if (stale_factor) { // inexact Newton: a residual a thousand times smaller is what the next iteration can
-                      // use
-    const Stopwatch watch(time_split["solve"]);
-    change = direct_->solve_iteratively(-residual, linear_tolerance, most_linear_iterations);
-  }
+  if (stale_factor) change = direct_->solve(-residual, linear_tolerance, most_linear_iterations);
   const bool fresh = change.size() == 0;
-  if (fresh) {
-    const Stopwatch watch(time_split["factor"]);
-    if (!direct_->factorise()) return {};
-  }
-  const Stopwatch watch(time_split["solve"]);
-  if (fresh) change = direct_->solve(-residual);
+  if (fresh) change = direct_->solve_anew(-residual, linear_tolerance, most_linear_iterations);
+  if (change.size() == 0) return {};
   factor_is_worn_ = !fresh && direct_->last_iterations() > worn_after;
   multiplier_change = 0;
   if (inertia && trial.load.constrained) { // bordered by the dish's constraint
@@ -123,8 +115,7 @@ Eigen::VectorXd RimSolver::newton_change(Trial &trial, const Inertia *inertia, c
         push[master_[i]] = trial.load.d_multiplier[i] / share();
         gradient[master_[i]] = inertia->velocity_factor() * trial.load.gradient[i] + trial.load.by_displacement[i];
       }
-    const Eigen::VectorXd response =
-        fresh ? direct_->solve(push) : direct_->solve_iteratively(push, linear_tolerance, most_linear_iterations);
+    const Eigen::VectorXd response = direct_->solve(push, linear_tolerance, most_linear_iterations);
     if (response.size() == 0) return {};
     multiplier_change = (-trial.load.constraint - gradient.dot(change)) / gradient.dot(response);
     change += multiplier_change * response;

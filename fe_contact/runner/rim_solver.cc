@@ -109,7 +109,7 @@ void RimSolver::make_pattern(const Eigen::VectorXd &u) {
       (options_.attached_mass - share() * solid_.mass_of(meshes::Volume::upper_slider)) / share();
   for (const int equation : master_)
     if (equation >= 0 && options_.attached_mass > 0) mass_->add(equation, equation, extra);
-  direct_ = std::make_unique<DirectSolver>(*tangent_);
+  direct_ = std::make_unique<DirectSolver>(*tangent_, time_split);
 }
 
 Eigen::Vector3d RimSolver::master_of(const Eigen::VectorXd &values) const {

@@ -1,21 +1,70 @@
 #include "fe_contact/solver/direct_solver.h"
 
 #include "fe_contact/solver/ranks.h"
+#include "fe_contact/solver/stopwatch.h"
 #include <petscksp.h>
 #include <stdexcept>
 
 namespace rimpact::fe {
 namespace {
+
 void check(PetscErrorCode code) {
   if (code) throw std::runtime_error("PETSc failed with code " + std::to_string(code));
 }
+
+MatrixPattern pattern_of(const std::vector<int> &starts, const std::vector<int> &columns, bool symmetric, std::size_t first, std::size_t last) {
+  MatrixPattern result{static_cast<int>(starts.size()) - 1, symmetric, {}, {columns.begin() + starts[first], columns.begin() + starts[last]}};
+  result.rows.reserve(result.columns.size());
+  for (std::size_t row = first; row < last; ++row) result.rows.insert(result.rows.end(), starts[row + 1] - starts[row], static_cast<int>(row));
+  return result;
+}
+
 } // namespace
 
 struct DirectSolver::Petsc {
+  MatrixPattern pattern;
+  Precision precision = Precision::single_;
+  std::unique_ptr<MumpsFactor> factor; ///< null: none yet
   Mat matrix = nullptr;
   KSP ksp = nullptr;
   Vec b = nullptr, x = nullptr;
+  std::vector<std::size_t> of_rank; ///< where each rank's rows begin
+  std::vector<double> whole;        ///< a vector on its way through the factor
+
+  bool shared() const { return of_rank.size() > 2; }
+  /// What the ranks hold of a vector, put together on each.
+  void gather(Vec part, double *result) const;
+  void scatter(const double *values, Vec part) const;
+  static PetscErrorCode precondition(PC pc, Vec right, Vec result);
 };
+
+void DirectSolver::Petsc::gather(Vec part, double *result) const {
+  PetscInt first, last;
+  const PetscScalar *own;
+  check(VecGetOwnershipRange(part, &first, &last));
+  check(VecGetArrayRead(part, &own));
+  std::copy(own, own + (last - first), result + first);
+  check(VecRestoreArrayRead(part, &own));
+  if (shared()) ranks().hand_round_bytes(result, sizeof(double), of_rank);
+}
+
+void DirectSolver::Petsc::scatter(const double *values, Vec part) const {
+  PetscInt first, last;
+  PetscScalar *own;
+  check(VecGetOwnershipRange(part, &first, &last));
+  check(VecGetArray(part, &own));
+  std::copy(values + first, values + last, own);
+  check(VecRestoreArray(part, &own));
+}
+
+PetscErrorCode DirectSolver::Petsc::precondition(PC pc, Vec right, Vec result) {
+  Petsc *self;
+  check(PCShellGetContext(pc, &self));
+  self->gather(right, self->whole.data());
+  self->factor->solve(self->whole);
+  self->scatter(self->whole.data(), result);
+  return 0;
+}
 
 /// The rows of a matrix that this rank solves for; of each entry every rank has a part.
 struct DirectSolver::Rows {
@@ -33,47 +82,45 @@ struct DirectSolver::Rows {
   const int *columns() const { return parts.columns().data() + entries_of_rank[ranks().own]; }
 };
 
-DirectSolver::DirectSolver(SymmetricMatrix &matrix) : petsc_(std::make_unique<Petsc>()) {
+DirectSolver::DirectSolver(SymmetricMatrix &matrix, TimeSplit &times)
+    : petsc_(std::make_unique<Petsc>()), values_(matrix.values()), times_(times) {
   const int n = matrix.n();
   check(MatCreateSeqSBAIJWithArrays(PETSC_COMM_SELF, 1, n, n, matrix.starts().data(), matrix.columns().data(),
                                     matrix.values().data(), &petsc_->matrix));
-  set_up(true, n);
+  petsc_->of_rank = {0, std::size_t(n)};
+  set_up(pattern_of(matrix.starts(), matrix.columns(), true, 0, n));
 }
 
-DirectSolver::DirectSolver(GeneralMatrix &matrix) : petsc_(std::make_unique<Petsc>()) {
+DirectSolver::DirectSolver(GeneralMatrix &matrix, TimeSplit &times)
+    : petsc_(std::make_unique<Petsc>()), rows_(ranks().size > 1 ? std::make_unique<Rows>(matrix) : nullptr),
+      values_(rows_ ? rows_->values : matrix.values()), times_(times) {
   const int n = matrix.n();
-  if (ranks().size == 1) {
+  petsc_->of_rank = ranks().starts(n);
+  if (rows_)
+    check(MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, rows_->n(), rows_->n(), n, n, rows_->starts.data(), rows_->columns(),
+                                    rows_->values.data(), &petsc_->matrix));
+  else
     check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, matrix.starts().data(), matrix.columns().data(),
                                     matrix.values().data(), &petsc_->matrix));
-    set_up(false, n);
-    return;
-  }
-  rows_ = std::make_unique<Rows>(matrix);
-  check(MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, rows_->n(), rows_->n(), n, n, rows_->starts.data(), rows_->columns(),
-                                  rows_->values.data(), &petsc_->matrix));
-  set_up(false, rows_->n());
+  set_up(pattern_of(matrix.starts(), matrix.columns(), false, petsc_->of_rank[ranks().own], petsc_->of_rank[ranks().own + 1]));
 }
 
-void DirectSolver::set_up(bool symmetric, int own_rows) {
+void DirectSolver::set_up(MatrixPattern pattern) {
   auto &p = *petsc_;
-  const MPI_Comm comm = rows_ ? PETSC_COMM_WORLD : PETSC_COMM_SELF;
+  p.pattern = std::move(pattern);
+  p.whole.resize(p.pattern.n);
   check(MatSetOption(p.matrix, MAT_NEW_NONZERO_LOCATION_ERR, PETSC_TRUE));
-  check(KSPCreate(comm, &p.ksp));
-  check(KSPSetType(p.ksp, KSPPREONLY));
+  check(MatCreateVecs(p.matrix, &p.x, &p.b));
+  check(KSPCreate(p.shared() ? PETSC_COMM_WORLD : PETSC_COMM_SELF, &p.ksp));
+  // Flexible: a factor in single precision rounds every vector anew, so what it made of each is kept and combined, and the
+  // residual that decides is the true one.
+  check(KSPSetType(p.ksp, KSPFGMRES));
+  check(KSPSetOperators(p.ksp, p.matrix, p.matrix));
   PC pc;
   check(KSPGetPC(p.ksp, &pc));
-  check(PCSetType(pc, symmetric ? PCCHOLESKY : PCLU));
-  check(PCFactorSetMatSolverType(pc, MATSOLVERMUMPS));
-  check(KSPSetOperators(p.ksp, p.matrix, p.matrix));
-  check(PCFactorSetUpMatSolverType(pc));
-  Mat factor;
-  check(PCFactorGetMatrix(pc, &factor));
-  check(MatMumpsSetIcntl(factor, 7, 5));   // METIS ordering
-  check(MatMumpsSetIcntl(factor, 14, 50)); // room for pivoting [%]
-  check(VecCreate(comm, &p.b));
-  check(VecSetSizes(p.b, own_rows, PETSC_DETERMINE));
-  check(VecSetType(p.b, VECSTANDARD));
-  check(VecDuplicate(p.b, &p.x));
+  check(PCSetType(pc, PCSHELL));
+  check(PCShellSetContext(pc, &p));
+  check(PCShellSetApply(pc, Petsc::precondition));
 }
 
 DirectSolver::~DirectSolver() {
@@ -96,59 +143,46 @@ void DirectSolver::take_values() {
 }
 
 bool DirectSolver::factorise() {
+  const Stopwatch watch(times_["factor"]);
   auto &p = *petsc_;
-  take_values();
-  check(KSPSetReusePreconditioner(p.ksp, PETSC_FALSE));
-  check(KSPSetOperators(p.ksp, p.matrix, p.matrix));
-  check(KSPSetUp(p.ksp));
-  PC pc;
-  check(KSPGetPC(p.ksp, &pc));
-  PCFailedReason reason;
-  check(PCGetFailedReason(pc, &reason));
-  has_factor_ = reason == PC_NOERROR;
-  return has_factor_;
+  if (!p.factor) p.factor = mumps_factor(p.precision, p.pattern, p.shared());
+  if (!p.factor->factorise(values_.data())) p.factor.reset();
+  return p.factor != nullptr;
 }
 
-Eigen::VectorXd DirectSolver::solve(const Eigen::VectorXd &right_side) {
-  check(KSPSetType(petsc_->ksp, KSPPREONLY));
-  return solve_by_ksp(right_side);
-}
-
-Eigen::VectorXd DirectSolver::solve_iteratively(const Eigen::VectorXd &right_side, double relative,
-                                                int max_iterations) {
+Eigen::VectorXd DirectSolver::iterate(const Eigen::VectorXd &right_side, double relative, int max_iterations) {
+  const Stopwatch watch(times_["solve"]);
   auto &p = *petsc_;
-  take_values();
-  check(KSPSetReusePreconditioner(p.ksp, PETSC_TRUE));
-  check(KSPSetType(p.ksp, KSPGMRES));
   check(KSPGMRESSetRestart(p.ksp, max_iterations));
-  check(KSPSetPCSide(p.ksp, PC_RIGHT)); // the true residual decides
   check(KSPSetTolerances(p.ksp, relative, 0.0, PETSC_DEFAULT, max_iterations));
-  check(KSPSetOperators(p.ksp, p.matrix, p.matrix));
-  Eigen::VectorXd result = solve_by_ksp(right_side);
+  p.scatter(right_side.data(), p.b);
+  check(KSPSolve(p.ksp, p.b, p.x));
   KSPConvergedReason reason;
   check(KSPGetConvergedReason(p.ksp, &reason));
   PetscInt iterations;
   check(KSPGetIterationNumber(p.ksp, &iterations));
   last_iterations_ = iterations;
   if (reason < 0) return {};
+  Eigen::VectorXd result(right_side.size());
+  p.gather(p.x, result.data());
   return result;
 }
 
-Eigen::VectorXd DirectSolver::solve_by_ksp(const Eigen::VectorXd &right_side) {
+Eigen::VectorXd DirectSolver::solve(const Eigen::VectorXd &right_side, double relative, int max_iterations) {
+  if (!petsc_->factor) return {};
+  take_values();
+  return iterate(right_side, relative, max_iterations);
+}
+
+Eigen::VectorXd DirectSolver::solve_anew(const Eigen::VectorXd &right_side, double relative, int max_iterations) {
   auto &p = *petsc_;
-  PetscScalar *data;
-  PetscInt first, last; // own rows
-  check(VecGetOwnershipRange(p.b, &first, &last));
-  check(VecGetArray(p.b, &data));
-  std::copy(right_side.data() + first, right_side.data() + last, data);
-  check(VecRestoreArray(p.b, &data));
-  check(KSPSolve(p.ksp, p.b, p.x));
-  Eigen::VectorXd result(right_side.size());
-  check(VecGetArray(p.x, &data));
-  std::copy(data, data + (last - first), result.data() + first);
-  check(VecRestoreArray(p.x, &data));
-  if (rows_) ranks().hand_round_bytes(result.data(), sizeof(double), rows_->of_rank);
-  return result;
+  take_values();
+  Eigen::VectorXd result;
+  if (factorise()) result = iterate(right_side, relative, max_iterations);
+  if (result.size() > 0 || p.precision == Precision::double_) return result;
+  p.precision = Precision::double_;
+  p.factor.reset();
+  return factorise() ? iterate(right_side, relative, max_iterations) : Eigen::VectorXd();
 }
 
 } // namespace rimpact::fe

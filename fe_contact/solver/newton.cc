@@ -1,6 +1,5 @@
 #include "fe_contact/solver/newton.h"
 
-#include "fe_contact/solver/stopwatch.h"
 #include <algorithm>
 #include <cmath>
 
@@ -42,27 +41,16 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
     ++report.iterations;
     forcing = forcing_term(report.residuals, forcing, options);
     Eigen::VectorXd change;
-    if (options.stale_factor && target.solver().has_factor() && !worn) {
-      const Stopwatch watch(target.time_split["solve"]);
-      change = target.solver().solve_iteratively(-target.residual(), forcing, most_linear_iterations);
+    if (options.stale_factor && !worn) {
+      change = target.solver().solve(-target.residual(), forcing, most_linear_iterations);
       worn = target.solver().last_iterations() > worn_after;
     }
     if (change.size() == 0) {
-      bool regular = false;
-      {
-        const Stopwatch watch(target.time_split["factor"]);
-        regular = target.solver().factorise();
-      }
-      if (!regular) {
-        report.reason = "the tangent is singular: is every body held by supports or contact?";
-        return report;
-      }
+      change = target.solver().solve_anew(-target.residual(), forcing, most_linear_iterations);
       ++report.factorisations;
       worn = false;
-      const Stopwatch watch(target.time_split["solve"]);
-      change = target.solver().solve(-target.residual());
     }
-    if (!change.allFinite()) {
+    if (change.size() == 0 || !change.allFinite()) {
       report.reason = "the tangent is singular: is every body held by supports or contact?";
       return report;
     }

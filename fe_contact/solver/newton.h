@@ -3,7 +3,6 @@
 #pragma once
 #include "fe_contact/solver/direct_solver.h"
 #include <Eigen/Core>
-#include <map>
 #include <string>
 #include <vector>
 
@@ -18,7 +17,7 @@ public:
   /// Size of the forces in play [N], against which the residual is small or not.
   virtual double force_scale() const = 0;
   virtual DirectSolver &solver() = 0; ///< of the tangent
-  std::map<std::string, double> time_split; ///< [s]: search, assembly, factor, solve
+  TimeSplit time_split;
 };
 
 struct NewtonOptions {

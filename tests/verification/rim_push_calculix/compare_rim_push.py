@@ -3,7 +3,8 @@
 
 Gates: force within 3 % over the loading, unloading stiffness within 3 %. The stiffness is the secant of the unloading
 branch between 90 % and 50 % of the force at the deepest point. Both programs get the same cores. With --study the
-neighbours of both runs (contact stiffness, element, increments, our mesh) are run too and their distance reported.
+neighbours of CalculiX's run (contact stiffness, element, increments) are run too and their distance reported; with --meshes
+0,1,2 both programs on each of them, and ours on a finer one: error of the deepest force against time, and how long 1 % takes.
 Exit codes: 0 gates met, 1 missed, 77 ccx is absent (CTest: skipped)."""
 import argparse
 import csv
@@ -118,11 +119,23 @@ def summary_of(run, reference):
 
 def study(options, ccx, say):
     variants = [("ccx-stiffness-tenth", 1, "--contact-stiffness", "1e6"), ("ccx-increments-halved", 1, "--longest", "0.03125"),
-                ("ccx-full-integration", 1, "--element", "C3D20"), ("ccx-mesh-2", 2)]
+                ("ccx-full-integration", 1, "--element", "C3D20")]
     say(f"\nneighbours, against {ccx.name}:")
     for name, *settings in variants:
         say(summary_of(run_ccx(options, name, *settings), ccx))
-    say(summary_of(run_ours(options, "ours-mesh-2", 2), ccx))
+
+
+def refinement(options, say):
+    """Error of the deepest force on each mesh, against ours on one mesh finer than the finest of both, and time."""
+    meshes = [int(word) for word in options.meshes.split(",")]
+    ours = [run_ours(options, f"ours-mesh-{mesh}", mesh) for mesh in [*meshes, max(meshes) + 1]]
+    ccx = [run_ccx(options, f"ccx-mesh-{mesh}", mesh) for mesh in meshes]
+    fine = ours[-1].force.max()
+    say(f"\nforce at the deepest point, against ours on mesh {max(meshes) + 1} ({fine:.1f} kN):")
+    for run in [*ours, *ccx]:
+        say(f"{run.name:<12} {run.force.max():8.1f} kN {100 * (run.force.max() / fine - 1):6.2f} % {run.seconds:7.1f} s  {run.note}")
+    times = [min((run.seconds for run in runs if abs(run.force.max() / fine - 1) < 0.01), default=np.nan) for runs in (ours[:-1], ccx)]
+    say(f"1 % of the fine-mesh force: ours {times[0]:.0f} s, ccx {times[1]:.0f} s: {times[1] / times[0]:.1f} times sooner")
 
 
 def main():
@@ -134,6 +147,7 @@ def main():
     parser.add_argument("--mesh", type=int, default=1)
     parser.add_argument("--cores", type=int, default=1)
     parser.add_argument("--study", action="store_true")
+    parser.add_argument("--meshes", help="meshes of both programs, e.g. 0,1,2")
     options = parser.parse_args()
     if shutil.which("ccx") is None:
         print("skipped: CalculiX (ccx) is not installed, so rim-push has nothing to be compared with")
@@ -158,6 +172,8 @@ def main():
         say(f"{name}: {100 * value:.2f} %")
     if options.study:
         study(options, ccx, say)
+    if options.meshes:
+        refinement(options, say)
     missed = [f"{name}: {100 * value:.2f} %, the gate is {100 * GATE:.0f} %" for name, value in gates(ours, ccx)
               if not abs(value) <= GATE]
     for sentence in missed:

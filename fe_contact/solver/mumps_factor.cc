@@ -1,0 +1,84 @@
+#include "fe_contact/solver/mumps_factor.h"
+
+#include <algorithm>
+#include <dmumps_c.h>
+#include <mpi.h>
+#include <smumps_c.h>
+
+namespace rimpact::fe {
+namespace {
+
+struct Single {
+  using Number = float;
+  using Data = SMUMPS_STRUC_C;
+  static void call(Data &data) { smumps_c(&data); }
+};
+struct Double {
+  using Number = double;
+  using Data = DMUMPS_STRUC_C;
+  static void call(Data &data) { dmumps_c(&data); }
+};
+
+template <class Kind> class Factor : public MumpsFactor {
+public:
+  Factor(const MatrixPattern &pattern, bool by_all_ranks)
+      : by_all_ranks_(by_all_ranks), rows_(pattern.rows), columns_(pattern.columns), values_(rows_.size()), x_(pattern.n) {
+    for (int &row : rows_) ++row; // MUMPS counts from 1
+    for (int &column : columns_) ++column;
+    data_.comm_fortran = MPI_Comm_c2f(by_all_ranks ? MPI_COMM_WORLD : MPI_COMM_SELF);
+    data_.par = 1;
+    data_.sym = pattern.symmetric ? 2 : 0;
+    run(-1);
+    for (const int output : {1, 2, 3}) control(output) = -1;
+    control(4) = 0;   // nothing printed
+    control(7) = 5;   // METIS ordering
+    control(14) = 50; // room for pivoting [%]
+    control(18) = 3;  // each rank hands in its entries
+    control(28) = 1;  // one rank orders
+    data_.n = pattern.n;
+    data_.nnz_loc = static_cast<MUMPS_INT8>(rows_.size());
+    data_.irn_loc = rows_.data();
+    data_.jcn_loc = columns_.data();
+    data_.a_loc = values_.data();
+    data_.rhs = x_.data();
+  }
+  ~Factor() override { run(-2); }
+
+  bool factorise(const double *values) override {
+    std::transform(values, values + values_.size(), values_.begin(), [](double v) { return static_cast<typename Kind::Number>(v); });
+    if (!analysed_) run(1);
+    if (data_.infog[0] < 0) return false;
+    analysed_ = true;
+    constexpr int workspace_too_small = -9, most_room = 800;
+    for (run(2); data_.infog[0] == workspace_too_small && control(14) < most_room; run(2)) control(14) *= 2;
+    return data_.infog[0] >= 0;
+  }
+
+  void solve(std::vector<double> &x) override {
+    std::transform(x.begin(), x.end(), x_.begin(), [](double v) { return static_cast<typename Kind::Number>(v); });
+    run(3); // the first rank has the solution
+    std::copy(x_.begin(), x_.end(), x.begin());
+    if (by_all_ranks_) MPI_Bcast(x.data(), static_cast<int>(x.size()), MPI_DOUBLE, 0, MPI_COMM_WORLD);
+  }
+
+private:
+  int &control(int i) { return data_.icntl[i - 1]; }
+  void run(int job) {
+    data_.job = job;
+    Kind::call(data_);
+  }
+  bool by_all_ranks_;
+  typename Kind::Data data_{};
+  bool analysed_ = false;
+  std::vector<int> rows_, columns_;
+  std::vector<typename Kind::Number> values_, x_;
+};
+
+} // namespace
+
+std::unique_ptr<MumpsFactor> mumps_factor(Precision precision, const MatrixPattern &pattern, bool by_all_ranks) {
+  if (precision == Precision::single_) return std::make_unique<Factor<Single>>(pattern, by_all_ranks);
+  return std::make_unique<Factor<Double>>(pattern, by_all_ranks);
+}
+
+} // namespace rimpact::fe

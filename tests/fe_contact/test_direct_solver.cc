@@ -1,0 +1,101 @@
+// GMRES in double precision on a factor in single precision, new or stale.
+#include "fe_contact/solver/direct_solver.h"
+
+#include <gtest/gtest.h>
+#include <random>
+
+namespace rimpact::fe {
+namespace {
+
+constexpr int size = 300;
+std::mt19937 generator(7);
+
+/// Indefinite, of entries between -1 and 1 in cliques of twelve, some diagonals a thousand million times larger (driven rows).
+SymmetricMatrix random_matrix() {
+  std::uniform_int_distribution<int> any(0, size - 1);
+  std::vector<std::vector<int>> cliques;
+  for (int c = 0; c < 80; ++c) {
+    std::vector<int> clique(12);
+    for (int &equation : clique) equation = any(generator);
+    cliques.push_back(clique);
+  }
+  for (int i = 0; i < size; ++i) cliques.push_back({i});
+  return {size, cliques};
+}
+
+void fill(SymmetricMatrix &matrix) {
+  std::uniform_real_distribution<double> number(-1, 1);
+  for (double &value : matrix.values()) value = number(generator);
+  for (int i = 0; i < size; ++i) matrix.add(i, i, i % 7 == 0 ? 1e9 : i % 2 == 0 ? 30 : -30);
+}
+
+double residual(const SymmetricMatrix &matrix, const Eigen::VectorXd &x, const Eigen::VectorXd &b) {
+  return x.size() ? (matrix.multiply(x) - b).norm() / b.norm() : 1.0;
+}
+
+TEST(DirectSolver, SolvesInDoublePrecisionOnANewAndOnAStaleFactor) {
+  SymmetricMatrix matrix = random_matrix();
+  TimeSplit times;
+  DirectSolver solver(matrix, times);
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(size);
+  EXPECT_EQ(solver.solve(b, 1e-6, 20).size(), 0); // no factor yet
+  fill(matrix);
+  EXPECT_LT(residual(matrix, solver.solve_anew(b, 1e-13, 20), b), 1e-12); // a float has seven digits
+  EXPECT_LE(solver.last_iterations(), 4);
+  for (double &value : matrix.values()) value *= 1 + 0.05 * std::sin(value);
+  EXPECT_LT(residual(matrix, solver.solve(b, 1e-10, 30), b), 1e-9);
+  EXPECT_GT(times["factor"], 0);
+  EXPECT_GT(times["solve"], 0);
+}
+
+TEST(DirectSolver, SolvesAnUnsymmetricMatrix) {
+  const SymmetricMatrix pattern = random_matrix();
+  GeneralMatrix matrix(pattern);
+  for (double &value : matrix.values()) value = std::uniform_real_distribution<double>(-1, 1)(generator);
+  for (int i = 0; i < size; ++i) matrix.add(i, i, i % 2 == 0 ? 40 : -40);
+  TimeSplit times;
+  DirectSolver solver(matrix, times);
+  const Eigen::VectorXd b = Eigen::VectorXd::Random(size), x = solver.solve_anew(b, 1e-13, 20);
+  ASSERT_EQ(x.size(), size);
+  EXPECT_LT((matrix.multiply(x) - b).norm(), 1e-12 * b.norm());
+}
+
+std::vector<std::vector<int>> neighbours() {
+  std::vector<std::vector<int>> cliques;
+  for (int i = 0; i + 1 < size; ++i) cliques.push_back({i, i + 1});
+  return cliques;
+}
+
+/// A chain of springs of 1 N/m, held at its end by one of `support`.
+struct Chain : SymmetricMatrix {
+  explicit Chain(double support) : SymmetricMatrix(size, neighbours()) {
+    for (int i = 0; i + 1 < size; ++i) {
+      add(i, i, 1);
+      add(i + 1, i + 1, 1);
+      add(i, i + 1, -1);
+    }
+    add(0, 0, support);
+  }
+};
+
+TEST(DirectSolver, TakesDoublePrecisionWhereSingleWillNotDo) {
+  Chain matrix(1e-9); // of condition 1e14
+  TimeSplit times;
+  DirectSolver solver(matrix, times);
+  Eigen::VectorXd pull = Eigen::VectorXd::Zero(size);
+  pull[size - 1] = 1;
+  const Eigen::VectorXd x = solver.solve_anew(pull, 1e-10, 20);
+  ASSERT_EQ(x.size(), size);
+  EXPECT_NEAR(x[0], 1e9, 1e3);
+  EXPECT_NEAR(x[size - 1] - x[0], size - 1, 0.01);
+}
+
+TEST(DirectSolver, SaysThatASingularMatrixHasNoSolution) {
+  Chain matrix(0);
+  TimeSplit times;
+  DirectSolver solver(matrix, times);
+  EXPECT_EQ(solver.solve_anew(Eigen::VectorXd::Constant(size, 1.0), 1e-10, 20).size(), 0);
+}
+
+} // namespace
+} // namespace rimpact::fe
