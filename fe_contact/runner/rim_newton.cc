@@ -1,6 +1,7 @@
 // Residual and tangent of a RimSolver, and the iteration that makes the residual vanish.
 #include "fe_contact/runner/rim_trial.h"
 
+#include "fe_contact/solver/newton.h"
 #include "fe_contact/solver/stopwatch.h"
 #include <cmath>
 #include <limits>
@@ -11,12 +12,8 @@ namespace {
 /// Forces below this are equilibrium for the residual's scale [N].
 constexpr double smallest_force = 1e-2;
 
+constexpr double finest_forcing = 1e-6;
 constexpr double constraint_tolerance = 1e-9; ///< speed off the dish [m/s]
-
-/// Inexact Newton: a residual a thousand times smaller is what the next iteration can use. Iterations after which a
-/// stale factor is given up, or renewed.
-constexpr double linear_tolerance = 1e-3;
-constexpr int most_linear_iterations = 20, worn_after = 6;
 
 } // namespace
 
@@ -88,7 +85,7 @@ double RimSolver::relative_residual(const Trial &trial, bool prescribed) const {
 }
 
 Eigen::VectorXd RimSolver::newton_change(Trial &trial, const Inertia *inertia, const Eigen::Vector3d *to_go,
-                                         bool stale_factor, double &multiplier_change) {
+                                         bool stale_factor, double forcing, double &multiplier_change) {
   Eigen::VectorXd residual = trial.residual;
   if (to_go) { // the driven top face enters by its columns, then its rows become unit rows
     for (int i = 0; i < 3; ++i)
@@ -102,9 +99,9 @@ Eigen::VectorXd RimSolver::newton_change(Trial &trial, const Inertia *inertia, c
       }
   }
   Eigen::VectorXd change;
-  if (stale_factor) change = direct_->solve(-residual, linear_tolerance, most_linear_iterations);
+  if (stale_factor) change = direct_->solve(-residual, forcing, most_linear_iterations);
   const bool fresh = change.size() == 0;
-  if (fresh) change = direct_->solve_anew(-residual, linear_tolerance, most_linear_iterations);
+  if (fresh) change = direct_->solve_anew(-residual, forcing, most_linear_iterations);
   if (change.size() == 0) return {};
   factor_is_worn_ = !fresh && direct_->last_iterations() > worn_after;
   multiplier_change = 0;
@@ -115,7 +112,7 @@ Eigen::VectorXd RimSolver::newton_change(Trial &trial, const Inertia *inertia, c
         push[master_[i]] = trial.load.d_multiplier[i] / share();
         gradient[master_[i]] = inertia->velocity_factor() * trial.load.gradient[i] + trial.load.by_displacement[i];
       }
-    const Eigen::VectorXd response = direct_->solve(push, linear_tolerance, most_linear_iterations);
+    const Eigen::VectorXd response = direct_->solve(push, forcing, most_linear_iterations);
     if (response.size() == 0) return {};
     multiplier_change = (-trial.load.constraint - gradient.dot(change)) / gradient.dot(response);
     change += multiplier_change * response;
@@ -136,6 +133,7 @@ StepReport RimSolver::iterate(const ArcState &old, Trial &trial, bool with_conta
   Eigen::Vector3d to_go =
       prescribed ? Eigen::Vector3d(*prescribed - master_of(trial.u)) : Eigen::Vector3d::Zero();
   double relative = relative_residual(trial, prescribed);
+  double forcing = 0;
   bool first = true; // the first change carries the step's loading: its residual is no measure of progress
   for (int since_augmentation = 0;;) {
     report.residuals.push_back(relative);
@@ -158,6 +156,7 @@ StepReport RimSolver::iterate(const ArcState &old, Trial &trial, bool with_conta
       return report;
     }
     ++report.iterations;
+    forcing = forcing_term(report.residuals, forcing, options_.tolerance, finest_forcing);
     double multiplier_change = 0;
     // A factor of another pattern, or with other rows driven, is of no use; a worn one is renewed.
     const bool reuse =
@@ -165,7 +164,7 @@ StepReport RimSolver::iterate(const ArcState &old, Trial &trial, bool with_conta
     factored_for_ = tangent_->pattern_id();
     driven_factor_ = prescribed;
     const Eigen::VectorXd change =
-        newton_change(trial, inertia, prescribed ? &to_go : nullptr, reuse, multiplier_change);
+        newton_change(trial, inertia, prescribed ? &to_go : nullptr, reuse, forcing, multiplier_change);
     if (change.size() == 0 || !change.allFinite()) {
       report.reason = "the tangent could not be factorised";
       return report;

@@ -122,7 +122,7 @@ private:
   bool evaluate_on_a_pattern(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia,
                              const MasterLaw *law);
   double relative_residual(const Trial &trial, bool prescribed) const;
-  Eigen::VectorXd newton_change(Trial &trial, const Inertia *inertia, const Eigen::Vector3d *to_go, bool stale_factor,
+  Eigen::VectorXd newton_change(Trial &trial, const Inertia *inertia, const Eigen::Vector3d *to_go, bool stale_factor, double forcing,
                                 double &multiplier_change);
   StepReport iterate(const ArcState &old, Trial &trial, bool with_contact, const Inertia *inertia,
                      const MasterLaw *law, const Eigen::Vector3d *prescribed);

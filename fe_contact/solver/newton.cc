@@ -4,15 +4,11 @@
 #include <cmath>
 
 namespace rimpact::fe {
-namespace {
 
-constexpr int most_linear_iterations = 30, worn_after = 6;
-
-/// Eisenstat and Walker (1996), choice 2 with its safeguard: how well the linear system need be solved.
-double forcing_term(const std::vector<double> &residuals, double last, const NewtonOptions &options) {
+double forcing_term(const std::vector<double> &residuals, double last, double tolerance, double finest) {
   constexpr double largest = 1e-2, gamma = 0.9;
   // What falls below the tolerance anyhow need not be solved further (Kelley 1995).
-  const double enough = std::min(largest, std::max(options.finest_forcing, 0.3 * options.tolerance / residuals.back()));
+  const double enough = std::min(largest, std::max(finest, 0.3 * tolerance / residuals.back()));
   // A solution taken up again, its multipliers changed, starts near: Dembo, Eisenstat and Steihaug's choice.
   if (residuals.size() < 2) return std::clamp(residuals.back(), enough, largest);
   const double ratio = residuals.back() / residuals[residuals.size() - 2];
@@ -20,8 +16,6 @@ double forcing_term(const std::vector<double> &residuals, double last, const New
   const double term = std::max(gamma * ratio * ratio, safeguard > 0.1 ? safeguard : 0.0);
   return std::clamp(term, enough, largest);
 }
-
-} // namespace
 
 NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOptions &options) {
   NewtonReport report;
@@ -39,7 +33,7 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
       return report;
     }
     ++report.iterations;
-    forcing = forcing_term(report.residuals, forcing, options);
+    forcing = forcing_term(report.residuals, forcing, options.tolerance, options.finest_forcing);
     Eigen::VectorXd change;
     if (options.stale_factor && !worn) {
       change = target.solver().solve(-target.residual(), forcing, most_linear_iterations);

@@ -36,6 +36,12 @@ struct NewtonReport {
   std::string reason;            ///< when not converged
 };
 
+/// Relative residual to which an iteration's linear system need be solved: Eisenstat and Walker (1996), choice 2 with its safeguard.
+/// `residuals` so far, at least one; `last`: the term before (0: none).
+double forcing_term(const std::vector<double> &residuals, double last, double tolerance, double finest);
+/// GMRES's iterations after which a factor is given up, and after which it is renewed.
+inline constexpr int most_linear_iterations = 30, worn_after = 6;
+
 /// From u to the solution, in place. The target stays evaluated at u.
 NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOptions &options);
 
