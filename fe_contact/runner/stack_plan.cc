@@ -13,6 +13,9 @@ namespace {
 constexpr MeshCost stack[4] = {{8000, 0.1, 0.4e9}, {18900, 0.25, 0.7e9}, {59000, 1.2, 2.0e9}, {167000, 6.0, 6.5e9}};
 constexpr MeshCost sector[4] = {{2000, 0.05, 0.15e9}, {4800, 0.12, 0.3e9}, {24000, 0.6, 0.8e9}, {70000, 3.0, 2.5e9}};
 
+/// What each further sector adds all the time, mostly the slider's own fine cells on that side.
+constexpr MeshCost further[4] = {{6900, 0.07, 0.2e9}, {14000, 0.15, 0.5e9}, {43000, 0.8, 1.5e9}, {125000, 4.0, 4.5e9}};
+
 /// The whole plate, solid all the time (rung R3).
 constexpr MeshCost plate[4] = {{8000, 0.25, 0.4e9}, {20000, 0.6, 0.9e9}, {90000, 3.0, 3.5e9}, {270000, 15.0, 11e9}};
 
@@ -27,11 +30,12 @@ void add_cost(Plan &plan, double iterations, double iterations_with_rim, int sec
                                      (plan.half ? 1 : whole_over_half);
     return;
   }
-  const MeshCost &own = stack[plan.mesh], &rim = sector[plan.mesh];
-  plan.expected_dofs = (own.dofs + sectors * rim.dofs) * (plan.half ? 1 : 2);
-  plan.expected_memory_bytes = (own.memory + sectors * rim.memory) * (plan.half ? 1 : 2.3);
-  plan.expected_seconds = 5 + ((iterations + iterations_with_rim) * own.seconds_per_iteration +
-                               iterations_with_rim * sectors * rim.seconds_per_iteration) *
+  const MeshCost &own = stack[plan.mesh], &rim = sector[plan.mesh], &side = further[plan.mesh];
+  const int more = std::max(0, sectors - 1);
+  plan.expected_dofs = (own.dofs + (sectors > 0) * rim.dofs + more * side.dofs) * (plan.half ? 1 : 2);
+  plan.expected_memory_bytes = (own.memory + (sectors > 0) * rim.memory + more * side.memory) * (plan.half ? 1 : 2.3);
+  plan.expected_seconds = 5 + ((iterations + iterations_with_rim) * (own.seconds_per_iteration + more * side.seconds_per_iteration) +
+                               iterations_with_rim * rim.seconds_per_iteration) *
                                   (plan.half ? 1 : whole_over_half);
 }
 

@@ -69,6 +69,15 @@ TEST(StackPlan, APushMeshesTheRimWhereItGoes) {
   EXPECT_LT(draft.expected_seconds, along.expected_seconds);
 }
 
+TEST(StackPlan, ExpectsTheUnknownsThatRunsHad) {
+  const auto expected = [](const std::string &scale, const std::string &mesh) {
+    return double(plan_of("pulse-bidirectional", {"excitation.scale=" + scale, "excitation.duration_s=4.2", "model.mesh=" + mesh}).expected_dofs);
+  };
+  EXPECT_NEAR(expected("1.0", "1"), 46596, 0.1 * 46596); // one side of the rim
+  EXPECT_NEAR(expected("1.1", "1"), 78882, 0.1 * 78882); // both
+  EXPECT_NEAR(expected("1.1", "0"), 36288, 0.1 * 36288);
+}
+
 TEST(StackPlan, RefusesWhatWouldFloatAndWhatItDoesNotHave) {
   const auto why = [](const std::string &scene, std::vector<std::string> settings = {}) {
     settings.push_back("model.rung=\"rigid-dish\"");
