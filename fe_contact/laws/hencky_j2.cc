@@ -48,34 +48,29 @@ PrincipalReturn return_map(const HenckyJ2 &law, const Eigen::Vector3d &trial_dev
 /// Spatial tangent from principal moduli (Simo 1998, eq. 46.28): normal part in the dyads m_i x m_j, shear
 /// part with the divided difference (tau_i b_j - tau_j b_i)/(b_i - b_j), or its limit at equal stretches.
 Matrix6 assemble_tangent(const PrincipalReturn &principal, const Eigen::Vector3d &b, const Matrix3 &axes) {
-  Eigen::Matrix<double, 6, 6>
-      rotation; // columns: symmetrised dyads n_i n_i, then n_i n_j (i != j) in Voigt form
   constexpr int pair_first[3] = {0, 1, 2}, pair_second[3] = {1, 2, 0};
+  Eigen::Matrix<double, 6, 3> normal, sheared; // columns: symmetrised dyads n_i n_i, and n_i n_j (i != j), in Voigt form
   for (int v = 0; v < 6; ++v)
     for (int k = 0; k < 3; ++k) {
       const int r = row_of[v], c = column_of[v], i = pair_first[k], j = pair_second[k];
-      rotation(v, k) = axes(r, k) * axes(c, k);
-      rotation(v, 3 + k) = 0.5 * (axes(r, i) * axes(c, j) + axes(r, j) * axes(c, i));
+      normal(v, k) = axes(r, k) * axes(c, k);
+      sheared(v, k) = axes(r, i) * axes(c, j) + axes(r, j) * axes(c, i);
     }
-  Matrix6 local = Matrix6::Zero();
-  for (int i = 0; i < 3; ++i) {
-    for (int j = 0; j < 3; ++j) local(i, j) = principal.moduli(i, j);
-    local(i, i) -= 2 * principal.stress(i);
-  }
+  Matrix3 moduli = principal.moduli;
+  moduli.diagonal() -= 2 * principal.stress;
+  Eigen::Vector3d shear;
   for (int k = 0; k < 3; ++k) {
     const int i = pair_first[k], j = pair_second[k];
     const double difference = b(i) - b(j);
     // A divided difference loses digits as the stretches meet; below 1e-6 the limit is the better value.
-    double shear = 0.0;
     if (std::abs(difference) > 1e-6 * (b(i) + b(j)))
-      shear = (principal.stress(i) * b(j) - principal.stress(j) * b(i)) / difference;
+      shear(k) = (principal.stress(i) * b(j) - principal.stress(j) * b(i)) / difference;
     else
-      shear = 0.25 * (principal.moduli(i, i) - principal.moduli(i, j) + principal.moduli(j, j) -
-                      principal.moduli(j, i)) -
-              0.5 * (principal.stress(i) + principal.stress(j));
-    local(3 + k, 3 + k) = 4 * shear; // the dyads are halved on both sides
+      shear(k) = 0.25 * (principal.moduli(i, i) - principal.moduli(i, j) + principal.moduli(j, j) -
+                         principal.moduli(j, i)) -
+                 0.5 * (principal.stress(i) + principal.stress(j));
   }
-  return rotation * local * rotation.transpose();
+  return (normal * moduli).lazyProduct(normal.transpose()) + (sheared * shear.asDiagonal()).lazyProduct(sheared.transpose());
 }
 
 } // namespace

@@ -114,6 +114,7 @@ bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eig
       sum.elastic += weight * result.energy;
       kernel->add(G, F, weight, result.response, tangent != nullptr);
     }
+    kernel->finish();
     double weights[3 * n];
     int eqs[3 * n];
     for (int a = 0; a < n; ++a)

@@ -1,22 +1,26 @@
 /// The hot loops of one cell: deformation gradients, internal forces and tangent of n nodes at one point.
-/// Blocks are stored [i][k][a][b] with b contiguous so that the compiler vectorises over nodes.
+/// Blocks are stored [i][k][a][b] with b contiguous, four nodes to a vector. They are too large for the first cache: four
+/// points are summed up at a time, so that the blocks are passed once for all four.
 #pragma once
 #include "fe_contact/laws/hencky_j2.h"
-#include <array>
+#include <algorithm>
 #include <cstring>
 #include <Eigen/LU>
 
 namespace rimpact::fe {
 
 template <int n> struct CellKernel {
+  using Lanes [[gnu::vector_size(32), gnu::may_alias]] = double; ///< four nodes at a time
   static constexpr int padded = (n + 3) / 4 * 4;
+  static constexpr int batch = 4;
   alignas(32) double force[3][padded];
-  alignas(32) double block[3][3][n][padded]; ///< upper in (a, b); diagonal blocks are full
+  alignas(32) double block[3][3][padded][padded]; ///< upper in (a, b); diagonal blocks are full
   alignas(32) double u[3][n];
 
   void clear() {
     std::memset(force, 0, sizeof(force));
     std::memset(block, 0, sizeof(block));
+    waiting = 0;
   }
 
   /// F = 1 + sum_a u_a x grad N_a; G: [direction][node].
@@ -33,50 +37,92 @@ template <int n> struct CellKernel {
 
   /// Adds weight * (B^T tau) and, if asked, weight * (B^T c B + grad tau grad).
   void add(const double *G, const Matrix3 &F, double weight, const StressAndTangent &s, bool with_tangent) {
-    alignas(32) double g[3][padded] = {};
+    double(&g)[3][padded] = gradient[waiting];
+    double(&t)[3][padded] = traction[waiting];
     const Matrix3 inverse = F.inverse();
-    for (int j = 0; j < 3; ++j)
+    for (int j = 0; j < 3; ++j) {
       for (int a = 0; a < n; ++a)
         g[j][a] = G[a] * inverse(0, j) + G[n + a] * inverse(1, j) + G[2 * n + a] * inverse(2, j);
-    const Vector6 t = weight * s.stress;
-    alignas(32) double traction[3][padded]; // tau g_a
+      std::fill(g[j] + n, g[j] + padded, 0.0);
+    }
+    const Vector6 tau = weight * s.stress;
     for (int a = 0; a < padded; ++a) {
-      traction[0][a] = t[0] * g[0][a] + t[3] * g[1][a] + t[5] * g[2][a];
-      traction[1][a] = t[3] * g[0][a] + t[1] * g[1][a] + t[4] * g[2][a];
-      traction[2][a] = t[5] * g[0][a] + t[4] * g[1][a] + t[2] * g[2][a];
+      t[0][a] = tau[0] * g[0][a] + tau[3] * g[1][a] + tau[5] * g[2][a];
+      t[1][a] = tau[3] * g[0][a] + tau[1] * g[1][a] + tau[4] * g[2][a];
+      t[2][a] = tau[5] * g[0][a] + tau[4] * g[1][a] + tau[2] * g[2][a];
     }
     for (int i = 0; i < 3; ++i)
-      for (int a = 0; a < padded; ++a) force[i][a] += traction[i][a];
-    if (with_tangent) add_tangent(g, traction, weight * s.tangent);
+      for (int a = 0; a < padded; ++a) force[i][a] += t[i][a];
+    if (!with_tangent) return;
+    const Matrix6 c = weight * s.tangent;
+    for (int v = 0; v < 6; ++v)
+      for (int b = 0; b < padded; ++b) {
+        cb[0][v][waiting][b] = c(v, 0) * g[0][b] + c(v, 3) * g[1][b] + c(v, 5) * g[2][b];
+        cb[1][v][waiting][b] = c(v, 3) * g[0][b] + c(v, 1) * g[1][b] + c(v, 4) * g[2][b];
+        cb[2][v][waiting][b] = c(v, 5) * g[0][b] + c(v, 4) * g[1][b] + c(v, 2) * g[2][b];
+      }
+    if (++waiting == batch) sum_up();
+  }
+
+  /// To be called after the last add(): the blocks are complete then.
+  void finish() {
+    if (waiting == 0) return;
+    for (int p = waiting; p < batch; ++p) {
+      std::memset(gradient[p], 0, sizeof(gradient[p]));
+      std::memset(traction[p], 0, sizeof(traction[p]));
+      for (int k = 0; k < 3; ++k)
+        for (int v = 0; v < 6; ++v) std::memset(cb[k][v][p], 0, sizeof(cb[k][v][p]));
+    }
+    sum_up();
   }
 
 private:
-  void add_tangent(const double (&g)[3][padded], const double (&traction)[3][padded], const Matrix6 &c) {
-    alignas(32) double cb[3][6][padded]; // c B_b, [component k][stress v][node b]
-    for (int v = 0; v < 6; ++v)
-      for (int b = 0; b < padded; ++b) {
-        cb[0][v][b] = c(v, 0) * g[0][b] + c(v, 3) * g[1][b] + c(v, 5) * g[2][b];
-        cb[1][v][b] = c(v, 3) * g[0][b] + c(v, 1) * g[1][b] + c(v, 4) * g[2][b];
-        cb[2][v][b] = c(v, 5) * g[0][b] + c(v, 4) * g[1][b] + c(v, 2) * g[2][b];
+  using PairOfNodes = Lanes[2][3][batch]; ///< their gradients, each value on all lanes
+
+  void sum_up() {
+    waiting = 0;
+    for (int a = 0; a < padded; a += 2) {
+      PairOfNodes ga;
+      for (int r = 0; r < 2; ++r)
+        for (int j = 0; j < 3; ++j)
+          for (int p = 0; p < batch; ++p) ga[r][j][p] = Lanes{} + gradient[p][j][a + r];
+      for (int b = a / 4 * 4; b < padded; b += 4) {
+        Lanes geometric[2] = {};
+        for (int p = 0; p < batch; ++p)
+          for (int j = 0; j < 3; ++j)
+            for (int r = 0; r < 2; ++r) geometric[r] += ga[r][j][p] * lanes(&traction[p][j][b]);
+        for (int r = 0; r < 2; ++r)
+          for (int i = 0; i < 3; ++i) lanes(&block[i][i][a + r][b]) += geometric[r];
       }
-    constexpr int voigt[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
-    for (int a = 0; a < n; ++a) {
-      const int first = a / 4 * 4;
-      const double ga[3] = {g[0][a], g[1][a], g[2][a]};
-      for (int i = 0; i < 3; ++i)
-        for (int k = 0; k < 3; ++k) {
-          double *row = block[i][k][a];
-          const double *c0 = cb[k][voigt[i][0]], *c1 = cb[k][voigt[i][1]], *c2 = cb[k][voigt[i][2]];
-          for (int b = first; b < padded; ++b) row[b] += ga[0] * c0[b] + ga[1] * c1[b] + ga[2] * c2[b];
-        }
-      for (int b = first; b < padded; ++b) {
-        const double geometric = ga[0] * traction[0][b] + ga[1] * traction[1][b] + ga[2] * traction[2][b];
-        block[0][0][a][b] += geometric;
-        block[1][1][a][b] += geometric;
-        block[2][2][a][b] += geometric;
-      }
+      add_rows<0>(a, ga);
+      add_rows<1>(a, ga);
+      add_rows<2>(a, ga);
     }
   }
+
+  template <int i> void add_rows(int a, const PairOfNodes &ga) {
+    constexpr int voigt[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+    for (int k = 0; k < 3; ++k)
+      for (int b = a / 4 * 4; b < padded; b += 4) {
+        Lanes sum[2] = {lanes(&block[i][k][a][b]), lanes(&block[i][k][a + 1][b])};
+        for (int p = 0; p < batch; ++p)
+          for (int j = 0; j < 3; ++j) {
+            const Lanes c = lanes(&cb[k][voigt[i][j]][p][b]);
+            sum[0] += ga[0][j][p] * c;
+            sum[1] += ga[1][j][p] * c;
+          }
+        lanes(&block[i][k][a][b]) = sum[0];
+        lanes(&block[i][k][a + 1][b]) = sum[1];
+      }
+  }
+
+  static Lanes &lanes(double *x) { return *reinterpret_cast<Lanes *>(x); }
+
+  // Of points not yet in the blocks, `waiting` of them:
+  int waiting = 0;
+  alignas(32) double gradient[batch][3][padded]; ///< of the shape functions, in the deformed body
+  alignas(32) double traction[batch][3][padded]; ///< tau g_a
+  alignas(32) double cb[3][6][batch][padded];    ///< c B_b, [component k][stress v][point][node b]
 };
 
 } // namespace rimpact::fe
