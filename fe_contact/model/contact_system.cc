@@ -37,7 +37,7 @@ void ContactSystem::make_pattern(const Eigen::VectorXd &displacements) {
     for (int i = 0; i < 3; ++i)
       if (const int equation = equations_.of_dof[dof + i]; equation >= 0) mass_->add(equation, equation, mass);
   tangent_ = std::make_unique<GeneralMatrix>(*solid_tangent_);
-  solver_ = std::make_unique<DirectSolver>(*tangent_, time_split);
+  solver_ = std::make_unique<LinearSolver>(*tangent_, time_split);
 }
 
 SystemState ContactSystem::at_rest() {

@@ -66,7 +66,7 @@ public:
   bool evaluate(const Eigen::VectorXd &u) override;
   const Eigen::VectorXd &residual() const override { return residual_; }
   double force_scale() const override { return scale_; }
-  DirectSolver &solver() override { return *solver_; }
+  LinearSolver &solver() override { return *solver_; }
   /// What the next augmentation would mend of the trial, in its multipliers' sense [m]; then: makes it.
   struct Left {
     double gap = 0, slip = 0;
@@ -111,7 +111,7 @@ private:
   std::vector<std::pair<int, double>> body_masses_;
   std::unique_ptr<SymmetricMatrix> mass_, solid_tangent_;
   std::unique_ptr<GeneralMatrix> tangent_;
-  std::unique_ptr<DirectSolver> solver_;
+  std::unique_ptr<LinearSolver> solver_;
 
   const SystemState *old_ = nullptr; ///< of the Newton solution under way
   const StepTerms *terms_ = nullptr;

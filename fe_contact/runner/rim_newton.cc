@@ -99,11 +99,11 @@ Eigen::VectorXd RimSolver::newton_change(Trial &trial, const Inertia *inertia, c
       }
   }
   Eigen::VectorXd change;
-  if (stale_factor) change = direct_->solve(-residual, forcing, most_linear_iterations);
+  if (stale_factor) change = linear_->solve(-residual, forcing, most_linear_iterations);
   const bool fresh = change.size() == 0;
-  if (fresh) change = direct_->solve_anew(-residual, forcing, most_linear_iterations);
+  if (fresh) change = linear_->solve_anew(-residual, forcing, most_linear_iterations);
   if (change.size() == 0) return {};
-  factor_is_worn_ = !fresh && direct_->last_iterations() > worn_after;
+  factor_is_worn_ = !fresh && linear_->last_iterations() > worn_after;
   multiplier_change = 0;
   if (inertia && trial.load.constrained) { // bordered by the dish's constraint
     Eigen::VectorXd push = Eigen::VectorXd::Zero(equations_.n), gradient = push;
@@ -112,7 +112,7 @@ Eigen::VectorXd RimSolver::newton_change(Trial &trial, const Inertia *inertia, c
         push[master_[i]] = trial.load.d_multiplier[i] / share();
         gradient[master_[i]] = inertia->velocity_factor() * trial.load.gradient[i] + trial.load.by_displacement[i];
       }
-    const Eigen::VectorXd response = direct_->solve(push, forcing, most_linear_iterations);
+    const Eigen::VectorXd response = linear_->solve(push, forcing, most_linear_iterations);
     if (response.size() == 0) return {};
     multiplier_change = (-trial.load.constraint - gradient.dot(change)) / gradient.dot(response);
     change += multiplier_change * response;

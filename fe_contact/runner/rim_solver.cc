@@ -101,7 +101,7 @@ void RimSolver::make_pattern(const Eigen::VectorXd &u) {
   auto cliques = solid_.cliques(equations_);
   cliques.push_back({master_[0], master_[1], master_[2]});
   cliques.insert(cliques.end(), pairs_.begin(), pairs_.end());
-  direct_.reset();
+  linear_.reset();
   tangent_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
   mass_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
   solid_.add_mass(equations_, *mass_);
@@ -109,7 +109,7 @@ void RimSolver::make_pattern(const Eigen::VectorXd &u) {
       (options_.attached_mass - share() * solid_.mass_of(meshes::Volume::upper_slider)) / share();
   for (const int equation : master_)
     if (equation >= 0 && options_.attached_mass > 0) mass_->add(equation, equation, extra);
-  direct_ = std::make_unique<DirectSolver>(*tangent_, time_split);
+  linear_ = std::make_unique<LinearSolver>(*tangent_, time_split);
 }
 
 Eigen::Vector3d RimSolver::master_of(const Eigen::VectorXd &values) const {

@@ -7,7 +7,7 @@
 #pragma once
 #include "fe_contact/model/solid.h"
 #include "fe_contact/model/wall_contact.h"
-#include "fe_contact/solver/direct_solver.h"
+#include "fe_contact/solver/linear_solver.h"
 #include "fe_contact/solver/generalized_alpha.h"
 #include "meshes/rim_mesh.h"
 #include <functional>
@@ -138,7 +138,7 @@ private:
   int master_[3];                        ///< equations of the top face, -1 where fixed
   std::vector<int> slider_equations_[3]; ///< of the slider's nodes, by component, unique
   std::unique_ptr<SymmetricMatrix> mass_, tangent_;
-  std::unique_ptr<DirectSolver> direct_;
+  std::unique_ptr<LinearSolver> linear_;
   long factored_for_ = 0;               ///< pattern of the factor at hand
   bool factor_is_worn_ = false;         ///< GMRES needed many iterations with it
   bool driven_factor_ = false;          ///< it has unit rows for a driven top face

@@ -1,7 +1,6 @@
-#include "fe_contact/solver/direct_solver.h"
+#include "fe_contact/solver/flexible_gmres.h"
 
 #include "fe_contact/solver/ranks.h"
-#include "fe_contact/solver/stopwatch.h"
 #include <petscksp.h>
 #include <stdexcept>
 
@@ -21,10 +20,9 @@ MatrixPattern pattern_of(const std::vector<int> &starts, const std::vector<int> 
 
 } // namespace
 
-struct DirectSolver::Petsc {
+struct FlexibleGmres::Petsc {
   MatrixPattern pattern;
-  Precision precision = Precision::single_;
-  std::unique_ptr<MumpsFactor> factor; ///< null: none yet
+  Preconditioner preconditioner;
   Mat matrix = nullptr;
   KSP ksp = nullptr;
   Vec b = nullptr, x = nullptr;
@@ -38,7 +36,7 @@ struct DirectSolver::Petsc {
   static PetscErrorCode precondition(PC pc, Vec right, Vec result);
 };
 
-void DirectSolver::Petsc::gather(Vec part, double *result) const {
+void FlexibleGmres::Petsc::gather(Vec part, double *result) const {
   PetscInt first, last;
   const PetscScalar *own;
   check(VecGetOwnershipRange(part, &first, &last));
@@ -48,7 +46,7 @@ void DirectSolver::Petsc::gather(Vec part, double *result) const {
   if (shared()) ranks().hand_round_bytes(result, sizeof(double), of_rank);
 }
 
-void DirectSolver::Petsc::scatter(const double *values, Vec part) const {
+void FlexibleGmres::Petsc::scatter(const double *values, Vec part) const {
   PetscInt first, last;
   PetscScalar *own;
   check(VecGetOwnershipRange(part, &first, &last));
@@ -57,17 +55,17 @@ void DirectSolver::Petsc::scatter(const double *values, Vec part) const {
   check(VecRestoreArray(part, &own));
 }
 
-PetscErrorCode DirectSolver::Petsc::precondition(PC pc, Vec right, Vec result) {
+PetscErrorCode FlexibleGmres::Petsc::precondition(PC pc, Vec right, Vec result) {
   Petsc *self;
   check(PCShellGetContext(pc, &self));
   self->gather(right, self->whole.data());
-  self->factor->solve(self->whole);
+  self->preconditioner(self->whole);
   self->scatter(self->whole.data(), result);
   return 0;
 }
 
 /// The rows of a matrix that this rank solves for; of each entry every rank has a part.
-struct DirectSolver::Rows {
+struct FlexibleGmres::Rows {
   const GeneralMatrix &parts;
   std::vector<std::size_t> of_rank, entries_of_rank; ///< where each rank's begin
   std::vector<int> starts;
@@ -82,18 +80,21 @@ struct DirectSolver::Rows {
   const int *columns() const { return parts.columns().data() + entries_of_rank[ranks().own]; }
 };
 
-DirectSolver::DirectSolver(SymmetricMatrix &matrix, TimeSplit &times)
-    : petsc_(std::make_unique<Petsc>()), values_(matrix.values()), times_(times) {
+FlexibleGmres::FlexibleGmres(SymmetricMatrix &matrix, Preconditioner preconditioner)
+    : petsc_(std::make_unique<Petsc>()), values_(matrix.values()) {
+  petsc_->preconditioner = std::move(preconditioner);
   const int n = matrix.n();
   check(MatCreateSeqSBAIJWithArrays(PETSC_COMM_SELF, 1, n, n, matrix.starts().data(), matrix.columns().data(),
                                     matrix.values().data(), &petsc_->matrix));
   petsc_->of_rank = {0, std::size_t(n)};
-  set_up(pattern_of(matrix.starts(), matrix.columns(), true, 0, n));
+  petsc_->pattern = pattern_of(matrix.starts(), matrix.columns(), true, 0, n);
+  set_up();
 }
 
-DirectSolver::DirectSolver(GeneralMatrix &matrix, TimeSplit &times)
+FlexibleGmres::FlexibleGmres(GeneralMatrix &matrix, Preconditioner preconditioner)
     : petsc_(std::make_unique<Petsc>()), rows_(ranks().size > 1 ? std::make_unique<Rows>(matrix) : nullptr),
-      values_(rows_ ? rows_->values : matrix.values()), times_(times) {
+      values_(rows_ ? rows_->values : matrix.values()) {
+  petsc_->preconditioner = std::move(preconditioner);
   const int n = matrix.n();
   petsc_->of_rank = ranks().starts(n);
   if (rows_)
@@ -102,18 +103,16 @@ DirectSolver::DirectSolver(GeneralMatrix &matrix, TimeSplit &times)
   else
     check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, matrix.starts().data(), matrix.columns().data(),
                                     matrix.values().data(), &petsc_->matrix));
-  set_up(pattern_of(matrix.starts(), matrix.columns(), false, petsc_->of_rank[ranks().own], petsc_->of_rank[ranks().own + 1]));
+  petsc_->pattern = pattern_of(matrix.starts(), matrix.columns(), false, petsc_->of_rank[ranks().own], petsc_->of_rank[ranks().own + 1]);
+  set_up();
 }
 
-void DirectSolver::set_up(MatrixPattern pattern) {
+void FlexibleGmres::set_up() {
   auto &p = *petsc_;
-  p.pattern = std::move(pattern);
   p.whole.resize(p.pattern.n);
   check(MatSetOption(p.matrix, MAT_NEW_NONZERO_LOCATION_ERR, PETSC_TRUE));
   check(MatCreateVecs(p.matrix, &p.x, &p.b));
   check(KSPCreate(p.shared() ? PETSC_COMM_WORLD : PETSC_COMM_SELF, &p.ksp));
-  // Flexible: a factor in single precision rounds every vector anew, so what it made of each is kept and combined, and the
-  // residual that decides is the true one.
   check(KSPSetType(p.ksp, KSPFGMRES));
   check(KSPSetOperators(p.ksp, p.matrix, p.matrix));
   PC pc;
@@ -123,7 +122,7 @@ void DirectSolver::set_up(MatrixPattern pattern) {
   check(PCShellSetApply(pc, Petsc::precondition));
 }
 
-DirectSolver::~DirectSolver() {
+FlexibleGmres::~FlexibleGmres() {
   auto &p = *petsc_;
   VecDestroy(&p.x);
   VecDestroy(&p.b);
@@ -131,7 +130,7 @@ DirectSolver::~DirectSolver() {
   MatDestroy(&p.matrix);
 }
 
-void DirectSolver::take_values() {
+void FlexibleGmres::take_values() {
   auto &p = *petsc_;
   if (rows_) {
     ranks().sum_to_owners(rows_->parts.values(), rows_->entries_of_rank, rows_->values);
@@ -142,16 +141,11 @@ void DirectSolver::take_values() {
   check(MatAssemblyEnd(p.matrix, MAT_FINAL_ASSEMBLY));
 }
 
-bool DirectSolver::factorise() {
-  const Stopwatch watch(times_["factor"]);
-  auto &p = *petsc_;
-  if (!p.factor) p.factor = mumps_factor(p.precision, p.pattern, p.shared());
-  if (!p.factor->factorise(values_.data())) p.factor.reset();
-  return p.factor != nullptr;
-}
+bool FlexibleGmres::by_all_ranks() const { return petsc_->shared(); }
+const MatrixPattern &FlexibleGmres::pattern() const { return petsc_->pattern; }
+const double *FlexibleGmres::values() const { return values_.data(); }
 
-Eigen::VectorXd DirectSolver::iterate(const Eigen::VectorXd &right_side, double relative, int max_iterations) {
-  const Stopwatch watch(times_["solve"]);
+Eigen::VectorXd FlexibleGmres::solve(const Eigen::VectorXd &right_side, double relative, int max_iterations) {
   auto &p = *petsc_;
   check(KSPGMRESSetRestart(p.ksp, max_iterations));
   check(KSPSetTolerances(p.ksp, relative, 0.0, PETSC_DEFAULT, max_iterations));
@@ -166,23 +160,6 @@ Eigen::VectorXd DirectSolver::iterate(const Eigen::VectorXd &right_side, double 
   Eigen::VectorXd result(right_side.size());
   p.gather(p.x, result.data());
   return result;
-}
-
-Eigen::VectorXd DirectSolver::solve(const Eigen::VectorXd &right_side, double relative, int max_iterations) {
-  if (!petsc_->factor) return {};
-  take_values();
-  return iterate(right_side, relative, max_iterations);
-}
-
-Eigen::VectorXd DirectSolver::solve_anew(const Eigen::VectorXd &right_side, double relative, int max_iterations) {
-  auto &p = *petsc_;
-  take_values();
-  Eigen::VectorXd result;
-  if (factorise()) result = iterate(right_side, relative, max_iterations);
-  if (result.size() > 0 || p.precision == Precision::double_) return result;
-  p.precision = Precision::double_;
-  p.factor.reset();
-  return factorise() ? iterate(right_side, relative, max_iterations) : Eigen::VectorXd();
 }
 
 } // namespace rimpact::fe

@@ -8,12 +8,18 @@
 namespace rimpact::fe {
 namespace {
 
+/// MUMPS's `sym` for a symmetric matrix. In single precision pivots come from the diagonal, which makes the factor a fifth
+/// cheaper; where that will not do, GMRES shows it, and the factor in double precision looks for its pivots.
+constexpr int diagonal_pivots = 1, any_pivots = 2;
+
 struct Single {
+  static constexpr int symmetric = diagonal_pivots;
   using Number = float;
   using Data = SMUMPS_STRUC_C;
   static void call(Data &data) { smumps_c(&data); }
 };
 struct Double {
+  static constexpr int symmetric = any_pivots;
   using Number = double;
   using Data = DMUMPS_STRUC_C;
   static void call(Data &data) { dmumps_c(&data); }
@@ -27,7 +33,7 @@ public:
     for (int &column : columns_) ++column;
     data_.comm_fortran = MPI_Comm_c2f(by_all_ranks ? MPI_COMM_WORLD : MPI_COMM_SELF);
     data_.par = 1;
-    data_.sym = pattern.symmetric ? 2 : 0;
+    data_.sym = pattern.symmetric ? Kind::symmetric : 0;
     run(-1);
     for (const int output : {1, 2, 3}) control(output) = -1;
     control(4) = 0;   // nothing printed

@@ -1,7 +1,7 @@
 /// Newton's method for R(u) = 0: bounded backtracking, a stale factor inside GMRES with Eisenstat-Walker's
 /// forcing terms, and a report of every residual. Knows functions, not bearings.
 #pragma once
-#include "fe_contact/solver/direct_solver.h"
+#include "fe_contact/solver/linear_solver.h"
 #include <Eigen/Core>
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ public:
   virtual const Eigen::VectorXd &residual() const = 0;
   /// Size of the forces in play [N], against which the residual is small or not.
   virtual double force_scale() const = 0;
-  virtual DirectSolver &solver() = 0; ///< of the tangent
+  virtual LinearSolver &solver() = 0; ///< of the tangent
   TimeSplit time_split;
 };
 
