@@ -1,7 +1,9 @@
 """What each result cost, beside its error: speed is never reported alone."""
+from .. import stored_studies
 from ..blocks import Section, note, table
 from ..figures import speed as figure_speed
-from ..numbers import duration, integer, is_number, memory, percent
+from ..figures import study as figure_study
+from ..numbers import duration, integer, is_number, memory, percent, scaled
 from .common import errors_of, short_name
 
 
@@ -17,7 +19,22 @@ def make(context):
     runs = [(short_name(entry.name), entry.fe) for entry in known if entry.fe is not None and entry.fe.rung != "reduced"]
     section.add(context.pictures.figure("speed-time-split", "Where the wall time of the finite-element runs goes.",
                                         figure_speed.draw, runs))
+    if not single:
+        _frontiers(context, section)
     return section
+
+
+def _frontiers(context, section):
+    """What the rungs that did not run would cost and change, from studies kept with the program."""
+    reference = context.results.reference
+    for scene, study in stored_studies.of_all_rungs(reference.get("bearing", "name") if reference else None).items():
+        rows = [[row["name"], duration(row["wall_time_s"]), integer(row["n_dofs"] or None), scaled(row["peak_impact_force_N"], 1e-3),
+                 "reference" if row["reference"] else percent(row["error"], signed=False), percent(row["nrmse_force"], signed=False)]
+                for row in study["rows"]]
+        section.add(table(["run", "wall time", "unknowns", "peak kN", "its error", "force history (RMS)"], rows,
+                          caption=f"Every rung on {scene} at scale 1.05, a study kept with the program: times of the machine it was made on, "
+                                  "with other jobs beside it; errors against the whole bearing deformable."))
+        section.add(context.pictures.figure(f"speed-rungs-{scene}", f"Speed against error on {scene} at scale 1.05.", figure_study.draw, study))
 
 
 def _all(context, entries):

@@ -54,6 +54,14 @@ class MainResults(unittest.TestCase):
                      "Range of validity. The constant pair holds", "Do rim or slider yield? Yes", "Pulses not fitted."):
             self.assertIn(said, head)
 
+    def test_every_rung_of_both_pulses_is_shown_with_time_and_error(self):
+        speed = self.text[self.text.index("Speed beside error", self.text.index("The answer")):]
+        for pulse in ("ricker-0.78g-1.0s", "ricker-0.38g-1.5s"):
+            self.assertIn(f"Every rung on {pulse}", speed)
+            self.assertTrue(os.path.exists(os.path.join(self.folder, "figures", f"speed-rungs-{pulse}.png")))
+        for rung in ("reduced", "rim-mesh1", "rigid-dish-mesh1", "full-mesh1"):
+            self.assertIn(rung, speed)
+
     def test_errors_belong_to_the_forces_beside_them(self):
         forces = {}
         for place in ("runs", "reduced"):

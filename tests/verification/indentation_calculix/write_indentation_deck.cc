@@ -2,7 +2,7 @@
 // and path; a finely meshed cap, all its nodes given the sphere's travel, stands for the rigid sphere (the
 // same as a *RIGID BODY in translation, with fewer equations). Units: mm, N, MPa. The quarter is written:
 // reactions in the .dat file are a quarter of the sphere's.
-#include "../rim_push_calculix/ccx_deck.h"
+#include "../../benchmarks/peers/rim_calculix/ccx_deck.h"
 #include "problem.h"
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

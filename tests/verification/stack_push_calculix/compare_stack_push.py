@@ -16,7 +16,7 @@ import sys
 import numpy as np
 
 HERE = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(HERE.parent), str(HERE.parent / "rim_push_calculix")]
+sys.path[:0] = [str(HERE.parent), str(HERE.parents[1] / "benchmarks" / "peers" / "rim_calculix")]
 from compare_rim_push import SKIPPED, timed  # noqa: E402
 from kept_run import finish  # noqa: E402
 

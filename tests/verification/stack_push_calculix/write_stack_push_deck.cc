@@ -1,7 +1,7 @@
 // Writes a push of the whole bearing (rung full) as a CalculiX deck: same mesh (27-node cells reduced to ccx's 20),
 // materials, contacts with friction, weight. The stack is placed `before` short of the rim, tilted as the dish is, set
 // down, loaded, and slid on into the rim. Units: mm, N, MPa; half model, so that forces in the .dat file are half.
-#include "../rim_push_calculix/ccx_deck.h"
+#include "../../benchmarks/peers/rim_calculix/ccx_deck.h"
 #include "fe_contact/runner/plan.h"
 #include "fe_contact/runner/stack_drive.h"
 #include "scene/error.h"

@@ -22,6 +22,7 @@ import numpy as np
 GATE = 0.03
 TRAVELS = np.arange(0.5, 8.01, 0.5)  # mm, loading
 SKIPPED = 77
+NUMBER = r"\s+([-+0-9.E]+)"
 
 
 class Run:
@@ -71,25 +72,45 @@ def run_ours(options, name, mesh):
                f"{summary['n_dofs']} unknowns, {summary['n_steps']} steps, {summary['n_newton_iterations']} iterations")
 
 
+def unknowns(folder, name):
+    found = re.findall(r"number of equations\s+(\d+)", (folder / f"{name}.log").read_text())
+    return found[0] if found else "?"
+
+
+def increments(folder, name):
+    """What CalculiX's automatic control did: every attempt is a line, an increment given up has a U."""
+    attempts = [line.split() for line in (folder / f"{name}.sta").read_text().splitlines()[2:]]
+    cut = [words for words in attempts if words[2].endswith("U")]
+    return (f"{len(attempts) - len(cut)} increments, {sum(int(words[3]) for words in attempts)} iterations, "
+            f"{sum(int(words[3]) for words in cut)} of them in increments cut")
+
+
+def reporter(baseline):
+    """Says a line as it comes (a study takes an hour), and keeps it."""
+    if baseline:
+        baseline.write_text("")
+
+    def say(line):
+        print(line, flush=True)
+        if baseline:
+            with open(baseline, "a") as file:
+                file.write(line + "\n")
+    return say
+
+
 def run_ccx(options, name, mesh, *settings):
     deck = options.folder / f"{name}.inp"
     subprocess.run([options.writer, str(deck), "--set", f"model.mesh={mesh}", *settings], check=True)
     seconds = timed(["ccx", name], options.folder, options.folder / f"{name}.log", options.cores)
     text = (options.folder / f"{name}.dat").read_text()
-    number = r"\s+([-+0-9.E]+)"
-    forces = re.findall(r"total force .* TOP and time" + number + r"\s*" + 3 * number, text)
-    moves = re.findall(r"displacements .* TOP_ONE and time" + number + r"\s+\d+" + 3 * number, text)
+    forces = re.findall(r"total force .* TOP and time" + NUMBER + r"\s*" + 3 * NUMBER, text)
+    moves = re.findall(r"displacements .* TOP_ONE and time" + NUMBER + r"\s+\d+" + 3 * NUMBER, text)
     forces, moves = np.array(forces, float), np.array(moves, float)
     if len(forces) == 0 or forces[-1, 0] < 2 or not np.array_equal(forces[:, 0], moves[:, 0]):
         raise SystemExit(f"ccx did not finish {deck}; see {name}.log and {name}.sta")
     zero = np.zeros(1)
-    attempts = [line.split() for line in (options.folder / f"{name}.sta").read_text().splitlines()[2:]]
-    log = (options.folder / f"{name}.log").read_text()
-    unknowns = re.findall(r"number of equations\s+(\d+)", log)
     return Run(name, np.append(zero, moves[:, 1]), np.append(zero, 2e-3 * forces[:, 1]),
-               np.append(zero, -2e-3 * forces[:, 3]), seconds,
-               f"{unknowns[0] if unknowns else '?'} unknowns, {len(forces)} increments, "
-               f"{sum(int(words[3]) for words in attempts)} iterations")
+               np.append(zero, -2e-3 * forces[:, 3]), seconds, f"{unknowns(options.folder, name)} unknowns, {increments(options.folder, name)}")
 
 
 def table(ours, ccx):
@@ -154,14 +175,7 @@ def main():
         return SKIPPED
     options.folder = options.folder.resolve()
     options.folder.mkdir(parents=True, exist_ok=True)
-    if options.write:
-        options.write.write_text("")
-
-    def say(line):  # as it comes: a study takes an hour
-        print(line, flush=True)
-        if options.write:
-            with open(options.write, "a") as file:
-                file.write(line + "\n")
+    say = reporter(options.write)
 
     ours, ccx = run_ours(options, "ours", options.mesh), run_ccx(options, "ccx", options.mesh)
     say(f"rim-push, mesh {options.mesh}: rimpact against CalculiX (C3D20R), {options.cores} core(s)")

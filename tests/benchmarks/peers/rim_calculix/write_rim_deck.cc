@@ -1,7 +1,8 @@
-// Writes the scene `rim-push` as a CalculiX deck: same mesh (27-node cells reduced to ccx's), material and
-// boundary conditions as fe_contact/runner/rim_push.cc and rim_solver.cc. Units: mm, N, MPa. The half model
-// is written: the reactions in the .dat file are half of the bearing's.
+// Writes the scene `rim-push`, or `impact-window` as it comes (no weight, no friction), as a CalculiX deck: same mesh (27-node
+// cells reduced to ccx's), material, mass and boundary conditions as fe_contact/runner/rim_push.cc and rim_solver.cc. Units: mm, N,
+// MPa, t, s. The half model is written: forces in the .dat file are half of the bearing's.
 #include "ccx_deck.h"
+#include "fe_contact/model/solid.h"
 #include "fe_contact/runner/plan.h"
 #include "fe_contact/runner/rim_run.h"
 #include "meshes/rim_mesh.h"
@@ -21,10 +22,11 @@ namespace {
 using meshes::Surface;
 
 struct Settings {
-  std::string file, element = "C3D20R";
+  std::string file, scene = "rim-push", element = "C3D20R";
   double contact_stiffness = 1e7; ///< [MPa/mm]: 50 E over a millimetre
   double withdrawal = 1.5;        ///< travel of unloading [mm]
-  double longest = 0.0625;        ///< longest increment, as a share of a step
+  double longest = 0.0625;        ///< longest increment of a push, as a share of a step
+  double longest_ms = 0.5;        ///< longest increment of a window
   std::vector<std::string> overrides;
 };
 
@@ -65,14 +67,38 @@ std::string path(const scene::Scene &scene, const Settings &settings) {
   return x + z;
 }
 
-std::string step(const Settings &settings, const char *boundary) {
+std::string push_step(const Settings &settings, const char *boundary) {
   return fmt::format("*STEP, NLGEOM, INC=2000\n*STATIC\n0.01, 1., 1e-7, {:g}\n{}", settings.longest,
                      boundary) +
          "*NODE PRINT, NSET=TOP, TOTALS=ONLY\nRF\n*NODE PRINT, NSET=TOP_ONE\nU\n*END STEP\n";
 }
 
+std::string push(const scene::Scene &scene, const Settings &settings) {
+  return path(scene, settings) + "*BOUNDARY\nTOP, 2, 2\n" +
+         push_step(settings, "*BOUNDARY, AMPLITUDE=ALONG\nTOP, 1, 1, 1.\n*BOUNDARY, AMPLITUDE=UP\nTOP, 3, 3, 1.\n") + push_step(settings, "");
+}
+
+/// What the slider's top carries, as a mass that its nodes follow along x [t]: the bearing's but for what the slider has itself.
+double mass_on_top(const scene::Scene &scene, const meshes::HexMesh &mesh) {
+  const fe::Discretisation space(mesh, 2);
+  return 1e-3 * (scene.load.mass / 2 - fe::Solid(space, scene.bearing).mass_of(meshes::Volume::upper_slider));
+}
+
+/// The slider thrown at the wall it touches; its top moves along x as one, its height held.
+std::string window(const scene::Scene &scene, const Settings &settings, const meshes::HexMesh &mesh, const DeckMesh &deck) {
+  const auto top = deck.nodes_of(Surface::top);
+  const unsigned leader = *top.begin() + 1;
+  std::string text = fmt::format("*ELEMENT, TYPE=MASS, ELSET=WEIGHT\n{}, {}\n*MASS, ELSET=WEIGHT\n{:.9g}\n", mesh.cells.size() + 1, leader, mass_on_top(scene, mesh));
+  for (const unsigned node : top)
+    if (node + 1 != leader) text += fmt::format("*EQUATION\n2\n{}, 1, 1., {}, 1, -1.\n", node + 1, leader);
+  text += node_set("SLIDER", deck.nodes_of(meshes::Volume::upper_slider));
+  text += fmt::format("*BOUNDARY\nTOP, 2, 3\n*INITIAL CONDITIONS, TYPE=VELOCITY\nSLIDER, 1, {:g}\n", 1e3 * scene.excitation.speed);
+  return text + fmt::format("*STEP, NLGEOM, INC=20000\n*DYNAMIC, ALPHA=-0.3\n2e-5, {:g}, 1e-9, {:g}\n", scene.excitation.duration, 1e-3 * settings.longest_ms) +
+         "*NODE PRINT, NSET=TOP_ONE\nU, V\n*CONTACT PRINT, SLAVE=slider_side, MASTER=rim_wall\nCF\n*END STEP\n";
+}
+
 void write(const Settings &settings) {
-  const scene::Scene scene = scene::load_scene("rim-push", settings.overrides);
+  const scene::Scene scene = scene::load_scene(settings.scene, settings.overrides);
   fe::Plan plan = fe::make_plan(scene);
   const auto options = fe::rim_mesh_options(scene, plan);
   if (!options.half) throw InputError("the deck is that of a symmetric half; leave model.symmetry at auto");
@@ -80,19 +106,15 @@ void write(const Settings &settings) {
   const DeckMesh deck(mesh, settings.element.starts_with("C3D20") ? 20 : 8);
 
   std::ofstream file(settings.file);
-  file << "*HEADING\nrim-push of " << scene.bearing.name << ", mesh " << options.level
-       << ", half model; mm, N, MPa\n"
+  file << "*HEADING\n" << settings.scene << " of " << scene.bearing.name << ", mesh " << options.level << ", half model; mm, N, MPa, t, s\n"
        << deck.nodes_and_elements(settings.element) << sets_and_surfaces(deck, mesh, options)
-       << material("STEEL", scene.bearing.steel)
+       << material("STEEL", scene.bearing.steel) << fmt::format("*DENSITY\n{:g}\n", 1e-12 * scene.bearing.steel.density)
        << contact("WALLS", "slider_side", "rim_wall", settings.contact_stiffness, 0);
   for (const auto volume : {"plate", "rim", "upper_slider"})
     file << "*SOLID SECTION, ELSET=" << volume << ", MATERIAL=STEEL\n";
   file << "*TRANSFORM, NSET=CUTS, TYPE=C\n0., 0., 0., 0., 0., 1.\n" // 1 radial, 2 circumferential
-       << path(scene, settings)
-       << "*BOUNDARY\nFIXED, 1, 3\nSYMMETRY, 2, 2\nCUT_INNER, 1, 1\nCUT_END, 2, 2\nTOP, 2, 2\n"
-       << step(settings,
-               "*BOUNDARY, AMPLITUDE=ALONG\nTOP, 1, 1, 1.\n*BOUNDARY, AMPLITUDE=UP\nTOP, 3, 3, 1.\n")
-       << step(settings, "");
+       << "*BOUNDARY\nFIXED, 1, 3\nSYMMETRY, 2, 2\nCUT_INNER, 1, 1\nCUT_END, 2, 2\n"
+       << (settings.scene == "rim-push" ? push(scene, settings) : window(scene, settings, mesh, deck));
   if (!file.flush()) throw Error(ExitCode::io, "cannot write " + settings.file);
 }
 
@@ -101,13 +123,15 @@ void write(const Settings &settings) {
 
 int main(int argc, char **argv) {
   rimpact::verification::Settings settings;
-  CLI::App app("Writes rim-push as a CalculiX deck");
+  CLI::App app("Writes rim-push or impact-window as a CalculiX deck");
   app.add_option("deck", settings.file, "the .inp file")->required();
+  app.add_option("--scene", settings.scene)->check(CLI::IsMember({"rim-push", "impact-window"}));
   app.add_option("--element", settings.element)->check(CLI::IsMember({"C3D20R", "C3D20", "C3D8", "C3D8I"}));
   app.add_option("--contact-stiffness", settings.contact_stiffness, "MPa/mm")->check(CLI::PositiveNumber);
   app.add_option("--withdrawal", settings.withdrawal, "travel of unloading, mm")->check(CLI::PositiveNumber);
-  app.add_option("--longest", settings.longest, "longest increment, of a step's 1")
+  app.add_option("--longest", settings.longest, "longest increment of a push, of a step's 1")
       ->check(CLI::Range(1e-4, 1.0));
+  app.add_option("--longest-ms", settings.longest_ms, "longest increment of a window")->check(CLI::PositiveNumber);
   app.add_option("--set", settings.overrides, "KEY=VALUE of the scene")->allow_extra_args(false);
   CLI11_PARSE(app, argc, argv);
   try {

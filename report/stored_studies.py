@@ -1,0 +1,12 @@
+"""Studies of speed against error that are kept with the program (calibration/studies)."""
+import json
+import pathlib
+
+FOLDER = pathlib.Path(__file__).resolve().parents[1] / "calibration" / "studies"
+
+
+def of_all_rungs(bearing):
+    """Those of a bearing that compare rungs, by the names of their scenes: from the reduced model to the whole bearing."""
+    studies = [json.loads(file.read_text()) for file in sorted(FOLDER.glob("*.json"))]
+    return {study["scene"]["name"]: study for study in studies
+            if study["scene"]["bearing"] == bearing and {"reduced", "full"} <= {row["rung"] for row in study["rows"]}}
