@@ -7,8 +7,8 @@
 #pragma once
 #include "fe_contact/model/solid.h"
 #include "fe_contact/model/wall_contact.h"
-#include "fe_contact/solver/linear_solver.h"
 #include "fe_contact/solver/generalized_alpha.h"
+#include "fe_contact/solver/linear_solver.h"
 #include "meshes/rim_mesh.h"
 #include <functional>
 #include <map>

@@ -159,22 +159,43 @@ def refinement(options, say):
     say(f"1 % of the fine-mesh force: ours {times[0]:.0f} s, ccx {times[1]:.0f} s: {times[1] / times[0]:.1f} times sooner")
 
 
-def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--writer", required=True, help="the program write_rim_push_deck")
+def arguments(description):
+    parser = argparse.ArgumentParser(description=description.splitlines()[0])
+    parser.add_argument("--writer", required=True, help="the program write_rim_deck")
     parser.add_argument("--rimpact", required=True, help="the program rimpact or rimpact-fe")
     parser.add_argument("--folder", required=True, type=pathlib.Path)
     parser.add_argument("--write", type=pathlib.Path, help="keep the table here (the baseline)")
-    parser.add_argument("--mesh", type=int, default=1)
     parser.add_argument("--cores", type=int, default=1)
-    parser.add_argument("--study", action="store_true")
     parser.add_argument("--meshes", help="meshes of both programs, e.g. 0,1,2")
-    options = parser.parse_args()
+    return parser
+
+
+def is_ready(options):
+    """Makes the folder; False, with a word, where there is nothing to compare with."""
     if shutil.which("ccx") is None:
-        print("skipped: CalculiX (ccx) is not installed, so rim-push has nothing to be compared with")
-        return SKIPPED
+        print("skipped: CalculiX (ccx) is not installed, so there is nothing to compare with")
+        return False
     options.folder = options.folder.resolve()
     options.folder.mkdir(parents=True, exist_ok=True)
+    return True
+
+
+def missed(differences, bound):
+    """Says which of (name, relative difference) is not within its bound(name); whether any is."""
+    late = [f"gate missed: {name}: {100 * value:.2f} %, the gate is {100 * bound(name):.0f} %"
+            for name, value in differences if not abs(value) <= bound(name)]
+    for sentence in late:
+        print(sentence, file=sys.stderr)
+    return bool(late)
+
+
+def main():
+    parser = arguments(__doc__)
+    parser.add_argument("--mesh", type=int, default=1)
+    parser.add_argument("--study", action="store_true")
+    options = parser.parse_args()
+    if not is_ready(options):
+        return SKIPPED
     say = reporter(options.write)
 
     ours, ccx = run_ours(options, "ours", options.mesh), run_ccx(options, "ccx", options.mesh)
@@ -188,11 +209,7 @@ def main():
         study(options, ccx, say)
     if options.meshes:
         refinement(options, say)
-    missed = [f"{name}: {100 * value:.2f} %, the gate is {100 * GATE:.0f} %" for name, value in gates(ours, ccx)
-              if not abs(value) <= GATE]
-    for sentence in missed:
-        print("gate missed: " + sentence, file=sys.stderr)
-    return 1 if missed else 0
+    return 1 if missed(gates(ours, ccx), lambda name: GATE) else 0
 
 
 if __name__ == "__main__":
