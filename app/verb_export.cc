@@ -23,11 +23,10 @@ nlohmann::json read_calibration(const std::string &folder) {
 
 void add_export(CLI::App &app, Console &console) {
   auto folder = std::make_shared<std::string>();
-  auto opensees = std::make_shared<bool>(false);
   auto springs = std::make_shared<int>(2);
   auto *verb = app.add_subcommand("export", "calibrated parameters for other programs");
   verb->add_option("DIR", *folder, "folder of a calibration")->required();
-  verb->add_flag("--opensees", *opensees, "Tcl and Python")->required();
+  verb->add_flag("--opensees")->description("Tcl and Python")->required();
   verb->add_option("--springs", *springs, "gap springs around the slider, 4 or more; 2: along x")->capture_default_str();
   console.add_common(*verb);
   verb->callback([folder, springs, &console] {

@@ -32,6 +32,9 @@ private:
   /// Reduced flight until the walls touch. False: the scene ended first.
   bool fly();
 
+  /// One stretch of flight into the record, whole even where the reduced model stops.
+  reduced::FlightEnd reduced_flight(double t_end, const std::function<double(const Eigen::Vector3d &)> &stop);
+
   void pad_fe_signals();
 
   /// Global forces at the present end of the step.

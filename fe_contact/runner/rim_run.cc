@@ -71,9 +71,7 @@ bool DynamicRun::fly() {
   while (bearing_.t < end_time()) {
     if (is_interrupted(options_)) throw Interrupted();
     scene::EnergyLedger before = record_.ledger;
-    const auto end = model_.fly(bearing_, std::min(end_time(), bearing_.t + chunk), stop, record_.response,
-                                record_.ledger);
-    pad_fe_signals();
+    const auto end = reduced_flight(std::min(end_time(), bearing_.t + chunk), stop);
     bearing_ = end.state;
     record_.ledger.elastic = before.elastic; // what the arcs keep
     record_.ledger.plastic = before.plastic;
@@ -82,6 +80,17 @@ bool DynamicRun::fly() {
     if (end.stopped) return true;
   }
   return false;
+}
+
+reduced::FlightEnd DynamicRun::reduced_flight(double t_end, const std::function<double(const Eigen::Vector3d &)> &stop) {
+  try {
+    const auto end = model_.fly(bearing_, t_end, stop, record_.response, record_.ledger);
+    pad_fe_signals();
+    return end;
+  } catch (const SolverStopped &) {
+    pad_fe_signals(); // what is before the stop is kept
+    throw;
+  }
 }
 
 void DynamicRun::pad_fe_signals() {

@@ -29,7 +29,7 @@ def _frontiers(context, section):
     reference = context.results.reference
     for scene, study in stored_studies.of_all_rungs(reference.get("bearing", "name") if reference else None).items():
         rows = [[row["name"], duration(row["wall_time_s"]), integer(row["n_dofs"] or None), scaled(row["peak_impact_force_N"], 1e-3),
-                 "reference" if row["reference"] else percent(row["error"], signed=False), percent(row["nrmse_force"], signed=False)]
+                 *(("reference", "") if row["reference"] else (percent(row[key], 2, signed=False) for key in ("error", "nrmse_force")))]
                 for row in study["rows"]]
         section.add(table(["run", "wall time", "unknowns", "peak kN", "its error", "force history (RMS)"], rows,
                           caption=f"Every rung on {scene} at scale 1.05, a study kept with the program: times of the machine it was made on, "

@@ -62,14 +62,15 @@ def cases(program, folder):
         ("zero vertical load, weight on", True, window(0.2, WEIGHT, "load.vertical_kN=0"), 0, close_to("reference: 0.2 m/s", 0.02)),
         ("a spike of 1 g for 50 ms", True, spike, 0, None),
         ("1.3 g upwards, 0.7 m/s", True, lifted(0.3, 1.5), 0, impacts(1)),
-        ("1.3 g upwards, 2.5 m/s in flight", False, lifted(0.9, 1.6), 0, impacts(1)),
+        # ploughs 110 mm into the rim while it rises, and is thrown over it: the dish ends there, and so does the run
+        ("1.3 g upwards, 2.5 m/s in flight", False, lifted(0.9, 1.6), 4, None),
         ("100 s of tiny shaking", True, tiny, 0, lambda s, of: s["peak_displacement_m"] < 1e-3),
         ("initial overlap 0.5 mm", True, free((0.4005, 0), (0, 0), 0.3), 2, None),
     ]
 
 
 MESH = 1
-NOTES = """# Elsewhere: resumed in mid-impact to 1e-10 (tests/fe_contact/test_restart.cc, app_fe_run). Not in this rung: the pad (Poisson
+NOTES = """# Seconds beside other jobs, 19 to 60 for the same work. Elsewhere: resumed in mid-impact to 1e-10 (tests/fe_contact/test_restart.cc, app_fe_run). Not in this rung: the pad (Poisson
 # 0.499). Two ranks: rungs rigid-dish and full only (tests/fe_contact/test_ranks.cc,
 # app_stack_ranks). A penalty_scale above 10 is cut to 10, and said.
 """
