@@ -108,6 +108,14 @@ Eigen::Vector3d MasterFaces::roughly_back(const Eigen::Vector3d &x, const Eigen:
   return x - u.segment<3>(3 * nodes[nodes.size() / 2]);
 }
 
+double MasterFaces::uneven(const Eigen::VectorXd &u, int face) const {
+  const auto &nodes = faces_[std::max(face, 0)]->nodes;
+  const Eigen::Vector3d middle = u.segment<3>(3 * nodes[nodes.size() / 2]);
+  double largest = 0;
+  for (const unsigned node : nodes) largest = std::max(largest, (u.segment<3>(3 * node) - middle).norm());
+  return largest;
+}
+
 Opposite MasterFaces::find(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int guess, double beyond) const {
   Opposite result;
   if (faces_.empty()) return result;

@@ -30,6 +30,8 @@ public:
   Opposite find(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int guess, double beyond) const;
   /// x pulled back with the displacement of a face's middle (-1: the group's first): good enough to look up what is near.
   Eigen::Vector3d roughly_back(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int face = -1) const;
+  /// How much a face's displacements differ from its middle's at most: what `roughly_back` errs by near that face [m].
+  double uneven(const Eigen::VectorXd &u, int face) const;
   /// Faces within `margin` of a box of pulled-back points [m].
   std::vector<int> near(const Eigen::Vector3d &low, const Eigen::Vector3d &high, double margin) const;
   const Face &face(int i) const { return *faces_[i]; }

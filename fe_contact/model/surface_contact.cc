@@ -58,7 +58,7 @@ Vector3d SurfaceContact::relative_position(std::size_t k, const Eigen::VectorXd 
 }
 
 bool SurfaceContact::may_bear(std::size_t k, const Eigen::VectorXd &u, int opposite) const {
-  constexpr double rough = 2e-3; // more than the rough place errs by [m]
+  const double rough = 2 * carrier_->uneven(u, opposite); // twice, as the point lies past that face
   return master_.distance(carrier_->roughly_back(position(points_[k], u), u, opposite)).gap < rough;
 }
 
