@@ -202,8 +202,7 @@ void DynamicRun::land(Arc &arc) {
 }
 
 void DynamicRun::end_contact(Arc &arc) {
-  const Eigen::Vector2d radial = bearing_.u.head<2>().normalized();
-  impact_.rebound_speed = -bearing_.v.head<2>().dot(radial);
+  impact_.rebound_speed = -radial_speed();
   const double strained = solver_.share() * (arc.state.energies.elastic + arc.state.energies.plastic);
   const double moving =
       solver_.kinetic_energy(arc.state) - solver_.rigid_kinetic_energy(arc.state.master_velocity);

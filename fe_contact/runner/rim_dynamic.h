@@ -19,6 +19,7 @@ private:
   bool window() const { return scene_.excitation.kind == scene::ExcitationKind::window; }
   double end_time() const { return scene_.excitation.duration; }
   double capacity() const { return scene_.bearing.lateral_capacity(); }
+  double radial_speed() const { return bearing_.v.head<2>().dot(bearing_.u.head<2>().normalized()); } ///< outwards [m/s]
 
   void start();
 

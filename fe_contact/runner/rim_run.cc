@@ -121,6 +121,9 @@ void DynamicRun::finish() {
   if (in_contact_)
     write_fields(solver_, arcs_[current_].state, arcs_[current_].frame, bearing_.t, options_, record_);
   save();
+  if (!in_contact_ || !touched_) return;
+  impact_.rebound_speed = -radial_speed(); // the scene's end, not the rim's
+  record_.impacts.push_back(impact_);
 }
 
 meshes::RimMeshOptions rim_mesh_options(const scene::Scene &scene, const Plan &plan) {

@@ -62,9 +62,9 @@ std::optional<double> StackDynamic::run() {
     }
     march_on();
   }
-  if (near_rim_ && touched_) record_.impacts.push_back(impact_);
   write_fields();
   save();
+  if (near_rim_ && touched_) record_.impacts.push_back(impact_); // after saving: a run resumed counts it once
   return {};
 }
 

@@ -54,6 +54,17 @@ class RimWindow(unittest.TestCase):
             other = rimpact(*WINDOW, "-o", halves, "--resume", "--set", "bearing.rim.height_mm=58")
             self.assertEqual(other.returncode, 3)  # another bearing's checkpoint is refused
 
+    def test_a_scene_that_ends_on_the_rim_has_its_rebound_doubted(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for resumed in ([], ["--resume"]):
+                run = rimpact(*WINDOW, "--mesh", "0", "--set", "excitation.duration_s=0.01", "-o", folder, *resumed)
+                self.assertEqual(run.returncode, 0, run.stderr)
+                result = summary(folder)
+                self.assertEqual(result["n_impacts"], 1)
+                self.assertEqual(result["impacts"][0]["peak_force_N"], result["peak_impact_force_N"])
+                self.assertIn("while the rim still bears", " ".join(result["warnings"]))
+                self.assertIn("while the rim still bears", run.stderr)
+
     def test_what_this_build_cannot_run_is_said(self):
         for arguments, needle in ((["--rung", "full"], "rim"), (["--set", "bearing.contact.rim=0.1"], "contact.rim")):
             run = rimpact(*WINDOW, *arguments)
