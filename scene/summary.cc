@@ -1,6 +1,7 @@
 #include "scene/summary.h"
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 #include <sys/resource.h>
 
@@ -150,6 +151,17 @@ void summarise_response(const Response &r, Summary &s) {
   if (!r.has("impact_x") || !r.has("impact_y")) return;
   s.peak_impact_force = largest_norm(r, "impact");
   s.impacts = impacts_of(r);
+}
+
+std::optional<std::string> doubt_of_rebound(const Response &response, const std::vector<Impact> &impacts) {
+  if (impacts.empty() || response.size() == 0 || !response.has("impact_x")) return {};
+  const double force = std::hypot(response.series("impact_x").back(), response.series("impact_y").back());
+  const double peak = impacts.back().peak_force;
+  constexpr double gone = 0.01; // of the peak: what is left changes the speed by less than a thousandth
+  if (!(force > gone * peak)) return {};
+  return fmt::format("the scene ends while the rim still bears {:.0f} kN ({:.0f} % of the impact's peak): rebound speed and restitution of "
+                     "this impact are those of its last instant; set a longer excitation.duration_s",
+                     1e-3 * force, 100 * force / peak);
 }
 
 long peak_memory_bytes() {

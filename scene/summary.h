@@ -48,6 +48,8 @@ struct Summary {
 nlohmann::json to_json(const Summary &summary);
 /// Fills peaks and impacts from a response: an impact is a run of consecutive non-zero impact_x|y samples.
 void summarise_response(const Response &response, Summary &summary);
+/// What to say of a scene that ends with the rim pressed, whose last impact has no rebound yet.
+std::optional<std::string> doubt_of_rebound(const Response &response, const std::vector<Impact> &impacts);
 /// Peak resident memory of this process [bytes].
 long peak_memory_bytes();
 

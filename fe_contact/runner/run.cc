@@ -6,7 +6,6 @@
 #include "fe_contact/runner/stack_run.h"
 #include "fe_contact/solver/ranks.h"
 #include "scene/error.h"
-#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
@@ -38,18 +37,6 @@ scene::Summary summarise(const scene::Scene &scene, const RunRecord &record) {
   summary.extra["augmentation_cap_reached"] = record.augmentation_caps;
   summary.extra["warnings"] = record.warnings;
   return summary;
-}
-
-/// A scene that ends with the rim pressed has no rebound yet: that is said.
-void doubt_a_rebound(RunRecord &record) {
-  if (record.impacts.empty() || record.response.size() == 0) return;
-  const auto &r = record.response;
-  const double force = std::hypot(r.series("impact_x").back(), r.series("impact_y").back()), peak = record.impacts.back().peak_force;
-  constexpr double gone = 0.01; // of the peak: what is left changes the speed by less than a thousandth
-  if (!(force > gone * peak)) return;
-  record.warnings.push_back(fmt::format("the scene ends while the rim still bears {:.0f} kN ({:.0f} % of the impact's peak): rebound speed and "
-                                        "restitution of this impact are those of its last instant; set a longer excitation.duration_s",
-                                        1e-3 * force, 100 * force / peak));
 }
 
 } // namespace
@@ -110,7 +97,8 @@ scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions
     reason = error.what();
     failure = std::current_exception();
   }
-  if (!failure) doubt_a_rebound(record);
+  const auto doubt = failure ? std::nullopt : scene::doubt_of_rebound(record.response, record.impacts);
+  if (doubt) record.warnings.push_back(*doubt);
   scene::Summary summary = summarise(scene, record);
   summary.status = status;
   summary.reason = reason;

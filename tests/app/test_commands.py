@@ -178,6 +178,13 @@ class GoodInput(unittest.TestCase):
             plan = json.loads(rimpact("check", "impact-window", "--set", f"bearing.name={bearing}", "--json").stdout)
             self.assertEqual(any("fore and aft" in note for note in plan["notes"]), said)
 
+    def test_a_scene_that_ends_on_the_rim_has_its_rebound_doubted(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for duration, doubted in ((0.01, True), (0.06, False)):
+                run = rimpact("reduced", "impact-window", "--set", f"excitation.duration_s={duration}", "-o", folder)
+                self.assertEqual(run.returncode, 0, run.stderr)
+                self.assertEqual("while the rim still bears" in run.stderr, doubted, run.stderr)
+
     def test_reduced_compare_and_calibrate(self):
         with tempfile.TemporaryDirectory() as folder:
             one, two = os.path.join(folder, "one"), os.path.join(folder, "two")
