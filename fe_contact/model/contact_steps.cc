@@ -51,13 +51,18 @@ ContactStepReport solve(ContactSystem &system, const SystemState &state, const S
   return report;
 }
 
+NextMultipliers next_multipliers(const StepOptions &options, const ContactStepReport &report) {
+  if (options.max_augmentations == 0) return NextMultipliers::none;
+  return report.capped ? NextMultipliers::same : NextMultipliers::augmented;
+}
+
 } // namespace
 
 ContactStepReport static_step(ContactSystem &system, SystemState &state, const StepTerms &terms,
                               const StepOptions &options, const Eigen::VectorXd &guess) {
   Eigen::VectorXd u = guess.size() ? guess : state.u;
   ContactStepReport report = solve(system, state, terms, options, u);
-  if (report.converged) system.commit(u, state, options.max_augmentations > 0);
+  if (report.converged) system.commit(u, state, next_multipliers(options, report));
   return report;
 }
 
@@ -71,7 +76,7 @@ ContactStepReport time_step(ContactSystem &system, SystemState &state, const Ste
   ContactStepReport report = solve(system, state, in_time, options, u);
   if (!report.converged) return report;
   const Eigen::VectorXd a = inertia.acceleration(u), du = u - state.u, da = a - state.a, R_old = state.R;
-  system.commit(u, state, options.max_augmentations > 0);
+  system.commit(u, state, next_multipliers(options, report));
   state.last_change = du;
   state.last_dt = terms.dt;
   report.integrator_loss = inertia.scheme.loss(terms.dt, du, da, system.mass_times(da), R_old, state.R);

@@ -24,12 +24,13 @@ void ContactSystem::add_contact(meshes::Surface slave, const MasterSurface &mast
 
 void ContactSystem::add_mass(int dof, double mass) { body_masses_.emplace_back(dof, mass); }
 
-void ContactSystem::make_pattern(const Eigen::VectorXd &displacements) {
+void ContactSystem::make_pattern(const Eigen::VectorXd &displacements, const std::vector<SurfaceContactState> &states) {
   const Stopwatch watch(time_split["search"]);
   ++patterns_made_;
   auto cliques = solid_.cliques(equations_);
-  for (auto &contact : contacts_)
-    for (auto &clique : contact.cliques(equations_, displacements)) cliques.push_back(std::move(clique));
+  for (std::size_t i = 0; i < contacts_.size(); ++i)
+    for (auto &clique : contacts_[i].cliques(equations_, displacements, states.empty() ? std::vector<int>() : states[i].opposite))
+      cliques.push_back(std::move(clique));
   solid_tangent_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
   mass_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
   solid_.add_mass(equations_, *mass_);
@@ -43,7 +44,7 @@ void ContactSystem::make_pattern(const Eigen::VectorXd &displacements) {
 SystemState ContactSystem::at_rest() {
   SystemState state;
   state.u = state.v = state.a = state.R = Eigen::VectorXd::Zero(equations_.n);
-  make_pattern(equations_.expand(state.u));
+  make_pattern(equations_.expand(state.u), {});
   state.history = solid_.virgin();
   for (const auto &contact : contacts_) state.contacts.push_back(contact.open(equations_.expand(state.u)));
   state.reports.resize(contacts_.size());
@@ -60,8 +61,8 @@ bool ContactSystem::evaluate(const Eigen::VectorXd &u) {
   bool pattern_holds = true;
   const bool admissible = evaluate_on_the_pattern(u, pattern_holds);
   if (pattern_holds || !admissible) return admissible;
-  make_pattern(equations_.expand(u));
-  return evaluate_on_the_pattern(u, pattern_holds);
+  make_pattern(equations_.expand(u), trial_.contacts);
+  return evaluate_on_the_pattern(u, pattern_holds) && pattern_holds; // a pair still missing would lose its forces
 }
 
 bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool &pattern_holds) {
@@ -79,12 +80,9 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool &patt
   Eigen::VectorXd spent = forces.cwiseAbs();
   // Of the tangent every rank has the share of its cells and faces, and the first one what belongs to none.
   const bool first = ranks().first();
-  if (const Inertia *inertia = terms_->inertia; inertia && first) {
-    const double alpha_m = inertia->scheme.alpha_m;
-    const double factor = (1 - alpha_m) / (inertia->scheme.beta * inertia->dt * inertia->dt);
+  if (const Inertia *inertia = terms_->inertia; inertia && first)
     for (std::size_t k = 0; k < mass_->n_entries(); ++k)
-      solid_tangent_->values()[k] += factor * mass_->values()[k];
-  }
+      solid_tangent_->values()[k] += inertia->mass_factor() * mass_->values()[k];
   tangent_->assign(*solid_tangent_);
   if (!first) forces.setZero(); // until they are summed up with the contacts'
   trial_.reports.assign(contacts_.size(), {});
@@ -150,10 +148,13 @@ void ContactSystem::augment() {
 }
 
 bool ContactSystem::stiffen(double factor) {
+  const double inertial = terms_->inertia && ranks().first() ? terms_->inertia->mass_factor() : 0.0;
+  Eigen::VectorXd stiffness(equations_.n);
+  for (int i = 0; i < equations_.n; ++i) stiffness[i] = solid_tangent_->diagonal(i) - inertial * mass_->diagonal(i);
   bool any = false;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     auto &stiffening = trial_.contacts[i].stiffening;
-    const double most = contacts_[i].stiffness_per_area(equations_, *solid_tangent_) / contacts_[i].options().law.normal_penalty;
+    const double most = contacts_[i].stiffness_per_area(equations_, stiffness) / contacts_[i].options().law.normal_penalty;
     if (stiffening * factor > std::max(1.0, most)) continue;
     stiffening *= factor;
     any = true;
@@ -161,13 +162,13 @@ bool ContactSystem::stiffen(double factor) {
   return any;
 }
 
-void ContactSystem::commit(const Eigen::VectorXd &u, SystemState &state, bool keep_pressure) const {
+void ContactSystem::commit(const Eigen::VectorXd &u, SystemState &state, NextMultipliers normal) const {
   const Eigen::VectorXd displacements = equations_.expand(u);
   state.reports = trial_.reports;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     contacts_[i].add_work(state.contacts[i], trial_.contacts[i], displacements, state.reports[i]);
     state.contacts[i] = trial_.contacts[i];
-    contacts_[i].commit(displacements, state.contacts[i], keep_pressure);
+    contacts_[i].commit(displacements, state.contacts[i], normal);
   }
   state.u = u;
   state.R = trial_.R;

@@ -38,6 +38,7 @@ struct Inertia {
   Eigen::VectorXd acceleration(const Eigen::VectorXd &u) const {
     return (u - u_predicted) / (scheme.beta * dt * dt);
   }
+  double mass_factor() const { return (1 - scheme.alpha_m) / (scheme.beta * dt * dt); } ///< of the tangent [1/s^2]
   Eigen::VectorXd velocity(const Eigen::VectorXd &a) const { return v_predicted + scheme.gamma * dt * a; }
 };
 
@@ -60,7 +61,7 @@ public:
   SystemState at_rest();
   /// Forgets what a state does not hold, the factor and the pattern's history, and goes on from the state alone. To
   /// be called where a checkpoint is written and where it is read: both runs then go on alike, bit for bit.
-  void start_afresh_at(const SystemState &state) { make_pattern(equations_.expand(state.u)); }
+  void start_afresh_at(const SystemState &state) { make_pattern(equations_.expand(state.u), state.contacts); }
   /// Sets what the next Newton solution is of; `old` and `terms` must outlive it.
   void prepare(const SystemState &old, const StepTerms &terms);
   bool evaluate(const Eigen::VectorXd &u) override;
@@ -73,12 +74,11 @@ public:
   };
   Left left_to_augment();
   void augment();
-  /// Multiplies the trial's penalties, but never beyond the solid's own stiffness at the contact (stiffer ones
-  /// over-constrain the faces); false when none could be.
+  /// Multiplies the trial's penalties, but never beyond the solid's own stiffness at the contact, without its inertia
+  /// (stiffer ones over-constrain the faces, and stay when the steps are long again); false when none could be.
   bool stiffen(double factor);
-  /// The trial, evaluated at u, becomes the state. keep_pressure: the pressures become the next step's
-  /// multipliers; false leaves the normal contact a penalty's conservative spring.
-  void commit(const Eigen::VectorXd &u, SystemState &state, bool keep_pressure) const;
+  /// The trial, evaluated at u, becomes the state.
+  void commit(const Eigen::VectorXd &u, SystemState &state, NextMultipliers normal) const;
 
   Eigen::VectorXd expand(const SystemState &state) const { return equations_.expand(state.u); }
   Eigen::VectorXd gravity(const Eigen::Vector3d &acceleration) const; ///< loads of all masses [N]
@@ -101,7 +101,7 @@ public:
   double stabilisation_share() const { return stabilisation_share_; } ///< of the forces in play, last evaluation
 
 private:
-  void make_pattern(const Eigen::VectorXd &displacements);
+  void make_pattern(const Eigen::VectorXd &displacements, const std::vector<SurfaceContactState> &states);
   bool evaluate_on_the_pattern(const Eigen::VectorXd &u, bool &pattern_holds);
 
   const Discretisation &space_;

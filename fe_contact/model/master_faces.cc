@@ -121,6 +121,8 @@ Opposite MasterFaces::find(const Eigen::Vector3d &x, const Eigen::VectorXd &u, i
   if (faces_.empty()) return result;
   result.y = roughly_back(x, u, guess);
   const double tolerance = 1e-15 * (1 + x.norm());
+  constexpr double settled = 1e-9; // [m]; two faces with a kink between them may send a point to and fro by less
+  double error = 0;
   for (int iteration = 0; iteration < 12; ++iteration) {
     const Place place = locate(result.y, guess, beyond);
     if (place.face < 0) return {};
@@ -150,11 +152,12 @@ Opposite MasterFaces::find(const Eigen::Vector3d &x, const Eigen::VectorXd &u, i
     result.inverse = (Eigen::Matrix3d::Identity() + gradient * dxi_dy).inverse();
     result.dxi = dxi_dy * result.inverse;
     const Eigen::Vector3d residual = result.y + carried - x;
-    if (residual.norm() <= tolerance) return result;
+    error = residual.norm();
+    if (error <= tolerance) return result;
     result.y -= result.inverse * residual;
-    if (iteration > 3 && residual.norm() < 1e-12 * (1 + x.norm())) return result;
+    if (iteration > 3 && error < 1e-12 * (1 + x.norm())) return result;
   }
-  return result;
+  return error < settled ? result : Opposite();
 }
 
 } // namespace rimpact::fe

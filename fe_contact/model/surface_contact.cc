@@ -2,6 +2,7 @@
 #include "fe_contact/model/surface_contact.h"
 
 #include "fe_contact/solver/ranks.h"
+#include <set>
 
 namespace rimpact::fe {
 
@@ -62,7 +63,9 @@ bool SurfaceContact::may_bear(std::size_t k, const Eigen::VectorXd &u, int oppos
   return master_.distance(carrier_->roughly_back(position(points_[k], u), u, opposite)).gap < rough;
 }
 
-std::vector<std::vector<int>> SurfaceContact::cliques(const Equations &equations, const Eigen::VectorXd &u) {
+std::vector<std::vector<int>> SurfaceContact::cliques(const Equations &equations, const Eigen::VectorXd &u,
+                                                      const std::vector<int> &opposite) {
+  constexpr double beyond = 0.5; // as in assemble
   std::vector<std::vector<int>> result;
   const int per_face = options_.points * options_.points;
   pairs_.assign(faces_.size(), {});
@@ -78,12 +81,17 @@ std::vector<std::vector<int>> SurfaceContact::cliques(const Equations &equations
       continue;
     }
     Vector3d low = Vector3d::Constant(1e300), high = -low;
+    std::set<int> pairs;
     for (std::size_t k = f * per_face; k < (f + 1) * per_face; ++k) {
-      const Vector3d y = carrier_->roughly_back(position(points_[k], u), u);
+      // Where the carrier is dented by more than the margin, only the search itself knows what lies opposite.
+      const auto found = couple(k, u, opposite.empty() ? -1 : opposite[k], beyond);
+      const Vector3d y = found ? found->y : carrier_->roughly_back(position(points_[k], u), u);
+      if (found) pairs.insert(found->carrier_face);
       low = low.cwiseMin(y);
       high = high.cwiseMax(y);
     }
-    pairs_[f] = carrier_->near(low, high, options_.margin);
+    for (const int face : carrier_->near(low, high, options_.margin)) pairs.insert(face);
+    pairs_[f].assign(pairs.begin(), pairs.end());
     for (const int master : pairs_[f]) {
       result.push_back(own);
       for (const unsigned node : carrier_->face(master).nodes) add(result.back(), 3 * node);
@@ -92,20 +100,22 @@ std::vector<std::vector<int>> SurfaceContact::cliques(const Equations &equations
   return result;
 }
 
-double SurfaceContact::stiffness_per_area(const Equations &equations, const SymmetricMatrix &solid) const {
+double SurfaceContact::stiffness_per_area(const Equations &equations, const Eigen::VectorXd &diagonal) const {
   double stiffness = 0, area = 0;
   for (const auto *face : faces_)
     for (const unsigned node : face->nodes)
       for (int i = 0; i < 3; ++i)
         if (const int equation = equations.of_dof[3 * node + i]; equation >= 0)
-          stiffness += solid.values()[solid.starts()[equation]] / 3;
+          stiffness += diagonal[equation] / 3;
   for (const auto &point : points_) area += point.area;
   return ranks().sum(stiffness) / area;
 }
 
-double SurfaceContact::time_to_touch(const Eigen::VectorXd &u, const Eigen::VectorXd &v) const {
+double SurfaceContact::time_to_touch(const Eigen::VectorXd &u, const Eigen::VectorXd &v,
+                                     const std::vector<int> &opposite) const {
   double time = std::numeric_limits<double>::infinity();
-  for (const auto &point : points_) {
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    const FacePoint &point = points_[k];
     Vector3d y = position(point, u), velocity = Vector3d::Zero();
     for (int a = 0; a < point.shapes.n; ++a)
       velocity += point.shapes.N[a] * v.segment<3>(3 * faces_[point.face]->nodes[a]);
@@ -114,8 +124,8 @@ double SurfaceContact::time_to_touch(const Eigen::VectorXd &u, const Eigen::Vect
       velocity -= v.segment<3>(options_.carrier_dof);
     }
     if (carrier_) {
-      y = carrier_->roughly_back(y, u);
-      velocity = velocity + carrier_->roughly_back(Vector3d::Zero(), v);
+      y = carrier_->roughly_back(y, u, opposite[k]);
+      velocity = velocity + carrier_->roughly_back(Vector3d::Zero(), v, opposite[k]);
     }
     if (master_.covers && !master_.covers(y)) continue;
     const Distance distance = master_.distance(y);

@@ -44,6 +44,10 @@ struct SurfaceContactState {
   double stiffening = 1; ///< factor on the stated penalties where augmentation alone was slow
 };
 
+/// What the normal multipliers are for the next step: none (a penalty's conservative spring), those of the next
+/// augmentation, or those the step was solved with: where augmentation was broken off the next ones would be a jolt.
+enum class NextMultipliers { none, augmented, same };
+
 struct SurfaceContactReport {
   Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< on the body [N]
   Eigen::Vector3d friction = Eigen::Vector3d::Zero(); ///< its tangential tractions' part [N]
@@ -66,8 +70,9 @@ public:
   /// std::invalid_argument where they are not as many.
   SurfaceContactState carried(const SurfaceContactState &other, const Eigen::VectorXd &u) const;
   /// Equations coupled by each slave face and what is opposite or near it at dof displacements u; the pairs are
-  /// remembered as those the pattern holds.
-  std::vector<std::vector<int>> cliques(const Equations &equations, const Eigen::VectorXd &u);
+  /// remembered as those the pattern holds. `opposite`: the state's, where the search begins; empty: none.
+  std::vector<std::vector<int>> cliques(const Equations &equations, const Eigen::VectorXd &u,
+                                        const std::vector<int> &opposite = {});
   /// Adds (internal-sign) contact forces and the tangent at dof displacements u; fills `state`'s results. With several
   /// ranks forces and tangent are those of this rank's faces, to be summed up; state and report are whole.
   SurfaceContactReport assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,
@@ -84,14 +89,13 @@ public:
   /// Work of the step from `before` to `after`, both evaluated.
   void add_work(const SurfaceContactState &before, const SurfaceContactState &after, const Eigen::VectorXd &u,
                 SurfaceContactReport &report) const;
-  /// Ends a step at u: friction (and, if asked, the pressure) becomes the multiplier, positions the next step's
-  /// start.
-  void commit(const Eigen::VectorXd &u, SurfaceContactState &state, bool keep_pressure) const;
+  /// Ends a step at u: friction becomes the multiplier, positions the next step's start.
+  void commit(const Eigen::VectorXd &u, SurfaceContactState &state, NextMultipliers normal) const;
 
-  /// Mean stiffness of the faces' nodes over their area [Pa/m], from the solid's tangent.
-  double stiffness_per_area(const Equations &equations, const SymmetricMatrix &solid) const;
+  /// Mean stiffness of the faces' nodes over their area [Pa/m], from the diagonal of the solid's stiffness (of this rank).
+  double stiffness_per_area(const Equations &equations, const Eigen::VectorXd &diagonal) const;
   /// Shortest time until an open point touches at dof velocities v [s]; infinity when none closes.
-  double time_to_touch(const Eigen::VectorXd &u, const Eigen::VectorXd &v) const;
+  double time_to_touch(const Eigen::VectorXd &u, const Eigen::VectorXd &v, const std::vector<int> &opposite) const;
 
   /// One entry a point: where it is and what acts there.
   struct Sample {

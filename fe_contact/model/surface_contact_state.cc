@@ -105,13 +105,11 @@ void SurfaceContact::add_work(const SurfaceContactState &before, const SurfaceCo
   }
 }
 
-void SurfaceContact::commit(const Eigen::VectorXd &u, SurfaceContactState &state, bool keep_pressure) const {
+void SurfaceContact::commit(const Eigen::VectorXd &u, SurfaceContactState &state, NextMultipliers normal) const {
   const Augmentation next = augmentation(state);
   state.tangential = next.tangential;
-  if (keep_pressure)
-    state.multiplier = next.multiplier;
-  else
-    std::fill(state.multiplier.begin(), state.multiplier.end(), 0.0);
+  if (normal == NextMultipliers::augmented) state.multiplier = next.multiplier;
+  if (normal == NextMultipliers::none) std::fill(state.multiplier.begin(), state.multiplier.end(), 0.0);
   for (std::size_t k = 0; k < points_.size(); ++k) state.start[k] = relative_position(k, u, state);
   settle(u, state);
 }

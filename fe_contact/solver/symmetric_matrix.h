@@ -21,6 +21,7 @@ public:
   /// Adds to entry (i, j) or (j, i), whichever is stored; throws std::logic_error outside the pattern.
   void add(int i, int j, double value);
   void set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
+  double diagonal(int i) const { return values_[starts_[i]]; }
   Eigen::VectorXd multiply(const Eigen::VectorXd &x) const;
   /// Makes row and column `i` the unit row scaled by `diagonal` (i must be smaller than every other coupled
   /// index that matters, as masters are: only the stored row is cleared).

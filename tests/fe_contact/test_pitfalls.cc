@@ -50,6 +50,22 @@ TEST(Pitfall, PairingIsNotFrozenWithinAStep) {
   EXPECT_LT((forces - fresh_forces).norm(), 1e-12 * forces.norm());
 }
 
+TEST(Pitfall, APatternMadeOnADentedCarrierHoldsWhatIsOpposite) {
+  // A dent deeper than the margin at the carrier's first face: what lies opposite elsewhere must not be looked for there.
+  TwoBlocks blocks(2);
+  SurfaceContactState state = blocks.contact->open(blocks.moved({0, 0, 0}, 0));
+  Eigen::VectorXd u = blocks.moved({0, 0, -1e-4}, 0);
+  const auto &first = blocks.space.faces_of(Surface::dish)[0]->nodes;
+  u[3 * first[first.size() / 2] + 2] -= 0.3;
+  blocks.contact->cliques(blocks.equations, u, state.opposite);
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(blocks.equations.n);
+  const auto report = blocks.contact->assemble(u, state, 0, blocks.equations, forces, nullptr);
+  EXPECT_TRUE(report.pattern_holds);
+  EXPECT_GT(report.stick + report.slip, 30);
+  EXPECT_LT(forces.norm(), 3 * report.force.norm()); // of both bodies
+  EXPECT_GT(forces.norm(), 0.1 * report.force.norm());
+}
+
 TEST(Pitfall, APointThrownPastTheFacesOppositeIsMissedAndItsStepRefused) {
   // Flat blocks: the upper one ends at 0.1 m, the lower one at 0.15 m; half of half a face's width beyond is still looked at.
   meshes::HexMesh mesh;
@@ -155,6 +171,42 @@ TEST(Pitfall, ABodyThatJustTouchesStaysAsItIs) {
     EXPECT_LE(step.iterations / (1 + step.augmentations), 6);
   }
   EXPECT_GE(state.reports[0].force.z(), 0);
+}
+
+TEST(Pitfall, AStepCutToMicrosecondsDoesNotLeaveAPenaltyStifferThanTheSolid) {
+  // The inertia of a short step is stiffer than any solid; a penalty raised to it would stay for the long steps after.
+  const auto raised = [](double dt) {
+    Pushed pushed;
+    const Inertia inertia(GeneralizedAlpha::from(0.8), dt > 0 ? dt : 1.0, pushed.state);
+    StepTerms terms{pushed.load(1e5, 0)};
+    if (dt > 0) terms.inertia = &inertia;
+    pushed.system->prepare(pushed.state, terms);
+    EXPECT_TRUE(pushed.system->evaluate(pushed.state.u));
+    int times = 0;
+    while (times < 50 && pushed.system->stiffen(4)) ++times;
+    return times;
+  };
+  const int at_rest = raised(0);
+  EXPECT_GT(at_rest, 0);
+  EXPECT_EQ(raised(1e-8), at_rest);
+}
+
+TEST(Pitfall, WhereAugmentationIsBrokenOffTheNextStepStartsInEquilibrium) {
+  // Multipliers augmented once more than the forces were balanced with would kick the bodies, hardest in a short step.
+  Block block(FrictionCoefficient::constant(0));
+  SystemState state = block.system->at_rest();
+  StepOptions options;
+  options.max_augmentations = 1;
+  options.gap_tolerance = options.slip_tolerance = 1e-15;
+  const auto step = static_step(*block.system, state, block.drive(0, 1e-3, 1e-3), options);
+  ASSERT_TRUE(step.converged) << step.reason;
+  ASSERT_TRUE(step.capped);
+  ASSERT_GT(step.gap_left, 1e-6);
+  const double before = state.reports[0].force.z();
+  const StepTerms same = block.drive(0, 1e-3, 1e-3);
+  block.system->prepare(state, same);
+  ASSERT_TRUE(block.system->evaluate(state.u));
+  EXPECT_LT(block.system->residual().norm(), 1e-7 * before);
 }
 
 TEST(Pitfall, NoNodeOfAQuadraticFacePullsUnderPressure) {
