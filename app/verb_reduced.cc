@@ -75,10 +75,13 @@ void add_reduced(CLI::App &app, Console &console) {
     auto run = reduced::simulate(scene);
     if (!options->nodes.empty())
       reduced::add_nodal_moments(run.response, {options->nodes[0] / 1e3, options->nodes[1] / 1e3});
-    if (const auto doubt = scene::doubt_of_rebound(run.response, run.summary.impacts); doubt && run.summary.status == "done") {
-      console.warn(*doubt);
-      run.summary.extra["warnings"] = {*doubt};
-    }
+    if (run.summary.status == "done")
+      for (const auto &doubt : {scene::doubt_of_rebound(run.response, run.summary.impacts),
+                                scene::doubt_of_ledger(run.summary.energy.value_or(scene::EnergyLedger()))}) {
+        if (!doubt) continue;
+        console.warn(*doubt);
+        run.summary.extra["warnings"].push_back(*doubt);
+      }
     scene::write_run_folder(folder, scene, run.response, run.summary);
     if (options->picture && python({"report.quick", "reduced", folder}) != 0)
       throw IoError("the picture in " + folder + " was not made");

@@ -70,8 +70,8 @@ std::string describe(const Calibration &c) {
   section("predicted runs", c.prediction);
   if (c.windows) text += c.windows->sentence + "\n";
   for (const auto &law : c.speed_laws)
-    text += fmt::format("{} = {:.4g} {} (v / 1 m/s)^{:.3f} from {:.2g} to {:.2g} m/s, within {:.1f} %\n",
-                        law.name, law.coefficient, law.unit, law.exponent, law.from, law.to,
+    text += fmt::format("{} = {:.4g}{} (v / 1 m/s)^{:.3f} from {:.2g} to {:.2g} m/s, within {:.1f} %\n",
+                        law.name, law.coefficient, law.unit == "-" ? "" : " " + law.unit, law.exponent, law.from, law.to,
                         100 * law.largest_error);
   text += describe(c.laws);
   if (c.pair_range) text += c.pair_range->sentence + "\n";

@@ -164,6 +164,15 @@ std::optional<std::string> doubt_of_rebound(const Response &response, const std:
                      1e-3 * force, 100 * force / peak);
 }
 
+std::optional<std::string> doubt_of_ledger(const EnergyLedger &ledger) {
+  constexpr double usual = 1e-3; // what every dynamic scene is to keep
+  const double left = ledger.imbalance_relative();
+  if (std::abs(left) <= usual) return {};
+  return fmt::format("{:.2f} % of the energy put in is unaccounted for, where 0.1 % is usual: doubt the forces; smaller steps, a finer mesh or "
+                     "a tighter tolerance may mend it",
+                     100 * left);
+}
+
 long peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

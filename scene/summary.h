@@ -50,6 +50,8 @@ nlohmann::json to_json(const Summary &summary);
 void summarise_response(const Response &response, Summary &summary);
 /// What to say of a scene that ends with the rim pressed, whose last impact has no rebound yet.
 std::optional<std::string> doubt_of_rebound(const Response &response, const std::vector<Impact> &impacts);
+/// What to say of a run, finished or stopped, whose energies do not add up.
+std::optional<std::string> doubt_of_ledger(const EnergyLedger &ledger);
 /// Peak resident memory of this process [bytes].
 long peak_memory_bytes();
 

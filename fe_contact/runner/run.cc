@@ -72,15 +72,6 @@ void run_rung(const scene::Scene &scene, const Plan &plan, const RunOptions &opt
       [&] { return solver.time_split; });
 }
 
-/// What to say of a run whose energies do not add up, finished or stopped.
-std::optional<std::string> doubt_of_ledger(const scene::EnergyLedger &ledger) {
-  constexpr double usual = 1e-3; // what every dynamic scene is to keep
-  const double left = ledger.imbalance_relative();
-  if (std::abs(left) <= usual) return {};
-  return fmt::format("{:.2f} % of the energy put in is unaccounted for, where 0.1 % is usual: doubt the forces; a smaller "
-                     "model.step_ms or a finer mesh may mend it", 100 * left);
-}
-
 } // namespace
 
 scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions &options) {
@@ -108,7 +99,7 @@ scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions
   }
   const auto doubt = failure ? std::nullopt : scene::doubt_of_rebound(record.response, record.impacts);
   if (doubt) record.warnings.push_back(*doubt);
-  if (const auto unbalanced = doubt_of_ledger(record.ledger)) record.warnings.push_back(*unbalanced);
+  if (const auto unbalanced = scene::doubt_of_ledger(record.ledger)) record.warnings.push_back(*unbalanced);
   scene::Summary summary = summarise(scene, record);
   summary.status = status;
   summary.reason = reason;

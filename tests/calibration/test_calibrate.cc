@@ -123,6 +123,13 @@ TEST(Calibrate, AFitThatDidNotConvergeIsAGate) {
   EXPECT_NO_THROW(write_calibration(c, folder.at("out"))); // results are kept all the same
 }
 
+TEST(Calibrate, WritesAPurePowerOfSpeedWithoutADash) {
+  Calibration c;
+  c.speed_laws = {{"k_i", "kN/m", 9.7e4, -0.8, 0.2, 0.05, 1.0}, {"e", "-", 0.19, -0.54, 0.08, 0.05, 1.0}};
+  EXPECT_NE(describe(c).find("k_i = 9.7e+04 kN/m (v / 1 m/s)^-0.800"), std::string::npos) << describe(c);
+  EXPECT_NE(describe(c).find("e = 0.19 (v / 1 m/s)^-0.540"), std::string::npos) << describe(c);
+}
+
 TEST(Calibrate, ReadsALaboratoryCsvWithoutVelocities) {
   TemporaryFolder folder;
   const auto scene = window(0.3);

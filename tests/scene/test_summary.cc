@@ -152,4 +152,17 @@ TEST(RunFolder, HoldsEverythingAndRunsAgain) {
   expect_error<IoError>([&] { write_run_folder("/proc/x", scene, two_impacts(), summary); }, {"/proc/x"});
 }
 
+TEST(Ledger, ThatDoesNotCloseIsDoubtedAboveATenthOfAPercent) {
+  EnergyLedger ledger;
+  ledger.external = 1000, ledger.kinetic = 999.5;
+  EXPECT_FALSE(doubt_of_ledger(ledger));
+  for (const double kinetic : {998.5, 1001.5}) {
+    ledger.kinetic = kinetic;
+    const auto doubt = doubt_of_ledger(ledger);
+    ASSERT_TRUE(doubt);
+    EXPECT_NE(doubt->find(kinetic < 1000 ? "0.15 %" : "-0.15 %"), std::string::npos) << *doubt;
+  }
+  EXPECT_FALSE(doubt_of_ledger(EnergyLedger())); // nothing put in
+}
+
 } // namespace
