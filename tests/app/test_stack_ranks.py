@@ -1,4 +1,5 @@
-"""Rung R2 under `mpirun -np 2`: the run of one rank, within 1e-8, and a failure of one rank that ends both."""
+"""Rung R2 under `mpirun -np 2`: the run of one rank, within 1e-7, as each step is solved to 1e-8 (solved to 1e-10 the ranks agree to 1e-8:
+tests/fe_contact/test_ranks.cc); and a failure of one rank that ends both."""
 import csv
 import json
 import os
@@ -32,7 +33,7 @@ class Ranks(unittest.TestCase):
             for name, values in alone.items():
                 size = max(map(abs, values))
                 for a, b in zip(values, shared[name], strict=True):
-                    self.assertLessEqual(abs(a - b), 1e-8 * size, name)
+                    self.assertLessEqual(abs(a - b), 1e-7 * size, name)
 
     def test_a_failure_on_the_first_rank_ends_both(self):
         run = on_two_ranks(*TOUCH, "-o", "/proc/no-such-folder/run")
