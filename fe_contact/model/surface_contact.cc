@@ -53,8 +53,7 @@ std::optional<SurfaceContact::Coupling> SurfaceContact::couple(std::size_t k, co
 
 Vector3d SurfaceContact::relative_position(std::size_t k, const Eigen::VectorXd &u,
                                            const SurfaceContactState &state) const {
-  constexpr double anywhere = 0.5; // as in assemble
-  if (const auto coupling = couple(k, u, state.opposite[k], anywhere)) return coupling->y;
+  if (const auto coupling = couple(k, u, state.opposite[k], reach_past_edges)) return coupling->y;
   return carrier_->roughly_back(position(points_[k], u), u);
 }
 
@@ -65,7 +64,6 @@ bool SurfaceContact::may_bear(std::size_t k, const Eigen::VectorXd &u, int oppos
 
 std::vector<std::vector<int>> SurfaceContact::cliques(const Equations &equations, const Eigen::VectorXd &u,
                                                       const std::vector<int> &opposite) {
-  constexpr double beyond = 0.5; // as in assemble
   std::vector<std::vector<int>> result;
   const int per_face = options_.points * options_.points;
   pairs_.assign(faces_.size(), {});
@@ -84,7 +82,7 @@ std::vector<std::vector<int>> SurfaceContact::cliques(const Equations &equations
     std::set<int> pairs;
     for (std::size_t k = f * per_face; k < (f + 1) * per_face; ++k) {
       // Where the carrier is dented by more than the margin, only the search itself knows what lies opposite.
-      const auto found = couple(k, u, opposite.empty() ? -1 : opposite[k], beyond);
+      const auto found = couple(k, u, opposite.empty() ? -1 : opposite[k], reach_past_edges);
       const Vector3d y = found ? found->y : carrier_->roughly_back(position(points_[k], u), u);
       if (found) pairs.insert(found->carrier_face);
       low = low.cwiseMin(y);

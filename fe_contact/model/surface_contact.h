@@ -112,6 +112,8 @@ public:
   const SurfaceContactOptions &options() const { return options_; }
 
 private:
+  /// How far past a free edge a point that crosses it within the step still sees the surface [half widths of a face].
+  static constexpr double reach_past_edges = 0.5;
   /// The nodes a point couples, with the derivatives of their weights by (xi, eta) of the carrier's face.
   struct Coupling {
     static constexpr int most = 2 * FaceShapes::max_nodes;

@@ -64,7 +64,6 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
   CoulombContact contact_law = options_.law;
   contact_law.normal_penalty *= state.stiffening;
   contact_law.tangential_penalty *= state.stiffening;
-  constexpr double beyond = 0.5; // half widths of a face, for points that cross a free edge in this step
   Pair pair;
   int face = -1, carrier_face = -1; // of the pair
   const std::vector<std::size_t> starts = starts_of_ranks();
@@ -75,7 +74,7 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
     state.status[k] = ContactStatus::open;
     state.gap[k] = std::numeric_limits<double>::infinity();
     if (!state.covered[k]) continue;
-    const auto coupling = couple(k, u, state.opposite[k], beyond);
+    const auto coupling = couple(k, u, state.opposite[k], reach_past_edges);
     if (!coupling) {
       report.lost += may_bear(k, u, state.opposite[k]);
       continue;
