@@ -18,6 +18,7 @@ def cases(program, folder):
         (BASE, True, window(), 0, impacts(1)),
         ("grazing, 5 mm/s", True, window(speed=0.005), 0, lambda s, of: s["peak_impact_force_N"] > 0),
         ("1.0 m/s", False, window(speed=1.0), 0, impacts(1)),
+        ("1.5 m/s", True, window("excitation.duration_s=0.08", speed=1.5), 0, impacts(1)),
         ("from the other side", True, window("excitation.direction_deg=180"), 0, close_to(BASE, 1e-3)),
         ("mu 0", True, window(*friction(0)), 0, impacts(1)),
         ("mu 0.3", True, window(*friction(0.3)), 0, impacts(1)),
