@@ -18,7 +18,7 @@ import numpy as np
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(HERE.parent), str(HERE.parents[1] / "benchmarks" / "peers" / "rim_calculix")]
 from compare_rim_push import SKIPPED, timed  # noqa: E402
-from kept_run import finish  # noqa: E402
+from kept_run import finish, is_kept  # noqa: E402
 
 BEFORE, TRAVEL = 20.0, 4.0  # [mm]
 SMOOTH = ["bearing.contact.steel_ertalyte=0", "bearing.contact.steel_steel=0"]
@@ -34,7 +34,7 @@ def ours(options):
     """Travel past the touch [mm]; forces of rim and dish against the push, lift [kN, kN, mm]."""
     folder = options.folder / "ours"
     seconds = 0
-    if not (folder / "response.csv").exists():
+    if not is_kept(folder / "response.csv", options.rimpact):
         seconds = timed([options.rimpact, "run", "rim-push", "--rung", "full", *settings(options.mesh),
                          "--set", "excitation.return=false", "-o", str(folder), "--quiet"], options.folder, options.folder / "ours.log", 1)
     with open(folder / "response.csv") as file:
@@ -44,12 +44,12 @@ def ours(options):
 
 
 def ccx(options):
-    deck = options.folder / "ccx.inp"
+    deck, results = options.folder / "ccx.inp", options.folder / "ccx.dat"
     seconds = 0
-    if not (options.folder / "ccx.dat").exists():
+    if not results.exists():
         subprocess.run([options.writer, str(deck), *settings(options.mesh)], check=True)
         seconds = timed(["ccx", "ccx"], options.folder, options.folder / "ccx.log", 1)
-    text = (options.folder / "ccx.dat").read_text()
+    text = results.read_text()
     moves = np.array(re.findall(r"for set TOP_ONE and time" + NUMBER + r"\s+\d+" + 3 * NUMBER, text), float)
     force = {}
     for name in ("PAD_FACE, master set DISH", "SLIDER_SIDE, master set RIM_WALL"):
@@ -57,6 +57,7 @@ def ccx(options):
         force[name.split(",")[0]] = np.array(blocks, float)
     sliding = moves[:, 0] > 2
     if not sliding.any() or moves[-1, 0] < 3.999:
+        results.unlink()  # or the next run would read it again
         raise SystemExit("ccx did not finish; see ccx.log and ccx.sta")
     rim, dish = (np.interp(moves[:, 0], f[:, 0], -2e-3 * f[:, 1]) for f in (force["SLIDER_SIDE"], force["PAD_FACE"]))
     return np.column_stack([moves[:, 1] - BEFORE, rim, dish, moves[:, 3]])[sliding], seconds
