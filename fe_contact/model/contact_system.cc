@@ -29,7 +29,7 @@ void ContactSystem::make_pattern(const Eigen::VectorXd &displacements, const std
   ++patterns_made_;
   auto cliques = solid_.cliques(equations_);
   for (std::size_t i = 0; i < contacts_.size(); ++i)
-    for (auto &clique : contacts_[i].cliques(equations_, displacements, states.empty() ? std::vector<int>() : states[i].opposite))
+    for (auto &clique : contacts_[i].cliques(equations_, displacements, states[i].opposite))
       cliques.push_back(std::move(clique));
   solid_tangent_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
   mass_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
@@ -44,9 +44,9 @@ void ContactSystem::make_pattern(const Eigen::VectorXd &displacements, const std
 SystemState ContactSystem::at_rest() {
   SystemState state;
   state.u = state.v = state.a = state.R = Eigen::VectorXd::Zero(equations_.n);
-  make_pattern(equations_.expand(state.u), {});
   state.history = solid_.virgin();
   for (const auto &contact : contacts_) state.contacts.push_back(contact.open(equations_.expand(state.u)));
+  start_afresh_at(state);
   state.reports.resize(contacts_.size());
   return state;
 }
@@ -80,9 +80,11 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool &patt
   Eigen::VectorXd spent = forces.cwiseAbs();
   // Of the tangent every rank has the share of its cells and faces, and the first one what belongs to none.
   const bool first = ranks().first();
-  if (const Inertia *inertia = terms_->inertia; inertia && first)
+  if (terms_->inertia && first) {
+    const double factor = terms_->inertia->mass_factor();
     for (std::size_t k = 0; k < mass_->n_entries(); ++k)
-      solid_tangent_->values()[k] += inertia->mass_factor() * mass_->values()[k];
+      solid_tangent_->values()[k] += factor * mass_->values()[k];
+  }
   tangent_->assign(*solid_tangent_);
   if (!first) forces.setZero(); // until they are summed up with the contacts'
   trial_.reports.assign(contacts_.size(), {});

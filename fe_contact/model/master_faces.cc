@@ -109,10 +109,9 @@ Eigen::Vector3d MasterFaces::roughly_back(const Eigen::Vector3d &x, const Eigen:
 }
 
 double MasterFaces::uneven(const Eigen::VectorXd &u, int face) const {
-  const auto &nodes = faces_[std::max(face, 0)]->nodes;
-  const Eigen::Vector3d middle = u.segment<3>(3 * nodes[nodes.size() / 2]);
   double largest = 0;
-  for (const unsigned node : nodes) largest = std::max(largest, (u.segment<3>(3 * node) - middle).norm());
+  for (const unsigned node : faces_[std::max(face, 0)]->nodes)
+    largest = std::max(largest, roughly_back(u.segment<3>(3 * node), u, face).norm());
   return largest;
 }
 

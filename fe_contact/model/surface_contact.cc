@@ -82,7 +82,7 @@ std::vector<std::vector<int>> SurfaceContact::cliques(const Equations &equations
     std::set<int> pairs;
     for (std::size_t k = f * per_face; k < (f + 1) * per_face; ++k) {
       // Where the carrier is dented by more than the margin, only the search itself knows what lies opposite.
-      const auto found = couple(k, u, opposite.empty() ? -1 : opposite[k], reach_past_edges);
+      const auto found = couple(k, u, opposite[k], reach_past_edges);
       const Vector3d y = found ? found->y : carrier_->roughly_back(position(points_[k], u), u);
       if (found) pairs.insert(found->carrier_face);
       low = low.cwiseMin(y);

@@ -70,9 +70,9 @@ public:
   /// std::invalid_argument where they are not as many.
   SurfaceContactState carried(const SurfaceContactState &other, const Eigen::VectorXd &u) const;
   /// Equations coupled by each slave face and what is opposite or near it at dof displacements u; the pairs are
-  /// remembered as those the pattern holds. `opposite`: the state's, where the search begins; empty: none.
+  /// remembered as those the pattern holds. `opposite`: the state's, where the search begins.
   std::vector<std::vector<int>> cliques(const Equations &equations, const Eigen::VectorXd &u,
-                                        const std::vector<int> &opposite = {});
+                                        const std::vector<int> &opposite);
   /// Adds (internal-sign) contact forces and the tangent at dof displacements u; fills `state`'s results. With several
   /// ranks forces and tangent are those of this rank's faces, to be summed up; state and report are whole.
   SurfaceContactReport assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,

@@ -33,7 +33,7 @@ TEST(Pitfall, PairingIsNotFrozenWithinAStep) {
   SurfaceContactState state = blocks.contact->open(blocks.moved({0.0, 0, 0}, 0));
   const auto first = state.opposite;
   const Eigen::VectorXd u = blocks.moved({0.045, 0.03, -1e-4}, 1e-5);
-  blocks.contact->cliques(blocks.equations, u);
+  blocks.contact->cliques(blocks.equations, u, state.opposite);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(blocks.equations.n), fresh_forces = forces;
   const auto report = blocks.contact->assemble(u, state, 0, blocks.equations, forces, nullptr);
   SurfaceContactState fresh = blocks.contact->open(u);

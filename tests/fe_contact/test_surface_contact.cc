@@ -22,7 +22,7 @@ TEST_P(Tangent, IsTheDerivativeOfTheForcesWhereSomePointsStickAndOthersSlip) {
   for (int i = 0; i < 3; ++i) u[block.carrier_equations[i]] = i == 2 ? 3e-4 : 5e-5;
   for (auto &multiplier : state.tangential) multiplier = 3e5 * Vector3d(unit(random), unit(random), unit(random));
 
-  auto cliques = contact.cliques(equations, equations.expand(u));
+  auto cliques = contact.cliques(equations, equations.expand(u), state.opposite);
   for (int i = 0; i < equations.n; ++i) cliques.push_back({i});
   const SymmetricMatrix pattern(equations.n, cliques);
   GeneralMatrix tangent(pattern);
@@ -130,7 +130,7 @@ TEST_P(Carried, TangentIsTheDerivativeAndActionIsReaction) {
   const Equations &equations = blocks.equations;
   const Eigen::VectorXd u = blocks.moved({0.021, -0.013, -4e-4}, 2e-5);
   SurfaceContactState state = contact.open(blocks.moved({0.0209, -0.013, 0}, 0));
-  auto cliques = contact.cliques(equations, u);
+  auto cliques = contact.cliques(equations, u, state.opposite);
   for (int i = 0; i < equations.n; ++i) cliques.push_back({i});
   const SymmetricMatrix pattern(equations.n, cliques);
   GeneralMatrix tangent(pattern);
@@ -163,7 +163,7 @@ TEST(Carried, MovedTogetherNothingSlips) {
   SurfaceContactState state = blocks.contact->open(blocks.moved({0.021, 0, -1e-4}, 0));
   Eigen::VectorXd u = blocks.moved({0.021, 0, -1e-4}, 0);
   for (std::size_t a = 0; a < blocks.space.n_nodes; ++a) u.segment<3>(3 * a) += Vector3d(0.3, -0.2, 0.05);
-  blocks.contact->cliques(blocks.equations, u);
+  blocks.contact->cliques(blocks.equations, u, state.opposite);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(blocks.equations.n);
   const auto report = blocks.contact->assemble(u, state, 1e-3, blocks.equations, forces, nullptr);
   EXPECT_GT(report.stick, 0);
