@@ -4,6 +4,7 @@
 #pragma once
 #include "scene/material.h"
 #include "scene/surface.h"
+#include <set>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,12 @@ struct ContactFriction {
   bool operator==(const ContactFriction &) const = default;
 };
 
+/// Keys whose values are ours and not the user's or the source's. No dimension: bearings that differ in them alone are equal.
+struct AssumedKeys {
+  std::set<std::string> keys; ///< as the bearing file writes them, dotted: "rim.height_mm"
+  bool operator==(const AssumedKeys &) const { return true; }
+};
+
 struct Bearing {
   std::string name = "shfps-225";
   SurfaceSpec surface;
@@ -53,9 +60,10 @@ struct Bearing {
   Plate plate;
   Pad pad;
   Foot foot;
-  Material steel{200e9, 0.30, 7850.0, 360e6, 1450e6};
+  Material steel{200e9, 0.30, 7850.0, 360e6, 1450e6, 0.20};
   Material ertalyte{3.2e9, 0.30, 1390.0};
   ContactFriction contact;
+  AssumedKeys assumed;
 
   /// L_c = r_p - b_s/2 (eq. 2-5) [m].
   double lateral_capacity() const { return surface.planar_radius + rim.ledge - slider.diameter / 2; }

@@ -84,7 +84,10 @@ void visit(KeyVisitor &v, Bearing &b) {
   });
   visit_foot_and_pad(v, b);
   v.section("material", [&] {
-    v.section("steel", [&] { visit(v, b.steel); });
+    v.section("steel", [&] {
+      visit(v, b.steel);
+      v.limit({"strain_limit", "plastic strain beyond which results are doubted; inf: not judged", assumption}, b.steel.strain_limit, si, {0, 10, true});
+    });
     v.section("ertalyte", [&] { visit(v, b.ertalyte); });
   });
   v.section("contact", [&] {

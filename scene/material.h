@@ -11,6 +11,7 @@ struct Material {
   double density;                            ///< [kg/m^3], > 0
   std::optional<double> yield = {};          ///< initial yield stress [Pa], > 0; none: elastic
   std::optional<double> tangent_modulus = {}; ///< slope of the uniaxial curve past yield [Pa], 0 <= E_t < E
+  std::optional<double> strain_limit = {};    ///< equivalent plastic strain it is trusted to [-], > 0; none: not judged
 
   bool operator==(const Material &) const = default;
 };

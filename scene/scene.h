@@ -5,6 +5,7 @@
 #include "scene/excitation.h"
 #include "scene/own_mesh.h"
 #include "scene/superstructure.h"
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,10 @@ struct ReducedSettings {
   double unloading_exponent = 0.5;    ///< m of elastoplastic [-], > 0
   double dent_spread = 3.0;           ///< of elastoplastic [-], > 0: flank radius of a dent over that of slider and wall as circles
   double capacity_offset = 0.0;       ///< the reduced rim begins at L_c plus this [m]
+  std::string calibration = {};       ///< folder the rim's law and numbers were taken from; empty: the scene's own keys
+  std::optional<double> fitted_from = {}, fitted_to = {}; ///< approach speeds for which the element holds [m/s]; none: not known
+  std::optional<double> fitted_mass = {}; ///< supported mass it holds for [kg]; none: the law belongs to the rim, not to the mass
+  std::string fitted_rim = {};        ///< rim_identity() of the bearing it was fitted to; empty: not known
   std::string friction = "coulomb";   ///< coulomb | park-wen
   double elastic_slip = 1e-4;         ///< q of the Park-Wen state [m] (key elastic_slip_mm)
   double mu_fast = 0.07, mu_slow = 0.07;

@@ -82,6 +82,11 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
   if (v.wants(r.capacity_offset != 0))
     v.number({"capacity_offset_mm", "the reduced rim begins at L_c plus this"}, r.capacity_offset, milli,
              {-100, 100});
+  if (v.wants(!r.calibration.empty())) v.text({"calibration", "folder the element was taken from"}, r.calibration);
+  if (v.wants(r.fitted_from.has_value())) v.limit({"fitted_from_m_per_s", "slowest approach the element holds for"}, r.fitted_from, si, {0, 100});
+  if (v.wants(r.fitted_to.has_value())) v.limit({"fitted_to_m_per_s", "fastest"}, r.fitted_to, si, {0, 100});
+  if (v.wants(r.fitted_mass.has_value())) v.limit({"fitted_mass_kg", "supported mass it holds for"}, r.fitted_mass, si, positive);
+  if (v.wants(!r.fitted_rim.empty())) v.text({"fitted_rim", "the rim it was fitted to"}, r.fitted_rim);
   v.choice({"friction", "coulomb | park-wen"}, r.friction, {"coulomb", "park-wen"});
   v.number({"elastic_slip_mm", "of park-wen"}, r.elastic_slip, milli, {0, 1e3, true});
   v.number({"mu_fast"}, r.mu_fast, si, {0, 2});

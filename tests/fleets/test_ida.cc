@@ -170,7 +170,7 @@ TEST(Fractiles, OfKnownValues) {
 // A run of the table touches the rim exactly when its scale is above the one that bisection finds.
 TEST(Ida, RealRecordsTouchWhereBisectionSays) {
   const char *given = std::getenv("RIMPACT_RECORDS");
-  const std::string folder = given ? given : RIMPACT_SOURCE_DIR "/../shared/records";
+  const std::string folder = given ? given : RIMPACT_SHARED_RECORDS;
   const std::string files[] = {"RSN1086_NORTHR_SYL360.AT2", "RSN1063_NORTHR_RRS228.AT2"};
   for (const auto &file : files)
     if (!std::filesystem::exists(folder + "/" + file))

@@ -76,7 +76,7 @@ TEST(Cvode, TwoDimensionalStopWithSocket) {
 }
 TEST(Cvode, RecordsInThreeDirections) {
   const char *given = std::getenv("RIMPACT_RECORDS");
-  const std::string folder = given ? given : RIMPACT_SOURCE_DIR "/../shared/records";
+  const std::string folder = given ? given : RIMPACT_SHARED_RECORDS;
   if (!std::filesystem::exists(folder + "/RSN1086_NORTHR_SYL360.AT2"))
     GTEST_SKIP() << "no records in " << folder << " (set RIMPACT_RECORDS)";
   for (const char *scale : {"0.5", "0.86"}) {

@@ -1,0 +1,12 @@
+/// Which rim a fitted law belongs to: a short name made of everything that shapes the force of an impact.
+#pragma once
+#include "scene/bearing.h"
+#include <string>
+
+namespace rimpact::scene {
+
+/// Sixteen hexadecimal digits of surface, slider, rim, plate, steel and the friction of the walls. The bearing's name,
+/// its pad, foot and Ertalyte, and what the steel is trusted to bear do not enter.
+std::string rim_identity(const Bearing &bearing);
+
+} // namespace rimpact::scene
