@@ -3,6 +3,7 @@
 #include "app/verb.h"
 #include "scene/doubts.h"
 #include "scene/files.h"
+#include "scene/script_permission.h"
 #include "scene/text.h"
 #include <algorithm>
 #include <csignal>
@@ -92,6 +93,8 @@ void Console::add_overrides(CLI::App &verb) {
   verb.add_option("--set", overrides, "override a key of the scene, e.g. excitation.scale=1.05 (repeatable)")
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
+  verb.add_flag_callback(
+      "--allow-script", [] { setenv(scene::script_permission, "1", 1); }, "let gmsh run a .geo mesh: it is a program; only from hands you trust");
 }
 
 void Console::add_model(CLI::App &verb) {

@@ -28,7 +28,7 @@ public:
 
   void add_common(CLI::App &verb);    ///< --quiet, --verbose
   void add_json(CLI::App &verb);      ///< --json
-  void add_overrides(CLI::App &verb); ///< --set KEY=VALUE
+  void add_overrides(CLI::App &verb); ///< --set KEY=VALUE, --allow-script
   void add_model(CLI::App &verb);     ///< --rung, --mesh
 
 private:

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <petscsys.h>
 #include <thread>
@@ -28,10 +29,13 @@ void leave_together(MPI_Comm comm, int code) {
 } // namespace
 
 int main(int argc, char **argv) {
-  // PETSc would take options of its own from the command line: give it none.
-  int none = 1;
-  char *name[] = {argv[0], nullptr}, **names = name;
-  if (PetscInitialize(&none, &names, nullptr, nullptr)) return 1;
+  // PETSc would take options of its own from the command line, the environment and .petscrc files, some of which run
+  // programs: it gets none of them.
+  unsetenv("PETSC_OPTIONS");
+  char skip[] = "-skip_petscrc";
+  int n_words = 2;
+  char *words[] = {argv[0], skip, nullptr}, **given = words;
+  if (PetscInitialize(&n_words, &given, nullptr, nullptr)) return 1;
   PetscPopSignalHandler();
   int n_ranks = 1;
   MPI_Comm_size(MPI_COMM_WORLD, &n_ranks);

@@ -87,11 +87,13 @@ int poll(pid_t process, bool wait) {
 }
 
 int python(const std::vector<std::string> &arguments) {
-  Launch launch{.command = {"/usr/bin/python3", "-m"}, .output = "/dev/null"};
+  // Isolated (-I): neither the working folder nor the environment brings modules of its own.
+  Launch launch{.command = {"/usr/bin/python3", "-I", "-c",
+                            "import runpy, sys; sys.path.insert(0, sys.argv[1]); del sys.argv[1]; "
+                            "runpy.run_module(sys.argv.pop(1), run_name='__main__', alter_sys=True)",
+                            RIMPACT_SOURCE_DIR},
+                .output = "/dev/null"};
   launch.command.insert(launch.command.end(), arguments.begin(), arguments.end());
-  const char *path = std::getenv("PYTHONPATH");
-  launch.environment = {std::string("PYTHONPATH=" RIMPACT_SOURCE_DIR) +
-                        (path ? std::string(":") + path : "")};
   return poll(start(launch), true);
 }
 

@@ -26,7 +26,7 @@ struct Launch {
 pid_t start(const Launch &launch);
 /// Exit code of a process, -1 while it runs (when not waiting), 128 + the signal that ended it.
 int poll(pid_t process, bool wait);
-/// Runs `python3 -m MODULE ARGS` of the report package, its errors shown; returns its exit code.
+/// Runs MODULE ARGS of the report package by an isolated Python, its errors shown; returns its exit code.
 int python(const std::vector<std::string> &arguments);
 
 } // namespace rimpact::app

@@ -6,7 +6,6 @@
 #include "meshes/tetrahedra.h"
 #include "scene/error.h"
 #include <algorithm>
-#include <filesystem>
 #include <fmt/format.h>
 #include <map>
 #include <optional>
@@ -144,11 +143,11 @@ private:
 
 } // namespace
 
-DrawnMesh read_mesh(const scene::OwnMesh &own, const std::vector<std::array<double, 3>> &fine_at) {
-  if (!std::filesystem::exists(own.file)) fail(own, "no such mesh file (model.own_mesh.file)");
+DrawnMesh read_mesh(const scene::OwnMesh &own, const std::string &path, const std::vector<std::array<double, 3>> &fine_at) {
   const GmshSession session;
   try {
-    gmsh::open(own.file);
+    gmsh::model::add("drawn");
+    gmsh::merge(path);
     mesh_geometry(own, fine_at);
     return Reader(own).read();
   } catch (const std::string &message) { // what gmsh 4.8 throws

@@ -12,7 +12,7 @@ struct DrawnMesh {
 /// Cells are straight where the file has 8-node hexahedra or tetrahedra (divided into four hexahedra each), curved where it
 /// has 20 or 27 nodes. A .geo or .step is meshed, as it asks if that gives hexahedra. `fine_at`: where slider and rim
 /// meet [m], for the sizes of that. Throws DataError naming the file and the group, cell or face that is missing, of another
-/// kind, or not a body's boundary.
-DrawnMesh read_mesh(const scene::OwnMesh &own, const std::vector<std::array<double, 3>> &fine_at);
+/// kind, or not a body's boundary. `path`: where the file is read, own.file what it is called.
+DrawnMesh read_mesh(const scene::OwnMesh &own, const std::string &path, const std::vector<std::array<double, 3>> &fine_at);
 
 } // namespace rimpact::meshes

@@ -1,7 +1,7 @@
 #include "meshes/own_mesh.h"
 
 #include "meshes/exact_surfaces.h"
-#include "meshes/mesh_file.h"
+#include "meshes/mesh_process.h"
 #include "meshes/mirror.h"
 #include "scene/error.h"
 #include <algorithm>
@@ -144,7 +144,7 @@ std::vector<std::array<double, 3>> contact_places(const scene::Bearing &bearing)
 } // namespace
 
 HexMesh own_mesh(const scene::OwnMesh &own, const scene::Bearing &bearing, const OwnMeshNeed &need) {
-  const DrawnMesh read = read_mesh(own, contact_places(bearing));
+  const DrawnMesh read = read_mesh_apart(own, contact_places(bearing));
   const Drawn drawn{only(read.mesh, need.bodies), own.file};
   check_groups(drawn, need);
   check_unit(drawn, own, bearing);

@@ -218,7 +218,7 @@ TEST(CellNodes, TwentyNodesAreCompletedBySerendipity) {
 /// Rim sector and slider without their foot and socket, drawn with OpenCASCADE; a STEP file knows neither groups nor cells.
 void draw_step(const std::string &path) {
   namespace occ = gmsh::model::occ;
-  gmsh::initialize();
+  gmsh::initialize(0, nullptr, false);
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::model::add("step");
   const double edge = 1e3 * scene::make_surface(bearing.surface)->at(0.52, 0).z, bottom = 1e3 * bearing.slider.bottom;
