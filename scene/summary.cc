@@ -173,6 +173,17 @@ std::optional<std::string> doubt_of_ledger(const EnergyLedger &ledger) {
                      100 * left);
 }
 
+std::optional<std::string> doubt_of_contact(const EnergyLedger &ledger, const std::vector<Impact> &impacts, double mass) {
+  constexpr double usual = 3e-3; // of the energy put in
+  const double created = -ledger.contact, input = std::max(ledger.largest_input, std::abs(ledger.external) + std::abs(ledger.initial));
+  if (!(created > usual * input)) return {};
+  double rebound = 0;
+  for (const auto &impact : impacts) rebound += 0.5 * mass * impact.rebound_speed * impact.rebound_speed;
+  std::string text = fmt::format("contact has given back {:.1f} % more energy than it took, where 0.3 % is usual", 100 * created / input);
+  if (rebound > created) text += fmt::format(": rebound speeds are overstated by about {:.1f} %", 50 * created / rebound);
+  return text + "; a smaller model.step_ms lowers it";
+}
+
 long peak_memory_bytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);

@@ -52,6 +52,9 @@ void summarise_response(const Response &response, Summary &summary);
 std::optional<std::string> doubt_of_rebound(const Response &response, const std::vector<Impact> &impacts);
 /// What to say of a run, finished or stopped, whose energies do not add up.
 std::optional<std::string> doubt_of_ledger(const EnergyLedger &ledger);
+/// What to say of a run whose contacts have given back energy that was not there: `mass` [kg] leaves the impacts at their rebound
+/// speeds, which are overstated by about the share that the created energy has in theirs, halved.
+std::optional<std::string> doubt_of_contact(const EnergyLedger &ledger, const std::vector<Impact> &impacts, double mass);
 /// Peak resident memory of this process [bytes].
 long peak_memory_bytes();
 

@@ -254,6 +254,11 @@ bool WallContact::add_point(const FacePoint &point, const Face &slave, const Pai
   return true;
 }
 
+void WallContact::expect(ContactState &state, const std::vector<double> &change) {
+  for (std::size_t k = 0; k < change.size(); ++k)
+    if (state.multiplier[k] > 0) state.multiplier[k] = std::max(0.0, state.multiplier[k] + change[k]);
+}
+
 double WallContact::work(const ContactState &before, const ContactState &after) const {
   double sum = 0;
   for (std::size_t k = 0; k < points_.size(); ++k)

@@ -57,6 +57,10 @@ public:
   void settle_edges(const Eigen::VectorXd &u, ContactState &state) const;
   /// lambda <- p at every point.
   static void augment(ContactState &state) { state.multiplier = state.pressure; }
+  /// lambda <- lambda + change, not below 0, where a point bears; an empty `change` leaves them. With the change of the step
+  /// before, the gap left is the pressure's second difference over the penalty and not its first. The first would give back
+  /// the integral of (dp)^2 / epsilon over an impact: energy from nothing, in proportion to the step.
+  static void expect(ContactState &state, const std::vector<double> &change);
   /// Energy taken up by the contact between two states, trapezoidal in -p dg [J].
   double work(const ContactState &before, const ContactState &after) const;
   /// Pressure averaged to the slave faces' nodes, and the gap, for pictures [Pa], [m].

@@ -17,6 +17,7 @@ void put(Checkpoint &file, const std::string &prefix, const Arc &arc) {
   file.numbers[prefix + "multiplier"] = s.contact.multiplier;
   file.numbers[prefix + "pressure"] = s.contact.pressure;
   file.numbers[prefix + "gap"] = s.contact.gap;
+  file.numbers[prefix + "pressure_change"] = s.last_pressure_change;
   file.numbers[prefix + "on_wall"] = {s.contact.on_wall.begin(), s.contact.on_wall.end()};
   file.numbers[prefix + "energies"] = {s.energies.elastic, s.energies.plastic};
   file.numbers[prefix + "master"] = {s.master.x(),          s.master.y(),          s.master.z(),
@@ -37,7 +38,7 @@ void get(const Checkpoint &file, const std::string &prefix, Arc &arc) {
   s.last_change = vector(numbers("last_change"));
   restore(numbers("history"), s.history);
   s.contact.multiplier = numbers("multiplier"), s.contact.pressure = numbers("pressure"),
-  s.contact.gap = numbers("gap");
+  s.contact.gap = numbers("gap"), s.last_pressure_change = numbers("pressure_change");
   s.contact.on_wall.assign(numbers("on_wall").begin(), numbers("on_wall").end());
   s.energies = {numbers("energies")[0], numbers("energies")[1]};
   const auto &m = numbers("master");

@@ -4,6 +4,7 @@
 #include "scene/error.h"
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace rimpact::fe {
 namespace {
@@ -12,6 +13,8 @@ constexpr double first_overlap = 1e-5;  ///< the first step moves the slider by 
 constexpr double smallest_pull = 1e-3;   ///< of the dish on the mass, over m g: lifted off beyond it
 constexpr double deepest_landing = 1e-6; ///< the mass is back on the dish when it has sunk by this [m]
 constexpr int checkpoint_every = 25;   ///< contact steps
+constexpr double passing_share = 0.01; ///< of the approach speed, outwards at release: not a rebound
+constexpr double chatter_depth = 1e-4; ///< nearer to L_c than this the walls may only have parted for an instant [m]
 
 } // namespace
 
@@ -102,7 +105,20 @@ void DynamicRun::step(Arc &arc) {
   }
   if (arc.state.report.active > 0) touched_ = true;
   const double radial_speed = arc.state.master_velocity.x();
-  if (arc.state.report.active == 0 && (touched_ || radial_speed < 0)) end_contact(arc);
+  if (arc.state.report.active != 0 || (!touched_ && radial_speed >= 0)) return;
+  refuse_passage(radial_speed);
+  end_contact(arc);
+}
+
+void DynamicRun::refuse_passage(double outward_speed) {
+  const double depth = bearing_.u.head<2>().norm() - capacity();
+  // In a history walls may part for an instant at first touch, the slider still coming on: it is touched again.
+  if (!touched_ || outward_speed <= passing_share * impact_.approach_speed || (!window() && depth < chatter_depth)) return;
+  save();
+  throw SolverStopped(fmt::format(
+      "the rim let go of the slider at t = {:.5g} s, {:.2f} mm beyond L_c, while it still moves outwards at {:.3g} m/s: it passes through or over "
+      "the rim (height {:g} mm, thickness {:g} mm), which this model does not follow; nothing after the touch is a result for this impact of {:.3g} m/s",
+      bearing_.t, 1e3 * depth, outward_speed, 1e3 * scene_.bearing.rim.height, 1e3 * scene_.bearing.rim.thickness, impact_.approach_speed));
 }
 
 bool DynamicRun::lifts_off(const StepReport &report) const {

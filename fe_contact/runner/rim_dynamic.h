@@ -48,6 +48,9 @@ private:
 
   void step(Arc &arc);
 
+  /// Throws SolverStopped where the rim has let go of a slider that still moves outwards: it has passed the rim.
+  void refuse_passage(double outward_speed);
+
   bool lifts_off(const StepReport &report) const;
   /// The dish is held by its speed (see MasterLoad), so that heights drift by microns: those since the lift-off count.
   bool lands(const Arc &arc) const;

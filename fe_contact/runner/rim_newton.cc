@@ -126,6 +126,7 @@ StepReport RimSolver::iterate(const ArcState &old, Trial &trial, bool with_conta
                               const MasterLaw *law, const Eigen::Vector3d *prescribed) {
   StepReport report;
   trial.contact = old.contact;
+  WallContact::expect(trial.contact, trial.pressure_change);
   if (!evaluate_on_a_pattern(old, trial, with_contact, inertia, law)) {
     report.reason = "a cell turned inside out";
     return report;

@@ -27,6 +27,7 @@ struct ArcState {
   Eigen::Vector3d master = Eigen::Vector3d::Zero(); ///< displacement of the top face [m]
   Eigen::Vector3d master_velocity = Eigen::Vector3d::Zero();
   Eigen::VectorXd last_change; ///< of u over the last step, the next one's first guess
+  std::vector<double> last_pressure_change; ///< of the contact points over the last step [Pa]
   double last_dt = 0;          ///< [s], 0: none
 };
 

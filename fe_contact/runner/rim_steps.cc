@@ -68,10 +68,13 @@ StepReport RimSolver::step(ArcState &state, double dt, const MasterLaw &law, dou
   const bool extrapolate = state.last_dt > 0;
   trial.u = extrapolate ? Eigen::VectorXd(state.u + dt / state.last_dt * state.last_change) : state.u;
   trial.multiplier = multiplier;
+  trial.pressure_change = state.last_pressure_change;
+  for (double &change : trial.pressure_change) change *= extrapolate ? dt / state.last_dt : 0;
   StepReport report = iterate(state, trial, true, &inertia, &law, nullptr);
   if (!report.converged && extrapolate) {
     const int spent = report.iterations;
     trial.u = state.u;
+    trial.pressure_change.clear();
     trial.multiplier = multiplier;
     report = iterate(state, trial, true, &inertia, &law, nullptr);
     report.iterations += spent;
@@ -84,6 +87,8 @@ StepReport RimSolver::step(ArcState &state, double dt, const MasterLaw &law, dou
                                                  mass_->multiply(change_of_a), state.R, trial.R);
   const ContactState before = state.contact;
   commit(state, trial);
+  state.last_pressure_change = state.contact.pressure;
+  for (std::size_t k = 0; k < before.pressure.size(); ++k) state.last_pressure_change[k] -= before.pressure[k];
   state.v = inertia.velocity(a);
   state.a = a;
   state.master_velocity = master_of(state.v);
@@ -103,6 +108,7 @@ void RimSolver::place(ArcState &state, const Eigen::Vector3d &master, const Eige
       state.a[equation] = acceleration[i];
     }
   state.last_dt = 0;
+  state.last_pressure_change.clear();
   state.master = master_of(state.u);
   state.master_velocity = master_of(state.v);
   state.contact = contact_.open();

@@ -10,6 +10,7 @@ struct RimSolver::Trial {
   double multiplier = 0;
   SolidHistory history;
   ContactState contact;
+  std::vector<double> pressure_change; ///< expected over the step [Pa]; empty: none
   SolidEnergies energies;
   ContactReport report;
   Eigen::VectorXd residual, R; ///< residual = inertia - R; R = loads - internal - contact forces

@@ -99,7 +99,8 @@ scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions
   }
   const auto doubt = failure ? std::nullopt : scene::doubt_of_rebound(record.response, record.impacts);
   if (doubt) record.warnings.push_back(*doubt);
-  if (const auto unbalanced = scene::doubt_of_ledger(record.ledger)) record.warnings.push_back(*unbalanced);
+  for (const auto &found : {scene::doubt_of_ledger(record.ledger), scene::doubt_of_contact(record.ledger, record.impacts, scene.load.mass)})
+    if (found) record.warnings.push_back(*found);
   scene::Summary summary = summarise(scene, record);
   summary.status = status;
   summary.reason = reason;

@@ -65,6 +65,26 @@ class RimWindow(unittest.TestCase):
                 self.assertIn("while the rim still bears", " ".join(result["warnings"]))
                 self.assertIn("while the rim still bears", run.stderr)
 
+    def test_a_slider_that_passes_the_rim_is_no_result(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = rimpact("run", "impact-window", "--quiet", "--mesh", "0", "--set", "bearing.rim.thickness_mm=0.1", "--set",
+                          "excitation.speed_m_per_s=0.2", "-o", folder)
+            self.assertEqual(run.returncode, 4, run.stderr)
+            self.assertIn("passes through or over the rim", run.stderr)
+            self.assertEqual(summary(folder)["status"], "stopped")
+            self.assertEqual(summary(folder)["n_impacts"], 0)
+
+    def test_contact_gives_back_no_more_than_it_took(self):
+        """An elastic window returns the speed it came with: before multipliers were carried on by their rate it returned 1.013."""
+        with tempfile.TemporaryDirectory() as folder:
+            run = rimpact(*WINDOW, "--mesh", "0", "--set", "bearing.material.steel.yield_MPa=inf", "--no-fields", "-o", folder)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            result = summary(folder)
+            self.assertLess(abs(result["energy"]["contact_J"]), 0.01 * result["energy"]["initial_J"])
+            self.assertAlmostEqual(result["impacts"][0]["restitution"], 1, delta=0.004)
+            created = -result["energy"]["contact_J"] / result["energy"]["initial_J"]
+            self.assertEqual("contact has given back" in run.stderr, created > 3e-3)
+
     def test_what_this_build_cannot_run_is_said(self):
         for arguments, needle in ((["--rung", "full"], "rim"), (["--set", "bearing.contact.rim=0.1"], "contact.rim")):
             run = rimpact(*WINDOW, *arguments)

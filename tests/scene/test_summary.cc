@@ -165,4 +165,22 @@ TEST(Ledger, ThatDoesNotCloseIsDoubtedAboveATenthOfAPercent) {
   EXPECT_FALSE(doubt_of_ledger(EnergyLedger())); // nothing put in
 }
 
+/// A hundred joules put in, one created by contact, a rebound that carries 25: its speed is 2 % too fast.
+TEST(Doubts, EnergyFromContactIsSaidWithWhatItDoesToTheRebound) {
+  EnergyLedger ledger;
+  ledger.initial = ledger.largest_input = 100;
+  ledger.contact = -1;
+  Impact impact{};
+  impact.rebound_speed = 5;
+  const auto doubt = doubt_of_contact(ledger, {impact}, 2.0);
+  ASSERT_TRUE(doubt);
+  EXPECT_NE(doubt->find("given back 1.0 % more"), std::string::npos) << *doubt;
+  EXPECT_NE(doubt->find("overstated by about 2.0 %"), std::string::npos) << *doubt;
+  for (const double quiet : {-0.2, 0.0, 5.0}) { // little, nothing, or taken up by landings
+    ledger.contact = quiet;
+    EXPECT_FALSE(doubt_of_contact(ledger, {impact}, 2.0)) << quiet;
+  }
+  EXPECT_FALSE(doubt_of_contact({}, {}, 2.0));
+}
+
 } // namespace
