@@ -1,6 +1,7 @@
 /// A single-dish friction-pendulum bearing with a restraining rim: every dimension, in SI.
 /// Frame: origin at the dish's vertex, z up; the plate is fixed, the upper slider moves.
-/// Values marked *assumption* are ours (the thesis's drawing is not available); `assumptions()` lists them.
+/// Values marked *assumption* are the built-in bearings' (the thesis's drawing is not available). In a bearing of someone's own
+/// a number that its file leaves to its default, or marks, is one: `Bearing::assumed`, listed by `assumptions()`.
 #pragma once
 #include "scene/material.h"
 #include "scene/surface.h"
@@ -70,10 +71,12 @@ struct Bearing {
   double pad_area() const; ///< [m^2]
   /// Throws InputError with both numbers for geometry that cannot be built or collides over 0..L_c of travel.
   void validate() const;
+  /// The same of dish, slider, rim and materials alone: all that rung `rim` and the reduced models need of a bearing.
+  void validate_rim() const;
   bool operator==(const Bearing &) const = default;
 };
 
-/// An assumed key with its value as the bearing file writes it, e.g. {"rim.height_mm", "60"}.
+/// An assumed key that this kind of bearing reads, with its value as the bearing file writes it, e.g. {"rim.height_mm", "60"}.
 struct Assumption {
   std::string key, value;
 };
@@ -82,6 +85,8 @@ std::vector<Assumption> assumptions(const Bearing &bearing);
 /// Tilt of the slider on the surface at travel r [rad] and the height its origin rises [m].
 double tilt(const Bearing &bearing, double travel);
 double lift(const Bearing &bearing, double travel);
+/// Mass of the upper slider [kg]: cylinder less socket, its edge taken as sharp. The supported mass includes it.
+double slider_mass(const Bearing &bearing);
 
 /// Built-in bearings: shfps-225 (default) and fps-225 (a = R0). Throws InputError with the nearest name.
 Bearing builtin_bearing(const std::string &name);

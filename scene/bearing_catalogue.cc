@@ -1,4 +1,4 @@
-#include "scene/bearing.h"
+#include "scene/assumptions.h"
 #include "scene/error.h"
 #include "scene/text.h"
 #include <array>
@@ -44,7 +44,11 @@ std::vector<std::string> builtin_bearing_names() {
 
 Bearing builtin_bearing(const std::string &name) {
   for (const auto &entry : catalogue)
-    if (name == entry.name) return entry.make();
+    if (name == entry.name) {
+      Bearing bearing = entry.make();
+      bearing.assumed = catalogue_marks();
+      return bearing;
+    }
   throw InputError("bearing " + not_among(name, builtin_bearing_names()));
 }
 

@@ -1,4 +1,4 @@
-/// Bearing::validate(): what cannot be built or collides over 0..L_c is refused with both numbers.
+/// Bearing::validate() and validate_rim(): what cannot be built or collides over 0..L_c is refused with both numbers.
 #include "scene/error.h"
 #include "scene/keys.h"
 #include <cmath>
@@ -85,9 +85,10 @@ void check_foot_and_pad(const Bearing &b) {
   require(f.shoulder < f.cap_radius, "foot.shoulder_mm {} mm must lie below the cap's apex at {} mm",
           mm(f.shoulder), mm(f.cap_radius));
   const double cap_at_shoulder = std::sqrt(f.cap_radius * f.cap_radius - f.shoulder * f.shoulder);
-  require(cap_at_shoulder <= f.radius,
-          "foot.radius_mm {} mm is narrower than its cap, {} mm at foot.shoulder_mm {} mm", mm(f.radius),
-          mm(cap_at_shoulder), mm(f.shoulder));
+  constexpr double as_narrow = 1e-7; // [m]: rounding of a drawing's numbers
+  require(cap_at_shoulder <= f.radius + as_narrow,
+          "foot.radius_mm {} mm is narrower than its cap, {:.8g} mm at foot.shoulder_mm {} mm", mm(f.radius),
+          1e3 * cap_at_shoulder, mm(f.shoulder));
   require(p.inner_radius < p.outer_radius,
           "pad.inner_radius_mm {} mm must be below pad.outer_radius_mm {} mm", mm(p.inner_radius),
           mm(p.outer_radius));
@@ -122,14 +123,17 @@ class Clearance {
 public:
   Clearance(const Bearing &b) : b_(b), surface_(make_surface(b.surface)) {}
 
-  void check(double travel) const {
+  void check_slider(double travel) const {
     const auto here = surface_->at(travel, 0);
-    const double slope = std::atan(here.gradient.x()), c = std::cos(slope), s = std::sin(slope);
     const double bottom = b_.slider.bottom + here.z, reach = travel + b_.slider.diameter / 2;
     require(bottom > height(reach),
             "slider.bottom_mm {} mm: at a travel of {} mm the slider's bottom, at z = {} mm, meets the dish "
             "at z = {} mm",
             mm(b_.slider.bottom), mm(travel), mm(bottom), mm(height(reach)));
+  }
+  void check_stack(double travel) const {
+    const auto here = surface_->at(travel, 0);
+    const double slope = std::atan(here.gradient.x()), c = std::cos(slope), s = std::sin(slope);
     const double pad_edge = travel + b_.pad.outer_radius * c;
     require(pad_edge < b_.surface.planar_radius,
             "pad.outer_radius_mm {} mm: at a travel of {} mm the pad reaches {} mm, past the dish's edge at "
@@ -178,18 +182,32 @@ void check_rim(const Bearing &b, const Clearance &clearance) {
           mm(b.rim.height), mm(top), mm(bottom + b.slider.edge_radius));
 }
 
+constexpr int n_positions = 64; // of the travel at which clearances are checked
+
+/// Dish, slider and rim, with the pad and foot between them or without.
+void check(const Bearing &b, bool with_stack) {
+  check_ranges(b);
+  check_materials(b);
+  check_dish(b);
+  check_slider(b);
+  if (with_stack) check_foot_and_pad(b);
+  const Clearance clearance(b);
+  for (int i = 0; i <= n_positions; ++i) {
+    const double travel = b.lateral_capacity() * i / n_positions;
+    clearance.check_slider(travel);
+    if (with_stack) clearance.check_stack(travel);
+  }
+  check_rim(b, clearance);
+}
+
 } // namespace
 
 void Bearing::validate() const {
-  check_ranges(*this);
-  check_materials(*this);
-  check_dish(*this);
-  check_slider(*this);
-  check_foot_and_pad(*this);
-  const Clearance clearance(*this);
-  constexpr int n_positions = 64;
-  for (int i = 0; i <= n_positions; ++i) clearance.check(lateral_capacity() * i / n_positions);
-  check_rim(*this, clearance);
+  check(*this, true);
+}
+
+void Bearing::validate_rim() const {
+  check(*this, false);
 }
 
 } // namespace rimpact::scene

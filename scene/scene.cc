@@ -84,7 +84,7 @@ void check_path(const Scene &scene) {
 } // namespace
 
 void Scene::validate() const {
-  bearing.validate();
+  needs_stack() ? bearing.validate() : bearing.validate_rim();
   check_ranges(*this);
   check_friction(reduced);
   check_excitation(excitation, lateral_capacity());

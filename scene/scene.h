@@ -43,7 +43,7 @@ struct ReducedSettings {
   double unloading_exponent = 0.5;    ///< m of elastoplastic [-], > 0
   double dent_spread = 3.0;           ///< of elastoplastic [-], > 0: flank radius of a dent over that of slider and wall as circles
   double capacity_offset = 0.0;       ///< the reduced rim begins at L_c plus this [m]
-  std::string calibration = {};       ///< folder the rim's law and numbers were taken from; empty: the scene's own keys
+  std::string calibration = {};       ///< folder the rim's law and numbers were taken from (key taken_from); empty: the scene's own keys
   std::optional<double> fitted_from = {}, fitted_to = {}; ///< approach speeds for which the element holds [m/s]; none: not known
   std::optional<double> fitted_mass = {}; ///< supported mass it holds for [kg]; none: the law belongs to the rim, not to the mass
   std::string fitted_rim = {};        ///< rim_identity() of the bearing it was fitted to; empty: not known
@@ -68,13 +68,16 @@ struct Scene {
   ReducedSettings reduced;
   DoubleConcave isolator; ///< [isolator]: the bearing of the double concave models
   Superstructure superstructure; ///< [superstructure]: what the bearing carries
+  std::vector<std::string> remarks; ///< sentences: what the reading of its file filled in or put aside; not written out
 
   bool impact_resilient() const { return reduced.model == "lir-dcfp"; }
   bool double_concave() const { return reduced.model == "dcfp" || impact_resilient(); }
+  /// Whether pad and foot are modelled: rungs rigid-dish and full, and the reduced model's terms of pad and socket.
+  bool needs_stack() const { return model.rung != "rim" || reduced.finite_pad || reduced.socket_friction; }
   /// Displacement at which the rim of the model's bearing is touched [m].
   double lateral_capacity() const { return double_concave() ? isolator.capacity : bearing.lateral_capacity(); }
 
-  /// Throws InputError naming value and bound; includes bearing.validate().
+  /// Throws InputError naming value and bound; includes the bearing, pad and foot where they are modelled.
   void validate() const;
 };
 
@@ -87,7 +90,7 @@ Scene parse_scene(const std::string &text, const std::string &origin, const std:
 /// One dotted KEY=VALUE by itself: throws InputError, opening with `where`, for an unknown key, a value of the
 /// wrong type or out of its range.
 void check_assignment(const std::string &assignment, const std::string &where);
-/// A bearing file or a built-in bearing's name.
+/// A bearing file or a built-in bearing's name. Pad and foot are checked by the scenes that model them.
 Bearing load_bearing(const std::string &where);
 /// As resolved: every default written out, round-trips through parse_scene. Assumptions carry the word as comment.
 std::string to_toml(const Scene &scene);

@@ -82,7 +82,9 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
   if (v.wants(r.capacity_offset != 0))
     v.number({"capacity_offset_mm", "the reduced rim begins at L_c plus this"}, r.capacity_offset, milli,
              {-100, 100});
-  if (v.wants(!r.calibration.empty())) v.text({"calibration", "folder the element was taken from"}, r.calibration);
+  std::string read_before = r.calibration; // the folder is read, and its element put in the file's place, before the keys are
+  if (v.wants(false)) v.text({"calibration", "folder to take law and numbers from"}, read_before);
+  if (v.wants(!r.calibration.empty())) v.text({"taken_from", "calibration folder of the element; its numbers stand here"}, r.calibration);
   if (v.wants(r.fitted_from.has_value())) v.limit({"fitted_from_m_per_s", "slowest approach the element holds for"}, r.fitted_from, si, {0, 100});
   if (v.wants(r.fitted_to.has_value())) v.limit({"fitted_to_m_per_s", "fastest"}, r.fitted_to, si, {0, 100});
   if (v.wants(r.fitted_mass.has_value())) v.limit({"fitted_mass_kg", "supported mass it holds for"}, r.fitted_mass, si, positive);

@@ -1,8 +1,12 @@
 /// Scenes and bearings from TOML: defaults that depend on other keys, files beside the scene, errors with
 /// their place.
+#include "scene/assumptions.h"
+#include "scene/calibrated_element.h"
+#include "scene/file_kind.h"
 #include "scene/files.h"
 #include "scene/record.h"
 #include "scene/scene_catalogue.h"
+#include "scene/scene_defaults.h"
 #include "scene/text.h"
 #include "scene/toml_reader.h"
 #include <algorithm>
@@ -30,14 +34,6 @@ std::string name_from(const std::string &origin) {
   return path.extension() == ".toml" ? path.stem().string() : path.filename().string();
 }
 
-/// Material keys that hang together: no yield, no slope past it; yield alone is perfectly plastic.
-void settle(Material &m) {
-  if (!m.yield)
-    m.tangent_modulus.reset();
-  else if (!m.tangent_modulus)
-    m.tangent_modulus = 0.0;
-}
-
 /// Puts the rows of the surface's file in its place, so that a resolved scene runs anywhere. `prefix`: of the
 /// bearing's keys in the file.
 void read_table(const TomlFile &file, const std::string &prefix, SurfaceSpec &surface,
@@ -62,10 +58,9 @@ void read_bearing(const TomlFile &file, TomlReader &reader, const std::string &p
                   const std::string &folder, Bearing &bearing) {
   reader.text({"name"}, bearing.name);
   visit(reader, bearing);
+  read_marks(file, reader, prefix, bearing);
   read_table(file, prefix, bearing.surface, folder);
-  settle(bearing.steel);
-  settle(bearing.ertalyte);
-  if (bearing.surface.kind == "sphere") bearing.surface.a = bearing.surface.R0;
+  set_dependent_defaults(file, prefix, bearing);
 }
 
 /// Runs a check whose messages open with a key, and puts the key's place in front.
@@ -81,15 +76,18 @@ void with_location(const TomlFile &file, const std::string &prefix, const Check 
   }
 }
 
-Bearing parse_bearing(const std::string &text, const std::string &origin) {
+/// `whole`: pad and foot are checked too.
+Bearing parse_bearing(const std::string &text, const std::string &origin, bool whole) {
   const std::string folder = fs::path(origin).parent_path().string();
   const TomlFile file(text, origin);
+  require_bearing(file);
   Bearing bearing;
   bearing.name = name_from(origin);
+  bearing.assumed = every_number();
   TomlReader reader(file, "");
   read_bearing(file, reader, "", folder, bearing);
   reader.finish();
-  with_location(file, "", [&] { bearing.validate(); });
+  with_location(file, "", [&] { whole ? bearing.validate() : bearing.validate_rim(); });
   return bearing;
 }
 
@@ -105,42 +103,49 @@ bool is_written_out(const TomlFile &file) {
                      [&](const char *name) { return file.find(std::string("bearing.") + name) != nullptr; });
 }
 
+/// Whether the scene models pad and foot, before its settings are read.
+bool models_stack(const TomlFile &file) {
+  const std::string rung = text_at(file, "model.rung");
+  const auto on = [&](const char *key) {
+    const auto *node = file.find(key);
+    return node && node->is_boolean() && node->as_boolean()->get();
+  };
+  return (!rung.empty() && rung != "rim") || on("reduced.finite_pad") || on("reduced.socket_friction");
+}
+
+bool is_builtin_name(const std::string &name) {
+  const auto names = builtin_bearing_names();
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// A bearing of someone's own: from a file, or written out under a name that no built-in one has.
+bool has_own_bearing(const TomlFile &file) {
+  const std::string name = text_at(file, "bearing.name");
+  return !text_at(file, "bearing.file").empty() || (!name.empty() && !is_builtin_name(name) && is_written_out(file));
+}
+
 /// The bearing that [bearing] starts from, before its overrides.
 Bearing base_bearing(const TomlFile &file, const std::string &folder) {
   const std::string name = text_at(file, "bearing.name"), path = text_at(file, "bearing.file");
   if (!path.empty()) {
     const std::string full = (fs::path(folder) / path).lexically_normal().string();
     try {
-      return parse_bearing(read_toml(full), full);
+      return parse_bearing(read_toml(full), full, models_stack(file));
     } catch (const InputError &error) {
       throw InputError(fmt::format("{}: bearing.file: {}", file.location("bearing.file"), error.what()));
     }
   }
   if (name.empty()) return builtin_bearing("shfps-225");
-  const auto names = builtin_bearing_names();
-  if (std::find(names.begin(), names.end(), name) == names.end() && is_written_out(file)) return {};
+  if (has_own_bearing(file)) {
+    Bearing none_given;
+    none_given.assumed = every_number();
+    return none_given;
+  }
   try {
     return builtin_bearing(name);
   } catch (const InputError &error) {
     throw InputError(fmt::format("{}: {}", file.location("bearing.name"), error.what()));
   }
-}
-
-void set_dependent_defaults(const TomlFile &file, Scene &scene) {
-  auto &e = scene.excitation;
-  const auto given = [&](const char *path) { return file.find(path) != nullptr; };
-  const bool window = e.kind == ExcitationKind::window;
-  if (!given("excitation.centre_s")) e.centre = window ? 0.0 : 2 * e.period;
-  if (!given("excitation.duration_s")) {
-    e.duration = window ? 0.2 : 2 * e.period + 6;
-    const bool has_record = !e.x.values.empty() || !e.y.values.empty() || !e.z.values.empty();
-    if (e.kind == ExcitationKind::record && has_record)
-      e.duration = std::max({e.x.duration(), e.y.duration(), e.z.duration()});
-  }
-  if (!given("excitation.amplitude_m") && e.kind == ExcitationKind::figure_eight) e.amplitude = 0.31;
-  if (!given("isolator.points") && scene.isolator.space == "spatial") scene.isolator.points = 8;
-  if (!given("reduced.mu_fast")) scene.reduced.mu_fast = scene.bearing.contact.steel_ertalyte;
-  if (!given("reduced.mu_slow")) scene.reduced.mu_slow = scene.reduced.mu_fast;
 }
 
 /// A file beside the scene, by its absolute name: a resolved scene runs anywhere.
@@ -177,6 +182,7 @@ Scene parse_scene(const std::string &text, const std::string &origin,
                   const std::vector<std::string> &overrides, const std::string &folder) {
   TomlFile file(text, origin);
   for (const auto &assignment : overrides) file.set(assignment);
+  require_scene(file);
   Scene scene;
   scene.name = name_from(origin);
   TomlReader reader(file, "");
@@ -187,13 +193,16 @@ Scene parse_scene(const std::string &text, const std::string &origin,
     reader.text({"file"}, bearing_file);
     read_bearing(file, reader, "bearing.", folder, scene.bearing);
   });
+  const auto typed = typed_element_keys(file);
+  adopt_calibration(file, folder, scene.bearing, scene.remarks);
   visit_settings(reader, scene);
   reader.finish();
+  forget_origin(typed, scene.reduced, scene.remarks);
   // Geometry first: a bearing that cannot be built is said before a record that is missing.
-  with_location(file, "bearing", [&] { scene.bearing.validate(); });
+  with_location(file, "bearing", [&] { scene.needs_stack() ? scene.bearing.validate() : scene.bearing.validate_rim(); });
   read_records(file, scene, folder);
   if (scene.model.own_mesh.any()) make_absolute(scene.model.own_mesh.file, folder);
-  set_dependent_defaults(file, scene);
+  set_dependent_defaults(file, has_own_bearing(file), scene);
   with_location(file, "bearing", [&] { scene.validate(); });
   return scene;
 }
@@ -215,12 +224,11 @@ void check_assignment(const std::string &assignment, const std::string &where) {
 }
 
 Bearing load_bearing(const std::string &where) {
-  const auto names = builtin_bearing_names();
-  if (std::find(names.begin(), names.end(), where) != names.end()) return builtin_bearing(where);
+  if (is_builtin_name(where)) return builtin_bearing(where);
   std::error_code ignored;
   if (!fs::exists(where, ignored))
-    throw InputError(fmt::format("{}: no such file, and bearing {}", where, not_among(where, names)));
-  return parse_bearing(read_toml(where), where);
+    throw InputError(fmt::format("{}: no such file, and bearing {}", where, not_among(where, builtin_bearing_names())));
+  return parse_bearing(read_toml(where), where, false);
 }
 
 Scene load_scene(const std::string &where, const std::vector<std::string> &overrides) {

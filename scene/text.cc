@@ -59,6 +59,24 @@ std::optional<double> to_number(std::string_view text) {
   return value;
 }
 
+std::optional<std::string> decimal_point_for(std::string_view text) {
+  std::string number(trim(text));
+  const auto comma = number.find(',');
+  if (comma == 0 || comma + 1 >= number.size() || comma == std::string::npos) return std::nullopt;
+  number[comma] = '.';
+  const auto digits = number.find_first_not_of("0123456789+-.eE");
+  return digits == std::string::npos && to_number(number) ? std::optional(number) : std::nullopt;
+}
+
+std::vector<std::string> akin(std::string_view name, const std::vector<std::string> &known) {
+  std::vector<std::string> found;
+  if (name.size() < 2) return found;
+  const std::string word = upper(name);
+  for (const auto &each : known)
+    if (upper(each).find(word) != std::string::npos) found.push_back(each);
+  return found;
+}
+
 std::size_t edit_distance(std::string_view a, std::string_view b) {
   std::vector<std::size_t> row(b.size() + 1);
   std::iota(row.begin(), row.end(), 0);

@@ -22,21 +22,36 @@ void refuse_absurd(const std::string &text, const std::string &origin) {
   }
 }
 
+/// Digits, a comma and digits where a value stands: a decimal comma, or a thousands separator.
+std::string hint_at_comma(const std::string &text, std::size_t line_number) {
+  const auto lines = lines_of(text);
+  if (line_number == 0 || line_number > lines.size()) return {};
+  const std::string line(lines[line_number - 1]);
+  const auto value = trim(std::string_view(line).substr(line.find('=') + 1));
+  const auto with_point = decimal_point_for(value.substr(0, value.find('#')));
+  return with_point ? fmt::format("; decimals follow a point: {}", *with_point) : "";
+}
+
 toml::table parse(const std::string &text, const std::string &origin) {
   refuse_absurd(text, origin);
   try {
     return toml::parse(std::string_view(text), std::string_view(origin));
   } catch (const toml::parse_error &error) {
     const auto &at = error.source().begin;
-    throw InputError(
-        fmt::format("{}:{}:{}: {}", origin, at.line, at.column, std::string(error.description())));
+    throw InputError(fmt::format("{}:{}:{}: {}{}", origin, at.line, at.column, std::string(error.description()),
+                                 hint_at_comma(text, at.line)));
   }
+}
+
+std::string outer(const std::string &path) {
+  const auto dot = path.rfind('.');
+  return dot == std::string::npos ? "" : path.substr(0, dot);
 }
 
 } // namespace
 
 TomlFile::TomlFile(const std::string &text, const std::string &origin)
-    : origin_(origin), root_(parse(text, origin)) {}
+    : origin_(origin), comments_(toml_comments(text)), root_(parse(text, origin)) {}
 
 void TomlFile::set(const std::string &assignment, const std::string &place) {
   const std::string where = place.empty() ? "--set " + assignment : place;
@@ -67,7 +82,13 @@ void TomlFile::set(const std::string &assignment, const std::string &place) {
     if (!table) throw InputError(fmt::format("{}: {} is not a table", where, name));
   }
   table->insert_or_assign(trim(names.back()), std::move(*parsed.get("v")));
-  overrides_[path] = where;
+  overrides_[path] = {where, toml_comments("v = " + value).by_line[1]};
+}
+
+void TomlFile::erase(const std::string &path) {
+  const auto *table = find(outer(path));
+  if (!table || !table->is_table()) return;
+  const_cast<toml::table *>(table->as_table())->erase(path.substr(path.rfind('.') + 1)); // root_ is this object's own
 }
 
 const toml::node *TomlFile::find(const std::string &path) const {
@@ -82,19 +103,43 @@ const toml::node *TomlFile::find(const std::string &path) const {
 }
 
 std::string TomlFile::location(const std::string &path) const {
-  if (const auto found = overrides_.find(path); found != overrides_.end()) return found->second;
+  if (const auto found = overrides_.find(path); found != overrides_.end()) return found->second.place;
   const toml::node *node = find(path);
   if (node && node->source().begin.line > 0)
     return fmt::format("{}:{}:{}", origin_, node->source().begin.line, node->source().begin.column);
   // A table that only an override brought into being.
   for (const auto &[key, typed] : overrides_)
-    if (node && key.compare(0, path.size() + 1, path + ".") == 0) return typed;
+    if (node && key.compare(0, path.size() + 1, path + ".") == 0) return typed.place;
   return origin_;
 }
 
 std::string TomlFile::location_of_key(const std::string &path, const toml::key &key) const {
   if (key.source().begin.line == 0 || overrides_.count(path)) return location(path);
   return fmt::format("{}:{}:{}", origin_, key.source().begin.line, key.source().begin.column);
+}
+
+const TomlFile::Typed *TomlFile::typed(const std::string &path) const {
+  for (std::string name = path; !name.empty(); name = outer(name))
+    if (const auto found = overrides_.find(name); found != overrides_.end()) return &found->second;
+  return nullptr;
+}
+
+bool TomlFile::is_set(const std::string &path) const {
+  return typed(path) != nullptr;
+}
+
+std::string TomlFile::comment_of(const std::string &path) const {
+  if (const auto *override = typed(path)) return override->comment;
+  const toml::node *node = find(path);
+  const auto found = comments_.by_line.find(node ? node->source().end.line : 0);
+  return found == comments_.by_line.end() ? "" : found->second;
+}
+
+std::string TomlFile::comment_of_table(const std::string &path) const {
+  const toml::node *table = typed(path) ? nullptr : find(outer(path));
+  const std::size_t line = table ? table->source().begin.line : 0;
+  const auto found = comments_.by_line.find(line);
+  return found == comments_.by_line.end() || comments_.headers.count(line) == 0 ? "" : found->second;
 }
 
 } // namespace rimpact::scene

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace rimpact::scene {
 namespace {
@@ -15,6 +16,16 @@ std::string type_name(const toml::node &node) {
   if (const auto *whole = node.as_integer()) return fmt::format("{}", whole->get());
   if (const auto *real = node.as_floating_point()) return fmt::format("{}", real->get());
   return "a date or time";
+}
+
+/// The key that was meant, those it may have been, or all that the table has.
+std::string cure(const std::string &name, std::vector<std::string> known) {
+  if (const auto close = nearest(name, known)) return fmt::format("; did you mean \"{}\"?", *close);
+  std::sort(known.begin(), known.end());
+  known.erase(std::unique(known.begin(), known.end()), known.end());
+  const auto related = akin(name, known);
+  if (!related.empty()) return fmt::format("; it has {}", fmt::join(related, ", "));
+  return known.empty() ? "" : fmt::format("; known: {}", fmt::join(known, ", "));
 }
 
 } // namespace
@@ -48,15 +59,18 @@ void TomlReader::refuse_unknown(const std::vector<std::string> &also) const {
   for (const auto &[key, value] : *node->as_table()) {
     const std::string name(key.str());
     if (std::find(known.begin(), known.end(), name) != known.end()) continue;
-    const auto close = nearest(name, known);
     throw InputError(fmt::format("{}: unknown key \"{}\"{}{}", file_.location_of_key(full(name), key),
-                                 name.substr(0, 80), path_.empty() ? "" : " in [" + path_ + "]",
-                                 close ? "; did you mean \"" + *close + "\"?" : ""));
+                                 name.substr(0, 80), path_.empty() ? "" : " in [" + path_ + "]", cure(name, known)));
   }
 }
 
 double TomlReader::number_of(const std::string &name, const toml::node &node, Range range) const {
-  if (!node.is_number()) fail(name, "must be a number, got " + type_name(node));
+  if (!node.is_number()) {
+    const auto *text = node.as_string();
+    const auto with_point = text ? decimal_point_for(text->get()) : std::nullopt;
+    fail(name, "must be a number, got " + type_name(node) +
+                   (with_point ? fmt::format("; decimals follow a point: {}", *with_point) : ""));
+  }
   const double value =
       node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
   if (!range.contains(value)) fail(name, fmt::format("{} must be {}", value, range.text()));

@@ -1,0 +1,226 @@
+#include "scene/calibrated_element.h"
+
+#include "scene/files.h"
+#include "scene/key_list.h"
+#include "scene/rim_identity.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <mutex>
+#include <nlohmann/json.hpp>
+
+namespace rimpact::scene {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+/// A parameter by the name calibrations give it, and the scene's key.
+struct Parameter {
+  const char *name, *unit, *key;
+};
+constexpr Parameter parameters[] = {{"k_i", "kN/m", "k_i_kN_per_m"},
+                                    {"e", "-", "restitution"},
+                                    {"exponent", "-", "impact_exponent"},
+                                    {"yield_force", "kN", "yield_force_kN"},
+                                    {"hardening", "-", "hardening"},
+                                    {"hardening_exponent", "-", "hardening_exponent"},
+                                    {"unloading_gain", "-", "unloading_gain"},
+                                    {"unloading_exponent", "-", "unloading_exponent"},
+                                    {"dent_spread", "-", "dent_spread"},
+                                    {"capacity_offset", "mm", "capacity_offset_mm"}};
+
+/// Without which a law would run on defaults that no calibration gave.
+std::vector<std::string> needed_by(const std::string &law) {
+  if (law == "elastoplastic") return {"k_i_kN_per_m", "yield_force_kN", "hardening"};
+  if (law == "hunt-crossley") return {"k_i_kN_per_m", "restitution", "impact_exponent", "reference_speed_m_per_s"};
+  return law == "signed" || law == "no-tension" || law == "printed" ? std::vector<std::string>{"k_i_kN_per_m", "restitution"}
+                                                                     : std::vector<std::string>{};
+}
+
+/// What a calibration says, as values of keys of [reduced].
+struct Element {
+  std::string origin;                        ///< the file read
+  std::map<std::string, std::string> values; ///< key -> TOML value
+  std::string rim;                           ///< identity of the rim it was fitted to; empty: not said
+  std::optional<double> capacity;            ///< where the element begins [m]
+
+  [[noreturn]] void fail(const std::string &what) const {
+    throw DataError(fmt::format("{}: its element cannot be read: {}", origin, what));
+  }
+  void number(const std::string &key, const json &value) {
+    if (!value.is_number() || !std::isfinite(value.get<double>())) fail(key + " is not a finite number");
+    values[key] = fmt::format("{}", value.get<double>());
+  }
+};
+
+/// A member of an object; null where there is none.
+const json &member(const json &object, const char *name) {
+  static const json none;
+  const auto found = object.is_object() ? object.find(name) : object.end();
+  return object.is_object() && found != object.end() ? *found : none;
+}
+
+void read_parameters(const json &entries, Element &element) {
+  if (!entries.is_object()) element.fail("answer.law.element is not there");
+  for (const auto &[name, entry] : entries.items()) {
+    if (name == "reference_speed_m_per_s") element.number(name, entry);
+    if (!entry.is_object()) continue; // lateral_capacity_m and the like
+    const auto known = std::find_if(std::begin(parameters), std::end(parameters), [&name = name](const auto &p) { return name == p.name; });
+    if (known == std::end(parameters)) element.fail("this version knows no parameter \"" + name.substr(0, 60) + "\"");
+    if (member(entry, "unit") != known->unit) element.fail(fmt::format("{} is not in {}", name, known->unit));
+    element.number(known->key, member(entry, "value"));
+  }
+}
+
+void read_answer(const json &answer, Element &element) {
+  const json &law = member(answer, "law");
+  if (!member(law, "name").is_string()) element.fail("answer.law.name is not a word");
+  element.values["impact_law"] = toml_quoted(law["name"].get<std::string>());
+  read_parameters(member(law, "element"), element);
+  if (const json &begins = member(law["element"], "lateral_capacity_m"); begins.is_number()) element.capacity = begins.get<double>();
+  for (const auto &[name, key] : {std::pair{"fitted_from_m_s", "fitted_from_m_per_s"}, {"fitted_to_m_s", "fitted_to_m_per_s"}})
+    if (!member(law, name).is_null()) element.number(key, law[name]);
+  if (member(law, "belongs_to") == "mass") element.number("fitted_mass_kg", member(answer, "mass_kg"));
+  if (const json &rim = member(answer, "rim_identity"); rim.is_string()) element.rim = rim.get<std::string>();
+  if (!element.rim.empty()) element.values["fitted_rim"] = toml_quoted(element.rim);
+}
+
+/// [reduced] of calibration.toml, the element's keys alone.
+void read_fragment(const TomlFile &fragment, Element &element) {
+  for (const auto &key : element_keys()) {
+    const auto *node = fragment.find("reduced." + key);
+    if (!node || key == "calibration" || key == "taken_from") continue;
+    if (const auto *text = node->as_string())
+      element.values[key] = toml_quoted(text->get());
+    else if (const auto number = node->value<double>())
+      element.number(key, *number);
+    else
+      element.fail(key + " is neither a number nor a word");
+  }
+  if (const auto rim = element.values.find("fitted_rim"); rim != element.values.end())
+    element.rim = rim->second.substr(1, rim->second.size() - 2);
+}
+
+/// The numbers are judged by the scene's own keys and ranges.
+void check(const Element &element) {
+  if (element.values.count("impact_law") == 0) element.fail("it names no impact_law");
+  TomlFile values("", element.origin);
+  Scene scene;
+  try {
+    for (const auto &[key, value] : element.values) values.set("reduced." + key + "=" + value, element.origin);
+    TomlReader reader(values, "");
+    visit_settings(reader, scene);
+  } catch (const InputError &error) {
+    throw DataError(std::string(error.what()) + " (the calibration's element)");
+  }
+  for (const auto &key : needed_by(scene.reduced.impact_law))
+    if (element.values.count(key) == 0) element.fail(fmt::format("law {} without {}", scene.reduced.impact_law, key));
+}
+
+Element read_element(const std::string &folder) {
+  const auto in = [&](const char *name) { return (fs::path(folder) / name).string(); };
+  Element element{.origin = in("calibration.json"), .values = {}, .rim = {}, .capacity = {}};
+  const json whole = json::parse(read_file(element.origin), nullptr, false);
+  if (!whole.is_object()) element.fail("it is no JSON object");
+  if (!member(whole, "answer").is_null()) {
+    read_answer(whole["answer"], element);
+  } else {
+    element.origin = in("calibration.toml");
+    const std::string text = read_file(element.origin);
+    try {
+      read_fragment(TomlFile(text, element.origin), element);
+    } catch (const InputError &error) {
+      throw DataError(error.what());
+    }
+  }
+  check(element);
+  return element;
+}
+
+/// A fleet reads the same folder for each of its runs: the last one read is kept while its file is unchanged.
+Element remembered_element(const std::string &folder) {
+  static std::mutex lock;
+  static std::string last;
+  static fs::file_time_type when;
+  static Element element;
+  const std::lock_guard guard(lock);
+  std::error_code none;
+  const auto now = fs::last_write_time(fs::path(folder) / "calibration.json", none);
+  if (folder != last || now != when || none) {
+    last.clear();
+    element = read_element(folder);
+    last = folder, when = now;
+  }
+  return element;
+}
+
+/// The element begins where the fitted one did, if the rim is the same.
+void place(Element &element, const Bearing &bearing) {
+  constexpr double rounding = 1e-9; // [m]
+  if (element.values.count("capacity_offset_mm") > 0 || !element.capacity || element.rim != rim_identity(bearing)) return;
+  const double offset = *element.capacity - bearing.lateral_capacity();
+  if (std::abs(offset) > rounding) element.values["capacity_offset_mm"] = fmt::format("{}", 1e3 * offset);
+}
+
+} // namespace
+
+const std::vector<std::string> &element_keys() {
+  static const std::vector<std::string> keys = [] {
+    std::vector<std::string> list{"impact_law", "reference_speed_m_per_s"};
+    for (const auto &parameter : parameters) list.emplace_back(parameter.key);
+    for (const char *key : {"fitted_from_m_per_s", "fitted_to_m_per_s", "fitted_mass_kg", "fitted_rim", "taken_from"}) list.emplace_back(key);
+    return list;
+  }();
+  return keys;
+}
+
+std::vector<std::string> typed_element_keys(const TomlFile &file) {
+  std::vector<std::string> typed;
+  for (const auto &key : element_keys())
+    if (file.is_set("reduced." + key) && file.find("reduced." + key)) typed.push_back("reduced." + key);
+  return typed;
+}
+
+void adopt_calibration(TomlFile &file, const std::string &folder, const Bearing &bearing, std::vector<std::string> &remarks) {
+  const std::string asked = "reduced.calibration";
+  const auto *node = file.find(asked);
+  if (!node || !node->is_string() || node->as_string()->get().empty()) return; // the reader says what is wrong with it
+  const bool typed = file.is_set(asked);
+  const std::string place_of_it = file.location(asked);
+  std::error_code ignored;
+  const std::string path = fs::absolute(fs::path(folder) / node->as_string()->get(), ignored).lexically_normal().string();
+  Element element = remembered_element(path);
+  place(element, bearing);
+  element.values["taken_from"] = toml_quoted(path);
+  std::vector<std::string> replaced;
+  for (const auto &key : element_keys()) {
+    const std::string full = "reduced." + key;
+    if (!file.find(full) || file.is_set(full)) continue;
+    if (!typed)
+      throw InputError(fmt::format("{}: {} stands beside {} of {}, which gives it: strike one of the two", file.location(full), full, asked, place_of_it));
+    if (key != "taken_from") replaced.push_back(full);
+  }
+  if (!replaced.empty())
+    remarks.push_back(fmt::format("law and numbers of {} take the place of the scene's own {}", element.origin, fmt::join(replaced, ", ")));
+  for (const auto &key : element_keys()) {
+    if (file.is_set("reduced." + key)) continue;
+    if (const auto value = element.values.find(key); value != element.values.end())
+      file.set("reduced." + key + "=" + value->second, element.origin);
+    else
+      file.erase("reduced." + key); // a file's key that the calibration has not
+  }
+}
+
+void forget_origin(const std::vector<std::string> &typed, ReducedSettings &reduced, std::vector<std::string> &remarks) {
+  if (typed.empty() || reduced.calibration.empty()) return;
+  remarks.push_back(fmt::format("{} is given beside the calibration {} and wins: the element is no longer the calibrated one, and the speeds, mass and "
+                                "rim it holds for are not known",
+                                fmt::join(typed, ", "), reduced.calibration));
+  reduced.calibration.clear(), reduced.fitted_rim.clear();
+  reduced.fitted_from.reset(), reduced.fitted_to.reset(), reduced.fitted_mass.reset();
+}
+
+} // namespace rimpact::scene

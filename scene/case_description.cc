@@ -1,0 +1,97 @@
+#include "scene/case_description.h"
+
+#include "scene/doubts.h"
+#include "scene/key_list.h"
+#include <fmt/format.h>
+
+namespace rimpact::scene {
+namespace {
+
+using nlohmann::json;
+
+/// Keys of [excitation] that its kind reads, "kind" first.
+std::vector<KeyEntry> motion_of(const Scene &scene) {
+  KeyList list;
+  Scene copy = scene;
+  visit_settings(list, copy);
+  std::erase_if(list.entries, [](const KeyEntry &entry) { return entry.section != "excitation"; });
+  return list.entries;
+}
+
+std::string plain(std::string value) {
+  if (value.ends_with(".0")) value.resize(value.size() - 2);
+  if (value.size() >= 2 && value.front() == '"') value = value.substr(1, value.size() - 2);
+  return value;
+}
+
+std::string motion_line(const Scene &scene) {
+  std::string text;
+  for (const auto &entry : motion_of(scene))
+    text += text.empty() ? plain(entry.value) : fmt::format(", {} {}", entry.key.name, plain(entry.value));
+  return text;
+}
+
+std::string bearing_line(const Scene &scene) {
+  if (scene.double_concave())
+    return fmt::format("{} of [isolator], C_t = {:.1f} mm, R_eff = {:.3f} m", scene.reduced.model, 1e3 * scene.isolator.capacity, scene.isolator.effective_radius());
+  return fmt::format("{}, L_c = {:.1f} mm, rim {:g} x {:g} mm", scene.bearing.name, 1e3 * scene.bearing.lateral_capacity(), 1e3 * scene.bearing.rim.thickness,
+                     1e3 * scene.bearing.rim.height);
+}
+
+std::string load_line(const Scene &scene) {
+  const Load &l = scene.load;
+  return fmt::format("W = {:.6g} kN, m = {:.6g} kg (W = {:.3g} m g)", l.vertical / 1e3, l.mass, l.vertical / (l.mass * l.gravity));
+}
+
+std::string source_of(const Scene &scene) {
+  const auto &r = scene.reduced;
+  if (!r.calibration.empty()) return "calibration " + r.calibration;
+  if (!has_default_element(scene) || scene.double_concave()) return "the scene";
+  const bool pair = r.impact_law != "elastoplastic" && r.impact_law != "hunt-crossley";
+  return pair ? "the thesis's pair for shfps-225" : "defaults of the law, for shfps-225";
+}
+
+std::string range_of(const ReducedSettings &r) {
+  std::string text;
+  if (r.fitted_from && r.fitted_to) text += fmt::format("; fitted from {:g} to {:g} m/s", *r.fitted_from, *r.fitted_to);
+  if (r.fitted_mass) text += fmt::format("; for {:g} kg only", *r.fitted_mass);
+  return text;
+}
+
+std::string element_line(const Scene &scene) {
+  if (scene.reduced.k_i == 0) return "none (k_i = 0)";
+  return fmt::format("{}, {} ({}{})", scene.reduced.impact_law, numbers_of_element(scene), source_of(scene), range_of(scene.reduced));
+}
+
+json or_null(const std::optional<double> &value) {
+  return value ? json(*value) : json(nullptr);
+}
+
+} // namespace
+
+std::string describe_case(const Scene &scene) {
+  return fmt::format("bearing: {}\nload: {}\nmotion: {}\nimpact element: {}\n", bearing_line(scene), load_line(scene), motion_line(scene), element_line(scene));
+}
+
+json case_json(const Scene &scene) {
+  const auto &r = scene.reduced;
+  json motion = json::object();
+  for (const auto &entry : motion_of(scene)) {
+    const json value = json::parse(entry.value, nullptr, false); // numbers, words and lists are written alike in TOML and JSON
+    motion[entry.key.name] = value.is_discarded() ? json(entry.value) : value;
+  }
+  return {{"load", {{"vertical_kN", scene.load.vertical / 1e3}, {"mass_kg", scene.load.mass}, {"gravity_m_per_s2", scene.load.gravity}}},
+          {"motion", motion},
+          {"impact_element",
+           {{"law", r.impact_law},
+            {"k_i_kN_per_m", r.k_i / 1e3},
+            {"e", r.impact_law == "elastoplastic" ? json(nullptr) : json(r.restitution)},
+            {"sentence", element_line(scene)},
+            {"source", source_of(scene)},
+            {"fitted_from_m_per_s", or_null(r.fitted_from)},
+            {"fitted_to_m_per_s", or_null(r.fitted_to)},
+            {"fitted_mass_kg", or_null(r.fitted_mass)},
+            {"fitted_rim", r.fitted_rim.empty() ? json(nullptr) : json(r.fitted_rim)}}}};
+}
+
+} // namespace rimpact::scene

@@ -1,0 +1,14 @@
+/// What a scene is, in four lines: bearing, load, motion and impact element, with where its numbers come from.
+#pragma once
+#include "scene/scene.h"
+#include <nlohmann/json.hpp>
+
+namespace rimpact::scene {
+
+/// "bearing: ...\nload: ...\nmotion: ...\nimpact element: ...\n".
+std::string describe_case(const Scene &scene);
+/// The same as `load`, `motion` and `impact_element` (law, every number of it, source, fitted_from_m_per_s, fitted_to_m_per_s,
+/// fitted_mass_kg, fitted_rim: null where not known).
+nlohmann::json case_json(const Scene &scene);
+
+} // namespace rimpact::scene

@@ -1,0 +1,82 @@
+#include "scene/doubts.h"
+
+#include "scene/calibrated_element.h"
+#include "scene/key_list.h"
+#include "scene/rim_identity.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::scene {
+namespace {
+
+constexpr double same_mass = 0.01; // of the mass: k_i and e move by less than half of it
+
+bool within(double a, double b) {
+  return std::abs(a / b - 1) <= same_mass;
+}
+
+/// Keys of the element that the scene's law reads, without what is known of its fit.
+std::vector<KeyEntry> element_of(const Scene &scene) {
+  KeyList list;
+  Scene copy = scene;
+  visit_settings(list, copy);
+  const auto &names = element_keys();
+  const auto is_of_it = [&](const KeyEntry &entry) {
+    const std::string name = entry.key.name;
+    if (entry.section != "reduced" || !entry.is_number || name.starts_with("fitted_")) return false;
+    if (name == "restitution" && scene.reduced.impact_law == "elastoplastic") return false; // it yields by itself
+    return std::find(names.begin(), names.end(), name) != names.end();
+  };
+  std::erase_if(list.entries, [&](const KeyEntry &entry) { return !is_of_it(entry); });
+  return list.entries;
+}
+
+} // namespace
+
+bool published_pair_applies(const Scene &scene) {
+  return !scene.double_concave() && within(scene.load.mass, Load{}.mass) && rim_identity(scene.bearing) == rim_identity(builtin_bearing("shfps-225"));
+}
+
+bool has_default_element(const Scene &scene) {
+  Scene untouched = scene;
+  untouched.reduced = {};
+  untouched.reduced.impact_law = scene.reduced.impact_law;
+  const auto own = element_of(scene), defaults = element_of(untouched);
+  return std::equal(own.begin(), own.end(), defaults.begin(), defaults.end(),
+                    [](const KeyEntry &a, const KeyEntry &b) { return a.path() == b.path() && a.value == b.value; });
+}
+
+std::string numbers_of_element(const Scene &scene) {
+  std::string text = fmt::format("k_i = {:.6g} kN/m", scene.reduced.k_i / 1e3);
+  for (const auto &entry : element_of(scene)) {
+    const std::string name = entry.key.name;
+    if (name == "k_i_kN_per_m") continue;
+    text += fmt::format(", {} = {:.4g}", name == "restitution" ? "e" : name, std::stod(entry.value));
+  }
+  return text;
+}
+
+std::vector<std::string> doubts_of_element(const Scene &scene) {
+  std::vector<std::string> found;
+  const auto &r = scene.reduced;
+  const auto kind = scene.excitation.kind;
+  if (scene.double_concave() || r.k_i == 0 || kind == ExcitationKind::cyclic || kind == ExcitationKind::figure_eight) return found;
+  if (has_default_element(scene) && r.calibration.empty() && !published_pair_applies(scene)) {
+    const bool pair = r.impact_law != "elastoplastic" && r.impact_law != "hunt-crossley";
+    const bool other_rim = rim_identity(scene.bearing) != rim_identity(builtin_bearing("shfps-225"));
+    found.push_back(fmt::format("{} are {} for shfps-225 and {:g} kg, not this {}'s: impact forces may be several times off; calibrate and pass --calibration DIR",
+                                numbers_of_element(scene), pair ? "the thesis's" : "defaults of the law", Load{}.mass, other_rim ? "bearing" : "mass"));
+  }
+  if (!r.fitted_rim.empty() && r.fitted_rim != rim_identity(scene.bearing))
+    found.push_back(fmt::format("the impact element was fitted to another rim ({}; this one is {}): dish, slider, rim, plate and steel shape it; calibrate "
+                                "this bearing and pass --calibration DIR",
+                                r.fitted_rim, rim_identity(scene.bearing)));
+  if (r.fitted_mass && !within(scene.load.mass, *r.fitted_mass))
+    found.push_back(fmt::format("k_i and e of law {} hold for the {:g} kg they were fitted with, not for load.mass_kg = {:g}: a dashpot stands for the rim's "
+                                "yielding at one mass only; take a law of the rim (calibrate --law elastoplastic)",
+                                r.impact_law, *r.fitted_mass, scene.load.mass));
+  return found;
+}
+
+} // namespace rimpact::scene

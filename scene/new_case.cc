@@ -1,0 +1,72 @@
+#include "scene/new_case.h"
+
+#include "scene/key_list.h"
+#include "scene/scene_catalogue.h"
+#include "scene/text.h"
+#include "scene/toml_reader.h"
+#include <fmt/format.h>
+
+namespace rimpact::scene {
+namespace {
+
+/// Written by a calibration, not by hand.
+bool is_of_a_calibration(const std::string &name) {
+  return name.starts_with("fitted_") || name == "taken_from";
+}
+
+/// Lines of a section's keys that the file leaves out, as comments.
+std::string left_out(const TomlFile &file, const std::string &section, bool every, Scene scene) {
+  KeyList list("", every);
+  visit_settings(list, scene);
+  std::string text;
+  for (const auto &entry : list.entries) {
+    if (entry.section != section || file.find(entry.path()) || is_of_a_calibration(entry.key.name)) continue;
+    const std::string line = fmt::format("# {} = {}", entry.key.name, entry.value);
+    text += *entry.key.comment ? fmt::format("{:<34} # {}\n", line, entry.key.comment) : line + "\n";
+  }
+  return text;
+}
+
+/// Puts lines at the end of a section of the text; a section that is not there is begun.
+void put(std::string &text, const std::string &section, const std::string &lines) {
+  const std::string header = "[" + section + "]";
+  const auto at = text.starts_with(header) ? 0 : text.find("\n" + header);
+  if (at == std::string::npos) {
+    text += "\n" + header + "\n" + lines;
+    return;
+  }
+  auto end = text.find("\n[", at + 1);
+  end = end == std::string::npos ? text.size() : end;
+  while (end > 0 && text[end - 1] == '\n') --end; // in front of the blank line
+  text.insert(end, "\n" + lines.substr(0, lines.size() - 1));
+}
+
+std::string load_lines(const Load &load) {
+  return fmt::format("vertical_kN = {:<20} # dead load\nmass_kg = {:<24} # inertia; left out, it is the dead load over gravity\n", file_number(load.vertical, kilo),
+                     file_number(load.mass, si));
+}
+
+} // namespace
+
+CaseFiles new_case(const std::string &name, const std::string &bearing, const std::string &scene) {
+  Bearing own = load_bearing(bearing);
+  own.name = name;
+  std::string text = builtin_scene_text(scene);
+  const std::string place = "name = \"shfps-225\"", beside = "file = \"bearing.toml\"";
+  if (const auto at = text.find(place); at != std::string::npos)
+    text.replace(at, place.size(), beside);
+  else
+    text = "[bearing]\n" + beside + "\n\n" + text;
+  const BuiltinScene *entry = find_builtin_scene(scene);
+  const TomlFile file(entry ? entry->text : "", scene);
+  Scene defaults; // records are not read: theirs may be missing
+  TomlReader reader(file, "");
+  visit_settings(reader, defaults);
+  if (!file.find("load")) put(text, "load", load_lines(defaults.load));
+  put(text, "excitation", left_out(file, "excitation", false, defaults));
+  put(text, "reduced", left_out(file, "reduced", true, defaults));
+  const std::string head = "# A number marked \"assumption\" is ours and no source's. Put yours in its place and strike the mark: reports list those left.\n";
+  return {head + to_toml(own), text};
+}
+
+} // namespace rimpact::scene

@@ -1,0 +1,81 @@
+#include "scene/scene_defaults.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::scene {
+namespace {
+
+/// Material keys that hang together: no yield, no slope past it; yield alone is perfectly plastic.
+void settle(const TomlFile &file, const std::string &prefix, Material &m) {
+  const std::string key = prefix + "tangent_modulus_MPa";
+  if (!m.yield)
+    m.tangent_modulus.reset();
+  else if (!m.tangent_modulus && file.find(key))
+    throw InputError(fmt::format("{}: {} inf must be below E_MPa {:g}", file.location(key), key, m.E / 1e6));
+  else if (!m.tangent_modulus)
+    m.tangent_modulus = 0.0;
+}
+
+/// A socket as deep and wide, for its slider, as the built-in bearing's.
+void settle_socket(Bearing &b) {
+  constexpr double depth = 0.3175, width = 0.57; // of the slider's height and radius
+  const double bottom = b.slider.bottom, radius = b.slider.diameter / 2, cap = b.foot.cap_radius;
+  const bool fits = cap > bottom && cap < b.slider.top && std::sqrt(cap * cap - bottom * bottom) < radius - b.slider.edge_radius;
+  if (!fits && b.slider.top > bottom) b.foot.cap_radius = std::min(bottom + depth * (b.slider.top - bottom), std::hypot(bottom, width * radius));
+}
+
+/// Whether a built-in bearing has the same dish and slider and, where `wholly`, is the same in everything but its name.
+bool is_builtin(Bearing bearing, bool wholly) {
+  const auto names = builtin_bearing_names();
+  return std::any_of(names.begin(), names.end(), [&](const std::string &name) {
+    const Bearing known = builtin_bearing(name);
+    bearing.name = name;
+    return wholly ? bearing == known : bearing.surface == known.surface && bearing.slider.diameter == known.slider.diameter;
+  });
+}
+
+void settle_load(const TomlFile &file, bool own_bearing, Scene &scene) {
+  const bool weight = file.find("load.vertical_kN"), mass = file.find("load.mass_kg");
+  Load &load = scene.load;
+  if (weight && !mass && load.vertical > 0) load.mass = load.vertical / load.gravity;
+  if (mass && !weight) load.vertical = load.mass * load.gravity;
+  if (weight || mass || scene.double_concave() || is_builtin(scene.bearing, own_bearing)) return;
+  scene.remarks.push_back(fmt::format("load.vertical_kN and load.mass_kg are not given: bearing {} carries the default bearing's {:g} kN and {:g} kg, which are "
+                                      "not its own (one of the two keys is enough: W = m g)",
+                                      scene.bearing.name, load.vertical / 1e3, load.mass));
+}
+
+} // namespace
+
+void set_dependent_defaults(const TomlFile &file, const std::string &prefix, Bearing &bearing) {
+  settle(file, prefix + "material.steel.", bearing.steel);
+  settle(file, prefix + "material.ertalyte.", bearing.ertalyte);
+  if (bearing.surface.kind == "sphere") bearing.surface.a = bearing.surface.R0;
+  const std::string cap = "foot.cap_radius_mm";
+  if (!file.find(prefix + cap) && bearing.assumed.keys.count(cap) > 0) settle_socket(bearing);
+}
+
+void set_dependent_defaults(const TomlFile &file, bool own_bearing, Scene &scene) {
+  auto &e = scene.excitation;
+  const auto given = [&](const char *path) { return file.find(path) != nullptr; };
+  const bool window = e.kind == ExcitationKind::window;
+  if (!given("excitation.centre_s")) e.centre = window ? 0.0 : 2 * e.period;
+  if (!given("excitation.duration_s")) {
+    e.duration = window ? 0.2 : 2 * e.period + 6;
+    const bool has_record = !e.x.values.empty() || !e.y.values.empty() || !e.z.values.empty();
+    if (e.kind == ExcitationKind::record && has_record)
+      e.duration = std::max({e.x.duration(), e.y.duration(), e.z.duration()});
+  }
+  if (!given("excitation.amplitude_m") && e.kind == ExcitationKind::figure_eight) e.amplitude = 0.31;
+  if (!given("isolator.points") && scene.isolator.space == "spatial") scene.isolator.points = 8;
+  if (!given("reduced.mu_fast")) scene.reduced.mu_fast = scene.bearing.contact.steel_ertalyte;
+  if (!given("reduced.mu_slow")) scene.reduced.mu_slow = scene.reduced.mu_fast;
+  settle_load(file, own_bearing, scene);
+  if (!given("excitation.kind"))
+    scene.remarks.push_back(fmt::format("{} has no excitation.kind: a Ricker pulse of {:g} g and {:g} s is run, on bearing {}", file.origin(), e.scale * e.amplitude_g,
+                                        e.period, scene.bearing.name));
+}
+
+} // namespace rimpact::scene
