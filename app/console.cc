@@ -3,6 +3,7 @@
 #include "app/verb.h"
 #include "scene/doubts.h"
 #include "scene/files.h"
+#include "scene/key_list.h"
 #include "scene/script_permission.h"
 #include "scene/text.h"
 #include <algorithm>
@@ -65,6 +66,7 @@ void Console::detail(const std::string &sentence) {
 
 void Console::warn(const std::string &sentence) {
   log_ += "warning: " + sentence + "\n";
+  warnings_.push_back(sentence);
   fmt::print(stderr, "{} {}\n", coloured("warning:", "33"), sentence);
 }
 
@@ -73,11 +75,19 @@ void Console::data(const std::string &text) const {
   if (std::fflush(stdout) != 0) throw IoError("cannot write to standard output");
 }
 
+std::vector<std::string> Console::settings() const {
+  std::vector<std::string> all;
+  if (!calibration.empty()) all.push_back("reduced.calibration=" + scene::toml_quoted(std::filesystem::absolute(calibration).lexically_normal().string()));
+  all.insert(all.end(), overrides.begin(), overrides.end());
+  if (rung == "reduced") throw InputError("--rung reduced: the reduced model is no finite-element rung (rim, rigid-dish, full); use rimpact reduced SCENE");
+  if (!rung.empty()) all.push_back("model.rung=" + scene::toml_quoted(rung));
+  if (mesh >= 0) all.push_back("model.mesh=" + std::to_string(mesh));
+  return all;
+}
+
 scene::Scene Console::load(const std::string &given) {
-  auto settings = overrides;
-  if (!rung.empty()) settings.push_back("model.rung=\"" + rung + "\"");
-  if (mesh >= 0) settings.push_back("model.mesh=" + std::to_string(mesh));
-  scene::Scene scene = scene::load_scene(given, settings);
+  scene::Scene scene = scene::load_scene(given, settings());
+  for (const auto &remark : scene.remarks) warn(remark);
   for (const auto &doubt : scene::doubts(scene)) warn(doubt);
   return scene;
 }
@@ -95,6 +105,7 @@ void Console::add_overrides(CLI::App &verb) {
       ->allow_extra_args(false);
   verb.add_flag_callback(
       "--allow-script", [] { setenv(scene::script_permission, "1", 1); }, "let gmsh run a .geo mesh: it is a program; only from hands you trust");
+  verb.add_option("--calibration", calibration, "folder of a calibration: the rim's law and numbers are taken from it")->type_name("DIR");
 }
 
 void Console::add_model(CLI::App &verb) {

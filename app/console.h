@@ -13,6 +13,7 @@ class Console {
 public:
   bool quiet = false, verbose = false, json = false;
   std::vector<std::string> overrides; ///< --set
+  std::string calibration;            ///< --calibration: a folder; empty: the scene's own element
   std::string rung;                   ///< --rung; empty: the scene's
   int mesh = -1;                      ///< --mesh; negative: the scene's
   int argc = 0;                       ///< the command as it was given
@@ -23,16 +24,20 @@ public:
   void warn(const std::string &sentence);    ///< stderr even with --quiet; kept
   void data(const std::string &text) const;  ///< stdout
   const std::string &log() const { return log_; }
-  /// The scene with its overrides; warns of what it allows but doubts.
+  const std::vector<std::string> &warnings() const { return warnings_; } ///< every sentence of warn()
+  /// Every key the command line gives, in the order in which they win: --calibration, --set, --rung, --mesh.
+  std::vector<std::string> settings() const;
+  /// The scene with its settings; warns of what it allows but doubts.
   scene::Scene load(const std::string &given);
 
   void add_common(CLI::App &verb);    ///< --quiet, --verbose
   void add_json(CLI::App &verb);      ///< --json
-  void add_overrides(CLI::App &verb); ///< --set KEY=VALUE, --allow-script
+  void add_overrides(CLI::App &verb); ///< --set KEY=VALUE, --calibration DIR, --allow-script
   void add_model(CLI::App &verb);     ///< --rung, --mesh
 
 private:
   std::string log_;
+  std::vector<std::string> warnings_;
 };
 
 /// Set by Ctrl-C and SIGTERM once a verb watches it; a second one ends the process at once.

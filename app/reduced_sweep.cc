@@ -2,6 +2,8 @@
 #include "app/progress.h"
 #include "app/shard.h"
 #include "fleets/fleet.h"
+#include "scene/case_description.h"
+#include "scene/doubts.h"
 #include "scene/text.h"
 #include <algorithm>
 #include <filesystem>
@@ -45,9 +47,18 @@ void reduced_sweep(const SweepOptions &options, Console &console) {
     line.show(fmt::format("{} of {} runs, {} without a result, {}, about {} to go", p.done, p.total, p.failed,
                           duration(p.seconds), duration(p.seconds_left)));
   };
+  fleet.first = [&](const scene::Scene &scene) {
+    console.message("first run:\n" + scene::describe_case(scene));
+    for (const auto &sentences : {scene.remarks, scene::doubts(scene), scene::doubts_of_element(scene)})
+      for (const auto &sentence : sentences) console.warn(sentence);
+  };
   watch_interrupts();
-  const auto result = fleets::run_fleet(options.scene, console.overrides, sweep, fleet);
+  const auto result = fleets::run_fleet(options.scene, console.settings(), sweep, fleet);
   line.finish();
+  if (result.beyond_rim > 0)
+    console.warn(fmt::format("{} of {} runs went deeper into the rim than it is thick: such a rim has failed (column beyond_rim)", result.beyond_rim, result.total));
+  if (result.beyond_fit > 0)
+    console.warn(fmt::format("{} of {} runs met the rim at speeds its element was not fitted to (column beyond_fit)", result.beyond_fit, result.total));
   if (result.done < result.total)
     console.warn(
         fmt::format("{} of {} runs did not end well: {} stopped, {} refused, {} failed; the columns status "
@@ -61,6 +72,8 @@ void reduced_sweep(const SweepOptions &options, Console &console) {
                                          {"stopped", result.stopped},
                                          {"refused", result.refused},
                                          {"failed", result.failed},
+                                         {"beyond_rim", result.beyond_rim},
+                                         {"beyond_fit", result.beyond_fit},
                                          {"wall_time_s", result.seconds}};
     return console.data(json.dump(2) + "\n");
   }

@@ -2,10 +2,36 @@
 #include "app/mesh_check.h"
 #include "app/verb.h"
 #include "fe_contact/runner/plan.h"
+#include "scene/case_description.h"
+#include "scene/doubts.h"
 #include "scene/error.h"
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace rimpact::app {
+namespace {
+
+/// Doubts that need the scout: the element, where the rim is touched, and speeds that no bearing reaches.
+void warn_of_impacts(const scene::Scene &scene, const fe::Plan &plan, Console &console) {
+  if (!plan.rim_takes_part) return;
+  for (const auto &doubt : scene::doubts_of_element(scene)) console.warn(doubt);
+  constexpr double fastest = 10; // [m/s]
+  const auto faster = [](const auto &a, const auto &b) { return a.approach_speed < b.approach_speed; };
+  const auto worst = std::max_element(plan.impacts.begin(), plan.impacts.end(), faster);
+  if (worst != plan.impacts.end() && worst->approach_speed > fastest && scene.excitation.kind != scene::ExcitationKind::window)
+    console.warn(fmt::format("the scout sees the rim met at {:.3g} m/s: no bearing meets its rim faster than {:g} m/s; is the motion's unit right (amplitude_g is "
+                             "in g, not in m/s2)?",
+                             worst->approach_speed, fastest));
+}
+
+std::string sentence_of(const std::vector<scene::Assumption> &assumed) {
+  if (assumed.empty()) return "assumed, not measured: nothing, every number is given\n";
+  std::string text = "assumed, not measured:";
+  for (const auto &item : assumed) text += fmt::format(" {} = {};", item.key, item.value);
+  return text + "\n";
+}
+
+} // namespace
 
 void add_check(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("check", "geometry, the scout's result and the plan; solves nothing");
@@ -20,6 +46,7 @@ void add_check(CLI::App &app, Console &console) {
     if (const auto reason = fe::beyond_rungs(scene)) throw InputError(*reason);
     const fe::Plan plan = fe::make_plan(scene);
     const auto refusal = fe::refusal(scene);
+    warn_of_impacts(scene, plan, console);
     MeshCheck own;
     if (scene.model.own_mesh.any() && !refusal) own = check_own_mesh(scene, plan, console);
     const auto judge = [&refusal] {
@@ -32,20 +59,19 @@ void add_check(CLI::App &app, Console &console) {
       table["bearing"] = scene.bearing.name;
       table["lateral_capacity_m"] = scene.bearing.lateral_capacity();
       table["rung"] = scene.model.rung;
+      table.update(scene::case_json(scene));
+      table["assumptions"] = nlohmann::json::object();
       for (const auto &item : assumed) table["assumptions"][item.key] = item.value;
+      table["warnings"] = console.warnings();
       if (!own.table.is_null()) table["own_mesh"] = own.table;
       table["refusal"] = refusal ? nlohmann::json(*refusal) : nlohmann::json(nullptr);
       console.data(table.dump(2) + "\n");
       return judge();
     }
-    std::string text = fmt::format(
-        "{}: bearing {}, L_c = {:.1f} mm, lift there {:.2f} mm; geometry can be built and nothing collides\n",
-        scene.name, scene.bearing.name, 1e3 * scene.bearing.lateral_capacity(),
-        1e3 * scene::lift(scene.bearing, scene.bearing.lateral_capacity()));
-    text += own.sentence + fe::describe(plan);
-    text += "assumed, not measured:";
-    for (const auto &item : assumed) text += fmt::format(" {} = {};", item.key, item.value);
-    console.data(text + "\n");
+    std::string text = fmt::format("{}: lift at L_c {:.2f} mm; geometry can be built and nothing collides\n", scene.name,
+                                   1e3 * scene::lift(scene.bearing, scene.bearing.lateral_capacity()));
+    text += scene::describe_case(scene) + own.sentence + fe::describe(plan);
+    console.data(text + sentence_of(assumed));
     judge();
   });
 }

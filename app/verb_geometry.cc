@@ -37,7 +37,7 @@ std::vector<calibration::GeometryRow> rows_of(const std::vector<Job> &jobs, Cons
 void run_geometry(Options options, Console &console) {
   const auto [part, n_parts] = parse_shard(options.shard);
   options.study.ranges = ranges_of(options.ranges, "--range");
-  auto window = scene::load_scene("impact-window", console.overrides);
+  auto window = scene::load_scene("impact-window", console.settings());
   window.bearing = scene::load_bearing(options.bearing);
   window.validate();
   std::vector<Job> jobs;

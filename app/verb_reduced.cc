@@ -4,21 +4,36 @@
 #include "app/verb.h"
 #include "reduced_models/node_kinematics.h"
 #include "reduced_models/physical_model.h"
+#include "scene/case_description.h"
+#include "scene/doubts.h"
 #include "scene/error.h"
+#include "scene/limits.h"
 #include <fmt/format.h>
 
 namespace rimpact::app {
 namespace {
 
 std::string describe(const scene::Summary &s, const std::string &name, const std::string &folder) {
-  std::string text =
-      fmt::format("{}: peak displacement {:.2f} mm, peak lateral force {:.1f} kN, {} impact(s); {}\n", name,
-                  1e3 * s.peak_displacement, 1e-3 * s.peak_lateral_force, s.impacts.size(), folder);
+  std::string text = fmt::format("{}: peak displacement {:.2f} mm, peak lateral force {:.1f} kN, {} impact(s); {}\n", name,
+                                 1e3 * s.peak_displacement, 1e-3 * s.peak_lateral_force, s.impacts.size(), folder);
   for (const auto &i : s.impacts)
     text += fmt::format("  {:.4f} s {:7.1f} deg  in {:.4f} m/s  out {:.4f} m/s  {:.1f} kN  {:.3f} mm\n", i.touch_time,
                         i.direction_deg, i.approach_speed, i.rebound_speed, 1e-3 * i.peak_force,
                         1e3 * i.peak_penetration);
   return text;
+}
+
+/// What the run's folder says of itself besides its numbers, also on the screen.
+void add_doubts(const scene::Scene &scene, reduced::ReducedRun &run, Console &console) {
+  auto &warnings = run.summary.extra["warnings"] = nlohmann::json::array();
+  const bool touched = !run.summary.impacts.empty();
+  if (touched)
+    for (const auto &doubt : scene::doubts_of_element(scene)) warnings.push_back(doubt);
+  if (run.summary.status == "done")
+    for (const auto &doubt : {scene::doubt_of_rebound(run.response, run.summary.impacts), scene::doubt_of_ledger(run.summary.energy.value_or(scene::EnergyLedger()))})
+      if (doubt) warnings.push_back(*doubt);
+  scene::judge(scene, run.summary);
+  for (const auto &warning : warnings) console.warn(warning.get<std::string>());
 }
 
 } // namespace
@@ -75,18 +90,12 @@ void add_reduced(CLI::App &app, Console &console) {
     auto run = reduced::simulate(scene);
     if (!options->nodes.empty())
       reduced::add_nodal_moments(run.response, {options->nodes[0] / 1e3, options->nodes[1] / 1e3});
-    if (run.summary.status == "done")
-      for (const auto &doubt : {scene::doubt_of_rebound(run.response, run.summary.impacts),
-                                scene::doubt_of_ledger(run.summary.energy.value_or(scene::EnergyLedger()))}) {
-        if (!doubt) continue;
-        console.warn(*doubt);
-        run.summary.extra["warnings"].push_back(*doubt);
-      }
+    add_doubts(scene, run, console);
     scene::write_run_folder(folder, scene, run.response, run.summary);
     if (options->picture && python({"report.quick", "reduced", folder}) != 0)
       throw IoError("the picture in " + folder + " was not made");
     const auto &s = run.summary;
-    console.data(console.json ? scene::to_json(s).dump(2) + "\n" : describe(s, scene.name, folder));
+    console.data(console.json ? scene::to_json(s).dump(2) + "\n" : scene::describe_case(scene) + describe(s, scene.name, folder));
     if (s.status == "stopped") throw SolverStopped(s.reason + "; what is before it is kept");
   });
 }

@@ -99,7 +99,7 @@ void run_study(Options options, Console &console) {
     if (axis != "rung" && axis != "mesh" && axis != "step")
       throw InputError("--axes " + axis + ": must be of rung, mesh, step");
   const auto [part, n_parts] = parse_shard(options.shard);
-  const scene::Scene base = scene::load_scene(options.scene, console.overrides);
+  const scene::Scene base = console.load(options.scene);
   if (base.model.own_mesh.any() && options.varies("mesh") && options.meshes.size() > 1)
     throw InputError("--axes mesh: the scene has a mesh of its own (" + base.model.own_mesh.file + "), which is the same on every level; leave mesh out");
   if (options.folder.empty()) options.folder = "results/study-" + base.name;

@@ -110,7 +110,7 @@ StoredRun make_run(const std::string &folder, const scene::Scene &scene, scene::
 StoredRun read_run(const std::string &folder, const WindowOptions &options) {
   namespace fs = std::filesystem;
   if (is_mapping(folder)) return read_measured(folder, options);
-  if (!fs::is_directory(folder)) throw DataError(folder + ": not a run folder");
+  if (!fs::is_directory(folder)) throw DataError(folder + ": not a run folder; logs and scenes lie beside those of rimpact main, give the folders alone (runs/window-*/)");
   if (!fs::exists(fs::path(folder) / "scene.toml"))
     throw DataError(folder + ": no scene.toml, so its bearing and load are unknown");
   auto scene = scene::load_scene((fs::path(folder) / "scene.toml").string());

@@ -1,4 +1,5 @@
 #include "calibration/mapping.h"
+#include "scene/file_kind.h"
 #include "scene/files.h"
 #include "scene/response_files.h"
 #include "scene/text.h"
@@ -70,6 +71,7 @@ std::optional<Uncertainty> read_uncertainty(const scene::TomlFile &toml) {
 
 Mapping read_mapping(const std::string &path) {
   const scene::TomlFile toml(scene::read_file(path), path);
+  scene::require_run(toml);
   Mapping mapping;
   scene::TomlReader reader(toml, "");
   reader.text({"scene"}, mapping.scene);

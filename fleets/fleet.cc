@@ -4,6 +4,7 @@
 #include "reduced_models/physical_model.h"
 #include "scene/error.h"
 #include "scene/files.h"
+#include "scene/limits.h"
 #include <chrono>
 #include <condition_variable>
 #include <filesystem>
@@ -41,7 +42,9 @@ Row run_one(const FleetScene &fleet, std::size_t run) {
     return row_without_result("refused", error.what());
   }
   try {
-    return row_of(reduced::simulate_summary(scene));
+    scene::Summary summary = reduced::simulate_summary(scene);
+    scene::judge(scene, summary);
+    return row_of(summary);
   } catch (const InputError &error) {
     return row_without_result("refused", error.what());
   } catch (const SolverStopped &error) {
@@ -141,6 +144,8 @@ private:
 };
 
 void count(FleetResult &result, const Row &row) {
+  result.beyond_rim += is_true(row, "beyond_rim");
+  result.beyond_fit += is_true(row, "beyond_fit");
   const auto *status = std::get_if<std::string>(&row.at("status"));
   const std::string word = status ? *status : "failed";
   ++(word == "done"      ? result.done
@@ -155,6 +160,7 @@ FleetResult run_fleet(const std::string &where, const std::vector<std::string> &
                       const FleetOptions &options) {
   const FleetScene fleet{where, overrides, sweep};
   const scene::Scene first = first_scene(fleet);
+  if (options.first) options.first(first);
   open_folder(options.folder, identity(fleet, first), sweep, where);
   FleetTable table(sweep, {{"version", RIMPACT_VERSION}, {"scene_of_first_run", scene::to_toml(first)}});
   table.read_folder(options.folder);

@@ -2,6 +2,7 @@
 /// fails says so in its row. What is finished is kept: the same call goes on where an earlier one stopped.
 #pragma once
 #include "fleets/sweep.h"
+#include "scene/scene.h"
 #include <atomic>
 #include <functional>
 
@@ -21,10 +22,12 @@ struct FleetOptions {
   double flush_seconds = 5; ///< at most this long between writings of the table
   const std::atomic<bool> *interrupted = nullptr;
   std::function<void(const FleetProgress &)> progress = {}; ///< called by the calling thread only
+  std::function<void(const scene::Scene &)> first = {};     ///< is told the scene of the first run, before any
 };
 
 struct FleetResult {
   std::size_t total = 0, kept = 0, done = 0, stopped = 0, refused = 0, failed = 0;
+  std::size_t beyond_rim = 0, beyond_fit = 0; ///< runs, whatever their status
   double seconds = 0;
   std::string table; ///< path without .csv or .h5
 };

@@ -22,6 +22,8 @@ const std::vector<std::string> &result_columns() {
                                                  "peak_vertical_displacement_m",
                                                  "min_normal_force_N",
                                                  "energy_imbalance_relative",
+                                                 "beyond_rim",
+                                                 "beyond_fit",
                                                  "n_steps",
                                                  "wall_time_s",
                                                  "reason"};
@@ -61,6 +63,12 @@ Row row_of(const scene::Summary &s) {
     if (value.is_boolean()) add(row, name, value.get<bool>() ? 1 : 0);
   }
   return row;
+}
+
+bool is_true(const Row &row, const std::string &column) {
+  const auto found = row.find(column);
+  const auto *value = found == row.end() ? nullptr : std::get_if<double>(&found->second);
+  return value && *value != 0;
 }
 
 Row row_without_result(const std::string &status, const std::string &reason) {

@@ -12,6 +12,8 @@ using Row = std::map<std::string, scene::Cell>;
 /// Peaks, impacts, residual, energy, status and reason, and every number a model puts among the summary's
 /// extras. A number that is not finite is left out and makes the status "failed".
 Row row_of(const scene::Summary &summary);
+/// Whether a column of zeros and ones holds a one; false where the cell is empty.
+bool is_true(const Row &row, const std::string &column);
 /// status: "refused" (the combination is no valid scene) or "failed".
 Row row_without_result(const std::string &status, const std::string &reason);
 

@@ -13,7 +13,7 @@ const char *const quantities[] = {"peak_displacement_m", "peak_lateral_force_N",
 const std::pair<const char *, double> shares[] = {{"p16_", 0.16}, {"p50_", 0.50}, {"p84_", 0.84}};
 
 struct Level {
-  int n_runs = 0, n_stopped = 0, n_with_impact = 0, n_without_result = 0;
+  int n_runs = 0, n_stopped = 0, n_with_impact = 0, n_beyond_rim = 0, n_beyond_fit = 0, n_without_result = 0;
   std::vector<double> values[std::size(quantities)];
 };
 
@@ -53,6 +53,8 @@ void add(Level &level, const scene::Table &runs, const std::vector<scene::Cell> 
   ++level.n_runs;
   level.n_stopped += stopped;
   if (const auto *n = number("n_impacts")) level.n_with_impact += *n > 0;
+  if (const auto *flag = number("beyond_rim")) level.n_beyond_rim += *flag != 0;
+  if (const auto *flag = number("beyond_fit")) level.n_beyond_fit += *flag != 0;
   for (std::size_t i = 0; i < std::size(quantities); ++i) {
     if (!has(runs, quantities[i])) continue;
     const auto *value = number(quantities[i]);
@@ -74,14 +76,15 @@ scene::Table fractiles(const scene::Table &runs, const std::string &along) {
     add(levels[*value], runs, row);
   }
   scene::Table result;
-  result.columns = {along, "n_runs", "n_stopped", "n_with_impact", "n_without_result"};
+  result.columns = {along, "n_runs", "n_stopped", "n_with_impact", "n_beyond_rim", "n_beyond_fit", "n_without_result"};
   for (const auto *quantity : quantities) {
     if (!has(runs, quantity)) continue;
     for (const auto &[prefix, share] : shares) result.columns.push_back(std::string(prefix) + quantity);
   }
   for (const auto &[value, level] : levels) {
     std::vector<scene::Cell> row{value, double(level.n_runs), double(level.n_stopped),
-                                 double(level.n_with_impact), double(level.n_without_result)};
+                                 double(level.n_with_impact), double(level.n_beyond_rim), double(level.n_beyond_fit),
+                                 double(level.n_without_result)};
     for (std::size_t i = 0; i < std::size(quantities); ++i)
       if (has(runs, quantities[i]))
         for (const auto &[prefix, share] : shares) row.push_back(fractile(level.values[i], share));

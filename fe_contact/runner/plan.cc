@@ -2,6 +2,7 @@
 
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
+#include "scene/error.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -28,6 +29,16 @@ void add_impacts(Plan &plan, const scene::Summary &scout, const scene::Response 
 
 namespace {
 
+/// Why pad and foot cannot be built, a sentence; rung `rim` does without them.
+std::optional<std::string> unfit_stack(const scene::Bearing &bearing) {
+  try {
+    bearing.validate();
+  } catch (const InputError &error) {
+    return error.what();
+  }
+  return std::nullopt;
+}
+
 /// Travel beyond which the dish is too curved for the pad to bear on its whole face; none within L_c. An
 /// estimate: on the default dish that is about 0.30 m, where the meridional curvature is 1.6 times the
 /// vertex's.
@@ -43,6 +54,10 @@ std::optional<double> full_face_travel(const scene::Bearing &bearing) {
 } // namespace
 
 void add_pad_note(Plan &plan, const scene::Scene &scene) {
+  if (const auto reason = unfit_stack(scene.bearing)) {
+    plan.notes.push_back("pad and foot are left out of these notes, rung `rim` needs neither: " + *reason);
+    return;
+  }
   const double at_rest = scene.load.vertical / scene.bearing.pad_area();
   plan.notes.push_back(fmt::format("pad pressure at rest {:.1f} MPa over its whole face", 1e-6 * at_rest));
   constexpr double ertalyte_strength = 90e6;
@@ -58,6 +73,16 @@ void add_pad_note(Plan &plan, const scene::Scene &scene) {
 
 namespace {
 
+/// The scout once more, with the terms that pad and socket add; `stack` has them afterwards.
+void add_stack_note(Plan &plan, scene::Scene &stack) {
+  reduced::add_stack_terms(stack);
+  const auto stack_run = reduced::simulate_summary(stack);
+  plan.notes.push_back(fmt::format("with the pad's size and elasticity and the socket's friction the scout sees {} "
+                                   "impact(s), closest gap {:.2f} mm",
+                                   stack_run.impacts.size(),
+                                   1e3 * (stack.bearing.lateral_capacity() - stack_run.peak_displacement)));
+}
+
 /// The scout: the reduced model, as the scene has it and with the extra terms that a real stack adds.
 void scout(Plan &plan, scene::Scene scene) {
   if (scene.reduced.k_i == 0) scene.reduced.k_i = scene::ReducedSettings{}.k_i; // a scout must feel the rim
@@ -68,16 +93,13 @@ void scout(Plan &plan, scene::Scene scene) {
   plan.rim_takes_part = !plan.impacts.empty() || plan.closest_gap < margin;
   for (const auto &impact : plan.impacts) plan.half = plan.half && impact.tangential_speed < 1e-9;
 
+  const bool has_stack = !unfit_stack(scene.bearing);
   scene::Scene stack = scene;
-  reduced::add_stack_terms(stack);
-  const auto stack_run = reduced::simulate_summary(stack);
-  plan.notes.push_back(fmt::format("with the pad's size and elasticity and the socket's friction the scout sees {} "
-                                   "impact(s), closest gap {:.2f} mm",
-                                   stack_run.impacts.size(),
-                                   1e3 * (scene.bearing.lateral_capacity() - stack_run.peak_displacement)));
+  if (has_stack) add_stack_note(plan, stack);
   if (scene.excitation.kind != scene::ExcitationKind::ricker) return;
   for (const auto &[label, variant] :
        {std::pair{"as the scene has it", &scene}, {"with the terms of pad and socket", &stack}}) {
+    if (variant == &stack && !has_stack) continue;
     scene::Scene unit = *variant;
     if (const auto critical = reduced::critical_scale(unit))
       plan.notes.push_back(fmt::format("the rim is first touched at {:.5f} of scale 1, {:.4f} g ({})",

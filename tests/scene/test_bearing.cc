@@ -141,20 +141,40 @@ TEST(Bearing, LeavesRoomForStudies) {
   EXPECT_NO_THROW(perfect.validate());
 }
 
-TEST(Bearing, ListsItsAssumptions) {
-  const auto list = assumptions(Bearing{});
-  const auto value = [&](const std::string &key) {
-    const auto found = std::find_if(list.begin(), list.end(), [&](const auto &a) { return a.key == key; });
-    return found == list.end() ? "absent" : found->value;
-  };
-  EXPECT_EQ(value("rim.height_mm"), "60");
-  EXPECT_EQ(value("slider.bottom_mm"), "58.25");
-  EXPECT_EQ(value("pad.outer_radius_mm"), "70.19");
-  EXPECT_EQ(value("foot.cap_radius_mm"), "90");
-  EXPECT_EQ(value("material.steel.tangent_modulus_MPa"), "1450");
-  EXPECT_EQ(value("material.ertalyte.density_kg_per_m3"), "1390");
-  EXPECT_EQ(value("slider.diameter_mm"), "absent") << "the thesis gives it";
-  EXPECT_EQ(value("material.steel.yield_MPa"), "absent");
+/// A rim of one's own without a word of pad and foot.
+TEST(Bearing, RungRimNeedsNoPadAndFoot) {
+  Bearing b;
+  b.foot.radius = 0.095, b.pad.outer_radius = 0.5, b.foot.shoulder = 0.2;
+  EXPECT_THROW(b.validate(), InputError);
+  EXPECT_NO_THROW(b.validate_rim());
+  b.rim.height = 0.005;
+  expect_error<InputError>([&] { b.validate_rim(); }, {"rim.height_mm 5 mm"});
+}
+
+TEST(Bearing, AFootAsWideAsItsCapIsNoneTooNarrow) {
+  Bearing b;
+  b.foot.cap_radius = 0.130, b.foot.shoulder = 0.050, b.foot.radius = 0.120; // a triangle of whole numbers, but for rounding
+  b.slider.bottom = 0.100, b.slider.top = 0.220, b.slider.diameter = 0.3;
+  try {
+    b.validate();
+  } catch (const InputError &error) {
+    EXPECT_EQ(std::string(error.what()).find("narrower than its cap"), std::string::npos) << error.what();
+  }
+  b.foot.radius = 0.1199998;
+  expect_error<InputError>([&] { b.validate(); }, {"foot.radius_mm 120 mm", "119.99"});
+}
+
+TEST(Bearing, SlidersMassIsACylinderLessItsSocket) {
+  Bearing b;
+  b.foot.cap_radius = b.slider.bottom; // no socket
+  EXPECT_NEAR(slider_mass(b), 7850 * M_PI * 0.12 * 0.12 * 0.1, 1e-9);
+  b.foot.cap_radius = 0.090;
+  double socket = 0; // slices of the sphere
+  for (int i = 0; i < 1000; ++i) {
+    const double z = 0.05825 + (i + 0.5) * (0.090 - 0.05825) / 1000;
+    socket += M_PI * (0.09 * 0.09 - z * z) * (0.090 - 0.05825) / 1000;
+  }
+  EXPECT_NEAR(slider_mass(b), 7850 * (M_PI * 0.12 * 0.12 * 0.1 - socket), 1e-4);
 }
 
 } // namespace

@@ -11,6 +11,7 @@ TEST(Doubts, AMassInTonnesIsNoticed) {
   s.load.mass /= 1000;
   ASSERT_EQ(doubts(s).size(), 1u);
   EXPECT_NE(doubts(s)[0].find("1e+03 times load.mass_kg = 86.952"), std::string::npos) << doubts(s)[0];
+  EXPECT_NE(doubts(s)[0].find("are the units right?"), std::string::npos) << doubts(s)[0];
   s.load.vertical = 0; // no weight is a case of its own, not a slip
   EXPECT_TRUE(doubts(s).empty());
 }
@@ -30,6 +31,61 @@ TEST(Doubts, AnImpactOfTenMetresASecondIsNoticed) {
   s.excitation.kind = ExcitationKind::window;
   s.excitation.speed = 11;
   EXPECT_EQ(doubts(s).size(), 1u);
+}
+
+TEST(Doubts, AWeightTwiceItsMassIsNoticed) {
+  Scene s;
+  s.load.vertical = 2000e3;
+  ASSERT_EQ(doubts(s).size(), 1u);
+  EXPECT_NE(doubts(s)[0].find("2000 is 2.3 times load.mass_kg = 86952 times gravity (853 kN)"), std::string::npos) << doubts(s)[0];
+  s.load.vertical = 1.9 * 853e3;
+  EXPECT_TRUE(doubts(s).empty());
+}
+
+TEST(Doubts, StressesInPascalsAreNoticed) {
+  for (const double yield : {355e12, 0.355e6}) {
+    Scene s;
+    s.bearing.steel.yield = yield;
+    ASSERT_EQ(doubts(s).size(), 1u) << yield;
+    EXPECT_NE(doubts(s)[0].find("is its unit MPa?"), std::string::npos) << doubts(s)[0];
+  }
+  Scene s;
+  s.bearing.steel.E = 200e3, s.bearing.steel.density = 7.85, s.bearing.ertalyte.density = 1.39, s.bearing.ertalyte.E = 3.2e6;
+  EXPECT_EQ(doubts(s).size(), 4u);
+}
+
+TEST(Doubts, APadOnASphereIsShapedToIt) {
+  Scene s;
+  s.bearing.surface.kind = "sphere", s.bearing.surface.R0 = 3;
+  EXPECT_TRUE(doubts(s).empty()) << "rung rim has no pad";
+  s.model.rung = "full";
+  ASSERT_EQ(doubts(s).size(), 1u);
+  EXPECT_NE(doubts(s)[0].find("pad.shape_radius_mm = 1400 on a sphere of R0_m = 3: a pad shaped to its dish has 3000"), std::string::npos) << doubts(s)[0];
+}
+
+TEST(Doubts, TheThesissPairBelongsToOneBearing) {
+  Scene s;
+  s.bearing = builtin_bearing("shfps-225");
+  EXPECT_TRUE(doubts_of_element(s).empty());
+  s.bearing.name = "under another name";
+  EXPECT_TRUE(doubts_of_element(s).empty());
+  s.bearing.rim.thickness = 0.050;
+  ASSERT_EQ(doubts_of_element(s).size(), 1u);
+  for (const char *words : {"k_i = 450000 kN/m, e = 0.65", "the thesis's for shfps-225", "not this bearing's", "--calibration DIR"})
+    EXPECT_NE(doubts_of_element(s)[0].find(words), std::string::npos) << doubts_of_element(s)[0];
+  Scene own = s;
+  own.reduced.k_i = 1e8;
+  EXPECT_TRUE(doubts_of_element(own).empty()) << "k_i is the user's";
+  own = s, own.reduced.model = "dcfp";
+  EXPECT_TRUE(doubts_of_element(own).empty()) << "another kind of bearing";
+  own = s, own.excitation.kind = ExcitationKind::cyclic;
+  EXPECT_TRUE(doubts_of_element(own).empty()) << "never touched";
+  own = s, own.reduced.impact_law = "elastoplastic";
+  ASSERT_EQ(doubts_of_element(own).size(), 1u);
+  EXPECT_NE(doubts_of_element(own)[0].find("defaults of the law"), std::string::npos);
+  s.bearing = builtin_bearing("shfps-225"), s.load.mass = 203900;
+  ASSERT_EQ(doubts_of_element(s).size(), 1u);
+  EXPECT_NE(doubts_of_element(s)[0].find("not this mass's"), std::string::npos);
 }
 
 } // namespace

@@ -180,6 +180,13 @@ TEST(SceneToml, ErrorsNameFileLineColumnAndBound) {
          {"my.toml:3", "excitation.amplitude_m", "0.7", "0.5625"});
   refuse("[excitation]\nkind = 'free'\ndisplacement_m = [0.5, 0]\n", {"my.toml:3", "0.5", "0.4"});
   refuse("[excitation]\nkind = 'record'\nx = 'builtin:near-falt-x'\n", {"my.toml:3", "did you mean"});
+  refuse("[reduced]\nmu = 0.05\n", {"my.toml:2:1", "unknown key \"mu\" in [reduced]", "mu_fast, mu_slow"});
+  refuse("[load]\nqqqqqq = 1\n", {"known: gravity_m_per_s2, mass_kg, vertical_kN"});
+  refuse("[load]\nvertical_kN = 2000,5\n", {"my.toml:2:", "decimals follow a point: 2000.5"});
+  refuse("bearing = 'own.toml'\n", {"my.toml:1:11", "the line [bearing] and under it the line file = \"own.toml\""});
+  refuse("[rim]\nheight_mm = 60\n", {"my.toml:1", "a bearing file", "where a scene is wanted", "file = \"my.toml\"", "rimpact main"});
+  refuse("[excitation]\nkind = 'ricker'\n[rim]\nheight_mm = 60\n", {"my.toml:3", "it is bearing.rim"});
+  refuse("[bearing.material.steel]\ntangent_modulus_MPa = inf\n", {"my.toml:2", "tangent_modulus_MPa inf", "below E_MPa 200000"});
 }
 
 TEST(SceneToml, OverrideErrorsNameTheOverride) {
@@ -196,6 +203,8 @@ TEST(SceneToml, OverrideErrorsNameTheOverride) {
   refuse("=3", {"KEY"});
   refuse("load..x=3", {"KEY"});
   refuse("excitation.kind.deep=3", {"kind is not a table"});
+  refuse("load.vertical_kN=2000,5", {"--set load.vertical_kN=2000,5:", "decimals follow a point: 2000.5"});
+  refuse("rim.height_mm=70", {"--set rim.height_mm=70", "it is bearing.rim"});
 }
 
 TEST(SceneToml, OverridesAreTomlValuesOrBareWords) {
@@ -222,6 +231,29 @@ TEST(SceneFiles, BearingFilesAndOverridesGoTogether) {
   expect_error<InputError>([&] { load_scene(path); }, {"own.toml:2:1", "height_mm", "bearing.file"});
   expect_error<InputError>([&] { load_scene(folder / "none.toml"); }, {"none.toml", "no such file"});
   expect_error<InputError>([] { load_scene("rimpush"); }, {"did you mean \"rim-push\""});
+}
+
+TEST(SceneFiles, OneKindOfFileIsNotAnother) {
+  const TemporaryFolder folder;
+  const auto scene = folder.write("s.toml", "[bearing]\nfile = 'own.toml'\n[excitation]\nkind = 'push'\n");
+  expect_error<InputError>([&] { load_bearing(scene); }, {"s.toml:1", "this is a scene", "own.toml"});
+  EXPECT_NO_THROW(load_bearing(folder.write("other.toml", "[contact]\nrim = 0\n")));
+}
+
+/// A maker's bearing for rung rim: no word of pad and foot, and a slider that the default socket does not fit.
+TEST(SceneFiles, ABearingWithoutPadAndFootServesRungRim) {
+  const TemporaryFolder folder;
+  folder.write("own.toml", "name = 'acme'\n[surface]\nkind = 'sphere'\nR0_m = 3.0\nplanar_radius_mm = 600\n[slider]\ndiameter_mm = 300\n"
+                           "bottom_mm = 95\ntop_mm = 200\n[rim]\nheight_mm = 90\nthickness_mm = 50\n");
+  const auto path = folder.write("s.toml", "[bearing]\nfile = 'own.toml'\n[load]\nvertical_kN = 2000\n[excitation]\nkind = 'window'\nwith = ['weight']\n");
+  const Scene scene = load_scene(path);
+  EXPECT_GT(scene.bearing.foot.cap_radius, 0.095);
+  EXPECT_EQ(scene.bearing.assumed.keys.count("foot.cap_radius_mm"), 1u);
+  expect_same(scene, parse_scene(to_toml(scene), "scene.toml"));
+  for (const char *rung : {"rigid-dish", "full"})
+    expect_error<InputError>([&] { load_scene(path, {std::string("model.rung=") + rung}); }, {"own.toml"});
+  expect_error<InputError>([&] { load_scene(path, {"reduced.finite_pad=true"}); }, {"own.toml"});
+  expect_error<InputError>([&] { load_scene(path, {"bearing.foot.cap_radius_mm=90"}); }, {"foot.cap_radius_mm 90", "95"});
 }
 
 TEST(SceneFiles, ResolvedRecordsRunFromAnywhere) {

@@ -1,0 +1,94 @@
+#include "scene/assumptions.h"
+#include "scene/limits.h"
+#include <gtest/gtest.h>
+
+namespace {
+using namespace rimpact::scene;
+
+Summary one_impact(double speed, double penetration) {
+  Summary s;
+  s.impacts.push_back({1.0, 1.05, 0.0, speed, 0.5 * speed, 1e6, penetration});
+  s.peak_displacement = Bearing{}.lateral_capacity() + penetration;
+  return s;
+}
+
+std::vector<std::string> warnings(const Summary &s) {
+  return s.extra.value("warnings", std::vector<std::string>{});
+}
+
+TEST(Limits, AnOrdinaryRunHasNothingToSay) {
+  Summary s = one_impact(0.2, 0.005);
+  s.max_plastic_strain = 0.05;
+  Scene scene;
+  scene.reduced.fitted_from = 0.05, scene.reduced.fitted_to = 0.2;
+  judge(scene, s);
+  EXPECT_EQ(s.extra["beyond_rim"], false);
+  EXPECT_EQ(s.extra["beyond_fit"], false);
+  EXPECT_EQ(s.extra["strain_limit"]["exceeded"], false);
+  EXPECT_TRUE(warnings(s).empty());
+}
+
+TEST(Limits, DeeperThanTheRimIsThick) {
+  Summary s = one_impact(0.2, 0.090);
+  s.extra["warnings"].push_back("an earlier one");
+  Scene scene;
+  scene.bearing.rim.thickness = 0.050;
+  judge(scene, s);
+  EXPECT_EQ(s.extra["beyond_rim"], true);
+  ASSERT_EQ(warnings(s).size(), 2u);
+  EXPECT_NE(warnings(s)[1].find("pressed 90 mm into a rim of 50 mm"), std::string::npos) << warnings(s)[1];
+  scene.reduced.model = "dcfp"; // its rim has no thickness
+  judge(scene, s);
+  EXPECT_TRUE(s.extra["beyond_rim"].is_null());
+}
+
+TEST(Limits, PastTheDishIsNoResult) {
+  Summary s; // no impact element: nothing holds it
+  s.peak_displacement = 1.4;
+  judge({}, s);
+  EXPECT_EQ(s.extra["beyond_rim"], true);
+  ASSERT_EQ(warnings(s).size(), 2u);
+  EXPECT_NE(warnings(s)[0].find("1400 mm from the middle, past the dish's edge at 520 mm"), std::string::npos) << warnings(s)[0];
+  EXPECT_NE(warnings(s)[1].find("1000 mm past the wall of a rim of 40 mm that this run leaves out"), std::string::npos) << warnings(s)[1];
+}
+
+TEST(Limits, SpeedsOutsideTheFit) {
+  Scene scene;
+  Summary unknown = one_impact(2.0, 0.01);
+  judge(scene, unknown);
+  EXPECT_TRUE(unknown.extra["beyond_fit"].is_null());
+  scene.reduced.fitted_from = 0.05, scene.reduced.fitted_to = 1.0;
+  for (const auto &[speed, beyond] : {std::pair{1.0005, false}, {1.01, true}, {0.05, false}, {0.04, true}}) {
+    Summary s = one_impact(speed, 0.01);
+    judge(scene, s);
+    EXPECT_EQ(s.extra["beyond_fit"], beyond) << speed;
+    EXPECT_EQ(warnings(s).size(), beyond ? 1u : 0u);
+  }
+  Summary fe = one_impact(2.0, 0.01);
+  fe.rung = "rim";
+  judge(scene, fe);
+  EXPECT_EQ(fe.extra["beyond_fit"], true);
+  EXPECT_TRUE(warnings(fe).empty()) << "finite elements have no fitted element";
+}
+
+TEST(Limits, StrainOfTheSteel) {
+  Scene scene;
+  scene.bearing = builtin_bearing("shfps-225");
+  Summary s = one_impact(1.0, 0.01);
+  s.max_plastic_strain = 0.475;
+  judge(scene, s);
+  EXPECT_EQ(s.extra["strain_limit"], (nlohmann::json{{"limit", 0.2}, {"largest", 0.475}, {"exceeded", true}, {"assumption", true}}));
+  EXPECT_NE(warnings(s)[0].find("47.5 %, above the 20 %"), std::string::npos) << warnings(s)[0];
+  EXPECT_NE(warnings(s)[0].find("an assumption"), std::string::npos);
+  scene.bearing.assumed.keys.clear();
+  Summary given = one_impact(1.0, 0.01);
+  given.max_plastic_strain = 0.475;
+  judge(scene, given);
+  EXPECT_EQ(given.extra["strain_limit"]["assumption"], false);
+  EXPECT_EQ(warnings(given)[0].find("an assumption"), std::string::npos);
+  scene.bearing.steel.strain_limit.reset();
+  judge(scene, given);
+  EXPECT_TRUE(given.extra["strain_limit"].is_null());
+}
+
+} // namespace
