@@ -19,7 +19,6 @@ struct Options {
 meshes::HexMesh rim_mesh(const Options &options, const Console &console) {
   if (!console.rung.empty()) throw InputError("--rung " + console.rung + " needs --scene: a bearing alone is meshed for rung `rim`");
   const auto bearing = scene::load_bearing(options.bearing);
-  bearing.validate();
   meshes::RimMeshOptions mesh;
   if (console.mesh >= 0) mesh.level = console.mesh;
   mesh.half = !options.whole;

@@ -53,8 +53,8 @@ void add(Level &level, const scene::Table &runs, const std::vector<scene::Cell> 
   ++level.n_runs;
   level.n_stopped += stopped;
   if (const auto *n = number("n_impacts")) level.n_with_impact += *n > 0;
-  if (const auto *flag = number("beyond_rim")) level.n_beyond_rim += *flag != 0;
-  if (const auto *flag = number("beyond_fit")) level.n_beyond_fit += *flag != 0;
+  for (const auto &[name, count] : {std::pair{"beyond_rim", &level.n_beyond_rim}, {"beyond_fit", &level.n_beyond_fit}})
+    if (const auto *flag = has(runs, name) ? number(name) : nullptr) *count += *flag != 0; // tables of before have no such column
   for (std::size_t i = 0; i < std::size(quantities); ++i) {
     if (!has(runs, quantities[i])) continue;
     const auto *value = number(quantities[i]);

@@ -87,7 +87,7 @@ void check_foot_and_pad(const Bearing &b) {
   const double cap_at_shoulder = std::sqrt(f.cap_radius * f.cap_radius - f.shoulder * f.shoulder);
   constexpr double as_narrow = 1e-7; // [m]: rounding of a drawing's numbers
   require(cap_at_shoulder <= f.radius + as_narrow,
-          "foot.radius_mm {} mm is narrower than its cap, {:.8g} mm at foot.shoulder_mm {} mm", mm(f.radius),
+          "foot.radius_mm {:.8g} mm is narrower than its cap, {:.8g} mm at foot.shoulder_mm {} mm", 1e3 * f.radius,
           1e3 * cap_at_shoulder, mm(f.shoulder));
   require(p.inner_radius < p.outer_radius,
           "pad.inner_radius_mm {} mm must be below pad.outer_radius_mm {} mm", mm(p.inner_radius),

@@ -14,6 +14,18 @@ bool is_of_a_calibration(const std::string &name) {
   return name.starts_with("fitted_") || name == "taken_from";
 }
 
+/// The built-in scene with its defaults; without its records where they are the user's to bring.
+Scene scene_named(const TomlFile &file, const std::string &name) {
+  try {
+    return load_scene(name);
+  } catch (const DataError &) {
+    Scene scene;
+    TomlReader reader(file, "");
+    visit_settings(reader, scene);
+    return scene;
+  }
+}
+
 /// Lines of a section's keys that the file leaves out, as comments.
 std::string left_out(const TomlFile &file, const std::string &section, bool every, Scene scene) {
   KeyList list("", every);
@@ -21,6 +33,7 @@ std::string left_out(const TomlFile &file, const std::string &section, bool ever
   std::string text;
   for (const auto &entry : list.entries) {
     if (entry.section != section || file.find(entry.path()) || is_of_a_calibration(entry.key.name)) continue;
+    if (scene.excitation.kind == ExcitationKind::record && entry.path() == "excitation.duration_s") continue; // the record's own
     const std::string line = fmt::format("# {} = {}", entry.key.name, entry.value);
     text += *entry.key.comment ? fmt::format("{:<34} # {}\n", line, entry.key.comment) : line + "\n";
   }
@@ -29,16 +42,17 @@ std::string left_out(const TomlFile &file, const std::string &section, bool ever
 
 /// Puts lines at the end of a section of the text; a section that is not there is begun.
 void put(std::string &text, const std::string &section, const std::string &lines) {
-  const std::string header = "[" + section + "]";
-  const auto at = text.starts_with(header) ? 0 : text.find("\n" + header);
+  if (lines.empty()) return;
+  const std::string header = fmt::format("[{}]", section);
+  const auto at = text.starts_with(header) ? 0 : text.find(fmt::format("\n{}", header));
   if (at == std::string::npos) {
-    text += "\n" + header + "\n" + lines;
+    text += fmt::format("\n{}\n{}", header, lines);
     return;
   }
   auto end = text.find("\n[", at + 1);
   end = end == std::string::npos ? text.size() : end;
   while (end > 0 && text[end - 1] == '\n') --end; // in front of the blank line
-  text.insert(end, "\n" + lines.substr(0, lines.size() - 1));
+  text.insert(end, fmt::format("\n{}", trim(lines)));
 }
 
 std::string load_lines(const Load &load) {
@@ -59,9 +73,7 @@ CaseFiles new_case(const std::string &name, const std::string &bearing, const st
     text = "[bearing]\n" + beside + "\n\n" + text;
   const BuiltinScene *entry = find_builtin_scene(scene);
   const TomlFile file(entry ? entry->text : "", scene);
-  Scene defaults; // records are not read: theirs may be missing
-  TomlReader reader(file, "");
-  visit_settings(reader, defaults);
+  const Scene defaults = scene_named(file, scene);
   if (!file.find("load")) put(text, "load", load_lines(defaults.load));
   put(text, "excitation", left_out(file, "excitation", false, defaults));
   put(text, "reduced", left_out(file, "reduced", true, defaults));

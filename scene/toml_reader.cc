@@ -14,7 +14,7 @@ std::string type_name(const toml::node &node) {
   if (node.is_table()) return "a table";
   if (node.is_array()) return "an array";
   if (const auto *whole = node.as_integer()) return fmt::format("{}", whole->get());
-  if (const auto *real = node.as_floating_point()) return fmt::format("{}", real->get());
+  if (const auto *real = node.as_floating_point()) return file_number(real->get(), si);
   return "a date or time";
 }
 
@@ -73,6 +73,7 @@ double TomlReader::number_of(const std::string &name, const toml::node &node, Ra
   }
   const double value =
       node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
+  if (!std::isfinite(value)) fail(name, fmt::format("must be a finite number, got {}", value));
   if (!range.contains(value)) fail(name, fmt::format("{} must be {}", value, range.text()));
   return value;
 }

@@ -48,7 +48,8 @@ class BadInput(unittest.TestCase):
         self.check("bearing.slider.diameter_mm=1100", "diameter_mm")
 
     def test_foot_wider_than_its_cap(self):
-        self.check("bearing.foot.radius_mm=95", "95", "90")
+        self.refused(2, "95", "90", arguments=["check", "ricker-0.78g-1.0s", "--rung", "full", "--set", "bearing.foot.radius_mm=95"])
+        self.assertEqual(rimpact("check", "ricker-0.78g-1.0s", "--set", "bearing.foot.radius_mm=95").returncode, 0)  # rung rim has none
 
     def test_unknown_key_has_a_suggestion(self):
         self.check("excitation.amplitud_g=0.7", "did you mean", "amplitude_g")
@@ -267,8 +268,17 @@ class GoodInput(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             case = os.path.join(folder, "case")
             self.assertEqual(rimpact("new", case).returncode, 0)
-            self.assertEqual(rimpact("check", os.path.join(case, "scene.toml")).returncode, 0)
+            checked = rimpact("check", os.path.join(case, "scene.toml"))
+            self.assertEqual((checked.returncode, checked.stderr), (0, ""))
+            self.assertIn("bearing: case, L_c = 400.0 mm", checked.stdout)  # called as its folder
+            self.assertIn("rim.height_mm = 60;", checked.stdout)  # assumed until the mark is struck
             self.assertEqual(rimpact("new", case).returncode, 2)  # nothing is overwritten
+            path = os.path.join(case, "bearing.toml")
+            with open(path) as file:
+                text = file.read()
+            with open(path, "w") as file:
+                file.write("\n".join(line.split("# assumption")[0] for line in text.splitlines()))
+            self.assertIn("assumed, not measured: nothing", rimpact("check", os.path.join(case, "scene.toml")).stdout)
 
     def test_full_disk_leaves_the_earlier_result(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -288,6 +298,112 @@ class GoodInput(unittest.TestCase):
             self.skipTest("the ground-motion records are not here (set RIMPACT_RECORDS)")
         table = json.loads(rimpact("motion", path, "--json").stdout)
         self.assertAlmostEqual(table[0]["dt_s"], 0.02)
+
+
+class WhatIsRun(unittest.TestCase):
+    """Every number's bearing, load, motion and element are said, and doubted where they are another bearing's."""
+    PAIR = "the thesis's for shfps-225"
+    MAKER = ('name = "acme"\n[surface]\nkind = "sphere"\nR0_m = 3.0\nplanar_radius_mm = 600\n[slider]\ndiameter_mm = 300\nbottom_mm = 58\ntop_mm = 158\n'
+             '[rim]\nheight_mm = 70\nthickness_mm = 50\n[foot]\nradius_mm = 20\n')
+    SCENE = '[bearing]\nfile = "b.toml"\n[load]\nvertical_kN = 2000\n[excitation]\nkind = "ricker"\namplitude_g = 1.1\n'
+
+    def setUp(self):
+        self.keeper = tempfile.TemporaryDirectory()
+        self.addCleanup(self.keeper.cleanup)
+        self.folder = self.keeper.name
+        for name, text in (("b.toml", self.MAKER), ("s.toml", self.SCENE)):
+            with open(os.path.join(self.folder, name), "w") as file:
+                file.write(text)
+        self.scene = os.path.join(self.folder, "s.toml")
+
+    def calibration(self, rim, **more):
+        folder = os.path.join(self.folder, "cal")
+        os.makedirs(folder, exist_ok=True)
+        law = {"name": "no-tension", "belongs_to": "mass", "fitted_from_m_s": 0.05, "fitted_to_m_s": 0.3,
+               "element": {"k_i": {"value": 1.2e5, "unit": "kN/m"}, "e": {"value": 0.3, "unit": "-"}}}
+        with open(os.path.join(folder, "calibration.json"), "w") as file:
+            json.dump({"answer": {"rim_identity": rim, "mass_kg": 2000e3 / 9.81, "law": {**law, **more}}}, file)
+        return folder
+
+    def test_a_makers_bearing_needs_no_pad_and_foot(self):
+        checked = rimpact("check", self.scene)
+        self.assertEqual(checked.returncode, 0, checked.stderr)
+        for words in ("bearing: acme, L_c = 450.0 mm", "W = 2000 kN, m = 203874 kg", "motion: ricker", "amplitude_g 1.1", "signed, k_i = 450000 kN/m, e = 0.65",
+                      "the thesis's pair for shfps-225", "pad and foot are left out of these notes"):
+            self.assertIn(words, checked.stdout)
+        self.assertIn(self.PAIR, checked.stderr)
+        table = json.loads(rimpact("check", self.scene, "--json").stdout)
+        self.assertEqual(table["bearing"], "acme")
+        self.assertAlmostEqual(table["load"]["mass_kg"], 2000e3 / 9.81)
+        self.assertEqual(table["motion"]["amplitude_g"], 1.1)
+        self.assertEqual(table["impact_element"]["source"], "the thesis's pair for shfps-225")
+        self.assertTrue(any(self.PAIR in sentence for sentence in table["warnings"]))
+        self.assertNotIn("rim.height_mm", table["assumptions"])
+        self.assertIn("foot.cap_radius_mm", table["assumptions"])
+        refused = rimpact("check", self.scene, "--rung", "full")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("foot", refused.stderr)
+
+    def test_a_calibration_takes_the_pairs_place(self):
+        out = os.path.join(self.folder, "run")
+        published = rimpact("reduced", self.scene, "-o", out)
+        self.assertIn(self.PAIR, published.stderr)
+        with open(os.path.join(out, "summary.json")) as file:
+            self.assertTrue(any(self.PAIR in sentence for sentence in json.load(file)["warnings"]))
+        cal = self.calibration("0123456789abcdef")
+        fitted = rimpact("reduced", self.scene, "--calibration", cal, "-o", out)
+        self.assertEqual(fitted.returncode, 0, fitted.stderr)
+        self.assertIn(f"no-tension, k_i = 120000 kN/m, e = 0.3 (calibration {cal}; fitted from 0.05 to 0.3 m/s; for 203874 kg only)", fitted.stdout)
+        self.assertNotIn(self.PAIR, fitted.stderr)
+        self.assertIn("fitted to another rim (0123456789abcdef", fitted.stderr)
+        self.assertIn("outside the speeds the impact element was fitted to, 0.05 to 0.3 m/s", fitted.stderr)
+        with open(os.path.join(out, "summary.json")) as file:
+            first = json.load(file)
+        self.assertTrue(first["beyond_fit"])
+        shutil.rmtree(cal)
+        again = os.path.join(self.folder, "again")
+        self.assertEqual(rimpact("reduced", out, "-o", again).returncode, 0)  # the folder's scene.toml has the numbers
+        with open(os.path.join(again, "summary.json")) as file:
+            self.assertEqual(json.load(file)["impacts"], first["impacts"])
+        gone = rimpact("reduced", self.scene, "--calibration", cal, "-o", out)
+        self.assertEqual(gone.returncode, 3)
+        self.assertIn("calibration.json: no such file", gone.stderr)
+
+    def test_a_fleet_says_what_is_beyond(self):
+        cal, out = self.calibration("0123456789abcdef"), os.path.join(self.folder, "fleet")
+        sweep = os.path.join(self.folder, "sweep.toml")
+        with open(sweep, "w") as file:
+            file.write('[grid]\nexcitation.amplitude_g = [0.3, 1.1, 1.3]\n[fractiles]\nalong = "excitation.amplitude_g"\n')
+        run = rimpact("reduced", self.scene, "--calibration", cal, "--sweep", sweep, "-o", out)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("fitted to another rim", run.stderr)
+        self.assertIn("at speeds its element was not fitted to (column beyond_fit)", run.stderr)
+        with open(os.path.join(out, "table.csv"), newline="") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([row["beyond_fit"] for row in rows], ["0", "1", "1"])
+        self.assertEqual(rows[0]["beyond_rim"], "0")
+        with open(os.path.join(out, "fractiles.csv"), newline="") as file:
+            levels = list(csv.DictReader(file))
+        self.assertEqual([level["n_beyond_fit"] for level in levels], ["0", "1", "1"])
+        with h5py.File(os.path.join(out, "table.h5")) as table:
+            self.assertEqual(list(table["table/beyond_fit"]), [0, 1, 1])
+        plain = rimpact("reduced", self.scene, "--sweep", sweep, "-o", os.path.join(self.folder, "plain"))
+        self.assertIn(self.PAIR, plain.stderr)
+
+    def test_a_window_through_the_rim_is_doubted(self):
+        for more, words in ((["reduced.k_i_kN_per_m=2e4"], "into a rim of 40 mm"), (["reduced.k_i_kN_per_m=0", "excitation.duration_s=0.3"], "that this run leaves out")):
+            words_of = [word for assignment in ["excitation.speed_m_per_s=5", *more] for word in ("--set", assignment)]
+            run = rimpact("reduced", "impact-window", *words_of, "-o", self.folder, "--json")
+            summary = json.loads(run.stdout)
+            self.assertTrue(summary["beyond_rim"])
+            self.assertTrue(any(words in sentence for sentence in summary["warnings"]), summary["warnings"])
+            self.assertTrue(any("past the dish's edge at 520 mm" in sentence for sentence in summary["warnings"]), summary["warnings"])
+            self.assertIn("past the dish's edge", run.stderr)
+
+    def test_a_mass_below_the_sliders_is_refused(self):
+        run = rimpact("check", "impact-window", "--set", "load.mass_kg=20", "--set", "load.vertical_kN=0.2")
+        self.assertEqual(run.returncode, 2)
+        self.assertRegex(run.stderr, r"load.mass_kg 20 is no more than the slider's own mass, 3[0-9]\.[0-9] kg")
 
 
 class Sweeps(unittest.TestCase):

@@ -161,7 +161,7 @@ TEST(Bearing, AFootAsWideAsItsCapIsNoneTooNarrow) {
     EXPECT_EQ(std::string(error.what()).find("narrower than its cap"), std::string::npos) << error.what();
   }
   b.foot.radius = 0.1199998;
-  expect_error<InputError>([&] { b.validate(); }, {"foot.radius_mm 120 mm", "119.99"});
+  expect_error<InputError>([&] { b.validate(); }, {"foot.radius_mm 119.9998 mm", "its cap, 120 mm"});
 }
 
 TEST(Bearing, SlidersMassIsACylinderLessItsSocket) {

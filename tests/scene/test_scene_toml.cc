@@ -159,11 +159,11 @@ TEST(SceneToml, ErrorsNameFileLineColumnAndBound) {
   refuse("[load]\nmass_kg = \"heavy\"\n", {"my.toml:2:11", "load.mass_kg", "number", "heavy"});
   refuse("[load]\n\n  mass_kg = -3\n", {"my.toml:3:13", "-3", "> 0"});
   refuse("[load]\nmass_kg = nan\n", {"my.toml:2", "nan"});
-  refuse("[load]\nmass_kg = inf\n", {"my.toml:2", "inf"});
+  refuse("[load]\nmass_kg = inf\n", {"my.toml:2", "a finite number, got inf"});
   refuse("[excitation]\nkind = 'riker'\n", {"my.toml:2:8", "riker", "did you mean \"ricker\""});
   refuse("[excitation]\nwith = ['wieght']\n", {"my.toml:2", "wieght", "did you mean \"weight\""});
   refuse("[excitation]\nreturn = 1\n", {"my.toml:2", "true or false"});
-  refuse("[model]\nmesh = 2.0\n", {"my.toml:2", "whole number"});
+  refuse("[model]\nmesh = 2.0\n", {"my.toml:2", "whole number, got 2.0"});
   refuse("[model]\nmesh = 9\n", {"my.toml:2", "9", "between 0 and 3"});
   refuse("[model\n", {"my.toml:1"});
   refuse("[load]\nmass_kg = 1\nmass_kg = 2\n", {"my.toml:3"});
