@@ -4,6 +4,7 @@
 #include "scene/scene_catalogue.h"
 #include "scene/text.h"
 #include "scene/toml_reader.h"
+#include <cmath>
 #include <fmt/format.h>
 
 namespace rimpact::scene {
@@ -55,9 +56,21 @@ void put(std::string &text, const std::string &section, const std::string &lines
   text.insert(end, fmt::format("\n{}", trim(lines)));
 }
 
-std::string load_lines(const Load &load) {
-  return fmt::format("vertical_kN = {:<20} # dead load\nmass_kg = {:<24} # inertia; left out, it is the dead load over gravity\n", file_number(load.vertical, kilo),
-                     file_number(load.mass, si));
+/// The mass as a comment, where it follows from the weight: a weight changed must not leave another's mass behind.
+std::string mass_line(const Load &load) {
+  return fmt::format("# mass_kg = {:<22} # inertia; left out, it is the dead load over gravity", file_number(load.vertical / load.gravity, si));
+}
+
+bool mass_follows(const Load &load) {
+  constexpr double rounding = 1e-4; // of a mass as scenes write it
+  return std::abs(load.vertical / (load.mass * load.gravity) - 1) < rounding;
+}
+
+/// Gives the text a [load] with one of the two keys, if they say the same.
+void put_load(std::string &text, bool has_load, const Load &load) {
+  if (!has_load) put(text, "load", fmt::format("vertical_kN = {:<20} # dead load\n{}\n", file_number(load.vertical, kilo), mass_line(load)));
+  const auto at = has_load && mass_follows(load) ? text.find("\nmass_kg = ") : std::string::npos;
+  if (at != std::string::npos) text.replace(at + 1, text.find('\n', at + 1) - at - 1, mass_line(load));
 }
 
 } // namespace
@@ -74,7 +87,7 @@ CaseFiles new_case(const std::string &name, const std::string &bearing, const st
   const BuiltinScene *entry = find_builtin_scene(scene);
   const TomlFile file(entry ? entry->text : "", scene);
   const Scene defaults = scene_named(file, scene);
-  if (!file.find("load")) put(text, "load", load_lines(defaults.load));
+  put_load(text, file.find("load") != nullptr, defaults.load);
   put(text, "excitation", left_out(file, "excitation", false, defaults));
   put(text, "reduced", left_out(file, "reduced", true, defaults));
   const std::string head = "# A number marked \"assumption\" is ours and no source's. Put yours in its place and strike the mark: reports list those left.\n";
