@@ -46,9 +46,9 @@ void add_check(CLI::App &app, Console &console) {
     if (const auto reason = fe::beyond_rungs(scene)) throw InputError(*reason);
     const fe::Plan plan = fe::make_plan(scene);
     const auto refusal = fe::refusal(scene);
-    warn_of_impacts(scene, plan, console);
     MeshCheck own;
     if (scene.model.own_mesh.any() && !refusal) own = check_own_mesh(scene, plan, console);
+    warn_of_impacts(scene, plan, console); // here, as the light program hands own meshes over and is run again
     const auto judge = [&refusal] {
       if (refusal) throw InputError("`run` would refuse: " + *refusal);
     };

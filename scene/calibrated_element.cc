@@ -180,7 +180,8 @@ const std::vector<std::string> &element_keys() {
 std::vector<std::string> typed_element_keys(const TomlFile &file) {
   std::vector<std::string> typed;
   for (const auto &key : element_keys())
-    if (file.is_set("reduced." + key) && file.find("reduced." + key)) typed.push_back("reduced." + key);
+    if (!key.starts_with("fitted_") && key != "taken_from" && file.is_set("reduced." + key) && file.find("reduced." + key))
+      typed.push_back("reduced." + key);
   return typed;
 }
 

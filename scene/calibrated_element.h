@@ -15,7 +15,7 @@ const std::vector<std::string> &element_keys();
 /// calibration that cannot be read.
 void adopt_calibration(TomlFile &file, const std::string &folder, const Bearing &bearing, std::vector<std::string> &remarks);
 
-/// Element's keys typed with --set; to be asked before adopt_calibration.
+/// Law and numbers typed with --set; to be asked before adopt_calibration.
 std::vector<std::string> typed_element_keys(const TomlFile &file);
 /// After reading: an element that was changed by hand has no origin, range, mass or rim any more.
 void forget_origin(const std::vector<std::string> &typed, ReducedSettings &reduced, std::vector<std::string> &remarks);
