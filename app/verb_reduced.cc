@@ -34,6 +34,8 @@ void add_doubts(const scene::Scene &scene, reduced::ReducedRun &run, Console &co
       if (doubt) warnings.push_back(*doubt);
   scene::judge(scene, run.summary);
   for (const auto &warning : warnings) console.warn(warning.get<std::string>());
+  for (const auto &sentences : {scene.remarks, scene::doubts(scene)}) // said when the scene was read
+    for (const auto &sentence : sentences) warnings.push_back(sentence);
 }
 
 } // namespace
