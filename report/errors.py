@@ -6,6 +6,11 @@ class ReportError(Exception):
     code = 1
 
 
+class InputError(ReportError):
+    """The command line, or a TOML file named there."""
+    code = 2
+
+
 class DataError(ReportError):
     """A data file cannot be read or makes no sense."""
     code = 3
