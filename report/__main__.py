@@ -5,7 +5,7 @@ import os
 import sys
 
 from . import document
-from .errors import run_main
+from .errors import InputError, run_main
 
 
 def main(arguments):
@@ -20,6 +20,8 @@ def main(arguments):
     given = document.of(vars(options))
     if options.document:
         given = given.or_else(document.read(options.document))
+    if options.pdf and options.output and os.path.exists(options.output) and not os.path.isfile(options.output):
+        raise InputError(f"--pdf prints an ordinary file; --output {options.output} is none")
     from .build import build  # after the command line: matplotlib takes a second to load
     path, _ = build(options.folder, options.output, given)
     print(path)

@@ -49,14 +49,14 @@ def _curve(where, data):
     return Curve(*values)
 
 
-def of_entries(entries: list) -> list:
-    """The hardest impact of every run, with the best law's, or the fitted one's, where the folder holds it."""
+def of_entries(entries: list, law: str) -> list:
+    """The hardest impact of every run, with the reduced model's by `law` where the folder holds it."""
     found = []
     for entry in entries:
         reference = _hardest(entry.fe)
         if reference:
             found.append(ImpactCurve(entry.name, "finite elements", _speed(entry), reference,
-                                     _hardest(entry.law or entry.fitted)))
+                                     _hardest(next((run for run in (entry.law, entry.fitted) if run and run.get("reduced", "impact_law") == law), None))))
     return found
 
 

@@ -23,6 +23,8 @@ class IoError(ReportError):
 
 def run_main(main):
     """Runs main(argv) and turns errors into one sentence on stderr and an exit code."""
+    for stream in (sys.stdout, sys.stderr):  # a folder's name may be no text
+        stream.reconfigure(errors="backslashreplace")
     try:
         main(sys.argv[1:])
     except ReportError as error:

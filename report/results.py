@@ -97,7 +97,7 @@ def load_results(folder):
     _read_calibration(results)
     for item in _listed_runs(results) or _found_runs(folder):
         results.entries.append(_load_entry(results, item))
-    results.impacts = results.impacts or curves.of_entries(results.entries)
+    results.impacts = results.impacts or curves.of_entries(results.entries, results.answer.get("law", {}).get("name"))
     if not results.answer.get("published_applies"):
         for entry in results.entries:  # another bearing's pair
             entry.published = None

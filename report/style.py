@@ -64,8 +64,8 @@ def shared_legend(fig, axes, n_columns=4):
 
 
 def literal(text):
-    """A name as text of a figure: its dollars are no formula."""
-    return str(text).replace("$", r"\$")
+    """A name as text of a figure: its dollars are no formula, and what is no text is a question mark."""
+    return str(text).encode("utf-8", "replace").decode().replace("$", r"\$")
 
 
 def save(fig, path, dpi=DPI):

@@ -77,7 +77,7 @@ class Section:
             yield outline @ turn + [travel, lift], fill
 
     def limits(self):
-        return -self.base - 0.19 * self.outer, max(self.edge + self.rim_height, self.top + float(height(self.bearing, self.capacity))) + 0.13 * self.outer
+        return -self.base - 0.10 * self.outer, max(self.edge + self.rim_height, self.top + float(height(self.bearing, self.capacity))) + 0.09 * self.outer
 
     def aspect(self):
         low, high = self.limits()
@@ -101,7 +101,6 @@ def _dimensions(ax, s):
     for z in (s.edge, s.edge + s.rim_height):
         ax.plot([-mm * s.wall, x + 10], [mm * z, mm * z], color=FAINT if z == s.edge else MUTED, lw=0.4)
     ax.text(x + 14 * s.outer, mm * (s.edge + s.rim_height / 2), f"{mm * s.rim_height:.4g}", fontsize=6.5, va="center")
-    ax.text(-mm * s.outer, 0.02, "", fontsize=6)
     ax.text(-mm * s.diameter / 2 - 10, mm * (s.bottom + s.top) / 2, "at rest", fontsize=6.2, color=FE, ha="right", va="center")
     ax.text(mm * (s.capacity - s.diameter / 2) - 10, mm * s.top + mm * float(height(s.bearing, s.capacity)), "at touch", fontsize=6.2, color=FE, ha="right", va="top")
 

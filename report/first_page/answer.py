@@ -6,7 +6,7 @@ from markupsafe import Markup
 from ..doubts import MARK
 from ..figures import law as law_figure
 from ..markup import sentence
-from ..numbers import DASH, fixed, integer, interval, is_number, percent, sig
+from ..numbers import DASH, fixed, integer, interval, is_number, percent, plain, sig
 
 NAMES = {"k_i": "k_i", "e": "e"}
 LABELS = {"k_i": "initial stiffness", "e": "restitution", "yield_force": "yield force", "hardening": "hardening",
@@ -39,7 +39,7 @@ def _belongs(law, answer):
     if law.get("belongs_to") == "rim":
         return "The law belongs to the rim: it holds for any mass."
     if law.get("belongs_to") == "mass":
-        return f"The law belongs to the mass: it holds for {sig(answer.get('mass_kg'), 6)} kg only."
+        return f"The law belongs to the mass: it holds for {plain(answer.get('mass_kg'))} kg only."
     return ""
 
 
@@ -83,11 +83,11 @@ def _pair(answer):
     said = [f"k_i = {sig(pair.get('k_i_kN_per_m'), 4)} kN/m, e = {fixed(pair.get('e'), 3)}"]
     if is_number(pair.get("c_i_kN_s_per_m")):
         said.append(f"c_i = {sig(pair['c_i_kN_s_per_m'], 4)} kN s/m")
-    values = f"{', '.join(said)} (law {pair.get('law', DASH)}, {sig(pair.get('mass_kg'), 6)} kg"
+    values = f"{', '.join(said)} (law {pair.get('law', DASH)}, {plain(pair.get('mass_kg'))} kg"
     values += f", {sig(pair.get('from_m_s'), 2)} to {sig(pair.get('to_m_s'), 2)} m/s)"
     errors = f"worst errors there: peak force {percent(pair.get('worst_peak_force_error'), 1, False)}, " \
              f"rebound {percent(pair.get('worst_rebound_error'), 1, False)}"
-    return {"given": True, "values": values, "errors": errors, "sentence": pair.get("sentence", "")}
+    return {"given": True, "stated": values, "errors": errors, "sentence": pair.get("sentence", "")}
 
 
 def _holds(law, answer):

@@ -4,7 +4,7 @@ from markupsafe import Markup, escape
 from .. import bearing as geometry
 from ..figures import bearing as drawing
 from ..markup import sentence
-from ..numbers import is_number, plain, scaled, sig
+from ..numbers import is_number, plain, scaled
 
 STAR = Markup("<b class=\"star\">*</b>")
 DOUBLE = {"radius_m": ("radius of both surfaces", "m"), "capacity_m": ("travel to the rims", "m"),
@@ -34,7 +34,7 @@ def _rows(bearing, assumed):
 
     surface = bearing.get("surface", {})
     kind = surface.get("kind", "ellipse")
-    shape = Markup(f"{escape(kind)}, ") + sentence("R_0") + Markup(" ") + number("surface", "R0_m", "\u00a0m") \
+    shape = Markup(f"{escape(kind)}, ") + Markup("<i>R</i><sub>0</sub> ") + number("surface", "R0_m", "\u00a0m") \
         if is_number(surface.get("R0_m")) else Markup(escape(kind))
     if is_number(surface.get("a_m")):
         shape += Markup(", <i>a</i> ") + number("surface", "a_m", "\u00a0m")
@@ -66,9 +66,9 @@ def _load(context):
     pick = lambda key: next((s[key] for s in sources if is_number(s.get(key))), None)  # noqa: E731
     rows = []
     if pick("vertical_kN") is not None:
-        rows.append(["Dead load", f"{sig(pick('vertical_kN'), 6)}\u00a0kN"])
+        rows.append(["Dead load", f"{plain(pick('vertical_kN'))}\u00a0kN"])
     if pick("mass_kg") is not None:
-        rows.append(["Supported mass", f"{sig(pick('mass_kg'), 6)}\u00a0kg"])
+        rows.append(["Supported mass", f"{plain(pick('mass_kg'))}\u00a0kg"])
     return rows
 
 

@@ -66,8 +66,8 @@ def _left_out(context, laws):
     rows = []
     for left in laws[0].get("leave_one_out", []):
         for folder, error in left.get("runs", {}).items():
-            name = short_name(folder.rstrip("/").split("/")[-1])
-            rows.append([left.get("left_out") if len(left.get("runs", {})) > 1 else name, name, sig(error.get("approach_speed_m_s"), 2),
+            name = _run(context, folder)
+            rows.append([left.get("left_out", "") if len(left.get("runs", {})) > 1 else name, name, sig(error.get("approach_speed_m_s"), 2),
                          percent(error.get("peak_force_error")), percent(error.get("rebound_error")),
                          percent(error.get("nrmse_displacement"), 2, False), "grazes" if error.get("grazing") else ""])
     return table(["left out", "run", "approach (m/s)", "peak force", "rebound", "NRMSE displacement", ""], rows, left=2,
