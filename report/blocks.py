@@ -35,7 +35,7 @@ def table(header, rows, caption="", left=1, compact=False, prose=False):
     A row is a list of cells, or {"span", "tag"}: a heading across the table. `compact`: no wider than it needs; `prose`: long cells wrap."""
     left = set(range(left)) if isinstance(left, int) else set(left)
     return {"kind": "table", "header": header, "rows": rows, "caption": caption, "left": left,
-            "style": "compact" if compact else "prose" if prose else ""} if rows else None
+            "style": "compact" if compact else "prose" if prose else "many" if len(header) > 10 else ""} if rows else None
 
 
 def bullets(items):

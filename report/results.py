@@ -121,7 +121,8 @@ def single_run(folder):
 def _read_main(results):
     path = os.path.join(results.folder, "main.json")
     if not os.path.isfile(path):
-        results.problems.append("no main.json: totals and versions are not known")
+        if os.path.isdir(os.path.join(results.folder, "runs")):
+            results.problems.append("no main.json: totals and versions are not known")
         return
     results.main = read_json(path, MAIN)
 

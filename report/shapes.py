@@ -133,7 +133,7 @@ def _fits(value, shape, where, key):
 
 def _is(value, shape):
     if shape == NUMBER:
-        return isinstance(value, (int, float)) and not isinstance(value, bool)
+        return isinstance(value, float) or (isinstance(value, int) and not isinstance(value, bool) and abs(value) < 10**300)
     return shape == ANY or isinstance(value, str if shape == TEXT else bool)
 
 

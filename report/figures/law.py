@@ -1,4 +1,5 @@
 """The law over what it was fitted to: force over penetration, loading and unloading, one curve a speed."""
+import numpy as np
 from matplotlib import colormaps
 from matplotlib.lines import Line2D
 
@@ -18,6 +19,12 @@ def chosen(impacts):
     return [ordered[round(k * (len(ordered) - 1) / (MOST - 1))] for k in range(MOST)]
 
 
+def pressed(force):
+    """From the sample before the first force to the one after the last: the flight to and from the rim is no loop."""
+    touching = np.flatnonzero(force)
+    return slice(max(0, touching[0] - 1), touching[-1] + 2) if len(touching) else slice(0, 0)
+
+
 def draw(impacts, law, path, width=3.55, height=2.45, dpi=300):
     """None without a curve and its law."""
     drawn = chosen(impacts)
@@ -29,7 +36,8 @@ def draw(impacts, law, path, width=3.55, height=2.45, dpi=300):
         colour = colormaps["viridis_r"](0.12 + 0.85 * k / max(1, len(drawn) - 1))
         label = f"{impact.speed:.3g}" if impact.speed is not None else literal(impact.name)
         ax.plot(1e3 * impact.reference.penetration, 1e-3 * impact.reference.force, color=colour, lw=2.4, alpha=0.75, label=label)
-        ax.plot(1e3 * impact.law.penetration, 1e-3 * impact.law.force, color=INK, lw=0.75, zorder=4)
+        part = pressed(impact.law.force)
+        ax.plot(1e3 * impact.law.penetration[part], 1e-3 * impact.law.force[part], color=INK, lw=0.75, zorder=4)
     ax.axhline(0, color=MUTED, lw=0.5, zorder=0)
     ax.set(xlabel="penetration (mm)", ylabel="rim force (kN)")
     ax.set_xlim(left=min(0.0, ax.get_xlim()[0]))

@@ -51,7 +51,8 @@ def value_of(number, unit):
 
 def _numbers(law):
     rows = []
-    for name, p in law.get("parameters", {}).items():
+    order = {name: place for place, name in enumerate(LABELS)}
+    for name, p in sorted(law.get("parameters", {}).items(), key=lambda item: order.get(item[0], len(order))):
         limits = interval(*p["interval_95"]) if len(p.get("interval_95", [])) == 2 else DASH
         verdict = p.get("verdict") or {True: "determined", False: "not identifiable"}.get(p.get("identifiable"), DASH)
         doubt = p.get("identifiable") is False

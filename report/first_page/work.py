@@ -27,9 +27,13 @@ def _finite(runs):
     parts = []
     for kind, those in kinds.items():
         windows = sum(run.kind == "window" for run in those)
-        said = [f"{windows} single impacts" if windows else "", f"{len(those) - windows} ground motions" if len(those) > windows else ""]
+        said = [_count(windows, "single impact"), _count(len(those) - windows, "ground motion")]
         parts.append(f"{' and '.join(s for s in said if s)} by finite elements ({kind})")
     return "; ".join(parts)[:1].upper() + "; ".join(parts)[1:] + "."
+
+
+def _count(n, what):
+    return f"{n} {what}{'s' if n > 1 else ''}" if n else ""
 
 
 def _fitted(results):
@@ -48,8 +52,7 @@ def _fitted(results):
 def _time(results, runs):
     seconds = sum(run.summary.get("wall_time_s", 0.0) for run in runs)
     total = results.main.get("totals", {}).get("wall_time_s")
-    said = f"Finite elements {duration(seconds)}" if runs and seconds else ""
-    if is_number(total):
-        said += f"{', all ' if said else 'All '}{duration(total)}"
-    processor = results.main.get("machine", {}).get("processor") if said else None
-    return said + (f" on {processor}" if processor else "") + "." if said else ""
+    parts = [f"{duration(seconds)} of finite elements, added up" if runs and seconds else "", f"{duration(total)} from start to end" if is_number(total) else ""]
+    said = "; ".join(part for part in parts if part)
+    processor = results.main.get("machine", {}).get("processor")
+    return f"Machine time: {said}" + (f", on {processor}." if processor else ".") if said else ""

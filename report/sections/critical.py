@@ -11,8 +11,10 @@ def make(context):
     if context.results.single:
         return None
     section = Section("critical", "Critical amplitudes and grazing")
-    section.lead = ("The published pulses were scaled until they just touched the rim. There the peak force is a nearly "
-                    "singular function of everything, so the amplitude of first touch says more than the force.")
+    section.lead = ("Where a pulse just touches the rim, the peak force is a nearly singular function of everything, so the amplitude of "
+                    "first touch says more than the force.")
+    if context.calibration.published_applies:
+        section.lead += " The published pulses were scaled until they did."
     section.add(_grazing(context.calibration.grazing))
     families, critical, labels = _families(context)
     section.add(context.pictures.figure(

@@ -3,7 +3,7 @@ import math
 
 from ..blocks import Section, table
 from ..figures import energy as figure_energy
-from ..numbers import fixed, is_number, percent, sig
+from ..numbers import fixed, is_number, percent
 from .common import row_name, short_name
 
 TERMS = ("external", "gravity", "kinetic", "elastic", "plastic", "friction", "impact", "contact", "integrator")
@@ -35,7 +35,7 @@ def _row(context, entry, run):
     values = [_kilojoule(value, largest) for value in values]
     imbalance = ledger.get("imbalance_relative")
     return [row_name(context, entry), "reduced" if run.rung == "reduced" else "FE", *values,
-            sig(imbalance, 2) if is_number(imbalance) and abs(imbalance) < 1e-3 else percent(imbalance, 2)]
+            percent(imbalance, 3)]
 
 
 def _kilojoule(value, largest):
