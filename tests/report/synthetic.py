@@ -291,7 +291,7 @@ def _calibration(folder, windows, answered=None):
             "fit": {}, "search": {"impacts": 8, "starts": 5, "starts_agreeing": 5, "message": "converged"},
             "prediction": {"results/runs/ricker-0.78g-1.0s": {"peak_force_error": 0.031, "nrmse_force": 0.05,
                                                               "published_values": {"peak_force_error": 0.111}}},
-            "fitted_on": "histories",
+            "published": {"k_i": {"value": 4.5e5, "unit": "kN/m"}, "e": {"value": 0.65, "unit": "-"}}, "fitted_on": "histories",
             "windows": {"rows": windows, "tolerance": 0.10, "valid_from_m_s": 0.1, "valid_to_m_s": 0.3,
                         "sentence": "The constant pair holds the peak force within 10 % from 0.10 to 0.30 m/s; beyond, it "
                                     "overstates the force."},
