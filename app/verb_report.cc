@@ -1,27 +1,52 @@
-// rimpact report DIR: one self-contained HTML file.
+// rimpact report DIR: one self-contained HTML file whose first page can be sent, and a PDF of it.
 #include "app/sibling.h"
 #include "app/verb.h"
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace rimpact::app {
+namespace {
+
+struct Options {
+  std::string folder, output, document;
+  std::map<std::string, std::string> head; ///< title, client, project, author: what is given
+  bool pdf = false;
+};
+
+std::vector<std::string> command(const Options &options, const std::string &file) {
+  std::vector<std::string> words{"report", "--output=" + file};
+  if (!options.document.empty()) words.push_back("--document=" + options.document);
+  for (const auto &[key, value] : options.head)
+    if (!value.empty()) words.push_back("--" + key + "=" + value);
+  if (options.pdf) words.emplace_back("--pdf");
+  words.insert(words.end(), {"--", options.folder});
+  return words;
+}
+
+void run_report(const Options &options, Console &console) {
+  const std::string file = options.output.empty() ? options.folder + "/report.html" : options.output;
+  const int code = python(command(options, file));
+  if (code == static_cast<int>(ExitCode::input)) throw InputError(options.folder + ": no report was made");
+  if (code == static_cast<int>(ExitCode::data)) throw DataError(options.folder + ": no report could be made of it");
+  if (code != 0) throw IoError(fmt::format("the report was not written (python3 -m report ended with {})", code));
+  console.data(file + "\n");
+  const std::string pdf = std::filesystem::path(file).replace_extension(".pdf").string();
+  if (options.pdf && std::filesystem::exists(pdf)) console.data(pdf + "\n"); // without a browser Python said why there is none
+}
+
+} // namespace
 
 void add_report(CLI::App &app, Console &console) {
-  struct Options {
-    std::string folder, output;
-  };
-  auto *verb = app.add_subcommand("report", "one self-contained HTML file of a results or run folder");
+  auto *verb = app.add_subcommand("report", "one self-contained HTML file of a results, calibration or run folder");
   auto options = std::make_shared<Options>();
-  verb->add_option("DIR", options->folder, "results of `main`, or one run folder")->required();
+  verb->add_option("DIR", options->folder, "results of `main`, a calibration, or one run folder")->required();
   verb->add_option("-o,--output", options->output, "the HTML file (default DIR/report.html)");
+  for (const char *key : {"title", "client", "project", "author"})
+    verb->add_option(std::string("--") + key, options->head[key], "on the first page");
+  verb->add_option("--document", options->document, "a TOML file with title, client, project and author");
+  verb->add_flag("--pdf", options->pdf, "a PDF beside the HTML file, printed by Chromium where it is installed");
   console.add_common(*verb);
-  verb->callback([options, &console] {
-    const std::string file = options->output.empty() ? options->folder + "/report.html" : options->output;
-    const int code = python({"report", options->folder, "--output", file});
-    if (code == 3) throw DataError(options->folder + ": no report could be made of it");
-    if (code != 0)
-      throw IoError(fmt::format("the report was not written (python3 -m report ended with {})", code));
-    console.data(file + "\n");
-  });
+  verb->callback([options, &console] { run_report(*options, console); });
 }
 
 } // namespace rimpact::app

@@ -5,6 +5,7 @@
 /// which the constant pair holds; with windows alone, the parameters are the best constant ones over all of
 /// them.
 #pragma once
+#include "calibration/impact_curves.h"
 #include "calibration/pair_range.h"
 #include "calibration/metrics.h"
 #include "calibration/profile.h"
@@ -49,6 +50,7 @@ struct Calibration {
   LawRanking laws;
   std::optional<PairRange> pair_range; ///< where laws are ranked: the range of a constant pair
   std::vector<GrazingReport> grazing;
+  ImpactCurves curves; ///< of the best law, or the one fitted where none are ranked
   scene::Scene scene; ///< the first fitted run's, with the fitted values: mass, law, friction
   std::vector<std::string> notes;
 };

@@ -147,6 +147,7 @@ void write_calibration(const Calibration &calibration, const std::string &folder
   const auto path = std::filesystem::path(folder);
   scene::write_text(to_json(calibration).dump(2) + "\n", (path / "calibration.json").string());
   scene::write_text(to_toml_fragment(calibration), (path / "calibration.toml").string());
+  write_curves(calibration.curves, folder);
 }
 
 } // namespace rimpact::calibration

@@ -26,27 +26,31 @@ bool presses_on(const std::vector<double> &force) {
 
 } // namespace
 
-Shot shoot(const scene::Scene &scene, const ImpactWindow &window) {
+Flight fly(const scene::Scene &scene, const ImpactWindow &window) {
   const double capacity = reduced::impact_law(scene.reduced.impact_law).yields
                               ? scene.bearing.lateral_capacity()
                               : window.capacity;
   auto run = reduced::simulate_from(scene, window.start, window.end_time, capacity);
   if (presses_on(radial(run.response, "impact", window.direction))) // a late release
     run = reduced::simulate_from(scene, window.start, window.end_time + patience, capacity);
-  const auto &times = run.response.series("time");
-  const auto u = radial(run.response, "displacement", window.direction);
-  const auto v = radial(run.response, "velocity", window.direction);
-  const auto force = radial(run.response, "impact", window.direction, -1);
+  const auto &impacts = run.summary.impacts;
+  Flight flight{run.response.series("time"), radial(run.response, "displacement", window.direction),
+                radial(run.response, "velocity", window.direction), radial(run.response, "impact", window.direction, -1), 0};
+  flight.rebound_speed = impacts.empty() ? -flight.velocity.back() : impacts.front().rebound_speed;
+  return flight;
+}
+
+Shot shoot(const scene::Scene &scene, const ImpactWindow &window) {
+  const Flight flight = fly(scene, window);
   Shot shot;
   shot.displacement.reserve(window.times.size());
   shot.force.reserve(window.times.size());
   for (const double t : window.times) {
-    shot.displacement.push_back(hermite_at(times, u, v, t));
-    shot.force.push_back(pulse_at(times, force, t));
+    shot.displacement.push_back(hermite_at(flight.times, flight.displacement, flight.velocity, t));
+    shot.force.push_back(pulse_at(flight.times, flight.force, t));
   }
   shot.peak = smooth_peak(window.times, shot.force); // at the reference's samples, as its own
-  const auto &impacts = run.summary.impacts;
-  shot.rebound_speed = impacts.empty() ? -v.back() : impacts.front().rebound_speed;
+  shot.rebound_speed = flight.rebound_speed;
   return shot;
 }
 

@@ -4,6 +4,14 @@
 
 namespace rimpact::calibration {
 
+/// The reduced model's own samples: radial displacement [m] and velocity [m/s], pushing force [N].
+struct Flight {
+  std::vector<double> times, displacement, velocity, force;
+  double rebound_speed = 0; ///< inward radial speed at the end of the first contact [m/s]
+};
+/// Starts from window.start and integrates to window.end_time, longer where the rim still presses then, with the settings of `scene`.
+Flight fly(const scene::Scene &scene, const ImpactWindow &window);
+
 /// Radial quantities as in ImpactWindow, at its sample times.
 struct Shot {
   std::vector<double> displacement, force;
@@ -11,7 +19,7 @@ struct Shot {
   double rebound_speed = 0; ///< inward radial speed at the end of the first contact [m/s]
 };
 
-/// Starts from window.start and integrates to window.end_time with the settings of `scene`.
+/// The same at the reference's samples.
 Shot shoot(const scene::Scene &scene, const ImpactWindow &window);
 
 } // namespace rimpact::calibration

@@ -1,17 +1,39 @@
-"""python3 -m report DIR [--output FILE]: the report of a run folder or of a `rimpact main` results folder."""
+"""python3 -m report DIR [--output FILE] [--title ...] [--pdf]: the report of a run folder, of a `rimpact main` results folder, or
+of a calibration."""
 import argparse
+import os
+import sys
 
-from .errors import run_main
+from . import document
+from .errors import InputError, run_main
 
 
 def main(arguments):
     parser = argparse.ArgumentParser(prog="rimpact report", description=__doc__)
     parser.add_argument("folder", metavar="DIR")
     parser.add_argument("--output", metavar="FILE", help="DIR/report.html when not given")
+    parser.add_argument("--document", metavar="FILE.toml", help="title, client, project and author")
+    for key in document.KEYS:
+        parser.add_argument(f"--{key}", default="")
+    parser.add_argument("--pdf", action="store_true", help="a PDF beside the HTML file as well")
     options = parser.parse_args(arguments)
+    given = document.of(vars(options))
+    if options.document:
+        given = given.or_else(document.read(options.document))
+    if options.pdf and options.output and os.path.exists(options.output) and not os.path.isfile(options.output):
+        raise InputError(f"--pdf prints an ordinary file; --output {options.output} is none")
     from .build import build  # after the command line: matplotlib takes a second to load
-    path, _ = build(options.folder, options.output)
+    path, _ = build(options.folder, options.output, given)
     print(path)
+    if options.pdf:
+        _print(path)
+
+
+def _print(html):
+    from .pdf import print_to
+    path = os.path.splitext(html)[0] + ".pdf"
+    missing = print_to(html, path)
+    print(f"rimpact report: {missing}", file=sys.stderr) if missing else print(path)
 
 
 run_main(main)

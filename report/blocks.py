@@ -1,12 +1,8 @@
 """What a section is made of. Each block is a small dictionary that the template knows how to draw."""
 from dataclasses import dataclass, field
 
-from markupsafe import Markup
-
 from .errors import IoError, ReportError
 from .style import DPI, WIDTH, embedded, plt
-
-KI, E = Markup("<i>k</i><sub>i</sub>"), Markup("<i>e</i>")
 
 
 @dataclass
@@ -39,12 +35,7 @@ def table(header, rows, caption="", left=1, compact=False, prose=False):
     A row is a list of cells, or {"span", "tag"}: a heading across the table. `compact`: no wider than it needs; `prose`: long cells wrap."""
     left = set(range(left)) if isinstance(left, int) else set(left)
     return {"kind": "table", "header": header, "rows": rows, "caption": caption, "left": left,
-            "style": "compact" if compact else "prose" if prose else ""} if rows else None
-
-
-def cards(items):
-    """items: {"title", "value", "unit", "lines": [...]}."""
-    return {"kind": "cards", "items": items} if items else None
+            "style": "compact" if compact else "prose" if prose else "many" if len(header) > 10 else ""} if rows else None
 
 
 def bullets(items):

@@ -1,21 +1,19 @@
 """From a results folder to report.html: read, draw, fill the template, write."""
 import os
-import re
 
 import jinja2
-from markupsafe import Markup, escape
 
-from . import calibration_file, sections
+from . import calibration_file, document, first_page, sections
+from .bearing import assumed_keys
 from .blocks import Pictures
-from .errors import IoError
+from .doubts import Doubts
+from .files import write_whole
+from .markup import sentence
+from .numbers import is_number
 from .results import load_results
+from .run_folder import parse_scene
 
 TEMPLATES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "templates")
-
-
-def with_subscripts(value):
-    """L_c, k_i, u_z ... in running text as proper subscripts."""
-    return Markup(re.sub(r"(?<![\w.])([A-Za-zΔμ])_([a-z]{1,3})(?![\w])", r"<i>\1</i><sub>\2</sub>", str(escape(value))))
 
 
 class Context:
@@ -29,29 +27,39 @@ class Context:
                 entry.role = self.calibration.role(entry.name) or entry.role
         self.problems = self.results.problems
         self.pictures = Pictures(figures, self.problems)
+        self.doubts = Doubts(self.results, self.results.answer)
+        self._read_scene()
+
+    def _read_scene(self):
+        """The scene that stands for bearing and load: a run's, else the one the calibration was made of."""
+        reference = self.results.reference
+        text = reference.scene_text if reference else self.results.curves.get("scene", "")
+        self.scene = reference.scene if reference else parse_scene(text, "curves.json: scene") if text else {}
+        self.assumed = assumed_keys(text, self.scene)
+        self.double_concave = self.scene.get("reduced", {}).get("model") in ("dcfp", "lir-dcfp")
+        runs = [entry.any_run for entry in self.results.entries]
+        self.whole_bearing = any(run is not None and run.rung in ("rigid-dish", "full") for run in runs)
+        self.capacity = next((run.lateral_capacity for run in runs if run is not None and is_number(run.lateral_capacity)), None)
+
+    @property
+    def measured(self):
+        """Whether the law was fitted to somebody's measured curves and to nothing else."""
+        impacts = self.results.impacts
+        return self.results.answer.get("source") == "measured" or (
+            bool(impacts) and all(impact.source == "measured" for impact in impacts))
 
 
-def build(folder, output=None):
-    """Writes the report and its pictures (DIR/figures/); gives the report's path and the list of problems."""
+def build(folder, output=None, given=document.Document()):
+    """Writes the report and its pictures (DIR/figures/); gives the report's path and the list of problems.
+    `given`: what the command line says of title, client, project and author."""
     output = output or os.path.join(folder, "report.html")
     context = Context(folder, os.path.join(folder, "figures"))
-    made = [section for section in (make(context) for make in sections.CATALOGUE) if section is not None]
+    page = first_page.make(context)
+    made = [section for section in (make(context) for make in sections.CATALOGUE) if section is not None and section.blocks]
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATES), autoescape=True, trim_blocks=True,
                                      lstrip_blocks=True, undefined=jinja2.StrictUndefined)
-    environment.filters["sub"] = with_subscripts
-    page = environment.get_template("report.html.j2").render(
-        head=sections.head(context), sections=made, problems=list(dict.fromkeys(context.problems)))
-    _write(output, page)
+    environment.filters["sub"] = sentence
+    html = environment.get_template("report.html.j2").render(
+        head=sections.head(context, given), page=page, sections=made, problems=list(dict.fromkeys(context.problems)))
+    write_whole(output, lambda file: file.write(html.encode("utf-8", "replace")))
     return output, context.problems
-
-
-def _write(path, page):
-    """Beside the final name, then renamed: a full disk leaves an earlier report readable."""
-    try:
-        with open(path + ".part", "w", encoding="utf-8") as file:
-            file.write(page)
-            file.flush()
-            os.fsync(file.fileno())
-        os.replace(path + ".part", path)
-    except OSError as error:
-        raise IoError(f"cannot write {path}: {error.strerror}") from None

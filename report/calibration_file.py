@@ -1,13 +1,11 @@
-"""calibration.json as the report needs it: parameters, window rows, validity, grazing; absent parts are empty.
+"""calibration.json as the chapters behind the first page need it, its types checked before; absent parts are empty.
 
 Extra keys of the file are read under the names the calibration module writes; a unit suffix may follow a name."""
 from dataclasses import dataclass, field
 
 from .numbers import is_number
 
-PUBLISHED = {"k_i": 4.5e5, "e": 0.65}  # thesis 2.5.3, in kN/m and -
-
-
+PAIR_LAWS = ("signed", "no-tension", "printed")  # whose k_i and e are a constant pair
 UNITS = ("", "_m_s", "_kN_per_m", "_N", "_s", "_m", "_g")
 
 
@@ -63,6 +61,15 @@ class Calibration:
     constant_pair: dict = field(default_factory=dict)
     speed_laws: dict = field(default_factory=dict)
     profiles: dict = field(default_factory=dict)
+    published_applies: bool = False  # the thesis's pair may be named: it is the thesis's bearing
+
+    @property
+    def is_pair(self):
+        """Whether `parameters` are a constant pair; other laws' k_i is only where their curve begins."""
+        return self.derived.get("law") in PAIR_LAWS
+
+    def pair(self, name):
+        return self.parameter(name) if self.is_pair else None
 
     def parameter(self, name):
         return next((p for p in self.parameters if p.name == name), None)
@@ -79,7 +86,7 @@ class Calibration:
         holds the same for the published pair."""
         for table in (self.fit, self.prediction):
             for key, value in table.items():
-                if _last_part(key) == run_name and isinstance(value, dict):
+                if _last_part(key) == run_name:
                     return value
         return {}
 
@@ -89,19 +96,15 @@ def _last_part(folder):
 
 
 def parameter_of(name, data):
-    if is_number(data):
-        data = {"value": data}
-    if not isinstance(data, dict) or not is_number(data.get("value")):
+    if not data or not is_number(data.get("value")):
         return None
-    interval = data.get("interval_95")
-    interval = tuple(interval) if isinstance(interval, list) and len(interval) == 2 else None
-    return Parameter(name, data["value"], data.get("unit") or "", data.get("standard_error"),
-                     interval if interval and all(is_number(x) for x in interval) else None, data.get("identifiable"),
-                     data.get("reason") or "")
+    interval = tuple(data.get("interval_95", []))
+    return Parameter(name, data["value"], data.get("unit", ""), data.get("standard_error"),
+                     interval if len(interval) == 2 else None, data.get("identifiable"), data.get("reason", ""))
 
 
 def _window_row(data):
-    own = data.get("parameters") if isinstance(data.get("parameters"), dict) else {}
+    own = data.get("parameters", {})
     row = WindowRow(pick(data, "speed"))
     row.k_i = parameter_of("k_i", own.get("k_i"))
     row.e = parameter_of("e", own.get("e"))
@@ -115,42 +118,36 @@ def _window_row(data):
 
 def read(data):
     """From the JSON object; an empty object gives an empty calibration."""
-    listed = data.get("parameters")
-    parameters = [parameter_of(name, item) for name, item in listed.items()] if isinstance(listed, dict) else []
-    published = data.get("published") if isinstance(data.get("published"), dict) else {}
+    parameters = [parameter_of(name, item) for name, item in data.get("parameters", {}).items()]
     order = {"k_i": 0, "e": 1}
     found = Calibration(parameters=sorted((p for p in parameters if p), key=lambda p: order.get(p.name, 2)))
-    for parameter in found.parameters:
-        value = published.get(parameter.name)
-        value = value.get("value") if isinstance(value, dict) else value
-        parameter.published = value if is_number(value) else PUBLISHED.get(parameter.name)
+    found.published_applies = data.get("answer", {}).get("published_applies", False)
+    if found.published_applies:
+        for parameter in found.parameters:
+            parameter.published = data.get("published", {}).get(parameter.name, {}).get("value")
     for name in ("correlation", "derived", "fit", "prediction", "search"):
-        if isinstance(data.get(name), dict):
-            setattr(found, name, data[name])
+        setattr(found, name, data.get(name, {}))
     found.condition = data.get("condition")
-    found.notes = [str(note) for note in data.get("notes") or []]
-    found.fitted_on = data.get("fitted_on") or ""
+    found.notes = data.get("notes", [])
+    found.fitted_on = data.get("fitted_on", "")
     _read_windows(found, data)
     _read_laws(found, data)
-    found.grazing = [item for item in data.get("critical_amplitudes") or [] if isinstance(item, dict)]
+    found.grazing = data.get("critical_amplitudes", [])
     return found
 
 
 def _read_windows(found, data):
-    windows = data.get("windows") or {}
-    table = windows if isinstance(windows, dict) else {"rows": windows}
-    rows = [_window_row(row) for row in table.get("rows") or [] if isinstance(row, dict)]
+    table = data.get("windows", {})
+    rows = [_window_row(row) for row in table.get("rows", [])]
     found.windows = sorted((row for row in rows if is_number(row.speed)), key=lambda row: row.speed)
-    found.validity = table.get("sentence") or ""
-    found.valid_from, found.valid_to = pick(table, "valid_from"), pick(table, "valid_to")
     found.tolerance = table.get("tolerance")
+    if found.is_pair:  # they speak of a constant pair
+        found.validity = table.get("sentence", "")
+        found.valid_from, found.valid_to = pick(table, "valid_from"), pick(table, "valid_to")
 
 
 def _read_laws(found, data):
-    laws = data.get("laws") if isinstance(data.get("laws"), dict) else {}
-    found.laws = [row for row in laws.get("rows") or [] if isinstance(row, dict)]
-    found.laws_sentence = laws.get("sentence") or ""
-    found.constant_pair = data.get("constant_pair") if isinstance(data.get("constant_pair"), dict) else {}
-    for name in ("speed_laws", "profiles"):
-        entries = data.get(name) if isinstance(data.get(name), dict) else {}
-        setattr(found, name, {key: value for key, value in entries.items() if isinstance(value, dict)})
+    laws = data.get("laws", {})
+    found.laws, found.laws_sentence = laws.get("rows", []), laws.get("sentence", "")
+    found.constant_pair = data.get("constant_pair", {})
+    found.speed_laws, found.profiles = data.get("speed_laws", {}), data.get("profiles", {})

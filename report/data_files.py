@@ -5,20 +5,33 @@ import h5py
 import numpy as np
 
 from .errors import DataError
+from .shapes import check, without_nulls
 
 CSV_NAMES = {"time_s": "time", "ux_m": "displacement_x", "uy_m": "displacement_y", "uz_m": "displacement_z",
              "Fx_N": "force_x", "Fy_N": "force_y", "Fz_N": "force_z", "Ix_N": "impact_x", "Iy_N": "impact_y",
              "gap_m": "gap"}
 
 
-def read_json(path):
+def read_any_json(path):
+    """As it stands. Throws DataError where it cannot be read."""
     try:
         with open(path, encoding="utf-8") as file:
-            return json.load(file)
-    except (ValueError, UnicodeDecodeError) as error:
+            return json.load(file, parse_constant=_no_number)
+    except (ValueError, RecursionError) as error:
         raise DataError(f"{path} is not readable JSON ({error})") from None
     except OSError as error:
         raise DataError(f"cannot read {path}: {error.strerror}") from None
+
+
+def read_json(path, shape):
+    """Checked against its shape, nulls left out. Throws DataError naming file and key."""
+    data = without_nulls(read_any_json(path))
+    check(data, shape, path)
+    return data
+
+
+def _no_number(text):
+    raise ValueError(f"{text} is no number")
 
 
 def read_hdf5(path):
@@ -35,7 +48,7 @@ def read_hdf5(path):
                 meta.update({key: _text(data[()]) for key, data in group.items() if isinstance(data, h5py.Dataset)})
     except OSError as error:
         raise DataError(f"{path} is not readable HDF5 ({str(error).splitlines()[0]})") from None
-    except (ValueError, KeyError, RuntimeError, TypeError) as error:
+    except (ValueError, KeyError, RuntimeError, TypeError, AttributeError) as error:
         raise DataError(f"{path} is damaged ({error})") from None
     return signals, meta
 

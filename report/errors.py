@@ -6,6 +6,11 @@ class ReportError(Exception):
     code = 1
 
 
+class InputError(ReportError):
+    """The command line, or a TOML file named there."""
+    code = 2
+
+
 class DataError(ReportError):
     """A data file cannot be read or makes no sense."""
     code = 3
@@ -18,6 +23,8 @@ class IoError(ReportError):
 
 def run_main(main):
     """Runs main(argv) and turns errors into one sentence on stderr and an exit code."""
+    for stream in (sys.stdout, sys.stderr):  # a folder's name may be no text
+        stream.reconfigure(errors="backslashreplace")
     try:
         main(sys.argv[1:])
     except ReportError as error:

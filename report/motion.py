@@ -6,7 +6,6 @@ import numpy as np
 
 from .data_files import read_table
 from .errors import DataError, run_main
-from .series import keep_peaks
 from .style import FE, MUTED, RIM, figure, save
 
 GRAVITY = 9.81
@@ -34,8 +33,8 @@ def draw(columns, path):
     fig, grid = figure(len(shown), 1, 0.4 + 1.4 * len(shown), sharex=True)
     for ax, (name, factor, label, peak_name, unit) in zip(grid[:, 0], shown):
         values = factor * columns[name]
-        kept, top = keep_peaks(values, limit=4000), int(np.argmax(np.abs(values)))
-        ax.plot(columns["time"][kept], values[kept], color=FE, lw=0.8)
+        top = int(np.argmax(np.abs(values)))
+        ax.plot(columns["time"], values, color=FE, lw=0.8)
         ax.plot(columns["time"][top], values[top], "o", ms=3.5, color=RIM)
         ax.annotate(f"{peak_name} {abs(values[top]):.3g} {unit} at {columns['time'][top]:.2f} s",
                     (columns["time"][top], values[top]), xytext=(5, 0), textcoords="offset points", va="center",

@@ -1,9 +1,9 @@
 """python3 -m report.quick reduced|fe|geometry|study DIR: writes DIR/response.png, the panels of one run, or the
 picture of a study, DIR/geometry.png or DIR/study.png."""
 import argparse
-import json
 import os
 
+from .data_files import read_any_json
 from .errors import DataError, run_main
 from .figures import geometry, response_panels, study
 from .run_folder import load_run
@@ -19,17 +19,15 @@ def draw(kind, folder):
         raise DataError(f"{folder} holds no displacements to draw")
     role, label = ("fitted", "reduced model") if kind == "reduced" else ("fe", "finite elements")
     path = os.path.join(folder, "response.png")
-    return response_panels.draw([(role, run)], path, run.lateral_capacity, {role: f"{run.name}, {label}"})
+    return response_panels.draw([(role, run)], {role: f"{run.name}, {label}"}, run.lateral_capacity, path)
 
 
 def draw_table(kind, folder):
     path = os.path.join(folder, f"{kind}.json")
     try:
-        with open(path, encoding="utf-8") as file:
-            table = json.load(file)
-    except (OSError, ValueError) as error:
-        raise DataError(f"{path} cannot be read: {error}") from error
-    return STUDIES[kind].draw(table, os.path.join(folder, f"{kind}.png"))
+        return STUDIES[kind].draw(read_any_json(path), os.path.join(folder, f"{kind}.png"))
+    except (KeyError, TypeError, AttributeError, ZeroDivisionError) as error:
+        raise DataError(f"{path} is no table of a study ({error!r})") from None
 
 
 def main(arguments):

@@ -10,10 +10,13 @@ import os
 import re
 from dataclasses import dataclass, field
 
+from . import curves
 from .data_files import read_json
 from .errors import DataError
+from .shapes import CALIBRATION, CURVES, MAIN, ShapeError
 from .run_folder import Run, is_run_folder, load_run
 
+SLOTS = ("fe", "fitted", "law", "published")  #: what may stand for one scene, the reference first
 ROLES = ("fit", "predict", "window", "push")
 
 
@@ -29,12 +32,11 @@ class Entry:
 
     def models(self):
         """(style role, run) of those that have a response, the reference first."""
-        pairs = (("fe", self.fe), ("fitted", self.fitted), ("law", self.law), ("published", self.published))
-        return [(role, run) for role, run in pairs if run is not None and run.signals]
+        return [(slot, getattr(self, slot)) for slot in SLOTS if getattr(self, slot) is not None and getattr(self, slot).signals]
 
     @property
     def any_run(self):
-        return self.fe or self.fitted or self.published
+        return self.fe or self.fitted or self.law or self.published
 
     @property
     def scale(self):
@@ -52,6 +54,8 @@ class Results:
     single: bool = False
     entries: list = field(default_factory=list)
     calibration: dict = field(default_factory=dict)
+    curves: dict = field(default_factory=dict)  # of curves.json beside it
+    impacts: list = field(default_factory=list)  # curves.ImpactCurve
     main: dict = field(default_factory=dict)
     problems: list = field(default_factory=list)
 
@@ -68,10 +72,15 @@ class Results:
         return sorted(windows, key=lambda entry: entry.speed or 0.0)
 
     @property
+    def answer(self):
+        """The one record of what the calibration answers; empty where there is none."""
+        return self.calibration.get("answer", {})
+
+    @property
     def reference(self):
         """The run whose scene stands for the bearing and the load."""
         for entry in self.histories + self.entries:
-            for run in (entry.fe, entry.fitted, entry.published):
+            for run in (entry.fe, entry.fitted, entry.law, entry.published):
                 if run is not None and run.scene:
                     return run
         return None
@@ -88,6 +97,10 @@ def load_results(folder):
     _read_calibration(results)
     for item in _listed_runs(results) or _found_runs(folder):
         results.entries.append(_load_entry(results, item))
+    results.impacts = results.impacts or curves.of_entries(results.entries, results.answer.get("law", {}).get("name"))
+    if not results.answer.get("published_applies"):
+        for entry in results.entries:  # another bearing's pair
+            entry.published = None
     if not any(entry.any_run for entry in results.entries) and not results.calibration:
         reasons = f" ({results.problems[0]})" if results.problems else ""
         raise DataError(f"{folder} holds no run folder with a response and no calibration{reasons}")
@@ -108,30 +121,30 @@ def single_run(folder):
 def _read_main(results):
     path = os.path.join(results.folder, "main.json")
     if not os.path.isfile(path):
-        results.problems.append("no main.json: totals and versions are not known")
+        if os.path.isdir(os.path.join(results.folder, "runs")):
+            results.problems.append("no main.json: totals and versions are not known")
         return
-    data = read_json(path)
-    results.main = data if isinstance(data, dict) else {"runs": data if isinstance(data, list) else []}
+    results.main = read_json(path, MAIN)
 
 
 def _read_calibration(results):
     for path in ("calibration/calibration.json", "calibration.json"):
         path = os.path.join(results.folder, path)
         if os.path.isfile(path):
-            data = read_json(path)
-            if not isinstance(data, dict):
-                raise DataError(f"{path} holds no JSON object")
-            results.calibration = data
+            results.calibration = read_json(path, CALIBRATION)
+            _read_curves(results, os.path.join(os.path.dirname(path), "curves.json"))
             return
     results.problems.append("calibration: not run (no calibration/calibration.json)")
 
 
+def _read_curves(results, path):
+    if os.path.isfile(path):
+        results.curves = read_json(path, CURVES)
+        results.impacts = curves.read(path, results.curves)
+
+
 def _listed_runs(results):
-    for key in ("runs", "layout", "scenes", "jobs"):
-        listed = results.main.get(key)
-        if isinstance(listed, list) and all(isinstance(item, dict) and "name" in item for item in listed):
-            return listed
-    return []
+    return [item for item in results.main.get("runs", []) if "name" in item]
 
 
 def _found_runs(folder):
@@ -161,7 +174,7 @@ def _load_entry(results, item):
     for slot, candidates in places.items():
         setattr(entry, slot, _first_run(results, name, slot, candidates))
     if entry.fe is None:
-        results.problems.append(f"{name}: finite-element run not run")
+        results.problems.append(f"{name}: no finite-element run is stored")
     role = item.get("role")
     kind = entry.any_run.kind if entry.any_run else ""
     entry.role = role if role in ROLES else _role_of(kind, name)
@@ -170,7 +183,7 @@ def _load_entry(results, item):
 
 def _first_run(results, name, slot, candidates):
     for place in candidates:
-        if not isinstance(place, str) or not place:
+        if not place:
             continue
         for path in (os.path.join(results.folder, place), place):
             if os.path.isdir(path) and is_run_folder(path):
@@ -181,6 +194,8 @@ def _first_run(results, name, slot, candidates):
 def _tolerant_load(results, path, label):
     try:
         run = load_run(path)
+    except ShapeError:  # a hand has been there: nothing of it is shown
+        raise
     except DataError as error:
         results.problems.append(f"{label}: {error}")
         return None

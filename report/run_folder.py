@@ -8,8 +8,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
+from . import bearing
 from .data_files import check_signals, read_csv, read_hdf5, read_json
 from .errors import DataError
+from .shapes import SCENE, SUMMARY, check
 
 
 @dataclass
@@ -53,14 +55,16 @@ class Run:
 
     @property
     def impacts(self):
-        return self.summary.get("impacts") or []
+        return self.summary.get("impacts", [])
 
     @property
     def lateral_capacity(self):
         """L_c [m] by (2-5); from the stored gap when the scene does not say."""
-        r_p, b_s = self.get("bearing", "surface", "planar_radius_mm"), self.get("bearing", "slider", "diameter_mm")
-        if r_p and b_s:
-            return (r_p + (self.get("bearing", "rim", "ledge_mm") or 0.0) - b_s / 2) / 1e3
+        if self.get("reduced", "model") in ("dcfp", "lir-dcfp"):
+            return self.get("isolator", "capacity_m")
+        known = bearing.lateral_capacity(self.get("bearing", default={}))
+        if known:
+            return known
         if self.has("gap", "displacement_x", "displacement_y"):
             return float(np.median(self.signals["gap"] + self.norm("displacement")))
         return None
@@ -98,6 +102,16 @@ def lookup(tree, *path, default=None):
     return tree
 
 
+def parse_scene(text, path):
+    """Throws DataError naming the file, and the key of a value of the wrong type."""
+    try:
+        scene = tomllib.loads(text)
+    except (tomllib.TOMLDecodeError, RecursionError) as error:
+        raise DataError(f"{path} is not readable TOML ({error})") from None
+    check(scene, SCENE, path)
+    return scene
+
+
 def is_run_folder(folder):
     return any(os.path.isfile(os.path.join(folder, name)) for name in ("response.h5", "response.csv", "summary.json"))
 
@@ -124,9 +138,7 @@ def _read_summary(run):
     if not os.path.isfile(path):
         run.problems.append("no summary.json")
         return
-    run.summary = read_json(path)
-    if not isinstance(run.summary, dict):
-        raise DataError(f"{path} holds no JSON object")
+    run.summary = read_json(path, SUMMARY)
 
 
 def _read_scene(run):
@@ -142,7 +154,4 @@ def _read_scene(run):
     if not run.scene_text:
         run.problems.append("no scene.toml")
         return
-    try:
-        run.scene = tomllib.loads(run.scene_text)
-    except tomllib.TOMLDecodeError as error:
-        raise DataError(f"{path} is not readable TOML ({error})") from None
+    run.scene = parse_scene(run.scene_text, path)

@@ -1,21 +1,5 @@
-"""Operations on sampled series: thinning that keeps every peak, and the stretches of rim contact."""
+"""Operations on sampled series: the stretches of rim contact, and the curve of one impact."""
 import numpy as np
-
-
-def keep_peaks(*series, limit=2400):
-    """Indices, in order, that draw like the whole: per bucket the first sample and each series' extremes.
-    Buckets are equal in samples, not in time, so stretches sampled densely (impacts) stay dense."""
-    n = len(series[0])
-    if n <= limit:
-        return np.arange(n)
-    buckets = max(1, limit // (2 * len(series) + 1))
-    edges = np.linspace(0, n, buckets + 1).astype(int)
-    kept = {0, n - 1}
-    for values in series:
-        for first, last in zip(edges[:-1], edges[1:]):
-            part = values[first:last]
-            kept.update((first, first + int(np.argmin(part)), first + int(np.argmax(part))))
-    return np.array(sorted(kept))
 
 
 def contact_stretches(run):

@@ -62,12 +62,13 @@ class Stack:
         return flat, values
 
 
-def draw(grid, path, dish=None):
-    """Writes the picture. `dish`: (x, z) [m] of the sliding surface along the cut, drawn as a line."""
+def draw(grid, path, dish=None, said=""):
+    """Writes the picture. `dish`: (x, z) [m] of the sliding surface along the cut, drawn as a line. `said`: of the instant."""
     stack = Stack(grid)
     fig, (left, right) = plt.subplots(1, 2, figsize=(7.2, 2.9), layout="constrained",
                                       gridspec_kw={"width_ratios": [2.1, 1.0]})
     _draw_cut(fig, left, stack, dish)
+    left.set_title(f"Cut along the travel, true scale{', ' + said if said else ''}")
     _draw_pad(fig, right, stack)
     return save(fig, path)
 
@@ -84,7 +85,7 @@ def _draw_cut(fig, ax, stack, dish):
     ax.set_ylim(min(corners[:, 1].min(), 0) - 10, corners[:, 1].max() + 10)
     ax.set_aspect("equal", adjustable="box")
     ax.grid(False)
-    ax.set(title="Cut along the travel, true scale", xlabel="along the travel (mm)", ylabel="z (mm)")
+    ax.set(xlabel="along the travel (mm)", ylabel="z (mm)")
     bar = fig.colorbar(ScalarMappable(norm, STRESS), ax=ax, orientation="horizontal", shrink=0.6, aspect=35, extend="max")
     bar.set_label("von Mises stress (MPa), mean of a cell")
     bar.outline.set_visible(False)

@@ -8,6 +8,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
 
 from .errors import IoError  # noqa: E402
+from .files import write_whole  # noqa: E402
 
 INK, MUTED, FAINT, PAPER = "#1c2733", "#66727f", "#dde3e8", "#ffffff"
 FE, FITTED, PUBLISHED, RIM = "#0b4f8a", "#d55e00", "#7a8793", "#a3123a"
@@ -31,6 +32,7 @@ plt.rcParams.update({
     "xtick.labelsize": 7, "ytick.labelsize": 7, "xtick.major.width": 0.6, "ytick.major.width": 0.6,
     "xtick.major.size": 2.5, "ytick.major.size": 2.5,
     "legend.frameon": False, "legend.fontsize": 7, "legend.handlelength": 1.8,
+    "agg.path.chunksize": 20000,  # long records; lines follow every sample within a ninth of a pixel (path.simplify)
     "lines.linewidth": 1.2, "lines.solid_capstyle": "round", "text.color": INK,
 })
 
@@ -61,12 +63,16 @@ def shared_legend(fig, axes, n_columns=4):
                borderaxespad=0.1)
 
 
-def save(fig, path):
-    """Writes beside the final name and renames, so that a full disk keeps the earlier picture."""
+def literal(text):
+    """A name as text of a figure: its dollars are no formula, and what is no text is a question mark."""
+    return str(text).encode("utf-8", "replace").decode().replace("$", r"\$")
+
+
+def save(fig, path, dpi=DPI):
+    """A PNG, whole or not at all."""
     try:
         os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
-        fig.savefig(path + ".part", format="png", pil_kwargs={"compress_level": 6})
-        os.replace(path + ".part", path)
+        write_whole(path, lambda file: fig.savefig(file, format="png", dpi=dpi, pil_kwargs={"compress_level": 6}))
     except OSError as error:
         raise IoError(f"cannot write {path}: {error.strerror or error}") from None
     finally:

@@ -3,7 +3,7 @@ import numpy as np
 
 from ..numbers import is_number
 from ..series import contact_stretches, impact_curve
-from ..style import FE, FITTED, INK, MUTED, PUBLISHED, figure, save, shared_legend
+from ..style import FE, FITTED, INK, MUTED, PUBLISHED, figure, literal, save, shared_legend
 
 METRICS = (("peak_force", "peak impact force"), ("rebound", "rebound speed"),
            ("peak_displacement", "peak displacement"))
@@ -17,7 +17,8 @@ def draw_errors(rows, path):
     fig, grid = figure(1, 3, 0.75 + 0.34 * len(rows), sharey=True)
     y = np.arange(len(rows))[::-1]
     for ax, (metric, title) in zip(grid[0], METRICS):
-        for shift, who, colour in ((0.19, "fitted", FITTED), (-0.19, "published", PUBLISHED)):
+        both = any(row["published"] for row in rows)
+        for shift, who, colour in ((0.19, "fitted", FITTED), (-0.19, "published", PUBLISHED)) if both else ((0.0, "fitted", FITTED),):
             values = [100 * row[who][metric] if is_number(row[who].get(metric)) else np.nan for row in rows]
             ax.barh(y + shift, values, 0.34, color=colour, label=who)
         ax.axvline(0, color=INK, lw=0.6)
@@ -25,7 +26,7 @@ def draw_errors(rows, path):
         ax.grid(axis="y", visible=False)
         low, high = ax.get_xlim()
         ax.set_xlim(min(low, -1.0), max(high, 1.0))
-    grid[0, 0].set_yticks(y, [row["name"] for row in rows])
+    grid[0, 0].set_yticks(y, [literal(row["name"]) for row in rows])
     shared_legend(fig, grid[0, :1])
     return save(fig, path)
 
@@ -43,7 +44,7 @@ def draw_residuals(entries, path, label=str):
     for i, (entry, fe_parts, reduced_parts) in enumerate(drawn):
         time, reference, candidate = _aligned(entry, fe_parts[0], reduced_parts[0])
         style = dict(color=f"C{i % 8}", lw=1.1)
-        over_time.plot(1e3 * time, 100 * (candidate - reference) / reference.max(), label=label(entry.name), **style)
+        over_time.plot(1e3 * time, 100 * (candidate - reference) / reference.max(), label=literal(label(entry.name)), **style)
         scatter.plot(1e-3 * reference, 1e-3 * candidate, **style)
         largest = max(largest, 1e-3 * reference.max(), 1e-3 * candidate.max())
     over_time.axhline(0, color=INK, lw=0.6)
@@ -78,7 +79,7 @@ def draw_parameters(calibration, path):
         if parameter.published is not None:
             ax.plot(parameter.published / parameter.value, y, "D", color=PUBLISHED, ms=4.5,
                     label="published" if y == 0 else None)
-    ax.set_yticks(range(len(shown)), ["k$_i$" if p.name == "k_i" else p.name for p in shown[::-1]])
+    ax.set_yticks(range(len(shown)), ["k$_i$" if p.name == "k_i" else literal(p.name) for p in shown[::-1]])
     ax.set_xlabel("value / fitted value")
     ax.set_ylim(-0.6, len(shown) - 0.4)
     ax.grid(axis="y", visible=False)

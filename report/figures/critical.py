@@ -1,25 +1,24 @@
 """Peak impact force and approach speed over the pulse's scale: how steep they are near grazing."""
-from ..style import RIM, figure, line_of, save, shared_legend
-from .response_panels import LABELS
+from ..style import RIM, figure, line_of, literal, save, shared_legend
 
 
-def draw(families, critical, path):
+def draw(families, critical, labels, path):
     """families: {pulse: [{"scale", "fe": (force N, speed m/s), "fitted": ..., "published": ...}]};
-    critical: {pulse: scale at which the rim is first touched}."""
+    critical: {pulse: scale at which the rim is first touched}; labels: by model, the reference first."""
     families = {name: rows for name, rows in families.items() if len(rows) > 1}
     if not families:
         return None
     fig, grid = figure(len(families), 2, 0.4 + 1.95 * len(families))
     for row, (name, points) in zip(grid, families.items()):
-        for who in ("fe", "fitted", "published"):
+        for who in labels:
             known = sorted((p["scale"], *p[who]) for p in points if p.get(who))
             if not known:
                 continue
             style = line_of(who) | {"marker": "o", "ms": 3.2}
-            row[0].plot([k[0] for k in known], [1e-3 * k[1] for k in known], label=LABELS[who], **style)
+            row[0].plot([k[0] for k in known], [1e-3 * k[1] for k in known], label=labels[who], **style)
             row[1].plot([k[0] for k in known], [k[2] for k in known], **style)
-        row[0].set(title=f"{name}: peak impact force", ylabel="force (kN)")
-        row[1].set(title=f"{name}: approach speed", ylabel="speed (m/s)")
+        row[0].set(title=f"{literal(name)}: peak impact force", ylabel="force (kN)")
+        row[1].set(title=f"{literal(name)}: approach speed", ylabel="speed (m/s)")
         for ax in row:
             ax.margins(x=0.12)
             ax.set_ylim(bottom=0)

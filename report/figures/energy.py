@@ -1,8 +1,7 @@
 """The energy ledger over time: where the energy put in by the ground motion is, stacked, under the input's line."""
 import numpy as np
 
-from ..series import keep_peaks
-from ..style import ENERGY, INK, figure, save, shared_legend
+from ..style import ENERGY, INK, figure, literal, save, shared_legend
 
 NAMES = {"kinetic": "kinetic", "gravity": "lift against gravity", "elastic": "elastic", "contact": "contact",
          "friction": "friction (spent)", "impact": "impact element", "plastic": "plastic (spent)",
@@ -21,7 +20,7 @@ def draw(runs, path):
         ax.axis("off")
     for ax, (title, run) in zip(grid.flat, runs):
         _stack(ax, run)
-        ax.set_title(title)
+        ax.set_title(literal(title))
         ax.margins(x=0)
         ax.set_xlabel(run.time_label)
     for ax in grid[:, 0]:
@@ -38,15 +37,14 @@ def _stack(ax, run):
     """What is spent lies below, what is stored above it."""
     given = 1e-3 * (run.signals["energy_external"] + _initial(run))
     series = {name: 1e-3 * run.signals[f"energy_{name}"] for name in _terms(run)}
-    kept = keep_peaks(given, sum(series.values()), limit=1500)
     shown = max(1e-9, 0.005 * np.max(np.abs(given)))
-    base = np.zeros(len(kept))
+    base = np.zeros(len(given))
     for name, values in series.items():
-        top = base + values[kept]
+        top = base + values
         if np.max(np.abs(values)) > shown:
-            ax.fill_between(run.time[kept], base, top, color=ENERGY[name], lw=0, alpha=0.9, label=NAMES[name])
+            ax.fill_between(run.time, base, top, color=ENERGY[name], lw=0, alpha=0.9, label=NAMES[name])
         base = top
-    ax.plot(run.time[kept], given[kept], color=INK, lw=1.0, label="put in")
+    ax.plot(run.time, given, color=INK, lw=1.0, label="put in")
 
 
 def _initial(run):

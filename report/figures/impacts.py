@@ -1,17 +1,15 @@
 """Zoom on each impact: rim force over time since touch, and over penetration; every model from its own touch."""
-from ..series import contact_stretches, impact_curve, keep_peaks
-from ..style import MUTED, figure, line_of, save, shared_legend
-from .response_panels import LABELS
+from ..series import contact_stretches, impact_curve
+from ..style import MUTED, figure, line_of, literal, save, shared_legend
 
 
-def draw(models, path, most=4, labels=None):
-    """One row an impact (the first `most`). None when no model touches the rim."""
+def draw(models, labels, path, most=4):
+    """One row an impact (the first `most`); `labels` by role. None when no model touches the rim."""
     stretches = [(role, run, contact_stretches(run)) for role, run in models]
     n_rows = min(most, max((len(parts) for _, _, parts in stretches), default=0))
     if n_rows == 0:
         return None
     fig, grid = figure(n_rows, 2, 0.45 + 1.95 * n_rows)
-    labels = labels or LABELS
     for row, (over_time, over_depth) in enumerate(grid):
         lines = 0
         for role, run, parts in stretches:
@@ -26,9 +24,8 @@ def draw(models, path, most=4, labels=None):
 def _draw_one(over_time, over_depth, run, part, style, label, line):
     """`line`: which line of the panel's corner names this model's peak."""
     time, force, depth = impact_curve(run, part)
-    kept = keep_peaks(force, depth, limit=900)
-    over_time.plot(1e3 * time[kept], 1e-3 * force[kept], label=label, **style)
-    over_depth.plot(1e3 * depth[kept], 1e-3 * force[kept], **style)
+    over_time.plot(1e3 * time, 1e-3 * force, label=literal(label), **style)
+    over_depth.plot(1e3 * depth, 1e-3 * force, **style)
     over_time.annotate(f"peak {1e-3 * force.max():.0f} kN", (1.0, 1.0), xycoords="axes fraction", ha="right", va="top",
                        xytext=(-2, -2 - 9 * line), textcoords="offset points", fontsize=6.5, color=style["color"])
 
@@ -56,7 +53,7 @@ def draw_windows(entries, path):
     for i, entry in enumerate(drawn):
         colour = colormaps["viridis_r"](0.12 + 0.85 * i / max(1, len(drawn) - 1))
         _window_line(over_time, over_depth, entry.fe, dict(color=colour, lw=1.5),
-                     f"{entry.speed:g} m/s" if entry.speed else entry.name)
+                     f"{entry.speed:g} m/s" if entry.speed else literal(entry.name))
         for run, dashes in ((entry.fitted, (1, 1.4)), (entry.law, (4, 1.6))):
             if run is not None:
                 _window_line(over_time, over_depth, run, dict(color=colour, lw=0.8, ls=(0, dashes)), None)
@@ -70,6 +67,5 @@ def draw_windows(entries, path):
 def _window_line(over_time, over_depth, run, style, label):
     for part in contact_stretches(run)[:1]:
         time, force, depth = impact_curve(run, part)
-        kept = keep_peaks(force, depth, limit=900)
-        over_time.plot(1e3 * time[kept], 1e-3 * force[kept], **style)
-        over_depth.plot(1e3 * depth[kept], 1e-3 * force[kept], label=label, **style)
+        over_time.plot(1e3 * time, 1e-3 * force, **style)
+        over_depth.plot(1e3 * depth, 1e-3 * force, label=label, **style)

@@ -3,38 +3,35 @@
 Forces are drawn as −F, so that a positive displacement meets a positive force and loops read as in the thesis."""
 import numpy as np
 
-from ..series import keep_peaks
-from ..style import MUTED, RIM, figure, line_of, save, shared_legend
-
-LABELS = {"fe": "finite elements", "fitted": "reduced, fitted pair", "law": "reduced, best law", "published": "reduced, published pair"}
+from ..style import DPI, MUTED, RIM, figure, line_of, literal, save, shared_legend
 
 
-def draw(models, path, capacity=None, labels=None):
-    """models: (role, run) pairs, the reference first. One line of motion gives four panels, a plane motion six."""
+def draw(models, labels, capacity, path, dpi=DPI):
+    """models: (role, run) pairs, the reference first; `labels` by role; `capacity`: L_c [m] or None. One line of motion gives four panels, a plane motion six."""
     planar = all(run.is_planar() for _, run in models)
     if planar:
         fig, grid = figure(2, 2, 4.5)
         panels = dict(zip(("u", "F", "loop", "z"), grid.flat))
-        _draw_direction(panels, models, models[0][1].direction(), "", labels or LABELS)
+        _draw_direction(panels, models, models[0][1].direction(), "", labels)
     else:
         fig, grid = figure(3, 2, 6.4)
         panels = dict(zip(("u", "F", "loop", "loop_y", "path", "z"), grid.flat))
-        _draw_plane(panels, models, labels or LABELS)
+        _draw_plane(panels, models, labels)
     _draw_vertical(panels["z"], models)
     _draw_capacity(panels, capacity, planar)
     _letters(grid.flat)
     shared_legend(fig, [panels["u"]])
-    return save(fig, path)
+    return save(fig, path, dpi)
 
 
 def _draw_direction(panels, models, direction, axis, labels):
     for role, run in models:
         u = 1e3 * run.along("displacement", direction)
         force = -1e-3 * run.along("force", direction) if run.has("force_x", "force_y") else np.zeros_like(u)
-        kept, style = keep_peaks(u, force), line_of(role)
-        panels["u"].plot(run.time[kept], u[kept], label=labels[role], **style)
-        panels["F"].plot(run.time[kept], force[kept], **style)
-        panels["loop"].plot(u[kept], force[kept], **style)
+        style = line_of(role)
+        panels["u"].plot(run.time, u, label=literal(labels[role]), **style)
+        panels["F"].plot(run.time, force, **style)
+        panels["loop"].plot(u, force, **style)
     _name(panels["u"], "Lateral displacement", models[0][1].time_label, f"displacement u{axis} (mm)")
     _name(panels["F"], "Lateral force", models[0][1].time_label, f"lateral force −F{axis} (kN)")
     _name(panels["loop"], "Loop", f"displacement u{axis} (mm)", f"lateral force −F{axis} (kN)")
@@ -45,12 +42,12 @@ def _draw_plane(panels, models, labels):
         ux, uy = 1e3 * run.signals["displacement_x"], 1e3 * run.signals["displacement_y"]
         fx, fy = -1e-3 * run.signals["force_x"], -1e-3 * run.signals["force_y"]
         size, force = np.hypot(ux, uy), np.hypot(fx, fy)
-        kept, style = keep_peaks(ux, uy, fx, fy), line_of(role)
-        panels["u"].plot(run.time[kept], size[kept], label=labels[role], **style)
-        panels["F"].plot(run.time[kept], force[kept], **style)
-        panels["loop"].plot(ux[kept], fx[kept], **style)
-        panels["loop_y"].plot(uy[kept], fy[kept], **style)
-        panels["path"].plot(ux[kept], uy[kept], **style)
+        style = line_of(role)
+        panels["u"].plot(run.time, size, label=literal(labels[role]), **style)
+        panels["F"].plot(run.time, force, **style)
+        panels["loop"].plot(ux, fx, **style)
+        panels["loop_y"].plot(uy, fy, **style)
+        panels["path"].plot(ux, uy, **style)
     _name(panels["u"], "Lateral displacement, norm", models[0][1].time_label, "|u| (mm)")
     _name(panels["F"], "Lateral force, norm", models[0][1].time_label, "|F| (kN)")
     _name(panels["loop"], "Loop in x", "displacement u$_x$ (mm)", "lateral force −F$_x$ (kN)")
@@ -63,8 +60,7 @@ def _draw_vertical(ax, models):
     for role, run in models:
         if run.has("displacement_z"):
             z = 1e3 * run.signals["displacement_z"]
-            kept = keep_peaks(z)
-            ax.plot(run.time[kept], z[kept], **line_of(role))
+            ax.plot(run.time, z, **line_of(role))
     _name(ax, "Vertical displacement", models[0][1].time_label, "u$_z$ (mm), up positive")
 
 

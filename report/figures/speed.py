@@ -1,7 +1,7 @@
 """Where the time of each FE run goes."""
 import numpy as np
 
-from ..style import BLUE, FITTED, GREEN, PURPLE, SKY, YELLOW, FAINT, figure, save, shared_legend
+from ..style import BLUE, FITTED, GREEN, PURPLE, SKY, YELLOW, FAINT, figure, literal, save, shared_legend
 
 PARTS = {"search": PURPLE, "assembly": BLUE, "factor": FITTED, "solve": YELLOW, "output": GREEN}
 
@@ -23,7 +23,7 @@ def draw(runs, path):
         done += values
     rest = np.maximum(0.0, np.array([run.summary["wall_time_s"] for run in runs]) - done)
     ax.barh(y, rest, 0.62, left=done, color=FAINT, label="other")
-    ax.set_yticks(y, names)
+    ax.set_yticks(y, [literal(name) for name in names])
     ax.set_xlabel("wall time (s)")
     ax.grid(axis="y", visible=False)
     shared_legend(fig, [ax], n_columns=7)

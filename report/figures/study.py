@@ -1,5 +1,5 @@
 """Speed against error: every run of a study, its frontier, and the wanted error."""
-from ..style import FITTED, FE, GREEN, INK, MUTED, PURPLE, RIM, figure, save
+from ..style import FITTED, FE, GREEN, INK, MUTED, PURPLE, RIM, figure, literal, save
 
 COLOURS = {"reduced": FITTED, "rim": FE, "rigid-dish": GREEN, "full": PURPLE}
 FLOOR = 1e-5  # errors below are drawn here
@@ -16,7 +16,7 @@ def draw(study, path):
     if study["extrapolated_peak_force_N"] is None:  # the reference's own error is not known
         reference = next(row for row in rows if row["reference"])
         rows = [row for row in rows if row is not reference]
-        ax.axvline(reference["wall_time_s"], color=MUTED, lw=0.8, ls="--", label=f"reference: {reference['name']}")
+        ax.axvline(reference["wall_time_s"], color=MUTED, lw=0.8, ls="--", label=f"reference: {literal(reference['name'])}")
     for rung in dict.fromkeys(row["rung"] for row in rows):
         chosen = [row for row in rows if row["rung"] == rung]
         ax.plot([row["wall_time_s"] for row in chosen], [error(row) for row in chosen], ls="none", marker="o", ms=5,
@@ -25,7 +25,7 @@ def draw(study, path):
     ax.plot([row["wall_time_s"] for row in frontier], [error(row) for row in frontier], color=MUTED, lw=1.0,
             label="frontier")
     for row in rows:
-        ax.annotate(row["name"], (row["wall_time_s"], error(row)), xytext=(5, 3), textcoords="offset points", fontsize=6.5)
+        ax.annotate(literal(row["name"]), (row["wall_time_s"], error(row)), xytext=(5, 3), textcoords="offset points", fontsize=6.5)
     ax.axhline(100 * study["wanted_error"], color=RIM, lw=0.7, ls=":", label="wanted")
     ax.set(xscale="log", yscale="log", xlabel="wall time (s)", ylabel="error of the peak (%)")
     ax.margins(x=0.18)

@@ -1,6 +1,5 @@
 """k_i and e over impact speed, beside the constant pair, its band of validity, and the published pair."""
 from ..style import FE, FITTED, INK, MUTED, PUBLISHED, figure, save, shared_legend
-from .response_panels import LABELS
 
 
 def draw(calibration, path):
@@ -9,17 +8,19 @@ def draw(calibration, path):
     with_e = [r for r in rows if r.e or r.restitution is not None]
     if not with_e and not any(r.k_i for r in rows):
         return None
-    fig, grid = figure(1, 3, 2.55)
-    k_ax, e_ax, force_ax = grid[0]
+    judged = calibration.is_pair and any(row.pair_force_error is not None for row in rows)
+    fig, grid = figure(1, 3 if judged else 2, 2.55)
+    k_ax, e_ax, *force_ax = grid[0]
     draw_stiffness(k_ax, calibration, "(a) Impact stiffness")
     _points(e_ax, with_e, lambda r: r.e, 1.0)
     rebound = [r for r in rows if r.restitution is not None]
     e_ax.plot([r.speed for r in rebound], [r.restitution for r in rebound], ls="none", marker="x", ms=4, mew=0.9,
               color=MUTED, label="rebound / approach")
-    _constants(e_ax, calibration.parameter("e"), 1.0)
-    _force(force_ax, rows, calibration.tolerance)
+    _constants(e_ax, calibration.pair("e"), 1.0)
+    for ax in force_ax:
+        _force(ax, rows, calibration.tolerance)
     e_ax.set(title="(b) Restitution", ylabel="e (–)")
-    for ax in (e_ax, force_ax):
+    for ax in (e_ax, *force_ax):
         _speed_axis(ax, calibration)
     e_ax.set_ylim(0, max(1.0, e_ax.get_ylim()[1]))
     shared_legend(fig, (k_ax, e_ax))
@@ -29,7 +30,7 @@ def draw(calibration, path):
 def draw_stiffness(ax, calibration, title):
     """k_i over approach speed: each window alone, the constant pair, the published value."""
     _points(ax, [row for row in calibration.windows if row.k_i], lambda r: r.k_i, 1e-5)
-    _constants(ax, calibration.parameter("k_i"), 1e-5)
+    _constants(ax, calibration.pair("k_i"), 1e-5)
     ax.set(title=title, ylabel="k$_i$ (10⁵ kN/m)")
     _speed_axis(ax, calibration)
     ax.set_ylim(bottom=0)
@@ -59,19 +60,16 @@ def _points(ax, rows, parameter, factor):
 def _constants(ax, parameter, factor):
     if parameter is None:
         return
-    ax.axhline(factor * parameter.value, color=FITTED, lw=1.1, label=LABELS["fitted"])
+    ax.axhline(factor * parameter.value, color=FITTED, lw=1.1, label="constant pair")
     if parameter.interval:
         ax.axhspan(factor * parameter.interval[0], factor * parameter.interval[1], color=FITTED, alpha=0.15, lw=0)
     if parameter.published is not None:
-        ax.axhline(factor * parameter.published, color=PUBLISHED, lw=0.9, ls=(0, (4, 1.6)), label=LABELS["published"])
+        ax.axhline(factor * parameter.published, color=PUBLISHED, lw=0.9, ls=(0, (4, 1.6)), label="published pair")
 
 
 def _force(ax, rows, tolerance):
     rows = [row for row in rows if row.pair_force_error is not None]
     ax.set(title="(c) Peak force by the pair", ylabel="error of peak force (%)")
-    if not rows:
-        ax.text(0.5, 0.5, "not available", transform=ax.transAxes, ha="center", color=MUTED)
-        return
     ax.plot([r.speed for r in rows], [100 * r.pair_force_error for r in rows], color=FITTED, marker="o", ms=3.5)
     ax.axhline(0, color=INK, lw=0.5)
     if tolerance:

@@ -1,13 +1,14 @@
-"""The report's sections, in order: one file each, one line here. make(context) gives a Section, or None when there
-is nothing to say."""
-from . import (answer, calibration, comparison, conventions, critical, energy, histories, inputs, laws, reproducibility,
+"""The chapters behind the first page, in order: one file each, one line here. make(context) gives a Section, or None where
+there is nothing to say; a Section without blocks is left out too."""
+from . import (building, calibration, comparison, conventions, critical, energy, histories, inputs, laws, measured, reproducibility,
                rim, speed, stack, windows)
-from .answer import head  # noqa: F401  (the page's title)
+from .head import head  # noqa: F401  (the page's title)
 
 CATALOGUE = [
-    answer.make,
     inputs.make,
     histories.make,
+    building.make,
+    measured.make,
     stack.make,
     rim.make,
     windows.make,

@@ -1,8 +1,8 @@
 """The fit: values, intervals, correlation, and how every run comes out."""
-from ..blocks import Section, bullets, heading, note, table
+from ..blocks import Section, bullets, heading, table
 from ..figures import calibration as figure_calibration
 from ..numbers import fixed, interval, is_number, percent, plain, power, sig
-from .common import ROLE_TEXT, errors_of, short_name
+from .common import ROLE_TEXT, errors_of, row_name, short_name
 
 
 def make(context):
@@ -11,9 +11,9 @@ def make(context):
     section = Section("calibration", "Calibration")
     calibration = context.calibration
     if not calibration.parameters:
-        section.add(note("Calibration: not run.", "missing"))
-        return section
-    section.lead = "Impact parameters of the reduced model, fitted to the finite-element impacts" + (
+        return None
+    law = f"law `{calibration.derived['law']}`" if isinstance(calibration.derived.get("law"), str) else "impact law"
+    section.lead = f"The {law} of the reduced model, fitted to {'measured' if context.measured else 'stored'} impacts" + (
         f" of the {calibration.fitted_on}." if calibration.fitted_on else ".")
     section.add(_parameters(calibration))
     section.add(context.pictures.figure("calibration-parameters", "", figure_calibration.draw_parameters, calibration))
@@ -22,7 +22,7 @@ def make(context):
     section.add(_runs(context))
     rows = [{"name": short_name(entry.name), "fitted": errors_of(context, entry, "fitted"),
              "published": errors_of(context, entry, "published")} for entry in context.results.histories]
-    section.add(context.pictures.figure("calibration-errors", "Signed errors of the reduced model against FE.",
+    section.add(context.pictures.figure("calibration-errors", "Signed errors of the reduced model against the reference.",
                                         figure_calibration.draw_errors, rows))
     section.add(context.pictures.figure(
         "calibration-residuals", "First impact of every ground motion, FE and fitted reduced model simulated from rest.",
@@ -43,12 +43,12 @@ def _parameters(calibration):
         limits = interval(*p.interval) if p.interval else "–"
         verdict = {True: "yes", False: "no" + (f": {p.reason}" if p.reason else "")}.get(p.identifiable, "–")
         rows.append([p.name, show(p.value), p.unit.strip("-"), show(p.standard_error) if p.standard_error else "–", limits,
-                     verdict, show(p.published) if p.published is not None else "–"])
-    return table(["parameter", "value", "unit", "standard error", "95 % interval", "identifiable", "published"], rows)
+                     verdict, *([show(p.published) if p.published is not None else "–"] if calibration.published_applies else [])])
+    return table(["parameter", "value", "unit", "standard error", "95 % interval", "identifiable", *(["published"] if calibration.published_applies else [])], rows)
 
 
 def _correlation(calibration):
-    names = [name for name in calibration.correlation if isinstance(calibration.correlation[name], dict)]
+    names = list(calibration.correlation)
     if len(names) < 2:
         return None
     rows = [[name, *(fixed(calibration.correlation[name].get(other), 3) for other in names)] for name in names]
@@ -81,12 +81,12 @@ def _runs(context):
     for entry in context.results.histories:
         errors = errors_of(context, entry, "fitted")
         if errors:
-            rows.append([short_name(entry.name), ROLE_TEXT.get(entry.role, ""), percent(errors.get("peak_force")),
+            rows.append([row_name(context, entry), ROLE_TEXT.get(entry.role, ""), percent(errors.get("peak_force")),
                          percent(errors.get("peak_displacement"), 2), percent(errors.get("rebound")),
                          percent(errors.get("nrmse_displacement"), 2, False), percent(errors.get("nrmse_force"), 1, False)])
     return table(["run", "", "peak impact force", "peak displacement", "rebound", "NRMSE displacement",
                   "NRMSE force"], rows, left=2,
-                 caption="Fitted reduced model against FE. NRMSE: root mean square difference from first touch to 0.5 s "
+                 caption="Fitted reduced model against the reference. NRMSE: root mean square difference from first touch to 0.5 s "
                          "after the last release, displacement over L_c, force over its peak.")
 
 

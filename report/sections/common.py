@@ -2,8 +2,10 @@
 import glob
 import os
 import re
+import xml.etree.ElementTree as tree
 
 from ..blocks import note
+from ..errors import DataError
 from ..numbers import is_number
 
 ROLE_TEXT = {"fit": "used for the fit", "predict": "predicted, not fitted", "window": "single impact",
@@ -36,10 +38,36 @@ def _is_float(text):
     return True
 
 
-def field_files(run):
-    """VTU files of a run in order of their numbers."""
-    files = glob.glob(os.path.join(glob.escape(run.folder), "fields", "*.vtu"))
-    return sorted(files, key=lambda path: [int(n) for n in re.findall(r"\d+", os.path.basename(path))])
+def labels_of(models):
+    """What a run is called beside others of the same scene: by how it was made, as its own scene says."""
+    return {slot: _label(slot, run) for slot, run in models}
+
+
+def _label(slot, run):
+    if run.rung != "reduced":
+        return "finite elements"
+    law = run.get("reduced", "impact_law")
+    return "reduced, published pair" if slot == "published" else f"reduced, {law}" if law else "reduced model"
+
+
+def row_name(context, entry):
+    """A run's name in a table's row, with a mark where the run is doubted."""
+    return context.doubts.marked(entry.name, short_name(entry.name))
+
+
+def instants(run):
+    """(VTU file, its time or None) of what fields.pvd lists, in its order: other files in the folder are another run's.
+    Without fields.pvd every file there is, by its number."""
+    path = os.path.join(run.folder, "fields.pvd")
+    if not os.path.isfile(path):
+        files = glob.glob(os.path.join(glob.escape(run.folder), "fields", "*.vtu"))
+        return [(file, None) for file in sorted(files, key=lambda file: [int(n) for n in re.findall(r"\d+", os.path.basename(file))])]
+    try:
+        listed = tree.parse(path).getroot().iter("DataSet")
+        found = [(os.path.join(run.folder, item.get("file")), float(item.get("timestep"))) for item in listed]
+    except (OSError, tree.ParseError, TypeError, ValueError) as error:
+        raise DataError(f"{path} is not readable ({error})") from None
+    return [(file, time) for file, time in found if os.path.isfile(file)]
 
 
 def impact_peak(run):
@@ -64,7 +92,7 @@ def errors_of(context, entry, who):
     run = getattr(entry, who)
     stored = context.calibration.metrics(entry.name)
     if who == "published":
-        stored = stored.get("published_values") if isinstance(stored.get("published_values"), dict) else {}
+        stored = stored.get("published_values", {}) if context.calibration.published_applies else {}
     reference = figures_of(entry.fe) if entry.fe else {}
     candidate = figures_of(run) if run else {}
     errors = {}

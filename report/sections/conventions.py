@@ -14,7 +14,7 @@ ROWS = [
      "act during contact. Only an impact window isolates the impact."],
     ["k_i, e, c_i", "stiffness, restitution and dashpot of the reduced model's impact element; c_i = 2 ξ √(k_i m) with "
      "ξ = −ln e / √(π² + ln² e), m the supported mass, the rim fixed."],
-    ["Errors", "signed and relative to the finite-element reference."],
+    ["Errors", "signed and relative to the reference: finite elements, or measured curves."],
     ["Rung", "what is solid: `rim` means rim sector and upper slider as elastoplastic solids, the rest reduced; "
      "`rigid-dish` and `full` are finer, `reduced` has no solid at all."],
 ]

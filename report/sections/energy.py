@@ -1,10 +1,10 @@
 """The energy ledger: an e is only worth reporting beside what became of the energy."""
 import math
 
-from ..blocks import Section, note, table
+from ..blocks import Section, table
 from ..figures import energy as figure_energy
-from ..numbers import fixed, is_number, percent, sig
-from .common import short_name
+from ..numbers import fixed, is_number, percent
+from .common import row_name, short_name
 
 TERMS = ("external", "gravity", "kinetic", "elastic", "plastic", "friction", "impact", "contact", "integrator")
 
@@ -15,10 +15,9 @@ def make(context):
                     "integrator's loss comes from its own formula; the imbalance is what is left over, relative to the "
                     "largest energy input.")
     runs = [(entry, run) for entry in context.results.entries for run in [entry.fe or entry.fitted] if run is not None]
-    rows = [_row(entry, run) for entry, run in runs if isinstance(run.summary.get("energy"), dict)]
+    rows = [_row(context, entry, run) for entry, run in runs if run.summary.get("energy")]
     if not rows:
-        section.add(note("No run tells its energies.", "missing"))
-        return section
+        return None
     unused = [i for i in range(2, 2 + len(TERMS) + 1) if all(row[i] in ("–", "0") for row in rows)]
     header = ["run", "model", "at start", *TERMS, "imbalance"]
     section.add(table([h for i, h in enumerate(header) if i not in unused],
@@ -29,14 +28,14 @@ def make(context):
     return section
 
 
-def _row(entry, run):
+def _row(context, entry, run):
     ledger = run.summary["energy"]
     values = [ledger.get(f"{name}_J") for name in ("initial", *TERMS)]
     largest = max((abs(value) for value in values if is_number(value)), default=0.0)
     values = [_kilojoule(value, largest) for value in values]
     imbalance = ledger.get("imbalance_relative")
-    return [short_name(entry.name), "reduced" if run.rung == "reduced" else "FE", *values,
-            sig(imbalance, 2) if is_number(imbalance) and abs(imbalance) < 1e-3 else percent(imbalance, 2)]
+    return [row_name(context, entry), "reduced" if run.rung == "reduced" else "FE", *values,
+            percent(imbalance, 3)]
 
 
 def _kilojoule(value, largest):

@@ -3,9 +3,8 @@ every impact."""
 from ..blocks import Section, heading, note, table
 from ..figures import impacts, response_panels
 from ..numbers import fixed, integer, is_number, percent, scaled
-from .common import ROLE_TEXT, errors_of, hardest, status_note, title_of
-
-WHO = {**response_panels.LABELS, "fe": "FE"}
+from ..results import SLOTS
+from .common import ROLE_TEXT, errors_of, hardest, labels_of, status_note, title_of
 
 
 def make(context):
@@ -15,8 +14,6 @@ def make(context):
     if not results.single:
         section.lead = ("Forces are drawn as −F, so that loops read as in the thesis. Impacts are zoomed from each "
                         "model's own touch, since touch times differ slightly between models.")
-    if not entries:
-        section.add(note("No ground motion was run.", "missing"))
     for entry in entries:
         _entry(section, context, entry)
     return section
@@ -24,24 +21,23 @@ def make(context):
 
 def _entry(section, context, entry):
     if not context.results.single:
-        section.add(heading(title_of(entry.name), ROLE_TEXT.get(entry.role, "")))
-    if entry.fe is None and not context.results.single:
-        section.add(note("Finite-element run: not run.", "missing"))
+        section.add(heading(context.doubts.marked(entry.name, title_of(entry.name)), ROLE_TEXT.get(entry.role, "")))
     models = [(role, run) for role, run in entry.models() if run.has("time", "displacement_x", "displacement_y")]
     for _, run in models:
         section.add(status_note(run) if not context.results.single else None)
+    if entry.fe is None and not context.results.single:
+        section.add(note("There is no finite-element run of it.", "missing"))
     section.add(_numbers(context, entry))
     if not models:
         section.add(note("No response is stored.", "missing"))
         return
-    labels = {role: "finite elements" if role == "fe" else "reduced model" for role, _ in models} \
-        if context.results.single else None
+    labels = labels_of(models)
     capacity = next((run.lateral_capacity for _, run in models if run.lateral_capacity), None)
     section.add(context.pictures.figure(
         f"response-{entry.name}", "Displacement, lateral force, loop and vertical displacement of the upper slider. "
-        "Dotted red: lateral capacity L_c.", response_panels.draw, models, capacity=capacity, labels=labels))
+        "Dotted red: lateral capacity L_c.", response_panels.draw, models, labels, capacity))
     zoom = context.pictures.figure(
-        f"impacts-{entry.name}", _impact_caption(models), impacts.draw, models, labels=labels)
+        f"impacts-{entry.name}", _impact_caption(models), impacts.draw, models, labels)
     section.add(zoom if zoom else note("The rim is not touched in any of the models.", "info"))
 
 
@@ -52,7 +48,8 @@ def _impact_caption(models, most=4):
 
 
 def _numbers(context, entry):
-    known = [(who, label, getattr(entry, who)) for who, label in WHO.items() if getattr(entry, who) is not None]
+    labels = labels_of([(who, getattr(entry, who)) for who in SLOTS if getattr(entry, who) is not None]) | {"fe": "FE"}
+    known = [(who, labels[who], getattr(entry, who)) for who in SLOTS if getattr(entry, who) is not None]
     if not known:
         return None
     rows = [

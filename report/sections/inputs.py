@@ -1,6 +1,4 @@
 """Inputs and assumptions: every number of the resolved scene, those assumed marked as such."""
-import re
-
 from ..blocks import Section, note, table
 from ..numbers import plain
 from .common import title_of
@@ -32,34 +30,33 @@ LABELS = {
     "reduced.mu_fast": "friction at speed", "reduced.mu_slow": "friction at rest", "reduced.rate": "rate of the velocity law",
     "reduced.normal_force": "normal force from", "reduced.elastic_slip": "elastic slip (park-wen)",
 }
-PARTS = {"bearing": "Bearing", "load": "Load", "model": "Finite-element model", "reduced": "Reduced model, before any fit"}
+PARTS = {"bearing": "Bearing", "isolator": "Double concave bearing", "load": "Load", "superstructure": "Building",
+         "model": "Finite-element model", "reduced": "Reduced model of the first run"}
 
 
 def make(context):
-    run = context.results.reference
     section = Section("inputs", "Inputs and assumptions")
-    if run is None:
-        section.add(note("No run folder holds a scene.toml: the inputs are not known.", "missing"))
-        return section
-    assumed = assumption_keys(run.scene_text)
-    section.lead = ("As resolved for the first run, every default written out. An assumption is a value that no source "
-                    "gives; it is ours, and the results depend on it.")
-    rows = [row for part in PARTS for row in _rows(run, part, assumed)]
+    if not context.scene:
+        return None
+    section.lead = ("As resolved for the first run, every default written out. An assumption is a value that the bearing file "
+                    "marks so; the results depend on it.")
+    parts = {part: title for part, title in PARTS.items() if not (part == "bearing" and context.double_concave or part == "model" and context.measured)}
+    rows = [row for part, title in parts.items() for row in _rows(context, part, title)]
     section.add(table(["quantity", "value", "unit", ""], rows, left=(0, 2, 3)))
-    if not any(key.startswith(("bearing.", "rim.", "slider.")) for key in assumed):
-        section.add(note("The scene file marks no value as an assumption.", "missing"))
+    if not context.assumed:
+        section.add(note("The bearing file marks no value as an assumption."))
     section.add(_excitations(context))
     return section
 
 
-def _rows(run, part, assumed):
+def _rows(context, part, title):
     rows = []
-    for key, value in _flat(run.scene.get(part, {})):
+    for key, value in _flat(context.scene.get(part, {})):
         name, unit = split_unit(key)
-        marked = f"{part}.{key}" in assumed or (part == "bearing" and key in assumed)
+        marked = (key if part == "bearing" else f"{part}.{key}") in context.assumed
         rows.append([LABELS.get(f"{part}.{name}") or LABELS.get(name) or _plain_key(name), plain(value), unit,
                      "assumption" if marked else ""])
-    return [{"span": PARTS[part]}, *rows] if rows else []
+    return [{"span": title}, *rows] if rows else []
 
 
 def _flat(tree, prefix=""):
@@ -82,28 +79,13 @@ def _excitations(context):
     rows = []
     for entry in context.results.entries:
         run = entry.any_run
-        values = run.scene.get("excitation", {}) if run else {}
+        values = run.get("excitation", default={}) if run else {}
         said = ", ".join(f"{_plain_key(split_unit(k)[0])} {plain(v)} {split_unit(k)[1]}".replace(" °", "°").strip()
                          for k, v in values.items() if k not in ("kind", "scale") and v not in ("", []))
         if run:
-            rows.append([title_of(entry.name), values.get("kind", ""), plain(values.get("scale")), said])
+            rows.append([context.doubts.marked(entry.name, title_of(entry.name)), values.get("kind", ""), plain(values.get("scale")), said])
     return table(["excitation", "kind", "scale", "what it is made of"], rows, left=4, prose=True)
 
 
 def _plain_key(key):
     return key.replace("_", " ").replace(".", ", ")
-
-
-def assumption_keys(scene_text):
-    """Dotted keys whose line, or whose table's header line, carries the word "assumption" as a comment."""
-    table, whole_table, keys = "", False, set()
-    for line in scene_text.splitlines():
-        code, _, comment = line.partition("#")
-        said = "assumption" in comment.lower()
-        header = re.match(r"\s*\[([^\[\]]+)\]", code)
-        entry = re.match(r"\s*([\w.\-]+)\s*=", code)
-        if header:
-            table, whole_table = header.group(1).strip(), said
-        elif entry and (said or whole_table):
-            keys.add(f"{table}.{entry.group(1)}" if table else entry.group(1))
-    return keys

@@ -14,16 +14,26 @@ def make(context):
     section.add(_ranking(calibration.laws))
     section.add(note(calibration.laws_sentence) if calibration.laws_sentence else None)
     section.add(_parameters(calibration.laws))
-    section.add(_left_out(calibration.laws))
+    section.add(_left_out(context, calibration.laws))
     section.add(note(calibration.constant_pair["sentence"]) if calibration.constant_pair.get("sentence") else None)
-    section.add(_constant_pair(calibration.constant_pair))
+    section.add(_constant_pair(context, calibration.constant_pair))
     section.add(_speed_laws(calibration.speed_laws))
     section.add(_profiles(calibration.profiles))
     return section
 
 
+def _run(context, folder):
+    name = folder.rstrip("/").split("/")[-1]
+    return context.doubts.marked(name, short_name(name))
+
+
+def _limits(parameter):
+    limits = parameter.get("interval_95", [])
+    return interval(*limits) if len(limits) == 2 else "–"
+
+
 def _ranking(laws):
-    rows = [[row.get("law"), percent(row.get("force_unexplained"), 1, False),
+    rows = [[row.get("law", "–"), percent(row.get("force_unexplained"), 1, False),
              percent(row.get("largest_peak_force_error"), 1, False), percent(row.get("largest_rebound_error"), 1, False),
              percent(row.get("left_out_peak_force_error"), 1, False), percent(row.get("left_out_rebound_error"), 1, False),
              _range(row)] for row in laws]
@@ -41,35 +51,35 @@ def _range(row):
 def _parameters(laws):
     rows = []
     for row in laws:
-        for name, p in (row.get("parameters") or {}).items():
-            rows.append([row.get("law"), name, sig(p.get("value"), 3), (p.get("unit") or "").strip("-"),
-                         interval(*(p.get("interval_95") or [None, None])), p.get("verdict") or "–"])
+        for name, p in row.get("parameters", {}).items():
+            rows.append([row.get("law", "–"), name, sig(p.get("value"), 3), p.get("unit", "").strip("-"),
+                         _limits(p), p.get("verdict", "–")])
     return table(["law", "parameter", "value", "unit", "95 % interval", "verdict"], rows, left=2,
                  caption="Verdict: determined; form (determined by the data, but the law does not follow them, which "
                          "widens the interval); flat; bound; grazing.")
 
 
-def _left_out(laws):
+def _left_out(context, laws):
     """The best law's errors on what it has not seen."""
     if not laws:
         return None
     rows = []
-    for left in laws[0].get("leave_one_out") or []:
-        for folder, error in (left.get("runs") or {}).items():
-            name = short_name(folder.rstrip("/").split("/")[-1])
-            rows.append([left.get("left_out") if len(left.get("runs") or {}) > 1 else name, name, sig(error.get("approach_speed_m_s"), 2),
+    for left in laws[0].get("leave_one_out", []):
+        for folder, error in left.get("runs", {}).items():
+            name = _run(context, folder)
+            rows.append([left.get("left_out", "") if len(left.get("runs", {})) > 1 else name, name, sig(error.get("approach_speed_m_s"), 2),
                          percent(error.get("peak_force_error")), percent(error.get("rebound_error")),
                          percent(error.get("nrmse_displacement"), 2, False), "grazes" if error.get("grazing") else ""])
     return table(["left out", "run", "approach (m/s)", "peak force", "rebound", "NRMSE displacement", ""], rows, left=2,
-                 caption=f"{laws[0].get('law')}: fitted without what is left out, then asked for it.")
+                 caption=f"{laws[0].get('law', '–')}: fitted without what is left out, then asked for it.")
 
 
-def _constant_pair(pair):
+def _constant_pair(context, pair):
     """The errors of the pair with the widest range, inside and outside of it."""
     rows = []
     for part, said in (("fitted", "inside, fitted"), ("left_out", "inside, left out"), ("outside", "outside")):
-        for folder, error in (pair.get(part) or {}).items():
-            rows.append([short_name(folder.rstrip("/").split("/")[-1]), said, sig(error.get("approach_speed_m_s"), 2),
+        for folder, error in pair.get(part, {}).items():
+            rows.append([_run(context, folder), said, sig(error.get("approach_speed_m_s"), 2),
                          percent(error.get("peak_force_error")), percent(error.get("rebound_error"))])
     return table(["run", "range", "approach (m/s)", "peak force", "rebound"], rows, left=2,
                  caption="One constant k_i and e over the widest range of speeds that it meets.") if rows else None
@@ -84,7 +94,7 @@ def _speed_laws(laws):
 
 
 def _profiles(profiles):
-    rows = [[name, interval(*(p.get("interval_95") or [None, None])), (p.get("unit") or "").strip("-")]
+    rows = [[name, _limits(p), p.get("unit", "").strip("-")]
             for name, p in profiles.items()]
     return table(["parameter", "95 % by profile likelihood", "unit"], rows, compact=True,
                  caption="From the stated uncertainties alone, the other parameters refitted; a dash: not reached.")

@@ -1,11 +1,8 @@
-"""The deformed rim, coloured by plastic strain: a picture the FE run left, or one drawn from its last VTU file."""
-import os
-
+"""The deformed rim, coloured by plastic strain, drawn from the last fields that the run itself lists."""
 from .. import rim_picture, vtu
-from ..blocks import Section, heading, note
-from .common import field_files, title_of
+from ..blocks import Section, heading
+from .common import instants, title_of
 
-READY = ("fields/deformed.png", "rim.png", "fields/rim.png", "deformed.png")
 LATEST = 8  # fields looked at, each touched arc of the rim writes its own
 MOST = 4  # pictures; drawing one takes about a second
 
@@ -21,10 +18,8 @@ def make(context):
     for entry, run in chosen:
         picture = _picture(context, entry, run)
         if picture:
-            section.add(None if context.results.single else heading(title_of(entry.name)))
+            section.add(None if context.results.single else heading(context.doubts.marked(entry.name, title_of(entry.name))))
             section.add(picture)
-    if not section.blocks:
-        section.add(note("No finite-element run left fields (fields/*.vtu) or a picture of the rim.", "missing"))
     return section
 
 
@@ -34,26 +29,19 @@ def _meets_the_rim(run):
 
 def _most_strained(runs):
     """Histories first, then windows; within each the hardest."""
-    with_fields = [(entry, run) for entry, run in runs if _ready(run) or field_files(run)]
-    with_fields.sort(key=lambda pair: (pair[0].role == "window", -(pair[1].summary.get("max_plastic_strain") or 0.0)))
+    with_fields = [(entry, run) for entry, run in runs if instants(run)]
+    with_fields.sort(key=lambda pair: (pair[0].role == "window", -pair[1].summary.get("max_plastic_strain", 0.0)))
     histories = [pair for pair in with_fields if pair[0].role != "window"]
     windows = [pair for pair in with_fields if pair[0].role == "window"]
     return histories[:MOST - 1] + windows[:MOST - len(histories[:MOST - 1])]
 
 
-def _ready(run):
-    return next((path for path in (os.path.join(run.folder, name) for name in READY) if os.path.isfile(path)), None)
-
-
 def _picture(context, entry, run):
-    files = field_files(run)
-    if not files:
-        return context.pictures.existing(_ready(run), "As the finite-element run left it.")
+    files = [file for file, _ in instants(run)]
     return context.pictures.figure(f"rim-{entry.name}", "The most strained of the stored fields.", _draw, files[-LATEST:])
 
 
 def _draw(files, path):
-    """The last of the most strained fields; drawn again only when a field is newer than the picture."""
-    if not os.path.isfile(path) or os.path.getmtime(path) < max(map(os.path.getmtime, files)):
-        rim_picture.draw(max((vtu.read(file) for file in reversed(files)), key=rim_picture.largest_strain), path)
+    """The last of the most strained fields."""
+    rim_picture.draw(max((vtu.read(file) for file in reversed(files)), key=rim_picture.largest_strain), path)
     return path

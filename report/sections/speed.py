@@ -1,10 +1,10 @@
 """What each result cost, beside its error: speed is never reported alone."""
 from .. import stored_studies
-from ..blocks import Section, note, table
+from ..blocks import Section, table
 from ..figures import speed as figure_speed
 from ..figures import study as figure_study
 from ..numbers import duration, integer, is_number, memory, percent, scaled
-from .common import errors_of, short_name
+from .common import errors_of, row_name, short_name
 
 
 def make(context):
@@ -13,8 +13,7 @@ def make(context):
     known = [entry for entry in context.results.entries
              if any(is_number((run.summary if run else {}).get("wall_time_s")) for run in (entry.fe, entry.fitted))]
     if not known:
-        section.add(note("No run tells its wall time.", "missing"))
-        return section
+        return None
     section.add(_single(known[0].any_run) if single else _all(context, known))
     runs = [(short_name(entry.name), entry.fe) for entry in known if entry.fe is not None and entry.fe.rung != "reduced"]
     section.add(context.pictures.figure("speed-time-split", "Where the wall time of the finite-element runs goes.",
@@ -27,7 +26,9 @@ def make(context):
 def _frontiers(context, section):
     """What the rungs that did not run would cost and change, from studies kept with the program."""
     reference = context.results.reference
-    for scene, study in stored_studies.of_all_rungs(reference.get("bearing", "name") if reference else None).items():
+    if reference is None or not context.calibration.published_applies:  # the studies are of the thesis's bearing
+        return
+    for scene, study in stored_studies.of_all_rungs(reference.get("bearing", "name")).items():
         rows = [[row["name"], duration(row["wall_time_s"]), integer(row["n_dofs"] or None), scaled(row["peak_impact_force_N"], 1e-3),
                  *(("reference", "") if row["reference"] else (percent(row[key], 2, signed=False) for key in ("error", "nrmse_force")))]
                 for row in study["rows"]]
@@ -38,12 +39,15 @@ def _frontiers(context, section):
 
 
 def _all(context, entries):
-    rows = [[short_name(entry.name), *_cost(entry.fe), _finer(entry.fe), _wall(entry.fitted),
+    rows = [[row_name(context, entry), *_cost(entry.fe), _finer(entry.fe), _wall(entry.fitted),
              percent(errors_of(context, entry, "fitted").get("peak_force")),
              percent(errors_of(context, entry, "published").get("peak_force"))] for entry in entries]
     header = ["run", "mesh", "FE time", "unknowns", "steps", "Newton", "memory", "FE error", "reduced time",
               "fitted", "published"]
-    caption = "Errors of the peak impact force: reduced model, fitted and published pair, against FE"
+    published = context.calibration.published_applies
+    if not published:
+        header, rows = header[:-1], [row[:-1] for row in rows]
+    caption = f"Errors of the peak impact force: reduced model{', fitted and published pair,' if published else ''} against FE"
     if all(row[7] == "–" for row in rows):
         header, rows = header[:7] + header[8:], [row[:7] + row[8:] for row in rows]
         caption += "; FE's own error is not known here (no study of speed against error is stored for these runs)"

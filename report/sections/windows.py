@@ -2,7 +2,7 @@
 from ..blocks import Section, note, table
 from ..figures import impacts, windows as figure_windows
 from ..numbers import fixed, is_number, percent, plain, power, scaled
-from .common import errors_of, hardest, status_note
+from .common import errors_of, hardest, labels_of, status_note
 
 
 def make(context):
@@ -11,10 +11,9 @@ def make(context):
     section = Section("windows", "Impact stiffness and restitution over speed")
     entries, calibration = context.results.windows, context.calibration
     if not entries and not calibration.windows:
-        section.add(note("Impact windows: not run. k_i and e over speed are not known.", "missing"))
-        return section
-    section.lead = ("One impact at a given speed, without ground motion, weight or friction: only here is rebound over "
-                    "approach speed the restitution e. Shaded: the speeds at which the constant pair holds.")
+        return None
+    section.lead = ("One impact at a given speed, without ground motion, weight or friction: only here is rebound over approach speed "
+                    "the restitution e." + (" Shaded: the speeds at which the constant pair holds." if calibration.valid_from else ""))
     section.add(context.pictures.figure("ki-and-e-over-speed", "", figure_windows.draw, calibration))
     if calibration.validity:
         section.add(note(calibration.validity))
@@ -22,10 +21,16 @@ def make(context):
     for entry in entries:
         section.add(status_note(entry.fe) if entry.fe else None)
     section.add(context.pictures.figure(
-        "windows-force", "Solid: finite elements. Reduced model at the same speed: dotted with the fitted pair, dashed with the law that leaves least "
-        "unexplained.",
+        "windows-force", _caption(entries),
         impacts.draw_windows, entries))
     return section
+
+
+def _caption(entries):
+    """Solid, dotted, dashed: what each is, as the runs say."""
+    labels = next((labels_of(entry.models()) for entry in entries if entry.fitted or entry.law), {})
+    beside = [f"{style} {labels[who]}" for who, style in (("fitted", "dotted:"), ("law", "dashed:")) if who in labels]
+    return "Solid: finite elements" + "".join(f"; {said}" for said in beside) + ", at the same speed."
 
 
 def _table(context, entries, calibration):
@@ -35,14 +40,15 @@ def _table(context, entries, calibration):
         speed = entry.speed or impact.get("approach_speed_m_s")
         row = next((r for r in calibration.windows if is_number(speed) and abs(r.speed - speed) < 0.02 * speed), None)
         used.add(id(row))
-        rows.append(_row(speed, impact, entry.fe, row, errors_of(context, entry, "fitted").get("peak_force")))
+        rows.append(_row(plain(speed) + context.doubts.mark(entry.name), impact, entry.fe, row,
+                         errors_of(context, entry, "fitted").get("peak_force")))
     for row in calibration.windows:
         if id(row) not in used:
-            rows.append(_row(row.speed, {}, None, row, None))
+            rows.append(_row(plain(row.speed), {}, None, row, None))
     return table(["approach (m/s)", "peak force (kN)", "contact (ms)", "penetration (mm)", "rebound / approach",
-                  "plastic strain", "k_i (kN/m)", "e", "pair: peak force"], rows, left=0,
-                 caption="FE figures of each window, k_i and e fitted to it alone (95 % interval half-width), and the "
-                         "error of the peak force by the constant pair.")
+                  "plastic strain", "k_i (kN/m)", "e", "reduced: peak force"], rows, left=0,
+                 caption=f"{'Measured' if context.measured else 'Finite-element'} figures of each window, k_i and e fitted to it alone (95 % "
+                         "interval half-width), and the error of the peak force by the reduced model.")
 
 
 def _row(speed, impact, run, row, error):
@@ -51,7 +57,7 @@ def _row(speed, impact, run, row, error):
     peak = impact.get("peak_force_N") or (row.peak_force_N if row else None)
     if row and row.pair_force_error is not None:
         error = row.pair_force_error
-    return [plain(speed), scaled(peak, 1e-3, 0), scaled(contact, 1e3, 1), scaled(impact.get("peak_penetration_m"), 1e3, 2),
+    return [speed, scaled(peak, 1e-3, 0), scaled(contact, 1e3, 1), scaled(impact.get("peak_penetration_m"), 1e3, 2),
             fixed(impact.get("restitution") or (row.restitution if row else None), 3),
             percent(run.summary.get("max_plastic_strain") if run else None, 2, False),
             _with_interval(row.k_i if row else None, lambda x: power(x, 3)),

@@ -27,6 +27,7 @@ TEST(Calibrate, RunFoldersToCalibrationJson) {
   EXPECT_NEAR(c.result.parameters.at("e").value / 0.4, 1, 1e-6);
   write_calibration(c, folder.at("calibration"));
 
+  EXPECT_EQ(read_json(folder.at("calibration/curves.json"))["law"], "signed"); // the law that leaves least unexplained
   const auto json = read_json(folder.at("calibration/calibration.json"));
   for (const char *key : {"value", "unit", "standard_error", "interval_95", "identifiable"})
     for (const char *name : {"k_i", "e"}) EXPECT_TRUE(json["parameters"][name].contains(key)) << name << key;

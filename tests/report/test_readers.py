@@ -6,13 +6,14 @@ import numpy as np
 from support import InFolder
 
 import synthetic
-from report import calibration_file, numbers
-from report.build import with_subscripts
+from report import bearing, calibration_file, numbers
+from report.markup import sentence
 from report.errors import DataError
 from report.run_folder import load_run
 from report.sections.common import errors_of, short_name, title_of
-from report.sections.inputs import assumption_keys, split_unit
-from report.series import contact_stretches, impact_curve, keep_peaks
+from report.scene_text import commented_keys
+from report.sections.inputs import split_unit
+from report.series import contact_stretches, impact_curve
 
 
 class Numbers(unittest.TestCase):
@@ -39,22 +40,16 @@ class Numbers(unittest.TestCase):
                          ["70.19", "0.5625", "9.81", "0.05", "3", "yes", numbers.DASH])
 
     def test_subscripts_escape_first(self):
-        self.assertEqual(str(with_subscripts("k_i < L_c, mass_kg")),
+        self.assertEqual(str(sentence("k_i < L_c, mass_kg")),
                          "<i>k</i><sub>i</sub> &lt; <i>L</i><sub>c</sub>, mass_kg")
 
+    def test_backticks_signs_and_exponents(self):
+        self.assertEqual(str(sentence("law `k_i < +-1`, +-8.7 % of v^-0.80")), "law <code>k_i &lt; +-1</code>, ±8.7 % of v<sup>-0.80</sup>")
+        self.assertEqual(str(sentence("it`s one")), "it`s one")
+        self.assertEqual(str(sentence("`a` and `b")), "<code>a</code> and `b")
 
-class Series(unittest.TestCase):
-    def test_thinning_keeps_every_peak_in_order(self):
-        random = np.random.default_rng(1)
-        a, b = random.normal(size=50_000), random.normal(size=50_000)
-        a[31_234], b[777] = 50.0, -40.0
-        kept = keep_peaks(a, b, limit=1000)
-        self.assertLessEqual(len(kept), 1100)
-        self.assertTrue(np.all(np.diff(kept) > 0))
-        self.assertTrue({0, 777, 31_234, 49_999} <= set(kept.tolist()))
-
-    def test_short_series_are_left_alone(self):
-        self.assertTrue(np.array_equal(keep_peaks(np.arange(5.0)), np.arange(5)))
+    def test_numbers_too_large_for_a_float_are_none(self):
+        self.assertEqual(numbers.sig(10**400), numbers.DASH)
 
 
 class Runs(InFolder):
@@ -121,7 +116,7 @@ class Scenes(unittest.TestCase):
     def test_assumptions_are_found_by_their_comment(self):
         text = ("[bearing.rim]\nheight_mm = 60.0 # assumption: above\nthickness_mm = 40.0\n"
                 "[bearing.pad] # assumption, but for its area\nrecess_mm = 20.0\n[load]\nmass_kg = 1 # given\n")
-        self.assertEqual(assumption_keys(text), {"bearing.rim.height_mm", "bearing.pad.recess_mm"})
+        self.assertEqual(commented_keys(text), {"bearing.rim.height_mm", "bearing.pad.recess_mm"})
 
     def test_units_come_off_keys(self):
         self.assertEqual(split_unit("k_i_kN_per_m"), ("k_i", "kN/m"))
@@ -135,11 +130,36 @@ class Scenes(unittest.TestCase):
         self.assertEqual(title_of("my-own-case"), "my-own-case")
 
 
+class Geometry(unittest.TestCase):
+    ELLIPSE = {"surface": {"kind": "ellipse", "R0_m": 2.25, "a_m": 0.5625, "planar_radius_mm": 520.0}, "slider": {"diameter_mm": 240.0}}
+
+    def test_heights_of_the_surfaces(self):
+        self.assertAlmostEqual(bearing.lateral_capacity(self.ELLIPSE), 0.4)
+        np.testing.assert_allclose(bearing.height(self.ELLIPSE, [0.0, 0.4]), [0.0, 0.140625 * (1 - np.sqrt(1 - (0.4 / 0.5625) ** 2))])
+        sphere = {"surface": {"kind": "sphere", "R0_m": 3.0}}
+        self.assertAlmostEqual(float(bearing.height(sphere, 0.6)), 3 - np.sqrt(9 - 0.36))
+        cone = {"surface": {"kind": "cone", "R0_m": 1.0, "slope": 0.1}}
+        self.assertAlmostEqual(float(bearing.height(cone, 1e-4)), 1e-8 / 2, delta=1e-12)  # curvature 1 / R0 at the vertex
+        table = {"surface": {"kind": "table", "radius_mm": [0, 100, 200], "height_mm": [0, 4, 16]}}
+        self.assertAlmostEqual(float(bearing.height(table, 0.15)), 0.010)
+
+    def test_what_cannot_be_drawn_is_said(self):
+        with self.assertRaisesRegex(ValueError, "does not reach"):
+            bearing.height(self.ELLIPSE, 0.6)
+        with self.assertRaisesRegex(ValueError, "surface.a_m is not given"):
+            bearing.height({"surface": {"kind": "ellipse", "R0_m": 2.0}}, 0.1)
+
+    def test_a_key_is_assumed_by_its_comment_or_by_the_list(self):
+        text = "[bearing.rim]\nheight_mm = 60.0 # assumption\nthickness_mm = 40.0\n"
+        self.assertEqual(bearing.assumed_keys(text, {}), {"rim.height_mm"})
+        self.assertEqual(bearing.assumed_keys("", {"bearing": {"assumed": ["rim.thickness_mm"]}}), {"rim.thickness_mm"})
+
+
 class Calibration(unittest.TestCase):
     def test_the_file(self):
         found = calibration_file.read({
-            "parameters": {"k_i": {"value": 4e5, "unit": "kN/m", "interval_95": [3.9e5, 4.1e5], "identifiable": True},
-                           "e": {"value": None}},
+            "parameters": {"k_i": {"value": 4e5, "unit": "kN/m", "interval_95": [3.9e5, 4.1e5], "identifiable": True}, "e": {}},
+            "derived": {"law": "signed"}, "answer": {"published_applies": True},
             "windows": {"rows": [{"speed_m_s": 0.5, "parameters": {"k_i": {"value": 3e5}}, "pair_force_error": 0.2},
                                  {"speed_m_s": 0.1, "restitution": 0.7}],
                         "valid_from_m_s": 0.05, "valid_to_m_s": 0.3, "tolerance": 0.1, "sentence": "holds"},
@@ -149,9 +169,19 @@ class Calibration(unittest.TestCase):
         self.assertEqual([row.speed for row in found.windows], [0.1, 0.5])
         self.assertEqual((found.valid_to, found.validity, found.windows[1].k_i.value), (0.3, "holds", 3e5))
 
-    def test_an_empty_or_odd_file_gives_an_empty_calibration(self):
-        for data in ({}, {"parameters": None, "windows": None}, {"parameters": [], "windows": [], "fit": "?"}):
-            self.assertEqual(calibration_file.read(data).parameters, [])
+    def test_a_law_that_is_no_pair_has_no_pairs_range(self):
+        found = calibration_file.read({"parameters": {"k_i": {"value": 9e5}}, "derived": {"law": "elastoplastic"},
+                                       "windows": {"rows": [{"speed_m_s": 0.1}], "valid_from_m_s": 0.05, "valid_to_m_s": 1.0, "sentence": "The constant pair"}})
+        self.assertEqual((found.validity, found.valid_from, found.pair("k_i")), ("", None, None))
+        self.assertEqual(found.parameter("k_i").value, 9e5)
+
+    def test_the_published_pair_is_of_the_published_bearing(self):
+        data = {"parameters": {"k_i": {"value": 4e5}}, "published": {"k_i": {"value": 4.5e5}}, "fit": {"a/x": {"published_values": {"peak_force_error": 0.2}}}}
+        self.assertIsNone(calibration_file.read(data).parameter("k_i").published)
+        self.assertEqual(calibration_file.read(data | {"answer": {"published_applies": True}}).parameter("k_i").published, 4.5e5)
+
+    def test_an_empty_file_gives_an_empty_calibration(self):
+        self.assertEqual(calibration_file.read({}).parameters, [])
 
     def test_errors_are_relative_to_fe_and_the_file_stands_in(self):
         class Stub:
@@ -159,8 +189,8 @@ class Calibration(unittest.TestCase):
         fe, fitted, context, entry = Stub(), Stub(), Stub(), Stub()
         fe.summary, fe.impacts = {"peak_impact_force_N": 2e6, "peak_displacement_m": 0.41}, []
         fitted.summary, fitted.impacts = {"peak_impact_force_N": 2.2e6, "peak_displacement_m": 0.41}, []
-        context.calibration = calibration_file.read({"fit": {"a/b/x": {
-            "peak_force_error": -0.5, "nrmse_force": 0.03, "published_values": {"peak_force_error": 0.25}}}})
+        data = {"fit": {"a/b/x": {"peak_force_error": -0.5, "nrmse_force": 0.03, "published_values": {"peak_force_error": 0.25}}}}
+        context.calibration = calibration_file.read(data | {"answer": {"published_applies": True}})
         entry.name, entry.fe, entry.fitted, entry.published = "x", fe, fitted, None
         errors = errors_of(context, entry, "fitted")
         self.assertAlmostEqual(errors["peak_force"], 0.1)
@@ -168,6 +198,8 @@ class Calibration(unittest.TestCase):
         self.assertEqual(errors["nrmse_force"], 0.03)
         self.assertEqual(errors_of(context, entry, "published"), {"peak_force": 0.25})
         self.assertEqual(context.calibration.role("x"), "fit")
+        context.calibration = calibration_file.read(data)
+        self.assertEqual(errors_of(context, entry, "published"), {})
 
 
 if __name__ == "__main__":

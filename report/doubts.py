@@ -1,0 +1,64 @@
+"""What makes a run doubtful, and where it is said: beside every row of the run (a mark), on the first page (in full)."""
+from dataclasses import dataclass
+
+from markupsafe import Markup, escape
+
+MARK = Markup('<b class="mark" title="doubtful: see the first page">!</b>')
+
+
+@dataclass(frozen=True)
+class Doubt:
+    runs: tuple  #: names of the runs it is said of; empty: of the whole
+    sentence: str
+
+
+def of_run(run) -> list:
+    """Warnings of the run's own summary, and that it did not end as it should."""
+    found = list(run.summary.get("warnings", []))
+    if run.status not in ("done", "missing"):
+        reason = run.summary.get("reason")
+        found.insert(0, f"{run.status}" + (f": {reason}" if reason else "") + "; what is shown of it is partial")
+    return found
+
+
+class Doubts:
+    """All of a results folder, each sentence once."""
+
+    def __init__(self, results, answer):
+        self.by_entry = {}  #: name of a scene -> its sentences
+        said = {}           #: sentence -> the runs it is said of, in order
+        for sentence in answer.get("doubts", []):
+            said.setdefault(sentence, [])
+        for entry in results.entries:
+            for label, run in _runs(entry, results.single):
+                for sentence in of_run(run):
+                    self._add(said, entry.name, label, sentence)
+        for row in results.main.get("comparison", []):
+            for sentence in row.get("doubts", []):
+                self._add(said, row.get("name", ""), row.get("name", ""), sentence)
+        for sentence in results.main.get("warnings", []):
+            said.setdefault(sentence, [])
+        self.all = [Doubt(tuple(dict.fromkeys(runs)), sentence) for sentence, runs in said.items()]
+
+    def _add(self, said, name, label, sentence):
+        own = self.by_entry.setdefault(name, [])
+        if sentence in own:
+            return
+        own.append(sentence)
+        if not any(sentence in other and (name in other or not name) for other in said if other != sentence):
+            said.setdefault(sentence, []).append(label)
+
+    def mark(self, name: str):
+        """The mark of a run's row, empty where nothing is doubted."""
+        return MARK if self.by_entry.get(name) else Markup("")
+
+    def marked(self, name: str, text: str):
+        mark = self.mark(name)
+        return escape(text) + Markup(" ") + mark if mark else text
+
+
+def _runs(entry, single):
+    """(label, run) of what the report shows of a scene."""
+    labels = (("fe", entry.name), ("fitted", f"{entry.name} (reduced)"), ("law", f"{entry.name} (reduced, best law)"),
+              ("published", f"{entry.name} (reduced, published pair)"))
+    return [(entry.name if single else label, getattr(entry, slot)) for slot, label in labels if getattr(entry, slot) is not None]

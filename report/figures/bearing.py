@@ -1,0 +1,112 @@
+"""The bearing to scale: section through plate, dish and rim, the slider at rest and where it touches the rim."""
+import numpy as np
+from matplotlib.patches import Polygon
+
+from ..bearing import height, lateral_capacity, value
+from ..style import FAINT, FE, INK, MUTED, RIM, plt, save
+
+STEEL, SLIDER, PAD = "#d7dee5", "#b9cfe2", "#e9d8b4"
+WIDTH, DPI = 4.7, 300
+
+
+def draw(bearing, whole, path):
+    """`bearing`: the resolved [bearing] table. `whole`: pad and foot take part and are drawn. Throws ValueError where a
+    dimension is missing."""
+    size = Section(bearing)
+    fig, ax = plt.subplots(figsize=(WIDTH, WIDTH * size.aspect()), layout="constrained")
+    ax.add_patch(Polygon(1e3 * size.plate(), closed=True, facecolor=STEEL, edgecolor=INK, lw=0.7, joinstyle="miter"))
+    for travel, style in ((0.0, dict(facecolor="none", edgecolor=FE, ls=(0, (3, 1.6)))), (size.capacity, dict(facecolor=SLIDER, edgecolor=FE))):
+        for body, fill in size.bodies(travel, whole):
+            own = style | {"facecolor": fill} if fill and travel else style
+            ax.add_patch(Polygon(1e3 * body, closed=True, lw=0.7, zorder=3, **own))
+    _dimensions(ax, size)
+    ax.set_xlim(-1e3 * size.outer - 8, 1e3 * size.outer + 8)
+    low, high = size.limits()
+    ax.set_ylim(1e3 * low, 1e3 * high)
+    ax.set_aspect("equal")
+    ax.axis("off")
+    return save(fig, path, dpi=DPI)
+
+
+class Section:
+    """Outlines (n, 2) in m: x along the travel, z up, the vertex at the origin."""
+
+    def __init__(self, bearing):
+        self.bearing, self.capacity = bearing, lateral_capacity(bearing)
+        need = {name: value(bearing, *key) for name, key in {
+            "reach": ("surface", "planar_radius_mm"), "diameter": ("slider", "diameter_mm"), "bottom": ("slider", "bottom_mm"),
+            "top": ("slider", "top_mm"), "rim_height": ("rim", "height_mm"), "thickness": ("rim", "thickness_mm"),
+            "base": ("plate", "base_mm")}.items()}
+        missing = [name.replace("_", " ") for name, found in need.items() if found is None]
+        if missing or not self.capacity:
+            raise ValueError(f"the scene does not give {', '.join(missing) or 'L_c'}")
+        self.__dict__.update(need)
+        self.wall = self.reach + (value(bearing, "rim", "ledge_mm") or 0.0)
+        self.outer, self.edge = self.wall + self.thickness, float(height(bearing, self.reach))
+
+    def plate(self):
+        x = np.linspace(-self.reach, self.reach, 201)
+        top = self.edge + self.rim_height
+        right = [(self.wall, self.edge), (self.wall, top), (self.outer, top), (self.outer, -self.base)]
+        return np.array([*zip(x, height(self.bearing, x)), *right, *((-a, b) for a, b in right[::-1])])
+
+    def bodies(self, travel, whole):
+        """(outline, its own colour or None) of what moves; pad and foot tilt with the surface, the slider does not."""
+        lift, half = float(height(self.bearing, travel)), self.diameter / 2
+        edge = min(value(self.bearing, "slider", "edge_radius_mm") or 0.0, half)
+        low, high = self.bottom + lift, self.top + lift
+        around = np.linspace(0, np.pi / 2, 8)
+        corner = np.array([(half - edge + edge * np.sin(a), low + edge - edge * np.cos(a)) for a in around])
+        right = np.vstack([corner, [(half, high)]])
+        slider = np.vstack([right, right[::-1] * [-1, 1]]) + [travel, 0]
+        return ([*self._foot(travel, lift)] if whole else []) + [(slider, None)]
+
+    def _foot(self, travel, lift):
+        names = ("radius_mm", "bottom_mm", "shoulder_mm", "cap_radius_mm"), ("outer_radius_mm", "thickness_mm")
+        radius, bottom, shoulder, cap = (value(self.bearing, "foot", name) for name in names[0])
+        pad, thick = (value(self.bearing, "pad", name) for name in names[1])
+        if None in (radius, bottom, shoulder, cap, pad, thick):
+            return
+        step = 1e-5
+        slope = np.arctan((height(self.bearing, travel + step) - height(self.bearing, abs(travel - step))) / (2 * step)) if travel else 0.0
+        turn = np.array([[np.cos(slope), np.sin(slope)], [-np.sin(slope), np.cos(slope)]])
+        angle = np.linspace(np.arcsin(min(1.0, shoulder / cap)), np.pi / 2, 24)
+        right = np.vstack([[(radius, bottom), (radius, shoulder)], np.column_stack([cap * np.cos(angle), cap * np.sin(angle)])])
+        for outline, fill in ((np.vstack([right, right[::-1] * [-1, 1]]), SLIDER),
+                              (np.array([(-pad, 0), (pad, 0), (pad, thick), (-pad, thick)]), PAD)):
+            yield outline @ turn + [travel, lift], fill
+
+    def limits(self):
+        return -self.base - 0.10 * self.outer, max(self.edge + self.rim_height, self.top + float(height(self.bearing, self.capacity))) + 0.09 * self.outer
+
+    def aspect(self):
+        low, high = self.limits()
+        return (high - low) / (2 * self.outer) * 1.02
+
+
+def _dimensions(ax, s):
+    mm, level = 1e3, 1e3 * (s.top + float(height(s.bearing, s.capacity))) + 0.035e3 * s.outer
+    _arrow(ax, 0, mm * s.capacity, level, f"L$_c$ {mm * s.capacity:.4g}", RIM)
+    for x in (0, mm * s.capacity):
+        ax.plot([x, x], [0, level], color=MUTED, lw=0.4, ls=(0, (6, 2, 1, 2)), zorder=4)
+    _arrow(ax, mm * (s.capacity - s.diameter / 2), mm * (s.capacity + s.diameter / 2), mm * (s.bottom + s.top) / 2 + mm * float(height(s.bearing, s.capacity)),
+           f"Ø {mm * s.diameter:.4g}", FE)
+    below = -mm * s.base - 45 * s.outer
+    _arrow(ax, 0, mm * s.reach, below, f"dish {mm * s.reach:.4g}", INK)
+    _arrow(ax, -mm * s.outer, -mm * s.wall, below, f"rim {mm * s.thickness:.4g}", INK, side=True)
+    for x, z in ((0, 0), (s.reach, s.edge), (-s.outer, -s.base), (-s.wall, s.edge)):
+        ax.plot([mm * x, mm * x], [below, mm * z], color=MUTED, lw=0.4, zorder=0 if z >= 0 else 1)
+    x = -mm * s.wall + 18 * s.outer
+    ax.annotate("", (x, mm * s.edge), (x, mm * (s.edge + s.rim_height)), arrowprops=dict(arrowstyle="<|-|>", lw=0.5, color=INK, mutation_scale=5, shrinkA=0, shrinkB=0), zorder=5)
+    for z in (s.edge, s.edge + s.rim_height):
+        ax.plot([-mm * s.wall, x + 10], [mm * z, mm * z], color=FAINT if z == s.edge else MUTED, lw=0.4)
+    ax.text(x + 14 * s.outer, mm * (s.edge + s.rim_height / 2), f"{mm * s.rim_height:.4g}", fontsize=6.5, va="center")
+    ax.text(-mm * s.diameter / 2 - 10, mm * (s.bottom + s.top) / 2, "at rest", fontsize=6.2, color=FE, ha="right", va="center")
+    ax.text(mm * (s.capacity - s.diameter / 2) - 10, mm * s.top + mm * float(height(s.bearing, s.capacity)), "at touch", fontsize=6.2, color=FE, ha="right", va="top")
+
+
+def _arrow(ax, a, b, z, text, colour, side=False):
+    ax.annotate("", (a, z), (b, z), arrowprops=dict(arrowstyle="<|-|>", lw=0.5, color=colour, mutation_scale=5, shrinkA=0, shrinkB=0), zorder=5)
+    where = dict(x=b + 12, ha="left") if side else dict(x=(a + b) / 2, ha="center")
+    ax.text(y=z, s=text, va="center", fontsize=6.5, color=colour, zorder=6,
+            bbox=dict(facecolor="white", edgecolor="none", pad=0.8, alpha=0.85) if not side else None, **where)

@@ -1,0 +1,22 @@
+"""The one page that can be sent: whose it is, the bearing, the load, what was done, the answer, where it holds, whether
+the steel bears it, what was assumed, what is doubted. Everything else stands behind it.
+
+make(context) gives what templates/first_page.html.j2 reads."""
+from . import answer, device, run
+from .work import done
+
+
+def make(context):
+    results = context.results
+    middle = run.make(context) if results.single else answer.make(context)
+    page = {"bearing": device.make(context), "done": done(context), "assumptions": device.assumptions(context),
+            "doubts": context.doubts.all, "middle": middle, "kind": "run" if results.single else "answer"}
+    page["density"] = density(page)
+    return page
+
+
+def density(page):
+    """How close the page is set, so that all doubts fit on it: the more is said, the smaller it is."""
+    said = sum(len(d.sentence) + sum(map(len, d.runs)) + 60 for d in page["doubts"])
+    said += sum(len(str(part)) for part in page["assumptions"])
+    return "plain" if said < 900 else "close" if said < 2000 else "closest"

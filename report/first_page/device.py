@@ -1,0 +1,87 @@
+"""The bearing and its load on the first page: a drawing to scale and the numbers, assumptions with an asterisk."""
+from markupsafe import Markup, escape
+
+from .. import bearing as geometry
+from ..figures import bearing as drawing
+from ..markup import sentence
+from ..numbers import is_number, plain, scaled
+
+STAR = Markup("<b class=\"star\">*</b>")
+DOUBLE = {"radius_m": ("radius of both surfaces", "m"), "capacity_m": ("travel to the rims", "m"),
+          "slider_diameter_mm": ("slider", "mm"), "rim_height_mm": ("rim height", "mm"), "slider_mass_kg": ("slider's mass", "kg")}
+
+
+def make(context):
+    scene = context.scene
+    if not scene:
+        return {"name": context.results.answer.get("bearing", ""), "rows": _load(context), "figure": None,
+                "remark": "The bearing's dimensions are not stored with these results."}
+    if context.double_concave:
+        return {"name": "double concave", "rows": _double(scene) + _load(context), "figure": None, "remark": ""}
+    bearing = scene.get("bearing", {})
+    figure = context.pictures.figure("bearing", "", drawing.draw, bearing, context.whole_bearing)
+    remark = "Section to scale, mm; dashed: at rest, filled: where it touches the rim." if figure else ""
+    return {"name": bearing.get("name", ""), "rows": _rows(bearing, context.assumed) + _load(context), "figure": figure,
+            "remark": remark + ("" if context.whole_bearing or not figure else " Pad and foot do not take part in what was run.")}
+
+
+def _rows(bearing, assumed):
+    """[label, value] pairs of what shapes an impact."""
+    def number(part, key, unit=""):
+        found = bearing.get(part, {}).get(key)
+        text = escape(plain(found) + unit)
+        return text + STAR if f"{part}.{key}" in assumed else text
+
+    surface = bearing.get("surface", {})
+    kind = surface.get("kind", "ellipse")
+    shape = Markup(f"{escape(kind)}, ") + Markup("<i>R</i><sub>0</sub> ") + number("surface", "R0_m", "\u00a0m") \
+        if is_number(surface.get("R0_m")) else Markup(escape(kind))
+    if is_number(surface.get("a_m")):
+        shape += Markup(", <i>a</i> ") + number("surface", "a_m", "\u00a0m")
+    rows = [["Surface", shape], ["Planar radius", number("surface", "planar_radius_mm", "\u00a0mm")],
+            ["Slider", Markup("Ø ") + number("slider", "diameter_mm", "\u00a0mm")],
+            ["Rim, height × thickness", number("rim", "height_mm") + Markup(" × ") + number("rim", "thickness_mm", "\u00a0mm")]]
+    capacity = geometry.lateral_capacity(bearing)
+    if capacity:
+        rows.append([Markup("Travel to the rim, ") + sentence("L_c"), f"{scaled(capacity, 1e3, 1)}\u00a0mm"])
+    steel = bearing.get("material", {}).get("steel", {})
+    if is_number(steel.get("yield_MPa")):
+        mark = lambda key: STAR if f"material.steel.{key}" in assumed else ""  # noqa: E731
+        value = Markup(f"yields at {plain(steel['yield_MPa'])}\u00a0MPa") + mark("yield_MPa")
+        if is_number(steel.get("tangent_modulus_MPa")):
+            value += Markup(f", tangent {plain(steel['tangent_modulus_MPa'])}\u00a0MPa") + mark("tangent_modulus_MPa")
+        rows.append(["Steel", value])
+    return rows
+
+
+def _double(scene):
+    table = scene.get("isolator", {})
+    return [[label, f"{plain(table[key])}\u00a0{unit}"] for key, (label, unit) in DOUBLE.items() if is_number(table.get(key))]
+
+
+def _load(context):
+    """What main.json, the answer or the scene says, in this order."""
+    results = context.results
+    sources = (results.main.get("load", {}), results.answer, context.scene.get("load", {}))
+    pick = lambda key: next((s[key] for s in sources if is_number(s.get(key))), None)  # noqa: E731
+    rows = []
+    if pick("vertical_kN") is not None:
+        rows.append(["Dead load", f"{plain(pick('vertical_kN'))}\u00a0kN"])
+    if pick("mass_kg") is not None:
+        rows.append(["Supported mass", f"{plain(pick('mass_kg'))}\u00a0kg"])
+    return rows
+
+
+def assumptions(context):
+    """[key, value] as the bearing file writes them; those of the answer, else of the scene's marks."""
+    listed = context.results.answer.get("assumptions")
+    if listed:
+        return [[item.get("key", ""), plain(item.get("value"))] for item in listed]
+    bearing, found = context.scene.get("bearing", {}), []
+    for key in sorted(context.assumed):
+        value = bearing
+        for part in key.split("."):
+            value = value.get(part) if isinstance(value, dict) else None
+        if value is not None and not isinstance(value, dict):
+            found.append([key, plain(value)])
+    return found

@@ -1,0 +1,71 @@
+"""The result of one run on its first page: peaks, the response, the building it carries, whether the steel bears it."""
+from ..figures import response_panels
+from ..numbers import DASH, fixed, integer, is_number, percent, scaled, sig
+from ..sections.common import hardest
+
+
+def make(context):
+    run = context.results.entries[0].any_run
+    drawn = run.has("time", "displacement_x", "displacement_y")
+    role = "fitted" if run.rung == "reduced" else "fe"
+    figure = context.pictures.figure("first-response", "", response_panels.draw, [(role, run)],
+                                     {role: "reduced model" if role == "fitted" else "finite elements"}, context.capacity, dpi=300) if drawn else None
+    return {"figure": figure, "no_figure": "" if figure else "No response is stored, so nothing is drawn.", "rows": _peaks(run, context.capacity),
+            "building": _building(run), "strain": _strain(run), "law": _law(run), "estimate": _estimate(run)}
+
+
+def _peaks(run, capacity):
+    s, impact = run.summary, hardest(run)
+    rows = [["Peak displacement", _unit(scaled(s.get("peak_displacement_m"), 1e3, 1), "mm") + (f" of L_c = {scaled(capacity, 1e3, 0)}\u00a0mm" if capacity else "")],
+            ["Peak lateral force", _unit(scaled(s.get("peak_lateral_force_N"), 1e-3, 0), "kN")],
+            ["Peak impact force", _unit(scaled(s.get("peak_impact_force_N"), 1e-3, 0), "kN")],
+            ["Impacts", integer(s.get("n_impacts", len(run.impacts)))]]
+    if impact:
+        rows += [["Hardest: approach, rebound", f"{fixed(impact.get('approach_speed_m_s'), 3)}, {fixed(impact.get('rebound_speed_m_s'), 3)}\u00a0m/s"],
+                 ["Hardest: penetration", _unit(scaled(impact.get("peak_penetration_m"), 1e3, 2), "mm")]]
+    rows.append(["Residual displacement", _unit(scaled(s.get("residual_displacement_m"), 1e3, 1), "mm")])
+    if is_number(s.get("max_plastic_strain")):
+        rows.append(["Largest plastic strain", percent(s["max_plastic_strain"], 2, False)])
+    return [row for row in rows if not row[1].startswith(DASH)]
+
+
+def _unit(text, unit):
+    return text if text == DASH else f"{text}\u00a0{unit}"
+
+
+def _building(run):
+    s = run.summary
+    rows = [["Peak storey drift", scaled(s.get("peak_drift_m"), 1e3, 1), "mm"], ["Ductility", fixed(s.get("ductility"), 2), ""],
+            ["Peak storey shear", scaled(s.get("peak_storey_shear_N"), 1e-3, 0), "kN"],
+            ["Peak floor acceleration", sig(s["peak_floor_acceleration_m_s2"] / 9.80665, 3) if is_number(s.get("peak_floor_acceleration_m_s2")) else DASH, "g"]]
+    return [[label, _unit(value, unit).strip()] for label, value, unit in rows if value != DASH]
+
+
+def _strain(run):
+    limit = run.summary.get("strain_limit")
+    if not limit or not is_number(limit.get("limit")):
+        return None
+    source = "an assumption of ours" if limit.get("assumption") else "from the bearing file"
+    verdict = "exceeds" if limit.get("exceeded") else "stays below"
+    return {"exceeded": limit.get("exceeded") is True,
+            "sentence": f"The largest plastic strain, {percent(limit.get('largest'), 1, False)}, {verdict} the limit of {percent(limit['limit'], 0, False)} ({source})."}
+
+
+def _law(run):
+    """Which impact law acted, its range and whose rim it was fitted on; for reduced runs."""
+    if run.rung != "reduced":
+        return ""
+    reduced = run.get("reduced", default={})
+    said = f"Impact law `{reduced.get('impact_law', DASH)}`, k_i = {sig(reduced.get('k_i_kN_per_m'), 4)} kN/m"
+    if reduced.get("impact_law") in ("signed", "no-tension", "printed", "hunt-crossley"):
+        said += f", e = {sig(reduced.get('restitution'), 3)}"
+    low, high = reduced.get("fitted_from_m_per_s"), reduced.get("fitted_to_m_per_s")
+    if is_number(low) and is_number(high):
+        return f"{said}; fitted to impacts from {sig(low, 2)} to {sig(high, 2)} m/s."
+    return f"{said}; the range it was fitted to is not known."
+
+
+def _estimate(run):
+    estimate = run.summary.get("error_estimate", {})
+    said = estimate.get("sentence") or estimate.get("none") or ""
+    return said[:1].upper() + said[1:] + ("." if said and not said.endswith(".") else "")

@@ -1,0 +1,37 @@
+"""The head of the first page: title, whose report it is, date and version, with what the results say where nothing is given."""
+from .. import document
+from .common import title_of
+
+
+def head(context, given):
+    results = context.results
+    said = given.or_else(document.of(results.main.get("document", {})))
+    title, subtitle = _defaults(context)
+    version = _version(results)
+    facts = [(name, getattr(said, key)) for name, key in (("Client", "client"), ("Project", "project"), ("Author", "author")) if getattr(said, key)]
+    version = f"rimpact {version}" if version else "rimpact"
+    return {"title": said.title or title, "subtitle": subtitle if not said.title else f"{title}. {subtitle}".strip(". "),
+            "facts": facts + [("Date", document.today()), ("Version", version)], "date": document.today(), "version": version}
+
+
+def _defaults(context):
+    """(title, subtitle) of a report nobody named."""
+    results = context.results
+    bearing = context.scene.get("bearing", {}).get("name") or results.answer.get("bearing")
+    bearing = "double concave bearing" if context.double_concave else f"bearing {bearing}" if bearing else "friction-pendulum bearing"
+    if results.single:
+        run = results.entries[0].any_run
+        kind = "reduced model" if run.rung == "reduced" else f"finite elements, rung {run.rung}"
+        return title_of(run.name), f"One run of {bearing}, {kind}"
+    if context.measured:
+        return f"Rim impact of {bearing}", "Impact law fitted to measured curves"
+    source = "finite-element" if any(entry.fe is not None for entry in results.entries) or results.answer.get("source") == "finite elements" else ""
+    if not results.calibration:
+        return f"Rim impact of {bearing}", f"{source.capitalize()} runs" if source else "Runs"
+    return f"Rim impact of {bearing}", f"Impact law fitted to {source + ' ' if source else ''}runs"
+
+
+def _version(results):
+    version = results.main.get("versions", {}).get("rimpact")
+    return version or next((entry.any_run.meta["version"] for entry in results.entries
+                            if entry.any_run and entry.any_run.meta.get("version")), "")

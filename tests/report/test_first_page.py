@@ -1,0 +1,252 @@
+"""The first page: what it says, from which record, and that nothing doubtful is passed over."""
+import json
+import os
+import re
+import shutil
+import unittest
+
+from support import InFolder, command
+from test_pages import text_of
+
+import synthetic
+from report import document
+from report.build import build
+from report.pdf import browser
+
+DOUBT = "-0.48 % of the energy put in is unaccounted for, where 0.1 % is usual: doubt the forces"
+
+
+def first_page(path):
+    page, _ = text_of(path)
+    start, end = page.index('<section id="first"'), page.index("<nav")
+    with open(path + ".first", "w", encoding="utf-8") as file:
+        file.write(page[start:end])
+    return text_of(path + ".first")
+
+
+class Small(InFolder):
+    """One window by finite elements and by the law, and a calibration."""
+
+    def results(self, warnings=(), status="done", truncate=1.0, **changed):
+        scene, calm = 'kind = "window"\nspeed_m_per_s = 0.2', lambda t: 0.0
+        synthetic.run(self.path("runs/window-0.20"), "window-0.20", scene, calm, synthetic.Rim(5e8, 0.7, 2e6), "rim", 0.2, status, truncate, warnings=warnings)
+        synthetic.run(self.path("law/window-0.20"), "window-0.20", scene, calm, synthetic.Rim(5e8, 0.8, 2e6), "reduced", 0.2, law="elastoplastic")
+        synthetic._calibration(self.folder, [], synthetic.answer((0.1, 0.2), **changed))
+        return self.folder
+
+    def page(self, **options):
+        return first_page(build(self.results(**options))[0])
+
+
+class Answer(Small):
+    def test_the_record_is_what_is_said(self):
+        _, text = self.page()
+        for said in ("Law elastoplastic", "600\u202f000\u00a0kN/m 5.88 to 6.12 × 10⁵", "900.0\u00a0kN 882 to 918", "The law belongs to the rim",
+                     "0.400 1600 4.80 18.0 0.540 2.1\u202f% 3.4\u202f% runs left out 250\u202f000 0.480", "runs fitted", "at most 4.1 %",
+                     "251\u202f000 kN/m", "1790 kN s/m", "0.10 to 0.20 m/s", "The law holds within 5 % from 0.1 to 0.75 m/s",
+                     "The plastic strain exceeds the limit of 20 % above 0.3 m/s", "limit 20\u202f%, an assumption of ours",
+                     "Peak forces lie within about 1.5 % of a finer mesh.", "The steel is strained beyond its limit at 1 m/s.",
+                     "86\u202f952\u00a0kg", "853\u00a0kN", "520\u00a0mm", "60 * × 40\u00a0mm *", "rim.height_mm\u00a060; rim.thickness_mm\u00a040."):
+            self.assertIn(said, re.sub(r"\s*<[^>]*>\s*", " ", text).replace("  ", " "))
+
+    def test_what_is_not_identifiable_carries_a_mark(self):
+        self.assertRegex(self.page()[1], r"unloading gain 0\.4000 0\.320 to 0\.480 ! flat")
+
+    def test_rows_outside_the_fit_carry_a_mark(self):
+        self.assertRegex(self.page()[1], r"1\.000 ! 4000 .*outside the speeds the law was fitted to")
+
+    def test_no_pair_says_why(self):
+        _, text = self.page(pair=None, no_pair="No constant pair is met within 20 % at three neighbouring speeds.")
+        self.assertIn("Constant pair No constant pair is met within 20 %", text)
+        self.assertNotIn("251", text)
+
+    def test_a_calibration_without_an_answer_gives_no_numbers(self):
+        self.results()
+        synthetic._calibration(self.folder, [])
+        _, text = first_page(build(self.folder)[0])
+        self.assertIn("holds no answer: it was made by an earlier version", text)
+        self.assertNotIn("4.10", text)
+
+    def test_the_published_pair_belongs_to_the_published_bearing(self):
+        for applies in (True, False):
+            synthetic.run(self.path("published/window-0.20"), "window-0.20", 'kind = "window"\nspeed_m_per_s = 0.2', lambda t: 0.0,
+                          synthetic.Rim(4.5e8, 0.65), "reduced", 0.2)
+            text = text_of(build(self.results(published_applies=applies))[0])[1]
+            self.assertEqual("published" in text.lower(), applies)
+
+    def test_another_laws_run_is_not_drawn_as_the_answers(self):
+        self.results()
+        os.rename(self.path("law"), self.path("reduced"))
+        path, _ = build(self.folder)
+        self.assertIn('id="first"', text_of(path)[0])
+        name = self.path("reduced/window-0.20/scene.toml")
+        with open(name, encoding="utf-8") as file:
+            scene = file.read()
+        self.write("reduced/window-0.20/scene.toml", scene.replace("elastoplastic", "signed"))
+        os.remove(self.path("figures/law.png"))
+        _, text = first_page(build(self.folder)[0])
+        self.assertIn("the law's picture is not drawn", text)
+        self.assertFalse(os.path.exists(self.path("figures/law.png")))
+
+
+class Doubts(Small):
+    def test_every_warning_is_there_in_full_and_its_rows_are_marked(self):
+        path, _ = build(self.results(warnings=[DOUBT, "penetration 90 mm beyond the rim's thickness of 40 mm"]))
+        page, first = text_of(path)[0], first_page(path)[1]
+        self.assertIn(f"window-0.20: {DOUBT}", first)
+        self.assertIn("window-0.20: penetration 90 mm beyond the rim's thickness of 40 mm", first)
+        for chapter in ("windows", "energy", "speed", "inputs", "rim"):
+            if f'<section id="{chapter}">' in page:
+                body = page[page.index(f'<section id="{chapter}">'):]
+                self.assertIn('<b class="mark"', body[:body.index("</section>")], chapter)
+        for chapter in ("windows", "energy", "speed", "inputs"):
+            self.assertIn(f'<section id="{chapter}">', page)
+
+    def test_a_stopped_run_is_a_doubt(self):
+        path, _ = build(self.results(status="stopped", truncate=0.4))
+        self.assertIn("window-0.20: stopped: step fell below 1e-7 s; what is shown of it is partial", first_page(path)[1])
+
+    def test_what_main_says_of_a_row_and_of_all(self):
+        self.results()
+        with open(self.path("main.json"), "w", encoding="utf-8") as file:
+            json.dump({"runs": [{"name": "window-0.20", "role": "window"}], "warnings": ["the BLAS is slow"],
+                       "comparison": [{"name": "window-0.20", "doubts": ["it left the dish"]}]}, file)
+        path, _ = build(self.folder)
+        for said in ("window-0.20: it left the dish", "the BLAS is slow"):
+            self.assertIn(said, first_page(path)[1])
+
+    def test_a_runs_own_report(self):
+        self.results(warnings=[DOUBT])
+        path, _ = build(self.path("runs/window-0.20"))
+        self.assertIn(DOUBT, first_page(path)[1])
+
+    def test_without_doubts_there_is_no_mark(self):
+        page, text = self.page(doubts=[], strain=None, table=[], law=synthetic.answer()["law"] | {"parameters": {}})
+        self.assertNotIn('class="mark"', page)
+
+
+class Head(Small):
+    def test_what_is_given_is_escaped_and_goes_before_what_is_stored(self):
+        self.results()
+        with open(self.path("main.json"), "w", encoding="utf-8") as file:
+            json.dump({"document": {"title": "stored", "client": "Stored & Co", "author": None}}, file)
+        toml = self.write("d.toml", 'client = "From File"\nproject = "P <1>"\n')
+        done = command("report", self.folder, "--title", "<script>alert(1)</script>", "--document", toml, "--author", 'A "B"')
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        page, text = first_page(self.path("report.html"))
+        self.assertNotIn("<script", page)
+        for said in ("<script>alert(1)</script>", "From File", "P <1>", 'A "B"'):
+            self.assertIn(said, __import__("html").unescape(page))
+        self.assertNotIn("Stored", page)
+
+    def test_a_wrong_document_is_the_users_mistake(self):
+        self.results()
+        for content, said in (('clint = "x"', 'unknown key "clint"; did you mean "client"?'), ("title = 3", "title must be a text, got 3"), ("title", "TOML")):
+            done = command("report", self.folder, "--document", self.write("d.toml", content))
+            self.assertEqual(done.returncode, 2)
+            self.assertRegex(done.stderr, r"^rimpact report: .+\n$")
+            self.assertIn(said, done.stderr)
+
+    def test_the_first_that_is_given_counts(self):
+        one, other = document.Document(title="a"), document.Document("b", "c")
+        self.assertEqual(one.or_else(other), document.Document("a", "c"))
+
+
+class Laboratory(InFolder):
+    def test_measured_curves_are_headed_and_drawn_as_such(self):
+        synthetic._calibration(self.folder, [], synthetic.answer(source="measured", rung="measured", mesh=None, strain=None, published_applies=False,
+                                                                 mesh_error={"peak_force": None, "sentence": ""}))
+        synthetic.curves(self.path("calibration"))
+        path, problems = build(self.folder)
+        page, text = text_of(path)
+        self.assertIn("Impact law fitted to measured curves", first_page(path)[1])
+        self.assertIn("Measured curves and their fit", text)
+        self.assertRegex(text, r"test-04 0\.200 800 776 −3\.0\u202f% 2\.00")
+        for name in ("law", "measured-1-test-04", "measured-2-test-07", "bearing"):
+            self.assertTrue(os.path.exists(self.path("figures", f"{name}.png")), name)
+        for chapter in ("histories", "rim", "stack", "comparison", "energy", "speed", "building"):
+            self.assertNotIn(f'id="{chapter}"', page)
+            self.assertNotIn(f'href="#{chapter}"', page)
+        for absent in ("inite-element reference", "finite-element runs", "hardening hardening", "published", "hardest impact"):
+            self.assertNotIn(absent, text)
+        self.assertEqual([problem for problem in problems if "drawn" in problem], [])
+
+    def test_without_the_curves_it_says_so(self):
+        synthetic._calibration(self.folder, [], synthetic.answer(source="measured"))
+        text = text_of(build(self.folder)[0])[1]
+        self.assertIn("the measured curves are not drawn", text)
+
+
+class Building(InFolder):
+    def test_drift_roof_and_storeys_are_reported(self):
+        import numpy as np
+
+        from report.run_folder import load_run
+        synthetic.run(self.path("run"), "town-hall", 'kind = "ricker"\nscale = 1.0\namplitude_g = 0.78', synthetic.ricker(0.9, 1.0), synthetic.Rim(4e8, 0.6), "reduced")
+        run = load_run(self.path("run"))
+        for name in ("drift_x", "roof_x", "storey_shear_x", "roof_acceleration_x"):
+            run.signals[name] = np.sin(run.time)
+            run.signals[name[:-1] + "y"] = 0 * run.time
+        synthetic.write_signals(self.path("run"), run.signals)
+        storeys = [{"peak_drift_m": 0.0234, "residual_drift_m": 0.001, "peak_shear_N": 1.5e6, "peak_acceleration_m_s2": 4.9}]
+        self.write("run/summary.json", json.dumps(run.summary | {"peak_drift_m": 0.0234, "peak_storey_shear_N": 1.5e6, "ductility": None,
+                                                                 "peak_floor_acceleration_m_s2": 4.9, "superstructure": {"storeys": storeys}}))
+        path, problems = build(self.path("run"))
+        self.assertEqual(problems, [])
+        self.assertRegex(first_page(path)[1], r"Peak storey drift 23\.4\u00a0mm Peak storey shear 1500\u00a0kN Peak floor acceleration 0\.500\u00a0g")
+        self.assertRegex(text_of(path)[1], r"1 23\.40 1\.00 1500 0\.500")
+        self.assertTrue(os.path.exists(self.path("run/figures/building-run.png")))
+
+
+@unittest.skipIf(browser() is None, "no Chromium is installed: the page is not printed")
+class Printed(Small):
+    def pages_of_the_first_section(self, path):
+        """Prints the first page alone; gives the number of pages."""
+        page, _ = text_of(path)
+        alone = self.write("alone.html", page[:page.index("<nav")].replace("break-after: page", "") + "</body></html>")
+        from report.pdf import print_to
+        self.assertIsNone(print_to(alone, self.path("alone.pdf")))
+        with open(self.path("alone.pdf"), "rb") as file:
+            return len(re.findall(rb"/Type\s*/Page\b", file.read()))
+
+    def test_one_page_with_few_and_with_many_doubts(self):
+        for n in (0, 4, 12):
+            shutil.rmtree(self.path("runs"), ignore_errors=True)
+            warnings = [f"{DOUBT}; smaller steps, a finer mesh or a tighter tolerance may mend it ({i})" for i in range(n)]
+            path, _ = build(self.results(warnings=warnings, assumptions=[{"key": f"foot.some_length_{i}_mm", "value": "33"} for i in range(20)]))
+            self.assertEqual(self.pages_of_the_first_section(path), 1, n)
+
+    def test_a_run_is_one_page(self):
+        self.results(warnings=[DOUBT])
+        self.assertEqual(self.pages_of_the_first_section(build(self.path("runs/window-0.20"))[0]), 1)
+
+
+class Pdf(Small):
+    def test_without_a_browser_the_html_is_made_and_a_sentence_says_how(self):
+        import subprocess
+        import sys
+
+        from support import SOURCE
+        self.results()
+        self.write("report.pdf", "of other results")
+        done = subprocess.run([sys.executable, "-m", "report", self.folder, "--pdf"], cwd="/", capture_output=True, text=True, timeout=110,
+                              env={"PYTHONPATH": SOURCE, "PYTHONDONTWRITEBYTECODE": "1", "PATH": "/nowhere", "HOME": self.folder})
+        self.assertEqual(done.returncode, 0)
+        self.assertRegex(done.stderr, r"^rimpact report: no PDF: none of chromium, .* is installed\. Open .*report\.html .*\n$")
+        self.assertTrue(os.path.exists(self.path("report.html")))
+        self.assertFalse(os.path.exists(self.path("report.pdf")))
+
+    def test_a_browser_that_fails_is_an_error(self):
+        self.results()
+        os.makedirs(self.path("bin"))
+        os.chmod(self.write("bin/chromium", "#!/bin/sh\necho no display >&2\nexit 1\n"), 0o755)
+        from unittest import mock
+
+        from report import pdf
+        from report.errors import IoError
+        with mock.patch.dict(os.environ, PATH=self.path("bin") + ":/bin"), self.assertRaisesRegex(IoError, "made no PDF of .*no display"):
+            pdf.print_to(build(self.folder)[0], self.path("report.pdf"))
+
+
+if __name__ == "__main__":
+    unittest.main()
