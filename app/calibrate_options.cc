@@ -38,10 +38,11 @@ calibration::Uncertainty uncertainty_of(const std::vector<std::string> &words) {
 void add_calibrate_options(CLI::App &verb, CalibrateWords &words) {
   verb.add_option("--fit", words.fit, "parameters, e.g. k_i,e (default: those of the impact law)");
   verb.add_option("--predict", words.predict, "run folders to predict, not to fit");
-  verb.add_option("--law", words.law, "impact law of the fit (default: the runs' own)");
+  verb.add_option("--law", words.law, "impact law of the fit and of the answer (default: fits the runs' own and answers with the best of --laws)");
   verb.add_option("--laws", words.laws,
-                  "impact laws to rank, with leave-one-out: all, none or names; seconds to a minute")
+                  "impact laws to rank, with leave-one-out: all, none (the law fitted is the answer) or names; seconds to a minute")
       ->capture_default_str();
+  verb.add_flag("--keep-stopped", words.keep_stopped, "fit runs that ended early too");
   verb.add_option("--fixed", words.fixed, "NAME=VALUE, held instead of fitted; repeatable");
   verb.add_option("--bounds", words.bounds, "NAME=LOW:HIGH; repeatable");
   verb.add_option("--start", words.start, "NAME=VALUE, where a search starts; repeatable");
@@ -78,6 +79,9 @@ calibration::CalibrationOptions calibrate_settings(const CalibrateWords &words) 
   settings.fit.robust_scale = words.robust;
   settings.fit.n_starts = words.starts;
   settings.laws = laws_named(words.laws);
+  if (!words.law.empty() && !settings.laws.empty() && std::find(settings.laws.begin(), settings.laws.end(), words.law) == settings.laws.end())
+    settings.laws.push_back(words.law); // to be compared with the others
+  settings.keep_stopped = words.keep_stopped;
   const auto &names = settings.fit.parameters;
   if (std::find(names.begin(), names.end(), "capacity_offset") != names.end() ||
       settings.fit.fixed.count("capacity_offset") >

@@ -8,7 +8,8 @@ namespace rimpact::app {
 /// As typed: names and NAME=VALUE pairs.
 struct CalibrateWords {
   std::vector<std::string> predict, fixed, bounds, start, sigma;
-  std::string fit, law, laws = "none";
+  std::string fit, law, laws = "signed,no-tension,hunt-crossley,elastoplastic";
+  bool keep_stopped = false;
   double robust = calibration::FitOptions().robust_scale, lead_mm = -1;
   int starts = calibration::FitOptions().n_starts;
 };

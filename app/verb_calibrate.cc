@@ -1,8 +1,13 @@
 // rimpact calibrate RUN...: k_i, e and others fitted to stored responses.
 #include "app/calibrate_options.h"
 #include "calibration/calibration_json.h"
+#include <chrono>
+#include <fmt/format.h>
 
 namespace rimpact::app {
+namespace {
+constexpr double worth_telling = 5; // [s]
+} // namespace
 
 void add_calibrate(CLI::App &app, Console &console) {
   struct Options {
@@ -18,7 +23,12 @@ void add_calibrate(CLI::App &app, Console &console) {
   console.add_common(*verb);
   console.add_json(*verb);
   verb->callback([options, &console] {
-    const auto calibration = calibration::calibrate(options->runs, calibrate_settings(options->words));
+    const auto settings = calibrate_settings(options->words);
+    const auto start = std::chrono::steady_clock::now();
+    const auto calibration = calibration::calibrate(options->runs, settings);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (seconds > worth_telling && !settings.laws.empty())
+      console.message(fmt::format("fits of {} laws and of each without one run at a time: {:.0f} s; --laws none does without", settings.laws.size(), seconds));
     calibration::write_calibration(calibration, options->folder);
     console.data(console.json ? calibration::to_json(calibration).dump(2) + "\n"
                               : calibration::describe(calibration));

@@ -35,7 +35,7 @@ void run(Options &options, Console &console) {
   run_options.interrupted = &interrupted();
   run_options.annotate = [&](scene::Summary &summary) {
     const auto beside = std::filesystem::absolute(run_options.folder).lexically_normal().parent_path();
-    summary.extra["error_estimate"] = calibration::error_estimate(scene, summary, calibration::stored_studies(beside));
+    summary.extra["error_estimate"] = calibration::error_estimate(scene, summary, calibration::stored_studies(beside), {run_options.folder, summary.wall_time});
   };
   watch_interrupts();
   ProgressLine line(console.quiet);

@@ -4,6 +4,7 @@
 #include "app/sibling.h"
 #include "app/verb.h"
 #include "calibration/speed_error.h"
+#include "calibration/stored_study.h"
 #include "reduced_models/physical_model.h"
 #include "scene/response.h"
 #include <algorithm>
@@ -82,11 +83,12 @@ std::vector<calibration::StudyRun> runs_of(const std::vector<Job> &jobs, Console
 
 void write(const calibration::SpeedError &study, const scene::Scene &base, const std::string &folder, Console &console) {
   auto json = calibration::to_json(study);
-  json["scene"] = {{"name", base.name}, {"bearing", base.bearing.name}, {"approach_speed_m_s", nullptr}};
+  std::optional<double> approach_speed;
   const auto reference = std::find_if(study.rows.begin(), study.rows.end(), [](const auto &row) { return row.reference; });
   if (reference != study.rows.end())
     if (const auto impacts = summary_of(folder + "/runs/" + reference->run.name)["impacts"]; !impacts.empty())
-      json["scene"]["approach_speed_m_s"] = impacts[0]["approach_speed_m_s"];
+      approach_speed = impacts[0]["approach_speed_m_s"].get<double>();
+  json["scene"] = calibration::studied_scene(base, approach_speed);
   scene::write_text(json.dump(2) + "\n", folder + "/study.json");
   scene::write_text(calibration::to_csv(study), folder + "/study.csv");
   scene::write_text(calibration::describe(study), folder + "/study.txt");

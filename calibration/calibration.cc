@@ -1,4 +1,4 @@
-#include "calibration/calibration.h"
+#include "calibration/answer.h"
 #include "calibration/calibration_check.h"
 #include "scene/error.h"
 #include <algorithm>
@@ -15,6 +15,20 @@ std::vector<StoredRun> read_runs(const std::vector<std::string> &folders, const 
   runs.reserve(folders.size());
   for (const auto &folder : folders) runs.push_back(read_run(folder, options));
   return runs;
+}
+
+std::vector<const StoredRun *> pointers(const std::vector<StoredRun> &runs) {
+  std::vector<const StoredRun *> all;
+  for (const auto &run : runs) all.push_back(&run);
+  return all;
+}
+
+/// What the runs say of themselves; their doubts travel.
+void collect_facts(const std::vector<StoredRun> &runs, Calibration &c) {
+  for (const auto &run : runs) {
+    const RunFacts &facts = c.facts[run.folder] = run_facts(run.folder);
+    for (const auto &warning : facts.warnings) c.doubts.push_back(facts.name + ": " + warning);
+  }
 }
 
 /// Every run to fit must have something to fit: an impact, unless the flight informs on every parameter.
@@ -61,18 +75,12 @@ std::vector<GrazingReport> grazing_reports(const std::vector<const std::vector<S
 /// The laws on every run to fit; what is fitted beside a law's own parameters stays at its fitted value.
 void rank(const std::vector<StoredRun> &runs, const CalibrationOptions &options, Calibration &c) {
   if (options.laws.empty()) return;
-  std::vector<const StoredRun *> every;
-  every.reserve(runs.size());
-  for (const auto &run : runs) every.push_back(&run);
+  const auto every = pointers(runs);
   FitOptions own = options.fit;
   for (const auto &[name, estimate] : c.result.parameters)
     if (!of_a_law(name)) own.fixed[name] = estimate.value;
   c.laws = rank_laws(every, options.laws, own, c.notes);
   c.pair_range = pair_range(every, own);
-  if (!c.pair_range || c.pair_range->tolerance > c.laws.tolerance)
-    c.notes.push_back(fmt::format("no constant pair meets peak force and rebound within {:.0f} % over three "
-                                  "neighbouring speeds",
-                                  100 * c.laws.tolerance));
 }
 
 void note_outcome(Calibration &c) {
@@ -92,15 +100,18 @@ Calibration calibrate(const std::vector<std::string> &run_folders, const Calibra
   options.fit.validate();
   options.window.validate();
   if (run_folders.empty()) throw InputError("no run folder to calibrate on is named");
-  const auto runs = read_runs(run_folders, options.window),
-             predicted = read_runs(options.predict, options.window);
+  Calibration c;
+  auto runs = read_runs(run_folders, options.window), predicted = read_runs(options.predict, options.window);
+  collect_facts(runs, c), collect_facts(predicted, c);
+  const auto screened = screen(runs, c.facts, options.fit.uncertainty, options.keep_stopped);
+  c.doubts.insert(c.doubts.end(), screened.begin(), screened.end());
+  c.notes = screened;
   auto all = runs;
   all.insert(all.end(), predicted.begin(), predicted.end());
   require_same_device(all);
   require_impacts(runs, options.fit);
 
   const auto windows = select(runs, true), histories = select(runs, false);
-  Calibration c;
   c.fitted_on = histories.empty() ? "windows" : "histories";
   const auto &fitted = histories.empty() ? windows : histories;
   c.result = fit(fitted, options.fit);
@@ -119,6 +130,7 @@ Calibration calibrate(const std::vector<std::string> &run_folders, const Calibra
   c.curves = impact_curves(runs, predicted, c.laws.rows.empty() ? c.result : c.laws.rows.front().result);
   if (options.grazing_reports) c.grazing = grazing_reports({&runs, &predicted}, c.result);
   note_outcome(c);
+  c.answer = std::make_shared<Answer>(make_answer(c, options, pointers(runs)));
   return c;
 }
 

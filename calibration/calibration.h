@@ -9,8 +9,10 @@
 #include "calibration/pair_range.h"
 #include "calibration/metrics.h"
 #include "calibration/profile.h"
+#include "calibration/run_facts.h"
 #include "calibration/sensitivity.h"
 #include "calibration/speed_law.h"
+#include <memory>
 
 namespace rimpact::calibration {
 
@@ -20,7 +22,8 @@ struct CalibrationOptions {
   std::vector<std::string> predict;   ///< run folders not fitted, only predicted
   bool grazing_reports = true;        ///< critical amplitudes of the Ricker scenes at scale 1
   double validity_tolerance = 0.10;   ///< on the peak force, over speed
-  std::vector<std::string> laws = {}; ///< impact laws to rank on all runs to fit
+  std::vector<std::string> laws = {}; ///< impact laws to rank on all runs to fit; the best valid one is the answer, or fit.law
+  bool keep_stopped = false;          ///< fit runs that ended early too
   bool profiles = true;               ///< profile likelihood of every parameter (two or more)
 };
 
@@ -35,11 +38,12 @@ struct ImpactCheck {
 /// A run against the reduced model, simulated from rest with the fitted values.
 struct RunCheck {
   Comparison history;
-  Comparison published; ///< the same with the published k_i, e
+  std::optional<Comparison> published; ///< the same with the published k_i, e, for the bearing and mass they were published for
   std::vector<ImpactCheck> impacts;
   std::vector<std::string> notes;
 };
 
+struct Answer;
 struct Calibration {
   FitResult result;
   std::string fitted_on;                           ///< "histories" | "windows"
@@ -48,16 +52,19 @@ struct Calibration {
   std::vector<SpeedLaw> speed_laws;
   std::map<std::string, Profile> profiles; ///< by parameter
   LawRanking laws;
-  std::optional<PairRange> pair_range; ///< where laws are ranked: the range of a constant pair
+  std::optional<PairRange> pair_range; ///< where laws are ranked: the widest range of a constant pair that cannot pull
+  std::shared_ptr<const Answer> answer; ///< see answer.h
   std::vector<GrazingReport> grazing;
   ImpactCurves curves; ///< of the best law, or the one fitted where none are ranked
   scene::Scene scene; ///< the first fitted run's, with the fitted values: mass, law, friction
+  std::map<std::string, RunFacts> facts; ///< by run folder
+  std::vector<std::string> doubts;       ///< of runs: what they say of themselves, and what was left out or counts less
   std::vector<std::string> notes;
 };
 
 /// Published for shfps-225 (thesis 2.5.3).
 inline constexpr double published_k_i = 4.5e8; ///< [N/m]
-inline constexpr double published_e = 0.65;
+inline constexpr double published_e = 0.65, published_mass = 86952; ///< [-], [kg]
 
 /// Throws InputError (options, runs of different bearings, masses, loads or laws), DataError (no impact, too
 /// few samples, unreadable run), each naming the folder.

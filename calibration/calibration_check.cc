@@ -1,4 +1,5 @@
 #include "calibration/calibration_check.h"
+#include "calibration/answer.h"
 #include "calibration/shooting.h"
 #include "scene/error.h"
 #include <cmath>
@@ -60,10 +61,13 @@ RunCheck check_run(const StoredRun &run, const FitResult &result, const FitOptio
   const double L_c = run.scene.bearing.lateral_capacity();
   const auto scene = with_fitted(run.scene, result);
   check.history = compare(run.response, reduced::simulate(scene).response, L_c);
-  auto published = run.scene;
-  published.reduced.k_i = published_k_i;
-  published.reduced.restitution = published_e;
-  check.published = compare(run.response, reduced::simulate(published).response, L_c);
+  if (published_applies(run.scene)) {
+    auto published = run.scene;
+    published.reduced.k_i = published_k_i;
+    published.reduced.restitution = published_e;
+    published.reduced.impact_law = "signed"; // what the pair was published for
+    check.published = compare(run.response, reduced::simulate(published).response, L_c);
+  }
   bool any_clear = false;
   for (const auto &w : run.impacts) any_clear = any_clear || !w.grazing;
   for (const auto &w : run.impacts) {

@@ -1,4 +1,5 @@
 #include "calibration/calibration_json.h"
+#include "calibration/answer.h"
 #include "calibration/laws_json.h"
 #include "reduced_models/impact_law.h"
 #include "scene/error.h"
@@ -12,28 +13,15 @@ using nlohmann::json;
 
 namespace {
 
-/// Every parameter the law reads, fitted or not, and where the rim begins.
-json element_json(const scene::Scene &scene) {
-  json element = {{"lateral_capacity_m", scene.bearing.lateral_capacity() + scene.reduced.capacity_offset}};
-  const reduced::ImpactLaw &law = reduced::impact_law(scene.reduced.impact_law);
-  for (const auto *names : {&law.parameters, &law.exponents})
-    for (const auto &name : *names) {
-      const auto &p = parameter(name);
-      element[name] = {{"value", p.get(scene) / p.si}, {"unit", p.unit}};
-    }
-  if (element.contains("exponent") || element.contains("yield_force"))
-    element["reference_speed_m_per_s"] = scene.reduced.reference_speed;
-  return element;
-}
-
 json derived_json(const scene::Scene &scene) {
   const auto &r = scene.reduced;
+  const bool dashpot = reduced::impact_law(r.impact_law).reads("e");
   return {
       {"c_i",
-       {{"value", damping_coefficient(scene) / 1e3},
+       {{"value", dashpot ? json(damping_coefficient(scene) / 1e3) : json(nullptr)},
         {"unit", "kN s/m"},
         {"formula", "2 xi sqrt(k_i m1), (2-20), m2 infinite"}}},
-      {"xi", reduced::damping_ratio(r.restitution)},
+      {"xi", dashpot ? json(reduced::damping_ratio(r.restitution)) : json(nullptr)},
       {"masses",
        {{"m1_kg", scene.load.mass}, {"m2_kg", nullptr}, {"note", "m1: supported mass; m2: the rim, fixed"}}},
       {"law", r.impact_law},
@@ -52,7 +40,7 @@ json checks_json(const std::map<std::string, RunCheck> &checks) {
   json all = json::object();
   for (const auto &[folder, check] : checks) {
     json entry = to_json(check.history);
-    entry["published_values"] = to_json(check.published);
+    entry["published_values"] = check.published ? to_json(*check.published) : json(nullptr);
     entry["impacts"] = json::array();
     for (const auto &i : check.impacts)
       entry["impacts"].push_back({{"touch_time_s", i.touch_time},
@@ -121,9 +109,12 @@ json to_json(const Calibration &c) {
   out["derived"] = derived_json(c.scene);
   out["fit"] = checks_json(c.fit);
   out["prediction"] = checks_json(c.prediction);
-  out["published"] = {{"k_i", {{"value", published_k_i / 1e3}, {"unit", "kN/m"}}},
-                      {"e", {{"value", published_e}, {"unit", "-"}}},
-                      {"source", "thesis 2.5.3, for shfps-225"}};
+  out["published"] = json(nullptr); // the thesis's, for its own bearing and mass
+  if (published_applies(c.scene))
+    out["published"] = {{"k_i", {{"value", published_k_i / 1e3}, {"unit", "kN/m"}}},
+                        {"e", {{"value", published_e}, {"unit", "-"}}},
+                        {"source", "thesis 2.5.3, for shfps-225"}};
+  out["answer"] = to_json(*c.answer);
   out["fitted_on"] = c.fitted_on;
   out["windows"] = c.windows ? windows_json(*c.windows) : json(nullptr);
   out["laws"] = laws_json(c.laws);
@@ -146,7 +137,7 @@ void write_calibration(const Calibration &calibration, const std::string &folder
   if (failure) throw IoError(fmt::format("{}: {}", folder, failure.message()));
   const auto path = std::filesystem::path(folder);
   scene::write_text(to_json(calibration).dump(2) + "\n", (path / "calibration.json").string());
-  scene::write_text(to_toml_fragment(calibration), (path / "calibration.toml").string());
+  scene::write_text(to_toml_fragment(*calibration.answer), (path / "calibration.toml").string());
   write_curves(calibration.curves, folder);
 }
 

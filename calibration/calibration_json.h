@@ -1,4 +1,4 @@
-/// calibration.json (INTERFACE), and calibration.toml: the fitted values as keys of a scene file.
+/// calibration.json (INTERFACE), and calibration.toml: the answer as keys of a scene file.
 #pragma once
 #include "calibration/calibration.h"
 
@@ -7,11 +7,9 @@ namespace rimpact::calibration {
 nlohmann::json to_json(const Calibration &calibration);
 /// c_i of (2-20) [N s/m]: m1 the supported mass, m2 infinite (the rim is fixed to the ground).
 double damping_coefficient(const scene::Scene &scene);
-/// `[reduced]` (and `[load]`) keys, to be pasted into a scene or bearing case.
-std::string to_toml_fragment(const Calibration &calibration);
-/// A table for the terminal.
+/// A table for the terminal: the answer first.
 std::string describe(const Calibration &calibration);
-/// Writes both files into `folder`, made when absent, atomically. Throws IoError.
+/// Writes both files; the calibration must have its answer, into `folder`, made when absent, atomically. Throws IoError.
 void write_calibration(const Calibration &calibration, const std::string &folder);
 
 } // namespace rimpact::calibration

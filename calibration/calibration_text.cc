@@ -1,3 +1,4 @@
+#include "calibration/answer.h"
 #include "calibration/calibration_json.h"
 #include "reduced_models/impact_law.h"
 #include <fmt/format.h>
@@ -6,29 +7,6 @@ namespace rimpact::calibration {
 
 double damping_coefficient(const scene::Scene &scene) {
   return reduced::damping_coefficient(scene.reduced.k_i, scene.reduced.restitution, scene.load.mass);
-}
-
-std::string to_toml_fragment(const Calibration &c) {
-  const auto &r = c.scene.reduced;
-  std::string text =
-      fmt::format("# Fitted by rimpact on {} of {}; c_i = {:.6g} kN s/m with m1 = {:g} kg and a fixed rim.\n",
-                  c.fitted_on, c.scene.bearing.name, damping_coefficient(c.scene) / 1e3, c.scene.load.mass);
-  if (c.windows) text += "# " + c.windows->sentence + "\n";
-  for (const auto &note : c.notes) text += "# " + note + "\n";
-  text += fmt::format(
-      "[reduced]\nmodel = \"{}\"\nk_i_kN_per_m = {:.9g}\nrestitution = {:.9g}\nimpact_law = \"{}\"\n",
-      r.model, r.k_i / 1e3, r.restitution, r.impact_law);
-  std::string load;
-  auto values = c.result.fixed;
-  for (const auto &[name, estimate] : c.result.parameters) values[name] = estimate.value;
-  for (const auto &[name, value] : values) {
-    if (name == "k_i" || name == "e") continue;
-    const std::string key = parameter(name).toml_key;
-    const auto dot = key.find('.');
-    (key.substr(0, dot) == "reduced" ? text : load) +=
-        fmt::format("{} = {:.9g}\n", key.substr(dot + 1), value);
-  }
-  return load.empty() ? text : text + "[load]\n" + load;
 }
 
 namespace {
@@ -50,8 +28,8 @@ std::string describe(const Calibration &c) {
   const auto percent = [](const std::optional<double> &v) {
     return v ? fmt::format("{:+8.1f} %", 100 * *v) : "         -";
   };
-  std::string text = fmt::format("fitted on {} ({} impacts, {} starts)\n", c.fitted_on, c.result.n_impacts,
-                                 c.result.n_starts);
+  std::string text = c.answer ? describe(*c.answer) + "\n" : "";
+  text += fmt::format("{} fitted on {} ({} impacts, {} starts)\n", c.result.law, c.fitted_on, c.result.n_impacts, c.result.n_starts);
   for (const auto &name : c.result.names) {
     const auto &e = c.result.parameters.at(name);
     text += fmt::format("  {:<13} {:>12.5g} {:<6} +- {:<10.3g} 95 %: {:.5g} .. {:.5g}{}\n", name, e.value,
@@ -74,7 +52,6 @@ std::string describe(const Calibration &c) {
                         law.name, law.coefficient, law.unit == "-" ? "" : " " + law.unit, law.exponent, law.from, law.to,
                         100 * law.largest_error);
   text += describe(c.laws);
-  if (c.pair_range) text += c.pair_range->sentence + "\n";
   for (const auto &r : c.grazing)
     text += fmt::format(
         "{}: first touch at scale {}; at {:g} the peak impact force is {:.4g} kN ({:.4g} .. {:.4g} kN)\n",

@@ -1,10 +1,10 @@
 #include "calibration/law_errors.h"
 #include "calibration/metrics.h"
+#include "calibration/parallel.h"
 #include "calibration/shooting.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <future>
 #include <optional>
 
 namespace rimpact::calibration {
@@ -80,11 +80,9 @@ std::vector<LeftOut> leave_out(const Runs &runs, const FitOptions &options, cons
   FitOptions again = options;
   again.n_starts = 0; // from the fit of all runs alone
   for (const auto &name : again.parameters) again.start[name] = all.parameters.at(name).value;
-  std::vector<std::future<std::optional<LeftOut>>> pending; // the sets know nothing of each other
-  for (const auto &set : sets_of(runs)) pending.push_back(std::async(std::launch::async, [&runs, &again, set] { return without(runs, set, again); }));
   std::vector<LeftOut> table;
-  for (auto &each : pending)
-    if (auto left = each.get()) table.push_back(std::move(*left));
+  for (auto &left : parallel_map(sets_of(runs), [&](const auto &set) { return without(runs, set, again); }))
+    if (left) table.push_back(std::move(*left));
   return table;
 }
 

@@ -1,5 +1,7 @@
 #include "calibration/law_ranking.h"
 #include "calibration/law_errors.h"
+#include "calibration/parallel.h"
+#include "calibration/percent.h"
 #include "reduced_models/impact_law.h"
 #include "scene/error.h"
 #include <algorithm>
@@ -15,29 +17,32 @@ using Runs = std::vector<const StoredRun *>;
 /// Searches for each law: the hardest impact's reading and points spread over the bounds.
 constexpr int starts_a_law = 3;
 
-/// `errors` by speed, not empty.
+/// `errors` by speed, not empty. Bounds are those measured.
 std::string range_sentence(const LawRow &row, const std::vector<LawError> &errors, double tolerance) {
-  std::string text =
-      fmt::format("{}: predicts peak force and rebound within {:.0f} % ", row.result.law, 100 * tolerance);
-  if (row.valid_from)
-    text += fmt::format("from {:.2g} to {:.2g} m/s", *row.valid_from, *row.valid_to);
-  else
-    text += fmt::format("at none of {} runs left out", errors.size());
+  const auto inside = [&](const LawError &e) { return row.valid_from && e.speed >= *row.valid_from && e.speed <= *row.valid_to; };
+  std::string text;
+  if (row.valid_from) {
+    double peak = 0, rebound = 0;
+    for (const auto &e : errors)
+      if (inside(e)) peak = std::max(peak, std::abs(e.peak_force)), rebound = std::max(rebound, std::abs(e.rebound));
+    text = fmt::format("{}: predicts runs left out {} (peak force within {}, rebound within {})", row.result.law,
+                       row.n_valid > 1 ? fmt::format("from {:.3g} to {:.3g} m/s", *row.valid_from, *row.valid_to)
+                                       : fmt::format("at {:.3g} m/s only", *row.valid_from),
+                       percent_up(peak), percent_up(rebound));
+  } else
+    text = fmt::format("{}: predicts peak force and rebound within {:.0f} % at none of {} runs left out", row.result.law,
+                       100 * tolerance, errors.size());
   for (const LawError *end : {&errors.front(), &errors.back()})
-    if (!row.valid_from || end->speed < *row.valid_from || end->speed > *row.valid_to)
-      text += fmt::format("; at {:.2g} m/s the peak force is {} by {:.0f} %, the rebound is off by {:+.0f} %",
-                          end->speed, end->peak_force > 0 ? "overstated" : "understated",
-                          100 * std::abs(end->peak_force), 100 * end->rebound);
+    if (!inside(*end) && (end == &errors.front() || errors.size() > 1))
+      text += fmt::format("; at {:.3g} m/s the peak force is {} by {}, the rebound by {:+.0f} %", end->speed,
+                          end->peak_force > 0 ? "overstated" : "understated", percent_up(std::abs(end->peak_force)),
+                          100 * end->rebound);
   return text;
 }
 
 /// The longest range of neighbouring speeds at which runs not fitted are met.
 void find_range(LawRow &row, double tolerance) {
-  std::vector<LawError> errors;
-  for (const auto &left : row.left_out)
-    if (left.errors.size() == 1 && left.errors[0].folder == left.what && !left.errors[0].grazing)
-      errors.push_back(left.errors[0]);
-  std::sort(errors.begin(), errors.end(), [](const auto &a, const auto &b) { return a.speed < b.speed; });
+  const std::vector<LawError> errors = left_out_runs(row);
   int n = 0;
   for (std::size_t i = 0; i < errors.size(); ++i) {
     const bool met = std::abs(errors[i].peak_force) <= tolerance && std::abs(errors[i].rebound) <= tolerance;
@@ -49,7 +54,17 @@ void find_range(LawRow &row, double tolerance) {
   if (!errors.empty()) row.sentence = range_sentence(row, errors, tolerance);
 }
 
-/// What a fit leaves, on the runs it saw and on each left out.
+} // namespace
+
+std::vector<LawError> left_out_runs(const LawRow &row) {
+  std::vector<LawError> errors;
+  for (const auto &left : row.left_out)
+    if (left.errors.size() == 1 && left.errors[0].folder == left.what && !left.errors[0].grazing)
+      errors.push_back(left.errors[0]);
+  std::sort(errors.begin(), errors.end(), [](const auto &a, const auto &b) { return a.speed < b.speed; });
+  return errors;
+}
+
 LawRow judged(const Runs &runs, const FitOptions &options, const FitResult &result, double tolerance) {
   LawRow row;
   row.result = result;
@@ -74,6 +89,8 @@ LawRow judged(const Runs &runs, const FitOptions &options, const FitResult &resu
   find_range(row, tolerance);
   return row;
 }
+
+namespace {
 
 /// The law's exponents join once its other parameters are found, where the impacts are enough to tell them apart, and stay
 /// if runs left out are then predicted better: on the runs fitted two more parameters always look well.
@@ -113,23 +130,34 @@ FitOptions options_for(const std::string &law, const FitOptions &given) {
   return own;
 }
 
+namespace {
+
+/// A law's row, or why there is none.
+struct Ranked {
+  std::optional<LawRow> row;
+  std::string note;
+};
+Ranked ranked(const Runs &runs, const std::string &law, const FitOptions &options, double tolerance) {
+  const FitOptions own = options_for(law, options);
+  if (own.parameters.empty()) return {{}, fmt::format("the law {} is not ranked: all its parameters are fixed", law)};
+  try {
+    return {row_of(runs, own, tolerance), {}};
+  } catch (const DataError &error) {
+    return {{}, fmt::format("the law {} is not ranked: {}", law, error.what())};
+  }
+}
+
+} // namespace
+
 LawRanking rank_laws(const std::vector<const StoredRun *> &runs, const std::vector<std::string> &laws,
                      const FitOptions &options, std::vector<std::string> &notes, double tolerance) {
   LawRanking ranking{.tolerance = tolerance, .rows = {}, .sentence = {}};
   Runs struck;
   for (const StoredRun *run : runs)
     if (!run->impacts.empty()) struck.push_back(run);
-  for (const auto &law : laws) {
-    const FitOptions own = options_for(law, options);
-    if (own.parameters.empty()) {
-      notes.push_back(fmt::format("the law {} is not ranked: all its parameters are fixed", law));
-      continue;
-    }
-    try {
-      ranking.rows.push_back(row_of(struck, own, tolerance));
-    } catch (const DataError &error) {
-      notes.push_back(fmt::format("the law {} is not ranked: {}", law, error.what()));
-    }
+  for (auto &[row, note] : parallel_map(laws, [&](const std::string &law) { return ranked(struck, law, options, tolerance); })) {
+    if (row) ranking.rows.push_back(std::move(*row));
+    else notes.push_back(note);
   }
   std::sort(ranking.rows.begin(), ranking.rows.end(),
             [](const auto &a, const auto &b) { return a.unexplained < b.unexplained; });

@@ -46,6 +46,13 @@ bool of_a_law(const std::string &parameter);
 /// `given` for another law: its own parameters, what is held or bounded where it reads that, fewer starts.
 FitOptions options_for(const std::string &law, const FitOptions &given);
 
+/// Of the runs left out one at a time, by speed; grazing ones apart.
+std::vector<LawError> left_out_runs(const LawRow &row);
+
+/// What a fit of `runs` leaves, on those it saw and on each left out.
+LawRow judged(const std::vector<const StoredRun *> &runs, const FitOptions &options, const FitResult &result,
+              double tolerance = 0.05);
+
 /// `runs` are fitted, grazing impacts apart. Laws that cannot be fitted are left out with a note.
 LawRanking rank_laws(const std::vector<const StoredRun *> &runs, const std::vector<std::string> &laws,
                      const FitOptions &options, std::vector<std::string> &notes, double tolerance = 0.05);

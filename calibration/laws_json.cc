@@ -1,4 +1,5 @@
 #include "calibration/laws_json.h"
+#include "reduced_models/impact_law.h"
 #include <cmath>
 
 namespace rimpact::calibration {
@@ -10,6 +11,19 @@ json number(double value) {
 }
 json number(const std::optional<double> &value) {
   return value ? number(*value) : json(nullptr);
+}
+
+json element_json(const scene::Scene &scene) {
+  json element = {{"lateral_capacity_m", scene.bearing.lateral_capacity() + scene.reduced.capacity_offset}};
+  const reduced::ImpactLaw &law = reduced::impact_law(scene.reduced.impact_law);
+  for (const auto *names : {&law.parameters, &law.exponents})
+    for (const auto &name : *names) {
+      const auto &p = parameter(name);
+      element[name] = {{"value", p.get(scene) / p.si}, {"unit", p.unit}};
+    }
+  if (element.contains("exponent") || element.contains("yield_force"))
+    element["reference_speed_m_per_s"] = scene.reduced.reference_speed;
+  return element;
 }
 
 json parameters_json(const FitResult &result) {

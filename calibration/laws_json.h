@@ -8,6 +8,8 @@ namespace rimpact::calibration {
 nlohmann::json number(double value);
 nlohmann::json number(const std::optional<double> &value);
 
+/// Every parameter the scene's law reads, fitted or not, and where the rim begins.
+nlohmann::json element_json(const scene::Scene &scene);
 nlohmann::json parameters_json(const FitResult &result);
 nlohmann::json laws_json(const LawRanking &ranking);
 nlohmann::json pair_range_json(const PairRange &range);

@@ -1,5 +1,7 @@
 #include "calibration/pair_range.h"
 #include "calibration/law_errors.h"
+#include "calibration/parallel.h"
+#include "calibration/percent.h"
 #include "reduced_models/impact_law.h"
 #include <algorithm>
 #include <cmath>
@@ -11,7 +13,6 @@ namespace {
 
 using Runs = std::vector<const StoredRun *>;
 constexpr std::size_t fewest = 3;
-constexpr const char *pair_law = "signed"; // k_i and e are defined by it: it returns e exactly
 
 struct Set {
   std::size_t first, last;
@@ -43,9 +44,25 @@ Runs by_speed(const Runs &given) {
   return runs;
 }
 
+/// One pair returns the same force over speed and the same restitution at every speed, but for what weight and friction add: where
+/// the runs' own are farther apart than the tolerance lets them be, no fit is asked for.
+bool conceivable(const Runs &runs, const Set &set, double tolerance) {
+  constexpr double added = 1.2;
+  const double allowed = added * (1 + tolerance) / (1 - tolerance);
+  double stiffest = 0, softest = INFINITY, liveliest = 0, dullest = INFINITY;
+  for (std::size_t i = set.first; i <= set.last; ++i) {
+    const auto &impacts = runs[i]->impacts;
+    const auto hardest = std::max_element(impacts.begin(), impacts.end(), [](const auto &a, const auto &b) { return a.peak < b.peak; });
+    const double force = hardest->peak / hardest->impact.approach_speed, rebound = hardest->impact.restitution();
+    stiffest = std::max(stiffest, force), softest = std::min(softest, force);
+    liveliest = std::max(liveliest, rebound), dullest = std::min(dullest, rebound);
+  }
+  return stiffest <= allowed * softest && liveliest <= allowed * dullest;
+}
+
 PairRange range_of(const Runs &runs, const Set &set, const FitOptions &options) {
   const Runs inside(runs.begin() + set.first, runs.begin() + set.last + 1);
-  PairRange range{.law = pair_law,
+  PairRange range{.law = options.law,
                   .tolerance = 0,
                   .result = fit(inside, options),
                   .from = inside.front()->approach_speed(),
@@ -53,6 +70,9 @@ PairRange range_of(const Runs &runs, const Set &set, const FitOptions &options) 
                   .inside = {},
                   .left_out = {},
                   .outside = {},
+                  .mass = inside.front()->scene.load.mass,
+                  .worst_peak_force = 0,
+                  .worst_rebound = 0,
                   .sentence = {}};
   for (const StoredRun *run : inside) range.inside.push_back(error_of(*run, range.result));
   return range;
@@ -66,18 +86,27 @@ void leave_out_of(PairRange &range, const Runs &runs, const FitOptions &options)
     if (left.errors.size() == 1) range.left_out.push_back(left.errors[0]);
 }
 
+void find_worst(PairRange &range) {
+  for (const auto *errors : {&range.inside, &range.left_out})
+    for (const auto &e : *errors) {
+      range.worst_peak_force = std::max(range.worst_peak_force, std::abs(e.peak_force));
+      range.worst_rebound = std::max(range.worst_rebound, std::abs(e.rebound));
+    }
+}
+
 std::string miss(const LawError &e) {
-  return fmt::format("at {:.2g} m/s it {} the peak force by {:.0f} % and {} the rebound by {:.0f} %", e.speed,
-                     e.peak_force > 0 ? "overstates" : "understates", 100 * std::abs(e.peak_force),
-                     e.rebound > 0 ? "overstates" : "understates", 100 * std::abs(e.rebound));
+  return fmt::format("at {:.3g} m/s it {} the peak force by {} and {} the rebound by {}", e.speed,
+                     e.peak_force > 0 ? "overstates" : "understates", percent_up(std::abs(e.peak_force)),
+                     e.rebound > 0 ? "overstates" : "understates", percent_up(std::abs(e.rebound)));
 }
 
 std::string sentence_of(const PairRange &range) {
   const auto &p = range.result.parameters;
-  std::string text =
-      fmt::format("A constant pair k_i = {:.3g} kN/m, e = {:.2f} is valid from {:.2g} to {:.2g} m/s (peak "
-                  "force and rebound within {:.0f} %, runs left out too)",
-                  p.at("k_i").value, p.at("e").value, range.from, range.to, 100 * range.tolerance);
+  std::string text = fmt::format(
+      "For a supported mass of {:.6g} kg and impacts from {:.3g} to {:.3g} m/s the constant pair k_i = {:.5g} kN/m, e = {:.4f} of law {} meets the "
+      "peak force within {} and the rebound within {}, runs left out too",
+      range.mass, range.from, range.to, p.at("k_i").value, p.at("e").value, range.law, percent_up(range.worst_peak_force),
+      percent_up(range.worst_rebound));
   const auto below = std::find_if(range.outside.rbegin(), range.outside.rend(),
                                   [&](const auto &e) { return e.speed < range.from; });
   if (below != range.outside.rend()) text += "; below, " + miss(*below);
@@ -88,26 +117,33 @@ std::string sentence_of(const PairRange &range) {
 
 } // namespace
 
-std::optional<PairRange> pair_range(const Runs &given, const FitOptions &options,
+std::optional<PairRange> pair_range(const Runs &given, const FitOptions &options, const std::string &law,
                                     const std::vector<double> &tolerances) {
   const Runs runs = by_speed(given);
-  FitOptions own = options_for(pair_law, options);
+  FitOptions own = options_for(law, options);
   own.weights = {.force = 0, .displacement = 0}; // a pair is judged by peak force and rebound
   if (own.parameters.size() < 2) return {};      // held by the caller: not a pair to find
-  std::vector<PairRange> ranges;
-  for (const auto &set : sets_of(runs)) ranges.push_back(range_of(runs, set, own));
-  for (const double tolerance : tolerances)
+  const std::vector<Set> sets = sets_of(runs);
+  std::vector<std::optional<PairRange>> ranges(sets.size());
+  for (const double tolerance : tolerances) {
+    std::vector<std::size_t> asked;
+    for (std::size_t i = 0; i < sets.size(); ++i)
+      if (!ranges[i] && conceivable(runs, sets[i], tolerance)) asked.push_back(i);
+    auto fitted = parallel_map(asked, [&](std::size_t i) { return range_of(runs, sets[i], own); });
+    for (std::size_t n = 0; n < asked.size(); ++n) ranges[asked[n]] = std::move(fitted[n]);
     for (auto &range : ranges) {
-      if (!met(range.inside, tolerance)) continue;
-      if (range.left_out.empty()) leave_out_of(range, runs, own);
-      if (!met(range.left_out, tolerance)) continue;
+      if (!range || !met(range->inside, tolerance)) continue;
+      if (range->left_out.empty()) leave_out_of(*range, runs, own);
+      if (!met(range->left_out, tolerance)) continue;
       for (const StoredRun *run : runs)
-        if (run->approach_speed() < range.from || run->approach_speed() > range.to)
-          range.outside.push_back(error_of(*run, range.result));
-      range.tolerance = tolerance;
-      range.sentence = sentence_of(range);
+        if (run->approach_speed() < range->from || run->approach_speed() > range->to)
+          range->outside.push_back(error_of(*run, range->result));
+      range->tolerance = tolerance;
+      find_worst(*range);
+      range->sentence = sentence_of(*range);
       return range;
     }
+  }
   return {};
 }
 

@@ -1,4 +1,6 @@
 #include "calibration/windows_table.h"
+#include "calibration/law_words.h"
+#include "calibration/percent.h"
 #include "calibration/shooting.h"
 #include "reduced_models/impact_law.h"
 #include "scene/error.h"
@@ -58,37 +60,31 @@ void find_range(WindowsTable &table) {
 }
 
 std::string misses(const WindowRow &row) {
-  return fmt::format("at {:.2g} m/s it {} the peak force by {:.0f} %", row.speed,
-                     row.pair_force_error > 0 ? "overstates" : "understates",
-                     100 * std::abs(row.pair_force_error));
+  return fmt::format("at {:.3g} m/s it {} the peak force by {}", row.speed, row.pair_force_error > 0 ? "overstates" : "understates",
+                     percent_up(std::abs(row.pair_force_error)));
 }
 
+/// Of the law that was fitted, by its own type; bounds are those measured in the windows.
 std::string sentence(const WindowsTable &table, const scene::Scene &scene) {
-  const auto name = fmt::format("The constant pair k_i = {:.0f} kN/m, e = {:.2f}", scene.reduced.k_i / 1e3,
-                                scene.reduced.restitution);
+  std::string name = law_in_words(scene);
+  name.front() = 'T';
   const auto &first = table.rows.front(), &last = table.rows.back();
-  std::string text;
   if (!table.valid_from) {
-    const auto best =
-        std::min_element(table.rows.begin(), table.rows.end(), [](const auto &a, const auto &b) {
-          return std::abs(a.pair_force_error) < std::abs(b.pair_force_error);
-        });
-    text = fmt::format(
-        "{} meets the peak force within {:.0f} % at none of the speeds from {:.2g} to {:.2g} m/s; it comes "
-        "closest at {:.2g} m/s ({:+.0f} %)",
-        name, 100 * table.tolerance, first.speed, last.speed, best->speed, 100 * best->pair_force_error);
-    return text + ".";
+    const auto best = std::min_element(table.rows.begin(), table.rows.end(), [](const auto &a, const auto &b) {
+      return std::abs(a.pair_force_error) < std::abs(b.pair_force_error);
+    });
+    return fmt::format("{} meets the peak force within {:.0f} % at none of the speeds from {:.3g} to {:.3g} m/s; it comes "
+                       "closest at {:.3g} m/s ({:+.0f} %).",
+                       name, 100 * table.tolerance, first.speed, last.speed, best->speed, 100 * best->pair_force_error);
   }
-  if (*table.valid_from == *table.valid_to)
-    text = fmt::format("{} meets the peak force within {:.0f} % at {:.2g} m/s only", name,
-                       100 * table.tolerance, *table.valid_from);
-  else
-    text = fmt::format("{} meets the peak force within {:.0f} % for impacts at {:.2g} to {:.2g} m/s", name,
-                       100 * table.tolerance, *table.valid_from, *table.valid_to);
-  double rebound = 0;
+  double peak = 0, rebound = 0;
   for (const auto &row : table.rows)
-    if (row.speed >= *table.valid_from && row.speed <= *table.valid_to) rebound = std::max(rebound, std::abs(row.pair_rebound_error));
-  text += fmt::format(", its rebound there off by up to {:.0f} % of the approach speed", 100 * rebound);
+    if (row.speed >= *table.valid_from && row.speed <= *table.valid_to)
+      peak = std::max(peak, std::abs(row.pair_force_error)), rebound = std::max(rebound, std::abs(row.pair_rebound_error));
+  const auto where = *table.valid_from == *table.valid_to ? fmt::format("at {:.3g} m/s only", *table.valid_from)
+                                                          : fmt::format("for impacts at {:.3g} to {:.3g} m/s", *table.valid_from, *table.valid_to);
+  std::string text = fmt::format("{} meets the peak force of the windows within {} {}, its rebound there off by up to {} of the approach speed", name,
+                                 percent_up(peak), where, percent_up(rebound));
   if (*table.valid_from > first.speed) text += "; " + misses(first);
   if (*table.valid_to < last.speed) text += "; " + misses(last);
   return text + ".";

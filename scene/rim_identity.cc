@@ -14,6 +14,14 @@ std::uint64_t digest(std::string_view text, std::uint64_t hash = 0xcbf29ce484222
   return hash;
 }
 
+/// Of the values, not of the remarks beside them.
+std::string digest_of_values(const Bearing &bearing) {
+  std::uint64_t hash = digest("");
+  const std::string text = to_toml(bearing);
+  for (const auto line : lines_of(text)) hash = digest(trim(line.substr(0, line.find('#'))), hash);
+  return fmt::format("{:016x}", hash);
+}
+
 } // namespace
 
 std::string rim_identity(const Bearing &bearing) {
@@ -22,10 +30,14 @@ std::string rim_identity(const Bearing &bearing) {
   rim.surface = bearing.surface, rim.slider = bearing.slider, rim.rim = bearing.rim, rim.plate = bearing.plate;
   rim.steel = bearing.steel, rim.steel.strain_limit.reset();
   rim.contact.rim = bearing.contact.rim;
-  std::uint64_t hash = digest("");
-  const std::string text = to_toml(rim);
-  for (const auto line : lines_of(text)) hash = digest(trim(line.substr(0, line.find('#'))), hash); // values, not remarks
-  return fmt::format("{:016x}", hash);
+  return digest_of_values(rim);
+}
+
+std::string bearing_identity(const Bearing &bearing) {
+  Bearing whole = bearing;
+  whole.name.clear();
+  whole.steel.strain_limit.reset(), whole.assumed = {};
+  return digest_of_values(whole);
 }
 
 } // namespace rimpact::scene

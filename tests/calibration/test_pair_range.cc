@@ -6,10 +6,10 @@ namespace rimpact::calibration {
 namespace {
 using namespace testing;
 
-std::optional<PairRange> range_of(const std::vector<StoredRun> &runs,
-                                  std::vector<const StoredRun *> all = {}) {
+std::optional<PairRange> range_of(const std::vector<StoredRun> &runs, const std::string &law = "signed") {
+  std::vector<const StoredRun *> all;
   for (const auto &run : runs) all.push_back(&run);
-  return pair_range(all, {});
+  return pair_range(all, {}, law);
 }
 
 TEST(PairRange, IsWhereOnePairMadeTheRuns) {
@@ -24,9 +24,28 @@ TEST(PairRange, IsWhereOnePairMadeTheRuns) {
   ASSERT_EQ(range->outside.size(), 1u);
   EXPECT_NEAR(range->outside[0].peak_force, std::sqrt(0.5) - 1, 1e-3); // the peak goes with sqrt(k)
   EXPECT_NEAR(range->outside[0].rebound, 0, 1e-3);
-  EXPECT_NE(range->sentence.find("beyond, at 0.8 m/s it understates the peak force by 29 %"),
+  EXPECT_NE(range->sentence.find("beyond, at 0.8 m/s it understates the peak force by 30 %"), // 29.3 %, rounded up
             std::string::npos)
       << range->sentence;
+  EXPECT_NE(range->sentence.find("For a supported mass of 86952 kg and impacts from 0.1 to 0.4 m/s the constant pair k_i = 3e+05 kN/m, e = 0.4000 of law signed"),
+            std::string::npos)
+      << range->sentence;
+}
+
+TEST(PairRange, IsByDefaultOfALawThatCannotPull) {
+  std::vector<StoredRun> runs;
+  for (const double v : {0.1, 0.2, 0.4}) {
+    auto truth = window(v);
+    truth.reduced.impact_law = "no-tension";
+    runs.push_back(run_of(truth));
+  }
+  std::vector<const StoredRun *> all;
+  for (const auto &run : runs) all.push_back(&run);
+  const auto range = pair_range(all, {});
+  ASSERT_TRUE(range);
+  EXPECT_EQ(range->law, "no-tension");
+  EXPECT_NEAR(range->result.parameters.at("e").value, 0.4, 1e-4);
+  EXPECT_LT(range->worst_rebound, 1e-3);
 }
 
 TEST(PairRange, IsEmptyWhereNoPairServesThreeSpeeds) {
