@@ -4,10 +4,10 @@
 #include "app/comparison.h"
 #include "app/job_runner.h"
 #include "calibration/calibration_json.h"
+#include "fe_contact/runner/machine_times.h"
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
 #include <filesystem>
-#include <fstream>
 #include <fmt/format.h>
 #include <optional>
 #include <sys/utsname.h>
@@ -41,16 +41,9 @@ json critical_amplitudes(const std::vector<Job> &jobs) {
 }
 
 json machine() {
-  std::string processor = "unknown processor";
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.rfind("model name", 0) == 0) {
-      processor = line.substr(line.find(':') + 2);
-      break;
-    }
   utsname system{};
   uname(&system);
-  return {{"processor", processor},
+  return {{"processor", fe::processor_name()},
           {"cores", std::thread::hardware_concurrency()},
           {"system", std::string(system.sysname) + " " + system.release}};
 }
