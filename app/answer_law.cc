@@ -1,23 +1,14 @@
 #include "app/answer_law.h"
 
+#include "app/toml_values.h"
 #include "scene/error.h"
 #include "scene/files.h"
-#include "scene/toml_reader.h"
 #include <fmt/format.h>
 
 namespace rimpact::app {
 namespace {
 
 using nlohmann::json;
-
-/// A node as an assignment's right-hand side; empty: not a plain value.
-std::string written(const toml::node &node) {
-  if (const auto *text = node.as_string()) return json(text->get()).dump(); // quoted and escaped as TOML does
-  if (const auto *flag = node.as_boolean()) return flag->get() ? "true" : "false";
-  if (const auto *whole = node.as_integer()) return fmt::format("{}", whole->get());
-  if (const auto *number = node.as_floating_point()) return fmt::format("{}", number->get());
-  return {};
-}
 
 /// Parts of the record, absent or null alike: empty.
 std::string sentence_of(const json &record, const char *key) {
@@ -48,7 +39,7 @@ scene::Scene with_answer(const scene::Scene &scene, const std::string &folder) {
   std::vector<std::string> assignments;
   if (const auto *reduced = file.find("reduced"); reduced && reduced->is_table())
     for (const auto &[key, node] : *reduced->as_table())
-      if (const std::string value = written(node); !value.empty()) assignments.push_back(fmt::format("reduced.{}={}", key.str(), value));
+      if (const std::string value = as_written(node); !value.empty()) assignments.push_back(fmt::format("reduced.{}={}", key.str(), value));
   return scene::parse_scene(scene::to_toml(scene), path, assignments);
 }
 
