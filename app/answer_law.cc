@@ -35,12 +35,12 @@ std::string parameters_text(const json &parameters) {
 
 scene::Scene with_answer(const scene::Scene &scene, const std::string &folder) {
   const std::string path = folder + "/calibration.toml";
-  const scene::TomlFile file(scene::read_file(path), path);
-  std::vector<std::string> assignments;
-  if (const auto *reduced = file.find("reduced"); reduced && reduced->is_table())
-    for (const auto &[key, node] : *reduced->as_table())
-      if (const std::string value = as_written(node); !value.empty()) assignments.push_back(fmt::format("reduced.{}={}", key.str(), value));
-  return scene::parse_scene(scene::to_toml(scene), path, assignments);
+  auto values = flattened(scene::TomlFile(scene::to_toml(scene), scene.name));
+  for (const auto &[key, value] : flattened(scene::TomlFile(scene::read_file(path), path)))
+    if (key.rfind("reduced.", 0) == 0) values[key] = value;
+  std::string text;
+  for (const auto &[key, value] : values) text += key + " = " + value + "\n";
+  return scene::parse_scene(text, path);
 }
 
 scene::Scene with_pair(scene::Scene scene, const json &answer) {
