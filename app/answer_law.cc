@@ -10,22 +10,30 @@ namespace {
 
 using nlohmann::json;
 
-/// Parts of the record, absent or null alike: empty.
+/// Parts of the record; what is absent or null is empty.
+json part_of(const json &record, const char *key) {
+  const auto found = record.is_object() ? record.find(key) : record.end();
+  return record.is_object() && found != record.end() ? *found : json();
+}
+std::string text_of(const json &record, const char *key) {
+  const json part = part_of(record, key);
+  return part.is_string() ? part.get<std::string>() : "";
+}
+/// The part itself where it is a sentence, else its key `sentence`.
 std::string sentence_of(const json &record, const char *key) {
-  const auto found = record.find(key);
-  if (found == record.end()) return {};
-  if (found->is_string()) return *found;
-  return found->is_object() ? found->value("sentence", "") : "";
+  const json part = part_of(record, key);
+  return part.is_string() ? part.get<std::string>() : text_of(part, "sentence");
 }
 
 std::string parameters_text(const json &parameters) {
   std::string text;
   for (const auto &[name, p] : parameters.items()) {
-    text += fmt::format("  {:<13} {:>12.5g} {:<6}", name, p.value("value", 0.0), p.value("unit", ""));
-    const json interval = p.value("interval_95", json());
+    const json value = part_of(p, "value"), interval = part_of(p, "interval_95");
+    if (!value.is_number()) continue;
+    text += fmt::format("  {:<18} {:>12.5g} {:<6}", name, value.get<double>(), text_of(p, "unit"));
     if (interval.is_array() && interval.size() == 2 && interval[0].is_number() && interval[1].is_number())
       text += fmt::format(" 95 %: {:.5g} .. {:.5g}", interval[0].get<double>(), interval[1].get<double>());
-    if (!p.value("identifiable", true)) text += "  not identifiable";
+    if (part_of(p, "identifiable") == json(false)) text += "  not identifiable";
     text += "\n";
   }
   return text;
@@ -53,18 +61,15 @@ scene::Scene with_pair(scene::Scene scene, const json &answer) {
 
 std::string answer_text(const json &answer) {
   if (!answer.is_object()) return {};
-  const json law = answer.value("law", json::object());
-  std::string text = fmt::format("the answer: law {}\n", law.value("name", "?")) + parameters_text(law.value("parameters", json::object()));
+  const json law = part_of(answer, "law");
+  std::string text = fmt::format("the answer: law {}\n", text_of(law, "name")) + parameters_text(part_of(law, "parameters"));
   const auto add = [&text](const std::string &sentence) {
     if (!sentence.empty()) text += "  " + sentence + "\n";
   };
-  add(sentence_of(law, "sentence"));
-  add(sentence_of(law, "remark"));
-  add(sentence_of(answer, "pair"));
-  add(sentence_of(answer, "no_pair"));
-  add(sentence_of(answer, "strain"));
-  add(sentence_of(answer, "mesh_error"));
-  for (const auto &doubt : answer.value("doubts", json::array()))
+  add(text_of(law, "sentence"));
+  add(text_of(law, "remark"));
+  for (const char *key : {"pair", "no_pair", "strain", "mesh_error"}) add(sentence_of(answer, key));
+  for (const auto &doubt : part_of(answer, "doubts"))
     if (doubt.is_string()) add("doubt: " + doubt.get<std::string>());
   return text;
 }

@@ -20,6 +20,8 @@ public:
   /// is thrown.
   void run();
 
+  double expected_seconds() const { return time_to_go(times_, at_once_); } ///< of what is left
+
 private:
   using Clock = std::chrono::steady_clock;
   struct Child {

@@ -3,6 +3,7 @@
 #include "app/verb.h"
 #include "calibration/measured_run.h"
 #include "calibration/metrics.h"
+#include "scene/error.h"
 #include "scene/files.h"
 #include <array>
 #include <cmath>
@@ -29,6 +30,15 @@ void require_signals(const Item &item) {
       throw DataError(fmt::format("{}: no signal {} (CSV column {}); compare needs time_s, ux_m, uy_m, Fx_N, Fy_N, Ix_N and Iy_N", item.path, signal, column));
 }
 
+/// With every default written out, so that a scene of an older version differs in what was changed only.
+std::string resolved(const std::string &text, const std::string &path) {
+  try {
+    return scene::to_toml(scene::parse_scene(text, path));
+  } catch (const Error &) { // a record that is no longer there: its text tells as much
+    return text;
+  }
+}
+
 Item read_item(const std::string &path) {
   namespace fs = std::filesystem;
   Item item{.path = path, .scene = {}, .response = {}};
@@ -44,6 +54,7 @@ Item read_item(const std::string &path) {
       item.scene = scene::read_file(beside.string());
     else if (const auto kept = item.response.meta.find("scene"); kept != item.response.meta.end())
       item.scene = kept->second;
+    if (!item.scene.empty()) item.scene = resolved(item.scene, path);
   }
   require_signals(item);
   return item;

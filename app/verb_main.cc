@@ -73,7 +73,7 @@ void run_main(Options options, Console &console) {
   JobRunner runner(jobs, console, at_once);
   make_runs_folder(options.folder);
   context.versions = fe_versions(options.folder, console);
-  console.message(target.head() + fmt::format("{} runs, {} at a time: {}", jobs.size(), at_once, about(time_to_go(expected_times(jobs), at_once))));
+  console.message(target.head() + fmt::format("{} runs, {} at a time: {}", jobs.size(), at_once, about(runner.expected_seconds())));
 
   watch_interrupts();
   runner.run();
