@@ -42,41 +42,61 @@ std::string percent(const json &value) {
   return fmt::format("{:+.1f} %", tenths == 0 ? 0.0 : 0.1 * tenths); // never "-0.0 %"
 }
 
+/// One reduced run's column: keys of a row begin with `key`.
+struct Column {
+  std::string title, key, folder;
+};
+
+std::vector<Column> present(const Columns &columns) {
+  std::vector<Column> list;
+  if (!columns.law.empty()) list.push_back({columns.law, "fitted", "/law/"});
+  if (!columns.pair.empty()) list.push_back({columns.pair, "pair", "/reduced/"});
+  if (!columns.published.empty()) list.push_back({columns.published, "published", "/published/"});
+  return list;
+}
+
+void add_column(json &row, const std::string &key, const json &fe, const json &reduced) {
+  const json peak = peak_force_kN(reduced), rebound = of_hardest_impact(reduced, "restitution");
+  row[key + "_kN"] = peak;
+  row[key + "_error"] = relative(peak, peak_force_kN(fe));
+  row[key + "_rebound_error"] = relative(rebound, of_hardest_impact(fe, "restitution"));
+}
+
 } // namespace
 
-json comparison_rows(const std::vector<Job> &jobs, const std::string &folder) {
+json comparison_rows(const std::vector<Job> &jobs, const std::string &folder, const Columns &columns) {
   json rows = json::array();
   for (const auto &job : jobs) {
     if (!job.done) continue;
-    const json fe = summary_of(job.folder), fitted = summary_of(folder + "/reduced/" + job.name),
-               published = summary_of(folder + "/published/" + job.name);
-    const json rebound = of_hardest_impact(fe, "restitution");
-    rows.push_back({{"name", job.name},
-                    {"role", job.role},
-                    {"fe_kN", peak_force_kN(fe)},
-                    {"fitted_kN", peak_force_kN(fitted)},
-                    {"published_kN", peak_force_kN(published)},
-                    {"approach_speed_m_s", of_hardest_impact(fe, "approach_speed_m_s")},
-                    {"rebound_over_approach", rebound},
-                    {"fitted_error", relative(peak_force_kN(fitted), peak_force_kN(fe))},
-                    {"published_error", relative(peak_force_kN(published), peak_force_kN(fe))},
-                    {"fitted_rebound_error", relative(of_hardest_impact(fitted, "restitution"), rebound)}});
+    const json fe = summary_of(job.folder);
+    json row{{"name", job.name},
+             {"role", job.role},
+             {"fe_kN", peak_force_kN(fe)},
+             {"approach_speed_m_s", of_hardest_impact(fe, "approach_speed_m_s")},
+             {"rebound_over_approach", of_hardest_impact(fe, "restitution")},
+             {"doubts", doubts_of(fe)}};
+    for (const char *key : {"fitted", "pair", "published"}) add_column(row, key, fe, json::object()); // a column that is not there is null
+    for (const auto &column : present(columns)) add_column(row, column.key, fe, summary_of(folder + column.folder + job.name));
+    rows.push_back(row);
   }
   return rows;
 }
 
-std::string comparison_text(const json &rows) {
-  std::string text = fmt::format("{:26s} {:>12s} {:>9s} {:>9s}   {:>11s} {:>9s} {:>9s}   {:>11s} {:>9s}\n",
-                                 "peak impact force", "FE [kN]", "in [m/s]", "out/in", "fitted [kN]", "error",
-                                 "rebound", "4.5e5, 0.65", "error");
-  for (const auto &row : rows)
-    text += fmt::format("{:26s} {:>12s} {:>9s} {:>9s}   {:>11s} {:>9s} {:>9s}   {:>11s} {:>9s}\n",
-                        row["name"].get<std::string>(), cell(row["fe_kN"], "{:.1f}"),
-                        cell(row["approach_speed_m_s"], "{:.3f}"),
-                        cell(row["rebound_over_approach"], "{:.3f}"), cell(row["fitted_kN"], "{:.1f}"),
-                        percent(row["fitted_error"]), percent(row["fitted_rebound_error"]),
-                        cell(row["published_kN"], "{:.1f}"), percent(row["published_error"]));
-  return text;
+std::string comparison_text(const json &rows, const Columns &columns) {
+  std::string text = fmt::format("{:28s} {:>9s} {:>9s} {:>7s}", "peak impact force", "FE [kN]", "in [m/s]", "out/in"), below;
+  for (const auto &column : present(columns)) text += fmt::format("   {:>19s} {:>9s} {:>9s}", column.title + " [kN]", "error", "rebound");
+  text += "\n";
+  for (const auto &row : rows) {
+    const std::string name = row["name"];
+    text += fmt::format("{:28s} {:>9s} {:>9s} {:>7s}", name + (row["doubts"].empty() ? "" : " !"), cell(row["fe_kN"], "{:.1f}"),
+                        cell(row["approach_speed_m_s"], "{:.3f}"), cell(row["rebound_over_approach"], "{:.3f}"));
+    for (const auto &column : present(columns))
+      text += fmt::format("   {:>19s} {:>9s} {:>9s}", cell(row[column.key + "_kN"], "{:.1f}"), percent(row[column.key + "_error"]),
+                          percent(row[column.key + "_rebound_error"]));
+    text += "\n";
+    for (const auto &doubt : row["doubts"]) below += fmt::format("! {}: {}\n", name, doubt.get<std::string>());
+  }
+  return text + below;
 }
 
 } // namespace rimpact::app

@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <sched.h>
 #include <sstream>
 #include <thread>
 
@@ -35,11 +36,17 @@ std::string status_of(const Job &job) {
                                                                             : "";
 }
 
+/// DIR/logs/NAME.EXTENSION of DIR/runs/NAME.
+std::string beside_runs(const Job &job, const char *extension) {
+  const auto runs = std::filesystem::path(job.folder).parent_path();
+  return (runs.parent_path() / "logs" / (job.name + extension)).string();
+}
+
 std::string failure_of(const Job &job, int code) {
   if (code == 128 + SIGKILL) return "killed, perhaps for want of memory";
   if (code > 128 && code != static_cast<int>(ExitCode::interrupted))
     return fmt::format("ended by signal {} ({})", code - 128, strsignal(code - 128));
-  const std::string last = last_line(job.folder + ".log");
+  const std::string last = last_line(beside_runs(job, ".log"));
   if (last.empty()) return fmt::format("ended with exit code {}; its log is empty", code);
   return last.rfind("error: ", 0) == 0 ? last.substr(7) : last;
 }
@@ -47,9 +54,18 @@ std::string failure_of(const Job &job, int code) {
 } // namespace
 
 void make_runs_folder(const std::string &folder) {
-  std::error_code error;
-  std::filesystem::create_directories(folder + "/runs", error);
-  if (error) throw IoError("cannot make " + folder + "/runs: " + error.message());
+  for (const std::string part : {"/runs", "/logs"}) {
+    std::error_code error;
+    std::filesystem::create_directories(folder + part, error);
+    if (error) throw IoError("cannot make " + folder + part + ": " + error.message());
+  }
+}
+
+std::size_t cores_to_use() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  const int count = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+  return std::clamp(count, 1, 8);
 }
 
 std::vector<Job> shard_of(const std::vector<Job> &jobs, int part, int n_parts) {
@@ -72,6 +88,14 @@ nlohmann::json summary_of(const std::string &folder) {
   return json.is_object() ? json : nlohmann::json::object();
 }
 
+std::vector<std::string> doubts_of(const nlohmann::json &summary) {
+  std::vector<std::string> doubts;
+  if (const auto found = summary.find("warnings"); found != summary.end() && found->is_array())
+    for (const auto &sentence : *found)
+      if (sentence.is_string()) doubts.push_back(sentence);
+  return doubts;
+}
+
 nlohmann::json fe_versions(const std::string &folder, Console &console) {
   const std::string file = folder + "/versions.json", log = folder + "/versions.log";
   const int code =
@@ -86,9 +110,9 @@ nlohmann::json fe_versions(const std::string &folder, Console &console) {
   return versions;
 }
 
-JobRunner::JobRunner(std::vector<Job> &jobs, Console &console)
-    : jobs_(jobs), console_(console), program_(fe_program()),
-      at_once_(std::clamp(std::thread::hardware_concurrency(), 1u, 8u)), line_(console.quiet) {}
+JobRunner::JobRunner(std::vector<Job> &jobs, Console &console, std::size_t at_once)
+    : jobs_(jobs), console_(console), program_(fe_program()), at_once_(at_once > 0 ? at_once : cores_to_use()),
+      times_(expected_times(jobs)), line_(console.quiet) {}
 
 void JobRunner::run() {
   while (next_ < jobs_.size() || !children_.empty()) {
@@ -103,9 +127,10 @@ void JobRunner::run() {
 
 void JobRunner::start_next() {
   Job &job = jobs_[next_++];
-  const std::string status = status_of(job), scene_file = job.folder + ".toml", log = job.folder + ".log";
+  const std::string status = status_of(job), scene_file = beside_runs(job, ".toml"), log = beside_runs(job, ".log");
   if (status == "done") {
     job.done = job.reused = true;
+    time_of(job).state = RunTime::State::out;
     ++finished_;
     console_.message(job.name + ": already done, kept");
     return;
@@ -118,6 +143,7 @@ void JobRunner::start_next() {
     launch.command.push_back("--resume");
   if (at_once_ > 1) launch.environment = {"OPENBLAS_NUM_THREADS=1", "OMP_NUM_THREADS=1", "RIMPACT_THREADS=1"};
   children_.push_back({start(launch), &job});
+  time_of(job).state = RunTime::State::running;
 }
 
 void JobRunner::collect() {
@@ -127,6 +153,7 @@ void JobRunner::collect() {
       ++child;
       continue;
     }
+    time_of(*child->job).spent = std::chrono::duration<double>(Clock::now() - child->begin).count();
     finish(*child->job, code);
     child = children_.erase(child);
   }
@@ -136,6 +163,7 @@ void JobRunner::finish(Job &job, int code) {
   ++finished_;
   line_.finish();
   job.done = code == 0 && is_done(job);
+  time_of(job).state = job.done ? RunTime::State::finished : RunTime::State::out;
   if (!job.done) {
     job.failure = failure_of(job, code);
     return console_.warn(job.name + ": " + job.failure);
@@ -145,14 +173,18 @@ void JobRunner::finish(Job &job, int code) {
   console_.message(fmt::format("{:26s} {:8.1f} kN, {} impact(s), {}", job.name,
                                force.is_number() ? 1e-3 * force.get<double>() : 0.0,
                                summary.value("n_impacts", 0), duration(summary.value("wall_time_s", 0.0))));
+  for (const auto &doubt : doubts_of(summary)) console_.warn(job.name + ": " + doubt);
 }
 
 void JobRunner::show_progress() {
   std::string running;
-  for (const auto &child : children_) running += " " + child.job->name;
-  const std::chrono::duration<double> spent = std::chrono::steady_clock::now() - begin_;
-  line_.show(fmt::format("{} of {} runs done, running:{}  ({})", finished_, jobs_.size(), running,
-                         duration(spent.count())));
+  for (const auto &child : children_) {
+    running += " " + child.job->name;
+    time_of(*child.job).spent = std::chrono::duration<double>(Clock::now() - child.begin).count();
+  }
+  const std::chrono::duration<double> spent = Clock::now() - begin_;
+  line_.show(fmt::format("{} of {} runs done, {} to go, running:{}  ({})", finished_, jobs_.size(), about(time_to_go(times_, at_once_)),
+                         running, duration(spent.count())));
 }
 
 void JobRunner::stop_all() {

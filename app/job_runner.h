@@ -3,29 +3,36 @@
 #include "app/console.h"
 #include "app/main_jobs.h"
 #include "app/progress.h"
+#include "app/time_to_go.h"
 #include <nlohmann/json.hpp>
 
 namespace rimpact::app {
 
 class JobRunner {
 public:
-  /// Throws InputError when the finite-element program is missing.
-  JobRunner(std::vector<Job> &jobs, Console &console);
+  /// `at_once`: runs side by side; 0: as many as the process may use cores, at most eight. Throws InputError when the
+  /// finite-element program is missing.
+  JobRunner(std::vector<Job> &jobs, Console &console, std::size_t at_once = 0);
 
-  /// As many at a time as there are cores, one thread each. Jobs done with the same scene are kept,
+  /// One thread each where several run at once. Each run's scene and log go to DIR/logs, DIR/runs holds run folders only. Jobs done with the same scene are kept,
   /// interrupted ones go on from their checkpoint, a failing one does not lose the others (its sentence is in
   /// Job::failure). On Ctrl-C the children are told, write their checkpoints, and an Error of exit code 130
   /// is thrown.
   void run();
 
+  double expected_seconds() const { return time_to_go(times_, at_once_); } ///< of what is left
+
 private:
+  using Clock = std::chrono::steady_clock;
   struct Child {
     pid_t process;
     Job *job;
+    Clock::time_point begin = Clock::now();
   };
   void start_next();
   void collect();
   void finish(Job &job, int code);
+  RunTime &time_of(const Job &job) { return times_[&job - jobs_.data()]; }
   void show_progress();
   void stop_all();
 
@@ -34,12 +41,16 @@ private:
   std::string program_;
   std::size_t at_once_, next_ = 0, finished_ = 0;
   std::vector<Child> children_;
+  std::vector<RunTime> times_; ///< by job
   ProgressLine line_;
-  std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
+  Clock::time_point begin_ = Clock::now();
 };
 
-/// The folder of a study's runs; throws IoError when it cannot be made.
+/// The folders of a study's runs and of their logs; throws IoError when they cannot be made.
 void make_runs_folder(const std::string &folder);
+
+/// Cores this process may use (its affinity, not the machine's), at least 1 and at most 8.
+std::size_t cores_to_use();
 
 /// Every `n_parts`-th job from the `part`-th (from 1) on.
 std::vector<Job> shard_of(const std::vector<Job> &jobs, int part, int n_parts);
@@ -54,7 +65,10 @@ nlohmann::json fe_versions(const std::string &folder, Console &console);
 /// Whether the job's folder holds a run of this very scene that ended well.
 bool is_done(const Job &job);
 
-/// A job's summary.json; null when there is none to read.
+/// A job's summary.json; an empty object when there is none to read.
 nlohmann::json summary_of(const std::string &folder);
+
+/// What a run says of itself that is to be doubted: the warnings of its summary, sentences.
+std::vector<std::string> doubts_of(const nlohmann::json &summary);
 
 } // namespace rimpact::app

@@ -1,27 +1,71 @@
 #include "app/main_jobs.h"
 
+#include "scene/error.h"
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace rimpact::app {
+namespace {
 
-std::vector<Job> main_jobs(const scene::Bearing &bearing, const std::string &folder) {
-  std::vector<Job> jobs;
-  const auto add = [&](const std::string &name, const std::string &role, const std::string &scene,
-                       const std::string &override) {
-    Job job{name, role, scene::load_scene(scene, {override}), folder + "/runs/" + name, false, false, {}};
-    job.scene.bearing = bearing;
-    job.scene.name = name;
-    job.scene.validate();
-    jobs.push_back(job);
+/// A built-in scene with the target's bearing, load and settings.
+scene::Scene for_target(const char *built_in, const MainTarget &target, const std::string &assignment) {
+  scene::Scene scene = scene::load_scene(built_in, {assignment});
+  scene.bearing = target.scene.bearing;
+  scene.load = target.scene.load;
+  scene.model = target.scene.model;
+  scene.reduced = target.scene.reduced;
+  scene.reduced.calibration.clear(); // a reference run is of no fitted law
+  scene.reduced.fitted_rim.clear();
+  scene.reduced.fitted_from = scene.reduced.fitted_to = scene.reduced.fitted_mass = std::nullopt;
+  return scene;
+}
+
+/// Whether a pulse is the thesis's own, whatever finite-element settings run it.
+bool is_thesis(const scene::Scene &pulse, const char *built_in) {
+  scene::Scene thesis = scene::load_scene(built_in);
+  thesis.model = pulse.model;
+  thesis.name = pulse.name;
+  return scene::to_toml(thesis) == scene::to_toml(pulse);
+}
+
+PulseScales scales_of(const char *built_in, const MainTarget &target, const std::optional<SpeedRange> &wished) {
+  const scene::Scene pulse = for_target(built_in, target, "excitation.scale=1.0");
+  if (wished || !is_thesis(pulse, built_in)) return pulse_scales(pulse, wished.value_or(SpeedRange{}));
+  return {.pulses = {{1.10, 0, true}, {1.05, 0, true}, {1.0, 0, false}}};
+}
+
+} // namespace
+
+MainJobs main_jobs(const MainTarget &target, const MainChoices &choices, const std::string &folder) {
+  MainJobs result;
+  const auto add = [&](const std::string &name, const std::string &role, scene::Scene scene) {
+    scene.name = name;
+    scene.validate();
+    result.jobs.push_back({name, role, std::move(scene), folder + "/runs/" + name, false, false, {}});
   };
-  for (const double scale : {1.10, 1.05, 1.0})
-    for (const char *pulse : {"ricker-0.78g-1.0s", "ricker-0.38g-1.5s"})
-      add(fmt::format("{}-x{:.2f}", pulse, scale), scale > 1 ? "fit" : "predict", pulse,
-          fmt::format("excitation.scale={:.2f}", scale));
-  for (const double speed : {1.0, 0.6, 0.35, 0.2, 0.1, 0.05})
-    add(fmt::format("window-{:.2f}", speed), "window", "impact-window",
-        fmt::format("excitation.speed_m_per_s={}", speed));
-  return jobs;
+  constexpr const char *pulses[] = {"ricker-0.78g-1.0s", "ricker-0.38g-1.5s"};
+  std::vector<PulseScales> scales;
+  if (!choices.windows_only)
+    for (const char *pulse : pulses) {
+      scales.push_back(scales_of(pulse, target, choices.pulse_speeds));
+      for (const auto &sentence : scales.back().left_out) result.left_out.push_back(sentence);
+    }
+  for (std::size_t k = 0; k < 3; ++k) // the hardest of each pulse first
+    for (std::size_t p = 0; p < scales.size(); ++p) {
+      if (k >= scales[p].pulses.size()) continue;
+      const auto &[scale, speed, fitted] = scales[p].pulses[k];
+      const std::string text = in_a_name(scale);
+      add(fmt::format("{}-x{}", pulses[p], text), fitted ? "fit" : "predict", for_target(pulses[p], target, "excitation.scale=" + text));
+    }
+  auto speeds = choices.speeds;
+  std::sort(speeds.rbegin(), speeds.rend());
+  for (const double speed : speeds) {
+    const std::string name = "window-" + in_a_name(speed);
+    if (!result.jobs.empty() && result.jobs.back().name == name)
+      throw InputError(fmt::format("--speeds: {:g} m/s stands there twice, to the four decimals of a run's name", speed));
+    add(name, "window", for_target("impact-window", target, fmt::format("excitation.speed_m_per_s={}", speed)));
+  }
+  return result;
 }
 
 } // namespace rimpact::app

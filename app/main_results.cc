@@ -1,12 +1,14 @@
 #include "app/main_results.h"
 
+#include "app/answer_law.h"
 #include "app/comparison.h"
 #include "app/job_runner.h"
 #include "calibration/calibration_json.h"
+#include "fe_contact/runner/machine_times.h"
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
 #include <filesystem>
-#include <fstream>
+#include <fmt/format.h>
 #include <optional>
 #include <sys/utsname.h>
 #include <thread>
@@ -19,19 +21,6 @@ using nlohmann::json;
 void run_reduced(const scene::Scene &scene, const std::string &folder) {
   const auto run = reduced::simulate(scene);
   scene::write_run_folder(folder, scene, run.response, run.summary);
-}
-
-scene::Scene with_pair(scene::Scene scene, double k_i, double e) {
-  scene.reduced.k_i = k_i;
-  scene.reduced.restitution = e;
-  return scene;
-}
-
-/// The fit of the law that leaves least unexplained, where it is another than the pair's.
-const calibration::FitResult *best_law(const calibration::Calibration &fitted) {
-  if (fitted.laws.rows.empty()) return nullptr;
-  const auto &best = fitted.laws.rows.front().result;
-  return best.law == fitted.result.law ? nullptr : &best;
 }
 
 json critical_amplitudes(const std::vector<Job> &jobs) {
@@ -52,16 +41,9 @@ json critical_amplitudes(const std::vector<Job> &jobs) {
 }
 
 json machine() {
-  std::string processor = "unknown processor";
-  std::ifstream file("/proc/cpuinfo");
-  for (std::string line; std::getline(file, line);)
-    if (line.rfind("model name", 0) == 0) {
-      processor = line.substr(line.find(':') + 2);
-      break;
-    }
   utsname system{};
   uname(&system);
-  return {{"processor", processor},
+  return {{"processor", fe::processor_name()},
           {"cores", std::thread::hardware_concurrency()},
           {"system", std::string(system.sysname) + " " + system.release}};
 }
@@ -86,48 +68,74 @@ Selection select(const std::vector<Job> &jobs) {
   return s;
 }
 
-/// Reduced runs beside the finite-element ones: with the fitted pair and the best law when there are, and with the published pair.
-json reduced_runs(const std::vector<Job> &jobs, const std::string &folder,
-                  const std::optional<calibration::Calibration> &fitted) {
+/// Which reduced runs there are, by the answer: without a calibration none but the published pair's.
+Columns columns_of(const MainTarget &target, const json &answer, const std::string &law) {
+  Columns columns{.law = law};
+  const json pair = answer.is_object() ? answer.value("pair", json()) : json();
+  if (pair.is_object())
+    columns.pair = fmt::format("{:.3g}, {:.3g}", pair.value("k_i_kN_per_m", 0.0), pair.value("e", 0.0));
+  if (published_applies(target.scene))
+    columns.published = fmt::format("{:.2g}, {:g}", calibration::published_k_i / 1e3, calibration::published_e);
+  return columns;
+}
+
+scene::Scene with_published(scene::Scene scene) {
+  scene.reduced.impact_law = scene::ReducedSettings{}.impact_law;
+  scene.reduced.k_i = calibration::published_k_i;
+  scene.reduced.restitution = calibration::published_e;
+  return scene;
+}
+
+/// Reduced runs beside the finite-element ones: DIR/law with the answer's law, DIR/reduced with the pair, else the law, and
+/// DIR/published where that pair belongs to this bearing and mass.
+json reduced_runs(const std::vector<Job> &jobs, const std::string &folder, const json &answer, const Columns &columns) {
   json runs = json::array();
-  for (const char *earlier : {"/reduced", "/law"}) std::filesystem::remove_all(folder + earlier); // another calibration's
-  const calibration::FitResult *law = fitted ? best_law(*fitted) : nullptr;
+  for (const char *earlier : {"/reduced", "/law", "/published"}) std::filesystem::remove_all(folder + earlier); // of another calibration
+  const auto under = [&](const std::string &column, const char *part, const std::string &name) { return column.empty() ? json() : json(part + name); };
   for (const auto &job : jobs) {
-    if (job.done && fitted)
-      run_reduced(with_pair(job.scene, fitted->scene.reduced.k_i, fitted->scene.reduced.restitution), folder + "/reduced/" + job.name);
-    if (job.done && law) run_reduced(calibration::with_fitted(job.scene, *law), folder + "/law/" + job.name);
-    if (job.done)
-      run_reduced(with_pair(job.scene, calibration::published_k_i, calibration::published_e), folder + "/published/" + job.name);
+    if (job.done && !columns.law.empty()) {
+      const scene::Scene law = with_answer(job.scene, folder + "/calibration");
+      run_reduced(law, folder + "/law/" + job.name);
+      run_reduced(columns.pair.empty() ? law : with_pair(job.scene, answer), folder + "/reduced/" + job.name);
+    }
+    if (job.done && !columns.published.empty()) run_reduced(with_published(job.scene), folder + "/published/" + job.name);
     runs.push_back({{"name", job.name},
                     {"role", job.role},
                     {"fe", "runs/" + job.name},
                     {"reduced", "reduced/" + job.name},
-                    {"law", law ? json("law/" + job.name) : json()},
-                    {"published", "published/" + job.name},
+                    {"law", under(columns.law, "law/", job.name)},
+                    {"published", under(columns.published, "published/", job.name)},
                     {"reused", job.reused}});
   }
   return runs;
 }
 
+json column_titles(const Columns &columns) {
+  const auto title = [](const std::string &text) { return text.empty() ? json() : json(text); };
+  return {{"fitted", title(columns.law)}, {"pair", title(columns.pair)}, {"published", title(columns.published)}};
+}
+
 } // namespace
 
-MainResults make_results(const std::vector<Job> &jobs, const std::string &folder, const json &versions,
-                         double seconds, const std::vector<std::string> &laws, Console &console) {
+MainResults make_results(const MainTarget &target, const std::vector<Job> &jobs, const MainContext &context, Console &console) {
+  const std::string &folder = context.folder;
   Selection selection = select(jobs);
-  selection.options.laws = laws;
+  selection.options.laws = context.laws;
   for (const auto &job : jobs)
     if (job.done && summary_of(job.folder).value("n_impacts", 0) == 0)
       console.warn(job.name + ": the rim is never touched");
   if (selection.fit.empty() && selection.options.predict.empty())
-    throw SolverStopped("no run of the main job ended well; see " + folder + "/runs/*.log");
+    throw SolverStopped("no run of the main job ended well; see " + folder + "/logs/*.log");
 
   MainResults results;
   std::optional<calibration::Calibration> fitted;
+  json answer;
   try {
     if (selection.fit.empty()) throw DataError("no run that touches the rim is left to fit");
     fitted = calibration::calibrate(selection.fit, selection.options);
     calibration::write_calibration(*fitted, folder + "/calibration");
-    results.text = calibration::describe(*fitted);
+    answer = calibration::to_json(*fitted).value("answer", json());
+    console.detail(calibration::describe(*fitted));
     calibration::check_gate(*fitted);
   } catch (const Error &error) { // the runs are still worth a table and a report
     results.failure = std::current_exception();
@@ -135,19 +143,30 @@ MainResults make_results(const std::vector<Job> &jobs, const std::string &folder
   }
   if (!fitted)
     std::filesystem::remove_all(folder + "/calibration"); // an earlier one would belong to other runs
-  const json runs = reduced_runs(jobs, folder, fitted), rows = comparison_rows(jobs, folder);
-  results.text += comparison_text(rows);
+  const std::string law = fitted ? with_answer(target.scene, folder + "/calibration").reduced.impact_law : "";
+  const Columns columns = columns_of(target, answer, law);
+  const json runs = reduced_runs(jobs, folder, answer, columns), rows = comparison_rows(jobs, folder, columns);
+  results.text = target.head() + answer_text(answer) + comparison_text(rows, columns);
+  json warnings = context.warnings;
+  for (const auto &warning : selection.warnings) warnings.push_back(warning);
+  for (const auto &row : rows)
+    for (const auto &doubt : row["doubts"]) warnings.push_back(row["name"].get<std::string>() + ": " + doubt.get<std::string>());
   long memory = 0;
   for (const auto &job : jobs)
     memory = std::max(memory, summary_of(job.folder).value("peak_memory_bytes", 0L));
-  results.main = {{"runs", runs},
+  results.main = {{"bearing", target.bearing_json()},
+                  {"load", target.load_json()},
+                  {"document", context.document},
+                  {"runs", runs},
                   {"comparison", rows},
+                  {"columns", column_titles(columns)},
                   {"critical_amplitudes", critical_amplitudes(jobs)},
-                  {"totals", {{"wall_time_s", seconds}, {"peak_memory_bytes", memory}}},
-                  {"versions", versions},
+                  {"totals", {{"wall_time_s", context.seconds}, {"peak_memory_bytes", memory}}},
+                  {"versions", context.versions},
                   {"machine", machine()},
-                  {"warnings", selection.warnings}};
+                  {"warnings", warnings}};
   if (fitted) results.main["parameters"] = calibration::to_json(*fitted)["parameters"];
+  if (answer.is_object()) results.main["answer"] = answer;
   scene::write_text(results.main.dump(2) + "\n", folder + "/main.json");
   return results;
 }

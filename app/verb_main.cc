@@ -1,32 +1,84 @@
-// rimpact main: from a bearing to calibrated k_i and e, with a report.
+// rimpact main: from a bearing to its impact law, with a report.
 #include "app/calibrate_options.h"
+#include "app/document_options.h"
 #include "app/job_runner.h"
 #include "app/main_results.h"
 #include "app/sibling.h"
 #include "app/verb.h"
+#include "scene/doubts.h"
+#include "scene/text.h"
 #include <fmt/format.h>
 
 namespace rimpact::app {
 namespace {
 
 struct Options {
-  std::string bearing = "shfps-225", folder = "results/main", laws = "signed,no-tension,elastoplastic";
+  std::string target = "shfps-225", folder = "results/main", laws = "signed,no-tension,elastoplastic", pulse_speeds;
+  MainChoices choices;
+  std::size_t at_once = 0;
+  bool dry_run = false;
+  DocumentWords document;
 };
 
-void run_main(const Options &options, Console &console) {
+SpeedRange speed_range(const std::string &text) {
+  const auto ends = scene::split(text, ':');
+  SpeedRange range{0, 0};
+  if (ends.size() == 2) range = {scene::to_number(ends[0]).value_or(0), scene::to_number(ends[1]).value_or(0)};
+  if (!(range.low > 0 && range.low < range.high && range.high <= 100))
+    throw InputError(fmt::format("--pulse-speeds {} must be LOW:HIGH in m/s with 0 < LOW < HIGH <= 100, e.g. 0.05:0.6", text));
+  return range;
+}
+
+/// What would run, and how long it takes.
+void print_plan(const MainTarget &target, const MainJobs &jobs, std::size_t at_once, const Console &console) {
+  const auto times = expected_times(jobs.jobs);
+  const double in_all = time_to_go(times, at_once);
+  nlohmann::json rows = nlohmann::json::array();
+  std::string text = target.head() + fmt::format("{:28s} {:8s} {}\n", "run", "role", "expected");
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    const auto &job = jobs.jobs[k];
+    rows.push_back({{"name", job.name}, {"role", job.role}, {"expected_seconds", times[k].expected}});
+    text += fmt::format("{:28s} {:8s} {}\n", job.name, job.role, about(times[k].expected));
+  }
+  text += fmt::format("{} runs, {} at a time: {} in all\n", times.size(), at_once, about(in_all));
+  const nlohmann::json table{{"bearing", target.bearing_json()}, {"load", target.load_json()}, {"runs", rows},
+                             {"left_out", jobs.left_out},        {"at_once", at_once},         {"expected_seconds", in_all}};
+  console.data(console.json ? table.dump(2) + "\n" : text);
+}
+
+/// --set, --rung and --mesh, as overrides of a scene.
+std::vector<std::string> overrides_of(const Console &console) {
+  auto overrides = console.overrides;
+  if (!console.rung.empty()) overrides.push_back("model.rung=\"" + console.rung + "\"");
+  if (console.mesh >= 0) overrides.push_back("model.mesh=" + std::to_string(console.mesh));
+  return overrides;
+}
+
+void run_main(Options options, Console &console) {
   const auto begin = std::chrono::steady_clock::now();
   const auto spent = [&] {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   };
-  const auto laws = laws_named(options.laws);
-  auto jobs = main_jobs(scene::load_bearing(options.bearing), options.folder);
-  JobRunner runner(jobs, console);
+  if (!options.pulse_speeds.empty()) options.choices.pulse_speeds = speed_range(options.pulse_speeds);
+  MainContext context{.folder = options.folder, .laws = laws_named(options.laws), .document = document_json(options.document)};
+  const MainTarget target = main_target(options.target, overrides_of(console));
+  auto [jobs, left_out] = main_jobs(target, options.choices, options.folder);
+  context.warnings = target.warnings;
+  for (const auto &doubt : scene::doubts(target.scene)) context.warnings.push_back(doubt);
+  for (const auto &sentence : left_out) context.warnings.push_back(sentence);
+  for (const auto &warning : context.warnings) console.warn(warning);
+  for (const auto &remark : target.remarks) console.message(remark);
+  const std::size_t at_once = options.at_once > 0 ? options.at_once : cores_to_use();
+  if (options.dry_run) return print_plan(target, {jobs, left_out}, at_once, console);
+  JobRunner runner(jobs, console, at_once);
   make_runs_folder(options.folder);
-  const auto versions = fe_versions(options.folder, console);
+  context.versions = fe_versions(options.folder, console);
+  console.message(target.head() + fmt::format("{} runs, {} at a time: {}", jobs.size(), at_once, about(runner.expected_seconds())));
 
   watch_interrupts();
   runner.run();
-  MainResults results = make_results(jobs, options.folder, versions, spent(), laws, console);
+  context.seconds = spent();
+  MainResults results = make_results(target, jobs, context, console);
   const int code = python({"report", options.folder});
   const std::string report = options.folder + "/report.html";
   results.main["report"] = code == 0 ? nlohmann::json(report) : nlohmann::json();
@@ -44,12 +96,26 @@ void run_main(const Options &options, Console &console) {
 void add_main(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("main", "the main job: rim impacts by FE, calibration, comparison, report");
   auto options = std::make_shared<Options>();
-  verb->add_option("BEARING", options->bearing, "a TOML file or a built-in bearing");
-  verb->add_option("-o,--output", options->folder, "results folder");
+  verb->add_option("SCENE", options->target, "a scene or bearing: built-in, a TOML file, or a case folder of `new`; its load and settings are taken")
+      ->capture_default_str();
+  verb->add_option("-o,--output", options->folder, "results folder")->capture_default_str();
+  verb->add_option("--speeds", options->choices.speeds, "of the windows [m/s]")
+      ->delimiter(',')
+      ->check(CLI::PositiveNumber)
+      ->allow_extra_args(false)
+      ->capture_default_str();
+  verb->add_flag("--windows-only", options->choices.windows_only, "no pulses");
+  verb->add_option("--pulse-speeds", options->pulse_speeds,
+                   "LOW:HIGH [m/s], speeds at the rim for which the pulses' scales are chosen (0.05:0.6 for a bearing or load of yours)");
+  verb->add_option("--jobs", options->at_once, "runs at a time (default: the cores this process may use)")->check(CLI::Range(1, 256));
+  verb->add_flag("--dry-run", options->dry_run, "list the runs and the time they take, and stop");
   verb->add_option("--laws", options->laws, "impact laws to rank in the report: all, none or names")
       ->capture_default_str();
+  add_document_options(*verb, options->document);
   console.add_common(*verb);
   console.add_json(*verb);
+  console.add_overrides(*verb);
+  console.add_model(*verb);
   verb->callback([options, &console] { run_main(*options, console); });
 }
 

@@ -1,8 +1,10 @@
 // rimpact run SCENE: a scene by finite elements.
 #include "app/progress.h"
+#include "app/progress_in_words.h"
 #include "app/sibling.h"
 #include "app/verb.h"
 #include "calibration/stored_study.h"
+#include "fe_contact/runner/machine_times.h"
 #include "fe_contact/runner/run.h"
 #include <chrono>
 #include <filesystem>
@@ -40,11 +42,10 @@ void run(Options &options, Console &console) {
   watch_interrupts();
   ProgressLine line(console.quiet);
   const auto start = std::chrono::steady_clock::now();
+  ProgressInWords in_words(scene.excitation.kind);
   run_options.progress = [&](const fe::Progress &p) {
     const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    line.show(fmt::format(
-        "{:8s} t {:.4f} of {:.4g}  step {:.3g}  newton {}  gap {:+.3f} mm  force {:.1f} kN  {}", p.phase,
-        p.time, p.end_time, p.step, p.newton_iterations, 1e3 * p.gap, 1e-3 * p.force, duration(spent)));
+    line.show(in_words.of(p) + "  (" + duration(spent) + ")" + (console.verbose ? numbers_of(p) : ""));
   };
   std::exception_ptr failure;
   scene::Summary summary;
@@ -59,6 +60,7 @@ void run(Options &options, Console &console) {
     return;
   }
   if (!failure) {
+    fe::remember_times(plan, summary);
     for (const auto &warning : summary.extra["warnings"]) console.warn(warning.get<std::string>());
     for (const auto &impact : summary.impacts)
       console.message(

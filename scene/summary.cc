@@ -168,8 +168,8 @@ std::optional<std::string> doubt_of_ledger(const EnergyLedger &ledger) {
   constexpr double usual = 1e-3; // what every dynamic scene is to keep
   const double left = ledger.imbalance_relative();
   if (std::abs(left) <= usual) return {};
-  return fmt::format("{:.2f} % of the energy put in is unaccounted for, where 0.1 % is usual: doubt the forces; smaller steps, a finer mesh or "
-                     "a tighter tolerance may mend it",
+  return fmt::format("{:.2f} % of the energy put in is unaccounted for, where 0.1 % is usual: doubt the forces; smaller steps or a finer mesh (model.step_ms, "
+                     "model.mesh) may mend a finite-element run, a smaller reduced.tolerance a reduced one",
                      100 * left);
 }
 

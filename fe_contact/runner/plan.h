@@ -30,6 +30,9 @@ struct Plan {
   int mesh = 1;
   long expected_dofs = 0;
   double expected_seconds = 0, expected_memory_bytes = 0;
+  double expected_iterations = 0;       ///< of Newton
+  double fastest = 0, slowest = 0;      ///< [s], range of expected_seconds
+  bool timed_here = false;              ///< by runs of this kind on this machine
   std::vector<std::string> notes; ///< sentences for the user: pad pressure, grazing, critical amplitude ...
 };
 Plan make_plan(const scene::Scene &scene);

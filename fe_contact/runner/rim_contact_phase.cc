@@ -202,7 +202,7 @@ void DynamicRun::accept(Arc &arc, const ArcState &kept, const MassForces &before
   }
   if (options_.progress)
     options_.progress(
-        {bearing_.t, end_time(), dt, report.iterations, arc.state.report.smallest_gap, force, "contact"});
+        {bearing_.t, end_time(), dt, report.iterations, capacity() - bearing_.u.head<2>().norm(), force, "contact"});
 }
 
 void DynamicRun::land(Arc &arc) {

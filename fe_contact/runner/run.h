@@ -12,7 +12,7 @@ namespace rimpact::fe {
 struct Progress {
   double time, end_time, step;
   int newton_iterations;
-  double gap, force;
+  double gap, force; ///< L_c - |u| [m], negative while the rim is pressed; of the rim, or of a path's drive [N]
   std::string phase; ///< "flight", "contact", "relax", ...
 };
 struct RunOptions {

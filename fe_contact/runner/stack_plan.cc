@@ -21,6 +21,7 @@ constexpr MeshCost plate[4] = {{8000, 0.25, 0.4e9}, {20000, 0.6, 0.9e9}, {90000,
 
 void add_cost(Plan &plan, double iterations, double iterations_with_rim, int sectors) {
   constexpr double whole_over_half = 3;
+  plan.expected_iterations = iterations + iterations_with_rim;
   if (plan.rung == "full") {
     const MeshCost &own = stack[plan.mesh], &all = plate[plan.mesh];
     plan.expected_dofs = (own.dofs + all.dofs) * (plan.half ? 1 : 2);
@@ -77,7 +78,7 @@ Plan stack_path_plan(const scene::Scene &scene) {
 }
 
 Plan stack_motion_plan(const scene::Scene &scene) {
-  constexpr double step_in_flight = 0.008, iterations_in_flight = 4, contact_time = 0.06, iterations_in_contact = 5, steps_out = 30;
+  constexpr double step_in_flight = 0.008, iterations_in_flight = 4, contact_time = 0.06, steps_out = 30;
   Plan plan;
   plan.rung = scene.model.rung;
   plan.mesh = scene.model.mesh;
@@ -100,7 +101,10 @@ Plan stack_motion_plan(const scene::Scene &scene) {
   }
   const double contact = 1.2 * impacts * contact_time / plan.step_in_contact;
   plan.expected_steps = std::lround(flight + contact);
-  add_cost(plan, flight * iterations_in_flight, contact * iterations_in_contact, std::min<int>(plan.sectors.size(), 4)); // more overlap
+  double iterations = 0;
+  for (const auto &impact : plan.impacts)
+    iterations += std::max(1.0, 1e-3 / plan.step_in_contact) * (90 + 0.8 * iterations_of_impact(depth_of_impact(scene, impact.approach_speed)));
+  add_cost(plan, flight * iterations_in_flight, iterations, std::min<int>(plan.sectors.size(), 4)); // more overlap
   add_pad_note(plan, scene);
   return plan;
 }

@@ -1,7 +1,8 @@
 #!/usr/bin/python3
 """Stands in for rimpact-fe in the tests of `main`: the reduced model with a pair the test knows, in no time. Of the
 finite elements it says nothing. Environment: STAND_IN_FAIL (a run's name that stops, or *), STAND_IN_SLEEP (seconds a run takes),
-STAND_IN_LOG (a file that lists the command lines)."""
+STAND_IN_LOG (a file that lists the command lines), STAND_IN_TRACE (a file that lists begins and ends), STAND_IN_DOUBT
+(a run's name whose summary warns)."""
 import json
 import os
 import subprocess
@@ -11,12 +12,28 @@ import time
 PAIR = ("reduced.k_i_kN_per_m=2.0e5", "reduced.restitution=0.4")
 
 
+def trace(word):
+    if "STAND_IN_TRACE" in os.environ:
+        with open(os.environ["STAND_IN_TRACE"], "a") as file:
+            file.write(word + "\n")
+
+
+def doubt(folder):
+    path = os.path.join(folder, "summary.json")
+    with open(path) as file:
+        summary = json.load(file)
+    with open(path, "w") as file:
+        json.dump({**summary, "warnings": summary.get("warnings", []) + ["the test doubts this run"]}, file)
+
+
 def run(arguments):
     scene, folder = arguments[1], arguments[arguments.index("-o") + 1]
     if "STAND_IN_LOG" in os.environ:
         with open(os.environ["STAND_IN_LOG"], "a") as log:
             log.write(" ".join(arguments) + "\n")
+    trace("begin")
     time.sleep(float(os.environ.get("STAND_IN_SLEEP", "0")))
+    trace("end")
     if os.environ.get("STAND_IN_FAIL") in ("*", os.path.basename(folder)):
         print("error: the solver stopped because the test asked for it", file=sys.stderr)
         return 4
@@ -27,6 +44,8 @@ def run(arguments):
     if code == 0:  # the scene as `main` asked for it, without the pair the reference has of its own
         with open(scene) as source, open(os.path.join(folder, "scene.toml"), "w") as target:
             target.write(source.read())
+        if os.environ.get("STAND_IN_DOUBT") == os.path.basename(folder):
+            doubt(folder)
     return code
 
 

@@ -85,6 +85,19 @@ class RimWindow(unittest.TestCase):
             created = -result["energy"]["contact_J"] / result["energy"]["initial_J"]
             self.assertEqual("contact has given back" in run.stderr, created > 3e-3)
 
+    def test_progress_is_told_in_words_and_the_machine_is_timed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            window = [word for word in WINDOW if word != "--quiet"]
+            run = rimpact(*window, "--mesh", "0", "--no-fields", "-o", os.path.join(folder, "run"), XDG_CACHE_HOME=folder)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertRegex(run.stderr, r"pressing, (at the rim|\d+\.\d mm into the rim), \d+ kN")
+            self.assertNotIn(" of 0.2", run.stderr)  # a window ends at its release
+            with open(os.path.join(folder, "rimpact", "machine.json")) as file:
+                (machine,) = json.load(file).values()
+            result = summary(os.path.join(folder, "run"))
+            spent = sum(seconds for part, seconds in result["time_split_s"].items() if part != "output")
+            self.assertAlmostEqual(machine["rim-mesh0-half"]["seconds_per_iteration_and_unknown"] * result["n_dofs"] * result["n_newton_iterations"], spent, places=6)
+
     def test_what_this_build_cannot_run_is_said(self):
         for arguments, needle in ((["--rung", "full"], "rim"), (["--set", "bearing.contact.rim=0.1"], "contact.rim")):
             run = rimpact(*WINDOW, *arguments)

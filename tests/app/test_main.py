@@ -61,6 +61,7 @@ class Main(unittest.TestCase):
         self.assertEqual(main["versions"]["rimpact"], "stand-in")
         for row in main["comparison"]:
             self.assertLess(abs(row["fitted_error"]), 1e-3)
+            self.assertIsNotNone(row["published_error"])  # this is the thesis's bearing under its mass
         for pulse in main["critical_amplitudes"]:  # both pulses only graze the rim at the printed amplitudes
             self.assertLess(abs(pulse["reduced_g"] / pulse["printed_g"] - 1), 0.003)
 
@@ -109,15 +110,121 @@ class Main(unittest.TestCase):
         self.assertLess(time.monotonic() - started, 20)  # the children sleep for a minute: they were told
         self.assertIn("interrupted; the same command goes on", errors)
 
-    def test_pulses_that_miss_the_rim_are_said_and_not_fitted(self):
-        bearing = os.path.join(self.temporary.name, "wide.toml")
-        with open(bearing, "w") as file:
-            file.write("[slider]\ndiameter_mm = 200.0\n")
-        run = self.main(bearing)
+    def test_pulses_that_cannot_reach_the_rim_are_left_out(self):
+        run = self.main("--set", "reduced.mu_fast=2", "--set", "reduced.mu_slow=2")
         self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertIn("the rim is never touched", run.stderr)
-        row = [row for row in read(self.folder, "main.json")["comparison"] if row["name"] == "ricker-0.78g-1.0s-x1.00"][0]
-        self.assertIsNone(row["fitted_error"])
+        sentence = "ricker-0.38g-1.5s is left out: no scale up to 3 takes the slider to the rim"
+        self.assertIn(sentence, run.stderr)
+        main = read(self.folder, "main.json")
+        self.assertIn(sentence, main["warnings"])
+        self.assertEqual([row["name"] for row in main["runs"] if row["name"].startswith("ricker-0.38g")], [])
+
+    def own_bearing(self):
+        path = os.path.join(self.temporary.name, "own.toml")
+        with open(path, "w") as file:
+            file.write('name = "own"\n[slider]\ndiameter_mm = 200.0\n[rim]\nthickness_mm = 50.0\n')
+        return path
+
+    def test_own_bearing_and_load(self):
+        """The user's load is in every run, and every pulse touches the rim within the wished speeds."""
+        run = self.main(self.own_bearing(), "--set", "load.vertical_kN=2000", "--set", "load.mass_kg=203900", "--title", "Bearing 7", "--quiet")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        main = read(self.folder, "main.json")
+        self.assertEqual(main["bearing"]["name"], "own")
+        self.assertIn("own.toml", main["bearing"]["from"])
+        self.assertEqual((main["load"]["vertical_kN"], main["load"]["mass_kg"]), (2000, 203900))
+        self.assertIn("--set load.mass_kg=203900", main["load"]["mass_from"])
+        self.assertEqual(main["document"], {"title": "Bearing 7", "client": None, "project": None, "author": None})
+        self.assertIn("dead load 2000 kN (--set load.vertical_kN=2000), supported mass 203900 kg", run.stdout)
+        pulses = [row for row in main["comparison"] if row["role"] != "window"]
+        self.assertEqual(len(pulses), 6)
+        for row in main["comparison"]:
+            with open(os.path.join(self.folder, "runs", row["name"], "scene.toml")) as file:
+                scene = file.read()
+            self.assertIn("vertical_kN = 2000.0", scene)
+            self.assertIn("mass_kg = 203900.0", scene)
+            self.assertIn("thickness_mm = 50.0", scene)
+            self.assertIsNone(row["published_kN"])  # the published pair is of another bearing
+        for row in pulses:
+            self.assertLess(0.04, row["approach_speed_m_s"])
+            self.assertLess(row["approach_speed_m_s"], 0.65)
+        self.assertGreater(max(row["approach_speed_m_s"] for row in pulses), 0.5)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "published")))
+
+    def test_a_scene_gives_bearing_load_and_settings(self):
+        scene = os.path.join(self.temporary.name, "scene.toml")
+        self.own_bearing()
+        with open(scene, "w") as file:
+            file.write('[bearing]\nfile = "own.toml"\n[load]\nvertical_kN = 1500.0\nmass_kg = 150000.0\n[model]\nmesh = 2\n[excitation]\nkind = "ricker"\n')
+        run = self.main(scene, "--windows-only", "--speeds", "0.1,0.125,0.4")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("is not run", run.stderr)
+        main = read(self.folder, "main.json")
+        self.assertEqual([row["name"] for row in main["runs"]], ["window-0.40", "window-0.125", "window-0.10"])
+        self.assertIn("scene.toml:4:", main["load"]["vertical_from"])
+        with open(os.path.join(self.folder, "runs", "window-0.40", "scene.toml")) as file:
+            self.assertIn("mesh = 2", file.read())
+        self.assertEqual(sorted(os.listdir(os.path.join(self.folder, "runs"))), ["window-0.10", "window-0.125", "window-0.40"])  # folders only
+        self.assertIn("window-0.40.log", os.listdir(os.path.join(self.folder, "logs")))
+
+    def test_another_bearing_without_a_load_is_warned_of(self):
+        run = self.main(self.own_bearing(), "--dry-run")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        for word in ("warning: no load is given", "load.vertical_kN = 853", "load.mass_kg = 86952"):
+            self.assertIn(word, run.stderr)
+        self.assertEqual(self.calls(), [])
+        self.assertNotIn("warning", self.main("--dry-run").stderr)
+
+    def test_what_is_neither_scene_nor_bearing_is_said(self):
+        path = os.path.join(self.temporary.name, "odd.toml")
+        for text, sentence in (('name = "x"\n', "neither a scene"), ("[rim]\nheight_mm = 60.0\n[load]\nmass_kg = 1e5\n", "at once")):
+            with open(path, "w") as file:
+                file.write(text)
+            run = self.main(path)
+            self.assertEqual(run.returncode, 2)
+            self.assertIn(sentence, run.stderr)
+        run = self.main("--set", "excitation.scale=1.05")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("--pulse-speeds", run.stderr)
+        self.assertEqual(self.main("--speeds", "0.1,0.1").returncode, 2)
+
+    def test_a_dry_run_lists_runs_and_times(self):
+        run = self.main("--dry-run", "--json", "--jobs", "3")
+        table = json.loads(run.stdout)
+        names = [row["name"] for row in table["runs"]]
+        self.assertEqual(names[:2], ["ricker-0.78g-1.0s-x1.10", "ricker-0.38g-1.5s-x1.10"])
+        self.assertEqual(names[6:], ["window-1.00", "window-0.60", "window-0.35", "window-0.20", "window-0.10", "window-0.05"])
+        times = [row["expected_seconds"] for row in table["runs"][6:]]
+        self.assertEqual(times, sorted(times, reverse=True))
+        self.assertGreater(times[0], 2.5 * times[-1])  # the estimate knows the speed
+        self.assertLess(table["expected_seconds"], sum(row["expected_seconds"] for row in table["runs"]) / 2)
+        self.assertEqual(self.calls(), [])
+        self.assertFalse(os.path.exists(self.folder))
+
+    def test_jobs_at_a_time(self):
+        for jobs in (1, 3):
+            trace = os.path.join(self.temporary.name, f"trace{jobs}")
+            folder = os.path.join(self.temporary.name, f"jobs{jobs}")
+            rimpact("main", "--windows-only", "--laws", "none", "--jobs", str(jobs), "-o", folder, "--quiet", **self.environment(STAND_IN_SLEEP="1", STAND_IN_TRACE=trace))
+            running = most = 0
+            with open(trace) as file:
+                for word in file.read().split():
+                    running += 1 if word == "begin" else -1
+                    most = max(most, running)
+            self.assertEqual(most, jobs)
+
+    def test_doubts_of_a_run_reach_the_table(self):
+        run = self.main("--windows-only", STAND_IN_DOUBT="window-0.20")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("warning: window-0.20: the test doubts this run", run.stderr)
+        self.assertIn("window-0.20 !", run.stdout)
+        self.assertIn("! window-0.20: the test doubts this run", run.stdout)
+        self.assertNotIn("window-0.10 !", run.stdout)
+        main = read(self.folder, "main.json")
+        rows = {row["name"]: row for row in main["comparison"]}
+        self.assertEqual(rows["window-0.20"]["doubts"], ["the test doubts this run"])
+        self.assertEqual(rows["window-0.10"]["doubts"], [])
+        self.assertIn("window-0.20: the test doubts this run", main["warnings"])
 
     def test_without_a_finite_element_program_nothing_is_started(self):
         run = rimpact("main", "-o", self.folder, RIMPACT_FE_PROGRAM="/nonexistent")

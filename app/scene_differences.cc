@@ -1,0 +1,52 @@
+#include "app/scene_differences.h"
+
+#include "app/toml_values.h"
+#include "scene/text.h"
+#include <algorithm>
+#include <set>
+
+namespace rimpact::app {
+namespace {
+
+bool is_a_name(const std::string &key) {
+  return key == "name" || key == "bearing.name" || key.find("assum") != std::string::npos || key == "bearing.material.steel.strain_limit";
+}
+
+bool of_the_model(const std::string &key) {
+  return key.rfind("model.", 0) == 0 || key.rfind("reduced.", 0) == 0 || key == "excitation.duration_s";
+}
+
+/// Numbers by value: 1 and 1.0 are the same.
+bool same(const std::string &a, const std::string &b) {
+  if (a == b) return true;
+  const auto x = scene::to_number(a), y = scene::to_number(b);
+  return x && y && *x == *y;
+}
+
+} // namespace
+
+std::vector<Difference> differences(const std::string &scene_a, const std::string &scene_b) {
+  const auto a = flattened(scene::TomlFile(scene_a, "A")), b = flattened(scene::TomlFile(scene_b, "B"));
+  std::set<std::string> keys;
+  for (const auto *values : {&a, &b})
+    for (const auto &[key, value] : *values) keys.insert(key);
+  const auto value_in = [](const auto &values, const std::string &key) {
+    const auto found = values.find(key);
+    return found == values.end() ? std::string("-") : found->second;
+  };
+  std::vector<Difference> result;
+  for (const auto &key : keys) {
+    const std::string left = value_in(a, key), right = value_in(b, key);
+    if (!is_a_name(key) && !same(left, right)) result.push_back({key, left, right, of_the_model(key)});
+  }
+  std::stable_partition(result.begin(), result.end(), [](const Difference &each) { return !each.comparable; });
+  return result;
+}
+
+nlohmann::json to_json(const std::vector<Difference> &differences) {
+  nlohmann::json list = nlohmann::json::array();
+  for (const auto &[key, a, b, comparable] : differences) list.push_back({{"key", key}, {"a", a}, {"b", b}, {"comparable", comparable}});
+  return list;
+}
+
+} // namespace rimpact::app
