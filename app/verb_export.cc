@@ -60,7 +60,8 @@ std::optional<scene::Scene> scene_of(const ExportOptions &options, const json &c
   std::vector<std::string> candidates;
   if (calibration.contains("fit") && calibration["fit"].is_object())
     for (const auto &[run, check] : calibration["fit"].items())
-      for (const auto &path : {fs::path(run), fs::path(options.folder) / fs::path(run).filename()}) candidates.push_back((path / "scene.toml").string());
+      for (const auto &path : {fs::path(run), fs::path(options.folder) / fs::path(run).filename(), fs::path(options.folder) / ".." / fs::path(run).filename()})
+        candidates.push_back((path / "scene.toml").string()); // also where runs and calibration were moved together
   candidates.push_back(rim.bearing);
   for (const auto &candidate : candidates) try {
       const bool file = candidate != rim.bearing;

@@ -29,7 +29,7 @@ std::string percent(const std::optional<double> &value) { return value ? fmt::fo
 
 std::string parameter_line(const std::string &name, const json &fitted) {
   const std::string unit = text(fitted, "unit");
-  std::string line = fmt::format("Fitted: {} = {:.4g}{}", name, number_at(fitted, "value", name.c_str()), unit == "-" || unit.empty() ? "" : " " + unit);
+  std::string line = fmt::format("Fitted: {} = {:.4g}{}", name, number_at(fitted, "value", plain_text(name).c_str()), unit == "-" || unit.empty() ? "" : " " + unit);
   const json interval = fitted.value("interval_95", json());
   if (interval.is_array() && interval.size() == 2 && interval[0].is_number() && interval[1].is_number())
     line += fmt::format(", 95 % interval {:.4g} to {:.4g}", interval[0].get<double>(), interval[1].get<double>());

@@ -8,6 +8,11 @@ namespace rimpact::calibration {
 namespace {
 using testing::answer_fixture;
 
+/// Comments as they were before lines were broken.
+std::string unbroken(std::string text) {
+  for (std::size_t at; (at = text.find("\n# ")) != std::string::npos;) text.replace(at, 3, "");
+  return text;
+}
 ExportedRim rim_of(const nlohmann::json &calibration, const ExportChoice &choice = {}) { return exported_rim(calibration, choice); }
 
 TEST(OpenSees, FourSpringsStopTheMassAsTheLawDoes) {
@@ -96,7 +101,7 @@ TEST(OpenSees, TextHoldsStatementAndNumbersOnly) {
   for (const auto &text : {opensees_tcl(rim, springs, dish, {"command"}), opensees_python(rim, springs, dish, {"command"})})
     for (const char *needle : {"shfps-225", "86952 kg", "853 kN", "elastoplastic", "0.1 to 0.7 m/s", "peak force 2.1 %", "DOUBT: Run w-0.70", "95 % interval", "Assumed, not given (1)", "Validity: Holds for this rim",
                                "Self-check of the four ElasticPPGap", "0.475", "rim_yield_force", "-29.7 % at the rim", "Time step"})
-      EXPECT_NE(text.find(needle), std::string::npos) << needle << "\n" << text.substr(0, 6000);
+      EXPECT_NE(unbroken(text).find(needle), std::string::npos) << needle << "\n" << text.substr(0, 6000);
 }
 
 TEST(OpenSees, NumbersMustBeNumbers) {
