@@ -1,43 +1,160 @@
-// rimpact export DIR --opensees: calibrated parameters as Tcl and Python.
+// rimpact export DIR --opensees|--sap2000|--etabs|--csv: a calibrated rim, and its bearing, for other programs.
 #include "app/verb.h"
-#include "calibration/opensees.h"
+#include "calibration/export/comment.h"
+#include "calibration/export/csi.h"
+#include "calibration/export/opensees.h"
+#include "scene/build_version.h"
+#include "scene/files.h"
 #include "scene/response.h"
+#include "scene/rim_identity.h"
+#include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
 
 namespace rimpact::app {
 namespace {
 
-nlohmann::json read_calibration(const std::string &folder) {
-  for (const std::string &path : {folder + "/calibration.json", folder + "/calibration/calibration.json"}) {
-    std::ifstream file(path);
-    if (!file) continue;
-    auto json = nlohmann::json::parse(file, nullptr, false);
-    if (json.is_discarded()) throw DataError(path + ": not valid JSON");
-    return json;
-  }
+namespace fs = std::filesystem;
+using calibration::Dish;
+using calibration::ExportedRim;
+using calibration::SelfCheck;
+using nlohmann::json;
+
+struct ExportOptions {
+  std::string folder, out, law, scene;
+  std::optional<double> mass;
+  bool opensees = false, sap2000 = false, etabs = false, csv = false;
+};
+
+/// The folder that holds calibration.json: DIR itself, or the one a `main` leaves in it.
+std::string calibration_folder(const std::string &folder) {
+  for (const auto &path : {fs::path(folder), fs::path(folder) / "calibration"})
+    if (fs::exists(path / "calibration.json")) return path.string();
   throw DataError(folder + ": no calibration.json in it; run `rimpact calibrate` first");
+}
+
+json read_calibration(const std::string &folder) {
+  const std::string path = (fs::path(folder) / "calibration.json").string();
+  auto json = nlohmann::json::parse(scene::read_file(path), nullptr, false);
+  if (json.is_discarded()) throw DataError(path + ": not valid JSON");
+  return json;
+}
+
+scene::Scene scene_or_bearing(const std::string &where) {
+  scene::Scene scene;
+  try {
+    return scene::load_scene(where);
+  } catch (const InputError &) {
+    scene.bearing = scene::load_bearing(where); // its message stands where both fail
+  }
+  return scene;
+}
+
+/// The scene whose dish the bearing has: given, or of a fitted run, or a built-in bearing; of this rim by its identity.
+std::optional<scene::Scene> scene_of(const ExportOptions &options, const json &calibration, const ExportedRim &rim) {
+  if (!options.scene.empty()) {
+    auto scene = scene_or_bearing(options.scene);
+    if (const auto identity = scene::rim_identity(scene.bearing); identity != rim.rim_identity)
+      throw InputError(fmt::format("--scene {}: its rim is {}, the calibration's {}: another bearing", options.scene, identity, rim.rim_identity));
+    return scene;
+  }
+  std::vector<std::string> candidates;
+  if (calibration.contains("fit") && calibration["fit"].is_object())
+    for (const auto &[run, check] : calibration["fit"].items())
+      for (const auto &path : {fs::path(run), fs::path(options.folder) / fs::path(run).filename(), fs::path(options.folder) / ".." / fs::path(run).filename()})
+        candidates.push_back((path / "scene.toml").string()); // also where runs and calibration were moved together
+  candidates.push_back(rim.bearing);
+  for (const auto &candidate : candidates) try {
+      const bool file = candidate != rim.bearing;
+      if (file && !fs::exists(candidate)) continue;
+      scene::Scene scene;
+      if (file)
+        scene = scene::load_scene(candidate);
+      else
+        scene.bearing = scene::builtin_bearing(candidate);
+      if (scene::rim_identity(scene.bearing) == rim.rim_identity) return scene;
+    } catch (const Error &) { // a run that cannot be read any more says nothing of the bearing
+    }
+  return std::nullopt;
+}
+
+/// The command without the program's folder, and what made the file.
+std::vector<std::string> header(const Console &console) {
+  std::string command = "rimpact";
+  for (int i = 1; i < console.argc; ++i) command += std::string(" ") + console.argv[i];
+  return {command, scene::build_version()};
+}
+
+void export_to(const ExportOptions &options, const json &calibration, Console &console) {
+  const ExportedRim rim = calibration::exported_rim(calibration, {.law = options.law, .mass = options.mass});
+  std::optional<Dish> dish;
+  if (const auto scene = scene_of(options, calibration, rim)) dish = calibration::dish_of(*scene, rim.lateral_capacity);
+  auto head = header(console);
+  if (!dish && (options.opensees || options.sap2000 || options.etabs)) {
+    head.push_back("The rim only: the bearing's dish is not known here. Give it with --scene SCENE_OR_BEARING.");
+    console.warn(head.back());
+  }
+  std::vector<std::pair<std::string, std::string>> files;
+  std::vector<SelfCheck> checks;
+  if (options.opensees) {
+    const auto springs = calibration::opensees_rim(rim);
+    files.emplace_back("impact.tcl", calibration::opensees_tcl(rim, springs, dish, head));
+    files.emplace_back("impact.py", calibration::opensees_python(rim, springs, dish, head));
+    checks.push_back(springs.check);
+  }
+  if (options.sap2000 || options.etabs) {
+    const auto links = calibration::csi_rim(rim);
+    if (options.sap2000) files.emplace_back("bearing.s2k", calibration::sap2000(rim, links, dish, head));
+    if (options.etabs) files.emplace_back("bearing.e2k", calibration::etabs(rim, links, dish, head));
+    files.emplace_back("rim-link.csv", calibration::link_csv(rim, links, dish, head));
+    checks.push_back(links.check);
+  }
+  if (options.csv) files.emplace_back("law.csv", calibration::law_csv(rim, head));
+  std::error_code failure;
+  fs::create_directories(options.out, failure);
+  if (failure) throw IoError(fmt::format("{}: {}", options.out, failure.message()));
+  json table = {{"law", rim.law()}, {"mass_kg", rim.mass}, {"from_m_s", rim.from}, {"to_m_s", rim.to}, {"whole_bearing", dish.has_value()}, {"files", json::array()}, {"self_checks", json::array()}};
+  std::string written;
+  for (const auto &[name, text] : files) {
+    const std::string path = (fs::path(options.out) / name).string();
+    scene::write_text(text, path);
+    written += path + "\n", table["files"].push_back(path);
+  }
+  for (const auto &check : checks) {
+    table["self_checks"].push_back(check.json());
+    if (check.serves())
+      console.message(check.sentence());
+    else
+      console.warn(check.sentence());
+  }
+  console.data(console.json ? table.dump(2, ' ', false, json::error_handler_t::replace) + "\n" : written);
 }
 
 } // namespace
 
 void add_export(CLI::App &app, Console &console) {
-  auto folder = std::make_shared<std::string>();
-  auto springs = std::make_shared<int>(2);
-  auto *verb = app.add_subcommand("export", "calibrated parameters for other programs");
-  verb->add_option("DIR", *folder, "folder of a calibration")->required();
-  verb->add_flag("--opensees")->description("Tcl and Python")->required();
-  verb->add_option("--springs", *springs, "gap springs around the slider, 4 or more; 2: along x")->capture_default_str();
+  auto options = std::make_shared<ExportOptions>();
+  auto *verb = app.add_subcommand("export", "a calibrated bearing for other programs");
+  verb->add_option("DIR", options->folder, "folder of a calibration")->required();
+  verb->add_option("-o,--output", options->out, "folder to write into; default: where calibration.json lies");
+  verb->add_flag("--opensees", options->opensees, "impact.tcl and impact.py: friction pendulum and rim");
+  verb->add_flag("--sap2000", options->sap2000, "bearing.s2k: link properties, and rim-link.csv to paste");
+  verb->add_flag("--etabs", options->etabs, "bearing.e2k: link properties, and rim-link.csv to paste");
+  verb->add_flag("--csv", options->csv, "law.csv: force over penetration, loading and unloading from five depths");
+  verb->add_option("--law", options->law, "another of the ranked laws, or \"pair\": the constant pair; default: the calibration's answer");
+  verb->add_option("--mass", options->mass, "mass that the bearing carries [kg]; default: the calibration's");
+  verb->add_option("--scene", options->scene, "scene or bearing with the dish and its friction; default: that of a fitted run");
   console.add_common(*verb);
-  verb->callback([folder, springs, &console] {
+  console.add_json(*verb);
+  verb->callback([options, &console] {
+    if (!(options->opensees || options->sap2000 || options->etabs || options->csv))
+      throw InputError("export: say for what, one or more of --opensees, --sap2000, --etabs, --csv");
+    options->folder = calibration_folder(options->folder);
+    if (options->out.empty()) options->out = options->folder;
     try {
-      const auto rim = calibration::rim_springs(read_calibration(*folder));
-      scene::write_text(calibration::opensees_tcl(rim, *springs), *folder + "/impact.tcl");
-      scene::write_text(calibration::opensees_python(rim, *springs), *folder + "/impact.py");
+      export_to(*options, read_calibration(options->folder), console);
     } catch (const DataError &error) {
-      throw DataError(*folder + ": " + error.what());
+      throw DataError(options->folder + ": " + error.what());
     }
-    console.data(*folder + "/impact.tcl\n" + *folder + "/impact.py\n");
   });
 }
 

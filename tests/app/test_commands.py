@@ -2,7 +2,6 @@
 import csv
 import json
 import os
-import shutil
 import subprocess
 import tempfile
 import unittest
@@ -12,15 +11,6 @@ import h5py
 from command import RIMPACT, in_terminal, rimpact
 
 AT2 = "PEER\nA RECORD\n{}\nNPTS= {}, DT= .0100 SEC\n"
-
-
-class Recorder:
-    """Takes the place of openseespy: keeps what it is asked for."""
-    def __init__(self, calls):
-        self.calls = calls
-
-    def __getattr__(self, name):
-        return lambda *arguments: self.calls.append((name, *arguments))
 
 
 class BadInput(unittest.TestCase):
@@ -202,36 +192,6 @@ class GoodInput(unittest.TestCase):
                 fit = json.load(file)
             self.assertAlmostEqual(fit["parameters"]["k_i"]["value"] / 3e5, 1, places=5)
             self.assertAlmostEqual(fit["parameters"]["e"]["value"], 0.65, places=5)
-            self.assertEqual(rimpact("export", os.path.join(folder, "fit"), "--opensees").returncode, 0)
-            values = {}
-            with open(os.path.join(folder, "fit", "impact.py")) as file:
-                exec(file.read(), values)
-            self.assertAlmostEqual(values["k_i"] / 3e8, 1, places=5)
-            self.assertAlmostEqual(values["restitution"], 0.65, places=5)
-            calls = []
-            values["rim_springs"](Recorder(calls), 7, 100, 1, 2)
-            self.assertEqual(calls[0][:3], ("uniaxialMaterial", "ViscoelasticGap", 7))
-            self.assertEqual([call[2] for call in calls[1:]], [100, 101])
-            self.assertEqual(rimpact("export", os.path.join(folder, "fit"), "--opensees", "--springs", "1").returncode, 2)
-
-    def test_tcl_of_the_export_can_be_run(self):
-        if not shutil.which("tclsh"):
-            self.skipTest("tclsh is not here")
-        with tempfile.TemporaryDirectory() as folder:
-            one = os.path.join(folder, "one")
-            rimpact("reduced", "impact-window", "-o", one)
-            rimpact("calibrate", one, "-o", folder)
-            self.assertEqual(rimpact("export", folder, "--opensees", "--springs", "8").returncode, 0)
-            script = ("proc uniaxialMaterial {args} {puts $args}\nproc element {args} {puts $args}\n"
-                      f"source {folder}/impact.tcl\nrim_springs 7 100 1 2\n")
-            run = subprocess.run(["tclsh"], input=script, capture_output=True, text=True)
-            self.assertEqual(run.stderr, "")
-            lines = run.stdout.splitlines()
-            self.assertTrue(lines[0].startswith("ViscoelasticGap 7 "), lines[0])
-            self.assertEqual(len(lines), 9)
-            x = [float(word) for word in lines[3].split()[-6:]]  # the third spring: pressed by motion along +y
-            for value, expected in zip(x, (0, -1, 0, 1, 0, 0)):
-                self.assertAlmostEqual(value, expected)
 
     def test_calibrate_takes_laws_bounds_and_uncertainties(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -1,93 +1,145 @@
-#include "calibration/calibration_json.h"
-#include "calibration/opensees.h"
-#include "reduced_models/impact_law.h"
+#include "answer_fixture.h"
+#include "calibration/export/comment.h"
+#include "calibration/export/opensees.h"
 #include "scene/error.h"
-#include "synthetic.h"
 #include <gtest/gtest.h>
 
 namespace rimpact::calibration {
 namespace {
-using namespace testing;
+using testing::answer_fixture;
 
-RimSprings springs(const std::string &law) {
-  return {.law = law,
-          .k_i = 3e8,
-          .restitution = 0.4,
-          .damping = 2e6,
-          .mass = 86952,
-          .lateral_capacity = 0.4,
-          .exponent = 1.5,
-          .reference_speed = 0.5,
-          .yield_force = 9e5,
-          .hardening = 0.1};
+/// Comments as they were before lines were broken.
+std::string unbroken(std::string text) {
+  for (std::size_t at; (at = text.find("\n# ")) != std::string::npos;) text.replace(at, 3, " ");
+  return text;
 }
+ExportedRim rim_of(const nlohmann::json &calibration, const ExportChoice &choice = {}) { return exported_rim(calibration, choice); }
 
-TEST(OpenSees, HoldsTheValuesAndTheLawsMaterial) {
-  for (const auto &[law, material] : {std::pair{"signed", "ViscoelasticGap\", tag, 300000000, 2000000, -0.4"},
-                                      std::pair{"elastoplastic", "ElasticPPGap\", tag, 300000000, -"},
-                                      std::pair{"hunt-crossley", "Hertzdamp\", tag, 9486832981,"}}) {
-    const auto python = opensees_python(springs(law), 2);
-    EXPECT_NE(python.find(material), std::string::npos) << python;
-    EXPECT_NE(python.find("m1 = 86952"), std::string::npos);
-    EXPECT_NE(opensees_tcl(springs(law), 2).find("set k_i 300000000;"), std::string::npos);
+TEST(OpenSees, FourSpringsStopTheMassAsTheLawDoes) {
+  const auto rim = opensees_rim(rim_of(answer_fixture()));
+  ASSERT_EQ(rim.springs.size(), 4u);
+  EXPECT_LT(rim.check.peak_force, 0.08);
+  EXPECT_LT(rim.check.rebound, 0.15);
+  EXPECT_LT(rim.check.penetration, 0.12);
+  ASSERT_EQ(rim.check.rows.size(), 5u);
+  EXPECT_NEAR(rim.check.rows.front().speed, 0.1, 1e-12);
+  EXPECT_NEAR(rim.check.rows.back().speed, 0.7, 1e-12);
+  for (const auto &spring : rim.springs) {
+    EXPECT_GT(spring.stiffness, 0);
+    EXPECT_GT(spring.yield_force, 0);
+    EXPECT_GE(spring.hardening, 0);
+    EXPECT_LT(spring.hardening, 1); // OpenSees sets others to zero
   }
-  EXPECT_THROW(opensees_tcl(springs("printed"), 2), DataError);
-  EXPECT_THROW(opensees_tcl(springs("signed"), 1), InputError);
-  EXPECT_THROW(opensees_tcl(springs("signed"), 3), InputError);
+  // over less than a factor of two in speed they follow closer
+  auto narrow = answer_fixture();
+  narrow["answer"]["law"]["valid_from_m_s"] = 0.3, narrow["answer"]["law"]["valid_to_m_s"] = 0.5;
+  const auto near = opensees_rim(rim_of(narrow));
+  EXPECT_LT(near.check.peak_force, 0.02);
+  EXPECT_LT(near.check.rebound, 0.05);
 }
 
-TEST(OpenSees, HertzdampIsTheHuntCrossleyLawAtItsReferenceSpeed) {
-  // its force (Kh + xiNorm Kh / v0 v) d^n, against ours at an approach speed of v0
-  scene::ReducedSettings settings;
-  settings.impact_law = "hunt-crossley", settings.k_i = 3e8, settings.restitution = 0.4;
-  settings.impact_exponent = 1.5, settings.reference_speed = 0.5;
-  const auto rim = reduced::rim_element(settings, 86952);
-  const double Kh = 3e8 * std::pow(1e-3, -0.5), xi_norm = rim.dissipation * 0.5, d = 2e-3, v = 0.3;
-  EXPECT_NEAR(rim.at({.d = d, .rate = v}).force, (Kh + xi_norm * Kh / 0.5 * v) * std::pow(d, 1.5), 1e-6);
-  const auto text = opensees_python(springs("hunt-crossley"), 2);
-  EXPECT_NE(text.find(fmt::format("{:.10g}, -0.4, 1.5", xi_norm)), std::string::npos) << text;
+TEST(OpenSees, OneGapSpringFollowsTheRulesOfItsSource) {
+  // E 1e9 N/m, yields at 1e6 N (1 mm), slope 1e8 beyond
+  GapSpringsContact contact({{1e9, 1e6, 0.1}});
+  EXPECT_DOUBLE_EQ(contact.force(0.5e-3, 0), 0.5e6);
+  EXPECT_NEAR(contact.force(3e-3, 0), 1.2e6, 1e-3);
+  contact.accept(3e-3);
+  EXPECT_NEAR(contact.force(2.4e-3, 0), 0.6e6, 1e-3); // back along E
+  EXPECT_NEAR(contact.force(1.8e-3, 0), 0, 1e-3);     // open at D - F / E
+  EXPECT_EQ(contact.force(1.0e-3, 0), 0);             // the dent
+  contact.accept(0);
+  EXPECT_EQ(contact.force(1.7e-3, 0), 0);             // stays
+  EXPECT_NEAR(contact.force(5e-3, 0), 1.4e6, 1e-3);
 }
 
-TEST(OpenSees, BilinearSpringStopsTheMassAsTheFittedLawDoes) {
-  auto s = window(0.5, 9e8);
-  s.reduced.impact_law = "elastoplastic", s.reduced.yield_force = 6e5, s.reduced.hardening = 0.2;
-  const auto impact = reduced::simulate(s).summary.impacts.at(0);
-  auto r = springs("elastoplastic");
-  r.k_i = 9e8, r.yield_force = 6e5, r.hardening = 0.2;
-  const auto [corner, hardening] = bilinear_of(r);
-  const double d = impact.peak_penetration, beyond = d - corner / r.k_i,
-               force = corner + hardening * r.k_i * beyond;
-  EXPECT_NEAR(force / impact.peak_force, 1, 1e-3);
-  EXPECT_NEAR((corner * corner / r.k_i + beyond * (corner + force)) / (r.mass * 0.25), 1,
-              1e-3);   // 2 W = m v^2
-  r.yield_force = 1e9; // never yields: left as it is
-  EXPECT_EQ(bilinear_of(r).yield_force, 1e9);
+TEST(OpenSees, PerfectlyPlasticSpringsAtTheVerticesReturnTooMuch) {
+  // why the four springs harden: exact on the load path, an elastic-perfectly-plastic parallel gives back F D - W
+  const auto rim = rim_of(answer_fixture());
+  const auto element = rim.element();
+  std::vector<GapSpring> springs;
+  const auto slope = [&](double d) { return reduced::elastoplastic_backbone(element, d).d_penetration; };
+  const int n = 400;
+  for (int i = 1; i <= n; ++i) {
+    const double step = 20e-3 / n, d = step * (i - 0.5), E = slope(d) - slope(d + step);
+    springs.push_back({E, E * (d + step / 2), 0});
+  }
+  springs.push_back({slope(20e-3), 1e12, 0});
+  const auto check = self_check(rim, "parallel", [&](double) { return std::make_unique<GapSpringsContact>(springs); }, 1.1e9);
+  EXPECT_LT(check.peak_force, 0.03);
+  EXPECT_GT(check.rows.back().spring.rebound / check.rows.back().law.rebound, 3);
 }
 
-TEST(OpenSees, PolygonErrorAgainstClosedForms) {
-  // a square touched along its diagonal; four springs, at most two of which act
-  EXPECT_NEAR(polygon_error(4, 0.4, 1e-3).gap, 0.4 * (std::sqrt(2) - 1), 1e-12);
-  EXPECT_NEAR(polygon_error(4, 0.4, 1e-3).force, 1, 1e-12); // not touched at all on the diagonal
-  // many springs: k sum over the arc, 2 int_0^a (u cos t - L) cos t dt / (2 pi / n)
-  const double L = 0.4, d = 5e-3, u = L + d, a = std::acos(L / u);
-  const int n = 3600;
-  const double sum = n / (2 * M_PI) * (u * (a + std::sin(2 * a) / 2) - 2 * L * std::sin(a));
-  EXPECT_NEAR(polygon_error(n, L, d).force / (sum / d - 1), 1, 1e-3);
+TEST(OpenSees, DashpotsHoldForTheirMassOnly) {
+  const auto calibration = answer_fixture();
+  const auto rim = rim_of(calibration, {.law = "no-tension", .mass = {}});
+  EXPECT_TRUE(rim.of_mass);
+  EXPECT_EQ(rim.law(), "no-tension");
+  const auto springs = opensees_rim(rim);
+  EXPECT_EQ(springs.material, "ViscoelasticGap");
+  EXPECT_LT(springs.check.peak_force, 1e-3);      // the peak is the law's
+  EXPECT_GT(springs.check.rebound, 0.01);         // it pulls, so it returns less
+  EXPECT_NEAR(springs.check.rows[0].spring.rebound, 0.35, 1e-3); // e exactly
+  EXPECT_THROW(rim_of(calibration, {.law = "no-tension", .mass = 203900}), InputError);
+  EXPECT_NO_THROW(rim_of(calibration, {.law = "", .mass = 203900})); // the law belongs to the rim
+  EXPECT_THROW(rim_of(calibration, {.law = "pair", .mass = {}}), InputError);
+  EXPECT_THROW(rim_of(calibration, {.law = "signed", .mass = {}}), InputError); // not ranked
 }
 
-TEST(OpenSees, ReadsWhatACalibrationWrites) {
-  TemporaryFolder folder;
-  const auto json = to_json(calibrate({folder.write(window(0.3))}));
-  const auto rim = rim_springs(json);
-  EXPECT_EQ(rim.law, "signed");
-  EXPECT_NEAR(rim.k_i / 3e8, 1, 1e-6);
-  EXPECT_NEAR(rim.damping, reduced::damping_coefficient(rim.k_i, rim.restitution, rim.mass), 1);
-  EXPECT_DOUBLE_EQ(rim.lateral_capacity, 0.4);
-  EXPECT_THROW(rim_springs(nlohmann::json::object()), DataError);
-  const auto text = opensees_tcl(rim, 2);
-  EXPECT_NE(text.find("# Fitted: k_i = "), std::string::npos) << text;
-  EXPECT_NE(text.find("95 % interval"), std::string::npos) << text;
-  EXPECT_NE(text.find("# Validity: "), std::string::npos) << text;
+TEST(OpenSees, ALawOfTheRimMovesWithTheMass) {
+  const auto rim = rim_of(answer_fixture(), {.law = "", .mass = 4 * 86952.0});
+  EXPECT_NEAR(rim.from, 0.05, 1e-12); // the same penetrations at half the speed
+  EXPECT_NEAR(rim.to, 0.35, 1e-12);
+}
+
+TEST(OpenSees, TextHoldsStatementAndNumbersOnly) {
+  const auto rim = rim_of(answer_fixture());
+  const auto springs = opensees_rim(rim);
+  scene::Scene scene;
+  const auto dish = dish_of(scene, rim.lateral_capacity);
+  EXPECT_FALSE(dish.sphere);
+  EXPECT_NEAR(dish.error_full, std::sqrt(1 - std::pow(0.4 / 0.5625, 2)) - 1, 1e-9); // ellipse: h' = r / R0 / sqrt(1 - (r / a)^2)
+  for (const auto &text : {opensees_tcl(rim, springs, dish, {"command"}), opensees_python(rim, springs, dish, {"command"})})
+    for (const char *needle : {"shfps-225", "86952 kg", "853 kN", "elastoplastic", "0.1 to 0.7 m/s", "peak force 2.1 %", "DOUBT: Run w-0.70", "95 % interval", "Assumed, not given (1)", "Validity: Holds for this rim",
+                               "Self-check of the four ElasticPPGap", "0.475", "rim_yield_force", "-29.7 % at the rim", "Time step"})
+      EXPECT_NE(unbroken(text).find(needle), std::string::npos) << needle << "\n" << text.substr(0, 6000);
+}
+
+TEST(OpenSees, NumbersMustBeNumbers) {
+  for (const char *key : {"k_i", "yield_force", "hardening", "lateral_capacity_m"}) {
+    for (const nlohmann::json &bad : {nlohmann::json("1; exec rm"), nlohmann::json(nullptr), nlohmann::json(-1.0)}) {
+      auto calibration = answer_fixture();
+      calibration["answer"]["law"]["element"][key] = bad;
+      EXPECT_THROW(rim_of(calibration), DataError) << key << " " << bad;
+    }
+  }
+  for (const char *key : {"mass_kg", "vertical_kN", "gravity_m_per_s2"}) {
+    auto calibration = answer_fixture();
+    calibration["answer"][key] = "853]";
+    EXPECT_THROW(rim_of(calibration), DataError) << key;
+  }
+  EXPECT_THROW(rim_of(nlohmann::json::object()), DataError);
+  for (const char *key : {"law", "laws", "element", "parameters"}) { // other kinds than calibrations write: a sentence, no crash
+    auto calibration = answer_fixture();
+    (std::string(key) == "laws" ? calibration[key] : std::string(key) == "law" ? calibration["answer"][key] : calibration["answer"]["law"][key]) = {1, 2};
+    try {
+      rim_of(calibration, {.law = std::string(key) == "laws" ? "signed" : "", .mass = {}});
+    } catch (const Error &) {
+    }
+  }
+}
+
+TEST(Comment, WhateverItHoldsItStaysAComment) {
+  const std::string hostile = "a\nimport os; os.system('x')\r\n]; exec rm -rf / \\\n${x} [exit] \"\"\" ''' \x1b[2J `id` {} b\xc3\xbc\xff\t\v\f\xe2\x80\xa8z";
+  const std::string line = comment_line("#", hostile);
+  for (const char c : {'\\', '$', '[', ']', '{', '}', '"', ';', '`', '\r', '\t', '\x1b', '\v', '\f'}) EXPECT_EQ(line.find(c), std::string::npos) << int(c);
+  EXPECT_EQ(line.find("'''"), std::string::npos);
+  for (const unsigned char c : line) EXPECT_TRUE(c == '\n' || (c >= 0x20 && c < 0x7f));
+  std::istringstream lines(line);
+  for (std::string one; std::getline(lines, one);) EXPECT_EQ(one.rfind("# ", 0), 0u) << one;
+  const std::string broken = comment_line("$", std::string(1000, 'x') + " y"); // no blank to break at
+  std::istringstream more(broken);
+  for (std::string one; std::getline(more, one);) EXPECT_EQ(one.rfind("$ ", 0), 0u) << one;
+  EXPECT_EQ(comment_line("#", ""), "# \n");
 }
 
 } // namespace
