@@ -22,12 +22,13 @@ calibration::Uncertainty uncertainty_of(const std::vector<std::string> &words) {
   calibration::Uncertainty u;
   double time_ms = 0;
   const std::map<std::string, double *> known = {
-      {"force", &u.force}, {"displacement", &u.displacement}, {"speed", &u.speed}, {"time_ms", &time_ms}};
+      {"force", &u.force}, {"displacement", &u.displacement}, {"speed", &u.speed}, {"gain", &u.gain}, {"time_ms", &time_ms}};
   for (const auto &[name, value] : values_of(words, "--sigma")) {
     const auto found = known.find(name);
     if (found == known.end())
-      throw InputError("--sigma " + scene::not_among(name, {"force", "displacement", "speed", "time_ms"}));
+      throw InputError("--sigma " + scene::not_among(name, {"force", "displacement", "speed", "gain", "time_ms"}));
     *found->second = value;
+    if (name == "force" && u.gain == 0) u.gain = value; // of a measured record: one error common to all of it
   }
   u.time = 1e-3 * time_ms;
   return u;
@@ -89,7 +90,10 @@ calibration::CalibrationOptions calibrate_settings(const CalibrateWords &words) 
     settings.window.touch = calibration::TouchReference::gap;
     settings.window.lead = lead_of_an_offset;
   }
-  if (words.lead_mm >= 0) settings.window.lead = 1e-3 * words.lead_mm;
+  if (words.lead_mm) {
+    if (!(*words.lead_mm >= 0 && *words.lead_mm <= 1000)) throw InputError(fmt::format("--lead-mm {:g} must be in 0..1000", *words.lead_mm));
+    settings.window.lead = 1e-3 * *words.lead_mm;
+  }
   return settings;
 }
 

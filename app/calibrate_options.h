@@ -10,7 +10,8 @@ struct CalibrateWords {
   std::vector<std::string> predict, fixed, bounds, start, sigma;
   std::string fit, law, laws = "signed,no-tension,hunt-crossley,elastoplastic";
   bool keep_stopped = false;
-  double robust = calibration::FitOptions().robust_scale, lead_mm = -1;
+  double robust = calibration::FitOptions().robust_scale;
+  std::optional<double> lead_mm;
   int starts = calibration::FitOptions().n_starts;
 };
 void add_calibrate_options(CLI::App &verb, CalibrateWords &words);

@@ -100,6 +100,7 @@ Calibration calibrate(const std::vector<std::string> &run_folders, const Calibra
   options.fit.validate();
   options.window.validate();
   if (run_folders.empty()) throw InputError("no run folder to calibrate on is named");
+  require_distinct(run_folders);
   Calibration c;
   auto runs = read_runs(run_folders, options.window), predicted = read_runs(options.predict, options.window);
   collect_facts(runs, c), collect_facts(predicted, c);

@@ -3,7 +3,9 @@
 #include "calibration/shooting.h"
 #include "scene/error.h"
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
+#include <map>
 
 namespace rimpact::calibration {
 
@@ -48,6 +50,19 @@ ImpactCheck check_impact(const StoredRun &run, const ImpactWindow &w, const scen
 }
 
 } // namespace
+
+void require_distinct(const std::vector<std::string> &folders) {
+  namespace fs = std::filesystem;
+  std::map<std::string, std::string> seen; // by where it really is
+  for (const auto &folder : folders) {
+    std::error_code unknown;
+    const auto place = fs::weakly_canonical(folder, unknown).string();
+    const auto [other, fresh] = seen.insert({unknown ? folder : place, folder});
+    if (!fresh)
+      throw InputError(fmt::format("{} and {} are the same run: named twice it would count twice, and every interval would be too small",
+                                   other->second, folder));
+  }
+}
 
 void require_same_device(const std::vector<StoredRun> &runs) {
   for (std::size_t i = 1; i < runs.size(); ++i)

@@ -1,5 +1,4 @@
 #include "calibration/measured_run.h"
-#include "calibration/series.h"
 #include "scene/error.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -15,10 +14,19 @@ bool disagree(double a, double b) {
   return a > suspicious * b || b > suspicious * a;
 }
 
-double root_mean_square(const std::vector<double> &values) {
-  double sum = 0;
-  for (const double v : values) sum += v * v;
-  return std::sqrt(sum / static_cast<double>(values.size()));
+/// Root mean square about the mean.
+double spread(const std::vector<double> &values) {
+  const double n = static_cast<double>(values.size());
+  double mean = 0, sum = 0;
+  for (const double v : values) mean += v / n;
+  for (const double v : values) sum += (v - mean) * (v - mean);
+  return std::sqrt(sum / n);
+}
+
+std::vector<double> integrate(const std::vector<double> &times, const std::vector<double> &rates) {
+  std::vector<double> values(times.size(), 0.0);
+  for (std::size_t i = 1; i < times.size(); ++i) values[i] = values[i - 1] + 0.5 * (times[i] - times[i - 1]) * (rates[i] + rates[i - 1]);
+  return values;
 }
 
 void check_travel(const StoredRun &run) {
@@ -29,15 +37,15 @@ void check_travel(const StoredRun &run) {
                                 run.folder, travel, L_c));
 }
 
+/// By the travel, which noise moves least: differences of noisy samples exceed any speed.
 void check_velocity(const StoredRun &run) {
   const auto &r = run.response;
-  const double stated = root_mean_square(r.series("velocity_x")),
-               slope = root_mean_square(differentiate(r.series("time"), r.series("displacement_x")));
-  if (disagree(stated, slope))
+  const double stated = spread(integrate(r.series("time"), r.series("velocity_x"))), found = spread(r.series("displacement_x"));
+  if (disagree(stated, found))
     throw DataError(
         fmt::format("{}: velocity_x and the slope of displacement_x differ by a factor of {:.3g}; are "
                     "the units of time, displacement and velocity right?",
-                    run.folder, stated / slope));
+                    run.folder, stated / found));
 }
 
 /// Impulse of the rim's force over the change of momentum, both radial.

@@ -13,16 +13,22 @@ namespace {
 
 /// Starts whose ends differ by less are the same minimum (in the fitted variable, relative to 1).
 constexpr double same_minimum = 1e-3;
+/// Noise of the force, in shares of its peak, below which what no sample's noise holds (interpolation, digits) is of its size.
+constexpr double audible = 1e-3;
 
 class Cost final : public ceres::CostFunction {
 public:
   Cost(const Problem &problem, const ResidualBlock &block) : problem_(problem), block_(block) {
     set_num_residuals(block.size());
     mutable_parameter_block_sizes()->push_back(problem.n_parameters());
+    if (block.n_nuisance() > 0) mutable_parameter_block_sizes()->push_back(block.n_nuisance());
   }
   bool Evaluate(double const *const *x, double *r, double **jacobians) const override {
-    if (!problem_.residuals(block_, x[0], r)) return false;
-    return !jacobians || !jacobians[0] || problem_.jacobian(block_, x[0], jacobians[0]);
+    const double *nuisance = block_.n_nuisance() > 0 ? x[1] : nullptr;
+    if (!problem_.residuals(block_, x[0], nuisance, r)) return false;
+    if (!jacobians) return true;
+    if (jacobians[0] && !problem_.jacobian(block_, x[0], nuisance, jacobians[0])) return false;
+    return !nuisance || !jacobians[1] || problem_.nuisance_jacobian(block_, x[0], nuisance, jacobians[1]);
   }
 
 private:
@@ -32,6 +38,7 @@ private:
 
 struct Ending {
   Eigen::VectorXd x;
+  Nuisance nuisance;
   double cost;
   bool usable, converged;
   std::string message;
@@ -41,10 +48,15 @@ Ending search(const Problem &problem, Eigen::VectorXd x, const FitOptions &optio
   // Ceres logs through glog; what it has to say is in its summary.
   FLAGS_minloglevel = google::GLOG_FATAL;
   ceres::Problem ceres_problem;
-  for (const auto &block : problem.blocks()) {
+  Nuisance nuisance; // all zero: what was known of each impact beforehand
+  for (const auto &block : problem.blocks()) nuisance.push_back(Eigen::VectorXd::Zero(block->n_nuisance()));
+  for (std::size_t i = 0; i < problem.blocks().size(); ++i) {
+    const auto &block = problem.blocks()[i];
     ceres::LossFunction *loss =
         options.robust_scale > 0 ? new ceres::HuberLoss(options.robust_scale) : nullptr;
-    ceres_problem.AddResidualBlock(new Cost(problem, *block), loss, x.data());
+    std::vector<double *> unknowns = {x.data()};
+    if (block->n_nuisance() > 0) unknowns.push_back(nuisance[i].data());
+    ceres_problem.AddResidualBlock(new Cost(problem, *block), loss, unknowns);
   }
   for (int i = 0; i < problem.n_parameters(); ++i) {
     ceres_problem.SetParameterLowerBound(x.data(), i, problem.lower()(i));
@@ -59,7 +71,7 @@ Ending search(const Problem &problem, Eigen::VectorXd x, const FitOptions &optio
   solver.parameter_tolerance = 1e-9;
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &ceres_problem, &summary);
-  return {x, summary.final_cost, summary.IsSolutionUsable(), summary.termination_type == ceres::CONVERGENCE,
+  return {x, nuisance, summary.final_cost, summary.IsSolutionUsable(), summary.termination_type == ceres::CONVERGENCE,
           summary.message};
 }
 
@@ -81,9 +93,47 @@ FitResult result_of(const Problem &problem, const std::vector<Ending> &endings, 
   result.converged = best->converged;
   for (const auto &e : endings)
     if (e.usable && (e.x - best->x).cwiseAbs().maxCoeff() < same_minimum) ++result.n_starts_agreeing;
-  judge(problem, best->x, spread_at(problem, best->x, options.robust_scale), result);
+  const Spread spread = spread_at(problem, best->x, best->nuisance, options.robust_scale);
+  result.counting = options.counting;
+  result.within_noise = spread.within_noise;
+  judge(problem, best->x, spread, result);
   result.n_evaluations = problem.n_evaluations();
   return result;
+}
+
+FitResult fit_once(const std::vector<const StoredRun *> &runs, const FitOptions &options) {
+  const Problem problem(runs, options);
+  std::vector<Ending> endings;
+  for (const auto &x : problem.starts()) endings.push_back(search(problem, x, options));
+  return result_of(problem, endings, options);
+}
+
+/// Whether samples may count one by one: all impacts are measured, with noise in both channels.
+bool noisy_alone(const std::vector<const StoredRun *> &runs) {
+  bool any = false;
+  for (const StoredRun *run : runs)
+    for (const auto &w : run->impacts) {
+      any = true;
+      if (!w.measurement || !(w.measurement->sigma_force > audible * w.peak) || !(w.measurement->sigma_displacement > 0)) return false;
+    }
+  return any;
+}
+
+/// The likelihood, from the fit by curves; none where the law is not within the noise by it.
+std::optional<FitResult> by_sample(const std::vector<const StoredRun *> &runs, FitOptions options, const FitResult &by_curve) {
+  for (const auto &name : options.parameters) options.start[name] = by_curve.parameters.at(name).value;
+  options.counting = Counting::sample;
+  options.n_starts = 0;
+  options.robust_scale = 0; // a sum over hundreds of samples is no outlier
+  try {
+    FitResult result = fit_once(runs, options);
+    if (!result.within_noise || !result.converged) return {};
+    result.n_starts = by_curve.n_starts, result.n_starts_agreeing = by_curve.n_starts_agreeing;
+    result.n_evaluations += by_curve.n_evaluations;
+    return result;
+  } catch (const Error &) { // nothing beyond the fit by curves is claimed
+    return {};
+  }
 }
 
 } // namespace
@@ -92,10 +142,13 @@ FitResult fit(const std::vector<const StoredRun *> &runs, const FitOptions &give
   FitOptions options = given;
   if (options.law.empty() && !runs.empty()) options.law = runs.front()->scene.reduced.impact_law;
   options.validate();
-  const Problem problem(runs, options);
-  std::vector<Ending> endings;
-  for (const auto &x : problem.starts()) endings.push_back(search(problem, x, options));
-  return result_of(problem, endings, options);
+  if (options.counting == Counting::automatic) {
+    options.counting = Counting::curve;
+    const FitResult by_curve = fit_once(runs, options);
+    if (!noisy_alone(runs)) return by_curve;
+    return by_sample(runs, options, by_curve).value_or(by_curve);
+  }
+  return fit_once(runs, options);
 }
 
 std::vector<double> profile(const std::vector<const StoredRun *> &runs, const FitOptions &options,
@@ -109,6 +162,8 @@ std::vector<double> profile(const std::vector<const StoredRun *> &runs, const Fi
   if (others.parameters.empty()) throw InputError("a profile needs a second fitted parameter");
   others.bounds.erase(name);
   others.start.clear();
+  others.counting = best.counting;
+  if (best.counting == Counting::sample) others.robust_scale = 0;
   others.n_starts = 0;
   for (const auto &other : others.parameters) others.start[other] = best.parameters.at(other).value;
   std::vector<double> costs;

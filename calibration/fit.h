@@ -26,6 +26,12 @@ namespace rimpact::calibration {
 struct Weights {
   double force = 1, displacement = 1, rebound = 3, peak = 3, flight = 1;
 };
+/// How the samples of a measured impact count.
+enum class Counting {
+  automatic, ///< by sample where the law follows every measured impact within its noise, else by curve
+  curve,     ///< each curve is one observation with a stated uncertainty, widened by its noise; peak and rebound before shapes
+  sample     ///< each sample is an observation with its noise: the likelihood, which holds only if the law is the right one
+};
 struct Bounds {
   double lower, upper; ///< in the parameter's reported unit
 };
@@ -41,6 +47,7 @@ struct FitOptions {
   double difference_step = 1e-4;        ///< of central differences in the fitted variable, >= 1e-6
   int max_iterations = 60;
   bool keep_grazing = false; ///< fit grazing impacts beside others too
+  Counting counting = Counting::automatic;
   Uncertainty uncertainty;
   Weights weights;
   void validate() const; ///< throws InputError naming option, value and bound
@@ -54,7 +61,7 @@ struct Estimate {
   bool at_bound = false;
   std::string reason; ///< when not identifiable
   std::string
-      verdict; ///< determined | form (determined, but the law does not follow) | flat | bound | grazing
+      verdict; ///< determined | form (determined, but the law does not follow) | noise (of the record hides it) | flat | bound | grazing
 };
 
 struct FitResult {
@@ -69,6 +76,8 @@ struct FitResult {
   int n_starts_agreeing = 0; ///< that ended within 1e-3 of the same values
   int n_evaluations = 0;
   bool converged = false;
+  bool within_noise = false; ///< the law follows every measured impact within its noise
+  Counting counting = Counting::curve; ///< of measured impacts, never automatic
   std::string message; ///< how it ended
   std::vector<std::string> notes;
 };

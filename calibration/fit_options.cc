@@ -60,6 +60,7 @@ void FitOptions::validate() const {
             fmt::format("in {:g}..{:g} {}", p.lower, p.upper, p.unit));
   }
   require(n_starts >= (start.empty() ? 1 : 0), "n_starts", n_starts, ">= 1, or 0 beside a given start");
+  require(n_starts <= 1000, "n_starts", n_starts, "<= 1000");
   require(robust_scale >= 0, "robust_scale", robust_scale, ">= 0");
   require(difference_step >= 1e-6 && difference_step <= 0.1, "difference_step", difference_step,
           "in 1e-6..0.1");
@@ -67,6 +68,7 @@ void FitOptions::validate() const {
   require(uncertainty.force > 0, "uncertainty of the force", uncertainty.force, "> 0");
   require(uncertainty.displacement > 0, "uncertainty of the displacement", uncertainty.displacement, "> 0");
   require(uncertainty.speed > 0, "uncertainty of the speed", uncertainty.speed, "> 0");
+  require(uncertainty.gain >= 0 && uncertainty.gain <= 1, "uncertainty of the gain", uncertainty.gain, "in 0..1");
   require(uncertainty.time >= 0, "uncertainty of the time", uncertainty.time, ">= 0 s");
   for (const double w : {weights.force, weights.displacement, weights.rebound, weights.peak, weights.flight})
     require(w >= 0, "weight", w, ">= 0");

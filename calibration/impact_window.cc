@@ -1,4 +1,5 @@
 #include "calibration/impact_window.h"
+#include "calibration/measured_cutter.h"
 #include "calibration/measured_run.h"
 #include "calibration/series.h"
 #include "calibration/window_cutter.h"
@@ -24,16 +25,6 @@ void complete_velocities(scene::Response &response) {
   }
 }
 
-void silence_noise(scene::Response &response, double share) {
-  if (share <= 0) return;
-  double peak = 0;
-  for (std::size_t i = 0; i < response.size(); ++i)
-    peak = std::max(peak, planar(response, "impact", i).norm());
-  for (std::size_t i = 0; i < response.size(); ++i)
-    if (planar(response, "impact", i).norm() < share * peak)
-      response.series("impact_x")[i] = response.series("impact_y")[i] = 0;
-}
-
 std::vector<scene::Impact> merge_chatter(const std::vector<scene::Impact> &impacts) {
   std::vector<scene::Impact> merged;
   for (const auto &next : impacts) {
@@ -54,12 +45,21 @@ void require(bool ok, const std::string &name, double value, const std::string &
   if (!ok) throw InputError(fmt::format("{} {:g} must be {}", name, value, bound));
 }
 
+/// A word of summary.json; `otherwise` where it has none.
+std::string text_of(const nlohmann::json &summary, const char *key, const char *otherwise, const std::string &folder) {
+  if (!summary.contains(key)) return otherwise;
+  if (!summary[key].is_string())
+    throw DataError(fmt::format("{}/summary.json: {} is {}, not a word; was the file changed?", folder, key, summary[key].dump()));
+  return summary[key];
+}
+
 } // namespace
 
 void WindowOptions::validate() const {
-  require(lead >= 0, "lead", lead, ">= 0 m");
+  require(lead >= 0 && lead <= 1, "lead", lead, "in 0..1 m");
   require(tail > 0, "tail", tail, "> 0 s");
   require(force_threshold >= 0 && force_threshold <= 0.5, "force_threshold", force_threshold, "in 0..0.5");
+  require(stated_speed_error > 0, "stated_speed_error", stated_speed_error, "> 0");
   require(minimum_samples >= 4, "minimum_samples", minimum_samples, ">= 4");
   require(grazing_overshoot >= 0, "grazing_overshoot", grazing_overshoot, ">= 0");
 }
@@ -87,8 +87,11 @@ StoredRun make_run(const std::string &folder, const scene::Scene &scene, scene::
                 .uncertainty = {},
                 .notes = {}};
   if (run.response.size() < 2) throw DataError(folder + ": the response has fewer than two samples");
+  if (options.measured) {
+    cut_measured(run, options);
+    return run;
+  }
   complete_velocities(run.response);
-  silence_noise(run.response, options.force_threshold);
   scene::summarise_response(run.response, run.summary);
   run.summary.impacts = merge_chatter(run.summary.impacts);
   if (!scene.excitation.is_dynamic()) {
@@ -117,11 +120,11 @@ StoredRun read_run(const std::string &folder, const WindowOptions &options) {
   auto summary = nlohmann::json::object();
   if (std::ifstream file(fs::path(folder) / "summary.json"); file) summary = nlohmann::json::parse(file, nullptr, false);
   if (!summary.is_object()) throw DataError(folder + "/summary.json is not valid JSON");
-  const std::string rung = summary.contains("rung") && summary["rung"].is_string() ? summary["rung"] : "";
+  const std::string rung = text_of(summary, "rung", "", folder), status = text_of(summary, "status", "done", folder);
   // The reference has the pad's and the socket's terms by itself; what is fitted to it must have them too.
   if (rung == "rigid-dish" || rung == "full") reduced::add_stack_terms(scene);
   StoredRun run = make_run(folder, scene, scene::read_response(folder), options);
-  run.summary.status = summary.value("status", "done");
+  run.summary.status = status;
   if (!rung.empty()) run.summary.rung = rung;
   if (run.summary.status != "done")
     run.notes.push_back(fmt::format("the run is {}: only what it holds is used", run.summary.status));

@@ -20,17 +20,44 @@ struct Uncertainty {
   double displacement = 0.001; ///< share of L_c, > 0
   double speed = 0.01;         ///< share of the run's largest approach speed, > 0
   double time = 0;             ///< of the reference's clock within one impact [s]; 0: exact
+  double gain = 0; ///< of the force channel, one error common to all impacts [-]: no record's noise shows it; measured records only
 };
 
 struct WindowOptions {
   TouchReference touch = TouchReference::automatic;
   double lead = 0;    ///< travel before touch at which a shot starts [m], where the response allows; >= 0
   double tail = 0.05; ///< compared after release [s], cut at the next touch; > 0
-  double force_threshold =
-      0.0;                 ///< share of the peak below which a force is noise (laboratory records); 0..0.5
+  bool measured = false;      ///< a record with noise, cut by measured_cutter.h; false: zero force means no contact
+  double force_threshold = 0; ///< share of the peak below which no contact is looked for (measured); 0..0.5
+  double stated_speed_error = 0.01; ///< share of a window's stated speed, used where a record begins at touch (measured); > 0
   int minimum_samples = 8; ///< with rim force, below which an impact is not fitted; >= 4
   double grazing_overshoot = 0.01; ///< share of L_c; see ImpactWindow::grazing; >= 0
   void validate() const;           ///< throws InputError naming option, value and bound
+};
+
+/// A weighted sum of neighbouring samples of a window, taken of the model and of the record alike.
+struct Functional {
+  std::size_t first = 0;
+  std::vector<double> weights; ///< empty: the record does not tell
+  double of(const std::vector<double> &samples) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < weights.size(); ++i) sum += weights[i] * samples[first + i];
+    return sum;
+  }
+};
+
+/// What a measured impact says, and how well: errors of samples are independent but for the inflation.
+struct Measurement {
+  double sigma_force = 0, sigma_displacement = 0; ///< noise of one sample [N], [m]
+  /// Whether the record's own noise is what its errors are judged by; a table without any comes from a program, and its errors are
+  /// stated ones, as of every run folder.
+  bool noisy() const { return sigma_force > 0 || sigma_displacement > 1e-7; }
+  double inflation = 1; ///< variance of an average of many displacements over that of independent ones
+  Eigen::Matrix2d start_factor = Eigen::Matrix2d::Zero(); ///< lower factor of the covariance of radial (u, v) at the start [m], [m/s]
+  std::size_t pressed_first = 0, pressed_last = 0; ///< samples of the window whose force is compared
+  std::size_t flown = 0;                           ///< first sample behind those the start is fitted to
+  Functional peak;                                 ///< of the force [N]: a quartic's value at the instant of its largest
+  Functional rebound;                              ///< of the displacement [m/s]: inward slope over the samples after release
 };
 
 /// One impact of a reference, in the radial direction of its touch. The reduced model is started from
@@ -52,6 +79,7 @@ struct ImpactWindow {
   /// overshoot < grazing_overshoot L_c: a slightly different flight would miss the rim, so its force says
   /// little. Never a window's, which comes with a speed that is given.
   bool grazing = false;
+  std::optional<Measurement> measurement; ///< none: the reference has no noise
 };
 
 /// A stored run with its impacts. A `window` run is one isolated impact at a given speed.

@@ -16,14 +16,23 @@ std::string base_of(const std::string &units) {
   return units == "m/s" ? "m_per_s" : units;
 }
 
+/// The names a column of this signal may state.
+std::string units_of(const scene::SignalInfo &info) {
+  std::string names;
+  for (const char *name : {"s", "ms", "m", "cm", "mm", "N", "kN", "MN", "m_per_s", "mm_per_s"})
+    if (const auto unit = scene::csv_unit(name); unit && unit->base == base_of(info.units)) names += (names.empty() ? "" : ", ") + std::string(name);
+  return names.empty() ? "no unit that a table may state" : names;
+}
+
 void check_unit(Column &column, const scene::SignalInfo &info, const std::string &path) {
   const auto unit = scene::csv_unit(column.unit);
   if (unit && base_of(info.units) == unit->base) {
     column.si = unit->factor;
     return;
   }
-  throw InputError(fmt::format("{}: columns.{}.unit \"{}\" is no unit of {}; it is stored in {}", path,
-                               column.signal, column.unit, info.name, info.units));
+  throw InputError(fmt::format("{}: columns.{}.unit \"{}\" is no unit of {}; it is stored in {}, and may be given in {}; `factor` turns "
+                               "any other unit into one of these",
+                               path, column.signal, column.unit, info.name, info.units, units_of(info)));
 }
 
 std::vector<Column> read_columns(const scene::TomlFile &toml, const std::string &path) {
@@ -62,6 +71,8 @@ std::optional<Uncertainty> read_uncertainty(const scene::TomlFile &toml) {
   reader.number({"force"}, u.force, scene::si, share);
   reader.number({"displacement"}, u.displacement, scene::si, share);
   reader.number({"speed"}, u.speed, scene::si, share);
+  if (toml.find("uncertainty.force")) u.gain = u.force;
+  reader.number({"gain"}, u.gain, scene::si, {0, 1});
   reader.number({"time_ms"}, u.time, scene::milli, {0, 1e3});
   reader.finish();
   return u;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace rimpact::calibration {
 
@@ -18,10 +19,12 @@ std::string scene_beside(const std::string &name, const fs::path &folder) {
   return fs::exists(folder / name) ? (folder / name).string() : name;
 }
 
-void require_columns(const scene::Response &response, const Mapping &mapping, const std::string &table) {
+void require_columns(const scene::Response &response, const Mapping &mapping, const std::string &table,
+                     const std::vector<std::string> &headers) {
   for (const auto &column : mapping.columns)
     if (!response.has(column.signal))
-      throw DataError(fmt::format("{}: no column \"{}\" ({})", table, column.header, column.signal));
+      throw DataError(fmt::format("{}: no column \"{}\" ({}); the header, after skip_lines = {}, names \"{}\"", table, column.header,
+                                  column.signal, mapping.skip_lines, fmt::join(headers, "\", \"")));
   for (const char *needed : {"time", "displacement_x"})
     if (!response.has(needed)) throw DataError(fmt::format("{}: {} has no column", table, needed));
   if (!response.has("impact_x") && !response.has("impact_y"))
@@ -58,17 +61,21 @@ StoredRun read_measured(const std::string &path, const WindowOptions &options) {
   const fs::path folder = fs::path(path).parent_path();
   const auto scene = scene::load_scene(scene_beside(mapping.scene, folder), mapping.overrides);
   const std::string table = (folder / mapping.file).string();
+  std::vector<std::string> headers;
   auto response = scene::parse_columns(
       scene::read_file(table), table,
       [&](std::string_view header) -> scene::CsvTarget {
+        headers.emplace_back(header);
         for (const auto &c : mapping.columns)
           if (header == c.header) return {c.signal, c.factor * c.si, c.zero};
         return {};
       },
       static_cast<std::size_t>(mapping.skip_lines));
-  require_columns(response, mapping, table);
+  require_columns(response, mapping, table, headers);
   complete(response, scene.bearing.lateral_capacity());
   WindowOptions own = options;
+  own.measured = true;
+  if (mapping.uncertainty) own.stated_speed_error = mapping.uncertainty->speed;
   own.force_threshold = std::max(own.force_threshold, mapping.force_noise);
   StoredRun run = make_run(path, scene, std::move(response), own);
   run.uncertainty = mapping.uncertainty;

@@ -5,7 +5,7 @@
 ///   set = ["excitation.speed_m_per_s=0.3"]   # optional, as --set
 ///   file = "test-07.csv"            # beside this file
 ///   skip_lines = 2                  # before the header line
-///   force_noise = 0.02              # share of the peak below which the rim's force counts as none
+///   force_noise = 0.02              # optional: share of the peak below which no contact is looked for; the record's noise is found anyway
 ///   [columns.displacement_x]        # any stored signal; time, displacement_x and impact_x (or _y) are needed
 ///   column = "LVDT 1"               # as the header says
 ///   unit = "mm"                     # s ms m cm mm N kN MN m_per_s mm_per_s
@@ -15,6 +15,7 @@
 ///   force = 0.02
 ///   displacement = 0.001
 ///   speed = 0.02
+///   gain = 0.02                     # of the force channel, one error common to all impacts; default: force, where that is stated
 ///   time_ms = 0.2
 #pragma once
 #include "calibration/impact_window.h"

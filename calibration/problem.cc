@@ -11,6 +11,9 @@ namespace rimpact::calibration {
 
 namespace {
 
+/// Of central differences, in standard errors of what is differenced.
+constexpr double nuisance_step = 0.1;
+
 bool any_flight(const std::vector<const Parameter *> &parameters) {
   return std::any_of(parameters.begin(), parameters.end(),
                      [](const Parameter *p) { return p->seen_in_flight; });
@@ -72,26 +75,38 @@ scene::Scene Problem::apply(scene::Scene scene, const double *x) const {
   return scene;
 }
 
-bool Problem::residuals(const ResidualBlock &block, const double *x, double *r) const {
+bool Problem::residuals(const ResidualBlock &block, const double *x, const double *nuisance, double *r) const {
   ++n_evaluations_;
   const std::span<double> values(r, block.size());
   try {
-    block.evaluate(apply(block.scene(), x), values);
+    block.evaluate(apply(block.scene(), x), {nuisance, static_cast<std::size_t>(block.n_nuisance())}, values);
   } catch (const Error &) { // values the reduced model refuses: the search steps back
     return false;
   }
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
-bool Problem::jacobian(const ResidualBlock &block, const double *x, double *jacobian) const {
+bool Problem::jacobian(const ResidualBlock &block, const double *x, const double *nuisance, double *jacobian) const {
   const int n = n_parameters(), m = block.size();
   std::vector<double> ahead(m), behind(m);
   for (int i = 0; i < n; ++i) {
     const double h = options_.difference_step;
     Eigen::VectorXd a = Eigen::Map<const Eigen::VectorXd>(x, n), b = a;
     a(i) = std::min(x[i] + h, upper_(i)), b(i) = std::max(x[i] - h, lower_(i));
-    if (!residuals(block, a.data(), ahead.data()) || !residuals(block, b.data(), behind.data())) return false;
+    if (!residuals(block, a.data(), nuisance, ahead.data()) || !residuals(block, b.data(), nuisance, behind.data())) return false;
     for (int j = 0; j < m; ++j) jacobian[j * n + i] = (ahead[j] - behind[j]) / (a(i) - b(i));
+  }
+  return true;
+}
+
+bool Problem::nuisance_jacobian(const ResidualBlock &block, const double *x, const double *nuisance, double *jacobian) const {
+  const int n = block.n_nuisance(), m = block.size();
+  std::vector<double> ahead(m), behind(m);
+  for (int i = 0; i < n; ++i) {
+    Eigen::VectorXd a = Eigen::Map<const Eigen::VectorXd>(nuisance, n), b = a;
+    a(i) += nuisance_step, b(i) -= nuisance_step;
+    if (!residuals(block, x, a.data(), ahead.data()) || !residuals(block, x, b.data(), behind.data())) return false;
+    for (int j = 0; j < m; ++j) jacobian[j * n + i] = (ahead[j] - behind[j]) / (2 * nuisance_step);
   }
   return true;
 }

@@ -27,9 +27,11 @@ public:
   scene::Scene apply(scene::Scene scene, const double *x) const;
 
   /// False where the reduced model refuses the values.
-  bool residuals(const ResidualBlock &block, const double *x, double *r) const;
+  bool residuals(const ResidualBlock &block, const double *x, const double *nuisance, double *r) const;
   /// Central differences (one-sided at a bound). `jacobian` is row-major, size() x n_parameters().
-  bool jacobian(const ResidualBlock &block, const double *x, double *jacobian) const;
+  bool jacobian(const ResidualBlock &block, const double *x, const double *nuisance, double *jacobian) const;
+  /// The same by the block's own unknowns, size() x n_nuisance().
+  bool nuisance_jacobian(const ResidualBlock &block, const double *x, const double *nuisance, double *jacobian) const;
 
   /// Where searches begin: the given start, the hardest impact read as a Kelvin-Voigt rim (the gentlest for a
   /// law that yields), the scene's own values, then points spread over the bounds; n_starts in all (the given one comes on top).

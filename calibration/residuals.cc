@@ -33,7 +33,7 @@ public:
     phase_ = u.time > 0 ? add_group("phase", 1, 1, u.time) : 0;
   }
 
-  void evaluate(const scene::Scene &scene, std::span<double> r) const override {
+  void evaluate(const scene::Scene &scene, std::span<const double>, std::span<double> r) const override {
     Shot shot = shoot(scene, window_);
     std::size_t n = compare_curves(shot, r);
     const double shifted = phase_ > 0 ? shift(shot, r) : 0;
@@ -102,7 +102,7 @@ public:
     scale_ = add_group("flight", static_cast<int>(2 * n_), options.weights.flight, sigma);
   }
 
-  void evaluate(const scene::Scene &scene, std::span<double> r) const override {
+  void evaluate(const scene::Scene &scene, std::span<const double>, std::span<double> r) const override {
     const auto run = reduced::simulate(scene);
     const auto &times = run.response.series("time");
     std::size_t n = 0;
@@ -130,6 +130,7 @@ private:
 
 std::unique_ptr<ResidualBlock> impact_block(const StoredRun &run, const ImpactWindow &window,
                                             const FitOptions &options) {
+  if (window.measurement) return measured_block(run, window, options);
   return std::make_unique<ImpactBlock>(run, window, options);
 }
 

@@ -21,5 +21,7 @@ struct Shot {
 
 /// The same at the reference's samples.
 Shot shoot(const scene::Scene &scene, const ImpactWindow &window);
+/// The same from another state.
+Shot shoot(const scene::Scene &scene, const ImpactWindow &window, const reduced::BearingState &start);
 
 } // namespace rimpact::calibration

@@ -17,20 +17,46 @@ constexpr double vague = 0.5;
 constexpr double flat_condition = 1e4;
 /// Share of the bounds' range within which a value counts as standing at the bound.
 constexpr double at_bound = 1e-6;
+/// Standard errors of a sum of squares beyond which it is no noise.
+constexpr double improbable = 4;
+/// Of squared residuals: differences of interpolation and digits, in uncertainties.
+constexpr double numerical = 1e-8;
 
-/// Variance of one residual of a group: stated (weight^2 / count) or found, whichever is larger, times what
-/// correlated residuals lose in independent observations, (1 + rho) / (1 - rho) for lag-one correlation rho,
-/// at most `count`.
+/// What correlated residuals lose in independent observations, (1 + rho) / (1 - rho) for lag-one correlation rho, at most their count.
+double correlation_inflation(const Eigen::VectorXd &part) {
+  const auto n = part.size();
+  if (n <= 2) return 1;
+  const double lag = part.head(n - 1).dot(part.tail(n - 1)) / part.squaredNorm();
+  return lag > 0 ? std::min((1 + lag) / std::max(1 - lag, 1e-12), static_cast<double>(n)) : 1;
+}
+
+/// Variance of one residual of a group: stated (weight^2 / count) or, with its correlation, found,
+/// whichever is larger.
 double group_variance(const Group &group, const Eigen::VectorXd &r) {
   const Eigen::VectorXd part = r.segment(group.first, group.count);
   const double n = group.count, found = part.squaredNorm() / n, stated = group.weight * group.weight / n;
-  if (found <= stated) return stated;
-  double inflation = 1;
-  if (group.count > 2) {
-    const double lag = part.head(group.count - 1).dot(part.tail(group.count - 1)) / part.squaredNorm();
-    inflation = lag > 0 ? std::min((1 + lag) / std::max(1 - lag, 1e-12), n) : 1;
-  }
-  return found * inflation;
+  return found <= stated ? stated : found * correlation_inflation(part);
+}
+
+/// Variance of a residual that the noise of the record does not explain, inflated as above: the law's form. None within what noise does
+/// once in thousands of groups.
+double beyond_noise(const Group &group, const Eigen::VectorXd &r) {
+  const Eigen::VectorXd part = r.segment(group.first, group.count);
+  const double n = group.count, found = part.squaredNorm() / n;
+  if (found <= group.noise * (1 + improbable * std::sqrt(2 / n)) + numerical) return 0;
+  return (found - group.noise) * correlation_inflation(part);
+}
+
+/// The block's Jacobian less what its own unknowns can follow.
+Eigen::MatrixXd effective_jacobian(const Problem &problem, const ResidualBlock &block, const Eigen::VectorXd &x, const Eigen::VectorXd &nuisance) {
+  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+  RowMajor J(block.size(), problem.n_parameters()), N(block.size(), block.n_nuisance());
+  if (!problem.jacobian(block, x.data(), nuisance.data(), J.data()) ||
+      (N.cols() > 0 && !problem.nuisance_jacobian(block, x.data(), nuisance.data(), N.data())))
+    throw std::logic_error("the fitted values cannot be evaluated");
+  if (N.cols() == 0) return J;
+  const Eigen::MatrixXd normal = N.transpose() * N; // the start's own residuals make it regular
+  return J - N * normal.ldlt().solve(N.transpose() * J);
 }
 
 /// Derivative of Huber's loss with respect to the squared norm s.
@@ -40,29 +66,43 @@ double huber_slope(double s, double scale) {
 
 } // namespace
 
-Spread spread_at(const Problem &problem, const Eigen::VectorXd &x, double robust_scale) {
+Spread spread_at(const Problem &problem, const Eigen::VectorXd &x, const Nuisance &nuisance, double robust_scale) {
   const int n = problem.n_parameters();
-  using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Eigen::MatrixXd bread = Eigen::MatrixXd::Zero(n, n), filling = bread, stated = bread;
-  for (const auto &block : problem.blocks()) {
-    Eigen::VectorXd r(block->size());
-    RowMajor J(block->size(), n);
-    if (!problem.residuals(*block, x.data(), r.data()) || !problem.jacobian(*block, x.data(), J.data()))
-      throw std::logic_error("the fitted values cannot be evaluated");
+  Eigen::VectorXd gain = Eigen::VectorXd::Zero(n); // one error, common to all impacts
+  Spread spread;
+  for (std::size_t k = 0; k < problem.blocks().size(); ++k) {
+    const ResidualBlock &block = *problem.blocks()[k];
+    Eigen::VectorXd r(block.size());
+    if (!problem.residuals(block, x.data(), nuisance[k].data(), r.data())) throw std::logic_error("the fitted values cannot be evaluated");
+    const Eigen::MatrixXd J = effective_jacobian(problem, block, x, nuisance[k]);
     const double w = huber_slope(r.squaredNorm(), robust_scale);
     bread += w * J.transpose() * J;
-    for (const auto &group : block->groups()) {
-      const auto part = J.middleRows(group.first, group.count);
-      filling += w * w * group_variance(group, r) * part.transpose() * part;
-      stated += w * w * group.weight * group.weight / group.count * part.transpose() * part;
+    if (block.measured()) {
+      const Eigen::MatrixXd noise = block.noise_filling(J);
+      filling += w * w * noise, stated += w * w * noise;
+      gain += w * J.transpose() * block.gain_error();
     }
+    for (const auto &group : block.groups()) {
+      const auto part = J.middleRows(group.first, group.count);
+      const Eigen::MatrixXd square = part.transpose() * part;
+      if (block.measured()) {
+        const double excess = beyond_noise(group, r);
+        filling += w * w * excess * square;
+        spread.within_noise = spread.within_noise && excess == 0;
+        continue;
+      }
+      filling += w * w * group_variance(group, r) * square;
+      stated += w * w * group.weight * group.weight / group.count * square;
+    }
+    spread.measured = spread.measured || block.measured();
   }
+  filling += gain * gain.transpose(), stated += gain * gain.transpose();
   Eigen::VectorXd relative(n);
   for (int i = 0; i < n; ++i) relative(i) = problem.per_relative_change(i, x(i));
   const Eigen::MatrixXd scaled = relative.asDiagonal() * bread * relative.asDiagonal();
   const Eigen::JacobiSVD<Eigen::MatrixXd> svd(scaled);
   const double least = svd.singularValues()(n - 1), most = svd.singularValues()(0);
-  Spread spread;
   spread.condition = least > 0 ? std::sqrt(most / least) : std::numeric_limits<double>::infinity();
   if (!(most > 0) || least < 1e-14 * most) {
     spread.condition = std::numeric_limits<double>::infinity();
@@ -109,6 +149,9 @@ void judge(const Problem &problem, const Eigen::VectorXd &x, const Spread &sprea
       estimate.verdict = "flat";
       estimate.reason =
           fmt::format("flat valley: condition {:.3g} exceeds {:g}", spread.condition, flat_condition);
+    } else if (!(stated_half_width <= vague * size) && spread.measured) {
+      estimate.verdict = "noise";
+      estimate.reason = fmt::format("the noise of the record leaves +-{:.0f} % of the value open", 100 * stated_half_width / size);
     } else if (!(stated_half_width <= vague * size)) {
       estimate.verdict = "flat";
       estimate.reason =

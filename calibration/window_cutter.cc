@@ -13,7 +13,31 @@ constexpr double dent_tolerance = 1e-5;
 /// Travel within which a sample counts as the instant of touch [m].
 constexpr double touch_tolerance = 1e-9;
 
+double overshoot(const ImpactWindow &w, const StoredRun &run, const reduced::PhysicalModel &model) {
+  const auto &x = run.scene.excitation;
+  if (x.kind == scene::ExcitationKind::window && !x.with_weight && !x.with_friction && !x.with_ground)
+    return std::numeric_limits<double>::infinity();
+  const auto forces = model.forces(w.start);
+  const double a = (forces.pendular + forces.friction).head<2>().dot(w.direction) / run.scene.load.mass -
+                   model.ground_acceleration(w.start.t).head<2>().dot(w.direction);
+  const double v = w.start.v.head<2>().dot(w.direction);
+  return a < 0 ? v * v / (-2 * a) : std::numeric_limits<double>::infinity();
+}
+
 } // namespace
+
+void press_earlier(reduced::BearingState &start, const StoredRun &run, std::size_t index) {
+  for (std::size_t earlier = 0; earlier < index; ++earlier) {
+    const auto &impact = run.summary.impacts[earlier];
+    const double angle = impact.direction_deg * std::numbers::pi / 180;
+    start.rim.press({std::cos(angle), std::sin(angle)}, impact.peak_penetration, reduced::dent_shape(run.scene));
+  }
+}
+
+void judge_grazing(ImpactWindow &w, const StoredRun &run, const reduced::PhysicalModel &model, const WindowOptions &options) {
+  w.overshoot = overshoot(w, run, model);
+  w.grazing = !run.is_window() && w.overshoot < options.grazing_overshoot * run.scene.bearing.lateral_capacity();
+}
 
 WindowCutter::WindowCutter(const StoredRun &run, const WindowOptions &options)
     : run_(run), r_(run.response), times_(run.response.series("time")), options_(options), model_(run.scene),
@@ -33,11 +57,7 @@ std::optional<ImpactWindow> WindowCutter::cut(std::size_t index, std::string &re
     return {};
   }
   w.start = state(start);
-  for (std::size_t earlier = 0; earlier < index; ++earlier) { // what they have left on the rim
-    const auto &impact = run_.summary.impacts[earlier];
-    const double angle = impact.direction_deg * std::numbers::pi / 180;
-    w.start.rim.press({std::cos(angle), std::sin(angle)}, impact.peak_penetration, reduced::dent_shape(run_.scene));
-  }
+  press_earlier(w.start, run_, index);
   const double next = index + 1 < run_.summary.impacts.size() ? run_.summary.impacts[index + 1].touch_time
                                                               : std::numeric_limits<double>::infinity();
   collect(w, start, std::min(w.impact.release_time + options_.tail, next));
@@ -48,8 +68,7 @@ std::optional<ImpactWindow> WindowCutter::cut(std::size_t index, std::string &re
     return {};
   }
   w.peak = smooth_peak(w.times, w.force);
-  w.overshoot = overshoot(w);
-  w.grazing = !run_.is_window() && w.overshoot < options_.grazing_overshoot * L_c_;
+  judge_grazing(w, run_, model_, options_);
   return w;
 }
 
@@ -99,17 +118,6 @@ void WindowCutter::collect(ImpactWindow &w, std::size_t start, double end) const
     w.force.push_back(-planar(r_, "impact", i).dot(w.direction));
   }
   w.end_time = w.times.back();
-}
-
-double WindowCutter::overshoot(const ImpactWindow &w) const {
-  const auto &x = run_.scene.excitation;
-  if (x.kind == scene::ExcitationKind::window && !x.with_weight && !x.with_friction && !x.with_ground)
-    return std::numeric_limits<double>::infinity();
-  const auto forces = model_.forces(w.start);
-  const double a = (forces.pendular + forces.friction).head<2>().dot(w.direction) / run_.scene.load.mass -
-                   model_.ground_acceleration(w.start.t).head<2>().dot(w.direction);
-  const double v = w.start.v.head<2>().dot(w.direction);
-  return a < 0 ? v * v / (-2 * a) : std::numeric_limits<double>::infinity();
 }
 
 } // namespace rimpact::calibration

@@ -9,6 +9,11 @@ inline Eigen::Vector2d planar(const scene::Response &response, const std::string
   return {response.series(signal + "_x")[i], response.series(signal + "_y")[i]};
 }
 
+/// The dents that impacts before `index` have left on a rim that yields.
+void press_earlier(reduced::BearingState &start, const StoredRun &run, std::size_t index);
+/// Fills overshoot and grazing from the window's start.
+void judge_grazing(ImpactWindow &window, const StoredRun &run, const reduced::PhysicalModel &model, const WindowOptions &options);
+
 class WindowCutter {
 public:
   /// Both must outlive the cutter; run.summary holds the impacts.
@@ -24,7 +29,6 @@ private:
   double touch_travel(std::size_t touch, bool &dented) const;
   reduced::BearingState state(std::size_t i) const;
   void collect(ImpactWindow &window, std::size_t start, double end) const;
-  double overshoot(const ImpactWindow &window) const;
 
   const StoredRun &run_;
   const scene::Response &r_;
