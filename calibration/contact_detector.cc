@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <numeric>
+#include <optional>
 
 namespace rimpact::calibration {
 
@@ -10,6 +11,7 @@ namespace {
 
 using Values = std::vector<double>;
 constexpr double sure = 5;            ///< standard errors that noise does not reach
+constexpr double surest = 6;          ///< standard errors of a sample that the few differences beside an end do not reach
 constexpr std::size_t persistence = 3;
 constexpr double same_contact = 0.35; ///< of the earlier contact's length
 constexpr std::size_t few_quiet = 8;  ///< samples below which quiet says nothing
@@ -83,10 +85,10 @@ class Search {
 public:
   Search(const Values &times, ContactRecord &record, double share) : t_(times), r_(record) {
     const std::size_t held = std::count_if(r_.push.begin(), r_.push.end(), [top = largest(r_.push)](double p) { return std::abs(p) > 0.5 * top; });
-    const std::size_t half = r_.sigma > 0 ? std::min<std::size_t>(held / 60, 7) : 0;
-    r_.smooth = boxcar(r_.push, half);
+    half_ = r_.sigma > 0 ? std::min<std::size_t>(held / 30, 7) : 0;
+    r_.smooth = boxcar(r_.push, half_);
     r_.peak = largest(r_.smooth);
-    low_ = std::max(sure * r_.sigma / std::sqrt(2.0 * half + 1), 1e-9 * r_.peak);
+    low_ = std::max(sure * r_.sigma / std::sqrt(2.0 * static_cast<double>(half_) + 1), 1e-9 * r_.peak);
     r_.threshold = std::max(low_, share * r_.peak);
     r_.contacts.clear();
     if (r_.peak > 0) find();
@@ -119,19 +121,34 @@ private:
         return;
       }
     }
-    r_.contacts.push_back({first, last, 0, 0, 0, 0});
+    r_.contacts.push_back({first, last, 0, 0, false, 0, 0});
   }
 
-  /// Where the force, going on as over its first (last) samples, is zero; not beyond the next sample but one.
+  /// The middle of the step by which the samples themselves jump at the contact's first (last) one, where no noise makes such a step:
+  /// nothing of the force is hidden there.
+  std::optional<double> jump(std::size_t at, int inwards) const {
+    const std::size_t from = at - std::min(at, half_ + 1), to = std::min(at + half_ + 1, t_.size() - 1);
+    double largest = surest * r_.sigma;
+    std::optional<double> middle;
+    for (std::size_t i = from; i < to; ++i)
+      if (const double step = inwards * (std::abs(r_.push[i + 1]) - std::abs(r_.push[i])); step > largest)
+        largest = step, middle = 0.5 * (t_[i] + t_[i + 1]);
+    return middle;
+  }
+
+  /// Where the force is zero: in the middle of the step it jumps by, else as long before its first sample (after its last) as it takes to
+  /// rise by what the threshold hides.
   double followed_to_zero(std::size_t at, int inwards) const {
-    const double force = std::abs(r_.smooth[at]);
-    const std::size_t reach = 3, other = inwards > 0 ? std::min(at + reach, t_.size() - 1) : at - std::min(at, reach);
-    const double slope = (std::abs(r_.smooth[other]) - force) / std::abs(t_[other] - t_[at]);
-    const double away = slope > 0 ? force / slope : 0, limit = 5 * std::abs(t_[other] - t_[at]);
-    return t_[at] - inwards * std::min(away, limit);
+    const double step = inwards > 0 ? t_[at] - t_[at - 1] : t_[at + 1] - t_[at];
+    if (const auto middle = jump(at, inwards)) return *middle;
+    const std::size_t reach = half_ + 3, other = inwards > 0 ? std::min(at + reach, t_.size() - 1) : at - std::min(at, reach);
+    const double force = std::abs(r_.smooth[at]), slope = (std::abs(r_.smooth[other]) - force) / std::abs(t_[other] - t_[at]);
+    const double hidden = slope > 0 ? std::min(force, low_) / slope : 0, limit = 5 * std::abs(t_[other] - t_[at]);
+    return t_[at] - inwards * std::max(0.5 * step, std::min(hidden, limit));
   }
 
   void measure(Contact &c) const {
+    c.jumps = c.first == 0 || jump(c.first, 1).has_value();
     c.touch_time = c.first > 0 ? followed_to_zero(c.first, 1) : t_.front();
     c.release_time = c.last + 1 < t_.size() ? followed_to_zero(c.last, -1) : t_.back();
     double square = 0;
@@ -145,6 +162,7 @@ private:
 
   const Values &t_;
   ContactRecord &r_;
+  std::size_t half_ = 0; ///< the mean reaches so far on both sides
   double low_ = 0;
 };
 

@@ -1,7 +1,7 @@
 /// Contacts in a measured record, whose force is never exactly zero: found against the noise the record itself shows.
 ///
 /// p is the radial push of the rim, inwards > 0, freed of the cell's zero; pbar its mean over m neighbouring samples (m odd, 1 to 15,
-/// a thirtieth of the samples that bear half the peak), so that the noise of pbar is sigma / sqrt(m). A contact holds at least three
+/// a fifteenth of the samples that bear half the peak), so that the noise of pbar is sigma / sqrt(m). A contact holds at least three
 /// samples in succession beyond the threshold max(5 sigma / sqrt(m), share of the peak); it reaches on both sides to where |pbar|
 /// falls below 5 sigma / sqrt(m). Neighbours closer than 0.35 of the earlier one's length are one contact: a force that changes its
 /// sign passes through zero. A contact whose impulse is within 5 standard errors of none is none. Samples are not altered:
@@ -15,7 +15,8 @@ namespace rimpact::calibration {
 
 struct Contact {
   std::size_t first, last;          ///< samples
-  double touch_time, release_time;  ///< [s]: the force beyond the threshold followed back, and on, to zero in a straight line
+  double touch_time, release_time;  ///< [s]: within the step by which the force jumps; else followed back, and on, through what the threshold hides
+  bool jumps;                       ///< the force sets in with a step that no noise makes
   double impulse, impulse_error;    ///< [N s], its standard error by the noise of the force
 };
 

@@ -49,6 +49,7 @@ struct Functional {
 /// What a measured impact says, and how well: errors of samples are independent but for the inflation.
 struct Measurement {
   double sigma_force = 0, sigma_displacement = 0; ///< noise of one sample [N], [m]
+  double freedom_force = 1, freedom_displacement = 1; ///< degrees of freedom these were found with, >= 1
   /// Whether the record's own noise is what its errors are judged by; a table without any comes from a program, and its errors are
   /// stated ones, as of every run folder.
   bool noisy() const { return sigma_force > 0 || sigma_displacement > 1e-7; }

@@ -116,6 +116,7 @@ std::optional<ImpactWindow> MeasuredCutter::cut(std::size_t index, std::string &
   press_earlier(w.start, run_, index);
   auto &m = *w.measurement;
   m.sigma_displacement = record_.sigma(), m.inflation = record_.inflation(), m.sigma_force = record_.force().sigma;
+  m.freedom_displacement = std::max(1.0, record_.freedom()), m.freedom_force = std::max(1.0, record_.force().n_quiet - 1.0);
   m.start_factor = start->covariance.llt().matrixL();
   if (!m.start_factor.allFinite()) m.start_factor.setZero();
   w.impact = run_.summary.impacts[index];
@@ -141,19 +142,24 @@ void MeasuredCutter::collect(ImpactWindow &w, const Start &start, double end) co
   w.measurement->flown = start.flown - start.sample;
 }
 
-/// From the first sample after touch, late enough that the model has touched too, to where the force sinks below a share of its
-/// peak: chosen by the smoothed force, as samples chosen by their own noise would be biased.
+/// From touch, where the force sets in with a step late enough that the model has touched too (a step a sample off is no noise), to where
+/// the force sinks below a share of its peak: chosen by the smoothed force, as samples chosen by their own noise would be biased.
 void MeasuredCutter::find_pressed(ImpactWindow &w, const Contact &contact, const Start &start) const {
   auto &m = *w.measurement;
   const auto &push = record_.force().push, &smooth = record_.force().smooth;
   const auto top = static_cast<std::size_t>(std::max_element(smooth.begin() + contact.first, smooth.begin() + contact.last + 1) - smooth.begin());
-  const double level = std::max(pressed_share * smooth[top], sure * m.sigma_force);
-  std::size_t first = contact.first;
-  while (first < top && push[first] < level) ++first;
-  const double place = std::sqrt(m.start_factor.row(0).squaredNorm()), speed = std::max(w.impact.approach_speed, 1e-6);
-  const double late = times_[first] + 3 * place / speed;
-  if (place > 0) // without noise touch lies exactly between two samples
-    while (first < top && times_[first] <= late) ++first;
+  std::size_t first = start.sample;
+  if (contact.jumps) {
+    const double level = std::max(pressed_share * smooth[top], sure * m.sigma_force);
+    first = contact.first;
+    while (first < top && push[first] < level) ++first;
+    const double place = std::sqrt(m.start_factor.row(0).squaredNorm()), speed = std::max(w.impact.approach_speed, 1e-6);
+    const double late = times_[first] + 3 * place / speed;
+    if (m.noisy()) // without noise touch lies exactly between two samples
+      while (first < top && times_[first] <= late) ++first;
+  } else {
+    while (first < top && times_[first] < contact.touch_time) ++first;
+  }
   std::size_t last = top;
   while (last < contact.last && smooth[last + 1] > pressed_share * smooth[top]) ++last;
   m.pressed_first = first - start.sample, m.pressed_last = last - start.sample;

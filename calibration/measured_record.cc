@@ -9,14 +9,6 @@ namespace {
 
 constexpr double flight_time = 0.05; ///< of a flight before touch, at most [s]
 
-/// Before it the rim surely is not pressed: as far again as the force was followed back to zero.
-double surely_before(const Contact &c, const std::vector<double> &times) {
-  return c.touch_time - std::max(0.0, times[c.first] - c.touch_time);
-}
-double surely_after(const Contact &c, const std::vector<double> &times) {
-  return c.release_time + std::max(0.0, c.release_time - times[c.last]);
-}
-
 } // namespace
 
 MeasuredRecord::MeasuredRecord(const StoredRun &run, const WindowOptions &options)
@@ -33,11 +25,33 @@ Span MeasuredRecord::between(double from, double to) const {
   return {static_cast<std::size_t>(first - times_.begin()), static_cast<std::size_t>(end - times_.begin()) - 1};
 }
 
+bool MeasuredRecord::inside(std::size_t i) const {
+  const auto &x = r_.series("displacement_x"), &y = r_.series("displacement_y");
+  const std::size_t h = std::min({std::size_t(2), i, times_.size() - 1 - i});
+  double travel = 0;
+  for (std::size_t j = i - h; j <= i + h; ++j) travel += std::hypot(x[j], y[j]);
+  return travel < static_cast<double>(2 * h + 1) * run_.scene.bearing.lateral_capacity();
+}
+
+/// As far again before touch as the force was followed back to zero; or, where the rim's place is not in question, until L_c is passed.
+double MeasuredRecord::free_until(const Contact &c) const {
+  const double by_force = c.touch_time - std::max(0.0, times_[c.first] - c.touch_time);
+  std::size_t i = c.first;
+  while (i > 0 && times_[i] > by_force && !inside(i - 1)) --i;
+  return options_.touch == TouchReference::gap || i < 2 ? by_force : std::max(by_force, std::min(times_[i - 1], c.jumps ? c.touch_time : times_[i - 1]));
+}
+double MeasuredRecord::free_from(const Contact &c) const {
+  const double by_force = c.release_time + std::max(0.0, c.release_time - times_[c.last]);
+  std::size_t i = c.last;
+  while (i + 1 < times_.size() && times_[i] < by_force && !inside(i)) ++i;
+  return options_.touch == TouchReference::gap ? by_force : std::min(by_force, times_[i]);
+}
+
 Flights MeasuredRecord::flights_of(std::size_t i) const {
   const auto &all = contacts();
-  const double to = surely_before(all[i], times_), from = surely_after(all[i], times_);
-  const double begin = i > 0 ? surely_after(all[i - 1], times_) : times_.front();
-  const double end = i + 1 < all.size() ? surely_before(all[i + 1], times_) : times_.back();
+  const double to = free_until(all[i]), from = free_from(all[i]);
+  const double begin = i > 0 ? free_from(all[i - 1]) : times_.front();
+  const double end = i + 1 < all.size() ? free_until(all[i + 1]) : times_.back();
   Flights f{between(std::max(begin, to - flight_time), to), between(from, std::min(end, from + options_.tail))};
   if (f.before.size() > 0 && f.before.last >= all[i].first) // the first sample that bears force is not of the flight
     f.before = all[i].first > f.before.first ? Span{f.before.first, all[i].first - 1} : Span{};
@@ -57,13 +71,13 @@ void MeasuredRecord::measure_noise() {
       if (s.size() >= shortest_flight) spans.push_back(s);
   if (spans.empty()) sigma_ = displacement_noise(ux, 0, ux.size() - 1);
   for (const Span &s : spans) sigma_ = std::max(sigma_, displacement_noise(ux, s.first, s.last));
-  double square = 0, freedom = 0, lag = 0, n = 0;
+  double square = 0, lag = 0, n = 0;
   for (const Span &s : spans) {
     const auto fit = state(s, times_[s.first]);
-    square += fit.square, freedom += fit.freedom;
+    square += fit.square, freedom_ += fit.freedom;
     lag += fit.lag * static_cast<double>(s.size()), n += static_cast<double>(s.size());
   }
-  if (freedom > 1) sigma_ = std::sqrt(square / freedom);
+  if (freedom_ > 1) sigma_ = std::sqrt(square / freedom_);
   if (n > 0 && lag / n > 3 / std::sqrt(n)) inflation_ = (1 + lag / n) / std::max(1 - lag / n, 0.02);
 }
 

@@ -30,6 +30,7 @@ public:
 
   /// Noise of one displacement sample [m]: root mean square of what all flights leave. Of a record without a flight: by differences.
   double sigma() const { return sigma_; }
+  double freedom() const { return freedom_; } ///< degrees of freedom sigma() was found with
   /// What the correlation of neighbouring errors costs an average of many, >= 1: (1 + rho) / (1 - rho) where rho is sure.
   double inflation() const { return inflation_; }
   /// What was found, and the force_noise that goes with it.
@@ -38,6 +39,9 @@ public:
 private:
   Span between(double from, double to) const;
   Flights flights_of(std::size_t contact) const;
+  double free_until(const Contact &contact) const; ///< [s]; surely
+  double free_from(const Contact &contact) const;
+  bool inside(std::size_t sample) const; ///< the mean travel of five samples is below L_c
   void measure_noise();
 
   const StoredRun &run_;
@@ -46,7 +50,7 @@ private:
   const WindowOptions &options_;
   ContactRecord force_;
   std::vector<Flights> flights_;
-  double sigma_ = 0, inflation_ = 1;
+  double sigma_ = 0, freedom_ = 0, inflation_ = 1;
   bool planar_ = false; ///< y is measured too
 };
 

@@ -78,19 +78,19 @@ private:
   void count_curves(const StoredRun &run, const Uncertainty &u, const Weights &w) {
     const double force = u.force * run.peak_force(), speed = u.speed * run.approach_speed();
     const double travel_noise = m_.sigma_displacement * std::sqrt(m_.inflation);
-    force_ = group("force", n_pressed_, w.force, force, m_.sigma_force);
-    displacement_ = group("displacement", n_travelled_, w.displacement, u.displacement * run.scene.bearing.lateral_capacity(), travel_noise);
-    if (!m_.rebound.weights.empty()) rebound_ = group("rebound", 1, w.rebound, speed, travel_noise * std::sqrt(variance_gain(m_.rebound)));
-    if (!m_.peak.weights.empty()) peak_ = group("peak", 1, w.peak, force, m_.sigma_force * std::sqrt(variance_gain(m_.peak)));
+    force_ = group("force", n_pressed_, w.force, force, m_.sigma_force, m_.freedom_force);
+    displacement_ = group("displacement", n_travelled_, w.displacement, u.displacement * run.scene.bearing.lateral_capacity(), travel_noise, m_.freedom_displacement);
+    if (!m_.rebound.weights.empty()) rebound_ = group("rebound", 1, w.rebound, speed, travel_noise * std::sqrt(variance_gain(m_.rebound)), m_.freedom_displacement);
+    if (!m_.peak.weights.empty()) peak_ = group("peak", 1, w.peak, force, m_.sigma_force * std::sqrt(variance_gain(m_.peak)), m_.freedom_force);
   }
   /// Every sample is an observation; what peak and rebound say is in them.
   void count_samples() {
-    force_ = group("force", n_pressed_, std::sqrt(n_pressed_), 0, m_.sigma_force);
-    displacement_ = group("displacement", n_travelled_, std::sqrt(n_travelled_), 0, m_.sigma_displacement * std::sqrt(m_.inflation));
+    force_ = group("force", n_pressed_, std::sqrt(n_pressed_), 0, m_.sigma_force, m_.freedom_force);
+    displacement_ = group("displacement", n_travelled_, std::sqrt(n_travelled_), 0, m_.sigma_displacement * std::sqrt(m_.inflation), m_.freedom_displacement);
   }
-  double group(const char *name, int count, double weight, double stated, double noise) {
+  double group(const char *name, int count, double weight, double stated, double noise, double freedom) {
     const double scale = add_group(name, count, weight, std::hypot(stated, noise));
-    if (scale > 0) last_group().noise = std::pow(scale * noise, 2);
+    if (scale > 0) last_group().noise = std::pow(scale * noise, 2), last_group().freedom = freedom;
     return scale;
   }
 

@@ -2,6 +2,7 @@
 #pragma once
 #include "calibration/fit.h"
 #include <Eigen/Core>
+#include <limits>
 #include <memory>
 #include <span>
 
@@ -14,6 +15,7 @@ struct Group {
   int first, count;
   double weight;
   double noise = 0; ///< variance of one of its residuals by the record's noise; used of measured blocks alone
+  double freedom = std::numeric_limits<double>::infinity(); ///< degrees of freedom that noise was found with
 };
 
 class ResidualBlock {

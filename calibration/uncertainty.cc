@@ -43,7 +43,7 @@ double group_variance(const Group &group, const Eigen::VectorXd &r) {
 double beyond_noise(const Group &group, const Eigen::VectorXd &r) {
   const Eigen::VectorXd part = r.segment(group.first, group.count);
   const double n = group.count, found = part.squaredNorm() / n;
-  if (found <= group.noise * (1 + improbable * std::sqrt(2 / n)) + numerical) return 0;
+  if (found <= group.noise * (1 + improbable * std::sqrt(2 / n + 2 / group.freedom)) + numerical) return 0;
   return (found - group.noise) * correlation_inflation(part);
 }
 

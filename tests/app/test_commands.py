@@ -57,8 +57,10 @@ class BadInput(unittest.TestCase):
     def test_words_of_calibrate(self):
         for words, said in ((["--fixed", "e"], "NAME=VALUE"), (["--bounds", "k_i=3"], "NAME=LOW:HIGH"),
                             (["--sigma", "forse=0.1"], "did you mean \"force\""), (["--law", "signd"], "signed"),
-                            (["--fit", "k_i,stiffness"], "stiffness"), (["--start", "k_i=much"], "is not a number")):
+                            (["--fit", "k_i,stiffness"], "stiffness"), (["--start", "k_i=much"], "is not a number"),
+                            (["--lead-mm", "nan"], "--lead-mm nan must be in 0..1000"), (["--starts", "2147483647"], "n_starts 2.14748e+09 must be <= 1000")):
             self.refused(2, said, arguments=["calibrate", "/nowhere", *words])
+        self.refused(2, "are the same run", arguments=["calibrate", "/nowhere", "/nowhere/../nowhere"])
 
     def test_missing_scene(self):
         self.refused(2, "nowhere.toml", arguments=["check", "nowhere.toml"])

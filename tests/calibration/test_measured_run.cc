@@ -73,11 +73,13 @@ TEST(MeasuredRun, RefusesAMappingThatIsWrong) {
   const auto path = write_test(folder, window(0.3));
   const auto write = [&](const std::string &text) { std::ofstream(path) << text; };
   write(head() + replaced(columns, "unit = \"mm\"", "unit = \"kN\""));
-  expect_refusal<InputError>(path, "columns.displacement_x.unit \"kN\" is no unit of displacement_x");
+  expect_refusal<InputError>(path, "columns.displacement_x.unit \"kN\" is no unit of displacement_x; it is stored in m, and may be given in m, cm, mm");
+  write(head() + replaced(columns, "unit = \"kN\"", "unit = \"tf\""));
+  expect_refusal<InputError>(path, "may be given in N, kN, MN");
   write(head() + replaced(columns, "columns.impact_x", "columns.impakt_x"));
   expect_refusal<InputError>(path, "did you mean \"impact_x\"");
   write(head() + replaced(columns, "\"cell\"", "\"cell 2\""));
-  expect_refusal<DataError>(path, "no column \"cell 2\" (impact_x)");
+  expect_refusal<DataError>(path, "no column \"cell 2\" (impact_x); the header, after skip_lines = 1, names \"t\", \"room\", \"LVDT 1\", \"cell\"");
   write(head("colour = 1\n") + columns);
   expect_refusal<InputError>(path, "unknown key \"colour\"");
   write("file = \"test.csv\"\n" + std::string(columns));
