@@ -28,6 +28,8 @@ void collect_facts(const std::vector<StoredRun> &runs, Calibration &c) {
   for (const auto &run : runs) {
     const RunFacts &facts = c.facts[run.folder] = run_facts(run.folder);
     for (const auto &warning : facts.warnings) c.doubts.push_back(facts.name + ": " + warning);
+    for (const auto &doubt : run.doubts) c.doubts.push_back(facts.name + ": " + doubt);
+    for (const auto &sentence : run.noise) c.notes.push_back(facts.name + ": " + sentence);
   }
 }
 
@@ -106,7 +108,7 @@ Calibration calibrate(const std::vector<std::string> &run_folders, const Calibra
   collect_facts(runs, c), collect_facts(predicted, c);
   const auto screened = screen(runs, c.facts, options.fit.uncertainty, options.keep_stopped);
   c.doubts.insert(c.doubts.end(), screened.begin(), screened.end());
-  c.notes = screened;
+  c.notes.insert(c.notes.end(), screened.begin(), screened.end());
   auto all = runs;
   all.insert(all.end(), predicted.begin(), predicted.end());
   require_same_device(all);

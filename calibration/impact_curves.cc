@@ -36,7 +36,7 @@ Curve between(double from, double to, double touch, double capacity, const std::
 ImpactCurve curve_of(const StoredRun &run, const ImpactWindow &window, const scene::Scene &scene, bool fitted) {
   const Flight flight = fly(scene, window);
   const double touch = window.impact.touch_time, capacity = run.scene.bearing.lateral_capacity(),
-               end = std::max(release(window.times, window.force), release(flight.times, flight.force)),
+               end = std::max(window.measurement ? window.impact.release_time : release(window.times, window.force), release(flight.times, flight.force)),
                from = touch - 0.05 * (end - touch), to = end + 0.1 * (end - touch);
   return {run.folder, source_of(run), touch, window.impact.approach_speed, fitted, window.grazing,
           between(from, to, touch, capacity, window.times, window.displacement, window.force),

@@ -85,7 +85,9 @@ StoredRun make_run(const std::string &folder, const scene::Scene &scene, scene::
                 .summary = {},
                 .impacts = {},
                 .uncertainty = {},
-                .notes = {}};
+                .notes = {},
+                .noise = {},
+                .doubts = {}};
   if (run.response.size() < 2) throw DataError(folder + ": the response has fewer than two samples");
   if (options.measured) {
     cut_measured(run, options);

@@ -188,7 +188,7 @@ void MeasuredCutter::doubt_impulse(const ImpactWindow &w, const Contact &contact
   const double speeds = std::sqrt(m.start_factor.row(1).squaredNorm() + std::pow(m.sigma_displacement, 2) * record_.inflation() * variance_gain(m.rebound));
   const double error = std::hypot(contact.impulse_error / change, ratio * run_.scene.load.mass * speeds / change);
   if (std::abs(ratio - 1) > 0.02 && std::abs(ratio - 1) > 4 * error)
-    run_.notes.push_back(fmt::format("at {:.4f} s the force's impulse is {:.3f} +- {:.3f} times the change of momentum: the cell's gain or "
+    run_.doubts.push_back(fmt::format("at {:.4f} s the force's impulse is {:.3f} +- {:.3f} times the change of momentum: the cell's gain or "
                                      "the mass ({:g} kg) is off, or something else than the rim slows it; [uncertainty] gain states it",
                                      contact.touch_time, ratio, error, run_.scene.load.mass));
 }
@@ -264,7 +264,6 @@ void cut_measured(StoredRun &run, const WindowOptions &options) {
   for (const auto &c : record.contacts()) run.summary.impacts.push_back(impact_of(run, record, c));
   if (record.contacts().empty()) return;
   run.summary.peak_impact_force = record.force().peak;
-  run.notes.insert(run.notes.end(), record.force().notes.begin(), record.force().notes.end());
   MeasuredCutter cutter(run, record, options);
   std::vector<std::string> left_out;
   for (std::size_t i = 0; i < record.contacts().size(); ++i) {
@@ -275,7 +274,9 @@ void cut_measured(StoredRun &run, const WindowOptions &options) {
       left_out.push_back(fmt::format("impact at {:.4f} s left out: {}", record.contacts()[i].touch_time, reason));
   }
   run.notes.insert(run.notes.begin(), left_out.begin(), left_out.end());
-  run.notes.push_back(record.sentence());
+  run.noise = record.force().notes;
+  run.noise.push_back(record.sentence());
+  run.notes.insert(run.notes.end(), run.noise.begin(), run.noise.end());
 }
 
 } // namespace rimpact::calibration

@@ -40,9 +40,8 @@ std::vector<Cell> all_cells() {
 }
 
 std::vector<Cell> few_cells() {
-  return {{"no-tension", 0.02, 1000, 2},       {"no-tension", 0.02, 5000, 0},    {"no-tension", 0.1, 5000, 5}, {"hunt-crossley", 0.005, 1000, 2},
-          {"hunt-crossley", 0.02, 1000, 5},    {"signed", 0.02, 1000, 5},     {"no-tension", 0.02, 1000, 2, true},
-          {"elastoplastic", 0.02, 1000, 2, false, true}};
+  return {{"no-tension", 0.02, 1000, 2},    {"no-tension", 0.02, 5000, 0},          {"hunt-crossley", 0.02, 1000, 5},
+          {"signed", 0.02, 1000, 5},        {"no-tension", 0.02, 1000, 2, true},    {"elastoplastic", 0.02, 1000, 2, false, true}};
 }
 
 /// What the records are made with; a fit reports in the parameters' own units.
@@ -71,7 +70,7 @@ std::map<std::string, Tally> run_cell(const Cell &cell, int n_seeds, std::map<st
   FitOptions options;
   options.parameters = rimpact::reduced::impact_law(cell.law).parameters;
   if (cell.two) options.parameters.resize(2);
-  options.n_starts = 2;
+  options.n_starts = 1;
   std::map<std::string, Tally> tallies;
   for (const auto &name : options.parameters) tallies[name].truth = parameter(name).get(scenes[0]) / parameter(name).si;
   for (int seed = 1; seed <= n_seeds; ++seed) {
@@ -87,21 +86,6 @@ std::map<std::string, Tally> run_cell(const Cell &cell, int n_seeds, std::map<st
       ++counting[result->counting == Counting::sample ? "sample" : "curve"];
     } catch (const rimpact::Error &error) {
       ++counting[std::string("failed: ") + error.what()];
-      for (const auto &run : runs)
-        for (const auto &note : run.notes) ++counting[note];
-    }
-    if (std::getenv("EACH") && result) {
-      std::printf("%d %s", seed, result->counting == Counting::sample ? "sample" : "curve ");
-      for (const auto &[name, e] : result->parameters) std::printf(" %s %.4g %.2g %s", name.c_str(), e.value, e.standard_error, e.verdict.c_str());
-      std::printf(" cost %.4g\n", result->cost);
-      if (result->counting == Counting::curve && cell.force_percent > 0) {
-        FitOptions own = options;
-        own.counting = Counting::sample, own.robust_scale = 0;
-        const auto other = fit({&runs[0], &runs[1]}, own);
-        std::printf("   by sample: within %d converged %d %s cost %.4g", other.within_noise, other.converged, other.message.c_str(), other.cost);
-        for (const auto &[name, e] : other.parameters) std::printf(" %s %.4g %.2g", name.c_str(), e.value, e.standard_error);
-        std::printf(" at curve within %d\n", result->within_noise);
-      }
     }
     for (auto &[name, t] : tallies) {
       ++t.n;

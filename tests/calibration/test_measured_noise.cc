@@ -135,7 +135,7 @@ TEST(MeasuredNoise, AGainThatIsOffIsSaidAndStatedOneIsInTheInterval) {
   StoredRun run = make_run("gain", scene, r, {.measured = true});
   ASSERT_EQ(run.impacts.size(), 1u);
   bool said = false;
-  for (const auto &note : run.notes) said = said || note.find("times the change of momentum") != std::string::npos;
+  for (const auto &note : run.doubts) said = said || note.find("times the change of momentum") != std::string::npos;
   EXPECT_TRUE(said);
   FitOptions options;
   options.counting = Counting::curve;
