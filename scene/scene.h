@@ -72,7 +72,7 @@ struct Scene {
   bool impact_resilient() const { return reduced.model == "lir-dcfp"; }
   bool double_concave() const { return reduced.model == "dcfp" || impact_resilient(); }
   /// Displacement at which the rim of the model's bearing is touched [m].
-  double lateral_capacity() const { return double_concave() ? isolator.capacity : bearing.lateral_capacity(); }
+  double lateral_capacity() const { return double_concave() ? isolator.lateral_capacity() : bearing.lateral_capacity(); }
 
   /// Throws InputError naming value and bound; includes bearing.validate().
   void validate() const;

@@ -54,9 +54,14 @@ public:
     line(key, fmt::format("[{}, {}]", file_number(value.x(), si), file_number(value.y(), si)));
   }
   void numbers(const Key &key, std::vector<double> &values, Unit unit, Range) override {
+    constexpr std::size_t a_line = 10; // longer arrays stand on lines of their own
+    const bool tall = values.size() > a_line;
     std::string list;
-    for (const double value : values) list += (list.empty() ? "" : ", ") + file_number(value, unit);
-    line(key, "[" + list + "]");
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      list += i == 0 ? "" : tall && i % a_line == 0 ? "," : ", ";
+      list += (tall && i % a_line == 0 ? "\n  " : "") + file_number(values[i], unit);
+    }
+    line(key, tall ? "[" + list + ",\n]" : "[" + list + "]");
   }
   void switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &flags) override {
     std::string list;
