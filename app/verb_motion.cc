@@ -17,7 +17,7 @@ std::string motion_csv(const scene::SampledSignal &record) {
   double v = 0, u = 0;
   for (std::size_t k = 0; k < record.values.size(); ++k) {
     const double a = record.values[k];
-    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", k * record.dt, a, v, u);
+    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", record.instant(k), a, v, u);
     if (k + 1 == record.values.size()) break;
     const double next = record.values[k + 1];
     u += v * record.dt + record.dt * record.dt * (2 * a + next) / 6;

@@ -139,7 +139,7 @@ double largest_step(const Dynamics &dynamics, const Mode &mode) {
 /// Rest ends as for the own stepper: a scalar equation in time.
 void rest(const Dynamics &dynamics, Mode &mode, double &t, State &y, double t_end, Recorder &recorder) {
   const double t1 = end_of_rest(dynamics, mode, y, t, t_end, 5e-3);
-  recorder.segment(mode, {t, t1, y, y, [&](double) { return y; }}, false);
+  recorder.segment(mode, {t, t1, y, y, [&](double) { return y; }}, Recorder::End::smooth);
   t = t1;
   if (t1 >= t_end) return;
   const Mode before = mode;
@@ -168,6 +168,12 @@ CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, 
     const auto next = std::upper_bound(breaks.begin(), breaks.end(), t + 1e-12);
     const double limit = next == breaks.end() ? t_end : std::min(*next, t_end);
     if (fresh) cvode.restart(mode, t, y, largest_step(dynamics, mode));
+    if (dynamics.denting(mode)) {
+      State rates(dynamics.n_state());
+      dynamics.rhs(mode, t, y, rates);
+      dynamics.set_out(mode, t, y, rates);
+      cvode.follow(mode);
+    }
     const double t0 = t;
     const State y0 = y;
     const bool at_root = cvode.step(limit, t, y);
@@ -176,12 +182,12 @@ CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, 
     const Mode during = mode; // with the direction the step began in
     dynamics.project(mode, y);
     recorder.segment(during, {t0, t, y0, y, [&](double at) { return cvode.interpolate(at); }},
-                     at_root && changes_rim(event));
+                     at_root ? end_of(during, event) : Recorder::End::smooth);
     if (event == Event::collapse) {
       recorder.end(mode, t, y);
       return {n_steps, true};
     }
-    dynamics.dent(mode, y);
+    dynamics.arrive(mode, t, y);
     const Mode before = mode;
     double loss = 0;
     if (at_root) loss = dynamics.apply(event, mode, t, y);

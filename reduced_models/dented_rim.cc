@@ -7,18 +7,14 @@
 namespace rimpact::reduced {
 namespace {
 
-constexpr double same_place = 1e-9; ///< along the wall [m]
+using Eigen::Vector2d;
 
-/// From the dent to where a slider at u touches, along the wall, counter-clockwise [m].
-double beside(const Dent &dent, const Eigen::Vector2d &u, const DentShape &shape) {
-  const auto &n = dent.direction;
-  return shape.wall * std::atan2(n.x() * u.y() - n.y() * u.x(), n.dot(u));
-}
+constexpr double same_place = 1e-11; ///< along the wall [m]: the rounding of a straight path
+
+double beside(const Dent &dent, const Vector2d &u, const DentShape &shape) { return along_wall(dent.direction, u, shape.wall); }
 
 /// Dented at `tau` from the touch, `s` beside the dent's own place [m]; < 0: not at all.
-double seen(const Dent &dent, double s, double tau, double flank) {
-  return dent.deepest - (s * s + 2 * tau * s) / (2 * flank);
-}
+double seen(double deepest, double s, double tau, double flank) { return deepest - (s * s + 2 * tau * s) / (2 * flank); }
 
 /// Half the touch's length along the wall.
 double half_touch(double depth, double flank) { return std::sqrt(2 * flank * depth); }
@@ -36,6 +32,11 @@ struct Places {
   }
 };
 
+/// Largest distance of a stroke's places from a touch at `from_start` along the wall from its first one [m].
+double farthest(const WallStroke &stroke, double from_start) {
+  return std::max(std::abs(from_start - stroke.low()), std::abs(from_start - stroke.high()));
+}
+
 } // namespace
 
 DentShape dent_shape(const scene::Scene &scene) {
@@ -43,58 +44,103 @@ DentShape dent_shape(const scene::Scene &scene) {
   return {b.surface.planar_radius + b.rim.ledge, b.slider.diameter / 2, scene.reduced.dent_spread};
 }
 
-double DentedRim::deepest_at(const Eigen::Vector2d &u, const DentShape &shape) const {
+double DentedRim::deepest_at(const Vector2d &u, const DentShape &shape, const WallStroke *present) const {
+  const double flank = shape.flank();
   double deepest = 0;
-  for (const Dent &dent : dents_) deepest = std::max(deepest, seen(dent, beside(dent, u, shape), 0, shape.flank()));
+  for (const Dent &dent : dents_) deepest = std::max(deepest, seen(dent.deepest, beside(dent, u, shape), 0, flank));
+  const auto look = [&](const WallStroke &stroke) { deepest = stroke.seen(along_wall(stroke.direction(), u, shape.wall), 0, flank, deepest); };
+  for (const WallStroke &stroke : strokes_) look(stroke);
+  if (present) look(*present);
   return deepest;
 }
 
-void DentedRim::press(const Eigen::Vector2d &u, double d, const DentShape &shape) {
-  if (d <= 0) return;
-  const double flank = shape.flank(), half = half_touch(std::max(d, deepest_at(u, shape)), flank);
-  double before = 0, behind = 0; // dented at the ends of the touch: what is dented at both is so between them
-  for (const Dent &dent : dents_) {
-    const double s = beside(dent, u, shape);
-    before = std::max(before, seen(dent, s, half, flank));
-    behind = std::max(behind, seen(dent, s, -half, flank));
-  }
-  if (std::min(before, behind) >= d) return;
-  const auto covered = [&](const Dent &dent) {
-    const double s = std::abs(beside(dent, u, shape));
-    return seen(dent, s, -half, flank) <= d && s < half;
-  };
-  dents_.erase(std::remove_if(dents_.begin(), dents_.end(), covered), dents_.end());
+/// Over a touch of this half length at u one dent, or one end of a stroke, is everywhere as deep as d: what it leaves is a
+/// straight line over tau, so its ends decide.
+bool DentedRim::covered(const Vector2d &u, double d, double half, const DentShape &shape) const {
+  const double flank = shape.flank();
+  const auto covers = [&](double deepest, double s) { return seen(deepest, std::abs(s), half, flank) >= d; };
+  for (const Dent &dent : dents_)
+    if (covers(dent.deepest, beside(dent, u, shape))) return true;
+  for (const WallStroke &stroke : strokes_)
+    if (covers(stroke.end_depth(), along_wall(stroke.direction(), u, shape.wall) - stroke.end_place())) return true;
+  return false;
+}
+
+/// Drops what a press at u to d hides for good.
+void DentedRim::forget_covered(const Vector2d &u, double d, const DentShape &shape) {
+  const double flank = shape.flank(), half = half_touch(d, flank);
+  const auto hidden = [&](double deepest, double s) { return s < half && seen(deepest, s, -half, flank) <= d; };
+  std::erase_if(dents_, [&](const Dent &dent) { return hidden(dent.deepest, std::abs(beside(dent, u, shape))); });
+  std::erase_if(strokes_, [&](const WallStroke &stroke) {
+    return hidden(stroke.deepest(), farthest(stroke, along_wall(stroke.direction(), u, shape.wall)));
+  });
+}
+
+void DentedRim::press(const Vector2d &u, double d, const DentShape &shape) {
+  if (d <= 0 || covered(u, d, half_touch(d, shape.flank()), shape)) return;
+  forget_covered(u, d, shape);
   dents_.push_back({u.normalized(), d});
 }
 
-RimPush DentedRim::push(const RimElement &rim, const Eigen::Vector2d &u, const RimMotion &motion, const DentShape &shape) const {
+std::optional<WallStroke> DentedRim::under_way(double t, const WallPoint &at, const DentShape &shape) const {
+  if (!from_ || !(t > since_)) return std::nullopt;
+  return WallStroke(*from_, at, t - since_, shape.wall);
+}
+
+void DentedRim::arrive(double t, const WallPoint &at, const DentShape &shape) {
+  const auto stroke = under_way(t, at, shape);
+  from_.reset();
+  if (!stroke) return press(at.direction, at.d, shape);
+  const double length = stroke->high() - stroke->low(), flank = shape.flank();
+  if (length < same_place) return press(at.direction, at.d, shape);
+  if (!(stroke->deepest() > 0)) return;
+  const double half = half_touch(stroke->deepest(), flank) + length; // seen from the last place
+  if (covered(at.direction, stroke->deepest() + half * length / flank, half, shape)) return;
+  if (at.d > 0) forget_covered(at.direction, at.d, shape);
+  strokes_.push_back(*stroke);
+}
+
+RimPush DentedRim::push(const RimElement &rim, const Vector2d &u, const RimMotion &motion, const DentShape &shape,
+                        const WallStroke *present) const {
   static const Places places;
   const double flank = shape.flank();
   RimMotion at = motion;
-  at.deepest = deepest_at(u, shape);
-  const double half = half_touch(std::max(at.deepest, motion.d), flank);
-  const auto aside = [&](const Dent &dent) {
-    const double s = std::abs(beside(dent, u, shape));
-    return s > same_place && seen(dent, s, -half, flank) > 0;
+  at.deepest = deepest_at(u, shape, present);
+  const double half = half_touch(std::max({at.deepest, motion.d, 0.0}), flank);
+  // What lies aside is met over the touch; without it, the law as it stands.
+  struct Seen {
+    double deepest, s;
+    const WallStroke *stroke;
   };
-  if (!(half > 0) || std::none_of(dents_.begin(), dents_.end(), aside)) {
+  std::vector<Seen> aside;
+  aside.reserve(dents_.size() + strokes_.size() + 1);
+  for (const Dent &dent : dents_) aside.push_back({dent.deepest, beside(dent, u, shape), nullptr});
+  const auto add = [&](const WallStroke &stroke) {
+    aside.push_back({stroke.deepest(), along_wall(stroke.direction(), u, shape.wall), &stroke});
+  };
+  for (const WallStroke &stroke : strokes_) add(stroke);
+  if (present) add(*present);
+  const auto is_aside = [&](const Seen &piece) {
+    const double far = piece.stroke ? farthest(*piece.stroke, piece.s) : std::abs(piece.s),
+                 near = piece.stroke ? far - (piece.stroke->high() - piece.stroke->low()) : far;
+    return far > same_place && near < half + std::sqrt(half * half + 2 * flank * piece.deepest);
+  };
+  if (!(half > 0) || std::none_of(aside.begin(), aside.end(), is_aside)) {
     const double force = rim.trial(at);
     return {std::max(0.0, force), 0, force};
-  }
-  std::array<double, Places::n> deepest{};
-  for (const Dent &dent : dents_) {
-    const double s = beside(dent, u, shape);
-    for (int i = 0; i < Places::n; ++i) deepest[i] = std::max(deepest[i], seen(dent, s, half * places.at[i], flank));
   }
   RimPush result;
   double nearest = -INFINITY;
   for (int i = 0; i < Places::n; ++i) {
-    at.deepest = deepest[i];
+    const double tau = half * places.at[i];
+    at.deepest = 0;
+    for (const Seen &piece : aside)
+      at.deepest = piece.stroke ? piece.stroke->seen(piece.s, tau, flank, at.deepest) : std::max(at.deepest, seen(piece.deepest, piece.s, tau, flank));
     const double force = rim.trial(at);
     nearest = std::max(nearest, force);
     if (force <= 0) continue;
     result.inwards += places.weight[i] * force;
-    result.along -= places.weight[i] * force * half * places.at[i] / shape.slider;
+    result.along -= places.weight[i] * force * tau / shape.slider;
   }
   result.trial = nearest > 0 ? result.inwards : nearest;
   return result;

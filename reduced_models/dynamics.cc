@@ -61,13 +61,13 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
   slow_speed = 1e-4 * speed_scale;
 }
 
-void Dynamics::rim_terms(const Mode &mode, const Vector2d &u, const Vector2d &v, Evaluation &e) const {
+void Dynamics::rim_terms(const Mode &mode, double t, const Vector2d &u, const Vector2d &v, Evaluation &e) const {
   const double r = u.norm();
   e.gap = lateral_capacity - r;
   e.gap_rate = r > 0 ? -u.dot(v) / r : -v.norm();
   e.impact.setZero();
   if (mode.rim != RimContact::pressed) return;
-  const RimPush push = rim_push(mode, u, v);
+  const RimPush push = rim_push(mode, t, u, v);
   e.rim_force = push.inwards;
   e.impact.head<2>() = -push.inwards / r * u + push.along / r * Vector2d(-u.y(), u.x());
 }
@@ -111,7 +111,7 @@ FloorMotion Dynamics::base(const Mode &mode, const State &y) const {
 Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y) const {
   Evaluation e;
   const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
-  rim_terms(mode, u, v, e);
+  rim_terms(mode, t, u, v, e);
   e.eta_rate.setZero();
   Vector3d a_g;
   if (mode.support == Support::airborne) {

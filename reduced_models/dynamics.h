@@ -37,7 +37,7 @@ struct Mode {
   /// that leads: the drive's, less a lag of |v| m / (2 |D| - mu N) times its rate of turning (error of second
   /// order in it).
   bool slow = false;
-  DentedRim dented; ///< read by a rim that yields: as the last step left it
+  DentedRim dented; ///< read by a rim that yields: as the path has left it, the step under way included
 };
 
 enum class NormalForce { inertia, statics, constant };
@@ -104,15 +104,20 @@ public:
   double apply(Event event, Mode &mode, double t, State &y) const;
   /// Branch of a state at the start of a run or after a jump: decides between sliding, stuck and airborne.
   void settle(Mode &mode, double t, State &y) const;
-  /// After a step: a rim that yields keeps what it was pressed to.
-  void dent(Mode &mode, const State &y) const;
+  /// Before a step from y (its rates dy) and after it: a rim that yields keeps the path it was pressed along.
+  void set_out(Mode &mode, double t, const State &y, const State &dy) const;
+  void arrive(Mode &mode, double t, const State &y) const;
+  /// Whether the rim is pressed and remembers it: steps need `set_out` and `arrive`.
+  bool denting(const Mode &mode) const { return mode.rim == RimContact::pressed && rim.law->yields; }
   /// After a step: true when the branch changed because a mass has crept to its stop or its sliding has
   /// become slow.
   bool slow_down(Mode &mode, double t, State &y) const;
   /// At the end of a rest: slides (or lifts) whatever rounding says of the limit.
   void release_from_rest(Mode &mode, double t, State &y) const;
   Mode starting_mode(const BearingState &start, State &y) const;
-  /// Fills z and v_z from the surface; before each step e0 follows the velocity.
+  /// Fills z and v_z from the surface while the dish carries the mass.
+  void place(const Mode &mode, State &y) const;
+  /// As `place`, and e0 follows the velocity: before each step.
   void project(Mode &mode, State &y) const;
 
   double kinetic_energy(const State &y) const;
@@ -157,8 +162,8 @@ private:
                           Eigen::Vector3d &ground) const;
   Eigen::Vector2d slow_direction(const Mode &mode, double t, const State &y) const;
   double drive_share(const Mode &mode, double t, const State &y) const;
-  RimPush rim_push(const Mode &mode, const Eigen::Vector2d &u, const Eigen::Vector2d &v) const;
-  void rim_terms(const Mode &mode, const Eigen::Vector2d &u, const Eigen::Vector2d &v, Evaluation &e) const;
+  RimPush rim_push(const Mode &mode, double t, const Eigen::Vector2d &u, const Eigen::Vector2d &v) const;
+  void rim_terms(const Mode &mode, double t, const Eigen::Vector2d &u, const Eigen::Vector2d &v, Evaluation &e) const;
   double land(Mode &mode, double t, State &y) const;
   double dead_load_ = 0; ///< W that acts vertically (0 for a window without weight)
   double vertical_restitution_ = 0, limit_squared_ = 0;

@@ -52,7 +52,7 @@ Hold Dynamics::hold(const Mode &mode, double t, const State &y) const {
   const auto p = height.at(u[0], u[1]);
   const TangentFrame frame(p, u);
   Evaluation e;
-  rim_terms(mode, u, Vector2d::Zero(), e);
+  rim_terms(mode, t, u, Vector2d::Zero(), e);
   Vector3d a_g;
   const Vector3d F = applied(e, t, y, {{u[0], u[1], p.z}, Vector3d::Zero()}, a_g);
   Hold h;
@@ -78,13 +78,16 @@ Hold Dynamics::hold(const Mode &mode, double t, const State &y) const {
 
 Vector2d Dynamics::slow_direction(const Mode &mode, double t, const State &y) const {
   constexpr double dt = 1e-5; // to see the drive turn [s]
-  State ahead = y;
-  ahead[iX] += dt * y[iVX], ahead[iY] += dt * y[iVY];
-  for (int i = 0; i < building.n_floors(); ++i)
-    for (int c = fX; c <= fZ; ++c) ahead[iFloors + i * n_floor + c] += dt * y[iFloors + i * n_floor + fVX + c];
-  const Hold now = hold(mode, t, y), next = hold(mode, t + dt, ahead);
-  const Vector2d &e = now.direction;
-  const double turning = (e[0] * next.direction[1] - e[1] * next.direction[0]) / dt;
+  const auto direction_at = [&](double later) {
+    State moved = y;
+    moved[iX] += later * y[iVX], moved[iY] += later * y[iVY];
+    for (int i = 0; i < building.n_floors(); ++i)
+      for (int c = fX; c <= fZ; ++c) moved[iFloors + i * n_floor + c] += later * y[iFloors + i * n_floor + fVX + c];
+    return hold(mode, t + later, moved).direction;
+  };
+  const Hold now = hold(mode, t, y);
+  const Vector2d &e = now.direction, change = (direction_at(dt) - direction_at(-dt)) / (2 * dt);
+  const double turning = e[0] * change[1] - e[1] * change[0];
   const double lag = std::hypot(y[iVX], y[iVY]) * turning * mass / (now.drive + now.excess * weight);
   return e - lag * Vector2d(-e[1], e[0]);
 }

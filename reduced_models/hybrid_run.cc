@@ -162,7 +162,7 @@ void HybridRun::attempt_until_accepted(double t_limit) {
 void HybridRun::rest(double t_end, Recorder &recorder) {
   const double t1 = end_of_rest(dynamics_, mode_, step_.y0, step_.t, t_end, pulse_scale_ / 2);
   const State y = step_.y0;
-  recorder.segment(mode_, {step_.t, t1, y, y, [&](double) { return y; }}, false);
+  recorder.segment(mode_, {step_.t, t1, y, y, [&](double) { return y; }}, Recorder::End::smooth);
   step_.t = t1;
   if (t1 >= t_end) return;
   const Mode before = mode_;
@@ -190,6 +190,7 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
       rest(t_end, recorder);
       continue;
     }
+    dynamics_.set_out(mode_, step_.t, step_.y0, step_.k[0]);
     attempt_until_accepted(next_break(step_.t, t_end));
     Crossing crossing = first_crossing(stop);
     if (crossing.found && crossing.event == Event::stop && !crossing.by_stop)
@@ -202,11 +203,11 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
     const Mode during = mode_; // with the direction the step began in: at a stop y1 may lie just beyond v = 0
     dynamics_.project(mode_, step_.y1);
     const double t1 = step_.t + step_.h;
-    const bool rim_changes = crossing.found && (crossing.by_stop || changes_rim(crossing.event));
+    const Recorder::End end = crossing.found ? end_of(mode_, crossing.event, crossing.by_stop) : Recorder::End::smooth;
     recorder.segment(
         during,
         {step_.t, t1, step_.y0, step_.y1, [&](double t) { return step_.at((t - step_.t) / step_.h); }},
-        rim_changes);
+        end);
     step_.t = t1;
     step_.y0 = step_.y1;
     if (stop) stop_start_ = stop(position(dynamics_, mode_, step_.y0));
@@ -218,7 +219,7 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
       result.collapsed = true;
       break;
     }
-    dynamics_.dent(mode_, step_.y0);
+    dynamics_.arrive(mode_, t1, step_.y0);
     const Mode before = mode_;
     double loss = 0;
     if (crossing.found) loss = dynamics_.apply(crossing.event, mode_, t1, step_.y0);

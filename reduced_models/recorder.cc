@@ -127,8 +127,7 @@ void Recorder::refine(const Mode &mode, const Segment &s, const Evaluation &e0, 
   const auto at = [&](double theta) {
     const double t = s.t0 + theta * (s.t1 - s.t0);
     State y = s.at(t);
-    Mode m = mode;
-    dynamics_.project(m, y);
+    dynamics_.place(mode, y);
     return dynamics_.evaluate(mode, t, y);
   };
   peak_lateral_ = std::max(peak_lateral_, inner_maximum([&](double x) { return lateral(at(x)); }, lateral(e0),
@@ -144,45 +143,49 @@ void Recorder::refine(const Mode &mode, const Segment &s, const Evaluation &e0, 
   }
 }
 
-void Recorder::segment(const Mode &mode, const Segment &s, bool rim_changes_at_end) {
+/// The last instant before a jump at the segment's end.
+void Recorder::store_before(const Mode &mode, const Segment &s) {
+  if (!(s.t1 - beside > s.t0)) return;
+  State y = s.at(s.t1 - beside);
+  dynamics_.place(mode, y);
+  store(mode, s.t1 - beside, y);
+}
+
+void Recorder::segment(const Mode &mode, const Segment &s, End end) {
+  turned_ = end == End::turns;
   if (response_) {
     while (next_sample_ <= s.t1) {
       State y = s.at(next_sample_);
-      Mode m = mode;
-      dynamics_.project(m, y);
+      dynamics_.place(mode, y);
       store(mode, next_sample_, y);
       next_sample_ = next_after(mode, next_sample_);
     }
-    if (rim_changes_at_end) {
-      if (mode.rim != RimContact::pressed && s.t1 - beside > s.t0) {
-        State y = s.at(s.t1 - beside);
-        Mode m = mode;
-        dynamics_.project(m, y);
-        store(mode, s.t1 - beside, y);
-      }
-      store(mode, s.t1, s.y1);
-    }
+    if (turned_ || (end == End::rim_changes && mode.rim != RimContact::pressed)) store_before(mode, s);
+    if (end == End::rim_changes) store(mode, s.t1, s.y1);
   }
   Evaluation e = dynamics_.evaluate(mode, s.t1, s.y1);
   if (s.t1 > s.t0 && !dynamics_.at_rest(mode)) {
     State y = s.at((s.t0 + s.t1) / 2);
-    Mode m = mode;
-    dynamics_.project(m, y);
+    dynamics_.place(mode, y);
     Evaluation mid = dynamics_.evaluate(mode, (s.t0 + s.t1) / 2, y);
     watch(mode, y, mid);
     refine(mode, s, last_, mid, e);
+    if (mode.support == Support::airborne)
+      peak_height_ = std::max(peak_height_, inner_maximum([&](double x) { return s.at(s.t0 + x * (s.t1 - s.t0))[iZ]; }, s.y0[iZ],
+                                                          y[iZ], s.y1[iZ], peak_height_));
     if (dynamics_.building.any()) refine_drifts(mode, s);
   }
   watch(mode, s.y1, e);
   last_ = e;
   largest_input_ = std::max(largest_input_, std::abs(before_.external + s.y1[iExternal]));
+  final_ = s.y1, final_time_ = s.t1, final_mode_.support = mode.support; // a run that stops ends here
 }
 
 void Recorder::open_impact(double t, const State &y) {
   in_impact_ = true;
   const double r = std::hypot(y[iX], y[iY]);
   scene::Impact impact{};
-  impact.touch_time = t;
+  impact.touch_time = t, impact.release_time = -1; // before its touch: not released yet
   impact.direction_deg = std::atan2(y[iY], y[iX]) * 180 / std::numbers::pi;
   impact.approach_speed = (y[iX] * y[iVX] + y[iY] * y[iVY]) / r;
   impacts_.push_back(impact);
@@ -202,6 +205,7 @@ void Recorder::branch(const Mode &before, const Mode &after, double t, const Sta
   Evaluation e = dynamics_.evaluate(after, t, y);
   watch(after, y, e);
   last_ = e;
+  if (turned_) store(after, t, y, 0); // the other side of the jump
   if (pressed_before == pressed) return;
   if (response_ && pressed && !columns_[0]->empty() &&
       last_sample_ > t - 1e-9) { // the touch belongs to the pressed branch
@@ -233,7 +237,7 @@ void Recorder::store(const Mode &mode, double t, const State &y, double apart) {
 void Recorder::end(const Mode &mode, double t, const State &y) {
   store(mode, t, y);
   if (in_impact_) close_impact(t, y);
-  final_ = y, final_mode_ = mode, final_time_ = t;
+  final_ = y, final_time_ = t, final_mode_.support = mode.support;
 }
 
 scene::EnergyLedger Recorder::ledger(const Mode &mode, const State &y) const {

@@ -21,7 +21,9 @@ public:
            const scene::EnergyLedger &before = {});
 
   void begin(const Mode &mode, double t, const State &y);
-  void segment(const Mode &mode, const Segment &segment, bool rim_changes_at_end);
+  /// How a segment ends: the rim's force begins, ends or lets go; the mass turns or stops on the rim, where friction jumps.
+  enum class End { smooth, rim_changes, turns };
+  void segment(const Mode &mode, const Segment &segment, End end);
   /// After an event: the branch may have changed, `loss` is energy lost in a landing.
   void branch(const Mode &before, const Mode &after, double t, const State &y, double loss);
   void end(const Mode &mode, double t, const State &y);
@@ -33,11 +35,12 @@ public:
   double smallest_gap() const { return smallest_gap_; }
 
 private:
-  static constexpr double beside = 1e-6; ///< samples beside a jump of the rim force stand this far from it [s]
+  static constexpr double beside = 1e-6; ///< samples beside a jump of a force stand this far from it [s]
   void store(const Mode &mode, double t, const State &y, double apart = beside / 2); ///< none sooner than `apart` after the last [s]
   void open_impact(double t, const State &y);
   void close_impact(double t, const State &y);
   BuildingSnapshot building_at(const Mode &mode, const State &y) const;
+  void store_before(const Mode &mode, const Segment &segment);
   void refine_drifts(const Mode &mode, const Segment &segment);
   void watch(const Mode &mode, const State &y, const Evaluation &e);
   void refine(const Mode &mode, const Segment &segment, const Evaluation &e0, const Evaluation &mid,
@@ -53,13 +56,19 @@ private:
   double initial_potential_ = 0, landing_loss_ = 0, largest_input_ = 0;
   Evaluation last_; ///< at the latest watched instant
   State final_;
-  Mode final_mode_;
+  Mode final_mode_; ///< its support only
   double final_time_ = 0;
   BuildingRecorder building_;
-  bool in_impact_ = false;
+  bool in_impact_ = false, turned_ = false;
   std::vector<scene::Impact> impacts_;
   double peak_displacement_ = 0, peak_height_ = -1e300, peak_lateral_ = 0, smallest_normal_ = 1e300;
   double smallest_gap_ = 1e300;
 };
+
+/// How the branch `mode` ends by an event, or where a run is stopped.
+inline Recorder::End end_of(const Mode &mode, Event event, bool stopped = false) {
+  if (stopped || changes_rim(event)) return Recorder::End::rim_changes;
+  return event == Event::stop && mode.rim == RimContact::pressed ? Recorder::End::turns : Recorder::End::smooth;
+}
 
 } // namespace rimpact::reduced

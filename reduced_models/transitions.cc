@@ -42,7 +42,7 @@ EventList Dynamics::events(const Mode &mode) const {
 double Dynamics::value(Event event, const Mode &mode, double t, const State &y) const {
   const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
   const double r = u.norm(), d = r - lateral_capacity;
-  const auto trial = [&] { return rim_push(mode, u, v).trial / rim.stiffness; };
+  const auto trial = [&] { return rim_push(mode, t, u, v).trial / rim.stiffness; };
   switch (event) {
   case Event::stop:
     return v.dot(mode.e0);
@@ -70,25 +70,38 @@ double Dynamics::value(Event event, const Mode &mode, double t, const State &y) 
   throw std::logic_error("unknown event");
 }
 
-RimPush Dynamics::rim_push(const Mode &mode, const Vector2d &u, const Vector2d &v) const {
+RimPush Dynamics::rim_push(const Mode &mode, double t, const Vector2d &u, const Vector2d &v) const {
   const double r = u.norm();
   const RimMotion motion{r - lateral_capacity, r > 0 ? u.dot(v) / r : 0, v.norm()};
-  if (rim.law->yields) return mode.dented.push(rim, u, motion, dents);
+  if (rim.law->yields) {
+    if (!mode.dented.setting_out()) return mode.dented.push(rim, u, motion, dents);
+    const auto present = mode.dented.under_way(t, wall_point(u, v, Vector2d::Zero(), lateral_capacity, dents.wall), dents);
+    return mode.dented.push(rim, u, motion, dents, present ? &*present : nullptr);
+  }
   const double force = rim.trial(motion);
   return {rim.law->unilateral ? std::max(0.0, force) : force, 0, force};
 }
 
-void Dynamics::dent(Mode &mode, const State &y) const {
-  if (mode.rim != RimContact::pressed || !rim.law->yields) return;
-  const Vector2d u(y[iX], y[iY]);
-  mode.dented.press(u, u.norm() - lateral_capacity, dents);
+void Dynamics::set_out(Mode &mode, double t, const State &y, const State &dy) const {
+  if (!denting(mode)) return;
+  mode.dented.set_out(t, wall_point({y[iX], y[iY]}, {y[iVX], y[iVY]}, {dy[iVX], dy[iVY]}, lateral_capacity, dents.wall));
 }
 
-void Dynamics::project(Mode &mode, State &y) const {
+void Dynamics::arrive(Mode &mode, double t, const State &y) const {
+  if (!denting(mode)) return;
+  mode.dented.arrive(t, wall_point({y[iX], y[iY]}, {y[iVX], y[iVY]}, Vector2d::Zero(), lateral_capacity, dents.wall), dents);
+}
+
+void Dynamics::place(const Mode &mode, State &y) const {
   if (mode.support == Support::airborne) return;
   const auto p = height.at(y[iX], y[iY]);
   y[iZ] = p.z;
   y[iVZ] = p.gradient[0] * y[iVX] + p.gradient[1] * y[iVY];
+}
+
+void Dynamics::project(Mode &mode, State &y) const {
+  if (mode.support == Support::airborne) return;
+  place(mode, y);
   const double speed = std::hypot(y[iVX], y[iVY]);
   if (mode.support == Support::sliding && speed > 0) mode.e0 = Vector2d(y[iVX], y[iVY]) / speed;
 }
@@ -157,7 +170,7 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
     return land(mode, t, y);
   case Event::touch:
     // a dented place is met only at its dent's bottom
-    mode.rim = mode.dented.deepest_at({y[iX], y[iY]}, dents) > 0 && rim_push(mode, {y[iX], y[iY]}, {y[iVX], y[iVY]}).trial <= 0
+    mode.rim = mode.dented.deepest_at({y[iX], y[iY]}, dents) > 0 && rim_push(mode, t, {y[iX], y[iY]}, {y[iVX], y[iVY]}).trial <= 0
                    ? RimContact::relaxed
                    : RimContact::pressed;
     break;
@@ -192,7 +205,7 @@ Mode Dynamics::starting_mode(const BearingState &start, State &y) const {
   const double d = u.norm() - lateral_capacity;
   // A state located at touch lies within rounding of it and moves outwards.
   if (has_rim() && (d > 0 || (d > -1e-12 && u.dot(v) > 0)))
-    mode.rim = rim.law->unilateral && rim_push(mode, u, v).trial <= 0 ? RimContact::relaxed : RimContact::pressed;
+    mode.rim = rim.law->unilateral && rim_push(mode, start.t, u, v).trial <= 0 ? RimContact::relaxed : RimContact::pressed;
   mode.support = start.airborne && reading == NormalForce::inertia ? Support::airborne : Support::sliding;
   settle(mode, start.t, y);
   return mode;

@@ -6,17 +6,21 @@
 
 namespace rimpact::scene {
 
-double DoubleConcave::rim_tilt() const {
-  return std::asin(capacity / effective_radius());
+namespace {
+
+double angle_of_edge(const DoubleConcave &b, double R) { return std::asin(b.slider_diameter / (2 * R)); }
+
+double rim_radius(const DoubleConcave &b, double R, double capacity) {
+  return R * std::sin(std::asin(capacity / b.effective_radius()) + angle_of_edge(b, R));
 }
 
-double DoubleConcave::edge_angle() const {
-  return std::asin(slider_diameter / (2 * radius));
-}
+} // namespace
 
-double DoubleConcave::rim_radius() const {
-  return radius * std::sin(rim_tilt() + edge_angle());
-}
+double DoubleConcave::rim_tilt() const { return std::asin(lateral_capacity() / effective_radius()); }
+double DoubleConcave::edge_angle() const { return angle_of_edge(*this, radius); }
+double DoubleConcave::top_edge_angle() const { return angle_of_edge(*this, upper_radius()); }
+double DoubleConcave::bottom_rim_radius() const { return rim_radius(*this, radius, capacity); }
+double DoubleConcave::top_rim_radius() const { return rim_radius(*this, upper_radius(), upper_capacity()); }
 
 namespace {
 
@@ -24,20 +28,30 @@ void require(bool holds, const char *key, double value, const std::string &bound
   if (!holds) throw InputError(fmt::format("isolator.{} {} {}", key, value, bound));
 }
 
+struct PlateKeys {
+  const char *height_key, *capacity_key;
+  double R, height, capacity;
+};
+
 void check_shape(const DoubleConcave &b) {
   const double mm = 1e3, half = b.slider_diameter / 2;
-  require(half < b.radius, "slider_diameter_mm", mm * b.slider_diameter,
-          fmt::format("must be below 2 R = {} mm", 2 * mm * b.radius));
-  const double sagitta = b.radius - std::sqrt(b.radius * b.radius - half * half);
-  for (const auto &[key, height] : {std::pair{"top_height_mm", b.top_height}, {"bottom_height_mm", b.bottom_height}})
-    require(height > sagitta, key, mm * height,
+  const PlateKeys plates[] = {{"bottom_height_mm", "capacity_m", b.radius, b.bottom_height, b.capacity},
+                              {"top_height_mm", b.top_capacity ? "top_capacity_m" : "capacity_m", b.upper_radius(), b.top_height,
+                               b.upper_capacity()}};
+  for (const auto &p : plates) {
+    require(half < p.R, "slider_diameter_mm", mm * b.slider_diameter, fmt::format("must be below 2 R = {} mm", 2 * mm * p.R));
+    const double sagitta = p.R - std::sqrt(p.R * p.R - half * half);
+    require(p.height > sagitta, p.height_key, mm * p.height,
             fmt::format("must exceed {:.4g} mm, the depth of its curved face", mm * sagitta));
+  }
   require(b.effective_radius() > 0, "radius_m", b.radius,
           fmt::format("must exceed half the slider's height, {} m", b.slider_height() / 2));
-  require(b.capacity < b.effective_radius(), "capacity_m", b.capacity,
-          fmt::format("must be below R_eff = {} m", b.effective_radius()));
-  require(b.rim_tilt() + b.edge_angle() < std::numbers::pi / 2, "capacity_m", b.capacity,
-          "takes the slider's edge past the sphere's equator");
+  for (const auto &p : plates) {
+    require(p.capacity < b.effective_radius(), p.capacity_key, p.capacity,
+            fmt::format("must be below R_eff = {} m", b.effective_radius()));
+    require(std::asin(p.capacity / b.effective_radius()) + angle_of_edge(b, p.R) < std::numbers::pi / 2, p.capacity_key, p.capacity,
+            "takes the slider's edge past the sphere's equator");
+  }
 }
 
 void check_points(const DoubleConcave &b) {

@@ -1,14 +1,18 @@
 /// A double concave friction-pendulum bearing: a lens between two spherical plates (DCFP), or two lens halves
 /// that meet in a plane, high-friction interface with a gap and a stop (LIR-DCFP); thesis Fig. 3-4. SI units.
-/// Both plates are alike. It stands beside `Bearing`, which stays the single-dish bearing.
+/// Both plates are alike unless a `top_` key says otherwise. It stands beside `Bearing`, which stays the single-dish bearing.
 #pragma once
+#include <algorithm>
+#include <optional>
 #include <string>
 
 namespace rimpact::scene {
 
 struct DoubleConcave {
-  double radius = 1.55;          ///< R of both sliding surfaces [m], > D_s/2
-  double capacity = 0.30;        ///< C_t: displacement at which both rims are touched [m], < R_eff
+  double radius = 1.55;          ///< R of both sliding surfaces, or of the bottom one [m], > D_s/2
+  double capacity = 0.30;        ///< C_t: displacement at which both rims, or the bottom one, are touched [m], < R_eff
+  std::optional<double> top_radius, top_capacity;     ///< of the top plate, where it differs [m]
+  std::optional<double> top_mu_slow, top_mu_fast;     ///< friction of the top plate, where it differs [-]; below: reduced.mu_*
   double slider_diameter = 0.30; ///< D_s [m]
   double top_height = 0.07;      ///< h_ts, surface to interface on the axis [m]
   double bottom_height = 0.03;   ///< h_bs [m]; a DCFP's slider is h_ts + h_bs high
@@ -28,12 +32,18 @@ struct DoubleConcave {
   double step_tolerance = 1e-4;          ///< relative, of the time step's local error
 
   double slider_height() const { return top_height + bottom_height; } ///< H_s
-  double effective_radius() const { return 2 * radius - slider_height(); } ///< (3-94)
+  double upper_radius() const { return top_radius.value_or(radius); }       ///< of the top plate's surface [m]
+  double upper_capacity() const { return top_capacity.value_or(capacity); } ///< at which the top rim is touched [m]
+  double effective_radius() const { return radius + upper_radius() - slider_height(); } ///< (3-94)
+  double lateral_capacity() const { return std::min(capacity, upper_capacity()); }      ///< at which a rim is touched [m]
   double gap() const { return top_wall - bottom_wall; }
-  double rim_tilt() const;    ///< theta_c = asin(C_t / R_eff) [rad]
-  double edge_angle() const;  ///< phi = asin(D_s / 2R) [rad]
-  /// b/2 [m] by the exact condition b/2 = R sin(theta_c + phi), in place of the approximate (3-95).
-  double rim_radius() const;
+  double rim_tilt() const;    ///< theta_c = asin(C / R_eff), C the lateral capacity [rad]
+  double edge_angle() const;     ///< phi = asin(D_s / 2R) of the bottom face [rad]
+  double top_edge_angle() const; ///< of the top face [rad]
+  /// b/2 [m] of a plate's rim by the exact condition b/2 = R sin(theta + phi), sin theta = C / R_eff, sin phi = D_s / 2R, in
+  /// place of the approximate (3-95).
+  double bottom_rim_radius() const;
+  double top_rim_radius() const;
   /// Throws InputError naming key, value and bound.
   void validate(bool impact_resilient) const;
   bool operator==(const DoubleConcave &) const = default;

@@ -56,9 +56,14 @@ void KeyList::pair(const Key &key, Eigen::Vector2d &value, Range) {
 }
 
 void KeyList::numbers(const Key &key, std::vector<double> &values, Unit unit, Range) {
+  constexpr std::size_t a_line = 10; // longer arrays stand on lines of their own
+  const bool tall = values.size() > a_line;
   std::string list;
-  for (const double value : values) list += (list.empty() ? "" : ", ") + file_number(value, unit);
-  add(key, "[" + list + "]");
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    list += i == 0 ? "" : tall && i % a_line == 0 ? "," : ", ";
+    list += (tall && i % a_line == 0 ? "\n  " : "") + file_number(values[i], unit);
+  }
+  add(key, "[" + list + (tall ? "\n]" : "]"));
 }
 
 void KeyList::switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &flags) {

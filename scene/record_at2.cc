@@ -73,6 +73,46 @@ struct Header {
   std::size_t data_line = 0; ///< index of the first line of values
 };
 
+/// What follows UNITS OF, UNITS:, UNITS =, UNITS IN or UNITS ( in a header line, or else IN behind TIME SERIES or TIME HISTORY;
+/// empty: the line names no unit.
+std::string_view unit_name(std::string_view line) {
+  const auto behind = [&](std::string_view word, std::size_t from) {
+    const auto at = line.find(word, from);
+    return at == std::string_view::npos ? std::string_view() : trim(line.substr(at + word.size()));
+  };
+  if (auto rest = behind("UNITS", 0); !rest.empty()) {
+    for (const std::string_view opening : {"OF ", "IN ", "ARE ", ":", "=", "("})
+      if (rest.starts_with(opening)) return trim(rest.substr(opening.size()));
+    return {};
+  }
+  for (const std::string_view series : {"TIME SERIES", "TIME HISTORY"})
+    if (const auto at = line.find(series); at != std::string_view::npos)
+      for (const std::string_view opening : {" IN ", "("})
+        if (const auto name = behind(opening, at); !name.empty()) return name;
+  return {};
+}
+
+/// The unit a name begins with [m/s^2]; nothing may follow but a remark: G/10 or G*100 is not G.
+std::optional<double> known_unit(std::string_view name, double gravity) {
+  struct Unit {
+    std::string_view name;
+    double value;
+  };
+  const Unit units[] = {{"CM/S/S", 0.01},   {"CM/SEC/SEC", 0.01}, {"CM/S**2", 0.01},  {"CM/SEC**2", 0.01}, {"CM/S^2", 0.01}, {"CM/SEC^2", 0.01},
+                        {"CM/S2", 0.01},    {"CM/SEC2", 0.01},    {"GALS", 0.01},     {"GAL", 0.01},       {"M/S/S", 1.0},   {"M/SEC/SEC", 1.0},
+                        {"M/S**2", 1.0},    {"M/SEC**2", 1.0},    {"M/S^2", 1.0},     {"M/SEC^2", 1.0},    {"M/S2", 1.0},    {"M/SEC2", 1.0},
+                        {"G'S", gravity},   {"G", gravity}};
+  for (const auto &unit : units) {
+    if (!name.starts_with(unit.name)) continue;
+    const std::string_view rest = name.substr(unit.name.size()), next = trim(rest);
+    if (!next.empty() && std::string_view("/*^+-=%").find(next.front()) != std::string_view::npos) return std::nullopt;
+    if (!next.empty() && (std::isdigit(static_cast<unsigned char>(next.front())) != 0 || next.starts_with("X ") || next.starts_with("TIMES")))
+      return std::nullopt;
+    if (rest.empty() || std::isalnum(static_cast<unsigned char>(rest.front())) == 0) return unit.value;
+  }
+  return std::nullopt;
+}
+
 /// Metres per second squared of the units named in a header line; velocity and displacement are refused.
 std::optional<double> unit_of(const std::string &line, const std::string &where, double gravity) {
   const auto says = [&](const char *word) { return line.find(word) != std::string::npos; };
@@ -81,19 +121,11 @@ std::optional<double> unit_of(const std::string &line, const std::string &where,
     if (says(wrong))
       throw DataError(fmt::format("{}: the file holds {}, an acceleration record (AT2) is needed", where,
                                   wrong[0] == 'V' ? "velocity" : "displacement"));
-  const auto units = line.find("UNITS OF ");
-  if (units == std::string::npos) return std::nullopt;
-  const auto name = std::string_view(line).substr(units + 9);
-  const auto starts = [&](std::string_view prefix) { return name.substr(0, prefix.size()) == prefix; };
-  if (starts("CM/S/S") || starts("CM/SEC/SEC") || starts("CM/S**2") || starts("CM/S2") || starts("CM/SEC2") ||
-      starts("GAL"))
-    return 0.01;
-  if (starts("M/S/S") || starts("M/SEC/SEC") || starts("M/S**2") || starts("M/S2") || starts("M/SEC2"))
-    return 1.0;
-  if (name == "G" || (starts("G") && name.size() > 1 && !std::isalpha(static_cast<unsigned char>(name[1]))))
-    return gravity;
-  throw DataError(fmt::format("{}: the unit \"{}\" of the acceleration is not known (G, CM/S/S, M/S/S)",
-                              where, name.substr(0, 40)));
+  const auto name = unit_name(line);
+  if (name.empty()) return std::nullopt;
+  if (const auto unit = known_unit(name, gravity)) return unit;
+  throw DataError(fmt::format("{}: the unit \"{}\" of the acceleration is not known (G, CM/S/S, M/S/S, without a factor)", where,
+                              name.substr(0, 40)));
 }
 
 /// NPTS and DT of a line, as "NPTS= 2000, DT= .0200 SEC" or "2000 .0200 NPTS, DT".

@@ -12,13 +12,25 @@ struct Columns {
   double unit; ///< [m/s^2]
 };
 
+/// Two columns for the same quantity contradict each other: which one is meant the file does not say.
+void claim(std::size_t &column, std::size_t index, std::string_view first, std::string_view name, const std::string &where) {
+  if (column != std::string::npos)
+    throw DataError(fmt::format("{}: column {} \"{}\" gives what column {} \"{}\" gives already; keep one of them", where,
+                                index + 1, name, column + 1, first));
+  column = index;
+}
+
 Columns read_header(std::string_view line, const std::string &where, double gravity) {
   Columns columns{std::string::npos, std::string::npos, 0, 0};
-  for (auto name : split(line, ',')) {
-    name = trim(name);
-    if (name == "time_s") columns.time = columns.count;
-    if (name == "acceleration_g") columns.acceleration = columns.count, columns.unit = gravity;
-    if (name == "acceleration_m_per_s2") columns.acceleration = columns.count, columns.unit = 1;
+  const auto names = split(line, ',');
+  for (const auto &cell : names) {
+    const auto name = trim(cell);
+    const auto first = [&](std::size_t column) { return column < names.size() ? trim(names[column]) : std::string_view(); };
+    if (name == "time_s") claim(columns.time, columns.count, first(columns.time), name, where);
+    if (name == "acceleration_g" || name == "acceleration_m_per_s2") {
+      claim(columns.acceleration, columns.count, first(columns.acceleration), name, where);
+      columns.unit = name == "acceleration_g" ? gravity : 1;
+    }
     ++columns.count;
   }
   if (columns.time == std::string::npos || columns.acceleration == std::string::npos)
@@ -64,11 +76,18 @@ SampledSignal parse_record_csv(const std::string &text, const std::string &path,
     const auto cells = split(line, ',');
     if (cells.size() < columns.count)
       throw DataError(fmt::format("{}: {} of {} columns", where, cells.size(), columns.count));
+    if (cells.size() > columns.count)
+      throw DataError(fmt::format("{}: {} cells for {} columns; commas separate cells, so a decimal comma makes two of one number",
+                                  where, cells.size(), columns.count));
     time.push_back(finite(cells[columns.time], where));
     record.values.push_back(finite(cells[columns.acceleration], where) * columns.unit);
   }
   if (columns.count == 0) throw DataError(fmt::format("{}: holds no header line", path));
   record.dt = uniform_step(time, path);
+  record.start = time.front();
+  if (record.start < 0)
+    throw DataError(fmt::format("{}: begins at {} s; a run begins at 0 s, so shift all times (of every component alike)", path,
+                                record.start));
   return record;
 }
 

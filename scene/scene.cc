@@ -78,7 +78,8 @@ void check_path(const Scene &scene) {
   if (e.kind == ExcitationKind::cyclic) refuse("amplitude_m", e.amplitude, reach);
   if (e.kind == ExcitationKind::figure_eight) refuse("amplitude_m", e.amplitude, 1.25 * reach);
   if (e.kind == ExcitationKind::push)
-    refuse("travel_mm", e.travel * 1e3, scene.lateral_capacity() + e.scale * e.travel);
+    refuse("travel_mm", e.travel * 1e3,
+           scene.lateral_capacity() + (scene.double_concave() ? 0.0 : scene.reduced.capacity_offset) + e.scale * e.travel);
 }
 
 } // namespace

@@ -75,7 +75,7 @@ struct Scene {
   /// Whether pad and foot are modelled: rungs rigid-dish and full, and the reduced model's terms of pad and socket.
   bool needs_stack() const { return model.rung != "rim" || reduced.finite_pad || reduced.socket_friction; }
   /// Displacement at which the rim of the model's bearing is touched [m].
-  double lateral_capacity() const { return double_concave() ? isolator.capacity : bearing.lateral_capacity(); }
+  double lateral_capacity() const { return double_concave() ? isolator.lateral_capacity() : bearing.lateral_capacity(); }
 
   /// Throws InputError naming value and bound; includes the bearing, pad and foot where they are modelled.
   void validate() const;

@@ -66,7 +66,7 @@ void set_dependent_defaults(const TomlFile &file, bool own_bearing, Scene &scene
     e.duration = window ? 0.2 : 2 * e.period + 6;
     const bool has_record = !e.x.values.empty() || !e.y.values.empty() || !e.z.values.empty();
     if (e.kind == ExcitationKind::record && has_record)
-      e.duration = std::max({e.x.duration(), e.y.duration(), e.z.duration()});
+      e.duration = std::max({e.x.end(), e.y.end(), e.z.end()});
   }
   if (!given("excitation.amplitude_m") && e.kind == ExcitationKind::figure_eight) e.amplitude = 0.31;
   if (!given("isolator.points") && scene.isolator.space == "spatial") scene.isolator.points = 8;

@@ -104,6 +104,9 @@ void read_surface_table(const std::string &path, SurfaceSpec &spec) {
     }
   }
   if (!header) throw DataError(fmt::format("{}: holds no header line", path));
+  constexpr std::size_t most = 10000; // written out in scene.toml
+  if (spec.table_radius.size() > most)
+    throw DataError(fmt::format("{}: {} rows; a table has at most {}", path, spec.table_radius.size(), most));
 }
 
 } // namespace rimpact::scene

@@ -7,18 +7,52 @@ namespace rimpact::scene {
 namespace {
 
 constexpr std::size_t max_bytes = 1 << 20;
-constexpr std::ptrdiff_t max_dots_a_line = 64;
+constexpr int max_dots_a_key = 64;
 
-/// The parser recurses over dotted keys, so that megabytes of "a.a.a" would exhaust the stack.
+/// Where a string that opens at `i` ends: behind its closing quotes, or at the line's end where they are missing (only
+/// triple quotes span lines).
+std::size_t behind_string(const std::string &text, std::size_t i) {
+  const char quote = text[i];
+  const std::string triple(3, quote);
+  const bool spans = text.compare(i, 3, triple) == 0;
+  for (i += spans ? 3 : 1; i < text.size(); ++i) {
+    if (text[i] == '\\' && quote == '"') {
+      ++i;
+    } else if (spans && text.compare(i, 3, triple) == 0) {
+      i += 3;
+      while (i < text.size() && text[i] == quote) ++i; // quotes may stand before the closing ones
+      return i;
+    } else if (!spans && (text[i] == quote || text[i] == '\n')) {
+      return text[i] == quote ? i + 1 : i;
+    }
+  }
+  return text.size();
+}
+
+/// The parser recurses over dotted keys, so that megabytes of "a.a.a" would exhaust the stack. A key is what stands between two
+/// of , = [ ] { } # and line ends; a number there has one dot, so long arrays pass.
 void refuse_absurd(const std::string &text, const std::string &origin) {
   if (text.size() > max_bytes)
     throw InputError(fmt::format("{}: {} bytes; a scene has at most {}", origin, text.size(), max_bytes));
-  std::size_t line_number = 0;
-  for (const auto line : lines_of(text)) {
-    ++line_number;
-    if (std::count(line.begin(), line.end(), '.') > max_dots_a_line)
-      throw InputError(
-          fmt::format("{}:{}: more than {} dots in a line", origin, line_number, max_dots_a_line));
+  std::size_t line = 1;
+  int dots = 0;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    if (c == '"' || c == '\'') {
+      const std::size_t end = behind_string(text, i);
+      line += static_cast<std::size_t>(std::count(text.begin() + static_cast<std::ptrdiff_t>(i), text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
+      i = end;
+      continue;
+    }
+    if (c == '#') { // a comment, to the line's end
+      i = std::min(text.find('\n', i), text.size());
+      continue;
+    }
+    if (std::string_view(",=[]{}\n").find(c) != std::string_view::npos) dots = 0;
+    line += c == '\n';
+    if (c == '.' && ++dots > max_dots_a_key)
+      throw InputError(fmt::format("{}:{}: more than {} dots in a key", origin, line, max_dots_a_key));
+    ++i;
   }
 }
 

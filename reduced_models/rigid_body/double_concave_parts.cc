@@ -42,11 +42,16 @@ DoubleConcaveSystem::DoubleConcaveSystem(const scene::Scene &scene)
   system.normal = {bearing_.contact_stiffness, contact_damping(bearing_, scene.load.mass, n_sets_)};
   const double fast = driven ? r.mu_slow : r.mu_fast; // slow motion
   system.dish_friction = {r.mu_slow, fast, fast == r.mu_slow ? 0.0 : r.rate};
+  const double top_fast = bearing_.top_mu_fast.value_or(r.mu_fast),
+               top_slow = bearing_.top_mu_slow.value_or(bearing_.top_mu_fast ? top_fast : r.mu_slow), top = driven ? top_slow : top_fast;
+  system.top_friction = {top_slow, top, top == top_slow ? 0.0 : r.rate};
+  system.dish_friction.validate(), system.top_friction.validate();
   system.interface_friction = {bearing_.mu_interface, bearing_.mu_interface, 0};
   system.park_wen = r.friction == "park-wen" && !driven;
   if (system.park_wen) system.elastic_slip = r.elastic_slip;
-  // Both rims stop the mass in series: the pair has half of k and c, and must return e.
-  if (r.k_i > 0) system.rim = rim_element(r, 2 * scene.load.mass);
+  // Rims that are touched together stop the mass in series: the pair has half of k and c, and must return e.
+  const bool together = bearing_.upper_capacity() == bearing_.capacity;
+  if (r.k_i > 0) system.rim = rim_element(r, (together ? 2 : 1) * scene.load.mass);
   if (driven) system.rim.damping = 0;
 }
 
@@ -78,7 +83,7 @@ void DoubleConcaveSystem::add_bodies(const scene::Scene &scene) {
 }
 
 void DoubleConcaveSystem::add_points(const scene::DoubleConcave &b) {
-  const double R = b.radius, H = b.slider_height();
+  const double R = b.radius, R_top = b.upper_radius(), H = b.slider_height();
   const double bottom = (resilient_ ? b.bottom_height : H) / 2, top = (resilient_ ? b.top_height : H) / 2;
   for (const auto &p : layout(b, b.slider_diameter / 2))
     system.contacts.push_back({.surface = Surface::dish,
@@ -99,31 +104,31 @@ void DoubleConcaveSystem::add_points(const scene::DoubleConcave &b) {
     system.contacts.push_back({.surface = Surface::dish,
                                .body = top_slider,
                                .master = plate,
-                               .point = {p[0], p[1], top - depth(R, p.norm())},
-                               .centre = {0, 0, -R},
-                               .radius = R,
+                               .point = {p[0], p[1], top - depth(R_top, p.norm())},
+                               .centre = {0, 0, -R_top},
+                               .radius = R_top,
                                .set = 2});
 }
 
 void DoubleConcaveSystem::add_walls(const scene::DoubleConcave &b) {
-  const double R = b.radius, H = b.slider_height(), half = b.slider_diameter / 2;
+  const double R = b.radius, R_top = b.upper_radius(), H = b.slider_height(), half = b.slider_diameter / 2;
   const double bottom = (resilient_ ? b.bottom_height : H) / 2, top = (resilient_ ? b.top_height : H) / 2;
-  const double edge = depth(R, half), wall = b.rim_radius(), foot = depth(R, wall);
+  const double wall = b.bottom_rim_radius(), top_wall = b.top_rim_radius();
   const auto add = [&](const Vector2d &at, double reach) {
     system.contacts.push_back({.surface = Surface::rim,
                                .body = 0,
                                .master = ground,
-                               .point = {at[0], at[1], edge - bottom},
-                               .centre = {0, 0, foot},
+                               .point = {at[0], at[1], depth(R, half) - bottom},
+                               .centre = {0, 0, depth(R, wall)},
                                .radius = wall,
                                .reach = reach,
                                .wall_height = b.rim_height});
     system.contacts.push_back({.surface = Surface::rim,
                                .body = top_slider,
                                .master = plate,
-                               .point = {at[0], at[1], top - edge},
-                               .centre = {0, 0, -foot},
-                               .radius = wall,
+                               .point = {at[0], at[1], top - depth(R_top, half)},
+                               .centre = {0, 0, -depth(R_top, top_wall)},
+                               .radius = top_wall,
                                .reach = reach,
                                .wall_height = b.rim_height,
                                .upward = -1,

@@ -16,21 +16,22 @@ MotionState DoubleConcaveSystem::state_at(const Vector2d &u, const Vector2d &v) 
   Vector3d axis(-u[0] / R_eff, -u[1] / R_eff, 0);
   axis[2] = std::sqrt(1 - axis.squaredNorm());
   const Vector3d velocity(v[0], v[1], -v.dot(axis.head<2>()) / axis[2]);
-  const Vector3d omega = -axis.cross(velocity) / R_eff, centre(0, 0, b.radius);
+  const Vector3d omega = -axis.cross(velocity) / R_eff, centre(0, 0, b.radius), up = Vector3d::UnitZ();
   MotionState s;
   s.velocity = Vector::Zero(system.n_dofs());
   const auto rotation = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis).toRotationMatrix();
   // Under the weights the springs of each set give way: from the static penetration nothing rings.
   double weight = 0, sunk[3] = {};
   for (int body = plate; body >= 0; --body) weight += system.bodies[body].weight, sunk[body] = weight;
-  const double cosine = std::cos(b.edge_angle()), spring = b.points * b.contact_stiffness;
+  const double spring = b.points * b.contact_stiffness;
   double below = 0;
   for (int body = 0; body <= plate; ++body) {
     const bool plane = resilient_ && body == 1;
+    const double cosine = std::cos(body == plate ? b.top_edge_angle() : b.edge_angle());
     below += sunk[body] / spring / (plane ? 1 : cosine * cosine);
     const double height = !resilient_ ? H / 2 : body == 0 ? b.bottom_height / 2 : H - b.top_height / 2;
     const Vector3d from_vertex =
-        body == plate ? Vector3d(H * axis + b.radius * (Vector3d::UnitZ() - axis)) : Vector3d(height * axis);
+        body == plate ? Vector3d(H * axis + b.upper_radius() * (up - axis)) : Vector3d(height * axis);
     s.poses[body].position = centre - b.radius * axis + from_vertex - Vector3d(0, 0, below);
     if (body != plate) s.poses[body].rotation = rotation;
     s.velocity.segment<3>(6 * body) = body == plate ? velocity : omega.cross(s.poses[body].position - centre);
@@ -70,7 +71,7 @@ double DoubleConcaveSystem::tilt(const MotionState &s) const {
 }
 
 double DoubleConcaveSystem::gap(const MotionState &s) const {
-  return bearing_.capacity - (plate_displacement(s) - interface_slip(s)).head<2>().norm();
+  return bearing_.lateral_capacity() - (plate_displacement(s) - interface_slip(s)).head<2>().norm();
 }
 
 double DoubleConcaveSystem::potential_energy(const MotionState &s) const {

@@ -83,6 +83,12 @@ void Stepper::start(MotionState &s) {
   s.power = powers(s);
 }
 
+void Stepper::restart(MotionState &s) {
+  const auto slip_rate = s.slip_rate;
+  start(s);
+  s.slip_rate = slip_rate;
+}
+
 bool Stepper::solve(const MotionState &from, double h, const Vector &moved, const Vector &base, double t,
                     double slip_step, MotionState &to, int &iterations) {
   const int n = static_cast<int>(dofs_.size());

@@ -42,6 +42,8 @@ public:
   Stepper(const System &system, const Loads &loads);
   /// Fills accelerations, contact forces and powers of a state at its instant.
   void start(MotionState &state);
+  /// As `start`, for a state a step has led to, where a force jumps: the friction states keep their rates.
+  void restart(MotionState &state);
   /// One step from `from`; `to` is meaningful when converged.
   StepReport step(const MotionState &from, double h, MotionState &to);
 

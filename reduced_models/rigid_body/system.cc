@@ -50,7 +50,8 @@ void System::friction_terms(const Contact &c, const Touch &touch, const Vector3d
   const Matrix3d along = Matrix3d::Identity() - touch.normal * touch.normal.transpose();
   const Vector3d slide = along * v;
   const double speed = slide.norm(), per_slip = stage.slip_step / elastic_slip;
-  const auto mu = (c.surface == Surface::dish ? dish_friction : interface_friction).at(speed);
+  const auto &law = c.surface != Surface::dish ? interface_friction : c.set == 2 ? top_friction : dish_friction;
+  const auto mu = law.at(speed);
   const auto state =
       park_wen ? park_wen_step(along * z0, slide, per_slip) : coulomb_step(along * z0, slide, per_slip);
   f.slip = state.z;
@@ -111,7 +112,7 @@ Vector System::forces(const Poses &poses, const Vector &velocity, const Stage &s
     const Touch touch = locate(c, poses[c.body], c.master == ground ? at_rest : poses[c.master]);
     f.at = touch.at, f.penetration = touch.penetration, f.passed = touch.passed;
     f.slip = stage.slip[i];
-    if (touch.penetration <= 0) continue;
+    if (touch.penetration <= 0 || (!unmet.empty() && unmet[i])) continue;
     const Vector3d v = point_velocity(poses, velocity, c.body, touch.at) -
                        point_velocity(poses, velocity, c.master, touch.at);
     Matrix3d B = normal_terms(c, i, touch, v, stage.position_weight, f);

@@ -62,10 +62,11 @@ public:
   std::vector<Link> links; ///< see storey_link.h
   std::vector<bool> free;  ///< of each dof; the others are at rest or driven
   NormalLaw normal{};
-  FrictionCoefficient dish_friction, interface_friction;
+  FrictionCoefficient dish_friction, top_friction, interface_friction; ///< of sets 0, 2 and 1
   double elastic_slip = 1e-8; ///< q [m]; Coulomb's limit is approached with the square root of q
   bool park_wen = false;
   RimElement rim;
+  std::vector<bool> unmet; ///< of each contact: without force however deep, because the step under way began before it; may be empty
   std::vector<double> deepest; ///< of each contact: penetration of its wall before this impact [m]
 
   int n_dofs() const { return 6 * static_cast<int>(bodies.size()); }

@@ -88,3 +88,15 @@ TEST(Uplift, StartsWhereTheNotesPutIt) {
   EXPECT_EQ(*lifted.min_normal_force, 0);
   EXPECT_NEAR(lifted.impacts.at(0).peak_force, 3.4e6, 2e5);
 }
+
+/// Thrown upwards by 2 g for 0.3 s, then free: the largest height is (0.045 + 0.045) g, between two steps.
+TEST(Uplift, TheLargestHeightInFlightIsNotThatOfAStepsEnd) {
+  for (const double end : {0.3, 0.307, 0.311}) {
+    scene::Scene s;
+    s.excitation.kind = ExcitationKind::record;
+    s.excitation.z = {end, {-2 * 9.81, -2 * 9.81}};
+    s.excitation.duration = 1.0;
+    const double expected = end * end * 9.81;
+    EXPECT_NEAR(simulate(s).summary.peak_vertical_displacement, expected, 1e-9 * expected) << end;
+  }
+}

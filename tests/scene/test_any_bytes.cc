@@ -81,6 +81,14 @@ TEST(AnyBytes, DeepNestingIsRefused) {
   for (int i = 0; i < 200000; ++i) dots += ".a", brackets += "[";
   EXPECT_THROW(parse_scene(dots + " = 1", "deep.toml"), InputError);
   EXPECT_THROW(parse_scene(brackets, "deep.toml"), InputError);
+  std::string long_dots = "a", table, quoted = "\"a\"", digits = "1";
+  for (int i = 0; i < 250000; ++i) long_dots += ".a", quoted += ".\"a\"", digits += ".1";
+  EXPECT_THROW(parse_scene(long_dots.substr(0, 1 << 20) + " = 1", "deep.toml"), InputError); // a megabyte of a.a.a
+  EXPECT_THROW(parse_scene("[" + long_dots + "]\nx = 1", "deep.toml"), InputError);
+  EXPECT_THROW(parse_scene("x = {" + long_dots + " = 1}", "deep.toml"), InputError);
+  EXPECT_THROW(parse_scene("name = '''" + std::string("a'''\n") + long_dots + " = 1", "deep.toml"), InputError);
+  EXPECT_THROW(parse_scene(quoted + " = 1", "deep.toml"), InputError);
+  EXPECT_THROW(parse_scene(digits + " = 1", "deep.toml"), InputError);
   EXPECT_THROW(parse_scene(std::string(3 << 20, ' '), "long.toml"), InputError);
 }
 

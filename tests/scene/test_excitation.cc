@@ -1,4 +1,5 @@
 #include "scene/excitation.h"
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -61,6 +62,25 @@ TEST(GroundMotion, RecordHasItsSamplingAsBreakpoints) {
   EXPECT_TRUE(motion.acceleration(0.05).isApprox(Eigen::Vector3d(0.75, 2.0, 1.0)));
   ASSERT_EQ(motion.breakpoints().size(), 4u); // 0, 0.05, 0.1, 0.2
   EXPECT_DOUBLE_EQ(motion.breakpoints()[3], 0.2);
+}
+
+TEST(GroundMotion, ComponentsOfOtherBeginningsAndStepsStayInStep) {
+  Excitation e;
+  e.kind = ExcitationKind::record;
+  const auto motion = [](double t) { return 2 * t; }; // linear: the same whatever the sampling
+  e.x = {0.1, {}, 0.0}, e.y = {0.25, {}, 0.5};
+  for (int i = 0; i <= 20; ++i) e.x.values.push_back(motion(e.x.instant(i)));
+  for (int i = 0; i <= 4; ++i) e.y.values.push_back(motion(e.y.instant(i)));
+  const GroundMotion ground(e, 9.81);
+  for (const double t : {0.5, 0.51, 0.9, 1.3, 1.5}) {
+    EXPECT_NEAR(ground.acceleration(t).x(), motion(t), 1e-14);
+    EXPECT_NEAR(ground.acceleration(t).y(), motion(t), 1e-14);
+  }
+  EXPECT_EQ(ground.acceleration(0.4999).y(), 0);
+  EXPECT_EQ(ground.acceleration(1.5001).y(), 0);
+  const auto &breaks = ground.breakpoints();
+  for (const double t : {0.0, 0.5, 0.75, 1.25, 2.0})
+    EXPECT_TRUE(std::any_of(breaks.begin(), breaks.end(), [&](double b) { return std::abs(b - t) < 1e-9; })) << t;
 }
 
 TEST(Path, FigureEightReachesOnePointTwoFiveAmplitudes) {

@@ -53,6 +53,22 @@ TEST_P(Isolator, IsRefusedWithPlaceValueAndBound) {
 INSTANTIATE_TEST_SUITE_P(Input, Isolator, testing::ValuesIn(cases),
                          [](const auto &info) { return std::string(info.param.name); });
 
+TEST(IsolatorWithUnequalPlates, ItsTopKeysAreReadWrittenAndDefaultToTheBottoms) {
+  const std::string head = "[excitation]\nkind = \"ricker\"\n[reduced]\nmodel = \"dcfp\"\n[isolator]\n";
+  const auto alike = scene::parse_scene(head + "radius_m = 1.2\ncapacity_m = 0.2\n", "my.toml", {});
+  EXPECT_EQ(alike.isolator.upper_radius(), 1.2);
+  EXPECT_EQ(alike.isolator.lateral_capacity(), 0.2);
+  EXPECT_EQ(to_toml(alike).find("top_radius"), std::string::npos);
+  const auto apart = scene::parse_scene(
+      head + "radius_m = 1.2\ntop_radius_m = 2.0\ntop_capacity_m = 0.25\ntop_mu_fast = 0.1\ntop_mu_slow = 0.08\n", "my.toml", {});
+  EXPECT_NEAR(apart.isolator.effective_radius(), 3.1, 1e-15);
+  EXPECT_EQ(apart.isolator.lateral_capacity(), 0.25); // the bottom's 0.30 comes later
+  EXPECT_EQ(scene::parse_scene(to_toml(apart), "again.toml", {}).isolator, apart.isolator);
+  expect_error<InputError>([&] { scene::parse_scene(head + "top_radius_m = -1\n", "my.toml", {}); }, {"isolator.top_radius_m -1", "my.toml:6"});
+  expect_error<InputError>([&] { scene::parse_scene(head + "top_capacity_m = 9\n", "my.toml", {}); }, {"isolator.top_capacity_m 9 must be below R_eff"});
+  expect_error<InputError>([&] { scene::parse_scene(head + "top_mu_fast = 3\n", "my.toml", {}); }, {"isolator.top_mu_fast 3"});
+}
+
 TEST(IsolatorOfAPlane, MovesAlongXOnly) {
   expect_error<InputError>(
       [] {

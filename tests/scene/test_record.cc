@@ -46,7 +46,19 @@ TEST(At2, KnowsUnits) {
   EXPECT_DOUBLE_EQ(with("G. FILTER POINTS: HP=0.07 Hz"), 10.0);
   EXPECT_DOUBLE_EQ(with("CM/S/S"), 0.01);
   EXPECT_DOUBLE_EQ(with("M/S/S"), 1.0);
+  for (const char *unit : {"cm/s/s", "CM/SEC**2", "gal", "cm/s^2"}) EXPECT_DOUBLE_EQ(with(unit), 0.01) << unit;
+  for (const char *unit : {"G", "g, unfiltered", "G (HP 0.1 HZ)", "G'S"}) EXPECT_DOUBLE_EQ(with(unit), 10.0) << unit;
   expect_error<DataError>([&] { with("FURLONGS"); }, {"FURLONGS", "test.AT2:3"});
+  for (const char *unit : {"G/10", "G*100", "G / 10", "G X 100", "G 10", "CM/S/S/10", "CM/S/S*100", "CM/S/S/S", "GRAVITY"})
+    expect_error<DataError>([&] { with(unit); }, {"test.AT2:3", "is not known"});
+}
+
+TEST(At2, FindsTheUnitHoweverItIsAnnounced) {
+  const auto with = [](const std::string &line) { return at2("a\nb\n" + line + "\nNPTS= 2, DT= .01\n1 1\n").values[0]; };
+  for (const char *line : {"ACCELERATION TIME SERIES, UNITS: CM/S/S", "ACCELERATION TIME SERIES (CM/S/S)", "UNITS = CM/S/S",
+                           "ACCELERATION TIME HISTORY IN CM/S/S", "Units (cm/s/s)"})
+    EXPECT_DOUBLE_EQ(with(line), 0.01) << line;
+  expect_error<DataError>([&] { with("UNITS: G/10"); }, {"G/10"});
 }
 
 TEST(At2, RefusesWithFileAndLine) {
@@ -87,6 +99,26 @@ TEST(RecordCsv, ReadsBothUnitsAndRefuses) {
   expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,1\n0,1\n"); }, {"must grow"});
   expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,1\n"); }, {"1 samples"});
   expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,nan\n1,1\n"); }, {"nan"});
+}
+
+TEST(RecordCsv, KeepsItsFirstInstant) {
+  const auto r = parse_record_csv("time_s,acceleration_m_per_s2\n0.5,1\n0.6,3\n0.7,0\n", "r.csv", 10.0);
+  EXPECT_DOUBLE_EQ(r.start, 0.5);
+  EXPECT_DOUBLE_EQ(r.end(), 0.7);
+  EXPECT_EQ(r.at(0.49), 0);
+  EXPECT_NEAR(r.at(0.55), 2, 1e-12);
+  EXPECT_EQ(at2(head + "NPTS= 2, DT= .01\n1 2\n").start, 0);
+}
+
+TEST(RecordCsv, RefusesWhatContradictsItself) {
+  const auto refuse = [](const std::string &text, std::initializer_list<const char *> words) {
+    expect_error<DataError>([&] { parse_record_csv(text, "r.csv", 10.0); }, words);
+  };
+  refuse("time_s,acceleration_g,acceleration_m_per_s2\n0,0.2,9\n1,0,0\n", {"r.csv:1", "column 3", "acceleration_m_per_s2", "acceleration_g"});
+  refuse("time_s,acceleration_g,acceleration_g\n0,0.2,9\n1,0,0\n", {"r.csv:1", "column 3"});
+  refuse("time_s,acceleration_g,time_s\n0,0.2,9\n1,0,0\n", {"r.csv:1", "time_s"});
+  refuse("time_s,acceleration_g\n0,0,1\n1,0,2\n", {"r.csv:2", "3 cells for 2 columns", "decimal comma"});
+  refuse("time_s,acceleration_g\n-1,0\n0,1\n", {"r.csv", "begins at -1 s", "shift"});
 }
 
 TEST(RecordInfo, AgreesWithClosedForms) {

@@ -32,6 +32,25 @@ void expect_same(const Scene &a, const Scene &b) {
   EXPECT_EQ(to_toml(a), to_toml(b));
 }
 
+/// A dish of 500 rows comes back from its own scene.toml, which reads on lines of bearable length.
+TEST(SceneToml, ALongTableComesBackFromItsOwnFile) {
+  std::string radii = "0.0", heights = "0.0";
+  for (int i = 1; i < 500; ++i) {
+    const double r = 1.1 * i;
+    radii += fmt::format(", {}", r), heights += fmt::format(", {:.9f}", 140.625 * (1 - std::sqrt(1 - r * r / (562.5 * 562.5))));
+  }
+  const Scene scene = parse("[bearing.surface]\nkind = \"table\"\nplanar_radius_mm = 520.0\nradius_mm = [" + radii + "]\nheight_mm = [" +
+                            heights + "]\n");
+  ASSERT_EQ(scene.bearing.surface.table_radius.size(), 500u);
+  const std::string text = to_toml(scene);
+  expect_same(scene, parse(text));
+  for (std::size_t at = 0; at < text.size();) {
+    const auto end = std::min(text.find('\n', at), text.size());
+    EXPECT_LT(end - at, 200u);
+    at = end + 1;
+  }
+}
+
 TEST(SceneToml, InterfacesExampleIsUnderstood) {
   const Scene s = parse(R"(
 [bearing]

@@ -119,6 +119,27 @@ TEST(Summary, JsonHasTheContractsKeys) {
   EXPECT_TRUE(to_json(stopped)["peak_impact_force_N"].is_null());
 }
 
+TEST(Summary, AnImpactThatNeverEndedHasNoReleaseAndNoRebound) {
+  Summary stopped;
+  stopped.status = "stopped", stopped.reason = "the slider left the dish";
+  stopped.impacts = {{2.0, -1, 30, 0.5, 0, 1e6, 1e-3}, {0.0, 0.1, 30, 0.5, 0.25, 1e6, 1e-3}};
+  const auto json = to_json(stopped)["impacts"];
+  for (const char *key : {"release_time_s", "rebound_speed_m_s", "restitution"}) {
+    EXPECT_TRUE(json[0][key].is_null()) << key;
+    EXPECT_TRUE(json[1][key].is_number()) << key;
+  }
+  EXPECT_EQ(json[0]["peak_force_N"], 1e6);
+}
+
+TEST(Ledger, TheRoundingOfARestIsNoDoubt) {
+  EnergyLedger rest;
+  rest.external = 1e-13, rest.friction = 2e-9;
+  EXPECT_FALSE(doubt_of_ledger(rest));
+  EnergyLedger real;
+  real.external = 100, real.friction = 90;
+  EXPECT_TRUE(doubt_of_ledger(real));
+}
+
 TEST(Ledger, AWindowsKineticEnergyIsItsInput) {
   EnergyLedger e;
   e.initial = 50, e.kinetic = 30, e.plastic = 19;

@@ -96,6 +96,28 @@ TEST(DoubleConcaveMotion, TheStepToleranceGovernsTheError) {
   EXPECT_LT(coarse.n_steps, fine.n_steps);
 }
 
+/// Where a dashpot's force begins, its peak is c v at the touch: at the usual tolerance every later peak is met as well.
+TEST(DoubleConcaveMotion, ADashpotsPeakAtTheTouchIsMetAtTheUsualTolerance) {
+  scene::Scene scene;
+  scene.reduced.model = "lir-dcfp", scene.reduced.mu_fast = scene.reduced.mu_slow = 0.06, scene.reduced.k_i = 4e7;
+  scene.load.vertical = 4905e3, scene.load.mass = 5e5;
+  scene.excitation.amplitude_g = 0.45, scene.excitation.period = 1.5, scene.excitation.centre = 3, scene.excitation.duration = 6;
+  auto &b = scene.isolator;
+  b.radius = 1.175, b.capacity = 0.25, b.slider_diameter = 0.3, b.top_height = b.bottom_height = 0.05;
+  b.top_wall = 0.06, b.bottom_wall = 0.01, b.mu_interface = 0.14, b.space = "spatial", b.points = 8;
+  const auto at = [&](double tolerance) {
+    b.step_tolerance = tolerance;
+    return simulate(scene).summary;
+  };
+  const auto usual = at(scene::DoubleConcave{}.step_tolerance), fine = at(1e-7);
+  ASSERT_EQ(usual.impacts.size(), 2u);
+  ASSERT_EQ(fine.impacts.size(), 2u);
+  for (int i = 0; i < 2; ++i) {
+    EXPECT_NEAR(usual.impacts[i].peak_force, fine.impacts[i].peak_force, 0.005 * fine.impacts[i].peak_force) << i;
+    EXPECT_NEAR(usual.impacts[i].touch_time, fine.impacts[i].touch_time, 1e-4);
+  }
+}
+
 TEST(DoubleConcaveMotion, SpaceDoesNotPreferADirection) {
   const auto along = simulate(spatial(pulse("lir-dcfp", 0.5), 8, 0)).summary;
   ASSERT_FALSE(along.impacts.empty());

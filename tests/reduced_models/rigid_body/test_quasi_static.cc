@@ -38,6 +38,41 @@ TEST(DoubleConcaveLoop, TheEffectiveFrictionIsNotThatOfOneSurface) {
   EXPECT_GT(mu_e, 1.05 * 0.066);
 }
 
+/// A rigid slider tilts against both plates alike, so both faces slide at once: one slope W / (R_1 + R_2 - H), frictions weighted
+/// by the radii. (An articulated one slides on the face of less friction first: Fenz and Constantinou 2008.)
+TEST(DoubleConcaveLoop, UnequalPlatesSlideTogetherAtTheFrictionWeightedByTheirRadii) {
+  for (const char *model : {"dcfp", "lir-dcfp"})
+    for (const char *space : {"planar", "spatial"}) {
+      auto scene = cyclic(specimen(model), 0.12);
+      scene.isolator.top_radius = 1.1, scene.isolator.top_mu_fast = 0.03;
+      scene.isolator.space = space, scene.isolator.points = space == std::string("planar") ? 2 : 8;
+      const auto run = simulate(scene);
+      ASSERT_EQ(run.summary.status, "done");
+      QuasiStaticLoop loop{scene.isolator, 0.066, scene.impact_resilient()};
+      EXPECT_NEAR(effective_friction(scene.isolator, 0.066, 0.03), (0.066 * 0.75 + 0.03 * 1.1) / (0.75 + 1.1 - 0.085), 5e-4);
+      Column u = run.response.series("displacement_x"), F = run.response.series("force_x");
+      const double off = space == std::string("planar") ? 1e-4 : 4e-4; // eight points on a circle: their cosines differ
+      double since_turn = 0;
+      for (std::size_t i = 1; i < u.size(); ++i) {
+        const double sense = loop.sense, expected = loop.move(u[i]);
+        since_turn = sense == loop.sense ? since_turn + std::abs(u[i] - u[i - 1]) : 0;
+        if (since_turn > settled) ASSERT_NEAR(-F[i] / scene.load.vertical, expected, off) << model << space << " u " << u[i];
+      }
+    }
+}
+
+TEST(DoubleConcaveLoop, TheRimOfTheSmallerCapacityIsTouchedFirst) {
+  auto scene = cyclic(specimen("dcfp"), 0.14);
+  scene.isolator.top_radius = 1.1, scene.isolator.top_capacity = 0.13;
+  const auto run = simulate(scene);
+  Column u = run.response.series("displacement_x"), impact = run.response.series("impact_x"), gap = run.response.series("gap");
+  std::size_t i = 0;
+  while (i < u.size() && impact[i] == 0) ++i;
+  ASSERT_LT(i, u.size());
+  EXPECT_NEAR(std::abs(u[i]), 0.13, 3e-4);
+  EXPECT_NEAR(gap[i], 0, 3e-4);
+}
+
 TEST(DoubleConcaveLoop, TheInterfaceSlidesAtItsOwnAngle) {
   const auto scene = cyclic(specimen(), 0.185);
   const auto run = simulate(scene);
