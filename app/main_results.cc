@@ -7,6 +7,7 @@
 #include "fe_contact/runner/machine_times.h"
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
+#include "scene/doubts.h"
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
@@ -74,7 +75,7 @@ Columns columns_of(const MainTarget &target, const json &answer, const std::stri
   const json pair = answer.is_object() ? answer.value("pair", json()) : json();
   if (pair.is_object())
     columns.pair = fmt::format("{:.3g}, {:.3g}", pair.value("k_i_kN_per_m", 0.0), pair.value("e", 0.0));
-  if (published_applies(target.scene))
+  if (scene::published_pair_applies(target.scene))
     columns.published = fmt::format("{:.2g}, {:g}", calibration::published_k_i / 1e3, calibration::published_e);
   return columns;
 }

@@ -154,9 +154,4 @@ std::string MainTarget::head() const {
                      scene.model.mesh, scene.load.vertical / 1e3, vertical_from, scene.load.mass, mass_from);
 }
 
-bool published_applies(const scene::Scene &scene) {
-  const scene::Scene thesis;
-  return scene::rim_identity(scene.bearing) == scene::rim_identity(scene::builtin_bearing("shfps-225")) && scene.load.mass == thesis.load.mass;
-}
-
 } // namespace rimpact::app

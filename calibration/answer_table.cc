@@ -1,7 +1,7 @@
 #include "calibration/answer_parts.h"
 #include "calibration/no_tension_pair.h"
 #include "calibration/percent.h"
-#include "scene/rim_identity.h"
+#include "scene/doubts.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -92,8 +92,7 @@ void answer_pair(const Calibration &c, Answer &answer) {
 }
 
 bool published_applies(const scene::Scene &scene) {
-  return std::abs(scene.load.mass / published_mass - 1) < 1e-6 &&
-         scene::rim_identity(scene.bearing) == scene::rim_identity(scene::builtin_bearing("shfps-225"));
+  return scene::published_pair_applies(scene);
 }
 
 } // namespace rimpact::calibration

@@ -64,7 +64,7 @@ struct Calibration {
 
 /// Published for shfps-225 (thesis 2.5.3).
 inline constexpr double published_k_i = 4.5e8; ///< [N/m]
-inline constexpr double published_e = 0.65, published_mass = 86952; ///< [-], [kg]
+inline constexpr double published_e = 0.65;
 
 /// Throws InputError (options, runs of different bearings, masses, loads or laws), DataError (no impact, too
 /// few samples, unreadable run), each naming the folder.

@@ -6,6 +6,7 @@
 #include "fe_contact/runner/stack_run.h"
 #include "fe_contact/solver/ranks.h"
 #include "scene/error.h"
+#include "scene/limits.h"
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
@@ -106,6 +107,7 @@ scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions
   summary.reason = reason;
   summary.extra["plan"] = to_json(plan);
   summary.extra["ranks"] = ranks().size;
+  scene::judge(scene, summary);
   if (!failure && options.annotate) options.annotate(summary);
   if (options.writes) {
     scene::write_run_folder(options.folder, scene, record.response, summary);

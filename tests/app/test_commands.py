@@ -331,6 +331,22 @@ class WhatIsRun(unittest.TestCase):
         self.assertEqual(gone.returncode, 3)
         self.assertIn("calibration.json: no such file", gone.stderr)
 
+    def test_what_calibrate_writes_is_what_is_flown(self):
+        law, runs = ["--set", "reduced.impact_law=hunt-crossley", "--set", "reduced.k_i_kN_per_m=3e5", "--set", "reduced.impact_exponent=1.3"], []
+        for speed in ("0.1", "0.2", "0.4"):
+            runs.append(os.path.join(self.folder, speed))
+            rimpact("reduced", "impact-window", *law, "--set", f"excitation.speed_m_per_s={speed}", "-o", runs[-1])
+        cal = os.path.join(self.folder, "own")
+        made = rimpact("calibrate", *runs, "-o", cal)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        out, peaks = os.path.join(self.folder, "flown"), []
+        for words in (law, ["--calibration", cal]):
+            run = rimpact("reduced", "impact-window", *words, "--set", "excitation.speed_m_per_s=0.3", "-o", out, "--json")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            peaks.append(json.loads(run.stdout)["peak_impact_force_N"])
+        self.assertAlmostEqual(peaks[1] / peaks[0], 1, places=3)
+        self.assertEqual(run.stderr, "")  # the same rim, within its speeds
+
     def test_a_fleet_says_what_is_beyond(self):
         cal, out = self.calibration("0123456789abcdef"), os.path.join(self.folder, "fleet")
         sweep = os.path.join(self.folder, "sweep.toml")
