@@ -121,6 +121,7 @@ MainTarget main_target(const std::string &where, const std::vector<std::string> 
   for (const auto &assignment : overrides) file.set(assignment);
   target.scene = scene::parse_scene(source.text, source.origin, overrides, source.folder);
   refuse_what_is_not_run(target.scene, overrides);
+  target.warnings = target.scene.remarks;
   target.bearing_from = bearing_origin(file, source, overrides);
   const bool vertical = file.find("load.vertical_kN") != nullptr, mass = file.find("load.mass_kg") != nullptr;
   target.vertical_from = origin_of(file, "load.vertical_kN", mass ? "load.mass_kg times gravity" : "default");
@@ -152,11 +153,6 @@ std::string MainTarget::head() const {
                      "load: dead load {:g} kN ({}), supported mass {:.6g} kg ({})\n",
                      b.name, bearing_from, 1e3 * b.lateral_capacity(), 1e3 * b.slider.diameter, 1e3 * b.rim.thickness, 1e3 * b.rim.height, scene.model.rung,
                      scene.model.mesh, scene.load.vertical / 1e3, vertical_from, scene.load.mass, mass_from);
-}
-
-bool published_applies(const scene::Scene &scene) {
-  const scene::Scene thesis;
-  return scene::rim_identity(scene.bearing) == scene::rim_identity(scene::builtin_bearing("shfps-225")) && scene.load.mass == thesis.load.mass;
 }
 
 } // namespace rimpact::app

@@ -24,7 +24,4 @@ struct MainTarget {
 /// a double concave bearing and a building.
 MainTarget main_target(const std::string &where, const std::vector<std::string> &overrides);
 
-/// The published pair k_i, e is of one bearing under one mass (thesis 2.5.3): whether this is it.
-bool published_applies(const scene::Scene &scene);
-
 } // namespace rimpact::app

@@ -46,14 +46,6 @@ void print_plan(const MainTarget &target, const MainJobs &jobs, std::size_t at_o
   console.data(console.json ? table.dump(2) + "\n" : text);
 }
 
-/// --set, --rung and --mesh, as overrides of a scene.
-std::vector<std::string> overrides_of(const Console &console) {
-  auto overrides = console.overrides;
-  if (!console.rung.empty()) overrides.push_back("model.rung=\"" + console.rung + "\"");
-  if (console.mesh >= 0) overrides.push_back("model.mesh=" + std::to_string(console.mesh));
-  return overrides;
-}
-
 void run_main(Options options, Console &console) {
   const auto begin = std::chrono::steady_clock::now();
   const auto spent = [&] {
@@ -61,7 +53,7 @@ void run_main(Options options, Console &console) {
   };
   if (!options.pulse_speeds.empty()) options.choices.pulse_speeds = speed_range(options.pulse_speeds);
   MainContext context{.folder = options.folder, .laws = laws_named(options.laws), .document = document_json(options.document)};
-  const MainTarget target = main_target(options.target, overrides_of(console));
+  const MainTarget target = main_target(options.target, console.settings());
   auto [jobs, left_out] = main_jobs(target, options.choices, options.folder);
   context.warnings = target.warnings;
   for (const auto &doubt : scene::doubts(target.scene)) context.warnings.push_back(doubt);
