@@ -1,6 +1,6 @@
 #include "app/answer_law.h"
 
-#include "scene/text.h"
+#include "scene/key_list.h"
 #include <filesystem>
 
 namespace rimpact::app {
