@@ -3,11 +3,13 @@
 #include "app/answer_law.h"
 #include "app/comparison.h"
 #include "app/job_runner.h"
+#include "calibration/answer.h"
 #include "calibration/calibration_json.h"
 #include "fe_contact/runner/machine_times.h"
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
 #include "scene/doubts.h"
+#include "scene/limits.h"
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
@@ -20,7 +22,8 @@ namespace {
 using nlohmann::json;
 
 void run_reduced(const scene::Scene &scene, const std::string &folder) {
-  const auto run = reduced::simulate(scene);
+  auto run = reduced::simulate(scene);
+  scene::judge(scene, run.summary);
   scene::write_run_folder(folder, scene, run.response, run.summary);
 }
 
@@ -147,7 +150,7 @@ MainResults make_results(const MainTarget &target, const std::vector<Job> &jobs,
   const std::string law = fitted ? with_answer(target.scene, folder + "/calibration").reduced.impact_law : "";
   const Columns columns = columns_of(target, answer, law);
   const json runs = reduced_runs(jobs, folder, answer, columns), rows = comparison_rows(jobs, folder, columns);
-  results.text = target.head() + answer_text(answer) + comparison_text(rows, columns);
+  results.text = target.head() + (fitted && fitted->answer ? calibration::describe(*fitted->answer) : "") + comparison_text(rows, columns);
   json warnings = context.warnings;
   for (const auto &warning : selection.warnings) warnings.push_back(warning);
   for (const auto &row : rows)

@@ -2,6 +2,7 @@
 
 #include "scene/error.h"
 #include "scene/files.h"
+#include "scene/key_list.h"
 #include "scene/rim_identity.h"
 #include "scene/text.h"
 #include "scene/toml_reader.h"
@@ -29,9 +30,7 @@ bool among(const std::vector<std::string> &names, const std::string &name) {
 
 /// A scene that consists of a bearing alone.
 Source scene_around(const std::string &key, const std::string &bearing, bool built_in) {
-  std::string quoted; // as a TOML string: a file's name may hold anything
-  for (const char c : bearing) quoted += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
-  return {.text = fmt::format("name = \"main\"\n[bearing]\n{} = \"{}\"\n", key, quoted), .origin = bearing, .bearing_file = bearing, .built_in = built_in};
+  return {.text = fmt::format("name = \"main\"\n[bearing]\n{} = {}\n", key, scene::toml_quoted(bearing)), .origin = bearing, .bearing_file = bearing, .built_in = built_in};
 }
 
 bool holds_any(const scene::TomlFile &file, const auto &tables) {
@@ -121,6 +120,7 @@ MainTarget main_target(const std::string &where, const std::vector<std::string> 
   for (const auto &assignment : overrides) file.set(assignment);
   target.scene = scene::parse_scene(source.text, source.origin, overrides, source.folder);
   refuse_what_is_not_run(target.scene, overrides);
+  target.warnings = target.scene.remarks;
   target.bearing_from = bearing_origin(file, source, overrides);
   const bool vertical = file.find("load.vertical_kN") != nullptr, mass = file.find("load.mass_kg") != nullptr;
   target.vertical_from = origin_of(file, "load.vertical_kN", mass ? "load.mass_kg times gravity" : "default");

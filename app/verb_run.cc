@@ -6,6 +6,7 @@
 #include "calibration/stored_study.h"
 #include "fe_contact/runner/machine_times.h"
 #include "fe_contact/runner/run.h"
+#include "scene/limits.h"
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
@@ -36,6 +37,7 @@ void run(Options &options, Console &console) {
   run_options.writes = fe::is_first_rank();
   run_options.interrupted = &interrupted();
   run_options.annotate = [&](scene::Summary &summary) {
+    scene::judge(scene, summary);
     const auto beside = std::filesystem::absolute(run_options.folder).lexically_normal().parent_path();
     summary.extra["error_estimate"] = calibration::error_estimate(scene, summary, calibration::stored_studies(beside), {run_options.folder, summary.wall_time});
   };

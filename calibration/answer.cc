@@ -3,6 +3,7 @@
 #include "calibration/percent.h"
 #include "calibration/stored_study.h"
 #include "scene/rim_identity.h"
+#include "scene/doubts.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
@@ -108,7 +109,7 @@ Answer make_answer(const Calibration &c, const CalibrationOptions &options, cons
   Answer answer;
   answer.scene = with_fitted(fitted.front()->scene, choice.row.result);
   answer.rim_identity = scene::rim_identity(answer.scene.bearing);
-  answer.published_applies = published_applies(answer.scene);
+  answer.published_applies = scene::published_pair_applies(answer.scene);
   answer.law = answer_law(choice, answer.scene, runs, c.laws.tolerance);
   name_sources(c, answer, choice.row.fitted);
   answer.table = answer_table(answer.scene, answer.law);

@@ -74,9 +74,6 @@ struct Answer {
   std::string validity;            ///< the one sentence for headers and exports
 };
 
-/// Where the thesis's pair may be named: the rim of shfps-225 with 86,952 kg.
-bool published_applies(const scene::Scene &scene);
-
 /// The error of the law at a speed, from runs by speed: linear in the logarithm of the speed between the two enclosing ones where
 /// both err to the same side, else the larger; of the nearest beyond them. `of` picks the error. Empty without runs.
 std::optional<double> errors_at(double speed, const std::vector<LawError> &errors, double LawError::*of);

@@ -91,8 +91,4 @@ void answer_pair(const Calibration &c, Answer &answer) {
     answer.pair = c.pair_range;
 }
 
-bool published_applies(const scene::Scene &scene) {
-  return scene::published_pair_applies(scene);
-}
-
 } // namespace rimpact::calibration

@@ -1,6 +1,7 @@
 #include "calibration/calibration_check.h"
 #include "calibration/answer.h"
 #include "calibration/shooting.h"
+#include "scene/doubts.h"
 #include "scene/error.h"
 #include <cmath>
 #include <filesystem>
@@ -76,7 +77,7 @@ RunCheck check_run(const StoredRun &run, const FitResult &result, const FitOptio
   const double L_c = run.scene.bearing.lateral_capacity();
   const auto scene = with_fitted(run.scene, result);
   check.history = compare(run.response, reduced::simulate(scene).response, L_c);
-  if (published_applies(run.scene)) {
+  if (scene::published_pair_applies(run.scene)) {
     auto published = run.scene;
     published.reduced.k_i = published_k_i;
     published.reduced.restitution = published_e;

@@ -2,6 +2,7 @@
 #include "calibration/answer.h"
 #include "calibration/laws_json.h"
 #include "reduced_models/impact_law.h"
+#include "scene/doubts.h"
 #include "scene/error.h"
 #include <cmath>
 #include <filesystem>
@@ -110,7 +111,7 @@ json to_json(const Calibration &c) {
   out["fit"] = checks_json(c.fit);
   out["prediction"] = checks_json(c.prediction);
   out["published"] = json(nullptr); // the thesis's, for its own bearing and mass
-  if (published_applies(c.scene))
+  if (scene::published_pair_applies(c.scene))
     out["published"] = {{"k_i", {{"value", published_k_i / 1e3}, {"unit", "kN/m"}}},
                         {"e", {{"value", published_e}, {"unit", "-"}}},
                         {"source", "thesis 2.5.3, for shfps-225"}};
