@@ -194,6 +194,12 @@ class GoodInput(unittest.TestCase):
                 fit = json.load(file)
             self.assertAlmostEqual(fit["parameters"]["k_i"]["value"] / 3e5, 1, places=5)
             self.assertAlmostEqual(fit["parameters"]["e"]["value"], 0.65, places=5)
+            self.assertEqual(fit["answer"]["law"]["name"], "signed")  # of the four ranked by default the one that made the run
+            self.assertEqual(fit["answer"]["law"]["belongs_to"], "mass")
+            asked = rimpact("calibrate", one, "--law", "no-tension", "-o", os.path.join(folder, "asked"))
+            self.assertIn("The law signed is better", asked.stdout)
+            with open(os.path.join(folder, "asked", "calibration.toml")) as file:
+                self.assertIn('impact_law = "no-tension"', file.read())
 
     def test_calibrate_takes_laws_bounds_and_uncertainties(self):
         with tempfile.TemporaryDirectory() as folder:
