@@ -120,6 +120,15 @@ class Doubts(Small):
         path, _ = build(self.path("runs/window-0.20"))
         self.assertIn(DOUBT, first_page(path)[1])
 
+    def test_a_run_strained_beyond_its_limit_says_so(self):
+        self.results()
+        name = self.path("runs/window-0.20/scene.toml")
+        with open(name, encoding="utf-8") as file:
+            scene = file.read()
+        self.write("runs/window-0.20/scene.toml", scene.replace("[load]", "strain_limit = 1e-6 # assumption\n[load]"))
+        _, text = first_page(build(self.path("runs/window-0.20"))[0])
+        self.assertRegex(text, r"! Steel\. The largest plastic strain, \d+\.\d\u202f%, exceeds the limit of 0\u202f% \(an assumption of ours\)")
+
     def test_without_doubts_there_is_no_mark(self):
         page, text = self.page(doubts=[], strain=None, table=[], law=synthetic.answer()["law"] | {"parameters": {}})
         self.assertNotIn('class="mark"', page)
