@@ -29,8 +29,8 @@ class Small(InFolder):
 
     def results(self, warnings=(), status="done", truncate=1.0, **changed):
         scene, calm = 'kind = "window"\nspeed_m_per_s = 0.2', lambda t: 0.0
-        synthetic.run(self.path("runs/window-0.20"), "window-0.20", scene, calm, synthetic.Rim(5e8, 0.7, 2e6), "rim", 0.2, status, truncate, warnings=warnings)
-        synthetic.run(self.path("law/window-0.20"), "window-0.20", scene, calm, synthetic.Rim(5e8, 0.8, 2e6), "reduced", 0.2, law="elastoplastic")
+        synthetic.run(self.path("runs/window-0.20"), "window-0.20", scene, calm, synthetic.Rim(5e8, 0.7, 5e5), "rim", 0.2, status, truncate, warnings=warnings)
+        synthetic.run(self.path("law/window-0.20"), "window-0.20", scene, calm, synthetic.Rim(5e8, 0.8, 5e5), "reduced", 0.2, law="elastoplastic")
         synthetic._calibration(self.folder, [], synthetic.answer((0.1, 0.2), **changed))
         return self.folder
 
