@@ -37,7 +37,8 @@ class Doubts:
             for sentence in row.get("doubts", []):
                 self._add(said, row.get("name", ""), row.get("name", ""), sentence)
         for sentence in results.main.get("warnings", []):
-            said.setdefault(sentence, [])
+            if not any(own in sentence and any(run in sentence for run in runs) for own, runs in said.items() if runs):
+                said.setdefault(sentence, [])
         self.all = [Doubt(tuple(dict.fromkeys(runs)), sentence) for sentence, runs in said.items()]
 
     def _add(self, said, name, label, sentence):
