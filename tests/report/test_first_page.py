@@ -115,6 +115,16 @@ class Doubts(Small):
         for said in ("window-0.20: it left the dish", "the BLAS is slow"):
             self.assertEqual(first_page(path)[1].count(said), 1)
 
+    def test_a_run_that_a_sentence_names_is_marked_too(self):
+        synthetic._calibration(self.folder, [], synthetic.answer((0.1, 0.2), doubts=["results/runs/window-0.10: it slips"]))
+        page, _ = text_of(build(self.folder)[0])
+        laws = page[page.index('<section id="laws">'):]
+        self.assertIn('<b class="mark"', laws[:laws.index("</section>")])
+        synthetic._calibration(self.folder, [], synthetic.answer((0.1, 0.2), doubts=["results/runs/window-0.101: it slips"]))
+        page, _ = text_of(build(self.folder)[0])
+        laws = page[page.index('<section id="laws">'):]
+        self.assertNotIn('<b class="mark"', laws[:laws.index("</section>")])
+
     def test_a_runs_own_report(self):
         self.results(warnings=[DOUBT])
         path, _ = build(self.path("runs/window-0.20"))
