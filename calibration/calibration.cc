@@ -130,10 +130,10 @@ Calibration calibrate(const std::vector<std::string> &run_folders, const Calibra
     for (const auto &name : options.fit.parameters)
       c.profiles[name] = profile_of(fitted, options.fit, c.result, name);
   rank(runs, options, c);
-  c.curves = impact_curves(runs, predicted, c.laws.rows.empty() ? c.result : c.laws.rows.front().result);
   if (options.grazing_reports) c.grazing = grazing_reports({&runs, &predicted}, c.result);
   note_outcome(c);
   c.answer = std::make_shared<Answer>(make_answer(c, options, pointers(runs)));
+  c.curves = impact_curves(runs, predicted, c.answer->law.result);
   return c;
 }
 

@@ -55,7 +55,7 @@ struct Calibration {
   std::optional<PairRange> pair_range; ///< where laws are ranked: the widest range of a constant pair that cannot pull
   std::shared_ptr<const Answer> answer; ///< see answer.h
   std::vector<GrazingReport> grazing;
-  ImpactCurves curves; ///< of the best law, or the one fitted where none are ranked
+  ImpactCurves curves; ///< of the answer's law
   scene::Scene scene; ///< the first fitted run's, with the fitted values: mass, law, friction
   std::map<std::string, RunFacts> facts; ///< by run folder
   std::vector<std::string> doubts;       ///< of runs: what they say of themselves, and what was left out or counts less

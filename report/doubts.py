@@ -1,4 +1,5 @@
 """What makes a run doubtful, and where it is said: beside every row of the run (a mark), on the first page (in full)."""
+import re
 from dataclasses import dataclass
 
 from markupsafe import Markup, escape
@@ -37,7 +38,8 @@ class Doubts:
             for sentence in row.get("doubts", []):
                 self._add(said, row.get("name", ""), row.get("name", ""), sentence)
         for sentence in results.main.get("warnings", []):
-            said.setdefault(sentence, [])
+            if not any(own in sentence and any(run in sentence for run in runs) for own, runs in said.items() if runs):
+                said.setdefault(sentence, [])
         self.all = [Doubt(tuple(dict.fromkeys(runs)), sentence) for sentence, runs in said.items()]
 
     def _add(self, said, name, label, sentence):
@@ -49,8 +51,10 @@ class Doubts:
             said.setdefault(sentence, []).append(label)
 
     def mark(self, name: str):
-        """The mark of a run's row, empty where nothing is doubted."""
-        return MARK if self.by_entry.get(name) else Markup("")
+        """The mark of a run's row, empty where nothing is doubted: neither by the run nor by a sentence that names it."""
+        named = re.compile(rf"(?<![\w.-]){re.escape(name)}(\.toml)?(?![\w-]|\.\w)")
+        doubted = self.by_entry.get(name) or any(named.search(doubt.sentence) for doubt in self.all)
+        return MARK if doubted else Markup("")
 
     def marked(self, name: str, text: str):
         mark = self.mark(name)

@@ -35,6 +35,11 @@ class Entry:
         return [(slot, getattr(self, slot)) for slot in SLOTS if getattr(self, slot) is not None and getattr(self, slot).signals]
 
     @property
+    def best(self):
+        """The slot of the reduced run to be judged by: the answer's law, where the folder holds it beside a pair."""
+        return "law" if self.law else "fitted"
+
+    @property
     def any_run(self):
         return self.fe or self.fitted or self.law or self.published
 
@@ -173,6 +178,8 @@ def _load_entry(results, item):
               "published": [item.get("published"), f"published/{name}", f"reduced/{name}-published"]}
     for slot, candidates in places.items():
         setattr(entry, slot, _first_run(results, name, slot, candidates))
+    if entry.fitted and entry.law and entry.fitted.get("reduced") == entry.law.get("reduced"):
+        entry.law = None  # no pair serves: both are the law's
     if entry.fe is None:
         results.problems.append(f"{name}: no finite-element run is stored")
     role = item.get("role")

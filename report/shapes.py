@@ -48,7 +48,7 @@ DOCUMENT = texts("title client project author")
 MAIN = {
     "runs": [texts("name role fe reduced fitted law published")], "comparison": [{"name": TEXT, "doubts": [TEXT]}],
     "totals": numbers("wall_time_s peak_memory_bytes"), "load": LOAD, "document": DOCUMENT, "warnings": [TEXT],
-    "versions": {"*": TEXT}, "machine": {"*": ANY},
+    "versions": {"rimpact": TEXT, "*": ANY}, "machine": {"*": ANY},
 }
 PARAMETER = {"value": NUMBER, "unit": TEXT, "standard_error": NUMBER, "interval_95": [NUMBER], "identifiable": FLAG,
              "reason": TEXT, "verdict": TEXT}

@@ -33,8 +33,8 @@ def draw_errors(rows, path):
 
 def draw_residuals(entries, path, label=str):
     """Reduced minus FE rim force through the first impact of every run, both from their own touch, over the peak."""
-    drawn = [(entry, contact_stretches(entry.fe), contact_stretches(entry.fitted)) for entry in entries
-             if entry.fe is not None and entry.fitted is not None]
+    drawn = [(entry, contact_stretches(entry.fe), contact_stretches(getattr(entry, entry.best))) for entry in entries
+             if entry.fe is not None and getattr(entry, entry.best) is not None]
     drawn = [item for item in drawn if item[1] and item[2]]
     if not drawn:
         return None
@@ -58,7 +58,7 @@ def draw_residuals(entries, path, label=str):
 
 def _aligned(entry, fe_part, reduced_part):
     series = []
-    for run, part in ((entry.fe, fe_part), (entry.fitted, reduced_part)):
+    for run, part in ((entry.fe, fe_part), (getattr(entry, entry.best), reduced_part)):
         series.append(impact_curve(run, part)[:2])
     end = max(series[0][0][-1], series[1][0][-1])
     time = np.linspace(0.0, end, 400)

@@ -42,8 +42,7 @@ def draw(impacts, law, path, width=3.55, height=2.45, dpi=300):
     ax.set(xlabel="penetration (mm)", ylabel="rim force (kN)")
     ax.set_xlim(left=min(0.0, ax.get_xlim()[0]))
     kinds = [Line2D([], [], color=colormaps["viridis_r"](0.5), lw=2.4, alpha=0.75), Line2D([], [], color=INK, lw=0.75)]
-    legend = ax.legend(kinds, [literal(drawn[0].source), f"law {literal(law)}"], loc="lower left", bbox_to_anchor=(0.0, 1.0), ncol=2,
-                       fontsize=6.5, borderaxespad=0.2)
-    ax.add_artist(legend)
+    fig.get_layout_engine().set(rect=(0, 0, 1, 1 - 0.2 / height))
+    fig.legend(kinds, [literal(drawn[0].source), f"law {literal(law)}"], loc="upper center", ncol=2, fontsize=6.5, borderaxespad=0.1)
     ax.legend(title="m/s", title_fontsize=6.5, fontsize=6.5, loc="center left", bbox_to_anchor=(1.0, 0.5), handlelength=1.2)
     return save(fig, path, dpi=dpi)

@@ -18,5 +18,9 @@ def make(context):
 def density(page):
     """How close the page is set, so that all doubts fit on it: the more is said, the smaller it is."""
     said = sum(len(d.sentence) + sum(map(len, d.runs)) + 60 for d in page["doubts"])
-    said += sum(len(str(part)) for part in page["assumptions"])
-    return "plain" if said < 900 else "close" if said < 2000 else "closest"
+    said += sum(len(str(part)) for part in page["assumptions"]) + sum(map(len, page["done"]))
+    middle = page["middle"]
+    if page["kind"] == "answer" and not middle["missing"]:  # its three columns are as long as the longest
+        columns = (middle["pair"]["sentence"], middle["holds"] + middle["mesh_error"], (middle["strain"] or {}).get("sentence", ""))
+        said += 3 * max(0, max(map(len, columns)) - 200) + max(0, len(middle["sentence"]) - 200) + 60 * max(0, len(middle["numbers"]) - 4)
+    return "plain" if said < 900 else "close" if said < 2000 else "closest" if said < 3000 else "closest dense"

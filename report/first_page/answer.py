@@ -24,7 +24,7 @@ def make(context):
         return {"missing": _why_none(results), "figure": None}
     return {"missing": "", "law": law.get("name", DASH), "figure": figure,
             "no_figure": "" if figure else "No curve of a fitted impact is stored, so the law's picture is not drawn.",
-            "sentence": law.get("sentence", ""), "remark": law.get("remark", ""), "belongs": _belongs(law, answer),
+            "sentence": law.get("sentence", ""), "remark": law.get("remark", ""), "belongs": "" if "belongs to the" in law.get("sentence", "") else _belongs(law, answer),
             "numbers": _numbers(law), "table": _table(answer), "pair": _pair(answer), "holds": _holds(law, answer),
             "strain": _strain(answer.get("strain")), "mesh_error": answer.get("mesh_error", {}).get("sentence", "")}
 

@@ -1,4 +1,5 @@
 """The result of one run on its first page: peaks, the response, the building it carries, whether the steel bears it."""
+from ..bearing import assumed_keys
 from ..figures import response_panels
 from ..numbers import DASH, fixed, integer, is_number, percent, scaled, sig
 from ..sections.common import hardest
@@ -42,13 +43,22 @@ def _building(run):
 
 
 def _strain(run):
-    limit = run.summary.get("strain_limit")
+    limit = run.summary.get("strain_limit") or _from_scene(run)
     if not limit or not is_number(limit.get("limit")):
         return None
     source = "an assumption of ours" if limit.get("assumption") else "from the bearing file"
     verdict = "exceeds" if limit.get("exceeded") else "stays below"
     return {"exceeded": limit.get("exceeded") is True,
             "sentence": f"The largest plastic strain, {percent(limit.get('largest'), 1, False)}, {verdict} the limit of {percent(limit['limit'], 0, False)} ({source})."}
+
+
+def _from_scene(run):
+    """Of a run whose summary does not judge its strain: the scene's own limit."""
+    limit, largest = run.get("bearing", "material", "steel", "strain_limit"), run.summary.get("max_plastic_strain")
+    if not is_number(limit) or not is_number(largest):
+        return None
+    return {"limit": limit, "largest": largest, "exceeded": largest > limit,
+            "assumption": "material.steel.strain_limit" in assumed_keys(run.scene_text, run.scene)}
 
 
 def _law(run):

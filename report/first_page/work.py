@@ -13,10 +13,11 @@ def done(context):
 
 def _single(run):
     s = run.summary
+    time = f", {duration(s['wall_time_s'])}" if is_number(s.get("wall_time_s")) else ""
     if run.rung == "reduced":
-        return f"Reduced model {run.get('reduced', 'model', default='')}, {duration(s.get('wall_time_s'))}."
+        return f"Reduced model {run.get('reduced', 'model', default='')}{time}."
     mesh = f", mesh {plain(s['mesh'])}" if is_number(s.get("mesh")) else ""
-    return f"Finite elements, rung {run.rung}{mesh}, {plain(s.get('n_dofs'))} unknowns, {duration(s.get('wall_time_s'))}."
+    return f"Finite elements, rung {run.rung}{mesh}, {plain(s.get('n_dofs'))} unknowns{time}."
 
 
 def _finite(runs):

@@ -20,7 +20,7 @@ def make(context):
     section.add(_correlation(calibration))
     section.add(_derived(calibration))
     section.add(_runs(context))
-    rows = [{"name": short_name(entry.name), "fitted": errors_of(context, entry, "fitted"),
+    rows = [{"name": short_name(entry.name), "fitted": errors_of(context, entry, entry.best),
              "published": errors_of(context, entry, "published")} for entry in context.results.histories]
     section.add(context.pictures.figure("calibration-errors", "Signed errors of the reduced model against the reference.",
                                         figure_calibration.draw_errors, rows))
@@ -79,7 +79,7 @@ def _derived(calibration):
 def _runs(context):
     rows = []
     for entry in context.results.histories:
-        errors = errors_of(context, entry, "fitted")
+        errors = errors_of(context, entry, entry.best)
         if errors:
             rows.append([row_name(context, entry), ROLE_TEXT.get(entry.role, ""), percent(errors.get("peak_force")),
                          percent(errors.get("peak_displacement"), 2), percent(errors.get("rebound")),

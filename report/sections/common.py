@@ -5,6 +5,7 @@ import re
 import xml.etree.ElementTree as tree
 
 from ..blocks import note
+from ..calibration_file import PAIR_LAWS
 from ..errors import DataError
 from ..numbers import is_number
 
@@ -47,7 +48,9 @@ def _label(slot, run):
     if run.rung != "reduced":
         return "finite elements"
     law = run.get("reduced", "impact_law")
-    return "reduced, published pair" if slot == "published" else f"reduced, {law}" if law else "reduced model"
+    if slot == "published":
+        return "reduced, published pair"
+    return "reduced model" if not law else f"reduced, pair ({law})" if slot == "fitted" and law in PAIR_LAWS else f"reduced, {law}"
 
 
 def row_name(context, entry):
@@ -102,7 +105,8 @@ def errors_of(context, entry, who):
         value = b / a - 1 if known else stored.get(f"{metric}_error")
         if is_number(value):
             errors[metric] = value
-    for metric in ("nrmse_displacement", "nrmse_force"):
+    same_law = run is None or run.get("reduced", "impact_law") == context.calibration.derived.get("law")
+    for metric in ("nrmse_displacement", "nrmse_force") if same_law else ():
         if is_number(stored.get(metric)):
             errors[metric] = stored[metric]
     return errors

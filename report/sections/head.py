@@ -9,9 +9,9 @@ def head(context, given):
     title, subtitle = _defaults(context)
     version = _version(results)
     facts = [(name, getattr(said, key)) for name, key in (("Client", "client"), ("Project", "project"), ("Author", "author")) if getattr(said, key)]
-    version = f"rimpact {version}" if version else "rimpact"
+    facts += [("Date", document.today())] + ([("Version", f"rimpact {version}")] if version else [])
     return {"title": said.title or title, "subtitle": subtitle if not said.title else f"{title}. {subtitle}".strip(". "),
-            "facts": facts + [("Date", document.today()), ("Version", version)], "date": document.today(), "version": version}
+            "facts": facts, "date": document.today(), "version": f"rimpact {version}".strip()}
 
 
 def _defaults(context):

@@ -39,8 +39,8 @@ def _frontiers(context, section):
 
 
 def _all(context, entries):
-    rows = [[row_name(context, entry), *_cost(entry.fe), _finer(entry.fe), _wall(entry.fitted),
-             percent(errors_of(context, entry, "fitted").get("peak_force")),
+    rows = [[row_name(context, entry), *_cost(entry.fe), _finer(entry.fe), _wall(getattr(entry, entry.best)),
+             percent(errors_of(context, entry, entry.best).get("peak_force")),
              percent(errors_of(context, entry, "published").get("peak_force"))] for entry in entries]
     header = ["run", "mesh", "FE time", "unknowns", "steps", "Newton", "memory", "FE error", "reduced time",
               "fitted", "published"]

@@ -41,7 +41,7 @@ def _table(context, entries, calibration):
         row = next((r for r in calibration.windows if is_number(speed) and abs(r.speed - speed) < 0.02 * speed), None)
         used.add(id(row))
         rows.append(_row(plain(speed) + context.doubts.mark(entry.name), impact, entry.fe, row,
-                         errors_of(context, entry, "fitted").get("peak_force")))
+                         errors_of(context, entry, entry.best).get("peak_force")))
     for row in calibration.windows:
         if id(row) not in used:
             rows.append(_row(plain(row.speed), {}, None, row, None))
@@ -55,7 +55,7 @@ def _row(speed, impact, run, row, error):
     touch, release = impact.get("touch_time_s"), impact.get("release_time_s")
     contact = release - touch if is_number(touch) and is_number(release) else row.contact_time_s if row else None
     peak = impact.get("peak_force_N") or (row.peak_force_N if row else None)
-    if row and row.pair_force_error is not None:
+    if error is None and row:
         error = row.pair_force_error
     return [speed, scaled(peak, 1e-3, 0), scaled(contact, 1e3, 1), scaled(impact.get("peak_penetration_m"), 1e3, 2),
             fixed(impact.get("restitution") or (row.restitution if row else None), 3),

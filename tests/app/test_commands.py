@@ -93,6 +93,25 @@ class BadInput(unittest.TestCase):
             self.assertEqual(rimpact("report", folder).returncode, 3)
             self.assertEqual(rimpact("calibrate", folder).returncode, 3)
 
+    def test_a_report_takes_its_head_and_says_where_no_pdf_can_be_printed(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = os.path.join(folder, "run")
+            self.assertEqual(rimpact("reduced", "impact-window", "-o", run).returncode, 0)
+            document = os.path.join(folder, "d.toml")
+            with open(document, "w", encoding="utf-8") as file:
+                file.write('client = "Acme & Co"\nproject = "R3"\n')
+            made = rimpact("report", run, "--title", "--odd <title>", "--document", document, "--pdf", PATH="/nowhere")
+            self.assertEqual((made.returncode, made.stdout), (0, os.path.join(run, "report.html") + "\n"))
+            self.assertRegex(made.stderr, r"no PDF: none of chromium, .* Open .*report\.html in a browser")
+            with open(os.path.join(run, "report.html"), encoding="utf-8") as file:
+                page = file.read()
+            for said in ("--odd &lt;title&gt;", "Acme &amp; Co", "R3"):
+                self.assertIn(said, page)
+            with open(document, "w", encoding="utf-8") as file:
+                file.write('clinet = "x"\n')
+            self.refused(2, 'd.toml: unknown key "clinet"; did you mean "client"?', arguments=["report", run, "--document", document])
+            self.refused(6, "/dev/full", arguments=["report", run, "-o", "/dev/full"])
+
     def test_toml_error_names_file_line_and_column(self):
         with tempfile.TemporaryDirectory() as folder:
             path = os.path.join(folder, "scene.toml")

@@ -65,7 +65,7 @@ class MainResults(unittest.TestCase):
             with open(os.path.join(self.folder, place, "ricker-0.78g-1.0s", "summary.json"), encoding="utf-8") as file:
                 forces[place] = json.load(file)["peak_impact_force_N"]
         error = 100 * (forces["reduced"] / forces["runs"] - 1)
-        self.assertIn(f"reduced, signed {forces['reduced'] / 1e3:.0f} {error:+.1f}\u202f%", self.text)
+        self.assertIn(f"reduced, pair (signed) {forces['reduced'] / 1e3:.0f} {error:+.1f}\u202f%", self.text)
         self.assertIn("NRMSE force 0.78\u00a0g, 1.0\u00a0s predicted, not fitted", self.text)
 
     def test_assumptions_are_marked(self):

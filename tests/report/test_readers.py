@@ -189,9 +189,9 @@ class Calibration(unittest.TestCase):
         fe, fitted, context, entry = Stub(), Stub(), Stub(), Stub()
         fe.summary, fe.impacts = {"peak_impact_force_N": 2e6, "peak_displacement_m": 0.41}, []
         fitted.summary, fitted.impacts = {"peak_impact_force_N": 2.2e6, "peak_displacement_m": 0.41}, []
-        data = {"fit": {"a/b/x": {"peak_force_error": -0.5, "nrmse_force": 0.03, "published_values": {"peak_force_error": 0.25}}}}
+        data = {"fit": {"a/b/x": {"peak_force_error": -0.5, "nrmse_force": 0.03, "published_values": {"peak_force_error": 0.25}}}, "derived": {"law": "signed"}}
         context.calibration = calibration_file.read(data | {"answer": {"published_applies": True}})
-        entry.name, entry.fe, entry.fitted, entry.published = "x", fe, fitted, None
+        entry.name, entry.fe, entry.fitted, entry.published, fitted.get = "x", fe, fitted, None, lambda *_: "signed"
         errors = errors_of(context, entry, "fitted")
         self.assertAlmostEqual(errors["peak_force"], 0.1)
         self.assertEqual(errors["peak_displacement"], 0.0)
