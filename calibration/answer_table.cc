@@ -1,7 +1,6 @@
 #include "calibration/answer_parts.h"
 #include "calibration/no_tension_pair.h"
 #include "calibration/percent.h"
-#include "scene/doubts.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
