@@ -4,14 +4,17 @@
 #include "scene/doubts.h"
 #include "scene/files.h"
 #include "scene/key_list.h"
+#include "scene/names.h"
 #include "scene/script_permission.h"
 #include "scene/text.h"
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
+#include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 namespace rimpact::app {
@@ -24,8 +27,14 @@ void on_interrupt(int) {
   interrupt_flag = true;
 }
 
+/// SIGHUP too, unless the shell has it ignored (nohup): a closed terminal must not cost a run its last checkpoint.
+void catch_interrupts() {
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (std::signal(signal, on_interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);
+}
+
 int fail(const std::string &sentence, ExitCode code) {
-  fmt::print(stderr, "{} {}\n", coloured("error:", "31"), sentence);
+  say(fmt::format("{} {}\n", coloured("error:", "31"), scene::printable(sentence)));
   return static_cast<int>(code);
 }
 
@@ -56,23 +65,22 @@ std::string explain(const CLI::App &app, const CLI::ParseError &error, int argc,
 
 void Console::message(const std::string &sentence) {
   log_ += sentence + "\n";
-  if (!quiet) fmt::print(stderr, "{}\n", sentence);
+  if (!quiet) say(scene::printable(sentence) + "\n");
 }
 
 void Console::detail(const std::string &sentence) {
   log_ += sentence + "\n";
-  if (verbose) fmt::print(stderr, "{}\n", sentence);
+  if (verbose) say(scene::printable(sentence) + "\n");
 }
 
 void Console::warn(const std::string &sentence) {
   log_ += "warning: " + sentence + "\n";
   warnings_.push_back(sentence);
-  fmt::print(stderr, "{} {}\n", coloured("warning:", "33"), sentence);
+  say(fmt::format("{} {}\n", coloured("warning:", "33"), scene::printable(sentence)));
 }
 
 void Console::data(const std::string &text) const {
-  fmt::print("{}", text);
-  if (std::fflush(stdout) != 0) throw IoError("cannot write to standard output");
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) throw IoError("cannot write to standard output");
 }
 
 std::vector<std::string> Console::settings() const {
@@ -113,12 +121,25 @@ void Console::add_model(CLI::App &verb) {
   verb.add_option("--mesh", mesh, "1 | 2 | 3; 0: a draft")->check(CLI::Range(0, 3));
 }
 
+void Console::add_force(CLI::App &verb) {
+  verb.add_flag("--force", force, "replace what the output folder holds, whatever it is of");
+}
+
 const std::atomic<bool> &interrupted() {
   return interrupt_flag;
 }
 
 void watch_interrupts() {
   interrupts_watched = true;
+}
+
+void say(const std::string &text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+}
+
+void open_standard_streams() {
+  for (int descriptor = 0; descriptor <= STDERR_FILENO; ++descriptor)
+    if (::fcntl(descriptor, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) < 0) return;
 }
 
 bool is_terminal() {
@@ -131,7 +152,7 @@ std::string coloured(const char *text, const char *code) {
 }
 
 std::string default_folder(const std::string &scene_name) {
-  return "results/" + scene_name;
+  return "results/" + scene::folder_name(scene_name);
 }
 
 void keep_scene_file(const std::string &given, const scene::Scene &scene, const std::string &folder) {
@@ -153,8 +174,8 @@ int run_command(int argc, char **argv, const std::vector<Verb> &verbs) {
   Console console;
   console.argc = argc, console.argv = argv;
   for (const auto &verb : verbs) verb.add(app, console);
-  std::signal(SIGINT, on_interrupt);
-  std::signal(SIGTERM, on_interrupt);
+  open_standard_streams();
+  catch_interrupts();
   try {
     app.parse(argc, argv);
     return 0;
@@ -164,8 +185,10 @@ int run_command(int argc, char **argv, const std::vector<Verb> &verbs) {
     return fail(explain(app, error, argc, argv), ExitCode::input);
   } catch (const Error &error) {
     return fail(error.what(), error.code());
+  } catch (const nlohmann::json::exception &error) {
+    return fail(std::string("a kept result is damaged, a value in it is missing or of another type: ") + error.what(), ExitCode::data);
   } catch (const std::bad_alloc &) {
-    return fail("out of memory; a coarser mesh (--mesh 1) needs less", ExitCode::stopped);
+    return fail("out of memory; by finite elements a coarser mesh (a lower model.mesh) needs less, by the reduced model fewer instants (a larger reduced.output_step_ms)", ExitCode::stopped);
   } catch (const std::exception &error) {
     return fail(std::string("a bug in rimpact, please report it: ") + error.what(), ExitCode::bug);
   }

@@ -11,7 +11,7 @@ namespace rimpact::app {
 
 class Console {
 public:
-  bool quiet = false, verbose = false, json = false;
+  bool quiet = false, verbose = false, json = false, force = false;
   std::vector<std::string> overrides; ///< --set
   std::string calibration;            ///< --calibration: a folder; empty: the scene's own element
   std::string rung;                   ///< --rung; empty: the scene's
@@ -34,17 +34,22 @@ public:
   void add_json(CLI::App &verb);      ///< --json
   void add_overrides(CLI::App &verb); ///< --set KEY=VALUE, --calibration DIR, --allow-script
   void add_model(CLI::App &verb);     ///< --rung, --mesh
+  void add_force(CLI::App &verb);     ///< --force
 
 private:
   std::string log_;
   std::vector<std::string> warnings_;
 };
 
-/// Set by Ctrl-C and SIGTERM once a verb watches it; a second one ends the process at once.
+/// Set by Ctrl-C, SIGTERM and SIGHUP once a verb watches it; a second one ends the process at once.
 const std::atomic<bool> &interrupted();
 /// From now on Ctrl-C sets the flag only. Until a verb calls it, Ctrl-C ends the process with exit code 130:
 /// files are written atomically, so nothing is left half-way.
 void watch_interrupts();
+/// To stderr. That it cannot be written (a closed terminal) must not end a run.
+void say(const std::string &text);
+/// Closed ones become /dev/null: else the next file opened would get their number, and messages would be written into it.
+void open_standard_streams();
 /// The progress line may be rewritten: stderr is a terminal.
 bool is_terminal();
 /// `text` in an ANSI colour, where stderr is a terminal and NO_COLOR is not set.

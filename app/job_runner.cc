@@ -1,9 +1,11 @@
 #include "app/job_runner.h"
 
 #include "app/sibling.h"
+#include "scene/kept_run.h"
 #include "scene/response.h"
 #include <algorithm>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
@@ -11,6 +13,7 @@
 #include <sched.h>
 #include <sstream>
 #include <thread>
+#include <unistd.h>
 
 namespace rimpact::app {
 namespace {
@@ -29,11 +32,34 @@ std::string last_line(const std::string &path) {
   return last;
 }
 
-/// "done", "interrupted", "stopped"; empty when the folder holds no run of this very scene.
+/// The physics_version() of the finite-element program: this one's own, unless another build's was asked for.
+const std::string &fe_physics() {
+  static const std::string physics = [] {
+    if (!std::getenv("RIMPACT_FE_PROGRAM")) return scene::physics_version();
+    const auto file = std::filesystem::temp_directory_path() / fmt::format("rimpact-version-{}.json", getpid());
+    poll(start({.command = {fe_program(), "version", "--json"}, .output = file.string(), .errors = "/dev/null"}), true);
+    const auto versions = nlohmann::json::parse(read_text(file.string()), nullptr, false);
+    std::filesystem::remove(file);
+    return versions.is_object() ? versions.value("physics", scene::physics_version()) : scene::physics_version();
+  }();
+  return physics;
+}
+
+scene::KeptRun kept_in(const Job &job) {
+  return scene::kept_run(job.folder, job.scene, job.name == "reduced" ? scene::physics_version() : fe_physics());
+}
+
+/// "done", "interrupted", "stopped"; empty when the folder holds no run of this very scene, with the same files, by the same program.
 std::string status_of(const Job &job) {
-  const auto summary = summary_of(job.folder);
-  return read_text(job.folder + "/scene.toml") == scene::to_toml(job.scene) ? summary.value("status", "")
-                                                                            : "";
+  const auto kept = kept_in(job);
+  return kept.is_current() ? kept.status : "";
+}
+
+/// Why what the folder holds is not kept, a sentence; empty: there is nothing, or it is kept.
+std::string out_of_date(const Job &job) {
+  const auto kept = kept_in(job);
+  if (!kept.any || kept.is_current()) return {};
+  return kept.other_scene.empty() ? kept.changed : "the scene there is another: " + kept.other_scene;
 }
 
 /// DIR/logs/NAME.EXTENSION of DIR/runs/NAME.
@@ -84,8 +110,7 @@ bool is_done(const Job &job) {
 }
 
 nlohmann::json summary_of(const std::string &folder) {
-  const auto json = nlohmann::json::parse(read_text(folder + "/summary.json"), nullptr, false);
-  return json.is_object() ? json : nlohmann::json::object();
+  return scene::read_summary(folder);
 }
 
 std::vector<std::string> doubts_of(const nlohmann::json &summary) {
@@ -139,6 +164,10 @@ void JobRunner::start_next() {
   Launch launch{
       .command = {program_, "run", scene_file, "-o", job.folder, "--quiet"}, .output = log, .errors = log};
   launch.apart = true;
+  if (const auto why = out_of_date(job); !why.empty()) {
+    console_.message(job.name + ": run again, because " + why);
+    launch.command.push_back("--force");
+  }
   if (status == "interrupted" && std::filesystem::exists(job.folder + "/checkpoint.h5"))
     launch.command.push_back("--resume");
   if (at_once_ > 1) launch.environment = {"OPENBLAS_NUM_THREADS=1", "OMP_NUM_THREADS=1", "RIMPACT_THREADS=1"};

@@ -65,7 +65,7 @@ nlohmann::json fe_versions(const std::string &folder, Console &console);
 /// Whether the job's folder holds a run of this very scene that ended well.
 bool is_done(const Job &job);
 
-/// A job's summary.json; an empty object when there is none to read.
+/// A job's summary.json; an empty object when there is none. Throws DataError where it is damaged.
 nlohmann::json summary_of(const std::string &folder);
 
 /// What a run says of itself that is to be doubted: the warnings of its summary, sentences.

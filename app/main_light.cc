@@ -1,5 +1,6 @@
 // The light executable: everything but finite elements, which it hands to its sibling.
 #include "app/catalogue.h"
+#include "app/console.h"
 #include "app/sibling.h"
 
 #include <fmt/format.h>
@@ -7,12 +8,13 @@
 
 int main(int argc, char **argv) {
   using namespace rimpact;
+  app::open_standard_streams();
   static const std::set<std::string> elsewhere{"run", "mesh", "version"};
   if (argc > 1 && elsewhere.count(argv[1])) {
     try {
       app::become_fe(argc, argv);
     } catch (const Error &error) {
-      fmt::print(stderr, "error: {}\n", error.what());
+      app::say(fmt::format("error: {}\n", error.what()));
       return static_cast<int>(error.code());
     }
   }

@@ -10,6 +10,7 @@
 #include "reduced_models/physical_model.h"
 #include "scene/doubts.h"
 #include "scene/limits.h"
+#include "scene/json_text.h"
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
@@ -171,7 +172,7 @@ MainResults make_results(const MainTarget &target, const std::vector<Job> &jobs,
                   {"warnings", warnings}};
   if (fitted) results.main["parameters"] = calibration::to_json(*fitted)["parameters"];
   if (answer.is_object()) results.main["answer"] = answer;
-  scene::write_text(results.main.dump(2) + "\n", folder + "/main.json");
+  scene::write_text(scene::json_text(results.main), folder + "/main.json");
   return results;
 }
 

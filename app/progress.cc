@@ -13,16 +13,16 @@ void ProgressLine::show(const std::string &line) {
   if (now - last_ < pause) return;
   last_ = now;
   if (!is_terminal()) {
-    fmt::print(stderr, "{}\n", line);
+    say(line + "\n");
     return;
   }
-  fmt::print(stderr, "\r\033[K{}", line);
+  say("\r\033[K" + line);
   std::fflush(stderr);
   open_ = true;
 }
 
 void ProgressLine::finish() {
-  if (open_) fmt::print(stderr, "\n");
+  if (open_) say("\n");
   open_ = false;
 }
 

@@ -5,6 +5,7 @@
 #include "scene/case_description.h"
 #include "scene/doubts.h"
 #include "scene/text.h"
+#include "scene/json_text.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
@@ -42,7 +43,9 @@ void reduced_sweep(const SweepOptions &options, Console &console) {
                              .shard = shard,
                              .n_shards = n_shards,
                              .n_threads = options.n_threads,
+                             .force = console.force,
                              .interrupted = &interrupted()};
+  fleet.remark = [&](const std::string &sentence) { console.message(sentence); };
   fleet.progress = [&](const fleets::FleetProgress &p) {
     line.show(fmt::format("{} of {} runs, {} without a result, {}, about {} to go", p.done, p.total, p.failed,
                           duration(p.seconds), duration(p.seconds_left)));
@@ -75,7 +78,7 @@ void reduced_sweep(const SweepOptions &options, Console &console) {
                                          {"beyond_rim", result.beyond_rim},
                                          {"beyond_fit", result.beyond_fit},
                                          {"wall_time_s", result.seconds}};
-    return console.data(json.dump(2) + "\n");
+    return console.data(scene::json_text(json));
   }
   console.data(
       fmt::format("{} runs ({} of them kept from before) in {}: {} done, {} stopped, {} refused, {} failed; "

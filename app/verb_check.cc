@@ -5,6 +5,7 @@
 #include "scene/case_description.h"
 #include "scene/doubts.h"
 #include "scene/error.h"
+#include "scene/json_text.h"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -65,7 +66,7 @@ void add_check(CLI::App &app, Console &console) {
       table["warnings"] = console.warnings();
       if (!own.table.is_null()) table["own_mesh"] = own.table;
       table["refusal"] = refusal ? nlohmann::json(*refusal) : nlohmann::json(nullptr);
-      console.data(table.dump(2) + "\n");
+      console.data(scene::json_text(table));
       return judge();
     }
     std::string text = fmt::format("{}: lift at L_c {:.2f} mm; geometry can be built and nothing collides\n", scene.name,

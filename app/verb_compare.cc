@@ -5,6 +5,7 @@
 #include "calibration/metrics.h"
 #include "scene/error.h"
 #include "scene/files.h"
+#include "scene/json_text.h"
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -160,7 +161,7 @@ void run_compare(const Options &options, Console &console) {
       candidate["differences"] = to_json(each.differences);
       table["candidates"].push_back(candidate);
     }
-    return console.data(table.dump(2) + "\n");
+    return console.data(scene::json_text(table));
   }
   console.data(text_of(reference.path, all));
   for (const auto &each : all)

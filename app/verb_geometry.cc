@@ -1,12 +1,14 @@
 // rimpact geometry: k_i, e, peak force and plastic strain over rim and slider dimensions, yield stress and
 // speed.
 #include "app/assignments.h"
+#include "app/folder_claim.h"
 #include "app/job_runner.h"
 #include "app/shard.h"
 #include "app/sibling.h"
 #include "app/verb.h"
 #include "calibration/geometry_study.h"
 #include "scene/response.h"
+#include "scene/json_text.h"
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -44,15 +46,16 @@ void run_geometry(Options options, Console &console) {
   for (const auto &scene : calibration::geometry_scenes(window, options.study))
     jobs.push_back({scene.name, "geometry", scene, options.folder + "/runs/" + scene.name, false, false, {}});
   std::vector<Job> own = shard_of(jobs, part, n_parts);
+  const auto lock = claim_for_jobs(options.folder, "a geometry study", jobs, console.force, part_name(part, n_parts));
   make_runs_folder(options.folder);
   JobRunner runner(own, console);
   watch_interrupts();
   runner.run();
 
   const auto study = calibration::geometry_study(rows_of(jobs, console), window, options.study);
-  scene::write_text(calibration::to_json(study).dump(2) + "\n", options.folder + "/geometry.json");
+  scene::write_text(scene::json_text(calibration::to_json(study)), options.folder + "/geometry.json");
   scene::write_text(calibration::to_csv(study), options.folder + "/geometry.csv");
-  console.data(console.json ? calibration::to_json(study).dump(2) + "\n" : calibration::describe(study));
+  console.data(console.json ? scene::json_text(calibration::to_json(study)) : calibration::describe(study));
   if (!study.rows.empty() && python({"report.quick", "geometry", options.folder}) != 0)
     console.warn("the picture in " + options.folder + " was not made");
   if (interrupted())
@@ -80,6 +83,7 @@ void add_geometry(CLI::App &app, Console &console) {
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);
+  console.add_force(*verb);
   verb->callback([options, &console] { run_geometry(*options, console); });
 }
 

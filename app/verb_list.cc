@@ -3,6 +3,7 @@
 #include "reduced_models/catalogue.h"
 #include "reduced_models/impact_law.h"
 #include "scene/scene.h"
+#include "scene/json_text.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -86,7 +87,7 @@ void add_list(CLI::App &app, Console &console) {
         if (!console.json) console.data(fmt::format("  {:24s} {}\n", name, text));
       }
     }
-    if (console.json) console.data(all.dump(2) + "\n");
+    if (console.json) console.data(scene::json_text(all));
   });
 }
 

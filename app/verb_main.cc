@@ -1,11 +1,13 @@
 // rimpact main: from a bearing to its impact law, with a report.
 #include "app/calibrate_options.h"
 #include "app/document_options.h"
+#include "app/folder_claim.h"
 #include "app/job_runner.h"
 #include "app/main_results.h"
 #include "app/sibling.h"
 #include "app/verb.h"
 #include "scene/doubts.h"
+#include "scene/json_text.h"
 #include "scene/text.h"
 #include <fmt/format.h>
 
@@ -43,7 +45,7 @@ void print_plan(const MainTarget &target, const MainJobs &jobs, std::size_t at_o
   text += fmt::format("{} runs, {} at a time: {} in all\n", times.size(), at_once, about(in_all));
   const nlohmann::json table{{"bearing", target.bearing_json()}, {"load", target.load_json()}, {"runs", rows},
                              {"left_out", jobs.left_out},        {"at_once", at_once},         {"expected_seconds", in_all}};
-  console.data(console.json ? table.dump(2) + "\n" : text);
+  console.data(console.json ? scene::json_text(table) : text);
 }
 
 void run_main(Options options, Console &console) {
@@ -63,6 +65,7 @@ void run_main(Options options, Console &console) {
   const std::size_t at_once = options.at_once > 0 ? options.at_once : cores_to_use();
   if (options.dry_run) return print_plan(target, {jobs, left_out}, at_once, console);
   JobRunner runner(jobs, console, at_once);
+  const auto lock = claim_for_jobs(options.folder, "a main job", jobs, console.force);
   make_runs_folder(options.folder);
   context.versions = fe_versions(options.folder, console);
   console.message(target.head() + fmt::format("{} runs, {} at a time: {}", jobs.size(), at_once, about(runner.expected_seconds())));
@@ -74,7 +77,7 @@ void run_main(Options options, Console &console) {
   const int code = python({"report", options.folder});
   const std::string report = options.folder + "/report.html";
   results.main["report"] = code == 0 ? nlohmann::json(report) : nlohmann::json();
-  console.data(console.json ? results.main.dump(2) + "\n" : results.text);
+  console.data(console.json ? scene::json_text(results.main) : results.text);
   if (interrupted())
     throw Error(ExitCode::interrupted, "interrupted; the same command goes on where it stopped");
   if (code != 0) throw IoError("the report was not written; try rimpact report " + options.folder);
@@ -108,6 +111,7 @@ void add_main(CLI::App &app, Console &console) {
   console.add_json(*verb);
   console.add_overrides(*verb);
   console.add_model(*verb);
+  console.add_force(*verb);
   verb->callback([options, &console] { run_main(*options, console); });
 }
 

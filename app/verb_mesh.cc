@@ -5,6 +5,8 @@
 #include "fe_contact/runner/run.h"
 #include "meshes/rim_mesh.h"
 #include "scene/scene.h"
+#include "scene/json_text.h"
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -48,6 +50,9 @@ void add_mesh(CLI::App &app, Console &console) {
   console.add_overrides(*verb);
   console.add_model(*verb);
   verb->callback([options, &console] {
+    std::error_code none;
+    for (const auto &input : {options->bearing, options->scene})
+      if (std::filesystem::equivalent(input, options->file, none)) throw InputError("-o " + options->file + " would replace what is meshed; choose another file");
     const auto mesh = options->scene.empty() ? rim_mesh(*options, console) : scene_mesh(*options, console);
     const auto q = meshes::quality(mesh);
     meshes::write_msh(mesh, options->file, options->curved);
@@ -55,7 +60,7 @@ void add_mesh(CLI::App &app, Console &console) {
       throw IoError("the picture " + options->picture + " was not made");
     console.data(
         console.json
-            ? quality_table(options->file, q).dump(2) + "\n"
+            ? scene::json_text(quality_table(options->file, q))
             : fmt::format(
                   "{}: {} hexahedra, {} nodes, smallest scaled Jacobian {:.3f}, worst aspect {:.1f}\n",
                   options->file, q.n_cells, q.n_nodes, q.min_scaled_jacobian, q.worst_aspect));

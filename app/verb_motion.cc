@@ -3,6 +3,7 @@
 #include "app/verb.h"
 #include "scene/record.h"
 #include "scene/response.h"
+#include "scene/json_text.h"
 #include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -64,7 +65,7 @@ void add_motion(CLI::App &app, Console &console) {
       if (python({"report.motion", base + ".csv", base + ".png"}) != 0)
         throw IoError("the plot " + base + ".png was not made");
     }
-    if (console.json) console.data(all.dump(2) + "\n");
+    if (console.json) console.data(scene::json_text(all));
   });
 }
 

@@ -1,4 +1,5 @@
 // rimpact reduced SCENE: a scene by the reduced model, or a fleet of them (--sweep).
+#include "app/folder_claim.h"
 #include "app/reduced_sweep.h"
 #include "app/sibling.h"
 #include "app/verb.h"
@@ -7,7 +8,9 @@
 #include "scene/case_description.h"
 #include "scene/doubts.h"
 #include "scene/error.h"
+#include "scene/json_text.h"
 #include "scene/limits.h"
+#include <cmath>
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -73,6 +76,7 @@ void add_reduced(CLI::App &app, Console &console) {
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);
+  console.add_force(*verb);
   verb->callback([options, &console] {
     if (!options->model.empty()) console.overrides.push_back("reduced.model=\"" + options->model + "\"");
     if (!options->sweep.empty())
@@ -82,13 +86,15 @@ void add_reduced(CLI::App &app, Console &console) {
                             .shard = options->shard,
                             .n_threads = options->n_threads},
                            console);
+    for (const double height : options->nodes)
+      if (!std::isfinite(height)) throw InputError("--nodes takes two heights in mm, not " + std::to_string(height));
     const scene::Scene scene = console.load(options->scene);
     if (!options->nodes.empty() && scene.double_concave())
       throw InputError("--nodes is for bearings of one dish: reduced.model \"" + scene.reduced.model +
                        "\" passes moments through both plates");
     const std::string folder =
         options->folder.empty() ? default_folder(scene.name) + "-reduced" : options->folder;
-    keep_scene_file(options->scene, scene, folder);
+    const auto claim = claim_for_run({.given = options->scene, .folder = folder, .force = console.force}, scene, console);
     auto run = reduced::simulate(scene);
     if (!options->nodes.empty())
       reduced::add_nodal_moments(run.response, {options->nodes[0] / 1e3, options->nodes[1] / 1e3});
@@ -97,7 +103,7 @@ void add_reduced(CLI::App &app, Console &console) {
     if (options->picture && python({"report.quick", "reduced", folder}) != 0)
       throw IoError("the picture in " + folder + " was not made");
     const auto &s = run.summary;
-    console.data(console.json ? scene::to_json(s).dump(2) + "\n" : scene::describe_case(scene) + describe(s, scene.name, folder));
+    console.data(console.json ? scene::json_text(scene::to_json(s)) : scene::describe_case(scene) + describe(s, scene.name, folder));
     if (s.status == "stopped") throw SolverStopped(s.reason + "; what is before it is kept");
   });
 }

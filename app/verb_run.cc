@@ -1,4 +1,6 @@
 // rimpact run SCENE: a scene by finite elements.
+#include "app/folder_claim.h"
+#include "app/memory.h"
 #include "app/progress.h"
 #include "app/progress_in_words.h"
 #include "app/sibling.h"
@@ -7,9 +9,11 @@
 #include "fe_contact/runner/machine_times.h"
 #include "fe_contact/runner/run.h"
 #include "scene/limits.h"
+#include "scene/json_text.h"
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
+#include <optional>
 
 namespace rimpact::app {
 namespace {
@@ -19,27 +23,50 @@ struct Options {
   bool resume = false, dry_run = false, no_fields = false;
 };
 
+/// The result of a run that had ended before.
+void tell_kept(const std::string &folder, const std::string &name, Console &console) {
+  const auto summary = scene::read_summary(folder);
+  if (console.json) return console.data(scene::json_text(summary));
+  const auto number = [&](const char *key) { return summary.contains(key) && summary[key].is_number() ? summary[key].get<double>() : 0.0; };
+  console.data(fmt::format("{}: peak displacement {:.1f} mm, peak impact force {:.1f} kN, {:.0f} impact(s), {:.0f} steps; {}\n", name,
+                           1e3 * number("peak_displacement_m"), 1e-3 * number("peak_impact_force_N"), number("n_impacts"), number("n_steps"), folder));
+}
+
 void run(Options &options, Console &console) {
   const scene::Scene scene = console.load(options.scene);
   if (const std::string warning = fe::blas_warning(); !warning.empty()) console.warn(warning);
   fe::check_supported(scene);
   const fe::Plan plan = fe::make_plan(scene);
   if (options.dry_run)
-    return console.data(console.json ? fe::to_json(plan).dump(2) + "\n" : fe::describe(plan));
+    return console.data(console.json ? scene::json_text(fe::to_json(plan)) : fe::describe(plan));
   console.message(fe::describe(plan));
+  if (const auto doubt = doubt_of_memory(plan.expected_memory_bytes); !doubt.empty()) console.warn(doubt);
   for (const auto &[name, version] : fe::component_versions()) console.detail(fmt::format("{} {}", name, version));
 
   fe::RunOptions run_options;
   run_options.folder = options.folder.empty() ? default_folder(scene.name) : options.folder;
-  keep_scene_file(options.scene, scene, run_options.folder);
   run_options.resume = options.resume;
   run_options.fields = !options.no_fields;
   run_options.writes = fe::is_first_rank();
+  std::optional<ClaimedFolder> claim; // the first rank's, for all
+  if (run_options.writes)
+    claim.emplace(claim_for_run(
+        {.given = options.scene, .folder = run_options.folder, .finite_elements = true, .resume = options.resume, .force = console.force}, scene, console));
+  if (fe::on_any_rank(claim && claim->finished)) {
+    console.message(run_options.folder + ": this run has ended well already; nothing is left to resume");
+    if (run_options.writes) tell_kept(run_options.folder, scene.name, console);
+    return;
+  }
   run_options.interrupted = &interrupted();
+  run_options.remark = [&](const std::string &sentence) { console.message(sentence); };
   run_options.annotate = [&](scene::Summary &summary) {
     scene::judge(scene, summary);
     const auto beside = std::filesystem::absolute(run_options.folder).lexically_normal().parent_path();
-    summary.extra["error_estimate"] = calibration::error_estimate(scene, summary, calibration::stored_studies(beside), {run_options.folder, summary.wall_time});
+    try {
+      summary.extra["error_estimate"] = calibration::error_estimate(scene, summary, calibration::stored_studies(beside), {run_options.folder, summary.wall_time});
+    } catch (const std::exception &error) { // a damaged study beside the folder must not cost the run
+      summary.extra["error_estimate"] = {{"none", std::string("a stored study cannot be read: ") + error.what()}};
+    }
   };
   watch_interrupts();
   ProgressLine line(console.quiet);
@@ -75,7 +102,7 @@ void run(Options &options, Console &console) {
     const auto &estimate = summary.extra["error_estimate"];
     console.message("discretisation: " + estimate.value("sentence", estimate.value("none", "")));
   }
-  if (std::filesystem::exists(run_options.folder))
+  if (std::filesystem::exists(run_options.folder + "/summary.json"))
     scene::write_text(console.log(), run_options.folder + "/log.txt");
   if (failure) std::rethrow_exception(failure);
   const std::string peak = plan.rim_takes_part
@@ -83,7 +110,7 @@ void run(Options &options, Console &console) {
                                              1e-3 * summary.peak_impact_force.value_or(0), summary.impacts.size())
                                : fmt::format("peak displacement {:.1f} mm, peak lateral force {:.1f} kN, no impact",
                                              1e3 * summary.peak_displacement, 1e-3 * summary.peak_lateral_force);
-  console.data(console.json ? scene::to_json(summary).dump(2) + "\n"
+  console.data(console.json ? scene::json_text(scene::to_json(summary))
                             : fmt::format("{}: {}, {} steps, {}; {}\n", scene.name, peak, summary.n_steps,
                                           duration(summary.wall_time), run_options.folder));
 }
@@ -95,12 +122,13 @@ void add_run(CLI::App &app, Console &console) {
   auto options = std::make_shared<Options>();
   verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
   verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>)");
-  verb->add_flag("--resume", options->resume, "go on from the folder's checkpoint");
+  verb->add_flag("--resume", options->resume, "go on from the folder's checkpoint; a run that has ended stays as it is");
   verb->add_flag("--dry-run", options->dry_run, "print the plan and stop");
   verb->add_flag("--no-fields", options->no_fields, "no VTU files");
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);
+  console.add_force(*verb);
   console.add_model(*verb);
   verb->callback([options, &console] { run(*options, console); });
 }

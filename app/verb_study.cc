@@ -1,4 +1,5 @@
 // rimpact study SCENE: the same scene with cheaper and dearer settings, speed against error.
+#include "app/folder_claim.h"
 #include "app/job_runner.h"
 #include "app/shard.h"
 #include "app/sibling.h"
@@ -7,7 +8,9 @@
 #include "calibration/stored_study.h"
 #include "reduced_models/physical_model.h"
 #include "scene/response.h"
+#include "scene/json_text.h"
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -89,10 +92,10 @@ void write(const calibration::SpeedError &study, const scene::Scene &base, const
     if (const auto impacts = summary_of(folder + "/runs/" + reference->run.name)["impacts"]; !impacts.empty())
       approach_speed = impacts[0]["approach_speed_m_s"].get<double>();
   json["scene"] = calibration::studied_scene(base, approach_speed);
-  scene::write_text(json.dump(2) + "\n", folder + "/study.json");
+  scene::write_text(scene::json_text(json), folder + "/study.json");
   scene::write_text(calibration::to_csv(study), folder + "/study.csv");
   scene::write_text(calibration::describe(study), folder + "/study.txt");
-  console.data(console.json ? json.dump(2) + "\n" : calibration::describe(study));
+  console.data(console.json ? scene::json_text(json) : calibration::describe(study));
   if (python({"report.quick", "study", folder}) != 0) console.warn("the picture in " + folder + " was not made");
 }
 
@@ -100,12 +103,21 @@ void run_study(Options options, Console &console) {
   for (const auto &axis : options.axes)
     if (axis != "rung" && axis != "mesh" && axis != "step")
       throw InputError("--axes " + axis + ": must be of rung, mesh, step");
+  for (const double step : options.steps)
+    if (!std::isfinite(step)) throw InputError(fmt::format("--steps {}: must be a length in ms", step));
+  const auto twice = [](auto values) {
+    std::sort(values.begin(), values.end());
+    return std::adjacent_find(values.begin(), values.end()) != values.end();
+  };
+  if (twice(options.axes) || twice(options.rungs) || twice(options.meshes) || twice(options.steps))
+    throw InputError("--axes, --rungs, --meshes and --steps: each value once, a run would be compared with itself");
   const auto [part, n_parts] = parse_shard(options.shard);
   const scene::Scene base = console.load(options.scene);
   if (base.model.own_mesh.any() && options.varies("mesh") && options.meshes.size() > 1)
     throw InputError("--axes mesh: the scene has a mesh of its own (" + base.model.own_mesh.file + "), which is the same on every level; leave mesh out");
-  if (options.folder.empty()) options.folder = "results/study-" + base.name;
+  if (options.folder.empty()) options.folder = default_folder("study-" + base.name);
   const std::vector<Job> jobs = study_jobs(options, base);
+  const auto lock = claim_for_jobs(options.folder, "a study", jobs, console.force, part_name(part, n_parts));
   make_runs_folder(options.folder);
   std::vector<Job> own = without_reduced(shard_of(jobs, part, n_parts));
   if (!own.empty()) {
@@ -154,6 +166,7 @@ void add_study(CLI::App &app, Console &console) {
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);
+  console.add_force(*verb);
   verb->callback([options, &console] { run_study(*options, console); });
 }
 

@@ -1,6 +1,8 @@
 // rimpact version
 #include "app/verb.h"
 #include "fe_contact/runner/run.h"
+#include "scene/identity.h"
+#include "scene/json_text.h"
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -10,10 +12,10 @@ void add_version(CLI::App &app, Console &console) {
   console.add_common(*verb);
   console.add_json(*verb);
   verb->callback([&console] {
-    nlohmann::ordered_json table{{"rimpact", RIMPACT_VERSION}};
+    nlohmann::ordered_json table{{"rimpact", RIMPACT_VERSION}, {"physics", scene::physics_version()}};
     for (const auto &[name, version] : fe::component_versions()) table[name] = version;
     if (const std::string warning = fe::blas_warning(); !warning.empty()) console.warn(warning);
-    if (console.json) return console.data(table.dump(2) + "\n");
+    if (console.json) return console.data(scene::json_text(table));
     for (const auto &[name, version] : table.items())
       console.data(fmt::format("{:10s} {}\n", name, version.get<std::string>()));
   });

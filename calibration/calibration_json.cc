@@ -4,6 +4,7 @@
 #include "reduced_models/impact_law.h"
 #include "scene/doubts.h"
 #include "scene/error.h"
+#include "scene/json_text.h"
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -137,7 +138,7 @@ void write_calibration(const Calibration &calibration, const std::string &folder
   std::filesystem::create_directories(folder, failure);
   if (failure) throw IoError(fmt::format("{}: {}", folder, failure.message()));
   const auto path = std::filesystem::path(folder);
-  scene::write_text(to_json(calibration).dump(2) + "\n", (path / "calibration.json").string());
+  scene::write_text(scene::json_text(to_json(calibration)), (path / "calibration.json").string());
   scene::write_text(to_toml_fragment(*calibration.answer), (path / "calibration.toml").string());
   write_curves(calibration.curves, folder);
 }

@@ -5,6 +5,7 @@
 #include "calibration/window_cutter.h"
 #include "reduced_models/pad_on_dish.h"
 #include "scene/error.h"
+#include "scene/kept_run.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
@@ -119,9 +120,7 @@ StoredRun read_run(const std::string &folder, const WindowOptions &options) {
   if (!fs::exists(fs::path(folder) / "scene.toml"))
     throw DataError(folder + ": no scene.toml, so its bearing and load are unknown");
   auto scene = scene::load_scene((fs::path(folder) / "scene.toml").string());
-  auto summary = nlohmann::json::object();
-  if (std::ifstream file(fs::path(folder) / "summary.json"); file) summary = nlohmann::json::parse(file, nullptr, false);
-  if (!summary.is_object()) throw DataError(folder + "/summary.json is not valid JSON");
+  const nlohmann::json summary = scene::read_summary(folder);
   const std::string rung = text_of(summary, "rung", "", folder), status = text_of(summary, "status", "done", folder);
   // The reference has the pad's and the socket's terms by itself; what is fitted to it must have them too.
   if (rung == "rigid-dish" || rung == "full") reduced::add_stack_terms(scene);

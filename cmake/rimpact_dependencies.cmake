@@ -6,6 +6,7 @@ find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(Threads REQUIRED)
+find_package(OpenSSL REQUIRED COMPONENTS Crypto) # SHA-256; HDF5's own package brings it
 find_package(Ceres REQUIRED)
 find_package(GTest REQUIRED)
 

@@ -1,13 +1,13 @@
 #include "fleets/fleet.h"
+#include "fleets/fleet_folder.h"
 #include "fleets/fleet_table.h"
 #include "fleets/fractiles.h"
 #include "reduced_models/physical_model.h"
 #include "scene/error.h"
-#include "scene/files.h"
+#include "scene/folder_lock.h"
 #include "scene/limits.h"
 #include <chrono>
 #include <condition_variable>
-#include <filesystem>
 #include <fmt/format.h>
 #include <mutex>
 #include <thread>
@@ -15,7 +15,6 @@
 namespace rimpact::fleets {
 namespace {
 
-namespace fs = std::filesystem;
 using Clock = std::chrono::steady_clock;
 
 double seconds_since(Clock::time_point start) {
@@ -65,43 +64,6 @@ scene::Scene first_scene(const FleetScene &fleet) {
     }
   }
   std::rethrow_exception(first);
-}
-
-/// What makes two fleets the same: program, scene and every run's keys and values.
-std::string identity(const FleetScene &fleet, const scene::Scene &scene) {
-  std::uint64_t hash = 14695981039346656037u; // FNV-1a
-  const auto add = [&](const std::string &text) {
-    for (const char c : text + '\n') hash = (hash ^ static_cast<unsigned char>(c)) * 1099511628211u;
-  };
-  add(RIMPACT_VERSION);
-  add(fleet.where);
-  if (fs::is_regular_file(fleet.where)) add(scene::read_file(fleet.where));
-  for (const auto &assignment : fleet.overrides) add(assignment);
-  add(scene::to_toml(scene.bearing));
-  for (const auto &key : fleet.sweep.keys) add(key);
-  for (const auto &run : fleet.sweep.runs)
-    for (const auto &value : run) add(value.toml);
-  return fmt::format("{:016x}", hash);
-}
-
-void open_folder(const std::string &folder, const std::string &id, const Sweep &sweep,
-                 const std::string &scene) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw IoError(fmt::format("cannot create the folder {}: {}", folder, error.message()));
-  const std::string path = folder + "/fleet.json";
-  if (fs::exists(path)) {
-    const auto json = nlohmann::json::parse(scene::read_file(path), nullptr, false);
-    if (!json.is_object() || json.value("identity", "") != id)
-      throw InputError(
-          fmt::format("{} holds a fleet of another scene, sweep or version ({}); choose another folder "
-                      "with -o, or remove it",
-                      folder, path));
-    return;
-  }
-  const nlohmann::json json = {{"identity", id},        {"version", RIMPACT_VERSION},  {"scene", scene},
-                               {"sweep", sweep.origin}, {"n_runs", sweep.runs.size()}, {"keys", sweep.keys}};
-  scene::write_text(json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n", path);
 }
 
 /// Threads that work through a list of runs and hand their rows to the owner.
@@ -161,7 +123,10 @@ FleetResult run_fleet(const std::string &where, const std::vector<std::string> &
   const FleetScene fleet{where, overrides, sweep};
   const scene::Scene first = first_scene(fleet);
   if (options.first) options.first(first);
-  open_folder(options.folder, identity(fleet, first), sweep, where);
+  const std::string part = options.n_shards > 1 ? fmt::format("{}-of-{}", options.shard, options.n_shards) : "";
+  const scene::FolderLock lock(options.folder, part);
+  const FleetIdentity identity = fleet_identity(where, overrides, sweep, first);
+  open_folder(identity, sweep, options);
   FleetTable table(sweep, {{"version", RIMPACT_VERSION}, {"scene_of_first_run", scene::to_toml(first)}});
   table.read_folder(options.folder);
 
@@ -173,7 +138,7 @@ FleetResult run_fleet(const std::string &where, const std::vector<std::string> &
   FleetResult result;
   result.total = mine.size(), result.kept = mine.size() - todo.size();
   result.table = options.folder + "/table";
-  if (options.n_shards > 1) result.table += fmt::format("-{}-of-{}", options.shard, options.n_shards);
+  if (!part.empty()) result.table += "-" + part;
 
   const auto start = Clock::now();
   auto last_flush = start;
@@ -195,6 +160,7 @@ FleetResult run_fleet(const std::string &where, const std::vector<std::string> &
         options.progress({result.kept + n_new, result.total, n_failed, spent,
                           n_new ? spent * (todo.size() - n_new) / n_new : 0});
       if (seconds_since(last_flush) > options.flush_seconds) {
+        require_still_ours(identity, options.folder);
         table.write(result.table, mine);
         last_flush = Clock::now();
       }
@@ -202,6 +168,7 @@ FleetResult run_fleet(const std::string &where, const std::vector<std::string> &
     workers.stop();
     take();
   }
+  require_still_ours(identity, options.folder);
   table.write(result.table, mine);
   result.seconds = seconds_since(start);
   if (n_new < todo.size())

@@ -20,9 +20,11 @@ struct FleetOptions {
   int shard = 1, n_shards = 1;
   int n_threads = 0;        ///< 0: as many as the machine has
   double flush_seconds = 5; ///< at most this long between writings of the table
+  bool force = false;       ///< replaces what the folder holds
   const std::atomic<bool> *interrupted = nullptr;
   std::function<void(const FleetProgress &)> progress = {}; ///< called by the calling thread only
   std::function<void(const scene::Scene &)> first = {};     ///< is told the scene of the first run, before any
+  std::function<void(const std::string &)> remark = {};     ///< told when rows are made again
 };
 
 struct FleetResult {
@@ -36,7 +38,8 @@ struct FleetResult {
 /// has are not run again (so a call without a shard gathers the shards' tables). Without shards and with
 /// [fractiles] in the sweep also FOLDER/fractiles.csv and .h5. FOLDER/fleet.json says what
 /// the fleet is; InputError when the folder holds another one, or when no run of the sweep can be read as a
-/// scene. Throws Error{ExitCode::interrupted} after the table is written.
+/// scene. Rows of other inputs (a file edited since) or of another version are not kept: every run is made again. IoError where
+/// another process works on the same shard. Throws Error{ExitCode::interrupted} after the table is written.
 FleetResult run_fleet(const std::string &scene, const std::vector<std::string> &overrides, const Sweep &sweep,
                       const FleetOptions &options);
 

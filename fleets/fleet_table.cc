@@ -4,6 +4,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <regex>
 
 namespace rimpact::fleets {
 namespace {
@@ -81,7 +82,8 @@ FleetTable::FleetTable(const Sweep &sweep, std::map<std::string, std::string> me
 void FleetTable::read_folder(const std::string &folder) {
   for (const auto &entry : std::filesystem::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
-    if (name.rfind("table", 0) == 0 && entry.path().extension() == ".csv") read(entry.path().string());
+    static const std::regex ours("table(-[0-9]+-of-[0-9]+)?\\.csv"); // other tables are the user's
+    if (std::regex_match(name, ours)) read(entry.path().string());
   }
 }
 
@@ -99,6 +101,8 @@ void FleetTable::read(const std::string &path) {
     Row row;
     for (std::size_t i = 1; i < cells.size(); ++i)
       if (!is_parameter(table.columns[i]) && cells[i].index() != 0) row[table.columns[i]] = cells[i];
+    const auto status = row.find("status");
+    if (status == row.end() || !std::get_if<std::string>(&status->second)) throw DataError(fmt::format("{}: run {:.0f} has no status", path, *run));
     set(static_cast<std::size_t>(*run) - 1, std::move(row));
   }
 }

@@ -73,7 +73,7 @@ private:
     double period = 0;
     if (const auto *entry = table->get("sa_period_s")) {
       period = entry->value<double>().value_or(0);
-      if (!(period > 0 && period <= 100)) fail(*entry, "records.sa_period_s must be > 0 and at most 100");
+      if (!(period >= 0.01 && period <= 100)) fail(*entry, "records.sa_period_s must be at least 0.01 and at most 100");
     }
     parts_.records = record_cases(text("folder"), components, period, place(*table->get("folder")));
   }

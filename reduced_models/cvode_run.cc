@@ -1,6 +1,7 @@
 #include "reduced_models/cvode_run.h"
 #include "reduced_models/hybrid_run.h"
 #include "scene/error.h"
+#include "reduced_models/step_budget.h"
 #include <algorithm>
 #include <cmath>
 #include <cvode/cvode.h>
@@ -177,7 +178,7 @@ CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, 
     const double t0 = t;
     const State y0 = y;
     const bool at_root = cvode.step(limit, t, y);
-    ++n_steps;
+    keep_to_budget(++n_steps, t);
     const Event event = at_root ? cvode.root() : Event::turning;
     const Mode during = mode; // with the direction the step began in
     dynamics.project(mode, y);

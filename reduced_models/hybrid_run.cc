@@ -1,5 +1,6 @@
 #include "reduced_models/hybrid_run.h"
 #include "scene/error.h"
+#include "reduced_models/step_budget.h"
 #include <algorithm>
 #include <numbers>
 
@@ -195,7 +196,7 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
     Crossing crossing = first_crossing(stop);
     if (crossing.found && crossing.event == Event::stop && !crossing.by_stop)
       crossing.found = stops_accurately();
-    ++result.n_steps;
+    keep_to_budget(++result.n_steps, step_.t);
     n_short = step_.h < 1e-10 ? n_short + 1 : 0;
     if (n_short > 100)
       throw SolverStopped("the reduced model chatters between branches at t = " + std::to_string(step_.t) +

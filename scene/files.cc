@@ -1,12 +1,11 @@
 #include "scene/files.h"
 #include "scene/error.h"
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fstream>
-#include <sstream>
 #include <unistd.h>
 
 namespace rimpact::scene {
@@ -18,6 +17,10 @@ namespace fs = std::filesystem;
 class Temporary {
 public:
   explicit Temporary(const std::string &target) : target_(target) {
+    std::error_code none;
+    const auto kind = fs::status(target, none).type();
+    if (kind != fs::file_type::regular && kind != fs::file_type::not_found && kind != fs::file_type::none)
+      throw IoError(fmt::format("cannot write {}: it is there, and no file", target)); // renaming would replace a device
     const fs::path folder = fs::path(target).parent_path();
     name_ = (folder / fmt::format(".{}.{}.tmp", fs::path(target).filename().string(), ::getpid())).string();
     descriptor_ = ::open(name_.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
@@ -59,16 +62,29 @@ private:
 } // namespace
 
 std::string read_file(const std::string &path) {
+  constexpr std::size_t most = 1'000'000'000, piece = 1 << 20;
+  const auto fail = [&](const std::string &why) { throw DataError(fmt::format("{}: {}", path, why)); };
   std::error_code error;
-  if (!fs::exists(path, error)) throw DataError(fmt::format("{}: no such file", path));
-  if (fs::is_directory(path, error)) throw DataError(fmt::format("{}: is a folder, a file is needed", path));
-  const auto size = fs::file_size(path, error);
-  if (!error && size > 1'000'000'000) throw DataError(fmt::format("{}: larger than 1 GB", path));
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  if (!stream || (text << stream.rdbuf(), stream.bad()))
-    throw DataError(fmt::format("{}: cannot be read: {}", path, std::strerror(errno)));
-  return text.str();
+  const auto kind = fs::status(path, error).type();
+  if (kind == fs::file_type::not_found) fail("no such file");
+  if (kind == fs::file_type::directory) fail("is a folder, a file is needed");
+  if (kind != fs::file_type::regular) fail("is a pipe or a device, a file is needed"); // it might never end
+  const int descriptor = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) fail(fmt::format("cannot be read: {}", std::strerror(errno)));
+  std::string text;
+  ssize_t got = 0;
+  do {
+    const std::size_t before = text.size();
+    text.resize(before + piece);
+    do got = ::read(descriptor, text.data() + before, piece);
+    while (got < 0 && errno == EINTR);
+    text.resize(before + static_cast<std::size_t>(std::max<ssize_t>(got, 0)));
+  } while (got > 0 && text.size() <= most);
+  const std::string why = got < 0 ? std::strerror(errno) : "";
+  ::close(descriptor);
+  if (got < 0) fail("cannot be read: " + why);
+  if (text.size() > most) fail("larger than 1 GB");
+  return text;
 }
 
 void write_atomically(std::string_view bytes, const std::string &path) {

@@ -5,7 +5,7 @@
 
 namespace rimpact::scene {
 
-/// Throws DataError when the file is absent, a folder, unreadable or larger than 1 GB.
+/// Throws DataError when the file is absent, a folder, a pipe or device, unreadable or larger than 1 GB.
 std::string read_file(const std::string &path);
 /// Writes beside `path`, flushes to the disk and renames, so that a full disk or a killed run leaves an earlier
 /// file as it was. Throws IoError.

@@ -36,7 +36,18 @@ bool exists(hid_t place, const char *name) {
   return H5Lexists(place, name, H5P_DEFAULT) > 0;
 }
 
+/// A file received from others must not make the program read further ones: no links, no external or virtual storage.
+void refuse_other_files(hid_t group, const std::string &name) {
+  H5L_info_t link;
+  check(H5Lget_info(group, name.c_str(), &link, H5P_DEFAULT), "cannot be found");
+  if (link.type != H5L_TYPE_HARD) throw std::runtime_error("is a link, values are needed");
+  const Handle set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose, "cannot be opened");
+  const Handle made(H5Dget_create_plist(set), H5Pclose, "has no properties");
+  if (H5Pget_external_count(made) > 0 || H5Pget_layout(made) == H5D_VIRTUAL) throw std::runtime_error("keeps its values in another file");
+}
+
 std::vector<double> read_signal(hid_t group, const std::string &name) {
+  refuse_other_files(group, name);
   const Handle set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose, "cannot be opened");
   const Handle space(H5Dget_space(set), H5Sclose, "has no extent");
   const Handle type(H5Dget_type(set), H5Tclose, "has no type");

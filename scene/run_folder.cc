@@ -1,6 +1,8 @@
 #include "scene/error.h"
 #include "scene/files.h"
 #include "scene/git_hash.h"
+#include "scene/identity.h"
+#include "scene/json_text.h"
 #include "scene/summary.h"
 #include <filesystem>
 #include <fmt/format.h>
@@ -8,9 +10,16 @@
 namespace rimpact::scene {
 namespace {
 
-/// Bytes of a reason that are not UTF-8 (file names may be anything) must not stop the writing of results.
-std::string dump(const nlohmann::json &json) {
-  return json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+/// A long run has noted its identity when it began and read its files; a short one has just read them. A file that is gone since
+/// must not cost the result, which then counts as one without an identity.
+nlohmann::json with_identity(nlohmann::json summary, const Scene &scene) {
+  if (summary.contains("identity")) return summary;
+  try {
+    summary["identity"] = to_json(identity_of(scene));
+  } catch (const DataError &) {
+    summary["identity"] = nullptr;
+  }
+  return summary;
 }
 
 } // namespace
@@ -22,7 +31,7 @@ void write_run_folder(const std::string &folder, const Scene &scene, Response re
   fs::create_directories(folder, error);
   if (error) throw IoError(fmt::format("cannot create the folder {}: {}", folder, error.message()));
   const auto in = [&](const char *name) { return (fs::path(folder) / name).string(); };
-  const std::string toml = to_toml(scene), json = dump(to_json(summary));
+  const std::string toml = to_toml(scene), json = json_text(with_identity(to_json(summary), scene));
   response.series("time"); // a run stopped before its first sample still leaves a readable file
   response.meta["version"] = RIMPACT_VERSION;
   response.meta["git"] = RIMPACT_GIT_HASH;

@@ -1,6 +1,8 @@
 #include "scene/scene.h"
 #include "scene/error.h"
 #include "scene/keys.h"
+#include "scene/names.h"
+#include "scene/size_limits.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -85,6 +87,7 @@ void check_path(const Scene &scene) {
 } // namespace
 
 void Scene::validate() const {
+  check_names(*this);
   needs_stack() ? bearing.validate() : bearing.validate_rim();
   check_ranges(*this);
   check_friction(reduced);
@@ -92,6 +95,7 @@ void Scene::validate() const {
   if (double_concave()) check_double_concave(*this);
   if (superstructure.any()) check_superstructure(*this);
   check_path(*this);
+  check_sizes(*this);
 }
 
 } // namespace rimpact::scene

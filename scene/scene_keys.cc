@@ -9,7 +9,6 @@ constexpr Range positive{0, huge, true};
 constexpr Range not_negative{0, huge};
 constexpr Range anything{-huge, huge};
 constexpr Range share{0, 1};
-constexpr Range seconds{0, 1e5, true};
 
 constexpr std::array kinds{ExcitationKind::ricker, ExcitationKind::cyclic, ExcitationKind::figure_eight,
                            ExcitationKind::push,   ExcitationKind::window, ExcitationKind::record,
@@ -34,7 +33,7 @@ void visit_motion(KeyVisitor &v, Excitation &e) {
   const bool pulse = v.wants(e.kind == ricker || (e.kind == window && e.with_ground));
   if (pulse) {
     v.number({"amplitude_g", "ground acceleration of the Ricker pulse (2-25)"}, e.amplitude_g, si, anything);
-    v.number({"period_s", "T_p"}, e.period, si, seconds);
+    v.number({"period_s", "T_p"}, e.period, si, {1e-3, 1e5});
     v.number({"centre_s", "instant of the pulse's peak"}, e.centre, si, {-1e5, 1e5});
   }
   if (is(cyclic, figure_eight)) {
@@ -57,7 +56,7 @@ void visit_motion(KeyVisitor &v, Excitation &e) {
     v.pair({"displacement_m", "initial"}, e.initial_displacement, {-1e3, 1e3});
     v.pair({"velocity_m_per_s", "initial"}, e.initial_velocity, {-1e3, 1e3});
   }
-  if (v.wants(e.is_dynamic())) v.number({"duration_s"}, e.duration, si, seconds);
+  if (v.wants(e.is_dynamic())) v.number({"duration_s"}, e.duration, si, {1e-6, 1e5});
 }
 
 void visit(KeyVisitor &v, ReducedSettings &r) {
@@ -90,7 +89,7 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
   if (v.wants(r.fitted_mass.has_value())) v.limit({"fitted_mass_kg", "supported mass it holds for"}, r.fitted_mass, si, positive);
   if (v.wants(!r.fitted_rim.empty())) v.text({"fitted_rim", "the rim it was fitted to"}, r.fitted_rim);
   v.choice({"friction", "coulomb | park-wen"}, r.friction, {"coulomb", "park-wen"});
-  v.number({"elastic_slip_mm", "of park-wen"}, r.elastic_slip, milli, {0, 1e3, true});
+  v.number({"elastic_slip_mm", "of park-wen"}, r.elastic_slip, milli, {1e-3, 1e3});
   v.number({"mu_fast"}, r.mu_fast, si, {0, 2});
   v.number({"mu_slow", "differs from mu_fast: the velocity law"}, r.mu_slow, si, {0, 2});
   v.number({"rate_s_per_m", "of the velocity law"}, r.rate, si, {0, 1e6});

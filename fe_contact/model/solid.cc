@@ -25,7 +25,8 @@ int assembly_threads() {
   static const int n = [] {
     const char *wanted = std::getenv("RIMPACT_THREADS");
     const int cores = std::max(1u, std::thread::hardware_concurrency()) / ranks().size;
-    return wanted && std::atoi(wanted) > 0 ? std::atoi(wanted) : std::clamp(cores, 1, 8);
+    constexpr int most = 256; // more only cost memory, or cannot be had
+    return wanted && std::atoi(wanted) > 0 ? std::min(std::atoi(wanted), most) : std::clamp(cores, 1, 8);
   }();
   return n;
 }

@@ -1,35 +1,26 @@
 #include "fe_contact/runner/checkpoint.h"
 
+#include "scene/digest.h"
 #include "scene/error.h"
-#include <cstdio>
+#include "scene/files.h"
+#include "scene/hdf5_memory.h"
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
-#include <hdf5.h>
 
 namespace rimpact::fe {
+
+using namespace scene::hdf5;
+
 namespace {
 
-/// Closes an HDF5 handle at the end of its scope.
-class Handle {
-public:
-  Handle(hid_t id, herr_t (*close)(hid_t)) : id_(id), close_(close) {}
-  ~Handle() {
-    if (id_ >= 0) close_(id_);
-  }
-  Handle(const Handle &) = delete;
-  operator hid_t() const { return id_; }
-  bool valid() const { return id_ >= 0; }
+constexpr std::size_t header_size = 512; // HDF5 looks for its beginning at 0, 512, 1024 ...
+constexpr const char *mark = "rimpact checkpoint, format 2\nsha256 ";
 
-private:
-  hid_t id_;
-  herr_t (*close_)(hid_t);
-};
-
-bool write_array(hid_t file, const std::string &name, hid_t type, const void *data, hsize_t size) {
-  const Handle space(H5Screate_simple(1, &size, nullptr), H5Sclose);
-  const Handle set(H5Dcreate2(file, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
-                   H5Dclose);
-  return set.valid() && H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) >= 0;
+std::string header_of(const std::string &body) {
+  std::string header = mark + scene::sha256(body) + "\n";
+  header.resize(header_size, '\0');
+  return header;
 }
 
 herr_t collect(hid_t, const char *name, const H5L_info_t *, void *names) {
@@ -37,63 +28,101 @@ herr_t collect(hid_t, const char *name, const H5L_info_t *, void *names) {
   return 0;
 }
 
-template <typename Container>
-bool read_array(hid_t group, const std::string &name, hid_t type, Container &values) {
-  const Handle set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose);
-  if (!set.valid()) return false;
-  const Handle space(H5Dget_space(set), H5Sclose);
-  values.resize(H5Sget_simple_extent_npoints(space));
-  return values.empty() || H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()) >= 0;
+std::vector<std::string> names_in(hid_t group) {
+  std::vector<std::string> names;
+  check(H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names), "names");
+  return names;
+}
+
+/// Values of any type that HDF5 can turn into `type`.
+template <class Container> void read_set(hid_t group, const std::string &name, hid_t type, Container &values) {
+  const Handle set(H5Dopen2(group, name.c_str(), H5P_DEFAULT), H5Dclose, "data set");
+  const Handle space(H5Dget_space(set), H5Sclose, "extent");
+  const hssize_t n = H5Sget_simple_extent_npoints(space);
+  if (n < 0 || n > 500'000'000) throw std::runtime_error("impossible length");
+  values.resize(static_cast<std::size_t>(n));
+  if (n > 0) check(H5Dread(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), "values");
+}
+
+void write_text_set(hid_t group, const std::string &name, const std::string &text) {
+  const hsize_t n = text.size();
+  const Handle space(H5Screate_simple(1, &n, nullptr), H5Sclose, "space");
+  const Handle set(H5Dcreate2(group, name.c_str(), H5T_NATIVE_CHAR, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose, "text");
+  if (n > 0) check(H5Dwrite(set, H5T_NATIVE_CHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), "text");
+}
+
+void write_groups(hid_t file, const Checkpoint &checkpoint) {
+  const Handle numbers(H5Gcreate2(file, "numbers", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "group");
+  for (const auto &[name, values] : checkpoint.numbers) write_numbers(numbers, name, values);
+  const Handle texts(H5Gcreate2(file, "texts", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "group");
+  for (const auto &[name, text] : checkpoint.texts) write_text_set(texts, name, text);
+}
+
+void read_groups(const std::string &body, Checkpoint &checkpoint) {
+  const std::lock_guard guard(library_lock());
+  const Quiet quiet;
+  const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "access list");
+  scene::hdf5::check(H5Pset_fapl_core(access, 1 << 20, false), "memory driver");
+  scene::hdf5::check(H5Pset_file_image(access, const_cast<char *>(body.data()), body.size()), "file image"); // copied
+  const Handle file(H5Fopen("checkpoint in memory", H5F_ACC_RDONLY, access), H5Fclose, "file");
+  const Handle numbers(H5Gopen2(file, "numbers", H5P_DEFAULT), H5Gclose, "group numbers");
+  for (const auto &name : names_in(numbers)) read_set(numbers, name, H5T_NATIVE_DOUBLE, checkpoint.numbers[name]);
+  const Handle texts(H5Gopen2(file, "texts", H5P_DEFAULT), H5Gclose, "group texts");
+  for (const auto &name : names_in(texts)) read_set(texts, name, H5T_NATIVE_CHAR, checkpoint.texts[name]);
 }
 
 } // namespace
 
-double Checkpoint::number(const std::string &name) const {
+bool Limits::contains(double value) const {
+  return value >= low && value <= high && (!whole || value == std::floor(value));
+}
+
+void Checkpoint::damaged(const std::string &what) const {
+  throw DataError(fmt::format("{} is damaged ({}); run without --resume to start afresh", path.empty() ? "the checkpoint" : path, what));
+}
+
+const std::vector<double> &Checkpoint::field(const std::string &name, Limits limits) const {
   const auto found = numbers.find(name);
-  if (found == numbers.end() || found->second.empty())
-    throw DataError("checkpoint: '" + name + "' is missing");
-  return found->second.front();
+  if (found == numbers.end()) damaged("field " + name + " is missing");
+  for (const double value : found->second)
+    if (!limits.contains(value)) damaged(fmt::format("field {} holds {:g}, which it cannot", name, value));
+  return found->second;
+}
+
+const std::vector<double> &Checkpoint::field(const std::string &name, std::size_t due, Limits limits) const {
+  const auto &values = field(name, limits);
+  if (values.size() != due) damaged(fmt::format("field {} has {} values, {} are due", name, values.size(), due));
+  return values;
+}
+
+double Checkpoint::number(const std::string &name, Limits limits) const {
+  return field(name, 1, limits).front();
+}
+
+const std::string &Checkpoint::text(const std::string &name) const {
+  const auto found = texts.find(name);
+  if (found == texts.end()) damaged("text " + name + " is missing");
+  return found->second;
 }
 
 void write_checkpoint(const Checkpoint &checkpoint, const std::string &path) {
-  const std::string temporary = path + ".part";
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  bool good = true;
-  {
-    const Handle file(H5Fcreate(temporary.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose);
-    good = file.valid();
-    const Handle numbers(good ? H5Gcreate2(file, "numbers", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT) : -1,
-                         H5Gclose);
-    const Handle texts(good ? H5Gcreate2(file, "texts", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT) : -1,
-                       H5Gclose);
-    for (const auto &[name, values] : checkpoint.numbers)
-      good = good && write_array(numbers, name, H5T_NATIVE_DOUBLE, values.data(), values.size());
-    for (const auto &[name, text] : checkpoint.texts)
-      good = good && write_array(texts, name, H5T_NATIVE_CHAR, text.data(), text.size());
-    good = good && H5Fflush(file, H5F_SCOPE_GLOBAL) >= 0;
-  }
-  std::error_code error;
-  if (good) std::filesystem::rename(temporary, path, error);
-  if (!good || error) {
-    std::filesystem::remove(temporary, error);
-    throw IoError("cannot write checkpoint " + path + " (disk full or no permission?)");
-  }
+  const std::string body = file_in_memory([&](hid_t file) { write_groups(file, checkpoint); });
+  scene::write_atomically(header_of(body) + body, path);
 }
 
 Checkpoint read_checkpoint(const std::string &path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
-  const Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
-  if (!file.valid()) throw DataError(path + ": not a readable checkpoint");
-  Checkpoint checkpoint;
-  for (const char *kind : {"numbers", "texts"}) {
-    const Handle group(H5Gopen2(file, kind, H5P_DEFAULT), H5Gclose);
-    std::vector<std::string> names;
-    if (!group.valid() || H5Literate(group, H5_INDEX_NAME, H5_ITER_INC, nullptr, collect, &names) < 0)
-      throw DataError(path + ": not a checkpoint of rimpact");
-    for (const auto &name : names)
-      if (kind[0] == 'n' ? !read_array(group, name, H5T_NATIVE_DOUBLE, checkpoint.numbers[name])
-                         : !read_array(group, name, H5T_NATIVE_CHAR, checkpoint.texts[name]))
-        throw DataError(fmt::format("{}: damaged at '{}'", path, name));
+  if (!std::filesystem::exists(path))
+    throw DataError(fmt::format("nothing to resume: {} does not exist, no checkpoint was written yet; run without --resume", path));
+  const std::string bytes = scene::read_file(path);
+  Checkpoint checkpoint{.numbers = {}, .texts = {}, .path = path};
+  if (bytes.starts_with("\x89HDF")) throw DataError(path + " was written by an older version of the program; run without --resume to start afresh");
+  if (!bytes.starts_with(mark) || bytes.size() <= header_size) checkpoint.damaged("it is cut short, or no checkpoint of rimpact");
+  const std::string body = bytes.substr(header_size);
+  if (bytes.compare(0, header_size, header_of(body)) != 0) checkpoint.damaged("its contents do not match their checksum");
+  try {
+    read_groups(body, checkpoint);
+  } catch (const std::runtime_error &error) {
+    checkpoint.damaged(fmt::format("it cannot be read: {}", error.what()));
   }
   return checkpoint;
 }

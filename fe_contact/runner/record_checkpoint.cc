@@ -1,14 +1,18 @@
 #include "fe_contact/runner/record_checkpoint.h"
 
+#include "fe_contact/runner/sample_row.h"
 #include "scene/error.h"
+#include "scene/identity.h"
+#include "scene/json_text.h"
+#include <algorithm>
+#include <fmt/format.h>
 #include <sstream>
 
 namespace rimpact::fe {
 namespace {
-std::string signature(const scene::Scene &scene) {
-  return std::string(RIMPACT_VERSION) + "\n" + scene::to_toml(scene);
-}
+
 constexpr std::size_t per_point = 7, per_impact = 7;
+constexpr Limits seconds{0, 1e12};
 /// By name: the ledger may gain entries that no finite-element run fills.
 using LedgerEntry = double scene::EnergyLedger::*;
 constexpr LedgerEntry ledger_entries[] = {
@@ -16,6 +20,26 @@ constexpr LedgerEntry ledger_entries[] = {
     &scene::EnergyLedger::elastic,  &scene::EnergyLedger::plastic,    &scene::EnergyLedger::friction,
     &scene::EnergyLedger::impact,   &scene::EnergyLedger::contact,    &scene::EnergyLedger::integrator,
     &scene::EnergyLedger::initial,  &scene::EnergyLedger::largest_input};
+
+scene::Impact impact_of(const double *v) { return {v[0], v[1], v[2], v[3], v[4], v[5], v[6]}; }
+
+/// Every signal of a finite-element run, each as long as the time.
+void get_response(const Checkpoint &file, RunRecord &record) {
+  if (!file.has("response_time")) return; // no instant was stored yet
+  const auto &time = file.field("response_time", Limits{-1e-9, 1e6});
+  if (!std::is_sorted(time.begin(), time.end())) file.damaged("field response_time runs back");
+  RunRecord example;
+  append(example, {});
+  for (const auto &[name, unused] : example.response.all()) file.field("response_" + name, time.size());
+  const auto &known = scene::known_signals();
+  for (const auto &[name, values] : file.numbers) {
+    if (!name.starts_with("response_")) continue;
+    const std::string signal = name.substr(9);
+    if (std::none_of(known.begin(), known.end(), [&](const auto &info) { return info.name == signal; })) file.damaged("field " + name + " is not known");
+    record.response.series(signal) = file.field(name, time.size());
+  }
+}
+
 } // namespace
 
 std::vector<double> list(const Eigen::VectorXd &v) { return {v.data(), v.data() + v.size()}; }
@@ -32,31 +56,55 @@ std::vector<double> list(const SolidHistory &history) {
   return result;
 }
 
-void restore(const std::vector<double> &numbers, SolidHistory &history) {
-  if (numbers.size() != per_point * history.size())
-    throw DataError("the checkpoint belongs to another mesh: it has " + std::to_string(numbers.size() / per_point) +
-                    " material points, this run " + std::to_string(history.size()));
+void restore(const Checkpoint &file, const std::string &name, SolidHistory &history) {
+  const auto &numbers = file.field(name, per_point * history.size(), Limits{-1e6, 1e6});
   for (std::size_t k = 0; k < history.size(); ++k) {
     for (int i = 0; i < 6; ++i) history[k].cp_inverse[i] = numbers[per_point * k + i];
     history[k].alpha = numbers[per_point * k + 6];
+    if (history[k].alpha < 0) file.damaged(fmt::format("field {} holds a negative plastic strain", name));
   }
 }
 
-const std::vector<double> &numbers(const Checkpoint &file, const std::string &name) {
-  const auto found = file.numbers.find(name);
-  if (found == file.numbers.end()) throw DataError("the checkpoint lacks '" + name + "': run without --resume to start afresh");
-  return found->second;
+void restore(const Checkpoint &file, const std::string &name, Eigen::VectorXd &v) {
+  v = vector(file.field(name, static_cast<std::size_t>(v.size())));
+}
+
+Eigen::VectorXd last_change(const Checkpoint &file, const std::string &name, double last_dt, std::size_t n) {
+  const auto &values = file.field(name);
+  return vector(last_dt > 0 || !values.empty() ? file.field(name, n) : values);
 }
 
 std::vector<double> list(const scene::Impact &i) {
   return {i.touch_time, i.release_time, i.direction_deg, i.approach_speed, i.rebound_speed, i.peak_force, i.peak_penetration};
 }
 
-scene::Impact impact_from(const std::vector<double> &v) { return {v[0], v[1], v[2], v[3], v[4], v[5], v[6]}; }
+scene::Impact impact_from(const Checkpoint &file, const std::string &name) { return impact_of(file.field(name, per_impact).data()); }
 
-void put(Checkpoint &file, const scene::Scene &scene, const RunRecord &record) {
-  file.texts["signature"] = signature(scene);
+void begin_checkpoint(const RunOptions &options, const RunRecord &record) {
+  if (!options.keeps_files()) return;
+  Checkpoint file;
+  file.texts["identity"] = scene::json_text(record.identity);
+  write_checkpoint(file, checkpoint_of(options));
+}
+
+Checkpoint kept_checkpoint(const RunOptions &options, const RunRecord &record) {
+  Checkpoint file = read_checkpoint(checkpoint_of(options));
+  const auto kept = scene::identity_from(nlohmann::json::parse(file.text("identity"), nullptr, false)), now = scene::identity_from(record.identity);
+  if (!kept || !now) file.damaged("it does not say what it is of");
+  if (*kept != *now) {
+    const std::string what = scene::changes(*kept, *now);
+    throw DataError(fmt::format("{} belongs to another run: {} since; run without --resume to start afresh", file.path, what.empty() ? "the files it reads changed" : what));
+  }
+  return file;
+}
+
+bool has_only_begun(const Checkpoint &file) { return file.numbers.empty(); }
+
+void put(Checkpoint &file, const RunRecord &record) {
+  file.texts["identity"] = scene::json_text(record.identity);
+  file.texts["warnings"] = "";
   for (const auto &warning : record.warnings) file.texts["warnings"] += warning + "\n";
+  file.numbers["ended"] = {double(record.ended)};
   for (const LedgerEntry entry : ledger_entries) file.numbers["ledger"].push_back(record.ledger.*entry);
   auto &impacts = file.numbers["impacts"];
   for (const auto &impact : record.impacts)
@@ -69,29 +117,22 @@ void put(Checkpoint &file, const scene::Scene &scene, const RunRecord &record) {
   for (const auto &[time, name] : record.fields) file.numbers["field_" + name.substr(name.find('/') + 1)] = {time};
 }
 
-void get(const Checkpoint &file, const std::string &path, const scene::Scene &scene, RunRecord &record) {
-  const auto text = file.texts.find("signature");
-  if (text == file.texts.end() || text->second != signature(scene))
-    throw DataError(path + ": written by another version or for another scene; run without --resume to start afresh");
-  if (const auto warnings = file.texts.find("warnings"); warnings != file.texts.end()) {
-    std::istringstream lines(warnings->second);
-    for (std::string line; std::getline(lines, line);) record.warnings.push_back(line);
-  }
-  const auto &ledger = numbers(file, "ledger");
-  for (std::size_t k = 0; k < std::size(ledger_entries); ++k) record.ledger.*ledger_entries[k] = ledger.at(k);
-  const auto &impacts = numbers(file, "impacts");
-  for (std::size_t k = 0; k + per_impact <= impacts.size(); k += per_impact)
-    record.impacts.push_back(impact_from({impacts.begin() + k, impacts.begin() + k + per_impact}));
-  const auto &n = numbers(file, "counts");
+void get(const Checkpoint &file, RunRecord &record) {
+  record.ended = file.number("ended", flag) != 0;
+  std::istringstream lines(file.text("warnings"));
+  for (std::string line; std::getline(lines, line);) record.warnings.push_back(line);
+  const auto &ledger = file.field("ledger", std::size(ledger_entries));
+  for (std::size_t k = 0; k < std::size(ledger_entries); ++k) record.ledger.*ledger_entries[k] = ledger[k];
+  const auto &impacts = file.field("impacts");
+  if (impacts.size() % per_impact != 0) file.damaged(fmt::format("field impacts has {} values, {} an impact are due", impacts.size(), per_impact));
+  for (std::size_t k = 0; k < impacts.size(); k += per_impact) record.impacts.push_back(impact_of(&impacts[k]));
+  const auto &n = file.field("counts", 4, count);
   record.n_steps = n[0], record.n_newton = n[1], record.n_cuts = n[2], record.augmentation_caps = n[3];
+  get_response(file, record);
+  record.earlier_wall = file.number("seconds_wall", seconds);
   for (const auto &[name, values] : file.numbers) {
-    if (name.rfind("response_", 0) == 0)
-      for (const double value : values) record.response.append(name.substr(9), value);
-    if (name == "seconds_wall")
-      record.earlier_wall = values[0];
-    else if (name.rfind("seconds_", 0) == 0)
-      record.time_split[name.substr(8)] = values[0];
-    if (name.rfind("field_", 0) == 0) record.fields.emplace_back(values[0], "fields/" + name.substr(6));
+    if (name.starts_with("seconds_") && name != "seconds_wall") record.time_split[name.substr(8)] = file.number(name, seconds);
+    if (name.starts_with("field_")) record.fields.emplace_back(file.number(name), "fields/" + name.substr(6));
   }
 }
 

@@ -10,6 +10,7 @@ namespace {
 
 /// Arcs closer than this share one yielded state [rad].
 constexpr double arc_width = 0.14;
+constexpr double shortest_stretch = 1e-12; ///< less than this before its end a scene has ended [s]
 constexpr double nearest_look = 1e-3;  ///< a dented arc's true gap is computed within this of touch [m]
 
 } // namespace
@@ -19,7 +20,8 @@ void DynamicRun::run() {
     restore();
   else
     start();
-  while (bearing_.t < end_time()) {
+  if (record_.ended) return;
+  while (bearing_.t < end_time() - shortest_stretch) {
     if (!in_contact_ && !fly()) return finish();
     contact();
     if (window() && !in_contact_) return finish();
@@ -120,10 +122,12 @@ void DynamicRun::sample(const Arc &arc, const StepReport &report, const MassForc
 void DynamicRun::finish() {
   if (in_contact_)
     write_fields(solver_, arcs_[current_].state, arcs_[current_].frame, bearing_.t, options_, record_);
+  if (in_contact_ && touched_) {
+    impact_.rebound_speed = -radial_speed(); // the scene's end, not the rim's
+    record_.impacts.push_back(impact_);
+  }
+  record_.ended = true;
   save();
-  if (!in_contact_ || !touched_) return;
-  impact_.rebound_speed = -radial_speed(); // the scene's end, not the rim's
-  record_.impacts.push_back(impact_);
 }
 
 meshes::RimMeshOptions rim_mesh_options(const scene::Scene &scene, const Plan &plan) {

@@ -1,14 +1,17 @@
 // Runs a scene by finite elements and writes its folder, whatever happens on the way.
 #include "fe_contact/runner/run.h"
 
+#include "fe_contact/runner/record_checkpoint.h"
 #include "fe_contact/runner/rim_run.h"
 #include "fe_contact/runner/stack_drive.h"
 #include "fe_contact/runner/stack_run.h"
 #include "fe_contact/solver/ranks.h"
 #include "scene/error.h"
+#include "scene/identity.h"
 #include "scene/limits.h"
 #include <filesystem>
 #include <fmt/format.h>
+#include <new>
 #include <optional>
 
 namespace rimpact::fe {
@@ -49,6 +52,8 @@ meshes::HexMesh mesh_of(const scene::Scene &scene, const Plan &plan) {
 
 bool is_first_rank() { return ranks().first(); }
 
+bool on_any_rank(bool here) { return ranks().any(here); }
+
 bool is_interrupted(const RunOptions &options) { return ranks().any(options.interrupted && *options.interrupted); }
 
 void check_supported(const scene::Scene &scene) {
@@ -56,6 +61,17 @@ void check_supported(const scene::Scene &scene) {
 }
 
 namespace {
+
+/// Whether the run goes on from the folder's checkpoint. Where the checkpoint holds nothing but the beginning, or the rung keeps none,
+/// it starts afresh, and says so.
+bool goes_on(const scene::Scene &scene, const RunOptions &options, const RunRecord &record) {
+  if (!options.resume) return false;
+  const bool begun = has_only_begun(kept_checkpoint(options, record)), push = scene.model.rung == "rim" && scene.excitation.kind == scene::ExcitationKind::push;
+  if (begun && options.remark)
+    options.remark(push ? "a push on rung rim keeps no checkpoint on its way: it starts afresh"
+                        : "the run was ended before its first checkpoint: it starts afresh");
+  return !begun;
+}
 
 void run_rung(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record) {
   if (scene.model.rung != "rim")
@@ -75,18 +91,22 @@ void run_rung(const scene::Scene &scene, const Plan &plan, const RunOptions &opt
 
 } // namespace
 
-scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions &options) {
+scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions &given) {
   check_supported(scene);
+  RunOptions options = given;
   const bool on_its_own = scene.model.rung == "rim"; // too small to be shared: the first rank's work
   if (on_its_own && !options.writes) return {};
   std::optional<OnOneRank> alone;
   if (on_its_own) alone.emplace();
   RunRecord record;
+  record.identity = scene::to_json(scene::identity_of(scene));
   std::exception_ptr failure;
   std::string status = "done", reason;
   std::error_code failed;
   if (options.writes) std::filesystem::create_directories(options.folder, failed);
   if (failed) throw IoError("cannot make the run folder " + options.folder + ": " + failed.message());
+  options.resume = goes_on(scene, options, record);
+  if (!options.resume) begin_checkpoint(options, record);
   try {
     run_rung(scene, plan, options, record);
   } catch (const Interrupted &error) {
@@ -97,6 +117,10 @@ scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions
     status = "stopped";
     reason = error.what();
     failure = std::current_exception();
+  } catch (const std::bad_alloc &) {
+    status = "stopped";
+    reason = "there is not enough memory; a coarser mesh (a lower model.mesh) needs less";
+    failure = std::make_exception_ptr(SolverStopped(reason));
   }
   const auto doubt = failure ? std::nullopt : scene::doubt_of_rebound(record.response, record.impacts);
   if (doubt) record.warnings.push_back(*doubt);
@@ -105,6 +129,7 @@ scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions
   scene::Summary summary = summarise(scene, record);
   summary.status = status;
   summary.reason = reason;
+  summary.extra["identity"] = record.identity;
   summary.extra["plan"] = to_json(plan);
   summary.extra["ranks"] = ranks().size;
   scene::judge(scene, summary);

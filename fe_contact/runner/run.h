@@ -21,6 +21,7 @@ struct RunOptions {
   bool fields = true; ///< VTU files and pictures
   bool writes = true; ///< false: a rank that computes along and leaves the files to the first one
   std::function<void(const Progress &)> progress;
+  std::function<void(const std::string &)> remark; ///< told what the user should know at once
   const std::atomic<bool> *interrupted = nullptr; ///< set by Ctrl-C
   std::function<void(scene::Summary &)> annotate; ///< adds keys to the summary of a run that ended well
 
@@ -40,6 +41,8 @@ meshes::HexMesh mesh_of(const scene::Scene &scene, const Plan &plan);
 
 /// Whether this process is alone, or the first of `mpirun -np N`.
 bool is_first_rank();
+/// Whether it is so on any rank; every rank must ask.
+bool on_any_rank(bool here);
 
 /// Versions of deal.II, PETSc, MUMPS, SUNDIALS, gmsh and the BLAS in use; second: a warning when it is not
 /// OpenBLAS.

@@ -4,6 +4,7 @@
 #include "scene/response.h"
 #include <chrono>
 #include <map>
+#include <nlohmann/json.hpp>
 
 namespace rimpact::fe {
 
@@ -20,6 +21,8 @@ struct RunRecord {
   std::function<std::map<std::string, double>()> times; ///< [s] time split of this one while it runs
   std::vector<std::pair<double, std::string>> fields; ///< (time, VTU file) for the PVD
   std::vector<std::string> warnings;
+  nlohmann::json identity; ///< what the run is of: scene::to_json of its identity when it began
+  bool ended = false;      ///< it has come to its end: nothing is left to resume
 
   double wall_so_far() const { ///< [s]
     return earlier_wall + std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

@@ -1,5 +1,6 @@
 #include "fe_contact/runner/stack_dynamic.h"
 
+#include "fe_contact/runner/record_checkpoint.h"
 #include "fe_contact/runner/stack_run.h"
 #include "reduced_models/physical_model.h"
 #include "scene/error.h"
@@ -55,6 +56,7 @@ StackDynamic::StackDynamic(const scene::Scene &scene, const Plan &plan, const Ru
 }
 
 std::optional<double> StackDynamic::run() {
+  if (record_.ended) return {};
   while (t_ < end_time() - 1e-12) {
     if (!near_rim_ && gap() < joining_gap && closing_speed() > 0) {
       if (const auto direction = unmeshed_direction()) return direction;
@@ -63,8 +65,9 @@ std::optional<double> StackDynamic::run() {
     march_on();
   }
   write_fields();
+  if (near_rim_ && touched_) record_.impacts.push_back(impact_);
+  record_.ended = true;
   save();
-  if (near_rim_ && touched_) record_.impacts.push_back(impact_); // after saving: a run resumed counts it once
   return {};
 }
 
@@ -85,6 +88,8 @@ void StackDynamic::start() {
   next_step_ = transient_.smallest_step;
   recorder_.sample(0, travel(), active().top_of(state_.v), state_, 0, 0);
   write_fields();
+  active().start_afresh_at(state_); // as the run that reads it will
+  save();
 }
 
 void StackDynamic::slide_out() {
@@ -209,8 +214,9 @@ std::map<std::string, double> StackDynamic::time_split() const {
 void run_stack_dynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record) {
   Plan now = plan;
   std::optional<Checkpoint> kept;
-  if (options.resume) kept = read_checkpoint(checkpoint_of(options));
-  if (kept && kept->numbers.count("sectors")) now.sectors = kept->numbers["sectors"]; // it may have been replanned
+  if (options.resume) kept = kept_checkpoint(options, record);
+  if (kept) now.sectors = kept->field("sectors", Limits{-7, 7}); // it may have been replanned
+  if (kept && (now.sectors.empty() || now.sectors.size() > 100)) kept->damaged("field sectors names no sectors");
   auto dynamic = std::make_unique<StackDynamic>(scene, now, options, record);
   std::map<std::string, double> before; // of those replanned
   const auto times = [&] {

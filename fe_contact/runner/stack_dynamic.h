@@ -74,6 +74,4 @@ private:
   scene::Impact impact_{};
 };
 
-inline std::string checkpoint_of(const RunOptions &options) { return options.folder + "/checkpoint.h5"; }
-
 } // namespace rimpact::fe

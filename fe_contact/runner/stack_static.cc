@@ -79,29 +79,28 @@ struct StaticPath {
 
   double rest_elastic = 0; ///< energy of the preload, not counted [J]
 
-  std::string checkpoint_path() const { return options.folder + "/checkpoint.h5"; }
-
   /// ds: the next step.
   void save(double s, double ds) {
     if (options.folder.empty()) return;
     system.start_afresh_at(state); // as the run that reads it will
     if (!options.writes) return;
     Checkpoint file;
-    put(file, scene, record);
+    put(file, record);
     put(file, state);
     file.numbers["path"] = {s, ds, rest_height, rest_elastic, drive.last_way.x(), drive.last_way.y()};
-    file.numbers["last_change"] = list(drive.last_change);
-    write_checkpoint(file, checkpoint_path());
+    file.numbers["drive_change"] = list(drive.last_change);
+    write_checkpoint(file, checkpoint_of(options));
   }
 
   /// Where the kept run stopped, and its next step.
   std::pair<double, double> restore() {
-    const Checkpoint file = read_checkpoint(checkpoint_path());
-    get(file, checkpoint_path(), scene, record);
+    const Checkpoint file = kept_checkpoint(options, record);
+    get(file, record);
     get(file, state);
-    const auto &p = numbers(file, "path");
+    const auto &p = file.field("path", 6);
+    if (p[0] < 0 || p[0] > 1 || p[1] < 0 || p[1] > 1) file.damaged("field path holds a number it cannot");
     rest_height = p[2], rest_elastic = p[3], drive.last_way = {p[4], p[5]};
-    drive.last_change = vector(numbers(file, "last_change"));
+    drive.last_change = vector(drive.last_way.squaredNorm() > 0 ? file.field("drive_change", state.u.size()) : file.field("drive_change"));
     system.start_afresh_at(state);
     return {p[0], p[1]};
   }
@@ -137,12 +136,15 @@ struct StaticPath {
       rest_elastic = model.share() * state.energies.elastic;
       sample(0, 0, 0);
       write_fields(0);
+      save(0, 0);
     }
+    if (record.ended) return;
     for (const Phase &phase : phases()) {
       if (reached > phase.end - 1e-9) continue;
       reached = follow(reached, phase, next > 0 ? next : phase.first);
       next = 0;
     }
+    record.ended = true;
     save(1, 0);
   }
 

@@ -1,7 +1,6 @@
 #include "fe_contact/runner/system_checkpoint.h"
 
 #include "fe_contact/runner/record_checkpoint.h"
-#include "scene/error.h"
 
 namespace rimpact::fe {
 namespace {
@@ -11,7 +10,8 @@ std::vector<double> flat(const std::vector<Eigen::Vector3d> &vectors) {
   for (const auto &v : vectors) result.insert(result.end(), v.data(), v.data() + 3);
   return result;
 }
-void restore(const std::vector<double> &numbers, std::vector<Eigen::Vector3d> &vectors) {
+void restore(const Checkpoint &file, const std::string &name, std::vector<Eigen::Vector3d> &vectors) {
+  const auto &numbers = file.field(name, 3 * vectors.size());
   for (std::size_t k = 0; k < vectors.size(); ++k) vectors[k] = Eigen::Map<const Eigen::Vector3d>(&numbers[3 * k]);
 }
 
@@ -23,6 +23,7 @@ void put(Checkpoint &file, const std::string &prefix, const SurfaceContactState 
   n[prefix + "tangential"] = flat(s.tangential);
   n[prefix + "start"] = flat(s.start);
   n[prefix + "friction"] = flat(s.friction);
+  n[prefix + "status"] = {};
   for (const ContactStatus status : s.status) n[prefix + "status"].push_back(static_cast<double>(status));
   n[prefix + "covered"] = {s.covered.begin(), s.covered.end()};
   n[prefix + "opposite"] = {s.opposite.begin(), s.opposite.end()};
@@ -30,18 +31,21 @@ void put(Checkpoint &file, const std::string &prefix, const SurfaceContactState 
 }
 
 void get(const Checkpoint &file, const std::string &prefix, SurfaceContactState &s) {
-  const auto array = [&](const char *name) -> const std::vector<double> & { return numbers(file, prefix + name); };
-  if (array("multiplier").size() != s.multiplier.size()) throw DataError("the checkpoint belongs to another mesh: its contacts have other points");
-  s.multiplier = array("multiplier"), s.gap = array("gap"), s.pressure = array("pressure");
-  restore(array("tangential"), s.tangential);
-  restore(array("start"), s.start);
-  restore(array("friction"), s.friction);
-  for (std::size_t k = 0; k < s.status.size(); ++k) {
-    s.status[k] = static_cast<ContactStatus>(static_cast<char>(array("status")[k]));
-    s.covered[k] = array("covered")[k] != 0;
-    s.opposite[k] = static_cast<int>(array("opposite")[k]);
+  const std::size_t n = s.multiplier.size();
+  s.multiplier = file.field(prefix + "multiplier", n);
+  s.gap = file.field(prefix + "gap", n, infinite_too); // infinite where nothing is opposite
+  s.pressure = file.field(prefix + "pressure", n);
+  restore(file, prefix + "tangential", s.tangential);
+  restore(file, prefix + "start", s.start);
+  restore(file, prefix + "friction", s.friction);
+  const auto &status = file.field(prefix + "status", n, {0, 2, true}), &covered = file.field(prefix + "covered", n, flag),
+             &opposite = file.field(prefix + "opposite", n, {-1, 1e7, true});
+  for (std::size_t k = 0; k < n; ++k) {
+    s.status[k] = static_cast<ContactStatus>(static_cast<char>(status[k]));
+    s.covered[k] = covered[k] != 0;
+    s.opposite[k] = static_cast<int>(opposite[k]);
   }
-  s.stiffening = array("stiffening")[0];
+  s.stiffening = file.number(prefix + "stiffening", {1e-12, 1e12});
 }
 
 } // namespace
@@ -64,19 +68,18 @@ void put(Checkpoint &file, const SystemState &state) {
 }
 
 void get(const Checkpoint &file, SystemState &state) {
-  if (numbers(file, "u").size() != std::size_t(state.u.size()))
-    throw DataError("the checkpoint belongs to another mesh: it has " + std::to_string(numbers(file, "u").size()) +
-                    " unknowns, this run " + std::to_string(state.u.size()));
-  for (const auto &[name, value] : {std::pair{"u", &state.u}, {"v", &state.v}, {"a", &state.a}, {"R", &state.R}})
-    *value = vector(numbers(file, name));
-  state.last_change = vector(numbers(file, "last_change"));
-  state.last_dt = numbers(file, "last_dt")[0];
-  restore(numbers(file, "history"), state.history);
-  state.energies = {numbers(file, "energies")[0], numbers(file, "energies")[1]};
+  for (const auto &[name, value] : {std::pair{"u", &state.u}, {"v", &state.v}, {"a", &state.a}, {"R", &state.R}}) restore(file, name, *value);
+  state.last_dt = file.number("last_dt", {0, 1e6});
+  state.last_change = last_change(file, "last_change", state.last_dt, state.u.size());
+  restore(file, "history", state.history);
+  const auto &energies = file.field("energies", 2);
+  state.energies = {energies[0], energies[1]};
   for (std::size_t i = 0; i < state.contacts.size(); ++i) {
     get(file, "contact" + std::to_string(i) + "_", state.contacts[i]);
-    const auto &v = numbers(file, "report" + std::to_string(i));
-    if (v.size() != 11) throw DataError("the checkpoint belongs to another version: its contacts' reports have other numbers");
+    const auto &v = file.field("report" + std::to_string(i), 11, infinite_too); // the smallest gap may be infinite
+    for (std::size_t k = 0; k < v.size(); ++k)
+      if (k != 9 && !Limits{}.contains(v[k])) file.damaged("field report" + std::to_string(i) + " holds a number that is not finite");
+    if (!count.contains(v[7]) || !count.contains(v[8])) file.damaged("field report" + std::to_string(i) + " holds no count of points");
     auto &r = state.reports[i];
     r.force = {v[0], v[1], v[2]};
     r.friction = {v[3], v[4], v[5]};
@@ -91,8 +94,7 @@ void put(Checkpoint &file, const TransientPoint &point) {
 }
 
 void get(const Checkpoint &file, TransientPoint &point) {
-  const auto &v = numbers(file, "march");
-  if (v.size() != 11) throw DataError("the checkpoint belongs to another version: its march has other numbers");
+  const auto &v = file.field("march", 11);
   point = {v[0], v[1], {v[2], v[3], v[4], v[5], v[6], v[7], v[8], v[9], v[10]}};
 }
 

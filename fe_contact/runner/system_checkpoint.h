@@ -6,7 +6,7 @@
 namespace rimpact::fe {
 
 void put(Checkpoint &file, const SystemState &state);
-/// Into a state of the same system. Throws DataError when the file is of another mesh.
+/// Into a state of the same system. Throws DataError when the file is damaged, or of another mesh.
 void get(const Checkpoint &file, SystemState &state);
 
 /// Where a run in time stands.

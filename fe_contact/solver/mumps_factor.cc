@@ -1,6 +1,8 @@
 #include "fe_contact/solver/mumps_factor.h"
 
+#include "scene/error.h"
 #include <algorithm>
+#include <array>
 #include <dmumps_c.h>
 #include <mpi.h>
 #include <smumps_c.h>
@@ -53,10 +55,12 @@ public:
   bool factorise(const double *values) override {
     std::transform(values, values + values_.size(), values_.begin(), [](double v) { return static_cast<typename Kind::Number>(v); });
     if (!analysed_) run(1);
+    require_memory();
     if (data_.infog[0] < 0) return false;
     analysed_ = true;
     constexpr int workspace_too_small = -9, most_room = 800;
     for (run(2); data_.infog[0] == workspace_too_small && control(14) < most_room; run(2)) control(14) *= 2;
+    require_memory();
     return data_.infog[0] >= 0;
   }
 
@@ -68,6 +72,13 @@ public:
   }
 
 private:
+  /// A matrix that cannot be factorised and memory that cannot be had want different cures.
+  void require_memory() const {
+    constexpr std::array no_memory{-5, -7, -13, -19};
+    if (std::find(no_memory.begin(), no_memory.end(), data_.infog[0]) == no_memory.end()) return;
+    throw SolverStopped("the factor of " + std::to_string(data_.n) + " equations found no memory (MUMPS says " + std::to_string(data_.infog[0]) +
+                        "); a coarser mesh needs less: a lower model.mesh, or close other programs");
+  }
   int &control(int i) { return data_.icntl[i - 1]; }
   void run(int job) {
     data_.job = job;

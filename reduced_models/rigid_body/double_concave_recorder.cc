@@ -1,4 +1,5 @@
 #include "reduced_models/rigid_body/double_concave_recorder.h"
+#include "reduced_models/step_budget.h"
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
@@ -60,7 +61,7 @@ void DoubleConcaveRecorder::begin(const MotionState &s) {
 }
 
 void DoubleConcaveRecorder::count(const StepReport &report) {
-  ++result_.summary.n_steps;
+  keep_to_budget(++result_.summary.n_steps, result_.response.size() ? result_.response.series("time").back() : 0);
   result_.summary.n_newton_iterations += report.iterations;
 }
 

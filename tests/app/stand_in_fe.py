@@ -7,6 +7,7 @@ import json
 import os
 import subprocess
 import sys
+import tempfile
 import time
 
 PAIR = ("reduced.k_i_kN_per_m=2.0e5", "reduced.restitution=0.4")
@@ -37,16 +38,29 @@ def run(arguments):
     if os.environ.get("STAND_IN_FAIL") in ("*", os.path.basename(folder)):
         print("error: the solver stopped because the test asked for it", file=sys.stderr)
         return 4
-    command = [os.environ["RIMPACT"], "reduced", scene, "-o", folder]
+    command = [os.environ["RIMPACT"], "reduced", scene, "-o", folder, "--force"]
     for key_value in PAIR:
         command += ["--set", key_value]
     code = subprocess.run(command, stdout=subprocess.DEVNULL).returncode
     if code == 0:  # the scene as `main` asked for it, without the pair the reference has of its own
         with open(scene) as source, open(os.path.join(folder, "scene.toml"), "w") as target:
             target.write(source.read())
+        note_identity(scene, folder)
         if os.environ.get("STAND_IN_DOUBT") == os.path.basename(folder):
             doubt(folder)
     return code
+
+
+def note_identity(scene, folder):
+    """The identity of the scene as it was asked for, as the finite-element program would note it."""
+    with tempfile.TemporaryDirectory() as plain:
+        subprocess.run([os.environ["RIMPACT"], "reduced", scene, "-o", plain], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)
+        with open(os.path.join(plain, "summary.json")) as file:
+            identity = json.load(file)["identity"]
+    with open(os.path.join(folder, "summary.json")) as file:
+        summary = json.load(file)
+    with open(os.path.join(folder, "summary.json"), "w") as file:
+        json.dump({**summary, "identity": identity}, file)
 
 
 if __name__ == "__main__":

@@ -83,7 +83,11 @@ class Main(unittest.TestCase):
 
     def test_another_bearing_runs_afresh_and_total_failure_is_said(self):
         shutil.copytree(self.done, self.folder)
-        run = self.main("fps-225", "--quiet", STAND_IN_FAIL="*")
+        refused = self.main("fps-225", "--quiet")
+        self.assertEqual(refused.returncode, 2)
+        self.assertIn("of another scene", refused.stderr)
+        self.assertEqual(self.calls(), [])
+        run = self.main("fps-225", "--quiet", "--force", STAND_IN_FAIL="*")
         self.assertEqual(run.returncode, 4)
         self.assertIn("no run of the main job ended well", run.stderr)
         self.assertEqual(len(self.calls()), N_RUNS)

@@ -6,9 +6,9 @@ import tempfile
 import time
 import unittest
 
-import h5py
-
+from checkpoints import numbers
 from command import RIMPACT, rimpact
+from test_checkpoints import steps_kept
 
 LOOP = ["run", "static-unidirectional", "--quiet"]
 
@@ -18,13 +18,12 @@ def run_until_next_checkpoint(folder, *more):
     path = os.path.join(folder, "checkpoint.h5")
     before = os.stat(path).st_mtime_ns if os.path.exists(path) else None
     process = subprocess.Popen([RIMPACT, *LOOP, "-o", folder, *more], stderr=subprocess.PIPE, text=True)
-    while process.poll() is None and (not os.path.exists(path) or os.stat(path).st_mtime_ns == before):
+    while process.poll() is None and (not steps_kept(folder, 10) or os.stat(path).st_mtime_ns == before):
         time.sleep(0.05)
     process.send_signal(signal.SIGINT)
     _, errors = process.communicate()
     assert process.returncode == 130, errors
-    with h5py.File(path) as file:
-        return {name: data[()] for name, data in file["numbers"].items()}
+    return numbers(path)
 
 
 class Resume(unittest.TestCase):
@@ -40,10 +39,8 @@ class Resume(unittest.TestCase):
             path, straight = os.path.join(whole, "checkpoint.h5"), None
             while process.poll() is None and straight is None:
                 time.sleep(0.05)
-                if os.path.exists(path):
-                    with h5py.File(path) as file:
-                        if file["numbers/counts"][0] == 20:
-                            straight = {name: data[()] for name, data in file["numbers"].items()}
+                if steps_kept(whole, 20):
+                    straight = numbers(path)
             process.send_signal(signal.SIGINT)
             process.communicate()
             self.assertGreater(sum(straight["contact0_status"] == 2), 0)  # slipping: something is at stake

@@ -53,7 +53,7 @@ class Study(unittest.TestCase):
         self.assertIn("0.001 %", run.stderr)
 
     def test_bad_words_are_refused(self):
-        for words, said in ((["--axes", "mush"], "mush"), (["--rungs", "rime"], "rime"), (["--meshes", "4"], "4"),
+        for words, said in ((["--axes", "mush"], "mush"), (["--rungs", "rime"], "rime"), (["--rungs", "reduced,reduced"], "once"), (["--steps", "nan"], "nan"), (["--meshes", "4"], "4"),
                             (["--shard", "0/2"], "--shard 0/2"), (["--error", "-1"], "-1"),
                             (["--axes", "rung", "--rungs", "reduced"], "two runs")):
             run = self.study(*words)

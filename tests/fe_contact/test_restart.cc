@@ -3,9 +3,13 @@
 #include "fe_contact/runner/record_checkpoint.h"
 #include "fe_contact/runner/system_checkpoint.h"
 #include "scene/error.h"
+#include "scene/files.h"
+#include "scene/identity.h"
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
+#include <functional>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -129,24 +133,72 @@ TEST(Restart, ACheckpointOfAnotherMeshIsRefused) {
     resume(*linear.system, file.path);
     FAIL() << "another mesh's checkpoint was taken";
   } catch (const DataError &error) {
-    EXPECT_NE(std::string(error.what()).find("another mesh"), std::string::npos) << error.what();
+    EXPECT_NE(std::string(error.what()).find("are due"), std::string::npos) << error.what();
   }
 }
 
+std::string sentence_of(const std::function<void()> &read) {
+  try {
+    read();
+  } catch (const DataError &error) {
+    return error.what();
+  }
+  return "nothing was thrown";
+}
+bool tells(const std::string &sentence, const std::string &part) { return sentence.find(part) != std::string::npos; }
+
 TEST(Restart, ACheckpointOfAnotherVersionSceneOrHalfWrittenIsRefused) {
-  const File file;
-  const scene::Scene scene = scene::load_scene("static-unidirectional"),
-                     finer = scene::load_scene("static-unidirectional", {"model.mesh=2"});
+  RunOptions options;
+  options.folder = std::filesystem::temp_directory_path() / ("rimpact_restart_" + std::to_string(::getpid()));
+  std::filesystem::create_directories(options.folder);
+  const std::string path = checkpoint_of(options);
+  const auto identity = scene::to_json(scene::identity_of(scene::load_scene("static-unidirectional")));
   RunRecord record;
+  record.identity = identity;
+  const auto read = [&] { return sentence_of([&] { kept_checkpoint(options, record); }); };
+  EXPECT_TRUE(tells(read(), "nothing to resume")) << read();
+  begin_checkpoint(options, record);
+  EXPECT_TRUE(has_only_begun(kept_checkpoint(options, record)));
   Checkpoint checkpoint;
-  put(checkpoint, scene, record);
-  EXPECT_NO_THROW(get(checkpoint, "c", scene, record));
-  EXPECT_THROW(get(checkpoint, "c", finer, record), DataError);
-  checkpoint.texts["signature"].insert(0, "0.");
-  EXPECT_THROW(get(checkpoint, "c", scene, record), DataError);
+  put(checkpoint, record);
+  write_checkpoint(checkpoint, path);
+  EXPECT_FALSE(has_only_begun(kept_checkpoint(options, record)));
+  record.identity = scene::to_json(scene::identity_of(scene::load_scene("static-unidirectional", {"model.mesh=2"})));
+  EXPECT_TRUE(tells(read(), "another run: the scene changed since")) << read();
+  record.identity = identity;
+  record.identity["build"] = "an older one";
+  EXPECT_TRUE(tells(read(), "another version of the program")) << read();
+  record.identity = identity;
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
+  EXPECT_TRUE(tells(read(), "checksum")) << read();
+  std::filesystem::resize_file(path, 100);
+  EXPECT_TRUE(tells(read(), "is damaged")) << read();
+  std::filesystem::remove_all(options.folder);
+}
+
+TEST(Restart, EveryFlippedBitIsFound) {
+  const File file;
+  Checkpoint checkpoint;
+  checkpoint.numbers["a"] = {1, 2, 3};
   write_checkpoint(checkpoint, file.path);
-  std::filesystem::resize_file(file.path, std::filesystem::file_size(file.path) / 2);
-  EXPECT_THROW(read_checkpoint(file.path), DataError);
+  const std::string whole = scene::read_file(file.path);
+  EXPECT_EQ(read_checkpoint(file.path).field("a", 3), checkpoint.numbers["a"]);
+  for (std::size_t k = 0; k < whole.size(); k += 37) {
+    std::string bytes = whole;
+    bytes[k] = static_cast<char>(bytes[k] ^ (1 << (k % 8)));
+    scene::write_atomically(bytes, file.path);
+    EXPECT_TRUE(tells(sentence_of([&] { read_checkpoint(file.path); }), "run without --resume")) << k;
+  }
+}
+
+TEST(Restart, FieldsAreWhatIsDue) {
+  Checkpoint file;
+  file.path = "F/checkpoint.h5";
+  file.numbers = {{"a", {1, 2, 3}}, {"whole", {1.5}}, {"bad", {std::nan("")}}, {"huge", {1e300}}};
+  EXPECT_EQ(sentence_of([&] { file.field("a", 4); }), "F/checkpoint.h5 is damaged (field a has 3 values, 4 are due); run without --resume to start afresh");
+  for (const auto &[name, limits] : {std::pair{"missing", Limits{}}, {"whole", count}, {"bad", Limits{}}, {"bad", infinite_too}, {"huge", Limits{}}})
+    EXPECT_TRUE(tells(sentence_of([&] { file.field(name, 1, limits); }), std::string("field ") + name)) << name;
+  EXPECT_EQ(file.number("whole", {1, 2}), 1.5);
 }
 
 } // namespace

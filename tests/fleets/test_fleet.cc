@@ -2,6 +2,8 @@
 #include "../scene/expect_error.h"
 #include "../scene/temporary_folder.h"
 #include "fleets/fleet.h"
+#include "scene/folder_lock.h"
+#include "scene/identity.h"
 #include "reduced_models/physical_model.h"
 #include <algorithm>
 #include <filesystem>
@@ -153,6 +155,64 @@ TEST(Fleet, RefusesTheFolderOfAnotherFleet) {
   EXPECT_THROW(run_fleet("ricker-0.78g-1.0s", {"reduced.mu_fast=0.08"}, parse_sweep(small, "s.toml"),
                          options(folder / "f")),
                InputError);
+}
+
+TEST(Fleet, RowsOfOtherInputsAreMadeAgain) {
+  const TemporaryFolder folder;
+  const auto csv = [&](double peak) { folder.write("q.csv", "time_s,acceleration_g\n0,0\n0.5," + std::to_string(peak) + "\n1.0,0\n"); };
+  const auto scene = [&](const char *more) {
+    return folder.write("case/scene.toml", std::string("[excitation]\nkind = \"record\"\nx = \"../q.csv\"\nduration_s = 1.5\n") + more);
+  };
+  fs::create_directories(folder / "case");
+  csv(0.1), scene("");
+  std::vector<std::string> remarks;
+  FleetOptions o = options(folder / "f");
+  o.remark = [&](const std::string &sentence) { remarks.push_back(sentence); };
+  const Sweep sweep = parse_sweep("[grid]\nexcitation.scale = [0.5, 1.0]\n", "s.toml");
+  const auto again = [&] { return run_fleet(folder / "case", {}, sweep, o); };
+  const auto peak = [&] { return std::get<double>(at(scene::read_table(folder / "f/table.csv"), 1, "peak_displacement_m")); };
+  again();
+  const double before = peak();
+  EXPECT_EQ(again().kept, 2u);
+  EXPECT_TRUE(remarks.empty());
+  csv(0.2); // the record
+  EXPECT_EQ(again().kept, 0u);
+  EXPECT_GT(peak(), 1.5 * before);
+  ASSERT_EQ(remarks.size(), 1u);
+  EXPECT_NE(remarks[0].find("q.csv changed since"), std::string::npos) << remarks[0];
+  scene("[load]\nmass_kg = 80000.0\n"); // the scene, which is a folder
+  EXPECT_EQ(again().kept, 0u);
+  EXPECT_EQ(remarks.size(), 2u);
+  std::string fleet = text_of(folder / "f/fleet.json");
+  const auto build = fleet.find(scene::physics_version());
+  ASSERT_NE(build, std::string::npos);
+  fleet[build] = fleet[build] == 'a' ? 'b' : 'a'; // another version of the program
+  folder.write("f/fleet.json", fleet);
+  EXPECT_EQ(again().kept, 0u);
+  EXPECT_NE(remarks.back().find("another version"), std::string::npos) << remarks.back();
+  EXPECT_EQ(again().kept, 2u);
+}
+
+TEST(Fleet, ADamagedOrForeignFolderIsRefusedUnlessForced) {
+  const TemporaryFolder folder;
+  const char *const small = "[grid]\nexcitation.scale = [0.5]\n";
+  run(folder / "f", small);
+  for (const char *text : {"{", "[]", R"({"identity": 3})", R"({"identity": {}, "scene": 1})", R"({"identity": "x", "scene": "s", "n_runs": "1", "keys": []})"}) {
+    folder.write("f/fleet.json", text);
+    expect_error<DataError>([&] { run(folder / "f", small); }, {"fleet.json is damaged"});
+  }
+  FleetOptions o = options(folder / "f");
+  o.force = true;
+  EXPECT_EQ(run_fleet("ricker-0.78g-1.0s", {}, parse_sweep(small, "s.toml"), o).kept, 0u);
+  fs::create_directories(folder / "run");
+  folder.write("run/summary.json", "{}");
+  expect_error<InputError>([&] { run(folder / "run", small); }, {"holds a run", "--force"});
+}
+
+TEST(Fleet, OneProcessAShard) {
+  const TemporaryFolder folder;
+  const scene::FolderLock held(folder / "f");
+  expect_error<IoError>([&] { run(folder / "f"); }, {"in use"});
 }
 
 TEST(Fleet, ASceneThatCannotBeReadIsSaidBeforeAnythingRuns) {

@@ -1,0 +1,63 @@
+"""Damages checkpoints as a user's disk, hand or older version might, with or without making their checksum right again."""
+import hashlib
+import os
+import shutil
+
+import h5py
+import numpy as np
+
+HEADER = 512
+MARK = b"rimpact checkpoint, format 2\nsha256 "
+
+
+def reseal(path):
+    """The checksum of what the file holds now: what is wrong in it is then for the reader's checks of each field."""
+    with open(path, "rb") as file:
+        body = file.read()[HEADER:]
+    head = MARK + hashlib.sha256(body).hexdigest().encode() + b"\n"
+    with open(path, "wb") as file:
+        file.write(head.ljust(HEADER, b"\0") + body)
+
+
+def numbers(path):
+    with h5py.File(path) as file:
+        return {name: data[()] for name, data in file["numbers"].items()}
+
+
+def replace(path, name, values, sealed=True):
+    """values None: the field is taken away."""
+    with h5py.File(path, "r+") as file:
+        del file["numbers"][name]
+        if values is not None:
+            file["numbers"].create_dataset(name, data=np.asarray(values))
+    if sealed:
+        reseal(path)
+
+
+def with_entry(values, index, value):
+    changed = np.array(values, dtype=float)
+    changed[index] = value
+    return changed
+
+
+def every_field(kept):
+    """(field, what, values) for each field: taken away, emptied, cut short, or one of its numbers made impossible, in turn."""
+    ways = [("missing", lambda v: None), ("empty", lambda v: v[:0]), ("short", lambda v: v[:-1]), ("nan", lambda v: with_entry(v, 0, np.nan)),
+            ("1e300", lambda v: with_entry(v, -1, 1e300))]
+    turn = 0
+    for name, values in sorted(kept.items()):
+        may_go = name.startswith(("seconds_", "field_")) and name != "seconds_wall"  # as many as there are
+        if len(values) == 0 or may_go:
+            ways_here = [ways[0]] if len(values) == 0 else [ways[3]]
+        else:
+            ways_here = [ways[turn % len(ways)]]
+            turn += 1
+        for what, way in ways_here:
+            yield name, what, way(values)
+
+
+def copy_of(folder, name):
+    target = os.path.join(os.path.dirname(folder), name)
+    shutil.rmtree(target, ignore_errors=True)
+    shutil.copytree(folder, target)
+    return target
