@@ -118,7 +118,9 @@ MainTarget main_target(const std::string &where, const std::vector<std::string> 
   MainTarget target;
   scene::TomlFile file(source.text, source.origin);
   for (const auto &assignment : overrides) file.set(assignment);
-  target.scene = scene::parse_scene(source.text, source.origin, overrides, source.folder);
+  auto settings = overrides;
+  if (!file.find("excitation.kind")) settings.emplace_back("excitation.kind=window"); // no motion is run: none is to be remarked upon
+  target.scene = scene::parse_scene(source.text, source.origin, settings, source.folder);
   refuse_what_is_not_run(target.scene, overrides);
   target.warnings = target.scene.remarks;
   target.bearing_from = bearing_origin(file, source, overrides);
