@@ -26,22 +26,13 @@ bool presses_on(const std::vector<double> &force) {
 
 } // namespace
 
-<<<<<<< HEAD
-Flight fly(const scene::Scene &scene, const ImpactWindow &window) {
-=======
-Shot shoot(const scene::Scene &scene, const ImpactWindow &window) {
-  return shoot(scene, window, window.start);
-}
-
-Shot shoot(const scene::Scene &scene, const ImpactWindow &window, const reduced::BearingState &start) {
->>>>>>> 3c252c7 (Measured curves: noise found, starts fitted to flights with their covariance)
+Flight fly_from(const scene::Scene &scene, const ImpactWindow &window, const reduced::BearingState &start) {
   const double capacity = reduced::impact_law(scene.reduced.impact_law).yields
                               ? scene.bearing.lateral_capacity()
                               : window.capacity;
   auto run = reduced::simulate_from(scene, start, window.end_time, capacity);
   if (presses_on(radial(run.response, "impact", window.direction))) // a late release
-<<<<<<< HEAD
-    run = reduced::simulate_from(scene, window.start, window.end_time + patience, capacity);
+    run = reduced::simulate_from(scene, start, window.end_time + patience, capacity);
   const auto &impacts = run.summary.impacts;
   Flight flight{run.response.series("time"), radial(run.response, "displacement", window.direction),
                 radial(run.response, "velocity", window.direction), radial(run.response, "impact", window.direction, -1), 0};
@@ -49,15 +40,12 @@ Shot shoot(const scene::Scene &scene, const ImpactWindow &window, const reduced:
   return flight;
 }
 
-Shot shoot(const scene::Scene &scene, const ImpactWindow &window) {
-  const Flight flight = fly(scene, window);
-=======
-    run = reduced::simulate_from(scene, start, window.end_time + patience, capacity);
-  const auto &times = run.response.series("time");
-  const auto u = radial(run.response, "displacement", window.direction);
-  const auto v = radial(run.response, "velocity", window.direction);
-  const auto force = radial(run.response, "impact", window.direction, -1);
->>>>>>> 3c252c7 (Measured curves: noise found, starts fitted to flights with their covariance)
+Flight fly(const scene::Scene &scene, const ImpactWindow &window) { return fly_from(scene, window, window.start); }
+
+Shot shoot(const scene::Scene &scene, const ImpactWindow &window) { return shoot(scene, window, window.start); }
+
+Shot shoot(const scene::Scene &scene, const ImpactWindow &window, const reduced::BearingState &start) {
+  const Flight flight = fly_from(scene, window, start);
   Shot shot;
   shot.displacement.reserve(window.times.size());
   shot.force.reserve(window.times.size());
