@@ -24,7 +24,7 @@ std::string plain_text(std::string_view text) {
   std::string out;
   for (const unsigned char c : text)
     if ((c & 0xc0) != 0x80) out += plain(c); // the rest of a UTF-8 character adds nothing to its one `?`
-  for (std::size_t at; (at = out.find("'''")) != std::string::npos;) out.replace(at, 3, "'");
+  for (std::size_t at; (at = out.find("'''")) != std::string::npos;) out.erase(at, 2);
   return out;
 }
 

@@ -1,5 +1,6 @@
 #include "answer_fixture.h"
 #include "calibration/export/csi.h"
+#include "calibration/export/gap_springs.h"
 #include "scene/error.h"
 #include <gtest/gtest.h>
 #include <set>

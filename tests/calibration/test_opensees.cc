@@ -10,7 +10,7 @@ using testing::answer_fixture;
 
 /// Comments as they were before lines were broken.
 std::string unbroken(std::string text) {
-  for (std::size_t at; (at = text.find("\n# ")) != std::string::npos;) text.replace(at, 3, " ");
+  for (std::size_t at; (at = text.find("\n# ")) != std::string::npos;) text.erase(at, 2);
   return text;
 }
 ExportedRim rim_of(const nlohmann::json &calibration, const ExportChoice &choice = {}) { return exported_rim(calibration, choice); }
