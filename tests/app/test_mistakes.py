@@ -114,7 +114,7 @@ ROWS = [
     row("a record of velocities", "motion {0}/velocity.AT2", 3, "velocity"),
     row("a motion with other columns", "motion {0}/header.csv", 3, "header must be \"time_s,acceleration_g\""),
     row("a record without a file", with_set("excitation.kind=record"), 2, "excitation.x needs a file"),
-    row("--resume where nothing is", "run rim-push --mesh 0 -o {0}/nothing --resume", 3, "there is no checkpoint", needs_fe=True),
+    row("--resume where nothing is", "run rim-push --mesh 0 -o {0}/nothing --resume", 3, "nothing to resume", needs_fe=True),
     row("a reduced run into a finite-element folder", "reduced rim-push -o {0}/fe", 2, "--force"),
     row("a run into a finished folder", "run rim-push --mesh 0 -o {0}/fe", 2, "--force", needs_fe=True),
     row("logs among the runs", "calibrate {0}/runs/window {0}/runs/window-0.05.log", 3, "window-0.05.log: not a run folder", "give the folders alone"),

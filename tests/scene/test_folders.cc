@@ -114,7 +114,7 @@ TEST(FolderLock, IsHeldByOneAndGoneWithIt) {
   const std::string run = folder / "a/run";
   {
     const FolderLock lock(run);
-    expect_error<IoError>([&] { FolderLock second(run); }, {run, "in use by process", std::to_string(::getpid()), "-o"});
+    expect_error<IoError>([&] { FolderLock second(run); }, {run.c_str(), "in use by process", std::to_string(::getpid()).c_str(), "-o"});
     const FolderLock part(run, "2-of-3"); // shards run side by side
   }
   EXPECT_FALSE(std::filesystem::exists(run)) << "an empty folder that it made goes with it";
