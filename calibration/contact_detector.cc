@@ -68,7 +68,7 @@ void measure_quiet(ContactRecord &record, const Values &x, const Values &y) {
   Values qx, qy, quiet;
   std::size_t next = 0;
   for (const auto &c : record.contacts) {
-    const std::size_t margin = (c.last - c.first) / 4 + 2;
+    const std::size_t margin = (c.last - c.first) / 10 + 2;
     for (std::size_t i = next; i + margin < c.first; ++i) qx.push_back(x[i]), qy.push_back(y[i]), quiet.push_back(record.push[i]);
     next = c.last + margin + 1;
   }
