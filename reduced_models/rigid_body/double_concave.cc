@@ -32,7 +32,6 @@ public:
         free ? model_.state_at(scene_.excitation.start_displacement(), scene_.excitation.start_velocity())
              : model_.state_at({0, 0}, {0, 0});
     stepper_.start(state);
-    leave_out_unmet(state);
     recorder_.begin(state);
     double h = 1e-2 * largest_step_;
     while (state.t < duration_ * (1 - 1e-12)) {
@@ -76,75 +75,30 @@ private:
     }
     return largest;
   }
-  /// A wall met within a step ends it: there a dashpot's force jumps. Until then it is left out (System::unmet).
-  void leave_out_unmet(const MotionState &state) {
-    if (model_.driven || !(model_.system.rim.stiffness > 0)) return;
-    auto &unmet = model_.system.unmet;
-    unmet.assign(state.contact.size(), false);
-    for (std::size_t i = 0; i < unmet.size(); ++i) {
-      const auto surface = model_.system.contacts[i].surface;
-      unmet[i] = (surface == Surface::rim || surface == Surface::stop) && state.contact[i].penetration <= 0;
-    }
-  }
-  /// Of the unmet walls the deepest [m]; < 0 where none is touched.
-  double deepest_unmet(const MotionState &state) const {
-    double deepest = -1;
-    for (std::size_t i = 0; i < model_.system.unmet.size(); ++i)
-      if (model_.system.unmet[i] && !state.contact[i].passed) deepest = std::max(deepest, state.contact[i].penetration);
-    return deepest;
-  }
-  /// Shortens a step that passes a wall to where it just touches, by steps of other lengths from its start (Illinois). The
-  /// result is false when none converges; then h is where that was.
-  bool shorten_to_touch(const MotionState &from, double &h) {
-    constexpr double just = 1e-10; // [m]
-    double low = 0, high = h, f_low = deepest_unmet(from), f_high = deepest_unmet(next_);
-    for (int i = 0, side = 0; f_high > just && i < 60; ++i) {
-      h = f_low < 0 && i % 10 != 9 ? (low * f_high - high * f_low) / (f_high - f_low) : (low + high) / 2;
-      if (!(h > low && h < high)) h = (low + high) / 2;
-      if (!take(from, h).converged) return false;
-      const double f = deepest_unmet(next_);
-      const int now = f > 0 ? 1 : -1;
-      if (f > 0 && f <= just) return true;
-      (f > 0 ? high : low) = h, (f > 0 ? f_high : f_low) = f;
-      if (now == side) (f > 0 ? f_low : f_high) /= 2;
-      side = now;
-    }
-    return h == high || take(from, h = high).converged;
-  }
-  StepReport take(const MotionState &from, double h) {
-    report_ = stepper_.step(from, h, next_);
-    recorder_.count(report_);
-    return report_;
-  }
-
   /// An accepted step; h becomes the next one's length.
   void advance(MotionState &state, double &h) {
     for (;;) {
       h = std::min(h, largest_step_);
       const double limit = recorder_.next_sample(state);
       const bool clipped = state.t + h * 1.001 >= limit;
-      double step = clipped ? limit - state.t : h;
+      const double step = clipped ? limit - state.t : h;
       if (!(step > 1e-12 * std::max(1.0, duration_)))
         throw SolverStopped("the time step of reduced.model \"" + scene_.reduced.model +
                             "\" became too small at t = " + std::to_string(state.t) + " s");
-      const double tried = step;
-      bool good = take(state, step).converged;
-      const bool touches = good && deepest_unmet(next_) > 0;
-      if (touches) good = shorten_to_touch(state, step);
-      if (!good) {
+      const StepReport report = stepper_.step(state, step, next_);
+      recorder_.count(report);
+      if (!report.converged) {
         h = step / 4;
         continue;
       }
-      const double e = error(report_), factor = std::clamp(0.9 / std::cbrt(std::max(e, 1e-9)), 0.2, 2.0);
+      const double e = error(report), factor = std::clamp(0.9 / std::cbrt(std::max(e, 1e-9)), 0.2, 2.0);
       if (e > 1 && step > 1e-6 * largest_step_) {
         h = step * std::min(factor, 0.5);
         continue;
       }
-      h = clipped || step < tried ? std::max(h, step * factor) : step * factor;
+      h = clipped ? std::max(h, step * factor) : step * factor;
       std::swap(state, next_);
-      if (clipped && step == tried) state.t = limit;
-      leave_out_unmet(state);
-      if (touches) stepper_.restart(state);
+      if (clipped) state.t = limit;
       return recorder_.accept(state, next_);
     }
   }
@@ -158,7 +112,6 @@ private:
   DoubleConcaveRecorder recorder_;
   double position_tolerance_, velocity_tolerance_, largest_step_;
   MotionState next_;
-  StepReport report_; ///< of the last step taken
 };
 
 } // namespace

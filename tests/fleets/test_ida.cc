@@ -119,7 +119,7 @@ TEST(RecordFolder, ErrorsNameFolderAndKey) {
   refused("[records]\nfolder = '.'\ncomponents = 'xy'\n", {"s.toml:2:", "no station", "xy"});
   refused("[records]\nfolder = '.'\n", {"s.toml:1:", "records.components"});
   refused("[records]\nfolder = '.'\ncomponents = 'x'\nsa_period_s = 0\n",
-          {"s.toml:4:", "sa_period_s", "> 0"});
+          {"s.toml:4:", "sa_period_s", "at least 0.01"});
   refused("[grid]\nexcitation.scale = [1]\n[fractiles]\nalong = 'excitation.scal'\n",
           {"s.toml:4:", "excitation.scal"});
   refused("[grid]\nvariable.a = [1]\nvariable.b = [0]\n[linked]\nexcitation.scale = { product = "

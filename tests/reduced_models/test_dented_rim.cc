@@ -197,19 +197,16 @@ TEST(DentedRim, ASecondImpactBesideTheDentStandsOnItsFlank) {
   const auto second = [](std::optional<double> dent) { // its restitution, 0.3 m/s along x, by the earlier dent's direction
     scene::Scene s = thrown(0);
     s.excitation.initial_displacement = {0.4, 0}, s.excitation.initial_velocity = {0.3, 0};
+    s.reduced.tolerance = 1e-11; // mirrored they differ by what the integrator leaves: 4e-7 at 1e-9, 3e-10 here
     BearingState start = PhysicalModel(s).initial_state();
     if (dent) start.rim.press(at(*dent), 7e-3, shape);
     return simulate_from(s, start, 0.2).summary.impacts.at(0).restitution();
   };
   const double fresh = second({});
-  for (double tol : {1e-8, 1e-9, 1e-10, 1e-11, 1e-12}) { scene::Scene s = thrown(0); s.reduced.tolerance = tol;
-    s.excitation.initial_displacement = {0.4, 0}, s.excitation.initial_velocity = {0.3, 0}; double r[2]; int k = 0;
-    for (double d : {0.06, -0.06}) { BearingState start = PhysicalModel(s).initial_state(); start.rim.press(at(d), 7e-3, shape);
-    r[k++] = simulate_from(s, start, 0.2).summary.impacts.at(0).restitution(); } fprintf(stderr, "tol %g: %.12f %.12f diff %g\n", tol, r[0], r[1], r[0]-r[1]); }
   EXPECT_GT(second(0), 1.2 * fresh); // in the dent, until it deepens it
   EXPECT_LT(second(0.03), second(0));
   EXPECT_LT(second(0.06), second(0.03));
-  EXPECT_NEAR(second(0.06), second(-0.06), 1e-7);
+  EXPECT_NEAR(second(0.06), second(-0.06), 1e-8);
   EXPECT_NEAR(second(0.4), fresh, 1e-9); // touches apart
 }
 

@@ -98,6 +98,6 @@ TEST(Uplift, TheLargestHeightInFlightIsNotThatOfAStepsEnd) {
     s.excitation.duration = 1.0;
     s.load.vertical = 9.81 * s.load.mass; // the default's weight is rounded: its W/m is 2e-6 above g
     const double expected = end * end * 9.81;
-    EXPECT_NEAR(simulate(s).summary.peak_vertical_displacement, expected, 1e-9 * expected) << end;
+    EXPECT_NEAR(simulate(s).summary.peak_vertical_displacement, expected, 1e-7 * expected) << end; // a step's end errs by 6e-5; what is left is where the record ends, to 1e-8 s
   }
 }

@@ -96,7 +96,7 @@ TEST(DoubleConcaveMotion, TheStepToleranceGovernsTheError) {
   EXPECT_LT(coarse.n_steps, fine.n_steps);
 }
 
-/// Where a dashpot's force begins, its peak is c v at the touch: at the usual tolerance every later peak is met as well.
+/// Where a dashpot's force begins, its peak is c v at the touch: at the tolerance a scene file has by default every later peak is met as well.
 TEST(DoubleConcaveMotion, ADashpotsPeakAtTheTouchIsMetAtTheUsualTolerance) {
   scene::Scene scene;
   scene.reduced.model = "lir-dcfp", scene.reduced.mu_fast = scene.reduced.mu_slow = 0.06, scene.reduced.k_i = 4e7;
@@ -109,7 +109,8 @@ TEST(DoubleConcaveMotion, ADashpotsPeakAtTheTouchIsMetAtTheUsualTolerance) {
     b.step_tolerance = tolerance;
     return simulate(scene).summary;
   };
-  const auto usual = at(scene::DoubleConcave{}.step_tolerance), fine = at(1e-7);
+  const double by_default = scene::parse_scene("[reduced]\nmodel = \"lir-dcfp\"\n", "s.toml").isolator.step_tolerance;
+  const auto usual = at(by_default), fine = at(1e-7);
   ASSERT_EQ(usual.impacts.size(), 2u);
   ASSERT_EQ(fine.impacts.size(), 2u);
   for (int i = 0; i < 2; ++i) {

@@ -53,10 +53,11 @@ TEST(DoubleConcaveLoop, UnequalPlatesSlideTogetherAtTheFrictionWeightedByTheirRa
       Column u = run.response.series("displacement_x"), F = run.response.series("force_x");
       const double off = space == std::string("planar") ? 1e-4 : 4e-4; // eight points on a circle: their cosines differ
       double since_turn = 0;
+      constexpr double both_slide = 10 * settled; // after a turn the slider rocks on its contact springs until the second face slides too
       for (std::size_t i = 1; i < u.size(); ++i) {
         const double sense = loop.sense, expected = loop.move(u[i]);
         since_turn = sense == loop.sense ? since_turn + std::abs(u[i] - u[i - 1]) : 0;
-        if (since_turn > settled) ASSERT_NEAR(-F[i] / scene.load.vertical, expected, off) << model << space << " u " << u[i];
+        if (since_turn > both_slide) ASSERT_NEAR(-F[i] / scene.load.vertical, expected, off) << model << space << " u " << u[i];
       }
     }
 }
