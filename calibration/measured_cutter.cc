@@ -84,9 +84,9 @@ std::optional<MeasuredCutter::Start> MeasuredCutter::start_of(std::size_t index,
 std::optional<MeasuredCutter::Start> MeasuredCutter::stated_start(const Contact &contact, std::string &reason) const {
   const Eigen::Vector2d u = planar(r_, "displacement", 0);
   const double beyond = u.norm() - L_c_, sigma = record_.sigma();
-  if (run_.is_window() && contact.first <= 2 && beyond < 1e-9 + sure * sigma) {
-    const double speed = run_.scene.excitation.speed;
-    const Eigen::Vector2d variance(sigma * sigma, std::pow(options_.stated_speed_error * speed, 2));
+  const double speed = run_.scene.excitation.impact_speed(), a_sample = speed * (times_[1] - times_[0]); // touched since the sample before
+  if (run_.is_window() && contact.first <= 2 && beyond < a_sample + sure * sigma) {
+    const Eigen::Vector2d variance(sigma * sigma + a_sample * a_sample / 3, std::pow(options_.stated_speed_error * speed, 2));
     return Start{0, 1, std::min(u.norm(), L_c_) * u.normalized(), speed * u.normalized(), variance.asDiagonal()};
   }
   reason = fmt::format("the record holds {:.2g} ms before this touch ({} samples are free of the rim's force there, {} are needed; 10 ms "

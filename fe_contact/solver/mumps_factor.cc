@@ -1,10 +1,10 @@
 #include "fe_contact/solver/mumps_factor.h"
 
-#include "scene/error.h"
 #include <algorithm>
 #include <array>
 #include <dmumps_c.h>
 #include <mpi.h>
+#include <new>
 #include <smumps_c.h>
 
 namespace rimpact::fe {
@@ -75,9 +75,7 @@ private:
   /// A matrix that cannot be factorised and memory that cannot be had want different cures.
   void require_memory() const {
     constexpr std::array no_memory{-5, -7, -13, -19};
-    if (std::find(no_memory.begin(), no_memory.end(), data_.infog[0]) == no_memory.end()) return;
-    throw SolverStopped("the factor of " + std::to_string(data_.n) + " equations found no memory (MUMPS says " + std::to_string(data_.infog[0]) +
-                        "); a coarser mesh needs less: a lower model.mesh, or close other programs");
+    if (std::find(no_memory.begin(), no_memory.end(), data_.infog[0]) != no_memory.end()) throw std::bad_alloc();
   }
   int &control(int i) { return data_.icntl[i - 1]; }
   void run(int job) {

@@ -187,7 +187,7 @@ class Folders(unittest.TestCase):
             time, force = file["response/time"][()], file["response/impact_x"][()]
         for name, values in (("time", time[:-1]), ("time", time[::-1]), ("time", np.zeros(0)), ("time", None), ("impact_x", force[:-3]), ("impact_x", np.full(len(time), np.nan)),
                              ("impact_x", force.reshape(1, -1)), ("impact_x", b"text"), ("displacement_x", None)):
-            for verb in (["calibrate", damage(name, values), "-o", self.path("fit")], ["compare", damage(name, values), self.folder, "-o", self.path("compared")]):
+            for verb in (["calibrate", damage(name, values), "-o", self.path("fit")], ["compare", damage(name, values), self.folder]):
                 with self.subTest(field=name, verb=verb[0]):
                     self.says(3, arguments=verb)
 
@@ -205,7 +205,7 @@ class Folders(unittest.TestCase):
             with h5py.File(path, "r+") as file:
                 del file["response/gap"]
                 make(file["response"])
-            self.says(3, "/response/gap", arguments=["compare", self.folder, self.folder, "-o", self.path("compared")])
+            self.says(3, "/response/gap", arguments=["compare", self.folder, self.folder])
 
     def test_what_would_hang_or_fill_the_memory_is_refused(self):
         fifo = self.path("fifo.toml")

@@ -62,7 +62,7 @@ class ForeignFiles(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stderr)
         for name in ("report.py", "json.py", "numpy/__init__.py", "report/__init__.py", "sitecustomize.py"):
             path = self.file(name, evil)
-            for words in (("report", "run"), ("reduced", "ricker-0.78g-1.0s", "--png", "-o", "run")):
+            for words in (("reduced", "ricker-0.78g-1.0s", "--png", "-o", "run"), ("report", "run")):
                 run = rimpact(*words, cwd=self.folder, PYTHONPATH=self.folder)
                 self.assertEqual(run.returncode, 0, run.stderr)
             self.assertTrue(os.path.getsize(os.path.join(self.folder, "run", "report.html")) > 10000)

@@ -293,7 +293,9 @@ TEST(Answer, SaysWhetherTheSteelBearsIt) {
   std::vector<std::string> runs;
   const double strains[] = {0.05, 0.12, 0.30};
   for (int i = 0; i < 3; ++i) {
-    runs.push_back(folder.write(window(0.1 * (i + 1))));
+    auto scene = window(0.1 * (i + 1));
+    scene.bearing = scene::builtin_bearing("shfps-225"); // with its marks: the limit is an assumption
+    runs.push_back(folder.write(scene));
     amend(runs[i], {{"max_plastic_strain", strains[i]}, {"rung", "rim"}, {"mesh", 1}});
   }
   const auto c = calibrate(runs, quick({}));

@@ -75,7 +75,9 @@ TEST(Csi, TablesHoldTheLink) {
   EXPECT_EQ(lines_with(e2k, "LINKPROPFORCEDISPL  \"RIM\"").size(), rows.size());
   EXPECT_NE(text.find("was not tried"), std::string::npos);
   const auto csv = link_csv(rim, links, dish, {"command"});
-  EXPECT_EQ(lines_with(csv, "RIM,").size(), rows.size());
+  auto cells = lines_with(csv, "RIM,");
+  std::erase_if(cells, [](const auto &line) { return line.rfind("RIM,", 0) != 0; }); // comments may end in it
+  EXPECT_EQ(cells.size(), rows.size());
   for (const auto &each : {text, e2k, csv}) EXPECT_FALSE(lines_with(each, "DOUBT: Run w-0.70").empty());
 }
 

@@ -24,7 +24,7 @@ Scene record_scene(const TemporaryFolder &folder, double peak) {
 }
 void write_run(const std::string &folder, const Scene &scene) {
   Response response;
-  for (const char *name : {"time", "displacement_x", "displacement_y", "displacement_z", "force_x", "force_y", "force_z", "gap"}) response.append(name, 0);
+  for (const char *name : {"time", "displacement_x", "displacement_y", "displacement_z", "force_x", "force_y", "force_z", "impact_x", "impact_y", "gap"}) response.append(name, 0);
   write_run_folder(folder, scene, response, Summary());
 }
 
