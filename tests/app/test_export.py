@@ -97,7 +97,7 @@ class Export(unittest.TestCase):
                 self.assertEqual(call[3:], (E, -Fy, -0.4, eta, "damage"))
             self.assertEqual(ops.calls[4], ("uniaxialMaterial", "Parallel", 7, 8, 9, 10, 11))
             self.assertEqual([call[2] for call in ops.calls[5:]], [100, 101])
-            self.assertEqual([call[9] for call in ops.calls[5:]], [-1.0, 1.0])  # local x: shortened by motion along +x, -x
+            self.assertEqual([call[10] for call in ops.calls[5:]], [-1.0, 1.0])  # local x: shortened by motion along +x, -x
             ops = Recorder()
             values["rimpact_bearing"](ops, 1000, 1, 2, 99)
             self.assertEqual(ops.calls[1], ("node", 99, 1.0, 2.0, 2.999))
