@@ -47,6 +47,7 @@ scene::ReducedSettings settings_of(const std::string &law, const json &element, 
       if (!(value >= 0)) throw DataError(fmt::format("calibration.json: {} of {}, {:g}, must be >= 0", name, where, value));
       p.set(scene, value * p.si);
     }
+  positive_at(element, "k_i", where); // zero is no rim
   for (const char *key : {"reference_speed_m_per_s", "reference_speed"})
     if (element.contains(key)) scene.reduced.reference_speed = positive_at(element, key, where);
   try {
