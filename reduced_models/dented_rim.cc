@@ -54,11 +54,19 @@ double DentedRim::deepest_at(const Vector2d &u, const DentShape &shape, const Wa
   return deepest;
 }
 
-/// Over a touch of this half length at u one dent, or one end of a stroke, is everywhere as deep as d: what it leaves is a
+/// How far from a dent's place, along the wall, what it leaves may be looked at [m]: twice half the longest touch so far.
+double DentedRim::reach(double d, const DentShape &shape) const {
+  double deepest = std::max(d, 0.0);
+  for (const Dent &dent : dents_) deepest = std::max(deepest, dent.deepest);
+  for (const WallStroke &stroke : strokes_) deepest = std::max(deepest, stroke.deepest());
+  return 2 * half_touch(deepest, shape.flank());
+}
+
+/// As far as `reach` from u one dent, or one end of a stroke, is everywhere as deep as a press to d: the two differ by a
 /// straight line over tau, so its ends decide.
-bool DentedRim::covered(const Vector2d &u, double d, double half, const DentShape &shape) const {
+bool DentedRim::covered(const Vector2d &u, double d, double reach, const DentShape &shape) const {
   const double flank = shape.flank();
-  const auto covers = [&](double deepest, double s) { return seen(deepest, std::abs(s), half, flank) >= d; };
+  const auto covers = [&](double deepest, double s) { return seen(deepest, std::abs(s), reach, flank) >= d; };
   for (const Dent &dent : dents_)
     if (covers(dent.deepest, beside(dent, u, shape))) return true;
   for (const WallStroke &stroke : strokes_)
@@ -66,10 +74,10 @@ bool DentedRim::covered(const Vector2d &u, double d, double half, const DentShap
   return false;
 }
 
-/// Drops what a press at u to d hides for good.
+/// Drops what a press at u to d hides for good: as far as `reach` from its own place, s aside.
 void DentedRim::forget_covered(const Vector2d &u, double d, const DentShape &shape) {
-  const double flank = shape.flank(), half = half_touch(d, flank);
-  const auto hidden = [&](double deepest, double s) { return s < half && seen(deepest, s, -half, flank) <= d; };
+  const double flank = shape.flank(), wide = reach(d, shape);
+  const auto hidden = [&](double deepest, double s) { return seen(deepest, s, -(s + wide), flank) <= d; };
   std::erase_if(dents_, [&](const Dent &dent) { return hidden(dent.deepest, std::abs(beside(dent, u, shape))); });
   std::erase_if(strokes_, [&](const WallStroke &stroke) {
     return hidden(stroke.deepest(), farthest(stroke, along_wall(stroke.direction(), u, shape.wall)));
@@ -77,7 +85,7 @@ void DentedRim::forget_covered(const Vector2d &u, double d, const DentShape &sha
 }
 
 void DentedRim::press(const Vector2d &u, double d, const DentShape &shape) {
-  if (d <= 0 || covered(u, d, half_touch(d, shape.flank()), shape)) return;
+  if (d <= 0 || covered(u, d, reach(d, shape), shape)) return;
   forget_covered(u, d, shape);
   dents_.push_back({u.normalized(), d});
 }
@@ -94,8 +102,9 @@ void DentedRim::arrive(double t, const WallPoint &at, const DentShape &shape) {
   const double length = stroke->high() - stroke->low(), flank = shape.flank();
   if (length < same_place) return press(at.direction, at.d, shape);
   if (!(stroke->deepest() > 0)) return;
-  const double half = half_touch(stroke->deepest(), flank) + length; // seen from the last place
-  if (covered(at.direction, stroke->deepest() + half * length / flank, half, shape)) return;
+  // From its last place no point of it is farther than `length`, so none leaves more than this anywhere.
+  const double wide = reach(stroke->deepest(), shape) + length;
+  if (covered(at.direction, stroke->deepest() + wide * length / flank, wide, shape)) return;
   if (at.d > 0) forget_covered(at.direction, at.d, shape);
   strokes_.push_back(*stroke);
 }

@@ -61,8 +61,9 @@ public:
   const std::vector<WallStroke> &strokes() const { return strokes_; }
 
 private:
+  double reach(double d, const DentShape &shape) const;
   void forget_covered(const Eigen::Vector2d &u, double d, const DentShape &shape);
-  bool covered(const Eigen::Vector2d &u, double d, double half, const DentShape &shape) const;
+  bool covered(const Eigen::Vector2d &u, double d, double reach, const DentShape &shape) const;
   std::vector<Dent> dents_;         ///< of presses
   std::vector<WallStroke> strokes_; ///< of presses that moved along the wall
   std::optional<WallPoint> from_;

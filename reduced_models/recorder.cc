@@ -205,14 +205,13 @@ void Recorder::branch(const Mode &before, const Mode &after, double t, const Sta
   Evaluation e = dynamics_.evaluate(after, t, y);
   watch(after, y, e);
   last_ = e;
-  if (turned_) store(after, t, y, 0); // the other side of the jump
-  if (pressed_before == pressed) return;
+  if (pressed_before == pressed && !turned_) return;
   if (response_ && pressed && !columns_[0]->empty() &&
-      last_sample_ > t - 1e-9) { // the touch belongs to the pressed branch
+      last_sample_ > t - 1e-9) { // the instant belongs to the branch that begins
     for (auto *column : columns_) column->pop_back();
     last_sample_ = columns_[0]->empty() ? -1e300 : columns_[0]->back();
   }
-  if (pressed) store(after, t, y, 0); // however soon after another sample: where a dashpot's force begins
+  if (pressed) store(after, t, y, 0); // however soon after another sample: where a dashpot's force begins, or friction has turned
   next_sample_ = pressed ? next_after(after, t) : t + beside;
 }
 

@@ -73,8 +73,8 @@ struct Header {
   std::size_t data_line = 0; ///< index of the first line of values
 };
 
-/// What follows UNITS OF, UNITS:, UNITS =, UNITS IN or UNITS ( in a header line, or else IN behind TIME SERIES or TIME HISTORY;
-/// empty: the line names no unit.
+/// What follows UNITS OF, UNITS:, UNITS =, UNITS IN, UNITS ( or UNITS in a header line, or else IN or ( behind TIME SERIES or
+/// TIME HISTORY; empty: the line names no unit.
 std::string_view unit_name(std::string_view line) {
   const auto behind = [&](std::string_view word, std::size_t from) {
     const auto at = line.find(word, from);
@@ -83,12 +83,13 @@ std::string_view unit_name(std::string_view line) {
   if (auto rest = behind("UNITS", 0); !rest.empty()) {
     for (const std::string_view opening : {"OF ", "IN ", "ARE ", ":", "=", "("})
       if (rest.starts_with(opening)) return trim(rest.substr(opening.size()));
-    return {};
+    return rest;
   }
   for (const std::string_view series : {"TIME SERIES", "TIME HISTORY"})
     if (const auto at = line.find(series); at != std::string_view::npos)
       for (const std::string_view opening : {" IN ", "("})
-        if (const auto name = behind(opening, at); !name.empty()) return name;
+        if (const auto name = behind(opening, at); name.substr(0, name.find(' ')).find_first_of("/*^") != std::string_view::npos)
+          return name; // written as a unit, not a place
   return {};
 }
 

@@ -24,6 +24,17 @@ std::vector<Vector2d> layout(const scene::DoubleConcave &b, double radius) {
   return points;
 }
 
+/// A rim is penetrated by about R / (R_1 + R_2) of the travel beyond its capacity, so the bearing has that share's square of its k
+/// and c, summed over the rims that are touched together, and must return e: c is that of this many supported masses (2 where
+/// the plates are alike).
+double mass_before_rims(const scene::DoubleConcave &b) {
+  const double R[] = {b.radius, b.upper_radius()}, C[] = {b.capacity, b.upper_capacity()}, both = R[0] + R[1];
+  double squares = 0;
+  for (int i = 0; i < 2; ++i)
+    if (C[i] <= b.lateral_capacity()) squares += R[i] * R[i];
+  return both * both / squares;
+}
+
 double depth(double R, double r) {
   return R - std::sqrt(R * R - r * r);
 }
@@ -49,9 +60,7 @@ DoubleConcaveSystem::DoubleConcaveSystem(const scene::Scene &scene)
   system.interface_friction = {bearing_.mu_interface, bearing_.mu_interface, 0};
   system.park_wen = r.friction == "park-wen" && !driven;
   if (system.park_wen) system.elastic_slip = r.elastic_slip;
-  // Rims that are touched together stop the mass in series: the pair has half of k and c, and must return e.
-  const bool together = bearing_.upper_capacity() == bearing_.capacity;
-  if (r.k_i > 0) system.rim = rim_element(r, (together ? 2 : 1) * scene.load.mass);
+  if (r.k_i > 0) system.rim = rim_element(r, mass_before_rims(bearing_) * scene.load.mass);
   if (driven) system.rim.damping = 0;
 }
 
