@@ -140,7 +140,7 @@ double largest_step(const Dynamics &dynamics, const Mode &mode) {
 /// Rest ends as for the own stepper: a scalar equation in time.
 void rest(const Dynamics &dynamics, Mode &mode, double &t, State &y, double t_end, Recorder &recorder) {
   const double t1 = end_of_rest(dynamics, mode, y, t, t_end, 5e-3);
-  recorder.segment(mode, {t, t1, y, y, [&](double) { return y; }}, Recorder::End::smooth);
+  recorder.segment(mode, {t, t1, y, y, [&](double) { return y; }}, false);
   t = t1;
   if (t1 >= t_end) return;
   const Mode before = mode;
@@ -183,7 +183,7 @@ CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, 
     const Mode during = mode; // with the direction the step began in
     dynamics.project(mode, y);
     recorder.segment(during, {t0, t, y0, y, [&](double at) { return cvode.interpolate(at); }},
-                     at_root ? end_of(during, event) : Recorder::End::smooth);
+                     at_root && changes_rim(event));
     if (event == Event::collapse) {
       recorder.end(mode, t, y);
       return {n_steps, true};

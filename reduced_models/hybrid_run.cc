@@ -163,7 +163,7 @@ void HybridRun::attempt_until_accepted(double t_limit) {
 void HybridRun::rest(double t_end, Recorder &recorder) {
   const double t1 = end_of_rest(dynamics_, mode_, step_.y0, step_.t, t_end, pulse_scale_ / 2);
   const State y = step_.y0;
-  recorder.segment(mode_, {step_.t, t1, y, y, [&](double) { return y; }}, Recorder::End::smooth);
+  recorder.segment(mode_, {step_.t, t1, y, y, [&](double) { return y; }}, false);
   step_.t = t1;
   if (t1 >= t_end) return;
   const Mode before = mode_;
@@ -204,11 +204,11 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
     const Mode during = mode_; // with the direction the step began in: at a stop y1 may lie just beyond v = 0
     dynamics_.project(mode_, step_.y1);
     const double t1 = step_.t + step_.h;
-    const Recorder::End end = crossing.found ? end_of(mode_, crossing.event, crossing.by_stop) : Recorder::End::smooth;
+    const bool rim_changes = crossing.found && (crossing.by_stop || changes_rim(crossing.event));
     recorder.segment(
         during,
         {step_.t, t1, step_.y0, step_.y1, [&](double t) { return step_.at((t - step_.t) / step_.h); }},
-        end);
+        rim_changes);
     step_.t = t1;
     step_.y0 = step_.y1;
     if (stop) stop_start_ = stop(position(dynamics_, mode_, step_.y0));

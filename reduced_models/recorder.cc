@@ -151,8 +151,9 @@ void Recorder::store_before(const Mode &mode, const Segment &s) {
   store(mode, s.t1 - beside, y);
 }
 
-void Recorder::segment(const Mode &mode, const Segment &s, End end) {
-  turned_ = end == End::turns;
+void Recorder::segment(const Mode &mode, const Segment &s, bool rim_changes_at_end) {
+  turned_ = mode.rim == RimContact::pressed && mode.support == Support::sliding &&
+            std::hypot(s.y1[iVX], s.y1[iVY]) <= dynamics_.stop_speed;
   if (response_) {
     while (next_sample_ <= s.t1) {
       State y = s.at(next_sample_);
@@ -160,8 +161,8 @@ void Recorder::segment(const Mode &mode, const Segment &s, End end) {
       store(mode, next_sample_, y);
       next_sample_ = next_after(mode, next_sample_);
     }
-    if (turned_ || (end == End::rim_changes && mode.rim != RimContact::pressed)) store_before(mode, s);
-    if (end == End::rim_changes) store(mode, s.t1, s.y1);
+    if (turned_ || (rim_changes_at_end && mode.rim != RimContact::pressed)) store_before(mode, s);
+    if (rim_changes_at_end) store(mode, s.t1, s.y1);
   }
   Evaluation e = dynamics_.evaluate(mode, s.t1, s.y1);
   if (s.t1 > s.t0 && !dynamics_.at_rest(mode)) {

@@ -21,9 +21,8 @@ public:
            const scene::EnergyLedger &before = {});
 
   void begin(const Mode &mode, double t, const State &y);
-  /// How a segment ends: the rim's force begins, ends or lets go; the mass turns or stops on the rim, where friction jumps.
-  enum class End { smooth, rim_changes, turns };
-  void segment(const Mode &mode, const Segment &segment, End end);
+  /// A segment that ends at rest on the pressed rim has both sides of friction's jump stored.
+  void segment(const Mode &mode, const Segment &segment, bool rim_changes_at_end);
   /// After an event: the branch may have changed, `loss` is energy lost in a landing.
   void branch(const Mode &before, const Mode &after, double t, const State &y, double loss);
   void end(const Mode &mode, double t, const State &y);
@@ -59,16 +58,11 @@ private:
   Mode final_mode_; ///< its support only
   double final_time_ = 0;
   BuildingRecorder building_;
-  bool in_impact_ = false, turned_ = false;
+  bool in_impact_ = false;
+  bool turned_ = false; ///< the latest segment ended at rest on the pressed rim
   std::vector<scene::Impact> impacts_;
   double peak_displacement_ = 0, peak_height_ = -1e300, peak_lateral_ = 0, smallest_normal_ = 1e300;
   double smallest_gap_ = 1e300;
 };
-
-/// How the branch `mode` ends by an event, or where a run is stopped.
-inline Recorder::End end_of(const Mode &mode, Event event, bool stopped = false) {
-  if (stopped || changes_rim(event)) return Recorder::End::rim_changes;
-  return event == Event::stop && mode.rim == RimContact::pressed ? Recorder::End::turns : Recorder::End::smooth;
-}
 
 } // namespace rimpact::reduced
