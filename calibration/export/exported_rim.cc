@@ -130,7 +130,7 @@ const json &answer_of(const json &calibration) {
 /// Speeds the law is exported for. At another mass a law that knows no rate reaches the same penetrations at other speeds: v sqrt(m).
 void set_range(ExportedRim &rim, const json &law, const std::string &where) {
   auto from = number_or_none(law, "valid_from_m_s", where.c_str()), to = number_or_none(law, "valid_to_m_s", where.c_str());
-  if (!from || !to)
+  if (!from || !to || *to < ExportedRim::least_span * *from) // one speed alone would be met exactly, and say nothing of the others
     from = number_at(law, "fitted_from_m_s", where.c_str()), to = number_at(law, "fitted_to_m_s", where.c_str());
   if (!(*from > 0 && *to >= *from))
     throw DataError(fmt::format("calibration.json: {}: speeds {:g} to {:g} m/s must be > 0 and rise", where, *from, *to));

@@ -19,7 +19,8 @@ struct ExportedRim {
   double vertical = 0;             ///< dead load W [N]
   double gravity = 0;              ///< [m/s^2]
   double lateral_capacity = 0;     ///< travel at which the rim begins [m]
-  double from = 0, to = 0;         ///< approach speeds at `mass` [m/s] it is exported for
+  double from = 0, to = 0;         ///< approach speeds at `mass` [m/s] it is tuned and checked for: where the law holds, or those fitted
+  static constexpr double least_span = 1.5; ///< of `to` over `from`: where the law holds over less, the speeds fitted are taken
   std::string bearing, rim_identity;
   std::vector<std::string> statement; ///< bearing, load, law, range, errors, doubts: plain sentences in this order
 

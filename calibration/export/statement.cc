@@ -45,6 +45,8 @@ void add_range(std::vector<std::string> &lines, const ExportedRim &rim, const js
     lines.push_back(fmt::format("Holds from {:g} to {:g} m/s: there runs left out of the fit are met within {}.", *from, *to, percent(number(law, "tolerance"))));
   else
     lines.push_back("DOUBT: no range of speeds is known in which runs left out of the fit are met; the speeds fitted stand below instead.");
+  if (from && to && *to < ExportedRim::least_span * *from)
+    lines.push_back("DOUBT: that range is narrow; springs and self-check are made for the speeds fitted instead.");
   if (rim.element().law->yields && std::abs(rim.mass / rim.fitted_mass - 1) > 0.01)
     lines.push_back(fmt::format("Exported for {:.6g} kg, fitted at {:.6g} kg: the same penetrations are reached at {:.3g} to {:.3g} m/s.", rim.mass, rim.fitted_mass, rim.from, rim.to));
   const json worst = law.value("worst_left_out", json());

@@ -2,6 +2,7 @@
 #include "calibration/export/comment.h"
 #include "calibration/export/opensees.h"
 #include "scene/error.h"
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace rimpact::calibration {
@@ -90,6 +91,16 @@ TEST(OpenSees, ALawOfTheRimMovesWithTheMass) {
   const auto rim = rim_of(answer_fixture(), {.law = "", .mass = 4 * 86952.0});
   EXPECT_NEAR(rim.from, 0.05, 1e-12); // the same penetrations at half the speed
   EXPECT_NEAR(rim.to, 0.35, 1e-12);
+}
+
+TEST(OpenSees, ARangeOfOneSpeedIsNotWhatSpringsAreTunedTo) {
+  auto calibration = answer_fixture(); // met exactly at one speed, four springs would be off elsewhere unsaid
+  calibration["answer"]["law"]["valid_to_m_s"] = 0.1;
+  const auto rim = rim_of(calibration);
+  EXPECT_DOUBLE_EQ(rim.from, 0.1);
+  EXPECT_DOUBLE_EQ(rim.to, 0.7);
+  EXPECT_EQ(opensees_rim(rim).check.rows.size(), 5u);
+  EXPECT_EQ(std::count(rim.statement.begin(), rim.statement.end(), "DOUBT: that range is narrow, springs and self-check are made for the speeds fitted instead."), 1);
 }
 
 TEST(OpenSees, TextHoldsStatementAndNumbersOnly) {
