@@ -8,7 +8,6 @@
 #include "calibration/stored_study.h"
 #include "fe_contact/runner/machine_times.h"
 #include "fe_contact/runner/run.h"
-#include "scene/limits.h"
 #include "scene/json_text.h"
 #include <chrono>
 #include <filesystem>
@@ -60,7 +59,6 @@ void run(Options &options, Console &console) {
   run_options.interrupted = &interrupted();
   run_options.remark = [&](const std::string &sentence) { console.message(sentence); };
   run_options.annotate = [&](scene::Summary &summary) {
-    scene::judge(scene, summary);
     const auto beside = std::filesystem::absolute(run_options.folder).lexically_normal().parent_path();
     try {
       summary.extra["error_estimate"] = calibration::error_estimate(scene, summary, calibration::stored_studies(beside), {run_options.folder, summary.wall_time});
