@@ -1,4 +1,4 @@
-/// The solids of rung R1 (DESIGN 1): a sector of the rim with the plate below it, and the upper slider with
+/// The solids of rung rim: a sector of the rim with the plate below it, and the upper slider with
 /// its socket cavity, in the position of first touch. Frame: the plate's, rotated so that the touched side is
 /// +x; the slider's axis stands at x = L_c, its bottom at slider.bottom + lift(L_c).
 #pragma once

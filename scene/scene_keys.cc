@@ -135,7 +135,7 @@ void visit_settings(KeyVisitor &v, Scene &s) {
     v.integer({"mesh", "1 | 2 | 3; 0: a draft, every size x 1.5"}, s.model.mesh, 0, 3);
     v.number({"step_ms", "inside an impact; 0: chosen by the plan"}, s.model.step, milli, {0, 1e3});
     v.number({"rho_inf", "spectral radius of generalised-alpha"}, s.model.rho_inf, si, share);
-    v.number({"penalty_scale", "of contact, times the default; above 10 it is cut to 10"}, s.model.penalty_scale, si, {1e-4, 1e4});
+    v.number({"penalty_scale", "of contact, times the default"}, s.model.penalty_scale, si, {1e-4, 1e4});
     v.choice({"symmetry", "auto | half | whole"}, s.model.symmetry, {"auto", "half", "whole"});
     if (v.wants(s.model.own_mesh.any())) v.section("own_mesh", [&] { visit(v, s.model.own_mesh); });
   });

@@ -1,7 +1,7 @@
 /// Contact of one point with a surface: unilateral pressure and Coulomb friction with elastic slip, both by
 /// augmented Lagrangian. Signs: gap > 0 open; pressure >= 0; the normal points from the surface to the point;
 /// the traction is what the surface does to the point.
-///   p   = max(0, lambda_N - eps_N g)                      (see normal_contact.h)
+///   p   = max(0, lambda_N - eps_N g)                      (Alart and Curnier 1991; Wriggers, Computational Contact Mechanics)
 ///   t*  = P lambda_T - eps_T P s,   P = 1 - n n^T         (trial: s is the slip since the step began)
 ///   t   = t* if |t*| <= mu p, else mu p t*/|t*|           (Simo and Laursen 1992, return map)
 /// lambda_T is the friction traction of the last step, or of the last augmentation: with it s tends to zero

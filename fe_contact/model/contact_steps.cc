@@ -71,10 +71,12 @@ ContactStepReport time_step(ContactSystem &system, SystemState &state, const Ste
   const Inertia inertia(GeneralizedAlpha::from(options.rho_inf), terms.dt, state);
   StepTerms in_time = terms;
   in_time.inertia = &inertia;
+  if (options.expects && state.last_dt > 0) in_time.expected = terms.dt / state.last_dt;
   // The last increment repeated: loading goes on mostly as it did, where the velocities ring from cell to cell.
   Eigen::VectorXd u = state.u + (state.last_dt > 0 ? terms.dt / state.last_dt * state.last_change : terms.dt * state.v);
   ContactStepReport report = solve(system, state, in_time, options, u);
   if (!report.converged) return report;
+  report.multiplier = system.multiplier();
   const Eigen::VectorXd a = inertia.acceleration(u), du = u - state.u, da = a - state.a, R_old = state.R;
   system.commit(u, state, next_multipliers(options, report));
   state.last_change = du;

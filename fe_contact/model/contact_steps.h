@@ -15,6 +15,7 @@ struct StepOptions {
   /// solution meets newton.tolerance. 0: all do.
   double tolerance_between = 0;
   double rho_inf = 0.8;
+  bool expects = false; ///< steps in time begin with the multipliers' last change repeated (see SurfaceContact::expect)
 };
 
 struct ContactStepReport {
@@ -24,6 +25,7 @@ struct ContactStepReport {
   std::vector<double> residuals; ///< of the last Newton solution
   double gap_left = 0, slip_left = 0; ///< at the end [m]
   double integrator_loss = 0;    ///< [J], steps in time only
+  double multiplier = 0;         ///< of the remote displacement's constraint [N], whole bearing
   std::string reason;
 };
 

@@ -26,19 +26,27 @@ void ContactSystem::add_mass(int dof, double mass) { body_masses_.emplace_back(d
 
 void ContactSystem::make_pattern(const Eigen::VectorXd &displacements, const std::vector<SurfaceContactState> &states) {
   const Stopwatch watch(time_split["search"]);
-  ++patterns_made_;
-  auto cliques = solid_.cliques(equations_);
+  std::vector<std::vector<int>> pairs;
   for (std::size_t i = 0; i < contacts_.size(); ++i)
-    for (auto &clique : contacts_[i].cliques(equations_, displacements, states[i].opposite))
-      cliques.push_back(std::move(clique));
-  solid_tangent_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
+    for (auto &clique : contacts_[i].cliques(equations_, displacements, states[i].opposite)) pairs.push_back(std::move(clique));
+  if (tangent_ && tangent_->symmetry() == symmetry() && pairs == pairs_) return tangent_->solver().forget();
+  pairs_ = std::move(pairs);
+  auto cliques = solid_.cliques(equations_);
+  cliques.insert(cliques.end(), pairs_.begin(), pairs_.end());
+  tangent_ = std::make_unique<Tangent>(equations_.n, cliques, symmetry(), time_split);
   mass_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
   solid_.add_mass(equations_, *mass_);
   for (const auto &[dof, mass] : body_masses_)
     for (int i = 0; i < 3; ++i)
       if (const int equation = equations_.of_dof[dof + i]; equation >= 0) mass_->add(equation, equation, mass);
-  tangent_ = std::make_unique<GeneralMatrix>(*solid_tangent_);
-  solver_ = std::make_unique<LinearSolver>(*tangent_, time_split);
+}
+
+Symmetry ContactSystem::symmetry() const {
+  const bool friction = std::any_of(contacts_.begin(), contacts_.end(), [](const auto &contact) {
+    const FrictionCoefficient &mu = contact.options().law.friction;
+    return mu.fast > 0 || mu.slow > 0;
+  });
+  return friction || ranks().size > 1 ? Symmetry::general : Symmetry::symmetric;
 }
 
 SystemState ContactSystem::at_rest() {
@@ -54,7 +62,12 @@ SystemState ContactSystem::at_rest() {
 void ContactSystem::prepare(const SystemState &old, const StepTerms &terms) {
   old_ = &old;
   terms_ = &terms;
+  if (tangent_->symmetry() != symmetry()) make_pattern(equations_.expand(old.u), old.contacts); // friction was set or taken away
   trial_.contacts = old.contacts;
+  for (auto &contact : trial_.contacts)
+    if (terms.expected > 0) SurfaceContact::expect(contact, terms.expected);
+  has_border_ = false;
+  if (terms.remote) border_.multiplier = terms.remote->multiplier;
 }
 
 bool ContactSystem::evaluate(const Eigen::VectorXd &u) {
@@ -68,31 +81,24 @@ bool ContactSystem::evaluate(const Eigen::VectorXd &u) {
 bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool &pattern_holds) {
   const Eigen::VectorXd displacements = equations_.expand(u);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations_.n);
-  solid_tangent_->set_zero();
+  SymmetricMatrix &solid_tangent = tangent_->symmetric();
+  solid_tangent.set_zero();
   trial_.energies = {};
   {
     const Stopwatch watch(time_split["assembly"]);
-    if (!solid_.assemble(displacements, old_->history, trial_.history, equations_, forces, solid_tangent_.get(),
-                         trial_.energies))
+    if (!solid_.assemble(displacements, old_->history, trial_.history, equations_, forces, &solid_tangent, trial_.energies))
       return false;
   }
   const Stopwatch watch(time_split["search"]);
-  Eigen::VectorXd spent = forces.cwiseAbs();
+  const double spent = forces.cwiseAbs().norm();
   // Of the tangent every rank has the share of its cells and faces, and the first one what belongs to none.
-  const bool first = ranks().first();
-  if (terms_->inertia && first) {
+  if (terms_->inertia && ranks().first()) {
     const double factor = terms_->inertia->mass_factor();
-    for (std::size_t k = 0; k < mass_->n_entries(); ++k)
-      solid_tangent_->values()[k] += factor * mass_->values()[k];
+    for (std::size_t k = 0; k < mass_->n_entries(); ++k) solid_tangent.values()[k] += factor * mass_->values()[k];
   }
-  tangent_->assign(*solid_tangent_);
-  if (!first) forces.setZero(); // until they are summed up with the contacts'
-  trial_.reports.assign(contacts_.size(), {});
-  for (std::size_t i = 0; i < contacts_.size(); ++i)
-    trial_.reports[i] = contacts_[i].assemble(displacements, trial_.contacts[i], terms_->dt, equations_, forces,
-                                              tangent_.get());
-  ranks().sum(forces);
-  pattern_holds = std::all_of(trial_.reports.begin(), trial_.reports.end(), [](const auto &r) { return r.pattern_holds; });
+  tangent_->close_symmetric();
+  if (!ranks().first()) forces.setZero(); // until they are summed up with the contacts'
+  pattern_holds = assemble_contacts(displacements, forces);
   trial_.R = terms_->load - forces;
   residual_ = -trial_.R;
   // Coordinates are known to rounding, forces therefore to rounding times stiffness times size.
@@ -100,29 +106,69 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool &patt
   for (int i = 0; i < equations_.n; ++i) diagonal[i] = tangent_->diagonal(i);
   ranks().sum(diagonal);
   const double rounding = 4 * std::numeric_limits<double>::epsilon() * diagonal.norm() * size_;
-  scale_ = spent.norm() + terms_->load.norm() + rounding / usual_tolerance;
-  if (const Inertia *inertia = terms_->inertia) {
-    const Eigen::VectorXd a = inertia->acceleration(u);
-    const double alpha_m = inertia->scheme.alpha_m;
-    const Eigen::VectorXd inertial = mass_->multiply((1 - alpha_m) * a + alpha_m * inertia->a_old);
-    residual_ += inertial;
-    scale_ += inertial.norm();
-  }
+  scale_ = spent + terms_->load.norm() + rounding / usual_tolerance;
+  if (terms_->inertia) add_inertia(u);
+  if (terms_->inertia && terms_->remote) add_remote(u);
+  stabilisation_share_ = 0;
   if (terms_->stabilisation > 0) {
     const Eigen::VectorXd springs = terms_->stabilisation * (u - old_->u);
     residual_ += springs;
     stabilisation_share_ = springs.norm() / scale_;
-    for (int i = 0; first && i < equations_.n; ++i) tangent_->add(i, i, terms_->stabilisation);
-  } else {
-    stabilisation_share_ = 0;
+    for (int i = 0; ranks().first() && i < equations_.n; ++i) tangent_->add(i, i, terms_->stabilisation);
   }
+  if (!terms_->driven.empty()) drive(u, diagonal);
+  return residual_.allFinite();
+}
+
+bool ContactSystem::assemble_contacts(const Eigen::VectorXd &displacements, Eigen::VectorXd &forces) {
+  trial_.reports.assign(contacts_.size(), {});
+  for (std::size_t i = 0; i < contacts_.size() && terms_->with_contact; ++i)
+    trial_.reports[i] = contacts_[i].assemble(displacements, trial_.contacts[i], terms_->dt, equations_, forces, tangent_.get());
+  ranks().sum(forces);
+  return std::all_of(trial_.reports.begin(), trial_.reports.end(), [](const auto &r) { return r.pattern_holds; });
+}
+
+void ContactSystem::add_inertia(const Eigen::VectorXd &u) {
+  const Inertia &inertia = *terms_->inertia;
+  const double alpha_m = inertia.scheme.alpha_m;
+  const Eigen::VectorXd inertial = mass_->multiply((1 - alpha_m) * inertia.acceleration(u) + alpha_m * inertia.a_old);
+  residual_ += inertial;
+  scale_ += inertial.norm();
+}
+
+void ContactSystem::add_remote(const Eigen::VectorXd &u) {
+  constexpr double constraint_tolerance = 1e-9; // [m/s]
+  const Inertia &inertia = *terms_->inertia;
+  const RemoteTerms &remote = *terms_->remote;
+  const auto &at = remote.face.equation;
+  const RemoteLoad load = remote.law(remote.face.of(u), remote.face.of(inertia.velocity(inertia.acceleration(u))), border_.multiplier);
+  const Eigen::Matrix3d stiffness = -(load.d_displacement + inertia.velocity_factor() * load.d_velocity) / remote.share;
+  has_border_ = load.constrained;
+  border_.push = border_.gradient = Eigen::VectorXd::Zero(equations_.n);
+  border_.constraint = load.constraint;
+  border_.tolerance = constraint_tolerance;
+  for (int i = 0; i < 3; ++i) {
+    if (at[i] < 0) continue;
+    trial_.R[at[i]] += load.force[i] / remote.share;
+    residual_[at[i]] -= load.force[i] / remote.share;
+    border_.push[at[i]] = load.d_multiplier[i] / remote.share;
+    border_.gradient[at[i]] = inertia.velocity_factor() * load.gradient[i] + load.by_displacement[i];
+    for (int k = 0; k < 3 && ranks().first(); ++k)
+      if (at[k] >= 0) tangent_->add(at[i], at[k], stiffness(i, k));
+  }
+}
+
+void ContactSystem::drive(const Eigen::VectorXd &u, const Eigen::VectorXd &diagonal) {
+  Eigen::VectorXd moved = Eigen::VectorXd::Zero(equations_.n);
+  const auto stiffness = [&](int equation) { return std::abs(diagonal[equation] + terms_->stabilisation) + 1.0; };
+  for (const auto &[equation, target] : terms_->driven)
+    tangent_->drive(equation, ranks().first() ? stiffness(equation) : 0.0, u[equation] - target, moved);
+  ranks().sum(moved);
+  residual_ += moved;
   for (const auto &[equation, target] : terms_->driven) {
     trial_.R[equation] = 0; // the drive's reaction balances it
-    const double stiffness = std::abs(diagonal[equation] + terms_->stabilisation) + 1.0;
-    tangent_->make_unit_row(equation, first ? stiffness : 0.0);
-    residual_[equation] = stiffness * (u[equation] - target);
+    residual_[equation] = stiffness(equation) * (u[equation] - target);
   }
-  return residual_.allFinite();
 }
 
 int ContactSystem::lost_points() const {
@@ -152,7 +198,7 @@ void ContactSystem::augment() {
 bool ContactSystem::stiffen(double factor) {
   const double inertial = terms_->inertia && ranks().first() ? terms_->inertia->mass_factor() : 0.0;
   Eigen::VectorXd stiffness(equations_.n);
-  for (int i = 0; i < equations_.n; ++i) stiffness[i] = solid_tangent_->diagonal(i) - inertial * mass_->diagonal(i);
+  for (int i = 0; i < equations_.n; ++i) stiffness[i] = tangent_->symmetric().diagonal(i) - inertial * mass_->diagonal(i);
   bool any = false;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     auto &stiffening = trial_.contacts[i].stiffening;
@@ -167,10 +213,12 @@ bool ContactSystem::stiffen(double factor) {
 void ContactSystem::commit(const Eigen::VectorXd &u, SystemState &state, NextMultipliers normal) const {
   const Eigen::VectorXd displacements = equations_.expand(u);
   state.reports = trial_.reports;
-  for (std::size_t i = 0; i < contacts_.size(); ++i) {
+  for (std::size_t i = 0; i < contacts_.size() && terms_->with_contact; ++i) {
     contacts_[i].add_work(state.contacts[i], trial_.contacts[i], displacements, state.reports[i]);
+    const std::vector<double> multiplier = state.contacts[i].multiplier;
     state.contacts[i] = trial_.contacts[i];
     contacts_[i].commit(displacements, state.contacts[i], normal);
+    state.contacts[i].note_change(multiplier);
   }
   state.u = u;
   state.R = trial_.R;

@@ -1,10 +1,12 @@
 /// Deformable solids, their contacts with exact surfaces, rigid bodies and dead loads, assembled into one
-/// residual and its unsymmetric tangent. Knows no bearing and no time loop.
+/// residual and its tangent, unsymmetric where there is friction. Knows no bearing and no time loop.
 #pragma once
+#include "fe_contact/model/remote_load.h"
 #include "fe_contact/model/solid.h"
 #include "fe_contact/model/surface_contact.h"
 #include "fe_contact/solver/generalized_alpha.h"
 #include "fe_contact/solver/newton.h"
+#include "fe_contact/solver/tangent.h"
 #include <map>
 
 namespace rimpact::fe {
@@ -19,6 +21,7 @@ struct SystemState {
   std::vector<SurfaceContactState> contacts;
   SolidEnergies energies;
   std::vector<SurfaceContactReport> reports;
+  int bearing_points() const; ///< of all contacts
 };
 
 /// An equation whose value is given.
@@ -39,6 +42,7 @@ struct Inertia {
     return (u - u_predicted) / (scheme.beta * dt * dt);
   }
   double mass_factor() const { return (1 - scheme.alpha_m) / (scheme.beta * dt * dt); } ///< of the tangent [1/s^2]
+  double velocity_factor() const { return scheme.gamma / (scheme.beta * dt); }           ///< dv/du [1/s]
   Eigen::VectorXd velocity(const Eigen::VectorXd &a) const { return v_predicted + scheme.gamma * dt * a; }
 };
 
@@ -49,6 +53,10 @@ struct StepTerms {
   double dt = 0;                 ///< [s]; 0: friction at its static coefficient
   double stabilisation = 0;      ///< springs to the old state on every equation [N/m]
   const Inertia *inertia = nullptr;
+  const RemoteTerms *remote = nullptr; ///< with inertia only
+  bool with_contact = true;            ///< false: the bodies pass through one another
+  /// The normal multipliers' change over the last step, as often, is expected of this one too; 0: they start as they are.
+  double expected = 0;
 };
 
 class ContactSystem : public NewtonTarget {
@@ -67,7 +75,8 @@ public:
   bool evaluate(const Eigen::VectorXd &u) override;
   const Eigen::VectorXd &residual() const override { return residual_; }
   double force_scale() const override { return scale_; }
-  LinearSolver &solver() override { return *solver_; }
+  LinearSolver &solver() override { return tangent_->solver(); }
+  Border *border() override { return has_border_ ? &border_ : nullptr; }
   /// What the next augmentation would mend of the trial, in its multipliers' sense [m]; then: makes it.
   struct Left {
     double gap = 0, slip = 0;
@@ -92,34 +101,41 @@ public:
   double time_to_touch(const SystemState &state) const;
 
   const Discretisation &space() const { return space_; }
+  const Solid &solid() const { return solid_; }
   const Equations &equations() const { return equations_; }
   const SurfaceContact &contact(std::size_t i) const { return contacts_[i]; }
   SurfaceContact &contact(std::size_t i) { return contacts_[i]; }
   std::size_t n_contacts() const { return contacts_.size(); }
   int lost_points() const; ///< of all contacts, last evaluation
-  int patterns_made() const { return patterns_made_; } ///< times the matrix's pattern was (re)built
+  double multiplier() const { return border_.multiplier; } ///< of the remote displacement's constraint, last evaluation
   double stabilisation_share() const { return stabilisation_share_; } ///< of the forces in play, last evaluation
 
 private:
   void make_pattern(const Eigen::VectorXd &displacements, const std::vector<SurfaceContactState> &states);
   bool evaluate_on_the_pattern(const Eigen::VectorXd &u, bool &pattern_holds);
+  bool assemble_contacts(const Eigen::VectorXd &displacements, Eigen::VectorXd &forces);
+  void add_inertia(const Eigen::VectorXd &u);
+  void add_remote(const Eigen::VectorXd &u);
+  void drive(const Eigen::VectorXd &u, const Eigen::VectorXd &diagonal);
+  Symmetry symmetry() const;
 
   const Discretisation &space_;
   const Solid &solid_;
   Equations equations_;
   std::vector<SurfaceContact> contacts_;
   std::vector<std::pair<int, double>> body_masses_;
-  std::unique_ptr<SymmetricMatrix> mass_, solid_tangent_;
-  std::unique_ptr<GeneralMatrix> tangent_;
-  std::unique_ptr<LinearSolver> solver_;
+  std::unique_ptr<SymmetricMatrix> mass_;
+  std::unique_ptr<Tangent> tangent_;
 
   const SystemState *old_ = nullptr; ///< of the Newton solution under way
   const StepTerms *terms_ = nullptr;
   SystemState trial_;
   std::vector<SurfaceContact::Augmentation> augmentations_;
   Eigen::VectorXd residual_;
+  Border border_;
+  bool has_border_ = false;
   double scale_ = 0, stabilisation_share_ = 0, size_ = 0;
-  int patterns_made_ = 0;
+  std::vector<std::vector<int>> pairs_; ///< cliques of the contacts in the pattern at hand
 };
 
 } // namespace rimpact::fe

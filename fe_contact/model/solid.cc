@@ -244,4 +244,10 @@ SolidFields Solid::fields(const Eigen::VectorXd &u, const SolidHistory &history)
   return result;
 }
 
+double largest_plastic_strain(const SolidHistory &history) {
+  double largest = 0;
+  for (const auto &point : history) largest = std::max(largest, point.alpha);
+  return largest;
+}
+
 } // namespace rimpact::fe

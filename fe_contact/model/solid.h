@@ -14,6 +14,7 @@ namespace rimpact::fe {
 
 /// States of all material points, [cell][full point].
 using SolidHistory = std::vector<J2State>;
+double largest_plastic_strain(const SolidHistory &history); ///< equivalent [-]
 
 struct SolidEnergies {
   double elastic = 0.0; ///< [J]

@@ -15,7 +15,7 @@
 #include "fe_contact/model/face_points.h"
 #include "fe_contact/model/master_faces.h"
 #include "fe_contact/solver/equations.h"
-#include "fe_contact/solver/general_matrix.h"
+#include "fe_contact/solver/tangent.h"
 #include <limits>
 #include <optional>
 
@@ -42,6 +42,8 @@ struct SurfaceContactState {
   std::vector<char> covered;
   std::vector<int> opposite; ///< carrier face last found opposite, -1: none
   double stiffening = 1; ///< factor on the stated penalties where augmentation alone was slow
+  std::vector<double> change{}; ///< of the committed normal multipliers over the last step [Pa]; empty: none yet
+  void note_change(const std::vector<double> &before);
 };
 
 /// What the normal multipliers are for the next step: none (a penalty's conservative spring), those of the next
@@ -77,7 +79,11 @@ public:
   /// ranks forces and tangent are those of this rank's faces, to be summed up; state and report are whole.
   SurfaceContactReport assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,
                                 const Equations &equations, Eigen::VectorXd &forces,
-                                GeneralMatrix *tangent) const;
+                                Tangent *tangent) const;
+  /// lambda <- lambda + times * its last change, not below 0, where a point bears. The gap left is then the pressure's second
+  /// difference over the penalty and not its first, which would give back the integral of (dp)^2 / eps over an impact: energy
+  /// from nothing, in proportion to the step.
+  static void expect(SurfaceContactState &state, double times);
   /// Multipliers of the next augmentation, and how far they are from the present ones over the penalty: the
   /// gap and the stick's slip, in the multipliers' sense, that are left [m].
   struct Augmentation {
@@ -170,7 +176,7 @@ private:
   };
   static void add_to(Pair &pair, const Coupling &coupling, double area, const Eigen::Vector3d &traction, const Tangents &D,
                      const Eigen::Vector3d &nu, bool with_stiffness);
-  static void flush(Pair &pair, const Equations &equations, Eigen::VectorXd &forces, GeneralMatrix *tangent);
+  static void flush(Pair &pair, const Equations &equations, Eigen::VectorXd &forces, Tangent *tangent);
 
   const Discretisation &space_;
   MasterSurface master_;

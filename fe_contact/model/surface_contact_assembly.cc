@@ -59,7 +59,7 @@ CoulombContact::Result<double> SurfaceContact::differentiate(const CoulombContac
 
 SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,
                                               const Equations &equations, Eigen::VectorXd &forces,
-                                              GeneralMatrix *tangent) const {
+                                              Tangent *tangent) const {
   SurfaceContactReport report;
   CoulombContact contact_law = options_.law;
   contact_law.normal_penalty *= state.stiffening;
@@ -164,7 +164,7 @@ void SurfaceContact::add_to(Pair &pair, const Coupling &coupling, double area, c
   }
 }
 
-void SurfaceContact::flush(Pair &pair, const Equations &equations, Eigen::VectorXd &forces, GeneralMatrix *tangent) {
+void SurfaceContact::flush(Pair &pair, const Equations &equations, Eigen::VectorXd &forces, Tangent *tangent) {
   const int n = static_cast<int>(pair.dofs.size());
   std::vector<int> equation(3 * n);
   std::vector<double> weight(3 * n);

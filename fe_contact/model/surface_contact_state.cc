@@ -48,6 +48,16 @@ SurfaceContactState SurfaceContact::carried(const SurfaceContactState &other, co
   return state;
 }
 
+void SurfaceContactState::note_change(const std::vector<double> &before) {
+  change = multiplier;
+  for (std::size_t k = 0; k < before.size(); ++k) change[k] -= before[k];
+}
+
+void SurfaceContact::expect(SurfaceContactState &state, double times) {
+  for (std::size_t k = 0; k < state.change.size(); ++k)
+    if (state.multiplier[k] > 0) state.multiplier[k] = std::max(0.0, state.multiplier[k] + times * state.change[k]);
+}
+
 SurfaceContact::Augmentation SurfaceContact::augmentation(const SurfaceContactState &state) const {
   Augmentation next{std::vector<double>(points_.size(), 0.0),
                     std::vector<Vector3d>(points_.size(), Vector3d::Zero())};

@@ -5,6 +5,12 @@
 
 namespace rimpact::fe {
 
+int SystemState::bearing_points() const {
+  int points = 0;
+  for (const auto &report : reports) points += report.stick + report.slip;
+  return points;
+}
+
 Eigen::VectorXd ContactSystem::gravity(const Eigen::Vector3d &acceleration) const {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(equations_.n);
   for (std::size_t dof = 0; dof < equations_.of_dof.size(); ++dof) {

@@ -15,16 +15,11 @@ struct Run {
   const AfterStep &after_step;
   TransientReport report{};
 
-  bool in_contact() const {
-    return std::any_of(state.reports.begin(), state.reports.end(),
-                       [](const auto &r) { return r.stick + r.slip > 0; });
-  }
-
   Attempt attempt(double t, double dt);
 };
 
 Attempt Run::attempt(double t, double dt) {
-  const bool was_in_contact = in_contact();
+  const bool was_in_contact = state.bearing_points() > 0;
   const double until_touch = was_in_contact ? 0 : system.time_to_touch(state);
   // Arrive at the touch, then go on with the short step.
   if (!was_in_contact && until_touch < dt && until_touch > 1e-3 * options.contact_step &&

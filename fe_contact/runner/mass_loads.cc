@@ -45,12 +45,12 @@ MassForces MassLoads::forces(const Eigen::Vector3d &u, const Eigen::Vector3d &v,
   return result;
 }
 
-MasterLaw MassLoads::law(const RimFrame &frame, double t, Support support) const {
+RemoteLaw MassLoads::law(const RimFrame &frame, double t, Support support) const {
   return [this, frame, t, support](const Eigen::Vector3d &master, const Eigen::Vector3d &velocity,
                                    double multiplier) {
     const Eigen::Vector3d u = frame.displacement(master), v = frame.to_global(velocity);
     const Eigen::Matrix3d R = frame.rotation();
-    MasterLoad load;
+    RemoteLoad load;
     load.force = frame.to_local(forces(u, v, t, support, multiplier).total());
     if (support == Support::airborne) return load;
     const Eigen::Vector3d gradient = constraint_gradient(u, support);

@@ -3,7 +3,7 @@
 /// arc's frame.
 #pragma once
 #include "fe_contact/runner/rim_frame.h"
-#include "fe_contact/runner/rim_solver.h"
+#include "fe_contact/model/remote_load.h"
 #include "reduced_models/physical_model.h"
 
 namespace rimpact::fe {
@@ -30,8 +30,8 @@ public:
   /// Forces at a displacement u, velocity v (global), time t, for a multiplier of the vertical constraint.
   MassForces forces(const Eigen::Vector3d &u, const Eigen::Vector3d &v, double t, Support support,
                     double multiplier) const;
-  /// The same as a master law of an arc at time t.
-  MasterLaw law(const RimFrame &frame, double t, Support support) const;
+  /// The same as a law of an arc's top face at time t.
+  RemoteLaw law(const RimFrame &frame, double t, Support support) const;
   /// Height above the sliding surface [m]; negative: sunk in.
   double height_above_dish(const Eigen::Vector3d &u) const;
   /// Upward unit normal of the surface under u.

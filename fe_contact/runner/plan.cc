@@ -161,13 +161,6 @@ Plan rim_plan(const scene::Scene &scene) {
 
 } // namespace
 
-/// Measured (window at 0.2 m/s, rungs rim and rigid-dish): ten times the default doubles the iterations, thirty times triples them and cuts steps.
-constexpr double largest_penalty_scale = 10;
-
-double usable_penalty_scale(const scene::Scene &scene) {
-  return std::min(scene.model.penalty_scale, largest_penalty_scale);
-}
-
 Plan make_plan(const scene::Scene &scene) {
   Plan plan = scene.model.rung == "rim"              ? rim_plan(scene)
               : scene.excitation.is_dynamic() ? stack_motion_plan(scene)
@@ -175,9 +168,6 @@ Plan make_plan(const scene::Scene &scene) {
   time_by_this_machine(plan);
   if (scene.model.own_mesh.any())
     plan.notes.insert(plan.notes.begin(), "own mesh " + scene.model.own_mesh.file + ": unknowns, time and memory above are the built-in mesh's");
-  if (usable_penalty_scale(scene) < scene.model.penalty_scale)
-    plan.notes.push_back(fmt::format("penalty_scale {:g} is cut to {:g}: a stiffer one constrains every contact point by itself and gains nothing, since "
-                                     "augmentation closes the gap", scene.model.penalty_scale, usable_penalty_scale(scene)));
   return plan;
 }
 

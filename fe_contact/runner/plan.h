@@ -36,9 +36,6 @@ struct Plan {
   std::vector<std::string> notes; ///< sentences for the user: pad pressure, grazing, critical amplitude ...
 };
 Plan make_plan(const scene::Scene &scene);
-/// The scene's penalty_scale, cut to what a face's points can carry: they are more than it has room for, and a stiffer penalty
-/// makes each of them a constraint of its own, among which Newton finds no set that holds. Augmentation closes what is left of the gap.
-double usable_penalty_scale(const scene::Scene &scene);
 /// Why no finite-element rung exists for what the scene models, a sentence; nothing of it can be planned.
 std::optional<std::string> beyond_rungs(const scene::Scene &scene);
 /// Why this build cannot run the scene by finite elements (rung, kind of excitation, contact), a sentence.

@@ -31,6 +31,8 @@ void get_response(const Checkpoint &file, RunRecord &record) {
   RunRecord example;
   append(example, {});
   for (const auto &[name, unused] : example.response.all()) file.field("response_" + name, time.size());
+  std::istringstream due(file.text("signals"));
+  for (std::string name; std::getline(due, name);) file.field("response_" + name, time.size());
   const auto &known = scene::known_signals();
   for (const auto &[name, values] : file.numbers) {
     if (!name.starts_with("response_")) continue;
@@ -111,7 +113,11 @@ void put(Checkpoint &file, const RunRecord &record) {
     for (const double value : list(impact)) impacts.push_back(value);
   file.numbers["counts"] = {double(record.n_steps), double(record.n_newton), double(record.n_cuts),
                             double(record.augmentation_caps)};
-  for (const auto &[name, values] : record.response.all()) file.numbers["response_" + name] = values;
+  file.texts["signals"] = "";
+  for (const auto &[name, values] : record.response.all()) {
+    file.numbers["response_" + name] = values;
+    file.texts["signals"] += name + "\n";
+  }
   file.numbers["seconds_wall"] = {record.wall_so_far()};
   for (const auto &[name, seconds] : record.split_so_far()) file.numbers["seconds_" + name] = {seconds};
   for (const auto &[time, name] : record.fields) file.numbers["field_" + name.substr(name.find('/') + 1)] = {time};

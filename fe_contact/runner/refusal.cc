@@ -37,7 +37,6 @@ std::optional<std::string> refusal(const scene::Scene &scene) {
   const double own = scene::slider_mass(scene.bearing);
   if (scene.load.mass <= own)
     return fmt::format("load.mass_kg {:g} is no more than the slider's own mass, {:.1f} kg, which it includes: nothing is left to be carried", scene.load.mass, own);
-  if (rung == "rim" && contact.rim != 0) return fmt::format("contact.rim {} is not 0: the rim's walls are frictionless on rung `rim`; rungs `rigid-dish` and `full` have the friction", contact.rim);
   if (rung != "rim" && contact.pad_foot != "tied")
     return fmt::format("contact.pad_foot '{}' is not in this build; it has: tied", contact.pad_foot);
   if (rung != "rim" && on_the_dish && make_plan(scene).rim_takes_part)

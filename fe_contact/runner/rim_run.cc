@@ -1,3 +1,4 @@
+#include "fe_contact/runner/fields.h"
 #include "fe_contact/runner/rim_dynamic.h"
 #include "fe_contact/runner/sample_row.h"
 
@@ -39,7 +40,7 @@ double DynamicRun::wall_gap(const Eigen::Vector3d &u) const {
   const double plain = capacity() - u.head<2>().norm();
   if (plain > nearest_look) return plain;
   const Arc *arc = arc_at(u);
-  return arc && arc->yielded ? solver_.surface_gap(arc->state, arc->frame.master(u)) : plain;
+  return arc && arc->yielded ? system_.wall_gap(arc->state, arc->frame.master(u)) : plain;
 }
 
 const Arc *DynamicRun::arc_at(const Eigen::Vector3d &u) const {
@@ -61,7 +62,7 @@ Arc &DynamicRun::touched_arc() {
       record_.warnings.push_back("two touched arcs lie within " +
                                  std::to_string(int(3 * arc_width * 180 / M_PI)) +
                                  " degrees of one another; each was solved with its own yielded state");
-  arcs_.push_back({{direction, capacity(), touch_height_}, solver_.virgin(), false});
+  arcs_.push_back({{direction, capacity(), touch_height_}, system_.at_rest(), false});
   current_ = arcs_.size() - 1;
   return arcs_.back();
 }
@@ -97,7 +98,7 @@ reduced::FlightEnd DynamicRun::reduced_flight(double t_end, const std::function<
 
 void DynamicRun::pad_fe_signals() {
   double strain = 0;
-  for (const auto &arc : arcs_) strain = std::max(strain, solver_.largest_plastic_strain(arc.state));
+  for (const auto &arc : arcs_) strain = std::max(strain, largest_plastic_strain(arc.state.history));
   auto &r = record_.response;
   const auto &e = record_.ledger;
   const std::pair<const char *, double> values[] = {
@@ -111,17 +112,20 @@ void DynamicRun::pad_fe_signals() {
     step.push_back(k > 0 ? r.series("time")[k] - r.series("time")[k - 1] : 0.0);
 }
 
-void DynamicRun::sample(const Arc &arc, const StepReport &report, const MassForces &forces, double dt) {
-  const Eigen::Vector3d impact = arc.frame.to_global(report.rim_force);
+void DynamicRun::sample(const Arc &arc, int iterations, const MassForces &forces, double dt) {
+  const Eigen::Vector3d impact = arc.frame.to_global(system_.wall_force(arc.state));
+  const SurfaceContactReport &wall = arc.state.reports[0];
   append(record_, {bearing_.t, bearing_.u, bearing_.v, forces.pendular + forces.friction + impact, forces.pendular,
                    forces.friction, impact, std::max(0.0, forces.normal), capacity() - bearing_.u.head<2>().norm(),
-                   arc.state.report.smallest_gap, solver_.largest_plastic_strain(arc.state),
-                   arc.state.report.largest_pressure, report.iterations, dt});
+                   std::min(wall.smallest_gap, no_gap), largest_plastic_strain(arc.state.history), wall.largest_pressure, iterations, dt});
+}
+
+void DynamicRun::write_fields(const Arc &arc) {
+  fe::write_fields(system_, arc.state, system_.expand(arc.state), "rim", bearing_.t, options_, record_, arc.frame.direction * 180 / M_PI);
 }
 
 void DynamicRun::finish() {
-  if (in_contact_)
-    write_fields(solver_, arcs_[current_].state, arcs_[current_].frame, bearing_.t, options_, record_);
+  if (in_contact_) write_fields(arcs_[current_]);
   if (in_contact_ && touched_) {
     impact_.rebound_speed = -radial_speed(); // the scene's end, not the rim's
     record_.impacts.push_back(impact_);
@@ -139,17 +143,22 @@ meshes::RimMeshOptions rim_mesh_options(const scene::Scene &scene, const Plan &p
   return mesh;
 }
 
-RimSolverOptions rim_solver_options(const scene::Scene &scene) {
-  RimSolverOptions options;
+StepOptions rim_step_options(const scene::Scene &scene) {
+  StepOptions options;
+  options.newton.tolerance = 1e-5;
+  options.newton.max_iterations = 15;
+  options.newton.finest_forcing = 1e-6;
+  options.gap_tolerance = options.slip_tolerance = 3e-5;
+  options.max_augmentations = 3;
   options.rho_inf = scene.model.rho_inf;
-  options.penalty_factor *= usable_penalty_scale(scene);
-  options.attached_mass = scene.load.mass;
+  options.expects = true;
+
   return options;
 }
 
 void run_rim_dynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options,
-                     RimSolver &solver, RunRecord &record) {
-  DynamicRun(scene, plan, options, solver, record).run();
+                     RimSystem &system, RunRecord &record) {
+  DynamicRun(scene, plan, options, system, record).run();
 }
 
 } // namespace rimpact::fe

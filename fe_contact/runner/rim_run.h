@@ -1,9 +1,10 @@
-/// Rung R1: whole histories and windows (rim_run.cc), quasi-static pushes (rim_push.cc). Between impacts the
+/// Rung rim: whole histories and windows (rim_run.cc), quasi-static pushes (rim_push.cc). Between impacts the
 /// reduced model flies; while the walls touch, the solids are stepped implicitly with the rest of the bearing
 /// acting on the slider's top face. Each touched arc keeps its own yielded state.
 #pragma once
 #include "fe_contact/runner/checkpoint.h"
 #include "fe_contact/runner/mass_loads.h"
+#include "fe_contact/runner/rim_system.h"
 #include "fe_contact/runner/run_record.h"
 
 namespace rimpact::fe {
@@ -11,21 +12,17 @@ namespace rimpact::fe {
 /// One touched arc of the rim.
 struct Arc {
   RimFrame frame;
-  ArcState state;
+  SystemState state;
   bool yielded = false;
 };
 
-/// Mesh options of the plan, and solver options of the scene.
+/// Mesh options of the plan, and tolerances of the scene's steps.
 meshes::RimMeshOptions rim_mesh_options(const scene::Scene &scene, const Plan &plan);
-RimSolverOptions rim_solver_options(const scene::Scene &scene);
+StepOptions rim_step_options(const scene::Scene &scene);
 
 /// Runs into `record`. Throw SolverStopped or Interrupted with the record as it stands.
 void run_rim_dynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options,
-                     RimSolver &solver, RunRecord &record);
-void run_rim_push(const scene::Scene &scene, const RunOptions &options, RimSolver &solver, RunRecord &record);
-
-/// Writes a VTU of the solver's solids in a state and notes it for the PVD.
-void write_fields(const RimSolver &solver, const ArcState &state, const RimFrame &frame, double time,
-                  const RunOptions &options, RunRecord &record);
+                     RimSystem &system, RunRecord &record);
+void run_rim_push(const scene::Scene &scene, const RunOptions &options, RimSystem &system, RunRecord &record);
 
 } // namespace rimpact::fe

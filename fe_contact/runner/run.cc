@@ -1,6 +1,7 @@
 // Runs a scene by finite elements and writes its folder, whatever happens on the way.
 #include "fe_contact/runner/run.h"
 
+#include "fe_contact/runner/fields.h"
 #include "fe_contact/runner/record_checkpoint.h"
 #include "fe_contact/runner/rim_run.h"
 #include "fe_contact/runner/stack_drive.h"
@@ -76,17 +77,18 @@ bool goes_on(const scene::Scene &scene, const RunOptions &options, const RunReco
 void run_rung(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record) {
   if (scene.model.rung != "rim")
     return (scene.excitation.is_dynamic() ? run_stack_dynamic : run_stack_static)(scene, plan, options, record);
-  RimSolver solver(scene.bearing, rim_mesh_options(scene, plan), rim_solver_options(scene));
-  record.n_dofs = solver.n_equations();
+  const RimModel model(scene.bearing, rim_mesh_options(scene, plan), scene.model.penalty_scale);
+  RimSystem system(model, scene.load.mass);
+  record.n_dofs = system.equations().n;
   run_timed(
       record,
       [&] {
         if (scene.excitation.kind == scene::ExcitationKind::push)
-          run_rim_push(scene, options, solver, record);
+          run_rim_push(scene, options, system, record);
         else
-          run_rim_dynamic(scene, plan, options, solver, record);
+          run_rim_dynamic(scene, plan, options, system, record);
       },
-      [&] { return solver.time_split; });
+      [&] { return system.time_split; });
 }
 
 } // namespace

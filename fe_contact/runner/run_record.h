@@ -54,6 +54,4 @@ template <class Run, class Times> void run_timed(RunRecord &record, const Run &r
 /// On any rank.
 bool is_interrupted(const RunOptions &options);
 
-void write_pvd(const RunOptions &options, const RunRecord &record);
-
 } // namespace rimpact::fe

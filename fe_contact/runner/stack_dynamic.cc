@@ -1,5 +1,6 @@
 #include "fe_contact/runner/stack_dynamic.h"
 
+#include "fe_contact/runner/fields.h"
 #include "fe_contact/runner/record_checkpoint.h"
 #include "fe_contact/runner/stack_run.h"
 #include "reduced_models/physical_model.h"
@@ -41,8 +42,8 @@ Eigen::Vector3d arriving_acceleration(const scene::Scene &scene) {
 
 StackDynamic::StackDynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record)
     : scene_(scene), plan_(plan), options_(options), record_(record),
-      model_(scene.bearing, stack_mesh_options(scene, plan), has_friction(scene), usable_penalty_scale(scene)), alone_(model_, false), joined_(model_, true),
-      recorder_(scene, model_, options, record), ground_(scene.excitation, scene.load.gravity) {
+      model_(scene.bearing, stack_mesh_options(scene, plan), has_friction(scene), scene.model.penalty_scale), alone_(model_, false), joined_(model_, true),
+      recorder_(scene, model_, record), ground_(scene.excitation, scene.load.gravity) {
   const double mass = scene.load.mass - model_.own_mass();
   alone_.carry(mass);
   joined_.carry(mass);
@@ -203,7 +204,7 @@ void StackDynamic::after_step(double t, double dt, const ContactStepReport &step
                        touching() ? "contact" : near_rim_ ? "near the rim" : "sliding"});
 }
 
-void StackDynamic::write_fields() { recorder_.write_fields(t_, active(), state_, displacements()); }
+void StackDynamic::write_fields() { fe::write_fields(active(), state_, displacements(), "stack", t_, options_, record_); }
 
 std::map<std::string, double> StackDynamic::time_split() const {
   auto result = alone_.time_split;

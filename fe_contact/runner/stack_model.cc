@@ -47,7 +47,7 @@ StackSystem::StackSystem(const StackModel &model, bool with_rim)
 StackSystem::StackSystem(const StackModel &model, bool with_rim, Supports supports)
     : ContactSystem(model.space, model.solid, supports.number()), model_(model), with_rim_(with_rim) {
   const unsigned any = model.space.nodes_of(Surface::top).front();
-  for (int i = 0; i < 3; ++i) top_[i] = equations().of_dof[3 * any + i];
+  for (int i = 0; i < 3; ++i) top_.equation[i] = equations().of_dof[3 * any + i];
   const scene::Bearing &bearing = model.bearing;
   const double reach = meshes::size_factor(model.mesh.level) / model.penalty_scale, smooth = model.friction ? 1 : 0;
   constexpr double pad_cell = 0.012, cap_cell = 0.020, wall_cell = 0.010; // at level 1 [m]
@@ -68,20 +68,13 @@ StackSystem::StackSystem(const StackModel &model, bool with_rim, Supports suppor
               wall);
 }
 
-Eigen::Vector3d StackSystem::top_of(const Eigen::VectorXd &by_equation) const {
-  Eigen::Vector3d result = Eigen::Vector3d::Zero();
-  for (int i = 0; i < 3; ++i)
-    if (top_[i] >= 0) result[i] = by_equation[top_[i]];
-  return result;
-}
-
 void StackSystem::carry(double mass) {
   add_mass(3 * model_.space.nodes_of(Surface::top).front(), mass / model_.share());
 }
 
 Eigen::VectorXd StackSystem::dead_load(double vertical) const {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(equations().n);
-  load[top_[2]] = -vertical / model_.share();
+  load[top_.equation[2]] = -vertical / model_.share();
   return load;
 }
 

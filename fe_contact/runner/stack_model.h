@@ -32,8 +32,8 @@ public:
 
   bool with_rim() const { return with_rim_; }
   /// Equation of a component of the upper slider's top face (remote displacement, no rotation); -1: held.
-  int top(int component) const { return top_[component]; }
-  Eigen::Vector3d top_of(const Eigen::VectorXd &by_equation) const;
+  int top(int component) const { return top_.equation[component]; }
+  Eigen::Vector3d top_of(const Eigen::VectorXd &by_equation) const { return top_.of(by_equation); }
   /// The supported mass, in translation with the top face; to be called before the first state is made [kg].
   void carry(double mass);
   /// A vertical dead load of the whole bearing on the top face [N], by equation.
@@ -44,7 +44,7 @@ private:
   StackSystem(const StackModel &model, bool with_rim, Supports supports);
   const StackModel &model_;
   bool with_rim_;
-  int top_[3];
+  RemoteFace top_;
 };
 
 } // namespace rimpact::fe

@@ -2,8 +2,7 @@
 
 #include "fe_contact/runner/sample_row.h"
 #include <algorithm>
-#include <filesystem>
-#include <fmt/format.h>
+#include <cmath>
 
 namespace rimpact::fe {
 
@@ -20,35 +19,12 @@ void StackRecorder::sample(double time, const Eigen::Vector3d &u, const Eigen::V
                            int iterations, double step) {
   const StackForces forces = forces_of(model_, state);
   const double gap = scene_.bearing.lateral_capacity() - u.head<2>().norm();
-  double strain = 0, pressure = 0, surface_gap = gap;
-  for (const auto &point : state.history) strain = std::max(strain, point.alpha);
+  double pressure = 0, surface_gap = gap;
   for (const auto &report : state.reports) pressure = std::max(pressure, report.largest_pressure);
   if (state.reports.size() > StackSystem::rim && std::isfinite(state.reports[StackSystem::rim].smallest_gap))
     surface_gap = state.reports[StackSystem::rim].smallest_gap;
   append(record_, {time, u, v, forces.total(), forces.dish - forces.friction, forces.friction, forces.rim, forces.dish.z(),
-                   gap, surface_gap, strain, pressure, iterations, step, state.reports[StackSystem::dish].largest_pressure});
-}
-
-void StackRecorder::write_fields(double time, const StackSystem &system, const SystemState &state,
-                                 const Eigen::VectorXd &displacements) {
-  if (!options_.keeps_fields()) return;
-  const Discretisation &space = model_.space;
-  SolidFields cells = model_.solid.fields(displacements, state.history);
-  std::vector<double> pressure(space.n_nodes, 0.0), gap(space.n_nodes, 0.0);
-  for (std::size_t i = 0; i < state.contacts.size(); ++i)
-    system.contact(i).nodal_fields(state.contacts[i], pressure, gap);
-  for (double &value : pressure) value *= 1e-6;
-  for (double &value : gap) value = std::isfinite(value) ? 1e3 * value : 0;
-  for (double &value : cells.von_mises) value *= 1e-6;
-  const auto name = fmt::format("fields/stack_{:03d}.vtu", record_.fields.size());
-  std::filesystem::create_directories(options_.folder + "/fields");
-  space.write_vtu(options_.folder + "/" + name,
-                  {{"displacement", 3, false, {displacements.data(), displacements.data() + displacements.size()}},
-                   {"contact_pressure_MPa", 1, false, pressure},
-                   {"gap_mm", 1, false, gap},
-                   {"von_mises_MPa", 1, true, cells.von_mises},
-                   {"equivalent_plastic_strain", 1, true, cells.plastic_strain}});
-  record_.fields.emplace_back(time, name);
+                   gap, surface_gap, largest_plastic_strain(state.history), pressure, iterations, step, state.reports[StackSystem::dish].largest_pressure});
 }
 
 } // namespace rimpact::fe

@@ -14,19 +14,16 @@ StackForces forces_of(const StackModel &model, const SystemState &state);
 
 class StackRecorder {
 public:
-  StackRecorder(const scene::Scene &scene, const StackModel &model, const RunOptions &options, RunRecord &record)
-      : scene_(scene), model_(model), options_(options), record_(record) {}
+  StackRecorder(const scene::Scene &scene, const StackModel &model, RunRecord &record)
+      : scene_(scene), model_(model), record_(record) {}
 
   /// u of the top face from rest on the vertex, its velocity v; with the record's ledger as it stands.
   void sample(double time, const Eigen::Vector3d &u, const Eigen::Vector3d &v, const SystemState &state, int iterations,
               double step);
-  /// Displacements by dof.
-  void write_fields(double time, const StackSystem &system, const SystemState &state, const Eigen::VectorXd &displacements);
 
 private:
   const scene::Scene &scene_;
   const StackModel &model_;
-  const RunOptions &options_;
   RunRecord &record_;
 };
 

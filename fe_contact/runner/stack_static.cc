@@ -1,5 +1,6 @@
 // Quasi-static paths of rungs R2 and R3: preload under the dead load, then the top face is driven along the path, of a
 // push into the rim and back.
+#include "fe_contact/runner/fields.h"
 #include "fe_contact/runner/record_checkpoint.h"
 #include "fe_contact/runner/stack_drive.h"
 #include "fe_contact/runner/stack_recorder.h"
@@ -30,8 +31,8 @@ struct StaticPath {
   double rest_height = 0; ///< of the top face under the load [m]
 
   StaticPath(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record)
-      : scene(scene), options(options), record(record), model(scene.bearing, stack_mesh_options(scene, plan), true, usable_penalty_scale(scene)),
-        system(model, model.full() || plan.rim_takes_part), state(system.at_rest()), recorder(scene, model, options, record),
+      : scene(scene), options(options), record(record), model(scene.bearing, stack_mesh_options(scene, plan), true, scene.model.penalty_scale),
+        system(model, model.full() || plan.rim_takes_part), state(system.at_rest()), recorder(scene, model, record),
         load(system.dead_load(scene.load.vertical)) {
     record.n_dofs = system.equations().n;
   }
@@ -75,7 +76,7 @@ struct StaticPath {
     recorder.sample(s, system.top_of(state.u) - Eigen::Vector3d(0, 0, rest_height), Eigen::Vector3d::Zero(), state,
                     iterations, ds);
   }
-  void write_fields(double s) { recorder.write_fields(s, system, state, system.expand(state)); }
+  void write_fields(double s) { fe::write_fields(system, state, system.expand(state), "stack", s, options, record); }
 
   double rest_elastic = 0; ///< energy of the preload, not counted [J]
 

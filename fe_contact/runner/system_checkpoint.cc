@@ -28,6 +28,7 @@ void put(Checkpoint &file, const std::string &prefix, const SurfaceContactState 
   n[prefix + "covered"] = {s.covered.begin(), s.covered.end()};
   n[prefix + "opposite"] = {s.opposite.begin(), s.opposite.end()};
   n[prefix + "stiffening"] = {s.stiffening};
+  n[prefix + "change"] = s.change;
 }
 
 void get(const Checkpoint &file, const std::string &prefix, SurfaceContactState &s) {
@@ -46,40 +47,42 @@ void get(const Checkpoint &file, const std::string &prefix, SurfaceContactState 
     s.opposite[k] = static_cast<int>(opposite[k]);
   }
   s.stiffening = file.number(prefix + "stiffening", {1e-12, 1e12});
+  const auto &change = file.field(prefix + "change"); // empty while there was no step
+  s.change = change.empty() ? change : file.field(prefix + "change", n);
 }
 
 } // namespace
 
-void put(Checkpoint &file, const SystemState &state) {
+void put(Checkpoint &file, const SystemState &state, const std::string &prefix) {
   for (const auto &[name, value] : {std::pair{"u", &state.u}, {"v", &state.v}, {"a", &state.a}, {"R", &state.R}})
-    file.numbers[name] = list(*value);
-  file.numbers["last_change"] = list(state.last_change);
-  file.numbers["last_dt"] = {state.last_dt};
-  file.numbers["history"] = list(state.history);
-  file.numbers["energies"] = {state.energies.elastic, state.energies.plastic};
+    file.numbers[prefix + name] = list(*value);
+  file.numbers[prefix + "last_change"] = list(state.last_change);
+  file.numbers[prefix + "last_dt"] = {state.last_dt};
+  file.numbers[prefix + "history"] = list(state.history);
+  file.numbers[prefix + "energies"] = {state.energies.elastic, state.energies.plastic};
   for (std::size_t i = 0; i < state.contacts.size(); ++i) {
-    put(file, "contact" + std::to_string(i) + "_", state.contacts[i]);
+    put(file, prefix + "contact" + std::to_string(i) + "_", state.contacts[i]);
     const auto &r = state.reports[i];
-    file.numbers["report" + std::to_string(i)] = {r.force.x(),    r.force.y(),    r.force.z(),
+    file.numbers[prefix + "report" + std::to_string(i)] = {r.force.x(),    r.force.y(),    r.force.z(),
                                                   r.friction.x(), r.friction.y(), r.friction.z(),
                                                   r.largest_pressure, double(r.stick), double(r.slip),
                                                   r.smallest_gap, r.penetration};
   }
 }
 
-void get(const Checkpoint &file, SystemState &state) {
-  for (const auto &[name, value] : {std::pair{"u", &state.u}, {"v", &state.v}, {"a", &state.a}, {"R", &state.R}}) restore(file, name, *value);
-  state.last_dt = file.number("last_dt", {0, 1e6});
-  state.last_change = last_change(file, "last_change", state.last_dt, state.u.size());
-  restore(file, "history", state.history);
-  const auto &energies = file.field("energies", 2);
+void get(const Checkpoint &file, SystemState &state, const std::string &prefix) {
+  for (const auto &[name, value] : {std::pair{"u", &state.u}, {"v", &state.v}, {"a", &state.a}, {"R", &state.R}}) restore(file, prefix + name, *value);
+  state.last_dt = file.number(prefix + "last_dt", {0, 1e6});
+  state.last_change = last_change(file, prefix + "last_change", state.last_dt, state.u.size());
+  restore(file, prefix + "history", state.history);
+  const auto &energies = file.field(prefix + "energies", 2);
   state.energies = {energies[0], energies[1]};
   for (std::size_t i = 0; i < state.contacts.size(); ++i) {
-    get(file, "contact" + std::to_string(i) + "_", state.contacts[i]);
-    const auto &v = file.field("report" + std::to_string(i), 11, infinite_too); // the smallest gap may be infinite
+    get(file, prefix + "contact" + std::to_string(i) + "_", state.contacts[i]);
+    const auto &v = file.field(prefix + "report" + std::to_string(i), 11, infinite_too); // the smallest gap may be infinite
     for (std::size_t k = 0; k < v.size(); ++k)
-      if (k != 9 && !Limits{}.contains(v[k])) file.damaged("field report" + std::to_string(i) + " holds a number that is not finite");
-    if (!count.contains(v[7]) || !count.contains(v[8])) file.damaged("field report" + std::to_string(i) + " holds no count of points");
+      if (k != 9 && !Limits{}.contains(v[k])) file.damaged("field " + prefix + "report" + std::to_string(i) + " holds a number that is not finite");
+    if (!count.contains(v[7]) || !count.contains(v[8])) file.damaged("field " + prefix + "report" + std::to_string(i) + " holds no count of points");
     auto &r = state.reports[i];
     r.force = {v[0], v[1], v[2]};
     r.friction = {v[3], v[4], v[5]};

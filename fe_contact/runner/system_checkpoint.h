@@ -5,9 +5,9 @@
 
 namespace rimpact::fe {
 
-void put(Checkpoint &file, const SystemState &state);
+void put(Checkpoint &file, const SystemState &state, const std::string &prefix = "");
 /// Into a state of the same system. Throws DataError when the file is damaged, or of another mesh.
-void get(const Checkpoint &file, SystemState &state);
+void get(const Checkpoint &file, SystemState &state, const std::string &prefix = "");
 
 /// Where a run in time stands.
 void put(Checkpoint &file, const TransientPoint &point);

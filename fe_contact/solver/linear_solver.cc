@@ -7,8 +7,16 @@ namespace rimpact::fe {
 bool LinearSolver::factorise() {
   const Stopwatch watch(times_["factor"]);
   if (!factor_) factor_ = mumps_factor(precision_, gmres_.pattern(), gmres_.by_all_ranks());
-  if (!factor_->factorise(gmres_.values())) factor_.reset();
-  return factor_ != nullptr;
+  factorised_ = factor_->factorise(gmres_.values());
+  if (!factorised_) factor_.reset();
+  return factorised_;
+}
+
+void LinearSolver::forget() {
+  factorised_ = worn = false;
+  if (precision_ == Precision::single_) return;
+  precision_ = Precision::single_;
+  factor_.reset();
 }
 
 Eigen::VectorXd LinearSolver::iterate(const Eigen::VectorXd &right_side, double relative, int max_iterations) {
@@ -17,7 +25,7 @@ Eigen::VectorXd LinearSolver::iterate(const Eigen::VectorXd &right_side, double 
 }
 
 Eigen::VectorXd LinearSolver::solve(const Eigen::VectorXd &right_side, double relative, int max_iterations) {
-  if (!factor_) return {};
+  if (!factorised_) return {};
   gmres_.take_values();
   return iterate(right_side, relative, max_iterations);
 }
@@ -28,6 +36,7 @@ Eigen::VectorXd LinearSolver::solve_anew(const Eigen::VectorXd &right_side, doub
   if (factorise()) result = iterate(right_side, relative, max_iterations);
   if (result.size() > 0 || precision_ == Precision::double_) return result;
   precision_ = Precision::double_;
+  factorised_ = false;
   factor_.reset();
   return factorise() ? iterate(right_side, relative, max_iterations) : Eigen::VectorXd();
 }

@@ -23,6 +23,10 @@ public:
   /// The same with a factor of the present values. Empty when the matrix is singular.
   Eigen::VectorXd solve_anew(const Eigen::VectorXd &right_side, double relative, int max_iterations);
   int last_iterations() const { return gmres_.last_iterations(); }
+  /// Forgets the factor, as a new solver has none; what was found out about the pattern stays.
+  void forget();
+  /// The factor took GMRES many iterations when last used with a new right side of Newton's: it is to be renewed.
+  bool worn = false;
 
 private:
   FlexibleGmres::Preconditioner by_factor() {
@@ -31,7 +35,8 @@ private:
   bool factorise();
   Eigen::VectorXd iterate(const Eigen::VectorXd &right_side, double relative, int max_iterations);
   Precision precision_ = Precision::single_;
-  std::unique_ptr<MumpsFactor> factor_; ///< null: none yet
+  std::unique_ptr<MumpsFactor> factor_; ///< null: none of this pattern yet
+  bool factorised_ = false;
   FlexibleGmres gmres_;
   TimeSplit &times_;
 };

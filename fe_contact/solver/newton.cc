@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace rimpact::fe {
 
@@ -17,6 +18,19 @@ double forcing_term(const std::vector<double> &residuals, double last, double to
   return std::clamp(term, enough, largest);
 }
 
+namespace {
+
+/// Makes the change of u that of the bordered system; returns the multiplier's, nothing when it cannot be solved.
+std::optional<double> add_border(const Border &border, LinearSolver &solver, double forcing, Eigen::VectorXd &change) {
+  const Eigen::VectorXd response = solver.solve(border.push, forcing, most_linear_iterations);
+  if (response.size() == 0) return {};
+  const double multiplier_change = (-border.constraint - border.gradient.dot(change)) / border.gradient.dot(response);
+  change += multiplier_change * response;
+  return multiplier_change;
+}
+
+} // namespace
+
 NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOptions &options) {
   NewtonReport report;
   if (!options.evaluated && !target.evaluate(u)) {
@@ -25,9 +39,12 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
   }
   const auto relative = [&] { return target.residual().norm() / target.force_scale(); };
   double forcing = 0;
-  bool worn = false; // a factor of an earlier solution, or of another step, may still serve
+  const auto held = [&] {
+    const Border *border = target.border();
+    return !border || std::abs(border->constraint) <= border->tolerance;
+  };
   report.residuals.push_back(relative());
-  while (report.residuals.back() > options.tolerance || report.iterations == 0) {
+  while (report.residuals.back() > options.tolerance || report.iterations == 0 || !held()) {
     if (report.iterations >= options.max_iterations) {
       report.reason = "Newton did not converge in " + std::to_string(options.max_iterations) + " iterations";
       return report;
@@ -35,27 +52,39 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
     ++report.iterations;
     forcing = forcing_term(report.residuals, forcing, options.tolerance, options.finest_forcing);
     Eigen::VectorXd change;
-    if (options.stale_factor && !worn) {
-      change = target.solver().solve(-target.residual(), forcing, most_linear_iterations);
-      worn = target.solver().last_iterations() > worn_after;
+    LinearSolver &solver = target.solver(); // a factor of an earlier solution, or of another step, may still serve
+    if (options.stale_factor && !solver.worn) {
+      change = solver.solve(-target.residual(), forcing, most_linear_iterations);
+      solver.worn = solver.last_iterations() > worn_after;
     }
     if (change.size() == 0) {
-      change = target.solver().solve_anew(-target.residual(), forcing, most_linear_iterations);
+      change = solver.solve_anew(-target.residual(), forcing, most_linear_iterations);
       ++report.factorisations;
-      worn = false;
+      solver.worn = false;
     }
     if (change.size() == 0 || !change.allFinite()) {
       report.reason = "the tangent is singular: is every body held by supports or contact?";
       return report;
     }
+    Border *border = target.border();
+    const auto multiplier_change = border && change.size() && change.allFinite() ? add_border(*border, solver, forcing, change) : 0.0;
+    const double multiplier = border ? border->multiplier : 0;
+    if (!multiplier_change) {
+      report.reason = "the tangent with its constraint is singular";
+      return report;
+    }
+    const auto go = [&](const Eigen::VectorXd &from, double factor) {
+      u = from + factor * change;
+      if (border) border->multiplier = multiplier + factor * *multiplier_change;
+      return target.evaluate(u);
+    };
     // Bounded backtracking: contact is not smooth, so the best step found is taken when none is better. The
     // first change carries the step's loading, its residual is no measure: any admissible one will do.
     const Eigen::VectorXd start = u;
     const double before = report.residuals.back();
     double best = -1, best_factor = 0, factor = 1;
     for (int trial = 0; trial <= options.max_backtracks; ++trial, factor /= 2) {
-      u = start + factor * change;
-      if (!target.evaluate(u)) continue;
+      if (!go(start, factor)) continue;
       const double reached = relative();
       if (best_factor == 0 || reached < best) {
         best = reached;
@@ -67,10 +96,7 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
       report.reason = "a cell turned inside out";
       return report;
     }
-    if (u != start + best_factor * change) {
-      u = start + best_factor * change;
-      target.evaluate(u);
-    }
+    if (u != start + best_factor * change) go(start, best_factor);
     report.residuals.push_back(best);
   }
   report.converged = true;

@@ -8,6 +8,13 @@
 
 namespace rimpact::fe {
 
+/// One more unknown and the equation that determines it: a multiplier and its constraint, bordering the tangent.
+struct Border {
+  Eigen::VectorXd push;     ///< -d residual / d multiplier
+  Eigen::VectorXd gradient; ///< d constraint / d u
+  double constraint = 0, tolerance = 0, multiplier = 0;
+};
+
 class NewtonTarget {
 public:
   virtual ~NewtonTarget() = default;
@@ -17,6 +24,8 @@ public:
   /// Size of the forces in play [N], against which the residual is small or not.
   virtual double force_scale() const = 0;
   virtual LinearSolver &solver() = 0; ///< of the tangent
+  /// Of the last evaluation; its multiplier is set before each. Null: none.
+  virtual Border *border() { return nullptr; }
   TimeSplit time_split;
 };
 

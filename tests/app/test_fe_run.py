@@ -1,4 +1,4 @@
-"""Rung R1 from the command line: a light window, its ledger, interruption and resumption."""
+"""Rung rim from the command line: a light window, its ledger, interruption and resumption."""
 import csv
 import json
 import os
@@ -50,10 +50,29 @@ class RimWindow(unittest.TestCase):
             self.assertEqual(summary(halves)["status"], "interrupted")
             run = rimpact(*WINDOW, "-o", halves, "--resume")
             self.assertEqual(run.returncode, 0, run.stderr)
-            # Not bit for bit: the resumed run starts with a fresh factor, and Newton stops at a residual of 1e-5.
-            self.assertAlmostEqual(summary(halves)["peak_impact_force_N"] / result["peak_impact_force_N"], 1, delta=5e-5)
+            # Not bit for bit: the run that was not stopped keeps its factor there, and Newton stops at a residual of 1e-5.
+            self.assertAlmostEqual(summary(halves)["peak_impact_force_N"] / result["peak_impact_force_N"], 1, delta=2e-5)
             other = rimpact(*WINDOW, "-o", halves, "--resume", "--set", "bearing.rim.height_mm=58")
             self.assertEqual(other.returncode, 3)  # another bearing's checkpoint is refused
+
+    def test_killed_and_resumed_it_is_the_same_to_the_last_bit(self):
+        with tempfile.TemporaryDirectory() as folder:
+            whole, killed = os.path.join(folder, "whole"), os.path.join(folder, "killed")
+            words = [*WINDOW, "--mesh", "0", "--no-fields"]
+            self.assertEqual(rimpact(*words, "-o", whole).returncode, 0)
+            process = subprocess.Popen([RIMPACT, *words, "-o", killed], stderr=subprocess.PIPE)
+            while not steps_kept(killed, 20) and process.poll() is None:
+                time.sleep(0.02)
+            process.kill()
+            process.communicate()
+            self.assertFalse(os.path.exists(os.path.join(killed, "summary.json")))
+            run = rimpact(*words, "-o", killed, "--resume")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            responses = []
+            for one in (whole, killed):
+                with open(os.path.join(one, "response.csv"), "rb") as file:
+                    responses.append(file.read())
+            self.assertEqual(*responses)
 
     def test_a_scene_that_ends_on_the_rim_has_its_rebound_doubted(self):
         with tempfile.TemporaryDirectory() as folder:
@@ -101,10 +120,9 @@ class RimWindow(unittest.TestCase):
             self.assertAlmostEqual(machine["rim-mesh0-half"]["seconds_per_iteration_and_unknown"] * result["n_dofs"] * result["n_newton_iterations"], spent, places=6)
 
     def test_what_this_build_cannot_run_is_said(self):
-        for arguments, needle in ((["--rung", "full"], "rim"), (["--set", "bearing.contact.rim=0.1"], "contact.rim")):
-            run = rimpact(*WINDOW, *arguments)
-            self.assertEqual(run.returncode, 2)
-            self.assertIn(needle, run.stderr)
+        run = rimpact(*WINDOW, "--rung", "full")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("rim", run.stderr)
 
     def test_under_mpirun_the_first_rank_speaks(self):
         run = on_two_ranks("run", "no-such-scene")
@@ -125,12 +143,6 @@ class Plan(unittest.TestCase):
     def test_rung_and_mesh_as_for_run(self):
         plan = self.plan("--rung", "rigid-dish", "--mesh", "2", "--set", 'excitation.with=["weight","friction"]')
         self.assertEqual((plan["rung"], plan["mesh"]), ("rigid-dish", 2))
-
-    def test_a_penalty_too_stiff_is_cut_and_said(self):
-        said = [note for note in self.plan("--set", "model.penalty_scale=100")["notes"] if "penalty_scale" in note]
-        self.assertEqual(len(said), 1)
-        self.assertIn("100 is cut to 10", said[0])
-        self.assertFalse([note for note in self.plan("--set", "model.penalty_scale=10")["notes"] if "penalty_scale" in note])
 
 
 class OwnMesh(unittest.TestCase):
@@ -156,7 +168,7 @@ class OwnMesh(unittest.TestCase):
             run = rimpact("run", self.scene, "-o", out, "--quiet", *own)
             self.assertEqual(run.returncode, 0, run.stderr)
             forces.append(summary(out)["peak_impact_force_N"])
-        self.assertAlmostEqual(forces[0] / forces[1], 1, delta=1e-6)
+        self.assertAlmostEqual(forces[0] / forces[1], 1, delta=2e-5)
         with open(os.path.join(self.folder.name, "own", "scene.toml")) as resolved:
             self.assertIn(self.mesh, resolved.read())  # by its absolute name
 

@@ -1,5 +1,6 @@
-// What acts on the mass of rung R1 beside the rim: derivatives against differences, and a dish that does not ring.
+// What acts on the mass of rung rim beside the rim: derivatives against differences, and a dish that does not ring.
 #include "fe_contact/runner/mass_loads.h"
+#include "fe_contact/runner/rim_run.h"
 #include <gtest/gtest.h>
 
 namespace {
@@ -15,10 +16,10 @@ struct MassOnTheDish : testing::Test {
 };
 
 TEST_F(MassOnTheDish, DerivativesAreThoseOfTheConstraintAndTheForce) {
-  const MasterLaw law = loads.law(frame, 1.9, Support::dish);
+  const RemoteLaw law = loads.law(frame, 1.9, Support::dish);
   const Vector3d u(0.004, 0.02, 0.003), v(0.4, -0.2, 0.1);
   const double multiplier = 7e5, du = 1e-6, dv = 1e-5;
-  const MasterLoad at = law(u, v, multiplier);
+  const RemoteLoad at = law(u, v, multiplier);
   for (int i = 0; i < 3; ++i) {
     const Vector3d e = Vector3d::Unit(i);
     const double by_v = (law(u, v + dv * e, multiplier).constraint - law(u, v - dv * e, multiplier).constraint) / (2 * dv),
@@ -33,28 +34,26 @@ TEST_F(MassOnTheDish, DerivativesAreThoseOfTheConstraintAndTheForce) {
 }
 
 TEST_F(MassOnTheDish, AShortStepFromMicronsBelowTheDishNeedsNoMoreThanTheWeight) {
-  meshes::RimMeshOptions mesh;
-  RimSolverOptions options;
-  options.degree = 1;
-  options.attached_mass = scene.load.mass;
-  RimSolver solver(scene.bearing, mesh, options);
+  const RimModel parts(scene.bearing, {}, 1, 1);
+  RimSystem system(parts, scene.load.mass);
   const RimFrame ahead{0, frame.lateral_capacity, frame.touch_height};
   const double x = scene.lateral_capacity() - 0.02; // well before the rim
   const auto surface = model.height(x, 0);
   const Vector3d speed(0.5, 0, 0.5 * surface.gradient.x());
-  ArcState state = solver.virgin();
-  solver.place(state, ahead.master({x, 0, surface.z - 2e-6}), speed, Vector3d::Zero());
-  const MasterLaw law = loads.law(ahead, 0, Support::dish);
-  solver.refresh_forces(state, law, 0);
-  double multiplier = 0;
+  SystemState state = system.at_rest();
+  system.place(state, ahead.master({x, 0, surface.z - 2e-6}), speed, Vector3d::Zero());
+  RemoteTerms remote{system.top(), loads.law(ahead, 0, Support::dish), parts.share()};
+  StepTerms terms{Eigen::VectorXd::Zero(system.equations().n)};
+  terms.dt = 1e-5;
+  terms.remote = &remote;
   for (int k = 0; k < 4; ++k) {
-    const StepReport report = solver.step(state, 1e-5, law, multiplier);
+    const ContactStepReport report = time_step(system, state, terms, rim_step_options(scene));
     ASSERT_TRUE(report.converged) << report.reason;
-    multiplier = report.multiplier;
-    EXPECT_GT(multiplier, 0);
-    EXPECT_LT(multiplier, 2 * scene.load.vertical); // weight and what the path's curvature asks for
+    remote.multiplier = report.multiplier;
+    EXPECT_GT(remote.multiplier, 0);
+    EXPECT_LT(remote.multiplier, 2 * scene.load.vertical); // weight and what the path's curvature asks for
   }
-  EXPECT_NEAR(loads.normal(ahead.displacement(state.master)).dot(ahead.to_global(state.master_velocity)), 0, 1e-8);
+  EXPECT_NEAR(loads.normal(ahead.displacement(system.top().of(state.u))).dot(ahead.to_global(system.top().of(state.v))), 0, 1e-8);
 }
 
 } // namespace

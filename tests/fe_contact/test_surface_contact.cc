@@ -7,9 +7,9 @@
 namespace rimpact::fe {
 namespace {
 
-struct Tangent : ::testing::TestWithParam<std::tuple<int, double>> {};
+struct ContactTangent : ::testing::TestWithParam<std::tuple<int, double>> {};
 
-TEST_P(Tangent, IsTheDerivativeOfTheForcesWhereSomePointsStickAndOthersSlip) {
+TEST_P(ContactTangent, IsTheDerivativeOfTheForcesWhereSomePointsStickAndOthersSlip) {
   const auto [degree, rate] = GetParam();
   Block block({0.3, rate > 0 ? 0.1 : 0.3, rate}, degree);
   const Equations &equations = block.system->equations();
@@ -24,8 +24,8 @@ TEST_P(Tangent, IsTheDerivativeOfTheForcesWhereSomePointsStickAndOthersSlip) {
 
   auto cliques = contact.cliques(equations, equations.expand(u), state.opposite);
   for (int i = 0; i < equations.n; ++i) cliques.push_back({i});
-  const SymmetricMatrix pattern(equations.n, cliques);
-  GeneralMatrix tangent(pattern);
+  TimeSplit times;
+  Tangent tangent(equations.n, cliques, Symmetry::general, times);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations.n);
   const auto report = contact.assemble(equations.expand(u), state, 1e-3, equations, forces, &tangent);
   ASSERT_GT(report.stick, 0);
@@ -46,7 +46,7 @@ TEST_P(Tangent, IsTheDerivativeOfTheForcesWhereSomePointsStickAndOthersSlip) {
   contact.assemble(equations.expand(u), state, 1e-3, equations, forces, nullptr);
   EXPECT_LT((on_carrier + on_body).norm(), 1e-9 * on_body.norm());
 }
-INSTANTIATE_TEST_SUITE_P(DegreeAndRate, Tangent,
+INSTANTIATE_TEST_SUITE_P(DegreeAndRate, ContactTangent,
                          ::testing::Combine(::testing::Values(1, 2), ::testing::Values(0.0, 20.0)));
 
 /// Three steps of 1 ms pressing and dragging the block; `spoil`: every step is first tried over a far longer way.
@@ -132,8 +132,8 @@ TEST_P(Carried, TangentIsTheDerivativeAndActionIsReaction) {
   SurfaceContactState state = contact.open(blocks.moved({0.0209, -0.013, 0}, 0));
   auto cliques = contact.cliques(equations, u, state.opposite);
   for (int i = 0; i < equations.n; ++i) cliques.push_back({i});
-  const SymmetricMatrix pattern(equations.n, cliques);
-  GeneralMatrix tangent(pattern);
+  TimeSplit times;
+  Tangent tangent(equations.n, cliques, Symmetry::general, times);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations.n);
   const auto report = contact.assemble(u, state, 1e-3, equations, forces, &tangent);
   ASSERT_TRUE(report.pattern_holds);

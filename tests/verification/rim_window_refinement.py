@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Refinement of the R1 window at 0.1 and 0.5 m/s: meshes 1, 2, 3 and half the step. Prints (and writes as text baseline) peak force,
+"""Refinement of the rim window at 0.1 and 0.5 m/s: meshes 1, 2, 3 and half the step. Prints (and writes as text baseline) peak force,
 rebound, error against the finest mesh, unknowns, iterations, seconds; fails when a gate is missed:
 mesh 1 within 4 %, mesh 2 within 1.5 % of mesh 3 in peak force; halving the step changes the rebound by less than 0.5 %;
 integrator loss below 1 % of the impact's energy; imbalance below 1e-3."""
