@@ -42,9 +42,7 @@ struct SurfaceContactState {
   std::vector<char> covered;
   std::vector<int> opposite; ///< carrier face last found opposite, -1: none
   double stiffening = 1; ///< factor on the stated penalties where augmentation alone was slow
-  /// Of the committed normal multipliers over the last step, where the point bore at both its ends [Pa]; empty: none yet. What has
-  /// just come to bear has a jump, and no rate.
-  std::vector<double> change{};
+  std::vector<double> change{}; ///< of the committed normal multipliers over the last step [Pa]; empty: none yet
   void note_change(const std::vector<double> &before);
 };
 

@@ -50,7 +50,7 @@ SurfaceContactState SurfaceContact::carried(const SurfaceContactState &other, co
 
 void SurfaceContactState::note_change(const std::vector<double> &before) {
   change = multiplier;
-  for (std::size_t k = 0; k < before.size(); ++k) change[k] = before[k] > 0 && multiplier[k] > 0 ? multiplier[k] - before[k] : 0;
+  for (std::size_t k = 0; k < before.size(); ++k) change[k] -= before[k];
 }
 
 void SurfaceContact::expect(SurfaceContactState &state, double times) {
