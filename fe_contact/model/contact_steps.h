@@ -15,7 +15,7 @@ struct StepOptions {
   /// solution meets newton.tolerance. 0: all do.
   double tolerance_between = 0;
   double rho_inf = 0.8;
-  bool expects = false; ///< steps in time begin with the multipliers' last change repeated (see SurfaceContact::expect)
+  bool expects = false; ///< steps in time begin with the pressures' last change repeated (see SurfaceContact::expect)
 };
 
 struct ContactStepReport {

@@ -215,10 +215,10 @@ void ContactSystem::commit(const Eigen::VectorXd &u, SystemState &state, NextMul
   state.reports = trial_.reports;
   for (std::size_t i = 0; i < contacts_.size() && terms_->with_contact; ++i) {
     contacts_[i].add_work(state.contacts[i], trial_.contacts[i], displacements, state.reports[i]);
-    const std::vector<double> multiplier = state.contacts[i].multiplier;
+    const std::vector<double> pressure = state.contacts[i].pressure;
     state.contacts[i] = trial_.contacts[i];
     contacts_[i].commit(displacements, state.contacts[i], normal);
-    state.contacts[i].note_change(multiplier);
+    state.contacts[i].note_change(pressure);
   }
   state.u = u;
   state.R = trial_.R;

@@ -55,7 +55,7 @@ struct StepTerms {
   const Inertia *inertia = nullptr;
   const RemoteTerms *remote = nullptr; ///< with inertia only
   bool with_contact = true;            ///< false: the bodies pass through one another
-  /// The normal multipliers' change over the last step, as often, is expected of this one too; 0: they start as they are.
+  /// The pressures' change over the last step, as often, is expected of this one's multipliers too; 0: they start as they are.
   double expected = 0;
 };
 

@@ -42,8 +42,8 @@ struct SurfaceContactState {
   std::vector<char> covered;
   std::vector<int> opposite; ///< carrier face last found opposite, -1: none
   double stiffening = 1; ///< factor on the stated penalties where augmentation alone was slow
-  std::vector<double> change{}; ///< of the committed normal multipliers over the last step [Pa]; empty: none yet
-  void note_change(const std::vector<double> &before);
+  std::vector<double> change{}; ///< of the pressures over the last step [Pa]; empty: none yet
+  void note_change(const std::vector<double> &pressures_before);
 };
 
 /// What the normal multipliers are for the next step: none (a penalty's conservative spring), those of the next
@@ -80,7 +80,7 @@ public:
   SurfaceContactReport assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,
                                 const Equations &equations, Eigen::VectorXd &forces,
                                 Tangent *tangent) const;
-  /// lambda <- lambda + times * its last change, not below 0, where a point bears. The gap left is then the pressure's second
+  /// lambda <- lambda + times * the pressure's last change, not below 0, where a point bears. The gap left is then the pressure's second
   /// difference over the penalty and not its first, which would give back the integral of (dp)^2 / eps over an impact: energy
   /// from nothing, in proportion to the step.
   static void expect(SurfaceContactState &state, double times);

@@ -48,9 +48,9 @@ SurfaceContactState SurfaceContact::carried(const SurfaceContactState &other, co
   return state;
 }
 
-void SurfaceContactState::note_change(const std::vector<double> &before) {
-  change = multiplier;
-  for (std::size_t k = 0; k < before.size(); ++k) change[k] -= before[k];
+void SurfaceContactState::note_change(const std::vector<double> &pressures_before) {
+  change = pressure;
+  for (std::size_t k = 0; k < pressures_before.size(); ++k) change[k] -= pressures_before[k];
 }
 
 void SurfaceContact::expect(SurfaceContactState &state, double times) {

@@ -79,7 +79,8 @@ TEST(Newton, FindsTheMultiplierThatHoldsItsConstraint) {
 TEST(SurfaceContact, ABearingPointIsExpectedToGoOnAsItDidAndNeverToPull) {
   SurfaceContactState state;
   state.multiplier = {5.0, 1.0, 0.0};
-  state.note_change({3.0, 4.0, 0.0});
+  state.pressure = {4.0, 2.0, 0.0};
+  state.note_change({2.0, 5.0, 0.0});
   SurfaceContact::expect(state, 0.5);
   EXPECT_EQ(state.multiplier, (std::vector<double>{6.0, 0.0, 0.0}));
 }
