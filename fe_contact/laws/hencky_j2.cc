@@ -91,7 +91,7 @@ HenckyJ2 HenckyJ2::from(const scene::Material &material) {
   return law;
 }
 
-IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F) const {
+IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F, bool with_tangent) const {
   IsochoricResult result;
   const double J = F.determinant();
   if (!(J > 0) || !std::isfinite(J)) {
@@ -114,7 +114,7 @@ IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F) const {
 
   result.energy = shear_modulus * principal.elastic_strain.squaredNorm();
   result.response.stress = to_vector(axes * principal.stress.asDiagonal() * axes.transpose());
-  result.response.tangent = assemble_tangent(principal, b, axes);
+  if (with_tangent) result.response.tangent = assemble_tangent(principal, b, axes);
   result.state = old;
   if (principal.alpha > old.alpha) {
     const Eigen::Vector3d b_elastic = (2 * (principal.elastic_strain.array() + strain.mean())).exp();

@@ -55,8 +55,8 @@ struct HenckyJ2 {
   BilinearHardening hardening{0.0, 0.0};
 
   static HenckyJ2 from(const scene::Material &material);
-  /// F: deformation gradient at the end of the step; old: state at its start.
-  IsochoricResult step(const J2State &old, const Matrix3 &F) const;
+  /// F: deformation gradient at the end of the step; old: state at its start. The tangent is made if it is asked for.
+  IsochoricResult step(const J2State &old, const Matrix3 &F, bool with_tangent = true) const;
 };
 
 struct VolumetricResult {

@@ -70,60 +70,64 @@ void ContactSystem::prepare(const SystemState &old, const StepTerms &terms) {
   if (terms.remote) border_.multiplier = terms.remote->multiplier;
 }
 
-bool ContactSystem::evaluate(const Eigen::VectorXd &u) {
+bool ContactSystem::evaluate(const Eigen::VectorXd &u, bool with_tangent) {
   bool pattern_holds = true;
-  const bool admissible = evaluate_on_the_pattern(u, pattern_holds);
+  const bool admissible = evaluate_on_the_pattern(u, with_tangent, pattern_holds);
   if (pattern_holds || !admissible) return admissible;
   make_pattern(equations_.expand(u), trial_.contacts);
-  return evaluate_on_the_pattern(u, pattern_holds) && pattern_holds; // a pair still missing would lose its forces
+  return evaluate_on_the_pattern(u, true, pattern_holds) && pattern_holds; // a pair still missing would lose its forces
 }
 
-bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool &pattern_holds) {
+bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_tangent, bool &pattern_holds) {
   const Eigen::VectorXd displacements = equations_.expand(u);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations_.n);
-  SymmetricMatrix &solid_tangent = tangent_->symmetric();
-  solid_tangent.set_zero();
+  SymmetricMatrix *solid_tangent = with_tangent ? &tangent_->symmetric() : nullptr;
+  if (solid_tangent) solid_tangent->set_zero();
   trial_.energies = {};
   {
     const Stopwatch watch(time_split["assembly"]);
-    if (!solid_.assemble(displacements, old_->history, trial_.history, equations_, forces, &solid_tangent, trial_.energies))
+    if (!solid_.assemble(displacements, old_->history, trial_.history, equations_, forces, solid_tangent, trial_.energies))
       return false;
   }
   const Stopwatch watch(time_split["search"]);
   const double spent = forces.cwiseAbs().norm();
   // Of the tangent every rank has the share of its cells and faces, and the first one what belongs to none.
-  if (terms_->inertia && ranks().first()) {
+  if (with_tangent && terms_->inertia && ranks().first()) {
     const double factor = terms_->inertia->mass_factor();
-    for (std::size_t k = 0; k < mass_->n_entries(); ++k) solid_tangent.values()[k] += factor * mass_->values()[k];
+    for (std::size_t k = 0; k < mass_->n_entries(); ++k) solid_tangent->values()[k] += factor * mass_->values()[k];
   }
-  tangent_->close_symmetric();
+  if (with_tangent) tangent_->close_symmetric();
   if (!ranks().first()) forces.setZero(); // until they are summed up with the contacts'
-  pattern_holds = assemble_contacts(displacements, forces);
+  pattern_holds = assemble_contacts(displacements, forces, with_tangent ? tangent_.get() : nullptr);
   trial_.R = terms_->load - forces;
   residual_ = -trial_.R;
-  // Coordinates are known to rounding, forces therefore to rounding times stiffness times size.
-  Eigen::VectorXd diagonal(equations_.n);
-  for (int i = 0; i < equations_.n; ++i) diagonal[i] = tangent_->diagonal(i);
-  ranks().sum(diagonal);
-  const double rounding = 4 * std::numeric_limits<double>::epsilon() * diagonal.norm() * size_;
-  scale_ = spent + terms_->load.norm() + rounding / usual_tolerance;
+  if (with_tangent) take_diagonal();
+  scale_ = spent + terms_->load.norm() + rounding_ / usual_tolerance;
   if (terms_->inertia) add_inertia(u);
-  if (terms_->inertia && terms_->remote) add_remote(u);
+  if (terms_->inertia && terms_->remote) add_remote(u, with_tangent);
   stabilisation_share_ = 0;
   if (terms_->stabilisation > 0) {
     const Eigen::VectorXd springs = terms_->stabilisation * (u - old_->u);
     residual_ += springs;
     stabilisation_share_ = springs.norm() / scale_;
-    for (int i = 0; ranks().first() && i < equations_.n; ++i) tangent_->add(i, i, terms_->stabilisation);
+    for (int i = 0; with_tangent && ranks().first() && i < equations_.n; ++i) tangent_->add(i, i, terms_->stabilisation);
   }
-  if (!terms_->driven.empty()) drive(u, diagonal);
+  if (!terms_->driven.empty()) drive(u, with_tangent);
   return residual_.allFinite();
 }
 
-bool ContactSystem::assemble_contacts(const Eigen::VectorXd &displacements, Eigen::VectorXd &forces) {
+/// Coordinates are known to rounding, forces therefore to rounding times stiffness times size.
+void ContactSystem::take_diagonal() {
+  diagonal_.resize(equations_.n);
+  for (int i = 0; i < equations_.n; ++i) diagonal_[i] = tangent_->diagonal(i);
+  ranks().sum(diagonal_);
+  rounding_ = 4 * std::numeric_limits<double>::epsilon() * diagonal_.norm() * size_;
+}
+
+bool ContactSystem::assemble_contacts(const Eigen::VectorXd &displacements, Eigen::VectorXd &forces, Tangent *tangent) {
   trial_.reports.assign(contacts_.size(), {});
   for (std::size_t i = 0; i < contacts_.size() && terms_->with_contact; ++i)
-    trial_.reports[i] = contacts_[i].assemble(displacements, trial_.contacts[i], terms_->dt, equations_, forces, tangent_.get());
+    trial_.reports[i] = contacts_[i].assemble(displacements, trial_.contacts[i], terms_->dt, equations_, forces, tangent);
   ranks().sum(forces);
   return std::all_of(trial_.reports.begin(), trial_.reports.end(), [](const auto &r) { return r.pattern_holds; });
 }
@@ -136,7 +140,7 @@ void ContactSystem::add_inertia(const Eigen::VectorXd &u) {
   scale_ += inertial.norm();
 }
 
-void ContactSystem::add_remote(const Eigen::VectorXd &u) {
+void ContactSystem::add_remote(const Eigen::VectorXd &u, bool with_tangent) {
   constexpr double constraint_tolerance = 1e-9; // [m/s]
   const Inertia &inertia = *terms_->inertia;
   const RemoteTerms &remote = *terms_->remote;
@@ -153,18 +157,20 @@ void ContactSystem::add_remote(const Eigen::VectorXd &u) {
     residual_[at[i]] -= load.force[i] / remote.share;
     border_.push[at[i]] = load.d_multiplier[i] / remote.share;
     border_.gradient[at[i]] = inertia.velocity_factor() * load.gradient[i] + load.by_displacement[i];
-    for (int k = 0; k < 3 && ranks().first(); ++k)
+    for (int k = 0; k < 3 && with_tangent && ranks().first(); ++k)
       if (at[k] >= 0) tangent_->add(at[i], at[k], stiffness(i, k));
   }
 }
 
-void ContactSystem::drive(const Eigen::VectorXd &u, const Eigen::VectorXd &diagonal) {
-  Eigen::VectorXd moved = Eigen::VectorXd::Zero(equations_.n);
-  const auto stiffness = [&](int equation) { return std::abs(diagonal[equation] + terms_->stabilisation) + 1.0; };
-  for (const auto &[equation, target] : terms_->driven)
-    tangent_->drive(equation, ranks().first() ? stiffness(equation) : 0.0, u[equation] - target, moved);
-  ranks().sum(moved);
-  residual_ += moved;
+void ContactSystem::drive(const Eigen::VectorXd &u, bool with_tangent) {
+  const auto stiffness = [&](int equation) { return std::abs(diagonal_[equation] + terms_->stabilisation) + 1.0; };
+  if (with_tangent) {
+    Eigen::VectorXd moved = Eigen::VectorXd::Zero(equations_.n);
+    for (const auto &[equation, target] : terms_->driven)
+      tangent_->drive(equation, ranks().first() ? stiffness(equation) : 0.0, u[equation] - target, moved);
+    ranks().sum(moved);
+    residual_ += moved;
+  }
   for (const auto &[equation, target] : terms_->driven) {
     trial_.R[equation] = 0; // the drive's reaction balances it
     residual_[equation] = stiffness(equation) * (u[equation] - target);

@@ -72,7 +72,7 @@ public:
   void start_afresh_at(const SystemState &state) { make_pattern(equations_.expand(state.u), state.contacts); }
   /// Sets what the next Newton solution is of; `old` and `terms` must outlive it.
   void prepare(const SystemState &old, const StepTerms &terms);
-  bool evaluate(const Eigen::VectorXd &u) override;
+  bool evaluate(const Eigen::VectorXd &u, bool with_tangent) override;
   const Eigen::VectorXd &residual() const override { return residual_; }
   double force_scale() const override { return scale_; }
   LinearSolver &solver() override { return tangent_->solver(); }
@@ -112,11 +112,12 @@ public:
 
 private:
   void make_pattern(const Eigen::VectorXd &displacements, const std::vector<SurfaceContactState> &states);
-  bool evaluate_on_the_pattern(const Eigen::VectorXd &u, bool &pattern_holds);
-  bool assemble_contacts(const Eigen::VectorXd &displacements, Eigen::VectorXd &forces);
+  bool evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_tangent, bool &pattern_holds);
+  bool assemble_contacts(const Eigen::VectorXd &displacements, Eigen::VectorXd &forces, Tangent *tangent);
+  void take_diagonal();
   void add_inertia(const Eigen::VectorXd &u);
-  void add_remote(const Eigen::VectorXd &u);
-  void drive(const Eigen::VectorXd &u, const Eigen::VectorXd &diagonal);
+  void add_remote(const Eigen::VectorXd &u, bool with_tangent);
+  void drive(const Eigen::VectorXd &u, bool with_tangent);
   Symmetry symmetry() const;
 
   const Discretisation &space_;
@@ -131,7 +132,8 @@ private:
   const StepTerms *terms_ = nullptr;
   SystemState trial_;
   std::vector<SurfaceContact::Augmentation> augmentations_;
-  Eigen::VectorXd residual_;
+  Eigen::VectorXd residual_, diagonal_; ///< diagonal: of the last tangent, before what is driven and stabilised
+  double rounding_ = 0; ///< of the forces [N]
   Border border_;
   bool has_border_ = false;
   double scale_ = 0, stabilisation_share_ = 0, size_ = 0;

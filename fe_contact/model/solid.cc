@@ -92,14 +92,14 @@ bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eig
     const std::size_t c = *cell;
     const unsigned *nodes = &space_.cell_nodes[c * n];
     const Law &law = law_of(c);
-    kernel->clear();
+    kernel->clear(tangent != nullptr);
     for (int a = 0; a < n; ++a)
       for (int i = 0; i < 3; ++i) kernel->u[i][a] = u[3 * nodes[a] + i];
     for (int q = 0; q < n_full; ++q) {
       const std::size_t point = c * n_full + q;
       const double *G = &space_.full.gradients[point * m], weight = space_.full.weights[point];
       const Matrix3 F = kernel->deformation_gradient(G);
-      const IsochoricResult result = law.isochoric.step(old[point], F);
+      const IsochoricResult result = law.isochoric.step(old[point], F, tangent != nullptr);
       if (!result.admissible) return false;
       next[point] = result.state;
       sum.elastic += weight * result.energy;

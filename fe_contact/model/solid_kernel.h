@@ -17,9 +17,9 @@ template <int n> struct CellKernel {
   alignas(32) double block[3][3][padded][padded]; ///< upper in (a, b); diagonal blocks are full
   alignas(32) double u[3][n];
 
-  void clear() {
+  void clear(bool with_tangent) {
     std::memset(force, 0, sizeof(force));
-    std::memset(block, 0, sizeof(block));
+    if (with_tangent) std::memset(block, 0, sizeof(block));
     waiting = 0;
   }
 

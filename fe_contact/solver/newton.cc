@@ -29,11 +29,23 @@ std::optional<double> add_border(const Border &border, LinearSolver &solver, dou
   return multiplier_change;
 }
 
+/// Going on as it did the next residual will do: its tangent need not be made.
+bool is_last(const std::vector<double> &residuals, double tolerance) {
+  return residuals.size() > 1 && residuals.back() * (residuals.back() / residuals[residuals.size() - 2]) < tolerance;
+}
+
+bool evaluate(NewtonTarget &target, const Eigen::VectorXd &u, bool with_tangent) {
+  target.has_tangent = false;
+  if (!target.evaluate(u, with_tangent)) return false;
+  target.has_tangent = with_tangent;
+  return true;
+}
+
 } // namespace
 
 NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOptions &options) {
   NewtonReport report;
-  if (!options.evaluated && !target.evaluate(u)) {
+  if (!options.evaluated && !evaluate(target, u, true)) {
     report.reason = "a cell turned inside out before the first iteration";
     return report;
   }
@@ -50,6 +62,8 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
       return report;
     }
     ++report.iterations;
+    if (!target.has_tangent) evaluate(target, u, true);
+    const bool with_tangent = !is_last(report.residuals, options.tolerance);
     forcing = forcing_term(report.residuals, forcing, options.tolerance, options.finest_forcing);
     Eigen::VectorXd change;
     LinearSolver &solver = target.solver(); // a factor of an earlier solution, or of another step, may still serve
@@ -76,7 +90,7 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
     const auto go = [&](const Eigen::VectorXd &from, double factor) {
       u = from + factor * change;
       if (border) border->multiplier = multiplier + factor * *multiplier_change;
-      return target.evaluate(u);
+      return evaluate(target, u, with_tangent);
     };
     // Bounded backtracking: contact is not smooth, so the best step found is taken when none is better. The
     // first change carries the step's loading, its residual is no measure: any admissible one will do.

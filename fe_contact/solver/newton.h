@@ -18,8 +18,9 @@ struct Border {
 class NewtonTarget {
 public:
   virtual ~NewtonTarget() = default;
-  /// Residual and tangent at u; false where a law finds u inadmissible (the step must be shortened).
-  virtual bool evaluate(const Eigen::VectorXd &u) = 0;
+  /// Residual and, unless it is not asked for, tangent at u; false where a law finds u inadmissible (the step must be shortened).
+  virtual bool evaluate(const Eigen::VectorXd &u, bool with_tangent) = 0;
+  bool has_tangent = false; ///< of the last evaluation
   virtual const Eigen::VectorXd &residual() const = 0;
   /// Size of the forces in play [N], against which the residual is small or not.
   virtual double force_scale() const = 0;

@@ -108,7 +108,7 @@ TEST(Ranks, ABodyTurnedInsideOutOnOneRankIsSeenByAll) {
   for (std::size_t node = 0; node < block.space.n_nodes; ++node) // its last nodes only: the last rank's cells
     if (const int equation = block.system->equations().of_dof[3 * node]; equation >= 0 && block.space.positions[node].x() > 0.19)
       u[equation] = -0.5;
-  EXPECT_FALSE(block.system->evaluate(u));
+  EXPECT_FALSE(block.system->evaluate(u, true));
 }
 
 } // namespace

@@ -49,7 +49,7 @@ struct Curves : NewtonTarget {
   Tangent tangent{2, {{0, 1}}, Symmetry::general, times};
   Eigen::VectorXd r = Eigen::VectorXd::Zero(2);
   Border edge{Eigen::Vector2d(1, 2), Eigen::Vector2d(1, 1), 0, 1e-12, 0.1};
-  bool evaluate(const Eigen::VectorXd &u) override {
+  bool evaluate(const Eigen::VectorXd &u, bool) override {
     r << u[0] * u[0] - u[1] - 1 - edge.multiplier, u[1] * u[1] - 3 - 2 * edge.multiplier;
     edge.constraint = u[0] + u[1] - 3;
     tangent.symmetric().set_zero();
