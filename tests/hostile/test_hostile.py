@@ -1,0 +1,142 @@
+"""Hostile input, table-driven: every row is one attack on the command and what must happen. `test_hostile.py --list` counts the rows."""
+import collections
+import os
+import resource
+import signal
+import subprocess
+import sys
+import tempfile
+import unittest
+from dataclasses import dataclass
+from typing import Callable, Optional
+
+SECONDS = 20
+FREE = '[excitation]\nkind = "free"\ndisplacement_m = [0.1, 0]\nduration_s = 0.1\n'
+AT2 = "PEER NGA STRONG MOTION DATABASE RECORD\nA RECORD\nACCELERATION TIME SERIES IN UNITS OF G\n"
+
+
+@dataclass
+class Row:
+    area: str
+    name: str
+    words: list  # after `rimpact`, in a folder of its own that holds `file`
+    code: int
+    says: str = ""
+    file: tuple = ()  # (name, text or bytes)
+    limit: Optional[Callable] = None  # called in the child before the command starts
+    kept: str = ""  # a file that must be there, unchanged, afterwards
+    open: bool = False  # known to fail: the suite fails once it holds, so that the mark is taken away
+
+
+def toml(name, content, code, says=""):
+    return Row("TOML", name, ["check", "x.toml"], code, says, ("x.toml", content))
+
+
+def record(name, content, code, says="", file="x.AT2"):
+    return Row("records", name, ["motion", file], code, says, (file, content))
+
+
+def limits(which, amount):
+    return lambda: resource.setrlimit(which, (amount, amount))
+
+
+def ignoring_the_signal():
+    signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    limits(resource.RLIMIT_FSIZE, 4096)()
+
+
+def mesh(name, content, says, file="x.msh"):
+    return Row("meshes", name, ["check", "impact-window", "--set", f'model.own_mesh.file="{file}"'], 3, says, (file, content), kept=file)
+
+
+ROWS = [
+    toml("a value of another type", FREE.replace("0.1\n", '"long"\n'), 2, "duration_s"),
+    toml("a key twice", FREE + "duration_s = 1.0\n", 2, "x.toml:5"),
+    toml("a duration of inf", FREE.replace("= 0.1\n", "= inf\n"), 2, "duration_s"),
+    toml("a duration of nan", FREE.replace("= 0.1\n", "= nan\n"), 2, "duration_s"),
+    toml("a byte order mark", "\ufeff" + FREE, 0),
+    toml("lines ended by CR LF", FREE.replace("\n", "\r\n"), 0),
+    toml("a name in Chinese", 'name = "\u6469\u64e6"\n' + FREE, 0),
+    toml("bytes that are no UTF-8", b'name = "\xff"\n', 2, "x.toml"),
+    toml("a bracket left open", "[excitation\n", 2, "x.toml:1"),
+    toml("a thousand brackets", "a = " + "[" * 1000, 2, "x.toml"),
+    toml("a NUL", b"a = \0\n", 2, "x.toml"),
+    record("columns that touch at a minus sign", AT2 + "NPTS= 3, DT= .01 SEC\n .1E-01-.2E-01 .1E-01\n", 0, "PGA 0.0200 g"),
+    record("fewer values than NPTS", AT2 + "NPTS= 4, DT= .01 SEC\n .1 .2 .1\n", 3, "truncated"),
+    record("a step of 0", AT2 + "NPTS= 3, DT= 0.0 SEC\n .1 .2 .1\n", 3, "x.AT2"),
+    record("a value of nan", AT2 + "NPTS= 3, DT= .01 SEC\n .1 nan .1\n", 3, "x.AT2"),
+    record("an empty file", "", 3, "x.AT2"),
+    record("a time that goes back", "time_s,acceleration_g\n0,0\n1,0.1\n0.5,0\n", 3, "x.csv", "x.csv"),
+    record("a cell too many", "time_s,acceleration_g\n0,0,1\n1,0.1\n", 3, "x.csv", "x.csv"),
+    mesh("a truncated mesh", "$MeshFormat\n4.1 0 8\n", "x.msh"),
+    mesh("an empty mesh", "", "x.msh"),
+    mesh("a script called mesh", 'SystemCall "touch PWNED";\n', "x.msh"),
+    Row("names", "a name that climbs", ["reduced", "x.toml"], 2, "name", ("x.toml", 'name = "../../x"\n' + FREE), kept="x.toml"),
+    Row("names", "a name of markup", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", 'name = "<script>alert(1)"\n' + FREE), kept="x.toml"),
+    Row("names", "a name of 300 characters", ["reduced", "x.toml"], 0, "", ("x.toml", f'name = "{"n" * 300}"\n' + FREE), kept="x.toml"),
+    Row("names", "a name that steers the terminal", ["check", "x.toml"], 0, "", ("x.toml", 'name = "a\\u001b[31m"\n' + FREE), open=True),
+    Row("process", "a limit on file sizes, its signal ignored", ["reduced", "x.toml", "-o", "o"], 6, "", ("x.toml", FREE), ignoring_the_signal, "x.toml"),
+    Row("process", "a limit on file sizes", ["reduced", "x.toml", "-o", "o"], 6, "", ("x.toml", FREE), limits(resource.RLIMIT_FSIZE, 4096), "x.toml", open=True),
+    Row("process", "ten file handles", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), limits(resource.RLIMIT_NOFILE, 10), "x.toml"),
+    Row("process", "no output stream", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), lambda: os.close(1), "x.toml"),
+]
+
+
+def counts():
+    areas = collections.Counter(row.area for row in ROWS)
+    return "".join(f"{area}: {count}\n" for area, count in areas.items()) + f"all: {len(ROWS)}, of them known to fail: {sum(row.open for row in ROWS)}\n"
+
+
+def wrong_with(row):
+    """What is wrong with the answer to a row; empty where nothing is."""
+    with tempfile.TemporaryDirectory() as folder:
+        content = row.file[1] if isinstance(row.file[1], bytes) else row.file[1].encode()
+        with open(os.path.join(folder, row.file[0]), "wb") as file:
+            file.write(content)
+        try:
+            run = subprocess.run([os.environ["RIMPACT"], *row.words], cwd=folder, capture_output=True, timeout=SECONDS, preexec_fn=row.limit, check=False)
+        except subprocess.TimeoutExpired:
+            return f"still running after {SECONDS} s"
+        said = (run.stdout + run.stderr).decode(errors="replace")
+        found = [f"exit code {run.returncode}, not {row.code}"] if run.returncode != row.code else []
+        found += [f'"{row.says}" is not said'] if row.says not in said else []
+        found += ["an escape sequence reaches the terminal"] if "\033" in said else []
+        found += ["a traceback"] if "Traceback" in said else []
+        found += ["a foreign program ran"] if os.path.exists(os.path.join(folder, "PWNED")) else []
+        if row.kept:
+            with open(os.path.join(folder, row.kept), "rb") as file:
+                found += [f"{row.kept} was changed"] if file.read() != content else []
+        csv = os.path.join(folder, "o", "response.csv")
+        if run.returncode == 0 and os.path.exists(csv):
+            with open(csv, encoding="utf-8") as file:
+                found += ["nan in response.csv"] if "nan" in file.read().lower() else []
+        return "; ".join(found) and "; ".join(found) + "\n" + said[-600:]
+
+
+class Hostile(unittest.TestCase):
+    def test_every_row(self):
+        findings = 0
+        for row in ROWS:
+            with self.subTest(f"{row.area}: {row.name}"):
+                wrong = wrong_with(row)
+                findings += bool(wrong)
+                print(f"{'FINDING' if wrong else 'holds  '} {row.area:8} {row.name}{' (known)' if row.open else ''}")
+                if row.open:
+                    self.assertNotEqual(wrong, "", "the row holds now: take its mark away")
+                else:
+                    self.assertEqual(wrong, "")
+        print(f"{len(ROWS)} rows, {findings} findings")
+
+    def test_the_names_are_unique(self):
+        self.assertEqual(len({(row.area, row.name) for row in ROWS}), len(ROWS))
+
+    def test_the_docs_give_the_counts(self):
+        with open(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../docs/verification.md"), encoding="utf-8") as file:
+            self.assertIn(f"```\n{counts()}```", file.read())
+
+
+if __name__ == "__main__":
+    if "--list" in sys.argv:
+        sys.stdout.write(counts())
+    else:
+        unittest.main()
