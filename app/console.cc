@@ -29,6 +29,7 @@ void on_interrupt(int) {
 
 /// SIGHUP too, unless the shell has it ignored (nohup): a closed terminal must not cost a run its last checkpoint.
 void catch_interrupts() {
+  std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow fails to be written, with a sentence
   for (const int signal : {SIGINT, SIGTERM, SIGHUP})
     if (std::signal(signal, on_interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);
 }
@@ -79,7 +80,8 @@ void Console::warn(const std::string &sentence) {
   say(fmt::format("{} {}\n", coloured("warning:", "33"), scene::printable(sentence)));
 }
 
-void Console::data(const std::string &text) const {
+void Console::data(const std::string &given) const {
+  const std::string text = scene::printable(given);
   if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) throw IoError("cannot write to standard output");
 }
 

@@ -22,7 +22,7 @@ public:
   void message(const std::string &sentence); ///< stderr, unless --quiet; kept for log.txt
   void detail(const std::string &sentence);  ///< only with --verbose; kept for log.txt
   void warn(const std::string &sentence);    ///< stderr even with --quiet; kept
-  void data(const std::string &text) const;  ///< stdout
+  void data(const std::string &given) const; ///< stdout, printable
   const std::string &log() const { return log_; }
   const std::vector<std::string> &warnings() const { return warnings_; } ///< every sentence of warn()
   /// Every key the command line gives, in the order in which they win: --calibration, --set, --rung, --mesh.

@@ -10,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <optional>
 
 namespace rimpact::app {
 namespace {
@@ -61,9 +62,9 @@ Item read_item(const std::string &path) {
   return item;
 }
 
-/// L_c of the first item that knows its scene, else the default bearing's.
-double capacity_of(const std::vector<Item> &items, double given) {
-  if (given > 0) return given;
+/// L_c [m]: as given [mm], else of the first item that knows its scene, else the default bearing's.
+double capacity_of(const std::vector<Item> &items, std::optional<double> given) {
+  if (given) return 1e-3 * *given;
   for (const auto &item : items)
     if (!item.scene.empty()) return scene::parse_scene(item.scene, item.path).lateral_capacity();
   return scene::builtin_bearing("shfps-225").lateral_capacity();
@@ -129,15 +130,18 @@ void refuse_others(const std::string &reference, const Compared &each) {
 
 struct Options {
   std::vector<std::string> paths;
-  double capacity_mm = 0;
+  std::optional<double> capacity_mm;
   bool anyway = false;
 };
 
 void run_compare(const Options &options, Console &console) {
   if (options.paths.size() < 2) throw InputError("compare needs two or more: the first is the reference");
+  constexpr double most = 1e4; // [mm]
+  if (const auto given = options.capacity_mm; given && !(*given > 0 && *given <= most))
+    throw InputError(fmt::format("--capacity-mm {:g} must be > 0 and <= {:g}", *given, most));
   std::vector<Item> items;
   for (const auto &path : options.paths) items.push_back(read_item(path));
-  const double capacity = capacity_of(items, 1e-3 * options.capacity_mm);
+  const double capacity = capacity_of(items, options.capacity_mm);
   const Item &reference = items.front();
   std::vector<Compared> all;
   for (std::size_t k = 1; k < items.size(); ++k) {

@@ -4,12 +4,25 @@
 #include "scene/record.h"
 #include "scene/response.h"
 #include "scene/json_text.h"
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 namespace rimpact::app {
 namespace {
+
+/// Where each record's picture goes, without its extension. Throws where two would go to one place.
+std::vector<std::string> picture_places(const std::vector<std::string> &files, const std::string &folder) {
+  std::vector<std::string> places;
+  for (const auto &file : files) {
+    places.push_back(folder + "/" + std::filesystem::path(file).stem().string());
+    const auto before = std::find(places.begin(), places.end() - 1, places.back());
+    if (before != places.end() - 1)
+      throw InputError(fmt::format("{} and {} would both be drawn as {}.png; draw them into two folders", files[before - places.begin()], file, places.back()));
+  }
+  return places;
+}
 
 /// Acceleration, velocity and displacement for the plot; velocity is exact for linear acceleration between
 /// samples.
@@ -42,7 +55,9 @@ void add_motion(CLI::App &app, Console &console) {
   console.add_json(*verb);
   verb->callback([options, &console] {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const auto &file : options->files) {
+    const auto places = options->picture.empty() ? std::vector<std::string>{} : picture_places(options->files, options->picture);
+    for (std::size_t k = 0; k < options->files.size(); ++k) {
+      const std::string &file = options->files[k];
       const auto record = scene::read_record(file);
       const auto info = scene::inspect(record);
       all.push_back({{"file", file},
@@ -60,7 +75,7 @@ void add_motion(CLI::App &app, Console &console) {
                                  info.duration));
       if (options->picture.empty()) continue;
       std::filesystem::create_directories(options->picture);
-      const std::string base = options->picture + "/" + std::filesystem::path(file).stem().string();
+      const std::string &base = places[k];
       scene::write_text(motion_csv(record), base + ".csv");
       if (python({"report.motion", base + ".csv", base + ".png"}) != 0)
         throw IoError("the plot " + base + ".png was not made");

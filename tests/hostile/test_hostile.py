@@ -74,9 +74,11 @@ ROWS = [
     Row("names", "a name that climbs", ["reduced", "x.toml"], 2, "name", ("x.toml", 'name = "../../x"\n' + FREE), kept="x.toml"),
     Row("names", "a name of markup", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", 'name = "<script>alert(1)"\n' + FREE), kept="x.toml"),
     Row("names", "a name of 300 characters", ["reduced", "x.toml"], 0, "", ("x.toml", f'name = "{"n" * 300}"\n' + FREE), kept="x.toml"),
-    Row("names", "a name that steers the terminal", ["check", "x.toml"], 0, "", ("x.toml", 'name = "a\\u001b[31m"\n' + FREE), open=True),
+    Row("names", "a name that steers the terminal", ["check", "x.toml"], 0, "", ("x.toml", 'name = "a\\u001b[31m"\n' + FREE)),
     Row("process", "a limit on file sizes, its signal ignored", ["reduced", "x.toml", "-o", "o"], 6, "", ("x.toml", FREE), ignoring_the_signal, "x.toml"),
-    Row("process", "a limit on file sizes", ["reduced", "x.toml", "-o", "o"], 6, "", ("x.toml", FREE), limits(resource.RLIMIT_FSIZE, 4096), "x.toml", open=True),
+    Row("process", "a limit on file sizes", ["reduced", "x.toml", "-o", "o"], 6, "", ("x.toml", FREE), limits(resource.RLIMIT_FSIZE, 4096), "x.toml"),
+    Row("process", "two records of one name to be drawn", ["motion", "x.AT2", "./x.AT2", "--png", "p"], 2, "both be drawn", ("x.AT2", AT2 + "NPTS= 3, DT= .01 SEC\n .1 .2 .1\n"), kept="x.AT2"),
+    Row("process", "a capacity of nan", ["compare", "x.toml", "x.toml", "--capacity-mm", "nan"], 2, "capacity-mm nan", ("x.toml", FREE), kept="x.toml"),
     Row("process", "ten file handles", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), limits(resource.RLIMIT_NOFILE, 10), "x.toml"),
     Row("process", "no output stream", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), lambda: os.close(1), "x.toml"),
 ]
