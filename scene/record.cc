@@ -32,6 +32,11 @@ double significant_duration(const SampledSignal &record, double total) {
 
 } // namespace
 
+void require_plausible(double acceleration, double gravity, const std::string &where) {
+  if (std::abs(acceleration) <= largest_acceleration * gravity) return;
+  throw DataError(fmt::format("{}: an acceleration of {:.4g} m/s^2 is beyond {:g} g, which no ground reaches: is the unit right?", where, acceleration, largest_acceleration));
+}
+
 SampledSignal read_record(const std::string &path, double gravity) {
   if (is_builtin_record(path)) return builtin_record(path);
   const std::string text = read_file(path);

@@ -9,6 +9,9 @@ namespace rimpact::scene {
 /// Standard gravity [m/s^2], for records read outside a scene; a scene uses its own load.gravity_m_per_s2.
 inline constexpr double standard_gravity = 9.80665;
 
+/// No ground moves faster than this, in units of gravity: a larger value is a slip of units or of the file.
+inline constexpr double largest_acceleration = 100;
+
 /// What is in a record (verb `motion`). Velocity and displacement by exact integration of the piecewise linear
 /// acceleration from rest, without baseline correction. Arias = pi/(2g) int a^2 dt (trapezoidal); D5-95 between its 5 and 95 %.
 struct RecordInfo {
@@ -21,9 +24,12 @@ struct RecordInfo {
 };
 
 /// Reads `path` (.csv: CSV, "builtin:NAME": a built-in record, anything else: AT2). Throws DataError naming file and
-/// line: missing file, velocity or displacement, fewer values than NPTS, dt <= 0, values that are not finite.
+/// line: missing file, velocity or displacement, fewer values than NPTS, dt <= 0, values that are not finite or beyond largest_acceleration.
 SampledSignal read_record(const std::string &path, double gravity = standard_gravity);
 RecordInfo inspect(const SampledSignal &record, double gravity = standard_gravity);
+
+/// Throws DataError, naming `where`, for an acceleration [m/s^2] beyond largest_acceleration.
+void require_plausible(double acceleration, double gravity, const std::string &where);
 
 /// The two forms from text; `path` is for messages only.
 /// AT2: 4 header lines as PEER writes them (old and new), NPTS and DT in any spelling met in practice.

@@ -193,6 +193,7 @@ SampledSignal parse_at2(const std::string &text, const std::string &path, double
         throw DataError(fmt::format("{}:{}: \"{}\" is not a finite number ({} of {} values read)", path,
                                     i + 1, shown, record.values.size(), expected));
       record.values.push_back(*value * header.unit);
+      require_plausible(record.values.back(), gravity, fmt::format("{}:{}", path, i + 1));
       rest = skip_blanks(rest);
     }
     if (!rest.empty()) refuse_surplus(rest, fmt::format("{}:{}", path, i + 1), expected);

@@ -81,6 +81,7 @@ SampledSignal parse_record_csv(const std::string &text, const std::string &path,
                                   where, cells.size(), columns.count));
     time.push_back(finite(cells[columns.time], where));
     record.values.push_back(finite(cells[columns.acceleration], where) * columns.unit);
+    require_plausible(record.values.back(), gravity, where);
   }
   if (columns.count == 0) throw DataError(fmt::format("{}: holds no header line", path));
   record.dt = uniform_step(time, path);

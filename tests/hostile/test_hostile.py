@@ -65,6 +65,8 @@ ROWS = [
     record("fewer values than NPTS", AT2 + "NPTS= 4, DT= .01 SEC\n .1 .2 .1\n", 3, "truncated"),
     record("a step of 0", AT2 + "NPTS= 3, DT= 0.0 SEC\n .1 .2 .1\n", 3, "x.AT2"),
     record("a value of nan", AT2 + "NPTS= 3, DT= .01 SEC\n .1 nan .1\n", 3, "x.AT2"),
+    record("a value of 1e300", AT2 + "NPTS= 3, DT= .01 SEC\n .1 1e300 .1\n", 3, "x.AT2:5"),
+    record("a cell of 1e300", "time_s,acceleration_g\n0,0\n1,1e300\n", 3, "x.csv:3", "x.csv"),
     record("an empty file", "", 3, "x.AT2"),
     record("a time that goes back", "time_s,acceleration_g\n0,0\n1,0.1\n0.5,0\n", 3, "x.csv", "x.csv"),
     record("a cell too many", "time_s,acceleration_g\n0,0,1\n1,0.1\n", 3, "x.csv", "x.csv"),
