@@ -5,6 +5,7 @@
 #include "scene/text.h"
 #include "scene/toml_reader.h"
 #include <algorithm>
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace rimpact::calibration {
@@ -79,6 +80,10 @@ std::optional<Uncertainty> read_uncertainty(const scene::TomlFile &toml) {
 }
 
 } // namespace
+
+bool is_mapping(const std::string &path) {
+  return std::filesystem::path(path).extension() == ".toml" && !std::filesystem::is_directory(path);
+}
 
 Mapping read_mapping(const std::string &path) {
   const scene::TomlFile toml(scene::read_file(path), path);

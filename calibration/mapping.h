@@ -19,6 +19,8 @@ struct Mapping {
   std::vector<Column> columns;
   std::optional<Uncertainty> uncertainty;
 };
+/// Whether a run is named by a mapping file.
+bool is_mapping(const std::string &path);
 /// Throws InputError naming file, line and key; DataError when the file cannot be read.
 Mapping read_mapping(const std::string &path);
 

@@ -52,10 +52,6 @@ void complete(scene::Response &response, double lateral_capacity) {
 
 } // namespace
 
-bool is_mapping(const std::string &path) {
-  return fs::path(path).extension() == ".toml" && !fs::is_directory(path);
-}
-
 StoredRun read_measured(const std::string &path, const WindowOptions &options) {
   const Mapping mapping = read_mapping(path);
   const fs::path folder = fs::path(path).parent_path();

@@ -19,11 +19,9 @@
 ///   time_ms = 0.2
 #pragma once
 #include "calibration/impact_window.h"
+#include "calibration/mapping.h"
 
 namespace rimpact::calibration {
-
-/// Whether a run is named by a mapping file.
-bool is_mapping(const std::string &path);
 
 /// Throws InputError (the mapping: unknown signal, a unit of another kind) and DataError (the table: a
 /// missing column, time running back, figures that contradict each other as wrong units do), naming file,

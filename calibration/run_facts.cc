@@ -1,5 +1,5 @@
 #include "calibration/run_facts.h"
-#include "calibration/measured_run.h"
+#include "calibration/mapping.h"
 #include "scene/error.h"
 #include <cmath>
 #include <filesystem>

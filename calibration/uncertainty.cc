@@ -158,10 +158,13 @@ void judge(const Problem &problem, const Eigen::VectorXd &x, const Spread &sprea
           fmt::format("flat: the data leave +-{:.0f} % of the value open", 100 * stated_half_width / size);
     } else if (half_width > vague * size) {
       estimate.verdict = "form";
-      result.notes.push_back(fmt::format("{} is determined by the data (+-{:.1f} %), but the model's form "
-                                         "does not follow them: what it leaves "
-                                         "unexplained widens the 95 % interval to +-{:.0f} %",
-                                         p.name, 100 * stated_half_width / size, 100 * half_width / size));
+      const std::string says = fmt::format("the data alone leave +-{:.1f} % of it open, but the model's form does not follow them: what it leaves "
+                                           "unexplained widens the 95 % interval to +-{:.0f} %",
+                                           100 * stated_half_width / size, 100 * half_width / size);
+      if (half_width > size) // an interval that reaches zero tells nothing, whatever widened it
+        estimate.reason = says;
+      else
+        result.notes.push_back(fmt::format("{} is determined: {}", p.name, says));
     }
     estimate.identifiable = estimate.reason.empty();
     result.parameters[p.name] = estimate;

@@ -1,9 +1,11 @@
 #!/usr/bin/env bash
-# fuzz.sh SECONDS [FOLDER]: the readers of AT2 and CSV files under libFuzzer with address and undefined-behaviour
-# sanitizers. Needs clang and libclang-rt (Debian: clang, libclang-rt-14-dev). Exit 77: they are not there.
+# fuzz.sh SECONDS [FOLDER] [READERS]: the readers of AT2, CSV, HDF5, TOML, JSON and mesh files under libFuzzer with address and
+# undefined-behaviour sanitizers, so many seconds each. READERS: letters of fuzz_readers.cc, e.g. "ht". Needs a configured build
+# (its generated headers), clang and libclang-rt (Debian: clang, libclang-rt-14-dev). Exit 77: they are not there.
 set -eu
 seconds=${1:-60}
 folder=${2:-$(mktemp -d)}
+readers=${3:-acrhtjm}
 mkdir -p "$folder"
 root=$(cd "$(dirname "$0")/../.." && pwd)
 if ! echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char *, unsigned long) { return 0; }' |
@@ -11,17 +13,36 @@ if ! echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char *, unsigned
   echo "clang with libFuzzer is not here (packages clang, libclang-rt-14-dev): skipped"
   exit 77
 fi
-mkdir -p "$folder/corpus"
-header='PEER\nrecord\nACCELERATION TIME SERIES IN UNITS OF G\n'
-printf "a${header}NPTS= 4, DT= .01 SEC\n -.1234567E-02 .5 1.0D-3-.25E+0\n" >"$folder/corpus/at2"
-printf "a${header}    4    .0200    NPTS, DT\n1 2 3 4 0 0\n" >"$folder/corpus/at2_old"
-printf 'ctime_s,acceleration_g\n0,0.1\n0.01,-0.2\n0.02,0.3\n' >"$folder/corpus/record"
-printf 'rtime_s,ux_m,uy_m,Fx_N,Fy_N,gap_m\n0,1,2,3,4,5\n1,1,2,3,4,5\n' >"$folder/corpus/response"
-sources=()
-for name in record record_at2 record_csv near_fault_pulse excitation text files response response_csv response_hdf5 hdf5_memory; do
-  sources+=("$root/scene/$name.cc")
+generated=$root/build/release/scene/generated
+hdf5=/usr/lib/x86_64-linux-gnu/hdf5/serial
+flags=(-std=c++20 -g -O1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
+  -fno-sanitize=unreachable # toml++ tests non-ASCII characters outside strings by a switch whose default it calls unreachable
+  -DRIMPACT_VERSION="\"fuzz\"" -I"$root" -I"$generated"
+  -isystem /usr/include/eigen3 -isystem /usr/include/hdf5/serial)
+objects=()
+for source in "$root"/scene/*.cc "$root"/calibration/{mapping,run_facts}.cc "$root"/meshes/mesh_kind.cc "$root"/tests/fuzz/fuzz_readers.cc; do
+  object=$folder/$(basename "$source" .cc).o
+  [ "$object" -nt "$source" ] || clang++ "${flags[@]}" -c "$source" -o "$object"
+  objects+=("$object")
 done
-clang++ -std=c++20 -g -O1 -fsanitize=fuzzer,address,undefined -fno-sanitize-recover=all -I"$root" -isystem /usr/include/eigen3 -isystem /usr/include/hdf5/serial \
-  "$root/tests/fuzz/fuzz_readers.cc" "${sources[@]}" -lfmt -L/usr/lib/x86_64-linux-gnu/hdf5/serial -lhdf5_hl -lhdf5 -o "$folder/fuzz"
-"$folder/fuzz" -max_total_time="$seconds" -max_len=4096 -timeout=10 -rss_limit_mb=4096 -artifact_prefix="$folder/" \
-  -print_final_stats=1 "$folder/corpus"
+clang++ -fsanitize=fuzzer,address,undefined "${objects[@]}" -lfmt -lcrypto -L$hdf5 -lhdf5_hl -lhdf5 -o "$folder/fuzz"
+
+# One small file of each kind to begin with; what has been found since stays in the folder.
+header='PEER\nrecord\nACCELERATION TIME SERIES IN UNITS OF G\n'
+for reader in $(echo "$readers" | fold -w1); do mkdir -p "$folder/corpus_$reader"; done
+begin() { [ ! -d "$folder/corpus_$1" ] || cat >"$folder/corpus_$1/$2"; }
+printf "${header}NPTS= 4, DT= .01 SEC\n -.1234567E-02 .5 1.0D-3-.25E+0\n" | begin a peer
+printf "${header}    4    .0200    NPTS, DT\n1 2 3 4 0 0\n" | begin a old
+printf 'time_s,acceleration_g\n0,0.1\n0.01,-0.2\n0.02,0.3\n' | begin c record
+printf 'time_s,ux_m,uy_m,Fx_N,Fy_N,gap_m\n0,1,2,3,4,5\n1,1,2,3,4,5\n' | begin r response
+begin h response <"$root/tests/fuzz/corpus/response.h5"
+begin t scene <"$root/tests/fuzz/corpus/scene.toml"
+begin j summary <"$root/tests/fuzz/corpus/summary.json"
+printf '$MeshFormat\n4.1 0 8\n$EndMeshFormat\n' | begin m mesh
+printf '// script\nPoint(1) = {0,0,0};\nPrintf("SystemCall");\n' | begin m script
+for reader in $(echo "$readers" | fold -w1); do
+  echo "reader $reader"
+  RIMPACT_READER=$reader "$folder/fuzz" -max_total_time="$seconds" -max_len=16384 -timeout=10 -rss_limit_mb=4096 -artifact_prefix="$folder/$reader-" \
+    -print_final_stats=1 "$folder/corpus_$reader" 2>"$folder/$reader.log" || { tail -n 40 "$folder/$reader.log"; exit 1; }
+  grep -E "number_of_executed_units|Done" "$folder/$reader.log"
+done

@@ -1,11 +1,18 @@
 // libFuzzer on the readers of data files: whatever the bytes, they are understood or refused by one of the toolkit's
-// own errors, and what is understood is finite. The first byte chooses the reader. See fuzz.sh.
+// own errors, and what is understood is finite. RIMPACT_READER names the reader. See fuzz.sh.
+#include "calibration/run_facts.h"
+#include "meshes/mesh_kind.h"
 #include "scene/error.h"
+#include "scene/kept_run.h"
 #include "scene/record.h"
 #include "scene/response_files.h"
+#include "scene/scene.h"
 #include <cmath>
 #include <cstdint>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <unistd.h>
 
 using namespace rimpact;
 
@@ -16,19 +23,46 @@ void require_finite(const std::vector<double> &values) {
     if (!std::isfinite(value)) std::abort();
 }
 
+void read_record(const scene::SampledSignal &record) {
+  require_finite(record.values);
+  scene::inspect(record);
+}
+
+/// A scene that is understood must be understood again as it is written out.
+void read_scene(const std::string &text) {
+  const auto read = scene::parse_scene(text, "fuzz");
+  const std::string written = scene::to_toml(read);
+  if (scene::to_toml(scene::parse_scene(written, "written")) != written) std::abort();
+}
+
+/// A run folder whose summary.json holds these bytes.
+void read_summary(const std::string &text) {
+  static const auto folder = std::filesystem::temp_directory_path() / ("rimpact_fuzz_" + std::to_string(getpid()));
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "summary.json", std::ios::binary) << text;
+  scene::read_summary(folder.string());
+  calibration::run_facts(folder.string());
+}
+
+void read(char reader, const std::string &text) {
+  switch (reader) {
+  case 'a': return read_record(scene::parse_at2(text, "fuzz", 9.81));
+  case 'c': return read_record(scene::parse_record_csv(text, "fuzz", 9.81));
+  case 'r': return require_finite(scene::parse_csv(text, "fuzz").series("time"));
+  case 'h': return require_finite(scene::parse_hdf5(text, "fuzz").series("time"));
+  case 't': return read_scene(text);
+  case 'j': return read_summary(text);
+  case 'm': meshes::mesh_kind(text), meshes::call_that_leaves(text); return;
+  default: std::abort();
+  }
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, std::size_t size) {
-  if (size == 0) return 0;
-  const std::string text(reinterpret_cast<const char *>(data) + 1, size - 1);
+  static const char reader = *std::getenv("RIMPACT_READER");
   try {
-    if (data[0] == 'a' || data[0] == 'c') {
-      const auto record = (data[0] == 'a' ? scene::parse_at2 : scene::parse_record_csv)(text, "fuzz", 9.81);
-      require_finite(record.values);
-      scene::inspect(record);
-    } else {
-      require_finite(scene::parse_csv(text, "fuzz").series("time"));
-    }
+    read(reader, std::string(reinterpret_cast<const char *>(data), size));
   } catch (const Error &) {
   }
   return 0;
