@@ -16,6 +16,7 @@ const std::vector<Verb> &light_verbs() {
       {"new", add_new},
       {"check", add_check},
       {"motion", add_motion},
+      {"design", add_design},
       {"reduced", add_reduced},
       {"run", [](CLI::App &app, Console &) { app.add_subcommand(run_name, run_help); }},
       {"mesh", [](CLI::App &app, Console &) { app.add_subcommand(mesh_name, mesh_help); }},

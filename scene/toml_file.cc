@@ -34,6 +34,8 @@ std::size_t behind_string(const std::string &text, std::size_t i) {
 void refuse_absurd(const std::string &text, const std::string &origin) {
   if (text.size() > max_bytes)
     throw InputError(fmt::format("{}: {} bytes; a scene has at most {}", origin, text.size(), max_bytes));
+  if (const auto nul = text.find('\0'); nul != std::string::npos) // the parser asserts that none comes
+    throw InputError(fmt::format("{}:{}: a NUL; it is no text file", origin, 1 + std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(nul), '\n')));
   std::size_t line = 1;
   int dots = 0;
   for (std::size_t i = 0; i < text.size();) {

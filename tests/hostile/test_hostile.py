@@ -60,7 +60,8 @@ ROWS = [
     toml("bytes that are no UTF-8", b'name = "\xff"\n', 2, "x.toml"),
     toml("a bracket left open", "[excitation\n", 2, "x.toml:1"),
     toml("a thousand brackets", "a = " + "[" * 1000, 2, "x.toml"),
-    toml("a NUL", b"a = \0\n", 2, "x.toml"),
+    toml("a NUL", b"a = \0\n", 2, "x.toml:1: a NUL"),
+    toml("a NUL in a table's name", b"a = 1\n[\0b]\n", 2, "x.toml:2: a NUL"),
     record("columns that touch at a minus sign", AT2 + "NPTS= 3, DT= .01 SEC\n .1E-01-.2E-01 .1E-01\n", 0, "PGA 0.0200 g"),
     record("fewer values than NPTS", AT2 + "NPTS= 4, DT= .01 SEC\n .1 .2 .1\n", 3, "truncated"),
     record("a step of 0", AT2 + "NPTS= 3, DT= 0.0 SEC\n .1 .2 .1\n", 3, "x.AT2"),
@@ -81,6 +82,7 @@ ROWS = [
     Row("process", "a limit on file sizes", ["reduced", "x.toml", "-o", "o"], 6, "", ("x.toml", FREE), limits(resource.RLIMIT_FSIZE, 4096), "x.toml"),
     Row("process", "two records of one name to be drawn", ["motion", "x.AT2", "./x.AT2", "--png", "p"], 2, "both be drawn", ("x.AT2", AT2 + "NPTS= 3, DT= .01 SEC\n .1 .2 .1\n"), kept="x.AT2"),
     Row("process", "a capacity of nan", ["compare", "x.toml", "x.toml", "--capacity-mm", "nan"], 2, "capacity-mm nan", ("x.toml", FREE), kept="x.toml"),
+    Row("process", "a mass ratio of nan", ["design", "--displacement-m", "0.3", "--gamma", "nan"], 2, "gamma", ("x.toml", FREE)),
     Row("process", "ten file handles", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), limits(resource.RLIMIT_NOFILE, 10), "x.toml"),
     Row("process", "no output stream", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), lambda: os.close(1), "x.toml"),
 ]
