@@ -7,6 +7,7 @@ import sys
 MAY_INCLUDE = {
     "scene": {"scene"},
     "reduced_models": {"reduced_models", "scene"},
+    "buildings": {"buildings", "reduced_models", "scene"},
     "fleets": {"fleets", "reduced_models", "scene"},
     "calibration": {"calibration", "reduced_models", "scene"},
     "meshes": {"meshes", "scene"},

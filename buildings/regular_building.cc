@@ -1,0 +1,112 @@
+#include "buildings/regular_building.h"
+#include "scene/error.h"
+#include "scene/files.h"
+#include "scene/toml_reader.h"
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace rimpact::buildings {
+namespace {
+
+/// Length of floor that a line carries: half the bay on each side [m].
+double tributary(const std::vector<double> &lines, std::size_t i) {
+  const double before = i > 0 ? lines[i] - lines[i - 1] : 0, after = i + 1 < lines.size() ? lines[i + 1] - lines[i] : 0;
+  return (before + after) / 2;
+}
+
+void check_lines(const char *key, const std::vector<double> &lines) {
+  if (lines.size() < 2) throw InputError(fmt::format("{} has {} lines; a building needs 2 at least", key, lines.size()));
+  for (std::size_t i = 1; i < lines.size(); ++i)
+    if (!(lines[i] > lines[i - 1])) throw InputError(fmt::format("{} must grow: {} follows {}", key, lines[i], lines[i - 1]));
+}
+
+const char *thesis_building =
+    R"(# Thesis 2.4 and 3.5: three storeys, two bays by one, reinforced concrete, six isolators.
+name = "thesis-2.4"
+x_m = [0.0, 8.0, 16.0]
+y_m = [0.0, 8.0]
+storeys_m = [3.5, 3.5, 3.5]
+load_kN_per_m2 = 10.0     # on four levels: 5,120 kN
+E_GPa = 23.4
+nu = 0.2
+column_x_mm = 500.0
+column_y_mm = 500.0
+beam_width_mm = 500.0
+beam_depth_mm = 650.0
+damping_ratio = 0.02
+)";
+
+} // namespace
+
+Frame make_frame(const RegularBuilding &b) {
+  check_lines("x_m", b.x);
+  check_lines("y_m", b.y);
+  const int nx = static_cast<int>(b.x.size()), ny = static_cast<int>(b.y.size()), levels = static_cast<int>(b.storeys.size()) + 1;
+  const Eigen::Vector2d sides(b.x.back() - b.x[0], b.y.back() - b.y[0]);
+  const double mass = b.load / b.gravity * sides.prod();
+  const Eigen::Vector2d middle = Eigen::Vector2d(b.x[0], b.y[0]) + sides / 2, off = b.eccentricity.cwiseProduct(sides);
+  Frame f;
+  f.name = b.name, f.damping_ratio = b.damping_ratio;
+  f.sections = {rectangle("column", b.column_x, b.column_y, b.E, b.nu), rectangle("beam", b.beam_width, b.beam_depth, b.E, b.nu)};
+  if (!b.shear)
+    for (auto &s : f.sections) s.shear_y = s.shear_z = 0;
+  double z = 0;
+  for (int level = 0; level < levels; ++level) {
+    if (level > 0) z += b.storeys[level - 1];
+    Diaphragm slab{{}, mass, middle + off, mass * sides.squaredNorm() / 12};
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i) {
+        const int node = static_cast<int>(f.nodes.size());
+        slab.nodes.push_back(node);
+        f.nodes.push_back({{b.x[i], b.y[j], z}, b.load / b.gravity * tributary(b.x, i) * tributary(b.y, j), level == 0});
+        if (level > 0) f.elements.push_back({node - nx * ny, node, 0, Eigen::Vector3d::UnitY()});
+        if (i > 0) f.elements.push_back({node - 1, node, 1, Eigen::Vector3d::UnitZ()});
+        if (j > 0) f.elements.push_back({node - nx, node, 1, Eigen::Vector3d::UnitZ()});
+      }
+    f.diaphragms.push_back(slab);
+  }
+  return f;
+}
+
+RegularBuilding parse_building(const std::string &text, const std::string &origin) {
+  using scene::Range, scene::si, scene::milli, scene::kilo, scene::huge;
+  const scene::TomlFile file(text, origin);
+  scene::TomlReader v(file, "");
+  RegularBuilding b;
+  const Range positive{0, huge, true}, size{0, 1e5, true};
+  double E_GPa = b.E / 1e9;
+  v.text({"name"}, b.name);
+  v.numbers({"x_m"}, b.x, si, {-1e4, 1e4});
+  v.numbers({"y_m"}, b.y, si, {-1e4, 1e4});
+  v.numbers({"storeys_m"}, b.storeys, si, {0, 100, true});
+  v.number({"load_kN_per_m2"}, b.load, kilo, positive);
+  v.number({"gravity_m_per_s2"}, b.gravity, si, {0, 1e3, true});
+  v.number({"E_GPa"}, E_GPa, si, {0, 1e6, true});
+  v.number({"nu"}, b.nu, si, {0, 0.5});
+  v.number({"column_x_mm"}, b.column_x, milli, size);
+  v.number({"column_y_mm"}, b.column_y, milli, size);
+  v.number({"beam_width_mm"}, b.beam_width, milli, size);
+  v.number({"beam_depth_mm"}, b.beam_depth, milli, size);
+  v.flag({"shear"}, b.shear);
+  v.pair({"eccentricity"}, b.eccentricity, {-0.5, 0.5});
+  v.number({"damping_ratio"}, b.damping_ratio, si, {0, 1});
+  v.finish();
+  b.E = 1e9 * E_GPa;
+  try {
+    check_lines("x_m", b.x), check_lines("y_m", b.y);
+  } catch (const InputError &error) {
+    const std::string sentence = error.what();
+    throw InputError(fmt::format("{}: {}", file.location(sentence.substr(0, 3)), sentence));
+  }
+  return b;
+}
+
+RegularBuilding load_building(const std::string &where) {
+  if (where == "thesis-2.4") return parse_building(thesis_building, where);
+  std::error_code ignored;
+  if (!std::filesystem::exists(where, ignored))
+    throw InputError(fmt::format("{}: no such file, and the built-in buildings are thesis-2.4", where));
+  return parse_building(scene::read_file(where), where);
+}
+
+} // namespace rimpact::buildings

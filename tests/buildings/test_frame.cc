@@ -1,0 +1,109 @@
+#include "buildings/assembly.h"
+#include "buildings/beam_column.h"
+#include "buildings/modes.h"
+#include "buildings/regular_building.h"
+#include "scene/error.h"
+#include <Eigen/Eigenvalues>
+#include <gtest/gtest.h>
+
+using namespace rimpact;
+using namespace rimpact::buildings;
+using Eigen::Vector3d, Eigen::VectorXd, Eigen::MatrixXd;
+
+namespace {
+
+template <class Action> std::string refusal(const Action &action) {
+  try {
+    action();
+  } catch (const InputError &error) {
+    return error.what();
+  }
+  return "";
+}
+
+VectorXd block_motion(const BuildingModel &m, const Frame &f, int axis) { // translation, or tilt about x (4)
+  VectorXd q = VectorXd::Zero(m.n_dofs());
+  for (int d = 0; d < m.n_diaphragms; ++d) {
+    if (axis < 2) q[3 * d + axis] = 1;
+    if (axis == 4) q[3 * d + 1] = -f.nodes[f.diaphragms[d].nodes[0]].at.z();
+  }
+  for (int i = 0; i < m.n_nodes; ++i) q[m.vertical(i)] = axis == 2 ? 1 : axis == 4 ? f.nodes[i].at.y() : 0;
+  return q;
+}
+
+} // namespace
+
+TEST(BeamColumn, CantileverDeflectsAsTimoshenko) {
+  const Section s = rectangle("s", 0.3, 0.5, 30e9, 0.2);
+  const Vector3d far(2, 1, 0.5), up(0, 0, 1);
+  const double L = far.norm(), P = 1e4;
+  const ElementMatrix k = beam_column_stiffness(s, Vector3d::Zero(), far, up);
+  const Vector3d x = far / L, y = up.cross(x).normalized(), z = x.cross(y);
+  Eigen::Matrix<double, 6, 1> load = Eigen::Matrix<double, 6, 1>::Zero();
+  load.head<3>() = P * z;
+  const Eigen::Matrix<double, 6, 1> u = Eigen::Matrix<double, 6, 6>(k.bottomRightCorner<6, 6>()).ldlt().solve(load);
+  const double expected = P * L * L * L / (3 * s.E * s.Iy) + P * L / (s.G * s.shear_z);
+  EXPECT_NEAR(u.head<3>().dot(z) / expected, 1, 1e-12);
+  EXPECT_NEAR(u.head<3>().dot(y) / expected, 0, 1e-12);
+}
+
+TEST(Building, OfTheThesisWeighs5120kNOnSixBearings) {
+  const Frame f = make_frame(load_building("thesis-2.4"));
+  const BuildingModel m = assemble(f);
+  const VectorXd R = static_reactions(m, 9.81);
+  ASSERT_EQ(R.size(), 6);
+  EXPECT_NEAR(R.sum(), 5120e3, 1e-3);
+  EXPECT_GT(R.minCoeff(), 0);
+  for (const auto &[a, b] : {std::pair{0, 2}, {0, 3}, {0, 5}, {1, 4}}) EXPECT_NEAR(R[a], R[b], 1e-4); // by symmetry
+  EXPECT_GT(R[1], R[0]);                                                                               // the middle line carries more
+  double mass = 0;
+  for (int d = 0; d < m.n_diaphragms; ++d) mass += m.mass[3 * d];
+  EXPECT_NEAR(mass * 9.81, 5120e3, 1e-3);
+}
+
+TEST(Building, RigidMotionsAreNeitherStrainedNorDamped) {
+  const Frame f = make_frame(load_building("thesis-2.4"));
+  const BuildingModel m = assemble(f);
+  for (const int axis : {0, 1, 2, 4}) {
+    const VectorXd q = block_motion(m, f, axis);
+    EXPECT_LT((m.stiffness * q).cwiseAbs().maxCoeff(), 1e-10 * m.stiffness.diagonal().maxCoeff()) << axis;
+    EXPECT_LT((m.damping * q).cwiseAbs().maxCoeff(), 1e-9 * m.damping.diagonal().maxCoeff()) << axis;
+  }
+}
+
+TEST(Building, EveryModeHasItsDampingRatio) {
+  const BuildingModel m = assemble(make_frame(load_building("thesis-2.4")));
+  const auto free = m.above_base();
+  const Modes modes = fixed_base_modes(m);
+  const MatrixXd C = modes.shapes.transpose() * MatrixXd(m.damping(free, free)) * modes.shapes;
+  const MatrixXd expected = MatrixXd((0.04 * modes.omega).asDiagonal());
+  EXPECT_LT((C - expected).cwiseAbs().maxCoeff(), 1e-10 * expected.maxCoeff());
+}
+
+TEST(Building, EccentricMassTwistsTheFirstMode) {
+  RegularBuilding b = load_building("thesis-2.4");
+  const auto twist = [&] { return std::abs(fixed_base_modes(assemble(make_frame(b))).shapes.topRows(9).col(0)[2]); };
+  const double straight = twist();
+  b.eccentricity = {0.3, 0.3};
+  EXPECT_LT(straight, 1e-12);
+  EXPECT_GT(twist(), 1e-6);
+}
+
+TEST(Building, IsRefusedWithASentence) {
+  const auto frame = [](auto change) {
+    Frame f = make_frame(load_building("thesis-2.4"));
+    change(f);
+    return refusal([&] { assemble(f); });
+  };
+  EXPECT_EQ(frame([](Frame &f) { f.nodes[6].vertical_mass = 0; }), "node 7 has the mass 0 kg; it must be above 0");
+  EXPECT_EQ(frame([](Frame &f) { f.nodes[7].supported = true; }), "node 8 stands on a bearing but not in the base, diaphragm 1");
+  EXPECT_EQ(frame([](Frame &f) { for (auto &n : f.nodes) n.supported = false; }), "no node stands on a bearing");
+  EXPECT_EQ(frame([](Frame &f) { f.elements[0].j = 99; }), "element 1 ends at node 100; the frame has nodes 1 to 24");
+  EXPECT_EQ(frame([](Frame &f) { f.diaphragms[2].mass = 0; }), "diaphragm 3 has the mass 0 kg; it must be above 0");
+  EXPECT_NE(frame([](Frame &f) { std::erase_if(f.elements, [](const Element &e) { return e.section == 0; }); }).find("is a mechanism"), std::string::npos);
+  EXPECT_NE(frame([](Frame &f) { std::erase_if(f.elements, [](const Element &e) { return e.i == 23 || e.j == 23; }); }).find("the building is a mechanism: node 24"),
+            std::string::npos);
+  EXPECT_NE(refusal([] { parse_building("x_m = [0, 8]\ny_m = [8, 0]\n", "b.toml"); }).find("b.toml:2:"), std::string::npos);
+  EXPECT_NE(refusal([] { parse_building("x_m = [0, 8]\ny_m = [0, 8]\ncolum_x_mm = 3\n", "b.toml"); }).find("did you mean \"column_x_mm\""), std::string::npos);
+  EXPECT_NE(refusal([] { load_building("nowhere.toml"); }).find("no such file"), std::string::npos);
+}
