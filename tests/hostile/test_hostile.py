@@ -62,6 +62,7 @@ ROWS = [
     toml("a thousand brackets", "a = " + "[" * 1000, 2, "x.toml"),
     toml("a NUL", b"a = \0\n", 2, "x.toml:1: a NUL"),
     toml("a NUL in a table's name", b"a = 1\n[\0b]\n", 2, "x.toml:2: a NUL"),
+    toml("two megabytes", "a = [" + "1," * 1000000 + "]\n", 2, "1048576"),
     record("columns that touch at a minus sign", AT2 + "NPTS= 3, DT= .01 SEC\n .1E-01-.2E-01 .1E-01\n", 0, "PGA 0.0200 g"),
     record("fewer values than NPTS", AT2 + "NPTS= 4, DT= .01 SEC\n .1 .2 .1\n", 3, "truncated"),
     record("a step of 0", AT2 + "NPTS= 3, DT= 0.0 SEC\n .1 .2 .1\n", 3, "x.AT2"),
@@ -83,6 +84,8 @@ ROWS = [
     Row("process", "two records of one name to be drawn", ["motion", "x.AT2", "./x.AT2", "--png", "p"], 2, "both be drawn", ("x.AT2", AT2 + "NPTS= 3, DT= .01 SEC\n .1 .2 .1\n"), kept="x.AT2"),
     Row("process", "a capacity of nan", ["compare", "x.toml", "x.toml", "--capacity-mm", "nan"], 2, "capacity-mm nan", ("x.toml", FREE), kept="x.toml"),
     Row("process", "a mass ratio of nan", ["design", "--displacement-m", "0.3", "--gamma", "nan"], 2, "gamma", ("x.toml", FREE)),
+    Row("process", "an address space of 400 MB", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), limits(resource.RLIMIT_AS, 400 << 20), "x.toml"),
+    Row("process", "a rim pressed through", ["reduced", "impact-window", "--set", "excitation.speed_m_per_s=5", "--set", "reduced.k_i_kN_per_m=2e4", "-o", "o"], 0, "no bearing does so", ("x.toml", FREE)),
     Row("process", "ten file handles", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), limits(resource.RLIMIT_NOFILE, 10), "x.toml"),
     Row("process", "no output stream", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), lambda: os.close(1), "x.toml"),
 ]
