@@ -44,3 +44,11 @@ TEST(Table, DamageIsNamedWithItsLine) {
   refused("a\n\"open\n", {"t.csv:2", "quote"});
   refused("a\nnan\n", {"t.csv:2", "nan"});
 }
+
+/// Keys with commas and quotes, as a sweep over variable."a,b" has them.
+TEST(Table, NamesWithCommasAndQuotesComeBack) {
+  const TemporaryFolder folder;
+  const Table t{{"run", "variable.\"a,b\"", "\"", "x"}, {{1.0, 2.0, std::string("a"), Cell{}}}, {}};
+  scene::write_csv(t, folder / "t.csv");
+  EXPECT_EQ(scene::read_table(folder / "t.csv").columns, t.columns);
+}
