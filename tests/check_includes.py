@@ -8,6 +8,7 @@ MAY_INCLUDE = {
     "scene": {"scene"},
     "reduced_models": {"reduced_models", "scene"},
     "buildings": {"buildings", "reduced_models", "scene"},
+    "reliability": {"reliability", "scene"},
     "fleets": {"fleets", "reduced_models", "scene"},
     "calibration": {"calibration", "reduced_models", "scene"},
     "meshes": {"meshes", "scene"},
