@@ -6,6 +6,7 @@ namespace {
 // Shown in --help here, carried out by rimpact-fe (main_light.cc hands them over before parsing).
 constexpr const char *run_name = "run", *run_help = "run a scene by finite elements";
 constexpr const char *mesh_name = "mesh", *mesh_help = "mesh a bearing into a .msh file";
+constexpr const char *curve_name = "curve", *curve_help = "push a bearing's rim once for every speed";
 constexpr const char *version_name = "version", *version_help = "versions of the libraries in use";
 
 } // namespace
@@ -20,6 +21,7 @@ const std::vector<Verb> &light_verbs() {
       {"reduced", add_reduced},
       {"run", [](CLI::App &app, Console &) { app.add_subcommand(run_name, run_help); }},
       {"mesh", [](CLI::App &app, Console &) { app.add_subcommand(mesh_name, mesh_help); }},
+      {"curve", [](CLI::App &app, Console &) { app.add_subcommand(curve_name, curve_help); }},
       {"calibrate", add_calibrate},
       {"compare", add_compare},
       {"geometry", add_geometry},

@@ -1,4 +1,4 @@
-// The finite-element executable: run, mesh, version, and check of a scene with a mesh of its own. Starts PETSc (and MPI) once; under mpirun the first rank speaks.
+// The finite-element executable: run, mesh, curve, version, and check of a scene with a mesh of its own. Starts PETSc (and MPI) once; under mpirun the first rank speaks.
 #include "app/verb.h"
 #include "fe_contact/runner/run.h"
 
@@ -50,6 +50,7 @@ int main(int argc, char **argv) {
                                      {{"run", rimpact::app::add_run},
                                       {"check", rimpact::app::add_check},
                                       {"mesh", rimpact::app::add_mesh},
+                                      {"curve", rimpact::app::add_curve},
                                       {"version", rimpact::app::add_version}});
   std::fflush(stdout);
   if (code != 0 && n_ranks > 1) leave_together(leaving, code);

@@ -9,7 +9,7 @@
 int main(int argc, char **argv) {
   using namespace rimpact;
   app::open_standard_streams();
-  static const std::set<std::string> elsewhere{"run", "mesh", "version"};
+  static const std::set<std::string> elsewhere{"run", "mesh", "curve", "version"};
   if (argc > 1 && elsewhere.count(argv[1])) {
     try {
       app::become_fe(argc, argv);

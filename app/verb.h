@@ -16,6 +16,7 @@ struct Verb {
 void add_calibrate(CLI::App &app, Console &console);
 void add_check(CLI::App &app, Console &console);
 void add_compare(CLI::App &app, Console &console);
+void add_curve(CLI::App &app, Console &console);
 void add_design(CLI::App &app, Console &console);
 void add_export(CLI::App &app, Console &console);
 void add_geometry(CLI::App &app, Console &console);

@@ -139,6 +139,7 @@ struct Ranked {
 };
 Ranked ranked(const Runs &runs, const std::string &law, const FitOptions &options, double tolerance) {
   const FitOptions own = options_for(law, options);
+  if (reduced::impact_law(law).parameters.empty()) return {{}, fmt::format("the law {} is not ranked: it has no parameters to fit", law)};
   if (own.parameters.empty()) return {{}, fmt::format("the law {} is not ranked: all its parameters are fixed", law)};
   try {
     return {row_of(runs, own, tolerance), {}};

@@ -1,6 +1,7 @@
 #include "reduced_models/dynamics.h"
 
 #include "reduced_models/pad_on_dish.h"
+#include "reduced_models/rim_curve_file.h"
 #include "scene/error.h"
 #include <cmath>
 
@@ -51,7 +52,7 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
     friction_law = {0, 0, 0};
   }
   friction_law.validate();
-  if (with_rim && r.k_i > 0) rim = rim_element(r, supported_mass);
+  if (with_rim && r.k_i > 0) rim = r.impact_law == "curve" ? curve_element(rim_curve_of(scene)) : rim_element(r, supported_mass);
   dents = dent_shape(scene);
   dead_load_ = height.is_plane() ? 0.0 : weight;
   vertical_restitution_ = r.vertical_restitution;

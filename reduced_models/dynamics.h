@@ -164,6 +164,8 @@ private:
   double drive_share(const Mode &mode, double t, const State &y) const;
   RimPush rim_push(const Mode &mode, double t, const Eigen::Vector2d &u, const Eigen::Vector2d &v) const;
   void rim_terms(const Mode &mode, double t, const Eigen::Vector2d &u, const Eigen::Vector2d &v, Evaluation &e) const;
+  /// A pressed rim that flies on a curve: throws SolverStopped where the curve holds no longer (curve_limits.h).
+  void keep_to_curve(const Mode &mode, double t, const State &y) const;
   double land(Mode &mode, double t, State &y) const;
   double dead_load_ = 0; ///< W that acts vertically (0 for a window without weight)
   double vertical_restitution_ = 0, limit_squared_ = 0;

@@ -40,6 +40,12 @@ ImpactForce elastoplastic(const RimElement &r, const RimMotion &m) {
   return {back.top * s * (1 - back.curvature + bend), slope * (1 - back.curvature + 2 * bend), 0};
 }
 
+// As pushed by finite elements: along the loading to the deepest penetration, from and to it along the unloading.
+ImpactForce pushed_curve(const RimElement &r, const RimMotion &m) {
+  const RimCurve::Force f = m.deepest > 0 && m.d < m.deepest ? r.curve->unloading(m.d, m.deepest) : r.curve->loading(m.d);
+  return {f.force, f.slope, 0};
+}
+
 } // namespace
 
 const std::vector<ImpactLaw> &impact_laws() {
@@ -79,6 +85,13 @@ const std::vector<ImpactLaw> &impact_laws() {
        elastoplastic,
        true,
        true},
+      {"curve",
+       "the bearing's own rim, pushed once by finite elements (rimpact curve)",
+       {},
+       {},
+       pushed_curve,
+       true,
+       true},
   };
   return laws;
 }
@@ -104,6 +117,8 @@ ImpactForce RimElement::at(const RimMotion &motion) const {
 
 RimElement rim_element(const scene::ReducedSettings &s, double mass) {
   const ImpactLaw &law = impact_law(s.impact_law);
+  if (law.at == pushed_curve)
+    throw InputError("reduced.impact_law \"curve\" has no numbers: it flies on the curve of a bearing's rim, by the reduced model physical only");
   const bool hunt = law.at == hunt_crossley; // others leave its reference speed unread
   return {.stiffness = s.k_i,
           .damping = damping_coefficient(s.k_i, s.restitution, mass),
@@ -115,6 +130,11 @@ RimElement rim_element(const scene::ReducedSettings &s, double mass) {
           .unloading_gain = s.unloading_gain,
           .unloading_exponent = s.unloading_exponent,
           .law = &law};
+}
+
+RimElement curve_element(std::shared_ptr<const RimCurve> curve) {
+  const double stiffness = curve->loading(0).slope;
+  return {.stiffness = stiffness, .law = &impact_law("curve"), .curve = std::move(curve)};
 }
 
 double damping_ratio(double restitution) {

@@ -2,6 +2,7 @@
 /// to 2-22, and laws for a rim that yields). Pure values; one function and one catalogue line a law. SI
 /// units, force > 0 pushes the slider inwards.
 #pragma once
+#include "reduced_models/rim_curve.h"
 #include "scene/scene.h"
 #include <string>
 #include <vector>
@@ -53,12 +54,15 @@ struct RimElement {
   double unloading_gain = 0;      ///< a [-] (elastoplastic), >= 0
   double unloading_exponent = 0.5; ///< m [-] (elastoplastic), > 0
   const ImpactLaw *law = nullptr; ///< into impact_laws()
+  std::shared_ptr<const RimCurve> curve = nullptr; ///< read by the law curve, which needs one
   ImpactForce at(const RimMotion &motion) const;
   /// The law's force before a unilateral element lets go [N]: its sign decides whether it presses.
   double trial(const RimMotion &motion) const { return law->at(*this, motion).force; }
 };
-/// Throws InputError for e outside (0, 1] or an unknown law.
+/// Of a law given by numbers. Throws InputError for e outside (0, 1], an unknown law, or the law curve, which belongs to a bearing.
 RimElement rim_element(const scene::ReducedSettings &settings, double mass);
+/// The element of the law curve; its stiffness is the loading's first slope.
+RimElement curve_element(std::shared_ptr<const RimCurve> curve);
 
 /// xi of (2-20): -ln e / sqrt(pi^2 + ln^2 e) [-], 0 < e <= 1.
 double damping_ratio(double restitution);

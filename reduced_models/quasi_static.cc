@@ -1,5 +1,7 @@
 #include "reduced_models/quasi_static.h"
+#include "reduced_models/curve_limits.h"
 #include "reduced_models/dynamics.h"
+#include "scene/error.h"
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -40,7 +42,10 @@ public:
   /// What has been reached so far stays in a rim that yields.
   void press(const Vector2d &u) {
     const double d = u.norm() - dynamics_.lateral_capacity;
-    if (d > 0) rim_.press(u, d, dynamics_.dents);
+    if (d <= 0) return;
+    rim_.press(u, d, dynamics_.dents);
+    if (const auto reason = dynamics_.rim.curve ? beyond_curve(*dynamics_.rim.curve, {d, 0, 0, false}, rim_, u, dynamics_.dents) : std::nullopt)
+      throw InputError("impact_law \"curve\": " + *reason + "; take rung rim (rimpact run --rung rim)");
   }
   const Dynamics &dynamics() const { return dynamics_; }
 

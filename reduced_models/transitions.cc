@@ -1,5 +1,8 @@
 // The hybrid part of Dynamics: the events and the branch that follows each.
 #include "reduced_models/dynamics.h"
+
+#include "reduced_models/curve_limits.h"
+#include "scene/error.h"
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -90,6 +93,15 @@ void Dynamics::set_out(Mode &mode, double t, const State &y, const State &dy) co
 void Dynamics::arrive(Mode &mode, double t, const State &y) const {
   if (!denting(mode)) return;
   mode.dented.arrive(t, wall_point({y[iX], y[iY]}, {y[iVX], y[iVY]}, Vector2d::Zero(), lateral_capacity, dents.wall), dents);
+  keep_to_curve(mode, t, y);
+}
+
+void Dynamics::keep_to_curve(const Mode &mode, double t, const State &y) const {
+  if (mode.rim != RimContact::pressed || !rim.curve) return;
+  const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
+  const PressedRim press{u.norm() - lateral_capacity, u.dot(v) / u.norm(), supported_mass, mode.support == Support::airborne};
+  if (const auto reason = beyond_curve(*rim.curve, press, mode.dented, u, dents))
+    throw SolverStopped("impact_law \"curve\" at t = " + std::to_string(t) + " s: " + *reason + "; take rung rim (rimpact run --rung rim)");
 }
 
 void Dynamics::place(const Mode &mode, State &y) const {
@@ -165,6 +177,7 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
     project(mode, y);
     mode.support = Support::airborne;
     mode.slow = false;
+    keep_to_curve(mode, t, y);
     return 0;
   case Event::landing:
     return land(mode, t, y);
@@ -173,9 +186,11 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
     mode.rim = mode.dented.deepest_at({y[iX], y[iY]}, dents) > 0 && rim_push(mode, t, {y[iX], y[iY]}, {y[iVX], y[iVY]}).trial <= 0
                    ? RimContact::relaxed
                    : RimContact::pressed;
+    keep_to_curve(mode, t, y);
     break;
   case Event::press_again:
     mode.rim = RimContact::pressed;
+    keep_to_curve(mode, t, y);
     break;
   case Event::release:
     mode.rim = RimContact::open;

@@ -60,6 +60,7 @@ std::string range_of(const ReducedSettings &r) {
 
 std::string element_line(const Scene &scene) {
   if (scene.reduced.k_i == 0) return "none (k_i = 0)";
+  if (scene.reduced.impact_law == "curve") return "curve, " + scene.reduced.impact_curve;
   return fmt::format("{}, {} ({}{})", scene.reduced.impact_law, numbers_of_element(scene), source_of(scene), range_of(scene.reduced));
 }
 
@@ -85,7 +86,7 @@ json case_json(const Scene &scene) {
           {"impact_element",
            {{"law", r.impact_law},
             {"k_i_kN_per_m", r.k_i / 1e3},
-            {"e", r.impact_law == "elastoplastic" ? json(nullptr) : json(r.restitution)},
+            {"e", r.impact_law == "elastoplastic" || r.impact_law == "curve" ? json(nullptr) : json(r.restitution)},
             {"sentence", element_line(scene)},
             {"source", source_of(scene)},
             {"fitted_from_m_per_s", or_null(r.fitted_from)},

@@ -61,7 +61,7 @@ std::vector<std::string> doubts_of_element(const Scene &scene) {
   std::vector<std::string> found;
   const auto &r = scene.reduced;
   const auto kind = scene.excitation.kind;
-  if (scene.double_concave() || r.k_i == 0 || kind == ExcitationKind::cyclic || kind == ExcitationKind::figure_eight) return found;
+  if (scene.double_concave() || r.k_i == 0 || r.impact_law == "curve" || kind == ExcitationKind::cyclic || kind == ExcitationKind::figure_eight) return found;
   if (has_default_element(scene) && r.calibration.empty() && !published_pair_applies(scene)) {
     const bool pair = r.impact_law != "elastoplastic" && r.impact_law != "hunt-crossley";
     const bool other_rim = rim_identity(scene.bearing) != rim_identity(builtin_bearing("shfps-225"));

@@ -50,6 +50,14 @@ void write_numbers(hid_t place, const std::string &name, const std::vector<doubl
 /// Group /meta with one text each.
 void write_meta(hid_t file, const std::map<std::string, std::string> &meta);
 
+bool exists(hid_t place, const char *name);
+/// A one-dimensional dataset of numbers that keeps its values in this file. Throws std::runtime_error saying what is wrong with it.
+std::vector<double> read_numbers(hid_t group, const std::string &name);
+/// The texts of /meta; none where there is no such group.
+std::map<std::string, std::string> read_meta(hid_t file);
+/// Reads from a file's bytes; takes the library's lock. Throws std::runtime_error for bytes that are no such file, and what `read` throws.
+void with_image(const std::string &bytes, const std::function<void(hid_t file)> &read);
+
 /// The bytes of a file that `write` has filled; takes the library's lock.
 std::string file_in_memory(const std::function<void(hid_t file)> &write);
 

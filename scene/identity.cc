@@ -71,6 +71,7 @@ std::vector<std::string> input_files(const Scene &scene) {
   if (scene.excitation.kind == ExcitationKind::record)
     for (const auto *name : {&scene.excitation.x_file, &scene.excitation.y_file, &scene.excitation.z_file})
       if (!name->empty() && !is_builtin_record(*name)) files.push_back(*name);
+  if (scene.reduced.impact_law == "curve") files.push_back(scene.reduced.impact_curve);
   if (scene.model.own_mesh.any()) files.push_back(scene.model.own_mesh.file);
   return files;
 }

@@ -66,6 +66,7 @@ void check_names(const Scene &scene) {
   require_utf8("excitation.x", scene.excitation.x_file);
   require_utf8("excitation.y", scene.excitation.y_file);
   require_utf8("excitation.z", scene.excitation.z_file);
+  require_utf8("reduced.impact_curve", scene.reduced.impact_curve);
   require_utf8("model.own_mesh.file", scene.model.own_mesh.file);
 }
 

@@ -84,6 +84,14 @@ void check_path(const Scene &scene) {
            scene.lateral_capacity() + (scene.double_concave() ? 0.0 : scene.reduced.capacity_offset) + e.scale * e.travel);
 }
 
+/// A curve is of one bearing's rim, and it must be named.
+void check_curve(const Scene &scene) {
+  if (scene.reduced.impact_curve.empty())
+    throw InputError("reduced.impact_law \"curve\" needs reduced.impact_curve, the file curve.h5 that `rimpact curve BEARING` writes");
+  if (scene.double_concave())
+    throw InputError("reduced.impact_law \"curve\" is for bearings of one dish; reduced.model \"" + scene.reduced.model + "\" takes the other laws (rimpact list laws)");
+}
+
 } // namespace
 
 void Scene::validate() const {
@@ -93,6 +101,7 @@ void Scene::validate() const {
   check_friction(reduced);
   check_excitation(excitation, lateral_capacity());
   if (double_concave()) check_double_concave(*this);
+  if (reduced.impact_law == "curve") check_curve(*this);
   if (superstructure.any()) check_superstructure(*this);
   check_path(*this);
   check_sizes(*this);

@@ -33,7 +33,8 @@ struct ReducedSettings {
   std::string model = "physical";
   double k_i = 4.5e8;       ///< impact stiffness [N/m]; 0 switches the impact element off
   double restitution = 0.65; ///< e in (0, 1]
-  std::string impact_law = "signed";  ///< signed | no-tension | printed | hunt-crossley | elastoplastic
+  std::string impact_law = "signed";  ///< signed | no-tension | printed | hunt-crossley | elastoplastic | curve
+  std::string impact_curve = {};      ///< file of the law curve, as `rimpact curve` writes it
   double impact_exponent = 1.5;       ///< n of hunt-crossley [-], > 0
   double reference_speed = 0.5;       ///< at which `restitution` holds for hunt-crossley [m/s], > 0
   double yield_force = 0.8e6;         ///< F_y of elastoplastic [N], > 0

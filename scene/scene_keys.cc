@@ -63,8 +63,9 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
   v.text({"model"}, r.model);
   v.number({"k_i_kN_per_m", "impact stiffness; 0: no impact element"}, r.k_i, kilo, not_negative);
   v.number({"restitution", "e"}, r.restitution, si, {0, 1, true});
-  v.choice({"impact_law", "signed | no-tension | printed | hunt-crossley | elastoplastic"}, r.impact_law,
-           {"signed", "no-tension", "printed", "hunt-crossley", "elastoplastic"});
+  v.choice({"impact_law", "signed | no-tension | printed | hunt-crossley | elastoplastic | curve"}, r.impact_law,
+           {"signed", "no-tension", "printed", "hunt-crossley", "elastoplastic", "curve"});
+  if (v.wants(r.impact_law == "curve")) v.text({"impact_curve", "curve.h5 of this bearing, made by rimpact curve"}, r.impact_curve);
   if (v.wants(r.impact_law == "hunt-crossley")) {
     v.number({"impact_exponent", "n of K d^n (1 + chi d')"}, r.impact_exponent, si, {0, 10, true});
     v.number({"reference_speed_m_per_s", "approach speed at which the restitution holds"}, r.reference_speed,

@@ -28,14 +28,14 @@ TEST(Input, UnknownNamesListTheKnown) {
   EXPECT_NE(refusal([](auto &s) { s.reduced.model = "pysical"; }).find("known: physical"), std::string::npos);
   EXPECT_NE(refusal([](auto &s) {
               s.reduced.impact_law = "sign";
-            }).find("known: signed, no-tension, printed, hunt-crossley, elastoplastic"),
+            }).find("known: signed, no-tension, printed, hunt-crossley, elastoplastic, curve"),
             std::string::npos);
   EXPECT_NE(refusal([](auto &s) { s.reduced.friction = "x"; }).find("known: coulomb, park-wen"),
             std::string::npos);
   EXPECT_NE(refusal([](auto &s) { s.reduced.normal_force = "x"; }).find("known: inertia, static, constant"),
             std::string::npos);
   for (const auto &model : reduced_models()) EXPECT_FALSE(model.description.empty());
-  EXPECT_EQ(impact_laws().size(), 5u);
+  EXPECT_EQ(impact_laws().size(), 6u);
 }
 
 TEST(Input, PoisonInUnusedInputsDoesNotMatter) {

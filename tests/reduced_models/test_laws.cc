@@ -14,6 +14,7 @@ namespace {
 
 /// Every parameter set, whether the law reads it or not.
 RimElement element(const std::string &law) {
+  if (law == "curve") return curve_element(std::make_shared<RimCurve>(reduced::testing::linear_curve(4.5e8, 9e8, 8e-3)));
   return {.stiffness = 4.5e8,
           .damping = 1.7e6,
           .exponent = 1.3,

@@ -1,0 +1,140 @@
+#include "reduced_models/rim_curve_file.h"
+#include "scene/error.h"
+#include "scene/files.h"
+#include "scene/hdf5_memory.h"
+#include "scene/rim_identity.h"
+#include "scene/table.h"
+#include <cmath>
+#include <fmt/format.h>
+#include <map>
+#include <mutex>
+
+namespace rimpact::reduced {
+namespace {
+
+using namespace scene::hdf5;
+
+Handle new_group(hid_t place, const char *name) { return {H5Gcreate2(place, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "group"}; }
+/// Of this file only: a link could lead into another one.
+Handle open_group(hid_t place, const char *name) {
+  H5L_info_t link;
+  check(H5Lget_info(place, name, &link, H5P_DEFAULT), "a group is missing");
+  if (link.type != H5L_TYPE_HARD) throw std::runtime_error(fmt::format("its group {} is a link", name));
+  return {H5Gopen2(place, name, H5P_DEFAULT), H5Gclose, "a group cannot be opened"};
+}
+
+void write_column(hid_t group, const char *name, const std::vector<double> &values, const char *units) {
+  write_numbers(group, name, values);
+  const Handle set(H5Dopen2(group, name, H5P_DEFAULT), H5Dclose, "dataset");
+  write_string(set, "units", units, true);
+}
+
+void write_path(hid_t file, const char *name, const CurvePath &path) {
+  const Handle group = new_group(file, name), loading = new_group(group, "loading"), unloading = new_group(group, "unloading");
+  write_column(loading, "penetration", path.loading.penetration, "m");
+  write_column(loading, "force", path.loading.force, "N");
+  std::vector<double> branch, penetration, force;
+  for (std::size_t k = 0; k < path.unloading.size(); ++k) {
+    const CurveSamples &back = path.unloading[k];
+    branch.insert(branch.end(), back.force.size(), static_cast<double>(k + 1));
+    penetration.insert(penetration.end(), back.penetration.begin(), back.penetration.end());
+    force.insert(force.end(), back.force.begin(), back.force.end());
+  }
+  write_column(unloading, "branch", branch, "1");
+  write_column(unloading, "penetration", penetration, "m");
+  write_column(unloading, "force", force, "N");
+}
+
+CurvePath read_path(hid_t file, const char *name) {
+  const Handle group = open_group(file, name), loading = open_group(group, "loading"), unloading = open_group(group, "unloading");
+  CurvePath path{{read_numbers(loading, "penetration"), read_numbers(loading, "force")}, {}};
+  const auto branch = read_numbers(unloading, "branch"), penetration = read_numbers(unloading, "penetration"), force = read_numbers(unloading, "force");
+  if (branch.size() != penetration.size() || branch.size() != force.size()) throw std::runtime_error("its columns of unloading differ in length");
+  for (std::size_t i = 0; i < branch.size(); ++i) {
+    if (i == 0 || branch[i] != branch[i - 1]) path.unloading.emplace_back();
+    path.unloading.back().penetration.push_back(penetration[i]);
+    path.unloading.back().force.push_back(force[i]);
+  }
+  RimCurve check(path); // what it holds makes a curve
+  return path;
+}
+
+double number_of(const std::map<std::string, std::string> &meta, const char *name) {
+  const auto entry = meta.find(name);
+  if (entry == meta.end()) throw std::runtime_error(fmt::format("/meta/{} is missing", name));
+  return std::stod(entry->second);
+}
+
+void add_rows(scene::Table &table, const char *path, double branch, const CurveSamples &samples) {
+  for (std::size_t i = 0; i < samples.force.size(); ++i)
+    table.rows.push_back({std::string(path), branch, samples.penetration[i], samples.force[i]});
+}
+
+} // namespace
+
+void write_rim_curve(const RimCurveFile &curve, const std::string &path) {
+  scene::write_atomically(file_in_memory([&](hid_t file) {
+                            write_path(file, "dish", curve.dish);
+                            write_path(file, "held", curve.held);
+                            write_meta(file, {{"kind", "rim curve"},
+                                              {"bearing", curve.bearing},
+                                              {"rim_identity", curve.rim_identity},
+                                              {"mesh", curve.mesh},
+                                              {"made_by", curve.made_by},
+                                              {"mesh_force_error", fmt::format("{}", curve.errors.mesh_force)},
+                                              {"left_out_rebound_error", fmt::format("{}", curve.errors.left_out_rebound)}});
+                          }),
+                          path);
+}
+
+void write_rim_curve_csv(const RimCurveFile &curve, const std::string &path) {
+  scene::Table table{{"path", "branch", "penetration_m", "force_N"}, {}, {}};
+  for (const auto &[name, way] : {std::pair{"dish", &curve.dish}, std::pair{"held", &curve.held}}) {
+    add_rows(table, name, 0, way->loading);
+    for (std::size_t k = 0; k < way->unloading.size(); ++k) add_rows(table, name, static_cast<double>(k + 1), way->unloading[k]);
+  }
+  scene::write_csv(table, path);
+}
+
+RimCurveFile read_rim_curve(const std::string &path) {
+  const std::string bytes = scene::read_file(path);
+  RimCurveFile curve;
+  try {
+    with_image(bytes, [&](hid_t file) {
+      const auto meta = read_meta(file);
+      const auto text = [&](const char *name) { return meta.count(name) ? meta.at(name) : std::string(); };
+      if (text("kind") != "rim curve") throw std::runtime_error("no rim curve of `rimpact curve`");
+      curve.dish = read_path(file, "dish"), curve.held = read_path(file, "held");
+      curve.bearing = text("bearing"), curve.rim_identity = text("rim_identity"), curve.mesh = text("mesh"), curve.made_by = text("made_by");
+      curve.errors = {number_of(meta, "mesh_force_error"), number_of(meta, "left_out_rebound_error")};
+    });
+  } catch (const std::exception &error) {
+    throw DataError(fmt::format("{}: is not a rim curve: {}", path, error.what()));
+  }
+  return curve;
+}
+
+std::shared_ptr<const RimCurve> rim_curve_of(const scene::Scene &scene) {
+  struct Read {
+    std::string rim_identity, bearing;
+    std::shared_ptr<const RimCurve> dish, held;
+  };
+  static std::mutex lock;
+  static std::map<std::string, Read> known; // runs of a fleet share it
+  const std::lock_guard guard(lock);
+  const std::string &path = scene.reduced.impact_curve;
+  auto entry = known.find(path);
+  if (entry == known.end()) {
+    const RimCurveFile file = read_rim_curve(path);
+    entry = known.emplace(path, Read{file.rim_identity, file.bearing, std::make_shared<RimCurve>(file.dish), std::make_shared<RimCurve>(file.held)}).first;
+  }
+  const Read &curve = entry->second;
+  if (const std::string own = scene::rim_identity(scene.bearing); curve.rim_identity != own)
+    throw InputError(fmt::format("reduced.impact_curve {}: the curve is of the rim of {} ({}), this bearing's is {}: dish, slider, rim, plate and steel "
+                                 "shape it; make its own by `rimpact curve BEARING`",
+                                 path, curve.bearing, curve.rim_identity, own));
+  const bool held = scene.excitation.kind == scene::ExcitationKind::window && !scene.excitation.with_weight;
+  return held ? curve.held : curve.dish;
+}
+
+} // namespace rimpact::reduced

@@ -1,0 +1,36 @@
+/// The file of a rim curve, curve.h5, and its table, curve.csv.
+///
+/// /dish/loading/{penetration,force}, /dish/unloading/{branch,penetration,force} (branch 1, 2, ... by depth), the same under /held;
+/// /meta texts. SI units. `dish`: pushed while the slider's height follows the dish; `held`: at the height of first touch, as an
+/// impact window without weight is.
+#pragma once
+#include "reduced_models/rim_curve.h"
+#include "scene/scene.h"
+
+namespace rimpact::reduced {
+
+/// How far the curve is from the answer, relative; none: not estimated.
+struct CurveErrors {
+  double mesh_force = 0;       ///< force at the same work, from the next coarser mesh
+  double left_out_rebound = 0; ///< of interpolation between unloadings (RimCurve::left_out_rebound)
+};
+struct RimCurveFile {
+  CurvePath dish, held;
+  std::string bearing;      ///< its name
+  std::string rim_identity; ///< scene::rim_identity of it
+  std::string mesh;         ///< in words: "level 1, 12190 unknowns"
+  std::string made_by;      ///< version of the program
+  CurveErrors errors;
+};
+
+/// Written atomically. Throw IoError.
+void write_rim_curve(const RimCurveFile &curve, const std::string &path);
+void write_rim_curve_csv(const RimCurveFile &curve, const std::string &path);
+/// Throws DataError naming the file and what is wrong with it.
+RimCurveFile read_rim_curve(const std::string &path);
+
+/// The curve the scene's impact law flies on: along the dish, or held for a window without weight; read once a process.
+/// Throws InputError for a curve of another rim, DataError for a damaged file.
+std::shared_ptr<const RimCurve> rim_curve_of(const scene::Scene &scene);
+
+} // namespace rimpact::reduced
