@@ -92,18 +92,24 @@ BuildingModel assemble(const Frame &frame) {
   return m;
 }
 
-VectorXd static_reactions(const BuildingModel &m, double gravity) {
-  const auto held = m.base(), free = m.above_base();
-  VectorXd weight = VectorXd::Zero(m.n_dofs());
+VectorXd static_displacements(const BuildingModel &m, double gravity) {
+  const auto free = m.above_base();
+  VectorXd weight = VectorXd::Zero(m.n_dofs()), q = weight;
   weight.tail(m.n_nodes) = -gravity * m.mass.tail(m.n_nodes);
-  VectorXd q = VectorXd::Zero(m.n_dofs());
   if (!free.empty()) {
     const VectorXd load = weight(free), sag = MatrixXd(m.stiffness(free, free)).ldlt().solve(load);
     q(free) = sag;
   }
-  const VectorXd rest = m.stiffness * q - weight;
+  return q;
+}
+
+VectorXd static_reactions(const BuildingModel &m, double gravity) {
+  const VectorXd held = m.stiffness * static_displacements(m, gravity);
   VectorXd reactions(m.bearings.size());
-  for (std::size_t b = 0; b < m.bearings.size(); ++b) reactions[b] = rest[m.vertical(m.bearings[b])];
+  for (std::size_t b = 0; b < m.bearings.size(); ++b) {
+    const int dof = m.vertical(m.bearings[b]);
+    reactions[b] = held[dof] + gravity * m.mass[dof];
+  }
   return reactions;
 }
 

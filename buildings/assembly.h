@@ -21,6 +21,8 @@ struct BuildingModel {
 /// Throws InputError for what Frame::validate refuses and for a mechanism, naming the node that moves freely.
 BuildingModel assemble(const Frame &frame);
 
+/// Displacements at rest under weights `gravity` times the masses, sliders at height 0.
+Eigen::VectorXd static_displacements(const BuildingModel &model, double gravity);
 /// Vertical reactions of the bearings under weights `gravity` times the masses, sliders at the same height [N].
 Eigen::VectorXd static_reactions(const BuildingModel &model, double gravity);
 

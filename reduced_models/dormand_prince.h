@@ -1,26 +1,28 @@
 /// Dormand-Prince 5(4): one step, its error estimate and its continuous extension of order four.
 /// Source: Hairer, Norsett, Wanner, Solving Ordinary Differential Equations I (1993), II.4-II.6.
 #pragma once
-#include "reduced_models/dynamics.h"
+#include "reduced_models/state.h"
+#include <array>
 #include <cmath>
 
 namespace rimpact::reduced {
 
 /// A step from (t, y0) over h; k[0] must hold f(t, y0). After `advance` y1 and k[6] = f(t + h, y1) are set.
-struct DormandPrinceStep {
+/// `Vector`: made by its length, indexed from 0.
+template <class Vector> struct DormandPrince {
   double t = 0, h = 0;
-  State y0, y1;
-  std::array<State, 7> k; ///< as long as y0 (resize)
+  Vector y0, y1;
+  std::array<Vector, 7> k; ///< as long as y0 (resize)
 
   void resize(int n_state) {
-    y0 = y1 = State(n_state);
+    y0 = y1 = Vector(n_state);
     k.fill(y0);
   }
 
   template <class Rhs> void advance(const Rhs &f, double step) {
     h = step;
-    const int n = y0.size();
-    State y(n);
+    const int n = static_cast<int>(y0.size());
+    Vector y(n);
     const auto stage = [&](int i, double c, auto... a) {
       const double weights[] = {a...};
       for (int j = 0; j < n; ++j) {
@@ -40,7 +42,7 @@ struct DormandPrinceStep {
   }
 
   /// Largest component of the embedded error over its scale; 0 in `scale` leaves a component out.
-  double error(const State &inverse_scale) const {
+  double error(const Vector &inverse_scale) const {
     constexpr double e[] = {71. / 57600, 0, -71. / 16695, 71. / 1920, -17253. / 339200, 22. / 525, -1. / 40};
     double largest = 0;
     for (int j = 0; j < y0.size(); ++j) {
@@ -55,12 +57,12 @@ struct DormandPrinceStep {
   }
 
   /// Continuous extension at t + theta h, theta in [0, 1].
-  State at(double theta) const {
+  Vector at(double theta) const {
     constexpr double d[] = {-12715105075. / 11282082432.,  0,
                             87487479700. / 32700410799.,   -10690763975. / 1880347072.,
                             701980252875. / 199316789632., -1453857185. / 822651844.,
                             69997945. / 29380423.};
-    State y(y0.size());
+    Vector y(y0.size());
     const double rest = 1 - theta;
     for (int j = 0; j < y0.size(); ++j) {
       const double dy = y1[j] - y0[j], b = h * k[0][j] - dy, c = dy - h * k[6][j] - b;
@@ -71,5 +73,6 @@ struct DormandPrinceStep {
     return y;
   }
 };
+using DormandPrinceStep = DormandPrince<State>;
 
 } // namespace rimpact::reduced

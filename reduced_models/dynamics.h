@@ -102,6 +102,10 @@ public:
   /// Applies an event: switches the branch, projects the state on it. Returns the energy lost in a landing
   /// [J].
   double apply(Event event, Mode &mode, double t, State &y) const;
+  /// What an event that changes the rim (changes_rim) leaves of its contact.
+  RimContact rim_after(Event event, const Mode &mode, double t, const State &y) const;
+  /// By the rim on a pressing slider at u, v (any |u| > 0).
+  RimPush rim_push(const Mode &mode, double t, const Eigen::Vector2d &u, const Eigen::Vector2d &v) const;
   /// Branch of a state at the start of a run or after a jump: decides between sliding, stuck and airborne.
   void settle(Mode &mode, double t, State &y) const;
   /// Before a step from y (its rates dy) and after it: a rim that yields keeps the path it was pressed along.
@@ -162,7 +166,6 @@ private:
                           Eigen::Vector3d &ground) const;
   Eigen::Vector2d slow_direction(const Mode &mode, double t, const State &y) const;
   double drive_share(const Mode &mode, double t, const State &y) const;
-  RimPush rim_push(const Mode &mode, double t, const Eigen::Vector2d &u, const Eigen::Vector2d &v) const;
   void rim_terms(const Mode &mode, double t, const Eigen::Vector2d &u, const Eigen::Vector2d &v, Evaluation &e) const;
   /// A pressed rim that flies on a curve: throws SolverStopped where the curve holds no longer (curve_limits.h).
   void keep_to_curve(const Mode &mode, double t, const State &y) const;

@@ -162,6 +162,21 @@ double Dynamics::land(Mode &mode, double t, State &y) const {
   return mass / 2 * (vn * vn - rebound * rebound);
 }
 
+RimContact Dynamics::rim_after(Event event, const Mode &mode, double t, const State &y) const {
+  switch (event) {
+  case Event::touch: // a dented place is met only at its dent's bottom
+    return mode.dented.deepest_at({y[iX], y[iY]}, dents) > 0 && rim_push(mode, t, {y[iX], y[iY]}, {y[iVX], y[iVY]}).trial <= 0
+               ? RimContact::relaxed
+               : RimContact::pressed;
+  case Event::press_again:
+    return RimContact::pressed;
+  case Event::let_go:
+    return RimContact::relaxed;
+  default:
+    return RimContact::open;
+  }
+}
+
 double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
   switch (event) {
   case Event::stop:
@@ -182,21 +197,13 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
   case Event::landing:
     return land(mode, t, y);
   case Event::touch:
-    // a dented place is met only at its dent's bottom
-    mode.rim = mode.dented.deepest_at({y[iX], y[iY]}, dents) > 0 && rim_push(mode, t, {y[iX], y[iY]}, {y[iVX], y[iVY]}).trial <= 0
-                   ? RimContact::relaxed
-                   : RimContact::pressed;
-    keep_to_curve(mode, t, y);
-    break;
   case Event::press_again:
-    mode.rim = RimContact::pressed;
+    mode.rim = rim_after(event, mode, t, y);
     keep_to_curve(mode, t, y);
     break;
   case Event::release:
-    mode.rim = RimContact::open;
-    break;
   case Event::let_go:
-    mode.rim = RimContact::relaxed;
+    mode.rim = rim_after(event, mode, t, y);
     break;
   case Event::underway:
     mode.slow = false;

@@ -7,9 +7,12 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <set>
+#include <tuple>
 
 namespace rimpact::scene {
 namespace {
+
+void add_building_signals(std::vector<SignalInfo> &list);
 
 std::vector<SignalInfo> make_signals() {
   std::vector<SignalInfo> list{{"time", "s", "instant, or load parameter of a quasi-static run"}};
@@ -48,6 +51,7 @@ std::vector<SignalInfo> make_signals() {
            {"contact", "stored in or lost by contact penalties"},
            {"integrator", "lost by the time integrator, from its own formula"}})
     list.push_back({fmt::format("energy_{}", name), "J", what});
+  add_building_signals(list);
   list.push_back({"surface_gap", "m", "smallest distance of slider and rim walls"});
   list.push_back({"plastic_strain_max", "1", "largest equivalent plastic strain"});
   list.push_back({"contact_pressure_max", "Pa", "largest contact pressure"});
@@ -55,6 +59,29 @@ std::vector<SignalInfo> make_signals() {
   list.push_back({"newton_iterations", "1", "Newton iterations of the step"});
   list.push_back({"step", "s", "time step"});
   return list;
+}
+
+/// Of a building on many bearings: `displacement_x` ... are those of the base's mass centre, `force_x` ... sums.
+void add_building_signals(std::vector<SignalInfo> &list) {
+  constexpr int most_bearings = 64, most_floors = 40;
+  using Row = std::tuple<const char *, const char *, const char *>;
+  const auto add = [&](const char *what, int most, std::initializer_list<Row> rows) {
+    for (int i = 1; i <= most; ++i)
+      for (const auto &[name, units, words] : rows)
+        list.push_back({fmt::format("{}_{}_{}", what, i, name), units, fmt::format("{} {}: {}", what, i, words)});
+  };
+  add("bearing", most_bearings,
+      {{"displacement_x", "m", "slider past the plate, x"}, {"displacement_y", "m", "slider past the plate, y"},
+       {"displacement_z", "m", "slider above the vertex"}, {"force_x", "N", "on the building, x"}, {"force_y", "N", "on the building, y"},
+       {"impact_x", "N", "of the rim on the building, x"}, {"impact_y", "N", "of the rim on the building, y"},
+       {"normal_force", "N", "of the sliding surface"}, {"gap", "m", "L_c - |u|, negative while the rim is pressed"}});
+  add("floor", most_floors,
+      {{"displacement_x", "m", "of the mass centre relative to the ground, x"}, {"displacement_y", "m", "of the mass centre relative to the ground, y"},
+       {"rotation", "rad", "about the vertical"}, {"drift_x", "m", "of the storey below it, x"}, {"drift_y", "m", "of the storey below it, y"},
+       {"acceleration_x", "m/s^2", "absolute, of the mass centre, x"}, {"acceleration_y", "m/s^2", "absolute, of the mass centre, y"}});
+  for (const char *axis : {"x", "y"})
+    list.push_back({fmt::format("overturning_{}", axis), "N m", fmt::format("moment of the bearings' forces about the {} axis through the base's centre", axis)});
+  list.push_back({"base_rotation", "rad", "of the base about the vertical"});
 }
 
 bool is_known(const std::string &name) {

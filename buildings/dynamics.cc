@@ -1,0 +1,198 @@
+#include "buildings/dynamics.h"
+#include "scene/error.h"
+#include <cmath>
+#include <Eigen/LU>
+#include <fmt/format.h>
+
+namespace rimpact::buildings {
+
+using Eigen::Vector2d, Eigen::Vector3d, Eigen::VectorXd, Eigen::MatrixXd;
+using reduced::Support, reduced::RimContact;
+
+namespace {
+
+void check(const scene::Scene &s) {
+  const auto refuse = [](const std::string &what) { throw InputError(what); };
+  if (s.double_concave() || s.reduced.model != "physical")
+    refuse(fmt::format("a building stands on bearings of reduced.model \"physical\"; \"{}\" carries a chain of storeys only", s.reduced.model));
+  if (s.superstructure.any()) refuse("a building stands in [building] or in [superstructure], not in both");
+  if (!s.excitation.is_dynamic() || s.excitation.kind == scene::ExcitationKind::window)
+    refuse(fmt::format("excitation.kind \"{}\" moves a single bearing; a building takes ricker, record or free", scene::to_string(s.excitation.kind)));
+  if (s.reduced.friction != "park-wen")
+    refuse("reduced.friction \"coulomb\": bearings under one rigid base that stick together share their forces in no definite way; "
+           "a building takes \"park-wen\", with its elastic slip");
+  if (s.reduced.normal_force != "inertia")
+    refuse(fmt::format("reduced.normal_force \"{}\": every bearing of a building has its own, by \"inertia\"", s.reduced.normal_force));
+}
+
+/// The bearing's scene under its share of the weight.
+scene::Scene one_bearing(const scene::Scene &whole, double reaction) {
+  scene::Scene s = whole;
+  s.load.vertical = std::max(0.0, reaction);
+  s.load.mass = s.load.vertical > 0 ? s.load.vertical / s.load.gravity : whole.load.mass;
+  return s;
+}
+
+} // namespace
+
+BuildingDynamics::BuildingDynamics(const BuildingModel &m, const scene::Scene &scene, const std::vector<scene::Bearing> &bearings)
+    : model(m), slider(sliders(m)), reactions(static_reactions(m, scene.load.gravity)), gravity(scene.load.gravity), n(m.n_dofs()),
+      vertical_restitution(scene.reduced.vertical_restitution), excitation_(scene.excitation) {
+  check(scene);
+  total_mass = m.mass.tail(m.n_nodes).sum(), weight = gravity * total_mass;
+  if (bearings.size() > 1 && bearings.size() != slider.size())
+    throw InputError(fmt::format("the building names {} bearings and stands on {}", bearings.size(), slider.size()));
+  for (int b = 0; b < static_cast<int>(slider.size()); ++b) {
+    scene::Scene s = one_bearing(scene, reactions[b]);
+    if (!bearings.empty()) s.bearing = bearings[bearings.size() > 1 ? b : 0];
+    laws.emplace_back(s);
+  }
+  start_ = VectorXd::Zero(n_state());
+  start_.head(n) = static_displacements(m, gravity);
+}
+
+VectorXd BuildingDynamics::start() const {
+  VectorXd y = start_;
+  if (excitation_.kind != scene::ExcitationKind::free) return y;
+  const Vector2d u = excitation_.start_displacement(), v = excitation_.start_velocity();
+  for (int d = 0; d < model.n_diaphragms; ++d) y.segment<2>(3 * d) += u, y.segment<2>(n + 3 * d) = v;
+  const auto p = laws[0].height.at(u[0], u[1]);
+  y.segment(3 * model.n_diaphragms, model.n_nodes).array() += p.z;
+  y.segment(n + 3 * model.n_diaphragms, model.n_nodes).setConstant(p.gradient.dot(v));
+  BearingModes closed(laws.size());
+  project(closed, y);
+  return y;
+}
+
+reduced::State BuildingDynamics::bearing_state(int b, const VectorXd &y) const {
+  reduced::State s;
+  const Vector3d u = slider[b].of(y.data()), v = slider[b].of(y.data() + n);
+  for (int c = 0; c < 3; ++c) s[reduced::iX + c] = u[c], s[reduced::iVX + c] = v[c];
+  return s;
+}
+
+BearingResponse BuildingDynamics::contact(int b, const reduced::Mode &mode, double t, const VectorXd &y, Vector3d &per_normal) const {
+  const auto &law = laws[b];
+  BearingResponse r;
+  r.u = slider[b].of(y.data()), r.v = slider[b].of(y.data() + n);
+  const Vector2d u = r.u.head<2>(), v = r.v.head<2>();
+  const double travel = u.norm();
+  r.gap = law.lateral_capacity - travel;
+  if (mode.rim == RimContact::pressed) {
+    const auto push = law.rim_push(mode, t, u, v);
+    r.rim_force = push.inwards;
+    r.impact.head<2>() = -push.inwards / travel * u + push.along / travel * Vector2d(-u.y(), u.x());
+  }
+  if (!(travel < law.height.limit_radius())) { // beyond the dish: inadmissible, the step control cuts the step
+    r.height = std::nan("");
+    return r;
+  }
+  const auto p = law.height.at(u[0], u[1]);
+  r.height = p.z, r.gradient = p.gradient;
+  if (mode.support == Support::airborne) return r;
+  r.v[2] = p.gradient.dot(v);
+  const Vector2d eta = y.segment<2>(this->eta(b));
+  const double mu = law.friction_law.at(r.v.norm()).value;
+  r.eta_rate = reduced::park_wen_rate(eta, v, law.elastic_slip);
+  r.friction = law.friction_per_normal(p, u, eta, mu) * eta.norm(); // per unit of N until N is known
+  r.pendular = Vector3d(-p.gradient[0], -p.gradient[1], 1) / std::sqrt(1 + p.gradient.squaredNorm());
+  r.normal = v.dot(p.hessian * v); // the constraint's v^T H v until N is known
+  per_normal = r.pendular + r.friction;
+  return r;
+}
+
+SupportEquations BuildingDynamics::support_equations(const BuildingResponse &r, const std::vector<int> &closed, const std::vector<Vector3d> &per_normal) const {
+  const int m = static_cast<int>(closed.size());
+  SupportEquations e{MatrixXd(m, m), VectorXd(m)};
+  const VectorXd &mass = model.mass;
+  for (int i = 0; i < m; ++i) {
+    const int b = closed[i];
+    const Slider &s = slider[b];
+    const Vector3d G(-r.bearings[b].gradient[0], -r.bearings[b].gradient[1], 1);
+    const double turn = (s.arm_x * G[1] - s.arm_y * G[0]) / mass[s.dof[2]], x = G[0] / mass[s.dof[0]], y = G[1] / mass[s.dof[1]];
+    for (int j = 0; j < m; ++j) {
+      const Slider &o = slider[closed[j]];
+      const Vector3d &f = per_normal[closed[j]];
+      e.matrix(i, j) = o.dof[0] == s.dof[0] ? x * f[0] + y * f[1] + turn * (o.arm_x * f[1] - o.arm_y * f[0]) : 0;
+    }
+    e.matrix(i, i) += per_normal[b][2] / mass[s.dof[3]];
+    e.rest[i] = r.bearings[b].normal - G.dot(s.of(r.acceleration.data()));
+  }
+  return e;
+}
+
+BuildingResponse BuildingDynamics::unsupported(const BearingModes &modes, double t, const VectorXd &y, std::vector<int> &closed,
+                                               std::vector<Vector3d> &per_normal) const {
+  BuildingResponse r;
+  r.ground = laws[0].ground.acceleration(t);
+  VectorXd force = -(model.stiffness * y.head(n)) - model.damping * y.segment(n, n);
+  const int nd = model.n_diaphragms, nn = model.n_nodes;
+  for (int d = 0; d < nd; ++d) {
+    const Vector2d inertia = model.mass[3 * d] * r.ground.head<2>();
+    force.segment<2>(3 * d) -= inertia;
+    r.ground_power -= inertia.dot(y.segment<2>(n + 3 * d));
+  }
+  force.tail(nn) -= (gravity + r.ground[2]) * model.mass.tail(nn);
+  r.ground_power -= r.ground[2] * model.mass.tail(nn).dot(y.segment(n + 3 * nd, nn));
+  per_normal.resize(laws.size());
+  for (int b = 0; b < n_bearings(); ++b) {
+    r.bearings.push_back(contact(b, modes[b], t, y, per_normal[b]));
+    if (modes[b].rim == RimContact::pressed) slider[b].add(r.bearings[b].impact, force);
+    if (modes[b].support != Support::airborne) closed.push_back(b);
+  }
+  r.acceleration = force.cwiseQuotient(model.mass);
+  return r;
+}
+
+BuildingResponse BuildingDynamics::evaluate(const BearingModes &modes, double t, const VectorXd &y) const {
+  std::vector<int> closed;
+  std::vector<Vector3d> per_normal;
+  BuildingResponse r = unsupported(modes, t, y, closed, per_normal);
+  if (closed.empty()) return r;
+  const auto equations = support_equations(r, closed, per_normal);
+  const VectorXd N = equations.matrix.partialPivLu().solve(equations.rest);
+  VectorXd added = VectorXd::Zero(n);
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    auto &b = r.bearings[closed[i]];
+    b.normal = N[i], b.pendular *= N[i], b.friction *= N[i];
+    slider[closed[i]].add(N[i] * per_normal[closed[i]], added);
+  }
+  r.acceleration += added.cwiseQuotient(model.mass);
+  return r;
+}
+
+void BuildingDynamics::rhs(const BearingModes &modes, double t, const VectorXd &y, VectorXd &dy) const {
+  const BuildingResponse r = evaluate(modes, t, y);
+  dy.resize(n_state());
+  dy.head(n) = y.segment(n, n), dy.segment(n, n) = r.acceleration;
+  double friction_power = 0, rim_power = 0;
+  for (int b = 0; b < n_bearings(); ++b) {
+    const auto &bearing = r.bearings[b];
+    dy.segment<2>(eta(b)) = bearing.eta_rate;
+    friction_power -= bearing.friction.dot(bearing.v), rim_power -= bearing.impact.dot(bearing.v);
+    if (std::isnan(bearing.height)) dy.setConstant(bearing.height);
+  }
+  dy[work(external)] = r.ground_power, dy[work(damping)] = y.segment(n, n).dot(model.damping * y.segment(n, n));
+  dy[work(friction)] = friction_power, dy[work(rim)] = rim_power;
+}
+
+void BuildingDynamics::project(const BearingModes &modes, VectorXd &y) const {
+  for (int b = 0; b < n_bearings(); ++b) {
+    if (modes[b].support == Support::airborne) continue;
+    const Vector3d u = slider[b].of(y.data()), v = slider[b].of(y.data() + n);
+    const auto p = laws[b].height.at(u[0], u[1]);
+    y[slider[b].dof[3]] = p.z, y[n + slider[b].dof[3]] = p.gradient.dot(v.head<2>());
+  }
+}
+
+double BuildingDynamics::kinetic_energy(const VectorXd &y) const {
+  return 0.5 * y.segment(n, n).dot(model.mass.cwiseProduct(y.segment(n, n)));
+}
+double BuildingDynamics::elastic_energy(const VectorXd &y) const {
+  return 0.5 * y.head(n).dot(model.stiffness * y.head(n));
+}
+double BuildingDynamics::potential_energy(const VectorXd &y) const {
+  return gravity * model.mass.tail(model.n_nodes).dot(y.segment(3 * model.n_diaphragms, model.n_nodes));
+}
+
+} // namespace rimpact::buildings

@@ -1,0 +1,145 @@
+#include "buildings/recorder.h"
+#include "scene/error.h"
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace rimpact::buildings {
+
+using Eigen::Vector2d, Eigen::VectorXd;
+using reduced::RimContact, reduced::Support;
+
+BuildingRecorder::BuildingRecorder(const BuildingDynamics &dynamics, scene::Response *response, double output_step)
+    : dynamics_(dynamics), response_(response), output_step_(output_step), contact_step_(output_step), bearings_(dynamics.laws.size()),
+      floors_(dynamics.model.n_diaphragms - 1) {
+  if (dynamics.n_bearings() > most_bearings || static_cast<int>(floors_.size()) > most_floors)
+    throw InputError(fmt::format("the building has {} bearings and {} floors above its base; {} and {} are the most", dynamics.n_bearings(),
+                                 floors_.size(), most_bearings, most_floors));
+  for (const auto &law : dynamics.laws)
+    if (law.has_rim()) contact_step_ = std::min(contact_step_, std::numbers::pi * std::sqrt(dynamics.model.mass[0] / law.rim.stiffness) / 120);
+}
+
+double BuildingRecorder::next_after(const BearingModes &modes, double t) const {
+  for (const auto &mode : modes)
+    if (mode.rim != RimContact::open) return t + contact_step_;
+  return (std::floor(t / output_step_ + 1e-9) + 1) * output_step_;
+}
+
+void BuildingRecorder::begin(const BearingModes &modes, double t, const VectorXd &y) {
+  initial_elastic_ = dynamics_.elastic_energy(y), initial_kinetic_ = dynamics_.kinetic_energy(y);
+  initial_gravity_ = dynamics_.potential_energy(y);
+  initial_height_ = initial_gravity_ - dynamics_.potential_energy(dynamics_.at_rest()); // a building let go from a height
+  const auto r = dynamics_.evaluate(modes, t, y);
+  final_ = y;
+  watch(y, r), store(t, y, r);
+  next_sample_ = next_after(modes, t);
+}
+
+void BuildingRecorder::segment(const BearingModes &modes, const BuildingSegment &s) {
+  while (next_sample_ <= s.t1) {
+    if (response_) {
+      VectorXd y = s.at(next_sample_);
+      dynamics_.project(modes, y);
+      const auto r = dynamics_.evaluate(modes, next_sample_, y);
+      watch(y, r), store(next_sample_, y, r);
+    }
+    next_sample_ = next_after(modes, next_sample_);
+  }
+  if (s.t1 > s.t0) {
+    VectorXd y = s.at((s.t0 + s.t1) / 2);
+    dynamics_.project(modes, y);
+    watch(y, dynamics_.evaluate(modes, (s.t0 + s.t1) / 2, y));
+  }
+  watch(s.y1, dynamics_.evaluate(modes, s.t1, s.y1));
+  final_ = s.y1;
+  largest_input_ = std::max(largest_input_, std::abs(s.y1[dynamics_.work(BuildingDynamics::external)]));
+}
+
+void BuildingRecorder::branch(const BearingModes &before, const BearingModes &after, double t, const VectorXd &y, double loss) {
+  landing_loss_ += loss;
+  bool changed = false;
+  for (int b = 0; b < dynamics_.n_bearings(); ++b) {
+    const bool was = before[b].rim == RimContact::pressed, is = after[b].rim == RimContact::pressed;
+    if (was == is) continue;
+    changed = true;
+    const auto state = dynamics_.bearing_state(b, y);
+    const Vector2d u(state[reduced::iX], state[reduced::iY]), v(state[reduced::iVX], state[reduced::iVY]);
+    const double outwards = u.dot(v) / u.norm();
+    bearings_[b].pressed = is;
+    if (is) {
+      scene::Impact impact{};
+      impact.touch_time = t, impact.release_time = -1; // before its touch: not released yet
+      impact.direction_deg = std::atan2(u[1], u[0]) * 180 / std::numbers::pi, impact.approach_speed = outwards;
+      bearings_[b].impacts.push_back(impact);
+    } else {
+      bearings_[b].impacts.back().release_time = t, bearings_[b].impacts.back().rebound_speed = -outwards;
+    }
+  }
+  const auto r = dynamics_.evaluate(after, t, y);
+  watch(y, r);
+  if (!changed) return;
+  store(t, y, r);
+  next_sample_ = next_after(after, t);
+}
+
+void BuildingRecorder::end(const BearingModes &modes, double t, const VectorXd &y) {
+  store(t, y, dynamics_.evaluate(modes, t, y));
+  final_ = y;
+}
+
+Vector2d BuildingRecorder::drift(int floor, const VectorXd &y) const {
+  return y.segment<2>(3 * floor + 3) - y.segment<2>(3 * floor);
+}
+
+/// Of the bearings' vertical forces, about the base's mass centre at rest.
+Vector2d BuildingRecorder::overturning(const BuildingResponse &r) const {
+  Vector2d m = Vector2d::Zero();
+  for (int b = 0; b < dynamics_.n_bearings(); ++b) {
+    const double up = r.bearings[b].force()[2];
+    m += up * Vector2d(dynamics_.slider[b].arm_y, -dynamics_.slider[b].arm_x);
+  }
+  return m;
+}
+
+void BuildingRecorder::watch(const VectorXd &y, const BuildingResponse &r) {
+  const auto raise = [](double &peak, double value) { peak = std::max(peak, value); };
+  Vector2d total = Vector2d::Zero();
+  double up = 0;
+  for (int b = 0; b < dynamics_.n_bearings(); ++b) {
+    auto &p = bearings_[b];
+    const auto &one = r.bearings[b];
+    const double travel = one.u.head<2>().norm();
+    raise(p.travel, travel), raise(p.force, one.force().head<2>().norm()), raise(p.impact, one.rim_force);
+    raise(p.largest_normal, one.normal), raise(p.lift, one.u[2] - one.height), raise(peak_height_, one.u[2]);
+    p.smallest_normal = std::min(p.smallest_normal, std::max(0.0, one.normal));
+    if (p.pressed) raise(p.impacts.back().peak_force, one.rim_force), raise(p.impacts.back().peak_penetration, -one.gap);
+    total += one.force().head<2>(), up += std::max(0.0, one.normal);
+  }
+  raise(peak_displacement_, y.head<2>().norm()), raise(peak_shear_, total.norm()), raise(peak_rotation_, std::abs(y[2]));
+  raise(peak_overturning_, overturning(r).norm());
+  smallest_total_ = std::min(smallest_total_, up);
+  Vector2d shear = Vector2d::Zero();
+  for (int f = static_cast<int>(floors_.size()) - 1; f >= 0; --f) {
+    const int d = 3 * (f + 1);
+    const Vector2d acceleration = r.acceleration.segment<2>(d) + r.ground.head<2>(), between = drift(f, y);
+    shear += dynamics_.model.mass[d] * acceleration;
+    auto &p = floors_[f];
+    raise(p.displacement, y.segment<2>(d).norm()), raise(p.drift, between.norm()), raise(p.acceleration, acceleration.norm());
+    raise(p.drift_x, std::abs(between[0])), raise(p.drift_y, std::abs(between[1])), raise(p.shear, shear.norm());
+  }
+}
+
+scene::EnergyLedger BuildingRecorder::ledger(const VectorXd &y) const {
+  const auto &d = dynamics_;
+  scene::EnergyLedger l;
+  l.initial = initial_kinetic_ + initial_height_;
+  l.external = y[d.work(BuildingDynamics::external)];
+  l.gravity = d.potential_energy(y) - initial_gravity_ + initial_height_;
+  l.kinetic = d.kinetic_energy(y), l.elastic = d.elastic_energy(y) - initial_elastic_;
+  l.damping = y[d.work(BuildingDynamics::damping)], l.friction = y[d.work(BuildingDynamics::friction)];
+  l.impact = y[d.work(BuildingDynamics::rim)], l.contact = landing_loss_;
+  l.largest_input = largest_input_ + l.initial;
+  return l;
+}
+
+} // namespace rimpact::buildings
