@@ -1,7 +1,7 @@
 #include "app/sibling.h"
 
+#include "scene/data_folder.h"
 #include "scene/error.h"
-#include <climits>
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
@@ -32,10 +32,7 @@ void redirect(const std::string &path, int descriptor) {
 
 std::string sibling(const std::string &name) {
   if (const char *other = std::getenv("RIMPACT_FE_PROGRAM"); other && name == "rimpact-fe") return other;
-  char path[PATH_MAX] = {};
-  if (readlink("/proc/self/exe", path, sizeof path - 1) < 0)
-    throw IoError("cannot find this program's folder (is /proc mounted?)");
-  return (std::filesystem::path(path).parent_path() / name).string();
+  return (std::filesystem::path(scene::program_folder()) / name).string();
 }
 
 std::string fe_program() {
@@ -87,11 +84,14 @@ int poll(pid_t process, bool wait) {
 }
 
 int python(const std::vector<std::string> &arguments) {
+  const std::string data = scene::data_folder();
+  if (!std::filesystem::is_directory(std::filesystem::path(data) / "report"))
+    throw IoError(data + ": the report's Python is not there; install the programs with their data (cmake --install)");
   // Isolated (-I): neither the working folder nor the environment brings modules of its own.
   Launch launch{.command = {"/usr/bin/python3", "-I", "-c",
                             "import runpy, sys; sys.path.insert(0, sys.argv[1]); del sys.argv[1]; "
                             "runpy.run_module(sys.argv.pop(1), run_name='__main__', alter_sys=True)",
-                            RIMPACT_SOURCE_DIR},
+                            data},
                 .output = "/dev/null"};
   launch.command.insert(launch.command.end(), arguments.begin(), arguments.end());
   return poll(start(launch), true);

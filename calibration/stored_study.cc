@@ -1,4 +1,5 @@
 #include "calibration/stored_study.h"
+#include "scene/data_folder.h"
 #include "scene/rim_identity.h"
 #include <algorithm>
 #include <cmath>
@@ -101,7 +102,7 @@ json between(const StoredStudy &low, const StoredStudy &high, double share, cons
 std::vector<StoredStudy> stored_studies(const std::string &folder) {
   std::vector<StoredStudy> studies;
   std::error_code error;
-  for (const auto &file : fs::directory_iterator(RIMPACT_STUDIES, error))
+  for (const auto &file : fs::directory_iterator(fs::path(scene::data_folder()) / "calibration" / "studies", error))
     if (file.path().extension() == ".json") add(file.path(), file.path().stem(), studies);
   for (const auto &beside : fs::directory_iterator(folder, error))
     if (fs::exists(beside.path() / "study.json", error)) add(beside.path() / "study.json", beside.path().filename(), studies);

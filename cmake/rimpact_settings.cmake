@@ -21,8 +21,7 @@ target_compile_options(rimpact_settings INTERFACE -Wall -Wextra -Wpedantic -Wno-
 # GCC 12 reports its own AVX-512 intrinsics (bug 105593).
 target_compile_options(rimpact_settings INTERFACE -Wno-maybe-uninitialized)
 # One alignment for every unit: Debian's Ceres and deal.II are compiled for plain x86-64.
-target_compile_definitions(rimpact_settings INTERFACE EIGEN_MAX_ALIGN_BYTES=16
-                           RIMPACT_VERSION="${PROJECT_VERSION}")
+target_compile_definitions(rimpact_settings INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
 # gmsh and Ceres carry Eigen's kernels for plain x86-64 under the same weak names: ours, sized for this machine, must
 # not be exported to them.
 target_link_options(rimpact_settings INTERFACE -Wl,--exclude-libs,ALL)

@@ -1,0 +1,40 @@
+# What `cmake --install` and the Debian package (`cpack -G DEB`) hold. Programs find their data in ../share/rimpact, so the prefix
+# may be moved; the build folder has links of the same form to the source tree.
+include(GNUInstallDirs)
+set(data ${CMAKE_INSTALL_DATADIR}/rimpact)
+file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/rimpact/calibration)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/report ${CMAKE_BINARY_DIR}/share/rimpact/report SYMBOLIC)
+file(CREATE_LINK ${PROJECT_SOURCE_DIR}/calibration/studies ${CMAKE_BINARY_DIR}/share/rimpact/calibration/studies SYMBOLIC)
+
+install(TARGETS rimpact RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+if(RIMPACT_FE)
+  install(TARGETS rimpact-fe rimpact-gmsh RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+install(DIRECTORY report DESTINATION ${data} PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY calibration/studies DESTINATION ${data}/calibration FILES_MATCHING PATTERN *.json)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES cmake/debian/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME rimpact)
+set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
+set(CPACK_PACKAGE_CONTACT "rimpact maintainers <maintainers@users.noreply.h-seed-fe5eb5a0.example>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "impacts of friction-pendulum bearings on their rim")
+set(CPACK_PACKAGE_DESCRIPTION
+"Finite-element reference curves of friction-pendulum bearings whose slider
+hits the restraining rim, impact laws calibrated to them, reduced models that
+fly them in milliseconds, sweeps, and a report.")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# What no shared library tells: the report's Python, and a BLAS that is fast.
+set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3 (>= 3.11), python3-h5py, python3-matplotlib, python3-jinja2, python3-numpy, libopenblas0-pthread")
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-pandas")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "chromium, paraview")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/cmake/debian/postinst;${PROJECT_SOURCE_DIR}/cmake/debian/prerm")
+set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
+include(CPack)
