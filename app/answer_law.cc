@@ -1,13 +1,13 @@
 #include "app/answer_law.h"
 
-#include "scene/key_list.h"
+#include "files/key_list.h"
 #include <filesystem>
 
 namespace rimpact::app {
 
 scene::Scene with_answer(const scene::Scene &scene, const std::string &folder) {
   const std::string absolute = std::filesystem::absolute(folder).lexically_normal().string();
-  return scene::parse_scene(scene::to_toml(scene), scene.name, {"reduced.calibration=" + scene::toml_quoted(absolute)});
+  return scene::parse_scene(scene::to_toml(scene), scene.name, {"reduced.calibration=" + toml_quoted(absolute)});
 }
 
 scene::Scene with_pair(scene::Scene scene, const nlohmann::json &answer) {

@@ -1,13 +1,13 @@
 #include "app/assignments.h"
-#include "scene/error.h"
-#include "scene/text.h"
+#include "files/error.h"
+#include "files/text.h"
 #include <fmt/format.h>
 
 namespace rimpact::app {
 namespace {
 
 double number_in(std::string_view text, const std::string &option, const std::string &word) {
-  if (const auto value = scene::to_number(text)) return *value;
+  if (const auto value = to_number(text)) return *value;
   throw InputError(fmt::format("{} {}: \"{}\" is not a number", option, word, text.substr(0, 40)));
 }
 
@@ -30,12 +30,11 @@ std::map<std::string, double> values_of(const std::vector<std::string> &words, c
   return values;
 }
 
-std::map<std::string, calibration::Bounds> ranges_of(const std::vector<std::string> &words,
-                                                     const std::string &option) {
+std::map<std::string, calibration::Bounds> ranges_of(const std::vector<std::string> &words, const std::string &option) {
   std::map<std::string, calibration::Bounds> ranges;
   for (const auto &word : words) {
     const auto [name, text] = assignment(word, option, "NAME=LOW:HIGH");
-    const auto ends = scene::split(text, ':');
+    const auto ends = split(text, ':');
     if (ends.size() != 2) throw InputError(fmt::format("{} {}: must be NAME=LOW:HIGH", option, word));
     ranges[name] = {number_in(ends[0], option, word), number_in(ends[1], option, word)};
   }

@@ -1,7 +1,7 @@
 /// The options of `rimpact calibrate`, from words to settings.
 #pragma once
 #include "app/verb.h"
-#include "calibration/calibration.h"
+#include "calibration/answer/calibration.h"
 
 namespace rimpact::app {
 

@@ -19,6 +19,7 @@ const std::vector<Verb> &light_verbs() {
       {"motion", add_motion},
       {"design", add_design},
       {"reduced", add_reduced},
+      {"building", add_building},
       {"run", [](CLI::App &app, Console &) { app.add_subcommand(run_name, run_help); }},
       {"mesh", [](CLI::App &app, Console &) { app.add_subcommand(mesh_name, mesh_help); }},
       {"curve", [](CLI::App &app, Console &) { app.add_subcommand(curve_name, curve_help); }},

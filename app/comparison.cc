@@ -75,24 +75,29 @@ json comparison_rows(const std::vector<Job> &jobs, const std::string &folder, co
              {"approach_speed_m_s", of_hardest_impact(fe, "approach_speed_m_s")},
              {"rebound_over_approach", of_hardest_impact(fe, "restitution")},
              {"doubts", doubts_of(fe)}};
-    for (const char *key : {"fitted", "pair", "published"}) add_column(row, key, fe, json::object()); // a column that is not there is null
-    for (const auto &column : present(columns)) add_column(row, column.key, fe, summary_of(folder + column.folder + job.name));
+    for (const char *key : {"fitted", "pair", "published"})
+      add_column(row, key, fe, json::object()); // a column that is not there is null
+    for (const auto &column : present(columns))
+      add_column(row, column.key, fe, summary_of(folder + column.folder + job.name));
     rows.push_back(row);
   }
   return rows;
 }
 
 std::string comparison_text(const json &rows, const Columns &columns) {
-  std::string text = fmt::format("{:28s} {:>9s} {:>9s} {:>7s}", "peak impact force", "FE [kN]", "in [m/s]", "out/in"), below;
-  for (const auto &column : present(columns)) text += fmt::format("   {:>19s} {:>9s} {:>9s}", column.title + " [kN]", "error", "rebound");
+  std::string text = fmt::format("{:28s} {:>9s} {:>9s} {:>7s}", "peak impact force", "FE [kN]", "in [m/s]", "out/in"),
+              below;
+  for (const auto &column : present(columns))
+    text += fmt::format("   {:>19s} {:>9s} {:>9s}", column.title + " [kN]", "error", "rebound");
   text += "\n";
   for (const auto &row : rows) {
     const std::string name = row["name"];
-    text += fmt::format("{:28s} {:>9s} {:>9s} {:>7s}", name + (row["doubts"].empty() ? "" : " !"), cell(row["fe_kN"], "{:.1f}"),
-                        cell(row["approach_speed_m_s"], "{:.3f}"), cell(row["rebound_over_approach"], "{:.3f}"));
+    text += fmt::format("{:28s} {:>9s} {:>9s} {:>7s}", name + (row["doubts"].empty() ? "" : " !"),
+                        cell(row["fe_kN"], "{:.1f}"), cell(row["approach_speed_m_s"], "{:.3f}"),
+                        cell(row["rebound_over_approach"], "{:.3f}"));
     for (const auto &column : present(columns))
-      text += fmt::format("   {:>19s} {:>9s} {:>9s}", cell(row[column.key + "_kN"], "{:.1f}"), percent(row[column.key + "_error"]),
-                          percent(row[column.key + "_rebound_error"]));
+      text += fmt::format("   {:>19s} {:>9s} {:>9s}", cell(row[column.key + "_kN"], "{:.1f}"),
+                          percent(row[column.key + "_error"]), percent(row[column.key + "_rebound_error"]));
     text += "\n";
     for (const auto &doubt : row["doubts"]) below += fmt::format("! {}: {}\n", name, doubt.get<std::string>());
   }

@@ -1,12 +1,12 @@
 #include "app/console.h"
 
 #include "app/verb.h"
+#include "files/file.h"
+#include "files/key_list.h"
+#include "files/text.h"
 #include "scene/doubts.h"
-#include "scene/files.h"
-#include "scene/key_list.h"
 #include "scene/names.h"
 #include "scene/script_permission.h"
-#include "scene/text.h"
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
@@ -49,15 +49,14 @@ std::string explain(const CLI::App &app, const CLI::ParseError &error, int argc,
     if (each->parsed()) verb = each;
   }
   if (!verb && argc > 1 && argv[1][0] != '-')
-    return fmt::format("verb {} (see rimpact --help)", scene::not_among(argv[1], verbs));
+    return fmt::format("verb {} (see rimpact --help)", not_among(argv[1], verbs));
   const std::string help = verb ? fmt::format("rimpact {} --help", verb->get_name()) : "rimpact --help";
   if (verb && dynamic_cast<const CLI::ExtrasError *>(&error)) {
     for (const auto *option : verb->get_options())
       for (const auto &name : option->get_lnames()) options.push_back("--" + name);
     for (const auto &word : verb->remaining())
-      if (const auto near = scene::nearest(word, options); near && word[0] == '-')
-        return fmt::format("{} is not an option of {}; did you mean {}? (see {})", word, verb->get_name(),
-                           *near, help);
+      if (const auto near = nearest(word, options); near && word[0] == '-')
+        return fmt::format("{} is not an option of {}; did you mean {}? (see {})", word, verb->get_name(), *near, help);
   }
   return fmt::format("{} (see {})", error.what(), help);
 }
@@ -82,15 +81,20 @@ void Console::warn(const std::string &sentence) {
 
 void Console::data(const std::string &given) const {
   const std::string text = scene::printable(given);
-  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0) throw IoError("cannot write to standard output");
+  if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size() || std::fflush(stdout) != 0)
+    throw IoError("cannot write to standard output");
 }
 
 std::vector<std::string> Console::settings() const {
   std::vector<std::string> all;
-  if (!calibration.empty()) all.push_back("reduced.calibration=" + scene::toml_quoted(std::filesystem::absolute(calibration).lexically_normal().string()));
+  if (!calibration.empty())
+    all.push_back("reduced.calibration=" +
+                  toml_quoted(std::filesystem::absolute(calibration).lexically_normal().string()));
   all.insert(all.end(), overrides.begin(), overrides.end());
-  if (rung == "reduced") throw InputError("--rung reduced: the reduced model is no finite-element rung (rim, rigid-dish, full); use rimpact reduced SCENE");
-  if (!rung.empty()) all.push_back("model.rung=" + scene::toml_quoted(rung));
+  if (rung == "reduced")
+    throw InputError("--rung reduced: the reduced model is no finite-element rung (rim, rigid-dish, full); use rimpact "
+                     "reduced SCENE");
+  if (!rung.empty()) all.push_back("model.rung=" + toml_quoted(rung));
   if (mesh >= 0) all.push_back("model.mesh=" + std::to_string(mesh));
   return all;
 }
@@ -114,8 +118,10 @@ void Console::add_overrides(CLI::App &verb) {
       ->type_name("KEY=VALUE")
       ->allow_extra_args(false);
   verb.add_flag_callback(
-      "--allow-script", [] { setenv(scene::script_permission, "1", 1); }, "let gmsh run a .geo mesh: it is a program; only from hands you trust");
-  verb.add_option("--calibration", calibration, "folder of a calibration: the rim's law and numbers are taken from it")->type_name("DIR");
+      "--allow-script", [] { setenv(scene::script_permission, "1", 1); },
+      "let gmsh run a .geo mesh: it is a program; only from hands you trust");
+  verb.add_option("--calibration", calibration, "folder of a calibration: the rim's law and numbers are taken from it")
+      ->type_name("DIR");
 }
 
 void Console::add_model(CLI::App &verb) {
@@ -160,10 +166,12 @@ std::string default_folder(const std::string &scene_name) {
 void keep_scene_file(const std::string &given, const scene::Scene &scene, const std::string &folder) {
   namespace fs = std::filesystem;
   std::error_code none;
-  const fs::path written = fs::path(folder) / "scene.toml", own = fs::is_directory(given, none) ? fs::path(given) / "scene.toml" : fs::path(given);
+  const fs::path written = fs::path(folder) / "scene.toml",
+                 own = fs::is_directory(given, none) ? fs::path(given) / "scene.toml" : fs::path(given);
   if (!fs::equivalent(written, own, none)) return;
-  if (scene::read_file(own.string()) != scene::to_toml(scene)) // a run's own folder may be run again
-    throw InputError("-o " + folder + " would replace the scene file " + own.string() + " itself; choose another folder");
+  if (read_file(own.string()) != scene::to_toml(scene)) // a run's own folder may be run again
+    throw InputError("-o " + folder + " would replace the scene file " + own.string() +
+                     " itself; choose another folder");
 }
 
 int run_command(int argc, char **argv, const std::vector<Verb> &verbs) {
@@ -188,9 +196,12 @@ int run_command(int argc, char **argv, const std::vector<Verb> &verbs) {
   } catch (const Error &error) {
     return fail(error.what(), error.code());
   } catch (const nlohmann::json::exception &error) {
-    return fail(std::string("a kept result is damaged, a value in it is missing or of another type: ") + error.what(), ExitCode::data);
+    return fail(std::string("a kept result is damaged, a value in it is missing or of another type: ") + error.what(),
+                ExitCode::data);
   } catch (const std::bad_alloc &) {
-    return fail("out of memory; by finite elements a coarser mesh (a lower model.mesh) needs less, by the reduced model fewer instants (a larger reduced.output_step_ms)", ExitCode::stopped);
+    return fail("out of memory; by finite elements a coarser mesh (a lower model.mesh) needs less, by the reduced "
+                "model fewer instants (a larger reduced.output_step_ms)",
+                ExitCode::stopped);
   } catch (const std::exception &error) {
     return fail(std::string("a bug in rimpact, please report it: ") + error.what(), ExitCode::bug);
   }

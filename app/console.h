@@ -1,6 +1,6 @@
 /// What verbs share: data to stdout, messages to stderr and to log.txt, options every verb has.
 #pragma once
-#include "scene/error.h"
+#include "files/error.h"
 #include "scene/scene.h"
 #include <atomic>
 #include <CLI/CLI.hpp>
@@ -48,7 +48,8 @@ const std::atomic<bool> &interrupted();
 void watch_interrupts();
 /// To stderr. That it cannot be written (a closed terminal) must not end a run.
 void say(const std::string &text);
-/// Closed ones become /dev/null: else the next file opened would get their number, and messages would be written into it.
+/// Closed ones become /dev/null: else the next file opened would get their number, and messages would be written into
+/// it.
 void open_standard_streams();
 /// The progress line may be rewritten: stderr is a terminal.
 bool is_terminal();

@@ -1,8 +1,8 @@
 #include "app/document_options.h"
 
-#include "scene/error.h"
-#include "scene/files.h"
-#include "scene/toml_reader.h"
+#include "files/error.h"
+#include "files/file.h"
+#include "files/toml_reader.h"
 
 namespace rimpact::app {
 namespace {
@@ -11,12 +11,12 @@ DocumentWords from_file(const std::string &path) {
   DocumentWords words;
   std::string text;
   try {
-    text = scene::read_file(path);
+    text = read_file(path);
   } catch (const DataError &error) {
     throw InputError(std::string("--document ") + error.what());
   }
-  const scene::TomlFile file(text, path);
-  scene::TomlReader reader(file, "");
+  const TomlFile file(text, path);
+  TomlReader reader(file, "");
   reader.text({"title"}, words.title);
   reader.text({"client"}, words.client);
   reader.text({"project"}, words.project);

@@ -11,7 +11,8 @@ struct DocumentWords {
   std::string file; ///< TOML with these keys; a word on the command line counts more
 };
 void add_document_options(CLI::App &verb, DocumentWords &words);
-/// {title, client, project, author}, null where nobody said. Throws InputError for an unknown key or one that is no text.
+/// {title, client, project, author}, null where nobody said. Throws InputError for an unknown key or one that is no
+/// text.
 nlohmann::json document_json(const DocumentWords &words);
 
 } // namespace rimpact::app

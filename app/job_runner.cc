@@ -1,8 +1,9 @@
 #include "app/job_runner.h"
 
 #include "app/sibling.h"
-#include "scene/kept_run.h"
-#include "scene/response.h"
+#include "files/file.h"
+#include "responses/kept_run.h"
+#include "responses/response.h"
 #include <algorithm>
 #include <csignal>
 #include <cstdlib>
@@ -35,21 +36,22 @@ std::string last_line(const std::string &path) {
 /// The physics_version() of the finite-element program: this one's own, unless another build's was asked for.
 const std::string &fe_physics() {
   static const std::string physics = [] {
-    if (!std::getenv("RIMPACT_FE_PROGRAM")) return scene::physics_version();
+    if (!std::getenv("RIMPACT_FE_PROGRAM")) return physics_version();
     const auto file = std::filesystem::temp_directory_path() / fmt::format("rimpact-version-{}.json", getpid());
     poll(start({.command = {fe_program(), "version", "--json"}, .output = file.string(), .errors = "/dev/null"}), true);
     const auto versions = nlohmann::json::parse(read_text(file.string()), nullptr, false);
     std::filesystem::remove(file);
-    return versions.is_object() ? versions.value("physics", scene::physics_version()) : scene::physics_version();
+    return versions.is_object() ? versions.value("physics", physics_version()) : physics_version();
   }();
   return physics;
 }
 
-scene::KeptRun kept_in(const Job &job) {
-  return scene::kept_run(job.folder, job.scene, job.name == "reduced" ? scene::physics_version() : fe_physics());
+KeptRun kept_in(const Job &job) {
+  return kept_run(job.folder, job.scene, job.name == "reduced" ? physics_version() : fe_physics());
 }
 
-/// "done", "interrupted", "stopped"; empty when the folder holds no run of this very scene, with the same files, by the same program.
+/// "done", "interrupted", "stopped"; empty when the folder holds no run of this very scene, with the same files, by the
+/// same program.
 std::string status_of(const Job &job) {
   const auto kept = kept_in(job);
   return kept.is_current() ? kept.status : "";
@@ -110,7 +112,7 @@ bool is_done(const Job &job) {
 }
 
 nlohmann::json summary_of(const std::string &folder) {
-  return scene::read_summary(folder);
+  return read_summary(folder);
 }
 
 std::vector<std::string> doubts_of(const nlohmann::json &summary) {
@@ -123,8 +125,7 @@ std::vector<std::string> doubts_of(const nlohmann::json &summary) {
 
 nlohmann::json fe_versions(const std::string &folder, Console &console) {
   const std::string file = folder + "/versions.json", log = folder + "/versions.log";
-  const int code =
-      poll(start({.command = {fe_program(), "version", "--json"}, .output = file, .errors = log}), true);
+  const int code = poll(start({.command = {fe_program(), "version", "--json"}, .output = file, .errors = log}), true);
   auto versions = nlohmann::json::parse(read_text(file), nullptr, false);
   const std::string said = last_line(log);
   if (code != 0 || !versions.is_object())
@@ -160,9 +161,8 @@ void JobRunner::start_next() {
     console_.message(job.name + ": already done, kept");
     return;
   }
-  scene::write_text(scene::to_toml(job.scene), scene_file);
-  Launch launch{
-      .command = {program_, "run", scene_file, "-o", job.folder, "--quiet"}, .output = log, .errors = log};
+  write_atomically(scene::to_toml(job.scene), scene_file);
+  Launch launch{.command = {program_, "run", scene_file, "-o", job.folder, "--quiet"}, .output = log, .errors = log};
   launch.apart = true;
   if (const auto why = out_of_date(job); !why.empty()) {
     console_.message(job.name + ": run again, because " + why);
@@ -200,8 +200,8 @@ void JobRunner::finish(Job &job, int code) {
   const auto summary = summary_of(job.folder);
   const auto &force = summary["peak_impact_force_N"];
   console_.message(fmt::format("{:26s} {:8.1f} kN, {} impact(s), {}", job.name,
-                               force.is_number() ? 1e-3 * force.get<double>() : 0.0,
-                               summary.value("n_impacts", 0), duration(summary.value("wall_time_s", 0.0))));
+                               force.is_number() ? 1e-3 * force.get<double>() : 0.0, summary.value("n_impacts", 0),
+                               duration(summary.value("wall_time_s", 0.0))));
   for (const auto &doubt : doubts_of(summary)) console_.warn(job.name + ": " + doubt);
 }
 
@@ -212,8 +212,8 @@ void JobRunner::show_progress() {
     time_of(*child.job).spent = std::chrono::duration<double>(Clock::now() - child.begin).count();
   }
   const std::chrono::duration<double> spent = Clock::now() - begin_;
-  line_.show(fmt::format("{} of {} runs done, {} to go, running:{}  ({})", finished_, jobs_.size(), about(time_to_go(times_, at_once_)),
-                         running, duration(spent.count())));
+  line_.show(fmt::format("{} of {} runs done, {} to go, running:{}  ({})", finished_, jobs_.size(),
+                         about(time_to_go(times_, at_once_)), running, duration(spent.count())));
 }
 
 void JobRunner::stop_all() {

@@ -14,10 +14,10 @@ public:
   /// finite-element program is missing.
   JobRunner(std::vector<Job> &jobs, Console &console, std::size_t at_once = 0);
 
-  /// One thread each where several run at once. Each run's scene and log go to DIR/logs, DIR/runs holds run folders only. Jobs done with the same scene are kept,
-  /// interrupted ones go on from their checkpoint, a failing one does not lose the others (its sentence is in
-  /// Job::failure). On Ctrl-C the children are told, write their checkpoints, and an Error of exit code 130
-  /// is thrown.
+  /// One thread each where several run at once. Each run's scene and log go to DIR/logs, DIR/runs holds run folders
+  /// only. Jobs done with the same scene are kept, interrupted ones go on from their checkpoint, a failing one does not
+  /// lose the others (its sentence is in Job::failure). On Ctrl-C the children are told, write their checkpoints, and
+  /// an Error of exit code 130 is thrown.
   void run();
 
   double expected_seconds() const { return time_to_go(times_, at_once_); } ///< of what is left

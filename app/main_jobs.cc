@@ -1,6 +1,6 @@
 #include "app/main_jobs.h"
 
-#include "scene/error.h"
+#include "files/error.h"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -55,14 +55,16 @@ MainJobs main_jobs(const MainTarget &target, const MainChoices &choices, const s
       if (k >= scales[p].pulses.size()) continue;
       const auto &[scale, speed, fitted] = scales[p].pulses[k];
       const std::string text = in_a_name(scale);
-      add(fmt::format("{}-x{}", pulses[p], text), fitted ? "fit" : "predict", for_target(pulses[p], target, "excitation.scale=" + text));
+      add(fmt::format("{}-x{}", pulses[p], text), fitted ? "fit" : "predict",
+          for_target(pulses[p], target, "excitation.scale=" + text));
     }
   auto speeds = choices.speeds;
   std::sort(speeds.rbegin(), speeds.rend());
   for (const double speed : speeds) {
     const std::string name = "window-" + in_a_name(speed);
     if (!result.jobs.empty() && result.jobs.back().name == name)
-      throw InputError(fmt::format("--speeds: {:g} m/s stands there twice, to the four decimals of a run's name", speed));
+      throw InputError(
+          fmt::format("--speeds: {:g} m/s stands there twice, to the four decimals of a run's name", speed));
     add(name, "window", for_target("impact-window", target, fmt::format("excitation.speed_m_per_s={}", speed)));
   }
   return result;

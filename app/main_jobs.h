@@ -24,9 +24,9 @@ struct MainJobs {
   std::vector<std::string> left_out; ///< pulses that cannot be run, a sentence each
 };
 
-/// Windows over speed and both Ricker pulses, at the target's load and with its settings. shfps-225 as the thesis has it keeps
-/// the thesis's scales, 1.0 (predicted), 1.05 and 1.10 (fitted), unless `pulse_speeds` are given; of any other bearing or load they are
-/// chosen by pulse_scales(). Throws InputError for a speed out of its range or given twice.
+/// Windows over speed and both Ricker pulses, at the target's load and with its settings. shfps-225 as the thesis has
+/// it keeps the thesis's scales, 1.0 (predicted), 1.05 and 1.10 (fitted), unless `pulse_speeds` are given; of any other
+/// bearing or load they are chosen by pulse_scales(). Throws InputError for a speed out of its range or given twice.
 MainJobs main_jobs(const MainTarget &target, const MainChoices &choices, const std::string &folder);
 
 } // namespace rimpact::app

@@ -3,14 +3,15 @@
 #include "app/answer_law.h"
 #include "app/comparison.h"
 #include "app/job_runner.h"
-#include "calibration/answer.h"
-#include "calibration/calibration_json.h"
-#include "fe_contact/runner/machine_times.h"
+#include "calibration/answer/answer.h"
+#include "calibration/answer/calibration_json.h"
+#include "files/file.h"
+#include "files/json_text.h"
+#include "planning/machine_times.h"
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
+#include "responses/limits.h"
 #include "scene/doubts.h"
-#include "scene/limits.h"
-#include "scene/json_text.h"
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
@@ -24,8 +25,8 @@ using nlohmann::json;
 
 void run_reduced(const scene::Scene &scene, const std::string &folder) {
   auto run = reduced::simulate(scene);
-  scene::judge(scene, run.summary);
-  scene::write_run_folder(folder, scene, run.response, run.summary);
+  judge(scene, run.summary);
+  write_run_folder(folder, scene, run.response, run.summary);
 }
 
 json critical_amplitudes(const std::vector<Job> &jobs) {
@@ -35,8 +36,7 @@ json critical_amplitudes(const std::vector<Job> &jobs) {
     json row{{"scene", job.name}, {"printed_g", job.scene.excitation.amplitude_g}};
     scene::Scene stack = job.scene;
     reduced::add_stack_terms(stack);
-    for (const auto &[key, scene] :
-         {std::pair{"reduced_g", &job.scene}, {"reduced_with_pad_and_socket_g", &stack}}) {
+    for (const auto &[key, scene] : {std::pair{"reduced_g", &job.scene}, {"reduced_with_pad_and_socket_g", &stack}}) {
       const auto scale = reduced::critical_scale(*scene);
       row[key] = scale ? json(*scale * job.scene.excitation.amplitude_g) : json();
     }
@@ -48,7 +48,7 @@ json critical_amplitudes(const std::vector<Job> &jobs) {
 json machine() {
   utsname system{};
   uname(&system);
-  return {{"processor", fe::processor_name()},
+  return {{"processor", planning::processor_name()},
           {"cores", std::thread::hardware_concurrency()},
           {"system", std::string(system.sysname) + " " + system.release}};
 }
@@ -91,19 +91,23 @@ scene::Scene with_published(scene::Scene scene) {
   return scene;
 }
 
-/// Reduced runs beside the finite-element ones: DIR/law with the answer's law, DIR/reduced with the pair, else the law, and
-/// DIR/published where that pair belongs to this bearing and mass.
+/// Reduced runs beside the finite-element ones: DIR/law with the answer's law, DIR/reduced with the pair, else the law,
+/// and DIR/published where that pair belongs to this bearing and mass.
 json reduced_runs(const std::vector<Job> &jobs, const std::string &folder, const json &answer, const Columns &columns) {
   json runs = json::array();
-  for (const char *earlier : {"/reduced", "/law", "/published"}) std::filesystem::remove_all(folder + earlier); // of another calibration
-  const auto under = [&](const std::string &column, const char *part, const std::string &name) { return column.empty() ? json() : json(part + name); };
+  for (const char *earlier : {"/reduced", "/law", "/published"})
+    std::filesystem::remove_all(folder + earlier); // of another calibration
+  const auto under = [&](const std::string &column, const char *part, const std::string &name) {
+    return column.empty() ? json() : json(part + name);
+  };
   for (const auto &job : jobs) {
     if (job.done && !columns.law.empty()) {
       const scene::Scene law = with_answer(job.scene, folder + "/calibration");
       run_reduced(law, folder + "/law/" + job.name);
       run_reduced(columns.pair.empty() ? law : with_pair(job.scene, answer), folder + "/reduced/" + job.name);
     }
-    if (job.done && !columns.published.empty()) run_reduced(with_published(job.scene), folder + "/published/" + job.name);
+    if (job.done && !columns.published.empty())
+      run_reduced(with_published(job.scene), folder + "/published/" + job.name);
     runs.push_back({{"name", job.name},
                     {"role", job.role},
                     {"fe", "runs/" + job.name},
@@ -122,7 +126,8 @@ json column_titles(const Columns &columns) {
 
 } // namespace
 
-MainResults make_results(const MainTarget &target, const std::vector<Job> &jobs, const MainContext &context, Console &console) {
+MainResults make_results(const MainTarget &target, const std::vector<Job> &jobs, const MainContext &context,
+                         Console &console) {
   const std::string &folder = context.folder;
   Selection selection = select(jobs);
   selection.options.laws = context.laws;
@@ -146,19 +151,19 @@ MainResults make_results(const MainTarget &target, const std::vector<Job> &jobs,
     results.failure = std::current_exception();
     console.warn(std::string("calibration: ") + error.what());
   }
-  if (!fitted)
-    std::filesystem::remove_all(folder + "/calibration"); // an earlier one would belong to other runs
+  if (!fitted) std::filesystem::remove_all(folder + "/calibration"); // an earlier one would belong to other runs
   const std::string law = fitted ? with_answer(target.scene, folder + "/calibration").reduced.impact_law : "";
   const Columns columns = columns_of(target, answer, law);
   const json runs = reduced_runs(jobs, folder, answer, columns), rows = comparison_rows(jobs, folder, columns);
-  results.text = target.head() + (fitted && fitted->answer ? calibration::describe(*fitted->answer) : "") + comparison_text(rows, columns);
+  results.text = target.head() + (fitted && fitted->answer ? calibration::describe(*fitted->answer) : "") +
+                 comparison_text(rows, columns);
   json warnings = context.warnings;
   for (const auto &warning : selection.warnings) warnings.push_back(warning);
   for (const auto &row : rows)
-    for (const auto &doubt : row["doubts"]) warnings.push_back(row["name"].get<std::string>() + ": " + doubt.get<std::string>());
+    for (const auto &doubt : row["doubts"])
+      warnings.push_back(row["name"].get<std::string>() + ": " + doubt.get<std::string>());
   long memory = 0;
-  for (const auto &job : jobs)
-    memory = std::max(memory, summary_of(job.folder).value("peak_memory_bytes", 0L));
+  for (const auto &job : jobs) memory = std::max(memory, summary_of(job.folder).value("peak_memory_bytes", 0L));
   results.main = {{"bearing", target.bearing_json()},
                   {"load", target.load_json()},
                   {"document", context.document},
@@ -172,7 +177,7 @@ MainResults make_results(const MainTarget &target, const std::vector<Job> &jobs,
                   {"warnings", warnings}};
   if (fitted) results.main["parameters"] = calibration::to_json(*fitted)["parameters"];
   if (answer.is_object()) results.main["answer"] = answer;
-  scene::write_text(scene::json_text(results.main), folder + "/main.json");
+  write_atomically(json_text(results.main), folder + "/main.json");
   return results;
 }
 

@@ -25,6 +25,7 @@ struct MainContext {
 /// Writes DIR/calibration, DIR/law, DIR/reduced, DIR/published and DIR/main.json. Runs that touch the rim nowhere are
 /// not fitted, which is said; with no history to fit, the windows are. Throws SolverStopped when no run ended
 /// well.
-MainResults make_results(const MainTarget &target, const std::vector<Job> &jobs, const MainContext &context, Console &console);
+MainResults make_results(const MainTarget &target, const std::vector<Job> &jobs, const MainContext &context,
+                         Console &console);
 
 } // namespace rimpact::app

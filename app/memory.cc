@@ -24,7 +24,8 @@ std::optional<double> available_memory() {
 std::string doubt_of_memory(double expected_bytes) {
   const auto available = available_memory();
   if (!available || expected_bytes <= *available) return {};
-  return fmt::format("the run is expected to need {:.1f} GB of memory and there are {:.1f} GB: it may be ended for want of it; a coarser mesh (a lower --mesh) needs less",
+  return fmt::format("the run is expected to need {:.1f} GB of memory and there are {:.1f} GB: it may be ended for "
+                     "want of it; a coarser mesh (a lower --mesh) needs less",
                      1e-9 * expected_bytes, 1e-9 * *available);
 }
 

@@ -2,8 +2,8 @@
 /// finite-element one, which reads the mesh.
 #pragma once
 #include "app/console.h"
-#include "fe_contact/runner/plan.h"
 #include "meshes/hex_mesh.h"
+#include "planning/plan.h"
 #include <nlohmann/json.hpp>
 
 namespace rimpact::app {
@@ -15,6 +15,6 @@ struct MeshCheck {
 /// Keys of a mesh's quality; defined in the finite-element program alone.
 nlohmann::json quality_table(const std::string &file, const meshes::MeshQuality &quality);
 /// Throws DataError for a mesh that does not fit bearing or rung.
-MeshCheck check_own_mesh(const scene::Scene &scene, const fe::Plan &plan, const Console &console);
+MeshCheck check_own_mesh(const scene::Scene &scene, const planning::Plan &plan, const Console &console);
 
 } // namespace rimpact::app

@@ -3,6 +3,8 @@
 
 namespace rimpact::app {
 
-MeshCheck check_own_mesh(const scene::Scene &, const fe::Plan &, const Console &console) { become_fe(console.argc, console.argv); }
+MeshCheck check_own_mesh(const scene::Scene &, const planning::Plan &, const Console &console) {
+  become_fe(console.argc, console.argv);
+}
 
 } // namespace rimpact::app

@@ -7,8 +7,8 @@ namespace rimpact::app {
 class ProgressInWords {
 public:
   explicit ProgressInWords(scene::ExcitationKind kind) : kind_(kind) {}
-  /// Remembers the gap: the rim is pressed while it closes and springs back while it opens. A window ends at its release, so
-  /// that its time is not shown against the scene's end.
+  /// Remembers the gap: the rim is pressed while it closes and springs back while it opens. A window ends at its
+  /// release, so that its time is not shown against the scene's end.
   std::string of(const fe::Progress &progress);
 
 private:

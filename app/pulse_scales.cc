@@ -25,7 +25,9 @@ Scouted scout(scene::Scene &scene, double scale) {
   return result;
 }
 
-double rounded(double scale) { return std::ceil(1e4 * scale) / 1e4; } // up: never back below first touch
+double rounded(double scale) {
+  return std::ceil(1e4 * scale) / 1e4;
+} // up: never back below first touch
 
 /// The scale at which the fastest approach reaches `speed`, or why there is none.
 std::optional<double> scale_for(scene::Scene &scene, double first_touch, double speed, std::string &why) {
@@ -58,20 +60,24 @@ PulseScales pulse_scales(scene::Scene pulse, const SpeedRange &range) {
   if (pulse.model.rung != "rim") reduced::add_stack_terms(pulse);
   result.first_touch = reduced::critical_scale(pulse, smallest_scale, largest_scale);
   if (!result.first_touch) {
-    result.left_out.push_back(fmt::format("{} is left out: no scale up to {:g} takes the slider to the rim", pulse.name, largest_scale));
+    result.left_out.push_back(
+        fmt::format("{} is left out: no scale up to {:g} takes the slider to the rim", pulse.name, largest_scale));
     return result;
   }
   const double middle = (range.low + range.high) / 2;
-  const std::pair<double, bool> wished[] = {{range.high, true}, {middle, true}, {std::min(2 * range.low, (range.low + middle) / 2), false}};
+  const std::pair<double, bool> wished[] = {
+      {range.high, true}, {middle, true}, {std::min(2 * range.low, (range.low + middle) / 2), false}};
   for (const auto &[speed, fitted] : wished) {
     std::string why;
     const auto scale = scale_for(pulse, *result.first_touch, speed, why);
     if (!scale) {
-      result.left_out.push_back(fmt::format("{} to {} at {:g} m/s is left out: {}", pulse.name, fitted ? "fit" : "predict", speed, why));
+      result.left_out.push_back(
+          fmt::format("{} to {} at {:g} m/s is left out: {}", pulse.name, fitted ? "fit" : "predict", speed, why));
       continue;
     }
     const double used = rounded(*scale);
-    const bool known = std::any_of(result.pulses.begin(), result.pulses.end(), [&](const auto &each) { return each.scale == used; });
+    const bool known =
+        std::any_of(result.pulses.begin(), result.pulses.end(), [&](const auto &each) { return each.scale == used; });
     if (!known) result.pulses.push_back({used, scout(pulse, used).speed, fitted});
   }
   return result;

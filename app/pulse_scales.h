@@ -24,9 +24,9 @@ struct PulseScales {
   std::vector<std::string> left_out = {}; ///< a sentence for each that no scale up to 3 reaches
 };
 
-/// Three scales: one to predict at twice the range's low end, two to fit at its middle and its high end. Rung rim flies by this very
-/// model, so that its first touch is exact; the stacked rungs are scouted with the pad's and the socket's terms. A
-/// speed that needs a scale beyond 3, or at which the slider leaves the dish, is left out with a sentence.
+/// Three scales: one to predict at twice the range's low end, two to fit at its middle and its high end. Rung rim flies
+/// by this very model, so that its first touch is exact; the stacked rungs are scouted with the pad's and the socket's
+/// terms. A speed that needs a scale beyond 3, or at which the slider leaves the dish, is left out with a sentence.
 PulseScales pulse_scales(scene::Scene pulse, const SpeedRange &range);
 
 /// At least two decimals, and as many as a value of at most four needs: "1.05", "1.1564".

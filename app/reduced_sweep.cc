@@ -1,11 +1,11 @@
 #include "app/reduced_sweep.h"
 #include "app/progress.h"
 #include "app/shard.h"
+#include "files/json_text.h"
+#include "files/text.h"
 #include "fleets/fleet.h"
 #include "scene/case_description.h"
 #include "scene/doubts.h"
-#include "scene/text.h"
-#include "scene/json_text.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
@@ -19,8 +19,7 @@ bool is_grid_argument(const std::string &text) {
 }
 
 fleets::Sweep sweep_of(const std::vector<std::string> &arguments) {
-  if (std::all_of(arguments.begin(), arguments.end(), is_grid_argument))
-    return fleets::grid_of_arguments(arguments);
+  if (std::all_of(arguments.begin(), arguments.end(), is_grid_argument)) return fleets::grid_of_arguments(arguments);
   if (arguments.size() == 1) return fleets::read_sweep(arguments.front());
   throw InputError("--sweep is given more than once; then each must be KEY=a:b:n (a file holds them all)");
 }
@@ -38,8 +37,7 @@ void reduced_sweep(const SweepOptions &options, Console &console) {
   const fleets::Sweep sweep = sweep_of(options.sweep);
   for (const auto &sentence : sweep.left_out) console.message(sentence);
   ProgressLine line(console.quiet);
-  fleets::FleetOptions fleet{.folder =
-                                 options.folder.empty() ? default_fleet_folder(options) : options.folder,
+  fleets::FleetOptions fleet{.folder = options.folder.empty() ? default_fleet_folder(options) : options.folder,
                              .shard = shard,
                              .n_shards = n_shards,
                              .n_threads = options.n_threads,
@@ -59,14 +57,16 @@ void reduced_sweep(const SweepOptions &options, Console &console) {
   const auto result = fleets::run_fleet(options.scene, console.settings(), sweep, fleet);
   line.finish();
   if (result.beyond_rim > 0)
-    console.warn(fmt::format("{} of {} runs went deeper into the rim than it is thick: such a rim has failed (column beyond_rim)", result.beyond_rim, result.total));
+    console.warn(fmt::format(
+        "{} of {} runs went deeper into the rim than it is thick: such a rim has failed (column beyond_rim)",
+        result.beyond_rim, result.total));
   if (result.beyond_fit > 0)
-    console.warn(fmt::format("{} of {} runs met the rim at speeds its element was not fitted to (column beyond_fit)", result.beyond_fit, result.total));
+    console.warn(fmt::format("{} of {} runs met the rim at speeds its element was not fitted to (column beyond_fit)",
+                             result.beyond_fit, result.total));
   if (result.done < result.total)
-    console.warn(
-        fmt::format("{} of {} runs did not end well: {} stopped, {} refused, {} failed; the columns status "
-                    "and reason say why",
-                    result.total - result.done, result.total, result.stopped, result.refused, result.failed));
+    console.warn(fmt::format("{} of {} runs did not end well: {} stopped, {} refused, {} failed; the columns status "
+                             "and reason say why",
+                             result.total - result.done, result.total, result.stopped, result.refused, result.failed));
   if (console.json) {
     const nlohmann::ordered_json json = {{"table", result.table + ".csv"},
                                          {"n_runs", result.total},
@@ -78,13 +78,12 @@ void reduced_sweep(const SweepOptions &options, Console &console) {
                                          {"beyond_rim", result.beyond_rim},
                                          {"beyond_fit", result.beyond_fit},
                                          {"wall_time_s", result.seconds}};
-    return console.data(scene::json_text(json));
+    return console.data(json_text(json));
   }
-  console.data(
-      fmt::format("{} runs ({} of them kept from before) in {}: {} done, {} stopped, {} refused, {} failed; "
-                  "{}.csv and .h5\n",
-                  result.total, result.kept, duration(result.seconds), result.done, result.stopped,
-                  result.refused, result.failed, result.table));
+  console.data(fmt::format("{} runs ({} of them kept from before) in {}: {} done, {} stopped, {} refused, {} failed; "
+                           "{}.csv and .h5\n",
+                           result.total, result.kept, duration(result.seconds), result.done, result.stopped,
+                           result.refused, result.failed, result.table));
 }
 
 } // namespace rimpact::app

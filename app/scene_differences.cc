@@ -1,7 +1,7 @@
 #include "app/scene_differences.h"
 
 #include "app/toml_values.h"
-#include "scene/text.h"
+#include "files/text.h"
 #include <algorithm>
 #include <set>
 
@@ -9,7 +9,8 @@ namespace rimpact::app {
 namespace {
 
 bool is_a_name(const std::string &key) {
-  return key == "name" || key == "bearing.name" || key.find("assum") != std::string::npos || key == "bearing.material.steel.strain_limit";
+  return key == "name" || key == "bearing.name" || key.find("assum") != std::string::npos ||
+         key == "bearing.material.steel.strain_limit";
 }
 
 bool of_the_model(const std::string &key) {
@@ -19,14 +20,14 @@ bool of_the_model(const std::string &key) {
 /// Numbers by value: 1 and 1.0 are the same.
 bool same(const std::string &a, const std::string &b) {
   if (a == b) return true;
-  const auto x = scene::to_number(a), y = scene::to_number(b);
+  const auto x = to_number(a), y = to_number(b);
   return x && y && *x == *y;
 }
 
 } // namespace
 
 std::vector<Difference> differences(const std::string &scene_a, const std::string &scene_b) {
-  const auto a = flattened(scene::TomlFile(scene_a, "A")), b = flattened(scene::TomlFile(scene_b, "B"));
+  const auto a = flattened(TomlFile(scene_a, "A")), b = flattened(TomlFile(scene_b, "B"));
   std::set<std::string> keys;
   for (const auto *values : {&a, &b})
     for (const auto &[key, value] : *values) keys.insert(key);
@@ -45,7 +46,8 @@ std::vector<Difference> differences(const std::string &scene_a, const std::strin
 
 nlohmann::json to_json(const std::vector<Difference> &differences) {
   nlohmann::json list = nlohmann::json::array();
-  for (const auto &[key, a, b, comparable] : differences) list.push_back({{"key", key}, {"a", a}, {"b", b}, {"comparable", comparable}});
+  for (const auto &[key, a, b, comparable] : differences)
+    list.push_back({{"key", key}, {"a", a}, {"b", b}, {"comparable", comparable}});
   return list;
 }
 

@@ -1,7 +1,7 @@
 #include "app/sibling.h"
 
-#include "scene/data_folder.h"
-#include "scene/error.h"
+#include "files/data_folder.h"
+#include "files/error.h"
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
@@ -32,14 +32,13 @@ void redirect(const std::string &path, int descriptor) {
 
 std::string sibling(const std::string &name) {
   if (const char *other = std::getenv("RIMPACT_FE_PROGRAM"); other && name == "rimpact-fe") return other;
-  return (std::filesystem::path(scene::program_folder()) / name).string();
+  return (std::filesystem::path(program_folder()) / name).string();
 }
 
 std::string fe_program() {
   std::string program = sibling("rimpact-fe");
   if (access(program.c_str(), X_OK) != 0)
-    throw InputError("this build has no finite-element side (" + program +
-                     " is missing); build with RIMPACT_FE=ON");
+    throw InputError("this build has no finite-element side (" + program + " is missing); build with RIMPACT_FE=ON");
   return program;
 }
 
@@ -84,7 +83,7 @@ int poll(pid_t process, bool wait) {
 }
 
 int python(const std::vector<std::string> &arguments) {
-  const std::string data = scene::data_folder();
+  const std::string data = data_folder();
   if (!std::filesystem::is_directory(std::filesystem::path(data) / "report"))
     throw IoError(data + ": the report's Python is not there; install the programs with their data (cmake --install)");
   // Isolated (-I): neither the working folder nor the environment brings modules of its own.

@@ -1,6 +1,6 @@
 #include "app/time_to_go.h"
 
-#include "fe_contact/runner/plan.h"
+#include "planning/plan.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -9,7 +9,7 @@ namespace rimpact::app {
 
 std::vector<RunTime> expected_times(const std::vector<Job> &jobs) {
   std::vector<RunTime> times;
-  for (const auto &job : jobs) times.push_back({.expected = fe::make_plan(job.scene).expected_seconds});
+  for (const auto &job : jobs) times.push_back({.expected = planning::make_plan(job.scene).expected_seconds});
   return times;
 }
 
@@ -21,16 +21,20 @@ double time_to_go(const std::vector<RunTime> &runs, std::size_t at_once) {
   std::vector<double> slots(std::max<std::size_t>(1, at_once), 0.0);
   const auto add = [&](double seconds) { *std::min_element(slots.begin(), slots.end()) += seconds; };
   for (const auto &run : runs)
-    if (run.state == RunTime::State::running) add(std::max(0.1 * factor * run.expected, factor * run.expected - run.spent));
+    if (run.state == RunTime::State::running)
+      add(std::max(0.1 * factor * run.expected, factor * run.expected - run.spent));
   for (const auto &run : runs)
     if (run.state == RunTime::State::waiting) add(factor * run.expected);
   return *std::max_element(slots.begin(), slots.end());
 }
 
 std::string about(double seconds) {
-  if (seconds < 95) return fmt::format("about {:.0f} s", seconds < 10 ? std::max(1.0, std::round(seconds)) : 5 * std::round(seconds / 5));
+  if (seconds < 95)
+    return fmt::format("about {:.0f} s",
+                       seconds < 10 ? std::max(1.0, std::round(seconds)) : 5 * std::round(seconds / 5));
   const long minutes = std::lround(seconds / 60);
-  return minutes < 100 ? fmt::format("about {} min", minutes) : fmt::format("about {} h {} min", minutes / 60, minutes % 60);
+  return minutes < 100 ? fmt::format("about {} min", minutes)
+                       : fmt::format("about {} h {} min", minutes / 60, minutes % 60);
 }
 
 } // namespace rimpact::app

@@ -30,7 +30,7 @@ std::string as_written(const toml::node &node) {
   return "[" + text + "]";
 }
 
-std::map<std::string, std::string> flattened(const scene::TomlFile &file) {
+std::map<std::string, std::string> flattened(const TomlFile &file) {
   std::map<std::string, std::string> values;
   flatten(file.root(), "", values);
   return values;

@@ -1,8 +1,8 @@
 // rimpact calibrate RUN...: k_i, e and others fitted to stored responses.
 #include "app/calibrate_options.h"
-#include "calibration/calibration_json.h"
-#include "scene/folder_lock.h"
-#include "scene/json_text.h"
+#include "calibration/answer/calibration_json.h"
+#include "files/folder_lock.h"
+#include "files/json_text.h"
 #include <chrono>
 #include <fmt/format.h>
 
@@ -25,16 +25,17 @@ void add_calibrate(CLI::App &app, Console &console) {
   console.add_common(*verb);
   console.add_json(*verb);
   verb->callback([options, &console] {
-    const scene::FolderLock lock(options->folder);
+    const FolderLock lock(options->folder);
     const auto settings = calibrate_settings(options->words);
     const auto start = std::chrono::steady_clock::now();
     const auto calibration = calibration::calibrate(options->runs, settings);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (seconds > worth_telling && !settings.laws.empty())
-      console.message(fmt::format("fits of {} laws and of each without one run at a time: {:.0f} s; --laws none does without", settings.laws.size(), seconds));
+      console.message(
+          fmt::format("fits of {} laws and of each without one run at a time: {:.0f} s; --laws none does without",
+                      settings.laws.size(), seconds));
     calibration::write_calibration(calibration, options->folder);
-    console.data(console.json ? scene::json_text(calibration::to_json(calibration))
-                              : calibration::describe(calibration));
+    console.data(console.json ? json_text(calibration::to_json(calibration)) : calibration::describe(calibration));
     console.message(options->folder + "/calibration.json");
     calibration::check_gate(calibration);
   });

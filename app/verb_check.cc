@@ -1,11 +1,11 @@
 // rimpact check SCENE: geometry, scout and plan; solves nothing.
 #include "app/mesh_check.h"
 #include "app/verb.h"
-#include "fe_contact/runner/plan.h"
+#include "files/error.h"
+#include "files/json_text.h"
+#include "planning/plan.h"
 #include "scene/case_description.h"
 #include "scene/doubts.h"
-#include "scene/error.h"
-#include "scene/json_text.h"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -13,14 +13,16 @@ namespace rimpact::app {
 namespace {
 
 /// Doubts that need the scout: the element, where the rim is touched, and speeds that no bearing reaches.
-void warn_of_impacts(const scene::Scene &scene, const fe::Plan &plan, Console &console) {
+void warn_of_impacts(const scene::Scene &scene, const planning::Plan &plan, Console &console) {
   if (!plan.rim_takes_part) return;
   for (const auto &doubt : scene::doubts_of_element(scene)) console.warn(doubt);
   constexpr double fastest = 10; // [m/s]
   const auto faster = [](const auto &a, const auto &b) { return a.approach_speed < b.approach_speed; };
   const auto worst = std::max_element(plan.impacts.begin(), plan.impacts.end(), faster);
-  if (worst != plan.impacts.end() && worst->approach_speed > fastest && scene.excitation.kind != scene::ExcitationKind::window)
-    console.warn(fmt::format("the scout sees the rim met at {:.3g} m/s: no bearing meets its rim faster than {:g} m/s; is the motion's unit right (amplitude_g is "
+  if (worst != plan.impacts.end() && worst->approach_speed > fastest &&
+      scene.excitation.kind != scene::ExcitationKind::window)
+    console.warn(fmt::format("the scout sees the rim met at {:.3g} m/s: no bearing meets its rim faster than {:g} m/s; "
+                             "is the motion's unit right (amplitude_g is "
                              "in g, not in m/s2)?",
                              worst->approach_speed, fastest));
 }
@@ -44,9 +46,9 @@ void add_check(CLI::App &app, Console &console) {
   console.add_model(*verb);
   verb->callback([where, &console] {
     const scene::Scene scene = console.load(*where);
-    if (const auto reason = fe::beyond_rungs(scene)) throw InputError(*reason);
-    const fe::Plan plan = fe::make_plan(scene);
-    const auto refusal = fe::refusal(scene);
+    if (const auto reason = planning::beyond_rungs(scene)) throw InputError(*reason);
+    const planning::Plan plan = planning::make_plan(scene);
+    const auto refusal = planning::refusal(scene);
     MeshCheck own;
     if (scene.model.own_mesh.any() && !refusal) own = check_own_mesh(scene, plan, console);
     warn_of_impacts(scene, plan, console); // here, as the light program hands own meshes over and is run again
@@ -55,7 +57,7 @@ void add_check(CLI::App &app, Console &console) {
     };
     const auto assumed = scene::assumptions(scene.bearing);
     if (console.json) {
-      nlohmann::json table = fe::to_json(plan);
+      nlohmann::json table = planning::to_json(plan);
       table["scene"] = scene.name;
       table["bearing"] = scene.bearing.name;
       table["lateral_capacity_m"] = scene.bearing.lateral_capacity();
@@ -66,12 +68,12 @@ void add_check(CLI::App &app, Console &console) {
       table["warnings"] = console.warnings();
       if (!own.table.is_null()) table["own_mesh"] = own.table;
       table["refusal"] = refusal ? nlohmann::json(*refusal) : nlohmann::json(nullptr);
-      console.data(scene::json_text(table));
+      console.data(json_text(table));
       return judge();
     }
-    std::string text = fmt::format("{}: lift at L_c {:.2f} mm; geometry can be built and nothing collides\n", scene.name,
-                                   1e3 * scene::lift(scene.bearing, scene.bearing.lateral_capacity()));
-    text += scene::describe_case(scene) + own.sentence + fe::describe(plan);
+    std::string text = fmt::format("{}: lift at L_c {:.2f} mm; geometry can be built and nothing collides\n",
+                                   scene.name, 1e3 * scene::lift(scene.bearing, scene.bearing.lateral_capacity()));
+    text += scene::describe_case(scene) + own.sentence + planning::describe(plan);
     console.data(text + sentence_of(assumed));
     judge();
   });

@@ -1,11 +1,11 @@
 // rimpact compare A B [...]: what differs between scenes, then metrics between their responses.
 #include "app/scene_differences.h"
 #include "app/verb.h"
-#include "calibration/measured_run.h"
-#include "calibration/metrics.h"
-#include "scene/error.h"
-#include "scene/files.h"
-#include "scene/json_text.h"
+#include "calibration/data/measured_run.h"
+#include "calibration/data/metrics.h"
+#include "files/error.h"
+#include "files/file.h"
+#include "files/json_text.h"
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -20,16 +20,19 @@ using nlohmann::json;
 /// What is compared: a response, and the scene it is of where that is known.
 struct Item {
   std::string path, scene; ///< the scene's text, resolved; empty: not known
-  scene::Response response;
+  Response response;
 };
 
 /// Signals every comparison reads, and the CSV columns that hold them.
 void require_signals(const Item &item) {
-  constexpr std::array needed{std::pair{"displacement_x", "ux_m"}, std::pair{"displacement_y", "uy_m"}, std::pair{"force_x", "Fx_N"},
-                              std::pair{"force_y", "Fy_N"},        std::pair{"impact_x", "Ix_N"},       std::pair{"impact_y", "Iy_N"}};
+  constexpr std::array needed{std::pair{"displacement_x", "ux_m"}, std::pair{"displacement_y", "uy_m"},
+                              std::pair{"force_x", "Fx_N"},        std::pair{"force_y", "Fy_N"},
+                              std::pair{"impact_x", "Ix_N"},       std::pair{"impact_y", "Iy_N"}};
   for (const auto &[signal, column] : needed)
     if (!item.response.has(signal))
-      throw DataError(fmt::format("{}: no signal {} (CSV column {}); compare needs time_s, ux_m, uy_m, Fx_N, Fy_N, Ix_N and Iy_N", item.path, signal, column));
+      throw DataError(
+          fmt::format("{}: no signal {} (CSV column {}); compare needs time_s, ux_m, uy_m, Fx_N, Fy_N, Ix_N and Iy_N",
+                      item.path, signal, column));
 }
 
 /// With every default written out, so that a scene of an older version differs in what was changed only.
@@ -49,11 +52,11 @@ Item read_item(const std::string &path) {
     item.scene = scene::to_toml(run.scene);
     item.response = std::move(run.response);
   } else {
-    item.response = scene::read_response(path);
+    item.response = read_response(path);
     const fs::path beside = fs::path(path) / "scene.toml";
     std::error_code ignored;
     if (fs::exists(beside, ignored))
-      item.scene = scene::read_file(beside.string());
+      item.scene = read_file(beside.string());
     else if (const auto kept = item.response.meta.find("scene"); kept != item.response.meta.end())
       item.scene = kept->second;
     if (!item.scene.empty()) item.scene = resolved(item.scene, path);
@@ -88,9 +91,12 @@ constexpr std::array rows{
     Row{"peak displacement", "horizontal", &calibration::Comparison::peak_displacement_error, 100, "%"},
     Row{"rebound speed", "of the hardest impact", &calibration::Comparison::rebound_error, 100, "%"},
     Row{"first touch", "later than A's", &calibration::Comparison::touch_time_difference, 1e3, "ms"},
-    Row{"displacement, rms", "difference over L_c, from first touch to 0.5 s after release", &calibration::Comparison::nrmse_displacement, 100, "% of L_c"},
-    Row{"impact force, rms", "difference over A's peak, the same span", &calibration::Comparison::nrmse_force, 100, "% of peak"},
-    Row{"lateral force, rms", "difference over A's peak, the same span", &calibration::Comparison::nrmse_lateral_force, 100, "% of peak"},
+    Row{"displacement, rms", "difference over L_c, from first touch to 0.5 s after release",
+        &calibration::Comparison::nrmse_displacement, 100, "% of L_c"},
+    Row{"impact force, rms", "difference over A's peak, the same span", &calibration::Comparison::nrmse_force, 100,
+        "% of peak"},
+    Row{"lateral force, rms", "difference over A's peak, the same span", &calibration::Comparison::nrmse_lateral_force,
+        100, "% of peak"},
 };
 
 std::string text_of(const std::string &reference, const std::vector<Compared> &all) {
@@ -98,10 +104,12 @@ std::string text_of(const std::string &reference, const std::vector<Compared> &a
   for (std::size_t k = 0; k < all.size(); ++k) {
     const char name = static_cast<char>('B' + std::min<std::size_t>(k, 24));
     text += fmt::format("{}: {}\n", name, all[k].path);
-    for (const auto &d : all[k].differences) text += fmt::format("   {:34s} A {:<22s} {} {}{}\n", d.key, d.a, name, d.b, d.comparable ? "" : "   !");
+    for (const auto &d : all[k].differences)
+      text += fmt::format("   {:34s} A {:<22s} {} {}{}\n", d.key, d.a, name, d.b, d.comparable ? "" : "   !");
   }
   text += fmt::format("{:20s}", "");
-  for (std::size_t k = 0; k < all.size(); ++k) text += fmt::format(" {:>20s}", fmt::format("{} against A", static_cast<char>('B' + std::min<std::size_t>(k, 24))));
+  for (std::size_t k = 0; k < all.size(); ++k)
+    text += fmt::format(" {:>20s}", fmt::format("{} against A", static_cast<char>('B' + std::min<std::size_t>(k, 24))));
   text += "\n";
   for (const auto &row : rows) {
     text += fmt::format("{:20s}", row.title);
@@ -124,8 +132,8 @@ void refuse_others(const std::string &reference, const Compared &each) {
     if (++more <= most) keys += fmt::format("{}{} ({} against {})", keys.empty() ? "" : ", ", d.key, d.a, d.b);
   }
   if (more == 0) return;
-  throw InputError(fmt::format("{} and {} are runs of different things: {}{}; --anyway compares them", reference, each.path, keys,
-                               more > 6 ? fmt::format(" and {} more", more - 6) : ""));
+  throw InputError(fmt::format("{} and {} are runs of different things: {}{}; --anyway compares them", reference,
+                               each.path, keys, more > 6 ? fmt::format(" and {} more", more - 6) : ""));
 }
 
 struct Options {
@@ -147,8 +155,8 @@ void run_compare(const Options &options, Console &console) {
   for (std::size_t k = 1; k < items.size(); ++k) {
     Compared each{.path = items[k].path, .differences = {}, .metrics = {}};
     if (reference.scene.empty() || items[k].scene.empty())
-      console.message(fmt::format("{} holds no scene: nothing says that {} and {} are of one bearing, load and motion", reference.scene.empty() ? reference.path : each.path,
-                                  reference.path, each.path));
+      console.message(fmt::format("{} holds no scene: nothing says that {} and {} are of one bearing, load and motion",
+                                  reference.scene.empty() ? reference.path : each.path, reference.path, each.path));
     else
       each.differences = differences(reference.scene, items[k].scene);
     if (!options.anyway) refuse_others(reference.path, each);
@@ -165,7 +173,7 @@ void run_compare(const Options &options, Console &console) {
       candidate["differences"] = to_json(each.differences);
       table["candidates"].push_back(candidate);
     }
-    return console.data(scene::json_text(table));
+    return console.data(json_text(table));
   }
   console.data(text_of(reference.path, all));
   for (const auto &each : all)
@@ -175,9 +183,12 @@ void run_compare(const Options &options, Console &console) {
 } // namespace
 
 void add_compare(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("compare", "metrics between responses; what differs between their scenes comes first");
+  auto *verb =
+      app.add_subcommand("compare", "metrics between responses; what differs between their scenes comes first");
   auto options = std::make_shared<Options>();
-  verb->add_option("RUN", options->paths, "the reference, then what is compared with it: run folders, .h5, .csv or mapping files")->required();
+  verb->add_option("RUN", options->paths,
+                   "the reference, then what is compared with it: run folders, .h5, .csv or mapping files")
+      ->required();
   verb->add_option("--capacity-mm", options->capacity_mm, "L_c, where no scene is known");
   verb->add_flag("--anyway", options->anyway, "compare runs of different bearings, loads or excitations");
   console.add_common(*verb);

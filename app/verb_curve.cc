@@ -2,7 +2,8 @@
 #include "app/progress.h"
 #include "app/verb.h"
 #include "fe_contact/runner/rim_curve_push.h"
-#include "scene/json_text.h"
+#include "files/file.h"
+#include "files/json_text.h"
 #include "scene/scene.h"
 #include <chrono>
 #include <cmath>
@@ -19,7 +20,9 @@ struct Options {
 
 nlohmann::json answer_of(const Options &options, const reduced::RimCurveFile &file, double seconds) {
   const reduced::RimCurve dish(file.dish), held(file.held);
-  const auto speed = [&](const reduced::RimCurve &curve) { return std::sqrt(2 * curve.work(curve.range()) / options.order.mass); };
+  const auto speed = [&](const reduced::RimCurve &curve) {
+    return std::sqrt(2 * curve.work(curve.range()) / options.order.mass);
+  };
   return {{"file", options.folder + "/curve.h5"},
           {"bearing", file.bearing},
           {"rim_identity", file.rim_identity},
@@ -34,13 +37,16 @@ nlohmann::json answer_of(const Options &options, const reduced::RimCurveFile &fi
 
 std::string describe(const nlohmann::json &answer) {
   const auto &deepest = answer["deepest_m"], &fastest = answer["fastest_m_s"], &error = answer["error"];
-  return fmt::format("{}: {}, pressed to {:.2f} mm along the dish and {:.2f} mm held: {:g} kg at up to {:.3f} and {:.3f} m/s\n"
-                     "error: mesh {:.2f} % of the force (from the next coarser mesh), unloading between the pushed depths {:.2f} % of the rebound; {}\n"
-                     "fly it: --set reduced.impact_law=curve --set reduced.impact_curve={}\n",
-                     answer["bearing"].get<std::string>(), answer["mesh"].get<std::string>(), 1e3 * deepest["dish"].get<double>(),
-                     1e3 * deepest["held"].get<double>(), answer["mass_kg"].get<double>(), fastest["dish"].get<double>(), fastest["held"].get<double>(),
-                     1e2 * error["mesh_force"].get<double>(), 1e2 * error["left_out_rebound"].get<double>(),
-                     duration(answer["wall_time_s"].get<double>()), answer["file"].get<std::string>());
+  return fmt::format(
+      "{}: {}, pressed to {:.2f} mm along the dish and {:.2f} mm held: {:g} kg at up to {:.3f} and {:.3f} m/s\n"
+      "error: mesh {:.2f} % of the force (from the next coarser mesh), unloading between the pushed depths {:.2f} % of "
+      "the rebound; {}\n"
+      "fly it: --set reduced.impact_law=curve --set reduced.impact_curve={}\n",
+      answer["bearing"].get<std::string>(), answer["mesh"].get<std::string>(), 1e3 * deepest["dish"].get<double>(),
+      1e3 * deepest["held"].get<double>(), answer["mass_kg"].get<double>(), fastest["dish"].get<double>(),
+      fastest["held"].get<double>(), 1e2 * error["mesh_force"].get<double>(),
+      1e2 * error["left_out_rebound"].get<double>(), duration(answer["wall_time_s"].get<double>()),
+      answer["file"].get<std::string>());
 }
 
 void curve(Options &options, Console &console) {
@@ -61,27 +67,32 @@ void curve(Options &options, Console &console) {
   fe::RunOptions run;
   run.interrupted = &interrupted();
   run.progress = [&](const fe::Progress &p) {
-    line.show(fmt::format("{}: {:.2f} mm, {:.0f} kN, {:.0f} % of the work", p.phase, -1e3 * p.gap, p.force / 1e3, 1e2 * std::min(1.0, p.time / p.end_time)));
+    line.show(fmt::format("{}: {:.2f} mm, {:.0f} kN, {:.0f} % of the work", p.phase, -1e3 * p.gap, p.force / 1e3,
+                          1e2 * std::min(1.0, p.time / p.end_time)));
   };
   const auto start = std::chrono::steady_clock::now();
   const auto file = fe::push_rim_curve(scene, options.order, run);
   line.finish();
   reduced::write_rim_curve(file, (folder / "curve.h5").string());
   reduced::write_rim_curve_csv(file, (folder / "curve.csv").string());
-  const auto answer = answer_of(options, file, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
-  scene::write_text(scene::json_text(answer), (folder / "curve.json").string());
-  console.data(console.json ? scene::json_text(answer) : describe(answer));
+  const auto answer =
+      answer_of(options, file, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  write_atomically(json_text(answer), (folder / "curve.json").string());
+  console.data(console.json ? json_text(answer) : describe(answer));
 }
 
 } // namespace
 
 void add_curve(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("curve", "push a bearing's rim once for every speed: curve.h5, flown by impact_law = \"curve\"");
+  auto *verb = app.add_subcommand(
+      "curve", "push a bearing's rim once for every speed: curve.h5, flown by impact_law = \"curve\"");
   auto options = std::make_shared<Options>();
   verb->add_option("BEARING", options->bearing, "a TOML file or a built-in bearing");
-  verb->add_option("-o,--output", options->folder, "folder for curve.h5, curve.csv and curve.json (default results/<bearing>-curve)");
+  verb->add_option("-o,--output", options->folder,
+                   "folder for curve.h5, curve.csv and curve.json (default results/<bearing>-curve)");
   verb->add_option("--mass-kg", options->order.mass, "supported mass that --speed is of")->check(CLI::Range(1.0, 1e9));
-  verb->add_option("--speed", options->order.speed, "fastest approach to be stopped [m/s]")->check(CLI::Range(1e-3, 10.0));
+  verb->add_option("--speed", options->order.speed, "fastest approach to be stopped [m/s]")
+      ->check(CLI::Range(1e-3, 10.0));
   verb->add_option("--unloadings", options->order.unloadings, "depths to unload from")->check(CLI::Range(3, 100));
   verb->add_option("--mesh", console.mesh, "1 | 2 | 3: finer and dearer")->check(CLI::Range(0, 3));
   console.add_common(*verb);

@@ -3,9 +3,9 @@
 #include "calibration/export/comment.h"
 #include "calibration/export/csi.h"
 #include "calibration/export/opensees.h"
-#include "scene/build_version.h"
-#include "scene/files.h"
-#include "scene/response.h"
+#include "files/file.h"
+#include "responses/build_version.h"
+#include "responses/response.h"
 #include "scene/rim_identity.h"
 #include <filesystem>
 #include <fmt/format.h>
@@ -34,7 +34,7 @@ std::string calibration_folder(const std::string &folder) {
 
 json read_calibration(const std::string &folder) {
   const std::string path = (fs::path(folder) / "calibration.json").string();
-  auto json = nlohmann::json::parse(scene::read_file(path), nullptr, false);
+  auto json = nlohmann::json::parse(read_file(path), nullptr, false);
   if (json.is_discarded()) throw DataError(path + ": not valid JSON");
   return json;
 }
@@ -54,13 +54,15 @@ std::optional<scene::Scene> scene_of(const ExportOptions &options, const json &c
   if (!options.scene.empty()) {
     auto scene = scene_or_bearing(options.scene);
     if (const auto identity = scene::rim_identity(scene.bearing); identity != rim.rim_identity)
-      throw InputError(fmt::format("--scene {}: its rim is {}, the calibration's {}: another bearing", options.scene, identity, rim.rim_identity));
+      throw InputError(fmt::format("--scene {}: its rim is {}, the calibration's {}: another bearing", options.scene,
+                                   identity, rim.rim_identity));
     return scene;
   }
   std::vector<std::string> candidates;
   if (calibration.contains("fit") && calibration["fit"].is_object())
     for (const auto &[run, check] : calibration["fit"].items())
-      for (const auto &path : {fs::path(run), fs::path(options.folder) / fs::path(run).filename(), fs::path(options.folder) / ".." / fs::path(run).filename()})
+      for (const auto &path : {fs::path(run), fs::path(options.folder) / fs::path(run).filename(),
+                               fs::path(options.folder) / ".." / fs::path(run).filename()})
         candidates.push_back((path / "scene.toml").string()); // also where runs and calibration were moved together
   candidates.push_back(rim.bearing);
   for (const auto &candidate : candidates) try {
@@ -81,7 +83,7 @@ std::optional<scene::Scene> scene_of(const ExportOptions &options, const json &c
 std::vector<std::string> header(const Console &console) {
   std::string command = "rimpact";
   for (int i = 1; i < console.argc; ++i) command += std::string(" ") + console.argv[i];
-  return {command, scene::build_version()};
+  return {command, build_version()};
 }
 
 void export_to(const ExportOptions &options, const json &calibration, Console &console) {
@@ -112,11 +114,17 @@ void export_to(const ExportOptions &options, const json &calibration, Console &c
   std::error_code failure;
   fs::create_directories(options.out, failure);
   if (failure) throw IoError(fmt::format("{}: {}", options.out, failure.message()));
-  json table = {{"law", rim.law()}, {"mass_kg", rim.mass}, {"from_m_s", rim.from}, {"to_m_s", rim.to}, {"whole_bearing", dish.has_value()}, {"files", json::array()}, {"self_checks", json::array()}};
+  json table = {{"law", rim.law()},
+                {"mass_kg", rim.mass},
+                {"from_m_s", rim.from},
+                {"to_m_s", rim.to},
+                {"whole_bearing", dish.has_value()},
+                {"files", json::array()},
+                {"self_checks", json::array()}};
   std::string written;
   for (const auto &[name, text] : files) {
     const std::string path = (fs::path(options.out) / name).string();
-    scene::write_text(text, path);
+    write_atomically(text, path);
     written += path + "\n", table["files"].push_back(path);
   }
   for (const auto &check : checks) {
@@ -140,9 +148,11 @@ void add_export(CLI::App &app, Console &console) {
   verb->add_flag("--sap2000", options->sap2000, "bearing.s2k: link properties, and rim-link.csv to paste");
   verb->add_flag("--etabs", options->etabs, "bearing.e2k: link properties, and rim-link.csv to paste");
   verb->add_flag("--csv", options->csv, "law.csv: force over penetration, loading and unloading from five depths");
-  verb->add_option("--law", options->law, "another of the ranked laws, or \"pair\": the constant pair; default: the calibration's answer");
+  verb->add_option("--law", options->law,
+                   "another of the ranked laws, or \"pair\": the constant pair; default: the calibration's answer");
   verb->add_option("--mass", options->mass, "mass that the bearing carries [kg]; default: the calibration's");
-  verb->add_option("--scene", options->scene, "scene or bearing with the dish and its friction; default: that of a fitted run");
+  verb->add_option("--scene", options->scene,
+                   "scene or bearing with the dish and its friction; default: that of a fitted run");
   console.add_common(*verb);
   console.add_json(*verb);
   verb->callback([options, &console] {

@@ -6,9 +6,10 @@
 #include "app/shard.h"
 #include "app/sibling.h"
 #include "app/verb.h"
-#include "calibration/geometry_study.h"
-#include "scene/response.h"
-#include "scene/json_text.h"
+#include "calibration/studies/geometry_study.h"
+#include "files/file.h"
+#include "files/json_text.h"
+#include "responses/response.h"
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -53,21 +54,19 @@ void run_geometry(Options options, Console &console) {
   runner.run();
 
   const auto study = calibration::geometry_study(rows_of(jobs, console), window, options.study);
-  scene::write_text(scene::json_text(calibration::to_json(study)), options.folder + "/geometry.json");
-  scene::write_text(calibration::to_csv(study), options.folder + "/geometry.csv");
-  console.data(console.json ? scene::json_text(calibration::to_json(study)) : calibration::describe(study));
+  write_atomically(json_text(calibration::to_json(study)), options.folder + "/geometry.json");
+  write_atomically(calibration::to_csv(study), options.folder + "/geometry.csv");
+  console.data(console.json ? json_text(calibration::to_json(study)) : calibration::describe(study));
   if (!study.rows.empty() && python({"report.quick", "geometry", options.folder}) != 0)
     console.warn("the picture in " + options.folder + " was not made");
-  if (interrupted())
-    throw Error(ExitCode::interrupted, "interrupted; the same command goes on where it stopped");
+  if (interrupted()) throw Error(ExitCode::interrupted, "interrupted; the same command goes on where it stopped");
   require_done(own);
 }
 
 } // namespace
 
 void add_geometry(CLI::App &app, Console &console) {
-  auto *verb =
-      app.add_subcommand("geometry", "k_i and e over rim and slider dimensions, yield stress and speed");
+  auto *verb = app.add_subcommand("geometry", "k_i and e over rim and slider dimensions, yield stress and speed");
   auto options = std::make_shared<Options>();
   verb->add_option("BEARING", options->bearing, "a TOML file or a built-in bearing")->capture_default_str();
   verb->add_option("-o,--output", options->folder, "results folder")->capture_default_str();
@@ -76,8 +75,7 @@ void add_geometry(CLI::App &app, Console &console) {
   verb->add_option("--range", options->ranges,
                    "NAME=LOW:HIGH of rim_height, rim_thickness, slider_diameter, contact_band "
                    "(mm), yield_stress, tangent_modulus (MPa), speed (m/s); repeatable");
-  verb->add_option("--strain-limit", options->study.strain_limit,
-                   "plastic strain at which a rim counts as lost")
+  verb->add_option("--strain-limit", options->study.strain_limit, "plastic strain at which a rim counts as lost")
       ->capture_default_str();
   verb->add_option("--shard", options->shard, "I/N: every N-th run from the I-th on, with the same -o");
   console.add_common(*verb);

@@ -1,9 +1,9 @@
 // rimpact list: what there is to choose from.
 #include "app/verb.h"
+#include "files/json_text.h"
 #include "reduced_models/catalogue.h"
 #include "reduced_models/impact_law.h"
 #include "scene/scene.h"
-#include "scene/json_text.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -18,8 +18,8 @@ Entries bearings() {
   for (const auto &name : scene::builtin_bearing_names()) {
     const auto b = scene::builtin_bearing(name);
     const double curvature = scene::make_surface(b.surface)->curvatures(0).meridional;
-    result.emplace_back(name, fmt::format("{} surface, R0 {:.3g} m, L_c {:.0f} mm", b.surface.kind,
-                                          1 / curvature, 1e3 * b.lateral_capacity()));
+    result.emplace_back(name, fmt::format("{} surface, R0 {:.3g} m, L_c {:.0f} mm", b.surface.kind, 1 / curvature,
+                                          1e3 * b.lateral_capacity()));
   }
   return result;
 }
@@ -54,12 +54,11 @@ Entries materials() {
   Entries result;
   const scene::Bearing b;
   for (const auto &[name, m] : {std::pair{"steel", b.steel}, {"ertalyte", b.ertalyte}})
-    result.emplace_back(
-        name, fmt::format("E {:.0f} MPa, nu {:.2f}, {}, {:.0f} kg/m3", 1e-6 * m.E, m.nu,
-                          m.yield ? fmt::format("yield {:.0f} MPa, tangent {:.0f} MPa", 1e-6 * *m.yield,
-                                                1e-6 * m.tangent_modulus.value_or(0))
-                                  : std::string("elastic"),
-                          m.density));
+    result.emplace_back(name, fmt::format("E {:.0f} MPa, nu {:.2f}, {}, {:.0f} kg/m3", 1e-6 * m.E, m.nu,
+                                          m.yield ? fmt::format("yield {:.0f} MPa, tangent {:.0f} MPa", 1e-6 * *m.yield,
+                                                                1e-6 * m.tangent_modulus.value_or(0))
+                                                  : std::string("elastic"),
+                                          m.density));
   return result;
 }
 
@@ -73,11 +72,8 @@ void add_list(CLI::App &app, Console &console) {
   console.add_common(*verb);
   console.add_json(*verb);
   verb->callback([what, &console] {
-    const std::pair<const char *, Entries (*)()> kinds[] = {{"bearings", bearings},
-                                                            {"scenes", scenes},
-                                                            {"models", models},
-                                                            {"laws", laws},
-                                                            {"materials", materials}};
+    const std::pair<const char *, Entries (*)()> kinds[] = {
+        {"bearings", bearings}, {"scenes", scenes}, {"models", models}, {"laws", laws}, {"materials", materials}};
     nlohmann::ordered_json all;
     for (const auto &[kind, entries] : kinds) {
       if (!what->empty() && *what != kind) continue;
@@ -87,7 +83,7 @@ void add_list(CLI::App &app, Console &console) {
         if (!console.json) console.data(fmt::format("  {:24s} {}\n", name, text));
       }
     }
-    if (console.json) console.data(scene::json_text(all));
+    if (console.json) console.data(json_text(all));
   });
 }
 

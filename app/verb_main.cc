@@ -6,9 +6,9 @@
 #include "app/main_results.h"
 #include "app/sibling.h"
 #include "app/verb.h"
+#include "files/json_text.h"
+#include "files/text.h"
 #include "scene/doubts.h"
-#include "scene/json_text.h"
-#include "scene/text.h"
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -23,11 +23,12 @@ struct Options {
 };
 
 SpeedRange speed_range(const std::string &text) {
-  const auto ends = scene::split(text, ':');
+  const auto ends = split(text, ':');
   SpeedRange range{0, 0};
-  if (ends.size() == 2) range = {scene::to_number(ends[0]).value_or(0), scene::to_number(ends[1]).value_or(0)};
+  if (ends.size() == 2) range = {to_number(ends[0]).value_or(0), to_number(ends[1]).value_or(0)};
   if (!(range.low > 0 && range.low < range.high && range.high <= 100))
-    throw InputError(fmt::format("--pulse-speeds {} must be LOW:HIGH in m/s with 0 < LOW < HIGH <= 100, e.g. 0.05:0.6", text));
+    throw InputError(
+        fmt::format("--pulse-speeds {} must be LOW:HIGH in m/s with 0 < LOW < HIGH <= 100, e.g. 0.05:0.6", text));
   return range;
 }
 
@@ -43,18 +44,18 @@ void print_plan(const MainTarget &target, const MainJobs &jobs, std::size_t at_o
     text += fmt::format("{:28s} {:8s} {}\n", job.name, job.role, about(times[k].expected));
   }
   text += fmt::format("{} runs, {} at a time: {} in all\n", times.size(), at_once, about(in_all));
-  const nlohmann::json table{{"bearing", target.bearing_json()}, {"load", target.load_json()}, {"runs", rows},
-                             {"left_out", jobs.left_out},        {"at_once", at_once},         {"expected_seconds", in_all}};
-  console.data(console.json ? scene::json_text(table) : text);
+  const nlohmann::json table{
+      {"bearing", target.bearing_json()}, {"load", target.load_json()}, {"runs", rows},
+      {"left_out", jobs.left_out},        {"at_once", at_once},         {"expected_seconds", in_all}};
+  console.data(console.json ? json_text(table) : text);
 }
 
 void run_main(Options options, Console &console) {
   const auto begin = std::chrono::steady_clock::now();
-  const auto spent = [&] {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  };
+  const auto spent = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   if (!options.pulse_speeds.empty()) options.choices.pulse_speeds = speed_range(options.pulse_speeds);
-  MainContext context{.folder = options.folder, .laws = laws_named(options.laws), .document = document_json(options.document)};
+  MainContext context{
+      .folder = options.folder, .laws = laws_named(options.laws), .document = document_json(options.document)};
   const MainTarget target = main_target(options.target, console.settings());
   auto [jobs, left_out] = main_jobs(target, options.choices, options.folder);
   context.warnings = target.warnings;
@@ -68,7 +69,8 @@ void run_main(Options options, Console &console) {
   const auto lock = claim_for_jobs(options.folder, "a main job", jobs, console.force);
   make_runs_folder(options.folder);
   context.versions = fe_versions(options.folder, console);
-  console.message(target.head() + fmt::format("{} runs, {} at a time: {}", jobs.size(), at_once, about(runner.expected_seconds())));
+  console.message(target.head() +
+                  fmt::format("{} runs, {} at a time: {}", jobs.size(), at_once, about(runner.expected_seconds())));
 
   watch_interrupts();
   runner.run();
@@ -77,9 +79,8 @@ void run_main(Options options, Console &console) {
   const int code = python({"report", options.folder});
   const std::string report = options.folder + "/report.html";
   results.main["report"] = code == 0 ? nlohmann::json(report) : nlohmann::json();
-  console.data(console.json ? scene::json_text(results.main) : results.text);
-  if (interrupted())
-    throw Error(ExitCode::interrupted, "interrupted; the same command goes on where it stopped");
+  console.data(console.json ? json_text(results.main) : results.text);
+  if (interrupted()) throw Error(ExitCode::interrupted, "interrupted; the same command goes on where it stopped");
   if (code != 0) throw IoError("the report was not written; try rimpact report " + options.folder);
   if (!console.json) console.data(fmt::format("report: {}  ({} in all)\n", report, duration(spent())));
   require_done(jobs);
@@ -91,7 +92,9 @@ void run_main(Options options, Console &console) {
 void add_main(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("main", "the main job: rim impacts by FE, calibration, comparison, report");
   auto options = std::make_shared<Options>();
-  verb->add_option("SCENE", options->target, "a scene or bearing: built-in, a TOML file, or a case folder of `new`; its load and settings are taken")
+  verb->add_option(
+          "SCENE", options->target,
+          "a scene or bearing: built-in, a TOML file, or a case folder of `new`; its load and settings are taken")
       ->capture_default_str();
   verb->add_option("-o,--output", options->folder, "results folder")->capture_default_str();
   verb->add_option("--speeds", options->choices.speeds, "of the windows [m/s]")
@@ -101,8 +104,10 @@ void add_main(CLI::App &app, Console &console) {
       ->capture_default_str();
   verb->add_flag("--windows-only", options->choices.windows_only, "no pulses");
   verb->add_option("--pulse-speeds", options->pulse_speeds,
-                   "LOW:HIGH [m/s], speeds at the rim for which the pulses' scales are chosen (0.05:0.6 for a bearing or load of yours)");
-  verb->add_option("--jobs", options->at_once, "runs at a time (default: the cores this process may use)")->check(CLI::Range(1, 256));
+                   "LOW:HIGH [m/s], speeds at the rim for which the pulses' scales are chosen (0.05:0.6 for a bearing "
+                   "or load of yours)");
+  verb->add_option("--jobs", options->at_once, "runs at a time (default: the cores this process may use)")
+      ->check(CLI::Range(1, 256));
   verb->add_flag("--dry-run", options->dry_run, "list the runs and the time they take, and stop");
   verb->add_option("--laws", options->laws, "impact laws to rank in the report: all, none or names")
       ->capture_default_str();

@@ -3,9 +3,9 @@
 #include "app/sibling.h"
 #include "app/verb.h"
 #include "fe_contact/runner/run.h"
+#include "files/json_text.h"
 #include "meshes/rim_mesh.h"
 #include "scene/scene.h"
-#include "scene/json_text.h"
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -19,7 +19,8 @@ struct Options {
 };
 
 meshes::HexMesh rim_mesh(const Options &options, const Console &console) {
-  if (!console.rung.empty()) throw InputError("--rung " + console.rung + " needs --scene: a bearing alone is meshed for rung `rim`");
+  if (!console.rung.empty())
+    throw InputError("--rung " + console.rung + " needs --scene: a bearing alone is meshed for rung `rim`");
   const auto bearing = scene::load_bearing(options.bearing);
   meshes::RimMeshOptions mesh;
   if (console.mesh >= 0) mesh.level = console.mesh;
@@ -31,7 +32,7 @@ meshes::HexMesh scene_mesh(const Options &options, Console &console) {
   if (options.whole) console.overrides.push_back("model.symmetry=\"whole\"");
   const scene::Scene scene = console.load(options.scene);
   fe::check_supported(scene);
-  return fe::mesh_of(scene, fe::make_plan(scene));
+  return fe::mesh_of(scene, planning::make_plan(scene));
 }
 
 } // namespace
@@ -40,7 +41,8 @@ void add_mesh(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("mesh", "mesh the rim sector and the slider of a bearing");
   auto options = std::make_shared<Options>();
   verb->add_option("BEARING", options->bearing, "a TOML file or a built-in bearing");
-  verb->add_option("--scene", options->scene, "instead: what a scene's run is solved on, by any rung, own meshes included");
+  verb->add_option("--scene", options->scene,
+                   "instead: what a scene's run is solved on, by any rung, own meshes included");
   verb->add_option("-o,--output", options->file, "the .msh file to write")->required();
   verb->add_option("--png", options->picture, "a picture of the mesh");
   verb->add_flag("--curved", options->curved, "27-node cells with the exact surfaces, not straight 8-node ones");
@@ -52,18 +54,17 @@ void add_mesh(CLI::App &app, Console &console) {
   verb->callback([options, &console] {
     std::error_code none;
     for (const auto &input : {options->bearing, options->scene})
-      if (std::filesystem::equivalent(input, options->file, none)) throw InputError("-o " + options->file + " would replace what is meshed; choose another file");
+      if (std::filesystem::equivalent(input, options->file, none))
+        throw InputError("-o " + options->file + " would replace what is meshed; choose another file");
     const auto mesh = options->scene.empty() ? rim_mesh(*options, console) : scene_mesh(*options, console);
     const auto q = meshes::quality(mesh);
     meshes::write_msh(mesh, options->file, options->curved);
     if (!options->picture.empty() && python({"report.mesh_picture", options->file, options->picture}) != 0)
       throw IoError("the picture " + options->picture + " was not made");
-    console.data(
-        console.json
-            ? scene::json_text(quality_table(options->file, q))
-            : fmt::format(
-                  "{}: {} hexahedra, {} nodes, smallest scaled Jacobian {:.3f}, worst aspect {:.1f}\n",
-                  options->file, q.n_cells, q.n_nodes, q.min_scaled_jacobian, q.worst_aspect));
+    console.data(console.json
+                     ? json_text(quality_table(options->file, q))
+                     : fmt::format("{}: {} hexahedra, {} nodes, smallest scaled Jacobian {:.3f}, worst aspect {:.1f}\n",
+                                   options->file, q.n_cells, q.n_nodes, q.min_scaled_jacobian, q.worst_aspect));
   });
 }
 

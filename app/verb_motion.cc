@@ -1,9 +1,10 @@
 // rimpact motion FILE...: what is in a record.
 #include "app/sibling.h"
 #include "app/verb.h"
-#include "scene/record.h"
-#include "scene/response.h"
-#include "scene/json_text.h"
+#include "files/file.h"
+#include "files/json_text.h"
+#include "records/record.h"
+#include "responses/response.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
@@ -19,14 +20,15 @@ std::vector<std::string> picture_places(const std::vector<std::string> &files, c
     places.push_back(folder + "/" + std::filesystem::path(file).stem().string());
     const auto before = std::find(places.begin(), places.end() - 1, places.back());
     if (before != places.end() - 1)
-      throw InputError(fmt::format("{} and {} would both be drawn as {}.png; draw them into two folders", files[before - places.begin()], file, places.back()));
+      throw InputError(fmt::format("{} and {} would both be drawn as {}.png; draw them into two folders",
+                                   files[before - places.begin()], file, places.back()));
   }
   return places;
 }
 
 /// Acceleration, velocity and displacement for the plot; velocity is exact for linear acceleration between
 /// samples.
-std::string motion_csv(const scene::SampledSignal &record) {
+std::string motion_csv(const SampledSignal &record) {
   std::string text = "time_s,acceleration_m_per_s2,velocity_m_per_s,displacement_m\n";
   double v = 0, u = 0;
   for (std::size_t k = 0; k < record.values.size(); ++k) {
@@ -55,11 +57,12 @@ void add_motion(CLI::App &app, Console &console) {
   console.add_json(*verb);
   verb->callback([options, &console] {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    const auto places = options->picture.empty() ? std::vector<std::string>{} : picture_places(options->files, options->picture);
+    const auto places =
+        options->picture.empty() ? std::vector<std::string>{} : picture_places(options->files, options->picture);
     for (std::size_t k = 0; k < options->files.size(); ++k) {
       const std::string &file = options->files[k];
-      const auto record = scene::read_record(file);
-      const auto info = scene::inspect(record);
+      const auto record = read_record(file);
+      const auto info = inspect(record);
       all.push_back({{"file", file},
                      {"npts", info.npts},
                      {"dt_s", info.dt},
@@ -71,16 +74,15 @@ void add_motion(CLI::App &app, Console &console) {
       if (!console.json)
         console.data(fmt::format("{}: NPTS {}, dt {} s, PGA {:.4f} g, PGV {:.4f} m/s, PGD {:.4f} m, Arias "
                                  "{:.3f} m/s, D5-95 {:.2f} s\n",
-                                 file, info.npts, info.dt, info.pga_g, info.pgv, info.pgd, info.arias,
-                                 info.duration));
+                                 file, info.npts, info.dt, info.pga_g, info.pgv, info.pgd, info.arias, info.duration));
       if (options->picture.empty()) continue;
       std::filesystem::create_directories(options->picture);
       const std::string &base = places[k];
-      scene::write_text(motion_csv(record), base + ".csv");
+      write_atomically(motion_csv(record), base + ".csv");
       if (python({"report.motion", base + ".csv", base + ".png"}) != 0)
         throw IoError("the plot " + base + ".png was not made");
     }
-    if (console.json) console.data(scene::json_text(all));
+    if (console.json) console.data(json_text(all));
   });
 }
 

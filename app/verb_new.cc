@@ -1,7 +1,8 @@
 // rimpact new DIR: a commented case folder.
 #include "app/verb.h"
+#include "files/file.h"
+#include "responses/response.h"
 #include "scene/new_case.h"
-#include "scene/response.h"
 #include "scene/scene.h"
 #include <filesystem>
 #include <fmt/format.h>
@@ -34,11 +35,11 @@ void add_new(CLI::App &app, Console &console) {
     for (const char *name : {"bearing.toml", "scene.toml"})
       if (std::filesystem::exists(options->folder + "/" + name))
         throw InputError(options->folder + "/" + name + " exists already; choose another folder");
-    scene::write_text(files.bearing, options->folder + "/bearing.toml");
-    scene::write_text(files.scene, options->folder + "/scene.toml");
+    write_atomically(files.bearing, options->folder + "/bearing.toml");
+    write_atomically(files.scene, options->folder + "/scene.toml");
     scene::load_scene(options->folder + "/scene.toml"); // what was written can be read
-    console.message(fmt::format("next: rimpact check {0}/scene.toml; rimpact run {0}/scene.toml -o {0}/run",
-                                options->folder));
+    console.message(
+        fmt::format("next: rimpact check {0}/scene.toml; rimpact run {0}/scene.toml -o {0}/run", options->folder));
     console.data(options->folder + "/scene.toml\n");
   });
 }

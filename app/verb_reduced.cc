@@ -3,26 +3,27 @@
 #include "app/reduced_sweep.h"
 #include "app/sibling.h"
 #include "app/verb.h"
+#include "files/error.h"
+#include "files/json_text.h"
 #include "reduced_models/node_kinematics.h"
 #include "reduced_models/physical_model.h"
+#include "responses/limits.h"
 #include "scene/case_description.h"
 #include "scene/doubts.h"
-#include "scene/error.h"
-#include "scene/json_text.h"
-#include "scene/limits.h"
 #include <cmath>
 #include <fmt/format.h>
 
 namespace rimpact::app {
 namespace {
 
-std::string describe(const scene::Summary &s, const std::string &name, const std::string &folder) {
-  std::string text = fmt::format("{}: peak displacement {:.2f} mm, peak lateral force {:.1f} kN, {} impact(s); {}\n", name,
-                                 1e3 * s.peak_displacement, 1e-3 * s.peak_lateral_force, s.impacts.size(), folder);
+std::string describe(const Summary &s, const std::string &name, const std::string &folder) {
+  std::string text =
+      fmt::format("{}: peak displacement {:.2f} mm, peak lateral force {:.1f} kN, {} impact(s); {}\n", name,
+                  1e3 * s.peak_displacement, 1e-3 * s.peak_lateral_force, s.impacts.size(), folder);
   for (const auto &i : s.impacts)
-    text += fmt::format("  {:.4f} s {:7.1f} deg  in {:.4f} m/s  out {:.4f} m/s  {:.1f} kN  {:.3f} mm\n", i.touch_time,
-                        i.direction_deg, i.approach_speed, i.rebound_speed, 1e-3 * i.peak_force,
-                        1e3 * i.peak_penetration);
+    text +=
+        fmt::format("  {:.4f} s {:7.1f} deg  in {:.4f} m/s  out {:.4f} m/s  {:.1f} kN  {:.3f} mm\n", i.touch_time,
+                    i.direction_deg, i.approach_speed, i.rebound_speed, 1e-3 * i.peak_force, 1e3 * i.peak_penetration);
   return text;
 }
 
@@ -33,9 +34,10 @@ void add_doubts(const scene::Scene &scene, reduced::ReducedRun &run, Console &co
   if (touched)
     for (const auto &doubt : scene::doubts_of_element(scene)) warnings.push_back(doubt);
   if (run.summary.status == "done")
-    for (const auto &doubt : {scene::doubt_of_rebound(run.response, run.summary.impacts), scene::doubt_of_ledger(run.summary.energy.value_or(scene::EnergyLedger()))})
+    for (const auto &doubt : {doubt_of_rebound(run.response, run.summary.impacts),
+                              doubt_of_ledger(run.summary.energy.value_or(EnergyLedger()))})
       if (doubt) warnings.push_back(*doubt);
-  scene::judge(scene, run.summary);
+  judge(scene, run.summary);
   for (const auto &warning : warnings) console.warn(warning.get<std::string>());
   for (const auto &sentences : {scene.remarks, scene::doubts(scene)}) // said when the scene was read
     for (const auto &sentence : sentences) warnings.push_back(sentence);
@@ -55,21 +57,18 @@ void add_reduced(CLI::App &app, Console &console) {
   auto options = std::make_shared<Options>();
   verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
   verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>-reduced)");
-  auto *nodes =
-      verb->add_option("--nodes", options->nodes,
-                       "BELOW,ABOVE: also the moments at nodes so many mm from the dish's vertex (P-Delta)")
-          ->delimiter(',')
-          ->expected(2)
-          ->check(CLI::Range(0.0, 1e5));
+  auto *nodes = verb->add_option("--nodes", options->nodes,
+                                 "BELOW,ABOVE: also the moments at nodes so many mm from the dish's vertex (P-Delta)")
+                    ->delimiter(',')
+                    ->expected(2)
+                    ->check(CLI::Range(0.0, 1e5));
   verb->add_option("--model", options->model, "see rimpact list models");
   verb->add_flag("--png", options->picture, "also draw response.png");
-  auto *sweep =
-      verb->add_option("--sweep", options->sweep,
-                       "many runs, one table: a sweep file, or KEY=a:b:n (repeatable; n values from a to b)")
-          ->allow_extra_args(false)
-          ->excludes(nodes);
-  verb->add_option("--shard", options->shard, "I/N: every N-th run of the sweep from the I-th on")
-      ->needs(sweep);
+  auto *sweep = verb->add_option("--sweep", options->sweep,
+                                 "many runs, one table: a sweep file, or KEY=a:b:n (repeatable; n values from a to b)")
+                    ->allow_extra_args(false)
+                    ->excludes(nodes);
+  verb->add_option("--shard", options->shard, "I/N: every N-th run of the sweep from the I-th on")->needs(sweep);
   verb->add_option("--threads", options->n_threads, "of the sweep (default: as many as the machine has)")
       ->needs(sweep)
       ->check(CLI::Range(1, 1024));
@@ -92,18 +91,18 @@ void add_reduced(CLI::App &app, Console &console) {
     if (!options->nodes.empty() && scene.double_concave())
       throw InputError("--nodes is for bearings of one dish: reduced.model \"" + scene.reduced.model +
                        "\" passes moments through both plates");
-    const std::string folder =
-        options->folder.empty() ? default_folder(scene.name) + "-reduced" : options->folder;
-    const auto claim = claim_for_run({.given = options->scene, .folder = folder, .force = console.force}, scene, console);
+    const std::string folder = options->folder.empty() ? default_folder(scene.name) + "-reduced" : options->folder;
+    const auto claim =
+        claim_for_run({.given = options->scene, .folder = folder, .force = console.force}, scene, console);
     auto run = reduced::simulate(scene);
     if (!options->nodes.empty())
       reduced::add_nodal_moments(run.response, {options->nodes[0] / 1e3, options->nodes[1] / 1e3});
     add_doubts(scene, run, console);
-    scene::write_run_folder(folder, scene, run.response, run.summary);
+    write_run_folder(folder, scene, run.response, run.summary);
     if (options->picture && python({"report.quick", "reduced", folder}) != 0)
       throw IoError("the picture in " + folder + " was not made");
     const auto &s = run.summary;
-    console.data(console.json ? scene::json_text(scene::to_json(s)) : scene::describe_case(scene) + describe(s, scene.name, folder));
+    console.data(console.json ? json_text(to_json(s)) : scene::describe_case(scene) + describe(s, scene.name, folder));
     if (s.status == "stopped") throw SolverStopped(s.reason + "; what is before it is kept");
   });
 }

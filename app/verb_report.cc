@@ -31,7 +31,8 @@ void run_report(const Options &options, Console &console) {
   if (code != 0) throw IoError(fmt::format("the report was not written (python3 -m report ended with {})", code));
   console.data(file + "\n");
   const std::string pdf = std::filesystem::path(file).replace_extension(".pdf").string();
-  if (options.pdf && std::filesystem::exists(pdf)) console.data(pdf + "\n"); // without a browser Python said why there is none
+  if (options.pdf && std::filesystem::exists(pdf))
+    console.data(pdf + "\n"); // without a browser Python said why there is none
 }
 
 } // namespace

@@ -5,10 +5,11 @@
 #include "app/progress_in_words.h"
 #include "app/sibling.h"
 #include "app/verb.h"
-#include "calibration/stored_study.h"
-#include "fe_contact/runner/machine_times.h"
+#include "calibration/studies/stored_study.h"
 #include "fe_contact/runner/run.h"
-#include "scene/json_text.h"
+#include "files/file.h"
+#include "files/json_text.h"
+#include "planning/machine_times.h"
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
@@ -24,21 +25,25 @@ struct Options {
 
 /// The result of a run that had ended before.
 void tell_kept(const std::string &folder, const std::string &name, Console &console) {
-  const auto summary = scene::read_summary(folder);
-  if (console.json) return console.data(scene::json_text(summary));
-  const auto number = [&](const char *key) { return summary.contains(key) && summary[key].is_number() ? summary[key].get<double>() : 0.0; };
-  console.data(fmt::format("{}: peak displacement {:.1f} mm, peak impact force {:.1f} kN, {:.0f} impact(s), {:.0f} steps; {}\n", name,
-                           1e3 * number("peak_displacement_m"), 1e-3 * number("peak_impact_force_N"), number("n_impacts"), number("n_steps"), folder));
+  const auto summary = read_summary(folder);
+  if (console.json) return console.data(json_text(summary));
+  const auto number = [&](const char *key) {
+    return summary.contains(key) && summary[key].is_number() ? summary[key].get<double>() : 0.0;
+  };
+  console.data(
+      fmt::format("{}: peak displacement {:.1f} mm, peak impact force {:.1f} kN, {:.0f} impact(s), {:.0f} steps; {}\n",
+                  name, 1e3 * number("peak_displacement_m"), 1e-3 * number("peak_impact_force_N"), number("n_impacts"),
+                  number("n_steps"), folder));
 }
 
 void run(Options &options, Console &console) {
   const scene::Scene scene = console.load(options.scene);
   if (const std::string warning = fe::blas_warning(); !warning.empty()) console.warn(warning);
   fe::check_supported(scene);
-  const fe::Plan plan = fe::make_plan(scene);
+  const planning::Plan plan = planning::make_plan(scene);
   if (options.dry_run)
-    return console.data(console.json ? scene::json_text(fe::to_json(plan)) : fe::describe(plan));
-  console.message(fe::describe(plan));
+    return console.data(console.json ? json_text(planning::to_json(plan)) : planning::describe(plan));
+  console.message(planning::describe(plan));
   if (const auto doubt = doubt_of_memory(plan.expected_memory_bytes); !doubt.empty()) console.warn(doubt);
   for (const auto &[name, version] : fe::component_versions()) console.detail(fmt::format("{} {}", name, version));
 
@@ -49,8 +54,12 @@ void run(Options &options, Console &console) {
   run_options.writes = fe::is_first_rank();
   std::optional<ClaimedFolder> claim; // the first rank's, for all
   if (run_options.writes)
-    claim.emplace(claim_for_run(
-        {.given = options.scene, .folder = run_options.folder, .finite_elements = true, .resume = options.resume, .force = console.force}, scene, console));
+    claim.emplace(claim_for_run({.given = options.scene,
+                                 .folder = run_options.folder,
+                                 .finite_elements = true,
+                                 .resume = options.resume,
+                                 .force = console.force},
+                                scene, console));
   if (fe::on_any_rank(claim && claim->finished)) {
     console.message(run_options.folder + ": this run has ended well already; nothing is left to resume");
     if (run_options.writes) tell_kept(run_options.folder, scene.name, console);
@@ -58,10 +67,11 @@ void run(Options &options, Console &console) {
   }
   run_options.interrupted = &interrupted();
   run_options.remark = [&](const std::string &sentence) { console.message(sentence); };
-  run_options.annotate = [&](scene::Summary &summary) {
+  run_options.annotate = [&](Summary &summary) {
     const auto beside = std::filesystem::absolute(run_options.folder).lexically_normal().parent_path();
     try {
-      summary.extra["error_estimate"] = calibration::error_estimate(scene, summary, calibration::stored_studies(beside), {run_options.folder, summary.wall_time});
+      summary.extra["error_estimate"] = calibration::error_estimate(scene, summary, calibration::stored_studies(beside),
+                                                                    {run_options.folder, summary.wall_time});
     } catch (const std::exception &error) { // a damaged study beside the folder must not cost the run
       summary.extra["error_estimate"] = {{"none", std::string("a stored study cannot be read: ") + error.what()}};
     }
@@ -75,7 +85,7 @@ void run(Options &options, Console &console) {
     line.show(in_words.of(p) + "  (" + duration(spent) + ")" + (console.verbose ? numbers_of(p) : ""));
   };
   std::exception_ptr failure;
-  scene::Summary summary;
+  Summary summary;
   try {
     summary = fe::run(scene, plan, run_options);
   } catch (const Error &) {
@@ -87,13 +97,12 @@ void run(Options &options, Console &console) {
     return;
   }
   if (!failure) {
-    fe::remember_times(plan, summary);
+    planning::remember_times(plan, summary);
     for (const auto &warning : summary.extra["warnings"]) console.warn(warning.get<std::string>());
     for (const auto &impact : summary.impacts)
-      console.message(
-          fmt::format("impact at {:.4f} s, {:.1f} deg: {:.3f} m/s in, {:.3f} m/s out, {:.0f} kN, {:.2f} mm",
-                      impact.touch_time, impact.direction_deg, impact.approach_speed, impact.rebound_speed,
-                      1e-3 * impact.peak_force, 1e3 * impact.peak_penetration));
+      console.message(fmt::format("impact at {:.4f} s, {:.1f} deg: {:.3f} m/s in, {:.3f} m/s out, {:.0f} kN, {:.2f} mm",
+                                  impact.touch_time, impact.direction_deg, impact.approach_speed, impact.rebound_speed,
+                                  1e-3 * impact.peak_force, 1e3 * impact.peak_penetration));
     std::string split;
     for (const auto &[name, seconds] : summary.time_split) split += fmt::format(" {} {:.1f} s,", name, seconds);
     console.message("time:" + split.substr(0, split.size() - 1));
@@ -101,14 +110,14 @@ void run(Options &options, Console &console) {
     console.message("discretisation: " + estimate.value("sentence", estimate.value("none", "")));
   }
   if (std::filesystem::exists(run_options.folder + "/summary.json"))
-    scene::write_text(console.log(), run_options.folder + "/log.txt");
+    write_atomically(console.log(), run_options.folder + "/log.txt");
   if (failure) std::rethrow_exception(failure);
   const std::string peak = plan.rim_takes_part
                                ? fmt::format("peak impact force {:.1f} kN, {} impact(s)",
                                              1e-3 * summary.peak_impact_force.value_or(0), summary.impacts.size())
                                : fmt::format("peak displacement {:.1f} mm, peak lateral force {:.1f} kN, no impact",
                                              1e3 * summary.peak_displacement, 1e-3 * summary.peak_lateral_force);
-  console.data(console.json ? scene::json_text(scene::to_json(summary))
+  console.data(console.json ? json_text(to_json(summary))
                             : fmt::format("{}: {}, {} steps, {}; {}\n", scene.name, peak, summary.n_steps,
                                           duration(summary.wall_time), run_options.folder));
 }
@@ -120,7 +129,8 @@ void add_run(CLI::App &app, Console &console) {
   auto options = std::make_shared<Options>();
   verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
   verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>)");
-  verb->add_flag("--resume", options->resume, "go on from the folder's checkpoint; a run that has ended stays as it is");
+  verb->add_flag("--resume", options->resume,
+                 "go on from the folder's checkpoint; a run that has ended stays as it is");
   verb->add_flag("--dry-run", options->dry_run, "print the plan and stop");
   verb->add_flag("--no-fields", options->no_fields, "no VTU files");
   console.add_common(*verb);

@@ -4,11 +4,12 @@
 #include "app/shard.h"
 #include "app/sibling.h"
 #include "app/verb.h"
-#include "calibration/speed_error.h"
-#include "calibration/stored_study.h"
+#include "calibration/studies/speed_error.h"
+#include "calibration/studies/stored_study.h"
+#include "files/file.h"
+#include "files/json_text.h"
 #include "reduced_models/physical_model.h"
-#include "scene/response.h"
-#include "scene/json_text.h"
+#include "responses/response.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -62,7 +63,7 @@ std::vector<Job> without_reduced(const std::vector<Job> &jobs) {
       continue;
     }
     auto run = reduced::simulate(job.scene);
-    scene::write_run_folder(job.folder, job.scene, std::move(run.response), run.summary);
+    write_run_folder(job.folder, job.scene, std::move(run.response), run.summary);
   }
   return left;
 }
@@ -72,7 +73,7 @@ std::vector<calibration::StudyRun> runs_of(const std::vector<Job> &jobs, Console
   for (const auto &job : jobs) {
     if (!is_done(job)) continue;
     try {
-      runs.push_back(calibration::study_run(job.name, summary_of(job.folder), scene::read_response(job.folder)));
+      runs.push_back(calibration::study_run(job.name, summary_of(job.folder), read_response(job.folder)));
       if (job.name == "reduced") continue;
       runs.back().rung = job.scene.model.rung; // as asked for, whatever wrote the summary
       runs.back().mesh = job.scene.model.mesh;
@@ -84,18 +85,20 @@ std::vector<calibration::StudyRun> runs_of(const std::vector<Job> &jobs, Console
   return runs;
 }
 
-void write(const calibration::SpeedError &study, const scene::Scene &base, const std::string &folder, Console &console) {
+void write(const calibration::SpeedError &study, const scene::Scene &base, const std::string &folder,
+           Console &console) {
   auto json = calibration::to_json(study);
   std::optional<double> approach_speed;
-  const auto reference = std::find_if(study.rows.begin(), study.rows.end(), [](const auto &row) { return row.reference; });
+  const auto reference =
+      std::find_if(study.rows.begin(), study.rows.end(), [](const auto &row) { return row.reference; });
   if (reference != study.rows.end())
     if (const auto impacts = summary_of(folder + "/runs/" + reference->run.name)["impacts"]; !impacts.empty())
       approach_speed = impacts[0]["approach_speed_m_s"].get<double>();
   json["scene"] = calibration::studied_scene(base, approach_speed);
-  scene::write_text(scene::json_text(json), folder + "/study.json");
-  scene::write_text(calibration::to_csv(study), folder + "/study.csv");
-  scene::write_text(calibration::describe(study), folder + "/study.txt");
-  console.data(console.json ? scene::json_text(json) : calibration::describe(study));
+  write_atomically(json_text(json), folder + "/study.json");
+  write_atomically(calibration::to_csv(study), folder + "/study.csv");
+  write_atomically(calibration::describe(study), folder + "/study.txt");
+  console.data(console.json ? json_text(json) : calibration::describe(study));
   if (python({"report.quick", "study", folder}) != 0) console.warn("the picture in " + folder + " was not made");
 }
 
@@ -114,7 +117,8 @@ void run_study(Options options, Console &console) {
   const auto [part, n_parts] = parse_shard(options.shard);
   const scene::Scene base = console.load(options.scene);
   if (base.model.own_mesh.any() && options.varies("mesh") && options.meshes.size() > 1)
-    throw InputError("--axes mesh: the scene has a mesh of its own (" + base.model.own_mesh.file + "), which is the same on every level; leave mesh out");
+    throw InputError("--axes mesh: the scene has a mesh of its own (" + base.model.own_mesh.file +
+                     "), which is the same on every level; leave mesh out");
   if (options.folder.empty()) options.folder = default_folder("study-" + base.name);
   const std::vector<Job> jobs = study_jobs(options, base);
   const auto lock = claim_for_jobs(options.folder, "a study", jobs, console.force, part_name(part, n_parts));

@@ -1,8 +1,8 @@
 // rimpact version
 #include "app/verb.h"
 #include "fe_contact/runner/run.h"
-#include "scene/identity.h"
-#include "scene/json_text.h"
+#include "files/json_text.h"
+#include "responses/identity.h"
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -12,10 +12,10 @@ void add_version(CLI::App &app, Console &console) {
   console.add_common(*verb);
   console.add_json(*verb);
   verb->callback([&console] {
-    nlohmann::ordered_json table{{"rimpact", RIMPACT_VERSION}, {"physics", scene::physics_version()}};
+    nlohmann::ordered_json table{{"rimpact", RIMPACT_VERSION}, {"physics", physics_version()}};
     for (const auto &[name, version] : fe::component_versions()) table[name] = version;
     if (const std::string warning = fe::blas_warning(); !warning.empty()) console.warn(warning);
-    if (console.json) return console.data(scene::json_text(table));
+    if (console.json) return console.data(json_text(table));
     for (const auto &[name, version] : table.items())
       console.data(fmt::format("{:10s} {}\n", name, version.get<std::string>()));
   });

@@ -1,7 +1,7 @@
 #include "buildings/assembly.h"
 #include "buildings/beam_column.h"
 #include "buildings/modes.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <algorithm>
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
@@ -51,7 +51,8 @@ MatrixXd condense(const MatrixXd &K, int n) {
     pivots.minCoeff(&worst);
     VectorXd order = VectorXd::LinSpaced(m, 0, m - 1);
     order = solver.transpositionsP() * order;
-    throw InputError(fmt::format("the building is a mechanism: node {} turns freely", static_cast<int>(order[worst]) / 2 + 1));
+    throw InputError(
+        fmt::format("the building is a mechanism: node {} turns freely", static_cast<int>(order[worst]) / 2 + 1));
   }
   MatrixXd result = K.topLeftCorner(n, n) - K.topRightCorner(n, m) * solver.solve(K.bottomLeftCorner(m, n));
   return (result + result.transpose().eval()) / 2;
@@ -81,7 +82,8 @@ BuildingModel assemble(const Frame &frame) {
   const MatrixXd T = kinematics(frame, n);
   m.stiffness = condense(T.transpose() * full_stiffness(frame) * T, n);
   m.mass.resize(n);
-  for (int d = 0; d < m.n_diaphragms; ++d) m.mass.segment<3>(3 * d) << frame.diaphragms[d].mass, frame.diaphragms[d].mass, frame.diaphragms[d].inertia;
+  for (int d = 0; d < m.n_diaphragms; ++d)
+    m.mass.segment<3>(3 * d) << frame.diaphragms[d].mass, frame.diaphragms[d].mass, frame.diaphragms[d].inertia;
   for (int i = 0; i < m.n_nodes; ++i) {
     m.mass[m.vertical(i)] = frame.nodes[i].vertical_mass;
     if (!frame.nodes[i].supported) continue;

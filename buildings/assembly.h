@@ -1,6 +1,6 @@
 /// The building's equations M q'' + C q' + K q = f on the dofs that carry mass; all others are condensed. Retained, in
-/// this order: of each diaphragm (u_x, u_y, r_z) at its mass centre, then u_z of each node. Rotations of the nodes about
-/// x and y carry no mass and follow.
+/// this order: of each diaphragm (u_x, u_y, r_z) at its mass centre, then u_z of each node. Rotations of the nodes
+/// about x and y carry no mass and follow.
 #pragma once
 #include "buildings/frame.h"
 
@@ -10,7 +10,7 @@ struct BuildingModel {
   Eigen::MatrixXd stiffness, damping; ///< K [N/m ...], C
   Eigen::VectorXd mass;               ///< diagonal of M
   int n_diaphragms = 0, n_nodes = 0;
-  std::vector<int> bearings;          ///< supported nodes, in the nodes' order
+  std::vector<int> bearings; ///< supported nodes, in the nodes' order
   /// Displacement (x, y, z) of each supported node over q.
   std::vector<Eigen::MatrixXd> slider;
   int n_dofs() const { return static_cast<int>(mass.size()); }

@@ -10,9 +10,9 @@ void add_bending(ElementMatrix &k, double EI, double GA, double L, int t, int r,
   const int dof[] = {t, r, t + 6, r + 6};
   Eigen::Matrix4d b;
   const double s = sign * 6 * L;
-  b << 12, s, -12, s,                                     //
-      s, (4 + phi) * L * L, -s, (2 - phi) * L * L,        //
-      -12, -s, 12, -s,                                    //
+  b << 12, s, -12, s,                              //
+      s, (4 + phi) * L * L, -s, (2 - phi) * L * L, //
+      -12, -s, 12, -s,                             //
       s, (2 - phi) * L * L, -s, (4 + phi) * L * L;
   for (int i = 0; i < 4; ++i)
     for (int j = 0; j < 4; ++j) k(dof[i], dof[j]) += c * b(i, j);
@@ -25,7 +25,8 @@ void add_axial(ElementMatrix &k, double stiffness, int dof) {
 
 } // namespace
 
-ElementMatrix beam_column_stiffness(const Section &s, const Eigen::Vector3d &from, const Eigen::Vector3d &to, const Eigen::Vector3d &up) {
+ElementMatrix beam_column_stiffness(const Section &s, const Eigen::Vector3d &from, const Eigen::Vector3d &to,
+                                    const Eigen::Vector3d &up) {
   const double L = (to - from).norm();
   ElementMatrix k = ElementMatrix::Zero(), R = ElementMatrix::Zero();
   add_axial(k, s.E * s.area / L, 0);

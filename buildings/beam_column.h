@@ -6,6 +6,7 @@
 namespace rimpact::buildings {
 
 using ElementMatrix = Eigen::Matrix<double, 12, 12>;
-ElementMatrix beam_column_stiffness(const Section &section, const Eigen::Vector3d &from, const Eigen::Vector3d &to, const Eigen::Vector3d &up);
+ElementMatrix beam_column_stiffness(const Section &section, const Eigen::Vector3d &from, const Eigen::Vector3d &to,
+                                    const Eigen::Vector3d &up);
 
 } // namespace rimpact::buildings

@@ -1,6 +1,6 @@
 #include "buildings/building_run.h"
+#include "files/error.h"
 #include "reduced_models/step_budget.h"
-#include "scene/error.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -12,10 +12,13 @@ using reduced::Event, reduced::RimContact, reduced::Support;
 
 BuildingRun::BuildingRun(const BuildingDynamics &dynamics, const scene::Scene &scene)
     : dynamics_(dynamics), tolerance_(scene.reduced.tolerance), pulse_step_(0.02), modes_(dynamics.laws.size()) {
-  if (scene.excitation.kind == scene::ExcitationKind::ricker) pulse_step_ = std::min(pulse_step_, scene.excitation.period / 20);
+  if (scene.excitation.kind == scene::ExcitationKind::ricker)
+    pulse_step_ = std::min(pulse_step_, scene.excitation.period / 20);
   contact_step_ = pulse_step_; // a contact is half a period of the base on its rim: never fewer than 20 steps
   for (const auto &law : dynamics.laws)
-    if (law.has_rim()) contact_step_ = std::min({contact_step_, 2e-3, std::numbers::pi * std::sqrt(dynamics.model.mass[0] / law.rim.stiffness) / 20});
+    if (law.has_rim())
+      contact_step_ = std::min(
+          {contact_step_, 2e-3, std::numbers::pi * std::sqrt(dynamics.model.mass[0] / law.rim.stiffness) / 20});
 }
 
 void BuildingRun::set_scales() {
@@ -30,7 +33,8 @@ void BuildingRun::set_scales() {
   inverse_scale_.segment(n, n).setConstant(1 / (tolerance_ * speed));
   for (int i = 0; i < d.model.n_diaphragms; ++i) inverse_scale_[3 * i + 2] *= arm, inverse_scale_[n + 3 * i + 2] *= arm;
   // enters through the friction only: one digit less where many are asked for
-  inverse_scale_.segment(2 * n, 2 * d.n_bearings()).setConstant(1 / std::min(std::max(1e-8, tolerance_), 10 * tolerance_));
+  inverse_scale_.segment(2 * n, 2 * d.n_bearings())
+      .setConstant(1 / std::min(std::max(1e-8, tolerance_), 10 * tolerance_));
 }
 
 std::vector<BuildingRun::Watch> BuildingRun::watched() const {
@@ -58,8 +62,9 @@ std::vector<double> BuildingRun::values(const std::vector<Watch> &events, double
   std::vector<double> list;
   const BuildingResponse r = dynamics_.evaluate(modes_, t, y);
   for (const auto &[b, event] : events)
-    list.push_back(event == Event::uplift ? r.bearings[b].normal / dynamics_.weight
-                                          : dynamics_.laws[b].value(event, modes_[b], t, dynamics_.bearing_state(b, y)));
+    list.push_back(event == Event::uplift
+                       ? r.bearings[b].normal / dynamics_.weight
+                       : dynamics_.laws[b].value(event, modes_[b], t, dynamics_.bearing_state(b, y)));
   return list;
 }
 
@@ -84,9 +89,12 @@ double BuildingRun::next_break(double t, double t_end) {
 
 void BuildingRun::give_up() const {
   for (int b = 0; b < dynamics_.n_bearings(); ++b) {
-    const double r = dynamics_.slider[b].of(step_.y0.data()).head<2>().norm(), edge = dynamics_.laws[b].height.limit_radius();
+    const double r = dynamics_.slider[b].of(step_.y0.data()).head<2>().norm(),
+                 edge = dynamics_.laws[b].height.limit_radius();
     if (r > 0.98 * edge)
-      throw SolverStopped(fmt::format("the slider of bearing {} left its dish at t = {} s: travel {} m reaches the edge at {} m", b + 1, step_.t, r, edge));
+      throw SolverStopped(
+          fmt::format("the slider of bearing {} left its dish at t = {} s: travel {} m reaches the edge at {} m", b + 1,
+                      step_.t, r, edge));
   }
   throw SolverStopped(fmt::format("the time step of the building became too small at t = {} s", step_.t));
 }
@@ -164,7 +172,8 @@ void BuildingRun::set_out_on_rims(double t, const VectorXd &y, const VectorXd &d
 }
 
 void BuildingRun::arrive_on_rims(double t, const VectorXd &y) {
-  for (int b = 0; b < dynamics_.n_bearings(); ++b) dynamics_.laws[b].arrive(modes_[b], t, dynamics_.bearing_state(b, y));
+  for (int b = 0; b < dynamics_.n_bearings(); ++b)
+    dynamics_.laws[b].arrive(modes_[b], t, dynamics_.bearing_state(b, y));
 }
 
 void BuildingRun::apply(const Watch &watch, double t, VectorXd &y, BuildingRecorder &recorder) {
@@ -202,7 +211,8 @@ long BuildingRun::run(double t_end, BuildingRecorder &recorder) {
     if (n_short > 100) throw SolverStopped(fmt::format("the building chatters between branches at t = {} s", step_.t));
     dynamics_.project(modes_, step_.y1);
     const double t1 = step_.t + step_.h;
-    recorder.segment(modes_, {step_.t, t1, step_.y0, step_.y1, [&](double t) { return step_.at((t - step_.t) / step_.h); }});
+    recorder.segment(modes_,
+                     {step_.t, t1, step_.y0, step_.y1, [&](double t) { return step_.at((t - step_.t) / step_.h); }});
     step_.t = t1, step_.y0 = step_.y1;
     arrive_on_rims(t1, step_.y0);
     if (event >= 0) {

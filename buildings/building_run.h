@@ -1,5 +1,5 @@
-/// Dormand-Prince steps with error control on each smooth branch of a building on bearings; an event is located by repeating
-/// the step with other lengths, as for a single bearing (reduced_models/hybrid_run.h).
+/// Dormand-Prince steps with error control on each smooth branch of a building on bearings; an event is located by
+/// repeating the step with other lengths, as for a single bearing (reduced_models/hybrid_run.h).
 #pragma once
 #include "buildings/recorder.h"
 #include "reduced_models/dormand_prince.h"
@@ -10,8 +10,8 @@ namespace rimpact::buildings {
 class BuildingRun {
 public:
   BuildingRun(const BuildingDynamics &dynamics, const scene::Scene &scene);
-  /// From rest (or as `free` says) to t_end. Throws SolverStopped when a slider leaves its dish or the steps become too small;
-  /// what came before is in the recorder.
+  /// From rest (or as `free` says) to t_end. Throws SolverStopped when a slider leaves its dish or the steps become too
+  /// small; what came before is in the recorder.
   long run(double t_end, BuildingRecorder &recorder);
 
 private:

@@ -1,5 +1,5 @@
 #include "buildings/dynamics.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <cmath>
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -14,15 +14,20 @@ namespace {
 void check(const scene::Scene &s) {
   const auto refuse = [](const std::string &what) { throw InputError(what); };
   if (s.double_concave() || s.reduced.model != "physical")
-    refuse(fmt::format("a building stands on bearings of reduced.model \"physical\"; \"{}\" carries a chain of storeys only", s.reduced.model));
+    refuse(fmt::format(
+        "a building stands on bearings of reduced.model \"physical\"; \"{}\" carries a chain of storeys only",
+        s.reduced.model));
   if (s.superstructure.any()) refuse("a building stands in [building] or in [superstructure], not in both");
   if (!s.excitation.is_dynamic() || s.excitation.kind == scene::ExcitationKind::window)
-    refuse(fmt::format("excitation.kind \"{}\" moves a single bearing; a building takes ricker, record or free", scene::to_string(s.excitation.kind)));
+    refuse(fmt::format("excitation.kind \"{}\" moves a single bearing; a building takes ricker, record or free",
+                       scene::to_string(s.excitation.kind)));
   if (s.reduced.friction != "park-wen")
-    refuse("reduced.friction \"coulomb\": bearings under one rigid base that stick together share their forces in no definite way; "
+    refuse("reduced.friction \"coulomb\": bearings under one rigid base that stick together share their forces in no "
+           "definite way; "
            "a building takes \"park-wen\", with its elastic slip");
   if (s.reduced.normal_force != "inertia")
-    refuse(fmt::format("reduced.normal_force \"{}\": every bearing of a building has its own, by \"inertia\"", s.reduced.normal_force));
+    refuse(fmt::format("reduced.normal_force \"{}\": every bearing of a building has its own, by \"inertia\"",
+                       s.reduced.normal_force));
 }
 
 /// The bearing's scene under its share of the weight.
@@ -35,9 +40,10 @@ scene::Scene one_bearing(const scene::Scene &whole, double reaction) {
 
 } // namespace
 
-BuildingDynamics::BuildingDynamics(const BuildingModel &m, const scene::Scene &scene, const std::vector<scene::Bearing> &bearings)
-    : model(m), slider(sliders(m)), reactions(static_reactions(m, scene.load.gravity)), gravity(scene.load.gravity), n(m.n_dofs()),
-      vertical_restitution(scene.reduced.vertical_restitution), excitation_(scene.excitation) {
+BuildingDynamics::BuildingDynamics(const BuildingModel &m, const scene::Scene &scene,
+                                   const std::vector<scene::Bearing> &bearings)
+    : model(m), slider(sliders(m)), reactions(static_reactions(m, scene.load.gravity)), gravity(scene.load.gravity),
+      n(m.n_dofs()), vertical_restitution(scene.reduced.vertical_restitution), excitation_(scene.excitation) {
   check(scene);
   total_mass = m.mass.tail(m.n_nodes).sum(), weight = gravity * total_mass;
   if (bearings.size() > 1 && bearings.size() != slider.size())
@@ -71,7 +77,8 @@ reduced::State BuildingDynamics::bearing_state(int b, const VectorXd &y) const {
   return s;
 }
 
-BearingResponse BuildingDynamics::contact(int b, const reduced::Mode &mode, double t, const VectorXd &y, Vector3d &per_normal) const {
+BearingResponse BuildingDynamics::contact(int b, const reduced::Mode &mode, double t, const VectorXd &y,
+                                          Vector3d &per_normal) const {
   const auto &law = laws[b];
   BearingResponse r;
   r.u = slider[b].of(y.data()), r.v = slider[b].of(y.data() + n);
@@ -101,7 +108,8 @@ BearingResponse BuildingDynamics::contact(int b, const reduced::Mode &mode, doub
   return r;
 }
 
-SupportEquations BuildingDynamics::support_equations(const BuildingResponse &r, const std::vector<int> &closed, const std::vector<Vector3d> &per_normal) const {
+SupportEquations BuildingDynamics::support_equations(const BuildingResponse &r, const std::vector<int> &closed,
+                                                     const std::vector<Vector3d> &per_normal) const {
   const int m = static_cast<int>(closed.size());
   SupportEquations e{MatrixXd(m, m), VectorXd(m)};
   const VectorXd &mass = model.mass;
@@ -109,7 +117,8 @@ SupportEquations BuildingDynamics::support_equations(const BuildingResponse &r, 
     const int b = closed[i];
     const Slider &s = slider[b];
     const Vector3d G(-r.bearings[b].gradient[0], -r.bearings[b].gradient[1], 1);
-    const double turn = (s.arm_x * G[1] - s.arm_y * G[0]) / mass[s.dof[2]], x = G[0] / mass[s.dof[0]], y = G[1] / mass[s.dof[1]];
+    const double turn = (s.arm_x * G[1] - s.arm_y * G[0]) / mass[s.dof[2]], x = G[0] / mass[s.dof[0]],
+                 y = G[1] / mass[s.dof[1]];
     for (int j = 0; j < m; ++j) {
       const Slider &o = slider[closed[j]];
       const Vector3d &f = per_normal[closed[j]];
@@ -121,8 +130,8 @@ SupportEquations BuildingDynamics::support_equations(const BuildingResponse &r, 
   return e;
 }
 
-BuildingResponse BuildingDynamics::unsupported(const BearingModes &modes, double t, const VectorXd &y, std::vector<int> &closed,
-                                               std::vector<Vector3d> &per_normal) const {
+BuildingResponse BuildingDynamics::unsupported(const BearingModes &modes, double t, const VectorXd &y,
+                                               std::vector<int> &closed, std::vector<Vector3d> &per_normal) const {
   BuildingResponse r;
   r.ground = laws[0].ground.acceleration(t);
   VectorXd force = -(model.stiffness * y.head(n)) - model.damping * y.segment(n, n);

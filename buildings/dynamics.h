@@ -1,11 +1,14 @@
 /// Equations of motion of a linear building on bearings with a rim, one branch at a time (thesis 2.2, 2.4). SI units.
 ///
-///   M q'' + C q' + K q = -M r a_g - g M_v + sum_b W_b^T (N_b (n_b + f_b) + I_b),      z_b = h_b(x_b, y_b) while closed,
+///   M q'' + C q' + K q = -M r a_g - g M_v + sum_b W_b^T (N_b (n_b + f_b) + I_b),      z_b = h_b(x_b, y_b) while
+///   closed,
 ///
-/// W_b leads from q to the slider of bearing b, n_b the upward normal of its dish, f_b its friction over N_b (Park-Wen), I_b
-/// its rim. With G_b = (-grad h, 1) W_b every closed bearing keeps G_b q'' = v^T H v, which gives all N together:
+/// W_b leads from q to the slider of bearing b, n_b the upward normal of its dish, f_b its friction over N_b
+/// (Park-Wen), I_b its rim. With G_b = (-grad h, 1) W_b every closed bearing keeps G_b q'' = v^T H v, which gives all N
+/// together:
 ///   sum_c G_b M^-1 W_c^T (n_c + f_c) N_c = v^T H v - G_b a_0,      a_0 the acceleration without them.
-/// The sliders stand at the building's nodes: moments of the horizontal forces over the bearings' own height are left out.
+/// The sliders stand at the building's nodes: moments of the horizontal forces over the bearings' own height are left
+/// out.
 #pragma once
 #include "buildings/slider.h"
 #include "reduced_models/dynamics.h"
@@ -15,19 +18,20 @@ namespace rimpact::buildings {
 
 /// One bearing in a state, forces on the building [N].
 struct BearingResponse {
-  Eigen::Vector3d u, v;     ///< of the slider past the plate [m], [m/s]
-  double height = 0;        ///< of the dish there [m]
+  Eigen::Vector3d u, v; ///< of the slider past the plate [m], [m/s]
+  double height = 0;    ///< of the dish there [m]
   Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
   double normal = 0, rim_force = 0, gap = 0;
-  Eigen::Vector3d pendular = Eigen::Vector3d::Zero(), friction = Eigen::Vector3d::Zero(), impact = Eigen::Vector3d::Zero();
+  Eigen::Vector3d pendular = Eigen::Vector3d::Zero(), friction = Eigen::Vector3d::Zero(),
+                  impact = Eigen::Vector3d::Zero();
   Eigen::Vector2d eta_rate = Eigen::Vector2d::Zero();
   Eigen::Vector3d force() const { return pendular + friction + impact; }
 };
 
 struct BuildingResponse {
-  Eigen::VectorXd acceleration;   ///< q'', relative to the ground
-  Eigen::Vector3d ground;         ///< a_g
-  double ground_power = 0;        ///< [W]
+  Eigen::VectorXd acceleration; ///< q'', relative to the ground
+  Eigen::Vector3d ground;       ///< a_g
+  double ground_power = 0;      ///< [W]
   std::vector<BearingResponse> bearings;
 };
 
@@ -42,9 +46,11 @@ struct SupportEquations {
 
 class BuildingDynamics {
 public:
-  /// `bearings`: one for all, or one a supported node in their order; [bearing] of the scene for none. Throws InputError for
-  /// what a building cannot have: Coulomb's law without elastic slip, another normal force than `inertia`, a window.
-  BuildingDynamics(const BuildingModel &model, const scene::Scene &scene, const std::vector<scene::Bearing> &bearings = {});
+  /// `bearings`: one for all, or one a supported node in their order; [bearing] of the scene for none. Throws
+  /// InputError for what a building cannot have: Coulomb's law without elastic slip, another normal force than
+  /// `inertia`, a window.
+  BuildingDynamics(const BuildingModel &model, const scene::Scene &scene,
+                   const std::vector<scene::Bearing> &bearings = {});
 
   int n_bearings() const { return static_cast<int>(laws.size()); }
   int n_state() const { return 2 * n + 2 * n_bearings() + n_works; }
@@ -54,17 +60,18 @@ public:
   int eta(int b) const { return 2 * n + 2 * b; }
   int work(Work w) const { return 2 * n + 2 * n_bearings() + w; }
 
-  Eigen::VectorXd start() const; ///< at rest under its weight, displaced and moving as the scene's `free` excitation says
+  Eigen::VectorXd
+  start() const; ///< at rest under its weight, displaced and moving as the scene's `free` excitation says
   const Eigen::VectorXd &at_rest() const { return start_; }
   BuildingResponse evaluate(const BearingModes &modes, double t, const Eigen::VectorXd &y) const;
   void rhs(const BearingModes &modes, double t, const Eigen::VectorXd &y, Eigen::VectorXd &dy) const;
   /// Closed sliders onto their dishes.
   void project(const BearingModes &modes, Eigen::VectorXd &y) const;
-  /// Which bearings carry: of those on their dish and not approaching it, N >= 0, no slider driven through its dish, the smaller of
-  /// N and opening zero. `leaving` (or -1) opens.
+  /// Which bearings carry: of those on their dish and not approaching it, N >= 0, no slider driven through its dish,
+  /// the smaller of N and opening zero. `leaving` (or -1) opens.
   void settle(BearingModes &modes, double t, const Eigen::VectorXd &y, int leaving = -1) const;
-  /// Frictionless impulses that end the approach of bearing `b` (by its vertical restitution), no other bearing pulled down.
-  /// Returns the energy lost [J].
+  /// Frictionless impulses that end the approach of bearing `b` (by its vertical restitution), no other bearing pulled
+  /// down. Returns the energy lost [J].
   double land(int b, BearingModes &modes, double t, Eigen::VectorXd &y) const;
   /// Slider of one bearing as its own law's state, for its rim's events.
   reduced::State bearing_state(int b, const Eigen::VectorXd &y) const;
@@ -82,11 +89,13 @@ public:
   double vertical_restitution;
 
 private:
-  BearingResponse contact(int b, const reduced::Mode &mode, double t, const Eigen::VectorXd &y, Eigen::Vector3d &per_normal) const;
+  BearingResponse contact(int b, const reduced::Mode &mode, double t, const Eigen::VectorXd &y,
+                          Eigen::Vector3d &per_normal) const;
   /// Without the closed bearings' N: their pendular and friction over it, v^T H v in its place.
   BuildingResponse unsupported(const BearingModes &modes, double t, const Eigen::VectorXd &y, std::vector<int> &closed,
                                std::vector<Eigen::Vector3d> &per_normal) const;
-  SupportEquations support_equations(const BuildingResponse &r, const std::vector<int> &closed, const std::vector<Eigen::Vector3d> &per_normal) const;
+  SupportEquations support_equations(const BuildingResponse &r, const std::vector<int> &closed,
+                                     const std::vector<Eigen::Vector3d> &per_normal) const;
   Eigen::VectorXd start_;
   scene::Excitation excitation_;
 };

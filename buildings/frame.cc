@@ -1,5 +1,5 @@
 #include "buildings/frame.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <algorithm>
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -10,8 +10,15 @@ Section rectangle(const std::string &name, double y, double z, double E, double 
   const double a = std::max(y, z), b = std::min(y, z), r = b / a;
   // Roark: within 4 % of the series for any ratio of the sides.
   const double torsion = a * b * b * b * (1. / 3 - 0.21 * r * (1 - r * r * r * r / 12));
-  return {.name = name, .E = E, .G = E / (2 * (1 + nu)), .area = y * z, .Iy = y * z * z * z / 12, .Iz = z * y * y * y / 12,
-          .torsion = torsion, .shear_y = 5. / 6 * y * z, .shear_z = 5. / 6 * y * z};
+  return {.name = name,
+          .E = E,
+          .G = E / (2 * (1 + nu)),
+          .area = y * z,
+          .Iy = y * z * z * z / 12,
+          .Iz = z * y * y * y / 12,
+          .torsion = torsion,
+          .shear_y = 5. / 6 * y * z,
+          .shear_z = 5. / 6 * y * z};
 }
 
 namespace {
@@ -21,9 +28,11 @@ void check_elements(const Frame &f) {
   for (std::size_t e = 0; e < f.elements.size(); ++e) {
     const Element &m = f.elements[e];
     for (const int end : {m.i, m.j})
-      if (end < 0 || end >= n) throw InputError(fmt::format("element {} ends at node {}; the frame has nodes 1 to {}", e + 1, end + 1, n));
+      if (end < 0 || end >= n)
+        throw InputError(fmt::format("element {} ends at node {}; the frame has nodes 1 to {}", e + 1, end + 1, n));
     if (m.section < 0 || m.section >= static_cast<int>(f.sections.size()))
-      throw InputError(fmt::format("element {} has section {}; the frame has {}", e + 1, m.section + 1, f.sections.size()));
+      throw InputError(
+          fmt::format("element {} has section {}; the frame has {}", e + 1, m.section + 1, f.sections.size()));
     const Eigen::Vector3d axis = f.nodes[m.j].at - f.nodes[m.i].at;
     if (!(axis.norm() > 0)) throw InputError(fmt::format("element {} has no length", e + 1));
     if (!(axis.normalized().cross(m.up.normalized()).norm() > 1e-6))
@@ -36,31 +45,40 @@ void check_diaphragms(const Frame &f) {
   std::vector<int> owner(f.nodes.size(), -1);
   for (std::size_t d = 0; d < f.diaphragms.size(); ++d) {
     const Diaphragm &slab = f.diaphragms[d];
-    if (!(slab.mass > 0)) throw InputError(fmt::format("diaphragm {} has the mass {} kg; it must be above 0", d + 1, slab.mass));
-    if (!(slab.inertia > 0)) throw InputError(fmt::format("diaphragm {} has the rotatory inertia {} kg m^2; it must be above 0", d + 1, slab.inertia));
+    if (!(slab.mass > 0))
+      throw InputError(fmt::format("diaphragm {} has the mass {} kg; it must be above 0", d + 1, slab.mass));
+    if (!(slab.inertia > 0))
+      throw InputError(
+          fmt::format("diaphragm {} has the rotatory inertia {} kg m^2; it must be above 0", d + 1, slab.inertia));
     if (slab.nodes.empty()) throw InputError(fmt::format("diaphragm {} has no nodes", d + 1));
     for (const int node : slab.nodes) {
       if (node < 0 || node >= static_cast<int>(f.nodes.size()))
-        throw InputError(fmt::format("diaphragm {} names node {}; the frame has nodes 1 to {}", d + 1, node + 1, f.nodes.size()));
-      if (owner[node] >= 0) throw InputError(fmt::format("node {} stands in diaphragms {} and {}", node + 1, owner[node] + 1, d + 1));
+        throw InputError(
+            fmt::format("diaphragm {} names node {}; the frame has nodes 1 to {}", d + 1, node + 1, f.nodes.size()));
+      if (owner[node] >= 0)
+        throw InputError(fmt::format("node {} stands in diaphragms {} and {}", node + 1, owner[node] + 1, d + 1));
       owner[node] = static_cast<int>(d);
     }
   }
   for (std::size_t i = 0; i < f.nodes.size(); ++i) {
     const Node &node = f.nodes[i];
     if (owner[i] < 0) throw InputError(fmt::format("node {} stands in no diaphragm", i + 1));
-    if (!(node.vertical_mass > 0)) throw InputError(fmt::format("node {} has the mass {} kg; it must be above 0", i + 1, node.vertical_mass));
-    if (node.supported && owner[i] != 0) throw InputError(fmt::format("node {} stands on a bearing but not in the base, diaphragm 1", i + 1));
+    if (!(node.vertical_mass > 0))
+      throw InputError(fmt::format("node {} has the mass {} kg; it must be above 0", i + 1, node.vertical_mass));
+    if (node.supported && owner[i] != 0)
+      throw InputError(fmt::format("node {} stands on a bearing but not in the base, diaphragm 1", i + 1));
   }
 }
 
 } // namespace
 
 void Frame::validate() const {
-  if (!(damping_ratio >= 0 && damping_ratio <= 1)) throw InputError(fmt::format("damping_ratio {} must be between 0 and 1", damping_ratio));
+  if (!(damping_ratio >= 0 && damping_ratio <= 1))
+    throw InputError(fmt::format("damping_ratio {} must be between 0 and 1", damping_ratio));
   check_elements(*this);
   check_diaphragms(*this);
-  if (std::none_of(nodes.begin(), nodes.end(), [](const Node &n) { return n.supported; })) throw InputError("no node stands on a bearing");
+  if (std::none_of(nodes.begin(), nodes.end(), [](const Node &n) { return n.supported; }))
+    throw InputError("no node stands on a bearing");
 }
 
 } // namespace rimpact::buildings

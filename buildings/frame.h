@@ -7,18 +7,18 @@
 namespace rimpact::buildings {
 
 struct Node {
-  Eigen::Vector3d at;        ///< [m]
-  double vertical_mass = 0;  ///< tributary, moves up and down with the node [kg], >= 0
-  bool supported = false;    ///< a bearing stands under it
+  Eigen::Vector3d at;       ///< [m]
+  double vertical_mass = 0; ///< tributary, moves up and down with the node [kg], >= 0
+  bool supported = false;   ///< a bearing stands under it
 };
 
 /// Elastic properties of a member's section, local axes of Element.
 struct Section {
   std::string name;
-  double E, G;          ///< [Pa], > 0
-  double area;          ///< [m^2]
-  double Iy, Iz;        ///< bending with displacements along local z, along local y [m^4]
-  double torsion;       ///< Saint-Venant constant [m^4]
+  double E, G;                     ///< [Pa], > 0
+  double area;                     ///< [m^2]
+  double Iy, Iz;                   ///< bending with displacements along local z, along local y [m^4]
+  double torsion;                  ///< Saint-Venant constant [m^4]
   double shear_y = 0, shear_z = 0; ///< shear areas [m^2] (Timoshenko); 0: rigid in shear (Euler-Bernoulli)
 };
 /// A solid rectangle, `y` and `z` its sides along the local axes [m]; shear areas 5/6 of it.
@@ -33,9 +33,9 @@ struct Element {
 /// Nodes that move in the plane as one body.
 struct Diaphragm {
   std::vector<int> nodes;
-  double mass;             ///< [kg], > 0
-  Eigen::Vector2d centre;  ///< of mass [m]; off the nodes' middle: eccentric
-  double inertia;          ///< about the vertical through `centre` [kg m^2], > 0
+  double mass;            ///< [kg], > 0
+  Eigen::Vector2d centre; ///< of mass [m]; off the nodes' middle: eccentric
+  double inertia;         ///< about the vertical through `centre` [kg m^2], > 0
 };
 
 struct Frame {

@@ -1,6 +1,7 @@
 /// Node and element tables of a frame as CSV, numbers from 1, SI units.
-///   nodes: node,x_m,y_m,z_m,diaphragm,vertical_mass_kg,bearing   elements: element,i,j,E_Pa,G_Pa,A_m2,Iy_m4,Iz_m4,J_m4,Asy_m2,Asz_m2,up_x,up_y,up_z
-///   diaphragms: diaphragm,mass_kg,x_m,y_m,inertia_kg_m2
+///   nodes: node,x_m,y_m,z_m,diaphragm,vertical_mass_kg,bearing   elements:
+///   element,i,j,E_Pa,G_Pa,A_m2,Iy_m4,Iz_m4,J_m4,Asy_m2,Asz_m2,up_x,up_y,up_z diaphragms:
+///   diaphragm,mass_kg,x_m,y_m,inertia_kg_m2
 #pragma once
 #include "buildings/frame.h"
 

@@ -1,5 +1,5 @@
 #include "buildings/recorder.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -9,14 +9,16 @@ namespace rimpact::buildings {
 using Eigen::Vector2d, Eigen::VectorXd;
 using reduced::RimContact, reduced::Support;
 
-BuildingRecorder::BuildingRecorder(const BuildingDynamics &dynamics, scene::Response *response, double output_step)
-    : dynamics_(dynamics), response_(response), output_step_(output_step), contact_step_(output_step), bearings_(dynamics.laws.size()),
-      floors_(dynamics.model.n_diaphragms - 1) {
+BuildingRecorder::BuildingRecorder(const BuildingDynamics &dynamics, Response *response, double output_step)
+    : dynamics_(dynamics), response_(response), output_step_(output_step), contact_step_(output_step),
+      bearings_(dynamics.laws.size()), floors_(dynamics.model.n_diaphragms - 1) {
   if (dynamics.n_bearings() > most_bearings || static_cast<int>(floors_.size()) > most_floors)
-    throw InputError(fmt::format("the building has {} bearings and {} floors above its base; {} and {} are the most", dynamics.n_bearings(),
-                                 floors_.size(), most_bearings, most_floors));
+    throw InputError(fmt::format("the building has {} bearings and {} floors above its base; {} and {} are the most",
+                                 dynamics.n_bearings(), floors_.size(), most_bearings, most_floors));
   for (const auto &law : dynamics.laws)
-    if (law.has_rim()) contact_step_ = std::min(contact_step_, std::numbers::pi * std::sqrt(dynamics.model.mass[0] / law.rim.stiffness) / 120);
+    if (law.has_rim())
+      contact_step_ =
+          std::min(contact_step_, std::numbers::pi * std::sqrt(dynamics.model.mass[0] / law.rim.stiffness) / 120);
 }
 
 double BuildingRecorder::next_after(const BearingModes &modes, double t) const {
@@ -28,7 +30,8 @@ double BuildingRecorder::next_after(const BearingModes &modes, double t) const {
 void BuildingRecorder::begin(const BearingModes &modes, double t, const VectorXd &y) {
   initial_elastic_ = dynamics_.elastic_energy(y), initial_kinetic_ = dynamics_.kinetic_energy(y);
   initial_gravity_ = dynamics_.potential_energy(y);
-  initial_height_ = initial_gravity_ - dynamics_.potential_energy(dynamics_.at_rest()); // a building let go from a height
+  initial_height_ =
+      initial_gravity_ - dynamics_.potential_energy(dynamics_.at_rest()); // a building let go from a height
   const auto r = dynamics_.evaluate(modes, t, y);
   final_ = y;
   watch(y, r), store(t, y, r);
@@ -55,7 +58,8 @@ void BuildingRecorder::segment(const BearingModes &modes, const BuildingSegment 
   largest_input_ = std::max(largest_input_, std::abs(s.y1[dynamics_.work(BuildingDynamics::external)]));
 }
 
-void BuildingRecorder::branch(const BearingModes &before, const BearingModes &after, double t, const VectorXd &y, double loss) {
+void BuildingRecorder::branch(const BearingModes &before, const BearingModes &after, double t, const VectorXd &y,
+                              double loss) {
   landing_loss_ += loss;
   bool changed = false;
   for (int b = 0; b < dynamics_.n_bearings(); ++b) {
@@ -67,7 +71,7 @@ void BuildingRecorder::branch(const BearingModes &before, const BearingModes &af
     const double outwards = u.dot(v) / u.norm();
     bearings_[b].pressed = is;
     if (is) {
-      scene::Impact impact{};
+      Impact impact{};
       impact.touch_time = t, impact.release_time = -1; // before its touch: not released yet
       impact.direction_deg = std::atan2(u[1], u[0]) * 180 / std::numbers::pi, impact.approach_speed = outwards;
       bearings_[b].impacts.push_back(impact);
@@ -112,10 +116,12 @@ void BuildingRecorder::watch(const VectorXd &y, const BuildingResponse &r) {
     raise(p.travel, travel), raise(p.force, one.force().head<2>().norm()), raise(p.impact, one.rim_force);
     raise(p.largest_normal, one.normal), raise(p.lift, one.u[2] - one.height), raise(peak_height_, one.u[2]);
     p.smallest_normal = std::min(p.smallest_normal, std::max(0.0, one.normal));
-    if (p.pressed) raise(p.impacts.back().peak_force, one.rim_force), raise(p.impacts.back().peak_penetration, -one.gap);
+    if (p.pressed)
+      raise(p.impacts.back().peak_force, one.rim_force), raise(p.impacts.back().peak_penetration, -one.gap);
     total += one.force().head<2>(), up += std::max(0.0, one.normal);
   }
-  raise(peak_displacement_, y.head<2>().norm()), raise(peak_shear_, total.norm()), raise(peak_rotation_, std::abs(y[2]));
+  raise(peak_displacement_, y.head<2>().norm()), raise(peak_shear_, total.norm()),
+      raise(peak_rotation_, std::abs(y[2]));
   raise(peak_overturning_, overturning(r).norm());
   smallest_total_ = std::min(smallest_total_, up);
   Vector2d shear = Vector2d::Zero();
@@ -124,14 +130,15 @@ void BuildingRecorder::watch(const VectorXd &y, const BuildingResponse &r) {
     const Vector2d acceleration = r.acceleration.segment<2>(d) + r.ground.head<2>(), between = drift(f, y);
     shear += dynamics_.model.mass[d] * acceleration;
     auto &p = floors_[f];
-    raise(p.displacement, y.segment<2>(d).norm()), raise(p.drift, between.norm()), raise(p.acceleration, acceleration.norm());
+    raise(p.displacement, y.segment<2>(d).norm()), raise(p.drift, between.norm()),
+        raise(p.acceleration, acceleration.norm());
     raise(p.drift_x, std::abs(between[0])), raise(p.drift_y, std::abs(between[1])), raise(p.shear, shear.norm());
   }
 }
 
-scene::EnergyLedger BuildingRecorder::ledger(const VectorXd &y) const {
+EnergyLedger BuildingRecorder::ledger(const VectorXd &y) const {
   const auto &d = dynamics_;
-  scene::EnergyLedger l;
+  EnergyLedger l;
   l.initial = initial_kinetic_ + initial_height_;
   l.external = y[d.work(BuildingDynamics::external)];
   l.gravity = d.potential_energy(y) - initial_gravity_ + initial_height_;

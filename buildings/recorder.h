@@ -1,12 +1,12 @@
 /// Watches the run of a building: stores samples, keeps peaks, impacts and the energy ledger.
 #pragma once
 #include "buildings/dynamics.h"
-#include "scene/summary.h"
+#include "responses/summary.h"
 #include <functional>
 
 namespace rimpact::buildings {
 
-inline constexpr int most_bearings = 64, most_floors = 40; ///< that a response has signals for (scene/response.cc)
+inline constexpr int most_bearings = 64, most_floors = 40; ///< that a response has signals for (responses/response.cc)
 
 /// A piece of the solution on one branch.
 struct BuildingSegment {
@@ -18,21 +18,21 @@ struct BuildingSegment {
 class BuildingRecorder {
 public:
   /// `response` may be null: peaks and impacts only. Throws InputError beyond most_bearings, most_floors.
-  BuildingRecorder(const BuildingDynamics &dynamics, scene::Response *response, double output_step);
+  BuildingRecorder(const BuildingDynamics &dynamics, Response *response, double output_step);
 
   void begin(const BearingModes &modes, double t, const Eigen::VectorXd &y);
   void segment(const BearingModes &modes, const BuildingSegment &segment);
   void branch(const BearingModes &before, const BearingModes &after, double t, const Eigen::VectorXd &y, double loss);
   void end(const BearingModes &modes, double t, const Eigen::VectorXd &y);
 
-  scene::EnergyLedger ledger(const Eigen::VectorXd &y) const;
+  EnergyLedger ledger(const Eigen::VectorXd &y) const;
   /// Peaks, impacts of all bearings in order, energies; `bearings`, `floors` and `worst_bearing` in extra.
-  void summarise(scene::Summary &summary) const;
+  void summarise(Summary &summary) const;
 
 private:
   struct BearingPeaks {
     double travel = 0, force = 0, impact = 0, largest_normal = 0, smallest_normal = 1e300, lift = 0;
-    std::vector<scene::Impact> impacts;
+    std::vector<Impact> impacts;
     bool pressed = false;
   };
   struct FloorPeaks {
@@ -45,12 +45,14 @@ private:
   double next_after(const BearingModes &modes, double t) const;
 
   const BuildingDynamics &dynamics_;
-  scene::Response *response_;
+  Response *response_;
   double output_step_, contact_step_, next_sample_ = 0, last_sample_ = -1e300;
-  double initial_elastic_ = 0, initial_gravity_ = 0, initial_kinetic_ = 0, initial_height_ = 0, landing_loss_ = 0, largest_input_ = 0;
+  double initial_elastic_ = 0, initial_gravity_ = 0, initial_kinetic_ = 0, initial_height_ = 0, landing_loss_ = 0,
+         largest_input_ = 0;
   std::vector<BearingPeaks> bearings_;
   std::vector<FloorPeaks> floors_;
-  double peak_displacement_ = 0, peak_shear_ = 0, peak_overturning_ = 0, peak_rotation_ = 0, smallest_total_ = 1e300, peak_height_ = -1e300;
+  double peak_displacement_ = 0, peak_shear_ = 0, peak_overturning_ = 0, peak_rotation_ = 0, smallest_total_ = 1e300,
+         peak_height_ = -1e300;
   Eigen::VectorXd final_;
 };
 

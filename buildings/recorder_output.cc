@@ -29,8 +29,10 @@ void BuildingRecorder::store(double t, const VectorXd &y, const BuildingResponse
   plane("pendular", pendular), plane("friction", friction), plane("impact", impact);
   put("gap", gap), put("normal_force", normal), put("base_rotation", y[2]), plane("overturning", overturning(r));
   const auto l = ledger(y);
-  put("energy_external", l.external), put("energy_gravity", l.gravity), put("energy_kinetic", l.kinetic), put("energy_elastic", l.elastic);
-  put("energy_damping", l.damping), put("energy_friction", l.friction), put("energy_impact", l.impact), put("energy_contact", l.contact);
+  put("energy_external", l.external), put("energy_gravity", l.gravity), put("energy_kinetic", l.kinetic),
+      put("energy_elastic", l.elastic);
+  put("energy_damping", l.damping), put("energy_friction", l.friction), put("energy_impact", l.impact),
+      put("energy_contact", l.contact);
   for (int b = 0; b < d.n_bearings(); ++b) {
     const auto &one = r.bearings[b];
     const std::string name = fmt::format("bearing_{}_", b + 1);
@@ -42,37 +44,59 @@ void BuildingRecorder::store(double t, const VectorXd &y, const BuildingResponse
     const int dof = 3 * (f + 1);
     const std::string name = fmt::format("floor_{}_", f + 1);
     plane(name + "displacement", y.segment<2>(dof)), put(name + "rotation", y[dof + 2]);
-    plane(name + "drift", drift(f, y)), plane(name + "acceleration", Vector2d(r.acceleration.segment<2>(dof) + r.ground.head<2>()));
+    plane(name + "drift", drift(f, y)),
+        plane(name + "acceleration", Vector2d(r.acceleration.segment<2>(dof) + r.ground.head<2>()));
   }
 }
 
-void BuildingRecorder::summarise(scene::Summary &s) const {
+void BuildingRecorder::summarise(Summary &s) const {
   s.peak_displacement = 0, s.peak_lateral_force = peak_shear_, s.peak_vertical_displacement = peak_height_;
   s.min_normal_force = smallest_total_, s.residual_displacement = 0;
   s.peak_impact_force = 0;
   nlohmann::json bearings = nlohmann::json::array(), floors = nlohmann::json::array();
   std::size_t worst = 0;
-  const auto rank = [&](std::size_t b) { return std::pair(bearings_[b].impact, bearings_[b].travel / dynamics_.laws[b].lateral_capacity); };
+  const auto rank = [&](std::size_t b) {
+    return std::pair(bearings_[b].impact, bearings_[b].travel / dynamics_.laws[b].lateral_capacity);
+  };
   for (std::size_t b = 0; b < bearings_.size(); ++b) {
     const auto &p = bearings_[b];
     const auto &node = dynamics_.slider[b];
     if (rank(b) > rank(worst)) worst = b;
-    s.peak_displacement = std::max(s.peak_displacement, p.travel), *s.peak_impact_force = std::max(*s.peak_impact_force, p.impact);
+    s.peak_displacement = std::max(s.peak_displacement, p.travel),
+    *s.peak_impact_force = std::max(*s.peak_impact_force, p.impact);
     const double residual = node.of(final_.data()).head<2>().norm();
     s.residual_displacement = std::max(s.residual_displacement, residual);
     s.impacts.insert(s.impacts.end(), p.impacts.begin(), p.impacts.end());
-    bearings.push_back({{"x_m", node.arm_x}, {"y_m", node.arm_y}, {"static_normal_force_N", dynamics_.reactions[b]}, {"peak_displacement_m", p.travel},
-                        {"peak_force_N", p.force}, {"peak_impact_force_N", p.impact}, {"impacts", p.impacts.size()}, {"max_normal_force_N", p.largest_normal},
-                        {"min_normal_force_N", p.smallest_normal}, {"peak_uplift_m", p.lift}, {"residual_displacement_m", residual}});
+    bearings.push_back({{"x_m", node.arm_x},
+                        {"y_m", node.arm_y},
+                        {"static_normal_force_N", dynamics_.reactions[b]},
+                        {"peak_displacement_m", p.travel},
+                        {"peak_force_N", p.force},
+                        {"peak_impact_force_N", p.impact},
+                        {"impacts", p.impacts.size()},
+                        {"max_normal_force_N", p.largest_normal},
+                        {"min_normal_force_N", p.smallest_normal},
+                        {"peak_uplift_m", p.lift},
+                        {"residual_displacement_m", residual}});
     if (!p.impacts.empty()) bearings.back()["first_touch_s"] = p.impacts[0].touch_time;
   }
-  std::stable_sort(s.impacts.begin(), s.impacts.end(), [](const auto &a, const auto &b) { return a.touch_time < b.touch_time; });
+  std::stable_sort(s.impacts.begin(), s.impacts.end(),
+                   [](const auto &a, const auto &b) { return a.touch_time < b.touch_time; });
   for (const auto &f : floors_)
-    floors.push_back({{"peak_displacement_m", f.displacement}, {"peak_drift_m", f.drift}, {"peak_drift_x_m", f.drift_x}, {"peak_drift_y_m", f.drift_y},
-                      {"peak_acceleration_m_s2", f.acceleration}, {"peak_shear_N", f.shear}});
+    floors.push_back({{"peak_displacement_m", f.displacement},
+                      {"peak_drift_m", f.drift},
+                      {"peak_drift_x_m", f.drift_x},
+                      {"peak_drift_y_m", f.drift_y},
+                      {"peak_acceleration_m_s2", f.acceleration},
+                      {"peak_shear_N", f.shear}});
   s.energy = ledger(final_);
-  s.extra["building"] = {{"bearings", bearings}, {"floors", floors}, {"worst_bearing", worst + 1}, {"peak_base_shear_N", peak_shear_},
-                         {"peak_overturning_N_m", peak_overturning_}, {"peak_base_rotation_rad", peak_rotation_}, {"weight_N", dynamics_.weight},
+  s.extra["building"] = {{"bearings", bearings},
+                         {"floors", floors},
+                         {"worst_bearing", worst + 1},
+                         {"peak_base_shear_N", peak_shear_},
+                         {"peak_overturning_N_m", peak_overturning_},
+                         {"peak_base_rotation_rad", peak_rotation_},
+                         {"weight_N", dynamics_.weight},
                          {"peak_base_displacement_m", peak_displacement_}};
 }
 

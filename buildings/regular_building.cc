@@ -1,7 +1,7 @@
 #include "buildings/regular_building.h"
-#include "scene/error.h"
-#include "scene/files.h"
-#include "scene/toml_reader.h"
+#include "files/error.h"
+#include "files/file.h"
+#include "files/toml_reader.h"
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -15,9 +15,11 @@ double tributary(const std::vector<double> &lines, std::size_t i) {
 }
 
 void check_lines(const char *key, const std::vector<double> &lines) {
-  if (lines.size() < 2) throw InputError(fmt::format("{} has {} lines; a building needs 2 at least", key, lines.size()));
+  if (lines.size() < 2)
+    throw InputError(fmt::format("{} has {} lines; a building needs 2 at least", key, lines.size()));
   for (std::size_t i = 1; i < lines.size(); ++i)
-    if (!(lines[i] > lines[i - 1])) throw InputError(fmt::format("{} must grow: {} follows {}", key, lines[i], lines[i - 1]));
+    if (!(lines[i] > lines[i - 1]))
+      throw InputError(fmt::format("{} must grow: {} follows {}", key, lines[i], lines[i - 1]));
 }
 
 const char *thesis_building =
@@ -41,13 +43,15 @@ damping_ratio = 0.02
 Frame make_frame(const RegularBuilding &b) {
   check_lines("x_m", b.x);
   check_lines("y_m", b.y);
-  const int nx = static_cast<int>(b.x.size()), ny = static_cast<int>(b.y.size()), levels = static_cast<int>(b.storeys.size()) + 1;
+  const int nx = static_cast<int>(b.x.size()), ny = static_cast<int>(b.y.size()),
+            levels = static_cast<int>(b.storeys.size()) + 1;
   const Eigen::Vector2d sides(b.x.back() - b.x[0], b.y.back() - b.y[0]);
   const double mass = b.load / b.gravity * sides.prod();
   const Eigen::Vector2d middle = Eigen::Vector2d(b.x[0], b.y[0]) + sides / 2, off = b.eccentricity.cwiseProduct(sides);
   Frame f;
   f.name = b.name, f.damping_ratio = b.damping_ratio;
-  f.sections = {rectangle("column", b.column_x, b.column_y, b.E, b.nu), rectangle("beam", b.beam_width, b.beam_depth, b.E, b.nu)};
+  f.sections = {rectangle("column", b.column_x, b.column_y, b.E, b.nu),
+                rectangle("beam", b.beam_width, b.beam_depth, b.E, b.nu)};
   if (!b.shear)
     for (auto &s : f.sections) s.shear_y = s.shear_z = 0;
   double z = 0;
@@ -58,7 +62,8 @@ Frame make_frame(const RegularBuilding &b) {
       for (int i = 0; i < nx; ++i) {
         const int node = static_cast<int>(f.nodes.size());
         slab.nodes.push_back(node);
-        f.nodes.push_back({{b.x[i], b.y[j], z}, b.load / b.gravity * tributary(b.x, i) * tributary(b.y, j), level == 0});
+        f.nodes.push_back(
+            {{b.x[i], b.y[j], z}, b.load / b.gravity * tributary(b.x, i) * tributary(b.y, j), level == 0});
         if (level > 0) f.elements.push_back({node - nx * ny, node, 0, Eigen::Vector3d::UnitY()});
         if (i > 0) f.elements.push_back({node - 1, node, 1, Eigen::Vector3d::UnitZ()});
         if (j > 0) f.elements.push_back({node - nx, node, 1, Eigen::Vector3d::UnitZ()});
@@ -69,9 +74,9 @@ Frame make_frame(const RegularBuilding &b) {
 }
 
 RegularBuilding parse_building(const std::string &text, const std::string &origin) {
-  using scene::Range, scene::si, scene::milli, scene::kilo, scene::huge;
-  const scene::TomlFile file(text, origin);
-  scene::TomlReader v(file, "");
+  using Range, si, milli, kilo, huge;
+  const TomlFile file(text, origin);
+  TomlReader v(file, "");
   RegularBuilding b;
   const Range positive{0, huge, true}, size{0, 1e5, true};
   double E_GPa = b.E / 1e9;
@@ -106,7 +111,7 @@ RegularBuilding load_building(const std::string &where) {
   std::error_code ignored;
   if (!std::filesystem::exists(where, ignored))
     throw InputError(fmt::format("{}: no such file, and the built-in buildings are thesis-2.4", where));
-  return parse_building(scene::read_file(where), where);
+  return parse_building(read_file(where), where);
 }
 
 } // namespace rimpact::buildings

@@ -6,15 +6,16 @@ namespace rimpact::buildings {
 
 struct RegularBuilding {
   std::string name = "building";
-  std::vector<double> x, y;       ///< column lines [m], growing
-  std::vector<double> storeys;    ///< heights from the base up [m], > 0; none: a base alone
-  double load = 10e3;             ///< seismic weight on every level, the base too [N/m^2], > 0
-  double gravity = 9.81;          ///< makes masses of it [m/s^2]
-  double E = 23.4e9, nu = 0.2;    ///< concrete [Pa], [-]
+  std::vector<double> x, y;    ///< column lines [m], growing
+  std::vector<double> storeys; ///< heights from the base up [m], > 0; none: a base alone
+  double load = 10e3;          ///< seismic weight on every level, the base too [N/m^2], > 0
+  double gravity = 9.81;       ///< makes masses of it [m/s^2]
+  double E = 23.4e9, nu = 0.2; ///< concrete [Pa], [-]
   double column_x = 0.5, column_y = 0.5, beam_width = 0.5, beam_depth = 0.65; ///< [m]
-  bool shear = true;              ///< Timoshenko members; false: Euler-Bernoulli
-  Eigen::Vector2d eccentricity = Eigen::Vector2d::Zero(); ///< of every level's mass centre, shares of the plan's sides [-], -0.5..0.5;
-                                                          ///< tributary vertical masses stay where they are
+  bool shear = true; ///< Timoshenko members; false: Euler-Bernoulli
+  Eigen::Vector2d eccentricity =
+      Eigen::Vector2d::Zero(); ///< of every level's mass centre, shares of the plan's sides [-], -0.5..0.5;
+                               ///< tributary vertical masses stay where they are
   double damping_ratio = 0.02;
 };
 /// Slabs are rigid in their plane; their bending is left out. Beams run along every line on every level, the base too.

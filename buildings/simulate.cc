@@ -1,11 +1,12 @@
 #include "buildings/simulate.h"
 #include "buildings/building_run.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <chrono>
 
 namespace rimpact::buildings {
 
-reduced::ReducedRun simulate(const Frame &frame, const scene::Scene &scene, const std::vector<scene::Bearing> &bearings, bool with_response) {
+reduced::ReducedRun simulate(const Frame &frame, const scene::Scene &scene, const std::vector<scene::Bearing> &bearings,
+                             bool with_response) {
   const auto begin = std::chrono::steady_clock::now();
   reduced::ReducedRun run;
   const BuildingModel model = assemble(frame);

@@ -5,8 +5,9 @@
 
 namespace rimpact::buildings {
 
-/// `bearings` as BuildingDynamics takes them; without `with_response` peaks and impacts only. A slider that leaves its dish gives
-/// status "stopped" with the reason.
-reduced::ReducedRun simulate(const Frame &frame, const scene::Scene &scene, const std::vector<scene::Bearing> &bearings = {}, bool with_response = true);
+/// `bearings` as BuildingDynamics takes them; without `with_response` peaks and impacts only. A slider that leaves its
+/// dish gives status "stopped" with the reason.
+reduced::ReducedRun simulate(const Frame &frame, const scene::Scene &scene,
+                             const std::vector<scene::Bearing> &bearings = {}, bool with_response = true);
 
 } // namespace rimpact::buildings

@@ -6,8 +6,8 @@
 namespace rimpact::buildings {
 
 struct Slider {
-  std::array<int, 4> dof;  ///< u_x, u_y, r_z of the diaphragm; u_z of the node
-  double arm_x, arm_y;     ///< of the node from the diaphragm's mass centre [m]
+  std::array<int, 4> dof; ///< u_x, u_y, r_z of the diaphragm; u_z of the node
+  double arm_x, arm_y;    ///< of the node from the diaphragm's mass centre [m]
 
   Eigen::Vector3d of(const double *q) const {
     return {q[dof[0]] - arm_y * q[dof[2]], q[dof[1]] + arm_x * q[dof[2]], q[dof[3]]};

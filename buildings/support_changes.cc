@@ -1,8 +1,8 @@
 // Which bearings of a building carry: the start of a branch, and landings.
 #include "buildings/dynamics.h"
+#include <cmath>
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
-#include <cmath>
 
 namespace rimpact::buildings {
 
@@ -11,8 +11,8 @@ using reduced::Support;
 
 namespace {
 constexpr double on_dish = 1e-12; ///< clearance below which an open bearing touches its dish [m]
-/// Times its speed scale: ever smaller bounces, passed from one bearing to the next, would follow one another without end; below
-/// this rate a slider on its dish stays there.
+/// Times its speed scale: ever smaller bounces, passed from one bearing to the next, would follow one another without
+/// end; below this rate a slider on its dish stays there.
 constexpr double small_bounce = 1e-5;
 } // namespace
 
@@ -21,7 +21,8 @@ void BuildingDynamics::settle(BearingModes &modes, double t, const VectorXd &y, 
   for (int b = 0; b < n_bearings(); ++b) {
     const Vector3d u = slider[b].of(y.data()), v = slider[b].of(y.data() + n);
     const auto p = laws[b].height.at(u[0], u[1]);
-    const bool rests = u[2] - p.z <= on_dish && std::abs(v[2] - p.gradient.dot(v.head<2>())) <= small_bounce * laws[b].speed_scale;
+    const bool rests =
+        u[2] - p.z <= on_dish && std::abs(v[2] - p.gradient.dot(v.head<2>())) <= small_bounce * laws[b].speed_scale;
     if (modes[b].support == Support::airborne && rests) trial[b].support = Support::sliding;
     if (b == leaving) trial[b].support = Support::airborne;
   }

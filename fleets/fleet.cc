@@ -1,11 +1,11 @@
 #include "fleets/fleet.h"
+#include "files/error.h"
+#include "files/folder_lock.h"
 #include "fleets/fleet_folder.h"
 #include "fleets/fleet_table.h"
 #include "fleets/fractiles.h"
 #include "reduced_models/physical_model.h"
-#include "scene/error.h"
-#include "scene/folder_lock.h"
-#include "scene/limits.h"
+#include "responses/limits.h"
 #include <chrono>
 #include <condition_variable>
 #include <fmt/format.h>
@@ -41,8 +41,8 @@ Row run_one(const FleetScene &fleet, std::size_t run) {
     return row_without_result("refused", error.what());
   }
   try {
-    scene::Summary summary = reduced::simulate_summary(scene);
-    scene::judge(scene, summary);
+    Summary summary = reduced::simulate_summary(scene);
+    judge(scene, summary);
     return row_of(summary);
   } catch (const InputError &error) {
     return row_without_result("refused", error.what());
@@ -69,8 +69,7 @@ scene::Scene first_scene(const FleetScene &fleet) {
 /// Threads that work through a list of runs and hand their rows to the owner.
 class Workers {
 public:
-  Workers(const FleetScene &fleet, const std::vector<std::size_t> &todo, int n_threads)
-      : fleet_(fleet), todo_(todo) {
+  Workers(const FleetScene &fleet, const std::vector<std::size_t> &todo, int n_threads) : fleet_(fleet), todo_(todo) {
     for (int i = 0; i < n_threads; ++i) threads_.emplace_back([this] { work(); });
   }
   ~Workers() { stop(); }
@@ -124,7 +123,7 @@ FleetResult run_fleet(const std::string &where, const std::vector<std::string> &
   const scene::Scene first = first_scene(fleet);
   if (options.first) options.first(first);
   const std::string part = options.n_shards > 1 ? fmt::format("{}-of-{}", options.shard, options.n_shards) : "";
-  const scene::FolderLock lock(options.folder, part);
+  const FolderLock lock(options.folder, part);
   const FleetIdentity identity = fleet_identity(where, overrides, sweep, first);
   open_folder(identity, sweep, options);
   FleetTable table(sweep, {{"version", RIMPACT_VERSION}, {"scene_of_first_run", scene::to_toml(first)}});
@@ -157,8 +156,8 @@ FleetResult run_fleet(const std::string &where, const std::vector<std::string> &
       take();
       const double spent = seconds_since(start);
       if (options.progress)
-        options.progress({result.kept + n_new, result.total, n_failed, spent,
-                          n_new ? spent * (todo.size() - n_new) / n_new : 0});
+        options.progress(
+            {result.kept + n_new, result.total, n_failed, spent, n_new ? spent * (todo.size() - n_new) / n_new : 0});
       if (seconds_since(last_flush) > options.flush_seconds) {
         require_still_ours(identity, options.folder);
         table.write(result.table, mine);
@@ -173,13 +172,13 @@ FleetResult run_fleet(const std::string &where, const std::vector<std::string> &
   result.seconds = seconds_since(start);
   if (n_new < todo.size())
     throw Error(ExitCode::interrupted,
-                fmt::format("interrupted after {} of {} runs; the same command goes on from there",
-                            result.kept + n_new, result.total));
+                fmt::format("interrupted after {} of {} runs; the same command goes on from there", result.kept + n_new,
+                            result.total));
   for (const auto run : mine) count(result, table.row(run));
   if (options.n_shards == 1 && !sweep.fractiles_along.empty()) {
-    const scene::Table curves = fractiles(table.table(mine), sweep.fractiles_along);
-    scene::write_hdf5(curves, options.folder + "/fractiles.h5");
-    scene::write_csv(curves, options.folder + "/fractiles.csv");
+    const Table curves = fractiles(table.table(mine), sweep.fractiles_along);
+    write_hdf5(curves, options.folder + "/fractiles.h5");
+    write_csv(curves, options.folder + "/fractiles.csv");
   }
   return result;
 }

@@ -38,8 +38,9 @@ struct FleetResult {
 /// has are not run again (so a call without a shard gathers the shards' tables). Without shards and with
 /// [fractiles] in the sweep also FOLDER/fractiles.csv and .h5. FOLDER/fleet.json says what
 /// the fleet is; InputError when the folder holds another one, or when no run of the sweep can be read as a
-/// scene. Rows of other inputs (a file edited since) or of another version are not kept: every run is made again. IoError where
-/// another process works on the same shard. Throws Error{ExitCode::interrupted} after the table is written.
+/// scene. Rows of other inputs (a file edited since) or of another version are not kept: every run is made again.
+/// IoError where another process works on the same shard. Throws Error{ExitCode::interrupted} after the table is
+/// written.
 FleetResult run_fleet(const std::string &scene, const std::vector<std::string> &overrides, const Sweep &sweep,
                       const FleetOptions &options);
 

@@ -1,12 +1,12 @@
 #include "fleets/fleet_folder.h"
 
-#include "scene/digest.h"
-#include "scene/error.h"
-#include "scene/files.h"
-#include "scene/folder_lock.h"
-#include "scene/json_text.h"
-#include "scene/kept_run.h"
-#include "scene/response.h"
+#include "files/digest.h"
+#include "files/error.h"
+#include "files/file.h"
+#include "files/folder_lock.h"
+#include "files/json_text.h"
+#include "responses/kept_run.h"
+#include "responses/response.h"
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -21,11 +21,13 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// Keys whose values name files; those of a sweep's records are sought beside the sweep, the others beside the scene.
-constexpr std::array file_keys{"excitation.x", "excitation.y", "excitation.z", "bearing.file", "bearing.surface.file", "model.own_mesh.file", "reduced.calibration"};
+constexpr std::array file_keys{"excitation.x",         "excitation.y",        "excitation.z",       "bearing.file",
+                               "bearing.surface.file", "model.own_mesh.file", "reduced.calibration"};
 
 std::set<std::string> swept_files(const std::string &where, const Sweep &sweep) {
   std::set<std::string> files;
-  const std::array beside{fs::path(sweep.origin).parent_path(), fs::is_directory(where) ? fs::path(where) : fs::path(where).parent_path(), fs::path()};
+  const std::array beside{fs::path(sweep.origin).parent_path(),
+                          fs::is_directory(where) ? fs::path(where) : fs::path(where).parent_path(), fs::path()};
   for (std::size_t i = 0; i < sweep.keys.size(); ++i) {
     if (std::find(file_keys.begin(), file_keys.end(), sweep.keys[i]) == file_keys.end()) continue;
     std::set<std::string> names;
@@ -46,21 +48,23 @@ std::set<std::string> swept_files(const std::string &where, const Sweep &sweep) 
 std::string text_of_scene(const std::string &where) {
   std::error_code none;
   const fs::path path = fs::is_directory(where, none) ? fs::path(where) / "scene.toml" : fs::path(where);
-  return fs::is_regular_file(path, none) ? scene::read_file(path.string()) : "";
+  return fs::is_regular_file(path, none) ? read_file(path.string()) : "";
 }
 
 json to_json(const FleetIdentity &identity) {
-  json result = scene::to_json(identity.rows);
+  json result = to_json(identity.rows);
   result["sweep"] = identity.sweep, result["values"] = identity.values;
   return result;
 }
 
 json read_fleet(const std::string &path) {
-  const json fleet = json::parse(scene::read_file(path), nullptr, false);
+  const json fleet = json::parse(read_file(path), nullptr, false);
   const auto is = [&](const char *key, auto test) { return fleet.contains(key) && (fleet[key].*test)(); };
-  const bool identity = fleet.is_object() && fleet.contains("identity") && (fleet["identity"].is_object() || fleet["identity"].is_string());
+  const bool identity = fleet.is_object() && fleet.contains("identity") &&
+                        (fleet["identity"].is_object() || fleet["identity"].is_string());
   if (!identity || !is("scene", &json::is_string) || !is("n_runs", &json::is_number) || !is("keys", &json::is_array))
-    throw DataError(path + " is damaged: it does not say what the sweep is of; choose another folder with -o, or --force");
+    throw DataError(path +
+                    " is damaged: it does not say what the sweep is of; choose another folder with -o, or --force");
   return fleet;
 }
 
@@ -70,13 +74,16 @@ struct Verdict {
 };
 Verdict judge(const json &kept, const FleetIdentity &now, const Sweep &sweep) {
   const json &id = kept["identity"];
-  const auto rows = scene::identity_from(id);
+  const auto rows = identity_from(id);
   if (kept["scene"] != now.scene_name) return {true, {}};
-  if (!rows) return {kept["keys"] != json(sweep.keys) || kept["n_runs"] != json(sweep.runs.size()), "it was made by an older version, which did not note the files it read"};
+  if (!rows)
+    return {kept["keys"] != json(sweep.keys) || kept["n_runs"] != json(sweep.runs.size()),
+            "it was made by an older version, which did not note the files it read"};
   if (id.value("sweep", json()) != now.sweep) return {true, {}};
-  const std::string changed = scene::changes(*rows, now.rows);
+  const std::string changed = changes(*rows, now.rows);
   const bool same_files = rows->inputs == now.rows.inputs;
-  if (id.value("values", json()) != now.values) return {same_files, changed.empty() ? "the records are others" : changed + " since"};
+  if (id.value("values", json()) != now.values)
+    return {same_files, changed.empty() ? "the records are others" : changed + " since"};
   if (changed.empty()) return {false, same_files ? "" : "the files it reads are others"};
   return {false, changed + " since"};
 }
@@ -84,16 +91,17 @@ Verdict judge(const json &kept, const FleetIdentity &now, const Sweep &sweep) {
 void remove_rows(const std::string &folder) {
   for (const auto &entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string(), ending = entry.path().extension().string();
-    const bool ours = name == "table.csv" || name == "table.h5" || name.starts_with("fractiles.") || (name.starts_with("table-") && (ending == ".csv" || ending == ".h5"));
+    const bool ours = name == "table.csv" || name == "table.h5" || name.starts_with("fractiles.") ||
+                      (name.starts_with("table-") && (ending == ".csv" || ending == ".h5"));
     if (ours) fs::remove(entry.path());
   }
 }
 
 /// Shards begin together: one of them looks at the folder at a time.
-scene::FolderLock wait_to_open(const std::string &folder) {
+FolderLock wait_to_open(const std::string &folder) {
   for (int tries = 0;; ++tries) {
     try {
-      return scene::FolderLock(folder, "opening");
+      return FolderLock(folder, "opening");
     } catch (const IoError &) {
       if (tries == 200) throw;
     }
@@ -103,20 +111,21 @@ scene::FolderLock wait_to_open(const std::string &folder) {
 
 } // namespace
 
-FleetIdentity fleet_identity(const std::string &where, const std::vector<std::string> &overrides, const Sweep &sweep, const scene::Scene &first) {
+FleetIdentity fleet_identity(const std::string &where, const std::vector<std::string> &overrides, const Sweep &sweep,
+                             const scene::Scene &first) {
   std::string definition = fmt::format("{}\n", sweep.runs.size()), values;
   for (const auto &assignment : overrides) definition += assignment + "\n";
   for (const auto &key : sweep.keys) definition += key + "\n";
   for (const auto &run : sweep.runs)
     for (const auto &value : run) values += value.toml + "\n";
-  FleetIdentity identity{where, scene::sha256(definition), scene::sha256(values), scene::identity_of(first)};
+  FleetIdentity identity{where, sha256(definition), sha256(values), identity_of(first)};
   // Of the first run only what the sweep does not set: a value swept is no change of the scene.
-  auto keys = scene::resolved_keys(scene::to_toml(first));
+  auto keys = resolved_keys(scene::to_toml(first));
   for (const auto &key : sweep.keys) keys.erase(key);
   std::string text = text_of_scene(where);
   for (const auto &[key, value] : keys) text += key + " = " + value + "\n";
-  identity.rows.scene = scene::sha256(text);
-  for (const auto &file : swept_files(where, sweep)) identity.rows.inputs[file] = scene::sha256_of_file(file);
+  identity.rows.scene = sha256(text);
+  for (const auto &file : swept_files(where, sweep)) identity.rows.inputs[file] = sha256_of_file(file);
   return identity;
 }
 
@@ -124,29 +133,35 @@ void open_folder(const FleetIdentity &identity, const Sweep &sweep, const FleetO
   const auto lock = wait_to_open(options.folder);
   const std::string path = options.folder + "/fleet.json";
   std::error_code none;
-  const auto what = scene::collection_in(options.folder);
+  const auto what = collection_in(options.folder);
   const bool run = fs::exists(options.folder + "/summary.json", none);
   if (!options.force && (run || (!what.empty() && what != "a sweep")))
-    throw InputError(fmt::format("{} holds {}; choose another folder with -o, or --force", options.folder, run ? "a run" : what));
+    throw InputError(
+        fmt::format("{} holds {}; choose another folder with -o, or --force", options.folder, run ? "a run" : what));
   if (fs::exists(path, none)) {
-    const Verdict verdict = options.force ? Verdict{false, "--force was given"} : judge(read_fleet(path), identity, sweep);
+    const Verdict verdict =
+        options.force ? Verdict{false, "--force was given"} : judge(read_fleet(path), identity, sweep);
     if (verdict.other)
-      throw InputError(fmt::format("{} holds a sweep of another scene or other values ({}); choose another folder with -o, or replace it with --force", options.folder, path));
+      throw InputError(fmt::format("{} holds a sweep of another scene or other values ({}); choose another folder with "
+                                   "-o, or replace it with --force",
+                                   options.folder, path));
     if (verdict.changed.empty()) return;
     remove_rows(options.folder);
-    if (options.remark && !options.force) options.remark(fmt::format("{}: every run is made again, because {}", options.folder, verdict.changed));
+    if (options.remark && !options.force)
+      options.remark(fmt::format("{}: every run is made again, because {}", options.folder, verdict.changed));
   }
-  const json fleet = {{"identity", to_json(identity)}, {"version", RIMPACT_VERSION},        {"scene", identity.scene_name},
+  const json fleet = {{"identity", to_json(identity)}, {"version", RIMPACT_VERSION},  {"scene", identity.scene_name},
                       {"sweep", sweep.origin},         {"n_runs", sweep.runs.size()}, {"keys", sweep.keys}};
-  scene::write_text(scene::json_text(fleet), path);
+  write_atomically(json_text(fleet), path);
 }
 
 void require_still_ours(const FleetIdentity &identity, const std::string &folder) {
   const std::string path = folder + "/fleet.json";
   if (!fs::exists(path)) throw IoError(path + " is gone: another process has cleared the folder");
-  const json fleet = json::parse(scene::read_file(path), nullptr, false);
+  const json fleet = json::parse(read_file(path), nullptr, false);
   if (!fleet.is_object() || fleet.value("identity", json()) != to_json(identity))
-    throw IoError(folder + " was taken by the same sweep with other inputs or by another version: this one ends, so that their rows do not mix");
+    throw IoError(folder + " was taken by the same sweep with other inputs or by another version: this one ends, so "
+                           "that their rows do not mix");
 }
 
 } // namespace rimpact::fleets

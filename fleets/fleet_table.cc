@@ -1,5 +1,5 @@
 #include "fleets/fleet_table.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -42,7 +42,7 @@ void add(Row &row, const std::string &name, double value) {
 
 } // namespace
 
-Row row_of(const scene::Summary &s) {
+Row row_of(const Summary &s) {
   Row row{{"status", s.status}, {"reason", s.reason}};
   add(row, "peak_displacement_m", s.peak_displacement);
   add(row, "peak_lateral_force_N", s.peak_lateral_force);
@@ -88,7 +88,7 @@ void FleetTable::read_folder(const std::string &folder) {
 }
 
 void FleetTable::read(const std::string &path) {
-  const scene::Table table = scene::read_table(path);
+  const Table table = read_table(path);
   const auto is_parameter = [&](const std::string &name) {
     return std::find(sweep_.keys.begin(), sweep_.keys.end(), name) != sweep_.keys.end();
   };
@@ -102,13 +102,14 @@ void FleetTable::read(const std::string &path) {
     for (std::size_t i = 1; i < cells.size(); ++i)
       if (!is_parameter(table.columns[i]) && cells[i].index() != 0) row[table.columns[i]] = cells[i];
     const auto status = row.find("status");
-    if (status == row.end() || !std::get_if<std::string>(&status->second)) throw DataError(fmt::format("{}: run {:.0f} has no status", path, *run));
+    if (status == row.end() || !std::get_if<std::string>(&status->second))
+      throw DataError(fmt::format("{}: run {:.0f} has no status", path, *run));
     set(static_cast<std::size_t>(*run) - 1, std::move(row));
   }
 }
 
-scene::Table FleetTable::table(const std::vector<std::size_t> &wanted) const {
-  scene::Table table;
+Table FleetTable::table(const std::vector<std::size_t> &wanted) const {
+  Table table;
   table.meta = meta_;
   std::vector<std::string> results = result_columns();
   for (const auto run : wanted)
@@ -121,11 +122,11 @@ scene::Table FleetTable::table(const std::vector<std::size_t> &wanted) const {
   table.columns.insert(table.columns.end(), results.begin(), results.end());
   for (const auto run : wanted) {
     if (!has(run)) continue;
-    std::vector<scene::Cell> cells{static_cast<double>(run + 1)};
+    std::vector<Cell> cells{static_cast<double>(run + 1)};
     for (const auto &value : sweep_.runs[run]) cells.push_back(value.cell);
     for (const auto &name : results) {
       const auto found = row(run).find(name);
-      cells.push_back(found == row(run).end() ? scene::Cell{} : found->second);
+      cells.push_back(found == row(run).end() ? Cell{} : found->second);
     }
     table.rows.push_back(std::move(cells));
   }
@@ -133,9 +134,9 @@ scene::Table FleetTable::table(const std::vector<std::size_t> &wanted) const {
 }
 
 void FleetTable::write(const std::string &path, const std::vector<std::size_t> &wanted) const {
-  const scene::Table all = table(wanted);
-  scene::write_hdf5(all, path + ".h5");
-  scene::write_csv(all, path + ".csv"); // last: it is what a later call goes on from
+  const Table all = table(wanted);
+  write_hdf5(all, path + ".h5");
+  write_csv(all, path + ".csv"); // last: it is what a later call goes on from
 }
 
 } // namespace rimpact::fleets

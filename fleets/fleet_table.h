@@ -1,17 +1,17 @@
 /// The rows of a fleet and the files they are kept in.
 #pragma once
 #include "fleets/sweep.h"
-#include "scene/summary.h"
+#include "responses/summary.h"
 #include <map>
 
 namespace rimpact::fleets {
 
 /// Results of one run by column name; parameters are not among them.
-using Row = std::map<std::string, scene::Cell>;
+using Row = std::map<std::string, Cell>;
 
 /// Peaks, impacts, residual, energy, status and reason, and every number a model puts among the summary's
 /// extras. A number that is not finite is left out and makes the status "failed".
-Row row_of(const scene::Summary &summary);
+Row row_of(const Summary &summary);
 /// Whether a column of zeros and ones holds a one; false where the cell is empty.
 bool is_true(const Row &row, const std::string &column);
 /// status: "refused" (the combination is no valid scene) or "failed".
@@ -26,7 +26,7 @@ public:
   bool has(std::size_t run) const { return rows_.count(run) > 0; }
   const Row &row(std::size_t run) const { return rows_.at(run); }
   /// Of the runs that `wanted` names and that are there.
-  scene::Table table(const std::vector<std::size_t> &wanted) const;
+  Table table(const std::vector<std::size_t> &wanted) const;
   /// The same as path.csv and path.h5.
   void write(const std::string &path, const std::vector<std::size_t> &wanted) const;
 

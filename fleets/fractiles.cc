@@ -8,8 +8,8 @@ namespace rimpact::fleets {
 namespace {
 
 constexpr double beyond = std::numeric_limits<double>::infinity(); ///< where a stopped run stands
-const char *const quantities[] = {"peak_displacement_m", "peak_lateral_force_N", "peak_impact_force_N",
-                                  "peak_drift_m", "ductility"};
+const char *const quantities[] = {"peak_displacement_m", "peak_lateral_force_N", "peak_impact_force_N", "peak_drift_m",
+                                  "ductility"};
 const std::pair<const char *, double> shares[] = {{"p16_", 0.16}, {"p50_", 0.50}, {"p84_", 0.84}};
 
 struct Level {
@@ -17,17 +17,17 @@ struct Level {
   std::vector<double> values[std::size(quantities)];
 };
 
-std::size_t column(const scene::Table &table, const std::string &name) {
+std::size_t column(const Table &table, const std::string &name) {
   const auto found = std::find(table.columns.begin(), table.columns.end(), name);
   if (found == table.columns.end()) throw std::logic_error("a table without the column " + name);
   return static_cast<std::size_t>(found - table.columns.begin());
 }
 
-bool has(const scene::Table &table, const std::string &name) {
+bool has(const Table &table, const std::string &name) {
   return std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end();
 }
 
-scene::Cell fractile(std::vector<double> values, double share) {
+Cell fractile(std::vector<double> values, double share) {
   if (values.empty()) return {};
   std::sort(values.begin(), values.end());
   const double place = share * static_cast<double>(values.size() - 1);
@@ -37,7 +37,7 @@ scene::Cell fractile(std::vector<double> values, double share) {
   return std::lerp(values[below], values[above], place - static_cast<double>(below));
 }
 
-void add(Level &level, const scene::Table &runs, const std::vector<scene::Cell> &row) {
+void add(Level &level, const Table &runs, const std::vector<Cell> &row) {
   const auto number = [&](const std::string &name) { return std::get_if<double>(&row[column(runs, name)]); };
   const auto text = [&](const char *name) {
     const auto *found = std::get_if<std::string>(&row[column(runs, name)]);
@@ -54,7 +54,8 @@ void add(Level &level, const scene::Table &runs, const std::vector<scene::Cell> 
   level.n_stopped += stopped;
   if (const auto *n = number("n_impacts")) level.n_with_impact += *n > 0;
   for (const auto &[name, count] : {std::pair{"beyond_rim", &level.n_beyond_rim}, {"beyond_fit", &level.n_beyond_fit}})
-    if (const auto *flag = has(runs, name) ? number(name) : nullptr) *count += *flag != 0; // tables of before have no such column
+    if (const auto *flag = has(runs, name) ? number(name) : nullptr)
+      *count += *flag != 0; // tables of before have no such column
   for (std::size_t i = 0; i < std::size(quantities); ++i) {
     if (!has(runs, quantities[i])) continue;
     const auto *value = number(quantities[i]);
@@ -67,7 +68,7 @@ void add(Level &level, const scene::Table &runs, const std::vector<scene::Cell> 
 
 } // namespace
 
-scene::Table fractiles(const scene::Table &runs, const std::string &along) {
+Table fractiles(const Table &runs, const std::string &along) {
   const std::size_t place = column(runs, along);
   std::map<double, Level> levels;
   for (const auto &row : runs.rows) {
@@ -75,16 +76,20 @@ scene::Table fractiles(const scene::Table &runs, const std::string &along) {
     if (!value) throw std::logic_error("fractiles along a column that is not of numbers");
     add(levels[*value], runs, row);
   }
-  scene::Table result;
+  Table result;
   result.columns = {along, "n_runs", "n_stopped", "n_with_impact", "n_beyond_rim", "n_beyond_fit", "n_without_result"};
   for (const auto *quantity : quantities) {
     if (!has(runs, quantity)) continue;
     for (const auto &[prefix, share] : shares) result.columns.push_back(std::string(prefix) + quantity);
   }
   for (const auto &[value, level] : levels) {
-    std::vector<scene::Cell> row{value, double(level.n_runs), double(level.n_stopped),
-                                 double(level.n_with_impact), double(level.n_beyond_rim), double(level.n_beyond_fit),
-                                 double(level.n_without_result)};
+    std::vector<Cell> row{value,
+                          double(level.n_runs),
+                          double(level.n_stopped),
+                          double(level.n_with_impact),
+                          double(level.n_beyond_rim),
+                          double(level.n_beyond_fit),
+                          double(level.n_without_result)};
     for (std::size_t i = 0; i < std::size(quantities); ++i)
       if (has(runs, quantities[i]))
         for (const auto &[prefix, share] : shares) row.push_back(fractile(level.values[i], share));

@@ -1,16 +1,16 @@
 /// Curves of an incremental dynamic analysis: fractiles over the motions at each level of intensity
 /// (Vamvatsikos and Cornell, Earthquake Engineering and Structural Dynamics 31, 2002).
 #pragma once
-#include "scene/table.h"
+#include "files/table.h"
 
 namespace rimpact::fleets {
 
 /// One row for each value of the column `along`, growing: n_runs (done, or stopped because the slider left
-/// the dish or the superstructure collapsed), n_stopped of them, n_with_impact, n_beyond_rim and n_beyond_fit (limits.h), n_without_result (any other: not among n_runs), and p16_,
-/// p50_, p84_ of peak_displacement_m, peak_lateral_force_N, peak_impact_force_N and, when the table has them,
-/// peak_drift_m and ductility: linear between the sorted
-/// values, the first at 0 and the last at 1. A stopped run lies above every other, so a fractile that reaches
-/// one is empty. Throws std::logic_error when `along` is no column of numbers.
-scene::Table fractiles(const scene::Table &runs, const std::string &along);
+/// the dish or the superstructure collapsed), n_stopped of them, n_with_impact, n_beyond_rim and n_beyond_fit
+/// (limits.h), n_without_result (any other: not among n_runs), and p16_, p50_, p84_ of peak_displacement_m,
+/// peak_lateral_force_N, peak_impact_force_N and, when the table has them, peak_drift_m and ductility: linear between
+/// the sorted values, the first at 0 and the last at 1. A stopped run lies above every other, so a fractile that
+/// reaches one is empty. Throws std::logic_error when `along` is no column of numbers.
+Table fractiles(const Table &runs, const std::string &along);
 
 } // namespace rimpact::fleets

@@ -1,8 +1,8 @@
 // Cases of a sweep from a folder of records.
+#include "files/error.h"
 #include "fleets/record_folder.h"
 #include "fleets/sweep_reader.h"
 #include "fleets/sweep_toml.h"
-#include "scene/error.h"
 #include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -49,8 +49,7 @@ RecordCases cases_of_folder(const std::string &folder, const std::string &compon
                                             motion.vertical.empty() ? " and no vertical one" : ""));
       continue;
     }
-    result.cases.push_back(
-        case_of(motion.name, motion.horizontal, with_vertical ? motion.vertical : "", sa_period));
+    result.cases.push_back(case_of(motion.name, motion.horizontal, with_vertical ? motion.vertical : "", sa_period));
   }
   if (result.cases.empty())
     throw InputError(fmt::format("the folder {} has no station with the components {}", folder, components));

@@ -1,8 +1,8 @@
 #include "fleets/sweep.h"
+#include "files/file.h"
 #include "fleets/sweep_reader.h"
 #include "fleets/sweep_toml.h"
-#include "scene/files.h"
-#include "scene/record.h"
+#include "records/record.h"
 #include "scene/scene.h"
 #include <algorithm>
 #include <cmath>
@@ -60,13 +60,12 @@ void add_linked(Point &point, const LinkedKey &linked) {
   for (const auto &name : linked.factors) value *= number_of(name);
   if (!linked.divisor.empty()) value /= number_of(linked.divisor);
   if (!std::isfinite(value))
-    throw InputError(fmt::format("{}: {} comes out not finite; {} is {}", linked.place, linked.key,
-                                 linked.divisor, linked.divisor.empty() ? 0.0 : number_of(linked.divisor)));
+    throw InputError(fmt::format("{}: {} comes out not finite; {} is {}", linked.place, linked.key, linked.divisor,
+                                 linked.divisor.empty() ? 0.0 : number_of(linked.divisor)));
   const Value result = number_value(value);
   if (!is_variable(linked.key)) scene::check_assignment(linked.key + "=" + result.toml, linked.place);
   if (!point.emplace(linked.key, result).second)
-    throw InputError(
-        fmt::format("{}: {} is set in more than one part of the sweep", linked.place, linked.key));
+    throw InputError(fmt::format("{}: {} is set in more than one part of the sweep", linked.place, linked.key));
 }
 
 /// Columns of the table that are no keys of a scene.
@@ -87,7 +86,7 @@ std::vector<std::string> Sweep::assignments(std::size_t run) const {
     const Value &value = runs[run][i];
     const auto *text = std::get_if<std::string>(&value.cell);
     if (is_label(keys[i])) continue;
-    if (text && is_file(keys[i]) && !text->empty() && !scene::is_builtin_record(*text)) {
+    if (text && is_file(keys[i]) && !text->empty() && !is_builtin_record(*text)) {
       const fs::path path = fs::absolute(fs::path(origin).parent_path() / *text).lexically_normal();
       result.push_back(keys[i] + "=" + nlohmann::json(path.string()).dump());
     } else {
@@ -114,19 +113,19 @@ Sweep combine(const SweepParts &parts, const std::string &origin) {
   }
   for (const auto &[key, value] : points.front()) sweep.keys.push_back(key);
   if (sweep.keys.empty())
-    throw InputError(fmt::format(
-        "{}: nothing varies; a sweep has [[case]], [records], [grid] or [latin_hypercube]", origin));
+    throw InputError(
+        fmt::format("{}: nothing varies; a sweep has [[case]], [records], [grid] or [latin_hypercube]", origin));
   return sweep;
 }
 
 Sweep parse_sweep(const std::string &text, const std::string &origin) {
-  return combine(read_parts(scene::TomlFile(text, origin), origin), origin);
+  return combine(read_parts(TomlFile(text, origin), origin), origin);
 }
 
 Sweep read_sweep(const std::string &path) {
   std::string text;
   try {
-    text = scene::read_file(path);
+    text = read_file(path);
   } catch (const DataError &error) {
     throw InputError(error.what());
   }

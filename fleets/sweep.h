@@ -31,7 +31,7 @@
 /// dotted; a key that begins with "variable." is only a column and a factor for [linked].
 // clang-format on
 #pragma once
-#include "scene/table.h"
+#include "files/table.h"
 #include <string>
 #include <vector>
 
@@ -40,7 +40,7 @@ namespace rimpact::fleets {
 /// A value as the scene file would write it, and as the table shows it.
 struct Value {
   std::string toml;
-  scene::Cell cell;
+  Cell cell;
 };
 
 struct Sweep {

@@ -1,7 +1,7 @@
 #include "fleets/sweep_reader.h"
+#include "files/text.h"
 #include "fleets/sweep_toml.h"
 #include "scene/scene.h"
-#include "scene/text.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -10,8 +10,7 @@
 namespace rimpact::fleets {
 namespace {
 
-const std::vector<std::string> part_names = {"case",   "records",  "grid", "latin_hypercube",
-                                             "linked", "fractiles"};
+const std::vector<std::string> part_names = {"case", "records", "grid", "latin_hypercube", "linked", "fractiles"};
 
 class PartsReader : SweepToml {
 public:
@@ -20,7 +19,7 @@ public:
   SweepParts read() {
     for (const auto &[name, node] : file_.root())
       if (std::find(part_names.begin(), part_names.end(), name.str()) == part_names.end())
-        fail(node, scene::not_among(name.str(), part_names));
+        fail(node, not_among(name.str(), part_names));
     read_cases();
     read_records();
     each_key("grid", [&](const std::string &key, const toml::node &node) {
@@ -62,14 +61,12 @@ private:
     only(*table, {"folder", "components", "sa_period_s"}, "records");
     const auto text = [&](const char *name) {
       const auto *entry = table->get(name);
-      if (!entry || !entry->is_string())
-        fail(entry ? *entry : *node, fmt::format("records.{} must be a text", name));
+      if (!entry || !entry->is_string()) fail(entry ? *entry : *node, fmt::format("records.{} must be a text", name));
       return entry->as_string()->get();
     };
     const std::string components = text("components");
     if (components != "x" && components != "xy" && components != "xyz")
-      fail(*table->get("components"),
-           "records.components: " + scene::not_among(components, {"x", "xy", "xyz"}));
+      fail(*table->get("components"), "records.components: " + not_among(components, {"x", "xy", "xyz"}));
     double period = 0;
     if (const auto *entry = table->get("sa_period_s")) {
       period = entry->value<double>().value_or(0);
@@ -82,8 +79,7 @@ private:
   RecordCases record_cases(const std::string &folder, const std::string &components, double period,
                            const std::string &where) const {
     try {
-      return cases_of_folder((std::filesystem::path(origin_).parent_path() / folder).string(), components,
-                             period);
+      return cases_of_folder((std::filesystem::path(origin_).parent_path() / folder).string(), components, period);
     } catch (const InputError &error) {
       throw InputError(fmt::format("{}: records.folder: {}", where, error.what()));
     }
@@ -101,8 +97,7 @@ private:
                                    [&](const Axis &a) { return a.key == parts_.fractiles_along; });
     const auto is_number = [](const Value &v) { return std::holds_alternative<double>(v.cell); };
     if (axis == parts_.grid.end() || !std::all_of(axis->values.begin(), axis->values.end(), is_number))
-      fail(*along,
-           fmt::format("fractiles.along: \"{}\" is no key of [grid] with numbers", parts_.fractiles_along));
+      fail(*along, fmt::format("fractiles.along: \"{}\" is no key of [grid] with numbers", parts_.fractiles_along));
   }
 
   std::vector<Value> grid_values(const std::string &key, const toml::node &node) const {
@@ -114,8 +109,7 @@ private:
       const double from = number_in(*table, "from", key), to = number_in(*table, "to", key),
                    count = number_in(*table, "count", key);
       if (!(count >= 2 && count <= largest_fleet && count == std::floor(count)))
-        fail(*table->get("count"),
-             fmt::format("{}.count must be a whole number from 2 to {}", key, largest_fleet));
+        fail(*table->get("count"), fmt::format("{}.count must be a whole number from 2 to {}", key, largest_fleet));
       values = even_values(key, from, to, static_cast<int>(count), place(node));
     } else {
       fail(node, key + " must be a list of values or { from = .., to = .., count = .. }");
@@ -145,8 +139,7 @@ private:
 
   Distribution distribution(const std::string &key, const toml::node &node) const {
     const auto *table = node.as_table();
-    if (!table)
-      fail(node, key + " must be { low = .., high = .. }, with mean and deviation for a normal one");
+    if (!table) fail(node, key + " must be { low = .., high = .. }, with mean and deviation for a normal one");
     only(*table, {"low", "high", "log", "mean", "deviation"}, key);
     Distribution d{.low = number_in(*table, "low", key), .high = number_in(*table, "high", key)};
     if (!(d.low < d.high)) fail(node, fmt::format("{}: low {} must be below high {}", key, d.low, d.high));
@@ -162,8 +155,7 @@ private:
       d.mean = number_in(*table, "mean", key), d.deviation = number_in(*table, "deviation", key);
       if (!(d.deviation > 0)) fail(node, fmt::format("{}: deviation {} must be > 0", key, d.deviation));
       if (!(d.quantile(0.75) > d.quantile(0.25)))
-        fail(node, fmt::format("{}: nothing of the normal distribution lies between {} and {}", key, d.low,
-                               d.high));
+        fail(node, fmt::format("{}: nothing of the normal distribution lies between {} and {}", key, d.low, d.high));
     }
     for (const double end : {d.low, d.high})
       if (!is_variable(key)) scene::check_assignment(key + "=" + number_value(end).toml, place(node));
@@ -205,20 +197,18 @@ private:
 
 } // namespace
 
-std::vector<Value> even_values(const std::string &key, double from, double to, int count,
-                               const std::string &place) {
+std::vector<Value> even_values(const std::string &key, double from, double to, int count, const std::string &place) {
   std::vector<Value> values;
   for (int i = 0; i < count; ++i) {
     const double share = i / std::max(1.0, count - 1.0), exact = std::lerp(from, to, share);
     const bool end = i == 0 || i + 1 == count; // between the ends 0.8, not 0.7999999999999999
-    values.push_back(
-        number_value(end ? exact : scene::to_number(fmt::format("{:.14g}", exact)).value_or(exact)));
+    values.push_back(number_value(end ? exact : to_number(fmt::format("{:.14g}", exact)).value_or(exact)));
     if (!is_variable(key)) scene::check_assignment(key + "=" + values.back().toml, place);
   }
   return values;
 }
 
-SweepParts read_parts(const scene::TomlFile &file, const std::string &origin) {
+SweepParts read_parts(const TomlFile &file, const std::string &origin) {
   return PartsReader(file, origin).read();
 }
 

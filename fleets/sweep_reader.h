@@ -1,8 +1,8 @@
 /// Reads the parts of a sweep file; sweep.cc puts them together.
 #pragma once
+#include "files/toml_reader.h"
 #include "fleets/sampling.h"
 #include "fleets/sweep.h"
-#include "scene/toml_reader.h"
 #include <optional>
 
 namespace rimpact::fleets {
@@ -42,14 +42,13 @@ struct SweepParts {
 
 /// `count` values evenly from `from` to `to`, both included; each is checked to be one the key can take.
 /// `place` opens the message.
-std::vector<Value> even_values(const std::string &key, double from, double to, int count,
-                               const std::string &place);
+std::vector<Value> even_values(const std::string &key, double from, double to, int count, const std::string &place);
 /// `components`: "x" (every horizontal component alone), "xy" or "xyz"; a station without them all is left
 /// out and said. Throws InputError when the folder has none, DataError for a damaged record.
 /// `sa_period` [s]: of the spectral acceleration, 0: none.
 RecordCases cases_of_folder(const std::string &folder, const std::string &components, double sa_period);
 /// Throws as parse_sweep, but for what only the whole sweep shows.
-SweepParts read_parts(const scene::TomlFile &file, const std::string &origin);
+SweepParts read_parts(const TomlFile &file, const std::string &origin);
 /// Every combination of the parts.
 Sweep combine(const SweepParts &parts, const std::string &origin);
 

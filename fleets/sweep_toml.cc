@@ -1,6 +1,6 @@
 #include "fleets/sweep_toml.h"
+#include "files/text.h"
 #include "scene/scene.h"
-#include "scene/text.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -36,11 +36,10 @@ double SweepToml::number_in(const toml::table &table, const char *name, const st
   return number(*node, key + "." + name);
 }
 
-void SweepToml::only(const toml::table &table, const std::vector<std::string> &known,
-                     const std::string &key) const {
+void SweepToml::only(const toml::table &table, const std::vector<std::string> &known, const std::string &key) const {
   for (const auto &[name, node] : table)
     if (std::find(known.begin(), known.end(), name.str()) == known.end())
-      fail(node, fmt::format("{}: {}", key, scene::not_among(name.str(), known)));
+      fail(node, fmt::format("{}: {}", key, not_among(name.str(), known)));
 }
 
 /// Tables nest by their dots (a.b.c); a leaf is anything else, or a table that says how to make values.
@@ -48,8 +47,7 @@ void SweepToml::leaves(const toml::table &table, const std::string &prefix, cons
   for (const auto &[name, node] : table) {
     const std::string key = prefix + std::string(name.str());
     const auto *inner = node.as_table();
-    const bool leaf =
-        !inner || inner->contains("from") || inner->contains("low") || inner->contains("product");
+    const bool leaf = !inner || inner->contains("from") || inner->contains("low") || inner->contains("product");
     if (leaf)
       visit(key, node);
     else
@@ -67,8 +65,7 @@ void SweepToml::each_key(const char *part, const Visit &visit) const {
 Value SweepToml::value(const std::string &key, const toml::node &node) const {
   Value result;
   if (const auto *text = node.as_string())
-    result = {nlohmann::json(text->get()).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
-              text->get()};
+    result = {nlohmann::json(text->get()).dump(-1, ' ', false, nlohmann::json::error_handler_t::replace), text->get()};
   else if (const auto *whole = node.as_integer())
     result = {fmt::format("{}", whole->get()), static_cast<double>(whole->get())};
   else if (node.is_floating_point())
@@ -87,8 +84,7 @@ Value SweepToml::list_value(const std::string &key,
                             const toml::array &list) const { // e.g. displacement_m = [0.1, 0.0]
   std::string text;
   for (const auto &entry : list) {
-    if (!entry.is_number() && !entry.is_string())
-      fail(entry, key + ": a list in a list holds numbers or texts");
+    if (!entry.is_number() && !entry.is_string()) fail(entry, key + ": a list in a list holds numbers or texts");
     text += (text.empty() ? "" : ", ") + (entry.is_string() ? nlohmann::json(entry.as_string()->get()).dump()
                                                             : fmt::format("{}", number(entry, key)));
   }

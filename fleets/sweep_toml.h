@@ -1,7 +1,7 @@
 /// Helpers of the sweep reader: places in messages, numbers, dotted keys, values a scene can take.
 #pragma once
+#include "files/toml_reader.h"
 #include "fleets/sweep.h"
-#include "scene/toml_reader.h"
 #include <functional>
 
 namespace rimpact::fleets {
@@ -12,7 +12,7 @@ Value number_value(double number);
 
 class SweepToml {
 public:
-  SweepToml(const scene::TomlFile &file, const std::string &origin) : file_(file), origin_(origin) {}
+  SweepToml(const TomlFile &file, const std::string &origin) : file_(file), origin_(origin) {}
 
 protected:
   using Visit = std::function<void(const std::string &key, const toml::node &leaf)>;
@@ -29,7 +29,7 @@ protected:
   /// A value for the scene: its key is known, its type and range are right.
   Value value(const std::string &key, const toml::node &node) const;
 
-  const scene::TomlFile &file_;
+  const TomlFile &file_;
   const std::string &origin_;
 
 private:

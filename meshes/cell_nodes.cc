@@ -10,7 +10,9 @@ std::array<unsigned, 4> sorted(std::array<unsigned, 4> corners) {
   return corners;
 }
 
-std::size_t nodes_of_hexahedron(int gmsh_type) { return gmsh_type == 5 ? 8 : gmsh_type == 17 ? 20 : gmsh_type == 12 ? 27 : 0; }
+std::size_t nodes_of_hexahedron(int gmsh_type) {
+  return gmsh_type == 5 ? 8 : gmsh_type == 17 ? 20 : gmsh_type == 12 ? 27 : 0;
+}
 
 unsigned CellNodes::shared(Key corners, const std::array<double, 3> &place) {
   const auto [entry, is_new] = added_.try_emplace(sorted(corners), static_cast<unsigned>(mesh_.nodes.size()));
@@ -60,6 +62,8 @@ BoundaryOfCells::BoundaryOfCells(const HexMesh &mesh) {
     }
 }
 
-bool BoundaryOfCells::has(std::array<unsigned, 4> corners) const { return faces_.count(sorted(corners)) > 0; }
+bool BoundaryOfCells::has(std::array<unsigned, 4> corners) const {
+  return faces_.count(sorted(corners)) > 0;
+}
 
 } // namespace rimpact::meshes

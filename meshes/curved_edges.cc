@@ -12,7 +12,9 @@ namespace {
 constexpr double same = 1e-5; // [m]
 
 using Point = Eigen::Map<Eigen::Vector3d>;
-Point at(HexMesh &mesh, unsigned node) { return Point(mesh.nodes[node].data()); }
+Point at(HexMesh &mesh, unsigned node) {
+  return Point(mesh.nodes[node].data());
+}
 
 /// Corners of outer walls that do not keep one radius: where walls are flat, or meet.
 std::set<unsigned> angular_nodes(HexMesh &mesh, const std::vector<double> &axes) {
@@ -24,8 +26,10 @@ std::set<unsigned> angular_nodes(HexMesh &mesh, const std::vector<double> &axes)
     for (const auto &face : hex_faces) {
       std::array<unsigned, 4> corners;
       for (int k = 0; k < 4; ++k) corners[k] = mesh.cells[c][face[k]];
-      if (groups.count(sorted(corners)) || !boundary.has(corners)) continue; // named faces: on the bearing's surfaces, or cuts
-      const auto normal = (at(mesh, corners[2]) - at(mesh, corners[0])).cross(at(mesh, corners[3]) - at(mesh, corners[1])).normalized();
+      if (groups.count(sorted(corners)) || !boundary.has(corners))
+        continue; // named faces: on the bearing's surfaces, or cuts
+      const auto normal =
+          (at(mesh, corners[2]) - at(mesh, corners[0])).cross(at(mesh, corners[3]) - at(mesh, corners[1])).normalized();
       double low = INFINITY, high = 0;
       for (const unsigned node : corners) {
         const double r = std::hypot(mesh.nodes[node][0] - axes[c], mesh.nodes[node][1]);
@@ -53,7 +57,9 @@ void curve_edges(HexMesh &mesh, double travel) {
       const Point middle = at(mesh, cell[8 + e]);
       const Eigen::Vector2d out = middle.head<2>() - axis;
       // Within 83 degrees: a longer edge crosses the body, past its axis.
-      if (std::abs(radius - other) > same || std::abs(at(mesh, a).z() - at(mesh, b).z()) > same || out.norm() < 0.75 * radius) continue;
+      if (std::abs(radius - other) > same || std::abs(at(mesh, a).z() - at(mesh, b).z()) > same ||
+          out.norm() < 0.75 * radius)
+        continue;
       const Eigen::Vector2d on_circle = axis + radius * out.normalized();
       changed = changed || (on_circle - middle.head<2>()).norm() > 1e-9;
       at(mesh, cell[8 + e]).head<2>() = on_circle;

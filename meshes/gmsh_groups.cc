@@ -1,9 +1,9 @@
 #include "meshes/gmsh_groups.h"
 
+#include "files/error.h"
+#include "files/text.h"
 #include "meshes/gmsh_session.h"
 #include "meshes/hex_mesh.h"
-#include "scene/error.h"
-#include "scene/text.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <set>
@@ -53,13 +53,14 @@ GmshGroups::GmshGroups(const scene::OwnMesh &own) : own_(own), entities_(scene::
       const bool mapped = !own.groups[k].empty();
       if (!mapped && taken.count(scene::mesh_group_names[k])) continue;
       const std::string names = mapped ? own.groups[k] : scene::mesh_group_names[k];
-      for (const auto &part : scene::split(names, ',')) {
-        const std::string name(scene::trim(part));
+      for (const auto &part : split(names, ',')) {
+        const std::string name(trim(part));
         const auto found = known.find(name);
         if (found != known.end())
           entities_[k].insert(entities_[k].end(), found->second.begin(), found->second.end());
         else if (mapped)
-          throw DataError(fmt::format("{}: model.own_mesh.groups.{}: {}", own.file, scene::mesh_group_names[k], scene::not_among(name, names_of(known))));
+          throw DataError(fmt::format("{}: model.own_mesh.groups.{}: {}", own.file, scene::mesh_group_names[k],
+                                      not_among(name, names_of(known))));
       }
     }
     if (dimension == 3) refuse_unclaimed(known);
@@ -78,7 +79,8 @@ void GmshGroups::refuse_unclaimed(const NamedEntities &volumes) const {
   for (const auto &[name, list] : volumes)
     for (const int entity : list)
       if (claimed.count(entity) == 0)
-        throw DataError(fmt::format("{}: volume '{}' is none of plate, rim, pad, foot, upper_slider: say which in [model.own_mesh.groups], or leave it "
+        throw DataError(fmt::format("{}: volume '{}' is none of plate, rim, pad, foot, upper_slider: say which in "
+                                    "[model.own_mesh.groups], or leave it "
                                     "out of the file",
                                     own_.file, name));
 }

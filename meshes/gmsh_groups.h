@@ -1,6 +1,6 @@
 /// Which of gmsh's entities make up each named group of a bearing. Private to the meshes.
 #pragma once
-#include "scene/own_mesh.h"
+#include "scene/own_mesh_settings.h"
 #include <map>
 #include <string>
 #include <vector>

@@ -6,7 +6,8 @@ namespace rimpact::meshes {
 
 struct GmshSession {
   GmshSession() {
-    gmsh::initialize(0, nullptr, false); // without ~/.gmshrc and ~/.gmsh-options: preferences of a user would change the meshes
+    gmsh::initialize(0, nullptr,
+                     false); // without ~/.gmshrc and ~/.gmsh-options: preferences of a user would change the meshes
     gmsh::option::setNumber("General.Terminal", 0);
   }
   ~GmshSession() { gmsh::finalize(); }

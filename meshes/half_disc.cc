@@ -1,7 +1,7 @@
 #include "meshes/half_disc.h"
 
+#include "files/error.h"
 #include "meshes/gmsh_session.h"
-#include "scene/error.h"
 #include <cmath>
 
 namespace rimpact::meshes {
@@ -32,8 +32,7 @@ void mesh_polygon(double radius, const std::vector<double> &angles, double size)
   for (std::size_t k = 0; k < points.size(); ++k) {
     curves.push_back(geo::addLine(points[k], points[(k + 1) % points.size()]));
     const bool diameter = k + 1 == points.size();
-    const int n =
-        diameter ? std::max(1, static_cast<int>(std::lround(2 * polygon_share * radius / coarse))) : 1;
+    const int n = diameter ? std::max(1, static_cast<int>(std::lround(2 * polygon_share * radius / coarse))) : 1;
     geo::mesh::setTransfiniteCurve(curves.back(), n + 1);
   }
   geo::addPlaneSurface({geo::addCurveLoop(curves)});
@@ -57,8 +56,7 @@ std::vector<Quad9> polygon_quads(double radius, const std::vector<double> &angle
   gmsh::model::mesh::getNodes(tags, coordinates, parameters);
   std::map<std::size_t, Point2> nodes;
   for (std::size_t k = 0; k < tags.size(); ++k)
-    nodes[tags[k]] = {coordinates[3 * k],
-                      std::abs(coordinates[3 * k + 1]) < 1e-12 ? 0.0 : coordinates[3 * k + 1]};
+    nodes[tags[k]] = {coordinates[3 * k], std::abs(coordinates[3 * k + 1]) < 1e-12 ? 0.0 : coordinates[3 * k + 1]};
   gmsh::model::mesh::getElementsByType(3, elements, connectivity);
   gmsh::model::mesh::getElementsByType(2, triangles, triangle_nodes);
   if (elements.empty() || !triangles.empty())
@@ -91,8 +89,7 @@ std::vector<Quad9> half_disc(double radius, const std::vector<double> &angles, d
   constexpr int ends[4][2] = {{0, 6}, {2, 8}, {0, 2}, {6, 8}};
   for (auto &quad : quads)
     for (int e = 0; e < 4; ++e)
-      if (quad.nodes[ends[e][0]][1] == 0 && quad.nodes[ends[e][1]][1] == 0)
-        quad.groups[e] = Surface::symmetry;
+      if (quad.nodes[ends[e][0]][1] == 0 && quad.nodes[ends[e][1]][1] == 0) quad.groups[e] = Surface::symmetry;
   return quads;
 }
 

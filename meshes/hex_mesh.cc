@@ -1,9 +1,9 @@
 #include "meshes/hex_mesh.h"
 
+#include "files/error.h"
+#include "files/file.h"
 #include "meshes/hex_order.h"
-#include "scene/error.h"
-#include "scene/own_mesh.h"
-#include "scene/response.h"
+#include "scene/own_mesh_settings.h"
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Core>
@@ -20,8 +20,7 @@ Eigen::Vector3d at(const HexMesh &mesh, unsigned node) {
 }
 
 /// Jacobian of the 27-node map at a point of [-1, 1]^3.
-Eigen::Matrix3d jacobian(const HexMesh &mesh, const std::array<unsigned, 27> &cell,
-                         const Eigen::Vector3d &xi) {
+Eigen::Matrix3d jacobian(const HexMesh &mesh, const std::array<unsigned, 27> &cell, const Eigen::Vector3d &xi) {
   double N[3][3], dN[3][3];
   for (int d = 0; d < 3; ++d) {
     const double x = xi[d];
@@ -31,8 +30,7 @@ Eigen::Matrix3d jacobian(const HexMesh &mesh, const std::array<unsigned, 27> &ce
   Eigen::Matrix3d J = Eigen::Matrix3d::Zero();
   for (int a = 0; a < 27; ++a) {
     const auto &p = hex27[a];
-    const Eigen::RowVector3d gradient(dN[0][p[0]] * N[1][p[1]] * N[2][p[2]],
-                                      N[0][p[0]] * dN[1][p[1]] * N[2][p[2]],
+    const Eigen::RowVector3d gradient(dN[0][p[0]] * N[1][p[1]] * N[2][p[2]], N[0][p[0]] * dN[1][p[1]] * N[2][p[2]],
                                       N[0][p[0]] * N[1][p[1]] * dN[2][p[2]]);
     J += at(mesh, cell[a]) * gradient;
   }
@@ -60,7 +58,8 @@ std::string to_string(Volume volume) {
 }
 
 std::string to_string(Surface surface) {
-  return scene::mesh_group_names[n_volumes + static_cast<std::size_t>(surface) - static_cast<std::size_t>(Surface::dish)];
+  return scene::mesh_group_names[n_volumes + static_cast<std::size_t>(surface) -
+                                 static_cast<std::size_t>(Surface::dish)];
 }
 
 MeshQuality quality(const HexMesh &mesh) {
@@ -71,8 +70,7 @@ MeshQuality quality(const HexMesh &mesh) {
       const auto &p = hex27[corner];
       const Eigen::Matrix3d J = jacobian(mesh, cell, Eigen::Vector3d(p[0] - 1, p[1] - 1, p[2] - 1));
       result.min_scaled_jacobian =
-          std::min(result.min_scaled_jacobian,
-                   J.determinant() / (J.col(0).norm() * J.col(1).norm() * J.col(2).norm()));
+          std::min(result.min_scaled_jacobian, J.determinant() / (J.col(0).norm() * J.col(1).norm() * J.col(2).norm()));
     }
     for (const auto &face : hex_faces)
       for (int e = 0; e < 4; ++e) {
@@ -89,14 +87,13 @@ void check_cells(const HexMesh &mesh) {
   const double g = std::sqrt(0.6), points[3] = {-g, 0, g};
   for (std::size_t c = 0; c < mesh.cells.size(); ++c)
     for (int k = 0; k < 27; ++k)
-      if (!(jacobian(mesh, mesh.cells[c], {points[k % 3], points[k / 3 % 3], points[k / 9]}).determinant() >
-            0)) {
+      if (!(jacobian(mesh, mesh.cells[c], {points[k % 3], points[k / 3 % 3], points[k / 9]}).determinant() > 0)) {
         const auto centre = mesh.nodes[mesh.cells[c][26]];
-        throw DataError(fmt::format("mesh: cell {} of '{}' at ({:.1f}, {:.1f}, {:.1f}) mm is inverted; check "
-                                    "the bearing's dimensions; of a drawn mesh, the cell, or whether its straight edges are too long for the "
-                                    "curved surface (finer cells, or 27-node ones)",
-                                    c, to_string(mesh.volumes[c]), 1e3 * centre[0], 1e3 * centre[1],
-                                    1e3 * centre[2]));
+        throw DataError(fmt::format(
+            "mesh: cell {} of '{}' at ({:.1f}, {:.1f}, {:.1f}) mm is inverted; check "
+            "the bearing's dimensions; of a drawn mesh, the cell, or whether its straight edges are too long for the "
+            "curved surface (finer cells, or 27-node ones)",
+            c, to_string(mesh.volumes[c]), 1e3 * centre[0], 1e3 * centre[1], 1e3 * centre[2]));
       }
 }
 
@@ -104,11 +101,9 @@ void check(const HexMesh &mesh, int expected_components, const std::vector<Surfa
   check_cells(mesh);
   const int found = components(mesh);
   if (found != expected_components)
-    throw DataError(
-        fmt::format("mesh: {} connected pieces where {} were expected", found, expected_components));
+    throw DataError(fmt::format("mesh: {} connected pieces where {} were expected", found, expected_components));
   for (const Surface group : required)
-    if (std::none_of(mesh.faces.begin(), mesh.faces.end(),
-                     [&](const auto &face) { return face.group == group; }))
+    if (std::none_of(mesh.faces.begin(), mesh.faces.end(), [&](const auto &face) { return face.group == group; }))
       throw DataError("mesh: group '" + to_string(group) + "' is missing");
 }
 
@@ -116,12 +111,10 @@ void write_msh(const HexMesh &mesh, const std::string &path, bool curved) {
   std::set<int> volumes, surfaces;
   for (const auto volume : mesh.volumes) volumes.insert(static_cast<int>(volume));
   for (const auto &face : mesh.faces) surfaces.insert(static_cast<int>(face.group));
-  std::string text = fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n{}\n",
-                                 volumes.size() + surfaces.size());
-  for (const int tag : surfaces)
-    text += fmt::format("2 {} \"{}\"\n", tag, to_string(static_cast<Surface>(tag)));
-  for (const int tag : volumes)
-    text += fmt::format("3 {} \"{}\"\n", tag, to_string(static_cast<Volume>(tag)));
+  std::string text =
+      fmt::format("$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$PhysicalNames\n{}\n", volumes.size() + surfaces.size());
+  for (const int tag : surfaces) text += fmt::format("2 {} \"{}\"\n", tag, to_string(static_cast<Surface>(tag)));
+  for (const int tag : volumes) text += fmt::format("3 {} \"{}\"\n", tag, to_string(static_cast<Volume>(tag)));
   const int n_nodes = curved ? 27 : 8, hexahedron = curved ? 12 : 5;
   std::vector<unsigned> number(mesh.nodes.size(), 0);
   std::string nodes;
@@ -148,7 +141,7 @@ void write_msh(const HexMesh &mesh, const std::string &path, bool curved) {
     for (int a = 0; a < n_nodes; ++a) text += fmt::format(" {}", number[mesh.cells[c][a]]);
     text += '\n';
   }
-  scene::write_text(text + "$EndElements\n", path);
+  write_atomically(text + "$EndElements\n", path);
 }
 
 } // namespace rimpact::meshes

@@ -1,10 +1,10 @@
 #include "meshes/mesh_file.h"
 
+#include "files/error.h"
 #include "meshes/cell_nodes.h"
 #include "meshes/gmsh_groups.h"
 #include "meshes/gmsh_session.h"
 #include "meshes/tetrahedra.h"
-#include "scene/error.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
@@ -29,8 +29,8 @@ struct Elements {
 };
 
 bool all_hexahedra(const Elements &elements) {
-  return !elements.types.empty() &&
-         std::all_of(elements.types.begin(), elements.types.end(), [](int type) { return nodes_of_hexahedron(type) > 0; });
+  return !elements.types.empty() && std::all_of(elements.types.begin(), elements.types.end(),
+                                                [](int type) { return nodes_of_hexahedron(type) > 0; });
 }
 
 /// Size near the places of contact, growing by a third of the way from them; of tetrahedra, whose edges are halved.
@@ -38,13 +38,14 @@ void set_sizes(const scene::OwnMesh &own, const std::vector<std::array<double, 3
   const double coarse = 2 * own.size / own.metres(), fine = 2 * std::min(own.contact_size, own.size) / own.metres();
   std::string size = fmt::format("{}", coarse);
   for (const auto &p : fine_at)
-    size = fmt::format("min({},{}+0.33*sqrt((x-({}))^2+(y-({}))^2+(z-({}))^2))", size, fine, p[0] / own.metres(), p[1] / own.metres(),
-                       p[2] / own.metres());
+    size = fmt::format("min({},{}+0.33*sqrt((x-({}))^2+(y-({}))^2+(z-({}))^2))", size, fine, p[0] / own.metres(),
+                       p[1] / own.metres(), p[2] / own.metres());
   mesh::field::setString(mesh::field::add("MathEval", 1), "F", size);
   mesh::field::setAsBackgroundMesh(1);
-  for (const char *other : {"Mesh.MeshSizeExtendFromBoundary", "Mesh.MeshSizeFromPoints"}) gmsh::option::setNumber(other, 0);
+  for (const char *other : {"Mesh.MeshSizeExtendFromBoundary", "Mesh.MeshSizeFromPoints"})
+    gmsh::option::setNumber(other, 0);
   gmsh::option::setNumber("Mesh.MeshSizeFromCurvature", 30); // edges a turn: straight ones must stay near a wall
-  gmsh::option::setNumber("Mesh.Algorithm", 1); // the others cut across walls that are low and wide
+  gmsh::option::setNumber("Mesh.Algorithm", 1);              // the others cut across walls that are low and wide
 }
 
 /// A geometry without cells is meshed: as it asks (transfinite, extruded) if that gives hexahedra, else by our sizes.
@@ -87,15 +88,18 @@ private:
       const int type = elements.types[t];
       const std::size_t n = type == tetrahedron4 ? 4 : nodes_of_hexahedron(type);
       if (n == 0)
-        fail(own_, fmt::format("group '{}' holds {} cells that are neither hexahedra (of 8, 20 or 27 nodes) nor 4-node tetrahedra", groups_.name(group),
-                               elements.tags[t].size()));
+        fail(own_,
+             fmt::format(
+                 "group '{}' holds {} cells that are neither hexahedra (of 8, 20 or 27 nodes) nor 4-node tetrahedra",
+                 groups_.name(group), elements.tags[t].size()));
       for (std::size_t c = 0; c < elements.tags[t].size(); ++c) {
         std::vector<unsigned> nodes;
         for (std::size_t a = 0; a < n; ++a) nodes.push_back(number_.at(elements.nodes[t][n * c + a]));
         if (type != tetrahedron4)
           add_cell(group, nodes);
         else
-          for (const auto &hexahedron : divide_.hexahedra({nodes[0], nodes[1], nodes[2], nodes[3]})) add_cell(group, {hexahedron.begin(), hexahedron.end()});
+          for (const auto &hexahedron : divide_.hexahedra({nodes[0], nodes[1], nodes[2], nodes[3]}))
+            add_cell(group, {hexahedron.begin(), hexahedron.end()});
         drawn_.divided = drawn_.divided || type == tetrahedron4;
       }
     }
@@ -107,18 +111,27 @@ private:
   }
 
   void read_faces(std::size_t group, const Elements &elements) {
-    if (elements.types.empty()) fail(own_, fmt::format("group '{}' has no faces: save the surfaces' elements too", groups_.name(group)));
+    if (elements.types.empty())
+      fail(own_, fmt::format("group '{}' has no faces: save the surfaces' elements too", groups_.name(group)));
     for (std::size_t t = 0; t < elements.types.size(); ++t) {
       const int type = elements.types[t];
-      const std::size_t n = type == triangle3 ? 3 : type == quadrangle4 ? 4 : type == quadrangle8 ? 8 : type == quadrangle9 ? 9 : 0;
-      if (n == 0) fail(own_, fmt::format("group '{}' holds faces that are neither quadrangles nor 3-node triangles", groups_.name(group)));
+      const std::size_t n = type == triangle3     ? 3
+                            : type == quadrangle4 ? 4
+                            : type == quadrangle8 ? 8
+                            : type == quadrangle9 ? 9
+                                                  : 0;
+      if (n == 0)
+        fail(own_, fmt::format("group '{}' holds faces that are neither quadrangles nor 3-node triangles",
+                               groups_.name(group)));
       for (std::size_t f = 0; f < elements.tags[t].size(); ++f) {
         std::array<unsigned, 4> corners{};
-        for (std::size_t a = 0; a < std::min<std::size_t>(n, 4); ++a) corners[a] = number_.at(elements.nodes[t][n * f + a]);
+        for (std::size_t a = 0; a < std::min<std::size_t>(n, 4); ++a)
+          corners[a] = number_.at(elements.nodes[t][n * f + a]);
         if (type != triangle3)
           add_face(group, corners);
         else
-          for (const auto &quadrangle : divide_.quadrangles({corners[0], corners[1], corners[2]})) add_face(group, quadrangle);
+          for (const auto &quadrangle : divide_.quadrangles({corners[0], corners[1], corners[2]}))
+            add_face(group, quadrangle);
       }
     }
   }
@@ -126,10 +139,11 @@ private:
   void add_face(std::size_t group, const std::array<unsigned, 4> &corners) {
     if (!boundary_->has(corners)) {
       const auto &x = drawn_.mesh.nodes[corners[0]];
-      fail(own_, fmt::format("a face of group '{}' at ({:.1f}, {:.1f}, {:.1f}) mm is no outer face of a body", groups_.name(group), 1e3 * x[0], 1e3 * x[1],
-                             1e3 * x[2]));
+      fail(own_, fmt::format("a face of group '{}' at ({:.1f}, {:.1f}, {:.1f}) mm is no outer face of a body",
+                             groups_.name(group), 1e3 * x[0], 1e3 * x[1], 1e3 * x[2]));
     }
-    drawn_.mesh.faces.push_back({corners, static_cast<Surface>(static_cast<int>(Surface::dish) + static_cast<int>(group - n_volumes))});
+    drawn_.mesh.faces.push_back(
+        {corners, static_cast<Surface>(static_cast<int>(Surface::dish) + static_cast<int>(group - n_volumes))});
   }
 
   const scene::OwnMesh &own_;
@@ -143,7 +157,8 @@ private:
 
 } // namespace
 
-DrawnMesh read_mesh(const scene::OwnMesh &own, const std::string &path, const std::vector<std::array<double, 3>> &fine_at) {
+DrawnMesh read_mesh(const scene::OwnMesh &own, const std::string &path,
+                    const std::vector<std::array<double, 3>> &fine_at) {
   const GmshSession session;
   try {
     gmsh::model::add("drawn");

@@ -1,7 +1,7 @@
 /// A bearing drawn elsewhere, read through gmsh.
 #pragma once
 #include "meshes/hex_mesh.h"
-#include "scene/own_mesh.h"
+#include "scene/own_mesh_settings.h"
 
 namespace rimpact::meshes {
 
@@ -9,10 +9,11 @@ struct DrawnMesh {
   HexMesh mesh;         ///< [m], all bodies of the file, where they are drawn
   bool divided = false; ///< made of tetrahedra: corners within curved walls lie on their chords
 };
-/// Cells are straight where the file has 8-node hexahedra or tetrahedra (divided into four hexahedra each), curved where it
-/// has 20 or 27 nodes. A .geo or .step is meshed, as it asks if that gives hexahedra. `fine_at`: where slider and rim
-/// meet [m], for the sizes of that. Throws DataError naming the file and the group, cell or face that is missing, of another
-/// kind, or not a body's boundary. `path`: where the file is read, own.file what it is called.
-DrawnMesh read_mesh(const scene::OwnMesh &own, const std::string &path, const std::vector<std::array<double, 3>> &fine_at);
+/// Cells are straight where the file has 8-node hexahedra or tetrahedra (divided into four hexahedra each), curved
+/// where it has 20 or 27 nodes. A .geo or .step is meshed, as it asks if that gives hexahedra. `fine_at`: where slider
+/// and rim meet [m], for the sizes of that. Throws DataError naming the file and the group, cell or face that is
+/// missing, of another kind, or not a body's boundary. `path`: where the file is read, own.file what it is called.
+DrawnMesh read_mesh(const scene::OwnMesh &own, const std::string &path,
+                    const std::vector<std::array<double, 3>> &fine_at);
 
 } // namespace rimpact::meshes

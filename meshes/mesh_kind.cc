@@ -1,9 +1,9 @@
 #include "meshes/mesh_kind.h"
 
-#include "scene/error.h"
-#include "scene/files.h"
+#include "files/error.h"
+#include "files/file.h"
+#include "files/text.h"
 #include "scene/script_permission.h"
-#include "scene/text.h"
 #include <algorithm>
 #include <array>
 #include <cstdlib>
@@ -14,11 +14,14 @@ namespace rimpact::meshes {
 namespace {
 
 /// Beginnings of gmsh's words that run programs, touch other files, end the process, or parse text made by the script.
-constexpr std::array leaving{"System",  "NonBlocking", "Onelab", "Include", "Merge",  "Print",       "Save",   "ListFromFile",
-                             "Exit",    "Abort",       "Parse",  "Plugin",  "GetEnv", "CreateDir",   "Solver", "General",
-                             "GetString", "GetNumber", "Read",   "ShowAll", "Draw",   "FileExists", "OpenFile"};
+constexpr std::array leaving{"System", "NonBlocking",  "Onelab", "Include",    "Merge",     "Print",
+                             "Save",   "ListFromFile", "Exit",   "Abort",      "Parse",     "Plugin",
+                             "GetEnv", "CreateDir",    "Solver", "General",    "GetString", "GetNumber",
+                             "Read",   "ShowAll",      "Draw",   "FileExists", "OpenFile"};
 
-bool is_word(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+bool is_word(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+}
 
 /// Comments and strings become blanks; lines stay where they are.
 std::string code_of(std::string_view script) {
@@ -27,13 +30,20 @@ std::string code_of(std::string_view script) {
   char quote = 0;
   for (std::size_t i = 0; i < code.size(); ++i) {
     const char c = code[i], next = i + 1 < code.size() ? code[i + 1] : '\0';
-    if (state == outside && c == '/' && next == '/') state = line;
-    else if (state == outside && c == '/' && next == '*') state = block, code[i + 1] = ' ';
-    else if (state == outside && (c == '"' || c == '\'')) state = string, quote = c;
-    else if (state == outside) continue;
-    else if (state == line && c == '\n') state = outside;
-    else if (state == block && c == '*' && next == '/') state = outside, code[i + 1] = ' ';
-    else if (state == string && (c == quote || c == '\n')) state = outside;
+    if (state == outside && c == '/' && next == '/')
+      state = line;
+    else if (state == outside && c == '/' && next == '*')
+      state = block, code[i + 1] = ' ';
+    else if (state == outside && (c == '"' || c == '\''))
+      state = string, quote = c;
+    else if (state == outside)
+      continue;
+    else if (state == line && c == '\n')
+      state = outside;
+    else if (state == block && c == '*' && next == '/')
+      state = outside, code[i + 1] = ' ';
+    else if (state == string && (c == quote || c == '\n'))
+      state = outside;
     if (c != '\n') code[i] = ' ';
   }
   return code;
@@ -48,8 +58,8 @@ bool ends_with(const std::string &file, std::initializer_list<const char *> endi
 } // namespace
 
 MeshKind mesh_kind(std::string_view content) {
-  for (const auto line : scene::lines_of(content.substr(0, 4096))) {
-    const auto first = scene::trim(line);
+  for (const auto line : lines_of(content.substr(0, 4096))) {
+    const auto first = trim(line);
     if (first.empty()) continue;
     if (first == "$MeshFormat" || first == "$Comments") return MeshKind::msh;
     return first.rfind("ISO-10303-21", 0) == 0 ? MeshKind::step : MeshKind::script;
@@ -72,22 +82,27 @@ std::string call_that_leaves(std::string_view script) {
   return {};
 }
 
-bool scripts_allowed() { return std::getenv(scene::script_permission) != nullptr; }
+bool scripts_allowed() {
+  return std::getenv(scene::script_permission) != nullptr;
+}
 
 MeshKind require_safe(const std::string &file) {
   const auto fail = [&](const std::string &what) { throw DataError(fmt::format("{}: {}", file, what)); };
-  const std::string content = scene::read_file(file);
+  const std::string content = read_file(file);
   const MeshKind kind = mesh_kind(content);
   if (kind == MeshKind::msh && !ends_with(file, {".msh"})) fail("begins as a .msh file; give it that ending");
-  if (kind == MeshKind::step && !ends_with(file, {".step", ".stp"})) fail("begins as a STEP file; give it the ending .step");
+  if (kind == MeshKind::step && !ends_with(file, {".step", ".stp"}))
+    fail("begins as a STEP file; give it the ending .step");
   if (kind != MeshKind::script) return kind;
   if (ends_with(file, {".msh"})) fail("is no .msh file: it does not begin with $MeshFormat");
   if (ends_with(file, {".step", ".stp"})) fail("is no STEP file: it does not begin with ISO-10303-21");
   if (!ends_with(file, {".geo"})) fail("is no mesh that can be read: .msh, .step, or .geo");
   if (!scripts_allowed())
-    fail("a .geo file is a program that gmsh runs; if you know where it comes from, allow it with --allow-script, or save it as .msh in gmsh");
+    fail("a .geo file is a program that gmsh runs; if you know where it comes from, allow it with --allow-script, or "
+         "save it as .msh in gmsh");
   if (const std::string call = call_that_leaves(content); !call.empty())
-    fail(call + " leaves the script (programs, other files, the end of the reader); only geometry and meshing may stand in it: save it as .msh in gmsh");
+    fail(call + " leaves the script (programs, other files, the end of the reader); only geometry and meshing may "
+                "stand in it: save it as .msh in gmsh");
   return kind;
 }
 

@@ -1,8 +1,8 @@
 #include "meshes/mesh_process.h"
 
+#include "files/error.h"
 #include "meshes/mesh_kind.h"
 #include "meshes/sandbox.h"
-#include "scene/error.h"
 #include <algorithm>
 #include <climits>
 #include <csignal>
@@ -23,7 +23,8 @@ namespace {
 using nlohmann::json;
 
 json request(const scene::OwnMesh &own, const std::vector<std::array<double, 3>> &fine_at) {
-  return {{"file", own.file}, {"unit", own.unit}, {"size", own.size}, {"contact_size", own.contact_size}, {"groups", own.groups}, {"fine_at", fine_at}};
+  return {{"file", own.file},     {"unit", own.unit},  {"size", own.size}, {"contact_size", own.contact_size},
+          {"groups", own.groups}, {"fine_at", fine_at}};
 }
 
 scene::OwnMesh own_of(const json &r) {
@@ -46,7 +47,11 @@ template <class T> void from_bytes(const json &binary, std::vector<T> &values) {
 
 std::vector<std::uint8_t> packed(const DrawnMesh &drawn) {
   const HexMesh &m = drawn.mesh;
-  return json::to_cbor({{"divided", drawn.divided}, {"nodes", bytes_of(m.nodes)}, {"cells", bytes_of(m.cells)}, {"volumes", bytes_of(m.volumes)}, {"faces", bytes_of(m.faces)}});
+  return json::to_cbor({{"divided", drawn.divided},
+                        {"nodes", bytes_of(m.nodes)},
+                        {"cells", bytes_of(m.cells)},
+                        {"volumes", bytes_of(m.volumes)},
+                        {"faces", bytes_of(m.faces)}});
 }
 DrawnMesh unpacked(const json &answer) {
   DrawnMesh drawn;
@@ -90,7 +95,8 @@ std::string reader_program() {
   char path[PATH_MAX] = {};
   const ssize_t n = readlink("/proc/self/exe", path, sizeof path - 1);
   const auto program = std::filesystem::path(n > 0 ? path : "").parent_path() / "rimpact-gmsh";
-  if (access(program.c_str(), X_OK) != 0) throw IoError(program.string() + " is missing: it reads meshes; build it (ninja rimpact-gmsh)");
+  if (access(program.c_str(), X_OK) != 0)
+    throw IoError(program.string() + " is missing: it reads meshes; build it (ninja rimpact-gmsh)");
   return program;
 }
 
@@ -153,7 +159,8 @@ DrawnMesh read_mesh_apart(const scene::OwnMesh &own, const std::vector<std::arra
   to.shut(1);
   const auto bytes = read_all(from.ends[0]);
   int status = 0;
-  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {}
+  while (waitpid(process, &status, 0) < 0 && errno == EINTR) {
+  }
   const json answer = json::from_cbor(bytes, true, false);
   if (!answer.is_object()) fail("the mesh reader " + ending_of(status) + ": the file cannot be read or meshed");
   if (answer.contains("error")) throw DataError(answer["error"].get<std::string>());
@@ -166,9 +173,12 @@ int serve_mesh(int input, int output) {
     const json asked = json::from_cbor(read_all(input));
     const scene::OwnMesh own = own_of(asked);
     const bool script = require_safe(own.file) == MeshKind::script;
-    const auto memory = 3ul * static_cast<unsigned long>(sysconf(_SC_PHYS_PAGES)) * static_cast<unsigned long>(sysconf(_SC_PAGESIZE)) / 4;
-    if (!confine(cpu_seconds, memory) && script) throw DataError(own.file + ": this system cannot confine a script (no seccomp); save it as .msh in gmsh");
-    write_all(output, packed(read_mesh(own, asked.at("path"), asked.at("fine_at").get<std::vector<std::array<double, 3>>>())));
+    const auto memory = 3ul * static_cast<unsigned long>(sysconf(_SC_PHYS_PAGES)) *
+                        static_cast<unsigned long>(sysconf(_SC_PAGESIZE)) / 4;
+    if (!confine(cpu_seconds, memory) && script)
+      throw DataError(own.file + ": this system cannot confine a script (no seccomp); save it as .msh in gmsh");
+    write_all(output,
+              packed(read_mesh(own, asked.at("path"), asked.at("fine_at").get<std::vector<std::array<double, 3>>>())));
     return 0;
   } catch (const std::exception &error) {
     write_all(output, json::to_cbor({{"error", error.what()}}));

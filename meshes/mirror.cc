@@ -16,8 +16,7 @@ HexMesh mirrored(const HexMesh &half) {
   int swap[27];
   for (int a = 0; a < 27; ++a)
     for (int b = 0; b < 27; ++b)
-      if (hex27[b][0] == hex27[a][0] && hex27[b][1] == 2 - hex27[a][1] && hex27[b][2] == hex27[a][2])
-        swap[a] = b;
+      if (hex27[b][0] == hex27[a][0] && hex27[b][1] == 2 - hex27[a][1] && hex27[b][2] == hex27[a][2]) swap[a] = b;
   for (std::size_t c = 0; c < half.cells.size(); ++c) {
     std::array<unsigned, 27> cell;
     for (int a = 0; a < 27; ++a) cell[a] = image[half.cells[c][swap[a]]];
@@ -29,8 +28,7 @@ HexMesh mirrored(const HexMesh &half) {
     if (face.group == Surface::symmetry) continue;
     whole.faces.push_back(face);
     whole.faces.push_back(
-        {{image[face.corners[0]], image[face.corners[3]], image[face.corners[2]], image[face.corners[1]]},
-         face.group});
+        {{image[face.corners[0]], image[face.corners[3]], image[face.corners[2]], image[face.corners[1]]}, face.group});
   }
   return whole;
 }

@@ -1,9 +1,9 @@
 #include "meshes/own_mesh.h"
 
+#include "files/error.h"
 #include "meshes/exact_surfaces.h"
 #include "meshes/mesh_process.h"
 #include "meshes/mirror.h"
-#include "scene/error.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -30,7 +30,8 @@ HexMesh only(const HexMesh &mesh, const std::vector<Volume> &bodies) {
     }
   }
   for (BoundaryFace face : mesh.faces) {
-    if (std::any_of(face.corners.begin(), face.corners.end(), [&](unsigned node) { return number[node] == ~0u; })) continue;
+    if (std::any_of(face.corners.begin(), face.corners.end(), [&](unsigned node) { return number[node] == ~0u; }))
+      continue;
     for (unsigned &node : face.corners) node = number[node];
     kept.faces.push_back(face);
   }
@@ -58,7 +59,8 @@ struct Drawn {
   /// Smallest and largest coordinate of a group's corners.
   std::pair<double, double> range(Surface group, int axis) const {
     double low = INFINITY, high = -INFINITY;
-    for (const unsigned node : nodes_of(group)) low = std::min(low, mesh.nodes[node][axis]), high = std::max(high, mesh.nodes[node][axis]);
+    for (const unsigned node : nodes_of(group))
+      low = std::min(low, mesh.nodes[node][axis]), high = std::max(high, mesh.nodes[node][axis]);
     return {low, high};
   }
 };
@@ -66,12 +68,17 @@ struct Drawn {
 void check_groups(const Drawn &drawn, const OwnMeshNeed &need) {
   for (const Volume body : need.bodies)
     if (!drawn.has(body) && body != Volume::rim) // which may be one volume with the plate
-      drawn.fail(fmt::format("volume '{0}' is missing; if it has another name there, say {0} = \"...\" in [model.own_mesh.groups]", to_string(body)));
+      drawn.fail(fmt::format(
+          "volume '{0}' is missing; if it has another name there, say {0} = \"...\" in [model.own_mesh.groups]",
+          to_string(body)));
   for (const Surface group : need.groups)
     if (drawn.nodes_of(group).empty())
-      drawn.fail(fmt::format("surface '{0}' is missing; if it has another name there, say {0} = \"...\" in [model.own_mesh.groups]", to_string(group)));
+      drawn.fail(fmt::format(
+          "surface '{0}' is missing; if it has another name there, say {0} = \"...\" in [model.own_mesh.groups]",
+          to_string(group)));
   if (need.half && drawn.nodes_of(Surface::symmetry).empty())
-    drawn.fail("no group 'symmetry': the drawing is of the whole bearing, and this scene needs half of it only; set model.symmetry = \"whole\"");
+    drawn.fail("no group 'symmetry': the drawing is of the whole bearing, and this scene needs half of it only; set "
+               "model.symmetry = \"whole\"");
 }
 
 /// The slider's width tells a wrong unit before any other dimension is looked at.
@@ -79,7 +86,8 @@ void check_unit(const Drawn &drawn, const scene::OwnMesh &own, const scene::Bear
   const auto [low, high] = drawn.range(Surface::slider_side, 0);
   const double ratio = (high - low) / bearing.slider.diameter;
   if (ratio > 0.2 && ratio < 5) return;
-  drawn.fail(fmt::format("slider_side is {:.4g} mm wide where the bearing's slider has {:g} mm, {:.3g} times as much: model.own_mesh.unit is \"{}\"",
+  drawn.fail(fmt::format("slider_side is {:.4g} mm wide where the bearing's slider has {:g} mm, {:.3g} times as much: "
+                         "model.own_mesh.unit is \"{}\"",
                          1e3 * (high - low), 1e3 * bearing.slider.diameter, ratio, own.unit));
 }
 
@@ -94,10 +102,12 @@ void check_welds(const Drawn &drawn) {
       const auto of_a = drawn.nodes_of(a), of_b = drawn.nodes_of(b);
       std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(shared));
       if (tied && shared.empty())
-        drawn.fail(fmt::format("{} and {} share no nodes, but are one piece: draw them with a common face", to_string(a), to_string(b)));
+        drawn.fail(fmt::format("{} and {} share no nodes, but are one piece: draw them with a common face",
+                               to_string(a), to_string(b)));
       if (tied || shared.empty()) continue;
       const auto &x = drawn.mesh.nodes[shared.front()];
-      drawn.fail(fmt::format("{} and {} are welded: they share {} nodes, one at ({:.1f}, {:.1f}, {:.1f}) mm; bodies that touch need nodes of their own",
+      drawn.fail(fmt::format("{} and {} are welded: they share {} nodes, one at ({:.1f}, {:.1f}, {:.1f}) mm; bodies "
+                             "that touch need nodes of their own",
                              to_string(a), to_string(b), shared.size(), 1e3 * x[0], 1e3 * x[1], 1e3 * x[2]));
     }
 }
@@ -106,12 +116,15 @@ void check_welds(const Drawn &drawn) {
 double drawn_travel(const Drawn &drawn, const scene::Bearing &bearing, double wanted) {
   constexpr double tolerance = 0.5e-3;
   const auto [low, high] = drawn.range(Surface::slider_side, 0);
-  const double axis = 0.5 * (low + high), height = drawn.range(Surface::top, 2).second, capacity = bearing.lateral_capacity();
+  const double axis = 0.5 * (low + high), height = drawn.range(Surface::top, 2).second,
+               capacity = bearing.lateral_capacity();
   for (const double travel : {0.0, capacity})
-    if (std::abs(axis - travel) < tolerance && std::abs(height - bearing.slider.top - scene::lift(bearing, travel)) < tolerance &&
+    if (std::abs(axis - travel) < tolerance &&
+        std::abs(height - bearing.slider.top - scene::lift(bearing, travel)) < tolerance &&
         (travel == 0 || wanted != 0)) // pad and foot are not carried back from the rim
       return travel;
-  drawn.fail(fmt::format("the slider's axis is drawn at x = {:.2f} mm and its top at z = {:.2f} mm; the bearing has them at 0 and {:.2f} mm at rest{}",
+  drawn.fail(fmt::format("the slider's axis is drawn at x = {:.2f} mm and its top at z = {:.2f} mm; the bearing has "
+                         "them at 0 and {:.2f} mm at rest{}",
                          1e3 * axis, 1e3 * height, 1e3 * bearing.slider.top,
                          wanted == 0 ? ", where this rung starts"
                                      : fmt::format(", {:.2f} and {:.2f} mm at first touch", 1e3 * capacity,
@@ -131,14 +144,15 @@ void check_wall(const Drawn &drawn, bool both_sides) {
   if (drawn.nodes_of(Surface::rim_wall).empty()) return;
   const auto [low, high] = drawn.range(Surface::rim_wall, 0);
   if (!(high > 0) || (both_sides && !(low < 0)))
-    drawn.fail(fmt::format("the rim's wall is drawn from x = {:.1f} to {:.1f} mm, but the slider comes near it {}", 1e3 * low, 1e3 * high,
-                           both_sides ? "on both sides" : "at +x"));
+    drawn.fail(fmt::format("the rim's wall is drawn from x = {:.1f} to {:.1f} mm, but the slider comes near it {}",
+                           1e3 * low, 1e3 * high, both_sides ? "on both sides" : "at +x"));
 }
 
 /// Places where cells meshed from a geometry are to be fine: first touch, on the wall and on a slider drawn at rest.
 std::vector<std::array<double, 3>> contact_places(const scene::Bearing &bearing) {
   const double bottom = bearing.slider.bottom, wall = bearing.surface.planar_radius + bearing.rim.ledge;
-  return {{wall, 0, bottom + scene::lift(bearing, bearing.lateral_capacity())}, {bearing.slider.diameter / 2, 0, bottom}};
+  return {{wall, 0, bottom + scene::lift(bearing, bearing.lateral_capacity())},
+          {bearing.slider.diameter / 2, 0, bottom}};
 }
 
 } // namespace

@@ -1,9 +1,9 @@
-/// A drawn bearing made fit for a rung: the bodies it needs, checked against the bearing's dimensions, put in the rung's
-/// position, its contact surfaces moved onto the exact ones.
+/// A drawn bearing made fit for a rung: the bodies it needs, checked against the bearing's dimensions, put in the
+/// rung's position, its contact surfaces moved onto the exact ones.
 #pragma once
 #include "meshes/hex_mesh.h"
 #include "scene/bearing.h"
-#include "scene/own_mesh.h"
+#include "scene/own_mesh_settings.h"
 
 namespace rimpact::meshes {
 

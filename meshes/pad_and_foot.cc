@@ -9,7 +9,7 @@ namespace {
 constexpr double mm = 1e-3;
 
 struct Shape {
-  double inner, outer, seat, face; ///< pad: radii, height of its seat, radius of its face
+  double inner, outer, seat, face;      ///< pad: radii, height of its seat, radius of its face
   double radius, bottom, shoulder, cap; ///< foot
   explicit Shape(const scene::Bearing &b)
       : inner(b.pad.inner_radius), outer(b.pad.outer_radius), seat(b.pad.thickness), face(b.pad.shape_radius),
@@ -23,9 +23,7 @@ struct Shape {
 std::vector<Quad9> band(const std::vector<double> &radii, int layers, const std::function<double(double)> &low,
                         const std::function<double(double)> &high, Volume volume, std::optional<Surface> below,
                         std::optional<Surface> above) {
-  const auto point = [&](double r, int layer) -> Point2 {
-    return {r, low(r) + (high(r) - low(r)) * layer / layers};
-  };
+  const auto point = [&](double r, int layer) -> Point2 { return {r, low(r) + (high(r) - low(r)) * layer / layers}; };
   std::vector<Quad9> section;
   for (std::size_t i = 0; i + 1 < radii.size(); ++i)
     for (int j = 0; j < layers; ++j) {
@@ -54,8 +52,9 @@ void add_pad_and_foot(HexMesh &mesh, const scene::Bearing &bearing, double h) {
   const auto cap = [&](double r) { return s.cap_at(r); };
 
   Body stack(mesh);
-  stack.revolve(band(annulus, pad_layers, [&](double r) { return s.face_at(r); }, seat, Volume::pad, Surface::pad_face, {}),
-                angles, 0.0, Surface::symmetry, Surface::symmetry);
+  stack.revolve(
+      band(annulus, pad_layers, [&](double r) { return s.face_at(r); }, seat, Volume::pad, Surface::pad_face, {}),
+      angles, 0.0, Surface::symmetry, Surface::symmetry);
   stack.revolve(band(annulus, layers, seat, cap, Volume::foot, {}, Surface::foot_cap), angles, 0.0, Surface::symmetry,
                 Surface::symmetry);
   const auto middle = [&](double r, double level) { // the foot's, inside the pad's hole

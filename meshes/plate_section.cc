@@ -8,8 +8,10 @@ constexpr double mm = 1e-3;
 } // namespace
 
 std::vector<double> plate_layers(const scene::Bearing &bearing, double h) {
-  const double base = -bearing.plate.base, z0 = scene::make_surface(bearing.surface)->at(bearing.surface.planar_radius, 0).z;
-  // Thin below the dish's edge: the rim's foot bends the plate there, which decides the impact force (docs/measured.md).
+  const double base = -bearing.plate.base,
+               z0 = scene::make_surface(bearing.surface)->at(bearing.surface.planar_radius, 0).z;
+  // Thin below the dish's edge: the rim's foot bends the plate there, which decides the impact force
+  // (docs/measured.md).
   std::vector<double> shares = graded_lines({{base, 100 * mm * h}, {z0, 20 * mm * h}});
   for (double &z : shares) z = (z - base) / (z0 - base);
   return shares;
@@ -32,8 +34,7 @@ std::vector<Quad9> plate_and_rim(const scene::Bearing &bearing, const PlateSecti
   std::vector<double> z;
   for (const double share : plate.layers) z.push_back(base + share * (z0 - base));
   z.back() = z0;
-  const std::vector<double> above_dish =
-      graded_lines({{z0, 9 * mm * h}, {bite, 5 * mm * h}, {top, 40 * mm * h}});
+  const std::vector<double> above_dish = graded_lines({{z0, 9 * mm * h}, {bite, 5 * mm * h}, {top, 40 * mm * h}});
   z.insert(z.end(), above_dish.begin() + 1, above_dish.end());
 
   // Below the dish the horizontal lines follow its surface.

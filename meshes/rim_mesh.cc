@@ -16,7 +16,8 @@ void add_rim(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions 
   const double h = size_factor(options.level);
   const double wall = bearing.surface.planar_radius + bearing.rim.ledge;
   const PlaceSizes sizes{10 * mm * h / wall, 20 * mm / wall, options.sector_half_angle, 0.45 * h};
-  const std::vector<Quad9> section = plate_and_rim(bearing, {options.plate_inner_radius, 60 * mm * h, plate_layers(bearing, h)}, h);
+  const std::vector<Quad9> section =
+      plate_and_rim(bearing, {options.plate_inner_radius, 60 * mm * h, plate_layers(bearing, h)}, h);
   for (const RimArc &arc : rim_arcs(from_the_first(options.directions), sizes, options.half)) {
     const auto end = [&](bool at_symmetry) -> std::optional<Surface> {
       if (arc.closed) return {};
@@ -33,7 +34,9 @@ void flatten(HexMesh &mesh) {
 
 HexMesh rim_mesh(const scene::Bearing &bearing, const RimMeshOptions &options) {
   if (options.own.any())
-    return own_mesh(options.own, bearing, {{Volume::plate, Volume::rim, Volume::upper_slider}, rim_groups, bearing.lateral_capacity(), options.half});
+    return own_mesh(
+        options.own, bearing,
+        {{Volume::plate, Volume::rim, Volume::upper_slider}, rim_groups, bearing.lateral_capacity(), options.half});
   HexMesh mesh;
   RimMeshOptions half = options;
   half.half = true;

@@ -48,18 +48,24 @@ public:
     load(offsetof(seccomp_data, nr));
     code_.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned>(call), 0, 3));
     load(offsetof(seccomp_data, args) + 8 * index); // the lower half: flags fit into it
-    code_.push_back(BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, bits, static_cast<unsigned char>(!when_set), static_cast<unsigned char>(when_set)));
+    code_.push_back(BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, bits, static_cast<unsigned char>(!when_set),
+                             static_cast<unsigned char>(when_set)));
     answer(refused);
   }
   bool install() {
     answer(SECCOMP_RET_ALLOW);
     const sock_fprog program{static_cast<unsigned short>(code_.size()), code_.data()};
-    return architecture != 0 && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 && prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
+    return architecture != 0 && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
+           prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
   }
 
 private:
-  void load(std::size_t offset) { code_.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<unsigned>(offset))); }
-  void answer(unsigned with) { code_.push_back(BPF_STMT(BPF_RET | BPF_K, with)); }
+  void load(std::size_t offset) {
+    code_.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<unsigned>(offset)));
+  }
+  void answer(unsigned with) {
+    code_.push_back(BPF_STMT(BPF_RET | BPF_K, with));
+  }
   std::vector<sock_filter> code_;
 };
 
@@ -76,11 +82,13 @@ bool confine(unsigned long cpu_seconds, unsigned long memory_bytes) {
   limit(RLIMIT_CORE, 0);
   constexpr unsigned writing = O_WRONLY | O_RDWR | O_CREAT | O_TRUNC;
   Filter filter;
-  for (const long call : {SYS_execve, SYS_execveat, SYS_socket, SYS_ptrace, SYS_openat2, SYS_truncate, SYS_mkdirat, SYS_unlinkat, SYS_renameat2, SYS_linkat,
-                          SYS_symlinkat, SYS_mknodat, SYS_fchmodat, SYS_fchownat, SYS_mount, SYS_kill, SYS_io_uring_setup})
+  for (const long call : {SYS_execve, SYS_execveat, SYS_socket, SYS_ptrace, SYS_openat2, SYS_truncate, SYS_mkdirat,
+                          SYS_unlinkat, SYS_renameat2, SYS_linkat, SYS_symlinkat, SYS_mknodat, SYS_fchmodat,
+                          SYS_fchownat, SYS_mount, SYS_kill, SYS_io_uring_setup})
     filter.refuse(call);
 #ifdef SYS_open // calls that newer architectures do not have
-  for (const long call : {SYS_creat, SYS_mkdir, SYS_rmdir, SYS_unlink, SYS_rename, SYS_renameat, SYS_link, SYS_symlink, SYS_mknod, SYS_chmod, SYS_chown, SYS_fork, SYS_vfork})
+  for (const long call : {SYS_creat, SYS_mkdir, SYS_rmdir, SYS_unlink, SYS_rename, SYS_renameat, SYS_link, SYS_symlink,
+                          SYS_mknod, SYS_chmod, SYS_chown, SYS_fork, SYS_vfork})
     filter.refuse(call);
   filter.refuse_bits(SYS_open, 1, writing);
 #endif

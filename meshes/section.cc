@@ -25,8 +25,7 @@ void centre(Quad9 &quad) {
 std::vector<double> graded_lines(const std::vector<Anchor> &anchors) {
   std::vector<double> lines{anchors.front().at};
   for (std::size_t k = 0; k + 1 < anchors.size(); ++k) {
-    const double a = anchors[k].at, length = anchors[k + 1].at - a,
-                 ratio = anchors[k + 1].size / anchors[k].size;
+    const double a = anchors[k].at, length = anchors[k + 1].at - a, ratio = anchors[k + 1].size / anchors[k].size;
     const bool even = std::abs(ratio - 1) < 1e-3;
     const double wanted =
         even ? length / anchors[k].size : length / (anchors[k + 1].size - anchors[k].size) * std::log(ratio);
@@ -59,8 +58,7 @@ void Body::add_cell(const std::function<std::array<double, 3>(int, int, int)> &p
     // Rounding may fall either side of a cell of the key's grid: look at the neighbours too.
     unsigned node = mesh_.nodes.size();
     for (int shift = 0; shift < 27; ++shift) {
-      const auto found =
-          known_.find({key[0] + shift % 3 - 1, key[1] + shift / 3 % 3 - 1, key[2] + shift / 9 - 1});
+      const auto found = known_.find({key[0] + shift % 3 - 1, key[1] + shift / 3 % 3 - 1, key[2] + shift / 9 - 1});
       if (found != known_.end()) node = found->second;
     }
     if (node == mesh_.nodes.size()) {

@@ -76,8 +76,8 @@ std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
   std::vector<Quad9> section;
   for (std::size_t i = 0; i + 1 < columns; ++i)
     for (std::size_t j = 0; j + 1 < layers; ++j) {
-      Quad9 quad = straight_quad(inside(i, j), inside(i + 1, j), inside(i + 1, j + 1), inside(i, j + 1),
-                                 Volume::upper_slider);
+      Quad9 quad =
+          straight_quad(inside(i, j), inside(i + 1, j), inside(i + 1, j + 1), inside(i, j + 1), Volume::upper_slider);
       if (j == 0 && i + 2 == columns) {
         quad.nodes[1] = arc(-3 * M_PI / 8);
         quad.groups[2] = Surface::slider_side;
@@ -87,8 +87,8 @@ std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
       section.push_back(quad);
     }
   for (std::size_t j = 1; j + 1 < layers; ++j) {
-    Quad9 quad = straight_quad(inside(columns - 1, j), wall(j), wall(j + 1), inside(columns - 1, j + 1),
-                               Volume::upper_slider);
+    Quad9 quad =
+        straight_quad(inside(columns - 1, j), wall(j), wall(j + 1), inside(columns - 1, j + 1), Volume::upper_slider);
     if (j == 1) quad.nodes[5] = arc(-M_PI / 8);
     quad.groups[1] = Surface::slider_side;
     if (j + 2 == layers) quad.groups[3] = Surface::top;
@@ -100,7 +100,8 @@ std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
 
 } // namespace
 
-void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double travel, const std::vector<double> &places) {
+void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double travel,
+                const std::vector<double> &places) {
   const SliderShape s = shape_of(bearing, travel);
   const RingGrid grid = ring_grid(s, h);
   // Angles come in equal pairs: gmsh halves every edge of the core's plan.
@@ -115,7 +116,9 @@ void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double t
   const std::vector<double> angles = halved(graded_lines(anchors));
   Body body(mesh);
   body.revolve(ring_section(s, grid), angles, travel, Surface::symmetry, Surface::symmetry);
-  const auto height = [&](double r, double level) { return s.point(std::min(r, s.opening), at_level(grid.inner, level))[1]; };
+  const auto height = [&](double r, double level) {
+    return s.point(std::min(r, s.opening), at_level(grid.inner, level))[1];
+  };
   body.raise(half_disc(s.opening, angles, 25 * mm * h), grid.inner.size() - 1, travel, height, Volume::upper_slider,
              Surface::socket, Surface::top);
 }

@@ -36,11 +36,15 @@ HexMesh built_in(const scene::Bearing &bearing, const StackMeshOptions &options)
 /// Each with its rim.
 int pieces_of_plate(const StackMeshOptions &options) {
   if (options.whole_plate) return 1;
-  return options.rim ? rim_arcs(from_the_first(options.directions), {1, 0.5 * options.sector_half_angle, options.sector_half_angle, 1}, false).size() : 0;
+  return options.rim ? rim_arcs(from_the_first(options.directions),
+                                {1, 0.5 * options.sector_half_angle, options.sector_half_angle, 1}, false)
+                           .size()
+                     : 0;
 }
 
 HexMesh drawn(const scene::Bearing &bearing, const StackMeshOptions &options, const std::vector<Surface> &groups) {
-  OwnMeshNeed need{{Volume::pad, Volume::foot, Volume::upper_slider}, groups, 0.0, options.half, options.directions.size() > 1};
+  OwnMeshNeed need{
+      {Volume::pad, Volume::foot, Volume::upper_slider}, groups, 0.0, options.half, options.directions.size() > 1};
   if (options.rim || options.whole_plate) need.bodies.insert(need.bodies.end(), {Volume::plate, Volume::rim});
   return own_mesh(options.own, bearing, need);
 }
@@ -48,7 +52,8 @@ HexMesh drawn(const scene::Bearing &bearing, const StackMeshOptions &options, co
 } // namespace
 
 HexMesh stack_mesh(const scene::Bearing &bearing, const StackMeshOptions &options) {
-  std::vector<Surface> required{Surface::pad_face, Surface::foot_cap, Surface::socket, Surface::slider_side, Surface::top};
+  std::vector<Surface> required{Surface::pad_face, Surface::foot_cap, Surface::socket, Surface::slider_side,
+                                Surface::top};
   if (options.rim || options.whole_plate) required.insert(required.end(), rim_groups.begin(), rim_groups.end());
   if (options.whole_plate) required.push_back(Surface::dish);
   HexMesh result = options.own.any() ? drawn(bearing, options, required) : built_in(bearing, options);

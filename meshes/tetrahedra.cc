@@ -16,12 +16,14 @@ unsigned TetrahedraDivision::middle(std::vector<unsigned> corners) {
 }
 
 std::array<std::array<unsigned, 8>, 4> TetrahedraDivision::hexahedra(const std::array<unsigned, 4> &t) {
-  constexpr int turns[4][4] = {{0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}}; // one for each corner, of the same sense
+  constexpr int turns[4][4] = {
+      {0, 1, 2, 3}, {1, 0, 3, 2}, {2, 3, 0, 1}, {3, 2, 1, 0}}; // one for each corner, of the same sense
   std::array<std::array<unsigned, 8>, 4> result;
   const unsigned centre = middle({t[0], t[1], t[2], t[3]});
   for (int k = 0; k < 4; ++k) {
     const unsigned a = t[turns[k][0]], b = t[turns[k][1]], c = t[turns[k][2]], d = t[turns[k][3]];
-    result[k] = {a, middle({a, b}), middle({a, b, c}), middle({a, c}), middle({a, d}), middle({a, b, d}), centre, middle({a, c, d})};
+    result[k] = {a,      middle({a, b}),   middle({a, b, c}), middle({a, c}), middle({a, d}), middle({a, b, d}),
+                 centre, middle({a, c, d})};
   }
   return result;
 }

@@ -10,7 +10,8 @@ constexpr double same = 1e-9; ///< [rad]
 
 void sort_and_merge(std::vector<double> &angles) {
   std::sort(angles.begin(), angles.end());
-  angles.erase(std::unique(angles.begin(), angles.end(), [](double a, double b) { return b - a < same; }), angles.end());
+  angles.erase(std::unique(angles.begin(), angles.end(), [](double a, double b) { return b - a < same; }),
+               angles.end());
 }
 
 void cut_at_symmetry(RimArc &arc) {
@@ -28,7 +29,8 @@ void add_between(std::vector<Anchor> &anchors, double from, double to, const Pla
   if (half > sizes.reach + same)
     anchors.insert(anchors.end(), {{from + sizes.reach, sizes.coarse}, {to - sizes.reach, sizes.coarse}});
   else
-    anchors.push_back({from + half, sizes.fine + (sizes.coarse - sizes.fine) * (half - sizes.zone) / (sizes.reach - sizes.zone)});
+    anchors.push_back(
+        {from + half, sizes.fine + (sizes.coarse - sizes.fine) * (half - sizes.zone) / (sizes.reach - sizes.zone)});
   anchors.push_back({to - sizes.zone, sizes.fine});
 }
 
@@ -36,13 +38,16 @@ void add_between(std::vector<Anchor> &anchors, double from, double to, const Pla
 RimArc arc_about(const std::vector<double> &places, std::size_t first, std::size_t count, const PlaceSizes &sizes) {
   std::vector<double> joined;
   joined.reserve(count);
-  for (std::size_t k = first; k < first + count; ++k) joined.push_back(places[k % places.size()] + (k < places.size() ? 0 : 2 * M_PI));
+  for (std::size_t k = first; k < first + count; ++k)
+    joined.push_back(places[k % places.size()] + (k < places.size() ? 0 : 2 * M_PI));
   std::vector<Anchor> anchors = anchors_at(joined, sizes);
   RimArc arc;
   arc.closed = count > places.size();
   if (!arc.closed) {
-    anchors.insert(anchors.begin(), {{joined.front() - sizes.reach, sizes.coarse}, {joined.front() - sizes.zone, sizes.fine}});
-    anchors.insert(anchors.end(), {{joined.back() + sizes.zone, sizes.fine}, {joined.back() + sizes.reach, sizes.coarse}});
+    anchors.insert(anchors.begin(),
+                   {{joined.front() - sizes.reach, sizes.coarse}, {joined.front() - sizes.zone, sizes.fine}});
+    anchors.insert(anchors.end(),
+                   {{joined.back() + sizes.zone, sizes.fine}, {joined.back() + sizes.reach, sizes.coarse}});
   }
   arc.angles = graded_lines(anchors);
   return arc;

@@ -1,5 +1,5 @@
-/// Directions in which slider and rim meet, and grids of angles that are fine there. An angle of 0 is the first place's; the
-/// others are counted from it.
+/// Directions in which slider and rim meet, and grids of angles that are fine there. An angle of 0 is the first
+/// place's; the others are counted from it.
 #pragma once
 #include "meshes/section.h"
 
@@ -23,7 +23,8 @@ struct RimArc {
   std::vector<double> angles;
   bool from_symmetry = false, to_symmetry = false, closed = false;
 };
-/// As far as sizes.reach beyond each place; arcs that would overlap are one. half: places at 0 and pi only, y >= 0 kept.
+/// As far as sizes.reach beyond each place; arcs that would overlap are one. half: places at 0 and pi only, y >= 0
+/// kept.
 std::vector<RimArc> rim_arcs(const std::vector<double> &places, const PlaceSizes &sizes, bool half);
 
 } // namespace rimpact::meshes

@@ -29,8 +29,7 @@ BoucWen::Rate BoucWen::rate_and_slopes(const Vector2d &z, const Vector2d &v) con
   Rate r;
   r.rate = (v - p * g * z) / yield;
   r.d_rate = (Matrix2d::Identity() - p * slope * z * z.transpose()) / yield;
-  r.d_z =
-      -(p * g * Matrix2d::Identity() + curving * z * z.transpose() + p * slope * z * v.transpose()) / yield;
+  r.d_z = -(p * g * Matrix2d::Identity() + curving * z * z.transpose() + p * slope * z * v.transpose()) / yield;
   return r;
 }
 
@@ -38,8 +37,7 @@ BoucWen::Step BoucWen::implicit_step(const Vector2d &z0, const Vector2d &v, doub
   Vector2d z = z0;
   for (int i = 0; i < 50; ++i) {
     const Rate r = rate_and_slopes(z, v);
-    const Vector2d change =
-        (Matrix2d::Identity() - h * r.d_z).partialPivLu().solve(z0 + h * r.rate - z).eval();
+    const Vector2d change = (Matrix2d::Identity() - h * r.d_z).partialPivLu().solve(z0 + h * r.rate - z).eval();
     z += change;
     if (z.norm() > 2) z *= 2 / z.norm(); // a long step's first guess may lie far outside
     if (change.norm() < 1e-14) break;

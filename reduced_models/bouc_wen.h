@@ -9,10 +9,9 @@
 namespace rimpact::reduced {
 
 struct BoucWen {
-  double yield = 0.02; ///< u_y [m], > 0
-  double exponent = 2; ///< n [-], >= 1: sharpness of the knee
-  double beta =
-      0.5; ///< [-], 0.5..1: unloads with the elastic stiffness at 0.5, loses energy within loops above
+  double yield = 0.02;      ///< u_y [m], > 0
+  double exponent = 2;      ///< n [-], >= 1: sharpness of the knee
+  double beta = 0.5;        ///< [-], 0.5..1: unloads with the elastic stiffness at 0.5, loses energy within loops above
   double post_yield = 0.05; ///< r [-], < 1; negative: softening
 
   struct Rate {

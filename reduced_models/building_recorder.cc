@@ -44,7 +44,7 @@ const std::vector<std::string> &BuildingRecorder::signals() {
   return names;
 }
 
-void BuildingRecorder::append(const BuildingSnapshot &now, int n_floors, scene::Response &response) {
+void BuildingRecorder::append(const BuildingSnapshot &now, int n_floors, Response &response) {
   const auto &top = now.acceleration[n_floors - 1];
   const double row[] = {now.drift[0][0], now.drift[0][1], -now.shear[0][0], -now.shear[0][1], now.roof[0],
                         now.roof[1],     now.roof[2],     top[0],           top[1],           top[2]};
@@ -52,7 +52,7 @@ void BuildingRecorder::append(const BuildingSnapshot &now, int n_floors, scene::
 }
 
 void BuildingRecorder::summarise(const BuildingSnapshot &last, std::optional<double> collapse_time,
-                                 scene::Summary &summary) const {
+                                 Summary &summary) const {
   auto &extra = summary.extra;
   double drift = 0, shear = 0, acceleration = 0;
   nlohmann::json storeys = nlohmann::json::array();
@@ -74,10 +74,9 @@ void BuildingRecorder::summarise(const BuildingSnapshot &last, std::optional<dou
   extra["superstructure"] = {{"storeys", storeys}};
   if (!collapse_time) return;
   summary.status = "stopped";
-  summary.reason =
-      fmt::format("the superstructure collapsed at t = {:.6g} s: its drift reached {:.6g} m, where "
-                  "softening leaves it no strength",
-                  *collapse_time, building_.collapse_drift);
+  summary.reason = fmt::format("the superstructure collapsed at t = {:.6g} s: its drift reached {:.6g} m, where "
+                               "softening leaves it no strength",
+                               *collapse_time, building_.collapse_drift);
 }
 
 } // namespace rimpact::reduced

@@ -2,8 +2,8 @@
 /// isolator beneath it.
 #pragma once
 #include "reduced_models/superstructure.h"
-#include "scene/response.h"
-#include "scene/summary.h"
+#include "responses/response.h"
+#include "responses/summary.h"
 
 namespace rimpact::reduced {
 
@@ -29,12 +29,11 @@ public:
   /// Signals drift_x|y (first storey), storey_shear_x|y (what it does to the base), roof_x|y|z,
   /// roof_acceleration_x|y|z.
   static const std::vector<std::string> &signals();
-  static void append(const BuildingSnapshot &now, int n_floors, scene::Response &response);
+  static void append(const BuildingSnapshot &now, int n_floors, Response &response);
   /// Adds peak_drift_m, ductility (inelastic), peak_storey_shear_N, peak_floor_acceleration_m_s2, collapsed,
   /// and `superstructure` with the list of storeys, to summary.extra; `last` is the run's end. A collapse
   /// sets the status "stopped".
-  void summarise(const BuildingSnapshot &last, std::optional<double> collapse_time,
-                 scene::Summary &summary) const;
+  void summarise(const BuildingSnapshot &last, std::optional<double> collapse_time, Summary &summary) const;
 
 private:
   const Superstructure &building_;

@@ -29,19 +29,24 @@ Beside farthest_dent(const DentedRim &rim, const Eigen::Vector2d &u, double d, c
 
 } // namespace
 
-std::optional<std::string> beyond_curve(const RimCurve &curve, const PressedRim &press, const DentedRim &rim, const Eigen::Vector2d &u,
-                                        const DentShape &shape) {
+std::optional<std::string> beyond_curve(const RimCurve &curve, const PressedRim &press, const DentedRim &rim,
+                                        const Eigen::Vector2d &u, const DentShape &shape) {
   constexpr double rounding = 1e-9;
   const double range = curve.range();
   if (press.d > range * (1 + rounding))
-    return fmt::format("the rim is pressed to {:.3f} mm, its curve ends at {:.3f} mm; push further (rimpact curve --speed)", 1e3 * press.d, 1e3 * range);
-  const double open = std::max(0.0, press.d), energy = press.mass / 2 * press.rate * press.rate, left = curve.work(range) - curve.work(open);
+    return fmt::format(
+        "the rim is pressed to {:.3f} mm, its curve ends at {:.3f} mm; push further (rimpact curve --speed)",
+        1e3 * press.d, 1e3 * range);
+  const double open = std::max(0.0, press.d), energy = press.mass / 2 * press.rate * press.rate,
+               left = curve.work(range) - curve.work(open);
   if (press.rate > 0 && rim.deepest_at(u, shape) <= open && energy > left * (1 + rounding))
-    return fmt::format("an approach at {:.3f} m/s exceeds the {:.3f} m/s that the curve can stop; push further (rimpact curve --speed)", press.rate,
-                       std::sqrt(2 * left / press.mass));
+    return fmt::format("an approach at {:.3f} m/s exceeds the {:.3f} m/s that the curve can stop; push further "
+                       "(rimpact curve --speed)",
+                       press.rate, std::sqrt(2 * left / press.mass));
   if (press.airborne) return "the slider has lifted off the dish, along which the curve was pushed";
   if (const Beside beside = farthest_dent(rim, u, press.d, shape); beside.distance > curve_slide * beside.half_touch)
-    return fmt::format("the touch lies {:.2f} mm along the wall from where the rim was pressed, the curve allows {:.2f} mm: an oblique slide, or a hit beside a dent",
+    return fmt::format("the touch lies {:.2f} mm along the wall from where the rim was pressed, the curve allows "
+                       "{:.2f} mm: an oblique slide, or a hit beside a dent",
                        1e3 * beside.distance, 1e3 * curve_slide * beside.half_touch);
   return std::nullopt;
 }

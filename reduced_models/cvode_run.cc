@@ -1,6 +1,6 @@
 #include "reduced_models/cvode_run.h"
+#include "files/error.h"
 #include "reduced_models/hybrid_run.h"
-#include "scene/error.h"
 #include "reduced_models/step_budget.h"
 #include <algorithm>
 #include <cmath>
@@ -114,13 +114,11 @@ private:
     const auto &c = *static_cast<Cvode *>(self);
     State at(c.dynamics_.n_state());
     std::copy_n(N_VGetArrayPointer(y), at.size(), at.begin());
-    for (const Event event : c.dynamics_.events(c.mode_))
-      *values++ = c.dynamics_.value(event, c.mode_, t, at);
+    for (const Event event : c.dynamics_.events(c.mode_)) *values++ = c.dynamics_.value(event, c.mode_, t, at);
     return 0;
   }
   void check(int flag, const char *what) const {
-    if (flag < 0)
-      throw SolverStopped(std::string(what) + " of SUNDIALS failed with " + CVodeGetReturnFlagName(flag));
+    if (flag < 0) throw SolverStopped(std::string(what) + " of SUNDIALS failed with " + CVodeGetReturnFlagName(flag));
   }
 
   const Dynamics &dynamics_;
@@ -150,8 +148,8 @@ void rest(const Dynamics &dynamics, Mode &mode, double &t, State &y, double t_en
 
 } // namespace
 
-CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const BearingState &start,
-                           double t_end, Recorder &recorder) {
+CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const BearingState &start, double t_end,
+                           Recorder &recorder) {
   Cvode cvode(dynamics, std::min(scene.reduced.tolerance, 1e-9));
   State y;
   Mode mode = dynamics.starting_mode(start, y);

@@ -10,7 +10,7 @@ struct CvodeResult {
   bool collapsed; ///< the building has: the run ended there
 };
 /// Runs from `start` to t_end. Throws SolverStopped when CVODE gives up.
-CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const BearingState &start,
-                    double t_end, Recorder &recorder);
+CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const BearingState &start, double t_end,
+                           Recorder &recorder);
 
 } // namespace rimpact::reduced

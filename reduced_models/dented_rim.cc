@@ -11,13 +11,19 @@ using Eigen::Vector2d;
 
 constexpr double same_place = 1e-11; ///< along the wall [m]: the rounding of a straight path
 
-double beside(const Dent &dent, const Vector2d &u, const DentShape &shape) { return along_wall(dent.direction, u, shape.wall); }
+double beside(const Dent &dent, const Vector2d &u, const DentShape &shape) {
+  return along_wall(dent.direction, u, shape.wall);
+}
 
 /// Dented at `tau` from the touch, `s` beside the dent's own place [m]; < 0: not at all.
-double seen(double deepest, double s, double tau, double flank) { return deepest - (s * s + 2 * tau * s) / (2 * flank); }
+double seen(double deepest, double s, double tau, double flank) {
+  return deepest - (s * s + 2 * tau * s) / (2 * flank);
+}
 
 /// Half the touch's length along the wall.
-double half_touch(double depth, double flank) { return std::sqrt(2 * flank * depth); }
+double half_touch(double depth, double flank) {
+  return std::sqrt(2 * flank * depth);
+}
 
 /// Places over the half touch and their weights: Gauss's for an ellipse (Chebyshev, second kind).
 struct Places {
@@ -48,13 +54,16 @@ double DentedRim::deepest_at(const Vector2d &u, const DentShape &shape, const Wa
   const double flank = shape.flank();
   double deepest = 0;
   for (const Dent &dent : dents_) deepest = std::max(deepest, seen(dent.deepest, beside(dent, u, shape), 0, flank));
-  const auto look = [&](const WallStroke &stroke) { deepest = stroke.seen(along_wall(stroke.direction(), u, shape.wall), 0, flank, deepest); };
+  const auto look = [&](const WallStroke &stroke) {
+    deepest = stroke.seen(along_wall(stroke.direction(), u, shape.wall), 0, flank, deepest);
+  };
   for (const WallStroke &stroke : strokes_) look(stroke);
   if (present) look(*present);
   return deepest;
 }
 
-/// How far from a dent's place, along the wall, what it leaves may be looked at [m]: twice half the longest touch so far.
+/// How far from a dent's place, along the wall, what it leaves may be looked at [m]: twice half the longest touch so
+/// far.
 double DentedRim::reach(double d, const DentShape &shape) const {
   double deepest = std::max(d, 0.0);
   for (const Dent &dent : dents_) deepest = std::max(deepest, dent.deepest);
@@ -62,8 +71,8 @@ double DentedRim::reach(double d, const DentShape &shape) const {
   return 2 * half_touch(deepest, shape.flank());
 }
 
-/// As far as `reach` from u one dent, or one end of a stroke, is everywhere as deep as a press to d: the two differ by a
-/// straight line over tau, so its ends decide.
+/// As far as `reach` from u one dent, or one end of a stroke, is everywhere as deep as a press to d: the two differ by
+/// a straight line over tau, so its ends decide.
 bool DentedRim::covered(const Vector2d &u, double d, double reach, const DentShape &shape) const {
   const double flank = shape.flank();
   const auto covers = [&](double deepest, double s) { return seen(deepest, std::abs(s), reach, flank) >= d; };
@@ -144,7 +153,8 @@ RimPush DentedRim::push(const RimElement &rim, const Vector2d &u, const RimMotio
     const double tau = half * places.at[i];
     at.deepest = 0;
     for (const Seen &piece : aside)
-      at.deepest = piece.stroke ? piece.stroke->seen(piece.s, tau, flank, at.deepest) : std::max(at.deepest, seen(piece.deepest, piece.s, tau, flank));
+      at.deepest = piece.stroke ? piece.stroke->seen(piece.s, tau, flank, at.deepest)
+                                : std::max(at.deepest, seen(piece.deepest, piece.s, tau, flank));
     const double force = rim.trial(at);
     nearest = std::max(nearest, force);
     if (force <= 0) continue;

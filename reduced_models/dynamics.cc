@@ -1,8 +1,8 @@
 #include "reduced_models/dynamics.h"
 
+#include "files/error.h"
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/rim_curve_file.h"
-#include "scene/error.h"
 #include <cmath>
 
 namespace rimpact::reduced {
@@ -29,8 +29,7 @@ NormalForce reading_of(const scene::Scene &scene) {
 Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
     : building(scene), mass(scene.load.mass - building.mass()), supported_mass(scene.load.mass),
       weight(scene.load.vertical),
-      lateral_capacity((capacity >= 0 ? capacity : scene.bearing.lateral_capacity()) +
-                       scene.reduced.capacity_offset),
+      lateral_capacity((capacity >= 0 ? capacity : scene.bearing.lateral_capacity()) + scene.reduced.capacity_offset),
       height(weightless(scene) ? RidingHeight::plane(scene.bearing, scene.bearing.lateral_capacity())
                                : RidingHeight(scene.bearing, scene.reduced.finite_pad ? scene.load.vertical : 0.0)),
       reading(reading_of(scene)), ground(scene.excitation, scene.load.gravity) {
@@ -38,13 +37,11 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
   const bool window = scene.excitation.kind == scene::ExcitationKind::window;
   if (!window || scene.excitation.with_friction) {
     friction_law = {r.mu_slow, r.mu_fast, r.mu_slow == r.mu_fast ? 0.0 : r.rate};
-    if (r.socket_friction && !height.is_plane())
-      socket = scene.bearing.contact.steel_steel * socket_arm(scene.bearing);
+    if (r.socket_friction && !height.is_plane()) socket = scene.bearing.contact.steel_steel * socket_arm(scene.bearing);
     if (r.friction == "park-wen") {
       park_wen_ = true, elastic_slip = r.elastic_slip;
       if (!(elastic_slip > 0))
-        throw InputError("reduced.elastic_slip_mm " + std::to_string(elastic_slip * 1e3) +
-                         " must be above 0");
+        throw InputError("reduced.elastic_slip_mm " + std::to_string(elastic_slip * 1e3) + " must be above 0");
     } else if (r.friction != "coulomb") {
       throw InputError("reduced.friction \"" + r.friction + "\" is unknown; known: coulomb, park-wen");
     }
@@ -52,7 +49,8 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
     friction_law = {0, 0, 0};
   }
   friction_law.validate();
-  if (with_rim && r.k_i > 0) rim = r.impact_law == "curve" ? curve_element(rim_curve_of(scene)) : rim_element(r, supported_mass);
+  if (with_rim && r.k_i > 0)
+    rim = r.impact_law == "curve" ? curve_element(rim_curve_of(scene)) : rim_element(r, supported_mass);
   dents = dent_shape(scene);
   dead_load_ = height.is_plane() ? 0.0 : weight;
   vertical_restitution_ = r.vertical_restitution;
@@ -83,8 +81,7 @@ Vector3d Dynamics::friction_per_normal(const scene::SurfacePoint &p, const Vecto
     const Vector2d er = r > 0 ? Vector2d(u / r) : Vector2d::UnitX(), ec(-er[1], er[0]);
     const auto k = height.curvatures(r);
     const double slope = p.gradient.dot(er), S = std::sqrt(1 + slope * slope);
-    const double wm = k.meridional * S * v.dot(er), wc = k.circumferential * v.dot(ec),
-                 w = std::hypot(wm, wc);
+    const double wm = k.meridional * S * v.dot(er), wc = k.circumferential * v.dot(ec), w = std::hypot(wm, wc);
     if (w > 0) {
       const double fm = -socket * k.meridional * wm / w, fc = -socket * k.circumferential * wc / w;
       f.head<2>() += fm / S * er + fc * ec;
@@ -164,8 +161,7 @@ Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y) const 
   e.friction = e.normal * f;
   e.acceleration.head<2>() = (F + e.pendular + e.friction).head<2>() / mass;
   e.acceleration[2] = g.dot(e.acceleration.head<2>()) + curvature;
-  e.ground_power =
-      -mass * (a_g[0] * v[0] + a_g[1] * v[1] + (reading == NormalForce::constant ? 0.0 : a_g[2] * vz));
+  e.ground_power = -mass * (a_g[0] * v[0] + a_g[1] * v[1] + (reading == NormalForce::constant ? 0.0 : a_g[2] * vz));
   return e;
 }
 
@@ -188,8 +184,7 @@ void Dynamics::rhs(const Mode &mode, double t, const State &y, State &dy) const 
   dy[iEX] = e.eta_rate[0], dy[iEY] = e.eta_rate[1];
   dy[iPendular] = -e.pendular[0] * y[iVX] - e.pendular[1] * y[iVY];
   dy[iFriction] = -e.friction[0] * y[iVX] - e.friction[1] * y[iVY];
-  if (reading != NormalForce::constant &&
-      e.pendular[2] > 0) // v_z = grad h . v, and grad h = -pendular_xy / pendular_z
+  if (reading != NormalForce::constant && e.pendular[2] > 0) // v_z = grad h . v, and grad h = -pendular_xy / pendular_z
     dy[iFriction] += e.friction[2] * (e.pendular[0] * y[iVX] + e.pendular[1] * y[iVY]) / e.pendular[2];
 }
 

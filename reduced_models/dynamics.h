@@ -60,19 +60,7 @@ struct Hold {
 };
 
 /// What ends a branch. Each has a value that is positive before and falls through zero at the event.
-enum class Event {
-  turning,
-  stop,
-  slip,
-  underway,
-  uplift,
-  landing,
-  collapse,
-  touch,
-  release,
-  let_go,
-  press_again
-};
+enum class Event { turning, stop, slip, underway, uplift, landing, collapse, touch, release, let_go, press_again };
 /// Touch and what follows it change the rim's force.
 inline bool changes_rim(Event event) {
   return event >= Event::touch;
@@ -156,8 +144,8 @@ public:
   /// `p` the riding height at `u`. Includes the socket: the foot must turn with the surface's normal n inside
   /// the socket of arm a (pad_on_dish.h), dissipating mu_ss N a |n'|, n' = -(kappa_m v_m, kappa_c v_c) along
   /// meridian and circle, i.e. a tangent force mu_ss N a K^2 v / |K v|; in unidirectional motion mu_ss N a kappa_m.
-  Eigen::Vector3d friction_per_normal(const scene::SurfacePoint &p, const Eigen::Vector2d &u,
-                                      const Eigen::Vector2d &v, double mu) const;
+  Eigen::Vector3d friction_per_normal(const scene::SurfacePoint &p, const Eigen::Vector2d &u, const Eigen::Vector2d &v,
+                                      double mu) const;
   /// Per unit of normal force: mu_ss times the socket's arm [m], 0 when the socket is frictionless.
   double socket = 0;
 

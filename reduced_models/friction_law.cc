@@ -1,5 +1,5 @@
 #include "reduced_models/friction_law.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <cmath>
 #include <string>
 
@@ -8,11 +8,9 @@ namespace rimpact::reduced {
 void FrictionCoefficient::validate() const {
   const auto text = [](double v) { return std::to_string(v); };
   if (!(mu_slow >= 0)) throw InputError("reduced.mu_slow " + text(mu_slow) + " is below 0");
-  if (!(mu_fast >= mu_slow))
-    throw InputError("reduced.mu_slow " + text(mu_slow) + " exceeds mu_fast " + text(mu_fast));
+  if (!(mu_fast >= mu_slow)) throw InputError("reduced.mu_slow " + text(mu_slow) + " exceeds mu_fast " + text(mu_fast));
   if (!constant() && !(rate > 0))
-    throw InputError("reduced.rate_s_per_m " + text(rate) +
-                     " must be above 0 when mu_slow differs from mu_fast");
+    throw InputError("reduced.rate_s_per_m " + text(rate) + " must be above 0 when mu_slow differs from mu_fast");
 }
 
 ValueAndSlope FrictionCoefficient::at(double speed) const {

@@ -23,8 +23,7 @@ struct FrictionCoefficient {
 /// form:
 ///   q eta' = v - eta max(0, eta . v),
 /// equal to the original in unidirectional motion. |eta| <= 1 is invariant, eta -> v/|v| as q -> 0.
-inline Eigen::Vector2d park_wen_rate(const Eigen::Vector2d &eta, const Eigen::Vector2d &v,
-                                     double elastic_slip) {
+inline Eigen::Vector2d park_wen_rate(const Eigen::Vector2d &eta, const Eigen::Vector2d &v, double elastic_slip) {
   const double work = eta.dot(v);
   return (v - (work > 0 ? work : 0.0) * eta) / elastic_slip;
 }

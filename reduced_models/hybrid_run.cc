@@ -1,5 +1,5 @@
 #include "reduced_models/hybrid_run.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include "reduced_models/step_budget.h"
 #include <algorithm>
 #include <numbers>
@@ -16,11 +16,9 @@ Eigen::Vector3d position(const Dynamics &dynamics, const Mode &mode, const State
 [[noreturn]] void give_up(const Dynamics &dynamics, double t, const State &y) {
   const double r = std::hypot(y[iX], y[iY]);
   if (r > 0.98 * dynamics.height.limit_radius())
-    throw SolverStopped("the slider left the dish at t = " + std::to_string(t) + " s: travel " +
-                        std::to_string(r) + " m reaches its edge at " +
-                        std::to_string(dynamics.height.limit_radius()) + " m");
-  throw SolverStopped("the time step of the reduced model became too small at t = " + std::to_string(t) +
-                      " s");
+    throw SolverStopped("the slider left the dish at t = " + std::to_string(t) + " s: travel " + std::to_string(r) +
+                        " m reaches its edge at " + std::to_string(dynamics.height.limit_radius()) + " m");
+  throw SolverStopped("the time step of the reduced model became too small at t = " + std::to_string(t) + " s");
 }
 
 } // namespace
@@ -34,16 +32,14 @@ HybridRun::HybridRun(const Dynamics &dynamics, const scene::Scene &scene)
   // a contact is half a period of mass and spring: never fewer than 20 steps
   contact_limit_ = pulse_scale_;
   if (dynamics.has_rim())
-    contact_limit_ =
-        std::min(2e-3, std::numbers::pi * std::sqrt(dynamics.mass / dynamics.rim.stiffness) / 20);
+    contact_limit_ = std::min(2e-3, std::numbers::pi * std::sqrt(dynamics.mass / dynamics.rim.stiffness) / 20);
 }
 
 void HybridRun::set_scales(const BearingState &start) {
   // Without ground motion the energy at the start bounds the speeds: a gentle motion gets as many digits.
   double share = 1;
   if (quiet_) {
-    const double energy =
-        dynamics_.supported_mass / 2 * start.v.squaredNorm() + dynamics_.weight * start.u[2];
+    const double energy = dynamics_.supported_mass / 2 * start.v.squaredNorm() + dynamics_.weight * start.u[2];
     share = std::clamp(std::sqrt(2 * energy / dynamics_.supported_mass) / dynamics_.speed_scale, 1e-4, 1.0);
   }
   inverse_scale_ = State(dynamics_.n_state());
@@ -103,8 +99,7 @@ HybridRun::Crossing HybridRun::first_crossing(const StopFunction &stop) {
   const auto look = [&](const Crossing &c) {
     if (!crosses(c)) return;
     const double before = c.by_stop ? stop_start_ : event_value(c, step_.t, step_.y0);
-    if (before <=
-        0) { // a branch that began exactly at the zero: is there a shorter step with a positive value?
+    if (before <= 0) { // a branch that began exactly at the zero: is there a shorter step with a positive value?
       for (double h = step_.h / 4; h > 1e-10; h /= 4) {
         try_step(h);
         if (event_value(c, step_.t + h, step_.y1) > 0) {
@@ -151,8 +146,7 @@ void HybridRun::attempt_until_accepted(double t_limit) {
     const double error = step_.error(inverse_scale_);
     if (error <= 1) {
       const double grown = h * std::min(4.0, 0.9 * std::pow(std::max(error, 1e-10), -0.2));
-      h_ = h < h_ ? std::max(h_, grown)
-                  : grown; // a step cut short by a limit says nothing against a longer one
+      h_ = h < h_ ? std::max(h_, grown) : grown; // a step cut short by a limit says nothing against a longer one
       return;
     }
     h_ = std::isfinite(error) ? h * std::max(0.2, 0.9 * std::pow(error, -0.2)) : h / 4;
@@ -194,21 +188,18 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
     dynamics_.set_out(mode_, step_.t, step_.y0, step_.k[0]);
     attempt_until_accepted(next_break(step_.t, t_end));
     Crossing crossing = first_crossing(stop);
-    if (crossing.found && crossing.event == Event::stop && !crossing.by_stop)
-      crossing.found = stops_accurately();
+    if (crossing.found && crossing.event == Event::stop && !crossing.by_stop) crossing.found = stops_accurately();
     keep_to_budget(++result.n_steps, step_.t);
     n_short = step_.h < 1e-10 ? n_short + 1 : 0;
     if (n_short > 100)
-      throw SolverStopped("the reduced model chatters between branches at t = " + std::to_string(step_.t) +
-                          " s");
+      throw SolverStopped("the reduced model chatters between branches at t = " + std::to_string(step_.t) + " s");
     const Mode during = mode_; // with the direction the step began in: at a stop y1 may lie just beyond v = 0
     dynamics_.project(mode_, step_.y1);
     const double t1 = step_.t + step_.h;
     const bool rim_changes = crossing.found && (crossing.by_stop || changes_rim(crossing.event));
-    recorder.segment(
-        during,
-        {step_.t, t1, step_.y0, step_.y1, [&](double t) { return step_.at((t - step_.t) / step_.h); }},
-        rim_changes);
+    recorder.segment(during,
+                     {step_.t, t1, step_.y0, step_.y1, [&](double t) { return step_.at((t - step_.t) / step_.h); }},
+                     rim_changes);
     step_.t = t1;
     step_.y0 = step_.y1;
     if (stop) stop_start_ = stop(position(dynamics_, mode_, step_.y0));
@@ -234,9 +225,8 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
   recorder.end(mode_, step_.t, step_.y0);
   const State &y = step_.y0;
   result.mode = mode_;
-  result.state = {
-      step_.t,          {y[iX], y[iY], y[iZ]}, {y[iVX], y[iVY], y[iVZ]}, mode_.support == Support::airborne,
-      {y[iEX], y[iEY]}, mode_.dented};
+  result.state = {step_.t,          {y[iX], y[iY], y[iZ]}, {y[iVX], y[iVY], y[iVZ]}, mode_.support == Support::airborne,
+                  {y[iEX], y[iEY]}, mode_.dented};
   return result;
 }
 

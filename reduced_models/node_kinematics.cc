@@ -34,7 +34,7 @@ NodalVector nodal_forces(const NodeHeights &heights, const NodalVector &u, const
   return velocity_matrix(heights, u).transpose() * force;
 }
 
-void add_nodal_moments(scene::Response &response, const NodeHeights &heights) {
+void add_nodal_moments(Response &response, const NodeHeights &heights) {
   constexpr const char *axes[] = {"x", "y", "z"};
   const auto read = [&](const std::string &name, std::size_t i) {
     Vector3d v;

@@ -6,7 +6,7 @@
 /// delta is the slider's displacement seen from the plate, to first order in the rotations and with their
 /// products with displacements kept: these are what give the P-Delta moments at both nodes.
 #pragma once
-#include "scene/response.h"
+#include "responses/response.h"
 #include <Eigen/Core>
 
 namespace rimpact::reduced {
@@ -26,7 +26,9 @@ KinematicMatrix displacement_matrix(const NodeHeights &heights, const NodalVecto
 KinematicMatrix velocity_matrix(const NodeHeights &heights, const NodalVector &u);
 /// Forces and moments at the nodes [N, N m], ordered as u, that do the work of `force` (2-23). The forces on J
 /// are `force` itself while I has not turned.
-NodalVector nodal_forces(const NodeHeights &heights, const NodalVector &u, const Eigen::Vector3d &force);/// Adds moment_below and moment_above to a response: nodes that do not turn, J moving with the slider.
-void add_nodal_moments(scene::Response &response, const NodeHeights &heights);
+NodalVector nodal_forces(const NodeHeights &heights, const NodalVector &u,
+                         const Eigen::Vector3d &force); /// Adds moment_below and moment_above to a response: nodes that
+                                                        /// do not turn, J moving with the slider.
+void add_nodal_moments(Response &response, const NodeHeights &heights);
 
 } // namespace rimpact::reduced

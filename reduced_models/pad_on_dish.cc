@@ -1,8 +1,8 @@
 #include "reduced_models/pad_on_dish.h"
-#include <Eigen/Dense>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <Eigen/Dense>
 #include <numbers>
 
 namespace rimpact::reduced {
@@ -10,8 +10,8 @@ namespace {
 
 constexpr std::array<double, 5> gauss_points{-0.9061798459386640, -0.5384693101056831, 0.0, 0.5384693101056831,
                                              0.9061798459386640};
-constexpr std::array<double, 5> gauss_weights{0.2369268850561891, 0.4786286704993665, 0.5688888888888889, 0.4786286704993665,
-                                              0.2369268850561891};
+constexpr std::array<double, 5> gauss_weights{0.2369268850561891, 0.4786286704993665, 0.5688888888888889,
+                                              0.4786286704993665, 0.2369268850561891};
 constexpr int n_angles = 12; // over half of the face, the other half being its image
 
 } // namespace

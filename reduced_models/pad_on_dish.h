@@ -1,5 +1,5 @@
-/// What the pad's size and elasticity and the socket's width add to a bearing reduced to a point: laws of the slider stack
-/// in closed or nearly closed form, for rungs `rigid-dish` and `full` to be compared with.
+/// What the pad's size and elasticity and the socket's width add to a bearing reduced to a point: laws of the slider
+/// stack in closed or nearly closed form, for rungs `rigid-dish` and `full` to be compared with.
 #pragma once
 #include "scene/scene.h"
 
@@ -11,9 +11,9 @@ namespace rimpact::reduced {
 class PadOnDish {
 public:
   PadOnDish(const scene::Bearing &bearing, const scene::SlidingSurface &surface, double load);
-  /// Height that does the work of moving there under `load`: the slider's rise plus the pad's elastic energy over the load,
-  /// both at least energy, less the dish's own height at r [m]. Its slope times the load is the pad's share of the
-  /// restoring force. For a soft pad and small travel (Ro^2 + Ri^2)/8 (kappa_m + kappa_c), DESIGN 2.
+  /// Height that does the work of moving there under `load`: the slider's rise plus the pad's elastic energy over the
+  /// load, both at least energy, less the dish's own height at r [m]. Its slope times the load is the pad's share of
+  /// the restoring force. For a soft pad and small travel (Ro^2 + Ri^2)/8 (kappa_m + kappa_c), DESIGN 2.
   double lift(double r) const;
 
 private:
@@ -38,12 +38,13 @@ private:
 /// turns at its distance from the axis. Cap radius times 1.11 for the default socket, 1 for a narrow one.
 double socket_arm(const scene::Bearing &bearing);
 
-/// Travel over which the pad, in shear, builds up the friction mu N of its face: mu N t / (G A) [m], 0.14 mm by default. A
-/// slider that turns round keeps its old friction for some milliseconds; on a pulse that is 5 to 20 % of the touch speed.
+/// Travel over which the pad, in shear, builds up the friction mu N of its face: mu N t / (G A) [m], 0.14 mm by
+/// default. A slider that turns round keeps its old friction for some milliseconds; on a pulse that is 5 to 20 % of the
+/// touch speed.
 double pad_elastic_slip(const scene::Bearing &bearing, double normal_force, double mu);
 
-/// Switches on what rungs `rigid-dish` and `full` have by themselves: the finite pad, the socket's friction, and (Park-Wen,
-/// unless the scene has chosen that itself) the pad's elastic slip under the dead load.
+/// Switches on what rungs `rigid-dish` and `full` have by themselves: the finite pad, the socket's friction, and
+/// (Park-Wen, unless the scene has chosen that itself) the pad's elastic slip under the dead load.
 void add_stack_terms(scene::Scene &scene);
 
 } // namespace rimpact::reduced

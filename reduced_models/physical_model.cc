@@ -1,6 +1,6 @@
 #include "reduced_models/physical_model.h"
+#include "files/error.h"
 #include "reduced_models/hybrid_run.h"
-#include "scene/error.h"
 #include <cmath>
 #include <numbers>
 
@@ -40,8 +40,8 @@ BearingState PhysicalModel::initial_state() const {
   return s;
 }
 
-FlightEnd PhysicalModel::fly(const BearingState &start, double t_end, const StopFunction &stop,
-                             scene::Response &response, scene::EnergyLedger &ledger) const {
+FlightEnd PhysicalModel::fly(const BearingState &start, double t_end, const StopFunction &stop, Response &response,
+                             EnergyLedger &ledger) const {
   Recorder recorder(impl_->dynamics, &response, impl_->scene.reduced.output_step, ledger);
   HybridRun run(impl_->dynamics, impl_->scene);
   const auto result = run.run(start, t_end, stop, recorder);
@@ -68,21 +68,17 @@ FrictionForce PhysicalModel::smoothed_friction(const Vector3d &u, const Vector3d
   const auto mu = d.friction_law.at(s);
   FrictionForce f;
   f.force = -normal_force * mu.value / s * w;
-  f.d_velocity =
-      -normal_force * (mu.value / s * tangent + (mu.slope - mu.value / s) / (s * s) * w * w.transpose());
+  f.d_velocity = -normal_force * (mu.value / s * tangent + (mu.slope - mu.value / s) / (s * s) * w * w.transpose());
   if (d.socket > 0) {
     const double r = std::hypot(u[0], u[1]);
     const Vector2d er = r > 0 ? Vector2d(u.head<2>() / r) : Vector2d::UnitX();
-    const Vector3d meridian = Vector3d(er[0], er[1], p.gradient.dot(er)).normalized(),
-                   circle(-er[1], er[0], 0);
+    const Vector3d meridian = Vector3d(er[0], er[1], p.gradient.dot(er)).normalized(), circle(-er[1], er[0], 0);
     const auto k = d.height.curvatures(r);
-    const Matrix3d K =
-        k.meridional * meridian * meridian.transpose() + k.circumferential * circle * circle.transpose();
+    const Matrix3d K = k.meridional * meridian * meridian.transpose() + k.circumferential * circle * circle.transpose();
     const Vector3d turn = K * v; // rate of the surface's normal
     const double q = std::sqrt(turn.squaredNorm() + std::pow(k.meridional * speed_scale, 2));
     f.force -= normal_force * d.socket / q * K * turn;
-    f.d_velocity -=
-        normal_force * d.socket / q * K * (Matrix3d::Identity() - turn * turn.transpose() / (q * q)) * K;
+    f.d_velocity -= normal_force * d.socket / q * K * (Matrix3d::Identity() - turn * turn.transpose() / (q * q)) * K;
   }
   return f;
 }

@@ -3,8 +3,8 @@
 /// is not solid. SI units; the plate is fixed, u is the upper slider's displacement relative to the plate.
 #pragma once
 #include "reduced_models/dented_rim.h"
+#include "responses/summary.h"
 #include "scene/scene.h"
-#include "scene/summary.h"
 #include <functional>
 
 namespace rimpact::reduced {
@@ -49,9 +49,8 @@ public:
   /// Integrates WITHOUT the rim element from `start` to t_end, or until stop(u) falls to zero (located to
   /// 1e-12 s). Samples go to `response` (all signals of the reduced model, impact zero), energies accumulate
   /// in `ledger`.
-  FlightEnd fly(const BearingState &start, double t_end,
-                const std::function<double(const Eigen::Vector3d &u)> &stop, scene::Response &response,
-                scene::EnergyLedger &ledger) const;
+  FlightEnd fly(const BearingState &start, double t_end, const std::function<double(const Eigen::Vector3d &u)> &stop,
+                Response &response, EnergyLedger &ledger) const;
 
   /// Height the slider rides at, with gradient and Hessian; includes the finite pad's lift when switched on.
   scene::SurfacePoint height(double x, double y) const;
@@ -73,14 +72,14 @@ private:
 /// height at the start counts as initial energy. A weightless window moves in the horizontal plane; its
 /// friction, if asked for, is mu W.
 struct ReducedRun {
-  scene::Response response;
-  scene::Summary summary;
+  Response response;
+  Summary summary;
 };
 ReducedRun simulate(const scene::Scene &scene);
 /// The same by SUNDIALS CVODE with root finding: the independent check of the event-driven stepper.
 ReducedRun simulate_with_cvode(const scene::Scene &scene);
 /// Peaks and impacts only, nothing stored: the calibration's and the benchmarks' hot path.
-scene::Summary simulate_summary(const scene::Scene &scene);
+Summary simulate_summary(const scene::Scene &scene);
 
 /// As `simulate`, but from `start` at time start.t to t_end: one impact shot from a state just at touch, say.
 /// `lateral_capacity_override` >= 0 replaces the bearing's L_c (a dented rim is touched further out; laws
@@ -91,7 +90,6 @@ ReducedRun simulate_from(const scene::Scene &scene, const BearingState &start, d
 
 /// Scale of the excitation at which the rim is first touched (thesis notes, 1), by bisection to `relative`;
 /// nullopt when it is not bracketed in [low, high].
-std::optional<double> critical_scale(scene::Scene scene, double low = 0.2, double high = 3.0,
-                                     double relative = 1e-6);
+std::optional<double> critical_scale(scene::Scene scene, double low = 0.2, double high = 3.0, double relative = 1e-6);
 
 } // namespace rimpact::reduced

@@ -1,7 +1,7 @@
 #include "reduced_models/quasi_static.h"
+#include "files/error.h"
 #include "reduced_models/curve_limits.h"
 #include "reduced_models/dynamics.h"
-#include "scene/error.h"
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -17,9 +17,7 @@ class Path {
 public:
   explicit Path(const scene::Scene &scene) : excitation_(scene.excitation), dynamics_(scene) {}
 
-  Vector2d at(double s) const {
-    return scene::prescribed_displacement(excitation_, dynamics_.lateral_capacity, s);
-  }
+  Vector2d at(double s) const { return scene::prescribed_displacement(excitation_, dynamics_.lateral_capacity, s); }
   /// Direction of arrival (of departure at s = 0): friction persists until the path really turns.
   Vector2d direction(double s) const {
     constexpr double ds = 1e-6;
@@ -35,8 +33,7 @@ public:
     Mode mode;
     mode.e0 = direction;
     mode.dented = rim_;
-    mode.rim = dynamics_.has_rim() && u.norm() >= dynamics_.lateral_capacity ? RimContact::pressed
-                                                                             : RimContact::open;
+    mode.rim = dynamics_.has_rim() && u.norm() >= dynamics_.lateral_capacity ? RimContact::pressed : RimContact::open;
     return dynamics_.evaluate(mode, 0, state(u));
   }
   /// What has been reached so far stays in a rim that yields.
@@ -44,7 +41,9 @@ public:
     const double d = u.norm() - dynamics_.lateral_capacity;
     if (d <= 0) return;
     rim_.press(u, d, dynamics_.dents);
-    if (const auto reason = dynamics_.rim.curve ? beyond_curve(*dynamics_.rim.curve, {d, 0, 0, false}, rim_, u, dynamics_.dents) : std::nullopt)
+    if (const auto reason = dynamics_.rim.curve
+                                ? beyond_curve(*dynamics_.rim.curve, {d, 0, 0, false}, rim_, u, dynamics_.dents)
+                                : std::nullopt)
       throw InputError("impact_law \"curve\": " + *reason + "; take rung rim (rimpact run --rung rim)");
   }
   const Dynamics &dynamics() const { return dynamics_; }
@@ -56,9 +55,8 @@ private:
 };
 
 /// Works over one interval of the path by Gauss's four points: of the drive, the friction and the rim.
-void add_works(const Path &path, double s0, double s1, scene::EnergyLedger &ledger) {
-  constexpr double x[] = {0.8611363115940526, 0.3399810435848563},
-                   w[] = {0.3478548451374538, 0.6521451548625461};
+void add_works(const Path &path, double s0, double s1, EnergyLedger &ledger) {
+  constexpr double x[] = {0.8611363115940526, 0.3399810435848563}, w[] = {0.3478548451374538, 0.6521451548625461};
   for (int i = 0; i < 4; ++i) {
     const double s = (s0 + s1) / 2 + (i % 2 ? -1 : 1) * x[i / 2] * (s1 - s0) / 2, ds = 1e-3 * (s1 - s0);
     const Vector2d du = (path.at(s + ds) - path.at(s - ds)) / (2 * ds) * w[i / 2] * (s1 - s0) / 2;
@@ -74,15 +72,13 @@ void add_works(const Path &path, double s0, double s1, scene::EnergyLedger &ledg
   }
 }
 
-void store(const Path &path, double s, scene::EnergyLedger &ledger, scene::Response &response,
-           scene::Summary &summary) {
+void store(const Path &path, double s, EnergyLedger &ledger, Response &response, Summary &summary) {
   const Vector2d u = path.at(s);
   const Evaluation e = path.forces(u, path.direction(s));
   const State y = path.state(u);
   const Eigen::Vector3d force = e.pendular + e.friction + e.impact;
   if (path.dynamics().reading != NormalForce::constant)
-    ledger.gravity =
-        path.dynamics().potential_energy(y) - path.dynamics().potential_energy(path.state(path.at(0)));
+    ledger.gravity = path.dynamics().potential_energy(y) - path.dynamics().potential_energy(path.state(path.at(0)));
   ledger.largest_input = std::max(ledger.largest_input, std::abs(ledger.external));
   const std::pair<const char *, double> row[] = {{"time", s},
                                                  {"displacement_x", u[0]},
@@ -122,7 +118,7 @@ ReducedRun quasi_static(const scene::Scene &given) {
   scene.reduced.friction = "coulomb";
   Path path(scene);
   ReducedRun run;
-  scene::EnergyLedger ledger;
+  EnergyLedger ledger;
   // a multiple of 4 samples a cycle, so that turning points are samples
   const int n = 2000 * std::max(1, static_cast<int>(std::ceil(scene.excitation.cycles)));
   store(path, 0, ledger, run.response, run.summary);
@@ -131,7 +127,7 @@ ReducedRun quasi_static(const scene::Scene &given) {
     path.press(path.at(double(i) / n));
     store(path, double(i) / n, ledger, run.response, run.summary);
   }
-  scene::summarise_response(run.response, run.summary);
+  summarise_response(run.response, run.summary);
   run.summary.energy = ledger;
   run.summary.rung = "reduced";
   run.summary.n_dofs = 3;

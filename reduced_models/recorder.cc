@@ -40,8 +40,7 @@ double lateral(const Evaluation &e) {
 
 /// Largest value of f over [0, 1] inside the interval, from values at its ends and middle; no search when a
 /// parabola through them has its top outside or does not beat `known`.
-template <class Function>
-double inner_maximum(const Function &f, double f0, double fm, double f1, double known) {
+template <class Function> double inner_maximum(const Function &f, double f0, double fm, double f1, double known) {
   const double curvature = f0 - 2 * fm + f1, slope = f1 - f0;
   if (!(curvature < 0) || std::abs(slope) >= -2 * curvature) return std::max({f0, fm, f1});
   const double top = fm - slope * slope / (8 * curvature);
@@ -60,13 +59,11 @@ double inner_maximum(const Function &f, double f0, double fm, double f1, double 
 
 } // namespace
 
-Recorder::Recorder(const Dynamics &dynamics, scene::Response *response, double output_step,
-                   const scene::EnergyLedger &before)
+Recorder::Recorder(const Dynamics &dynamics, Response *response, double output_step, const EnergyLedger &before)
     : dynamics_(dynamics), response_(response), output_step_(output_step), contact_step_(output_step),
       last_sample_(-1e300), before_(before), final_(dynamics.n_state()), building_(dynamics.building) {
   if (dynamics.has_rim()) // at least 120 samples over the half period of mass and spring
-    contact_step_ =
-        std::min(output_step, std::numbers::pi * std::sqrt(dynamics.mass / dynamics.rim.stiffness) / 120);
+    contact_step_ = std::min(output_step, std::numbers::pi * std::sqrt(dynamics.mass / dynamics.rim.stiffness) / 120);
   if (response_) {
     for (const char *name : columns) columns_.push_back(&response_->series(name));
     if (dynamics_.building.any()) {
@@ -96,8 +93,7 @@ void Recorder::watch(const Mode &mode, const State &y, const Evaluation &e) {
   peak_displacement_ = std::max(peak_displacement_, std::hypot(y[iX], y[iY]));
   peak_height_ = std::max(peak_height_, y[iZ]);
   peak_lateral_ = std::max(peak_lateral_, lateral(e));
-  smallest_normal_ =
-      std::min(smallest_normal_, mode.support == Support::airborne ? 0.0 : std::max(0.0, e.normal));
+  smallest_normal_ = std::min(smallest_normal_, mode.support == Support::airborne ? 0.0 : std::max(0.0, e.normal));
   smallest_gap_ = std::min(smallest_gap_, e.gap);
   if (in_impact_) {
     auto &i = impacts_.back();
@@ -133,13 +129,13 @@ void Recorder::refine(const Mode &mode, const Segment &s, const Evaluation &e0, 
   peak_lateral_ = std::max(peak_lateral_, inner_maximum([&](double x) { return lateral(at(x)); }, lateral(e0),
                                                         lateral(mid), lateral(e1), peak_lateral_));
   if (mode.support != Support::airborne)
-    smallest_normal_ = std::min(
-        smallest_normal_, std::max(0.0, -inner_maximum([&](double x) { return -at(x).normal; }, -e0.normal,
-                                                       -mid.normal, -e1.normal, -smallest_normal_)));
+    smallest_normal_ =
+        std::min(smallest_normal_, std::max(0.0, -inner_maximum([&](double x) { return -at(x).normal; }, -e0.normal,
+                                                                -mid.normal, -e1.normal, -smallest_normal_)));
   if (in_impact_) {
     auto &force = impacts_.back().peak_force;
-    force = std::max(force, inner_maximum([&](double x) { return at(x).rim_force; }, e0.rim_force,
-                                          mid.rim_force, e1.rim_force, force));
+    force = std::max(force, inner_maximum([&](double x) { return at(x).rim_force; }, e0.rim_force, mid.rim_force,
+                                          e1.rim_force, force));
   }
 }
 
@@ -172,8 +168,8 @@ void Recorder::segment(const Mode &mode, const Segment &s, bool rim_changes_at_e
     watch(mode, y, mid);
     refine(mode, s, last_, mid, e);
     if (mode.support == Support::airborne)
-      peak_height_ = std::max(peak_height_, inner_maximum([&](double x) { return s.at(s.t0 + x * (s.t1 - s.t0))[iZ]; }, s.y0[iZ],
-                                                          y[iZ], s.y1[iZ], peak_height_));
+      peak_height_ = std::max(peak_height_, inner_maximum([&](double x) { return s.at(s.t0 + x * (s.t1 - s.t0))[iZ]; },
+                                                          s.y0[iZ], y[iZ], s.y1[iZ], peak_height_));
     if (dynamics_.building.any()) refine_drifts(mode, s);
   }
   watch(mode, s.y1, e);
@@ -185,7 +181,7 @@ void Recorder::segment(const Mode &mode, const Segment &s, bool rim_changes_at_e
 void Recorder::open_impact(double t, const State &y) {
   in_impact_ = true;
   const double r = std::hypot(y[iX], y[iY]);
-  scene::Impact impact{};
+  Impact impact{};
   impact.touch_time = t, impact.release_time = -1; // before its touch: not released yet
   impact.direction_deg = std::atan2(y[iY], y[iX]) * 180 / std::numbers::pi;
   impact.approach_speed = (y[iX] * y[iVX] + y[iY] * y[iVY]) / r;
@@ -212,7 +208,8 @@ void Recorder::branch(const Mode &before, const Mode &after, double t, const Sta
     for (auto *column : columns_) column->pop_back();
     last_sample_ = columns_[0]->empty() ? -1e300 : columns_[0]->back();
   }
-  if (pressed) store(after, t, y, 0); // however soon after another sample: where a dashpot's force begins, or friction has turned
+  if (pressed)
+    store(after, t, y, 0); // however soon after another sample: where a dashpot's force begins, or friction has turned
   next_sample_ = pressed ? next_after(after, t) : t + beside;
 }
 
@@ -221,12 +218,11 @@ void Recorder::store(const Mode &mode, double t, const State &y, double apart) {
   last_sample_ = t;
   const Evaluation e = dynamics_.evaluate(mode, t, y);
   const Eigen::Vector3d force = e.pendular + e.friction + e.impact;
-  const scene::EnergyLedger l = ledger(mode, y);
-  const double row[] = {
-      t,           y[iX],       y[iY],    y[iZ],         y[iVX],        y[iVY],        y[iVZ],
-      force[0],    force[1],    force[2], e.pendular[0], e.pendular[1], e.friction[0], e.friction[1],
-      e.impact[0], e.impact[1], e.gap,    e.normal,      l.external,    l.gravity,     l.kinetic,
-      l.friction,  l.impact,    l.contact};
+  const EnergyLedger l = ledger(mode, y);
+  const double row[] = {t,           y[iX],       y[iY],    y[iZ],         y[iVX],        y[iVY],        y[iVZ],
+                        force[0],    force[1],    force[2], e.pendular[0], e.pendular[1], e.friction[0], e.friction[1],
+                        e.impact[0], e.impact[1], e.gap,    e.normal,      l.external,    l.gravity,     l.kinetic,
+                        l.friction,  l.impact,    l.contact};
   for (std::size_t i = 0; i < std::size(row); ++i) columns_[i]->push_back(row[i]);
   if (!dynamics_.building.any()) return;
   const double energies[] = {l.elastic, l.plastic, l.damping};
@@ -240,8 +236,8 @@ void Recorder::end(const Mode &mode, double t, const State &y) {
   final_ = y, final_time_ = t, final_mode_.support = mode.support;
 }
 
-scene::EnergyLedger Recorder::ledger(const Mode &mode, const State &y) const {
-  scene::EnergyLedger l = before_;
+EnergyLedger Recorder::ledger(const Mode &mode, const State &y) const {
+  EnergyLedger l = before_;
   l.external += y[iExternal];
   l.gravity += dynamics_.potential_energy(y) - initial_potential_;
   l.kinetic = dynamics_.kinetic_energy(y);
@@ -257,7 +253,7 @@ scene::EnergyLedger Recorder::ledger(const Mode &mode, const State &y) const {
   return l;
 }
 
-void Recorder::summarise(scene::Summary &summary, bool collapsed) const {
+void Recorder::summarise(Summary &summary, bool collapsed) const {
   summary.peak_displacement = peak_displacement_;
   summary.peak_lateral_force = peak_lateral_;
   summary.peak_vertical_displacement = peak_height_;
@@ -269,8 +265,8 @@ void Recorder::summarise(scene::Summary &summary, bool collapsed) const {
   summary.peak_impact_force = peak;
   summary.energy = final_ledger();
   if (dynamics_.building.any())
-    building_.summarise(building_at(final_mode_, final_),
-                        collapsed ? std::optional(final_time_) : std::nullopt, summary);
+    building_.summarise(building_at(final_mode_, final_), collapsed ? std::optional(final_time_) : std::nullopt,
+                        summary);
 }
 
 } // namespace rimpact::reduced

@@ -17,8 +17,7 @@ struct Segment {
 class Recorder {
 public:
   /// `response` may be null: peaks and impacts only.
-  Recorder(const Dynamics &dynamics, scene::Response *response, double output_step,
-           const scene::EnergyLedger &before = {});
+  Recorder(const Dynamics &dynamics, Response *response, double output_step, const EnergyLedger &before = {});
 
   void begin(const Mode &mode, double t, const State &y);
   /// A segment that ends at rest on the pressed rim has both sides of friction's jump stored.
@@ -27,15 +26,16 @@ public:
   void branch(const Mode &before, const Mode &after, double t, const State &y, double loss);
   void end(const Mode &mode, double t, const State &y);
 
-  scene::EnergyLedger ledger(const Mode &mode, const State &y) const;
-  scene::EnergyLedger final_ledger() const { return ledger(final_mode_, final_); } ///< after `end`
+  EnergyLedger ledger(const Mode &mode, const State &y) const;
+  EnergyLedger final_ledger() const { return ledger(final_mode_, final_); } ///< after `end`
   /// Peaks, impacts and energies. Call after `end`.
-  void summarise(scene::Summary &summary, bool collapsed = false) const;
+  void summarise(Summary &summary, bool collapsed = false) const;
   double smallest_gap() const { return smallest_gap_; }
 
 private:
   static constexpr double beside = 1e-6; ///< samples beside a jump of a force stand this far from it [s]
-  void store(const Mode &mode, double t, const State &y, double apart = beside / 2); ///< none sooner than `apart` after the last [s]
+  void store(const Mode &mode, double t, const State &y,
+             double apart = beside / 2); ///< none sooner than `apart` after the last [s]
   void open_impact(double t, const State &y);
   void close_impact(double t, const State &y);
   BuildingSnapshot building_at(const Mode &mode, const State &y) const;
@@ -47,11 +47,11 @@ private:
   double next_after(const Mode &mode, double t) const;
 
   const Dynamics &dynamics_;
-  scene::Response *response_;
+  Response *response_;
   std::vector<std::vector<double> *> columns_;
   double output_step_, contact_step_;
   double next_sample_ = 0, last_sample_;
-  scene::EnergyLedger before_;
+  EnergyLedger before_;
   double initial_potential_ = 0, landing_loss_ = 0, largest_input_ = 0;
   Evaluation last_; ///< at the latest watched instant
   State final_;
@@ -60,7 +60,7 @@ private:
   BuildingRecorder building_;
   bool in_impact_ = false;
   bool turned_ = false; ///< the latest segment ended at rest on the pressed rim
-  std::vector<scene::Impact> impacts_;
+  std::vector<Impact> impacts_;
   double peak_displacement_ = 0, peak_height_ = -1e300, peak_lateral_ = 0, smallest_normal_ = 1e300;
   double smallest_gap_ = 1e300;
 };

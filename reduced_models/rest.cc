@@ -3,8 +3,7 @@
 
 namespace rimpact::reduced {
 
-double end_of_rest(const Dynamics &dynamics, const Mode &mode, const State &y, double t, double t_end,
-                   double scan) {
+double end_of_rest(const Dynamics &dynamics, const Mode &mode, const State &y, double t, double t_end, double scan) {
   const auto excess = [&](double at) { return dynamics.hold(mode, at, y).excess; };
   const auto root = [&](double low, double high) {
     for (int i = 0; i < 200 && high - low > 1e-14 + 2e-16 * high; ++i) {

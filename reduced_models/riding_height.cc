@@ -13,7 +13,9 @@ namespace {
 // The profile of the default ellipse has its singularity at 1.34 half-ranges: coefficients fall as 2.2^-n.
 constexpr int n_nodes = 44;
 
-double node(int i, int n) { return std::cos(std::numbers::pi * (i + 0.5) / n); }
+double node(int i, int n) {
+  return std::cos(std::numbers::pi * (i + 0.5) / n);
+}
 
 /// Chebyshev coefficients from values at the n nodes.
 std::vector<double> chebyshev(const std::vector<double> &samples) {
@@ -37,12 +39,10 @@ double series(const std::vector<double> &c, double x) {
 }
 } // namespace
 
-template <class Function>
-RadialInterpolant::RadialInterpolant(const Function &of_radius, double largest_radius) {
+template <class Function> RadialInterpolant::RadialInterpolant(const Function &of_radius, double largest_radius) {
   half_ = largest_radius * largest_radius / 2;
   std::vector<double> samples(n_nodes);
-  for (int i = 0; i < n_nodes; ++i)
-    samples[i] = of_radius(std::sqrt(half_ * (1 + node(i, n_nodes))));
+  for (int i = 0; i < n_nodes; ++i) samples[i] = of_radius(std::sqrt(half_ * (1 + node(i, n_nodes))));
   fit(samples);
 }
 
@@ -50,8 +50,7 @@ void RadialInterpolant::fit(const std::vector<double> &samples) {
   const std::vector<double> whole = chebyshev(samples);
   std::vector<double> values(degree + 1);
   for (int i = 0; i < n_pieces; ++i) {
-    for (int k = 0; k <= degree; ++k)
-      values[k] = series(whole, (2 * i + 1 + node(k, degree + 1)) / n_pieces - 1);
+    for (int k = 0; k <= degree; ++k) values[k] = series(whole, (2 * i + 1 + node(k, degree + 1)) / n_pieces - 1);
     const std::vector<double> own = chebyshev(values);
     Piece before{}, now{}; // T_{j-1} and T_j in powers of t
     now[0] = 1;
@@ -80,7 +79,8 @@ RadialInterpolant::Values RadialInterpolant::at(double s) const {
 
 namespace {
 
-/// Fits and fleets build thousands of models of one bearing, and a lift costs as much as ten of their runs: the last one is kept.
+/// Fits and fleets build thousands of models of one bearing, and a lift costs as much as ten of their runs: the last
+/// one is kept.
 std::shared_ptr<const RadialInterpolant> lift_under(const scene::Bearing &bearing, const scene::SlidingSurface &surface,
                                                     double load, double limit) {
   static std::mutex guard;

@@ -8,8 +8,8 @@
 
 namespace rimpact::reduced {
 
-/// Even function of the radius as polynomials in s = r^2, piece by piece: those of a Chebyshev interpolant over the whole range,
-/// within 1e-15 of its largest value, 1e-12 and 1e-9 of its derivatives'. No special case at r = 0.
+/// Even function of the radius as polynomials in s = r^2, piece by piece: those of a Chebyshev interpolant over the
+/// whole range, within 1e-15 of its largest value, 1e-12 and 1e-9 of its derivatives'. No special case at r = 0.
 class RadialInterpolant {
 public:
   template <class Function> RadialInterpolant(const Function &of_radius, double largest_radius);

@@ -1,10 +1,10 @@
 #include "reduced_models/rim_curve.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <algorithm>
-#include <math.h> // Boost 1.74's pchip calls isnan without std::
 #include <boost/math/interpolators/pchip.hpp>
 #include <cmath>
 #include <fmt/format.h>
+#include <math.h> // Boost 1.74's pchip calls isnan without std::
 
 namespace rimpact::reduced {
 namespace {
@@ -12,17 +12,21 @@ namespace {
 using Pchip = boost::math::interpolators::pchip<std::vector<double>>;
 constexpr double same_point = 1e-6; ///< of the force: an unloading begins on the loading
 
-Pchip through(std::vector<double> x, std::vector<double> y) { return {std::move(x), std::move(y)}; }
+Pchip through(std::vector<double> x, std::vector<double> y) {
+  return {std::move(x), std::move(y)};
+}
 
 void require_samples(const CurveSamples &s, double sense, const std::string &name) {
   if (s.penetration.size() != s.force.size() || s.penetration.size() < 4)
-    throw InputError(fmt::format("{} has {} penetrations and {} forces; at least 4 of each, as many of both, are needed", name,
-                                 s.penetration.size(), s.force.size()));
+    throw InputError(
+        fmt::format("{} has {} penetrations and {} forces; at least 4 of each, as many of both, are needed", name,
+                    s.penetration.size(), s.force.size()));
   for (std::size_t i = 0; i < s.force.size(); ++i) {
-    if (!std::isfinite(s.penetration[i]) || !std::isfinite(s.force[i])) throw InputError(fmt::format("{}: sample {} is not finite", name, i + 1));
+    if (!std::isfinite(s.penetration[i]) || !std::isfinite(s.force[i]))
+      throw InputError(fmt::format("{}: sample {} is not finite", name, i + 1));
     if (i > 0 && !(sense * (s.penetration[i] - s.penetration[i - 1]) > 0))
-      throw InputError(fmt::format("{}: penetration {:g} m follows {:g} m; it must {}", name, s.penetration[i], s.penetration[i - 1],
-                                   sense > 0 ? "rise" : "fall"));
+      throw InputError(fmt::format("{}: penetration {:g} m follows {:g} m; it must {}", name, s.penetration[i],
+                                   s.penetration[i - 1], sense > 0 ? "rise" : "fall"));
   }
 }
 
@@ -42,7 +46,8 @@ Branch branch_of(const CurveSamples &s) {
   const std::size_t n = s.force.size();
   const double length = s.penetration.front() - s.penetration.back();
   std::vector<double> x(n), f(n);
-  for (std::size_t i = 0; i < n; ++i) x[i] = (s.penetration.front() - s.penetration[i]) / length, f[i] = s.force[i] / s.force.front();
+  for (std::size_t i = 0; i < n; ++i)
+    x[i] = (s.penetration.front() - s.penetration[i]) / length, f[i] = s.force[i] / s.force.front();
   x.back() = 1, f.back() = 0;
   Branch branch{s.penetration.front(), s.force.front(), length, through(x, f), 0};
   for (std::size_t i = 1; i < n; ++i) branch.area += area(branch.shape, x[i - 1], x[i]);
@@ -75,7 +80,8 @@ struct RimCurve::Interpolants {
     double weight;
   };
   Between between(double deepest) const {
-    const auto above = std::find_if(branches.begin(), branches.end(), [&](const Branch &b) { return b.deepest >= deepest; });
+    const auto above =
+        std::find_if(branches.begin(), branches.end(), [&](const Branch &b) { return b.deepest >= deepest; });
     if (above == branches.end()) return {&branches.back(), &branches.back(), 0};
     if (above == branches.begin()) return {&*above, &*above, 0};
     const Branch &below = *(above - 1);
@@ -87,12 +93,15 @@ struct RimCurve::Interpolants {
 RimCurve::RimCurve(CurvePath path) : path_(std::move(path)) {
   const CurveSamples &load = path_.loading;
   require_samples(load, 1, "the loading");
-  if (load.penetration.front() != 0 || load.force.front() != 0) throw InputError("the loading does not begin at penetration 0 and force 0");
-  if (!(load.force[1] > 0)) throw InputError(fmt::format("the loading's first force {:g} N must be > 0", load.force[1]));
+  if (load.penetration.front() != 0 || load.force.front() != 0)
+    throw InputError("the loading does not begin at penetration 0 and force 0");
+  if (!(load.force[1] > 0))
+    throw InputError(fmt::format("the loading's first force {:g} N must be > 0", load.force[1]));
   if (path_.unloading.empty()) throw InputError("there is no unloading");
   const Pchip loading = through(load.penetration, load.force);
   std::vector<double> work{0};
-  for (std::size_t i = 1; i < load.force.size(); ++i) work.push_back(work.back() + area(loading, load.penetration[i - 1], load.penetration[i]));
+  for (std::size_t i = 1; i < load.force.size(); ++i)
+    work.push_back(work.back() + area(loading, load.penetration[i - 1], load.penetration[i]));
   std::vector<Branch> branches;
   for (std::size_t k = 0; k < path_.unloading.size(); ++k) {
     const CurveSamples &back = path_.unloading[k];
@@ -100,11 +109,14 @@ RimCurve::RimCurve(CurvePath path) : path_(std::move(path)) {
     require_samples(back, -1, name);
     const double D = back.penetration.front(), open = back.penetration.back();
     if (!(D <= load.penetration.back()) || !(open >= 0) || (k > 0 && !(D > branches.back().deepest)))
-      throw InputError(fmt::format("{} goes from {:g} to {:g} m; it must begin deeper than the one before, within the loading's {:g} m, and end at or above 0",
+      throw InputError(fmt::format("{} goes from {:g} to {:g} m; it must begin deeper than the one before, within the "
+                                   "loading's {:g} m, and end at or above 0",
                                    name, D, open, load.penetration.back()));
     if (!(back.force.front() > 0) || std::abs(loading(D) / back.force.front() - 1) > same_point)
-      throw InputError(fmt::format("{} begins with {:g} N, the loading has {:g} N there", name, back.force.front(), loading(D)));
-    if (back.force.back() != 0) throw InputError(fmt::format("{} ends with {:g} N; it must end with 0", name, back.force.back()));
+      throw InputError(
+          fmt::format("{} begins with {:g} N, the loading has {:g} N there", name, back.force.front(), loading(D)));
+    if (back.force.back() != 0)
+      throw InputError(fmt::format("{} ends with {:g} N; it must end with 0", name, back.force.back()));
     branches.push_back(branch_of(back));
   }
   Pchip share = returned_share(branches);
@@ -128,11 +140,14 @@ RimCurve::Force RimCurve::unloading(double d, double deepest) const {
   return {top * f, -top * slope / length};
 }
 
-double RimCurve::range() const { return by_->branches.back().deepest; }
+double RimCurve::range() const {
+  return by_->branches.back().deepest;
+}
 
 double RimCurve::work(double d) const {
   const auto &at = path_.loading.penetration;
-  const std::size_t i = std::clamp<std::size_t>(std::upper_bound(at.begin(), at.end(), d) - at.begin(), 1, at.size() - 1) - 1;
+  const std::size_t i =
+      std::clamp<std::size_t>(std::upper_bound(at.begin(), at.end(), d) - at.begin(), 1, at.size() - 1) - 1;
   return by_->work[i] + area([&](double x) { return loading(x).force; }, at[i], d);
 }
 
@@ -141,7 +156,9 @@ double RimCurve::returned(double deepest) const {
   return loading(deepest).force * by_->length(deepest) * ((1 - weight) * below->area + weight * above->area);
 }
 
-double RimCurve::residual(double deepest) const { return deepest - by_->length(deepest); }
+double RimCurve::residual(double deepest) const {
+  return deepest - by_->length(deepest);
+}
 
 double RimCurve::depth_of(double wanted) const {
   double low = 0, high = path_.loading.penetration.back();

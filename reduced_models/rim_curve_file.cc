@@ -1,9 +1,9 @@
 #include "reduced_models/rim_curve_file.h"
-#include "scene/error.h"
-#include "scene/files.h"
-#include "scene/hdf5_memory.h"
+#include "files/error.h"
+#include "files/file.h"
+#include "files/hdf5_memory.h"
+#include "files/table.h"
 #include "scene/rim_identity.h"
-#include "scene/table.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
@@ -12,9 +12,11 @@
 namespace rimpact::reduced {
 namespace {
 
-using namespace scene::hdf5;
+using namespace hdf5;
 
-Handle new_group(hid_t place, const char *name) { return {H5Gcreate2(place, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "group"}; }
+Handle new_group(hid_t place, const char *name) {
+  return {H5Gcreate2(place, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose, "group"};
+}
 /// Of this file only: a link could lead into another one.
 Handle open_group(hid_t place, const char *name) {
   H5L_info_t link;
@@ -30,7 +32,8 @@ void write_column(hid_t group, const char *name, const std::vector<double> &valu
 }
 
 void write_path(hid_t file, const char *name, const CurvePath &path) {
-  const Handle group = new_group(file, name), loading = new_group(group, "loading"), unloading = new_group(group, "unloading");
+  const Handle group = new_group(file, name), loading = new_group(group, "loading"),
+               unloading = new_group(group, "unloading");
   write_column(loading, "penetration", path.loading.penetration, "m");
   write_column(loading, "force", path.loading.force, "N");
   std::vector<double> branch, penetration, force;
@@ -46,10 +49,13 @@ void write_path(hid_t file, const char *name, const CurvePath &path) {
 }
 
 CurvePath read_path(hid_t file, const char *name) {
-  const Handle group = open_group(file, name), loading = open_group(group, "loading"), unloading = open_group(group, "unloading");
+  const Handle group = open_group(file, name), loading = open_group(group, "loading"),
+               unloading = open_group(group, "unloading");
   CurvePath path{{read_numbers(loading, "penetration"), read_numbers(loading, "force")}, {}};
-  const auto branch = read_numbers(unloading, "branch"), penetration = read_numbers(unloading, "penetration"), force = read_numbers(unloading, "force");
-  if (branch.size() != penetration.size() || branch.size() != force.size()) throw std::runtime_error("its columns of unloading differ in length");
+  const auto branch = read_numbers(unloading, "branch"), penetration = read_numbers(unloading, "penetration"),
+             force = read_numbers(unloading, "force");
+  if (branch.size() != penetration.size() || branch.size() != force.size())
+    throw std::runtime_error("its columns of unloading differ in length");
   for (std::size_t i = 0; i < branch.size(); ++i) {
     if (i == 0 || branch[i] != branch[i - 1]) path.unloading.emplace_back();
     path.unloading.back().penetration.push_back(penetration[i]);
@@ -65,7 +71,7 @@ double number_of(const std::map<std::string, std::string> &meta, const char *nam
   return std::stod(entry->second);
 }
 
-void add_rows(scene::Table &table, const char *path, double branch, const CurveSamples &samples) {
+void add_rows(Table &table, const char *path, double branch, const CurveSamples &samples) {
   for (std::size_t i = 0; i < samples.force.size(); ++i)
     table.rows.push_back({std::string(path), branch, samples.penetration[i], samples.force[i]});
 }
@@ -73,31 +79,32 @@ void add_rows(scene::Table &table, const char *path, double branch, const CurveS
 } // namespace
 
 void write_rim_curve(const RimCurveFile &curve, const std::string &path) {
-  scene::write_atomically(file_in_memory([&](hid_t file) {
-                            write_path(file, "dish", curve.dish);
-                            write_path(file, "held", curve.held);
-                            write_meta(file, {{"kind", "rim curve"},
-                                              {"bearing", curve.bearing},
-                                              {"rim_identity", curve.rim_identity},
-                                              {"mesh", curve.mesh},
-                                              {"made_by", curve.made_by},
-                                              {"mesh_force_error", fmt::format("{}", curve.errors.mesh_force)},
-                                              {"left_out_rebound_error", fmt::format("{}", curve.errors.left_out_rebound)}});
-                          }),
-                          path);
+  write_atomically(file_in_memory([&](hid_t file) {
+                     write_path(file, "dish", curve.dish);
+                     write_path(file, "held", curve.held);
+                     write_meta(file, {{"kind", "rim curve"},
+                                       {"bearing", curve.bearing},
+                                       {"rim_identity", curve.rim_identity},
+                                       {"mesh", curve.mesh},
+                                       {"made_by", curve.made_by},
+                                       {"mesh_force_error", fmt::format("{}", curve.errors.mesh_force)},
+                                       {"left_out_rebound_error", fmt::format("{}", curve.errors.left_out_rebound)}});
+                   }),
+                   path);
 }
 
 void write_rim_curve_csv(const RimCurveFile &curve, const std::string &path) {
-  scene::Table table{{"path", "branch", "penetration_m", "force_N"}, {}, {}};
+  Table table{{"path", "branch", "penetration_m", "force_N"}, {}, {}};
   for (const auto &[name, way] : {std::pair{"dish", &curve.dish}, std::pair{"held", &curve.held}}) {
     add_rows(table, name, 0, way->loading);
-    for (std::size_t k = 0; k < way->unloading.size(); ++k) add_rows(table, name, static_cast<double>(k + 1), way->unloading[k]);
+    for (std::size_t k = 0; k < way->unloading.size(); ++k)
+      add_rows(table, name, static_cast<double>(k + 1), way->unloading[k]);
   }
-  scene::write_csv(table, path);
+  write_csv(table, path);
 }
 
 RimCurveFile read_rim_curve(const std::string &path) {
-  const std::string bytes = scene::read_file(path);
+  const std::string bytes = read_file(path);
   RimCurveFile curve;
   try {
     with_image(bytes, [&](hid_t file) {
@@ -105,7 +112,8 @@ RimCurveFile read_rim_curve(const std::string &path) {
       const auto text = [&](const char *name) { return meta.count(name) ? meta.at(name) : std::string(); };
       if (text("kind") != "rim curve") throw std::runtime_error("no rim curve of `rimpact curve`");
       curve.dish = read_path(file, "dish"), curve.held = read_path(file, "held");
-      curve.bearing = text("bearing"), curve.rim_identity = text("rim_identity"), curve.mesh = text("mesh"), curve.made_by = text("made_by");
+      curve.bearing = text("bearing"), curve.rim_identity = text("rim_identity"), curve.mesh = text("mesh"),
+      curve.made_by = text("made_by");
       curve.errors = {number_of(meta, "mesh_force_error"), number_of(meta, "left_out_rebound_error")};
     });
   } catch (const std::exception &error) {
@@ -126,11 +134,15 @@ std::shared_ptr<const RimCurve> rim_curve_of(const scene::Scene &scene) {
   auto entry = known.find(path);
   if (entry == known.end()) {
     const RimCurveFile file = read_rim_curve(path);
-    entry = known.emplace(path, Read{file.rim_identity, file.bearing, std::make_shared<RimCurve>(file.dish), std::make_shared<RimCurve>(file.held)}).first;
+    entry = known
+                .emplace(path, Read{file.rim_identity, file.bearing, std::make_shared<RimCurve>(file.dish),
+                                    std::make_shared<RimCurve>(file.held)})
+                .first;
   }
   const Read &curve = entry->second;
   if (const std::string own = scene::rim_identity(scene.bearing); curve.rim_identity != own)
-    throw InputError(fmt::format("reduced.impact_curve {}: the curve is of the rim of {} ({}), this bearing's is {}: dish, slider, rim, plate and steel "
+    throw InputError(fmt::format("reduced.impact_curve {}: the curve is of the rim of {} ({}), this bearing's is {}: "
+                                 "dish, slider, rim, plate and steel "
                                  "shape it; make its own by `rimpact curve BEARING`",
                                  path, curve.bearing, curve.rim_identity, own));
   const bool held = scene.excitation.kind == scene::ExcitationKind::window && !scene.excitation.with_weight;

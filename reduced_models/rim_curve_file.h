@@ -1,8 +1,8 @@
 /// The file of a rim curve, curve.h5, and its table, curve.csv.
 ///
-/// /dish/loading/{penetration,force}, /dish/unloading/{branch,penetration,force} (branch 1, 2, ... by depth), the same under /held;
-/// /meta texts. SI units. `dish`: pushed while the slider's height follows the dish; `held`: at the height of first touch, as an
-/// impact window without weight is.
+/// /dish/loading/{penetration,force}, /dish/unloading/{branch,penetration,force} (branch 1, 2, ... by depth), the same
+/// under /held; /meta texts. SI units. `dish`: pushed while the slider's height follows the dish; `held`: at the height
+/// of first touch, as an impact window without weight is.
 #pragma once
 #include "reduced_models/rim_curve.h"
 #include "scene/scene.h"

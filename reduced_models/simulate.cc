@@ -1,10 +1,10 @@
 // Whole scenes by the physical model: the entry points of physical_model.h.
+#include "files/error.h"
 #include "reduced_models/catalogue.h"
 #include "reduced_models/cvode_run.h"
 #include "reduced_models/hybrid_run.h"
 #include "reduced_models/quasi_static.h"
 #include "reduced_models/rigid_body/double_concave.h"
-#include "scene/error.h"
 #include <chrono>
 #include <cmath>
 
@@ -21,15 +21,14 @@ struct Job {
 };
 
 /// `response` may be null. A slider that leaves the dish ends the run with status `stopped`.
-void run(const Job &job, scene::Response *response, scene::Summary &summary) {
+void run(const Job &job, Response *response, Summary &summary) {
   const auto begin = std::chrono::steady_clock::now();
   const Dynamics dynamics(job.scene, true, job.capacity);
-  scene::EnergyLedger before;
+  EnergyLedger before;
   State y;
   const Mode mode = dynamics.starting_mode(job.start, y);
   before.initial = dynamics.kinetic_energy(y);
-  if (job.scene.excitation.kind ==
-      scene::ExcitationKind::free) { // let go from a height: part of what it starts with
+  if (job.scene.excitation.kind == scene::ExcitationKind::free) { // let go from a height: part of what it starts with
     before.gravity = dynamics.potential_energy(y);
     before.initial += before.gravity;
   }
@@ -56,8 +55,7 @@ void run(const Job &job, scene::Response *response, scene::Summary &summary) {
 ReducedRun simulate_physical(const scene::Scene &scene) {
   if (!scene.excitation.is_dynamic()) return quasi_static(scene);
   ReducedRun result;
-  run({scene, PhysicalModel(scene).initial_state(), scene.excitation.duration}, &result.response,
-      result.summary);
+  run({scene, PhysicalModel(scene).initial_state(), scene.excitation.duration}, &result.response, result.summary);
   return result;
 }
 
@@ -65,13 +63,11 @@ ReducedRun simulate_physical(const scene::Scene &scene) {
 
 const std::vector<ReducedModel> &reduced_models() {
   static const std::vector<ReducedModel> models = {
-      {"physical",
-       "a mass on the dish with Coulomb or Park-Wen friction, uplift and a rim element (thesis 2.2)",
+      {"physical", "a mass on the dish with Coulomb or Park-Wen friction, uplift and a rim element (thesis 2.2)",
        simulate_physical},
       {"dcfp", "double concave bearing: slider and top plate as rigid bodies on contact points (thesis 3.3)",
        simulate_double_concave},
-      {"lir-dcfp",
-       "double concave bearing whose slider has a high-friction interface with a gap (thesis 3.3)",
+      {"lir-dcfp", "double concave bearing whose slider has a high-friction interface with a gap (thesis 3.3)",
        simulate_double_concave},
   };
   return models;
@@ -103,15 +99,14 @@ ReducedRun simulate_with_cvode(const scene::Scene &scene) {
   return result;
 }
 
-scene::Summary simulate_summary(const scene::Scene &scene) {
+Summary simulate_summary(const scene::Scene &scene) {
   if (scene.reduced.model != "physical" || !scene.excitation.is_dynamic()) return simulate(scene).summary;
-  scene::Summary summary;
+  Summary summary;
   run({scene, PhysicalModel(scene).initial_state(), scene.excitation.duration}, nullptr, summary);
   return summary;
 }
 
-ReducedRun simulate_from(const scene::Scene &scene, const BearingState &start, double t_end,
-                         double capacity) {
+ReducedRun simulate_from(const scene::Scene &scene, const BearingState &start, double t_end, double capacity) {
   if (!scene.excitation.is_dynamic())
     throw InputError("excitation.kind \"" + scene::to_string(scene.excitation.kind) +
                      "\" is quasi-static: there is no state to start from");

@@ -20,8 +20,8 @@ double first_frequency(const std::vector<double> &masses, const std::vector<doub
     K(i, i - 1) -= stiffnesses[i], K(i - 1, i) -= stiffnesses[i];
   }
   const Eigen::MatrixXd M = Eigen::Map<const Eigen::VectorXd>(masses.data(), n).asDiagonal();
-  return std::sqrt(Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(K, M, Eigen::EigenvaluesOnly)
-                       .eigenvalues()[0]);
+  return std::sqrt(
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd>(K, M, Eigen::EigenvaluesOnly).eigenvalues()[0]);
 }
 
 } // namespace
@@ -37,8 +37,7 @@ Vector3d Storey::force(const Vector3d &drift, const Vector3d &rate, const Vector
 
 double Storey::hysteretic_energy(const Vector2d &z) const {
   if (!hysteresis) return 0;
-  return (1 - hysteresis->post_yield) * stiffness * hysteresis->yield * hysteresis->yield * z.squaredNorm() /
-         2;
+  return (1 - hysteresis->post_yield) * stiffness * hysteresis->yield * hysteresis->yield * z.squaredNorm() / 2;
 }
 
 double Storey::elastic_energy(const Vector3d &drift, const Vector2d &z) const {
@@ -52,8 +51,7 @@ double Storey::damping_power(const Vector3d &rate) const {
 }
 
 double Storey::hysteretic_power(const Vector3d &rate, const Vector2d &z) const {
-  return hysteresis ? (1 - hysteresis->post_yield) * stiffness * hysteresis->yield * z.dot(rate.head<2>())
-                    : 0.0;
+  return hysteresis ? (1 - hysteresis->post_yield) * stiffness * hysteresis->yield * z.dot(rate.head<2>()) : 0.0;
 }
 
 Superstructure::Superstructure(const scene::Scene &scene) {

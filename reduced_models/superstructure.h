@@ -19,8 +19,7 @@ struct Storey {
 
   /// What the storey does to the floor above it [N]; the opposite acts below. `drift`, `rate`: of the floor
   /// above relative to the one below.
-  Eigen::Vector3d force(const Eigen::Vector3d &drift, const Eigen::Vector3d &rate,
-                        const Eigen::Vector2d &z) const;
+  Eigen::Vector3d force(const Eigen::Vector3d &drift, const Eigen::Vector3d &rate, const Eigen::Vector2d &z) const;
   double elastic_energy(const Eigen::Vector3d &drift, const Eigen::Vector2d &z) const;
   double damping_power(const Eigen::Vector3d &rate) const;
   /// Of the hysteretic part alone; what of it is not in elastic_energy is lost.

@@ -1,8 +1,8 @@
 // The hybrid part of Dynamics: the events and the branch that follows each.
 #include "reduced_models/dynamics.h"
 
+#include "files/error.h"
 #include "reduced_models/curve_limits.h"
-#include "scene/error.h"
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -78,7 +78,8 @@ RimPush Dynamics::rim_push(const Mode &mode, double t, const Vector2d &u, const 
   const RimMotion motion{r - lateral_capacity, r > 0 ? u.dot(v) / r : 0, v.norm()};
   if (rim.law->yields) {
     if (!mode.dented.setting_out()) return mode.dented.push(rim, u, motion, dents);
-    const auto present = mode.dented.under_way(t, wall_point(u, v, Vector2d::Zero(), lateral_capacity, dents.wall), dents);
+    const auto present =
+        mode.dented.under_way(t, wall_point(u, v, Vector2d::Zero(), lateral_capacity, dents.wall), dents);
     return mode.dented.push(rim, u, motion, dents, present ? &*present : nullptr);
   }
   const double force = rim.trial(motion);
@@ -87,21 +88,25 @@ RimPush Dynamics::rim_push(const Mode &mode, double t, const Vector2d &u, const 
 
 void Dynamics::set_out(Mode &mode, double t, const State &y, const State &dy) const {
   if (!denting(mode)) return;
-  mode.dented.set_out(t, wall_point({y[iX], y[iY]}, {y[iVX], y[iVY]}, {dy[iVX], dy[iVY]}, lateral_capacity, dents.wall));
+  mode.dented.set_out(t,
+                      wall_point({y[iX], y[iY]}, {y[iVX], y[iVY]}, {dy[iVX], dy[iVY]}, lateral_capacity, dents.wall));
 }
 
 void Dynamics::arrive(Mode &mode, double t, const State &y) const {
   if (!denting(mode)) return;
-  mode.dented.arrive(t, wall_point({y[iX], y[iY]}, {y[iVX], y[iVY]}, Vector2d::Zero(), lateral_capacity, dents.wall), dents);
+  mode.dented.arrive(t, wall_point({y[iX], y[iY]}, {y[iVX], y[iVY]}, Vector2d::Zero(), lateral_capacity, dents.wall),
+                     dents);
   keep_to_curve(mode, t, y);
 }
 
 void Dynamics::keep_to_curve(const Mode &mode, double t, const State &y) const {
   if (mode.rim != RimContact::pressed || !rim.curve) return;
   const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
-  const PressedRim press{u.norm() - lateral_capacity, u.dot(v) / u.norm(), supported_mass, mode.support == Support::airborne};
+  const PressedRim press{u.norm() - lateral_capacity, u.dot(v) / u.norm(), supported_mass,
+                         mode.support == Support::airborne};
   if (const auto reason = beyond_curve(*rim.curve, press, mode.dented, u, dents))
-    throw SolverStopped("impact_law \"curve\" at t = " + std::to_string(t) + " s: " + *reason + "; take rung rim (rimpact run --rung rim)");
+    throw SolverStopped("impact_law \"curve\" at t = " + std::to_string(t) + " s: " + *reason +
+                        "; take rung rim (rimpact run --rung rim)");
 }
 
 void Dynamics::place(const Mode &mode, State &y) const {
@@ -165,7 +170,8 @@ double Dynamics::land(Mode &mode, double t, State &y) const {
 RimContact Dynamics::rim_after(Event event, const Mode &mode, double t, const State &y) const {
   switch (event) {
   case Event::touch: // a dented place is met only at its dent's bottom
-    return mode.dented.deepest_at({y[iX], y[iY]}, dents) > 0 && rim_push(mode, t, {y[iX], y[iY]}, {y[iVX], y[iVY]}).trial <= 0
+    return mode.dented.deepest_at({y[iX], y[iY]}, dents) > 0 &&
+                   rim_push(mode, t, {y[iX], y[iY]}, {y[iVX], y[iVY]}).trial <= 0
                ? RimContact::relaxed
                : RimContact::pressed;
   case Event::press_again:
@@ -227,7 +233,8 @@ Mode Dynamics::starting_mode(const BearingState &start, State &y) const {
   const double d = u.norm() - lateral_capacity;
   // A state located at touch lies within rounding of it and moves outwards.
   if (has_rim() && (d > 0 || (d > -1e-12 && u.dot(v) > 0)))
-    mode.rim = rim.law->unilateral && rim_push(mode, start.t, u, v).trial <= 0 ? RimContact::relaxed : RimContact::pressed;
+    mode.rim =
+        rim.law->unilateral && rim_push(mode, start.t, u, v).trial <= 0 ? RimContact::relaxed : RimContact::pressed;
   mode.support = start.airborne && reading == NormalForce::inertia ? Support::airborne : Support::sliding;
   settle(mode, start.t, y);
   return mode;

@@ -8,7 +8,9 @@ using Eigen::Vector2d;
 
 namespace {
 
-double cross(const Vector2d &a, const Vector2d &b) { return a.x() * b.y() - a.y() * b.x(); }
+double cross(const Vector2d &a, const Vector2d &b) {
+  return a.x() * b.y() - a.y() * b.x();
+}
 
 } // namespace
 
@@ -20,7 +22,12 @@ WallPoint wall_point(const Vector2d &u, const Vector2d &v, const Vector2d &a, do
   const double r = u.norm();
   const Vector2d n = u / r;
   const double rate = n.dot(v), turning = cross(n, v) / r; // r', phi'
-  return {n, r - capacity, rate, n.dot(a) + r * turning * turning, wall * turning, wall * (cross(n, a) - 2 * rate * turning) / r};
+  return {n,
+          r - capacity,
+          rate,
+          n.dot(a) + r * turning * turning,
+          wall * turning,
+          wall * (cross(n, a) - 2 * rate * turning) / r};
 }
 
 WallStroke::Quartic::Quartic(double p0, double m0, double k0, double p1, double m1) {

@@ -1,7 +1,8 @@
 /// A piece of the path of a slider that presses the rim: penetration and place along the wall over one step of time.
 ///
-/// Quartic in time, through the first instant's place, rate and acceleration and the last one's place and rate: within O(h^5) of
-/// the path. It is the same function while its step is being taken (its last instant is then the present) and afterwards.
+/// Quartic in time, through the first instant's place, rate and acceleration and the last one's place and rate: within
+/// O(h^5) of the path. It is the same function while its step is being taken (its last instant is then the present) and
+/// afterwards.
 #pragma once
 #include <array>
 #include <Eigen/Core>
@@ -14,9 +15,10 @@ struct WallPoint {
   double d = 0, rate = 0, acceleration = 0;             ///< penetration beyond L_c, > 0 pressed [m], [m/s], [m/s^2]
   double along_rate = 0, along_acceleration = 0;        ///< along the wall, counter-clockwise [m/s], [m/s^2]
 };
-/// Of a slider at u (any length > 0 beyond or before `capacity`) with planar velocity v and acceleration a; `wall` [m] the
-/// radius of the rim's wall, round which it goes.
-WallPoint wall_point(const Eigen::Vector2d &u, const Eigen::Vector2d &v, const Eigen::Vector2d &a, double capacity, double wall);
+/// Of a slider at u (any length > 0 beyond or before `capacity`) with planar velocity v and acceleration a; `wall` [m]
+/// the radius of the rim's wall, round which it goes.
+WallPoint wall_point(const Eigen::Vector2d &u, const Eigen::Vector2d &v, const Eigen::Vector2d &a, double capacity,
+                     double wall);
 /// From `direction` to where a slider at u touches, along the wall, counter-clockwise [m].
 double along_wall(const Eigen::Vector2d &direction, const Eigen::Vector2d &u, double wall);
 
@@ -24,8 +26,9 @@ class WallStroke {
 public:
   /// `duration` [s] > 0; of `to` the accelerations are not read.
   WallStroke(const WallPoint &from, const WallPoint &to, double duration, double wall);
-  /// Largest over the stroke of D - (s^2 + 2 tau s) / (2 flank): what a slider that touches at `from_start` along the wall from
-  /// the stroke's first place meets at tau from its touch (dented_rim.h) [m]. Returns `above` where that is no less.
+  /// Largest over the stroke of D - (s^2 + 2 tau s) / (2 flank): what a slider that touches at `from_start` along the
+  /// wall from the stroke's first place meets at tau from its touch (dented_rim.h) [m]. Returns `above` where that is
+  /// no less.
   double seen(double from_start, double tau, double flank, double above) const;
   const Eigen::Vector2d &direction() const { return direction_; } ///< of its first place
   double deepest() const { return deepest_; }                     ///< no less than any penetration in it [m]

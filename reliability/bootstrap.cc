@@ -1,5 +1,5 @@
 #include "reliability/bootstrap.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

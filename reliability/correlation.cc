@@ -1,5 +1,5 @@
 #include "reliability/correlation.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
@@ -22,24 +22,21 @@ Matrix lower_factor(const Matrix &matrix) {
 
 Matrix target_matrix(const std::vector<std::vector<double>> &correlation, std::size_t dimensions) {
   if (correlation.size() != dimensions)
-    throw InputError(
-        fmt::format("{} rows of correlations for {} random variables", correlation.size(), dimensions));
+    throw InputError(fmt::format("{} rows of correlations for {} random variables", correlation.size(), dimensions));
   Matrix target(dimensions, dimensions);
   for (std::size_t i = 0; i < dimensions; ++i) {
     if (correlation[i].size() != dimensions)
-      throw InputError(fmt::format("row {} of the correlations has {} numbers, not {}", i + 1,
-                                   correlation[i].size(), dimensions));
+      throw InputError(
+          fmt::format("row {} of the correlations has {} numbers, not {}", i + 1, correlation[i].size(), dimensions));
     for (std::size_t j = 0; j < dimensions; ++j) target(i, j) = correlation[i][j];
   }
   for (std::size_t i = 0; i < dimensions; ++i) {
     if (target(i, i) != 1)
-      throw InputError(
-          fmt::format("correlation {} of variable {} with itself is not 1", target(i, i), i + 1));
+      throw InputError(fmt::format("correlation {} of variable {} with itself is not 1", target(i, i), i + 1));
     for (std::size_t j = 0; j < i; ++j)
       if (!(target(i, j) == target(j, i) && std::abs(target(i, j)) < 1))
-        throw InputError(
-            fmt::format("correlations {} and {} of variables {} and {} are not one number in (-1, 1)",
-                        target(i, j), target(j, i), j + 1, i + 1));
+        throw InputError(fmt::format("correlations {} and {} of variables {} and {} are not one number in (-1, 1)",
+                                     target(i, j), target(j, i), j + 1, i + 1));
   }
   return target;
 }
@@ -54,12 +51,10 @@ std::vector<int> order_of(const Eigen::VectorXd &column) {
 
 /// Normal scores of the points, each column of mean 0 and deviation 1.
 Matrix normal_scores(const std::vector<std::vector<double>> &points) {
-  const auto n = static_cast<Eigen::Index>(points.size()),
-             d = static_cast<Eigen::Index>(points.front().size());
+  const auto n = static_cast<Eigen::Index>(points.size()), d = static_cast<Eigen::Index>(points.front().size());
   Matrix scores(n, d);
   for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < d; ++j)
-      scores(i, j) = boost::math::quantile(boost::math::normal(), points[i][j]);
+    for (Eigen::Index j = 0; j < d; ++j) scores(i, j) = boost::math::quantile(boost::math::normal(), points[i][j]);
   for (Eigen::Index j = 0; j < d; ++j) {
     scores.col(j).array() -= scores.col(j).mean();
     scores.col(j) /= std::sqrt(scores.col(j).squaredNorm() / static_cast<double>(n));

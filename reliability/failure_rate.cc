@@ -1,5 +1,5 @@
 #include "reliability/failure_rate.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <algorithm>
 #include <boost/math/quadrature/gauss_kronrod.hpp>
 #include <cmath>
@@ -19,8 +19,8 @@ void require_growing(const std::vector<double> &values, const char *what) {
 double share_on_line(const HazardCurve &hazard, const Fragility &fragility, double low, double high) {
   const double slope = hazard.slope(std::sqrt(low * high));
   const auto integrand = [&](double u) { return fragility(std::exp(u)) * slope * hazard.rate(std::exp(u)); };
-  return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(integrand, std::log(low),
-                                                                       std::log(high), 12, 1e-11);
+  return boost::math::quadrature::gauss_kronrod<double, 31>::integrate(integrand, std::log(low), std::log(high), 12,
+                                                                       1e-11);
 }
 
 double share(const HazardCurve &hazard, const Fragility &fragility, double low, double high) {
@@ -41,14 +41,12 @@ Fragility interpolated(std::vector<FragilityPoint> points) {
   for (const auto &p : points) {
     intensities.push_back(p.intensity);
     if (!(p.probability >= 0 && p.probability <= 1))
-      throw InputError(
-          fmt::format("probability {} at intensity {} is not in [0, 1]", p.probability, p.intensity));
+      throw InputError(fmt::format("probability {} at intensity {} is not in [0, 1]", p.probability, p.intensity));
   }
   require_growing(intensities, "intensities of a fragility curve");
   return [points = std::move(points)](double x) {
-    const auto above =
-        std::upper_bound(points.begin(), points.end(), x,
-                         [](double value, const FragilityPoint &p) { return value < p.intensity; });
+    const auto above = std::upper_bound(points.begin(), points.end(), x,
+                                        [](double value, const FragilityPoint &p) { return value < p.intensity; });
     if (above == points.begin()) return 0.0;
     const auto &a = *(above - 1);
     if (above == points.end()) return a.probability;
@@ -57,8 +55,7 @@ Fragility interpolated(std::vector<FragilityPoint> points) {
   };
 }
 
-FailureRate failure_rate(const HazardCurve &hazard, const Fragility &fragility,
-                         const std::vector<double> &edges) {
+FailureRate failure_rate(const HazardCurve &hazard, const Fragility &fragility, const std::vector<double> &edges) {
   if (edges.size() < 2)
     throw InputError(fmt::format("a rate needs at least 2 intensities as edges, not {}", edges.size()));
   require_growing(edges, "edges of a rate");

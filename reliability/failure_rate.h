@@ -26,16 +26,15 @@ struct RateShare {
 
 /// lambda = integral of P(x) |d lambda_IM(x)| (thesis (2-29), (4-7)).
 struct FailureRate {
-  double rate = 0;  ///< [1/year], `above` included
-  double above = 0; ///< part of it from intensities beyond the last edge, P held at its value there
+  double rate = 0;               ///< [1/year], `above` included
+  double above = 0;              ///< part of it from intensities beyond the last edge, P held at its value there
   std::vector<RateShare> shares; ///< between successive edges: disaggregation by intensity
 };
 
 /// Integrates between successive `edges` (growing intensities > 0, at least two; kinks of the fragility
 /// belong among them; those of the hazard are added). Intensities below the first edge are left out. Relative
 /// error of each share below 1e-9 for a smooth fragility. Throws InputError on edges that do not grow.
-FailureRate failure_rate(const HazardCurve &hazard, const Fragility &fragility,
-                         const std::vector<double> &edges);
+FailureRate failure_rate(const HazardCurve &hazard, const Fragility &fragility, const std::vector<double> &edges);
 
 /// Poisson: probability of at least one event in `years` >= 0 at `rate` >= 0 [1/year] (thesis (2-30), (4-8)).
 double probability_in(double years, double rate);

@@ -1,5 +1,5 @@
 #include "reliability/hazard.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -14,9 +14,8 @@ bool positive(double value) {
 
 void require_growth(const char *what, int number, double before, double after) {
   if (!(after > before))
-    throw InputError(
-        fmt::format("the hazard curve is not monotone: {} {} of point {} does not exceed {} of point {}",
-                    what, after, number + 1, before, number));
+    throw InputError(fmt::format("the hazard curve is not monotone: {} {} of point {} does not exceed {} of point {}",
+                                 what, after, number + 1, before, number));
 }
 
 } // namespace
@@ -26,14 +25,13 @@ HazardCurve::HazardCurve(std::vector<HazardPoint> points) : points_(std::move(po
     throw InputError(fmt::format("a hazard curve needs at least 2 points, not {}", points_.size()));
   for (const auto &p : points_)
     if (!positive(p.intensity) || !positive(p.return_period_years))
-      throw InputError(fmt::format("hazard point ({}, {} years): both numbers must be finite and > 0",
-                                   p.intensity, p.return_period_years));
+      throw InputError(fmt::format("hazard point ({}, {} years): both numbers must be finite and > 0", p.intensity,
+                                   p.return_period_years));
   for (std::size_t i = 0; i + 1 < points_.size(); ++i) {
     const auto &a = points_[i], &b = points_[i + 1];
     require_growth("intensity", static_cast<int>(i) + 1, a.intensity, b.intensity);
     require_growth("return period", static_cast<int>(i) + 1, a.return_period_years, b.return_period_years);
-    slopes_.push_back(std::log(b.return_period_years / a.return_period_years) /
-                      std::log(b.intensity / a.intensity));
+    slopes_.push_back(std::log(b.return_period_years / a.return_period_years) / std::log(b.intensity / a.intensity));
   }
 }
 

@@ -1,5 +1,5 @@
 #include "reliability/level.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -14,8 +14,7 @@ double LevelDistribution::exceedance(double limit) const {
 
 LevelDistribution level_distribution(const std::vector<double> &responses, int n_collapsed) {
   if (n_collapsed < 0) throw InputError(fmt::format("{} collapses are fewer than 0", n_collapsed));
-  if (responses.empty() && n_collapsed == 0)
-    throw InputError("a level of intensity without runs has no fragility");
+  if (responses.empty() && n_collapsed == 0) throw InputError("a level of intensity without runs has no fragility");
   std::vector<double> positive;
   for (const double response : responses) {
     if (!std::isfinite(response) || response < 0)

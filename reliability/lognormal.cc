@@ -1,5 +1,5 @@
 #include "reliability/lognormal.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -10,8 +10,7 @@ namespace rimpact::reliability {
 namespace {
 
 void require_interval(int n, double confidence) {
-  if (n < 2)
-    throw InputError(fmt::format("a lognormal fit of {} value has no interval: at least 2 are needed", n));
+  if (n < 2) throw InputError(fmt::format("a lognormal fit of {} value has no interval: at least 2 are needed", n));
   if (!(confidence > 0 && confidence < 1))
     throw InputError(fmt::format("confidence {} is not between 0 and 1", confidence));
 }
@@ -47,8 +46,7 @@ LognormalFit fit_lognormal(const std::vector<double> &values) {
 Interval LognormalFit::mean_interval(double confidence) const {
   require_interval(n, confidence);
   const boost::math::students_t t(n - 1);
-  const double half =
-      boost::math::quantile(t, (1 + confidence) / 2) * distribution.sigma_ln / std::sqrt(n - 1.0);
+  const double half = boost::math::quantile(t, (1 + confidence) / 2) * distribution.sigma_ln / std::sqrt(n - 1.0);
   return {distribution.mean_ln - half, distribution.mean_ln + half};
 }
 

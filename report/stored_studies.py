@@ -1,8 +1,8 @@
-"""Studies of speed against error that are kept with the program (calibration/studies)."""
+"""Studies of speed against error that are kept with the program (data/studies)."""
 import json
 import pathlib
 
-FOLDER = pathlib.Path(__file__).resolve().parents[1] / "calibration" / "studies"
+FOLDER = pathlib.Path(__file__).resolve().parents[1] / "data" / "studies"
 
 
 def of_all_rungs(bearing):

@@ -1,8 +1,9 @@
 #include "scene/assumptions.h"
 
-#include "scene/key_list.h"
-#include "scene/text.h"
-#include "scene/toml_reader.h"
+#include "files/key_list.h"
+#include "files/text.h"
+#include "files/toml_reader.h"
+#include "scene/keys.h"
 
 namespace rimpact::scene {
 namespace {
@@ -43,7 +44,8 @@ void read_marks(const TomlFile &file, TomlReader &reader, const std::string &pre
   reader.switches({"assumed"}, words);
   for (const auto &[key, is_listed] : listed) {
     const bool given = file.find(prefix + key) != nullptr;
-    if (is_listed || (given && (is_mark(file.comment_of(prefix + key)) || is_mark(file.comment_of_table(prefix + key)))))
+    if (is_listed ||
+        (given && (is_mark(file.comment_of(prefix + key)) || is_mark(file.comment_of_table(prefix + key)))))
       bearing.assumed.keys.insert(key);
     else if (given)
       bearing.assumed.keys.erase(key);

@@ -2,19 +2,22 @@
 #pragma once
 #include "scene/bearing.h"
 
-namespace rimpact::scene {
-
+namespace rimpact {
 class TomlFile;
 class TomlReader;
+} // namespace rimpact
+
+namespace rimpact::scene {
 
 /// The built-in bearings' own: what the thesis does not give.
 AssumedKeys catalogue_marks();
 /// Every number: a bearing file begins with none given.
 AssumedKeys every_number();
 
-/// Takes the marks of a file whose bearing keys stand behind `prefix` ("" or "bearing."). A key that is given is the user's unless
-/// its line, or its table's header, has a comment that begins with "assumption" or "assumed"; a key that is not given stays as it was.
-/// The list `assumed = ["rim.height_mm"]` adds its keys. Throws InputError for a word in it that is no number's key.
+/// Takes the marks of a file whose bearing keys stand behind `prefix` ("" or "bearing."). A key that is given is the
+/// user's unless its line, or its table's header, has a comment that begins with "assumption" or "assumed"; a key that
+/// is not given stays as it was. The list `assumed = ["rim.height_mm"]` adds its keys. Throws InputError for a word in
+/// it that is no number's key.
 void read_marks(const TomlFile &file, TomlReader &reader, const std::string &prefix, Bearing &bearing);
 
 } // namespace rimpact::scene

@@ -1,7 +1,8 @@
 /// A single-dish friction-pendulum bearing with a restraining rim: every dimension, in SI.
 /// Frame: origin at the dish's vertex, z up; the plate is fixed, the upper slider moves.
-/// Values marked *assumption* are the built-in bearings' (the thesis's drawing is not available). In a bearing of someone's own
-/// a number that its file leaves to its default, or marks, is one: `Bearing::assumed`, listed by `assumptions()`.
+/// Values marked *assumption* are the built-in bearings' (the thesis's drawing is not available). In a bearing of
+/// someone's own a number that its file leaves to its default, or marks, is one: `Bearing::assumed`, listed by
+/// `assumptions()`.
 #pragma once
 #include "scene/material.h"
 #include "scene/surface.h"
@@ -12,10 +13,10 @@
 namespace rimpact::scene {
 
 struct UpperSlider {
-  double diameter = 0.240;     ///< b_s [m]
-  double bottom = 0.05825;     ///< bottom plane above the vertex at rest [m], assumption
-  double top = 0.15825;        ///< top plane above the vertex at rest [m], assumption
-  double edge_radius = 0.002;  ///< rounding of the lower edge [m], >= 0, assumption
+  double diameter = 0.240;    ///< b_s [m]
+  double bottom = 0.05825;    ///< bottom plane above the vertex at rest [m], assumption
+  double top = 0.15825;       ///< top plane above the vertex at rest [m], assumption
+  double edge_radius = 0.002; ///< rounding of the lower edge [m], >= 0, assumption
   bool operator==(const UpperSlider &) const = default;
 };
 struct Rim {
@@ -28,13 +29,13 @@ struct Plate {
   double base = 0.050; ///< bottom plane below the vertex [m], assumption
   bool operator==(const Plate &) const = default;
 };
-struct Pad { // assumption, but for its area (853 kN at 60 MPa)
+struct Pad {                                           // assumption, but for its area (853 kN at 60 MPa)
   double inner_radius = 0.020, outer_radius = 0.07019; ///< [m]
   double thickness = 0.040, recess = 0.020;            ///< [m]
   double shape_radius = 1.400;                         ///< of its face [m]
   bool operator==(const Pad &) const = default;
 };
-struct Foot { // assumption
+struct Foot {                                              // assumption
   double radius = 0.086, bottom = 0.020, shoulder = 0.033; ///< [m]
   double cap_radius = 0.090; ///< of the spherical cap, centred on the middle of the sliding face [m]
   bool operator==(const Foot &) const = default;
@@ -47,7 +48,8 @@ struct ContactFriction {
   bool operator==(const ContactFriction &) const = default;
 };
 
-/// Keys whose values are ours and not the user's or the source's. No dimension: bearings that differ in them alone are equal.
+/// Keys whose values are ours and not the user's or the source's. No dimension: bearings that differ in them alone are
+/// equal.
 struct AssumedKeys {
   std::set<std::string> keys; ///< as the bearing file writes them, dotted: "rim.height_mm"
   bool operator==(const AssumedKeys &) const { return true; }
@@ -76,7 +78,8 @@ struct Bearing {
   bool operator==(const Bearing &) const = default;
 };
 
-/// An assumed key that this kind of bearing reads, with its value as the bearing file writes it, e.g. {"rim.height_mm", "60"}.
+/// An assumed key that this kind of bearing reads, with its value as the bearing file writes it, e.g. {"rim.height_mm",
+/// "60"}.
 struct Assumption {
   std::string key, value;
 };

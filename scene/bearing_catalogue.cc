@@ -1,6 +1,6 @@
+#include "files/error.h"
+#include "files/text.h"
 #include "scene/assumptions.h"
-#include "scene/error.h"
-#include "scene/text.h"
 #include <array>
 
 namespace rimpact::scene {

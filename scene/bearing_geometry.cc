@@ -1,5 +1,5 @@
 /// Bearing::validate() and validate_rim(): what cannot be built or collides over 0..L_c is refused with both numbers.
-#include "scene/error.h"
+#include "files/error.h"
 #include "scene/keys.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -8,8 +8,7 @@
 namespace rimpact::scene {
 namespace {
 
-template <class... Values>
-void require(bool good, fmt::format_string<Values...> sentence, Values &&...values) {
+template <class... Values> void require(bool good, fmt::format_string<Values...> sentence, Values &&...values) {
   if (!good) throw InputError(fmt::format(sentence, std::forward<Values>(values)...));
 }
 double mm(double metres) {
@@ -32,8 +31,7 @@ void check_dish(const Bearing &b) {
   const auto &s = b.surface;
   const auto surface = make_surface(s);
   const double limit = surface->limit_radius();
-  require(s.planar_radius < limit,
-          "surface.planar_radius_mm {} mm reaches beyond the {}, which ends at {} mm ({})",
+  require(s.planar_radius < limit, "surface.planar_radius_mm {} mm reaches beyond the {}, which ends at {} mm ({})",
           mm(s.planar_radius), s.kind, mm(limit),
           s.kind == "ellipse" ? "a_m"
           : s.kind == "table" ? "the last radius_mm"
@@ -54,23 +52,19 @@ void check_dish(const Bearing &b) {
 void check_slider(const Bearing &b) {
   const auto &s = b.slider;
   const double cap = b.foot.cap_radius, radius = s.diameter / 2;
-  require(s.bottom < s.top, "slider.top_mm {} mm must lie above slider.bottom_mm {} mm", mm(s.top),
+  require(s.bottom < s.top, "slider.top_mm {} mm must lie above slider.bottom_mm {} mm", mm(s.top), mm(s.bottom));
+  require(cap > s.bottom, "foot.cap_radius_mm {} mm does not reach slider.bottom_mm {} mm: there is no socket", mm(cap),
           mm(s.bottom));
-  require(cap > s.bottom,
-          "foot.cap_radius_mm {} mm does not reach slider.bottom_mm {} mm: there is no socket", mm(cap),
-          mm(s.bottom));
-  require(cap < s.top, "slider.top_mm {} mm must lie above the socket's apex at foot.cap_radius_mm {} mm",
-          mm(s.top), mm(cap));
+  require(cap < s.top, "slider.top_mm {} mm must lie above the socket's apex at foot.cap_radius_mm {} mm", mm(s.top),
+          mm(cap));
   const double opening = std::sqrt(cap * cap - s.bottom * s.bottom);
-  require(opening < radius,
-          "slider.diameter_mm {} mm is too small for its socket, {} mm wide at the bottom plane",
+  require(opening < radius, "slider.diameter_mm {} mm is too small for its socket, {} mm wide at the bottom plane",
           mm(s.diameter), mm(2 * opening));
   require(s.edge_radius < radius - opening,
           "slider.edge_radius_mm {} mm must be below the {} mm left between the socket and the slider's wall",
           mm(s.edge_radius), mm(radius - opening));
-  require(s.edge_radius < s.top - s.bottom,
-          "slider.edge_radius_mm {} mm must be below the slider's height {} mm", mm(s.edge_radius),
-          mm(s.top - s.bottom));
+  require(s.edge_radius < s.top - s.bottom, "slider.edge_radius_mm {} mm must be below the slider's height {} mm",
+          mm(s.edge_radius), mm(s.top - s.bottom));
 }
 
 void check_foot_and_pad(const Bearing &b) {
@@ -82,16 +76,15 @@ void check_foot_and_pad(const Bearing &b) {
           mm(f.radius), mm(f.cap_radius));
   require(f.bottom < f.shoulder, "foot.shoulder_mm {} mm must lie above foot.bottom_mm {} mm", mm(f.shoulder),
           mm(f.bottom));
-  require(f.shoulder < f.cap_radius, "foot.shoulder_mm {} mm must lie below the cap's apex at {} mm",
-          mm(f.shoulder), mm(f.cap_radius));
+  require(f.shoulder < f.cap_radius, "foot.shoulder_mm {} mm must lie below the cap's apex at {} mm", mm(f.shoulder),
+          mm(f.cap_radius));
   const double cap_at_shoulder = std::sqrt(f.cap_radius * f.cap_radius - f.shoulder * f.shoulder);
   constexpr double as_narrow = 1e-7; // [m]: rounding of a drawing's numbers
   require(cap_at_shoulder <= f.radius + as_narrow,
           "foot.radius_mm {:.8g} mm is narrower than its cap, {:.8g} mm at foot.shoulder_mm {} mm", 1e3 * f.radius,
           1e3 * cap_at_shoulder, mm(f.shoulder));
-  require(p.inner_radius < p.outer_radius,
-          "pad.inner_radius_mm {} mm must be below pad.outer_radius_mm {} mm", mm(p.inner_radius),
-          mm(p.outer_radius));
+  require(p.inner_radius < p.outer_radius, "pad.inner_radius_mm {} mm must be below pad.outer_radius_mm {} mm",
+          mm(p.inner_radius), mm(p.outer_radius));
   require(p.outer_radius < f.radius,
           "pad.outer_radius_mm {} mm must be below foot.radius_mm {} mm: the pad is wider "
           "than the foot",
@@ -105,8 +98,7 @@ void check_foot_and_pad(const Bearing &b) {
           mm(f.bottom), mm(p.thickness - p.recess));
   require(p.outer_radius < p.shape_radius, "pad.shape_radius_mm {} mm must exceed pad.outer_radius_mm {} mm",
           mm(p.shape_radius), mm(p.outer_radius));
-  const double rise =
-      p.shape_radius - std::sqrt(p.shape_radius * p.shape_radius - p.outer_radius * p.outer_radius);
+  const double rise = p.shape_radius - std::sqrt(p.shape_radius * p.shape_radius - p.outer_radius * p.outer_radius);
   require(rise < f.bottom,
           "pad.shape_radius_mm {} mm raises the pad's face by {} mm at its edge, above foot.bottom_mm "
           "{} mm",
@@ -144,8 +136,7 @@ public:
             "foot.shoulder_mm {} mm: tilted by {:.1f} deg at a travel of {} mm the shoulder rises to {} mm "
             "and meets the "
             "slider's bottom plane at {} mm",
-            mm(b_.foot.shoulder), slope * 180 / std::numbers::pi, mm(travel), mm(shoulder),
-            mm(b_.slider.bottom));
+            mm(b_.foot.shoulder), slope * 180 / std::numbers::pi, mm(travel), mm(shoulder), mm(b_.slider.bottom));
     for (int i = 0; i <= 12; ++i) check_foot(travel, here.z, c, s, std::numbers::pi * i / 12);
   }
   double height(double radius) const { return surface_->at(std::min(radius, b_.surface.planar_radius), 0).z; }
@@ -156,10 +147,9 @@ private:
     const double along = b_.foot.radius * std::cos(azimuth), across = b_.foot.radius * std::sin(azimuth);
     const double x = travel + along * c - b_.foot.bottom * s, z = lifted + along * s + b_.foot.bottom * c;
     const double radius = std::hypot(x, across);
-    require(
-        radius < b_.surface.planar_radius + b_.rim.ledge,
-        "foot.radius_mm {} mm: at a travel of {} mm the foot reaches {} mm and meets the rim's wall at {} mm",
-        mm(b_.foot.radius), mm(travel), mm(radius), mm(b_.surface.planar_radius + b_.rim.ledge));
+    require(radius < b_.surface.planar_radius + b_.rim.ledge,
+            "foot.radius_mm {} mm: at a travel of {} mm the foot reaches {} mm and meets the rim's wall at {} mm",
+            mm(b_.foot.radius), mm(travel), mm(radius), mm(b_.surface.planar_radius + b_.rim.ledge));
     require(z > height(radius),
             "foot.bottom_mm {} mm: at a travel of {} mm the foot's lower edge, at z = {} mm, meets the dish "
             "at z = {} mm",

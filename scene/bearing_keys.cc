@@ -28,8 +28,7 @@ void visit_foot_and_pad(KeyVisitor &v, Bearing &b) {
   });
   v.section("foot", [&] {
     v.number({"radius_mm", "", assumption}, b.foot.radius, milli, length_mm);
-    v.number({"bottom_mm", "flat bottom above the vertex at rest", assumption}, b.foot.bottom, milli,
-             size_mm);
+    v.number({"bottom_mm", "flat bottom above the vertex at rest", assumption}, b.foot.bottom, milli, size_mm);
     v.number({"shoulder_mm", "where its cap begins", assumption}, b.foot.shoulder, milli, length_mm);
     v.number({"cap_radius_mm", "spherical cap, centred on the middle of the sliding face", assumption},
              b.foot.cap_radius, milli, length_mm);
@@ -39,11 +38,9 @@ void visit_foot_and_pad(KeyVisitor &v, Bearing &b) {
 void visit(KeyVisitor &v, SurfaceSpec &s) {
   const auto is = [&](auto... kind) { return v.wants(((s.kind == kind) || ...)); };
   v.choice({"kind", "ellipse | sphere | cone | polynomial | table"}, s.kind, surface_kind_names());
-  if (is("ellipse", "sphere", "cone"))
-    v.number({"R0_m", "radius of curvature at the vertex"}, s.R0, si, length_m);
+  if (is("ellipse", "sphere", "cone")) v.number({"R0_m", "radius of curvature at the vertex"}, s.R0, si, length_m);
   if (is("ellipse")) v.number({"a_m", "half-width of the ellipse"}, s.a, si, length_m);
-  if (is("cone"))
-    v.number({"slope", "of the cone, rise over run; R0_m rounds its vertex"}, s.slope, si, {0, 1, true});
+  if (is("cone")) v.number({"slope", "of the cone, rise over run; R0_m rounds its vertex"}, s.slope, si, {0, 1, true});
   if (is("polynomial")) {
     constexpr Range coefficient{-1e6, 1e6};
     v.number({"c2_per_m", "height = c2 r^2 + c3 r^3 + ... + c6 r^6"}, s.coefficients[0], si, coefficient);
@@ -67,17 +64,14 @@ void visit(KeyVisitor &v, Bearing &b) {
   v.section("surface", [&] { visit(v, b.surface); });
   v.section("slider", [&] {
     v.number({"diameter_mm"}, b.slider.diameter, milli, length_mm);
-    v.number({"bottom_mm", "bottom plane above the vertex at rest", assumption}, b.slider.bottom, milli,
-             length_mm);
+    v.number({"bottom_mm", "bottom plane above the vertex at rest", assumption}, b.slider.bottom, milli, length_mm);
     v.number({"top_mm", "top plane above the vertex at rest", assumption}, b.slider.top, milli, length_mm);
-    v.number({"edge_radius_mm", "rounding of the lower edge", assumption}, b.slider.edge_radius, milli,
-             size_mm);
+    v.number({"edge_radius_mm", "rounding of the lower edge", assumption}, b.slider.edge_radius, milli, size_mm);
   });
   v.section("rim", [&] {
     v.number({"height_mm", "above the dish's edge", assumption}, b.rim.height, milli, length_mm);
     v.number({"thickness_mm", "radial", assumption}, b.rim.thickness, milli, length_mm);
-    v.number({"ledge_mm", "flat step between the dish's edge and the wall", assumption}, b.rim.ledge, milli,
-             size_mm);
+    v.number({"ledge_mm", "flat step between the dish's edge and the wall", assumption}, b.rim.ledge, milli, size_mm);
   });
   v.section("plate", [&] {
     v.number({"base_mm", "bottom plane below the vertex", assumption}, b.plate.base, milli, length_mm);
@@ -86,7 +80,8 @@ void visit(KeyVisitor &v, Bearing &b) {
   v.section("material", [&] {
     v.section("steel", [&] {
       visit(v, b.steel);
-      v.limit({"strain_limit", "plastic strain beyond which results are doubted; inf: not judged", assumption}, b.steel.strain_limit, si, {0, 10, true});
+      v.limit({"strain_limit", "plastic strain beyond which results are doubted; inf: not judged", assumption},
+              b.steel.strain_limit, si, {0, 10, true});
     });
     v.section("ertalyte", [&] { visit(v, b.ertalyte); });
   });

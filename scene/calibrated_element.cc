@@ -1,7 +1,8 @@
 #include "scene/calibrated_element.h"
 
-#include "scene/files.h"
-#include "scene/key_list.h"
+#include "files/file.h"
+#include "files/key_list.h"
+#include "scene/keys.h"
 #include "scene/rim_identity.h"
 #include <algorithm>
 #include <cmath>
@@ -21,23 +22,20 @@ using nlohmann::json;
 struct Parameter {
   const char *name, *unit, *key;
 };
-constexpr Parameter parameters[] = {{"k_i", "kN/m", "k_i_kN_per_m"},
-                                    {"e", "-", "restitution"},
-                                    {"exponent", "-", "impact_exponent"},
-                                    {"yield_force", "kN", "yield_force_kN"},
-                                    {"hardening", "-", "hardening"},
-                                    {"hardening_exponent", "-", "hardening_exponent"},
-                                    {"unloading_gain", "-", "unloading_gain"},
-                                    {"unloading_exponent", "-", "unloading_exponent"},
-                                    {"dent_spread", "-", "dent_spread"},
-                                    {"capacity_offset", "mm", "capacity_offset_mm"}};
+constexpr Parameter parameters[] = {
+    {"k_i", "kN/m", "k_i_kN_per_m"},           {"e", "-", "restitution"},
+    {"exponent", "-", "impact_exponent"},      {"yield_force", "kN", "yield_force_kN"},
+    {"hardening", "-", "hardening"},           {"hardening_exponent", "-", "hardening_exponent"},
+    {"unloading_gain", "-", "unloading_gain"}, {"unloading_exponent", "-", "unloading_exponent"},
+    {"dent_spread", "-", "dent_spread"},       {"capacity_offset", "mm", "capacity_offset_mm"}};
 
 /// Without which a law would run on defaults that no calibration gave.
 std::vector<std::string> needed_by(const std::string &law) {
   if (law == "elastoplastic") return {"k_i_kN_per_m", "yield_force_kN", "hardening"};
   if (law == "hunt-crossley") return {"k_i_kN_per_m", "restitution", "impact_exponent", "reference_speed_m_per_s"};
-  return law == "signed" || law == "no-tension" || law == "printed" ? std::vector<std::string>{"k_i_kN_per_m", "restitution"}
-                                                                     : std::vector<std::string>{};
+  return law == "signed" || law == "no-tension" || law == "printed"
+             ? std::vector<std::string>{"k_i_kN_per_m", "restitution"}
+             : std::vector<std::string>{};
 }
 
 /// What a calibration says, as values of keys of [reduced].
@@ -68,7 +66,8 @@ void read_parameters(const json &entries, Element &element) {
   for (const auto &[name, entry] : entries.items()) {
     if (name == "reference_speed_m_per_s") element.number(name, entry);
     if (!entry.is_object()) continue; // lateral_capacity_m and the like
-    const auto known = std::find_if(std::begin(parameters), std::end(parameters), [&name = name](const auto &p) { return name == p.name; });
+    const auto known = std::find_if(std::begin(parameters), std::end(parameters),
+                                    [&name = name](const auto &p) { return name == p.name; });
     if (known == std::end(parameters)) element.fail("this version knows no parameter \"" + name.substr(0, 60) + "\"");
     if (member(entry, "unit") != known->unit) element.fail(fmt::format("{} is not in {}", name, known->unit));
     element.number(known->key, member(entry, "value"));
@@ -80,8 +79,10 @@ void read_answer(const json &answer, Element &element) {
   if (!member(law, "name").is_string()) element.fail("answer.law.name is not a word");
   element.values["impact_law"] = toml_quoted(law["name"].get<std::string>());
   read_parameters(member(law, "element"), element);
-  if (const json &begins = member(law["element"], "lateral_capacity_m"); begins.is_number()) element.capacity = begins.get<double>();
-  for (const auto &[name, key] : {std::pair{"fitted_from_m_s", "fitted_from_m_per_s"}, {"fitted_to_m_s", "fitted_to_m_per_s"}})
+  if (const json &begins = member(law["element"], "lateral_capacity_m"); begins.is_number())
+    element.capacity = begins.get<double>();
+  for (const auto &[name, key] :
+       {std::pair{"fitted_from_m_s", "fitted_from_m_per_s"}, {"fitted_to_m_s", "fitted_to_m_per_s"}})
     if (!member(law, name).is_null()) element.number(key, law[name]);
   if (member(law, "belongs_to") == "mass") element.number("fitted_mass_kg", member(answer, "mass_kg"));
   if (const json &rim = member(answer, "rim_identity"); rim.is_string()) element.rim = rim.get<std::string>();
@@ -160,7 +161,8 @@ Element remembered_element(const std::string &folder) {
 /// The element begins where the fitted one did, if the rim is the same.
 void place(Element &element, const Bearing &bearing) {
   constexpr double rounding = 1e-9; // [m]
-  if (element.values.count("capacity_offset_mm") > 0 || !element.capacity || element.rim != rim_identity(bearing)) return;
+  if (element.values.count("capacity_offset_mm") > 0 || !element.capacity || element.rim != rim_identity(bearing))
+    return;
   const double offset = *element.capacity - bearing.lateral_capacity();
   if (std::abs(offset) > rounding) element.values["capacity_offset_mm"] = fmt::format("{}", 1e3 * offset);
 }
@@ -171,7 +173,8 @@ const std::vector<std::string> &element_keys() {
   static const std::vector<std::string> keys = [] {
     std::vector<std::string> list{"impact_law", "reference_speed_m_per_s"};
     for (const auto &parameter : parameters) list.emplace_back(parameter.key);
-    for (const char *key : {"fitted_from_m_per_s", "fitted_to_m_per_s", "fitted_mass_kg", "fitted_rim", "taken_from"}) list.emplace_back(key);
+    for (const char *key : {"fitted_from_m_per_s", "fitted_to_m_per_s", "fitted_mass_kg", "fitted_rim", "taken_from"})
+      list.emplace_back(key);
     return list;
   }();
   return keys;
@@ -180,19 +183,22 @@ const std::vector<std::string> &element_keys() {
 std::vector<std::string> typed_element_keys(const TomlFile &file) {
   std::vector<std::string> typed;
   for (const auto &key : element_keys())
-    if (!key.starts_with("fitted_") && key != "taken_from" && file.is_set("reduced." + key) && file.find("reduced." + key))
+    if (!key.starts_with("fitted_") && key != "taken_from" && file.is_set("reduced." + key) &&
+        file.find("reduced." + key))
       typed.push_back("reduced." + key);
   return typed;
 }
 
-void adopt_calibration(TomlFile &file, const std::string &folder, const Bearing &bearing, std::vector<std::string> &remarks) {
+void adopt_calibration(TomlFile &file, const std::string &folder, const Bearing &bearing,
+                       std::vector<std::string> &remarks) {
   const std::string asked = "reduced.calibration";
   const auto *node = file.find(asked);
   if (!node || !node->is_string() || node->as_string()->get().empty()) return; // the reader says what is wrong with it
   const bool typed = file.is_set(asked);
   const std::string place_of_it = file.location(asked);
   std::error_code ignored;
-  const std::string path = fs::absolute(fs::path(folder) / node->as_string()->get(), ignored).lexically_normal().string();
+  const std::string path =
+      fs::absolute(fs::path(folder) / node->as_string()->get(), ignored).lexically_normal().string();
   Element element = remembered_element(path);
   place(element, bearing);
   element.values["taken_from"] = toml_quoted(path);
@@ -201,11 +207,13 @@ void adopt_calibration(TomlFile &file, const std::string &folder, const Bearing 
     const std::string full = "reduced." + key;
     if (!file.find(full) || file.is_set(full)) continue;
     if (!typed)
-      throw InputError(fmt::format("{}: {} stands beside {} of {}, which gives it: strike one of the two", file.location(full), full, asked, place_of_it));
+      throw InputError(fmt::format("{}: {} stands beside {} of {}, which gives it: strike one of the two",
+                                   file.location(full), full, asked, place_of_it));
     if (key != "taken_from") replaced.push_back(full);
   }
   if (!replaced.empty())
-    remarks.push_back(fmt::format("law and numbers of {} take the place of the scene's own {}", element.origin, fmt::join(replaced, ", ")));
+    remarks.push_back(fmt::format("law and numbers of {} take the place of the scene's own {}", element.origin,
+                                  fmt::join(replaced, ", ")));
   for (const auto &key : element_keys()) {
     if (file.is_set("reduced." + key)) continue;
     if (const auto value = element.values.find(key); value != element.values.end())
@@ -217,7 +225,8 @@ void adopt_calibration(TomlFile &file, const std::string &folder, const Bearing 
 
 void forget_origin(const std::vector<std::string> &typed, ReducedSettings &reduced, std::vector<std::string> &remarks) {
   if (typed.empty() || reduced.calibration.empty()) return;
-  remarks.push_back(fmt::format("{} is given beside the calibration {} and wins: the element is no longer the calibrated one, and the speeds, mass and "
+  remarks.push_back(fmt::format("{} is given beside the calibration {} and wins: the element is no longer the "
+                                "calibrated one, and the speeds, mass and "
                                 "rim it holds for are not known",
                                 fmt::join(typed, ", "), reduced.calibration));
   reduced.calibration.clear(), reduced.fitted_rim.clear();

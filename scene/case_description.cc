@@ -1,7 +1,8 @@
 #include "scene/case_description.h"
 
+#include "files/key_list.h"
 #include "scene/doubts.h"
-#include "scene/key_list.h"
+#include "scene/keys.h"
 #include <fmt/format.h>
 
 namespace rimpact::scene {
@@ -33,14 +34,17 @@ std::string motion_line(const Scene &scene) {
 
 std::string bearing_line(const Scene &scene) {
   if (scene.double_concave())
-    return fmt::format("{} of [isolator], C_t = {:.1f} mm, R_eff = {:.3f} m", scene.reduced.model, 1e3 * scene.isolator.capacity, scene.isolator.effective_radius());
-  return fmt::format("{}, L_c = {:.1f} mm, rim {:g} x {:g} mm", scene.bearing.name, 1e3 * scene.bearing.lateral_capacity(), 1e3 * scene.bearing.rim.thickness,
+    return fmt::format("{} of [isolator], C_t = {:.1f} mm, R_eff = {:.3f} m", scene.reduced.model,
+                       1e3 * scene.isolator.capacity, scene.isolator.effective_radius());
+  return fmt::format("{}, L_c = {:.1f} mm, rim {:g} x {:g} mm", scene.bearing.name,
+                     1e3 * scene.bearing.lateral_capacity(), 1e3 * scene.bearing.rim.thickness,
                      1e3 * scene.bearing.rim.height);
 }
 
 std::string load_line(const Scene &scene) {
   const Load &l = scene.load;
-  return fmt::format("W = {:.6g} kN, m = {:.6g} kg (W = {:.3g} m g)", l.vertical / 1e3, l.mass, l.vertical / (l.mass * l.gravity));
+  return fmt::format("W = {:.6g} kN, m = {:.6g} kg (W = {:.3g} m g)", l.vertical / 1e3, l.mass,
+                     l.vertical / (l.mass * l.gravity));
 }
 
 std::string source_of(const Scene &scene) {
@@ -61,7 +65,8 @@ std::string range_of(const ReducedSettings &r) {
 std::string element_line(const Scene &scene) {
   if (scene.reduced.k_i == 0) return "none (k_i = 0)";
   if (scene.reduced.impact_law == "curve") return "curve, " + scene.reduced.impact_curve;
-  return fmt::format("{}, {} ({}{})", scene.reduced.impact_law, numbers_of_element(scene), source_of(scene), range_of(scene.reduced));
+  return fmt::format("{}, {} ({}{})", scene.reduced.impact_law, numbers_of_element(scene), source_of(scene),
+                     range_of(scene.reduced));
 }
 
 json or_null(const std::optional<double> &value) {
@@ -71,17 +76,22 @@ json or_null(const std::optional<double> &value) {
 } // namespace
 
 std::string describe_case(const Scene &scene) {
-  return fmt::format("bearing: {}\nload: {}\nmotion: {}\nimpact element: {}\n", bearing_line(scene), load_line(scene), motion_line(scene), element_line(scene));
+  return fmt::format("bearing: {}\nload: {}\nmotion: {}\nimpact element: {}\n", bearing_line(scene), load_line(scene),
+                     motion_line(scene), element_line(scene));
 }
 
 json case_json(const Scene &scene) {
   const auto &r = scene.reduced;
   json motion = json::object();
   for (const auto &entry : motion_of(scene)) {
-    const json value = json::parse(entry.value, nullptr, false); // numbers, words and lists are written alike in TOML and JSON
+    const json value =
+        json::parse(entry.value, nullptr, false); // numbers, words and lists are written alike in TOML and JSON
     motion[entry.key.name] = value.is_discarded() ? json(entry.value) : value;
   }
-  return {{"load", {{"vertical_kN", scene.load.vertical / 1e3}, {"mass_kg", scene.load.mass}, {"gravity_m_per_s2", scene.load.gravity}}},
+  return {{"load",
+           {{"vertical_kN", scene.load.vertical / 1e3},
+            {"mass_kg", scene.load.mass},
+            {"gravity_m_per_s2", scene.load.gravity}}},
           {"motion", motion},
           {"impact_element",
            {{"law", r.impact_law},

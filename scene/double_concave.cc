@@ -1,5 +1,5 @@
 #include "scene/double_concave.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -8,7 +8,9 @@ namespace rimpact::scene {
 
 namespace {
 
-double angle_of_edge(const DoubleConcave &b, double R) { return std::asin(b.slider_diameter / (2 * R)); }
+double angle_of_edge(const DoubleConcave &b, double R) {
+  return std::asin(b.slider_diameter / (2 * R));
+}
 
 double rim_radius(const DoubleConcave &b, double R, double capacity) {
   return R * std::sin(std::asin(capacity / b.effective_radius()) + angle_of_edge(b, R));
@@ -16,11 +18,21 @@ double rim_radius(const DoubleConcave &b, double R, double capacity) {
 
 } // namespace
 
-double DoubleConcave::rim_tilt() const { return std::asin(lateral_capacity() / effective_radius()); }
-double DoubleConcave::edge_angle() const { return angle_of_edge(*this, radius); }
-double DoubleConcave::top_edge_angle() const { return angle_of_edge(*this, upper_radius()); }
-double DoubleConcave::bottom_rim_radius() const { return rim_radius(*this, radius, capacity); }
-double DoubleConcave::top_rim_radius() const { return rim_radius(*this, upper_radius(), upper_capacity()); }
+double DoubleConcave::rim_tilt() const {
+  return std::asin(lateral_capacity() / effective_radius());
+}
+double DoubleConcave::edge_angle() const {
+  return angle_of_edge(*this, radius);
+}
+double DoubleConcave::top_edge_angle() const {
+  return angle_of_edge(*this, upper_radius());
+}
+double DoubleConcave::bottom_rim_radius() const {
+  return rim_radius(*this, radius, capacity);
+}
+double DoubleConcave::top_rim_radius() const {
+  return rim_radius(*this, upper_radius(), upper_capacity());
+}
 
 namespace {
 
@@ -36,10 +48,11 @@ struct PlateKeys {
 void check_shape(const DoubleConcave &b) {
   const double mm = 1e3, half = b.slider_diameter / 2;
   const PlateKeys plates[] = {{"bottom_height_mm", "capacity_m", b.radius, b.bottom_height, b.capacity},
-                              {"top_height_mm", b.top_capacity ? "top_capacity_m" : "capacity_m", b.upper_radius(), b.top_height,
-                               b.upper_capacity()}};
+                              {"top_height_mm", b.top_capacity ? "top_capacity_m" : "capacity_m", b.upper_radius(),
+                               b.top_height, b.upper_capacity()}};
   for (const auto &p : plates) {
-    require(half < p.R, "slider_diameter_mm", mm * b.slider_diameter, fmt::format("must be below 2 R = {} mm", 2 * mm * p.R));
+    require(half < p.R, "slider_diameter_mm", mm * b.slider_diameter,
+            fmt::format("must be below 2 R = {} mm", 2 * mm * p.R));
     const double sagitta = p.R - std::sqrt(p.R * p.R - half * half);
     require(p.height > sagitta, p.height_key, mm * p.height,
             fmt::format("must exceed {:.4g} mm, the depth of its curved face", mm * sagitta));
@@ -49,8 +62,8 @@ void check_shape(const DoubleConcave &b) {
   for (const auto &p : plates) {
     require(p.capacity < b.effective_radius(), p.capacity_key, p.capacity,
             fmt::format("must be below R_eff = {} m", b.effective_radius()));
-    require(std::asin(p.capacity / b.effective_radius()) + angle_of_edge(b, p.R) < std::numbers::pi / 2, p.capacity_key, p.capacity,
-            "takes the slider's edge past the sphere's equator");
+    require(std::asin(p.capacity / b.effective_radius()) + angle_of_edge(b, p.R) < std::numbers::pi / 2, p.capacity_key,
+            p.capacity, "takes the slider's edge past the sphere's equator");
   }
 }
 

@@ -1,6 +1,7 @@
 /// A double concave friction-pendulum bearing: a lens between two spherical plates (DCFP), or two lens halves
 /// that meet in a plane, high-friction interface with a gap and a stop (LIR-DCFP); thesis Fig. 3-4. SI units.
-/// Both plates are alike unless a `top_` key says otherwise. It stands beside `Bearing`, which stays the single-dish bearing.
+/// Both plates are alike unless a `top_` key says otherwise. It stands beside `Bearing`, which stays the single-dish
+/// bearing.
 #pragma once
 #include <algorithm>
 #include <optional>
@@ -9,39 +10,40 @@
 namespace rimpact::scene {
 
 struct DoubleConcave {
-  double radius = 1.55;          ///< R of both sliding surfaces, or of the bottom one [m], > D_s/2
-  double capacity = 0.30;        ///< C_t: displacement at which both rims, or the bottom one, are touched [m], < R_eff
-  std::optional<double> top_radius, top_capacity;     ///< of the top plate, where it differs [m]
-  std::optional<double> top_mu_slow, top_mu_fast;     ///< friction of the top plate, where it differs [-]; below: reduced.mu_*
-  double slider_diameter = 0.30; ///< D_s [m]
-  double top_height = 0.07;      ///< h_ts, surface to interface on the axis [m]
-  double bottom_height = 0.03;   ///< h_bs [m]; a DCFP's slider is h_ts + h_bs high
-  double top_wall = 0.04;        ///< e_ts [m]: the interface's radius is D_s/2 - e_ts
-  double bottom_wall = 0.01;     ///< e_bs [m]: the stop's wall; gap = e_ts - e_bs
-  double rim_height = 0.02;      ///< l of the plates' rims above the edge of the sliding surface [m], > 0
-  double stop_height = 0.015;    ///< l_bs above the interface [m], > 0
-  double slider_mass = 100.0;    ///< of the whole slider [kg], > 0; halves share it by height
-  double mu_interface = 0.15;    ///< mu_s [-], constant in speed
-  std::string space = "planar";  ///< planar (x and z, two points a set or more on a line) | spatial
-  int points = 2;                ///< contact points a set
-  std::string rim = "circle";    ///< spatial: circle (the slider's whole edge) | points (only at the points)
-  double contact_stiffness = 2e9;        ///< k of one contact point [N/m]
-  double contact_restitution = 0.65;     ///< of the contact's dashpot, (0, 1]
-  std::string plate_rotation = "fixed";  ///< fixed (held by what it carries) | free, spatial only
-  double plate_inertia = 1000.0;         ///< of the top plate and what turns with it [kg m^2], when free
-  double step_tolerance = 1e-4;          ///< relative, of the time step's local error
+  double radius = 1.55;   ///< R of both sliding surfaces, or of the bottom one [m], > D_s/2
+  double capacity = 0.30; ///< C_t: displacement at which both rims, or the bottom one, are touched [m], < R_eff
+  std::optional<double> top_radius, top_capacity; ///< of the top plate, where it differs [m]
+  std::optional<double> top_mu_slow,
+      top_mu_fast;                      ///< friction of the top plate, where it differs [-]; below: reduced.mu_*
+  double slider_diameter = 0.30;        ///< D_s [m]
+  double top_height = 0.07;             ///< h_ts, surface to interface on the axis [m]
+  double bottom_height = 0.03;          ///< h_bs [m]; a DCFP's slider is h_ts + h_bs high
+  double top_wall = 0.04;               ///< e_ts [m]: the interface's radius is D_s/2 - e_ts
+  double bottom_wall = 0.01;            ///< e_bs [m]: the stop's wall; gap = e_ts - e_bs
+  double rim_height = 0.02;             ///< l of the plates' rims above the edge of the sliding surface [m], > 0
+  double stop_height = 0.015;           ///< l_bs above the interface [m], > 0
+  double slider_mass = 100.0;           ///< of the whole slider [kg], > 0; halves share it by height
+  double mu_interface = 0.15;           ///< mu_s [-], constant in speed
+  std::string space = "planar";         ///< planar (x and z, two points a set or more on a line) | spatial
+  int points = 2;                       ///< contact points a set
+  std::string rim = "circle";           ///< spatial: circle (the slider's whole edge) | points (only at the points)
+  double contact_stiffness = 2e9;       ///< k of one contact point [N/m]
+  double contact_restitution = 0.65;    ///< of the contact's dashpot, (0, 1]
+  std::string plate_rotation = "fixed"; ///< fixed (held by what it carries) | free, spatial only
+  double plate_inertia = 1000.0;        ///< of the top plate and what turns with it [kg m^2], when free
+  double step_tolerance = 1e-4;         ///< relative, of the time step's local error
 
-  double slider_height() const { return top_height + bottom_height; } ///< H_s
+  double slider_height() const { return top_height + bottom_height; }       ///< H_s
   double upper_radius() const { return top_radius.value_or(radius); }       ///< of the top plate's surface [m]
   double upper_capacity() const { return top_capacity.value_or(capacity); } ///< at which the top rim is touched [m]
   double effective_radius() const { return radius + upper_radius() - slider_height(); } ///< (3-94)
-  double lateral_capacity() const { return std::min(capacity, upper_capacity()); }      ///< at which a rim is touched [m]
+  double lateral_capacity() const { return std::min(capacity, upper_capacity()); } ///< at which a rim is touched [m]
   double gap() const { return top_wall - bottom_wall; }
-  double rim_tilt() const;    ///< theta_c = asin(C / R_eff), C the lateral capacity [rad]
+  double rim_tilt() const;       ///< theta_c = asin(C / R_eff), C the lateral capacity [rad]
   double edge_angle() const;     ///< phi = asin(D_s / 2R) of the bottom face [rad]
   double top_edge_angle() const; ///< of the top face [rad]
-  /// b/2 [m] of a plate's rim by the exact condition b/2 = R sin(theta + phi), sin theta = C / R_eff, sin phi = D_s / 2R, in
-  /// place of the approximate (3-95).
+  /// b/2 [m] of a plate's rim by the exact condition b/2 = R sin(theta + phi), sin theta = C / R_eff, sin phi = D_s /
+  /// 2R, in place of the approximate (3-95).
   double bottom_rim_radius() const;
   double top_rim_radius() const;
   /// Throws InputError naming key, value and bound.

@@ -6,10 +6,13 @@ void visit(KeyVisitor &v, DoubleConcave &b, bool impact_resilient) {
   constexpr Range length_mm{0, 1e5, true}, size_mm{0, 1e5}, positive{0, huge, true};
   v.number({"radius_m", "R of both sliding surfaces"}, b.radius, si, {0, 1e3, true});
   v.number({"capacity_m", "C_t: displacement at which the rims are touched"}, b.capacity, si, {0, 1e3, true});
-  if (v.wants(b.top_radius.has_value())) v.limit({"top_radius_m", "R of the top plate; inf: as radius_m"}, b.top_radius, si, {0, 1e3, true});
+  if (v.wants(b.top_radius.has_value()))
+    v.limit({"top_radius_m", "R of the top plate; inf: as radius_m"}, b.top_radius, si, {0, 1e3, true});
   if (v.wants(b.top_capacity.has_value()))
-    v.limit({"top_capacity_m", "displacement at which the top rim is touched; inf: as capacity_m"}, b.top_capacity, si, {0, 1e3, true});
-  if (v.wants(b.top_mu_fast.has_value())) v.limit({"top_mu_fast", "of the top plate; inf: as reduced.mu_fast"}, b.top_mu_fast, si, {0, 2});
+    v.limit({"top_capacity_m", "displacement at which the top rim is touched; inf: as capacity_m"}, b.top_capacity, si,
+            {0, 1e3, true});
+  if (v.wants(b.top_mu_fast.has_value()))
+    v.limit({"top_mu_fast", "of the top plate; inf: as reduced.mu_fast"}, b.top_mu_fast, si, {0, 2});
   if (v.wants(b.top_mu_slow.has_value()))
     v.limit({"top_mu_slow", "of the top plate; inf: as top_mu_fast, or as reduced.mu_slow"}, b.top_mu_slow, si, {0, 2});
   v.number({"slider_diameter_mm", "D_s"}, b.slider_diameter, milli, length_mm);

@@ -32,31 +32,36 @@ void doubt_materials(const Bearing &b, std::vector<std::string> &found) {
   if (b.steel.yield) values.push_back({"steel.yield_MPa", "MPa", *b.steel.yield / 1e6, 100, 2000});
   for (const auto &v : values)
     if (v.value < v.low || v.value > v.high)
-      found.push_back(fmt::format("bearing.material.{} = {:g}, where {:g} to {:g} {} is usual: is its unit {}?", v.key, v.value, v.low, v.high, v.unit, v.unit));
+      found.push_back(fmt::format("bearing.material.{} = {:g}, where {:g} to {:g} {} is usual: is its unit {}?", v.key,
+                                  v.value, v.low, v.high, v.unit, v.unit));
 }
 
 /// A pad that slides on a sphere is shaped to it, or bears on its rim or its middle only.
 void doubt_pad(const Bearing &b, std::vector<std::string> &found) {
   constexpr double alike = 0.01;
   if (b.surface.kind == "sphere" && std::abs(b.pad.shape_radius / b.surface.R0 - 1) > alike)
-    found.push_back(fmt::format("bearing.pad.shape_radius_mm = {:g} on a sphere of R0_m = {:g}: a pad shaped to its dish has {:g}", 1e3 * b.pad.shape_radius,
-                                b.surface.R0, 1e3 * b.surface.R0));
+    found.push_back(
+        fmt::format("bearing.pad.shape_radius_mm = {:g} on a sphere of R0_m = {:g}: a pad shaped to its dish has {:g}",
+                    1e3 * b.pad.shape_radius, b.surface.R0, 1e3 * b.surface.R0));
 }
 
 } // namespace
 
 std::vector<std::string> doubts(const Scene &scene) {
   constexpr double odd_weight = 2, slip = 20; // weight over mass times gravity, or its inverse
-  constexpr double strongest = 5;      // no ground has been recorded near it [g]
-  constexpr double fastest = 10;       // an impact's speed [m/s]
+  constexpr double strongest = 5;             // no ground has been recorded near it [g]
+  constexpr double fastest = 10;              // an impact's speed [m/s]
   std::vector<std::string> found;
   const double inertial = scene.load.mass * scene.load.gravity, ratio = scene.load.vertical / inertial;
   if (scene.load.vertical > 0 && (ratio > odd_weight || ratio < 1 / odd_weight))
-    found.push_back(fmt::format("load.vertical_kN = {:g} is {:.2g} times load.mass_kg = {:g} times gravity ({:.4g} kN): {}", scene.load.vertical / 1e3, ratio,
-                                scene.load.mass, inertial / 1e3,
-                                ratio > slip || ratio < 1 / slip ? "are the units right?" : "was one of the two forgotten? Left out, it follows from the other"));
+    found.push_back(fmt::format(
+        "load.vertical_kN = {:g} is {:.2g} times load.mass_kg = {:g} times gravity ({:.4g} kN): {}",
+        scene.load.vertical / 1e3, ratio, scene.load.mass, inertial / 1e3,
+        ratio > slip || ratio < 1 / slip ? "are the units right?"
+                                         : "was one of the two forgotten? Left out, it follows from the other"));
   if (const double a = largest_acceleration(scene); a > strongest)
-    found.push_back(fmt::format("the ground's acceleration reaches {:.3g} g, beyond any recorded: are its unit and scale right?", a));
+    found.push_back(fmt::format(
+        "the ground's acceleration reaches {:.3g} g, beyond any recorded: are its unit and scale right?", a));
   if (scene.excitation.kind == ExcitationKind::window && scene.excitation.impact_speed() > fastest)
     found.push_back(fmt::format("excitation.speed_m_per_s times scale is {:g}: no bearing meets its rim so fast",
                                 scene.excitation.impact_speed()));

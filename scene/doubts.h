@@ -1,4 +1,5 @@
-/// What is allowed but looks like a slip of units or of the decimal point, or belongs to another bearing: said before a scene is run.
+/// What is allowed but looks like a slip of units or of the decimal point, or belongs to another bearing: said before a
+/// scene is run.
 #pragma once
 #include "scene/scene.h"
 
@@ -7,8 +8,9 @@ namespace rimpact::scene {
 /// Sentences with key, value and what it is compared with; empty when nothing looks odd.
 std::vector<std::string> doubts(const Scene &scene);
 
-/// What to say of an impact element that is not this bearing's: the thesis's pair on another bearing or mass, a calibration of
-/// another rim or of another mass. Empty where nothing reads the element: FE needs none, nor do static paths or k_i = 0.
+/// What to say of an impact element that is not this bearing's: the thesis's pair on another bearing or mass, a
+/// calibration of another rim or of another mass. Empty where nothing reads the element: FE needs none, nor do static
+/// paths or k_i = 0.
 std::vector<std::string> doubts_of_element(const Scene &scene);
 
 /// Whether the thesis's pair is this scene's: the dish, rim and steel of shfps-225 and its mass, to 1 %.

@@ -1,7 +1,8 @@
 #include "scene/doubts.h"
 
+#include "files/key_list.h"
 #include "scene/calibrated_element.h"
-#include "scene/key_list.h"
+#include "scene/keys.h"
 #include "scene/rim_identity.h"
 #include <algorithm>
 #include <cmath>
@@ -35,7 +36,8 @@ std::vector<KeyEntry> element_of(const Scene &scene) {
 } // namespace
 
 bool published_pair_applies(const Scene &scene) {
-  return !scene.double_concave() && within(scene.load.mass, Load{}.mass) && rim_identity(scene.bearing) == rim_identity(builtin_bearing("shfps-225"));
+  return !scene.double_concave() && within(scene.load.mass, Load{}.mass) &&
+         rim_identity(scene.bearing) == rim_identity(builtin_bearing("shfps-225"));
 }
 
 bool has_default_element(const Scene &scene) {
@@ -61,19 +63,25 @@ std::vector<std::string> doubts_of_element(const Scene &scene) {
   std::vector<std::string> found;
   const auto &r = scene.reduced;
   const auto kind = scene.excitation.kind;
-  if (scene.double_concave() || r.k_i == 0 || r.impact_law == "curve" || kind == ExcitationKind::cyclic || kind == ExcitationKind::figure_eight) return found;
+  if (scene.double_concave() || r.k_i == 0 || r.impact_law == "curve" || kind == ExcitationKind::cyclic ||
+      kind == ExcitationKind::figure_eight)
+    return found;
   if (has_default_element(scene) && r.calibration.empty() && !published_pair_applies(scene)) {
     const bool pair = r.impact_law != "elastoplastic" && r.impact_law != "hunt-crossley";
     const bool other_rim = rim_identity(scene.bearing) != rim_identity(builtin_bearing("shfps-225"));
-    found.push_back(fmt::format("{} are {} for shfps-225 and {:g} kg, not this {}'s: impact forces may be several times off; calibrate and pass --calibration DIR",
-                                numbers_of_element(scene), pair ? "the thesis's" : "defaults of the law", Load{}.mass, other_rim ? "bearing" : "mass"));
+    found.push_back(fmt::format("{} are {} for shfps-225 and {:g} kg, not this {}'s: impact forces may be several "
+                                "times off; calibrate and pass --calibration DIR",
+                                numbers_of_element(scene), pair ? "the thesis's" : "defaults of the law", Load{}.mass,
+                                other_rim ? "bearing" : "mass"));
   }
   if (!r.fitted_rim.empty() && r.fitted_rim != rim_identity(scene.bearing))
-    found.push_back(fmt::format("the impact element was fitted to another rim ({}; this one is {}): dish, slider, rim, plate and steel shape it; calibrate "
+    found.push_back(fmt::format("the impact element was fitted to another rim ({}; this one is {}): dish, slider, rim, "
+                                "plate and steel shape it; calibrate "
                                 "this bearing and pass --calibration DIR",
                                 r.fitted_rim, rim_identity(scene.bearing)));
   if (r.fitted_mass && !within(scene.load.mass, *r.fitted_mass))
-    found.push_back(fmt::format("k_i and e of law {} hold for the {:g} kg they were fitted with, not for load.mass_kg = {:g}: a dashpot stands for the rim's "
+    found.push_back(fmt::format("k_i and e of law {} hold for the {:g} kg they were fitted with, not for load.mass_kg "
+                                "= {:g}: a dashpot stands for the rim's "
                                 "yielding at one mass only; take a law of the rim (calibrate --law elastoplastic)",
                                 r.impact_law, *r.fitted_mass, scene.load.mass));
   return found;

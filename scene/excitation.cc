@@ -33,15 +33,6 @@ PushPhases push_phases(const Excitation &e) {
 
 } // namespace
 
-double SampledSignal::at(double t) const {
-  if (values.empty() || t < start || t > end()) return 0;
-  const double position = (t - start) / dt;
-  const auto i = static_cast<std::size_t>(position);
-  if (i + 1 >= values.size()) return values.back();
-  const double share = position - static_cast<double>(i);
-  return values[i] + share * (values[i + 1] - values[i]);
-}
-
 bool Excitation::is_dynamic() const {
   return kind == ExcitationKind::ricker || kind == ExcitationKind::record || kind == ExcitationKind::free ||
          kind == ExcitationKind::window;
@@ -81,8 +72,7 @@ GroundMotion::GroundMotion(const Excitation &excitation, double gravity)
   if (has_ricker(excitation)) amplitude_ = excitation.scale * excitation.amplitude_g * gravity;
   if (excitation.kind != ExcitationKind::record) return;
   for (const auto *signal : {&excitation.x, &excitation.y, &excitation.z})
-    for (std::size_t i = 0; i < signal->values.size(); ++i)
-      breakpoints_.push_back(signal->instant(i));
+    for (std::size_t i = 0; i < signal->values.size(); ++i) breakpoints_.push_back(signal->instant(i));
   std::sort(breakpoints_.begin(), breakpoints_.end());
   // Components sampled alike agree to rounding: keep one instant of each.
   const auto same = [](double a, double b) { return b - a < 1e-9; };

@@ -1,6 +1,7 @@
 /// What moves the bearing: ground motion, prescribed motion, or a single impact. SI units.
 /// Sign: ground acceleration a_g > 0 acts along +axis; the load on the mass is -m a_g.
 #pragma once
+#include "records/sampled_signal.h"
 #include <Eigen/Core>
 #include <string>
 #include <vector>
@@ -8,18 +9,6 @@
 namespace rimpact::scene {
 
 enum class ExcitationKind { ricker, cyclic, figure_eight, push, window, record, free };
-
-/// Uniformly sampled signal from `start` to `end()`; linear between samples, zero outside.
-struct SampledSignal {
-  double dt = 0.0;
-  std::vector<double> values;
-  double start = 0.0; ///< instant of the first sample [s], >= 0
-  double at(double t) const;
-  double instant(std::size_t i) const { return start + dt * static_cast<double>(i); } ///< of sample i [s]
-  double duration() const { return values.empty() ? 0.0 : dt * (values.size() - 1); } ///< first to last sample [s]
-  double end() const { return start + duration(); }
-  bool operator==(const SampledSignal &) const = default;
-};
 
 /// Everything a scene file may say under [excitation]; only the fields of `kind` matter.
 struct Excitation {
@@ -36,7 +25,7 @@ struct Excitation {
   double travel = 0.008; ///< beyond touch [m]
   bool unload = true;    ///< the key is `return`
   // window
-  double speed = 0.1;                        ///< approach speed [m/s]
+  double speed = 0.1;                                                   ///< approach speed [m/s]
   bool with_weight = false, with_friction = false, with_ground = false; ///< ground: the Ricker pulse of these fields
   // record: file names as given, and what they hold after reading [m/s^2]
   std::string x_file, y_file, z_file;
@@ -44,7 +33,7 @@ struct Excitation {
   // free: initial displacement [m] and velocity [m/s] in the plane
   Eigen::Vector2d initial_displacement = Eigen::Vector2d::Zero(), initial_velocity = Eigen::Vector2d::Zero();
 
-  bool is_dynamic() const; ///< ricker, record, free, window
+  bool is_dynamic() const;           ///< ricker, record, free, window
   Eigen::Vector2d direction() const; ///< unit vector of direction_deg, exact along the axes
   /// Approach speed of a window [m/s], initial state of `free`: scale included, as it multiplies any excitation.
   double impact_speed() const { return scale * speed; }

@@ -1,6 +1,6 @@
 #include "scene/file_kind.h"
 
-#include "scene/text.h"
+#include "files/text.h"
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
@@ -13,7 +13,8 @@ constexpr std::array scene_tables{"bearing", "load", "excitation", "model", "red
 
 /// The first of the tables that stands at the root; null: none.
 template <class Names> const char *first_of(const TomlFile &file, const Names &names) {
-  const auto found = std::find_if(names.begin(), names.end(), [&](const char *name) { return file.find(name) != nullptr; });
+  const auto found =
+      std::find_if(names.begin(), names.end(), [&](const char *name) { return file.find(name) != nullptr; });
   return found == names.end() ? nullptr : *found;
 }
 
@@ -24,14 +25,18 @@ void require_scene(const TomlFile &file) {
     const std::string given = bearing->as_string()->get();
     const auto names = builtin_bearing_names();
     const bool built_in = std::find(names.begin(), names.end(), given) != names.end();
-    throw InputError(fmt::format("{}: bearing must be a table, got the string \"{}\": write the line [bearing] and under it the line {} = \"{}\"",
-                                 file.location("bearing"), given.substr(0, 60), built_in ? "name" : "file", given.substr(0, 200)));
+    throw InputError(fmt::format("{}: bearing must be a table, got the string \"{}\": write the line [bearing] and "
+                                 "under it the line {} = \"{}\"",
+                                 file.location("bearing"), given.substr(0, 60), built_in ? "name" : "file",
+                                 given.substr(0, 200)));
   }
   const char *table = first_of(file, bearing_tables);
   if (!table) return;
   if (first_of(file, scene_tables) || file.is_set(table))
-    throw InputError(fmt::format("{}: [{}] is of a bearing: in a scene it is bearing.{}", file.location(table), table, table));
-  throw InputError(fmt::format("{0}: this is a bearing file ([{1}]), where a scene is wanted: name it in a scene, [bearing] with file = \"{2}\" (rimpact "
+    throw InputError(
+        fmt::format("{}: [{}] is of a bearing: in a scene it is bearing.{}", file.location(table), table, table));
+  throw InputError(fmt::format("{0}: this is a bearing file ([{1}]), where a scene is wanted: name it in a scene, "
+                               "[bearing] with file = \"{2}\" (rimpact "
                                "new DIR writes one), or give it to rimpact main",
                                file.location(table), table, file.origin()));
 }
@@ -40,15 +45,17 @@ void require_bearing(const TomlFile &file) {
   const char *table = first_of(file, scene_tables);
   if (!table || first_of(file, bearing_tables)) return;
   const auto *named = file.find("bearing.file");
-  throw InputError(fmt::format("{}: this is a scene ([{}]), where a bearing is wanted: give {}", file.location(table), table,
-                               named && named->is_string() ? "the file it names, " + named->as_string()->get()
-                                                           : std::string("a built-in bearing's name or the file of its [bearing]")));
+  throw InputError(
+      fmt::format("{}: this is a scene ([{}]), where a bearing is wanted: give {}", file.location(table), table,
+                  named && named->is_string() ? "the file it names, " + named->as_string()->get()
+                                              : std::string("a built-in bearing's name or the file of its [bearing]")));
 }
 
 void require_run(const TomlFile &file) {
   if (!first_of(file, scene_tables) && !first_of(file, bearing_tables)) return;
   const bool is_scene = first_of(file, scene_tables) != nullptr;
-  throw InputError(fmt::format("{0}: this is a {1}, where a run is wanted: {2}", file.origin(), is_scene ? "scene" : "bearing file",
+  throw InputError(fmt::format("{0}: this is a {1}, where a run is wanted: {2}", file.origin(),
+                               is_scene ? "scene" : "bearing file",
                                is_scene ? "run it first, rimpact run " + file.origin() + " -o DIR, and give DIR"
                                         : std::string("run a scene of it first and give the run's folder")));
 }

@@ -1,6 +1,7 @@
 /// One kind of TOML file given where another is wanted. All throw InputError with what to do instead.
 #pragma once
-#include "scene/toml_reader.h"
+#include "files/toml_reader.h"
+#include "scene/keys.h"
 
 namespace rimpact::scene {
 

@@ -1,6 +1,6 @@
 #include "scene/names.h"
 
-#include "scene/error.h"
+#include "files/error.h"
 #include "scene/scene.h"
 #include <algorithm>
 #include <fmt/format.h>
@@ -11,7 +11,9 @@ namespace {
 /// Bytes of the UTF-8 character that begins at `text`; 0: none does (RFC 3629: no surrogates, no overlong forms).
 std::size_t character(std::string_view text) {
   const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u; };
-  const auto follows = [&](std::size_t i, unsigned low = 0x80, unsigned high = 0xBF) { return byte(i) >= low && byte(i) <= high; };
+  const auto follows = [&](std::size_t i, unsigned low = 0x80, unsigned high = 0xBF) {
+    return byte(i) >= low && byte(i) <= high;
+  };
   const unsigned first = byte(0);
   if (first < 0x80) return 1;
   if (first >= 0xC2 && first <= 0xDF) return follows(1) ? 2 : 0;
@@ -32,7 +34,9 @@ bool is_control(char c) {
 
 void require_utf8(const std::string &key, const std::string &value) {
   if (!is_utf8(value))
-    throw InputError(fmt::format("{} \"{}\" is not valid UTF-8, so that scene.toml could not be read back; rename the file", key, printable(value)));
+    throw InputError(
+        fmt::format("{} \"{}\" is not valid UTF-8, so that scene.toml could not be read back; rename the file", key,
+                    printable(value)));
 }
 
 } // namespace
@@ -60,9 +64,13 @@ std::string printable(std::string_view text) {
 void check_names(const Scene &scene) {
   const std::string &name = scene.name;
   if (!is_utf8(name))
-    throw InputError(fmt::format("name \"{}\" is not valid UTF-8; rename the file, or give the scene a name of its own: name = \"...\"", printable(name)));
+    throw InputError(fmt::format(
+        "name \"{}\" is not valid UTF-8; rename the file, or give the scene a name of its own: name = \"...\"",
+        printable(name)));
   if (name.empty() || name == "." || name == ".." || name.find('/') != std::string::npos)
-    throw InputError(fmt::format("name \"{}\" must be a plain name: not empty, no \"/\", not \".\" or \"..\", because results are kept in a folder of that name", printable(name)));
+    throw InputError(fmt::format("name \"{}\" must be a plain name: not empty, no \"/\", not \".\" or \"..\", because "
+                                 "results are kept in a folder of that name",
+                                 printable(name)));
   require_utf8("excitation.x", scene.excitation.x_file);
   require_utf8("excitation.y", scene.excitation.y_file);
   require_utf8("excitation.z", scene.excitation.z_file);
@@ -77,7 +85,9 @@ std::string folder_name(const std::string &scene_name) {
     const std::size_t n = std::max<std::size_t>(1, character(rest));
     if (result.size() + n > most) break;
     const bool leading = result.empty() && (rest[0] == '.' || rest[0] == '-' || rest[0] == ' ');
-    result += leading || character(rest) == 0 || (n == 1 && (is_control(rest[0]) || rest[0] == '/')) ? std::string_view("_") : rest.substr(0, n);
+    result += leading || character(rest) == 0 || (n == 1 && (is_control(rest[0]) || rest[0] == '/'))
+                  ? std::string_view("_")
+                  : rest.substr(0, n);
     rest.remove_prefix(n);
   }
   return result.empty() ? "scene" : result;

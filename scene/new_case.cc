@@ -1,9 +1,10 @@
 #include "scene/new_case.h"
 
-#include "scene/key_list.h"
+#include "files/key_list.h"
+#include "files/text.h"
+#include "files/toml_reader.h"
+#include "scene/keys.h"
 #include "scene/scene_catalogue.h"
-#include "scene/text.h"
-#include "scene/toml_reader.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -34,7 +35,8 @@ std::string left_out(const TomlFile &file, const std::string &section, bool ever
   std::string text;
   for (const auto &entry : list.entries) {
     if (entry.section != section || file.find(entry.path()) || is_of_a_calibration(entry.key.name)) continue;
-    if (scene.excitation.kind == ExcitationKind::record && entry.path() == "excitation.duration_s") continue; // the record's own
+    if (scene.excitation.kind == ExcitationKind::record && entry.path() == "excitation.duration_s")
+      continue; // the record's own
     const std::string line = fmt::format("# {} = {}", entry.key.name, entry.value);
     text += *entry.key.comment ? fmt::format("{:<34} # {}\n", line, entry.key.comment) : line + "\n";
   }
@@ -58,7 +60,8 @@ void put(std::string &text, const std::string &section, const std::string &lines
 
 /// The mass as a comment, where it follows from the weight: a weight changed must not leave another's mass behind.
 std::string mass_line(const Load &load) {
-  return fmt::format("# mass_kg = {:<22} # inertia; left out, it is the dead load over gravity", file_number(load.vertical / load.gravity, si));
+  return fmt::format("# mass_kg = {:<22} # inertia; left out, it is the dead load over gravity",
+                     file_number(load.vertical / load.gravity, si));
 }
 
 bool mass_follows(const Load &load) {
@@ -68,7 +71,9 @@ bool mass_follows(const Load &load) {
 
 /// Gives the text a [load] with one of the two keys, if they say the same.
 void put_load(std::string &text, bool has_load, const Load &load) {
-  if (!has_load) put(text, "load", fmt::format("vertical_kN = {:<20} # dead load\n{}\n", file_number(load.vertical, kilo), mass_line(load)));
+  if (!has_load)
+    put(text, "load",
+        fmt::format("vertical_kN = {:<20} # dead load\n{}\n", file_number(load.vertical, kilo), mass_line(load)));
   const auto at = has_load && mass_follows(load) ? text.find("\nmass_kg = ") : std::string::npos;
   if (at != std::string::npos) text.replace(at + 1, text.find('\n', at + 1) - at - 1, mass_line(load));
 }
@@ -90,7 +95,8 @@ CaseFiles new_case(const std::string &name, const std::string &bearing, const st
   put_load(text, file.find("load") != nullptr, defaults.load);
   put(text, "excitation", left_out(file, "excitation", false, defaults));
   put(text, "reduced", left_out(file, "reduced", true, defaults));
-  const std::string head = "# A number marked \"assumption\" is ours and no source's. Put yours in its place and strike the mark: reports list those left.\n";
+  const std::string head = "# A number marked \"assumption\" is ours and no source's. Put yours in its place and "
+                           "strike the mark: reports list those left.\n";
   return {head + to_toml(own), text};
 }
 

@@ -1,7 +1,7 @@
 #include "scene/rim_identity.h"
 
+#include "files/text.h"
 #include "scene/scene.h"
-#include "scene/text.h"
 #include <cstdint>
 #include <fmt/format.h>
 

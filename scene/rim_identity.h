@@ -9,8 +9,8 @@ namespace rimpact::scene {
 /// its pad, foot and Ertalyte, and what the steel is trusted to bear do not enter.
 std::string rim_identity(const Bearing &bearing);
 
-/// The same of everything a bearing is made of, pad, foot and Ertalyte and all friction too: what a run with its dish depends on.
-/// Not its name, and not what the steel is trusted to bear.
+/// The same of everything a bearing is made of, pad, foot and Ertalyte and all friction too: what a run with its dish
+/// depends on. Not its name, and not what the steel is trusted to bear.
 std::string bearing_identity(const Bearing &bearing);
 
 } // namespace rimpact::scene

@@ -1,5 +1,5 @@
 #include "scene/scene.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include "scene/keys.h"
 #include "scene/names.h"
 #include "scene/size_limits.h"
@@ -47,10 +47,8 @@ void check_double_concave(const Scene &s) {
   const bool off_x = (e.kind == ExcitationKind::record && !e.y.values.empty()) ||
                      e.kind == ExcitationKind::figure_eight ||
                      (e.kind != ExcitationKind::record && e.kind != ExcitationKind::free && e.direction()[1] != 0) ||
-                     (e.kind == ExcitationKind::free &&
-                      (e.initial_displacement[1] != 0 || e.initial_velocity[1] != 0));
-  if (off_x)
-    throw InputError("isolator.space \"planar\" moves along x only: this excitation needs \"spatial\"");
+                     (e.kind == ExcitationKind::free && (e.initial_displacement[1] != 0 || e.initial_velocity[1] != 0));
+  if (off_x) throw InputError("isolator.space \"planar\" moves along x only: this excitation needs \"spatial\"");
 }
 
 /// A building's axial springs need the vertical motion, and its sway a time.
@@ -68,28 +66,31 @@ void check_superstructure(const Scene &s) {
 /// A prescribed path the sliding surface cannot follow is refused here, not by the surface in mid-run.
 void check_path(const Scene &scene) {
   const auto &e = scene.excitation;
-  const double limit = scene.double_concave() ? scene.isolator.effective_radius()
-                                              : make_surface(scene.bearing.surface)->limit_radius();
+  const double limit =
+      scene.double_concave() ? scene.isolator.effective_radius() : make_surface(scene.bearing.surface)->limit_radius();
   const auto refuse = [&](const char *key, double value, double reach) {
     if (reach < limit) return;
     throw InputError(
-        fmt::format("excitation.{} {} takes the slider to {:.6g} m, past the sliding surface's end at {} m",
-                    key, value, reach, limit));
+        fmt::format("excitation.{} {} takes the slider to {:.6g} m, past the sliding surface's end at {} m", key, value,
+                    reach, limit));
   };
   const double reach = std::abs(e.scale) * e.amplitude;
   if (e.kind == ExcitationKind::cyclic) refuse("amplitude_m", e.amplitude, reach);
   if (e.kind == ExcitationKind::figure_eight) refuse("amplitude_m", e.amplitude, 1.25 * reach);
   if (e.kind == ExcitationKind::push)
     refuse("travel_mm", e.travel * 1e3,
-           scene.lateral_capacity() + (scene.double_concave() ? 0.0 : scene.reduced.capacity_offset) + e.scale * e.travel);
+           scene.lateral_capacity() + (scene.double_concave() ? 0.0 : scene.reduced.capacity_offset) +
+               e.scale * e.travel);
 }
 
 /// A curve is of one bearing's rim, and it must be named.
 void check_curve(const Scene &scene) {
   if (scene.reduced.impact_curve.empty())
-    throw InputError("reduced.impact_law \"curve\" needs reduced.impact_curve, the file curve.h5 that `rimpact curve BEARING` writes");
+    throw InputError("reduced.impact_law \"curve\" needs reduced.impact_curve, the file curve.h5 that `rimpact curve "
+                     "BEARING` writes");
   if (scene.double_concave())
-    throw InputError("reduced.impact_law \"curve\" is for bearings of one dish; reduced.model \"" + scene.reduced.model + "\" takes the other laws (rimpact list laws)");
+    throw InputError("reduced.impact_law \"curve\" is for bearings of one dish; reduced.model \"" +
+                     scene.reduced.model + "\" takes the other laws (rimpact list laws)");
 }
 
 } // namespace

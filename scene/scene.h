@@ -3,7 +3,7 @@
 #include "scene/bearing.h"
 #include "scene/double_concave.h"
 #include "scene/excitation.h"
-#include "scene/own_mesh.h"
+#include "scene/own_mesh_settings.h"
 #include "scene/superstructure.h"
 #include <optional>
 #include <string>
@@ -12,18 +12,18 @@
 namespace rimpact::scene {
 
 struct Load {
-  double vertical = 853e3;  ///< dead load W [N], >= 0
-  double mass = 86952.0;    ///< inertia in all directions [kg], > 0; base and superstructure together
-  double gravity = 9.81;    ///< [m/s^2]
+  double vertical = 853e3; ///< dead load W [N], >= 0
+  double mass = 86952.0;   ///< inertia in all directions [kg], > 0; base and superstructure together
+  double gravity = 9.81;   ///< [m/s^2]
 };
 
 /// [model]: the finite-element side.
 struct FeSettings {
-  std::string rung = "rim"; ///< rim | rigid-dish | full
-  int mesh = 1;             ///< 1 | 2 | 3, h divided by 1.5 a level; 0: a draft, h x 1.5
-  double step = 0.0;        ///< time step inside an impact [s], 0: chosen by the plan (key `step_ms`)
-  double rho_inf = 0.5;     ///< spectral radius of generalised-alpha, 0..1
-  double penalty_scale = 1; ///< of contact, times the default of the softer side's stiffness, > 0
+  std::string rung = "rim";      ///< rim | rigid-dish | full
+  int mesh = 1;                  ///< 1 | 2 | 3, h divided by 1.5 a level; 0: a draft, h x 1.5
+  double step = 0.0;             ///< time step inside an impact [s], 0: chosen by the plan (key `step_ms`)
+  double rho_inf = 0.5;          ///< spectral radius of generalised-alpha, 0..1
+  double penalty_scale = 1;      ///< of contact, times the default of the softer side's stiffness, > 0
   std::string symmetry = "auto"; ///< auto | half | whole
   OwnMesh own_mesh;              ///< instead of the built-in one
 };
@@ -31,33 +31,38 @@ struct FeSettings {
 /// [reduced]: the physical model; friction, impact element and sampling of the other reduced models too.
 struct ReducedSettings {
   std::string model = "physical";
-  double k_i = 4.5e8;       ///< impact stiffness [N/m]; 0 switches the impact element off
-  double restitution = 0.65; ///< e in (0, 1]
-  std::string impact_law = "signed";  ///< signed | no-tension | printed | hunt-crossley | elastoplastic | curve
-  std::string impact_curve = {};      ///< file of the law curve, as `rimpact curve` writes it
-  double impact_exponent = 1.5;       ///< n of hunt-crossley [-], > 0
-  double reference_speed = 0.5;       ///< at which `restitution` holds for hunt-crossley [m/s], > 0
-  double yield_force = 0.8e6;         ///< F_y of elastoplastic [N], > 0
-  double hardening = 0.08;            ///< h of elastoplastic [-], 0..1: its tangent beyond yield falls from h k_i as (1 + x)^(p - 1)
-  double hardening_exponent = 0.75;   ///< p of elastoplastic [-], 0..1
-  double unloading_gain = 0.3;        ///< a of elastoplastic [-], >= 0: unloading begins at k_i (1 + a (k_i d / F_y)^m)
-  double unloading_exponent = 0.5;    ///< m of elastoplastic [-], > 0
-  double dent_spread = 3.0;           ///< of elastoplastic [-], > 0: flank radius of a dent over that of slider and wall as circles
-  double capacity_offset = 0.0;       ///< the reduced rim begins at L_c plus this [m]
-  std::string calibration = {};       ///< folder the rim's law and numbers were taken from (key taken_from); empty: the scene's own keys
-  std::optional<double> fitted_from = {}, fitted_to = {}; ///< approach speeds for which the element holds [m/s]; none: not known
-  std::optional<double> fitted_mass = {}; ///< supported mass it holds for [kg]; none: the law belongs to the rim, not to the mass
-  std::string fitted_rim = {};        ///< rim_identity() of the bearing it was fitted to; empty: not known
-  std::string friction = "coulomb";   ///< coulomb | park-wen
-  double elastic_slip = 1e-4;         ///< q of the Park-Wen state [m] (key elastic_slip_mm)
+  double k_i = 4.5e8;                ///< impact stiffness [N/m]; 0 switches the impact element off
+  double restitution = 0.65;         ///< e in (0, 1]
+  std::string impact_law = "signed"; ///< signed | no-tension | printed | hunt-crossley | elastoplastic | curve
+  std::string impact_curve = {};     ///< file of the law curve, as `rimpact curve` writes it
+  double impact_exponent = 1.5;      ///< n of hunt-crossley [-], > 0
+  double reference_speed = 0.5;      ///< at which `restitution` holds for hunt-crossley [m/s], > 0
+  double yield_force = 0.8e6;        ///< F_y of elastoplastic [N], > 0
+  double hardening =
+      0.08; ///< h of elastoplastic [-], 0..1: its tangent beyond yield falls from h k_i as (1 + x)^(p - 1)
+  double hardening_exponent = 0.75; ///< p of elastoplastic [-], 0..1
+  double unloading_gain = 0.3;      ///< a of elastoplastic [-], >= 0: unloading begins at k_i (1 + a (k_i d / F_y)^m)
+  double unloading_exponent = 0.5;  ///< m of elastoplastic [-], > 0
+  double dent_spread =
+      3.0; ///< of elastoplastic [-], > 0: flank radius of a dent over that of slider and wall as circles
+  double capacity_offset = 0.0; ///< the reduced rim begins at L_c plus this [m]
+  std::string calibration =
+      {}; ///< folder the rim's law and numbers were taken from (key taken_from); empty: the scene's own keys
+  std::optional<double> fitted_from = {},
+                        fitted_to = {}; ///< approach speeds for which the element holds [m/s]; none: not known
+  std::optional<double> fitted_mass =
+      {};                      ///< supported mass it holds for [kg]; none: the law belongs to the rim, not to the mass
+  std::string fitted_rim = {}; ///< rim_identity() of the bearing it was fitted to; empty: not known
+  std::string friction = "coulomb"; ///< coulomb | park-wen
+  double elastic_slip = 1e-4;       ///< q of the Park-Wen state [m] (key elastic_slip_mm)
   double mu_fast = 0.07, mu_slow = 0.07;
-  double rate = 0.0;                  ///< of the velocity law [s/m], needed when mu_slow != mu_fast
+  double rate = 0.0;                    ///< of the velocity law [s/m], needed when mu_slow != mu_fast
   std::string normal_force = "inertia"; ///< inertia | static | constant
-  double vertical_restitution = 0.0;  ///< of re-contact with the dish after uplift [-], 0..1
-  bool finite_pad = false;            ///< extra lift (Ro^2+Ri^2)/8 (kappa_m + kappa_c - 2/R0)
-  bool socket_friction = false;       ///< moment of the socket resisting tilt
-  double tolerance = 1e-9;            ///< relative, of the integrator
-  double output_step = 0.005;         ///< spacing of stored samples [s]; samples are dense during contact
+  double vertical_restitution = 0.0;    ///< of re-contact with the dish after uplift [-], 0..1
+  bool finite_pad = false;              ///< extra lift (Ro^2+Ri^2)/8 (kappa_m + kappa_c - 2/R0)
+  bool socket_friction = false;         ///< moment of the socket resisting tilt
+  double tolerance = 1e-9;              ///< relative, of the integrator
+  double output_step = 0.005;           ///< spacing of stored samples [s]; samples are dense during contact
 };
 
 struct Scene {
@@ -67,8 +72,8 @@ struct Scene {
   Excitation excitation;
   FeSettings model;
   ReducedSettings reduced;
-  DoubleConcave isolator; ///< [isolator]: the bearing of the double concave models
-  Superstructure superstructure; ///< [superstructure]: what the bearing carries
+  DoubleConcave isolator;           ///< [isolator]: the bearing of the double concave models
+  Superstructure superstructure;    ///< [superstructure]: what the bearing carries
   std::vector<std::string> remarks; ///< sentences: what the reading of its file filled in or put aside; not written out
 
   bool impact_resilient() const { return reduced.model == "lir-dcfp"; }
@@ -76,7 +81,9 @@ struct Scene {
   /// Whether pad and foot are modelled: rungs rigid-dish and full, and the reduced model's terms of pad and socket.
   bool needs_stack() const { return model.rung != "rim" || reduced.finite_pad || reduced.socket_friction; }
   /// Displacement at which the rim of the model's bearing is touched [m].
-  double lateral_capacity() const { return double_concave() ? isolator.lateral_capacity() : bearing.lateral_capacity(); }
+  double lateral_capacity() const {
+    return double_concave() ? isolator.lateral_capacity() : bearing.lateral_capacity();
+  }
 
   /// Throws InputError naming value and bound; includes the bearing, pad and foot where they are modelled.
   void validate() const;

@@ -1,9 +1,9 @@
 #include "scene/scene_catalogue.h"
+#include "files/error.h"
+#include "files/text.h"
 #include "scene/double_concave_scenes.h"
-#include "scene/superstructure_scenes.h"
-#include "scene/error.h"
 #include "scene/scene.h"
-#include "scene/text.h"
+#include "scene/superstructure_scenes.h"
 #include <algorithm>
 #include <vector>
 
@@ -187,8 +187,7 @@ std::vector<std::string> builtin_scene_names() {
 std::string builtin_scene_text(const std::string &name) {
   if (const auto *scene = find_builtin_scene(name)) return scene->text;
   const auto bearings = builtin_bearing_names();
-  if (std::find(bearings.begin(), bearings.end(), name) != bearings.end())
-    return to_toml(builtin_bearing(name));
+  if (std::find(bearings.begin(), bearings.end(), name) != bearings.end()) return to_toml(builtin_bearing(name));
   throw InputError("scene " + not_among(name, builtin_scene_names()));
 }
 

@@ -22,8 +22,10 @@ void settle(const TomlFile &file, const std::string &prefix, Material &m) {
 void settle_socket(Bearing &b) {
   constexpr double depth = 0.3175, width = 0.57; // of the slider's height and radius
   const double bottom = b.slider.bottom, radius = b.slider.diameter / 2, cap = b.foot.cap_radius;
-  const bool fits = cap > bottom && cap < b.slider.top && std::sqrt(cap * cap - bottom * bottom) < radius - b.slider.edge_radius;
-  if (!fits && b.slider.top > bottom) b.foot.cap_radius = std::min(bottom + depth * (b.slider.top - bottom), std::hypot(bottom, width * radius));
+  const bool fits =
+      cap > bottom && cap < b.slider.top && std::sqrt(cap * cap - bottom * bottom) < radius - b.slider.edge_radius;
+  if (!fits && b.slider.top > bottom)
+    b.foot.cap_radius = std::min(bottom + depth * (b.slider.top - bottom), std::hypot(bottom, width * radius));
 }
 
 /// Whether a built-in bearing has the same dish and slider and, where `wholly`, is the same in everything but its name.
@@ -32,7 +34,8 @@ bool is_builtin(Bearing bearing, bool wholly) {
   return std::any_of(names.begin(), names.end(), [&](const std::string &name) {
     const Bearing known = builtin_bearing(name);
     bearing.name = name;
-    return wholly ? bearing == known : bearing.surface == known.surface && bearing.slider.diameter == known.slider.diameter;
+    return wholly ? bearing == known
+                  : bearing.surface == known.surface && bearing.slider.diameter == known.slider.diameter;
   });
 }
 
@@ -42,7 +45,8 @@ void settle_load(const TomlFile &file, bool own_bearing, Scene &scene) {
   if (weight && !mass && load.vertical > 0) load.mass = load.vertical / load.gravity;
   if (mass && !weight) load.vertical = load.mass * load.gravity;
   if (weight || mass || scene.double_concave() || is_builtin(scene.bearing, own_bearing)) return;
-  scene.remarks.push_back(fmt::format("load.vertical_kN and load.mass_kg are not given: bearing {} carries the default bearing's {:g} kN and {:g} kg, which are "
+  scene.remarks.push_back(fmt::format("load.vertical_kN and load.mass_kg are not given: bearing {} carries the default "
+                                      "bearing's {:g} kN and {:g} kg, which are "
                                       "not its own (one of the two keys is enough: W = m g)",
                                       scene.bearing.name, load.vertical / 1e3, load.mass));
 }
@@ -65,19 +69,20 @@ void set_dependent_defaults(const TomlFile &file, bool own_bearing, Scene &scene
   if (!given("excitation.duration_s")) {
     e.duration = window ? 0.2 : 2 * e.period + 6;
     const bool has_record = !e.x.values.empty() || !e.y.values.empty() || !e.z.values.empty();
-    if (e.kind == ExcitationKind::record && has_record)
-      e.duration = std::max({e.x.end(), e.y.end(), e.z.end()});
+    if (e.kind == ExcitationKind::record && has_record) e.duration = std::max({e.x.end(), e.y.end(), e.z.end()});
   }
   if (!given("excitation.amplitude_m") && e.kind == ExcitationKind::figure_eight) e.amplitude = 0.31;
-  // A dashpot's force begins at the touch, which ends no step there: at 1e-4 later peaks come out up to 6 % low, at 1e-5 within 0.3 %.
+  // A dashpot's force begins at the touch, which ends no step there: at 1e-4 later peaks come out up to 6 % low, at
+  // 1e-5 within 0.3 %.
   if (!given("isolator.step_tolerance")) scene.isolator.step_tolerance = 1e-5;
   if (!given("isolator.points") && scene.isolator.space == "spatial") scene.isolator.points = 8;
   if (!given("reduced.mu_fast")) scene.reduced.mu_fast = scene.bearing.contact.steel_ertalyte;
   if (!given("reduced.mu_slow")) scene.reduced.mu_slow = scene.reduced.mu_fast;
   settle_load(file, own_bearing, scene);
   if (!given("excitation.kind"))
-    scene.remarks.push_back(fmt::format("{} has no excitation.kind: a Ricker pulse of {:g} g and {:g} s is run, on bearing {}", file.origin(), e.scale * e.amplitude_g,
-                                        e.period, scene.bearing.name));
+    scene.remarks.push_back(
+        fmt::format("{} has no excitation.kind: a Ricker pulse of {:g} g and {:g} s is run, on bearing {}",
+                    file.origin(), e.scale * e.amplitude_g, e.period, scene.bearing.name));
 }
 
 } // namespace rimpact::scene

@@ -65,44 +65,46 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
   v.number({"restitution", "e"}, r.restitution, si, {0, 1, true});
   v.choice({"impact_law", "signed | no-tension | printed | hunt-crossley | elastoplastic | curve"}, r.impact_law,
            {"signed", "no-tension", "printed", "hunt-crossley", "elastoplastic", "curve"});
-  if (v.wants(r.impact_law == "curve")) v.text({"impact_curve", "curve.h5 of this bearing, made by rimpact curve"}, r.impact_curve);
+  if (v.wants(r.impact_law == "curve"))
+    v.text({"impact_curve", "curve.h5 of this bearing, made by rimpact curve"}, r.impact_curve);
   if (v.wants(r.impact_law == "hunt-crossley")) {
     v.number({"impact_exponent", "n of K d^n (1 + chi d')"}, r.impact_exponent, si, {0, 10, true});
-    v.number({"reference_speed_m_per_s", "approach speed at which the restitution holds"}, r.reference_speed,
-             si, {0, 100, true});
+    v.number({"reference_speed_m_per_s", "approach speed at which the restitution holds"}, r.reference_speed, si,
+             {0, 100, true});
   }
   if (v.wants(r.impact_law == "elastoplastic")) {
     v.number({"yield_force_kN", "F_y"}, r.yield_force, kilo, positive);
     v.number({"hardening", "h: tangent over k_i just beyond yield"}, r.hardening, si, share);
-    v.number({"hardening_exponent", "p: the tangent falls as (1 + k_i d / F_y)^(p - 1)"}, r.hardening_exponent, si, {0, 1, true});
+    v.number({"hardening_exponent", "p: the tangent falls as (1 + k_i d / F_y)^(p - 1)"}, r.hardening_exponent, si,
+             {0, 1, true});
     v.number({"unloading_gain", "a: unloading begins at k_i (1 + a (k_i d / F_y)^m)"}, r.unloading_gain, si, {0, 100});
     v.number({"unloading_exponent", "m"}, r.unloading_exponent, si, {0, 10, true});
     v.number({"dent_spread", "a dent's flank radius over that of two circles"}, r.dent_spread, si, {0, 1e6, true});
   }
   if (v.wants(r.capacity_offset != 0))
-    v.number({"capacity_offset_mm", "the reduced rim begins at L_c plus this"}, r.capacity_offset, milli,
-             {-100, 100});
-  std::string read_before = r.calibration; // the folder is read, and its element put in the file's place, before the keys are
+    v.number({"capacity_offset_mm", "the reduced rim begins at L_c plus this"}, r.capacity_offset, milli, {-100, 100});
+  std::string read_before =
+      r.calibration; // the folder is read, and its element put in the file's place, before the keys are
   if (v.wants(false)) v.text({"calibration", "folder to take law and numbers from"}, read_before);
-  if (v.wants(!r.calibration.empty())) v.text({"taken_from", "calibration folder of the element; its numbers stand here"}, r.calibration);
-  if (v.wants(r.fitted_from.has_value())) v.limit({"fitted_from_m_per_s", "slowest approach the element holds for"}, r.fitted_from, si, {0, 100});
+  if (v.wants(!r.calibration.empty()))
+    v.text({"taken_from", "calibration folder of the element; its numbers stand here"}, r.calibration);
+  if (v.wants(r.fitted_from.has_value()))
+    v.limit({"fitted_from_m_per_s", "slowest approach the element holds for"}, r.fitted_from, si, {0, 100});
   if (v.wants(r.fitted_to.has_value())) v.limit({"fitted_to_m_per_s", "fastest"}, r.fitted_to, si, {0, 100});
-  if (v.wants(r.fitted_mass.has_value())) v.limit({"fitted_mass_kg", "supported mass it holds for"}, r.fitted_mass, si, positive);
+  if (v.wants(r.fitted_mass.has_value()))
+    v.limit({"fitted_mass_kg", "supported mass it holds for"}, r.fitted_mass, si, positive);
   if (v.wants(!r.fitted_rim.empty())) v.text({"fitted_rim", "the rim it was fitted to"}, r.fitted_rim);
   v.choice({"friction", "coulomb | park-wen"}, r.friction, {"coulomb", "park-wen"});
   v.number({"elastic_slip_mm", "of park-wen"}, r.elastic_slip, milli, {1e-3, 1e3});
   v.number({"mu_fast"}, r.mu_fast, si, {0, 2});
   v.number({"mu_slow", "differs from mu_fast: the velocity law"}, r.mu_slow, si, {0, 2});
   v.number({"rate_s_per_m", "of the velocity law"}, r.rate, si, {0, 1e6});
-  v.choice({"normal_force", "inertia | static | constant"}, r.normal_force,
-           {"inertia", "static", "constant"});
-  v.number({"vertical_restitution", "of coming back to the dish after uplift"}, r.vertical_restitution, si,
-           share);
+  v.choice({"normal_force", "inertia | static | constant"}, r.normal_force, {"inertia", "static", "constant"});
+  v.number({"vertical_restitution", "of coming back to the dish after uplift"}, r.vertical_restitution, si, share);
   v.flag({"finite_pad", "extra lift of the pad's finite size"}, r.finite_pad);
   v.flag({"socket_friction", "moment of the socket resisting tilt"}, r.socket_friction);
   v.number({"tolerance", "relative, of the integrator"}, r.tolerance, si, {1e-14, 1e-2});
-  v.number({"output_step_ms", "between stored samples outside contact"}, r.output_step, milli,
-           {0, 1e4, true});
+  v.number({"output_step_ms", "between stored samples outside contact"}, r.output_step, milli, {0, 1e4, true});
 }
 
 void visit(KeyVisitor &v, OwnMesh &m) {
@@ -110,7 +112,8 @@ void visit(KeyVisitor &v, OwnMesh &m) {
   v.choice({"unit", "of the file's lengths: m | cm | mm | in"}, m.unit, {"m", "cm", "mm", "in"});
   v.number({"size_mm", "of cells meshed from .geo or .step"}, m.size, milli, {0, 1e3, true});
   v.number({"contact_size_mm", "of those where slider and rim meet"}, m.contact_size, milli, {0, 1e3, true});
-  const bool renamed = std::any_of(m.groups.begin(), m.groups.end(), [](const std::string &name) { return !name.empty(); });
+  const bool renamed =
+      std::any_of(m.groups.begin(), m.groups.end(), [](const std::string &name) { return !name.empty(); });
   if (!v.wants(renamed)) return;
   v.section("groups", [&] {
     for (std::size_t k = 0; k < m.groups.size(); ++k)
@@ -141,8 +144,7 @@ void visit_settings(KeyVisitor &v, Scene &s) {
     if (v.wants(s.model.own_mesh.any())) v.section("own_mesh", [&] { visit(v, s.model.own_mesh); });
   });
   v.section("reduced", [&] { visit(v, s.reduced); });
-  if (v.wants(s.double_concave()))
-    v.section("isolator", [&] { visit(v, s.isolator, s.impact_resilient()); });
+  if (v.wants(s.double_concave())) v.section("isolator", [&] { visit(v, s.isolator, s.impact_resilient()); });
   v.section("superstructure", [&] { visit(v, s.superstructure); });
 }
 

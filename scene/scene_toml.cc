@@ -1,14 +1,15 @@
 /// Scenes and bearings from TOML: defaults that depend on other keys, files beside the scene, errors with
 /// their place.
+#include "files/file.h"
+#include "files/text.h"
+#include "files/toml_reader.h"
+#include "records/record.h"
 #include "scene/assumptions.h"
 #include "scene/calibrated_element.h"
 #include "scene/file_kind.h"
-#include "scene/files.h"
-#include "scene/record.h"
+#include "scene/keys.h"
 #include "scene/scene_catalogue.h"
 #include "scene/scene_defaults.h"
-#include "scene/text.h"
-#include "scene/toml_reader.h"
 #include <algorithm>
 #include <array>
 #include <filesystem>
@@ -36,8 +37,7 @@ std::string name_from(const std::string &origin) {
 
 /// Puts the rows of the surface's file in its place, so that a resolved scene runs anywhere. `prefix`: of the
 /// bearing's keys in the file.
-void read_table(const TomlFile &file, const std::string &prefix, SurfaceSpec &surface,
-                const std::string &folder) {
+void read_table(const TomlFile &file, const std::string &prefix, SurfaceSpec &surface, const std::string &folder) {
   if (surface.table_file.empty()) return;
   const std::string name = surface.table_file, key = prefix + "surface.file";
   const auto fail = [&](const std::string &what) {
@@ -54,8 +54,8 @@ void read_table(const TomlFile &file, const std::string &prefix, SurfaceSpec &su
   surface.table_file.clear();
 }
 
-void read_bearing(const TomlFile &file, TomlReader &reader, const std::string &prefix,
-                  const std::string &folder, Bearing &bearing) {
+void read_bearing(const TomlFile &file, TomlReader &reader, const std::string &prefix, const std::string &folder,
+                  Bearing &bearing) {
   reader.text({"name"}, bearing.name);
   visit(reader, bearing);
   read_marks(file, reader, prefix, bearing);
@@ -64,8 +64,7 @@ void read_bearing(const TomlFile &file, TomlReader &reader, const std::string &p
 }
 
 /// Runs a check whose messages open with a key, and puts the key's place in front.
-template <class Check>
-void with_location(const TomlFile &file, const std::string &prefix, const Check &check) {
+template <class Check> void with_location(const TomlFile &file, const std::string &prefix, const Check &check) {
   try {
     check();
   } catch (const InputError &error) {
@@ -178,8 +177,8 @@ void read_records(const TomlFile &file, Scene &scene, const std::string &folder)
 
 } // namespace
 
-Scene parse_scene(const std::string &text, const std::string &origin,
-                  const std::vector<std::string> &overrides, const std::string &folder) {
+Scene parse_scene(const std::string &text, const std::string &origin, const std::vector<std::string> &overrides,
+                  const std::string &folder) {
   TomlFile file(text, origin);
   for (const auto &assignment : overrides) file.set(assignment);
   require_scene(file);
@@ -199,7 +198,8 @@ Scene parse_scene(const std::string &text, const std::string &origin,
   reader.finish();
   forget_origin(typed, scene.reduced, scene.remarks);
   // Geometry first: a bearing that cannot be built is said before a record that is missing.
-  with_location(file, "bearing", [&] { scene.needs_stack() ? scene.bearing.validate() : scene.bearing.validate_rim(); });
+  with_location(file, "bearing",
+                [&] { scene.needs_stack() ? scene.bearing.validate() : scene.bearing.validate_rim(); });
   read_records(file, scene, folder);
   if (!scene.reduced.impact_curve.empty()) make_absolute(scene.reduced.impact_curve, folder);
   if (scene.model.own_mesh.any()) make_absolute(scene.model.own_mesh.file, folder);
@@ -237,16 +237,15 @@ Scene load_scene(const std::string &where, const std::vector<std::string> &overr
     try {
       return parse_scene(entry->text, where, overrides);
     } catch (const DataError &error) {
-      throw DataError(entry->needs.empty() ? error.what()
-                                           : fmt::format("{} ({})", entry->needs, error.what()));
+      throw DataError(entry->needs.empty() ? error.what() : fmt::format("{} ({})", entry->needs, error.what()));
     }
   }
   std::error_code ignored;
   fs::path path = where;
   if (fs::is_directory(path, ignored)) path /= "scene.toml";
   if (!fs::exists(path, ignored))
-    throw InputError(fmt::format("{}: no such file, and scene {}", path.string(),
-                                 not_among(where, builtin_scene_names())));
+    throw InputError(
+        fmt::format("{}: no such file, and scene {}", path.string(), not_among(where, builtin_scene_names())));
   Scene scene = parse_scene(read_toml(path.string()), path.string(), overrides, path.parent_path().string());
   return scene;
 }

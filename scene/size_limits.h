@@ -1,4 +1,5 @@
-/// Bounds on what a scene would store: settings that are each in their range may together ask for more than a machine has.
+/// Bounds on what a scene would store: settings that are each in their range may together ask for more than a machine
+/// has.
 #pragma once
 
 namespace rimpact::scene {

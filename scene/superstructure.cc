@@ -1,5 +1,5 @@
 #include "scene/superstructure.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include "scene/keys.h"
 #include <fmt/format.h>
 #include <numeric>
@@ -33,8 +33,8 @@ void visit(KeyVisitor &v, Superstructure &s) {
   const bool any = v.wants(s.any()), building = v.wants(s.kind == "shear-building");
   v.choice({"kind", "none | bouc-wen | shear-building"}, s.kind, {"none", "bouc-wen", "shear-building"});
   if (any) {
-    v.number({"mass_ratio", "gamma = m_s / (m_s + m_b); the base keeps the rest of load.mass_kg"},
-             s.mass_ratio, si, {0, 1, true, true});
+    v.number({"mass_ratio", "gamma = m_s / (m_s + m_b); the base keeps the rest of load.mass_kg"}, s.mass_ratio, si,
+             {0, 1, true, true});
     v.number({"period_s", "T_s: elastic, with the base held"}, s.period, si, seconds);
     v.number({"damping_ratio", "xi_s, at that period"}, s.damping_ratio, si, share);
   }
@@ -47,10 +47,9 @@ void visit(KeyVisitor &v, Superstructure &s) {
   }
   if (building) {
     v.integer({"storeys"}, s.storeys, 1, 12);
-    v.numbers({"masses_kg", "of the floors above the base; empty: alike, by mass_ratio"}, s.masses, si,
-              positive);
-    v.numbers({"stiffnesses_kN_per_m", "of the storeys from the base up; empty: alike, by period_s"},
-              s.stiffnesses, kilo, positive);
+    v.numbers({"masses_kg", "of the floors above the base; empty: alike, by mass_ratio"}, s.masses, si, positive);
+    v.numbers({"stiffnesses_kN_per_m", "of the storeys from the base up; empty: alike, by period_s"}, s.stiffnesses,
+              kilo, positive);
   }
   if (any) {
     v.number({"vertical_period_s", "2 pi sqrt(m_s / k_v)"}, s.vertical_period, si, {1e-3, 1e3});

@@ -7,9 +7,9 @@
 namespace rimpact::scene {
 
 struct Superstructure {
-  std::string kind = "none"; ///< none | bouc-wen | shear-building
-  double mass_ratio = 0.9;   ///< gamma = m_s / (m_s + m_b), 0..1 exclusive; not read when `masses` is given
-  double period = 0.6; ///< T_s, elastic, base fixed: 2 pi sqrt(m_s / k_s), or the building's first [s], > 0
+  std::string kind = "none";   ///< none | bouc-wen | shear-building
+  double mass_ratio = 0.9;     ///< gamma = m_s / (m_s + m_b), 0..1 exclusive; not read when `masses` is given
+  double period = 0.6;         ///< T_s, elastic, base fixed: 2 pi sqrt(m_s / k_s), or the building's first [s], > 0
   double damping_ratio = 0.02; ///< of that period, proportional to the stiffness [-], 0..1
   // bouc-wen
   double yield = 0.02;      ///< u_y [m], > 0

@@ -1,7 +1,7 @@
 #include "scene/surface.h"
-#include "scene/error.h"
+#include "files/error.h"
+#include "files/text.h"
 #include "scene/surface_of_revolution.h"
-#include "scene/text.h"
 #include <array>
 #include <cmath>
 #include <fmt/format.h>
@@ -13,8 +13,7 @@ namespace {
 /// Ellipse of revolution (2-2): (x^2 + y^2)/a^2 + (z - b)^2/b^2 = 1; a sphere when a = b. R0 = a^2/b (2-24).
 class Ellipsoid final : public SlidingSurface {
 public:
-  Ellipsoid(double a, double b)
-      : a_(a), b_(b), inv_a2_(1 / (a * a)), inv_b2_(1 / (b * b)), inv_R0_(b / (a * a)) {}
+  Ellipsoid(double a, double b) : a_(a), b_(b), inv_a2_(1 / (a * a)), inv_b2_(1 / (b * b)), inv_R0_(b / (a * a)) {}
 
   double F(const Eigen::Vector3d &x) const override {
     const double h = x.z() - b_;
@@ -50,8 +49,8 @@ private:
   double depth(double r2) const {
     const double s2 = 1 - r2 * inv_a2_;
     if (!(s2 > 1e-15)) // with fused multiply-add the edge itself rounds to 1e-17, not to zero
-      throw std::domain_error(fmt::format(
-          "planar radius {} m lies outside the sliding surface, which ends at {} m", std::sqrt(r2), a_));
+      throw std::domain_error(
+          fmt::format("planar radius {} m lies outside the sliding surface, which ends at {} m", std::sqrt(r2), a_));
     return std::sqrt(s2);
   }
   double a_, b_, inv_a2_, inv_b2_, inv_R0_;

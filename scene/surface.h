@@ -42,16 +42,15 @@ public:
 /// What a bearing file says of its surface.
 struct SurfaceSpec {
   std::string kind = "ellipse"; ///< "ellipse" | "sphere" | "cone" | "polynomial" | "table"
-  double R0 = 2.25;  ///< radius of curvature at the vertex [m], > 0 (eq. 2-24: R0 = a^2/b); not read
-                     ///< for polynomial and table
-  double a = 0.5625; ///< half-width of the ellipse [m], > 0
+  double R0 = 2.25;             ///< radius of curvature at the vertex [m], > 0 (eq. 2-24: R0 = a^2/b); not read
+                                ///< for polynomial and table
+  double a = 0.5625;            ///< half-width of the ellipse [m], > 0
   double planar_radius = 0.520; ///< r_p, the dish's edge [m], 0 < r_p < limit radius
   double slope = 0.1;           ///< of the cone [-], > 0
   /// c2 ... c6 of the polynomial [m^(1-k)]; the default has 1/R0 = 1/2.25 m at its vertex.
   std::array<double, 5> coefficients{1 / 4.5, 0, 0, 0, 0};
-  std::vector<double> table_radius = {},
-                      table_height = {}; ///< rows of the table [m], from (0, 0), radii growing
-  std::string table_file = {};           ///< CSV file of the rows; empty once read
+  std::vector<double> table_radius = {}, table_height = {}; ///< rows of the table [m], from (0, 0), radii growing
+  std::string table_file = {};                              ///< CSV file of the rows; empty once read
 
   bool operator==(const SurfaceSpec &) const = default;
 };

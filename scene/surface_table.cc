@@ -1,8 +1,8 @@
 /// A sliding surface through a table of radii and heights, and the table's rules.
-#include "scene/error.h"
-#include "scene/files.h"
+#include "files/error.h"
+#include "files/file.h"
+#include "files/text.h"
 #include "scene/surface_of_revolution.h"
-#include "scene/text.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -41,13 +41,11 @@ public:
     const auto i = static_cast<std::size_t>(above - radius_.begin() - 1);
     const double h = radius_[i + 1] - radius_[i], s = r - radius_[i];
     const double third = (second_[i + 1] - second_[i]) / h;
-    const double slope =
-        i == 0 ? 0.0 : (height_[i + 1] - height_[i]) / h - h * (2 * second_[i] + second_[i + 1]) / 6;
+    const double slope = i == 0 ? 0.0 : (height_[i + 1] - height_[i]) / h - h * (2 * second_[i] + second_[i + 1]) / 6;
     const double second = second_[i] + third * s;
     const double height = height_[i] + s * (slope + s * (second_[i] / 2 + s * third / 6));
     // In the first piece h'/r needs no division: h' = m0 r + third r^2 / 2.
-    const double over_radius =
-        i == 0 ? second_[0] + third * r / 2 : (slope + s * (second_[i] + s * third / 2)) / r;
+    const double over_radius = i == 0 ? second_[0] + third * r / 2 : (slope + s * (second_[i] + s * third / 2)) / r;
     return {height, over_radius, second};
   }
   double limit_radius() const override { return radius_.back(); }
@@ -56,8 +54,7 @@ private:
   std::vector<double> radius_, height_, second_;
 };
 
-template <class... Values>
-void require(bool good, fmt::format_string<Values...> sentence, Values &&...values) {
+template <class... Values> void require(bool good, fmt::format_string<Values...> sentence, Values &&...values) {
   if (!good) throw InputError(fmt::format(sentence, std::forward<Values>(values)...));
 }
 
@@ -65,17 +62,15 @@ void require(bool good, fmt::format_string<Values...> sentence, Values &&...valu
 
 std::unique_ptr<SlidingSurface> make_table(const SurfaceSpec &spec) {
   const auto &r = spec.table_radius, &z = spec.table_height;
-  require(r.size() >= 4, "surface.radius_mm holds {} radii; a table needs at least 4 rows (or surface.file)",
+  require(r.size() >= 4, "surface.radius_mm holds {} radii; a table needs at least 4 rows (or surface.file)", r.size());
+  require(z.size() == r.size(), "surface.height_mm holds {} heights for the {} radii of surface.radius_mm", z.size(),
           r.size());
-  require(z.size() == r.size(), "surface.height_mm holds {} heights for the {} radii of surface.radius_mm",
-          z.size(), r.size());
-  require(
-      r.front() == 0 && z.front() == 0,
-      "surface.radius_mm starts at {} mm with a height of {} mm; both must be 0: the vertex is the origin",
-      1e3 * r.front(), 1e3 * z.front());
+  require(r.front() == 0 && z.front() == 0,
+          "surface.radius_mm starts at {} mm with a height of {} mm; both must be 0: the vertex is the origin",
+          1e3 * r.front(), 1e3 * z.front());
   for (std::size_t i = 1; i < r.size(); ++i)
-    require(r[i] > r[i - 1], "surface.radius_mm: row {} at {:.6g} mm does not lie beyond row {} at {:.6g} mm",
-            i + 1, 1e3 * r[i], i, 1e3 * r[i - 1]);
+    require(r[i] > r[i - 1], "surface.radius_mm: row {} at {:.6g} mm does not lie beyond row {} at {:.6g} mm", i + 1,
+            1e3 * r[i], i, 1e3 * r[i - 1]);
   return std::make_unique<Table>(r, z);
 }
 

@@ -1,5 +1,7 @@
-#include "scene/key_list.h"
+#include "files/key_list.h"
+#include "scene/keys.h"
 #include <fmt/format.h>
+#include <set>
 
 namespace rimpact::scene {
 namespace {
@@ -35,8 +37,8 @@ std::string to_toml(const Scene &scene) {
   visit_settings(settings, copy);
   std::set<std::string> assumed;
   for (const auto &key : scene.bearing.assumed.keys) assumed.insert("bearing." + key);
-  return fmt::format("name = {}\n\n[bearing]\nname = {}\n{}{}", toml_quoted(scene.name), toml_quoted(scene.bearing.name),
-                     to_text(bearing.entries, assumed), to_text(settings.entries, {}));
+  return fmt::format("name = {}\n\n[bearing]\nname = {}\n{}{}", toml_quoted(scene.name),
+                     toml_quoted(scene.bearing.name), to_text(bearing.entries, assumed), to_text(settings.entries, {}));
 }
 
 } // namespace rimpact::scene

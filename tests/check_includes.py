@@ -1,53 +1,100 @@
 #!/usr/bin/env python3
-"""Checks the direction of dependencies: which module may include which, and who may see deal.II, PETSc and gmsh."""
+"""Checks the direction of dependencies: which module may include which, which target may link which, and who may see deal.II,
+PETSc and gmsh. A target compiles its own folder only."""
 import pathlib
 import re
 import sys
 
+BASE = {"files", "records", "scene", "responses"}
+FE = "fe_contact/"
 MAY_INCLUDE = {
-    "scene": {"scene"},
-    "reduced_models": {"reduced_models", "scene"},
-    "buildings": {"buildings", "reduced_models", "scene"},
-    "reliability": {"reliability", "scene"},
-    "fleets": {"fleets", "reduced_models", "scene"},
-    "calibration": {"calibration", "reduced_models", "scene"},
-    "meshes": {"meshes", "scene"},
-    "fe_contact/laws": {"fe_contact/laws", "scene"},
-    "fe_contact/solver": {"fe_contact/solver"},
-    "fe_contact/model": {"fe_contact/model", "fe_contact/laws", "fe_contact/solver", "meshes", "scene"},
-    "fe_contact/runner": {"fe_contact/runner", "fe_contact/model", "fe_contact/laws", "fe_contact/solver", "meshes", "scene",
-                          "reduced_models"},
-    "app": {"app", "calibration", "fleets", "reduced_models", "scene", "meshes", "fe_contact/runner"},
+    "files": {"files"},
+    "records": {"records", "files"},
+    "scene": {"scene", "records", "files"},
+    "responses": BASE,
+    "reduced_models": {"reduced_models"} | BASE,
+    "planning": {"planning", "reduced_models"} | BASE,
+    "buildings": {"buildings", "reduced_models"} | BASE,
+    "reliability": {"reliability", "files"},
+    "fleets": {"fleets", "reduced_models"} | BASE,
+    "calibration/data": {"calibration/data", "reduced_models"} | BASE,
+    "calibration/fit": {"calibration/fit", "calibration/data", "reduced_models"} | BASE,
+    "calibration/laws": {"calibration/laws", "calibration/fit", "calibration/data", "reduced_models"} | BASE,
+    "calibration/studies": {"calibration/studies", "calibration/fit", "calibration/data", "reduced_models"} | BASE,
+    "calibration/answer": {"calibration/answer", "calibration/studies", "calibration/laws", "calibration/fit", "calibration/data",
+                           "reduced_models"} | BASE,
+    "calibration/export": {"calibration/export", "calibration/answer", "calibration/laws", "calibration/fit", "calibration/data",
+                           "reduced_models"} | BASE,
+    "meshes": {"meshes", "files", "scene"},
+    FE + "laws": {FE + "laws", "scene"},
+    FE + "solver": {FE + "solver"},
+    FE + "model": {FE + "model", FE + "laws", FE + "solver", "meshes", "scene", "files"},
+    FE + "runner": {FE + "runner", FE + "model", FE + "laws", FE + "solver", "meshes", "planning", "reduced_models"} | BASE,
+    "app": {"app", "calibration/data", "calibration/fit", "calibration/laws", "calibration/studies", "calibration/answer",
+            "calibration/export", "fleets", "buildings", "reliability", "planning", "reduced_models", "meshes", FE + "runner"} | BASE,
 }
 HEAVY = re.compile(r"deal\.II/|petsc|gmsh\.h|dmumps|slepc")
 MAY_SEE_HEAVY = ("meshes/", "fe_contact/", "app/main_fe.cc")
+ROOMS = ("fe_contact", "calibration")
 
 
 def module_of(path):
     parts = path.split("/")
-    name = "/".join(parts[:2]) if parts[0] == "fe_contact" else parts[0]
-    return name if name in MAY_INCLUDE else None
+    return "/".join(parts[:2]) if parts[0] in ROOMS else parts[0]
+
+
+def include_errors(root, name, file):
+    relative = str(file.relative_to(root))
+    for number, line in enumerate(file.read_text().splitlines(), 1):
+        found = re.match(r'\s*#include\s*([<"])([^>"]+)', line)
+        if not found:
+            continue
+        target = found.group(2)
+        if HEAVY.search(target) and not relative.startswith(MAY_SEE_HEAVY):
+            yield f"{relative}:{number}: {target} belongs to the finite-element side"
+        other = module_of(target)
+        if found.group(1) == '"' and other in MAY_INCLUDE and other not in MAY_INCLUDE[name]:
+            yield f"{relative}:{number}: {name} must not include {other}"
+
+
+def targets_of(root):
+    """{target: (folder, names it links)} of every library and program outside tests/."""
+    targets = {}
+    for file in sorted(root.glob("*/CMakeLists.txt")):
+        folder = file.parent.name
+        if folder in ("tests", "build"):
+            continue
+        text = re.sub(r"#[^\n]*", "", file.read_text())
+        for name in re.findall(r"add_(?:library|executable)\(\s*(\S+)", text):
+            targets[name] = (folder, set())
+        for name, links in re.findall(r"target_link_libraries\(\s*(\S+)([^)]*)\)", text):
+            targets[name][1].update(links.split())
+    return targets
+
+
+def link_errors(root):
+    targets = targets_of(root)
+    top = {}
+    for name, allowed in MAY_INCLUDE.items():
+        top.setdefault(name.split("/")[0], set()).update(other.split("/")[0] for other in allowed)
+    for name, (folder, links) in targets.items():
+        for link in sorted(links & set(targets)):
+            if targets[link][0] not in top[folder]:
+                yield f"{folder}/CMakeLists.txt: {name} must not link {link} of {targets[link][0]}"
+    for file in root.glob("*/CMakeLists.txt"):
+        for found in re.findall(r"\S*\.\./\S*\.cc|\$\{PROJECT_SOURCE_DIR\}\S*\.cc", file.read_text()):
+            if file.parent.name != "tests":
+                yield f"{file.parent.name}/CMakeLists.txt: {found} is another folder's"
 
 
 def main(root):
     root = pathlib.Path(root)
-    errors, n_files = [], 0
+    errors, n_files = list(link_errors(root)), 0
     for name in MAY_INCLUDE:
         for file in sorted((root / name).rglob("*.[hc]*")):
-            if file.suffix not in (".h", ".cc"):
-                continue
-            n_files += 1
-            relative = str(file.relative_to(root))
-            for number, line in enumerate(file.read_text().splitlines(), 1):
-                found = re.match(r'\s*#include\s*([<"])([^>"]+)', line)
-                if not found:
-                    continue
-                target = found.group(2)
-                if HEAVY.search(target) and not relative.startswith(MAY_SEE_HEAVY):
-                    errors.append(f"{relative}:{number}: {target} belongs to the finite-element side")
-                other = module_of(target)
-                if found.group(1) == '"' and other and other not in MAY_INCLUDE[name]:
-                    errors.append(f"{relative}:{number}: {name} must not include {other}")
+            if file.suffix in (".h", ".cc"):
+                n_files += 1
+                errors += include_errors(root, name, file)
     print("\n".join(errors) if errors else f"{n_files} files respect the direction of dependencies")
     return 1 if errors or n_files < 50 else 0
 

@@ -8,13 +8,23 @@ constexpr std::size_t width = 118;
 
 char plain(unsigned char c) {
   switch (c) {
-  case '"': case '`': return '\'';
-  case '\\': return '/';
-  case '[': case '{': return '(';
-  case ']': case '}': return ')';
-  case '$': return 'S';
-  case ';': return ',';
-  default: return c < 0x20 || c == 0x7f ? ' ' : c < 0x80 ? static_cast<char>(c) : '?';
+  case '"':
+  case '`':
+    return '\'';
+  case '\\':
+    return '/';
+  case '[':
+  case '{':
+    return '(';
+  case ']':
+  case '}':
+    return ')';
+  case '$':
+    return 'S';
+  case ';':
+    return ',';
+  default:
+    return c < 0x20 || c == 0x7f ? ' ' : c < 0x80 ? static_cast<char>(c) : '?';
   }
 }
 

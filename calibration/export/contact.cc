@@ -1,5 +1,5 @@
 #include "calibration/export/contact.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <numbers>
 
 namespace rimpact::calibration {

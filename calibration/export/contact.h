@@ -1,5 +1,5 @@
-/// One isolated impact against a contact that remembers: what a mass does on the exported spring as the target program integrates
-/// it, and on the law itself. An integrator of its own, apart from the reduced models'.
+/// One isolated impact against a contact that remembers: what a mass does on the exported spring as the target program
+/// integrates it, and on the law itself. An integrator of its own, apart from the reduced models'.
 #pragma once
 #include "reduced_models/impact_law.h"
 #include <algorithm>
@@ -30,11 +30,14 @@ private:
   double deepest_ = 0;
 };
 
-/// Spring and dashpot, k d + c d': ViscoelasticGap of OpenSees (pulls before release), or in series with a gap (never pulls).
+/// Spring and dashpot, k d + c d': ViscoelasticGap of OpenSees (pulls before release), or in series with a gap (never
+/// pulls).
 class DashpotContact : public Contact {
 public:
   DashpotContact(double stiffness, double damping, bool pulls) : k_(stiffness), c_(damping), pulls_(pulls) {}
-  double force(double d, double rate) const override { return pulls_ || k_ * d + c_ * rate > 0 ? k_ * d + c_ * rate : 0; }
+  double force(double d, double rate) const override {
+    return pulls_ || k_ * d + c_ * rate > 0 ? k_ * d + c_ * rate : 0;
+  }
   void accept(double) override {}
   bool pulls() const override { return pulls_; }
 
@@ -46,8 +49,11 @@ private:
 /// Hertzdamp of OpenSees: K d^n (1 + xi d' / v), v the speed of this impact's touch.
 class HertzdampContact : public Contact {
 public:
-  HertzdampContact(double K, double xi, double exponent, double touch_speed) : K_(K), xi_(xi), n_(exponent), v_(touch_speed) {}
-  double force(double d, double rate) const override { return d > 0 ? std::max(0.0, K_ * std::pow(d, n_) * (1 + xi_ * rate / v_)) : 0; }
+  HertzdampContact(double K, double xi, double exponent, double touch_speed)
+      : K_(K), xi_(xi), n_(exponent), v_(touch_speed) {}
+  double force(double d, double rate) const override {
+    return d > 0 ? std::max(0.0, K_ * std::pow(d, n_) * (1 + xi_ * rate / v_)) : 0;
+  }
   void accept(double) override {}
 
 private:
@@ -60,8 +66,8 @@ struct Impact {
   double rebound;     ///< over the approach speed [-]
   double duration;    ///< touch to release [s]
 };
-/// `mass` [kg] meets the contact at `speed` [m/s]; `stiffness` [N/m], the contact's largest, sets the step: pi sqrt(m / k) / 4000, by
-/// Runge-Kutta's fourth order within a step. Throws DataError where the mass never comes back.
+/// `mass` [kg] meets the contact at `speed` [m/s]; `stiffness` [N/m], the contact's largest, sets the step: pi sqrt(m /
+/// k) / 4000, by Runge-Kutta's fourth order within a step. Throws DataError where the mass never comes back.
 Impact fly(Contact &contact, double mass, double speed, double stiffness);
 
 /// `n` speeds from `from` to `to` in equal ratios; one where they are the same.

@@ -1,6 +1,6 @@
 #include "calibration/export/csi.h"
 #include "calibration/export/comment.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <fmt/format.h>
 
 namespace rimpact::calibration {
@@ -14,44 +14,74 @@ struct Point {
 
 CsiRim plastic_rim(const ExportedRim &rim) {
   const PlasticLink link = plastic_link(rim);
-  CsiRim out{.plastic = link, .gap_stiffness = link.gap_stiffness, .stiffness = link.unloading, .damping = 0, .check = {}, .notes = {}};
-  out.check = self_check(rim, "Gap and MultiLinear Plastic (Kinematic) in series", [&](double) { return std::make_unique<PlasticLinkContact>(link); }, link.unloading);
-  out.notes = {"RIM: hysteresis type Kinematic. It unloads in a straight line with the slope of its first segment, chosen to give back the law's rebound; the dent stays. Takeda and Pivot do the same "
-               "for a link that a gap keeps out of tension. The tension side of the table is never reached; do not shorten it: unloading runs on its first segment.",
-               "One link alone, its table zero up to the gap, does not do: Kinematic unloads along its first segment, which would have no stiffness."};
+  CsiRim out{.plastic = link,
+             .gap_stiffness = link.gap_stiffness,
+             .stiffness = link.unloading,
+             .damping = 0,
+             .check = {},
+             .notes = {}};
+  out.check = self_check(
+      rim, "Gap and MultiLinear Plastic (Kinematic) in series",
+      [&](double) { return std::make_unique<PlasticLinkContact>(link); }, link.unloading);
+  out.notes = {"RIM: hysteresis type Kinematic. It unloads in a straight line with the slope of its first segment, "
+               "chosen to give back the law's rebound; the dent stays. Takeda and Pivot do the same "
+               "for a link that a gap keeps out of tension. The tension side of the table is never reached; do not "
+               "shorten it: unloading runs on its first segment.",
+               "One link alone, its table zero up to the gap, does not do: Kinematic unloads along its first segment, "
+               "which would have no stiffness."};
   return out;
 }
 
 CsiRim linear_rim(const ExportedRim &rim) {
   const auto element = rim.element();
-  CsiRim out{.plastic = {}, .gap_stiffness = 100 * element.stiffness, .stiffness = element.stiffness, .damping = element.damping, .check = {}, .notes = {}};
+  CsiRim out{.plastic = {},
+             .gap_stiffness = 100 * element.stiffness,
+             .stiffness = element.stiffness,
+             .damping = element.damping,
+             .check = {},
+             .notes = {}};
   const double softer = 1 / (1 / out.stiffness + 1 / out.gap_stiffness);
-  out.check = self_check(rim, "Gap and Linear (k_i, c_i) in series", [&](double) { return std::make_unique<DashpotContact>(softer, element.damping, false); }, element.stiffness);
-  if (!element.law->unilateral) out.notes.push_back("RIM: behind a gap the links cannot pull; the law does just before release, so that the links rebound a little faster.");
+  out.check = self_check(
+      rim, "Gap and Linear (k_i, c_i) in series",
+      [&](double) { return std::make_unique<DashpotContact>(softer, element.damping, false); }, element.stiffness);
+  if (!element.law->unilateral)
+    out.notes.push_back("RIM: behind a gap the links cannot pull; the law does just before release, so that the links "
+                        "rebound a little faster.");
   return out;
 }
 
-std::vector<std::string> head(const ExportedRim &rim, const CsiRim &links, const std::optional<Dish> &dish, const std::vector<std::string> &header, const std::string &program) {
+std::vector<std::string> head(const ExportedRim &rim, const CsiRim &links, const std::optional<Dish> &dish,
+                              const std::vector<std::string> &header, const std::string &program) {
   std::vector<std::string> lines = header;
   lines.insert(lines.end(), rim.statement.begin(), rim.statement.end());
   lines.insert(lines.end(), links.notes.begin(), links.notes.end());
-  lines.push_back("Rim: from the slider's joint outwards RIM_GAP, a joint of a thousandth of the mass, RIM, the plate's joint; local axis 1 along the motion, so that moving out shortens them. "
-                  "Two such pairs, left and right, for motion along one axis. Around the slider n pairs touch between two of them late by L_c (1 / cos(pi / n) - 1): "
-                  + fmt::format("{:.1f} mm for 4, {:.1f} mm for 16, {:.1f} mm for 36.", 1e3 * rim.lateral_capacity * (1 / std::cos(M_PI / 4) - 1),
-                                1e3 * rim.lateral_capacity * (1 / std::cos(M_PI / 16) - 1), 1e3 * rim.lateral_capacity * (1 / std::cos(M_PI / 36) - 1)));
+  lines.push_back("Rim: from the slider's joint outwards RIM_GAP, a joint of a thousandth of the mass, RIM, the "
+                  "plate's joint; local axis 1 along the motion, so that moving out shortens them. "
+                  "Two such pairs, left and right, for motion along one axis. Around the slider n pairs touch between "
+                  "two of them late by L_c (1 / cos(pi / n) - 1): " +
+                  fmt::format("{:.1f} mm for 4, {:.1f} mm for 16, {:.1f} mm for 36.",
+                              1e3 * rim.lateral_capacity * (1 / std::cos(M_PI / 4) - 1),
+                              1e3 * rim.lateral_capacity * (1 / std::cos(M_PI / 16) - 1),
+                              1e3 * rim.lateral_capacity * (1 / std::cos(M_PI / 36) - 1)));
   if (dish) {
     for (const auto &line : dish->lines(rim.vertical)) lines.push_back(line);
-    if (!dish->sphere) lines.push_back(fmt::format("DISH is flat (no radius) and slides; DISH_SPRING beside it restores along axes 2 and 3. In between the two are off by {:+.1f} % at the rim.", 100 * dish->diagonal_error));
+    if (!dish->sphere)
+      lines.push_back(fmt::format("DISH is flat (no radius) and slides; DISH_SPRING beside it restores along axes 2 "
+                                  "and 3. In between the two are off by {:+.1f} % at the rim.",
+                                  100 * dish->diagonal_error));
   }
   for (const auto &line : links.check.lines()) lines.push_back(line);
-  lines.push_back("Units: kN, m, s. Import into " + program + " was not tried: the program is not here. Where a line is refused, type in the numbers, or paste rim-link.csv.");
+  lines.push_back(
+      "Units: kN, m, s. Import into " + program +
+      " was not tried: the program is not here. Where a line is refused, type in the numbers, or paste rim-link.csv.");
   return lines;
 }
 
 /// RIM's table: compression negative, from the largest to the tension side's one long elastic segment.
 std::vector<Point> rim_points(const PlasticLink &link) {
   std::vector<Point> points;
-  for (std::size_t i = link.force.size(); i-- > 0;) points.push_back({-link.displacement[i] + 0.0, -link.force[i] / 1e3 + 0.0});
+  for (std::size_t i = link.force.size(); i-- > 0;)
+    points.push_back({-link.displacement[i] + 0.0, -link.force[i] / 1e3 + 0.0});
   const double far = 2 * link.force.back();
   points.push_back({far / link.unloading, far / 1e3});
   points.push_back({2 * far / link.unloading, 1.01 * far / 1e3});
@@ -60,16 +90,20 @@ std::vector<Point> rim_points(const PlasticLink &link) {
 
 std::vector<Point> dish_points(const ExportedRim &rim, const Dish &dish) {
   std::vector<Point> points;
-  for (std::size_t i = dish.travel.size(); i-- > 1;) points.push_back({-dish.travel[i], -rim.vertical * dish.slope[i] / 1e3});
-  for (std::size_t i = 0; i < dish.travel.size(); ++i) points.push_back({dish.travel[i], rim.vertical * dish.slope[i] / 1e3});
+  for (std::size_t i = dish.travel.size(); i-- > 1;)
+    points.push_back({-dish.travel[i], -rim.vertical * dish.slope[i] / 1e3});
+  for (std::size_t i = 0; i < dish.travel.size(); ++i)
+    points.push_back({dish.travel[i], rim.vertical * dish.slope[i] / 1e3});
   return points;
 }
 
-std::string sap_points(const std::string &link, const std::string &dof, double linear, const std::string &hysteresis, const std::vector<Point> &points) {
+std::string sap_points(const std::string &link, const std::string &dof, double linear, const std::string &hysteresis,
+                       const std::vector<Point> &points) {
   std::string text;
   for (std::size_t i = 0; i < points.size(); ++i) {
     text += fmt::format("   Link={}   DOF={}", link, dof);
-    if (i == 0) text += fmt::format("   Fixed=No   NonLinear=Yes   TransKE={:.8g}   TransCE=0   DJ=0{}", linear, hysteresis);
+    if (i == 0)
+      text += fmt::format("   Fixed=No   NonLinear=Yes   TransKE={:.8g}   TransCE=0   DJ=0{}", linear, hysteresis);
     text += fmt::format("   Force={:.8g}   Displ={:.8g}\n", points[i].force, points[i].displacement);
   }
   return text + "\n";
@@ -77,7 +111,9 @@ std::string sap_points(const std::string &link, const std::string &dof, double l
 
 std::string etabs_points(const std::string &link, const std::string &dof, const std::vector<Point> &points) {
   std::string text;
-  for (const auto &point : points) text += fmt::format("  LINKPROPFORCEDISPL  \"{}\"  DOF \"{}\"  DISPL {:.8g}  FORCE {:.8g}\n", link, dof, point.displacement, point.force);
+  for (const auto &point : points)
+    text += fmt::format("  LINKPROPFORCEDISPL  \"{}\"  DOF \"{}\"  DISPL {:.8g}  FORCE {:.8g}\n", link, dof,
+                        point.displacement, point.force);
   return text;
 }
 
@@ -86,69 +122,101 @@ std::string etabs_points(const std::string &link, const std::string &dof, const 
 CsiRim csi_rim(const ExportedRim &rim) {
   if (rim.law() == "elastoplastic") return plastic_rim(rim);
   if (rim.law() == "signed" || rim.law() == "no-tension") return linear_rim(rim);
-  throw DataError(fmt::format("SAP2000 and ETABS have no links for the impact law {}; export elastoplastic, signed or no-tension (--law)", rim.law()));
+  throw DataError(fmt::format(
+      "SAP2000 and ETABS have no links for the impact law {}; export elastoplastic, signed or no-tension (--law)",
+      rim.law()));
 }
 
-std::string sap2000(const ExportedRim &rim, const CsiRim &r, const std::optional<Dish> &dish, const std::vector<std::string> &header) {
-  std::string text = comment_lines("$", head(rim, r, dish, header, "SAP2000")) + "\nTABLE:  \"PROGRAM CONTROL\"\n   ProgramName=SAP2000   CurrUnits=\"KN, m, C\"\n\n";
+std::string sap2000(const ExportedRim &rim, const CsiRim &r, const std::optional<Dish> &dish,
+                    const std::vector<std::string> &header) {
+  std::string text = comment_lines("$", head(rim, r, dish, header, "SAP2000")) +
+                     "\nTABLE:  \"PROGRAM CONTROL\"\n   ProgramName=SAP2000   CurrUnits=\"KN, m, C\"\n\n";
   text += "TABLE:  \"LINK PROPERTY DEFINITIONS 01 - GENERAL\"\n";
   const auto general = [&](const char *link, const char *type) {
-    text += fmt::format("   Link={}   LinkType=\"{}\"   Mass=0   Weight=0   RotInert1=0   RotInert2=0   RotInert3=0   DefLength=1   DefArea=1   PDM2I=0   PDM2J=0   PDM3I=0   PDM3J=0\n", link, type);
+    text += fmt::format("   Link={}   LinkType=\"{}\"   Mass=0   Weight=0   RotInert1=0   RotInert2=0   RotInert3=0   "
+                        "DefLength=1   DefArea=1   PDM2I=0   PDM2J=0   PDM3I=0   PDM3J=0\n",
+                        link, type);
   };
   general("RIM_GAP", "Gap"), general("RIM", r.plastic ? "MultiLinear Plastic" : "Linear");
   if (dish) general("DISH", "Friction Isolator");
   if (dish && !dish->sphere) general("DISH_SPRING", "MultiLinear Elastic");
   text += "\n";
   if (!r.plastic)
-    text += fmt::format("TABLE:  \"LINK PROPERTY DEFINITIONS 02 - LINEAR\"\n   Link=RIM   DOF=U1   Fixed=No   TransKE={:.8g}   TransCE={:.8g}   DJ=0\n\n", r.stiffness / 1e3, r.damping / 1e3);
+    text += fmt::format("TABLE:  \"LINK PROPERTY DEFINITIONS 02 - LINEAR\"\n   Link=RIM   DOF=U1   Fixed=No   "
+                        "TransKE={:.8g}   TransCE={:.8g}   DJ=0\n\n",
+                        r.stiffness / 1e3, r.damping / 1e3);
   if (dish && !dish->sphere) {
     text += "TABLE:  \"LINK PROPERTY DEFINITIONS 03 - MULTILINEAR\"\n";
-    for (const char *dof : {"U2", "U3"}) text += sap_points("DISH_SPRING", dof, rim.vertical / dish->radius / 1e3, "", dish_points(rim, *dish));
+    for (const char *dof : {"U2", "U3"})
+      text += sap_points("DISH_SPRING", dof, rim.vertical / dish->radius / 1e3, "", dish_points(rim, *dish));
   }
-  text += fmt::format("TABLE:  \"LINK PROPERTY DEFINITIONS 05 - GAP\"\n   Link=RIM_GAP   DOF=U1   Fixed=No   NonLinear=Yes   TransKE=0   TransCE=0   DJ=0   TransK={:.8g}   TransOpen={:.8g}\n\n", r.gap_stiffness / 1e3,
-                      rim.lateral_capacity);
+  text += fmt::format("TABLE:  \"LINK PROPERTY DEFINITIONS 05 - GAP\"\n   Link=RIM_GAP   DOF=U1   Fixed=No   "
+                      "NonLinear=Yes   TransKE=0   TransCE=0   DJ=0   TransK={:.8g}   TransOpen={:.8g}\n\n",
+                      r.gap_stiffness / 1e3, rim.lateral_capacity);
   if (dish) {
     text += "TABLE:  \"LINK PROPERTY DEFINITIONS 08 - SLIDING ISOLATOR\"\n";
-    text += fmt::format("   Link=DISH   DOF=U1   Fixed=No   NonLinear=Yes   TransKE={0:.8g}   TransCE=0   DJ=0   TransK={0:.8g}   TransC=0\n", dish->vertical_stiffness / 1e3);
+    text += fmt::format("   Link=DISH   DOF=U1   Fixed=No   NonLinear=Yes   TransKE={0:.8g}   TransCE=0   DJ=0   "
+                        "TransK={0:.8g}   TransC=0\n",
+                        dish->vertical_stiffness / 1e3);
     for (const char *dof : {"U2", "U3"})
-      text += fmt::format("   Link=DISH   DOF={}   Fixed=No   NonLinear=Yes   TransKE={:.8g}   TransCE=0   DJ=0   TransK={:.8g}   Slow={:.8g}   Fast={:.8g}   Rate={:.8g}   Radius={:.8g}\n", dof,
-                          dish->sphere ? rim.vertical / dish->radius / 1e3 : 0.0, dish->initial_stiffness(rim.vertical) / 1e3, dish->mu_slow, dish->mu_fast, dish->mu_slow == dish->mu_fast ? 1 : dish->rate,
-                          dish->sphere ? dish->radius : 0.0);
+      text += fmt::format("   Link=DISH   DOF={}   Fixed=No   NonLinear=Yes   TransKE={:.8g}   TransCE=0   DJ=0   "
+                          "TransK={:.8g}   Slow={:.8g}   Fast={:.8g}   Rate={:.8g}   Radius={:.8g}\n",
+                          dof, dish->sphere ? rim.vertical / dish->radius / 1e3 : 0.0,
+                          dish->initial_stiffness(rim.vertical) / 1e3, dish->mu_slow, dish->mu_fast,
+                          dish->mu_slow == dish->mu_fast ? 1 : dish->rate, dish->sphere ? dish->radius : 0.0);
     text += "\n";
   }
   if (r.plastic)
-    text += "TABLE:  \"LINK PROPERTY DEFINITIONS 11 - MULTILINEAR PLASTIC\"\n" + sap_points("RIM", "U1", r.stiffness / 1e3, "   HysType=Kinematic", rim_points(*r.plastic));
+    text += "TABLE:  \"LINK PROPERTY DEFINITIONS 11 - MULTILINEAR PLASTIC\"\n" +
+            sap_points("RIM", "U1", r.stiffness / 1e3, "   HysType=Kinematic", rim_points(*r.plastic));
   return text + "END TABLE DATA\n";
 }
 
-std::string etabs(const ExportedRim &rim, const CsiRim &r, const std::optional<Dish> &dish, const std::vector<std::string> &header) {
-  std::string text = comment_lines("$", head(rim, r, dish, header, "ETABS")) + "\n$ CONTROLS\n  UNITS  \"KN\"  \"M\"  \"C\"\n\n$ LINK PROPERTIES\n";
-  const auto link = [&](const char *name, const char *type) { text += fmt::format("  LINKPROP  \"{}\"  TYPE \"{}\"  MASS 0  WEIGHT 0  RMASS1 0  RMASS2 0  RMASS3 0\n", name, type); };
+std::string etabs(const ExportedRim &rim, const CsiRim &r, const std::optional<Dish> &dish,
+                  const std::vector<std::string> &header) {
+  std::string text = comment_lines("$", head(rim, r, dish, header, "ETABS")) +
+                     "\n$ CONTROLS\n  UNITS  \"KN\"  \"M\"  \"C\"\n\n$ LINK PROPERTIES\n";
+  const auto link = [&](const char *name, const char *type) {
+    text +=
+        fmt::format("  LINKPROP  \"{}\"  TYPE \"{}\"  MASS 0  WEIGHT 0  RMASS1 0  RMASS2 0  RMASS3 0\n", name, type);
+  };
   link("RIM_GAP", "Gap");
-  text += fmt::format("  LINKPROP  \"RIM_GAP\"  DOF \"U1\"  NONLIN \"Yes\"  KE 0  CE 0  K {:.8g}  OPEN {:.8g}\n", r.gap_stiffness / 1e3, rim.lateral_capacity);
+  text += fmt::format("  LINKPROP  \"RIM_GAP\"  DOF \"U1\"  NONLIN \"Yes\"  KE 0  CE 0  K {:.8g}  OPEN {:.8g}\n",
+                      r.gap_stiffness / 1e3, rim.lateral_capacity);
   link("RIM", r.plastic ? "MultiLinear Plastic" : "Linear");
   if (r.plastic)
-    text += fmt::format("  LINKPROP  \"RIM\"  DOF \"U1\"  NONLIN \"Yes\"  KE {:.8g}  CE 0  HYSTYPE \"Kinematic\"\n", r.stiffness / 1e3) + etabs_points("RIM", "U1", rim_points(*r.plastic));
+    text += fmt::format("  LINKPROP  \"RIM\"  DOF \"U1\"  NONLIN \"Yes\"  KE {:.8g}  CE 0  HYSTYPE \"Kinematic\"\n",
+                        r.stiffness / 1e3) +
+            etabs_points("RIM", "U1", rim_points(*r.plastic));
   else
     text += fmt::format("  LINKPROP  \"RIM\"  DOF \"U1\"  KE {:.8g}  CE {:.8g}\n", r.stiffness / 1e3, r.damping / 1e3);
   if (!dish) return text;
   link("DISH", "Friction Isolator");
-  text += fmt::format("  LINKPROP  \"DISH\"  DOF \"U1\"  NONLIN \"Yes\"  KE {0:.8g}  CE 0  K {0:.8g}  CDAMP 0\n", dish->vertical_stiffness / 1e3);
+  text += fmt::format("  LINKPROP  \"DISH\"  DOF \"U1\"  NONLIN \"Yes\"  KE {0:.8g}  CE 0  K {0:.8g}  CDAMP 0\n",
+                      dish->vertical_stiffness / 1e3);
   for (const char *dof : {"U2", "U3"})
-    text += fmt::format("  LINKPROP  \"DISH\"  DOF \"{}\"  DJ 0  NONLIN \"Yes\"  KE {:.8g}  CE 0  K {:.8g}  CSLOW {:.8g}  CFAST {:.8g}  RATE {:.8g}  RADIUS {:.8g}\n", dof,
-                        dish->sphere ? rim.vertical / dish->radius / 1e3 : 0.0, dish->initial_stiffness(rim.vertical) / 1e3, dish->mu_slow, dish->mu_fast, dish->mu_slow == dish->mu_fast ? 1 : dish->rate,
-                        dish->sphere ? dish->radius : 0.0);
+    text += fmt::format("  LINKPROP  \"DISH\"  DOF \"{}\"  DJ 0  NONLIN \"Yes\"  KE {:.8g}  CE 0  K {:.8g}  CSLOW "
+                        "{:.8g}  CFAST {:.8g}  RATE {:.8g}  RADIUS {:.8g}\n",
+                        dof, dish->sphere ? rim.vertical / dish->radius / 1e3 : 0.0,
+                        dish->initial_stiffness(rim.vertical) / 1e3, dish->mu_slow, dish->mu_fast,
+                        dish->mu_slow == dish->mu_fast ? 1 : dish->rate, dish->sphere ? dish->radius : 0.0);
   if (dish->sphere) return text;
   link("DISH_SPRING", "MultiLinear Elastic");
   for (const char *dof : {"U2", "U3"})
-    text += fmt::format("  LINKPROP  \"DISH_SPRING\"  DOF \"{}\"  DJ 0  NONLIN \"Yes\"  KE {:.8g}  CE 0\n", dof, rim.vertical / dish->radius / 1e3) + etabs_points("DISH_SPRING", dof, dish_points(rim, *dish));
+    text += fmt::format("  LINKPROP  \"DISH_SPRING\"  DOF \"{}\"  DJ 0  NONLIN \"Yes\"  KE {:.8g}  CE 0\n", dof,
+                        rim.vertical / dish->radius / 1e3) +
+            etabs_points("DISH_SPRING", dof, dish_points(rim, *dish));
   return text;
 }
 
-std::string link_csv(const ExportedRim &rim, const CsiRim &r, const std::optional<Dish> &dish, const std::vector<std::string> &header) {
+std::string link_csv(const ExportedRim &rim, const CsiRim &r, const std::optional<Dish> &dish,
+                     const std::vector<std::string> &header) {
   std::string text = comment_lines("#", head(rim, r, dish, header, "SAP2000 and ETABS"));
-  text += comment_line("#", fmt::format("RIM_GAP: stiffness {:.8g} kN/m, opening {:.8g} m. Tension positive.", r.gap_stiffness / 1e3, rim.lateral_capacity));
-  if (!r.plastic) text += comment_line("#", fmt::format("RIM: Linear, stiffness {:.8g} kN/m, damping {:.8g} kN s/m.", r.stiffness / 1e3, r.damping / 1e3));
+  text += comment_line("#", fmt::format("RIM_GAP: stiffness {:.8g} kN/m, opening {:.8g} m. Tension positive.",
+                                        r.gap_stiffness / 1e3, rim.lateral_capacity));
+  if (!r.plastic)
+    text += comment_line("#", fmt::format("RIM: Linear, stiffness {:.8g} kN/m, damping {:.8g} kN s/m.",
+                                          r.stiffness / 1e3, r.damping / 1e3));
   text += "link,displacement_m,force_kN\n";
   const auto rows = [&](const char *link, const std::vector<Point> &points) {
     for (const auto &point : points) text += fmt::format("{},{:.8g},{:.8g}\n", link, point.displacement, point.force);

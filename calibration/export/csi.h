@@ -1,8 +1,10 @@
-/// The bearing as link properties of SAP2000 (.s2k tables) and ETABS (.e2k lines), kN, m, s; and the same table as plain CSV.
+/// The bearing as link properties of SAP2000 (.s2k tables) and ETABS (.e2k lines), kN, m, s; and the same table as
+/// plain CSV.
 ///
-/// Rim: RIM_GAP (Gap) in series with RIM (elastoplastic: MultiLinear Plastic, Kinematic; signed, no-tension: Linear, k_i and c_i), joined by a
-/// joint of small mass. Drawn from the slider outwards along the motion: moving out shortens them. Dish: DISH (Friction Isolator), beside it
-/// DISH_SPRING (MultiLinear Elastic) where it is no sphere. Table and field names are those the programs write; import was not tried.
+/// Rim: RIM_GAP (Gap) in series with RIM (elastoplastic: MultiLinear Plastic, Kinematic; signed, no-tension: Linear,
+/// k_i and c_i), joined by a joint of small mass. Drawn from the slider outwards along the motion: moving out shortens
+/// them. Dish: DISH (Friction Isolator), beside it DISH_SPRING (MultiLinear Elastic) where it is no sphere. Table and
+/// field names are those the programs write; import was not tried.
 #pragma once
 #include "calibration/export/dish.h"
 #include "calibration/export/plastic_link.h"
@@ -20,12 +22,16 @@ struct CsiRim {
 /// Throws DataError for a law that these programs have no links for (printed, hunt-crossley).
 CsiRim csi_rim(const ExportedRim &rim);
 
-std::string sap2000(const ExportedRim &rim, const CsiRim &links, const std::optional<Dish> &dish, const std::vector<std::string> &header);
-std::string etabs(const ExportedRim &rim, const CsiRim &links, const std::optional<Dish> &dish, const std::vector<std::string> &header);
+std::string sap2000(const ExportedRim &rim, const CsiRim &links, const std::optional<Dish> &dish,
+                    const std::vector<std::string> &header);
+std::string etabs(const ExportedRim &rim, const CsiRim &links, const std::optional<Dish> &dish,
+                  const std::vector<std::string> &header);
 /// Force over displacement of RIM (and DISH_SPRING), to paste.
-std::string link_csv(const ExportedRim &rim, const CsiRim &links, const std::optional<Dish> &dish, const std::vector<std::string> &header);
+std::string link_csv(const ExportedRim &rim, const CsiRim &links, const std::optional<Dish> &dish,
+                     const std::vector<std::string> &header);
 
-/// Force over penetration of the law: first loading, and unloading from five depths of the exported range (laws with a dashpot: impacts at five speeds).
+/// Force over penetration of the law: first loading, and unloading from five depths of the exported range (laws with a
+/// dashpot: impacts at five speeds).
 std::string law_csv(const ExportedRim &rim, const std::vector<std::string> &header);
 
 } // namespace rimpact::calibration

@@ -40,14 +40,21 @@ Dish dish_of(const scene::Scene &scene, double capacity) {
 std::vector<std::string> Dish::lines(double vertical) const {
   std::vector<std::string> all;
   if (sphere)
-    all.push_back(fmt::format("Dish: sphere of {:.6g} m. Its element restores N r / R, with N the force it carries: {:+.2f} % at half the way to the rim, {:+.2f} % at the rim against W h'(r).",
+    all.push_back(fmt::format("Dish: sphere of {:.6g} m. Its element restores N r / R, with N the force it carries: "
+                              "{:+.2f} % at half the way to the rim, {:+.2f} % at the rim against W h'(r).",
                               radius, 100 * error_half, 100 * error_full));
   else
-    all.push_back(fmt::format("Dish: no sphere. Its restoring force is the table W h'(r) for the dead load W = {:.6g} kN: it does not follow a changing normal force (overturning, vertical motion). "
-                              "A sphere of the vertex radius {:.4g} m would be off by {:+.1f} % at half the way to the rim and {:+.1f} % at the rim.",
+    all.push_back(fmt::format("Dish: no sphere. Its restoring force is the table W h'(r) for the dead load W = {:.6g} "
+                              "kN: it does not follow a changing normal force (overturning, vertical motion). "
+                              "A sphere of the vertex radius {:.4g} m would be off by {:+.1f} % at half the way to the "
+                              "rim and {:+.1f} % at the rim.",
                               vertical / 1e3, radius, 100 * error_half, 100 * error_full));
-  all.push_back(fmt::format("Friction: {}, built up over {:.3g} mm, on the normal force of the element. Vertical stiffness: the pad's E A / t.",
-                            mu_slow == mu_fast ? fmt::format("Coulomb, {:g}", mu_fast) : fmt::format("{:g} slow, {:g} fast, rate {:g} s/m", mu_slow, mu_fast, rate), 1e3 * elastic_slip));
+  all.push_back(fmt::format("Friction: {}, built up over {:.3g} mm, on the normal force of the element. Vertical "
+                            "stiffness: the pad's E A / t.",
+                            mu_slow == mu_fast
+                                ? fmt::format("Coulomb, {:g}", mu_fast)
+                                : fmt::format("{:g} slow, {:g} fast, rate {:g} s/m", mu_slow, mu_fast, rate),
+                            1e3 * elastic_slip));
   return all;
 }
 

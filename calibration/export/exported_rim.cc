@@ -1,7 +1,7 @@
 #include "calibration/export/exported_rim.h"
 #include "calibration/export/statement.h"
-#include "calibration/parameter.h"
-#include "scene/error.h"
+#include "calibration/fit/parameter.h"
+#include "files/error.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -44,7 +44,8 @@ scene::ReducedSettings settings_of(const std::string &law, const json &element, 
     for (const auto &name : *names) {
       const Parameter &p = parameter(name);
       const double value = number_at(element, name.c_str(), where);
-      if (!(value >= 0)) throw DataError(fmt::format("calibration.json: {} of {}, {:g}, must be >= 0", name, where, value));
+      if (!(value >= 0))
+        throw DataError(fmt::format("calibration.json: {} of {}, {:g}, must be >= 0", name, where, value));
       p.set(scene, value * p.si);
     }
   positive_at(element, "k_i", where); // zero is no rim
@@ -71,9 +72,14 @@ Source pair_of(const json &answer) {
     throw InputError(fmt::format("--law pair: no constant pair serves this bearing; {}",
                                  why.is_string() ? plain_text(why.get<std::string>()) : "calibration.json names none"));
   }
-  json law = {{"name", pair.value("law", json("no-tension"))}, {"chosen_by", "user"}, {"belongs_to", "mass"},
-              {"remark", "A constant pair is a convenience for one mass and the speeds named; the calibration's answer is the law."}};
-  law["element"] = {{"k_i", number_at(pair, "k_i_kN_per_m", "answer.pair")}, {"e", number_at(pair, "e", "answer.pair")}};
+  json law = {
+      {"name", pair.value("law", json("no-tension"))},
+      {"chosen_by", "user"},
+      {"belongs_to", "mass"},
+      {"remark",
+       "A constant pair is a convenience for one mass and the speeds named; the calibration's answer is the law."}};
+  law["element"] = {{"k_i", number_at(pair, "k_i_kN_per_m", "answer.pair")},
+                    {"e", number_at(pair, "e", "answer.pair")}};
   law["mass_kg"] = number_at(pair, "mass_kg", "answer.pair");
   for (const char *end : {"from", "to"}) {
     const double speed = number_at(pair, fmt::format("{}_m_s", end).c_str(), "answer.pair");
@@ -82,12 +88,14 @@ Source pair_of(const json &answer) {
   law["parameters"] = pair.value("parameters", json::object());
   law["tolerance"] = pair.value("tolerance", json());
   law["worst_left_out"] = {{"peak_force", pair.value("worst_peak_force_error", json())},
-                           {"rebound", pair.value("worst_rebound_error", json())}, {"inside_valid_range", true}};
+                           {"rebound", pair.value("worst_rebound_error", json())},
+                           {"inside_valid_range", true}};
   law["sentence"] = pair.value("sentence", json());
   return {law, "answer.pair"};
 }
 
-/// A ranked law that is not the answer: fitted numbers, and what it read beside them from the answer or as rimpact's defaults.
+/// A ranked law that is not the answer: fitted numbers, and what it read beside them from the answer or as rimpact's
+/// defaults.
 Source ranked(const json &calibration, const json &answer, const std::string &name) {
   const json rows = calibration.value("laws", json::object()).value("rows", json::array());
   std::vector<std::string> known;
@@ -110,13 +118,16 @@ Source ranked(const json &calibration, const json &answer, const std::string &na
     law["valid_to_m_s"] = row.value("valid_to_m_s", json());
     law["tolerance"] = calibration["laws"].value("tolerance", json());
     law["worst_left_out"] = {{"peak_force", row.value("left_out_peak_force_error", json())},
-                             {"rebound", row.value("left_out_rebound_error", json())}, {"inside_valid_range", false}};
+                             {"rebound", row.value("left_out_rebound_error", json())},
+                             {"inside_valid_range", false}};
     law["sentence"] = row.value("sentence", json());
-    law["remark"] = fmt::format("The law {} was asked for; the calibration's answer is {}.", name, plain_text(answer["law"].value("name", "")));
+    law["remark"] = fmt::format("The law {} was asked for; the calibration's answer is {}.", name,
+                                plain_text(answer["law"].value("name", "")));
     return {law, "laws.rows"};
   }
-  throw InputError(fmt::format("--law {}: not among the laws of this calibration ({}); rank it with `rimpact calibrate RUN... --laws {}`",
-                               plain_text(name), fmt::join(known, ", "), plain_text(name)));
+  throw InputError(fmt::format(
+      "--law {}: not among the laws of this calibration ({}); rank it with `rimpact calibrate RUN... --laws {}`",
+      plain_text(name), fmt::join(known, ", "), plain_text(name)));
 }
 
 const json &answer_of(const json &calibration) {
@@ -127,13 +138,17 @@ const json &answer_of(const json &calibration) {
   return answer;
 }
 
-/// Speeds the law is exported for. At another mass a law that knows no rate reaches the same penetrations at other speeds: v sqrt(m).
+/// Speeds the law is exported for. At another mass a law that knows no rate reaches the same penetrations at other
+/// speeds: v sqrt(m).
 void set_range(ExportedRim &rim, const json &law, const std::string &where) {
-  auto from = number_or_none(law, "valid_from_m_s", where.c_str()), to = number_or_none(law, "valid_to_m_s", where.c_str());
-  if (!from || !to || *to < ExportedRim::least_span * *from) // one speed alone would be met exactly, and say nothing of the others
+  auto from = number_or_none(law, "valid_from_m_s", where.c_str()),
+       to = number_or_none(law, "valid_to_m_s", where.c_str());
+  if (!from || !to ||
+      *to < ExportedRim::least_span * *from) // one speed alone would be met exactly, and say nothing of the others
     from = number_at(law, "fitted_from_m_s", where.c_str()), to = number_at(law, "fitted_to_m_s", where.c_str());
   if (!(*from > 0 && *to >= *from))
-    throw DataError(fmt::format("calibration.json: {}: speeds {:g} to {:g} m/s must be > 0 and rise", where, *from, *to));
+    throw DataError(
+        fmt::format("calibration.json: {}: speeds {:g} to {:g} m/s must be > 0 and rise", where, *from, *to));
   const double scale = rim.element().law->yields ? std::sqrt(rim.fitted_mass / rim.mass) : 1;
   rim.from = scale * *from, rim.to = scale * *to;
 }
@@ -145,8 +160,11 @@ ExportedRim exported_rim(const json &calibration, const ExportChoice &choice) tr
   const json name = answer["law"].value("name", json());
   if (!name.is_string()) throw DataError("calibration.json: name of answer.law is not a word");
   const bool asked = !choice.law.empty() && choice.law != name.get<std::string>();
-  const Source source = !asked ? Source{answer["law"], "answer.law"} : choice.law == "pair" ? pair_of(answer) : ranked(calibration, answer, choice.law);
-  if (!source.law["name"].is_string()) throw DataError(fmt::format("calibration.json: name of {} is not a word", source.where));
+  const Source source = !asked                 ? Source{answer["law"], "answer.law"}
+                        : choice.law == "pair" ? pair_of(answer)
+                                               : ranked(calibration, answer, choice.law);
+  if (!source.law["name"].is_string())
+    throw DataError(fmt::format("calibration.json: name of {} is not a word", source.where));
   ExportedRim rim;
   const std::string where = source.where + ".element";
   const json element = source.law.value("element", json::object());
@@ -156,14 +174,20 @@ ExportedRim exported_rim(const json &calibration, const ExportChoice &choice) tr
   rim.mass = choice.mass.value_or(rim.fitted_mass);
   if (!(rim.mass > 0) || !std::isfinite(rim.mass)) throw InputError(fmt::format("--mass {} must be > 0 kg", rim.mass));
   if (rim.of_mass && std::abs(rim.mass / rim.fitted_mass - 1) > 0.01)
-    throw InputError(fmt::format("--mass {:.6g}: the law {} holds for {:.6g} kg only, for its dashpot is scaled by the mass; calibrate at that mass, or export a law "
-                                 "of the rim (elastoplastic)", rim.mass, rim.law(), rim.fitted_mass));
+    throw InputError(fmt::format("--mass {:.6g}: the law {} holds for {:.6g} kg only, for its dashpot is scaled by the "
+                                 "mass; calibrate at that mass, or export a law "
+                                 "of the rim (elastoplastic)",
+                                 rim.mass, rim.law(), rim.fitted_mass));
   rim.vertical = 1e3 * positive_at(answer, "vertical_kN", "answer");
   rim.gravity = positive_at(answer, "gravity_m_per_s2", "answer");
-  const json capacity = element.contains("lateral_capacity_m") ? element : answer["law"].value("element", json::object());
+  const json capacity =
+      element.contains("lateral_capacity_m") ? element : answer["law"].value("element", json::object());
   rim.lateral_capacity = positive_at(capacity, "lateral_capacity_m", "answer.law.element");
   set_range(rim, source.law, source.where);
-  const auto word = [&](const char *key) { const json v = answer.value(key, json()); return v.is_string() ? plain_text(v.get<std::string>()) : std::string(); };
+  const auto word = [&](const char *key) {
+    const json v = answer.value(key, json());
+    return v.is_string() ? plain_text(v.get<std::string>()) : std::string();
+  };
   rim.bearing = word("bearing"), rim.rim_identity = word("rim_identity");
   rim.statement = statement_of(rim, answer, source.law);
   return rim;

@@ -1,5 +1,6 @@
-/// What calibration.json's `answer` says of the rim's law, read for other programs: numbers checked, SI, and the sentences
-/// that go with them. A number that is not a number, or out of its range, is refused (DataError) with its key.
+/// What calibration.json's `answer` says of the rim's law, read for other programs: numbers checked, SI, and the
+/// sentences that go with them. A number that is not a number, or out of its range, is refused (DataError) with its
+/// key.
 #pragma once
 #include "reduced_models/impact_law.h"
 #include <nlohmann/json.hpp>
@@ -8,19 +9,21 @@
 namespace rimpact::calibration {
 
 struct ExportChoice {
-  std::string law = {};             ///< empty: the answer's; "pair": the answer's constant pair; else one of the ranked laws
-  std::optional<double> mass = {};  ///< [kg] that the bearing carries; none: the answer's
+  std::string law = {}; ///< empty: the answer's; "pair": the answer's constant pair; else one of the ranked laws
+  std::optional<double> mass = {}; ///< [kg] that the bearing carries; none: the answer's
 };
 
 struct ExportedRim {
-  scene::ReducedSettings settings; ///< impact_law and every number it reads
-  bool of_mass = false;            ///< its numbers hold for `fitted_mass` only
+  scene::ReducedSettings settings;  ///< impact_law and every number it reads
+  bool of_mass = false;             ///< its numbers hold for `fitted_mass` only
   double mass = 0, fitted_mass = 0; ///< carried here and in the calibration [kg]
-  double vertical = 0;             ///< dead load W [N]
-  double gravity = 0;              ///< [m/s^2]
-  double lateral_capacity = 0;     ///< travel at which the rim begins [m]
-  double from = 0, to = 0;         ///< approach speeds at `mass` [m/s] it is tuned and checked for: where the law holds, or those fitted
-  static constexpr double least_span = 1.5; ///< of `to` over `from`: where the law holds over less, the speeds fitted are taken
+  double vertical = 0;              ///< dead load W [N]
+  double gravity = 0;               ///< [m/s^2]
+  double lateral_capacity = 0;      ///< travel at which the rim begins [m]
+  double from = 0,
+         to = 0; ///< approach speeds at `mass` [m/s] it is tuned and checked for: where the law holds, or those fitted
+  static constexpr double least_span =
+      1.5; ///< of `to` over `from`: where the law holds over less, the speeds fitted are taken
   std::string bearing, rim_identity;
   std::vector<std::string> statement; ///< bearing, load, law, range, errors, doubts: plain sentences in this order
 
@@ -28,8 +31,8 @@ struct ExportedRim {
   reduced::RimElement element() const { return reduced::rim_element(settings, mass); }
 };
 
-/// Throws DataError where calibration.json has no answer or a bad number, InputError where `choice` asks for a law that was not
-/// ranked, a pair that was not found, or a law of one mass at another (more than 1 % off).
+/// Throws DataError where calibration.json has no answer or a bad number, InputError where `choice` asks for a law that
+/// was not ranked, a pair that was not found, or a law of one mass at another (more than 1 % off).
 ExportedRim exported_rim(const nlohmann::json &calibration, const ExportChoice &choice);
 
 /// The value at `key` of `object`, or at its "value"; `where` names the object in messages.

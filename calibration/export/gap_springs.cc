@@ -11,10 +11,12 @@ double GapSpring::force(double d) const {
 
 double GapSpring::work(double d) const {
   const double yield = yield_force / stiffness, beyond = d - yield;
-  return d < yield ? stiffness * d * d / 2 : yield_force * yield / 2 + beyond * (yield_force + hardening * stiffness * beyond / 2);
+  return d < yield ? stiffness * d * d / 2
+                   : yield_force * yield / 2 + beyond * (yield_force + hardening * stiffness * beyond / 2);
 }
 
-GapSpringsContact::GapSpringsContact(std::vector<GapSpring> springs) : springs_(std::move(springs)), open_(springs_.size(), 0.0) {
+GapSpringsContact::GapSpringsContact(std::vector<GapSpring> springs)
+    : springs_(std::move(springs)), open_(springs_.size(), 0.0) {
   for (const auto &spring : springs_) furthest_.push_back(spring.yield_force / spring.stiffness);
 }
 
@@ -67,7 +69,8 @@ std::vector<GapSpring> springs_of(const double *p) {
   return springs;
 }
 
-/// Peak force, rebound and penetration against the law's; one unit is 5 % of the force, 0.1 of the approach speed, 10 % of the depth.
+/// Peak force, rebound and penetration against the law's; one unit is 5 % of the force, 0.1 of the approach speed, 10 %
+/// of the depth.
 struct Misfit {
   const std::vector<Target> *targets;
   bool operator()(double const *const *p, double *residuals) const {
@@ -100,7 +103,8 @@ std::vector<GapSpring> gap_springs(const ExportedRim &rim) {
     std::vector<double> p;
     for (int j = 0; j < n_springs; ++j) {
       const double y = spread * 0.1 * shallow * std::pow(5 * deep / shallow, double(j) / (n_springs - 1));
-      p.insert(p.end(), {std::log(1.5 * k / n_springs), std::log(std::clamp(y, 0.011 * shallow, 0.99 * deep)), std::log(0.02)});
+      p.insert(p.end(),
+               {std::log(1.5 * k / n_springs), std::log(std::clamp(y, 0.011 * shallow, 0.99 * deep)), std::log(0.02)});
     }
     auto *cost = new ceres::DynamicNumericDiffCostFunction<Misfit>(new Misfit{&targets});
     cost->AddParameterBlock(3 * n_springs);
@@ -108,8 +112,11 @@ std::vector<GapSpring> gap_springs(const ExportedRim &rim) {
     ceres::Problem problem;
     problem.AddResidualBlock(cost, nullptr, p.data());
     for (int j = 0; j < n_springs; ++j) {
-      const double lower[] = {std::log(0.01 * k), std::log(0.01 * shallow), std::log(1e-4)}, upper[] = {std::log(10 * k), std::log(deep), std::log(0.98)};
-      for (int i = 0; i < 3; ++i) problem.SetParameterLowerBound(p.data(), 3 * j + i, lower[i]), problem.SetParameterUpperBound(p.data(), 3 * j + i, upper[i]);
+      const double lower[] = {std::log(0.01 * k), std::log(0.01 * shallow), std::log(1e-4)},
+                   upper[] = {std::log(10 * k), std::log(deep), std::log(0.98)};
+      for (int i = 0; i < 3; ++i)
+        problem.SetParameterLowerBound(p.data(), 3 * j + i, lower[i]),
+            problem.SetParameterUpperBound(p.data(), 3 * j + i, upper[i]);
     }
     ceres::Solver::Options options;
     options.max_num_iterations = 200, options.logging_type = ceres::SILENT;
@@ -119,7 +126,9 @@ std::vector<GapSpring> gap_springs(const ExportedRim &rim) {
   }
   if (best.empty()) throw std::logic_error("no springs were found for the elastoplastic law");
   auto springs = springs_of(best.data());
-  std::sort(springs.begin(), springs.end(), [](const GapSpring &a, const GapSpring &b) { return a.yield_force / a.stiffness < b.yield_force / b.stiffness; });
+  std::sort(springs.begin(), springs.end(), [](const GapSpring &a, const GapSpring &b) {
+    return a.yield_force / a.stiffness < b.yield_force / b.stiffness;
+  });
   return springs;
 }
 

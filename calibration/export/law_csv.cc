@@ -8,7 +8,8 @@ namespace {
 
 constexpr int n_points = 40;
 
-/// A law without rate: first loading to 1.2 times the largest penetration, and unloading from the depths of five speeds.
+/// A law without rate: first loading to 1.2 times the largest penetration, and unloading from the depths of five
+/// speeds.
 std::string curves(const ExportedRim &rim) {
   const auto element = rim.element();
   std::string text = "branch,from_speed_m_s,penetration_mm,force_kN\n";
@@ -25,7 +26,8 @@ std::string curves(const ExportedRim &rim) {
     for (int i = 0; i <= n_points; ++i) {
       const double open = element.law->yields ? reduced::residual_indentation(element, depths[s]) : 0;
       const double d = depths[s] - (depths[s] - open) * i / n_points;
-      text += fmt::format("unloading,{:.6g},{:.6g},{:.6g}\n", speeds[s], 1e3 * d, element.at({.d = d, .rate = 0, .deepest = depths[s]}).force / 1e3);
+      text += fmt::format("unloading,{:.6g},{:.6g},{:.6g}\n", speeds[s], 1e3 * d,
+                          element.at({.d = d, .rate = 0, .deepest = depths[s]}).force / 1e3);
     }
   return text;
 }
@@ -41,7 +43,8 @@ std::string impacts(const ExportedRim &rim) {
     const double h = duration / (2 * n_points * steps);
     double d = 0, v = speed, t = 0;
     for (int i = 0; i <= 2 * n_points; ++i) {
-      text += fmt::format("{},{:.6g},{:.6g},{:.6g},{:.6g}\n", v >= 0 ? "loading" : "unloading", speed, 1e3 * t, 1e3 * d, law.force(d, v) / 1e3);
+      text += fmt::format("{},{:.6g},{:.6g},{:.6g},{:.6g}\n", v >= 0 ? "loading" : "unloading", speed, 1e3 * t, 1e3 * d,
+                          law.force(d, v) / 1e3);
       for (int step = 0; step < steps; ++step, t += h) { // midpoint rule
         const double a = -law.force(d, v) / rim.mass, dm = d + h / 2 * v, vm = v + h / 2 * a;
         d += h * vm, v -= h * law.force(dm, vm) / rim.mass;
@@ -56,9 +59,12 @@ std::string impacts(const ExportedRim &rim) {
 std::string law_csv(const ExportedRim &rim, const std::vector<std::string> &header) {
   const bool rate = !rim.element().law->yields;
   std::string text = comment_lines("#", header) + comment_lines("#", rim.statement);
-  text += comment_line("#", fmt::format("Force of the rim over penetration beyond the travel {:.6g} m at which it begins. {}", rim.lateral_capacity,
-                                        rate ? "The law has a dashpot: its curves are those of impacts of the mass at five speeds."
-                                             : "First loading; unloading from the depths that the mass reaches at five speeds. The force does not depend on the rate."));
+  text += comment_line(
+      "#", fmt::format("Force of the rim over penetration beyond the travel {:.6g} m at which it begins. {}",
+                       rim.lateral_capacity,
+                       rate ? "The law has a dashpot: its curves are those of impacts of the mass at five speeds."
+                            : "First loading; unloading from the depths that the mass reaches at five speeds. The "
+                              "force does not depend on the rate."));
   return text + (rate ? impacts(rim) : curves(rim));
 }
 

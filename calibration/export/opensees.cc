@@ -1,6 +1,6 @@
 #include "calibration/export/opensees.h"
 #include "calibration/export/comment.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -8,24 +8,36 @@ namespace rimpact::calibration {
 
 namespace {
 
-std::string exact(double value) { return fmt::format("{:.10g}", value); }
+std::string exact(double value) {
+  return fmt::format("{:.10g}", value);
+}
 
 OpenSeesRim elastoplastic(const ExportedRim &rim) {
   OpenSeesRim out{.springs = gap_springs(rim), .material = "", .values = {}, .check = {}, .notes = {}};
-  out.check = self_check(rim, "four ElasticPPGap in parallel", [&](double) { return std::make_unique<GapSpringsContact>(out.springs); }, total_stiffness(out.springs));
-  out.notes = {"Rim: four bilinear gap springs in parallel, tuned to the law over the speeds of the self-check. They unload in straight lines where the law's unloading bends.",
-               "rim_springs: two along x, each side keeps its own dent; blind to y. rim_round: one round rim for any direction, but every impact meets it as new: no dents."};
+  out.check = self_check(
+      rim, "four ElasticPPGap in parallel", [&](double) { return std::make_unique<GapSpringsContact>(out.springs); },
+      total_stiffness(out.springs));
+  out.notes = {"Rim: four bilinear gap springs in parallel, tuned to the law over the speeds of the self-check. They "
+               "unload in straight lines where the law's unloading bends.",
+               "rim_springs: two along x, each side keeps its own dent; blind to y. rim_round: one round rim for any "
+               "direction, but every impact meets it as new: no dents."};
   return out;
 }
 
 OpenSeesRim dashpot(const ExportedRim &rim) {
   const auto element = rim.element();
   OpenSeesRim out{.springs = {}, .material = "ViscoelasticGap", .values = {}, .check = {}, .notes = {}};
-  out.values = {{"k_i", exact(element.stiffness), "N/m"}, {"c_i", exact(element.damping), "N s/m, 2 xi sqrt(k_i m1), m2 infinite"}};
-  out.check = self_check(rim, "ViscoelasticGap", [&](double) { return std::make_unique<DashpotContact>(element.stiffness, element.damping, true); }, element.stiffness);
-  out.notes = {element.law->unilateral ? "Rim: ViscoelasticGap pulls just before release, which the law does not: it returns e exactly, the law a little more."
+  out.values = {{"k_i", exact(element.stiffness), "N/m"},
+                {"c_i", exact(element.damping), "N s/m, 2 xi sqrt(k_i m1), m2 infinite"}};
+  out.check = self_check(
+      rim, "ViscoelasticGap",
+      [&](double) { return std::make_unique<DashpotContact>(element.stiffness, element.damping, true); },
+      element.stiffness);
+  out.notes = {element.law->unilateral ? "Rim: ViscoelasticGap pulls just before release, which the law does not: it "
+                                         "returns e exactly, the law a little more."
                                        : "Rim: ViscoelasticGap is the law itself; it pulls just before release.",
-               "rim_springs: two along x, blind to y: OpenSees has no round gap with a dashpot. Turn x along the motion, or export a law of the rim (elastoplastic)."};
+               "rim_springs: two along x, blind to y: OpenSees has no round gap with a dashpot. Turn x along the "
+               "motion, or export a law of the rim (elastoplastic)."};
   return out;
 }
 
@@ -34,10 +46,17 @@ OpenSeesRim hertzdamp(const ExportedRim &rim) {
   const double d = reduced::hunt_crossley_penetration, K = element.stiffness * std::pow(d, 1 - element.exponent),
                xi = element.dissipation * rim.settings.reference_speed;
   OpenSeesRim out{.springs = {}, .material = "Hertzdamp", .values = {}, .check = {}, .notes = {}};
-  out.values = {{"K_h", exact(K), "N/m^n"}, {"xi_norm", exact(xi), "chi times the reference speed"}, {"exponent", exact(element.exponent), "n"}};
-  const double deep = std::sqrt(rim.mass / element.stiffness) * rim.to, stiff = element.stiffness * std::max(1.0, 4 * element.exponent * std::pow(deep / d, element.exponent - 1));
-  out.check = self_check(rim, "Hertzdamp", [&](double v) { return std::make_unique<HertzdampContact>(K, xi, element.exponent, v); }, stiff);
-  out.notes = {fmt::format("Rim: Hertzdamp is the law at {:g} m/s; its damping is normalised by each impact's own speed, so that the restitution stays where the law's falls with speed.",
+  out.values = {{"K_h", exact(K), "N/m^n"},
+                {"xi_norm", exact(xi), "chi times the reference speed"},
+                {"exponent", exact(element.exponent), "n"}};
+  const double deep = std::sqrt(rim.mass / element.stiffness) * rim.to,
+               stiff =
+                   element.stiffness * std::max(1.0, 4 * element.exponent * std::pow(deep / d, element.exponent - 1));
+  out.check = self_check(
+      rim, "Hertzdamp", [&](double v) { return std::make_unique<HertzdampContact>(K, xi, element.exponent, v); },
+      stiff);
+  out.notes = {fmt::format("Rim: Hertzdamp is the law at {:g} m/s; its damping is normalised by each impact's own "
+                           "speed, so that the restitution stays where the law's falls with speed.",
                            rim.settings.reference_speed),
                "rim_springs: two along x, blind to y. No dents."};
   return out;
@@ -48,10 +67,18 @@ struct Language {
   std::string (*assign)(const std::string &name, const std::string &value);
   std::string (*list)(const std::vector<std::string> &values);
 };
-std::string set_tcl(const std::string &name, const std::string &value) { return "set " + name + " " + value + ";"; }
-std::string set_python(const std::string &name, const std::string &value) { return name + " = " + value; }
-std::string list_tcl(const std::vector<std::string> &values) { return fmt::format("{{{}}}", fmt::join(values, " ")); }
-std::string list_python(const std::vector<std::string> &values) { return fmt::format("[{}]", fmt::join(values, ", ")); }
+std::string set_tcl(const std::string &name, const std::string &value) {
+  return "set " + name + " " + value + ";";
+}
+std::string set_python(const std::string &name, const std::string &value) {
+  return name + " = " + value;
+}
+std::string list_tcl(const std::vector<std::string> &values) {
+  return fmt::format("{{{}}}", fmt::join(values, " "));
+}
+std::string list_python(const std::vector<std::string> &values) {
+  return fmt::format("[{}]", fmt::join(values, ", "));
+}
 constexpr Language tcl{set_tcl, list_tcl}, python{set_python, list_python};
 
 template <class Each> std::vector<std::string> column(const std::vector<GapSpring> &springs, Each each) {
@@ -62,26 +89,34 @@ template <class Each> std::vector<std::string> column(const std::vector<GapSprin
 
 std::string rim_variables(const Language &in, const ExportedRim &rim, const OpenSeesRim &r) {
   std::string text;
-  const auto line = [&](const std::string &name, const std::string &value, const std::string &what) { text += in.assign(name, value) + "  # " + what + "\n"; };
+  const auto line = [&](const std::string &name, const std::string &value, const std::string &what) {
+    text += in.assign(name, value) + "  # " + what + "\n";
+  };
   line("m1", exact(rim.mass), "kg, the supported mass; m2, the rim, is fixed");
   line("dead_load", exact(rim.vertical), "N, W");
   line("lateral_capacity", exact(rim.lateral_capacity), "m, travel at which the rim begins");
   if (!r.springs.empty()) {
-    line("rim_stiffness", in.list(column(r.springs, [](auto &s) { return s.stiffness; })), "N/m, of each spring's loading and unloading");
+    line("rim_stiffness", in.list(column(r.springs, [](auto &s) { return s.stiffness; })),
+         "N/m, of each spring's loading and unloading");
     line("rim_yield_force", in.list(column(r.springs, [](auto &s) { return s.yield_force; })), "N");
-    line("rim_hardening", in.list(column(r.springs, [](auto &s) { return s.hardening; })), "slope beyond yield over rim_stiffness");
+    line("rim_hardening", in.list(column(r.springs, [](auto &s) { return s.hardening; })),
+         "slope beyond yield over rim_stiffness");
   }
   for (const auto &[name, value, what] : r.values) line(name, value, what);
-  if (!r.material.empty() && r.values.size() == 2) line("restitution", exact(rim.settings.restitution), "e, from which c_i is made");
+  if (!r.material.empty() && r.values.size() == 2)
+    line("restitution", exact(rim.settings.restitution), "e, from which c_i is made");
   return text;
 }
 
 std::string dish_variables(const Language &in, const ExportedRim &rim, const Dish &dish) {
   std::string text;
-  const auto line = [&](const std::string &name, const std::string &value, const std::string &what) { text += in.assign(name, value) + "  # " + what + "\n"; };
+  const auto line = [&](const std::string &name, const std::string &value, const std::string &what) {
+    text += in.assign(name, value) + "  # " + what + "\n";
+  };
   line("mu_slow", exact(dish.mu_slow), "friction at rest");
   line("mu_fast", exact(dish.mu_fast), "friction at speed");
-  line("friction_rate", exact(dish.mu_slow == dish.mu_fast ? 1 : dish.rate), dish.mu_slow == dish.mu_fast ? "s/m, without effect: the two are equal" : "s/m, of the change between the two");
+  line("friction_rate", exact(dish.mu_slow == dish.mu_fast ? 1 : dish.rate),
+       dish.mu_slow == dish.mu_fast ? "s/m, without effect: the two are equal" : "s/m, of the change between the two");
   line("friction_stiffness", exact(dish.initial_stiffness(rim.vertical)), "N/m, before it slides");
   line("vertical_stiffness", exact(dish.vertical_stiffness), "N/m, of the pad");
   line("free_rotation", "1.0", "N m/rad, a hinge's small stiffness");
@@ -90,19 +125,24 @@ std::string dish_variables(const Language &in, const ExportedRim &rim, const Dis
     return text;
   }
   std::vector<std::string> travel, force;
-  for (std::size_t i = 1; i < dish.travel.size(); ++i) travel.push_back(exact(dish.travel[i])), force.push_back(exact(rim.vertical * dish.slope[i]));
+  for (std::size_t i = 1; i < dish.travel.size(); ++i)
+    travel.push_back(exact(dish.travel[i])), force.push_back(exact(rim.vertical * dish.slope[i]));
   line("dish_travel", in.list(travel), "m, from the centre");
   line("dish_force", in.list(force), "N, restoring force W h'(r)");
   return text;
 }
 
-std::string head(const ExportedRim &rim, const OpenSeesRim &r, const std::optional<Dish> &dish, const std::vector<std::string> &header) {
+std::string head(const ExportedRim &rim, const OpenSeesRim &r, const std::optional<Dish> &dish,
+                 const std::vector<std::string> &header) {
   std::string text = comment_lines("#", header) + comment_lines("#", rim.statement) + comment_lines("#", r.notes);
   if (dish) text += comment_lines("#", dish->lines(rim.vertical));
   text += comment_lines("#", r.check.lines());
   const double shortest = r.check.rows.back().spring.duration;
-  text += comment_line("#", fmt::format("Time step while the rim is pressed: at most {:.2g} s, a fortieth of the contact at {:.3g} m/s.", shortest / 40, r.check.rows.back().speed));
-  return text + comment_line("#", "Units: N, m, s, kg. Not run in OpenSees here: the spring was flown by rimpact's own integrator with the rules of OpenSees' source.");
+  text += comment_line(
+      "#", fmt::format("Time step while the rim is pressed: at most {:.2g} s, a fortieth of the contact at {:.3g} m/s.",
+                       shortest / 40, r.check.rows.back().speed));
+  return text + comment_line("#", "Units: N, m, s, kg. Not run in OpenSees here: the spring was flown by rimpact's own "
+                                  "integrator with the rules of OpenSees' source.");
 }
 
 } // namespace
@@ -305,32 +345,41 @@ constexpr const char *anchor_comment = "m, below the plate's node: length of the
 
 } // namespace
 
-std::string opensees_tcl(const ExportedRim &rim, const OpenSeesRim &r, const std::optional<Dish> &dish, const std::vector<std::string> &header) {
-  std::string text = head(rim, r, dish, header) + rim_variables(tcl, rim, r) + fmt::format("set anchor_depth 0.001;  # {}\n", anchor_comment);
+std::string opensees_tcl(const ExportedRim &rim, const OpenSeesRim &r, const std::optional<Dish> &dish,
+                         const std::vector<std::string> &header) {
+  std::string text = head(rim, r, dish, header) + rim_variables(tcl, rim, r) +
+                     fmt::format("set anchor_depth 0.001;  # {}\n", anchor_comment);
   if (dish) text += dish_variables(tcl, rim, *dish);
   if (!r.springs.empty())
     text += tcl_springs_elastoplastic;
   else {
     const bool hertz = r.material == "Hertzdamp";
     text += fmt::format(tcl_springs_one, hertz ? "K_h xi_norm exponent" : "k_i c_i", r.material,
-                        hertz ? "$K_h $xi_norm [expr {-$lateral_capacity}] $exponent" : "$k_i $c_i [expr {-$lateral_capacity}]");
+                        hertz ? "$K_h $xi_norm [expr {-$lateral_capacity}] $exponent"
+                              : "$k_i $c_i [expr {-$lateral_capacity}]");
   }
   if (!dish) return text;
   text += std::string(tcl_anchor) + tcl_slider + (dish->sphere ? tcl_sphere : tcl_table);
-  return text + fmt::format(tcl_bearing, r.springs.empty() ? "rim_springs [expr {$tag + 10}] [expr {$tag + 2}] $plate $slider"
-                                                           : "rim_round [expr {$tag + 10}] [expr {$tag + 2}] $anchor $slider");
+  return text + fmt::format(tcl_bearing, r.springs.empty()
+                                             ? "rim_springs [expr {$tag + 10}] [expr {$tag + 2}] $plate $slider"
+                                             : "rim_round [expr {$tag + 10}] [expr {$tag + 2}] $anchor $slider");
 }
 
-std::string opensees_python(const ExportedRim &rim, const OpenSeesRim &r, const std::optional<Dish> &dish, const std::vector<std::string> &header) {
-  std::string text = head(rim, r, dish, header) + "from math import hypot\n\n" + rim_variables(python, rim, r) + fmt::format("anchor_depth = 0.001  # {}\n", anchor_comment);
+std::string opensees_python(const ExportedRim &rim, const OpenSeesRim &r, const std::optional<Dish> &dish,
+                            const std::vector<std::string> &header) {
+  std::string text = head(rim, r, dish, header) + "from math import hypot\n\n" + rim_variables(python, rim, r) +
+                     fmt::format("anchor_depth = 0.001  # {}\n", anchor_comment);
   if (dish) text += dish_variables(python, rim, *dish);
   if (!r.springs.empty())
     text += python_springs_elastoplastic;
   else
-    text += fmt::format(python_springs_one, r.material, r.material == "Hertzdamp" ? "K_h, xi_norm, -lateral_capacity, exponent" : "k_i, c_i, -lateral_capacity");
+    text += fmt::format(python_springs_one, r.material,
+                        r.material == "Hertzdamp" ? "K_h, xi_norm, -lateral_capacity, exponent"
+                                                  : "k_i, c_i, -lateral_capacity");
   if (!dish) return text;
   text += std::string(python_anchor) + python_slider + (dish->sphere ? python_sphere : python_table);
-  return text + fmt::format(python_bearing, r.springs.empty() ? "rim_springs(ops, tag + 10, tag + 2, plate, slider)" : "rim_round(ops, tag + 10, tag + 2, anchor, slider)");
+  return text + fmt::format(python_bearing, r.springs.empty() ? "rim_springs(ops, tag + 10, tag + 2, plate, slider)"
+                                                              : "rim_round(ops, tag + 10, tag + 2, anchor, slider)");
 }
 
 } // namespace rimpact::calibration

@@ -2,7 +2,8 @@
 
 namespace rimpact::calibration {
 
-PlasticLinkContact::PlasticLinkContact(const PlasticLink &link) : f_(link.force), unloading_(1 / (1 / link.unloading + 1 / link.gap_stiffness)) {
+PlasticLinkContact::PlasticLinkContact(const PlasticLink &link)
+    : f_(link.force), unloading_(1 / (1 / link.unloading + 1 / link.gap_stiffness)) {
   for (std::size_t i = 0; i < f_.size(); ++i) d_.push_back(link.displacement[i] + f_[i] / link.gap_stiffness);
 }
 
@@ -17,7 +18,9 @@ double PlasticLinkContact::force(double d, double) const {
   return std::max(0.0, backbone(deepest_) - unloading_ * (deepest_ - d));
 }
 
-void PlasticLinkContact::accept(double d) { deepest_ = std::max(deepest_, d); }
+void PlasticLinkContact::accept(double d) {
+  deepest_ = std::max(deepest_, d);
+}
 
 namespace {
 
@@ -26,8 +29,12 @@ constexpr double first_force = 0.02; ///< of the first vertex, over the force at
 
 PlasticLink link_of(const std::vector<double> &depth, const std::vector<double> &force, double unloading) {
   const double gap = 100 * unloading, own = 1 / (1 / unloading - 1 / gap);
-  PlasticLink link{.gap_stiffness = gap, .unloading = own, .displacement = {0, first_force * force[0] / own}, .force = {0, first_force * force[0]}};
-  for (std::size_t i = 0; i < depth.size(); ++i) link.displacement.push_back(depth[i] - force[i] / gap), link.force.push_back(force[i]);
+  PlasticLink link{.gap_stiffness = gap,
+                   .unloading = own,
+                   .displacement = {0, first_force * force[0] / own},
+                   .force = {0, first_force * force[0]}};
+  for (std::size_t i = 0; i < depth.size(); ++i)
+    link.displacement.push_back(depth[i] - force[i] / gap), link.force.push_back(force[i]);
   return link;
 }
 
@@ -44,8 +51,10 @@ PlasticLink plastic_link(const ExportedRim &rim) {
   }
   std::vector<double> depth, force;
   const double from = law.front().penetration / 10, to = 1.5 * law.back().penetration;
-  for (const double d : speeds_between(from, to, n_vertices)) depth.push_back(d), force.push_back(reduced::elastoplastic_backbone(element, d).force);
-  // returned energy F^2 / (2 K) against the law's, in rebound speeds; golden section over ln K: one minimum, for each term has one
+  for (const double d : speeds_between(from, to, n_vertices))
+    depth.push_back(d), force.push_back(reduced::elastoplastic_backbone(element, d).force);
+  // returned energy F^2 / (2 K) against the law's, in rebound speeds; golden section over ln K: one minimum, for each
+  // term has one
   const auto misfit = [&](double unloading) {
     double sum = 0;
     for (std::size_t i = 0; i < speeds.size(); ++i) {

@@ -11,18 +11,18 @@ namespace rimpact::calibration {
 using MakeContact = std::function<std::unique_ptr<Contact>(double speed)>;
 
 struct CheckRow {
-  double speed;        ///< [m/s]
+  double speed; ///< [m/s]
   Impact law, spring;
 };
 struct SelfCheck {
-  std::string form;    ///< whose spring, for messages
+  std::string form; ///< whose spring, for messages
   std::vector<CheckRow> rows;
   double peak_force = 0, penetration = 0; ///< largest relative difference [-]
-  double rebound = 0;  ///< largest difference over the approach speed [-]
+  double rebound = 0;                     ///< largest difference over the approach speed [-]
   bool serves() const { return peak_force <= tolerance; }
   static constexpr double tolerance = 0.10; ///< on the peak force; beyond it the export warns
   std::string sentence() const;
-  std::vector<std::string> lines() const;   ///< the sentence, and one line a speed
+  std::vector<std::string> lines() const; ///< the sentence, and one line a speed
   nlohmann::json json() const;
 };
 /// `stiffness` [N/m]: the spring's largest.

@@ -16,20 +16,28 @@ std::string text(const json &object, const char *key) {
   if (value.is_number_integer()) return std::to_string(value.get<long long>());
   if (!value.is_array()) return {};
   std::vector<std::string> parts;
-  for (const auto &part : value) parts.push_back(part.is_string() ? part.get<std::string>() : part.is_number() ? fmt::format("{:g}", part.get<double>()) : "?");
+  for (const auto &part : value)
+    parts.push_back(part.is_string()   ? part.get<std::string>()
+                    : part.is_number() ? fmt::format("{:g}", part.get<double>())
+                                       : "?");
   return fmt::format("{}", fmt::join(parts, ", "));
 }
 
 std::optional<double> number(const json &object, const char *key) {
-  if (!object.is_object() || !object.contains(key) || !object[key].is_number() || !std::isfinite(object[key].get<double>())) return std::nullopt;
+  if (!object.is_object() || !object.contains(key) || !object[key].is_number() ||
+      !std::isfinite(object[key].get<double>()))
+    return std::nullopt;
   return object[key].get<double>();
 }
 
-std::string percent(const std::optional<double> &value) { return value ? fmt::format("{:.1f} %", 100 * *value) : "an unknown amount"; }
+std::string percent(const std::optional<double> &value) {
+  return value ? fmt::format("{:.1f} %", 100 * *value) : "an unknown amount";
+}
 
 std::string parameter_line(const std::string &name, const json &fitted) {
   const std::string unit = text(fitted, "unit");
-  std::string line = fmt::format("Fitted: {} = {:.4g}{}", name, number_at(fitted, "value", plain_text(name).c_str()), unit == "-" || unit.empty() ? "" : " " + unit);
+  std::string line = fmt::format("Fitted: {} = {:.4g}{}", name, number_at(fitted, "value", plain_text(name).c_str()),
+                                 unit == "-" || unit.empty() ? "" : " " + unit);
   const json interval = fitted.value("interval_95", json());
   if (interval.is_array() && interval.size() == 2 && interval[0].is_number() && interval[1].is_number())
     line += fmt::format(", 95 % interval {:.4g} to {:.4g}", interval[0].get<double>(), interval[1].get<double>());
@@ -40,27 +48,34 @@ std::string parameter_line(const std::string &name, const json &fitted) {
 void add_range(std::vector<std::string> &lines, const ExportedRim &rim, const json &law) {
   const auto from = number(law, "valid_from_m_s"), to = number(law, "valid_to_m_s");
   const auto fitted_from = number(law, "fitted_from_m_s"), fitted_to = number(law, "fitted_to_m_s");
-  if (fitted_from && fitted_to) lines.push_back(fmt::format("Fitted to impacts at {:g} to {:g} m/s.", *fitted_from, *fitted_to));
+  if (fitted_from && fitted_to)
+    lines.push_back(fmt::format("Fitted to impacts at {:g} to {:g} m/s.", *fitted_from, *fitted_to));
   if (from && to)
-    lines.push_back(fmt::format("Holds from {:g} to {:g} m/s: there runs left out of the fit are met within {}.", *from, *to, percent(number(law, "tolerance"))));
+    lines.push_back(fmt::format("Holds from {:g} to {:g} m/s: there runs left out of the fit are met within {}.", *from,
+                                *to, percent(number(law, "tolerance"))));
   else
-    lines.push_back("DOUBT: no range of speeds is known in which runs left out of the fit are met; the speeds fitted stand below instead.");
+    lines.push_back("DOUBT: no range of speeds is known in which runs left out of the fit are met; the speeds fitted "
+                    "stand below instead.");
   if (from && to && *to < ExportedRim::least_span * *from)
     lines.push_back("DOUBT: that range is narrow; springs and self-check are made for the speeds fitted instead.");
   if (rim.element().law->yields && std::abs(rim.mass / rim.fitted_mass - 1) > 0.01)
-    lines.push_back(fmt::format("Exported for {:.6g} kg, fitted at {:.6g} kg: the same penetrations are reached at {:.3g} to {:.3g} m/s.", rim.mass, rim.fitted_mass, rim.from, rim.to));
+    lines.push_back(fmt::format(
+        "Exported for {:.6g} kg, fitted at {:.6g} kg: the same penetrations are reached at {:.3g} to {:.3g} m/s.",
+        rim.mass, rim.fitted_mass, rim.from, rim.to));
   const json worst = law.value("worst_left_out", json());
   if (!worst.is_object()) {
     lines.push_back("Errors on runs left out: not known, none was left out.");
     return;
   }
   const json inside = worst.value("inside_valid_range", json());
-  lines.push_back(fmt::format("Largest errors on runs left out{}: peak force {}, rebound {}.", inside == json(true) ? " in that range" : ", all of them",
+  lines.push_back(fmt::format("Largest errors on runs left out{}: peak force {}, rebound {}.",
+                              inside == json(true) ? " in that range" : ", all of them",
                               percent(number(worst, "peak_force")), percent(number(worst, "rebound"))));
 }
 
 void add_doubts(std::vector<std::string> &lines, const json &answer) {
-  const json mesh = answer.value("mesh_error", json()), strain = answer.value("strain", json()), assumed = answer.value("assumptions", json());
+  const json mesh = answer.value("mesh_error", json()), strain = answer.value("strain", json()),
+             assumed = answer.value("assumptions", json());
   if (const auto sentence = text(mesh, "sentence"); !sentence.empty()) lines.push_back("Mesh: " + sentence);
   if (const auto sentence = text(strain, "sentence"); !sentence.empty()) lines.push_back("Steel: " + sentence);
   if (assumed.is_array() && !assumed.empty()) {
@@ -78,10 +93,13 @@ void add_doubts(std::vector<std::string> &lines, const json &answer) {
 
 std::vector<std::string> statement_of(const ExportedRim &rim, const json &answer, const json &law) {
   std::vector<std::string> lines;
-  lines.push_back(fmt::format("Bearing {}, rim {}. Load {:.6g} kN, mass {:.6g} kg, g = {:g} m/s2.", rim.bearing, rim.rim_identity, rim.vertical / 1e3, rim.mass, rim.gravity));
-  lines.push_back(fmt::format("Fitted to: {}, rung {}, mesh {}.", text(answer, "source"), text(answer, "rung"), text(answer, "mesh")));
+  lines.push_back(fmt::format("Bearing {}, rim {}. Load {:.6g} kN, mass {:.6g} kg, g = {:g} m/s2.", rim.bearing,
+                              rim.rim_identity, rim.vertical / 1e3, rim.mass, rim.gravity));
+  lines.push_back(fmt::format("Fitted to: {}, rung {}, mesh {}.", text(answer, "source"), text(answer, "rung"),
+                              text(answer, "mesh")));
   lines.push_back(fmt::format("Impact law: {} (chosen by: {}), {}.", rim.law(), text(law, "chosen_by"),
-                              rim.of_mass ? fmt::format("holds for {:.6g} kg only", rim.fitted_mass) : "belongs to the rim, whatever the mass"));
+                              rim.of_mass ? fmt::format("holds for {:.6g} kg only", rim.fitted_mass)
+                                          : "belongs to the rim, whatever the mass"));
   if (const auto remark = text(law, "remark"); !remark.empty()) lines.push_back("Remark: " + remark);
   const json parameters = law.value("parameters", json::object());
   if (parameters.is_object())

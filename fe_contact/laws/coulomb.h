@@ -1,9 +1,9 @@
 /// Contact of one point with a surface: unilateral pressure and Coulomb friction with elastic slip, both by
 /// augmented Lagrangian. Signs: gap > 0 open; pressure >= 0; the normal points from the surface to the point;
 /// the traction is what the surface does to the point.
-///   p   = max(0, lambda_N - eps_N g)                      (Alart and Curnier 1991; Wriggers, Computational Contact Mechanics)
-///   t*  = P lambda_T - eps_T P s,   P = 1 - n n^T         (trial: s is the slip since the step began)
-///   t   = t* if |t*| <= mu p, else mu p t*/|t*|           (Simo and Laursen 1992, return map)
+///   p   = max(0, lambda_N - eps_N g)                      (Alart and Curnier 1991; Wriggers, Computational Contact
+///   Mechanics) t*  = P lambda_T - eps_T P s,   P = 1 - n n^T         (trial: s is the slip since the step began) t   =
+///   t* if |t*| <= mu p, else mu p t*/|t*|           (Simo and Laursen 1992, return map)
 /// lambda_T is the friction traction of the last step, or of the last augmentation: with it s tends to zero
 /// where the point sticks. Frictionless is mu = 0. Written over the scalar type, so that the consistent,
 /// unsymmetric tangent follows by automatic differentiation. SI units.
@@ -28,8 +28,8 @@ struct FrictionCoefficient {
 enum class ContactStatus : char { open, stick, slip };
 
 struct CoulombContact {
-  double normal_penalty;         ///< eps_N [Pa/m], > 0
-  double tangential_penalty;     ///< eps_T [Pa/m], > 0
+  double normal_penalty;     ///< eps_N [Pa/m], > 0
+  double tangential_penalty; ///< eps_T [Pa/m], > 0
   FrictionCoefficient friction{};
 
   template <typename T> struct Result {
@@ -71,8 +71,7 @@ CoulombContact::Result<T> CoulombContact::at(const T &gap, const Eigen::Matrix<T
   T squared(0.0), slip_squared(1e-30); // the tiny term keeps the root's derivative finite at rest
   for (int i = 0; i < 3; ++i) {
     const T tangential_slip = slip[i] - slip_along * normal[i];
-    result.friction[i] =
-        tangential_multiplier[i] - multiplier_along * normal[i] - tangential_penalty * tangential_slip;
+    result.friction[i] = tangential_multiplier[i] - multiplier_along * normal[i] - tangential_penalty * tangential_slip;
     squared += result.friction[i] * result.friction[i];
     slip_squared += tangential_slip * tangential_slip;
   }

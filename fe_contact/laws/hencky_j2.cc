@@ -40,8 +40,7 @@ PrincipalReturn return_map(const HenckyJ2 &law, const Eigen::Vector3d &trial_dev
   result.alpha = alpha + std::sqrt(2.0 / 3.0) * gamma;
   const double theta = 1 - 2 * mu * gamma / norm;
   const double theta_bar = 2 * mu / (2 * mu + 2.0 / 3.0 * slope) - (1 - theta);
-  result.moduli =
-      2 * mu * theta * deviatoric_projector() - 2 * mu * theta_bar * direction * direction.transpose();
+  result.moduli = 2 * mu * theta * deviatoric_projector() - 2 * mu * theta_bar * direction * direction.transpose();
   return result;
 }
 
@@ -49,7 +48,8 @@ PrincipalReturn return_map(const HenckyJ2 &law, const Eigen::Vector3d &trial_dev
 /// part with the divided difference (tau_i b_j - tau_j b_i)/(b_i - b_j), or its limit at equal stretches.
 Matrix6 assemble_tangent(const PrincipalReturn &principal, const Eigen::Vector3d &b, const Matrix3 &axes) {
   constexpr int pair_first[3] = {0, 1, 2}, pair_second[3] = {1, 2, 0};
-  Eigen::Matrix<double, 6, 3> normal, sheared; // columns: symmetrised dyads n_i n_i, and n_i n_j (i != j), in Voigt form
+  Eigen::Matrix<double, 6, 3> normal,
+      sheared; // columns: symmetrised dyads n_i n_i, and n_i n_j (i != j), in Voigt form
   for (int v = 0; v < 6; ++v)
     for (int k = 0; k < 3; ++k) {
       const int r = row_of[v], c = column_of[v], i = pair_first[k], j = pair_second[k];
@@ -66,11 +66,12 @@ Matrix6 assemble_tangent(const PrincipalReturn &principal, const Eigen::Vector3d
     if (std::abs(difference) > 1e-6 * (b(i) + b(j)))
       shear(k) = (principal.stress(i) * b(j) - principal.stress(j) * b(i)) / difference;
     else
-      shear(k) = 0.25 * (principal.moduli(i, i) - principal.moduli(i, j) + principal.moduli(j, j) -
-                         principal.moduli(j, i)) -
-                 0.5 * (principal.stress(i) + principal.stress(j));
+      shear(k) =
+          0.25 * (principal.moduli(i, i) - principal.moduli(i, j) + principal.moduli(j, j) - principal.moduli(j, i)) -
+          0.5 * (principal.stress(i) + principal.stress(j));
   }
-  return (normal * moduli).lazyProduct(normal.transpose()) + (sheared * shear.asDiagonal()).lazyProduct(sheared.transpose());
+  return (normal * moduli).lazyProduct(normal.transpose()) +
+         (sheared * shear.asDiagonal()).lazyProduct(sheared.transpose());
 }
 
 } // namespace

@@ -23,9 +23,7 @@ struct BilinearHardening {
   double modulus; ///< H [Pa], >= 0
   double stress(double alpha) const { return yield + modulus * alpha; }
   double slope(double) const { return modulus; }
-  double work(double alpha) const {
-    return alpha * (yield + 0.5 * modulus * alpha);
-  } ///< integral of stress [J/m^3]
+  double work(double alpha) const { return alpha * (yield + 0.5 * modulus * alpha); } ///< integral of stress [J/m^3]
 };
 
 /// Memory of a material point.

@@ -15,7 +15,8 @@ using Eigen::Vector3d;
 Distance round(const Vector3d &radial, const Matrix3d &across, double radius, Side side) {
   const double r = radial.norm(), sign = side == Side::outside ? 1.0 : -1.0;
   // On the centre itself every direction is as near as any other.
-  const Vector3d outward = r > 0 ? Vector3d(radial / r) : Vector3d(across.col(across.col(0).norm() > 0.5 ? 0 : 1).normalized());
+  const Vector3d outward =
+      r > 0 ? Vector3d(radial / r) : Vector3d(across.col(across.col(0).norm() > 0.5 ? 0 : 1).normalized());
   const Matrix3d bend = r > 0 ? Matrix3d((across - outward * outward.transpose()) / r) : Matrix3d::Zero();
   return {sign * (r - radius), sign * outward, sign * bend};
 }

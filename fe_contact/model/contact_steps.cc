@@ -14,7 +14,8 @@ ContactStepReport solve(ContactSystem &system, const SystemState &state, const S
   ContactStepReport report;
   system.prepare(state, terms);
   NewtonOptions newton_options = options.newton;
-  if (options.max_augmentations > 0) newton_options.tolerance = std::max(options.newton.tolerance, options.tolerance_between);
+  if (options.max_augmentations > 0)
+    newton_options.tolerance = std::max(options.newton.tolerance, options.tolerance_between);
   for (double worst = 0;;) {
     const NewtonReport newton_report = newton(system, u, newton_options);
     report.iterations += newton_report.iterations;
@@ -40,13 +41,13 @@ ContactStepReport solve(ContactSystem &system, const SystemState &state, const S
       break;
     }
     // Uzawa's loop is as slow as the penalty is soft beside the body: then the penalty grows (Bertsekas 1982).
-    if (report.augmentations > 0 && worst > slow * before && system.stiffen(4))
-      report.stiffened = true;
+    if (report.augmentations > 0 && worst > slow * before && system.stiffen(4)) report.stiffened = true;
     ++report.augmentations;
     system.augment();
   }
   const int lost = system.lost_points();
-  if (lost > 0) report.reason = std::to_string(lost) + " contact points moved past the faces opposite them within the step";
+  if (lost > 0)
+    report.reason = std::to_string(lost) + " contact points moved past the faces opposite them within the step";
   report.converged = lost == 0;
   return report;
 }

@@ -20,12 +20,12 @@ struct StepOptions {
 
 struct ContactStepReport {
   bool converged = false, capped = false; ///< capped: the augmentations' cap was reached
-  bool stiffened = false; ///< augmentation was slow, the penalties were raised
+  bool stiffened = false;                 ///< augmentation was slow, the penalties were raised
   int iterations = 0, augmentations = 0;
-  std::vector<double> residuals; ///< of the last Newton solution
+  std::vector<double> residuals;      ///< of the last Newton solution
   double gap_left = 0, slip_left = 0; ///< at the end [m]
-  double integrator_loss = 0;    ///< [J], steps in time only
-  double multiplier = 0;         ///< of the remote displacement's constraint [N], whole bearing
+  double integrator_loss = 0;         ///< [J], steps in time only
+  double multiplier = 0;              ///< of the remote displacement's constraint [N], whole bearing
   std::string reason;
 };
 
@@ -63,12 +63,12 @@ struct TransientPoint {
 
 struct TransientOptions {
   StepOptions step;
-  double largest_step;             ///< [s]
-  double smallest_step;            ///< [s]
-  double contact_step;             ///< first step after a predicted touch [s]
-  double energy_tolerance = 1e-4;  ///< unaccounted energy of a step over the largest; beyond it the step is cut
-  double gain_tolerance = 1e-4;    ///< likewise, what the integrator adds (it takes, on the whole)
-  TransientPoint from{}; ///< t = 0: a new run, whose ledger starts from the state
+  double largest_step;            ///< [s]
+  double smallest_step;           ///< [s]
+  double contact_step;            ///< first step after a predicted touch [s]
+  double energy_tolerance = 1e-4; ///< unaccounted energy of a step over the largest; beyond it the step is cut
+  double gain_tolerance = 1e-4;   ///< likewise, what the integrator adds (it takes, on the whole)
+  TransientPoint from{};          ///< t = 0: a new run, whose ledger starts from the state
   std::function<void(const TransientPoint &)> after_point{}; ///< sees where the run stands, to keep it
 };
 
@@ -83,7 +83,8 @@ using AfterStep = std::function<void(double t, const SystemState &, const Contac
 Attempt checked_step(ContactSystem &system, SystemState &state, double t, double dt,
                      const std::function<Eigen::VectorXd(double)> &load, const TransientOptions &options,
                      TransientReport &report, const AfterStep &after_step);
-/// From `options.from` to `end` under a load that may vary in time; `after_step(t, state, step)` sees every accepted state.
+/// From `options.from` to `end` under a load that may vary in time; `after_step(t, state, step)` sees every accepted
+/// state.
 TransientReport run_in_time(ContactSystem &system, SystemState &state, double end,
                             const std::function<Eigen::VectorXd(double)> &load, const TransientOptions &options,
                             const AfterStep &after_step);

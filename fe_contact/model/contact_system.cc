@@ -10,7 +10,7 @@ namespace rimpact::fe {
 namespace {
 /// Newton's usual tolerance: residuals below rounding over this count as solved.
 constexpr double usual_tolerance = 1e-8;
-}
+} // namespace
 
 ContactSystem::ContactSystem(const Discretisation &space, const Solid &solid, Equations equations)
     : space_(space), solid_(solid), equations_(std::move(equations)) {
@@ -22,13 +22,16 @@ void ContactSystem::add_contact(meshes::Surface slave, const MasterSurface &mast
   contacts_.emplace_back(space_, slave, master, options);
 }
 
-void ContactSystem::add_mass(int dof, double mass) { body_masses_.emplace_back(dof, mass); }
+void ContactSystem::add_mass(int dof, double mass) {
+  body_masses_.emplace_back(dof, mass);
+}
 
 void ContactSystem::make_pattern(const Eigen::VectorXd &displacements, const std::vector<SurfaceContactState> &states) {
   const Stopwatch watch(time_split["search"]);
   std::vector<std::vector<int>> pairs;
   for (std::size_t i = 0; i < contacts_.size(); ++i)
-    for (auto &clique : contacts_[i].cliques(equations_, displacements, states[i].opposite)) pairs.push_back(std::move(clique));
+    for (auto &clique : contacts_[i].cliques(equations_, displacements, states[i].opposite))
+      pairs.push_back(std::move(clique));
   if (tangent_ && tangent_->symmetry() == symmetry() && pairs == pairs_) return tangent_->solver().forget();
   pairs_ = std::move(pairs);
   auto cliques = solid_.cliques(equations_);
@@ -62,7 +65,8 @@ SystemState ContactSystem::at_rest() {
 void ContactSystem::prepare(const SystemState &old, const StepTerms &terms) {
   old_ = &old;
   terms_ = &terms;
-  if (tangent_->symmetry() != symmetry()) make_pattern(equations_.expand(old.u), old.contacts); // friction was set or taken away
+  if (tangent_->symmetry() != symmetry())
+    make_pattern(equations_.expand(old.u), old.contacts); // friction was set or taken away
   trial_.contacts = old.contacts;
   for (auto &contact : trial_.contacts)
     if (terms.expected > 0) SurfaceContact::expect(contact, terms.expected);
@@ -86,7 +90,8 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_
   trial_.energies = {};
   {
     const Stopwatch watch(time_split["assembly"]);
-    if (!solid_.assemble(displacements, old_->history, trial_.history, equations_, forces, solid_tangent, trial_.energies))
+    if (!solid_.assemble(displacements, old_->history, trial_.history, equations_, forces, solid_tangent,
+                         trial_.energies))
       return false;
   }
   const Stopwatch watch(time_split["search"]);
@@ -110,7 +115,8 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_
     const Eigen::VectorXd springs = terms_->stabilisation * (u - old_->u);
     residual_ += springs;
     stabilisation_share_ = springs.norm() / scale_;
-    for (int i = 0; with_tangent && ranks().first() && i < equations_.n; ++i) tangent_->add(i, i, terms_->stabilisation);
+    for (int i = 0; with_tangent && ranks().first() && i < equations_.n; ++i)
+      tangent_->add(i, i, terms_->stabilisation);
   }
   if (!terms_->driven.empty()) drive(u, with_tangent);
   return residual_.allFinite();
@@ -127,7 +133,8 @@ void ContactSystem::take_diagonal() {
 bool ContactSystem::assemble_contacts(const Eigen::VectorXd &displacements, Eigen::VectorXd &forces, Tangent *tangent) {
   trial_.reports.assign(contacts_.size(), {});
   for (std::size_t i = 0; i < contacts_.size() && terms_->with_contact; ++i)
-    trial_.reports[i] = contacts_[i].assemble(displacements, trial_.contacts[i], terms_->dt, equations_, forces, tangent);
+    trial_.reports[i] =
+        contacts_[i].assemble(displacements, trial_.contacts[i], terms_->dt, equations_, forces, tangent);
   ranks().sum(forces);
   return std::all_of(trial_.reports.begin(), trial_.reports.end(), [](const auto &r) { return r.pattern_holds; });
 }
@@ -145,7 +152,8 @@ void ContactSystem::add_remote(const Eigen::VectorXd &u, bool with_tangent) {
   const Inertia &inertia = *terms_->inertia;
   const RemoteTerms &remote = *terms_->remote;
   const auto &at = remote.face.equation;
-  const RemoteLoad load = remote.law(remote.face.of(u), remote.face.of(inertia.velocity(inertia.acceleration(u))), border_.multiplier);
+  const RemoteLoad load =
+      remote.law(remote.face.of(u), remote.face.of(inertia.velocity(inertia.acceleration(u))), border_.multiplier);
   const Eigen::Matrix3d stiffness = -(load.d_displacement + inertia.velocity_factor() * load.d_velocity) / remote.share;
   has_border_ = load.constrained;
   border_.push = border_.gradient = Eigen::VectorXd::Zero(equations_.n);
@@ -204,11 +212,13 @@ void ContactSystem::augment() {
 bool ContactSystem::stiffen(double factor) {
   const double inertial = terms_->inertia && ranks().first() ? terms_->inertia->mass_factor() : 0.0;
   Eigen::VectorXd stiffness(equations_.n);
-  for (int i = 0; i < equations_.n; ++i) stiffness[i] = tangent_->symmetric().diagonal(i) - inertial * mass_->diagonal(i);
+  for (int i = 0; i < equations_.n; ++i)
+    stiffness[i] = tangent_->symmetric().diagonal(i) - inertial * mass_->diagonal(i);
   bool any = false;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     auto &stiffening = trial_.contacts[i].stiffening;
-    const double most = contacts_[i].stiffness_per_area(equations_, stiffness) / contacts_[i].options().law.normal_penalty;
+    const double most =
+        contacts_[i].stiffness_per_area(equations_, stiffness) / contacts_[i].options().law.normal_penalty;
     if (stiffening * factor > std::max(1.0, most)) continue;
     stiffening *= factor;
     any = true;

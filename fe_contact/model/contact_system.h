@@ -14,7 +14,7 @@ namespace rimpact::fe {
 /// Committed state; vectors by equation, SI units.
 struct SystemState {
   Eigen::VectorXd u, v, a;
-  Eigen::VectorXd R; ///< loads less internal and contact forces [N]: what accelerates the equations
+  Eigen::VectorXd R;           ///< loads less internal and contact forces [N]: what accelerates the equations
   Eigen::VectorXd last_change; ///< of u over the last step in time, from which the next one's first guess is made
   double last_dt = 0;          ///< [s]; 0: none
   SolidHistory history;
@@ -38,24 +38,23 @@ struct Inertia {
   Inertia(const GeneralizedAlpha &scheme, double dt, const SystemState &old)
       : scheme(scheme), dt(dt), u_predicted(scheme.predicted_displacement(old.u, old.v, old.a, dt)),
         v_predicted(scheme.predicted_velocity(old.v, old.a, dt)), a_old(old.a) {}
-  Eigen::VectorXd acceleration(const Eigen::VectorXd &u) const {
-    return (u - u_predicted) / (scheme.beta * dt * dt);
-  }
+  Eigen::VectorXd acceleration(const Eigen::VectorXd &u) const { return (u - u_predicted) / (scheme.beta * dt * dt); }
   double mass_factor() const { return (1 - scheme.alpha_m) / (scheme.beta * dt * dt); } ///< of the tangent [1/s^2]
-  double velocity_factor() const { return scheme.gamma / (scheme.beta * dt); }           ///< dv/du [1/s]
+  double velocity_factor() const { return scheme.gamma / (scheme.beta * dt); }          ///< dv/du [1/s]
   Eigen::VectorXd velocity(const Eigen::VectorXd &a) const { return v_predicted + scheme.gamma * dt * a; }
 };
 
 /// What a step asks of the system besides its state.
 struct StepTerms {
-  Eigen::VectorXd load;          ///< dead loads by equation [N]
+  Eigen::VectorXd load; ///< dead loads by equation [N]
   std::vector<Driven> driven{};
-  double dt = 0;                 ///< [s]; 0: friction at its static coefficient
-  double stabilisation = 0;      ///< springs to the old state on every equation [N/m]
+  double dt = 0;            ///< [s]; 0: friction at its static coefficient
+  double stabilisation = 0; ///< springs to the old state on every equation [N/m]
   const Inertia *inertia = nullptr;
   const RemoteTerms *remote = nullptr; ///< with inertia only
   bool with_contact = true;            ///< false: the bodies pass through one another
-  /// The pressures' change over the last step, as often, is expected of this one's multipliers too; 0: they start as they are.
+  /// The pressures' change over the last step, as often, is expected of this one's multipliers too; 0: they start as
+  /// they are.
   double expected = 0;
 };
 
@@ -106,7 +105,7 @@ public:
   const SurfaceContact &contact(std::size_t i) const { return contacts_[i]; }
   SurfaceContact &contact(std::size_t i) { return contacts_[i]; }
   std::size_t n_contacts() const { return contacts_.size(); }
-  int lost_points() const; ///< of all contacts, last evaluation
+  int lost_points() const;                                 ///< of all contacts, last evaluation
   double multiplier() const { return border_.multiplier; } ///< of the remote displacement's constraint, last evaluation
   double stabilisation_share() const { return stabilisation_share_; } ///< of the forces in play, last evaluation
 
@@ -133,7 +132,7 @@ private:
   SystemState trial_;
   std::vector<SurfaceContact::Augmentation> augmentations_;
   Eigen::VectorXd residual_, diagonal_; ///< diagonal: of the last tangent, before what is driven and stabilised
-  double rounding_ = 0; ///< of the forces [N]
+  double rounding_ = 0;                 ///< of the forces [N]
   Border border_;
   bool has_border_ = false;
   double scale_ = 0, stabilisation_share_ = 0, size_ = 0;

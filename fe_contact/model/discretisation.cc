@@ -1,7 +1,7 @@
 #include "fe_contact/model/discretisation.h"
 
+#include "files/error.h"
 #include "meshes/hex_order.h"
-#include "scene/error.h"
 #include <algorithm>
 #include <array>
 #include <deal.II/base/quadrature_lib.h>
@@ -67,12 +67,10 @@ CurvedPoints curved_points(const meshes::HexMesh &mesh) {
   return points;
 }
 
-void make_triangulation(const meshes::HexMesh &mesh, const CurvedPoints &points,
-                        Triangulation<3> &triangulation) {
+void make_triangulation(const meshes::HexMesh &mesh, const CurvedPoints &points, Triangulation<3> &triangulation) {
   std::vector<CellData<3>> cells(mesh.cells.size());
   for (std::size_t c = 0; c < cells.size(); ++c) {
-    for (int v = 0; v < 8; ++v)
-      cells[c].vertices[v] = points.vertex_of_node[mesh.cells[c][gmsh_corner_of_dealii[v]]];
+    for (int v = 0; v < 8; ++v) cells[c].vertices[v] = points.vertex_of_node[mesh.cells[c][gmsh_corner_of_dealii[v]]];
     cells[c].material_id = static_cast<types::material_id>(mesh.volumes[c]);
     cells[c].manifold_id = c; // remembers the cell's place in HexMesh; no manifold is attached
   }
@@ -88,15 +86,14 @@ void make_triangulation(const meshes::HexMesh &mesh, const CurvedPoints &points,
   for (const auto &cell : triangulation.active_cell_iterators())
     for (const auto &face : cell->face_iterators())
       if (face->at_boundary()) {
-        const auto found = group_of.find(key(
-            {face->vertex_index(0), face->vertex_index(1), face->vertex_index(2), face->vertex_index(3)}));
+        const auto found = group_of.find(
+            key({face->vertex_index(0), face->vertex_index(1), face->vertex_index(2), face->vertex_index(3)}));
         if (found != group_of.end()) face->set_boundary_id(found->second);
       }
 }
 
 /// The 27 support points of one cell in deal.II's hierarchic order (vertices, lines, quads, interior).
-std::vector<Point<3>> support_points(const Triangulation<3>::cell_iterator &cell,
-                                     const CurvedPoints &points) {
+std::vector<Point<3>> support_points(const Triangulation<3>::cell_iterator &cell, const CurvedPoints &points) {
   std::vector<Point<3>> result;
   std::vector<unsigned> all;
   for (unsigned v = 0; v < 8; ++v) {
@@ -104,8 +101,7 @@ std::vector<Point<3>> support_points(const Triangulation<3>::cell_iterator &cell
     all.push_back(cell->vertex_index(v));
   }
   for (unsigned l = 0; l < 12; ++l)
-    result.push_back(
-        points.middles.at(key({cell->line(l)->vertex_index(0), cell->line(l)->vertex_index(1)})));
+    result.push_back(points.middles.at(key({cell->line(l)->vertex_index(0), cell->line(l)->vertex_index(1)})));
   for (unsigned f = 0; f < 6; ++f) {
     const auto face = cell->face(f);
     result.push_back(points.middles.at(
@@ -116,8 +112,8 @@ std::vector<Point<3>> support_points(const Triangulation<3>::cell_iterator &cell
   return result;
 }
 
-void fill(QuadratureData &data, const FESystem<3> &fe, const DoFHandler<3> &dofs, const Mapping<3> &mapping,
-          int n_1d, int n, const std::vector<unsigned> &dof_of_node) {
+void fill(QuadratureData &data, const FESystem<3> &fe, const DoFHandler<3> &dofs, const Mapping<3> &mapping, int n_1d,
+          int n, const std::vector<unsigned> &dof_of_node) {
   const QGauss<3> quadrature(n_1d);
   FEValues<3> values(mapping, fe, quadrature, update_gradients | update_JxW_values);
   data.n_points = quadrature.size();
@@ -145,8 +141,7 @@ struct Discretisation::DealII {
 };
 
 Discretisation::Discretisation(const meshes::HexMesh &mesh, int degree)
-    : degree(degree), nodes_per_cell((degree + 1) * (degree + 1) * (degree + 1)),
-      dealii_(std::make_unique<DealII>()) {
+    : degree(degree), nodes_per_cell((degree + 1) * (degree + 1) * (degree + 1)), dealii_(std::make_unique<DealII>()) {
   auto &d = *dealii_;
   const CurvedPoints curved = curved_points(mesh);
   make_triangulation(mesh, curved, d.triangulation);
@@ -181,8 +176,7 @@ Discretisation::Discretisation(const meshes::HexMesh &mesh, int degree)
   fill(reduced, *d.fe, d.dof_handler, d.mapping, degree, nodes_per_cell, d.dof_of_node);
   const QGauss<3> quadrature(degree + 1);
   for (const auto &point : quadrature.get_points())
-    for (int a = 0; a < nodes_per_cell; ++a)
-      full_values.push_back(d.fe->shape_value(d.dof_of_node[a], point));
+    for (int a = 0; a < nodes_per_cell; ++a) full_values.push_back(d.fe->shape_value(d.dof_of_node[a], point));
 
   // Boundary faces: the cell's nodes with one fixed unit coordinate, sorted by the other two.
   for (const auto &cell : d.dof_handler.active_cell_iterators())
@@ -215,8 +209,7 @@ std::vector<const Face *> Discretisation::faces_of(meshes::Surface group) const 
 
 std::vector<unsigned> Discretisation::nodes_of(meshes::Surface group) const {
   std::vector<unsigned> result;
-  for (const auto *face : faces_of(group))
-    result.insert(result.end(), face->nodes.begin(), face->nodes.end());
+  for (const auto *face : faces_of(group)) result.insert(result.end(), face->nodes.begin(), face->nodes.end());
   std::sort(result.begin(), result.end());
   result.erase(std::unique(result.begin(), result.end()), result.end());
   return result;
@@ -239,16 +232,14 @@ void Discretisation::write_vtu(const std::string &path, const std::vector<Field>
       out.add_data_vector(kept.back(), field.name, DataOut<3>::type_cell_data);
     } else if (field.components == 3) {
       kept.emplace_back(field.values.begin(), field.values.end());
-      out.add_data_vector(
-          d.dof_handler, kept.back(), std::vector<std::string>(3, field.name),
-          std::vector<Interpretation>(3, DataComponentInterpretation::component_is_part_of_vector));
+      out.add_data_vector(d.dof_handler, kept.back(), std::vector<std::string>(3, field.name),
+                          std::vector<Interpretation>(3, DataComponentInterpretation::component_is_part_of_vector));
     } else {
       kept.emplace_back(n_nodes);
       for (const auto &cell : scalar.active_cell_iterators()) {
         cell->get_dof_indices(scalar_indices);
         for (int a = 0; a < nodes_per_cell; ++a)
-          kept.back()(scalar_indices[a]) =
-              field.values[cell_nodes[cell->active_cell_index() * nodes_per_cell + a]];
+          kept.back()(scalar_indices[a]) = field.values[cell_nodes[cell->active_cell_index() * nodes_per_cell + a]];
       }
       out.add_data_vector(scalar, kept.back(), field.name);
     }

@@ -39,13 +39,13 @@ public:
 
   int degree, nodes_per_cell;
   std::size_t n_cells, n_nodes;
-  std::vector<Eigen::Vector3d> positions; ///< of the nodes, reference configuration [m]
-  std::vector<unsigned> cell_nodes;       ///< [cell][local node]
-  std::vector<meshes::Volume> volumes;    ///< [cell]
+  std::vector<Eigen::Vector3d> positions;      ///< of the nodes, reference configuration [m]
+  std::vector<unsigned> cell_nodes;            ///< [cell][local node]
+  std::vector<meshes::Volume> volumes;         ///< [cell]
   std::vector<std::array<int, 3>> node_places; ///< of a cell's local nodes, in steps of 1 / degree along its axes
-  QuadratureData full, reduced;           ///< Gauss, degree + 1 and degree points a direction
-  std::vector<double> full_values;        ///< shape values at the full points, [point][local node]
-  std::vector<Face> faces;                ///< of all groups
+  QuadratureData full, reduced;                ///< Gauss, degree + 1 and degree points a direction
+  std::vector<double> full_values;             ///< shape values at the full points, [point][local node]
+  std::vector<Face> faces;                     ///< of all groups
 
   std::size_t n_dofs() const { return 3 * n_nodes; }
   std::vector<const Face *> faces_of(meshes::Surface group) const;

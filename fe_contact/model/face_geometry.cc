@@ -75,7 +75,8 @@ Projection project(const Eigen::Vector3d &x, const FaceNodes &nodes, int degree,
     hessian << p.second[0].dot(distance), p.second[1].dot(distance), p.second[1].dot(distance),
         p.second[2].dot(distance);
     Eigen::Matrix2d tangent = metric - hessian;
-    if (tangent.determinant() <= 0.1 * metric.determinant() || tangent.trace() <= 0) tangent = metric; // far away: Gauss-Newton
+    if (tangent.determinant() <= 0.1 * metric.determinant() || tangent.trace() <= 0)
+      tangent = metric; // far away: Gauss-Newton
     const Eigen::Vector2d change = tangent.inverse() * residual;
     const double size = change.cwiseAbs().maxCoeff();
     if (size < 1e-13) {

@@ -10,8 +10,7 @@ namespace rimpact::fe {
 struct FaceShapes {
   static constexpr int max_nodes = 9;
   int n = 0;
-  double N[max_nodes], dxi[max_nodes], deta[max_nodes], dxixi[max_nodes], dxieta[max_nodes],
-      detaeta[max_nodes];
+  double N[max_nodes], dxi[max_nodes], deta[max_nodes], dxixi[max_nodes], dxieta[max_nodes], detaeta[max_nodes];
 };
 FaceShapes face_shapes(int degree, double xi, double eta);
 

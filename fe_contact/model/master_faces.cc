@@ -30,7 +30,9 @@ std::vector<unsigned> edge_nodes(const Face &face, int degree, int edge) {
 }
 
 /// How far a place lies past each edge [half widths], in the order of edge_nodes; below zero: inside it.
-std::array<double, 4> past_edges(const Projection &p) { return {-1 - p.xi, p.xi - 1, -1 - p.eta, p.eta - 1}; }
+std::array<double, 4> past_edges(const Projection &p) {
+  return {-1 - p.xi, p.xi - 1, -1 - p.eta, p.eta - 1};
+}
 
 } // namespace
 
@@ -64,7 +66,8 @@ MasterFaces::MasterFaces(MasterFaces &&) noexcept = default;
 std::vector<int> MasterFaces::near(const Eigen::Vector3d &low, const Eigen::Vector3d &high, double margin) const {
   const Eigen::Vector3d slack = Eigen::Vector3d::Constant(margin);
   std::vector<int> result;
-  for (auto it = tree_->boxes.qbegin(bg::index::intersects(box_of(low - slack, high + slack))); it != tree_->boxes.qend(); ++it)
+  for (auto it = tree_->boxes.qbegin(bg::index::intersects(box_of(low - slack, high + slack)));
+       it != tree_->boxes.qend(); ++it)
     result.push_back(it->second);
   std::sort(result.begin(), result.end());
   return result;
@@ -91,7 +94,8 @@ MasterFaces::Place MasterFaces::locate(const Eigen::Vector3d &y, int guess, doub
     if (!p.converged) continue;
     const auto past = past_edges(p);
     double overshoot = 0, off = 0;
-    for (int e = 0; e < 4; ++e) (open_edges_[f][e] ? off : overshoot) = std::max(open_edges_[f][e] ? off : overshoot, past[e]);
+    for (int e = 0; e < 4; ++e)
+      (open_edges_[f][e] ? off : overshoot) = std::max(open_edges_[f][e] ? off : overshoot, past[e]);
     if (off > beyond || overshoot > best_overshoot) continue;
     const double distance = (y - p.point).norm();
     if (overshoot < best_overshoot - 1e-12 || distance < best_distance) {

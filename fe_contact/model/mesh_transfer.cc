@@ -29,14 +29,15 @@ public:
         box.low = box.low.cwiseMin(node(c, a));
         box.high = box.high.cwiseMax(node(c, a));
       }
-      const Vector3d slack = Vector3d::Constant(0.05 * (box.high - box.low).norm()); // Q2 faces bulge beyond their nodes
+      const Vector3d slack =
+          Vector3d::Constant(0.05 * (box.high - box.low).norm()); // Q2 faces bulge beyond their nodes
       box.low -= slack, box.high += slack;
       boxes_[space.volumes[c]].push_back(box);
     }
   }
 
-  /// The cell of the volume that has x, or is nearest to it and no farther than a new node on a curved surface may lie off
-  /// the old cells' faces; x in the unit cell, where it may lie outside by that much.
+  /// The cell of the volume that has x, or is nearest to it and no farther than a new node on a curved surface may lie
+  /// off the old cells' faces; x in the unit cell, where it may lie outside by that much.
   std::pair<int, Vector3d> find(const Vector3d &x, meshes::Volume volume) const {
     constexpr double allowed = 5e-3; // a draft mesh takes a quarter of the slider's circle with one cell [m]
     std::pair<int, Vector3d> best{-1, Vector3d::Zero()};
@@ -112,7 +113,8 @@ MeshTransfer::MeshTransfer(const Discretisation &from, const Discretisation &to)
       if (!std::exchange(done[nodes[a]], 1)) nodes_[nodes[a]] = place(to.positions[nodes[a]]);
     for (int q = 0; q < to.full.n_points; ++q) {
       Vector3d x = Vector3d::Zero();
-      for (int a = 0; a < to.nodes_per_cell; ++a) x += to.full_values[q * to.nodes_per_cell + a] * to.positions[nodes[a]];
+      for (int a = 0; a < to.nodes_per_cell; ++a)
+        x += to.full_values[q * to.nodes_per_cell + a] * to.positions[nodes[a]];
       points_[c * to.full.n_points + q] = place(x);
     }
   }
@@ -125,7 +127,8 @@ Eigen::VectorXd MeshTransfer::nodal(const Eigen::VectorXd &by_dof) const {
     const Line x(nodes_[k].at[0]), y(nodes_[k].at[1]), z(nodes_[k].at[2]);
     for (int a = 0; a < 27; ++a) {
       const auto &[i, j, l] = from_.node_places[a];
-      result.segment<3>(3 * k) += x.N[i] * y.N[j] * z.N[l] * by_dof.segment<3>(3 * from_.cell_nodes[nodes_[k].cell * 27 + a]);
+      result.segment<3>(3 * k) +=
+          x.N[i] * y.N[j] * z.N[l] * by_dof.segment<3>(3 * from_.cell_nodes[nodes_[k].cell * 27 + a]);
     }
   }
   return result;
@@ -133,7 +136,9 @@ Eigen::VectorXd MeshTransfer::nodal(const Eigen::VectorXd &by_dof) const {
 
 SolidHistory MeshTransfer::history(const SolidHistory &old) const {
   SolidHistory result(points_.size());
-  const auto nearest = [](double at) { return at < 0.5 - 0.25 * std::sqrt(0.6) ? 0 : at > 0.5 + 0.25 * std::sqrt(0.6) ? 2 : 1; }; // of three Gauss points
+  const auto nearest = [](double at) {
+    return at < 0.5 - 0.25 * std::sqrt(0.6) ? 0 : at > 0.5 + 0.25 * std::sqrt(0.6) ? 2 : 1;
+  }; // of three Gauss points
   for (std::size_t k = 0; k < points_.size(); ++k)
     if (const Place &p = points_[k]; p.cell >= 0)
       result[k] = old[p.cell * 27 + nearest(p.at[0]) + 3 * nearest(p.at[1]) + 9 * nearest(p.at[2])];

@@ -1,6 +1,6 @@
-/// Carries displacements and material memory from one mesh to another of the same bodies, each body for itself: nodal values
-/// by the old cells' shape functions, which is exact where the meshes agree; a material point takes the memory of the old
-/// cell's nearest one. What the old mesh did not have (a rim meshed only now) is as made. Q2 only.
+/// Carries displacements and material memory from one mesh to another of the same bodies, each body for itself: nodal
+/// values by the old cells' shape functions, which is exact where the meshes agree; a material point takes the memory
+/// of the old cell's nearest one. What the old mesh did not have (a rim meshed only now) is as made. Q2 only.
 #pragma once
 #include "fe_contact/model/solid.h"
 
@@ -16,7 +16,7 @@ public:
 
 private:
   struct Place {
-    int cell = -1; ///< of the old mesh, -1: none
+    int cell = -1;                                ///< of the old mesh, -1: none
     Eigen::Vector3d at = Eigen::Vector3d::Zero(); ///< in the unit cell
   };
   const Discretisation &from_, &to_;

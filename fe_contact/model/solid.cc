@@ -13,8 +13,7 @@ namespace {
 /// so results are reproducible for a given number of threads.
 template <typename Body> void share(std::size_t n, int workers, const Body &body) {
   std::vector<std::thread> threads;
-  for (int w = 1; w < workers; ++w)
-    threads.emplace_back([&, w] { body(n * w / workers, n * (w + 1) / workers, w); });
+  for (int w = 1; w < workers; ++w) threads.emplace_back([&, w] { body(n * w / workers, n * (w + 1) / workers, w); });
   body(0, n / workers, 0);
   for (auto &thread : threads) thread.join();
 }
@@ -38,8 +37,7 @@ Solid::Solid(const Discretisation &space, const scene::Bearing &bearing)
                     {meshes::Volume::upper_slider, bearing.steel},
                     {meshes::Volume::pad, bearing.ertalyte}}) {}
 
-Solid::Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials)
-    : space_(space) {
+Solid::Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials) : space_(space) {
   for (const auto &[volume, material] : materials)
     laws_.emplace(volume, Law{HenckyJ2::from(material), HenckyVolumetric::from(material), material.density});
 }
@@ -133,8 +131,7 @@ bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eig
           for (int k = b == a ? i : 0; k < 3; ++k, ++place) {
             if (*place < 0) continue;
             const int row = 3 * a + i, column = 3 * b + k;
-            const double twice =
-                row != column && eqs[row] == eqs[column] ? 2.0 : 1.0; // tied dofs share a diagonal
+            const double twice = row != column && eqs[row] == eqs[column] ? 2.0 : 1.0; // tied dofs share a diagonal
             tangent[*place] += twice * weights[row] * weights[column] * kernel->block[i][k][a][b];
           }
   }
@@ -142,9 +139,8 @@ bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eig
   return true;
 }
 
-bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next,
-                     const Equations &equations, Eigen::VectorXd &forces, SymmetricMatrix *tangent,
-                     SolidEnergies &energies) const {
+bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, const Equations &equations,
+                     Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies) const {
   const int workers = assembly_threads();
   const std::vector<int> *places = tangent ? &places_in(*tangent, equations) : nullptr;
   next = old; // cells that do not move keep theirs
@@ -163,8 +159,8 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
       values = part_values_[w].data();
     }
     const auto run = space_.degree == 2 ? &Solid::assemble_cells<27> : &Solid::assemble_cells<8>;
-    admissible[w] =
-        (this->*run)(own_cells + begin, own_cells + end, u, old, next, equations, part_forces[w], places, values, part_energies[w]);
+    admissible[w] = (this->*run)(own_cells + begin, own_cells + end, u, old, next, equations, part_forces[w], places,
+                                 values, part_energies[w]);
   });
   if (ranks().any(std::find(admissible.begin(), admissible.end(), 0) != admissible.end())) return false;
   Eigen::VectorXd summed = Eigen::VectorXd::Zero(equations.n + 2); // forces, energies
@@ -186,9 +182,11 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
 }
 
 /// The history of each rank's cells, and of those at rest between them, goes to all the others.
-void Solid::hand_round(SolidHistory &history, const std::vector<unsigned> &cells, const std::vector<std::size_t> &starts) const {
+void Solid::hand_round(SolidHistory &history, const std::vector<unsigned> &cells,
+                       const std::vector<std::size_t> &starts) const {
   std::vector<std::size_t> points{0};
-  for (int r = 1; r < ranks().size; ++r) points.push_back((starts[r] < cells.size() ? cells[starts[r]] : space_.n_cells) * space_.full.n_points);
+  for (int r = 1; r < ranks().size; ++r)
+    points.push_back((starts[r] < cells.size() ? cells[starts[r]] : space_.n_cells) * space_.full.n_points);
   points.push_back(history.size());
   ranks().hand_round(history, points);
 }
@@ -204,8 +202,7 @@ void Solid::add_mass(const Equations &equations, SymmetricMatrix &mass) const {
           value += density * space_.full.weights[c * n_points + q] * space_.full_values[q * n + a] *
                    space_.full_values[q * n + b];
         for (int i = 0; i < 3; ++i) {
-          const unsigned row = 3 * space_.cell_nodes[c * n + a] + i,
-                         column = 3 * space_.cell_nodes[c * n + b] + i;
+          const unsigned row = 3 * space_.cell_nodes[c * n + a] + i, column = 3 * space_.cell_nodes[c * n + b] + i;
           const int eq_row = equations.of_dof[row], eq_column = equations.of_dof[column];
           if (eq_row < 0 || eq_column < 0) continue;
           const double twice = a != b && eq_row == eq_column ? 2.0 : 1.0;

@@ -41,9 +41,8 @@ public:
   /// False when a point is inadmissible (inverted): the step must be cut. A cell whose dofs are all held has no
   /// part in it: its history is kept, its energy not counted. With several ranks the tangent is that of this
   /// rank's cells alone; all else is whole.
-  bool assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next,
-                const Equations &equations, Eigen::VectorXd &forces, SymmetricMatrix *tangent,
-                SolidEnergies &energies) const;
+  bool assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, const Equations &equations,
+                Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies) const;
   void add_mass(const Equations &equations, SymmetricMatrix &mass) const;
   /// Mass of one volume [kg].
   double mass_of(meshes::Volume volume) const;
@@ -55,14 +54,13 @@ private:
     HenckyVolumetric volumetric;
     double density;
   };
-  const Law &law_of(std::size_t cell) const {
-    return laws_.at(space_.volumes[cell]);
-  }
+  const Law &law_of(std::size_t cell) const { return laws_.at(space_.volumes[cell]); }
   template <int n>
   bool assemble_cells(const unsigned *begin, const unsigned *end, const Eigen::VectorXd &u, const SolidHistory &old,
                       SolidHistory &next, const Equations &equations, Eigen::VectorXd &forces,
                       const std::vector<int> *places, double *tangent, SolidEnergies &energies) const;
-  void hand_round(SolidHistory &history, const std::vector<unsigned> &cells, const std::vector<std::size_t> &starts) const;
+  void hand_round(SolidHistory &history, const std::vector<unsigned> &cells,
+                  const std::vector<std::size_t> &starts) const;
   std::vector<unsigned> moving_cells(const Equations &equations) const; ///< with a dof that is not held
   const std::vector<int> &places_in(const SymmetricMatrix &matrix, const Equations &equations) const;
 
@@ -71,7 +69,8 @@ private:
   /// Where each local pair (i <= j) of each cell goes in the matrix; made once per pattern.
   mutable std::vector<int> places_;
   mutable long places_of_ = 0; ///< pattern_id
-  mutable std::vector<std::vector<double>> part_values_; ///< of the tangent, by thread; kept, for making them anew costs as much as filling them
+  mutable std::vector<std::vector<double>>
+      part_values_; ///< of the tangent, by thread; kept, for making them anew costs as much as filling them
 };
 
 /// Threads used by the assembly (RIMPACT_THREADS, else the machine's cores).

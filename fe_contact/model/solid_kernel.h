@@ -1,6 +1,6 @@
 /// The hot loops of one cell: deformation gradients, internal forces and tangent of n nodes at one point.
-/// Blocks are stored [i][k][a][b] with b contiguous, four nodes to a vector. They are too large for the first cache: four
-/// points are summed up at a time, so that the blocks are passed once for all four.
+/// Blocks are stored [i][k][a][b] with b contiguous, four nodes to a vector. They are too large for the first cache:
+/// four points are summed up at a time, so that the blocks are passed once for all four.
 #pragma once
 #include "fe_contact/laws/hencky_j2.h"
 #include <algorithm>

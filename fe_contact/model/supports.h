@@ -19,8 +19,8 @@ public:
   /// One displacement for a group's nodes: a remote displacement's component. Returns its equation.
   int tie(meshes::Surface group, int component);
   int tie(int component, const std::function<bool(const Eigen::Vector3d &)> &where);
-  /// Cuts of a sector, radial ones and one about the axis, move within themselves: no displacement along the cut's normal.
-  /// After all that is fixed or tied there.
+  /// Cuts of a sector, radial ones and one about the axis, move within themselves: no displacement along the cut's
+  /// normal. After all that is fixed or tied there.
   void slide_on(meshes::Surface cuts);
   /// Adds a rigid body; returns the first of its three dofs.
   int add_body();

@@ -103,8 +103,7 @@ double SurfaceContact::stiffness_per_area(const Equations &equations, const Eige
   for (const auto *face : faces_)
     for (const unsigned node : face->nodes)
       for (int i = 0; i < 3; ++i)
-        if (const int equation = equations.of_dof[3 * node + i]; equation >= 0)
-          stiffness += diagonal[equation] / 3;
+        if (const int equation = equations.of_dof[3 * node + i]; equation >= 0) stiffness += diagonal[equation] / 3;
   for (const auto &point : points_) area += point.area;
   return ranks().sum(stiffness) / area;
 }
@@ -137,8 +136,8 @@ std::vector<SurfaceContact::Sample> SurfaceContact::samples(const Eigen::VectorX
                                                             const SurfaceContactState &state) const {
   std::vector<Sample> result;
   for (std::size_t k = 0; k < points_.size(); ++k)
-    result.push_back({relative_position(k, u, state), state.friction[k], points_[k].area, state.pressure[k],
-                      state.gap[k]});
+    result.push_back(
+        {relative_position(k, u, state), state.friction[k], points_[k].area, state.pressure[k], state.gap[k]});
   return result;
 }
 

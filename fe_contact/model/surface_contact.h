@@ -23,25 +23,25 @@ namespace rimpact::fe {
 
 struct SurfaceContactOptions {
   CoulombContact law;
-  int points = 4;        ///< Gauss points a direction and slave face
-  int carrier_dof = -1;  ///< first of the rigid carrier's three dofs; -1: the surface stands still
+  int points = 4;       ///< Gauss points a direction and slave face
+  int carrier_dof = -1; ///< first of the rigid carrier's three dofs; -1: the surface stands still
   std::optional<meshes::Surface> carrier_faces{}; ///< or: whose displacement carries the surface
-  double margin = 0.01; ///< pairs of faces nearer than this are coupled in the matrix [m]
+  double margin = 0.01;                           ///< pairs of faces nearer than this are coupled in the matrix [m]
 };
 
 /// Per slave point; trial/committed by the caller.
 struct SurfaceContactState {
-  std::vector<double> multiplier;           ///< normal [Pa]
-  std::vector<Eigen::Vector3d> tangential;  ///< friction multiplier [Pa]
-  std::vector<Eigen::Vector3d> start;       ///< position relative to the carrier at the step's start [m]
-  std::vector<double> gap, pressure;        ///< at the last evaluation [m], [Pa]
-  std::vector<Eigen::Vector3d> friction;    ///< [Pa]
+  std::vector<double> multiplier;          ///< normal [Pa]
+  std::vector<Eigen::Vector3d> tangential; ///< friction multiplier [Pa]
+  std::vector<Eigen::Vector3d> start;      ///< position relative to the carrier at the step's start [m]
+  std::vector<double> gap, pressure;       ///< at the last evaluation [m], [Pa]
+  std::vector<Eigen::Vector3d> friction;   ///< [Pa]
   std::vector<ContactStatus> status;
   /// Opposite the master, not past its edge; settled once a step, so that Newton does not chatter: within a step
   /// a point that crosses the edge sees the surface go on.
   std::vector<char> covered;
-  std::vector<int> opposite; ///< carrier face last found opposite, -1: none
-  double stiffening = 1; ///< factor on the stated penalties where augmentation alone was slow
+  std::vector<int> opposite;    ///< carrier face last found opposite, -1: none
+  double stiffening = 1;        ///< factor on the stated penalties where augmentation alone was slow
   std::vector<double> change{}; ///< of the pressures over the last step [Pa]; empty: none yet
   void note_change(const std::vector<double> &pressures_before);
 };
@@ -51,15 +51,16 @@ struct SurfaceContactState {
 enum class NextMultipliers { none, augmented, same };
 
 struct SurfaceContactReport {
-  Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< on the body [N]
-  Eigen::Vector3d friction = Eigen::Vector3d::Zero(); ///< its tangential tractions' part [N]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();               ///< on the body [N]
+  Eigen::Vector3d friction = Eigen::Vector3d::Zero();            ///< its tangential tractions' part [N]
   double smallest_gap = std::numeric_limits<double>::infinity(); ///< [m]
-  double penetration = 0;                 ///< largest, pointwise [m]
-  double largest_pressure = 0;            ///< [Pa]
-  int stick = 0, slip = 0;                ///< points
-  int lost = 0; ///< points opposite the master at the step's start and still on its surface for which no face is found: what they bear is missing
+  double penetration = 0;                                        ///< largest, pointwise [m]
+  double largest_pressure = 0;                                   ///< [Pa]
+  int stick = 0, slip = 0;                                       ///< points
+  int lost = 0; ///< points opposite the master at the step's start and still on its surface for which no face is found:
+                ///< what they bear is missing
   double normal_work = 0, friction_work = 0; ///< taken up since the step's start, trapezoidal [J]
-  bool pattern_holds = true; ///< false: a pair of faces is not in the matrix's pattern
+  bool pattern_holds = true;                 ///< false: a pair of faces is not in the matrix's pattern
 };
 
 class SurfaceContact {
@@ -78,11 +79,10 @@ public:
   /// Adds (internal-sign) contact forces and the tangent at dof displacements u; fills `state`'s results. With several
   /// ranks forces and tangent are those of this rank's faces, to be summed up; state and report are whole.
   SurfaceContactReport assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,
-                                const Equations &equations, Eigen::VectorXd &forces,
-                                Tangent *tangent) const;
-  /// lambda <- lambda + times * the pressure's last change, not below 0, where a point bears. The gap left is then the pressure's second
-  /// difference over the penalty and not its first, which would give back the integral of (dp)^2 / eps over an impact: energy
-  /// from nothing, in proportion to the step.
+                                const Equations &equations, Eigen::VectorXd &forces, Tangent *tangent) const;
+  /// lambda <- lambda + times * the pressure's last change, not below 0, where a point bears. The gap left is then the
+  /// pressure's second difference over the penalty and not its first, which would give back the integral of (dp)^2 /
+  /// eps over an impact: energy from nothing, in proportion to the step.
   static void expect(SurfaceContactState &state, double times);
   /// Multipliers of the next augmentation, and how far they are from the present ones over the penalty: the
   /// gap and the stick's slip, in the multipliers' sense, that are left [m].
@@ -98,7 +98,8 @@ public:
   /// Ends a step at u: friction becomes the multiplier, positions the next step's start.
   void commit(const Eigen::VectorXd &u, SurfaceContactState &state, NextMultipliers normal) const;
 
-  /// Mean stiffness of the faces' nodes over their area [Pa/m], from the diagonal of the solid's stiffness (of this rank).
+  /// Mean stiffness of the faces' nodes over their area [Pa/m], from the diagonal of the solid's stiffness (of this
+  /// rank).
   double stiffness_per_area(const Equations &equations, const Eigen::VectorXd &diagonal) const;
   /// Shortest time until an open point touches at dof velocities v [s]; infinity when none closes.
   double time_to_touch(const Eigen::VectorXd &u, const Eigen::VectorXd &v, const std::vector<int> &opposite) const;
@@ -123,8 +124,8 @@ private:
   /// The nodes a point couples, with the derivatives of their weights by (xi, eta) of the carrier's face.
   struct Coupling {
     static constexpr int most = 2 * FaceShapes::max_nodes;
-    Eigen::Vector3d y;                                            ///< relative position [m]
-    Eigen::Matrix3d inverse = Eigen::Matrix3d::Identity();        ///< dy/dw, w = sum of N u
+    Eigen::Vector3d y;                                                     ///< relative position [m]
+    Eigen::Matrix3d inverse = Eigen::Matrix3d::Identity();                 ///< dy/dw, w = sum of N u
     Eigen::Matrix<double, 2, 3> dxi = Eigen::Matrix<double, 2, 3>::Zero(); ///< d(xi, eta)/dw
     Eigen::Vector3d second[3]; ///< of the carrier's displacement by (xi, eta), see Opposite
     int n = 0, carrier_face = -1;
@@ -151,9 +152,9 @@ private:
   /// The master's distance where a point is, on the deformed carrier. The gap's gradient by w, nu, has the length
   /// `stretch`; it changes with w and, w held, with the carrier's own strain.
   struct Carried {
-    double gap;                ///< [m]
+    double gap;                       ///< [m]
     Eigen::Vector3d normal, gradient; ///< unit; d gap / d w
-    Eigen::Matrix3d curvature; ///< d normal / d w [1/m]
+    Eigen::Matrix3d curvature;        ///< d normal / d w [1/m]
     Eigen::Vector3d nu = Eigen::Vector3d::Zero();
     double stretch = 1;
   };
@@ -174,8 +175,8 @@ private:
     Eigen::VectorXd forces;
     Eigen::MatrixXd stiffness;
   };
-  static void add_to(Pair &pair, const Coupling &coupling, double area, const Eigen::Vector3d &traction, const Tangents &D,
-                     const Eigen::Vector3d &nu, bool with_stiffness);
+  static void add_to(Pair &pair, const Coupling &coupling, double area, const Eigen::Vector3d &traction,
+                     const Tangents &D, const Eigen::Vector3d &nu, bool with_stiffness);
   static void flush(Pair &pair, const Equations &equations, Eigen::VectorXd &forces, Tangent *tangent);
 
   const Discretisation &space_;

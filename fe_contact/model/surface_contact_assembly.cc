@@ -16,8 +16,10 @@ SurfaceContact::Carried SurfaceContact::pushed_forward(const Coupling &coupling)
   const double stretch = nu.norm(); // one but for the carrier's strain
   const Vector3d normal = nu / stretch;
   Eigen::Matrix2d bend; // of the carrier's displacement along the normal
-  bend << coupling.second[0].dot(nu), coupling.second[1].dot(nu), coupling.second[1].dot(nu), coupling.second[2].dot(nu);
-  const Matrix3d dnu = coupling.inverse.transpose() * d.curvature * coupling.inverse - coupling.dxi.transpose() * bend * coupling.dxi;
+  bend << coupling.second[0].dot(nu), coupling.second[1].dot(nu), coupling.second[1].dot(nu),
+      coupling.second[2].dot(nu);
+  const Matrix3d dnu =
+      coupling.inverse.transpose() * d.curvature * coupling.inverse - coupling.dxi.transpose() * bend * coupling.dxi;
   const Matrix3d P = Matrix3d::Identity() - normal * normal.transpose();
   const double gap = d.gap / stretch;
   return {gap, normal, normal - gap / stretch * dnu.transpose() * normal, P * dnu / stretch, nu, stretch};
@@ -96,8 +98,8 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
     report.penetration = std::max(report.penetration, std::abs(distance.gap));
     report.largest_pressure = std::max(report.largest_pressure, law.pressure);
     ++(law.status == ContactStatus::stick ? report.stick : report.slip);
-    if (coupling->carrier_face >= 0 && !std::binary_search(pairs_[point.face].begin(), pairs_[point.face].end(),
-                                                           coupling->carrier_face)) {
+    if (coupling->carrier_face >= 0 &&
+        !std::binary_search(pairs_[point.face].begin(), pairs_[point.face].end(), coupling->carrier_face)) {
       report.pattern_holds = false;
       continue;
     }

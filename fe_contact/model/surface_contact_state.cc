@@ -41,7 +41,8 @@ SurfaceContactState SurfaceContact::carried(const SurfaceContactState &other, co
   state.stiffening = other.stiffening;
   for (std::size_t k = 0; k < points_.size(); ++k) {
     if (!state.covered[k] || !other.covered[k]) continue; // edges differ by what the meshes' faces do
-    state.multiplier[k] = other.multiplier[k], state.tangential[k] = other.tangential[k], state.start[k] = other.start[k];
+    state.multiplier[k] = other.multiplier[k], state.tangential[k] = other.tangential[k],
+    state.start[k] = other.start[k];
     state.gap[k] = other.gap[k], state.pressure[k] = other.pressure[k], state.friction[k] = other.friction[k];
     state.status[k] = other.status[k];
   }
@@ -59,8 +60,7 @@ void SurfaceContact::expect(SurfaceContactState &state, double times) {
 }
 
 SurfaceContact::Augmentation SurfaceContact::augmentation(const SurfaceContactState &state) const {
-  Augmentation next{std::vector<double>(points_.size(), 0.0),
-                    std::vector<Vector3d>(points_.size(), Vector3d::Zero())};
+  Augmentation next{std::vector<double>(points_.size(), 0.0), std::vector<Vector3d>(points_.size(), Vector3d::Zero())};
   const double normal_penalty = options_.law.normal_penalty * state.stiffening,
                tangential_penalty = options_.law.tangential_penalty * state.stiffening;
   const int per_face = options_.points * options_.points;

@@ -83,14 +83,13 @@ Attempt checked_step(ContactSystem &system, SystemState &state, double t, double
 }
 
 double SystemLedger::imbalance() const {
-  const double left =
-      initial + external - kinetic - elastic - plastic - friction - contact - integrator;
+  const double left = initial + external - kinetic - elastic - plastic - friction - contact - integrator;
   return largest > 0 ? std::abs(left) / largest : 0.0;
 }
 
-TransientReport run_in_time(
-    ContactSystem &system, SystemState &state, double end, const std::function<Eigen::VectorXd(double)> &load,
-    const TransientOptions &options, const AfterStep &after_step) {
+TransientReport run_in_time(ContactSystem &system, SystemState &state, double end,
+                            const std::function<Eigen::VectorXd(double)> &load, const TransientOptions &options,
+                            const AfterStep &after_step) {
   Run run{system, state, load, options, after_step};
   auto &ledger = run.report.ledger;
   if (options.from.t > 0) {

@@ -1,16 +1,16 @@
 #include "fe_contact/runner/checkpoint.h"
 
-#include "scene/digest.h"
-#include "scene/error.h"
-#include "scene/files.h"
-#include "scene/hdf5_memory.h"
+#include "files/digest.h"
+#include "files/error.h"
+#include "files/file.h"
+#include "files/hdf5_memory.h"
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 
 namespace rimpact::fe {
 
-using namespace scene::hdf5;
+using namespace hdf5;
 
 namespace {
 
@@ -18,7 +18,7 @@ constexpr std::size_t header_size = 512; // HDF5 looks for its beginning at 0, 5
 constexpr const char *mark = "rimpact checkpoint, format 2\nsha256 ";
 
 std::string header_of(const std::string &body) {
-  std::string header = mark + scene::sha256(body) + "\n";
+  std::string header = mark + sha256(body) + "\n";
   header.resize(header_size, '\0');
   return header;
 }
@@ -47,7 +47,8 @@ template <class Container> void read_set(hid_t group, const std::string &name, h
 void write_text_set(hid_t group, const std::string &name, const std::string &text) {
   const hsize_t n = text.size();
   const Handle space(H5Screate_simple(1, &n, nullptr), H5Sclose, "space");
-  const Handle set(H5Dcreate2(group, name.c_str(), H5T_NATIVE_CHAR, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose, "text");
+  const Handle set(H5Dcreate2(group, name.c_str(), H5T_NATIVE_CHAR, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                   H5Dclose, "text");
   if (n > 0) check(H5Dwrite(set, H5T_NATIVE_CHAR, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.data()), "text");
 }
 
@@ -62,8 +63,8 @@ void read_groups(const std::string &body, Checkpoint &checkpoint) {
   const std::lock_guard guard(library_lock());
   const Quiet quiet;
   const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose, "access list");
-  scene::hdf5::check(H5Pset_fapl_core(access, 1 << 20, false), "memory driver");
-  scene::hdf5::check(H5Pset_file_image(access, const_cast<char *>(body.data()), body.size()), "file image"); // copied
+  hdf5::check(H5Pset_fapl_core(access, 1 << 20, false), "memory driver");
+  hdf5::check(H5Pset_file_image(access, const_cast<char *>(body.data()), body.size()), "file image"); // copied
   const Handle file(H5Fopen("checkpoint in memory", H5F_ACC_RDONLY, access), H5Fclose, "file");
   const Handle numbers(H5Gopen2(file, "numbers", H5P_DEFAULT), H5Gclose, "group numbers");
   for (const auto &name : names_in(numbers)) read_set(numbers, name, H5T_NATIVE_DOUBLE, checkpoint.numbers[name]);
@@ -78,7 +79,8 @@ bool Limits::contains(double value) const {
 }
 
 void Checkpoint::damaged(const std::string &what) const {
-  throw DataError(fmt::format("{} is damaged ({}); run without --resume to start afresh", path.empty() ? "the checkpoint" : path, what));
+  throw DataError(fmt::format("{} is damaged ({}); run without --resume to start afresh",
+                              path.empty() ? "the checkpoint" : path, what));
 }
 
 const std::vector<double> &Checkpoint::field(const std::string &name, Limits limits) const {
@@ -107,18 +109,22 @@ const std::string &Checkpoint::text(const std::string &name) const {
 
 void write_checkpoint(const Checkpoint &checkpoint, const std::string &path) {
   const std::string body = file_in_memory([&](hid_t file) { write_groups(file, checkpoint); });
-  scene::write_atomically(header_of(body) + body, path);
+  write_atomically(header_of(body) + body, path);
 }
 
 Checkpoint read_checkpoint(const std::string &path) {
   if (!std::filesystem::exists(path))
-    throw DataError(fmt::format("nothing to resume: {} does not exist, no checkpoint was written yet; run without --resume", path));
-  const std::string bytes = scene::read_file(path);
+    throw DataError(
+        fmt::format("nothing to resume: {} does not exist, no checkpoint was written yet; run without --resume", path));
+  const std::string bytes = read_file(path);
   Checkpoint checkpoint{.numbers = {}, .texts = {}, .path = path};
-  if (bytes.starts_with("\x89HDF")) throw DataError(path + " was written by an older version of the program; run without --resume to start afresh");
-  if (!bytes.starts_with(mark) || bytes.size() <= header_size) checkpoint.damaged("it is cut short, or no checkpoint of rimpact");
+  if (bytes.starts_with("\x89HDF"))
+    throw DataError(path + " was written by an older version of the program; run without --resume to start afresh");
+  if (!bytes.starts_with(mark) || bytes.size() <= header_size)
+    checkpoint.damaged("it is cut short, or no checkpoint of rimpact");
   const std::string body = bytes.substr(header_size);
-  if (bytes.compare(0, header_size, header_of(body)) != 0) checkpoint.damaged("its contents do not match their checksum");
+  if (bytes.compare(0, header_size, header_of(body)) != 0)
+    checkpoint.damaged("its contents do not match their checksum");
   try {
     read_groups(body, checkpoint);
   } catch (const std::runtime_error &error) {

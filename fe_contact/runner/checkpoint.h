@@ -1,7 +1,7 @@
-/// Checkpoints: named arrays of doubles and texts in one HDF5 file, written atomically. In front of the HDF5 part, where HDF5 leaves
-/// room for others, stand 512 bytes with the format's number and the SHA-256 of all that follows: a file with a changed bit is refused
-/// before anything of it is read. The reader states of every field how many values are due and what they may be, so that a file of another
-/// build or hand is refused in one sentence too.
+/// Checkpoints: named arrays of doubles and texts in one HDF5 file, written atomically. In front of the HDF5 part,
+/// where HDF5 leaves room for others, stand 512 bytes with the format's number and the SHA-256 of all that follows: a
+/// file with a changed bit is refused before anything of it is read. The reader states of every field how many values
+/// are due and what they may be, so that a file of another build or hand is refused in one sentence too.
 #pragma once
 #include <limits>
 #include <map>
@@ -13,7 +13,7 @@ namespace rimpact::fe {
 /// What each value of a field may be.
 struct Limits {
   double low = -1e30, high = 1e30;
-  bool whole = false; ///< a whole number
+  bool whole = false;                ///< a whole number
   bool contains(double value) const; ///< NaN is nowhere
 };
 inline constexpr Limits flag{0, 1, true}, count{0, 1e15, true};

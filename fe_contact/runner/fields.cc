@@ -2,7 +2,8 @@
 #include "fe_contact/runner/fields.h"
 
 #include "fe_contact/runner/record_checkpoint.h"
-#include "scene/error.h"
+#include "files/error.h"
+#include "files/file.h"
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -10,13 +11,15 @@
 
 namespace rimpact::fe {
 
-void write_fields(const ContactSystem &system, const SystemState &state, const Eigen::VectorXd &displacements, const std::string &kind,
-                  double time, const RunOptions &options, RunRecord &record, std::optional<double> direction) {
+void write_fields(const ContactSystem &system, const SystemState &state, const Eigen::VectorXd &displacements,
+                  const std::string &kind, double time, const RunOptions &options, RunRecord &record,
+                  std::optional<double> direction) {
   if (!options.keeps_fields()) return;
   const Discretisation &space = system.space();
   SolidFields cells = system.solid().fields(displacements, state.history);
   std::vector<double> pressure(space.n_nodes, 0.0), gap(space.n_nodes, 0.0);
-  for (std::size_t i = 0; i < state.contacts.size(); ++i) system.contact(i).nodal_fields(state.contacts[i], pressure, gap);
+  for (std::size_t i = 0; i < state.contacts.size(); ++i)
+    system.contact(i).nodal_fields(state.contacts[i], pressure, gap);
   for (double &value : pressure) value *= 1e-6;
   for (double &value : gap) value = std::isfinite(value) ? 1e3 * value : 0;
   for (double &value : cells.von_mises) value *= 1e-6;
@@ -37,7 +40,7 @@ void write_pvd(const RunOptions &options, const RunRecord &record) {
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
   for (const auto &[time, name] : record.fields)
     text += fmt::format("<DataSet timestep=\"{:.9g}\" file=\"{}\"/>\n", time, name);
-  scene::write_text(text + "</Collection>\n</VTKFile>\n", options.folder + "/fields.pvd");
+  write_atomically(text + "</Collection>\n</VTKFile>\n", options.folder + "/fields.pvd");
 }
 
 } // namespace rimpact::fe

@@ -46,8 +46,7 @@ MassForces MassLoads::forces(const Eigen::Vector3d &u, const Eigen::Vector3d &v,
 }
 
 RemoteLaw MassLoads::law(const RimFrame &frame, double t, Support support) const {
-  return [this, frame, t, support](const Eigen::Vector3d &master, const Eigen::Vector3d &velocity,
-                                   double multiplier) {
+  return [this, frame, t, support](const Eigen::Vector3d &master, const Eigen::Vector3d &velocity, double multiplier) {
     const Eigen::Vector3d u = frame.displacement(master), v = frame.to_global(velocity);
     const Eigen::Matrix3d R = frame.rotation();
     RemoteLoad load;
@@ -66,8 +65,7 @@ RemoteLaw MassLoads::law(const RimFrame &frame, double t, Support support) const
     if (!friction_) return load;
     const double normal = std::max(0.0, multiplier) * gradient.norm();
     load.d_velocity = R.transpose() * model_.smoothed_friction(u, v, normal, smoothing_speed).d_velocity * R;
-    load.d_multiplier +=
-        frame.to_local(model_.smoothed_friction(u, v, gradient.norm(), smoothing_speed).force);
+    load.d_multiplier += frame.to_local(model_.smoothed_friction(u, v, gradient.norm(), smoothing_speed).force);
     return load;
   };
 }

@@ -2,8 +2,8 @@
 /// Ground motion, dead load, the dish's normal force (a constraint on the height) and its friction, in an
 /// arc's frame.
 #pragma once
-#include "fe_contact/runner/rim_frame.h"
 #include "fe_contact/model/remote_load.h"
+#include "fe_contact/runner/rim_frame.h"
 #include "reduced_models/physical_model.h"
 
 namespace rimpact::fe {

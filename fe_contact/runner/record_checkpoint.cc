@@ -1,9 +1,9 @@
 #include "fe_contact/runner/record_checkpoint.h"
 
 #include "fe_contact/runner/sample_row.h"
-#include "scene/error.h"
-#include "scene/identity.h"
-#include "scene/json_text.h"
+#include "files/error.h"
+#include "files/json_text.h"
+#include "responses/identity.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <sstream>
@@ -14,14 +14,15 @@ namespace {
 constexpr std::size_t per_point = 7, per_impact = 7;
 constexpr Limits seconds{0, 1e12};
 /// By name: the ledger may gain entries that no finite-element run fills.
-using LedgerEntry = double scene::EnergyLedger::*;
+using LedgerEntry = double EnergyLedger::*;
 constexpr LedgerEntry ledger_entries[] = {
-    &scene::EnergyLedger::external, &scene::EnergyLedger::gravity,    &scene::EnergyLedger::kinetic,
-    &scene::EnergyLedger::elastic,  &scene::EnergyLedger::plastic,    &scene::EnergyLedger::friction,
-    &scene::EnergyLedger::impact,   &scene::EnergyLedger::contact,    &scene::EnergyLedger::integrator,
-    &scene::EnergyLedger::initial,  &scene::EnergyLedger::largest_input};
+    &EnergyLedger::external,   &EnergyLedger::gravity,  &EnergyLedger::kinetic,      &EnergyLedger::elastic,
+    &EnergyLedger::plastic,    &EnergyLedger::friction, &EnergyLedger::impact,       &EnergyLedger::contact,
+    &EnergyLedger::integrator, &EnergyLedger::initial,  &EnergyLedger::largest_input};
 
-scene::Impact impact_of(const double *v) { return {v[0], v[1], v[2], v[3], v[4], v[5], v[6]}; }
+Impact impact_of(const double *v) {
+  return {v[0], v[1], v[2], v[3], v[4], v[5], v[6]};
+}
 
 /// Every signal of a finite-element run, each as long as the time.
 void get_response(const Checkpoint &file, RunRecord &record) {
@@ -33,20 +34,25 @@ void get_response(const Checkpoint &file, RunRecord &record) {
   for (const auto &[name, unused] : example.response.all()) file.field("response_" + name, time.size());
   std::istringstream due(file.text("signals"));
   for (std::string name; std::getline(due, name);) file.field("response_" + name, time.size());
-  const auto &known = scene::known_signals();
+  const auto &known = known_signals();
   for (const auto &[name, values] : file.numbers) {
     if (!name.starts_with("response_")) continue;
     const std::string signal = name.substr(9);
-    if (std::none_of(known.begin(), known.end(), [&](const auto &info) { return info.name == signal; })) file.damaged("field " + name + " is not known");
+    if (std::none_of(known.begin(), known.end(), [&](const auto &info) { return info.name == signal; }))
+      file.damaged("field " + name + " is not known");
     record.response.series(signal) = file.field(name, time.size());
   }
 }
 
 } // namespace
 
-std::vector<double> list(const Eigen::VectorXd &v) { return {v.data(), v.data() + v.size()}; }
+std::vector<double> list(const Eigen::VectorXd &v) {
+  return {v.data(), v.data() + v.size()};
+}
 
-Eigen::VectorXd vector(const std::vector<double> &v) { return Eigen::Map<const Eigen::VectorXd>(v.data(), v.size()); }
+Eigen::VectorXd vector(const std::vector<double> &v) {
+  return Eigen::Map<const Eigen::VectorXd>(v.data(), v.size());
+}
 
 std::vector<double> list(const SolidHistory &history) {
   std::vector<double> result;
@@ -76,34 +82,41 @@ Eigen::VectorXd last_change(const Checkpoint &file, const std::string &name, dou
   return vector(last_dt > 0 || !values.empty() ? file.field(name, n) : values);
 }
 
-std::vector<double> list(const scene::Impact &i) {
-  return {i.touch_time, i.release_time, i.direction_deg, i.approach_speed, i.rebound_speed, i.peak_force, i.peak_penetration};
+std::vector<double> list(const Impact &i) {
+  return {i.touch_time,    i.release_time, i.direction_deg,   i.approach_speed,
+          i.rebound_speed, i.peak_force,   i.peak_penetration};
 }
 
-scene::Impact impact_from(const Checkpoint &file, const std::string &name) { return impact_of(file.field(name, per_impact).data()); }
+Impact impact_from(const Checkpoint &file, const std::string &name) {
+  return impact_of(file.field(name, per_impact).data());
+}
 
 void begin_checkpoint(const RunOptions &options, const RunRecord &record) {
   if (!options.keeps_files()) return;
   Checkpoint file;
-  file.texts["identity"] = scene::json_text(record.identity);
+  file.texts["identity"] = json_text(record.identity);
   write_checkpoint(file, checkpoint_of(options));
 }
 
 Checkpoint kept_checkpoint(const RunOptions &options, const RunRecord &record) {
   Checkpoint file = read_checkpoint(checkpoint_of(options));
-  const auto kept = scene::identity_from(nlohmann::json::parse(file.text("identity"), nullptr, false)), now = scene::identity_from(record.identity);
+  const auto kept = identity_from(nlohmann::json::parse(file.text("identity"), nullptr, false)),
+             now = identity_from(record.identity);
   if (!kept || !now) file.damaged("it does not say what it is of");
   if (*kept != *now) {
-    const std::string what = scene::changes(*kept, *now);
-    throw DataError(fmt::format("{} belongs to another run: {} since; run without --resume to start afresh", file.path, what.empty() ? "the files it reads changed" : what));
+    const std::string what = changes(*kept, *now);
+    throw DataError(fmt::format("{} belongs to another run: {} since; run without --resume to start afresh", file.path,
+                                what.empty() ? "the files it reads changed" : what));
   }
   return file;
 }
 
-bool has_only_begun(const Checkpoint &file) { return file.numbers.empty(); }
+bool has_only_begun(const Checkpoint &file) {
+  return file.numbers.empty();
+}
 
 void put(Checkpoint &file, const RunRecord &record) {
-  file.texts["identity"] = scene::json_text(record.identity);
+  file.texts["identity"] = json_text(record.identity);
   file.texts["warnings"] = "";
   for (const auto &warning : record.warnings) file.texts["warnings"] += warning + "\n";
   file.numbers["ended"] = {double(record.ended)};
@@ -130,14 +143,16 @@ void get(const Checkpoint &file, RunRecord &record) {
   const auto &ledger = file.field("ledger", std::size(ledger_entries));
   for (std::size_t k = 0; k < std::size(ledger_entries); ++k) record.ledger.*ledger_entries[k] = ledger[k];
   const auto &impacts = file.field("impacts");
-  if (impacts.size() % per_impact != 0) file.damaged(fmt::format("field impacts has {} values, {} an impact are due", impacts.size(), per_impact));
+  if (impacts.size() % per_impact != 0)
+    file.damaged(fmt::format("field impacts has {} values, {} an impact are due", impacts.size(), per_impact));
   for (std::size_t k = 0; k < impacts.size(); k += per_impact) record.impacts.push_back(impact_of(&impacts[k]));
   const auto &n = file.field("counts", 4, count);
   record.n_steps = n[0], record.n_newton = n[1], record.n_cuts = n[2], record.augmentation_caps = n[3];
   get_response(file, record);
   record.earlier_wall = file.number("seconds_wall", seconds);
   for (const auto &[name, values] : file.numbers) {
-    if (name.starts_with("seconds_") && name != "seconds_wall") record.time_split[name.substr(8)] = file.number(name, seconds);
+    if (name.starts_with("seconds_") && name != "seconds_wall")
+      record.time_split[name.substr(8)] = file.number(name, seconds);
     if (name.starts_with("field_")) record.fields.emplace_back(file.number(name), "fields/" + name.substr(6));
   }
 }

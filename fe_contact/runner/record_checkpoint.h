@@ -15,16 +15,18 @@ void restore(const Checkpoint &file, const std::string &name, SolidHistory &hist
 void restore(const Checkpoint &file, const std::string &name, Eigen::VectorXd &v);
 Eigen::VectorXd last_change(const Checkpoint &file, const std::string &name, double last_dt, std::size_t n);
 
-std::vector<double> list(const scene::Impact &impact);
-scene::Impact impact_from(const Checkpoint &file, const std::string &name);
+std::vector<double> list(const Impact &impact);
+Impact impact_from(const Checkpoint &file, const std::string &name);
 
-inline std::string checkpoint_of(const RunOptions &options) { return options.folder + "/checkpoint.h5"; }
+inline std::string checkpoint_of(const RunOptions &options) {
+  return options.folder + "/checkpoint.h5";
+}
 
-/// A checkpoint that says what is run here and holds nothing yet: written before the first step, so that a run that is killed early is
-/// known again.
+/// A checkpoint that says what is run here and holds nothing yet: written before the first step, so that a run that is
+/// killed early is known again.
 void begin_checkpoint(const RunOptions &options, const RunRecord &record);
-/// The folder's checkpoint. Throws DataError where there is none, where it is damaged, or of another scene, other files or another
-/// version, which it says.
+/// The folder's checkpoint. Throws DataError where there is none, where it is damaged, or of another scene, other files
+/// or another version, which it says.
 Checkpoint kept_checkpoint(const RunOptions &options, const RunRecord &record);
 /// It was written by begin_checkpoint.
 bool has_only_begun(const Checkpoint &file);

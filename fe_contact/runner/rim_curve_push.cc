@@ -1,10 +1,10 @@
 #include "fe_contact/runner/rim_curve_push.h"
 
-#include "fe_contact/runner/plan_parts.h"
 #include "fe_contact/runner/rim_run.h"
 #include "fe_contact/solver/ranks.h"
-#include "scene/build_version.h"
-#include "scene/error.h"
+#include "files/error.h"
+#include "planning/plan_parts.h"
+#include "responses/build_version.h"
 #include "scene/rim_identity.h"
 #include <algorithm>
 #include <cmath>
@@ -14,9 +14,9 @@ namespace rimpact::fe {
 namespace {
 
 constexpr double first_step = 1e-5, growth = 1.6, smallest_step = 1e-8; ///< of travel [m]
-constexpr double share_in = 0.12;                                       ///< longest step over the penetration: gentle impacts need it
-constexpr int steps_in = 40, steps_out = 14;                            ///< to the deepest point; of an unloading, by falls of the force
-constexpr double furthest = 20;                                         ///< times the rim's thickness: folded over
+constexpr double share_in = 0.12;            ///< longest step over the penetration: gentle impacts need it
+constexpr int steps_in = 40, steps_out = 14; ///< to the deepest point; of an unloading, by falls of the force
+constexpr double furthest = 20;              ///< times the rim's thickness: folded over
 
 /// The slider's way: along the dish, or held at the height of first touch.
 struct Way {
@@ -31,7 +31,8 @@ struct Way {
 class CurvePush {
 public:
   CurvePush(const scene::Scene &scene, RimSystem &system, const Way &way, const RunOptions &options)
-      : system_(system), way_(way), options_(options), step_options_(rim_step_options(scene)), state_(system.at_rest()) {}
+      : system_(system), way_(way), options_(options), step_options_(rim_step_options(scene)),
+        state_(system.at_rest()) {}
 
   /// Loads until `works` [J, rising] are done, unloading from the first step beyond each.
   reduced::CurvePath run(const std::vector<double> &works, double depth, double thickness) {
@@ -44,17 +45,21 @@ public:
       path_.loading.penetration.push_back(d + step), path_.loading.force.push_back(force);
       work_ = work;
       result.wish = std::min(growth * step, share_in * (d + step) + first_step);
-      if (options_.progress) options_.progress({work, works.back(), step, 0, -(d + step), force, way_.held ? "held" : "dish"});
+      if (options_.progress)
+        options_.progress({work, works.back(), step, 0, -(d + step), force, way_.held ? "held" : "dish"});
       if (work < works[next]) return result;
       while (next < works.size() && work >= works[next]) ++next;
       path_.unloading.push_back(unloading(d + step));
       result.last = next == works.size();
       return result;
     };
-    const MarchReport report = march(0, furthest * thickness, {first_step, smallest_step, depth / steps_in, growth}, attempt);
+    const MarchReport report =
+        march(0, furthest * thickness, {first_step, smallest_step, depth / steps_in, growth}, attempt);
     if (next < works.size())
-      throw SolverStopped(fmt::format("the curve stopped at {:.4f} mm beyond touch, with {:.4g} of {:.4g} J: {}; try a finer mesh or a lower --speed",
-                                      1e3 * report.reached, work_, works.back(), report.finished ? "the rim is folded over" : report.reason));
+      throw SolverStopped(fmt::format("the curve stopped at {:.4f} mm beyond touch, with {:.4g} of {:.4g} J: {}; try a "
+                                      "finer mesh or a lower --speed",
+                                      1e3 * report.reached, work_, works.back(),
+                                      report.finished ? "the rim is folded over" : report.reason));
     return std::move(path_);
   }
 
@@ -83,7 +88,8 @@ private:
     const double first = top / stiffness / steps_out;
     const MarchReport report = march(0, deepest, {first, smallest_step, 8 * first, growth}, attempt);
     if (!report.finished)
-      throw SolverStopped(fmt::format("the unloading from {:.4f} mm stopped after {:.4f} mm: {}; try a finer mesh", 1e3 * deepest, 1e3 * report.reached, report.reason));
+      throw SolverStopped(fmt::format("the unloading from {:.4f} mm stopped after {:.4f} mm: {}; try a finer mesh",
+                                      1e3 * deepest, 1e3 * report.reached, report.reason));
     if (back.force.back() != 0) end(back, 0);
     return back;
   }
@@ -93,7 +99,8 @@ private:
     const std::size_t n = back.force.size();
     double open = parted;
     if (n > 1) {
-      const double slope = (back.force[n - 2] - back.force[n - 1]) / (back.penetration[n - 2] - back.penetration[n - 1]);
+      const double slope =
+          (back.force[n - 2] - back.force[n - 1]) / (back.penetration[n - 2] - back.penetration[n - 1]);
       open = std::max(parted, back.penetration[n - 1] - back.force[n - 1] / slope);
     }
     back.penetration.push_back(std::max(0.0, open)), back.force.push_back(0);
@@ -108,7 +115,8 @@ private:
   double work_ = 0;
 };
 
-/// Works at which to unload [J]: of the mass at speeds that lie closer where they are low, there the rebound falls fastest.
+/// Works at which to unload [J]: of the mass at speeds that lie closer where they are low, there the rebound falls
+/// fastest.
 std::vector<double> works_of(const CurveOrder &order) {
   std::vector<double> works;
   for (int i = 1; i <= order.unloadings; ++i) {
@@ -145,12 +153,12 @@ reduced::RimCurveFile push_rim_curve(const scene::Scene &scene, const CurveOrder
   const auto works = works_of(order);
   scene::Scene struck = scene;
   struck.load.mass = order.mass;
-  const double depth = depth_of_impact(struck, order.speed);
+  const double depth = planning::depth_of_impact(struck, order.speed);
   reduced::RimCurveFile result;
   const auto pushed = [&](int level, bool held, const std::vector<double> &to) {
     scene::Scene at = scene;
     at.model.mesh = level;
-    const RimModel model(at.bearing, rim_mesh_options(at, Plan{}), at.model.penalty_scale);
+    const RimModel model(at.bearing, rim_mesh_options(at, planning::Plan{}), at.model.penalty_scale);
     RimSystem system(model, 0);
     if (level == scene.model.mesh) result.mesh = fmt::format("level {}, {} unknowns", level, system.equations().n);
     return CurvePush(at, system, {physical, capacity, held}, options).run(to, depth, thickness);
@@ -159,12 +167,15 @@ reduced::RimCurveFile push_rim_curve(const scene::Scene &scene, const CurveOrder
   result.held = pushed(scene.model.mesh, true, works);
   result.bearing = scene.bearing.name;
   result.rim_identity = scene::rim_identity(scene.bearing);
-  result.made_by = scene::build_version();
-  result.errors.left_out_rebound = std::max(reduced::RimCurve(result.dish).left_out_rebound(), reduced::RimCurve(result.held).left_out_rebound());
+  result.made_by = build_version();
+  result.errors.left_out_rebound =
+      std::max(reduced::RimCurve(result.dish).left_out_rebound(), reduced::RimCurve(result.held).left_out_rebound());
   if (order.estimate && scene.model.mesh > 0) {
-    // A coarser mesh's errors are (1.5)^2 times as large, so that the difference is 1.25 times what is left on this one.
+    // A coarser mesh's errors are (1.5)^2 times as large, so that the difference is 1.25 times what is left on this
+    // one.
     const double refinement = 1.5 * 1.5 - 1;
-    result.errors.mesh_force = difference(result.dish, pushed(scene.model.mesh - 1, false, {works.back()})) / refinement;
+    result.errors.mesh_force =
+        difference(result.dish, pushed(scene.model.mesh - 1, false, {works.back()})) / refinement;
   }
   return result;
 }

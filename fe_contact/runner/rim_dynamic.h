@@ -7,11 +7,11 @@ namespace rimpact::fe {
 
 class DynamicRun {
 public:
-  DynamicRun(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RimSystem &system,
+  DynamicRun(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options, RimSystem &system,
              RunRecord &record)
-      : scene_(scene), plan_(plan), options_(options), system_(system), step_options_(rim_step_options(scene)), record_(record), model_(scene),
-        loads_(scene, model_), bearing_(model_.initial_state()), support_(loads_.initial_support()),
-        touch_height_(model_.height(scene.bearing.lateral_capacity(), 0).z) {}
+      : scene_(scene), plan_(plan), options_(options), system_(system), step_options_(rim_step_options(scene)),
+        record_(record), model_(scene), loads_(scene, model_), bearing_(model_.initial_state()),
+        support_(loads_.initial_support()), touch_height_(model_.height(scene.bearing.lateral_capacity(), 0).z) {}
 
   void run();
 
@@ -19,7 +19,9 @@ private:
   bool window() const { return scene_.excitation.kind == scene::ExcitationKind::window; }
   double end_time() const { return scene_.excitation.duration; }
   double capacity() const { return scene_.bearing.lateral_capacity(); }
-  double radial_speed() const { return bearing_.v.head<2>().dot(bearing_.u.head<2>().normalized()); } ///< outwards [m/s]
+  double radial_speed() const {
+    return bearing_.v.head<2>().dot(bearing_.u.head<2>().normalized());
+  } ///< outwards [m/s]
 
   void start();
 
@@ -50,11 +52,14 @@ private:
   Attempt attempt(Arc &arc, double t, double dt);
   /// Support, release and what else an accepted step calls for. True: the contact has ended.
   bool after_step(Arc &arc, const ContactStepReport &report);
-  Eigen::Vector3d top_of(const Arc &arc) const { return system_.top().of(arc.state.u); }       ///< local, from first touch [m]
+  Eigen::Vector3d top_of(const Arc &arc) const {
+    return system_.top().of(arc.state.u);
+  } ///< local, from first touch [m]
   Eigen::Vector3d top_speed_of(const Arc &arc) const { return system_.top().of(arc.state.v); } ///< [m/s]
   void write_fields(const Arc &arc);
 
-  /// Throws SolverStopped where the rim is folded over, or has let go of a slider that still moves outwards: it has passed the rim.
+  /// Throws SolverStopped where the rim is folded over, or has let go of a slider that still moves outwards: it has
+  /// passed the rim.
   void refuse_passage(double outward_speed, bool bears);
 
   bool lifts_off(const ContactStepReport &report) const;
@@ -87,7 +92,7 @@ private:
   void restore();
 
   const scene::Scene &scene_;
-  const Plan &plan_;
+  const planning::Plan &plan_;
   const RunOptions &options_;
   RimSystem &system_;
   const StepOptions step_options_;
@@ -103,7 +108,7 @@ private:
   bool in_contact_ = false, touched_ = false, peak_written_ = false;
   double dt_ = 0, multiplier_ = 0, others_elastic_ = 0, others_plastic_ = 0;
   double lift_height_ = 0; ///< above the dish when the mass lifted off, at most 0 [m]
-  scene::Impact impact_{};
+  Impact impact_{};
 };
 
 } // namespace rimpact::fe

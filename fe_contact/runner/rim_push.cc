@@ -3,7 +3,7 @@
 #include "fe_contact/runner/fields.h"
 #include "fe_contact/runner/rim_run.h"
 #include "fe_contact/runner/sample_row.h"
-#include "scene/error.h"
+#include "files/error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,8 @@
 namespace rimpact::fe {
 namespace {
 
-constexpr double first_step = 1e-5, growth = 1.6, smallest_step = 1e-8; ///< of travel [m]; the first contact wants a small one
+constexpr double first_step = 1e-5, growth = 1.6,
+                 smallest_step = 1e-8; ///< of travel [m]; the first contact wants a small one
 constexpr int steps_in = 32, steps_out = 64;
 
 struct Pusher {
@@ -28,24 +29,40 @@ struct Pusher {
   double travel, deepest_at; ///< [m]; load parameter of the deepest point
 
   Pusher(const scene::Scene &scene, const RunOptions &options, RimSystem &system, RunRecord &record)
-      : scene(scene), options(options), system(system), record(record), model(scene), state(system.at_rest()), step_options(rim_step_options(scene)),
-        travel(scene.excitation.travel * scene.excitation.scale), deepest_at(scene.excitation.unload ? 0.5 : 1.0) {
+      : scene(scene), options(options), system(system), record(record), model(scene), state(system.at_rest()),
+        step_options(rim_step_options(scene)), travel(scene.excitation.travel * scene.excitation.scale),
+        deepest_at(scene.excitation.unload ? 0.5 : 1.0) {
     const double capacity = scene.bearing.lateral_capacity();
     frame = {scene.excitation.direction_deg * M_PI / 180, capacity, model.height(capacity, 0).z};
   }
 
   /// Beyond touch at load parameter s [m].
-  double travel_at(double s) const { return s <= deepest_at ? travel * s / deepest_at : travel * (1 - s) / (1 - deepest_at); }
+  double travel_at(double s) const {
+    return s <= deepest_at ? travel * s / deepest_at : travel * (1 - s) / (1 - deepest_at);
+  }
   Eigen::Vector3d target(double way) const {
     return {way, 0, model.height(frame.lateral_capacity + way, 0).z - frame.touch_height};
   }
 
   void sample(double s, int iterations, double travel_step) {
-    const Eigen::Vector3d u = frame.displacement(system.top().of(state.u)), force = frame.to_global(system.wall_force(state));
+    const Eigen::Vector3d u = frame.displacement(system.top().of(state.u)),
+                          force = frame.to_global(system.wall_force(state));
     const Eigen::Vector3d none = Eigen::Vector3d::Zero();
     const SurfaceContactReport &wall = state.reports[0];
-    append(record, {s, u, none, force, none, none, force, {}, frame.lateral_capacity - u.head<2>().norm(), std::min(wall.smallest_gap, no_gap),
-                    largest_plastic_strain(state.history), wall.largest_pressure, iterations, travel_step});
+    append(record, {s,
+                    u,
+                    none,
+                    force,
+                    none,
+                    none,
+                    force,
+                    {},
+                    frame.lateral_capacity - u.head<2>().norm(),
+                    std::min(wall.smallest_gap, no_gap),
+                    largest_plastic_strain(state.history),
+                    wall.largest_pressure,
+                    iterations,
+                    travel_step});
   }
 
   void account(const Eigen::Vector3d &before) {
@@ -72,19 +89,22 @@ struct Pusher {
     account(before);
     sample(s + ds, report.iterations, step);
     if (options.progress)
-      options.progress({s + ds, 1.0, step, report.iterations, state.reports[0].smallest_gap, last_force.head<2>().norm(), "push"});
+      options.progress(
+          {s + ds, 1.0, step, report.iterations, state.reports[0].smallest_gap, last_force.head<2>().norm(), "push"});
     return {true, growth * ds, {}, s >= deepest_at && state.bearing_points() == 0}; // unloaded, the walls part
   }
 
   /// `per_metre`: load parameter over travel.
   void follow(double from, double to, int steps, double per_metre) {
     const double longest = (to - from) / steps;
-    const MarchReport report = march(from, to, {std::min(first_step * per_metre, longest), smallest_step * per_metre, longest, growth},
-                                     [&](double s, double ds) { return attempt(s, ds); });
+    const MarchReport report =
+        march(from, to, {std::min(first_step * per_metre, longest), smallest_step * per_metre, longest, growth},
+              [&](double s, double ds) { return attempt(s, ds); });
     record.n_cuts += report.cuts;
     if (!report.finished)
-      throw SolverStopped(fmt::format("the push stopped at {:.4f} mm beyond touch: {}; try a finer mesh or a smaller travel_mm",
-                                      1e3 * travel_at(report.reached), report.reason));
+      throw SolverStopped(
+          fmt::format("the push stopped at {:.4f} mm beyond touch: {}; try a finer mesh or a smaller travel_mm",
+                      1e3 * travel_at(report.reached), report.reason));
   }
 
   void write_fields(double s) {

@@ -2,7 +2,7 @@
 #include "fe_contact/runner/rim_dynamic.h"
 #include "fe_contact/runner/sample_row.h"
 
-#include "scene/error.h"
+#include "files/error.h"
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +12,7 @@ namespace {
 /// Arcs closer than this share one yielded state [rad].
 constexpr double arc_width = 0.14;
 constexpr double shortest_stretch = 1e-12; ///< less than this before its end a scene has ended [s]
-constexpr double nearest_look = 1e-3;  ///< a dented arc's true gap is computed within this of touch [m]
+constexpr double nearest_look = 1e-3;      ///< a dented arc's true gap is computed within this of touch [m]
 
 } // namespace
 
@@ -59,8 +59,7 @@ Arc &DynamicRun::touched_arc() {
   const double direction = std::atan2(bearing_.u.y(), bearing_.u.x());
   for (const auto &arc : arcs_)
     if (std::abs(std::remainder(direction - arc.frame.direction, 2 * M_PI)) < 3 * arc_width)
-      record_.warnings.push_back("two touched arcs lie within " +
-                                 std::to_string(int(3 * arc_width * 180 / M_PI)) +
+      record_.warnings.push_back("two touched arcs lie within " + std::to_string(int(3 * arc_width * 180 / M_PI)) +
                                  " degrees of one another; each was solved with its own yielded state");
   arcs_.push_back({{direction, capacity(), touch_height_}, system_.at_rest(), false});
   current_ = arcs_.size() - 1;
@@ -73,19 +72,19 @@ bool DynamicRun::fly() {
   const double chunk = 0.25; // for progress and Ctrl-C [s]
   while (bearing_.t < end_time()) {
     if (is_interrupted(options_)) throw Interrupted();
-    scene::EnergyLedger before = record_.ledger;
+    EnergyLedger before = record_.ledger;
     const auto end = reduced_flight(std::min(end_time(), bearing_.t + chunk), stop);
     bearing_ = end.state;
     record_.ledger.elastic = before.elastic; // what the arcs keep
     record_.ledger.plastic = before.plastic;
-    if (options_.progress)
-      options_.progress({bearing_.t, end_time(), chunk, 0, wall_gap(bearing_.u), 0.0, "flight"});
+    if (options_.progress) options_.progress({bearing_.t, end_time(), chunk, 0, wall_gap(bearing_.u), 0.0, "flight"});
     if (end.stopped) return true;
   }
   return false;
 }
 
-reduced::FlightEnd DynamicRun::reduced_flight(double t_end, const std::function<double(const Eigen::Vector3d &)> &stop) {
+reduced::FlightEnd DynamicRun::reduced_flight(double t_end,
+                                              const std::function<double(const Eigen::Vector3d &)> &stop) {
   try {
     const auto end = model_.fly(bearing_, t_end, stop, record_.response, record_.ledger);
     pad_fe_signals();
@@ -117,11 +116,13 @@ void DynamicRun::sample(const Arc &arc, int iterations, const MassForces &forces
   const SurfaceContactReport &wall = arc.state.reports[0];
   append(record_, {bearing_.t, bearing_.u, bearing_.v, forces.pendular + forces.friction + impact, forces.pendular,
                    forces.friction, impact, std::max(0.0, forces.normal), capacity() - bearing_.u.head<2>().norm(),
-                   std::min(wall.smallest_gap, no_gap), largest_plastic_strain(arc.state.history), wall.largest_pressure, iterations, dt});
+                   std::min(wall.smallest_gap, no_gap), largest_plastic_strain(arc.state.history),
+                   wall.largest_pressure, iterations, dt});
 }
 
 void DynamicRun::write_fields(const Arc &arc) {
-  fe::write_fields(system_, arc.state, system_.expand(arc.state), "rim", bearing_.t, options_, record_, arc.frame.direction * 180 / M_PI);
+  fe::write_fields(system_, arc.state, system_.expand(arc.state), "rim", bearing_.t, options_, record_,
+                   arc.frame.direction * 180 / M_PI);
 }
 
 void DynamicRun::finish() {
@@ -134,7 +135,7 @@ void DynamicRun::finish() {
   save();
 }
 
-meshes::RimMeshOptions rim_mesh_options(const scene::Scene &scene, const Plan &plan) {
+meshes::RimMeshOptions rim_mesh_options(const scene::Scene &scene, const planning::Plan &plan) {
   meshes::RimMeshOptions mesh;
   mesh.level = scene.model.mesh;
   mesh.half = plan.half;
@@ -156,7 +157,7 @@ StepOptions rim_step_options(const scene::Scene &scene) {
   return options;
 }
 
-void run_rim_dynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options,
+void run_rim_dynamic(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
                      RimSystem &system, RunRecord &record) {
   DynamicRun(scene, plan, options, system, record).run();
 }

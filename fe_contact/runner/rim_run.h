@@ -17,11 +17,11 @@ struct Arc {
 };
 
 /// Mesh options of the plan, and tolerances of the scene's steps.
-meshes::RimMeshOptions rim_mesh_options(const scene::Scene &scene, const Plan &plan);
+meshes::RimMeshOptions rim_mesh_options(const scene::Scene &scene, const planning::Plan &plan);
 StepOptions rim_step_options(const scene::Scene &scene);
 
 /// Runs into `record`. Throw SolverStopped or Interrupted with the record as it stands.
-void run_rim_dynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options,
+void run_rim_dynamic(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
                      RimSystem &system, RunRecord &record);
 void run_rim_push(const scene::Scene &scene, const RunOptions &options, RimSystem &system, RunRecord &record);
 

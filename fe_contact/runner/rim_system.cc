@@ -23,7 +23,8 @@ Supports supports_of(const RimModel &model) {
 
 SurfaceContactOptions wall_options(const RimModel &model) {
   constexpr double cell = 0.006, stiffer = 4; // of the meshes in the contact zone at level 1 [m]; than the cells
-  const double penalty = stiffer * model.penalty_scale * model.bearing.steel.E / (cell * meshes::size_factor(model.mesh.level));
+  const double penalty =
+      stiffer * model.penalty_scale * model.bearing.steel.E / (cell * meshes::size_factor(model.mesh.level));
   SurfaceContactOptions options{{penalty, penalty, FrictionCoefficient::constant(model.bearing.contact.rim)}};
   options.carrier_faces = Surface::rim_wall;
   options.margin = 0.003; // the slider comes and goes radially and moves little along the wall [m]
@@ -35,8 +36,8 @@ SurfaceContactOptions wall_options(const RimModel &model) {
 RimModel::RimModel(const scene::Bearing &bearing, const meshes::RimMeshOptions &mesh, double penalty_scale, int degree)
     : RimModel(bearing, meshes::rim_mesh(bearing, mesh), mesh, penalty_scale, degree) {}
 
-RimModel::RimModel(const scene::Bearing &bearing, const meshes::HexMesh &own, const meshes::RimMeshOptions &mesh, double penalty_scale,
-                   int degree)
+RimModel::RimModel(const scene::Bearing &bearing, const meshes::HexMesh &own, const meshes::RimMeshOptions &mesh,
+                   double penalty_scale, int degree)
     : bearing(bearing), mesh(mesh), penalty_scale(penalty_scale), space(own, degree), solid(space, bearing) {}
 
 RimSystem::RimSystem(const RimModel &model, double mass) : RimSystem(model, mass, supports_of(model)) {}
@@ -49,11 +50,13 @@ RimSystem::RimSystem(const RimModel &model, double mass, Supports supports)
   for (int i = 0; i < 3; ++i) top_.equation[i] = of[3 * any + i];
   if (mass > 0) add_mass(3 * any, (mass - model.own_mass()) / model.share());
   const double radius = model.bearing.surface.planar_radius + model.bearing.rim.ledge;
-  add_contact(Surface::slider_side, cylinder(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), radius, Side::inside), wall_options(model));
+  add_contact(Surface::slider_side, cylinder(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), radius, Side::inside),
+              wall_options(model));
   std::set<int> unique[3];
   for (std::size_t c = 0; c < space.n_cells; ++c)
     for (int k = 0; k < 3 * space.nodes_per_cell && space.volumes[c] == meshes::Volume::upper_slider; ++k)
-      if (const int equation = of[3 * space.cell_nodes[c * space.nodes_per_cell + k / 3] + k % 3]; equation >= 0) unique[k % 3].insert(equation);
+      if (const int equation = of[3 * space.cell_nodes[c * space.nodes_per_cell + k / 3] + k % 3]; equation >= 0)
+        unique[k % 3].insert(equation);
   for (int i = 0; i < 3; ++i) slider_[i].assign(unique[i].begin(), unique[i].end());
 }
 
@@ -82,7 +85,8 @@ ContactStepReport RimSystem::push(SystemState &state, const Eigen::Vector3d &tar
     if (top_.equation[i] >= 0) terms.driven.push_back({top_.equation[i], target[i]});
   const Eigen::VectorXd before = state.u;
   const Eigen::Vector3d way = target - top_.of(state.u);
-  // Onwards the parts go on as they went: they are about to flow. Back from the deepest point they are elastic at first.
+  // Onwards the parts go on as they went: they are about to flow. Back from the deepest point they are elastic at
+  // first.
   const double onwards = last_way_.squaredNorm() > 0 ? way.dot(last_way_) / last_way_.squaredNorm() : 0;
   const Eigen::VectorXd guess = onwards > 0 ? Eigen::VectorXd(state.u + onwards * last_change_) : state.u;
   const ContactStepReport report = static_step(*this, state, terms, options, guess);

@@ -7,9 +7,9 @@
 #include "fe_contact/runner/stack_drive.h"
 #include "fe_contact/runner/stack_run.h"
 #include "fe_contact/solver/ranks.h"
-#include "scene/error.h"
-#include "scene/identity.h"
-#include "scene/limits.h"
+#include "files/error.h"
+#include "responses/identity.h"
+#include "responses/limits.h"
 #include <filesystem>
 #include <fmt/format.h>
 #include <new>
@@ -18,19 +18,20 @@
 namespace rimpact::fe {
 namespace {
 
-scene::Summary summarise(const scene::Scene &scene, const RunRecord &record) {
+Summary summarise(const scene::Scene &scene, const RunRecord &record) {
   const double seconds = record.wall_so_far();
-  scene::Summary summary;
-  if (record.response.size() > 0) scene::summarise_response(record.response, summary);
+  Summary summary;
+  if (record.response.size() > 0) summarise_response(record.response, summary);
   summary.impacts = record.impacts; // exact instants and speeds, not those of the samples
   summary.energy = record.ledger;
   summary.rung = scene.model.rung;
   summary.mesh = scene.model.mesh;
   summary.n_steps = record.n_steps;
   summary.n_newton_iterations = record.n_newton;
-  if (scene.excitation.kind == scene::ExcitationKind::window && !scene.excitation.with_weight) summary.min_normal_force.reset();
+  if (scene.excitation.kind == scene::ExcitationKind::window && !scene.excitation.with_weight)
+    summary.min_normal_force.reset();
   summary.wall_time = seconds;
-  summary.peak_memory_bytes = static_cast<long>(ranks().sum(static_cast<double>(scene::peak_memory_bytes())));
+  summary.peak_memory_bytes = static_cast<long>(ranks().sum(static_cast<double>(peak_memory_bytes())));
   summary.n_dofs = record.n_dofs;
   summary.time_split = record.time_split;
   double output = seconds;
@@ -46,16 +47,22 @@ scene::Summary summarise(const scene::Scene &scene, const RunRecord &record) {
 
 } // namespace
 
-meshes::HexMesh mesh_of(const scene::Scene &scene, const Plan &plan) {
+meshes::HexMesh mesh_of(const scene::Scene &scene, const planning::Plan &plan) {
   if (scene.model.rung == "rim") return meshes::rim_mesh(scene.bearing, rim_mesh_options(scene, plan));
   return meshes::stack_mesh(scene.bearing, stack_mesh_options(scene, plan));
 }
 
-bool is_first_rank() { return ranks().first(); }
+bool is_first_rank() {
+  return ranks().first();
+}
 
-bool on_any_rank(bool here) { return ranks().any(here); }
+bool on_any_rank(bool here) {
+  return ranks().any(here);
+}
 
-bool is_interrupted(const RunOptions &options) { return ranks().any(options.interrupted && *options.interrupted); }
+bool is_interrupted(const RunOptions &options) {
+  return ranks().any(options.interrupted && *options.interrupted);
+}
 
 void check_supported(const scene::Scene &scene) {
   if (const auto reason = refusal(scene)) throw InputError(*reason);
@@ -63,18 +70,19 @@ void check_supported(const scene::Scene &scene) {
 
 namespace {
 
-/// Whether the run goes on from the folder's checkpoint. Where the checkpoint holds nothing but the beginning, or the rung keeps none,
-/// it starts afresh, and says so.
+/// Whether the run goes on from the folder's checkpoint. Where the checkpoint holds nothing but the beginning, or the
+/// rung keeps none, it starts afresh, and says so.
 bool goes_on(const scene::Scene &scene, const RunOptions &options, const RunRecord &record) {
   if (!options.resume) return false;
-  const bool begun = has_only_begun(kept_checkpoint(options, record)), push = scene.model.rung == "rim" && scene.excitation.kind == scene::ExcitationKind::push;
+  const bool begun = has_only_begun(kept_checkpoint(options, record)),
+             push = scene.model.rung == "rim" && scene.excitation.kind == scene::ExcitationKind::push;
   if (begun && options.remark)
     options.remark(push ? "a push on rung rim keeps no checkpoint on its way: it starts afresh"
                         : "the run was ended before its first checkpoint: it starts afresh");
   return !begun;
 }
 
-void run_rung(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record) {
+void run_rung(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options, RunRecord &record) {
   if (scene.model.rung != "rim")
     return (scene.excitation.is_dynamic() ? run_stack_dynamic : run_stack_static)(scene, plan, options, record);
   const RimModel model(scene.bearing, rim_mesh_options(scene, plan), scene.model.penalty_scale);
@@ -93,7 +101,7 @@ void run_rung(const scene::Scene &scene, const Plan &plan, const RunOptions &opt
 
 } // namespace
 
-scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions &given) {
+Summary run(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &given) {
   check_supported(scene);
   RunOptions options = given;
   const bool on_its_own = scene.model.rung == "rim"; // too small to be shared: the first rank's work
@@ -101,7 +109,7 @@ scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions
   std::optional<OnOneRank> alone;
   if (on_its_own) alone.emplace();
   RunRecord record;
-  record.identity = scene::to_json(scene::identity_of(scene));
+  record.identity = to_json(identity_of(scene));
   std::exception_ptr failure;
   std::string status = "done", reason;
   std::error_code failed;
@@ -124,20 +132,21 @@ scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions
     reason = "there is not enough memory; a coarser mesh (a lower model.mesh) needs less";
     failure = std::make_exception_ptr(SolverStopped(reason));
   }
-  const auto doubt = failure ? std::nullopt : scene::doubt_of_rebound(record.response, record.impacts);
+  const auto doubt = failure ? std::nullopt : doubt_of_rebound(record.response, record.impacts);
   if (doubt) record.warnings.push_back(*doubt);
-  for (const auto &found : {scene::doubt_of_ledger(record.ledger), scene::doubt_of_contact(record.ledger, record.impacts, scene.load.mass)})
+  for (const auto &found :
+       {doubt_of_ledger(record.ledger), doubt_of_contact(record.ledger, record.impacts, scene.load.mass)})
     if (found) record.warnings.push_back(*found);
-  scene::Summary summary = summarise(scene, record);
+  Summary summary = summarise(scene, record);
   summary.status = status;
   summary.reason = reason;
   summary.extra["identity"] = record.identity;
   summary.extra["plan"] = to_json(plan);
   summary.extra["ranks"] = ranks().size;
-  scene::judge(scene, summary);
+  judge(scene, summary);
   if (!failure && options.annotate) options.annotate(summary);
   if (options.writes) {
-    scene::write_run_folder(options.folder, scene, record.response, summary);
+    write_run_folder(options.folder, scene, record.response, summary);
     write_pvd(options, record);
   }
   if (failure) std::rethrow_exception(failure);

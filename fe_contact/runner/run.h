@@ -1,8 +1,8 @@
 /// Runs a scene by finite elements. The only header of fe_contact the application needs; no deal.II in it.
 #pragma once
-#include "fe_contact/runner/plan.h"
 #include "meshes/hex_mesh.h"
-#include "scene/summary.h"
+#include "planning/plan.h"
+#include "responses/summary.h"
 #include <atomic>
 #include <functional>
 
@@ -22,8 +22,8 @@ struct RunOptions {
   bool writes = true; ///< false: a rank that computes along and leaves the files to the first one
   std::function<void(const Progress &)> progress;
   std::function<void(const std::string &)> remark; ///< told what the user should know at once
-  const std::atomic<bool> *interrupted = nullptr; ///< set by Ctrl-C
-  std::function<void(scene::Summary &)> annotate; ///< adds keys to the summary of a run that ended well
+  const std::atomic<bool> *interrupted = nullptr;  ///< set by Ctrl-C
+  std::function<void(Summary &)> annotate;         ///< adds keys to the summary of a run that ended well
 
   bool keeps_files() const { return writes && !folder.empty(); }
   bool keeps_fields() const { return fields && keeps_files(); }
@@ -34,10 +34,10 @@ void check_supported(const scene::Scene &scene);
 
 /// Writes the run folder whatever happens (partial results, status, checkpoint). Returns the summary.
 /// Throws SolverStopped, Interrupted after writing.
-scene::Summary run(const scene::Scene &scene, const Plan &plan, const RunOptions &options);
+Summary run(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options);
 
 /// What the scene's run is solved on: built-in, or the scene's own mesh. Throws DataError for one that does not fit.
-meshes::HexMesh mesh_of(const scene::Scene &scene, const Plan &plan);
+meshes::HexMesh mesh_of(const scene::Scene &scene, const planning::Plan &plan);
 
 /// Whether this process is alone, or the first of `mpirun -np N`.
 bool is_first_rank();

@@ -1,7 +1,7 @@
 /// What a finite-element run gathers on its way, whatever its rung.
 #pragma once
 #include "fe_contact/runner/run.h"
-#include "scene/response.h"
+#include "responses/response.h"
 #include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -10,18 +10,18 @@ namespace rimpact::fe {
 
 /// What a run accumulates, whatever drives it.
 struct RunRecord {
-  scene::Response response;
-  scene::EnergyLedger ledger;
-  std::vector<scene::Impact> impacts;
+  Response response;
+  EnergyLedger ledger;
+  std::vector<Impact> impacts;
   long n_steps = 0, n_newton = 0, n_cuts = 0, augmentation_caps = 0;
   long n_dofs = 0;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
-  double earlier_wall = 0; ///< of the processes before a restart [s]
-  std::map<std::string, double> time_split; ///< [s] of those and, once it ended, of this one
+  double earlier_wall = 0;                              ///< of the processes before a restart [s]
+  std::map<std::string, double> time_split;             ///< [s] of those and, once it ended, of this one
   std::function<std::map<std::string, double>()> times; ///< [s] time split of this one while it runs
-  std::vector<std::pair<double, std::string>> fields; ///< (time, VTU file) for the PVD
+  std::vector<std::pair<double, std::string>> fields;   ///< (time, VTU file) for the PVD
   std::vector<std::string> warnings;
-  nlohmann::json identity; ///< what the run is of: scene::to_json of its identity when it began
+  nlohmann::json identity; ///< what the run is of: to_json of its identity when it began
   bool ended = false;      ///< it has come to its end: nothing is left to resume
 
   double wall_so_far() const { ///< [s]

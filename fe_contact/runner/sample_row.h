@@ -7,7 +7,7 @@
 namespace rimpact::fe {
 
 struct SampleRow {
-  double time; ///< [s], or the load parameter
+  double time;          ///< [s], or the load parameter
   Eigen::Vector3d u, v; ///< of the slider, from rest on the vertex
   /// Of the bearing on the mass [N]; `total` is their sum. Of the parts only the plane is stored.
   Eigen::Vector3d total, pendular, friction, impact;
@@ -15,7 +15,7 @@ struct SampleRow {
   double gap, surface_gap;
   double plastic_strain, contact_pressure; ///< largest
   int newton_iterations;
-  double step; ///< taken [s], or of the load parameter
+  double step;                             ///< taken [s], or of the load parameter
   std::optional<double> pad_pressure = {}; ///< largest of the pad on the dish [Pa]; empty: there is no pad
 };
 inline constexpr double no_gap = 1.0; ///< stored as surface_gap where nothing is opposite [m]

@@ -11,11 +11,20 @@ void StackDynamic::save() const {
   put(file, record_);
   put(file, state_);
   const auto &e = report_.ledger;
-  file.numbers["stack"] = {t_, next_step_, double(near_rim_), double(touched_), double(peak_written_), rest_height_,
-                           rest_elastic_, external_before_, height_before_, held_.energies.elastic,
-                           held_.energies.plastic, rest_plastic_};
-  file.numbers["model_ledger"] = {e.initial, e.external, e.kinetic, e.elastic, e.plastic, e.friction, e.contact,
-                                  e.integrator, e.largest};
+  file.numbers["stack"] = {t_,
+                           next_step_,
+                           double(near_rim_),
+                           double(touched_),
+                           double(peak_written_),
+                           rest_height_,
+                           rest_elastic_,
+                           external_before_,
+                           height_before_,
+                           held_.energies.elastic,
+                           held_.energies.plastic,
+                           rest_plastic_};
+  file.numbers["model_ledger"] = {e.initial,  e.external, e.kinetic,    e.elastic, e.plastic,
+                                  e.friction, e.contact,  e.integrator, e.largest};
   if (held_.displacement.size()) file.numbers["held_rim"] = list(held_.displacement);
   file.numbers["impact"] = list(impact_);
   file.numbers["sectors"] = plan_.sectors;
@@ -25,7 +34,8 @@ void StackDynamic::save() const {
 void StackDynamic::restore(const Checkpoint &file) {
   get(file, record_);
   const auto &s = file.field("stack", 12);
-  if (s[0] < 0 || s[0] > end_time() + 1e-9 || s[1] < 0 || !flag.contains(s[2]) || !flag.contains(s[3]) || !flag.contains(s[4]))
+  if (s[0] < 0 || s[0] > end_time() + 1e-9 || s[1] < 0 || !flag.contains(s[2]) || !flag.contains(s[3]) ||
+      !flag.contains(s[4]))
     file.damaged("field stack holds a number it cannot");
   t_ = s[0], next_step_ = s[1], near_rim_ = s[2] != 0, touched_ = s[3] != 0, peak_written_ = s[4] != 0;
   rest_height_ = s[5], rest_elastic_ = s[6], external_before_ = s[7], height_before_ = s[8];

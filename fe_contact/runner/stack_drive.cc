@@ -1,10 +1,10 @@
 #include "fe_contact/runner/stack_drive.h"
 
-#include "scene/error.h"
+#include "files/error.h"
 
 namespace rimpact::fe {
 
-meshes::StackMeshOptions stack_mesh_options(const scene::Scene &scene, const Plan &plan) {
+meshes::StackMeshOptions stack_mesh_options(const scene::Scene &scene, const planning::Plan &plan) {
   meshes::StackMeshOptions mesh;
   mesh.level = scene.model.mesh;
   mesh.half = plan.half;

@@ -1,12 +1,12 @@
 /// A stack whose top face is driven: what the preload and every quasi-static path share.
 #pragma once
-#include "fe_contact/runner/plan.h"
 #include "fe_contact/runner/stack_model.h"
+#include "planning/plan.h"
 
 namespace rimpact::fe {
 
 /// What the plan says of the mesh.
-meshes::StackMeshOptions stack_mesh_options(const scene::Scene &scene, const Plan &plan);
+meshes::StackMeshOptions stack_mesh_options(const scene::Scene &scene, const planning::Plan &plan);
 /// Tolerances of quasi-static steps of the stack.
 StepOptions stack_step_options();
 
@@ -18,7 +18,7 @@ class TopDrive {
 public:
   ContactStepReport move_to(StackSystem &system, SystemState &state, const Eigen::Vector2d &target,
                             const Eigen::VectorXd &load, const StepOptions &options);
-  Eigen::VectorXd last_change; ///< of the state's u over the last step
+  Eigen::VectorXd last_change;                        ///< of the state's u over the last step
   Eigen::Vector2d last_way = Eigen::Vector2d::Zero(); ///< [m]; zero: none yet
 
 private:

@@ -3,8 +3,8 @@
 #include "fe_contact/runner/fields.h"
 #include "fe_contact/runner/record_checkpoint.h"
 #include "fe_contact/runner/stack_run.h"
+#include "files/error.h"
 #include "reduced_models/physical_model.h"
-#include "scene/error.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -40,10 +40,12 @@ Eigen::Vector3d arriving_acceleration(const scene::Scene &scene) {
 
 } // namespace
 
-StackDynamic::StackDynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record)
+StackDynamic::StackDynamic(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
+                           RunRecord &record)
     : scene_(scene), plan_(plan), options_(options), record_(record),
-      model_(scene.bearing, stack_mesh_options(scene, plan), has_friction(scene), scene.model.penalty_scale), alone_(model_, false), joined_(model_, true),
-      recorder_(scene, model_, record), ground_(scene.excitation, scene.load.gravity) {
+      model_(scene.bearing, stack_mesh_options(scene, plan), has_friction(scene), scene.model.penalty_scale),
+      alone_(model_, false), joined_(model_, true), recorder_(scene, model_, record),
+      ground_(scene.excitation, scene.load.gravity) {
   const double mass = scene.load.mass - model_.own_mass();
   alone_.carry(mass);
   joined_.carry(mass);
@@ -97,7 +99,8 @@ void StackDynamic::slide_out() {
   constexpr double longest = 0.025, last = 2e-4; // steps [m]
   const Eigen::Vector2d direction = scene_.excitation.direction();
   // As if it came sliding at its speed: the dish carries the weight less what the path's curve takes off.
-  const Eigen::VectorXd load = active().dead_load(scene_.load.vertical + scene_.load.mass * arriving_acceleration(scene_).z());
+  const Eigen::VectorXd load =
+      active().dead_load(scene_.load.vertical + scene_.load.mass * arriving_acceleration(scene_).z());
   const double end = scene_.bearing.lateral_capacity() - first_gap;
   TopDrive drive;
   const auto go = [&](double from, double step) {
@@ -108,12 +111,13 @@ void StackDynamic::slide_out() {
       options_.progress({0, end_time(), step, report.iterations, end - from - step, 0, "sliding out"});
     return Attempt{report.converged, 0, report.reason};
   };
-  for (const auto &[from, to, first, step] : {std::tuple{0.0, end - last, 1e-3 * longest, longest}, {end - last, end, last, last}}) {
+  for (const auto &[from, to, first, step] :
+       {std::tuple{0.0, end - last, 1e-3 * longest, longest}, {end - last, end, last, last}}) {
     const MarchReport report = march(from, to, {first, 1e-5 * step, step, 2.0}, go);
     if (!report.finished) throw SolverStopped("the slide out to the rim stopped: " + report.reason);
   }
-  // What the dish takes on the last stretch is added, so that the walls meet at the speed asked for. Under rung full the
-  // plate dips, and its rim leans away by some micrometres: a graze would stop short of it.
+  // What the dish takes on the last stretch is added, so that the walls meet at the speed asked for. Under rung full
+  // the plate dips, and its rim leans away by some micrometres: a graze would stop short of it.
   const double slowing = -forces_of(model_, state_).dish.head<2>().dot(direction) / scene_.load.mass;
   const double speed = std::sqrt(std::pow(scene_.excitation.impact_speed(), 2) + 2 * slowing * wall_gap());
   state_.v = drive.last_change * (speed / drive.last_way.norm());
@@ -127,11 +131,13 @@ Eigen::VectorXd StackDynamic::load(double t) const {
 /// One phase: the stack sliding, at rest, or with the rim.
 void StackDynamic::march_on() {
   resting_ = rests();
-  transient_.step.rho_inf = resting_ ? 0 : scene_.model.rho_inf; // what rings on, of springs without damping, is of no interest
-  const double longest = near_rim_ ? plan_.step_in_contact : resting_ ? longest_resting_step : longest_sliding_step;
-  const MarchReport report =
-      march(t_, end_time(), {std::min(next_step_, longest), transient_.smallest_step, longest},
-            [&](double t, double dt) { return attempt(t, dt); });
+  transient_.step.rho_inf =
+      resting_ ? 0 : scene_.model.rho_inf; // what rings on, of springs without damping, is of no interest
+  const double longest = near_rim_  ? plan_.step_in_contact
+                         : resting_ ? planning::longest_resting_step
+                                    : longest_sliding_step;
+  const MarchReport report = march(t_, end_time(), {std::min(next_step_, longest), transient_.smallest_step, longest},
+                                   [&](double t, double dt) { return attempt(t, dt); });
   record_.n_cuts += report.cuts;
   next_step_ = report.wanted;
   if (!report.finished) {
@@ -143,8 +149,9 @@ void StackDynamic::march_on() {
   if (near_rim_ && !touching() && surface_gap() > parting_gap && closing_speed() < 0) part();
 }
 
-/// Where the slider turns round its friction does, and a step takes it as it is at the step's end: by up to a step's length
-/// too early, an impulse of 2 mu N dt. So steps shrink with the time to (and since) the turn; a slider that hardly accelerates has none.
+/// Where the slider turns round its friction does, and a step takes it as it is at the step's end: by up to a step's
+/// length too early, an impulse of 2 mu N dt. So steps shrink with the time to (and since) the turn; a slider that
+/// hardly accelerates has none.
 double StackDynamic::longest_at_turn() const {
   constexpr double at_rest = 0.3, share = 0.7; // [m/s^2]; of that time
   const double speed = active().top_of(state_.v).head<2>().norm(), rate = active().top_of(state_.a).head<2>().norm();
@@ -172,11 +179,13 @@ Attempt StackDynamic::attempt(double t, double dt) {
     save();
     throw Interrupted();
   }
-  if (const double shorter = clipped(dt); shorter > 0) return {false, shorter, "the walls are about to touch, or the slider to turn round"};
+  if (const double shorter = clipped(dt); shorter > 0)
+    return {false, shorter, "the walls are about to touch, or the slider to turn round"};
   closing_before_ = closing_speed();
   const int before = report_.iterations;
-  Attempt result = checked_step(active(), state_, t, dt, [this](double at) { return load(at); }, transient_, report_,
-                                [&](double, const SystemState &, const ContactStepReport &step) { after_step(t + dt, dt, step); });
+  Attempt result = checked_step(
+      active(), state_, t, dt, [this](double at) { return load(at); }, transient_, report_,
+      [&](double, const SystemState &, const ContactStepReport &step) { after_step(t + dt, dt, step); });
   record_.n_newton += report_.iterations - before;
   if (result.accepted && near_rim_)
     result.last = !touching() && surface_gap() > parting_gap && closing_speed() < 0;
@@ -201,10 +210,14 @@ void StackDynamic::after_step(double t, double dt, const ContactStepReport &step
   recorder_.sample(t, travel(), active().top_of(state_.v), state_, step.iterations, dt);
   if (options_.progress)
     options_.progress({t, end_time(), dt, step.iterations, gap(), forces.rim.head<2>().norm(),
-                       touching() ? "contact" : near_rim_ ? "near the rim" : "sliding"});
+                       touching()  ? "contact"
+                       : near_rim_ ? "near the rim"
+                                   : "sliding"});
 }
 
-void StackDynamic::write_fields() { fe::write_fields(active(), state_, displacements(), "stack", t_, options_, record_); }
+void StackDynamic::write_fields() {
+  fe::write_fields(active(), state_, displacements(), "stack", t_, options_, record_);
+}
 
 std::map<std::string, double> StackDynamic::time_split() const {
   auto result = alone_.time_split;
@@ -212,8 +225,9 @@ std::map<std::string, double> StackDynamic::time_split() const {
   return result;
 }
 
-void run_stack_dynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record) {
-  Plan now = plan;
+void run_stack_dynamic(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
+                       RunRecord &record) {
+  planning::Plan now = plan;
   std::optional<Checkpoint> kept;
   if (options.resume) kept = kept_checkpoint(options, record);
   if (kept) now.sectors = kept->field("sectors", Limits{-7, 7}); // it may have been replanned
@@ -225,20 +239,23 @@ void run_stack_dynamic(const scene::Scene &scene, const Plan &plan, const RunOpt
     for (const auto &[name, seconds] : dynamic->time_split()) result[name] += seconds;
     return result;
   };
-  run_timed(record, [&] {
-    if (kept)
-      dynamic->restore(*kept);
-    else
-      dynamic->start();
-    kept.reset();
-    while (const auto direction = dynamic->run()) {
-      now.sectors.push_back(*direction);
-      auto next = std::make_unique<StackDynamic>(scene, now, options, record);
-      next->take_over(*dynamic);
-      before = times();
-      dynamic = std::move(next);
-    }
-  }, times);
+  run_timed(
+      record,
+      [&] {
+        if (kept)
+          dynamic->restore(*kept);
+        else
+          dynamic->start();
+        kept.reset();
+        while (const auto direction = dynamic->run()) {
+          now.sectors.push_back(*direction);
+          auto next = std::make_unique<StackDynamic>(scene, now, options, record);
+          next->take_over(*dynamic);
+          before = times();
+          dynamic = std::move(next);
+        }
+      },
+      times);
 }
 
 } // namespace rimpact::fe

@@ -12,8 +12,9 @@ namespace rimpact::fe {
 
 class StackDynamic {
 public:
-  StackDynamic(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record);
-  /// From the beginning, from a checkpoint whose sectors the plan has, or from where another one stands, whose plan has a sector less.
+  StackDynamic(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options, RunRecord &record);
+  /// From the beginning, from a checkpoint whose sectors the plan has, or from where another one stands, whose plan has
+  /// a sector less.
   void start();
   void restore(const Checkpoint &file);
   void take_over(const StackDynamic &old);
@@ -55,7 +56,7 @@ private:
   void save() const;
 
   const scene::Scene &scene_;
-  const Plan plan_;
+  const planning::Plan plan_;
   const RunOptions &options_;
   RunRecord &record_;
   StackModel model_;
@@ -65,13 +66,13 @@ private:
   scene::GroundMotion ground_;
   TransientOptions transient_;
   SystemState state_;
-  TransientReport report_;  ///< its ledger: of the model, without the held rim
+  TransientReport report_; ///< its ledger: of the model, without the held rim
   HeldRim held_;
   bool near_rim_ = false, touched_ = false, peak_written_ = false, resting_ = false;
   double t_ = 0, next_step_ = 0, rest_height_ = 0, rest_elastic_ = 0, rest_plastic_ = 0;
   double external_before_ = 0, height_before_ = 0, closing_before_ = 0;
   long steps_kept_ = 0; ///< steps made when the last checkpoint was written
-  scene::Impact impact_{};
+  Impact impact_{};
 };
 
 } // namespace rimpact::fe

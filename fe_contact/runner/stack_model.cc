@@ -30,9 +30,10 @@ Supports supports_of(const StackModel &model, bool with_rim) {
 
 } // namespace
 
-StackModel::StackModel(const scene::Bearing &bearing, const meshes::StackMeshOptions &mesh, bool friction, double penalty_scale)
-    : bearing(bearing), mesh(mesh), friction(friction), penalty_scale(penalty_scale), space(meshes::stack_mesh(bearing, mesh), 2),
-      solid(space, bearing) {}
+StackModel::StackModel(const scene::Bearing &bearing, const meshes::StackMeshOptions &mesh, bool friction,
+                       double penalty_scale)
+    : bearing(bearing), mesh(mesh), friction(friction), penalty_scale(penalty_scale),
+      space(meshes::stack_mesh(bearing, mesh), 2), solid(space, bearing) {}
 
 double StackModel::own_mass() const {
   double mass = 0;
@@ -63,8 +64,8 @@ StackSystem::StackSystem(const StackModel &model, bool with_rim, Supports suppor
   auto wall = frictional(bearing.steel.E, wall_cell * reach, bearing.contact.rim);
   wall.carrier_faces = Surface::rim_wall;
   add_contact(Surface::slider_side,
-              cylinder(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), bearing.surface.planar_radius + bearing.rim.ledge,
-                       Side::inside),
+              cylinder(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(),
+                       bearing.surface.planar_radius + bearing.rim.ledge, Side::inside),
               wall);
 }
 

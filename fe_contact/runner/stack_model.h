@@ -1,5 +1,6 @@
 /// The solids of rungs R2 and R3: pad (tied to the foot), foot and upper slider, and of R2 the rim's sectors where a
-/// scene needs them, its dish being exact; of R3 the whole plate, whose deformed dish carries the exact surface. Frame and reference position: at rest on the vertex (see stack_mesh).
+/// scene needs them, its dish being exact; of R3 the whole plate, whose deformed dish carries the exact surface. Frame
+/// and reference position: at rest on the vertex (see stack_mesh).
 #pragma once
 #include "fe_contact/model/contact_steps.h"
 #include "fe_contact/model/supports.h"
@@ -13,12 +14,12 @@ struct StackModel {
   StackModel(const StackModel &) = delete;
 
   double share() const { return mesh.half ? 2.0 : 1.0; } ///< whole bearing over model
-  bool full() const { return mesh.whole_plate; } ///< rung R3
+  bool full() const { return mesh.whole_plate; }         ///< rung R3
   double own_mass() const; ///< of the parts that move with the supported mass, whole bearing [kg]
 
   const scene::Bearing bearing;
   const meshes::StackMeshOptions mesh;
-  const bool friction; ///< false: dish and socket are smooth
+  const bool friction;        ///< false: dish and socket are smooth
   const double penalty_scale; ///< of the contacts, times the default
   const Discretisation space;
   const Solid solid;

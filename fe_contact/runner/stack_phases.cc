@@ -16,14 +16,18 @@ Eigen::Vector3d StackDynamic::travel() const {
   return active().top_of(state_.u) - Eigen::Vector3d(0, 0, rest_height_);
 }
 
-double StackDynamic::gap() const { return scene_.bearing.lateral_capacity() - travel().head<2>().norm(); }
+double StackDynamic::gap() const {
+  return scene_.bearing.lateral_capacity() - travel().head<2>().norm();
+}
 
 double StackDynamic::wall_gap() const {
   const double exact = rim_is_solid() ? state_.reports[StackSystem::rim].smallest_gap : gap();
   return std::isfinite(exact) ? exact : gap();
 }
 
-double StackDynamic::surface_gap() const { return touched_ ? wall_gap() : gap(); }
+double StackDynamic::surface_gap() const {
+  return touched_ ? wall_gap() : gap();
+}
 
 double StackDynamic::closing_speed() const {
   const Eigen::Vector2d u = travel().head<2>(), v = active().top_of(state_.v).head<2>();

@@ -23,8 +23,9 @@ void StackRecorder::sample(double time, const Eigen::Vector3d &u, const Eigen::V
   for (const auto &report : state.reports) pressure = std::max(pressure, report.largest_pressure);
   if (state.reports.size() > StackSystem::rim && std::isfinite(state.reports[StackSystem::rim].smallest_gap))
     surface_gap = state.reports[StackSystem::rim].smallest_gap;
-  append(record_, {time, u, v, forces.total(), forces.dish - forces.friction, forces.friction, forces.rim, forces.dish.z(),
-                   gap, surface_gap, largest_plastic_strain(state.history), pressure, iterations, step, state.reports[StackSystem::dish].largest_pressure});
+  append(record_, {time, u, v, forces.total(), forces.dish - forces.friction, forces.friction, forces.rim,
+                   forces.dish.z(), gap, surface_gap, largest_plastic_strain(state.history), pressure, iterations, step,
+                   state.reports[StackSystem::dish].largest_pressure});
 }
 
 } // namespace rimpact::fe

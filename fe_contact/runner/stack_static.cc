@@ -6,7 +6,7 @@
 #include "fe_contact/runner/stack_recorder.h"
 #include "fe_contact/runner/stack_run.h"
 #include "fe_contact/runner/system_checkpoint.h"
-#include "scene/error.h"
+#include "files/error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -28,10 +28,11 @@ struct StaticPath {
   Eigen::VectorXd load;
   StepOptions step_options = stack_step_options();
   static constexpr double growth = 2; ///< of the next step: by this one alone, so that a checkpoint holds it
-  double rest_height = 0; ///< of the top face under the load [m]
+  double rest_height = 0;             ///< of the top face under the load [m]
 
-  StaticPath(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record)
-      : scene(scene), options(options), record(record), model(scene.bearing, stack_mesh_options(scene, plan), true, scene.model.penalty_scale),
+  StaticPath(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options, RunRecord &record)
+      : scene(scene), options(options), record(record),
+        model(scene.bearing, stack_mesh_options(scene, plan), true, scene.model.penalty_scale),
         system(model, model.full() || plan.rim_takes_part), state(system.at_rest()), recorder(scene, model, record),
         load(system.dead_load(scene.load.vertical)) {
     record.n_dofs = system.equations().n;
@@ -39,7 +40,8 @@ struct StaticPath {
 
   Attempt attempt(double s, double ds) {
     if (is_interrupted(options)) throw Interrupted();
-    const Eigen::Vector2d target = scene::prescribed_displacement(scene.excitation, scene.bearing.lateral_capacity(), s + ds);
+    const Eigen::Vector2d target =
+        scene::prescribed_displacement(scene.excitation, scene.bearing.lateral_capacity(), s + ds);
     const Eigen::Vector3d before = system.top_of(state.u), force_before = forces_of(model, state).total();
     const ContactStepReport step = drive.move_to(system, state, target, load, step_options);
     record.n_newton += step.iterations;
@@ -101,7 +103,8 @@ struct StaticPath {
     const auto &p = file.field("path", 6);
     if (p[0] < 0 || p[0] > 1 || p[1] < 0 || p[1] > 1) file.damaged("field path holds a number it cannot");
     rest_height = p[2], rest_elastic = p[3], drive.last_way = {p[4], p[5]};
-    drive.last_change = vector(drive.last_way.squaredNorm() > 0 ? file.field("drive_change", state.u.size()) : file.field("drive_change"));
+    drive.last_change = vector(drive.last_way.squaredNorm() > 0 ? file.field("drive_change", state.u.size())
+                                                                : file.field("drive_change"));
     system.start_afresh_at(state);
     return {p[0], p[1]};
   }
@@ -120,12 +123,15 @@ struct StaticPath {
       return {{1, 1e-3 * largest, largest}};
     }
     ends.push_back(1);
-    const double slide = ends[0] * longest_slide / scene.bearing.lateral_capacity(), in = (ends[1] - ends[0]) / steps_in;
+    const double slide = ends[0] * longest_slide / scene.bearing.lateral_capacity(),
+                 in = (ends[1] - ends[0]) / steps_in;
     std::vector<Phase> result{{ends[0], 1e-3 * slide, slide}, {ends[1], 1e-2 * in, in}};
     if (ends.size() > 2) result.push_back({1, 0.1 * (1 - ends[1]) / steps_back, (1 - ends[1]) / steps_back});
     return result;
   }
-  double cycles() const { return scene.excitation.kind == scene::ExcitationKind::cyclic ? scene.excitation.cycles : 1.0; }
+  double cycles() const {
+    return scene.excitation.kind == scene::ExcitationKind::cyclic ? scene.excitation.cycles : 1.0;
+  }
 
   void run() {
     double reached = 0, next = 0; // next step; 0: the phase's first
@@ -152,13 +158,14 @@ struct StaticPath {
   double follow(double start, const Phase &phase, double first) {
     constexpr int checkpoint_every = 10;
     const double picture = 0.25 / cycles();
-    const MarchReport report = march(start, phase.end, {first, 1e-8 * phase.largest, phase.largest, growth}, [&](double s, double ds) {
-      Attempt result = attempt(s, ds);
-      if (!result.accepted) return result;
-      if (std::floor((s + ds) / picture + 1e-9) > std::floor(s / picture + 1e-9)) write_fields(s + ds);
-      if (record.n_steps % checkpoint_every == 0) save(s + ds, growth * ds);
-      return result;
-    });
+    const MarchReport report =
+        march(start, phase.end, {first, 1e-8 * phase.largest, phase.largest, growth}, [&](double s, double ds) {
+          Attempt result = attempt(s, ds);
+          if (!result.accepted) return result;
+          if (std::floor((s + ds) / picture + 1e-9) > std::floor(s / picture + 1e-9)) write_fields(s + ds);
+          if (record.n_steps % checkpoint_every == 0) save(s + ds, growth * ds);
+          return result;
+        });
     if (report.finished) return phase.end;
     save(report.reached, phase.largest);
     throw SolverStopped(fmt::format("the path stopped at load parameter {:.4f}: {}; partial results are kept; try "
@@ -169,9 +176,11 @@ struct StaticPath {
 
 } // namespace
 
-void run_stack_static(const scene::Scene &scene, const Plan &plan, const RunOptions &options, RunRecord &record) {
+void run_stack_static(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
+                      RunRecord &record) {
   StaticPath path(scene, plan, options, record);
-  run_timed(record, [&] { path.run(); }, [&] { return path.system.time_split; });
+  run_timed(
+      record, [&] { path.run(); }, [&] { return path.system.time_split; });
 }
 
 } // namespace rimpact::fe

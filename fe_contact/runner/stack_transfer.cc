@@ -28,15 +28,16 @@ SystemState joined_state(const StackSystem &alone, const SystemState &state, con
   SystemState result = joined.at_rest();
   carry_over(alone, joined, state, result);
   result.u = carried_over(alone.equations(), joined.equations(), state.u,
-                          held.displacement.size() ? joined.equations().gather(held.displacement) : Eigen::VectorXd::Zero(joined.equations().n));
+                          held.displacement.size() ? joined.equations().gather(held.displacement)
+                                                   : Eigen::VectorXd::Zero(joined.equations().n));
   result.contacts[StackSystem::rim] = joined.contact(StackSystem::rim).open(joined.expand(result));
   result.energies.elastic = state.energies.elastic + held.energies.elastic;
   result.energies.plastic = state.energies.plastic + held.energies.plastic;
   return result;
 }
 
-SystemState parted_state(const StackModel &model, const StackSystem &joined, const SystemState &state, StackSystem &alone,
-                         HeldRim &held) {
+SystemState parted_state(const StackModel &model, const StackSystem &joined, const SystemState &state,
+                         StackSystem &alone, HeldRim &held) {
   SystemState result = alone.at_rest();
   carry_over(joined, alone, state, result);
   result.u = carried_over(joined.equations(), alone.equations(), state.u, result.u);

@@ -13,7 +13,7 @@ struct HeldRim {
 /// The stack's state with the rim at rest in its permanent shape.
 SystemState joined_state(const StackSystem &alone, const SystemState &state, const HeldRim &held, StackSystem &joined);
 /// The stack's state without the rim, which stops where it is: its motion is lost. Fills `held`.
-SystemState parted_state(const StackModel &model, const StackSystem &joined, const SystemState &state, StackSystem &alone,
-                         HeldRim &held);
+SystemState parted_state(const StackModel &model, const StackSystem &joined, const SystemState &state,
+                         StackSystem &alone, HeldRim &held);
 
 } // namespace rimpact::fe

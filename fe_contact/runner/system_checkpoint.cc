@@ -39,7 +39,8 @@ void get(const Checkpoint &file, const std::string &prefix, SurfaceContactState 
   restore(file, prefix + "tangential", s.tangential);
   restore(file, prefix + "start", s.start);
   restore(file, prefix + "friction", s.friction);
-  const auto &status = file.field(prefix + "status", n, {0, 2, true}), &covered = file.field(prefix + "covered", n, flag),
+  const auto &status = file.field(prefix + "status", n, {0, 2, true}),
+             &covered = file.field(prefix + "covered", n, flag),
              &opposite = file.field(prefix + "opposite", n, {-1, 1e7, true});
   for (std::size_t k = 0; k < n; ++k) {
     s.status[k] = static_cast<ContactStatus>(static_cast<char>(status[k]));
@@ -63,15 +64,15 @@ void put(Checkpoint &file, const SystemState &state, const std::string &prefix) 
   for (std::size_t i = 0; i < state.contacts.size(); ++i) {
     put(file, prefix + "contact" + std::to_string(i) + "_", state.contacts[i]);
     const auto &r = state.reports[i];
-    file.numbers[prefix + "report" + std::to_string(i)] = {r.force.x(),    r.force.y(),    r.force.z(),
-                                                  r.friction.x(), r.friction.y(), r.friction.z(),
-                                                  r.largest_pressure, double(r.stick), double(r.slip),
-                                                  r.smallest_gap, r.penetration};
+    file.numbers[prefix + "report" + std::to_string(i)] = {
+        r.force.x(),        r.force.y(),     r.force.z(),    r.friction.x(), r.friction.y(), r.friction.z(),
+        r.largest_pressure, double(r.stick), double(r.slip), r.smallest_gap, r.penetration};
   }
 }
 
 void get(const Checkpoint &file, SystemState &state, const std::string &prefix) {
-  for (const auto &[name, value] : {std::pair{"u", &state.u}, {"v", &state.v}, {"a", &state.a}, {"R", &state.R}}) restore(file, prefix + name, *value);
+  for (const auto &[name, value] : {std::pair{"u", &state.u}, {"v", &state.v}, {"a", &state.a}, {"R", &state.R}})
+    restore(file, prefix + name, *value);
   state.last_dt = file.number(prefix + "last_dt", {0, 1e6});
   state.last_change = last_change(file, prefix + "last_change", state.last_dt, state.u.size());
   restore(file, prefix + "history", state.history);
@@ -79,10 +80,13 @@ void get(const Checkpoint &file, SystemState &state, const std::string &prefix) 
   state.energies = {energies[0], energies[1]};
   for (std::size_t i = 0; i < state.contacts.size(); ++i) {
     get(file, prefix + "contact" + std::to_string(i) + "_", state.contacts[i]);
-    const auto &v = file.field(prefix + "report" + std::to_string(i), 11, infinite_too); // the smallest gap may be infinite
+    const auto &v =
+        file.field(prefix + "report" + std::to_string(i), 11, infinite_too); // the smallest gap may be infinite
     for (std::size_t k = 0; k < v.size(); ++k)
-      if (k != 9 && !Limits{}.contains(v[k])) file.damaged("field " + prefix + "report" + std::to_string(i) + " holds a number that is not finite");
-    if (!count.contains(v[7]) || !count.contains(v[8])) file.damaged("field " + prefix + "report" + std::to_string(i) + " holds no count of points");
+      if (k != 9 && !Limits{}.contains(v[k]))
+        file.damaged("field " + prefix + "report" + std::to_string(i) + " holds a number that is not finite");
+    if (!count.contains(v[7]) || !count.contains(v[8]))
+      file.damaged("field " + prefix + "report" + std::to_string(i) + " holds no count of points");
     auto &r = state.reports[i];
     r.force = {v[0], v[1], v[2]};
     r.friction = {v[3], v[4], v[5]};

@@ -13,8 +13,7 @@ namespace {
 
 /// What answers dgemm_ in this process: OpenBLAS tells its configuration, others only their file.
 std::string blas_name() {
-  if (void *config = dlsym(RTLD_DEFAULT, "openblas_get_config"))
-    return reinterpret_cast<const char *(*)()>(config)();
+  if (void *config = dlsym(RTLD_DEFAULT, "openblas_get_config")) return reinterpret_cast<const char *(*)()>(config)();
   Dl_info info;
   if (void *gemm = dlsym(RTLD_DEFAULT, "dgemm_"))
     if (dladdr(gemm, &info) && info.dli_fname) return info.dli_fname;

@@ -14,8 +14,7 @@ struct Equations {
   /// Displacements of all dofs from the equations' values.
   Eigen::VectorXd expand(const Eigen::VectorXd &values) const {
     Eigen::VectorXd result(of_dof.size());
-    for (std::size_t i = 0; i < of_dof.size(); ++i)
-      result[i] = of_dof[i] < 0 ? 0.0 : weight[i] * values[of_dof[i]];
+    for (std::size_t i = 0; i < of_dof.size(); ++i) result[i] = of_dof[i] < 0 ? 0.0 : weight[i] * values[of_dof[i]];
     return result;
   }
   /// The equations' values from those of all dofs.

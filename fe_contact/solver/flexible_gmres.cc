@@ -11,10 +11,15 @@ void check(PetscErrorCode code) {
   if (code) throw std::runtime_error("PETSc failed with code " + std::to_string(code));
 }
 
-MatrixPattern pattern_of(const std::vector<int> &starts, const std::vector<int> &columns, bool symmetric, std::size_t first, std::size_t last) {
-  MatrixPattern result{static_cast<int>(starts.size()) - 1, symmetric, {}, {columns.begin() + starts[first], columns.begin() + starts[last]}};
+MatrixPattern pattern_of(const std::vector<int> &starts, const std::vector<int> &columns, bool symmetric,
+                         std::size_t first, std::size_t last) {
+  MatrixPattern result{static_cast<int>(starts.size()) - 1,
+                       symmetric,
+                       {},
+                       {columns.begin() + starts[first], columns.begin() + starts[last]}};
   result.rows.reserve(result.columns.size());
-  for (std::size_t row = first; row < last; ++row) result.rows.insert(result.rows.end(), starts[row + 1] - starts[row], static_cast<int>(row));
+  for (std::size_t row = first; row < last; ++row)
+    result.rows.insert(result.rows.end(), starts[row + 1] - starts[row], static_cast<int>(row));
   return result;
 }
 
@@ -98,12 +103,13 @@ FlexibleGmres::FlexibleGmres(GeneralMatrix &matrix, Preconditioner preconditione
   const int n = matrix.n();
   petsc_->of_rank = ranks().starts(n);
   if (rows_)
-    check(MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, rows_->n(), rows_->n(), n, n, rows_->starts.data(), rows_->columns(),
-                                    rows_->values.data(), &petsc_->matrix));
+    check(MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, rows_->n(), rows_->n(), n, n, rows_->starts.data(),
+                                    rows_->columns(), rows_->values.data(), &petsc_->matrix));
   else
     check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, matrix.starts().data(), matrix.columns().data(),
                                     matrix.values().data(), &petsc_->matrix));
-  petsc_->pattern = pattern_of(matrix.starts(), matrix.columns(), false, petsc_->of_rank[ranks().own], petsc_->of_rank[ranks().own + 1]);
+  petsc_->pattern = pattern_of(matrix.starts(), matrix.columns(), false, petsc_->of_rank[ranks().own],
+                               petsc_->of_rank[ranks().own + 1]);
   set_up();
 }
 
@@ -141,9 +147,15 @@ void FlexibleGmres::take_values() {
   check(MatAssemblyEnd(p.matrix, MAT_FINAL_ASSEMBLY));
 }
 
-bool FlexibleGmres::by_all_ranks() const { return petsc_->shared(); }
-const MatrixPattern &FlexibleGmres::pattern() const { return petsc_->pattern; }
-const double *FlexibleGmres::values() const { return values_.data(); }
+bool FlexibleGmres::by_all_ranks() const {
+  return petsc_->shared();
+}
+const MatrixPattern &FlexibleGmres::pattern() const {
+  return petsc_->pattern;
+}
+const double *FlexibleGmres::values() const {
+  return values_.data();
+}
 
 Eigen::VectorXd FlexibleGmres::solve(const Eigen::VectorXd &right_side, double relative, int max_iterations) {
   auto &p = *petsc_;

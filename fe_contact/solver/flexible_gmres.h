@@ -1,6 +1,7 @@
-/// PETSc's flexible GMRES in double precision on a matrix of ours, by one rank, or by all of them for an unsymmetric matrix that
-/// they share: right sides and solutions are whole on each. Flexible, because a preconditioner in single precision rounds every
-/// vector anew: what it made of each is kept and combined, and the residual that decides is the true one.
+/// PETSc's flexible GMRES in double precision on a matrix of ours, by one rank, or by all of them for an unsymmetric
+/// matrix that they share: right sides and solutions are whole on each. Flexible, because a preconditioner in single
+/// precision rounds every vector anew: what it made of each is kept and combined, and the residual that decides is the
+/// true one.
 #pragma once
 #include "fe_contact/solver/general_matrix.h"
 #include "fe_contact/solver/mumps_factor.h"

@@ -43,7 +43,9 @@ int GeneralMatrix::place(int row, int column) const {
   return static_cast<int>(found - columns_.begin());
 }
 
-void GeneralMatrix::add(int row, int column, double value) { values_[place(row, column)] += value; }
+void GeneralMatrix::add(int row, int column, double value) {
+  values_[place(row, column)] += value;
+}
 
 void GeneralMatrix::make_unit_row(int row, double diagonal) {
   std::fill(values_.begin() + starts_[row], values_.begin() + starts_[row + 1], 0.0);

@@ -18,8 +18,8 @@ struct GeneralizedAlpha {
     const double alpha_m = (rho_inf - 1) / (rho_inf + 1);
     return {alpha_m, 0.25 * (1 - alpha_m) * (1 - alpha_m), 0.5 - alpha_m};
   }
-  Eigen::VectorXd predicted_displacement(const Eigen::VectorXd &u, const Eigen::VectorXd &v,
-                                         const Eigen::VectorXd &a, double dt) const {
+  Eigen::VectorXd predicted_displacement(const Eigen::VectorXd &u, const Eigen::VectorXd &v, const Eigen::VectorXd &a,
+                                         double dt) const {
     return u + dt * v + dt * dt * (0.5 - beta) * a;
   }
   Eigen::VectorXd predicted_velocity(const Eigen::VectorXd &v, const Eigen::VectorXd &a, double dt) const {

@@ -1,6 +1,6 @@
-/// Solves by flexible GMRES in double precision, preconditioned by a factor of the matrix as it was some iterations ago, in single precision
-/// (see MumpsFactor): what a factor leaves, its age or its rounding, costs GMRES an iteration or two. Where even a new factor
-/// in single precision will not do, it is made in double from then on.
+/// Solves by flexible GMRES in double precision, preconditioned by a factor of the matrix as it was some iterations
+/// ago, in single precision (see MumpsFactor): what a factor leaves, its age or its rounding, costs GMRES an iteration
+/// or two. Where even a new factor in single precision will not do, it is made in double from then on.
 #pragma once
 #include "fe_contact/solver/flexible_gmres.h"
 #include <map>
@@ -17,8 +17,8 @@ public:
   LinearSolver(GeneralMatrix &matrix, TimeSplit &times) : gmres_(matrix, by_factor()), times_(times) {}
   LinearSolver(const LinearSolver &) = delete; // GMRES calls this object's factor
   LinearSolver &operator=(const LinearSolver &) = delete;
-  /// Solves with the matrix's present values to a relative residual, on the factor at hand. Empty when that takes more than
-  /// `max_iterations` or there is none; it is then due.
+  /// Solves with the matrix's present values to a relative residual, on the factor at hand. Empty when that takes more
+  /// than `max_iterations` or there is none; it is then due.
   Eigen::VectorXd solve(const Eigen::VectorXd &right_side, double relative, int max_iterations);
   /// The same with a factor of the present values. Empty when the matrix is singular.
   Eigen::VectorXd solve_anew(const Eigen::VectorXd &right_side, double relative, int max_iterations);

@@ -21,8 +21,8 @@ struct Attempt {
 
 struct MarchReport {
   bool finished = false; ///< the end, or a last step, was reached
-  double reached = 0; ///< where it stopped
-  double wanted = 0;  ///< length the next step would have had
+  double reached = 0;    ///< where it stopped
+  double wanted = 0;     ///< length the next step would have had
   int steps = 0, cuts = 0;
   std::string reason; ///< when not finished: why the smallest step failed
 };

@@ -10,8 +10,8 @@
 namespace rimpact::fe {
 namespace {
 
-/// MUMPS's `sym` for a symmetric matrix. In single precision pivots come from the diagonal, which makes the factor a fifth
-/// cheaper; where that will not do, GMRES shows it, and the factor in double precision looks for its pivots.
+/// MUMPS's `sym` for a symmetric matrix. In single precision pivots come from the diagonal, which makes the factor a
+/// fifth cheaper; where that will not do, GMRES shows it, and the factor in double precision looks for its pivots.
 constexpr int diagonal_pivots = 1, any_pivots = 2;
 
 struct Single {
@@ -30,7 +30,8 @@ struct Double {
 template <class Kind> class Factor : public MumpsFactor {
 public:
   Factor(const MatrixPattern &pattern, bool by_all_ranks)
-      : by_all_ranks_(by_all_ranks), rows_(pattern.rows), columns_(pattern.columns), values_(rows_.size()), x_(pattern.n) {
+      : by_all_ranks_(by_all_ranks), rows_(pattern.rows), columns_(pattern.columns), values_(rows_.size()),
+        x_(pattern.n) {
     for (int &row : rows_) ++row; // MUMPS counts from 1
     for (int &column : columns_) ++column;
     data_.comm_fortran = MPI_Comm_c2f(by_all_ranks ? MPI_COMM_WORLD : MPI_COMM_SELF);
@@ -53,7 +54,8 @@ public:
   ~Factor() override { run(-2); }
 
   bool factorise(const double *values) override {
-    std::transform(values, values + values_.size(), values_.begin(), [](double v) { return static_cast<typename Kind::Number>(v); });
+    std::transform(values, values + values_.size(), values_.begin(),
+                   [](double v) { return static_cast<typename Kind::Number>(v); });
     if (!analysed_) run(1);
     require_memory();
     if (data_.infog[0] < 0) return false;

@@ -81,7 +81,8 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
       return report;
     }
     Border *border = target.border();
-    const auto multiplier_change = border && change.size() && change.allFinite() ? add_border(*border, solver, forcing, change) : 0.0;
+    const auto multiplier_change =
+        border && change.size() && change.allFinite() ? add_border(*border, solver, forcing, change) : 0.0;
     const double multiplier = border ? border->multiplier : 0;
     if (!multiplier_change) {
       report.reason = "the tangent with its constraint is singular";

@@ -18,7 +18,8 @@ struct Border {
 class NewtonTarget {
 public:
   virtual ~NewtonTarget() = default;
-  /// Residual and, unless it is not asked for, tangent at u; false where a law finds u inadmissible (the step must be shortened).
+  /// Residual and, unless it is not asked for, tangent at u; false where a law finds u inadmissible (the step must be
+  /// shortened).
   virtual bool evaluate(const Eigen::VectorXd &u, bool with_tangent) = 0;
   bool has_tangent = false; ///< of the last evaluation
   virtual const Eigen::VectorXd &residual() const = 0;
@@ -34,7 +35,7 @@ struct NewtonOptions {
   double tolerance = 1e-8; ///< residual over the forces in play
   int max_iterations = 20;
   int max_backtracks = 4;
-  bool stale_factor = true; ///< false: factorise at every iteration
+  bool stale_factor = true;      ///< false: factorise at every iteration
   double finest_forcing = 1e-10; ///< the linear systems are never asked for a smaller relative residual
   bool evaluated = false;        ///< the target stands evaluated at u already
 };
@@ -46,8 +47,8 @@ struct NewtonReport {
   std::string reason;            ///< when not converged
 };
 
-/// Relative residual to which an iteration's linear system need be solved: Eisenstat and Walker (1996), choice 2 with its safeguard.
-/// `residuals` so far, at least one; `last`: the term before (0: none).
+/// Relative residual to which an iteration's linear system need be solved: Eisenstat and Walker (1996), choice 2 with
+/// its safeguard. `residuals` so far, at least one; `last`: the term before (0: none).
 double forcing_term(const std::vector<double> &residuals, double last, double tolerance, double finest);
 /// GMRES's iterations after which a factor is given up, and after which it is renewed.
 inline constexpr int most_linear_iterations = 30, worn_after = 6;

@@ -25,7 +25,8 @@ struct Shares {
   std::vector<int> lengths, places;
   Shares(const std::vector<std::size_t> &starts, std::size_t each) {
     if (starts.back() * each > std::size_t(std::numeric_limits<int>::max()))
-      throw std::runtime_error("more than 2 GB to hand from rank to rank at once: the mesh is too fine for shares of this kind");
+      throw std::runtime_error(
+          "more than 2 GB to hand from rank to rank at once: the mesh is too fine for shares of this kind");
     for (std::size_t r = 0; r + 1 < starts.size(); ++r) {
       places.push_back(static_cast<int>(starts[r] * each));
       lengths.push_back(static_cast<int>((starts[r + 1] - starts[r]) * each));
@@ -42,7 +43,9 @@ void reduce(double *values, int n, MPI_Op operation, const Ranks &ranks) {
 
 } // namespace
 
-const Ranks &ranks() { return present(); }
+const Ranks &ranks() {
+  return present();
+}
 
 std::vector<std::size_t> Ranks::starts(std::size_t n) const {
   std::vector<std::size_t> result;
@@ -50,14 +53,18 @@ std::vector<std::size_t> Ranks::starts(std::size_t n) const {
   return result;
 }
 
-void Ranks::sum(Eigen::VectorXd &values) const { reduce(values.data(), static_cast<int>(values.size()), MPI_SUM, *this); }
+void Ranks::sum(Eigen::VectorXd &values) const {
+  reduce(values.data(), static_cast<int>(values.size()), MPI_SUM, *this);
+}
 
 double Ranks::sum(double value) const {
   reduce(&value, 1, MPI_SUM, *this);
   return value;
 }
 
-void Ranks::largest(Eigen::VectorXd &values) const { reduce(values.data(), static_cast<int>(values.size()), MPI_MAX, *this); }
+void Ranks::largest(Eigen::VectorXd &values) const {
+  reduce(values.data(), static_cast<int>(values.size()), MPI_MAX, *this);
+}
 
 bool Ranks::any(bool value) const {
   double number = value;
@@ -65,7 +72,8 @@ bool Ranks::any(bool value) const {
   return number > 0;
 }
 
-void Ranks::sum_to_owners(const std::vector<double> &values, const std::vector<std::size_t> &starts, std::vector<double> &own_share) const {
+void Ranks::sum_to_owners(const std::vector<double> &values, const std::vector<std::size_t> &starts,
+                          std::vector<double> &own_share) const {
   const Shares shares(starts, 1);
   own_share.resize(shares.lengths[own]);
   MPI_Reduce_scatter(values.data(), own_share.data(), shares.lengths.data(), MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
@@ -74,10 +82,15 @@ void Ranks::sum_to_owners(const std::vector<double> &values, const std::vector<s
 void Ranks::hand_round_bytes(void *data, std::size_t bytes_each, const std::vector<std::size_t> &starts) const {
   if (size == 1) return;
   const Shares shares(starts, bytes_each);
-  MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, data, shares.lengths.data(), shares.places.data(), MPI_BYTE, MPI_COMM_WORLD);
+  MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, data, shares.lengths.data(), shares.places.data(), MPI_BYTE,
+                 MPI_COMM_WORLD);
 }
 
-OnOneRank::OnOneRank() : before_(present()) { present() = {}; }
-OnOneRank::~OnOneRank() { present() = before_; }
+OnOneRank::OnOneRank() : before_(present()) {
+  present() = {};
+}
+OnOneRank::~OnOneRank() {
+  present() = before_;
+}
 
 } // namespace rimpact::fe

@@ -2,8 +2,8 @@
 /// and the matrix's rows are shared out. What is decided on the way is decided alike on every rank, because all
 /// of them see the same numbers, bit for bit. Without mpirun there is one rank, and nothing is sent.
 #pragma once
-#include <Eigen/Core>
 #include <cstddef>
+#include <Eigen/Core>
 #include <vector>
 
 namespace rimpact::fe {
@@ -19,7 +19,8 @@ struct Ranks {
   void largest(Eigen::VectorXd &values) const;
   bool any(bool value) const;
   /// Entry by entry the sum over the ranks, of which each keeps its own share.
-  void sum_to_owners(const std::vector<double> &values, const std::vector<std::size_t> &starts, std::vector<double> &own_share) const;
+  void sum_to_owners(const std::vector<double> &values, const std::vector<std::size_t> &starts,
+                     std::vector<double> &own_share) const;
   /// Each rank's own share of `values` goes to all the others.
   template <class T> void hand_round(std::vector<T> &values, const std::vector<std::size_t> &starts) const {
     if (size > 1) hand_round_bytes(values.data(), sizeof(T), starts);

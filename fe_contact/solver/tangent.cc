@@ -2,9 +2,11 @@
 
 namespace rimpact::fe {
 
-Tangent::Tangent(int n, const std::vector<std::vector<int>> &cliques, Symmetry symmetry, TimeSplit &times) : symmetric_(n, cliques) {
+Tangent::Tangent(int n, const std::vector<std::vector<int>> &cliques, Symmetry symmetry, TimeSplit &times)
+    : symmetric_(n, cliques) {
   if (symmetry == Symmetry::general) general_ = std::make_unique<GeneralMatrix>(symmetric_);
-  solver_ = general_ ? std::make_unique<LinearSolver>(*general_, times) : std::make_unique<LinearSolver>(symmetric_, times);
+  solver_ =
+      general_ ? std::make_unique<LinearSolver>(*general_, times) : std::make_unique<LinearSolver>(symmetric_, times);
 }
 
 void Tangent::add(int row, int column, double value) {

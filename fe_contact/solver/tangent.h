@@ -1,5 +1,6 @@
-/// The tangent of a system, kept by its upper triangle where nothing in it is unsymmetric, else whole. A symmetric one is factorised and
-/// multiplied for about half the price. What is added by both triangles is taken by its symmetric part there.
+/// The tangent of a system, kept by its upper triangle where nothing in it is unsymmetric, else whole. A symmetric one
+/// is factorised and multiplied for about half the price. What is added by both triangles is taken by its symmetric
+/// part there.
 #pragma once
 #include "fe_contact/solver/linear_solver.h"
 
@@ -20,11 +21,13 @@ public:
   /// Entry (row, column). Throws std::logic_error outside the pattern.
   void add(int row, int column, double value);
   double diagonal(int i) const { return general_ ? general_->diagonal(i) : symmetric_.diagonal(i); }
-  /// The equation becomes diagonal * change = -diagonal * miss, `miss` its value less what it is driven to. In a symmetric
-  /// tangent its column goes too: `moved` gains what the change -miss does to the other equations' residuals.
+  /// The equation becomes diagonal * change = -diagonal * miss, `miss` its value less what it is driven to. In a
+  /// symmetric tangent its column goes too: `moved` gains what the change -miss does to the other equations' residuals.
   void drive(int equation, double diagonal, double miss, Eigen::VectorXd &moved);
   Symmetry symmetry() const { return general_ ? Symmetry::general : Symmetry::symmetric; }
-  Eigen::VectorXd multiply(const Eigen::VectorXd &x) const { return general_ ? general_->multiply(x) : symmetric_.multiply(x); }
+  Eigen::VectorXd multiply(const Eigen::VectorXd &x) const {
+    return general_ ? general_->multiply(x) : symmetric_.multiply(x);
+  }
   LinearSolver &solver() { return *solver_; }
 
 private:

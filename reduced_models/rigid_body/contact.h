@@ -23,12 +23,11 @@ inline constexpr int ground = -1; ///< master that never moves
 
 struct Contact {
   Surface surface;
-  int body, master;      ///< which bodies; master may be `ground`
-  Eigen::Vector3d point; ///< body frame: the point, or the circle's centre
-  Eigen::Vector3d
-      centre;        ///< master frame: the sphere's centre; a point of the plane; the wall's foot on its axis
-  double radius = 0; ///< sphere's, wall's; stop: the gap [m]
-  double reach = 0;  ///< radius of the body's circle, 0 for a point [m]
+  int body, master;       ///< which bodies; master may be `ground`
+  Eigen::Vector3d point;  ///< body frame: the point, or the circle's centre
+  Eigen::Vector3d centre; ///< master frame: the sphere's centre; a point of the plane; the wall's foot on its axis
+  double radius = 0;      ///< sphere's, wall's; stop: the gap [m]
+  double reach = 0;       ///< radius of the body's circle, 0 for a point [m]
   double wall_height = 0; ///< rim, stop: above the foot, towards the body [m]
   double upward = 1;      ///< rim: +1 when the wall rises along the master's z, -1 when it hangs
   int set = 0;            ///< 0 B (bottom dish), 1 C (interface), 2 A (top dish): for what is reported

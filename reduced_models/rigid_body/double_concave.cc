@@ -1,6 +1,6 @@
 #include "reduced_models/rigid_body/double_concave.h"
+#include "files/error.h"
 #include "reduced_models/rigid_body/double_concave_recorder.h"
-#include "scene/error.h"
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -22,8 +22,7 @@ public:
     // A step's local error, relative to a hundredth of the capacity and of its speed.
     position_tolerance_ = scene.isolator.step_tolerance * 0.01 * C;
     velocity_tolerance_ = scene.isolator.step_tolerance * 0.01 * std::sqrt(g * C);
-    largest_step_ =
-        model_.driven ? duration_ / (4000 * std::max(1.0, std::ceil(scene.excitation.cycles))) : 5e-3;
+    largest_step_ = model_.driven ? duration_ / (4000 * std::max(1.0, std::ceil(scene.excitation.cycles))) : 5e-3;
   }
 
   void go() {

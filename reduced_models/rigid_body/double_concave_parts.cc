@@ -24,9 +24,9 @@ std::vector<Vector2d> layout(const scene::DoubleConcave &b, double radius) {
   return points;
 }
 
-/// A rim is penetrated by about R / (R_1 + R_2) of the travel beyond its capacity, so the bearing has that share's square of its k
-/// and c, summed over the rims that are touched together, and must return e: c is that of this many supported masses (2 where
-/// the plates are alike).
+/// A rim is penetrated by about R / (R_1 + R_2) of the travel beyond its capacity, so the bearing has that share's
+/// square of its k and c, summed over the rims that are touched together, and must return e: c is that of this many
+/// supported masses (2 where the plates are alike).
 double mass_before_rims(const scene::DoubleConcave &b) {
   const double R[] = {b.radius, b.upper_radius()}, C[] = {b.capacity, b.upper_capacity()}, both = R[0] + R[1];
   double squares = 0;
@@ -43,8 +43,7 @@ double depth(double R, double r) {
 
 DoubleConcaveSystem::DoubleConcaveSystem(const scene::Scene &scene)
     : plate(scene.impact_resilient() ? 2 : 1), top_slider(plate - 1), driven(!scene.excitation.is_dynamic()),
-      building(scene), bearing_(scene.isolator), resilient_(scene.impact_resilient()),
-      n_sets_(resilient_ ? 3 : 2) {
+      building(scene), bearing_(scene.isolator), resilient_(scene.impact_resilient()), n_sets_(resilient_ ? 3 : 2) {
   const auto &r = scene.reduced;
   add_bodies(scene);
   add_points(bearing_);
@@ -54,7 +53,8 @@ DoubleConcaveSystem::DoubleConcaveSystem(const scene::Scene &scene)
   const double fast = driven ? r.mu_slow : r.mu_fast; // slow motion
   system.dish_friction = {r.mu_slow, fast, fast == r.mu_slow ? 0.0 : r.rate};
   const double top_fast = bearing_.top_mu_fast.value_or(r.mu_fast),
-               top_slow = bearing_.top_mu_slow.value_or(bearing_.top_mu_fast ? top_fast : r.mu_slow), top = driven ? top_slow : top_fast;
+               top_slow = bearing_.top_mu_slow.value_or(bearing_.top_mu_fast ? top_fast : r.mu_slow),
+               top = driven ? top_slow : top_fast;
   system.top_friction = {top_slow, top, top == top_slow ? 0.0 : r.rate};
   system.dish_friction.validate(), system.top_friction.validate();
   system.interface_friction = {bearing_.mu_interface, bearing_.mu_interface, 0};
@@ -68,8 +68,7 @@ void DoubleConcaveSystem::add_bodies(const scene::Scene &scene) {
   const auto &b = bearing_;
   const double g = scene.load.gravity, H = b.slider_height();
   if (resilient_) {
-    system.bodies.push_back(
-        cylinder(b.slider_mass * b.bottom_height / H, b.slider_diameter, b.bottom_height, g));
+    system.bodies.push_back(cylinder(b.slider_mass * b.bottom_height / H, b.slider_diameter, b.bottom_height, g));
     system.bodies.push_back(cylinder(b.slider_mass * b.top_height / H, b.slider_diameter, b.top_height, g));
   } else {
     system.bodies.push_back(cylinder(b.slider_mass, b.slider_diameter, H, g));

@@ -24,8 +24,7 @@ PlateForces on_plate(const DoubleConcaveSystem &model, const MotionState &s) {
     if (c.master != model.plate) continue;
     (c.surface == Surface::rim ? p.impact : p.pendular) -= s.contact[i].normal;
     p.friction -= s.contact[i].friction;
-    p.moment -=
-        (s.contact[i].at - s.poses[model.plate].position).cross(s.contact[i].normal + s.contact[i].friction);
+    p.moment -= (s.contact[i].at - s.poses[model.plate].position).cross(s.contact[i].normal + s.contact[i].friction);
     if (c.surface == Surface::dish) p.normal += s.contact[i].size;
   }
   return p;
@@ -39,8 +38,8 @@ bool rim_pressed(const DoubleConcaveSystem &model, const MotionState &s) {
 
 } // namespace
 
-DoubleConcaveRecorder::DoubleConcaveRecorder(DoubleConcaveSystem &model, const scene::Scene &scene,
-                                             double time_unit, ReducedRun &result)
+DoubleConcaveRecorder::DoubleConcaveRecorder(DoubleConcaveSystem &model, const scene::Scene &scene, double time_unit,
+                                             ReducedRun &result)
     : model_(model), result_(result), time_unit_(time_unit),
       sample_(model.driven ? time_unit / (2000 * std::max(1.0, std::ceil(scene.excitation.cycles)))
                            : scene.reduced.output_step),
@@ -107,8 +106,8 @@ void DoubleConcaveRecorder::watch(const MotionState &s) {
     if (building.drift[i].norm() >= model_.building.collapse_drift) collapse_time_ = s.t;
 }
 
-scene::EnergyLedger DoubleConcaveRecorder::ledger(const MotionState &s) const {
-  scene::EnergyLedger l;
+EnergyLedger DoubleConcaveRecorder::ledger(const MotionState &s) const {
+  EnergyLedger l;
   l.initial = initial_;
   l.external = s.works.external;
   l.gravity = model_.potential_energy(s) - potential_;
@@ -165,7 +164,7 @@ void DoubleConcaveRecorder::store(const MotionState &s) {
 void DoubleConcaveRecorder::end(const MotionState &s) {
   store(s);
   auto &summary = result_.summary;
-  scene::summarise_response(result_.response, summary);
+  summarise_response(result_.response, summary);
   summary.energy = ledger(s);
   summary.rung = "reduced";
   nlohmann::json points = nlohmann::json::object();
@@ -186,8 +185,7 @@ void DoubleConcaveRecorder::end(const MotionState &s) {
 
 void DoubleConcaveRecorder::stop(const MotionState &s, const std::string &reason) {
   end(s);
-  result_.summary.status = "stopped",
-  result_.summary.reason = reason + " at t = " + std::to_string(s.t) + " s";
+  result_.summary.status = "stopped", result_.summary.reason = reason + " at t = " + std::to_string(s.t) + " s";
 }
 
 } // namespace rimpact::reduced::rigid

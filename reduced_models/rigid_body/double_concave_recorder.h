@@ -9,8 +9,7 @@ namespace rimpact::reduced::rigid {
 class DoubleConcaveRecorder {
 public:
   /// `time_unit`: `time` of the response is t / time_unit (1, or a quasi-static run's duration).
-  DoubleConcaveRecorder(DoubleConcaveSystem &model, const scene::Scene &scene, double time_unit,
-                        ReducedRun &result);
+  DoubleConcaveRecorder(DoubleConcaveSystem &model, const scene::Scene &scene, double time_unit, ReducedRun &result);
   void begin(const MotionState &state);
   void count(const StepReport &report);
   /// After a step: stores it when a sample is due or a rim is, or was, pressed; remembers dents.
@@ -24,7 +23,7 @@ private:
   void store(const MotionState &state);
   void watch(const MotionState &state);
   void press(const MotionState &state);
-  scene::EnergyLedger ledger(const MotionState &state) const;
+  EnergyLedger ledger(const MotionState &state) const;
 
   DoubleConcaveSystem &model_;
   ReducedRun &result_;

@@ -49,9 +49,7 @@ Vector3d DoubleConcaveSystem::plate_displacement(const MotionState &s) const {
 }
 
 BuildingSnapshot DoubleConcaveSystem::building_at(const MotionState &s) const {
-  const auto motion = [&](int body) {
-    return FloorMotion{s.poses[body].position, s.velocity.segment<3>(6 * body)};
-  };
+  const auto motion = [&](int body) { return FloorMotion{s.poses[body].position, s.velocity.segment<3>(6 * body)}; };
   std::array<FloorMotion, max_floors> floors;
   for (int i = 0; i < building.n_floors(); ++i) floors[i] = motion(plate + 1 + i);
   return snapshot(building, motion(plate), floors.data(), s.z.data());
@@ -83,8 +81,7 @@ double DoubleConcaveSystem::potential_energy(const MotionState &s) const {
 double DoubleConcaveSystem::stored_energy(const MotionState &s) const {
   double energy = 0;
   for (std::size_t i = 0; i < s.contact.size(); ++i) {
-    const bool wall =
-        system.contacts[i].surface == Surface::rim || system.contacts[i].surface == Surface::stop;
+    const bool wall = system.contacts[i].surface == Surface::rim || system.contacts[i].surface == Surface::stop;
     const double d = std::max(0.0, s.contact[i].penetration);
     if (!wall) energy += system.normal.stiffness / 2 * d * d;
   }

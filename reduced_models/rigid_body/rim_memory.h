@@ -1,4 +1,5 @@
-/// What earlier impacts have left on the rims and stops of a bearing of several bodies, arc by arc (one dish: dented_rim.h).
+/// What earlier impacts have left on the rims and stops of a bearing of several bodies, arc by arc (one dish:
+/// dented_rim.h).
 #pragma once
 #include "reduced_models/dented_rim.h"
 #include <algorithm>

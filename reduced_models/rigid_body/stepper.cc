@@ -74,8 +74,8 @@ void Stepper::start(MotionState &s) {
   for (std::size_t i = 0; i < s.z.size(); ++i) {
     const auto &[storey, below, above] = system_.links[i];
     if (storey.hysteresis)
-      s.z_rate[i] = storey.hysteresis->rate(
-          s.z[i], (s.velocity.segment<2>(6 * above) - s.velocity.segment<2>(6 * below)));
+      s.z_rate[i] =
+          storey.hysteresis->rate(s.z[i], (s.velocity.segment<2>(6 * above) - s.velocity.segment<2>(6 * below)));
   }
   const Matrix M = system_.mass_matrix(s.poses);
   s.acceleration = Vector::Zero(system_.n_dofs());
@@ -116,8 +116,7 @@ bool Stepper::solve(const MotionState &from, double h, const Vector &moved, cons
     ++iterations;
     if (!correction.allFinite()) return false;
     for (int i = 0; i < n; ++i) to.velocity[dofs_[i]] += correction[i];
-    if (correction.lpNorm<Eigen::Infinity>() * weight < 1e-12 ||
-        correction.lpNorm<Eigen::Infinity>() < 1e-11) {
+    if (correction.lpNorm<Eigen::Infinity>() * weight < 1e-12 || correction.lpNorm<Eigen::Infinity>() < 1e-11) {
       to.acceleration = (to.velocity - base) / weight;
       return true;
     }

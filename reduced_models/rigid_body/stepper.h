@@ -49,10 +49,10 @@ public:
 
 private:
   struct StageData;
-  bool solve(const MotionState &from, double h, const Vector &moved, const Vector &base, double t,
-             double slip_step, MotionState &to, int &iterations);
-  bool stage(const MotionState &from, double h, double weight_from, double weight_middle, double reach,
-             MotionState &at, int &iterations);
+  bool solve(const MotionState &from, double h, const Vector &moved, const Vector &base, double t, double slip_step,
+             MotionState &to, int &iterations);
+  bool stage(const MotionState &from, double h, double weight_from, double weight_middle, double reach, MotionState &at,
+             int &iterations);
   Vector applied(double t) const;
   void drive(double t, MotionState &state) const;
   Works powers(const MotionState &state) const;

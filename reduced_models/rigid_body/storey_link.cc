@@ -11,8 +11,7 @@ Matrix3d slope(const Storey &storey, double weight, const Matrix2d &d_z) {
   const double elastic = storey.hysteresis ? storey.hysteresis->post_yield : 1.0;
   Matrix3d S = Matrix3d::Zero();
   S.topLeftCorner<2, 2>() = (weight * elastic * storey.stiffness + storey.damping) * Matrix2d::Identity();
-  if (storey.hysteresis)
-    S.topLeftCorner<2, 2>() += (1 - elastic) * storey.stiffness * storey.hysteresis->yield * d_z;
+  if (storey.hysteresis) S.topLeftCorner<2, 2>() += (1 - elastic) * storey.stiffness * storey.hysteresis->yield * d_z;
   S(2, 2) = weight * storey.axial_stiffness + storey.axial_damping;
   return S;
 }

@@ -25,8 +25,8 @@ Vector3d point_velocity(const Poses &poses, const Vector &velocity, int body, co
 
 } // namespace
 
-Matrix3d System::normal_terms(const Contact &c, std::size_t index, const Touch &touch, const Vector3d &v,
-                              double weight, ContactForce &f) const {
+Matrix3d System::normal_terms(const Contact &c, std::size_t index, const Touch &touch, const Vector3d &v, double weight,
+                              ContactForce &f) const {
   const Vector3d &m = touch.normal;
   const double d = touch.penetration, rate = m.dot(v);
   double stiffness = 0, damping = 0;
@@ -35,14 +35,12 @@ Matrix3d System::normal_terms(const Contact &c, std::size_t index, const Touch &
     if (d > 0 && trial > 0) f.size = trial, stiffness = normal.stiffness, damping = normal.damping;
   } else if (d > 0 && !touch.passed && rim.stiffness > 0) {
     const auto law = rim.at({d, rate, v.norm(), deepest[index]});
-    if (!rim.law->unilateral || law.force > 0)
-      f.size = law.force, stiffness = law.d_penetration, damping = law.d_rate;
+    if (!rim.law->unilateral || law.force > 0) f.size = law.force, stiffness = law.d_penetration, damping = law.d_rate;
   }
   f.normal = -f.size * m;
   f.normal_power = f.size * rate;
   const Matrix3d across = m * m.transpose();
-  return -(damping + weight * stiffness) * across -
-         weight * f.size * touch.curvature * (Matrix3d::Identity() - across);
+  return -(damping + weight * stiffness) * across - weight * f.size * touch.curvature * (Matrix3d::Identity() - across);
 }
 
 void System::friction_terms(const Contact &c, const Touch &touch, const Vector3d &v, const Vector3d &z0,
@@ -52,8 +50,7 @@ void System::friction_terms(const Contact &c, const Touch &touch, const Vector3d
   const double speed = slide.norm(), per_slip = stage.slip_step / elastic_slip;
   const auto &law = c.surface != Surface::dish ? interface_friction : c.set == 2 ? top_friction : dish_friction;
   const auto mu = law.at(speed);
-  const auto state =
-      park_wen ? park_wen_step(along * z0, slide, per_slip) : coulomb_step(along * z0, slide, per_slip);
+  const auto state = park_wen ? park_wen_step(along * z0, slide, per_slip) : coulomb_step(along * z0, slide, per_slip);
   f.slip = state.z;
   f.friction = -mu.value * f.size * state.z;
   f.slip_power = -f.friction.dot(slide);
@@ -63,8 +60,8 @@ void System::friction_terms(const Contact &c, const Touch &touch, const Vector3d
   if (speed > 0 && mu.slope != 0) B -= f.size * mu.slope / speed * state.z * slide.transpose();
 }
 
-void System::add(const Contact &c, const Touch &touch, const Poses &poses, const Matrix3d &B,
-                 const Vector3d &force, double position_weight, Vector &sum, Matrix *tangent) const {
+void System::add(const Contact &c, const Touch &touch, const Poses &poses, const Matrix3d &B, const Vector3d &force,
+                 double position_weight, Vector &sum, Matrix *tangent) const {
   struct Side {
     int body;
     double sign;
@@ -113,8 +110,8 @@ Vector System::forces(const Poses &poses, const Vector &velocity, const Stage &s
     f.at = touch.at, f.penetration = touch.penetration, f.passed = touch.passed;
     f.slip = stage.slip[i];
     if (touch.penetration <= 0 || (!unmet.empty() && unmet[i])) continue;
-    const Vector3d v = point_velocity(poses, velocity, c.body, touch.at) -
-                       point_velocity(poses, velocity, c.master, touch.at);
+    const Vector3d v =
+        point_velocity(poses, velocity, c.body, touch.at) - point_velocity(poses, velocity, c.master, touch.at);
     Matrix3d B = normal_terms(c, i, touch, v, stage.position_weight, f);
     if (f.size == 0) continue;
     if (c.surface == Surface::dish || c.surface == Surface::interface)

@@ -66,25 +66,25 @@ public:
   double elastic_slip = 1e-8; ///< q [m]; Coulomb's limit is approached with the square root of q
   bool park_wen = false;
   RimElement rim;
-  std::vector<bool> unmet; ///< of each contact: without force however deep, because the step under way began before it; may be empty
+  std::vector<bool>
+      unmet; ///< of each contact: without force however deep, because the step under way began before it; may be empty
   std::vector<double> deepest; ///< of each contact: penetration of its wall before this impact [m]
 
   int n_dofs() const { return 6 * static_cast<int>(bodies.size()); }
   /// Forces of the contacts, weights and gyroscopic moments [N], [N m]; `tangent` (may be null): the
   /// derivative by the velocities, positions following with stage.position_weight.
-  Vector forces(const Poses &poses, const Vector &velocity, const Stage &stage,
-                std::vector<ContactForce> &contact, Matrix *tangent) const;
+  Vector forces(const Poses &poses, const Vector &velocity, const Stage &stage, std::vector<ContactForce> &contact,
+                Matrix *tangent) const;
   Matrix mass_matrix(const Poses &poses) const;
   double kinetic_energy(const Poses &poses, const Vector &velocity) const;
 
 private:
   void add(const Contact &c, const Touch &touch, const Poses &poses, const Eigen::Matrix3d &B,
            const Eigen::Vector3d &force, double position_weight, Vector &sum, Matrix *tangent) const;
-  Eigen::Matrix3d normal_terms(const Contact &c, std::size_t index, const Touch &touch,
-                               const Eigen::Vector3d &v, double weight, ContactForce &f) const;
-  void friction_terms(const Contact &c, const Touch &touch, const Eigen::Vector3d &v,
-                      const Eigen::Vector3d &z0, const Stage &stage, ContactForce &f,
-                      Eigen::Matrix3d &B) const;
+  Eigen::Matrix3d normal_terms(const Contact &c, std::size_t index, const Touch &touch, const Eigen::Vector3d &v,
+                               double weight, ContactForce &f) const;
+  void friction_terms(const Contact &c, const Touch &touch, const Eigen::Vector3d &v, const Eigen::Vector3d &z0,
+                      const Stage &stage, ContactForce &f, Eigen::Matrix3d &B) const;
 };
 
 Eigen::Matrix3d skew(const Eigen::Vector3d &a); ///< skew(a) b = a x b

@@ -1,4 +1,4 @@
-"""The reduced model with the fitted law against the stored curves of rung rigid-dish (calibration/references), each from its own
+"""The reduced model with the fitted law against the stored curves of rung rigid-dish (data/references), each from its own
 start: a pulse from rest. The one beyond the law's range (1 m/s) is held by its displacement alone."""
 import json
 import pathlib
@@ -7,7 +7,7 @@ import unittest
 
 from command import rimpact
 
-REFERENCES = pathlib.Path(__file__).resolve().parents[2] / "calibration/references"
+REFERENCES = pathlib.Path(__file__).resolve().parents[2] / "data/references"
 BEYOND = "window-1.20"
 
 

@@ -1,7 +1,7 @@
 // A building on bearings: against one bearing, rotated, side by side, let go, uplifting.
 #include "buildings/regular_building.h"
 #include "buildings/simulate.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -11,9 +11,12 @@ using namespace rimpact::buildings;
 namespace {
 
 scene::Scene pulse(double scale, const std::string &more = "") {
-  return scene::parse_scene("[load]\nvertical_kN = 853.0\n[excitation]\nkind = \"ricker\"\namplitude_g = 0.78\nperiod_s = 1.0\n"
-                            "centre_s = 2.0\nduration_s = 4.0\nscale = " + std::to_string(scale) +
-                                "\n" + more + "[reduced]\nfriction = \"park-wen\"\nelastic_slip_mm = 1.0\ntolerance = 1e-11\n", "test");
+  return scene::parse_scene(
+      "[load]\nvertical_kN = 853.0\n[excitation]\nkind = \"ricker\"\namplitude_g = 0.78\nperiod_s = 1.0\n"
+      "centre_s = 2.0\nduration_s = 4.0\nscale = " +
+          std::to_string(scale) + "\n" + more +
+          "[reduced]\nfriction = \"park-wen\"\nelastic_slip_mm = 1.0\ntolerance = 1e-11\n",
+      "test");
 }
 
 Frame block(int nx, int ny, double load = 10e3) {
@@ -46,7 +49,8 @@ TEST(BuildingRun, OfTheThesisKeepsItsEnergy) {
   ASSERT_EQ(run.summary.status, "done") << run.summary.reason;
   EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-7);
   EXPECT_GT(run.summary.impacts.size(), 0u);
-  EXPECT_LT(run.summary.extra["building"]["bearings"][2]["min_normal_force_N"].get<double>(), 1e-9); // a corner is lifted off by the impact
+  EXPECT_LT(run.summary.extra["building"]["bearings"][2]["min_normal_force_N"].get<double>(),
+            1e-9); // a corner is lifted off by the impact
 }
 
 TEST(BuildingRun, RotatedWithItsGroundRespondsRotated) {
@@ -67,7 +71,9 @@ TEST(BuildingRun, RotatedWithItsGroundRespondsRotated) {
   EXPECT_GT(straight.summary.extra["building"]["peak_base_rotation_rad"].get<double>(), 1e-5);
   EXPECT_NEAR(turned.summary.impacts[0].touch_time, straight.summary.impacts[0].touch_time, 1e-8);
   for (std::size_t i = 0; i < straight.summary.impacts.size(); ++i)
-    EXPECT_NEAR(turned.summary.impacts[i].peak_force, straight.summary.impacts[i].peak_force, 1e-4 * straight.summary.impacts[0].peak_force) << i;
+    EXPECT_NEAR(turned.summary.impacts[i].peak_force, straight.summary.impacts[i].peak_force,
+                1e-4 * straight.summary.impacts[0].peak_force)
+        << i;
 }
 
 TEST(BuildingRun, WithoutFrictionSwingsAsAPendulum) { // small amplitude: T = 2 pi sqrt(R0 / g)
@@ -95,5 +101,6 @@ TEST(BuildingRun, RefusesWhatABuildingCannotHave) {
   };
   EXPECT_NE(said([](scene::Scene &s) { s.reduced.friction = "coulomb"; }).find("elastic slip"), std::string::npos);
   EXPECT_NE(said([](scene::Scene &s) { s.reduced.normal_force = "constant"; }).find("inertia"), std::string::npos);
-  EXPECT_NE(said([](scene::Scene &s) { s.excitation.kind = scene::ExcitationKind::window; }).find("window"), std::string::npos);
+  EXPECT_NE(said([](scene::Scene &s) { s.excitation.kind = scene::ExcitationKind::window; }).find("window"),
+            std::string::npos);
 }

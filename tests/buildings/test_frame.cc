@@ -2,7 +2,7 @@
 #include "buildings/beam_column.h"
 #include "buildings/modes.h"
 #include "buildings/regular_building.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
 
@@ -55,7 +55,7 @@ TEST(Building, OfTheThesisWeighs5120kNOnSixBearings) {
   EXPECT_NEAR(R.sum(), 5120e3, 1e-3);
   EXPECT_GT(R.minCoeff(), 0);
   for (const auto &[a, b] : {std::pair{0, 2}, {0, 3}, {0, 5}, {1, 4}}) EXPECT_NEAR(R[a], R[b], 1e-4); // by symmetry
-  EXPECT_GT(R[1], R[0]);                                                                               // the middle line carries more
+  EXPECT_GT(R[1], R[0]); // the middle line carries more
   double mass = 0;
   for (int d = 0; d < m.n_diaphragms; ++d) mass += m.mass[3 * d];
   EXPECT_NEAR(mass * 9.81, 5120e3, 1e-3);
@@ -96,14 +96,27 @@ TEST(Building, IsRefusedWithASentence) {
     return refusal([&] { assemble(f); });
   };
   EXPECT_EQ(frame([](Frame &f) { f.nodes[6].vertical_mass = 0; }), "node 7 has the mass 0 kg; it must be above 0");
-  EXPECT_EQ(frame([](Frame &f) { f.nodes[7].supported = true; }), "node 8 stands on a bearing but not in the base, diaphragm 1");
-  EXPECT_EQ(frame([](Frame &f) { for (auto &n : f.nodes) n.supported = false; }), "no node stands on a bearing");
+  EXPECT_EQ(frame([](Frame &f) { f.nodes[7].supported = true; }),
+            "node 8 stands on a bearing but not in the base, diaphragm 1");
+  EXPECT_EQ(frame([](Frame &f) {
+              for (auto &n : f.nodes) n.supported = false;
+            }),
+            "no node stands on a bearing");
   EXPECT_EQ(frame([](Frame &f) { f.elements[0].j = 99; }), "element 1 ends at node 100; the frame has nodes 1 to 24");
   EXPECT_EQ(frame([](Frame &f) { f.diaphragms[2].mass = 0; }), "diaphragm 3 has the mass 0 kg; it must be above 0");
-  EXPECT_NE(frame([](Frame &f) { std::erase_if(f.elements, [](const Element &e) { return e.section == 0; }); }).find("is a mechanism"), std::string::npos);
-  EXPECT_NE(frame([](Frame &f) { std::erase_if(f.elements, [](const Element &e) { return e.i == 23 || e.j == 23; }); }).find("the building is a mechanism: node 24"),
+  EXPECT_NE(frame([](Frame &f) {
+              std::erase_if(f.elements, [](const Element &e) { return e.section == 0; });
+            }).find("is a mechanism"),
             std::string::npos);
-  EXPECT_NE(refusal([] { parse_building("x_m = [0, 8]\ny_m = [8, 0]\n", "b.toml"); }).find("b.toml:2:"), std::string::npos);
-  EXPECT_NE(refusal([] { parse_building("x_m = [0, 8]\ny_m = [0, 8]\ncolum_x_mm = 3\n", "b.toml"); }).find("did you mean \"column_x_mm\""), std::string::npos);
+  EXPECT_NE(frame([](Frame &f) {
+              std::erase_if(f.elements, [](const Element &e) { return e.i == 23 || e.j == 23; });
+            }).find("the building is a mechanism: node 24"),
+            std::string::npos);
+  EXPECT_NE(refusal([] { parse_building("x_m = [0, 8]\ny_m = [8, 0]\n", "b.toml"); }).find("b.toml:2:"),
+            std::string::npos);
+  EXPECT_NE(refusal([] {
+              parse_building("x_m = [0, 8]\ny_m = [0, 8]\ncolum_x_mm = 3\n", "b.toml");
+            }).find("did you mean \"column_x_mm\""),
+            std::string::npos);
   EXPECT_NE(refusal([] { load_building("nowhere.toml"); }).find("no such file"), std::string::npos);
 }

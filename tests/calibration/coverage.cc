@@ -1,13 +1,15 @@
-// How often the 95 % intervals of measured impacts hold the truth, and what is left of it on average: a table of cells (law, noise of
-// the displacement, rate, noise of the force), each with so many seeds. Seeds are 1..n, so that it can be made again; coverage.txt
-// holds what it gave. A cell is good where every parameter is, and a parameter is where its intervals cover 90 to 99 % and its bias is
-// below a third of the stated error, or where the verdict says for most seeds that the data do not tell. Wide: more than 99 % are covered.
+// How often the 95 % intervals of measured impacts hold the truth, and what is left of it on average: a table of cells
+// (law, noise of the displacement, rate, noise of the force), each with so many seeds. Seeds are 1..n, so that it can
+// be made again; coverage.txt holds what it gave. A cell is good where every parameter is, and a parameter is where its
+// intervals cover 90 to 99 % and its bias is below a third of the stated error, or where the verdict says for most
+// seeds that the data do not tell. Wide: more than 99 % are covered.
 //   calibration_coverage [--seeds N] [--starts N] [--only WORD] [--all] [--table FILE]
-// Without --all a few cells, with a margin for few seeds. --table keeps finished cells, so that an interrupted run goes on.
-#include "calibration/fit.h"
+// Without --all a few cells, with a margin for few seeds. --table keeps finished cells, so that an interrupted run goes
+// on.
+#include "calibration/fit/fit.h"
+#include "files/error.h"
 #include "measured_synthetic.h"
 #include "reduced_models/impact_law.h"
-#include "scene/error.h"
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -23,7 +25,11 @@ struct Cell {
   bool pulse = false; ///< two Ricker histories instead of two windows at 0.2 and 0.4 m/s
   bool two = false;   ///< the law's first two parameters alone are fitted, the others held at the truth
   std::string name() const {
-    return fmt::format("{:<15} {:<8} {:>5g} mm {:>5g} Hz {:>2g} %", law, pulse ? "pulse" : two ? "two" : "windows", displacement_mm, rate_Hz, force_percent);
+    return fmt::format("{:<15} {:<8} {:>5g} mm {:>5g} Hz {:>2g} %", law,
+                       pulse ? "pulse"
+                       : two ? "two"
+                             : "windows",
+                       displacement_mm, rate_Hz, force_percent);
   }
 };
 
@@ -40,8 +46,9 @@ std::vector<Cell> all_cells() {
 }
 
 std::vector<Cell> few_cells() {
-  return {{"no-tension", 0.02, 1000, 2},    {"no-tension", 0.02, 5000, 0},          {"hunt-crossley", 0.02, 1000, 5},
-          {"signed", 0.02, 1000, 5},        {"no-tension", 0.02, 1000, 2, true},    {"elastoplastic", 0.02, 1000, 2, false, true}};
+  return {{"no-tension", 0.02, 1000, 2},       {"no-tension", 0.02, 5000, 0},
+          {"hunt-crossley", 0.02, 1000, 5},    {"signed", 0.02, 1000, 5},
+          {"no-tension", 0.02, 1000, 2, true}, {"elastoplastic", 0.02, 1000, 2, false, true}};
 }
 
 /// What the records are made with; a fit reports in the parameters' own units.
@@ -58,8 +65,11 @@ struct Tally {
   double sum = 0, square = 0, stated = 0; ///< of relative errors of those told, found and stated
 };
 
-std::map<std::string, Tally> run_cell(const Cell &cell, int n_seeds, int n_starts, std::map<std::string, int> &counting) {
-  const testing::Instruments instruments{.rate = cell.rate_Hz, .displacement = 1e-3 * cell.displacement_mm, .force = 0.01 * cell.force_percent,
+std::map<std::string, Tally> run_cell(const Cell &cell, int n_seeds, int n_starts,
+                                      std::map<std::string, int> &counting) {
+  const testing::Instruments instruments{.rate = cell.rate_Hz,
+                                         .displacement = 1e-3 * cell.displacement_mm,
+                                         .force = 0.01 * cell.force_percent,
                                          .before = cell.pulse ? 0.2 : 0.01};
   std::vector<rimpact::scene::Scene> scenes;
   if (cell.pulse)
@@ -70,15 +80,20 @@ std::map<std::string, Tally> run_cell(const Cell &cell, int n_seeds, int n_start
   FitOptions options;
   options.parameters = rimpact::reduced::impact_law(cell.law).parameters;
   if (cell.two) options.parameters.resize(2);
-  options.n_starts = n_starts > 0 ? n_starts : cell.law == "elastoplastic" && !cell.two ? FitOptions().n_starts : 1; // four parameters have several valleys
+  options.n_starts = n_starts > 0                               ? n_starts
+                     : cell.law == "elastoplastic" && !cell.two ? FitOptions().n_starts
+                                                                : 1; // four parameters have several valleys
   std::map<std::string, Tally> tallies;
   for (const auto &name : options.parameters) tallies[name].truth = parameter(name).get(scenes[0]) / parameter(name).si;
   for (int seed = 1; seed <= n_seeds; ++seed) {
     std::vector<StoredRun> runs;
-    for (std::size_t i = 0; i < scenes.size(); ++i) runs.push_back(testing::measured(scenes[i], instruments, 100003u * static_cast<unsigned>(i) + static_cast<unsigned>(seed)));
+    for (std::size_t i = 0; i < scenes.size(); ++i)
+      runs.push_back(
+          testing::measured(scenes[i], instruments, 100003u * static_cast<unsigned>(i) + static_cast<unsigned>(seed)));
     for (auto &run : runs) { // their own settings must not help
       run.scene.reduced.k_i = 4.5e8, run.scene.reduced.restitution = 0.65, run.scene.reduced.impact_exponent = 1.2;
-      if (!cell.two) run.scene.reduced.yield_force = 1e6, run.scene.reduced.hardening = 0.05, run.scene.reduced.unloading_gain = 0;
+      if (!cell.two)
+        run.scene.reduced.yield_force = 1e6, run.scene.reduced.hardening = 0.05, run.scene.reduced.unloading_gain = 0;
     }
     std::optional<FitResult> result;
     try {
@@ -98,18 +113,21 @@ std::map<std::string, Tally> run_cell(const Cell &cell, int n_seeds, int n_start
       t.inside_all += inside;
       if (!e.identifiable) continue;
       const double error = e.value / t.truth - 1;
-      ++t.told, t.inside += inside, t.sum += error, t.square += error * error, t.stated += std::pow(e.standard_error / t.truth, 2);
+      ++t.told, t.inside += inside, t.sum += error, t.square += error * error,
+          t.stated += std::pow(e.standard_error / t.truth, 2);
     }
   }
   return tallies;
 }
 
-/// Wide: intervals that cover more than 99 %, on the safe side. `margin`: standard errors that so few seeds may be off by.
+/// Wide: intervals that cover more than 99 %, on the safe side. `margin`: standard errors that so few seeds may be off
+/// by.
 enum class Grade { good, wide, bad };
 Grade grade(const Tally &t, double margin) {
   if (t.failed > 0) return Grade::bad;
   if (2 * t.told < t.n) return Grade::good; // the verdict says that the data do not tell
-  const double n = t.told, share = t.inside / n, bias = t.sum / n, stated = std::sqrt(t.stated / n), found = std::sqrt(t.square / n);
+  const double n = t.told, share = t.inside / n, bias = t.sum / n, stated = std::sqrt(t.stated / n),
+               found = std::sqrt(t.square / n);
   const double slack = margin * std::sqrt(0.95 * 0.05 / n);
   if (share < 0.90 - slack || std::abs(bias) > stated / 3 + margin * found / std::sqrt(n)) return Grade::bad;
   return share <= 0.99 || margin > 0 ? Grade::good : Grade::wide;
@@ -152,8 +170,9 @@ int main(int argc, char **argv) {
     for (const auto &[parameter, t] : tallies) {
       const double n = std::max(t.told, 1);
       cell_grade = std::max(cell_grade, grade(t, all ? 0 : 3));
-      line += fmt::format(" {} told {:.0f} covered {:.1f} ({:.1f}) bias {:+.2f} found {:.2f} stated {:.2f} |", parameter, 100.0 * t.told / t.n, 100 * t.inside / n,
-                          100.0 * t.inside_all / t.n, 100 * t.sum / n, 100 * std::sqrt(t.square / n), 100 * std::sqrt(t.stated / n));
+      line += fmt::format(" {} told {:.0f} covered {:.1f} ({:.1f}) bias {:+.2f} found {:.2f} stated {:.2f} |",
+                          parameter, 100.0 * t.told / t.n, 100 * t.inside / n, 100.0 * t.inside_all / t.n,
+                          100 * t.sum / n, 100 * std::sqrt(t.square / n), 100 * std::sqrt(t.stated / n));
     }
     everything = everything && cell_grade != Grade::bad;
     line += cell_grade == Grade::good ? " good" : cell_grade == Grade::wide ? " wide" : " BAD";

@@ -1,6 +1,6 @@
 /// Runs with a known answer: the reduced model's own responses.
 #pragma once
-#include "calibration/calibration.h"
+#include "calibration/answer/calibration.h"
 #include <filesystem>
 #include <fmt/format.h>
 #include <random>
@@ -40,8 +40,7 @@ inline StoredRun run_of(const scene::Scene &s, const WindowOptions &options = {}
 
 /// Errors as an instrument makes them: force scaled by one draw, each sample of force and displacement under
 /// the rim noisy, the returning speed off by one draw; the state before touch stays exact.
-inline StoredRun noisy(const scene::Scene &s, unsigned seed, const Uncertainty &u,
-                       const WindowOptions &options = {}) {
+inline StoredRun noisy(const scene::Scene &s, unsigned seed, const Uncertainty &u, const WindowOptions &options = {}) {
   auto response = reduced::simulate(s).response;
   std::mt19937 generator(seed);
   std::normal_distribution<double> normal;
@@ -54,15 +53,12 @@ inline StoredRun noisy(const scene::Scene &s, unsigned seed, const Uncertainty &
     if (force == 0) continue;
     force = scale * force + u.force * peak * normal(generator);
     if (!first)
-      response.series("displacement_x")[i] +=
-          u.displacement * s.bearing.lateral_capacity() * normal(generator);
+      response.series("displacement_x")[i] += u.displacement * s.bearing.lateral_capacity() * normal(generator);
     first = false;
   }
-  const double approach = response.series("velocity_x").front(),
-               slip = u.speed * approach * normal(generator);
+  const double approach = response.series("velocity_x").front(), slip = u.speed * approach * normal(generator);
   for (std::size_t i = 0; i < response.size(); ++i)
-    if (response.series("velocity_x")[i] <
-        0) // from the turn on: the rebound is read at the last pressed sample
+    if (response.series("velocity_x")[i] < 0) // from the turn on: the rebound is read at the last pressed sample
       response.series("velocity_x")[i] += slip;
   return make_run(s.name, s, response, options);
 }
@@ -72,7 +68,7 @@ inline StoredRun noisy(const scene::Scene &s, unsigned seed, const Uncertainty &
 /// looks like to a fit.
 inline StoredRun yielding_rim(double speed, double k = 6e8, double yield_force = 0.8e6) {
   const auto s = window(speed, 4.5e8, 0.65);
-  scene::Response r;
+  Response r;
   const double dt = 1e-6, hardening = 0.05 * k;
   double u = s.bearing.lateral_capacity(), v = speed, force = 0, plastic = 0, yield = yield_force;
   for (int n = 0; n <= 150000; ++n) {
@@ -106,8 +102,7 @@ class TemporaryFolder {
 public:
   TemporaryFolder() {
     static int count = 0;
-    path_ = std::filesystem::temp_directory_path() /
-            fmt::format("rimpact-calibration-{}-{}", ::getpid(), count++);
+    path_ = std::filesystem::temp_directory_path() / fmt::format("rimpact-calibration-{}-{}", ::getpid(), count++);
     std::filesystem::create_directories(path_);
   }
   ~TemporaryFolder() { std::filesystem::remove_all(path_); }
@@ -116,7 +111,7 @@ public:
   /// Simulates and writes a run folder; returns its path.
   std::string write(const scene::Scene &s) const {
     const auto run = reduced::simulate(s);
-    scene::write_run_folder(at(s.name), s, run.response, run.summary);
+    write_run_folder(at(s.name), s, run.response, run.summary);
     return at(s.name);
   }
 

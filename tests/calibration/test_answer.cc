@@ -1,13 +1,13 @@
 // What a calibration hands over, and every sentence of it used: what it says is typed into a scene and run.
-#include "calibration/answer.h"
-#include "calibration/answer_parts.h"
-#include "calibration/calibration_json.h"
-#include "calibration/law_errors.h"
-#include "calibration/no_tension_pair.h"
-#include "calibration/percent.h"
-#include "calibration/windows_table.h"
+#include "calibration/answer/answer.h"
+#include "calibration/answer/answer_parts.h"
+#include "calibration/answer/calibration_json.h"
+#include "calibration/laws/law_errors.h"
+#include "calibration/laws/no_tension_pair.h"
+#include "calibration/laws/percent.h"
+#include "calibration/laws/windows_table.h"
+#include "files/error.h"
 #include "reduced_models/impact_law.h"
-#include "scene/error.h"
 #include "scene/rim_identity.h"
 #include "synthetic.h"
 #include <fstream>
@@ -69,7 +69,8 @@ std::vector<std::string> typed(const std::string &sentence) {
 /// Largest share in the words "within X %".
 std::vector<double> bounds_in(const std::string &sentence) {
   std::vector<double> bounds;
-  const std::regex bound(R"(within ([0-9.]+) %( in peak force| and the rebound| in rebound)?( and ([0-9.]+) % in rebound)?)");
+  const std::regex bound(
+      R"(within ([0-9.]+) %( in peak force| and the rebound| in rebound)?( and ([0-9.]+) % in rebound)?)");
   for (std::sregex_iterator i(sentence.begin(), sentence.end(), bound), end; i != end; ++i) {
     bounds.push_back(std::stod((*i)[1]) / 100);
     if ((*i)[4].matched) bounds.push_back(std::stod((*i)[4]) / 100);
@@ -126,7 +127,8 @@ TEST(Answer, TheLawBelongsToTheRimThePairToTheMass) {
     scene.reduced = c.answer->scene.reduced;
     EXPECT_NEAR(*reduced::simulate(scene).summary.peak_impact_force / *truth.peak_impact_force, 1, 1e-3) << v;
     scene = with_fitted(yielding(v, 2.3 * 86952), c.result); // signed
-    missed = std::max(missed, std::abs(*reduced::simulate(scene).summary.peak_impact_force / *truth.peak_impact_force - 1));
+    missed =
+        std::max(missed, std::abs(*reduced::simulate(scene).summary.peak_impact_force / *truth.peak_impact_force - 1));
   }
   EXPECT_GT(missed, 0.10); // the pair of one mass is no pair of another
   auto options = quick({"signed", "elastoplastic"});
@@ -144,11 +146,13 @@ TEST(Answer, IsTheContractsJsonAndItsFragmentFliesTheSame) {
   for (const double v : {0.1, 0.2, 0.4, 0.8}) runs.push_back(stand_in(folder, yielding(v)));
   const auto c = calibrate(runs, quick({"signed", "no-tension", "elastoplastic"}));
   const auto json = to_json(c)["answer"];
-  for (const char *key : {"bearing", "rim_identity", "rung", "mesh", "mass_kg", "vertical_kN", "gravity_m_per_s2", "source", "law", "table", "pair_law", "pair",
-                          "no_pair", "published_applies", "strain", "mesh_error", "assumptions", "doubts", "validity"})
+  for (const char *key : {"bearing", "rim_identity", "rung", "mesh", "mass_kg", "vertical_kN", "gravity_m_per_s2",
+                          "source", "law", "table", "pair_law", "pair", "no_pair", "published_applies", "strain",
+                          "mesh_error", "assumptions", "doubts", "validity"})
     EXPECT_TRUE(json.contains(key)) << key;
-  for (const char *key : {"name", "chosen_by", "remark", "belongs_to", "parameters", "element", "fitted_from_m_s", "fitted_to_m_s", "valid_from_m_s",
-                          "valid_to_m_s", "tolerance", "worst_left_out", "force_unexplained", "n_runs", "sentence"})
+  for (const char *key :
+       {"name", "chosen_by", "remark", "belongs_to", "parameters", "element", "fitted_from_m_s", "fitted_to_m_s",
+        "valid_from_m_s", "valid_to_m_s", "tolerance", "worst_left_out", "force_unexplained", "n_runs", "sentence"})
     EXPECT_TRUE(json["law"].contains(key)) << key;
   EXPECT_EQ(json["law"]["name"], "elastoplastic");
   EXPECT_EQ(json["law"]["chosen_by"], "ranking");
@@ -222,14 +226,17 @@ TEST(Answer, WhatTheSentencesSayHoldsWhenTyped) {
         const auto error = flown(run, assignments);
         EXPECT_LE(std::abs(error.peak_force), bounds[0] + 1e-3) << sentence << " at " << error.speed;
       }
-      EXPECT_EQ(sentence.find("onstant pair") != std::string::npos, sentence.find("supported mass of") != std::string::npos) << sentence;
+      EXPECT_EQ(sentence.find("onstant pair") != std::string::npos,
+                sentence.find("supported mass of") != std::string::npos)
+          << sentence;
     }
-    EXPECT_EQ(c.windows->sentence.find("onstant pair") != std::string::npos, c.answer->law.of_the_mass) << c.windows->sentence;
+    EXPECT_EQ(c.windows->sentence.find("onstant pair") != std::string::npos, c.answer->law.of_the_mass)
+        << c.windows->sentence;
   }
 }
 
-/// Real finite-element windows (rung rigid-dish, with weight and friction): every bound the sentences state, each typed in from the run's
-/// own state at touch.
+/// Real finite-element windows (rung rigid-dish, with weight and friction): every bound the sentences state, each typed
+/// in from the run's own state at touch.
 TEST(Answer, WhatTheSentencesSayHoldsOfKeptFiniteElements) {
   const std::string kept = RIMPACT_REFERENCES;
   std::vector<std::string> names;
@@ -254,7 +261,8 @@ TEST(Answer, WhatTheSentencesSayHoldsOfKeptFiniteElements) {
   for (const auto &run : runs) {
     const auto error = flown(run, assignments);
     const bool inside = error.speed >= *answer.law.valid_from && error.speed <= *answer.law.valid_to;
-    EXPECT_LE(std::abs(error.peak_force), bounds[inside ? 0 : 2] + 5e-4) << answer.law.sentence << " at " << error.speed;
+    EXPECT_LE(std::abs(error.peak_force), bounds[inside ? 0 : 2] + 5e-4)
+        << answer.law.sentence << " at " << error.speed;
     EXPECT_LE(std::abs(error.rebound), bounds[inside ? 1 : 3] + 5e-4) << answer.law.sentence << " at " << error.speed;
   }
   for (const auto &run : others) EXPECT_LE(std::abs(flown(run, assignments).peak_force), 0.05) << run.folder;
@@ -276,7 +284,8 @@ TEST(Answer, DoubtsOfRunsTravelAndWeigh) {
   EXPECT_EQ(c.fit.size(), 3u);
   EXPECT_EQ(c.answer->law.n_runs, 3);
   const auto says = [&](const std::string &words) {
-    return std::any_of(c.answer->doubts.begin(), c.answer->doubts.end(), [&](const auto &doubt) { return doubt.find(words) != std::string::npos; });
+    return std::any_of(c.answer->doubts.begin(), c.answer->doubts.end(),
+                       [&](const auto &doubt) { return doubt.find(words) != std::string::npos; });
   };
   EXPECT_TRUE(says("window-0.2: the rim is pressed at the end"));
   EXPECT_TRUE(says("window-0.3 counts less: -0.50 % of its energy"));
@@ -304,12 +313,15 @@ TEST(Answer, SaysWhetherTheSteelBearsIt) {
   EXPECT_TRUE(s.exceeded());
   EXPECT_TRUE(s.limit_is_assumption);
   EXPECT_NEAR(s.largest_speed_below_limit.value(), 0.2, 1e-9);
-  EXPECT_NE(s.sentence.find("not shown to bear it: its plastic strain reaches 30 %, beyond its limit of 20 % (an assumption"), std::string::npos) << s.sentence;
+  EXPECT_NE(
+      s.sentence.find("not shown to bear it: its plastic strain reaches 30 %, beyond its limit of 20 % (an assumption"),
+      std::string::npos)
+      << s.sentence;
   EXPECT_NE(s.sentence.find("up to 0.2 m/s it stays below"), std::string::npos) << s.sentence;
   EXPECT_EQ(c.answer->source, "finite elements");
   EXPECT_EQ(to_json(*c.answer)["rung"], "rim");
   EXPECT_EQ(to_json(*c.answer)["mesh"], 1);
-  EXPECT_TRUE(c.answer->mesh_error.peak_force) << c.answer->mesh_error.sentence; // a kept study knows shfps-225
+  EXPECT_TRUE(c.answer->mesh_error.peak_force) << c.answer->mesh_error.sentence;  // a kept study knows shfps-225
   EXPECT_FALSE(calibrate({folder.write(window(0.4))}, quick({})).answer->strain); // the reduced model knows no strain
 }
 
@@ -322,7 +334,8 @@ TEST(Answer, TheMeshOfAnotherRimUnderTheSameNameIsNotKnown) {
   const auto error = calibrate({run}, quick({})).answer->mesh_error;
   EXPECT_FALSE(error.peak_force);
   EXPECT_NE(error.sentence.find("unknown"), std::string::npos) << error.sentence;
-  EXPECT_NE(error.sentence.find("rimpact study " + run + "/scene.toml --axes mesh --meshes 1,2,3"), std::string::npos) << error.sentence;
+  EXPECT_NE(error.sentence.find("rimpact study " + run + "/scene.toml --axes mesh --meshes 1,2,3"), std::string::npos)
+      << error.sentence;
   EXPECT_NE(error.sentence.find("(about "), std::string::npos) << error.sentence;
 }
 
@@ -346,7 +359,8 @@ TEST(Answer, WithoutAPairSaysWhy) {
   }
   const auto answer = calibrate(runs, quick({"signed", "no-tension"})).answer;
   EXPECT_FALSE(answer->pair);
-  EXPECT_NE(answer->no_pair.find("none of law no-tension meets peak force and rebound within 20 %"), std::string::npos) << answer->no_pair;
+  EXPECT_NE(answer->no_pair.find("none of law no-tension meets peak force and rebound within 20 %"), std::string::npos)
+      << answer->no_pair;
 }
 
 } // namespace

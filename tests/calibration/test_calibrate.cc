@@ -1,5 +1,5 @@
-#include "calibration/calibration_json.h"
-#include "scene/error.h"
+#include "calibration/answer/calibration_json.h"
+#include "files/error.h"
 #include "synthetic.h"
 #include <algorithm>
 #include <fstream>
@@ -15,8 +15,8 @@ nlohmann::json read_json(const std::string &path) {
 
 TEST(Calibrate, RunFoldersToCalibrationJson) {
   TemporaryFolder folder;
-  std::vector<std::string> runs = {folder.write(ricker(1.05)), folder.write(ricker(1.1)),
-                                   folder.write(window(0.1)), folder.write(window(0.5))};
+  std::vector<std::string> runs = {folder.write(ricker(1.05)), folder.write(ricker(1.1)), folder.write(window(0.1)),
+                                   folder.write(window(0.5))};
   CalibrationOptions options;
   options.laws = {"no-tension", "signed"};
   options.predict = {folder.write(ricker(1.2)), folder.write(ricker(0.5))};
@@ -38,8 +38,8 @@ TEST(Calibrate, RunFoldersToCalibrationJson) {
   EXPECT_NEAR(json["derived"]["c_i"]["value"].get<double>(),
               2 * json["derived"]["xi"].get<double>() * std::sqrt(3e8 * 86952.0) / 1e3, 0.1);
   ASSERT_TRUE(json["fit"].contains(runs[0]));
-  for (const char *key : {"peak_force_error", "peak_displacement_error", "rebound_error",
-                          "nrmse_displacement", "nrmse_force"}) {
+  for (const char *key :
+       {"peak_force_error", "peak_displacement_error", "rebound_error", "nrmse_displacement", "nrmse_force"}) {
     EXPECT_NEAR(json["fit"][runs[0]][key].get<double>(), 0, 1e-3) << key;
     EXPECT_NEAR(json["prediction"][options.predict[0]][key].get<double>(), 0, 1e-3) << key;
   }
@@ -52,8 +52,7 @@ TEST(Calibrate, RunFoldersToCalibrationJson) {
   EXPECT_TRUE(json["profiles"].contains("e"));
   ASSERT_EQ(json["critical_amplitudes"].size(), 1u);
   // thesis notes, 1: 0.1-0.2 % below the printed amplitude
-  EXPECT_NEAR(json["critical_amplitudes"][0]["critical_amplitude_g"].get<double>(), 0.78 * 0.9985,
-              0.78 * 0.001);
+  EXPECT_NEAR(json["critical_amplitudes"][0]["critical_amplitude_g"].get<double>(), 0.78 * 0.9985, 0.78 * 0.001);
 
   // the fragment is a scene's [reduced]
   std::ifstream file(folder.at("calibration/calibration.toml"));
@@ -73,8 +72,7 @@ TEST(Calibrate, WindowsAloneGiveTheConstantPair) {
   EXPECT_NEAR(c.windows->valid_to.value(), 0.3, 1e-6);
 }
 
-template <typename Error>
-void expect_refusal(const std::vector<std::string> &runs, const std::string &words) {
+template <typename Error> void expect_refusal(const std::vector<std::string> &runs, const std::string &words) {
   try {
     calibrate(runs);
     ADD_FAILURE() << "accepted: " << words;
@@ -96,18 +94,16 @@ TEST(Calibrate, RefusesWithTheReason) {
   coarse.name = "coarse";
   const auto fine = reduced::simulate(coarse).response;
   const auto &force = fine.series("impact_x");
-  const std::size_t pressed = force.size() - std::count(force.begin(), force.end(), 0.0),
-                    stride = pressed / 5;
-  scene::Response few; // about five samples on the rim
+  const std::size_t pressed = force.size() - std::count(force.begin(), force.end(), 0.0), stride = pressed / 5;
+  Response few; // about five samples on the rim
   for (const auto &[name, values] : fine.all())
     for (std::size_t i = 0; i < values.size(); i += stride) few.append(name, values[i]);
-  scene::write_run_folder(folder.at(coarse.name), coarse, few, {});
+  write_run_folder(folder.at(coarse.name), coarse, few, {});
   expect_refusal<DataError>({folder.at(coarse.name)}, "samples carry rim force, 8 are needed");
   auto heavier = window(0.2);
   heavier.name = "heavier";
   heavier.load.mass = 90000;
-  expect_refusal<InputError>({folder.write(window(0.2)), folder.write(heavier)},
-                             "load.mass_kg 86952 and 90000");
+  expect_refusal<InputError>({folder.write(window(0.2)), folder.write(heavier)}, "load.mass_kg 86952 and 90000");
   auto other = window(0.2);
   other.name = "other";
   other.bearing.rim.height = 0.05;

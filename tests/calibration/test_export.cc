@@ -1,7 +1,7 @@
 #include "answer_fixture.h"
 #include "calibration/export/csi.h"
 #include "calibration/export/gap_springs.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <gtest/gtest.h>
 #include <set>
 #include <sstream>
@@ -17,7 +17,9 @@ std::vector<std::string> lines_with(const std::string &text, const std::string &
     if (line.find(needle) != std::string::npos) found.push_back(line);
   return found;
 }
-double field(const std::string &line, const std::string &name) { return std::stod(line.substr(line.find(name) + name.size())); }
+double field(const std::string &line, const std::string &name) {
+  return std::stod(line.substr(line.find(name) + name.size()));
+}
 
 TEST(SelfCheck, IntegratorMeetsClosedForms) {
   // spring and dashpot: e from xi, whatever the speed; half a period of the damped oscillator
@@ -54,7 +56,8 @@ TEST(Csi, TablesHoldTheLink) {
   const auto links = csi_rim(rim);
   const auto dish = dish_of(scene::Scene{}, rim.lateral_capacity);
   const auto text = sap2000(rim, links, dish, {"command"});
-  for (const char *table : {"01 - GENERAL", "03 - MULTILINEAR", "05 - GAP", "08 - SLIDING ISOLATOR", "11 - MULTILINEAR PLASTIC"})
+  for (const char *table :
+       {"01 - GENERAL", "03 - MULTILINEAR", "05 - GAP", "08 - SLIDING ISOLATOR", "11 - MULTILINEAR PLASTIC"})
     EXPECT_EQ(lines_with(text, std::string("TABLE:  \"LINK PROPERTY DEFINITIONS ") + table + "\"").size(), 1u) << table;
   const auto rows = lines_with(text, "Link=RIM   DOF=U1");
   ASSERT_EQ(rows.size(), links.plastic->force.size() + 2);
@@ -65,7 +68,8 @@ TEST(Csi, TablesHoldTheLink) {
   }
   EXPECT_NEAR(field(rows[0], "Force="), -links.plastic->force.back() / 1e3, 1e-3);
   EXPECT_NEAR(field(lines_with(text, "TransOpen=")[0], "TransOpen="), 0.4, 1e-9);
-  EXPECT_NEAR(field(lines_with(text, "Link=DISH   DOF=U2")[0], "Radius="), 0, 1e-12); // no sphere: flat, with DISH_SPRING beside it
+  EXPECT_NEAR(field(lines_with(text, "Link=DISH   DOF=U2")[0], "Radius="), 0,
+              1e-12); // no sphere: flat, with DISH_SPRING beside it
   scene::Scene sphere;
   sphere.bearing.surface.kind = "sphere", sphere.bearing.surface.R0 = 3;
   const auto other = sap2000(rim, links, dish_of(sphere, rim.lateral_capacity), {"command"});
@@ -83,8 +87,16 @@ TEST(Csi, TablesHoldTheLink) {
 
 TEST(Csi, APairIsGapAndDashpot) {
   auto calibration = answer_fixture();
-  calibration["answer"]["pair"] = {{"law", "no-tension"}, {"k_i_kN_per_m", 450000.0}, {"e", 0.5}, {"mass_kg", 86952.0}, {"from_m_s", 0.2}, {"to_m_s", 0.4}, {"tolerance", 0.1},
-                                   {"worst_peak_force_error", 0.08}, {"worst_rebound_error", 0.05}, {"sentence", "A pair."}};
+  calibration["answer"]["pair"] = {{"law", "no-tension"},
+                                   {"k_i_kN_per_m", 450000.0},
+                                   {"e", 0.5},
+                                   {"mass_kg", 86952.0},
+                                   {"from_m_s", 0.2},
+                                   {"to_m_s", 0.4},
+                                   {"tolerance", 0.1},
+                                   {"worst_peak_force_error", 0.08},
+                                   {"worst_rebound_error", 0.05},
+                                   {"sentence", "A pair."}};
   const auto rim = exported_rim(calibration, {.law = "pair", .mass = {}});
   EXPECT_DOUBLE_EQ(rim.from, 0.2);
   EXPECT_DOUBLE_EQ(rim.settings.restitution, 0.5);
@@ -93,7 +105,8 @@ TEST(Csi, APairIsGapAndDashpot) {
   EXPECT_LT(links.check.rebound, 0.01);
   const auto text = sap2000(rim, links, std::nullopt, {"command"});
   EXPECT_NEAR(field(lines_with(text, "Link=RIM   DOF=U1")[0], "TransKE="), 450000, 1e-3);
-  EXPECT_NEAR(field(lines_with(text, "Link=RIM   DOF=U1")[0], "TransCE="), reduced::damping_coefficient(4.5e8, 0.5, 86952) / 1e3, 1e-2);
+  EXPECT_NEAR(field(lines_with(text, "Link=RIM   DOF=U1")[0], "TransCE="),
+              reduced::damping_coefficient(4.5e8, 0.5, 86952) / 1e3, 1e-2);
   EXPECT_THROW(exported_rim(calibration, {.law = "pair", .mass = 100000}), InputError);
 }
 

@@ -1,6 +1,6 @@
-#include "calibration/fit.h"
-#include "calibration/shooting.h"
-#include "scene/error.h"
+#include "calibration/fit/fit.h"
+#include "calibration/fit/shooting.h"
+#include "files/error.h"
 #include "synthetic.h"
 #include <chrono>
 #include <gtest/gtest.h>
@@ -103,8 +103,7 @@ TEST(Fit, OfAYieldingRimKeepsPeakAndRebound) {
     const Shot shot = shoot(with_fitted(run.scene, result), w);
     EXPECT_NEAR(shot.peak / w.peak, 1, 0.04) << speed;
     EXPECT_NEAR(shot.rebound_speed / speed, w.impact.restitution(), 0.02) << speed;
-    EXPECT_LT(result.parameters.at("k_i").value, stiffness_before)
-        << speed; // it yields more the faster it is hit
+    EXPECT_LT(result.parameters.at("k_i").value, stiffness_before) << speed; // it yields more the faster it is hit
     EXPECT_LT(result.parameters.at("e").value, restitution_before) << speed;
     EXPECT_EQ(result.n_starts_agreeing, result.n_starts) << speed;
     stiffness_before = result.parameters.at("k_i").value;

@@ -1,5 +1,5 @@
-#include "calibration/geometry_study.h"
-#include "scene/error.h"
+#include "calibration/studies/geometry_study.h"
+#include "files/error.h"
 #include "synthetic.h"
 #include <gtest/gtest.h>
 
@@ -43,8 +43,8 @@ TEST(Surrogate, ItsErrorIsThatOfFitsWithoutTheRow) {
 }
 
 TEST(Surrogate, IsEmptyWhereTheRowsDoNotTell) {
-  EXPECT_FALSE(power_surrogate({{1, 2}, {2, 4}, {3, 6}, {4, 8}, {5, 10}, {6, 12}},
-                               {1, 2, 3, 4, 5, 6})); // one input twice
+  EXPECT_FALSE(
+      power_surrogate({{1, 2}, {2, 4}, {3, 6}, {4, 8}, {5, 10}, {6, 12}}, {1, 2, 3, 4, 5, 6})); // one input twice
   EXPECT_FALSE(power_surrogate({{1}, {2}, {3}}, {1, 2, 3}));
   EXPECT_FALSE(power_surrogate({{1}, {2}, {3}, {4}}, {0, 0, 3, 4})); // zeros do not count
 }
@@ -81,8 +81,7 @@ TEST(GeometryStudy, SaysWhetherTheRimSurvives) {
   options.samples = 24;
   std::vector<GeometryRow> rows;
   for (const auto &s : geometry_scenes(own, options)) {
-    GeometryRow row{
-        .name = s.name, .inputs = {}, .k_i = 1e5, .e = 0.4, .peak_force = 1e6, .plastic_strain = 0};
+    GeometryRow row{.name = s.name, .inputs = {}, .k_i = 1e5, .e = 0.4, .peak_force = 1e6, .plastic_strain = 0};
     for (const auto &axis : geometry_axes()) row.inputs.push_back(axis.get(s) / axis.si);
     row.plastic_strain = 0.5 * s.excitation.speed * std::sqrt(360e6 / *s.bearing.steel.yield);
     rows.push_back(row);
@@ -90,9 +89,8 @@ TEST(GeometryStudy, SaysWhetherTheRimSurvives) {
   const auto study = geometry_study(rows, own, options); // 0.2 at 0.4 m/s
   EXPECT_NE(study.sentence.find("meets the limit 0.2 at 0.4 m/s"), std::string::npos) << study.sentence;
   EXPECT_EQ(to_json(study)["rows"].size(), 24u);
-  EXPECT_NEAR(
-      to_json(study)["surrogates"]["plastic_strain"]["inputs"]["yield_stress"]["exponent"].get<double>(),
-      -0.5, 1e-6);
+  EXPECT_NEAR(to_json(study)["surrogates"]["plastic_strain"]["inputs"]["yield_stress"]["exponent"].get<double>(), -0.5,
+              1e-6);
   EXPECT_EQ(to_csv(study).substr(0, 15), "name,rim_height");
   rows.resize(4);
   EXPECT_NE(geometry_study(rows, own, options).sentence.find("too few"), std::string::npos);

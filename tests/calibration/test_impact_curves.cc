@@ -1,4 +1,4 @@
-#include "calibration/impact_curves.h"
+#include "calibration/fit/impact_curves.h"
 #include "synthetic.h"
 #include <algorithm>
 #include <fstream>
@@ -54,7 +54,8 @@ TEST(ImpactCurves, TheFileHoldsSceneAndCurves) {
   const auto &impact = file["impacts"].at(0);
   EXPECT_EQ(impact["run"], "window-0.2");
   for (const char *part : {"reference", "law"})
-    for (const char *key : {"time_s", "penetration_m", "force_N"}) EXPECT_GT(impact[part][key].size(), 8u) << part << key;
+    for (const char *key : {"time_s", "penetration_m", "force_N"})
+      EXPECT_GT(impact[part][key].size(), 8u) << part << key;
   EXPECT_LT(impact["reference"]["time_s"].front().get<double>(), 1e-12);
 }
 

@@ -1,5 +1,5 @@
-#include "calibration/shooting.h"
-#include "scene/error.h"
+#include "calibration/fit/shooting.h"
+#include "files/error.h"
 #include "synthetic.h"
 #include <gtest/gtest.h>
 
@@ -47,7 +47,7 @@ TEST(ImpactWindow, FollowsADentedRimToItsOwnTouch) {
   for (auto &u : response.series("displacement_x")) u += dent;
   for (auto &gap : response.series("gap")) gap -= dent;
   // an approach without rim force before it
-  scene::Response longer = response;
+  Response longer = response;
   for (const auto &[name, values] : response.all()) {
     const double first = values.front(), v = 0.3, dt = 2e-3;
     double before = first;
@@ -71,7 +71,7 @@ TEST(ImpactWindow, FollowsADentedRimToItsOwnTouch) {
 TEST(ImpactWindow, LeavesOutWhatHasTooFewSamples) {
   const auto scene = window(0.3);
   const auto full = reduced::simulate(scene).response;
-  scene::Response sparse;
+  Response sparse;
   for (std::size_t i = 0; i < full.size(); i += 40)
     for (const auto &[name, values] : full.all()) sparse.append(name, values[i]);
   const StoredRun run = make_run("sparse", scene, sparse, {});

@@ -1,7 +1,7 @@
-#include "calibration/law_ranking.h"
-#include "calibration/profile.h"
-#include "calibration/speed_law.h"
-#include "scene/error.h"
+#include "calibration/fit/profile.h"
+#include "calibration/laws/law_ranking.h"
+#include "calibration/laws/speed_law.h"
+#include "files/error.h"
 #include "synthetic.h"
 #include <gtest/gtest.h>
 
@@ -70,7 +70,9 @@ TEST(LawRanking, FindsTheExponentsOnceImpactsAreEnough) {
   EXPECT_NEAR(found.at("hardening_exponent").value, 0.6, 0.01);
   EXPECT_LT(ranking.rows[0].left_out_rebound_error, 0.01);
   std::vector<StoredRun> few(runs.begin(), runs.begin() + 5); // one impact short of the six parameters
-  EXPECT_FALSE(rank_laws(pointers(few), {"elastoplastic"}, options, notes).rows.at(0).result.parameters.count("unloading_exponent"));
+  EXPECT_FALSE(rank_laws(pointers(few), {"elastoplastic"}, options, notes)
+                   .rows.at(0)
+                   .result.parameters.count("unloading_exponent"));
 }
 
 TEST(LawRanking, SaysWhereALawPredictsAndWhatItMissesBeyond) {
@@ -123,8 +125,7 @@ TEST(Fit, RefusesAParameterOfAnotherLaw) {
     fit({&run}, options);
     ADD_FAILURE() << "accepted";
   } catch (const InputError &error) {
-    EXPECT_NE(std::string(error.what()).find("not read by the law signed"), std::string::npos)
-        << error.what();
+    EXPECT_NE(std::string(error.what()).find("not read by the law signed"), std::string::npos) << error.what();
   }
   options.parameters = {"k_i", "e"};
   options.fixed["e"] = 0.5;

@@ -1,10 +1,10 @@
-#include "calibration/calibration.h"
-#include "calibration/contact_detector.h"
-#include "calibration/flight_fit.h"
-#include "calibration/measured_record.h"
-#include "calibration/shooting.h"
+#include "calibration/answer/calibration.h"
+#include "calibration/data/contact_detector.h"
+#include "calibration/data/flight_fit.h"
+#include "calibration/data/measured_record.h"
+#include "calibration/fit/shooting.h"
+#include "files/error.h"
 #include "measured_synthetic.h"
-#include "scene/error.h"
 #include <fstream>
 #include <gtest/gtest.h>
 
@@ -16,7 +16,8 @@ std::string record(const std::string &name) {
   return std::string(RIMPACT_RECORDS) + "/" + name;
 }
 
-FitResult fit_records(const std::vector<std::string> &names, const std::string &law, const std::vector<std::string> &parameters) {
+FitResult fit_records(const std::vector<std::string> &names, const std::string &law,
+                      const std::vector<std::string> &parameters) {
   std::vector<StoredRun> runs;
   std::vector<const StoredRun *> pointers;
   for (const auto &name : names) runs.push_back(read_run(record(name), {}));
@@ -36,10 +37,12 @@ TEST(MeasuredNoise, OfTheDisplacementIsInTheInterval) {
   EXPECT_LT(std::abs(e.value - 0.55), 2.5 * e.standard_error);
 }
 
-// without noise, force_noise 0 / 0.02 / 0.05 gave exponents of 1.50 / 1.43 / 1.39 and stiffnesses of 3.00 / 3.37 / 3.67e5
+// without noise, force_noise 0 / 0.02 / 0.05 gave exponents of 1.50 / 1.43 / 1.39 and stiffnesses of 3.00 / 3.37
+// / 3.67e5
 TEST(MeasuredNoise, AThresholdFindsContactsAndAltersNoFit) {
   for (const char *share : {"n0", "", "n5"}) {
-    const auto result = fit_records({fmt::format("r02{}.toml", share), fmt::format("r04{}.toml", share)}, "hunt-crossley", {"k_i", "e", "exponent"});
+    const auto result = fit_records({fmt::format("r02{}.toml", share), fmt::format("r04{}.toml", share)},
+                                    "hunt-crossley", {"k_i", "e", "exponent"});
     EXPECT_NEAR(result.parameters.at("k_i").value / 3e5, 1, 2e-3) << share;
     EXPECT_NEAR(result.parameters.at("exponent").value, 1.5, 2e-3) << share;
     EXPECT_NEAR(result.parameters.at("e").value, 0.55, 1e-3) << share;
@@ -64,7 +67,8 @@ TEST(MeasuredNoise, IsFoundInTheRecordAndStated) {
 TEST(MeasuredNoise, MakesNoImpacts) {
   for (const double force : {0.02, 0.05})
     for (unsigned seed = 1; seed <= 40; ++seed) {
-      const StoredRun run = measured(window(0.2), {.rate = 1000, .displacement = 0.02e-3, .force = force}, seed, {.force_threshold = 0.02});
+      const StoredRun run = measured(window(0.2), {.rate = 1000, .displacement = 0.02e-3, .force = force}, seed,
+                                     {.force_threshold = 0.02});
       EXPECT_EQ(run.summary.impacts.size(), 1u) << force << " " << seed;
       EXPECT_EQ(run.impacts.size(), 1u) << force << " " << seed;
     }
@@ -108,7 +112,8 @@ TEST(MeasuredNoise, FlightFollowsTheGroundsMotion) {
   truth.reduced.output_step = 1e-3;
   const auto r = reduced::simulate(truth).response;
   const auto &t = r.series("time"), &v = r.series("velocity_x");
-  const std::size_t first = static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), 1.0) - t.begin()), last = first + 50;
+  const std::size_t first = static_cast<std::size_t>(std::lower_bound(t.begin(), t.end(), 1.0) - t.begin()),
+                    last = first + 50;
   const auto fit = fit_flight(scene, r, first, last, t[last], 1e-6, false);
   EXPECT_NEAR(fit.v.x(), v[last], 1e-4 * std::abs(v[last]));
 }
@@ -160,7 +165,8 @@ TEST(MeasuredNoise, WithoutNoiseTheTruthIsFound) {
 // what stands on curves without noise stays: values of the fit before measured records had an estimator of their own
 TEST(MeasuredNoise, ReferencesWithoutNoiseAreFittedAsBefore) {
   std::vector<StoredRun> runs;
-  for (const char *speed : {"0.07", "0.20", "0.50"}) runs.push_back(read_run(std::string(RIMPACT_REFERENCES) + "/window-" + speed, {}));
+  for (const char *speed : {"0.07", "0.20", "0.50"})
+    runs.push_back(read_run(std::string(RIMPACT_REFERENCES) + "/window-" + speed, {}));
   FitOptions options;
   options.law = "elastoplastic", options.parameters = {"k_i", "yield_force", "hardening", "unloading_gain"};
   options.n_starts = 2;

@@ -1,6 +1,6 @@
-#include "calibration/calibration.h"
-#include "calibration/measured_run.h"
-#include "scene/error.h"
+#include "calibration/answer/calibration.h"
+#include "calibration/data/measured_run.h"
+#include "files/error.h"
 #include "synthetic.h"
 #include <fstream>
 #include <gtest/gtest.h>
@@ -30,8 +30,7 @@ std::string write_test(const TemporaryFolder &folder, const scene::Scene &s, dou
   table << "Impact test 7\nt;room;LVDT 1;cell\n";
   for (std::size_t i = 0; i < r.size(); ++i)
     if (i == 0 || r.series("time")[i] > r.series("time")[i - 1])
-      table << fmt::format("{};21.5;{};{}\n", 1e3 * r.series("time")[i],
-                           3 - 1e3 * r.series("displacement_x")[i],
+      table << fmt::format("{};21.5;{};{}\n", 1e3 * r.series("time")[i], 3 - 1e3 * r.series("displacement_x")[i],
                            1e-3 * force_factor * r.series("impact_x")[i]);
   std::ofstream(folder.at("scene.toml")) << scene::to_toml(s);
   return folder.at("test.toml");
@@ -44,8 +43,7 @@ std::string head(const std::string &more = "") {
 TEST(MeasuredRun, IsCalibratedLikeAnyOther) {
   TemporaryFolder folder;
   const auto path = write_test(folder, window(0.3));
-  std::ofstream(path) << head("set = [\"reduced.k_i_kN_per_m=4.5e5\"]\n") + columns +
-                             "[uncertainty]\nforce = 0.03\n";
+  std::ofstream(path) << head("set = [\"reduced.k_i_kN_per_m=4.5e5\"]\n") + columns + "[uncertainty]\nforce = 0.03\n";
   const auto run = read_run(path, {});
   ASSERT_EQ(run.impacts.size(), 1u);
   EXPECT_DOUBLE_EQ(run.uncertainty->force, 0.03);
@@ -73,13 +71,16 @@ TEST(MeasuredRun, RefusesAMappingThatIsWrong) {
   const auto path = write_test(folder, window(0.3));
   const auto write = [&](const std::string &text) { std::ofstream(path) << text; };
   write(head() + replaced(columns, "unit = \"mm\"", "unit = \"kN\""));
-  expect_refusal<InputError>(path, "columns.displacement_x.unit \"kN\" is no unit of displacement_x; it is stored in m, and may be given in m, cm, mm");
+  expect_refusal<InputError>(path, "columns.displacement_x.unit \"kN\" is no unit of displacement_x; it is stored in "
+                                   "m, and may be given in m, cm, mm");
   write(head() + replaced(columns, "unit = \"kN\"", "unit = \"tf\""));
   expect_refusal<InputError>(path, "may be given in N, kN, MN");
   write(head() + replaced(columns, "columns.impact_x", "columns.impakt_x"));
   expect_refusal<InputError>(path, "did you mean \"impact_x\"");
   write(head() + replaced(columns, "\"cell\"", "\"cell 2\""));
-  expect_refusal<DataError>(path, "no column \"cell 2\" (impact_x); the header, after skip_lines = 1, names \"t\", \"room\", \"LVDT 1\", \"cell\"");
+  expect_refusal<DataError>(
+      path,
+      "no column \"cell 2\" (impact_x); the header, after skip_lines = 1, names \"t\", \"room\", \"LVDT 1\", \"cell\"");
   write(head("colour = 1\n") + columns);
   expect_refusal<InputError>(path, "unknown key \"colour\"");
   write("file = \"test.csv\"\n" + std::string(columns));
@@ -112,9 +113,8 @@ TEST(MeasuredRun, NoiseOnTheForceIsNoImpact) {
   int n = 0;
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line); ++n)
-    noisy += n > 1 && line.size() > 2 && line.substr(line.size() - 2) == ";0"
-                 ? line + (n % 2 ? ".5\n" : ".7\n")
-                 : line + "\n";
+    noisy += n > 1 && line.size() > 2 && line.substr(line.size() - 2) == ";0" ? line + (n % 2 ? ".5\n" : ".7\n")
+                                                                              : line + "\n";
   std::ofstream(folder.at("test.csv")) << noisy;
   EXPECT_EQ(read_run(path, {}).impacts.size(), 1u);
 }

@@ -1,5 +1,5 @@
-#include "calibration/metrics.h"
-#include "scene/error.h"
+#include "calibration/data/metrics.h"
+#include "files/error.h"
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@ namespace {
 
 /// A triangular impact of peak `force` between 1 and 3 s, travel held at `u`, speeds +v before and -rebound
 /// after.
-scene::Response triangle(double force, double u, double rebound, double dt, double end = 5) {
-  scene::Response r;
+Response triangle(double force, double u, double rebound, double dt, double end = 5) {
+  Response r;
   const int n = static_cast<int>(std::lround(end / dt));
   for (int i = 0; i <= n; ++i) {
     const double t = i * dt, pressed = std::max(0.0, 1 - std::abs(t - 2));

@@ -1,7 +1,7 @@
 #include "answer_fixture.h"
 #include "calibration/export/comment.h"
 #include "calibration/export/opensees.h"
-#include "scene/error.h"
+#include "files/error.h"
 #include <algorithm>
 #include <gtest/gtest.h>
 
@@ -14,7 +14,9 @@ std::string unbroken(std::string text) {
   for (std::size_t at; (at = text.find("\n# ")) != std::string::npos;) text.erase(at, 2);
   return text;
 }
-ExportedRim rim_of(const nlohmann::json &calibration, const ExportChoice &choice = {}) { return exported_rim(calibration, choice); }
+ExportedRim rim_of(const nlohmann::json &calibration, const ExportChoice &choice = {}) {
+  return exported_rim(calibration, choice);
+}
 
 TEST(OpenSees, FourSpringsStopTheMassAsTheLawDoes) {
   const auto rim = opensees_rim(rim_of(answer_fixture()));
@@ -50,7 +52,7 @@ TEST(OpenSees, OneGapSpringFollowsTheRulesOfItsSource) {
   EXPECT_NEAR(contact.force(1.8e-3, 0), 0, 1e-3);     // open at D - F / E
   EXPECT_EQ(contact.force(1.0e-3, 0), 0);             // the dent
   contact.accept(0);
-  EXPECT_EQ(contact.force(1.7e-3, 0), 0);             // stays
+  EXPECT_EQ(contact.force(1.7e-3, 0), 0); // stays
   EXPECT_NEAR(contact.force(5e-3, 0), 1.4e6, 1e-3);
 }
 
@@ -66,7 +68,8 @@ TEST(OpenSees, PerfectlyPlasticSpringsAtTheVerticesReturnTooMuch) {
     springs.push_back({E, E * (d + step / 2), 0});
   }
   springs.push_back({slope(20e-3), 1e12, 0});
-  const auto check = self_check(rim, "parallel", [&](double) { return std::make_unique<GapSpringsContact>(springs); }, 1.1e9);
+  const auto check = self_check(
+      rim, "parallel", [&](double) { return std::make_unique<GapSpringsContact>(springs); }, 1.1e9);
   EXPECT_LT(check.peak_force, 0.03);
   EXPECT_GT(check.rows.back().spring.rebound / check.rows.back().law.rebound, 3);
 }
@@ -78,8 +81,8 @@ TEST(OpenSees, DashpotsHoldForTheirMassOnly) {
   EXPECT_EQ(rim.law(), "no-tension");
   const auto springs = opensees_rim(rim);
   EXPECT_EQ(springs.material, "ViscoelasticGap");
-  EXPECT_LT(springs.check.peak_force, 1e-3);      // the peak is the law's
-  EXPECT_GT(springs.check.rebound, 0.01);         // it pulls, so it returns less
+  EXPECT_LT(springs.check.peak_force, 1e-3);                     // the peak is the law's
+  EXPECT_GT(springs.check.rebound, 0.01);                        // it pulls, so it returns less
   EXPECT_NEAR(springs.check.rows[0].spring.rebound, 0.35, 1e-3); // e exactly
   EXPECT_THROW(rim_of(calibration, {.law = "no-tension", .mass = 203900}), InputError);
   EXPECT_NO_THROW(rim_of(calibration, {.law = "", .mass = 203900})); // the law belongs to the rim
@@ -100,7 +103,9 @@ TEST(OpenSees, ARangeOfOneSpeedIsNotWhatSpringsAreTunedTo) {
   EXPECT_DOUBLE_EQ(rim.from, 0.1);
   EXPECT_DOUBLE_EQ(rim.to, 0.7);
   EXPECT_EQ(opensees_rim(rim).check.rows.size(), 5u);
-  EXPECT_EQ(std::count(rim.statement.begin(), rim.statement.end(), "DOUBT: that range is narrow, springs and self-check are made for the speeds fitted instead."), 1);
+  EXPECT_EQ(std::count(rim.statement.begin(), rim.statement.end(),
+                       "DOUBT: that range is narrow, springs and self-check are made for the speeds fitted instead."),
+            1);
 }
 
 TEST(OpenSees, TextHoldsStatementAndNumbersOnly) {
@@ -109,10 +114,14 @@ TEST(OpenSees, TextHoldsStatementAndNumbersOnly) {
   scene::Scene scene;
   const auto dish = dish_of(scene, rim.lateral_capacity);
   EXPECT_FALSE(dish.sphere);
-  EXPECT_NEAR(dish.error_full, std::sqrt(1 - std::pow(0.4 / 0.5625, 2)) - 1, 1e-9); // ellipse: h' = r / R0 / sqrt(1 - (r / a)^2)
-  for (const auto &text : {opensees_tcl(rim, springs, dish, {"command"}), opensees_python(rim, springs, dish, {"command"})})
-    for (const char *needle : {"shfps-225", "86952 kg", "853 kN", "elastoplastic", "0.1 to 0.7 m/s", "peak force 2.1 %", "DOUBT: Run w-0.70", "95 % interval", "Assumed, not given (1)", "Validity: Holds for this rim",
-                               "Self-check of the four ElasticPPGap", "0.475", "rim_yield_force", "-29.7 % at the rim", "Time step"})
+  EXPECT_NEAR(dish.error_full, std::sqrt(1 - std::pow(0.4 / 0.5625, 2)) - 1,
+              1e-9); // ellipse: h' = r / R0 / sqrt(1 - (r / a)^2)
+  for (const auto &text :
+       {opensees_tcl(rim, springs, dish, {"command"}), opensees_python(rim, springs, dish, {"command"})})
+    for (const char *needle :
+         {"shfps-225", "86952 kg", "853 kN", "elastoplastic", "0.1 to 0.7 m/s", "peak force 2.1 %", "DOUBT: Run w-0.70",
+          "95 % interval", "Assumed, not given (1)", "Validity: Holds for this rim",
+          "Self-check of the four ElasticPPGap", "0.475", "rim_yield_force", "-29.7 % at the rim", "Time step"})
       EXPECT_NE(unbroken(text).find(needle), std::string::npos) << needle << "\n" << text.substr(0, 6000);
 }
 
@@ -130,9 +139,12 @@ TEST(OpenSees, NumbersMustBeNumbers) {
     EXPECT_THROW(rim_of(calibration), DataError) << key;
   }
   EXPECT_THROW(rim_of(nlohmann::json::object()), DataError);
-  for (const char *key : {"law", "laws", "element", "parameters"}) { // other kinds than calibrations write: a sentence, no crash
+  for (const char *key :
+       {"law", "laws", "element", "parameters"}) { // other kinds than calibrations write: a sentence, no crash
     auto calibration = answer_fixture();
-    (std::string(key) == "laws" ? calibration[key] : std::string(key) == "law" ? calibration["answer"][key] : calibration["answer"]["law"][key]) = {1, 2};
+    (std::string(key) == "laws"  ? calibration[key]
+     : std::string(key) == "law" ? calibration["answer"][key]
+                                 : calibration["answer"]["law"][key]) = {1, 2};
     try {
       rim_of(calibration, {.law = std::string(key) == "laws" ? "signed" : "", .mass = {}});
     } catch (const Error &) {
@@ -141,9 +153,11 @@ TEST(OpenSees, NumbersMustBeNumbers) {
 }
 
 TEST(Comment, WhateverItHoldsItStaysAComment) {
-  const std::string hostile = "a\nimport os; os.system('x')\r\n]; exec rm -rf / \\\n${x} [exit] \"\"\" ''' \x1b[2J `id` {} b\xc3\xbc\xff\t\v\f\xe2\x80\xa8z";
+  const std::string hostile = "a\nimport os; os.system('x')\r\n]; exec rm -rf / \\\n${x} [exit] \"\"\" ''' \x1b[2J "
+                              "`id` {} b\xc3\xbc\xff\t\v\f\xe2\x80\xa8z";
   const std::string line = comment_line("#", hostile);
-  for (const char c : {'\\', '$', '[', ']', '{', '}', '"', ';', '`', '\r', '\t', '\x1b', '\v', '\f'}) EXPECT_EQ(line.find(c), std::string::npos) << int(c);
+  for (const char c : {'\\', '$', '[', ']', '{', '}', '"', ';', '`', '\r', '\t', '\x1b', '\v', '\f'})
+    EXPECT_EQ(line.find(c), std::string::npos) << int(c);
   EXPECT_EQ(line.find("'''"), std::string::npos);
   for (const unsigned char c : line) EXPECT_TRUE(c == '\n' || (c >= 0x20 && c < 0x7f));
   std::istringstream lines(line);

@@ -1,4 +1,4 @@
-#include "calibration/pair_range.h"
+#include "calibration/laws/pair_range.h"
 #include "synthetic.h"
 #include <gtest/gtest.h>
 
@@ -27,7 +27,8 @@ TEST(PairRange, IsWhereOnePairMadeTheRuns) {
   EXPECT_NE(range->sentence.find("beyond, at 0.8 m/s it understates the peak force by 30 %"), // 29.3 %, rounded up
             std::string::npos)
       << range->sentence;
-  EXPECT_NE(range->sentence.find("For a supported mass of 86952 kg and impacts from 0.1 to 0.4 m/s the constant pair k_i = 3e+05 kN/m, e = 0.4000 of law signed"),
+  EXPECT_NE(range->sentence.find("For a supported mass of 86952 kg and impacts from 0.1 to 0.4 m/s the constant pair "
+                                 "k_i = 3e+05 kN/m, e = 0.4000 of law signed"),
             std::string::npos)
       << range->sentence;
 }

@@ -1,5 +1,5 @@
-#include "calibration/impact_window.h"
-#include "calibration/series.h"
+#include "calibration/data/impact_window.h"
+#include "calibration/data/series.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -13,8 +13,7 @@ TEST(Series, HermiteIsExactForCubics) {
   const std::vector<double> times = {0, 0.7, 1.1, 3};
   std::vector<double> values, rates;
   for (const double t : times) values.push_back(f(t)), rates.push_back(df(t));
-  for (const double t : {0.1, 0.7, 0.9, 2.2, 3.0})
-    EXPECT_NEAR(hermite_at(times, values, rates, t), f(t), 1e-13);
+  for (const double t : {0.1, 0.7, 0.9, 2.2, 3.0}) EXPECT_NEAR(hermite_at(times, values, rates, t), f(t), 1e-13);
 }
 
 TEST(Series, PulseIsCubicInsideAndZeroOutside) {
@@ -24,8 +23,7 @@ TEST(Series, PulseIsCubicInsideAndZeroOutside) {
     times.push_back(0.1 * i);
     values.push_back(i >= 5 && i <= 12 ? f(times.back()) : 0);
   }
-  for (const double t : {0.5, 0.53, 0.77, 1.15, 1.2})
-    EXPECT_NEAR(pulse_at(times, values, t), f(t), 1e-12) << t;
+  for (const double t : {0.5, 0.53, 0.77, 1.15, 1.2}) EXPECT_NEAR(pulse_at(times, values, t), f(t), 1e-12) << t;
   for (const double t : {0.1, 0.49, 1.21, 1.9, -1.0, 5.0}) EXPECT_EQ(pulse_at(times, values, t), 0) << t;
 }
 

@@ -1,6 +1,6 @@
 // Speed against error on made-up runs whose forces converge with a known order.
-#include "calibration/speed_error.h"
-#include "scene/error.h"
+#include "calibration/studies/speed_error.h"
+#include "files/error.h"
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@ namespace rimpact::calibration {
 namespace {
 
 /// Half a sine of force between 0.1 and 0.14 s.
-scene::Response pulse(double peak) {
-  scene::Response r;
+Response pulse(double peak) {
+  Response r;
   for (int k = 0; k <= 400; ++k) {
     const double t = 1e-3 * k, s = (t - 0.1) / 0.04, force = s > 0 && s < 1 ? -peak * std::sin(M_PI * s) : 0.0;
     r.append("time", t);
@@ -36,7 +36,9 @@ StudyRun run(const std::string &rung, int mesh, double seconds, double peak) {
   return result;
 }
 
-double on_mesh(int mesh, double order) { return 1e6 * (1 + 0.05 * std::pow(1.5, -order * (mesh - 1))); }
+double on_mesh(int mesh, double order) {
+  return 1e6 * (1 + 0.05 * std::pow(1.5, -order * (mesh - 1)));
+}
 
 TEST(SpeedError, ThreeMeshesGiveTheOrderAndTheLimit) {
   for (const double order : {1.0, 2.0, 3.0}) {
@@ -53,9 +55,9 @@ TEST(SpeedError, ThreeMeshesGiveTheOrderAndTheLimit) {
 }
 
 TEST(SpeedError, TheFrontierLeavesOutWhatIsSlowerAndWorse) {
-  const SpeedError study = speed_against_error(
-      {run("reduced", 0, 1e-3, 1.2e6), run("rim", 1, 60, 1.01e6), run("rim", 2, 90, 1.05e6), run("rigid-dish", 1, 400, 1e6)}, 0.4,
-      0.02);
+  const SpeedError study = speed_against_error({run("reduced", 0, 1e-3, 1.2e6), run("rim", 1, 60, 1.01e6),
+                                                run("rim", 2, 90, 1.05e6), run("rigid-dish", 1, 400, 1e6)},
+                                               0.4, 0.02);
   ASSERT_EQ(study.rows.size(), 4u);
   EXPECT_FALSE(study.extrapolated);
   const bool expected[] = {true, true, false, false}; // the reference's own error is not known
@@ -73,9 +75,14 @@ TEST(SpeedError, ScatteredMeshesAreNotExtrapolated) {
 }
 
 TEST(SpeedError, ReadsASummaryAndSaysWhatIsMissing) {
-  const nlohmann::json summary{{"rung", "rim"}, {"mesh", 2}, {"wall_time_s", 30.0}, {"peak_memory_bytes", 4e8}, {"n_dofs", 42000},
-                               {"peak_impact_force_N", nullptr},
-                               {"energy", {{"imbalance_relative", 1e-4}, {"friction_J", 10.0}, {"plastic_J", 5.0}, {"impact_J", 1.0}}}};
+  const nlohmann::json summary{
+      {"rung", "rim"},
+      {"mesh", 2},
+      {"wall_time_s", 30.0},
+      {"peak_memory_bytes", 4e8},
+      {"n_dofs", 42000},
+      {"peak_impact_force_N", nullptr},
+      {"energy", {{"imbalance_relative", 1e-4}, {"friction_J", 10.0}, {"plastic_J", 5.0}, {"impact_J", 1.0}}}};
   const StudyRun read = study_run("a", summary, pulse(1));
   EXPECT_EQ(read.dissipated, 16);
   EXPECT_FALSE(read.peak_force);

@@ -1,4 +1,4 @@
-#include "calibration/stored_study.h"
+#include "calibration/studies/stored_study.h"
 #include "scene/rim_identity.h"
 #include <filesystem>
 #include <fstream>
@@ -9,8 +9,13 @@ using namespace rimpact;
 using namespace rimpact::calibration;
 
 nlohmann::json row(int mesh, double error, bool reference) {
-  return {{"rung", "rim"},      {"mesh", mesh},           {"name", "rim-mesh" + std::to_string(mesh)}, {"error", error},
-          {"rebound_error", 2 * error}, {"peak_displacement_error", -error}, {"reference", reference}};
+  return {{"rung", "rim"},
+          {"mesh", mesh},
+          {"name", "rim-mesh" + std::to_string(mesh)},
+          {"error", error},
+          {"rebound_error", 2 * error},
+          {"peak_displacement_error", -error},
+          {"reference", reference}};
 }
 
 StoredStudy study(const std::string &name, double speed, double error, bool extrapolated) {
@@ -27,7 +32,7 @@ StoredStudy study(const std::string &name, double speed, double error, bool extr
 
 struct ErrorEstimate : testing::Test {
   scene::Scene scene = scene::load_scene("impact-window", {});
-  scene::Summary summary;
+  Summary summary;
   std::vector<StoredStudy> studies{study("slow", 0.1, 0.002, true), study("fast", 0.5, 0.02, false)};
   ErrorEstimate() { summary.impacts.push_back({0, 0.1, 0, 0.4, -0.1, 0, 0}); }
 };
@@ -81,7 +86,8 @@ TEST_F(ErrorEstimate, IsNoneForAReferenceWithoutLimitAnotherRungBearingOrNoImpac
   scene.model.rung = "rim";
   scene.bearing.rim.thickness = 0.05; // and still called shfps-225
   const auto none = error_estimate(scene, summary, studies, {"results/w", 60});
-  EXPECT_EQ(none["none"], "unknown: no stored study has rung rim, mesh 2 of this bearing; this command finds it: rimpact study results/w/scene.toml --axes mesh "
+  EXPECT_EQ(none["none"], "unknown: no stored study has rung rim, mesh 2 of this bearing; this command finds it: "
+                          "rimpact study results/w/scene.toml --axes mesh "
                           "--meshes 1,2,3 -o results/study-w (about 7 min)"); // 60 s (1 / 6.2 + 1 + 6.2)
   scene.bearing = {};
   scene.bearing.name = "mine"; // a name is no dimension

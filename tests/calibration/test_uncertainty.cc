@@ -1,4 +1,4 @@
-#include "calibration/fit.h"
+#include "calibration/fit/fit.h"
 #include "measured_synthetic.h"
 #include "synthetic.h"
 #include <gtest/gtest.h>
@@ -24,8 +24,8 @@ TEST(Uncertainty, IntervalsCoverTheTruth) {
     k_spread += std::pow(k.value / 3e5 - 1, 2) / n;
     k_stated += std::pow(k.standard_error / 3e5, 2) / n;
   }
-  std::printf("coverage of 95 %%: k_i %d/%d, e %d/%d; spread of k_i %.2e, stated %.2e\n", k_inside, n,
-              e_inside, n, std::sqrt(k_spread), std::sqrt(k_stated));
+  std::printf("coverage of 95 %%: k_i %d/%d, e %d/%d; spread of k_i %.2e, stated %.2e\n", k_inside, n, e_inside, n,
+              std::sqrt(k_spread), std::sqrt(k_stated));
   EXPECT_GE(k_inside, 34);
   EXPECT_GE(e_inside, 34);
   EXPECT_LT(std::sqrt(k_stated),
@@ -83,15 +83,16 @@ TEST(Uncertainty, ProfileHasItsMinimumAtTheFit) {
   EXPECT_GT(costs[2], 1);
 }
 
-/// Two windows of a rim that yields, fitted from one poor start: it ends in a valley where the law's form does not follow the force.
-/// The interval it leaves reaches zero, so the parameter is not told, whatever widened the interval.
+/// Two windows of a rim that yields, fitted from one poor start: it ends in a valley where the law's form does not
+/// follow the force. The interval it leaves reaches zero, so the parameter is not told, whatever widened the interval.
 TEST(Uncertainty, AnIntervalThatReachesZeroTellsNothing) {
   const Instruments instruments{.rate = 5000, .displacement = 1e-6};
   std::vector<StoredRun> runs;
   for (const double speed : {0.2, 0.4}) {
     auto scene = window(speed);
     scene.reduced.impact_law = "elastoplastic";
-    scene.reduced.k_i = 6e8, scene.reduced.yield_force = 0.6e6, scene.reduced.hardening = 0.15, scene.reduced.unloading_gain = 0.3;
+    scene.reduced.k_i = 6e8, scene.reduced.yield_force = 0.6e6, scene.reduced.hardening = 0.15,
+    scene.reduced.unloading_gain = 0.3;
     runs.push_back(measured(scene, instruments, 1 + static_cast<unsigned>(10 * speed)));
     auto &own = runs.back().scene.reduced;
     own.k_i = 4.5e8, own.yield_force = 1e6, own.hardening = 0.05, own.unloading_gain = 0;
@@ -100,7 +101,8 @@ TEST(Uncertainty, AnIntervalThatReachesZeroTellsNothing) {
   options.parameters = {"k_i", "yield_force", "hardening", "unloading_gain"};
   options.n_starts = 1;
   for (const auto &[name, e] : fit({&runs[0], &runs[1]}, options).parameters)
-    EXPECT_TRUE(!e.identifiable || 1.96 * e.standard_error <= std::max(std::abs(e.value), 0.05)) << name << " " << e.value << " +- " << e.standard_error;
+    EXPECT_TRUE(!e.identifiable || 1.96 * e.standard_error <= std::max(std::abs(e.value), 0.05))
+        << name << " " << e.value << " +- " << e.standard_error;
   options.n_starts = 5;
   const auto result = fit({&runs[0], &runs[1]}, options);
   EXPECT_NEAR(result.parameters.at("k_i").value / 6e5, 1, 0.01);

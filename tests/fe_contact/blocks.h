@@ -18,7 +18,8 @@ constexpr double block_modulus = 1e9; ///< [Pa]
 /// A block whose lower face rides on a carried sphere, held by its top; `covers`: where there is a sphere.
 struct Block {
   explicit Block(const FrictionCoefficient &friction, int degree = 2, std::function<bool(const Vector3d &)> covers = {})
-      : space(mesh(), degree), solid(space, {{Volume::rim, scene::Material{block_modulus, 0.3, 1000, {}, {}}}}), supports(space) {
+      : space(mesh(), degree), solid(space, {{Volume::rim, scene::Material{block_modulus, 0.3, 1000, {}, {}}}}),
+        supports(space) {
     carrier = supports.add_body();
     for (int i = 0; i < 3; ++i) supports.fix(i, [](const Vector3d &x) { return x.z() > 0.1 - 1e-9; });
     system.emplace(space, solid, supports.number());
@@ -53,8 +54,7 @@ struct Block {
 /// Two blocks that meet on a sphere of radius 2 m, the lower one's deformed face carrying it; meshes do not match.
 struct TwoBlocks {
   explicit TwoBlocks(int degree)
-      : space(mesh(), degree),
-        solid(space, materials()), supports(space), equations(supports.number()) {
+      : space(mesh(), degree), solid(space, materials()), supports(space), equations(supports.number()) {
     contact.emplace(space, Surface::slider_side, master(), options());
   }
   static std::map<Volume, scene::Material> materials() {
@@ -72,8 +72,10 @@ struct TwoBlocks {
       return std::array<double, 3>{x[0], x[1], x[2] + std::sqrt(4 - x[0] * x[0] - x[1] * x[1]) - 2};
     };
     meshes::HexMesh result;
-    test::add_box(result, {{-0.1, -0.1, 0}, {0.1, 0.1, 0.1}, {2, 2, 1}, Volume::rim, {{4, Surface::slider_side}}}, bent);
-    test::add_box(result, {{-0.15, -0.15, -0.1}, {0.15, 0.15, 0}, {3, 3, 1}, Volume::plate, {{5, Surface::dish}}}, bent);
+    test::add_box(result, {{-0.1, -0.1, 0}, {0.1, 0.1, 0.1}, {2, 2, 1}, Volume::rim, {{4, Surface::slider_side}}},
+                  bent);
+    test::add_box(result, {{-0.15, -0.15, -0.1}, {0.15, 0.15, 0}, {3, 3, 1}, Volume::plate, {{5, Surface::dish}}},
+                  bent);
     return result;
   }
   /// Upper block moved by `slide`, all nodes off by noise, the lower block sheared.
@@ -101,7 +103,9 @@ struct TwoBlocks {
 
 /// A copper bar, plane strain, that hits a wall at 100 m/s and yields.
 struct Bar {
-  Bar() : space(mesh(), 2), solid(space, {{Volume::rim, scene::Material{117e9, 0.35, 8930, 200e6, 100e6}}}), supports(space) {
+  Bar()
+      : space(mesh(), 2), solid(space, {{Volume::rim, scene::Material{117e9, 0.35, 8930, 200e6, 100e6}}}),
+        supports(space) {
     supports.fix(1, [](const Vector3d &) { return true; });
     supports.fix(0, [](const Vector3d &x) { return x.x() < 1e-12; });
     system.emplace(space, solid, supports.number());
@@ -126,8 +130,9 @@ struct Bar {
   }
   TransientReport run(SystemState &state, double end) {
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(state.u.size());
-    return run_in_time(*system, state, end, [&](double) { return none; }, options,
-                       [](double, const SystemState &, const ContactStepReport &) {});
+    return run_in_time(
+        *system, state, end, [&](double) { return none; }, options,
+        [](double, const SystemState &, const ContactStepReport &) {});
   }
   Discretisation space;
   Solid solid;

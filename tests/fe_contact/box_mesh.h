@@ -27,8 +27,7 @@ inline void add_box(meshes::HexMesh &mesh, const Box &box,
       for (int i = 0; i <= 2 * nx; ++i) {
         std::array<double, 3> x{};
         const int index[3] = {i, j, k};
-        for (int d = 0; d < 3; ++d)
-          x[d] = box.low[d] + (box.high[d] - box.low[d]) * index[d] / (2.0 * box.cells[d]);
+        for (int d = 0; d < 3; ++d) x[d] = box.low[d] + (box.high[d] - box.low[d]) * index[d] / (2.0 * box.cells[d]);
         mesh.nodes.push_back(shape ? shape(x) : x);
       }
   // Offsets of gmsh's 27 nodes in half cells: 8 corners, 12 edges, 6 faces, centre.

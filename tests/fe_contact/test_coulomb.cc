@@ -51,7 +51,8 @@ TEST(Coulomb, FrictionFollowsTheSpeedOfSlip) {
   const CoulombContact teflon{2e9, 1e9, {0.10, 0.04, 20}};
   for (const double speed : {0.0, 0.01, 0.1, 1.0}) {
     const double dt = 1e-3;
-    const auto r = teflon.at<double>(-1e-3, Vector3d::UnitZ(), Vector3d(speed * dt + 1e-30, 0, 0), 0, Vector3d(-1e6, 0, 0), dt);
+    const auto r =
+        teflon.at<double>(-1e-3, Vector3d::UnitZ(), Vector3d(speed * dt + 1e-30, 0, 0), 0, Vector3d(-1e6, 0, 0), dt);
     EXPECT_NEAR(r.friction.norm() / r.pressure, 0.10 - 0.06 * std::exp(-20 * speed), 1e-9) << speed;
   }
   const auto still = teflon.at<double>(-1e-3, Vector3d::UnitZ(), Vector3d(1, 0, 0), 0, Vector3d::Zero(), 0.0);
@@ -61,11 +62,16 @@ TEST(Coulomb, FrictionFollowsTheSpeedOfSlip) {
 struct Surfaces : ::testing::TestWithParam<int> {
   static MasterSurface make(int kind) {
     switch (kind) {
-    case 0: return plane({0.1, 0, 0.2}, {1, 2, 3});
-    case 1: return sphere({0, 0, 1}, 1.0, Side::inside);
-    case 2: return sphere({0, 0, -1}, 1.0, Side::outside);
-    case 3: return cylinder({0, 0, 1.0}, {1, 0.5, 0}, 1.2, Side::inside);
-    default: return dish(scene::make_surface(scene::Bearing{}.surface), 0.5);
+    case 0:
+      return plane({0.1, 0, 0.2}, {1, 2, 3});
+    case 1:
+      return sphere({0, 0, 1}, 1.0, Side::inside);
+    case 2:
+      return sphere({0, 0, -1}, 1.0, Side::outside);
+    case 3:
+      return cylinder({0, 0, 1.0}, {1, 0.5, 0}, 1.2, Side::inside);
+    default:
+      return dish(scene::make_surface(scene::Bearing{}.surface), 0.5);
     }
   }
 };
@@ -78,7 +84,8 @@ TEST_P(Surfaces, NormalIsTheGapsGradientAndCurvatureItsHessian) {
     EXPECT_LT((d.curvature - d.curvature.transpose()).norm(), 1e-9 * (1 + d.curvature.norm()));
     const double h = 1e-5;
     for (int i = 0; i < 3; ++i) {
-      const Distance up = surface.distance(x + h * Vector3d::Unit(i)), down = surface.distance(x - h * Vector3d::Unit(i));
+      const Distance up = surface.distance(x + h * Vector3d::Unit(i)),
+                     down = surface.distance(x - h * Vector3d::Unit(i));
       EXPECT_NEAR((up.gap - down.gap) / (2 * h), d.normal[i], 1e-8);
       EXPECT_LT(((up.normal - down.normal) / (2 * h) - d.curvature.col(i)).norm(), 1e-6);
     }

@@ -45,8 +45,7 @@ void expect_consistent_tangent(const HenckyJ2 &law, const J2State &old, const Ma
     for (int j = 0; j < 3; ++j) {
       Matrix3 dF = Matrix3::Zero();
       dF(i, j) = h;
-      const Matrix3 difference =
-          (piola(law, volumetric, old, F + dF) - piola(law, volumetric, old, F - dF)) / 2;
+      const Matrix3 difference = (piola(law, volumetric, old, F + dF) - piola(law, volumetric, old, F - dF)) / 2;
       const Matrix3 exact = predicted_change(total, F, dF);
       EXPECT_LT((difference - exact).norm(), 2e-6 * h * 200e9) << "component " << i << j;
     }
@@ -73,8 +72,7 @@ TEST(HenckyJ2, UniaxialTensionFollowsTheBilinearCurve) {
     state = result.state;
     // Closed form: elastic to the yield stress, then the tangent modulus.
     const double yield_strain = *steel.yield / steel.E;
-    const double expected =
-        axial < yield_strain ? steel.E * axial : *steel.yield + 1450e6 * (axial - yield_strain);
+    const double expected = axial < yield_strain ? steel.E * axial : *steel.yield + 1450e6 * (axial - yield_strain);
     EXPECT_NEAR(tau(0), expected, 1e-6 * 200e9 * 0.02) << "at strain " << axial;
   }
   EXPECT_GT(state.alpha, 0.015);
@@ -105,9 +103,7 @@ TEST(HenckyJ2, QuarterTurnOnlyTurnsTheStress) {
   const Matrix3 F = random_gradient(generator, 0.01);
   const Matrix3 Q = Eigen::AngleAxisd(M_PI / 2, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   const auto straight = law.step(J2State{}, F), turned = law.step(J2State{}, Q * F);
-  EXPECT_LT(
-      (to_matrix(turned.response.stress) - Q * to_matrix(straight.response.stress) * Q.transpose()).norm(),
-      1.0);
+  EXPECT_LT((to_matrix(turned.response.stress) - Q * to_matrix(straight.response.stress) * Q.transpose()).norm(), 1.0);
   EXPECT_NEAR(turned.state.alpha, straight.state.alpha, 1e-14);
   EXPECT_LT((turned.state.cp_inverse - straight.state.cp_inverse).norm(), 1e-12);
 }

@@ -10,7 +10,8 @@ namespace {
 constexpr int size = 300;
 std::mt19937 generator(7);
 
-/// Indefinite, of entries between -1 and 1 in cliques of twelve, some diagonals a thousand million times larger (driven rows).
+/// Indefinite, of entries between -1 and 1 in cliques of twelve, some diagonals a thousand million times larger (driven
+/// rows).
 SymmetricMatrix random_matrix() {
   std::uniform_int_distribution<int> any(0, size - 1);
   std::vector<std::vector<int>> cliques;

@@ -22,11 +22,14 @@ TEST_F(MassOnTheDish, DerivativesAreThoseOfTheConstraintAndTheForce) {
   const RemoteLoad at = law(u, v, multiplier);
   for (int i = 0; i < 3; ++i) {
     const Vector3d e = Vector3d::Unit(i);
-    const double by_v = (law(u, v + dv * e, multiplier).constraint - law(u, v - dv * e, multiplier).constraint) / (2 * dv),
-                 by_u = (law(u + du * e, v, multiplier).constraint - law(u - du * e, v, multiplier).constraint) / (2 * du);
+    const double by_v =
+                     (law(u, v + dv * e, multiplier).constraint - law(u, v - dv * e, multiplier).constraint) / (2 * dv),
+                 by_u =
+                     (law(u + du * e, v, multiplier).constraint - law(u - du * e, v, multiplier).constraint) / (2 * du);
     EXPECT_NEAR(at.gradient[i], by_v, 1e-8);
     EXPECT_NEAR(at.by_displacement[i], by_u, 1e-6);
-    const Vector3d force_by_v = (law(u, v + dv * e, multiplier).force - law(u, v - dv * e, multiplier).force) / (2 * dv);
+    const Vector3d force_by_v =
+        (law(u, v + dv * e, multiplier).force - law(u, v - dv * e, multiplier).force) / (2 * dv);
     EXPECT_LT((at.d_velocity.col(i) - force_by_v).norm(), 1e-5 * (1 + at.d_velocity.norm()));
   }
   const Vector3d by_multiplier = (law(u, v, multiplier + 10).force - law(u, v, multiplier - 10).force) / 20;
@@ -53,7 +56,8 @@ TEST_F(MassOnTheDish, AShortStepFromMicronsBelowTheDishNeedsNoMoreThanTheWeight)
     EXPECT_GT(remote.multiplier, 0);
     EXPECT_LT(remote.multiplier, 2 * scene.load.vertical); // weight and what the path's curvature asks for
   }
-  EXPECT_NEAR(loads.normal(ahead.displacement(system.top().of(state.u))).dot(ahead.to_global(system.top().of(state.v))), 0, 1e-8);
+  EXPECT_NEAR(loads.normal(ahead.displacement(system.top().of(state.u))).dot(ahead.to_global(system.top().of(state.v))),
+              0, 1e-8);
 }
 
 } // namespace

@@ -12,12 +12,15 @@ meshes::StackMeshOptions draft(const std::vector<double> &directions) {
   return options;
 }
 
-Eigen::Vector3d field(const Eigen::Vector3d &x) { return {1 + 2 * x.x() - x.y(), x.z() - 3, 0.5 * x.x() + x.z()}; }
+Eigen::Vector3d field(const Eigen::Vector3d &x) {
+  return {1 + 2 * x.x() - x.y(), x.z() - 3, 0.5 * x.x() + x.z()};
+}
 
 class MeshesOfOneBearing : public testing::Test {
 protected:
   const scene::Bearing bearing;
-  const Discretisation before{meshes::stack_mesh(bearing, draft({0})), 2}, after{meshes::stack_mesh(bearing, draft({0, 1.3})), 2};
+  const Discretisation before{meshes::stack_mesh(bearing, draft({0})), 2},
+      after{meshes::stack_mesh(bearing, draft({0, 1.3})), 2};
   const MeshTransfer transfer{before, after};
 };
 
@@ -42,7 +45,8 @@ TEST_F(MeshesOfOneBearing, MaterialMemoryStaysWhereItIsInPadFootAndTheOldDent) {
   const auto strain = [](const Eigen::Vector3d &x) { return 0.01 + 0.001 * x.x() + 0.002 * x.y() + 0.003 * x.z(); };
   const auto place = [](const Discretisation &space, std::size_t k) {
     Eigen::Vector3d x = Eigen::Vector3d::Zero();
-    for (int a = 0; a < 27; ++a) x += space.full_values[k % 27 * 27 + a] * space.positions[space.cell_nodes[k / 27 * 27 + a]];
+    for (int a = 0; a < 27; ++a)
+      x += space.full_values[k % 27 * 27 + a] * space.positions[space.cell_nodes[k / 27 * 27 + a]];
     return x;
   };
   SolidHistory old(27 * before.n_cells);
@@ -54,7 +58,8 @@ TEST_F(MeshesOfOneBearing, MaterialMemoryStaysWhereItIsInPadFootAndTheOldDent) {
     const Eigen::Vector3d x = place(after, k);
     const auto volume = after.volumes[k / 27];
     const double angle = std::abs(std::atan2(x.y(), x.x())), r = x.head<2>().norm();
-    const bool dent = r > 0.43 && angle < 0.03, kept = volume == meshes::Volume::pad || volume == meshes::Volume::foot || dent;
+    const bool dent = r > 0.43 && angle < 0.03,
+               kept = volume == meshes::Volume::pad || volume == meshes::Volume::foot || dent;
     if (kept) EXPECT_NEAR(carried[k].alpha, strain(x), 1e-12) << x.transpose();
     if (r > 0.43 && angle > 1.02) EXPECT_EQ(carried[k].alpha, 0);
     same += kept, virgin += carried[k].alpha == 0;

@@ -51,7 +51,8 @@ TEST(Pitfall, PairingIsNotFrozenWithinAStep) {
 }
 
 TEST(Pitfall, APatternMadeOnADentedCarrierHoldsWhatIsOpposite) {
-  // A dent deeper than the margin at the carrier's first face: what lies opposite elsewhere must not be looked for there.
+  // A dent deeper than the margin at the carrier's first face: what lies opposite elsewhere must not be looked for
+  // there.
   TwoBlocks blocks(2);
   SurfaceContactState state = blocks.contact->open(blocks.moved({0, 0, 0}, 0));
   Eigen::VectorXd u = blocks.moved({0, 0, -1e-4}, 0);
@@ -67,7 +68,8 @@ TEST(Pitfall, APatternMadeOnADentedCarrierHoldsWhatIsOpposite) {
 }
 
 TEST(Pitfall, APointThrownPastTheFacesOppositeIsMissedAndItsStepRefused) {
-  // Flat blocks: the upper one ends at 0.1 m, the lower one at 0.15 m; half of half a face's width beyond is still looked at.
+  // Flat blocks: the upper one ends at 0.1 m, the lower one at 0.15 m; half of half a face's width beyond is still
+  // looked at.
   meshes::HexMesh mesh;
   test::add_box(mesh, {{-0.1, -0.1, 0}, {0.1, 0.1, 0.1}, {2, 2, 1}, Volume::rim, {{4, Surface::slider_side}}});
   test::add_box(mesh, {{-0.15, -0.15, -0.1}, {0.15, 0.15, 0}, {3, 3, 1}, Volume::plate, {{5, Surface::dish}}});
@@ -99,8 +101,8 @@ TEST(Pitfall, APointThrownPastTheFacesOppositeIsMissedAndItsStepRefused) {
     const auto taken = step(x, -1e-4);
     EXPECT_TRUE(taken.converged) << x << ": " << taken.reason;
   }
-  // Lifted, what has nothing opposite any more bears nothing; at 8 mm a window on mesh 1 once stopped for such a point, at
-  // less than one, between bodies of millimetres, ironing by a die.
+  // Lifted, what has nothing opposite any more bears nothing; at 8 mm a window on mesh 1 once stopped for such a point,
+  // at less than one, between bodies of millimetres, ironing by a die.
   for (const double lift : {0.0005, 0.008, 0.015}) {
     ASSERT_TRUE(step(0, lift).converged) << lift;
     const auto &covered = state.contacts[0].covered;
@@ -111,7 +113,9 @@ TEST(Pitfall, APointThrownPastTheFacesOppositeIsMissedAndItsStepRefused) {
 
 /// A block on a plane under its weight `normal` [N] and a push along the plane, shared out over its mass.
 struct Pushed {
-  Pushed() : space(mesh(), 2), solid(space, {{Volume::rim, scene::Material{block_modulus, 0.0, 1000, {}, {}}}}), supports(space) {
+  Pushed()
+      : space(mesh(), 2), solid(space, {{Volume::rim, scene::Material{block_modulus, 0.0, 1000, {}, {}}}}),
+        supports(space) {
     supports.fix(1, [](const Vector3d &) { return true; });
     system.emplace(space, solid, supports.number());
     system->add_contact(Surface::slider_side, plane(Vector3d(0, 0, 1e-9), Vector3d::UnitZ()),
@@ -121,7 +125,8 @@ struct Pushed {
   }
   static meshes::HexMesh mesh() {
     meshes::HexMesh result;
-    test::add_box(result, {{0, 0, 0}, {0.4, 0.1, 0.01}, {4, 1, 1}, Volume::rim, {{4, Surface::slider_side}, {5, Surface::top}}});
+    test::add_box(
+        result, {{0, 0, 0}, {0.4, 0.1, 0.01}, {4, 1, 1}, Volume::rim, {{4, Surface::slider_side}, {5, Surface::top}}});
     return result;
   }
   Eigen::VectorXd load(double pressure, double share) const {

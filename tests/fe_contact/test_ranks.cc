@@ -41,7 +41,9 @@ SystemState dragged() {
   return state;
 }
 
-TEST(Ranks, ThereAreSeveral) { EXPECT_GT(ranks().size, 1) << "run by mpirun"; }
+TEST(Ranks, ThereAreSeveral) {
+  EXPECT_GT(ranks().size, 1) << "run by mpirun";
+}
 
 TEST(Ranks, StickAndSlipAreThoseOfOneRank) {
   const SystemState alone = on_one_rank(dragged);
@@ -106,7 +108,8 @@ TEST(Ranks, ABodyTurnedInsideOutOnOneRankIsSeenByAll) {
   block.system->prepare(state, terms);
   Eigen::VectorXd u = state.u;
   for (std::size_t node = 0; node < block.space.n_nodes; ++node) // its last nodes only: the last rank's cells
-    if (const int equation = block.system->equations().of_dof[3 * node]; equation >= 0 && block.space.positions[node].x() > 0.19)
+    if (const int equation = block.system->equations().of_dof[3 * node];
+        equation >= 0 && block.space.positions[node].x() > 0.19)
       u[equation] = -0.5;
   EXPECT_FALSE(block.system->evaluate(u, true));
 }

@@ -2,9 +2,9 @@
 #include "blocks.h"
 #include "fe_contact/runner/record_checkpoint.h"
 #include "fe_contact/runner/system_checkpoint.h"
-#include "scene/error.h"
-#include "scene/files.h"
-#include "scene/identity.h"
+#include "files/error.h"
+#include "files/file.h"
+#include "responses/identity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,11 +18,13 @@ namespace {
 
 /// A checkpoint file that is gone at the end of its scope.
 struct File {
-  std::string path = (std::filesystem::temp_directory_path() / ("rimpact_restart_" + std::to_string(::getpid()) + ".h5")).string();
+  std::string path =
+      (std::filesystem::temp_directory_path() / ("rimpact_restart_" + std::to_string(::getpid()) + ".h5")).string();
   ~File() { std::filesystem::remove(path); }
 };
 
-void keep(ContactSystem &system, const SystemState &state, const std::string &path, const TransientPoint *point = nullptr) {
+void keep(ContactSystem &system, const SystemState &state, const std::string &path,
+          const TransientPoint *point = nullptr) {
   Checkpoint file;
   put(file, state);
   if (point) put(file, *point);
@@ -84,7 +86,8 @@ TEST(Restart, MidSlipItIsExactToTheLastBit) {
 TEST(Restart, MidSlipItAgreesWithARunThatNeverStopped) {
   const SystemState straight = dragged(Way::straight, 1e-10), resumed = dragged(Way::resumed, 1e-10);
   EXPECT_LT((straight.u - resumed.u).norm(), 1e-10 * straight.u.norm());
-  EXPECT_LT((straight.reports[0].friction - resumed.reports[0].friction).norm(), 1e-10 * straight.reports[0].friction.norm());
+  EXPECT_LT((straight.reports[0].friction - resumed.reports[0].friction).norm(),
+            1e-10 * straight.reports[0].friction.norm());
   EXPECT_EQ(straight.contacts[0].status, resumed.contacts[0].status);
 }
 
@@ -145,14 +148,16 @@ std::string sentence_of(const std::function<void()> &read) {
   }
   return "nothing was thrown";
 }
-bool tells(const std::string &sentence, const std::string &part) { return sentence.find(part) != std::string::npos; }
+bool tells(const std::string &sentence, const std::string &part) {
+  return sentence.find(part) != std::string::npos;
+}
 
 TEST(Restart, ACheckpointOfAnotherVersionSceneOrHalfWrittenIsRefused) {
   RunOptions options;
   options.folder = std::filesystem::temp_directory_path() / ("rimpact_restart_" + std::to_string(::getpid()));
   std::filesystem::create_directories(options.folder);
   const std::string path = checkpoint_of(options);
-  const auto identity = scene::to_json(scene::identity_of(scene::load_scene("static-unidirectional")));
+  const auto identity = to_json(identity_of(scene::load_scene("static-unidirectional")));
   RunRecord record;
   record.identity = identity;
   const auto read = [&] { return sentence_of([&] { kept_checkpoint(options, record); }); };
@@ -163,7 +168,7 @@ TEST(Restart, ACheckpointOfAnotherVersionSceneOrHalfWrittenIsRefused) {
   put(checkpoint, record);
   write_checkpoint(checkpoint, path);
   EXPECT_FALSE(has_only_begun(kept_checkpoint(options, record)));
-  record.identity = scene::to_json(scene::identity_of(scene::load_scene("static-unidirectional", {"model.mesh=2"})));
+  record.identity = to_json(identity_of(scene::load_scene("static-unidirectional", {"model.mesh=2"})));
   EXPECT_TRUE(tells(read(), "another run: the scene changed since")) << read();
   record.identity = identity;
   record.identity["build"] = "an older one";
@@ -181,12 +186,12 @@ TEST(Restart, EveryFlippedBitIsFound) {
   Checkpoint checkpoint;
   checkpoint.numbers["a"] = {1, 2, 3};
   write_checkpoint(checkpoint, file.path);
-  const std::string whole = scene::read_file(file.path);
+  const std::string whole = read_file(file.path);
   EXPECT_EQ(read_checkpoint(file.path).field("a", 3), checkpoint.numbers["a"]);
   for (std::size_t k = 0; k < whole.size(); k += 37) {
     std::string bytes = whole;
     bytes[k] = static_cast<char>(bytes[k] ^ (1 << (k % 8)));
-    scene::write_atomically(bytes, file.path);
+    write_atomically(bytes, file.path);
     EXPECT_TRUE(tells(sentence_of([&] { read_checkpoint(file.path); }), "run without --resume")) << k;
   }
 }
@@ -195,8 +200,10 @@ TEST(Restart, FieldsAreWhatIsDue) {
   Checkpoint file;
   file.path = "F/checkpoint.h5";
   file.numbers = {{"a", {1, 2, 3}}, {"whole", {1.5}}, {"bad", {std::nan("")}}, {"huge", {1e300}}};
-  EXPECT_EQ(sentence_of([&] { file.field("a", 4); }), "F/checkpoint.h5 is damaged (field a has 3 values, 4 are due); run without --resume to start afresh");
-  for (const auto &[name, limits] : {std::pair{"missing", Limits{}}, {"whole", count}, {"bad", Limits{}}, {"bad", infinite_too}, {"huge", Limits{}}})
+  EXPECT_EQ(sentence_of([&] { file.field("a", 4); }),
+            "F/checkpoint.h5 is damaged (field a has 3 values, 4 are due); run without --resume to start afresh");
+  for (const auto &[name, limits] :
+       {std::pair{"missing", Limits{}}, {"whole", count}, {"bad", Limits{}}, {"bad", infinite_too}, {"huge", Limits{}}})
     EXPECT_TRUE(tells(sentence_of([&] { file.field(name, 1, limits); }), std::string("field ") + name)) << name;
   EXPECT_EQ(file.number("whole", {1, 2}), 1.5);
 }

@@ -25,8 +25,7 @@ Equations all_free(const Discretisation &space) {
 meshes::HexMesh bent_box() {
   meshes::HexMesh mesh;
   test::add_box(mesh, {{0, 0, 0}, {0.2, 0.1, 0.1}, {2, 1, 2}, Volume::rim, {}}, [](std::array<double, 3> x) {
-    return std::array<double, 3>{x[0] + 0.3 * x[1] * x[2], x[1] + 0.5 * x[0] * x[0],
-                                 x[2] - 0.4 * x[0] * x[1]};
+    return std::array<double, 3>{x[0] + 0.3 * x[1] * x[2], x[1] + 0.5 * x[0] * x[0], x[2] - 0.4 * x[0] * x[1]};
   });
   return mesh;
 }
@@ -48,8 +47,8 @@ TEST_P(SolidTest, UniformDeformationGivesUniformStressOnABentMesh) {
   // The energy density of a uniform strain times the volume, by the law itself.
   const scene::Material steel = scene::Bearing{}.steel;
   const Matrix3 F = Matrix3::Identity() + gradient;
-  const double density = HenckyJ2::from(steel).step(J2State{}, F).energy +
-                         HenckyVolumetric::from(steel).at(F.determinant()).energy;
+  const double density =
+      HenckyJ2::from(steel).step(J2State{}, F).energy + HenckyVolumetric::from(steel).at(F.determinant()).energy;
   double volume = 0;
   for (const double w : space.full.weights) volume += w;
   EXPECT_NEAR(energies.elastic, density * volume,
@@ -89,8 +88,7 @@ TEST_P(SolidTest, MassMovesAsARigidBody) {
   solid.add_mass(equations, mass);
   Eigen::VectorXd v = Eigen::VectorXd::Zero(equations.n);
   for (std::size_t a = 0; a < space.n_nodes; ++a) v.segment<3>(3 * a) = Eigen::Vector3d(1, 2, 3);
-  EXPECT_NEAR(v.dot(mass.multiply(v)), 14 * solid.mass_of(Volume::rim),
-              1e-9 * 14 * solid.mass_of(Volume::rim));
+  EXPECT_NEAR(v.dot(mass.multiply(v)), 14 * solid.mass_of(Volume::rim), 1e-9 * 14 * solid.mass_of(Volume::rim));
 }
 
 INSTANTIATE_TEST_SUITE_P(Degrees, SolidTest, ::testing::Values(1, 2));

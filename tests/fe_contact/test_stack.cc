@@ -1,7 +1,7 @@
 // Rung R2's plans, and the hand-over of a state when the rim joins and leaves.
 #include "fe_contact/model/master_faces.h"
-#include "fe_contact/runner/plan.h"
 #include "fe_contact/runner/stack_transfer.h"
+#include "planning/plan.h"
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
@@ -37,17 +37,21 @@ TEST(StackPlan, EveryDirectionOfABidirectionalPulseThatMayTouchIsMeshedOnce) {
   const Plan plan = plan_of("pulse-bidirectional", {"excitation.scale=1.3"});
   ASSERT_EQ(plan.impacts.size(), 3u);
   ASSERT_EQ(plan.sectors.size(), 3u);
-  for (int k = 0; k < 3; ++k) EXPECT_NEAR(std::remainder(plan.sectors[k] - plan.impacts[k].direction_deg * M_PI / 180, 2 * M_PI), 0, 1e-12);
+  for (int k = 0; k < 3; ++k)
+    EXPECT_NEAR(std::remainder(plan.sectors[k] - plan.impacts[k].direction_deg * M_PI / 180, 2 * M_PI), 0, 1e-12);
   EXPECT_EQ(plan_of("pulse-bidirectional", {"excitation.scale=0.5"}).sectors.size(), 1u); // where it comes nearest
 }
 
 TEST(StackPlan, RestTakesLongStepsAndIsSaid) {
-  const Plan whole = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05"}), cut = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05", "excitation.duration_s=3"});
+  const Plan whole = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05"}),
+             cut = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05", "excitation.duration_s=3"});
   EXPECT_GT(whole.rests_from, 4);
   EXPECT_LT(whole.rests_from, 6);
-  EXPECT_LT(whole.expected_steps - cut.expected_steps, (whole.rests_from - 3) / 0.008 + (8 - whole.rests_from) / 0.05 + 1);
+  EXPECT_LT(whole.expected_steps - cut.expected_steps,
+            (whole.rests_from - 3) / 0.008 + (8 - whole.rests_from) / 0.05 + 1);
   const auto said = [](const Plan &plan) {
-    return std::any_of(plan.notes.begin(), plan.notes.end(), [](const auto &note) { return note.find("rests from") != std::string::npos; });
+    return std::any_of(plan.notes.begin(), plan.notes.end(),
+                       [](const auto &note) { return note.find("rests from") != std::string::npos; });
   };
   EXPECT_TRUE(said(whole));
   EXPECT_FALSE(said(cut));
@@ -71,7 +75,9 @@ TEST(StackPlan, APushMeshesTheRimWhereItGoes) {
 
 TEST(StackPlan, ExpectsTheUnknownsThatRunsHad) {
   const auto expected = [](const std::string &scale, const std::string &mesh) {
-    return double(plan_of("pulse-bidirectional", {"excitation.scale=" + scale, "excitation.duration_s=4.2", "model.mesh=" + mesh}).expected_dofs);
+    return double(
+        plan_of("pulse-bidirectional", {"excitation.scale=" + scale, "excitation.duration_s=4.2", "model.mesh=" + mesh})
+            .expected_dofs);
   };
   EXPECT_NEAR(expected("1.0", "1"), 46596, 0.1 * 46596); // one side of the rim
   EXPECT_NEAR(expected("1.1", "1"), 78882, 0.1 * 78882); // both
@@ -84,7 +90,8 @@ TEST(StackPlan, RefusesWhatWouldFloatAndWhatItDoesNotHave) {
     return refusal(scene::load_scene(scene, settings)).value_or("");
   };
   EXPECT_NE(why("impact-window").find("excitation.with"), std::string::npos);
-  EXPECT_NE(why("impact-window", {"excitation.kind=\"free\"", "excitation.displacement_m=[0.39, 0]", "excitation.velocity_m_per_s=[0.5, 0]"})
+  EXPECT_NE(why("impact-window", {"excitation.kind=\"free\"", "excitation.displacement_m=[0.39, 0]",
+                                  "excitation.velocity_m_per_s=[0.5, 0]"})
                 .find("'free'"),
             std::string::npos);
   EXPECT_EQ(why("rim-push"), "");
@@ -157,7 +164,8 @@ TEST(StackFaces, EveryPointOnSocketAndRimIsFound) {
               x += shapes.N[a] * node, along[0] += shapes.dxi[a] * node, along[1] += shapes.deta[a] * node;
             }
             x += 2e-4 * along[0].cross(along[1]).normalized();
-            for (const int guess : {-1, static_cast<int>(f)}) lost += faces.find(x, at_rest, guess, 0.0).face != static_cast<int>(f);
+            for (const int guess : {-1, static_cast<int>(f)})
+              lost += faces.find(x, at_rest, guess, 0.0).face != static_cast<int>(f);
           }
       EXPECT_EQ(lost, 0) << "level " << options.level << ", group " << static_cast<int>(group);
     }

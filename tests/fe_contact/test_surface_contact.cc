@@ -98,7 +98,8 @@ TEST(SlidingBlock, PenaltyAndMultiplierAgreeOnTheFrictionForce) {
 }
 
 TEST(Ledger, CountsPointsThatLeaveOverAnEdgeAndThatComeOverIt) {
-  constexpr double first_points = 0.1 * 0.0694318442, edge = first_points - 1e-3, pressed = 6e-4; // the points from the face's side [m]
+  constexpr double first_points = 0.1 * 0.0694318442, edge = first_points - 1e-3,
+                   pressed = 6e-4; // the points from the face's side [m]
   Block block(FrictionCoefficient::constant(0), 2, [](const Vector3d &y) { return y.x() > edge; });
   SystemState state = block.system->at_rest();
   double elastic = 0, x = 0, z = 0;
@@ -107,7 +108,8 @@ TEST(Ledger, CountsPointsThatLeaveOverAnEdgeAndThatComeOverIt) {
     EXPECT_TRUE(static_step(*block.system, state, block.drive(next_x, next_z, 1e-3), {}).converged);
     const Vector3d moved(next_x - x, 0.3 * (next_x - x), next_z - z);
     const auto &report = state.reports[0];
-    const double left = 0.5 * (force + report.force).dot(moved) - (state.energies.elastic - elastic) - report.normal_work;
+    const double left =
+        0.5 * (force + report.force).dot(moved) - (state.energies.elastic - elastic) - report.normal_work;
     elastic = state.energies.elastic, force = report.force, x = next_x, z = next_z;
     return std::abs(left);
   };

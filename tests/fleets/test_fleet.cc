@@ -1,10 +1,10 @@
 // Fleets on a small sweep of a short scene.
 #include "../scene/expect_error.h"
 #include "../scene/temporary_folder.h"
+#include "files/folder_lock.h"
 #include "fleets/fleet.h"
-#include "scene/folder_lock.h"
-#include "scene/identity.h"
 #include "reduced_models/physical_model.h"
+#include "responses/identity.h"
 #include <algorithm>
 #include <filesystem>
 
@@ -27,13 +27,13 @@ FleetResult run(const std::string &folder, const std::string &sweep = pulses) {
   return run_fleet("ricker-0.78g-1.0s", {}, parse_sweep(sweep, "s.toml"), options(folder));
 }
 /// All but the time a run took.
-scene::Table timeless(const std::string &path) {
-  scene::Table t = scene::read_table(path);
+Table timeless(const std::string &path) {
+  Table t = read_table(path);
   const auto i = std::find(t.columns.begin(), t.columns.end(), "wall_time_s") - t.columns.begin();
-  for (auto &row : t.rows) row.at(static_cast<std::size_t>(i)) = scene::Cell{};
+  for (auto &row : t.rows) row.at(static_cast<std::size_t>(i)) = Cell{};
   return t;
 }
-scene::Cell at(const scene::Table &t, std::size_t row, const std::string &name) {
+Cell at(const Table &t, std::size_t row, const std::string &name) {
   const auto i = std::find(t.columns.begin(), t.columns.end(), name) - t.columns.begin();
   return t.rows.at(row).at(static_cast<std::size_t>(i));
 }
@@ -45,17 +45,16 @@ TEST(Fleet, RowsAreThoseOfSingleRuns) {
   const auto result = run(folder / "f");
   EXPECT_EQ(result.total, 20u);
   EXPECT_EQ(result.done, 20u);
-  const auto t = scene::read_table(folder / "f/table.csv");
+  const auto t = read_table(folder / "f/table.csv");
   ASSERT_EQ(t.rows.size(), 20u);
   int n_with_impact = 0;
   for (std::size_t i = 0; i < 20; ++i) {
     const auto scale = std::get<double>(at(t, i, "excitation.scale"));
     const auto mu = std::get<double>(at(t, i, "reduced.mu_fast"));
-    const auto single = reduced::simulate_summary(
-        scene::load_scene("ricker-0.78g-1.0s", {"excitation.scale=" + std::to_string(scale),
-                                                "reduced.mu_fast=" + std::to_string(mu)}));
-    EXPECT_EQ(at(t, i, "run"), scene::Cell(double(i + 1)));
-    EXPECT_EQ(at(t, i, "n_impacts"), scene::Cell(double(single.impacts.size())));
+    const auto single = reduced::simulate_summary(scene::load_scene(
+        "ricker-0.78g-1.0s", {"excitation.scale=" + std::to_string(scale), "reduced.mu_fast=" + std::to_string(mu)}));
+    EXPECT_EQ(at(t, i, "run"), Cell(double(i + 1)));
+    EXPECT_EQ(at(t, i, "n_impacts"), Cell(double(single.impacts.size())));
     EXPECT_NEAR(std::get<double>(at(t, i, "peak_displacement_m")), single.peak_displacement, 1e-6);
     const auto speed = at(t, i, "first_approach_speed_m_s");
     EXPECT_EQ(speed.index() == 1, !single.impacts.empty());
@@ -69,17 +68,17 @@ TEST(Fleet, ASecondCallRunsOnlyWhatIsMissing) {
   const TemporaryFolder folder;
   run(folder / "f");
   const auto whole = timeless(folder / "f/table.csv");
-  scene::Table part = scene::read_table(folder / "f/table.csv");
+  Table part = read_table(folder / "f/table.csv");
   part.rows.erase(part.rows.begin() + 3, part.rows.begin() + 10);
   part.rows[0].back() = std::string("kept"); // `reason`
   const auto reason = std::find(part.columns.begin(), part.columns.end(), "reason") - part.columns.begin();
   part.rows[0].at(static_cast<std::size_t>(reason)) = std::string("kept");
-  scene::write_csv(part, folder / "f/table.csv");
+  write_csv(part, folder / "f/table.csv");
   const auto again = run(folder / "f");
   EXPECT_EQ(again.kept, 13u);
   EXPECT_EQ(again.total, 20u);
   const auto t = timeless(folder / "f/table.csv");
-  EXPECT_EQ(at(t, 0, "reason"), scene::Cell(std::string("kept"))); // not run again
+  EXPECT_EQ(at(t, 0, "reason"), Cell(std::string("kept"))); // not run again
   for (std::size_t i = 1; i < 20; ++i) EXPECT_EQ(t.rows.at(i), whole.rows.at(i)) << i;
 }
 
@@ -97,7 +96,7 @@ TEST(Fleet, InterruptedAndTakenUpAgain) {
   } catch (const Error &error) {
     EXPECT_EQ(error.code(), ExitCode::interrupted);
   }
-  const auto n = scene::read_table(folder / "f/table.csv").rows.size();
+  const auto n = read_table(folder / "f/table.csv").rows.size();
   EXPECT_GE(n, 3u);
   EXPECT_LT(n, 20u);
   stop = false, o.progress = nullptr;
@@ -129,11 +128,10 @@ TEST(Fleet, ARunThatFailsStandsInItsRow) {
   EXPECT_EQ(result.done, 1u);
   EXPECT_EQ(result.stopped, 1u);
   EXPECT_EQ(result.refused, 2u);
-  const auto t = scene::read_table(folder / "f/table.csv");
+  const auto t = read_table(folder / "f/table.csv");
   int n_refused = 0;
   for (std::size_t i = 0; i < 4; ++i) {
-    const auto status = std::get<std::string>(at(t, i, "status")),
-               reason = std::get<std::string>(at(t, i, "reason"));
+    const auto status = std::get<std::string>(at(t, i, "status")), reason = std::get<std::string>(at(t, i, "reason"));
     EXPECT_EQ(reason.empty(), status == "done");
     if (status == "refused") {
       ++n_refused;
@@ -148,20 +146,21 @@ TEST(Fleet, RefusesTheFolderOfAnotherFleet) {
   const TemporaryFolder folder;
   const char *const small = "[grid]\nexcitation.scale = [0.5]\n";
   run(folder / "f", small);
-  expect_error<InputError>([&] { run(folder / "f", "[grid]\nexcitation.scale = [0.6]\n"); },
-                           {"/f", "another", "-o"});
-  EXPECT_THROW(run_fleet("ricker-0.38g-1.5s", {}, parse_sweep(small, "s.toml"), options(folder / "f")),
-               InputError);
-  EXPECT_THROW(run_fleet("ricker-0.78g-1.0s", {"reduced.mu_fast=0.08"}, parse_sweep(small, "s.toml"),
-                         options(folder / "f")),
-               InputError);
+  expect_error<InputError>([&] { run(folder / "f", "[grid]\nexcitation.scale = [0.6]\n"); }, {"/f", "another", "-o"});
+  EXPECT_THROW(run_fleet("ricker-0.38g-1.5s", {}, parse_sweep(small, "s.toml"), options(folder / "f")), InputError);
+  EXPECT_THROW(
+      run_fleet("ricker-0.78g-1.0s", {"reduced.mu_fast=0.08"}, parse_sweep(small, "s.toml"), options(folder / "f")),
+      InputError);
 }
 
 TEST(Fleet, RowsOfOtherInputsAreMadeAgain) {
   const TemporaryFolder folder;
-  const auto csv = [&](double peak) { folder.write("q.csv", "time_s,acceleration_g\n0,0\n0.5," + std::to_string(peak) + "\n1.0,0\n"); };
+  const auto csv = [&](double peak) {
+    folder.write("q.csv", "time_s,acceleration_g\n0,0\n0.5," + std::to_string(peak) + "\n1.0,0\n");
+  };
   const auto scene = [&](const char *more) {
-    return folder.write("case/scene.toml", std::string("[excitation]\nkind = \"record\"\nx = \"../q.csv\"\nduration_s = 1.5\n") + more);
+    return folder.write("case/scene.toml",
+                        std::string("[excitation]\nkind = \"record\"\nx = \"../q.csv\"\nduration_s = 1.5\n") + more);
   };
   fs::create_directories(folder / "case");
   csv(0.1), scene("");
@@ -170,7 +169,7 @@ TEST(Fleet, RowsOfOtherInputsAreMadeAgain) {
   o.remark = [&](const std::string &sentence) { remarks.push_back(sentence); };
   const Sweep sweep = parse_sweep("[grid]\nexcitation.scale = [0.5, 1.0]\n", "s.toml");
   const auto again = [&] { return run_fleet(folder / "case", {}, sweep, o); };
-  const auto peak = [&] { return std::get<double>(at(scene::read_table(folder / "f/table.csv"), 1, "peak_displacement_m")); };
+  const auto peak = [&] { return std::get<double>(at(read_table(folder / "f/table.csv"), 1, "peak_displacement_m")); };
   again();
   const double before = peak();
   EXPECT_EQ(again().kept, 2u);
@@ -184,7 +183,7 @@ TEST(Fleet, RowsOfOtherInputsAreMadeAgain) {
   EXPECT_EQ(again().kept, 0u);
   EXPECT_EQ(remarks.size(), 2u);
   std::string fleet = text_of(folder / "f/fleet.json");
-  const auto build = fleet.find(scene::physics_version());
+  const auto build = fleet.find(physics_version());
   ASSERT_NE(build, std::string::npos);
   fleet[build] = fleet[build] == 'a' ? 'b' : 'a'; // another version of the program
   folder.write("f/fleet.json", fleet);
@@ -197,7 +196,8 @@ TEST(Fleet, ADamagedOrForeignFolderIsRefusedUnlessForced) {
   const TemporaryFolder folder;
   const char *const small = "[grid]\nexcitation.scale = [0.5]\n";
   run(folder / "f", small);
-  for (const char *text : {"{", "[]", R"({"identity": 3})", R"({"identity": {}, "scene": 1})", R"({"identity": "x", "scene": "s", "n_runs": "1", "keys": []})"}) {
+  for (const char *text : {"{", "[]", R"({"identity": 3})", R"({"identity": {}, "scene": 1})",
+                           R"({"identity": "x", "scene": "s", "n_runs": "1", "keys": []})"}) {
     folder.write("f/fleet.json", text);
     expect_error<DataError>([&] { run(folder / "f", small); }, {"fleet.json is damaged"});
   }
@@ -211,14 +211,13 @@ TEST(Fleet, ADamagedOrForeignFolderIsRefusedUnlessForced) {
 
 TEST(Fleet, OneProcessAShard) {
   const TemporaryFolder folder;
-  const scene::FolderLock held(folder / "f");
+  const FolderLock held(folder / "f");
   expect_error<IoError>([&] { run(folder / "f"); }, {"in use"});
 }
 
 TEST(Fleet, ASceneThatCannotBeReadIsSaidBeforeAnythingRuns) {
   const TemporaryFolder folder;
-  EXPECT_THROW(run_fleet("nowhere.toml", {}, parse_sweep(pulses, "s.toml"), options(folder / "f")),
-               InputError);
+  EXPECT_THROW(run_fleet("nowhere.toml", {}, parse_sweep(pulses, "s.toml"), options(folder / "f")), InputError);
   EXPECT_FALSE(fs::exists(folder / "f"));
 }
 
@@ -229,7 +228,7 @@ TEST(Fleet, WritesAlongTheWay) {
   std::size_t seen = 0;
   o.progress = [&](const FleetProgress &p) {
     if (p.done > 1 && p.done < p.total && fs::exists(folder / "f/table.csv"))
-      seen = std::max(seen, scene::read_table(folder / "f/table.csv").rows.size());
+      seen = std::max(seen, read_table(folder / "f/table.csv").rows.size());
   };
   std::string many = "[grid]\nexcitation.scale = [0.1"; // enough that the table is written before the last run ends
   for (int k = 1; k < 300; ++k) many += (k % 20 ? ", " : ",\n") + std::to_string(0.1 + 0.001 * k);

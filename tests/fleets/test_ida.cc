@@ -4,8 +4,8 @@
 #include "fleets/fleet.h"
 #include "fleets/fractiles.h"
 #include "fleets/record_folder.h"
+#include "records/record.h"
 #include "reduced_models/physical_model.h"
-#include "scene/record.h"
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -13,7 +13,7 @@
 
 using namespace rimpact;
 using namespace rimpact::fleets;
-using scene::Cell, scene::Table;
+using Cell, Table;
 
 namespace {
 
@@ -21,8 +21,7 @@ namespace {
 std::string at2(double peak_g) {
   std::string text = "PEER\nMADE UP\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 201, DT= .0100 SEC\n";
   for (int i = 0; i < 201; ++i)
-    text += std::to_string(i < 100 ? peak_g * std::sin(i * std::acos(-1.0) / 50) : 0.0) +
-            (i % 5 == 4 ? "\n" : " ");
+    text += std::to_string(i < 100 ? peak_g * std::sin(i * std::acos(-1.0) / 50) : 0.0) + (i % 5 == 4 ? "\n" : " ");
   return text + "\n";
 }
 void write_station(const TemporaryFolder &folder) {
@@ -40,8 +39,7 @@ double number(const Table &t, std::size_t row, const std::string &name) {
   return std::get<double>(at(t, row, name));
 }
 Sweep ida_sweep(const TemporaryFolder &folder, const std::string &components, const std::string &levels) {
-  return parse_sweep("[records]\nfolder = '.'\ncomponents = '" + components +
-                         "'\n[grid]\nvariable.pga_g = " + levels +
+  return parse_sweep("[records]\nfolder = '.'\ncomponents = '" + components + "'\n[grid]\nvariable.pga_g = " + levels +
                          "\n[linked]\nexcitation.scale = { product = ['variable.pga_g'], over = "
                          "'variable.record_pga_g' }\n[fractiles]\nalong = 'variable.pga_g'\n",
                      folder / "ida.toml");
@@ -63,7 +61,7 @@ TEST(RecordFolder, StationsByTheirFilesNames) {
   // sine of 1 s period: its peak velocity is a T / pi from rest
   const auto peak = intensity(motions[0].horizontal);
   EXPECT_NEAR(peak.pga_g, 0.4, 1e-6);
-  EXPECT_NEAR(peak.pgv, 0.4 * scene::standard_gravity / std::acos(-1.0), 1e-3);
+  EXPECT_NEAR(peak.pgv, 0.4 * standard_gravity / std::acos(-1.0), 1e-3);
   EXPECT_EQ(peak.sa_g, 0); // not asked for
   // so stiff that it rides along, but for the small overshoot of its free vibration
   EXPECT_NEAR(intensity(motions[0].horizontal, 0.01).sa_g, 0.4, 0.02);
@@ -80,9 +78,7 @@ TEST(RecordFolder, ComponentsThatAMotionHas) {
   ASSERT_EQ(three.left_out.size(), 1u);
   EXPECT_NE(three.left_out[0].find("RSN2_E04"), std::string::npos);
   const auto all = three.assignments(1);
-  const auto has = [&](const std::string &text) {
-    return std::find(all.begin(), all.end(), text) != all.end();
-  };
+  const auto has = [&](const std::string &text) { return std::find(all.begin(), all.end(), text) != all.end(); };
   EXPECT_TRUE(has("excitation.kind=\"record\""));
   EXPECT_TRUE(has("excitation.y=\"" + (folder / "RSN1_HILL090.at2") + "\""));
   EXPECT_TRUE(has("excitation.z=\"" + (folder / "RSN1_HILL-UP.AT2") + "\""));
@@ -93,11 +89,10 @@ TEST(RecordFolder, ComponentsThatAMotionHas) {
 TEST(RecordFolder, SpectralAccelerationIsAVariable) {
   const TemporaryFolder folder;
   write_station(folder);
-  const Sweep sweep =
-      parse_sweep("[records]\nfolder = '.'\ncomponents = 'xy'\nsa_period_s = 1.0\n[grid]\n"
-                  "variable.sa_g = [0.5]\n[linked]\nexcitation.scale = { product = ['variable.sa_g'], "
-                  "over = 'variable.record_sa_g' }\n",
-                  folder / "ida.toml");
+  const Sweep sweep = parse_sweep("[records]\nfolder = '.'\ncomponents = 'xy'\nsa_period_s = 1.0\n[grid]\n"
+                                  "variable.sa_g = [0.5]\n[linked]\nexcitation.scale = { product = ['variable.sa_g'], "
+                                  "over = 'variable.record_sa_g' }\n",
+                                  folder / "ida.toml");
   ASSERT_EQ(sweep.runs.size(), 1u);
   const auto at = [&](const char *key) {
     const auto i = std::find(sweep.keys.begin(), sweep.keys.end(), key) - sweep.keys.begin();
@@ -120,29 +115,23 @@ TEST(RecordFolder, ErrorsNameFolderAndKey) {
   refused("[records]\nfolder = '.'\n", {"s.toml:1:", "records.components"});
   refused("[records]\nfolder = '.'\ncomponents = 'x'\nsa_period_s = 0\n",
           {"s.toml:4:", "sa_period_s", "at least 0.01"});
-  refused("[grid]\nexcitation.scale = [1]\n[fractiles]\nalong = 'excitation.scal'\n",
-          {"s.toml:4:", "excitation.scal"});
+  refused("[grid]\nexcitation.scale = [1]\n[fractiles]\nalong = 'excitation.scal'\n", {"s.toml:4:", "excitation.scal"});
   refused("[grid]\nvariable.a = [1]\nvariable.b = [0]\n[linked]\nexcitation.scale = { product = "
           "['variable.a'], over = "
           "'variable.b' }\n",
           {"s.toml:5:", "excitation.scale", "variable.b is 0"});
   folder.write("A000.AT2", "PEER\ncut short\n");
-  expect_error<DataError>(
-      [&] { parse_sweep("[records]\nfolder = '.'\ncomponents = 'x'\n", folder / "s.toml"); }, {"A000.AT2"});
+  expect_error<DataError>([&] { parse_sweep("[records]\nfolder = '.'\ncomponents = 'x'\n", folder / "s.toml"); },
+                          {"A000.AT2"});
 }
 
 TEST(Fractiles, OfKnownValues) {
   Table runs;
-  runs.columns = {"level",
-                  "status",
-                  "reason",
-                  "n_impacts",
-                  "peak_displacement_m",
-                  "peak_lateral_force_N",
-                  "peak_impact_force_N"};
+  runs.columns = {
+      "level", "status", "reason", "n_impacts", "peak_displacement_m", "peak_lateral_force_N", "peak_impact_force_N"};
   const auto run = [&](double level, const char *status, const char *reason, double value) {
-    runs.rows.push_back({level, std::string(status), std::string(reason), value > 50 ? 1.0 : 0.0, value,
-                         2 * value, value > 50 ? Cell(value) : Cell{}});
+    runs.rows.push_back({level, std::string(status), std::string(reason), value > 50 ? 1.0 : 0.0, value, 2 * value,
+                         value > 50 ? Cell(value) : Cell{}});
   };
   for (int i = 100; i >= 0; --i) run(0.2, "done", "", i); // 0 to 100: the fractile is its share in percent
   run(0.2, "refused", "no scene", 1e9);
@@ -179,9 +168,8 @@ TEST(Ida, RealRecordsTouchWhereBisectionSays) {
   for (const auto &file : files) {
     const TemporaryFolder one;
     std::filesystem::create_symlink(std::filesystem::absolute(folder + "/" + file), one / file);
-    const auto base =
-        scene::load_scene("ricker-0.78g-1.0s", {"excitation.kind=\"record\"", "excitation.duration_s=20",
-                                                "excitation.x=\"" + (one / file) + "\""});
+    const auto base = scene::load_scene("ricker-0.78g-1.0s", {"excitation.kind=\"record\"", "excitation.duration_s=20",
+                                                              "excitation.x=\"" + (one / file) + "\""});
     const auto critical = reduced::critical_scale(base, 0.2, 4);
     ASSERT_TRUE(critical.has_value()) << file;
     const double pga_g = intensity({one / file}).pga_g;
@@ -192,11 +180,11 @@ TEST(Ida, RealRecordsTouchWhereBisectionSays) {
     FleetOptions options;
     options.folder = one / "ida", options.n_threads = 2;
     EXPECT_EQ(run_fleet("ricker-0.78g-1.0s", overrides, sweep, options).done, 3u);
-    const Table t = scene::read_table(one / "ida/table.csv");
+    const Table t = read_table(one / "ida/table.csv");
     EXPECT_EQ(number(t, 0, "n_impacts"), 0);
     EXPECT_EQ(number(t, 1, "n_impacts"), 0);
     EXPECT_GE(number(t, 2, "n_impacts"), 1);
-    const Table curves = scene::read_table(one / "ida/fractiles.csv");
+    const Table curves = read_table(one / "ida/fractiles.csv");
     ASSERT_EQ(curves.rows.size(), 3u);
     for (std::size_t i = 0; i < 3; ++i) // one record: all fractiles are its value
       EXPECT_EQ(number(curves, i, "p84_peak_displacement_m"), number(t, i, "peak_displacement_m"));

@@ -51,8 +51,7 @@ reduced.mu_slow = { product = [0.5, "reduced.mu_fast"] }
   for (std::size_t i = 0; i < 30; ++i) {
     EXPECT_DOUBLE_EQ(number(s, i, "excitation.scale"), 0.1 * double(1 + i / 5 % 3) * (i < 15 ? 2 : 4));
     EXPECT_DOUBLE_EQ(number(s, i, "reduced.mu_slow"), number(s, i, "reduced.mu_fast") / 2);
-    EXPECT_EQ(number(s, i, "reduced.mu_fast"),
-              number(s, i % 5, "reduced.mu_fast")); // the same samples everywhere
+    EXPECT_EQ(number(s, i, "reduced.mu_fast"), number(s, i % 5, "reduced.mu_fast")); // the same samples everywhere
   }
   const auto has = [&](std::size_t run, const std::string &text) {
     const auto all = s.assignments(run);
@@ -67,14 +66,12 @@ reduced.mu_slow = { product = [0.5, "reduced.mu_fast"] }
 }
 
 TEST(Sweep, WordsSwitchesAndListsAreValuesToo) {
-  const Sweep s =
-      parse_sweep("[grid]\nreduced.normal_force = ['static', 'inertia']\nreduced.finite_pad = [true, "
-                  "false]\nexcitation.displacement_m = [[0.1, 0.0]]\n",
-                  "s.toml");
+  const Sweep s = parse_sweep("[grid]\nreduced.normal_force = ['static', 'inertia']\nreduced.finite_pad = [true, "
+                              "false]\nexcitation.displacement_m = [[0.1, 0.0]]\n",
+                              "s.toml");
   ASSERT_EQ(s.runs.size(), 4u);
-  EXPECT_EQ(s.assignments(0),
-            (std::vector<std::string>{"excitation.displacement_m=[0.1, 0]", "reduced.finite_pad=true",
-                                      "reduced.normal_force=\"static\""}));
+  EXPECT_EQ(s.assignments(0), (std::vector<std::string>{"excitation.displacement_m=[0.1, 0]", "reduced.finite_pad=true",
+                                                        "reduced.normal_force=\"static\""}));
 }
 
 TEST(Sweep, ErrorsNameFileLineAndWhatIsWrong) {
@@ -95,22 +92,18 @@ TEST(Sweep, ErrorsNameFileLineAndWhatIsWrong) {
   refused("[latin_hypercube]\nreduced.mu_fast = { low = 0.1, high = 0.2 }\n", {"s.toml:1:", "samples"});
   refused("[latin_hypercube]\nsamples = 5\n", {"s.toml:1:", "no key"});
   refused("[latin_hypercube]\nsamples = 0\n", {"s.toml:2:", "samples"});
-  refused("[latin_hypercube]\nsamples = 5\nreduced.mu_fast = { low = 0.3, high = 0.2 }\n",
-          {"s.toml:3:", "0.3", "0.2"});
+  refused("[latin_hypercube]\nsamples = 5\nreduced.mu_fast = { low = 0.3, high = 0.2 }\n", {"s.toml:3:", "0.3", "0.2"});
   refused("[latin_hypercube]\nsamples = 5\nreduced.mu_fast = { low = 0.0, high = 0.2, log = true }\n",
           {"s.toml:3:", "> 0"});
-  refused("[latin_hypercube]\nsamples = 5\nreduced.mu_fast = { low = 0.1, high = 3.0 }\n",
-          {"s.toml:3:", "3"});
+  refused("[latin_hypercube]\nsamples = 5\nreduced.mu_fast = { low = 0.1, high = 3.0 }\n", {"s.toml:3:", "3"});
   refused("[grid]\nreduced.mu_fast = [0.1]\n[linked]\nreduced.mu_slow = { product = ['reduced.mu'] }\n",
           {"s.toml:4:", "reduced.mu"});
-  refused(
-      "[grid]\nreduced.mu_fast = [1.9]\n[linked]\nreduced.mu_slow = { product = [2, 'reduced.mu_fast'] }\n",
-      {"s.toml:4:", "reduced.mu_slow", "3.8"});
+  refused("[grid]\nreduced.mu_fast = [1.9]\n[linked]\nreduced.mu_slow = { product = [2, 'reduced.mu_fast'] }\n",
+          {"s.toml:4:", "reduced.mu_slow", "3.8"});
   refused("[grid]\nreduced.mu_fast = [0.1]\n[linked]\nreduced.mu_fast = { product = [1] }\n",
           {"s.toml:4:", "more than one part"});
   refused("[[case]]\nreduced.mu_fast = 0.1\n[[case]]\nreduced.mu_slow = 0.1\n", {"s.toml:3:", "same keys"});
-  refused("[grid]\nvariable.a = {from=1,to=2,count=200000}\nvariable.b = [1, 2]\n",
-          {"s.toml", "200000 runs"});
+  refused("[grid]\nvariable.a = {from=1,to=2,count=200000}\nvariable.b = [1, 2]\n", {"s.toml", "200000 runs"});
 }
 
 TEST(Sweep, ArgumentsAreTheGridOfAFile) {
@@ -127,14 +120,13 @@ TEST(Sweep, ArgumentsAreTheGridOfAFile) {
 }
 
 TEST(Sweep, ArgumentsAreRefusedByName) {
-  const auto refused = [](const std::vector<std::string> &arguments,
-                          std::initializer_list<const char *> words) {
+  const auto refused = [](const std::vector<std::string> &arguments, std::initializer_list<const char *> words) {
     expect_error<InputError>([&] { grid_of_arguments(arguments); }, words);
   };
   refused({"excitation.scal=1:2:3"}, {"--sweep excitation.scal=1:2:3", "did you mean \"scale\""});
   refused({"reduced.mu_fast=0.1:3:2"}, {"--sweep reduced.mu_fast=0.1:3:2", "3", "2"});
-  for (const char *bad : {"=1:2:3", "excitation.scale=1:2", "excitation.scale=1:2:3:4",
-                          "excitation.scale=a:2:3", "excitation.scale=1:nan:3", "excitation.scale"})
+  for (const char *bad : {"=1:2:3", "excitation.scale=1:2", "excitation.scale=1:2:3:4", "excitation.scale=a:2:3",
+                          "excitation.scale=1:nan:3", "excitation.scale"})
     refused({bad}, {bad, "KEY=a:b:n"});
   refused({"excitation.scale=1:2:0"}, {"n 0", "whole number"});
   refused({"excitation.scale=1:2:2.5"}, {"n 2.5", "whole number"});

@@ -1,11 +1,11 @@
 #include "../scene/expect_error.h"
 #include "../scene/temporary_folder.h"
-#include "scene/table.h"
+#include "files/table.h"
 #include <cmath>
 #include <limits>
 
 using namespace rimpact;
-using scene::Cell, scene::Table;
+using Cell, Table;
 
 TEST(Table, ReadsBackExactly) {
   const TemporaryFolder folder;
@@ -15,8 +15,8 @@ TEST(Table, ReadsBackExactly) {
                  {3.0, std::string(""), -1e-300},
                  {4.0, std::string("12"), std::numeric_limits<double>::max()}},
                 {}};
-  scene::write_csv(t, folder / "t.csv");
-  const Table r = scene::read_table(folder / "t.csv");
+  write_csv(t, folder / "t.csv");
+  const Table r = read_table(folder / "t.csv");
   EXPECT_EQ(r.columns, t.columns);
   EXPECT_EQ(r.rows, t.rows);
 }
@@ -25,8 +25,8 @@ TEST(Table, RefusesWhatIsNotFinite) {
   const TemporaryFolder folder;
   for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
     const Table t{{"x"}, {{bad}}, {}};
-    EXPECT_THROW(scene::write_csv(t, folder / "t.csv"), std::logic_error);
-    EXPECT_THROW(scene::write_hdf5(t, folder / "t.h5"), std::logic_error);
+    EXPECT_THROW(write_csv(t, folder / "t.csv"), std::logic_error);
+    EXPECT_THROW(write_hdf5(t, folder / "t.h5"), std::logic_error);
   }
   EXPECT_EQ(folder.n_files(), 0u);
 }
@@ -35,7 +35,7 @@ TEST(Table, DamageIsNamedWithItsLine) {
   const TemporaryFolder folder;
   const auto refused = [&](const char *text, std::initializer_list<const char *> words) {
     const auto path = folder.write("t.csv", text);
-    expect_error<DataError>([&] { scene::read_table(path); }, words);
+    expect_error<DataError>([&] { read_table(path); }, words);
   };
   refused("", {"t.csv", "empty"});
   refused("a,b\n1,2\n3\n", {"t.csv:3", "2 cells"});
@@ -49,6 +49,6 @@ TEST(Table, DamageIsNamedWithItsLine) {
 TEST(Table, NamesWithCommasAndQuotesComeBack) {
   const TemporaryFolder folder;
   const Table t{{"run", "variable.\"a,b\"", "\"", "x"}, {{1.0, 2.0, std::string("a"), Cell{}}}, {}};
-  scene::write_csv(t, folder / "t.csv");
-  EXPECT_EQ(scene::read_table(folder / "t.csv").columns, t.columns);
+  write_csv(t, folder / "t.csv");
+  EXPECT_EQ(read_table(folder / "t.csv").columns, t.columns);
 }

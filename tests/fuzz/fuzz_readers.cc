@@ -1,11 +1,11 @@
 // libFuzzer on the readers of data files: whatever the bytes, they are understood or refused by one of the toolkit's
 // own errors, and what is understood is finite. RIMPACT_READER names the reader. See fuzz.sh.
-#include "calibration/run_facts.h"
+#include "calibration/fit/run_facts.h"
+#include "files/error.h"
 #include "meshes/mesh_kind.h"
-#include "scene/error.h"
-#include "scene/kept_run.h"
-#include "scene/record.h"
-#include "scene/response_files.h"
+#include "records/record.h"
+#include "responses/kept_run.h"
+#include "responses/response_files.h"
 #include "scene/scene.h"
 #include <cmath>
 #include <cstdint>
@@ -23,9 +23,9 @@ void require_finite(const std::vector<double> &values) {
     if (!std::isfinite(value)) std::abort();
 }
 
-void read_record(const scene::SampledSignal &record) {
+void read_record(const SampledSignal &record) {
   require_finite(record.values);
-  scene::inspect(record);
+  inspect(record);
 }
 
 /// A scene that is understood must be understood again as it is written out.
@@ -40,20 +40,29 @@ void read_summary(const std::string &text) {
   static const auto folder = std::filesystem::temp_directory_path() / ("rimpact_fuzz_" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "summary.json", std::ios::binary) << text;
-  scene::read_summary(folder.string());
+  read_summary(folder.string());
   calibration::run_facts(folder.string());
 }
 
 void read(char reader, const std::string &text) {
   switch (reader) {
-  case 'a': return read_record(scene::parse_at2(text, "fuzz", 9.81));
-  case 'c': return read_record(scene::parse_record_csv(text, "fuzz", 9.81));
-  case 'r': return require_finite(scene::parse_csv(text, "fuzz").series("time"));
-  case 'h': return require_finite(scene::parse_hdf5(text, "fuzz").series("time"));
-  case 't': return read_scene(text);
-  case 'j': return read_summary(text);
-  case 'm': meshes::mesh_kind(text), meshes::call_that_leaves(text); return;
-  default: std::abort();
+  case 'a':
+    return read_record(parse_at2(text, "fuzz", 9.81));
+  case 'c':
+    return read_record(parse_record_csv(text, "fuzz", 9.81));
+  case 'r':
+    return require_finite(parse_csv(text, "fuzz").series("time"));
+  case 'h':
+    return require_finite(parse_hdf5(text, "fuzz").series("time"));
+  case 't':
+    return read_scene(text);
+  case 'j':
+    return read_summary(text);
+  case 'm':
+    meshes::mesh_kind(text), meshes::call_that_leaves(text);
+    return;
+  default:
+    std::abort();
   }
 }
 

@@ -1,9 +1,9 @@
 // A mesh from foreign hands: what is data, what is a program, and what a program may not do.
+#include "files/error.h"
 #include "meshes/mesh_kind.h"
 #include "meshes/mesh_process.h"
 #include "meshes/rim_mesh.h"
 #include "meshes/sandbox.h"
-#include "scene/error.h"
 #include "scene/script_permission.h"
 
 #include <cstdlib>
@@ -69,17 +69,20 @@ TEST_F(ForeignMesh, AScriptNeedsPermissionAndMayNotLeave) {
   EXPECT_NE(answer(path).find("--allow-script"), std::string::npos);
   setenv(scene::script_permission, "1", 1);
   EXPECT_EQ(answer(path).find("--allow-script"), std::string::npos);
-  for (const std::string call : {"SystemCall \"x\"", "NonBlockingSystemCall \"x\"", "OnelabRun(\"x\", \"y\")", "Include \"/etc/passwd\"", "Merge \"x\"",
-                                 "Printf(\"x\") > \"f\"", "Save \"f\"", "Exit", "Abort", "Parse [\"x\"]", "a() = ListFromFile(\"/etc/passwd\")",
-                                 "/* Exit */ Exit", "// \n Exit"})
+  for (const std::string call :
+       {"SystemCall \"x\"", "NonBlockingSystemCall \"x\"", "OnelabRun(\"x\", \"y\")", "Include \"/etc/passwd\"",
+        "Merge \"x\"", "Printf(\"x\") > \"f\"", "Save \"f\"", "Exit", "Abort", "Parse [\"x\"]",
+        "a() = ListFromFile(\"/etc/passwd\")", "/* Exit */ Exit", "// \n Exit"})
     EXPECT_NE(answer(file("b.geo", "x = 1;\n" + call + ";\n")).find("leaves the script"), std::string::npos) << call;
-  EXPECT_EQ(call_that_leaves("// Exit;\n/* Merge */ s = \"SystemCall\"; Exiting_not = 'Save';").find("Exit;"), std::string::npos);
+  EXPECT_EQ(call_that_leaves("// Exit;\n/* Merge */ s = \"SystemCall\"; Exiting_not = 'Save';").find("Exit;"),
+            std::string::npos);
 }
 
 TEST_F(ForeignMesh, TheKindIsReadFromTheContent) {
   EXPECT_EQ(mesh_kind("$MeshFormat\n2.2 0 8\n"), MeshKind::msh);
   EXPECT_EQ(mesh_kind("\n\r\nISO-10303-21;\n"), MeshKind::step);
-  for (const char *other : {"", "Point(1) = {0,0,0};", "$mesh", "x\n$MeshFormat"}) EXPECT_EQ(mesh_kind(other), MeshKind::script) << other;
+  for (const char *other : {"", "Point(1) = {0,0,0};", "$mesh", "x\n$MeshFormat"})
+    EXPECT_EQ(mesh_kind(other), MeshKind::script) << other;
 }
 
 TEST_F(ForeignMesh, DamagedDataIsRefusedWithASentence) {

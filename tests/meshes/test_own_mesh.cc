@@ -1,10 +1,10 @@
 // Meshes drawn elsewhere: read, checked against the bearing, put where a rung wants them.
+#include "files/error.h"
 #include "meshes/cell_nodes.h"
 #include "meshes/exact_surfaces.h"
 #include "meshes/hex_order.h"
 #include "meshes/rim_mesh.h"
 #include "meshes/stack_mesh.h"
-#include "scene/error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,7 +20,9 @@ namespace {
 
 const scene::Bearing bearing;
 
-std::string path_of(const std::string &name) { return (std::filesystem::temp_directory_path() / ("rimpact_own_" + std::to_string(getpid()) + "_" + name)).string(); }
+std::string path_of(const std::string &name) {
+  return (std::filesystem::temp_directory_path() / ("rimpact_own_" + std::to_string(getpid()) + "_" + name)).string();
+}
 
 /// A file in the temporary folder, gone with this object.
 struct TemporaryFile {
@@ -30,8 +32,9 @@ struct TemporaryFile {
 };
 
 /// A built-in mesh, changed, written and read back for rung rim.
-HexMesh through_a_file(const std::function<void(HexMesh &)> &change, const std::function<void(RimMeshOptions &)> &options = [](auto &) {},
-                       int level = 0, bool curved = true) {
+HexMesh through_a_file(
+    const std::function<void(HexMesh &)> &change, const std::function<void(RimMeshOptions &)> &options = [](auto &) {},
+    int level = 0, bool curved = true) {
   HexMesh mesh = rim_mesh(bearing, {.level = level});
   change(mesh);
   const TemporaryFile file("mesh.msh");
@@ -42,7 +45,9 @@ HexMesh through_a_file(const std::function<void(HexMesh &)> &change, const std::
   return rim_mesh(bearing, own);
 }
 
-std::string refusal(const std::function<void(HexMesh &)> &change, const std::function<void(RimMeshOptions &)> &options = [](auto &) {}) {
+std::string refusal(
+    const std::function<void(HexMesh &)> &change,
+    const std::function<void(RimMeshOptions &)> &options = [](auto &) {}) {
   try {
     through_a_file(change, options);
   } catch (const DataError &error) {
@@ -51,13 +56,17 @@ std::string refusal(const std::function<void(HexMesh &)> &change, const std::fun
   return "accepted";
 }
 const auto as_it_is = [](HexMesh &) {};
-void expect_says(const std::string &sentence, const std::string &part) { EXPECT_NE(sentence.find(part), std::string::npos) << sentence; }
+void expect_says(const std::string &sentence, const std::string &part) {
+  EXPECT_NE(sentence.find(part), std::string::npos) << sentence;
+}
 
 void scale(HexMesh &mesh, double factor) {
   for (auto &node : mesh.nodes)
     for (double &x : node) x *= factor;
 }
-void drop(HexMesh &mesh, Surface group) { std::erase_if(mesh.faces, [&](const auto &face) { return face.group == group; }); }
+void drop(HexMesh &mesh, Surface group) {
+  std::erase_if(mesh.faces, [&](const auto &face) { return face.group == group; });
+}
 
 /// Cells body by body, as a file is read.
 HexMesh by_bodies(const HexMesh &mesh) {
@@ -70,11 +79,13 @@ HexMesh by_bodies(const HexMesh &mesh) {
 }
 
 /// Largest distance of two meshes' nodes, cell by cell.
-double distance(const HexMesh &a, const HexMesh &b, const std::vector<Volume> &bodies = {Volume::plate, Volume::rim, Volume::upper_slider}) {
+double distance(const HexMesh &a, const HexMesh &b,
+                const std::vector<Volume> &bodies = {Volume::plate, Volume::rim, Volume::upper_slider}) {
   double largest = 0;
   for (std::size_t c = 0; c < a.cells.size(); ++c)
     for (int n = 0; n < 27 && std::count(bodies.begin(), bodies.end(), a.volumes[c]); ++n)
-      for (int i = 0; i < 3; ++i) largest = std::max(largest, std::abs(a.nodes[a.cells[c][n]][i] - b.nodes[b.cells[c][n]][i]));
+      for (int i = 0; i < 3; ++i)
+        largest = std::max(largest, std::abs(a.nodes[a.cells[c][n]][i] - b.nodes[b.cells[c][n]][i]));
   return largest;
 }
 
@@ -88,7 +99,9 @@ TEST(OwnMesh, CurvedCellsComeBackAsTheyWere) {
 }
 
 TEST(OwnMesh, StraightCellsGetTheirCurvatureBack) {
-  const HexMesh own = through_a_file(as_it_is, [](auto &) {}, 3, false), built_in = by_bodies(rim_mesh(bearing, {.level = 3}));
+  const HexMesh own = through_a_file(
+                    as_it_is, [](auto &) {}, 3, false),
+                built_in = by_bodies(rim_mesh(bearing, {.level = 3}));
   ASSERT_EQ(own.cells.size(), built_in.cells.size());
   EXPECT_EQ(own.nodes.size(), built_in.nodes.size());
   EXPECT_LT(distance(own, built_in, {Volume::rim}), 1e-9);
@@ -114,20 +127,24 @@ TEST(OwnMesh, DrawnAtRestInMillimetresUnderOtherNames) {
       },
       [](RimMeshOptions &options) {
         options.own.unit = "mm";
-        options.own.groups[static_cast<std::size_t>(n_volumes) + static_cast<std::size_t>(Surface::top) - static_cast<std::size_t>(Surface::dish)] = "foot_cap";
+        options.own.groups[static_cast<std::size_t>(n_volumes) + static_cast<std::size_t>(Surface::top) -
+                           static_cast<std::size_t>(Surface::dish)] = "foot_cap";
       });
   double rightmost = 0, highest = 0;
   for (std::size_t c = 0; c < own.cells.size(); ++c)
     if (own.volumes[c] == Volume::upper_slider)
-      for (const unsigned node : own.cells[c]) rightmost = std::max(rightmost, own.nodes[node][0]), highest = std::max(highest, own.nodes[node][2]);
+      for (const unsigned node : own.cells[c])
+        rightmost = std::max(rightmost, own.nodes[node][0]), highest = std::max(highest, own.nodes[node][2]);
   EXPECT_NEAR(rightmost, capacity + 0.12, 1e-12);
   EXPECT_NEAR(highest, bearing.slider.top + up, 1e-12);
 }
 
 TEST(OwnMesh, AHalfIsMirroredForAWholeModel) {
-  const HexMesh half = through_a_file(as_it_is), whole = through_a_file(as_it_is, [](RimMeshOptions &options) { options.half = false; });
+  const HexMesh half = through_a_file(as_it_is),
+                whole = through_a_file(as_it_is, [](RimMeshOptions &options) { options.half = false; });
   EXPECT_EQ(whole.cells.size(), 2 * half.cells.size());
-  EXPECT_TRUE(std::none_of(whole.faces.begin(), whole.faces.end(), [](const auto &f) { return f.group == Surface::symmetry; }));
+  EXPECT_TRUE(
+      std::none_of(whole.faces.begin(), whole.faces.end(), [](const auto &f) { return f.group == Surface::symmetry; }));
 }
 
 TEST(OwnMesh, AStackAtRestWithItsRim) {
@@ -148,22 +165,26 @@ TEST(OwnMesh, RefusalsNameWhatIsWrong) {
   expect_says(refusal([](HexMesh &m) { drop(m, Surface::rim_wall); }), "surface 'rim_wall' is missing");
   expect_says(refusal([](HexMesh &m) { drop(m, Surface::symmetry); }), "model.symmetry = \"whole\"");
   expect_says(refusal([](HexMesh &m) { scale(m, 1e3); }), "1e+03 times as much: model.own_mesh.unit is \"m\"");
-  expect_says(refusal([](HexMesh &m) { for (auto &node : m.nodes) node[0] += 0.01; }), "drawn at x = 410.00 mm");
+  expect_says(refusal([](HexMesh &m) {
+                for (auto &node : m.nodes) node[0] += 0.01;
+              }),
+              "drawn at x = 410.00 mm");
   expect_says(refusal([](HexMesh &m) {
                 for (std::size_t c = 0; c < m.cells.size(); ++c)
                   if (m.volumes[c] == Volume::plate) m.volumes[c] = Volume::foot;
               }),
               "volume 'plate' is missing");
-  expect_says(refusal([](HexMesh &m) {
-                std::set<unsigned> outside;
-                for (const auto &face : m.faces) outside.insert(face.corners.begin(), face.corners.end());
-                for (const auto &cell : m.cells)
-                  if (std::none_of(cell.begin(), cell.begin() + 8, [&](unsigned node) { return outside.count(node) > 0; })) {
-                    for (int i = 0; i < 3; ++i) m.nodes[cell[0]][i] = 2 * m.nodes[cell[6]][i] - m.nodes[cell[0]][i];
-                    return;
-                  }
-              }),
-              "is inverted");
+  expect_says(
+      refusal([](HexMesh &m) {
+        std::set<unsigned> outside;
+        for (const auto &face : m.faces) outside.insert(face.corners.begin(), face.corners.end());
+        for (const auto &cell : m.cells)
+          if (std::none_of(cell.begin(), cell.begin() + 8, [&](unsigned node) { return outside.count(node) > 0; })) {
+            for (int i = 0; i < 3; ++i) m.nodes[cell[0]][i] = 2 * m.nodes[cell[6]][i] - m.nodes[cell[0]][i];
+            return;
+          }
+      }),
+      "is inverted");
   expect_says(refusal(as_it_is, [](RimMeshOptions &o) { o.own.groups[1] = "rimm"; }), "did you mean \"rim\"");
   expect_says(refusal(as_it_is, [](RimMeshOptions &o) { o.own.file = "/nowhere.msh"; }), "no such mesh file");
 }
@@ -200,7 +221,9 @@ TEST(OwnMesh, WeldedBodiesAreRefused) {
 
 /// Corners, edges and the rest of a cell under a quadratic map: 20 nodes determine it but for the highest products.
 TEST(CellNodes, TwentyNodesAreCompletedBySerendipity) {
-  const auto place = [](double x, double y, double z) { return std::array{x + 0.1 * y * y, y + 0.05 * x * z, z + 0.1 * x * y}; };
+  const auto place = [](double x, double y, double z) {
+    return std::array{x + 0.1 * y * y, y + 0.05 * x * z, z + 0.1 * x * y};
+  };
   HexMesh mesh;
   std::vector<unsigned> twenty;
   for (int a = 0; a < 20; ++a) {
@@ -215,14 +238,16 @@ TEST(CellNodes, TwentyNodesAreCompletedBySerendipity) {
   }
 }
 
-/// Rim sector and slider without their foot and socket, drawn with OpenCASCADE; a STEP file knows neither groups nor cells.
+/// Rim sector and slider without their foot and socket, drawn with OpenCASCADE; a STEP file knows neither groups nor
+/// cells.
 void draw_step(const std::string &path) {
   namespace occ = gmsh::model::occ;
   gmsh::initialize(0, nullptr, false);
   gmsh::option::setNumber("General.Terminal", 0);
   gmsh::model::add("step");
   const double edge = 1e3 * scene::make_surface(bearing.surface)->at(0.52, 0).z, bottom = 1e3 * bearing.slider.bottom;
-  const int outer = occ::addCylinder(0, 0, -50, 0, 0, edge + 110, 560, -1, 1.0), inner = occ::addCylinder(0, 0, -51, 0, 0, edge + 112, 520, -1, 1.0);
+  const int outer = occ::addCylinder(0, 0, -50, 0, 0, edge + 110, 560, -1, 1.0),
+            inner = occ::addCylinder(0, 0, -51, 0, 0, edge + 112, 520, -1, 1.0);
   gmsh::vectorpair result;
   std::vector<gmsh::vectorpair> map;
   occ::cut({{3, outer}}, {{3, inner}}, result, map);
@@ -245,7 +270,8 @@ TEST(OwnMesh, AStepFileIsMeshedWithHexahedra) {
   };
   name(Volume::plate, "volume 1"), name(Volume::upper_slider, "volume 2");
   // Numbers as gmsh shows them (its statistics window, or `rimpact` when a name is wrong).
-  name(Surface::rim_wall, "surface 6"), name(Surface::fixed, "surface 4"), name(Surface::symmetry, "surface 5, surface 10, surface 11");
+  name(Surface::rim_wall, "surface 6"), name(Surface::fixed, "surface 4"),
+      name(Surface::symmetry, "surface 5, surface 10, surface 11");
   name(Surface::slider_side, "surface 7"), name(Surface::top, "surface 8"), name(Surface::sector_end, "surface 3");
   const HexMesh mesh = rim_mesh(bearing, options);
   EXPECT_EQ(quality(mesh).n_components, 2);

@@ -1,8 +1,8 @@
 // The rim mesh against closed forms: volumes, areas, nodes on exact surfaces, two bodies that touch but are not one.
+#include "files/error.h"
 #include "meshes/hex_order.h"
 #include "meshes/rim_mesh.h"
 #include "meshes/section.h"
-#include "scene/error.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,11 +42,14 @@ double volume(const HexMesh &mesh, Volume body) {
 
 /// Half slider: cylinder less the spherical cap of the socket less the rounding of the edge.
 double exact_slider_half(const scene::Bearing &b) {
-  const double R = b.slider.diameter / 2, H = b.slider.top - b.slider.bottom, c = b.slider.bottom, S = b.foot.cap_radius, e = b.slider.edge_radius;
+  const double R = b.slider.diameter / 2, H = b.slider.top - b.slider.bottom, c = b.slider.bottom,
+               S = b.foot.cap_radius, e = b.slider.edge_radius;
   const double depth = S - c, cap = M_PI * depth * depth * (3 * S - depth) / 3;
-  const double corner_area = e * e * (1 - M_PI / 4), arc_centroid = e - (4 * e / (3 * M_PI)); // of the quarter disc, from the corner
+  const double corner_area = e * e * (1 - M_PI / 4),
+               arc_centroid = e - (4 * e / (3 * M_PI)); // of the quarter disc, from the corner
   const double quarter = M_PI * e * e / 4;
-  const double corner_centroid = (e * e * (R - e / 2) - quarter * (R - arc_centroid)) / corner_area; // radius of the removed corner
+  const double corner_centroid =
+      (e * e * (R - e / 2) - quarter * (R - arc_centroid)) / corner_area; // radius of the removed corner
   return 0.5 * (M_PI * R * R * H - cap - 2 * M_PI * corner_centroid * corner_area);
 }
 
@@ -89,8 +92,10 @@ TEST(RimMesh, NodesOfTheWallsLieOnTheCylinders) {
           }
           if (face.group == Surface::slider_side) {
             const double r = std::hypot(x[0] - 0.4, x[1]), z = x[2] - bottom;
-            if (z >= e) EXPECT_NEAR(r, 0.12, 1e-9);
-            else EXPECT_NEAR(std::hypot(r - (0.12 - e), z - e), e, 1e-9);
+            if (z >= e)
+              EXPECT_NEAR(r, 0.12, 1e-9);
+            else
+              EXPECT_NEAR(std::hypot(r - (0.12 - e), z - e), e, 1e-9);
             ++n_side;
           }
         }
@@ -109,7 +114,8 @@ TEST(RimMesh, BodiesTouchButAreNotWelded) {
   const HexMesh half = rim_mesh({}, {}), whole = rim_mesh({}, {.half = false});
   for (const Volume body : {Volume::plate, Volume::rim, Volume::upper_slider})
     EXPECT_NEAR(volume(whole, body), 2 * volume(half, body), 1e-12);
-  EXPECT_TRUE(std::none_of(whole.faces.begin(), whole.faces.end(), [](const auto &f) { return f.group == Surface::symmetry; }));
+  EXPECT_TRUE(
+      std::none_of(whole.faces.begin(), whole.faces.end(), [](const auto &f) { return f.group == Surface::symmetry; }));
 }
 
 TEST(RimMesh, LevelsRefineByAboutThreeAndAHalf) {

@@ -18,7 +18,8 @@ double size_at(const std::vector<double> &lines, double angle) {
 }
 
 TEST(TouchedPlaces, AreCountedFromTheFirstAndMergedWhenTheSame) {
-  const std::vector<double> expected{0, M_PI / 2, M_PI}, found = from_the_first({-0.3, M_PI / 2 - 0.3, -0.3 - M_PI, -0.3 + 2 * M_PI});
+  const std::vector<double> expected{0, M_PI / 2, M_PI},
+      found = from_the_first({-0.3, M_PI / 2 - 0.3, -0.3 - M_PI, -0.3 + 2 * M_PI});
   ASSERT_EQ(found.size(), 3u);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k], expected[k], 1e-12);
   EXPECT_EQ(folded({0, 1, 2 * M_PI - 1, 4}), (std::vector<double>{0, 1, 2 * M_PI - 4}));
@@ -55,7 +56,7 @@ TEST(TouchedPlaces, AllRoundTheRimIsAClosedRingOfOnePiece) {
   StackMeshOptions options{.level = 0, .half = false, .rim = true};
   options.directions = {0.3, 1.9, -1.0, 3.3};
   const HexMesh mesh = stack_mesh(scene::Bearing{}, options); // checks its groups and pieces
-  double around = 0, lowest = INFINITY; // of the wall's lowest faces, seen from above
+  double around = 0, lowest = INFINITY;                       // of the wall's lowest faces, seen from above
   for (const auto &face : mesh.faces)
     if (face.group == Surface::rim_wall)
       for (const unsigned node : face.corners) lowest = std::min(lowest, mesh.nodes[node][2]);
@@ -84,7 +85,8 @@ TEST(TouchedPlaces, EverySectorOfAWholeModelHasAFineSliderBeforeIt) {
         if (face.group != group) continue;
         for (int k = 0; k < 4; ++k) {
           const auto &a = mesh.nodes[face.corners[k]], &b = mesh.nodes[face.corners[(k + 1) % 4]];
-          const bool here = std::hypot(a[0] - radius * std::cos(direction), a[1] - radius * std::sin(direction)) < 0.012;
+          const bool here =
+              std::hypot(a[0] - radius * std::cos(direction), a[1] - radius * std::sin(direction)) < 0.012;
           if (here && std::abs(a[2] - b[2]) < 1e-9) smallest = std::min(smallest, std::hypot(a[0] - b[0], a[1] - b[1]));
         }
       }

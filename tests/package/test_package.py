@@ -71,8 +71,8 @@ class Package(unittest.TestCase):
 
     def test_stored_studies_and_documents_go_along(self):
         share = os.path.join(self.root, "usr", "share")
-        here = sorted(map(os.path.basename, glob.glob(os.path.join(SOURCE, "calibration", "studies", "*.json"))))
-        self.assertEqual(sorted(os.listdir(os.path.join(share, "rimpact", "calibration", "studies"))), here)
+        here = sorted(map(os.path.basename, glob.glob(os.path.join(SOURCE, "data", "studies", "*.json"))))
+        self.assertEqual(sorted(os.listdir(os.path.join(share, "rimpact", "data", "studies"))), here)
         self.assertTrue(os.path.isfile(os.path.join(share, "doc", "rimpact", "docs", "user-guide.md")))
         self.assertNotIn("__pycache__", run("dpkg-deb", "--contents", self.deb).stdout)
 

@@ -59,8 +59,7 @@ TEST(BoucWen, SlopesAgainstDifferences) {
         const Vector2d d = 1e-6 * Vector2d::Unit(i);
         EXPECT_LT((r.d_z.col(i) - (law.rate(z + d, v) - law.rate(z - d, v)) / 2e-6).norm(), 1e-5);
         EXPECT_LT((r.d_rate.col(i) - (law.rate(z, v + d) - law.rate(z, v - d)) / 2e-6).norm(), 1e-5);
-        const Vector2d difference =
-            (law.implicit_step(z, v + d, 0.02).z - law.implicit_step(z, v - d, 0.02).z) / 2e-6;
+        const Vector2d difference = (law.implicit_step(z, v + d, 0.02).z - law.implicit_step(z, v - d, 0.02).z) / 2e-6;
         EXPECT_LT((step.d_rate.col(i) - difference).norm(), 1e-6);
       }
     }

@@ -1,5 +1,5 @@
 // The own stepper against SUNDIALS CVODE: other integrator, other event location, same branches.
-#include "scene/error.h"
+#include "files/error.h"
 #include "scenes.h"
 #include <cstdlib>
 #include <filesystem>
@@ -14,8 +14,7 @@ namespace {
 void expect_same(scene::Scene s) {
   s.reduced.tolerance = 1e-10;
   const auto own = simulate(s), other = simulate_with_cvode(s);
-  EXPECT_NEAR(own.summary.peak_displacement, other.summary.peak_displacement,
-              1e-6 * own.summary.peak_displacement);
+  EXPECT_NEAR(own.summary.peak_displacement, other.summary.peak_displacement, 1e-6 * own.summary.peak_displacement);
   EXPECT_NEAR(own.summary.residual_displacement, other.summary.residual_displacement, 1e-6);
   ASSERT_EQ(own.summary.impacts.size(), other.summary.impacts.size());
   for (std::size_t i = 0; i < own.summary.impacts.size(); ++i) {

@@ -19,7 +19,9 @@ RimElement yielding() {
   return rim_element(settings, 86952);
 }
 
-Vector2d at(double angle) { return {std::cos(angle), std::sin(angle)}; }
+Vector2d at(double angle) {
+  return {std::cos(angle), std::sin(angle)};
+}
 
 TEST(DentedRim, AStraightImpactMeetsTheLawAsItStands) {
   const RimElement rim = yielding();
@@ -41,7 +43,8 @@ TEST(DentedRim, OnTheFlankItPushesHarderAndBackToTheDentsBottom) {
   dented.press(at(0), 7e-3, shape);
   double before = dented.push(rim, at(0), {6.5e-3, 0, 0}, shape).inwards;
   for (const double s : {0.01, 0.02, 0.04}) {
-    const RimPush left = dented.push(rim, at(s / shape.wall), {6.5e-3, 0, 0}, shape), right = dented.push(rim, at(-s / shape.wall), {6.5e-3, 0, 0}, shape);
+    const RimPush left = dented.push(rim, at(s / shape.wall), {6.5e-3, 0, 0}, shape),
+                  right = dented.push(rim, at(-s / shape.wall), {6.5e-3, 0, 0}, shape);
     EXPECT_GT(left.inwards, before);
     EXPECT_NEAR(left.inwards, right.inwards, 1e-9 * left.inwards);
     EXPECT_LT(left.along, 0); // counter-clockwise of the dent: clockwise, back to it
@@ -55,7 +58,8 @@ TEST(DentedRim, OnTheFlankItPushesHarderAndBackToTheDentsBottom) {
 TEST(DentedRim, SlidingWhilePressedLeavesAGrooveNoShallowerThanAnyDentInIt) {
   DentedRim dented;
   for (int k = 0; k <= 40; ++k) dented.press(at(1e-3 * k), 5e-3 - 1e-3 * std::pow((k - 20) / 20.0, 2), shape);
-  for (int k = 0; k <= 40; ++k) EXPECT_GE(dented.deepest_at(at(1e-3 * k), shape), 5e-3 - 1e-3 * std::pow((k - 20) / 20.0, 2));
+  for (int k = 0; k <= 40; ++k)
+    EXPECT_GE(dented.deepest_at(at(1e-3 * k), shape), 5e-3 - 1e-3 * std::pow((k - 20) / 20.0, 2));
   EXPECT_LE(dented.deepest_at(at(0.02), shape), 5e-3 + 1e-12);
   EXPECT_LE(dented.dents().size(), 41u);
 }
@@ -69,7 +73,8 @@ scene::Scene thrown(double along) {
   s.excitation.duration = 0.12;
   s.load.vertical = 853e3, s.load.mass = 86952;
   s.reduced.impact_law = "elastoplastic";
-  s.reduced.k_i = 0.986e9, s.reduced.yield_force = 696.5e3, s.reduced.hardening = 0.1563, s.reduced.unloading_gain = 0.382;
+  s.reduced.k_i = 0.986e9, s.reduced.yield_force = 696.5e3, s.reduced.hardening = 0.1563,
+  s.reduced.unloading_gain = 0.382;
   s.reduced.mu_fast = s.reduced.mu_slow = 0;
   return s;
 }
@@ -83,11 +88,13 @@ TEST(DentedRim, AnObliqueReboundGrowsWithTheSpeedAlongTheRimAsRungRimHasIt) {
     ASSERT_EQ(run.summary.impacts.size(), 1u);
     const auto &impact = run.summary.impacts[0];
     EXPECT_NEAR(impact.restitution(), fe.out_over_in, 0.05 * fe.out_over_in) << fe.along;
-    const auto &t = run.response.series("time"), &x = run.response.series("displacement_x"), &y = run.response.series("displacement_y"),
-               &vx = run.response.series("velocity_x"), &vy = run.response.series("velocity_y");
+    const auto &t = run.response.series("time"), &x = run.response.series("displacement_x"),
+               &y = run.response.series("displacement_y"), &vx = run.response.series("velocity_x"),
+               &vy = run.response.series("velocity_y");
     std::size_t k = 0;
     while (t[k] < impact.release_time) ++k;
-    EXPECT_NEAR((x[k] * vy[k] - y[k] * vx[k]) / std::hypot(x[k], y[k]), fe.along_after, 0.06 * fe.along + 1e-12) << fe.along;
+    EXPECT_NEAR((x[k] * vy[k] - y[k] * vx[k]) / std::hypot(x[k], y[k]), fe.along_after, 0.06 * fe.along + 1e-12)
+        << fe.along;
     scene::Scene lumped = thrown(fe.along);
     lumped.reduced.dent_spread = 1e5; // a dent all round the rim: what the law alone says
     EXPECT_LE(simulate_summary(lumped).impacts.at(0).restitution(), 0.305);
@@ -95,7 +102,8 @@ TEST(DentedRim, AnObliqueReboundGrowsWithTheSpeedAlongTheRimAsRungRimHasIt) {
 }
 
 TEST(DentedRim, BothIntegratorsAgreeOnAnObliqueImpact) {
-  const auto own = simulate(thrown(0.5)).summary.impacts.at(0), cvode = simulate_with_cvode(thrown(0.5)).summary.impacts.at(0);
+  const auto own = simulate(thrown(0.5)).summary.impacts.at(0),
+             cvode = simulate_with_cvode(thrown(0.5)).summary.impacts.at(0);
   EXPECT_NEAR(own.peak_force, cvode.peak_force, 1e-6 * own.peak_force);
   EXPECT_NEAR(own.rebound_speed, cvode.rebound_speed, 1e-6 * own.rebound_speed);
 }
@@ -133,7 +141,8 @@ TEST(DentedRim, WhatAPathLeavesDoesNotDependOnItsSteps) {
     double largest = 0;
     for (int i = 0; i <= 20000; ++i) {
       const double t = i / 20000.0;
-      largest = std::max(largest, 5e-3 * (1 - std::pow(2 * t - 1, 2)) + 1e-4 - std::pow(s - 0.03 * t, 2) / (2 * shape.flank()));
+      largest = std::max(largest,
+                         5e-3 * (1 - std::pow(2 * t - 1, 2)) + 1e-4 - std::pow(s - 0.03 * t, 2) / (2 * shape.flank()));
     }
     EXPECT_NEAR(many.deepest_at(at(s / shape.wall), shape), largest, 1e-10) << s;
   }
@@ -153,7 +162,9 @@ scene::Scene thrice(double turn_deg = 0, bool exchanged = false) {
   scene::Scene s;
   s.excitation.kind = scene::ExcitationKind::free;
   const double c = std::cos(turn_deg * M_PI / 180), n = std::sin(turn_deg * M_PI / 180);
-  const auto turned = [&](double x, double y) { return exchanged ? Vector2d(y, x) : Vector2d(c * x - n * y, n * x + c * y); };
+  const auto turned = [&](double x, double y) {
+    return exchanged ? Vector2d(y, x) : Vector2d(c * x - n * y, n * x + c * y);
+  };
   s.excitation.initial_displacement = turned(0.39, 0), s.excitation.initial_velocity = turned(0.48, 1.17);
   s.excitation.duration = 1.2;
   s.reduced.impact_law = "elastoplastic";
@@ -194,14 +205,15 @@ TEST(DentedRim, NoDirectionIsPreferred) {
 }
 
 TEST(DentedRim, ASecondImpactBesideTheDentStandsOnItsFlank) {
-  const auto second = [](std::optional<double> dent) { // its restitution, 0.3 m/s along x, by the earlier dent's direction
-    scene::Scene s = thrown(0);
-    s.excitation.initial_displacement = {0.4, 0}, s.excitation.initial_velocity = {0.3, 0};
-    s.reduced.tolerance = 1e-11; // mirrored they differ by what the integrator leaves: 4e-7 at 1e-9, 3e-10 here
-    BearingState start = PhysicalModel(s).initial_state();
-    if (dent) start.rim.press(at(*dent), 7e-3, shape);
-    return simulate_from(s, start, 0.2).summary.impacts.at(0).restitution();
-  };
+  const auto second =
+      [](std::optional<double> dent) { // its restitution, 0.3 m/s along x, by the earlier dent's direction
+        scene::Scene s = thrown(0);
+        s.excitation.initial_displacement = {0.4, 0}, s.excitation.initial_velocity = {0.3, 0};
+        s.reduced.tolerance = 1e-11; // mirrored they differ by what the integrator leaves: 4e-7 at 1e-9, 3e-10 here
+        BearingState start = PhysicalModel(s).initial_state();
+        if (dent) start.rim.press(at(*dent), 7e-3, shape);
+        return simulate_from(s, start, 0.2).summary.impacts.at(0).restitution();
+      };
   const double fresh = second({});
   EXPECT_GT(second(0), 1.2 * fresh); // in the dent, until it deepens it
   EXPECT_LT(second(0.03), second(0));

@@ -60,8 +60,7 @@ TEST_P(Ledger, Closes) {
                 2e-6 * run.summary.energy->largest_input);
   }
 }
-INSTANTIATE_TEST_SUITE_P(Hard, Ledger, ::testing::ValuesIn(cases()),
-                         [](const auto &info) { return info.param.name; });
+INSTANTIATE_TEST_SUITE_P(Hard, Ledger, ::testing::ValuesIn(cases()), [](const auto &info) { return info.param.name; });
 
 TEST(Ledger, RimDissipatesWhatRestitutionSays) {
   const auto summary = simulate_summary(window(0.3));

@@ -1,6 +1,6 @@
 // Flights without the rim element, and shots from a given state: what the finite elements and the calibration
 // use.
-#include "scene/error.h"
+#include "files/error.h"
 #include "scenes.h"
 #include <gtest/gtest.h>
 
@@ -20,8 +20,8 @@ TEST(Flight, StopsAtTheTouchOfTheWholeRun) {
   const scene::Scene s = ricker(1.05);
   const auto whole = simulate_summary(s).impacts.at(0);
   const PhysicalModel model(s);
-  scene::Response r;
-  scene::EnergyLedger ledger;
+  Response r;
+  EnergyLedger ledger;
   const auto end = model.fly(model.initial_state(), 8, gap, r, ledger);
   ASSERT_TRUE(end.stopped);
   EXPECT_NEAR(end.state.t, whole.touch_time, 1e-10);
@@ -33,18 +33,17 @@ TEST(Flight, StopsAtTheTouchOfTheWholeRun) {
 
 TEST(Flight, ContinuesFromAStateJustReleased) {
   const PhysicalModel model(ricker(1.05));
-  scene::Response r;
-  scene::EnergyLedger ledger;
+  Response r;
+  EnergyLedger ledger;
   BearingState state = model.fly(model.initial_state(), 8, gap, r, ledger).state;
   const std::size_t stored = r.size();
-  for (const double offset :
-       {0.0, 1e-15, -1e-15, -1e-9}) { // on the rim to rounding, or still a nanometre inside it
+  for (const double offset : {0.0, 1e-15, -1e-15, -1e-9}) { // on the rim to rounding, or still a nanometre inside it
     BearingState released = state;
     released.u[0] = -(0.4 - offset);
     released.u[2] = model.height(released.u[0], 0).z;
     released.v *= -0.6; // thrown back
-    scene::Response more = r;
-    scene::EnergyLedger l = ledger;
+    Response more = r;
+    EnergyLedger l = ledger;
     const auto next = model.fly(released, 8, gap, more, l);
     EXPECT_FALSE(next.stopped) << offset;
     EXPECT_GT(more.size(), stored + 100);
@@ -55,8 +54,8 @@ TEST(Flight, ContinuesFromAStateJustReleased) {
 
 TEST(Flight, StopsAtOnceWhenStillMovingOutwards) {
   const PhysicalModel model(ricker(1.05));
-  scene::Response r;
-  scene::EnergyLedger ledger;
+  Response r;
+  EnergyLedger ledger;
   const BearingState state = model.fly(model.initial_state(), 8, gap, r, ledger).state;
   const auto next = model.fly(state, 8, gap, r, ledger);
   EXPECT_TRUE(next.stopped);
@@ -66,8 +65,8 @@ TEST(Flight, StopsAtOnceWhenStillMovingOutwards) {
 TEST(Flight, PiecesAddUpToTheWhole) {
   const scene::Scene s = ricker(0.9);
   const PhysicalModel model(s);
-  scene::Response r;
-  scene::EnergyLedger ledger;
+  Response r;
+  EnergyLedger ledger;
   BearingState state = model.initial_state();
   for (const double t : {1.7, 2.05, 2.3, 8.0}) state = model.fly(state, t, {}, r, ledger).state;
   const auto whole = simulate(s);
@@ -86,8 +85,8 @@ TEST(Flight, AirborneFallIsAParabola) {
   start.v = {-0.5, 0.2, 0};
   start.airborne = true;
   const double g = s.load.vertical / s.load.mass;
-  scene::Response r;
-  scene::EnergyLedger ledger;
+  Response r;
+  EnergyLedger ledger;
   const auto end = model.fly(start, 0.09, {}, r, ledger);
   EXPECT_TRUE(end.state.airborne);
   EXPECT_NEAR(end.state.u[0], 0.1 - 0.5 * 0.09, 1e-10);
@@ -101,8 +100,8 @@ TEST(Flight, AirborneFallIsAParabola) {
 TEST(Shot, FromTouchRepeatsTheWholeRun) {
   const scene::Scene s = ricker(1.05);
   const PhysicalModel model(s);
-  scene::Response r;
-  scene::EnergyLedger ledger;
+  Response r;
+  EnergyLedger ledger;
   const BearingState touch = model.fly(model.initial_state(), 8, gap, r, ledger).state;
   const auto whole = simulate_summary(s).impacts.at(0);
   const auto shot = simulate_from(s, touch, touch.t + 0.1);

@@ -14,8 +14,8 @@ TEST(Pendulum, PeriodOfAnyAmplitude) {
     set_friction(s, 0);
     s.reduced.k_i = 0;
     const PhysicalModel model(s);
-    scene::Response r;
-    scene::EnergyLedger ledger;
+    Response r;
+    EnergyLedger ledger;
     const auto end = model.fly(
         model.initial_state(), 5, [](const Eigen::Vector3d &u) { return u[0]; }, r, ledger);
     ASSERT_TRUE(end.stopped);
@@ -35,16 +35,13 @@ TEST(Pendulum, CoulombDecay) {
   s.reduced.k_i = 0;
   const double g = s.load.vertical / s.load.mass;
   const auto particular = [&](double th) { // A sin + B cos
-    const double A = 6 * g * R * mu / (1 + 4 * mu * mu),
-                 B = 2 * g * R * (1 - 2 * mu * mu) / (1 + 4 * mu * mu);
+    const double A = 6 * g * R * mu / (1 + 4 * mu * mu), B = 2 * g * R * (1 - 2 * mu * mu) / (1 + 4 * mu * mu);
     return A * std::sin(th) + B * std::cos(th);
   };
   std::vector<double> turning{std::asin(0.4 / R)};
   while (std::tan(turning.back()) > mu) {
     const double start = turning.back();
-    const auto v2 = [&](double th) {
-      return particular(th) - particular(start) * std::exp(2 * mu * (th - start));
-    };
+    const auto v2 = [&](double th) { return particular(th) - particular(start) * std::exp(2 * mu * (th - start)); };
     double high = -1e-9, low = -start; // v^2 > 0 at the bottom unless it stops before
     if (v2(high) < 0) low = high, high = start - 1e-6;
     for (int i = 0; i < 200; ++i) {
@@ -81,8 +78,7 @@ TEST(Stick, GroundAccelerationReleasesAtMuG) {
   scene::Scene s;
   s.excitation.kind = scene::ExcitationKind::record;
   s.excitation.x.dt = s.excitation.z.dt = 0.1;
-  for (int i = 0; i <= 20; ++i)
-    s.excitation.x.values.push_back(0.1 * i), s.excitation.z.values.push_back(0.05 * i);
+  for (int i = 0; i <= 20; ++i) s.excitation.x.values.push_back(0.1 * i), s.excitation.z.values.push_back(0.05 * i);
   s.excitation.duration = 2;
   s.reduced.output_step = 1e-3;
   const auto run = simulate(s);

@@ -14,7 +14,7 @@ struct Opposition {
   double peak_power = 0.0; ///< largest friction . v [W]
 };
 
-Opposition opposition(const scene::Response &r) {
+Opposition opposition(const Response &r) {
   Opposition o;
   for (std::size_t i = 0; i < r.size(); ++i) {
     const Eigen::Vector2d v(r.series("velocity_x")[i], r.series("velocity_y")[i]),
@@ -51,12 +51,13 @@ TEST(FrictionSign, MotionThatTurnsWhileItStops) {
   expect_opposed(scene::load_scene("pulse-bidirectional"));
 }
 
-/// At the deepest point of a straight impact friction jumps from one side to the other: both are stored, a microsecond apart.
+/// At the deepest point of a straight impact friction jumps from one side to the other: both are stored, a microsecond
+/// apart.
 TEST(FrictionSign, BothSidesOfAJumpWithinContactAreStored) {
   const scene::Scene s = ricker();
   for (const auto &run : {simulate(s), simulate_with_cvode(s)}) {
-    const auto &t = run.response.series("time"), &u = run.response.series("displacement_x"), &f = run.response.series("friction_x"),
-               &N = run.response.series("normal_force");
+    const auto &t = run.response.series("time"), &u = run.response.series("displacement_x"),
+               &f = run.response.series("friction_x"), &N = run.response.series("normal_force");
     ASSERT_FALSE(run.summary.impacts.empty());
     for (const auto &impact : run.summary.impacts) {
       double jump = 0, expected = 0, deepest = 0, deepest_at_jump = 0;
@@ -64,7 +65,8 @@ TEST(FrictionSign, BothSidesOfAJumpWithinContactAreStored) {
         if (t[i - 1] < impact.touch_time || t[i] > impact.release_time) continue;
         deepest = std::max(deepest, std::abs(u[i]));
         if (!(t[i] - t[i - 1] < 2e-6) || std::abs(f[i] - f[i - 1]) < jump) continue;
-        jump = std::abs(f[i] - f[i - 1]), expected = std::abs(f[i]) + std::abs(f[i - 1]), deepest_at_jump = std::abs(u[i]);
+        jump = std::abs(f[i] - f[i - 1]), expected = std::abs(f[i]) + std::abs(f[i - 1]),
+        deepest_at_jump = std::abs(u[i]);
         EXPECT_NEAR(std::abs(f[i]), 0.07 * N[i], 0.25 * 0.07 * N[i]); // its tangent's horizontal part
       }
       EXPECT_GT(jump, 0.9 * expected);

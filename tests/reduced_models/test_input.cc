@@ -1,7 +1,7 @@
 // Catalogues, refusals, and inputs that must not matter.
+#include "files/error.h"
 #include "reduced_models/catalogue.h"
 #include "reduced_models/impact_law.h"
-#include "scene/error.h"
 #include "scenes.h"
 #include <gtest/gtest.h>
 
@@ -30,8 +30,7 @@ TEST(Input, UnknownNamesListTheKnown) {
               s.reduced.impact_law = "sign";
             }).find("known: signed, no-tension, printed, hunt-crossley, elastoplastic, curve"),
             std::string::npos);
-  EXPECT_NE(refusal([](auto &s) { s.reduced.friction = "x"; }).find("known: coulomb, park-wen"),
-            std::string::npos);
+  EXPECT_NE(refusal([](auto &s) { s.reduced.friction = "x"; }).find("known: coulomb, park-wen"), std::string::npos);
   EXPECT_NE(refusal([](auto &s) { s.reduced.normal_force = "x"; }).find("known: inertia, static, constant"),
             std::string::npos);
   for (const auto &model : reduced_models()) EXPECT_FALSE(model.description.empty());

@@ -1,8 +1,8 @@
 // Laws as pure values: forces against formulas, derivatives against differences.
+#include "files/error.h"
 #include "reduced_models/friction_law.h"
 #include "reduced_models/impact_law.h"
 #include "reduced_models/rigid_body/rim_memory.h"
-#include "scene/error.h"
 #include "scenes.h"
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@ namespace {
 
 /// Every parameter set, whether the law reads it or not.
 RimElement element(const std::string &law) {
-  if (law == "curve") return curve_element(std::make_shared<RimCurve>(reduced::testing::linear_curve(4.5e8, 9e8, 8e-3)));
+  if (law == "curve")
+    return curve_element(std::make_shared<RimCurve>(reduced::testing::linear_curve(4.5e8, 9e8, 8e-3)));
   return {.stiffness = 4.5e8,
           .damping = 1.7e6,
           .exponent = 1.3,
@@ -76,15 +77,17 @@ TEST(ImpactLaws, ElastoplasticByItsOwnFormula) {
   EXPECT_NEAR(rim.at({1e-9, 0.1}).d_penetration, k, 1e-4 * k);
   const double x = k * 0.2 / rim.yield_force;
   const double knee = Fy / (0.92 * k), far = k * 0.2 / Fy; // the knee's term has 1 / sqrt 2 of F_y there
-  EXPECT_NEAR(rim.at({knee, 0.1}).force,
-              Fy / std::sqrt(2.0) + 0.08 * Fy * (std::pow(1 + 1 / 0.92, 0.7) - 1) / 0.7, 1e-9 * Fy);
+  EXPECT_NEAR(rim.at({knee, 0.1}).force, Fy / std::sqrt(2.0) + 0.08 * Fy * (std::pow(1 + 1 / 0.92, 0.7) - 1) / 0.7,
+              1e-9 * Fy);
   EXPECT_NEAR(rim.at({0.2, 0.1}).d_penetration, 0.08 * k * std::pow(1 + far, -0.3), 1e-5 * k); // hardening
   EXPECT_NEAR(rim.at({0.2, 0.1}).force, Fy + 0.08 * Fy * (std::pow(1 + far, 0.7) - 1) / 0.7, 1e-3 * Fy);
-  const double deepest = 5e-3, top = rim.at({deepest, 0}).force, slope = k * (1 + 0.5 * std::pow(k * deepest / Fy, 1.6));
+  const double deepest = 5e-3, top = rim.at({deepest, 0}).force,
+               slope = k * (1 + 0.5 * std::pow(k * deepest / Fy, 1.6));
   ASSERT_GT(top, Fy);
   const double length = 1.5 * top / slope;
   EXPECT_NEAR(rim.at({deepest - 0.3 * length, 0.1, 0.1, deepest}).force, top * (0.7 + 0.49) / 2, 1e-9 * top);
-  for (const double s : {0.1, 0.3, 0.5, 0.7, 0.9}) EXPECT_NEAR(rim.at({deepest - (1 - s) * length, 0, 0, deepest}).force, top * std::pow(s, 1.4), 0.016 * top);
+  for (const double s : {0.1, 0.3, 0.5, 0.7, 0.9})
+    EXPECT_NEAR(rim.at({deepest - (1 - s) * length, 0, 0, deepest}).force, top * std::pow(s, 1.4), 0.016 * top);
   EXPECT_NEAR(rim.at({deepest - 1e-12, 0.1, 0.1, deepest}).d_penetration, slope, 1e-6 * slope);
   EXPECT_NEAR(residual_indentation(rim, deepest), deepest - length, 1e-15);
   EXPECT_EQ(rim.at({residual_indentation(rim, deepest) - 1e-6, 0.1, 0.1, deepest}).force, 0);
@@ -173,9 +176,9 @@ TEST(SmoothedFriction, DerivativeAgreesWithDifferencesAndTendsToCoulomb) {
     for (int j = 0; j < 3; ++j) {
       const double h = 1e-6;
       const Eigen::Vector3d dv = h * Eigen::Vector3d::Unit(j);
-      const Eigen::Vector3d slope = (model.smoothed_friction(u, v + dv, 8e5, 1e-2).force -
-                                     model.smoothed_friction(u, v - dv, 8e5, 1e-2).force) /
-                                    (2 * h);
+      const Eigen::Vector3d slope =
+          (model.smoothed_friction(u, v + dv, 8e5, 1e-2).force - model.smoothed_friction(u, v - dv, 8e5, 1e-2).force) /
+          (2 * h);
       EXPECT_NEAR((f.d_velocity.col(j) - slope).norm(), 0, 1e-3 * f.d_velocity.norm()) << j;
       EXPECT_NEAR((f.d_velocity.col(j) - slope).norm(), 0, 2.0) << j;
     }

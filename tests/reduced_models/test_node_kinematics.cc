@@ -35,8 +35,7 @@ TEST(NodeKinematics, VelocityMatrixIsTheDerivative) {
     NodalVector e = NodalVector::Zero();
     e[i] = h;
     const Vector3d slope =
-        (displacement_matrix(heights, u + e) * (u + e) - displacement_matrix(heights, u - e) * (u - e)) /
-        (2 * h);
+        (displacement_matrix(heights, u + e) * (u + e) - displacement_matrix(heights, u - e) * (u - e)) / (2 * h);
     EXPECT_LT((S.col(i) - slope).norm(), 1e-12) << i;
   }
 }
@@ -109,8 +108,7 @@ TEST(NodeKinematics, MomentsOfAResponse) {
   response.check();
   double largest = 0;
   const auto at = [&](const std::string &name, std::size_t i) {
-    return Vector3d(response.series(name + "_x")[i], response.series(name + "_y")[i],
-                    response.series(name + "_z")[i]);
+    return Vector3d(response.series(name + "_x")[i], response.series(name + "_y")[i], response.series(name + "_z")[i]);
   };
   for (std::size_t i = 0; i < response.size(); ++i) {
     const Vector3d arm = at("displacement", i) + Vector3d(0, 0, heights.below + heights.above);

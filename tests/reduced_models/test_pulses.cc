@@ -12,8 +12,7 @@ TEST(Pulse, BothPrintedAmplitudesLieJustAboveTheCriticalOnes) {
   const double first = critical_scale(s).value();
   EXPECT_GT(first, 0.998);
   EXPECT_LT(first, 0.999); // notes, item 1: 0.1-0.2 % below
-  s.excitation.amplitude_g = 0.38, s.excitation.period = 1.5, s.excitation.centre = 3,
-  s.excitation.duration = 9;
+  s.excitation.amplitude_g = 0.38, s.excitation.period = 1.5, s.excitation.centre = 3, s.excitation.duration = 9;
   const double second = critical_scale(s).value();
   EXPECT_GT(second, 0.998);
   EXPECT_LT(second, 0.999);
@@ -91,8 +90,8 @@ TEST(Pulse, StoringChangesNothing) {
     const auto &t = stored.response.series("time");
     for (std::size_t i = 1; i < t.size(); ++i) ASSERT_LT(t[i - 1], t[i]);
     EXPECT_DOUBLE_EQ(t.back(), 8.0);
-    scene::Summary again;
-    scene::summarise_response(stored.response, again);
+    Summary again;
+    summarise_response(stored.response, again);
     ASSERT_EQ(again.impacts.size(), bare.impacts.size());
     for (std::size_t i = 0; i < bare.impacts.size(); ++i) {
       EXPECT_NEAR(again.impacts[i].touch_time, bare.impacts[i].touch_time, 1e-9);
@@ -108,8 +107,7 @@ TEST(Pulse, ForcesAddUp) {
   for (std::size_t i = 0; i < r.size(); ++i)
     for (const char *axis : {"x", "y"})
       ASSERT_NEAR(r.series(std::string("force_") + axis)[i],
-                  r.series(std::string("pendular_") + axis)[i] +
-                      r.series(std::string("friction_") + axis)[i] +
+                  r.series(std::string("pendular_") + axis)[i] + r.series(std::string("friction_") + axis)[i] +
                       r.series(std::string("impact_") + axis)[i],
                   1e-6);
 }
@@ -130,8 +128,7 @@ TEST(Pulse, RecordOfThePulseGivesThePulse) {
   scene::Scene s = pulse;
   s.excitation.kind = scene::ExcitationKind::record;
   s.excitation.x.dt = 5e-4;
-  for (int i = 0; i <= 8000; ++i)
-    s.excitation.x.values.push_back(0.78 * 9.81 * scene::ricker_shape(i * 5e-4, 2, 1));
+  for (int i = 0; i <= 8000; ++i) s.excitation.x.values.push_back(0.78 * 9.81 * scene::ricker_shape(i * 5e-4, 2, 1));
   const auto exact = simulate_summary(pulse), sampled = simulate_summary(s);
   EXPECT_NEAR(sampled.peak_displacement, exact.peak_displacement, 1e-7);
   EXPECT_NEAR(*sampled.peak_impact_force / *exact.peak_impact_force, 1, 1e-5);

@@ -25,7 +25,7 @@ scene::Scene cyclic() {
 struct Loop {
   double loading, unloading, height;
 };
-Loop at(const scene::Response &r, double x) {
+Loop at(const Response &r, double x) {
   const auto &u = r.series("displacement_x"), &f = r.series("force_x"), &z = r.series("displacement_z");
   Loop loop{NAN, NAN, NAN};
   const std::size_t peak = std::max_element(u.begin(), u.end()) - u.begin();
@@ -66,7 +66,8 @@ TEST(Cyclic, ClosedFormLoads) {
   EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-6);
 }
 
-/// The socket's arm over its radius by a sum over the sphere in other coordinates (distance from the axis and latitude).
+/// The socket's arm over its radius by a sum over the sphere in other coordinates (distance from the axis and
+/// latitude).
 TEST(Cyclic, SocketArmIsTheMomentOfACosinePressure) {
   const scene::Bearing bearing;
   const double c = bearing.slider.bottom / bearing.foot.cap_radius;
@@ -74,10 +75,11 @@ TEST(Cyclic, SocketArmIsTheMomentOfACosinePressure) {
   const int n = 1500;
   for (int i = 0; i < n; ++i)
     for (int j = 0; j < n; ++j) { // plan coordinates: dA = dx dy / z
-      const double x = -1 + (2 * i + 1.0) / n, y = -1 + (2 * j + 1.0) / n, z = std::sqrt(std::max(0.0, 1 - x * x - y * y));
+      const double x = -1 + (2 * i + 1.0) / n, y = -1 + (2 * j + 1.0) / n,
+                   z = std::sqrt(std::max(0.0, 1 - x * x - y * y));
       if (!(z > c)) continue;
-      load += z;                             // pressure z, its vertical part z^2, over z
-      moment += std::sqrt(x * x + z * z);    // pressure z times the distance from the axis, over z
+      load += z;                          // pressure z, its vertical part z^2, over z
+      moment += std::sqrt(x * x + z * z); // pressure z times the distance from the axis, over z
     }
   EXPECT_NEAR(socket_arm(bearing) / bearing.foot.cap_radius, moment / load, 1e-3);
   scene::Bearing narrow;
@@ -113,10 +115,9 @@ TEST(Cyclic, ClosedFormOnEverySurface) {
     double (*slope)(double);
   };
   constexpr double s = 0.11, c = 0.11 * 0.3;
-  for (const Row &row :
-       {Row{"cone", [](double x) { return s * x / std::sqrt(x * x + c * c); }},
-        Row{"polynomial", [](double x) { return 0.4 * x - 0.6 * x * x * x + 1.8 * std::pow(x, 5); }},
-        Row{"table", [](double x) { return 0.5 * x - 0.15 * x * x; }}}) {
+  for (const Row &row : {Row{"cone", [](double x) { return s * x / std::sqrt(x * x + c * c); }},
+                         Row{"polynomial", [](double x) { return 0.4 * x - 0.6 * x * x * x + 1.8 * std::pow(x, 5); }},
+                         Row{"table", [](double x) { return 0.5 * x - 0.15 * x * x; }}}) {
     SCOPED_TRACE(row.kind);
     scene::Scene scene = cyclic();
     auto &surface = scene.bearing.surface;

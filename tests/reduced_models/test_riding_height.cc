@@ -18,8 +18,8 @@ TEST(RidingHeight, PointContactIsTheDish) {
   }
 }
 
-/// A pad shaped to the dish's vertex and pressed on with its whole face rides on the mean of the height over it, and the
-/// deeper the steeper the dish: by depth / cos^2, half of which its elastic energy gives back.
+/// A pad shaped to the dish's vertex and pressed on with its whole face rides on the mean of the height over it, and
+/// the deeper the steeper the dish: by depth / cos^2, half of which its elastic energy gives back.
 TEST(RidingHeight, SoftPadLiftsByTheSumOfTheCurvatures) {
   scene::Bearing bearing;
   bearing.ertalyte.E = 1e7, bearing.pad.shape_radius = 2.25;

@@ -1,9 +1,9 @@
 // The law `curve`: against closed forms and against the law whose curve it is given.
+#include "files/error.h"
+#include "files/file.h"
 #include "reduced_models/curve_limits.h"
 #include "reduced_models/impact_law.h"
 #include "reduced_models/rim_curve_file.h"
-#include "scene/error.h"
-#include "scene/files.h"
 #include "scene/rim_identity.h"
 #include "scenes.h"
 #include <filesystem>
@@ -22,8 +22,11 @@ struct CurveOf {
   std::string path;
   CurveOf(scene::Scene &scene, const CurvePath &dish, const CurvePath &held) {
     static int n = 0;
-    path = (std::filesystem::temp_directory_path() / ("rim-curve-" + std::to_string(getpid()) + "-" + std::to_string(++n) + ".h5")).string();
-    write_rim_curve({dish, held, scene.bearing.name, scene::rim_identity(scene.bearing), "made up", "test", {0.01, 0.02}}, path);
+    path = (std::filesystem::temp_directory_path() /
+            ("rim-curve-" + std::to_string(getpid()) + "-" + std::to_string(++n) + ".h5"))
+               .string();
+    write_rim_curve(
+        {dish, held, scene.bearing.name, scene::rim_identity(scene.bearing), "made up", "test", {0.01, 0.02}}, path);
     scene.reduced.impact_law = "curve", scene.reduced.impact_curve = path;
   }
   ~CurveOf() { std::filesystem::remove(path); }
@@ -59,7 +62,9 @@ std::string refusal(const std::function<void()> &act) {
   return "nothing was thrown";
 }
 
-bool holds(const std::string &text, const std::string &part) { return text.find(part) != std::string::npos; }
+bool holds(const std::string &text, const std::string &part) {
+  return text.find(part) != std::string::npos;
+}
 
 } // namespace
 
@@ -160,8 +165,8 @@ TEST(RimCurve, FilesComeBackAndDamagedOnesAreNamed) {
   EXPECT_EQ(back.dish.loading.force, dish.loading.force);
   EXPECT_EQ(back.held.unloading.at(2).penetration, held.unloading.at(2).penetration);
   EXPECT_EQ(back.errors.left_out_rebound, 0.02);
-  std::string bytes = scene::read_file(file.path);
-  scene::write_atomically(bytes.substr(0, bytes.size() / 2), file.path);
+  std::string bytes = read_file(file.path);
+  write_atomically(bytes.substr(0, bytes.size() / 2), file.path);
   EXPECT_TRUE(holds(refusal([&] { read_rim_curve(file.path); }), file.path + ": is not a rim curve"));
   CurvePath falling = dish;
   falling.loading.penetration[3] = 0;

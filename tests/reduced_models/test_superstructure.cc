@@ -23,16 +23,15 @@ scene::Superstructure shear_building() {
   s.storeys = 3, s.masses = {25e3, 20e3, 15e3}, s.stiffnesses = {3e7, 2.5e7, 2e7};
   return s;
 }
-scene::SampledSignal sine(double amplitude, double period, double duration) {
-  scene::SampledSignal signal{0.005, {}};
+SampledSignal sine(double amplitude, double period, double duration) {
+  SampledSignal signal{0.005, {}};
   for (double t = 0; t <= duration; t += signal.dt)
     signal.values.push_back(amplitude * std::sin(2 * std::numbers::pi * t / period));
   return signal;
 }
 /// x'' + 2 xi w x' + w^2 x = -a(t), from rest, by Runge-Kutta of order four: x and the absolute acceleration.
 template <class Ground>
-std::vector<std::array<double, 2>> single_mass(double w, double xi, const Ground &a, double dt, int n,
-                                               int every) {
+std::vector<std::array<double, 2>> single_mass(double w, double xi, const Ground &a, double dt, int n, int every) {
   std::array<double, 2> y{0, 0};
   std::vector<std::array<double, 2>> samples;
   const auto f = [&](double t, const std::array<double, 2> &s) {
@@ -90,8 +89,7 @@ TEST(Superstructure, UniformBuildingHasItsPeriod) {
   scene::Scene s;
   s.superstructure.kind = "shear-building", s.superstructure.storeys = 5, s.superstructure.period = 0.5;
   const Superstructure b(s);
-  const double w =
-      2 * std::sqrt(b.storeys[0].stiffness / b.storeys[0].mass) * std::sin(std::numbers::pi / 22);
+  const double w = 2 * std::sqrt(b.storeys[0].stiffness / b.storeys[0].mass) * std::sin(std::numbers::pi / 22);
   EXPECT_NEAR(2 * std::numbers::pi / w, 0.5, 1e-12);
   EXPECT_NEAR(b.mass(), 0.9 * s.load.mass, 1e-6);
   EXPECT_NEAR(b.storeys[4].damping, 2 * 0.02 / w * b.storeys[4].stiffness, 1e-6);
@@ -113,8 +111,7 @@ TEST(Superstructure, HeldBase) {
     EXPECT_NEAR(roof[i], exact[i][1], 1e-6);
   }
   double peak = 0;
-  for (const auto &sample : single_mass(w, 0.02, a, 5e-4, 16000, 1))
-    peak = std::max(peak, std::abs(sample[0]));
+  for (const auto &sample : single_mass(w, 0.02, a, 5e-4, 16000, 1)) peak = std::max(peak, std::abs(sample[0]));
   EXPECT_NEAR(run.summary.extra["peak_drift_m"].get<double>(), peak, 1e-5 * peak);
   EXPECT_EQ(run.summary.peak_displacement, 0);
 }
@@ -192,8 +189,7 @@ TEST(Superstructure, AgreesWithCvode) {
     ASSERT_GE(own.summary.impacts.size(), 1u);
     EXPECT_NEAR(*own.summary.peak_impact_force / *other.summary.peak_impact_force, 1, 1e-5);
     for (const char *key : {"peak_drift_m", "peak_storey_shear_N"})
-      EXPECT_NEAR(own.summary.extra[key].get<double>() / other.summary.extra[key].get<double>(), 1, 1e-4)
-          << key;
+      EXPECT_NEAR(own.summary.extra[key].get<double>() / other.summary.extra[key].get<double>(), 1, 1e-4) << key;
   }
 }
 
@@ -222,8 +218,7 @@ TEST(Superstructure, WhatItCannotDoIsRefused) {
   refused(frame + "yield_mm = 0\n", {"yield_mm", "> 0"});
   refused(frame + "period = 0.5\n", {"period_s"});
   refused("[superstructure]\nkind = \"frame\"\n", {"frame", "bouc-wen"});
-  refused("[superstructure]\nkind = \"shear-building\"\nstoreys = 2\nmasses_kg = [1e3]\n",
-          {"masses_kg", "1", "2"});
+  refused("[superstructure]\nkind = \"shear-building\"\nstoreys = 2\nmasses_kg = [1e3]\n", {"masses_kg", "1", "2"});
   refused("[superstructure]\nkind = \"shear-building\"\nstoreys = 2\nmasses_kg = [5e4, 4e4]\n",
           {"masses_kg", "90000", "86952"});
   refused(frame + "[excitation]\nkind = \"push\"\n", {"superstructure.kind", "push"});

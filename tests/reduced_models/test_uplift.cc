@@ -74,8 +74,7 @@ TEST(Uplift, NormalForceIsNeverNegativeAndTheMassNeverBelowTheDish) {
   const Ellipse e;
   for (std::size_t i = 0; i < run.response.size(); ++i) {
     ASSERT_GE(run.response.series("normal_force")[i], -1e-3);
-    const double r =
-        std::hypot(run.response.series("displacement_x")[i], run.response.series("displacement_y")[i]);
+    const double r = std::hypot(run.response.series("displacement_x")[i], run.response.series("displacement_y")[i]);
     ASSERT_GE(run.response.series("displacement_z")[i], e.height(r) - 1e-9);
   }
   EXPECT_GT(run.summary.energy->contact, 0);
@@ -98,6 +97,7 @@ TEST(Uplift, TheLargestHeightInFlightIsNotThatOfAStepsEnd) {
     s.excitation.duration = 1.0;
     s.load.vertical = 9.81 * s.load.mass; // the default's weight is rounded: its W/m is 2e-6 above g
     const double expected = end * end * 9.81;
-    EXPECT_NEAR(simulate(s).summary.peak_vertical_displacement, expected, 1e-7 * expected) << end; // a step's end errs by 6e-5; what is left is where the record ends, to 1e-8 s
+    EXPECT_NEAR(simulate(s).summary.peak_vertical_displacement, expected, 1e-7 * expected)
+        << end; // a step's end errs by 6e-5; what is left is where the record ends, to 1e-8 s
   }
 }

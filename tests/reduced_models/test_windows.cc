@@ -1,6 +1,6 @@
 // One impact alone: the closed forms of a mass on a Kelvin-Voigt rim.
+#include "files/error.h"
 #include "reduced_models/impact_law.h"
-#include "scene/error.h"
 #include "scenes.h"
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -13,7 +13,7 @@ namespace {
 
 constexpr double k = 4.5e8, m = 86952;
 
-scene::Impact impact_of(const std::string &law, double e = 0.65, double speed = 0.1, double direction = 0) {
+Impact impact_of(const std::string &law, double e = 0.65, double speed = 0.1, double direction = 0) {
   scene::Scene s = window(speed);
   s.reduced.impact_law = law;
   s.reduced.restitution = e;
@@ -46,8 +46,7 @@ TEST(Window, Signed) {
 TEST(Window, NoTension) {
   const double xi = damping_ratio(0.65);
   const auto i = impact_of("no-tension");
-  EXPECT_NEAR(i.restitution(),
-              std::exp(-xi / std::sqrt(1 - xi * xi) * (std::numbers::pi - 2 * std::asin(xi))), 1e-7);
+  EXPECT_NEAR(i.restitution(), std::exp(-xi / std::sqrt(1 - xi * xi) * (std::numbers::pi - 2 * std::asin(xi))), 1e-7);
   EXPECT_NEAR(i.restitution(), 0.675, 5e-4);
   EXPECT_NEAR(i.release_time - i.touch_time, 0.040, 5e-4);
 }
@@ -101,12 +100,11 @@ TEST(Window, SamplesAreDenseAndEndExactly) {
   EXPECT_GE(n, 100u);
   EXPECT_NE(r.series("impact_x")[0], 0); // touch is the start
   EXPECT_NEAR(r.series("time")[last], run.summary.impacts[0].release_time, 1e-12);
-  scene::Summary again;
-  scene::summarise_response(r, again);
+  Summary again;
+  summarise_response(r, again);
   ASSERT_EQ(again.impacts.size(), 1u);
   EXPECT_NEAR(again.impacts[0].restitution(), 0.65, 1e-7);
-  EXPECT_NEAR(again.impacts[0].peak_force, run.summary.impacts[0].peak_force,
-              1e-3 * again.impacts[0].peak_force);
+  EXPECT_NEAR(again.impacts[0].peak_force, run.summary.impacts[0].peak_force, 1e-3 * again.impacts[0].peak_force);
 }
 
 TEST(Window, ATouchRightAfterTheFirstSampleHasItsOwn) {

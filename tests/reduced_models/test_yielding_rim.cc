@@ -47,8 +47,7 @@ TEST(YieldingRim, ElastoplasticBalancesEnergy) {
   for (const double v : {0.02, 0.1, 0.5, 1.0}) {
     const scene::Scene s = struck("elastoplastic", v);
     const auto rim = rim_element(s.reduced, s.load.mass);
-    const double deepest = deepest_of(rim, s.load.mass * v * v / 2),
-                 top = elastoplastic_backbone(rim, deepest).force,
+    const double deepest = deepest_of(rim, s.load.mass * v * v / 2), top = elastoplastic_backbone(rim, deepest).force,
                  rebound = std::sqrt(2 * unloading(rim, deepest).elastic_energy() / s.load.mass);
     const auto impact = simulate_summary(s).impacts.at(0);
     EXPECT_NEAR(impact.peak_force / top, 1, 1e-6) << v;
@@ -85,8 +84,7 @@ TEST(YieldingRim, AHarderSecondImpactGoesOnAlongTheBackbone) {
   again.v.x() = 0.5;
   again.rim.press({1, 0}, 2e-3, dent_shape(s));
   const auto impact = simulate_from(s, again, 0.4).summary.impacts.at(0);
-  EXPECT_NEAR(impact.peak_force, elastoplastic_backbone(rim, impact.peak_penetration).force,
-              1e-6 * impact.peak_force);
+  EXPECT_NEAR(impact.peak_force, elastoplastic_backbone(rim, impact.peak_penetration).force, 1e-6 * impact.peak_force);
   // what is left of the energy above the elastic part of the dent: reached from the dent as from its force
   const double whole = s.load.mass * 0.5 * 0.5 / 2 - unloading(rim, 2e-3).elastic_energy();
   const double to_dent = simulate_summary(struck("elastoplastic", 0.5)).impacts.at(0).peak_penetration;

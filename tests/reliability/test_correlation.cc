@@ -1,6 +1,6 @@
+#include "files/error.h"
 #include "fleets/sampling.h"
 #include "reliability/correlation.h"
-#include "scene/error.h"
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>

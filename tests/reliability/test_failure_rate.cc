@@ -1,6 +1,6 @@
+#include "files/error.h"
 #include "reliability/failure_rate.h"
 #include "reliability/lognormal.h"
-#include "scene/error.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>

@@ -1,5 +1,5 @@
+#include "files/error.h"
 #include "reliability/hazard.h"
-#include "scene/error.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -52,8 +52,7 @@ TEST(HazardCurve, RefusesWhatIsNotMonotone) {
   EXPECT_EQ(refusal({{0.1, 43}, {0.1, 475}}),
             "the hazard curve is not monotone: intensity 0.1 of point 2 does not exceed 0.1 of point 1");
   EXPECT_EQ(refusal({{0.1, 43}}), "a hazard curve needs at least 2 points, not 1");
-  EXPECT_EQ(refusal({{0, 43}, {0.2, 475}}),
-            "hazard point (0, 43 years): both numbers must be finite and > 0");
+  EXPECT_EQ(refusal({{0, 43}, {0.2, 475}}), "hazard point (0, 43 years): both numbers must be finite and > 0");
   EXPECT_NE(refusal({{0.1, 43}, {0.2, std::numeric_limits<double>::infinity()}}), "accepted");
   EXPECT_THROW(HazardCurve({{0.1, 43}, {0.2, 475}}).rate(0), InputError);
 }

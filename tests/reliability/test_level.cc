@@ -1,5 +1,5 @@
+#include "files/error.h"
 #include "reliability/level.h"
-#include "scene/error.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>

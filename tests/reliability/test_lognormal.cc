@@ -1,5 +1,5 @@
+#include "files/error.h"
 #include "reliability/lognormal.h"
-#include "scene/error.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -47,8 +47,7 @@ TEST(Lognormal, MeanIntervalHoldsItsShareOfStudentsDistribution) {
   const auto interval = fit.mean_interval(0.95);
   const double t = (interval.high - interval.low) / 2 / (fit.distribution.sigma_ln / std::sqrt(7.0));
   const double theta = std::atan(t / std::sqrt(7.0)), c = std::cos(theta);
-  const double inside =
-      2 / M_PI * (theta + std::sin(theta) * (c + 2 * std::pow(c, 3) / 3 + 8 * std::pow(c, 5) / 15));
+  const double inside = 2 / M_PI * (theta + std::sin(theta) * (c + 2 * std::pow(c, 3) / 3 + 8 * std::pow(c, 5) / 15));
   EXPECT_NEAR(inside, 0.95, 1e-13);
   EXPECT_NEAR((interval.high + interval.low) / 2, fit.distribution.mean_ln, 1e-14);
 }
@@ -77,11 +76,9 @@ TEST(Lognormal, EqualValuesAreAStep) {
 }
 
 TEST(Lognormal, Refusals) {
-  const double nan = std::numeric_limits<double>::quiet_NaN(),
-               infinite = std::numeric_limits<double>::infinity();
+  const double nan = std::numeric_limits<double>::quiet_NaN(), infinite = std::numeric_limits<double>::infinity();
   EXPECT_THROW(fit_lognormal({}), InputError);
-  for (const double bad : {0.0, -1.0, nan, infinite})
-    EXPECT_THROW(fit_lognormal({0.1, bad}), InputError) << bad;
+  for (const double bad : {0.0, -1.0, nan, infinite}) EXPECT_THROW(fit_lognormal({0.1, bad}), InputError) << bad;
   EXPECT_THROW(fit_lognormal({0.1}).mean_interval(0.9), InputError);
   EXPECT_THROW(fit_lognormal({0.1, 0.2}).sigma_interval(1), InputError);
 }

@@ -1,7 +1,7 @@
 /// Readers meet any bytes: each either understands them or throws one of the toolkit's own errors.
-#include "scene/error.h"
-#include "scene/record.h"
-#include "scene/response_files.h"
+#include "files/error.h"
+#include "records/record.h"
+#include "responses/response_files.h"
 #include "scene/scene.h"
 #include <gtest/gtest.h>
 #include <random>
@@ -13,9 +13,9 @@ using namespace rimpact::scene;
 /// Changes, cuts, repeats and inserts a few pieces.
 std::string mutate(std::string text, std::mt19937 &random) {
   const auto below = [&](std::size_t n) { return n == 0 ? 0 : random() % n; };
-  static const std::string spice[] = {
-      "nan", "inf", "-1",         "1e999",        "=",  "[", "]]", "\"", ".",    "\n", "\0\xff", "'''", "{",
-      "0x",  "-",   "1979-05-27", "\xEF\xBB\xBF", ",,", "#", "+",  "E",  "a.b.c"};
+  static const std::string spice[] = {"nan", "inf",    "-1",  "1e999", "=",  "[", "]]",         "\"",           ".",
+                                      "\n",  "\0\xff", "'''", "{",     "0x", "-", "1979-05-27", "\xEF\xBB\xBF", ",,",
+                                      "#",   "+",      "E",   "a.b.c"};
   for (std::size_t n = 1 + below(4); n > 0; --n) {
     const std::size_t at = below(text.size() + 1);
     switch (below(4)) {
@@ -53,13 +53,11 @@ template <class Read> void survive(const std::string &seed_text, int n, const Re
 }
 
 TEST(AnyBytes, Scenes) {
-  survive(to_toml(load_scene("impact-window")), 3000,
-          [](const std::string &text) { parse_scene(text, "fuzz.toml"); });
+  survive(to_toml(load_scene("impact-window")), 3000, [](const std::string &text) { parse_scene(text, "fuzz.toml"); });
 }
 
 TEST(AnyBytes, Overrides) {
-  survive("bearing.rim.height_mm=60", 2000,
-          [](const std::string &text) { load_scene("ricker-0.78g-1.0s", {text}); });
+  survive("bearing.rim.height_mm=60", 2000, [](const std::string &text) { load_scene("ricker-0.78g-1.0s", {text}); });
 }
 
 TEST(AnyBytes, At2) {
@@ -70,8 +68,7 @@ TEST(AnyBytes, At2) {
 
 TEST(AnyBytes, Csv) {
   std::string record = "time_s,acceleration_g\n", response = "time_s,ux_m,uy_m,Fx_N,Fy_N,gap_m\n";
-  for (int i = 0; i < 10; ++i)
-    record += std::to_string(i) + ",0.1\n", response += std::to_string(i) + ",1,2,3,4,5\n";
+  for (int i = 0; i < 10; ++i) record += std::to_string(i) + ",0.1\n", response += std::to_string(i) + ",1,2,3,4,5\n";
   survive(record, 10000, [](const std::string &bytes) { parse_record_csv(bytes, "fuzz.csv", 9.81); });
   survive(response, 10000, [](const std::string &bytes) { parse_csv(bytes, "fuzz.csv"); });
 }

@@ -1,8 +1,8 @@
 // What is an assumption is said by the bearing's file, and kept on the way through resolving.
 #include "expect_error.h"
+#include "files/toml_comments.h"
 #include "scene/assumptions.h"
 #include "scene/scene.h"
-#include "scene/toml_comments.h"
 #include "temporary_folder.h"
 #include <algorithm>
 
@@ -34,7 +34,8 @@ TEST(Assumptions, BuiltInsHaveTheCatalogues) {
 }
 
 TEST(Assumptions, WhatAUserGivesIsTheUsers) {
-  const Bearing b = read("[rim]\nheight_mm = 70 # above the edge, no assumption any more\nthickness_mm = 50 # assumption: from a photograph\n"
+  const Bearing b = read("[rim]\nheight_mm = 70 # above the edge, no assumption any more\nthickness_mm = 50 # "
+                         "assumption: from a photograph\n"
                          "ledge_mm = 0 # Assumed\n");
   EXPECT_EQ(value(b, "rim.height_mm"), "given");
   EXPECT_EQ(value(b, "rim.thickness_mm"), "50");
@@ -43,24 +44,28 @@ TEST(Assumptions, WhatAUserGivesIsTheUsers) {
 }
 
 TEST(Assumptions, AMarkMayStandOnAHeaderOrInAList) {
-  const Bearing b = read("assumed = ['material.steel.yield_MPa']\n[rim] # assumption, but for nothing\nheight_mm = 70\n[slider]\ndiameter_mm = 240\n"
+  const Bearing b = read("assumed = ['material.steel.yield_MPa']\n[rim] # assumption, but for nothing\nheight_mm = "
+                         "70\n[slider]\ndiameter_mm = 240\n"
                          "[material.steel]\nyield_MPa = 355\n");
   EXPECT_EQ(value(b, "rim.height_mm"), "70");
   EXPECT_EQ(value(b, "slider.diameter_mm"), "given") << "the next table";
   EXPECT_EQ(value(b, "material.steel.yield_MPa"), "355");
-  expect_error<InputError>([] { read("assumed = ['rim.hieght_mm']\n"); }, {"own.toml:1", "assumed", "did you mean \"rim.height_mm\""});
+  expect_error<InputError>([] { read("assumed = ['rim.hieght_mm']\n"); },
+                           {"own.toml:1", "assumed", "did you mean \"rim.height_mm\""});
   expect_error<InputError>([] { read("assumed = 'rim.height_mm'\n"); }, {"own.toml:1", "array"});
 }
 
 TEST(Assumptions, DottedKeysAndInlineTablesAreMarkedByTheirLine) {
-  const Bearing b = read("rim.height_mm = 70 # assumption\nrim.thickness_mm = 50\nslider = { diameter_mm = 240, top_mm = 158.25 } # assumption\n");
+  const Bearing b = read("rim.height_mm = 70 # assumption\nrim.thickness_mm = 50\nslider = { diameter_mm = 240, top_mm "
+                         "= 158.25 } # assumption\n");
   EXPECT_EQ(value(b, "rim.height_mm"), "70");
   EXPECT_EQ(value(b, "rim.thickness_mm"), "given") << "the line of another key is no header";
   EXPECT_EQ(value(b, "slider.top_mm"), "158.25");
 }
 
 TEST(Assumptions, StringsWithASignAreNoComments) {
-  const auto comments = toml_comments("a = \"x # assumption\"\nb = 'y # no' # one\nc = \"\"\"\n# two \\\n\"\"\" # three\n[t] # four\nd = \"\\\"# no\"\n");
+  const auto comments = toml_comments("a = \"x # assumption\"\nb = 'y # no' # one\nc = \"\"\"\n# two \\\n\"\"\" # "
+                                      "three\n[t] # four\nd = \"\\\"# no\"\n");
   EXPECT_EQ(comments.by_line, (std::map<std::size_t, std::string>{{2, "one"}, {5, "three"}, {6, "four"}}));
   EXPECT_EQ(comments.headers, std::set<std::size_t>{6});
 }
@@ -68,9 +73,12 @@ TEST(Assumptions, StringsWithASignAreNoComments) {
 TEST(Assumptions, AreKeptThroughResolving) {
   const TemporaryFolder folder;
   folder.write("own.toml", "[rim]\nheight_mm = 70\nthickness_mm = 50 # assumption\n");
-  const auto path = folder.write("scene.toml", "[bearing]\nfile = 'own.toml'\n[bearing.pad]\nrecess_mm = 20\n[bearing.foot]\nradius_mm = 86 # assumption\n");
+  const auto path = folder.write(
+      "scene.toml",
+      "[bearing]\nfile = 'own.toml'\n[bearing.pad]\nrecess_mm = 20\n[bearing.foot]\nradius_mm = 86 # assumption\n");
   const Scene scene = load_scene(path, {"bearing.slider.top_mm=160", "bearing.rim.ledge_mm=0 # assumption"});
-  for (const Bearing &b : {scene.bearing, parse_scene(to_toml(scene), "resolved.toml").bearing, read(to_toml(scene.bearing))}) {
+  for (const Bearing &b :
+       {scene.bearing, parse_scene(to_toml(scene), "resolved.toml").bearing, read(to_toml(scene.bearing))}) {
     EXPECT_EQ(value(b, "rim.height_mm"), "given");
     EXPECT_EQ(value(b, "rim.thickness_mm"), "50");
     EXPECT_EQ(value(b, "pad.recess_mm"), "given") << "overridden in the scene";

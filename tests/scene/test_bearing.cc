@@ -41,9 +41,7 @@ const Refused refused[] = {
     {"infinite", [](Bearing &b) { b.plate.base = INFINITY; }, {"plate.base_mm", "inf"}},
     {"low rim", [](Bearing &b) { b.rim.height = 0.005; }, {"rim.height_mm 5 mm", "92", "100"}},
     {"rim at the rounding", [](Bearing &b) { b.rim.height = 0.0141; }, {"rim.height_mm", "rounded edge"}},
-    {"beyond the ellipse",
-     [](Bearing &b) { b.surface.planar_radius = 0.6; },
-     {"600", "562.5", "planar_radius_mm"}},
+    {"beyond the ellipse", [](Bearing &b) { b.surface.planar_radius = 0.6; }, {"600", "562.5", "planar_radius_mm"}},
     {"beyond the sphere",
      [](Bearing &b) {
        b.surface = {"sphere", 0.5, 0.5, 0.6};
@@ -60,15 +58,11 @@ const Refused refused[] = {
        b.surface.kind = "polynomial", b.surface.coefficients = {0.2, 0, -0.5, 0, 0};
      },
      {"surface.planar_radius_mm", "448.5", "polynomial", "rises outwards"}},
-    {"steep cone",
-     [](Bearing &b) { b.surface.kind = "cone", b.surface.slope = 1.5; },
-     {"surface.slope", "1.5"}},
+    {"steep cone", [](Bearing &b) { b.surface.kind = "cone", b.surface.slope = 1.5; }, {"surface.slope", "1.5"}},
     {"no capacity", [](Bearing &b) { b.slider.diameter = 1.1; }, {"1100", "520", "L_c = -30"}},
     {"wide foot", [](Bearing &b) { b.foot.radius = 0.090; }, {"foot.radius_mm 90", "cap_radius_mm 90"}},
     {"foot inside its cap", [](Bearing &b) { b.foot.radius = 0.080; }, {"foot.radius_mm 80", "83.7"}},
-    {"socket wider than the slider",
-     [](Bearing &b) { b.slider.diameter = 0.13; },
-     {"slider.diameter_mm 130", "137"}},
+    {"socket wider than the slider", [](Bearing &b) { b.slider.diameter = 0.13; }, {"slider.diameter_mm 130", "137"}},
     {"apex through the top", [](Bearing &b) { b.slider.top = 0.085; }, {"slider.top_mm 85", "90"}},
     {"upside down", [](Bearing &b) { b.slider.top = 0.05; }, {"slider.top_mm 50", "58.25"}},
     {"no socket", [](Bearing &b) { b.slider.bottom = 0.095; }, {"cap_radius_mm 90", "95"}},
@@ -81,12 +75,8 @@ const Refused refused[] = {
      [](Bearing &b) { b.pad.thickness = 0.06, b.pad.recess = 0.04; },
      {"recess_mm 40", "92.3", "90"}},
     {"pad face", [](Bearing &b) { b.pad.shape_radius = 0.07; }, {"shape_radius_mm 70", "70.19"}},
-    {"slider in the dish",
-     [](Bearing &b) { b.slider.bottom = 0.035, b.foot.shoulder = 0.0345; },
-     {"meets the"}},
-    {"shoulder in the slider",
-     [](Bearing &b) { b.foot.shoulder = 0.045; },
-     {"foot.shoulder_mm 45", "deg", "58.25"}},
+    {"slider in the dish", [](Bearing &b) { b.slider.bottom = 0.035, b.foot.shoulder = 0.0345; }, {"meets the"}},
+    {"shoulder in the slider", [](Bearing &b) { b.foot.shoulder = 0.045; }, {"foot.shoulder_mm 45", "deg", "58.25"}},
     {"foot in the dish",
      [](Bearing &b) {
        b.pad.thickness = 0.026, b.pad.recess = 0.0245, b.foot.bottom = 0.0015, b.pad.shape_radius = 10;
@@ -99,15 +89,9 @@ const Refused refused[] = {
      {"past the dish's edge"}},
     {"nu", [](Bearing &b) { b.ertalyte.nu = 0.5; }, {"material.ertalyte.nu", "0.5"}},
     {"E", [](Bearing &b) { b.steel.E = 0; }, {"material.steel.E_MPa", "> 0"}},
-    {"negative tangent",
-     [](Bearing &b) { b.steel.tangent_modulus = -1e6; },
-     {"tangent_modulus_MPa", "-1", ">= 0"}},
-    {"steep tangent",
-     [](Bearing &b) { b.steel.tangent_modulus = 200e9; },
-     {"tangent_modulus_MPa 200000", "below"}},
-    {"tangent without yield",
-     [](Bearing &b) { b.steel.yield.reset(); },
-     {"tangent_modulus_MPa", "yield_MPa"}},
+    {"negative tangent", [](Bearing &b) { b.steel.tangent_modulus = -1e6; }, {"tangent_modulus_MPa", "-1", ">= 0"}},
+    {"steep tangent", [](Bearing &b) { b.steel.tangent_modulus = 200e9; }, {"tangent_modulus_MPa 200000", "below"}},
+    {"tangent without yield", [](Bearing &b) { b.steel.yield.reset(); }, {"tangent_modulus_MPa", "yield_MPa"}},
     {"friction", [](Bearing &b) { b.contact.steel_steel = -0.1; }, {"contact.steel_steel", "-0.1"}},
     {"pad_foot", [](Bearing &b) { b.contact.pad_foot = "tide"; }, {"tide", "did you mean \"tied\""}},
     {"surface kind", [](Bearing &b) { b.surface.kind = "conus"; }, {"surface.kind", "conus"}},
@@ -153,7 +137,8 @@ TEST(Bearing, RungRimNeedsNoPadAndFoot) {
 
 TEST(Bearing, AFootAsWideAsItsCapIsNoneTooNarrow) {
   Bearing b;
-  b.foot.cap_radius = 0.130, b.foot.shoulder = 0.050, b.foot.radius = 0.120; // a triangle of whole numbers, but for rounding
+  b.foot.cap_radius = 0.130, b.foot.shoulder = 0.050,
+  b.foot.radius = 0.120; // a triangle of whole numbers, but for rounding
   b.slider.bottom = 0.100, b.slider.top = 0.220, b.slider.diameter = 0.3;
   try {
     b.validate();

@@ -15,10 +15,12 @@ const char *const element = R"({"lateral_capacity_m": 0.4003, "reference_speed_m
   "unloading_gain": {"value": 0.15, "unit": "-"}, "hardening_exponent": {"value": 0.7, "unit": "-"},
   "unloading_exponent": {"value": 0.4, "unit": "-"}, "dent_spread": {"value": 2.5, "unit": "-"}})";
 
-std::string answer(const std::string &law, const std::string &parameters, const std::string &belongs_to, const std::string &rim) {
-  return fmt::format(R"({{"answer": {{"bearing": "mine", "rim_identity": "{}", "mass_kg": 86952.0, "law": {{"name": "{}", "belongs_to": "{}",
+std::string answer(const std::string &law, const std::string &parameters, const std::string &belongs_to,
+                   const std::string &rim) {
+  return fmt::format(
+      R"({{"answer": {{"bearing": "mine", "rim_identity": "{}", "mass_kg": 86952.0, "law": {{"name": "{}", "belongs_to": "{}",
     "element": {}, "fitted_from_m_s": 0.05, "fitted_to_m_s": 1.0}}}}}})",
-                     rim, law, belongs_to, parameters);
+      rim, law, belongs_to, parameters);
 }
 
 /// A folder with a calibration in `cal`.
@@ -36,7 +38,8 @@ std::string thesis_rim() {
 
 TEST(CalibratedElement, TakesTheAnswersLawAndNumbers) {
   const Folder folder(answer("elastoplastic", element, "rim", thesis_rim()));
-  const auto path = folder.write("scene.toml", "[excitation]\nkind = 'window'\n[reduced]\ncalibration = 'cal'\nmu_fast = 0.05\n");
+  const auto path =
+      folder.write("scene.toml", "[excitation]\nkind = 'window'\n[reduced]\ncalibration = 'cal'\nmu_fast = 0.05\n");
   const Scene s = load_scene(path);
   EXPECT_EQ(s.reduced.impact_law, "elastoplastic");
   EXPECT_DOUBLE_EQ(s.reduced.k_i, 986665e3);
@@ -67,34 +70,42 @@ TEST(CalibratedElement, AResolvedSceneNeedsTheFolderNoMore) {
 }
 
 TEST(CalibratedElement, AnElementsKeyInTheSameFileIsRefused) {
-  const Folder folder(answer("signed", R"({"k_i": {"value": 3e5, "unit": "kN/m"}, "e": {"value": 0.5, "unit": "-"}})", "mass", thesis_rim()));
+  const Folder folder(answer("signed", R"({"k_i": {"value": 3e5, "unit": "kN/m"}, "e": {"value": 0.5, "unit": "-"}})",
+                             "mass", thesis_rim()));
   const auto path = folder.write("scene.toml", "[reduced]\ncalibration = 'cal'\nk_i_kN_per_m = 4e5\n");
-  expect_error<InputError>([&] { load_scene(path); }, {"scene.toml:3:", "reduced.k_i_kN_per_m", "scene.toml:2:", "reduced.calibration"});
+  expect_error<InputError>([&] { load_scene(path); },
+                           {"scene.toml:3:", "reduced.k_i_kN_per_m", "scene.toml:2:", "reduced.calibration"});
 }
 
 TEST(CalibratedElement, WhatIsTypedWins) {
-  const Folder folder(answer("signed", R"({"k_i": {"value": 3e5, "unit": "kN/m"}, "e": {"value": 0.5, "unit": "-"}})", "mass", thesis_rim()));
-  for (const auto &overrides : {std::vector<std::string>{folder.cal(), "reduced.k_i_kN_per_m=4e5"}, {"reduced.k_i_kN_per_m=4e5", folder.cal()}}) {
+  const Folder folder(answer("signed", R"({"k_i": {"value": 3e5, "unit": "kN/m"}, "e": {"value": 0.5, "unit": "-"}})",
+                             "mass", thesis_rim()));
+  for (const auto &overrides : {std::vector<std::string>{folder.cal(), "reduced.k_i_kN_per_m=4e5"},
+                                {"reduced.k_i_kN_per_m=4e5", folder.cal()}}) {
     const Scene s = load_scene("impact-window", overrides);
     EXPECT_DOUBLE_EQ(s.reduced.k_i, 4e8);
     EXPECT_DOUBLE_EQ(s.reduced.restitution, 0.5);
     EXPECT_FALSE(s.reduced.fitted_from || s.reduced.fitted_mass) << "no longer the fitted element";
     ASSERT_EQ(s.remarks.size(), 1u);
-    EXPECT_NE(s.remarks[0].find("reduced.k_i_kN_per_m is given beside the calibration"), std::string::npos) << s.remarks[0];
+    EXPECT_NE(s.remarks[0].find("reduced.k_i_kN_per_m is given beside the calibration"), std::string::npos)
+        << s.remarks[0];
   }
-  const auto path = folder.write("own.toml", "[excitation]\nkind = 'window'\n[reduced]\nk_i_kN_per_m = 4e5\nimpact_law = 'hunt-crossley'\nimpact_exponent = 1.2\n");
+  const auto path = folder.write("own.toml", "[excitation]\nkind = 'window'\n[reduced]\nk_i_kN_per_m = 4e5\nimpact_law "
+                                             "= 'hunt-crossley'\nimpact_exponent = 1.2\n");
   const Scene s = load_scene(path, {folder.cal()}); // the command line is above the file
   EXPECT_DOUBLE_EQ(s.reduced.k_i, 3e8);
   EXPECT_EQ(s.reduced.impact_law, "signed");
   EXPECT_DOUBLE_EQ(s.reduced.impact_exponent, ReducedSettings{}.impact_exponent);
   ASSERT_EQ(s.remarks.size(), 1u);
   EXPECT_NE(s.remarks[0].find("take the place of the scene's own"), std::string::npos) << s.remarks[0];
-  const Scene changed = parse_scene(to_toml(load_scene("impact-window", {folder.cal()})), "resolved.toml", {"reduced.restitution=0.6"});
+  const Scene changed =
+      parse_scene(to_toml(load_scene("impact-window", {folder.cal()})), "resolved.toml", {"reduced.restitution=0.6"});
   EXPECT_TRUE(changed.reduced.calibration.empty() && !changed.reduced.fitted_to) << "a replay changed by hand";
 }
 
 TEST(CalibratedElement, AnotherRimOrMassIsDoubted) {
-  const std::string pair = R"({"lateral_capacity_m": 0.5, "k_i": {"value": 3e5, "unit": "kN/m"}, "e": {"value": 0.5, "unit": "-"}})";
+  const std::string pair =
+      R"({"lateral_capacity_m": 0.5, "k_i": {"value": 3e5, "unit": "kN/m"}, "e": {"value": 0.5, "unit": "-"}})";
   const Folder folder(answer("no-tension", pair, "mass", "0123456789abcdef"));
   const Scene other = load_scene("impact-window", {folder.cal(), "load.mass_kg=88000", "load.vertical_kN=853"});
   EXPECT_EQ(other.reduced.capacity_offset, 0) << "where another rim's element began says nothing of this one";
@@ -102,12 +113,15 @@ TEST(CalibratedElement, AnotherRimOrMassIsDoubted) {
   ASSERT_EQ(sentences.size(), 2u);
   EXPECT_NE(sentences[0].find("another rim (0123456789abcdef"), std::string::npos) << sentences[0];
   EXPECT_NE(sentences[1].find("86952 kg they were fitted with"), std::string::npos) << sentences[1];
-  EXPECT_EQ(doubts_of_element(load_scene("impact-window", {folder.cal(), "load.mass_kg=87500", "load.vertical_kN=853"})).size(), 1u);
+  EXPECT_EQ(doubts_of_element(load_scene("impact-window", {folder.cal(), "load.mass_kg=87500", "load.vertical_kN=853"}))
+                .size(),
+            1u);
 }
 
 TEST(CalibratedElement, WithoutAnAnswerTheFragmentIsRead) {
   const Folder folder("{\"parameters\": {}}");
-  folder.write("cal/calibration.toml", "# fitted\n[reduced]\nmodel = \"physical\"\nk_i_kN_per_m = 2.5e5\nrestitution = 0.4\nimpact_law = \"no-tension\"\nmu_fast = 0.5\n");
+  folder.write("cal/calibration.toml", "# fitted\n[reduced]\nmodel = \"physical\"\nk_i_kN_per_m = 2.5e5\nrestitution = "
+                                       "0.4\nimpact_law = \"no-tension\"\nmu_fast = 0.5\n");
   const Scene s = load_scene("impact-window", {folder.cal()});
   EXPECT_DOUBLE_EQ(s.reduced.k_i, 2.5e8);
   EXPECT_EQ(s.reduced.impact_law, "no-tension");
@@ -127,19 +141,26 @@ TEST(CalibratedElement, RefusesWhatCannotBeRead) {
   refuse(answer("signed", "{" + e + "}", "rim", ""), {"law signed without k_i_kN_per_m"});
   refuse(answer("elastoplastic", "{" + k + "}", "rim", ""), {"elastoplastic without yield_force_kN"});
   refuse(answer("signed", R"({"k_i": {"value": 3e8, "unit": "N/m"},)" + e + "}", "rim", ""), {"k_i is not in kN/m"});
-  refuse(answer("signed", R"({"k_i": {"value": "3e5", "unit": "kN/m"},)" + e + "}", "rim", ""), {"k_i_kN_per_m is not a finite number"});
+  refuse(answer("signed", R"({"k_i": {"value": "3e5", "unit": "kN/m"},)" + e + "}", "rim", ""),
+         {"k_i_kN_per_m is not a finite number"});
   refuse(answer("signed", R"({"k_j": {"value": 3e5, "unit": "kN/m"},)" + e + "}", "rim", ""), {"no parameter \"k_j\""});
   refuse(answer("signd", "{" + k + "," + e + "}", "rim", ""), {"did you mean \"signed\""});
   refuse(answer("signed", "{" + k + R"(, "e": {"value": 1.5, "unit": "-"}})", "rim", ""), {"restitution 1.5", "<= 1"});
-  expect_error<DataError>([] { load_scene("impact-window", {"reduced.calibration=/nowhere"}); }, {"/nowhere/calibration.json", "no such file"});
-  expect_error<InputError>([] { load_scene("impact-window", {"reduced.calibration=3"}); }, {"reduced.calibration", "must be a string"});
+  expect_error<DataError>([] { load_scene("impact-window", {"reduced.calibration=/nowhere"}); },
+                          {"/nowhere/calibration.json", "no such file"});
+  expect_error<InputError>([] { load_scene("impact-window", {"reduced.calibration=3"}); },
+                           {"reduced.calibration", "must be a string"});
 }
 
 TEST(CalibratedElement, AChangedFolderIsReadAgain) {
-  const Folder folder(answer("signed", R"({"k_i": {"value": 3e5, "unit": "kN/m"}, "e": {"value": 0.5, "unit": "-"}})", "rim", ""));
+  const Folder folder(
+      answer("signed", R"({"k_i": {"value": 3e5, "unit": "kN/m"}, "e": {"value": 0.5, "unit": "-"}})", "rim", ""));
   EXPECT_DOUBLE_EQ(load_scene("impact-window", {folder.cal()}).reduced.k_i, 3e8);
-  folder.write("cal/calibration.json", answer("signed", R"({"k_i": {"value": 2e5, "unit": "kN/m"}, "e": {"value": 0.5, "unit": "-"}})", "rim", ""));
-  std::filesystem::last_write_time(folder / "cal/calibration.json", std::filesystem::file_time_type::clock::now() + std::chrono::seconds(2));
+  folder.write(
+      "cal/calibration.json",
+      answer("signed", R"({"k_i": {"value": 2e5, "unit": "kN/m"}, "e": {"value": 0.5, "unit": "-"}})", "rim", ""));
+  std::filesystem::last_write_time(folder / "cal/calibration.json",
+                                   std::filesystem::file_time_type::clock::now() + std::chrono::seconds(2));
   EXPECT_DOUBLE_EQ(load_scene("impact-window", {folder.cal()}).reduced.k_i, 2e8);
 }
 

@@ -4,7 +4,9 @@
 namespace {
 using namespace rimpact::scene;
 
-TEST(Doubts, NoneAboutTheDefaultScene) { EXPECT_TRUE(doubts(Scene{}).empty()); }
+TEST(Doubts, NoneAboutTheDefaultScene) {
+  EXPECT_TRUE(doubts(Scene{}).empty());
+}
 
 TEST(Doubts, AMassInTonnesIsNoticed) {
   Scene s;
@@ -37,7 +39,8 @@ TEST(Doubts, AWeightTwiceItsMassIsNoticed) {
   Scene s;
   s.load.vertical = 2000e3;
   ASSERT_EQ(doubts(s).size(), 1u);
-  EXPECT_NE(doubts(s)[0].find("2000 is 2.3 times load.mass_kg = 86952 times gravity (853 kN)"), std::string::npos) << doubts(s)[0];
+  EXPECT_NE(doubts(s)[0].find("2000 is 2.3 times load.mass_kg = 86952 times gravity (853 kN)"), std::string::npos)
+      << doubts(s)[0];
   s.load.vertical = 1.9 * 853e3;
   EXPECT_TRUE(doubts(s).empty());
 }
@@ -50,7 +53,8 @@ TEST(Doubts, StressesInPascalsAreNoticed) {
     EXPECT_NE(doubts(s)[0].find("is its unit MPa?"), std::string::npos) << doubts(s)[0];
   }
   Scene s;
-  s.bearing.steel.E = 200e3, s.bearing.steel.density = 7.85, s.bearing.ertalyte.density = 1.39, s.bearing.ertalyte.E = 3.2e6;
+  s.bearing.steel.E = 200e3, s.bearing.steel.density = 7.85, s.bearing.ertalyte.density = 1.39,
+  s.bearing.ertalyte.E = 3.2e6;
   EXPECT_EQ(doubts(s).size(), 4u);
 }
 
@@ -60,7 +64,9 @@ TEST(Doubts, APadOnASphereIsShapedToIt) {
   EXPECT_TRUE(doubts(s).empty()) << "rung rim has no pad";
   s.model.rung = "full";
   ASSERT_EQ(doubts(s).size(), 1u);
-  EXPECT_NE(doubts(s)[0].find("pad.shape_radius_mm = 1400 on a sphere of R0_m = 3: a pad shaped to its dish has 3000"), std::string::npos) << doubts(s)[0];
+  EXPECT_NE(doubts(s)[0].find("pad.shape_radius_mm = 1400 on a sphere of R0_m = 3: a pad shaped to its dish has 3000"),
+            std::string::npos)
+      << doubts(s)[0];
 }
 
 TEST(Doubts, TheThesissPairBelongsToOneBearing) {
@@ -71,7 +77,8 @@ TEST(Doubts, TheThesissPairBelongsToOneBearing) {
   EXPECT_TRUE(doubts_of_element(s).empty());
   s.bearing.rim.thickness = 0.050;
   ASSERT_EQ(doubts_of_element(s).size(), 1u);
-  for (const char *words : {"k_i = 450000 kN/m, e = 0.65", "the thesis's for shfps-225", "not this bearing's", "--calibration DIR"})
+  for (const char *words :
+       {"k_i = 450000 kN/m, e = 0.65", "the thesis's for shfps-225", "not this bearing's", "--calibration DIR"})
     EXPECT_NE(doubts_of_element(s)[0].find(words), std::string::npos) << doubts_of_element(s)[0];
   Scene own = s;
   own.reduced.k_i = 1e8;

@@ -87,8 +87,7 @@ TEST(Path, FigureEightReachesOnePointTwoFiveAmplitudes) {
   Excitation e;
   e.kind = ExcitationKind::figure_eight, e.amplitude = 0.31;
   double largest = 0;
-  for (int i = 0; i <= 4000; ++i)
-    largest = std::max(largest, prescribed_displacement(e, 0.4, i / 4000.0).norm());
+  for (int i = 0; i <= 4000; ++i) largest = std::max(largest, prescribed_displacement(e, 0.4, i / 4000.0).norm());
   EXPECT_NEAR(largest, 1.25 * 0.31, 1e-6); // 0.387 m (thesis notes)
 }
 

@@ -1,11 +1,11 @@
 // What results are of (identity), what a folder holds (kept runs), whose it is (locks), and what may name it.
 #include "expect_error.h"
-#include "scene/digest.h"
-#include "scene/files.h"
-#include "scene/folder_lock.h"
-#include "scene/kept_run.h"
+#include "files/digest.h"
+#include "files/file.h"
+#include "files/folder_lock.h"
+#include "responses/kept_run.h"
+#include "responses/summary.h"
 #include "scene/names.h"
-#include "scene/summary.h"
 #include "temporary_folder.h"
 #include <fmt/format.h>
 #include <sys/stat.h>
@@ -24,7 +24,9 @@ Scene record_scene(const TemporaryFolder &folder, double peak) {
 }
 void write_run(const std::string &folder, const Scene &scene) {
   Response response;
-  for (const char *name : {"time", "displacement_x", "displacement_y", "displacement_z", "force_x", "force_y", "force_z", "impact_x", "impact_y", "gap"}) response.append(name, 0);
+  for (const char *name : {"time", "displacement_x", "displacement_y", "displacement_z", "force_x", "force_y",
+                           "force_z", "impact_x", "impact_y", "gap"})
+    response.append(name, 0);
   write_run_folder(folder, scene, response, Summary());
 }
 
@@ -47,19 +49,22 @@ TEST(Identity, ChangesWithTheContentsOfARecordAndNotWithItsName) {
 }
 
 TEST(Identity, KnowsSceneAndProgramApart) {
-  const auto a = identity_of(load_scene("impact-window")), b = identity_of(load_scene("impact-window", {"excitation.speed_m_per_s=0.2"}));
+  const auto a = identity_of(load_scene("impact-window")),
+             b = identity_of(load_scene("impact-window", {"excitation.speed_m_per_s=0.2"}));
   EXPECT_EQ(changes(a, b), "the scene changed");
   auto other = a;
   other.build = "another";
   EXPECT_NE(changes(other, a).find("another version of the program"), std::string::npos);
   EXPECT_EQ(physics_version().size(), 64u);
   EXPECT_EQ(identity_from(to_json(a)), a);
-  for (const char *text : {"{}", "3", "null", R"({"scene": 1, "inputs": {}, "build": "b"})", R"({"scene": "", "inputs": [1], "build": "b"})"})
+  for (const char *text : {"{}", "3", "null", R"({"scene": 1, "inputs": {}, "build": "b"})",
+                           R"({"scene": "", "inputs": [1], "build": "b"})"})
     EXPECT_FALSE(identity_from(nlohmann::json::parse(text))) << text;
 }
 
 TEST(ResolvedKeys, AreValuesWithoutComments) {
-  const auto keys = resolved_keys("name = \"a # b\"   # said\n\n[excitation]\nscale = 1.0 # assumption\nlist = [1,\n  2,\n  3]\n[a.b]\nc = true\n");
+  const auto keys = resolved_keys(
+      "name = \"a # b\"   # said\n\n[excitation]\nscale = 1.0 # assumption\nlist = [1,\n  2,\n  3]\n[a.b]\nc = true\n");
   EXPECT_EQ(keys.at("name"), "\"a # b\"");
   EXPECT_EQ(keys.at("excitation.scale"), "1.0");
   EXPECT_EQ(keys.at("excitation.list"), "[1, 2, 3]");
@@ -68,9 +73,11 @@ TEST(ResolvedKeys, AreValuesWithoutComments) {
 }
 
 TEST(SceneDifferences, NameKeyAndBothValues) {
-  const std::string one = to_toml(load_scene("impact-window")), other = to_toml(load_scene("impact-window", {"excitation.speed_m_per_s=0.2"}));
+  const std::string one = to_toml(load_scene("impact-window")),
+                    other = to_toml(load_scene("impact-window", {"excitation.speed_m_per_s=0.2"}));
   EXPECT_EQ(scene_differences(one, one), "");
-  EXPECT_NE(scene_differences(one, other).find("excitation.speed_m_per_s is 0.1 there and 0.2 here"), std::string::npos) << scene_differences(one, other);
+  EXPECT_NE(scene_differences(one, other).find("excitation.speed_m_per_s is 0.1 there and 0.2 here"), std::string::npos)
+      << scene_differences(one, other);
   EXPECT_NE(scene_differences(one, to_toml(load_scene("ricker-0.78g-1.0s"))).find("more"), std::string::npos);
 }
 
@@ -98,10 +105,16 @@ TEST(KeptRun, SaysWhatDiffers) {
 TEST(Summaries, ThatAreDamagedAreRefusedInOneSentence) {
   const TemporaryFolder folder;
   EXPECT_TRUE(read_summary(folder.path()).empty());
-  for (const auto &[text, needle] : {std::pair{"{", "not a JSON object"}, {"[]", "not a JSON object"}, {R"({"status": 3})", "`status` must be a text, got 3"},
-                                     {R"({"status": null})", "status"}, {R"({"impacts": "X"})", "`impacts` must be a list"},
-                                     {R"({"impacts": [1]})", "impacts"}, {R"({"impacts": [{"peak_force_N": "big"}]})", "peak_force_N"},
-                                     {R"({"n_impacts": "two"})", "n_impacts"}, {R"({"energy": 1})", "energy"}, {R"({"wall_time_s": []})", "wall_time_s"}}) {
+  for (const auto &[text, needle] : {std::pair{"{", "not a JSON object"},
+                                     {"[]", "not a JSON object"},
+                                     {R"({"status": 3})", "`status` must be a text, got 3"},
+                                     {R"({"status": null})", "status"},
+                                     {R"({"impacts": "X"})", "`impacts` must be a list"},
+                                     {R"({"impacts": [1]})", "impacts"},
+                                     {R"({"impacts": [{"peak_force_N": "big"}]})", "peak_force_N"},
+                                     {R"({"n_impacts": "two"})", "n_impacts"},
+                                     {R"({"energy": 1})", "energy"},
+                                     {R"({"wall_time_s": []})", "wall_time_s"}}) {
     folder.write("summary.json", text);
     expect_error<DataError>([&] { read_summary(folder.path()); }, {"summary.json is damaged", needle});
   }
@@ -114,7 +127,8 @@ TEST(FolderLock, IsHeldByOneAndGoneWithIt) {
   const std::string run = folder / "a/run";
   {
     const FolderLock lock(run);
-    expect_error<IoError>([&] { FolderLock second(run); }, {run.c_str(), "in use by process", std::to_string(::getpid()).c_str(), "-o"});
+    expect_error<IoError>([&] { FolderLock second(run); },
+                          {run.c_str(), "in use by process", std::to_string(::getpid()).c_str(), "-o"});
     const FolderLock part(run, "2-of-3"); // shards run side by side
   }
   EXPECT_FALSE(std::filesystem::exists(run)) << "an empty folder that it made goes with it";
@@ -141,13 +155,18 @@ TEST(Removal, LeavesWhatIsTheUsers) {
   const std::string run = folder / "run";
   write_run(run, load_scene("impact-window"));
   std::filesystem::create_directories(run + "/fields");
-  for (const char *name : {"run/fields/rim_001.vtu", "run/fields.pvd", "run/checkpoint.h5", "run/response.png", "run/bearing.toml", "run/notes.txt"}) folder.write(name, "x");
+  for (const char *name : {"run/fields/rim_001.vtu", "run/fields.pvd", "run/checkpoint.h5", "run/response.png",
+                           "run/bearing.toml", "run/notes.txt"})
+    folder.write(name, "x");
   remove_by_products(run);
-  for (const char *gone : {"/fields", "/fields.pvd", "/checkpoint.h5", "/response.png"}) EXPECT_FALSE(std::filesystem::exists(run + gone)) << gone;
+  for (const char *gone : {"/fields", "/fields.pvd", "/checkpoint.h5", "/response.png"})
+    EXPECT_FALSE(std::filesystem::exists(run + gone)) << gone;
   EXPECT_TRUE(std::filesystem::exists(run + "/summary.json"));
   remove_run(run);
-  for (const char *gone : {"/summary.json", "/response.h5", "/response.csv"}) EXPECT_FALSE(std::filesystem::exists(run + gone)) << gone;
-  for (const char *stays : {"/scene.toml", "/bearing.toml", "/notes.txt"}) EXPECT_TRUE(std::filesystem::exists(run + stays)) << stays;
+  for (const char *gone : {"/summary.json", "/response.h5", "/response.csv"})
+    EXPECT_FALSE(std::filesystem::exists(run + gone)) << gone;
+  for (const char *stays : {"/scene.toml", "/bearing.toml", "/notes.txt"})
+    EXPECT_TRUE(std::filesystem::exists(run + stays)) << stays;
 }
 
 TEST(Names, ThatLeadElsewhereAreRefused) {
@@ -166,8 +185,13 @@ TEST(Names, ThatLeadElsewhereAreRefused) {
 }
 
 TEST(Names, AreFoldersWithoutSurprises) {
-  for (const auto &[name, folder] : {std::pair{"window-0.2", "window-0.2"}, {"caf\xc3\xa9 \xe6\xb0\xb4", "caf\xc3\xa9 \xe6\xb0\xb4"}, {"a\nb\x1b[31m", "a_b_[31m"},
-                                     {".hidden", "_hidden"}, {"-o", "_o"}, {"a/b", "a_b"}, {"", "scene"}})
+  for (const auto &[name, folder] : {std::pair{"window-0.2", "window-0.2"},
+                                     {"caf\xc3\xa9 \xe6\xb0\xb4", "caf\xc3\xa9 \xe6\xb0\xb4"},
+                                     {"a\nb\x1b[31m", "a_b_[31m"},
+                                     {".hidden", "_hidden"},
+                                     {"-o", "_o"},
+                                     {"a/b", "a_b"},
+                                     {"", "scene"}})
     EXPECT_EQ(folder_name(name), folder);
   EXPECT_EQ(folder_name(std::string(300, 'x')).size(), 100u);
   std::string euros;
@@ -175,7 +199,8 @@ TEST(Names, AreFoldersWithoutSurprises) {
   EXPECT_EQ(folder_name(euros).size(), 99u); // not in the middle of a character
   EXPECT_EQ(printable("a\x1b[2J\xff\tb\n"), "a?[2J?\tb\n");
   EXPECT_TRUE(is_utf8("\xf0\x9f\x8c\x89"));
-  for (const char *bad : {"\xc0\xaf", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\xe2\x82", "\x80"}) EXPECT_FALSE(is_utf8(bad));
+  for (const char *bad : {"\xc0\xaf", "\xed\xa0\x80", "\xf5\x80\x80\x80", "\xe2\x82", "\x80"})
+    EXPECT_FALSE(is_utf8(bad));
 }
 
 } // namespace

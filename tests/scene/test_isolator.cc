@@ -14,12 +14,8 @@ const Case cases[] = {
     {"negative_radius", "radius_m = -1.6", {"isolator.radius_m -1.6", "must be > 0"}},
     {"nan", "capacity_m = nan", {"isolator.capacity_m", "nan"}},
     {"capacity_beyond_the_sphere", "capacity_m = 5", {"isolator.capacity_m 5 must be below R_eff = 3 m"}},
-    {"slider_as_wide_as_the_sphere",
-     "slider_diameter_mm = 4000",
-     {"slider_diameter_mm 4000 must be below 2 R"}},
-    {"slider_flatter_than_its_face",
-     "top_height_mm = 1",
-     {"top_height_mm 1 must exceed", "depth of its curved face"}},
+    {"slider_as_wide_as_the_sphere", "slider_diameter_mm = 4000", {"slider_diameter_mm 4000 must be below 2 R"}},
+    {"slider_flatter_than_its_face", "top_height_mm = 1", {"top_height_mm 1 must exceed", "depth of its curved face"}},
     {"no_gap",
      "top_wall_mm = 20\nbottom_wall_mm = 60",
      {"bottom_wall_mm 60 exceeds isolator.top_wall_mm 20", "no gap"}},
@@ -42,8 +38,7 @@ class Isolator : public testing::TestWithParam<Case> {};
 
 TEST_P(Isolator, IsRefusedWithPlaceValueAndBound) {
   const std::string text =
-      std::string("[excitation]\nkind = \"ricker\"\n[reduced]\nmodel = \"lir-dcfp\"\n[isolator]\n") +
-      GetParam().lines;
+      std::string("[excitation]\nkind = \"ricker\"\n[reduced]\nmodel = \"lir-dcfp\"\n[isolator]\n") + GetParam().lines;
   const int line = 5 + std::count(text.begin() + text.find("[isolator]"), text.end(), '\n');
   const std::string place = "my.toml:" + std::to_string(line) + ":";
   expect_error<InputError>([&] { scene::parse_scene(text, "my.toml", {}); }, GetParam().words);
@@ -60,13 +55,17 @@ TEST(IsolatorWithUnequalPlates, ItsTopKeysAreReadWrittenAndDefaultToTheBottoms) 
   EXPECT_EQ(alike.isolator.lateral_capacity(), 0.2);
   EXPECT_EQ(to_toml(alike).find("top_radius"), std::string::npos);
   const auto apart = scene::parse_scene(
-      head + "radius_m = 1.2\ntop_radius_m = 2.0\ntop_capacity_m = 0.25\ntop_mu_fast = 0.1\ntop_mu_slow = 0.08\n", "my.toml", {});
+      head + "radius_m = 1.2\ntop_radius_m = 2.0\ntop_capacity_m = 0.25\ntop_mu_fast = 0.1\ntop_mu_slow = 0.08\n",
+      "my.toml", {});
   EXPECT_NEAR(apart.isolator.effective_radius(), 3.1, 1e-15);
   EXPECT_EQ(apart.isolator.lateral_capacity(), 0.25); // the bottom's 0.30 comes later
   EXPECT_EQ(scene::parse_scene(to_toml(apart), "again.toml", {}).isolator, apart.isolator);
-  expect_error<InputError>([&] { scene::parse_scene(head + "top_radius_m = -1\n", "my.toml", {}); }, {"isolator.top_radius_m -1", "my.toml:6"});
-  expect_error<InputError>([&] { scene::parse_scene(head + "top_capacity_m = 9\n", "my.toml", {}); }, {"isolator.top_capacity_m 9 must be below R_eff"});
-  expect_error<InputError>([&] { scene::parse_scene(head + "top_mu_fast = 3\n", "my.toml", {}); }, {"isolator.top_mu_fast 3"});
+  expect_error<InputError>([&] { scene::parse_scene(head + "top_radius_m = -1\n", "my.toml", {}); },
+                           {"isolator.top_radius_m -1", "my.toml:6"});
+  expect_error<InputError>([&] { scene::parse_scene(head + "top_capacity_m = 9\n", "my.toml", {}); },
+                           {"isolator.top_capacity_m 9 must be below R_eff"});
+  expect_error<InputError>([&] { scene::parse_scene(head + "top_mu_fast = 3\n", "my.toml", {}); },
+                           {"isolator.top_mu_fast 3"});
 }
 
 TEST(IsolatorOfAPlane, MovesAlongXOnly) {

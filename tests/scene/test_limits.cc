@@ -1,5 +1,5 @@
+#include "responses/limits.h"
 #include "scene/assumptions.h"
-#include "scene/limits.h"
 #include <gtest/gtest.h>
 
 namespace {
@@ -48,8 +48,10 @@ TEST(Limits, PastTheDishIsNoResult) {
   judge({}, s);
   EXPECT_EQ(s.extra["beyond_rim"], true);
   ASSERT_EQ(warnings(s).size(), 2u);
-  EXPECT_NE(warnings(s)[0].find("1400 mm from the middle, past the dish's edge at 520 mm"), std::string::npos) << warnings(s)[0];
-  EXPECT_NE(warnings(s)[1].find("1000 mm past the wall of a rim of 40 mm that this run leaves out"), std::string::npos) << warnings(s)[1];
+  EXPECT_NE(warnings(s)[0].find("1400 mm from the middle, past the dish's edge at 520 mm"), std::string::npos)
+      << warnings(s)[0];
+  EXPECT_NE(warnings(s)[1].find("1000 mm past the wall of a rim of 40 mm that this run leaves out"), std::string::npos)
+      << warnings(s)[1];
 }
 
 TEST(Limits, SpeedsOutsideTheFit) {
@@ -77,7 +79,8 @@ TEST(Limits, StrainOfTheSteel) {
   Summary s = one_impact(1.0, 0.01);
   s.max_plastic_strain = 0.475;
   judge(scene, s);
-  EXPECT_EQ(s.extra["strain_limit"], (nlohmann::json{{"limit", 0.2}, {"largest", 0.475}, {"exceeded", true}, {"assumption", true}}));
+  EXPECT_EQ(s.extra["strain_limit"],
+            (nlohmann::json{{"limit", 0.2}, {"largest", 0.475}, {"exceeded", true}, {"assumption", true}}));
   EXPECT_NE(warnings(s)[0].find("47.5 %, above the 20 %"), std::string::npos) << warnings(s)[0];
   EXPECT_NE(warnings(s)[0].find("an assumption"), std::string::npos);
   scene.bearing.assumed.keys.clear();

@@ -27,21 +27,26 @@ TEST(Load, AnotherBearingWithoutALoadIsRemarkedUpon) {
   const TemporaryFolder folder;
   folder.write("own.toml", "name = 'acme'\n[rim]\nheight_mm = 70\n");
   const auto remarks = [&](const std::string &more, const std::vector<std::string> &overrides = {}) {
-    return load_scene(folder.write("s.toml", "[bearing]\nfile = 'own.toml'\n[excitation]\nkind = 'window'\n" + more), overrides).remarks;
+    return load_scene(folder.write("s.toml", "[bearing]\nfile = 'own.toml'\n[excitation]\nkind = 'window'\n" + more),
+                      overrides)
+        .remarks;
   };
   ASSERT_EQ(remarks("").size(), 1u);
-  for (const char *words : {"load.vertical_kN", "load.mass_kg", "acme", "853 kN", "86952 kg"}) EXPECT_NE(remarks("")[0].find(words), std::string::npos) << words;
+  for (const char *words : {"load.vertical_kN", "load.mass_kg", "acme", "853 kN", "86952 kg"})
+    EXPECT_NE(remarks("")[0].find(words), std::string::npos) << words;
   EXPECT_TRUE(remarks("[load]\nmass_kg = 2e5\n").empty());
   EXPECT_TRUE(remarks("", {"load.vertical_kN=2000"}).empty());
   EXPECT_TRUE(load_scene("impact-window").remarks.empty());
-  EXPECT_TRUE(load_scene("impact-window", {"bearing.rim.height_mm=70"}).remarks.empty()) << "the same bearing, tried with another rim";
+  EXPECT_TRUE(load_scene("impact-window", {"bearing.rim.height_mm=70"}).remarks.empty())
+      << "the same bearing, tried with another rim";
   EXPECT_EQ(load_scene("impact-window", {"bearing.surface.R0_m=3"}).remarks.size(), 1u);
 }
 
 TEST(Load, ASceneWithoutAMotionSaysWhichItRuns) {
   const auto remarks = parse_scene("", "empty.toml").remarks;
   ASSERT_EQ(remarks.size(), 1u);
-  for (const char *words : {"empty.toml", "excitation.kind", "0.78 g", "shfps-225"}) EXPECT_NE(remarks[0].find(words), std::string::npos) << remarks[0];
+  for (const char *words : {"empty.toml", "excitation.kind", "0.78 g", "shfps-225"})
+    EXPECT_NE(remarks[0].find(words), std::string::npos) << remarks[0];
 }
 
 } // namespace

@@ -36,12 +36,14 @@ TEST(NewCase, EveryBuiltInSceneCanBeMadeRead) {
     EXPECT_NE(files.scene.find("[load]"), std::string::npos);
     EXPECT_NEAR(made.load.mass / original.load.mass, 1, 1e-4);
     EXPECT_EQ(made.load.vertical, original.load.vertical);
-    Scene heavier = load_scene(folder / "scene.toml", {fmt::format("load.vertical_kN={}", 2e-3 * original.load.vertical)});
+    Scene heavier =
+        load_scene(folder / "scene.toml", {fmt::format("load.vertical_kN={}", 2e-3 * original.load.vertical)});
     EXPECT_NEAR(heavier.load.mass / original.load.mass, 2, 1e-3) << "no mass is forgotten";
     EXPECT_EQ(made.bearing.assumed.keys.count("rim.height_mm"), 1u) << "marks are the catalogue's";
     EXPECT_EQ(made.bearing.assumed.keys.count("slider.diameter_mm"), 0u);
     const std::string all = uncommented(files.scene);
-    for (const char *key : {"k_i_kN_per_m", "restitution", "impact_exponent", "yield_force_kN", "unloading_gain", "mu_fast", "tolerance", "calibration"})
+    for (const char *key : {"k_i_kN_per_m", "restitution", "impact_exponent", "yield_force_kN", "unloading_gain",
+                            "mu_fast", "tolerance", "calibration"})
       EXPECT_NE(all.find(std::string("\n") + key + " = "), std::string::npos) << key;
     EXPECT_EQ(all.find("fitted_from"), std::string::npos);
   }
@@ -54,8 +56,10 @@ TEST(NewCase, CommentedKeysAreTheDefaults) {
   folder.write("bearing.toml", files.bearing);
   std::string all = uncommented(files.scene);
   for (const char *line : {"calibration = \"\"\n", "calibration = \"\" "})
-    if (const auto at = all.find(std::string("\n") + line); at != std::string::npos) all.erase(at, all.find('\n', at + 1) - at);
-  const Scene made = load_scene(folder.write("scene.toml", files.scene)), spelt = load_scene(folder.write("all.toml", all));
+    if (const auto at = all.find(std::string("\n") + line); at != std::string::npos)
+      all.erase(at, all.find('\n', at + 1) - at);
+  const Scene made = load_scene(folder.write("scene.toml", files.scene)),
+              spelt = load_scene(folder.write("all.toml", all));
   Scene same = spelt;
   same.name = made.name;
   EXPECT_EQ(to_toml(same), to_toml(made));
@@ -63,10 +67,12 @@ TEST(NewCase, CommentedKeysAreTheDefaults) {
 
 TEST(CaseDescription, SaysWhatIsRunAndWhereItsNumbersComeFrom) {
   const std::string text = describe_case(load_scene("ricker-0.78g-1.0s", {"excitation.scale=1.05"}));
-  for (const char *words : {"bearing: shfps-225, L_c = 400.0 mm", "W = 853 kN, m = 86952 kg", "motion: ricker, scale 1.05, amplitude_g 0.78", "period_s 1",
+  for (const char *words : {"bearing: shfps-225, L_c = 400.0 mm", "W = 853 kN, m = 86952 kg",
+                            "motion: ricker, scale 1.05, amplitude_g 0.78", "period_s 1",
                             "impact element: signed, k_i = 450000 kN/m, e = 0.65 (the thesis's pair for shfps-225)"})
     EXPECT_NE(text.find(words), std::string::npos) << words << "\n" << text;
-  const auto own = case_json(load_scene("impact-window", {"reduced.impact_law=elastoplastic", "reduced.yield_force_kN=814"}));
+  const auto own =
+      case_json(load_scene("impact-window", {"reduced.impact_law=elastoplastic", "reduced.yield_force_kN=814"}));
   EXPECT_EQ(own["impact_element"]["source"], "the scene");
   EXPECT_TRUE(own["impact_element"]["e"].is_null());
   EXPECT_EQ(own["motion"]["kind"], "window");

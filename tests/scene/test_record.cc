@@ -1,5 +1,5 @@
 #include "expect_error.h"
-#include "scene/record.h"
+#include "records/record.h"
 #include "temporary_folder.h"
 #include <cmath>
 #include <map>
@@ -16,8 +16,8 @@ SampledSignal at2(const std::string &text) {
 
 TEST(At2, ReadsEveryHeaderMetInPractice) {
   for (const char *line :
-       {"NPTS=      4, DT=   .0200 SEC,   0 POLE @    30.00000 HZ", "NPTS=  4, DT= .02000 SEC",
-        "NPTS= 4 DT= 0.02", "npts = 4 , dt = 2.0E-2 sec", "    4    .0200    NPTS, DT", "NPTS=4,DT=.02SEC"}) {
+       {"NPTS=      4, DT=   .0200 SEC,   0 POLE @    30.00000 HZ", "NPTS=  4, DT= .02000 SEC", "NPTS= 4 DT= 0.02",
+        "npts = 4 , dt = 2.0E-2 sec", "    4    .0200    NPTS, DT", "NPTS=4,DT=.02SEC"}) {
     SCOPED_TRACE(line);
     const auto r = at2(head + line + "\n .1E+00 -.2 \n 3.0D-01 0\n");
     EXPECT_DOUBLE_EQ(r.dt, 0.02);
@@ -49,14 +49,17 @@ TEST(At2, KnowsUnits) {
   for (const char *unit : {"cm/s/s", "CM/SEC**2", "gal", "cm/s^2"}) EXPECT_DOUBLE_EQ(with(unit), 0.01) << unit;
   for (const char *unit : {"G", "g, unfiltered", "G (HP 0.1 HZ)", "G'S"}) EXPECT_DOUBLE_EQ(with(unit), 10.0) << unit;
   expect_error<DataError>([&] { with("FURLONGS"); }, {"FURLONGS", "test.AT2:3"});
-  for (const char *unit : {"G/10", "G*100", "G / 10", "G X 100", "G 10", "CM/S/S/10", "CM/S/S*100", "CM/S/S/S", "GRAVITY"})
+  for (const char *unit :
+       {"G/10", "G*100", "G / 10", "G X 100", "G 10", "CM/S/S/10", "CM/S/S*100", "CM/S/S/S", "GRAVITY"})
     expect_error<DataError>([&] { with(unit); }, {"test.AT2:3", "is not known"});
 }
 
 TEST(At2, FindsTheUnitHoweverItIsAnnounced) {
-  const auto with = [](const std::string &line) { return at2("a\nb\n" + line + "\nNPTS= 2, DT= .01\n1 1\n").values[0]; };
-  for (const char *line : {"ACCELERATION TIME SERIES, UNITS: CM/S/S", "ACCELERATION TIME SERIES (CM/S/S)", "UNITS = CM/S/S",
-                           "ACCELERATION TIME HISTORY IN CM/S/S", "Units (cm/s/s)"})
+  const auto with = [](const std::string &line) {
+    return at2("a\nb\n" + line + "\nNPTS= 2, DT= .01\n1 1\n").values[0];
+  };
+  for (const char *line : {"ACCELERATION TIME SERIES, UNITS: CM/S/S", "ACCELERATION TIME SERIES (CM/S/S)",
+                           "UNITS = CM/S/S", "ACCELERATION TIME HISTORY IN CM/S/S", "Units (cm/s/s)"})
     EXPECT_DOUBLE_EQ(with(line), 0.01) << line;
   expect_error<DataError>([&] { with("UNITS: G/10"); }, {"G/10"});
 }
@@ -114,7 +117,8 @@ TEST(RecordCsv, RefusesWhatContradictsItself) {
   const auto refuse = [](const std::string &text, std::initializer_list<const char *> words) {
     expect_error<DataError>([&] { parse_record_csv(text, "r.csv", 10.0); }, words);
   };
-  refuse("time_s,acceleration_g,acceleration_m_per_s2\n0,0.2,9\n1,0,0\n", {"r.csv:1", "column 3", "acceleration_m_per_s2", "acceleration_g"});
+  refuse("time_s,acceleration_g,acceleration_m_per_s2\n0,0.2,9\n1,0,0\n",
+         {"r.csv:1", "column 3", "acceleration_m_per_s2", "acceleration_g"});
   refuse("time_s,acceleration_g,acceleration_g\n0,0.2,9\n1,0,0\n", {"r.csv:1", "column 3"});
   refuse("time_s,acceleration_g,time_s\n0,0.2,9\n1,0,0\n", {"r.csv:1", "time_s"});
   refuse("time_s,acceleration_g\n0,0,1\n1,0,2\n", {"r.csv:2", "3 cells for 2 columns", "decimal comma"});
@@ -144,8 +148,7 @@ TEST(BuiltinPulse, IntegratesToItsVelocity) {
       v += (record.values[i] + record.values[i + 1]) / 2 * record.dt;
       const double tau = (static_cast<double>(i) + 1) * record.dt - centre, w = 2 * M_PI * frequency;
       const bool inside = std::abs(tau) < cycles / (2 * frequency);
-      const double expected =
-          inside ? -amplitude / 2 * (1 + std::cos(w * tau / cycles)) * std::sin(w * tau) : 0;
+      const double expected = inside ? -amplitude / 2 * (1 + std::cos(w * tau / cycles)) * std::sin(w * tau) : 0;
       largest_error = std::max(largest_error, std::abs(v - expected));
     }
     EXPECT_LT(largest_error, 1e-3 * amplitude) << name;

@@ -1,5 +1,6 @@
 #include "expect_error.h"
-#include "scene/summary.h"
+#include "files/file.h"
+#include "responses/summary.h"
 #include "temporary_folder.h"
 #include <cmath>
 #include <csignal>
@@ -15,9 +16,8 @@ Response example(std::size_t n = 200) {
   for (std::size_t i = 0; i < n; ++i) {
     const double t = 0.01 * static_cast<double>(i) / 3;
     r.append("time", t);
-    for (const char *name :
-         {"displacement_x", "displacement_y", "displacement_z", "velocity_x", "velocity_y", "force_x",
-          "force_y", "force_z", "impact_x", "impact_y", "gap", "energy_plastic"})
+    for (const char *name : {"displacement_x", "displacement_y", "displacement_z", "velocity_x", "velocity_y",
+                             "force_x", "force_y", "force_z", "impact_x", "impact_y", "gap", "energy_plastic"})
       r.append(name, std::sin(t + name[0] + name[9 % std::string(name).size()]));
   }
   r.meta["version"] = "1.2.3";
@@ -72,8 +72,8 @@ TEST(ResponseHdf5, RefusesDamagedFiles) {
   const TemporaryFolder folder;
   write_hdf5(example(), folder / "r.h5");
   const std::string bytes = text_of(folder / "r.h5");
-  for (const std::size_t kept : {std::size_t{0}, std::size_t{7}, std::size_t{8}, std::size_t{100},
-                                 bytes.size() / 2, bytes.size() - 1}) {
+  for (const std::size_t kept :
+       {std::size_t{0}, std::size_t{7}, std::size_t{8}, std::size_t{100}, bytes.size() / 2, bytes.size() - 1}) {
     const std::string path = folder.write("cut.h5", bytes.substr(0, kept));
     expect_error<DataError>([&] { read_response(path); }, {"cut.h5"});
   }
@@ -89,8 +89,7 @@ TEST(ResponseCsv, HasTheContractsHeaderAndReadsBackExactly) {
   const std::string text = text_of(folder / "r.csv");
   EXPECT_EQ(text.substr(0, text.find('\n')), "time_s,ux_m,uy_m,uz_m,Fx_N,Fy_N,Fz_N,Ix_N,Iy_N,gap_m");
   const Response back = read_response(folder / "r.csv");
-  for (const char *name :
-       {"time", "displacement_x", "displacement_z", "force_y", "impact_x", "impact_y", "gap"})
+  for (const char *name : {"time", "displacement_x", "displacement_z", "force_y", "impact_x", "impact_y", "gap"})
     EXPECT_EQ(back.series(name), r.series(name)) << name;
   EXPECT_FALSE(back.has("velocity_x"));
 }
@@ -137,12 +136,12 @@ TEST(Writing, AFullDiskLeavesEarlierResults) {
   const Response earlier = example(20);
   write_hdf5(earlier, folder / "r.h5");
   write_csv(earlier, folder / "r.csv");
-  write_text("earlier", folder / "t.txt");
+  write_atomically("earlier", folder / "t.txt");
   {
     const FullDisk full(4096);
     expect_error<IoError>([&] { write_hdf5(example(5000), folder / "r.h5"); }, {"r.h5", "File too large"});
     expect_error<IoError>([&] { write_csv(example(5000), folder / "r.csv"); }, {"r.csv"});
-    expect_error<IoError>([&] { write_text(std::string(10000, 'x'), folder / "t.txt"); }, {"t.txt"});
+    expect_error<IoError>([&] { write_atomically(std::string(10000, 'x'), folder / "t.txt"); }, {"t.txt"});
   }
   EXPECT_EQ(read_response(folder / "r.h5").all(), earlier.all());
   EXPECT_EQ(read_response(folder / "r.csv").size(), 20u);
@@ -152,7 +151,7 @@ TEST(Writing, AFullDiskLeavesEarlierResults) {
 }
 
 TEST(Writing, NamesAFolderThatIsNotThere) {
-  expect_error<IoError>([] { write_text("x", "/no/such/folder/x.txt"); },
+  expect_error<IoError>([] { write_atomically("x", "/no/such/folder/x.txt"); },
                         {"/no/such/folder/x.txt", "No such file"});
   expect_error<IoError>([] { write_hdf5(example(), "/proc/r.h5"); }, {"/proc/r.h5"});
 }

@@ -37,10 +37,11 @@ TEST(SceneToml, ALongTableComesBackFromItsOwnFile) {
   std::string radii = "0.0", heights = "0.0";
   for (int i = 1; i < 500; ++i) {
     const double r = 1.1 * i;
-    radii += fmt::format(", {}", r), heights += fmt::format(", {:.9f}", 140.625 * (1 - std::sqrt(1 - r * r / (562.5 * 562.5))));
+    radii += fmt::format(", {}", r),
+        heights += fmt::format(", {:.9f}", 140.625 * (1 - std::sqrt(1 - r * r / (562.5 * 562.5))));
   }
-  const Scene scene = parse("[bearing.surface]\nkind = \"table\"\nplanar_radius_mm = 520.0\nradius_mm = [" + radii + "]\nheight_mm = [" +
-                            heights + "]\n");
+  const Scene scene = parse("[bearing.surface]\nkind = \"table\"\nplanar_radius_mm = 520.0\nradius_mm = [" + radii +
+                            "]\nheight_mm = [" + heights + "]\n");
   ASSERT_EQ(scene.bearing.surface.table_radius.size(), 500u);
   const std::string text = to_toml(scene);
   expect_same(scene, parse(text));
@@ -95,8 +96,7 @@ TEST(SceneToml, DefaultsFollowOtherKeys) {
   EXPECT_DOUBLE_EQ(long_pulse.excitation.duration, 9.0);
   const Scene window = parse("[excitation]\nkind = 'window'\n");
   EXPECT_DOUBLE_EQ(window.excitation.duration, 0.2);
-  EXPECT_FALSE(window.excitation.with_weight || window.excitation.with_friction ||
-               window.excitation.with_ground);
+  EXPECT_FALSE(window.excitation.with_weight || window.excitation.with_friction || window.excitation.with_ground);
   EXPECT_TRUE(parse("[excitation]\nkind = 'window'\nwith = ['weight', 'ground']").excitation.with_ground);
   EXPECT_DOUBLE_EQ(parse("[excitation]\nkind = 'figure-eight'\n").excitation.amplitude, 0.31);
   EXPECT_DOUBLE_EQ(parse("[bearing.contact]\nsteel_ertalyte = 0.05\n").reduced.mu_slow, 0.05);
@@ -203,9 +203,11 @@ TEST(SceneToml, ErrorsNameFileLineColumnAndBound) {
   refuse("[load]\nqqqqqq = 1\n", {"known: gravity_m_per_s2, mass_kg, vertical_kN"});
   refuse("[load]\nvertical_kN = 2000,5\n", {"my.toml:2:", "decimals follow a point: 2000.5"});
   refuse("bearing = 'own.toml'\n", {"my.toml:1:11", "the line [bearing] and under it the line file = \"own.toml\""});
-  refuse("[rim]\nheight_mm = 60\n", {"my.toml:1", "a bearing file", "where a scene is wanted", "file = \"my.toml\"", "rimpact main"});
+  refuse("[rim]\nheight_mm = 60\n",
+         {"my.toml:1", "a bearing file", "where a scene is wanted", "file = \"my.toml\"", "rimpact main"});
   refuse("[excitation]\nkind = 'ricker'\n[rim]\nheight_mm = 60\n", {"my.toml:3", "it is bearing.rim"});
-  refuse("[bearing.material.steel]\ntangent_modulus_MPa = inf\n", {"my.toml:2", "tangent_modulus_MPa inf", "below E_MPa 200000"});
+  refuse("[bearing.material.steel]\ntangent_modulus_MPa = inf\n",
+         {"my.toml:2", "tangent_modulus_MPa inf", "below E_MPa 200000"});
 }
 
 TEST(SceneToml, OverrideErrorsNameTheOverride) {
@@ -262,9 +264,13 @@ TEST(SceneFiles, OneKindOfFileIsNotAnother) {
 /// A maker's bearing for rung rim: no word of pad and foot, and a slider that the default socket does not fit.
 TEST(SceneFiles, ABearingWithoutPadAndFootServesRungRim) {
   const TemporaryFolder folder;
-  folder.write("own.toml", "name = 'acme'\n[surface]\nkind = 'sphere'\nR0_m = 3.0\nplanar_radius_mm = 600\n[slider]\ndiameter_mm = 300\n"
-                           "bottom_mm = 95\ntop_mm = 200\n[rim]\nheight_mm = 90\nthickness_mm = 50\n");
-  const auto path = folder.write("s.toml", "[bearing]\nfile = 'own.toml'\n[load]\nvertical_kN = 2000\n[excitation]\nkind = 'window'\nwith = ['weight']\n");
+  folder.write(
+      "own.toml",
+      "name = 'acme'\n[surface]\nkind = 'sphere'\nR0_m = 3.0\nplanar_radius_mm = 600\n[slider]\ndiameter_mm = 300\n"
+      "bottom_mm = 95\ntop_mm = 200\n[rim]\nheight_mm = 90\nthickness_mm = 50\n");
+  const auto path = folder.write(
+      "s.toml",
+      "[bearing]\nfile = 'own.toml'\n[load]\nvertical_kN = 2000\n[excitation]\nkind = 'window'\nwith = ['weight']\n");
   const Scene scene = load_scene(path);
   EXPECT_GT(scene.bearing.foot.cap_radius, 0.095);
   EXPECT_EQ(scene.bearing.assumed.keys.count("foot.cap_radius_mm"), 1u);
@@ -272,7 +278,8 @@ TEST(SceneFiles, ABearingWithoutPadAndFootServesRungRim) {
   for (const char *rung : {"rigid-dish", "full"})
     expect_error<InputError>([&] { load_scene(path, {std::string("model.rung=") + rung}); }, {"own.toml"});
   expect_error<InputError>([&] { load_scene(path, {"reduced.finite_pad=true"}); }, {"own.toml"});
-  expect_error<InputError>([&] { load_scene(path, {"bearing.foot.cap_radius_mm=90"}); }, {"foot.cap_radius_mm 90", "95"});
+  expect_error<InputError>([&] { load_scene(path, {"bearing.foot.cap_radius_mm=90"}); },
+                           {"foot.cap_radius_mm 90", "95"});
 }
 
 TEST(SceneFiles, ResolvedRecordsRunFromAnywhere) {
@@ -284,13 +291,11 @@ TEST(SceneFiles, ResolvedRecordsRunFromAnywhere) {
   EXPECT_TRUE(std::filesystem::path(scene.excitation.y_file).is_absolute());
   const Scene again = parse_scene(to_toml(scene), "scene.toml", {}, "/");
   EXPECT_EQ(again.excitation.y, scene.excitation.y);
-  expect_error<DataError>([&] { load_scene(path, {"excitation.y=gone.AT2"}); },
-                          {"--set excitation.y", "no such file"});
+  expect_error<DataError>([&] { load_scene(path, {"excitation.y=gone.AT2"}); }, {"--set excitation.y", "no such file"});
 }
 
 TEST(SceneFiles, SylmarAsksForItsRecords) {
-  if (std::filesystem::exists("RSN1086_NORTHR_SYL360.AT2"))
-    GTEST_SKIP() << "the records are in the current folder";
+  if (std::filesystem::exists("RSN1086_NORTHR_SYL360.AT2")) GTEST_SKIP() << "the records are in the current folder";
   expect_error<DataError>([] { load_scene("sylmar-bidirectional"); }, {"RSN1086_NORTHR_SYL360.AT2", "--set"});
 }
 
@@ -324,10 +329,8 @@ TEST(SceneToml, RefusesTablesWithTheirPlace) {
   expect_error<DataError>(load(table_text), {"dish.csv:1", "radius_mm,height_mm"});
   folder.write("dish.csv", "radius_mm,height_mm\n0,0\n10,1,2\n");
   expect_error<DataError>(load(table_text), {"dish.csv:3", "3 of 2 columns"});
-  expect_error<InputError>(load(std::string(table_text) + "radius_mm = [0, 1]\n"),
-                           {"b.toml:3", "or the rows"});
-  expect_error<InputError>(load("[surface]\nfile = 'dish.csv'\n"),
-                           {"b.toml:2", "needs surface.kind \"table\""});
+  expect_error<InputError>(load(std::string(table_text) + "radius_mm = [0, 1]\n"), {"b.toml:3", "or the rows"});
+  expect_error<InputError>(load("[surface]\nfile = 'dish.csv'\n"), {"b.toml:2", "needs surface.kind \"table\""});
   expect_error<InputError>(load("[surface]\nkind = 'table'\nradius_mm = [0, 'a']\n"),
                            {"b.toml:3", "surface.radius_mm must be a number", "\"a\""});
   expect_error<InputError>(load("[surface]\nkind = 'table'\nradius_mm = [0, 10]\nheight_mm = [0, 1]\n"),

@@ -1,4 +1,4 @@
-#include "scene/spectral_acceleration.h"
+#include "records/spectral_acceleration.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
@@ -10,8 +10,7 @@ using std::numbers::pi;
 // sqrt(1 - xi^2)).
 TEST(SpectralAcceleration, StepOvershoots) {
   SampledSignal step{0.01, std::vector<double>(301, 2.0)};
-  EXPECT_NEAR(spectral_acceleration(step, 1.0, 0.05), 2 * (1 + std::exp(-0.05 * pi / std::sqrt(1 - 0.0025))),
-              1e-3);
+  EXPECT_NEAR(spectral_acceleration(step, 1.0, 0.05), 2 * (1 + std::exp(-0.05 * pi / std::sqrt(1 - 0.0025))), 1e-3);
   EXPECT_NEAR(spectral_acceleration(step, 1.0, 0.0), 4, 2e-3);
 }
 

@@ -1,6 +1,6 @@
 #include "expect_error.h"
-#include "scene/identity.h"
-#include "scene/summary.h"
+#include "responses/identity.h"
+#include "responses/summary.h"
 #include "temporary_folder.h"
 #include <cmath>
 
@@ -14,14 +14,12 @@ constexpr double capacity = 0.4;
 /// mm deep.
 Response two_impacts(bool with_velocities = true) {
   Response r;
-  const double angle[2] = {M_PI / 6, M_PI / 6 - M_PI}, in[2] = {0.5, 0.2}, out[2] = {0.3, 0.2},
-               force[2] = {2e6, 1e6};
+  const double angle[2] = {M_PI / 6, M_PI / 6 - M_PI}, in[2] = {0.5, 0.2}, out[2] = {0.3, 0.2}, force[2] = {2e6, 1e6};
   const double depth[2] = {0.002, 0.001};
   const auto add = [&](double t, double radius, double speed, int k, double f) {
     const double c = std::cos(angle[k]), s = std::sin(angle[k]);
     r.append("time", t);
-    r.append("displacement_x", radius * c), r.append("displacement_y", radius * s),
-        r.append("displacement_z", 0.04);
+    r.append("displacement_x", radius * c), r.append("displacement_y", radius * s), r.append("displacement_z", 0.04);
     if (with_velocities) r.append("velocity_x", speed * c), r.append("velocity_y", speed * s);
     r.append("impact_x", -f * c), r.append("impact_y", -f * s);
     r.append("force_x", -(f + 1e5) * c), r.append("force_y", -(f + 1e5) * s), r.append("force_z", 8e5);
@@ -100,11 +98,11 @@ TEST(Summary, JsonHasTheContractsKeys) {
                           "status",
                           "plan"})
     EXPECT_TRUE(json.contains(key)) << key;
-  for (const char *key : {"touch_time_s", "release_time_s", "direction_deg", "approach_speed_m_s",
-                          "rebound_speed_m_s", "restitution", "peak_force_N", "peak_penetration_m"})
+  for (const char *key : {"touch_time_s", "release_time_s", "direction_deg", "approach_speed_m_s", "rebound_speed_m_s",
+                          "restitution", "peak_force_N", "peak_penetration_m"})
     EXPECT_TRUE(json["impacts"][0].contains(key)) << key;
-  for (const char *key : {"external_J", "gravity_J", "kinetic_J", "elastic_J", "plastic_J", "friction_J",
-                          "impact_J", "contact_J", "integrator_J", "imbalance_relative"})
+  for (const char *key : {"external_J", "gravity_J", "kinetic_J", "elastic_J", "plastic_J", "friction_J", "impact_J",
+                          "contact_J", "integrator_J", "imbalance_relative"})
     EXPECT_TRUE(json["energy"].contains(key)) << key;
   for (const char *key : {"search", "assembly", "factor", "solve", "output"})
     EXPECT_TRUE(json["time_split_s"].contains(key)) << key;

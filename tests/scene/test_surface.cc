@@ -1,7 +1,7 @@
-#include <Eigen/LU>
 #include "expect_error.h"
 #include "scene/surface.h"
 #include <cmath>
+#include <Eigen/LU>
 
 namespace {
 using namespace rimpact;
@@ -33,8 +33,7 @@ class Surfaces : public testing::TestWithParam<const char *> {
 protected:
   std::unique_ptr<SlidingSurface> surface = make_surface(spec_of(GetParam()));
 };
-INSTANTIATE_TEST_SUITE_P(Kinds, Surfaces,
-                         testing::Values("ellipse", "sphere", "cone", "polynomial", "table"));
+INSTANTIATE_TEST_SUITE_P(Kinds, Surfaces, testing::Values("ellipse", "sphere", "cone", "polynomial", "table"));
 
 TEST_P(Surfaces, HeightFieldSolvesTheImplicitEquation) {
   for (const double r : {0.0, 0.1, 0.31, 0.5})
@@ -59,8 +58,7 @@ TEST_P(Surfaces, DerivativesAgreeWithDifferences) {
   const auto here = surface->at(p.x(), p.y());
   for (int i = 0; i < 2; ++i) {
     const Eigen::Vector2d s = h * Eigen::Vector2d::Unit(i), q = p.head<2>();
-    const auto up = surface->at(q.x() + s.x(), q.y() + s.y()),
-               down = surface->at(q.x() - s.x(), q.y() - s.y());
+    const auto up = surface->at(q.x() + s.x(), q.y() + s.y()), down = surface->at(q.x() - s.x(), q.y() - s.y());
     EXPECT_NEAR(here.gradient[i], (up.z - down.z) / (2 * h), 1e-9);
     EXPECT_TRUE(here.hessian.col(i).isApprox((up.gradient - down.gradient) / (2 * h), 1e-7));
   }
@@ -124,8 +122,7 @@ TEST(Polynomial, IsTheSumOfItsPowers) {
   const auto surface = make_surface(spec_of("polynomial"));
   const double r = 0.37;
   EXPECT_NEAR(surface->at(0, r).z,
-              r * r / 4.5 + 0.3 * std::pow(r, 3) - 0.2 * std::pow(r, 4) + 0.4 * std::pow(r, 5) +
-                  0.5 * std::pow(r, 6),
+              r * r / 4.5 + 0.3 * std::pow(r, 3) - 0.2 * std::pow(r, 4) + 0.4 * std::pow(r, 5) + 0.5 * std::pow(r, 6),
               1e-15);
 }
 
@@ -146,8 +143,7 @@ TEST(Table, ConvergesToTheEllipseItSamples) {
     const auto table = make_surface(table_of(height, level ? 81 : 41, 0.53));
     for (double r = 0.001; r < 0.45; r += 0.01) {
       error[level] = std::max(error[level], std::abs(table->at(r, 0).z - exact->at(r, 0).z));
-      bend[level] =
-          std::max(bend[level], std::abs(table->curvatures(r).meridional - exact->curvatures(r).meridional));
+      bend[level] = std::max(bend[level], std::abs(table->curvatures(r).meridional - exact->curvatures(r).meridional));
     }
   }
   EXPECT_LT(error[1], 1e-8);
@@ -170,8 +166,7 @@ TEST(Table, RefusesRowsThatMakeNoTable) {
 }
 
 TEST(Surface, RefusesUnknownKindsAndPointsOutside) {
-  expect_error<InputError>([] { make_surface(spec_of("elipse")); },
-                           {"elipse", "did you mean \"ellipse\"", "sphere"});
+  expect_error<InputError>([] { make_surface(spec_of("elipse")); }, {"elipse", "did you mean \"ellipse\"", "sphere"});
   EXPECT_THROW(make_surface(spec_of("table"))->at(0.6, 0), std::domain_error);
   const auto surface = make_surface(SurfaceSpec{});
   EXPECT_THROW(surface->at(0.5625, 0), std::domain_error);

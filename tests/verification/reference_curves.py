@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Makes the curves kept in calibration/references, which a calibration to rung rigid-dish is fitted to, some hour and three quarters of one core: mesh 1, windows with weight and friction
+"""Makes the curves kept in data/references, which a calibration to rung rigid-dish is fitted to, some hour and three quarters of one core: mesh 1, windows with weight and friction
 from 0.07 to 1.2 m/s, Ricker pulses and the bidirectional one to half a second after release. Runs kept in FOLDER are not repeated. Of each run KEPT gets scene.toml,
 summary.json and response.csv, nine digits, from the start on: a run folder `rimpact calibrate` and `compare` read.
 Fails when a run's imbalance is 1e-3 or more, or it has no impact.

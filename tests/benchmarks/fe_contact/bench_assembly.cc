@@ -51,9 +51,9 @@ void assembly(benchmark::State &state) {
   state.counters["tangent_error"] = (tangent.multiply(direction) - difference).norm() / difference.norm();
   state.counters["dofs"] = equations.n;
   state.counters["threads"] = fe::assembly_threads();
-  state.counters["plastic_share"] = static_cast<double>(std::count_if(next.begin(), next.end(), [](const auto &p) {
-                                      return p.alpha > 0;
-                                    })) / next.size();
+  state.counters["plastic_share"] =
+      static_cast<double>(std::count_if(next.begin(), next.end(), [](const auto &p) { return p.alpha > 0; })) /
+      next.size();
 }
 
 } // namespace

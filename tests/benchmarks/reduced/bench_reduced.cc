@@ -18,7 +18,7 @@ scene::Scene pulse(const char *friction, double tolerance) {
   return s;
 }
 
-void report(benchmark::State &state, const scene::Summary &run, const scene::Summary &tight) {
+void report(benchmark::State &state, const Summary &run, const Summary &tight) {
   state.counters["error_displacement"] = std::abs(run.peak_displacement / tight.peak_displacement - 1);
   state.counters["error_force"] = std::abs(*run.peak_impact_force / *tight.peak_impact_force - 1);
   state.counters["imbalance"] = std::abs(run.energy->imbalance_relative());
@@ -28,14 +28,14 @@ void report(benchmark::State &state, const scene::Summary &run, const scene::Sum
 /// range(0): -log10 of the tolerance.
 void own_stepper(benchmark::State &state, const char *friction) {
   const scene::Scene s = pulse(friction, std::pow(10, -static_cast<double>(state.range(0))));
-  scene::Summary run;
+  Summary run;
   for (auto _ : state) run = reduced::simulate_summary(s);
   report(state, run, reduced::simulate_summary(pulse(friction, 1e-13)));
 }
 
 void cvode(benchmark::State &state, const char *friction) {
   const scene::Scene s = pulse(friction, std::pow(10, -static_cast<double>(state.range(0))));
-  scene::Summary run;
+  Summary run;
   for (auto _ : state) run = reduced::simulate_with_cvode(s).summary;
   report(state, run, reduced::simulate_summary(pulse(friction, 1e-13)));
 }
@@ -53,7 +53,7 @@ void on_dish(benchmark::State &state, const char *kind) {
       surface.table_height.push_back(ellipse->at(0.01 * i, 0).z);
     }
   }
-  scene::Summary run;
+  Summary run;
   for (auto _ : state) run = reduced::simulate_summary(s);
   report(state, run, reduced::simulate_summary(tight));
 }
@@ -71,9 +71,9 @@ void double_concave(benchmark::State &state, const char *model, int points) {
   s.excitation.scale = 1.2, s.excitation.duration = 20;
   scene::Scene tight = s;
   tight.isolator.step_tolerance = 0.01 * s.isolator.step_tolerance;
-  scene::Summary run;
+  Summary run;
   for (auto _ : state) run = reduced::simulate_summary(s);
-  const scene::Summary exact = reduced::simulate_summary(tight);
+  const Summary exact = reduced::simulate_summary(tight);
   report(state, run, exact);
   state.counters["error_lateral"] = std::abs(run.peak_lateral_force / exact.peak_lateral_force - 1);
   state.counters["impacts"] = static_cast<double>(run.impacts.size());
@@ -81,12 +81,11 @@ void double_concave(benchmark::State &state, const char *model, int points) {
 
 /// The four-degrees-of-freedom model of thesis 2.6.1 over 12 s, at the tolerance 10^-range(0).
 void four_dof(benchmark::State &state) {
-  scene::Scene s = scene::load_scene("frame-four-dof", {"excitation.scale=1.3", "excitation.duration_s=12"}),
-               tight = s;
+  scene::Scene s = scene::load_scene("frame-four-dof", {"excitation.scale=1.3", "excitation.duration_s=12"}), tight = s;
   s.reduced.tolerance = std::pow(10, -static_cast<double>(state.range(0))), tight.reduced.tolerance = 1e-12;
-  scene::Summary run;
+  Summary run;
   for (auto _ : state) run = reduced::simulate_summary(s);
-  const scene::Summary exact = reduced::simulate_summary(tight);
+  const Summary exact = reduced::simulate_summary(tight);
   report(state, run, exact);
   state.counters["error_drift"] =
       std::abs(run.extra["peak_drift_m"].get<double>() / exact.extra["peak_drift_m"].get<double>() - 1);

@@ -42,8 +42,7 @@ scene::Scene near_interface(double mu) {
 }
 scene::Scene with_frame(double post_yield) {
   scene::Scene s = shaken("lir-dcfp", 0.5);
-  s.superstructure.kind = "bouc-wen", s.superstructure.mass_ratio = 0.7,
-  s.superstructure.post_yield = post_yield;
+  s.superstructure.kind = "bouc-wen", s.superstructure.mass_ratio = 0.7, s.superstructure.post_yield = post_yield;
   s.superstructure.yield = 0.005;
   return s;
 }
@@ -64,8 +63,7 @@ double least_point_force(const reduced::ReducedRun &run) {
 }
 double gap_left(const reduced::ReducedRun &run, double gap) {
   double largest = 0;
-  for (const double slip : run.response.series("interface_slip_x"))
-    largest = std::max(largest, std::abs(slip));
+  for (const double slip : run.response.series("interface_slip_x")) largest = std::max(largest, std::abs(slip));
   return gap - largest; // below zero: pressed into the stop
 }
 
@@ -105,10 +103,9 @@ std::string judge(const Case &hard, std::vector<std::string> &failures) {
   const auto require = [&](bool right, const std::string &what) {
     if (!right) failures.push_back(hard.name + ": " + what);
   };
-  std::string text =
-      fmt::format("{:<28} {:>8} {:>4} {:>9.1f} {:>9.0f} | {:8.1e} {:8.1e} {:8.1e}",
-                  hard.name + (hard.must_be_right ? " *" : ""), s.status, s.impacts.size(),
-                  1e3 * s.peak_displacement, 1e-3 * s.peak_lateral_force, off_u, off_F, energy);
+  std::string text = fmt::format("{:<28} {:>8} {:>4} {:>9.1f} {:>9.0f} | {:8.1e} {:8.1e} {:8.1e}",
+                                 hard.name + (hard.must_be_right ? " *" : ""), s.status, s.impacts.size(),
+                                 1e3 * s.peak_displacement, 1e-3 * s.peak_lateral_force, off_u, off_F, energy);
   require(s.status == hard.status, "status " + s.status);
   require(s.status == "done" || !s.reason.empty(), "no reason given");
   if (hard.must_be_right) {
@@ -139,8 +136,7 @@ bool same(const std::string &a, const std::string &b) {
 
 int main(int argc, char **argv) {
   std::string baseline, written, table;
-  for (int i = 1; i + 1 < argc; i += 2)
-    (std::string(argv[i]) == "--write" ? written : baseline) = argv[i + 1];
+  for (int i = 1; i + 1 < argc; i += 2) (std::string(argv[i]) == "--write" ? written : baseline) = argv[i + 1];
   const std::string header =
       "# Hard cases of the double concave models; rows with * must be right. Made by "
       "hard_cases_double_concave.\n"

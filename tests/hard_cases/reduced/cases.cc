@@ -43,8 +43,8 @@ scene::Scene rubbing(double mu) {
 }
 
 /// A sum of sines under a slow envelope, sampled: `peak` [m/s^2], from rest to rest.
-scene::SampledSignal shaking(double peak, double dt, double duration, double shift) {
-  scene::SampledSignal a{.dt = dt, .values = {}};
+SampledSignal shaking(double peak, double dt, double duration, double shift) {
+  SampledSignal a{.dt = dt, .values = {}};
   for (int i = 0; i * dt <= duration; ++i) {
     const double t = i * dt, envelope = std::pow(std::sin(std::numbers::pi * t / duration), 2);
     double sum = 0;
@@ -109,10 +109,9 @@ void add_surfaces(std::vector<Case> &list) {
                       s.bearing.surface.table_height.push_back(ellipse->at(0.01 * i, 0).z);
                     }
                   })});
-  list.push_back(
-      {"r_p within 1 % of a",
-       with(pulse(1.1), [](auto &s) { s.bearing.surface.planar_radius = 0.995 * s.bearing.surface.a; }),
-       false});
+  list.push_back({"r_p within 1 % of a",
+                  with(pulse(1.1), [](auto &s) { s.bearing.surface.planar_radius = 0.995 * s.bearing.surface.a; }),
+                  false});
   list.push_back({"leaves the dish", with(pulse(1.8), [](auto &s) { s.reduced.k_i = 0; }), false});
 }
 
@@ -120,13 +119,12 @@ void add_records(std::vector<Case> &list) {
   list.push_back({"vertical acceleration 1.3 g", record(5, 1.3 * 9.81, 0.01, 20)});
   list.push_back({"record, dt 0.02 s", record(4, 0, 0.02, 30)});
   list.push_back({"record, dt 0.005 s", record(4, 0, 0.005, 30)});
-  list.push_back(
-      {"100 s of 0.02 g: holds", record(0.02 * 9.81, 0, 0.01, 100), true, "residual [m]", residual, 0});
+  list.push_back({"100 s of 0.02 g: holds", record(0.02 * 9.81, 0, 0.01, 100), true, "residual [m]", residual, 0});
   list.push_back({"100 s of 0.05 g: creeps", record(0.05 * 9.81, 0, 0.01, 100)});
   // 0.08 J in all, where the Park-Wen state stores 6 J: its energies close at a tolerance of 1e-10 only.
   const auto park_wen = [](auto &s) { s.reduced.friction = "park-wen", s.reduced.tolerance = 1e-10; };
-  list.push_back({"100 s of 0.01 g: park-wen", with(record(0.01 * 9.81, 0, 0.01, 100), park_wen), true,
-                  "residual [m]", residual, 1e-5});
+  list.push_back({"100 s of 0.01 g: park-wen", with(record(0.01 * 9.81, 0, 0.01, 100), park_wen), true, "residual [m]",
+                  residual, 1e-5});
   for (const double factor : {10.0, 1000.0})
     list.push_back({fmt::format("tolerance x {:g}", factor),
                     with(pulse(1.1), [=](auto &s) { s.reduced.tolerance *= factor; }), false});

@@ -9,12 +9,10 @@ using namespace rimpact::hard_cases;
 
 int main(int argc, char **argv) {
   std::string baseline, written;
-  for (int i = 1; i + 1 < argc; i += 2)
-    (std::string(argv[i]) == "--write" ? written : baseline) = argv[i + 1];
-  std::string table =
-      "# Hard cases of the reduced model; rows with * must be right. Made by hard_cases_reduced.\n"
-      "# off: against CVODE at 1e-11; energy: imbalance over the largest input.\n" +
-      header();
+  for (int i = 1; i + 1 < argc; i += 2) (std::string(argv[i]) == "--write" ? written : baseline) = argv[i + 1];
+  std::string table = "# Hard cases of the reduced model; rows with * must be right. Made by hard_cases_reduced.\n"
+                      "# off: against CVODE at 1e-11; energy: imbalance over the largest input.\n" +
+                      header();
   fmt::print("{}", table);
   std::vector<std::string> failures;
   for (const auto &hard : cases()) {

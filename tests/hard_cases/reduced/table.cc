@@ -12,7 +12,7 @@ double relative(double value, double reference) {
   return reference != 0 ? std::abs(value / reference - 1) : std::abs(value);
 }
 
-void compare(Outcome &o, const scene::Summary &own, const scene::Summary &other) {
+void compare(Outcome &o, const Summary &own, const Summary &other) {
   o.off_displacement = relative(own.peak_displacement, other.peak_displacement);
   o.off_force = relative(*own.peak_impact_force, *other.peak_impact_force);
   o.off_residual = std::abs(own.residual_displacement - other.residual_displacement);
@@ -33,7 +33,7 @@ void apply_bounds(Outcome &o) {
   if (o.status != "done") o.failures.push_back("status " + o.status);
 }
 
-bool well_formed(const scene::Response &response) {
+bool well_formed(const Response &response) {
   try {
     response.check();
   } catch (const std::logic_error &) {
@@ -72,16 +72,15 @@ Outcome judge(const Case &hard) {
 }
 
 std::string header() {
-  return fmt::format("# {:<28} {:>8} {:>7} {:>12} {:>12} {:>12} | {:>8} {:>8} {:>8} {:>8}\n", "case",
-                     "status", "impacts", "peak mm", "peak kN", "residual mm", "off peak", "off kN",
-                     "off res", "energy");
+  return fmt::format("# {:<28} {:>8} {:>7} {:>12} {:>12} {:>12} | {:>8} {:>8} {:>8} {:>8}\n", "case", "status",
+                     "impacts", "peak mm", "peak kN", "residual mm", "off peak", "off kN", "off res", "energy");
 }
 
 std::string row(const Outcome &o) {
-  std::string text = fmt::format(
-      "{:<30} {:>8} {:>7} {:>12.5f} {:>12.3f} {:>12.5f} | {:8.1e} {:8.1e} {:8.1e} {:8.1e}",
-      o.name + (o.must_be_right ? " *" : ""), o.status, o.n_impacts, 1e3 * o.peak_displacement,
-      1e-3 * o.peak_force, 1e3 * o.residual, o.off_displacement, o.off_force, o.off_residual, o.imbalance);
+  std::string text =
+      fmt::format("{:<30} {:>8} {:>7} {:>12.5f} {:>12.3f} {:>12.5f} | {:8.1e} {:8.1e} {:8.1e} {:8.1e}",
+                  o.name + (o.must_be_right ? " *" : ""), o.status, o.n_impacts, 1e3 * o.peak_displacement,
+                  1e-3 * o.peak_force, 1e3 * o.residual, o.off_displacement, o.off_force, o.off_residual, o.imbalance);
   for (const auto &extra : {o.fact, o.reason})
     if (!extra.empty()) text += "  " + extra;
   return text + "\n";

@@ -18,7 +18,9 @@ inline double effective_friction(const scene::DoubleConcave &b, double mu, doubl
   const double bottom = arm(mu, b.radius, b.edge_angle()), top = arm(top_mu, b.upper_radius(), b.top_edge_angle());
   return (bottom + top) / (b.effective_radius() - bottom * mu - top * top_mu);
 }
-inline double effective_friction(const scene::DoubleConcave &b, double mu) { return effective_friction(b, mu, mu); }
+inline double effective_friction(const scene::DoubleConcave &b, double mu) {
+  return effective_friction(b, mu, mu);
+}
 
 /// One slow LIR-DCFP (or DCFP: no interface) followed along a path u of the plate; the rims are rigid.
 struct QuasiStaticLoop {

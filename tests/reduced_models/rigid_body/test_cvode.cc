@@ -83,15 +83,12 @@ public:
     }
   }
   double displacement(const double *y) const { return y[6 * model_.plate]; }
-  double drift(const double *y) const {
-    return n_links_ ? y[6 * (model_.plate + 1)] - y[6 * model_.plate] : 0;
-  }
+  double drift(const double *y) const { return n_links_ ? y[6 * (model_.plate + 1)] - y[6 * model_.plate] : 0; }
   /// On the plate, after `rates`.
   double force() const {
     double sum = 0;
     for (std::size_t i = 0; i < n_contacts_; ++i)
-      if (model_.system.contacts[i].master == model_.plate)
-        sum -= (contact_[i].normal + contact_[i].friction)[0];
+      if (model_.system.contacts[i].master == model_.plate) sum -= (contact_[i].normal + contact_[i].friction)[0];
     return sum;
   }
 
@@ -136,8 +133,7 @@ Peaks by_cvode(const scene::Scene &scene) {
       break;
     }
     equations.rates(t, N_VGetArrayPointer(y), N_VGetArrayPointer(dy));
-    peaks.displacement =
-        std::max(peaks.displacement, std::abs(equations.displacement(N_VGetArrayPointer(y))));
+    peaks.displacement = std::max(peaks.displacement, std::abs(equations.displacement(N_VGetArrayPointer(y))));
     peaks.force = std::max(peaks.force, std::abs(equations.force()));
     peaks.drift = std::max(peaks.drift, std::abs(equations.drift(N_VGetArrayPointer(y))));
   }
@@ -158,8 +154,7 @@ scene::Scene struck(const std::string &model) {
   s.reduced.k_i = 4e7;
   s.load.mass = 2e5, s.load.vertical = s.load.mass * s.load.gravity;
   s.isolator.step_tolerance = 1e-6;
-  s.excitation.amplitude_g = 0.5, s.excitation.period = 1.5, s.excitation.centre = 2,
-  s.excitation.duration = 4;
+  s.excitation.amplitude_g = 0.5, s.excitation.period = 1.5, s.excitation.centre = 2, s.excitation.duration = 4;
   return s;
 }
 
@@ -170,8 +165,7 @@ void expect_same(const scene::Scene &scene) {
   EXPECT_GE(own.summary.impacts.size(), 1u);
   EXPECT_NEAR(own.summary.peak_displacement / other.displacement, 1, 1e-4);
   EXPECT_NEAR(own.summary.peak_lateral_force / other.force, 1, 1e-3);
-  if (scene.superstructure.any())
-    EXPECT_NEAR(own.summary.extra["peak_drift_m"].get<double>() / other.drift, 1, 1e-3);
+  if (scene.superstructure.any()) EXPECT_NEAR(own.summary.extra["peak_drift_m"].get<double>() / other.drift, 1, 1e-3);
 }
 
 TEST(RigidBodyCvode, DoubleConcave) {

@@ -39,7 +39,7 @@ scene::Scene as_sphere(const scene::Scene &given, double mu) {
   return s;
 }
 
-double value_at(const scene::Response &r, const char *name, double t) {
+double value_at(const Response &r, const char *name, double t) {
   const auto &time = r.series("time"), &value = r.series(name);
   const std::size_t i = std::upper_bound(time.begin(), time.end() - 1, t) - time.begin();
   const double share = (t - time[i - 1]) / (time[i] - time[i - 1]);
@@ -96,12 +96,14 @@ TEST(DoubleConcaveMotion, TheStepToleranceGovernsTheError) {
   EXPECT_LT(coarse.n_steps, fine.n_steps);
 }
 
-/// Where a dashpot's force begins, its peak is c v at the touch: at the tolerance a scene file has by default every later peak is met as well.
+/// Where a dashpot's force begins, its peak is c v at the touch: at the tolerance a scene file has by default every
+/// later peak is met as well.
 TEST(DoubleConcaveMotion, ADashpotsPeakAtTheTouchIsMetAtTheUsualTolerance) {
   scene::Scene scene;
   scene.reduced.model = "lir-dcfp", scene.reduced.mu_fast = scene.reduced.mu_slow = 0.06, scene.reduced.k_i = 4e7;
   scene.load.vertical = 4905e3, scene.load.mass = 5e5;
-  scene.excitation.amplitude_g = 0.45, scene.excitation.period = 1.5, scene.excitation.centre = 3, scene.excitation.duration = 6;
+  scene.excitation.amplitude_g = 0.45, scene.excitation.period = 1.5, scene.excitation.centre = 3,
+  scene.excitation.duration = 6;
   auto &b = scene.isolator;
   b.radius = 1.175, b.capacity = 0.25, b.slider_diameter = 0.3, b.top_height = b.bottom_height = 0.05;
   b.top_wall = 0.06, b.bottom_wall = 0.01, b.mu_interface = 0.14, b.space = "spatial", b.points = 8;

@@ -5,7 +5,7 @@
 namespace rimpact::reduced::testing {
 namespace {
 
-double largest(const scene::Response &r, const char *name) {
+double largest(const Response &r, const char *name) {
   double value = 0;
   for (const double x : r.series(name)) value = std::max(value, std::abs(x));
   return value;

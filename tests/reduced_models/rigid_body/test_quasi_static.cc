@@ -22,8 +22,7 @@ TEST(DoubleConcaveLoop, LowFrictionSlidingIsAtTheEffectiveFriction) {
     for (std::size_t i = 1; i < u.size(); ++i) {
       const double sense = loop.sense, expected = loop.move(u[i]);
       since_turn = sense == loop.sense ? since_turn + std::abs(u[i] - u[i - 1]) : 0;
-      if (since_turn > settled)
-        ASSERT_NEAR(-F[i] / scene.load.vertical, expected, 1e-4) << model << " u " << u[i];
+      if (since_turn > settled) ASSERT_NEAR(-F[i] / scene.load.vertical, expected, 1e-4) << model << " u " << u[i];
     }
     EXPECT_EQ(run.summary.impacts.size(), 0u);
   }
@@ -31,15 +30,16 @@ TEST(DoubleConcaveLoop, LowFrictionSlidingIsAtTheEffectiveFriction) {
 
 TEST(DoubleConcaveLoop, TheEffectiveFrictionIsNotThatOfOneSurface) {
   const auto scene = specimen();
-  const double mu_e = effective_friction(scene.isolator, 0.066),
-               approximate = 0.066 * 2 * scene.isolator.radius / scene.isolator.effective_radius() /
-                             std::cos(scene.isolator.edge_angle());
+  const double mu_e = effective_friction(scene.isolator, 0.066), approximate = 0.066 * 2 * scene.isolator.radius /
+                                                                               scene.isolator.effective_radius() /
+                                                                               std::cos(scene.isolator.edge_angle());
   EXPECT_NEAR(mu_e, approximate, 1e-3 * approximate);
   EXPECT_GT(mu_e, 1.05 * 0.066);
 }
 
-/// A rigid slider tilts against both plates alike, so both faces slide at once: one slope W / (R_1 + R_2 - H), frictions weighted
-/// by the radii. (An articulated one slides on the face of less friction first: Fenz and Constantinou 2008.)
+/// A rigid slider tilts against both plates alike, so both faces slide at once: one slope W / (R_1 + R_2 - H),
+/// frictions weighted by the radii. (An articulated one slides on the face of less friction first: Fenz and
+/// Constantinou 2008.)
 TEST(DoubleConcaveLoop, UnequalPlatesSlideTogetherAtTheFrictionWeightedByTheirRadii) {
   for (const char *model : {"dcfp", "lir-dcfp"})
     for (const char *space : {"planar", "spatial"}) {
@@ -49,28 +49,31 @@ TEST(DoubleConcaveLoop, UnequalPlatesSlideTogetherAtTheFrictionWeightedByTheirRa
       const auto run = simulate(scene);
       ASSERT_EQ(run.summary.status, "done");
       QuasiStaticLoop loop{scene.isolator, 0.066, scene.impact_resilient()};
-      EXPECT_NEAR(effective_friction(scene.isolator, 0.066, 0.03), (0.066 * 0.75 + 0.03 * 1.1) / (0.75 + 1.1 - 0.085), 5e-4);
+      EXPECT_NEAR(effective_friction(scene.isolator, 0.066, 0.03), (0.066 * 0.75 + 0.03 * 1.1) / (0.75 + 1.1 - 0.085),
+                  5e-4);
       Column u = run.response.series("displacement_x"), F = run.response.series("force_x");
       const double off = space == std::string("planar") ? 1e-4 : 4e-4; // eight points on a circle: their cosines differ
       double since_turn = 0;
-      constexpr double both_slide = 10 * settled; // after a turn the slider rocks on its contact springs until the second face slides too
+      constexpr double both_slide =
+          10 * settled; // after a turn the slider rocks on its contact springs until the second face slides too
       for (std::size_t i = 1; i < u.size(); ++i) {
         const double sense = loop.sense, expected = loop.move(u[i]);
         since_turn = sense == loop.sense ? since_turn + std::abs(u[i] - u[i - 1]) : 0;
-        if (since_turn > both_slide) ASSERT_NEAR(-F[i] / scene.load.vertical, expected, off) << model << space << " u " << u[i];
+        if (since_turn > both_slide)
+          ASSERT_NEAR(-F[i] / scene.load.vertical, expected, off) << model << space << " u " << u[i];
       }
     }
 }
 
-/// The rim of the smaller capacity is touched first; from there the slider keeps its tilt and rides with its edge on the other
-/// dish, F = W tan(alpha + atan mu), the stage of slope W / R of the other surface (docs/theory.md).
+/// The rim of the smaller capacity is touched first; from there the slider keeps its tilt and rides with its edge on
+/// the other dish, F = W tan(alpha + atan mu), the stage of slope W / R of the other surface (docs/theory.md).
 TEST(DoubleConcaveLoop, PastTheFirstRimTheSliderSlidesOnTheOtherDish) {
   auto scene = cyclic(specimen("dcfp"), 0.12);
   const auto &b = scene.isolator;
   scene.isolator.top_radius = 1.1, scene.isolator.top_mu_fast = 0.03, scene.isolator.top_capacity = 0.10;
   const auto run = simulate(scene);
-  Column u = run.response.series("displacement_x"), F = run.response.series("force_x"), impact = run.response.series("impact_x"),
-         gap = run.response.series("gap");
+  Column u = run.response.series("displacement_x"), F = run.response.series("force_x"),
+         impact = run.response.series("impact_x"), gap = run.response.series("gap");
   std::size_t first = 0;
   while (first < u.size() && impact[first] == 0) ++first;
   ASSERT_LT(first, u.size());
@@ -97,8 +100,7 @@ TEST(DoubleConcaveLoop, TheInterfaceSlidesAtItsOwnAngle) {
     n_before = std::abs(slip[i] - slip[i - 1]) < 1e-5 ? 0 : n_before + 1;
     if (n_before < 6) continue;
     const double sense = slip[i] > slip[i - 1] ? 1 : -1, theta = u[i] > 0 ? tilt[i] : -tilt[i];
-    ASSERT_NEAR(-F[i] / scene.load.vertical, std::tan(theta + sense * std::atan(0.126)), 1e-6)
-        << "u " << u[i];
+    ASSERT_NEAR(-F[i] / scene.load.vertical, std::tan(theta + sense * std::atan(0.126)), 1e-6) << "u " << u[i];
     ++n_sliding;
   }
   EXPECT_GT(n_sliding, 20);

@@ -16,8 +16,7 @@ scene::Scene carried(const std::string &model, double amplitude_g, double post_y
   s.reduced.mu_fast = s.reduced.mu_slow = 0.05;
   s.load.mass = 2e5, s.load.vertical = s.load.mass * s.load.gravity;
   s.excitation.amplitude_g = amplitude_g, s.excitation.period = 1.5, s.excitation.centre = 3;
-  s.superstructure.kind = "bouc-wen", s.superstructure.mass_ratio = 0.7,
-  s.superstructure.post_yield = post_yield;
+  s.superstructure.kind = "bouc-wen", s.superstructure.mass_ratio = 0.7, s.superstructure.post_yield = post_yield;
   return s;
 }
 

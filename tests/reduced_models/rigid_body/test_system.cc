@@ -33,8 +33,7 @@ TEST(SlipState, DerivativesAgreeWithDifferences) {
       for (const double h_over_q : {0.2, 30.0})
         for (int i = 0; i < 3; ++i) {
           const Vector3d z0(0.6, 0.5, 0), dv = 1e-6 * Vector3d::Unit(i);
-          const Vector3d difference =
-              ((*law)(z0, v + dv, h_over_q).z - (*law)(z0, v - dv, h_over_q).z) / 2e-6;
+          const Vector3d difference = ((*law)(z0, v + dv, h_over_q).z - (*law)(z0, v - dv, h_over_q).z) / 2e-6;
           EXPECT_NEAR(((*law)(z0, v, h_over_q).d_velocity.col(i) - difference).norm(), 0, 1e-7);
         }
 }
@@ -58,8 +57,7 @@ TEST(RigidSystem, TangentAgreesWithDifferences) {
         poses[b].position += weight * dv.segment<3>(6 * b);
         const Vector3d turn = weight * dv.segment<3>(6 * b + 3);
         if (turn.norm() > 0)
-          poses[b].rotation =
-              Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix() * poses[b].rotation;
+          poses[b].rotation = Eigen::AngleAxisd(turn.norm(), turn.normalized()).toRotationMatrix() * poses[b].rotation;
       }
       return system.forces(poses, state.velocity + dv, {weight, weight, slip}, forces, tangent);
     };

@@ -38,13 +38,15 @@ Pressed press(double gap, double down, double across, double mu, double penalty_
   Pressed result{true, 0, 0, 0, {}};
   const auto to = [&](double dx, double dz, int pieces) {
     const double from_x = state.u[x], from_z = state.u[z];
-    const auto report = fe::march(0, 1, {1.0 / pieces, 0.01 / pieces, 1.0 / pieces}, [&](double t, double dt) -> fe::Attempt {
-      fe::StepTerms terms{Eigen::VectorXd::Zero(state.u.size())};
-      terms.driven = {{x, from_x + (t + dt) * (dx - from_x)}, {z, from_z + (t + dt) * (dz - from_z)}};
-      const auto step = static_step(system, state, terms, options);
-      result.iterations += step.iterations;
-      return {step.converged && !step.capped, 0, step.converged ? "the augmentations' cap was reached" : step.reason};
-    });
+    const auto report =
+        fe::march(0, 1, {1.0 / pieces, 0.01 / pieces, 1.0 / pieces}, [&](double t, double dt) -> fe::Attempt {
+          fe::StepTerms terms{Eigen::VectorXd::Zero(state.u.size())};
+          terms.driven = {{x, from_x + (t + dt) * (dx - from_x)}, {z, from_z + (t + dt) * (dz - from_z)}};
+          const auto step = static_step(system, state, terms, options);
+          result.iterations += step.iterations;
+          return {step.converged && !step.capped, 0,
+                  step.converged ? "the augmentations' cap was reached" : step.reason};
+        });
     result.converged = result.converged && report.finished;
     if (!report.finished) result.reason = report.reason;
   };
@@ -82,7 +84,8 @@ Table hard_states() {
   must("mu 0, slid 20 mm: shear", smooth, smooth.shear, 0, F);
   const Pressed rough = press(0, 0.01, 1e-4, 1.0, 1);
   table.add({"mu 1, moved 0.1 mm: shear", 0, rough.shear, 0, 0, rough.iterations, 0});
-  table.gate("mu 1 sticks: shear below the normal force", rough.converged ? std::max(0.0, rough.shear / rough.force - 1) : 1, 0);
+  table.gate("mu 1 sticks: shear below the normal force",
+             rough.converged ? std::max(0.0, rough.shear / rough.force - 1) : 1, 0);
   const Pressed off = press(0, 0.01, -0.6, 0.1, 1, true);
   table.add({"lid pushed 0.6 m off the block: force", 0, off.force, 0, 0, off.iterations, 0});
   table.gate("pushed off: no NaN", std::isfinite(off.force) ? 0 : 1, 0);

@@ -43,7 +43,8 @@ Throw thrown(Setup &setup, double speed, double end, fe::TransientOptions option
   result.iterations = report.iterations;
   result.steps = report.march.steps;
   result.finished = report.march.finished;
-  if (!result.finished) result.reason = fmt::format("; stopped at {:.3g} s: {}", report.march.reached, report.march.reason);
+  if (!result.finished)
+    result.reason = fmt::format("; stopped at {:.3g} s: {}", report.march.reached, report.march.reason);
   return result;
 }
 
@@ -103,13 +104,13 @@ Table elastic_bars() {
     const int dofs = setup.system->equations().n;
     table.add({"steel: rebound [m/s]", h, result.rebound, 100, std::size_t(dofs), result.iterations, timer.seconds()});
     table.add({"steel: touch [s]", h, result.touch, 20e-6, std::size_t(dofs), result.iterations, timer.seconds()});
-    table.add({"steel: contact time [s]", h, result.release - result.touch, 80e-6, std::size_t(dofs),
-               result.iterations, timer.seconds()});
-    table.add({"steel: mean force [N]", h, result.mean_force, 1.6e6, std::size_t(dofs), result.iterations,
+    table.add({"steel: contact time [s]", h, result.release - result.touch, 80e-6, std::size_t(dofs), result.iterations,
                timer.seconds()});
+    table.add(
+        {"steel: mean force [N]", h, result.mean_force, 1.6e6, std::size_t(dofs), result.iterations, timer.seconds()});
     table.note(fmt::format("steel, {} steps{}", result.steps, result.reason));
-    table.note(fmt::format("steel, h {:.4g} m: vibration {:.2f} %, integrator {:.2f} % of the energy, imbalance {:.1e}", h,
-                           100 * result.vibration, 100 * result.loss, result.imbalance));
+    table.note(fmt::format("steel, h {:.4g} m: vibration {:.2f} %, integrator {:.2f} % of the energy, imbalance {:.1e}",
+                           h, 100 * result.vibration, 100 * result.loss, result.imbalance));
     table.gate("steel: imbalance", result.imbalance, 1e-3);
     table.gate("steel: run finished", result.finished ? 0 : 1, 0);
   }
@@ -146,7 +147,8 @@ Table signorini_bar() {
   for (const int n : {20, 40, 80}) {
     const Timer timer;
     meshes::HexMesh mesh;
-    test::add_box(mesh, {{0, 0, 0}, {0.1, 0.1, 1.0}, {1, 1, n}, Volume::rim, {{4, Surface::slider_side}, {5, Surface::fixed}}});
+    test::add_box(
+        mesh, {{0, 0, 0}, {0.1, 0.1, 1.0}, {1, 1, n}, Volume::rim, {{4, Surface::slider_side}, {5, Surface::fixed}}});
     Setup setup(mesh, elastic(1.0, 0.0, 1.0));
     const auto everywhere = [](const Vector3d &) { return true; };
     for (int i = 0; i < 2; ++i) setup.supports.fix(i, everywhere);
@@ -154,7 +156,8 @@ Table signorini_bar() {
     setup.make();
     auto &system = *setup.system;
     const double h = 1.0 / n;
-    system.add_contact(Surface::slider_side, fe::plane(Vector3d::Zero(), Vector3d::UnitZ()), contact_options(1.0, h, 0, 10));
+    system.add_contact(Surface::slider_side, fe::plane(Vector3d::Zero(), Vector3d::UnitZ()),
+                       contact_options(1.0, h, 0, 10));
     SystemState state = system.at_rest();
     int tip = -1;
     for (std::size_t node = 0; node < setup.space.n_nodes; ++node)
@@ -183,8 +186,10 @@ Table signorini_bar() {
           before = t;
         });
     const std::size_t dofs = system.equations().n;
-    table.add({"contact stress / -amplitude", h, stress / stress_time / s, 0.5, dofs, report.iterations, timer.seconds()});
-    table.add({"tip displacement, L2 error", h, std::sqrt(square / 3) / s, 0, dofs, report.iterations, timer.seconds()});
+    table.add(
+        {"contact stress / -amplitude", h, stress / stress_time / s, 0.5, dofs, report.iterations, timer.seconds()});
+    table.add(
+        {"tip displacement, L2 error", h, std::sqrt(square / 3) / s, 0, dofs, report.iterations, timer.seconds()});
     table.add({"energy after a period", h, energy / (s * s * 0.01), 0.125, dofs, report.iterations, timer.seconds()});
     table.gate("imbalance", report.ledger.imbalance(), 1e-3);
     table.gate("finished", report.march.finished ? 0 : 1, 0);

@@ -11,8 +11,11 @@ meshes::HexMesh block(const Indentation &p, double L, double first, bool both_si
   meshes::HexMesh mesh;
   const auto grade = graded(p.cells, first / L);
   const auto signed_grade = [=](double s) { return s < 0 ? -grade(-s) : grade(s); };
-  test::Box box{{both_sides ? -1.0 : 0.0, 0, -1}, {1, 1, 0}, {both_sides ? 2 * p.cells : p.cells, p.sphere ? p.cells : 1, p.cells},
-                Volume::rim, {{5, Surface::slider_side}}};
+  test::Box box{{both_sides ? -1.0 : 0.0, 0, -1},
+                {1, 1, 0},
+                {both_sides ? 2 * p.cells : p.cells, p.sphere ? p.cells : 1, p.cells},
+                Volume::rim,
+                {{5, Surface::slider_side}}};
   test::add_box(mesh, box, [&](std::array<double, 3> x) {
     return std::array<double, 3>{L * signed_grade(x[0]), p.sphere ? L * grade(x[1]) : x[1] * first, -L * grade(-x[2])};
   });
@@ -22,10 +25,10 @@ meshes::HexMesh block(const Indentation &p, double L, double first, bool both_si
 /// Displacement of a half-space z < 0 under forces P (down) and Q (along x) at its origin (Boussinesq, Cerruti).
 Vector3d far_field(const Vector3d &x, double P, double Q, double E, double nu) {
   const double G = E / (2 * (1 + nu)), z = -x.z(), r = x.norm(), k = 1 - 2 * nu;
-  const Vector3d down = P / (4 * M_PI * G) *
-                        Vector3d(x.x() * z / std::pow(r, 3) - k * x.x() / (r * (r + z)),
-                                 x.y() * z / std::pow(r, 3) - k * x.y() / (r * (r + z)),
-                                 z * z / std::pow(r, 3) + 2 * (1 - nu) / r);
+  const Vector3d down =
+      P / (4 * M_PI * G) *
+      Vector3d(x.x() * z / std::pow(r, 3) - k * x.x() / (r * (r + z)),
+               x.y() * z / std::pow(r, 3) - k * x.y() / (r * (r + z)), z * z / std::pow(r, 3) + 2 * (1 - nu) / r);
   const double s = r + z;
   const Vector3d along = Q / (4 * M_PI * G) *
                          Vector3d(1 / r + x.x() * x.x() / std::pow(r, 3) + k * (1 / s - x.x() * x.x() / (r * s * s)),
@@ -136,8 +139,7 @@ IndentationResult indent(const Indentation &p) {
         if (const Vector3d x = setup.space.positions[node]; outer(x)) {
           const Vector3d u = far_field(x, normal * p.load, tangential * p.tangential * p.mu * p.load, p.E, p.nu);
           for (int i = 0; i < 3; ++i)
-            if (const int equation = setup.equation(node, i); equation >= 0)
-              terms.driven.push_back({equation, u[i]});
+            if (const int equation = setup.equation(node, i); equation >= 0) terms.driven.push_back({equation, u[i]});
         }
     return terms;
   };
@@ -160,7 +162,8 @@ IndentationResult indent(const Indentation &p) {
   result.depth = -state.u[z_equation];
   if (both) {
     system.contact(0).options().law.friction = fe::FrictionCoefficient::constant(p.mu);
-    load_in_steps(system, state, [&](double share) { return terms_at(1, share); }, step_options, result);
+    load_in_steps(
+        system, state, [&](double share) { return terms_at(1, share); }, step_options, result);
   }
 
   measure(p, system.contact(0).samples(system.expand(state), state.contacts[0]), state.contacts[0], result);

@@ -7,18 +7,18 @@
 namespace rimpact::verification {
 
 struct Indentation {
-  bool sphere;     ///< else a cylinder along y, plane strain
-  double E, nu;    ///< of the half-space [Pa]
-  double radius;   ///< [m]
-  double load;     ///< [N]; per metre for a cylinder
-  double half_size;///< theoretical a or b [m]: sets the mesh
-  int cells;       ///< a direction
+  bool sphere;                   ///< else a cylinder along y, plane strain
+  double E, nu;                  ///< of the half-space [Pa]
+  double radius;                 ///< [m]
+  double load;                   ///< [N]; per metre for a cylinder
+  double half_size;              ///< theoretical a or b [m]: sets the mesh
+  int cells;                     ///< a direction
   double mu = 0, tangential = 0; ///< friction, and tangential over normal load, put on after the normal load
   double penalty_factor = 1.0;
 };
 
 struct IndentationResult {
-  double half_size, peak_pressure, depth, size; ///< a or b from the pressures' second moment; h [m]
+  double half_size, peak_pressure, depth, size;  ///< a or b from the pressures' second moment; h [m]
   double stick_ratio_area, stick_ratio_traction; ///< c/a
   std::size_t dofs;
   int iterations = 0, cuts = 0, tangential_iterations_most = 0;

@@ -35,9 +35,7 @@ meshes::HexMesh quarter_bar(double radius, double bottom, double length, int n, 
         for (int k = 0; k < nz; ++k) {
           const auto place = [&](int a, int b, int c) -> std::array<double, 3> {
             const double s = (i + 0.5 * a) / n, t = (j + 0.5 * b) / n;
-            const auto p = block == 0   ? inner(s, t)
-                           : block == 1 ? outer(true, s, t)
-                                        : outer(false, t, s);
+            const auto p = block == 0 ? inner(s, t) : block == 1 ? outer(true, s, t) : outer(false, t, s);
             return {p[0], p[1], bottom + length * (k + 0.5 * c) / nz};
           };
           std::map<int, Surface> groups;

@@ -14,7 +14,9 @@ using fe::SystemState;
 using meshes::Surface;
 using meshes::Volume;
 
-inline scene::Material elastic(double E, double nu, double density = 1.0) { return {E, nu, density, {}, {}}; }
+inline scene::Material elastic(double E, double nu, double density = 1.0) {
+  return {E, nu, density, {}, {}};
+}
 
 /// A discretised body with its law; `supports` is to be filled before `make`.
 struct Setup {
@@ -32,8 +34,7 @@ struct Setup {
 };
 
 /// Penalties of `factor` E / h on both directions.
-inline fe::SurfaceContactOptions contact_options(double E, double h, double mu, double factor = 1.0,
-                                                 int carrier = -1) {
+inline fe::SurfaceContactOptions contact_options(double E, double h, double mu, double factor = 1.0, int carrier = -1) {
   fe::SurfaceContactOptions options{{factor * E / h, factor * E / h, fe::FrictionCoefficient::constant(mu)}};
   options.carrier_dof = carrier;
   return options;

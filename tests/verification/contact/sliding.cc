@@ -23,10 +23,11 @@ Table contact_patch() {
     setup.make();
     auto &system = *setup.system;
     // The plane overlaps a little at the start, so that the block is held.
-    system.add_contact(Surface::slider_side, fe::plane(Vector3d(0, 0, 1e-6), Vector3d::UnitZ()), contact_options(E, 1.0 / n, 0));
+    system.add_contact(Surface::slider_side, fe::plane(Vector3d(0, 0, 1e-6), Vector3d::UnitZ()),
+                       contact_options(E, 1.0 / n, 0));
     SystemState state = system.at_rest();
-    const Eigen::VectorXd load =
-        system.surface_load(Surface::top, [&](const Vector3d &, const Vector3d &normal) { return Vector3d(-pressure * normal); });
+    const Eigen::VectorXd load = system.surface_load(
+        Surface::top, [&](const Vector3d &, const Vector3d &normal) { return Vector3d(-pressure * normal); });
     fe::StepOptions options;
     options.gap_tolerance = 1e-9;
     options.max_augmentations = 20;
@@ -37,7 +38,8 @@ Table contact_patch() {
       worst = std::max(worst, std::abs(sample.pressure / pressure - 1));
     const std::size_t dofs = system.equations().n;
     table.add({"worst pressure error", 1.0 / n, worst, 0, dofs, step.iterations, timer.seconds()});
-    table.add({"force / load", 1.0 / n, state.reports[0].force.z() / pressure, 1, dofs, step.iterations, timer.seconds()});
+    table.add(
+        {"force / load", 1.0 / n, state.reports[0].force.z() / pressure, 1, dofs, step.iterations, timer.seconds()});
     table.gate("converged", step.converged ? 0 : 1, 0);
   }
   // Dead load on 0.1 % strain: the side faces' traction-free deformation is of that order, nothing else is left.
@@ -66,7 +68,8 @@ double slide(double degrees, double mu, double tolerance, int &iterations, std::
   fe::StepOptions still;
   still.gap_tolerance = 1e-9;
   const Eigen::VectorXd normal = system.gravity({0, 0, -g * std::cos(angle)});
-  fe::preload(system, state, normal + system.gravity({g * std::min(std::sin(angle), 0.99 * mu * std::cos(angle)), 0, 0}), 1e9, still);
+  fe::preload(system, state,
+              normal + system.gravity({g * std::min(std::sin(angle), 0.99 * mu * std::cos(angle)), 0, 0}), 1e9, still);
   fe::TransientOptions options;
   options.step.gap_tolerance = 1e-8;
   options.step.slip_tolerance = 1e-8;
@@ -76,8 +79,9 @@ double slide(double degrees, double mu, double tolerance, int &iterations, std::
   options.smallest_step = 1e-5;
   options.energy_tolerance = tolerance;
   const Eigen::VectorXd load = normal + system.gravity({g * std::sin(angle), 0, 0});
-  const auto report = fe::run_in_time(system, state, 0.2, [&](double) { return load; }, options,
-                                      [](double, const SystemState &, const fe::ContactStepReport &) {});
+  const auto report = fe::run_in_time(
+      system, state, 0.2, [&](double) { return load; }, options,
+      [](double, const SystemState &, const fe::ContactStepReport &) {});
   iterations = report.iterations;
   dofs = system.equations().n;
   imbalance = report.ledger.imbalance();
@@ -108,7 +112,8 @@ Table incline() {
     table.add({fmt::format("{} deg: distance [mm]", degrees), 1e-3, 1e3 * distance, 1e3 * exact, dofs, iterations,
                timer.seconds()});
     table.gate("imbalance", imbalance, 5e-3);
-    table.gate(fmt::format("{} deg", degrees), 1e3 * (distance - exact), degrees < 4 ? 2e-3 : 2e-2 * 1e3 * exact + 2e-3);
+    table.gate(fmt::format("{} deg", degrees), 1e3 * (distance - exact),
+               degrees < 4 ? 2e-3 : 2e-2 * 1e3 * exact + 2e-3);
   }
   return table;
 }
@@ -120,7 +125,8 @@ Table ironing() {
   for (const int n : {20, 30, 45}) {
     const Timer timer;
     meshes::HexMesh mesh;
-    test::add_box(mesh, {{0, 0, -4 * mm}, {20 * mm, 1 * mm, 0}, {n, 1, n / 5}, Volume::rim, {{5, Surface::slider_side}}});
+    test::add_box(mesh,
+                  {{0, 0, -4 * mm}, {20 * mm, 1 * mm, 0}, {n, 1, n / 5}, Volume::rim, {{5, Surface::slider_side}}});
     Setup setup(mesh, elastic(E, nu));
     for (int i = 0; i < 3; ++i) setup.supports.fix(i, [](const Vector3d &x) { return x.z() < -4 * mm + 1e-12; });
     setup.supports.fix(1, [](const Vector3d &) { return true; });
@@ -129,7 +135,8 @@ Table ironing() {
     setup.make();
     auto &system = *setup.system;
     const double h = 20 * mm / n;
-    system.add_contact(Surface::slider_side, fe::cylinder(Vector3d(5 * mm, 0, R), Vector3d::UnitY(), R, fe::Side::outside),
+    system.add_contact(Surface::slider_side,
+                       fe::cylinder(Vector3d(5 * mm, 0, R), Vector3d::UnitY(), R, fe::Side::outside),
                        contact_options(E, h, mu, 1.0, die));
     SystemState state = system.at_rest();
     const int x_equation = system.equations().of_dof[die], z_equation = system.equations().of_dof[die + 2];
@@ -141,23 +148,25 @@ Table ironing() {
     std::vector<double> last_residuals, vertical, along;
     Eigen::VectorXd change;
     const auto move = [&](const Vector3d &from, const Vector3d &to, int pieces) {
-      const auto report = fe::march(0, 1, {1.0 / pieces, 0.05 / pieces, 1.0 / pieces}, [&](double t, double dt) -> fe::Attempt {
-        fe::StepTerms terms{Eigen::VectorXd::Zero(state.u.size())};
-        const Vector3d at = from + (t + dt) * (to - from);
-        terms.driven = {{x_equation, at.x()}, {z_equation, at.z()}};
-        const Eigen::VectorXd before = state.u;
-        // Sliding goes on as it did: the last change is the first guess.
-        const auto step = static_step(system, state, terms, options, change.size() ? Eigen::VectorXd(state.u + change) : Eigen::VectorXd());
-        iterations += step.iterations;
-        if (!step.converged) return {false, 0, step.reason};
-        change = state.u - before;
-        most = std::max(most, step.iterations / (1 + step.augmentations));
-        ++steps;
-        last_residuals = step.residuals;
-        vertical.push_back(-state.reports[0].force.z());
-        along.push_back(state.reports[0].force.x());
-        return {true, 0, {}};
-      });
+      const auto report =
+          fe::march(0, 1, {1.0 / pieces, 0.05 / pieces, 1.0 / pieces}, [&](double t, double dt) -> fe::Attempt {
+            fe::StepTerms terms{Eigen::VectorXd::Zero(state.u.size())};
+            const Vector3d at = from + (t + dt) * (to - from);
+            terms.driven = {{x_equation, at.x()}, {z_equation, at.z()}};
+            const Eigen::VectorXd before = state.u;
+            // Sliding goes on as it did: the last change is the first guess.
+            const auto step = static_step(system, state, terms, options,
+                                          change.size() ? Eigen::VectorXd(state.u + change) : Eigen::VectorXd());
+            iterations += step.iterations;
+            if (!step.converged) return {false, 0, step.reason};
+            change = state.u - before;
+            most = std::max(most, step.iterations / (1 + step.augmentations));
+            ++steps;
+            last_residuals = step.residuals;
+            vertical.push_back(-state.reports[0].force.z());
+            along.push_back(state.reports[0].force.x());
+            return {true, 0, {}};
+          });
       cuts += report.cuts;
       return report;
     };
@@ -172,7 +181,8 @@ Table ironing() {
     const std::size_t dofs = system.equations().n;
     table.add({"vertical force [N/mm]", h / mm, std::abs(mean), 0, dofs, iterations, timer.seconds()});
     table.add({"ripple / mean", h / mm, rippled, 0, dofs, iterations, timer.seconds()});
-    table.add({"friction / normal at the end", h / mm, std::abs(along.back() / vertical.back()), mu, dofs, iterations, timer.seconds()});
+    table.add({"friction / normal at the end", h / mm, std::abs(along.back() / vertical.back()), mu, dofs, iterations,
+               timer.seconds()});
     table.add({"Newton iterations a solution", h / mm, double(most), 0, dofs, iterations, timer.seconds()});
     table.gate("finished", pressed.finished && slid.finished ? 0 : 1, 0);
     const double per_step = double(iterations - pressing_iterations) / (steps - pressing_steps);
@@ -180,8 +190,9 @@ Table ironing() {
     table.gate("cuts", cuts, 0);
     std::string residuals;
     for (const double value : last_residuals) residuals += fmt::format(" {:.1e}", value);
-    table.note(fmt::format("h {:.2f} mm: {} steps, {} cuts, {:.2f} iterations a sliding step with augmentations; residuals of the last{}",
-                           h / mm, steps, cuts, per_step, residuals));
+    table.note(fmt::format(
+        "h {:.2f} mm: {} steps, {} cuts, {:.2f} iterations a sliding step with augmentations; residuals of the last{}",
+        h / mm, steps, cuts, per_step, residuals));
   }
   for (const auto &row : table.rows())
     if (row.quantity == "ripple / mean" && row.size < 0.5) table.gate("ripple", row.value, 1e-3);

@@ -27,13 +27,12 @@ std::string Table::text() const {
     std::string order = "-";
     for (std::size_t j = i; j-- > 0;)
       if (rows_[j].quantity == row.quantity && rows_[j].size != row.size && row.error() != 0 && rows_[j].error() != 0) {
-        order = fmt::format("{:.2f}", std::log(std::abs(rows_[j].error() / row.error())) /
-                                          std::log(rows_[j].size / row.size));
+        order = fmt::format("{:.2f}",
+                            std::log(std::abs(rows_[j].error() / row.error())) / std::log(rows_[j].size / row.size));
         break;
       }
     text += fmt::format("{:<34} {:>10.4g} {:>13.6g} {:>13.6g} {:>11.3e} {:>6} {:>8} {:>7} {:>8.2f}\n", row.quantity,
-                        row.size, row.value, row.reference, row.error(), order, row.dofs, row.iterations,
-                        row.seconds);
+                        row.size, row.value, row.reference, row.error(), order, row.dofs, row.iterations, row.seconds);
   }
   for (const auto &line : gates_) text += line + "\n";
   for (const auto &line : notes_) text += "# " + line + "\n";
@@ -55,8 +54,8 @@ std::vector<std::string> Table::differences(const std::string &stored, double to
     double size = 0, value = 0;
     fields >> size >> value;
     // Where nothing is expected, what is left is rounding and tolerances: looser.
-    const double scale = row.reference != 0 ? std::max(std::abs(row.reference), std::abs(value))
-                                            : 10 * std::max(std::abs(value), 1e-9);
+    const double scale =
+        row.reference != 0 ? std::max(std::abs(row.reference), std::abs(value)) : 10 * std::max(std::abs(value), 1e-9);
     if (line.substr(0, row.quantity.size()) != row.quantity || std::abs(value - row.value) > tolerance * scale)
       result.push_back(fmt::format("{}: {:.6g}, the baseline says: {}", row.quantity, row.value, line));
   }

@@ -12,7 +12,7 @@ struct Row {
   double size; ///< of the cells or the step
   double value, reference;
   std::size_t dofs = 0;
-  int iterations = 0;  ///< Newton's, all
+  int iterations = 0; ///< Newton's, all
   double seconds = 0;
   double error() const { return reference != 0 ? value / reference - 1 : value; }
 };
@@ -39,9 +39,7 @@ private:
 
 class Timer {
 public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
 private:
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();

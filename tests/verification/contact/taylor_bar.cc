@@ -1,6 +1,7 @@
 // VERIFICATION 3: Taylor's copper bar at 227 m/s. Published final lengths are 21.4 to 21.7 mm and mushroom radii 6.9 to
-// 7.1 mm; the radius grows with the mesh's fineness, and an independent program (taylor_reference.py) meets the published
-// ones on the coarse meshes they come from. The radius's reference is that program's at the same spacing of nodes.
+// 7.1 mm; the radius grows with the mesh's fineness, and an independent program (taylor_reference.py) meets the
+// published ones on the coarse meshes they come from. The radius's reference is that program's at the same spacing of
+// nodes.
 #include "setups.h"
 
 #include <fmt/format.h>
@@ -19,7 +20,8 @@ Table taylor_bar() {
     setup.make();
     auto &system = *setup.system;
     const double h = length / (6 * n);
-    system.add_contact(Surface::slider_side, fe::plane(Vector3d::Zero(), Vector3d::UnitZ()), contact_options(E, h, 0, 0.5));
+    system.add_contact(Surface::slider_side, fe::plane(Vector3d::Zero(), Vector3d::UnitZ()),
+                       contact_options(E, h, 0, 0.5));
     SystemState state = system.at_rest();
     for (std::size_t dof = 2; dof < system.equations().of_dof.size(); dof += 3)
       if (system.equations().of_dof[dof] >= 0) state.v[system.equations().of_dof[dof]] = -227;
@@ -32,8 +34,9 @@ Table taylor_bar() {
     options.contact_step = 2e-7;
     options.smallest_step = 5e-9;
     options.energy_tolerance = 2e-4;
-    const auto report = fe::run_in_time(system, state, 80e-6, [&](double) { return none; }, options,
-                                        [](double, const SystemState &, const fe::ContactStepReport &) {});
+    const auto report = fe::run_in_time(
+        system, state, 80e-6, [&](double) { return none; }, options,
+        [](double, const SystemState &, const fe::ContactStepReport &) {});
     const Eigen::VectorXd u = system.expand(state);
     double top = 0, foot = 0, plastic = 0;
     for (std::size_t node = 0; node < setup.space.n_nodes; ++node) {
@@ -45,10 +48,10 @@ Table taylor_bar() {
     const std::size_t dofs = system.equations().n;
     table.add({"final length [mm]", h, 1e3 * top, 21.55, dofs, report.iterations, timer.seconds()});
     table.add({"mushroom radius [mm]", h, 1e3 * foot, reference_radius, dofs, report.iterations, timer.seconds()});
-    table.note(fmt::format("h {:.2f} mm: plastic strain {:.2f}, {} steps, {} cuts, integrator {:.2f} %, imbalance {:.1e}; {}",
-                           1e3 * h, plastic, report.march.steps, report.march.cuts,
-                           100 * report.ledger.integrator / report.ledger.initial, report.ledger.imbalance(),
-                           report.march.finished ? "finished" : report.march.reason));
+    table.note(fmt::format(
+        "h {:.2f} mm: plastic strain {:.2f}, {} steps, {} cuts, integrator {:.2f} %, imbalance {:.1e}; {}", 1e3 * h,
+        plastic, report.march.steps, report.march.cuts, 100 * report.ledger.integrator / report.ledger.initial,
+        report.ledger.imbalance(), report.march.finished ? "finished" : report.march.reason));
     table.gate("imbalance", report.ledger.imbalance(), 5e-3);
     table.gate("run finished", report.march.finished ? 0 : 1, 0);
   }

@@ -34,8 +34,7 @@ meshes::HexMesh block(const Problem &problem, int cells) {
   meshes::HexMesh mesh;
   const double L = problem.side();
   const auto grade = graded(cells, smallest_cell(problem, cells) / L);
-  test::add_box(mesh,
-                {{0, 0, -1}, {1, 1, 0}, {cells, cells, cells}, Volume::rim, {{5, Surface::slider_side}}},
+  test::add_box(mesh, {{0, 0, -1}, {1, 1, 0}, {cells, cells, cells}, Volume::rim, {{5, Surface::slider_side}}},
                 [&](std::array<double, 3> x) {
                   return std::array<double, 3>{L * grade(x[0]), L * grade(x[1]), -L * grade(-x[2])};
                 });
@@ -45,12 +44,7 @@ meshes::HexMesh block(const Problem &problem, int cells) {
 void add_cap(meshes::HexMesh &mesh, const Problem &problem, int cells) {
   const double width = 1.8 * problem.contact(), thickness = 0.5 * problem.contact(), R = problem.radius;
   test::add_box(
-      mesh,
-      {{0, 0, 0},
-       {width, width, thickness},
-       {cells, cells, 1},
-       Volume::upper_slider,
-       {{4, Surface::rim_wall}}},
+      mesh, {{0, 0, 0}, {width, width, thickness}, {cells, cells, 1}, Volume::upper_slider, {{4, Surface::rim_wall}}},
       [&](std::array<double, 3> x) {
         return std::array<double, 3>{x[0], x[1], R - std::sqrt(R * R - x[0] * x[0] - x[1] * x[1]) + x[2]};
       });

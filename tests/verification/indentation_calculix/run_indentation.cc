@@ -13,8 +13,7 @@ std::string run(const Problem &p, int cells) {
   Setup setup(block(p, cells), p.material);
   const double edge = 1e-9 * p.side();
   for (int i = 0; i < 2; ++i) setup.supports.fix(i, [=](const Vector3d &x) { return x[i] < edge; });
-  for (int i = 0; i < 3; ++i)
-    setup.supports.fix(i, [&](const Vector3d &x) { return x.z() < edge - p.side(); });
+  for (int i = 0; i < 3; ++i) setup.supports.fix(i, [&](const Vector3d &x) { return x.z() < edge - p.side(); });
   const int sphere = setup.supports.add_body();
   for (int i = 0; i < 2; ++i) setup.supports.fix_dof(sphere + i);
   setup.make();
@@ -35,11 +34,10 @@ std::string run(const Problem &p, int cells) {
     return {step.converged, 0, step.reason};
   });
   const auto &report = state.reports[0];
-  return fmt::format(
-      "{{\"finished\": {}, \"reason\": \"{}\", \"force_N\": {:.6f}, \"unknowns\": {}, \"steps\": {}, "
-      "\"cuts\": {}, \"iterations\": {}, \"capped_steps\": {}, \"penetration_m\": {:.3e}}}",
-      march.finished, march.reason, -4 * report.force.z(), system.equations().n, march.steps, march.cuts,
-      iterations, capped, report.penetration);
+  return fmt::format("{{\"finished\": {}, \"reason\": \"{}\", \"force_N\": {:.6f}, \"unknowns\": {}, \"steps\": {}, "
+                     "\"cuts\": {}, \"iterations\": {}, \"capped_steps\": {}, \"penetration_m\": {:.3e}}}",
+                     march.finished, march.reason, -4 * report.force.z(), system.equations().n, march.steps, march.cuts,
+                     iterations, capped, report.penetration);
 }
 
 } // namespace

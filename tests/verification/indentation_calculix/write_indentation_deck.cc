@@ -21,8 +21,7 @@ struct Settings {
 };
 
 std::string material(const Problem &p) {
-  std::string text =
-      fmt::format("*MATERIAL, NAME=BLOCK\n*ELASTIC\n{}, {}\n", 1e-6 * p.material.E, p.material.nu);
+  std::string text = fmt::format("*MATERIAL, NAME=BLOCK\n*ELASTIC\n{}, {}\n", 1e-6 * p.material.E, p.material.nu);
   if (p.material.yield) { // Cauchy stress over logarithmic plastic strain, linear far beyond what is reached
     const double yield = 1e-6 * *p.material.yield, hardening = 1e-6 * hardening_modulus(p.material);
     text += fmt::format("*PLASTIC\n{:.9g}, 0.\n{:.9g}, 2.\n", yield, yield + 2 * hardening);
@@ -50,10 +49,9 @@ std::string sets(const Problem &p, const meshes::HexMesh &mesh, const DeckMesh &
 }
 
 std::string contact(const Problem &p, const Settings &settings) {
-  return fmt::format(
-      "*SURFACE INTERACTION, NAME=SPHERE\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:g}\n"
-      "*FRICTION\n{:g}, {:g}\n*CONTACT PAIR, INTERACTION=SPHERE, TYPE={}\nslider_side, rim_wall\n",
-      1e-9 * p.ccx_stiffness, p.mu, 1e-10 * p.ccx_stiffness, settings.contact);
+  return fmt::format("*SURFACE INTERACTION, NAME=SPHERE\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:g}\n"
+                     "*FRICTION\n{:g}, {:g}\n*CONTACT PAIR, INTERACTION=SPHERE, TYPE={}\nslider_side, rim_wall\n",
+                     1e-9 * p.ccx_stiffness, p.mu, 1e-10 * p.ccx_stiffness, settings.contact);
 }
 
 void write(const Settings &settings) {
@@ -64,10 +62,9 @@ void write(const Settings &settings) {
   const DeckMesh deck(mesh, quadratic ? 20 : 8);
   std::ofstream file(settings.file);
   file << "*HEADING\nindentation " << p.name << ", " << settings.cells << " cells a direction; mm, N, MPa\n"
-       << deck.nodes_and_elements(settings.element,
-                                  {{meshes::Volume::upper_slider, quadratic ? "C3D20R" : "C3D8"}})
-       << sets(p, mesh, deck) << deck.surface(Surface::slider_side) << deck.surface(Surface::rim_wall)
-       << material(p) << contact(p, settings) << "*BOUNDARY\nBOTTOM, 1, 3\nX_PLANE, 1, 1\nY_PLANE, 2, 2\n"
+       << deck.nodes_and_elements(settings.element, {{meshes::Volume::upper_slider, quadratic ? "C3D20R" : "C3D8"}})
+       << sets(p, mesh, deck) << deck.surface(Surface::slider_side) << deck.surface(Surface::rim_wall) << material(p)
+       << contact(p, settings) << "*BOUNDARY\nBOTTOM, 1, 3\nX_PLANE, 1, 1\nY_PLANE, 2, 2\n"
        << fmt::format("*STEP, NLGEOM, INC=2000\n*STATIC\n0.1, 1., 1e-6, {:g}\n", settings.longest)
        << fmt::format("*BOUNDARY\nCAP, 1, 2\nCAP, 3, 3, {:.12g}\n", -1e3 * p.depth)
        << "*NODE PRINT, NSET=CAP, TOTALS=ONLY\nRF\n*END STEP\n";
@@ -84,11 +81,9 @@ int main(int argc, char **argv) {
   app.add_option("cells", settings.cells, "cells a direction")->required()->check(CLI::Range(2, 100));
   app.add_option("deck", settings.file, "the .inp file")->required();
   app.add_option("--element", settings.element)->check(CLI::IsMember({"C3D20R", "C3D20", "C3D8", "C3D8I"}));
-  app.add_option("--contact", settings.contact)
-      ->check(CLI::IsMember({"SURFACE TO SURFACE", "NODE TO SURFACE"}));
+  app.add_option("--contact", settings.contact)->check(CLI::IsMember({"SURFACE TO SURFACE", "NODE TO SURFACE"}));
   app.add_option("--cap-cells", settings.cap_cells, "a direction of the cap")->check(CLI::Range(2, 400));
-  app.add_option("--longest", settings.longest, "longest increment, of the step's 1")
-      ->check(CLI::Range(1e-4, 1.0));
+  app.add_option("--longest", settings.longest, "longest increment, of the step's 1")->check(CLI::Range(1e-4, 1.0));
   CLI11_PARSE(app, argc, argv);
   try {
     rimpact::verification::write(settings);

@@ -2,9 +2,9 @@
 // materials, contacts with friction, weight. The stack is placed `before` short of the rim, tilted as the dish is, set
 // down, loaded, and slid on into the rim. Units: mm, N, MPa; half model, so that forces in the .dat file are half.
 #include "../../benchmarks/peers/rim_calculix/ccx_deck.h"
-#include "fe_contact/runner/plan.h"
 #include "fe_contact/runner/stack_drive.h"
-#include "scene/error.h"
+#include "files/error.h"
+#include "planning/plan.h"
 #include "scene/scene.h"
 #include <algorithm>
 #include <CLI/CLI.hpp>
@@ -21,8 +21,9 @@ using meshes::Volume;
 
 struct Settings {
   std::string file;
-  double before = 0.020;     ///< of the way out, before the walls meet [m]
-  double first_sinking = 0.4; ///< of the pad's lowest node into the dish, before the load takes over [mm]; ccx gives way to it in its first step
+  double before = 0.020;      ///< of the way out, before the walls meet [m]
+  double first_sinking = 0.4; ///< of the pad's lowest node into the dish, before the load takes over [mm]; ccx gives
+                              ///< way to it in its first step
   double longest = 0.025;     ///< longest increment, as a share of the slide
   std::vector<std::string> overrides;
 };
@@ -60,10 +61,13 @@ std::string level(const std::set<unsigned> &top) {
   return text;
 }
 
-/// Soft springs that keep the foot from tumbling while ccx seeks its seat [N/mm]; the contacts' own forces hold none of theirs.
+/// Soft springs that keep the foot from tumbling while ccx seeks its seat [N/mm]; the contacts' own forces hold none of
+/// theirs.
 std::string springs(const meshes::HexMesh &mesh, const std::set<unsigned> &foot, std::size_t first_element) {
   std::string text;
-  const auto by = [&](int i) { return [&mesh, i](unsigned a, unsigned b) { return mesh.nodes[a][i] < mesh.nodes[b][i]; }; };
+  const auto by = [&](int i) {
+    return [&mesh, i](unsigned a, unsigned b) { return mesh.nodes[a][i] < mesh.nodes[b][i]; };
+  };
   const auto [left, right] = std::minmax_element(foot.begin(), foot.end(), by(0));
   const auto [low, high] = std::minmax_element(foot.begin(), foot.end(), by(2));
   for (const int component : {1, 3}) {
@@ -75,7 +79,8 @@ std::string springs(const meshes::HexMesh &mesh, const std::set<unsigned> &foot,
 }
 
 std::string step(double first, double longest, const std::string &boundary) {
-  std::string text = fmt::format("*STEP, NLGEOM, INC=4000\n*STATIC\n{:g}, 1., 1e-7, {:g}\n{}", first, longest, boundary);
+  std::string text =
+      fmt::format("*STEP, NLGEOM, INC=4000\n*STATIC\n{:g}, 1., 1e-7, {:g}\n{}", first, longest, boundary);
   text += "*NODE PRINT, NSET=TOP, TOTALS=ONLY\nRF\n*NODE PRINT, NSET=TOP_ONE\nU\n";
   for (const char *pair : {"SLAVE=pad_face, MASTER=dish", "SLAVE=slider_side, MASTER=rim_wall"})
     text += fmt::format("*CONTACT PRINT, {}\nCF\n", pair);
@@ -85,7 +90,7 @@ std::string step(double first, double longest, const std::string &boundary) {
 void write(const Settings &settings) {
   scene::Scene scene = scene::load_scene("rim-push", settings.overrides);
   scene.model.rung = "full";
-  const fe::Plan plan = fe::make_plan(scene);
+  const planning::Plan plan = planning::make_plan(scene);
   if (!plan.half) throw InputError("the deck is that of rung full's symmetric half");
   const auto options = fe::stack_mesh_options(scene, plan);
   meshes::HexMesh mesh = meshes::stack_mesh(scene.bearing, options);
@@ -98,7 +103,8 @@ void write(const Settings &settings) {
     for (const unsigned n : held) symmetry.erase(n);
   const double end = 1e3 * (settings.before + scene.excitation.travel * scene.excitation.scale);
   const auto &b = scene.bearing;
-  const std::string weight = fmt::format("*CLOAD, AMPLITUDE=AT_ONCE\n{}, 3, {:g}\n", *top.begin() + 1, -scene.load.vertical / 2);
+  const std::string weight =
+      fmt::format("*CLOAD, AMPLITUDE=AT_ONCE\n{}, 3, {:g}\n", *top.begin() + 1, -scene.load.vertical / 2);
   const std::string held = "*BOUNDARY, OP=NEW\nFIXED, 1, 3\nSYMMETRY, 2, 2\nTOP, 2, 2\n";
 
   std::ofstream file(settings.file);
@@ -106,21 +112,23 @@ void write(const Settings &settings) {
        << deck.nodes_and_elements("C3D20R") << springs(mesh, deck.nodes_of(Volume::foot), mesh.cells.size() + 1)
        << node_set("FIXED", fixed) << node_set("TOP", top) << node_set("TOP_ONE", {*top.begin()})
        << node_set("SYMMETRY", symmetry);
-  for (const Surface group : {Surface::pad_face, Surface::dish, Surface::foot_cap, Surface::socket, Surface::slider_side, Surface::rim_wall})
+  for (const Surface group :
+       {Surface::pad_face, Surface::dish, Surface::foot_cap, Surface::socket, Surface::slider_side, Surface::rim_wall})
     file << deck.surface(group);
   file << material("STEEL", b.steel) << material("ERTALYTE", b.ertalyte);
   for (const Volume volume : {Volume::plate, Volume::rim, Volume::foot, Volume::upper_slider, Volume::pad})
     if (!deck.nodes_of(volume).empty())
-      file << "*SOLID SECTION, ELSET=" << to_string(volume) << ", MATERIAL=" << (volume == Volume::pad ? "ERTALYTE\n" : "STEEL\n");
+      file << "*SOLID SECTION, ELSET=" << to_string(volume)
+           << ", MATERIAL=" << (volume == Volume::pad ? "ERTALYTE\n" : "STEEL\n");
   // Penalties that leave some micrometres of penetration at the pressures each pair carries.
   file << contact("SLIDING", "pad_face", "dish", 5e3, b.contact.steel_ertalyte)
        << contact("JOINT", "foot_cap", "socket", 1e5, b.contact.steel_steel)
        << contact("WALLS", "slider_side", "rim_wall", 1e7, b.contact.rim) << level(top)
        << "*AMPLITUDE, NAME=AT_ONCE\n0., 1., 1., 1.\n"
-       << step(0.1, 0.25, held + "TOP, 1, 1\nTOP_ONE, 3, 3\n")
-       << step(0.1, 0.5, held + "TOP, 1, 1\n" + weight)
+       << step(0.1, 0.25, held + "TOP, 1, 1\nTOP_ONE, 3, 3\n") << step(0.1, 0.5, held + "TOP, 1, 1\n" + weight)
        << step(0.001, settings.longest, held + fmt::format("TOP, 1, 1, {:g}\n", 1e3 * settings.before - 0.02) + weight)
-       << step(0.002, settings.longest, held + fmt::format("TOP, 1, 1, {:g}\n", end) + weight); // the walls meet at once
+       << step(0.002, settings.longest,
+               held + fmt::format("TOP, 1, 1, {:g}\n", end) + weight); // the walls meet at once
   if (!file.flush()) throw Error(ExitCode::io, "cannot write " + settings.file);
 }
 
@@ -132,7 +140,8 @@ int main(int argc, char **argv) {
   CLI::App app("Writes a push of the whole bearing as a CalculiX deck");
   app.add_option("deck", settings.file, "the .inp file")->required();
   app.add_option("--before", settings.before, "way before the walls meet, m")->check(CLI::PositiveNumber);
-  app.add_option("--sinking", settings.first_sinking, "first sinking of the pad into the dish, mm")->check(CLI::PositiveNumber);
+  app.add_option("--sinking", settings.first_sinking, "first sinking of the pad into the dish, mm")
+      ->check(CLI::PositiveNumber);
   app.add_option("--longest", settings.longest, "longest increment, of the slide")->check(CLI::Range(1e-4, 1.0));
   app.add_option("--set", settings.overrides, "KEY=VALUE of the scene")->allow_extra_args(false);
   CLI11_PARSE(app, argc, argv);

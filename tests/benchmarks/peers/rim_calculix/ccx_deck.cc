@@ -81,8 +81,7 @@ std::set<unsigned> DeckMesh::nodes_of(meshes::Surface group) const {
 std::set<unsigned> DeckMesh::nodes_of(meshes::Volume volume) const {
   std::set<unsigned> nodes;
   for (std::size_t c = 0; c < mesh_.cells.size(); ++c)
-    for (int k = 0; k < n_nodes_ && mesh_.volumes[c] == volume; ++k)
-      nodes.insert(mesh_.cells[c][ccx_order[k]]);
+    for (int k = 0; k < n_nodes_ && mesh_.volumes[c] == volume; ++k) nodes.insert(mesh_.cells[c][ccx_order[k]]);
   return nodes;
 }
 
@@ -101,12 +100,14 @@ std::string node_set(const std::string &name, const std::set<unsigned> &nodes) {
 std::string material(const char *name, const scene::Material &data) {
   std::string text = fmt::format("*MATERIAL, NAME={}\n*ELASTIC\n{}, {}\n", name, 1e-6 * data.E, data.nu);
   if (data.yield)
-    text += fmt::format("*PLASTIC\n{:.9g}, 0.\n{:.9g}, 2.\n", 1e-6 * *data.yield, 1e-6 * *data.yield + 2e-6 * hardening_modulus(data));
+    text += fmt::format("*PLASTIC\n{:.9g}, 0.\n{:.9g}, 2.\n", 1e-6 * *data.yield,
+                        1e-6 * *data.yield + 2e-6 * hardening_modulus(data));
   return text;
 }
 
 std::string contact(const char *name, const char *slave, const char *master, double stiffness, double mu) {
-  std::string text = fmt::format("*SURFACE INTERACTION, NAME={}\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:g}\n", name, stiffness);
+  std::string text = fmt::format(
+      "*SURFACE INTERACTION, NAME={}\n*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=LINEAR\n{:g}\n", name, stiffness);
   if (mu > 0) text += fmt::format("*FRICTION\n{:g}, {:g}\n", mu, 0.1 * stiffness);
   return text + fmt::format("*CONTACT PAIR, INTERACTION={}, TYPE=SURFACE TO SURFACE\n{}, {}\n", name, slave, master);
 }

@@ -1,13 +1,13 @@
-// Writes the scene `rim-push`, or `impact-window` as it comes (no weight, no friction), as a CalculiX deck: same mesh (27-node
-// cells reduced to ccx's), material, mass and boundary conditions as fe_contact/runner/rim_push.cc and rim_system.cc. Units: mm, N,
-// MPa, t, s. The half model is written: forces in the .dat file are half of the bearing's.
+// Writes the scene `rim-push`, or `impact-window` as it comes (no weight, no friction), as a CalculiX deck: same mesh
+// (27-node cells reduced to ccx's), material, mass and boundary conditions as fe_contact/runner/rim_push.cc and
+// rim_system.cc. Units: mm, N, MPa, t, s. The half model is written: forces in the .dat file are half of the bearing's.
 #include "ccx_deck.h"
 #include "fe_contact/model/solid.h"
-#include "fe_contact/runner/plan.h"
 #include "fe_contact/runner/rim_run.h"
+#include "files/error.h"
 #include "meshes/rim_mesh.h"
+#include "planning/plan.h"
 #include "reduced_models/physical_model.h"
-#include "scene/error.h"
 #include "scene/scene.h"
 #include <algorithm>
 #include <CLI/CLI.hpp>
@@ -41,8 +41,7 @@ std::string sets_and_surfaces(const DeckMesh &deck, const meshes::HexMesh &mesh,
     const auto &x = mesh.nodes[n];
     cuts.insert(n);
     if (std::hypot(x[0], x[1]) < options.plate_inner_radius + 1e-9) inner.insert(n);
-    if (std::abs(std::atan2(x[1], x[0]) - options.sector_half_angle) < 1e-9 || symmetry.count(n))
-      end.insert(n);
+    if (std::abs(std::atan2(x[1], x[0]) - options.sector_half_angle) < 1e-9 || symmetry.count(n)) end.insert(n);
   }
   for (const auto &others : std::initializer_list<std::set<unsigned>>{fixed, top, cuts})
     for (const unsigned n : others) symmetry.erase(n);
@@ -68,45 +67,53 @@ std::string path(const scene::Scene &scene, const Settings &settings) {
 }
 
 std::string push_step(const Settings &settings, const char *boundary) {
-  return fmt::format("*STEP, NLGEOM, INC=2000\n*STATIC\n0.01, 1., 1e-7, {:g}\n{}", settings.longest,
-                     boundary) +
+  return fmt::format("*STEP, NLGEOM, INC=2000\n*STATIC\n0.01, 1., 1e-7, {:g}\n{}", settings.longest, boundary) +
          "*NODE PRINT, NSET=TOP, TOTALS=ONLY\nRF\n*NODE PRINT, NSET=TOP_ONE\nU\n*END STEP\n";
 }
 
 std::string push(const scene::Scene &scene, const Settings &settings) {
   return path(scene, settings) + "*BOUNDARY\nTOP, 2, 2\n" +
-         push_step(settings, "*BOUNDARY, AMPLITUDE=ALONG\nTOP, 1, 1, 1.\n*BOUNDARY, AMPLITUDE=UP\nTOP, 3, 3, 1.\n") + push_step(settings, "");
+         push_step(settings, "*BOUNDARY, AMPLITUDE=ALONG\nTOP, 1, 1, 1.\n*BOUNDARY, AMPLITUDE=UP\nTOP, 3, 3, 1.\n") +
+         push_step(settings, "");
 }
 
-/// What the slider's top carries, as a mass that its nodes follow along x [t]: the bearing's but for what the slider has itself.
+/// What the slider's top carries, as a mass that its nodes follow along x [t]: the bearing's but for what the slider
+/// has itself.
 double mass_on_top(const scene::Scene &scene, const meshes::HexMesh &mesh) {
   const fe::Discretisation space(mesh, 2);
   return 1e-3 * (scene.load.mass / 2 - fe::Solid(space, scene.bearing).mass_of(meshes::Volume::upper_slider));
 }
 
 /// The slider thrown at the wall it touches; its top moves along x as one, its height held.
-std::string window(const scene::Scene &scene, const Settings &settings, const meshes::HexMesh &mesh, const DeckMesh &deck) {
+std::string window(const scene::Scene &scene, const Settings &settings, const meshes::HexMesh &mesh,
+                   const DeckMesh &deck) {
   const auto top = deck.nodes_of(Surface::top);
   const unsigned leader = *top.begin() + 1;
-  std::string text = fmt::format("*ELEMENT, TYPE=MASS, ELSET=WEIGHT\n{}, {}\n*MASS, ELSET=WEIGHT\n{:.9g}\n", mesh.cells.size() + 1, leader, mass_on_top(scene, mesh));
+  std::string text = fmt::format("*ELEMENT, TYPE=MASS, ELSET=WEIGHT\n{}, {}\n*MASS, ELSET=WEIGHT\n{:.9g}\n",
+                                 mesh.cells.size() + 1, leader, mass_on_top(scene, mesh));
   for (const unsigned node : top)
     if (node + 1 != leader) text += fmt::format("*EQUATION\n2\n{}, 1, 1., {}, 1, -1.\n", node + 1, leader);
   text += node_set("SLIDER", deck.nodes_of(meshes::Volume::upper_slider));
-  text += fmt::format("*BOUNDARY\nTOP, 2, 3\n*INITIAL CONDITIONS, TYPE=VELOCITY\nSLIDER, 1, {:g}\n", 1e3 * scene.excitation.speed);
-  return text + fmt::format("*STEP, NLGEOM, INC=20000\n*DYNAMIC, ALPHA=-0.3\n2e-5, {:g}, 1e-9, {:g}\n", scene.excitation.duration, 1e-3 * settings.longest_ms) +
+  text += fmt::format("*BOUNDARY\nTOP, 2, 3\n*INITIAL CONDITIONS, TYPE=VELOCITY\nSLIDER, 1, {:g}\n",
+                      1e3 * scene.excitation.speed);
+  return text +
+         fmt::format("*STEP, NLGEOM, INC=20000\n*DYNAMIC, ALPHA=-0.3\n2e-5, {:g}, 1e-9, {:g}\n",
+                     scene.excitation.duration, 1e-3 * settings.longest_ms) +
          "*NODE PRINT, NSET=TOP_ONE\nU, V\n*CONTACT PRINT, SLAVE=slider_side, MASTER=rim_wall\nCF\n*END STEP\n";
 }
 
 void write(const Settings &settings) {
   const scene::Scene scene = scene::load_scene(settings.scene, settings.overrides);
-  fe::Plan plan = fe::make_plan(scene);
+  planning::Plan plan = planning::make_plan(scene);
   const auto options = fe::rim_mesh_options(scene, plan);
   if (!options.half) throw InputError("the deck is that of a symmetric half; leave model.symmetry at auto");
   const meshes::HexMesh mesh = meshes::rim_mesh(scene.bearing, options);
   const DeckMesh deck(mesh, settings.element.starts_with("C3D20") ? 20 : 8);
 
   std::ofstream file(settings.file);
-  file << "*HEADING\n" << settings.scene << " of " << scene.bearing.name << ", mesh " << options.level << ", half model; mm, N, MPa, t, s\n"
+  file << "*HEADING\n"
+       << settings.scene << " of " << scene.bearing.name << ", mesh " << options.level
+       << ", half model; mm, N, MPa, t, s\n"
        << deck.nodes_and_elements(settings.element) << sets_and_surfaces(deck, mesh, options)
        << material("STEEL", scene.bearing.steel) << fmt::format("*DENSITY\n{:g}\n", 1e-12 * scene.bearing.steel.density)
        << contact("WALLS", "slider_side", "rim_wall", settings.contact_stiffness, 0);

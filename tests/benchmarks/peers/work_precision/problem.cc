@@ -6,9 +6,9 @@
 namespace rimpact::work_precision {
 
 Problem::Problem(const std::string &called, const scene::Scene &s)
-    : name(called), R0(s.bearing.surface.R0), a(s.bearing.surface.a), mass(s.load.mass),
-      weight(s.load.vertical), mu(s.reduced.mu_fast), elastic_slip(s.reduced.elastic_slip),
-      k_i(s.reduced.k_i), lateral_capacity(s.bearing.lateral_capacity()), duration(s.excitation.duration),
+    : name(called), R0(s.bearing.surface.R0), a(s.bearing.surface.a), mass(s.load.mass), weight(s.load.vertical),
+      mu(s.reduced.mu_fast), elastic_slip(s.reduced.elastic_slip), k_i(s.reduced.k_i),
+      lateral_capacity(s.bearing.lateral_capacity()), duration(s.excitation.duration),
       output_step(s.reduced.output_step), excitation(s.excitation), gravity(s.load.gravity) {
   const double log_e = std::log(s.reduced.restitution), xi = -log_e / std::hypot(std::numbers::pi, log_e);
   c_i = 2 * xi * std::sqrt(k_i * mass); // (2-20), rim fixed to the ground
@@ -61,8 +61,7 @@ nlohmann::json Problem::to_json() const {
     j["record_x"].push_back(excitation.scale * excitation.x.values[i]);
     j["record_y"].push_back(excitation.scale * excitation.y.values[i]);
   }
-  for (const char *axis : {"record_x", "record_y"})
-    j[axis].insert(j[axis].end(), 2, 0.0); // to interpolate at the end
+  for (const char *axis : {"record_x", "record_y"}) j[axis].insert(j[axis].end(), 2, 0.0); // to interpolate at the end
   return j;
 }
 

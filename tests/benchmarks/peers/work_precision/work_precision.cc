@@ -19,8 +19,7 @@ Solution own(scene::Scene s, double tolerance) {
   s.reduced.tolerance = tolerance;
   const auto run = reduced::simulate(s);
   const auto &r = run.response;
-  const std::size_t n =
-      static_cast<std::size_t>(std::lround(s.excitation.duration / s.reduced.output_step)) + 1;
+  const std::size_t n = static_cast<std::size_t>(std::lround(s.excitation.duration / s.reduced.output_step)) + 1;
   Solution solution{std::vector<double>(n, std::nan("")), std::vector<double>(n, std::nan("")), 0};
   const auto &t = r.series("time");
   for (std::size_t i = 0; i < t.size(); ++i) {
@@ -53,10 +52,8 @@ void compare(const std::string &folder, const std::string &name, scene::Scene co
   const Problem problem(name, park_wen);
   nlohmann::json rows;
   const auto add = [&](const char *program, double tolerance, const Solution &s, const Solution &reference) {
-    rows.push_back({{"program", program},
-                    {"tolerance", tolerance},
-                    {"seconds", s.seconds},
-                    {"error", error(s, reference)}});
+    rows.push_back(
+        {{"program", program}, {"tolerance", tolerance}, {"seconds", s.seconds}, {"error", error(s, reference)}});
   };
   const Solution exact = own(coulomb, 1e-13), smooth = own(park_wen, 1e-12);
   for (const double tolerance : {1e-5, 1e-6, 1e-7, 1e-8, 1e-9, 1e-10})

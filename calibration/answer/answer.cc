@@ -1,0 +1,136 @@
+#include "calibration/answer/answer.h"
+#include "calibration/answer/answer_parts.h"
+#include "calibration/laws/percent.h"
+#include "calibration/studies/stored_study.h"
+#include "scene/doubts.h"
+#include "scene/rim_identity.h"
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <set>
+
+namespace rimpact::calibration {
+
+namespace {
+namespace fs = std::filesystem;
+using Runs = std::vector<const StoredRun *>;
+
+/// Studies kept with the program, beside the runs and above them, as far as `main` puts its runs below `results`.
+std::vector<StoredStudy> studies_near(const std::string &folder) {
+  std::vector<StoredStudy> studies;
+  std::set<std::string> seen;
+  fs::path above = fs::absolute(folder).lexically_normal();
+  for (int n = 0; n < 4 && above.has_parent_path(); ++n) {
+    above = above.parent_path();
+    for (auto &study : stored_studies(above))
+      if (seen.insert(study.json.dump()).second) studies.push_back(std::move(study));
+  }
+  return studies;
+}
+
+/// What the fit of the law itself leaves open.
+void add_doubts_of_fit(Answer &answer) {
+  const auto &result = answer.law.result;
+  if (!result.converged)
+    answer.doubts.push_back(fmt::format("The fit of {} did not converge: {}.", result.law, result.message));
+  for (const auto &[name, e] : result.parameters)
+    if (!e.identifiable)
+      answer.doubts.push_back(fmt::format("{} of {} is not told by these runs: {}.", name, result.law, e.reason));
+  if (answer.law.left_out.empty())
+    answer.doubts.push_back("No run was left out of the fit to try it: how the law predicts is not known.");
+  else if (!answer.law.valid_from)
+    answer.doubts.push_back(
+        fmt::format("The law {} meets no run left out within {:.0f} %.", result.law, 100 * answer.law.tolerance));
+  if (answer.strain && answer.strain->exceeded()) answer.doubts.push_back(answer.strain->sentence);
+}
+
+void name_sources(const Calibration &c, Answer &answer, const std::vector<LawError> &fitted) {
+  std::set<std::string> sources, rungs;
+  std::set<int> meshes;
+  for (const auto &e : fitted) {
+    const RunFacts &f = c.facts.at(e.folder);
+    sources.insert(f.source);
+    rungs.insert(f.source == "finite elements" ? f.rung : f.source == "measured" ? "measured" : "reduced");
+    if (f.mesh) meshes.insert(*f.mesh);
+  }
+  for (const auto &source : sources) answer.source += (answer.source.empty() ? "" : " and ") + source;
+  answer.rungs.assign(rungs.begin(), rungs.end()), answer.meshes.assign(meshes.begin(), meshes.end());
+}
+
+} // namespace
+
+std::optional<AnswerStrain> answer_strain(const Calibration &c, const Runs &runs) {
+  AnswerStrain s;
+  for (const StoredRun *run : runs)
+    if (const auto strain = c.facts.at(run->folder).plastic_strain; strain && !run->impacts.empty())
+      s.rows.push_back({run->approach_speed(), *strain});
+  const auto &bearing = c.scene.bearing;
+  if (s.rows.empty() || !bearing.steel.strain_limit) return {};
+  std::sort(s.rows.begin(), s.rows.end(), [](const auto &a, const auto &b) { return a.speed < b.speed; });
+  s.limit = *bearing.steel.strain_limit;
+  s.limit_is_assumption = bearing.assumed.keys.empty() || bearing.assumed.keys.count("material.steel.strain_limit") > 0;
+  for (const auto &row : s.rows) s.largest = std::max(s.largest, row.strain);
+  for (const auto &row : s.rows) {
+    if (row.strain > s.limit) break;
+    s.largest_speed_below_limit = row.speed;
+  }
+  const auto limit = fmt::format("its limit of {:.3g} %{}", 100 * s.limit,
+                                 s.limit_is_assumption ? " (an assumption: take your steel's)" : "");
+  if (!s.exceeded())
+    s.sentence =
+        fmt::format("The steel bears it: in the runs, up to {:.3g} m/s, its plastic strain reaches {}, below {}.",
+                    s.rows.back().speed, percent_up(s.largest), limit);
+  else
+    s.sentence = fmt::format(
+        "The steel is not shown to bear it: its plastic strain reaches {}, beyond {}; {}. The model knows no tearing.",
+        percent_up(s.largest), limit,
+        s.largest_speed_below_limit ? fmt::format("up to {:.3g} m/s it stays below", *s.largest_speed_below_limit)
+                                    : fmt::format("already at {:.3g} m/s", s.rows.front().speed));
+  return s;
+}
+
+AnswerMeshError answer_mesh_error(const Calibration &c, const Runs &runs) {
+  AnswerMeshError error;
+  std::vector<StoredStudy> studies;
+  bool known = true;
+  for (const StoredRun *run : runs) {
+    const RunFacts &f = c.facts.at(run->folder);
+    if (f.source != "finite elements" || run->impacts.empty()) continue;
+    if (studies.empty()) studies = studies_near(run->folder);
+    scene::Scene scene = run->scene;
+    scene.model.rung = f.rung, scene.model.mesh = f.mesh.value_or(scene.model.mesh);
+    const auto estimate = error_estimate(scene, run->summary, studies, {run->folder, f.seconds});
+    if (!estimate.contains("peak_force_relative") || !estimate["peak_force_relative"].is_number()) {
+      if (known) error.sentence = fmt::format("The error of the mesh is {}.", estimate.value("none", "unknown"));
+      known = false, error.peak_force.reset();
+    } else if (const double worst = estimate["peak_force_relative"]; known && worst >= error.peak_force.value_or(0)) {
+      error.peak_force = worst;
+      error.sentence = fmt::format("By the mesh the peak force is uncertain by about {}, worst in run {}: {}.",
+                                   percent_up(worst), f.name, estimate.value("sentence", ""));
+    }
+  }
+  return error;
+}
+
+Answer make_answer(const Calibration &c, const CalibrationOptions &options, const Runs &runs) {
+  Runs fitted;
+  for (const StoredRun *run : runs)
+    if (c.fit.count(run->folder) > 0) fitted.push_back(run);
+  const Choice choice = choose(c, options, fitted);
+  Answer answer;
+  answer.scene = with_fitted(fitted.front()->scene, choice.row.result);
+  answer.rim_identity = scene::rim_identity(answer.scene.bearing);
+  answer.published_applies = scene::published_pair_applies(answer.scene);
+  answer.law = answer_law(choice, answer.scene, runs, c.laws.tolerance);
+  name_sources(c, answer, choice.row.fitted);
+  answer.table = answer_table(answer.scene, answer.law);
+  answer_pair(c, answer);
+  answer.strain = answer_strain(c, runs);
+  answer.mesh_error = answer_mesh_error(c, runs);
+  answer.doubts = c.doubts;
+  add_doubts_of_fit(answer);
+  answer.validity = validity_sentence(answer);
+  return answer;
+}
+
+} // namespace rimpact::calibration

@@ -1,0 +1,92 @@
+/// What a calibration hands over: the law with its numbers, where it holds and how far off it is, what follows from it
+/// at five speeds, a constant pair where one serves, and every doubt. `calibration.json` ("answer"), calibration.toml,
+/// exports, the report's first page and what the terminal says are made from this one record.
+///
+/// The answer is a law, not a pair: a law of the rim's material (hunt-crossley, elastoplastic) belongs to the rim and
+/// holds for any supported mass; one whose dashpot is 2 xi sqrt(k_i m) holds for the mass it was fitted at.
+#pragma once
+#include "calibration/answer/calibration.h"
+
+namespace rimpact::calibration {
+
+/// Largest absolute relative errors of runs left out of the fit one at a time [-].
+struct WorstErrors {
+  double peak_force = 0, rebound = 0;
+  bool inside_valid_range = true; ///< false: over all of them, for the law holds nowhere
+};
+
+struct AnswerLaw {
+  FitResult result;                           ///< what was fitted
+  std::string chosen_by;                      ///< ranking | user | only
+  std::string remark;                         ///< where the user's choice is not the best; else empty
+  bool of_the_mass = false;                   ///< holds for Answer::scene.load.mass only; else it belongs to the rim
+  double fitted_from = 0, fitted_to = 0;      ///< approach speeds of the impacts fitted [m/s]
+  std::optional<double> valid_from, valid_to; ///< neighbouring runs left out that are met within `tolerance` [m/s]
+  double tolerance = 0.05;
+  std::optional<WorstErrors> worst_left_out;
+  double unexplained = 0; ///< of the force, over the runs fitted [-]
+  int n_runs = 0;
+  std::vector<LawError> left_out, fitted; ///< by speed, grazing runs apart
+  std::string sentence;
+};
+
+/// A weightless impact at one speed, by the answer's law in the reduced model at the supported mass.
+struct AnswerRow {
+  double speed = 0;                         ///< approach [m/s]
+  double peak_force = 0, penetration = 0;   ///< [N], [m]
+  double restitution = 0, contact_time = 0; ///< [-], [s]
+  std::optional<double> k_i, e;             ///< of the pair_law's pair with this peak force and rebound [N/m], [-]
+  std::optional<double> peak_force_error, rebound_error; ///< of the law, absolute relative; see errors_at()
+  std::string error_from;                                ///< left out | fitted
+};
+
+struct StrainRow {
+  double speed, strain; ///< approach [m/s], largest equivalent plastic strain [-]
+};
+struct AnswerStrain {
+  double limit = 0;
+  bool limit_is_assumption = true;
+  std::vector<StrainRow> rows; ///< by speed
+  double largest = 0;
+  std::optional<double> largest_speed_below_limit; ///< of a run below which no run exceeds the limit [m/s]
+  bool exceeded() const { return largest > limit; }
+  std::string sentence;
+};
+struct AnswerMeshError {
+  std::optional<double> peak_force; ///< largest over the runs fitted [-]; empty: not known
+  std::string sentence;             ///< empty: no finite elements
+};
+
+struct Answer {
+  scene::Scene scene;               ///< the fitted runs' bearing and load, with the law and every number it reads
+  std::string rim_identity, source; ///< finite elements | measured | reduced model; mixed: joined by "and"
+  std::vector<std::string> rungs;   ///< of the runs fitted: rim, rigid-dish, full, or "measured"
+  std::vector<int> meshes;
+  AnswerLaw law;
+  std::vector<AnswerRow> table; ///< five speeds in equal ratios over the speeds fitted
+  std::string pair_law = "no-tension";
+  std::optional<PairRange> pair;
+  std::string no_pair; ///< why there is none
+  bool published_applies = false;
+  std::optional<AnswerStrain> strain;
+  AnswerMeshError mesh_error;
+  std::vector<std::string> doubts; ///< sentences
+  std::string validity;            ///< the one sentence for headers and exports
+};
+
+/// The error of the law at a speed, from runs by speed: linear in the logarithm of the speed between the two enclosing
+/// ones where both err to the same side, else the larger; of the nearest beyond them. `of` picks the error. Empty
+/// without runs.
+std::optional<double> errors_at(double speed, const std::vector<LawError> &errors, double LawError::*of);
+
+/// Everything but `result` must be filled in `calibration`; `runs` are those fitted (and ranked) on.
+Answer make_answer(const Calibration &calibration, const CalibrationOptions &options,
+                   const std::vector<const StoredRun *> &runs);
+
+nlohmann::json to_json(const Answer &answer);
+/// [reduced] of a scene file: law, numbers, range, rim. Comments first.
+std::string to_toml_fragment(const Answer &answer);
+/// For the terminal.
+std::string describe(const Answer &answer);
+
+} // namespace rimpact::calibration

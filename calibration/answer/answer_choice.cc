@@ -1,0 +1,58 @@
+#include "calibration/answer/answer_parts.h"
+#include "calibration/laws/law_words.h"
+#include "calibration/laws/percent.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <set>
+
+namespace rimpact::calibration {
+
+namespace {
+
+std::string range_of(const LawRow &row) {
+  if (row.n_valid > 1)
+    return fmt::format("meets runs left out from {:.3g} to {:.3g} m/s", *row.valid_from, *row.valid_to);
+  return row.n_valid == 1 ? fmt::format("meets runs left out at {:.3g} m/s only", *row.valid_from)
+                          : "meets no run left out";
+}
+
+std::string better(const LawRow &best, const LawRow &asked, double tolerance) {
+  return fmt::format("The law {} is better: it leaves {:.1f} % of the force unexplained and {} within {:.0f} %, where "
+                     "{}, which was asked for, "
+                     "leaves {:.1f} % and {}.",
+                     best.result.law, 100 * best.unexplained, range_of(best), 100 * tolerance, asked.result.law,
+                     100 * asked.unexplained, range_of(asked));
+}
+
+/// Whether the user fits just what the ranking fits of the law.
+bool fits_all_of(const std::string &law, const FitOptions &fit) {
+  std::set<std::string> asked;
+  for (const auto &name : fit.parameters)
+    if (of_a_law(name)) asked.insert(name);
+  const auto own = options_for(law, fit).parameters;
+  return asked == std::set<std::string>(own.begin(), own.end());
+}
+
+} // namespace
+
+const LawRow *best_valid(const LawRanking &ranking) {
+  if (ranking.rows.empty()) return nullptr;
+  const auto found =
+      std::find_if(ranking.rows.begin(), ranking.rows.end(), [](const auto &row) { return row.n_valid > 1; });
+  return found == ranking.rows.end() ? &ranking.rows.front() : &*found;
+}
+
+Choice choose(const Calibration &c, const CalibrationOptions &options, const std::vector<const StoredRun *> &fitted) {
+  const LawRow *best = best_valid(c.laws);
+  const std::string &law = options.fit.law;
+  if (best && law.empty()) return {*best, c.laws.rows.size() > 1 ? "ranking" : "only", {}};
+  const auto ranked =
+      std::find_if(c.laws.rows.begin(), c.laws.rows.end(), [&](const auto &row) { return row.result.law == law; });
+  const bool as_ranked = ranked != c.laws.rows.end() && fits_all_of(law, options.fit);
+  Choice choice{as_ranked ? *ranked : judged(fitted, options.fit, c.result), law.empty() ? "only" : "user", {}};
+  if (best && best->result.law != choice.row.result.law) choice.remark = better(*best, choice.row, c.laws.tolerance);
+  return choice;
+}
+
+} // namespace rimpact::calibration

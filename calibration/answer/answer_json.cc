@@ -1,0 +1,117 @@
+#include "calibration/answer/answer.h"
+#include "calibration/answer/calibration_json.h"
+#include "calibration/answer/laws_json.h"
+
+namespace rimpact::calibration {
+
+using nlohmann::json;
+
+namespace {
+
+json text_or_null(const std::string &text) {
+  return text.empty() ? json(nullptr) : json(text);
+}
+
+/// One value as itself, several as a list, none as null.
+template <class T> json one_or_list(const std::vector<T> &values) {
+  return values.empty() ? json(nullptr) : values.size() == 1 ? json(values.front()) : json(values);
+}
+
+json law_json(const AnswerLaw &law, const scene::Scene &scene) {
+  json worst = nullptr;
+  if (law.worst_left_out)
+    worst = {{"peak_force", number(law.worst_left_out->peak_force)},
+             {"rebound", number(law.worst_left_out->rebound)},
+             {"inside_valid_range", law.worst_left_out->inside_valid_range}};
+  return {{"name", law.result.law},
+          {"chosen_by", law.chosen_by},
+          {"remark", text_or_null(law.remark)},
+          {"belongs_to", law.of_the_mass ? "mass" : "rim"},
+          {"parameters", parameters_json(law.result)},
+          {"element", element_json(scene)},
+          {"fitted_from_m_s", number(law.fitted_from)},
+          {"fitted_to_m_s", number(law.fitted_to)},
+          {"valid_from_m_s", number(law.valid_from)},
+          {"valid_to_m_s", number(law.valid_to)},
+          {"tolerance", law.tolerance},
+          {"worst_left_out", worst},
+          {"force_unexplained", number(law.unexplained)},
+          {"n_runs", law.n_runs},
+          {"converged", law.result.converged},
+          {"sentence", law.sentence}};
+}
+
+json row_json(const AnswerRow &row) {
+  return {{"speed_m_s", row.speed},
+          {"peak_force_kN", row.peak_force / 1e3},
+          {"restitution", number(row.restitution)},
+          {"penetration_mm", row.penetration * 1e3},
+          {"contact_time_ms", row.contact_time * 1e3},
+          {"k_i_kN_per_m", row.k_i ? number(*row.k_i / 1e3) : json(nullptr)},
+          {"e", number(row.e)},
+          {"peak_force_error", number(row.peak_force_error)},
+          {"rebound_error", number(row.rebound_error)},
+          {"error_from", row.error_from},
+          {"inside_fit", true}};
+}
+
+json pair_json(const PairRange &pair) {
+  const double k = pair.result.parameters.at("k_i").value, e = pair.result.parameters.at("e").value;
+  scene::Scene scene;
+  scene.reduced.k_i = 1e3 * k, scene.reduced.restitution = e, scene.load.mass = pair.mass;
+  return {{"law", pair.law},
+          {"k_i_kN_per_m", number(k)},
+          {"e", number(e)},
+          {"c_i_kN_s_per_m", number(damping_coefficient(scene) / 1e3)},
+          {"mass_kg", pair.mass},
+          {"from_m_s", pair.from},
+          {"to_m_s", pair.to},
+          {"tolerance", pair.tolerance},
+          {"worst_peak_force_error", number(pair.worst_peak_force)},
+          {"worst_rebound_error", number(pair.worst_rebound)},
+          {"parameters", parameters_json(pair.result)},
+          {"sentence", pair.sentence}};
+}
+
+json strain_json(const AnswerStrain &s) {
+  json rows = json::array();
+  for (const auto &row : s.rows) rows.push_back({{"speed_m_s", row.speed}, {"strain", row.strain}});
+  return {{"limit", s.limit},
+          {"limit_is_assumption", s.limit_is_assumption},
+          {"rows", rows},
+          {"largest", s.largest},
+          {"exceeded", s.exceeded()},
+          {"largest_speed_below_limit_m_s", number(s.largest_speed_below_limit)},
+          {"sentence", s.sentence}};
+}
+
+} // namespace
+
+json to_json(const Answer &a) {
+  json table = json::array(), assumed = json::array();
+  for (const auto &row : a.table) table.push_back(row_json(row));
+  for (const auto &assumption : scene::assumptions(a.scene.bearing))
+    assumed.push_back({{"key", assumption.key}, {"value", assumption.value}});
+  return {{"bearing", a.scene.bearing.name},
+          {"rim_identity", a.rim_identity},
+          {"rung", one_or_list(a.rungs)},
+          {"mesh", one_or_list(a.meshes)},
+          {"mass_kg", a.scene.load.mass},
+          {"vertical_kN", a.scene.load.vertical / 1e3},
+          {"gravity_m_per_s2", a.scene.load.gravity},
+          {"source", a.source},
+          {"law", law_json(a.law, a.scene)},
+          {"table", table},
+          {"pair_law", a.pair_law},
+          {"pair", a.pair ? pair_json(*a.pair) : json(nullptr)},
+          {"no_pair", text_or_null(a.no_pair)},
+          {"published_applies", a.published_applies},
+          {"strain", a.strain ? strain_json(*a.strain) : json(nullptr)},
+          {"mesh_error",
+           {{"peak_force", number(a.mesh_error.peak_force)}, {"sentence", text_or_null(a.mesh_error.sentence)}}},
+          {"assumptions", assumed},
+          {"doubts", a.doubts},
+          {"validity", a.validity}};
+}
+
+} // namespace rimpact::calibration

@@ -1,0 +1,123 @@
+#include "calibration/answer/answer_parts.h"
+#include "calibration/laws/law_words.h"
+#include "calibration/laws/percent.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::calibration {
+
+namespace {
+
+struct Speeds {
+  double from, to; ///< [m/s]
+  bool hold(double speed) const { return speed >= from && speed <= to; }
+};
+std::string in_words(const Speeds &s) {
+  return s.to > s.from * 1.001 ? fmt::format("from {:.3g} to {:.3g} m/s", s.from, s.to)
+                               : fmt::format("at {:.3g} m/s", s.from);
+}
+
+/// Largest errors of the runs whose speed passes; both zero where none does.
+template <class Passes> WorstErrors worst_of(const std::vector<LawError> &errors, Passes passes) {
+  WorstErrors worst;
+  for (const auto &e : errors)
+    if (passes(e.speed)) {
+      worst.peak_force = std::max(worst.peak_force, std::abs(e.peak_force));
+      worst.rebound = std::max(worst.rebound, std::abs(e.rebound));
+    }
+  return worst;
+}
+
+WorstErrors larger(const WorstErrors &a, const WorstErrors &b) {
+  return {std::max(a.peak_force, b.peak_force), std::max(a.rebound, b.rebound), a.inside_valid_range};
+}
+
+std::string in_words(const WorstErrors &worst) {
+  return fmt::format("within {} in peak force and {} in rebound", percent_up(worst.peak_force),
+                     percent_up(worst.rebound));
+}
+
+/// Where the law holds, by the runs left out and those fitted: what is stated holds of both.
+std::string where(const AnswerLaw &law) {
+  const auto all = [](double) { return true; };
+  const auto over = [&](auto passes) {
+    return in_words(larger(worst_of(law.left_out, passes), worst_of(law.fitted, passes)));
+  };
+  if (law.left_out.empty())
+    return fmt::format(
+        "no run could be left out to try it, so how it predicts is not known; the runs fitted are met {}",
+        in_words(worst_of(law.fitted, all)));
+  if (!law.valid_from)
+    return fmt::format("it holds nowhere within {:.0f} %: runs, fitted and left out one at a time, are met {}",
+                       100 * law.tolerance, over(all));
+  const Speeds valid{*law.valid_from, *law.valid_to};
+  std::string text = fmt::format("{} runs, fitted and left out one at a time, are met {}", in_words(valid),
+                                 over([&](double v) { return valid.hold(v); }));
+  if (std::any_of(law.left_out.begin(), law.left_out.end(), [&](const auto &e) { return !valid.hold(e.speed); }))
+    text += "; elsewhere " + over([&](double v) { return !valid.hold(v); });
+  return text;
+}
+
+/// "8 runs by finite elements (rung rim, mesh 1)", "2 measured curves".
+std::string made_by(const Answer &answer) {
+  const int n = answer.law.n_runs;
+  const char *plural = n == 1 ? "" : "s";
+  if (answer.source == "measured") return fmt::format("{} measured curve{}", n, plural);
+  std::string text = fmt::format("{} run{} by {}", n, plural, answer.source);
+  if (answer.source != "finite elements") return text;
+  const char *before = " (rung ";
+  for (const auto &rung : answer.rungs) text += before + rung, before = ", ";
+  before = ", mesh ";
+  for (const int mesh : answer.meshes) text += before + std::to_string(mesh), before = ", ";
+  return text + ")";
+}
+
+} // namespace
+
+AnswerLaw answer_law(const Choice &choice, const scene::Scene &scene, const std::vector<const StoredRun *> &runs,
+                     double tolerance) {
+  const LawRow &row = choice.row;
+  AnswerLaw law;
+  law.result = row.result, law.chosen_by = choice.chosen_by, law.remark = choice.remark;
+  law.of_the_mass = belongs_to_mass(scene.reduced);
+  law.tolerance = tolerance, law.unexplained = row.unexplained, law.n_runs = static_cast<int>(row.fitted.size());
+  law.valid_from = row.valid_from, law.valid_to = row.valid_to;
+  law.left_out = left_out_runs(row);
+  for (const auto &e : row.fitted)
+    if (!e.grazing || row.fitted.size() == 1) law.fitted.push_back(e);
+  std::sort(law.fitted.begin(), law.fitted.end(), [](const auto &a, const auto &b) { return a.speed < b.speed; });
+  std::vector<double> speeds;
+  for (const bool grazing : {false, true}) // grazing ones only where there is nothing else
+    for (const StoredRun *run : runs)
+      for (const auto &w : run->impacts)
+        if (std::any_of(row.fitted.begin(), row.fitted.end(), [&](const auto &e) { return e.folder == run->folder; }) &&
+            w.grazing == grazing && (!grazing || law.fitted.empty()))
+          speeds.push_back(w.impact.approach_speed);
+  if (!speeds.empty())
+    law.fitted_from = *std::min_element(speeds.begin(), speeds.end()),
+    law.fitted_to = *std::max_element(speeds.begin(), speeds.end());
+  if (!law.left_out.empty()) {
+    law.worst_left_out = worst_of(
+        law.left_out, [&](double v) { return !law.valid_from || (v >= *law.valid_from && v <= *law.valid_to); });
+    law.worst_left_out->inside_valid_range = law.valid_from.has_value();
+  }
+  std::string name = law_in_words(scene);
+  name.front() = 'T';
+  law.sentence = fmt::format("{} is fitted to {} run{} {}; {}.{}", name, law.n_runs, law.n_runs == 1 ? "" : "s",
+                             in_words(Speeds{law.fitted_from, law.fitted_to}), where(law),
+                             law.of_the_mass ? "" : " It belongs to the rim and serves any supported mass.");
+  return law;
+}
+
+std::string validity_sentence(const Answer &answer) {
+  const auto &law = answer.law;
+  return fmt::format("Law {} of the rim {} of bearing {}, fitted to {} {}, {}: {}.", law.result.law,
+                     answer.rim_identity, answer.scene.bearing.name, made_by(answer),
+                     in_words(Speeds{law.fitted_from, law.fitted_to}),
+                     law.of_the_mass ? fmt::format("for a supported mass of {:.6g} kg only", answer.scene.load.mass)
+                                     : "for any supported mass",
+                     where(law));
+}
+
+} // namespace rimpact::calibration

@@ -1,0 +1,84 @@
+#include "calibration/answer/answer.h"
+#include "calibration/answer/calibration_json.h"
+#include "calibration/laws/percent.h"
+#include "reduced_models/impact_law.h"
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace rimpact::calibration {
+
+namespace {
+
+/// One line of a comment, whatever a name holds.
+std::string comment(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return c < ' ' || c == 127; }, ' ');
+  return "# " + text + "\n";
+}
+
+std::string assigned(const std::string &name, double si) {
+  const auto &p = parameter(name);
+  return fmt::format("{} = {:.9g}\n", p.toml_key.substr(p.toml_key.find('.') + 1), si / p.si);
+}
+
+/// What was fitted or held beside the law's own numbers, by table of the scene file.
+std::string others(const Answer &a, const std::string &table) {
+  const reduced::ImpactLaw &law = reduced::impact_law(a.law.result.law);
+  auto values = a.law.result.fixed;
+  for (const auto &[name, estimate] : a.law.result.parameters) values[name] = estimate.value;
+  std::string text;
+  for (const auto &[name, value] : values)
+    if (const auto &p = parameter(name); !law.reads(name) && p.toml_key.rfind(table + ".", 0) == 0)
+      text += assigned(name, value * p.si);
+  return text;
+}
+
+std::string row_text(const AnswerRow &r) {
+  const auto error = [](const std::optional<double> &e) { return e ? percent_up(*e) : std::string("-"); };
+  return fmt::format("  {:7.3g} {:9.4g} {:>8} {:8.3g} {:>8} {:9.3g} {:9.3g} {:>11} {:>7}\n", r.speed,
+                     r.peak_force / 1e3, error(r.peak_force_error), r.restitution, error(r.rebound_error),
+                     1e3 * r.penetration, 1e3 * r.contact_time, r.k_i ? fmt::format("{:.4g}", *r.k_i / 1e3) : "-",
+                     r.e ? fmt::format("{:.3f}", *r.e) : "-");
+}
+
+} // namespace
+
+std::string to_toml_fragment(const Answer &a) {
+  const auto &r = a.scene.reduced;
+  const reduced::ImpactLaw &law = reduced::impact_law(r.impact_law);
+  std::string text = comment(a.validity);
+  if (!a.law.remark.empty()) text += comment(a.law.remark);
+  text += comment(a.pair ? a.pair->sentence : a.no_pair);
+  if (!a.mesh_error.sentence.empty()) text += comment(a.mesh_error.sentence);
+  for (const auto &doubt : a.doubts) text += comment("Doubt: " + doubt);
+  text += fmt::format("[reduced]\nmodel = \"{}\"\nimpact_law = \"{}\"\n", r.model, r.impact_law);
+  for (const auto *names : {&law.parameters, &law.exponents})
+    for (const auto &name : *names) text += assigned(name, parameter(name).get(a.scene));
+  if (law.reads("exponent")) text += fmt::format("reference_speed_m_per_s = {:.9g}\n", r.reference_speed);
+  text += others(a, "reduced");
+  text += fmt::format("fitted_from_m_per_s = {:.9g}\nfitted_to_m_per_s = {:.9g}\n", a.law.fitted_from, a.law.fitted_to);
+  if (a.law.of_the_mass) text += fmt::format("fitted_mass_kg = {:.9g}\n", a.scene.load.mass);
+  text += fmt::format("fitted_rim = \"{}\"\n", a.rim_identity);
+  const std::string load = others(a, "load");
+  return load.empty() ? text : text + "[load]\n" + load;
+}
+
+std::string describe(const Answer &a) {
+  std::string text = a.law.sentence + "\n";
+  if (!a.law.remark.empty()) text += a.law.remark + "\n";
+  for (const auto &[name, e] : a.law.result.parameters)
+    text += fmt::format("  {:<18} {:>12.5g} {:<6} 95 %: {:.5g} .. {:.5g}{}\n", name, e.value, parameter(name).unit,
+                        e.interval_low, e.interval_high, e.identifiable ? "" : "  NOT IDENTIFIABLE: " + e.reason);
+  text += fmt::format("one impact of {:.6g} kg by this law (errors of runs {}), and the pair k_i, e of law {} that "
+                      "returns the same at that speed\n",
+                      a.scene.load.mass, a.table.empty() ? "fitted" : a.table.front().error_from, a.pair_law);
+  text += "      m/s   peak kN      off  rebound      off  depth mm   time ms  k_i kN/m         e\n";
+  for (const auto &row : a.table) text += row_text(row);
+  text += (a.pair ? a.pair->sentence : a.no_pair) + "\n";
+  if (a.strain && !a.strain->exceeded()) text += a.strain->sentence + "\n"; // else it is among the doubts
+  if (!a.mesh_error.sentence.empty()) text += a.mesh_error.sentence + "\n";
+  for (const auto &doubt : a.doubts) text += "doubt: " + doubt + "\n";
+  return text;
+}
+
+} // namespace rimpact::calibration

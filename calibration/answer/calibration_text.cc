@@ -1,0 +1,63 @@
+#include "calibration/answer/answer.h"
+#include "calibration/answer/calibration_json.h"
+#include "reduced_models/impact_law.h"
+#include <fmt/format.h>
+
+namespace rimpact::calibration {
+
+double damping_coefficient(const scene::Scene &scene) {
+  return reduced::damping_coefficient(scene.reduced.k_i, scene.reduced.restitution, scene.load.mass);
+}
+
+namespace {
+
+std::string describe(const LawRanking &ranking) {
+  if (ranking.rows.empty()) return {};
+  std::string text = fmt::format("{:<16} force left   fitted: peak  rebound   left out: peak  rebound\n", "impact law");
+  for (const auto &row : ranking.rows)
+    text += fmt::format("  {:<14} {:8.1f} % {:12.1f} % {:6.1f} % {:14.1f} % {:6.1f} %\n", row.result.law,
+                        100 * row.unexplained, 100 * row.largest_peak_error, 100 * row.largest_rebound_error,
+                        100 * row.left_out_peak_error, 100 * row.left_out_rebound_error);
+  return text + ranking.sentence + "\n";
+}
+
+} // namespace
+
+std::string describe(const Calibration &c) {
+  const auto percent = [](const std::optional<double> &v) {
+    return v ? fmt::format("{:+8.1f} %", 100 * *v) : "         -";
+  };
+  std::string text = c.answer ? describe(*c.answer) + "\n" : "";
+  text += fmt::format("{} fitted on {} ({} impacts, {} starts)\n", c.result.law, c.fitted_on, c.result.n_impacts,
+                      c.result.n_starts);
+  for (const auto &name : c.result.names) {
+    const auto &e = c.result.parameters.at(name);
+    text += fmt::format("  {:<13} {:>12.5g} {:<6} +- {:<10.3g} 95 %: {:.5g} .. {:.5g}{}\n", name, e.value,
+                        parameter(name).unit, e.standard_error, e.interval_low, e.interval_high,
+                        e.identifiable ? "" : "  NOT IDENTIFIABLE: " + e.reason);
+  }
+  const auto section = [&](const char *title, const std::map<std::string, RunCheck> &checks) {
+    if (checks.empty()) return;
+    text += fmt::format("{:<44} peak force  displacement  rebound\n", title);
+    for (const auto &[folder, check] : checks)
+      text += fmt::format("  {:<42} {}  {}  {}\n", folder, percent(check.history.peak_force_error),
+                          percent(check.history.peak_displacement_error), percent(check.history.rebound_error));
+  };
+  section("fitted runs", c.fit);
+  section("predicted runs", c.prediction);
+  if (c.windows) text += c.windows->sentence + "\n";
+  for (const auto &law : c.speed_laws)
+    text += fmt::format("{} = {:.4g}{} (v / 1 m/s)^{:.3f} from {:.2g} to {:.2g} m/s, within {:.1f} %\n", law.name,
+                        law.coefficient, law.unit == "-" ? "" : " " + law.unit, law.exponent, law.from, law.to,
+                        100 * law.largest_error);
+  text += describe(c.laws);
+  for (const auto &r : c.grazing)
+    text +=
+        fmt::format("{}: first touch at scale {}; at {:g} the peak impact force is {:.4g} kN ({:.4g} .. {:.4g} kN)\n",
+                    r.scene, r.critical_scale ? fmt::format("{:.5f}", *r.critical_scale) : "-", r.scale,
+                    r.peak_force.nominal / 1e3, r.peak_force.low / 1e3, r.peak_force.high / 1e3);
+  for (const auto &note : c.notes) text += "note: " + note + "\n";
+  return text;
+}
+
+} // namespace rimpact::calibration

@@ -1,0 +1,78 @@
+#include "calibration/data/measured_run.h"
+#include "files/error.h"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::calibration {
+
+namespace {
+
+/// Measured figures that should agree may differ by this factor before units are suspected.
+constexpr double suspicious = 3;
+
+bool disagree(double a, double b) {
+  return a > suspicious * b || b > suspicious * a;
+}
+
+/// Root mean square about the mean.
+double spread(const std::vector<double> &values) {
+  const double n = static_cast<double>(values.size());
+  double mean = 0, sum = 0;
+  for (const double v : values) mean += v / n;
+  for (const double v : values) sum += (v - mean) * (v - mean);
+  return std::sqrt(sum / n);
+}
+
+std::vector<double> integrate(const std::vector<double> &times, const std::vector<double> &rates) {
+  std::vector<double> values(times.size(), 0.0);
+  for (std::size_t i = 1; i < times.size(); ++i)
+    values[i] = values[i - 1] + 0.5 * (times[i] - times[i - 1]) * (rates[i] + rates[i - 1]);
+  return values;
+}
+
+void check_travel(const StoredRun &run) {
+  const double travel = run.summary.peak_displacement, L_c = run.scene.bearing.lateral_capacity();
+  if (travel > suspicious * L_c)
+    throw DataError(fmt::format("{}: the slider travels {:.4g} m where the rim stands at {:.4g} m; is the "
+                                "displacement's unit right?",
+                                run.folder, travel, L_c));
+}
+
+/// By the travel, which noise moves least: differences of noisy samples exceed any speed.
+void check_velocity(const StoredRun &run) {
+  const auto &r = run.response;
+  const double stated = spread(integrate(r.series("time"), r.series("velocity_x"))),
+               found = spread(r.series("displacement_x"));
+  if (disagree(stated, found))
+    throw DataError(fmt::format("{}: velocity_x and the slope of displacement_x differ by a factor of {:.3g}; are "
+                                "the units of time, displacement and velocity right?",
+                                run.folder, stated / found));
+}
+
+/// Impulse of the rim's force over the change of momentum, both radial.
+double impulse_ratio(const StoredRun &run, const ImpactWindow &w) {
+  double impulse = 0;
+  for (std::size_t i = 1; i < w.times.size(); ++i)
+    impulse += 0.5 * (w.times[i] - w.times[i - 1]) * (w.force[i] + w.force[i - 1]);
+  return impulse / (run.scene.load.mass * (w.impact.approach_speed + w.impact.rebound_speed));
+}
+
+} // namespace
+
+void require_consistent(const StoredRun &run) {
+  check_travel(run);
+  check_velocity(run);
+  for (const auto &w : run.impacts) {
+    if (w.grazing) continue; // other forces change its momentum as much
+    const double ratio = impulse_ratio(run, w);
+    if (ratio <= 0)
+      throw DataError(fmt::format("{}: at {:.4f} s the rim's force points outwards; is its sign right?", run.folder,
+                                  w.impact.touch_time));
+    if (disagree(ratio, 1))
+      throw DataError(fmt::format("{}: at {:.4f} s the impulse of the rim's force is {:.3g} times the change of "
+                                  "momentum; are the units of force and displacement and the mass ({:g} kg) right?",
+                                  run.folder, w.impact.touch_time, ratio, run.scene.load.mass));
+  }
+}
+
+} // namespace rimpact::calibration

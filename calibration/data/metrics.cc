@@ -1,0 +1,138 @@
+#include "calibration/data/metrics.h"
+#include "calibration/data/series.h"
+#include "files/error.h"
+#include "responses/summary.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::calibration {
+
+namespace {
+
+/// Compared after the last release [s] (INTERFACE).
+constexpr double after_release = 0.5;
+
+struct Span {
+  double begin, end;
+};
+
+/// Union of both time bases within the span, its ends included.
+std::vector<double> common_times(const std::vector<double> &a, const std::vector<double> &b, Span span) {
+  std::vector<double> times = {span.begin, span.end};
+  for (const auto *base : {&a, &b})
+    for (const double t : *base)
+      if (t > span.begin && t < span.end) times.push_back(t);
+  std::sort(times.begin(), times.end());
+  times.erase(std::unique(times.begin(), times.end()), times.end());
+  return times;
+}
+
+/// Mean over the span of the squared norm of a planar signal's difference; both signals are linear between
+/// samples, so the integral of the square is exact.
+double mean_square(const Response &reference, const Response &candidate, const std::string &signal, Span span) {
+  const auto &tr = reference.series("time"), &tc = candidate.series("time");
+  const auto times = common_times(tr, tc, span);
+  if (span.end <= span.begin) return 0;
+  double integral = 0;
+  for (const char *axis : {"_x", "_y"}) {
+    const auto &r = reference.series(signal + axis), &c = candidate.series(signal + axis);
+    double before = linear_at(tc, c, times[0]) - linear_at(tr, r, times[0]);
+    for (std::size_t i = 1; i < times.size(); ++i) {
+      const double now = linear_at(tc, c, times[i]) - linear_at(tr, r, times[i]);
+      integral += (times[i] - times[i - 1]) * (before * before + before * now + now * now) / 3;
+      before = now;
+    }
+  }
+  return integral / (span.end - span.begin);
+}
+
+Summary summary_of(Response response) {
+  for (const char *axis : {"_x", "_y"})
+    if (!response.has(std::string("velocity") + axis))
+      response.series(std::string("velocity") + axis) =
+          differentiate(response.series("time"), response.series(std::string("displacement") + axis));
+  Summary summary;
+  summarise_response(response, summary);
+  return summary;
+}
+
+std::optional<double> relative(double candidate, double reference) {
+  if (reference == 0) return {};
+  return (candidate - reference) / reference;
+}
+
+const Impact &hardest(const Summary &summary) {
+  return *std::max_element(summary.impacts.begin(), summary.impacts.end(),
+                           [](const auto &a, const auto &b) { return a.peak_force < b.peak_force; });
+}
+
+void compare_impacts(const Summary &reference, const Summary &candidate, Comparison &result) {
+  if (reference.impacts.empty()) {
+    result.notes.push_back(candidate.impacts.empty()
+                               ? "neither touches the rim: no impact to compare"
+                               : "the reference never touches the rim, the candidate does: no impact to compare");
+    return;
+  }
+  const auto &theirs = hardest(reference);
+  if (candidate.impacts.empty()) {
+    result.peak_force_error = -1.0;
+    result.notes.push_back("the candidate never touches the rim, the reference does");
+    return;
+  }
+  const auto &ours = hardest(candidate);
+  result.peak_force_error = relative(ours.peak_force, theirs.peak_force);
+  result.rebound_error = relative(ours.rebound_speed, theirs.rebound_speed);
+  if (!result.rebound_error) result.notes.push_back("the reference does not rebound: no rebound to compare");
+  result.touch_time_difference = candidate.impacts.front().touch_time - reference.impacts.front().touch_time;
+  if (candidate.impacts.size() != reference.impacts.size())
+    result.notes.push_back(
+        fmt::format("{} impacts against {} of the reference", candidate.impacts.size(), reference.impacts.size()));
+}
+
+} // namespace
+
+Comparison compare(const Response &reference, const Response &candidate, double lateral_capacity) {
+  if (!(lateral_capacity > 0)) throw InputError(fmt::format("lateral capacity {:g} m must be > 0", lateral_capacity));
+  if (reference.size() < 2 || candidate.size() < 2)
+    throw DataError("a response with fewer than two samples cannot be compared");
+  const auto &tr = reference.series("time"), &tc = candidate.series("time");
+  const Span overlap{std::max(tr.front(), tc.front()), std::min(tr.back(), tc.back())};
+  if (!(overlap.begin < overlap.end))
+    throw DataError(fmt::format("the responses do not overlap in time: {:g}..{:g} s and {:g}..{:g} s", tr.front(),
+                                tr.back(), tc.front(), tc.back()));
+  const auto theirs = summary_of(reference), ours = summary_of(candidate);
+  Comparison result;
+  compare_impacts(theirs, ours, result);
+  result.peak_displacement_error = relative(ours.peak_displacement, theirs.peak_displacement);
+
+  Span span = overlap;
+  if (!theirs.impacts.empty()) {
+    span.begin = std::max(span.begin, theirs.impacts.front().touch_time);
+    span.end = std::min(span.end, theirs.impacts.back().release_time + after_release);
+    if (!(span.begin < span.end)) throw DataError("the candidate ends before the reference's first impact");
+    if (tc.back() < theirs.impacts.back().release_time)
+      result.notes.push_back("the candidate ends before the reference's last release: compared up to its end");
+  }
+  result.nrmse_displacement = std::sqrt(mean_square(reference, candidate, "displacement", span)) / lateral_capacity;
+  if (!theirs.impacts.empty())
+    result.nrmse_force = std::sqrt(mean_square(reference, candidate, "impact", span)) / hardest(theirs).peak_force;
+  if (theirs.peak_lateral_force > 0)
+    result.nrmse_lateral_force =
+        std::sqrt(mean_square(reference, candidate, "force", span)) / theirs.peak_lateral_force;
+  return result;
+}
+
+nlohmann::json to_json(const Comparison &c) {
+  const auto value = [](const std::optional<double> &v) { return v ? nlohmann::json(*v) : nlohmann::json(nullptr); };
+  return {{"peak_force_error", value(c.peak_force_error)},
+          {"peak_displacement_error", value(c.peak_displacement_error)},
+          {"rebound_error", value(c.rebound_error)},
+          {"nrmse_displacement", value(c.nrmse_displacement)},
+          {"nrmse_force", value(c.nrmse_force)},
+          {"nrmse_lateral_force", value(c.nrmse_lateral_force)},
+          {"touch_time_difference_s", value(c.touch_time_difference)},
+          {"notes", c.notes}};
+}
+
+} // namespace rimpact::calibration

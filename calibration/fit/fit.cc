@@ -1,0 +1,201 @@
+#include "calibration/fit/fit.h"
+#include "calibration/fit/problem.h"
+#include "calibration/fit/uncertainty.h"
+#include "files/error.h"
+#include <algorithm>
+#include <ceres/ceres.h>
+#include <fmt/format.h>
+#include <glog/logging.h>
+
+namespace rimpact::calibration {
+
+namespace {
+
+/// Starts whose ends differ by less are the same minimum (in the fitted variable, relative to 1).
+constexpr double same_minimum = 1e-3;
+/// Noise of the force, in shares of its peak, below which what no sample's noise holds (interpolation, digits) is of
+/// its size.
+constexpr double audible = 1e-3;
+
+class Cost final : public ceres::CostFunction {
+public:
+  Cost(const Problem &problem, const ResidualBlock &block) : problem_(problem), block_(block) {
+    set_num_residuals(block.size());
+    mutable_parameter_block_sizes()->push_back(problem.n_parameters());
+    if (block.n_nuisance() > 0) mutable_parameter_block_sizes()->push_back(block.n_nuisance());
+  }
+  bool Evaluate(double const *const *x, double *r, double **jacobians) const override {
+    const double *nuisance = block_.n_nuisance() > 0 ? x[1] : nullptr;
+    if (!problem_.residuals(block_, x[0], nuisance, r)) return false;
+    if (!jacobians) return true;
+    if (jacobians[0] && !problem_.jacobian(block_, x[0], nuisance, jacobians[0])) return false;
+    return !nuisance || !jacobians[1] || problem_.nuisance_jacobian(block_, x[0], nuisance, jacobians[1]);
+  }
+
+private:
+  const Problem &problem_;
+  const ResidualBlock &block_;
+};
+
+struct Ending {
+  Eigen::VectorXd x;
+  Nuisance nuisance;
+  double cost;
+  bool usable, converged;
+  std::string message;
+};
+
+Ending search(const Problem &problem, Eigen::VectorXd x, const FitOptions &options) {
+  // Ceres logs through glog; what it has to say is in its summary.
+  FLAGS_minloglevel = google::GLOG_FATAL;
+  ceres::Problem ceres_problem;
+  Nuisance nuisance; // all zero: what was known of each impact beforehand
+  for (const auto &block : problem.blocks()) nuisance.push_back(Eigen::VectorXd::Zero(block->n_nuisance()));
+  for (std::size_t i = 0; i < problem.blocks().size(); ++i) {
+    const auto &block = problem.blocks()[i];
+    ceres::LossFunction *loss = options.robust_scale > 0 ? new ceres::HuberLoss(options.robust_scale) : nullptr;
+    std::vector<double *> unknowns = {x.data()};
+    if (block->n_nuisance() > 0) unknowns.push_back(nuisance[i].data());
+    ceres_problem.AddResidualBlock(new Cost(problem, *block), loss, unknowns);
+  }
+  for (int i = 0; i < problem.n_parameters(); ++i) {
+    ceres_problem.SetParameterLowerBound(x.data(), i, problem.lower()(i));
+    ceres_problem.SetParameterUpperBound(x.data(), i, problem.upper()(i));
+  }
+  ceres::Solver::Options solver;
+  solver.linear_solver_type = ceres::DENSE_QR;
+  solver.logging_type = ceres::SILENT;
+  solver.max_num_iterations = options.max_iterations;
+  solver.function_tolerance = 1e-7; // data without errors go on until the parameters stand still
+  solver.gradient_tolerance = 1e-12;
+  solver.parameter_tolerance = 1e-9;
+  ceres::Solver::Summary summary;
+  ceres::Solve(solver, &ceres_problem, &summary);
+  return {x,
+          nuisance,
+          summary.final_cost,
+          summary.IsSolutionUsable(),
+          summary.termination_type == ceres::CONVERGENCE,
+          summary.message};
+}
+
+FitResult result_of(const Problem &problem, const std::vector<Ending> &endings, const FitOptions &options) {
+  const auto best = std::min_element(endings.begin(), endings.end(), [](const Ending &a, const Ending &b) {
+    return a.usable != b.usable ? a.usable : a.cost < b.cost;
+  });
+  FitResult result;
+  result.names = options.parameters;
+  result.law = options.law;
+  result.fixed = options.fixed;
+  result.n_impacts = problem.n_impacts();
+  for (const auto &block : problem.blocks()) result.n_residuals += block->size();
+  result.n_starts = static_cast<int>(endings.size());
+  result.notes = problem.notes();
+  result.message = best->message;
+  if (!best->usable) throw DataError("the fit failed from every start: " + best->message);
+  result.cost = best->cost;
+  result.converged = best->converged;
+  for (const auto &e : endings)
+    if (e.usable && (e.x - best->x).cwiseAbs().maxCoeff() < same_minimum) ++result.n_starts_agreeing;
+  const Spread spread = spread_at(problem, best->x, best->nuisance, options.robust_scale);
+  result.counting = options.counting;
+  result.within_noise = spread.within_noise;
+  judge(problem, best->x, spread, result);
+  result.n_evaluations = problem.n_evaluations();
+  return result;
+}
+
+FitResult fit_once(const std::vector<const StoredRun *> &runs, const FitOptions &options) {
+  const Problem problem(runs, options);
+  std::vector<Ending> endings;
+  for (const auto &x : problem.starts()) endings.push_back(search(problem, x, options));
+  return result_of(problem, endings, options);
+}
+
+/// Whether samples may count one by one: all impacts are measured, with noise in both channels.
+bool noisy_alone(const std::vector<const StoredRun *> &runs) {
+  bool any = false;
+  for (const StoredRun *run : runs)
+    for (const auto &w : run->impacts) {
+      any = true;
+      if (!w.measurement || !(w.measurement->sigma_force > audible * w.peak) ||
+          !(w.measurement->sigma_displacement > 0))
+        return false;
+    }
+  return any;
+}
+
+/// The likelihood, from the fit by curves; none where the law is not within the noise by it.
+std::optional<FitResult> by_sample(const std::vector<const StoredRun *> &runs, FitOptions options,
+                                   const FitResult &by_curve) {
+  for (const auto &name : options.parameters) options.start[name] = by_curve.parameters.at(name).value;
+  options.counting = Counting::sample;
+  options.n_starts = 0;
+  options.robust_scale = 0; // a sum over hundreds of samples is no outlier
+  try {
+    FitResult result = fit_once(runs, options);
+    if (!result.within_noise || !result.converged) return {};
+    result.n_starts = by_curve.n_starts, result.n_starts_agreeing = by_curve.n_starts_agreeing;
+    result.n_evaluations += by_curve.n_evaluations;
+    return result;
+  } catch (const Error &) { // nothing beyond the fit by curves is claimed
+    return {};
+  }
+}
+
+} // namespace
+
+FitResult fit(const std::vector<const StoredRun *> &runs, const FitOptions &given) {
+  FitOptions options = given;
+  if (options.law.empty() && !runs.empty()) options.law = runs.front()->scene.reduced.impact_law;
+  options.validate();
+  if (options.counting == Counting::automatic) {
+    options.counting = Counting::curve;
+    const FitResult by_curve = fit_once(runs, options);
+    if (!noisy_alone(runs)) return by_curve;
+    return by_sample(runs, options, by_curve).value_or(by_curve);
+  }
+  return fit_once(runs, options);
+}
+
+std::vector<double> profile(const std::vector<const StoredRun *> &runs, const FitOptions &options,
+                            const FitResult &best, const std::string &name, const std::vector<double> &values) {
+  options.validate();
+  FitOptions others = options;
+  std::erase(others.parameters, name);
+  if (others.parameters.size() == options.parameters.size())
+    throw InputError(fmt::format("{} is not among the fitted parameters", name));
+  if (others.parameters.empty()) throw InputError("a profile needs a second fitted parameter");
+  others.bounds.erase(name);
+  others.start.clear();
+  others.counting = best.counting;
+  if (best.counting == Counting::sample) others.robust_scale = 0;
+  others.n_starts = 0;
+  for (const auto &other : others.parameters) others.start[other] = best.parameters.at(other).value;
+  std::vector<double> costs;
+  for (const double value : values) {
+    others.fixed[name] = value;
+    costs.push_back(fit(runs, others).cost);
+  }
+  return costs;
+}
+
+scene::Scene with_settings(scene::Scene scene, const std::string &law, const std::map<std::string, double> &fixed) {
+  if (!law.empty()) scene.reduced.impact_law = law;
+  for (const auto &[name, value] : fixed) {
+    const auto &p = calibration::parameter(name);
+    p.set(scene, value * p.si);
+  }
+  return scene;
+}
+
+scene::Scene with_fitted(const scene::Scene &scene, const FitResult &result) {
+  scene::Scene fitted = with_settings(scene, result.law, result.fixed);
+  for (const auto &[name, estimate] : result.parameters) {
+    const auto &p = calibration::parameter(name);
+    p.set(fitted, estimate.value * p.si);
+  }
+  return fitted;
+}
+
+} // namespace rimpact::calibration

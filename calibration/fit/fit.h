@@ -1,0 +1,101 @@
+/// Least-squares fit of reduced-model parameters to the impacts of stored runs ("impact-wise shooting").
+///
+/// Each impact is restarted from the reference's own state just before touch and integrated, ground motion
+/// and friction included, through contact to shortly after release. It contributes four groups of residuals,
+/// each a difference over its stated uncertainty and each group counting as one observation, so that neither
+/// the number of samples nor the duration weighs:
+///   force         radial rim force where the reference exceeds 5 % of its peak (a `signed` law pulls before
+///   release,
+///                 where a real rim is silent: that tension is a property of the law, not of the data)
+///   displacement  radial travel from start to end
+///   rebound       inward radial speed at release, each at its own
+///   peak          peak force
+/// Where the clock of force and displacement is uncertain (Uncertainty::time), each impact may be shifted by
+/// the time that serves it best, at the price of a fifth group, `phase`: shift over its uncertainty.
+/// Parameters that the flight informs on (mu_fast, ...) add a group for the motion before the first touch.
+#pragma once
+#include "calibration/data/impact_window.h"
+#include "calibration/fit/parameter.h"
+#include <map>
+#include <optional>
+
+namespace rimpact::calibration {
+
+/// Of the groups, >= 0; 0 leaves one out. Peak and rebound are what an impact element is for, so where its
+/// shape cannot follow a yielding rim these two are met first.
+struct Weights {
+  double force = 1, displacement = 1, rebound = 3, peak = 3, flight = 1;
+};
+/// How the samples of a measured impact count.
+enum class Counting {
+  automatic, ///< by sample where the law follows every measured impact within its noise, else by curve
+  curve,     ///< each curve is one observation with a stated uncertainty, widened by its noise; peak and rebound before
+             ///< shapes
+  sample ///< each sample is an observation with its noise: the likelihood, which holds only if the law is the right one
+};
+struct Bounds {
+  double lower, upper; ///< in the parameter's reported unit
+};
+
+struct FitOptions {
+  std::vector<std::string> parameters = {"k_i", "e"};
+  std::string law;                      ///< impact law; empty: the runs' own
+  std::map<std::string, double> fixed;  ///< held at these values, reported units
+  std::map<std::string, Bounds> bounds; ///< instead of the catalogue's
+  std::map<std::string, double> start;  ///< a first start, reported units; others are added to it
+  int n_starts = 5;                     ///< >= 1, spread over the bounds
+  double robust_scale = 20.0;           ///< Huber's, on the norm of an impact's residuals; 0: least squares
+  double difference_step = 1e-4;        ///< of central differences in the fitted variable, >= 1e-6
+  int max_iterations = 60;
+  bool keep_grazing = false; ///< fit grazing impacts beside others too
+  Counting counting = Counting::automatic;
+  Uncertainty uncertainty;
+  Weights weights;
+  void validate() const; ///< throws InputError naming option, value and bound
+};
+
+struct Estimate {
+  double value = 0, standard_error = 0;       ///< reported unit
+  double stated_error = 0;                    ///< standard error from the stated uncertainties alone
+  double interval_low = 0, interval_high = 0; ///< 95 %
+  bool identifiable = true;
+  bool at_bound = false;
+  std::string reason;  ///< when not identifiable
+  std::string verdict; ///< determined | form (determined, but the law does not follow) | noise (of the record hides it)
+                       ///< | flat | bound | grazing
+};
+
+struct FitResult {
+  std::vector<std::string> names;
+  std::string law;
+  std::map<std::string, double> fixed; ///< as in FitOptions
+  std::map<std::string, Estimate> parameters;
+  std::map<std::string, std::map<std::string, double>> correlation;
+  double condition = 0; ///< of the Jacobian in relative changes of the parameters
+  double cost = 0;      ///< half the sum of squares
+  int n_impacts = 0, n_residuals = 0, n_starts = 0;
+  int n_starts_agreeing = 0; ///< that ended within 1e-3 of the same values
+  int n_evaluations = 0;
+  bool converged = false;
+  bool within_noise = false;           ///< the law follows every measured impact within its noise
+  Counting counting = Counting::curve; ///< of measured impacts, never automatic
+  std::string message;                 ///< how it ended
+  std::vector<std::string> notes;
+};
+
+/// Standard errors: sandwich covariance, each group's variance the larger of the stated and the one found,
+/// inflated by the residuals' autocorrelation (a model error is one error, not one a sample); intervals in
+/// the fitted variable. Throws DataError when no impact is left to fit, InputError for bad options.
+FitResult fit(const std::vector<const StoredRun *> &runs, const FitOptions &options);
+
+/// Half the sum of squares with one parameter held at each of `values` (reported unit) and the others
+/// refitted.
+std::vector<double> profile(const std::vector<const StoredRun *> &runs, const FitOptions &options,
+                            const FitResult &best, const std::string &name, const std::vector<double> &values);
+
+/// The scene with the law and the held values of a fit, before anything is fitted.
+scene::Scene with_settings(scene::Scene scene, const std::string &law, const std::map<std::string, double> &fixed);
+/// The run's scene with law, held and fitted values set.
+scene::Scene with_fitted(const scene::Scene &scene, const FitResult &result);
+
+} // namespace rimpact::calibration

@@ -1,0 +1,144 @@
+// Residuals of a measured impact: its start is known to the errors of the flight before it, its samples to their noise.
+// The equations are in docs/theory.md, "Measured curves".
+#include "calibration/data/functionals.h"
+#include "calibration/data/series.h"
+#include "calibration/fit/residuals.h"
+#include "calibration/fit/shooting.h"
+#include "reduced_models/pad_on_dish.h"
+#include <cmath>
+
+namespace rimpact::calibration {
+
+namespace {
+
+class MeasuredBlock final : public ResidualBlock {
+public:
+  MeasuredBlock(const StoredRun &run, const ImpactWindow &window, const FitOptions &options)
+      : ResidualBlock(with_settings(run.scene, options.law, options.fixed)), window_(window), m_(*window.measurement) {
+    const Uncertainty u = run.uncertainty.value_or(options.uncertainty);
+    time_error_ = u.time, gain_ = u.gain;
+    const reduced::PhysicalModel model(run.scene);
+    slope_ = model.height(window.start.u.x(), window.start.u.y()).gradient;
+    n_pressed_ = static_cast<int>(m_.pressed_last - m_.pressed_first) + 1;
+    n_travelled_ = static_cast<int>(window.times.size() - m_.flown);
+    if (options.counting == Counting::sample)
+      count_samples();
+    else
+      count_curves(run, u, options.weights);
+    add_group("start", n_nuisance(), std::sqrt(n_nuisance()), 1);
+    last_group().noise = 1;
+  }
+
+  int n_nuisance() const override { return time_error_ > 0 ? 3 : 2; }
+  bool measured() const override { return m_.noisy(); }
+
+  void evaluate(const scene::Scene &scene, std::span<const double> nuisance, std::span<double> r) const override {
+    Shot shot = shoot(scene, window_, moved(nuisance));
+    if (time_error_ > 0) delay(shot, nuisance[2] * time_error_);
+    std::size_t n = 0;
+    if (force_ > 0)
+      for (std::size_t i = m_.pressed_first; i <= m_.pressed_last; ++i)
+        r[n++] = force_ * (shot.force[i] - window_.force[i]);
+    if (displacement_ > 0)
+      for (std::size_t i = m_.flown; i < window_.times.size(); ++i)
+        r[n++] = displacement_ * (shot.displacement[i] - window_.displacement[i]);
+    if (rebound_ > 0) r[n++] = rebound_ * (m_.rebound.of(shot.displacement) - m_.rebound.of(window_.displacement));
+    if (peak_ > 0) r[n++] = peak_ * (m_.peak.of(shot.force) - m_.peak.of(window_.force));
+    for (const double known : nuisance) r[n++] = known;
+  }
+
+  /// Peak and rebound are sums of the samples that force and displacement compare: what a sample errs moves both.
+  Eigen::MatrixXd noise_filling(const Eigen::MatrixXd &J) const override {
+    const Eigen::Index n_times = static_cast<Eigen::Index>(window_.times.size());
+    Eigen::MatrixXd by_force = Eigen::MatrixXd::Zero(n_times, J.cols()), by_displacement = by_force;
+    Eigen::Index n = 0;
+    if (force_ > 0)
+      for (std::size_t i = m_.pressed_first; i <= m_.pressed_last; ++i) by_force.row(i) += force_ * J.row(n++);
+    if (displacement_ > 0)
+      for (std::size_t i = m_.flown; i < window_.times.size(); ++i)
+        by_displacement.row(i) += displacement_ * J.row(n++);
+    if (rebound_ > 0) spread(m_.rebound, rebound_ * J.row(n++), by_displacement);
+    if (peak_ > 0) spread(m_.peak, peak_ * J.row(n++), by_force);
+    const auto known = J.bottomRows(n_nuisance());
+    const double travel = m_.sigma_displacement * m_.sigma_displacement * m_.inflation;
+    return m_.sigma_force * m_.sigma_force * by_force.transpose() * by_force +
+           travel * by_displacement.transpose() * by_displacement + known.transpose() * known;
+  }
+
+  Eigen::VectorXd gain_error() const override {
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(size());
+    Eigen::Index n = 0;
+    if (force_ > 0)
+      for (std::size_t i = m_.pressed_first; i <= m_.pressed_last; ++i) change(n++) = gain_ * force_ * window_.force[i];
+    if (displacement_ > 0) n += n_travelled_;
+    if (rebound_ > 0) ++n;
+    if (peak_ > 0) change(n) = gain_ * peak_ * m_.peak.of(window_.force);
+    return change;
+  }
+
+private:
+  /// A curve is one observation: stated uncertainty and noise together.
+  void count_curves(const StoredRun &run, const Uncertainty &u, const Weights &w) {
+    const double force = u.force * run.peak_force(), speed = u.speed * run.approach_speed();
+    const double travel_noise = m_.sigma_displacement * std::sqrt(m_.inflation);
+    force_ = group("force", n_pressed_, w.force, force, m_.sigma_force, m_.freedom_force);
+    displacement_ = group("displacement", n_travelled_, w.displacement,
+                          u.displacement * run.scene.bearing.lateral_capacity(), travel_noise, m_.freedom_displacement);
+    if (!m_.rebound.weights.empty())
+      rebound_ = group("rebound", 1, w.rebound, speed, travel_noise * std::sqrt(variance_gain(m_.rebound)),
+                       m_.freedom_displacement);
+    if (!m_.peak.weights.empty())
+      peak_ = group("peak", 1, w.peak, force, m_.sigma_force * std::sqrt(variance_gain(m_.peak)), m_.freedom_force);
+  }
+  /// Every sample is an observation; what peak and rebound say is in them.
+  void count_samples() {
+    force_ = group("force", n_pressed_, std::sqrt(n_pressed_), 0, m_.sigma_force, m_.freedom_force);
+    displacement_ = group("displacement", n_travelled_, std::sqrt(n_travelled_), 0,
+                          m_.sigma_displacement * std::sqrt(m_.inflation), m_.freedom_displacement);
+  }
+  double group(const char *name, int count, double weight, double stated, double noise, double freedom) {
+    const double scale = add_group(name, count, weight, std::hypot(stated, noise));
+    if (scale > 0) last_group().noise = std::pow(scale * noise, 2), last_group().freedom = freedom;
+    return scale;
+  }
+
+  static void spread(const Functional &f, const Eigen::RowVectorXd &row, Eigen::MatrixXd &samples) {
+    for (std::size_t i = 0; i < f.weights.size(); ++i) samples.row(f.first + i) += f.weights[i] * row;
+  }
+
+  reduced::BearingState moved(std::span<const double> nuisance) const {
+    const Eigen::Vector2d off = m_.start_factor * Eigen::Vector2d(nuisance[0], nuisance[1]);
+    reduced::BearingState start = window_.start;
+    start.u.head<2>() += off[0] * window_.direction, start.v.head<2>() += off[1] * window_.direction;
+    start.u.z() += off[0] * slope_.dot(window_.direction), start.v.z() += off[1] * slope_.dot(window_.direction);
+    return start;
+  }
+
+  /// The model's curves, later by `by` [s].
+  void delay(Shot &shot, double by) const {
+    const Shot own = shot;
+    const auto speed = differentiate(window_.times, own.displacement);
+    for (std::size_t j = 0; j < window_.times.size(); ++j) {
+      const double t = window_.times[j] - by;
+      shot.force[j] = pulse_at(window_.times, own.force, t);
+      shot.displacement[j] = hermite_at(window_.times, own.displacement, speed, t);
+      if (t < window_.times.front()) shot.displacement[j] += (t - window_.times.front()) * speed.front();
+      if (t > window_.times.back()) shot.displacement[j] += (t - window_.times.back()) * speed.back();
+    }
+  }
+
+  const ImpactWindow &window_;
+  const Measurement &m_;
+  Eigen::Vector2d slope_;
+  int n_pressed_ = 0, n_travelled_ = 0;
+  double force_ = 0, displacement_ = 0, rebound_ = 0, peak_ = 0, time_error_ = 0, gain_ = 0;
+};
+
+} // namespace
+
+std::unique_ptr<ResidualBlock> measured_block(const StoredRun &run, const ImpactWindow &window,
+                                              const FitOptions &options) {
+  return std::make_unique<MeasuredBlock>(run, window, options);
+}
+
+} // namespace rimpact::calibration

@@ -1,0 +1,63 @@
+/// What a fit makes small, one block an impact or a flight; see fit.h for the groups.
+#pragma once
+#include "calibration/fit/fit.h"
+#include <Eigen/Core>
+#include <limits>
+#include <memory>
+#include <span>
+
+namespace rimpact::calibration {
+
+/// Residuals first .. first + count - 1 of a block share one stated uncertainty and together count as one
+/// observation.
+struct Group {
+  std::string name;
+  int first, count;
+  double weight;
+  double noise = 0; ///< variance of one of its residuals by the record's noise; used of measured blocks alone
+  double freedom = std::numeric_limits<double>::infinity(); ///< degrees of freedom that noise was found with
+};
+
+class ResidualBlock {
+public:
+  explicit ResidualBlock(const scene::Scene &scene) : scene_(scene) {}
+  virtual ~ResidualBlock() = default;
+  const scene::Scene &scene() const { return scene_; }
+  const std::vector<Group> &groups() const { return groups_; }
+  int size() const { return groups_.empty() ? 0 : groups_.back().first + groups_.back().count; }
+  /// What the impact itself leaves open (its start, its clock), in standard errors, fitted beside the parameters: each
+  /// has a residual of its own size, so that it is known beforehand to +-1.
+  virtual int n_nuisance() const { return 0; }
+  /// `scene` is scene() with trial values. May throw what the reduced model throws.
+  virtual void evaluate(const scene::Scene &scene, std::span<const double> nuisance,
+                        std::span<double> residuals) const = 0;
+
+  /// Whether the covariance of the residuals comes from the record's own noise, and not from stated uncertainties.
+  virtual bool measured() const { return false; }
+  /// J^T C J with the covariance C of the residuals by the noise of the record's samples, each independent; `J` has a
+  /// row a residual.
+  virtual Eigen::MatrixXd noise_filling(const Eigen::MatrixXd &J) const {
+    return Eigen::MatrixXd::Zero(J.cols(), J.cols());
+  }
+  /// Change of the residuals by one standard error of the force channel's gain.
+  virtual Eigen::VectorXd gain_error() const { return Eigen::VectorXd::Zero(size()); }
+
+protected:
+  /// Adds a group; returns weight / (sigma sqrt(count)), what its differences are multiplied by.
+  double add_group(const std::string &name, int count, double weight, double sigma);
+  Group &last_group() { return groups_.back(); }
+
+private:
+  scene::Scene scene_;
+  std::vector<Group> groups_;
+};
+
+std::unique_ptr<ResidualBlock> impact_block(const StoredRun &run, const ImpactWindow &window,
+                                            const FitOptions &options);
+/// The same of a measured impact (window.measurement is set).
+std::unique_ptr<ResidualBlock> measured_block(const StoredRun &run, const ImpactWindow &window,
+                                              const FitOptions &options);
+/// Motion from rest to the first touch; of quasi-static scenes the force instead.
+std::unique_ptr<ResidualBlock> flight_block(const StoredRun &run, const FitOptions &options);
+
+} // namespace rimpact::calibration

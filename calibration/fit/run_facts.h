@@ -1,0 +1,32 @@
+/// What a run folder says of itself beside its response: who made it, how it ended, what it doubts. And which runs of a
+/// calibration are therefore left out of the fit, or count less.
+#pragma once
+#include "calibration/fit/fit.h"
+
+namespace rimpact::calibration {
+
+struct RunFacts {
+  std::string name;                     ///< the folder's last part
+  std::string source;                   ///< finite elements | measured | reduced model
+  std::string rung;                     ///< rim | rigid-dish | full; empty: not finite elements
+  std::optional<int> mesh;              ///< of finite elements
+  std::string status = "done";          ///< done | stopped | interrupted
+  std::vector<std::string> warnings;    ///< sentences of summary.json
+  double imbalance = 0;                 ///< share of the energy put in that is not accounted for, signed [-]
+  std::optional<double> plastic_strain; ///< largest equivalent plastic strain [-]
+  double seconds = 0;                   ///< wall time [s]; 0: not known
+};
+/// Of a run folder's summary.json or of a mapping file. A folder without a summary holds measured curves. Throws
+/// DataError where summary.json is no JSON.
+RunFacts run_facts(const std::string &folder);
+
+/// Above it the forces of a run are said to be as uncertain as its energy; above the second it is not fitted [-].
+inline constexpr double usual_imbalance = 1e-3, largest_imbalance = 0.02;
+
+/// Takes out of `runs` those that stopped early (unless `keep_stopped`) and those whose energy is off by more than
+/// largest_imbalance; adds the imbalance, beyond the usual one, to the stated uncertainty of the force of the others.
+/// Returns a sentence a run that is touched. Throws DataError when none is left.
+std::vector<std::string> screen(std::vector<StoredRun> &runs, const std::map<std::string, RunFacts> &facts,
+                                const Uncertainty &stated, bool keep_stopped);
+
+} // namespace rimpact::calibration

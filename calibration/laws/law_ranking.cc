@@ -1,0 +1,179 @@
+#include "calibration/laws/law_ranking.h"
+#include "calibration/fit/parallel.h"
+#include "calibration/laws/law_errors.h"
+#include "calibration/laws/percent.h"
+#include "files/error.h"
+#include "reduced_models/impact_law.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::calibration {
+
+namespace {
+
+using Runs = std::vector<const StoredRun *>;
+
+/// Searches for each law: the hardest impact's reading and points spread over the bounds.
+constexpr int starts_a_law = 3;
+
+/// `errors` by speed, not empty. Bounds are those measured.
+std::string range_sentence(const LawRow &row, const std::vector<LawError> &errors, double tolerance) {
+  const auto inside = [&](const LawError &e) {
+    return row.valid_from && e.speed >= *row.valid_from && e.speed <= *row.valid_to;
+  };
+  std::string text;
+  if (row.valid_from) {
+    double peak = 0, rebound = 0;
+    for (const auto &e : errors)
+      if (inside(e)) peak = std::max(peak, std::abs(e.peak_force)), rebound = std::max(rebound, std::abs(e.rebound));
+    text = fmt::format("{}: predicts runs left out {} (peak force within {}, rebound within {})", row.result.law,
+                       row.n_valid > 1 ? fmt::format("from {:.3g} to {:.3g} m/s", *row.valid_from, *row.valid_to)
+                                       : fmt::format("at {:.3g} m/s only", *row.valid_from),
+                       percent_up(peak), percent_up(rebound));
+  } else
+    text = fmt::format("{}: predicts peak force and rebound within {:.0f} % at none of {} runs left out",
+                       row.result.law, 100 * tolerance, errors.size());
+  for (const LawError *end : {&errors.front(), &errors.back()})
+    if (!inside(*end) && (end == &errors.front() || errors.size() > 1))
+      text += fmt::format("; at {:.3g} m/s the peak force is {} by {}, the rebound by {:+.0f} %", end->speed,
+                          end->peak_force > 0 ? "overstated" : "understated", percent_up(std::abs(end->peak_force)),
+                          100 * end->rebound);
+  return text;
+}
+
+/// The longest range of neighbouring speeds at which runs not fitted are met.
+void find_range(LawRow &row, double tolerance) {
+  const std::vector<LawError> errors = left_out_runs(row);
+  int n = 0;
+  for (std::size_t i = 0; i < errors.size(); ++i) {
+    const bool met = std::abs(errors[i].peak_force) <= tolerance && std::abs(errors[i].rebound) <= tolerance;
+    n = met ? n + 1 : 0;
+    if (n <= row.n_valid) continue;
+    row.n_valid = n;
+    row.valid_from = errors[i + 1 - n].speed, row.valid_to = errors[i].speed;
+  }
+  if (!errors.empty()) row.sentence = range_sentence(row, errors, tolerance);
+}
+
+} // namespace
+
+std::vector<LawError> left_out_runs(const LawRow &row) {
+  std::vector<LawError> errors;
+  for (const auto &left : row.left_out)
+    if (left.errors.size() == 1 && left.errors[0].folder == left.what && !left.errors[0].grazing)
+      errors.push_back(left.errors[0]);
+  std::sort(errors.begin(), errors.end(), [](const auto &a, const auto &b) { return a.speed < b.speed; });
+  return errors;
+}
+
+LawRow judged(const Runs &runs, const FitOptions &options, const FitResult &result, double tolerance) {
+  LawRow row;
+  row.result = result;
+  double square = 0;
+  int n = 0;
+  for (const StoredRun *run : runs) {
+    row.fitted.push_back(error_of(*run, row.result));
+    const auto &error = row.fitted.back();
+    if (error.grazing) continue;
+    square += error.unexplained * error.unexplained, ++n;
+    row.largest_peak_error = std::max(row.largest_peak_error, std::abs(error.peak_force));
+    row.largest_rebound_error = std::max(row.largest_rebound_error, std::abs(error.rebound));
+  }
+  row.unexplained = n > 0 ? std::sqrt(square / n) : 0;
+  row.left_out = leave_out(runs, options, row.result);
+  for (const auto &left : row.left_out)
+    for (const auto &error : left.errors) {
+      if (error.grazing || error.folder != left.what) continue;
+      row.left_out_peak_error = std::max(row.left_out_peak_error, std::abs(error.peak_force));
+      row.left_out_rebound_error = std::max(row.left_out_rebound_error, std::abs(error.rebound));
+    }
+  find_range(row, tolerance);
+  return row;
+}
+
+namespace {
+
+/// The law's exponents join once its other parameters are found, where the impacts are enough to tell them apart, and
+/// stay if runs left out are then predicted better: on the runs fitted two more parameters always look well.
+LawRow row_of(const Runs &runs, FitOptions options, double tolerance) {
+  std::vector<std::string> exponents = reduced::impact_law(options.law).exponents;
+  std::erase_if(exponents, [&](const auto &name) { return options.fixed.count(name) > 0; });
+  FitOptions plain = options;
+  for (const auto &name : exponents) plain.bounds.erase(name);
+  LawRow row = judged(runs, plain, fit(runs, plain), tolerance);
+  options.parameters.insert(options.parameters.end(), exponents.begin(), exponents.end());
+  if (exponents.empty() || row.result.n_impacts < static_cast<int>(options.parameters.size())) return row;
+  for (const auto &name : plain.parameters) options.start[name] = row.result.parameters.at(name).value;
+  options.n_starts = 0;
+  const LawRow shaped = judged(runs, options, fit(runs, options), tolerance);
+  const auto worst = [](const LawRow &r) { return std::max(r.left_out_peak_error, r.left_out_rebound_error); };
+  const bool wider = shaped.n_valid > row.n_valid; // first: a run beyond what any exponents can follow does not decide
+  return wider || (shaped.n_valid == row.n_valid && worst(shaped) < worst(row)) ? shaped : row;
+}
+
+} // namespace
+
+bool of_a_law(const std::string &parameter) {
+  const auto &laws = reduced::impact_laws();
+  return std::any_of(laws.begin(), laws.end(), [&](const auto &law) { return law.reads(parameter); });
+}
+
+FitOptions options_for(const std::string &law, const FitOptions &given) {
+  FitOptions own = given;
+  own.law = law;
+  own.parameters = reduced::impact_law(law).parameters;
+  own.start.clear();
+  own.n_starts = std::clamp(given.n_starts, 1, starts_a_law);
+  const auto read = [&](const std::string &name) { return reduced::impact_law(law).reads(name); };
+  std::erase_if(own.bounds, [&](const auto &entry) { return !read(entry.first); });
+  std::erase_if(own.fixed, [&](const auto &entry) { return of_a_law(entry.first) && !read(entry.first); });
+  for (const auto &[name, value] : own.fixed) std::erase(own.parameters, name), own.bounds.erase(name);
+  return own;
+}
+
+namespace {
+
+/// A law's row, or why there is none.
+struct Ranked {
+  std::optional<LawRow> row;
+  std::string note;
+};
+Ranked ranked(const Runs &runs, const std::string &law, const FitOptions &options, double tolerance) {
+  const FitOptions own = options_for(law, options);
+  if (reduced::impact_law(law).parameters.empty())
+    return {{}, fmt::format("the law {} is not ranked: it has no parameters to fit", law)};
+  if (own.parameters.empty()) return {{}, fmt::format("the law {} is not ranked: all its parameters are fixed", law)};
+  try {
+    return {row_of(runs, own, tolerance), {}};
+  } catch (const DataError &error) {
+    return {{}, fmt::format("the law {} is not ranked: {}", law, error.what())};
+  }
+}
+
+} // namespace
+
+LawRanking rank_laws(const std::vector<const StoredRun *> &runs, const std::vector<std::string> &laws,
+                     const FitOptions &options, std::vector<std::string> &notes, double tolerance) {
+  LawRanking ranking{.tolerance = tolerance, .rows = {}, .sentence = {}};
+  Runs struck;
+  for (const StoredRun *run : runs)
+    if (!run->impacts.empty()) struck.push_back(run);
+  for (auto &[row, note] :
+       parallel_map(laws, [&](const std::string &law) { return ranked(struck, law, options, tolerance); })) {
+    if (row)
+      ranking.rows.push_back(std::move(*row));
+    else
+      notes.push_back(note);
+  }
+  std::sort(ranking.rows.begin(), ranking.rows.end(),
+            [](const auto &a, const auto &b) { return a.unexplained < b.unexplained; });
+  if (ranking.rows.empty()) return ranking;
+  const auto &best = ranking.rows.front();
+  ranking.sentence = fmt::format("The law that leaves least unexplained is {} ({:.1f} % of the force)", best.result.law,
+                                 100 * best.unexplained);
+  ranking.sentence += best.sentence.empty() ? "." : "; " + best.sentence + ".";
+  return ranking;
+}
+
+} // namespace rimpact::calibration

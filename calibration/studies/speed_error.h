@@ -1,0 +1,45 @@
+/// Speed against error: runs of one scene with dearer and cheaper settings, each compared with the dearest.
+#pragma once
+#include "calibration/data/metrics.h"
+
+namespace rimpact::calibration {
+
+/// A run that ended well, and what it cost.
+struct StudyRun {
+  std::string name, rung;         ///< reduced | rim | rigid-dish | full
+  int mesh = 0;                   ///< 1 | 2 | 3; 0: none
+  double step = 0;                ///< in contact [s]; 0: the plan's
+  double seconds = 0, memory = 0; ///< wall time [s], peak [bytes]
+  long n_dofs = 0;
+  double imbalance = 0;             ///< of the energy, relative
+  std::optional<double> peak_force; ///< of impact [N]
+  double dissipated = 0;            ///< by friction, plasticity and the reduced impact [J]
+  Response response;
+};
+/// From a run folder's summary (summary.json) and response. Throws DataError where a figure is missing.
+StudyRun study_run(const std::string &name, const nlohmann::json &summary, Response response);
+
+struct StudyRow {
+  StudyRun run;
+  Comparison errors;                      ///< against the reference
+  std::optional<double> dissipated_error; ///< [-]
+  double error = 0; ///< what the frontier is drawn of: of the peak force, without impact of the displacement [-]
+  bool reference = false, on_frontier = false;
+};
+struct SpeedError {
+  std::vector<StudyRow> rows;         ///< fastest first
+  std::optional<double> order;        ///< observed over three meshes of the reference's rung, in h
+  std::optional<double> extrapolated; ///< peak force at h -> 0 [N]; then `error` is against it
+  std::string recommended;            ///< cheapest with an error below the wanted one; "": none
+  double wanted = 0;
+};
+/// The reference is the run of the highest rung, there of the finest mesh, there of the smallest step. With three
+/// meshes of it that converge with an order between 0.5 and 5 the peak force is extrapolated (Richardson, h by 1.5).
+/// Throws InputError for fewer than two runs or wanted <= 0.
+SpeedError speed_against_error(std::vector<StudyRun> runs, double lateral_capacity, double wanted);
+
+nlohmann::json to_json(const SpeedError &study);
+std::string to_csv(const SpeedError &study);
+std::string describe(const SpeedError &study);
+
+} // namespace rimpact::calibration

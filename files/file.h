@@ -1,0 +1,14 @@
+/// Whole files, read and written. Errors name the file and the reason.
+#pragma once
+#include <string>
+#include <string_view>
+
+namespace rimpact {
+
+/// Throws DataError when the file is absent, a folder, a pipe or device, unreadable or larger than 1 GB.
+std::string read_file(const std::string &path);
+/// Writes beside `path`, flushes to the disk and renames, so that a full disk or a killed run leaves an earlier
+/// file as it was. Throws IoError.
+void write_atomically(std::string_view bytes, const std::string &path);
+
+} // namespace rimpact

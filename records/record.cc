@@ -1,0 +1,69 @@
+#include "records/record.h"
+#include "files/error.h"
+#include "files/file.h"
+#include "files/text.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <numbers>
+
+namespace rimpact {
+namespace {
+
+/// Trapezoidal rule for int a^2 dt over a sample: what published Arias intensities and durations use.
+double square_integral(double a, double b, double dt) {
+  return dt * (a * a + b * b) / 2;
+}
+
+/// Time between 5 % and 95 % of the growth of int a^2 dt, linear within a sample.
+double significant_duration(const SampledSignal &record, double total) {
+  double grown = 0, reached[2] = {0, 0};
+  const double targets[2] = {0.05 * total, 0.95 * total};
+  for (std::size_t i = 0; i + 1 < record.values.size(); ++i) {
+    const double more = square_integral(record.values[i], record.values[i + 1], record.dt);
+    for (int k = 0; k < 2; ++k)
+      if (grown < targets[k] && grown + more >= targets[k])
+        reached[k] = record.dt * (static_cast<double>(i) + (targets[k] - grown) / more);
+    grown += more;
+  }
+  return reached[1] - reached[0];
+}
+
+} // namespace
+
+void require_plausible(double acceleration, double gravity, const std::string &where) {
+  if (std::abs(acceleration) <= largest_acceleration * gravity) return;
+  throw DataError(
+      fmt::format("{}: an acceleration of {:.4g} m/s^2 is beyond {:g} g, which no ground reaches: is the unit right?",
+                  where, acceleration, largest_acceleration));
+}
+
+SampledSignal read_record(const std::string &path, double gravity) {
+  if (is_builtin_record(path)) return builtin_record(path);
+  const std::string text = read_file(path);
+  const bool csv = upper(std::filesystem::path(path).extension().string()) == ".CSV";
+  return csv ? parse_record_csv(text, path, gravity) : parse_at2(text, path, gravity);
+}
+
+RecordInfo inspect(const SampledSignal &record, double gravity) {
+  RecordInfo info{record.values.size(), record.dt, 0, 0, 0, 0, 0};
+  double v = 0, u = 0, square = 0;
+  const double dt = record.dt;
+  for (std::size_t i = 0; i < record.values.size(); ++i) {
+    const double a = record.values[i];
+    info.pga_g = std::max(info.pga_g, std::abs(a) / gravity);
+    info.pgv = std::max(info.pgv, std::abs(v));
+    info.pgd = std::max(info.pgd, std::abs(u));
+    if (i + 1 == record.values.size()) break;
+    const double b = record.values[i + 1];
+    u += v * dt + dt * dt * (2 * a + b) / 6;
+    v += dt * (a + b) / 2;
+    square += square_integral(a, b, dt);
+  }
+  info.arias = std::numbers::pi / (2 * gravity) * square;
+  info.duration = significant_duration(record, square);
+  return info;
+}
+
+} // namespace rimpact

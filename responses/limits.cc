@@ -1,0 +1,89 @@
+#include "responses/limits.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace rimpact {
+namespace {
+
+using nlohmann::json;
+
+void warn(Summary &summary, const std::string &sentence) {
+  summary.extra["warnings"].push_back(sentence);
+}
+
+/// Deepest the slider went into or past the rim [m]; impacts that a model leaves out count by their travel.
+double deepest(const scene::Scene &scene, const Summary &summary) {
+  double depth = summary.peak_displacement - scene.bearing.lateral_capacity();
+  for (const auto &impact : summary.impacts) depth = std::max(depth, impact.peak_penetration);
+  return depth;
+}
+
+json beyond_rim(const scene::Scene &scene, Summary &summary) {
+  if (scene.double_concave()) return nullptr;
+  const double depth = deepest(scene, summary), thickness = scene.bearing.rim.thickness;
+  const double travel = summary.peak_displacement, edge = scene.bearing.surface.planar_radius;
+  if (travel > edge)
+    warn(summary, fmt::format("the slider's centre came {:.0f} mm from the middle, past the dish's edge at {:.0f} mm: "
+                              "no bearing does so, this is no result",
+                              1e3 * travel, 1e3 * edge));
+  if (!(depth > thickness)) return false;
+  const bool felt = !summary.impacts.empty();
+  warn(summary,
+       felt ? fmt::format("pressed {:.0f} mm into a rim of {:.0f} mm: such a rim has failed, and forces and travel "
+                          "from there on are no result",
+                          1e3 * depth, 1e3 * thickness)
+            : fmt::format("the slider went {:.0f} mm past the wall of a rim of {:.0f} mm that this run leaves out",
+                          1e3 * depth, 1e3 * thickness));
+  return true;
+}
+
+json beyond_fit(const scene::Scene &scene, Summary &summary) {
+  const auto &from = scene.reduced.fitted_from, &to = scene.reduced.fitted_to;
+  if (!from && !to) return nullptr;
+  constexpr double slack = 1e-3; // of the bounds: a window's speed is met to rounding
+  double slowest = 1e300, fastest = 0;
+  int beyond = 0;
+  for (const auto &impact : summary.impacts) {
+    const double speed = impact.approach_speed;
+    if (speed >= from.value_or(0) * (1 - slack) && speed <= to.value_or(1e300) * (1 + slack)) continue;
+    ++beyond, slowest = std::min(slowest, speed), fastest = std::max(fastest, speed);
+  }
+  if (beyond > 0 && summary.rung == "reduced") {
+    const std::string range = from && to ? fmt::format("{:g} to {:g} m/s", *from, *to)
+                              : from     ? fmt::format("{:g} m/s upwards", *from)
+                                         : fmt::format("up to {:g} m/s", *to);
+    const std::string speeds = beyond == 1
+                                   ? fmt::format("an impact at {:.3g} m/s", fastest)
+                                   : fmt::format("{} impacts at {:.3g} to {:.3g} m/s", beyond, slowest, fastest);
+    warn(summary,
+         fmt::format(
+             "{} outside the speeds the impact element was fitted to, {}: its force and rebound there are extrapolated",
+             speeds, range));
+  }
+  return beyond > 0;
+}
+
+json strain_limit(const scene::Scene &scene, Summary &summary) {
+  const auto &limit = scene.bearing.steel.strain_limit;
+  if (!limit || !summary.max_plastic_strain) return nullptr;
+  const double largest = *summary.max_plastic_strain;
+  const bool exceeded = largest > *limit,
+             assumption = scene.bearing.assumed.keys.count("material.steel.strain_limit") > 0;
+  if (exceeded)
+    warn(summary, fmt::format("plastic strain reaches {:.1f} %, above the {:g} % that the steel is trusted to "
+                              "(material.steel.strain_limit{}): cracks, which "
+                              "no law here has, would change the force",
+                              100 * largest, 100 * *limit, assumption ? ", an assumption" : ""));
+  return {{"limit", *limit}, {"largest", largest}, {"exceeded", exceeded}, {"assumption", assumption}};
+}
+
+} // namespace
+
+void judge(const scene::Scene &scene, Summary &summary) {
+  summary.extra["beyond_rim"] = beyond_rim(scene, summary);
+  summary.extra["beyond_fit"] = beyond_fit(scene, summary);
+  summary.extra["strain_limit"] = strain_limit(scene, summary);
+}
+
+} // namespace rimpact

@@ -1,0 +1,16 @@
+/// Whether a run stayed where its models hold: within the rim's thickness, the speeds its element was fitted to, and
+/// the plastic strain the steel is trusted to.
+#pragma once
+#include "responses/summary.h"
+
+namespace rimpact {
+
+/// Sets summary.extra (INTERFACE): `beyond_rim` (true: pressed deeper than the rim is thick; null: a model without a
+/// rim of that kind), `beyond_fit` (true: an approach outside reduced.fitted_from_m_per_s to _to_; null: no range is
+/// known), `strain_limit`
+/// ({limit, largest, exceeded, assumption}; null: no strain, or no limit). Sentences go behind those of
+/// extra["warnings"]. To be called once, after the impacts and the strain are in the summary; for any rung, the reduced
+/// models too.
+void judge(const scene::Scene &scene, Summary &summary);
+
+} // namespace rimpact

@@ -1,0 +1,12 @@
+// The one unit that is compiled anew when any source that shapes a result has changed.
+#include "responses/identity.h"
+#include "responses/physics_hash.h"
+
+namespace rimpact {
+
+const std::string &physics_version() {
+  static const std::string version = RIMPACT_PHYSICS;
+  return version;
+}
+
+} // namespace rimpact

@@ -1,0 +1,185 @@
+#include "responses/response.h"
+#include "files/error.h"
+#include "files/file.h"
+#include "files/text.h"
+#include "responses/response_files.h"
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <set>
+#include <tuple>
+
+namespace rimpact {
+namespace {
+
+void add_building_signals(std::vector<SignalInfo> &list);
+
+std::vector<SignalInfo> make_signals() {
+  std::vector<SignalInfo> list{{"time", "s", "instant, or load parameter of a quasi-static run"}};
+  const auto vector = [&](const std::string &name, const char *units, const char *what) {
+    for (const char *axis : {"x", "y", "z"})
+      list.push_back({name + "_" + axis, units, fmt::format("{}, {} component", what, axis)});
+  };
+  vector("displacement", "m", "displacement of the upper slider relative to the plate");
+  vector("velocity", "m/s", "velocity of the upper slider relative to the plate");
+  vector("force", "N", "force of the bearing on the mass");
+  vector("pendular", "N", "share of the force normal to the sliding surface");
+  vector("friction", "N", "share of the force from friction");
+  vector("impact", "N", "share of the force from the rim");
+  vector("moment_below", "N m", "moment of the bearing on the node below");
+  vector("moment_above", "N m", "moment of the bearing on the node above");
+  list.push_back({"gap", "m", "L_c - |u|, negative while the rim is pressed"});
+  list.push_back({"normal_force", "N", "normal force of the sliding surface, never negative"});
+  list.push_back({"tilt", "rad", "angle of the (bottom) slider's axis to the vertical, double concave models"});
+  for (const char *axis : {"x", "y"})
+    list.push_back({fmt::format("interface_slip_{}", axis), "m", "of the top slider past the bottom one"});
+  for (const char *axis : {"x", "y"}) {
+    list.push_back({fmt::format("drift_{}", axis), "m", "of the superstructure's first storey, u_s"});
+    list.push_back(
+        {fmt::format("storey_shear_{}", axis), "N", "force of the superstructure's first storey on the base"});
+  }
+  vector("roof", "m", "displacement of the highest floor relative to the base");
+  vector("roof_acceleration", "m/s^2", "absolute acceleration of the highest floor, gravity left out");
+  for (const auto &[name, what] : std::initializer_list<std::pair<const char *, const char *>>{
+           {"external", "work of ground motion and drives"},
+           {"gravity", "potential energy gained"},
+           {"kinetic", "kinetic energy"},
+           {"elastic", "stored elastic energy"},
+           {"plastic", "dissipated by plastic flow or a hysteretic storey"},
+           {"damping", "dissipated by the superstructure's dashpots"},
+           {"friction", "dissipated by friction"},
+           {"impact", "dissipated by the reduced impact law"},
+           {"contact", "stored in or lost by contact penalties"},
+           {"integrator", "lost by the time integrator, from its own formula"}})
+    list.push_back({fmt::format("energy_{}", name), "J", what});
+  add_building_signals(list);
+  list.push_back({"surface_gap", "m", "smallest distance of slider and rim walls"});
+  list.push_back({"plastic_strain_max", "1", "largest equivalent plastic strain"});
+  list.push_back({"contact_pressure_max", "Pa", "largest contact pressure"});
+  list.push_back({"pad_pressure_max", "Pa", "largest pressure of the pad on the dish"});
+  list.push_back({"newton_iterations", "1", "Newton iterations of the step"});
+  list.push_back({"step", "s", "time step"});
+  return list;
+}
+
+/// Of a building on many bearings: `displacement_x` ... are those of the base's mass centre, `force_x` ... sums.
+void add_building_signals(std::vector<SignalInfo> &list) {
+  constexpr int most_bearings = 64, most_floors = 40;
+  using Row = std::tuple<const char *, const char *, const char *>;
+  const auto add = [&](const char *what, int most, std::initializer_list<Row> rows) {
+    for (int i = 1; i <= most; ++i)
+      for (const auto &[name, units, words] : rows)
+        list.push_back({fmt::format("{}_{}_{}", what, i, name), units, fmt::format("{} {}: {}", what, i, words)});
+  };
+  add("bearing", most_bearings,
+      {{"displacement_x", "m", "slider past the plate, x"},
+       {"displacement_y", "m", "slider past the plate, y"},
+       {"displacement_z", "m", "slider above the vertex"},
+       {"force_x", "N", "on the building, x"},
+       {"force_y", "N", "on the building, y"},
+       {"impact_x", "N", "of the rim on the building, x"},
+       {"impact_y", "N", "of the rim on the building, y"},
+       {"normal_force", "N", "of the sliding surface"},
+       {"gap", "m", "L_c - |u|, negative while the rim is pressed"}});
+  add("floor", most_floors,
+      {{"displacement_x", "m", "of the mass centre relative to the ground, x"},
+       {"displacement_y", "m", "of the mass centre relative to the ground, y"},
+       {"rotation", "rad", "about the vertical"},
+       {"drift_x", "m", "of the storey below it, x"},
+       {"drift_y", "m", "of the storey below it, y"},
+       {"acceleration_x", "m/s^2", "absolute, of the mass centre, x"},
+       {"acceleration_y", "m/s^2", "absolute, of the mass centre, y"}});
+  for (const char *axis : {"x", "y"})
+    list.push_back({fmt::format("overturning_{}", axis), "N m",
+                    fmt::format("moment of the bearings' forces about the {} axis through the base's centre", axis)});
+  list.push_back({"base_rotation", "rad", "of the base about the vertical"});
+}
+
+bool is_known(const std::string &name) {
+  static const std::set<std::string> names = [] {
+    std::set<std::string> result;
+    for (const auto &signal : known_signals()) result.insert(signal.name);
+    return result;
+  }();
+  return names.count(name) > 0;
+}
+
+} // namespace
+
+const std::vector<SignalInfo> &known_signals() {
+  static const std::vector<SignalInfo> signals = make_signals();
+  return signals;
+}
+
+void Response::append(const std::string &name, double value) {
+  series(name).push_back(value);
+}
+
+std::vector<double> &Response::series(const std::string &name) {
+  const auto found = series_.find(name);
+  if (found != series_.end()) return found->second;
+  if (!is_known(name)) throw std::logic_error("signal \"" + name + "\" is not in known_signals()");
+  return series_[name];
+}
+
+const std::vector<double> &Response::series(const std::string &name) const {
+  const auto found = series_.find(name);
+  if (found == series_.end()) throw DataError("the response holds no signal \"" + name + "\"");
+  return found->second;
+}
+
+std::size_t Response::size() const {
+  const auto found = series_.find("time");
+  return found == series_.end() ? 0 : found->second.size();
+}
+
+void Response::check() const {
+  for (const auto &[name, values] : series_) {
+    if (values.size() != size())
+      throw std::logic_error(fmt::format("signal {} has {} values, time has {}", name, values.size(), size()));
+    for (std::size_t i = 0; i < values.size(); ++i)
+      if (!std::isfinite(values[i])) throw std::logic_error(fmt::format("signal {}, value {}: {}", name, i, values[i]));
+  }
+}
+
+namespace {
+
+/// What a file must satisfy, whoever wrote it.
+void check_read(const Response &response, const std::string &path) {
+  if (!response.has("time") || response.size() == 0) throw DataError(fmt::format("{}: holds no instants", path));
+  for (const char *name : {"displacement_x", "displacement_y", "force_x", "force_y"})
+    if (!response.has(name)) throw DataError(fmt::format("{}: the signal \"{}\" is missing", path, name));
+  try {
+    response.check();
+  } catch (const std::logic_error &error) {
+    throw DataError(fmt::format("{}: {}", path, error.what()));
+  }
+  const auto &time = response.series("time");
+  for (std::size_t i = 1; i < time.size(); ++i)
+    if (time[i] < time[i - 1])
+      throw DataError(fmt::format("{}: time falls from {} s to {} s at instant {}", path, time[i - 1], time[i], i));
+}
+
+} // namespace
+
+Response read_response(const std::string &where) {
+  namespace fs = std::filesystem;
+  std::error_code ignored;
+  std::string path = where;
+  if (fs::is_directory(where, ignored)) {
+    path = (fs::path(where) / "response.h5").string();
+    if (!fs::exists(path, ignored)) path = (fs::path(where) / "response.csv").string();
+    if (!fs::exists(path, ignored)) throw DataError(fmt::format("{}: holds no response.h5 and no response.csv", where));
+  }
+  const std::string bytes = read_file(path);
+  // HDF5 is known by its signature, whatever the file is called.
+  const bool hdf5 = bytes.compare(0, 8, "\x89HDF\r\n\x1a\n") == 0;
+  const std::string extension = upper(fs::path(path).extension().string());
+  if (!hdf5 && (extension == ".H5" || extension == ".HDF5"))
+    throw DataError(fmt::format("{}: is not an HDF5 file (damaged or truncated)", path));
+  Response response = hdf5 ? parse_hdf5(bytes, path) : parse_csv(bytes, path);
+  check_read(response, path);
+  return response;
+}
+
+} // namespace rimpact

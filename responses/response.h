@@ -1,0 +1,43 @@
+/// The response of a model: named series with units, written as HDF5 (/response, /meta) and CSV. SI units.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rimpact {
+
+/// One stored signal, e.g. {"displacement_x", "m", "of the upper slider, relative to the plate"}.
+struct SignalInfo {
+  std::string name, units, description;
+};
+/// The signals every model may write, in the order they are stored (INTERFACE).
+const std::vector<SignalInfo> &known_signals();
+
+class Response {
+public:
+  /// Adds a value to the series `name` (must be in known_signals()).
+  void append(const std::string &name, double value);
+  std::vector<double> &series(const std::string &name);
+  const std::vector<double> &series(const std::string &name) const; ///< throws DataError when absent
+  bool has(const std::string &name) const { return series_.count(name) > 0; }
+  std::size_t size() const; ///< number of instants (length of "time")
+  const std::map<std::string, std::vector<double>> &all() const { return series_; }
+
+  /// Text kept in /meta: "version", "scene" (TOML), "git", "summary" ...
+  std::map<std::string, std::string> meta;
+
+  /// Throws std::logic_error when the lengths differ or a value is not finite: never a NaN in an output.
+  void check() const;
+
+private:
+  std::map<std::string, std::vector<double>> series_;
+};
+
+/// Files are written beside their final name and renamed, so a full disk or a killed run leaves earlier results
+/// readable. Throw IoError.
+void write_hdf5(const Response &response, const std::string &path);
+void write_csv(const Response &response, const std::string &path); ///< time_s,ux_m,...,gap_m
+/// Reads a run folder, a .h5 or a .csv. Throws DataError with the reason.
+Response read_response(const std::string &path);
+
+} // namespace rimpact

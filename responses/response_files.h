@@ -1,0 +1,32 @@
+/// The two file forms of a response, from and to bytes.
+#pragma once
+#include "responses/response.h"
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace rimpact {
+
+/// Throw DataError; `path` is for messages only.
+Response parse_hdf5(const std::string &bytes, const std::string &path);
+Response parse_csv(const std::string &text, const std::string &path);
+
+/// A unit as column names and mappings write it: times `factor` it is `base` (s, m, N or m_per_s).
+struct CsvUnit {
+  const char *name, *base;
+  double factor;
+};
+std::optional<CsvUnit> csv_unit(std::string_view name);
+/// Where the values of a column go, as (value - zero) factor; no signal: a column of no interest.
+struct CsvTarget {
+  std::string signal;
+  double factor = 1, zero = 0;
+};
+using CsvColumns = std::function<CsvTarget(std::string_view header)>;
+/// The columns `columns_of` asks for, from a table with one header line after `skip_lines` lines. Throws
+/// DataError naming file, line and what stands there.
+Response parse_columns(const std::string &text, const std::string &path, const CsvColumns &columns_of,
+                       std::size_t skip_lines = 0);
+
+} // namespace rimpact

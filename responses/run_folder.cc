@@ -1,0 +1,45 @@
+#include "files/error.h"
+#include "files/file.h"
+#include "files/json_text.h"
+#include "responses/git_hash.h"
+#include "responses/identity.h"
+#include "responses/summary.h"
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace rimpact {
+namespace {
+
+/// A long run has noted its identity when it began and read its files; a short one has just read them. A file that is
+/// gone since must not cost the result, which then counts as one without an identity.
+nlohmann::json with_identity(nlohmann::json summary, const scene::Scene &scene) {
+  if (summary.contains("identity")) return summary;
+  try {
+    summary["identity"] = to_json(identity_of(scene));
+  } catch (const DataError &) {
+    summary["identity"] = nullptr;
+  }
+  return summary;
+}
+
+} // namespace
+
+void write_run_folder(const std::string &folder, const scene::Scene &scene, Response response, const Summary &summary) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error) throw IoError(fmt::format("cannot create the folder {}: {}", folder, error.message()));
+  const auto in = [&](const char *name) { return (fs::path(folder) / name).string(); };
+  const std::string toml = to_toml(scene), json = json_text(with_identity(to_json(summary), scene));
+  response.series("time"); // a run stopped before its first sample still leaves a readable file
+  response.meta["version"] = RIMPACT_VERSION;
+  response.meta["git"] = RIMPACT_GIT_HASH;
+  response.meta["scene"] = toml;
+  response.meta["summary"] = json;
+  write_atomically(toml, in("scene.toml"));
+  write_hdf5(response, in("response.h5"));
+  write_csv(response, in("response.csv"));
+  write_atomically(json, in("summary.json")); // last: its presence says that the run folder is complete
+}
+
+} // namespace rimpact

@@ -1,0 +1,205 @@
+#include "responses/summary.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+#include <sys/resource.h>
+
+namespace rimpact {
+namespace {
+
+double largest_norm(const Response &r, const std::string &name) {
+  const auto &x = r.series(name + "_x"), &y = r.series(name + "_y");
+  double largest = 0;
+  for (std::size_t i = 0; i < x.size(); ++i) largest = std::max(largest, std::hypot(x[i], y[i]));
+  return largest;
+}
+
+/// Outward radial speed; from the stored velocities, or one-sided differences of the radius where none are
+/// stored
+/// (`side` -1: before the sample, +1: after it).
+double radial_speed(const Response &r, std::size_t i, int side) {
+  const auto &ux = r.series("displacement_x"), &uy = r.series("displacement_y");
+  const double radius = std::hypot(ux[i], uy[i]);
+  if (r.has("velocity_x") && r.has("velocity_y")) {
+    const double vx = r.series("velocity_x")[i], vy = r.series("velocity_y")[i];
+    return radius > 0 ? (ux[i] * vx + uy[i] * vy) / radius : std::hypot(vx, vy);
+  }
+  const auto &time = r.series("time");
+  if ((side < 0 && i == 0) || (side > 0 && i + 1 >= time.size())) return 0;
+  const std::size_t j = side < 0 ? i - 1 : i + 1;
+  const double dt = time[i] - time[j];
+  return dt != 0 ? (radius - std::hypot(ux[j], uy[j])) / dt : 0;
+}
+
+/// From the last pressed sample to where its force, falling on as before it, is gone; in shares of the step to the next
+/// sample. The dish and friction change the speed by up to 3 mm/s in a millisecond.
+double release_after(const std::vector<double> &time, double before, double at, std::size_t last) {
+  if (last + 1 >= time.size() || last == 0 || !(at < before)) return 0;
+  return std::min(1.0, at / (before - at) * (time[last] - time[last - 1]) / (time[last + 1] - time[last]));
+}
+
+Impact impact_of(const Response &r, std::size_t first, std::size_t last) {
+  const auto &ux = r.series("displacement_x"), &uy = r.series("displacement_y");
+  const auto &ix = r.series("impact_x"), &iy = r.series("impact_y"), &time = r.series("time");
+  const auto force = [&](std::size_t i) { return std::hypot(ix[i], iy[i]); };
+  const double after = last > first ? release_after(time, force(last - 1), force(last), last) : 0;
+  Impact impact{};
+  impact.touch_time = time[first];
+  impact.release_time = after > 0 ? time[last] + after * (time[last + 1] - time[last]) : time[last];
+  impact.direction_deg = std::atan2(uy[first], ux[first]) * 180 / std::numbers::pi;
+  impact.approach_speed = radial_speed(r, first, -1);
+  impact.rebound_speed = 0 - (1 - after) * radial_speed(r, last, +1); // never -0
+  if (after > 0) impact.rebound_speed -= after * radial_speed(r, last + 1, -1);
+  for (std::size_t i = first; i <= last; ++i) {
+    impact.peak_force = std::max(impact.peak_force, force(i));
+    if (r.has("gap")) impact.peak_penetration = std::max(impact.peak_penetration, -r.series("gap")[i]);
+  }
+  return impact;
+}
+
+std::vector<Impact> impacts_of(const Response &r) {
+  const auto &ix = r.series("impact_x"), &iy = r.series("impact_y");
+  const auto pressed = [&](std::size_t i) { return i < ix.size() && (ix[i] != 0 || iy[i] != 0); };
+  std::vector<Impact> impacts;
+  for (std::size_t i = 0; i < ix.size(); ++i) {
+    if (!pressed(i)) continue;
+    const std::size_t first = i;
+    while (pressed(i + 1)) ++i;
+    impacts.push_back(impact_of(r, first, i));
+  }
+  return impacts;
+}
+
+/// A run that stops while the rim is pressed has no release, and so no rebound: its release lies before its touch.
+nlohmann::json to_json(const Impact &impact) {
+  const bool released = impact.release_time >= impact.touch_time;
+  const auto if_released = [&](double value) { return released ? nlohmann::json(value) : nlohmann::json(nullptr); };
+  return {{"touch_time_s", impact.touch_time},
+          {"release_time_s", if_released(impact.release_time)},
+          {"direction_deg", impact.direction_deg},
+          {"approach_speed_m_s", impact.approach_speed},
+          {"rebound_speed_m_s", if_released(impact.rebound_speed)},
+          {"restitution", if_released(impact.restitution())},
+          {"peak_force_N", impact.peak_force},
+          {"peak_penetration_m", impact.peak_penetration}};
+}
+
+nlohmann::json to_json(const EnergyLedger &e) {
+  return {{"external_J", e.external},     {"gravity_J", e.gravity}, {"kinetic_J", e.kinetic},
+          {"elastic_J", e.elastic},       {"plastic_J", e.plastic}, {"damping_J", e.damping},
+          {"friction_J", e.friction},     {"impact_J", e.impact},   {"contact_J", e.contact},
+          {"integrator_J", e.integrator}, {"initial_J", e.initial}, {"imbalance_relative", e.imbalance_relative()}};
+}
+
+template <class T> nlohmann::json or_null(const std::optional<T> &value) {
+  return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
+}
+
+double unaccounted(const EnergyLedger &e) { // [J]
+  return e.initial + e.external -
+         (e.gravity + e.kinetic + e.elastic + e.plastic + e.damping + e.friction + e.impact + e.contact + e.integrator);
+}
+double largest_energy(const EnergyLedger &e) {
+  return std::max(e.largest_input, std::abs(e.external) + std::abs(e.initial));
+} // [J]
+
+} // namespace
+
+double EnergyLedger::imbalance_relative() const {
+  const double input = largest_energy(*this);
+  return input > 0 ? unaccounted(*this) / input : 0;
+}
+
+nlohmann::json to_json(const Summary &s) {
+  nlohmann::json json{{"peak_displacement_m", s.peak_displacement},
+                      {"peak_lateral_force_N", s.peak_lateral_force},
+                      {"peak_impact_force_N", or_null(s.peak_impact_force)},
+                      {"n_impacts", s.impacts.size()},
+                      {"impacts", nlohmann::json::array()},
+                      {"residual_displacement_m", s.residual_displacement},
+                      {"peak_vertical_displacement_m", s.peak_vertical_displacement},
+                      {"min_normal_force_N", or_null(s.min_normal_force)},
+                      {"max_plastic_strain", or_null(s.max_plastic_strain)},
+                      {"energy", s.energy ? to_json(*s.energy) : nlohmann::json(nullptr)},
+                      {"rung", s.rung},
+                      {"mesh", or_null(s.mesh)},
+                      {"n_dofs", s.n_dofs},
+                      {"n_steps", s.n_steps},
+                      {"n_newton_iterations", s.n_newton_iterations},
+                      {"wall_time_s", s.wall_time},
+                      {"peak_memory_bytes", s.peak_memory_bytes},
+                      {"status", s.status}};
+  for (const auto &impact : s.impacts) json["impacts"].push_back(to_json(impact));
+  for (const char *part : {"search", "assembly", "factor", "solve", "output"}) {
+    const auto found = s.time_split.find(part);
+    json["time_split_s"][part] = found == s.time_split.end() ? 0.0 : found->second;
+  }
+  if (s.status != "done") json["reason"] = s.reason;
+  if (s.extra.is_object()) json.update(s.extra);
+  return json;
+}
+
+void summarise_response(const Response &r, Summary &s) {
+  if (r.size() == 0) return;
+  s.peak_displacement = largest_norm(r, "displacement");
+  s.peak_lateral_force = largest_norm(r, "force");
+  s.residual_displacement = std::hypot(r.series("displacement_x").back(), r.series("displacement_y").back());
+  const auto largest = [&](const char *name) {
+    const auto &values = r.series(name);
+    return *std::max_element(values.begin(), values.end());
+  };
+  if (r.has("displacement_z")) s.peak_vertical_displacement = largest("displacement_z");
+  if (r.has("plastic_strain_max")) s.max_plastic_strain = largest("plastic_strain_max");
+  if (r.has("normal_force"))
+    s.min_normal_force = *std::min_element(r.series("normal_force").begin(), r.series("normal_force").end());
+  if (!r.has("impact_x") || !r.has("impact_y")) return;
+  s.peak_impact_force = largest_norm(r, "impact");
+  s.impacts = impacts_of(r);
+}
+
+std::optional<std::string> doubt_of_rebound(const Response &response, const std::vector<Impact> &impacts) {
+  if (impacts.empty() || response.size() == 0 || !response.has("impact_x")) return {};
+  const double force = std::hypot(response.series("impact_x").back(), response.series("impact_y").back());
+  const double peak = impacts.back().peak_force;
+  constexpr double gone = 0.01; // of the peak: what is left changes the speed by less than a thousandth
+  if (!(force > gone * peak)) return {};
+  return fmt::format("the scene ends while the rim still bears {:.0f} kN ({:.0f} % of the impact's peak): rebound "
+                     "speed and restitution of "
+                     "this impact are those of its last instant; set a longer excitation.duration_s",
+                     1e-3 * force, 100 * force / peak);
+}
+
+std::optional<std::string> doubt_of_ledger(const EnergyLedger &ledger) {
+  constexpr double usual = 1e-3; // what every dynamic scene is to keep
+  const double left = ledger.imbalance_relative();
+  constexpr double nothing = 1e-6; // [J]: the rounding of a bearing at rest, where a share has no meaning
+  if (std::abs(left) <= usual || std::abs(unaccounted(ledger)) <= nothing) return {};
+  return fmt::format("{:.2f} % of the energy put in is unaccounted for, where 0.1 % is usual: doubt the forces; "
+                     "smaller steps or a finer mesh (model.step_ms, "
+                     "model.mesh) may mend a finite-element run, a smaller reduced.tolerance a reduced one",
+                     100 * left);
+}
+
+std::optional<std::string> doubt_of_contact(const EnergyLedger &ledger, const std::vector<Impact> &impacts,
+                                            double mass) {
+  constexpr double usual = 3e-3; // of the energy put in
+  const double created = -ledger.contact,
+               input = std::max(ledger.largest_input, std::abs(ledger.external) + std::abs(ledger.initial));
+  if (!(created > usual * input)) return {};
+  double rebound = 0;
+  for (const auto &impact : impacts) rebound += 0.5 * mass * impact.rebound_speed * impact.rebound_speed;
+  std::string text = fmt::format("contact has given back {:.1f} % more energy than it took, where 0.3 % is usual",
+                                 100 * created / input);
+  if (rebound > created)
+    text += fmt::format(": rebound speeds are overstated by about {:.1f} %", 50 * created / rebound);
+  return text + "; a smaller model.step_ms lowers it";
+}
+
+long peak_memory_bytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return usage.ru_maxrss * 1024L; // Linux counts in KiB
+}
+
+} // namespace rimpact

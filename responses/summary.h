@@ -1,0 +1,65 @@
+/// What summary.json holds (INTERFACE). Peaks are of the horizontal norm.
+#pragma once
+#include "responses/response.h"
+#include "scene/scene.h"
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace rimpact {
+
+struct Impact {
+  double touch_time, release_time;      ///< first and last instant of non-zero rim force [s]
+  double direction_deg;                 ///< of the displacement at touch
+  double approach_speed, rebound_speed; ///< radial, at touch and release [m/s]
+  double peak_force, peak_penetration;  ///< [N], [m]
+  double restitution() const { return approach_speed > 0 ? rebound_speed / approach_speed : 0; }
+};
+
+/// Energy ledger of a run [J]. external: work of the ground motion and drives; gravity: potential energy gained
+/// (positive when lifted; of a building as if no axial spring were strained); damping: lost in a building's
+/// dashpots; impact: dissipated by the reduced impact law; contact: stored in or lost by contact
+/// penalties; integrator: the time integrator's loss from its own formula.
+struct EnergyLedger {
+  double external = 0, gravity = 0, kinetic = 0, elastic = 0, plastic = 0, damping = 0, friction = 0, impact = 0,
+         contact = 0, integrator = 0;
+  double initial = 0;       ///< energy present at the start (a window's kinetic energy)
+  double largest_input = 0; ///< running maximum of |external| + initial
+  /// initial + external - (gravity + kinetic + elastic + plastic + damping + friction + impact + contact + integrator),
+  /// divided by largest_input.
+  double imbalance_relative() const;
+};
+
+struct Summary {
+  double peak_displacement = 0, peak_lateral_force = 0, residual_displacement = 0, peak_vertical_displacement = 0;
+  std::optional<double> peak_impact_force, min_normal_force, max_plastic_strain;
+  std::vector<Impact> impacts;
+  std::optional<EnergyLedger> energy;
+  std::string rung = "reduced";
+  std::optional<int> mesh;
+  long n_dofs = 0, n_steps = 0, n_newton_iterations = 0;
+  std::map<std::string, double> time_split; ///< search, assembly, factor, solve, output [s]
+  double wall_time = 0;                     ///< [s]
+  long peak_memory_bytes = 0;
+  std::string status = "done"; ///< done | stopped | interrupted
+  std::string reason;
+  nlohmann::json extra = nlohmann::json::object(); ///< further keys, merged in (plan, warnings, ...)
+};
+
+nlohmann::json to_json(const Summary &summary);
+/// Fills peaks and impacts from a response: an impact is a run of consecutive non-zero impact_x|y samples.
+void summarise_response(const Response &response, Summary &summary);
+/// What to say of a scene that ends with the rim pressed, whose last impact has no rebound yet.
+std::optional<std::string> doubt_of_rebound(const Response &response, const std::vector<Impact> &impacts);
+/// What to say of a run, finished or stopped, whose energies do not add up.
+std::optional<std::string> doubt_of_ledger(const EnergyLedger &ledger);
+/// What to say of a run whose contacts have given back energy that was not there: `mass` [kg] leaves the impacts at
+/// their rebound speeds, which are overstated by about the share that the created energy has in theirs, halved.
+std::optional<std::string> doubt_of_contact(const EnergyLedger &ledger, const std::vector<Impact> &impacts,
+                                            double mass);
+/// Peak resident memory of this process [bytes].
+long peak_memory_bytes();
+
+/// Writes a whole run folder: scene.toml, response.h5, response.csv, summary.json. Creates it. Throws IoError.
+void write_run_folder(const std::string &folder, const scene::Scene &scene, Response response, const Summary &summary);
+
+} // namespace rimpact

@@ -1,0 +1,28 @@
+/// A mesh drawn elsewhere that takes the place of the built-in one: [model.own_mesh].
+#pragma once
+#include <array>
+#include <string>
+
+namespace rimpact::scene {
+
+/// Names of the groups a mesh of the bearing carries (INTERFACE, "Mesh groups"): five volumes, then the surfaces.
+inline constexpr std::array mesh_group_names{
+    "plate",     "rim",      "pad",    "foot",        "upper_slider", "dish",  "rim_wall", "pad_face",  "pad_top",
+    "foot_seat", "foot_cap", "socket", "slider_side", "top",          "fixed", "symmetry", "sector_end"};
+
+struct OwnMesh {
+  std::string file;           ///< .msh of hexahedra; .geo or .step, which gmsh meshes; empty: the built-in mesh
+  std::string unit = "m";     ///< of its lengths: m | cm | mm | in
+  double size = 0.04;         ///< of cells meshed from .geo or .step, at most [m], > 0
+  double contact_size = 0.01; ///< of those where slider and rim meet [m], > 0
+  /// What mesh_group_names are called in the file, one or several with commas between: physical or part names,
+  /// "volume 3", "surface 14"; empty: the name itself.
+  std::array<std::string, mesh_group_names.size()> groups;
+
+  bool any() const { return !file.empty(); }
+  double metres() const {
+    return unit == "mm" ? 1e-3 : unit == "cm" ? 1e-2 : unit == "in" ? 0.0254 : 1.0;
+  } ///< of one unit
+};
+
+} // namespace rimpact::scene
