@@ -1,7 +1,7 @@
 // The finite-element executable: run, mesh, curve, version, and check of a scene with a mesh of its own. Starts PETSc
 // (and MPI) once; under mpirun the first rank speaks.
 #include "app/verb.h"
-#include "fe_contact/runner/run.h"
+#include "fe_contact/drive/run.h"
 
 #include <chrono>
 #include <cstdio>

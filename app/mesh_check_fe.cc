@@ -1,5 +1,5 @@
 #include "app/mesh_check.h"
-#include "fe_contact/runner/run.h"
+#include "fe_contact/drive/run.h"
 #include <fmt/format.h>
 
 namespace rimpact::app {

@@ -1,6 +1,6 @@
 /// What a finite-element run is doing, for whoever waits for it: "pressing, 2.1 mm into the rim, 812 kN".
 #pragma once
-#include "fe_contact/runner/run.h"
+#include "fe_contact/drive/run.h"
 
 namespace rimpact::app {
 

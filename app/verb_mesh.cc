@@ -2,7 +2,7 @@
 #include "app/mesh_check.h"
 #include "app/sibling.h"
 #include "app/verb.h"
-#include "fe_contact/runner/run.h"
+#include "fe_contact/drive/run.h"
 #include "files/json_text.h"
 #include "meshes/rim_mesh.h"
 #include "scene/scene.h"

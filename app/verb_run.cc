@@ -6,7 +6,7 @@
 #include "app/sibling.h"
 #include "app/verb.h"
 #include "calibration/studies/stored_study.h"
-#include "fe_contact/runner/run.h"
+#include "fe_contact/drive/run.h"
 #include "files/file.h"
 #include "files/json_text.h"
 #include "planning/machine_times.h"

@@ -1,6 +1,6 @@
 // rimpact version
 #include "app/verb.h"
-#include "fe_contact/runner/run.h"
+#include "fe_contact/drive/run.h"
 #include "files/json_text.h"
 #include "responses/identity.h"
 #include <fmt/format.h>

@@ -1,4 +1,5 @@
-// The whole plate of rung R3: a core about the vertex, rings around it, and the rim on the sectors that may be touched.
+// The whole plate of rung full: a core about the vertex, rings around it, and the rim on the sectors that may be
+// touched.
 #include "meshes/half_disc.h"
 #include "meshes/plate_section.h"
 #include "meshes/rim_mesh.h"
@@ -47,7 +48,7 @@ void add_whole_plate(HexMesh &mesh, const scene::Bearing &bearing, const RimMesh
   const PlaceSizes sizes{2 * 10 * mm * h / wall, 20 * mm / wall, options.sector_half_angle, 0.6 * h};
   const std::vector<double> places = folded(from_the_first(options.directions)), angles = disc_angles(places, sizes);
   const double size = 80 * mm * h;                             // as coarse as the pad's path allows
-  const std::vector<double> layers = plate_layers(bearing, h); // the rim's foot bends the plate as in rung R2
+  const std::vector<double> layers = plate_layers(bearing, h); // the rim's foot bends the plate as in rung rigid-dish
   std::vector<Quad9> plate, rim;
   for (auto &quad : plate_and_rim(bearing, {core, size, layers}, h)) {
     if (quad.groups.count(0) && quad.groups.at(0) == Surface::sector_end)

@@ -27,8 +27,8 @@ inline double size_factor(int level) {
 }
 /// The sectors alone, added to a mesh.
 void add_rim(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions &options);
-/// The half y >= 0 of the whole plate with the same sectors of the rim on it, and those of their images (rung R3); fine
-/// under the path along x.
+/// The half y >= 0 of the whole plate with the same sectors of the rim on it, and those of their images (rung full);
+/// fine under the path along x.
 void add_whole_plate(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions &options);
 /// Puts nodes that rounding moved off the plane of symmetry back on it.
 void flatten(HexMesh &mesh);

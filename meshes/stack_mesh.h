@@ -1,6 +1,6 @@
-/// The solids of rung R2 (DESIGN 1): pad, foot and upper slider at rest on the vertex and, where a scene asks for
-/// it, rim sectors with the plate below them. Frame: the plate's. The slider is finest towards
-/// the directions in which it may meet the rim.
+/// The solids of rung rigid-dish (DESIGN 1): pad, foot and upper slider at rest on the vertex and, where a scene asks
+/// for it, rim sectors with the plate below them. Frame: the plate's. The slider is finest towards the directions in
+/// which it may meet the rim.
 #pragma once
 #include "meshes/rim_mesh.h"
 
@@ -11,7 +11,7 @@ struct StackMeshOptions {
   bool half = true;               ///< y >= 0 only, with the group `symmetry` on y = 0
   bool rim = false;               ///< sectors of rim and plate about the directions
   double sector_half_angle = 1.0; ///< of each [rad]
-  bool whole_plate = false;       ///< the dish is meshed as well, from its middle (rung R3)
+  bool whole_plate = false;       ///< the dish is meshed as well, from its middle (rung full)
   std::vector<double> directions{
       0}; ///< in which slider and rim may meet, the first the mesh's own x axis [rad]; a half model takes 0 and pi
   scene::OwnMesh own = {}; ///< drawn elsewhere; then `half`, `whole_plate` and `directions` count

@@ -207,6 +207,7 @@ nlohmann::json to_json(const Plan &plan) {
   return {{"rung", plan.rung},
           {"expected_steps", plan.expected_steps},
           {"symmetry", plan.half ? "half" : "whole"},
+          {"moves_from_s", plan.moves_from},
           {"rests_from_s", plan.rests_from},
           {"rim_takes_part", plan.rim_takes_part},
           {"closest_gap_m", plan.closest_gap},

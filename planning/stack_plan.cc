@@ -1,4 +1,4 @@
-// Plans of rungs R2 and R3.
+// Plans of rungs rigid-dish and full.
 #include "planning/plan_parts.h"
 
 #include <algorithm>
@@ -15,7 +15,7 @@ constexpr MeshCost sector[4] = {{2000, 0.05, 0.15e9}, {4800, 0.12, 0.3e9}, {2400
 /// What each further sector adds all the time, mostly the slider's own fine cells on that side.
 constexpr MeshCost further[4] = {{6900, 0.07, 0.2e9}, {14000, 0.15, 0.5e9}, {43000, 0.8, 1.5e9}, {125000, 4.0, 4.5e9}};
 
-/// The whole plate, solid all the time (rung R3).
+/// The whole plate, solid all the time (rung full).
 constexpr MeshCost plate[4] = {{8000, 0.25, 0.4e9}, {20000, 0.6, 0.9e9}, {90000, 3.0, 3.5e9}, {270000, 15.0, 11e9}};
 
 void add_cost(Plan &plan, double iterations, double iterations_with_rim, int sectors) {
@@ -94,11 +94,12 @@ Plan stack_motion_plan(const scene::Scene &scene) {
   } else {
     scout_stack(plan, scene);
     impacts = plan.impacts.size();
-    rest = std::max(0.0, e.duration - plan.rests_from);
+    rest = plan.moves_from + std::max(0.0, e.duration - plan.rests_from);
     flight = (e.duration - rest) / step_in_flight + rest / longest_resting_step;
     if (rest > 0)
-      plan.notes.push_back(fmt::format("the scout rests from {:.1f} s on: steps of up to {:.0f} ms there",
-                                       plan.rests_from, 1e3 * longest_resting_step));
+      plan.notes.push_back(
+          fmt::format("the scout rests up to {:.1f} s and from {:.1f} s on: steps of up to {:.0f} ms there",
+                      plan.moves_from, std::min(plan.rests_from, e.duration), 1e3 * longest_resting_step));
   }
   const double contact = 1.2 * impacts * contact_time / plan.step_in_contact;
   plan.expected_steps = std::lround(flight + contact);

@@ -21,6 +21,16 @@ double end_of_sliding(const Response &response) {
   return t[k] + time_to_settle;
 }
 
+/// Shortly before the slider first leaves where it is [s].
+double begin_of_sliding(const Response &response) {
+  constexpr double beforehand = 0.02, moved = 1e-5; // [s], [m]
+  const auto &t = response.series("time"), &x = response.series("displacement_x"),
+             &y = response.series("displacement_y");
+  std::size_t k = 0;
+  while (k + 1 < t.size() && std::hypot(x[k] - x.front(), y[k] - y.front()) < moved) ++k;
+  return std::max(0.0, t[k] - beforehand);
+}
+
 /// Farthest points of the stretches on which the path is no nearer to the middle than `radius`; of the whole path when
 /// there are none.
 std::vector<Eigen::Vector2d> near_passes(const Response &response, double radius) {
@@ -55,6 +65,7 @@ void scout_stack(Plan &plan, scene::Scene scene) {
   if (scene.reduced.k_i == 0) scene.reduced.k_i = scene::ReducedSettings{}.k_i; // a scout must feel the rim
   const auto run = reduced::simulate(scene);
   add_impacts(plan, run.summary, run.response);
+  plan.moves_from = begin_of_sliding(run.response);
   plan.rests_from = end_of_sliding(run.response);
   const double capacity = scene.bearing.lateral_capacity();
   const auto meshed = [&](double direction) { return !plan.half ? direction : std::cos(direction) < 0 ? M_PI : 0.0; };

@@ -1,5 +1,5 @@
 /// The physical model of a single bearing (thesis 2.2): a mass riding a curved dish with Coulomb or Park-Wen
-/// friction, unilateral vertical support, and an impact element at the rim. Rung R0, and the part of R1 that
+/// friction, unilateral vertical support, and an impact element at the rim. Rung reduced, and the part of rim that
 /// is not solid. SI units; the plate is fixed, u is the upper slider's displacement relative to the plate.
 #pragma once
 #include "reduced_models/dented_rim.h"

@@ -58,6 +58,11 @@ std::vector<SignalInfo> make_signals() {
   list.push_back({"contact_pressure_max", "Pa", "largest contact pressure"});
   list.push_back({"pad_pressure_max", "Pa", "largest pressure of the pad on the dish"});
   list.push_back({"newton_iterations", "1", "Newton iterations of the step"});
+  list.push_back({"augmentations", "1", "augmentations of the contact's multipliers since the row before"});
+  list.push_back({"backtracks", "1", "shortened Newton steps tried since the row before"});
+  list.push_back({"linear_iterations", "1", "iterations of the linear solver since the row before"});
+  list.push_back({"factorisations", "1", "factorisations since the row before"});
+  list.push_back({"cuts", "1", "steps solved and not taken since the row before"});
   list.push_back({"step", "s", "time step"});
   return list;
 }

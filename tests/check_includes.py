@@ -28,10 +28,12 @@ MAY_INCLUDE = {
     "meshes": {"meshes", "files", "scene"},
     FE + "laws": {FE + "laws", "scene"},
     FE + "solver": {FE + "solver"},
-    FE + "model": {FE + "model", FE + "laws", FE + "solver", "meshes", "scene", "files"},
-    FE + "runner": {FE + "runner", FE + "model", FE + "laws", FE + "solver", "meshes", "planning", "reduced_models"} | BASE,
+    FE + "engine": {FE + "engine", FE + "laws", FE + "solver", "meshes", "scene", "files"},
+    FE + "rungs": {FE + "rungs", FE + "engine", FE + "laws", FE + "solver", "meshes", "reduced_models"} | BASE,
+    FE + "drive": {FE + "drive", FE + "rungs", FE + "engine", FE + "laws", FE + "solver", "meshes", "planning",
+                   "reduced_models"} | BASE,
     "app": {"app", "calibration/data", "calibration/fit", "calibration/laws", "calibration/studies", "calibration/answer",
-            "calibration/export", "fleets", "buildings", "reliability", "planning", "reduced_models", "meshes", FE + "runner"} | BASE,
+            "calibration/export", "fleets", "buildings", "reliability", "planning", "reduced_models", "meshes", FE + "drive"} | BASE,
 }
 HEAVY = re.compile(r"deal\.II/|petsc|gmsh\.h|dmumps|slepc")
 MAY_SEE_HEAVY = ("meshes/", "fe_contact/", "app/main_fe.cc")

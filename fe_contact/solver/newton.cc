@@ -62,6 +62,7 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
       return report;
     }
     ++report.iterations;
+    ++target.work.iterations;
     if (!target.has_tangent) evaluate(target, u, true);
     const bool with_tangent = !is_last(report.residuals, options.tolerance);
     forcing = forcing_term(report.residuals, forcing, options.tolerance, options.finest_forcing);
@@ -69,11 +70,13 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
     LinearSolver &solver = target.solver(); // a factor of an earlier solution, or of another step, may still serve
     if (options.stale_factor && !solver.worn) {
       change = solver.solve(-target.residual(), forcing, most_linear_iterations);
+      target.work.linear_iterations += solver.last_iterations();
       solver.worn = solver.last_iterations() > worn_after;
     }
     if (change.size() == 0) {
       change = solver.solve_anew(-target.residual(), forcing, most_linear_iterations);
-      ++report.factorisations;
+      target.work.linear_iterations += solver.last_iterations();
+      ++target.work.factorisations;
       solver.worn = false;
     }
     if (change.size() == 0 || !change.allFinite()) {
@@ -99,6 +102,7 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
     const double before = report.residuals.back();
     double best = -1, best_factor = 0, factor = 1;
     for (int trial = 0; trial <= options.max_backtracks; ++trial, factor /= 2) {
+      if (trial > 0) ++target.work.backtracks;
       if (!go(start, factor)) continue;
       const double reached = relative();
       if (best_factor == 0 || reached < best) {

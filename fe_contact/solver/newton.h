@@ -2,6 +2,7 @@
 /// forcing terms, and a report of every residual. Knows functions, not bearings.
 #pragma once
 #include "fe_contact/solver/linear_solver.h"
+#include "fe_contact/solver/solver_work.h"
 #include <Eigen/Core>
 #include <string>
 #include <vector>
@@ -29,6 +30,7 @@ public:
   /// Of the last evaluation; its multiplier is set before each. Null: none.
   virtual Border *border() { return nullptr; }
   TimeSplit time_split;
+  SolverWork work; ///< of all solutions so far
 };
 
 struct NewtonOptions {
@@ -42,7 +44,7 @@ struct NewtonOptions {
 
 struct NewtonReport {
   bool converged = false;
-  int iterations = 0, factorisations = 0;
+  int iterations = 0;
   std::vector<double> residuals; ///< relative, before each iteration and at the end
   std::string reason;            ///< when not converged
 };

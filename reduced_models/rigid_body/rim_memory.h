@@ -10,7 +10,7 @@
 
 namespace rimpact::reduced {
 
-/// An impact within 8 degrees of a dent meets the rim as that left it, others a fresh arc (as rung R1 does).
+/// An impact within 8 degrees of a dent meets the rim as that left it, others a fresh arc (as rung rim does).
 class RimMemory {
 public:
   /// Of the arc around `u` (any length > 0) [m]; 0: never pressed there.

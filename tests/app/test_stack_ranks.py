@@ -1,4 +1,4 @@
-"""Rung R2 under `mpirun -np 2`: the run of one rank, within 1e-7, as each step is solved to 1e-8 (solved to 1e-10 the ranks agree to 1e-8:
+"""Rung rigid-dish under `mpirun -np 2`: the run of one rank, within 1e-7, as each step is solved to 1e-8 (solved to 1e-10 the ranks agree to 1e-8:
 tests/fe_contact/test_ranks.cc); and a failure of one rank that ends both."""
 import csv
 import json

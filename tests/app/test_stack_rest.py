@@ -1,4 +1,4 @@
-"""Rung R2 at rest: steps grow once the slider has stopped for good, and the bearing still carries the shaking's inertia."""
+"""Rung rigid-dish at rest: steps grow once the slider has stopped for good, and the bearing still carries the shaking's inertia."""
 import csv
 import json
 import math

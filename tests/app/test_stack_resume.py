@@ -1,4 +1,4 @@
-"""Rung R2's restarts: interrupted in mid-slide and resumed, a run goes on as the one that was left alone, to the last bit."""
+"""Rung rigid-dish's restarts: interrupted in mid-slide and resumed, a run goes on as the one that was left alone, to the last bit."""
 import os
 import signal
 import subprocess

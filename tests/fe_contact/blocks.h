@@ -1,8 +1,8 @@
 /// Blocks in contact that several tests share.
 #pragma once
 #include "box_mesh.h"
-#include "fe_contact/model/contact_steps.h"
-#include "fe_contact/model/supports.h"
+#include "fe_contact/engine/contact_steps.h"
+#include "fe_contact/engine/supports.h"
 
 #include <cmath>
 #include <random>

@@ -1,6 +1,6 @@
 // What acts on the mass of rung rim beside the rim: derivatives against differences, and a dish that does not ring.
-#include "fe_contact/runner/mass_loads.h"
-#include "fe_contact/runner/rim_run.h"
+#include "fe_contact/drive/rim_run.h"
+#include "fe_contact/rungs/mass_loads.h"
 #include <gtest/gtest.h>
 
 namespace {

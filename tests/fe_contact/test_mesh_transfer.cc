@@ -1,5 +1,5 @@
 // What a new mesh of the same bearing takes over from an old one.
-#include "fe_contact/model/mesh_transfer.h"
+#include "fe_contact/engine/mesh_transfer.h"
 #include "meshes/stack_mesh.h"
 #include <gtest/gtest.h>
 

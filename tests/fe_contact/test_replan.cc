@@ -1,5 +1,5 @@
 // A run that comes to the rim where none is meshed goes on from there on a mesh that has it.
-#include "fe_contact/runner/run.h"
+#include "fe_contact/drive/run.h"
 #include "planning/plan.h"
 #include <gtest/gtest.h>
 

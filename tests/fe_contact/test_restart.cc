@@ -1,7 +1,7 @@
 // Restarts: N steps are k steps, a checkpoint, and N - k steps; what is not this system's checkpoint is refused.
 #include "blocks.h"
-#include "fe_contact/runner/record_checkpoint.h"
-#include "fe_contact/runner/system_checkpoint.h"
+#include "fe_contact/drive/record_checkpoint.h"
+#include "fe_contact/drive/system_checkpoint.h"
 #include "files/error.h"
 #include "files/file.h"
 #include "responses/identity.h"

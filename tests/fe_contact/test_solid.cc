@@ -1,6 +1,6 @@
 // Assembly of solids and of wall contact against independent numbers: patch, mass, differences.
 #include "box_mesh.h"
-#include "fe_contact/model/solid.h"
+#include "fe_contact/engine/solid.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
-// Rung R2's plans, and the hand-over of a state when the rim joins and leaves.
-#include "fe_contact/model/master_faces.h"
-#include "fe_contact/runner/stack_transfer.h"
+// Rung rigid-dish's plans, and the hand-over of a state when the rim joins and leaves.
+#include "fe_contact/drive/stack_transfer.h"
+#include "fe_contact/engine/master_faces.h"
 #include "planning/plan.h"
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>

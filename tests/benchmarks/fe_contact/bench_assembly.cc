@@ -1,8 +1,8 @@
 // Time of one assembly (forces, tangent, history) of quadratic J2 cells beside the tangent's error against
 // differences of the forces, everything plastic: `bench_fe_contact`.
 #include "../../fe_contact/box_mesh.h"
-#include "fe_contact/model/solid.h"
-#include "fe_contact/model/supports.h"
+#include "fe_contact/engine/solid.h"
+#include "fe_contact/engine/supports.h"
 #include <algorithm>
 #include <benchmark/benchmark.h>
 #include <random>

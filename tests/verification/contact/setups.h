@@ -1,8 +1,8 @@
 /// What the cases share: boxes with graded cells, round bars, and a system with its parts in one place.
 #pragma once
 #include "../../fe_contact/box_mesh.h"
-#include "fe_contact/model/contact_steps.h"
-#include "fe_contact/model/supports.h"
+#include "fe_contact/engine/contact_steps.h"
+#include "fe_contact/engine/supports.h"
 #include "meshes/section.h"
 #include "table.h"
 

@@ -2,7 +2,7 @@
 // materials, contacts with friction, weight. The stack is placed `before` short of the rim, tilted as the dish is, set
 // down, loaded, and slid on into the rim. Units: mm, N, MPa; half model, so that forces in the .dat file are half.
 #include "../../benchmarks/peers/rim_calculix/ccx_deck.h"
-#include "fe_contact/runner/stack_drive.h"
+#include "fe_contact/drive/stack_drive.h"
 #include "files/error.h"
 #include "planning/plan.h"
 #include "scene/scene.h"

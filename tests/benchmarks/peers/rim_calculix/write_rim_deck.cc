@@ -1,9 +1,9 @@
 // Writes the scene `rim-push`, or `impact-window` as it comes (no weight, no friction), as a CalculiX deck: same mesh
-// (27-node cells reduced to ccx's), material, mass and boundary conditions as fe_contact/runner/rim_push.cc and
+// (27-node cells reduced to ccx's), material, mass and boundary conditions as fe_contact/drive/rim_push.cc and
 // rim_system.cc. Units: mm, N, MPa, t, s. The half model is written: forces in the .dat file are half of the bearing's.
 #include "ccx_deck.h"
-#include "fe_contact/model/solid.h"
-#include "fe_contact/runner/rim_run.h"
+#include "fe_contact/drive/rim_run.h"
+#include "fe_contact/engine/solid.h"
 #include "files/error.h"
 #include "meshes/rim_mesh.h"
 #include "planning/plan.h"

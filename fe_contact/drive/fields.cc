@@ -1,0 +1,46 @@
+// Pictures' data: VTU files of the deformed solids and their PVD index.
+#include "fe_contact/drive/fields.h"
+
+#include "fe_contact/drive/record_checkpoint.h"
+#include "files/error.h"
+#include "files/file.h"
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fstream>
+
+namespace rimpact::fe {
+
+void write_fields(const ContactSystem &system, const SystemState &state, const Eigen::VectorXd &displacements,
+                  const std::string &kind, double time, const RunOptions &options, RunRecord &record,
+                  std::optional<double> direction) {
+  if (!options.keeps_fields()) return;
+  const Discretisation &space = system.space();
+  SolidFields cells = system.solid().fields(displacements, state.history);
+  std::vector<double> pressure(space.n_nodes, 0.0), gap(space.n_nodes, 0.0);
+  for (std::size_t i = 0; i < state.contacts.size(); ++i)
+    system.contact(i).nodal_fields(state.contacts[i], pressure, gap);
+  for (double &value : pressure) value *= 1e-6;
+  for (double &value : gap) value = std::isfinite(value) ? 1e3 * value : 0;
+  for (double &value : cells.von_mises) value *= 1e-6;
+  const auto name = fmt::format("fields/{}_{:03d}.vtu", kind, record.fields.size());
+  std::filesystem::create_directories(options.folder + "/fields");
+  std::vector<Discretisation::Field> fields{{"displacement", 3, false, list(displacements)},
+                                            {"contact_pressure_MPa", 1, false, pressure},
+                                            {"gap_mm", 1, false, gap},
+                                            {"von_mises_MPa", 1, true, cells.von_mises},
+                                            {"equivalent_plastic_strain", 1, true, cells.plastic_strain}};
+  if (direction) fields.push_back({"arc_direction_deg", 1, true, std::vector<double>(space.n_cells, *direction)});
+  space.write_vtu(options.folder + "/" + name, fields);
+  record.fields.emplace_back(time, name);
+}
+
+void write_pvd(const RunOptions &options, const RunRecord &record) {
+  if (record.fields.empty()) return;
+  std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";
+  for (const auto &[time, name] : record.fields)
+    text += fmt::format("<DataSet timestep=\"{:.9g}\" file=\"{}\"/>\n", time, name);
+  write_atomically(text + "</Collection>\n</VTKFile>\n", options.folder + "/fields.pvd");
+}
+
+} // namespace rimpact::fe

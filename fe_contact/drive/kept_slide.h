@@ -1,0 +1,29 @@
+/// The stack slid out quasi-statically to just short of the rim, under its dead load: the same for every window of one
+/// bearing, mesh and direction, whatever its speed. It is kept beside the results, in the folder `slid-out` next to the
+/// run's, and taken from there only where everything that shapes it is the same, the program included.
+#pragma once
+#include "fe_contact/drive/stack_drive.h"
+
+namespace rimpact::fe {
+
+struct RunOptions;
+
+class KeptSlide {
+public:
+  /// Nothing is kept, and nothing found, where the run keeps no files.
+  KeptSlide(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options);
+
+  /// Into a state of the same system, the drive that brought it there, and the top face's height at rest on the vertex
+  /// [m]. False: none is kept, or it is not whole.
+  bool take(const StackSystem &system, SystemState &state, TopDrive &drive, double &rest_height) const;
+  /// Throws IoError.
+  void keep(const SystemState &state, const TopDrive &drive, double rest_height) const;
+  /// Its file; empty: none.
+  const std::string &path() const { return path_; }
+
+private:
+  std::string key_, path_; ///< what it is of, in words
+  bool writes_ = false;
+};
+
+} // namespace rimpact::fe

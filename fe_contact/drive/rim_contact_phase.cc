@@ -1,0 +1,265 @@
+// A dynamic run of rung rim while slider and rim touch: from the first overlap to the parts at rest after the release.
+#include "fe_contact/drive/rim_dynamic.h"
+
+#include "files/error.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::fe {
+namespace {
+
+constexpr double first_overlap = 1e-5;   ///< the first step moves the slider by this [m]
+constexpr double smallest_pull = 1e-3;   ///< of the dish on the mass, over m g: lifted off beyond it
+constexpr double deepest_landing = 1e-6; ///< the mass is back on the dish when it has sunk by this [m]
+constexpr int checkpoint_every = 25;     ///< contact steps
+constexpr double passing_share = 0.01;   ///< of the approach speed, outwards at release: not a rebound
+constexpr double folded_over = 20;       ///< times its thickness beyond L_c the wall lies flat and is no wall any more
+constexpr double chatter_depth = 1e-4;   ///< nearer to L_c than this the walls may only have parted for an instant [m]
+
+/// By the walls' contact in the last step, of the model [J].
+double taken_by(const SystemState &state) {
+  return state.reports[0].normal_work + state.reports[0].friction_work;
+}
+
+} // namespace
+
+MassForces DynamicRun::forces_now(const Arc &arc, double t) const {
+  return loads_.forces(arc.frame.displacement(top_of(arc)), arc.frame.to_global(top_speed_of(arc)), t, support_,
+                       multiplier_);
+}
+
+void DynamicRun::begin_contact(Arc &arc) {
+  lift_height_ = 0;
+  if (support_ != Support::held) support_ = bearing_.airborne ? Support::airborne : Support::dish;
+  const auto reduced = model_.forces(bearing_);
+  multiplier_ = support_ == Support::dish
+                    ? reduced.normal / std::hypot(1.0, model_.height(bearing_.u.x(), bearing_.u.y()).gradient.norm())
+                    : 0;
+  const MassForces now = loads_.forces(bearing_.u, bearing_.v, bearing_.t, support_, multiplier_);
+  Eigen::Vector3d acceleration = now.total() / scene_.load.mass;
+  if (support_ == Support::held) acceleration.z() = 0;
+  arc.state.v.setZero();
+  arc.state.a.setZero();
+  system_.place(arc.state, arc.frame.master(bearing_.u), arc.frame.to_local(bearing_.v),
+                arc.frame.to_local(acceleration));
+  arc.state.R.setZero(); // the parts are at rest in themselves
+  const Eigen::Vector3d on_top = arc.frame.to_local(now.total());
+  for (int i = 0; i < 3; ++i)
+    if (const int equation = system_.top().equation[i]; equation >= 0)
+      arc.state.R[equation] = on_top[i] / system_.model().share();
+  const Eigen::Vector2d radial = bearing_.u.head<2>().normalized();
+  impact_ = {
+      bearing_.t, bearing_.t, std::atan2(radial.y(), radial.x()) * 180 / M_PI, bearing_.v.head<2>().dot(radial), 0,
+      0,          0};
+  others_elastic_ = record_.ledger.elastic - system_.model().share() * arc.state.energies.elastic;
+  others_plastic_ = record_.ledger.plastic - system_.model().share() * arc.state.energies.plastic;
+  touched_ = false;
+  peak_written_ = false;
+  dt_ = std::min(0.25 * plan_.step_in_contact, first_overlap / std::max(1e-3, impact_.approach_speed));
+  in_contact_ = true;
+  if (record_.response.size() == 0) sample(arc, 0, now, 0); // a window starts here
+}
+
+void DynamicRun::contact() {
+  Arc &arc = touched_arc();
+  if (!in_contact_) begin_contact(arc);
+  const double longest = plan_.step_in_contact;
+  const MarchReport report = march(bearing_.t, end_time(), {dt_, longest / 4096, longest},
+                                   [&](double t, double dt) { return attempt(arc, t, dt); });
+  record_.n_cuts += report.cuts;
+  if (report.finished) return;
+  save();
+  throw SolverStopped(fmt::format(
+      "the solver stopped at t = {:.6f} s, in contact, with a step of {:.3g} us: {}; partial results are kept; try "
+      "--set model.mesh=2 or a smaller model.step_ms and --resume",
+      report.reached, 1e6 * dt_, report.reason));
+}
+
+Attempt DynamicRun::attempt(Arc &arc, double t, double dt) {
+  if (is_interrupted(options_)) {
+    dt_ = dt;
+    save();
+    throw Interrupted();
+  }
+  const MassForces before = forces_now(arc, t);
+  const SystemState kept = arc.state;
+  StepTerms terms{Eigen::VectorXd::Zero(system_.equations().n)};
+  terms.dt = dt;
+  const RemoteTerms remote{system_.top(), loads_.law(arc.frame, t + dt, support_), system_.model().share(),
+                           multiplier_};
+  terms.remote = &remote;
+  const ContactStepReport report = time_step(system_, arc.state, terms, step_options_);
+  record_.n_newton += report.iterations;
+  dt_ = dt / 2;
+  if (!report.converged) return {false, dt_, report.reason};
+  const double finest = plan_.step_in_contact / 32;
+  if (!event_is_sharp(arc, report, dt, finest) || !error_is_small(arc, kept, before, report, dt)) {
+    arc.state = kept;
+    ++system_.work.cuts;
+    return {false, dt_, "the step's error is too large"};
+  }
+  accept(arc, kept, before, report, dt);
+  const bool ended = after_step(arc, report);
+  if (!ended && record_.n_steps - steps_kept_ >= checkpoint_every) save();
+  return {true, dt_, {}, ended};
+}
+
+bool DynamicRun::after_step(Arc &arc, const ContactStepReport &report) {
+  if (lifts_off(report)) {
+    support_ = Support::airborne;
+    multiplier_ = 0;
+    lift_height_ = std::min(0.0, height_above_dish(arc));
+  } else if (lands(arc)) {
+    land(arc);
+  }
+  const bool bears = arc.state.bearing_points() > 0;
+  if (bears) touched_ = true;
+  const double radial_speed = top_speed_of(arc).x();
+  refuse_passage(radial_speed, bears);
+  if (bears || (!touched_ && radial_speed >= 0)) return false;
+  end_contact(arc);
+  return true;
+}
+
+void DynamicRun::refuse_passage(double outward_speed, bool bears) {
+  const double depth = bearing_.u.head<2>().norm() - capacity(), thickness = scene_.bearing.rim.thickness;
+  const bool folded = depth > folded_over * thickness;
+  // In a history walls may part for an instant at first touch, the slider still coming on: it is touched again.
+  const bool let_go = !bears && touched_ && outward_speed > passing_share * impact_.approach_speed &&
+                      (window() || depth >= chatter_depth);
+  if (!folded && !let_go) return;
+  save();
+  throw SolverStopped(fmt::format("{} at t = {:.5g} s, {:.2f} mm beyond L_c, while the slider moves outwards at {:.3g} "
+                                  "m/s: it passes through or over "
+                                  "the rim (height {:g} mm, thickness {:g} mm), which this model does not follow; "
+                                  "nothing after the touch is a result for this impact of {:.3g} m/s",
+                                  folded ? "the rim is folded over" : "the rim let go of the slider", bearing_.t,
+                                  1e3 * depth, outward_speed, 1e3 * scene_.bearing.rim.height, 1e3 * thickness,
+                                  impact_.approach_speed));
+}
+
+bool DynamicRun::lifts_off(const ContactStepReport &report) const {
+  return support_ == Support::dish && report.multiplier < -smallest_pull * scene_.load.mass * scene_.load.gravity;
+}
+
+bool DynamicRun::lands(const Arc &arc) const {
+  return support_ == Support::airborne && height_above_dish(arc) < lift_height_ - deepest_landing;
+}
+
+double DynamicRun::height_above_dish(const Arc &arc) const {
+  return loads_.height_above_dish(arc.frame.displacement(top_of(arc)));
+}
+
+bool DynamicRun::event_is_sharp(const Arc &arc, const ContactStepReport &report, double dt, double finest) {
+  const bool release = touched_ && arc.state.bearing_points() == 0;
+  if ((!lifts_off(report) && !lands(arc) && !release) || dt <= finest) return true;
+  dt_ = dt / 4;
+  return false;
+}
+
+bool DynamicRun::error_is_small(const Arc &arc, const SystemState &kept, const MassForces &before,
+                                const ContactStepReport &report, double dt) {
+  constexpr double displacement_tolerance = 2e-6; // [m] a step
+  constexpr double energy_tolerance = 1.5e-5;     // of the largest input, a step
+  const auto scheme = GeneralizedAlpha::from(scene_.model.rho_inf);
+  const double change = system_.top().of(arc.state.a).x() - system_.top().of(kept.a).x();
+  const double displacement = std::abs(scheme.beta - 1.0 / 6) * dt * dt * std::abs(change) / displacement_tolerance;
+  // What the step leaves unbalanced: the trapezoidal work of the forces against the change of energy.
+  const MassForces after = loads_.forces(arc.frame.displacement(top_of(arc)), arc.frame.to_global(top_speed_of(arc)),
+                                         bearing_.t + dt, support_, report.multiplier);
+  const Eigen::Vector3d du = arc.frame.displacement(top_of(arc)) - arc.frame.displacement(system_.top().of(kept.u));
+  const double share = system_.model().share(),
+               stored = share * (arc.state.energies.elastic + arc.state.energies.plastic - kept.energies.elastic -
+                                 kept.energies.plastic);
+  const double unbalanced = 0.5 * (before.total() + after.total()).dot(du) -
+                            (share * (system_.kinetic_energy(arc.state) - system_.kinetic_energy(kept) +
+                                      taken_by(arc.state) + report.integrator_loss) +
+                             stored);
+  const double energy = std::abs(unbalanced) / (energy_tolerance * std::max(1.0, record_.ledger.largest_input));
+  const double error = std::max(displacement, energy);
+  if (error > 4 && dt > plan_.step_in_contact / 32) {
+    dt_ = dt * std::clamp(0.8 / std::cbrt(error), 0.25, 0.7);
+    return false;
+  }
+  dt_ = std::min(plan_.step_in_contact, dt * std::clamp(0.9 / std::cbrt(std::max(error, 1e-3)), 0.5, 1.6));
+  return true;
+}
+
+void DynamicRun::accept(Arc &arc, const SystemState &kept, const MassForces &before, const ContactStepReport &report,
+                        double dt) {
+  ++record_.n_steps;
+  record_.augmentation_caps += report.capped;
+  bearing_.t += dt;
+  multiplier_ = report.multiplier;
+  const MassForces after = forces_now(arc, bearing_.t);
+  const Eigen::Vector3d u0 = arc.frame.displacement(system_.top().of(kept.u)), u1 = arc.frame.displacement(top_of(arc)),
+                        du = u1 - u0;
+  const double share = system_.model().share();
+  auto &ledger = record_.ledger;
+  ledger.external += 0.5 * (before.ground + after.ground).dot(du);
+  ledger.gravity -= 0.5 * (before.weight + after.weight).dot(du);
+  ledger.friction -= 0.5 * (before.friction + after.friction).dot(du);
+  ledger.elastic = others_elastic_ + system_.model().share() * arc.state.energies.elastic;
+  ledger.plastic = others_plastic_ + system_.model().share() * arc.state.energies.plastic;
+  ledger.contact += share * arc.state.reports[0].normal_work;
+  ledger.friction += share * arc.state.reports[0].friction_work;
+  ledger.integrator += share * report.integrator_loss;
+  ledger.kinetic = share * system_.kinetic_energy(arc.state);
+  ledger.largest_input = std::max(ledger.largest_input, ledger.initial + std::abs(ledger.external));
+  bearing_.u = u1;
+  bearing_.v = arc.frame.to_global(top_speed_of(arc));
+  sample(arc, report.iterations, after, dt);
+
+  const double force = system_.wall_force(arc.state).head<2>().norm();
+  impact_.peak_force = std::max(impact_.peak_force, force);
+  impact_.peak_penetration = std::max(impact_.peak_penetration, bearing_.u.head<2>().norm() - capacity());
+  if (force > 0) impact_.release_time = bearing_.t;
+  if (!peak_written_ && touched_ && top_speed_of(arc).x() < 0) {
+    write_fields(arc);
+    peak_written_ = true;
+  }
+  if (options_.progress)
+    options_.progress(
+        {bearing_.t, end_time(), dt, report.iterations, capacity() - bearing_.u.head<2>().norm(), force, "contact"});
+}
+
+void DynamicRun::land(Arc &arc) {
+  const Eigen::Vector3d n = loads_.normal(bearing_.u);
+  const double approach = bearing_.v.dot(n);
+  support_ = Support::dish;
+  if (approach >= 0) return;
+  const double before = record_.ledger.kinetic;
+  system_.kick(arc.state, arc.frame.to_local(-(1 + scene_.reduced.vertical_restitution) * approach * n));
+  record_.ledger.kinetic = system_.model().share() * system_.kinetic_energy(arc.state);
+  record_.ledger.contact += before - record_.ledger.kinetic;
+  bearing_.v = arc.frame.to_global(top_speed_of(arc));
+}
+
+void DynamicRun::end_contact(Arc &arc) {
+  impact_.rebound_speed = -radial_speed();
+  const double strained = system_.model().share() * (arc.state.energies.elastic + arc.state.energies.plastic);
+  const double moving =
+      system_.model().share() * system_.kinetic_energy(arc.state) - system_.rigid_kinetic_energy(top_speed_of(arc));
+  const Eigen::Vector3d speed = top_speed_of(arc);
+  const ContactStepReport report = system_.relax(arc.state, step_options_);
+  record_.n_newton += report.iterations;
+  if (!report.converged) throw SolverStopped("the parts did not come to rest after the release: " + report.reason);
+  record_.ledger.elastic = others_elastic_ + system_.model().share() * arc.state.energies.elastic;
+  record_.ledger.plastic = others_plastic_ + system_.model().share() * arc.state.energies.plastic;
+  record_.ledger.impact +=
+      moving + strained - system_.model().share() * (arc.state.energies.elastic + arc.state.energies.plastic);
+  record_.ledger.kinetic = system_.rigid_kinetic_energy(speed);
+  arc.yielded = largest_plastic_strain(arc.state.history) > 0;
+  bearing_.airborne = support_ == Support::airborne;
+  const double dish = model_.height(bearing_.u.x(), bearing_.u.y()).z; // the height may have drifted by microns
+  if (support_ != Support::held) bearing_.u.z() = support_ == Support::dish ? dish : std::max(dish, bearing_.u.z());
+  if (touched_) {
+    record_.impacts.push_back(impact_);
+    write_fields(arc);
+  }
+  in_contact_ = false;
+  save();
+}
+
+} // namespace rimpact::fe

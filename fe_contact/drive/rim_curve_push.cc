@@ -1,0 +1,183 @@
+#include "fe_contact/drive/rim_curve_push.h"
+
+#include "fe_contact/drive/rim_run.h"
+#include "fe_contact/solver/ranks.h"
+#include "files/error.h"
+#include "planning/plan_parts.h"
+#include "responses/build_version.h"
+#include "scene/rim_identity.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::fe {
+namespace {
+
+constexpr double first_step = 1e-5, growth = 1.6, smallest_step = 1e-8; ///< of travel [m]
+constexpr double share_in = 0.12;            ///< longest step over the penetration: gentle impacts need it
+constexpr int steps_in = 40, steps_out = 14; ///< to the deepest point; of an unloading, by falls of the force
+constexpr double furthest = 20;              ///< times the rim's thickness: folded over
+
+/// The slider's way: along the dish, or held at the height of first touch.
+struct Way {
+  const reduced::PhysicalModel &model;
+  double capacity;
+  bool held;
+  Eigen::Vector3d at(double d) const {
+    return {d, 0, held ? 0.0 : model.height(capacity + d, 0).z - model.height(capacity, 0).z};
+  }
+};
+
+class CurvePush {
+public:
+  CurvePush(const scene::Scene &scene, RimSystem &system, const Way &way, const RunOptions &options)
+      : system_(system), way_(way), options_(options), step_options_(rim_step_options(scene)),
+        state_(system.at_rest()) {}
+
+  /// Loads until `works` [J, rising] are done, unloading from the first step beyond each.
+  reduced::CurvePath run(const std::vector<double> &works, double depth, double thickness) {
+    path_.loading = {{0}, {0}};
+    std::size_t next = 0;
+    const auto attempt = [&](double d, double step) {
+      Attempt result = push(state_, d + step);
+      if (!result.accepted) return result;
+      const double force = force_of(state_), work = work_ + (force + path_.loading.force.back()) / 2 * step;
+      path_.loading.penetration.push_back(d + step), path_.loading.force.push_back(force);
+      work_ = work;
+      result.wish = std::min(growth * step, share_in * (d + step) + first_step);
+      if (options_.progress)
+        options_.progress({work, works.back(), step, 0, -(d + step), force, way_.held ? "held" : "dish"});
+      if (work < works[next]) return result;
+      while (next < works.size() && work >= works[next]) ++next;
+      path_.unloading.push_back(unloading(d + step));
+      result.last = next == works.size();
+      return result;
+    };
+    const MarchReport report =
+        march(0, furthest * thickness, {first_step, smallest_step, depth / steps_in, growth}, attempt);
+    if (next < works.size())
+      throw SolverStopped(fmt::format("the curve stopped at {:.4f} mm beyond touch, with {:.4g} of {:.4g} J: {}; try a "
+                                      "finer mesh or a lower --speed",
+                                      1e3 * report.reached, work_, works.back(),
+                                      report.finished ? "the rim is folded over" : report.reason));
+    return std::move(path_);
+  }
+
+private:
+  Attempt push(SystemState &state, double d) {
+    if (is_interrupted(options_)) throw Interrupted();
+    const ContactStepReport report = system_.push(state, way_.at(d), step_options_);
+    return {report.converged, 0, report.reason};
+  }
+  double force_of(const SystemState &state) const { return -system_.wall_force(state).x(); }
+
+  reduced::CurveSamples unloading(double deepest) {
+    SystemState state = state_;
+    const double top = force_of(state), stiffness = path_.loading.force[1] / path_.loading.penetration[1];
+    reduced::CurveSamples back{{deepest}, {top}};
+    const auto attempt = [&](double way, double step) {
+      Attempt result = push(state, deepest - way - step);
+      if (!result.accepted) return result;
+      const double d = deepest - way - step, force = force_of(state), slope = (back.force.back() - force) / step;
+      result.last = state.bearing_points() == 0 || force <= 0;
+      if (!result.last) result.wish = top / steps_out / std::max(slope, 1e-3 * stiffness);
+      if (result.last) return end(back, d), result;
+      back.penetration.push_back(d), back.force.push_back(force);
+      return result;
+    };
+    const double first = top / stiffness / steps_out;
+    const MarchReport report = march(0, deepest, {first, smallest_step, 8 * first, growth}, attempt);
+    if (!report.finished)
+      throw SolverStopped(fmt::format("the unloading from {:.4f} mm stopped after {:.4f} mm: {}; try a finer mesh",
+                                      1e3 * deepest, 1e3 * report.reached, report.reason));
+    if (back.force.back() != 0) end(back, 0);
+    return back;
+  }
+
+  /// The walls part between the last sample and `parted`: where the force goes on to as it came.
+  static void end(reduced::CurveSamples &back, double parted) {
+    const std::size_t n = back.force.size();
+    double open = parted;
+    if (n > 1) {
+      const double slope =
+          (back.force[n - 2] - back.force[n - 1]) / (back.penetration[n - 2] - back.penetration[n - 1]);
+      open = std::max(parted, back.penetration[n - 1] - back.force[n - 1] / slope);
+    }
+    back.penetration.push_back(std::max(0.0, open)), back.force.push_back(0);
+  }
+
+  RimSystem &system_;
+  const Way way_;
+  const RunOptions &options_;
+  const StepOptions step_options_;
+  SystemState state_;
+  reduced::CurvePath path_;
+  double work_ = 0;
+};
+
+/// Works at which to unload [J]: of the mass at speeds that lie closer where they are low, there the rebound falls
+/// fastest.
+std::vector<double> works_of(const CurveOrder &order) {
+  std::vector<double> works;
+  for (int i = 1; i <= order.unloadings; ++i) {
+    const double speed = order.speed * std::pow(double(i) / order.unloadings, 1.5);
+    works.push_back(order.mass / 2 * speed * speed);
+  }
+  return works;
+}
+
+/// Largest difference of two loadings' forces at the same work, relative.
+double difference(const reduced::CurvePath &fine, const reduced::CurvePath &coarse) {
+  const reduced::RimCurve a(fine), b(coarse);
+  double largest = 0;
+  for (double share = 0.1; share <= 1; share += 0.1) {
+    const double work = share * share * a.work(a.range()), force = a.loading(a.depth_of(work)).force;
+    largest = std::max(largest, std::abs(b.loading(b.depth_of(work)).force / force - 1));
+  }
+  return largest;
+}
+
+void require(const CurveOrder &order) {
+  if (!(order.mass > 0)) throw InputError(fmt::format("--mass-kg {:g} must be > 0", order.mass));
+  if (!(order.speed > 0)) throw InputError(fmt::format("--speed {:g} must be > 0", order.speed));
+  if (order.unloadings < 3) throw InputError(fmt::format("--unloadings {} must be at least 3", order.unloadings));
+}
+
+} // namespace
+
+reduced::RimCurveFile push_rim_curve(const scene::Scene &scene, const CurveOrder &order, const RunOptions &options) {
+  require(order);
+  const OnOneRank alone;
+  const reduced::PhysicalModel physical(scene);
+  const double capacity = scene.bearing.lateral_capacity(), thickness = scene.bearing.rim.thickness;
+  const auto works = works_of(order);
+  scene::Scene struck = scene;
+  struck.load.mass = order.mass;
+  const double depth = planning::depth_of_impact(struck, order.speed);
+  reduced::RimCurveFile result;
+  const auto pushed = [&](int level, bool held, const std::vector<double> &to) {
+    scene::Scene at = scene;
+    at.model.mesh = level;
+    const RimModel model(at.bearing, rim_mesh_options(at, planning::Plan{}), at.model.penalty_scale);
+    RimSystem system(model, 0);
+    if (level == scene.model.mesh) result.mesh = fmt::format("level {}, {} unknowns", level, system.equations().n);
+    return CurvePush(at, system, {physical, capacity, held}, options).run(to, depth, thickness);
+  };
+  result.dish = pushed(scene.model.mesh, false, works);
+  result.held = pushed(scene.model.mesh, true, works);
+  result.bearing = scene.bearing.name;
+  result.rim_identity = scene::rim_identity(scene.bearing);
+  result.made_by = build_version();
+  result.errors.left_out_rebound =
+      std::max(reduced::RimCurve(result.dish).left_out_rebound(), reduced::RimCurve(result.held).left_out_rebound());
+  if (order.estimate && scene.model.mesh > 0) {
+    // A coarser mesh's errors are (1.5)^2 times as large, so that the difference is 1.25 times what is left on this
+    // one.
+    const double refinement = 1.5 * 1.5 - 1;
+    result.errors.mesh_force =
+        difference(result.dish, pushed(scene.model.mesh - 1, false, {works.back()})) / refinement;
+  }
+  return result;
+}
+
+} // namespace rimpact::fe

@@ -1,0 +1,173 @@
+#include "fe_contact/drive/fields.h"
+#include "fe_contact/drive/rim_dynamic.h"
+#include "fe_contact/drive/sample_row.h"
+
+#include "files/error.h"
+#include <algorithm>
+#include <cmath>
+
+namespace rimpact::fe {
+namespace {
+
+/// Arcs closer than this share one yielded state [rad].
+constexpr double arc_width = 0.14;
+constexpr double shortest_stretch = 1e-12; ///< less than this before its end a scene has ended [s]
+constexpr double nearest_look = 1e-3;      ///< a dented arc's true gap is computed within this of touch [m]
+
+} // namespace
+
+void DynamicRun::run() {
+  if (options_.resume)
+    restore();
+  else
+    start();
+  if (record_.ended) return;
+  while (bearing_.t < end_time() - shortest_stretch) {
+    if (!in_contact_ && !fly()) return finish();
+    contact();
+    if (window() && !in_contact_) return finish();
+  }
+  finish();
+}
+
+void DynamicRun::start() {
+  record_.ledger.initial = 0.5 * scene_.load.mass * bearing_.v.squaredNorm();
+  record_.ledger.largest_input = record_.ledger.initial;
+  record_.ledger.kinetic = record_.ledger.initial;
+}
+
+double DynamicRun::wall_gap(const Eigen::Vector3d &u) const {
+  const double plain = capacity() - u.head<2>().norm();
+  if (plain > nearest_look) return plain;
+  const Arc *arc = arc_at(u);
+  return arc && arc->yielded ? system_.wall_gap(arc->state, arc->frame.master(u)) : plain;
+}
+
+const Arc *DynamicRun::arc_at(const Eigen::Vector3d &u) const {
+  const double direction = std::atan2(u.y(), u.x());
+  for (const auto &arc : arcs_)
+    if (std::abs(std::remainder(direction - arc.frame.direction, 2 * M_PI)) < arc_width) return &arc;
+  return nullptr;
+}
+
+Arc &DynamicRun::touched_arc() {
+  if (in_contact_) return arcs_[current_];
+  if (const Arc *known = arc_at(bearing_.u)) {
+    current_ = known - arcs_.data();
+    return arcs_[current_];
+  }
+  const double direction = std::atan2(bearing_.u.y(), bearing_.u.x());
+  for (const auto &arc : arcs_)
+    if (std::abs(std::remainder(direction - arc.frame.direction, 2 * M_PI)) < 3 * arc_width)
+      record_.warnings.push_back("two touched arcs lie within " + std::to_string(int(3 * arc_width * 180 / M_PI)) +
+                                 " degrees of one another; each was solved with its own yielded state");
+  arcs_.push_back({{direction, capacity(), touch_height_}, system_.at_rest(), false});
+  current_ = arcs_.size() - 1;
+  return arcs_.back();
+}
+
+bool DynamicRun::fly() {
+  if (window() && bearing_.t == 0) return true; // a window starts at touch
+  const auto stop = [this](const Eigen::Vector3d &u) { return wall_gap(u); };
+  const double chunk = 0.25; // for progress and Ctrl-C [s]
+  while (bearing_.t < end_time()) {
+    if (is_interrupted(options_)) throw Interrupted();
+    EnergyLedger before = record_.ledger;
+    const auto end = reduced_flight(std::min(end_time(), bearing_.t + chunk), stop);
+    bearing_ = end.state;
+    record_.ledger.elastic = before.elastic; // what the arcs keep
+    record_.ledger.plastic = before.plastic;
+    if (options_.progress) options_.progress({bearing_.t, end_time(), chunk, 0, wall_gap(bearing_.u), 0.0, "flight"});
+    if (end.stopped) return true;
+  }
+  return false;
+}
+
+reduced::FlightEnd DynamicRun::reduced_flight(double t_end,
+                                              const std::function<double(const Eigen::Vector3d &)> &stop) {
+  try {
+    const auto end = model_.fly(bearing_, t_end, stop, record_.response, record_.ledger);
+    pad_fe_signals();
+    return end;
+  } catch (const SolverStopped &) {
+    pad_fe_signals(); // what is before the stop is kept
+    throw;
+  }
+}
+
+void DynamicRun::pad_fe_signals() {
+  double strain = 0;
+  for (const auto &arc : arcs_) strain = std::max(strain, largest_plastic_strain(arc.state.history));
+  auto &r = record_.response;
+  const auto &e = record_.ledger;
+  const std::pair<const char *, double> values[] = {{"plastic_strain_max", strain},
+                                                    {"contact_pressure_max", 0},
+                                                    {"newton_iterations", 0},
+                                                    {"energy_elastic", e.elastic},
+                                                    {"energy_plastic", e.plastic},
+                                                    {"energy_integrator", e.integrator},
+                                                    {"augmentations", 0},
+                                                    {"backtracks", 0},
+                                                    {"linear_iterations", 0},
+                                                    {"factorisations", 0},
+                                                    {"cuts", 0}};
+  for (const auto &[name, value] : values) r.series(name).resize(r.size(), value);
+  auto &gap = r.series("surface_gap");
+  auto &step = r.series("step");
+  for (std::size_t k = gap.size(); k < r.size(); ++k) gap.push_back(r.series("gap")[k]);
+  for (std::size_t k = step.size(); k < r.size(); ++k)
+    step.push_back(k > 0 ? r.series("time")[k] - r.series("time")[k - 1] : 0.0);
+}
+
+void DynamicRun::sample(const Arc &arc, int iterations, const MassForces &forces, double dt) {
+  const Eigen::Vector3d impact = arc.frame.to_global(system_.wall_force(arc.state));
+  const SurfaceContactReport &wall = arc.state.reports[0];
+  append(record_, {bearing_.t, bearing_.u, bearing_.v, forces.pendular + forces.friction + impact, forces.pendular,
+                   forces.friction, impact, std::max(0.0, forces.normal), capacity() - bearing_.u.head<2>().norm(),
+                   std::min(wall.smallest_gap, no_gap), largest_plastic_strain(arc.state.history),
+                   wall.largest_pressure, iterations, dt});
+}
+
+void DynamicRun::write_fields(const Arc &arc) {
+  fe::write_fields(system_, arc.state, system_.expand(arc.state), "rim", bearing_.t, options_, record_,
+                   arc.frame.direction * 180 / M_PI);
+}
+
+void DynamicRun::finish() {
+  if (in_contact_) write_fields(arcs_[current_]);
+  if (in_contact_ && touched_) {
+    impact_.rebound_speed = -radial_speed(); // the scene's end, not the rim's
+    record_.impacts.push_back(impact_);
+  }
+  record_.ended = true;
+  save();
+}
+
+meshes::RimMeshOptions rim_mesh_options(const scene::Scene &scene, const planning::Plan &plan) {
+  meshes::RimMeshOptions mesh;
+  mesh.level = scene.model.mesh;
+  mesh.half = plan.half;
+  mesh.sector_half_angle = plan.sector_half_angle;
+  mesh.own = scene.model.own_mesh;
+  return mesh;
+}
+
+StepOptions rim_step_options(const scene::Scene &scene) {
+  StepOptions options;
+  options.newton.tolerance = 1e-5;
+  options.newton.max_iterations = 15;
+  options.newton.finest_forcing = 1e-6;
+  options.gap_tolerance = options.slip_tolerance = 3e-5;
+  options.max_augmentations = 3;
+  options.rho_inf = scene.model.rho_inf;
+  options.expects = true;
+
+  return options;
+}
+
+void run_rim_dynamic(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
+                     RimSystem &system, RunRecord &record) {
+  DynamicRun(scene, plan, options, system, record).run();
+}
+
+} // namespace rimpact::fe

@@ -1,0 +1,161 @@
+// Runs a scene by finite elements and writes its folder, whatever happens on the way.
+#include "fe_contact/drive/run.h"
+
+#include "fe_contact/drive/fields.h"
+#include "fe_contact/drive/record_checkpoint.h"
+#include "fe_contact/drive/rim_run.h"
+#include "fe_contact/drive/stack_drive.h"
+#include "fe_contact/drive/stack_run.h"
+#include "fe_contact/solver/ranks.h"
+#include "files/error.h"
+#include "responses/identity.h"
+#include "responses/limits.h"
+#include <filesystem>
+#include <fmt/format.h>
+#include <new>
+#include <optional>
+
+namespace rimpact::fe {
+namespace {
+
+Summary summarise(const scene::Scene &scene, const RunRecord &record) {
+  const double seconds = record.wall_so_far();
+  Summary summary;
+  if (record.response.size() > 0) summarise_response(record.response, summary);
+  summary.impacts = record.impacts; // exact instants and speeds, not those of the samples
+  summary.energy = record.ledger;
+  summary.rung = scene.model.rung;
+  summary.mesh = scene.model.mesh;
+  summary.n_steps = record.n_steps;
+  summary.n_newton_iterations = record.n_newton;
+  if (scene.excitation.kind == scene::ExcitationKind::window && !scene.excitation.with_weight)
+    summary.min_normal_force.reset();
+  summary.wall_time = seconds;
+  summary.peak_memory_bytes = static_cast<long>(ranks().sum(static_cast<double>(peak_memory_bytes())));
+  summary.n_dofs = record.n_dofs;
+  summary.time_split = record.time_split;
+  double output = seconds;
+  for (const auto &[name, value] : record.time_split) output -= value;
+  const auto &r = record.response;
+  if (r.has("plastic_strain_max") && r.size() > 0) summary.max_plastic_strain = r.series("plastic_strain_max").back();
+  summary.time_split["output"] = std::max(0.0, output); // meshing, flights and files
+  summary.extra["cuts"] = record.n_cuts;
+  const SolverWork work = record.work_so_far();
+  summary.extra["solver_work"] = {
+      {"newton_iterations", work.iterations},        {"backtracks", work.backtracks},
+      {"linear_iterations", work.linear_iterations}, {"factorisations", work.factorisations},
+      {"augmentations", work.augmentations},         {"steps_not_taken", work.cuts}};
+  summary.extra["augmentation_cap_reached"] = record.augmentation_caps;
+  summary.extra["warnings"] = record.warnings;
+  return summary;
+}
+
+} // namespace
+
+meshes::HexMesh mesh_of(const scene::Scene &scene, const planning::Plan &plan) {
+  if (scene.model.rung == "rim") return meshes::rim_mesh(scene.bearing, rim_mesh_options(scene, plan));
+  return meshes::stack_mesh(scene.bearing, stack_mesh_options(scene, plan));
+}
+
+bool is_first_rank() {
+  return ranks().first();
+}
+
+bool on_any_rank(bool here) {
+  return ranks().any(here);
+}
+
+bool is_interrupted(const RunOptions &options) {
+  return ranks().any(options.interrupted && *options.interrupted);
+}
+
+void check_supported(const scene::Scene &scene) {
+  if (const auto reason = planning::refusal(scene)) throw InputError(*reason);
+}
+
+namespace {
+
+/// Whether the run goes on from the folder's checkpoint. Where the checkpoint holds nothing but the beginning, or the
+/// rung keeps none, it starts afresh, and says so.
+bool goes_on(const scene::Scene &scene, const RunOptions &options, const RunRecord &record) {
+  if (!options.resume) return false;
+  const bool begun = has_only_begun(kept_checkpoint(options, record)),
+             push = scene.model.rung == "rim" && scene.excitation.kind == scene::ExcitationKind::push;
+  if (begun && options.remark)
+    options.remark(push ? "a push on rung rim keeps no checkpoint on its way: it starts afresh"
+                        : "the run was ended before its first checkpoint: it starts afresh");
+  return !begun;
+}
+
+void run_rung(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options, RunRecord &record) {
+  if (scene.model.rung != "rim")
+    return (scene.excitation.is_dynamic() ? run_stack_dynamic : run_stack_static)(scene, plan, options, record);
+  const RimModel model(scene.bearing, rim_mesh_options(scene, plan), scene.model.penalty_scale);
+  RimSystem system(model, scene.load.mass);
+  record.n_dofs = system.equations().n;
+  run_counted(
+      record,
+      [&] {
+        if (scene.excitation.kind == scene::ExcitationKind::push)
+          run_rim_push(scene, options, system, record);
+        else
+          run_rim_dynamic(scene, plan, options, system, record);
+      },
+      [&] { return system.time_split; }, [&] { return system.work; });
+}
+
+} // namespace
+
+Summary run(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &given) {
+  check_supported(scene);
+  RunOptions options = given;
+  const bool on_its_own = scene.model.rung == "rim"; // too small to be shared: the first rank's work
+  if (on_its_own && !options.writes) return {};
+  std::optional<OnOneRank> alone;
+  if (on_its_own) alone.emplace();
+  RunRecord record;
+  record.identity = to_json(identity_of(scene));
+  std::exception_ptr failure;
+  std::string status = "done", reason;
+  std::error_code failed;
+  if (options.writes) std::filesystem::create_directories(options.folder, failed);
+  if (failed) throw IoError("cannot make the run folder " + options.folder + ": " + failed.message());
+  options.resume = goes_on(scene, options, record);
+  if (!options.resume) begin_checkpoint(options, record);
+  try {
+    run_rung(scene, plan, options, record);
+  } catch (const Interrupted &error) {
+    status = "interrupted";
+    reason = error.what();
+    failure = std::current_exception();
+  } catch (const SolverStopped &error) {
+    status = "stopped";
+    reason = error.what();
+    failure = std::current_exception();
+  } catch (const std::bad_alloc &) {
+    status = "stopped";
+    reason = "there is not enough memory; a coarser mesh (a lower model.mesh) needs less";
+    failure = std::make_exception_ptr(SolverStopped(reason));
+  }
+  const auto doubt = failure ? std::nullopt : doubt_of_rebound(record.response, record.impacts);
+  if (doubt) record.warnings.push_back(*doubt);
+  for (const auto &found :
+       {doubt_of_ledger(record.ledger), doubt_of_contact(record.ledger, record.impacts, scene.load.mass)})
+    if (found) record.warnings.push_back(*found);
+  Summary summary = summarise(scene, record);
+  summary.status = status;
+  summary.reason = reason;
+  summary.extra["identity"] = record.identity;
+  summary.extra["plan"] = to_json(plan);
+  summary.extra["ranks"] = ranks().size;
+  judge(scene, summary);
+  if (!failure && options.annotate) options.annotate(summary);
+  if (options.writes) {
+    write_run_folder(options.folder, scene, record.response, summary);
+    write_pvd(options, record);
+  }
+  if (failure) std::rethrow_exception(failure);
+  return summary;
+}
+
+} // namespace rimpact::fe

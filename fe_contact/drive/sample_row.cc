@@ -1,0 +1,59 @@
+#include "fe_contact/drive/sample_row.h"
+
+namespace rimpact::fe {
+
+namespace {
+
+/// What was solved since the row before, whether it was taken or not.
+void append_work(RunRecord &record) {
+  if (record.response.size() == 1) record.rows_work = record.work_so_far(); // what came before the first row is no step
+  const SolverWork now = record.work_so_far(), &before = record.rows_work;
+  const std::pair<const char *, long> counts[] = {
+      {"augmentations", now.augmentations - before.augmentations},
+      {"backtracks", now.backtracks - before.backtracks},
+      {"linear_iterations", now.linear_iterations - before.linear_iterations},
+      {"factorisations", now.factorisations - before.factorisations},
+      {"cuts", now.cuts - before.cuts}};
+  for (const auto &[name, count] : counts) record.response.append(name, static_cast<double>(count));
+  record.rows_work = now;
+}
+
+} // namespace
+
+void append(RunRecord &record, const SampleRow &row) {
+  auto &r = record.response;
+  const char *axes[3] = {"x", "y", "z"};
+  for (int i = 0; i < 3; ++i) {
+    r.append(std::string("displacement_") + axes[i], row.u[i]);
+    r.append(std::string("velocity_") + axes[i], row.v[i]);
+    r.append(std::string("force_") + axes[i], row.total[i]);
+    if (i == 2) break;
+    r.append(std::string("pendular_") + axes[i], row.pendular[i]);
+    r.append(std::string("friction_") + axes[i], row.friction[i]);
+    r.append(std::string("impact_") + axes[i], row.impact[i]);
+  }
+  const auto &e = record.ledger;
+  const std::pair<const char *, double> values[] = {{"time", row.time},
+                                                    {"gap", row.gap},
+                                                    {"surface_gap", row.surface_gap},
+                                                    {"plastic_strain_max", row.plastic_strain},
+                                                    {"contact_pressure_max", row.contact_pressure},
+                                                    {"newton_iterations", static_cast<double>(row.newton_iterations)},
+                                                    {"step", row.step},
+                                                    {"energy_external", e.external},
+                                                    {"energy_gravity", e.gravity},
+                                                    {"energy_kinetic", e.kinetic},
+                                                    {"energy_elastic", e.elastic},
+                                                    {"energy_plastic", e.plastic},
+                                                    {"energy_friction", e.friction},
+                                                    {"energy_impact", e.impact},
+                                                    {"energy_contact", e.contact},
+                                                    {"energy_integrator", e.integrator}};
+  for (const auto &[name, value] : values) r.append(name, value);
+  append_work(record);
+  const bool kept_so_far = r.size() == 1 || r.has("pad_pressure_max"); // a checkpoint of an older build has none
+  if (row.pad_pressure && kept_so_far) r.append("pad_pressure_max", *row.pad_pressure);
+  if (row.normal_force) r.append("normal_force", *row.normal_force);
+}
+
+} // namespace rimpact::fe

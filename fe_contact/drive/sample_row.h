@@ -1,0 +1,25 @@
+/// One instant of a finite-element run as the response stores it, whatever the rung. SI units.
+#pragma once
+#include "fe_contact/drive/run_record.h"
+#include <Eigen/Core>
+#include <optional>
+
+namespace rimpact::fe {
+
+struct SampleRow {
+  double time;          ///< [s], or the load parameter
+  Eigen::Vector3d u, v; ///< of the slider, from rest on the vertex
+  /// Of the bearing on the mass [N]; `total` is their sum. Of the parts only the plane is stored.
+  Eigen::Vector3d total, pendular, friction, impact;
+  std::optional<double> normal_force; ///< of the dish; empty: not stored
+  double gap, surface_gap;
+  double plastic_strain, contact_pressure; ///< largest
+  int newton_iterations;
+  double step;                             ///< taken [s], or of the load parameter
+  std::optional<double> pad_pressure = {}; ///< largest of the pad on the dish [Pa]; empty: there is no pad
+};
+inline constexpr double no_gap = 1.0; ///< stored as surface_gap where nothing is opposite [m]
+/// With the energies of the record's ledger as it stands.
+void append(RunRecord &record, const SampleRow &row);
+
+} // namespace rimpact::fe

@@ -1,0 +1,97 @@
+// The slider comes to the rim where the plan meshed none: the run goes on from there on a mesh with one more sector.
+#include "fe_contact/drive/stack_dynamic.h"
+
+#include "fe_contact/engine/mesh_transfer.h"
+#include "files/error.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::fe {
+namespace {
+
+SolidEnergies energies_at(const StackModel &model, const StackSystem &system, const Eigen::VectorXd &displacements,
+                          const SolidHistory &history) {
+  SolidHistory same;
+  SolidEnergies result;
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(system.equations().n);
+  if (!model.solid.assemble(displacements, history, same, system.equations(), forces, nullptr, result))
+    throw SolverStopped("the state could not be carried over to the mesh with one more sector: a cell is inverted "
+                        "there; try rung `rim`, which meshes any side");
+  return result;
+}
+
+/// What sticks and bears of pad and socket, whose slave faces are the same in both meshes.
+void carry_contacts(const SystemState &old, const StackSystem &system, SystemState &state) {
+  for (const std::size_t i : {StackSystem::dish, StackSystem::socket}) {
+    if (old.contacts[i].multiplier.size() != state.contacts[i].multiplier.size())
+      throw SolverStopped(
+          "the state could not be carried over to the mesh with one more sector: pad or cap have other points there");
+    state.contacts[i] = system.contact(i).carried(old.contacts[i], system.expand(state));
+    state.reports[i] = old.reports[i];
+  }
+}
+
+} // namespace
+
+std::optional<double> StackDynamic::unmeshed_direction() const {
+  constexpr double served = 0.15; // cells grow away from a sector's middle [rad]
+  const Eigen::Vector3d u = travel();
+  const double direction = std::atan2(u.y(), u.x()),
+               reach = scene_.model.own_mesh.any() ? plan_.sector_half_angle - 0.3 : served;
+  const auto serves = [&](double sector) { return std::abs(std::remainder(direction - sector, 2 * M_PI)) < reach; };
+  if (std::any_of(plan_.sectors.begin(), plan_.sectors.end(), serves)) return {};
+  if (!scene_.model.own_mesh.any()) return model_.mesh.half ? (u.x() < 0 ? M_PI : 0.0) : direction;
+  save();
+  throw SolverStopped(
+      fmt::format("at t = {:.4f} s the slider comes to the rim at {:.0f} deg, where the scout saw no impact and the "
+                  "own mesh is not known to "
+                  "have a rim; partial results are kept; without an own mesh the run would replan itself",
+                  t_, direction * 180 / M_PI));
+}
+
+void StackDynamic::take_over(const StackDynamic &old) {
+  const MeshTransfer transfer(old.model_.space, model_.space);
+  state_ = active().at_rest();
+  const auto moved = [&](const Eigen::VectorXd &values) {
+    return active().equations().gather(transfer.nodal(old.active().equations().expand(values)));
+  };
+  state_.u = moved(old.state_.u), state_.v = moved(old.state_.v), state_.a = moved(old.state_.a);
+  state_.R = active().mass_times(state_.a);
+  state_.history = transfer.history(old.state_.history);
+  carry_contacts(old.state_, active(), state_);
+  if (!model_.full() && old.held_.displacement.size()) held_.displacement = transfer.nodal(old.held_.displacement);
+  state_.energies = energies_at(model_, active(), active().expand(state_), state_.history);
+  if (!model_.full()) {
+    const SolidEnergies all = energies_at(model_, joined_, displacements(), state_.history);
+    held_.energies = {all.elastic - state_.energies.elastic, all.plastic - state_.energies.plastic};
+  }
+  t_ = old.t_, rest_height_ = old.rest_height_, rest_elastic_ = old.rest_elastic_, rest_plastic_ = old.rest_plastic_;
+  external_before_ = old.external_before_, height_before_ = old.height_before_, steps_kept_ = old.steps_kept_;
+  next_step_ = transient_.contact_step;
+  report_ = old.report_;
+  const double lost = book_hand_over(old.held_.energies);
+  record_.n_dofs = joined_.equations().n;
+  record_.warnings.push_back(fmt::format(
+      "at {:.3f} s the slider came to the rim at {:.0f} deg, where the scout saw no impact: replanned, from there on "
+      "with "
+      "{} sectors and {} unknowns; the hand-over to the new mesh changed the energy by {:.1e} of the largest input",
+      t_, plan_.sectors.back() * 180 / M_PI, plan_.sectors.size(), record_.n_dofs,
+      lost / std::max(record_.ledger.largest_input, 1e-300)));
+  active().start_afresh_at(state_);
+  save();
+}
+
+/// What the new mesh stores less than the old one is the numerics' loss. Returns its amount, of the whole bearing [J].
+double StackDynamic::book_hand_over(const SolidEnergies &held_before) {
+  auto &ledger = report_.ledger;
+  const double kinetic = active().kinetic_energy(state_);
+  const double moving =
+      ledger.kinetic - kinetic + ledger.elastic - state_.energies.elastic + ledger.plastic - state_.energies.plastic;
+  const double held = held_before.elastic - held_.energies.elastic + held_before.plastic - held_.energies.plastic;
+  ledger.kinetic = kinetic, ledger.elastic = state_.energies.elastic, ledger.plastic = state_.energies.plastic;
+  ledger.integrator += moving + held;
+  return model_.share() * std::abs(moving + held);
+}
+
+} // namespace rimpact::fe

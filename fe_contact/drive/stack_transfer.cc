@@ -1,0 +1,55 @@
+#include "fe_contact/drive/stack_transfer.h"
+
+namespace rimpact::fe {
+namespace {
+
+/// Values of the equations that both numberings have; others as `rest` holds them.
+Eigen::VectorXd carried_over(const Equations &from, const Equations &to, const Eigen::VectorXd &values,
+                             Eigen::VectorXd rest) {
+  for (std::size_t dof = 0; dof < to.of_dof.size(); ++dof)
+    if (from.of_dof[dof] >= 0 && to.of_dof[dof] >= 0) rest[to.of_dof[dof]] = values[from.of_dof[dof]];
+  return rest;
+}
+
+void carry_over(const StackSystem &from, const StackSystem &to, const SystemState &state, SystemState &result) {
+  const Eigen::VectorXd none = Eigen::VectorXd::Zero(to.equations().n);
+  for (const auto vector : {&SystemState::v, &SystemState::a, &SystemState::R})
+    result.*vector = carried_over(from.equations(), to.equations(), state.*vector, none);
+  result.history = state.history;
+  for (const std::size_t i : {StackSystem::dish, StackSystem::socket}) {
+    result.contacts[i] = state.contacts[i];
+    result.reports[i] = state.reports[i];
+  }
+}
+
+} // namespace
+
+SystemState joined_state(const StackSystem &alone, const SystemState &state, const HeldRim &held, StackSystem &joined) {
+  SystemState result = joined.at_rest();
+  carry_over(alone, joined, state, result);
+  result.u = carried_over(alone.equations(), joined.equations(), state.u,
+                          held.displacement.size() ? joined.equations().gather(held.displacement)
+                                                   : Eigen::VectorXd::Zero(joined.equations().n));
+  result.contacts[StackSystem::rim] = joined.contact(StackSystem::rim).open(joined.expand(result));
+  result.energies.elastic = state.energies.elastic + held.energies.elastic;
+  result.energies.plastic = state.energies.plastic + held.energies.plastic;
+  return result;
+}
+
+SystemState parted_state(const StackModel &model, const StackSystem &joined, const SystemState &state,
+                         StackSystem &alone, HeldRim &held) {
+  SystemState result = alone.at_rest();
+  carry_over(joined, alone, state, result);
+  result.u = carried_over(joined.equations(), alone.equations(), state.u, result.u);
+  held.displacement = joined.expand(state);
+  for (std::size_t dof = 0; dof < alone.equations().of_dof.size(); ++dof)
+    if (alone.equations().of_dof[dof] >= 0) held.displacement[dof] = 0;
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(alone.equations().n);
+  SolidHistory same;
+  model.solid.assemble(alone.expand(result), state.history, same, alone.equations(), forces, nullptr, result.energies);
+  held.energies.elastic = state.energies.elastic - result.energies.elastic;
+  held.energies.plastic = state.energies.plastic - result.energies.plastic;
+  return result;
+}
+
+} // namespace rimpact::fe

@@ -1,0 +1,118 @@
+#include "fe_contact/engine/contact_steps.h"
+
+#include <algorithm>
+#include <string>
+
+namespace rimpact::fe {
+namespace {
+
+constexpr double slow = 0.5; ///< left after an augmentation over left before
+
+/// Newton inside Uzawa's loop, from u; the system's trial then holds the solution.
+ContactStepReport solve(ContactSystem &system, const SystemState &state, const StepTerms &terms,
+                        const StepOptions &options, Eigen::VectorXd &u) {
+  ContactStepReport report;
+  system.prepare(state, terms);
+  NewtonOptions newton_options = options.newton;
+  if (options.max_augmentations > 0)
+    newton_options.tolerance = std::max(options.newton.tolerance, options.tolerance_between);
+  for (double worst = 0;;) {
+    const NewtonReport newton_report = newton(system, u, newton_options);
+    report.iterations += newton_report.iterations;
+    report.residuals = newton_report.residuals;
+    if (!newton_report.converged) {
+      report.reason = newton_report.reason;
+      ++system.work.cuts;
+      return report;
+    }
+    const double before = worst;
+    const auto left = system.left_to_augment();
+    report.gap_left = left.gap;
+    report.slip_left = left.slip;
+    worst = std::max(left.gap / options.gap_tolerance, left.slip / options.slip_tolerance);
+    const bool augmented = worst <= 1, capped = !augmented && report.augmentations >= options.max_augmentations;
+    if ((augmented || capped) && newton_report.residuals.back() > options.newton.tolerance) {
+      newton_options.tolerance = options.newton.tolerance; // now to the end
+      newton_options.evaluated = true;
+      continue;
+    }
+    newton_options.evaluated = false;
+    if (augmented || capped) {
+      report.capped = capped && options.max_augmentations > 0;
+      break;
+    }
+    // Uzawa's loop is as slow as the penalty is soft beside the body: then the penalty grows (Bertsekas 1982).
+    if (report.augmentations > 0 && worst > slow * before && system.stiffen(4)) report.stiffened = true;
+    ++report.augmentations;
+    ++system.work.augmentations;
+    system.augment();
+  }
+  const int lost = system.lost_points();
+  if (lost > 0)
+    report.reason = std::to_string(lost) + " contact points moved past the faces opposite them within the step";
+  report.converged = lost == 0;
+  if (lost > 0) ++system.work.cuts;
+  return report;
+}
+
+NextMultipliers next_multipliers(const StepOptions &options, const ContactStepReport &report) {
+  if (options.max_augmentations == 0) return NextMultipliers::none;
+  return report.capped ? NextMultipliers::same : NextMultipliers::augmented;
+}
+
+} // namespace
+
+ContactStepReport static_step(ContactSystem &system, SystemState &state, const StepTerms &terms,
+                              const StepOptions &options, const Eigen::VectorXd &guess) {
+  Eigen::VectorXd u = guess.size() ? guess : state.u;
+  ContactStepReport report = solve(system, state, terms, options, u);
+  if (report.converged) system.commit(u, state, next_multipliers(options, report));
+  return report;
+}
+
+ContactStepReport time_step(ContactSystem &system, SystemState &state, const StepTerms &terms,
+                            const StepOptions &options) {
+  const Inertia inertia(GeneralizedAlpha::from(options.rho_inf), terms.dt, state);
+  StepTerms in_time = terms;
+  in_time.inertia = &inertia;
+  if (options.expects && state.last_dt > 0) in_time.expected = terms.dt / state.last_dt;
+  // The last increment repeated: loading goes on mostly as it did, where the velocities ring from cell to cell.
+  Eigen::VectorXd u = state.u + (state.last_dt > 0 ? terms.dt / state.last_dt * state.last_change : terms.dt * state.v);
+  ContactStepReport report = solve(system, state, in_time, options, u);
+  if (!report.converged) return report;
+  report.multiplier = system.multiplier();
+  const Eigen::VectorXd a = inertia.acceleration(u), du = u - state.u, da = a - state.a, R_old = state.R;
+  system.commit(u, state, next_multipliers(options, report));
+  state.last_change = du;
+  state.last_dt = terms.dt;
+  report.integrator_loss = inertia.scheme.loss(terms.dt, du, da, system.mass_times(da), R_old, state.R);
+  state.v = inertia.velocity(a);
+  state.a = a;
+  return report;
+}
+
+PreloadReport preload(ContactSystem &system, SystemState &state, const Eigen::VectorXd &load, double stiffness,
+                      const StepOptions &options, double share) {
+  constexpr int most_rounds = 30;
+  PreloadReport report;
+  StepTerms terms{load};
+  for (terms.stabilisation = stiffness; report.rounds < most_rounds; terms.stabilisation *= 0.1) {
+    const ContactStepReport step = static_step(system, state, terms, options);
+    report.iterations += step.iterations;
+    if (!step.converged) {
+      report.reason = step.reason;
+      return report;
+    }
+    ++report.rounds;
+    report.stabilisation_share = system.stabilisation_share();
+    if (report.stabilisation_share < share) {
+      report.converged = true;
+      return report;
+    }
+  }
+  report.reason = "the stabilising springs still carry " + std::to_string(report.stabilisation_share) +
+                  " of the forces: contact does not hold the bodies";
+  return report;
+}
+
+} // namespace rimpact::fe

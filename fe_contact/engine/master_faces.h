@@ -1,0 +1,56 @@
+/// Faces of a deformable body that carry an exact master surface: a point x of another body is pulled back to
+/// the body's reference configuration, y = x - u_m at the place opposite, where the exact surface is known. The
+/// look-up works on reference faces, so its tree is built once and sliding over face edges is nothing special.
+#pragma once
+#include "fe_contact/engine/discretisation.h"
+#include "fe_contact/engine/face_geometry.h"
+#include <memory>
+
+namespace rimpact::fe {
+
+/// The place opposite a point, w = x - u_m held at that place.
+struct Opposite {
+  int face = -1;                   ///< -1: none
+  FaceShapes shapes;               ///< of that face, there
+  Eigen::Vector3d y;               ///< the point, pulled back [m]
+  Eigen::Matrix3d inverse;         ///< dy/dw: the inverse of (I + grad u_m)
+  Eigen::Matrix<double, 2, 3> dxi; ///< d(xi, eta)/dw [1/m]
+  Eigen::Vector3d second[3];       ///< second derivatives of u_m: xixi, xieta, etaeta [m]
+  bool inside = false;             ///< on the faces; else past a free edge, by no more than was allowed
+};
+
+class MasterFaces {
+public:
+  MasterFaces(const Discretisation &space, meshes::Surface group);
+  ~MasterFaces();
+  MasterFaces(MasterFaces &&) noexcept;
+
+  /// Opposite of x at dof displacements u, `guess` the face to try first (-1: none); past free edges up to
+  /// `beyond` half widths of a face; none where the place does not settle within a nanometre.
+  Opposite find(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int guess, double beyond) const;
+  /// x pulled back with the displacement of a face's middle (-1: the group's first): good enough to look up what is
+  /// near.
+  Eigen::Vector3d roughly_back(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int face = -1) const;
+  /// How much a face's displacements differ from its middle's at most: what `roughly_back` errs by near that face [m].
+  double uneven(const Eigen::VectorXd &u, int face) const;
+  /// Faces within `margin` of a box of pulled-back points [m].
+  std::vector<int> near(const Eigen::Vector3d &low, const Eigen::Vector3d &high, double margin) const;
+  const Face &face(int i) const { return *faces_[i]; }
+
+private:
+  struct Tree;
+  struct Place {
+    int face = -1;
+    Projection projection;
+    bool inside = false;
+  };
+  Place locate(const Eigen::Vector3d &y, int guess, double beyond) const;
+
+  const Discretisation &space_;
+  std::vector<const Face *> faces_;
+  std::vector<FaceNodes> nodes_;                ///< reference positions
+  std::vector<std::array<bool, 4>> open_edges_; ///< xi-, xi+, eta-, eta+ border no other face
+  std::unique_ptr<Tree> tree_;
+};
+
+} // namespace rimpact::fe

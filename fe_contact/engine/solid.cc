@@ -1,0 +1,250 @@
+#include "fe_contact/engine/solid.h"
+
+#include "fe_contact/engine/solid_kernel.h"
+#include "fe_contact/solver/ranks.h"
+#include <algorithm>
+#include <cstdlib>
+#include <thread>
+
+namespace rimpact::fe {
+namespace {
+
+/// Calls body(begin, end, worker) on equal shares of [0, n), one thread each; shares do not depend on timing,
+/// so results are reproducible for a given number of threads.
+template <typename Body> void share(std::size_t n, int workers, const Body &body) {
+  std::vector<std::thread> threads;
+  for (int w = 1; w < workers; ++w) threads.emplace_back([&, w] { body(n * w / workers, n * (w + 1) / workers, w); });
+  body(0, n / workers, 0);
+  for (auto &thread : threads) thread.join();
+}
+
+} // namespace
+
+int assembly_threads() {
+  static const int n = [] {
+    const char *wanted = std::getenv("RIMPACT_THREADS");
+    const int cores = std::max(1u, std::thread::hardware_concurrency()) / ranks().size;
+    constexpr int most = 256; // more only cost memory, or cannot be had
+    return wanted && std::atoi(wanted) > 0 ? std::min(std::atoi(wanted), most) : std::clamp(cores, 1, 8);
+  }();
+  return n;
+}
+
+Solid::Solid(const Discretisation &space, const scene::Bearing &bearing)
+    : Solid(space, {{meshes::Volume::plate, bearing.steel},
+                    {meshes::Volume::rim, bearing.steel},
+                    {meshes::Volume::foot, bearing.steel},
+                    {meshes::Volume::upper_slider, bearing.steel},
+                    {meshes::Volume::pad, bearing.ertalyte}}) {}
+
+Solid::Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials) : space_(space) {
+  for (const auto &[volume, material] : materials)
+    laws_.emplace(volume, Law{HenckyJ2::from(material), HenckyVolumetric::from(material), material.density});
+}
+
+std::vector<std::vector<int>> Solid::cliques(const Equations &equations) const {
+  std::vector<std::vector<int>> result(space_.n_cells);
+  for (std::size_t c = 0; c < space_.n_cells; ++c)
+    for (int a = 0; a < space_.nodes_per_cell; ++a)
+      for (int i = 0; i < 3; ++i)
+        result[c].push_back(equations.of_dof[3 * space_.cell_nodes[c * space_.nodes_per_cell + a] + i]);
+  return result;
+}
+
+std::vector<unsigned> Solid::moving_cells(const Equations &equations) const {
+  std::vector<unsigned> result;
+  const int n = space_.nodes_per_cell;
+  for (std::size_t c = 0; c < space_.n_cells; ++c)
+    for (int k = 0; k < 3 * n; ++k)
+      if (equations.of_dof[3 * space_.cell_nodes[c * n + k / 3] + k % 3] >= 0) {
+        result.push_back(c);
+        break;
+      }
+  return result;
+}
+
+const std::vector<int> &Solid::places_in(const SymmetricMatrix &matrix, const Equations &equations) const {
+  if (places_of_ == matrix.pattern_id()) return places_;
+  places_.clear();
+  const int m = 3 * space_.nodes_per_cell;
+  places_.reserve(space_.n_cells * m * (m + 1) / 2);
+  for (const auto &clique : cliques(equations))
+    for (int i = 0; i < m; ++i)
+      for (int j = i; j < m; ++j)
+        places_.push_back(clique[i] < 0 || clique[j] < 0
+                              ? -1
+                              : matrix.find(std::min(clique[i], clique[j]), std::max(clique[i], clique[j])));
+  places_of_ = matrix.pattern_id();
+  return places_;
+}
+
+template <int n>
+bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eigen::VectorXd &u,
+                           const SolidHistory &old, SolidHistory &next, const Equations &equations,
+                           Eigen::VectorXd &forces, const std::vector<int> *places, double *tangent,
+                           SolidEnergies &energies) const {
+  auto kernel = std::make_unique<CellKernel<n>>();
+  SolidEnergies sum; // not yet where other threads write beside it
+  const int n_full = space_.full.n_points, n_reduced = space_.reduced.n_points, m = 3 * n;
+  for (const unsigned *cell = begin; cell < end; ++cell) {
+    const std::size_t c = *cell;
+    const unsigned *nodes = &space_.cell_nodes[c * n];
+    const Law &law = law_of(c);
+    kernel->clear(tangent != nullptr);
+    for (int a = 0; a < n; ++a)
+      for (int i = 0; i < 3; ++i) kernel->u[i][a] = u[3 * nodes[a] + i];
+    for (int q = 0; q < n_full; ++q) {
+      const std::size_t point = c * n_full + q;
+      const double *G = &space_.full.gradients[point * m], weight = space_.full.weights[point];
+      const Matrix3 F = kernel->deformation_gradient(G);
+      const IsochoricResult result = law.isochoric.step(old[point], F, tangent != nullptr);
+      if (!result.admissible) return false;
+      next[point] = result.state;
+      sum.elastic += weight * result.energy;
+      sum.plastic += weight * law.isochoric.hardening.work(result.state.alpha);
+      kernel->add(G, F, weight, result.response, tangent != nullptr);
+    }
+    for (int q = 0; q < n_reduced; ++q) {
+      const std::size_t point = c * n_reduced + q;
+      const double *G = &space_.reduced.gradients[point * m], weight = space_.reduced.weights[point];
+      const Matrix3 F = kernel->deformation_gradient(G);
+      const VolumetricResult result = law.volumetric.at(F.determinant());
+      if (!result.admissible) return false;
+      sum.elastic += weight * result.energy;
+      kernel->add(G, F, weight, result.response, tangent != nullptr);
+    }
+    kernel->finish();
+    double weights[3 * n];
+    int eqs[3 * n];
+    for (int a = 0; a < n; ++a)
+      for (int i = 0; i < 3; ++i) {
+        const unsigned dof = 3 * nodes[a] + i;
+        eqs[3 * a + i] = equations.of_dof[dof];
+        weights[3 * a + i] = equations.weight[dof];
+        if (eqs[3 * a + i] >= 0) forces[eqs[3 * a + i]] += weights[3 * a + i] * kernel->force[i][a];
+      }
+    if (!tangent) continue;
+    const int *place = places->data() + c * (m * (m + 1) / 2);
+    for (int a = 0; a < n; ++a)
+      for (int i = 0; i < 3; ++i)
+        for (int b = a; b < n; ++b)
+          for (int k = b == a ? i : 0; k < 3; ++k, ++place) {
+            if (*place < 0) continue;
+            const int row = 3 * a + i, column = 3 * b + k;
+            const double twice = row != column && eqs[row] == eqs[column] ? 2.0 : 1.0; // tied dofs share a diagonal
+            tangent[*place] += twice * weights[row] * weights[column] * kernel->block[i][k][a][b];
+          }
+  }
+  energies = sum;
+  return true;
+}
+
+bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, const Equations &equations,
+                     Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies) const {
+  const int workers = assembly_threads();
+  const std::vector<int> *places = tangent ? &places_in(*tangent, equations) : nullptr;
+  next = old; // cells that do not move keep theirs
+  const std::vector<unsigned> cells = moving_cells(equations);
+  const std::vector<std::size_t> starts = ranks().starts(cells.size());
+  const unsigned *own_cells = cells.data() + starts[ranks().own];
+  std::vector<Eigen::VectorXd> part_forces(workers, Eigen::VectorXd::Zero(equations.n));
+  part_values_.resize(workers);
+  std::vector<SolidEnergies> part_energies(workers);
+  std::vector<char> admissible(workers, 1);
+  share(starts[ranks().own + 1] - starts[ranks().own], workers, [&](std::size_t begin, std::size_t end, int w) {
+    double *values = nullptr;
+    if (tangent && w == 0) values = tangent->values().data();
+    if (tangent && w > 0) {
+      part_values_[w].assign(tangent->n_entries(), 0.0);
+      values = part_values_[w].data();
+    }
+    const auto run = space_.degree == 2 ? &Solid::assemble_cells<27> : &Solid::assemble_cells<8>;
+    admissible[w] = (this->*run)(own_cells + begin, own_cells + end, u, old, next, equations, part_forces[w], places,
+                                 values, part_energies[w]);
+  });
+  if (ranks().any(std::find(admissible.begin(), admissible.end(), 0) != admissible.end())) return false;
+  Eigen::VectorXd summed = Eigen::VectorXd::Zero(equations.n + 2); // forces, energies
+  for (int w = 0; w < workers; ++w) {
+    summed.head(equations.n) += part_forces[w];
+    summed.tail<2>() += Eigen::Vector2d(part_energies[w].elastic, part_energies[w].plastic);
+  }
+  if (tangent)
+    share(tangent->n_entries(), workers, [&](std::size_t begin, std::size_t end, int) {
+      for (int w = 1; w < workers; ++w)
+        for (std::size_t k = begin; k < end; ++k) tangent->values()[k] += part_values_[w][k];
+    });
+  ranks().sum(summed);
+  forces += summed.head(equations.n);
+  energies.elastic += summed[equations.n];
+  energies.plastic += summed[equations.n + 1];
+  hand_round(next, cells, starts);
+  return true;
+}
+
+/// The history of each rank's cells, and of those at rest between them, goes to all the others.
+void Solid::hand_round(SolidHistory &history, const std::vector<unsigned> &cells,
+                       const std::vector<std::size_t> &starts) const {
+  std::vector<std::size_t> points{0};
+  for (int r = 1; r < ranks().size; ++r)
+    points.push_back((starts[r] < cells.size() ? cells[starts[r]] : space_.n_cells) * space_.full.n_points);
+  points.push_back(history.size());
+  ranks().hand_round(history, points);
+}
+
+void Solid::add_mass(const Equations &equations, SymmetricMatrix &mass) const {
+  const int n = space_.nodes_per_cell, n_points = space_.full.n_points;
+  for (std::size_t c = 0; c < space_.n_cells; ++c) {
+    const double density = law_of(c).density;
+    for (int a = 0; a < n; ++a)
+      for (int b = a; b < n; ++b) {
+        double value = 0.0;
+        for (int q = 0; q < n_points; ++q)
+          value += density * space_.full.weights[c * n_points + q] * space_.full_values[q * n + a] *
+                   space_.full_values[q * n + b];
+        for (int i = 0; i < 3; ++i) {
+          const unsigned row = 3 * space_.cell_nodes[c * n + a] + i, column = 3 * space_.cell_nodes[c * n + b] + i;
+          const int eq_row = equations.of_dof[row], eq_column = equations.of_dof[column];
+          if (eq_row < 0 || eq_column < 0) continue;
+          const double twice = a != b && eq_row == eq_column ? 2.0 : 1.0;
+          mass.add(eq_row, eq_column, twice * equations.weight[row] * equations.weight[column] * value);
+        }
+      }
+  }
+}
+
+double Solid::mass_of(meshes::Volume volume) const {
+  double mass = 0.0;
+  for (std::size_t c = 0; c < space_.n_cells; ++c)
+    for (int q = 0; q < space_.full.n_points && space_.volumes[c] == volume; ++q)
+      mass += law_of(c).density * space_.full.weights[c * space_.full.n_points + q];
+  return mass;
+}
+
+SolidFields Solid::fields(const Eigen::VectorXd &u, const SolidHistory &history) const {
+  SolidFields result;
+  const int n = space_.nodes_per_cell, n_points = space_.full.n_points;
+  for (std::size_t c = 0; c < space_.n_cells; ++c) {
+    double strain = 0.0, stress = 0.0;
+    for (int q = 0; q < n_points; ++q) {
+      Matrix3 F = Matrix3::Identity();
+      const double *G = &space_.full.gradients[(c * n_points + q) * 3 * n];
+      for (int a = 0; a < n; ++a)
+        for (int J = 0; J < 3; ++J) F.col(J) += u.segment<3>(3 * space_.cell_nodes[c * n + a]) * G[J * n + a];
+      const auto &state = history[c * n_points + q];
+      strain = std::max(strain, state.alpha);
+      const Matrix3 tau = to_matrix(law_of(c).isochoric.step(state, F).response.stress);
+      stress += std::sqrt(1.5) * tau.norm() / F.determinant() / n_points;
+    }
+    result.plastic_strain.push_back(strain);
+    result.von_mises.push_back(stress);
+  }
+  return result;
+}
+
+double largest_plastic_strain(const SolidHistory &history) {
+  double largest = 0;
+  for (const auto &point : history) largest = std::max(largest, point.alpha);
+  return largest;
+}
+
+} // namespace rimpact::fe

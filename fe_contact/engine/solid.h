@@ -1,0 +1,79 @@
+/// Elastoplastic solids on a discretisation: internal forces, tangent, energies, consistent mass. Total
+/// Lagrangian; isochoric part at the full quadrature, volumetric part at the reduced one (selective reduction
+/// keeps Q2 and Q1 from locking where the steel flows, and stays symmetric). Memory is trial/committed: `old`
+/// in, `next` out.
+#pragma once
+#include "fe_contact/engine/discretisation.h"
+#include "fe_contact/laws/hencky_j2.h"
+#include "fe_contact/solver/equations.h"
+#include "fe_contact/solver/symmetric_matrix.h"
+#include "scene/bearing.h"
+#include <map>
+
+namespace rimpact::fe {
+
+/// States of all material points, [cell][full point].
+using SolidHistory = std::vector<J2State>;
+double largest_plastic_strain(const SolidHistory &history); ///< equivalent [-]
+
+struct SolidEnergies {
+  double elastic = 0.0; ///< [J]
+  double plastic = 0.0; ///< plastic work, hardening included [J]; a function of the history alone
+};
+
+/// Cell averages for pictures.
+struct SolidFields {
+  std::vector<double> plastic_strain; ///< [-] largest over the cell's points
+  std::vector<double> von_mises;      ///< Cauchy, mean over the points [Pa]
+};
+
+class Solid {
+public:
+  /// All volumes of a bearing's mesh are steel but the pad (Ertalyte).
+  Solid(const Discretisation &space, const scene::Bearing &bearing);
+  Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials);
+
+  SolidHistory virgin() const { return SolidHistory(space_.n_cells * space_.full.n_points); }
+  /// Cliques of coupled equations, one a cell.
+  std::vector<std::vector<int>> cliques(const Equations &equations) const;
+
+  /// Adds internal forces at dof displacements u to `forces` (equations) and, when given, the tangent.
+  /// False when a point is inadmissible (inverted): the step must be cut. A cell whose dofs are all held has no
+  /// part in it: its history is kept, its energy not counted. With several ranks the tangent is that of this
+  /// rank's cells alone; all else is whole.
+  bool assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, const Equations &equations,
+                Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies) const;
+  void add_mass(const Equations &equations, SymmetricMatrix &mass) const;
+  /// Mass of one volume [kg].
+  double mass_of(meshes::Volume volume) const;
+  SolidFields fields(const Eigen::VectorXd &u, const SolidHistory &history) const;
+
+private:
+  struct Law {
+    HenckyJ2 isochoric;
+    HenckyVolumetric volumetric;
+    double density;
+  };
+  const Law &law_of(std::size_t cell) const { return laws_.at(space_.volumes[cell]); }
+  template <int n>
+  bool assemble_cells(const unsigned *begin, const unsigned *end, const Eigen::VectorXd &u, const SolidHistory &old,
+                      SolidHistory &next, const Equations &equations, Eigen::VectorXd &forces,
+                      const std::vector<int> *places, double *tangent, SolidEnergies &energies) const;
+  void hand_round(SolidHistory &history, const std::vector<unsigned> &cells,
+                  const std::vector<std::size_t> &starts) const;
+  std::vector<unsigned> moving_cells(const Equations &equations) const; ///< with a dof that is not held
+  const std::vector<int> &places_in(const SymmetricMatrix &matrix, const Equations &equations) const;
+
+  const Discretisation &space_;
+  std::map<meshes::Volume, Law> laws_;
+  /// Where each local pair (i <= j) of each cell goes in the matrix; made once per pattern.
+  mutable std::vector<int> places_;
+  mutable long places_of_ = 0; ///< pattern_id
+  mutable std::vector<std::vector<double>>
+      part_values_; ///< of the tangent, by thread; kept, for making them anew costs as much as filling them
+};
+
+/// Threads used by the assembly (RIMPACT_THREADS, else the machine's cores).
+int assembly_threads();
+
+} // namespace rimpact::fe

@@ -1,0 +1,144 @@
+// Where a slave point is, what lies opposite, and which equations they couple.
+#include "fe_contact/engine/surface_contact.h"
+
+#include "fe_contact/solver/ranks.h"
+#include <set>
+
+namespace rimpact::fe {
+
+using Eigen::Vector3d;
+
+SurfaceContact::SurfaceContact(const Discretisation &space, meshes::Surface slave, MasterSurface master,
+                               const SurfaceContactOptions &options)
+    : space_(space), master_(std::move(master)), options_(options), faces_(space.faces_of(slave)),
+      points_(face_points(space, faces_, options.points)) {
+  if (options.carrier_faces) carrier_.emplace(space, *options.carrier_faces);
+}
+
+Vector3d SurfaceContact::position(const FacePoint &point, const Eigen::VectorXd &u) const {
+  Vector3d x = Vector3d::Zero();
+  for (int a = 0; a < point.shapes.n; ++a) {
+    const unsigned node = faces_[point.face]->nodes[a];
+    x += point.shapes.N[a] * (space_.positions[node] + u.segment<3>(3 * node));
+  }
+  return x;
+}
+
+std::optional<SurfaceContact::Coupling> SurfaceContact::couple(std::size_t k, const Eigen::VectorXd &u, int guess,
+                                                               double beyond) const {
+  const FacePoint &point = points_[k];
+  Coupling result;
+  for (int a = 0; a < point.shapes.n; ++a) result.add(3 * faces_[point.face]->nodes[a], point.shapes.N[a]);
+  result.y = position(point, u);
+  if (options_.carrier_dof >= 0) {
+    result.y -= u.segment<3>(options_.carrier_dof);
+    result.add(options_.carrier_dof, -1.0);
+  }
+  if (carrier_) {
+    const Opposite opposite = carrier_->find(result.y, u, guess, beyond);
+    if (opposite.face < 0) return {};
+    result.y = opposite.y;
+    result.inverse = opposite.inverse;
+    result.dxi = opposite.dxi;
+    std::copy(std::begin(opposite.second), std::end(opposite.second), std::begin(result.second));
+    result.carrier_face = opposite.face;
+    result.inside = opposite.inside;
+    for (int a = 0; a < opposite.shapes.n; ++a)
+      result.add(3 * carrier_->face(opposite.face).nodes[a], -opposite.shapes.N[a], -opposite.shapes.dxi[a],
+                 -opposite.shapes.deta[a]);
+  }
+  if (master_.covers) result.inside = result.inside && master_.covers(result.y);
+  return result;
+}
+
+Vector3d SurfaceContact::relative_position(std::size_t k, const Eigen::VectorXd &u,
+                                           const SurfaceContactState &state) const {
+  if (const auto coupling = couple(k, u, state.opposite[k], reach_past_edges)) return coupling->y;
+  return carrier_->roughly_back(position(points_[k], u), u);
+}
+
+bool SurfaceContact::may_bear(std::size_t k, const Eigen::VectorXd &u, int opposite) const {
+  const double rough = 2 * carrier_->uneven(u, opposite); // twice, as the point lies past that face
+  return master_.distance(carrier_->roughly_back(position(points_[k], u), u, opposite)).gap < rough;
+}
+
+std::vector<std::vector<int>> SurfaceContact::cliques(const Equations &equations, const Eigen::VectorXd &u,
+                                                      const std::vector<int> &opposite) {
+  std::vector<std::vector<int>> result;
+  const int per_face = options_.points * options_.points;
+  pairs_.assign(faces_.size(), {});
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    std::vector<int> own;
+    const auto add = [&](std::vector<int> &clique, int dof) {
+      for (int i = 0; i < 3; ++i) clique.push_back(equations.of_dof[dof + i]);
+    };
+    for (const unsigned node : faces_[f]->nodes) add(own, 3 * node);
+    if (options_.carrier_dof >= 0) add(own, options_.carrier_dof);
+    if (!carrier_) {
+      result.push_back(own);
+      continue;
+    }
+    Vector3d low = Vector3d::Constant(1e300), high = -low;
+    std::set<int> pairs;
+    for (std::size_t k = f * per_face; k < (f + 1) * per_face; ++k) {
+      // Where the carrier is dented by more than the margin, only the search itself knows what lies opposite.
+      const auto found = couple(k, u, opposite[k], reach_past_edges);
+      const Vector3d y = found ? found->y : carrier_->roughly_back(position(points_[k], u), u);
+      if (found) pairs.insert(found->carrier_face);
+      low = low.cwiseMin(y);
+      high = high.cwiseMax(y);
+    }
+    for (const int face : carrier_->near(low, high, options_.margin)) pairs.insert(face);
+    pairs_[f].assign(pairs.begin(), pairs.end());
+    for (const int master : pairs_[f]) {
+      result.push_back(own);
+      for (const unsigned node : carrier_->face(master).nodes) add(result.back(), 3 * node);
+    }
+  }
+  return result;
+}
+
+double SurfaceContact::stiffness_per_area(const Equations &equations, const Eigen::VectorXd &diagonal) const {
+  double stiffness = 0, area = 0;
+  for (const auto *face : faces_)
+    for (const unsigned node : face->nodes)
+      for (int i = 0; i < 3; ++i)
+        if (const int equation = equations.of_dof[3 * node + i]; equation >= 0) stiffness += diagonal[equation] / 3;
+  for (const auto &point : points_) area += point.area;
+  return ranks().sum(stiffness) / area;
+}
+
+double SurfaceContact::time_to_touch(const Eigen::VectorXd &u, const Eigen::VectorXd &v,
+                                     const std::vector<int> &opposite) const {
+  double time = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < points_.size(); ++k) {
+    const FacePoint &point = points_[k];
+    Vector3d y = position(point, u), velocity = Vector3d::Zero();
+    for (int a = 0; a < point.shapes.n; ++a)
+      velocity += point.shapes.N[a] * v.segment<3>(3 * faces_[point.face]->nodes[a]);
+    if (options_.carrier_dof >= 0) {
+      y -= u.segment<3>(options_.carrier_dof);
+      velocity -= v.segment<3>(options_.carrier_dof);
+    }
+    if (carrier_) {
+      y = carrier_->roughly_back(y, u, opposite[k]);
+      velocity = velocity + carrier_->roughly_back(Vector3d::Zero(), v, opposite[k]);
+    }
+    if (master_.covers && !master_.covers(y)) continue;
+    const Distance distance = master_.distance(y);
+    const double closing = -velocity.dot(distance.normal);
+    if (closing > 0) time = std::min(time, std::max(0.0, distance.gap) / closing);
+  }
+  return time;
+}
+
+std::vector<SurfaceContact::Sample> SurfaceContact::samples(const Eigen::VectorXd &u,
+                                                            const SurfaceContactState &state) const {
+  std::vector<Sample> result;
+  for (std::size_t k = 0; k < points_.size(); ++k)
+    result.push_back(
+        {relative_position(k, u, state), state.friction[k], points_[k].area, state.pressure[k], state.gap[k]});
+  return result;
+}
+
+} // namespace rimpact::fe

@@ -1,0 +1,187 @@
+// Forces and tangent of the contact, from the law's derivatives to the matrix.
+#include "fe_contact/engine/surface_contact.h"
+
+#include "fe_contact/solver/ranks.h"
+#include <unsupported/Eigen/AutoDiff>
+
+namespace rimpact::fe {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+SurfaceContact::Carried SurfaceContact::pushed_forward(const Coupling &coupling) const {
+  const Distance d = master_.distance(coupling.y);
+  if (coupling.carrier_face < 0) return {d.gap, d.normal, d.normal, d.curvature};
+  const Vector3d nu = coupling.inverse.transpose() * d.normal;
+  const double stretch = nu.norm(); // one but for the carrier's strain
+  const Vector3d normal = nu / stretch;
+  Eigen::Matrix2d bend; // of the carrier's displacement along the normal
+  bend << coupling.second[0].dot(nu), coupling.second[1].dot(nu), coupling.second[1].dot(nu),
+      coupling.second[2].dot(nu);
+  const Matrix3d dnu =
+      coupling.inverse.transpose() * d.curvature * coupling.inverse - coupling.dxi.transpose() * bend * coupling.dxi;
+  const Matrix3d P = Matrix3d::Identity() - normal * normal.transpose();
+  const double gap = d.gap / stretch;
+  return {gap, normal, normal - gap / stretch * dnu.transpose() * normal, P * dnu / stretch, nu, stretch};
+}
+
+/// The law with its tangents; of n derivatives three are by w and, where the carrier deforms, three by nu.
+template <int n>
+CoulombContact::Result<double> SurfaceContact::differentiate(const CoulombContact &law, const Carried &d,
+                                                             const Vector3d &slip, const Matrix3d &pull_back,
+                                                             double multiplier, const Vector3d &tangential, double dt,
+                                                             Tangents &tangents) {
+  using Derivatives = Eigen::Matrix<double, n, 1>;
+  using Dual = Eigen::AutoDiffScalar<Derivatives>;
+  const auto both = [](const Vector3d &by_w, const Vector3d &by_nu) {
+    Derivatives result;
+    result.template head<3>() = by_w;
+    if constexpr (n > 3) result.template tail<3>() = by_nu;
+    return result;
+  };
+  const Matrix3d P = (Matrix3d::Identity() - d.normal * d.normal.transpose()) / d.stretch;
+  const Dual gap(d.gap, both(d.gradient, -d.gap / d.stretch * d.normal));
+  Eigen::Matrix<Dual, 3, 1> normal, moving_slip;
+  for (int i = 0; i < 3; ++i) {
+    normal[i] = Dual(d.normal[i], both(d.curvature.row(i).transpose(), P.row(i).transpose()));
+    moving_slip[i] = Dual(slip[i], both(pull_back.row(i).transpose(), Vector3d::Zero()));
+  }
+  const auto result = law.at(gap, normal, moving_slip, multiplier, tangential, dt);
+  CoulombContact::Result<double> values;
+  for (int i = 0; i < 3; ++i) {
+    values.traction[i] = result.traction[i].value();
+    values.friction[i] = result.friction[i].value();
+    tangents.by_w.row(i) = result.traction[i].derivatives().template head<3>().transpose();
+    if constexpr (n > 3) tangents.by_nu.row(i) = result.traction[i].derivatives().template tail<3>().transpose();
+  }
+  values.pressure = result.pressure.value();
+  values.status = result.status;
+  return values;
+}
+
+SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,
+                                              const Equations &equations, Eigen::VectorXd &forces,
+                                              Tangent *tangent) const {
+  SurfaceContactReport report;
+  CoulombContact contact_law = options_.law;
+  contact_law.normal_penalty *= state.stiffening;
+  contact_law.tangential_penalty *= state.stiffening;
+  Pair pair;
+  int face = -1, carrier_face = -1; // of the pair
+  const std::vector<std::size_t> starts = starts_of_ranks();
+  for (std::size_t k = starts[ranks().own]; k < starts[ranks().own + 1]; ++k) {
+    const FacePoint &point = points_[k];
+    state.pressure[k] = 0;
+    state.friction[k].setZero();
+    state.status[k] = ContactStatus::open;
+    state.gap[k] = std::numeric_limits<double>::infinity();
+    if (!state.covered[k]) continue;
+    const auto coupling = couple(k, u, state.opposite[k], reach_past_edges);
+    if (!coupling) {
+      report.lost += may_bear(k, u, state.opposite[k]);
+      continue;
+    }
+    state.opposite[k] = coupling->carrier_face;
+    const Carried distance = pushed_forward(*coupling);
+    state.gap[k] = distance.gap;
+    report.smallest_gap = std::min(report.smallest_gap, distance.gap);
+    if (state.multiplier[k] - contact_law.normal_penalty * distance.gap <= 0) continue;
+    Tangents D;
+    const auto differentiated = coupling->carrier_face >= 0 ? differentiate<6> : differentiate<3>;
+    const auto law = differentiated(contact_law, distance, coupling->y - state.start[k], coupling->inverse,
+                                    state.multiplier[k], state.tangential[k], dt, D);
+    state.pressure[k] = law.pressure;
+    state.friction[k] = law.friction;
+    state.status[k] = law.status;
+    report.force += point.area * law.traction;
+    report.friction += point.area * law.friction;
+    report.penetration = std::max(report.penetration, std::abs(distance.gap));
+    report.largest_pressure = std::max(report.largest_pressure, law.pressure);
+    ++(law.status == ContactStatus::stick ? report.stick : report.slip);
+    if (coupling->carrier_face >= 0 &&
+        !std::binary_search(pairs_[point.face].begin(), pairs_[point.face].end(), coupling->carrier_face)) {
+      report.pattern_holds = false;
+      continue;
+    }
+    if (face != point.face || carrier_face != coupling->carrier_face) flush(pair, equations, forces, tangent);
+    face = point.face;
+    carrier_face = coupling->carrier_face;
+    add_to(pair, *coupling, point.area, law.traction, D, distance.nu, tangent != nullptr);
+  }
+  flush(pair, equations, forces, tangent);
+  hand_round(state, report);
+  return report;
+}
+
+std::vector<std::size_t> SurfaceContact::starts_of_ranks() const {
+  std::vector<std::size_t> starts = ranks().starts(faces_.size());
+  for (auto &start : starts) start *= options_.points * options_.points;
+  return starts;
+}
+
+void SurfaceContact::hand_round(SurfaceContactState &state, SurfaceContactReport &report) const {
+  if (ranks().size == 1) return;
+  const std::vector<std::size_t> starts = starts_of_ranks();
+  ranks().hand_round(state.gap, starts);
+  ranks().hand_round(state.pressure, starts);
+  ranks().hand_round(state.friction, starts);
+  ranks().hand_round(state.status, starts);
+  ranks().hand_round(state.opposite, starts);
+  Eigen::VectorXd sums(9), largest(4);
+  sums << report.force, report.friction, report.stick, report.slip, report.lost;
+  largest << -report.smallest_gap, report.penetration, report.largest_pressure, !report.pattern_holds;
+  ranks().sum(sums);
+  ranks().largest(largest);
+  report.force = sums.head<3>();
+  report.friction = sums.segment<3>(3);
+  report.stick = static_cast<int>(sums[6]);
+  report.slip = static_cast<int>(sums[7]);
+  report.lost = static_cast<int>(sums[8]);
+  report.smallest_gap = -largest[0];
+  report.penetration = largest[1];
+  report.largest_pressure = largest[2];
+  report.pattern_holds = largest[3] == 0;
+}
+
+void SurfaceContact::add_to(Pair &pair, const Coupling &coupling, double area, const Vector3d &traction,
+                            const Tangents &D, const Vector3d &nu, bool with_stiffness) {
+  const int n = 3 * coupling.n;
+  if (pair.dofs.empty()) {
+    pair.dofs.assign(coupling.dofs, coupling.dofs + coupling.n);
+    pair.forces.setZero(n);
+    pair.stiffness.setZero(n, n);
+  }
+  for (int a = 0; a < coupling.n; ++a) pair.forces.segment<3>(3 * a) -= area * coupling.N[a] * traction;
+  if (!with_stiffness) return;
+  for (int b = 0; b < coupling.n; ++b) {
+    // Strain of the carrier turns the normal: d nu / d u_b = -F^-T grad N_b nu^T, by its own nodes b only.
+    const Vector3d turn = D.by_nu * coupling.dxi.transpose() * Eigen::Vector2d(coupling.dN[b][0], coupling.dN[b][1]);
+    const Matrix3d column = -area * (D.by_w * coupling.N[b] + turn * nu.transpose());
+    // The traction changes, and the place on the carrier's face where it acts.
+    const Matrix3d moved[2] = {-area * coupling.N[b] * traction * coupling.dxi.row(0),
+                               -area * coupling.N[b] * traction * coupling.dxi.row(1)};
+    for (int a = 0; a < coupling.n; ++a)
+      pair.stiffness.block<3, 3>(3 * a, 3 * b) +=
+          coupling.N[a] * column + coupling.dN[a][0] * moved[0] + coupling.dN[a][1] * moved[1];
+  }
+}
+
+void SurfaceContact::flush(Pair &pair, const Equations &equations, Eigen::VectorXd &forces, Tangent *tangent) {
+  const int n = static_cast<int>(pair.dofs.size());
+  std::vector<int> equation(3 * n);
+  std::vector<double> weight(3 * n);
+  for (int a = 0; a < n; ++a)
+    for (int i = 0; i < 3; ++i) {
+      equation[3 * a + i] = equations.of_dof[pair.dofs[a] + i];
+      weight[3 * a + i] = equations.weight[pair.dofs[a] + i];
+    }
+  for (int a = 0; a < 3 * n; ++a) {
+    if (equation[a] < 0) continue;
+    forces[equation[a]] += weight[a] * pair.forces[a];
+    for (int b = 0; tangent && b < 3 * n; ++b)
+      if (equation[b] >= 0) tangent->add(equation[a], equation[b], weight[a] * weight[b] * pair.stiffness(a, b));
+  }
+  pair.dofs.clear();
+}
+
+} // namespace rimpact::fe
