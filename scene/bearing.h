@@ -6,6 +6,7 @@
 #pragma once
 #include "scene/material.h"
 #include "scene/surface.h"
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
@@ -41,9 +42,12 @@ struct Foot {                                              // assumption
   bool operator==(const Foot &) const = default;
 };
 struct ContactFriction {
-  double steel_steel = 0.10;     ///< socket-cap [-]
-  double steel_ertalyte = 0.07;  ///< dish-pad [-]
-  double rim = 0.0;              ///< slider-rim [-]
+  double steel_steel = 0.10;    ///< socket-cap [-]
+  double steel_ertalyte = 0.07; ///< dish-pad [-]
+  double rim = 0.0;             ///< slider-rim [-]
+  /// At rest, where friction depends on speed (eq. 2-18) [-], at most the above; empty: it does not.
+  std::optional<double> steel_steel_slow, steel_ertalyte_slow, rim_slow;
+  double rate = 0;               ///< of eq. (2-18) [s/m], > 0 where one of these is set
   std::string pad_foot = "tied"; ///< "tied" | "frictional"
   bool operator==(const ContactFriction &) const = default;
 };

@@ -172,12 +172,25 @@ void check_rim(const Bearing &b, const Clearance &clearance) {
           mm(b.rim.height), mm(top), mm(bottom + b.slider.edge_radius));
 }
 
+void check_friction(const ContactFriction &c) {
+  const auto check = [&](const char *name, double fast, const std::optional<double> &slow) {
+    if (!slow) return;
+    require(*slow <= fast, "contact.{0}_slow {1} exceeds contact.{0} {2}", name, *slow, fast);
+    require(*slow == fast || c.rate > 0, "contact.rate_s_per_m {} must be > 0 where contact.{}_slow {} differs from {}",
+            c.rate, name, *slow, fast);
+  };
+  check("steel_steel", c.steel_steel, c.steel_steel_slow);
+  check("steel_ertalyte", c.steel_ertalyte, c.steel_ertalyte_slow);
+  check("rim", c.rim, c.rim_slow);
+}
+
 constexpr int n_positions = 64; // of the travel at which clearances are checked
 
 /// Dish, slider and rim, with the pad and foot between them or without.
 void check(const Bearing &b, bool with_stack) {
   check_ranges(b);
   check_materials(b);
+  check_friction(b.contact);
   check_dish(b);
   check_slider(b);
   if (with_stack) check_foot_and_pad(b);

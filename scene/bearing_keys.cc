@@ -89,6 +89,15 @@ void visit(KeyVisitor &v, Bearing &b) {
     v.number({"steel_steel", "socket on cap"}, b.contact.steel_steel, si, coefficient);
     v.number({"steel_ertalyte", "pad on dish"}, b.contact.steel_ertalyte, si, coefficient);
     v.number({"rim", "slider on rim"}, b.contact.rim, si, coefficient);
+    const auto slow = [&](const Key &key, std::optional<double> &mu) {
+      if (v.wants(mu.has_value())) v.limit(key, mu, si, coefficient);
+    };
+    slow({"steel_steel_slow", "at rest; inf: as steel_steel"}, b.contact.steel_steel_slow);
+    slow({"steel_ertalyte_slow", "at rest; inf: as steel_ertalyte"}, b.contact.steel_ertalyte_slow);
+    slow({"rim_slow", "at rest; inf: as rim"}, b.contact.rim_slow);
+    const auto &c = b.contact;
+    if (v.wants(c.steel_steel_slow || c.steel_ertalyte_slow || c.rim_slow))
+      v.number({"rate_s_per_m", "of friction's growth with speed"}, b.contact.rate, si, {0, 1e6});
     v.choice({"pad_foot", "tied | frictional"}, b.contact.pad_foot, {"tied", "frictional"});
   });
 }

@@ -30,6 +30,8 @@ std::string rim_identity(const Bearing &bearing) {
   rim.surface = bearing.surface, rim.slider = bearing.slider, rim.rim = bearing.rim, rim.plate = bearing.plate;
   rim.steel = bearing.steel, rim.steel.strain_limit.reset();
   rim.contact.rim = bearing.contact.rim;
+  rim.contact.rim_slow = bearing.contact.rim_slow;
+  if (rim.contact.rim_slow) rim.contact.rate = bearing.contact.rate;
   return digest_of_values(rim);
 }
 

@@ -77,7 +77,12 @@ void set_dependent_defaults(const TomlFile &file, bool own_bearing, Scene &scene
   if (!given("isolator.step_tolerance")) scene.isolator.step_tolerance = 1e-5;
   if (!given("isolator.points") && scene.isolator.space == "spatial") scene.isolator.points = 8;
   if (!given("reduced.mu_fast")) scene.reduced.mu_fast = scene.bearing.contact.steel_ertalyte;
-  if (!given("reduced.mu_slow")) scene.reduced.mu_slow = scene.reduced.mu_fast;
+  const auto &contact = scene.bearing.contact;
+  const bool as_solid =
+      contact.steel_ertalyte_slow && !given("reduced.mu_fast"); // friction over speed is the bearing's
+  if (!given("reduced.mu_slow"))
+    scene.reduced.mu_slow = as_solid ? *contact.steel_ertalyte_slow : scene.reduced.mu_fast;
+  if (!given("reduced.rate_s_per_m") && as_solid) scene.reduced.rate = contact.rate;
   settle_load(file, own_bearing, scene);
   if (!given("excitation.kind"))
     scene.remarks.push_back(

@@ -7,7 +7,7 @@ import sys
 
 LINK = re.compile(r"\]\(([^)#]+)\)")
 VERB = re.compile(r"^\s*(?:build/release/bin/rimpact|\$rimpact)\s+([a-z]+)", re.MULTILINE)
-FILE = re.compile(r"`((?:scene|meshes|fe_contact|reduced_models|calibration|report|app|tests|docs|cmake)/[\w./]*)`")
+FILE = re.compile(r"`((?:files|records|scene|responses|planning|meshes|fe_contact|reduced_models|buildings|fleets|reliability|calibration|data|report|app|tests|docs|cmake)/[\w./]*)`")
 
 
 def main(root, program):

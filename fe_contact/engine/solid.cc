@@ -1,35 +1,11 @@
 #include "fe_contact/engine/solid.h"
 
 #include "fe_contact/engine/solid_kernel.h"
+#include "fe_contact/engine/threads.h"
 #include "fe_contact/solver/ranks.h"
 #include <algorithm>
-#include <cstdlib>
-#include <thread>
 
 namespace rimpact::fe {
-namespace {
-
-/// Calls body(begin, end, worker) on equal shares of [0, n), one thread each; shares do not depend on timing,
-/// so results are reproducible for a given number of threads.
-template <typename Body> void share(std::size_t n, int workers, const Body &body) {
-  std::vector<std::thread> threads;
-  for (int w = 1; w < workers; ++w) threads.emplace_back([&, w] { body(n * w / workers, n * (w + 1) / workers, w); });
-  body(0, n / workers, 0);
-  for (auto &thread : threads) thread.join();
-}
-
-} // namespace
-
-int assembly_threads() {
-  static const int n = [] {
-    const char *wanted = std::getenv("RIMPACT_THREADS");
-    const int cores = std::max(1u, std::thread::hardware_concurrency()) / ranks().size;
-    constexpr int most = 256; // more only cost memory, or cannot be had
-    return wanted && std::atoi(wanted) > 0 ? std::min(std::atoi(wanted), most) : std::clamp(cores, 1, 8);
-  }();
-  return n;
-}
-
 Solid::Solid(const Discretisation &space, const scene::Bearing &bearing)
     : Solid(space, {{meshes::Volume::plate, bearing.steel},
                     {meshes::Volume::rim, bearing.steel},

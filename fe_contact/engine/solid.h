@@ -73,7 +73,4 @@ private:
       part_values_; ///< of the tangent, by thread; kept, for making them anew costs as much as filling them
 };
 
-/// Threads used by the assembly (RIMPACT_THREADS, else the machine's cores).
-int assembly_threads();
-
 } // namespace rimpact::fe

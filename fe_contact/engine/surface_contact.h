@@ -59,8 +59,9 @@ struct SurfaceContactReport {
   int stick = 0, slip = 0;                                       ///< points
   int lost = 0; ///< points opposite the master at the step's start and still on its surface for which no face is found:
                 ///< what they bear is missing
-  double normal_work = 0, friction_work = 0; ///< taken up since the step's start, trapezoidal [J]
-  bool pattern_holds = true;                 ///< false: a pair of faces is not in the matrix's pattern
+  double normal_work = 0, friction_work = 0;   ///< taken up since the step's start, trapezoidal [J]
+  bool pattern_holds = true;                   ///< false: a pair of faces is not in the matrix's pattern
+  void add(const SurfaceContactReport &other); ///< of other points, all but the works
 };
 
 class SurfaceContact {
@@ -171,13 +172,21 @@ private:
   /// Forces and stiffness of a pair of faces by their nodes: the points of a pair are summed up before any of them
   /// looks for its place in the matrix, which is what assembling contact costs.
   struct Pair {
-    std::vector<int> dofs; ///< first of each node's three; empty: nothing summed up
-    Eigen::VectorXd forces;
-    Eigen::MatrixXd stiffness;
+    int carrier_face = -1;
+    std::vector<int> dofs{}; ///< first of each node's three; empty: nothing summed up
+    Eigen::VectorXd forces{};
+    Eigen::MatrixXd stiffness{};
   };
+  /// Of one slave face: faces are independent of one another, and are assembled by several threads.
+  struct FaceResult {
+    SurfaceContactReport report;
+    std::vector<Pair> pairs;
+  };
+  FaceResult assemble_face(std::size_t f, const CoulombContact &law, const Eigen::VectorXd &u,
+                           SurfaceContactState &state, double dt, bool with_stiffness) const;
   static void add_to(Pair &pair, const Coupling &coupling, double area, const Eigen::Vector3d &traction,
                      const Tangents &D, const Eigen::Vector3d &nu, bool with_stiffness);
-  static void flush(Pair &pair, const Equations &equations, Eigen::VectorXd &forces, Tangent *tangent);
+  static void flush(const Pair &pair, const Equations &equations, Eigen::VectorXd &forces, Tangent *tangent);
 
   const Discretisation &space_;
   MasterSurface master_;

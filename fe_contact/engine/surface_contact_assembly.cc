@@ -1,7 +1,9 @@
 // Forces and tangent of the contact, from the law's derivatives to the matrix.
 #include "fe_contact/engine/surface_contact.h"
 
+#include "fe_contact/engine/threads.h"
 #include "fe_contact/solver/ranks.h"
+#include <algorithm>
 #include <unsupported/Eigen/AutoDiff>
 
 namespace rimpact::fe {
@@ -59,17 +61,13 @@ CoulombContact::Result<double> SurfaceContact::differentiate(const CoulombContac
   return values;
 }
 
-SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,
-                                              const Equations &equations, Eigen::VectorXd &forces,
-                                              Tangent *tangent) const {
-  SurfaceContactReport report;
-  CoulombContact contact_law = options_.law;
-  contact_law.normal_penalty *= state.stiffening;
-  contact_law.tangential_penalty *= state.stiffening;
-  Pair pair;
-  int face = -1, carrier_face = -1; // of the pair
-  const std::vector<std::size_t> starts = starts_of_ranks();
-  for (std::size_t k = starts[ranks().own]; k < starts[ranks().own + 1]; ++k) {
+SurfaceContact::FaceResult SurfaceContact::assemble_face(std::size_t f, const CoulombContact &law,
+                                                         const Eigen::VectorXd &u, SurfaceContactState &state,
+                                                         double dt, bool with_stiffness) const {
+  FaceResult result;
+  SurfaceContactReport &report = result.report;
+  const std::size_t per_face = options_.points * options_.points;
+  for (std::size_t k = f * per_face; k < (f + 1) * per_face; ++k) {
     const FacePoint &point = points_[k];
     state.pressure[k] = 0;
     state.friction[k].setZero();
@@ -85,32 +83,64 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
     const Carried distance = pushed_forward(*coupling);
     state.gap[k] = distance.gap;
     report.smallest_gap = std::min(report.smallest_gap, distance.gap);
-    if (state.multiplier[k] - contact_law.normal_penalty * distance.gap <= 0) continue;
+    if (state.multiplier[k] - law.normal_penalty * distance.gap <= 0) continue;
     Tangents D;
     const auto differentiated = coupling->carrier_face >= 0 ? differentiate<6> : differentiate<3>;
-    const auto law = differentiated(contact_law, distance, coupling->y - state.start[k], coupling->inverse,
-                                    state.multiplier[k], state.tangential[k], dt, D);
-    state.pressure[k] = law.pressure;
-    state.friction[k] = law.friction;
-    state.status[k] = law.status;
-    report.force += point.area * law.traction;
-    report.friction += point.area * law.friction;
+    const auto acts = differentiated(law, distance, coupling->y - state.start[k], coupling->inverse,
+                                     state.multiplier[k], state.tangential[k], dt, D);
+    state.pressure[k] = acts.pressure;
+    state.friction[k] = acts.friction;
+    state.status[k] = acts.status;
+    report.force += point.area * acts.traction;
+    report.friction += point.area * acts.friction;
     report.penetration = std::max(report.penetration, std::abs(distance.gap));
-    report.largest_pressure = std::max(report.largest_pressure, law.pressure);
-    ++(law.status == ContactStatus::stick ? report.stick : report.slip);
+    report.largest_pressure = std::max(report.largest_pressure, acts.pressure);
+    ++(acts.status == ContactStatus::stick ? report.stick : report.slip);
     if (coupling->carrier_face >= 0 &&
-        !std::binary_search(pairs_[point.face].begin(), pairs_[point.face].end(), coupling->carrier_face)) {
+        !std::binary_search(pairs_[f].begin(), pairs_[f].end(), coupling->carrier_face)) {
       report.pattern_holds = false;
       continue;
     }
-    if (face != point.face || carrier_face != coupling->carrier_face) flush(pair, equations, forces, tangent);
-    face = point.face;
-    carrier_face = coupling->carrier_face;
-    add_to(pair, *coupling, point.area, law.traction, D, distance.nu, tangent != nullptr);
+    if (result.pairs.empty() || result.pairs.back().carrier_face != coupling->carrier_face)
+      result.pairs.push_back({coupling->carrier_face});
+    add_to(result.pairs.back(), *coupling, point.area, acts.traction, D, distance.nu, with_stiffness);
   }
-  flush(pair, equations, forces, tangent);
+  return result;
+}
+
+SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,
+                                              const Equations &equations, Eigen::VectorXd &forces,
+                                              Tangent *tangent) const {
+  CoulombContact law = options_.law;
+  law.normal_penalty *= state.stiffening;
+  law.tangential_penalty *= state.stiffening;
+  const std::vector<std::size_t> starts = ranks().starts(faces_.size());
+  const std::size_t first = starts[ranks().own], n = starts[ranks().own + 1] - first;
+  std::vector<FaceResult> results(n);
+  const int workers = assembly_threads();
+  on_each_thread(workers, [&](int w) { // contact is in patches: every worker takes of all of them
+    for (std::size_t f = w; f < n; f += workers)
+      results[f] = assemble_face(first + f, law, u, state, dt, tangent != nullptr);
+  });
+  SurfaceContactReport report;
+  for (auto &result : results) { // face by face, so that sums do not depend on the threads
+    report.add(result.report);
+    for (auto &pair : result.pairs) flush(pair, equations, forces, tangent);
+  }
   hand_round(state, report);
   return report;
+}
+
+void SurfaceContactReport::add(const SurfaceContactReport &other) {
+  force += other.force;
+  friction += other.friction;
+  smallest_gap = std::min(smallest_gap, other.smallest_gap);
+  penetration = std::max(penetration, other.penetration);
+  largest_pressure = std::max(largest_pressure, other.largest_pressure);
+  stick += other.stick;
+  slip += other.slip;
+  lost += other.lost;
+  pattern_holds = pattern_holds && other.pattern_holds;
 }
 
 std::vector<std::size_t> SurfaceContact::starts_of_ranks() const {
@@ -166,7 +196,7 @@ void SurfaceContact::add_to(Pair &pair, const Coupling &coupling, double area, c
   }
 }
 
-void SurfaceContact::flush(Pair &pair, const Equations &equations, Eigen::VectorXd &forces, Tangent *tangent) {
+void SurfaceContact::flush(const Pair &pair, const Equations &equations, Eigen::VectorXd &forces, Tangent *tangent) {
   const int n = static_cast<int>(pair.dofs.size());
   std::vector<int> equation(3 * n);
   std::vector<double> weight(3 * n);
@@ -175,13 +205,19 @@ void SurfaceContact::flush(Pair &pair, const Equations &equations, Eigen::Vector
       equation[3 * a + i] = equations.of_dof[pair.dofs[a] + i];
       weight[3 * a + i] = equations.weight[pair.dofs[a] + i];
     }
-  for (int a = 0; a < 3 * n; ++a) {
-    if (equation[a] < 0) continue;
+  std::vector<int> order; // of the columns that are equations, ascending by equation
+  for (int b = 0; b < 3 * n; ++b)
+    if (equation[b] >= 0) order.push_back(b);
+  std::sort(order.begin(), order.end(), [&](int b, int c) { return equation[b] < equation[c]; });
+  std::vector<int> columns;
+  for (const int b : order) columns.push_back(equation[b]);
+  std::vector<double> row(order.size());
+  for (const int a : order) {
     forces[equation[a]] += weight[a] * pair.forces[a];
-    for (int b = 0; tangent && b < 3 * n; ++b)
-      if (equation[b] >= 0) tangent->add(equation[a], equation[b], weight[a] * weight[b] * pair.stiffness(a, b));
+    if (!tangent) continue;
+    for (std::size_t i = 0; i < order.size(); ++i) row[i] = weight[a] * weight[order[i]] * pair.stiffness(a, order[i]);
+    tangent->add_row(equation[a], columns, row.data());
   }
-  pair.dofs.clear();
 }
 
 } // namespace rimpact::fe

@@ -25,7 +25,8 @@ SurfaceContactOptions wall_options(const RimModel &model) {
   constexpr double cell = 0.006, stiffer = 4; // of the meshes in the contact zone at level 1 [m]; than the cells
   const double penalty =
       stiffer * model.penalty_scale * model.bearing.steel.E / (cell * meshes::size_factor(model.mesh.level));
-  SurfaceContactOptions options{{penalty, penalty, FrictionCoefficient::constant(model.bearing.contact.rim)}};
+  const scene::ContactFriction &mu = model.bearing.contact;
+  SurfaceContactOptions options{{penalty, penalty, {mu.rim, mu.rim_slow.value_or(mu.rim), mu.rate}}};
   options.carrier_faces = Surface::rim_wall;
   options.margin = 0.003; // the slider comes and goes radially and moves little along the wall [m]
   return options;

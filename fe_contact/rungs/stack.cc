@@ -6,8 +6,8 @@ namespace {
 using meshes::Surface;
 
 /// Penalties of the softer side's stiffness over its cells' size.
-SurfaceContactOptions frictional(double E, double cell, double mu) {
-  return {{E / cell, E / cell, FrictionCoefficient::constant(mu)}};
+SurfaceContactOptions frictional(double E, double cell, const FrictionCoefficient &mu) {
+  return {{E / cell, E / cell, mu}};
 }
 
 /// What is held, and the top face's components as the first equations.
@@ -50,18 +50,22 @@ StackSystem::StackSystem(const StackModel &model, bool with_rim, Supports suppor
   const unsigned any = model.space.nodes_of(Surface::top).front();
   for (int i = 0; i < 3; ++i) top_.equation[i] = equations().of_dof[3 * any + i];
   const scene::Bearing &bearing = model.bearing;
-  const double reach = meshes::size_factor(model.mesh.level) / model.penalty_scale, smooth = model.friction ? 1 : 0;
+  const double reach = meshes::size_factor(model.mesh.level) / model.penalty_scale;
   constexpr double pad_cell = 0.012, cap_cell = 0.020, wall_cell = 0.010; // at level 1 [m]
+  const scene::ContactFriction &mu = bearing.contact;
+  const auto friction = [&](double fast, const std::optional<double> &slow) {
+    return model.friction ? FrictionCoefficient{fast, slow.value_or(fast), mu.rate} : FrictionCoefficient{};
+  };
   const std::shared_ptr<const scene::SlidingSurface> surface = scene::make_surface(bearing.surface);
-  auto sliding = frictional(bearing.ertalyte.E, pad_cell * reach, smooth * bearing.contact.steel_ertalyte);
+  auto sliding = frictional(bearing.ertalyte.E, pad_cell * reach, friction(mu.steel_ertalyte, mu.steel_ertalyte_slow));
   if (model.full()) sliding.carrier_faces = Surface::dish;
   add_contact(Surface::pad_face, fe::dish(surface, bearing.surface.planar_radius), sliding);
   // The socket does not turn, so it carries the sphere; the foot's cap turns under it.
-  auto joint = frictional(bearing.steel.E, cap_cell * reach, smooth * bearing.contact.steel_steel);
+  auto joint = frictional(bearing.steel.E, cap_cell * reach, friction(mu.steel_steel, mu.steel_steel_slow));
   joint.carrier_faces = Surface::socket;
   add_contact(Surface::foot_cap, sphere(Eigen::Vector3d::Zero(), bearing.foot.cap_radius, Side::inside), joint);
   if (!with_rim) return;
-  auto wall = frictional(bearing.steel.E, wall_cell * reach, bearing.contact.rim);
+  auto wall = frictional(bearing.steel.E, wall_cell * reach, {mu.rim, mu.rim_slow.value_or(mu.rim), mu.rate});
   wall.carrier_faces = Surface::rim_wall;
   add_contact(Surface::slider_side,
               cylinder(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(),

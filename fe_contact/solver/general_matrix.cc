@@ -47,6 +47,16 @@ void GeneralMatrix::add(int row, int column, double value) {
   values_[place(row, column)] += value;
 }
 
+void GeneralMatrix::add_row(int row, const std::vector<int> &columns, const double *values) {
+  int k = starts_[row];
+  const int end = starts_[row + 1];
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    while (k < end && columns_[k] < columns[i]) ++k;
+    if (k == end || columns_[k] != columns[i]) throw std::logic_error("matrix entry outside the sparsity pattern");
+    values_[k] += values[i];
+  }
+}
+
 void GeneralMatrix::make_unit_row(int row, double diagonal) {
   std::fill(values_.begin() + starts_[row], values_.begin() + starts_[row + 1], 0.0);
   values_[place(row, row)] = diagonal;

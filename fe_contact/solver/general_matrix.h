@@ -16,6 +16,8 @@ public:
   void assign(const SymmetricMatrix &symmetric);
   /// Throws std::logic_error outside the pattern.
   void add(int row, int column, double value);
+  /// Values at columns of one row, ascending: found in one walk along it. Throws as add does.
+  void add_row(int row, const std::vector<int> &columns, const double *values);
   /// The row becomes `diagonal` times the unit row.
   void make_unit_row(int row, double diagonal);
   double diagonal(int row) const { return values_[place(row, row)]; }

@@ -16,6 +16,11 @@ void Tangent::add(int row, int column, double value) {
     symmetric_.add(row, column, row == column ? value : 0.5 * value);
 }
 
+void Tangent::add_row(int row, const std::vector<int> &columns, const double *values) {
+  if (general_) return general_->add_row(row, columns, values);
+  for (std::size_t i = 0; i < columns.size(); ++i) add(row, columns[i], values[i]);
+}
+
 void Tangent::drive(int equation, double diagonal, double miss, Eigen::VectorXd &moved) {
   if (general_) return general_->make_unit_row(equation, diagonal);
   auto &values = symmetric_.values();

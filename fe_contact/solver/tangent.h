@@ -20,6 +20,8 @@ public:
   }
   /// Entry (row, column). Throws std::logic_error outside the pattern.
   void add(int row, int column, double value);
+  /// Entries of one row at columns in ascending order, which may repeat.
+  void add_row(int row, const std::vector<int> &columns, const double *values);
   double diagonal(int i) const { return general_ ? general_->diagonal(i) : symmetric_.diagonal(i); }
   /// The equation becomes diagonal * change = -diagonal * miss, `miss` its value less what it is driven to. In a
   /// symmetric tangent its column goes too: `moved` gains what the change -miss does to the other equations' residuals.

@@ -18,9 +18,21 @@ def make(context):
     runs = [(short_name(entry.name), entry.fe) for entry in known if entry.fe is not None and entry.fe.rung != "reduced"]
     section.add(context.pictures.figure("speed-time-split", "Where the wall time of the finite-element runs goes.",
                                         figure_speed.draw, runs))
+    section.add(_work(runs))
     if not single:
         _frontiers(context, section)
     return section
+
+
+def _work(runs):
+    """What the solver did, counted: the same on every machine."""
+    keys = ("newton_iterations", "backtracks", "linear_iterations", "factorisations", "augmentations", "steps_not_taken")
+    rows = [[name, integer(run.summary.get("n_steps")), *(integer(run.summary["solver_work"].get(key)) for key in keys)]
+            for name, run in runs if isinstance(run.summary.get("solver_work"), dict)]
+    if not rows:
+        return None
+    return table(["run", "steps", "Newton", "shortened", "GMRES", "factors", "augmentations", "steps not taken"], rows,
+                 caption="Work of the finite-element solver, in counts that no machine changes; a step of it each stands in response.h5.")
 
 
 def _frontiers(context, section):

@@ -16,6 +16,7 @@
 #include <set>
 
 namespace {
+using namespace rimpact;
 using namespace rimpact::calibration;
 namespace testing = rimpact::calibration::testing;
 

@@ -11,7 +11,7 @@ TEST(Replan, AWindowGoesOnOnAMeshThatHasTheRimItComesTo) {
   const scene::Scene scene =
       scene::load_scene("impact-window", {"excitation.with=[\"weight\",\"friction\"]", "excitation.speed_m_per_s=0.1",
                                           "model.rung=\"rigid-dish\"", "model.mesh=0", "excitation.duration_s=0.03"});
-  Plan plan = make_plan(scene);
+  planning::Plan plan = planning::make_plan(scene);
   ASSERT_TRUE(plan.half);
   RunOptions options;
   options.writes = false;

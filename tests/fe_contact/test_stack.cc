@@ -8,16 +8,16 @@
 namespace rimpact::fe {
 namespace {
 
-Plan plan_of(const std::string &scene, std::vector<std::string> settings = {}) {
+planning::Plan plan_of(const std::string &scene, std::vector<std::string> settings = {}) {
   settings.push_back("model.rung=\"rigid-dish\"");
-  return make_plan(scene::load_scene(scene, settings));
+  return planning::make_plan(scene::load_scene(scene, settings));
 }
 
 TEST(StackPlan, AWindowAlongXTakesTheHalfAndMeshesTheRimItMeets) {
   const std::vector<std::string> weight{"excitation.with=[\"weight\",\"friction\"]"};
   EXPECT_TRUE(plan_of("impact-window", weight).half);
   EXPECT_EQ(plan_of("impact-window", weight).sectors, std::vector<double>{0});
-  const Plan aslant = plan_of("impact-window", {weight[0], "excitation.direction_deg=30"});
+  const planning::Plan aslant = plan_of("impact-window", {weight[0], "excitation.direction_deg=30"});
   EXPECT_FALSE(aslant.half);
   ASSERT_EQ(aslant.sectors.size(), 1u);
   EXPECT_NEAR(aslant.sectors[0], M_PI / 6, 1e-12);
@@ -25,16 +25,16 @@ TEST(StackPlan, AWindowAlongXTakesTheHalfAndMeshesTheRimItMeets) {
 }
 
 TEST(StackPlan, APulseMeshesTheSideTheScoutTouchesAndTheOtherOnlyWhenItComesNear) {
-  const Plan plain = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05"});
+  const planning::Plan plain = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05"});
   ASSERT_FALSE(plain.impacts.empty());
   EXPECT_NEAR(std::cos(plain.sectors[0]), std::cos(plain.impacts[0].direction_deg * M_PI / 180), 1e-9);
-  const Plan turned = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05", "excitation.direction_deg=180"});
+  const planning::Plan turned = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05", "excitation.direction_deg=180"});
   EXPECT_NEAR(std::abs(std::remainder(turned.sectors[0] - plain.sectors[0], 2 * M_PI)), M_PI, 1e-9);
   EXPECT_EQ(plan_of("ricker-0.78g-1.0s", {"excitation.scale=2.0"}).sectors.size(), 2u);
 }
 
 TEST(StackPlan, EveryDirectionOfABidirectionalPulseThatMayTouchIsMeshedOnce) {
-  const Plan plan = plan_of("pulse-bidirectional", {"excitation.scale=1.3"});
+  const planning::Plan plan = plan_of("pulse-bidirectional", {"excitation.scale=1.3"});
   ASSERT_EQ(plan.impacts.size(), 3u);
   ASSERT_EQ(plan.sectors.size(), 3u);
   for (int k = 0; k < 3; ++k)
@@ -43,13 +43,13 @@ TEST(StackPlan, EveryDirectionOfABidirectionalPulseThatMayTouchIsMeshedOnce) {
 }
 
 TEST(StackPlan, RestTakesLongStepsAndIsSaid) {
-  const Plan whole = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05"}),
+  const planning::Plan whole = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05"}),
              cut = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05", "excitation.duration_s=3"});
   EXPECT_GT(whole.rests_from, 4);
   EXPECT_LT(whole.rests_from, 6);
   EXPECT_LT(whole.expected_steps - cut.expected_steps,
             (whole.rests_from - 3) / 0.008 + (8 - whole.rests_from) / 0.05 + 1);
-  const auto said = [](const Plan &plan) {
+  const auto said = [](const planning::Plan &plan) {
     return std::any_of(plan.notes.begin(), plan.notes.end(),
                        [](const auto &note) { return note.find("rests from") != std::string::npos; });
   };
@@ -58,17 +58,17 @@ TEST(StackPlan, RestTakesLongStepsAndIsSaid) {
 }
 
 TEST(StackPlan, APushMeshesTheRimWhereItGoes) {
-  const Plan along = plan_of("rim-push"), aslant = plan_of("rim-push", {"excitation.direction_deg=30"});
+  const planning::Plan along = plan_of("rim-push"), aslant = plan_of("rim-push", {"excitation.direction_deg=30"});
   EXPECT_TRUE(along.half && along.rim_takes_part);
   EXPECT_FALSE(along.moves_in_time);
   EXPECT_FALSE(aslant.half);
   ASSERT_EQ(aslant.sectors.size(), 1u);
   EXPECT_NEAR(aslant.sectors[0], M_PI / 6, 1e-12);
   const scene::Scene scene = scene::load_scene("rim-push", {"model.rung=\"full\""});
-  const Plan full = make_plan(scene);
+  const planning::Plan full = planning::make_plan(scene);
   EXPECT_EQ(full.sectors.size(), 1u);
-  EXPECT_EQ(refusal(scene), std::nullopt);
-  const Plan draft = plan_of("rim-push", {"model.mesh=0"}); // the draft mesh has its own costs
+  EXPECT_EQ(planning::refusal(scene), std::nullopt);
+  const planning::Plan draft = plan_of("rim-push", {"model.mesh=0"}); // the draft mesh has its own costs
   EXPECT_LT(draft.expected_dofs, along.expected_dofs);
   EXPECT_LT(draft.expected_seconds, along.expected_seconds);
 }

@@ -13,7 +13,6 @@
 
 using namespace rimpact;
 using namespace rimpact::fleets;
-using Cell, Table;
 
 namespace {
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+using namespace rimpact;
 using namespace rimpact::fleets;
 
 TEST(LatinHypercube, OnePointInEachStripOfEveryDimension) {

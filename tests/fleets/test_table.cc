@@ -5,7 +5,6 @@
 #include <limits>
 
 using namespace rimpact;
-using Cell, Table;
 
 TEST(Table, ReadsBackExactly) {
   const TemporaryFolder folder;

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
+using namespace rimpact;
 using namespace rimpact::reduced;
 using Eigen::Matrix2d, Eigen::Vector2d;
 

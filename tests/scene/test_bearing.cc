@@ -93,6 +93,12 @@ const Refused refused[] = {
     {"steep tangent", [](Bearing &b) { b.steel.tangent_modulus = 200e9; }, {"tangent_modulus_MPa 200000", "below"}},
     {"tangent without yield", [](Bearing &b) { b.steel.yield.reset(); }, {"tangent_modulus_MPa", "yield_MPa"}},
     {"friction", [](Bearing &b) { b.contact.steel_steel = -0.1; }, {"contact.steel_steel", "-0.1"}},
+    {"friction at rest",
+     [](Bearing &b) { b.contact.rim_slow = 0.2, b.contact.rate = 20; },
+     {"contact.rim_slow 0.2 exceeds contact.rim 0"}},
+    {"friction over speed without a rate",
+     [](Bearing &b) { b.contact.steel_ertalyte_slow = 0.04; },
+     {"contact.rate_s_per_m 0 must be > 0", "steel_ertalyte_slow 0.04"}},
     {"pad_foot", [](Bearing &b) { b.contact.pad_foot = "tide"; }, {"tide", "did you mean \"tied\""}},
     {"surface kind", [](Bearing &b) { b.surface.kind = "conus"; }, {"surface.kind", "conus"}},
 };

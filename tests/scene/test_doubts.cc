@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 namespace {
+using namespace rimpact;
 using namespace rimpact::scene;
 
 TEST(Doubts, NoneAboutTheDefaultScene) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace {
+using namespace rimpact;
 using namespace rimpact::scene;
 
 TEST(Ricker, IsThePulseOfTheThesis) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 namespace {
+using namespace rimpact;
 using namespace rimpact::scene;
 
 Summary one_impact(double speed, double penetration) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 namespace {
+using namespace rimpact;
 using namespace rimpact::scene;
 
 Scene parse(const std::string &text, const std::vector<std::string> &overrides = {}) {

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 namespace {
+using namespace rimpact;
 using namespace rimpact::scene;
 
 /// The text with the comment signs of keys taken away, but not those of sentences.

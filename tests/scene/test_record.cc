@@ -6,7 +6,6 @@
 
 namespace {
 using namespace rimpact;
-using namespace rimpact::scene;
 
 const std::string head = "PEER NGA STRONG MOTION DATABASE RECORD\nEvent, date, station, 90\n"
                          "ACCELERATION TIME SERIES IN UNITS OF G\n";

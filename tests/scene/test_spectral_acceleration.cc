@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-using namespace rimpact::scene;
+using namespace rimpact;
 using std::numbers::pi;
 
 // A constant acceleration held for ever: u = -a/w^2 (1 - e^(-xi w t) (...)), overshoot 1 + exp(-xi pi /
