@@ -17,6 +17,7 @@ MAY_INCLUDE = {
     "buildings": {"buildings", "reduced_models"} | BASE,
     "reliability": {"reliability", "files"},
     "fleets": {"fleets", "reduced_models"} | BASE,
+    "risk": {"risk", "fleets", "reliability", "reduced_models"} | BASE,
     "calibration/data": {"calibration/data", "reduced_models"} | BASE,
     "calibration/fit": {"calibration/fit", "calibration/data", "reduced_models"} | BASE,
     "calibration/laws": {"calibration/laws", "calibration/fit", "calibration/data", "reduced_models"} | BASE,
@@ -31,7 +32,7 @@ MAY_INCLUDE = {
     FE + "model": {FE + "model", FE + "laws", FE + "solver", "meshes", "scene", "files"},
     FE + "runner": {FE + "runner", FE + "model", FE + "laws", FE + "solver", "meshes", "planning", "reduced_models"} | BASE,
     "app": {"app", "calibration/data", "calibration/fit", "calibration/laws", "calibration/studies", "calibration/answer",
-            "calibration/export", "fleets", "buildings", "reliability", "planning", "reduced_models", "meshes", FE + "runner"} | BASE,
+            "calibration/export", "fleets", "risk", "buildings", "reliability", "planning", "reduced_models", "meshes", FE + "runner"} | BASE,
 }
 HEAVY = re.compile(r"deal\.II/|petsc|gmsh\.h|dmumps|slepc")
 MAY_SEE_HEAVY = ("meshes/", "fe_contact/", "app/main_fe.cc")
