@@ -17,7 +17,7 @@ namespace rimpact::app {
 namespace {
 
 struct Options {
-  std::string study, folder, shard;
+  std::string study, folder, shard, table;
   std::vector<std::string> records;
   int n_threads = 0;
   bool dry_run = false, no_report = false, resume = false;
@@ -99,7 +99,12 @@ void show_plan(const risk::Study &study, const risk::Systems &systems, const ris
 }
 
 void run_reliability(Options options, Console &console) {
-  const risk::Study study = risk::read_study(options.study);
+  risk::Study study = risk::read_study(options.study);
+  if (!options.table.empty()) {
+    if (study.motions.table.empty())
+      throw InputError(options.study + ": --table replaces motions.table, and this study has none");
+    study.motions.table = options.table;
+  }
   if (options.folder.empty()) options.folder = default_folder(study.name);
   const bool is_shard = parse_shard(options.shard).second > 1;
   const auto systems = risk::systems_of(study);
@@ -137,6 +142,7 @@ void add_reliability(CLI::App &app, Console &console) {
   verb->add_option("-o,--output", options->folder, "results folder (default results/STUDY); finished runs are kept");
   verb->add_option("--records", options->records, "a folder of AT2 files, besides the study's own (repeatable)")
       ->allow_extra_args(false);
+  verb->add_option("--table", options->table, "the table of motions, in place of the study's motions.table");
   verb->add_option("--shard", options->shard, "I/N: every N-th system from the I-th on, with the same -o");
   verb->add_option("--threads", options->n_threads, "default: as many as the machine has")->check(CLI::Range(1, 1024));
   verb->add_flag("--dry-run", options->dry_run, "the plan: runs, hours, memory, files, shards");

@@ -48,6 +48,7 @@ LooseTable::LooseTable(const std::string &text, const std::string &path, const s
   if (separator == 0) throw DataError(fmt::format("{}: no line has the columns {}", path, fmt::join(columns, ", ")));
   for (; at < lines.size() && !trim(lines[at]).empty(); ++at) {
     LooseRow row{at + 1, cells_of(lines[at], separator)};
+    while (row.cells.size() > columns_.size() && row.cells.back().empty()) row.cells.pop_back(); // commas at the end
     if (row.cells.size() != columns_.size())
       throw DataError(fmt::format("{}:{}: {} cells, the header has {}{}", path, at + 1, row.cells.size(),
                                   columns_.size(),

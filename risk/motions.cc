@@ -15,6 +15,7 @@ namespace {
 
 /// One row of the table that names a record at a level.
 struct Listed {
+  std::string table;
   std::size_t line;
   std::string rsn, component; ///< component: as printed, may be empty
   double factor;              ///< 0: the table has none
@@ -50,7 +51,7 @@ Levels read_levels(const MotionSource &source) {
   for (const auto &row : table.rows()) {
     const auto wanted = [&](const auto &entry) { return same_value(table.text(row, entry.first), entry.second); };
     if (!std::all_of(source.where.begin(), source.where.end(), wanted)) continue;
-    Listed listed{row.line, table.text(row, source.rsn_column), "", 0};
+    Listed listed{source.table, row.line, table.text(row, source.rsn_column), "", 0};
     if (!source.component_column.empty()) listed.component = table.text(row, source.component_column);
     if (!source.factor_column.empty()) {
       listed.factor = table.number(row, source.factor_column);
@@ -65,6 +66,23 @@ Levels read_levels(const MotionSource &source) {
   }
   if (levels.empty())
     throw DataError(fmt::format("{}: no row has the values that motions.where asks for", source.table));
+  return levels;
+}
+
+/// Results of PEER's search, one a level: a block of rows behind remarks, names of columns with blanks.
+Levels read_sets(const MotionSource &source) {
+  const std::string rsn = "Record Sequence Number", factor = "Scale Factor";
+  Levels levels;
+  for (const auto &set : source.sets) {
+    const LooseTable table(read_file(set.search_results), set.search_results, {rsn, factor});
+    for (const auto &row : table.rows()) {
+      Listed listed{set.search_results, row.line, table.text(row, rsn), "", table.number(row, factor)};
+      if (!(listed.factor > 0))
+        throw DataError(fmt::format("{}:{}: {} {} of RSN {} must be > 0", listed.table, row.line, factor, listed.factor,
+                                    listed.rsn));
+      levels[set.level].push_back(std::move(listed));
+    }
+  }
   return levels;
 }
 
@@ -100,16 +118,16 @@ private:
     return off <= std::max(level_tolerance, factor_rounding / row.factor);
   }
   void miss(const Listed &row, const std::string &why) {
-    result_.missing.push_back(fmt::format("{}:{}: RSN {}{}{} at {:.4g} g: {}", source_.table, row.line, row.rsn,
+    result_.missing.push_back(fmt::format("{}:{}: RSN {}{}{} at {:.4g} g: {}", row.table, row.line, row.rsn,
                                           row.component.empty() ? "" : " ", row.component, level_.intensity_g, why));
   }
 
   void add(const std::string &rsn, const std::vector<const Listed *> &twins) {
     if (twins.size() > 2 || (twins.size() == 2 && source_.component == ComponentRule::printed &&
                              twins[0]->component == twins[1]->component))
-      throw DataError(fmt::format("{}:{}: RSN {} {} stands more than once at {:.4g} g (also in line {})", source_.table,
-                                  twins.back()->line, rsn, twins.back()->component, level_.intensity_g,
-                                  twins.front()->line));
+      throw DataError(fmt::format("{}:{}: RSN {} {} stands more than once at {:.4g} g (also in line {})",
+                                  twins.back()->table, twins.back()->line, rsn, twins.back()->component,
+                                  level_.intensity_g, twins.front()->line));
     const auto files = shelf_.components(rsn);
     if (files.empty())
       for (const auto *row : twins) miss(*row, "no file at hand");
@@ -157,8 +175,8 @@ private:
     motion.over_level = motion.scale * sa / level_.intensity_g;
     if (row.factor > 0 && !meets(row, file))
       result_.doubts.push_back(fmt::format(
-          "{}:{}: RSN {} times {} has S_a {:.4g} g, {:+.1f} % off its level of {:.4g} g", source_.table, row.line,
-          row.rsn, row.factor, row.factor * sa, 100 * (row.factor * sa / level_.intensity_g - 1), level_.intensity_g));
+          "{}:{}: RSN {} times {} has S_a {:.4g} g, {:+.1f} % off its level of {:.4g} g", row.table, row.line, row.rsn,
+          row.factor, row.factor * sa, 100 * (row.factor * sa / level_.intensity_g - 1), level_.intensity_g));
     level_.motions.push_back(std::move(motion));
   }
 
@@ -187,8 +205,9 @@ Motions motions_of(const Study &study, const std::vector<std::string> &folders) 
   Motions result;
   std::vector<MotionLevel> levels;
   for (const double level : study.levels_g) levels.push_back(level_of_folders(level, shelf));
-  if (!study.motions.table.empty())
-    for (const auto &[value, rows] : read_levels(study.motions)) {
+  if (study.levels_g.empty())
+    for (const auto &[value, rows] :
+         study.motions.table.empty() ? read_sets(study.motions) : read_levels(study.motions)) {
       const bool years = study.motions.level_is == LevelKind::return_period;
       MotionLevel level{.intensity_g = years ? intensity_at(study.hazard, value) : value};
       LevelFiller(study.motions, shelf, result, level).fill(rows);

@@ -20,6 +20,9 @@
 ///   rsn = "rsn"
 ///   component = "component"
 ///   factor = "factor"
+///   [[motions.set]]               # in place of `table`: a result of PEER's search for each level
+///   search_results = "475/_SearchResults.csv"   # Record Sequence Number, Scale Factor
+///   level = 475                   # as level_is says
 ///   [motions.where]               # only rows whose column has this value
 ///   period_s = 3
 ///   [hazard]
@@ -51,8 +54,15 @@ enum class LevelKind { return_period, intensity };
 enum class ComponentRule { nearest, printed };
 enum class ScaleRule { factor, level };
 
+/// One level's result of PEER's search.
+struct MotionSet {
+  std::string search_results;
+  double level;
+};
+
 /// Where the ground motions come from.
 struct MotionSource {
+  std::vector<MotionSet> sets;
   std::vector<std::string> folders; ///< of record files
   std::string table;                ///< CSV; empty: every horizontal component of the folders at every level
   LevelKind level_is = LevelKind::return_period;

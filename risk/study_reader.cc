@@ -96,15 +96,14 @@ private:
       reader.text({"component"}, motions.component_column);
       reader.text({"factor"}, motions.factor_column);
     });
-    reader.finish({"folders", "where"});
+    reader.finish({"folders", "where", "set"});
     read_folders();
+    read_sets();
     read_where();
     if (!motions.table.empty()) motions.table = beside(motions.table);
-    if (motions.table.empty() == study_.levels_g.empty())
-      fail_at("motions.table",
-              motions.table.empty()
-                  ? "a study needs motions.table, or intensity.levels_g for every record at every level"
-                  : "motions.table and intensity.levels_g exclude each other: the table has the levels");
+    if (!motions.table.empty() + !motions.sets.empty() + !study_.levels_g.empty() != 1)
+      fail_at("motions", "a study needs one of motions.table, [[motions.set]] and intensity.levels_g (every record at "
+                         "every level)");
   }
 
   void read_folders() {
@@ -115,6 +114,23 @@ private:
     for (const auto &entry : *list) {
       if (!entry.is_string()) fail(entry, "motions.folders must be a list of folders");
       study_.motions.folders.push_back(beside(entry.as_string()->get()));
+    }
+  }
+
+  void read_sets() {
+    const auto *node = file_.find("motions.set");
+    if (!node) return;
+    const auto *list = node->as_array();
+    if (!list) fail(*node, "sets are written [[motions.set]], one table each");
+    for (const auto &entry : *list) {
+      const auto *table = entry.as_table();
+      if (!table) fail(entry, "sets are written [[motions.set]], one table each");
+      only(*table, {"search_results", "level"}, "motions.set");
+      const auto *file = table->get("search_results");
+      if (!file || !file->is_string()) fail(entry, "a set needs search_results = \"FILE\"");
+      const double level = number_in(*table, "level", "motions.set");
+      if (!(level > 0)) fail(entry, fmt::format("motions.set.level {} must be > 0", level));
+      study_.motions.sets.push_back({beside(file->as_string()->get()), level});
     }
   }
 
