@@ -13,7 +13,7 @@
 
 using namespace rimpact;
 using namespace rimpact::fleets;
-using Cell, Table;
+
 
 namespace {
 
