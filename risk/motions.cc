@@ -1,8 +1,8 @@
 #include "risk/motions.h"
 #include "files/error.h"
 #include "files/file.h"
+#include "files/loose_csv.h"
 #include "files/text.h"
-#include "risk/loose_csv.h"
 #include "risk/record_shelf.h"
 #include <algorithm>
 #include <cmath>

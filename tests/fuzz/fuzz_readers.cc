@@ -7,7 +7,7 @@
 #include "records/record_format.h"
 #include "responses/kept_run.h"
 #include "responses/response_files.h"
-#include "risk/loose_csv.h"
+#include "files/loose_csv.h"
 #include "scene/scene.h"
 #include <cmath>
 #include <cstdint>
@@ -59,7 +59,7 @@ void read(char reader, const std::string &text) {
   case 'v':
     return read_record(parse_cosmos_v2(text, "fuzz", 9.81));
   case 'l':
-    risk::LooseTable(text, "fuzz", {"rsn", "factor"});
+    LooseTable(text, "fuzz", {"rsn", "factor"});
     return;
   case 'r':
     return require_finite(parse_csv(text, "fuzz").series("time"));

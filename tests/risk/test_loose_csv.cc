@@ -1,8 +1,8 @@
 #include "../scene/expect_error.h"
-#include "risk/loose_csv.h"
+#include "files/loose_csv.h"
 
 using namespace rimpact;
-using risk::LooseTable;
+using rimpact::LooseTable;
 
 TEST(LooseCsv, CommasSemicolonsTabsAndAByteOrderMark) {
   const std::vector<std::string> columns{"rsn", "factor"};

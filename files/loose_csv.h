@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-namespace rimpact::risk {
+namespace rimpact {
 
 struct LooseRow {
   std::size_t line; ///< from 1
@@ -33,4 +33,4 @@ private:
   std::vector<LooseRow> rows_;
 };
 
-} // namespace rimpact::risk
+} // namespace rimpact

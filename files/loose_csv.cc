@@ -1,4 +1,4 @@
-#include "risk/loose_csv.h"
+#include "files/loose_csv.h"
 #include "files/error.h"
 #include "files/text.h"
 #include <algorithm>
@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-namespace rimpact::risk {
+namespace rimpact {
 namespace {
 
 std::vector<std::string> cells_of(std::string_view line, char separator) {
@@ -83,4 +83,4 @@ double LooseTable::number(const LooseRow &row, const std::string &column) const 
   return *value;
 }
 
-} // namespace rimpact::risk
+} // namespace rimpact
