@@ -20,6 +20,7 @@ const std::vector<Verb> &light_verbs() {
       {"design", add_design},
       {"reduced", add_reduced},
       {"building", add_building},
+      {"reliability", add_reliability},
       {"run", [](CLI::App &app, Console &) { app.add_subcommand(run_name, run_help); }},
       {"mesh", [](CLI::App &app, Console &) { app.add_subcommand(mesh_name, mesh_help); }},
       {"curve", [](CLI::App &app, Console &) { app.add_subcommand(curve_name, curve_help); }},

@@ -27,6 +27,7 @@ void add_mesh(CLI::App &app, Console &console);
 void add_motion(CLI::App &app, Console &console);
 void add_new(CLI::App &app, Console &console);
 void add_reduced(CLI::App &app, Console &console);
+void add_reliability(CLI::App &app, Console &console);
 void add_report(CLI::App &app, Console &console);
 void add_run(CLI::App &app, Console &console);
 void add_study(CLI::App &app, Console &console);

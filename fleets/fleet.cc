@@ -176,7 +176,7 @@ FleetResult run_fleet(const std::string &where, const std::vector<std::string> &
                             result.total));
   for (const auto run : mine) count(result, table.row(run));
   if (options.n_shards == 1 && !sweep.fractiles_along.empty()) {
-    const Table curves = fractiles(table.table(mine), sweep.fractiles_along);
+    const Table curves = fractiles(table.table(mine), sweep.fractiles_along, sweep.fractiles_by);
     write_hdf5(curves, options.folder + "/fractiles.h5");
     write_csv(curves, options.folder + "/fractiles.csv");
   }

@@ -1,4 +1,5 @@
 #include "fleets/fractiles.h"
+#include "fleets/run_end.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -43,10 +44,9 @@ void add(Level &level, const Table &runs, const std::vector<Cell> &row) {
     const auto *found = std::get_if<std::string>(&row[column(runs, name)]);
     return found ? *found : std::string();
   };
-  const std::string reason = text("reason");
-  const bool stopped = text("status") == "stopped" && (reason.find("left the dish") != std::string::npos ||
-                                                       reason.find("collapsed") != std::string::npos);
-  if (!stopped && text("status") != "done") {
+  const RunEnd end = run_end(text("status"), text("reason"));
+  const bool stopped = end == RunEnd::beyond;
+  if (end == RunEnd::without_result) {
     ++level.n_without_result;
     return;
   }
@@ -68,28 +68,33 @@ void add(Level &level, const Table &runs, const std::vector<Cell> &row) {
 
 } // namespace
 
-Table fractiles(const Table &runs, const std::string &along) {
+Table fractiles(const Table &runs, const std::string &along, const std::vector<std::string> &by) {
   const std::size_t place = column(runs, along);
-  std::map<double, Level> levels;
+  std::vector<std::size_t> groups;
+  for (const auto &name : by) groups.push_back(column(runs, name));
+  std::map<std::vector<Cell>, Level> levels; // by the group's values, then along
   for (const auto &row : runs.rows) {
-    const auto *value = std::get_if<double>(&row[place]);
-    if (!value) throw std::logic_error("fractiles along a column that is not of numbers");
-    add(levels[*value], runs, row);
+    if (!std::holds_alternative<double>(row[place]))
+      throw std::logic_error("fractiles along a column that is not of numbers");
+    std::vector<Cell> key;
+    for (const auto group : groups) key.push_back(row[group]);
+    key.push_back(row[place]);
+    add(levels[key], runs, row);
   }
   Table result;
-  result.columns = {along, "n_runs", "n_stopped", "n_with_impact", "n_beyond_rim", "n_beyond_fit", "n_without_result"};
+  result.columns = by;
+  for (const char *name :
+       {along.c_str(), "n_runs", "n_stopped", "n_with_impact", "n_beyond_rim", "n_beyond_fit", "n_without_result"})
+    result.columns.emplace_back(name);
   for (const auto *quantity : quantities) {
     if (!has(runs, quantity)) continue;
     for (const auto &[prefix, share] : shares) result.columns.push_back(std::string(prefix) + quantity);
   }
-  for (const auto &[value, level] : levels) {
-    std::vector<Cell> row{value,
-                          double(level.n_runs),
-                          double(level.n_stopped),
-                          double(level.n_with_impact),
-                          double(level.n_beyond_rim),
-                          double(level.n_beyond_fit),
-                          double(level.n_without_result)};
+  for (const auto &[key, level] : levels) {
+    std::vector<Cell> row = key;
+    for (const int count : {level.n_runs, level.n_stopped, level.n_with_impact, level.n_beyond_rim, level.n_beyond_fit,
+                            level.n_without_result})
+      row.emplace_back(double(count));
     for (std::size_t i = 0; i < std::size(quantities); ++i)
       if (has(runs, quantities[i]))
         for (const auto &[prefix, share] : shares) row.push_back(fractile(level.values[i], share));

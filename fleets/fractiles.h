@@ -10,7 +10,8 @@ namespace rimpact::fleets {
 /// (limits.h), n_without_result (any other: not among n_runs), and p16_, p50_, p84_ of peak_displacement_m,
 /// peak_lateral_force_N, peak_impact_force_N and, when the table has them, peak_drift_m and ductility: linear between
 /// the sorted values, the first at 0 and the last at 1. A stopped run lies above every other, so a fractile that
-/// reaches one is empty. Throws std::logic_error when `along` is no column of numbers.
-Table fractiles(const Table &runs, const std::string &along);
+/// reaches one is empty. With `by`, one such curve for each combination of the values of these columns, which stand
+/// first. Throws std::logic_error when `along` is no column of numbers or one of `by` is none.
+Table fractiles(const Table &runs, const std::string &along, const std::vector<std::string> &by = {});
 
 } // namespace rimpact::fleets

@@ -70,7 +70,16 @@ void add_linked(Point &point, const LinkedKey &linked) {
 
 /// Columns of the table that are no keys of a scene.
 bool is_label(const std::string &key) {
-  return key == "case" || key == "record" || is_variable(key);
+  return key == "case" || key == "device" || key == "record" || is_variable(key);
+}
+
+void require_numbers_along(const Sweep &sweep) {
+  if (sweep.fractiles_along.empty()) return;
+  const auto place = std::find(sweep.keys.begin(), sweep.keys.end(), sweep.fractiles_along) - sweep.keys.begin();
+  for (const auto &run : sweep.runs)
+    if (!std::holds_alternative<double>(run[static_cast<std::size_t>(place)].cell))
+      throw InputError(fmt::format("{}: fractiles.along: \"{}\" has values that are no numbers", sweep.origin,
+                                   sweep.fractiles_along));
 }
 
 bool is_file(const std::string &key) {
@@ -97,7 +106,8 @@ std::vector<std::string> Sweep::assignments(std::size_t run) const {
 }
 
 Sweep combine(const SweepParts &parts, const std::string &origin) {
-  auto points = product(case_points(parts.cases), case_points(parts.records.cases), origin);
+  auto points = product(case_points(parts.cases), case_points(parts.devices), origin);
+  points = product(points, case_points(parts.records.cases), origin);
   for (const auto &axis : parts.grid) {
     std::vector<Point> along;
     along.reserve(axis.values.size());
@@ -105,7 +115,7 @@ Sweep combine(const SweepParts &parts, const std::string &origin) {
     points = product(points, along, origin);
   }
   points = product(points, sampled_points(parts), origin);
-  Sweep sweep{origin, {}, {}, parts.fractiles_along, parts.records.left_out};
+  Sweep sweep{origin, {}, {}, parts.fractiles_along, parts.fractiles_by, parts.records.left_out};
   for (auto &point : points) {
     for (const auto &linked : parts.linked) add_linked(point, linked);
     sweep.runs.emplace_back();
@@ -115,6 +125,7 @@ Sweep combine(const SweepParts &parts, const std::string &origin) {
   if (sweep.keys.empty())
     throw InputError(
         fmt::format("{}: nothing varies; a sweep has [[case]], [records], [grid] or [latin_hypercube]", origin));
+  require_numbers_along(sweep);
   return sweep;
 }
 

@@ -5,6 +5,9 @@
 ///   name = "sylmar"               # column `case`
 ///   excitation.x = "SYL360.AT2"   # files are sought beside the sweep file
 ///   excitation.y = "SYL090.AT2"
+///   [[device]]                    # a second list of the same form, column `device`: every case with every device
+///   name = "stiff rim"
+///   reduced.k_i_kN_per_m = 1e6
 ///   [records]                     # one case for each ground motion of a folder of AT2 files
 ///   folder = "records"
 ///   components = "xy"             # "x": every horizontal component alone; "xy", "xyz": stations that have them
@@ -22,12 +25,13 @@
 ///   reduced.mu_slow = { product = [0.5, "reduced.mu_fast"] }
 ///   excitation.scale = { product = ["variable.pga_g"], over = "variable.record_pga_g" }
 ///   [fractiles]                   # also FOLDER/fractiles.csv and .h5, see fractiles.h
-///   along = "variable.pga_g"
+///   along = "variable.pga_g"                                       # a key with numbers, of any part
+///   by = ["bearing.surface.a_m"]                                   # one curve for each combination of these
 ///
 /// Each motion of [records] sets excitation.kind, x, y and z, the column `record`, and variable.record_pga_g
 /// and variable.record_pgv_m_per_s (and variable.record_sa_g, the spectral acceleration with 5 % damping): the largest of its horizontal components, unscaled.
 /// On the command line KEY=a:b:n stands for one line of [grid]: n values from a to b.
-/// Runs are cases x records x grid x samples, in this order, the last changing fastest. Keys are those of a scene,
+/// Runs are cases x devices x records x grid x samples, in this order, the last changing fastest. Keys are those of a scene,
 /// dotted; a key that begins with "variable." is only a column and a factor for [linked].
 // clang-format on
 #pragma once
@@ -44,11 +48,12 @@ struct Value {
 };
 
 struct Sweep {
-  std::string origin;                   ///< the file's name, or the arguments
-  std::vector<std::string> keys;        ///< of the scene, "variable.*", "case" or "record", sorted
-  std::vector<std::vector<Value>> runs; ///< one value a key
-  std::string fractiles_along;          ///< one of `keys`, or empty
-  std::vector<std::string> left_out;    ///< sentences: records of a folder that are not used
+  std::string origin;                    ///< the file's name, or the arguments
+  std::vector<std::string> keys;         ///< of the scene, "variable.*", "case", "device" or "record", sorted
+  std::vector<std::vector<Value>> runs;  ///< one value a key
+  std::string fractiles_along;           ///< one of `keys`, or empty
+  std::vector<std::string> fractiles_by; ///< of `keys`
+  std::vector<std::string> left_out;     ///< sentences: records of a folder that are not used
   /// KEY=VALUE for load_scene, file names made absolute; variables and the case's name left out.
   std::vector<std::string> assignments(std::size_t run) const;
 };

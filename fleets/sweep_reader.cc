@@ -10,17 +10,20 @@
 namespace rimpact::fleets {
 namespace {
 
-const std::vector<std::string> part_names = {"case", "records", "grid", "latin_hypercube", "linked", "fractiles"};
+const std::vector<std::string> part_names = {"case",   "device",   "records", "grid", "latin_hypercube",
+                                             "linked", "fractiles"};
 
 class PartsReader : SweepToml {
 public:
   using SweepToml::SweepToml;
 
-  SweepParts read() {
+  SweepParts read(const std::vector<std::string> &also) {
+    std::vector<std::string> known = part_names;
+    known.insert(known.end(), also.begin(), also.end());
     for (const auto &[name, node] : file_.root())
-      if (std::find(part_names.begin(), part_names.end(), name.str()) == part_names.end())
-        fail(node, not_among(name.str(), part_names));
-    read_cases();
+      if (std::find(known.begin(), known.end(), name.str()) == known.end()) fail(node, not_among(name.str(), known));
+    read_cases("case", parts_.cases);
+    read_cases("device", parts_.devices);
     read_records();
     each_key("grid", [&](const std::string &key, const toml::node &node) {
       parts_.grid.push_back({key, grid_values(key, node)});
@@ -32,24 +35,26 @@ public:
   }
 
 private:
-  void read_cases() {
-    const auto *node = file_.root().get("case");
+  /// `part`: case or device, which is also the column of the names.
+  void read_cases(const std::string &part, std::vector<std::vector<Axis>> &cases) const {
+    const auto *node = file_.root().get(part);
     if (!node) return;
+    const std::string form = fmt::format("{0}s are written [[{0}]], one table each", part);
     const auto *list = node->as_array();
-    if (!list || list->empty()) fail(*node, "cases are written [[case]], one table each");
+    if (!list || list->empty()) fail(*node, form);
     for (const auto &entry : *list) {
-      if (!entry.is_table()) fail(entry, "cases are written [[case]], one table each");
+      if (!entry.is_table()) fail(entry, form);
       std::vector<Axis> axes;
       leaves(*entry.as_table(), "", [&](const std::string &key, const toml::node &leaf) {
         if (key != "name") return axes.push_back({key, {value(key, leaf)}});
         if (!leaf.is_string()) fail(leaf, "name must be a text");
-        axes.push_back({"case", {{leaf.as_string()->get(), leaf.as_string()->get()}}});
+        axes.push_back({part, {{leaf.as_string()->get(), leaf.as_string()->get()}}});
       });
-      const auto &first = parts_.cases.empty() ? axes : parts_.cases.front();
+      const auto &first = cases.empty() ? axes : cases.front();
       const auto same = [](const Axis &a, const Axis &b) { return a.key == b.key; };
       if (!std::equal(axes.begin(), axes.end(), first.begin(), first.end(), same))
-        fail(entry, "this case has not the same keys as the first one");
-      parts_.cases.push_back(std::move(axes));
+        fail(entry, fmt::format("this {} has not the same keys as the first one", part));
+      cases.push_back(std::move(axes));
     }
   }
 
@@ -91,13 +96,28 @@ private:
     const auto *table = node->as_table();
     const auto *along = table ? table->get("along") : nullptr;
     if (!along || !along->is_string()) fail(*node, "[fractiles] needs along = \"KEY\"");
-    only(*table, {"along"}, "fractiles");
+    only(*table, {"along", "by"}, "fractiles");
     parts_.fractiles_along = along->as_string()->get();
-    const auto axis = std::find_if(parts_.grid.begin(), parts_.grid.end(),
-                                   [&](const Axis &a) { return a.key == parts_.fractiles_along; });
-    const auto is_number = [](const Value &v) { return std::holds_alternative<double>(v.cell); };
-    if (axis == parts_.grid.end() || !std::all_of(axis->values.begin(), axis->values.end(), is_number))
-      fail(*along, fmt::format("fractiles.along: \"{}\" is no key of [grid] with numbers", parts_.fractiles_along));
+    if (!varies(parts_.fractiles_along) && !is_linked(parts_.fractiles_along))
+      fail(*along, fmt::format("fractiles.along: \"{}\" is no key of this sweep", parts_.fractiles_along));
+    if (const auto *by = table->get("by")) parts_.fractiles_by = keys_of_fractiles(*by);
+  }
+  std::vector<std::string> keys_of_fractiles(const toml::node &node) const {
+    const auto *list = node.as_array();
+    if (!list) fail(node, "fractiles.by must be a list of keys");
+    std::vector<std::string> keys;
+    for (const auto &entry : *list) {
+      const std::string key = entry.value_or(std::string());
+      if (!varies(key) && !is_linked(key))
+        fail(entry, fmt::format("fractiles.by: \"{}\" is no key of this sweep", key));
+      if (key == parts_.fractiles_along || std::find(keys.begin(), keys.end(), key) != keys.end())
+        fail(entry, fmt::format("fractiles.by: \"{}\" is given twice", key));
+      keys.push_back(key);
+    }
+    return keys;
+  }
+  bool is_linked(const std::string &name) const {
+    return std::any_of(parts_.linked.begin(), parts_.linked.end(), [&](const auto &l) { return l.key == name; });
   }
 
   std::vector<Value> grid_values(const std::string &key, const toml::node &node) const {
@@ -189,6 +209,7 @@ private:
       return std::any_of(axes.begin(), axes.end(), [&](const auto &axis) { return axis.key == name; });
     };
     return has(parts_.grid) || has(parts_.sampled) || (!parts_.cases.empty() && has(parts_.cases.front())) ||
+           (!parts_.devices.empty() && has(parts_.devices.front())) ||
            (!parts_.records.cases.empty() && has(parts_.records.cases.front()));
   }
 
@@ -208,8 +229,8 @@ std::vector<Value> even_values(const std::string &key, double from, double to, i
   return values;
 }
 
-SweepParts read_parts(const TomlFile &file, const std::string &origin) {
-  return PartsReader(file, origin).read();
+SweepParts read_parts(const TomlFile &file, const std::string &origin, const std::vector<std::string> &also) {
+  return PartsReader(file, origin).read(also);
 }
 
 } // namespace rimpact::fleets

@@ -30,14 +30,16 @@ struct RecordCases {
 };
 
 struct SweepParts {
-  std::vector<std::vector<Axis>> cases; ///< each with one value a key, the same keys in all
+  std::vector<std::vector<Axis>> cases;   ///< each with one value a key, the same keys in all
+  std::vector<std::vector<Axis>> devices; ///< the same
   RecordCases records;
   std::vector<Axis> grid;
   std::vector<SampledKey> sampled;
   int samples = 0;
   std::uint64_t seed = 1;
   std::vector<LinkedKey> linked;
-  std::string fractiles_along; ///< a key of the grid, or empty
+  std::string fractiles_along; ///< empty: no fractiles
+  std::vector<std::string> fractiles_by;
 };
 
 /// `count` values evenly from `from` to `to`, both included; each is checked to be one the key can take.
@@ -47,8 +49,9 @@ std::vector<Value> even_values(const std::string &key, double from, double to, i
 /// out and said. Throws InputError when the folder has none, DataError for a damaged record.
 /// `sa_period` [s]: of the spectral acceleration, 0: none.
 RecordCases cases_of_folder(const std::string &folder, const std::string &components, double sa_period);
-/// Throws as parse_sweep, but for what only the whole sweep shows.
-SweepParts read_parts(const TomlFile &file, const std::string &origin);
+/// Throws as parse_sweep, but for what only the whole sweep shows. Tables and keys of the root named in `also` are the
+/// caller's.
+SweepParts read_parts(const TomlFile &file, const std::string &origin, const std::vector<std::string> &also = {});
 /// Every combination of the parts.
 Sweep combine(const SweepParts &parts, const std::string &origin);
 

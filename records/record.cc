@@ -2,11 +2,13 @@
 #include "files/error.h"
 #include "files/file.h"
 #include "files/text.h"
+#include "records/record_format.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <numbers>
+#include <stdexcept>
 
 namespace rimpact {
 namespace {
@@ -42,8 +44,14 @@ void require_plausible(double acceleration, double gravity, const std::string &w
 SampledSignal read_record(const std::string &path, double gravity) {
   if (is_builtin_record(path)) return builtin_record(path);
   const std::string text = read_file(path);
-  const bool csv = upper(std::filesystem::path(path).extension().string()) == ".CSV";
-  return csv ? parse_record_csv(text, path, gravity) : parse_at2(text, path, gravity);
+  return parse_record(text, path, gravity);
+}
+
+SampledSignal parse_record(const std::string &text, const std::string &path, double gravity) {
+  const std::string ending = upper(std::filesystem::path(path).extension().string());
+  for (const auto &format : record_formats())
+    if (format.is(text, ending)) return format.parse(text, path, gravity);
+  throw std::logic_error("no form takes what no other does");
 }
 
 RecordInfo inspect(const SampledSignal &record, double gravity) {

@@ -24,10 +24,12 @@ struct RecordInfo {
   double duration; ///< significant duration D5-95 [s]
 };
 
-/// Reads `path` (.csv: CSV, "builtin:NAME": a built-in record, anything else: AT2). Throws DataError naming file and
-/// line: missing file, velocity or displacement, fewer values than NPTS, dt <= 0, values that are not finite or beyond
-/// largest_acceleration.
+/// Reads `path` ("builtin:NAME": a built-in record; CSV, K-NET, ESM, COSMOS V2 or AT2, told by the file,
+/// record_format.h). Throws DataError naming file and line: missing file, velocity or displacement, fewer values than
+/// NPTS, dt <= 0, values that are not finite or beyond largest_acceleration.
 SampledSignal read_record(const std::string &path, double gravity = standard_gravity);
+/// The same from a file's text.
+SampledSignal parse_record(const std::string &text, const std::string &path, double gravity);
 RecordInfo inspect(const SampledSignal &record, double gravity = standard_gravity);
 
 /// Throws DataError, naming `where`, for an acceleration [m/s^2] beyond largest_acceleration.

@@ -1,5 +1,5 @@
-"""python3 -m report DIR [--output FILE] [--title ...] [--pdf]: the report of a run folder, of a `rimpact main` results folder, or
-of a calibration."""
+"""python3 -m report DIR [--output FILE] [--title ...] [--pdf]: the report of a run folder, of a `rimpact main` results folder, of
+a calibration or of a reliability study."""
 import argparse
 import os
 import sys
@@ -22,8 +22,13 @@ def main(arguments):
         given = given.or_else(document.read(options.document))
     if options.pdf and options.output and os.path.exists(options.output) and not os.path.isfile(options.output):
         raise InputError(f"--pdf prints an ordinary file; --output {options.output} is none")
-    from .build import build  # after the command line: matplotlib takes a second to load
-    path, _ = build(options.folder, options.output, given)
+    # After the command line: matplotlib takes a second to load.
+    if os.path.exists(os.path.join(options.folder, "reliability.json")):
+        from .reliability.__main__ import build as build_reliability
+        path, _ = build_reliability(options.folder, options.output)
+    else:
+        from .build import build
+        path, _ = build(options.folder, options.output, given)
     print(path)
     if options.pdf:
         _print(path)

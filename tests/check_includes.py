@@ -17,6 +17,7 @@ MAY_INCLUDE = {
     "buildings": {"buildings", "reduced_models"} | BASE,
     "reliability": {"reliability", "files"},
     "fleets": {"fleets", "reduced_models"} | BASE,
+    "risk": {"risk", "fleets", "reliability", "reduced_models"} | BASE,
     "calibration/data": {"calibration/data", "reduced_models"} | BASE,
     "calibration/fit": {"calibration/fit", "calibration/data", "reduced_models"} | BASE,
     "calibration/laws": {"calibration/laws", "calibration/fit", "calibration/data", "reduced_models"} | BASE,
@@ -33,7 +34,7 @@ MAY_INCLUDE = {
     FE + "drive": {FE + "drive", FE + "rungs", FE + "engine", FE + "laws", FE + "solver", "meshes", "planning",
                    "reduced_models"} | BASE,
     "app": {"app", "calibration/data", "calibration/fit", "calibration/laws", "calibration/studies", "calibration/answer",
-            "calibration/export", "fleets", "buildings", "reliability", "planning", "reduced_models", "meshes", FE + "drive"} | BASE,
+            "calibration/export", "fleets", "risk", "buildings", "reliability", "planning", "reduced_models", "meshes", FE + "drive"} | BASE,
 }
 HEAVY = re.compile(r"deal\.II/|petsc|gmsh\.h|dmumps|slepc")
 MAY_SEE_HEAVY = ("meshes/", "fe_contact/", "app/main_fe.cc")

@@ -5,7 +5,7 @@
 set -eu
 seconds=${1:-60}
 folder=${2:-$(mktemp -d)}
-readers=${3:-acrhtjm}
+readers=${3:-acrhtjmkevl}
 mkdir -p "$folder"
 root=$(cd "$(dirname "$0")/../.." && pwd)
 if ! echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char *, unsigned long) { return 0; }' |
@@ -35,6 +35,12 @@ printf "${header}NPTS= 4, DT= .01 SEC\n -.1234567E-02 .5 1.0D-3-.25E+0\n" | begi
 printf "${header}    4    .0200    NPTS, DT\n1 2 3 4 0 0\n" | begin a old
 printf 'time_s,acceleration_g\n0,0.1\n0.01,-0.2\n0.02,0.3\n' | begin c record
 printf 'time_s,ux_m,uy_m,Fx_N,Fy_N,gap_m\n0,1,2,3,4,5\n1,1,2,3,4,5\n' | begin r response
+printf 'Origin Time 2011\nLat. 38\nSampling Freq(Hz) 100Hz\nScale Factor 3920(gal)/6182761\nMemo.\n 1000 3000\n 2\n' | begin k knet
+printf 'EVENT_NAME: X\nSAMPLING_INTERVAL_S: 0.005\nNDATA: 3\nUNITS: cm/s^2\n0.5\n-1e1\n2\n' | begin e esm
+{ printf 'Corrected acceleration\n 100 Real-header values follow on 17 lines, Format = (6F13.6)\n'
+  for _ in $(seq 17); do printf '%13.6f' .005 .005 .005 .005 .005 .005; echo; done
+  printf '3 acceleration pts, approx 0 secs, units=cm/s^2,Format=(8F10.5)\n   0.50000-100.00000   2.00000\n'; } | begin v cosmos
+printf 'remark\nrsn;factor\n31;0,55\n' | begin l table
 begin h response <"$root/tests/fuzz/corpus/response.h5"
 begin t scene <"$root/tests/fuzz/corpus/scene.toml"
 begin j summary <"$root/tests/fuzz/corpus/summary.json"

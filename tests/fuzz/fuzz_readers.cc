@@ -4,8 +4,10 @@
 #include "files/error.h"
 #include "meshes/mesh_kind.h"
 #include "records/record.h"
+#include "records/record_format.h"
 #include "responses/kept_run.h"
 #include "responses/response_files.h"
+#include "files/loose_csv.h"
 #include "scene/scene.h"
 #include <cmath>
 #include <cstdint>
@@ -50,6 +52,15 @@ void read(char reader, const std::string &text) {
     return read_record(parse_at2(text, "fuzz", 9.81));
   case 'c':
     return read_record(parse_record_csv(text, "fuzz", 9.81));
+  case 'k':
+    return read_record(parse_knet(text, "fuzz", 9.81));
+  case 'e':
+    return read_record(parse_esm(text, "fuzz", 9.81));
+  case 'v':
+    return read_record(parse_cosmos_v2(text, "fuzz", 9.81));
+  case 'l':
+    LooseTable(text, "fuzz", {"rsn", "factor"});
+    return;
   case 'r':
     return require_finite(parse_csv(text, "fuzz").series("time"));
   case 'h':

@@ -1,0 +1,157 @@
+// rimpact reliability STUDY: fleets of systems under records of every level, fragility, hazard, probability, report.
+#include "app/memory.h"
+#include "app/progress.h"
+#include "app/shard.h"
+#include "app/sibling.h"
+#include "app/verb.h"
+#include "files/folder_lock.h"
+#include "files/json_text.h"
+#include "risk/plan.h"
+#include "risk/results.h"
+#include "scene/case_description.h"
+#include "scene/doubts.h"
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace rimpact::app {
+namespace {
+
+struct Options {
+  std::string study, folder, shard, table;
+  std::vector<std::string> records;
+  int n_threads = 0;
+  bool dry_run = false, no_report = false, resume = false;
+};
+
+void tell(const risk::Motions &motions, Console &console) {
+  constexpr std::size_t shown = 5;
+  std::size_t n_motions = 0, n_listed = motions.missing.size();
+  for (const auto &level : motions.levels) n_motions += level.motions.size();
+  n_listed += n_motions;
+  if (!motions.missing.empty())
+    console.warn(fmt::format("{} of {} motions are not at hand (all of them in reliability.json), e.g. {}",
+                             motions.missing.size(), n_listed, motions.missing.front()));
+  for (std::size_t i = 0; i < motions.doubts.size() && i < shown; ++i) console.warn(motions.doubts[i]);
+  if (motions.doubts.size() > shown)
+    console.warn(fmt::format("and {} more of that kind, all in reliability.json", motions.doubts.size() - shown));
+  for (const auto &level : motions.levels)
+    console.message(fmt::format("level {:.4g} g, {:.0f} years: {} motions of {}", level.intensity_g,
+                                level.return_period_years, level.motions.size(), level.n_listed));
+}
+
+risk::CampaignResult run_fleets(const Options &options, const risk::Study &study, const risk::Systems &systems,
+                                const risk::Motions &motions, Console &console) {
+  const auto [shard, n_shards] = parse_shard(options.shard);
+  ProgressLine line(console.quiet);
+  risk::CampaignOptions campaign{.folder = options.folder,
+                                 .shard = shard,
+                                 .n_shards = n_shards,
+                                 .n_threads = options.n_threads,
+                                 .force = console.force,
+                                 .interrupted = &interrupted()};
+  campaign.remark = [&](const std::string &sentence) { console.message(sentence); };
+  campaign.progress = [&](const risk::CampaignProgress &p) {
+    line.show(fmt::format("system {} of {}: {} of {} runs, {} without a result, {}, about {} to go", p.system,
+                          p.n_systems, p.runs.done, p.runs.total, p.runs.failed, duration(p.seconds),
+                          duration(p.seconds_left)));
+  };
+  campaign.first = [&](const scene::Scene &scene) {
+    console.message("first run:\n" + scene::describe_case(scene));
+    for (const auto &sentences : {scene.remarks, scene::doubts(scene), scene::doubts_of_element(scene)})
+      for (const auto &sentence : sentences) console.warn(sentence);
+  };
+  watch_interrupts();
+  return risk::run_campaign(study, systems, motions, campaign);
+}
+
+/// The largest probabilities of every quantity, one line a limit, over all systems.
+std::string describe(const risk::Results &results, const std::string &folder) {
+  const auto &table = results.tables.at("reliability");
+  const auto at = [&](const char *name) {
+    return static_cast<std::size_t>(std::find(table.columns.begin(), table.columns.end(), name) -
+                                    table.columns.begin());
+  };
+  const std::size_t quantity = at("quantity"), limit = at("limit"), probability = at("probability");
+  std::map<std::pair<std::string, double>, std::pair<double, double>> ranges;
+  for (const auto &row : table.rows) {
+    const double p = std::get<double>(row[probability]);
+    const auto key = std::pair(std::get<std::string>(row[quantity]), std::get<double>(row[limit]));
+    const auto [range, fresh] = ranges.emplace(key, std::pair(p, p));
+    range->second = {std::min(range->second.first, p), std::max(range->second.second, p)};
+  }
+  std::string text = fmt::format("probability of exceedance in {:g} years, least and largest of {} systems\n",
+                                 results.summary["years"].get<double>(), results.summary["n_systems"].get<int>());
+  for (const auto &[key, range] : ranges)
+    text += fmt::format("{:>28} > {:<8g} {:9.3e} {:9.3e}\n", key.first, key.second, range.first, range.second);
+  for (const auto &d : results.summary["differences"])
+    text += fmt::format("{} = {}: P({} > {:g}) reduced by {:.1f} % on average ({:.1f} to {:.1f} %, {} systems)\n",
+                        d["key"].get<std::string>(), d["value"].dump(), d["quantity"].get<std::string>(),
+                        d["limit"].get<double>(), 100 * d["mean_reduction"].get<double>(),
+                        100 * d["least_reduction"].get<double>(), 100 * d["largest_reduction"].get<double>(),
+                        d["n_systems"].get<int>());
+  return text + fmt::format("{}/reliability.json, tables beside it\n", folder);
+}
+
+void show_plan(const risk::Study &study, const risk::Systems &systems, const risk::Motions &motions, Console &console) {
+  const auto plan = risk::plan_study(study, systems, motions);
+  if (const auto doubt = doubt_of_memory(plan.memory_bytes); !doubt.empty()) console.warn(doubt);
+  console.data(console.json ? json_text(risk::to_json(plan)) : risk::describe(plan));
+}
+
+void run_reliability(Options options, Console &console) {
+  risk::Study study = risk::read_study(options.study);
+  if (!options.table.empty()) {
+    if (study.motions.table.empty())
+      throw InputError(options.study + ": --table replaces motions.table, and this study has none");
+    study.motions.table = options.table;
+  }
+  if (options.folder.empty()) options.folder = default_folder(study.name);
+  const bool is_shard = parse_shard(options.shard).second > 1;
+  const auto systems = risk::systems_of(study);
+  const auto motions = risk::motions_of(study, options.records);
+  tell(motions, console);
+  if (options.dry_run) return show_plan(study, systems, motions, console);
+  const auto done = run_fleets(options, study, systems, motions, console);
+  const std::string ran = fmt::format("{} runs of {} systems ({} kept from before) in {}, {} without a result\n",
+                                      done.runs, done.systems, done.kept, duration(done.seconds), done.without_result);
+  if (is_shard) {
+    console.message("this shard is done; the same command without --shard gathers all and evaluates them");
+    return console.data(ran);
+  }
+  console.message(ran);
+  const FolderLock lock(options.folder, "results");
+  ProgressLine line(console.quiet);
+  auto results = risk::evaluate_study(study, systems, motions, options.folder, [&](std::size_t n) {
+    line.show(fmt::format("{} of {} systems evaluated", n, systems.size()));
+  });
+  line.finish();
+  results.summary["wall_time_s"] = done.seconds;
+  results.summary["n_runs"] = done.runs, results.summary["kept"] = done.kept;
+  risk::write_results(results, options.folder);
+  if (!options.no_report && python({"report.reliability", options.folder}) != 0)
+    console.warn("the report in " + options.folder + " was not made");
+  console.data(console.json ? json_text(results.summary) : describe(results, options.folder));
+}
+
+} // namespace
+
+void add_reliability(CLI::App &app, Console &console) {
+  auto *verb = app.add_subcommand("reliability", "fragility, hazard and probability in 50 years of many systems");
+  auto options = std::make_shared<Options>();
+  verb->add_option("STUDY", options->study, "a study file (docs/user-guide.md, From runs to reliability)")->required();
+  verb->add_option("-o,--output", options->folder, "results folder (default results/STUDY); finished runs are kept");
+  verb->add_option("--records", options->records, "a folder of AT2 files, besides the study's own (repeatable)")
+      ->allow_extra_args(false);
+  verb->add_option("--table", options->table, "the table of motions, in place of the study's motions.table");
+  verb->add_option("--shard", options->shard, "I/N: every N-th system from the I-th on, with the same -o");
+  verb->add_option("--threads", options->n_threads, "default: as many as the machine has")->check(CLI::Range(1, 1024));
+  verb->add_flag("--dry-run", options->dry_run, "the plan: runs, hours, memory, files, shards");
+  verb->add_flag("--no-report", options->no_report, "leaves report.html out");
+  verb->add_flag("--resume", options->resume, "what a study always does: finished runs are kept");
+  console.add_common(*verb);
+  console.add_json(*verb);
+  console.add_force(*verb);
+  verb->callback([options, &console] { run_reliability(*options, console); });
+}
+
+} // namespace rimpact::app

@@ -1,0 +1,11 @@
+#include "fleets/run_end.h"
+
+namespace rimpact::fleets {
+
+RunEnd run_end(const std::string &status, const std::string &reason) {
+  if (status == "done") return RunEnd::done;
+  const auto says = [&](const char *words) { return reason.find(words) != std::string::npos; };
+  return status == "stopped" && (says("left the dish") || says("collapsed")) ? RunEnd::beyond : RunEnd::without_result;
+}
+
+} // namespace rimpact::fleets

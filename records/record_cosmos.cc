@@ -1,0 +1,93 @@
+// COSMOS V2: blocks of text, integers and reals whose lengths they tell, then the accelerations.
+#include "files/error.h"
+#include "files/text.h"
+#include "records/record.h"
+#include "records/record_format.h"
+#include <cctype>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact {
+namespace {
+
+/// "6000 acceleration pts, approx  60 secs, units=cm/sec2 (04), Format=(8F10.5)"
+struct Counts {
+  std::size_t line = 0, npts = 0, width = 0; ///< width of a column, 0: not told
+  double unit = 0, dt = 0;
+};
+
+double first_number(std::string_view text) {
+  const auto end = text.find_first_not_of("0123456789.");
+  return to_number(text.substr(0, end)).value_or(0);
+}
+
+double unit_of(const std::string &line, double gravity, const std::string &where) {
+  const auto says = [&](const char *word) { return line.find(word) != std::string::npos; };
+  if (says("CM/SEC2") || says("CM/SEC/SEC") || says("CM/S2") || says("CM/S/S") || says("CM/S^2") || says("CM/SEC^2") ||
+      says("(04)"))
+    return 0.01;
+  if (says("M/SEC2") || says("M/S2") || says("M/S/S") || says("M/S^2")) return 1;
+  if (says("UNITS=G") || says("UNITS= G") || says("(02)")) return gravity;
+  throw DataError(fmt::format("{}: the line of counts names no unit that is known (cm/sec2, m/sec2, g)", where));
+}
+
+/// Of (8F10.5) or (5E15.6): 10, 15.
+std::size_t width_of(const std::string &line) {
+  const auto at = line.find("FORMAT");
+  if (at == std::string::npos) return 0;
+  for (std::size_t i = line.find('(', at); i + 1 < line.size(); ++i)
+    if ((line[i] == 'F' || line[i] == 'E') && std::isdigit(static_cast<unsigned char>(line[i + 1])) != 0) {
+      const double width = first_number(std::string_view(line).substr(i + 1, 2));
+      return width >= 4 && width <= 30 ? static_cast<std::size_t>(width) : 0;
+    }
+  return 0;
+}
+
+Counts find_counts(const std::vector<std::string_view> &lines, const std::string &path, double gravity) {
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    const std::string line = upper(trim(lines[i]));
+    const auto word = line.find("ACCELERATION");
+    if (word == std::string::npos ||
+        (line.find("PTS") == std::string::npos && line.find("POINTS") == std::string::npos))
+      continue;
+    const double npts = first_number(line);
+    if (!(npts >= 2 && npts <= 1e9 && npts == std::floor(npts))) continue;
+    Counts counts{i, static_cast<std::size_t>(npts), width_of(line), 0, 0};
+    counts.unit = unit_of(line, gravity, fmt::format("{}:{}", path, i + 1));
+    return counts;
+  }
+  throw DataError(path + ": no line of counts (\"N acceleration pts, ... units=...\"): not a COSMOS V2 record");
+}
+
+/// The interval between samples [s]: of the real header's values the 62nd, in ms, of this series; where it is unknown
+/// the 34th, in s, of the raw record. Unknown values are -999.
+double interval(const std::vector<std::string_view> &lines, const Counts &counts, const std::string &path) {
+  for (std::size_t i = 0; i < counts.line; ++i) {
+    const std::string line = upper(trim(lines[i]));
+    if (line.find("REAL") == std::string::npos || line.find("HEADER") == std::string::npos) continue;
+    const double n = first_number(line);
+    if (!(n >= 62 && n <= 1000)) continue;
+    const auto values = read_values(lines, i + 1, 62, width_of(line), path);
+    return values[61] > 0 ? values[61] / 1000 : values[33];
+  }
+  return 0;
+}
+
+} // namespace
+
+SampledSignal parse_cosmos_v2(const std::string &text, const std::string &path, double gravity) {
+  const auto lines = lines_of(text);
+  Counts counts = find_counts(lines, path, gravity);
+  const double dt = interval(lines, counts, path);
+  if (!(dt > 0 && dt <= 1e3))
+    throw DataError(fmt::format(
+        "{}: the sampling interval {} s (62nd or 34th value of the real header) must be > 0 and <= 1000", path, dt));
+  SampledSignal record{dt, read_values(lines, counts.line + 1, counts.npts, counts.width, path)};
+  for (auto &value : record.values) {
+    value *= counts.unit;
+    require_plausible(value, gravity, path);
+  }
+  return record;
+}
+
+} // namespace rimpact

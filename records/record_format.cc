@@ -1,0 +1,85 @@
+#include "records/record_format.h"
+#include "files/error.h"
+#include "files/text.h"
+#include "records/record.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact {
+namespace {
+
+std::string head_of(std::string_view text) {
+  return upper(text.substr(0, 400));
+}
+bool is_csv(std::string_view, const std::string &ending) {
+  return ending == ".CSV";
+}
+bool is_knet(std::string_view text, const std::string &) {
+  const std::string head = head_of(text);
+  return head.find("ORIGIN TIME") < 4 && head.find("LAT.") != std::string::npos;
+}
+bool is_esm(std::string_view text, const std::string &) {
+  const std::string head = head_of(text);
+  return head.find("EVENT_NAME:") < 4 || head.find("EVENT_ID:") < 4;
+}
+bool is_cosmos(std::string_view text, const std::string &ending) {
+  const auto line = head_of(text.substr(0, text.find('\n')));
+  return ending == ".V2" || ending == ".V2C" || line.find("CORRECTED ACCELEROGRAM") != std::string::npos ||
+         line.find("CORRECTED ACCELERATION") != std::string::npos;
+}
+bool is_at2(std::string_view, const std::string &) {
+  return true;
+}
+
+} // namespace
+
+const std::vector<RecordFormat> &record_formats() {
+  static const std::vector<RecordFormat> formats{{"CSV", is_csv, parse_record_csv},
+                                                 {"K-NET", is_knet, parse_knet},
+                                                 {"ESM", is_esm, parse_esm},
+                                                 {"COSMOS V2", is_cosmos, parse_cosmos_v2},
+                                                 {"AT2", is_at2, parse_at2}};
+  return formats;
+}
+
+std::string header_value(const std::vector<std::string_view> &lines, std::size_t n, std::string_view key) {
+  for (std::size_t i = 0; i < std::min(n, lines.size()); ++i)
+    if (const auto line = trim(lines[i]); upper(line.substr(0, key.size())) == key) {
+      auto rest = trim(line.substr(key.size()));
+      if (!rest.empty() && rest.front() == ':') rest = trim(rest.substr(1));
+      return std::string(rest);
+    }
+  return {};
+}
+
+std::vector<double> read_values(const std::vector<std::string_view> &lines, std::size_t first, std::size_t expected,
+                                std::size_t width, const std::string &path) {
+  std::vector<double> values;
+  for (std::size_t i = first; i < lines.size() && (expected == 0 || values.size() < expected); ++i) {
+    std::string_view rest = lines[i];
+    while (!trim(rest).empty() && (expected == 0 || values.size() < expected)) {
+      std::string_view word;
+      if (width > 0) {
+        word = trim(rest.substr(0, width));
+        rest.remove_prefix(std::min(width, rest.size()));
+        if (word.empty()) continue;
+      } else {
+        rest = trim(rest);
+        const auto end = std::min(rest.find_first_of(" \t"), rest.size());
+        word = rest.substr(0, end), rest.remove_prefix(end);
+      }
+      const auto value = to_number(word);
+      if (!value || !std::isfinite(*value))
+        throw DataError(fmt::format("{}:{}: \"{}\" is not a finite number ({} values read)", path, i + 1,
+                                    word.substr(0, 40), values.size()));
+      values.push_back(*value);
+    }
+  }
+  if (values.size() < std::max<std::size_t>(expected, 2))
+    throw DataError(fmt::format("{}: truncated: {} values found, {} needed", path, values.size(),
+                                std::max<std::size_t>(expected, 2)));
+  return values;
+}
+
+} // namespace rimpact

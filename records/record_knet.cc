@@ -1,0 +1,49 @@
+// K-NET and KiK-net ASCII (NIED): 17 lines of header, counts in columns.
+#include "files/error.h"
+#include "files/text.h"
+#include "records/record.h"
+#include "records/record_format.h"
+#include <fmt/format.h>
+#include <numeric>
+
+namespace rimpact {
+namespace {
+
+constexpr std::size_t n_header = 17;
+
+/// "3920(gal)/6182761": gal a count.
+double scale_of(const std::string &text, const std::string &path) {
+  const auto open = text.find('('), close = text.find(")/");
+  const auto above = to_number(text.substr(0, open == std::string::npos ? 0 : open));
+  const auto below = close == std::string::npos ? std::nullopt : to_number(text.substr(close + 2));
+  if (!above || !below || !(*above > 0) || !(*below > 0) || upper(text.substr(open, close - open)) != "(GAL")
+    throw DataError(fmt::format("{}: the scale factor \"{}\" is not of the form N(gal)/M", path, text.substr(0, 40)));
+  return *above / *below;
+}
+
+} // namespace
+
+SampledSignal parse_knet(const std::string &text, const std::string &path, double gravity) {
+  const auto lines = lines_of(text);
+  std::string rate = upper(header_value(lines, n_header, "SAMPLING FREQ(HZ)"));
+  if (rate.ends_with("HZ")) rate.resize(rate.size() - 2);
+  const auto hertz = to_number(rate);
+  if (!hertz || !(*hertz >= 1 && *hertz <= 10'000))
+    throw DataError(fmt::format("{}: Sampling Freq(Hz) \"{}\" is not between 1 and 10000", path, rate.substr(0, 40)));
+  const double scale = scale_of(header_value(lines, n_header, "SCALE FACTOR"), path) / 100; // m/s^2 a count
+  std::size_t first = 0;
+  while (first < std::min(n_header + 3, lines.size()) && upper(trim(lines[first])).rfind("MEMO", 0) != 0) ++first;
+  if (first >= lines.size() || upper(trim(lines[first])).rfind("MEMO", 0) != 0)
+    throw DataError(path + ": no line \"Memo.\" closes the header: not a K-NET record");
+  SampledSignal record{1 / *hertz, read_values(lines, first + 1, 0, 0, path)};
+  // The instrument's offset is not motion: NIED's own advice is to take the mean off.
+  const double mean =
+      std::accumulate(record.values.begin(), record.values.end(), 0.0) / static_cast<double>(record.values.size());
+  for (auto &value : record.values) {
+    value = (value - mean) * scale;
+    require_plausible(value, gravity, path);
+  }
+  return record;
+}
+
+} // namespace rimpact

@@ -1,0 +1,40 @@
+"""python3 -m report.reliability DIR: DIR/report.html of a reliability study, pictures in DIR/figures."""
+import argparse
+import os
+
+import jinja2
+
+from ..build import TEMPLATES
+from ..errors import DataError, run_main
+from ..files import write_whole
+from ..markup import sentence
+from .page import Page
+
+
+def build(folder, output=None):
+    """Writes the report; gives its path and the sentences of what could not be drawn."""
+    output = output or os.path.join(folder, "report.html")
+    try:
+        page = Page(folder)
+        sections = page.sections()
+    except (KeyError, TypeError, ValueError) as error:
+        raise DataError(f"{folder}: the tables of the study are incomplete ({error!r})") from None
+    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATES), autoescape=True, trim_blocks=True,
+                                     lstrip_blocks=True, undefined=jinja2.StrictUndefined)
+    environment.filters["sub"] = sentence
+    html = environment.get_template("reliability.html.j2").render(title=f"Reliability: {page.summary['study']}", sections=sections,
+                                                                  problems=page.problems)
+    write_whole(output, lambda file: file.write(html.encode("utf-8", "replace")))
+    return output, page.problems
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(prog="report.reliability", description=__doc__)
+    parser.add_argument("folder", metavar="DIR")
+    parser.add_argument("--output", metavar="FILE", help="DIR/report.html when not given")
+    options = parser.parse_args(arguments)
+    print(build(options.folder, options.output)[0])
+
+
+if __name__ == "__main__":
+    run_main(main)

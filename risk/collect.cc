@@ -1,0 +1,113 @@
+#include "risk/collect.h"
+#include "files/error.h"
+#include "files/table.h"
+#include "fleets/run_end.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <map>
+#include <set>
+
+namespace rimpact::risk {
+namespace {
+
+constexpr double absent = std::numeric_limits<double>::quiet_NaN();
+
+/// Columns by name; a column that is not there is npos.
+class Columns {
+public:
+  explicit Columns(const Table &table) {
+    for (std::size_t i = 0; i < table.columns.size(); ++i) places_[table.columns[i]] = i;
+  }
+  double number(const std::vector<Cell> &row, const std::string &name) const {
+    const auto found = places_.find(name);
+    const auto *value = found == places_.end() ? nullptr : std::get_if<double>(&row[found->second]);
+    return value ? *value : absent;
+  }
+  std::string text(const std::vector<Cell> &row, const std::string &name) const {
+    const auto found = places_.find(name);
+    const auto *value = found == places_.end() ? nullptr : std::get_if<std::string>(&row[found->second]);
+    return value ? *value : "";
+  }
+
+private:
+  std::map<std::string, std::size_t> places_;
+};
+
+Response response_of(const Study &study, const Columns &columns, const std::vector<Cell> &row,
+                     const std::vector<std::string> &inputs, bool beyond) {
+  Response response{0, beyond, {}, {}};
+  for (const auto &limit : study.limits) {
+    // A run without an impact has no rim force in its table.
+    double value = limit.quantity == collapsed ? 0 : columns.number(row, limit.quantity);
+    if (std::isnan(value) && limit.quantity == "peak_impact_force_N") value = 0;
+    response.values.push_back(value);
+  }
+  for (const auto &key : inputs) response.inputs.push_back(columns.number(row, key));
+  return response;
+}
+
+/// The records of all levels, numbered alike for every system.
+std::map<std::string, int> numbers_of(const Motions &motions, std::vector<std::string> &names) {
+  std::map<std::string, int> numbers;
+  for (const auto &level : motions.levels)
+    for (const auto &motion : level.motions)
+      if (numbers.emplace(motion.record, static_cast<int>(names.size())).second) names.push_back(motion.record);
+  return numbers;
+}
+
+void require_quantities(const Study &study, const ResponseSet &set, const std::string &path) {
+  for (std::size_t k = 0; k < study.limits.size(); ++k)
+    for (const auto &level : set.levels)
+      for (const auto &run : level.runs)
+        if (!run.beyond && std::isnan(run.values[k]))
+          throw InputError(fmt::format("{}: limit.quantity \"{}\" is not among the results of this scene's runs ({})",
+                                       study.origin, study.limits[k].quantity, path));
+}
+
+} // namespace
+
+ResponseSet collect(const Study &study, const std::string &folder, const Motions &motions) {
+  const std::string path = folder + "/table.csv";
+  const Table table = read_table(path);
+  const Columns columns(table);
+  ResponseSet set;
+  for (const auto &key : study.parts.sampled) set.inputs.push_back(key.key);
+  std::map<double, ResponseLevel> levels;
+  const auto records = numbers_of(motions, set.records);
+  std::map<double, std::set<std::string>> records_of;
+  for (const auto &row : table.rows) {
+    const double intensity = columns.number(row, "variable.level_g");
+    const std::string record = columns.text(row, "record");
+    if (std::isnan(intensity) || record.empty())
+      throw DataError(path + ": a row has no record or no variable.level_g; is it of another version?");
+    ResponseLevel &level = levels[intensity];
+    level.intensity_g = intensity;
+    const auto end = fleets::run_end(columns.text(row, "status"), columns.text(row, "reason"));
+    if (end == fleets::RunEnd::without_result) {
+      ++level.n_without_result;
+      continue;
+    }
+    const auto known = records.find(record);
+    if (known == records.end()) throw DataError(fmt::format("{}: {} is no record of this study", path, record));
+    Response response = response_of(study, columns, row, set.inputs, end == fleets::RunEnd::beyond);
+    response.record = known->second;
+    level.runs.push_back(std::move(response));
+    records_of[intensity].insert(record);
+  }
+  std::size_t wanted = 0;
+  for (const auto &level : motions.levels)
+    wanted += level.motions.size() * static_cast<std::size_t>(std::max(1, study.parts.samples));
+  if (table.rows.size() != wanted)
+    throw DataError(fmt::format("{}: {} rows, the study has {} runs a system", path, table.rows.size(), wanted));
+  for (auto &[intensity, level] : levels) {
+    level.n_records = static_cast<int>(records_of[intensity].size());
+    if (!level.runs.empty()) set.levels.push_back(std::move(level));
+  }
+  if (set.levels.empty()) throw DataError(path + ": no run has a result; its columns status and reason say why");
+  require_quantities(study, set, path);
+  return set;
+}
+
+} // namespace rimpact::risk

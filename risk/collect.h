@@ -1,0 +1,32 @@
+/// The runs of one system as numbers: responses by quantity, level and record.
+#pragma once
+#include "reliability/record_sums.h"
+#include "risk/systems.h"
+
+namespace rimpact::risk {
+
+/// A run of a level.
+struct Response {
+  int record;                 ///< of ResponseSet::records
+  bool beyond;                ///< collapsed, or left the dish
+  std::vector<double> values; ///< of Study::limits, >= 0; NaN where the run's table has no such column
+  std::vector<double> inputs; ///< of ResponseSet::inputs
+};
+
+struct ResponseLevel {
+  double intensity_g = 0;
+  int n_records = 0, n_without_result = 0;
+  std::vector<Response> runs; ///< those with a result
+};
+
+struct ResponseSet {
+  std::vector<std::string> records;  ///< names, over all levels; the same for every system of a study
+  std::vector<std::string> inputs;   ///< sampled keys
+  std::vector<ResponseLevel> levels; ///< of Motions::levels that have a run with a result
+};
+
+/// From the table.csv in a system's folder. Throws DataError where it is damaged, lacks runs, or holds no run with a
+/// result at any level; InputError for a limit whose quantity no run has.
+ResponseSet collect(const Study &study, const std::string &folder, const Motions &motions);
+
+} // namespace rimpact::risk

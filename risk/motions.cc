@@ -1,0 +1,232 @@
+#include "risk/motions.h"
+#include "files/error.h"
+#include "files/file.h"
+#include "files/loose_csv.h"
+#include "files/text.h"
+#include "risk/record_shelf.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <map>
+
+namespace rimpact::risk {
+namespace {
+
+/// One row of the table that names a record at a level.
+struct Listed {
+  std::string table;
+  std::size_t line;
+  std::string rsn, component; ///< component: as printed, may be empty
+  double factor;              ///< 0: the table has none
+};
+using Levels = std::map<double, std::vector<Listed>>; ///< by the column `level`
+
+/// The intensity of a return period, or the other way round: on the hazard's lines.
+double intensity_at(const std::vector<reliability::HazardPoint> &points, double years) {
+  const reliability::HazardCurve hazard(points);
+  double low = points.front().intensity / 100, high = points.back().intensity * 100;
+  for (int i = 0; i < 200; ++i) {
+    const double middle = std::sqrt(low * high);
+    (hazard.rate(middle) * years > 1 ? low : high) = middle;
+  }
+  for (const auto &point : points) // exactly, where it is one of the points
+    if (point.return_period_years == years) return point.intensity;
+  return std::sqrt(low * high);
+}
+
+bool same_value(const std::string &cell, const std::string &wanted) {
+  if (cell == wanted) return true;
+  const auto a = to_number(cell), b = to_number(wanted);
+  return a && b && *a == *b;
+}
+
+Levels read_levels(const MotionSource &source) {
+  std::vector<std::string> columns{source.level_column, source.rsn_column};
+  for (const auto *name : {&source.component_column, &source.factor_column})
+    if (!name->empty()) columns.push_back(*name);
+  for (const auto &[name, value] : source.where) columns.push_back(name);
+  const LooseTable table(read_file(source.table), source.table, columns);
+  Levels levels;
+  for (const auto &row : table.rows()) {
+    const auto wanted = [&](const auto &entry) { return same_value(table.text(row, entry.first), entry.second); };
+    if (!std::all_of(source.where.begin(), source.where.end(), wanted)) continue;
+    Listed listed{source.table, row.line, table.text(row, source.rsn_column), "", 0};
+    if (!source.component_column.empty()) listed.component = table.text(row, source.component_column);
+    if (!source.factor_column.empty()) {
+      listed.factor = table.number(row, source.factor_column);
+      if (!(listed.factor > 0))
+        throw DataError(fmt::format("{}:{}: {} {} of RSN {} must be > 0", source.table, row.line, source.factor_column,
+                                    listed.factor, listed.rsn));
+    }
+    const double level = table.number(row, source.level_column);
+    if (!(level > 0))
+      throw DataError(fmt::format("{}:{}: {} {} must be > 0", source.table, row.line, source.level_column, level));
+    levels[level].push_back(std::move(listed));
+  }
+  if (levels.empty())
+    throw DataError(fmt::format("{}: no row has the values that motions.where asks for", source.table));
+  return levels;
+}
+
+/// Results of PEER's search, one a level: a block of rows behind remarks, names of columns with blanks.
+Levels read_sets(const MotionSource &source) {
+  const std::string rsn = "Record Sequence Number", factor = "Scale Factor";
+  Levels levels;
+  for (const auto &set : source.sets) {
+    const LooseTable table(read_file(set.search_results), set.search_results, {rsn, factor});
+    for (const auto &row : table.rows()) {
+      Listed listed{set.search_results, row.line, table.text(row, rsn), "", table.number(row, factor)};
+      if (!(listed.factor > 0))
+        throw DataError(fmt::format("{}:{}: {} {} of RSN {} must be > 0", listed.table, row.line, factor, listed.factor,
+                                    listed.rsn));
+      levels[set.level].push_back(std::move(listed));
+    }
+  }
+  return levels;
+}
+
+/// "IMPVALL.H\H-CAL225.AT2" is RSN163_IMPVALL.H_H-CAL225.AT2.
+bool is_named(const std::string &file, const std::string &component) {
+  std::string name = upper(component);
+  std::replace_if(
+      name.begin(), name.end(), [](char c) { return c == '\\' || c == '/'; }, '_');
+  if (!name.ends_with(".AT2")) name += ".AT2";
+  const std::string own = upper(std::filesystem::path(file).filename().string());
+  return own == name || own.ends_with("_" + name);
+}
+
+/// Fills one level from the rows that list it.
+class LevelFiller {
+public:
+  LevelFiller(const MotionSource &source, RecordShelf &shelf, Motions &result, MotionLevel &level)
+      : source_(source), shelf_(shelf), result_(result), level_(level) {}
+
+  void fill(const std::vector<Listed> &rows) {
+    level_.n_listed = static_cast<int>(rows.size());
+    std::map<std::string, std::vector<const Listed *>> by_record;
+    for (const auto &row : rows) by_record[row.rsn].push_back(&row);
+    for (const auto &[rsn, twins] : by_record) add(rsn, twins);
+  }
+
+private:
+  double misfit(const Listed &row, const std::string &file) {
+    return std::abs(std::log(row.factor * shelf_.sa_g(file) / level_.intensity_g));
+  }
+  bool meets(const Listed &row, const std::string &file) {
+    const double off = std::abs(row.factor * shelf_.sa_g(file) / level_.intensity_g - 1);
+    return off <= std::max(level_tolerance, factor_rounding / row.factor);
+  }
+  void miss(const Listed &row, const std::string &why) {
+    result_.missing.push_back(fmt::format("{}:{}: RSN {}{}{} at {:.4g} g: {}", row.table, row.line, row.rsn,
+                                          row.component.empty() ? "" : " ", row.component, level_.intensity_g, why));
+  }
+
+  void add(const std::string &rsn, const std::vector<const Listed *> &twins) {
+    if (twins.size() > 2 || (twins.size() == 2 && source_.component == ComponentRule::printed &&
+                             twins[0]->component == twins[1]->component))
+      throw DataError(fmt::format("{}:{}: RSN {} {} stands more than once at {:.4g} g (also in line {})",
+                                  twins.back()->table, twins.back()->line, rsn, twins.back()->component,
+                                  level_.intensity_g, twins.front()->line));
+    const auto files = shelf_.components(rsn);
+    if (files.empty())
+      for (const auto *row : twins) miss(*row, "no file at hand");
+    else if (source_.component == ComponentRule::printed)
+      for (const auto *row : twins) add_printed(*row, files);
+    else
+      add_nearest(twins, files);
+  }
+
+  void add_printed(const Listed &row, const std::vector<std::string> &files) {
+    const auto file =
+        std::find_if(files.begin(), files.end(), [&](const auto &path) { return is_named(path, row.component); });
+    if (file == files.end()) return miss(row, "this component is not at hand");
+    take(row, *file);
+  }
+
+  void add_nearest(const std::vector<const Listed *> &twins, const std::vector<std::string> &files) {
+    const bool known = twins.front()->factor > 0;
+    if (!known) { // nothing tells the components apart: the first ones, in the order of their names
+      for (std::size_t i = 0; i < twins.size(); ++i)
+        i < files.size() ? take(*twins[i], files[i]) : miss(*twins[i], "its other component is not at hand");
+      return;
+    }
+    if (files.size() == 1) {
+      const auto meeting = std::find_if(twins.begin(), twins.end(), [&](const auto *r) { return meets(*r, files[0]); });
+      for (auto row = twins.begin(); row != twins.end(); ++row)
+        row == meeting ? take(**row, files[0]) : miss(**row, "the component that meets the level is not at hand");
+      return;
+    }
+    const auto nearest = [&](const Listed &row) {
+      return *std::min_element(files.begin(), files.end(),
+                               [&](const auto &a, const auto &b) { return misfit(row, a) < misfit(row, b); });
+    };
+    if (twins.size() == 1) return take(*twins[0], nearest(*twins[0]));
+    const bool straight = misfit(*twins[0], files[0]) + misfit(*twins[1], files[1]) <=
+                          misfit(*twins[0], files[1]) + misfit(*twins[1], files[0]);
+    take(*twins[0], files[straight ? 0 : 1]), take(*twins[1], files[straight ? 1 : 0]);
+  }
+
+  void take(const Listed &row, const std::string &file) {
+    const double sa = shelf_.sa_g(file);
+    Motion motion{.file = file, .record = "RSN" + row.rsn, .line = row.line};
+    const bool by_factor = source_.scale == ScaleRule::factor && row.factor > 0;
+    motion.scale = by_factor ? row.factor : level_.intensity_g / sa;
+    motion.over_level = motion.scale * sa / level_.intensity_g;
+    if (row.factor > 0 && !meets(row, file))
+      result_.doubts.push_back(fmt::format(
+          "{}:{}: RSN {} times {} has S_a {:.4g} g, {:+.1f} % off its level of {:.4g} g", row.table, row.line, row.rsn,
+          row.factor, row.factor * sa, 100 * (row.factor * sa / level_.intensity_g - 1), level_.intensity_g));
+    level_.motions.push_back(std::move(motion));
+  }
+
+  const MotionSource &source_;
+  RecordShelf &shelf_;
+  Motions &result_;
+  MotionLevel &level_;
+};
+
+MotionLevel level_of_folders(double intensity_g, RecordShelf &shelf) {
+  MotionLevel level{.intensity_g = intensity_g};
+  for (const auto &file : shelf.all())
+    level.motions.push_back(
+        {.file = file, .record = std::filesystem::path(file).stem().string(), .scale = intensity_g / shelf.sa_g(file)});
+  level.n_listed = static_cast<int>(level.motions.size());
+  return level;
+}
+
+} // namespace
+
+Motions motions_of(const Study &study, const std::vector<std::string> &folders) {
+  std::vector<std::string> all = study.motions.folders;
+  all.insert(all.end(), folders.begin(), folders.end());
+  RecordShelf shelf(all, study.period_s);
+  const reliability::HazardCurve hazard(study.hazard);
+  Motions result;
+  std::vector<MotionLevel> levels;
+  for (const double level : study.levels_g) levels.push_back(level_of_folders(level, shelf));
+  if (study.levels_g.empty())
+    for (const auto &[value, rows] :
+         study.motions.table.empty() ? read_sets(study.motions) : read_levels(study.motions)) {
+      const bool years = study.motions.level_is == LevelKind::return_period;
+      MotionLevel level{.intensity_g = years ? intensity_at(study.hazard, value) : value};
+      LevelFiller(study.motions, shelf, result, level).fill(rows);
+      levels.push_back(std::move(level));
+    }
+  for (auto &level : levels) {
+    level.return_period_years = 1 / hazard.rate(level.intensity_g);
+    if (level.motions.empty())
+      result.doubts.push_back(fmt::format("the level {:.4g} g ({:.0f} years) has none of its {} records at hand: it is "
+                                          "left out and the fragility interpolated across it",
+                                          level.intensity_g, level.return_period_years, level.n_listed));
+    else
+      result.levels.push_back(std::move(level));
+  }
+  if (result.levels.empty())
+    throw InputError(fmt::format("{}: no level has a record at hand; motions.folders or --records DIR name the folders "
+                                 "of AT2 files",
+                                 study.origin));
+  return result;
+}
+
+} // namespace rimpact::risk

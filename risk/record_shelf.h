@@ -1,0 +1,28 @@
+/// Record files of folders by PEER's record sequence number, with their spectral accelerations.
+#pragma once
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rimpact::risk {
+
+class RecordShelf {
+public:
+  /// Files RSN<number>_<name>.AT2; vertical components (-UP, -V, DWN, VER) are left out. A file name that several
+  /// folders have is taken from the first. Throws InputError for a folder that cannot be read.
+  RecordShelf(const std::vector<std::string> &folders, double period_s);
+  /// Paths of a record's horizontal components, sorted; none: it is not at hand.
+  std::vector<std::string> components(const std::string &rsn) const;
+  /// Every horizontal file, by name.
+  std::vector<std::string> all() const;
+  /// Spectral acceleration of the whole record as it is [standard g], 5 % damping. Throws DataError.
+  double sa_g(const std::string &file);
+
+private:
+  double period_;
+  std::map<std::string, std::string> files_;                  ///< name -> path
+  std::map<std::string, std::vector<std::string>> by_number_; ///< RSN -> paths
+  std::map<std::string, double> sa_;                          ///< by path
+};
+
+} // namespace rimpact::risk

@@ -1,0 +1,240 @@
+#include "risk/results.h"
+#include "files/file.h"
+#include "files/json_text.h"
+#include "risk/disaggregation.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::risk {
+namespace {
+
+using nlohmann::ordered_json;
+
+/// A counted fractile, runs that went beyond above all others: empty where it is one of them.
+Cell fractile(std::vector<double> values, std::size_t n_beyond, double share) {
+  std::sort(values.begin(), values.end());
+  const double place = share * static_cast<double>(values.size() + n_beyond - 1);
+  const auto below = static_cast<std::size_t>(place);
+  const auto above = static_cast<std::size_t>(std::ceil(place));
+  if (above >= values.size()) return {};
+  return std::lerp(values[below], values[above], place - static_cast<double>(below));
+}
+
+class Writer {
+public:
+  Writer(const Study &study, const Systems &systems) : study_(study), systems_(systems) {
+    begin("ida", {"quantity", "level_g", "n_records", "n_runs", "n_beyond", "n_zero", "n_without_result", "p16", "p50",
+                  "p84", "mean_ln", "sigma_ln", "fit_p16", "fit_p50", "fit_p84"});
+    begin("fragility", {"quantity", "limit", "level_g", "probability", "low", "high", "counted"});
+    begin("reliability",
+          {"quantity", "limit", "rate_per_year", "rate_low", "rate_high", "rate_below_levels", "rate_above_levels",
+           "years", "probability", "probability_low", "probability_high", "probability_most"});
+    begin("difference", {"key", "reference_system", "quantity", "limit", "probability", "reference_probability",
+                         "reduction", "reduction_low", "reduction_high"});
+    begin("levels", {"quantity", "limit", "level_g", "share"});
+    begin("records", {"quantity", "limit", "record", "share"});
+    begin("sensitivity", {"quantity", "limit", "key", "elasticity"});
+  }
+
+  void add(std::size_t system, const ResponseSet &set, const SystemSample &sample,
+           const std::vector<LimitResult> &limits) {
+    add_ida(system, set, sample);
+    for (const auto &limit : limits) {
+      add_limit(system, set, limit);
+      add_disaggregation(system, set, limit, disaggregate(set, sample, limit));
+    }
+  }
+
+  void add_difference(const Comparison &c, const std::vector<LimitResult> &limits,
+                      const std::vector<LimitResult> &reference, const std::vector<Banded> &reductions) {
+    for (std::size_t i = 0; i < limits.size(); ++i)
+      row("difference", c.system,
+          {study_.differences[c.difference].key, double(c.reference + 1), quantity(limits[i]), limits[i].limit,
+           limits[i].probability.value, reference[i].probability.value, reductions[i].value, reductions[i].low,
+           reductions[i].high});
+  }
+
+  std::map<std::string, Table> tables;
+
+private:
+  void begin(const std::string &name, const std::vector<std::string> &columns) {
+    Table &table = tables[name];
+    table.meta = {{"study", study_.name}, {"scene", study_.scene}};
+    table.columns = {"system"};
+    table.columns.insert(table.columns.end(), systems_.keys.begin(), systems_.keys.end());
+    table.columns.insert(table.columns.end(), columns.begin(), columns.end());
+  }
+  void row(const std::string &name, std::size_t system, const std::vector<Cell> &cells) {
+    std::vector<Cell> all{double(system + 1)};
+    const auto &values = systems_.all[system].values;
+    all.insert(all.end(), values.begin(), values.end());
+    all.insert(all.end(), cells.begin(), cells.end());
+    tables[name].rows.push_back(std::move(all));
+  }
+  const std::string &quantity(const LimitResult &limit) const { return study_.limits[limit.quantity].quantity; }
+
+  void add_ida(std::size_t system, const ResponseSet &set, const SystemSample &sample) {
+    for (std::size_t k = 0; k < study_.limits.size(); ++k)
+      for (std::size_t i = 0; i < set.levels.size(); ++i) {
+        const auto &level = set.levels[i];
+        const auto model = sample.distribution(k, i, sample.once());
+        std::vector<double> values;
+        for (const auto &run : level.runs)
+          if (!run.beyond) values.push_back(run.values[k]);
+        const std::size_t n_beyond = level.runs.size() - values.size();
+        std::vector<Cell> cells{study_.limits[k].quantity,     level.intensity_g, double(level.n_records),
+                                double(level.runs.size()),     double(n_beyond),  double(model.n_zero),
+                                double(level.n_without_result)};
+        for (const double share : {0.16, 0.5, 0.84}) cells.push_back(fractile(values, n_beyond, share));
+        if (model.fit) {
+          const auto &fit = model.fit->distribution;
+          cells.insert(cells.end(), {fit.mean_ln, fit.sigma_ln});
+          for (const double share : {0.16, 0.5, 0.84}) cells.emplace_back(fit.quantile(share));
+        }
+        cells.resize(15);
+        row("ida", system, cells);
+      }
+  }
+
+  void add_limit(std::size_t system, const ResponseSet &set, const LimitResult &r) {
+    for (std::size_t i = 0; i < set.levels.size(); ++i)
+      row("fragility", system,
+          {quantity(r), r.limit, set.levels[i].intensity_g, r.fragility[i].value, r.fragility[i].low,
+           r.fragility[i].high, r.counted[i]});
+    row("reliability", system,
+        {quantity(r), r.limit, r.rate.value, r.rate.low, r.rate.high, r.below, r.above, study_.years,
+         r.probability.value, r.probability.low, r.probability.high, r.probability_most});
+  }
+
+  void add_disaggregation(std::size_t system, const ResponseSet &set, const LimitResult &r, const Disaggregation &d) {
+    constexpr double least = 0.005;
+    for (std::size_t i = 0; i < set.levels.size(); ++i)
+      row("levels", system, {quantity(r), r.limit, set.levels[i].intensity_g, d.levels[i]});
+    for (std::size_t i = 0; i < set.records.size(); ++i)
+      if (d.records[i] >= least) row("records", system, {quantity(r), r.limit, set.records[i], d.records[i]});
+    if (d.tail >= least) row("records", system, {quantity(r), r.limit, std::string(), d.tail});
+    for (std::size_t i = 0; i < set.inputs.size(); ++i)
+      row("sensitivity", system, {quantity(r), r.limit, set.inputs[i], d.elasticities[i]});
+  }
+
+  const Study &study_;
+  const Systems &systems_;
+};
+
+Table table_of(const Motions &motions) {
+  Table table;
+  table.columns = {"level_g", "return_period_years", "record", "file", "scale", "scaled_sa_over_level"};
+  for (const auto &level : motions.levels)
+    for (const auto &motion : level.motions)
+      table.rows.push_back(
+          {level.intensity_g, level.return_period_years, motion.record, motion.file, motion.scale, motion.over_level});
+  return table;
+}
+
+ordered_json levels_json(const Motions &motions) {
+  auto levels = ordered_json::array();
+  for (const auto &level : motions.levels)
+    levels.push_back({{"level_g", level.intensity_g},
+                      {"return_period_years", level.return_period_years},
+                      {"n_records", level.motions.size()},
+                      {"n_listed", level.n_listed}});
+  return levels;
+}
+
+/// What a difference's key buys: of each of its values and each limit the reductions over all systems.
+class Reductions {
+public:
+  void add(const std::string &key, const Cell &value, const std::string &quantity, double limit, const Banded &b) {
+    Sum &sum = sums_[{key, value, quantity, limit}];
+    ++sum.n, sum.total += b.value, sum.low = std::min(sum.low, b.value), sum.high = std::max(sum.high, b.value);
+    sum.n_sure += b.low > 0 || b.high < 0;
+  }
+  ordered_json json() const {
+    auto list = ordered_json::array();
+    for (const auto &[key, sum] : sums_) {
+      const auto &[name, value, quantity, limit] = key;
+      ordered_json entry{{"key", name}};
+      if (const auto *text = std::get_if<std::string>(&value))
+        entry["value"] = *text;
+      else if (const auto *number = std::get_if<double>(&value))
+        entry["value"] = *number;
+      entry.update(ordered_json{{"quantity", quantity},
+                                {"limit", limit},
+                                {"n_systems", sum.n},
+                                {"mean_reduction", sum.total / sum.n},
+                                {"least_reduction", sum.low},
+                                {"largest_reduction", sum.high},
+                                {"n_systems_whose_band_excludes_0", sum.n_sure}});
+      list.push_back(std::move(entry));
+    }
+    return list;
+  }
+
+private:
+  struct Sum {
+    int n = 0, n_sure = 0;
+    double total = 0, low = 1e300, high = -1e300;
+  };
+  std::map<std::tuple<std::string, Cell, std::string, double>, Sum> sums_;
+};
+
+} // namespace
+
+Results evaluate_study(const Study &study, const Systems &systems, const Motions &motions, const std::string &folder,
+                       const std::function<void(std::size_t)> &done) {
+  Writer writer(study, systems);
+  std::vector<SystemSample> samples;
+  std::vector<std::vector<LimitResult>> limits;
+  std::size_t n_without = 0;
+  for (std::size_t s = 0; s < systems.size(); ++s) {
+    const ResponseSet set = collect(study, folder_of_system(folder, s), motions);
+    for (const auto &level : set.levels) n_without += static_cast<std::size_t>(level.n_without_result);
+    samples.emplace_back(study, set);
+    limits.push_back(evaluate(study, set, samples.back()));
+    writer.add(s, set, samples.back(), limits.back());
+    if (done) done(s + 1);
+  }
+  Reductions sums;
+  for (const auto &c : comparisons(study, systems)) {
+    if (samples[c.system].n_levels() != samples[c.reference].n_levels()) continue; // a level without any result
+    const auto reduction = reductions(study, samples[c.system], samples[c.reference]);
+    writer.add_difference(c, limits[c.system], limits[c.reference], reduction);
+    const auto &key = study.differences[c.difference].key;
+    const auto at = std::find(systems.keys.begin(), systems.keys.end(), key) - systems.keys.begin();
+    for (std::size_t i = 0; i < reduction.size(); ++i)
+      sums.add(key, systems.all[c.system].values[static_cast<std::size_t>(at)],
+               study.limits[limits[c.system][i].quantity].quantity, limits[c.system][i].limit, reduction[i]);
+  }
+  Results results{std::move(writer.tables), {}};
+  results.tables["motions"] = table_of(motions);
+  auto hazard = ordered_json::array();
+  for (const auto &point : study.hazard) hazard.push_back({point.intensity, point.return_period_years});
+  results.summary = {{"study", study.name},
+                     {"scene", study.scene},
+                     {"years", study.years},
+                     {"period_s", study.period_s},
+                     {"n_systems", systems.size()},
+                     {"keys", systems.keys},
+                     {"samples", std::max(1, study.parts.samples)},
+                     {"n_runs_without_result", n_without},
+                     {"levels", levels_json(motions)},
+                     {"hazard", hazard},
+                     {"confidence", study.bootstrap.confidence},
+                     {"replicates", study.bootstrap.replicates},
+                     {"differences", sums.json()},
+                     {"doubts", motions.doubts},
+                     {"missing", motions.missing}};
+  return results;
+}
+
+void write_results(const Results &results, const std::string &folder) {
+  for (const auto &[name, table] : results.tables) {
+    if (table.rows.empty()) continue;
+    write_hdf5(table, fmt::format("{}/{}.h5", folder, name));
+    write_csv(table, fmt::format("{}/{}.csv", folder, name));
+  }
+  write_atomically(json_text(results.summary), folder + "/reliability.json");
+}
+
+} // namespace rimpact::risk

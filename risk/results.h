@@ -1,0 +1,36 @@
+/// The results of a study as tables in long form, and their summary.
+#pragma once
+#include "risk/campaign.h"
+#include <nlohmann/json.hpp>
+
+namespace rimpact::risk {
+
+/// Tables by their file's name without ending. Every row of a system's begins with `system` (from 1) and its keys.
+///   ida          quantity, level_g: counts of records and runs, counted and fitted fractiles, mean_ln, sigma_ln
+///   fragility    quantity, limit, level_g: probability with its band, share counted
+///   reliability  quantity, limit: rate and probability in the study's years with bands, parts of the rate from beyond
+///                the levels, probability if all above the last level failed
+///   difference   key, value, quantity, limit: reduction of the probability against the reference system with its band
+///   levels       quantity, limit, level_g: share of the rate
+///   records      quantity, limit, record: share of the rate, those of 0.5 % and more; "" is the fits' tails
+///   sensitivity  quantity, limit, key: elasticity of the rate
+///   motions      level_g, record, file, scale and what it is over the level
+struct Results {
+  std::map<std::string, Table> tables;
+  nlohmann::ordered_json summary;
+};
+
+/// Reads every system's table in FOLDER and evaluates it. `done` is told the number of systems done. Throws as collect.
+Results evaluate_study(const Study &study, const Systems &systems, const Motions &motions, const std::string &folder,
+                       const std::function<void(std::size_t)> &done);
+/// FOLDER/NAME.csv and .h5 of every table, FOLDER/reliability.json. Throws IoError.
+void write_results(const Results &results, const std::string &folder);
+
+/// For each difference and system the system it is compared with; systems that have the reference are left out.
+struct Comparison {
+  std::size_t difference, system, reference;
+};
+/// Keys that change together with a difference's key (its case or device, what is linked to them) may differ.
+std::vector<Comparison> comparisons(const Study &study, const Systems &systems);
+
+} // namespace rimpact::risk

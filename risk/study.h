@@ -1,0 +1,109 @@
+// clang-format off
+/// A reliability study: which systems, under which records at which intensity, against which limits. TOML, a sweep file
+/// (fleets/sweep.h: [[case]], [[device]], [grid], [latin_hypercube], [linked]) with these tables:
+///
+///   scene = "frame-four-dof"      # built in, or a file beside the study
+///   years = 50.0                  # of the probability
+///   [set]                         # keys that every run has
+///   excitation.duration_s = 40.0
+///   [intensity]
+///   period_s = 3.0                # S_a at this period, 5 % damping
+///   levels_g = [0.1, 0.2]         # without a table: every record at every level
+///   [motions]
+///   folders = ["records"]         # beside the study; or --records DIR
+///   table = "table.csv"           # records of each level; columns as below, any separator, decimal commas
+///   level_is = "return_period_years"   # or "intensity_g": what the table's column `level` holds
+///   component = "nearest"         # of a record's two the one whose factor x S_a meets the level | "printed"
+///   scale = "factor"              # as the table has it | "level": to meet the level
+///   [motions.columns]             # names of the table's columns; component and factor may be ""
+///   level = "level"
+///   rsn = "rsn"
+///   component = "component"
+///   factor = "factor"
+///   [[motions.set]]               # in place of `table`: a result of PEER's search for each level
+///   search_results = "475/_SearchResults.csv"   # Record Sequence Number, Scale Factor
+///   level = 475                   # as level_is says
+///   [motions.where]               # only rows whose column has this value
+///   period_s = 3
+///   [hazard]
+///   points = [[0.113, 475], ...]  # S_a [g], mean return period [years]
+///   [[limit]]                     # any number
+///   quantity = "ductility"        # a column of the runs' table, see quantities()
+///   values = { from = 1.0, to = 10.0, count = 37 }   # or a list
+///   [[difference]]                # systems that differ in nothing but `key`, which is `reference` in one of them
+///   key = "bearing.surface.a_m"
+///   reference = 2.25
+///   [bootstrap]
+///   replicates = 500
+///   confidence = 0.9
+///   seed = 1
+///
+/// Cases x devices x grid are the systems; samples are runs of each. A quantity of one [[limit]] only.
+// clang-format on
+#pragma once
+#include "fleets/sweep_reader.h"
+#include "reliability/bootstrap.h"
+#include "reliability/hazard.h"
+#include <map>
+#include <string>
+#include <vector>
+
+namespace rimpact::risk {
+
+enum class LevelKind { return_period, intensity };
+enum class ComponentRule { nearest, printed };
+enum class ScaleRule { factor, level };
+
+/// One level's result of PEER's search.
+struct MotionSet {
+  std::string search_results;
+  double level;
+};
+
+/// Where the ground motions come from.
+struct MotionSource {
+  std::vector<MotionSet> sets;
+  std::vector<std::string> folders; ///< of record files
+  std::string table;                ///< CSV; empty: every horizontal component of the folders at every level
+  LevelKind level_is = LevelKind::return_period;
+  ComponentRule component = ComponentRule::nearest;
+  ScaleRule scale = ScaleRule::factor;
+  std::string level_column = "level", rsn_column = "rsn", component_column = "component", factor_column = "factor";
+  std::map<std::string, std::string> where; ///< column -> value
+};
+
+/// A quantity of the runs and the values it must not exceed, growing, > 0, in the unit its name ends with.
+struct Limit {
+  std::string quantity;
+  std::vector<double> values;
+};
+
+struct Difference {
+  std::string key;
+  Cell reference;
+};
+
+struct Study {
+  std::string name, origin; ///< origin: the file
+  std::string scene;        ///< built in, or an absolute path
+  double years = 50;
+  std::vector<std::string> settings; ///< KEY=VALUE of [set]
+  fleets::SweepParts parts;          ///< its records are not used
+  double period_s = 0;               ///< of S_a
+  std::vector<double> levels_g;
+  MotionSource motions;
+  std::vector<reliability::HazardPoint> hazard;
+  std::vector<Limit> limits;
+  std::vector<Difference> differences;
+  reliability::Bootstrap bootstrap;
+};
+
+/// Names that a limit's quantity may have; "collapsed" has no values: a run collapsed or left its dish.
+const std::vector<std::string> &quantities();
+inline constexpr const char *collapsed = "collapsed";
+
+/// Throws InputError "file:line:column: ..." for what is not in the form above.
+Study parse_study(const std::string &text, const std::string &origin);
+Study read_study(const std::string &path);
+
+} // namespace rimpact::risk

@@ -1,0 +1,86 @@
+// A small study from its file to its tables.
+#include "../scene/expect_error.h"
+#include "files/folder_lock.h"
+#include "made_up.h"
+#include "risk/campaign.h"
+#include "risk/plan.h"
+#include <filesystem>
+#include <set>
+
+using namespace rimpact;
+using namespace rimpact::risk;
+
+namespace {
+
+struct Small {
+  TemporaryFolder folder;
+  Study study;
+  Systems systems;
+  Motions motions;
+  Small() {
+    made_up::write_records(folder);
+    study = parse_study(std::string(made_up::head) + made_up::systems, folder / "s.toml");
+    systems = systems_of(study), motions = motions_of(study, {});
+  }
+  CampaignResult run(int shard = 1, int n_shards = 1) const {
+    return run_campaign(study, systems, motions, {.folder = folder / "out", .shard = shard, .n_shards = n_shards});
+  }
+  Results results() const { return evaluate_study(study, systems, motions, folder / "out", nullptr); }
+};
+
+} // namespace
+
+TEST(Campaign, PartsCoverEverythingOnce) {
+  for (const int n_shards : {1, 2, 3, 7, 20}) {
+    std::set<std::pair<std::size_t, int>> seen;
+    int n_parts = 0;
+    for (int shard = 1; shard <= n_shards; ++shard)
+      for (const auto &part : parts_of_shard(7, shard, n_shards)) {
+        EXPECT_TRUE(seen.emplace(part.system, part.part).second);
+        n_parts = part.n_parts;
+      }
+    EXPECT_EQ(seen.size(), 7u * static_cast<unsigned>(n_parts));
+  }
+}
+
+TEST(Campaign, FromFileToTables) {
+  const Small small;
+  const auto done = small.run();
+  EXPECT_EQ(done.runs, 2u * 2 * 3 * 3); // systems, levels, records, samples
+  EXPECT_EQ(done.without_result, 0u);
+  EXPECT_EQ(small.run().kept, done.runs);
+  const auto results = small.results();
+  EXPECT_EQ(results.tables.at("fragility").rows.size(), 2u * 2 * 3);
+  EXPECT_EQ(results.tables.at("reliability").rows.size(), 2u * 3);
+  EXPECT_EQ(results.tables.at("difference").rows.size(), 3u);
+  EXPECT_EQ(results.tables.at("sensitivity").rows.size(), 2u * 3);
+  write_results(results, small.folder / "out");
+  EXPECT_TRUE(std::filesystem::exists(small.folder / "out/reliability.h5"));
+  EXPECT_EQ(read_table(small.folder / "out/ida.csv").rows.size(), 4u);
+}
+
+TEST(Campaign, ShardsAreGatheredAsOneCallWouldRunThem) {
+  const Small whole, parts;
+  whole.run();
+  for (int shard = 1; shard <= 3; ++shard) parts.run(shard, 3); // more shards than systems
+  const auto gathered = parts.run();
+  EXPECT_EQ(gathered.kept, gathered.runs);
+  const auto a = whole.results(), b = parts.results();
+  EXPECT_EQ(a.tables.at("reliability").rows, b.tables.at("reliability").rows);
+}
+
+TEST(Campaign, ASystemAtWorkIsLeftToItsProcess) {
+  const Small small;
+  std::filesystem::create_directories(folder_of_system(small.folder / "out", 0));
+  const FolderLock other(folder_of_system(small.folder / "out", 0));
+  expect_error<IoError>([&] { small.run(); }, {"systems/0001"});
+}
+
+TEST(Campaign, PlanCountsItsRuns) {
+  const Small small;
+  const auto plan = plan_study(small.study, small.systems, small.motions, 2);
+  EXPECT_EQ(plan.runs, 36u);
+  EXPECT_GT(plan.seconds_a_run, 0);
+  EXPECT_NEAR(plan.core_hours, 36 * plan.seconds_a_run / 3600, 1e-12);
+  EXPECT_GT(plan.table_bytes, 36 * 200);
+}

@@ -1,0 +1,100 @@
+// Records as data bases give them: K-NET, ESM, COSMOS V2.
+#include "expect_error.h"
+#include "records/record.h"
+#include "records/record_format.h"
+#include <cmath>
+#include <fmt/format.h>
+
+using namespace rimpact;
+
+namespace {
+
+const std::string knet =
+    "Origin Time       2011/03/11 14:46:00\nLat.              38.103\nLong.             142.860\nDepth. (km)       "
+    "24\nMag.              9.0\nStation Code      MYG004\nStation Lat.      38.7292\nStation Long.     "
+    "141.0217\nStation Height(m) 40\nRecord Time       2011/03/11 14:46:36\nSampling Freq(Hz) "
+    "100Hz\nDuration Time(s)  300\nDir.              N-S\nScale Factor      3920(gal)/6182761\nMax. Acc. (gal)   "
+    "2699.890\nLast Correction   2011/03/11 14:46:21\nMemo.             \n    1000    3000    2000    2000\n    "
+    "2000    2000\n";
+
+const std::string esm =
+    "EVENT_NAME: CENTRAL_ITALY\nEVENT_ID: EMSC-20161030_0000029\nEVENT_DATE_YYYYMMDD: "
+    "20161030\nSAMPLING_INTERVAL_S: 0.005000\nNDATA: 4\nDURATION_S: 0.015\nSTREAM: HGE\nUNITS: cm/s^2\nDATA_TYPE: "
+    "ACCELERATION\nUSER1:\n0.5\n-98.0665\n1.0e1\n-2\n";
+
+/// 62 values of the real header in columns of 13, the 34th and the 62nd as given.
+std::string cosmos(double raw_s, double series_ms, const std::string &counts, const std::string &data) {
+  std::string text = "Corrected acceleration    (Format v01.20 with 13 text lines)\nStatn No: 02\n 100  Real-header "
+                     "values follow on 17 "
+                     "lines , Format = (6F13.6)\n";
+  for (int i = 1; i <= 102; ++i)
+    text += fmt::format("{:13.6f}", i == 34   ? raw_s
+                                    : i == 62 ? series_ms
+                                    : i == 42 ? 426212.0
+                                              : -999.0) +
+            (i % 6 == 0 ? "\n" : "");
+  return text + "  0 Comment line(s) follow, each starting with a \"|\":\n" + counts + "\n" + data +
+         "End-of-data for chan 1 acceleration\n";
+}
+const std::string counts = "   4 acceleration pts, approx  0 secs, units=cm/s^2,Format=(8F10.5)";
+const std::string touching = "   0.50000-100.00000 -98.06650   2.00000\n";
+
+void expect_values(const SampledSignal &record, double dt, const std::vector<double> &values) {
+  EXPECT_DOUBLE_EQ(record.dt, dt);
+  ASSERT_EQ(record.values.size(), values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) EXPECT_NEAR(record.values[i], values[i], 1e-9) << i;
+}
+std::string replaced(std::string text, const std::string &old, const std::string &now) {
+  return text.replace(text.find(old), old.size(), now);
+}
+
+} // namespace
+
+TEST(RecordFormats, AreToldByTheFileNotItsEnding) {
+  for (const char *path : {"MYG004.NS", "a.txt", "b"}) {
+    const double gal = 3920.0 / 6182761 / 100;
+    expect_values(parse_record(knet, path, 9.81), 0.01, {-1000 * gal, 1000 * gal, 0, 0, 0, 0}); // less their mean
+    expect_values(parse_record(esm, path, 9.81), 0.005, {0.005, -0.980665, 0.1, -0.02});
+    expect_values(parse_record(cosmos(0.01, 5, counts, touching), path, 9.81), 0.005, {0.005, -1, -0.980665, 0.02});
+  }
+  EXPECT_EQ(parse_record("PEER\nx\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 2, DT= .01 SEC\n1 2\n", "q.txt", 10)
+                .values[1],
+            20);
+}
+
+TEST(RecordFormats, UnitsInG) {
+  expect_values(parse_record(replaced(esm, "cm/s^2", "g"), "x", 10), 0.005, {5, -980.665, 100, -20});
+}
+
+TEST(RecordFormats, EsmRefusals) {
+  const auto refuse = [](const std::string &text, std::initializer_list<const char *> words) {
+    expect_error<DataError>([&] { parse_record(text, "q.asc", 9.81); }, words);
+  };
+  refuse(replaced(esm, "cm/s^2", "furlong"), {"q.asc", "furlong"});
+  refuse(replaced(esm, "ACCELERATION", "VELOCITY"), {"VELOCITY"});
+  refuse(replaced(esm, "NDATA: 4", "NDATA: 9"), {"truncated", "4 values", "9"});
+  refuse(replaced(esm, "0.005000", "0"), {"SAMPLING_INTERVAL_S 0", "> 0"});
+  refuse(replaced(esm, "1.0e1", "nan"), {"q.asc:13", "nan"});
+  refuse(replaced(esm, "-98.0665", "-980665"), {"100 g"});
+}
+
+TEST(RecordFormats, KnetRefusals) {
+  const auto refuse = [](const std::string &text, std::initializer_list<const char *> words) {
+    expect_error<DataError>([&] { parse_record(text, "q.NS", 9.81); }, words);
+  };
+  refuse(replaced(knet, "3920(gal)/6182761", "3920"), {"q.NS", "scale factor", "3920"});
+  refuse(replaced(knet, "100Hz", "0Hz"), {"Sampling Freq", "between 1 and 10000"});
+  refuse(replaced(knet, "Memo.", "Mem"), {"Memo"});
+  refuse(replaced(knet, "    3000", "   x3000"), {"q.NS:18", "x3000"});
+}
+
+TEST(RecordFormats, CosmosIntervalAndRefusals) {
+  EXPECT_DOUBLE_EQ(parse_record(cosmos(0.01, -999, counts, touching), "q.v2", 9.81).dt, 0.01); // the raw record's
+  const auto refuse = [](const std::string &text, std::initializer_list<const char *> words) {
+    expect_error<DataError>([&] { parse_record(text, "q.v2", 9.81); }, words);
+  };
+  refuse(cosmos(-999, -999, counts, touching), {"sampling interval", "> 0"});
+  refuse(cosmos(0.01, 5, replaced(counts, "cm/s^2", "counts"), touching), {"q.v2", "unit"});
+  refuse(cosmos(0.01, 5, replaced(counts, "   4", "   5"), touching), {"q.v2"});
+  refuse("Corrected acceleration\n", {"line of counts"});
+}
