@@ -44,7 +44,16 @@ def effective_radius_m(run):
     return 2 * i["radius_m"] - 1e-3 * (i["top_height_mm"] + i["bottom_height_mm"])
 
 
-CATALOGUE = {f.__name__: f for f in (pad_pressure_MPa, yield_over_W, first_hit_m, second_hit_m, largest_slip_m, effective_radius_m)}
+def hardening_ratio(run):
+    """Slope of the loading branch over its last tenth of displacement, over that about half of it: above 1 hardens."""
+    u, f = run.signals["displacement_x"], -run.signals["force_x"]
+    top = int(np.argmax(u))
+    slope = lambda low, high: np.polyfit(*(v[:top + 1][(u[:top + 1] > low * u[top]) & (u[:top + 1] < high * u[top])] for v in (u, f)), 1)[0]
+    return float(slope(0.9, 1.0) / slope(0.45, 0.55))
+
+
+CATALOGUE = {f.__name__: f for f in (pad_pressure_MPa, yield_over_W, first_hit_m, second_hit_m, largest_slip_m,
+                                    effective_radius_m, hardening_ratio)}
 
 
 def of(run, path):
