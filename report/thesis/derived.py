@@ -4,6 +4,7 @@ import math
 import numpy as np
 
 from ..errors import DataError
+from .pair import equal_stiffness
 
 
 def pad_pressure_MPa(run):
@@ -44,6 +45,11 @@ def effective_radius_m(run):
     return 2 * i["radius_m"] - 1e-3 * (i["top_height_mm"] + i["bottom_height_mm"])
 
 
+def equal_stiffness_kN_per_m(run):
+    """k_i of the constant pair that equals the run's first impact."""
+    return equal_stiffness(run.impacts[0], run.get("load", "mass_kg"))
+
+
 def hardening_ratio(run):
     """Slope of the loading branch over its last tenth of displacement, over that about half of it: above 1 hardens."""
     u, f = run.signals["displacement_x"], -run.signals["force_x"]
@@ -53,7 +59,7 @@ def hardening_ratio(run):
 
 
 CATALOGUE = {f.__name__: f for f in (pad_pressure_MPa, yield_over_W, first_hit_m, second_hit_m, largest_slip_m,
-                                    effective_radius_m, hardening_ratio)}
+                                    effective_radius_m, equal_stiffness_kN_per_m, hardening_ratio)}
 
 
 def of(run, path):

@@ -1,9 +1,8 @@
 """Draws an entry as the thesis lays it out: its panels and axes, finite elements below, the reduced model above."""
-import os
-
 import numpy as np
 
-from ..style import CYCLE, FE, FITTED, MUTED, WIDTH, figure, literal, save, shared_legend
+from ..style import CYCLE, FE, FITTED, MUTED, WIDTH, figure, literal, plt, save, shared_legend
+from .pair import draw_pair
 from .spectrum import draw_spectra
 
 SIDES = {"fe": dict(color=FE, lw=1.9, zorder=2), "physical": dict(color=FITTED, lw=1.0, zorder=4)}
@@ -31,7 +30,6 @@ def draw(entry, runs, path):
     for ax in list(grid.flat)[len(entry.panels):]:
         ax.axis("off")
     if not any(drawn):
-        import matplotlib.pyplot as plt
         plt.close(fig)
         return None
     shared_legend(fig, list(grid.flat), 3)
@@ -40,7 +38,7 @@ def draw(entry, runs, path):
 
 def _panel(ax, panel, runs):
     kind = panel.get("kind", "curves")
-    drawn = {"curves": _curves, "ellipses": _ellipses, "spectra": draw_spectra, "bars": _bars}[kind](ax, panel, runs)
+    drawn = {"curves": _curves, "ellipses": _ellipses, "spectra": draw_spectra, "bars": _bars, "pair": draw_pair}[kind](ax, panel, runs)
     ax.set_title(literal(panel.get("title", "")))
     ax.set_xlabel(panel.get("x_label", ""))
     ax.set_ylabel(panel.get("y_label", ""))
@@ -89,7 +87,3 @@ def _bars(ax, panel, runs):
     ax.bar(range(len(values)), values, color=FITTED, width=0.6)
     ax.set_xticks(range(len(labels)), labels)
     return bool(values)
-
-
-def picture_path(folder, entry):
-    return os.path.join(folder, f"{entry.id}.png")
