@@ -30,6 +30,7 @@ const std::vector<Verb> &light_verbs() {
       {"study", add_study},
       {"report", add_report},
       {"export", add_export},
+      {"thesis", add_thesis},
       {"list", add_list},
       {"version", [](CLI::App &app, Console &) { app.add_subcommand(version_name, version_help); }}};
   return verbs;

@@ -82,7 +82,7 @@ int poll(pid_t process, bool wait) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-int python(const std::vector<std::string> &arguments) {
+int python(const std::vector<std::string> &arguments, bool show_output) {
   const std::string data = data_folder();
   if (!std::filesystem::is_directory(std::filesystem::path(data) / "report"))
     throw IoError(data + ": the report's Python is not there; install the programs with their data (cmake --install)");
@@ -91,7 +91,7 @@ int python(const std::vector<std::string> &arguments) {
                             "import runpy, sys; sys.path.insert(0, sys.argv[1]); del sys.argv[1]; "
                             "runpy.run_module(sys.argv.pop(1), run_name='__main__', alter_sys=True)",
                             data},
-                .output = "/dev/null"};
+                .output = show_output ? "" : "/dev/null"};
   launch.command.insert(launch.command.end(), arguments.begin(), arguments.end());
   return poll(start(launch), true);
 }

@@ -31,6 +31,7 @@ void add_reliability(CLI::App &app, Console &console);
 void add_report(CLI::App &app, Console &console);
 void add_run(CLI::App &app, Console &console);
 void add_study(CLI::App &app, Console &console);
+void add_thesis(CLI::App &app, Console &console);
 void add_version(CLI::App &app, Console &console);
 
 /// Parses, runs the verb, turns every failure into one sentence and its exit code.

@@ -1,4 +1,5 @@
-// rimpact compare A B [...]: what differs between scenes, then metrics between their responses.
+// rimpact compare A B [...]: what differs between scenes, then metrics between their responses; with -o, pictures.
+#include "app/compare_picture.h"
 #include "app/scene_differences.h"
 #include "app/verb.h"
 #include "calibration/data/measured_run.h"
@@ -99,17 +100,22 @@ constexpr std::array rows{
         100, "% of peak"},
 };
 
+/// A for the reference, B, C, ... for the others.
+std::string letter(std::size_t k) {
+  return std::string(1, static_cast<char>('A' + std::min<std::size_t>(k, 25)));
+}
+
 std::string text_of(const std::string &reference, const std::vector<Compared> &all) {
   std::string text = fmt::format("A: {}\n", reference);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    const char name = static_cast<char>('B' + std::min<std::size_t>(k, 24));
+    const std::string name = letter(k + 1);
     text += fmt::format("{}: {}\n", name, all[k].path);
     for (const auto &d : all[k].differences)
       text += fmt::format("   {:34s} A {:<22s} {} {}{}\n", d.key, d.a, name, d.b, d.comparable ? "" : "   !");
   }
   text += fmt::format("{:20s}", "");
   for (std::size_t k = 0; k < all.size(); ++k)
-    text += fmt::format(" {:>20s}", fmt::format("{} against A", static_cast<char>('B' + std::min<std::size_t>(k, 24))));
+    text += fmt::format(" {:>20s}", letter(k + 1) + " against A");
   text += "\n";
   for (const auto &row : rows) {
     text += fmt::format("{:20s}", row.title);
@@ -138,12 +144,30 @@ void refuse_others(const std::string &reference, const Compared &each) {
 
 struct Options {
   std::vector<std::string> paths;
+  std::string folder; ///< of the pictures and the page; empty: none
   std::optional<double> capacity_mm;
   bool anyway = false;
 };
 
+std::string draw(const std::string &folder, const std::vector<Item> &items, const std::vector<Compared> &all,
+                 double capacity) {
+  std::vector<ComparedCurve> curves;
+  for (std::size_t k = 0; k < items.size(); ++k) {
+    json said{{"path", items[k].path}};
+    if (k > 0) {
+      said["metrics"] = calibration::to_json(all[k - 1].metrics);
+      said["metrics"].erase("notes");
+      said["notes"] = all[k - 1].metrics.notes;
+      said["differences"] = to_json(all[k - 1].differences);
+    }
+    curves.push_back({.name = letter(k), .scene = items[k].scene, .said = said, .response = &items[k].response});
+  }
+  return draw_comparison(folder, curves, capacity);
+}
+
 void run_compare(const Options &options, Console &console) {
   if (options.paths.size() < 2) throw InputError("compare needs two or more: the first is the reference");
+  if (options.paths.size() > 26) throw InputError("compare takes 26 responses or fewer");
   constexpr double most = 1e4; // [mm]
   if (const auto given = options.capacity_mm; given && !(*given > 0 && *given <= most))
     throw InputError(fmt::format("--capacity-mm {:g} must be > 0 and <= {:g}", *given, most));
@@ -163,6 +187,7 @@ void run_compare(const Options &options, Console &console) {
     each.metrics = calibration::compare(reference.response, items[k].response, capacity);
     all.push_back(each);
   }
+  const std::string page = options.folder.empty() ? "" : draw(options.folder, items, all, capacity);
   if (console.json) {
     json table = calibration::to_json(all.front().metrics);
     table["differences"] = to_json(all.front().differences);
@@ -173,9 +198,11 @@ void run_compare(const Options &options, Console &console) {
       candidate["differences"] = to_json(each.differences);
       table["candidates"].push_back(candidate);
     }
+    if (!page.empty()) table["page"] = page;
     return console.data(json_text(table));
   }
   console.data(text_of(reference.path, all));
+  if (!page.empty()) console.data(page + "\n");
   for (const auto &each : all)
     for (const auto &note : each.metrics.notes) console.message(each.path + ": " + note);
 }
@@ -189,6 +216,7 @@ void add_compare(CLI::App &app, Console &console) {
   verb->add_option("RUN", options->paths,
                    "the reference, then what is compared with it: run folders, .h5, .csv or mapping files")
       ->required();
+  verb->add_option("-o,--output", options->folder, "a folder for pictures and one HTML page of all curves");
   verb->add_option("--capacity-mm", options->capacity_mm, "L_c, where no scene is known");
   verb->add_flag("--anyway", options->anyway, "compare runs of different bearings, loads or excitations");
   console.add_common(*verb);

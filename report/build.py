@@ -1,20 +1,13 @@
 """From a results folder to report.html: read, draw, fill the template, write."""
 import os
 
-import jinja2
-
-from . import calibration_file, document, first_page, sections
+from . import calibration_file, document, first_page, page, sections
 from .bearing import assumed_keys
 from .blocks import Pictures
 from .doubts import Doubts
-from .files import write_whole
-from .markup import sentence
 from .numbers import is_number
 from .results import load_results
 from .run_folder import parse_scene
-
-TEMPLATES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "templates")
-
 
 class Context:
     """Everything a section may read, and where it puts its pictures."""
@@ -54,12 +47,8 @@ def build(folder, output=None, given=document.Document()):
     `given`: what the command line says of title, client, project and author."""
     output = output or os.path.join(folder, "report.html")
     context = Context(folder, os.path.join(folder, "figures"))
-    page = first_page.make(context)
+    first = first_page.make(context)
     made = [section for section in (make(context) for make in sections.CATALOGUE) if section is not None and section.blocks]
-    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATES), autoescape=True, trim_blocks=True,
-                                     lstrip_blocks=True, undefined=jinja2.StrictUndefined)
-    environment.filters["sub"] = sentence
-    html = environment.get_template("report.html.j2").render(
-        head=sections.head(context, given), page=page, sections=made, problems=list(dict.fromkeys(context.problems)))
-    write_whole(output, lambda file: file.write(html.encode("utf-8", "replace")))
+    page.write(output, "report.html.j2", head=sections.head(context, given), page=first, sections=made,
+               problems=list(dict.fromkeys(context.problems)))
     return output, context.problems

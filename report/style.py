@@ -38,7 +38,12 @@ plt.rcParams.update({
 
 
 def line_of(role):
-    """Line style of a model in overlays: the reference thick below, the fitted pair and the best law thin above, the published pair dashed."""
+    """Line style of a model in overlays: the reference thick below, the fitted pair and the best law thin above, the published pair dashed.
+    A capital letter names one of many curves: A is the reference, the others take a colour each, dashed from I on."""
+    if len(role) == 1:
+        k = ord(role) - ord("A")
+        return dict(color=CYCLE[k % len(CYCLE)], lw=1.9 if k == 0 else 1.0, zorder=2 + k,
+                    ls="-" if k < len(CYCLE) else (0, (4, 1.6)))
     return {"fe": dict(color=FE, lw=1.9, zorder=2), "fitted": dict(color=FITTED, lw=1.0, zorder=4),
             "law": dict(color=GREEN, lw=1.0, zorder=5),
             "published": dict(color=PUBLISHED, lw=0.9, ls=(0, (4, 1.6)), zorder=3)}[role]

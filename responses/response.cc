@@ -13,6 +13,7 @@ namespace rimpact {
 namespace {
 
 void add_building_signals(std::vector<SignalInfo> &list);
+void add_double_concave_signals(std::vector<SignalInfo> &list);
 
 std::vector<SignalInfo> make_signals() {
   std::vector<SignalInfo> list{{"time", "s", "instant, or load parameter of a quasi-static run"}};
@@ -33,6 +34,7 @@ std::vector<SignalInfo> make_signals() {
   list.push_back({"tilt", "rad", "angle of the (bottom) slider's axis to the vertical, double concave models"});
   for (const char *axis : {"x", "y"})
     list.push_back({fmt::format("interface_slip_{}", axis), "m", "of the top slider past the bottom one"});
+  add_double_concave_signals(list);
   for (const char *axis : {"x", "y"}) {
     list.push_back({fmt::format("drift_{}", axis), "m", "of the superstructure's first storey, u_s"});
     list.push_back(
@@ -65,6 +67,18 @@ std::vector<SignalInfo> make_signals() {
   list.push_back({"cuts", "1", "steps solved and not taken since the row before"});
   list.push_back({"step", "s", "time step"});
   return list;
+}
+
+/// Of the contact points of a slider between two plates, and of its upper plate.
+void add_double_concave_signals(std::vector<SignalInfo> &list) {
+  constexpr int most_points = 64;
+  using Set = std::pair<char, const char *>;
+  for (const auto &[set, where] : {Set{'A', "top plate"}, Set{'B', "bottom plate"}, Set{'C', "interface"}})
+    for (int i = 1; i <= most_points; ++i)
+      list.push_back(
+          {fmt::format("normal_{}{}", set, i), "N", fmt::format("normal force of contact point {} on the {}", i, where)});
+  for (const char *axis : {"x", "y"})
+    list.push_back({fmt::format("plate_moment_{}", axis), "N m", "of the bearing on the top plate about its vertex"});
 }
 
 /// Of a building on many bearings: `displacement_x` ... are those of the base's mass centre, `force_x` ... sums.

@@ -23,6 +23,28 @@ Bearing fps_225() {
   return b;
 }
 
+/// One of the two like dishes of the tested SH-FPS (thesis appendix A: a = 180 mm, b = 43.2 mm, 90 kN). Its slider is
+/// point-symmetric, so each dish sees half the travel: 90 mm for the test's 180. The ring of the pad carries 90 kN at
+/// 60 MPa; all but the dish is assumed.
+Bearing shfps_appendix_a() {
+  Bearing b;
+  b.name = "shfps-appendix-a";
+  b.surface.R0 = 0.75;
+  b.surface.a = 0.18;
+  b.surface.planar_radius = 0.135;
+  b.slider = {.diameter = 0.080, .bottom = 0.019, .top = 0.060, .edge_radius = 0.002};
+  b.rim.height = 0.025;
+  b.rim.thickness = 0.020;
+  b.plate.base = 0.025;
+  b.pad.inner_radius = 0.008;
+  b.pad.outer_radius = 0.0233;
+  b.pad.thickness = 0.016;
+  b.pad.recess = 0.008;
+  b.pad.shape_radius = 0.5;
+  b.foot = {.radius = 0.028, .bottom = 0.008, .shoulder = 0.013, .cap_radius = 0.0308};
+  return b;
+}
+
 struct Entry {
   const char *name;
   Bearing (*make)();
@@ -31,6 +53,7 @@ struct Entry {
 constexpr std::array catalogue{
     Entry{"shfps-225", shfps_225},
     Entry{"fps-225", fps_225},
+    Entry{"shfps-appendix-a", shfps_appendix_a},
 };
 
 } // namespace

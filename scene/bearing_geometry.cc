@@ -1,4 +1,4 @@
-/// Bearing::validate() and validate_rim(): what cannot be built or collides over 0..L_c is refused with both numbers.
+/// Bearing::validate(), validate_rim() and check_bearing(): what cannot be built or collides over 0..L_c is refused with both numbers.
 #include "files/error.h"
 #include "scene/keys.h"
 #include <cmath>
@@ -203,7 +203,23 @@ void check(const Bearing &b, bool with_stack) {
   check_rim(b, clearance);
 }
 
+bool needs_only_the_dish(const Scene &s) {
+  if (s.reduced.finite_pad || s.reduced.socket_friction) return false;
+  const auto kind = s.excitation.kind;
+  const bool on_the_dish = kind == ExcitationKind::cyclic || kind == ExcitationKind::figure_eight;
+  return s.superstructure.any() || (on_the_dish && s.model.rung == "rim");
+}
+
 } // namespace
+
+void check_bearing(const Scene &scene) {
+  if (scene.double_concave()) return;
+  if (needs_only_the_dish(scene)) {
+    check_ranges(scene.bearing);
+    return check_dish(scene.bearing);
+  }
+  scene.needs_stack() ? scene.bearing.validate() : scene.bearing.validate_rim();
+}
 
 void Bearing::validate() const {
   check(*this, true);

@@ -16,5 +16,9 @@ void visit_settings(KeyVisitor &visitor, Scene &scene);
 /// Throws InputError for the first value outside its range: "rim.height_mm -3 must be > 0".
 void check_ranges(const Bearing &bearing);
 void check_ranges(const Scene &scene); ///< its settings, not its bearing
+/// Throws InputError where the bearing lacks what the scene's model uses: nothing of [bearing] for two dishes; dish and
+/// L_c where no finite elements can follow (a superstructure, a path on the dish by rung `rim`); else slider and rim,
+/// and pad and foot where they are modelled.
+void check_bearing(const Scene &scene);
 
 } // namespace rimpact::scene

@@ -97,7 +97,7 @@ void check_curve(const Scene &scene) {
 
 void Scene::validate() const {
   check_names(*this);
-  needs_stack() ? bearing.validate() : bearing.validate_rim();
+  check_bearing(*this);
   check_ranges(*this);
   check_friction(reduced);
   check_excitation(excitation, lateral_capacity());

@@ -198,8 +198,7 @@ Scene parse_scene(const std::string &text, const std::string &origin, const std:
   reader.finish();
   forget_origin(typed, scene.reduced, scene.remarks);
   // Geometry first: a bearing that cannot be built is said before a record that is missing.
-  with_location(file, "bearing",
-                [&] { scene.needs_stack() ? scene.bearing.validate() : scene.bearing.validate_rim(); });
+  with_location(file, "bearing", [&] { check_bearing(scene); });
   read_records(file, scene, folder);
   if (!scene.reduced.impact_curve.empty()) make_absolute(scene.reduced.impact_curve, folder);
   if (scene.model.own_mesh.any()) make_absolute(scene.model.own_mesh.file, folder);

@@ -30,6 +30,17 @@ PlateForces on_plate(const DoubleConcaveSystem &model, const MotionState &s) {
   return p;
 }
 
+/// Name of every contact point between slider and plates, A1, ..., or at the interface, C1, ...; empty for the others.
+std::vector<std::string> point_names(const DoubleConcaveSystem &model) {
+  std::vector<std::string> names;
+  int index[3] = {};
+  for (const auto &c : model.system.contacts) {
+    const bool point = c.surface == Surface::dish || c.surface == Surface::interface;
+    names.push_back(point ? std::string(1, "BCA"[c.set]) + std::to_string(++index[c.set]) : "");
+  }
+  return names;
+}
+
 bool rim_pressed(const DoubleConcaveSystem &model, const MotionState &s) {
   for (std::size_t i = 0; i < s.contact.size(); ++i)
     if (model.system.contacts[i].surface == Surface::rim && s.contact[i].size != 0) return true;
@@ -43,7 +54,7 @@ DoubleConcaveRecorder::DoubleConcaveRecorder(DoubleConcaveSystem &model, const s
     : model_(model), result_(result), time_unit_(time_unit),
       sample_(model.driven ? time_unit / (2000 * std::max(1.0, std::ceil(scene.excitation.cycles)))
                            : scene.reduced.output_step),
-      dents_(model.system.contacts.size()), largest_normal_(model.system.contacts.size(), 0),
+      points_(point_names(model)), dents_(model.system.contacts.size()), largest_normal_(model.system.contacts.size(), 0),
       smallest_normal_(model.system.contacts.size(), 1e300), building_(model.building) {
   result.summary.n_dofs = std::count(model.system.free.begin(), model.system.free.end(), true);
 }
@@ -154,6 +165,9 @@ void DoubleConcaveRecorder::store(const MotionState &s) {
                                                  {"energy_impact", l.impact},
                                                  {"energy_contact", l.contact}};
   for (const auto &[name, value] : row) result_.response.append(name, value);
+  for (std::size_t i = 0; i < s.contact.size(); ++i)
+    if (!points_[i].empty()) result_.response.append("normal_" + points_[i], s.contact[i].size);
+  result_.response.append("plate_moment_x", p.moment[0]), result_.response.append("plate_moment_y", p.moment[1]);
   if (!model_.building.any()) return;
   for (const auto &[name, value] :
        {std::pair{"energy_elastic", l.elastic}, {"energy_plastic", l.plastic}, {"energy_damping", l.damping}})
@@ -168,13 +182,8 @@ void DoubleConcaveRecorder::end(const MotionState &s) {
   summary.energy = ledger(s);
   summary.rung = "reduced";
   nlohmann::json points = nlohmann::json::object();
-  int index[3] = {};
-  for (std::size_t i = 0; i < model_.system.contacts.size(); ++i) {
-    const auto &c = model_.system.contacts[i];
-    if (c.surface != Surface::dish && c.surface != Surface::interface) continue;
-    const std::string name = std::string(1, "BCA"[c.set]) + std::to_string(++index[c.set]);
-    points[name] = {{"max_N", largest_normal_[i]}, {"min_N", smallest_normal_[i]}};
-  }
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (!points_[i].empty()) points[points_[i]] = {{"max_N", largest_normal_[i]}, {"min_N", smallest_normal_[i]}};
   summary.extra["isolator"] = {{"point_forces", points},
                                {"max_vertical_force_N", largest_vertical_},
                                {"min_vertical_force_N", smallest_vertical_},

@@ -51,6 +51,22 @@ class Compare(unittest.TestCase):
         self.assertIn("B against A", run.stdout)
         self.assertIn("C against A", run.stdout)
 
+    def test_pictures_of_any_number_and_of_any_kind(self):
+        drawn = self.path("drawn")
+        arguments = [self.path("a"), self.path("stiff"), self.path("faster/response.h5"), self.path("heavier/response.csv")]
+        run = rimpact("compare", *arguments, "--anyway", "-o", drawn)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("D against A", run.stdout)
+        self.assertTrue(run.stdout.endswith("compare.html\n"))
+        for name in ("compare.html", "figures/response.png", "figures/impacts.png"):
+            self.assertGreater(os.path.getsize(os.path.join(drawn, name)), 1000, name)
+        with open(os.path.join(drawn, "compare.html"), encoding="utf-8") as file:
+            page = file.read()
+        for text in ("reduced.k_i_kN_per_m", "excitation.speed_m_per_s", "peak impact force"):
+            self.assertIn(text, page)
+        table = json.loads(rimpact("compare", *arguments, "--anyway", "-o", drawn, "--json").stdout)
+        self.assertEqual(table["page"], os.path.join(drawn, "compare.html"))
+
     def test_a_missing_column_is_named_with_its_file(self):
         path = self.path("bare.csv")
         with open(path, "w") as file:

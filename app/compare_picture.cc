@@ -1,0 +1,39 @@
+#include "app/compare_picture.h"
+#include "app/sibling.h"
+#include "files/error.h"
+#include "files/file.h"
+#include "files/json_text.h"
+#include "responses/build_version.h"
+#include <filesystem>
+#include <fmt/format.h>
+
+namespace rimpact::app {
+namespace {
+
+namespace fs = std::filesystem;
+
+void make_folder(const fs::path &path) {
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) throw IoError(fmt::format("cannot create the folder {}: {}", path.string(), error.message()));
+}
+
+} // namespace
+
+std::string draw_comparison(const std::string &folder, const std::vector<ComparedCurve> &curves, double capacity) {
+  nlohmann::json items = nlohmann::json::array();
+  for (const auto &curve : curves) {
+    const fs::path place = fs::path(folder) / "curves" / curve.name;
+    make_folder(place);
+    write_hdf5(*curve.response, (place / "response.h5").string());
+    if (!curve.scene.empty()) write_atomically(curve.scene, (place / "scene.toml").string());
+    items.push_back(curve.said);
+    items.back()["name"] = curve.name;
+  }
+  const nlohmann::json all{{"version", build_version()}, {"capacity_m", capacity}, {"items", items}};
+  write_atomically(json_text(all), (fs::path(folder) / "compare.json").string());
+  if (python({"report.compare", folder}) != 0) throw IoError("the pictures in " + folder + " were not made");
+  return (fs::path(folder) / "compare.html").string();
+}
+
+} // namespace rimpact::app

@@ -1,0 +1,36 @@
+"""python3 -m report.thesis WHAT --program RIMPACT --output DIR [--records DIR] [--cheap] [--json]: list, one figure or table, or all."""
+import argparse
+import json
+import os
+import sys
+
+from ..errors import run_main
+from . import catalogue as catalogues
+from . import tables
+from .results import Ours
+
+
+def main(arguments):
+    parser = argparse.ArgumentParser(prog="rimpact thesis", description=__doc__)
+    parser.add_argument("what")
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--output", required=True)
+    parser.add_argument("--records", default=os.environ.get("RIMPACT_RECORDS", "."))
+    for flag in ("--cheap", "--json", "--quiet"):
+        parser.add_argument(flag, action="store_true")
+    options = parser.parse_args(arguments)
+    catalogue, ours = catalogues.load(), Ours(options.output)
+    if options.what == "list":
+        print(json.dumps(tables.list_json(catalogue, ours), indent=1, ensure_ascii=False) if options.json else tables.list_text(catalogue, ours))
+        return
+    entries = catalogue.entries if options.what == "all" else [catalogue.find(options.what)]
+    from .make import make  # after the command line: matplotlib takes a second to load
+    made = make(catalogue, ours, entries, options)
+    if options.json:
+        print(json.dumps(made, indent=1, ensure_ascii=False))
+
+
+try:
+    run_main(main)
+except BrokenPipeError:
+    sys.exit(0)

@@ -1,0 +1,160 @@
+"""The catalogue of figures, tables and printed numbers: data/thesis/*.toml, read and checked.
+
+A [run.NAME] is a command of rimpact, or a kept reference. An [[entry]] is a figure, a table or a passage with numbers: what
+it needs, its panels, and its numbers: what is printed, how ours is found, within what it counts as met. A number that
+cannot be compared says why; one that is not met says the cause."""
+import os
+import tomllib
+from dataclasses import dataclass, field
+
+from ..errors import DataError, InputError
+from ..shapes import ANY, FLAG, NUMBER, TEXT, check, numbers, texts
+
+STATES = ("done", "partly", "missing", "drawing")
+FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "data")
+NUMBER_SHAPE = {**texts("what unit ours why cause"), **numbers("printed factor within at_least count")}
+CURVE = {**texts("run label side"), "x": ANY, "y": ANY}
+PANEL = {**texts("title x_label y_label x y kind of"), "curves": [CURVE], **numbers("x_factor y_factor R0_m a_m"), "x_range": [NUMBER], "y_range": [NUMBER],
+         "records": [TEXT], "shapes": [{"label": TEXT, "R0_m": NUMBER, "a_m": NUMBER}]}
+SHAPE = {
+    "thesis": texts("author title kind university year"),
+    "run": {"*": {"command": [TEXT], "kept": TEXT, "json": FLAG, "seconds": NUMBER, "heavy": FLAG, "records": [TEXT]}},
+    "entry": [{**texts("id section title state command differs"), "also": [TEXT], "records": [TEXT], "columns": NUMBER,
+               "panel": [PANEL], "number": [NUMBER_SHAPE],
+               "table": [{"columns": [TEXT], "paths": [TEXT], "factors": [NUMBER], "within": [NUMBER], "units": [TEXT], "causes": [TEXT],
+                          "row": [{"label": TEXT, "run": TEXT, "printed": [NUMBER]}]}]}],
+}
+
+
+@dataclass
+class Run:
+    name: str
+    command: list = field(default_factory=list)  #: words after `rimpact`; {records} stands for the user's folder
+    kept: str = ""       #: folder in data/references instead of a command
+    json: bool = False   #: the verb prints JSON and leaves no folder
+    seconds: float = 1.0
+    heavy: bool = False  #: finite elements, or longer than a minute
+    records: list = field(default_factory=list)
+
+
+@dataclass
+class Number:
+    what: str
+    printed: float = None
+    unit: str = ""
+    ours: str = ""         #: "run:path", "a / b" or "a / b - 1" of such
+    factor: float = 1.0
+    within: float = None   #: largest difference that counts as met, in the printed unit
+    at_least: float = None #: instead: ours is to be so much or more
+    why: str = ""          #: why it is not compared
+    cause: str = ""        #: why it is not met
+    count: int = 1         #: printed numbers it stands for
+
+    def verdict(self, ours):
+        """met | not met | not comparable | not run"""
+        if self.why:
+            return "not comparable"
+        if ours is None:
+            return "not run"
+        met = ours >= self.at_least if self.at_least is not None else abs(ours - self.printed) <= self.within
+        return "met" if met else "not met"
+
+
+@dataclass
+class Entry:
+    id: str
+    title: str
+    section: str = ""
+    state: str = ""
+    command: str = ""   #: what makes it where no run of the catalogue does
+    differs: str = ""   #: sentences: how ours differs from the thesis's, or why there is none
+    also: list = field(default_factory=list)
+    records: list = field(default_factory=list)
+    columns: int = 2
+    panels: list = field(default_factory=list)
+    numbers: list = field(default_factory=list)
+
+    @property
+    def ids(self):
+        return [self.id, *self.also]
+
+    def runs(self):
+        """Names of the runs it needs, in order, each once."""
+        named = [curve["run"] for panel in self.panels for curve in panel.get("curves", [])]
+        for number in self.numbers:
+            named += [term.split(":")[0].strip() for term in number.ours.removesuffix(" - 1").split("/") if number.ours]
+        return list(dict.fromkeys(named))
+
+
+@dataclass
+class Catalogue:
+    thesis: dict
+    runs: dict
+    entries: list
+
+    def find(self, name):
+        for entry in self.entries:
+            if name in entry.ids:
+                return entry
+        raise InputError(f"{name} is no figure, table or passage of the catalogue; rimpact thesis list shows them")
+
+    def records_of(self, entry):
+        needed = list(entry.records)
+        for name in entry.runs():
+            needed += self.runs[name].records
+        return list(dict.fromkeys(needed))
+
+    def seconds_of(self, entry, cheap=True):
+        return sum(self.runs[name].seconds for name in entry.runs() if not (cheap and self.runs[name].heavy))
+
+    @property
+    def citation(self):
+        t = self.thesis
+        return f"{t['author']}, {t['title']}, {t['kind']}, {t['university']}, {t['year']}"
+
+
+def load(folder=os.path.join(FOLDER, "thesis")):
+    """Throws DataError naming the file, and the entry of what makes no sense."""
+    merged = {"thesis": {}, "run": {}, "entry": []}
+    for name in sorted(os.listdir(folder), key=lambda name: (name.startswith("app"), name)):
+        if not name.endswith(".toml"):
+            continue
+        path = os.path.join(folder, name)
+        try:
+            with open(path, "rb") as file:
+                data = tomllib.load(file)
+        except (OSError, tomllib.TOMLDecodeError) as error:
+            raise DataError(f"{path} is not readable TOML ({error})") from None
+        check(data, SHAPE, path)
+        merged["thesis"] |= data.get("thesis", {})
+        merged["run"] |= data.get("run", {})
+        merged["entry"] += data.get("entry", [])
+    runs = {name: Run(name, **run) for name, run in merged["run"].items()}
+    return Catalogue(merged["thesis"], runs, [_entry(data, runs) for data in merged["entry"]])
+
+
+def _entry(data, runs):
+    plain = {key: value for key, value in data.items() if key not in ("panel", "number", "table")}
+    entry = Entry(**plain, panels=data.get("panel", []), numbers=[Number(**number) for number in data.get("number", [])])
+    for table in data.get("table", []):
+        entry.numbers += _numbers_of(table)
+    if entry.state not in STATES:
+        raise DataError(f"data/thesis: {entry.id}: state \"{entry.state}\" is none of {', '.join(STATES)}")
+    for name in entry.runs():
+        if name not in runs:
+            raise DataError(f"data/thesis: {entry.id} names the run {name}, which is not there")
+    for number in entry.numbers:
+        if not number.why and not number.ours:
+            raise DataError(f"data/thesis: {entry.id}: {number.what} is neither compared nor says why not")
+    return entry
+
+
+def _numbers_of(table):
+    """A table's numbers, row by row: every column has a path, a factor, a bound and a cause of its own."""
+    n = len(table["columns"])
+    of = lambda key, default: table.get(key, [default] * n)
+    for row in table["row"]:
+        for k in range(n):
+            yield Number(f"{table['columns'][k]}, {row['label']}", row["printed"][k], of("units", "")[k],
+                         f"{row['run']}:{table['paths'][k]}", of("factors", 1.0)[k], of("within", None)[k],
+                         cause=of("causes", "")[k])

@@ -1,0 +1,61 @@
+"""Makes entries: their runs, their picture, their numbers, one page of all that were asked for."""
+import os
+
+from .. import page
+from ..blocks import Pictures, Section, note, text
+from . import draw, tables
+from .runs import Runs, value_of
+
+
+def make(catalogue, ours, entries, options):
+    """Prints each entry's numbers and the page's path; gives the same as JSON."""
+    runs = Runs(catalogue, options.program, options.output, options.records, options.cheap, options.quiet)
+    pictures, made, sections = Pictures(os.path.join(options.output, "figures"), []), [], []
+    for entry in entries:
+        if not entry.panels and not entry.numbers:
+            if len(entries) == 1:
+                sections.append(_section(entry, ours, None, []))
+            continue
+        before = set(runs.missing)
+        figure = pictures.figure(entry.id, f"As the thesis lays it out: {entry.title}", _draw(entry, runs)) if entry.panels else None
+        ours.put(entry, [value_of(number, runs) for number in entry.numbers])
+        missing = [runs.missing[name] for name in entry.runs() if name in runs.missing]
+        sections.append(_section(entry, ours, figure, missing))
+        made.append({"id": entry.id, "numbers": tables.numbers_json(entry, ours), "missing": missing,
+                     "picture": pictures.path(entry.id) if figure else None})
+        if not options.json:
+            _say(entry, ours, pictures.path(entry.id) if figure else None, [runs.missing[n] for n in runs.missing if n not in before])
+    name = "thesis" if len(entries) > 1 else entries[0].id
+    path = os.path.join(options.output, f"{name}.html")
+    os.makedirs(options.output, exist_ok=True)
+    page.write(path, "page.html.j2", title="The thesis and ours" if len(entries) > 1 else f"{entries[0].id}: {entries[0].title}", subtitle=catalogue.citation,
+               sections=sections, problems=pictures.problems, footer=tables.counts(ours.count(entries)))
+    if not options.json:
+        print(tables.counts(ours.count(entries)))
+        print(path)
+    return {"entries": made, "counts": ours.count(entries), "page": path}
+
+
+def _draw(entry, runs):
+    return lambda path: draw.draw(entry, runs, path)
+
+
+def _section(entry, ours, figure, missing):
+    section = Section(entry.id, f"{entry.id}: {entry.title}", lead=f"Section {entry.section}. State: {entry.state}.")
+    section.add(figure)
+    section.add(text(entry.differs) if entry.differs else None)
+    section.add(text(f"Made by `{entry.command}`.") if entry.command else None)
+    section.add(tables.numbers_block(entry, ours))
+    for sentence in missing:
+        section.add(note(sentence, "missing"))
+    return section
+
+
+def _say(entry, ours, picture, missing):
+    print(f"{entry.id}: {entry.title}")
+    if entry.numbers:
+        print(tables.numbers_text(entry, ours))
+    for sentence in missing:
+        print(f"  missing: {sentence}")
+    if picture:
+        print(f"  {picture}")

@@ -1,0 +1,41 @@
+"""The numbers as last found: kept with the program (data/thesis/ours.json), and in the user's folder once they are made there."""
+import json
+import os
+
+from ..data_files import read_any_json
+from ..files import write_whole
+from .catalogue import FOLDER
+
+KEPT = os.path.join(FOLDER, "thesis", "ours.json")
+VERDICTS = ("met", "not met", "not comparable", "not run")
+
+
+class Ours:
+    """Ours of every number, by entry and what it is of."""
+
+    def __init__(self, folder):
+        self.path = os.path.join(folder, "numbers.json")
+        self.values = read_any_json(KEPT) if os.path.isfile(KEPT) else {}
+        if os.path.isfile(self.path):
+            for entry, numbers in read_any_json(self.path).items():
+                self.values.setdefault(entry, {}).update(numbers)
+
+    def of(self, entry, number):
+        return self.values.get(entry.id, {}).get(number.what)
+
+    def put(self, entry, values):
+        """`values`: of its numbers in their order; what was not found now stays as it was."""
+        found = {number.what: float(f"{value:.6g}") for number, value in zip(entry.numbers, values) if value is not None}
+        made = read_any_json(self.path) if os.path.isfile(self.path) else {}
+        made.setdefault(entry.id, {}).update(found)
+        self.values.setdefault(entry.id, {}).update(found)
+        os.makedirs(os.path.dirname(os.path.abspath(self.path)), exist_ok=True)
+        write_whole(self.path, lambda file: file.write(json.dumps(made, indent=1, sort_keys=True).encode()))
+
+    def count(self, entries):
+        """How many numbers of the entries have each verdict."""
+        total = dict.fromkeys(VERDICTS, 0)
+        for entry in entries:
+            for number in entry.numbers:
+                total[number.verdict(self.of(entry, number))] += number.count
+        return total

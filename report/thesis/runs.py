@@ -1,0 +1,125 @@
+"""Runs of the catalogue: made by rimpact's own verbs as child processes, kept once done, read by the figures and numbers."""
+import json
+import os
+import subprocess
+import sys
+
+from ..data_files import read_any_json
+from ..errors import DataError
+from ..files import write_whole
+from ..run_folder import load_run
+from . import derived
+from .catalogue import FOLDER
+
+INTERRUPTED = 130
+
+
+class Runs:
+    """`folder`: where they are kept, a folder each. `cheap`: heavy ones are read where they are kept, never made."""
+
+    def __init__(self, catalogue, program, folder, records, cheap=False, quiet=False):
+        self.catalogue, self.program, self.folder, self.records = catalogue, program, folder, records
+        self.cheap, self.quiet = cheap, quiet
+        self.missing, self._read = {}, {}  #: name: the sentence why it is not there
+
+    def place(self, name):
+        run = self.catalogue.runs[name]
+        return os.path.join(FOLDER, "references", run.kept) if run.kept else os.path.join(self.folder, "runs", name)
+
+    def words(self, name):
+        """Of its command: {records} is the user's folder, {law} the settings of the law fitted to the kept references."""
+        words = []
+        for word in self.catalogue.runs[name].command:
+            words += _law() if word == "{law}" else [word.replace("{records}", os.path.abspath(self.records))]
+        return words
+
+    def make(self, name):
+        """Whether the run is there, made now if it must be."""
+        run = self.catalogue.runs[name]
+        if run.kept or name in self.missing or self._is_done(name):
+            return name not in self.missing
+        absent = [file for file in run.records if not os.path.isfile(os.path.join(self.records, file))]
+        if absent:
+            self.missing[name] = f"{name} needs {', '.join(absent)} in {self.records} (--records DIR)"
+        elif run.heavy and self.cheap:
+            self.missing[name] = f"{name} takes some {_duration(run.seconds)}: run without --cheap"
+        else:
+            self._start(name)
+        return name not in self.missing
+
+    def _is_done(self, name):
+        """Kept from before, by the same command, to its end."""
+        noted = os.path.join(self.place(name), "command.json")
+        return os.path.isfile(noted) and read_any_json(noted) == self.words(name)
+
+    def _start(self, name):
+        place, run = self.place(name), self.catalogue.runs[name]
+        os.makedirs(place, exist_ok=True)
+        words = [self.program, *self.words(name), *(["--json"] if run.json else ["-o", place, "--force", "--quiet"])]
+        if not self.quiet:
+            print(f"{name}: rimpact {' '.join(words[1:])}", file=sys.stderr)
+        done = subprocess.run(words, capture_output=True, text=True)
+        if done.returncode == INTERRUPTED:
+            raise KeyboardInterrupt
+        if done.returncode != 0:
+            self.missing[name] = f"{name} ended with {done.returncode}: {(done.stderr.strip().splitlines() or ['no word'])[-1]}"
+            return
+        if run.json:
+            _write(os.path.join(place, "output.json"), json.loads(done.stdout))
+        _write(os.path.join(place, "command.json"), self.words(name))
+
+    def response(self, name):
+        """The run as report.run_folder reads it; None where it is not there."""
+        if not self.make(name):
+            return None
+        if name not in self._read:
+            self._read[name] = load_run(self.place(name), name)
+        return self._read[name]
+
+    def summary(self, name):
+        """Its summary.json, or what it printed; None where it is not there."""
+        if not self.make(name):
+            return None
+        kind = "output.json" if self.catalogue.runs[name].json else "summary.json"
+        return read_any_json(os.path.join(self.place(name), kind))
+
+
+def _law():
+    settings = read_any_json(os.path.join(FOLDER, "references", "elastoplastic.json"))
+    return [word for key, value in settings.items() for word in ("--set", f"{key}={json.dumps(value)}")]
+
+
+def value_of(number, runs):
+    """Ours, in the printed unit; None where a run is not there or has no such number."""
+    if not number.ours:
+        return None
+    text = number.ours.removesuffix(" - 1")
+    terms = [_term(term.strip(), runs) for term in text.split("/")]
+    if None in terms or 0 in terms[1:]:
+        return None
+    value = terms[0] / terms[1] if len(terms) > 1 else terms[0]
+    return number.factor * (value - 1 if text != number.ours else value)
+
+
+def _term(term, runs):
+    name, _, path = term.partition(":")
+    if derived.is_derived(path):
+        run = runs.response(name)
+        return None if run is None else derived.of(run, path)
+    value = runs.summary(name)
+    for key in path.split("."):
+        if isinstance(value, list):
+            value = value[int(key)] if int(key) < len(value) else None
+        else:
+            value = value.get(key) if isinstance(value, dict) else None
+    if value is not None and not isinstance(value, (int, float)):
+        raise DataError(f"{term} is no number")
+    return value
+
+
+def _write(path, value):
+    write_whole(path, lambda file: file.write(json.dumps(value, indent=1).encode()))
+
+
+def _duration(seconds):
+    return f"{seconds / 3600:.1f} h" if seconds >= 3600 else f"{seconds / 60:.0f} min" if seconds >= 60 else f"{seconds:.0f} s"

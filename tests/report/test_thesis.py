@@ -1,0 +1,121 @@
+"""The catalogue of the thesis: complete, every number compared or excused, ours kept, docs/thesis.md made of it."""
+import json
+import os
+import unittest
+
+import numpy as np
+from support import SOURCE, InFolder, command
+
+from report.errors import DataError, InputError
+from report.thesis import catalogue as catalogues
+from report.thesis import document
+from report.thesis.catalogue import Number
+from report.thesis.results import Ours
+from report.thesis.runs import value_of
+from report.thesis.spectrum import pseudo_acceleration
+
+FIGURES = {"2": 39, "3": 26, "4": 25, "A": 4, "B": 2}
+TABLES = {"2": 3, "3": 10, "4": 1, "C": 20}
+
+
+class Catalogue(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.catalogue = catalogues.load()
+        cls.ours = Ours("/nonexistent")
+
+    def test_every_figure_and_table_is_there_once(self):
+        ids = [name for entry in self.catalogue.entries for name in entry.ids]
+        self.assertEqual(len(ids), len(set(ids)))
+        for kind, numbers in (("fig", FIGURES), ("table", TABLES)):
+            wanted = {f"{kind}-{chapter}-{k}" for chapter, n in numbers.items() for k in range(1, n + 1)}
+            self.assertEqual(wanted, {name for name in ids if name.startswith(kind)})
+
+    def test_every_number_is_compared_or_says_why_not(self):
+        for entry in self.catalogue.entries:
+            for number in entry.numbers:
+                with self.subTest(f"{entry.id}: {number.what}"):
+                    kept = self.ours.of(entry, number)
+                    verdict = number.verdict(kept)
+                    self.assertIn(verdict, ("met", "not met", "not comparable"))
+                    if verdict == "not met":
+                        self.assertGreater(len(number.cause), 20)
+                    if verdict == "not comparable":
+                        self.assertGreater(len(number.why), 10)
+
+    def test_the_slider_study_is_there_number_by_number(self):
+        tables = [self.catalogue.find(f"table-3-{k}") for k in range(2, 8)]
+        self.assertEqual(sum(len(entry.numbers) for entry in tables), 162)
+
+    def test_missing_and_drawn_entries_say_so(self):
+        for entry in self.catalogue.entries:
+            if entry.state in ("partly", "missing"):
+                self.assertTrue(entry.differs, entry.id)
+            if entry.state == "done":
+                self.assertTrue(entry.panels or entry.numbers or entry.command, entry.id)
+
+    def test_an_unknown_name_is_refused(self):
+        with self.assertRaises(InputError):
+            self.catalogue.find("fig-2-99")
+
+    def test_the_page_is_made_of_the_catalogue(self):
+        with open(os.path.join(SOURCE, "docs", "thesis.md"), encoding="utf-8") as file:
+            self.assertEqual(file.read(), document.text(), "make it again: python3 -m report.thesis.document docs/thesis.md")
+
+
+class Values(InFolder):
+    class Runs:
+        """Summaries by name."""
+
+        def __init__(self, summaries):
+            self.summaries = summaries
+
+        def summary(self, name):
+            return self.summaries.get(name)
+
+    def test_terms_ratios_and_changes(self):
+        runs = self.Runs({"a": {"x": 3.0, "list": [{"t": 4.0}]}, "b": {"x": 2.0}})
+        for ours, factor, wanted in (("a:x", 10, 30), ("a:list.0.t", 1, 4), ("a:x / b:x", 1, 1.5), ("a:x / b:x - 1", 100, 50), ("a:list.1.t", 1, None),
+                                     ("c:x", 1, None), ("a:x / c:x", 1, None)):
+            value = value_of(Number("", ours=ours, factor=factor), runs)
+            self.assertEqual(value, wanted) if wanted is None else self.assertAlmostEqual(value, wanted, msg=ours)
+
+    def test_verdicts(self):
+        self.assertEqual(Number("", printed=2, within=0.1).verdict(2.09), "met")
+        self.assertEqual(Number("", printed=2, within=0.1).verdict(1.8), "not met")
+        self.assertEqual(Number("", at_least=1).verdict(0.99), "not met")
+        self.assertEqual(Number("", printed=2, why="no").verdict(2.0), "not comparable")
+        self.assertEqual(Number("", printed=2, within=1).verdict(None), "not run")
+
+    def test_a_catalogue_that_makes_no_sense_is_refused(self):
+        for text, needle in (('[[entry]]\nid = "x"\ntitle = "t"\nstate = "odd"\n', "odd"),
+                             ('[[entry]]\nid = "x"\ntitle = "t"\nstate = "done"\n[[entry.number]]\nwhat = "n"\nprinted = 1\n', "says why not"),
+                             ('[[entry]]\nid = "x"\ntitle = "t"\nstate = "done"\n[[entry.number]]\nwhat = "n"\nours = "r:v"\n', "the run r"), ("[", "TOML")):
+            self.write("c.toml", text)
+            with self.assertRaisesRegex(DataError, needle):
+                catalogues.load(self.folder)
+
+    def test_spectrum_of_a_step_and_of_a_slow_record(self):
+        periods = np.array([0.2, 1.0])
+        step = pseudo_acceleration(0.01, np.ones(1000), periods, 1e-6)  # an undamped oscillator under a step: twice the static
+        np.testing.assert_allclose(step, 2.0, rtol=2e-3)
+        slow = pseudo_acceleration(0.01, np.sin(2 * np.pi * np.arange(4001) * 0.01 / 20), np.array([0.2]))
+        np.testing.assert_allclose(slow, 1.0, rtol=5e-3)
+
+
+class Listing(InFolder):
+    def test_text_and_json_count_the_same(self):
+        text = command("report.thesis", "list", "--program", "none", "--output", self.folder)
+        self.assertEqual(text.returncode, 0, text.stderr)
+        data = json.loads(command("report.thesis", "list", "--program", "none", "--output", self.folder, "--json").stdout)
+        counts = data["counts"]
+        self.assertIn(f"{counts['met']} met, {counts['not met']} not met", text.stdout)
+        self.assertEqual(sum(counts.values()) > 900, True)
+        self.assertIn("Mitigating the adverse effects", text.stdout)
+
+    def test_what_is_missing_is_named(self):
+        run = command("report.thesis", "table-3-2", "--program", "/bin/false", "--output", self.folder, "--records", self.folder)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("RSN1044_NORTHR_NWH360.AT2", run.stdout)
+        run = command("report.thesis", "fig-3-5", "--program", "/bin/false", "--output", self.folder)
+        self.assertIn("stages ended with 1", run.stdout)
