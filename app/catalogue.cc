@@ -1,5 +1,7 @@
 #include "app/catalogue.h"
 
+#include "app/command_tree.h"
+
 namespace rimpact::app {
 namespace {
 
@@ -30,6 +32,7 @@ const std::vector<Verb> &light_verbs() {
       {"report", add_report},
       {"export", add_export},
       {"list", add_list},
+      {"completion", add_completion},
       {"version", [](CLI::App &app, Console &) { app.add_subcommand(version_name, version_help); }}};
   return verbs;
 }

@@ -2,6 +2,8 @@
 # may be moved; the build folder has links of the same form to the source tree.
 include(GNUInstallDirs)
 set(data ${CMAKE_INSTALL_DATADIR}/rimpact)
+# Where Debian's python3 looks; for another prefix, PYTHONPATH=PREFIX/lib/python3/dist-packages.
+set(RIMPACT_PYTHON_FOLDER lib/python3/dist-packages)
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/rimpact/data)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/report ${CMAKE_BINARY_DIR}/share/rimpact/report SYMBOLIC)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/data/studies ${CMAKE_BINARY_DIR}/share/rimpact/data/studies SYMBOLIC)
