@@ -1,5 +1,7 @@
 #include "app/catalogue.h"
 
+#include "app/command_tree.h"
+
 namespace rimpact::app {
 namespace {
 
@@ -32,6 +34,7 @@ const std::vector<Verb> &light_verbs() {
       {"export", add_export},
       {"thesis", add_thesis},
       {"list", add_list},
+      {"completion", add_completion},
       {"version", [](CLI::App &app, Console &) { app.add_subcommand(version_name, version_help); }}};
   return verbs;
 }

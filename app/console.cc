@@ -1,6 +1,7 @@
 #include "app/console.h"
 
 #include "app/verb.h"
+#include "app/verb_words.h"
 #include "files/file.h"
 #include "files/key_list.h"
 #include "files/text.h"
@@ -59,6 +60,17 @@ std::string explain(const CLI::App &app, const CLI::ParseError &error, int argc,
         return fmt::format("{} is not an option of {}; did you mean {}? (see {})", word, verb->get_name(), *near, help);
   }
   return fmt::format("{} (see {})", error.what(), help);
+}
+
+/// One line on how to go on, to stderr: not for --quiet and not for programs, which ask for JSON.
+void tell_next(const CLI::App &verb, const Console &console) {
+  if (console.quiet || console.json) return;
+  const auto given = [&verb](const char *name) {
+    const auto *option = verb.get_option_no_throw(name);
+    return option && option->count() > 0 ? option->results().front() : std::string();
+  };
+  const std::string next = next_step(verb.get_name() + (given("--sweep").empty() ? "" : " --sweep"), given("--output"));
+  if (!next.empty()) say("next: " + scene::printable(next) + "\n");
 }
 
 } // namespace
@@ -184,10 +196,12 @@ int run_command(int argc, char **argv, const std::vector<Verb> &verbs) {
   Console console;
   console.argc = argc, console.argv = argv;
   for (const auto &verb : verbs) verb.add(app, console);
+  add_words(app);
   open_standard_streams();
   catch_interrupts();
   try {
     app.parse(argc, argv);
+    tell_next(*app.get_subcommands().front(), console);
     return 0;
   } catch (const CLI::Success &wanted) { // --help, --version
     return app.exit(wanted);

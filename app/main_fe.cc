@@ -1,5 +1,6 @@
 // The finite-element executable: run, mesh, curve, version, and check of a scene with a mesh of its own. Starts PETSc
 // (and MPI) once; under mpirun the first rank speaks.
+#include "app/command_tree.h"
 #include "app/verb.h"
 #include "fe_contact/drive/run.h"
 
@@ -52,6 +53,7 @@ int main(int argc, char **argv) {
                                       {"check", rimpact::app::add_check},
                                       {"mesh", rimpact::app::add_mesh},
                                       {"curve", rimpact::app::add_curve},
+                                      {"completion", rimpact::app::add_completion},
                                       {"version", rimpact::app::add_version}});
   std::fflush(stdout);
   if (code != 0 && n_ranks > 1) leave_together(leaving, code);

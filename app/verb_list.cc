@@ -1,4 +1,6 @@
-// rimpact list: what there is to choose from.
+// rimpact list: what there is to choose from, and what keys, signals, columns, files and exit codes mean.
+#include "app/key_catalogue.h"
+#include "app/result_catalogue.h"
 #include "app/verb.h"
 #include "files/json_text.h"
 #include "reduced_models/catalogue.h"
@@ -62,24 +64,73 @@ Entries materials() {
   return result;
 }
 
+Entries rungs() {
+  return {{"reduced", "R0: nothing deforms; a mass on the dish and a law of the rim, milliseconds (rimpact reduced)"},
+          {"rim", "R1: rim, the plate below it and the slider deform where they meet, a minute (rimpact run)"},
+          {"rigid-dish", "R2: pad and foot too, on the exact rigid dish, a quarter of an hour"},
+          {"full", "R3: everything, the plate with its dish too, half an hour"}};
+}
+
+nlohmann::ordered_json json_of(const std::vector<KeyDescription> &keys) {
+  nlohmann::ordered_json list = nlohmann::json::array();
+  for (const auto &key : keys)
+    list.push_back({{"key", key.path},
+                    {"kind", key.kind},
+                    {"unit", key.unit},
+                    {"default", key.preset},
+                    {"range", key.range},
+                    {"meaning", key.meaning},
+                    {"assumption", key.assumption},
+                    {"when", key.condition}});
+  return list;
+}
+
+void print_keys(const Console &console) {
+  if (console.json)
+    return console.data(
+        json_text(nlohmann::ordered_json{{"keys", json_of(scene_keys())}, {"sweep_keys", json_of(sweep_keys())}}));
+  for (const auto &[title, keys] : {std::pair{"keys of scenes (in a bearing file without \"bearing.\")", scene_keys()},
+                                    {"keys of sweep files", sweep_keys()}}) {
+    console.data(fmt::format("{}\n", title));
+    for (const auto &key : keys)
+      console.data(fmt::format("  {:38s} {:10s} {}{}\n", key.path, key.preset.substr(0, 40), key.meaning,
+                               key.condition.empty() ? "" : " (" + key.condition + ")"));
+  }
+}
+
+struct Kind {
+  std::string name;
+  Entries (*entries)();
+  bool is_short; ///< listed where no kind is named
+};
+const std::vector<Kind> &kinds() {
+  static const std::vector<Kind> all{{"bearings", bearings, true},   {"scenes", scenes, true},
+                                     {"models", models, true},       {"laws", laws, true},
+                                     {"materials", materials, true}, {"rungs", rungs, true},
+                                     {"signals", signals, false},    {"columns", columns, false},
+                                     {"files", files, false},        {"exit-codes", exit_codes, false}};
+  return all;
+}
+
 } // namespace
 
 void add_list(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("list", "bearings, scenes, models, laws, materials");
+  auto *verb = app.add_subcommand(
+      "list", "bearings, scenes, models, laws, materials, rungs; keys, signals, columns, files, exit-codes");
   auto what = std::make_shared<std::string>();
-  verb->add_option("WHAT", *what, "one of them; all without")
-      ->check(CLI::IsMember({"bearings", "scenes", "models", "laws", "materials"}));
+  std::vector<std::string> names{"keys"};
+  for (const auto &kind : kinds()) names.push_back(kind.name);
+  verb->add_option("WHAT", *what, "one of them; without, the first six")->check(CLI::IsMember(names));
   console.add_common(*verb);
   console.add_json(*verb);
   verb->callback([what, &console] {
-    const std::pair<const char *, Entries (*)()> kinds[] = {
-        {"bearings", bearings}, {"scenes", scenes}, {"models", models}, {"laws", laws}, {"materials", materials}};
+    if (*what == "keys") return print_keys(console);
     nlohmann::ordered_json all;
-    for (const auto &[kind, entries] : kinds) {
-      if (!what->empty() && *what != kind) continue;
-      if (!console.json) console.data(fmt::format("{}\n", kind));
-      for (const auto &[name, text] : entries()) {
-        all[kind][name] = text;
+    for (const auto &kind : kinds()) {
+      if (what->empty() ? !kind.is_short : *what != kind.name) continue;
+      if (!console.json) console.data(kind.name + "\n");
+      for (const auto &[name, text] : kind.entries()) {
+        all[kind.name][name] = text;
         if (!console.json) console.data(fmt::format("  {:24s} {}\n", name, text));
       }
     }

@@ -7,7 +7,7 @@
 #include "files/json_text.h"
 #include "reduced_models/node_kinematics.h"
 #include "reduced_models/physical_model.h"
-#include "responses/limits.h"
+#include "reduced_models/run_doubts.h"
 #include "scene/case_description.h"
 #include "scene/doubts.h"
 #include <cmath>
@@ -28,16 +28,9 @@ std::string describe(const Summary &s, const std::string &name, const std::strin
 }
 
 /// What the run's folder says of itself besides its numbers, also on the screen.
-void add_doubts(const scene::Scene &scene, reduced::ReducedRun &run, Console &console) {
-  auto &warnings = run.summary.extra["warnings"] = nlohmann::json::array();
-  const bool touched = !run.summary.impacts.empty();
-  if (touched)
-    for (const auto &doubt : scene::doubts_of_element(scene)) warnings.push_back(doubt);
-  if (run.summary.status == "done")
-    for (const auto &doubt : {doubt_of_rebound(run.response, run.summary.impacts),
-                              doubt_of_ledger(run.summary.energy.value_or(EnergyLedger()))})
-      if (doubt) warnings.push_back(*doubt);
-  judge(scene, run.summary);
+void tell_doubts(const scene::Scene &scene, reduced::ReducedRun &run, Console &console) {
+  reduced::add_doubts(scene, run);
+  auto &warnings = run.summary.extra["warnings"];
   for (const auto &warning : warnings) console.warn(warning.get<std::string>());
   for (const auto &sentences : {scene.remarks, scene::doubts(scene)}) // said when the scene was read
     for (const auto &sentence : sentences) warnings.push_back(sentence);
@@ -97,7 +90,7 @@ void add_reduced(CLI::App &app, Console &console) {
     auto run = reduced::simulate(scene);
     if (!options->nodes.empty())
       reduced::add_nodal_moments(run.response, {options->nodes[0] / 1e3, options->nodes[1] / 1e3});
-    add_doubts(scene, run, console);
+    tell_doubts(scene, run, console);
     write_run_folder(folder, scene, run.response, run.summary);
     if (options->picture && python({"report.quick", "reduced", folder}) != 0)
       throw IoError("the picture in " + folder + " was not made");

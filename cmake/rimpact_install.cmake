@@ -2,6 +2,8 @@
 # may be moved; the build folder has links of the same form to the source tree.
 include(GNUInstallDirs)
 set(data ${CMAKE_INSTALL_DATADIR}/rimpact)
+# Where Debian's python3 looks; for another prefix, PYTHONPATH=PREFIX/lib/python3/dist-packages.
+set(RIMPACT_PYTHON_FOLDER lib/python3/dist-packages)
 file(MAKE_DIRECTORY ${CMAKE_BINARY_DIR}/share/rimpact/data)
 file(CREATE_LINK ${PROJECT_SOURCE_DIR}/report ${CMAKE_BINARY_DIR}/share/rimpact/report SYMBOLIC)
 foreach(kept studies thesis references)
@@ -16,7 +18,23 @@ install(DIRECTORY report DESTINATION ${data} PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY data/studies DESTINATION ${data}/data FILES_MATCHING PATTERN *.json)
 install(DIRECTORY data/thesis data/references DESTINATION ${data}/data)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
-install(FILES README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# Completion and man pages are what the program says of itself.
+set(words ${CMAKE_BINARY_DIR}/words)
+add_custom_command(OUTPUT ${words}/completion/rimpact ${words}/man/rimpact.1
+  COMMAND ${CMAKE_COMMAND} -DPROGRAM=$<TARGET_FILE:rimpact> -DOUTPUT=${words} -DVERSION=${PROJECT_VERSION} -DFE=${RIMPACT_FE}
+          -P ${PROJECT_SOURCE_DIR}/cmake/rimpact_words.cmake
+  DEPENDS rimpact ${PROJECT_SOURCE_DIR}/cmake/rimpact_words.cmake VERBATIM)
+add_custom_target(rimpact_words ALL DEPENDS ${words}/completion/rimpact ${words}/man/rimpact.1)
+if(RIMPACT_FE)
+  add_dependencies(rimpact_words rimpact-fe)
+endif()
+install(FILES ${words}/completion/rimpact DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
+install(FILES ${words}/completion/_rimpact DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+install(FILES ${words}/completion/rimpact.fish DESTINATION ${CMAKE_INSTALL_DATADIR}/fish/vendor_completions.d)
+install(DIRECTORY ${words}/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
 install(FILES cmake/debian/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(CPACK_GENERATOR DEB)
@@ -35,9 +53,9 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What no shared library tells: the report's Python, and a BLAS that is fast.
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3 (>= 3.11), python3-h5py, python3-matplotlib, python3-jinja2, python3-numpy, libopenblas0-pthread")
-set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-pandas")
-set(CPACK_DEBIAN_PACKAGE_SUGGESTS "chromium, paraview")
+set(CPACK_DEBIAN_PACKAGE_DEPENDS
+  "python3 (>= 3.11), python3-h5py, python3-matplotlib, python3-jinja2, python3-numpy, python3-pandas, libopenblas0-pthread")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "chromium, paraview, python3-openturns")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/cmake/debian/postinst;${PROJECT_SOURCE_DIR}/cmake/debian/prerm")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)
 include(CPack)

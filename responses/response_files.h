@@ -12,12 +12,22 @@ namespace rimpact {
 Response parse_hdf5(const std::string &bytes, const std::string &path);
 Response parse_csv(const std::string &text, const std::string &path);
 
+/// A column of response.csv: its name is symbol_unit.
+struct CsvColumn {
+  const char *symbol, *unit, *signal;
+  bool written; ///< false: read where it is there, never written
+};
+const std::vector<CsvColumn> &csv_columns();
+
 /// A unit as column names and mappings write it: times `factor` it is `base` (s, m, N or m_per_s).
 struct CsvUnit {
   const char *name, *base;
   double factor;
 };
 std::optional<CsvUnit> csv_unit(std::string_view name);
+std::string csv_units_of(std::string_view base); ///< their names, e.g. "s, ms"
+/// Key of Response::meta where a table's numbers had a decimal comma.
+inline constexpr const char *decimal_comma = "decimal_comma";
 /// Where the values of a column go, as (value - zero) factor; no signal: a column of no interest.
 struct CsvTarget {
   std::string signal;

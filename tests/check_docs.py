@@ -6,13 +6,14 @@ import subprocess
 import sys
 
 LINK = re.compile(r"\]\(([^)#]+)\)")
-VERB = re.compile(r"^\s*(?:build/release/bin/rimpact|\$rimpact)\s+([a-z]+)", re.MULTILINE)
-FILE = re.compile(r"`((?:files|records|scene|responses|planning|meshes|fe_contact|reduced_models|buildings|fleets|reliability|calibration|data|report|app|tests|docs|cmake)/[\w./]*)`")
+VERB = re.compile(r"^\s*(?:build/release/bin/rimpact|\$rimpact|rimpact)\s+([a-z]+)", re.MULTILINE)
+FILE = re.compile(r"`((?:examples|python|files|records|scene|responses|planning|meshes|fe_contact|reduced_models|buildings|fleets|reliability|risk|calibration|data|report|app|tests|docs|cmake)/[\w./]*)`")
 
 
 def main(root, program):
     root = pathlib.Path(root)
-    pages = [root / "README.md", *sorted((root / "docs").glob("*.md"))]
+    pages = [root / "README.md", root / "CONTRIBUTING.md", root / "CHANGELOG.md", *sorted((root / "docs").rglob("*.md")),
+             *sorted((root / "examples").rglob("*.md"))]
     listing = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
     verbs = set(re.findall(r"^  ([a-z]+) ", listing, re.MULTILINE))
     errors, n_checked = [], 0

@@ -26,6 +26,7 @@ MAY_INCLUDE = {
                            "reduced_models"} | BASE,
     "calibration/export": {"calibration/export", "calibration/answer", "calibration/laws", "calibration/fit", "calibration/data",
                            "reduced_models"} | BASE,
+    "python": {"python", "reduced_models"} | BASE,
     "meshes": {"meshes", "files", "scene"},
     FE + "laws": {FE + "laws", "scene"},
     FE + "solver": {FE + "solver"},
@@ -68,7 +69,7 @@ def targets_of(root):
         if folder in ("tests", "build"):
             continue
         text = re.sub(r"#[^\n]*", "", file.read_text())
-        for name in re.findall(r"add_(?:library|executable)\(\s*(\S+)", text):
+        for name in re.findall(r"(?:add_library|add_executable|pybind11_add_module)\(\s*(\S+)", text):
             targets[name] = (folder, set())
         for name, links in re.findall(r"target_link_libraries\(\s*(\S+)([^)]*)\)", text):
             targets[name][1].update(links.split())

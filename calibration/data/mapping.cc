@@ -19,10 +19,7 @@ std::string base_of(const std::string &units) {
 
 /// The names a column of this signal may state.
 std::string units_of(const SignalInfo &info) {
-  std::string names;
-  for (const char *name : {"s", "ms", "m", "cm", "mm", "N", "kN", "MN", "m_per_s", "mm_per_s"})
-    if (const auto unit = csv_unit(name); unit && unit->base == base_of(info.units))
-      names += (names.empty() ? "" : ", ") + std::string(name);
+  const std::string names = csv_units_of(base_of(info.units));
   return names.empty() ? "no unit that a table may state" : names;
 }
 

@@ -68,6 +68,7 @@ StoredRun read_measured(const std::string &path, const WindowOptions &options) {
       },
       static_cast<std::size_t>(mapping.skip_lines));
   require_columns(response, mapping, table, headers);
+  const bool comma = response.meta.erase(decimal_comma) > 0;
   complete(response, scene.bearing.lateral_capacity());
   WindowOptions own = options;
   own.measured = true;
@@ -75,6 +76,7 @@ StoredRun read_measured(const std::string &path, const WindowOptions &options) {
   own.force_threshold = std::max(own.force_threshold, mapping.force_noise);
   StoredRun run = make_run(path, scene, std::move(response), own);
   run.uncertainty = mapping.uncertainty;
+  if (comma) run.noise.push_back(table + " is read with a decimal comma");
   require_consistent(run);
   return run;
 }

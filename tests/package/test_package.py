@@ -76,6 +76,24 @@ class Package(unittest.TestCase):
         self.assertTrue(os.path.isfile(os.path.join(share, "doc", "rimpact", "docs", "user-guide.md")))
         self.assertNotIn("__pycache__", run("dpkg-deb", "--contents", self.deb).stdout)
 
+    def test_python_finds_its_package_and_the_program_beside_it(self):
+        packages = os.path.join(self.root, "usr", "lib", "python3", "dist-packages")
+        words = ("import rimpact; run = rimpact.run_reduced('impact-window', 'py-run'); print(len(run.impacts));"
+                 "print(rimpact.load('py-run').folder); from rimpact import program; print(program.path())")
+        done = run("/usr/bin/python3", "-c", words, cwd=self.folder, env={"PYTHONPATH": packages, "PATH": "/usr/bin:/bin", "PYTHONDONTWRITEBYTECODE": "1"})
+        self.assertEqual(done.stdout.split(), ["1", "py-run", self.program], done.stderr)
+
+    def test_manual_completion_and_examples_go_along(self):
+        share = os.path.join(self.root, "usr", "share")
+        for path in ("bash-completion/completions/rimpact", "zsh/vendor-completions/_rimpact", "fish/vendor_completions.d/rimpact.fish",
+                     "doc/rimpact/examples/README.md", "doc/rimpact/docs/reference/keys.md", "man/man1/rimpact.1", "man/man1/rimpact-reduced.1",
+                     "man/man1/rimpact-run.1"):
+            found = glob.glob(os.path.join(share, path) + "*")
+            self.assertTrue(found and os.path.getsize(found[0]) > 500, path)
+        if shutil.which("man"):
+            page = run("man", "-l", os.path.join(share, "man", "man1", "rimpact-reduced.1"), env={**os.environ, "MANPAGER": "cat", "MANWIDTH": "100"})
+            self.assertIn("--sweep", page.stdout)
+
     def test_an_installation_without_its_data_says_so(self):
         shutil.copytree(os.path.join(self.root, "usr", "bin"), os.path.join(self.folder, "alone", "bin"))
         self.says("reduced", "impact-window", "-o", "alone-run")

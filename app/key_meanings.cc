@@ -1,0 +1,121 @@
+#include "app/key_meanings.h"
+
+#include "app/key_catalogue.h"
+#include <map>
+
+namespace rimpact::app {
+namespace {
+
+using Words = std::map<std::string, const char *>;
+
+std::string word_for(const Words &words, const std::string &path) {
+  const auto found = words.find(path);
+  return found == words.end() ? "" : found->second;
+}
+
+} // namespace
+
+std::string meaning_of(const std::string &path) {
+  static const Words words{
+      {"bearing.surface.c3_per_m2", "coefficient of r^3"},
+      {"bearing.surface.c4_per_m3", "coefficient of r^4"},
+      {"bearing.surface.c5_per_m4", "coefficient of r^5"},
+      {"bearing.surface.c6_per_m5", "coefficient of r^6"},
+      {"bearing.surface.kind", "form of the sliding surface"},
+      {"bearing.slider.diameter_mm", "of the upper slider; what meets the rim"},
+      {"bearing.rim.thickness_mm", "radial thickness of the rim"},
+      {"bearing.pad.inner_radius_mm", "of the ring-shaped pad; 0: a full disc"},
+      {"bearing.pad.outer_radius_mm", "of the pad"},
+      {"bearing.pad.thickness_mm", "of the pad"},
+      {"bearing.pad.shape_radius_mm", "radius of the pad's sliding face"},
+      {"bearing.foot.radius_mm", "of the foot below its cap"},
+      {"bearing.material.steel.density_kg_per_m3", "of the steel"},
+      {"bearing.material.ertalyte.density_kg_per_m3", "of the pad's Ertalyte"},
+      {"bearing.contact.steel_steel", "friction of the socket on the foot's cap"},
+      {"bearing.contact.steel_ertalyte", "friction of the pad on the dish"},
+      {"bearing.contact.rim", "friction of the slider on the rim"},
+      {"bearing.contact.pad_foot", "how the pad sits in the foot"},
+      {"load.vertical_kN", "dead load W"},
+      {"load.gravity_m_per_s2", "acceleration of gravity; records in g are multiplied by it"},
+      {"excitation.kind", "what moves the bearing"},
+      {"excitation.period_s", "T_p of the Ricker pulse"},
+      {"excitation.amplitude_m", "of the prescribed displacement"},
+      {"excitation.cycles", "number of cycles"},
+      {"excitation.travel_mm", "of the push, beyond touch"},
+      {"excitation.direction_deg", "of motion, push or impact, in the plane, from x"},
+      {"excitation.x", "record along x: an AT2 or CSV file, or a built-in one; empty: no motion"},
+      {"excitation.y", "record along y"},
+      {"excitation.z", "record along z"},
+      {"excitation.displacement_m", "initial displacement x, y"},
+      {"excitation.velocity_m_per_s", "initial velocity x, y"},
+      {"excitation.duration_s", "of the motion and of the run"},
+      {"model.rung", "which parts deform by finite elements"},
+      {"model.mesh", "fineness, cells 1.5 times smaller a level; 0: a draft"},
+      {"model.symmetry", "half: the motion is along x; auto: decided by the plan"},
+      {"reduced.model", "a reduced model of `rimpact list models`"},
+      {"reduced.restitution", "e of the impact element"},
+      {"reduced.impact_law", "law of the rim, see laws"},
+      {"reduced.friction", "law of friction; park-wen has an elastic slip"},
+      {"reduced.mu_fast", "coefficient of friction at speed"},
+      {"reduced.mu_slow", "coefficient of friction at rest"},
+      {"reduced.normal_force", "inertia: with vertical inertia; static: by the slope; constant: W"},
+      {"isolator.space", "motion in a plane or in space"},
+      {"superstructure.kind", "what the bearing carries"},
+      {"superstructure.storeys", "number of floors above the base"},
+      {"model.own_mesh.groups.plate", "name of the file's volume"},
+  };
+  const std::string own = word_for(words, path);
+  if (!own.empty() || !path.starts_with("model.own_mesh.groups.")) return own;
+  return "name in the file of what the built-in mesh calls " + path.substr(path.rfind('.') + 1);
+}
+
+std::string preset_by_hand(const std::string &path) {
+  static const Words words{{"excitation.centre_s", "2 period_s; of a window 0"},
+                           {"excitation.duration_s", "2 period_s + 6; of a window 0.2; of a record its length"},
+                           {"load.mass_kg", "W / g where vertical_kN is given, else 86952"},
+                           {"load.vertical_kN", "m g where mass_kg is given, else 853"},
+                           {"reduced.mu_fast", "bearing.contact.steel_ertalyte"},
+                           {"reduced.mu_slow", "mu_fast"},
+                           {"isolator.points", "4; in space 8"},
+                           {"isolator.step_tolerance", "1e-05"}};
+  return word_for(words, path);
+}
+
+std::string conditions_by_hand(const std::string &path) {
+  if (path.starts_with("model.own_mesh.groups.")) return "the file's groups have other names";
+  if (path.starts_with("model.own_mesh.")) return "model.own_mesh.file is given";
+  return "it is given";
+}
+
+std::vector<KeyDescription> sweep_keys() {
+  const auto number = [](const char *path, const char *preset, const char *range, const char *meaning) {
+    return KeyDescription{path, "number", unit_in_name(path), preset, range, meaning, false, ""};
+  };
+  const auto text = [](const char *path, const char *preset, const char *range, const char *meaning) {
+    return KeyDescription{path, "text", "", preset, range, meaning, false, ""};
+  };
+  return {
+      text("grid.KEY", "", "a list, or from, to, count",
+           "every value with every other grid's; `variable.NAME` is a column only"),
+      number("grid.KEY.from", "", "a number", "first of evenly spaced values"),
+      number("grid.KEY.to", "", "a number", "last of them"),
+      number("grid.KEY.count", "", "2 and more", "how many"),
+      text("case.KEY", "", "any value", "[[case]]: one run a table, all with the same keys"),
+      text("case.name", "", "text", "column `case` of the table"),
+      text("records.folder", "", "a folder", "AT2 files, one run a station or component"),
+      text("records.components", "", "x, xy, xyz", "x: each horizontal component alone; xy, xyz: together"),
+      number("records.sa_period_s", "none", "> 0", "column record_sa_g: spectral acceleration at this period"),
+      number("latin_hypercube.samples", "", "1 and more", "how many samples of the keys beside it"),
+      number("latin_hypercube.seed", "1", "a whole number", "of the random numbers"),
+      number("latin_hypercube.KEY.low", "", "a number", "least value"),
+      number("latin_hypercube.KEY.high", "", "> low", "largest value"),
+      text("latin_hypercube.KEY.log", "false", "true, false", "even in the logarithm"),
+      number("latin_hypercube.KEY.mean", "", "low to high", "normal instead of even, cut at low and high"),
+      number("latin_hypercube.KEY.deviation", "", "> 0", "its standard deviation"),
+      text("linked.KEY.product", "", "a list of numbers and keys", "KEY is their product in every run"),
+      text("linked.KEY.over", "none", "a key", "divided by it"),
+      text("fractiles.along", "", "a key of the grid", "16, 50 and 84 % of the results along it: fractiles.csv"),
+  };
+}
+
+} // namespace rimpact::app

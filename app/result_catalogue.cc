@@ -1,0 +1,80 @@
+#include "app/result_catalogue.h"
+
+#include "files/error.h"
+#include "responses/response.h"
+#include "responses/response_files.h"
+#include <fmt/format.h>
+
+namespace rimpact::app {
+namespace {
+
+/// bearing_7_force_x -> bearing_N_force_x, for N > 1 nothing: one bearing and one floor stand for all.
+std::string common_name(const std::string &name) {
+  for (const char *what : {"bearing_", "floor_"}) {
+    if (!name.starts_with(what)) continue;
+    const auto digits = name.find_first_not_of("0123456789", std::string(what).size());
+    const std::string number = name.substr(std::string(what).size(), digits - std::string(what).size());
+    return number == "1" ? what + ("N" + name.substr(digits)) : "";
+  }
+  return name;
+}
+
+} // namespace
+
+NamedTexts signals() {
+  NamedTexts list;
+  for (const auto &signal : known_signals()) {
+    const std::string name = common_name(signal.name);
+    std::string text = signal.description;
+    if (name != signal.name) text.replace(text.find('1'), 1, "N");
+    if (!name.empty()) list.emplace_back(name, fmt::format("{}: {}", signal.units == "1" ? "-" : signal.units, text));
+  }
+  return list;
+}
+
+NamedTexts columns() {
+  NamedTexts list;
+  for (const auto &column : csv_columns())
+    list.emplace_back(fmt::format("{}_{}", column.symbol, column.unit),
+                      fmt::format("{}{}", column.signal, column.written ? "" : " (read only)"));
+  return list;
+}
+
+NamedTexts files() {
+  return {
+      {"scene.toml", "of a run: the scene as resolved, every default written out; runs again anywhere"},
+      {"response.h5", "of a run: one data set a signal under /response, each with units and description; /meta: "
+                      "version, scene, commit"},
+      {"response.csv", "of a run: the main signals, one row an instant"},
+      {"summary.json", "of a run: peaks, impacts, energy ledger, cost, warnings, status"},
+      {"log.txt", "of a finite-element run: what was said, and one line a step"},
+      {"checkpoint.h5", "of a finite-element run: where --resume goes on"},
+      {"fields.pvd", "of a finite-element run: the times of the fields, for ParaView"},
+      {"fields/*.vtu", "of a finite-element run: displacement, stress, plastic strain, pressure and gap"},
+      {"response.png", "of a run with --png: the main histories and loops"},
+      {"report.html", "of `report` and `main`: one self-contained page"},
+      {"calibration.json", "of `calibrate`: the answer, the fit and what stands behind it"},
+      {"calibration.toml", "of `calibrate`: the answer's law as [reduced] of a scene"},
+      {"table.csv, table.h5", "of a sweep: one row a run, its parameters and results"},
+      {"fractiles.csv, fractiles.h5", "of a sweep with [fractiles]: quantiles along one key"},
+      {"fleet.json", "of a sweep: what its rows are of"},
+      {"main.json", "of `main`: the comparison, the warnings, where bearing and load come from"},
+      {"curve.h5, curve.csv, curve.json", "of `curve`: the rim's quasi-static paths, their samples, what was printed"}};
+}
+
+NamedTexts exit_codes() {
+  const std::pair<ExitCode, const char *> codes[] = {
+      {ExitCode::done, "done"},
+      {ExitCode::bug, "a bug: please report it"},
+      {ExitCode::input, "the command line or a TOML file: the message names file, line, value and bound"},
+      {ExitCode::data, "a data file: a record, a table, a mesh, a response"},
+      {ExitCode::stopped, "the solver stopped: what is before it, and a checkpoint, are kept"},
+      {ExitCode::gate, "a gate of calibrate or study was not met"},
+      {ExitCode::io, "reading or writing failed, or another process has the folder"},
+      {ExitCode::interrupted, "interrupted: --resume goes on"}};
+  NamedTexts list;
+  for (const auto &[code, text] : codes) list.emplace_back(fmt::format("{}", static_cast<int>(code)), text);
+  return list;
+}
+
+} // namespace rimpact::app

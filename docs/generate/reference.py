@@ -1,0 +1,124 @@
+#!/usr/bin/env python3
+"""Writes docs/reference/ from what the command says of itself.
+
+    python3 docs/generate/reference.py build/release/bin/rimpact            writes the pages
+    python3 docs/generate/reference.py build/release/bin/rimpact --check    fails where a page differs
+"""
+import json
+import pathlib
+import re
+import subprocess
+import sys
+
+HEAD = "<!-- Made by docs/generate/reference.py; do not edit. -->\n"
+SECTIONS = (("bearing.", "Bearing", "In a bearing file without `bearing.`; in a scene under `[bearing]`."), ("load.", "Load", ""),
+            ("excitation.", "Excitation", ""), ("model.", "Finite-element model", ""), ("reduced.", "Reduced model", ""),
+            ("isolator.", "Double concave bearing", "Read by the reduced models `dcfp` and `lir-dcfp`."),
+            ("superstructure.", "Superstructure", ""))
+
+
+class Command:
+    def __init__(self, program):
+        self.program = program
+
+    def text(self, *words):
+        done = subprocess.run([self.program, *words], capture_output=True, text=True, check=False)
+        return done.stdout if done.returncode == 0 else None
+
+    def listing(self, what):
+        return json.loads(self.text("list", what, "--json"))
+
+    def verbs(self):
+        return re.findall(r"^  ([a-z]+) ", self.text("--help").split("Subcommands:")[1], re.MULTILINE)
+
+
+def cell(text):
+    return text.replace("|", "\\|").replace("\n", " ")
+
+
+def table(head, rows):
+    lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
+    return "\n".join(lines + ["| " + " | ".join(cell(each) for each in row) + " |" for row in rows]) + "\n"
+
+
+def code(text):
+    return f"`{text}`" if text else ""
+
+
+def key_rows(keys):
+    for key in keys:
+        preset = key["default"].replace("\n", "")
+        meaning = key["meaning"] + (" *(assumption)*" if key["assumption"] else "") + (f"; when {key['when']}" if key["when"] else "")
+        is_value = key["kind"] == "text" or not re.search(r"[a-z] [a-z(]", preset)
+        yield code(key["key"]), key["unit"], code(preset) if is_value else preset, key["range"], meaning
+
+
+def keys_page(command):
+    listed = command.listing("keys")
+    text = ("# Keys of scene, bearing and sweep files\n\nA file's numbers are in the unit that its key's name ends in. An unknown key, a wrong type or a "
+            "value out of range is an error with file, line, column and bound. *Assumption*: no source gives the built-in bearing's value; "
+            "replace it by yours. `rimpact list keys` prints the same, `--json` for programs.\n")
+    head = ("key", "unit", "default", "range", "meaning")
+    plain = [key for key in listed["keys"] if not key["key"].startswith(tuple(prefix for prefix, *_ in SECTIONS))]
+    text += "\n## Scene\n\n" + table(head, key_rows(plain))
+    for prefix, title, note in SECTIONS:
+        found = [key for key in listed["keys"] if key["key"].startswith(prefix)]
+        text += f"\n## {title}\n\n" + (note + "\n\n" if note else "") + table(head, key_rows(found))
+    return text + "\n## Sweep files\n\n`KEY` stands for any scene key, or `variable.NAME`, a column only.\n\n" + table(head, key_rows(listed["sweep_keys"]))
+
+
+def verbs_page(command):
+    text = "# Verbs\n\nWhat `rimpact VERB --help` prints. Data go to stdout, messages to stderr.\n"
+    for verb in command.verbs():
+        help_text = command.text(verb, "--help")
+        if help_text is None:
+            raise SystemExit(f"rimpact {verb} --help does not work here: the reference needs a build with finite elements")
+        text += f"\n## {verb}\n\n```text\n{help_text.strip()}\n```\n"
+    return text
+
+
+def named(command, what):
+    return list(command.listing(what)[what].items())
+
+
+def results_page(command):
+    signals = [(code(name), *text.split(": ", 1)) for name, text in named(command, "signals")]
+    columns = [(code(name), code(text.split()[0]), "read only" if "read only" in text else "written") for name, text in named(command, "columns")]
+    return ("# Files, signals and columns\n\n## Files\n\n" + table(("file", "holds"), [(code(name), text) for name, text in named(command, "files")]) +
+            "\n## Signals\n\nData sets of `response.h5` under `/response`, and columns of `rimpact.load(folder).response`. Signs: "
+            "[interface](../interface.md).\n\n" + table(("signal", "unit", "meaning"), signals) +
+            "\n## Columns of response.csv\n\n" + table(("column", "signal", ""), columns))
+
+
+def choices_page(command):
+    text = "# Laws, models, rungs, scenes, bearings, exit codes\n"
+    for what, title in (("laws", "Impact laws"), ("models", "Reduced models"), ("rungs", "Rungs"), ("scenes", "Built-in scenes"),
+                        ("bearings", "Built-in bearings"), ("materials", "Materials"), ("exit-codes", "Exit codes")):
+        text += f"\n## {title}\n\n" + table(("name", "what it is"), [(code(name), words) for name, words in named(command, what)])
+    return text
+
+
+PAGES = {"keys.md": keys_page, "verbs.md": verbs_page, "results.md": results_page, "choices.md": choices_page}
+
+
+def main(program, *options):
+    command, folder = Command(program), pathlib.Path(__file__).resolve().parents[1] / "reference"
+    folder.mkdir(exist_ok=True)
+    light = command.text("run", "--help") is None
+    different = []
+    for name, page in PAGES.items():
+        if light and name == "verbs.md" and "--check" in options:
+            print("verbs.md is not checked: this build has no finite-element side")
+            continue
+        text = HEAD + page(command)
+        if "--check" not in options:
+            (folder / name).write_text(text, encoding="utf-8")
+        elif not (folder / name).is_file() or (folder / name).read_text(encoding="utf-8") != text:
+            different.append(name)
+    if different:
+        print(f"docs/reference/{', '.join(different)} is not what the command says; run docs/generate/reference.py")
+    return 1 if different else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

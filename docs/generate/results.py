@@ -1,0 +1,91 @@
+#!/usr/bin/env python3
+"""Writes docs/results/ from the stored studies and the tables beside the tests; --check fails where a page differs.
+
+Each table stands with the command that makes it. What a file's own head says of machine and commit is kept as it stands.
+"""
+import json
+import pathlib
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+HEAD = "<!-- Made by docs/generate/results.py; do not edit. -->\n"
+
+# Page, title, and for each table: the file, what it is, the command that makes it.
+TABLES = {
+    "hard-cases": ("Hard cases", [
+        ("tests/hard_cases/reduced/table.txt", "Reduced model", "build/release/bin/hard_cases_reduced --write"),
+        ("tests/hard_cases/double_concave/table.txt", "Double concave models", "build/release/bin/hard_cases_double_concave --write"),
+        ("tests/hard_cases/solid/table_rim.txt", "Rung rim", "ctest -L slow -R hard_cases_rim"),
+        ("tests/hard_cases/solid/table_rigid-dish.txt", "Rung rigid-dish", "ctest -L slow -R hard_cases_rigid-dish"),
+        ("tests/hard_cases/solid/table_full.txt", "Rung full", "ctest -L slow -R hard_cases_full")]),
+    "refinement": ("Refinement and peers", [
+        ("tests/verification/rim_window_refinement.txt", "A window, meshes 1 to 3", "tests/verification/rim_window_refinement.py"),
+        ("tests/verification/stack_refinement.txt", "The stack", "tests/verification/stack_refinement.py"),
+        ("tests/verification/windows_of_rungs.txt", "One window by every rung", "tests/verification/windows_of_rungs.py"),
+        ("tests/verification/static_loops.txt", "Quasi-static loops", "tests/verification/static_loops.py"),
+        ("tests/verification/figure_eight.txt", "Figure-eight", "tests/verification/figure_eight.py"),
+        ("tests/verification/rim_curve.txt", "Curves of rims", "ctest -L slow -R rim_curve"),
+        ("tests/verification/indentation_calculix/baseline.txt", "Indentation against CalculiX", "ctest -L slow -R indentation_calculix"),
+        ("tests/verification/stack_push_calculix/baseline.txt", "Push of the bearing against CalculiX", "ctest -L slow -R stack_push_calculix")]),
+    "calibration": ("Calibration", [
+        ("tests/calibration/coverage.txt", "How often intervals hold the truth", "build/release/bin/calibration_coverage")]),
+}
+
+
+def texts_page(title, tables):
+    text = f"# {title}\n"
+    for path, what, command in tables:
+        file = ROOT / path
+        if file.is_file():
+            text += f"\n## {what}\n\nFrom `{path}`, made by `{command}`.\n\n```text\n{file.read_text(encoding='utf-8').rstrip()}\n```\n"
+    return text
+
+
+def contact_page():
+    text = "# Contact benchmarks\n\nErrors by mesh and step with their observed orders, made by `ctest -R contact` (`tests/verification/contact/`).\n"
+    for file in sorted((ROOT / "tests/verification/contact/baselines").glob("*.txt")):
+        text += f"\n## {file.stem.replace('-', ' ').capitalize()}\n\n```text\n{file.read_text(encoding='utf-8').rstrip()}\n```\n"
+    return text
+
+
+def percent(value):
+    return "" if value is None else f"{100 * value:+.2f} %"
+
+
+def studies_page():
+    text = ("# Speed against error\n\nStored studies (`data/studies/`), each made by `rimpact study`; errors against the finest run of the study. Wall times are those of the machine "
+            "and of what else it did.\n")
+    for file in sorted((ROOT / "data/studies").glob("*.json")):
+        study = json.loads(file.read_text(encoding="utf-8"))
+        text += f"\n## {file.stem}\n\n| run | unknowns | peak force kN | peak force | rebound | force history (RMS) | wall time s |\n|---|---|---|---|---|---|---|\n"
+        for row in study["rows"]:
+            name = row["name"] + (" (reference)" if row.get("reference") else "")
+            text += (f"| {name} | {row['n_dofs']} | {row['peak_impact_force_N'] / 1e3:.1f} | {percent(row.get('peak_force_error'))} | {percent(row.get('rebound_error'))} | "
+                     f"{percent(row.get('nrmse_force'))} | {row['wall_time_s']:.3g} |\n")
+        if commit := study.get("git"):
+            text += f"\nCommit {commit}.\n"
+    return text
+
+
+def pages():
+    made = {f"{name}.md": texts_page(*parts) for name, parts in TABLES.items()}
+    return {**made, "contact.md": contact_page(), "studies.md": studies_page()}
+
+
+def main(*options):
+    folder = ROOT / "docs" / "results"
+    folder.mkdir(exist_ok=True)
+    different = []
+    for name, page in pages().items():
+        text = HEAD + page
+        if "--check" not in options:
+            (folder / name).write_text(text, encoding="utf-8")
+        elif not (folder / name).is_file() or (folder / name).read_text(encoding="utf-8") != text:
+            different.append(name)
+    if different:
+        print(f"docs/results/{', '.join(different)} is not what the tables say; run docs/generate/results.py")
+    return 1 if different else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

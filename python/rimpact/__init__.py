@@ -1,0 +1,21 @@
+"""Rim impacts of friction-pendulum bearings: read runs into pandas, fly reduced models in-process, calibrate, call a law.
+
+>>> import rimpact
+>>> run = rimpact.run_reduced(rimpact.Scene("ricker-0.78g-1.0s", {"excitation.scale": 1.05}))
+>>> run.summary["peak_impact_force_N"]          # a dict, as summary.json
+>>> run.response.displacement_x                 # a pandas column over time [s]
+>>> rimpact.load("results/main/runs/window-0.50").impacts
+>>> law = rimpact.law("results/main/calibration")
+>>> law(2e-3)                                   # N at 2 mm of first loading
+
+Units are SI throughout; names are those of response.h5. Signs and terms: docs/interface.md.
+"""
+from rimpact.calibration import Calibration, calibrate
+from rimpact.errors import DataError, Error, GateError, InputError, OutputError, Stopped
+from rimpact.laws import Law, law
+from rimpact.results import Fleet, Run, load, load_fleet
+from rimpact.scene import Scene, bearing_names, run_reduced, scene_names, summarise
+
+__all__ = ["Calibration", "DataError", "Error", "Fleet", "GateError", "InputError", "Law", "OutputError", "Run", "Scene", "Stopped",
+           "bearing_names", "calibrate", "law", "load", "load_fleet", "run_reduced", "scene_names", "summarise"]
+__version__ = "0.2.0"

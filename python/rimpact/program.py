@@ -1,0 +1,29 @@
+"""The command `rimpact`, for what runs beside this process."""
+from __future__ import annotations
+
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+from rimpact.errors import InputError, of_code
+
+
+def path() -> str:
+    """RIMPACT_PROGRAM, else the one installed with this package (PREFIX/bin), else the build folder's, else the one in PATH."""
+    given = os.environ.get("RIMPACT_PROGRAM")
+    here = Path(__file__).resolve()
+    near = [Path(__file__).absolute().parents[depth] / "bin" / "rimpact" for depth in (2, 4) if len(here.parents) > depth]
+    for each in [given, *map(str, near), shutil.which("rimpact")]:
+        if each and os.access(each, os.X_OK):
+            return each
+    raise InputError("the command rimpact was not found; set RIMPACT_PROGRAM to it")
+
+
+def run(*words: str) -> str:
+    """Runs a verb and returns what it prints; a failure raises the exception of its exit code with the command's own sentence."""
+    done = subprocess.run([path(), *words], capture_output=True, text=True, check=False)
+    if done.returncode:
+        said = [line for line in done.stderr.splitlines() if line.startswith("error: ")]
+        raise of_code(done.returncode)((said or [f"rimpact {words[0]} ended with code {done.returncode}"])[-1].removeprefix("error: "))
+    return done.stdout

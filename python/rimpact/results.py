@@ -1,0 +1,124 @@
+"""Run folders and fleets as pandas tables. Column names are the signals of response.h5; units stand in `frame.attrs["units"]`."""
+from __future__ import annotations
+
+import json
+import os
+import xml.etree.ElementTree as ElementTree
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+
+from rimpact import _core
+from rimpact.errors import DataError
+
+# Columns of response.csv and the signals they hold.
+CSV_COLUMNS = {"time_s": "time", "ux_m": "displacement_x", "uy_m": "displacement_y", "uz_m": "displacement_z", "Fx_N": "force_x",
+               "Fy_N": "force_y", "Fz_N": "force_z", "Ix_N": "impact_x", "Iy_N": "impact_y", "gap_m": "gap"}
+
+
+@dataclass(frozen=True)
+class Run:
+    """One run.
+
+    response: signals over time [s]; summary: summary.json; impacts: a row each, as summary["impacts"]; fields: the files of the
+    finite-element fields with their times [s], empty for a reduced run; scene: the resolved scene, TOML; folder: None where none was written.
+    """
+    response: pd.DataFrame
+    summary: dict
+    impacts: pd.DataFrame
+    fields: pd.DataFrame
+    scene: str
+    folder: Path | None
+
+
+@dataclass(frozen=True)
+class Fleet:
+    """A sweep: `runs`, a row each with parameters and results; `fractiles`, None where none were asked for."""
+    runs: pd.DataFrame
+    fractiles: pd.DataFrame | None
+    folder: Path
+
+
+def frame_of(signals: Mapping[str, np.ndarray]) -> pd.DataFrame:
+    """Signals by name as a table over time, with units and descriptions."""
+    known = {name: (units, text) for name, units, text in _core.known_signals()}
+    columns = {name: values for name, values in signals.items() if name != "time"}
+    frame = pd.DataFrame(columns, index=pd.Index(signals["time"], name="time"))
+    frame.attrs["units"] = {name: known[name][0] for name in frame.columns if name in known}
+    frame.attrs["descriptions"] = {name: known[name][1] for name in frame.columns if name in known}
+    return frame
+
+
+def run_from_signals(signals: Mapping[str, np.ndarray], summary: dict, scene: str, folder: str | os.PathLike | None) -> Run:
+    """A run from its parts."""
+    place = None if folder is None else Path(folder)
+    return Run(frame_of(signals), summary, _impacts(summary), _fields(place), scene, place)
+
+
+def load(folder: str | os.PathLike) -> Run:
+    """Reads a run folder of any rung: response.h5 (or response.csv), summary.json, scene.toml, fields/fields.pvd."""
+    place = Path(folder)
+    if not place.is_dir():
+        raise DataError(f"{place}: no such folder")
+    return run_from_signals(_signals(place), _json(place / "summary.json"), _text(place / "scene.toml"), place)
+
+
+def load_fleet(folder: str | os.PathLike) -> Fleet:
+    """Reads what `rimpact reduced --sweep` wrote: table.csv, or the tables of its shards, and fractiles.csv."""
+    place = Path(folder)
+    tables = [place / "table.csv"] if (place / "table.csv").is_file() else sorted(place.glob("table-*-of-*.csv"))
+    if not tables:
+        raise DataError(f"{place}: holds no table.csv; is it the folder of a sweep?")
+    runs = pd.concat([pd.read_csv(table) for table in tables], ignore_index=True)
+    fractiles = place / "fractiles.csv"
+    return Fleet(runs, pd.read_csv(fractiles) if fractiles.is_file() else None, place)
+
+
+def _signals(folder: Path) -> dict[str, np.ndarray]:
+    if (folder / "response.h5").is_file():
+        import h5py  # only runs by finite elements and the command need it
+        try:
+            with h5py.File(folder / "response.h5", "r") as file:
+                return {name: data[:] for name, data in file["response"].items()}
+        except (OSError, KeyError) as error:
+            raise DataError(f"{folder / 'response.h5'}: is no response: {error}") from error
+    table = folder / "response.csv"
+    if not table.is_file():
+        raise DataError(f"{folder}: holds no response.h5 and no response.csv")
+    frame = pd.read_csv(table)
+    missing = [name for name in ("time_s", "ux_m", "Fx_N") if name not in frame]
+    if missing:
+        raise DataError(f"{table}: the column {missing[0]} is missing; there are {', '.join(frame.columns)}")
+    return {CSV_COLUMNS[name]: frame[name].to_numpy(float) for name in frame if name in CSV_COLUMNS}
+
+
+def _impacts(summary: dict) -> pd.DataFrame:
+    names = ["touch_time_s", "release_time_s", "direction_deg", "approach_speed_m_s", "rebound_speed_m_s", "restitution", "peak_force_N",
+             "peak_penetration_m"]
+    rows = summary.get("impacts") or []
+    return pd.DataFrame(rows, columns=names if not rows else None).astype(float)
+
+
+def _fields(folder: Path | None) -> pd.DataFrame:
+    index = folder / "fields.pvd" if folder else None
+    if index is None or not index.is_file():
+        return pd.DataFrame({"time_s": pd.Series(dtype=float), "file": pd.Series(dtype=str)})
+    sets = [item.attrib for item in ElementTree.parse(index).iter("DataSet")]
+    return pd.DataFrame({"time_s": [float(each["timestep"]) for each in sets], "file": [str(index.parent / each["file"]) for each in sets]})
+
+
+def _text(path: Path) -> str:
+    try:
+        return path.read_text(encoding="utf-8")
+    except FileNotFoundError:
+        return ""
+
+
+def _json(path: Path) -> dict:
+    try:
+        return json.loads(_text(path) or "{}")
+    except json.JSONDecodeError as error:
+        raise DataError(f"{path}: {error}") from error

@@ -1,0 +1,110 @@
+"""Scenes, and reduced runs of them in this process."""
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Mapping
+
+from rimpact import _core
+from rimpact.results import Run, run_from_signals
+
+Value = bool | int | float | str | list
+
+
+def toml_value(value: Value) -> str:
+    """A value as TOML writes it. JSON's forms of numbers, strings and lists are TOML's too."""
+    if hasattr(value, "item"):  # numpy's scalars
+        value = value.item()
+    if isinstance(value, (list, tuple)):
+        return "[" + ", ".join(toml_value(each) for each in value) + "]"
+    if isinstance(value, float):
+        return repr(value)  # shortest that reads back; inf and nan are TOML's words too
+    return json.dumps(value, ensure_ascii=False)
+
+
+class Scene:
+    """A bearing, its load, a motion and the models' settings, every default filled in.
+
+    `where`: a TOML file, a folder with scene.toml, or a built-in scene's name (`scene_names()`). `settings`: dotted keys over values,
+    as --set takes them: {"excitation.scale": 1.05, "bearing.rim.height_mm": 70}. Raises InputError with file, line, value and bound.
+    """
+
+    def __init__(self, where: str | os.PathLike, settings: Mapping[str, Value] | None = None):
+        self._where, self._settings = os.fspath(where), dict(settings or {})
+        words = [f"{key}={toml_value(value)}" for key, value in self._settings.items()]
+        self._core = _core.load_scene(self._where, words)
+
+    def with_settings(self, settings: Mapping[str, Value]) -> Scene:
+        """The same scene read again with further keys; values that follow from them follow."""
+        return Scene(self._where, {**self._settings, **settings})
+
+    @property
+    def name(self) -> str:
+        """Its name."""
+        return self._core.name
+
+    @property
+    def bearing(self) -> str:
+        """Its bearing's name."""
+        return self._core.bearing
+
+    @property
+    def mass(self) -> float:
+        """Inertia in all directions [kg]."""
+        return self._core.mass
+
+    @property
+    def weight(self) -> float:
+        """Dead load W [N]."""
+        return self._core.weight
+
+    @property
+    def duration(self) -> float:
+        """Of the motion [s]."""
+        return self._core.duration
+
+    @property
+    def lateral_capacity(self) -> float:
+        """L_c, the displacement at which the rim is touched [m]."""
+        return self._core.lateral_capacity
+
+    @property
+    def remarks(self) -> list[str]:
+        """Sentences: what the file leaves in doubt, and what its reading filled in."""
+        return self._core.remarks
+
+    def toml(self) -> str:
+        """As resolved, every default written out; a scene file."""
+        return self._core.toml()
+
+    def __repr__(self) -> str:
+        return f"Scene({self.name!r}, bearing {self.bearing!r}, {self.mass:.0f} kg)"
+
+
+def scene_names() -> list[str]:
+    """The built-in scenes."""
+    return _core.scene_names()
+
+
+def bearing_names() -> list[str]:
+    """The built-in bearings."""
+    return _core.bearing_names()
+
+
+def run_reduced(scene: Scene | str | os.PathLike, folder: str | os.PathLike | None = None) -> Run:
+    """Flies the scene by its reduced model, in about a millisecond, and returns response, summary and impacts.
+
+    The interpreter's lock is released meanwhile: threads run side by side. `folder`: also writes a run folder there, as `rimpact
+    reduced` does. A run that stops early (the slider leaves the dish) is returned too: see summary["status"].
+    """
+    scene = scene if isinstance(scene, Scene) else Scene(scene)
+    flown = _core.run(scene._core)
+    if folder is not None:
+        flown.save(scene._core, os.fspath(folder))
+    return run_from_signals(flown.signals(), json.loads(flown.summary_json()), scene.toml(), folder)
+
+
+def summarise(scene: Scene | str | os.PathLike) -> dict:
+    """Peaks and impacts alone, as summary.json holds them; no response is kept. For samplers and optimisers."""
+    scene = scene if isinstance(scene, Scene) else Scene(scene)
+    return json.loads(_core.summarise(scene._core))

@@ -1,0 +1,94 @@
+#!/usr/bin/env python3
+"""Runs the tutorial and the examples as they are written, each in a copy of its folder.
+
+In a page a block of shell commands stands as ```sh; a block ```text right behind it is what they print. Numbers in it are met within 2 % (the last digit apart),
+words to the letter; a line `...` stands for any lines. Blocks ```sh slow are left out with --light: they need finite elements.
+```python blocks run in one interpreter a page, in the same folder, unless they are marked ```python part.
+"""
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+
+SOURCE = pathlib.Path(os.environ["RIMPACT_SOURCE"])
+PROGRAM = pathlib.Path(os.environ["RIMPACT"]).resolve()
+BLOCK = re.compile(r"^```(\w+)([^\n]*)\n(.*?)^```", re.MULTILINE | re.DOTALL)
+NUMBER = re.compile(r"[-+]?\d+(?:,\d{3})*(?:\.\d+)?(?:e[-+]?\d+)?")
+NEAR = 0.02
+
+
+def same(told, printed):
+    """One line against another: words alike, numbers near."""
+    if NUMBER.sub("#", told).split() != NUMBER.sub("#", printed).split():
+        return False
+    for a, b in zip(NUMBER.findall(told), NUMBER.findall(printed)):
+        x, y = float(a.replace(",", "")), float(b.replace(",", ""))
+        digits = len(a.split(".")[1]) if "." in a and "e" not in a else 0
+        if abs(x - y) > NEAR * max(abs(x), abs(y)) + 1.01 * 10.0 ** -digits * ("." in a):
+            return False
+    return True
+
+
+def missing(told, printed):
+    """The first line of the page that the output does not hold in this order; None: all are there."""
+    at = 0
+    for line in told.splitlines():
+        if not line.strip() or line.strip() == "...":
+            continue
+        while at < len(printed) and not same(line, printed[at]):
+            at += 1
+        if at == len(printed):
+            return line
+        at += 1
+    return None
+
+
+def run_page(page, light, folder):
+    environment = {**os.environ, "PATH": f"{PROGRAM.parent}:{os.environ['PATH']}", "RIMPACT_PROGRAM": str(PROGRAM), "MPLBACKEND": "Agg", "LANG": "C.UTF-8"}
+    printed, python, errors, n_run = None, "", [], 0
+    for kind, mark, body in BLOCK.findall(page.read_text(encoding="utf-8")):
+        if kind == "sh":
+            printed = None
+            if "slow" in mark and light:
+                continue
+            done = subprocess.run(["bash", "-euo", "pipefail", "-c", body], cwd=folder, env=environment, capture_output=True, text=True, check=False)
+            n_run += 1
+            if done.returncode:
+                return [f"{page}: exit code {done.returncode} from\n{body}{done.stderr[-2000:]}"], n_run
+            printed = (done.stdout + done.stderr).splitlines()
+        elif kind == "text" and printed is not None:
+            if (line := missing(body, printed)) is not None:
+                errors.append(f"{page}: not printed: {line}\nbut:\n" + "\n".join(printed[:60]))
+            printed = None
+        elif kind == "python" and "part" not in mark:
+            if "slow" in mark and light:
+                continue
+            python += body
+            done = subprocess.run([sys.executable, "-c", python], cwd=folder, env=environment, capture_output=True, text=True, check=False)
+            n_run += 1
+            if done.returncode:
+                return [f"{page}: {done.stderr[-2000:]}"], n_run
+            printed = done.stdout.splitlines()
+    return errors, n_run
+
+
+def main(*options):
+    errors, n_run = [], 0
+    for page in [SOURCE / "docs/tutorial.md", *sorted((SOURCE / "examples").glob("*/README.md"))]:
+        with tempfile.TemporaryDirectory() as temporary:
+            folder = pathlib.Path(temporary) / page.parent.name
+            if page.parent.name == "docs":
+                folder.mkdir()
+            else:
+                shutil.copytree(page.parent, folder)
+            found, n = run_page(page, "--light" in options, folder)
+            errors, n_run = errors + found, n_run + n
+    print("\n".join(errors) or f"{n_run} blocks of the tutorial and the examples print what they say")
+    return 1 if errors or n_run < 8 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(*sys.argv[1:]))

@@ -1,0 +1,138 @@
+"""What the command says of itself is whole: keys, verbs, lists, completion, next steps."""
+import json
+import os
+import re
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+PROGRAM, SOURCE = os.environ["RIMPACT"], os.environ["RIMPACT_SOURCE"]
+FE_VERBS = {"run", "mesh", "curve", "version"}
+HAS_FE = os.access(os.path.join(os.path.dirname(PROGRAM), "rimpact-fe"), os.X_OK)
+
+
+def rimpact(*words, cwd=None):
+    return subprocess.run([PROGRAM, *words], capture_output=True, text=True, cwd=cwd, check=False)
+
+
+def verbs():
+    return re.findall(r"^  ([a-z]+) ", rimpact("--help").stdout.split("Subcommands:")[1], re.MULTILINE)
+
+
+def asked():
+    return [verb for verb in verbs() if HAS_FE or verb not in FE_VERBS]
+
+
+class Words(unittest.TestCase):
+    def test_every_key_has_meaning_range_and_default(self):
+        listed = json.loads(rimpact("list", "keys", "--json").stdout)
+        self.assertGreater(len(listed["keys"]), 130)
+        for key in listed["keys"] + listed["sweep_keys"]:
+            self.assertTrue(key["meaning"] and key["range"], key)
+        for key in listed["keys"]:
+            if key["kind"] in ("number", "integer"):
+                self.assertTrue(key["default"], key)
+
+    def test_every_key_of_the_sources_is_listed(self):
+        text = ""
+        for name in ("bearing_keys", "scene_keys", "double_concave_keys", "superstructure"):
+            with open(os.path.join(SOURCE, "scene", name + ".cc"), encoding="utf-8") as file:
+                text += file.read()
+        names = set(re.findall(r'v\.\w+\(\{"(\w+)"', text))
+        listed = {key["key"].split(".")[-1] for key in json.loads(rimpact("list", "keys", "--json").stdout)["keys"]}
+        self.assertGreater(len(names), 90)
+        self.assertEqual(names - listed, set())
+
+    def test_every_listed_key_is_taken_by_a_scene(self):
+        for key in json.loads(rimpact("list", "keys", "--json").stdout)["keys"]:
+            if key["kind"] == "flag":
+                done = rimpact("reduced", "impact-window", "--set", f"{key['key']}=7", "-o", "/proc/none")
+                self.assertIn("true or false", done.stderr, key["key"])
+            elif key["kind"] in ("number", "limit", "integer"):
+                done = rimpact("reduced", "impact-window", "--set", f'{key["key"]}="word"', "-o", "/proc/none")
+                self.assertEqual(done.returncode, 2, key["key"])
+                self.assertNotIn("unknown key", done.stderr, key["key"])
+
+    def test_conditions_name_the_choice(self):
+        keys = {key["key"]: key for key in json.loads(rimpact("list", "keys", "--json").stdout)["keys"]}
+        self.assertEqual(keys["excitation.travel_mm"]["when"], "excitation.kind = push")
+        self.assertEqual(keys["bearing.surface.a_m"]["when"], "bearing.surface.kind = ellipse")
+        self.assertEqual(keys["reduced.yield_force_kN"]["when"], "reduced.impact_law = elastoplastic")
+        self.assertEqual(keys["load.mass_kg"]["when"], "")
+        self.assertEqual(keys["reduced.k_i_kN_per_m"]["unit"], "kN/m")
+
+    def test_every_part_of_a_sweep_file_is_listed(self):
+        with open(os.path.join(SOURCE, "fleets", "sweep_reader.cc"), encoding="utf-8") as file:
+            text = file.read()
+        known = [name for names in re.findall(r"only\(\*table, \{([^}]*)\}", text) for name in re.findall(r'"(\w+)"', names)]
+        self.assertGreater(len(known), 8)
+        listed = {part for key in json.loads(rimpact("list", "keys", "--json").stdout)["sweep_keys"] for part in key["key"].split(".")}
+        self.assertEqual(set(known) - listed, set())
+
+    def test_every_kind_can_be_listed(self):
+        for kind in ("bearings", "scenes", "models", "laws", "materials", "rungs", "signals", "columns", "files", "exit-codes"):
+            listed = json.loads(rimpact("list", kind, "--json").stdout)
+            self.assertTrue(all(listed[kind].values()), kind)
+            self.assertIn(next(iter(listed[kind])), rimpact("list", kind).stdout)
+        self.assertNotIn("exit-codes", json.loads(rimpact("list", "--json").stdout))
+
+    def test_every_help_has_examples_and_exit_codes(self):
+        for verb in asked():
+            text = rimpact(verb, "--help").stdout
+            self.assertIn("Exit codes: 0 done", text, verb)
+            self.assertRegex(text, rf"Examples:\n  rimpact {verb}", verb)
+
+    def test_the_examples_of_the_help_name_options_that_exist(self):
+        for verb in asked():
+            text = rimpact(verb, "--help").stdout
+            options, examples = text.split("Examples:")
+            for option in re.findall(r"(?<= )--[a-zA-Z0-9-]+", examples.split("Exit codes")[0]):
+                self.assertIn(option, options, verb)
+
+    def test_a_verb_ends_with_what_may_follow(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = rimpact("reduced", "impact-window", "-o", "here", cwd=folder)
+            self.assertEqual(done.stderr.splitlines()[-1], "next: rimpact report here")
+            self.assertNotIn("next:", rimpact("reduced", "impact-window", "-o", "here", "--quiet", cwd=folder).stderr)
+            self.assertNotIn("next:", rimpact("reduced", "impact-window", "-o", "here", "--json", cwd=folder).stderr)
+            usual = rimpact("reduced", "impact-window", cwd=folder)
+            self.assertEqual(usual.stderr.splitlines()[-1], "next: rimpact report results/impact-window-reduced")
+            self.assertEqual(rimpact("report", "here", cwd=folder).returncode, 0)
+
+    def completion(self, shell):
+        done = rimpact("completion", shell)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        return done.stdout
+
+    def test_completion_knows_every_verb_and_option(self):
+        tree = json.loads(self.completion("json"))
+        self.assertEqual([verb["name"] for verb in tree], verbs())
+        for shell in ("bash", "zsh", "fish"):
+            script = self.completion(shell)
+            for verb in tree:
+                for option in verb["options"]:
+                    for name in option["names"]:
+                        word = name.lstrip("-") if shell == "fish" else name
+                        self.assertIn(word, script, f"{shell}: {verb['name']} {name}")
+
+    def test_bash_completes(self):
+        def complete(*words):
+            line = " ".join(f"'{word}'" for word in words)
+            script = self.completion("bash") + f"\nCOMP_WORDS=({line}); COMP_CWORD={len(words) - 1}; _rimpact; printf '%s\\n' \"${{COMPREPLY[@]}}\""
+            return subprocess.run(["bash", "-c", script], capture_output=True, text=True, check=True).stdout.split()
+        self.assertEqual(complete("rimpact", "redu"), ["reduced"])
+        self.assertEqual(complete("rimpact", "reduced", "--swe"), ["--sweep"])
+        self.assertEqual(complete("rimpact", "list", "key"), ["keys"])
+        self.assertEqual(complete("rimpact", "completion", "z"), ["zsh"])
+
+    def test_other_shells_can_read_their_scripts(self):
+        for shell in ("zsh", "fish"):
+            if shutil.which(shell):
+                done = subprocess.run([shell, "--no-execute" if shell == "fish" else "-n"], input=self.completion(shell), text=True, capture_output=True,
+                                      check=False)
+                self.assertEqual(done.returncode, 0, done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
