@@ -29,9 +29,10 @@ void on_interrupt(int) {
 }
 
 /// SIGHUP too, unless the shell has it ignored (nohup): a closed terminal must not cost a run its last checkpoint.
+/// SIGUSR1 is what mpirun passes on to its ranks, and what batch systems send before a job's time is up.
 void catch_interrupts() {
   std::signal(SIGXFSZ, SIG_IGN); // a file that may not grow fails to be written, with a sentence
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+  for (const int signal : {SIGINT, SIGTERM, SIGUSR1, SIGHUP})
     if (std::signal(signal, on_interrupt) == SIG_IGN && signal == SIGHUP) std::signal(signal, SIG_IGN);
 }
 
@@ -212,6 +213,8 @@ int run_command(int argc, char **argv, const std::vector<Verb> &verbs) {
   } catch (const nlohmann::json::exception &error) {
     return fail(std::string("a kept result is damaged, a value in it is missing or of another type: ") + error.what(),
                 ExitCode::data);
+  } catch (const std::filesystem::filesystem_error &error) { // a folder that may not be made, say
+    return fail(fmt::format("{}: {}", error.path1().string(), error.code().message()), ExitCode::io);
   } catch (const std::bad_alloc &) {
     return fail("out of memory; by finite elements a coarser mesh (a lower model.mesh) needs less, by the reduced "
                 "model fewer instants (a larger reduced.output_step_ms)",

@@ -41,7 +41,7 @@ private:
   std::vector<std::string> warnings_;
 };
 
-/// Set by Ctrl-C, SIGTERM and SIGHUP once a verb watches it; a second one ends the process at once.
+/// Set by Ctrl-C, SIGTERM, SIGUSR1 and SIGHUP once a verb watches it; a second one ends the process at once.
 const std::atomic<bool> &interrupted();
 /// From now on Ctrl-C sets the flag only. Until a verb calls it, Ctrl-C ends the process with exit code 130:
 /// files are written atomically, so nothing is left half-way.

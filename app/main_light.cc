@@ -1,6 +1,7 @@
 // The light executable: everything but finite elements, which it hands to its sibling.
 #include "app/catalogue.h"
 #include "app/console.h"
+#include "app/rank_launcher.h"
 #include "app/sibling.h"
 
 #include <fmt/format.h>
@@ -12,6 +13,9 @@ int main(int argc, char **argv) {
   static const std::set<std::string> elsewhere{"run", "mesh", "curve", "version"};
   if (argc > 1 && elsewhere.count(argv[1])) {
     try {
+      std::vector<std::string> words(argv + 1, argv + argc);
+      if (const auto ranks = words[0] == "run" ? app::take_ranks(words) : std::nullopt)
+        return app::run_on_ranks(*ranks, app::fe_program(), words);
       app::become_fe(argc, argv);
     } catch (const Error &error) {
       app::say(fmt::format("error: {}\n", error.what()));

@@ -76,7 +76,9 @@ void add_motion(CLI::App &app, Console &console) {
                                  "{:.3f} m/s, D5-95 {:.2f} s\n",
                                  file, info.npts, info.dt, info.pga_g, info.pgv, info.pgd, info.arias, info.duration));
       if (options->picture.empty()) continue;
-      std::filesystem::create_directories(options->picture);
+      std::error_code failed;
+      std::filesystem::create_directories(options->picture, failed);
+      if (failed) throw IoError(fmt::format("cannot create the folder {}: {}", options->picture, failed.message()));
       const std::string &base = places[k];
       write_atomically(motion_csv(record), base + ".csv");
       if (python({"report.motion", base + ".csv", base + ".png"}) != 0)

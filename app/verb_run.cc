@@ -133,6 +133,9 @@ void add_run(CLI::App &app, Console &console) {
                  "go on from the folder's checkpoint; a run that has ended stays as it is");
   verb->add_flag("--dry-run", options->dry_run, "print the plan and stop");
   verb->add_flag("--no-fields", options->no_fields, "no VTU files");
+  verb->add_option_function<int>(
+      "--ranks", [](int) { throw InputError("--ranks is for rimpact, which starts rimpact-fe on them"); },
+      "so many processes share the run (rungs rigid-dish and full)");
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);

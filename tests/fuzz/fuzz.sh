@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # fuzz.sh SECONDS [FOLDER] [READERS]: the readers of AT2, CSV, HDF5, TOML, JSON and mesh files under libFuzzer with address and
-# undefined-behaviour sanitizers, so many seconds each. READERS: letters of fuzz_readers.cc, e.g. "ht". Needs a configured build
-# (its generated headers), clang and libclang-rt (Debian: clang, libclang-rt-14-dev). Exit 77: they are not there.
+# undefined-behaviour sanitizers, so many seconds each. READERS: letters of fuzz_readers.cc, e.g. "ht". Needs a build's generated
+# headers (build/release, or the folder RIMPACT_BUILD), clang and libclang-rt (Debian: clang, libclang-rt-14-dev). Exit 77: they are not there.
 set -eu
 seconds=${1:-60}
 folder=${2:-$(mktemp -d)}
@@ -13,15 +13,15 @@ if ! echo 'extern "C" int LLVMFuzzerTestOneInput(const unsigned char *, unsigned
   echo "clang with libFuzzer is not here (packages clang, libclang-rt-14-dev): skipped"
   exit 77
 fi
-generated=$root/build/release/scene/generated
+build=${RIMPACT_BUILD:-$root/build/release}
 hdf5=/usr/lib/x86_64-linux-gnu/hdf5/serial
 flags=(-std=c++20 -g -O1 -fsanitize=fuzzer-no-link,address,undefined -fno-sanitize-recover=all
   -fno-sanitize=unreachable # toml++ tests non-ASCII characters outside strings by a switch whose default it calls unreachable
-  -DRIMPACT_VERSION="\"fuzz\"" -I"$root" -I"$generated"
+  -DRIMPACT_VERSION="\"fuzz\"" -I"$root" -I"$build/responses/generated"
   -isystem /usr/include/eigen3 -isystem /usr/include/hdf5/serial)
 objects=()
-for source in "$root"/scene/*.cc "$root"/calibration/{mapping,run_facts}.cc "$root"/meshes/mesh_kind.cc "$root"/tests/fuzz/fuzz_readers.cc; do
-  object=$folder/$(basename "$source" .cc).o
+for source in "$root"/{files,records,scene,responses}/*.cc "$root"/calibration/{data/mapping,fit/run_facts}.cc "$root"/meshes/mesh_kind.cc "$root"/tests/fuzz/fuzz_readers.cc; do
+  object=$folder/$(basename "$(dirname "$source")")_$(basename "$source" .cc).o
   [ "$object" -nt "$source" ] || clang++ "${flags[@]}" -c "$source" -o "$object"
   objects+=("$object")
 done

@@ -45,6 +45,29 @@ def ignoring_the_signal():
     limits(resource.RLIMIT_FSIZE, 4096)()
 
 
+def in_a_read_only_folder():
+    """The folder cannot be written into; permissions do not bind root, so the command is nobody's."""
+    os.chmod(".", 0o555)
+    if os.geteuid() == 0:
+        os.setresgid(65534, 65534, 65534)
+        os.setresuid(65534, 65534, 65534)
+
+
+def without_a_terminal():
+    """Of no session that has one, and none to be read from, as under cron."""
+    os.setsid()
+    os.environ.pop("TERM", None)
+    os.dup2(os.open("/dev/null", os.O_RDONLY), 0)
+
+
+def where_commas_are_decimal():
+    os.environ.update(LC_ALL="de_DE.UTF-8", LC_NUMERIC="de_DE.UTF-8", LANG="de_DE.UTF-8")
+
+
+def script(name, content, says):
+    return Row("meshes", name, ["check", "impact-window", "--allow-script", "--set", 'model.own_mesh.file="x.geo"'], 3, says, ("x.geo", content), kept="x.geo")
+
+
 def mesh(name, content, says, file="x.msh"):
     return Row("meshes", name, ["check", "impact-window", "--set", f'model.own_mesh.file="{file}"'], 3, says, (file, content), kept=file)
 
@@ -75,6 +98,10 @@ ROWS = [
     mesh("a truncated mesh", "$MeshFormat\n4.1 0 8\n", "x.msh"),
     mesh("an empty mesh", "", "x.msh"),
     mesh("a script called mesh", 'SystemCall "touch PWNED";\n', "x.msh"),
+    mesh("a script nobody allowed", "Point(1) = {0,0,0};\n", "--allow-script", "x.geo"),
+    script("a script that includes a file", 'Include "other.geo";\n', "Include in line 1 leaves the script"),
+    script("a script that merges a file", 'Point(1) = {0,0,0};\nMerge "other.step";\n', "Merge in line 2 leaves the script"),
+    script("a script that ends its reader", "Exit;\n", "Exit in line 1 leaves the script"),
     Row("names", "a name that climbs", ["reduced", "x.toml"], 2, "name", ("x.toml", 'name = "../../x"\n' + FREE), kept="x.toml"),
     Row("names", "a name of markup", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", 'name = "<script>alert(1)"\n' + FREE), kept="x.toml"),
     Row("names", "a name of 300 characters", ["reduced", "x.toml"], 0, "", ("x.toml", f'name = "{"n" * 300}"\n' + FREE), kept="x.toml"),
@@ -87,6 +114,15 @@ ROWS = [
     Row("process", "an address space of 400 MB", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), limits(resource.RLIMIT_AS, 400 << 20), "x.toml"),
     Row("process", "a rim pressed through", ["reduced", "impact-window", "--set", "excitation.speed_m_per_s=5", "--set", "reduced.k_i_kN_per_m=2e4", "-o", "o"], 0, "no bearing does so", ("x.toml", FREE)),
     Row("process", "ten file handles", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), limits(resource.RLIMIT_NOFILE, 10), "x.toml"),
+    Row("process", "a read-only folder", ["reduced", "x.toml", "-o", "o"], 6, "cannot create the folder o", ("x.toml", FREE), in_a_read_only_folder, "x.toml"),
+    Row("process", "a picture into a read-only folder", ["motion", "x.AT2", "--png", "p"], 6, "p", ("x.AT2", AT2 + "NPTS= 3, DT= .01 SEC\n .1 .2 .1\n"), in_a_read_only_folder, "x.AT2"),
+    Row("process", "a sweep in a read-only folder", ["reduced", "x.toml", "--sweep", "reduced.mu_fast=0.05:0.06:2", "-o", "o"], 6, "o", ("x.toml", FREE), in_a_read_only_folder, "x.toml"),
+    Row("process", "no terminal", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), without_a_terminal, "x.toml"),
+    Row("process", "no terminal, and a mistake", ["reduced", "x.toml", "--mesg", "-o", "o"], 2, "error: ", ("x.toml", FREE), without_a_terminal, "x.toml"),
+    Row("process", "no input stream", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), lambda: os.close(0), "x.toml"),
+    Row("process", "a locale of decimal commas", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), where_commas_are_decimal, "x.toml"),
+    Row("process", "a device for a folder", ["reduced", "x.toml", "-o", "/dev/full/o"], 6, "/dev/full/o", ("x.toml", FREE), kept="x.toml"),
+    Row("process", "ranks that are none", ["run", "x.toml", "--ranks", "0"], 2, "--ranks 0", ("x.toml", FREE), kept="x.toml"),
     Row("process", "no output stream", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), lambda: os.close(1), "x.toml"),
 ]
 
@@ -110,6 +146,7 @@ def wrong_with(row):
         found = [f"exit code {run.returncode}, not {row.code}"] if run.returncode != row.code else []
         found += [f'"{row.says}" is not said'] if row.says not in said else []
         found += ["an escape sequence reaches the terminal"] if "\033" in said else []
+        found += ["a line is rewritten where no terminal is"] if "\r" in said else []
         found += ["a traceback"] if "Traceback" in said else []
         found += ["a foreign program ran"] if os.path.exists(os.path.join(folder, "PWNED")) else []
         if row.kept:

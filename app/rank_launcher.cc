@@ -1,0 +1,68 @@
+#include "app/rank_launcher.h"
+
+#include "app/sibling.h"
+#include "files/error.h"
+#include <algorithm>
+#include <charconv>
+#include <csignal>
+#include <cstdlib>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <thread>
+#include <unistd.h>
+
+namespace rimpact::app {
+namespace {
+
+volatile std::sig_atomic_t told = 0;
+
+void on_signal(int) {
+  told = told + 1;
+}
+
+int number_of_ranks(const std::string &text) {
+  const int most = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+  int n = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), n);
+  if (error != std::errc() || end != text.data() + text.size() || n < 1 || n > most)
+    throw InputError(fmt::format("--ranks {} must be a whole number from 1 to {}, the processors here", text, most));
+  return n;
+}
+
+} // namespace
+
+std::optional<int> take_ranks(std::vector<std::string> &words) {
+  const auto at = std::find_if(words.begin(), words.end(), [](const std::string &word) {
+    return word == "--ranks" || word.starts_with("--ranks=");
+  });
+  if (at == words.end()) return {};
+  if (std::getenv("OMPI_COMM_WORLD_SIZE")) throw InputError("--ranks starts mpirun itself; leave one of the two out");
+  const bool apart = *at == "--ranks";
+  if (apart && at + 1 == words.end()) throw InputError("--ranks needs a number");
+  const int n = number_of_ranks(apart ? *(at + 1) : at->substr(8));
+  words.erase(at, at + (apart ? 2 : 1));
+  return n;
+}
+
+int run_on_ranks(int n_ranks, const std::string &program, const std::vector<std::string> &words) {
+  Launch launch{
+      .command = {"/usr/bin/env", "mpirun", "-q", "--use-hwthread-cpus", "-np", std::to_string(n_ranks), program},
+      .apart = true};
+  launch.command.insert(launch.command.end(), words.begin(), words.end());
+  launch.environment = {"OPENBLAS_THREAD_TIMEOUT=4"}; // as become_fe()
+  if (geteuid() == 0)
+    launch.environment.insert(launch.environment.end(),
+                              {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"});
+  // A group in the background that reads from the terminal would be halted.
+  if (const int nothing = open("/dev/null", O_RDONLY); nothing >= 0) dup2(nothing, STDIN_FILENO), close(nothing);
+  const pid_t process = start(launch);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) std::signal(signal, on_signal);
+  int code = -1;
+  for (int passed_on = 0; (code = poll(process, false)) < 0; usleep(50000))
+    for (; passed_on < told; ++passed_on) kill(process, SIGUSR1);
+  if (code == 127) throw IoError("mpirun is not here (package openmpi-bin): leave --ranks out");
+  return told > 0 && code == 128 + SIGUSR1 ? static_cast<int>(ExitCode::interrupted)
+                                           : code; // before it was listened for
+}
+
+} // namespace rimpact::app

@@ -1,0 +1,69 @@
+"""`run --ranks N`: what ends one process ends all ranks in order, with exit code 130 (RIMPACT in the environment). A program
+that notes what it hears stands in for rimpact-fe; test_stack_ranks.py has the real one."""
+import os
+import pathlib
+import shutil
+import signal
+import subprocess
+import tempfile
+import time
+import unittest
+
+STAND_IN = """#!/usr/bin/python3
+import os, pathlib, signal, sys, time
+rank, folder = os.environ["OMPI_COMM_WORLD_RANK"], pathlib.Path(sys.argv[sys.argv.index("-o") + 1])
+def end(number, _):
+    time.sleep(2.5)  # a step goes on for longer than mpirun waits
+    (folder / f"checkpoint{rank}").write_text(signal.Signals(number).name)
+    sys.exit(130)
+signal.signal(signal.SIGUSR1, end)
+(folder / f"words{rank}").write_text(" ".join(sys.argv[1:]))
+time.sleep(60)
+"""
+
+
+@unittest.skipUnless(shutil.which("mpirun"), "no mpirun here")
+class RankSignals(unittest.TestCase):
+    def setUp(self):
+        place = tempfile.TemporaryDirectory()
+        self.addCleanup(place.cleanup)
+        self.folder = pathlib.Path(place.name)
+        program = self.folder / "stand_in.py"
+        program.write_text(STAND_IN)
+        program.chmod(0o755)
+        self.environment = dict(os.environ, RIMPACT_FE_PROGRAM=str(program))
+
+    def start(self, *ranks):
+        return subprocess.Popen([os.environ["RIMPACT"], "run", "some.toml", *ranks, "-o", str(self.folder)], env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True, start_new_session=True)
+
+    def until_started(self, process, n):
+        for _ in range(300):
+            if all((self.folder / f"words{k}").exists() and (self.folder / f"words{k}").read_text() for k in range(n)):
+                return
+            self.assertIsNone(process.poll(), process.stderr.read() if process.poll() is not None else "")
+            time.sleep(0.1)
+        self.fail("the ranks did not start")
+
+    def test_every_end_leaves_what_each_rank_keeps(self):
+        for tell in (lambda p: os.killpg(p.pid, signal.SIGINT), lambda p: p.send_signal(signal.SIGTERM), lambda p: p.send_signal(signal.SIGHUP)):
+            process = self.start("--ranks", "2")
+            self.until_started(process, 2)
+            tell(process)
+            _, errors = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 130, errors)
+            for rank in range(2):
+                self.assertEqual((self.folder / f"checkpoint{rank}").read_text(), "SIGUSR1")
+                self.assertEqual((self.folder / f"words{rank}").read_text(), f"run some.toml -o {self.folder}")
+                (self.folder / f"checkpoint{rank}").unlink()
+                (self.folder / f"words{rank}").unlink()
+
+    def test_numbers_that_are_none(self):
+        for words in (("--ranks", "0"), ("--ranks=two",), ("--ranks", "100000"), ("--ranks", "")):
+            process = self.start(*words)
+            _, errors = process.communicate(timeout=60)
+            self.assertEqual(process.returncode, 2, errors)
+            self.assertIn("--ranks", errors)
+
+
+if __name__ == "__main__":
+    unittest.main()
