@@ -3,6 +3,7 @@
 #include "files/digest.h"
 #include "files/text.h"
 #include "records/record.h"
+#include "responses/script_files.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -77,7 +78,9 @@ std::vector<std::string> input_files(const scene::Scene &scene) {
     for (const auto *name : {&scene.excitation.x_file, &scene.excitation.y_file, &scene.excitation.z_file})
       if (!name->empty() && !is_builtin_record(*name)) files.push_back(*name);
   if (scene.reduced.impact_law == "curve") files.push_back(scene.reduced.impact_curve);
-  if (scene.model.own_mesh.any()) files.push_back(scene.model.own_mesh.file);
+  if (!scene.model.own_mesh.any()) return files;
+  files.push_back(scene.model.own_mesh.file);
+  for (const auto &named : files_named_in(files.back())) files.push_back(named);
   return files;
 }
 
@@ -107,9 +110,13 @@ std::optional<Identity> identity_from(const nlohmann::json &json) {
 std::string changes(const Identity &kept, const Identity &now) {
   std::vector<std::string> sentences;
   if (kept.scene != now.scene) sentences.push_back("the scene changed");
-  for (const auto &[file, hash] : now.inputs)
-    if (const auto old = kept.inputs.find(file); old != kept.inputs.end() && old->second != hash)
+  for (const auto &[file, hash] : now.inputs) {
+    const auto old = kept.inputs.find(file);
+    if (old == kept.inputs.end() && kept.scene == now.scene) // a script names a file that was not there
+      sentences.push_back(fmt::format("the file {} was not read", file));
+    else if (old != kept.inputs.end() && old->second != hash)
       sentences.push_back(fmt::format("the file {} changed", file));
+  }
   if (kept.build != now.build) sentences.push_back("it was computed by another version of the program");
   return fmt::format("{}", fmt::join(sentences, ", "));
 }

@@ -21,7 +21,8 @@ struct Identity {
 /// Of the sources of scene/, reduced_models/, meshes/ and fe_contact/: another one may give another result.
 const std::string &physics_version();
 
-/// Records and own mesh, by absolute name. A table of the dish and a bearing file stand in the resolved scene itself.
+/// Records, impact curve and own mesh with the files its script names, by absolute name. A table of the dish and a
+/// bearing file stand in the resolved scene itself.
 std::vector<std::string> input_files(const scene::Scene &scene);
 /// Throws DataError where a file cannot be read any more.
 Identity identity_of(const scene::Scene &scene);

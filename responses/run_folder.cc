@@ -3,6 +3,7 @@
 #include "files/json_text.h"
 #include "responses/git_hash.h"
 #include "responses/identity.h"
+#include "responses/open_impact.h"
 #include "responses/summary.h"
 #include <filesystem>
 #include <fmt/format.h>
@@ -24,12 +25,14 @@ nlohmann::json with_identity(nlohmann::json summary, const scene::Scene &scene) 
 
 } // namespace
 
-void write_run_folder(const std::string &folder, const scene::Scene &scene, Response response, const Summary &summary) {
+void write_run_folder(const std::string &folder, const scene::Scene &scene, Response response, const Summary &given) {
   namespace fs = std::filesystem;
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw IoError(fmt::format("cannot create the folder {}: {}", folder, error.message()));
   const auto in = [&](const char *name) { return (fs::path(folder) / name).string(); };
+  Summary summary = given;
+  if (summary.status != "done") leave_last_impact_open(response, summary);
   const std::string toml = to_toml(scene), json = json_text(with_identity(to_json(summary), scene));
   response.series("time"); // a run stopped before its first sample still leaves a readable file
   response.meta["version"] = RIMPACT_VERSION;

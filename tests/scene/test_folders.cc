@@ -48,6 +48,26 @@ TEST(Identity, ChangesWithTheContentsOfARecordAndNotWithItsName) {
   EXPECT_EQ(changes(before, before), "");
 }
 
+/// gmsh has words that open another file and that no list of refused ones holds for sure.
+TEST(Identity, HoldsTheFilesThatAScriptNames) {
+  const TemporaryFolder folder;
+  folder.write("plate.step", "ISO-10303-21;");
+  folder.write("inner.geo", "v() = ShapeFromFile('plate.step');\n");
+  folder.write("bearing.geo", "// \"none.step\"\nShapeFromFile(\"inner.geo\"); Physical Volume(\"slider\") = {1};\n");
+  Scene scene = load_scene("impact-window");
+  scene.model.own_mesh.file = folder / "bearing.geo";
+  const auto before = identity_of(scene);
+  ASSERT_EQ(before.inputs.size(), 3u);
+  EXPECT_TRUE(before.inputs.contains(folder / "inner.geo"));
+  folder.write("plate.step", "ISO-10303-21; END;");
+  EXPECT_EQ(changes(before, identity_of(scene)), "the file " + folder / "plate.step" + " changed");
+  folder.write("plate.step", "ISO-10303-21;");
+  folder.write("none.step", "ISO-10303-21;");
+  EXPECT_EQ(changes(before, identity_of(scene)), "the file " + folder / "none.step" + " was not read");
+  scene.model.own_mesh.file = folder.write("bearing.msh", "\"plate.step\"");
+  EXPECT_EQ(identity_of(scene).inputs.size(), 1u) << "data name no files";
+}
+
 TEST(Identity, KnowsSceneAndProgramApart) {
   const auto a = identity_of(load_scene("impact-window")),
              b = identity_of(load_scene("impact-window", {"excitation.speed_m_per_s=0.2"}));

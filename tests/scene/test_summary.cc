@@ -1,5 +1,6 @@
 #include "expect_error.h"
 #include "responses/identity.h"
+#include "responses/open_impact.h"
 #include "responses/summary.h"
 #include "temporary_folder.h"
 #include <cmath>
@@ -128,6 +129,35 @@ TEST(Summary, AnImpactThatNeverEndedHasNoReleaseAndNoRebound) {
     EXPECT_TRUE(json[1][key].is_number()) << key;
   }
   EXPECT_EQ(json[0]["peak_force_N"], 1e6);
+}
+
+/// Finite-element runs list an impact at its release; one that is interrupted before it has touched all the same.
+TEST(Summary, ARunThatStopsWithTheRimPressedListsTheOpenImpact) {
+  Response pressed = two_impacts();
+  Summary whole;
+  summarise_response(pressed, whole);
+  const std::size_t n = whole.impacts.size();
+  pressed.append("time", pressed.series("time").back() + 0.01);
+  for (const auto &[name, values] : pressed.all())
+    if (name != "time") pressed.append(name, name == "impact_x" ? -3e5 : values.back());
+  Summary stopped;
+  stopped.impacts = whole.impacts, stopped.status = "interrupted";
+  for (int k = 0; k < 2; ++k) { // a second time changes nothing
+    leave_last_impact_open(pressed, stopped);
+    ASSERT_EQ(stopped.impacts.size(), n + 1);
+    const auto json = to_json(stopped)["impacts"];
+    EXPECT_TRUE(json[n - 1]["release_time_s"].is_number());
+    EXPECT_TRUE(json[n]["release_time_s"].is_null());
+    EXPECT_TRUE(json[n]["rebound_speed_m_s"].is_null());
+    EXPECT_EQ(json[n]["peak_force_N"], 3e5);
+  }
+  leave_last_impact_open(two_impacts(), whole);
+  EXPECT_EQ(whole.impacts.size(), n) << "released before the run stopped";
+  const TemporaryFolder folder;
+  stopped.impacts.clear();
+  write_run_folder(folder / "run", load_scene("impact-window"), pressed, stopped);
+  EXPECT_TRUE(
+      nlohmann::json::parse(text_of(folder / "run/summary.json"))["impacts"].back()["release_time_s"].is_null());
 }
 
 TEST(Ledger, TheRoundingOfARestIsNoDoubt) {

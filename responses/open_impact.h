@@ -1,0 +1,11 @@
+/// The impact that is under way where a run stops.
+#pragma once
+#include "responses/summary.h"
+
+namespace rimpact {
+
+/// Of a run that stopped while the rim was pressed: its last impact has no release (summary.json: null), and is added
+/// where the run's own list does not hold it yet. Nothing changes where the last sample bears no rim force.
+void leave_last_impact_open(const Response &response, Summary &summary);
+
+} // namespace rimpact
