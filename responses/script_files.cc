@@ -15,7 +15,7 @@ bool is_script(const fs::path &file) {
   return ending.size() == 4 && (ending[1] | 32) == 'g' && (ending[2] | 32) == 'e' && (ending[3] | 32) == 'o';
 }
 
-std::vector<std::string> quoted(const std::string &text) {
+std::vector<std::string> strings_in(const std::string &text) {
   std::vector<std::string> strings;
   for (std::size_t at = 0; at < text.size(); ++at) {
     if (text[at] != '"' && text[at] != '\'') continue;
@@ -34,7 +34,7 @@ void collect(const fs::path &script, std::set<std::string> &files) {
   } catch (const Error &) { // whoever reads it says so
     return;
   }
-  for (const auto &name : quoted(text)) {
+  for (const auto &name : strings_in(text)) {
     if (name.find('\0') != std::string::npos) continue;
     const fs::path file = (script.parent_path() / name).lexically_normal();
     std::error_code none;
