@@ -19,6 +19,7 @@ struct Listed {
   std::size_t line;
   std::string rsn, component; ///< component: as printed, may be empty
   double factor;              ///< 0: the table has none
+  bool is_fitted = true;      ///< its factor makes one component meet the level; PEER's search fits whole spectra
 };
 using Levels = std::map<double, std::vector<Listed>>; ///< by the column `level`
 
@@ -76,7 +77,7 @@ Levels read_sets(const MotionSource &source) {
   for (const auto &set : source.sets) {
     const LooseTable table(read_file(set.search_results), set.search_results, {rsn, factor});
     for (const auto &row : table.rows()) {
-      Listed listed{set.search_results, row.line, table.text(row, rsn), "", table.number(row, factor)};
+      Listed listed{set.search_results, row.line, table.text(row, rsn), "", table.number(row, factor), false};
       if (!(listed.factor > 0))
         throw DataError(fmt::format("{}:{}: {} {} of RSN {} must be > 0", listed.table, row.line, factor, listed.factor,
                                     listed.rsn));
@@ -151,6 +152,12 @@ private:
         i < files.size() ? take(*twins[i], files[i]) : miss(*twins[i], "its other component is not at hand");
       return;
     }
+    const bool must_meet = twins.front()->is_fitted && source_.scale == ScaleRule::factor;
+    if (files.size() == 1 && !must_meet) {
+      take(*twins[0], files[0]);
+      if (twins.size() > 1) miss(*twins[1], "its other component is not at hand");
+      return;
+    }
     if (files.size() == 1) {
       const auto meeting = std::find_if(twins.begin(), twins.end(), [&](const auto *r) { return meets(*r, files[0]); });
       for (auto row = twins.begin(); row != twins.end(); ++row)
@@ -173,7 +180,7 @@ private:
     const bool by_factor = source_.scale == ScaleRule::factor && row.factor > 0;
     motion.scale = by_factor ? row.factor : level_.intensity_g / sa;
     motion.over_level = motion.scale * sa / level_.intensity_g;
-    if (row.factor > 0 && !meets(row, file))
+    if (row.factor > 0 && row.is_fitted && !meets(row, file))
       result_.doubts.push_back(fmt::format(
           "{}:{}: RSN {} times {} has S_a {:.4g} g, {:+.1f} % off its level of {:.4g} g", row.table, row.line, row.rsn,
           row.factor, row.factor * sa, 100 * (row.factor * sa / level_.intensity_g - 1), level_.intensity_g));
