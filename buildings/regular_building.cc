@@ -74,7 +74,6 @@ Frame make_frame(const RegularBuilding &b) {
 }
 
 RegularBuilding parse_building(const std::string &text, const std::string &origin) {
-  using Range, si, milli, kilo, huge;
   const TomlFile file(text, origin);
   TomlReader v(file, "");
   RegularBuilding b;

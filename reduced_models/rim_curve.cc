@@ -1,10 +1,11 @@
-#include "reduced_models/rim_curve.h"
+#include <math.h> // first: Boost 1.74's pchip calls isnan without std::
+
 #include "files/error.h"
+#include "reduced_models/rim_curve.h"
 #include <algorithm>
 #include <boost/math/interpolators/pchip.hpp>
 #include <cmath>
 #include <fmt/format.h>
-#include <math.h> // Boost 1.74's pchip calls isnan without std::
 
 namespace rimpact::reduced {
 namespace {
