@@ -1,12 +1,15 @@
 // rimpact building SCENE: a building on bearings, one under each of its columns, moved as the scene says.
 #include "app/folder_claim.h"
+#include "app/sibling.h"
 #include "app/verb.h"
+#include "buildings/frame_source.h"
 #include "buildings/frame_tables.h"
-#include "buildings/regular_building.h"
 #include "buildings/simulate.h"
+#include "buildings/vtk_series.h"
 #include "files/error.h"
 #include "files/json_text.h"
 #include "scene/doubts.h"
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -53,37 +56,68 @@ void add_warnings(const scene::Scene &scene, reduced::ReducedRun &run, Console &
 
 } // namespace
 
+namespace {
+
+struct BuildingOptions {
+  std::string scene, frame = "thesis-2.4", folder;
+  double vtk_step = 0; // [ms]
+  bool picture = false;
+};
+
+/// What stands beside the run's own files: the frame, its members' forces, its shape. An earlier run's goes first.
+void write_building(const buildings::Frame &frame, const buildings::BuildingResult &result, const std::string &folder) {
+  std::error_code none;
+  for (const char *name : {"building.png", "elevation.csv", "members.csv"})
+    std::filesystem::remove(std::filesystem::path(folder) / name, none);
+  buildings::write_tables(frame, folder);
+  buildings::write_members(frame, result.trace.members, folder + "/members.csv");
+  buildings::write_elevation(frame, result.model, result.trace.hardest, folder + "/elevation.csv");
+  if (result.trace.step > 0) buildings::write_vtk_series(frame, result.model, result.trace, folder);
+}
+
+void run_building(const BuildingOptions &options, Console &console) {
+  console.overrides.insert(console.overrides.begin(), "reduced.friction=\"park-wen\""); // what a common base takes
+  const scene::Scene scene = console.load(options.scene);
+  const auto frame = buildings::load_frame(options.frame);
+  const auto bearings = buildings::bearings_of(frame, scene);
+  const std::string folder = options.folder.empty() ? default_folder(scene.name + "-" + frame.name) : options.folder;
+  const auto claim = claim_for_run({.given = options.scene, .folder = folder, .force = console.force}, scene, console);
+  auto result = buildings::simulate_whole(frame, scene, bearings, 1e-3 * options.vtk_step);
+  auto &run = result.run;
+  run.summary.extra["building"]["name"] = frame.name;
+  run.summary.extra["building"]["hardest_instant_s"] = result.trace.hardest.t;
+  add_warnings(scene, run, console);
+  write_run_folder(folder, scene, run.response, run.summary);
+  write_building(frame, result, folder);
+  if (options.picture && python({"report.quick", "building", folder}) != 0)
+    throw IoError("the picture in " + folder + " was not made");
+  console.data(console.json ? json_text(to_json(run.summary)) : describe(scene, frame, run.summary, folder));
+  if (run.summary.status == "stopped") throw SolverStopped(run.summary.reason + "; what is before it is kept");
+}
+
+} // namespace
+
 void add_building(CLI::App &app, Console &console) {
-  struct Options {
-    std::string scene, frame = "thesis-2.4", folder;
-  };
   auto *verb =
       app.add_subcommand("building", "a linear building on bearings, one under each column, moved as a scene says");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<BuildingOptions>();
   verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene: ground motion, bearing, [reduced]")
       ->required();
-  verb->add_option("--frame", options->frame, "a building file, or a built-in one")->capture_default_str();
+  verb->add_option("--frame", options->frame,
+                   "thesis-2.4, a TOML file of a regular building, or a folder of nodes.csv, elements.csv, "
+                   "diaphragms.csv")
+      ->capture_default_str();
   verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>-<building>)");
+  verb->add_option("--vtk-step", options->vtk_step,
+                   "also fields/*.vtu and fields.pvd for ParaView, one every so many ms")
+      ->check(CLI::Range(0.1, 1e6));
+  verb->add_flag("--png", options->picture,
+                 "also draw building.png: plan with orbits, elevation at the hardest impact");
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);
   console.add_force(*verb);
-  verb->callback([options, &console] {
-    console.overrides.insert(console.overrides.begin(), "reduced.friction=\"park-wen\""); // what a common base takes
-    const scene::Scene scene = console.load(options->scene);
-    const auto frame = buildings::make_frame(buildings::load_building(options->frame));
-    const std::string folder =
-        options->folder.empty() ? default_folder(scene.name + "-" + frame.name) : options->folder;
-    const auto claim =
-        claim_for_run({.given = options->scene, .folder = folder, .force = console.force}, scene, console);
-    auto run = buildings::simulate(frame, scene);
-    run.summary.rung = "building", run.summary.extra["building"]["name"] = frame.name;
-    add_warnings(scene, run, console);
-    write_run_folder(folder, scene, run.response, run.summary);
-    buildings::write_tables(frame, folder);
-    console.data(console.json ? json_text(to_json(run.summary)) : describe(scene, frame, run.summary, folder));
-    if (run.summary.status == "stopped") throw SolverStopped(run.summary.reason + "; what is before it is kept");
-  });
+  verb->callback([options, &console] { run_building(*options, console); });
 }
 
 } // namespace rimpact::app

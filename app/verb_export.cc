@@ -1,4 +1,5 @@
 // rimpact export DIR --opensees|--sap2000|--etabs|--csv: a calibrated rim, and its bearing, for other programs.
+#include "app/export_building.h"
 #include "app/verb.h"
 #include "calibration/export/comment.h"
 #include "calibration/export/csi.h"
@@ -142,7 +143,8 @@ void export_to(const ExportOptions &options, const json &calibration, Console &c
 void add_export(CLI::App &app, Console &console) {
   auto options = std::make_shared<ExportOptions>();
   auto *verb = app.add_subcommand("export", "a calibrated bearing for other programs");
-  verb->add_option("DIR", options->folder, "folder of a calibration")->required();
+  verb->add_option("DIR", options->folder, "folder of a calibration, or of a run of rimpact building (--opensees)")
+      ->required();
   verb->add_option("-o,--output", options->out, "folder to write into; default: where calibration.json lies");
   verb->add_flag("--opensees", options->opensees, "impact.tcl and impact.py: friction pendulum and rim");
   verb->add_flag("--sap2000", options->sap2000, "bearing.s2k: link properties, and rim-link.csv to paste");
@@ -158,6 +160,12 @@ void add_export(CLI::App &app, Console &console) {
   verb->callback([options, &console] {
     if (!(options->opensees || options->sap2000 || options->etabs || options->csv))
       throw InputError("export: say for what, one or more of --opensees, --sap2000, --etabs, --csv");
+    if (is_building_folder(options->folder)) {
+      if (options->sap2000 || options->etabs || options->csv || !options->law.empty() || options->mass)
+        throw InputError("export: of a building's run only its bearings for --opensees, under their own weights");
+      return export_building_bearings(options->folder, options->out.empty() ? options->folder : options->out,
+                                      header(console), console);
+    }
     options->folder = calibration_folder(options->folder);
     if (options->out.empty()) options->out = options->folder;
     try {

@@ -40,8 +40,11 @@ MatrixXd kinematics(const Frame &f, int n_retained) {
   return T;
 }
 
-/// K_rr - K_rc K_cc^-1 K_cr.
-MatrixXd condense(const MatrixXd &K, int n) {
+struct Condensed {
+  MatrixXd stiffness; ///< K_rr - K_rc K_cc^-1 K_cr
+  MatrixXd followers; ///< -K_cc^-1 K_cr
+};
+Condensed condense(const MatrixXd &K, int n) {
   const int m = static_cast<int>(K.rows()) - n;
   const MatrixXd inner = K.bottomRightCorner(m, m);
   const Eigen::LDLT<MatrixXd> solver(inner);
@@ -54,8 +57,9 @@ MatrixXd condense(const MatrixXd &K, int n) {
     throw InputError(
         fmt::format("the building is a mechanism: node {} turns freely", static_cast<int>(order[worst]) / 2 + 1));
   }
-  MatrixXd result = K.topLeftCorner(n, n) - K.topRightCorner(n, m) * solver.solve(K.bottomLeftCorner(m, n));
-  return (result + result.transpose().eval()) / 2;
+  const MatrixXd followers = -solver.solve(K.bottomLeftCorner(m, n)),
+                 result = K.topLeftCorner(n, n) + K.topRightCorner(n, m) * followers;
+  return {(result + result.transpose()) / 2, followers};
 }
 
 } // namespace
@@ -80,7 +84,9 @@ BuildingModel assemble(const Frame &frame) {
   m.n_diaphragms = static_cast<int>(frame.diaphragms.size()), m.n_nodes = static_cast<int>(frame.nodes.size());
   const int n = 3 * m.n_diaphragms + m.n_nodes;
   const MatrixXd T = kinematics(frame, n);
-  m.stiffness = condense(T.transpose() * full_stiffness(frame) * T, n);
+  const auto condensed = condense(T.transpose() * full_stiffness(frame) * T, n);
+  m.stiffness = condensed.stiffness;
+  m.nodal = T.leftCols(n) + T.rightCols(2 * m.n_nodes) * condensed.followers;
   m.mass.resize(n);
   for (int d = 0; d < m.n_diaphragms; ++d)
     m.mass.segment<3>(3 * d) << frame.diaphragms[d].mass, frame.diaphragms[d].mass, frame.diaphragms[d].inertia;

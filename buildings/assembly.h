@@ -13,6 +13,8 @@ struct BuildingModel {
   std::vector<int> bearings; ///< supported nodes, in the nodes' order
   /// Displacement (x, y, z) of each supported node over q.
   std::vector<Eigen::MatrixXd> slider;
+  /// All six displacements of every node over q, the rotations that follow included.
+  Eigen::MatrixXd nodal;
   int n_dofs() const { return static_cast<int>(mass.size()); }
   int vertical(int node) const { return 3 * n_diaphragms + node; }
   /// Dofs of the base: its diaphragm's three and u_z of the supported nodes; the others.

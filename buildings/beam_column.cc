@@ -25,6 +25,13 @@ void add_axial(ElementMatrix &k, double stiffness, int dof) {
 
 } // namespace
 
+Eigen::Matrix3d local_axes(const Eigen::Vector3d &from, const Eigen::Vector3d &to, const Eigen::Vector3d &up) {
+  Eigen::Matrix3d axes;
+  const Eigen::Vector3d x = (to - from).normalized(), y = up.cross(x).normalized();
+  axes << x.transpose(), y.transpose(), x.cross(y).transpose();
+  return axes;
+}
+
 ElementMatrix beam_column_stiffness(const Section &s, const Eigen::Vector3d &from, const Eigen::Vector3d &to,
                                     const Eigen::Vector3d &up) {
   const double L = (to - from).norm();
@@ -33,9 +40,7 @@ ElementMatrix beam_column_stiffness(const Section &s, const Eigen::Vector3d &fro
   add_axial(k, s.G * s.torsion / L, 3);
   add_bending(k, s.E * s.Iz, s.G * s.shear_y, L, 1, 5, 1);
   add_bending(k, s.E * s.Iy, s.G * s.shear_z, L, 2, 4, -1);
-  Eigen::Matrix3d axes; // rows: the local axes
-  const Eigen::Vector3d x = (to - from) / L, y = up.cross(x).normalized();
-  axes << x.transpose(), y.transpose(), x.cross(y).transpose();
+  const Eigen::Matrix3d axes = local_axes(from, to, up);
   for (int b = 0; b < 4; ++b) R.block<3, 3>(3 * b, 3 * b) = axes;
   return R.transpose() * k * R;
 }

@@ -143,7 +143,7 @@ BuildingResponse BuildingDynamics::unsupported(const BearingModes &modes, double
   }
   force.tail(nn) -= (gravity + r.ground[2]) * model.mass.tail(nn);
   r.ground_power -= r.ground[2] * model.mass.tail(nn).dot(y.segment(n + 3 * nd, nn));
-  per_normal.resize(laws.size());
+  per_normal.resize(laws.size()), r.bearings.reserve(laws.size()), closed.reserve(laws.size());
   for (int b = 0; b < n_bearings(); ++b) {
     r.bearings.push_back(contact(b, modes[b], t, y, per_normal[b]));
     if (modes[b].rim == RimContact::pressed) slider[b].add(r.bearings[b].impact, force);

@@ -10,6 +10,7 @@ struct Node {
   Eigen::Vector3d at;       ///< [m]
   double vertical_mass = 0; ///< tributary, moves up and down with the node [kg], >= 0
   bool supported = false;   ///< a bearing stands under it
+  std::string bearing = {}; ///< its name or file; empty: the scene's
 };
 
 /// Elastic properties of a member's section, local axes of Element.
@@ -29,6 +30,8 @@ struct Element {
   int i, j, section;
   Eigen::Vector3d up;
 };
+/// Rows: the local axes x, y, z of a member from `from` to `to`.
+Eigen::Matrix3d local_axes(const Eigen::Vector3d &from, const Eigen::Vector3d &to, const Eigen::Vector3d &up);
 
 /// Nodes that move in the plane as one body.
 struct Diaphragm {

@@ -1,7 +1,12 @@
 #include "buildings/frame_tables.h"
+#include "files/error.h"
 #include "files/file.h"
-#include "responses/response.h"
+#include "files/text.h"
+#include <array>
+#include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
+#include <map>
 
 namespace rimpact::buildings {
 
@@ -18,7 +23,7 @@ void write_tables(const Frame &f, const std::string &folder) {
   for (std::size_t i = 0; i < f.nodes.size(); ++i) {
     const auto &n = f.nodes[i];
     nodes += fmt::format("{},{:.17g},{:.17g},{:.17g},{},{:.17g},{}\n", i + 1, n.at.x(), n.at.y(), n.at.z(), owner[i],
-                         n.vertical_mass, int(n.supported));
+                         n.vertical_mass, n.supported ? n.bearing.empty() ? "1" : n.bearing : "0");
   }
   for (std::size_t e = 0; e < f.elements.size(); ++e) {
     const auto &m = f.elements[e];
@@ -30,6 +35,121 @@ void write_tables(const Frame &f, const std::string &folder) {
   write_atomically(nodes, folder + "/nodes.csv");
   write_atomically(elements, folder + "/elements.csv");
   write_atomically(slabs, folder + "/diaphragms.csv");
+}
+
+namespace {
+
+/// Rows of a CSV file, cells by the column's name.
+class Rows {
+public:
+  Rows(const std::string &folder, const std::string &name) : path_(folder + "/" + name), text_(read_file(path_)) {
+    for (const auto line : lines_of(text_)) {
+      ++line_;
+      if (trim(line).empty() || trim(line).front() == '#') continue;
+      const auto cells = split(line, ',');
+      if (columns_.empty()) {
+        for (std::size_t i = 0; i < cells.size(); ++i) columns_[std::string(trim(cells[i]))] = i;
+        continue;
+      }
+      if (cells.size() != columns_.size())
+        throw DataError(fmt::format("{}:{}: {} cells, the head has {}", path_, line_, cells.size(), columns_.size()));
+      rows_.push_back({line_, {cells.begin(), cells.end()}});
+    }
+    if (rows_.empty()) throw DataError(path_ + ": holds no rows");
+  }
+  std::size_t size() const { return rows_.size(); }
+  std::string text(std::size_t row, const std::string &column) const {
+    const auto found = columns_.find(column);
+    if (found == columns_.end()) throw DataError(fmt::format("{}: has no column {}", path_, column));
+    auto cell = trim(rows_[row].cells[found->second]);
+    if (cell.size() > 1 && cell.front() == '"' && cell.back() == '"') cell = cell.substr(1, cell.size() - 2);
+    return std::string(cell);
+  }
+  double number(std::size_t row, const std::string &column) const {
+    const auto cell = text(row, column);
+    const auto value = to_number(cell);
+    if (!value || !std::isfinite(*value))
+      throw DataError(fmt::format("{}:{}: {} is \"{}\", not a number", path_, rows_[row].line, column, cell));
+    return *value;
+  }
+  /// Counted from 1 in the file, from 0 here; every table numbers its rows 1, 2, ...
+  int index(std::size_t row, const std::string &column) const {
+    const double value = number(row, column);
+    if (value != std::floor(value) || std::abs(value) > 1e9)
+      throw DataError(fmt::format("{}:{}: {} is {}, not a whole number", path_, rows_[row].line, column, value));
+    return static_cast<int>(value) - 1;
+  }
+  void check_number(std::size_t row, const std::string &column) const {
+    if (index(row, column) != static_cast<int>(row))
+      throw DataError(fmt::format("{}:{}: {} is {}; rows are numbered 1, 2, ... in order", path_, rows_[row].line,
+                                  column, index(row, column) + 1));
+  }
+  std::string place(std::size_t row) const { return fmt::format("{}:{}", path_, rows_[row].line); }
+
+private:
+  struct Row {
+    int line;
+    std::vector<std::string_view> cells;
+  };
+  std::string path_, text_;
+  std::map<std::string, std::size_t> columns_;
+  std::vector<Row> rows_;
+  int line_ = 0;
+};
+
+int section_of(Frame &f, const Rows &rows, std::size_t e) {
+  Section s;
+  s.E = rows.number(e, "E_Pa"), s.G = rows.number(e, "G_Pa"), s.area = rows.number(e, "A_m2");
+  s.Iy = rows.number(e, "Iy_m4"), s.Iz = rows.number(e, "Iz_m4"), s.torsion = rows.number(e, "J_m4");
+  s.shear_y = rows.number(e, "Asy_m2"), s.shear_z = rows.number(e, "Asz_m2");
+  const auto numbers = [](const Section &a) {
+    return std::array{a.E, a.G, a.area, a.Iy, a.Iz, a.torsion, a.shear_y, a.shear_z};
+  };
+  for (const char *column : {"E_Pa", "G_Pa", "A_m2", "Iy_m4", "Iz_m4", "J_m4"})
+    if (!(rows.number(e, column) > 0))
+      throw DataError(fmt::format("{}: {} is {}; it must be above 0", rows.place(e), column, rows.number(e, column)));
+  for (std::size_t i = 0; i < f.sections.size(); ++i)
+    if (numbers(f.sections[i]) == numbers(s)) return static_cast<int>(i);
+  s.name = fmt::format("section {}", f.sections.size() + 1);
+  f.sections.push_back(s);
+  return static_cast<int>(f.sections.size()) - 1;
+}
+
+} // namespace
+
+Frame read_tables(const std::string &folder) {
+  Frame f;
+  f.name = std::filesystem::path(folder).lexically_normal().filename().string();
+  const Rows nodes(folder, "nodes.csv"), elements(folder, "elements.csv"), slabs(folder, "diaphragms.csv");
+  for (std::size_t d = 0; d < slabs.size(); ++d) {
+    slabs.check_number(d, "diaphragm");
+    f.diaphragms.push_back({{},
+                            slabs.number(d, "mass_kg"),
+                            {slabs.number(d, "x_m"), slabs.number(d, "y_m")},
+                            slabs.number(d, "inertia_kg_m2")});
+  }
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    nodes.check_number(i, "node");
+    const std::string bearing = nodes.text(i, "bearing");
+    const bool supported = bearing != "0" && !bearing.empty();
+    f.nodes.push_back({{nodes.number(i, "x_m"), nodes.number(i, "y_m"), nodes.number(i, "z_m")},
+                       nodes.number(i, "vertical_mass_kg"),
+                       supported,
+                       bearing == "1" || !supported ? "" : bearing});
+    const int slab = nodes.index(i, "diaphragm");
+    if (slab < 0 || slab >= static_cast<int>(slabs.size()))
+      throw DataError(fmt::format("{}: node {} stands in diaphragm {}; there are {}", nodes.place(i), i + 1, slab + 1,
+                                  slabs.size()));
+    f.diaphragms[slab].nodes.push_back(static_cast<int>(i));
+  }
+  for (std::size_t e = 0; e < elements.size(); ++e) {
+    elements.check_number(e, "element");
+    f.elements.push_back({elements.index(e, "i"),
+                          elements.index(e, "j"),
+                          section_of(f, elements, e),
+                          {elements.number(e, "up_x"), elements.number(e, "up_y"), elements.number(e, "up_z")}});
+  }
+  return f;
 }
 
 } // namespace rimpact::buildings

@@ -1,7 +1,8 @@
 /// Node and element tables of a frame as CSV, numbers from 1, SI units.
-///   nodes: node,x_m,y_m,z_m,diaphragm,vertical_mass_kg,bearing   elements:
-///   element,i,j,E_Pa,G_Pa,A_m2,Iy_m4,Iz_m4,J_m4,Asy_m2,Asz_m2,up_x,up_y,up_z diaphragms:
-///   diaphragm,mass_kg,x_m,y_m,inertia_kg_m2
+///   nodes.csv       node,x_m,y_m,z_m,diaphragm,vertical_mass_kg,bearing
+///   elements.csv    element,i,j,E_Pa,G_Pa,A_m2,Iy_m4,Iz_m4,J_m4,Asy_m2,Asz_m2,up_x,up_y,up_z
+///   diaphragms.csv  diaphragm,mass_kg,x_m,y_m,inertia_kg_m2
+/// `bearing`: 0 none, 1 the scene's, else the name or file of its own.
 #pragma once
 #include "buildings/frame.h"
 
@@ -9,5 +10,8 @@ namespace rimpact::buildings {
 
 /// nodes.csv, elements.csv and diaphragms.csv in an existing folder, 17 digits. Throws IoError.
 void write_tables(const Frame &frame, const std::string &folder);
+/// Columns by name, in any order; members of equal numbers share a section; damping 0.02. Throws DataError with file,
+/// line and value. Whether the frame stands is asked later (Frame::validate).
+Frame read_tables(const std::string &folder);
 
 } // namespace rimpact::buildings

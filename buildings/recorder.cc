@@ -9,9 +9,10 @@ namespace rimpact::buildings {
 using Eigen::Vector2d, Eigen::VectorXd;
 using reduced::RimContact, reduced::Support;
 
-BuildingRecorder::BuildingRecorder(const BuildingDynamics &dynamics, Response *response, double output_step)
-    : dynamics_(dynamics), response_(response), output_step_(output_step), contact_step_(output_step),
-      bearings_(dynamics.laws.size()), floors_(dynamics.model.n_diaphragms - 1) {
+BuildingRecorder::BuildingRecorder(const BuildingDynamics &dynamics, Response *response, double output_step,
+                                   BuildingTrace *trace, const MemberForces *members)
+    : dynamics_(dynamics), response_(response), trace_(trace), members_(members), output_step_(output_step),
+      contact_step_(output_step), bearings_(dynamics.laws.size()), floors_(dynamics.model.n_diaphragms - 1) {
   if (dynamics.n_bearings() > most_bearings || static_cast<int>(floors_.size()) > most_floors)
     throw InputError(fmt::format("the building has {} bearings and {} floors above its base; {} and {} are the most",
                                  dynamics.n_bearings(), floors_.size(), most_bearings, most_floors));
@@ -34,7 +35,7 @@ void BuildingRecorder::begin(const BearingModes &modes, double t, const VectorXd
       initial_gravity_ - dynamics_.potential_energy(dynamics_.at_rest()); // a building let go from a height
   const auto r = dynamics_.evaluate(modes, t, y);
   final_ = y;
-  watch(y, r), store(t, y, r);
+  watch(t, y, r), store(t, y, r);
   next_sample_ = next_after(modes, t);
 }
 
@@ -44,16 +45,16 @@ void BuildingRecorder::segment(const BearingModes &modes, const BuildingSegment 
       VectorXd y = s.at(next_sample_);
       dynamics_.project(modes, y);
       const auto r = dynamics_.evaluate(modes, next_sample_, y);
-      watch(y, r), store(next_sample_, y, r);
+      watch(next_sample_, y, r), store(next_sample_, y, r);
     }
     next_sample_ = next_after(modes, next_sample_);
   }
   if (s.t1 > s.t0) {
     VectorXd y = s.at((s.t0 + s.t1) / 2);
     dynamics_.project(modes, y);
-    watch(y, dynamics_.evaluate(modes, (s.t0 + s.t1) / 2, y));
+    watch((s.t0 + s.t1) / 2, y, dynamics_.evaluate(modes, (s.t0 + s.t1) / 2, y));
   }
-  watch(s.y1, dynamics_.evaluate(modes, s.t1, s.y1));
+  watch(s.t1, s.y1, dynamics_.evaluate(modes, s.t1, s.y1));
   final_ = s.y1;
   largest_input_ = std::max(largest_input_, std::abs(s.y1[dynamics_.work(BuildingDynamics::external)]));
 }
@@ -80,7 +81,7 @@ void BuildingRecorder::branch(const BearingModes &before, const BearingModes &af
     }
   }
   const auto r = dynamics_.evaluate(after, t, y);
-  watch(y, r);
+  watch(t, y, r);
   if (!changed) return;
   store(t, y, r);
   next_sample_ = next_after(after, t);
@@ -105,7 +106,8 @@ Vector2d BuildingRecorder::overturning(const BuildingResponse &r) const {
   return m;
 }
 
-void BuildingRecorder::watch(const VectorXd &y, const BuildingResponse &r) {
+void BuildingRecorder::watch(double t, const VectorXd &y, const BuildingResponse &r) {
+  if (trace_) trace(t, y, r);
   const auto raise = [](double &peak, double value) { peak = std::max(peak, value); };
   Vector2d total = Vector2d::Zero();
   double up = 0;
@@ -134,6 +136,23 @@ void BuildingRecorder::watch(const VectorXd &y, const BuildingResponse &r) {
         raise(p.acceleration, acceleration.norm());
     raise(p.drift_x, std::abs(between[0])), raise(p.drift_y, std::abs(between[1])), raise(p.shear, shear.norm());
   }
+}
+
+BuildingInstant BuildingRecorder::instant(double t, const VectorXd &y, const BuildingResponse &r) const {
+  BuildingInstant at{t, y.head(dynamics_.n), {}, {}};
+  for (const auto &b : r.bearings) at.normal.push_back(std::max(0.0, b.normal)), at.rim_force.push_back(b.rim_force);
+  return at;
+}
+
+void BuildingRecorder::trace(double t, const VectorXd &y, const BuildingResponse &r) {
+  if (members_) trace_->members.widen(members_->at(y.head(dynamics_.n)));
+  double force = 0, travel = 0;
+  for (const auto &b : r.bearings)
+    force = std::max(force, b.rim_force), travel = std::max(travel, b.u.head<2>().norm());
+  const bool harder = force > hardest_force_ || (hardest_force_ == 0 && travel > hardest_travel_);
+  if (harder) trace_->hardest = instant(t, y, r), hardest_force_ = force, hardest_travel_ = travel;
+  if (trace_->step > 0 && t >= trace_->step * static_cast<double>(trace_->instants.size()) - 1e-9)
+    trace_->instants.push_back(instant(t, y, r));
 }
 
 EnergyLedger BuildingRecorder::ledger(const VectorXd &y) const {

@@ -1,6 +1,7 @@
 /// Watches the run of a building: stores samples, keeps peaks, impacts and the energy ledger.
 #pragma once
 #include "buildings/dynamics.h"
+#include "buildings/members.h"
 #include "responses/summary.h"
 #include <functional>
 
@@ -15,10 +16,27 @@ struct BuildingSegment {
   std::function<Eigen::VectorXd(double)> at;
 };
 
+/// A building as it stands at one instant.
+struct BuildingInstant {
+  double t = 0;
+  Eigen::VectorXd q;
+  std::vector<double> normal, rim_force; ///< of each bearing [N]
+};
+
+/// What a run leaves besides its signals.
+struct BuildingTrace {
+  double step = 0; ///< between `instants` [s]; 0: none
+  std::vector<BuildingInstant> instants;
+  BuildingInstant hardest; ///< largest force of any rim, or, untouched, largest travel
+  MemberEnvelope members;  ///< over the samples and the steps between them
+};
+
 class BuildingRecorder {
 public:
-  /// `response` may be null: peaks and impacts only. Throws InputError beyond most_bearings, most_floors.
-  BuildingRecorder(const BuildingDynamics &dynamics, Response *response, double output_step);
+  /// `response` may be null: peaks and impacts only. `trace` with the frame's `members`, or null. Throws InputError
+  /// beyond most_bearings, most_floors.
+  BuildingRecorder(const BuildingDynamics &dynamics, Response *response, double output_step,
+                   BuildingTrace *trace = nullptr, const MemberForces *members = nullptr);
 
   void begin(const BearingModes &modes, double t, const Eigen::VectorXd &y);
   void segment(const BearingModes &modes, const BuildingSegment &segment);
@@ -39,13 +57,18 @@ private:
     double displacement = 0, drift = 0, drift_x = 0, drift_y = 0, acceleration = 0, shear = 0;
   };
   void store(double t, const Eigen::VectorXd &y, const BuildingResponse &r);
-  void watch(const Eigen::VectorXd &y, const BuildingResponse &r);
+  void watch(double t, const Eigen::VectorXd &y, const BuildingResponse &r);
+  void trace(double t, const Eigen::VectorXd &y, const BuildingResponse &r);
+  BuildingInstant instant(double t, const Eigen::VectorXd &y, const BuildingResponse &r) const;
   Eigen::Vector2d drift(int floor, const Eigen::VectorXd &y) const;
   Eigen::Vector2d overturning(const BuildingResponse &r) const;
   double next_after(const BearingModes &modes, double t) const;
 
   const BuildingDynamics &dynamics_;
   Response *response_;
+  BuildingTrace *trace_;
+  const MemberForces *members_;
+  double hardest_force_ = 0, hardest_travel_ = -1;
   double output_step_, contact_step_, next_sample_ = 0, last_sample_ = -1e300;
   double initial_elastic_ = 0, initial_gravity_ = 0, initial_kinetic_ = 0, initial_height_ = 0, landing_loss_ = 0,
          largest_input_ = 0;

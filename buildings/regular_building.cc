@@ -1,7 +1,9 @@
 #include "buildings/regular_building.h"
 #include "files/error.h"
 #include "files/file.h"
+#include "files/text.h"
 #include "files/toml_reader.h"
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -22,8 +24,28 @@ void check_lines(const char *key, const std::vector<double> &lines) {
       throw InputError(fmt::format("{} must grow: {} follows {}", key, lines[i], lines[i - 1]));
 }
 
+/// [bearings]: node = "name or file".
+std::map<int, std::string> own_bearings(const TomlFile &file) {
+  std::map<int, std::string> list;
+  const auto *table = file.root()["bearings"].as_table();
+  if (!table) {
+    if (file.find("bearings")) throw InputError(file.location("bearings") + ": bearings must be a table, [bearings]");
+    return list;
+  }
+  for (const auto &[key, value] : *table) {
+    const auto node = to_number(key.str());
+    const std::string place = file.location("bearings." + std::string(key.str()));
+    if (!node || *node != std::floor(*node))
+      throw InputError(fmt::format("{}: [bearings] has nodes' numbers for keys, not \"{}\"", place, key.str()));
+    if (!value.is_string())
+      throw InputError(fmt::format("{}: the bearing of node {} must be a name or a file", place, key.str()));
+    list[static_cast<int>(*node)] = value.as_string()->get();
+  }
+  return list;
+}
+
 const char *thesis_building =
-    R"(# Thesis 2.4 and 3.5: three storeys, two bays by one, reinforced concrete, six isolators.
+    R"(# Thesis 2.4: three storeys, two bays by one, reinforced concrete, six isolators.
 name = "thesis-2.4"
 x_m = [0.0, 8.0, 16.0]
 y_m = [0.0, 8.0]
@@ -70,6 +92,11 @@ Frame make_frame(const RegularBuilding &b) {
       }
     f.diaphragms.push_back(slab);
   }
+  for (const auto &[node, bearing] : b.bearings) {
+    if (node < 1 || node > nx * ny)
+      throw InputError(fmt::format("[bearings] names node {}; the building stands on nodes 1 to {}", node, nx * ny));
+    f.nodes[node - 1].bearing = bearing;
+  }
   return f;
 }
 
@@ -94,8 +121,8 @@ RegularBuilding parse_building(const std::string &text, const std::string &origi
   v.flag({"shear"}, b.shear);
   v.pair({"eccentricity"}, b.eccentricity, {-0.5, 0.5});
   v.number({"damping_ratio"}, b.damping_ratio, si, {0, 1});
-  v.finish();
-  b.E = 1e9 * E_GPa;
+  v.finish({"bearings"});
+  b.E = 1e9 * E_GPa, b.bearings = own_bearings(file);
   try {
     check_lines("x_m", b.x), check_lines("y_m", b.y);
   } catch (const InputError &error) {

@@ -1,6 +1,7 @@
 /// Regular buildings by grids, storeys and sections, as a TOML file says them or as built in.
 #pragma once
 #include "buildings/frame.h"
+#include <map>
 
 namespace rimpact::buildings {
 
@@ -17,6 +18,7 @@ struct RegularBuilding {
       Eigen::Vector2d::Zero(); ///< of every level's mass centre, shares of the plan's sides [-], -0.5..0.5;
                                ///< tributary vertical masses stay where they are
   double damping_ratio = 0.02;
+  std::map<int, std::string> bearings; ///< names or files of bearings of their own, by the node above, from 1
 };
 /// Slabs are rigid in their plane; their bending is left out. Beams run along every line on every level, the base too.
 Frame make_frame(const RegularBuilding &building);

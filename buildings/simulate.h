@@ -1,12 +1,21 @@
 /// A scene's building on its bearings, from the ground motion to summary and response.
 #pragma once
-#include "buildings/frame.h"
+#include "buildings/recorder.h"
 #include "reduced_models/physical_model.h"
 
 namespace rimpact::buildings {
 
-/// `bearings` as BuildingDynamics takes them; without `with_response` peaks and impacts only. A slider that leaves its
-/// dish gives status "stopped" with the reason.
+struct BuildingResult {
+  reduced::ReducedRun run;
+  BuildingModel model;
+  BuildingTrace trace;
+};
+/// With response, members' forces and, every `picture_step` seconds (0: none), the building's shape. `bearings` as
+/// BuildingDynamics takes them. A slider that leaves its dish gives status "stopped" with the reason.
+BuildingResult simulate_whole(const Frame &frame, const scene::Scene &scene,
+                              const std::vector<scene::Bearing> &bearings = {}, double picture_step = 0);
+
+/// The run alone; without `with_response` peaks and impacts only.
 reduced::ReducedRun simulate(const Frame &frame, const scene::Scene &scene,
                              const std::vector<scene::Bearing> &bearings = {}, bool with_response = true);
 

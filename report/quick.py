@@ -1,11 +1,11 @@
-"""python3 -m report.quick reduced|fe|geometry|study DIR: writes DIR/response.png, the panels of one run, or the
-picture of a study, DIR/geometry.png or DIR/study.png."""
+"""python3 -m report.quick reduced|fe|building|geometry|study DIR: writes DIR/response.png, the panels of one run,
+DIR/building.png, or the picture of a study, DIR/geometry.png or DIR/study.png."""
 import argparse
 import os
 
 from .data_files import read_any_json
 from .errors import DataError, run_main
-from .figures import geometry, response_panels, study
+from .figures import building_on_bearings, geometry, response_panels, study
 from .run_folder import load_run
 
 STUDIES = {"geometry": geometry, "study": study}
@@ -17,6 +17,8 @@ def draw(kind, folder):
     run = load_run(folder)
     if not run.has("time", "displacement_x", "displacement_y"):
         raise DataError(f"{folder} holds no displacements to draw")
+    if kind == "building":
+        return building_on_bearings.draw(run, os.path.join(folder, "building.png"))
     role, label = ("fitted", "reduced model") if kind == "reduced" else ("fe", "finite elements")
     path = os.path.join(folder, "response.png")
     return response_panels.draw([(role, run)], {role: f"{run.name}, {label}"}, run.lateral_capacity, path)
@@ -32,7 +34,7 @@ def draw_table(kind, folder):
 
 def main(arguments):
     parser = argparse.ArgumentParser(prog="report.quick", description=__doc__.splitlines()[0])
-    parser.add_argument("kind", choices=("reduced", "fe", *STUDIES))
+    parser.add_argument("kind", choices=("reduced", "fe", "building", *STUDIES))
     parser.add_argument("folder")
     options = parser.parse_args(arguments)
     if options.kind in STUDIES:

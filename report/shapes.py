@@ -42,6 +42,11 @@ SUMMARY = {
     "time_split_s": {"*": NUMBER}, "collapsed": FLAG, "beyond_rim": FLAG, "beyond_fit": FLAG,
     "error_estimate": {"peak_force_relative": NUMBER, "sentence": TEXT, "none": TEXT},
     "strain_limit": {"limit": NUMBER, "largest": NUMBER, "exceeded": FLAG, "assumption": FLAG},
+    "building": {"bearings": [numbers("x_m y_m static_normal_force_N peak_displacement_m peak_force_N peak_impact_force_N impacts max_normal_force_N "
+                                      "min_normal_force_N peak_uplift_m residual_displacement_m first_touch_s")],
+                 "floors": [numbers("peak_displacement_m peak_drift_m peak_drift_x_m peak_drift_y_m peak_acceleration_m_s2 peak_shear_N")],
+                 "name": TEXT, **numbers("worst_bearing peak_base_shear_N peak_overturning_N_m peak_base_rotation_rad weight_N "
+                                         "peak_base_displacement_m hardest_instant_s")},
     "superstructure": {"storeys": [numbers("peak_drift_m residual_drift_m peak_shear_N peak_acceleration_m_s2")]},
 }
 DOCUMENT = texts("title client project author")

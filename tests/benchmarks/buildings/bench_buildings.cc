@@ -1,0 +1,87 @@
+// Time of a building's run beside its error against the same run at tight tolerance: `bench_buildings`.
+#include "buildings/regular_building.h"
+#include "buildings/simulate.h"
+#include "plain_cvode.h"
+#include <benchmark/benchmark.h>
+#include <cmath>
+#include <map>
+
+using namespace rimpact;
+using namespace rimpact::buildings;
+
+namespace {
+
+/// 40 s in two directions: the built-in near-fault motion, rims struck. `slip` [m].
+scene::Scene motion(double slip, double tolerance) {
+  scene::Scene s = scene::load_scene("pulse-bidirectional", {"reduced.friction=\"park-wen\""});
+  s.excitation.duration = 40, s.reduced.elastic_slip = slip, s.reduced.tolerance = tolerance;
+  s.reduced.impact_law = "hunt-crossley";
+  return s;
+}
+
+Frame thesis() {
+  return make_frame(load_building("thesis-2.4"));
+}
+
+const Summary &exact(double slip) {
+  static std::map<double, Summary> kept;
+  if (!kept.count(slip)) kept[slip] = simulate(thesis(), motion(slip, 1e-11), {}, false).summary;
+  return kept[slip];
+}
+
+double drift(const Summary &s) {
+  return s.extra.at("building").at("floors")[0].at("peak_drift_m").get<double>();
+}
+
+/// range(0): -log10 of the tolerance; range(1): elastic slip [um].
+void thesis_40_s(benchmark::State &state) {
+  const double slip = 1e-6 * static_cast<double>(state.range(1));
+  const scene::Scene s = motion(slip, std::pow(10, -static_cast<double>(state.range(0))));
+  const Frame frame = thesis();
+  Summary run;
+  for (auto _ : state) run = simulate(frame, s, {}, false).summary;
+  const Summary &fine = exact(slip);
+  state.counters["error_displacement"] = std::abs(run.peak_displacement / fine.peak_displacement - 1);
+  state.counters["error_force"] = std::abs(run.peak_lateral_force / fine.peak_lateral_force - 1);
+  state.counters["error_drift"] = std::abs(drift(run) / drift(fine) - 1);
+  state.counters["imbalance"] = std::abs(run.energy->imbalance_relative());
+  state.counters["impacts"] = static_cast<double>(run.impacts.size());
+  state.counters["steps"] = static_cast<double>(run.n_steps);
+}
+
+/// The same equations without branches or events by SUNDIALS.
+void cvode_40_s(benchmark::State &state) {
+  const double slip = 1e-6 * static_cast<double>(state.range(1));
+  const scene::Scene s = motion(slip, std::pow(10, -static_cast<double>(state.range(0))));
+  const BuildingModel model = assemble(thesis());
+  PlainAnswer run;
+  for (auto _ : state) run = plain_cvode(model, s, s.reduced.tolerance);
+  const Summary &fine = exact(slip);
+  state.counters["error_displacement"] = std::abs(run.travel / fine.peak_displacement - 1);
+  state.counters["error_force"] = std::abs(run.base_shear / fine.peak_lateral_force - 1);
+  state.counters["error_drift"] = std::abs(run.drift / drift(fine) - 1);
+  state.counters["least_normal_kN"] = 1e-3 * run.smallest_normal;
+  state.counters["steps"] = static_cast<double>(run.n_steps);
+}
+
+/// A base and one storey on range(0) x range(0) bearings, 10 s.
+void bearings(benchmark::State &state) {
+  RegularBuilding b;
+  for (int i = 0; i < state.range(0); ++i) b.x.push_back(8.0 * i), b.y.push_back(8.0 * i);
+  b.storeys = {3.5};
+  const Frame frame = make_frame(b);
+  scene::Scene s = motion(1e-3, 1e-6);
+  s.excitation.duration = 10;
+  Summary run;
+  for (auto _ : state) run = simulate(frame, s, {}, false).summary;
+  state.counters["bearings"] = static_cast<double>(state.range(0) * state.range(0));
+  state.counters["steps"] = static_cast<double>(run.n_steps);
+  state.SetComplexityN(state.range(0) * state.range(0));
+}
+
+} // namespace
+
+BENCHMARK(thesis_40_s)->ArgsProduct({{4, 5, 6, 8}, {1000, 500, 100}})->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(cvode_40_s)->ArgsProduct({{5, 6, 7, 8}, {1000}})->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(bearings)->DenseRange(2, 8, 2)->Unit(benchmark::kMillisecond)->Iterations(1)->Complexity();
+BENCHMARK_MAIN();

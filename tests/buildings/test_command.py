@@ -1,0 +1,142 @@
+"""rimpact building: the run folder, the tables, ParaView's series, the picture, refusals with their exit codes."""
+import csv
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as xml
+
+import h5py
+import numpy as np
+
+RIMPACT = os.environ["RIMPACT"]
+SHORT = ["--set", "excitation.duration_s=3", "--set", "excitation.scale=1.05", "--set", "reduced.elastic_slip_mm=1", "--set", "reduced.tolerance=1e-7", "--quiet"]
+
+
+def rimpact(*arguments):
+    return subprocess.run([RIMPACT, *arguments], capture_output=True, text=True)
+
+
+def rows(path):
+    with open(path) as file:
+        return list(csv.DictReader(file))
+
+
+class Building(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.folder = os.path.join(cls.scratch.name, "run")
+        cls.run_ = rimpact("building", "ricker-0.78g-1.0s", "-o", cls.folder, "--json", "--vtk-step", "500", "--png", *SHORT)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def file(self, name):
+        return os.path.join(self.folder, name)
+
+    def test_summary_on_the_screen_and_in_the_folder(self):
+        self.assertEqual(self.run_.returncode, 0, self.run_.stderr)
+        said = json.loads(self.run_.stdout)
+        with open(self.file("summary.json")) as kept:
+            kept = json.load(kept)
+        self.assertEqual(said["peak_lateral_force_N"], kept["peak_lateral_force_N"])
+        building = kept["building"]
+        self.assertEqual((len(building["bearings"]), len(building["floors"])), (6, 3))
+        worst = building["bearings"][building["worst_bearing"] - 1]
+        self.assertEqual(worst["peak_impact_force_N"], max(b["peak_impact_force_N"] for b in building["bearings"]))
+        self.assertAlmostEqual(sum(b["static_normal_force_N"] for b in building["bearings"]), 5120e3, delta=1)
+        self.assertLess(abs(kept["energy"]["imbalance_relative"]), 1e-5)
+
+    def test_signals_add_up(self):
+        with h5py.File(self.file("response.h5")) as file:
+            signal = {name: file[f"response/{name}"][:] for name in file["response"]}
+        total = sum(signal[f"bearing_{b}_force_x"] for b in range(1, 7))
+        np.testing.assert_allclose(total, signal["force_x"], atol=1e-6 * np.abs(total).max())
+        np.testing.assert_allclose(signal["floor_2_displacement_x"] - signal["floor_1_displacement_x"], signal["floor_2_drift_x"], atol=1e-12)
+        self.assertEqual(len(signal["time"]), len(signal["overturning_y"]))
+
+    def test_members_and_elevation(self):
+        members = rows(self.file("members.csv"))
+        self.assertEqual(len(members), 2 * 46)
+        for row in members:
+            self.assertLessEqual(float(row["least_M_y_N_m"]), float(row["at_rest_M_y_N_m"]))
+            self.assertGreaterEqual(float(row["largest_M_y_N_m"]), float(row["at_rest_M_y_N_m"]))
+        elevation = rows(self.file("elevation.csv"))
+        self.assertEqual(len(elevation), 24)
+        self.assertGreater(max(float(row["rim_force_N"] or 0) for row in elevation), 0)
+
+    def test_series_for_paraview(self):
+        sets = xml.parse(self.file("fields.pvd")).findall(".//DataSet")
+        self.assertEqual(len(sets), 7)  # 0, 0.5, ... 3 s
+        piece = xml.parse(self.file(sets[-1].get("file"))).find(".//Piece")
+        self.assertEqual((piece.get("NumberOfPoints"), piece.get("NumberOfCells")), ("24", "52"))
+        moved = piece.find("PointData/DataArray").text.split()
+        self.assertEqual(len(moved), 3 * 24)
+
+    def test_picture(self):
+        self.assertGreater(os.path.getsize(self.file("building.png")), 20000)
+
+    def test_its_tables_are_a_frame(self):
+        again = os.path.join(self.scratch.name, "again")
+        run = rimpact("building", "ricker-0.78g-1.0s", "--frame", self.folder, "-o", again, "--json", *SHORT)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        first, second = json.loads(self.run_.stdout), json.loads(run.stdout)
+        self.assertAlmostEqual(second["peak_lateral_force_N"] / first["peak_lateral_force_N"], 1, places=6)
+
+    def test_bearings_of_their_own(self):
+        frame = os.path.join(self.scratch.name, "mixed.toml")
+        with open(frame, "w") as file:
+            file.write('name = "mixed"\nx_m = [0.0, 8.0]\ny_m = [0.0, 8.0]\nstoreys_m = [3.5]\n[bearings]\n1 = "fps-225"\n')
+        run = rimpact("building", "ricker-0.78g-1.0s", "--frame", frame, "-o", os.path.join(self.scratch.name, "mixed"), "--json", *SHORT)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        bearings = json.loads(run.stdout)["building"]["bearings"]
+        self.assertNotAlmostEqual(bearings[0]["peak_force_N"], bearings[3]["peak_force_N"], delta=1000)
+
+    def test_bearings_for_opensees(self):
+        out = os.path.join(self.scratch.name, "opensees")
+        run = rimpact("export", self.folder, "--opensees", "-o", out)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual(len(run.stdout.split()), 14)
+        self.assertIn("normal force", run.stderr)
+        calls = []
+
+        class Recorder:  # stands for openseespy.opensees
+            def __getattr__(self, name):
+                return lambda *arguments: calls.append((name, arguments)) or (0.0, 0.0, 0.0)
+        sys.path.insert(0, out)
+        try:
+            import bearings
+            bearings.place(Recorder())
+        finally:
+            sys.path.remove(out)
+        plates = [arguments for name, arguments in calls if name == "fix"]
+        self.assertEqual([p[0] for p in plates], [100001 + i for i in range(6)])
+        loads = []
+        for node in range(1, 7):
+            with open(os.path.join(out, f"bearing_{node}.py")) as file:
+                loads += [float(line.split("=")[1].split("#")[0]) for line in file if line.startswith("dead_load")]
+        self.assertAlmostEqual(sum(loads), 5120e3, delta=10)
+
+    def test_refusals(self):
+        folder = os.path.join(self.scratch.name, "refused")
+        broken = os.path.join(self.scratch.name, "broken.toml")
+        with open(broken, "w") as file:
+            file.write('x_m = [0.0, 8.0]\ny_m = [8.0, 0.0]\n')
+        for code, needle, arguments in (
+                (2, "no such file", ["--frame", "nowhere.toml"]),
+                (2, "broken.toml:2:", ["--frame", broken]),
+                (2, "normal_force", ["--set", "reduced.normal_force=\"static\""]),
+                (2, "elastic slip", ["--set", "reduced.friction=\"coulomb\""]),
+                (2, "dcfp", ["--set", "reduced.model=\"dcfp\""])):
+            run = rimpact("building", "ricker-0.78g-1.0s", "-o", folder, *arguments)
+            self.assertEqual(run.returncode, code, run.stderr)
+            self.assertIn(needle, run.stderr)
+            self.assertEqual(run.stdout, "")
+
+
+if __name__ == "__main__":
+    unittest.main()

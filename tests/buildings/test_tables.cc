@@ -1,0 +1,79 @@
+// Frames as tables: written and read back, and what is refused.
+#include "buildings/frame_source.h"
+#include "buildings/frame_tables.h"
+#include "buildings/modes.h"
+#include "buildings/regular_building.h"
+#include "files/error.h"
+#include "files/file.h"
+#include <filesystem>
+#include <gtest/gtest.h>
+
+using namespace rimpact;
+using namespace rimpact::buildings;
+
+namespace {
+
+std::string fresh_folder() {
+  const auto folder = std::filesystem::temp_directory_path() /
+                      ("rimpact-tables-" + std::string(testing::UnitTest::GetInstance()->current_test_info()->name()));
+  std::filesystem::remove_all(folder);
+  std::filesystem::create_directories(folder);
+  return folder.string();
+}
+
+} // namespace
+
+TEST(FrameTables, ReadBackToTheSameBuilding) {
+  RegularBuilding b = load_building("thesis-2.4");
+  b.bearings = {{2, "fps-225"}};
+  b.eccentricity = {0.1, 0.2};
+  const Frame written = make_frame(b);
+  const std::string folder = fresh_folder();
+  write_tables(written, folder);
+  const Frame read = load_frame(folder);
+  EXPECT_EQ(read.sections.size(), 2u);
+  EXPECT_EQ(read.nodes[1].bearing, "fps-225");
+  EXPECT_EQ(read.nodes[0].bearing, "");
+  const auto here = fixed_base_modes(assemble(read)).omega, there = fixed_base_modes(assemble(written)).omega;
+  EXPECT_EQ((here - there).cwiseAbs().maxCoeff(), 0);
+  const auto bearings = bearings_of(read, scene::Scene());
+  ASSERT_EQ(bearings.size(), 6u);
+  EXPECT_EQ(bearings[0].name, "shfps-225");
+  EXPECT_EQ(bearings[1].name, "fps-225");
+}
+
+TEST(FrameTables, AreRefusedWithFileAndLine) {
+  const std::string folder = fresh_folder();
+  const auto said = [&](const std::string &file, const std::string &from, const std::string &to) {
+    write_tables(make_frame(load_building("thesis-2.4")), folder);
+    std::string text = read_file(folder + "/" + file);
+    text.replace(text.find(from), from.size(), to);
+    write_atomically(text, folder + "/" + file);
+    try {
+      load_frame(folder).validate();
+    } catch (const Error &error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_NE(said("nodes.csv", "\n2,8", "\n2,eight").find("nodes.csv:3: x_m is \"eight\", not a number"),
+            std::string::npos);
+  EXPECT_NE(said("nodes.csv", "\n2,8", "\n5,8").find("nodes.csv:3: node is 5; rows are numbered"), std::string::npos);
+  EXPECT_NE(said("elements.csv", "E_Pa", "E_kPa").find("elements.csv: has no column E_Pa"), std::string::npos);
+  EXPECT_NE(said("elements.csv", "23400000000", "-1").find("elements.csv:2: E_Pa is -1"), std::string::npos);
+  EXPECT_NE(said("diaphragms.csv", "\n2,", "\n2,1,").find("diaphragms.csv:3: 6 cells, the head has 5"),
+            std::string::npos);
+}
+
+TEST(FrameSource, NamesTheNodeOfABearingItDoesNotKnow) {
+  RegularBuilding b = load_building("thesis-2.4");
+  b.bearings = {{3, "no-such-bearing"}};
+  try {
+    bearings_of(make_frame(b), scene::Scene());
+    FAIL();
+  } catch (const InputError &error) {
+    EXPECT_EQ(std::string(error.what()).find("the bearing under node 3: "), 0u) << error.what();
+  }
+  b.bearings = {{9, "fps-225"}};
+  EXPECT_THROW(make_frame(b), InputError);
+}
