@@ -65,10 +65,10 @@ Entries materials() {
 }
 
 Entries rungs() {
-  return {{"reduced", "R0: nothing deforms; a mass on the dish and a law of the rim, milliseconds (rimpact reduced)"},
-          {"rim", "R1: rim, the plate below it and the slider deform where they meet, a minute (rimpact run)"},
-          {"rigid-dish", "R2: pad and foot too, on the exact rigid dish, a quarter of an hour"},
-          {"full", "R3: everything, the plate with its dish too, half an hour"}};
+  return {{"reduced", "nothing deforms; a mass on the dish and a law of the rim, milliseconds (rimpact reduced)"},
+          {"rim", "rim, the plate below it and the slider deform where they meet, a minute (rimpact run)"},
+          {"rigid-dish", "pad and foot too, on the exact rigid dish, a quarter of an hour"},
+          {"full", "everything, the plate with its dish too, half an hour"}};
 }
 
 nlohmann::ordered_json json_of(const std::vector<KeyDescription> &keys) {
