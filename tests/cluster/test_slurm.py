@@ -70,7 +70,7 @@ class Slurm(unittest.TestCase):
             file.write(text)
 
     def job(self, script, *options, **environment):
-        return self.slurm.submit("--chdir", self.folder, "--output", self.path("job-%A-%a.txt"), *options,
+        return self.slurm.submit("--mem=500M", "--chdir", self.folder, "--output", self.path("job-%A-%a.txt"), *options,
                                  os.path.join(SOURCE, "cluster", script), "study.toml", "out", **environment)
 
     def test_a_killed_shard_goes_on_and_all_are_gathered(self):
