@@ -114,8 +114,7 @@ std::string text_of(const std::string &reference, const std::vector<Compared> &a
       text += fmt::format("   {:34s} A {:<22s} {} {}{}\n", d.key, d.a, name, d.b, d.comparable ? "" : "   !");
   }
   text += fmt::format("{:20s}", "");
-  for (std::size_t k = 0; k < all.size(); ++k)
-    text += fmt::format(" {:>20s}", letter(k + 1) + " against A");
+  for (std::size_t k = 0; k < all.size(); ++k) text += fmt::format(" {:>20s}", letter(k + 1) + " against A");
   text += "\n";
   for (const auto &row : rows) {
     text += fmt::format("{:20s}", row.title);

@@ -75,8 +75,8 @@ void add_double_concave_signals(std::vector<SignalInfo> &list) {
   using Set = std::pair<char, const char *>;
   for (const auto &[set, where] : {Set{'A', "top plate"}, Set{'B', "bottom plate"}, Set{'C', "interface"}})
     for (int i = 1; i <= most_points; ++i)
-      list.push_back(
-          {fmt::format("normal_{}{}", set, i), "N", fmt::format("normal force of contact point {} on the {}", i, where)});
+      list.push_back({fmt::format("normal_{}{}", set, i), "N",
+                      fmt::format("normal force of contact point {} on the {}", i, where)});
   for (const char *axis : {"x", "y"})
     list.push_back({fmt::format("plate_moment_{}", axis), "N m", "of the bearing on the top plate about its vertex"});
 }

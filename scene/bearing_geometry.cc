@@ -1,4 +1,5 @@
-/// Bearing::validate(), validate_rim() and check_bearing(): what cannot be built or collides over 0..L_c is refused with both numbers.
+/// Bearing::validate(), validate_rim() and check_bearing(): what cannot be built or collides over 0..L_c is refused
+/// with both numbers.
 #include "files/error.h"
 #include "scene/keys.h"
 #include <cmath>

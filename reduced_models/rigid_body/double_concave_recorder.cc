@@ -54,8 +54,9 @@ DoubleConcaveRecorder::DoubleConcaveRecorder(DoubleConcaveSystem &model, const s
     : model_(model), result_(result), time_unit_(time_unit),
       sample_(model.driven ? time_unit / (2000 * std::max(1.0, std::ceil(scene.excitation.cycles)))
                            : scene.reduced.output_step),
-      points_(point_names(model)), dents_(model.system.contacts.size()), largest_normal_(model.system.contacts.size(), 0),
-      smallest_normal_(model.system.contacts.size(), 1e300), building_(model.building) {
+      points_(point_names(model)), dents_(model.system.contacts.size()),
+      largest_normal_(model.system.contacts.size(), 0), smallest_normal_(model.system.contacts.size(), 1e300),
+      building_(model.building) {
   result.summary.n_dofs = std::count(model.system.free.begin(), model.system.free.end(), true);
 }
 

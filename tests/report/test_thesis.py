@@ -31,17 +31,16 @@ class Catalogue(unittest.TestCase):
             wanted = {f"{kind}-{chapter}-{k}" for chapter, n in numbers.items() for k in range(1, n + 1)}
             self.assertEqual(wanted, {name for name in ids if name.startswith(kind)})
 
-    def test_every_number_is_compared_or_says_why_not(self):
+    def test_every_number_can_be_judged(self):
         for entry in self.catalogue.entries:
             for number in entry.numbers:
                 with self.subTest(f"{entry.id}: {number.what}"):
-                    kept = self.ours.of(entry, number)
-                    verdict = number.verdict(kept)
-                    self.assertIn(verdict, ("met", "not met", "not comparable"))
-                    if verdict == "not met":
+                    if number.why:
+                        self.assertGreater(len(number.why), 5)
+                        continue
+                    self.assertTrue(number.at_least is not None or (number.printed is not None and number.within is not None))
+                    if number.verdict(self.ours.of(entry, number)) == "not met":
                         self.assertGreater(len(number.cause), 20)
-                    if verdict == "not comparable":
-                        self.assertGreater(len(number.why), 10)
 
     def test_the_slider_study_is_there_number_by_number(self):
         tables = [self.catalogue.find(f"table-3-{k}") for k in range(2, 8)]
