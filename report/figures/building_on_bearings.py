@@ -53,8 +53,8 @@ def _plan(ax, run, at, bearings, at_hardest):
         ax.plot(p[0] + own * np.cos(angle), p[1] + own * np.sin(angle), color=RIM, lw=0.7)
         ax.plot(p[0] + scale * x, p[1] + scale * y, color=FE, lw=0.6)
         pressed = gap < 0
-        if pressed.any():
-            ax.plot(p[0] + scale * x[pressed], p[1] + scale * y[pressed], color=FITTED, lw=1.6)
+        if pressed.any():  # no line from one impact to the next
+            ax.plot(p[0] + scale * np.where(pressed, x, np.nan), p[1] + scale * y, color=FITTED, lw=1.6, marker=".", ms=1.6)
         force = float(at_hardest[node]["normal_force_N"] or 0) / 1e3
         ax.annotate(f"{number}: {force:.0f} kN", p - [0, own], ha="center", va="top", fontsize=6, color=MUTED,
                     xytext=(0, -1.5), textcoords="offset points")
