@@ -72,7 +72,7 @@ def load_fleet(folder: str | os.PathLike) -> Fleet:
     tables = [place / "table.csv"] if (place / "table.csv").is_file() else sorted(place.glob("table-*-of-*.csv"))
     if not tables:
         raise DataError(f"{place}: holds no table.csv; is it the folder of a sweep?")
-    runs = pd.concat([pd.read_csv(table) for table in tables], ignore_index=True)
+    runs = pd.concat([pd.read_csv(table, float_precision="round_trip") for table in tables], ignore_index=True)
     fractiles = place / "fractiles.csv"
     return Fleet(runs, pd.read_csv(fractiles) if fractiles.is_file() else None, place)
 
@@ -88,7 +88,7 @@ def _signals(folder: Path) -> dict[str, np.ndarray]:
     table = folder / "response.csv"
     if not table.is_file():
         raise DataError(f"{folder}: holds no response.h5 and no response.csv")
-    frame = pd.read_csv(table)
+    frame = pd.read_csv(table, float_precision="round_trip")
     missing = [name for name in ("time_s", "ux_m", "Fx_N") if name not in frame]
     if missing:
         raise DataError(f"{table}: the column {missing[0]} is missing; there are {', '.join(frame.columns)}")

@@ -57,7 +57,7 @@ class Folders(unittest.TestCase):
     def test_a_scene_being_edited_is_run_again_and_that_is_said(self):
         self.says(0, arguments=[*WINDOW, "-o", self.folder])
         run = self.says(0, arguments=[*WINDOW, "-o", self.folder])
-        self.assertEqual(run.stderr, "")
+        self.assertEqual(run.stderr, f"next: rimpact report {self.folder}\n")
         self.says(0, "speed_m_per_s is 0.1 there and 0.2 here", arguments=[*WINDOW, "-o", self.folder, "--set", "excitation.speed_m_per_s=0.2"])
 
     def test_a_finite_element_run_is_not_replaced_by_a_reduced_one(self):
