@@ -44,7 +44,7 @@ TEST(StackPlan, EveryDirectionOfABidirectionalPulseThatMayTouchIsMeshedOnce) {
 
 TEST(StackPlan, RestTakesLongStepsAndIsSaid) {
   const planning::Plan whole = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05"}),
-             cut = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05", "excitation.duration_s=3"});
+                       cut = plan_of("ricker-0.78g-1.0s", {"excitation.scale=1.05", "excitation.duration_s=3"});
   EXPECT_GT(whole.rests_from, 4);
   EXPECT_LT(whole.rests_from, 6);
   EXPECT_LT(whole.expected_steps - cut.expected_steps,

@@ -2,12 +2,12 @@
 // own errors, and what is understood is finite. RIMPACT_READER names the reader. See fuzz.sh.
 #include "calibration/fit/run_facts.h"
 #include "files/error.h"
+#include "files/loose_csv.h"
 #include "meshes/mesh_kind.h"
 #include "records/record.h"
 #include "records/record_format.h"
 #include "responses/kept_run.h"
 #include "responses/response_files.h"
-#include "files/loose_csv.h"
 #include "scene/scene.h"
 #include <cmath>
 #include <cstdint>

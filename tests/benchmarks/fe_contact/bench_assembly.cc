@@ -2,8 +2,8 @@
 // differences of the forces, everything plastic: `bench_fe_contact`.
 #include "../../fe_contact/box_mesh.h"
 #include "fe_contact/engine/solid.h"
-#include "fe_contact/engine/threads.h"
 #include "fe_contact/engine/supports.h"
+#include "fe_contact/engine/threads.h"
 #include <algorithm>
 #include <benchmark/benchmark.h>
 #include <random>
