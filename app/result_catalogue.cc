@@ -4,31 +4,39 @@
 #include "responses/response.h"
 #include "responses/response_files.h"
 #include <fmt/format.h>
+#include <optional>
 
 namespace rimpact::app {
 namespace {
 
-/// bearing_7_force_x -> bearing_N_force_x, for N > 1 nothing: one bearing and one floor stand for all.
-std::string common_name(const std::string &name) {
-  for (const char *what : {"bearing_", "floor_"}) {
-    if (!name.starts_with(what)) continue;
-    const auto digits = name.find_first_not_of("0123456789", std::string(what).size());
-    const std::string number = name.substr(std::string(what).size(), digits - std::string(what).size());
-    return number == "1" ? what + ("N" + name.substr(digits)) : "";
-  }
-  return name;
+/// What stands before the number of a signal that a family has one of for each bearing, floor or point; empty: of none.
+std::string family(const std::string &name) {
+  const auto digit = [&](std::size_t at) { return at < name.size() && name[at] >= '0' && name[at] <= '9'; };
+  for (const std::string what : {"bearing_", "floor_", "normal_A", "normal_B", "normal_C"})
+    if (name.starts_with(what) && digit(what.size())) return what;
+  return {};
+}
+
+/// The first of a family stands for all of it, as bearing_N_force_x; the others are left out.
+std::optional<SignalInfo> common(SignalInfo signal) {
+  const std::string what = family(signal.name);
+  if (what.empty()) return signal;
+  const std::size_t behind = signal.name.find_first_not_of("0123456789", what.size());
+  const std::string rest = behind == std::string::npos ? "" : signal.name.substr(behind);
+  if (signal.name != what + "1" + rest) return {};
+  signal.name = what + "N" + rest;
+  if (const auto one = signal.description.find('1'); one != std::string::npos) signal.description.replace(one, 1, "N");
+  return signal;
 }
 
 } // namespace
 
 NamedTexts signals() {
   NamedTexts list;
-  for (const auto &signal : known_signals()) {
-    const std::string name = common_name(signal.name);
-    std::string text = signal.description;
-    if (name != signal.name) text.replace(text.find('1'), 1, "N");
-    if (!name.empty()) list.emplace_back(name, fmt::format("{}: {}", signal.units == "1" ? "-" : signal.units, text));
-  }
+  for (const auto &known : known_signals())
+    if (const auto signal = common(known))
+      list.emplace_back(signal->name,
+                        fmt::format("{}: {}", signal->units == "1" ? "-" : signal->units, signal->description));
   return list;
 }
 

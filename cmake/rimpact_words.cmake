@@ -13,7 +13,7 @@ if(NOT HELP2MAN)
   return()
 endif()
 set(about "impacts of friction-pendulum bearings on their rim")
-execute_process(COMMAND ${HELP2MAN} --no-info --section=1 --name=${about} --version-string=${VERSION} --output=${OUTPUT}/man/rimpact.1 ${PROGRAM}
+execute_process(COMMAND ${HELP2MAN} --no-info --section=1 "--name=${about}" --version-string=${VERSION} --output=${OUTPUT}/man/rimpact.1 ${PROGRAM}
                 COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${PROGRAM} completion json --quiet OUTPUT_VARIABLE tree COMMAND_ERROR_IS_FATAL ANY)
 string(JSON count LENGTH "${tree}")
@@ -24,7 +24,7 @@ foreach(k RANGE ${last})
   if(FE OR NOT verb MATCHES "^(run|mesh|curve|version)$")
     file(WRITE ${OUTPUT}/ask-${verb} "#!/bin/sh\nexec '${PROGRAM}' ${verb} \"$@\"\n")
     file(CHMOD ${OUTPUT}/ask-${verb} PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
-    execute_process(COMMAND ${HELP2MAN} --no-info --section=1 --name=${what} --version-string=${VERSION} --output=${OUTPUT}/man/rimpact-${verb}.1
+    execute_process(COMMAND ${HELP2MAN} --no-info --section=1 "--name=${what}" --version-string=${VERSION} --output=${OUTPUT}/man/rimpact-${verb}.1
                             ${OUTPUT}/ask-${verb} COMMAND_ERROR_IS_FATAL ANY)
     file(READ ${OUTPUT}/man/rimpact-${verb}.1 page)
     string(REPLACE "ask\\-${verb}" "rimpact ${verb}" page "${page}")

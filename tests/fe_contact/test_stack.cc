@@ -87,7 +87,7 @@ TEST(StackPlan, ExpectsTheUnknownsThatRunsHad) {
 TEST(StackPlan, RefusesWhatWouldFloatAndWhatItDoesNotHave) {
   const auto why = [](const std::string &scene, std::vector<std::string> settings = {}) {
     settings.push_back("model.rung=\"rigid-dish\"");
-    return refusal(scene::load_scene(scene, settings)).value_or("");
+    return planning::refusal(scene::load_scene(scene, settings)).value_or("");
   };
   EXPECT_NE(why("impact-window").find("excitation.with"), std::string::npos);
   EXPECT_NE(why("impact-window", {"excitation.kind=\"free\"", "excitation.displacement_m=[0.39, 0]",
