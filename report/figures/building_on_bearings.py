@@ -21,7 +21,7 @@ def draw(run, path):
     time = float(at_hardest[0]["time_s"])
     for ax, axis in zip(grid[0, 1:], (0, 1)):
         _elevation(ax, at, moved, members, axis, scale)
-        ax.set_title(f"Elevation along {'xy'[axis]}, t = {time:.2f} s")
+        ax.set_title(f"Along {'xy'[axis]} at {time:.2f} s")
     grid[0, 1].set_ylabel("height (m)")
     return save(fig, path)
 

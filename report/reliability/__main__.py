@@ -2,12 +2,8 @@
 import argparse
 import os
 
-import jinja2
-
-from ..build import TEMPLATES
 from ..errors import DataError, run_main
-from ..files import write_whole
-from ..markup import sentence
+from ..page import write
 from .page import Page
 
 
@@ -19,12 +15,7 @@ def build(folder, output=None):
         sections = page.sections()
     except (KeyError, TypeError, ValueError) as error:
         raise DataError(f"{folder}: the tables of the study are incomplete ({error!r})") from None
-    environment = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATES), autoescape=True, trim_blocks=True,
-                                     lstrip_blocks=True, undefined=jinja2.StrictUndefined)
-    environment.filters["sub"] = sentence
-    html = environment.get_template("reliability.html.j2").render(title=f"Reliability: {page.summary['study']}", sections=sections,
-                                                                  problems=page.problems)
-    write_whole(output, lambda file: file.write(html.encode("utf-8", "replace")))
+    write(output, "reliability.html.j2", title=f"Reliability: {page.summary['study']}", sections=sections, problems=page.problems)
     return output, page.problems
 
 

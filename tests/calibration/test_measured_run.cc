@@ -73,7 +73,7 @@ TEST(MeasuredRun, RefusesAMappingThatIsWrong) {
   write(head() + replaced(columns, "unit = \"mm\"", "unit = \"kN\""));
   expect_refusal<InputError>(path, "columns.displacement_x.unit \"kN\" is no unit of displacement_x; it is stored in "
                                    "m, and may be given in m, cm, mm");
-  write(head() + replaced(columns, "unit = \"kN\"", "unit = \"tf\""));
+  write(head() + replaced(columns, "unit = \"kN\"", "unit = \"Nm\""));
   expect_refusal<InputError>(path, "may be given in N, kN, MN");
   write(head() + replaced(columns, "columns.impact_x", "columns.impakt_x"));
   expect_refusal<InputError>(path, "did you mean \"impact_x\"");
