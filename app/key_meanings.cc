@@ -115,6 +115,7 @@ std::vector<KeyDescription> sweep_keys() {
       text("linked.KEY.product", "", "a list of numbers and keys", "KEY is their product in every run"),
       text("linked.KEY.over", "none", "a key", "divided by it"),
       text("fractiles.along", "", "a key of the grid", "16, 50 and 84 % of the results along it: fractiles.csv"),
+      text("fractiles.by", "[]", "keys of the grid", "fractiles of each group of their values apart"),
   };
 }
 
