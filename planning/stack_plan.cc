@@ -96,10 +96,10 @@ Plan stack_motion_plan(const scene::Scene &scene) {
     impacts = plan.impacts.size();
     rest = plan.moves_from + std::max(0.0, e.duration - plan.rests_from);
     flight = (e.duration - rest) / step_in_flight + rest / longest_resting_step;
-    if (rest > 0)
+    if (plan.rests_from < e.duration)
       plan.notes.push_back(
-          fmt::format("the scout rests up to {:.1f} s and from {:.1f} s on: steps of up to {:.0f} ms there",
-                      plan.moves_from, std::min(plan.rests_from, e.duration), 1e3 * longest_resting_step));
+          fmt::format("the scout rests from {:.1f} s on: steps of up to {:.0f} ms there, and until it first moves",
+                      plan.rests_from, 1e3 * longest_resting_step));
   }
   const double contact = 1.2 * impacts * contact_time / plan.step_in_contact;
   plan.expected_steps = std::lround(flight + contact);

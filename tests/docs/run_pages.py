@@ -47,7 +47,7 @@ def missing(told, printed):
 
 
 def run_page(page, light, folder):
-    environment = {**os.environ, "PATH": f"{PROGRAM.parent}:{os.environ['PATH']}", "RIMPACT_PROGRAM": str(PROGRAM), "MPLBACKEND": "Agg", "LANG": "C.UTF-8"}
+    environment = {**os.environ, "PATH": f"{PROGRAM.parent}:/usr/bin:{os.environ['PATH']}", "RIMPACT_PROGRAM": str(PROGRAM), "MPLBACKEND": "Agg", "LANG": "C.UTF-8"}
     printed, python, errors, n_run = None, "", [], 0
     for kind, mark, body in BLOCK.findall(page.read_text(encoding="utf-8")):
         if kind == "sh":
