@@ -1,6 +1,7 @@
 #include "fe_contact/drive/record_checkpoint.h"
 
 #include "fe_contact/drive/sample_row.h"
+#include "fe_contact/drive/solver_counts.h"
 #include "files/error.h"
 #include "files/json_text.h"
 #include "responses/identity.h"
@@ -20,11 +21,6 @@ constexpr LedgerEntry ledger_entries[] = {
     &EnergyLedger::external,   &EnergyLedger::gravity,  &EnergyLedger::kinetic,      &EnergyLedger::elastic,
     &EnergyLedger::plastic,    &EnergyLedger::friction, &EnergyLedger::impact,       &EnergyLedger::contact,
     &EnergyLedger::integrator, &EnergyLedger::initial,  &EnergyLedger::largest_input};
-
-using WorkEntry = long SolverWork::*;
-constexpr WorkEntry work_entries[] = {&SolverWork::iterations,        &SolverWork::backtracks,
-                                      &SolverWork::linear_iterations, &SolverWork::factorisations,
-                                      &SolverWork::augmentations,     &SolverWork::cuts};
 
 Impact impact_of(const double *v) {
   return {v[0], v[1], v[2], v[3], v[4], v[5], v[6]};
@@ -130,11 +126,10 @@ void put(Checkpoint &file, const RunRecord &record) {
   auto &impacts = file.numbers["impacts"];
   for (const auto &impact : record.impacts)
     for (const double value : list(impact)) impacts.push_back(value);
-  file.numbers["counts"] = {double(record.n_steps), double(record.n_newton), double(record.n_cuts),
-                            double(record.augmentation_caps)};
+  file.numbers["counts"] = {double(record.n_steps), double(record.n_cuts), double(record.augmentation_caps)};
   const SolverWork all = record.work_so_far(), &rows = record.rows_work;
   for (const SolverWork &w : {all, rows})
-    for (const WorkEntry entry : work_entries) file.numbers["work"].push_back(double(w.*entry));
+    for (const auto &count : solver_counts) file.numbers["work"].push_back(double(w.*count.of));
   file.texts["signals"] = "";
   for (const auto &[name, values] : record.response.all()) {
     file.numbers["response_" + name] = values;
@@ -155,13 +150,13 @@ void get(const Checkpoint &file, RunRecord &record) {
   if (impacts.size() % per_impact != 0)
     file.damaged(fmt::format("field impacts has {} values, {} an impact are due", impacts.size(), per_impact));
   for (std::size_t k = 0; k < impacts.size(); k += per_impact) record.impacts.push_back(impact_of(&impacts[k]));
-  const auto &w = file.field("work", 2 * std::size(work_entries), count);
-  for (std::size_t k = 0; k < std::size(work_entries); ++k) {
-    record.earlier_work.*work_entries[k] = std::lround(w[k]);
-    record.rows_work.*work_entries[k] = std::lround(w[k + std::size(work_entries)]);
+  const auto &w = file.field("work", 2 * std::size(solver_counts), count);
+  for (std::size_t k = 0; k < std::size(solver_counts); ++k) {
+    record.earlier_work.*solver_counts[k].of = std::lround(w[k]);
+    record.rows_work.*solver_counts[k].of = std::lround(w[k + std::size(solver_counts)]);
   }
-  const auto &n = file.field("counts", 4, count);
-  record.n_steps = n[0], record.n_newton = n[1], record.n_cuts = n[2], record.augmentation_caps = n[3];
+  const auto &n = file.field("counts", 3, count);
+  record.n_steps = n[0], record.n_cuts = n[1], record.augmentation_caps = n[2];
   get_response(file, record);
   record.earlier_wall = file.number("seconds_wall", seconds);
   for (const auto &[name, values] : file.numbers) {

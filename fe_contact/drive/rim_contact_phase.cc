@@ -90,7 +90,6 @@ Attempt DynamicRun::attempt(Arc &arc, double t, double dt) {
                            multiplier_};
   terms.remote = &remote;
   const ContactStepReport report = time_step(system_, arc.state, terms, step_options_);
-  record_.n_newton += report.iterations;
   dt_ = dt / 2;
   if (!report.converged) return {false, dt_, report.reason};
   const double finest = plan_.step_in_contact / 32;
@@ -243,7 +242,6 @@ void DynamicRun::end_contact(Arc &arc) {
       system_.model().share() * system_.kinetic_energy(arc.state) - system_.rigid_kinetic_energy(top_speed_of(arc));
   const Eigen::Vector3d speed = top_speed_of(arc);
   const ContactStepReport report = system_.relax(arc.state, step_options_);
-  record_.n_newton += report.iterations;
   if (!report.converged) throw SolverStopped("the parts did not come to rest after the release: " + report.reason);
   record_.ledger.elastic = others_elastic_ + system_.model().share() * arc.state.energies.elastic;
   record_.ledger.plastic = others_plastic_ + system_.model().share() * arc.state.energies.plastic;

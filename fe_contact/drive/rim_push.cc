@@ -83,7 +83,6 @@ struct Pusher {
     const Eigen::Vector3d before = system.top().of(state.u);
     const double step = std::abs(travel_at(s + ds) - travel_at(s));
     const ContactStepReport report = system.push(state, target(travel_at(s + ds)), step_options);
-    record.n_newton += report.iterations;
     if (!report.converged) return {false, 0, report.reason};
     ++record.n_steps;
     account(before);

@@ -1,6 +1,7 @@
 #include "fe_contact/drive/fields.h"
 #include "fe_contact/drive/rim_dynamic.h"
 #include "fe_contact/drive/sample_row.h"
+#include "fe_contact/drive/solver_counts.h"
 
 #include "files/error.h"
 #include <algorithm>
@@ -100,18 +101,12 @@ void DynamicRun::pad_fe_signals() {
   for (const auto &arc : arcs_) strain = std::max(strain, largest_plastic_strain(arc.state.history));
   auto &r = record_.response;
   const auto &e = record_.ledger;
-  const std::pair<const char *, double> values[] = {{"plastic_strain_max", strain},
-                                                    {"contact_pressure_max", 0},
-                                                    {"newton_iterations", 0},
-                                                    {"energy_elastic", e.elastic},
-                                                    {"energy_plastic", e.plastic},
-                                                    {"energy_integrator", e.integrator},
-                                                    {"augmentations", 0},
-                                                    {"backtracks", 0},
-                                                    {"linear_iterations", 0},
-                                                    {"factorisations", 0},
-                                                    {"cuts", 0}};
+  const std::pair<const char *, double> values[] = {
+      {"plastic_strain_max", strain}, {"contact_pressure_max", 0},   {"newton_iterations", 0},
+      {"energy_elastic", e.elastic},  {"energy_plastic", e.plastic}, {"energy_integrator", e.integrator}};
   for (const auto &[name, value] : values) r.series(name).resize(r.size(), value);
+  for (const auto &count : solver_counts)
+    if (count.signal) r.series(count.signal).resize(r.size(), 0.0);
   auto &gap = r.series("surface_gap");
   auto &step = r.series("step");
   for (std::size_t k = gap.size(); k < r.size(); ++k) gap.push_back(r.series("gap")[k]);

@@ -4,6 +4,7 @@
 #include "fe_contact/drive/fields.h"
 #include "fe_contact/drive/record_checkpoint.h"
 #include "fe_contact/drive/rim_run.h"
+#include "fe_contact/drive/solver_counts.h"
 #include "fe_contact/drive/stack_drive.h"
 #include "fe_contact/drive/stack_run.h"
 #include "fe_contact/solver/ranks.h"
@@ -27,7 +28,8 @@ Summary summarise(const scene::Scene &scene, const RunRecord &record) {
   summary.rung = scene.model.rung;
   summary.mesh = scene.model.mesh;
   summary.n_steps = record.n_steps;
-  summary.n_newton_iterations = record.n_newton;
+  const SolverWork work = record.work_so_far();
+  summary.n_newton_iterations = work.iterations;
   if (scene.excitation.kind == scene::ExcitationKind::window && !scene.excitation.with_weight)
     summary.min_normal_force.reset();
   summary.wall_time = seconds;
@@ -40,11 +42,7 @@ Summary summarise(const scene::Scene &scene, const RunRecord &record) {
   if (r.has("plastic_strain_max") && r.size() > 0) summary.max_plastic_strain = r.series("plastic_strain_max").back();
   summary.time_split["output"] = std::max(0.0, output); // meshing, flights and files
   summary.extra["cuts"] = record.n_cuts;
-  const SolverWork work = record.work_so_far();
-  summary.extra["solver_work"] = {
-      {"newton_iterations", work.iterations},        {"backtracks", work.backtracks},
-      {"linear_iterations", work.linear_iterations}, {"factorisations", work.factorisations},
-      {"augmentations", work.augmentations},         {"steps_not_taken", work.cuts}};
+  for (const auto &count : solver_counts) summary.extra["solver_work"][count.sum] = work.*count.of;
   summary.extra["augmentation_cap_reached"] = record.augmentation_caps;
   summary.extra["warnings"] = record.warnings;
   return summary;

@@ -14,7 +14,7 @@ struct RunRecord {
   Response response;
   EnergyLedger ledger;
   std::vector<Impact> impacts;
-  long n_steps = 0, n_newton = 0, n_cuts = 0, augmentation_caps = 0;
+  long n_steps = 0, n_cuts = 0, augmentation_caps = 0;
   long n_dofs = 0;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   double earlier_wall = 0;                              ///< of the processes before a restart [s]

@@ -1,5 +1,7 @@
 #include "fe_contact/drive/sample_row.h"
 
+#include "fe_contact/drive/solver_counts.h"
+
 namespace rimpact::fe {
 
 namespace {
@@ -8,13 +10,8 @@ namespace {
 void append_work(RunRecord &record) {
   if (record.response.size() == 1) record.rows_work = record.work_so_far(); // what came before the first row is no step
   const SolverWork now = record.work_so_far(), &before = record.rows_work;
-  const std::pair<const char *, long> counts[] = {
-      {"augmentations", now.augmentations - before.augmentations},
-      {"backtracks", now.backtracks - before.backtracks},
-      {"linear_iterations", now.linear_iterations - before.linear_iterations},
-      {"factorisations", now.factorisations - before.factorisations},
-      {"cuts", now.cuts - before.cuts}};
-  for (const auto &[name, count] : counts) record.response.append(name, static_cast<double>(count));
+  for (const auto &count : solver_counts)
+    if (count.signal) record.response.append(count.signal, static_cast<double>(now.*count.of - before.*count.of));
   record.rows_work = now;
 }
 

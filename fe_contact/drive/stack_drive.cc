@@ -27,11 +27,10 @@ StepOptions stack_step_options() {
   return options;
 }
 
-int preload_stack(StackSystem &system, SystemState &state, const Eigen::VectorXd &load, const StepOptions &options) {
+void preload_stack(StackSystem &system, SystemState &state, const Eigen::VectorXd &load, const StepOptions &options) {
   constexpr double springs = 1e8; // first round of stabilisation [N/m an equation]
   const PreloadReport report = preload(system, state, load, springs, options);
   if (!report.converged) throw SolverStopped("the bearing did not come to rest under its load: " + report.reason);
-  return report.iterations;
 }
 
 ContactStepReport TopDrive::move_to(StackSystem &system, SystemState &state, const Eigen::Vector2d &target,

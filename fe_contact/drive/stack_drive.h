@@ -10,8 +10,8 @@ meshes::StackMeshOptions stack_mesh_options(const scene::Scene &scene, const pla
 /// Tolerances of quasi-static steps of the stack.
 StepOptions stack_step_options();
 
-/// Brings the stack to rest on the dish under its load; returns Newton's iterations. Throws SolverStopped.
-int preload_stack(StackSystem &system, SystemState &state, const Eigen::VectorXd &load, const StepOptions &options);
+/// Brings the stack to rest on the dish under its load. Throws SolverStopped.
+void preload_stack(StackSystem &system, SystemState &state, const Eigen::VectorXd &load, const StepOptions &options);
 
 /// Moves the top face; each step starts at the last one's change scaled to its way.
 class TopDrive {

@@ -104,7 +104,6 @@ void StackDynamic::slide_to(TopDrive &drive, double from, double to, double firs
   const auto go = [&](double at, double step) {
     if (is_interrupted(options_)) throw Interrupted();
     const auto report = drive.move_to(active(), state_, (at + step) * direction, load, transient_.step);
-    record_.n_newton += report.iterations;
     if (options_.progress)
       options_.progress({0, end_time(), step, report.iterations, end - at - step, 0, "sliding out"});
     return Attempt{report.converged, 0, report.reason};
@@ -114,7 +113,7 @@ void StackDynamic::slide_to(TopDrive &drive, double from, double to, double firs
 }
 
 void StackDynamic::come_to_rest() {
-  record_.n_newton += preload_stack(active(), state_, active().dead_load(scene_.load.vertical), transient_.step);
+  preload_stack(active(), state_, active().dead_load(scene_.load.vertical), transient_.step);
   rest_height_ = active().top_of(state_.u).z();
 }
 
@@ -209,11 +208,9 @@ Attempt StackDynamic::attempt(double t, double dt) {
   if (const double shorter = clipped(dt); shorter > 0)
     return {false, shorter, "the walls are about to touch, or the slider to turn round"};
   closing_before_ = closing_speed();
-  const int before = report_.iterations;
   Attempt result = checked_step(
       active(), state_, t, dt, [this](double at) { return load(at); }, transient_, report_,
       [&](double, const SystemState &, const ContactStepReport &step) { after_step(t + dt, dt, step); });
-  record_.n_newton += report_.iterations - before;
   if (result.accepted && near_rim_)
     result.last = !touching() && surface_gap() > parting_gap && closing_speed() < 0;
   else if (result.accepted)

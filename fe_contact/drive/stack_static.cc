@@ -44,7 +44,6 @@ struct StaticPath {
         scene::prescribed_displacement(scene.excitation, scene.bearing.lateral_capacity(), s + ds);
     const Eigen::Vector3d before = system.top_of(state.u), force_before = forces_of(model, state).total();
     const ContactStepReport step = drive.move_to(system, state, target, load, step_options);
-    record.n_newton += step.iterations;
     if (!step.converged) {
       ++record.n_cuts;
       return {false, 0, step.reason};
@@ -138,7 +137,7 @@ struct StaticPath {
     if (options.resume) {
       std::tie(reached, next) = restore();
     } else {
-      record.n_newton += preload_stack(system, state, load, step_options);
+      preload_stack(system, state, load, step_options);
       rest_height = system.top_of(state.u).z();
       rest_elastic = model.share() * state.energies.elastic;
       sample(0, 0, 0);
