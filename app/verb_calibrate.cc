@@ -12,13 +12,13 @@ constexpr double worth_telling = 5; // [s]
 } // namespace
 
 void add_calibrate(CLI::App &app, Console &console) {
-  struct Options {
+  struct CalibrateOptions {
     std::vector<std::string> runs;
     std::string folder = "results/calibration";
     CalibrateWords words;
   };
   auto *verb = app.add_subcommand("calibrate", "fit impact parameters to stored responses");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CalibrateOptions>();
   verb->add_option("RUN", options->runs, "run folders to fit")->required();
   verb->add_option("-o,--output", options->folder, "folder for calibration.json");
   add_calibrate_options(*verb, options->words);

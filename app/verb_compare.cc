@@ -141,7 +141,7 @@ void refuse_others(const std::string &reference, const Compared &each) {
                                each.path, keys, more > 6 ? fmt::format(" and {} more", more - 6) : ""));
 }
 
-struct Options {
+struct CompareOptions {
   std::vector<std::string> paths;
   std::string folder; ///< of the pictures and the page; empty: none
   std::optional<double> capacity_mm;
@@ -164,7 +164,7 @@ std::string draw(const std::string &folder, const std::vector<Item> &items, cons
   return draw_comparison(folder, curves, capacity);
 }
 
-void run_compare(const Options &options, Console &console) {
+void run_compare(const CompareOptions &options, Console &console) {
   if (options.paths.size() < 2) throw InputError("compare needs two or more: the first is the reference");
   if (options.paths.size() > 26) throw InputError("compare takes 26 responses or fewer");
   constexpr double most = 1e4; // [mm]
@@ -211,7 +211,7 @@ void run_compare(const Options &options, Console &console) {
 void add_compare(CLI::App &app, Console &console) {
   auto *verb =
       app.add_subcommand("compare", "metrics between responses; what differs between their scenes comes first");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CompareOptions>();
   verb->add_option("RUN", options->paths,
                    "the reference, then what is compared with it: run folders, .h5, .csv or mapping files")
       ->required();

@@ -13,12 +13,12 @@
 namespace rimpact::app {
 namespace {
 
-struct Options {
+struct CurveOptions {
   std::string bearing = "shfps-225", folder;
   fe::CurveOrder order;
 };
 
-nlohmann::json answer_of(const Options &options, const reduced::RimCurveFile &file, double seconds) {
+nlohmann::json answer_of(const CurveOptions &options, const reduced::RimCurveFile &file, double seconds) {
   const reduced::RimCurve dish(file.dish), held(file.held);
   const auto speed = [&](const reduced::RimCurve &curve) {
     return std::sqrt(2 * curve.work(curve.range()) / options.order.mass);
@@ -49,7 +49,7 @@ std::string describe(const nlohmann::json &answer) {
       answer["file"].get<std::string>());
 }
 
-void curve(Options &options, Console &console) {
+void curve(CurveOptions &options, Console &console) {
   scene::Scene scene = scene::load_scene("rim-push");
   scene.bearing = scene::load_bearing(options.bearing);
   if (console.mesh >= 0) scene.model.mesh = console.mesh;
@@ -86,7 +86,7 @@ void curve(Options &options, Console &console) {
 void add_curve(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand(
       "curve", "push a bearing's rim once for every speed: curve.h5, flown by impact_law = \"curve\"");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<CurveOptions>();
   verb->add_option("BEARING", options->bearing, "a TOML file or a built-in bearing");
   verb->add_option("-o,--output", options->folder,
                    "folder for curve.h5, curve.csv and curve.json (default results/<bearing>-curve)");

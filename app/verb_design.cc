@@ -10,12 +10,12 @@
 namespace rimpact::app {
 namespace {
 
-struct Options {
+struct DesignOptions {
   reduced::IsolationDesignInput input;
   std::optional<double> period, weight_kN;
 };
 
-nlohmann::ordered_json to_json(const Options &options, const reduced::IsolationDesign &d) {
+nlohmann::ordered_json to_json(const DesignOptions &options, const reduced::IsolationDesign &d) {
   nlohmann::ordered_json json{{"radius_m", options.input.radius},
                               {"mu", options.input.friction},
                               {"gamma", options.input.mass_ratio},
@@ -35,7 +35,7 @@ nlohmann::ordered_json to_json(const Options &options, const reduced::IsolationD
   return json;
 }
 
-std::string to_text(const Options &options, const reduced::IsolationDesign &d) {
+std::string to_text(const DesignOptions &options, const reduced::IsolationDesign &d) {
   const auto force = [&](double share) {
     return options.weight_kN ? fmt::format("  = {:.1f} kN", share * *options.weight_kN) : "";
   };
@@ -60,7 +60,7 @@ std::string to_text(const Options &options, const reduced::IsolationDesign &d) {
 
 void add_design(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("design", "preliminary design of a friction-pendulum system (ASCE/SEI 7-16, 17.5)");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<DesignOptions>();
   auto &in = options->input;
   auto *radius = verb->add_option("--radius-m", in.radius, "R of the pendulum [m]")->capture_default_str();
   verb->add_option("--period-s", options->period, "pendulum period 2 pi sqrt(R/g) [s], in the place of R")

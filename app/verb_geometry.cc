@@ -15,7 +15,7 @@
 namespace rimpact::app {
 namespace {
 
-struct Options {
+struct GeometryOptions {
   std::string bearing = "shfps-225", folder = "results/geometry", shard;
   std::vector<std::string> ranges;
   calibration::GeometryOptions study;
@@ -37,7 +37,7 @@ std::vector<calibration::GeometryRow> rows_of(const std::vector<Job> &jobs, Cons
   return rows;
 }
 
-void run_geometry(Options options, Console &console) {
+void run_geometry(GeometryOptions options, Console &console) {
   const auto [part, n_parts] = parse_shard(options.shard);
   options.study.ranges = ranges_of(options.ranges, "--range");
   auto window = scene::load_scene("impact-window", console.settings());
@@ -67,7 +67,7 @@ void run_geometry(Options options, Console &console) {
 
 void add_geometry(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("geometry", "k_i and e over rim and slider dimensions, yield stress and speed");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<GeometryOptions>();
   verb->add_option("BEARING", options->bearing, "a TOML file or a built-in bearing")->capture_default_str();
   verb->add_option("-o,--output", options->folder, "results folder")->capture_default_str();
   verb->add_option("--samples", options->study.samples, "impacts by finite elements, about a minute each")

@@ -14,7 +14,7 @@
 namespace rimpact::app {
 namespace {
 
-struct Options {
+struct MainOptions {
   std::string target = "shfps-225", folder = "results/main", laws = "signed,no-tension,elastoplastic", pulse_speeds;
   MainChoices choices;
   std::size_t at_once = 0;
@@ -50,7 +50,7 @@ void print_plan(const MainTarget &target, const MainJobs &jobs, std::size_t at_o
   console.data(console.json ? json_text(table) : text);
 }
 
-void run_main(Options options, Console &console) {
+void run_main(MainOptions options, Console &console) {
   const auto begin = std::chrono::steady_clock::now();
   const auto spent = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   if (!options.pulse_speeds.empty()) options.choices.pulse_speeds = speed_range(options.pulse_speeds);
@@ -91,7 +91,7 @@ void run_main(Options options, Console &console) {
 
 void add_main(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("main", "the main job: rim impacts by FE, calibration, comparison, report");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MainOptions>();
   verb->add_option(
           "SCENE", options->target,
           "a scene or bearing: built-in, a TOML file, or a case folder of `new`; its load and settings are taken")

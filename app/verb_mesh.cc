@@ -13,12 +13,12 @@ namespace rimpact::app {
 
 namespace {
 
-struct Options {
+struct MeshOptions {
   std::string bearing = "shfps-225", scene, file, picture;
   bool whole = false, curved = false;
 };
 
-meshes::HexMesh rim_mesh(const Options &options, const Console &console) {
+meshes::HexMesh rim_mesh(const MeshOptions &options, const Console &console) {
   if (!console.rung.empty())
     throw InputError("--rung " + console.rung + " needs --scene: a bearing alone is meshed for rung `rim`");
   const auto bearing = scene::load_bearing(options.bearing);
@@ -28,7 +28,7 @@ meshes::HexMesh rim_mesh(const Options &options, const Console &console) {
   return meshes::rim_mesh(bearing, mesh);
 }
 
-meshes::HexMesh scene_mesh(const Options &options, Console &console) {
+meshes::HexMesh scene_mesh(const MeshOptions &options, Console &console) {
   if (options.whole) console.overrides.push_back("model.symmetry=\"whole\"");
   const scene::Scene scene = console.load(options.scene);
   fe::check_supported(scene);
@@ -39,7 +39,7 @@ meshes::HexMesh scene_mesh(const Options &options, Console &console) {
 
 void add_mesh(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("mesh", "mesh the rim sector and the slider of a bearing");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MeshOptions>();
   verb->add_option("BEARING", options->bearing, "a TOML file or a built-in bearing");
   verb->add_option("--scene", options->scene,
                    "instead: what a scene's run is solved on, by any rung, own meshes included");

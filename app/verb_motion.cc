@@ -45,12 +45,12 @@ std::string motion_csv(const SampledSignal &record) {
 } // namespace
 
 void add_motion(CLI::App &app, Console &console) {
-  struct Options {
+  struct MotionOptions {
     std::vector<std::string> files;
     std::string picture;
   };
   auto *verb = app.add_subcommand("motion", "what is in a ground-motion record");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<MotionOptions>();
   verb->add_option("FILE", options->files, "AT2 or CSV records")->required();
   verb->add_option("--png", options->picture, "folder for a plot of each record");
   console.add_common(*verb);

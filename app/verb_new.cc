@@ -19,11 +19,11 @@ std::string name_of(const std::string &folder) {
 } // namespace
 
 void add_new(CLI::App &app, Console &console) {
-  struct Options {
+  struct NewOptions {
     std::string folder, bearing = "shfps-225", scene = "ricker-0.78g-1.0s";
   };
   auto *verb = app.add_subcommand("new", "a commented case folder: bearing.toml, scene.toml");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<NewOptions>();
   verb->add_option("DIR", options->folder, "the folder to make")->required();
   verb->add_option("--bearing", options->bearing, "a built-in bearing");
   verb->add_option("--scene", options->scene, "a built-in scene");

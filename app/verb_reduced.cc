@@ -39,7 +39,7 @@ void tell_doubts(const scene::Scene &scene, reduced::ReducedRun &run, Console &c
 } // namespace
 
 void add_reduced(CLI::App &app, Console &console) {
-  struct Options {
+  struct ReducedOptions {
     std::string scene, folder, model, shard;
     std::vector<std::string> sweep;
     std::vector<double> nodes; // [mm]
@@ -47,7 +47,7 @@ void add_reduced(CLI::App &app, Console &console) {
     bool picture = false;
   };
   auto *verb = app.add_subcommand("reduced", "a scene by the reduced model, in about a millisecond");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReducedOptions>();
   verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
   verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>-reduced)");
   auto *nodes = verb->add_option("--nodes", options->nodes,

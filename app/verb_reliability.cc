@@ -16,7 +16,7 @@
 namespace rimpact::app {
 namespace {
 
-struct Options {
+struct ReliabilityOptions {
   std::string study, folder, shard, table;
   std::vector<std::string> records;
   int n_threads = 0;
@@ -39,8 +39,8 @@ void tell(const risk::Motions &motions, Console &console) {
                                 level.return_period_years, level.motions.size(), level.n_listed));
 }
 
-risk::CampaignResult run_fleets(const Options &options, const risk::Study &study, const risk::Systems &systems,
-                                const risk::Motions &motions, Console &console) {
+risk::CampaignResult run_fleets(const ReliabilityOptions &options, const risk::Study &study,
+                                const risk::Systems &systems, const risk::Motions &motions, Console &console) {
   const auto [shard, n_shards] = parse_shard(options.shard);
   ProgressLine line(console.quiet);
   risk::CampaignOptions campaign{.folder = options.folder,
@@ -98,7 +98,7 @@ void show_plan(const risk::Study &study, const risk::Systems &systems, const ris
   console.data(console.json ? json_text(risk::to_json(plan)) : risk::describe(plan));
 }
 
-void run_reliability(Options options, Console &console) {
+void run_reliability(ReliabilityOptions options, Console &console) {
   risk::Study study = risk::read_study(options.study);
   if (!options.table.empty()) {
     if (study.motions.table.empty())
@@ -137,7 +137,7 @@ void run_reliability(Options options, Console &console) {
 
 void add_reliability(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("reliability", "fragility, hazard and probability in 50 years of many systems");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReliabilityOptions>();
   verb->add_option("STUDY", options->study, "a study file (docs/user-guide.md, From runs to reliability)")->required();
   verb->add_option("-o,--output", options->folder, "results folder (default results/STUDY); finished runs are kept");
   verb->add_option("--records", options->records, "a folder of AT2 files, besides the study's own (repeatable)")

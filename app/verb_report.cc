@@ -7,13 +7,13 @@
 namespace rimpact::app {
 namespace {
 
-struct Options {
+struct ReportOptions {
   std::string folder, output, document;
   std::map<std::string, std::string> head; ///< title, client, project, author: what is given
   bool pdf = false;
 };
 
-std::vector<std::string> command(const Options &options, const std::string &file) {
+std::vector<std::string> command(const ReportOptions &options, const std::string &file) {
   std::vector<std::string> words{"report", "--output=" + file};
   if (!options.document.empty()) words.push_back("--document=" + options.document);
   for (const auto &[key, value] : options.head)
@@ -23,7 +23,7 @@ std::vector<std::string> command(const Options &options, const std::string &file
   return words;
 }
 
-void run_report(const Options &options, Console &console) {
+void run_report(const ReportOptions &options, Console &console) {
   const std::string file = options.output.empty() ? options.folder + "/report.html" : options.output;
   const int code = python(command(options, file));
   if (code == static_cast<int>(ExitCode::input)) throw InputError(options.folder + ": no report was made");
@@ -39,7 +39,7 @@ void run_report(const Options &options, Console &console) {
 
 void add_report(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("report", "one self-contained HTML file of a results, calibration or run folder");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ReportOptions>();
   verb->add_option("DIR", options->folder, "results of `main`, a calibration, or one run folder")->required();
   verb->add_option("-o,--output", options->output, "the HTML file (default DIR/report.html)");
   for (const char *key : {"title", "client", "project", "author"})

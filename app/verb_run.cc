@@ -18,7 +18,7 @@
 namespace rimpact::app {
 namespace {
 
-struct Options {
+struct RunOptions {
   std::string scene, folder;
   bool resume = false, dry_run = false, no_fields = false;
 };
@@ -36,7 +36,7 @@ void tell_kept(const std::string &folder, const std::string &name, Console &cons
                   number("n_steps"), folder));
 }
 
-void run(Options &options, Console &console) {
+void run(RunOptions &options, Console &console) {
   const scene::Scene scene = console.load(options.scene);
   if (const std::string warning = fe::blas_warning(); !warning.empty()) console.warn(warning);
   fe::check_supported(scene);
@@ -126,7 +126,7 @@ void run(Options &options, Console &console) {
 
 void add_run(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("run", "run a scene by finite elements");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<RunOptions>();
   verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
   verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>)");
   verb->add_flag("--resume", options->resume,

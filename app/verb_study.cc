@@ -17,7 +17,7 @@
 namespace rimpact::app {
 namespace {
 
-struct Options {
+struct StudyOptions {
   std::string scene, folder, shard;
   std::vector<std::string> axes{"rung", "mesh"};
   std::vector<std::string> rungs{"reduced", "rim"};
@@ -28,7 +28,7 @@ struct Options {
 };
 
 /// One job a combination; the reduced model knows neither mesh nor step.
-std::vector<Job> study_jobs(const Options &options, const scene::Scene &base) {
+std::vector<Job> study_jobs(const StudyOptions &options, const scene::Scene &base) {
   const auto rungs = options.varies("rung") ? options.rungs : std::vector<std::string>{base.model.rung};
   const auto meshes = options.varies("mesh") ? options.meshes : std::vector<int>{base.model.mesh};
   const auto steps = options.varies("step") ? options.steps : std::vector<double>{1e3 * base.model.step};
@@ -102,7 +102,7 @@ void write(const calibration::SpeedError &study, const scene::Scene &base, const
   if (python({"report.quick", "study", folder}) != 0) console.warn("the picture in " + folder + " was not made");
 }
 
-void run_study(Options options, Console &console) {
+void run_study(StudyOptions options, Console &console) {
   for (const auto &axis : options.axes)
     if (axis != "rung" && axis != "mesh" && axis != "step")
       throw InputError("--axes " + axis + ": must be of rung, mesh, step");
@@ -145,7 +145,7 @@ void run_study(Options options, Console &console) {
 
 void add_study(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("study", "speed against error of a scene: rungs, meshes, steps");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<StudyOptions>();
   verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
   verb->add_option("-o,--output", options->folder, "results folder (default results/study-SCENE)");
   verb->add_option("--axes", options->axes, "what varies, of rung,mesh,step; the rest is the scene's")

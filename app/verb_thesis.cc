@@ -5,12 +5,12 @@
 namespace rimpact::app {
 namespace {
 
-struct Options {
+struct ThesisOptions {
   std::string what = "list", records, folder = "results/thesis";
   bool cheap = false;
 };
 
-std::vector<std::string> command(const Options &options, const Console &console) {
+std::vector<std::string> command(const ThesisOptions &options, const Console &console) {
   std::vector<std::string> words{"report.thesis", "--program=" + sibling("rimpact"), "--output=" + options.folder};
   if (!options.records.empty()) words.push_back("--records=" + options.records);
   if (options.cheap) words.emplace_back("--cheap");
@@ -20,7 +20,7 @@ std::vector<std::string> command(const Options &options, const Console &console)
   return words;
 }
 
-void run_thesis(const Options &options, Console &console) {
+void run_thesis(const ThesisOptions &options, Console &console) {
   const int code = python(command(options, console), true);
   if (code == static_cast<int>(ExitCode::input)) throw InputError("thesis " + options.what + ": nothing was made");
   if (code == static_cast<int>(ExitCode::data)) throw DataError("thesis " + options.what + ": nothing could be made");
@@ -32,7 +32,7 @@ void run_thesis(const Options &options, Console &console) {
 
 void add_thesis(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("thesis", "a figure or table of the thesis by its number, ours drawn over it");
-  auto options = std::make_shared<Options>();
+  auto options = std::make_shared<ThesisOptions>();
   verb->add_option("WHAT", options->what, "list, fig-2-7, table-3-4, design, ... or all")->capture_default_str();
   verb->add_flag("--cheap", options->cheap, "only what takes seconds: no finite elements");
   verb->add_option("--records", options->records, "folder of your AT2 files (default: RIMPACT_RECORDS, else this one)");

@@ -1,12 +1,11 @@
 #include "meshes/pad_and_foot.h"
 
 #include "meshes/half_disc.h"
+#include "meshes/units.h"
 #include <cmath>
 
 namespace rimpact::meshes {
 namespace {
-
-constexpr double mm = 1e-3;
 
 struct Shape {
   double inner, outer, seat, face;      ///< pad: radii, height of its seat, radius of its face

@@ -4,14 +4,13 @@
 #include "meshes/plate_section.h"
 #include "meshes/rim_mesh.h"
 #include "meshes/touched_places.h"
+#include "meshes/units.h"
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 namespace rimpact::meshes {
 namespace {
-
-constexpr double mm = 1e-3;
 
 /// 0 .. pi in pairs of equal intervals, as half_disc asks; fine where the rim is touched.
 std::vector<double> disc_angles(const std::vector<double> &places, const PlaceSizes &sizes) {

@@ -1,12 +1,9 @@
 #include "meshes/plate_section.h"
 
+#include "meshes/units.h"
 #include <cmath>
 
 namespace rimpact::meshes {
-namespace {
-constexpr double mm = 1e-3;
-} // namespace
-
 std::vector<double> plate_layers(const scene::Bearing &bearing, double h) {
   const double base = -bearing.plate.base,
                z0 = scene::make_surface(bearing.surface)->at(bearing.surface.planar_radius, 0).z;

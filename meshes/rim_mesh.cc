@@ -5,13 +5,10 @@
 #include "meshes/plate_section.h"
 #include "meshes/slider_section.h"
 #include "meshes/touched_places.h"
+#include "meshes/units.h"
 #include <cmath>
 
 namespace rimpact::meshes {
-namespace {
-constexpr double mm = 1e-3;
-} // namespace
-
 void add_rim(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions &options) {
   const double h = size_factor(options.level);
   const double wall = bearing.surface.planar_radius + bearing.rim.ledge;

@@ -2,12 +2,11 @@
 
 #include "meshes/half_disc.h"
 #include "meshes/touched_places.h"
+#include "meshes/units.h"
 #include <cmath>
 
 namespace rimpact::meshes {
 namespace {
-
-constexpr double mm = 1e-3;
 
 /// Heights are measured from the slider's bottom plane; radii from its axis.
 struct SliderShape {

@@ -21,7 +21,7 @@ double first_number(std::string_view text) {
   return to_number(text.substr(0, end)).value_or(0);
 }
 
-double unit_of(const std::string &line, double gravity, const std::string &where) {
+double unit_in(const std::string &line, double gravity, const std::string &where) {
   const auto says = [&](const char *word) { return line.find(word) != std::string::npos; };
   if (says("CM/SEC2") || says("CM/SEC/SEC") || says("CM/S2") || says("CM/S/S") || says("CM/S^2") || says("CM/SEC^2") ||
       says("(04)"))
@@ -53,7 +53,7 @@ Counts find_counts(const std::vector<std::string_view> &lines, const std::string
     const double npts = first_number(line);
     if (!(npts >= 2 && npts <= 1e9 && npts == std::floor(npts))) continue;
     Counts counts{i, static_cast<std::size_t>(npts), width_of(line), 0, 0};
-    counts.unit = unit_of(line, gravity, fmt::format("{}:{}", path, i + 1));
+    counts.unit = unit_in(line, gravity, fmt::format("{}:{}", path, i + 1));
     return counts;
   }
   throw DataError(path + ": no line of counts (\"N acceleration pts, ... units=...\"): not a COSMOS V2 record");

@@ -9,9 +9,9 @@
 namespace rimpact {
 namespace {
 
-constexpr std::size_t n_header = 64;
+constexpr std::size_t header_lines = 64;
 
-double unit_of(const std::string &name, const std::string &path, double gravity) {
+double unit_named(const std::string &name, const std::string &path, double gravity) {
   const std::string unit = upper(name);
   for (const char *cm : {"CM/S^2", "CM/S2", "CM/S**2", "CM/S/S", "GAL"})
     if (unit == cm) return 0.01;
@@ -23,7 +23,7 @@ double unit_of(const std::string &name, const std::string &path, double gravity)
 }
 
 double number_of(const std::vector<std::string_view> &lines, const char *key, const std::string &path) {
-  const std::string text = header_value(lines, n_header, key);
+  const std::string text = header_value(lines, header_lines, key);
   const auto value = to_number(text);
   if (!value || !std::isfinite(*value))
     throw DataError(fmt::format("{}: {} \"{}\" is not a number", path, key, text.substr(0, 40)));
@@ -39,7 +39,7 @@ bool is_header(std::string_view line) {
 
 SampledSignal parse_esm(const std::string &text, const std::string &path, double gravity) {
   const auto lines = lines_of(text);
-  const std::string kind = upper(header_value(lines, n_header, "DATA_TYPE"));
+  const std::string kind = upper(header_value(lines, header_lines, "DATA_TYPE"));
   if (!kind.empty() && kind.find("ACCELERATION") == std::string::npos)
     throw DataError(fmt::format("{}: the file holds {}, an acceleration record is needed", path, kind.substr(0, 40)));
   const double dt = number_of(lines, "SAMPLING_INTERVAL_S", path), npts = number_of(lines, "NDATA", path);
@@ -47,9 +47,10 @@ SampledSignal parse_esm(const std::string &text, const std::string &path, double
     throw DataError(fmt::format("{}: SAMPLING_INTERVAL_S {} must be > 0 and <= 1000", path, dt));
   if (!(npts >= 2 && npts <= 1e9 && npts == std::floor(npts)))
     throw DataError(fmt::format("{}: NDATA {} must be a whole number >= 2", path, npts));
-  const double unit = unit_of(header_value(lines, n_header, "UNITS"), path, gravity);
+  const double unit = unit_named(header_value(lines, header_lines, "UNITS"), path, gravity);
   std::size_t first = 0;
-  while (first < std::min(n_header, lines.size()) && (is_header(lines[first]) || trim(lines[first]).empty())) ++first;
+  while (first < std::min(header_lines, lines.size()) && (is_header(lines[first]) || trim(lines[first]).empty()))
+    ++first;
   SampledSignal record{dt, read_values(lines, first, static_cast<std::size_t>(npts), 0, path)};
   for (auto &value : record.values) {
     value *= unit;

@@ -9,7 +9,7 @@
 namespace rimpact {
 namespace {
 
-constexpr std::size_t n_header = 17;
+constexpr std::size_t preamble = 17;
 
 /// "3920(gal)/6182761": gal a count.
 double scale_of(const std::string &text, const std::string &path) {
@@ -25,14 +25,14 @@ double scale_of(const std::string &text, const std::string &path) {
 
 SampledSignal parse_knet(const std::string &text, const std::string &path, double gravity) {
   const auto lines = lines_of(text);
-  std::string rate = upper(header_value(lines, n_header, "SAMPLING FREQ(HZ)"));
+  std::string rate = upper(header_value(lines, preamble, "SAMPLING FREQ(HZ)"));
   if (rate.ends_with("HZ")) rate.resize(rate.size() - 2);
   const auto hertz = to_number(rate);
   if (!hertz || !(*hertz >= 1 && *hertz <= 10'000))
     throw DataError(fmt::format("{}: Sampling Freq(Hz) \"{}\" is not between 1 and 10000", path, rate.substr(0, 40)));
-  const double scale = scale_of(header_value(lines, n_header, "SCALE FACTOR"), path) / 100; // m/s^2 a count
+  const double scale = scale_of(header_value(lines, preamble, "SCALE FACTOR"), path) / 100; // m/s^2 a count
   std::size_t first = 0;
-  while (first < std::min(n_header + 3, lines.size()) && upper(trim(lines[first])).rfind("MEMO", 0) != 0) ++first;
+  while (first < std::min(preamble + 3, lines.size()) && upper(trim(lines[first])).rfind("MEMO", 0) != 0) ++first;
   if (first >= lines.size() || upper(trim(lines[first])).rfind("MEMO", 0) != 0)
     throw DataError(path + ": no line \"Memo.\" closes the header: not a K-NET record");
   SampledSignal record{1 / *hertz, read_values(lines, first + 1, 0, 0, path)};

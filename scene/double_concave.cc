@@ -36,7 +36,7 @@ double DoubleConcave::top_rim_radius() const {
 
 namespace {
 
-void require(bool holds, const char *key, double value, const std::string &bound) {
+void bounded(bool holds, const char *key, double value, const std::string &bound) {
   if (!holds) throw InputError(fmt::format("isolator.{} {} {}", key, value, bound));
 }
 
@@ -51,25 +51,25 @@ void check_shape(const DoubleConcave &b) {
                               {"top_height_mm", b.top_capacity ? "top_capacity_m" : "capacity_m", b.upper_radius(),
                                b.top_height, b.upper_capacity()}};
   for (const auto &p : plates) {
-    require(half < p.R, "slider_diameter_mm", mm * b.slider_diameter,
+    bounded(half < p.R, "slider_diameter_mm", mm * b.slider_diameter,
             fmt::format("must be below 2 R = {} mm", 2 * mm * p.R));
     const double sagitta = p.R - std::sqrt(p.R * p.R - half * half);
-    require(p.height > sagitta, p.height_key, mm * p.height,
+    bounded(p.height > sagitta, p.height_key, mm * p.height,
             fmt::format("must exceed {:.4g} mm, the depth of its curved face", mm * sagitta));
   }
-  require(b.effective_radius() > 0, "radius_m", b.radius,
+  bounded(b.effective_radius() > 0, "radius_m", b.radius,
           fmt::format("must exceed half the slider's height, {} m", b.slider_height() / 2));
   for (const auto &p : plates) {
-    require(p.capacity < b.effective_radius(), p.capacity_key, p.capacity,
+    bounded(p.capacity < b.effective_radius(), p.capacity_key, p.capacity,
             fmt::format("must be below R_eff = {} m", b.effective_radius()));
-    require(std::asin(p.capacity / b.effective_radius()) + angle_of_edge(b, p.R) < std::numbers::pi / 2, p.capacity_key,
+    bounded(std::asin(p.capacity / b.effective_radius()) + angle_of_edge(b, p.R) < std::numbers::pi / 2, p.capacity_key,
             p.capacity, "takes the slider's edge past the sphere's equator");
   }
 }
 
 void check_points(const DoubleConcave &b) {
   const bool planar = b.space == "planar";
-  require(b.points >= (planar ? 2 : 3), "points", b.points,
+  bounded(b.points >= (planar ? 2 : 3), "points", b.points,
           planar ? "must be at least 2 in the plane" : "must be at least 3 in space");
   if (planar && b.plate_rotation != "fixed")
     throw InputError("isolator.plate_rotation \"free\" needs isolator.space = \"spatial\"");
@@ -82,9 +82,9 @@ void DoubleConcave::validate(bool impact_resilient) const {
   check_points(*this);
   if (!impact_resilient) return;
   const double mm = 1e3;
-  require(top_wall < slider_diameter / 2, "top_wall_mm", mm * top_wall,
+  bounded(top_wall < slider_diameter / 2, "top_wall_mm", mm * top_wall,
           fmt::format("leaves no interface in a slider of radius {} mm", mm * slider_diameter / 2));
-  require(bottom_wall <= top_wall, "bottom_wall_mm", mm * bottom_wall,
+  bounded(bottom_wall <= top_wall, "bottom_wall_mm", mm * bottom_wall,
           fmt::format("exceeds isolator.top_wall_mm {}: the interface has no gap", mm * top_wall));
 }
 

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double pressed_share = 0.05;  ///< of its peak the force must reach to be compared
 constexpr double dent_tolerance = 1e-5; ///< travel beyond L_c without force that means a dent [m], beside its own error
-constexpr double sure = 5;              ///< standard errors
+constexpr double noise_reach = 5;       ///< standard errors
 
 class MeasuredCutter {
 public:
@@ -55,7 +55,7 @@ void MeasuredCutter::find_capacity(const Contact &contact, const FlightFit &fit,
   const double late =
       std::abs(times_[contact.first] - contact.touch_time) + times_[contact.first] - times_[contact.first - 1];
   const double error = std::hypot(record_.sigma() * std::sqrt(fit.shape(0, 0)), fit.v.norm() * late);
-  w.dented = touch.norm() > L_c_ + dent_tolerance + sure * error;
+  w.dented = touch.norm() > L_c_ + dent_tolerance + noise_reach * error;
   const bool own =
       options_.touch == TouchReference::own_touch || (options_.touch == TouchReference::automatic && w.dented);
   w.capacity = own ? touch.norm() : L_c_;
@@ -93,7 +93,7 @@ std::optional<MeasuredCutter::Start> MeasuredCutter::stated_start(const Contact 
   const double beyond = u.norm() - L_c_, sigma = record_.sigma();
   const double speed = run_.scene.excitation.impact_speed(),
                a_sample = speed * (times_[1] - times_[0]); // touched since the sample before
-  if (run_.is_window() && contact.first <= 2 && beyond < a_sample + sure * sigma) {
+  if (run_.is_window() && contact.first <= 2 && beyond < a_sample + noise_reach * sigma) {
     const Eigen::Vector2d variance(sigma * sigma + a_sample * a_sample / 3,
                                    std::pow(options_.stated_speed_error * speed, 2));
     return Start{0, 1, std::min(u.norm(), L_c_) * u.normalized(), speed * u.normalized(), variance.asDiagonal()};
@@ -164,7 +164,7 @@ void MeasuredCutter::find_pressed(ImpactWindow &w, const Contact &contact, const
       std::max_element(smooth.begin() + contact.first, smooth.begin() + contact.last + 1) - smooth.begin());
   std::size_t first = start.sample;
   if (contact.jumps) {
-    const double level = std::max(pressed_share * smooth[top], sure * m.sigma_force);
+    const double level = std::max(pressed_share * smooth[top], noise_reach * m.sigma_force);
     first = contact.first;
     while (first < top && push[first] < level) ++first;
     const double place = std::sqrt(m.start_factor.row(0).squaredNorm()),

@@ -13,12 +13,12 @@ namespace {
 /// Compared after the last release [s] (INTERFACE).
 constexpr double after_release = 0.5;
 
-struct Span {
+struct Overlap {
   double begin, end;
 };
 
 /// Union of both time bases within the span, its ends included.
-std::vector<double> common_times(const std::vector<double> &a, const std::vector<double> &b, Span span) {
+std::vector<double> common_times(const std::vector<double> &a, const std::vector<double> &b, Overlap span) {
   std::vector<double> times = {span.begin, span.end};
   for (const auto *base : {&a, &b})
     for (const double t : *base)
@@ -30,7 +30,7 @@ std::vector<double> common_times(const std::vector<double> &a, const std::vector
 
 /// Mean over the span of the squared norm of a planar signal's difference; both signals are linear between
 /// samples, so the integral of the square is exact.
-double mean_square(const Response &reference, const Response &candidate, const std::string &signal, Span span) {
+double mean_square(const Response &reference, const Response &candidate, const std::string &signal, Overlap span) {
   const auto &tr = reference.series("time"), &tc = candidate.series("time");
   const auto times = common_times(tr, tc, span);
   if (span.end <= span.begin) return 0;
@@ -97,7 +97,7 @@ Comparison compare(const Response &reference, const Response &candidate, double 
   if (reference.size() < 2 || candidate.size() < 2)
     throw DataError("a response with fewer than two samples cannot be compared");
   const auto &tr = reference.series("time"), &tc = candidate.series("time");
-  const Span overlap{std::max(tr.front(), tc.front()), std::min(tr.back(), tc.back())};
+  const Overlap overlap{std::max(tr.front(), tc.front()), std::min(tr.back(), tc.back())};
   if (!(overlap.begin < overlap.end))
     throw DataError(fmt::format("the responses do not overlap in time: {:g}..{:g} s and {:g}..{:g} s", tr.front(),
                                 tr.back(), tc.front(), tc.back()));
@@ -106,7 +106,7 @@ Comparison compare(const Response &reference, const Response &candidate, double 
   compare_impacts(theirs, ours, result);
   result.peak_displacement_error = relative(ours.peak_displacement, theirs.peak_displacement);
 
-  Span span = overlap;
+  Overlap span = overlap;
   if (!theirs.impacts.empty()) {
     span.begin = std::max(span.begin, theirs.impacts.front().touch_time);
     span.end = std::min(span.end, theirs.impacts.back().release_time + after_release);

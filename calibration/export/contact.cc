@@ -9,11 +9,11 @@ double LawContact::force(double d, double rate) const {
   return rim_.at({.d = d, .rate = rate, .speed = std::abs(rate), .deepest = deepest_}).force;
 }
 
-Impact fly(Contact &contact, double mass, double speed, double stiffness) {
+Bounce fly(RimContact &contact, double mass, double speed, double stiffness) {
   constexpr int steps_per_half_period = 4000, most_steps = 2'000'000;
   const double h = std::numbers::pi * std::sqrt(mass / stiffness) / steps_per_half_period;
   const auto acceleration = [&](double d, double rate) { return -contact.force(d, rate) / mass; };
-  Impact impact{.peak_force = 0, .penetration = 0, .rebound = 0, .duration = 0};
+  Bounce impact{.peak_force = 0, .penetration = 0, .rebound = 0, .duration = 0};
   double d = 0, v = speed;
   for (int step = 1; step <= most_steps; ++step) {
     const double a1 = acceleration(d, v), v2 = v + h / 2 * a1;

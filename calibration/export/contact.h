@@ -9,16 +9,16 @@
 namespace rimpact::calibration {
 
 /// Force of a rim on the slider over penetration; > 0 pushes back.
-class Contact {
+class RimContact {
 public:
-  virtual ~Contact() = default;
+  virtual ~RimContact() = default;
   virtual double force(double penetration, double rate) const = 0; ///< [N] at d [m], d' [m/s], from the accepted state
   virtual void accept(double penetration) = 0;                     ///< a step ended there
   virtual bool pulls() const { return false; }                     ///< false: lets go where the force ends
 };
 
 /// The law itself, one arc of the rim that no impact has touched before.
-class LawContact : public Contact {
+class LawContact : public RimContact {
 public:
   explicit LawContact(const reduced::RimElement &rim) : rim_(rim) {}
   double force(double d, double rate) const override;
@@ -32,7 +32,7 @@ private:
 
 /// Spring and dashpot, k d + c d': ViscoelasticGap of OpenSees (pulls before release), or in series with a gap (never
 /// pulls).
-class DashpotContact : public Contact {
+class DashpotContact : public RimContact {
 public:
   DashpotContact(double stiffness, double damping, bool pulls) : k_(stiffness), c_(damping), pulls_(pulls) {}
   double force(double d, double rate) const override {
@@ -47,7 +47,7 @@ private:
 };
 
 /// Hertzdamp of OpenSees: K d^n (1 + xi d' / v), v the speed of this impact's touch.
-class HertzdampContact : public Contact {
+class HertzdampContact : public RimContact {
 public:
   HertzdampContact(double K, double xi, double exponent, double touch_speed)
       : K_(K), xi_(xi), n_(exponent), v_(touch_speed) {}
@@ -60,7 +60,7 @@ private:
   double K_, xi_, n_, v_;
 };
 
-struct Impact {
+struct Bounce {
   double peak_force;  ///< [N]
   double penetration; ///< deepest [m]
   double rebound;     ///< over the approach speed [-]
@@ -68,7 +68,7 @@ struct Impact {
 };
 /// `mass` [kg] meets the contact at `speed` [m/s]; `stiffness` [N/m], the contact's largest, sets the step: pi sqrt(m /
 /// k) / 4000, by Runge-Kutta's fourth order within a step. Throws DataError where the mass never comes back.
-Impact fly(Contact &contact, double mass, double speed, double stiffness);
+Bounce fly(RimContact &contact, double mass, double speed, double stiffness);
 
 /// `n` speeds from `from` to `to` in equal ratios; one where they are the same.
 std::vector<double> speeds_between(double from, double to, int n);

@@ -44,7 +44,7 @@ constexpr int n_springs = 4;
 
 struct Target {
   double energy; ///< of the approaching mass [J]
-  Impact law;
+  Bounce law;
 };
 
 /// Penetration [m] at which the springs have taken `energy`, bracketed from below by zero.

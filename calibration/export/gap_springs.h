@@ -23,7 +23,7 @@ struct GapSpring {
 };
 
 /// In parallel, with the state rules of OpenSees' EPPGapMaterial ("damage": the dent stays).
-class GapSpringsContact : public Contact {
+class GapSpringsContact : public RimContact {
 public:
   explicit GapSpringsContact(std::vector<GapSpring> springs);
   double force(double d, double rate) const override;

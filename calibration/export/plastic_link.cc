@@ -43,7 +43,7 @@ PlasticLink link_of(const std::vector<double> &depth, const std::vector<double> 
 PlasticLink plastic_link(const ExportedRim &rim) {
   const auto element = rim.element();
   const double k = rim.settings.k_i;
-  std::vector<Impact> law;
+  std::vector<Bounce> law;
   const auto speeds = speeds_between(rim.from, rim.to, 10);
   for (const double v : speeds) {
     LawContact contact(element);

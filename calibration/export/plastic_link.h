@@ -21,7 +21,7 @@ struct PlasticLink {
 };
 
 /// Gap and plastic link in series as one contact.
-class PlasticLinkContact : public Contact {
+class PlasticLinkContact : public RimContact {
 public:
   explicit PlasticLinkContact(const PlasticLink &link);
   double force(double d, double rate) const override;

@@ -37,7 +37,7 @@ std::vector<std::string> SelfCheck::lines() const {
 
 nlohmann::json SelfCheck::json() const {
   nlohmann::json all = nlohmann::json::array();
-  const auto side = [](const Impact &i) {
+  const auto side = [](const Bounce &i) {
     return nlohmann::json{{"peak_force_kN", i.peak_force / 1e3},
                           {"penetration_mm", 1e3 * i.penetration},
                           {"rebound", i.rebound},

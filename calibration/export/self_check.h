@@ -8,11 +8,11 @@
 namespace rimpact::calibration {
 
 /// A fresh contact as the target program integrates it; `speed` is that of the touch (read by Hertzdamp).
-using MakeContact = std::function<std::unique_ptr<Contact>(double speed)>;
+using MakeContact = std::function<std::unique_ptr<RimContact>(double speed)>;
 
 struct CheckRow {
   double speed; ///< [m/s]
-  Impact law, spring;
+  Bounce law, spring;
 };
 struct SelfCheck {
   std::string form; ///< whose spring, for messages

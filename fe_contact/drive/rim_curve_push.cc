@@ -1,5 +1,6 @@
 #include "fe_contact/drive/rim_curve_push.h"
 
+#include "fe_contact/drive/push_steps.h"
 #include "fe_contact/drive/rim_run.h"
 #include "fe_contact/solver/ranks.h"
 #include "files/error.h"
@@ -13,10 +14,10 @@
 namespace rimpact::fe {
 namespace {
 
-constexpr double first_step = 1e-5, growth = 1.6, smallest_step = 1e-8; ///< of travel [m]
-constexpr double share_in = 0.12;            ///< longest step over the penetration: gentle impacts need it
-constexpr int steps_in = 40, steps_out = 14; ///< to the deepest point; of an unloading, by falls of the force
-constexpr double furthest = 20;              ///< times the rim's thickness: folded over
+constexpr double share_in = 0.12; ///< longest step over the penetration: gentle impacts need it
+constexpr int curve_steps_in = 40,
+              curve_steps_out = 14; ///< to the deepest point; of an unloading, by falls of the force
+constexpr double furthest = 20;     ///< times the rim's thickness: folded over
 
 /// The slider's way: along the dish, or held at the height of first touch.
 struct Way {
@@ -54,7 +55,7 @@ public:
       return result;
     };
     const MarchReport report =
-        march(0, furthest * thickness, {first_step, smallest_step, depth / steps_in, growth}, attempt);
+        march(0, furthest * thickness, {first_step, smallest_step, depth / curve_steps_in, growth}, attempt);
     if (next < works.size())
       throw SolverStopped(fmt::format("the curve stopped at {:.4f} mm beyond touch, with {:.4g} of {:.4g} J: {}; try a "
                                       "finer mesh or a lower --speed",
@@ -80,12 +81,12 @@ private:
       if (!result.accepted) return result;
       const double d = deepest - way - step, force = force_of(state), slope = (back.force.back() - force) / step;
       result.last = state.bearing_points() == 0 || force <= 0;
-      if (!result.last) result.wish = top / steps_out / std::max(slope, 1e-3 * stiffness);
+      if (!result.last) result.wish = top / curve_steps_out / std::max(slope, 1e-3 * stiffness);
       if (result.last) return end(back, d), result;
       back.penetration.push_back(d), back.force.push_back(force);
       return result;
     };
-    const double first = top / stiffness / steps_out;
+    const double first = top / stiffness / curve_steps_out;
     const MarchReport report = march(0, deepest, {first, smallest_step, 8 * first, growth}, attempt);
     if (!report.finished)
       throw SolverStopped(fmt::format("the unloading from {:.4f} mm stopped after {:.4f} mm: {}; try a finer mesh",

@@ -1,6 +1,7 @@
 // The quasi-static push of rung rim: the top face is driven beyond touch and back, the height following the
 // dish.
 #include "fe_contact/drive/fields.h"
+#include "fe_contact/drive/push_steps.h"
 #include "fe_contact/drive/rim_run.h"
 #include "fe_contact/drive/sample_row.h"
 #include "files/error.h"
@@ -12,8 +13,6 @@
 namespace rimpact::fe {
 namespace {
 
-constexpr double first_step = 1e-5, growth = 1.6,
-                 smallest_step = 1e-8; ///< of travel [m]; the first contact wants a small one
 constexpr int steps_in = 32, steps_out = 64;
 
 struct Pusher {

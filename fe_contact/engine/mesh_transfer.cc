@@ -13,9 +13,9 @@ namespace {
 using Eigen::Vector3d;
 
 /// Quadratic Lagrange functions at the nodes 0, 1/2, 1 of a direction, and their derivatives.
-struct Line {
+struct Quadratic {
   std::array<double, 3> N, d;
-  explicit Line(double x)
+  explicit Quadratic(double x)
       : N{(1 - x) * (1 - 2 * x), 4 * x * (1 - x), x * (2 * x - 1)}, d{4 * x - 3, 4 - 8 * x, 4 * x - 1} {}
 };
 
@@ -67,7 +67,7 @@ private:
 
   /// A place of the cell, and the derivatives by its unit coordinates.
   std::pair<Vector3d, Eigen::Matrix3d> tangent(int cell, const Vector3d &at) const {
-    const Line lx(at[0]), ly(at[1]), lz(at[2]);
+    const Quadratic lx(at[0]), ly(at[1]), lz(at[2]);
     Vector3d x = Vector3d::Zero();
     Eigen::Matrix3d jacobian = Eigen::Matrix3d::Zero();
     for (int a = 0; a < 27; ++a) {
@@ -124,7 +124,7 @@ Eigen::VectorXd MeshTransfer::nodal(const Eigen::VectorXd &by_dof) const {
   Eigen::VectorXd result = Eigen::VectorXd::Zero(to_.n_dofs());
   for (std::size_t k = 0; k < nodes_.size(); ++k) {
     if (nodes_[k].cell < 0) continue;
-    const Line x(nodes_[k].at[0]), y(nodes_[k].at[1]), z(nodes_[k].at[2]);
+    const Quadratic x(nodes_[k].at[0]), y(nodes_[k].at[1]), z(nodes_[k].at[2]);
     for (int a = 0; a < 27; ++a) {
       const auto &[i, j, l] = from_.node_places[a];
       result.segment<3>(3 * k) +=

@@ -8,6 +8,12 @@
 
 namespace rimpact::calibration::testing {
 
+inline std::vector<const StoredRun *> pointers(const std::vector<StoredRun> &runs) {
+  std::vector<const StoredRun *> all;
+  for (const auto &run : runs) all.push_back(&run);
+  return all;
+}
+
 inline scene::Scene ricker(double scale, double k_i = 3e8, double e = 0.4, double amplitude_g = 0.78,
                            double period = 1.0) {
   scene::Scene s;

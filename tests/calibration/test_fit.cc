@@ -11,12 +11,6 @@ using namespace testing;
 
 constexpr double true_k = 3e5, true_e = 0.4; // kN/m, -
 
-std::vector<const StoredRun *> pointers(const std::vector<StoredRun> &runs) {
-  std::vector<const StoredRun *> all;
-  for (const auto &run : runs) all.push_back(&run);
-  return all;
-}
-
 /// The runs' own settings must not help: they say something else than the truth.
 std::vector<StoredRun> forgetful(std::vector<StoredRun> runs) {
   for (auto &run : runs) run.scene.reduced.k_i = 4.5e8, run.scene.reduced.restitution = 0.65;

@@ -9,12 +9,6 @@ namespace rimpact::calibration {
 namespace {
 using namespace testing;
 
-std::vector<const StoredRun *> pointers(const std::vector<StoredRun> &runs) {
-  std::vector<const StoredRun *> all;
-  for (const auto &run : runs) all.push_back(&run);
-  return all;
-}
-
 scene::Scene yielding_window(double speed) {
   auto s = window(speed, 6e8);
   s.reduced.impact_law = "elastoplastic";

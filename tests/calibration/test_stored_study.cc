@@ -30,7 +30,7 @@ StoredStudy study(const std::string &name, double speed, double error, bool extr
            {"observed_order", extrapolated ? nlohmann::json(2.0) : nlohmann::json()}}};
 }
 
-struct ErrorEstimate : testing::Test {
+struct ErrorEstimate : ::testing::Test {
   scene::Scene scene = scene::load_scene("impact-window", {});
   Summary summary;
   std::vector<StoredStudy> studies{study("slow", 0.1, 0.002, true), study("fast", 0.5, 0.02, false)};
