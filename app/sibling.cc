@@ -6,7 +6,9 @@
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
+#include <fmt/format.h>
 #include <sys/prctl.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -28,6 +30,17 @@ void redirect(const std::string &path, int descriptor) {
   if (file < 0 || dup2(file, descriptor) < 0) _exit(static_cast<int>(ExitCode::io));
 }
 
+/// Below it MPI, OpenBLAS and HDF5 stop without a sentence, or wait for threads they could not start.
+constexpr rlim_t least_address_space = 900ULL << 20;
+
+void need_address_space() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur >= least_address_space) return;
+  throw SolverStopped(
+      fmt::format("the limit of this process's address space (ulimit -v) is {} MB; finite elements need {} MB",
+                  limit.rlim_cur >> 20, least_address_space >> 20));
+}
+
 } // namespace
 
 std::string sibling(const std::string &name) {
@@ -43,6 +56,7 @@ std::string fe_program() {
 }
 
 void become_fe(int argc, char **argv) {
+  need_address_space();
   // OpenBLAS's idle threads spin for tens of milliseconds and take the core from the assembly: let them sleep at once.
   setenv("OPENBLAS_THREAD_TIMEOUT", "4", 0);
   std::vector<std::string> words{fe_program()};

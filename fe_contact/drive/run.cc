@@ -2,6 +2,7 @@
 #include "fe_contact/drive/run.h"
 
 #include "fe_contact/drive/fields.h"
+#include "fe_contact/drive/memory_limit.h"
 #include "fe_contact/drive/record_checkpoint.h"
 #include "fe_contact/drive/rim_run.h"
 #include "fe_contact/drive/solver_counts.h"
@@ -15,6 +16,7 @@
 #include <fmt/format.h>
 #include <new>
 #include <optional>
+#include <system_error>
 
 namespace rimpact::fe {
 namespace {
@@ -121,6 +123,7 @@ Summary run(const scene::Scene &scene, const planning::Plan &plan, const RunOpti
   options.resume = goes_on(scene, options, record);
   if (!options.resume) begin_checkpoint(options, record);
   try {
+    need_memory(plan.expected_memory_bytes);
     run_rung(scene, plan, options, record);
   } catch (const Interrupted &error) {
     status = "interrupted";
@@ -132,7 +135,12 @@ Summary run(const scene::Scene &scene, const planning::Plan &plan, const RunOpti
     failure = std::current_exception();
   } catch (const std::bad_alloc &) {
     status = "stopped";
-    reason = "there is not enough memory; a coarser mesh (a lower model.mesh) needs less";
+    reason = "the limit of memory is reached; a coarser mesh (a lower model.mesh) needs less";
+    failure = std::make_exception_ptr(SolverStopped(reason));
+  } catch (const std::system_error &error) {
+    if (error.code() != std::errc::resource_unavailable_try_again) throw;
+    status = "stopped";
+    reason = "the limit of threads or of memory is reached: a thread could not be started";
     failure = std::make_exception_ptr(SolverStopped(reason));
   }
   const auto doubt = failure ? std::nullopt : doubt_of_rebound(record.response, record.impacts);
