@@ -14,7 +14,8 @@ namespace {
 class MeasuredBlock final : public ResidualBlock {
 public:
   MeasuredBlock(const StoredRun &run, const ImpactWindow &window, const FitOptions &options)
-      : ResidualBlock(with_settings(run.scene, options.law, options.fixed)), window_(window), m_(*window.measurement) {
+      : ResidualBlock(with_settings(run.scene, options.law, options.fixed)), record_(run), window_(window),
+        m_(*window.measurement) {
     const Uncertainty u = run.uncertainty.value_or(options.uncertainty);
     time_error_ = u.time, gain_ = u.gain;
     const reduced::PhysicalModel model(run.scene);
@@ -48,31 +49,31 @@ public:
   }
 
   /// Peak and rebound are sums of the samples that force and displacement compare: what a sample errs moves both.
-  Eigen::MatrixXd noise_filling(const Eigen::MatrixXd &J) const override {
-    const Eigen::Index n_times = static_cast<Eigen::Index>(window_.times.size());
-    Eigen::MatrixXd by_force = Eigen::MatrixXd::Zero(n_times, J.cols()), by_displacement = by_force;
-    Eigen::Index n = 0;
-    if (force_ > 0)
-      for (std::size_t i = m_.pressed_first; i <= m_.pressed_last; ++i) by_force.row(i) += force_ * J.row(n++);
-    if (displacement_ > 0)
-      for (std::size_t i = m_.flown; i < window_.times.size(); ++i)
-        by_displacement.row(i) += displacement_ * J.row(n++);
-    if (rebound_ > 0) spread(m_.rebound, rebound_ * J.row(n++), by_displacement);
-    if (peak_ > 0) spread(m_.peak, peak_ * J.row(n++), by_force);
-    const auto known = J.bottomRows(n_nuisance());
-    const double travel = m_.sigma_displacement * m_.sigma_displacement * m_.inflation;
-    return m_.sigma_force * m_.sigma_force * by_force.transpose() * by_force +
-           travel * by_displacement.transpose() * by_displacement + known.transpose() * known;
+  Eigen::MatrixXd noise_times(const Eigen::MatrixXd &X, Channel channel) const override {
+    const Rows rows = places();
+    Eigen::MatrixXd result = Eigen::MatrixXd::Zero(X.rows(), X.cols());
+    if (channel == Channel::force) {
+      add_samples(X, result, rows.force, m_.pressed_first, n_pressed_, force_, rows.peak, m_.peak, peak_);
+      return m_.sigma_force * m_.sigma_force * result;
+    }
+    add_samples(X, result, rows.displacement, m_.flown, n_travelled_, displacement_, rows.rebound, m_.rebound,
+                rebound_);
+    result *= m_.sigma_displacement * m_.sigma_displacement * m_.inflation;
+    result.bottomRows(n_nuisance()) = X.bottomRows(n_nuisance());
+    return result;
   }
+  double freedom(Channel channel) const override {
+    return channel == Channel::force ? m_.freedom_force : m_.freedom_displacement;
+  }
+  const void *record() const override { return &record_; }
 
   Eigen::VectorXd gain_error() const override {
     Eigen::VectorXd change = Eigen::VectorXd::Zero(size());
-    Eigen::Index n = 0;
-    if (force_ > 0)
-      for (std::size_t i = m_.pressed_first; i <= m_.pressed_last; ++i) change(n++) = gain_ * force_ * window_.force[i];
-    if (displacement_ > 0) n += n_travelled_;
-    if (rebound_ > 0) ++n;
-    if (peak_ > 0) change(n) = gain_ * peak_ * m_.peak.of(window_.force);
+    const Rows rows = places();
+    if (rows.force >= 0)
+      for (Eigen::Index i = 0; i < n_pressed_; ++i)
+        change(rows.force + i) = gain_ * force_ * window_.force[m_.pressed_first + i];
+    if (rows.peak >= 0) change(rows.peak) = gain_ * peak_ * m_.peak.of(window_.force);
     return change;
   }
 
@@ -102,8 +103,32 @@ private:
     return scale;
   }
 
-  static void spread(const Functional &f, const Eigen::RowVectorXd &row, Eigen::MatrixXd &samples) {
-    for (std::size_t i = 0; i < f.weights.size(); ++i) samples.row(f.first + i) += f.weights[i] * row;
+  /// First row of each group; -1: left out.
+  struct Rows {
+    Eigen::Index force = -1, displacement = -1, rebound = -1, peak = -1;
+  };
+  Rows places() const {
+    Rows rows;
+    for (const auto &g : groups()) {
+      if (g.name == "force") rows.force = g.first;
+      if (g.name == "displacement") rows.displacement = g.first;
+      if (g.name == "rebound") rows.rebound = g.first;
+      if (g.name == "peak") rows.peak = g.first;
+    }
+    return rows;
+  }
+  /// result += S S^T X, S the factors of a channel's samples in the residuals: `count` of a curve from sample `first`
+  /// on, at row `curve`, and those of the functional at row `read`.
+  void add_samples(const Eigen::MatrixXd &X, Eigen::MatrixXd &result, Eigen::Index curve, std::size_t first, int count,
+                   double curve_factor, Eigen::Index read, const Functional &f, double read_factor) const {
+    Eigen::MatrixXd samples = Eigen::MatrixXd::Zero(static_cast<Eigen::Index>(window_.times.size()), X.cols());
+    const auto weights =
+        Eigen::Map<const Eigen::VectorXd>(f.weights.data(), static_cast<Eigen::Index>(f.weights.size()));
+    const auto n = weights.size(), from = static_cast<Eigen::Index>(f.first), begin = static_cast<Eigen::Index>(first);
+    if (curve >= 0) samples.middleRows(begin, count) = curve_factor * X.middleRows(curve, count);
+    if (read >= 0) samples.middleRows(from, n) += read_factor * weights * X.row(read);
+    if (curve >= 0) result.middleRows(curve, count) += curve_factor * samples.middleRows(begin, count);
+    if (read >= 0) result.row(read) += read_factor * weights.transpose() * samples.middleRows(from, n);
   }
 
   reduced::BearingState moved(std::span<const double> nuisance) const {
@@ -127,6 +152,7 @@ private:
     }
   }
 
+  const StoredRun &record_;
   const ImpactWindow &window_;
   const Measurement &m_;
   Eigen::Vector2d slope_;

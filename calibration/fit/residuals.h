@@ -18,6 +18,9 @@ struct Group {
   double freedom = std::numeric_limits<double>::infinity(); ///< degrees of freedom that noise was found with
 };
 
+/// The channels of a record, each with a noise of its own. What is known of an impact's start comes from displacements.
+enum class Channel { force, displacement };
+
 class ResidualBlock {
 public:
   explicit ResidualBlock(const scene::Scene &scene) : scene_(scene) {}
@@ -34,11 +37,15 @@ public:
 
   /// Whether the covariance of the residuals comes from the record's own noise, and not from stated uncertainties.
   virtual bool measured() const { return false; }
-  /// J^T C J with the covariance C of the residuals by the noise of the record's samples, each independent; `J` has a
-  /// row a residual.
-  virtual Eigen::MatrixXd noise_filling(const Eigen::MatrixXd &J) const {
-    return Eigen::MatrixXd::Zero(J.cols(), J.cols());
+  /// V X with the covariance V of the residuals by the noise of one channel's samples, each independent; `X` has a row
+  /// a residual.
+  virtual Eigen::MatrixXd noise_times(const Eigen::MatrixXd &X, Channel) const {
+    return Eigen::MatrixXd::Zero(X.rows(), X.cols());
   }
+  /// Degrees of freedom the channel's noise was found with, and the record it was found in: the error of the noise is
+  /// common to all impacts of a record.
+  virtual double freedom(Channel) const { return std::numeric_limits<double>::infinity(); }
+  virtual const void *record() const { return nullptr; }
   /// Change of the residuals by one standard error of the force channel's gain.
   virtual Eigen::VectorXd gain_error() const { return Eigen::VectorXd::Zero(size()); }
 

@@ -7,6 +7,7 @@ namespace rimpact::calibration {
 struct Spread {
   Eigen::MatrixXd stated_covariance; ///< the same from the stated uncertainties alone: what the data could tell
   Eigen::MatrixXd covariance;        ///< of the fitted variables
+  Eigen::VectorXd freedom;           ///< degrees of freedom of each one's variance, by Welch and Satterthwaite
   bool within_noise = true;          ///< no group of a measured impact leaves more than its noise
   bool measured = false;             ///< any impact is
   double condition = 0;              ///< of the Jacobian in relative changes; infinite when a parameter has no effect

@@ -4,6 +4,7 @@
 // intervals cover 90 to 99 % and its bias is below a third of the stated error, or where the verdict says for most
 // seeds that the data do not tell. Wide: more than 99 % are covered.
 //   calibration_coverage [--seeds N] [--starts N] [--only WORD] [--all] [--table FILE]
+// --starts 0: from the truth alone, which tells the valley's width and not whether it is found.
 // Without --all a few cells, with a margin for few seeds. --table keeps finished cells, so that an interrupted run goes
 // on.
 #include "calibration/fit/fit.h"
@@ -81,11 +82,13 @@ std::map<std::string, Tally> run_cell(const Cell &cell, int n_seeds, int n_start
   FitOptions options;
   options.parameters = rimpact::reduced::impact_law(cell.law).parameters;
   if (cell.two) options.parameters.resize(2);
-  options.n_starts = n_starts > 0                               ? n_starts
+  options.n_starts = n_starts >= 0                              ? n_starts
                      : cell.law == "elastoplastic" && !cell.two ? FitOptions().n_starts
                                                                 : 1; // four parameters have several valleys
   std::map<std::string, Tally> tallies;
   for (const auto &name : options.parameters) tallies[name].truth = parameter(name).get(scenes[0]) / parameter(name).si;
+  if (n_starts == 0)
+    for (const auto &[name, t] : tallies) options.start[name] = t.truth;
   for (int seed = 1; seed <= n_seeds; ++seed) {
     std::vector<StoredRun> runs;
     for (std::size_t i = 0; i < scenes.size(); ++i)
@@ -146,7 +149,7 @@ std::set<std::string> finished(const std::string &path) {
 } // namespace
 
 int main(int argc, char **argv) {
-  int n_seeds = 40, n_starts = 0;
+  int n_seeds = 40, n_starts = -1;
   bool all = false;
   std::string only, table;
   for (int i = 1; i < argc; ++i) {
