@@ -1,7 +1,9 @@
 """What the bearing carries, where a run has a building: storey by storey, and over time."""
+from .. import interactive
 from ..blocks import Section, heading, table
 from ..figures import building as figure_building
 from ..numbers import fixed, is_number, scaled, sig
+from ..run_folder import Run
 from .common import title_of
 
 G = 9.80665
@@ -17,8 +19,12 @@ def make(context):
         section.add(_peaks(run))
         section.add(_storeys(run))
         section.add(context.pictures.figure(f"building-{entry.name}", "First storey and roof over time, both horizontal directions.",
-                                            figure_building.draw, run))
+                                            figure_building.draw, run, curves=_curves))
     return section
+
+
+def _curves(run: Run) -> list[interactive.Panel]:
+    return interactive.over_time(run, figure_building.PANELS)
 
 
 def _peaks(run):
