@@ -7,6 +7,7 @@ import sys
 from . import document
 from .errors import InputError, run_main
 from .fleet import is_fleet
+from .mapping_file import is_mapping
 
 
 def main(arguments: list[str]) -> None:
@@ -27,6 +28,9 @@ def main(arguments: list[str]) -> None:
     if os.path.exists(os.path.join(options.folder, "reliability.json")):
         from .reliability.__main__ import build as build_reliability
         path, _ = build_reliability(options.folder, options.output)
+    elif os.path.isfile(options.folder) and is_mapping(options.folder):
+        from .measured_page import build as build_measured
+        path, _ = build_measured(options.folder, options.output)
     elif is_fleet(options.folder):
         from .fleet_page import build as build_fleet
         path, _ = build_fleet(options.folder, options.output)
