@@ -3,7 +3,7 @@ DIR/building.png, DIR/fleet.png of a sweep, or the picture of a study, DIR/geome
 import argparse
 import os
 
-from . import fleet
+from . import building_tables, fleet
 from .data_files import read_any_json
 from .errors import DataError, run_main
 from .figures import building_on_bearings, geometry, response_panels, study
@@ -19,6 +19,7 @@ def draw(kind: str, folder: str) -> str:
     run = load_run(folder)
     if not run.has("time", "displacement_x", "displacement_y"):
         raise DataError(f"{folder} holds no displacements to draw")
+    building_tables.write(run)
     if kind == "building":
         return building_on_bearings.draw(run, os.path.join(folder, "building.png"))
     role, label = ("fitted", "reduced model") if kind == "reduced" else ("fe", "finite elements")

@@ -2,9 +2,10 @@
 from .. import interactive
 from ..blocks import Section, heading, table
 from ..figures import building as figure_building
+from ..figures import storeys
 from ..numbers import fixed, is_number, scaled, sig
 from ..run_folder import Run
-from .common import title_of
+from .common import tables_note, title_of
 
 G = 9.80665
 
@@ -20,6 +21,8 @@ def make(context):
         section.add(_storeys(run))
         section.add(context.pictures.figure(f"building-{entry.name}", "First storey and roof over time, both horizontal directions.",
                                             figure_building.draw, run, curves=_curves))
+        section.add(context.pictures.figure(f"storeys-{entry.name}", "Over the height, storeys counted from the base up.", storeys.draw_profiles, run))
+        section.add(tables_note(run))
     return section
 
 

@@ -5,8 +5,8 @@ import re
 import xml.etree.ElementTree as tree
 from typing import Any
 
-from .. import view3d, vtu
-from ..blocks import note, turning
+from .. import building_tables, view3d, vtu
+from ..blocks import note, text, turning
 from ..calibration_file import PAIR_LAWS
 from ..errors import DataError
 from ..numbers import is_number
@@ -86,6 +86,12 @@ def turning_model(grid: vtu.Grid, run: Run, time: float | None) -> dict[str, Any
     said = said_of(run, time)
     return turning(view3d.data(grid, said), f"The same fields{' at ' + said if said else ''} to be turned: drag, or two fingers; the wheel "
                    "zooms after a click, Shift moves.")
+
+
+def tables_note(run: Run) -> dict[str, Any] | None:
+    """Writes a building's tables beside its run and says so."""
+    names = building_tables.write(run)
+    return text(" and ".join(f"`{name}`" for name in names) + " in the run's folder hold the same as tables, in SI.") if names else None
 
 
 def impact_peak(run):
