@@ -1,14 +1,16 @@
 """python3 -m report DIR [--output FILE] [--title ...] [--pdf]: the report of a run folder, of a `rimpact main` results folder, of
-a calibration or of a reliability study."""
+a calibration, of a sweep, of a reliability study or of a laboratory's curve (its mapping file, with --output)."""
 import argparse
 import os
 import sys
 
 from . import document
 from .errors import InputError, run_main
+from .fleet import is_fleet
+from .mapping_file import is_mapping
 
 
-def main(arguments):
+def main(arguments: list[str]) -> None:
     parser = argparse.ArgumentParser(prog="rimpact report", description=__doc__)
     parser.add_argument("folder", metavar="DIR")
     parser.add_argument("--output", metavar="FILE", help="DIR/report.html when not given")
@@ -26,6 +28,12 @@ def main(arguments):
     if os.path.exists(os.path.join(options.folder, "reliability.json")):
         from .reliability.__main__ import build as build_reliability
         path, _ = build_reliability(options.folder, options.output)
+    elif os.path.isfile(options.folder) and is_mapping(options.folder):
+        from .measured_page import build as build_measured
+        path, _ = build_measured(options.folder, options.output)
+    elif is_fleet(options.folder):
+        from .fleet_page import build as build_fleet
+        path, _ = build_fleet(options.folder, options.output)
     else:
         from .build import build
         path, _ = build(options.folder, options.output, given)
@@ -34,7 +42,7 @@ def main(arguments):
         _print(path)
 
 
-def _print(html):
+def _print(html: str) -> None:
     from .pdf import print_to
     path = os.path.splitext(html)[0] + ".pdf"
     missing = print_to(html, path)

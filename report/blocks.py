@@ -1,7 +1,12 @@
 """What a section is made of. Each block is a small dictionary that the template knows how to draw."""
+from collections.abc import Callable
 from dataclasses import dataclass, field
+from typing import Any
+
+from markupsafe import Markup
 
 from .errors import IoError, ReportError
+from .interactive import Panel, data
 from .style import DPI, WIDTH, embedded, plt
 
 
@@ -48,6 +53,11 @@ def details(title, content):
     return {"kind": "details", "title": title, "content": content} if content else None
 
 
+def turning(model: Markup, caption: str) -> dict[str, Any]:
+    """A model to be turned, as view3d.data() has it. It shows nothing in print or without WebGL: a picture stands beside it."""
+    return {"kind": "turning", "model": model, "caption": caption}
+
+
 class Pictures:
     """Draws figures into one folder and embeds them. A figure that cannot be drawn becomes a sentence."""
 
@@ -58,20 +68,23 @@ class Pictures:
         safe = "".join(c if c.isalnum() or c in "-._" else "-" for c in name)
         return f"{self.folder}/{safe}.png"
 
-    def figure(self, name, caption, draw, *arguments, **options):
-        """draw(*arguments, path, **options) gives the path, or None when there is nothing to draw."""
+    def figure(self, name: str, caption: str, draw: Callable[..., str | None], *arguments: Any,
+               curves: Callable[..., list[Panel]] | None = None, **options: Any) -> dict[str, Any] | None:
+        """draw(*arguments, path, **options) gives the path, or None when there is nothing to draw. `curves`(*arguments): the same
+        for the page's script, to be zoomed."""
         path = self.path(name)
         try:
             drawn = draw(*arguments, path, **options)
+            zoomed = data(curves(*arguments)) if drawn and curves else None
         except IoError:
             raise
         except (ReportError, KeyError, ValueError, IndexError, TypeError, ZeroDivisionError) as error:
             plt.close("all")
             self.problems.append(f"figure {name} could not be drawn: {error}")
             return None
-        return self.existing(drawn, caption) if drawn else None
+        return self.existing(drawn, caption) | {"curves": zoomed} if drawn else None
 
-    def existing(self, path, caption):
+    def existing(self, path: str, caption: str) -> dict[str, Any]:
         source, width = embedded(path)
         share = min(100, round(100 * width / (WIDTH * DPI)))
         return {"kind": "figure", "source": source, "caption": caption, "file": path.rsplit("/", 1)[-1], "share": share}

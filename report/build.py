@@ -12,7 +12,9 @@ from .run_folder import parse_scene
 class Context:
     """Everything a section may read, and where it puts its pictures."""
 
-    def __init__(self, folder, figures):
+    def __init__(self, folder: str, figures: str, beside: str) -> None:
+        """`beside`: the folder the report goes to, for files that stand beside it."""
+        self.beside = beside
         self.results = load_results(folder)
         self.calibration = calibration_file.read(self.results.calibration)
         for entry in self.results.entries:  # main.json tells the roles; without it the calibration does
@@ -46,7 +48,7 @@ def build(folder, output=None, given=document.Document()):
     """Writes the report and its pictures (DIR/figures/); gives the report's path and the list of problems.
     `given`: what the command line says of title, client, project and author."""
     output = output or os.path.join(folder, "report.html")
-    context = Context(folder, os.path.join(folder, "figures"))
+    context = Context(folder, os.path.join(folder, "figures"), os.path.dirname(os.path.abspath(output)) if not os.path.exists(output) or os.path.isfile(output) else folder)
     first = first_page.make(context)
     made = [section for section in (make(context) for make in sections.CATALOGUE) if section is not None and section.blocks]
     page.write(output, "report.html.j2", head=sections.head(context, given), page=first, sections=made,

@@ -5,7 +5,7 @@ folders. Needs displacements, forces and rim forces in x and y; what else is mis
 import argparse
 import os
 
-from . import page
+from . import interactive, page
 from .blocks import Pictures, Section, heading, note, table, text
 from .data_files import read_json
 from .errors import run_main
@@ -82,9 +82,9 @@ def build(folder):
     planar = all(run.is_planar() for _, run in comparison.models)
     curves.add(pictures.figure(
         "response", "Displacement, lateral force, loop" + ("" if planar else "s, path in plan") + " and vertical displacement. "
-        "Dotted red: lateral capacity L_c.", response_panels.draw, comparison.models, comparison.labels, comparison.capacity))
+        "Dotted red: lateral capacity L_c.", response_panels.draw, comparison.models, comparison.labels, comparison.capacity, curves=interactive.response))
     zoom = pictures.figure("impacts", "Rim force through each impact, the first four, each curve from its own touch.",
-                           impacts.draw, comparison.models, comparison.labels)
+                           impacts.draw, comparison.models, comparison.labels, curves=interactive.impacts)
     curves.add(zoom or note("The rim is touched in none of them."))
     numbers_section = Section("numbers", "Numbers")
     numbers_section.add(_peaks(comparison))

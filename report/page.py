@@ -1,17 +1,26 @@
 """An HTML page from a template of this package, written whole or not at all."""
 import os
+from typing import Any
 
 import jinja2
 
+from .blocks import Section
 from .files import write_whole
 from .markup import sentence
 
 TEMPLATES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "templates")
 
 
-def write(path, template, **content):
+SCRIPTS = {"curves": "plot.js", "model": "view3d.js", "frames": "film.js"}  #: by the part of a block that needs one
+
+
+def _scripts(sections: list[Section]) -> list[str]:
+    return [script for part, script in SCRIPTS.items() if any(block.get(part) for section in sections for block in section.blocks)]
+
+
+def write(path: str, template: str, **content: Any) -> None:
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATES), autoescape=True, trim_blocks=True,
                                      lstrip_blocks=True, undefined=jinja2.StrictUndefined)
     environment.filters["sub"] = sentence
-    html = environment.get_template(template).render(**content)
+    html = environment.get_template(template).render(scripts=_scripts(content.get("sections", [])), **content)
     write_whole(path, lambda file: file.write(html.encode("utf-8", "replace")))

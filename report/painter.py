@@ -1,12 +1,12 @@
 """Draws the boundary of hexahedral meshes with matplotlib alone: boundary faces, bodies, painter's algorithm."""
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.collections import PolyCollection
 
-#: the six faces of a hexahedron in VTK's (and gmsh's) corner order, outward
-FACES = np.array([[0, 3, 2, 1], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
+from .hexahedra import FACES, face_nodes
 
 
-def merged(points, tolerance=5e-7):
+def merged(points: np.ndarray, tolerance: float = 5e-7) -> np.ndarray:
     """For each point the number of its place: cell-wise copies of a node get the same number, also where single
     precision has moved them by a few units in the last place. Per coordinate, values with smaller gaps than
     `tolerance` [m] count as one."""
@@ -18,16 +18,17 @@ def merged(points, tolerance=5e-7):
     return np.unique(place, axis=0, return_inverse=True)[1].reshape(-1)
 
 
-def boundary_faces(cells, place):
-    """(corner indices (n, 4), cell of each) of faces that only one cell has; `place` as from merged()."""
-    faces = cells[:, FACES].reshape(-1, 4)
-    keys = np.sort(place[faces], axis=1)
+def boundary_faces(cells: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """(nodes of the faces (n, 4, 8 or 9) as face_nodes() has them, cell of each) of faces that only one cell has; `place` as
+    from merged()."""
+    faces = face_nodes(cells)
+    keys = np.sort(place[faces[:, :4]], axis=1)
     _, first, count = np.unique(keys, axis=0, return_index=True, return_counts=True)
     alone = np.sort(first[count == 1])
     return faces[alone], alone // 6
 
 
-def bodies(cells, place):
+def bodies(cells: np.ndarray, place: np.ndarray) -> np.ndarray:
     """Number of the connected body of each cell. Cells are connected through a common face, so bodies that only
     touch stay apart."""
     keys = np.sort(place[cells[:, FACES].reshape(-1, 4)], axis=1)
@@ -45,7 +46,14 @@ def bodies(cells, place):
         label = lowest
 
 
-def view(azimuth, elevation):
+def body_of_points(cells: np.ndarray, body: np.ndarray, n_points: int) -> np.ndarray:
+    """Body of every point; cell-wise copies of a node are points of their own."""
+    of_point = np.zeros(n_points, dtype=np.int64)
+    of_point[cells] = body[:, None]
+    return of_point
+
+
+def view(azimuth: float, elevation: float) -> np.ndarray:
     """Orthographic axes (right, up, towards the viewer) for a viewer at azimuth and elevation [deg] around z."""
     a, e = np.radians([azimuth, elevation])
     towards = np.array([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)])
@@ -53,21 +61,23 @@ def view(azimuth, elevation):
     return np.array([right, np.cross(towards, right), towards])
 
 
-def turned(vectors, angle):
+def turned(vectors: np.ndarray, angle: float) -> np.ndarray:
     """As seen in axes that stand at `angle` [rad] about z."""
     c, s = np.cos(angle), np.sin(angle)
     return np.column_stack([c * vectors[:, 0] + s * vectors[:, 1], c * vectors[:, 1] - s * vectors[:, 0], vectors[:, 2]])
 
 
-def normals(quads):
-    """Unit normals of (n, 4, 3) faces, from their diagonals."""
-    n = np.cross(quads[:, 2] - quads[:, 0], quads[:, 3] - quads[:, 1])
+def normals(rings: np.ndarray) -> np.ndarray:
+    """Unit normals of faces (n, 4 k, 3) given by their edge, from the diagonals of its four corners."""
+    k = rings.shape[1] // 4
+    n = np.cross(rings[:, 2 * k] - rings[:, 0], rings[:, 3 * k] - rings[:, k])
     return n / np.maximum(np.linalg.norm(n, axis=1, keepdims=True), 1e-300)
 
 
-def paint(ax, quads, colours, axes, outlines=None, edge=(0.1, 0.15, 0.2, 0.4), line_width=0.25, shading=0.35):
+def paint(ax: Axes, quads: np.ndarray, colours: np.ndarray, axes: np.ndarray, outlines: np.ndarray | None = None,
+          edge: tuple = (0.1, 0.15, 0.2, 0.4), line_width: float = 0.25, shading: float = 0.35) -> None:
     """Draws faces (n, 4, 3) in (n, 4) RGBA colours, far ones first, darker where they turn from the viewer. Faces
-    turned away are left out. `outlines`: faces (m, 4, 3) whose edges are drawn, hidden like the faces; without it
+    turned away are left out. `outlines`: rings (m, 4 k, 3) whose lines are drawn, hidden like the faces; without it
     every face is outlined."""
     facing = normals(quads) @ axes[2]
     seen = facing > 1e-9
@@ -75,15 +85,16 @@ def paint(ax, quads, colours, axes, outlines=None, edge=(0.1, 0.15, 0.2, 0.4), l
     colours[:, :3] *= (1 - shading + shading * facing)[:, None]
     edges = np.tile(edge, (len(quads), 1)) if outlines is None else colours
     depth = quads.mean(axis=1) @ axes[2]
+    flat = list(np.stack([quads @ axes[0], quads @ axes[1]], axis=-1))
     if outlines is not None:
         outlines = outlines[normals(outlines) @ axes[2] > 1e-9]
-        size = np.linalg.norm(outlines[:, 2] - outlines[:, 0], axis=1)
-        quads, depth = np.concatenate([quads, outlines]), np.concatenate([depth, outlines.mean(axis=1) @ axes[2] + size])
+        size = np.linalg.norm(outlines[:, outlines.shape[1] // 2] - outlines[:, 0], axis=1)
+        flat += list(np.stack([outlines @ axes[0], outlines @ axes[1]], axis=-1))
+        depth = np.concatenate([depth, outlines.mean(axis=1) @ axes[2] + size])
         colours = np.concatenate([colours, np.zeros((len(outlines), 4))])
         edges = np.concatenate([edges, np.tile(edge, (len(outlines), 1))])
     order = np.argsort(depth)
-    flat = np.stack([quads @ axes[0], quads @ axes[1]], axis=-1)
-    ax.add_collection(PolyCollection(flat[order], facecolors=colours[order], edgecolors=edges[order],
+    ax.add_collection(PolyCollection([flat[i] for i in order], facecolors=colours[order], edgecolors=edges[order],
                                      linewidths=line_width))
     ax.set_aspect("equal", adjustable="datalim")
     ax.autoscale_view()

@@ -1,22 +1,25 @@
-"""python3 -m report.quick reduced|fe|building|geometry|study DIR: writes DIR/response.png, the panels of one run,
-DIR/building.png, or the picture of a study, DIR/geometry.png or DIR/study.png."""
+"""python3 -m report.quick reduced|fe|building|fleet|geometry|study DIR: writes DIR/response.png, the panels of one run,
+DIR/building.png, DIR/fleet.png of a sweep, or the picture of a study, DIR/geometry.png or DIR/study.png."""
 import argparse
 import os
 
+from . import building_tables, fleet
 from .data_files import read_any_json
 from .errors import DataError, run_main
 from .figures import building_on_bearings, geometry, response_panels, study
+from .figures import fleet as figure_fleet
 from .run_folder import load_run
 
 STUDIES = {"geometry": geometry, "study": study}
 
 
-def draw(kind, folder):
+def draw(kind: str, folder: str) -> str:
     if not os.path.isdir(folder):
         raise DataError(f"{folder} is not a folder")
     run = load_run(folder)
     if not run.has("time", "displacement_x", "displacement_y"):
         raise DataError(f"{folder} holds no displacements to draw")
+    building_tables.write(run)
     if kind == "building":
         return building_on_bearings.draw(run, os.path.join(folder, "building.png"))
     role, label = ("fitted", "reduced model") if kind == "reduced" else ("fe", "finite elements")
@@ -24,7 +27,14 @@ def draw(kind, folder):
     return response_panels.draw([(role, run)], {role: f"{run.name}, {label}"}, run.lateral_capacity, path)
 
 
-def draw_table(kind, folder):
+def draw_fleet(folder: str) -> str:
+    path = figure_fleet.draw(fleet.read(folder), os.path.join(folder, "fleet.png"))
+    if path is None:
+        raise DataError(f"{folder}: no run of the sweep has a result to draw")
+    return path
+
+
+def draw_table(kind: str, folder: str) -> str:
     path = os.path.join(folder, f"{kind}.json")
     try:
         return STUDIES[kind].draw(read_any_json(path), os.path.join(folder, f"{kind}.png"))
@@ -32,12 +42,14 @@ def draw_table(kind, folder):
         raise DataError(f"{path} is no table of a study ({error!r})") from None
 
 
-def main(arguments):
+def main(arguments: list[str]) -> None:
     parser = argparse.ArgumentParser(prog="report.quick", description=__doc__.splitlines()[0])
-    parser.add_argument("kind", choices=("reduced", "fe", "building", *STUDIES))
+    parser.add_argument("kind", choices=("reduced", "fe", "building", "fleet", *STUDIES))
     parser.add_argument("folder")
     options = parser.parse_args(arguments)
-    if options.kind in STUDIES:
+    if options.kind == "fleet":
+        draw_fleet(options.folder)
+    elif options.kind in STUDIES:
         draw_table(options.kind, options.folder)
     else:
         draw(options.kind, options.folder)

@@ -1,5 +1,6 @@
 """Reads the unstructured grids of .vtu files with numpy alone: ASCII, inline base64, appended (base64 or raw),
-zlib-compressed or not. Hexahedra of VTK type 12 and Lagrange type 72 (by their eight corners)."""
+zlib-compressed or not. Hexahedra of VTK types 12, 25, 29 and Lagrange type 72 of 8 or 27 nodes; a finer Lagrange cell is
+read by its eight corners."""
 import base64
 import re
 import xml.etree.ElementTree as tree
@@ -9,21 +10,22 @@ from dataclasses import dataclass
 import numpy as np
 
 from .errors import DataError
+from .hexahedra import SIZES, from_vtk
 
 TYPES = {"Int8": "i1", "UInt8": "u1", "Int16": "i2", "UInt16": "u2", "Int32": "i4", "UInt32": "u4", "Int64": "i8",
          "UInt64": "u8", "Float32": "f4", "Float64": "f8"}
-HEXAHEDRA = (12, 72)
+HEXAHEDRA = (12, 25, 29, 72)
 
 
 @dataclass
 class Grid:
     points: np.ndarray      #: (n, 3) [m]
-    hexahedra: np.ndarray   #: (m, 8) indices, VTK corner order
-    point_data: dict
-    cell_data: dict         #: of the hexahedra only
+    hexahedra: np.ndarray   #: (m, 8, 20 or 27) indices in the order of hexahedra.py; the first eight are the corners
+    point_data: dict[str, np.ndarray]
+    cell_data: dict[str, np.ndarray]  #: of the hexahedra only
 
 
-def read(path):
+def read(path: str) -> Grid:
     """Throws DataError when the file is not a readable unstructured grid with hexahedra."""
     try:
         with open(path, "rb") as file:
@@ -36,7 +38,7 @@ def read(path):
         raise DataError(f"{path} is not a readable VTU file ({error})") from None
 
 
-def _parse(content):
+def _parse(content: bytes) -> Grid:
     content, appended = _split_appended(content)
     root = tree.fromstring(content)
     reader = _ArrayReader(root, appended)
@@ -48,10 +50,13 @@ def _parse(content):
     if not chosen.any():
         raise ValueError("no hexahedra in it")
     starts = np.concatenate([[0], ends[:-1]])[chosen]
-    corners = cells["connectivity"].astype(np.int64)[starts[:, None] + np.arange(8)]
+    sizes = np.diff(ends, prepend=0)[chosen]
+    n = int(sizes[0]) if sizes[0] in SIZES and np.all(sizes == sizes[0]) else 8
+    nodes = cells["connectivity"].astype(np.int64)[starts[:, None] + np.arange(n)]
     point_data = {item.get("Name"): reader.array(item) for item in _children(piece, "PointData")}
     cell_data = {item.get("Name"): reader.array(item)[chosen] for item in _children(piece, "CellData")}
-    return Grid(points.reshape(-1, 3), corners, point_data, cell_data)
+    points = points.reshape(-1, 3)
+    return Grid(points, from_vtk(nodes, points), point_data, cell_data)
 
 
 def _children(piece, name):

@@ -1,6 +1,6 @@
 """The chapters behind the first page, in order: one file each, one line here. make(context) gives a Section, or None where
 there is nothing to say; a Section without blocks is left out too."""
-from . import (building, building_on_bearings, calibration, comparison, conventions, critical, energy, histories, inputs, laws,
+from . import (building, building_on_bearings, calibration, comparison, conventions, critical, energy, fields, film, histories, inputs, laws,
                measured, reproducibility, rim, speed, stack, windows)
 from .head import head  # noqa: F401  (the page's title)
 
@@ -12,6 +12,7 @@ CATALOGUE = [
     measured.make,
     stack.make,
     rim.make,
+    film.make,
     windows.make,
     calibration.make,
     laws.make,
@@ -19,6 +20,7 @@ CATALOGUE = [
     critical.make,
     energy.make,
     speed.make,
+    fields.make,
     reproducibility.make,
     conventions.make,
 ]

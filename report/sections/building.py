@@ -1,8 +1,11 @@
 """What the bearing carries, where a run has a building: storey by storey, and over time."""
+from .. import interactive
 from ..blocks import Section, heading, table
 from ..figures import building as figure_building
+from ..figures import storeys
 from ..numbers import fixed, is_number, scaled, sig
-from .common import title_of
+from ..run_folder import Run
+from .common import tables_note, title_of
 
 G = 9.80665
 
@@ -17,8 +20,14 @@ def make(context):
         section.add(_peaks(run))
         section.add(_storeys(run))
         section.add(context.pictures.figure(f"building-{entry.name}", "First storey and roof over time, both horizontal directions.",
-                                            figure_building.draw, run))
+                                            figure_building.draw, run, curves=_curves))
+        section.add(context.pictures.figure(f"storeys-{entry.name}", "Over the height, storeys counted from the base up.", storeys.draw_profiles, run))
+        section.add(tables_note(run))
     return section
+
+
+def _curves(run: Run) -> list[interactive.Panel]:
+    return interactive.over_time(run, figure_building.PANELS)
 
 
 def _peaks(run):

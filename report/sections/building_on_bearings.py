@@ -1,7 +1,8 @@
 """A building on many bearings: every bearing, every floor, the plan with its orbits and the shape at the hardest impact."""
 from ..blocks import Section, table
-from ..figures import building_on_bearings
+from ..figures import building_on_bearings, storeys
 from ..numbers import is_number, scaled, sig
+from .common import tables_note
 
 G = 9.80665
 
@@ -18,6 +19,9 @@ def make(context):
         section.add(context.pictures.figure(f"building-on-bearings-{entry.name}",
                                             "Plan: the orbit of every bearing inside its rim, impacts thick, with its normal force at the hardest "
                                             "impact. Elevations: the frame at rest and at that instant.", building_on_bearings.draw, run))
+        section.add(context.pictures.figure(f"storeys-{entry.name}", "Over the height, storeys counted from the base up.", storeys.draw_profiles, run))
+        section.add(context.pictures.figure(f"floors-{entry.name}", "Storeys and roof over time.", storeys.draw_histories, run, curves=storeys.histories))
+        section.add(tables_note(run))
     return section
 
 

@@ -3,11 +3,14 @@ import glob
 import os
 import re
 import xml.etree.ElementTree as tree
+from typing import Any
 
-from ..blocks import note
+from .. import building_tables, view3d, vtu
+from ..blocks import note, text, turning
 from ..calibration_file import PAIR_LAWS
 from ..errors import DataError
 from ..numbers import is_number
+from ..run_folder import Run
 
 ROLE_TEXT = {"fit": "used for the fit", "predict": "predicted, not fitted", "window": "single impact",
              "push": "quasi-static", "history": ""}
@@ -71,6 +74,24 @@ def instants(run):
     except (OSError, tree.ParseError, TypeError, ValueError) as error:
         raise DataError(f"{path} is not readable ({error})") from None
     return [(file, time) for file, time in found if os.path.isfile(file)]
+
+
+def said_of(run: Run, time: float | None) -> str:
+    """Of an instant: "time 0.0325 s", or of the load parameter."""
+    return "" if time is None else f"{run.time_label.split(' (')[0]} {time:.4g}" + (" s" if "time" in run.time_label else "")
+
+
+def turning_model(grid: vtu.Grid, run: Run, time: float | None) -> dict[str, Any]:
+    """The block of a model to be turned."""
+    said = said_of(run, time)
+    return turning(view3d.data(grid, said), f"The same fields{' at ' + said if said else ''} to be turned: drag, or two fingers; the wheel "
+                   "zooms after a click, Shift moves.")
+
+
+def tables_note(run: Run) -> dict[str, Any] | None:
+    """Writes a building's tables beside its run and says so."""
+    names = building_tables.write(run)
+    return text(" and ".join(f"`{name}`" for name in names) + " in the run's folder hold the same as tables, in SI.") if names else None
 
 
 def impact_peak(run):

@@ -1,10 +1,14 @@
 """Each ground motion: FE and reduced model over one another, the panels of thesis Figures 2-7 and 2-8, then a zoom on
 every impact."""
+from .. import interactive
 from ..blocks import Section, heading, note, table
 from ..figures import impacts, response_panels
 from ..numbers import fixed, integer, is_number, percent, scaled
 from ..results import SLOTS
 from .common import ROLE_TEXT, errors_of, hardest, labels_of, status_note, title_of
+
+
+ZOOM = "Drag moves the curves, the wheel (after a click) or two fingers zoom; values stand below the pointer."
 
 
 def make(context):
@@ -13,7 +17,8 @@ def make(context):
     section = Section("histories", "Response" if results.single else "Finite elements and reduced model, pulse by pulse")
     if not results.single:
         section.lead = ("Forces are drawn as −F, so that loops read as in the thesis. Impacts are zoomed from each "
-                        "model's own touch, since touch times differ slightly between models.")
+                        "model's own touch, since touch times differ slightly between models. ")
+    section.lead += ZOOM
     for entry in entries:
         _entry(section, context, entry)
     return section
@@ -35,9 +40,9 @@ def _entry(section, context, entry):
     capacity = next((run.lateral_capacity for _, run in models if run.lateral_capacity), None)
     section.add(context.pictures.figure(
         f"response-{entry.name}", "Displacement, lateral force, loop and vertical displacement of the upper slider. "
-        "Dotted red: lateral capacity L_c.", response_panels.draw, models, labels, capacity))
+        "Dotted red: lateral capacity L_c.", response_panels.draw, models, labels, capacity, curves=interactive.response))
     zoom = context.pictures.figure(
-        f"impacts-{entry.name}", _impact_caption(models), impacts.draw, models, labels)
+        f"impacts-{entry.name}", _impact_caption(models), impacts.draw, models, labels, curves=interactive.impacts)
     section.add(zoom if zoom else note("The rim is not touched in any of the models.", "info"))
 
 

@@ -1,7 +1,17 @@
 """The deformed rim, coloured by plastic strain, drawn from the last fields that the run itself lists."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
 from .. import rim_picture, vtu
 from ..blocks import Section, heading
-from .common import instants, title_of
+from ..errors import DataError
+from ..results import Entry
+from ..run_folder import Run
+from .common import instants, title_of, turning_model
+
+if TYPE_CHECKING:
+    from ..build import Context
 
 LATEST = 8  # fields looked at, each touched arc of the rim writes its own
 MOST = 4  # pictures; drawing one takes about a second
@@ -16,10 +26,11 @@ def make(context):
     section.lead = "Equivalent plastic strain on rim and slider" + (
         "" if context.results.single else ", for the runs that strain the rim most") + "."
     for entry, run in chosen:
-        picture = _picture(context, entry, run)
-        if picture:
+        shown = _shown(context, entry, run)
+        if shown:
             section.add(None if context.results.single else heading(context.doubts.marked(entry.name, title_of(entry.name))))
-            section.add(picture)
+            for block in shown:
+                section.add(block)
     return section
 
 
@@ -36,12 +47,22 @@ def _most_strained(runs):
     return histories[:MOST - 1] + windows[:MOST - len(histories[:MOST - 1])]
 
 
-def _picture(context, entry, run):
-    files = [file for file, _ in instants(run)]
-    return context.pictures.figure(f"rim-{entry.name}", "The most strained of the stored fields.", _draw, files[-LATEST:])
+def _shown(context: Context, entry: Entry, run: Run) -> list[dict[str, Any]]:
+    """The picture of the most strained fields, and the model to be turned where its stresses are known. Empty where there is none."""
+    try:
+        grid, time = _most_strained_fields(instants(run)[-LATEST:])
+    except DataError as error:
+        context.problems.append(f"figure rim-{entry.name} could not be drawn: {error}")
+        return []
+    picture = context.pictures.figure(f"rim-{entry.name}", "The most strained of the stored fields.", _draw, grid)
+    return [block for block in (picture, turning_model(grid, run, time) if picture else None) if block]
 
 
-def _draw(files, path):
+def _most_strained_fields(files: list[tuple[str, float | None]]) -> tuple[vtu.Grid, float | None]:
     """The last of the most strained fields."""
-    rim_picture.draw(max((vtu.read(file) for file in reversed(files)), key=rim_picture.largest_strain), path)
+    return max(((vtu.read(file), time) for file, time in reversed(files)), key=lambda pair: rim_picture.largest_strain(pair[0]))
+
+
+def _draw(grid: vtu.Grid, path: str) -> str:
+    rim_picture.draw(grid, path)
     return path

@@ -4,7 +4,9 @@ import numpy as np
 from .. import stack_picture, vtu
 from ..bearing import height, value
 from ..blocks import Section, heading
-from .common import instants, title_of
+from ..errors import DataError
+from ..run_folder import Run
+from .common import instants, said_of, title_of, turning_model
 
 MOST = 4  # runs shown
 
@@ -18,24 +20,28 @@ def make(context):
     section.lead = "The deformed solids at the stored instant farthest from the vertex."
     for entry, run in runs[:MOST]:
         section.add(None if context.results.single else heading(context.doubts.marked(entry.name, title_of(entry.name))))
-        section.add(context.pictures.figure(f"stack-{entry.name}", "", _draw, run))
+        try:
+            grid, time = _farthest(instants(run))
+        except (DataError, KeyError) as error:
+            context.problems.append(f"figure stack-{entry.name} could not be drawn: {error}")
+            continue
+        picture = context.pictures.figure(f"stack-{entry.name}", "", _draw, run, grid, time)
+        section.add(picture)
+        section.add(turning_model(grid, run, time) if picture else None)
     return section
 
 
-def _farthest(files):
+def _farthest(files: list[tuple[str, float | None]]) -> tuple[vtu.Grid, float | None]:
     """(fields, their time or None) with the largest displacement."""
     return max(((vtu.read(file), time) for file, time in files),
                key=lambda pair: np.abs(pair[0].point_data["displacement"][:, :2]).max())
 
 
-def _draw(run, path):
-    grid, time = _farthest(instants(run))
-    unit = " s" if "time" in run.time_label else ""
-    said = f"{run.time_label.split(' (')[0]} {time:.4g}{unit}" if time is not None else ""
-    return stack_picture.draw(grid, path, _dish(run), said)
+def _draw(run: Run, grid: vtu.Grid, time: float | None, path: str) -> str:
+    return stack_picture.draw(grid, path, _dish(run), said_of(run, time))
 
 
-def _dish(run):
+def _dish(run: Run) -> tuple[np.ndarray, np.ndarray] | None:
     """(x, z) [m] of the sliding surface through the vertex; None where the scene does not give it."""
     bearing = run.get("bearing", default={})
     reach = value(bearing, "surface", "planar_radius_mm")

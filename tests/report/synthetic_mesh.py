@@ -38,24 +38,29 @@ def _field(points, dent):
     return np.column_stack([outward, 0 * near, -0.15 * outward]), 2.0 * dent * near * (points[:, 0] > 0.46)
 
 
-def write_vtu(path, dent=0.004, style="zlib", cell_type=12):
-    """style: zlib | base64 | ascii | appended-raw."""
+def write_vtu(path, dent=0.004, style="zlib", cell_type=12, curved=False, stress=False, push=0.0):
+    """style: zlib | base64 | ascii | appended-raw. `curved`: 27 nodes a cell; `stress`: with the other fields of a run;
+    `push`: travel of the slider [m]."""
     points, cells, start = [], [], 0
     for _, _, xyz, corner in solids():
-        points.append(xyz[corner].reshape(-1, 3))
-        cells.append(np.arange(corner.size).reshape(-1, 8) + start)
-        start += corner.size
+        copies, numbers = second_order(xyz, corner) if curved else (xyz[corner].reshape(-1, 3), np.arange(corner.size).reshape(-1, 8))
+        points.append(copies)
+        cells.append(numbers + start)
+        start += len(copies)
     points, cells = np.concatenate(points), np.concatenate(cells)
     moved, strain = _field(points, dent)
+    moved[:, 0] += push * (points[:, 2] > 0.0999) * (np.hypot(points[:, 0] - 0.4, points[:, 1]) < 0.121)
+    others = {"von_mises_MPa": 5e4 * strain, "contact_pressure_MPa": 1e4 * strain} if stress else {}
     appended = []
     arrays = lambda name, values, kind: _array(name, values, kind, style, appended)  # noqa: E731
     n = len(cells)
     body = "\n".join([
         f'<UnstructuredGrid><Piece NumberOfPoints="{len(points)}" NumberOfCells="{n}"><Points>',
         arrays("points", points, "Float64"), "</Points><Cells>", arrays("connectivity", cells, "Int32"),
-        arrays("offsets", 8 * np.arange(1, n + 1), "Int32"), arrays("types", np.full(n, cell_type), "UInt8"),
+        arrays("offsets", cells.shape[1] * np.arange(1, n + 1), "Int32"), arrays("types", np.full(n, cell_type), "UInt8"),
         "</Cells><PointData>", arrays("displacement", moved, "Float32"),
-        arrays("equivalent_plastic_strain", strain, "Float32"), "</PointData></Piece></UnstructuredGrid>"])
+        arrays("equivalent_plastic_strain", strain, "Float32"),
+        *(arrays(name, values, "Float32") for name, values in others.items()), "</PointData></Piece></UnstructuredGrid>"])
     compressor = ' compressor="vtkZLibDataCompressor"' if style == "zlib" else ""
     with open(path, "wb") as file:
         file.write(f'<?xml version="1.0"?>\n<VTKFile type="UnstructuredGrid" version="0.1"{compressor} '
@@ -105,3 +110,14 @@ def write_msh(path):
         file.writelines(f"{i + 1} {kind} 2 {tag} {tag} {' '.join(map(str, ids))}\n"
                         for i, (kind, tag, ids) in enumerate(elements))
         file.write("$EndElements\n")
+
+
+def second_order(points, cells):
+    """(points, cells of 27 nodes in VTK's Lagrange order, cell-wise) of eight-cornered ones bent to the circles about the axis."""
+    edges = [(0, 1), (1, 2), (3, 2), (0, 3), (4, 5), (5, 6), (7, 6), (4, 7), (0, 4), (1, 5), (2, 6), (3, 7)]
+    faces = [(0, 3, 7, 4), (1, 2, 6, 5), (0, 1, 5, 4), (3, 2, 6, 7), (0, 1, 2, 3), (4, 5, 6, 7)]
+    groups = [*((k,) for k in range(8)), *edges, *faces, tuple(range(8))]
+    r, angle = np.hypot(points[:, 0], points[:, 1]), np.arctan2(points[:, 1], points[:, 0])
+    mean = lambda values: np.stack([values[cells[:, list(group)]].mean(axis=1) for group in groups], axis=1).reshape(-1)  # noqa: E731
+    radius, turn = mean(r), mean(angle)
+    return np.column_stack([radius * np.cos(turn), radius * np.sin(turn), mean(points[:, 2])]), np.arange(27 * len(cells)).reshape(-1, 27)

@@ -61,10 +61,10 @@ class Vtu(InFolder):
 class Boundary(unittest.TestCase):
     def test_faces_of_a_block(self):
         points, cells = synthetic_mesh.block((2, 3, 4), lambda a, b, c: (a, b, c))
-        corners, _ = boundary_faces(cells, merged(points))
-        self.assertEqual(len(corners), 2 * (2 * 3 + 3 * 4 + 2 * 4))
-        outward = points[corners].mean(axis=1) - 0.5
-        self.assertTrue(np.all(np.sum(normals(points[corners]) * outward, axis=1) > 0))
+        faces, _ = boundary_faces(cells, merged(points))
+        self.assertEqual(len(faces), 2 * (2 * 3 + 3 * 4 + 2 * 4))
+        outward = points[faces].mean(axis=1) - 0.5
+        self.assertTrue(np.all(np.sum(normals(points[faces]) * outward, axis=1) > 0))
 
     def test_cell_wise_nodes_are_joined_and_touching_bodies_stay_apart(self):
         one, cells = synthetic_mesh.block((2, 2, 2), lambda a, b, c: (a, b, c))
@@ -94,10 +94,10 @@ class Rim(InFolder):
     def test_bodies_and_symmetry_are_told_apart(self):
         model = rim_picture.Deformed(self.model(dent=0.004), scale=1.0)
         self.assertTrue(model.half)
-        on_slider = model.quads[model.on_slider]
+        on_slider = model.nodes[model.on_slider]
         self.assertLess(np.hypot(on_slider[..., 0] - 0.4, on_slider[..., 1]).max(), 0.13)
-        self.assertGreater(model.quads[~model.on_slider][..., 0].max(), 0.559)
-        self.assertLess(np.abs(model.quads[model.on_cut][..., 1]).max(), 1e-9)
+        self.assertGreater(model.nodes[~model.on_slider][..., 0].max(), 0.559)
+        self.assertLess(np.abs(model.nodes[model.on_cut][..., 1]).max(), 1e-9)
 
     def test_picture(self):
         top, scale = rim_picture.draw(self.model(dent=0.004), self.path("rim.png"))

@@ -1,0 +1,26 @@
+"""Fields of the VTU files: unit and meaning by name. A name that ends in a unit says it itself."""
+from dataclasses import dataclass
+
+UNIT_ENDINGS = {"_MPa": "MPa", "_Pa": "Pa", "_mm": "mm", "_m": "m", "_deg": "°", "_N": "N", "_kN": "kN", "_J": "J"}
+
+
+@dataclass(frozen=True)
+class FieldInfo:
+    unit: str
+    meaning: str
+
+
+KNOWN = {
+    "displacement": FieldInfo("m", "of the solid's points, from the undeformed model"),
+    "von_mises_MPa": FieldInfo("MPa", "equivalent stress of a cell"),
+    "equivalent_plastic_strain": FieldInfo("–", "accumulated, of a cell"),
+    "contact_pressure_MPa": FieldInfo("MPa", "on the touching surfaces, positive where they press"),
+    "gap_mm": FieldInfo("mm", "distance of the touching surfaces along their normal; 0 where there is no partner"),
+    "arc_direction_deg": FieldInfo("°", "direction of the touched arc of the rim in plan"),
+}
+
+
+def info_of(name: str) -> FieldInfo:
+    """Of any field; a name that is not known and ends in no unit has none."""
+    ending = next((ending for ending in sorted(UNIT_ENDINGS, key=len, reverse=True) if name.endswith(ending)), "")
+    return KNOWN.get(name, FieldInfo(UNIT_ENDINGS.get(ending, "–"), ""))

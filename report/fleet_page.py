@@ -1,0 +1,68 @@
+"""The report of a sweep's folder: what was varied, the results, their spread; report.html, self-contained."""
+import os
+
+import numpy as np
+
+from . import page
+from .blocks import Pictures, Section, note, table
+from .figures import fleet as figure_fleet
+from .fleet import Fleet, read
+from .interactive import Line, Panel
+from .numbers import integer, percent, sig
+from .style import FE, FITTED, MUTED
+
+
+def build(folder: str, output: str | None = None) -> tuple[str, list[str]]:
+    """Gives the report's path and the list of problems."""
+    fleet, problems = read(folder), []
+    output = output or os.path.join(folder, "report.html")
+    pictures = Pictures(os.path.join(folder, "figures"), problems)
+    results = Section("results", "Results", lead="Over what was varied." + (" Drag moves, the wheel (after a click) or two fingers zoom." if fleet.along else ""))
+    results.add(pictures.figure("fleet", "", figure_fleet.draw, fleet, curves=_curves))
+    results.add(_spread(fleet))
+    runs = Section("runs", "Runs")
+    runs.add(_parameters(fleet))
+    failed = [status for status in fleet.status if status != "done"]
+    runs.add(note(f"{len(failed)} of {len(fleet.status)} runs did not end well; the columns status and reason of the table say why.", "warning") if failed else None)
+    page.write(output, "page.html.j2", title=f"Sweep of {integer(len(fleet.status))} runs", subtitle=os.path.basename(os.path.normpath(folder)),
+               sections=[results, runs], problems=problems, footer="Every run is a row of table.csv.")
+    return output, problems
+
+
+def _curves(fleet: Fleet) -> list[Panel]:
+    """Fractiles along their parameter; without them there is no curve to zoom."""
+    if fleet.along not in fleet.columns:
+        return []
+    panels = []
+    for name, factor, label in figure_fleet.shown_results(fleet):
+        if f"p50_{name}" not in fleet.fractiles:
+            continue
+        panel = Panel(label.split(" (")[0].capitalize(), fleet.along, label, group="along")
+        for part, text, colour, dash in (("p50", "50 %", FE, ""), ("p16", "16 %", MUTED, "5 3"), ("p84", "84 %", MUTED, "2 2")):
+            values = factor * fleet.fractiles[f"{part}_{name}"]
+            good = np.isfinite(values)
+            panel.lines.append(Line(text, fleet.fractiles[fleet.along][good], values[good], colour, dash))
+        panels.append(panel)
+    if "n_impacts" in fleet.columns:
+        levels, share = figure_fleet.share_touching(fleet, fleet.along)
+        panels.append(Panel("Runs that touch the rim", fleet.along, "share (%)", [Line("share", levels, 100 * share, FITTED)], group="along"))
+    return panels
+
+
+def _spread(fleet: Fleet) -> dict | None:
+    rows = []
+    for name, factor, label in figure_fleet.shown_results(fleet):
+        values = factor * fleet.columns[name][np.isfinite(fleet.columns[name])]
+        rows.append([label, *(sig(float(v), 3) for v in (values.min(), *np.percentile(values, (16, 50, 84)), values.max()))])
+    if "n_impacts" in fleet.columns:
+        rows.append(["runs that touch the rim", "", "", percent(float((np.nan_to_num(fleet.columns["n_impacts"]) > 0).mean()), 1, False), "", ""])
+    return table(["", "least", "16 %", "50 %", "84 %", "largest"], rows, caption="Of all runs together.")
+
+
+def _parameters(fleet: Fleet) -> dict | None:
+    rows = []
+    for name in fleet.parameters:
+        values = fleet.columns[name][np.isfinite(fleet.columns[name])]
+        if len(values):
+            rows.append([f"`{name}`", sig(float(values.min()), 4), sig(float(values.max()), 4), integer(len(np.unique(values)))])
+    return table(["varied", "from", "to", "different values"], rows, compact=True)

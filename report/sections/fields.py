@@ -1,0 +1,48 @@
+"""What the stored fields hold: names, units, ranges, instants; and how to see them in ParaView."""
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from .. import paraview, vtu
+from ..blocks import Section, table, text
+from ..errors import DataError
+from ..field_catalogue import info_of
+from ..numbers import sig
+from ..run_folder import Run
+from .common import instants, said_of, title_of
+
+if TYPE_CHECKING:
+    from ..build import Context
+
+
+def make(context: Context) -> Section | None:
+    runs = [(entry, entry.fe, instants(entry.fe)) for entry in context.results.entries if entry.fe is not None]
+    stored = [(entry, run, files) for entry, run, files in runs if files]
+    section = Section("fields", "Stored fields")
+    scripts = 0
+    for i, (entry, run, files) in enumerate(stored):
+        try:
+            grid = vtu.read(files[-1][0])
+        except DataError as error:
+            context.problems.append(f"fields of {entry.name}: {error}")
+            continue
+        scripts += paraview.write(run.folder, grid) is not None
+        if not section.blocks:
+            section.add(_table(grid, run, files, "" if context.results.single else f"{title_of(entry.name)}: "))
+    if not section.blocks:
+        return None
+    section.lead = f"`fields/*.vtu`, listed with their times in `fields.pvd`: {sum(len(files) for *_, files in stored)} instants of {len(stored)} run{'s'[:len(stored) > 1]}."
+    if scripts:
+        section.add(text(f"`paraview --script={paraview.NAME}` in a run's folder shows the deformed bearing coloured by stress."))
+    return section
+
+
+def _table(grid: vtu.Grid, run: Run, files: list[tuple[str, float | None]], name: str) -> dict:
+    rows = []
+    for field, values in grid.point_data.items():
+        known, size = info_of(field), np.linalg.norm(values, axis=1) if values.ndim > 1 else values
+        rows.append([f"`{field}`", known.unit, sig(float(size.min()), 3), sig(float(size.max()), 3), known.meaning])
+    return table(["field", "unit", "least", "largest", "meaning"], rows, left=(0, 1, 4), prose=True,
+                 caption=f"{name}{len(grid.hexahedra)} cells of {grid.hexahedra.shape[1]} nodes, {said_of(run, files[-1][1])}. Of a vector the length.")

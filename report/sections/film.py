@@ -1,0 +1,29 @@
+"""The film of a run's stored fields, written beside the report; of several runs, of the one with most instants."""
+from __future__ import annotations
+
+import os
+from typing import TYPE_CHECKING
+
+from .. import film
+from ..blocks import Section, text
+from ..errors import DataError
+from .common import instants, title_of
+
+if TYPE_CHECKING:
+    from ..build import Context
+
+
+def make(context: Context) -> Section | None:
+    try:
+        found = [(len(film.longest(instants(entry.fe))), entry) for entry in context.results.entries if entry.fe is not None]
+        most, entry = max(found, key=lambda pair: pair[0], default=(0, None))
+        if most < film.LEAST:
+            return None
+        files = film.make(entry.fe, os.path.join(context.beside, "film.html"), film.FRAMES)
+    except DataError as error:
+        context.problems.append(f"film: {error}")
+        return None
+    section = Section("film", "Film")
+    names = " and ".join(f"`{os.path.basename(file)}`" for file in files)
+    section.add(text(f"{title_of(entry.name)}: {names} beside this report {'plays' if len(files) == 1 else 'play'} {most} stored instants in equal steps of time."))
+    return section

@@ -1,0 +1,74 @@
+"""Buildings in the report and as tables: drift, storeys, roof. A toy response in the files of a real run."""
+import csv
+import json
+import os
+import unittest
+
+import h5py
+import numpy as np
+from support import InFolder, command
+
+import synthetic
+from report import building_tables
+from report.build import build
+from report.figures import storeys
+from report.run_folder import load_run
+
+
+class Building(InFolder):
+    def run_folder(self, signals, summary):
+        synthetic.run(self.path("run"), "run", 'kind = "ricker"', synthetic.ricker(0.5, 1.0), synthetic.Rim(4.5e8, 0.65), "reduced")
+        with h5py.File(self.path("run", "response.h5"), "a") as file:
+            time = file["response/time"][()]
+            for name, amplitude in signals.items():
+                file[f"response/{name}"] = amplitude * np.sin(5 * time)
+        with open(self.path("run", "summary.json"), encoding="utf-8") as file:
+            said = json.load(file)
+        self.write("run/summary.json", json.dumps(said | summary))
+        return self.path("run")
+
+    def rows(self, name):
+        with open(self.path("run", name), newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def frame(self):
+        return self.run_folder({"drift_x": 0.01, "drift_y": 0.0, "roof_x": 0.05, "roof_y": 0.0, "roof_acceleration_x": 3.0, "storey_shear_x": 4e5},
+                               {"peak_drift_m": 0.01, "superstructure": {"storeys": [
+                                   {"peak_drift_m": d, "residual_drift_m": 0.0, "peak_shear_N": 4e5, "peak_acceleration_m_s2": 3.0} for d in (0.01, 0.008)]}})
+
+    def test_columns_carry_their_units(self):
+        run = load_run(self.frame())
+        columns = building_tables.histories(run)
+        self.assertEqual(set(columns), {"time_s", "drift_x_m", "drift_y_m", "roof_x_m", "roof_y_m", "roof_acceleration_x_m_per_s2", "storey_shear_x_N"})
+        np.testing.assert_array_equal(columns["roof_x_m"], run.signals["roof_x"])
+
+    def test_the_report_writes_the_tables(self):
+        path, problems = build(self.frame())
+        self.assertEqual(problems, [])
+        with open(path, encoding="utf-8") as file:
+            self.assertIn("<code>building.csv</code> and <code>storeys.csv</code>", file.read())
+        self.assertAlmostEqual(max(float(row["drift_x_m"]) for row in self.rows("building.csv")), 0.01, delta=1e-4)
+        self.assertEqual([(row["storey"], float(row["peak_drift_m"])) for row in self.rows("storeys.csv")], [("1", 0.01), ("2", 0.008)])
+        self.assertTrue(os.path.isfile(self.path("run", "figures", "storeys-run.png")))
+
+    def test_floors_of_a_building_on_bearings(self):
+        signals = {f"floor_{i}_{part}_x": 0.01 * i for i in (1, 2, 3) for part in ("displacement", "drift", "acceleration")}
+        run = load_run(self.run_folder(signals, {"building": {"floors": [{"peak_drift_m": 0.01, "peak_shear_N": 1e5, "peak_acceleration_m_s2": 1.0}] * 3}}))
+        columns = building_tables.histories(run)
+        np.testing.assert_array_equal(columns["roof_x_m"], run.signals["floor_3_displacement_x"])
+        panels = storeys.histories(run)
+        self.assertEqual([len(panel.lines) for panel in panels], [3, 1, 1])
+        self.assertIsNotNone(storeys.draw_histories(run, self.path("a.png")))
+        self.assertIsNotNone(storeys.draw_profiles(run, self.path("b.png")))
+
+    def test_the_picture_of_a_run_writes_them_too(self):
+        self.assertEqual(command("report.quick", "reduced", self.frame()).returncode, 0)
+        self.assertEqual(len(self.rows("storeys.csv")), 2)
+
+    def test_a_run_without_a_building_has_none(self):
+        run = load_run(self.run_folder({}, {}))
+        self.assertEqual((building_tables.write(run), storeys.draw_profiles(run, self.path("a.png")), storeys.histories(run)), ([], None, []))
+
+
+if __name__ == "__main__":
+    unittest.main()

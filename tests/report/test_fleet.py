@@ -1,0 +1,76 @@
+"""Sweeps: table.csv and fractiles.csv as the command writes them, their picture and their report."""
+import json
+import re
+import unittest
+
+import numpy as np
+from support import InFolder, command
+
+from report import fleet
+from report.errors import DataError
+
+HEADER = "run,excitation.scale,reduced.mu_fast,reduced.mu_slow,status,peak_displacement_m,peak_lateral_force_N,peak_impact_force_N,n_impacts,first_touch_s,reason"
+
+
+class Fleet(InFolder):
+    def table(self, name="table.csv", first=1):
+        rows = [HEADER]
+        for i, (scale, mu) in enumerate(((s, m) for s in (0.8, 1.0, 1.2) for m in (0.05, 0.06, 0.08)), first):
+            touched = int(scale > 0.9)
+            rows.append(f'{i},{scale},{mu},{mu},"done",{0.4 * scale - mu},2e5,{1e6 * touched * scale},{touched},{2.1 if touched else ""},""')
+        rows.append(f'{first + 9},1.2,0.09,0.09,"stopped",,,,,,"step, too small"')
+        self.write(name, "\n".join(rows) + "\n")
+
+    def fractiles(self):
+        rows = ["excitation.scale,n_runs,p16_peak_displacement_m,p50_peak_displacement_m,p84_peak_displacement_m"]
+        rows += [f"{s},3,{0.4 * s - 0.08},{0.4 * s - 0.06},{0.4 * s - 0.05}" for s in (0.8, 1.0, 1.2)]
+        self.write("fractiles.csv", "\n".join(rows) + "\n")
+
+    def test_what_was_varied(self):
+        self.table()
+        read = fleet.read(self.folder)
+        self.assertEqual(read.parameters, ["excitation.scale", "reduced.mu_fast", "reduced.mu_slow"])
+        self.assertEqual(read.varied, ["excitation.scale", "reduced.mu_fast"])
+        self.assertEqual(read.status.count("done"), 9)
+        self.assertTrue(np.isnan(read.columns["first_touch_s"][0]))
+
+    def test_shards_are_one_table(self):
+        self.table("table-1-of-2.csv")
+        self.table("table-2-of-2.csv", 11)
+        self.assertEqual(len(fleet.read(self.folder).status), 20)
+
+    def test_pictures_with_and_without_fractiles(self):
+        self.table()
+        self.assertEqual(command("report.quick", "fleet", self.folder).returncode, 0)
+        with open(self.path("fleet.png"), "rb") as file:
+            scatter = file.read()
+        self.fractiles()
+        self.assertEqual(command("report.quick", "fleet", self.folder).returncode, 0)
+        with open(self.path("fleet.png"), "rb") as file:
+            self.assertNotEqual(file.read(), scatter)
+
+    def test_the_report(self):
+        self.table()
+        self.fractiles()
+        done = command("report", self.folder)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        with open(self.path("report.html"), encoding="utf-8") as file:
+            page = file.read()
+        self.assertIn("1 of 10 runs did not end well", page)
+        panels = json.loads(re.search(r'<script class="curves" type="application/json">(.*?)</script>', page).group(1))
+        self.assertEqual([p["title"] for p in panels], ["Peak displacement", "Runs that touch the rim"])
+        self.assertNotIn("What is missing", page)
+
+    def test_damage_is_said(self):
+        self.write("table.csv", "a,b\n1,2\n")
+        with self.assertRaisesRegex(DataError, "no column run"):
+            fleet.read(self.folder)
+        self.write("table.csv", HEADER + "\n1,2\n")
+        with self.assertRaisesRegex(DataError, "as many cells"):
+            fleet.read(self.folder)
+        self.write("table.csv", HEADER + "\n")
+        self.assertEqual(command("report", self.folder).returncode, 3)
+
+
+if __name__ == "__main__":
+    unittest.main()
