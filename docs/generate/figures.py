@@ -42,7 +42,7 @@ class Drawing:
     def label(self, at, words_at, words, anchor="middle"):
         self.path([at, words_at], stroke="#777", width=0.8)
         left = anchor == "start"
-        self.text(*words_at, words, anchor, shift=(3 if left else -3 if anchor == "end" else 0, 4 if anchor != "middle" else -3))
+        self.text(*words_at, words, anchor, shift=(3 if left else -3 if anchor == "end" else 0, 4 if anchor != "middle" else 14 if words_at[1] < at[1] else -3))
 
     def svg(self, title):
         w, h = self.size
@@ -95,7 +95,7 @@ def bearing():
 
 def gap():
     """Plan: slider in the ring of the rim, pressed into it at one place; the penetration is enlarged."""
-    d = Drawing(520, 360, 1.0, (200, 180))
+    d = Drawing(600, 360, 1.0, (200, 180))
     wall, slider, turn, deep = 160, 75, 0.45, 12
     travel = wall - slider + deep
     c = (travel * math.cos(turn), travel * math.sin(turn))

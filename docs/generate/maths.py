@@ -60,14 +60,14 @@ class Formula:
     def scripted(self):
         large = self.peek() in (r"\sum", r"\int", r"\max", r"\min")
         base, below, above = self.atom(), None, ""
-        while self.peek() in ("_", "^", "'"):
-            token = self.take()
-            if token == "_":
+        while self.peek() == "'":
+            self.take()
+            base = f'<mrow>{base}<mo lspace="0" rspace="0">′</mo></mrow>'
+        while self.peek() in ("_", "^"):
+            if self.take() == "_":
                 below = self.group()
-            elif token == "^":
-                above += self.group()
             else:
-                above += "<mo>′</mo>"
+                above += self.group()
         above = f"<mrow>{above}</mrow>" if above else None
         both, under, over = ("munderover", "munder", "mover") if large and "∫" not in base else ("msubsup", "msub", "msup")
         if below and above:
@@ -97,18 +97,30 @@ class Formula:
         if token.isalpha():
             return f"<mi>{token}</mi>"
         sign = {"-": "−", "*": "∗"}.get(token, token)
-        fixed = ' stretchy="false"' if sign in UNSTRETCHED else ""
+        fixed = ' stretchy="false"' if sign in UNSTRETCHED else ' lspace="0" rspace="0"' if sign == "/" else ""
+        if sign in "−+" and self.begins():
+            fixed = ' form="prefix"'
         return f"<mo{fixed}>{html.escape(sign)}</mo>"
+
+    def begins(self):
+        """Whether the token just taken begins a row or follows what opens one: a sign there has no left side."""
+        return self.at < 2 or self.tokens[self.at - 2] in ("{", "(", "[", "=", ",", "&", r"\left")
+
+    def function(self, name):
+        """Upright, set off from its neighbours as TeX does."""
+        left = "0" if self.begins() or self.tokens[self.at - 2] in ("+", "-") else "0.17em"
+        right = "0" if self.peek() in ("(", "_", "^", r"\left", None) else "0.17em"
+        return f'<mo lspace="{left}" rspace="{right}" form="prefix">{name}</mo>'
 
     def command(self, name):
         if name in LETTERS:
             return f"<mi>{LETTERS[name]}</mi>"
         if name in FUNCTIONS:
-            return f"<mi>{name}</mi><mo>&#x2061;</mo>" if self.peek() not in ("_", "^") else f"<mi>{name}</mi>"
+            return self.function(name)
         if name in SPACES:
             return f'<mspace width="{SPACES[name]}"/>'
         if name in OPERATORS:
-            fixed = ' stretchy="false"' if OPERATORS[name] in UNSTRETCHED else ""
+            fixed = ' stretchy="false" lspace="0" rspace="0"' if name[1:] in ("vert", "Vert") else ""
             return f"<mo{fixed}>{OPERATORS[name]}</mo>"
         if name in ACCENTS:
             return f"<mover accent=\"true\">{self.group()}<mo>{ACCENTS[name]}</mo></mover>"
@@ -195,12 +207,14 @@ def with_marks(text):
     def mark(match):
         display = match.group(1) is not None
         name = f"formula{len(made)}x"
-        made[name] = mathml(match.group(1) or match.group(2), display)
-        if display:
-            made[name] = f'<span class="formula">{made[name]}</span>'
+        if display:  # several in a line come one below the other on a narrow screen
+            made[name] = '<span class="formula">' + "".join(mathml(part, True) for part in match.group(1).split(r"\qquad")) + "</span>"
+        else:
+            made[name] = mathml(match.group(2))
         return name
 
     text = MATHS.sub(mark, CODE.sub(keep, text))
+    kept = [re.sub(r"^```(\w+) .*", r"```\1", code) for code in kept]  # ```sh slow: what a test reads is not the site's to know
     return re.sub("\0(\\d+)\0", lambda match: kept[int(match.group(1))], text), made
 
 
