@@ -138,7 +138,7 @@ void run_reliability(ReliabilityOptions options, Console &console) {
 void add_reliability(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("reliability", "fragility, hazard and probability in 50 years of many systems");
   auto options = std::make_shared<ReliabilityOptions>();
-  verb->add_option("STUDY", options->study, "a study file (docs/user-guide.md, From runs to reliability)")->required();
+  verb->add_option("STUDY", options->study, "a study file (docs/guide/reliability.md)")->required();
   verb->add_option("-o,--output", options->folder, "results folder (default results/STUDY); finished runs are kept");
   verb->add_option("--records", options->records, "a folder of AT2 files, besides the study's own (repeatable)")
       ->allow_extra_args(false);

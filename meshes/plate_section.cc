@@ -8,7 +8,7 @@ std::vector<double> plate_layers(const scene::Bearing &bearing, double h) {
   const double base = -bearing.plate.base,
                z0 = scene::make_surface(bearing.surface)->at(bearing.surface.planar_radius, 0).z;
   // Thin below the dish's edge: the rim's foot bends the plate there, which decides the impact force
-  // (docs/measured.md).
+  // (docs/decisions/0008-mesh-where-the-foot-bends.md).
   std::vector<double> shares = graded_lines({{base, 100 * mm * h}, {z0, 20 * mm * h}});
   for (double &z : shares) z = (z - base) / (z0 - base);
   return shares;

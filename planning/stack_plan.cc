@@ -8,7 +8,7 @@
 namespace rimpact::planning {
 namespace {
 
-/// Measured (docs/measured.md), by mesh: the stack; what a meshed sector of the rim adds while it takes part.
+/// Measured (docs/results/refinement.md), by mesh: the stack; what a meshed sector of the rim adds while it takes part.
 constexpr MeshCost stack[4] = {{8000, 0.1, 0.4e9}, {18900, 0.25, 0.7e9}, {59000, 1.2, 2.0e9}, {167000, 6.0, 6.5e9}};
 constexpr MeshCost sector[4] = {{2000, 0.05, 0.15e9}, {4800, 0.12, 0.3e9}, {24000, 0.6, 0.8e9}, {70000, 3.0, 2.5e9}};
 

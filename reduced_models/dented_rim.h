@@ -3,8 +3,8 @@
 ///
 /// Pressed to D where the touch is at s0 along the wall, the rim keeps D - (s - s0)^2 / (2 r_f). Two circles that meet
 /// (slider r, wall R) would make r_f = r R / (R - r); the rim's bending spreads a dent, r_f = spread r R / (R - r)
-/// (docs/theory.md). At the distance tau along the wall from its present touch s the slider meets what a straight one
-/// would have left by pressing to
+/// (docs/theory/rim.md). At the distance tau along the wall from its present touch s the slider meets what a straight
+/// one would have left by pressing to
 ///   D_tau = max over the path so far of D - ((s - s0)^2 + 2 tau (s - s0)) / (2 r_f),
 /// deeper behind it than before it. Its force is the mean of the law's over the touch, |tau| <= sqrt(2 r_f D), weighted
 /// by an ellipse (Hertz), each part along the slider's own normal: so it is also slowed along the wall. A straight

@@ -88,7 +88,7 @@ struct Unloading {
   double elastic_energy() const { return top * length * (1.0 / 2 - curvature / 6); } ///< [J]
 };
 /// As s^1.4 (within 1.6 % of F), to which the reference curves of rungs rim and rigid-dish open from 0.1 to 0.7 m/s
-/// (docs/measured.md), but smooth at its end.
+/// (docs/decisions/0009-how-a-rim-returns.md), but smooth at its end.
 inline constexpr double opening = 0.5;
 Unloading unloading(const RimElement &rim, double deepest); ///< D [m], > 0
 /// Indentation left after unloading from `deepest` [m].

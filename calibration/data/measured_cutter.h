@@ -1,5 +1,5 @@
-/// Impacts of a measured record, with what its noise leaves open; the estimator's equations are in docs/theory.md,
-/// "Measured curves".
+/// Impacts of a measured record, with what its noise leaves open; the estimator's equations are in
+/// docs/theory/measured-curves.md.
 ///
 /// Contacts are found by contact_detector.h. The state at a shot's start comes from the flight before it (up to 50 ms,
 /// flight_fit.h), never from differences of samples; so does the speed of rebound, from the flight after release. The

@@ -1,5 +1,5 @@
 // Residuals of a measured impact: its start is known to the errors of the flight before it, its samples to their noise.
-// The equations are in docs/theory.md, "Measured curves".
+// The equations are in docs/theory/measured-curves.md.
 #include "calibration/data/functionals.h"
 #include "calibration/data/series.h"
 #include "calibration/fit/residuals.h"

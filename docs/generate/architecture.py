@@ -1,10 +1,11 @@
 #!/usr/bin/env python3
-"""Writes the figure of docs/architecture.md from the tables of tests/check_includes.py, between its two marks; --check compares."""
+"""Draws docs/pictures/architecture.svg from the tables of tests/check_includes.py; --check compares."""
 import pathlib
 import sys
 
+from figures import Drawing
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-BEGIN, END = "<!-- figure: made by docs/generate/architecture.py -->\n", "<!-- end of figure -->"
 
 
 def folders():
@@ -33,23 +34,70 @@ def reduced(graph):
             for name, others in graph.items()}
 
 
-def figure():
-    lines = ["```mermaid", "flowchart BT"]
-    for name, others in reduced(folders()).items():
-        lines += [f"  {name}[{name}/]"] + [f"  {name} --> {other}" for other in sorted(others)]
-    return BEGIN + "\n".join(lines) + "\n```\n"
+def rows_of(graph):
+    """Folders by how many arrows lie below them."""
+    depth = {}
+
+    def depth_of(name):
+        if name not in depth:
+            depth[name] = 1 + max((depth_of(other) for other in graph[name]), default=-1)
+        return depth[name]
+    return [[name for name in graph if depth_of(name) == level] for level in range(1 + max(map(depth_of, graph)))]
+
+
+def faults(graph, at):
+    """Arrows through other folders' boxes, which count most, and the arrows' lengths."""
+    total = 0.0
+    for name, others in graph.items():
+        for other in others:
+            (x1, y1), (x2, y2) = at[name], at[other]
+            total += abs(x1 - x2)
+            total += sum(1e4 for box, (x, y) in at.items() if y2 < y < y1 and abs(x1 + (x2 - x1) * (y - y1) / (y2 - y1) - x) < 24 + 4.1 * len(box))
+    return total
+
+
+def places(graph, rows, width, step):
+    """{folder: (x, y)}: rows apart by `step`; along them folders are moved and changed about for as long as that makes fewer faults."""
+    at = {name: (width * (i + 1) / (len(row) + 1), step * level) for level, row in enumerate(rows) for i, name in enumerate(row)}
+    better = True
+    while better:
+        better = False
+        for row in rows:
+            for name in row:
+                for x in range(70, width - 60, 20):
+                    trial = {**at, name: (x, at[name][1])}
+                    near = [other for other in row if other != name and abs(at[other][0] - x) < 120]
+                    if len(near) == 1:
+                        trial[near[0]] = at[name]
+                    if all(abs(trial[a][0] - trial[b][0]) >= 120 for a in row for b in row if a < b) and faults(graph, trial) < faults(graph, at) - 1e-6:
+                        at, better = trial, True
+    return at
+
+
+def picture():
+    graph = reduced(folders())
+    rows = rows_of(graph)
+    step, width = 62, 720
+    drawing = Drawing(width, step * len(rows), 1.0, (0, step * len(rows) - 34))
+    at = places(graph, rows, width, step)
+    for name, others in graph.items():
+        for other in sorted(others):
+            drawing.arrow((at[name][0], at[name][1] - 14), (at[other][0], at[other][1] + 15), "#777", 1.1)
+    for name, (x, y) in at.items():
+        half = 8 + 4.1 * len(name)
+        drawing.path([(x - half, y - 14), (x + half, y - 14), (x + half, y + 14), (x - half, y + 14)], "#eef3f7", closed=True)
+        drawing.text(x, y, name, shift=(0, 5))
+    return drawing.svg("Folders and what each may include")
 
 
 def main(*options):
-    page = ROOT / "docs" / "architecture.md"
-    text = page.read_text(encoding="utf-8")
-    before, rest = text.split(BEGIN)
-    made = before + figure() + END + rest.split(END)[1]
+    file, text = ROOT / "docs/pictures/architecture.svg", picture()
     if "--check" in options:
-        if made != text:
-            print("the figure of docs/architecture.md is not that of tests/check_includes.py; run docs/generate/architecture.py")
-        return 0 if made == text else 1
-    page.write_text(made, encoding="utf-8")
+        same = file.is_file() and file.read_text(encoding="utf-8") == text
+        if not same:
+            print("docs/pictures/architecture.svg is not what tests/check_includes.py says; run docs/generate/architecture.py")
+        return 0 if same else 1
+    file.write_text(text, encoding="utf-8")
     return 0
 
 

@@ -67,9 +67,21 @@ def keys_page(command):
     return text + "\n## Sweep files\n\n`KEY` stands for any scene key, or `variable.NAME`, a column only.\n\n" + table(head, key_rows(listed["sweep_keys"]))
 
 
+RESULTS = {"calibrate", "compare", "study", "geometry", "report", "export", "list", "thesis", "design", "reliability", "version", "completion"}
+
+
 def verbs_page(command):
-    text = "# Verbs\n\nWhat `rimpact VERB --help` prints. Data go to stdout, messages to stderr.\n"
-    for verb in command.verbs():
+    others = ", ".join(f"[{verb}](verbs-results.md#{verb})" for verb in command.verbs() if verb in RESULTS)
+    return helps(command, "Verbs", f"These lead to runs. Those that make something of runs stand apart: {others}.", [verb for verb in command.verbs() if verb not in RESULTS])
+
+
+def result_verbs_page(command):
+    return helps(command, "Verbs that make something of runs", "Verbs that lead to runs: [verbs](verbs.md).", [verb for verb in command.verbs() if verb in RESULTS])
+
+
+def helps(command, title, lead, verbs):
+    text = f"# {title}\n\nWhat `rimpact VERB --help` prints. {lead} Data go to stdout, messages to stderr.\n"
+    for verb in verbs:
         help_text = command.text(verb, "--help")
         if help_text is None:
             raise SystemExit(f"rimpact {verb} --help does not work here: the reference needs a build with finite elements")
@@ -98,7 +110,7 @@ def choices_page(command):
     return text
 
 
-PAGES = {"keys.md": keys_page, "verbs.md": verbs_page, "results.md": results_page, "choices.md": choices_page}
+PAGES = {"keys.md": keys_page, "verbs.md": verbs_page, "verbs-results.md": result_verbs_page, "results.md": results_page, "choices.md": choices_page}
 
 
 def main(program, *options):
@@ -107,8 +119,8 @@ def main(program, *options):
     light = command.text("run", "--help") is None
     different = []
     for name, page in PAGES.items():
-        if light and name == "verbs.md" and "--check" in options:
-            print("verbs.md is not checked: this build has no finite-element side")
+        if light and name.startswith("verbs") and "--check" in options:
+            print(f"{name} is not checked: this build has no finite-element side")
             continue
         text = HEAD + page(command)
         if "--check" not in options:

@@ -1,13 +1,16 @@
 #!/usr/bin/env python3
-"""Runs the tutorial and the examples as they are written, each in a copy of its folder.
+"""Runs the tutorial, the guide and the examples as they are written, each in a folder of its own.
 
 In a page a block of shell commands stands as ```sh; a block ```text right behind it is what they print. Numbers in it are met within 2 % (the last digit apart),
 words to the letter; a line `...` stands for any lines. Blocks ```sh slow are left out with --light: they need finite elements.
 ```python blocks run in one interpreter a page, in the same folder, unless they are marked ```python part.
+Of a block ```sh part, which needs files of the reader's, the verbs and options are sought in the program's help.
 """
+import functools
 import os
 import pathlib
 import re
+import shlex
 import shutil
 import subprocess
 import sys
@@ -18,6 +21,7 @@ PROGRAM = pathlib.Path(os.environ["RIMPACT"]).resolve()
 BLOCK = re.compile(r"^```(\w+)([^\n]*)\n(.*?)^```", re.MULTILINE | re.DOTALL)
 NUMBER = re.compile(r"[-+]?\d+(?:,\d{3})*(?:\.\d+)?(?:e[-+]?\d+)?")
 NEAR = 0.02
+NEED_FE = {"run", "mesh", "curve", "version"}
 
 
 def same(told, printed):
@@ -51,11 +55,34 @@ def missing(told, printed):
     return None
 
 
+@functools.cache
+def options_of(verb):
+    """What `rimpact VERB --help` knows; nothing for a verb that is not there or not built."""
+    done = subprocess.run([PROGRAM, verb, "--help"], capture_output=True, text=True, check=False)
+    return set(re.findall(r"(?<![\w-])--?[a-zA-Z][\w-]*", done.stdout)) if not done.returncode else set()
+
+
+def unknown(body, light):
+    """Options of a block's rimpact commands that the program does not have."""
+    found = []
+    for line in body.replace("\\\n", " ").splitlines():
+        words = shlex.split(line, comments=True)
+        if words[:1] != ["rimpact"] or light and words[1] in NEED_FE:
+            continue
+        known = options_of(words[1])
+        found += [f"rimpact {words[1]} {word}" for word in words[2:] if word.startswith("-") and word.split("=")[0] not in known]
+    return found
+
+
 def run_page(page, light, folder):
-    environment = {**os.environ, "PATH": f"{PROGRAM.parent}:/usr/bin:{os.environ['PATH']}", "RIMPACT_PROGRAM": str(PROGRAM), "MPLBACKEND": "Agg", "LANG": "C.UTF-8"}
+    environment = {**os.environ, "RIMPACT_SOURCE": str(SOURCE), "PATH": f"{PROGRAM.parent}:/usr/bin:{os.environ['PATH']}", "RIMPACT_PROGRAM": str(PROGRAM), "MPLBACKEND": "Agg", "LANG": "C.UTF-8"}
     printed, python, errors, n_run = None, "", [], 0
     for kind, mark, body in BLOCK.findall(page.read_text(encoding="utf-8")):
-        if kind == "sh":
+        if kind == "sh" and "part" in mark:
+            printed = None
+            errors += [f"{page}: {each} is not an option" for each in unknown(body, light)]
+            n_run += 1
+        elif kind == "sh":
             printed = None
             if "slow" in mark and light:
                 continue
@@ -64,7 +91,7 @@ def run_page(page, light, folder):
             if done.returncode:
                 return [f"{page}: exit code {done.returncode} from\n{body}{done.stderr[-2000:]}"], n_run
             printed = timeless(done.stdout + done.stderr).splitlines()
-        elif kind == "text" and printed is not None:
+        elif kind == "text" and "part" not in mark and printed is not None:
             if (line := missing(timeless(body), printed)) is not None:
                 errors.append(f"{page}: not printed: {line}\nbut:\n" + "\n".join(printed[:60]))
             printed = None
@@ -82,16 +109,16 @@ def run_page(page, light, folder):
 
 def main(*options):
     errors, n_run = [], 0
-    for page in [SOURCE / "docs/tutorial.md", *sorted((SOURCE / "examples").glob("*/README.md"))]:
+    for page in [SOURCE / "docs/tutorial.md", *sorted((SOURCE / "docs/guide").glob("*.md")), *sorted((SOURCE / "examples").glob("*/README.md"))]:
         with tempfile.TemporaryDirectory() as temporary:
             folder = pathlib.Path(temporary) / page.parent.name
-            if page.parent.name == "docs":
+            if SOURCE / "docs" in page.parents:
                 folder.mkdir()
             else:
                 shutil.copytree(page.parent, folder)
             found, n = run_page(page, "--light" in options, folder)
             errors, n_run = errors + found, n_run + n
-    print("\n".join(errors) or f"{n_run} blocks of the tutorial and the examples print what they say")
+    print("\n".join(errors) or f"{n_run} blocks of tutorial, guide and examples print what they say")
     return 1 if errors or n_run < 8 else 0
 
 

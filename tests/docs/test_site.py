@@ -25,6 +25,13 @@ class Site(unittest.TestCase):
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             self.assertNotIn("WARNING", done.stdout + done.stderr)
             self.assertTrue(os.path.isfile(os.path.join(folder, "tutorial", "index.html")))
+            for place, _, names in os.walk(folder):
+                for name in names:
+                    if name.endswith(".html"):
+                        with open(os.path.join(place, name), encoding="utf-8") as file:
+                            text = file.read()
+                        self.assertNotRegex(text, r"```|\$\$|<code>(sh|text|python|toml) ?\w*\n", name)
+                        self.assertNotRegex(text, r'(src|href)="https?://(?!www\.mkdocs\.org)[^"]*\.(js|css)"', name)
 
 
 if __name__ == "__main__":

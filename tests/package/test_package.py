@@ -73,7 +73,7 @@ class Package(unittest.TestCase):
         share = os.path.join(self.root, "usr", "share")
         here = sorted(map(os.path.basename, glob.glob(os.path.join(SOURCE, "data", "studies", "*.json"))))
         self.assertEqual(sorted(os.listdir(os.path.join(share, "rimpact", "data", "studies"))), here)
-        self.assertTrue(os.path.isfile(os.path.join(share, "doc", "rimpact", "docs", "user-guide.md")))
+        self.assertTrue(os.path.isfile(os.path.join(share, "doc", "rimpact", "docs", "guide", "README.md")))
         self.assertNotIn("__pycache__", run("dpkg-deb", "--contents", self.deb).stdout)
 
     def test_python_finds_its_package_and_the_program_beside_it(self):

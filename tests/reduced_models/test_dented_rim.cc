@@ -64,7 +64,8 @@ TEST(DentedRim, SlidingWhilePressedLeavesAGrooveNoShallowerThanAnyDentInIt) {
   EXPECT_LE(dented.dents().size(), 41u);
 }
 
-/// Thrown at the rim with 0.48 m/s across and `along` along it, without friction (docs/measured.md).
+/// Thrown at the rim with 0.48 m/s across and `along` along it, without friction
+/// (docs/decisions/0002-a-dent-has-a-place.md).
 scene::Scene thrown(double along) {
   scene::Scene s;
   s.excitation.kind = scene::ExcitationKind::free;

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """One window with weight and friction by every rung: what each leaves out, and what that costs. The reduced model and rung
 rim carry the finite pad's and the socket's terms, which rungs rigid-dish and full have by themselves; the reduced model
-has the k_i and e fitted on the pulses (docs/measured.md).
+has the k_i and e fitted on the pulses.
 
 Gates: rim against rigid-dish within 3 % in peak force or, where less energy reaches the rim of one of them, in the force after
 equal work on the rim (what the rest is, is printed); rigid-dish against full within 2 % in peak force and 0.3 % of L_c

@@ -1,5 +1,5 @@
 /// Closed form of a slow loop of a double concave bearing with two contact points a set (derived in
-/// docs/theory.md): the independent oracle of the rigid-body models. Planar, weightless slider, rigid
+/// docs/theory/double-concave.md): the independent oracle of the rigid-body models. Planar, weightless slider, rigid
 /// contacts.
 #pragma once
 #include "scene/double_concave.h"

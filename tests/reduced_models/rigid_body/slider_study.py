@@ -50,7 +50,7 @@ def run(rimpact, folder, record, study, ratio):
 
 
 def word(column, ours, thesis):
-    """What is known of a difference; nothing is claimed that was not tried (docs/measured.md)."""
+    """What is known of a difference; nothing is claimed that was not tried."""
     if "mm" in column:
         if abs(ours - thesis) < 3:
             return "same within 3 mm"

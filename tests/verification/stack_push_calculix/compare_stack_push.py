@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """A push of the whole bearing (rung full) against CalculiX on the same mesh: 20 mm of slide under the weight, then 4 mm into the
-rim; frictionless by default (with friction CalculiX does not get past setting the pad down, docs/measured.md).
+rim; frictionless by default (with friction CalculiX does not get past setting the pad down, docs/decisions/0017-peers-on-the-same-mesh.md).
 
 Gates: force of the rim within 3 % of its largest, lateral force of the dish and lift within 1 %. The soft springs that keep
 CalculiX's foot from tumbling carry 1 % of the lateral force; the contacts' own forces are compared, which hold none of it.
