@@ -17,7 +17,7 @@ endif()
 install(DIRECTORY report DESTINATION ${data} PATTERN __pycache__ EXCLUDE)
 install(DIRECTORY data/studies DESTINATION ${data}/data FILES_MATCHING PATTERN *.json)
 install(DIRECTORY data/thesis data/references DESTINATION ${data}/data)
-install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs)
+install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR}/docs PATTERN __pycache__ EXCLUDE)
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR})
 

@@ -6,7 +6,7 @@
 
 namespace rimpact::meshes {
 
-/// Names of INTERFACE ("Mesh groups"); the value is the gmsh physical tag.
+/// Names of docs/interface.md ("Fields and meshes"); the value is the gmsh physical tag.
 enum class Volume { plate = 1, rim, pad, foot, upper_slider };
 enum class Surface {
   dish = 11,

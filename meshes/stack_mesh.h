@@ -1,6 +1,6 @@
-/// The solids of rung rigid-dish (DESIGN 1): pad, foot and upper slider at rest on the vertex and, where a scene asks
-/// for it, rim sectors with the plate below them. Frame: the plate's. The slider is finest towards the directions in
-/// which it may meet the rim.
+/// The solids of rung rigid-dish (docs/theory/rungs.md): pad, foot and upper slider at rest on the vertex and, where a
+/// scene asks for it, rim sectors with the plate below them. Frame: the plate's. The slider is finest towards the
+/// directions in which it may meet the rim.
 #pragma once
 #include "meshes/rim_mesh.h"
 

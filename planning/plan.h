@@ -1,5 +1,6 @@
 /// The plan of a finite-element run, made from the scout (the reduced model) before anything is solved
-/// (DESIGN 1): symmetric half or whole, which arcs of the rim take part, steps, expected time and memory.
+/// (docs/guide/finite-elements.md): symmetric half or whole, which arcs of the rim take part, steps, expected time and
+/// memory.
 #pragma once
 #include "scene/scene.h"
 #include <nlohmann/json.hpp>

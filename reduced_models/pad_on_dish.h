@@ -13,7 +13,7 @@ public:
   PadOnDish(const scene::Bearing &bearing, const scene::SlidingSurface &surface, double load);
   /// Height that does the work of moving there under `load`: the slider's rise plus the pad's elastic energy over the
   /// load, both at least energy, less the dish's own height at r [m]. Its slope times the load is the pad's share of
-  /// the restoring force. For a soft pad and small travel (Ro^2 + Ri^2)/8 (kappa_m + kappa_c), DESIGN 2.
+  /// the restoring force. For a soft pad and small travel (Ro^2 + Ri^2)/8 (kappa_m + kappa_c): docs/theory/dish.md.
   double lift(double r) const;
 
 private:

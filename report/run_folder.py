@@ -1,4 +1,4 @@
-"""A run folder as INTERFACE describes it: response.h5 (or response.csv), summary.json, scene.toml. SI units.
+"""A run folder as docs/interface.md describes it: response.h5 (or response.csv), summary.json, scene.toml. SI units.
 
 A file that is missing leaves its part empty and is told in `problems`; a file that is there and cannot be read
 raises DataError. Signals keep their names (displacement_x, impact_y, energy_plastic ...)."""

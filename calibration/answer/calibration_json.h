@@ -1,4 +1,4 @@
-/// calibration.json (INTERFACE), and calibration.toml: the answer as keys of a scene file.
+/// calibration.json (docs/interface.md), and calibration.toml: the answer as keys of a scene file.
 #pragma once
 #include "calibration/answer/calibration.h"
 

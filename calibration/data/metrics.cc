@@ -10,7 +10,7 @@ namespace rimpact::calibration {
 
 namespace {
 
-/// Compared after the last release [s] (INTERFACE).
+/// Compared after the last release [s] (docs/interface.md).
 constexpr double after_release = 0.5;
 
 struct Overlap {

@@ -1,4 +1,4 @@
-/// How far a candidate response is from a reference: the five figures of INTERFACE (`compare`,
+/// How far a candidate response is from a reference: the five figures of docs/interface.md (`compare`,
 /// `calibration.json`) and what goes with them. Signed relative errors are (candidate - reference) /
 /// reference.
 #pragma once

@@ -12,7 +12,7 @@ struct LawError {
   double peak_force;         ///< signed relative, of the hardest impact [-]
   double rebound;            ///< signed, over the reference's rebound speed [-]
   double unexplained;        ///< root mean square of the force's difference over that of the force [-]
-  double nrmse_displacement; ///< from rest, over L_c, as INTERFACE defines it [-]
+  double nrmse_displacement; ///< from rest, over L_c, as docs/interface.md defines it [-]
   bool grazing;              ///< every impact of the run grazes: said, never counted
 };
 /// Fitted without the runs named, asked for these.

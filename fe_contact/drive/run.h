@@ -8,7 +8,7 @@
 
 namespace rimpact::fe {
 
-/// What a progress line shows (INTERFACE).
+/// What a progress line shows (docs/interface.md).
 struct Progress {
   double time, end_time, step;
   int newton_iterations;

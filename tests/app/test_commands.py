@@ -1,4 +1,4 @@
-"""Bad input is refused with one sentence and the right exit code; good input gives what INTERFACE says."""
+"""Bad input is refused with one sentence and the right exit code; good input gives what docs/interface.md says."""
 import csv
 import json
 import os

@@ -1,4 +1,4 @@
-"""What a new user gets wrong, each answered by a sentence that holds the cure, with the exit code of INTERFACE.md."""
+"""What a new user gets wrong, each answered by a sentence that holds the cure, with the exit code of docs/interface.md."""
 import json
 import os
 import signal

@@ -62,7 +62,7 @@ TEST(ImpactWindow, FollowsADentedRimToItsOwnTouch) {
   const auto &w = run.impacts.front();
   EXPECT_TRUE(w.dented);
   EXPECT_NEAR(w.capacity, scene.bearing.lateral_capacity() + dent, 1e-3);
-  // INTERFACE's gap starts the reduced rim at L_c, where the run holds no state before touch
+  // The gap of docs/interface.md starts the reduced rim at L_c, where the run holds no state before touch
   const StoredRun by_gap = make_run("dented", scene, longer, {.touch = TouchReference::gap});
   EXPECT_TRUE(by_gap.impacts.empty());
   EXPECT_NE(by_gap.notes.at(0).find("pressed"), std::string::npos);

@@ -33,7 +33,7 @@ TEST(Pulse, CriticalScaleSeparatesTouchFromNoTouch) {
 
 TEST(Pulse, TouchSpeedDependsOnTheElasticSlip) {
   scene::Scene s = ricker();
-  EXPECT_NEAR(simulate_summary(s).impacts.at(0).approach_speed, 0.07, 0.005); // DESIGN 5
+  EXPECT_NEAR(simulate_summary(s).impacts.at(0).approach_speed, 0.07, 0.005);
   s.reduced.friction = "park-wen";
   s.reduced.elastic_slip = 1e-3;
   EXPECT_NEAR(simulate_summary(s).impacts.at(0).approach_speed, 0.26, 0.005);

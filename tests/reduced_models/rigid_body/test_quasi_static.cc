@@ -66,7 +66,8 @@ TEST(DoubleConcaveLoop, UnequalPlatesSlideTogetherAtTheFrictionWeightedByTheirRa
 }
 
 /// The rim of the smaller capacity is touched first; from there the slider keeps its tilt and rides with its edge on
-/// the other dish, F = W tan(alpha + atan mu), the stage of slope W / R of the other surface (docs/theory/double-concave.md).
+/// the other dish, F = W tan(alpha + atan mu), the stage of slope W / R of the other surface
+/// (docs/theory/double-concave.md).
 TEST(DoubleConcaveLoop, PastTheFirstRimTheSliderSlidesOnTheOtherDish) {
   auto scene = cyclic(specimen("dcfp"), 0.12);
   const auto &b = scene.isolator;
