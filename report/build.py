@@ -48,7 +48,8 @@ def build(folder, output=None, given=document.Document()):
     """Writes the report and its pictures (DIR/figures/); gives the report's path and the list of problems.
     `given`: what the command line says of title, client, project and author."""
     output = output or os.path.join(folder, "report.html")
-    context = Context(folder, os.path.join(folder, "figures"), os.path.dirname(os.path.abspath(output)) if not os.path.exists(output) or os.path.isfile(output) else folder)
+    ordinary = not os.path.exists(output) or os.path.isfile(output)
+    context = Context(folder, os.path.join(folder, "figures"), os.path.dirname(os.path.abspath(output)) if ordinary else folder)
     first = first_page.make(context)
     made = [section for section in (make(context) for make in sections.CATALOGUE) if section is not None and section.blocks]
     page.write(output, "report.html.j2", head=sections.head(context, given), page=first, sections=made,

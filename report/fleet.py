@@ -19,6 +19,7 @@ class Fleet:
     status: list[str]
     fractiles: dict[str, np.ndarray] = field(default_factory=dict)
     along: str = ""                    #: the parameter the fractiles are given along
+    groups: list[str] = field(default_factory=list)  #: of each row of the fractiles, what it is given by; "" where by nothing
 
     @property
     def varied(self) -> list[str]:
@@ -58,8 +59,12 @@ def read(folder: str) -> Fleet:
     path = os.path.join(folder, "fractiles.csv")
     if os.path.isfile(path):
         table = _rows(path)
-        fleet.along = next(iter(table[0]))
-        fleet.fractiles = {name: _numbers(path, table, name) for name in table[0]}
+        names = list(table[0])
+        if "n_runs" not in names[1:]:
+            raise DataError(f"{path}: no column n_runs behind the parameters; there are {', '.join(names)}")
+        *by, fleet.along = names[:names.index("n_runs")]
+        fleet.fractiles = {name: _numbers(path, table, name) for name in names[len(by):]}
+        fleet.groups = [", ".join(row[name] for name in by) for row in table]
     return fleet
 
 

@@ -9,7 +9,7 @@ from .figures import fleet as figure_fleet
 from .fleet import Fleet, read
 from .interactive import Line, Panel
 from .numbers import integer, percent, sig
-from .style import FE, FITTED, MUTED
+from .style import CYCLE, FITTED, MUTED
 
 
 def build(folder: str, output: str | None = None) -> tuple[str, list[str]]:
@@ -17,7 +17,7 @@ def build(folder: str, output: str | None = None) -> tuple[str, list[str]]:
     fleet, problems = read(folder), []
     output = output or os.path.join(folder, "report.html")
     pictures = Pictures(os.path.join(folder, "figures"), problems)
-    results = Section("results", "Results", lead="Over what was varied." + (" Drag moves, the wheel (after a click) or two fingers zoom." if fleet.along else ""))
+    results = Section("results", "Results", lead="Over what was varied.")
     results.add(pictures.figure("fleet", "", figure_fleet.draw, fleet, curves=_curves))
     results.add(_spread(fleet))
     runs = Section("runs", "Runs")
@@ -38,15 +38,23 @@ def _curves(fleet: Fleet) -> list[Panel]:
         if f"p50_{name}" not in fleet.fractiles:
             continue
         panel = Panel(label.split(" (")[0].capitalize(), fleet.along, label, group="along")
-        for part, text, colour, dash in (("p50", "50 %", FE, ""), ("p16", "16 %", MUTED, "5 3"), ("p84", "84 %", MUTED, "2 2")):
-            values = factor * fleet.fractiles[f"{part}_{name}"]
-            good = np.isfinite(values)
-            panel.lines.append(Line(text, fleet.fractiles[fleet.along][good], values[good], colour, dash))
+        for i, (group, rows) in enumerate(figure_fleet.grouped(fleet)):
+            _add_fractiles(panel, fleet, name, factor, group, rows, CYCLE[i % len(CYCLE)])
         panels.append(panel)
     if "n_impacts" in fleet.columns:
         levels, share = figure_fleet.share_touching(fleet, fleet.along)
         panels.append(Panel("Runs that touch the rim", fleet.along, "share (%)", [Line("share", levels, 100 * share, FITTED)], group="along"))
     return panels
+
+
+def _add_fractiles(panel: Panel, fleet: Fleet, name: str, factor: float, group: str, rows: np.ndarray, colour: str) -> None:
+    """The median and, where there is but one curve, the two others beside it."""
+    said = (("p50", group or "50 %", colour, ""), ("p16", "16 %", MUTED, "5 3"), ("p84", "84 %", MUTED, "2 2"))
+    for part, text, own, dash in said[:1] if group else said:
+        values = factor * fleet.fractiles[f"{part}_{name}"][rows]
+        good = np.isfinite(values)
+        if good.any():
+            panel.lines.append(Line(text, fleet.fractiles[fleet.along][rows][good], values[good], own, dash))
 
 
 def _spread(fleet: Fleet) -> dict | None:

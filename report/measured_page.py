@@ -53,7 +53,7 @@ def build(path: str, output: str | None) -> tuple[str, list[str]]:
     run, problems = read(path), []
     pictures = Pictures(os.path.join(os.path.dirname(os.path.abspath(output)), "figures"), problems)
     models, labels = [("A", run)], {"A": run.name}
-    curves = Section("curves", "Curves", lead="As measured, in SI. Forces are drawn as −F. Drag moves the curves, the wheel (after a click) or two fingers zoom.")
+    curves = Section("curves", "Curves", lead="As measured, in SI. Forces are drawn as −F.")
     curves.add(pictures.figure(f"response-{run.name}", "", response_panels.draw, models, labels, run.lateral_capacity, curves=interactive.response))
     zoom = pictures.figure(f"impacts-{run.name}", "Rim force through each impact, the first four.", impacts.draw, models, labels, curves=interactive.impacts)
     curves.add(zoom or note("No rim force is measured."))

@@ -3,11 +3,12 @@ import numpy as np
 from matplotlib.axes import Axes
 
 from ..fleet import Fleet
-from ..style import FE, FITTED, MUTED, figure, save
+from ..style import FITTED, MUTED, figure, literal, save
 
 RESULTS = (("peak_displacement_m", 1e3, "peak displacement (mm)"), ("peak_lateral_force_N", 1e-3, "peak lateral force (kN)"),
            ("peak_impact_force_N", 1e-3, "peak impact force (kN)"), ("residual_displacement_m", 1e3, "residual displacement (mm)"))
-MOST = 3  # parameters drawn
+MOST = 3         # parameters drawn
+MOST_NAMED = 10  # curves in the legend
 
 
 def shown_results(fleet: Fleet) -> list[tuple[str, float, str]]:
@@ -29,16 +30,24 @@ def _draw_fractiles(fleet: Fleet, results: list[tuple[str, float, str]], path: s
     axes, table = list(grid.flat), fleet.fractiles
     for ax, (name, factor, label) in zip(axes, results):
         ax.plot(fleet.columns[fleet.along], factor * fleet.columns[name], ".", ms=2.5, color=MUTED, alpha=0.5, mew=0)
-        if f"p50_{name}" in table:
-            x, low, middle, high = table[fleet.along], *(factor * table[f"{p}_{name}"] for p in ("p16", "p50", "p84"))
-            ax.fill_between(x, low, high, color=FE, alpha=0.16, lw=0)
-            ax.plot(x, middle, color=FE)
+        for label_of_group, rows_of in grouped(fleet) if f"p50_{name}" in table else []:
+            x, low, middle, high = table[fleet.along][rows_of], *(factor * table[f"{p}_{name}"][rows_of] for p in ("p16", "p50", "p84"))
+            line, = ax.plot(x, middle, label=literal(label_of_group) or None)
+            ax.fill_between(x, low, high, color=line.get_color(), alpha=0.16, lw=0)
         ax.set(xlabel=fleet.along, ylabel=label)
     _draw_touched(axes[len(results)], fleet)
     axes[0].set_title("Dots: runs; line and band: 50 %, 16 to 84 %")
     for ax in axes[len(results) + 1:]:
         ax.axis("off")
+    if 1 < len(grouped(fleet)) <= MOST_NAMED:
+        axes[0].legend()
     return save(fig, path)
+
+
+def grouped(fleet: Fleet) -> list[tuple[str, np.ndarray]]:
+    """(name, rows of the fractiles) of each curve; one without a name where the sweep gives them by nothing."""
+    names = np.array(fleet.groups)
+    return [(str(name), np.flatnonzero(names == name)) for name in dict.fromkeys(fleet.groups)]
 
 
 def share_touching(fleet: Fleet, name: str) -> tuple[np.ndarray, np.ndarray]:

@@ -9,7 +9,8 @@ from ..run_folder import Run
 from ..style import FE, FITTED, MUTED, figure, save, shared_legend
 
 G = 9.80665
-PROFILES = (("peak_drift_m", 1e3, "largest drift (mm)"), ("peak_shear_N", 1e-3, "largest shear (kN)"), ("peak_acceleration_m_s2", 1 / G, "largest acceleration of its floor (g)"))
+PROFILES = (("peak_drift_m", 1e3, "largest drift (mm)"), ("peak_shear_N", 1e-3, "largest shear (kN)"),
+            ("peak_acceleration_m_s2", 1 / G, "largest acceleration of its floor (g)"))
 
 
 def draw_profiles(run: Run, path: str) -> str | None:

@@ -1,16 +1,12 @@
 """What several sections say in the same way: names of runs and roles, errors against FE, states of runs."""
-import glob
-import os
-import re
-import xml.etree.ElementTree as tree
 from typing import Any
 
 from .. import building_tables, view3d, vtu
 from ..blocks import note, text, turning
 from ..calibration_file import PAIR_LAWS
-from ..errors import DataError
 from ..numbers import is_number
 from ..run_folder import Run
+from ..stored_fields import said_of
 
 ROLE_TEXT = {"fit": "used for the fit", "predict": "predicted, not fitted", "window": "single impact",
              "push": "quasi-static", "history": ""}
@@ -59,26 +55,6 @@ def _label(slot, run):
 def row_name(context, entry):
     """A run's name in a table's row, with a mark where the run is doubted."""
     return context.doubts.marked(entry.name, short_name(entry.name))
-
-
-def instants(run):
-    """(VTU file, its time or None) of what fields.pvd lists, in its order: other files in the folder are another run's.
-    Without fields.pvd every file there is, by its number."""
-    path = os.path.join(run.folder, "fields.pvd")
-    if not os.path.isfile(path):
-        files = glob.glob(os.path.join(glob.escape(run.folder), "fields", "*.vtu"))
-        return [(file, None) for file in sorted(files, key=lambda file: [int(n) for n in re.findall(r"\d+", os.path.basename(file))])]
-    try:
-        listed = tree.parse(path).getroot().iter("DataSet")
-        found = [(os.path.join(run.folder, item.get("file")), float(item.get("timestep"))) for item in listed]
-    except (OSError, tree.ParseError, TypeError, ValueError) as error:
-        raise DataError(f"{path} is not readable ({error})") from None
-    return [(file, time) for file, time in found if os.path.isfile(file)]
-
-
-def said_of(run: Run, time: float | None) -> str:
-    """Of an instant: "time 0.0325 s", or of the load parameter."""
-    return "" if time is None else f"{run.time_label.split(' (')[0]} {time:.4g}" + (" s" if "time" in run.time_label else "")
 
 
 def turning_model(grid: vtu.Grid, run: Run, time: float | None) -> dict[str, Any]:

@@ -11,7 +11,8 @@ from ..errors import DataError
 from ..field_catalogue import info_of
 from ..numbers import sig
 from ..run_folder import Run
-from .common import instants, said_of, title_of
+from ..stored_fields import instants, said_of
+from .common import title_of
 
 if TYPE_CHECKING:
     from ..build import Context
@@ -33,7 +34,8 @@ def make(context: Context) -> Section | None:
             section.add(_table(grid, run, files, "" if context.results.single else f"{title_of(entry.name)}: "))
     if not section.blocks:
         return None
-    section.lead = f"`fields/*.vtu`, listed with their times in `fields.pvd`: {sum(len(files) for *_, files in stored)} instants of {len(stored)} run{'s'[:len(stored) > 1]}."
+    n, instants_of = len(stored), sum(len(files) for *_, files in stored)
+    section.lead = f"`fields/*.vtu`, listed with their times in `fields.pvd`: {instants_of} instants of {n} run{'s' if n > 1 else ''}."
     if scripts:
         section.add(text(f"`paraview --script={paraview.NAME}` in a run's folder shows the deformed bearing coloured by stress."))
     return section

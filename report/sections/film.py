@@ -7,7 +7,8 @@ from typing import TYPE_CHECKING
 from .. import film
 from ..blocks import Section, text
 from ..errors import DataError
-from .common import instants, title_of
+from ..stored_fields import instants
+from .common import title_of
 
 if TYPE_CHECKING:
     from ..build import Context

@@ -8,17 +8,13 @@ from ..results import SLOTS
 from .common import ROLE_TEXT, errors_of, hardest, labels_of, status_note, title_of
 
 
-ZOOM = "Drag moves the curves, the wheel (after a click) or two fingers zoom; values stand below the pointer."
-
-
 def make(context):
     results = context.results
     entries = results.entries if results.single else results.histories + results.having("push")
     section = Section("histories", "Response" if results.single else "Finite elements and reduced model, pulse by pulse")
     if not results.single:
         section.lead = ("Forces are drawn as −F, so that loops read as in the thesis. Impacts are zoomed from each "
-                        "model's own touch, since touch times differ slightly between models. ")
-    section.lead += ZOOM
+                        "model's own touch, since touch times differ slightly between models.")
     for entry in entries:
         _entry(section, context, entry)
     return section

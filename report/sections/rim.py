@@ -8,7 +8,8 @@ from ..blocks import Section, heading
 from ..errors import DataError
 from ..results import Entry
 from ..run_folder import Run
-from .common import instants, title_of, turning_model
+from ..stored_fields import instants
+from .common import title_of, turning_model
 
 if TYPE_CHECKING:
     from ..build import Context

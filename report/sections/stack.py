@@ -6,7 +6,8 @@ from ..bearing import height, value
 from ..blocks import Section, heading
 from ..errors import DataError
 from ..run_folder import Run
-from .common import instants, said_of, title_of, turning_model
+from ..stored_fields import instants, said_of
+from .common import title_of, turning_model
 
 MOST = 4  # runs shown
 

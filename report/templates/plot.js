@@ -103,8 +103,9 @@
     }
     hover(at) {
       this.draw(); const pen = this.pen, parts = [];
-      const value = (v, range) => read(v, range[1] - range[0]);
-      if (this.over) parts.push(`${this.x.split(" (")[0]} ${value(this.toX(at[0]), this.x0)}`);
+      const unit = axis => (axis.match(/\(([^)–-]+)\)/) || ["", ""])[1], named = { x: unit(this.x), y: unit(this.y) };
+      const value = (v, axis) => `${read(v, this[axis + "0"][1] - this[axis + "0"][0])} ${named[axis]}`.trim();
+      if (this.over) parts.push(`${this.x.split(" (")[0]} ${value(this.toX(at[0]), "x")}`);
       for (const line of this.lines) {
         const i = this.nearest(line, at); if (i < 0) continue;
         let x = line.x[i], y = line.y[i];
@@ -113,7 +114,7 @@
           if (x < line.x[0] || x > line.x[line.x.length - 1]) continue;
           const s = line.x[j] === line.x[i] ? 0 : (x - line.x[i]) / (line.x[j] - line.x[i]); y += s * (line.y[j] - line.y[i]);
         }
-        parts.push(`${line.label}: ${this.over ? "" : value(x, this.x0) + ", "}${value(y, this.y0)}`);
+        parts.push(`${line.label}: ${this.over ? "" : value(x, "x") + ", "}${value(y, "y")}`);
         pen.beginPath(); pen.arc(this.px(x), this.py(y), 3, 0, 7); pen.fillStyle = line.colour; pen.fill();
       }
       this.out.textContent = parts.join("; ");
@@ -168,6 +169,8 @@
     button("+", "Zoom in", p => p.zoom(0.6, p.left + p.w / 2, p.top + p.h / 2));
     button("−", "Zoom out", p => p.zoom(1 / 0.6, p.left + p.w / 2, p.top + p.h / 2));
     button("all", "Show all", p => p.reset());
+    const hint = holder.appendChild(document.createElement("p")); hint.className = "hint";
+    hint.textContent = "Drag moves the curves; the wheel (after a click) or two fingers zoom; values stand below the pointer.";
     figure.classList.add("live");
     new ResizeObserver(() => panels.forEach(p => p.draw())).observe(holder);
   }

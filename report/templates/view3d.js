@@ -92,7 +92,7 @@ void main() {
       const f = this.field, text = v => Number(v.toPrecision(3)).toString();
       this.bar.innerHTML = `<span>${text(f.low)}</span><i style="background:linear-gradient(90deg,${COLOURS})"></i><span>${text(f.high)} ${f.unit}</span><span>${f.name}, largest ${text(f.largest)} ${f.unit}</span>`;
     }
-    reset() { this.yaw = this.model.half ? 2.5 : 2.2; this.pitch = 0.5; this.zoom = 1; this.shift = [0, 0]; this.draw(); }
+    reset() { this.yaw = this.model.half ? 2.5 : 2.2; this.pitch = 0.75; this.zoom = 1.15; this.shift = [0, 0]; this.draw(); }
     listen() {
       const c = this.canvas, held = new Map();
       c.addEventListener("pointerdown", e => { held.set(e.pointerId, [e.clientX, e.clientY]); c.setPointerCapture(e.pointerId); });

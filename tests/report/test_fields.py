@@ -50,10 +50,10 @@ class Fields(InFolder):
         os.remove(self.path("run", "fields.pvd"))
         self.assertIsNone(paraview.write(folder, grid))
 
-    @unittest.skipUnless(shutil.which("pvpython") and shutil.which("xvfb-run"), "ParaView is not installed")
+    @unittest.skipUnless(shutil.which("pvpython") and os.environ.get("DISPLAY"), "ParaView is not installed, or there is no screen")
     def test_paraview_draws_it(self):
         script = paraview.write(self.run_folder(stress=True), vtu.read(self.path("run", "fields", "rim_000.vtu")))
-        done = subprocess.run(["xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", "pvpython", script, self.path("a.png")], capture_output=True, text=True, timeout=200)
+        done = subprocess.run(["pvpython", script, self.path("a.png")], capture_output=True, text=True, timeout=200)
         self.assertEqual(done.returncode, 0, done.stderr[-400:])
         self.assertGreater(os.path.getsize(self.path("a.png")), 5000)
 

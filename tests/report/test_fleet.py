@@ -61,6 +61,19 @@ class Fleet(InFolder):
         self.assertEqual([p["title"] for p in panels], ["Peak displacement", "Runs that touch the rim"])
         self.assertNotIn("What is missing", page)
 
+    def test_fractiles_by_another_key(self):
+        self.table()
+        rows = ["record,excitation.scale,n_runs,p16_peak_displacement_m,p50_peak_displacement_m,p84_peak_displacement_m"]
+        rows += [f'"{name}",{s},3,0.3,{0.3 + 0.1 * s},{"" if s > 1 else 0.4}' for name in ("NGA 1", "NGA 2") for s in (0.8, 1.2)]
+        self.write("fractiles.csv", "\n".join(rows) + "\n")
+        read = fleet.read(self.folder)
+        self.assertEqual((read.along, read.groups), ("excitation.scale", ["NGA 1", "NGA 1", "NGA 2", "NGA 2"]))
+        self.assertEqual(command("report.quick", "fleet", self.folder).returncode, 0)
+        self.assertEqual(command("report", self.folder).returncode, 0)
+        with open(self.path("report.html"), encoding="utf-8") as file:
+            panels = json.loads(re.search(r'<script class="curves" type="application/json">(.*?)</script>', file.read()).group(1))
+        self.assertEqual([line["label"] for line in panels[0]["lines"]], ["NGA 1", "NGA 2"])
+
     def test_damage_is_said(self):
         self.write("table.csv", "a,b\n1,2\n")
         with self.assertRaisesRegex(DataError, "no column run"):

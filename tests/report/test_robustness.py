@@ -151,7 +151,7 @@ class Sentences(InFolder):
 class Fields(InFolder):
     def test_only_what_the_run_lists_is_drawn(self):
         import synthetic_mesh
-        from report.sections.common import instants
+        from report.stored_fields import instants
         from report.run_folder import load_run
         synthetic.run(self.path("run"), "w", 'kind = "window"\nspeed_m_per_s = 0.2', lambda t: 0.0, synthetic.Rim(4e8, 0.6), "rim", 0.2)
         os.makedirs(self.path("run/fields"))
