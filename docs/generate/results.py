@@ -81,8 +81,8 @@ def reliability_page():
     for file in sorted((ROOT / "data/reliability/kept").glob("*.json")):
         kept = json.loads(file.read_text(encoding="utf-8"))
         levels = ", ".join(f"{level['level_g']:.3g} g: {level['n_records']} of {level['n_listed']}" for level in kept["levels"])
-        text += (f"\n## {kept['study']}\n\n{kept['what']}\n\n{kept['n_systems']} systems, {kept['n_runs']} runs ({kept['samples']} samples a record, "
-                 f"{kept['n_runs_without_result']} without a result). Records at hand a level: {levels}.\n\n{reductions_table(kept)}")
+        text += (f"\n## {kept['study']}\n\n{kept['what']}\n\n{kept['n_systems']} systems, {kept['n_runs']} runs (samples a motion: {kept['samples']}; "
+                 f"without a result: {kept['n_runs_without_result']}). Records at hand a level: {levels}.\n\n{reductions_table(kept)}")
     return text
 
 
