@@ -107,6 +107,8 @@ std::vector<KeyDescription> sweep_keys() {
       number("records.sa_period_s", "none", "> 0", "column record_sa_g: spectral acceleration at this period"),
       number("latin_hypercube.samples", "", "1 and more", "how many samples of the keys beside it"),
       number("latin_hypercube.seed", "1", "a whole number", "of the random numbers"),
+      text("latin_hypercube.correlation", "[]", "lists of two keys and a number",
+           "of the normal scores of two keys; the others are not correlated"),
       number("latin_hypercube.KEY.low", "", "a number", "least value"),
       number("latin_hypercube.KEY.high", "", "> low", "largest value"),
       text("latin_hypercube.KEY.log", "false", "true, false", "even in the logarithm"),

@@ -9,32 +9,15 @@
 namespace rimpact {
 namespace {
 
-std::vector<std::string> cells_of(std::string_view line, char separator) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (c == '"' && quoted && i + 1 < line.size() && line[i + 1] == '"')
-      cells.back() += line[++i];
-    else if (c == '"')
-      quoted = !quoted;
-    else if (c == separator && !quoted)
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  }
-  for (auto &cell : cells) cell = std::string(trim(cell));
-  return cells;
-}
-
 bool holds(const std::vector<std::string> &cells, const std::string &name) {
   return std::find(cells.begin(), cells.end(), name) != cells.end();
 }
 
 } // namespace
 
-LooseTable::LooseTable(const std::string &text, const std::string &path, const std::vector<std::string> &columns)
+LooseTable::LooseTable(const std::string &bytes, const std::string &path, const std::vector<std::string> &columns)
     : path_(path) {
+  const std::string text = utf8_text(bytes, path);
   const auto lines = lines_of(text);
   char separator = 0;
   std::size_t at = 0;
@@ -74,10 +57,8 @@ const std::string &LooseTable::text(const LooseRow &row, const std::string &colu
 
 double LooseTable::number(const LooseRow &row, const std::string &column) const {
   const std::string &cell = text(row, column);
-  auto value = to_number(cell);
+  const auto value = decimals_.number(cell, fmt::format("{}:{}: {}", path_, row.line, column));
   if (!value)
-    if (const auto with_point = decimal_point_for(cell)) value = to_number(*with_point);
-  if (!value || !std::isfinite(*value))
     throw DataError(
         fmt::format("{}:{}: {} \"{}\" is not a finite number", path_, row.line, column, cell.substr(0, 40)));
   return *value;

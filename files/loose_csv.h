@@ -1,6 +1,8 @@
-/// CSV as spreadsheets and data bases write it: any of comma, semicolon and tab between cells, quotes, a byte-order
-/// mark, decimal commas where commas do not separate cells, lines of remarks above the header.
+/// CSV as spreadsheets and data bases write it: any of comma, semicolon and tab between cells, quotes, UTF-8 with and
+/// without a byte-order mark or UTF-16, decimal commas where commas do not separate cells, lines of remarks above the
+/// header.
 #pragma once
+#include "files/loose_cells.h"
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -18,12 +20,13 @@ public:
   /// The header is the first line that holds every name of `columns` as a cell. Rows end at the file's end or at the
   /// first empty line below the header. Throws DataError naming the columns that no line has, or a row's line and
   /// number of cells.
-  LooseTable(const std::string &text, const std::string &path, const std::vector<std::string> &columns);
+  LooseTable(const std::string &bytes, const std::string &path, const std::vector<std::string> &columns);
 
   const std::vector<LooseRow> &rows() const { return rows_; }
   bool has(const std::string &column) const;
   const std::string &text(const LooseRow &row, const std::string &column) const;
-  /// Throws DataError naming line, column and word where it is no finite number.
+  /// Throws DataError naming line, column and word where it is no finite number, or has a decimal point where numbers
+  /// asked for before had a comma.
   double number(const LooseRow &row, const std::string &column) const;
 
 private:
@@ -31,6 +34,7 @@ private:
   std::string path_;
   std::vector<std::string> columns_;
   std::vector<LooseRow> rows_;
+  mutable DecimalReader decimals_; ///< what the numbers asked for so far had
 };
 
 } // namespace rimpact

@@ -1,5 +1,6 @@
 #include "fleets/sweep.h"
 #include "files/file.h"
+#include "fleets/correlation.h"
 #include "fleets/sweep_reader.h"
 #include "fleets/sweep_toml.h"
 #include "records/record.h"
@@ -44,7 +45,8 @@ std::vector<Point> case_points(const std::vector<std::vector<Axis>> &cases) {
 std::vector<Point> sampled_points(const SweepParts &parts) {
   if (parts.sampled.empty()) return {{}};
   std::vector<Point> points(static_cast<std::size_t>(parts.samples));
-  const auto unit = latin_hypercube(static_cast<int>(parts.sampled.size()), parts.samples, parts.seed);
+  auto unit = latin_hypercube(static_cast<int>(parts.sampled.size()), parts.samples, parts.seed);
+  if (!parts.correlation.empty()) unit = correlated(std::move(unit), parts.correlation);
   for (std::size_t i = 0; i < points.size(); ++i)
     for (std::size_t d = 0; d < parts.sampled.size(); ++d)
       points[i][parts.sampled[d].key] = number_value(parts.sampled[d].distribution.quantile(unit[i][d]));
@@ -83,7 +85,8 @@ void require_numbers_along(const Sweep &sweep) {
 }
 
 bool is_file(const std::string &key) {
-  return key == "excitation.x" || key == "excitation.y" || key == "excitation.z" || key == "bearing.file";
+  return key == "excitation.x" || key == "excitation.y" || key == "excitation.z" || key == "bearing.file" ||
+         key == "reduced.impact_curve";
 }
 
 } // namespace

@@ -21,6 +21,7 @@
 ///   seed = 1
 ///   reduced.mu_fast = { low = 0.03, high = 0.07 }                  # log = true: uniform in the logarithm
 ///   load.vertical_kN = { mean = 853, deviation = 80, low = 600, high = 1100 }  # normal, cut at both ends
+///   correlation = [["reduced.mu_fast", "load.vertical_kN", 0.5]]   # of the normal scores; pairs not named: 0
 ///   [linked]                      # products of numbers and of keys above, over one key
 ///   reduced.mu_slow = { product = [0.5, "reduced.mu_fast"] }
 ///   excitation.scale = { product = ["variable.pga_g"], over = "variable.record_pga_g" }

@@ -37,6 +37,7 @@ struct SweepParts {
   std::vector<SampledKey> sampled;
   int samples = 0;
   std::uint64_t seed = 1;
+  std::vector<std::vector<double>> correlation; ///< of the normal scores of `sampled`, in its order; empty: none
   std::vector<LinkedKey> linked;
   std::string fractiles_along; ///< empty: no fractiles
   std::vector<std::string> fractiles_by;

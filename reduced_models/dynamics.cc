@@ -91,45 +91,73 @@ Vector3d Dynamics::friction_per_normal(const scene::SurfacePoint &p, const Vecto
   return f;
 }
 
-Vector3d Dynamics::applied(const Evaluation &e, double t, const State &y, const FloorMotion &base,
-                           Vector3d &a_g) const {
-  a_g = ground.acceleration(t);
+Vector3d Dynamics::applied(const Evaluation &e, const State &y, const FloorMotion &base, const Vector3d &a_g) const {
   Vector3d force = e.impact - mass * a_g;
   force[2] -= dead_load_;
   if (building.any()) force += building.force_on_base(y, base);
   return force;
 }
 
-FloorMotion Dynamics::base(const Mode &mode, const State &y) const {
-  if (mode.support == Support::airborne) return {{y[iX], y[iY], y[iZ]}, {y[iVX], y[iVY], y[iVZ]}};
-  const auto p = height.at(y[iX], y[iY]);
+namespace {
+
+FloorMotion on_surface(const scene::SurfacePoint &p, const State &y) {
   return {{y[iX], y[iY], p.z}, {y[iVX], y[iVY], p.gradient[0] * y[iVX] + p.gradient[1] * y[iVY]}};
 }
 
+} // namespace
+
+Site Dynamics::on_dish(double t, const State &y) const {
+  const auto p = height.at(y[iX], y[iY]);
+  return {p, on_surface(p, y), ground.acceleration(t)};
+}
+
+Site Dynamics::on_dish(double t, const State &y, Footing &footing) const {
+  const Vector2d u(y[iX], y[iY]);
+  if (footing.u != u) {
+    footing.u = u, footing.dish = height.at(u[0], u[1]);
+    footing.frame = TangentFrame(footing.dish, u);
+  }
+  return {footing.dish, on_surface(footing.dish, y), ground.acceleration(t), &footing.frame};
+}
+
+Site Dynamics::site(const Mode &mode, double t, const State &y) const {
+  if (mode.support != Support::airborne) return on_dish(t, y);
+  return {{}, {{y[iX], y[iY], y[iZ]}, {y[iVX], y[iVY], y[iVZ]}}, ground.acceleration(t)};
+}
+
+FloorMotion Dynamics::base(const Mode &mode, const State &y) const {
+  if (mode.support == Support::airborne) return {{y[iX], y[iY], y[iZ]}, {y[iVX], y[iVY], y[iVZ]}};
+  return on_surface(height.at(y[iX], y[iY]), y);
+}
+
 Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y) const {
+  return evaluate(mode, t, y, site(mode, t, y));
+}
+
+Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y, const Site &site) const {
   Evaluation e;
   const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
   rim_terms(mode, t, u, v, e);
   e.eta_rate.setZero();
-  Vector3d a_g;
+  const Vector3d &a_g = site.ground;
+  const Vector2d &g = site.dish.gradient;
+  if (mode.support == Support::stuck) {
+    const double S = std::sqrt(1 + g.squaredNorm());
+    const Hold h = hold(mode, t, y, site);
+    e.normal = h.normal, e.excess = h.excess;
+    e.pendular = h.normal / S * Vector3d(-g[0], -g[1], 1), e.friction = h.friction;
+    e.acceleration.setZero();
+    return e;
+  }
+  const Vector3d F = applied(e, y, site.base, a_g);
   if (mode.support == Support::airborne) {
-    const Vector3d F = applied(e, t, y, {{u[0], u[1], y[iZ]}, {v[0], v[1], y[iVZ]}}, a_g);
     e.pendular.setZero(), e.friction.setZero();
     e.acceleration = F / mass;
     e.ground_power = -mass * (a_g[0] * v[0] + a_g[1] * v[1] + a_g[2] * y[iVZ]);
     return e;
   }
-  const auto p = height.at(u[0], u[1]);
-  const Vector2d &g = p.gradient;
+  const auto &p = site.dish;
   const double S = std::sqrt(1 + g.squaredNorm()), vz = g.dot(v);
-  const Vector3d F = applied(e, t, y, {{u[0], u[1], p.z}, {v[0], v[1], vz}}, a_g);
-  if (mode.support == Support::stuck) {
-    const Hold h = hold(mode, t, y);
-    e.normal = h.normal;
-    e.pendular = h.normal / S * Vector3d(-g[0], -g[1], 1), e.friction = h.friction;
-    e.acceleration.setZero();
-    return e;
-  }
   // friction per unit of N
   Vector3d f;
   const double speed = std::sqrt(v.squaredNorm() + vz * vz), mu = friction_law.at(speed).value;
@@ -139,7 +167,7 @@ Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y) const 
     f = friction_per_normal(p, u, eta, mu) * eta.norm();
   } else {
     const double side = v.squaredNorm() > stop_speed * stop_speed ? v.dot(mode.e0) : 0.0;
-    const Vector2d direction = mode.slow  ? slow_direction(mode, t, y)
+    const Vector2d direction = mode.slow  ? slow_direction(mode, t, y, site)
                                : side > 0 ? v
                                : side < 0 ? Vector2d(-v)
                                           : mode.e0;
@@ -165,27 +193,29 @@ Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y) const 
   return e;
 }
 
-void Dynamics::rhs(const Mode &mode, double t, const State &y, State &dy) const {
+Evaluation Dynamics::rhs(const Mode &mode, double t, const State &y, State &dy, Footing *footing) const {
   dy.fill(0.0);
   if (!inside(y)) { // beyond the dish: inadmissible, the step control cuts the step
     dy.fill(std::nan(""));
-    return;
+    return {};
   }
-  const Evaluation e = evaluate(mode, t, y);
+  const Site here = footing && mode.support == Support::stuck ? on_dish(t, y, *footing) : site(mode, t, y);
+  const Evaluation e = evaluate(mode, t, y, here);
   dy[iX] = y[iVX], dy[iY] = y[iVY];
   dy[iVX] = e.acceleration[0], dy[iVY] = e.acceleration[1];
   dy[iExternal] = e.ground_power;
   dy[iImpact] = -e.impact[0] * y[iVX] - e.impact[1] * y[iVY];
-  if (building.any()) building.rates(y, base(mode, y), ground.acceleration(t), dy);
+  if (building.any()) building.rates(y, here.base, here.ground, dy);
   if (mode.support == Support::airborne) {
     dy[iZ] = y[iVZ], dy[iVZ] = e.acceleration[2];
-    return;
+    return e;
   }
   dy[iEX] = e.eta_rate[0], dy[iEY] = e.eta_rate[1];
   dy[iPendular] = -e.pendular[0] * y[iVX] - e.pendular[1] * y[iVY];
   dy[iFriction] = -e.friction[0] * y[iVX] - e.friction[1] * y[iVY];
   if (reading != NormalForce::constant && e.pendular[2] > 0) // v_z = grad h . v, and grad h = -pendular_xy / pendular_z
     dy[iFriction] += e.friction[2] * (e.pendular[0] * y[iVX] + e.pendular[1] * y[iVY]) / e.pendular[2];
+  return e;
 }
 
 double Dynamics::kinetic_energy(const State &y) const {

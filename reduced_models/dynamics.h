@@ -19,6 +19,7 @@
 #include "reduced_models/riding_height.h"
 #include "reduced_models/superstructure.h"
 #include <array>
+#include <cmath>
 
 namespace rimpact::reduced {
 
@@ -42,9 +43,32 @@ struct Mode {
 
 enum class NormalForce { inertia, statics, constant };
 
+/// Orthonormal tangent frame of the surface at u: along the meridian and along the circle.
+struct TangentFrame {
+  Eigen::Vector3d meridian, circle, normal;
+  TangentFrame() = default;
+  TangentFrame(const scene::SurfacePoint &p, const Eigen::Vector2d &u);
+};
+
+/// The dish below a mass that is held: the same from one call to the next while it stays.
+struct Footing {
+  Eigen::Vector2d u{std::nan(""), std::nan("")};
+  scene::SurfacePoint dish;
+  TangentFrame frame;
+};
+
+/// Where a state is and what the ground does there: found once for all that acts.
+struct Site {
+  scene::SurfacePoint dish;            ///< below the mass; not set in the air
+  FloorMotion base;                    ///< of the mass, on the surface while the dish carries it
+  Eigen::Vector3d ground;              ///< acceleration [m/s^2]
+  const TangentFrame *frame = nullptr; ///< of the dish, where it is known
+};
+
 /// Everything that acts in a state.
 struct Evaluation {
   double normal = 0, rim_force = 0; ///< N; force of the rim, > 0 inwards [N]
+  double excess = 0;                ///< of a mass held by friction, as Hold's [-]
   double gap = 0, gap_rate = 0;     ///< L_c - |u_xy| and its rate
   double ground_power = 0;          ///< [W]
   Eigen::Vector3d pendular, friction, impact, acceleration;
@@ -79,10 +103,15 @@ public:
   /// `with_rim` false or k_i = 0: no rim element. `lateral_capacity` < 0: the bearing's own.
   explicit Dynamics(const scene::Scene &scene, bool with_rim = true, double lateral_capacity = -1);
 
+  Site site(const Mode &mode, double t, const State &y) const;
   Evaluation evaluate(const Mode &mode, double t, const State &y) const;
-  void rhs(const Mode &mode, double t, const State &y, State &dy) const;
+  Evaluation evaluate(const Mode &mode, double t, const State &y, const Site &site) const;
+  /// Fills the rates; returns what acts, which they were made of (as it was born where the state is inadmissible).
+  /// `footing` (may be null): kept by the caller between calls of one run.
+  Evaluation rhs(const Mode &mode, double t, const State &y, State &dy, Footing *footing = nullptr) const;
   /// At rest on the dish; the rim, when pressed, pushes with its spring.
   Hold hold(const Mode &mode, double t, const State &y) const;
+  Hold hold(const Mode &mode, double t, const State &y, const Site &site) const;
 
   /// Events that can end `mode`.
   EventList events(const Mode &mode) const;
@@ -150,9 +179,11 @@ public:
   double socket = 0;
 
 private:
-  Eigen::Vector3d applied(const Evaluation &e, double t, const State &y, const FloorMotion &base,
-                          Eigen::Vector3d &ground) const;
-  Eigen::Vector2d slow_direction(const Mode &mode, double t, const State &y) const;
+  Eigen::Vector3d applied(const Evaluation &e, const State &y, const FloorMotion &base,
+                          const Eigen::Vector3d &ground) const;
+  Site on_dish(double t, const State &y) const;
+  Site on_dish(double t, const State &y, Footing &footing) const;
+  Eigen::Vector2d slow_direction(const Mode &mode, double t, const State &y, const Site &site) const;
   double drive_share(const Mode &mode, double t, const State &y) const;
   void rim_terms(const Mode &mode, double t, const Eigen::Vector2d &u, const Eigen::Vector2d &v, Evaluation &e) const;
   /// A pressed rim that flies on a curve: throws SolverStopped where the curve holds no longer (curve_limits.h).

@@ -8,18 +8,6 @@ using Eigen::Vector2d, Eigen::Vector3d;
 
 namespace {
 
-/// Orthonormal tangent frame of the surface at u: along the meridian and along the circle.
-struct TangentFrame {
-  Vector3d meridian, circle, normal;
-  TangentFrame(const scene::SurfacePoint &p, const Vector2d &u) {
-    const double r = u.norm();
-    const Vector2d er = r > 0 ? Vector2d(u / r) : Vector2d::UnitX();
-    meridian = Vector3d(er[0], er[1], p.gradient.dot(er)).normalized();
-    circle = Vector3d(-er[1], er[0], 0);
-    normal = Vector3d(-p.gradient[0], -p.gradient[1], 1).normalized();
-  }
-};
-
 /// What remains of a drive on a body at rest after the socket's share, for the direction in which it would
 /// slide: e fulfils drive = socket(e) + beta e, beta being what the sliding face must hold.
 struct Onset {
@@ -47,14 +35,27 @@ Onset onset(const Vector2d &drive, double socket_force, const scene::Curvatures 
 
 } // namespace
 
+TangentFrame::TangentFrame(const scene::SurfacePoint &p, const Vector2d &u) {
+  const double r = u.norm();
+  const Vector2d er = r > 0 ? Vector2d(u / r) : Vector2d::UnitX();
+  meridian = Vector3d(er[0], er[1], p.gradient.dot(er)).normalized();
+  circle = Vector3d(-er[1], er[0], 0);
+  normal = Vector3d(-p.gradient[0], -p.gradient[1], 1).normalized();
+}
+
 Hold Dynamics::hold(const Mode &mode, double t, const State &y) const {
+  return hold(mode, t, y, on_dish(t, y));
+}
+
+Hold Dynamics::hold(const Mode &mode, double t, const State &y, const Site &site) const {
   const Vector2d u(y[iX], y[iY]);
-  const auto p = height.at(u[0], u[1]);
-  const TangentFrame frame(p, u);
+  const auto &p = site.dish;
+  TangentFrame own;
+  if (!site.frame) own = TangentFrame(p, u);
+  const TangentFrame &frame = site.frame ? *site.frame : own;
   Evaluation e;
   rim_terms(mode, t, u, Vector2d::Zero(), e);
-  Vector3d a_g;
-  const Vector3d F = applied(e, t, y, {{u[0], u[1], p.z}, Vector3d::Zero()}, a_g);
+  const Vector3d F = applied(e, y, {site.base.position, Vector3d::Zero()}, site.ground);
   Hold h;
   Vector2d drive; // tangential, in the frame (meridian, circle)
   if (reading == NormalForce::constant) {
@@ -67,7 +68,7 @@ Hold Dynamics::hold(const Mode &mode, double t, const State &y) const {
     drive = {F.dot(frame.meridian), F.dot(frame.circle)};
   }
   const double N = std::max(0.0, h.normal);
-  const Onset o = onset(drive, N * socket, height.curvatures(u.norm()));
+  const Onset o = onset(drive, N * socket, socket > 0 ? height.curvatures(u.norm()) : scene::Curvatures{});
   h.excess = weight > 0 ? (o.beta - coulomb_limit() * N) / weight : o.beta;
   const Vector3d direction = o.direction[0] * frame.meridian + o.direction[1] * frame.circle;
   h.direction = direction.head<2>().normalized();
@@ -76,7 +77,7 @@ Hold Dynamics::hold(const Mode &mode, double t, const State &y) const {
   return h;
 }
 
-Vector2d Dynamics::slow_direction(const Mode &mode, double t, const State &y) const {
+Vector2d Dynamics::slow_direction(const Mode &mode, double t, const State &y, const Site &site) const {
   constexpr double dt = 1e-5; // to see the drive turn [s]
   const auto direction_at = [&](double later) {
     State moved = y;
@@ -85,7 +86,7 @@ Vector2d Dynamics::slow_direction(const Mode &mode, double t, const State &y) co
       for (int c = fX; c <= fZ; ++c) moved[iFloors + i * n_floor + c] += later * y[iFloors + i * n_floor + fVX + c];
     return hold(mode, t + later, moved).direction;
   };
-  const Hold now = hold(mode, t, y);
+  const Hold now = hold(mode, t, y, site);
   const Vector2d &e = now.direction, change = (direction_at(dt) - direction_at(-dt)) / (2 * dt);
   const double turning = e[0] * change[1] - e[1] * change[0];
   const double lag = std::hypot(y[iVX], y[iVY]) * turning * mass / (now.drive + now.excess * weight);
@@ -114,7 +115,7 @@ bool Dynamics::slow_down(Mode &mode, double t, State &y) const {
   const Vector2d e = hold(mode, t, y).direction;
   mode.slow = std::abs(e[0] * mode.e0[1] - e[1] * mode.e0[0]) < 0.01 && drive_share(mode, t, y) > 0.8;
   if (mode.slow) { // begins on the direction it would reach within |v| / (mu g)
-    const Vector2d along = speed * slow_direction(mode, t, y).normalized();
+    const Vector2d along = speed * slow_direction(mode, t, y, on_dish(t, y)).normalized();
     y[iVX] = along[0], y[iVY] = along[1];
     project(mode, y);
   }

@@ -57,15 +57,23 @@ double HybridRun::largest_step(const Mode &mode) const {
 }
 
 void HybridRun::try_step(double h) {
-  step_.advance([&](double t, const State &y, State &dy) { dynamics_.rhs(mode_, t, y, dy); }, h);
+  step_.advance([&](double t, const State &y, State &dy) { end_ = dynamics_.rhs(mode_, t, y, dy, &footing_); }, h);
 }
 
 double HybridRun::event_value(const Crossing &c, double t, const State &y) const {
   return c.by_stop ? (*stop_)(position(dynamics_, mode_, y)) : dynamics_.value(c.event, mode_, t, y);
 }
 
+/// Of the step last tried, most of it already evaluated.
+double HybridRun::value_at_end(const Crossing &c) const {
+  const bool is_known = !c.by_stop && dynamics_.inside(step_.y1);
+  if (is_known && c.event == Event::uplift) return end_.normal / dynamics_.weight;
+  if (is_known && c.event == Event::slip) return -end_.excess;
+  return event_value(c, step_.t + step_.h, step_.y1);
+}
+
 bool HybridRun::crosses(const Crossing &c) {
-  const double after = event_value(c, step_.t + step_.h, step_.y1);
+  const double after = value_at_end(c);
   if (after > 0) return false;
   const double before = c.by_stop ? stop_start_ : event_value(c, step_.t, step_.y0);
   if (before > 0) return true;
@@ -76,13 +84,13 @@ bool HybridRun::crosses(const Crossing &c) {
 void HybridRun::locate(const Crossing &c) {
   double low = 0, high = step_.h;
   double f_low = c.by_stop ? stop_start_ : event_value(c, step_.t, step_.y0);
-  double f_high = event_value(c, step_.t + high, step_.y1);
+  double f_high = value_at_end(c);
   int last_side = 0;
   for (int i = 0; i < 100 && high - low > 1e-15 + 1e-16 * step_.t; ++i) {
     double h = (low * f_high - high * f_low) / (f_high - f_low);
     if (!(h > low && h < high) || i % 12 == 11) h = (low + high) / 2;
     try_step(h);
-    const double f = event_value(c, step_.t + h, step_.y1);
+    const double f = value_at_end(c);
     if (f == 0) return;
     const int side = f > 0 ? 1 : -1;
     (f > 0 ? low : high) = h;
@@ -197,9 +205,9 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
     dynamics_.project(mode_, step_.y1);
     const double t1 = step_.t + step_.h;
     const bool rim_changes = crossing.found && (crossing.by_stop || changes_rim(crossing.event));
-    recorder.segment(during,
-                     {step_.t, t1, step_.y0, step_.y1, [&](double t) { return step_.at((t - step_.t) / step_.h); }},
-                     rim_changes);
+    recorder.segment(
+        during, {step_.t, t1, step_.y0, step_.y1, [&](double t) { return step_.at((t - step_.t) / step_.h); }, &end_},
+        rim_changes);
     step_.t = t1;
     step_.y0 = step_.y1;
     if (stop) stop_start_ = stop(position(dynamics_, mode_, step_.y0));

@@ -33,6 +33,7 @@ private:
   double largest_step(const Mode &mode) const;
   void try_step(double h);
   double event_value(const Crossing &c, double t, const State &y) const;
+  double value_at_end(const Crossing &c) const;
   bool crosses(const Crossing &c);
   void locate(const Crossing &c);
   Crossing first_crossing(const StopFunction &stop);
@@ -48,6 +49,8 @@ private:
   bool quiet_ = false; ///< no ground motion
   double stop_start_ = 0;
   DormandPrinceStep step_;
+  Footing footing_;
+  Evaluation end_; ///< at the end of the step last tried
   Mode mode_;
   double h_ = 1e-3;
   std::size_t break_index_ = 0;

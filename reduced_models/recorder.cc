@@ -100,22 +100,22 @@ void Recorder::watch(const Mode &mode, const State &y, const Evaluation &e) {
     i.peak_force = std::max(i.peak_force, e.rim_force);
     i.peak_penetration = std::max(i.peak_penetration, -e.gap);
   }
-  if (dynamics_.building.any()) building_.watch(building_at(mode, y));
+  if (dynamics_.building.any()) building_.watch(building_at(y));
 }
 
-BuildingSnapshot Recorder::building_at(const Mode &mode, const State &y) const {
-  return snapshot(dynamics_.building, y, dynamics_.base(mode, y));
+BuildingSnapshot Recorder::building_at(const State &y) const {
+  return snapshot(dynamics_.building, y, {{y[iX], y[iY], y[iZ]}, {y[iVX], y[iVY], y[iVZ]}});
 }
 
 /// A storey's drift peaks inside a step.
-void Recorder::refine_drifts(const Mode &mode, const Segment &s) {
-  const auto drift = [&](double theta, int storey) {
-    const State y = theta == 0 ? s.y0 : theta == 1 ? s.y1 : s.at(s.t0 + theta * (s.t1 - s.t0));
-    return dynamics_.building.drift(y, dynamics_.base(mode, y).position, storey).head<2>().norm();
+void Recorder::refine_drifts(const Segment &s, const State &middle) {
+  const auto lateral_drift = [&](const State &y, int storey) {
+    return dynamics_.building.drift(y, {y[iX], y[iY], 0}, storey).head<2>().norm();
   };
   for (int i = 0; i < dynamics_.building.n_floors(); ++i)
-    building_.raise_drift(i, inner_maximum([&](double x) { return drift(x, i); }, drift(0, i), drift(0.5, i),
-                                           drift(1, i), building_.peak_drift(i)));
+    building_.raise_drift(i, inner_maximum([&](double x) { return lateral_drift(s.at(s.t0 + x * (s.t1 - s.t0)), i); },
+                                           lateral_drift(s.y0, i), lateral_drift(middle, i), lateral_drift(s.y1, i),
+                                           building_.peak_drift(i)));
 }
 
 void Recorder::refine(const Mode &mode, const Segment &s, const Evaluation &e0, const Evaluation &mid,
@@ -160,7 +160,7 @@ void Recorder::segment(const Mode &mode, const Segment &s, bool rim_changes_at_e
     if (turned_ || (rim_changes_at_end && mode.rim != RimContact::pressed)) store_before(mode, s);
     if (rim_changes_at_end) store(mode, s.t1, s.y1);
   }
-  Evaluation e = dynamics_.evaluate(mode, s.t1, s.y1);
+  const Evaluation e = s.end ? *s.end : dynamics_.evaluate(mode, s.t1, s.y1);
   if (s.t1 > s.t0 && !dynamics_.at_rest(mode)) {
     State y = s.at((s.t0 + s.t1) / 2);
     dynamics_.place(mode, y);
@@ -170,7 +170,7 @@ void Recorder::segment(const Mode &mode, const Segment &s, bool rim_changes_at_e
     if (mode.support == Support::airborne)
       peak_height_ = std::max(peak_height_, inner_maximum([&](double x) { return s.at(s.t0 + x * (s.t1 - s.t0))[iZ]; },
                                                           s.y0[iZ], y[iZ], s.y1[iZ], peak_height_));
-    if (dynamics_.building.any()) refine_drifts(mode, s);
+    if (dynamics_.building.any()) refine_drifts(s, y);
   }
   watch(mode, s.y1, e);
   last_ = e;
@@ -227,7 +227,7 @@ void Recorder::store(const Mode &mode, double t, const State &y, double apart) {
   if (!dynamics_.building.any()) return;
   const double energies[] = {l.elastic, l.plastic, l.damping};
   for (int i = 0; i < 3; ++i) response_->append(building_energies[i], energies[i]);
-  BuildingRecorder::append(building_at(mode, y), dynamics_.building.n_floors(), *response_);
+  BuildingRecorder::append(building_at(y), dynamics_.building.n_floors(), *response_);
 }
 
 void Recorder::end(const Mode &mode, double t, const State &y) {
@@ -265,8 +265,7 @@ void Recorder::summarise(Summary &summary, bool collapsed) const {
   summary.peak_impact_force = peak;
   summary.energy = final_ledger();
   if (dynamics_.building.any())
-    building_.summarise(building_at(final_mode_, final_), collapsed ? std::optional(final_time_) : std::nullopt,
-                        summary);
+    building_.summarise(building_at(final_), collapsed ? std::optional(final_time_) : std::nullopt, summary);
 }
 
 } // namespace rimpact::reduced

@@ -12,6 +12,7 @@ struct Segment {
   double t0, t1;
   const State &y0, &y1;
   std::function<State(double)> at;
+  const Evaluation *end = nullptr; ///< of (t1, y1) on this branch, where it is known
 };
 
 class Recorder {
@@ -38,9 +39,9 @@ private:
              double apart = beside / 2); ///< none sooner than `apart` after the last [s]
   void open_impact(double t, const State &y);
   void close_impact(double t, const State &y);
-  BuildingSnapshot building_at(const Mode &mode, const State &y) const;
+  BuildingSnapshot building_at(const State &y) const; ///< of a state that is on the surface where the dish carries it
   void store_before(const Mode &mode, const Segment &segment);
-  void refine_drifts(const Mode &mode, const Segment &segment);
+  void refine_drifts(const Segment &segment, const State &middle);
   void watch(const Mode &mode, const State &y, const Evaluation &e);
   void refine(const Mode &mode, const Segment &segment, const Evaluation &e0, const Evaluation &mid,
               const Evaluation &e1);

@@ -115,15 +115,14 @@ RidingHeight RidingHeight::plane(const scene::Bearing &bearing, double radius) {
 
 scene::SurfacePoint RidingHeight::at(double x, double y) const {
   if (plane_) return {plane_height_, Eigen::Vector2d::Zero(), Eigen::Matrix2d::Zero()};
+  if (!lift_) return surface_->at(x, y);
   scene::SurfacePoint p = surface_->at(x, y);
-  if (lift_) {
-    const auto l = lift_->at(x * x + y * y);
-    const Eigen::Vector2d u(x, y);
-    p.z += l.value;
-    p.gradient += 2 * l.d1 * u;
-    p.hessian += 4 * l.d2 * u * u.transpose();
-    p.hessian.diagonal().array() += 2 * l.d1;
-  }
+  const auto l = lift_->at(x * x + y * y);
+  const Eigen::Vector2d u(x, y);
+  p.z += l.value;
+  p.gradient += 2 * l.d1 * u;
+  p.hessian += 4 * l.d2 * u * u.transpose();
+  p.hessian.diagonal().array() += 2 * l.d1;
   return p;
 }
 

@@ -1,11 +1,11 @@
 /// CSV: time_s,ux_m,uy_m,uz_m,Fx_N,Fy_N,Fz_N,Ix_N,Iy_N,gap_m. The reader also takes files of laboratories:
-/// columns in any order, more columns, what lab_table.h reads, units of csv_unit() in the names, comment lines (#); a
+/// columns in any order, more columns, what loose_cells.h reads, units of csv_unit() in the names, comment lines (#); a
 /// planar test may leave out uy and Fy, which are then zero. velocities (vx_m_per_s, ...) are read when
 /// there.
 #include "files/error.h"
 #include "files/file.h"
+#include "files/loose_cells.h"
 #include "files/text.h"
-#include "responses/lab_table.h"
 #include "responses/response_files.h"
 #include <array>
 #include <cmath>

@@ -11,16 +11,22 @@
 namespace rimpact::risk {
 namespace {
 
-/// Bytes of a row as write_csv writes it and as write_hdf5 does.
-double bytes_of(const fleets::Row &row, std::size_t n_parameters) {
-  constexpr double digits = 19, number = 8, path = 90;
-  double bytes = static_cast<double>(n_parameters) * (digits + number) + path;
-  for (const auto &[name, cell] : row) {
-    const auto *text = std::get_if<std::string>(&cell);
-    bytes += text ? 2 * static_cast<double>(text->size()) + 18 : digits + number;
-  }
+/// Bytes of a cell as write_csv writes it and as write_hdf5 does, a text there behind a reference in a heap.
+double bytes_of(const Cell &cell) {
+  constexpr double digits = 19, number = 8, text_besides = 39;
+  const auto *text = std::get_if<std::string>(&cell);
+  return text ? 2 * static_cast<double>(text->size()) + text_besides : digits + number;
+}
+
+double bytes_of(const fleets::Row &row, const std::vector<fleets::Value> &parameters) {
+  double bytes = 0;
+  for (const auto &[name, cell] : row) bytes += bytes_of(cell);
+  for (const auto &value : parameters) bytes += bytes_of(value.cell);
   return bytes;
 }
+
+/// Of a table besides its rows: the columns of table.h5 [bytes].
+constexpr double bytes_of_a_table = 28e3;
 
 double peak_memory() {
   rusage usage{};
@@ -39,7 +45,7 @@ Probe probe(const Study &study, const Systems &systems, std::size_t system, cons
   const std::clock_t start = std::clock(); // of the processor: another program beside it does not count
   const auto row = fleets::row_of(reduced::simulate_summary(scene::load_scene(study.scene, overrides)));
   const double seconds = static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC;
-  return {seconds, bytes_of(row, sweep.keys.size())};
+  return {seconds, bytes_of(row, sweep.runs[run])};
 }
 
 } // namespace
@@ -64,7 +70,7 @@ StudyPlan plan_study(const Study &study, const Systems &systems, const Motions &
   const auto runs = static_cast<double>(plan.runs), n = static_cast<double>(plan.n_probed);
   plan.seconds_a_run = sum.seconds / n;
   plan.core_hours = runs * plan.seconds_a_run / 3600;
-  plan.table_bytes = runs * sum.bytes / n;
+  plan.table_bytes = runs * sum.bytes / n + static_cast<double>(plan.n_systems) * bytes_of_a_table;
   plan.memory_bytes = peak_memory() + text_bytes + 4 * static_cast<double>(each) * sum.bytes / n;
   plan.shards_of_an_hour = static_cast<std::size_t>(std::max(1.0, std::ceil(plan.core_hours / 2)));
   return plan;

@@ -1,7 +1,7 @@
 #include "risk/record_shelf.h"
 #include "files/error.h"
 #include "files/text.h"
-#include "records/record.h"
+#include "records/record_library.h"
 #include "records/spectral_acceleration.h"
 #include <algorithm>
 #include <filesystem>
@@ -52,7 +52,7 @@ std::vector<std::string> RecordShelf::all() const {
 double RecordShelf::sa_g(const std::string &file) {
   const auto known = sa_.find(file);
   if (known != sa_.end()) return known->second;
-  return sa_[file] = spectral_acceleration(read_record(file), period_) / standard_gravity;
+  return sa_[file] = spectral_acceleration(*shared_record(file), period_) / standard_gravity;
 }
 
 } // namespace rimpact::risk

@@ -3,7 +3,7 @@
 #include "files/file.h"
 #include "files/text.h"
 #include "files/toml_reader.h"
-#include "records/record.h"
+#include "records/record_library.h"
 #include "scene/assumptions.h"
 #include "scene/calibrated_element.h"
 #include "scene/file_kind.h"
@@ -163,7 +163,7 @@ void read_records(const TomlFile &file, Scene &scene, const std::string &folder)
     const std::string key = std::string("excitation.") + axis;
     if (!is_builtin_record(name)) make_absolute(name, folder);
     try {
-      signal = read_record(name, scene.load.gravity);
+      signal = *shared_record(name, scene.load.gravity);
     } catch (const InputError &error) {
       throw InputError(fmt::format("{}: {} {}", file.location(key), key, error.what()));
     } catch (const DataError &error) {

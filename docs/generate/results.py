@@ -93,9 +93,29 @@ def studies_page():
     return text
 
 
+def reductions_table(kept):
+    text = "| systems that differ in | limit | pairs | mean reduction | least | largest | pairs whose band excludes 0 |\n|---|---|---|---|---|---|---|\n"
+    for row in kept["differences"]:
+        text += (f"| {row['key']} = {row['value']} | {row['quantity']} > {row['limit']:g} | {row['n_systems']} | {percent(row['mean_reduction'])} | "
+                 f"{percent(row['least_reduction'])} | {percent(row['largest_reduction'])} | {row['n_systems_whose_band_excludes_0']} |\n")
+    return text
+
+
+def reliability_page():
+    text = ("# Reliability\n\nStudies of `data/reliability/` with the records at hand, kept by `docs/generate/keep_reliability.py`. A reduction is of the probability of "
+            "exceedance in the study's years, against the reference system; negative: it grows.\n")
+    for file in sorted((ROOT / "data/reliability/kept").glob("*.json")):
+        kept = json.loads(file.read_text(encoding="utf-8"))
+        levels = ", ".join(f"{level['level_g']:.3g} g: {level['n_records']} of {level['n_listed']}" for level in kept["levels"])
+        text += (f"\n## {kept['study']}\n\n{kept['what']}\n\n{kept['n_systems']} systems, {kept['n_runs']} runs (samples a motion: {kept['samples']}; "
+                 f"without a result: {kept['n_runs_without_result']}). Records at hand a level: {levels}.\n\n{reductions_table(kept)}")
+    return text
+
+
 def pages():
     made = {f"{name}.md": texts_page(*parts, REMARKS.get(name, "")) for name, parts in TABLES.items()}
-    return {**made, "contact.md": contact_page(False), "contact-two-bodies.md": contact_page(True), "studies.md": studies_page()}
+    return {**made, "contact.md": contact_page(False), "contact-two-bodies.md": contact_page(True), "studies.md": studies_page(),
+            "reliability.md": reliability_page()}
 
 
 def main(*options):

@@ -30,13 +30,14 @@ PlateForces on_plate(const DoubleConcaveSystem &model, const MotionState &s) {
   return p;
 }
 
-/// Name of every contact point between slider and plates, A1, ..., or at the interface, C1, ...; empty for the others.
+/// Signal of every contact point between slider and plates, normal_A1, ..., or at the interface, normal_C1, ...; empty
+/// for the others.
 std::vector<std::string> point_names(const DoubleConcaveSystem &model) {
   std::vector<std::string> names;
   int index[3] = {};
   for (const auto &c : model.system.contacts) {
     const bool point = c.surface == Surface::dish || c.surface == Surface::interface;
-    names.push_back(point ? std::string(1, "BCA"[c.set]) + std::to_string(++index[c.set]) : "");
+    names.push_back(point ? std::string("normal_") + "BCA"[c.set] + std::to_string(++index[c.set]) : "");
   }
   return names;
 }
@@ -165,14 +166,17 @@ void DoubleConcaveRecorder::store(const MotionState &s) {
                                                  {"energy_friction", l.friction},
                                                  {"energy_impact", l.impact},
                                                  {"energy_contact", l.contact}};
-  for (const auto &[name, value] : row) result_.response.append(name, value);
+  std::size_t column = 0;
+  const auto put = [&](const auto &name, double value) { // names are looked up once
+    if (column == columns_.size()) columns_.push_back(&result_.response.series(name));
+    columns_[column++]->push_back(value);
+  };
+  for (const auto &[name, value] : row) put(name, value);
   for (std::size_t i = 0; i < s.contact.size(); ++i)
-    if (!points_[i].empty()) result_.response.append("normal_" + points_[i], s.contact[i].size);
-  result_.response.append("plate_moment_x", p.moment[0]), result_.response.append("plate_moment_y", p.moment[1]);
+    if (!points_[i].empty()) put(points_[i], s.contact[i].size);
+  put("plate_moment_x", p.moment[0]), put("plate_moment_y", p.moment[1]);
   if (!model_.building.any()) return;
-  for (const auto &[name, value] :
-       {std::pair{"energy_elastic", l.elastic}, {"energy_plastic", l.plastic}, {"energy_damping", l.damping}})
-    result_.response.append(name, value);
+  put("energy_elastic", l.elastic), put("energy_plastic", l.plastic), put("energy_damping", l.damping);
   BuildingRecorder::append(model_.building_at(s), model_.building.n_floors(), result_.response);
 }
 
@@ -184,7 +188,8 @@ void DoubleConcaveRecorder::end(const MotionState &s) {
   summary.rung = "reduced";
   nlohmann::json points = nlohmann::json::object();
   for (std::size_t i = 0; i < points_.size(); ++i)
-    if (!points_[i].empty()) points[points_[i]] = {{"max_N", largest_normal_[i]}, {"min_N", smallest_normal_[i]}};
+    if (!points_[i].empty())
+      points[points_[i].substr(7)] = {{"max_N", largest_normal_[i]}, {"min_N", smallest_normal_[i]}};
   summary.extra["isolator"] = {{"point_forces", points},
                                {"max_vertical_force_N", largest_vertical_},
                                {"min_vertical_force_N", smallest_vertical_},

@@ -29,8 +29,9 @@ private:
   ReducedRun &result_;
   double time_unit_, sample_, potential_ = 0, stored_ = 0, initial_ = 0, largest_input_ = 0, last_ = -1;
   double rest_height_ = 0;
-  std::vector<std::string> points_; ///< name of each contact, A1 ..., empty for rims
-  std::vector<RimMemory> dents_;    ///< of each contact
+  std::vector<std::string> points_;            ///< signal of each contact, normal_A1 ..., empty for rims
+  std::vector<std::vector<double> *> columns_; ///< of the response, in the order they are stored
+  std::vector<RimMemory> dents_;               ///< of each contact
   std::vector<double> largest_normal_, smallest_normal_;
   BuildingRecorder building_;
   std::optional<double> collapse_time_;

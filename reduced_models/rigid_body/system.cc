@@ -65,29 +65,36 @@ void System::add(const Contact &c, const Touch &touch, const Poses &poses, const
   struct Side {
     int body;
     double sign;
+    Vector3d arm;
+    Matrix3d lever, B_lever; ///< skew(arm), B skew(arm)
   };
-  const Side sides[] = {{c.body, 1.0}, {c.master, -1.0}};
+  const auto side = [&](int body, double sign) {
+    if (body == ground) return Side{body, sign, {}, {}, {}};
+    const Vector3d arm = touch.at - poses[body].position;
+    const Matrix3d lever = skew(arm);
+    return Side{body, sign, arm, lever, tangent ? Matrix3d(B * lever) : Matrix3d()};
+  };
+  const Side sides[] = {side(c.body, 1.0), side(c.master, -1.0)};
+  const Matrix3d twist = skew(force);
   for (const auto &row : sides) {
     if (row.body == ground) continue;
-    const Vector3d arm = touch.at - poses[row.body].position;
     sum.segment<3>(6 * row.body) += row.sign * force;
-    sum.segment<3>(6 * row.body + 3) += row.sign * arm.cross(force);
+    sum.segment<3>(6 * row.body + 3) += row.sign * row.arm.cross(force);
     if (!tangent) continue;
-    const Matrix3d S = skew(arm);
+    const Matrix3d lever_B = row.lever * B;
     for (const auto &column : sides) {
       if (column.body == ground) continue;
-      const Matrix3d T = skew(touch.at - poses[column.body].position), BT = B * T;
       const double sign = row.sign * column.sign;
       auto block = tangent->block<6, 6>(6 * row.body, 6 * column.body);
       block.topLeftCorner<3, 3>() += sign * B;
-      block.topRightCorner<3, 3>() -= sign * BT;
-      block.bottomLeftCorner<3, 3>() += sign * S * B;
-      block.bottomRightCorner<3, 3>() -= sign * S * BT;
+      block.topRightCorner<3, 3>() -= sign * column.B_lever;
+      block.bottomLeftCorner<3, 3>() += sign * lever_B;
+      block.bottomRightCorner<3, 3>() -= sign * (row.lever * column.B_lever);
     }
     // The arm follows the point of the body: d(at) = dr + dtheta x arm of the body, less its own origin.
-    const Matrix3d F = position_weight * row.sign * skew(force), T = skew(touch.at - poses[c.body].position);
+    const Matrix3d F = position_weight * row.sign * twist;
     tangent->block<3, 3>(6 * row.body + 3, 6 * c.body) -= F;
-    tangent->block<3, 3>(6 * row.body + 3, 6 * c.body + 3) += F * T;
+    tangent->block<3, 3>(6 * row.body + 3, 6 * c.body + 3) += F * sides[0].lever;
     tangent->block<3, 3>(6 * row.body + 3, 6 * row.body) += F;
   }
 }

@@ -1,6 +1,7 @@
 #include "../scene/expect_error.h"
 #include "fleets/sweep.h"
 #include <algorithm>
+#include <cmath>
 
 using namespace rimpact;
 using namespace rimpact::fleets;
@@ -74,6 +75,30 @@ TEST(Sweep, WordsSwitchesAndListsAreValuesToo) {
                                                         "reduced.normal_force=\"static\""}));
 }
 
+TEST(Sweep, SamplesAreCorrelatedAsAsked) {
+  const auto values = [](const char *more) {
+    const Sweep s =
+        parse_sweep(std::string("[latin_hypercube]\nsamples = 200\nload.vertical_kN = { low = 600.0, high = 1100.0 }\n"
+                                "reduced.mu_fast = { low = 0.03, high = 0.07 }\n") +
+                        more,
+                    "s.toml");
+    std::vector<std::pair<double, double>> points;
+    for (const auto &run : s.runs) points.emplace_back(std::get<double>(run[0].cell), std::get<double>(run[1].cell));
+    return points;
+  };
+  const auto correlation = [](const auto &points) { // of uniform variables: near that of their normal scores
+    double xx = 0, yy = 0, xy = 0;
+    for (const auto &[a, b] : points) {
+      const double x = a - 850, y = b - 0.05;
+      xx += x * x, yy += y * y, xy += x * y;
+    }
+    return xy / std::sqrt(xx * yy);
+  };
+  EXPECT_NEAR(correlation(values("")), 0, 0.2);
+  EXPECT_NEAR(correlation(values("correlation = [['load.vertical_kN', 'reduced.mu_fast', 0.8]]\n")), 0.8, 0.05);
+  EXPECT_NEAR(correlation(values("correlation = [['reduced.mu_fast', 'load.vertical_kN', -0.5]]\n")), -0.5, 0.05);
+}
+
 TEST(Sweep, ErrorsNameFileLineAndWhatIsWrong) {
   const auto refused = [](const char *text, std::initializer_list<const char *> words) {
     expect_error<InputError>([&] { parse_sweep(text, "s.toml"); }, words);
@@ -96,6 +121,14 @@ TEST(Sweep, ErrorsNameFileLineAndWhatIsWrong) {
   refused("[latin_hypercube]\nsamples = 5\nreduced.mu_fast = { low = 0.0, high = 0.2, log = true }\n",
           {"s.toml:3:", "> 0"});
   refused("[latin_hypercube]\nsamples = 5\nreduced.mu_fast = { low = 0.1, high = 3.0 }\n", {"s.toml:3:", "3"});
+  const std::string two = "[latin_hypercube]\nsamples = 9\nreduced.mu_fast = { low = 0.1, high = 0.2 }\n"
+                          "load.mass_kg = { low = 1e4, high = 2e4 }\ncorrelation = ";
+  refused((two + "0.5\n").c_str(), {"s.toml:5:", "list"});
+  refused((two + "[['reduced.mu_fast', 'load.mas_kg', 0.5]]\n").c_str(), {"s.toml:5:", "load.mas_kg", "not sampled"});
+  refused((two + "[['reduced.mu_fast', 'load.mass_kg', 1.0]]\n").c_str(), {"s.toml:5:", "between -1 and 1"});
+  refused((two + "[['reduced.mu_fast', 'reduced.mu_fast', 0.5]]\n").c_str(), {"s.toml:5:", "once"});
+  refused("[latin_hypercube]\nsamples = 1\nreduced.mu_fast = { low = 0.1, high = 0.2 }\ncorrelation = []\n",
+          {"s.toml:4:", "more samples"});
   refused("[grid]\nreduced.mu_fast = [0.1]\n[linked]\nreduced.mu_slow = { product = ['reduced.mu'] }\n",
           {"s.toml:4:", "reduced.mu"});
   refused("[grid]\nreduced.mu_fast = [1.9]\n[linked]\nreduced.mu_slow = { product = [2, 'reduced.mu_fast'] }\n",

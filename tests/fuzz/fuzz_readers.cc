@@ -30,6 +30,11 @@ void read_record(const SampledSignal &record) {
   inspect(record);
 }
 
+void read_loose_table(const std::string &text) {
+  const LooseTable table(text, "fuzz", {"rsn", "factor"});
+  for (const auto &row : table.rows()) require_finite({table.number(row, "factor")});
+}
+
 /// A scene that is understood must be understood again as it is written out.
 void read_scene(const std::string &text) {
   const auto read = scene::parse_scene(text, "fuzz");
@@ -59,8 +64,7 @@ void read(char reader, const std::string &text) {
   case 'v':
     return read_record(parse_cosmos_v2(text, "fuzz", 9.81));
   case 'l':
-    LooseTable(text, "fuzz", {"rsn", "factor"});
-    return;
+    return read_loose_table(text);
   case 'r':
     return require_finite(parse_csv(text, "fuzz").series("time"));
   case 'h':

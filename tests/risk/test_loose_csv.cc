@@ -16,6 +16,19 @@ TEST(LooseCsv, CommasSemicolonsTabsAndAByteOrderMark) {
   }
 }
 
+TEST(LooseCsv, Utf16AsSpreadsheetsSaveIt) {
+  std::string bytes = "\xFF\xFE";
+  for (const char c : std::string("rsn\tfactor\r\n31\t0,55\r\n")) bytes += c, bytes += '\0';
+  const LooseTable table(bytes, "t.csv", {"rsn", "factor"});
+  EXPECT_DOUBLE_EQ(table.number(table.rows().at(0), "factor"), 0.55);
+}
+
+TEST(LooseCsv, APointAmongDecimalCommasStandsForThousands) {
+  const LooseTable table("rsn;factor\n31;0,55\n32;1.250\n", "t.csv", {"rsn", "factor"});
+  EXPECT_DOUBLE_EQ(table.number(table.rows()[0], "factor"), 0.55);
+  expect_error<DataError>([&] { table.number(table.rows()[1], "factor"); }, {"t.csv:3", "1.250", "thousands"});
+}
+
 TEST(LooseCsv, QuotesKeepTheirSeparators) {
   const LooseTable table("rsn,event\n31,\"Chi-Chi, Taiwan \"\"06\"\"\"\n", "t.csv", {"rsn", "event"});
   EXPECT_EQ(table.text(table.rows()[0], "event"), "Chi-Chi, Taiwan \"06\"");

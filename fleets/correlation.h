@@ -2,7 +2,7 @@
 #pragma once
 #include <vector>
 
-namespace rimpact::reliability {
+namespace rimpact::fleets {
 
 /// Reorders each dimension of `points` ([sample][dimension], in (0, 1), no two equal in a dimension) so that
 /// its normal scores have nearly `correlation` (Iman and Conover, Communications in Statistics B11, 1982).
@@ -12,4 +12,4 @@ namespace rimpact::reliability {
 std::vector<std::vector<double>> correlated(std::vector<std::vector<double>> points,
                                             const std::vector<std::vector<double>> &correlation);
 
-} // namespace rimpact::reliability
+} // namespace rimpact::fleets

@@ -1,6 +1,6 @@
 // Cells and numbers of tables as laboratories and spreadsheets write them.
 #include "files/error.h"
-#include "responses/lab_table.h"
+#include "files/loose_cells.h"
 #include <gtest/gtest.h>
 
 namespace rimpact {
@@ -8,7 +8,7 @@ namespace {
 
 using Cells = std::vector<std::string>;
 
-TEST(LabTable, CellsLoseQuotesAndBlanks) {
+TEST(LooseCells, CellsLoseQuotesAndBlanks) {
   EXPECT_EQ(cells_of("a, b ,c", ','), (Cells{"a", "b", "c"}));
   EXPECT_EQ(cells_of(R"("a";" b ";"c;d")", ';'), (Cells{"a", " b ", "c;d"}));
   EXPECT_EQ(cells_of(R"("say ""hi""", 2)", ','), (Cells{"say \"hi\"", "2"}));
@@ -17,7 +17,7 @@ TEST(LabTable, CellsLoseQuotesAndBlanks) {
   EXPECT_EQ(cells_of("a,,", ','), (Cells{"a", "", ""}));
 }
 
-TEST(LabTable, SeparatorIsStatedOrSeen) {
+TEST(LooseCells, SeparatorIsStatedOrSeen) {
   EXPECT_EQ(stated_separator("sep=;"), ';');
   EXPECT_EQ(stated_separator("\"SEP=,\""), ',');
   EXPECT_FALSE(stated_separator("separator"));
@@ -26,7 +26,7 @@ TEST(LabTable, SeparatorIsStatedOrSeen) {
   EXPECT_EQ(separator_of("\"t; s\",x"), ',');
 }
 
-TEST(LabTable, Utf16BecomesUtf8) {
+TEST(LooseCells, Utf16BecomesUtf8) {
   const std::string little("\xFF\xFE\x41\x00\xE4\x00\xAC\x20\x3D\xD8\x00\xDE", 12);
   EXPECT_EQ(utf8_text(little, "t"), "A\xC3\xA4\xE2\x82\xAC\xF0\x9F\x98\x80");
   const std::string big("\xFE\xFF\x00\x41\x00\xE4", 6);
@@ -36,7 +36,7 @@ TEST(LabTable, Utf16BecomesUtf8) {
   EXPECT_THROW(utf8_text(std::string("\xFF\xFE\x3D\xD8\x41\x00", 6), "t"), DataError);
 }
 
-TEST(LabTable, OneDecimalSignAFile) {
+TEST(LooseCells, OneDecimalSignAFile) {
   DecimalReader commas;
   EXPECT_EQ(commas.number("0,5", "t:1"), 0.5);
   EXPECT_EQ(commas.number("-1,5e-3", "t:1"), -1.5e-3);

@@ -1,4 +1,5 @@
-/// Tables as laboratories and spreadsheets write them: UTF-16, quoted cells, `sep=;`, a decimal comma.
+/// What is common to the readers of tables as laboratories, data bases and spreadsheets write them: UTF-16, quoted
+/// cells, `sep=;`, a decimal comma.
 #pragma once
 #include <optional>
 #include <string>

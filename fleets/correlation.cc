@@ -1,4 +1,4 @@
-#include "reliability/correlation.h"
+#include "fleets/correlation.h"
 #include "files/error.h"
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <numeric>
 
-namespace rimpact::reliability {
+namespace rimpact::fleets {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
@@ -88,4 +88,4 @@ std::vector<std::vector<double>> correlated(std::vector<std::vector<double>> poi
   return points;
 }
 
-} // namespace rimpact::reliability
+} // namespace rimpact::fleets

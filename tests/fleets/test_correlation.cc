@@ -1,13 +1,13 @@
 #include "files/error.h"
+#include "fleets/correlation.h"
 #include "fleets/sampling.h"
-#include "reliability/correlation.h"
 #include <algorithm>
 #include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <gtest/gtest.h>
 
 using namespace rimpact;
-using namespace rimpact::reliability;
+using namespace rimpact::fleets;
 
 namespace {
 

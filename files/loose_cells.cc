@@ -1,5 +1,4 @@
-#include "responses/lab_table.h"
-
+#include "files/loose_cells.h"
 #include "files/error.h"
 #include "files/text.h"
 #include <cmath>
