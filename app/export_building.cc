@@ -93,8 +93,12 @@ void export_building_bearings(const std::string &folder, const std::string &out,
   for (std::size_t i = 0, b = 0; i < frame.nodes.size(); ++i) {
     if (!frame.nodes[i].supported) continue;
     scene::Scene own = scene;
-    own.bearing = bearings[b];
-    const ExportedRim rim = rim_of(own, bearings[b], reactions[b]);
+    if (bearings[b].double_concave())
+      throw InputError(fmt::format("{}: the bearing under node {} is of rigid bodies (\"{}\"), which no element of "
+                                   "OpenSees is: only dishes are exported",
+                                   folder, i + 1, bearings[b].reduced.model));
+    own.bearing = bearings[b].bearing;
+    const ExportedRim rim = rim_of(own, own.bearing, reactions[b]);
     const auto springs = calibration::opensees_rim(rim);
     const auto dish = calibration::dish_of(own, rim.lateral_capacity);
     const int node = static_cast<int>(i) + 1;

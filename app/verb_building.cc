@@ -6,8 +6,11 @@
 #include "buildings/frame_tables.h"
 #include "buildings/simulate.h"
 #include "buildings/vtk_series.h"
+#include "files/digest.h"
 #include "files/error.h"
+#include "files/file.h"
 #include "files/json_text.h"
+#include "responses/identity.h"
 #include "scene/doubts.h"
 #include <filesystem>
 #include <fmt/format.h>
@@ -64,6 +67,45 @@ struct BuildingOptions {
   bool picture = false;
 };
 
+/// Beside what the scene reads: the frame as its tables stand in the folder, and every bearing of its own, by contents.
+Identity identity_of_building(const scene::Scene &scene, const buildings::Frame &frame,
+                              const std::vector<scene::Scene> &bearings, const std::string &folder) {
+  namespace fs = std::filesystem;
+  Identity identity = identity_of(scene);
+  const fs::path aside = fs::path(folder) / ".frame"; // the folder may still hold another building's tables
+  std::error_code failure;
+  fs::create_directories(aside, failure);
+  if (failure) throw IoError(fmt::format("{}: {}", aside.string(), failure.message()));
+  buildings::write_tables(frame, aside.string());
+  for (const char *name : {"nodes.csv", "elements.csv", "diaphragms.csv"})
+    identity.inputs[fs::absolute(fs::path(folder) / name).string()] = sha256_of_file((aside / name).string());
+  fs::remove_all(aside, failure);
+  const std::string common = to_toml(scene);
+  for (std::size_t b = 0; b < bearings.size(); ++b)
+    if (const std::string own = to_toml(bearings[b]); own != common)
+      identity.inputs[fmt::format("bearing {}", b + 1)] = sha256(own);
+  return identity;
+}
+
+/// A folder holds one building: another one's run is not written over it.
+void require_same_building(const std::string &folder, const Identity &now, bool force) {
+  const auto path = std::filesystem::path(folder) / "summary.json";
+  std::error_code none;
+  if (force || !std::filesystem::exists(path, none)) return;
+  const auto kept = nlohmann::json::parse(read_file(path.string()), nullptr, false);
+  if (!kept.is_object() || !kept.contains("identity")) return;
+  const auto there = identity_from(kept["identity"]);
+  if (!there) return;
+  for (const auto &[name, hash] : now.inputs) {
+    const auto old = there->inputs.find(name);
+    const auto file = std::filesystem::path(name).filename().string();
+    const bool of_frame = file == "nodes.csv" || file == "elements.csv" || file == "diaphragms.csv";
+    if (of_frame && old != there->inputs.end() && old->second != hash)
+      throw InputError(
+          fmt::format("{} holds a run of another building: its {} differs; --force replaces it", folder, file));
+  }
+}
+
 /// What stands beside the run's own files: the frame, its members' forces, its shape. An earlier run's goes first.
 void write_building(const buildings::Frame &frame, const buildings::BuildingResult &result, const std::string &folder) {
   std::error_code none;
@@ -82,9 +124,12 @@ void run_building(const BuildingOptions &options, Console &console) {
   const auto bearings = buildings::bearings_of(frame, scene);
   const std::string folder = options.folder.empty() ? default_folder(scene.name + "-" + frame.name) : options.folder;
   const auto claim = claim_for_run({.given = options.scene, .folder = folder, .force = console.force}, scene, console);
+  const Identity identity = identity_of_building(scene, frame, bearings, folder);
+  require_same_building(folder, identity, console.force);
   auto result = buildings::simulate_whole(frame, scene, bearings, 1e-3 * options.vtk_step);
   auto &run = result.run;
   run.summary.extra["building"]["name"] = frame.name;
+  run.summary.extra["identity"] = to_json(identity);
   run.summary.extra["building"]["hardest_instant_s"] = result.trace.hardest.t;
   add_warnings(scene, run, console);
   write_run_folder(folder, scene, run.response, run.summary);

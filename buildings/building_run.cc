@@ -188,7 +188,7 @@ void BuildingRun::apply(const Watch &watch, double t, VectorXd &y, BuildingRecor
     mode.rim = dynamics_.laws[watch.bearing].rim_after(watch.event, mode, t, dynamics_.bearing_state(watch.bearing, y));
   if (watch.event != Event::landing) dynamics_.settle(modes_, t, y, watch.event == Event::uplift ? watch.bearing : -1);
   dynamics_.project(modes_, y);
-  recorder.branch(before, modes_, t, y, loss);
+  recorder.branch(dynamics_, before, modes_, t, y, loss);
 }
 
 long BuildingRun::run(double t_end, BuildingRecorder &recorder) {
@@ -196,7 +196,7 @@ long BuildingRun::run(double t_end, BuildingRecorder &recorder) {
   step_.resize(dynamics_.n_state());
   step_.t = 0, step_.y0 = dynamics_.start();
   dynamics_.settle(modes_, 0, step_.y0);
-  recorder.begin(modes_, 0, step_.y0);
+  recorder.begin(dynamics_, modes_, step_.y0);
   dynamics_.rhs(modes_, 0, step_.y0, step_.k[0]);
   long n_steps = 0;
   int n_short = 0;
@@ -211,7 +211,7 @@ long BuildingRun::run(double t_end, BuildingRecorder &recorder) {
     if (n_short > 100) throw SolverStopped(fmt::format("the building chatters between branches at t = {} s", step_.t));
     dynamics_.project(modes_, step_.y1);
     const double t1 = step_.t + step_.h;
-    recorder.segment(modes_,
+    recorder.segment(dynamics_, modes_,
                      {step_.t, t1, step_.y0, step_.y1, [&](double t) { return step_.at((t - step_.t) / step_.h); }});
     step_.t = t1, step_.y0 = step_.y1;
     arrive_on_rims(t1, step_.y0);
@@ -222,7 +222,7 @@ long BuildingRun::run(double t_end, BuildingRecorder &recorder) {
       step_.k[0] = step_.k[6];
     }
   }
-  recorder.end(modes_, step_.t, step_.y0);
+  recorder.end(step_.t, step_.y0, dynamics_.evaluate(modes_, step_.t, step_.y0));
   return n_steps;
 }
 

@@ -1,5 +1,6 @@
 #include "buildings/dynamics.h"
 #include "files/error.h"
+#include <algorithm>
 #include <cmath>
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -13,14 +14,10 @@ namespace {
 
 void check(const scene::Scene &s) {
   const auto refuse = [](const std::string &what) { throw InputError(what); };
+  check_building_scene(s);
   if (s.double_concave() || s.reduced.model != "physical")
-    refuse(fmt::format(
-        "a building stands on bearings of reduced.model \"physical\"; \"{}\" carries a chain of storeys only",
-        s.reduced.model));
-  if (s.superstructure.any()) refuse("a building stands in [building] or in [superstructure], not in both");
-  if (!s.excitation.is_dynamic() || s.excitation.kind == scene::ExcitationKind::window)
-    refuse(fmt::format("excitation.kind \"{}\" moves a single bearing; a building takes ricker, record or free",
-                       scene::to_string(s.excitation.kind)));
+    refuse(fmt::format("reduced.model \"{}\" by branches: bearings of rigid bodies take the implicit steps",
+                       s.reduced.model));
   if (s.reduced.friction != "park-wen")
     refuse("reduced.friction \"coulomb\": bearings under one rigid base that stick together share their forces in no "
            "definite way; "
@@ -38,23 +35,52 @@ scene::Scene one_bearing(const scene::Scene &whole, double reaction) {
   return s;
 }
 
+/// N of the closed bearings. Under one base their equations are diagonal but for its three dofs: D + U V^T, inverted by
+/// the identity of Sherman, Morrison and Woodbury with a 3 x 3 system.
+VectorXd normal_forces(const BuildingDynamics &d, const BuildingResponse &r, const std::vector<int> &closed,
+                       const std::vector<Vector3d> &per_normal) {
+  const int m = static_cast<int>(closed.size());
+  const VectorXd &mass = d.model.mass;
+  Eigen::Matrix<double, Eigen::Dynamic, 3> U(m, 3), V(m, 3);
+  VectorXd N(m);
+  for (int i = 0; i < m; ++i) {
+    const Slider &s = d.slider[closed[i]];
+    const Vector3d G(-r.bearings[closed[i]].gradient[0], -r.bearings[closed[i]].gradient[1], 1),
+        &f = per_normal[closed[i]];
+    const double diagonal = f[2] / mass[s.dof[3]];
+    U.row(i) << G[0] / mass[s.dof[0]], G[1] / mass[s.dof[1]], (s.arm_x * G[1] - s.arm_y * G[0]) / mass[s.dof[2]];
+    U.row(i) /= diagonal;
+    V.row(i) << f[0], f[1], s.arm_x * f[1] - s.arm_y * f[0];
+    N[i] = (r.bearings[closed[i]].normal - G.dot(s.of(r.acceleration.data()))) / diagonal;
+  }
+  const Eigen::Matrix3d inner = Eigen::Matrix3d::Identity() + V.transpose() * U;
+  const Vector3d base = inner.partialPivLu().solve(V.transpose() * N);
+  return N - U * base;
+}
+
+bool on_one_base(const std::vector<Slider> &sliders) {
+  return std::all_of(sliders.begin(), sliders.end(), [&](const Slider &s) { return s.dof[0] == sliders[0].dof[0]; });
+}
+
 } // namespace
 
+void check_building_scene(const scene::Scene &s) {
+  if (s.superstructure.any()) throw InputError("a building stands in [building] or in [superstructure], not in both");
+  if (!s.excitation.is_dynamic() || s.excitation.kind == scene::ExcitationKind::window)
+    throw InputError(
+        fmt::format("excitation.kind \"{}\" moves a single bearing; a building takes ricker, record or free",
+                    scene::to_string(s.excitation.kind)));
+}
+
 BuildingDynamics::BuildingDynamics(const BuildingModel &m, const scene::Scene &scene,
-                                   const std::vector<scene::Bearing> &bearings)
-    : model(m), slider(sliders(m)), reactions(static_reactions(m, scene.load.gravity)), gravity(scene.load.gravity),
-      n(m.n_dofs()), vertical_restitution(scene.reduced.vertical_restitution), excitation_(scene.excitation) {
+                                   const std::vector<scene::Scene> &bearings)
+    : BuildingBasis(m, scene.load.gravity), vertical_restitution(scene.reduced.vertical_restitution),
+      excitation_(scene.excitation) {
   check(scene);
-  total_mass = m.mass.tail(m.n_nodes).sum(), weight = gravity * total_mass;
-  if (bearings.size() > 1 && bearings.size() != slider.size())
-    throw InputError(fmt::format("the building names {} bearings and stands on {}", bearings.size(), slider.size()));
   for (int b = 0; b < static_cast<int>(slider.size()); ++b) {
-    scene::Scene s = one_bearing(scene, reactions[b]);
-    if (!bearings.empty()) s.bearing = bearings[bearings.size() > 1 ? b : 0];
-    laws.emplace_back(s);
+    laws.emplace_back(one_bearing(bearings.empty() ? scene : bearings.at(b), reactions[b]));
+    capacity.push_back(laws[b].lateral_capacity), rim_stiffness.push_back(laws[b].rim.stiffness);
   }
-  start_ = VectorXd::Zero(n_state());
-  start_.head(n) = static_displacements(m, gravity);
 }
 
 VectorXd BuildingDynamics::start() const {
@@ -158,8 +184,13 @@ BuildingResponse BuildingDynamics::evaluate(const BearingModes &modes, double t,
   std::vector<Vector3d> per_normal;
   BuildingResponse r = unsupported(modes, t, y, closed, per_normal);
   if (closed.empty()) return r;
-  const auto equations = support_equations(r, closed, per_normal);
-  const VectorXd N = equations.matrix.partialPivLu().solve(equations.rest);
+  VectorXd N;
+  if (on_one_base(slider)) {
+    N = normal_forces(*this, r, closed, per_normal);
+  } else { // two buildings side by side
+    const auto e = support_equations(r, closed, per_normal);
+    N = e.matrix.partialPivLu().solve(e.rest);
+  }
   VectorXd added = VectorXd::Zero(n);
   for (std::size_t i = 0; i < closed.size(); ++i) {
     auto &b = r.bearings[closed[i]];
@@ -172,7 +203,7 @@ BuildingResponse BuildingDynamics::evaluate(const BearingModes &modes, double t,
 
 void BuildingDynamics::rhs(const BearingModes &modes, double t, const VectorXd &y, VectorXd &dy) const {
   const BuildingResponse r = evaluate(modes, t, y);
-  dy.resize(n_state());
+  dy.setZero(n_state());
   dy.head(n) = y.segment(n, n), dy.segment(n, n) = r.acceleration;
   double friction_power = 0, rim_power = 0;
   for (int b = 0; b < n_bearings(); ++b) {
@@ -192,16 +223,6 @@ void BuildingDynamics::project(const BearingModes &modes, VectorXd &y) const {
     const auto p = laws[b].height.at(u[0], u[1]);
     y[slider[b].dof[3]] = p.z, y[n + slider[b].dof[3]] = p.gradient.dot(v.head<2>());
   }
-}
-
-double BuildingDynamics::kinetic_energy(const VectorXd &y) const {
-  return 0.5 * y.segment(n, n).dot(model.mass.cwiseProduct(y.segment(n, n)));
-}
-double BuildingDynamics::elastic_energy(const VectorXd &y) const {
-  return 0.5 * y.head(n).dot(model.stiffness * y.head(n));
-}
-double BuildingDynamics::potential_energy(const VectorXd &y) const {
-  return gravity * model.mass.tail(model.n_nodes).dot(y.segment(3 * model.n_diaphragms, model.n_nodes));
 }
 
 } // namespace rimpact::buildings

@@ -10,30 +10,11 @@
 /// The sliders stand at the building's nodes: moments of the horizontal forces over the bearings' own height are left
 /// out.
 #pragma once
-#include "buildings/slider.h"
+#include "buildings/basis.h"
 #include "reduced_models/dynamics.h"
 #include "scene/scene.h"
 
 namespace rimpact::buildings {
-
-/// One bearing in a state, forces on the building [N].
-struct BearingResponse {
-  Eigen::Vector3d u, v; ///< of the slider past the plate [m], [m/s]
-  double height = 0;    ///< of the dish there [m]
-  Eigen::Vector2d gradient = Eigen::Vector2d::Zero();
-  double normal = 0, rim_force = 0, gap = 0;
-  Eigen::Vector3d pendular = Eigen::Vector3d::Zero(), friction = Eigen::Vector3d::Zero(),
-                  impact = Eigen::Vector3d::Zero();
-  Eigen::Vector2d eta_rate = Eigen::Vector2d::Zero();
-  Eigen::Vector3d force() const { return pendular + friction + impact; }
-};
-
-struct BuildingResponse {
-  Eigen::VectorXd acceleration; ///< q'', relative to the ground
-  Eigen::Vector3d ground;       ///< a_g
-  double ground_power = 0;      ///< [W]
-  std::vector<BearingResponse> bearings;
-};
 
 /// Branch of every bearing: `support` is sliding or airborne.
 using BearingModes = std::vector<reduced::Mode>;
@@ -44,25 +25,18 @@ struct SupportEquations {
   Eigen::VectorXd rest;   ///< [m/s^2]
 };
 
-class BuildingDynamics {
-public:
-  /// `bearings`: one for all, or one a supported node in their order; [bearing] of the scene for none. Throws
-  /// InputError for what a building cannot have: Coulomb's law without elastic slip, another normal force than
-  /// `inertia`, a window.
-  BuildingDynamics(const BuildingModel &model, const scene::Scene &scene,
-                   const std::vector<scene::Bearing> &bearings = {});
+/// Throws InputError for an excitation that no building takes, and for a [superstructure].
+void check_building_scene(const scene::Scene &scene);
 
-  int n_bearings() const { return static_cast<int>(laws.size()); }
-  int n_state() const { return 2 * n + 2 * n_bearings() + n_works; }
-  /// Where y keeps what: q, q', eta of each bearing, then the works below [J].
-  enum Work { external, damping, friction, rim, n_works };
-  int velocity() const { return n; }
-  int eta(int b) const { return 2 * n + 2 * b; }
-  int work(Work w) const { return 2 * n + 2 * n_bearings() + w; }
+class BuildingDynamics : public BuildingBasis {
+public:
+  /// `bearings`: of each supported node, in their order (frame_source.h); the scene's for none. Throws InputError for
+  /// what a building cannot have: Coulomb's law without elastic slip, another normal force than `inertia`, a window.
+  BuildingDynamics(const BuildingModel &model, const scene::Scene &scene,
+                   const std::vector<scene::Scene> &bearings = {});
 
   Eigen::VectorXd
   start() const; ///< at rest under its weight, displaced and moving as the scene's `free` excitation says
-  const Eigen::VectorXd &at_rest() const { return start_; }
   BuildingResponse evaluate(const BearingModes &modes, double t, const Eigen::VectorXd &y) const;
   void rhs(const BearingModes &modes, double t, const Eigen::VectorXd &y, Eigen::VectorXd &dy) const;
   /// Closed sliders onto their dishes.
@@ -76,16 +50,7 @@ public:
   /// Slider of one bearing as its own law's state, for its rim's events.
   reduced::State bearing_state(int b, const Eigen::VectorXd &y) const;
 
-  double kinetic_energy(const Eigen::VectorXd &y) const;
-  double elastic_energy(const Eigen::VectorXd &y) const;   ///< 1/2 q K q
-  double potential_energy(const Eigen::VectorXd &y) const; ///< of the weights
-
-  const BuildingModel &model;
-  std::vector<Slider> slider;
   std::vector<reduced::Dynamics> laws; ///< each bearing's dish, friction and rim under its static load
-  Eigen::VectorXd reactions;           ///< static [N]
-  double gravity, total_mass, weight;
-  int n; ///< dofs
   double vertical_restitution;
 
 private:
@@ -96,7 +61,6 @@ private:
                                std::vector<Eigen::Vector3d> &per_normal) const;
   SupportEquations support_equations(const BuildingResponse &r, const std::vector<int> &closed,
                                      const std::vector<Eigen::Vector3d> &per_normal) const;
-  Eigen::VectorXd start_;
   scene::Excitation excitation_;
 };
 

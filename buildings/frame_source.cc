@@ -2,6 +2,8 @@
 #include "buildings/frame_tables.h"
 #include "buildings/regular_building.h"
 #include "files/error.h"
+#include "files/file.h"
+#include "files/toml_file.h"
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -13,13 +15,34 @@ Frame load_frame(const std::string &where) {
   return make_frame(load_building(where));
 }
 
-std::vector<scene::Bearing> bearings_of(const Frame &frame, const scene::Scene &scene) {
-  std::vector<scene::Bearing> list;
+namespace {
+bool has_isolator(const std::string &where) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(where, none)) return false;
+  return TomlFile(read_file(where), where).find("isolator");
+}
+
+scene::Scene own_bearing(const std::string &where, const scene::Scene &scene) {
+  scene::Scene s = scene;
+  if (where == "dcfp" || where == "lir-dcfp") {
+    s.reduced.model = where;
+  } else if (has_isolator(where)) {
+    const scene::Scene own = scene::load_scene(where);
+    s.isolator = own.isolator, s.reduced = own.reduced;
+  } else {
+    s.reduced.model = "physical", s.bearing = scene::load_bearing(where);
+  }
+  return s;
+}
+} // namespace
+
+std::vector<scene::Scene> bearings_of(const Frame &frame, const scene::Scene &scene) {
+  std::vector<scene::Scene> list;
   for (std::size_t i = 0; i < frame.nodes.size(); ++i) {
     const Node &node = frame.nodes[i];
     if (!node.supported) continue;
     try {
-      list.push_back(node.bearing.empty() ? scene.bearing : scene::load_bearing(node.bearing));
+      list.push_back(node.bearing.empty() ? scene : own_bearing(node.bearing, scene));
     } catch (const Error &error) {
       throw InputError(fmt::format("the bearing under node {}: {}", i + 1, error.what()));
     }

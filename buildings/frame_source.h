@@ -8,7 +8,9 @@ namespace rimpact::buildings {
 /// Throws InputError for a bad building file, DataError for bad tables, each with file and line.
 Frame load_frame(const std::string &where);
 
-/// The bearing under each supported node, in the nodes' order: its own, or the scene's. Throws InputError.
-std::vector<scene::Bearing> bearings_of(const Frame &frame, const scene::Scene &scene);
+/// The bearing under each supported node, in the nodes' order, as the scene it would have alone: its own in place of
+/// the scene's. A node names "dcfp" or "lir-dcfp" (of the scene's [isolator]), a scene's TOML file with [isolator],
+/// whose [isolator] and [reduced] it then has, or a dish by name or file. Throws InputError.
+std::vector<scene::Scene> bearings_of(const Frame &frame, const scene::Scene &scene);
 
 } // namespace rimpact::buildings

@@ -1,5 +1,6 @@
 #include "buildings/recorder.h"
 #include "files/error.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -9,86 +10,111 @@ namespace rimpact::buildings {
 using Eigen::Vector2d, Eigen::VectorXd;
 using reduced::RimContact, reduced::Support;
 
-BuildingRecorder::BuildingRecorder(const BuildingDynamics &dynamics, Response *response, double output_step,
+namespace {
+bool on_rims(const BearingModes &modes) {
+  return std::any_of(modes.begin(), modes.end(), [](const auto &mode) { return mode.rim != RimContact::open; });
+}
+} // namespace
+
+BuildingRecorder::BuildingRecorder(const BuildingBasis &building, Response *response, double output_step,
                                    BuildingTrace *trace, const MemberForces *members)
-    : dynamics_(dynamics), response_(response), trace_(trace), members_(members), output_step_(output_step),
-      contact_step_(output_step), bearings_(dynamics.laws.size()), floors_(dynamics.model.n_diaphragms - 1) {
-  if (dynamics.n_bearings() > most_bearings || static_cast<int>(floors_.size()) > most_floors)
+    : dynamics_(building), response_(response), trace_(trace), members_(members), output_step_(output_step),
+      contact_step_(output_step), bearings_(building.slider.size()), floors_(building.model.n_diaphragms - 1) {
+  if (building.n_bearings() > most_bearings || static_cast<int>(floors_.size()) > most_floors)
     throw InputError(fmt::format("the building has {} bearings and {} floors above its base; {} and {} are the most",
-                                 dynamics.n_bearings(), floors_.size(), most_bearings, most_floors));
-  for (const auto &law : dynamics.laws)
-    if (law.has_rim())
-      contact_step_ =
-          std::min(contact_step_, std::numbers::pi * std::sqrt(dynamics.model.mass[0] / law.rim.stiffness) / 120);
+                                 building.n_bearings(), floors_.size(), most_bearings, most_floors));
+  for (const double stiffness : building.rim_stiffness)
+    if (stiffness > 0)
+      contact_step_ = std::min(contact_step_, std::numbers::pi * std::sqrt(building.model.mass[0] / stiffness) / 120);
 }
 
-double BuildingRecorder::next_after(const BearingModes &modes, double t) const {
-  for (const auto &mode : modes)
-    if (mode.rim != RimContact::open) return t + contact_step_;
-  return (std::floor(t / output_step_ + 1e-9) + 1) * output_step_;
+double BuildingRecorder::next_after(bool on_rims, double t) const {
+  return on_rims ? t + contact_step_ : (std::floor(t / output_step_ + 1e-9) + 1) * output_step_;
 }
 
-void BuildingRecorder::begin(const BearingModes &modes, double t, const VectorXd &y) {
-  initial_elastic_ = dynamics_.elastic_energy(y), initial_kinetic_ = dynamics_.kinetic_energy(y);
+void BuildingRecorder::begin(const VectorXd &y, const BuildingResponse &r) {
+  initial_elastic_ = dynamics_.elastic_energy(y);
+  initial_kinetic_ = dynamics_.kinetic_energy(y) + y[dynamics_.work(BuildingBasis::sliders_kinetic)];
   initial_gravity_ = dynamics_.potential_energy(y);
   initial_height_ =
       initial_gravity_ - dynamics_.potential_energy(dynamics_.at_rest()); // a building let go from a height
-  const auto r = dynamics_.evaluate(modes, t, y);
   final_ = y;
-  watch(t, y, r), store(t, y, r);
-  next_sample_ = next_after(modes, t);
+  watch(0, y, r), store(0, y, r);
+  next_sample_ = next_after(false, 0);
 }
 
-void BuildingRecorder::segment(const BearingModes &modes, const BuildingSegment &s) {
+void BuildingRecorder::begin(const BuildingDynamics &dynamics, const BearingModes &modes, const VectorXd &y) {
+  begin(y, dynamics.evaluate(modes, 0, y));
+  next_sample_ = next_after(on_rims(modes), 0);
+}
+
+void BuildingRecorder::segment(const BuildingDynamics &dynamics, const BearingModes &modes, const BuildingSegment &s) {
   while (next_sample_ <= s.t1) {
     if (response_) {
       VectorXd y = s.at(next_sample_);
-      dynamics_.project(modes, y);
-      const auto r = dynamics_.evaluate(modes, next_sample_, y);
+      dynamics.project(modes, y);
+      const auto r = dynamics.evaluate(modes, next_sample_, y);
       watch(next_sample_, y, r), store(next_sample_, y, r);
     }
-    next_sample_ = next_after(modes, next_sample_);
+    next_sample_ = next_after(on_rims(modes), next_sample_);
   }
   if (s.t1 > s.t0) {
     VectorXd y = s.at((s.t0 + s.t1) / 2);
-    dynamics_.project(modes, y);
-    watch((s.t0 + s.t1) / 2, y, dynamics_.evaluate(modes, (s.t0 + s.t1) / 2, y));
+    dynamics.project(modes, y);
+    watch((s.t0 + s.t1) / 2, y, dynamics.evaluate(modes, (s.t0 + s.t1) / 2, y));
   }
-  watch(s.t1, s.y1, dynamics_.evaluate(modes, s.t1, s.y1));
+  watch(s.t1, s.y1, dynamics.evaluate(modes, s.t1, s.y1));
   final_ = s.y1;
-  largest_input_ = std::max(largest_input_, std::abs(s.y1[dynamics_.work(BuildingDynamics::external)]));
+  largest_input_ = std::max(largest_input_, std::abs(s.y1[dynamics_.work(BuildingBasis::external)]));
 }
 
-void BuildingRecorder::branch(const BearingModes &before, const BearingModes &after, double t, const VectorXd &y,
-                              double loss) {
+void BuildingRecorder::press(int b, bool pressed, double t, const Vector2d &u, const Vector2d &v) {
+  const double outwards = u.dot(v) / u.norm();
+  bearings_[b].pressed = pressed;
+  if (pressed) {
+    Impact impact{};
+    impact.touch_time = t, impact.release_time = -1; // before its touch: not released yet
+    impact.direction_deg = std::atan2(u[1], u[0]) * 180 / std::numbers::pi, impact.approach_speed = outwards;
+    bearings_[b].impacts.push_back(impact);
+  } else {
+    bearings_[b].impacts.back().release_time = t, bearings_[b].impacts.back().rebound_speed = -outwards;
+  }
+}
+
+void BuildingRecorder::branch(const BuildingDynamics &dynamics, const BearingModes &before, const BearingModes &after,
+                              double t, const VectorXd &y, double loss) {
   landing_loss_ += loss;
   bool changed = false;
+  const auto r = dynamics.evaluate(after, t, y);
   for (int b = 0; b < dynamics_.n_bearings(); ++b) {
     const bool was = before[b].rim == RimContact::pressed, is = after[b].rim == RimContact::pressed;
     if (was == is) continue;
     changed = true;
-    const auto state = dynamics_.bearing_state(b, y);
-    const Vector2d u(state[reduced::iX], state[reduced::iY]), v(state[reduced::iVX], state[reduced::iVY]);
-    const double outwards = u.dot(v) / u.norm();
-    bearings_[b].pressed = is;
-    if (is) {
-      Impact impact{};
-      impact.touch_time = t, impact.release_time = -1; // before its touch: not released yet
-      impact.direction_deg = std::atan2(u[1], u[0]) * 180 / std::numbers::pi, impact.approach_speed = outwards;
-      bearings_[b].impacts.push_back(impact);
-    } else {
-      bearings_[b].impacts.back().release_time = t, bearings_[b].impacts.back().rebound_speed = -outwards;
-    }
+    press(b, is, t, r.bearings[b].u.head<2>(), r.bearings[b].v.head<2>());
   }
-  const auto r = dynamics_.evaluate(after, t, y);
   watch(t, y, r);
   if (!changed) return;
   store(t, y, r);
-  next_sample_ = next_after(after, t);
+  next_sample_ = next_after(on_rims(after), t);
 }
 
-void BuildingRecorder::end(const BearingModes &modes, double t, const VectorXd &y) {
-  store(t, y, dynamics_.evaluate(modes, t, y));
+void BuildingRecorder::step(double t, const VectorXd &y, const BuildingResponse &r) {
+  bool changed = false, pressed = false;
+  for (int b = 0; b < dynamics_.n_bearings(); ++b) {
+    const auto &one = r.bearings[b];
+    const bool is = one.rim_force != 0;
+    if (is != bearings_[b].pressed) changed = true, press(b, is, t, one.u.head<2>(), one.v.head<2>());
+    pressed = pressed || is;
+  }
+  watch(t, y, r);
+  if (changed || pressed || t >= next_sample_ - 1e-12) store(t, y, r);
+  while (next_sample_ <= t + 1e-12) next_sample_ = next_after(false, next_sample_);
+  final_ = y;
+  largest_input_ = std::max(largest_input_, std::abs(y[dynamics_.work(BuildingBasis::external)]));
+}
+
+void BuildingRecorder::end(double t, const VectorXd &y, const BuildingResponse &r) {
+  store(t, y, r);
   final_ = y;
 }
 
@@ -118,6 +144,7 @@ void BuildingRecorder::watch(double t, const VectorXd &y, const BuildingResponse
     raise(p.travel, travel), raise(p.force, one.force().head<2>().norm()), raise(p.impact, one.rim_force);
     raise(p.largest_normal, one.normal), raise(p.lift, one.u[2] - one.height), raise(peak_height_, one.u[2]);
     p.smallest_normal = std::min(p.smallest_normal, std::max(0.0, one.normal));
+    p.interface_slip = one.interface_slip;
     if (p.pressed)
       raise(p.impacts.back().peak_force, one.rim_force), raise(p.impacts.back().peak_penetration, -one.gap);
     total += one.force().head<2>(), up += std::max(0.0, one.normal);
@@ -126,6 +153,7 @@ void BuildingRecorder::watch(double t, const VectorXd &y, const BuildingResponse
       raise(peak_rotation_, std::abs(y[2]));
   raise(peak_overturning_, overturning(r).norm());
   smallest_total_ = std::min(smallest_total_, up);
+  raise(base_acceleration_, (r.acceleration.head<2>() + r.ground.head<2>()).norm());
   Vector2d shear = Vector2d::Zero();
   for (int f = static_cast<int>(floors_.size()) - 1; f >= 0; --f) {
     const int d = 3 * (f + 1);
@@ -159,11 +187,13 @@ EnergyLedger BuildingRecorder::ledger(const VectorXd &y) const {
   const auto &d = dynamics_;
   EnergyLedger l;
   l.initial = initial_kinetic_ + initial_height_;
-  l.external = y[d.work(BuildingDynamics::external)];
+  l.external = y[d.work(BuildingBasis::external)];
   l.gravity = d.potential_energy(y) - initial_gravity_ + initial_height_;
-  l.kinetic = d.kinetic_energy(y), l.elastic = d.elastic_energy(y) - initial_elastic_;
-  l.damping = y[d.work(BuildingDynamics::damping)], l.friction = y[d.work(BuildingDynamics::friction)];
-  l.impact = y[d.work(BuildingDynamics::rim)], l.contact = landing_loss_;
+  l.gravity += y[d.work(BuildingBasis::sliders_potential)];
+  l.kinetic = d.kinetic_energy(y) + y[d.work(BuildingBasis::sliders_kinetic)];
+  l.elastic = d.elastic_energy(y) - initial_elastic_;
+  l.damping = y[d.work(BuildingBasis::damping)], l.friction = y[d.work(BuildingBasis::friction)];
+  l.impact = y[d.work(BuildingBasis::rim)], l.contact = landing_loss_ + y[d.work(BuildingBasis::contact)];
   l.largest_input = largest_input_ + l.initial;
   return l;
 }

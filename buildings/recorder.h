@@ -35,13 +35,21 @@ class BuildingRecorder {
 public:
   /// `response` may be null: peaks and impacts only. `trace` with the frame's `members`, or null. Throws InputError
   /// beyond most_bearings, most_floors.
-  BuildingRecorder(const BuildingDynamics &dynamics, Response *response, double output_step,
+  BuildingRecorder(const BuildingBasis &building, Response *response, double output_step,
                    BuildingTrace *trace = nullptr, const MemberForces *members = nullptr);
 
-  void begin(const BearingModes &modes, double t, const Eigen::VectorXd &y);
-  void segment(const BearingModes &modes, const BuildingSegment &segment);
-  void branch(const BearingModes &before, const BearingModes &after, double t, const Eigen::VectorXd &y, double loss);
-  void end(const BearingModes &modes, double t, const Eigen::VectorXd &y);
+  /// A run by branches (building_run.h).
+  void begin(const BuildingDynamics &dynamics, const BearingModes &modes, const Eigen::VectorXd &y);
+  void segment(const BuildingDynamics &dynamics, const BearingModes &modes, const BuildingSegment &segment);
+  void branch(const BuildingDynamics &dynamics, const BearingModes &before, const BearingModes &after, double t,
+              const Eigen::VectorXd &y, double loss);
+
+  /// A run by steps that end at every sample (implicit_run.h).
+  void begin(const Eigen::VectorXd &y, const BuildingResponse &r);
+  void step(double t, const Eigen::VectorXd &y, const BuildingResponse &r);
+  double next_sample() const { return next_sample_; }
+
+  void end(double t, const Eigen::VectorXd &y, const BuildingResponse &r);
 
   EnergyLedger ledger(const Eigen::VectorXd &y) const;
   /// Peaks, impacts of all bearings in order, energies; `bearings`, `floors` and `worst_bearing` in extra.
@@ -52,6 +60,7 @@ private:
     double travel = 0, force = 0, impact = 0, largest_normal = 0, smallest_normal = 1e300, lift = 0;
     std::vector<Impact> impacts;
     bool pressed = false;
+    Eigen::Vector2d interface_slip = Eigen::Vector2d::Zero();
   };
   struct FloorPeaks {
     double displacement = 0, drift = 0, drift_x = 0, drift_y = 0, acceleration = 0, shear = 0;
@@ -62,9 +71,10 @@ private:
   BuildingInstant instant(double t, const Eigen::VectorXd &y, const BuildingResponse &r) const;
   Eigen::Vector2d drift(int floor, const Eigen::VectorXd &y) const;
   Eigen::Vector2d overturning(const BuildingResponse &r) const;
-  double next_after(const BearingModes &modes, double t) const;
+  double next_after(bool on_rims, double t) const;
+  void press(int b, bool pressed, double t, const Eigen::Vector2d &u, const Eigen::Vector2d &v);
 
-  const BuildingDynamics &dynamics_;
+  const BuildingBasis &dynamics_;
   Response *response_;
   BuildingTrace *trace_;
   const MemberForces *members_;
@@ -74,8 +84,8 @@ private:
          largest_input_ = 0;
   std::vector<BearingPeaks> bearings_;
   std::vector<FloorPeaks> floors_;
-  double peak_displacement_ = 0, peak_shear_ = 0, peak_overturning_ = 0, peak_rotation_ = 0, smallest_total_ = 1e300,
-         peak_height_ = -1e300;
+  double base_acceleration_ = 0, peak_displacement_ = 0, peak_shear_ = 0, peak_overturning_ = 0, peak_rotation_ = 0,
+         smallest_total_ = 1e300, peak_height_ = -1e300;
   Eigen::VectorXd final_;
 };
 

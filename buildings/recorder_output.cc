@@ -27,7 +27,9 @@ void BuildingRecorder::store(double t, const VectorXd &y, const BuildingResponse
   plane("velocity", y.segment<2>(d.n)), put("velocity_z", vz);
   plane("force", force), put("force_z", force[2]);
   plane("pendular", pendular), plane("friction", friction), plane("impact", impact);
-  put("gap", gap), put("normal_force", normal), put("base_rotation", y[2]), plane("overturning", overturning(r));
+  put("gap", gap), put("normal_force", normal), put("base_rotation", y[2]);
+  plane("base_acceleration", Vector2d(r.acceleration.head<2>() + r.ground.head<2>())),
+      plane("overturning", overturning(r));
   const auto l = ledger(y);
   put("energy_external", l.external), put("energy_gravity", l.gravity), put("energy_kinetic", l.kinetic),
       put("energy_elastic", l.elastic);
@@ -39,6 +41,7 @@ void BuildingRecorder::store(double t, const VectorXd &y, const BuildingResponse
     plane(name + "displacement", one.u), put(name + "displacement_z", one.u[2]);
     plane(name + "force", one.force()), plane(name + "impact", one.impact);
     put(name + "normal_force", std::max(0.0, one.normal)), put(name + "gap", one.gap);
+    if (d.rigid_bodies) plane(name + "interface_slip", one.interface_slip), plane(name + "moment", one.moment);
   }
   for (int f = 0; f < static_cast<int>(floors_.size()); ++f) {
     const int dof = 3 * (f + 1);
@@ -56,7 +59,7 @@ void BuildingRecorder::summarise(Summary &s) const {
   nlohmann::json bearings = nlohmann::json::array(), floors = nlohmann::json::array();
   std::size_t worst = 0;
   const auto rank = [&](std::size_t b) {
-    return std::pair(bearings_[b].impact, bearings_[b].travel / dynamics_.laws[b].lateral_capacity);
+    return std::pair(bearings_[b].impact, bearings_[b].travel / dynamics_.capacity[b]);
   };
   for (std::size_t b = 0; b < bearings_.size(); ++b) {
     const auto &p = bearings_[b];
@@ -79,6 +82,9 @@ void BuildingRecorder::summarise(Summary &s) const {
                         {"peak_uplift_m", p.lift},
                         {"residual_displacement_m", residual}});
     if (!p.impacts.empty()) bearings.back()["first_touch_s"] = p.impacts[0].touch_time;
+    if (p.interface_slip != Vector2d::Zero())
+      bearings.back()["residual_interface_slip_x_m"] = p.interface_slip[0],
+      bearings.back()["residual_interface_slip_y_m"] = p.interface_slip[1];
   }
   std::stable_sort(s.impacts.begin(), s.impacts.end(),
                    [](const auto &a, const auto &b) { return a.touch_time < b.touch_time; });
@@ -96,6 +102,7 @@ void BuildingRecorder::summarise(Summary &s) const {
                          {"peak_base_shear_N", peak_shear_},
                          {"peak_overturning_N_m", peak_overturning_},
                          {"peak_base_rotation_rad", peak_rotation_},
+                         {"peak_base_acceleration_m_s2", base_acceleration_},
                          {"weight_N", dynamics_.weight},
                          {"peak_base_displacement_m", peak_displacement_}};
 }

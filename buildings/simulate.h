@@ -11,12 +11,13 @@ struct BuildingResult {
   BuildingTrace trace;
 };
 /// With response, members' forces and, every `picture_step` seconds (0: none), the building's shape. `bearings` as
-/// BuildingDynamics takes them. A slider that leaves its dish gives status "stopped" with the reason.
+/// BuildingDynamics takes them; where one of them is a double concave one, the steps are implicit (implicit_run.h),
+/// else by branches (building_run.h). A slider that leaves its dish gives status "stopped" with the reason.
 BuildingResult simulate_whole(const Frame &frame, const scene::Scene &scene,
-                              const std::vector<scene::Bearing> &bearings = {}, double picture_step = 0);
+                              const std::vector<scene::Scene> &bearings = {}, double picture_step = 0);
 
 /// The run alone; without `with_response` peaks and impacts only.
 reduced::ReducedRun simulate(const Frame &frame, const scene::Scene &scene,
-                             const std::vector<scene::Bearing> &bearings = {}, bool with_response = true);
+                             const std::vector<scene::Scene> &bearings = {}, bool with_response = true);
 
 } // namespace rimpact::buildings

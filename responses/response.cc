@@ -99,7 +99,11 @@ void add_building_signals(std::vector<SignalInfo> &list) {
        {"impact_x", "N", "of the rim on the building, x"},
        {"impact_y", "N", "of the rim on the building, y"},
        {"normal_force", "N", "of the sliding surface"},
-       {"gap", "m", "L_c - |u|, negative while the rim is pressed"}});
+       {"gap", "m", "L_c - |u|, negative while the rim is pressed"},
+       {"interface_slip_x", "m", "top slider past the bottom one, x"},
+       {"interface_slip_y", "m", "top slider past the bottom one, y"},
+       {"moment_x", "N m", "on the node above it, about x"},
+       {"moment_y", "N m", "on the node above it, about y"}});
   add("floor", most_floors,
       {{"displacement_x", "m", "of the mass centre relative to the ground, x"},
        {"displacement_y", "m", "of the mass centre relative to the ground, y"},
@@ -111,6 +115,9 @@ void add_building_signals(std::vector<SignalInfo> &list) {
   for (const char *axis : {"x", "y"})
     list.push_back({fmt::format("overturning_{}", axis), "N m",
                     fmt::format("moment of the bearings' forces about the {} axis through the base's centre", axis)});
+  for (const char *axis : {"x", "y"})
+    list.push_back({fmt::format("base_acceleration_{}", axis), "m/s^2",
+                    fmt::format("absolute, of the base's mass centre, {}", axis)});
   list.push_back({"base_rotation", "rad", "of the base about the vertical"});
 }
 

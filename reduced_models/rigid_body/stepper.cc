@@ -7,9 +7,8 @@ namespace rimpact::reduced::rigid {
 using Eigen::Vector2d, Eigen::Vector3d;
 
 namespace {
-
-const double diagonal = 1 - std::sqrt(0.5); ///< of both stages
-const double outer = std::sqrt(2.0) / 4;    ///< weight of the first two in the last
+const double diagonal = tr_bdf2_own, outer = tr_bdf2_outer;
+}
 
 Pose moved_by(const Pose &pose, const Vector &motion, int body) {
   const Vector3d turn = motion.segment<3>(6 * body + 3);
@@ -19,8 +18,6 @@ Pose moved_by(const Pose &pose, const Vector &motion, int body) {
   if (angle > 0) result.rotation = Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() * pose.rotation;
   return result;
 }
-
-} // namespace
 
 Stepper::Stepper(const System &system, const Loads &loads) : system_(system), loads_(loads) {
   for (int i = 0; i < system.n_dofs(); ++i)

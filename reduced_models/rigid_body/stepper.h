@@ -3,9 +3,16 @@
 /// order, L-stable: the slider's contact modes (thousands of rad/s, next to no energy) need not be resolved.
 #pragma once
 #include "reduced_models/rigid_body/storey_link.h"
+#include <cmath>
 #include <functional>
 
 namespace rimpact::reduced::rigid {
+
+/// Weights of TR-BDF2 over a step of 1: of a stage's own rates, and of start and middle stage in the last.
+inline const double tr_bdf2_own = 1 - std::sqrt(0.5), tr_bdf2_outer = std::sqrt(2.0) / 4;
+
+/// A body's pose after the motion (shift, turn) of its six entries in `motion`.
+Pose moved_by(const Pose &pose, const Vector &motion, int body);
 
 struct Works {
   double external = 0, normal = 0, slip = 0, wall = 0, damping = 0, hysteretic = 0; ///< [J]; as rates [W]

@@ -1,0 +1,56 @@
+/// A building on bearings of any kind, rigid bodies with contact points among them: TR-BDF2 (rigid_body/stepper.h) of
+/// the whole, Newton with analytic tangents, every bearing's own unknowns condensed. Touch and opening of a wall end a
+/// step. The node's turn about x and y is the one the condensed frame has without the bearing's moment, whose work on
+/// it counts; the turn it adds itself is left out.
+#pragma once
+#include "buildings/mount.h"
+#include "buildings/recorder.h"
+
+namespace rimpact::buildings {
+
+class MountedBuilding : public BuildingBasis {
+public:
+  /// `bearings`: a scene for each supported node, in their order; its bearing and [reduced] count. Throws InputError.
+  MountedBuilding(const BuildingModel &model, const scene::Scene &scene, const std::vector<scene::Scene> &bearings);
+  NodeMotion node(int b, const Eigen::VectorXd &q, const Eigen::VectorXd &v) const;
+
+  std::vector<std::unique_ptr<Mount>> mounts;
+  std::vector<Eigen::Matrix<double, 6, Eigen::Dynamic>> over_q; ///< node's motion of each bearing over q
+  scene::GroundMotion ground;
+};
+
+class ImplicitRun {
+public:
+  ImplicitRun(MountedBuilding &building, const scene::Scene &scene);
+  /// From rest (or as `free` says) to t_end; returns the number of steps. Throws SolverStopped; what came before is in
+  /// the recorder.
+  long run(double t_end, BuildingRecorder &recorder);
+  long n_newton = 0;
+
+private:
+  struct State {
+    double t = 0;
+    Eigen::VectorXd q, v, a;
+    Eigen::VectorXd works, power;
+  };
+  void start(const scene::Scene &scene);
+  void restart();
+  bool stage(double h, bool last);
+  bool step(double h);
+  double error() const;
+  double wall(int stage) const;
+  void locate_wall(double h);
+  /// An accepted step; h becomes the next one's length. Whether a wall ended it.
+  bool advance(double limit, double &h);
+  Eigen::VectorXd load(const Eigen::Vector3d &ground) const;
+  Eigen::VectorXd powers(const State &s, int stage) const;
+  Eigen::VectorXd state() const;
+  BuildingResponse response() const;
+
+  MountedBuilding &building_;
+  scene::Excitation excitation_;
+  State at_[3]; ///< start, middle, end of a step
+  double h_ = 0, position_tolerance_, velocity_tolerance_, largest_step_ = 5e-3;
+};
+
+} // namespace rimpact::buildings

@@ -1,0 +1,257 @@
+#include "buildings/mount.h"
+#include "files/error.h"
+#include "reduced_models/rigid_body/double_concave_system.h"
+#include "reduced_models/rigid_body/rim_memory.h"
+#include <algorithm>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+namespace rimpact::buildings {
+namespace {
+
+using namespace reduced::rigid;
+using Eigen::Vector2d, Eigen::Vector3d;
+using OwnMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 12, 12>;
+using OwnVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 12, 1>;
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 12, 6>;
+
+class RigidMount : public Mount {
+public:
+  explicit RigidMount(const scene::Scene &scene) : model_(scene), n_(6 * model_.plate) {
+    if (scene.isolator.space != "spatial")
+      throw InputError(
+          "isolator.space \"planar\" under a building, which moves in space: isolator.space = \"spatial\", "
+          "with isolator.points = 4 or more");
+    auto &s = model_.system;
+    at_[0] = model_.state_at({0, 0}, {0, 0});
+    rest_ = at_[0].poses[model_.plate].position;
+    rest_height_ = model_.plate_displacement(at_[0])[2];
+    auto &plate = s.bodies[model_.plate]; // the node has its mass and weight
+    plate.mass = plate.weight = 0, plate.inertia.setZero();
+    potential_ = model_.potential_energy(at_[0]);
+    s.unmet.assign(s.contacts.size(), false);
+    for (std::size_t i = 0; i < s.contacts.size(); ++i) {
+      if (is_wall(i)) walls_.push_back(i);
+      s.unmet[i] = is_wall(i);
+    }
+    lateral_capacity = scene.isolator.lateral_capacity(), rim_stiffness = s.rim.stiffness / 2;
+    for (auto &state : at_) state.slip.assign(s.contacts.size(), Vector3d::Zero()), state.slip_rate = state.slip;
+  }
+
+  double height(const Vector2d &u) const override {
+    return model_.state_at(u, {0, 0}).poses[model_.plate].position[2] -
+           model_.state_at({0, 0}, {0, 0}).poses[model_.plate].position[2];
+  }
+
+  void start(double t, const NodeMotion &node, const Vector3d &ground) override {
+    auto &s = at_[0];
+    if (t == 0 && node.u.head<2>().norm() + node.v.head<2>().norm() > 0) { // let go
+      const auto slip = s.slip;
+      s = model_.state_at(node.u.head<2>(), node.v.head<2>());
+      s.slip = s.slip_rate = slip;
+    }
+    place(s, node);
+    Vector f = model_.system.forces(s.poses, s.velocity, {0, 0, s.slip}, s.contact, nullptr);
+    add_ground(f, ground);
+    const Matrix M = model_.system.mass_matrix(s.poses);
+    s.acceleration = Vector::Zero(model_.system.n_dofs());
+    s.acceleration.head(n_) = M.topLeftCorner(n_, n_).partialPivLu().solve(f.head(n_)).eval();
+    force_[0] = f.segment<6>(n_);
+    power_[0] = power_of(s, ground);
+  }
+
+  void begin_stage(const Stage &stage) override {
+    stage_ = stage;
+    const MotionState &from = at_[0], &middle = at_[1];
+    MotionState &to = current();
+    const bool park_wen = model_.system.park_wen;
+    slip_step_ = park_wen ? stage.own : stage.reach;
+    for (std::size_t i = 0; i < to.slip.size(); ++i) {
+      to.slip[i] = from.slip[i];
+      if (park_wen) to.slip[i] += stage.w1 * from.slip_rate[i];
+      if (park_wen && stage.last()) to.slip[i] += stage.w2 * middle.slip_rate[i];
+    }
+    moved_ = stage.w1 * from.velocity, base_ = from.velocity + stage.w1 * from.acceleration;
+    to.velocity = from.velocity + stage.reach * from.acceleration;
+    if (stage.last()) {
+      moved_ += stage.w2 * middle.velocity, base_ += stage.w2 * middle.acceleration;
+      to.velocity = middle.velocity + (1 - 2 * tr_bdf2_own) * (stage.own / tr_bdf2_own) * middle.acceleration;
+    }
+    to.poses = from.poses;
+  }
+
+  MountForce linearise(const NodeMotion &node) override {
+    MotionState &to = current();
+    place(to, node);
+    const Vector motion = moved_ + stage_.own * to.velocity;
+    for (int b = 0; b < model_.plate; ++b) to.poses[b] = moved_by(at_[0].poses[b], motion, b);
+    Vector f = model_.system.forces(to.poses, to.velocity, {stage_.own, slip_step_, to.slip}, to.contact, &tangent_);
+    add_ground(f, stage_.ground);
+    const OwnMatrix M = own_mass(to);
+    to.acceleration = (to.velocity - base_) / stage_.own;
+    const OwnVector residual = f.head(n_) - M * to.acceleration.head(n_);
+    const OwnMatrix J = M / stage_.own - tangent_.topLeftCorner(n_, n_);
+    const Eigen::PartialPivLU<OwnMatrix> lu(J);
+    follows_ = lu.solve(Columns(tangent_.block(0, n_, n_, 6)));
+    own_ = lu.solve(residual);
+    const auto back = tangent_.block(n_, 0, 6, n_);
+    return {f.segment<6>(n_) + back * own_, tangent_.block<6, 6>(n_, n_) + back * follows_};
+  }
+
+  double correct(const Vector6 &node_velocity) override {
+    const OwnVector correction = own_ + follows_ * node_velocity;
+    current().velocity.head(n_) += correction;
+    return correction.lpNorm<Eigen::Infinity>();
+  }
+
+  void end_stage() override {
+    MotionState &to = current();
+    to.acceleration = (to.velocity - base_) / stage_.own;
+    for (std::size_t i = 0; i < to.slip.size(); ++i) {
+      to.slip_rate[i] = (to.contact[i].slip - to.slip[i]) / slip_step_;
+      to.slip[i] = to.contact[i].slip;
+    }
+    Vector6 f = Vector6::Zero();
+    for (std::size_t i = 0; i < to.contact.size(); ++i)
+      if (model_.system.contacts[i].master == model_.plate) {
+        const Vector3d on_plate = -(to.contact[i].normal + to.contact[i].friction);
+        f.head<3>() += on_plate, f.tail<3>() += (to.contact[i].at - to.poses[model_.plate].position).cross(on_plate);
+      }
+    force_[stage_.last() ? 2 : 1] = f;
+    power_[stage_.last() ? 2 : 1] = power_of(to, stage_.ground);
+  }
+
+  double error(double h) const override {
+    const double e1 = h * (4 * tr_bdf2_outer - 1) / 3, e2 = -h / 3, e3 = h * 2 * tr_bdf2_own / 3;
+    double largest = 0;
+    for (int b = 0; b < model_.plate; ++b)
+      largest = std::max(largest, (e1 * at_[0].velocity.segment<3>(6 * b) + e2 * at_[1].velocity.segment<3>(6 * b) +
+                                   e3 * at_[2].velocity.segment<3>(6 * b))
+                                      .norm());
+    return largest;
+  }
+
+  void accept() override {
+    std::swap(at_[0], at_[2]);
+    power_[0] = power_[2], force_[0] = force_[2];
+    remember_dents();
+  }
+
+  double wall(int stage) const override {
+    double least = 1e300;
+    for (const auto i : walls_) {
+      const double d = at_[stage].contact[i].penetration;
+      least = std::min(least, model_.system.unmet[i] ? -d : d);
+    }
+    return least;
+  }
+  bool change_walls() override {
+    bool changed = false;
+    for (const auto i : walls_) {
+      const double d = at_[0].contact[i].penetration;
+      if ((model_.system.unmet[i] ? -d : d) > 0) continue;
+      model_.system.unmet[i] = !model_.system.unmet[i], changed = true;
+    }
+    return changed;
+  }
+
+  MountPower power(int stage) const override { return power_[stage]; }
+  Vector6 force() const override { return force_[0]; }
+  double kinetic_energy() const override { return model_.system.kinetic_energy(at_[0].poses, at_[0].velocity); }
+  double potential_energy() const override { return model_.potential_energy(at_[0]) - potential_; }
+  const char *lost() const override { return model_.lost(at_[0]); }
+
+  BearingResponse response() const override {
+    const MotionState &s = at_[0];
+    BearingResponse r;
+    r.u = model_.plate_displacement(s) - Vector3d(0, 0, rest_height_), r.v = s.velocity.segment<3>(n_);
+    double apart[2] = {1e300, 1e300};
+    for (std::size_t i = 0; i < s.contact.size(); ++i) {
+      const auto &c = model_.system.contacts[i];
+      if (c.surface == Surface::dish) apart[c.set / 2] = std::min(apart[c.set / 2], -s.contact[i].penetration);
+      if (c.master != model_.plate) continue;
+      (c.surface == Surface::rim ? r.impact : r.pendular) -= s.contact[i].normal;
+      r.friction -= s.contact[i].friction;
+      if (c.surface == Surface::dish) r.normal += s.contact[i].size;
+    }
+    for (const auto i : walls_)
+      if (model_.system.contacts[i].surface == Surface::rim) r.rim_force = std::max(r.rim_force, s.contact[i].size);
+    r.height = r.u[2] - std::max({0.0, apart[0], apart[1]});
+    r.gap = model_.gap(s), r.moment = force_[0].segment<2>(3);
+    r.interface_slip = model_.interface_slip(s).head<2>();
+    return r;
+  }
+
+private:
+  bool is_wall(std::size_t i) const {
+    const auto surface = model_.system.contacts[i].surface;
+    return surface == Surface::rim || surface == Surface::stop;
+  }
+  MotionState &current() { return at_[stage_.last() ? 2 : 1]; }
+  void place(MotionState &s, const NodeMotion &node) const {
+    const Vector3d turn = node.u.tail<3>();
+    const double angle = turn.norm();
+    auto &pose = s.poses[model_.plate];
+    pose.position = rest_ + node.u.head<3>();
+    pose.rotation = angle > 0 ? Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix() : Eigen::Matrix3d::Identity();
+    s.velocity.segment<6>(n_) = node.v;
+  }
+  void add_ground(Vector &f, const Vector3d &ground) const {
+    for (int b = 0; b < model_.plate; ++b) f.segment<3>(6 * b) -= model_.system.bodies[b].mass * ground;
+  }
+  OwnMatrix own_mass(const MotionState &s) const {
+    OwnMatrix M = OwnMatrix::Zero(n_, n_);
+    for (int b = 0; b < model_.plate; ++b) {
+      const auto &body = model_.system.bodies[b];
+      M.block<3, 3>(6 * b, 6 * b).diagonal().setConstant(body.mass);
+      M.block<3, 3>(6 * b + 3, 6 * b + 3) =
+          s.poses[b].rotation * body.inertia.asDiagonal() * s.poses[b].rotation.transpose();
+    }
+    return M;
+  }
+  MountPower power_of(const MotionState &s, const Vector3d &ground) const {
+    MountPower p;
+    for (std::size_t i = 0; i < s.contact.size(); ++i)
+      (is_wall(i) ? p.rim : p.contact) += s.contact[i].normal_power, p.friction += s.contact[i].slip_power;
+    for (int b = 0; b < model_.plate; ++b)
+      p.external -= model_.system.bodies[b].mass * ground.dot(s.velocity.segment<3>(6 * b));
+    return p;
+  }
+  /// What a rim that yields keeps, arc by arc.
+  void remember_dents() {
+    auto &system = model_.system;
+    if (!system.rim.law || !system.rim.law->yields) return;
+    dents_.resize(system.contacts.size());
+    for (const auto i : walls_) {
+      const auto &c = system.contacts[i];
+      const Vector3d foot = c.master == ground_ ? Vector3d(Vector3d::Zero()) : at_[0].poses[c.master].position;
+      const Vector2d arm = (at_[0].contact[i].at - foot).head<2>();
+      if (at_[0].contact[i].size != 0) dents_[i].press(arm, at_[0].contact[i].penetration);
+      system.deepest[i] = dents_[i].deepest_at(arm);
+    }
+  }
+
+  static constexpr int ground_ = reduced::rigid::ground;
+  DoubleConcaveSystem model_;
+  int n_;             ///< own dofs, in front of the plate's six
+  MotionState at_[3]; ///< start, middle, end of a step
+  Vector6 force_[3];
+  MountPower power_[3];
+  Vector3d rest_;
+  double rest_height_ = 0, potential_ = 0, slip_step_ = 0;
+  std::vector<std::size_t> walls_;
+  std::vector<reduced::RimMemory> dents_;
+  Stage stage_{};
+  Vector moved_, base_;
+  Matrix tangent_;
+  Columns follows_;
+  OwnVector own_;
+};
+
+} // namespace
+
+std::unique_ptr<Mount> rigid_mount(const scene::Scene &scene) {
+  return std::make_unique<RigidMount>(scene);
+}
+
+} // namespace rimpact::buildings

@@ -1,0 +1,80 @@
+// Bearings of rigid bodies under a building: against one bearing alone, and dishes by implicit steps against branches.
+#include "buildings/implicit_run.h"
+#include "buildings/regular_building.h"
+#include "buildings/simulate.h"
+#include "files/error.h"
+#include <cmath>
+#include <gtest/gtest.h>
+
+using namespace rimpact;
+using namespace rimpact::buildings;
+
+namespace {
+
+scene::Scene pulse(double scale, const std::string &model, double tolerance) {
+  return scene::parse_scene(
+      "[load]\nvertical_kN = 160.0\nmass_kg = 16309.888\n[excitation]\nkind = \"ricker\"\namplitude_g = 0.5\n"
+      "period_s = 1.5\ncentre_s = 3.0\nduration_s = 5.0\nscale = " +
+          std::to_string(scale) + "\n[isolator]\nspace = \"spatial\"\npoints = 4\nstep_tolerance = " +
+          std::to_string(tolerance) + "\n[reduced]\nmodel = \"" + model +
+          "\"\nfriction = \"park-wen\"\nelastic_slip_mm = 1.0\nk_i_kN_per_m = 4e4\n",
+      "test");
+}
+
+Frame block() {
+  RegularBuilding b;
+  b.x = {0, 8}, b.y = {0, 8};
+  return make_frame(b);
+}
+
+} // namespace
+
+TEST(Mounts, ARigidBlockOnFourAlikeIsOneBearing) {
+  const auto s = pulse(1.0, "dcfp", 1e-4);
+  const auto whole = simulate(block(), s);
+  const auto one = reduced::simulate(s);
+  ASSERT_EQ(whole.summary.status, "done") << whole.summary.reason;
+  EXPECT_GT(one.summary.peak_displacement, 0.1);
+  EXPECT_NEAR(whole.summary.peak_displacement, one.summary.peak_displacement, 2e-3 * one.summary.peak_displacement);
+  EXPECT_NEAR(whole.summary.peak_lateral_force / 4, one.summary.peak_lateral_force,
+              0.01 * one.summary.peak_lateral_force);
+}
+
+TEST(Mounts, ADishByImplicitStepsIsTheOneByBranches) {
+  const auto s = pulse(0.8, "physical", 1e-3);
+  const Frame f = block();
+  const auto branches = simulate(f, s);
+  const BuildingModel model = assemble(f);
+  MountedBuilding building(model, s, std::vector<scene::Scene>(4, s));
+  ImplicitRun run(building, s);
+  BuildingRecorder recorder(building, nullptr, s.reduced.output_step);
+  run.run(s.excitation.duration, recorder);
+  Summary implicit;
+  recorder.summarise(implicit);
+  EXPECT_GT(branches.summary.peak_displacement, 0.05);
+  EXPECT_NEAR(implicit.peak_displacement, branches.summary.peak_displacement,
+              1e-3 * branches.summary.peak_displacement);
+  EXPECT_NEAR(implicit.peak_lateral_force, branches.summary.peak_lateral_force,
+              5e-3 * branches.summary.peak_lateral_force);
+}
+
+TEST(Mounts, KindsStandSideBySide) {
+  Frame f = block();
+  f.nodes[0].bearing = "lir-dcfp"; // the others have dishes
+  const auto s = pulse(0.8, "physical", 1e-3);
+  const auto bearings = std::vector<scene::Scene>{pulse(0.8, "lir-dcfp", 1e-3), s, s, s};
+  const auto run = simulate(f, s, bearings);
+  ASSERT_EQ(run.summary.status, "done") << run.summary.reason;
+  EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-2);
+}
+
+TEST(Mounts, RefuseAPlanarBearing) {
+  auto s = pulse(1.0, "dcfp", 1e-4);
+  s.isolator.space = "planar";
+  try {
+    simulate(block(), s);
+    FAIL() << "taken";
+  } catch (const InputError &error) {
+    EXPECT_NE(std::string(error.what()).find("isolator.space"), std::string::npos);
+  }
+}
