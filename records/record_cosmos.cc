@@ -34,8 +34,9 @@ double unit_in(const std::string &line, double gravity, const std::string &where
 /// Of (8F10.5) or (5E15.6): 10, 15.
 std::size_t width_of(const std::string &line) {
   const auto at = line.find("FORMAT");
-  if (at == std::string::npos) return 0;
-  for (std::size_t i = line.find('(', at); i + 1 < line.size(); ++i)
+  const auto open = at == std::string::npos ? at : line.find('(', at);
+  if (open == std::string::npos) return 0;
+  for (std::size_t i = open; i + 1 < line.size(); ++i)
     if ((line[i] == 'F' || line[i] == 'E') && std::isdigit(static_cast<unsigned char>(line[i + 1])) != 0) {
       const double width = first_number(std::string_view(line).substr(i + 1, 2));
       return width >= 4 && width <= 30 ? static_cast<std::size_t>(width) : 0;

@@ -1,6 +1,7 @@
 // Inputs that are hard on a study, one row each: the sentence it is refused with, or the right result.
 #include "files/error.h"
 #include "made_up.h"
+#include "risk/evaluate.h"
 #include <functional>
 #include <gtest/gtest.h>
 
@@ -129,7 +130,7 @@ std::vector<HardInput> hard_inputs() {
        {"P 0 and 0", "rate none"}},
       {"a hazard that is not monotone",
        [] { return study_in_words("[0.26227, 2475]", "[0.26227, 400]"); },
-       {"s.toml:9", "not monotone"}},
+       {"s.toml:10", "not monotone"}},
       {"a level twice", [] { return study_in_words("[0.1, 0.3]", "[0.1, 0.1]"); }, {"s.toml:6", "twice"}},
       {"decimal commas and a byte order mark",
        [=] { return motions_in_words({"0,1;1;HILL000.AT2;1,5"}, "", "\xEF\xBB\xBF"); },

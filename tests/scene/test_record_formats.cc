@@ -90,6 +90,8 @@ TEST(RecordFormats, KnetRefusals) {
 
 TEST(RecordFormats, CosmosIntervalAndRefusals) {
   EXPECT_DOUBLE_EQ(parse_record(cosmos(0.01, -999, counts, touching), "q.v2", 9.81).dt, 0.01); // the raw record's
+  const auto bare = replaced(counts, "(8F10.5)", "8F10.5"); // no width told: blanks part the values
+  EXPECT_EQ(parse_record(cosmos(0.01, 5, bare, "0.5 -100 -98.0665 2\n"), "q.v2", 9.81).values.size(), 4u);
   const auto refuse = [](const std::string &text, std::initializer_list<const char *> words) {
     expect_error<DataError>([&] { parse_record(text, "q.v2", 9.81); }, words);
   };
