@@ -142,6 +142,12 @@ def during_impact(signals, bearing, first, last):
     return [np.abs(signals[f"bearing_{bearing}_{what}"][window]).max() / 1e3 for what in ("force_x", "force_y", "normal_force")]
 
 
+DIFFERENCES = (
+    "Why they differ: the dashpot of rim and stop is of the whole supported mass here, (3-46) leaves it out, so that LIR-DCFP bearings push harder at the touch;",
+    "elastic slip and k of the contact points are not printed; slabs are rigid and beams one member long here, so vertical forces during an impact differ;",
+    "on DCFP in Petrolia a bearing that overturning has unloaded lets its slider over the 2 cm rim here, and the run ends there.")
+
+
 def chapter_3(runs, lines, fails):
     frame = os.path.join(runs.folder, "thesis-3.5.toml")
     with open(frame, "w") as file:
@@ -190,6 +196,7 @@ def chapter_3(runs, lines, fails):
         lines.append(f"  base shear {axis}, lir-dcfp: {100 * (1 - shear[1] / shear[0]):.0f} % less | {printed['less shear']} %; roof {axis} {roof[0]:.2f} -> {roof[1]:.2f} g | {printed['roof'][0]:.2f} -> {printed['roof'][1]:.2f} g")
         if not shear[1] < 0.8 * shear[0]:
             fails.append(f"3.5 {record}: the interface spares {100 * (1 - shear[1] / shear[0]):.0f} % of the base shear; the thesis {printed['less shear']}")
+    lines.extend(DIFFERENCES)
 
 
 def differ(now, stored):
