@@ -1,6 +1,5 @@
 #include "buildings/dynamics.h"
 #include "files/error.h"
-#include <algorithm>
 #include <cmath>
 #include <Eigen/LU>
 #include <fmt/format.h>
@@ -33,33 +32,6 @@ scene::Scene one_bearing(const scene::Scene &whole, double reaction) {
   s.load.vertical = std::max(0.0, reaction);
   s.load.mass = s.load.vertical > 0 ? s.load.vertical / s.load.gravity : whole.load.mass;
   return s;
-}
-
-/// N of the closed bearings. Under one base their equations are diagonal but for its three dofs: D + U V^T, inverted by
-/// the identity of Sherman, Morrison and Woodbury with a 3 x 3 system.
-VectorXd normal_forces(const BuildingDynamics &d, const BuildingResponse &r, const std::vector<int> &closed,
-                       const std::vector<Vector3d> &per_normal) {
-  const int m = static_cast<int>(closed.size());
-  const VectorXd &mass = d.model.mass;
-  Eigen::Matrix<double, Eigen::Dynamic, 3> U(m, 3), V(m, 3);
-  VectorXd N(m);
-  for (int i = 0; i < m; ++i) {
-    const Slider &s = d.slider[closed[i]];
-    const Vector3d G(-r.bearings[closed[i]].gradient[0], -r.bearings[closed[i]].gradient[1], 1),
-        &f = per_normal[closed[i]];
-    const double diagonal = f[2] / mass[s.dof[3]];
-    U.row(i) << G[0] / mass[s.dof[0]], G[1] / mass[s.dof[1]], (s.arm_x * G[1] - s.arm_y * G[0]) / mass[s.dof[2]];
-    U.row(i) /= diagonal;
-    V.row(i) << f[0], f[1], s.arm_x * f[1] - s.arm_y * f[0];
-    N[i] = (r.bearings[closed[i]].normal - G.dot(s.of(r.acceleration.data()))) / diagonal;
-  }
-  const Eigen::Matrix3d inner = Eigen::Matrix3d::Identity() + V.transpose() * U;
-  const Vector3d base = inner.partialPivLu().solve(V.transpose() * N);
-  return N - U * base;
-}
-
-bool on_one_base(const std::vector<Slider> &sliders) {
-  return std::all_of(sliders.begin(), sliders.end(), [&](const Slider &s) { return s.dof[0] == sliders[0].dof[0]; });
 }
 
 } // namespace
@@ -184,13 +156,8 @@ BuildingResponse BuildingDynamics::evaluate(const BearingModes &modes, double t,
   std::vector<Vector3d> per_normal;
   BuildingResponse r = unsupported(modes, t, y, closed, per_normal);
   if (closed.empty()) return r;
-  VectorXd N;
-  if (on_one_base(slider)) {
-    N = normal_forces(*this, r, closed, per_normal);
-  } else { // two buildings side by side
-    const auto e = support_equations(r, closed, per_normal);
-    N = e.matrix.partialPivLu().solve(e.rest);
-  }
+  const auto equations = support_equations(r, closed, per_normal);
+  const VectorXd N = equations.matrix.partialPivLu().solve(equations.rest);
   VectorXd added = VectorXd::Zero(n);
   for (std::size_t i = 0; i < closed.size(); ++i) {
     auto &b = r.bearings[closed[i]];

@@ -41,7 +41,7 @@ TEST(Mounts, ARigidBlockOnFourAlikeIsOneBearing) {
 }
 
 TEST(Mounts, ADishByImplicitStepsIsTheOneByBranches) {
-  const auto s = pulse(0.8, "physical", 1e-3);
+  const auto s = pulse(0.6, "physical", 1e-3);
   const Frame f = block();
   const auto branches = simulate(f, s);
   const BuildingModel model = assemble(f);
@@ -61,8 +61,8 @@ TEST(Mounts, ADishByImplicitStepsIsTheOneByBranches) {
 TEST(Mounts, KindsStandSideBySide) {
   Frame f = block();
   f.nodes[0].bearing = "lir-dcfp"; // the others have dishes
-  const auto s = pulse(0.8, "physical", 1e-3);
-  const auto bearings = std::vector<scene::Scene>{pulse(0.8, "lir-dcfp", 1e-3), s, s, s};
+  const auto s = pulse(0.6, "physical", 1e-3);
+  const auto bearings = std::vector<scene::Scene>{pulse(0.6, "lir-dcfp", 1e-3), s, s, s};
   const auto run = simulate(f, s, bearings);
   ASSERT_EQ(run.summary.status, "done") << run.summary.reason;
   EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-2);
