@@ -1,6 +1,8 @@
 #include "app/reduced_sweep.h"
+
 #include "app/progress.h"
 #include "app/shard.h"
+#include "app/sibling.h"
 #include "files/json_text.h"
 #include "files/text.h"
 #include "fleets/fleet.h"
@@ -67,6 +69,8 @@ void reduced_sweep(const SweepOptions &options, Console &console) {
     console.warn(fmt::format("{} of {} runs did not end well: {} stopped, {} refused, {} failed; the columns status "
                              "and reason say why",
                              result.total - result.done, result.total, result.stopped, result.refused, result.failed));
+  if (options.picture && n_shards == 1 && python({"report.quick", "fleet", fleet.folder}) != 0)
+    throw IoError("the picture in " + fleet.folder + " was not made");
   if (console.json) {
     const nlohmann::ordered_json json = {{"table", result.table + ".csv"},
                                          {"n_runs", result.total},

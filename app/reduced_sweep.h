@@ -11,6 +11,7 @@ struct SweepOptions {
   std::string folder;
   std::string shard; ///< "i/n", empty: all
   int n_threads = 0;
+  bool picture = false;
 };
 void reduced_sweep(const SweepOptions &options, Console &console);
 

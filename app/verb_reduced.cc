@@ -56,7 +56,7 @@ void add_reduced(CLI::App &app, Console &console) {
                     ->expected(2)
                     ->check(CLI::Range(0.0, 1e5));
   verb->add_option("--model", options->model, "see rimpact list models");
-  verb->add_flag("--png", options->picture, "also draw response.png");
+  verb->add_flag("--png", options->picture, "also draw response.png, of a sweep fleet.png");
   auto *sweep = verb->add_option("--sweep", options->sweep,
                                  "many runs, one table: a sweep file, or KEY=a:b:n (repeatable; n values from a to b)")
                     ->allow_extra_args(false)
@@ -76,7 +76,8 @@ void add_reduced(CLI::App &app, Console &console) {
                             .sweep = options->sweep,
                             .folder = options->folder,
                             .shard = options->shard,
-                            .n_threads = options->n_threads},
+                            .n_threads = options->n_threads,
+                            .picture = options->picture},
                            console);
     for (const double height : options->nodes)
       if (!std::isfinite(height)) throw InputError("--nodes takes two heights in mm, not " + std::to_string(height));

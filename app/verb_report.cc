@@ -24,7 +24,11 @@ std::vector<std::string> command(const ReportOptions &options, const std::string
 }
 
 void run_report(const ReportOptions &options, Console &console) {
-  const std::string file = options.output.empty() ? options.folder + "/report.html" : options.output;
+  const std::filesystem::path what = options.folder;
+  const std::string beside = what.extension() == ".toml"
+                                 ? std::filesystem::path(what).replace_extension(".html").string()
+                                 : (what / "report.html").string(),
+                    file = options.output.empty() ? beside : options.output;
   const int code = python(command(options, file));
   if (code == static_cast<int>(ExitCode::input)) throw InputError(options.folder + ": no report was made");
   if (code == static_cast<int>(ExitCode::data)) throw DataError(options.folder + ": no report could be made of it");
@@ -40,8 +44,12 @@ void run_report(const ReportOptions &options, Console &console) {
 void add_report(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("report", "one self-contained HTML file of a results, calibration or run folder");
   auto options = std::make_shared<ReportOptions>();
-  verb->add_option("DIR", options->folder, "results of `main`, a calibration, or one run folder")->required();
-  verb->add_option("-o,--output", options->output, "the HTML file (default DIR/report.html)");
+  verb->add_option(
+          "DIR", options->folder,
+          "results of `main`, a calibration, a run, building, sweep or study folder; or a laboratory's mapping file")
+      ->required();
+  verb->add_option("-o,--output", options->output,
+                   "the HTML file (default DIR/report.html, of a mapping file beside it)");
   for (const char *key : {"title", "client", "project", "author"})
     verb->add_option(std::string("--") + key, options->head[key], "on the first page");
   verb->add_option("--document", options->document, "a TOML file with title, client, project and author");

@@ -21,6 +21,7 @@ namespace {
 struct RunOptions {
   std::string scene, folder;
   bool resume = false, dry_run = false, no_fields = false;
+  double fields_every_ms = 0;
 };
 
 /// The result of a run that had ended before.
@@ -51,6 +52,7 @@ void run(RunOptions &options, Console &console) {
   run_options.folder = options.folder.empty() ? default_folder(scene.name) : options.folder;
   run_options.resume = options.resume;
   run_options.fields = !options.no_fields;
+  run_options.fields_every = 1e-3 * options.fields_every_ms;
   run_options.writes = fe::is_first_rank();
   std::optional<ClaimedFolder> claim; // the first rank's, for all
   if (run_options.writes)
@@ -133,6 +135,9 @@ void add_run(CLI::App &app, Console &console) {
                  "go on from the folder's checkpoint; a run that has ended stays as it is");
   verb->add_flag("--dry-run", options->dry_run, "print the plan and stop");
   verb->add_flag("--no-fields", options->no_fields, "no VTU files");
+  verb->add_option("--fields-every", options->fields_every_ms,
+                   "also VTU files at so many ms of an impact, for a film (some 5 MB each on mesh 1)")
+      ->check(CLI::Range(0.01, 1e6));
   verb->add_option_function<int>(
       "--ranks", [](int) { throw InputError("--ranks is for rimpact, which starts rimpact-fe on them"); },
       "so many processes share the run (rungs rigid-dish and full)");

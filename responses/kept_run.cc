@@ -152,8 +152,8 @@ void remove_by_products(const std::string &folder) {
     if (const std::string name = entry.path().filename().string(); name.starts_with(".") && name.ends_with(".tmp"))
       unfinished.push_back(entry.path());
   for (const auto &file : unfinished) take_away(file);
-  for (const char *name :
-       {"checkpoint.h5", "fields", "fields.pvd", "response.png", "report.html", "report.pdf", "log.txt"})
+  for (const char *name : {"checkpoint.h5", "fields", "fields.pvd", "response.png", "report.html", "report.pdf",
+                           "log.txt", "film.html", "film.mp4", "building.csv", "storeys.csv", "paraview_state.py"})
     take_away(fs::path(folder) / name);
 }
 

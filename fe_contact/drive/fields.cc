@@ -35,6 +35,11 @@ void write_fields(const ContactSystem &system, const SystemState &state, const E
   record.fields.emplace_back(time, name);
 }
 
+bool fields_due(double t, double dt, const RunOptions &options) {
+  const double every = options.fields_every;
+  return every > 0 && std::floor(t / every + 1e-9) > std::floor((t - dt) / every + 1e-9);
+}
+
 void write_pvd(const RunOptions &options, const RunRecord &record) {
   if (record.fields.empty()) return;
   std::string text = "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\">\n<Collection>\n";

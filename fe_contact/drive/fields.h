@@ -11,6 +11,8 @@ namespace rimpact::fe {
 void write_fields(const ContactSystem &system, const SystemState &state, const Eigen::VectorXd &displacements,
                   const std::string &kind, double time, const RunOptions &options, RunRecord &record,
                   std::optional<double> direction = {});
+/// Whether a step of `dt` that ends at `t` has passed an instant at which an impact's fields are asked for.
+bool fields_due(double t, double dt, const RunOptions &options);
 void write_pvd(const RunOptions &options, const RunRecord &record);
 
 } // namespace rimpact::fe

@@ -217,6 +217,8 @@ void DynamicRun::accept(Arc &arc, const SystemState &kept, const MassForces &bef
   if (!peak_written_ && touched_ && top_speed_of(arc).x() < 0) {
     write_fields(arc);
     peak_written_ = true;
+  } else if (touched_ && fields_due(bearing_.t, dt, options_)) {
+    write_fields(arc);
   }
   if (options_.progress)
     options_.progress(

@@ -232,6 +232,7 @@ void StackDynamic::after_step(double t, double dt, const ContactStepReport &step
   follow_impact(t, dt);
   const StackForces forces = forces_of(model_, state_);
   recorder_.sample(t, travel(), active().top_of(state_.v), state_, step.iterations, dt);
+  if (near_rim_ && touching() && fields_due(t, dt, options_)) write_fields();
   if (options_.progress)
     options_.progress({t, end_time(), dt, step.iterations, gap(), forces.rim.head<2>().norm(),
                        touching()  ? "contact"

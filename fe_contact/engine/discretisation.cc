@@ -244,7 +244,10 @@ void Discretisation::write_vtu(const std::string &path, const std::vector<Field>
       out.add_data_vector(scalar, kept.back(), field.name);
     }
   }
-  out.build_patches(d.mapping, 1, DataOut<3>::curved_inner_cells);
+  DataOutBase::VtkFlags flags;
+  flags.write_higher_order_cells = true; // as curved as they are
+  out.set_flags(flags);
+  out.build_patches(d.mapping, degree, DataOut<3>::curved_inner_cells);
   std::ofstream file(path);
   out.write_vtu(file);
   if (!file) throw IoError("cannot write " + path);

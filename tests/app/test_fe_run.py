@@ -2,6 +2,7 @@
 import csv
 import json
 import os
+import re
 import signal
 import subprocess
 import tempfile
@@ -85,6 +86,20 @@ class RimWindow(unittest.TestCase):
                 self.assertIn("while the rim still bears", " ".join(result["warnings"]))
                 self.assertIn("while the rim still bears", run.stderr)
                 os.remove(os.path.join(folder, "summary.json"))  # the resumed run goes on from the last checkpoint, which is the end
+
+    def test_fields_of_an_impact_as_often_as_wished(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = rimpact(*WINDOW, "--mesh", "0", "--set", "excitation.duration_s=0.01", "--fields-every", "2", "-o", folder)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            with open(os.path.join(folder, "fields.pvd"), encoding="utf-8") as file:
+                times = [float(time) for time in re.findall(r'timestep="([^"]*)"', file.read())]
+            for k in range(1, 5):  # at the end of the step that passes it
+                self.assertTrue(any(0 <= time - 2e-3 * k < 1e-3 for time in times), (k, times))
+            first = os.path.join(folder, "fields", sorted(os.listdir(os.path.join(folder, "fields")))[0])
+            with open(first, "rb") as file:
+                points, cells = (int(number) for number in re.search(rb'NumberOfPoints="(\d+)" NumberOfCells="(\d+)"', file.read(3000)).groups())
+            self.assertEqual(points, 27 * cells, "cells are as curved as they are")
+        self.assertEqual(rimpact(*WINDOW, "--fields-every", "0").returncode, 2)
 
     def test_a_slider_that_passes_the_rim_is_no_result(self):
         with tempfile.TemporaryDirectory() as folder:
