@@ -18,9 +18,9 @@ struct Progress {
 struct RunOptions {
   std::string folder; ///< run folder to write
   bool resume = false;
-  bool fields = true; ///< VTU files and pictures
-  double fields_every = 0;   ///< of an impact [s]; 0: at its deepest and its end alone
-  bool writes = true; ///< false: a rank that computes along and leaves the files to the first one
+  bool fields = true;      ///< VTU files and pictures
+  double fields_every = 0; ///< of an impact [s]; 0: at its deepest and its end alone
+  bool writes = true;      ///< false: a rank that computes along and leaves the files to the first one
   std::function<void(const Progress &)> progress;
   std::function<void(const std::string &)> remark; ///< told what the user should know at once
   const std::atomic<bool> *interrupted = nullptr;  ///< set by Ctrl-C

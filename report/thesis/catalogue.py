@@ -12,7 +12,7 @@ from ..shapes import ANY, FLAG, NUMBER, TEXT, check, numbers, texts
 
 STATES = ("done", "partly", "missing", "drawing")
 FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "data")
-NUMBER_SHAPE = {**texts("what unit ours why cause"), **numbers("printed factor within at_least count")}
+NUMBER_SHAPE = {**texts("what unit ours why cause"), **numbers("printed factor within resolved at_least count")}
 CURVE = {**texts("run label side"), "x": ANY, "y": ANY}
 PANEL = {**texts("title x_label y_label x y kind of"), "curves": [CURVE], **numbers("x_factor y_factor R0_m a_m"), "x_range": [NUMBER], "y_range": [NUMBER],
          "records": [TEXT], "shapes": [{"label": TEXT, "R0_m": NUMBER, "a_m": NUMBER}]}
@@ -21,7 +21,7 @@ SHAPE = {
     "run": {"*": {"command": [TEXT], "kept": TEXT, "json": FLAG, "seconds": NUMBER, "heavy": FLAG, "records": [TEXT]}},
     "entry": [{**texts("id section title state command differs"), "also": [TEXT], "records": [TEXT], "columns": NUMBER,
                "panel": [PANEL], "number": [NUMBER_SHAPE],
-               "table": [{"columns": [TEXT], "paths": [TEXT], "factors": [NUMBER], "within": [NUMBER], "units": [TEXT], "causes": [TEXT],
+               "table": [{"columns": [TEXT], "paths": [TEXT], "factors": [NUMBER], "within": [NUMBER], "resolved": [NUMBER], "units": [TEXT], "causes": [TEXT],
                           "row": [{"label": TEXT, "run": TEXT, "printed": [NUMBER]}]}]}],
 }
 
@@ -45,6 +45,7 @@ class Number:
     ours: str = ""         #: "run:path", "a / b" or "a / b - 1" of such
     factor: float = 1.0
     within: float = None   #: largest difference that counts as met, in the printed unit
+    resolved: float = 0.0  #: what the default step tolerance leaves open in ours, in the printed unit
     at_least: float = None #: instead: ours is to be so much or more
     why: str = ""          #: why it is not compared
     cause: str = ""        #: why it is not met
@@ -157,4 +158,4 @@ def _numbers_of(table):
         for k in range(n):
             yield Number(f"{table['columns'][k]}, {row['label']}", row["printed"][k], of("units", "")[k],
                          f"{row['run']}:{table['paths'][k]}", of("factors", 1.0)[k], of("within", None)[k],
-                         cause=of("causes", "")[k])
+                         of("resolved", 0.0)[k], cause=of("causes", "")[k])

@@ -53,7 +53,7 @@ def list_json(catalogue, ours):
 
 
 def numbers_json(entry, ours):
-    return [{"what": n.what, "printed": n.printed, "at_least": n.at_least, "unit": n.unit, "within": n.within, "ours": ours.of(entry, n),
+    return [{"what": n.what, "printed": n.printed, "at_least": n.at_least, "unit": n.unit, "within": n.within, "resolved": n.resolved, "ours": ours.of(entry, n),
              "verdict": n.verdict(ours.of(entry, n)), "word": word(n, n.verdict(ours.of(entry, n)))} for n in entry.numbers]
 
 

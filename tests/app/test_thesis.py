@@ -21,7 +21,8 @@ class Thesis(unittest.TestCase):
         return json.loads(run.stdout)
 
     def holds(self, what, records=None):
-        """Every number of ours is found, met or with a cause, and the kept one within 1 % where one is kept."""
+        """Every number of ours is found, met or with a cause, and the kept one within 1 % where one is kept, or within what the
+        default step tolerance leaves open: residuals of plates that stick and slip (`resolved`, against steps a thousand times finer)."""
         kept = {entry["id"]: entry for entry in json.loads(rimpact("thesis", "list", "--json", "-o", "/nonexistent").stdout)["entries"]}
         n = 0
         for entry in self.made(what, records)["entries"]:
@@ -33,7 +34,7 @@ class Thesis(unittest.TestCase):
                     self.assertIsNotNone(now["ours"])
                     self.assertTrue(now["verdict"] == "met" or now["word"])
                     if then["ours"] is not None:
-                        self.assertLessEqual(abs(now["ours"] - then["ours"]), max(0.01 * abs(then["ours"]), 0.02 * (now["within"] or 0)))
+                        self.assertLessEqual(abs(now["ours"] - then["ours"]), max(0.01 * abs(then["ours"]), 0.02 * (now["within"] or 0), now["resolved"]))
                     n += 1
         return n
 

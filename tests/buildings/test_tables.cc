@@ -38,8 +38,8 @@ TEST(FrameTables, ReadBackToTheSameBuilding) {
   EXPECT_EQ((here - there).cwiseAbs().maxCoeff(), 0);
   const auto bearings = bearings_of(read, scene::Scene());
   ASSERT_EQ(bearings.size(), 6u);
-  EXPECT_EQ(bearings[0].name, "shfps-225");
-  EXPECT_EQ(bearings[1].name, "fps-225");
+  EXPECT_EQ(bearings[0].bearing.name, "shfps-225");
+  EXPECT_EQ(bearings[1].bearing.name, "fps-225");
 }
 
 TEST(FrameTables, AreRefusedWithFileAndLine) {

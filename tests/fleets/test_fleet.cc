@@ -1,8 +1,10 @@
 // Fleets on a small sweep of a short scene.
 #include "../scene/expect_error.h"
 #include "../scene/temporary_folder.h"
+#include "files/file.h"
 #include "files/folder_lock.h"
 #include "fleets/fleet.h"
+#include "fleets/fleet_folder.h"
 #include "reduced_models/physical_model.h"
 #include "responses/identity.h"
 #include <algorithm>
@@ -234,4 +236,19 @@ TEST(Fleet, WritesAlongTheWay) {
   for (int k = 1; k < 300; ++k) many += (k % 20 ? ", " : ",\n") + std::to_string(0.1 + 0.001 * k);
   run_fleet("ricker-0.78g-1.0s", {}, parse_sweep(many + "]\n", "s.toml"), o);
   EXPECT_GT(seen, 0u);
+}
+
+/// Rows rest on every file that a swept key names: an edited curve makes them stale as an edited record does.
+TEST(Fleet, InputsHoldTheFilesOfSweptKeys) {
+  const TemporaryFolder folder;
+  for (const std::string key : {"reduced.impact_curve", "reduced.calibration"}) {
+    const std::string file = folder / "swept.file";
+    write_atomically("one", file);
+    const Sweep sweep = parse_sweep("[grid]\n" + key + " = [\"" + file + "\"]\n", "s.toml");
+    const scene::Scene first = scene::load_scene("ricker-0.78g-1.0s", {});
+    const auto before = fleet_identity("ricker-0.78g-1.0s", {}, sweep, first).rows.inputs;
+    EXPECT_EQ(before.count(file), 1u) << key;
+    write_atomically("another", file);
+    EXPECT_NE(fleet_identity("ricker-0.78g-1.0s", {}, sweep, first).rows.inputs.at(file), before.at(file)) << key;
+  }
 }
