@@ -143,9 +143,9 @@ def during_impact(signals, bearing, first, last):
 
 
 DIFFERENCES = (
-    "Why they differ: the dashpot of rim and stop is of the whole supported mass here, (3-46) leaves it out, so that LIR-DCFP bearings push harder at the touch;",
+    "Why they may differ: the dashpot of rim and stop is of the whole supported mass here, (3-46) leaves it out, so that LIR-DCFP bearings push harder at the touch;",
     "elastic slip and k of the contact points are not printed; slabs are rigid and beams one member long here, so vertical forces during an impact differ;",
-    "on DCFP in Petrolia a bearing that overturning has unloaded lets its slider over the 2 cm rim here, and the run ends there.")
+    "on DCFP in Petrolia the slider of bearing 3 leaves its 2 cm rim at 3.36 s here and the run ends there; why was not traced, nor were the causes above run one by one.")
 
 
 def chapter_3(runs, lines, fails):
