@@ -4,6 +4,7 @@ import pathlib
 import sys
 
 from figures import Drawing
+from settle import settle
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 
@@ -91,14 +92,8 @@ def picture():
 
 
 def main(*options):
-    file, text = ROOT / "docs/pictures/architecture.svg", picture()
-    if "--check" in options:
-        same = file.is_file() and file.read_text(encoding="utf-8") == text
-        if not same:
-            print("docs/pictures/architecture.svg is not what tests/check_includes.py says; run docs/generate/architecture.py")
-        return 0 if same else 1
-    file.write_text(text, encoding="utf-8")
-    return 0
+    made = {ROOT / "docs/pictures/architecture.svg": picture()}
+    return settle(made, options, "tests/check_includes.py says; run docs/generate/architecture.py")
 
 
 if __name__ == "__main__":

@@ -4,6 +4,8 @@ import math
 import pathlib
 import sys
 
+from settle import settle
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 STEEL, PLATE, PAD, INK, HOT, COOL = "#c9d3dd", "#dfe5ea", "#efd9b4", "#222", "#b03a2e", "#1f618d"
 
@@ -178,16 +180,8 @@ FIGURES = {"theory-bearing": bearing, "theory-gap": gap, "theory-law": law, "the
 
 
 def main(*options):
-    different = []
-    for name, draw in FIGURES.items():
-        file, text = ROOT / "docs/pictures" / f"{name}.svg", draw()
-        if "--check" not in options:
-            file.write_text(text, encoding="utf-8")
-        elif not file.is_file() or file.read_text(encoding="utf-8") != text:
-            different.append(name)
-    if different:
-        print(f"docs/pictures: {', '.join(different)} is not what docs/generate/figures.py draws; run it")
-    return 1 if different else 0
+    made = {ROOT / "docs/pictures" / f"{name}.svg": draw() for name, draw in FIGURES.items()}
+    return settle(made, options, "docs/generate/figures.py draws; run it")
 
 
 if __name__ == "__main__":

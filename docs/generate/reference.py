@@ -10,6 +10,8 @@ import re
 import subprocess
 import sys
 
+from settle import settle
+
 HEAD = "<!-- Made by docs/generate/reference.py; do not edit. -->\n"
 SECTIONS = (("bearing.", "Bearing", "In a bearing file without `bearing.`; in a scene under `[bearing]`."), ("load.", "Load", ""),
             ("excitation.", "Excitation", ""), ("model.", "Finite-element model", ""), ("reduced.", "Reduced model", ""),
@@ -115,21 +117,13 @@ PAGES = {"keys.md": keys_page, "verbs.md": verbs_page, "verbs-results.md": resul
 
 def main(program, *options):
     command, folder = Command(program), pathlib.Path(__file__).resolve().parents[1] / "reference"
-    folder.mkdir(exist_ok=True)
-    light = command.text("run", "--help") is None
-    different = []
+    light, made = command.text("run", "--help") is None, {}
     for name, page in PAGES.items():
         if light and name.startswith("verbs") and "--check" in options:
             print(f"{name} is not checked: this build has no finite-element side")
             continue
-        text = HEAD + page(command)
-        if "--check" not in options:
-            (folder / name).write_text(text, encoding="utf-8")
-        elif not (folder / name).is_file() or (folder / name).read_text(encoding="utf-8") != text:
-            different.append(name)
-    if different:
-        print(f"docs/reference/{', '.join(different)} is not what the command says; run docs/generate/reference.py")
-    return 1 if different else 0
+        made[folder / name] = HEAD + page(command)
+    return settle(made, options, "the command says; run docs/generate/reference.py")
 
 
 if __name__ == "__main__":

@@ -7,6 +7,8 @@ import json
 import pathlib
 import sys
 
+from settle import settle
+
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 HEAD = "<!-- Made by docs/generate/results.py; do not edit. -->\n"
 
@@ -119,18 +121,8 @@ def pages():
 
 
 def main(*options):
-    folder = ROOT / "docs" / "results"
-    folder.mkdir(exist_ok=True)
-    different = []
-    for name, page in pages().items():
-        text = HEAD + page
-        if "--check" not in options:
-            (folder / name).write_text(text, encoding="utf-8")
-        elif not (folder / name).is_file() or (folder / name).read_text(encoding="utf-8") != text:
-            different.append(name)
-    if different:
-        print(f"docs/results/{', '.join(different)} is not what the tables say; run docs/generate/results.py")
-    return 1 if different else 0
+    made = {ROOT / "docs" / "results" / name: HEAD + page for name, page in pages().items()}
+    return settle(made, options, "the tables say; run docs/generate/results.py")
 
 
 if __name__ == "__main__":
