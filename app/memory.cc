@@ -1,9 +1,9 @@
 #include "app/memory.h"
 
+#include "files/address_space.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <fstream>
-#include <sys/resource.h>
 
 namespace rimpact::app {
 
@@ -13,11 +13,7 @@ std::optional<double> available_memory() {
   double kilobytes = 0;
   for (std::string word; file >> word;)
     if (word == "MemAvailable:" && file >> kilobytes) available = 1024 * kilobytes;
-  rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) {
-    const auto own = static_cast<double>(limit.rlim_cur);
-    available = available ? std::min(*available, own) : own;
-  }
+  if (const auto own = address_space_limit()) available = std::min(available.value_or(*own), *own);
   return available;
 }
 

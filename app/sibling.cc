@@ -1,5 +1,6 @@
 #include "app/sibling.h"
 
+#include "files/address_space.h"
 #include "files/data_folder.h"
 #include "files/error.h"
 #include <csignal>
@@ -8,7 +9,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <sys/prctl.h>
-#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -30,15 +30,16 @@ void redirect(const std::string &path, int descriptor) {
   if (file < 0 || dup2(file, descriptor) < 0) _exit(static_cast<int>(ExitCode::io));
 }
 
-/// Below it MPI, OpenBLAS and HDF5 stop without a sentence, or wait for threads they could not start.
-constexpr rlim_t least_address_space = 900ULL << 20;
+/// [MB]; below it MPI, OpenBLAS and HDF5 stop without a sentence, or wait for threads they could not start.
+constexpr double least_address_space = 900;
 
 void need_address_space() {
-  rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur >= least_address_space) return;
+  constexpr double MB = 1 << 20;
+  const auto limit = address_space_limit();
+  if (!limit || *limit >= least_address_space * MB) return;
   throw SolverStopped(
-      fmt::format("the limit of this process's address space (ulimit -v) is {} MB; finite elements need {} MB",
-                  limit.rlim_cur >> 20, least_address_space >> 20));
+      fmt::format("the limit of this process's address space (ulimit -v) is {:.0f} MB; finite elements need {:.0f} MB",
+                  *limit / MB, least_address_space));
 }
 
 } // namespace

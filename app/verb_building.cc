@@ -67,19 +67,17 @@ struct BuildingOptions {
   bool picture = false;
 };
 
+/// Of a frame's table in a run's folder, as the identity names it.
+std::string path_of_table(const std::string &folder, const std::string &name) {
+  return std::filesystem::absolute(std::filesystem::path(folder) / name).string();
+}
+
 /// Beside what the scene reads: the frame as its tables stand in the folder, and every bearing of its own, by contents.
 Identity identity_of_building(const scene::Scene &scene, const buildings::Frame &frame,
                               const std::vector<scene::Scene> &bearings, const std::string &folder) {
-  namespace fs = std::filesystem;
   Identity identity = identity_of(scene);
-  const fs::path aside = fs::path(folder) / ".frame"; // the folder may still hold another building's tables
-  std::error_code failure;
-  fs::create_directories(aside, failure);
-  if (failure) throw IoError(fmt::format("{}: {}", aside.string(), failure.message()));
-  buildings::write_tables(frame, aside.string());
-  for (const char *name : {"nodes.csv", "elements.csv", "diaphragms.csv"})
-    identity.inputs[fs::absolute(fs::path(folder) / name).string()] = sha256_of_file((aside / name).string());
-  fs::remove_all(aside, failure);
+  for (const auto &[name, text] : buildings::tables_of(frame))
+    identity.inputs[path_of_table(folder, name)] = sha256(text);
   const std::string common = to_toml(scene);
   for (std::size_t b = 0; b < bearings.size(); ++b)
     if (const std::string own = to_toml(bearings[b]); own != common)
@@ -88,7 +86,7 @@ Identity identity_of_building(const scene::Scene &scene, const buildings::Frame 
 }
 
 /// A folder holds one building: another one's run is not written over it.
-void require_same_building(const std::string &folder, const Identity &now, bool force) {
+void require_same_building(const std::string &folder, const buildings::Frame &frame, bool force) {
   const auto path = std::filesystem::path(folder) / "summary.json";
   std::error_code none;
   if (force || !std::filesystem::exists(path, none)) return;
@@ -96,13 +94,11 @@ void require_same_building(const std::string &folder, const Identity &now, bool 
   if (!kept.is_object() || !kept.contains("identity")) return;
   const auto there = identity_from(kept["identity"]);
   if (!there) return;
-  for (const auto &[name, hash] : now.inputs) {
-    const auto old = there->inputs.find(name);
-    const auto file = std::filesystem::path(name).filename().string();
-    const bool of_frame = file == "nodes.csv" || file == "elements.csv" || file == "diaphragms.csv";
-    if (of_frame && old != there->inputs.end() && old->second != hash)
+  for (const auto &[name, text] : buildings::tables_of(frame)) {
+    const auto old = there->inputs.find(path_of_table(folder, name));
+    if (old != there->inputs.end() && old->second != sha256(text))
       throw InputError(
-          fmt::format("{} holds a run of another building: its {} differs; --force replaces it", folder, file));
+          fmt::format("{} holds a run of another building: its {} differs; --force replaces it", folder, name));
   }
 }
 
@@ -125,7 +121,7 @@ void run_building(const BuildingOptions &options, Console &console) {
   const std::string folder = options.folder.empty() ? default_folder(scene.name + "-" + frame.name) : options.folder;
   const auto claim = claim_for_run({.given = options.scene, .folder = folder, .force = console.force}, scene, console);
   const Identity identity = identity_of_building(scene, frame, bearings, folder);
-  require_same_building(folder, identity, console.force);
+  require_same_building(folder, frame, console.force);
   auto result = buildings::simulate_whole(frame, scene, bearings, 1e-3 * options.vtk_step);
   auto &run = result.run;
   run.summary.extra["building"]["name"] = frame.name;

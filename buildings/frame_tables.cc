@@ -10,7 +10,7 @@
 
 namespace rimpact::buildings {
 
-void write_tables(const Frame &f, const std::string &folder) {
+std::map<std::string, std::string> tables_of(const Frame &f) {
   std::vector<int> owner(f.nodes.size(), 0);
   std::string slabs = "diaphragm,mass_kg,x_m,y_m,inertia_kg_m2\n",
               nodes = "node,x_m,y_m,z_m,diaphragm,vertical_mass_kg,bearing\n",
@@ -32,9 +32,11 @@ void write_tables(const Frame &f, const std::string &folder) {
                             e + 1, m.i + 1, m.j + 1, s.E, s.G, s.area, s.Iy, s.Iz, s.torsion, s.shear_y, s.shear_z,
                             m.up.x(), m.up.y(), m.up.z());
   }
-  write_atomically(nodes, folder + "/nodes.csv");
-  write_atomically(elements, folder + "/elements.csv");
-  write_atomically(slabs, folder + "/diaphragms.csv");
+  return {{"nodes.csv", nodes}, {"elements.csv", elements}, {"diaphragms.csv", slabs}};
+}
+
+void write_tables(const Frame &frame, const std::string &folder) {
+  for (const auto &[name, text] : tables_of(frame)) write_atomically(text, folder + "/" + name);
 }
 
 namespace {

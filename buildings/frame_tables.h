@@ -5,10 +5,13 @@
 /// `bearing`: 0 none, 1 the scene's, else the name or file of its own.
 #pragma once
 #include "buildings/frame.h"
+#include <map>
 
 namespace rimpact::buildings {
 
-/// nodes.csv, elements.csv and diaphragms.csv in an existing folder, 17 digits. Throws IoError.
+/// The texts of nodes.csv, elements.csv and diaphragms.csv, by name, 17 digits.
+std::map<std::string, std::string> tables_of(const Frame &frame);
+/// These in an existing folder. Throws IoError.
 void write_tables(const Frame &frame, const std::string &folder);
 /// Columns by name, in any order; members of equal numbers share a section; damping 0.02. Throws DataError with file,
 /// line and value. Whether the frame stands is asked later (Frame::validate).
