@@ -8,8 +8,6 @@ std::string ProgressInWords::of(const fe::Progress &p) {
   using enum scene::ExcitationKind;
   if (p.gap != last_gap_) springing_back_ = p.gap > last_gap_;
   last_gap_ = p.gap;
-  if (kind_ == push && p.phase == "push")
-    return fmt::format("{:.0f} % of the push, {:.0f} kN", 100 * p.time / p.end_time, 1e-3 * p.force);
   const bool in_time = kind_ != push && kind_ != cyclic && kind_ != figure_eight;
   const std::string when = kind_ == window ? ""
                            : in_time       ? fmt::format(", {:.2f} of {:.4g} s", p.time, p.end_time)

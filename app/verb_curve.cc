@@ -1,7 +1,7 @@
 // rimpact curve [BEARING]: the rim's quasi-static force curve with unloadings, flown by impact_law = "curve".
 #include "app/progress.h"
 #include "app/verb.h"
-#include "fe_contact/drive/rim_curve_push.h"
+#include "fe_contact/drive/curve_push.h"
 #include "files/file.h"
 #include "files/json_text.h"
 #include "scene/scene.h"

@@ -140,7 +140,7 @@ void add_run(CLI::App &app, Console &console) {
       ->check(CLI::Range(0.01, 1e6));
   verb->add_option_function<int>(
       "--ranks", [](int) { throw InputError("--ranks is for rimpact, which starts rimpact-fe on them"); },
-      "so many processes share the run (rungs rigid-dish and full)");
+      "so many processes share the run; the dear rungs gain by it");
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);

@@ -11,9 +11,8 @@
 
 namespace rimpact::fe {
 
-void write_fields(const ContactSystem &system, const SystemState &state, const Eigen::VectorXd &displacements,
-                  const std::string &kind, double time, const RunOptions &options, RunRecord &record,
-                  std::optional<double> direction) {
+void write_fields(const BearingSystem &system, const SystemState &state, const Eigen::VectorXd &displacements,
+                  double time, const RunOptions &options, RunRecord &record, std::optional<double> direction) {
   if (!options.keeps_fields()) return;
   const Discretisation &space = system.space();
   SolidFields cells = system.solid().fields(displacements, state.history);
@@ -23,7 +22,7 @@ void write_fields(const ContactSystem &system, const SystemState &state, const E
   for (double &value : pressure) value *= 1e-6;
   for (double &value : gap) value = std::isfinite(value) ? 1e3 * value : 0;
   for (double &value : cells.von_mises) value *= 1e-6;
-  const auto name = fmt::format("fields/{}_{:03d}.vtu", kind, record.fields.size());
+  const auto name = fmt::format("fields/{}_{:03d}.vtu", system.model().rung.name, record.fields.size());
   std::filesystem::create_directories(options.folder + "/fields");
   std::vector<Discretisation::Field> fields{{"displacement", 3, false, list(displacements)},
                                             {"contact_pressure_MPa", 1, false, pressure},

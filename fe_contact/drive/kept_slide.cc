@@ -45,7 +45,7 @@ KeptSlide::KeptSlide(const scene::Scene &scene, const planning::Plan &plan, cons
   writes_ = options.keeps_files();
 }
 
-bool KeptSlide::take(const StackSystem &system, SystemState &state, TopDrive &drive, double &rest_height) const {
+bool KeptSlide::take(const BearingSystem &system, SystemState &state, TopDrive &drive, double &rest_height) const {
   bool whole = false;
   std::error_code none;
   if (!path_.empty() && fs::is_regular_file(path_, none)) {
@@ -55,10 +55,10 @@ bool KeptSlide::take(const StackSystem &system, SystemState &state, TopDrive &dr
       whole = file.text("key") == key_;
       if (whole) {
         get(file, kept);
-        const auto &way = file.field("way", 2);
+        const auto &way = file.field("way", 3);
         const double height = file.number("rest_height");
         drive.last_change = vector(file.field("drive_change", std::size_t(system.equations().n)));
-        drive.last_way = {way[0], way[1]};
+        drive.last_way = {way[0], way[1], way[2]};
         state = kept;
         rest_height = height;
       }
@@ -75,7 +75,7 @@ void KeptSlide::keep(const SystemState &state, const TopDrive &drive, double res
   file.texts["key"] = key_;
   put(file, state);
   file.numbers["drive_change"] = list(drive.last_change);
-  file.numbers["way"] = {drive.last_way.x(), drive.last_way.y()};
+  file.numbers["way"] = {drive.last_way.x(), drive.last_way.y(), drive.last_way.z()};
   file.numbers["rest_height"] = {rest_height};
   std::error_code failed;
   fs::create_directories(fs::path(path_).parent_path(), failed);

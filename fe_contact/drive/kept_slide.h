@@ -1,8 +1,9 @@
-/// The stack slid out quasi-statically to just short of the rim, under its dead load: the same for every window of one
-/// bearing, mesh and direction, whatever its speed. It is kept beside the results, in the folder `slid-out` next to the
-/// run's, and taken from there only where everything that shapes it is the same, the program included.
+/// The bearing slid out quasi-statically to just short of the rim, under its dead load: the same for every window of
+/// one bearing, mesh and direction, whatever its speed. It is kept beside the results, in the folder `slid-out` next to
+/// the run's, and taken from there only where everything that shapes it is the same, the program included.
 #pragma once
-#include "fe_contact/drive/stack_drive.h"
+#include "fe_contact/drive/top_drive.h"
+#include "planning/plan.h"
 
 namespace rimpact::fe {
 
@@ -15,7 +16,7 @@ public:
 
   /// Into a state of the same system, the drive that brought it there, and the top face's height at rest on the vertex
   /// [m]. False: none is kept, or it is not whole.
-  bool take(const StackSystem &system, SystemState &state, TopDrive &drive, double &rest_height) const;
+  bool take(const BearingSystem &system, SystemState &state, TopDrive &drive, double &rest_height) const;
   /// Throws IoError.
   void keep(const SystemState &state, const TopDrive &drive, double rest_height) const;
   /// Its file; empty: none.

@@ -2,12 +2,13 @@
 #include "fe_contact/drive/run.h"
 
 #include "fe_contact/drive/fields.h"
+#include "fe_contact/drive/flight_run.h"
 #include "fe_contact/drive/memory_limit.h"
+#include "fe_contact/drive/order.h"
+#include "fe_contact/drive/path_run.h"
 #include "fe_contact/drive/record_checkpoint.h"
-#include "fe_contact/drive/rim_run.h"
+#include "fe_contact/drive/sliding_run.h"
 #include "fe_contact/drive/solver_counts.h"
-#include "fe_contact/drive/stack_drive.h"
-#include "fe_contact/drive/stack_run.h"
 #include "fe_contact/solver/ranks.h"
 #include "files/error.h"
 #include "responses/identity.h"
@@ -53,8 +54,7 @@ Summary summarise(const scene::Scene &scene, const RunRecord &record) {
 } // namespace
 
 meshes::HexMesh mesh_of(const scene::Scene &scene, const planning::Plan &plan) {
-  if (scene.model.rung == "rim") return meshes::rim_mesh(scene.bearing, rim_mesh_options(scene, plan));
-  return meshes::stack_mesh(scene.bearing, stack_mesh_options(scene, plan));
+  return rung_of(scene.model.rung).mesh(scene.bearing, mesh_order(scene, plan));
 }
 
 bool is_first_rank() {
@@ -75,33 +75,20 @@ void check_supported(const scene::Scene &scene) {
 
 namespace {
 
-/// Whether the run goes on from the folder's checkpoint. Where the checkpoint holds nothing but the beginning, or the
-/// rung keeps none, it starts afresh, and says so.
-bool goes_on(const scene::Scene &scene, const RunOptions &options, const RunRecord &record) {
+/// Whether the run goes on from the folder's checkpoint. Where the checkpoint holds nothing but the beginning it starts
+/// afresh, and says so.
+bool goes_on(const RunOptions &options, const RunRecord &record) {
   if (!options.resume) return false;
-  const bool begun = has_only_begun(kept_checkpoint(options, record)),
-             push = scene.model.rung == "rim" && scene.excitation.kind == scene::ExcitationKind::push;
-  if (begun && options.remark)
-    options.remark(push ? "a push on rung rim keeps no checkpoint on its way: it starts afresh"
-                        : "the run was ended before its first checkpoint: it starts afresh");
+  const bool begun = has_only_begun(kept_checkpoint(options, record));
+  if (begun && options.remark) options.remark("the run was ended before its first checkpoint: it starts afresh");
   return !begun;
 }
 
-void run_rung(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options, RunRecord &record) {
-  if (scene.model.rung != "rim")
-    return (scene.excitation.is_dynamic() ? run_stack_dynamic : run_stack_static)(scene, plan, options, record);
-  const RimModel model(scene.bearing, rim_mesh_options(scene, plan), scene.model.penalty_scale);
-  RimSystem system(model, scene.load.mass);
-  record.n_dofs = system.equations().n;
-  run_counted(
-      record,
-      [&] {
-        if (scene.excitation.kind == scene::ExcitationKind::push)
-          run_rim_push(scene, options, system, record);
-        else
-          run_rim_dynamic(scene, plan, options, system, record);
-      },
-      [&] { return system.time_split; }, [&] { return system.work; });
+void run_rung(const Rung &rung, const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
+              RunRecord &record) {
+  const bool in_time = scene.excitation.is_dynamic();
+  const auto drive = !in_time ? run_path : rung.dish == DishKind::law ? run_flights : run_sliding;
+  drive(rung, scene, plan, options, record);
 }
 
 } // namespace
@@ -109,10 +96,6 @@ void run_rung(const scene::Scene &scene, const planning::Plan &plan, const RunOp
 Summary run(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &given) {
   check_supported(scene);
   RunOptions options = given;
-  const bool on_its_own = scene.model.rung == "rim"; // too small to be shared: the first rank's work
-  if (on_its_own && !options.writes) return {};
-  std::optional<OnOneRank> alone;
-  if (on_its_own) alone.emplace();
   RunRecord record;
   record.identity = to_json(identity_of(scene));
   std::exception_ptr failure;
@@ -120,11 +103,11 @@ Summary run(const scene::Scene &scene, const planning::Plan &plan, const RunOpti
   std::error_code failed;
   if (options.writes) std::filesystem::create_directories(options.folder, failed);
   if (failed) throw IoError("cannot make the run folder " + options.folder + ": " + failed.message());
-  options.resume = goes_on(scene, options, record);
+  options.resume = goes_on(options, record);
   if (!options.resume) begin_checkpoint(options, record);
   try {
     need_memory(plan.expected_memory_bytes);
-    run_rung(scene, plan, options, record);
+    run_rung(rung_of(scene.model.rung), scene, plan, options, record);
   } catch (const Interrupted &error) {
     status = "interrupted";
     reason = error.what();

@@ -1,4 +1,4 @@
-"""What --resume does with a finished run, an early end, and damaged checkpoints: rung rim. (Rung rigid-dish: test_stack_checkpoints.py.)"""
+"""What --resume does with a finished run, an early end, and damaged checkpoints: rung rim. (Rung rigid-dish: test_dish_checkpoints.py.)"""
 import hashlib
 import json
 import os
@@ -117,13 +117,15 @@ class Rim(unittest.TestCase):
         self.assertEqual(run.returncode, 3)
         self.assertIn("belongs to another run: the scene changed", run.stderr)
 
-    def test_a_push_starts_afresh_and_says_so(self):
-        push = ["run", "rim-push", "--mesh", "0", "--set", "excitation.travel_mm=0.5"]
-        folder = os.path.join(self.temporary.name, "push")
-        until(folder, lambda place: os.path.exists(os.path.join(place, "checkpoint.h5")), *push, end=signal.SIGKILL)
-        run = rimpact(*push, "-o", folder, "--resume")
+    def test_a_killed_push_goes_on_to_the_last_bit(self):
+        push = ["run", "rim-push", "--mesh", "0", "--no-fields", "--quiet", "--set", "excitation.travel_mm=0.5"]
+        whole, killed = (os.path.join(self.temporary.name, name) for name in ("push-whole", "push-killed"))
+        self.assertEqual(rimpact(*push, "-o", whole).returncode, 0)
+        until(killed, lambda place: steps_kept(place, 10), *push, end=signal.SIGKILL)
+        self.assertFalse(os.path.exists(os.path.join(killed, "summary.json")))
+        run = rimpact(*push, "-o", killed, "--resume")
         self.assertEqual(run.returncode, 0, run.stderr)
-        self.assertIn("keeps no checkpoint", run.stderr)
+        self.assertEqual(contents(killed)["response.csv"], contents(whole)["response.csv"])
 
     def test_every_damaged_byte_is_found(self):
         with open(os.path.join(self.half, "checkpoint.h5"), "rb") as file:

@@ -11,8 +11,8 @@ import h5py
 from command import rimpact
 
 # A millisecond behind the touch: what is compared is the way there and the first contact.
-WINDOW = ["run", "impact-window", "--rung", "rigid-dish", "--set", "model.mesh=0", "--set", "excitation.duration_s=0.001", "--no-fields",
-          "--quiet"]
+WINDOW = ["run", "impact-window", "--rung", "rigid-dish", "--set", "model.mesh=0", "--set", "excitation.duration_s=0.001",
+          "--set", 'excitation.with=["weight","friction"]', "--no-fields", "--quiet"]
 
 
 def run(folder, speed, *more):

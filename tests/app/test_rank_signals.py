@@ -1,5 +1,5 @@
 """`run --ranks N`: what ends one process ends all ranks in order, with exit code 130 (RIMPACT in the environment). A program
-that notes what it hears stands in for rimpact-fe; test_stack_ranks.py has the real one."""
+that notes what it hears stands in for rimpact-fe; test_dish_ranks.py has the real one."""
 import os
 import pathlib
 import shutil

@@ -1,5 +1,5 @@
 // What acts on the mass of rung rim beside the rim: derivatives against differences, and a dish that does not ring.
-#include "fe_contact/drive/rim_run.h"
+#include "fe_contact/drive/order.h"
 #include "fe_contact/rungs/mass_loads.h"
 #include <gtest/gtest.h>
 
@@ -37,8 +37,8 @@ TEST_F(MassOnTheDish, DerivativesAreThoseOfTheConstraintAndTheForce) {
 }
 
 TEST_F(MassOnTheDish, AShortStepFromMicronsBelowTheDishNeedsNoMoreThanTheWeight) {
-  const RimModel parts(scene.bearing, {}, 1, 1);
-  RimSystem system(parts, scene.load.mass);
+  const BearingModel parts(rungs::rim, scene.bearing, {}, {.degree = 1});
+  BearingSystem system(parts, scene.load.mass);
   const RimFrame ahead{0, frame.lateral_capacity, frame.touch_height};
   const double x = scene.lateral_capacity() - 0.02; // well before the rim
   const auto surface = model.height(x, 0);
@@ -50,7 +50,7 @@ TEST_F(MassOnTheDish, AShortStepFromMicronsBelowTheDishNeedsNoMoreThanTheWeight)
   terms.dt = 1e-5;
   terms.remote = &remote;
   for (int k = 0; k < 4; ++k) {
-    const ContactStepReport report = time_step(system, state, terms, rim_step_options(scene));
+    const ContactStepReport report = time_step(system, state, terms, step_options(rungs::rim, scene));
     ASSERT_TRUE(report.converged) << report.reason;
     remote.multiplier = report.multiplier;
     EXPECT_GT(remote.multiplier, 0);

@@ -2,7 +2,7 @@
 // materials, contacts with friction, weight. The stack is placed `before` short of the rim, tilted as the dish is, set
 // down, loaded, and slid on into the rim. Units: mm, N, MPa; half model, so that forces in the .dat file are half.
 #include "../../benchmarks/peers/rim_calculix/ccx_deck.h"
-#include "fe_contact/drive/stack_drive.h"
+#include "fe_contact/drive/run.h"
 #include "files/error.h"
 #include "planning/plan.h"
 #include "scene/scene.h"
@@ -92,8 +92,7 @@ void write(const Settings &settings) {
   scene.model.rung = "full";
   const planning::Plan plan = planning::make_plan(scene);
   if (!plan.half) throw InputError("the deck is that of rung full's symmetric half");
-  const auto options = fe::stack_mesh_options(scene, plan);
-  meshes::HexMesh mesh = meshes::stack_mesh(scene.bearing, options);
+  meshes::HexMesh mesh = fe::mesh_of(scene, plan);
   place(mesh, scene.bearing, scene.bearing.lateral_capacity() - settings.before, settings.first_sinking);
   const DeckMesh deck(mesh, 20);
   const std::set<unsigned> top = deck.nodes_of(Surface::top);
@@ -108,7 +107,8 @@ void write(const Settings &settings) {
   const std::string held = "*BOUNDARY, OP=NEW\nFIXED, 1, 3\nSYMMETRY, 2, 2\nTOP, 2, 2\n";
 
   std::ofstream file(settings.file);
-  file << "*HEADING\npush of the whole bearing " << b.name << ", mesh " << options.level << ", half model; mm, N, MPa\n"
+  file << "*HEADING\npush of the whole bearing " << b.name << ", mesh " << scene.model.mesh
+       << ", half model; mm, N, MPa\n"
        << deck.nodes_and_elements("C3D20R") << springs(mesh, deck.nodes_of(Volume::foot), mesh.cells.size() + 1)
        << node_set("FIXED", fixed) << node_set("TOP", top) << node_set("TOP_ONE", {*top.begin()})
        << node_set("SYMMETRY", symmetry);

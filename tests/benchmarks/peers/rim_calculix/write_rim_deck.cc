@@ -2,8 +2,9 @@
 // (27-node cells reduced to ccx's), material, mass and boundary conditions as fe_contact/drive/rim_push.cc and
 // rim_system.cc. Units: mm, N, MPa, t, s. The half model is written: forces in the .dat file are half of the bearing's.
 #include "ccx_deck.h"
-#include "fe_contact/drive/rim_run.h"
+#include "fe_contact/drive/order.h"
 #include "fe_contact/engine/solid.h"
+#include "fe_contact/rungs/rim.h"
 #include "files/error.h"
 #include "meshes/rim_mesh.h"
 #include "planning/plan.h"
@@ -105,7 +106,7 @@ std::string window(const scene::Scene &scene, const Settings &settings, const me
 void write(const Settings &settings) {
   const scene::Scene scene = scene::load_scene(settings.scene, settings.overrides);
   planning::Plan plan = planning::make_plan(scene);
-  const auto options = fe::rim_mesh_options(scene, plan);
+  const auto options = fe::rim_mesh_options(fe::mesh_order(scene, plan));
   if (!options.half) throw InputError("the deck is that of a symmetric half; leave model.symmetry at auto");
   const meshes::HexMesh mesh = meshes::rim_mesh(scene.bearing, options);
   const DeckMesh deck(mesh, settings.element.starts_with("C3D20") ? 20 : 8);

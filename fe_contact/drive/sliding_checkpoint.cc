@@ -1,11 +1,11 @@
 // What rung rigid-dish's dynamic run must remember to go on where it stopped.
 #include "fe_contact/drive/record_checkpoint.h"
-#include "fe_contact/drive/stack_dynamic.h"
+#include "fe_contact/drive/sliding_run.h"
 #include "fe_contact/drive/system_checkpoint.h"
 
 namespace rimpact::fe {
 
-void StackDynamic::save() const {
+void SlidingRun::save() const {
   if (!options_.keeps_files()) return;
   Checkpoint file;
   put(file, record_);
@@ -31,7 +31,7 @@ void StackDynamic::save() const {
   write_checkpoint(file, checkpoint_of(options_));
 }
 
-void StackDynamic::restore(const Checkpoint &file) {
+void SlidingRun::restore(const Checkpoint &file) {
   get(file, record_);
   const auto &s = file.field("stack", 12);
   if (s[0] < 0 || s[0] > end_time() + 1e-9 || s[1] < 0 || !flag.contains(s[2]) || !flag.contains(s[3]) ||

@@ -1,6 +1,6 @@
+#include "fe_contact/drive/flight_run.h"
 #include "fe_contact/drive/fields.h"
-#include "fe_contact/drive/rim_dynamic.h"
-#include "fe_contact/drive/sample_row.h"
+#include "fe_contact/drive/forces.h"
 #include "fe_contact/drive/solver_counts.h"
 
 #include "files/error.h"
@@ -17,7 +17,7 @@ constexpr double nearest_look = 1e-3;      ///< a dented arc's true gap is compu
 
 } // namespace
 
-void DynamicRun::run() {
+void FlightRun::run() {
   if (options_.resume)
     restore();
   else
@@ -31,27 +31,27 @@ void DynamicRun::run() {
   finish();
 }
 
-void DynamicRun::start() {
+void FlightRun::start() {
   record_.ledger.initial = 0.5 * scene_.load.mass * bearing_.v.squaredNorm();
   record_.ledger.largest_input = record_.ledger.initial;
   record_.ledger.kinetic = record_.ledger.initial;
 }
 
-double DynamicRun::wall_gap(const Eigen::Vector3d &u) const {
+double FlightRun::wall_gap(const Eigen::Vector3d &u) const {
   const double plain = capacity() - u.head<2>().norm();
   if (plain > nearest_look) return plain;
   const Arc *arc = arc_at(u);
   return arc && arc->yielded ? system_.wall_gap(arc->state, arc->frame.master(u)) : plain;
 }
 
-const Arc *DynamicRun::arc_at(const Eigen::Vector3d &u) const {
+const Arc *FlightRun::arc_at(const Eigen::Vector3d &u) const {
   const double direction = std::atan2(u.y(), u.x());
   for (const auto &arc : arcs_)
     if (std::abs(std::remainder(direction - arc.frame.direction, 2 * M_PI)) < arc_width) return &arc;
   return nullptr;
 }
 
-Arc &DynamicRun::touched_arc() {
+Arc &FlightRun::touched_arc() {
   if (in_contact_) return arcs_[current_];
   if (const Arc *known = arc_at(bearing_.u)) {
     current_ = known - arcs_.data();
@@ -67,7 +67,7 @@ Arc &DynamicRun::touched_arc() {
   return arcs_.back();
 }
 
-bool DynamicRun::fly() {
+bool FlightRun::fly() {
   if (window() && bearing_.t == 0) return true; // a window starts at touch
   const auto stop = [this](const Eigen::Vector3d &u) { return wall_gap(u); };
   const double chunk = 0.25; // for progress and Ctrl-C [s]
@@ -84,8 +84,7 @@ bool DynamicRun::fly() {
   return false;
 }
 
-reduced::FlightEnd DynamicRun::reduced_flight(double t_end,
-                                              const std::function<double(const Eigen::Vector3d &)> &stop) {
+reduced::FlightEnd FlightRun::reduced_flight(double t_end, const std::function<double(const Eigen::Vector3d &)> &stop) {
   try {
     const auto end = model_.fly(bearing_, t_end, stop, record_.response, record_.ledger);
     pad_fe_signals();
@@ -96,7 +95,7 @@ reduced::FlightEnd DynamicRun::reduced_flight(double t_end,
   }
 }
 
-void DynamicRun::pad_fe_signals() {
+void FlightRun::pad_fe_signals() {
   double strain = 0;
   for (const auto &arc : arcs_) strain = std::max(strain, largest_plastic_strain(arc.state.history));
   auto &r = record_.response;
@@ -114,21 +113,20 @@ void DynamicRun::pad_fe_signals() {
     step.push_back(k > 0 ? r.series("time")[k] - r.series("time")[k - 1] : 0.0);
 }
 
-void DynamicRun::sample(const Arc &arc, int iterations, const MassForces &forces, double dt) {
-  const Eigen::Vector3d impact = arc.frame.to_global(system_.wall_force(arc.state));
-  const SurfaceContactReport &wall = arc.state.reports[0];
-  append(record_, {bearing_.t, bearing_.u, bearing_.v, forces.pendular + forces.friction + impact, forces.pendular,
-                   forces.friction, impact, std::max(0.0, forces.normal), capacity() - bearing_.u.head<2>().norm(),
-                   std::min(wall.smallest_gap, no_gap), largest_plastic_strain(arc.state.history),
-                   wall.largest_pressure, iterations, dt});
+void FlightRun::sample(const Arc &arc, int iterations, const MassForces &forces, double dt) {
+  const Eigen::Vector3d rim = arc.frame.to_global(system_.force_of(arc.state, Role::wall));
+  fe::sample(record_, system_, arc.state,
+             {bearing_.t, bearing_.u, bearing_.v,
+              BearingForces{forces.pendular, forces.friction, rim, std::max(0.0, forces.normal)},
+              capacity() - bearing_.u.head<2>().norm(), iterations, dt});
 }
 
-void DynamicRun::write_fields(const Arc &arc) {
-  fe::write_fields(system_, arc.state, system_.expand(arc.state), "rim", bearing_.t, options_, record_,
+void FlightRun::write_fields(const Arc &arc) {
+  fe::write_fields(system_, arc.state, system_.expand(arc.state), bearing_.t, options_, record_,
                    arc.frame.direction * 180 / M_PI);
 }
 
-void DynamicRun::finish() {
+void FlightRun::finish() {
   if (in_contact_) write_fields(arcs_[current_]);
   if (in_contact_ && touched_) {
     impact_.rebound_speed = -radial_speed(); // the scene's end, not the rim's
@@ -138,31 +136,14 @@ void DynamicRun::finish() {
   save();
 }
 
-meshes::RimMeshOptions rim_mesh_options(const scene::Scene &scene, const planning::Plan &plan) {
-  meshes::RimMeshOptions mesh;
-  mesh.level = scene.model.mesh;
-  mesh.half = plan.half;
-  mesh.sector_half_angle = plan.sector_half_angle;
-  mesh.own = scene.model.own_mesh;
-  return mesh;
-}
-
-StepOptions rim_step_options(const scene::Scene &scene) {
-  StepOptions options;
-  options.newton.tolerance = 1e-5;
-  options.newton.max_iterations = 15;
-  options.newton.finest_forcing = 1e-6;
-  options.gap_tolerance = options.slip_tolerance = 3e-5;
-  options.max_augmentations = 3;
-  options.rho_inf = scene.model.rho_inf;
-  options.expects = true;
-
-  return options;
-}
-
-void run_rim_dynamic(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
-                     RimSystem &system, RunRecord &record) {
-  DynamicRun(scene, plan, options, system, record).run();
+void run_flights(const Rung &rung, const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
+                 RunRecord &record) {
+  const BearingModel model(rung, scene.bearing, mesh_order(scene, plan), model_options(scene));
+  BearingSystem system(model, scene.load.mass);
+  record.n_dofs = system.equations().n;
+  run_counted(
+      record, [&] { FlightRun(scene, plan, options, system, record).run(); }, [&] { return system.time_split; },
+      [&] { return system.work; });
 }
 
 } // namespace rimpact::fe

@@ -1,5 +1,5 @@
 // A dynamic run of rung rim while slider and rim touch: from the first overlap to the parts at rest after the release.
-#include "fe_contact/drive/rim_dynamic.h"
+#include "fe_contact/drive/flight_run.h"
 
 #include "files/error.h"
 #include <algorithm>
@@ -18,18 +18,18 @@ constexpr double folded_over = 20;       ///< times its thickness beyond L_c the
 constexpr double chatter_depth = 1e-4;   ///< nearer to L_c than this the walls may only have parted for an instant [m]
 
 /// By the walls' contact in the last step, of the model [J].
-double taken_by(const SystemState &state) {
-  return state.reports[0].normal_work + state.reports[0].friction_work;
+double taken_by(const SurfaceContactReport &wall) {
+  return wall.normal_work + wall.friction_work;
 }
 
 } // namespace
 
-MassForces DynamicRun::forces_now(const Arc &arc, double t) const {
+MassForces FlightRun::forces_now(const Arc &arc, double t) const {
   return loads_.forces(arc.frame.displacement(top_of(arc)), arc.frame.to_global(top_speed_of(arc)), t, support_,
                        multiplier_);
 }
 
-void DynamicRun::begin_contact(Arc &arc) {
+void FlightRun::begin_contact(Arc &arc) {
   lift_height_ = 0;
   if (support_ != Support::held) support_ = bearing_.airborne ? Support::airborne : Support::dish;
   const auto reduced = model_.forces(bearing_);
@@ -61,7 +61,7 @@ void DynamicRun::begin_contact(Arc &arc) {
   if (record_.response.size() == 0) sample(arc, 0, now, 0); // a window starts here
 }
 
-void DynamicRun::contact() {
+void FlightRun::contact() {
   Arc &arc = touched_arc();
   if (!in_contact_) begin_contact(arc);
   const double longest = plan_.step_in_contact;
@@ -76,7 +76,7 @@ void DynamicRun::contact() {
       report.reached, 1e6 * dt_, report.reason));
 }
 
-Attempt DynamicRun::attempt(Arc &arc, double t, double dt) {
+Attempt FlightRun::attempt(Arc &arc, double t, double dt) {
   if (is_interrupted(options_)) {
     dt_ = dt;
     save();
@@ -104,7 +104,7 @@ Attempt DynamicRun::attempt(Arc &arc, double t, double dt) {
   return {true, dt_, {}, ended};
 }
 
-bool DynamicRun::after_step(Arc &arc, const ContactStepReport &report) {
+bool FlightRun::after_step(Arc &arc, const ContactStepReport &report) {
   if (lifts_off(report)) {
     support_ = Support::airborne;
     multiplier_ = 0;
@@ -121,7 +121,7 @@ bool DynamicRun::after_step(Arc &arc, const ContactStepReport &report) {
   return true;
 }
 
-void DynamicRun::refuse_passage(double outward_speed, bool bears) {
+void FlightRun::refuse_passage(double outward_speed, bool bears) {
   const double depth = bearing_.u.head<2>().norm() - capacity(), thickness = scene_.bearing.rim.thickness;
   const bool folded = depth > folded_over * thickness;
   // In a history walls may part for an instant at first touch, the slider still coming on: it is touched again.
@@ -138,27 +138,27 @@ void DynamicRun::refuse_passage(double outward_speed, bool bears) {
                                   impact_.approach_speed));
 }
 
-bool DynamicRun::lifts_off(const ContactStepReport &report) const {
+bool FlightRun::lifts_off(const ContactStepReport &report) const {
   return support_ == Support::dish && report.multiplier < -smallest_pull * scene_.load.mass * scene_.load.gravity;
 }
 
-bool DynamicRun::lands(const Arc &arc) const {
+bool FlightRun::lands(const Arc &arc) const {
   return support_ == Support::airborne && height_above_dish(arc) < lift_height_ - deepest_landing;
 }
 
-double DynamicRun::height_above_dish(const Arc &arc) const {
+double FlightRun::height_above_dish(const Arc &arc) const {
   return loads_.height_above_dish(arc.frame.displacement(top_of(arc)));
 }
 
-bool DynamicRun::event_is_sharp(const Arc &arc, const ContactStepReport &report, double dt, double finest) {
+bool FlightRun::event_is_sharp(const Arc &arc, const ContactStepReport &report, double dt, double finest) {
   const bool release = touched_ && arc.state.bearing_points() == 0;
   if ((!lifts_off(report) && !lands(arc) && !release) || dt <= finest) return true;
   dt_ = dt / 4;
   return false;
 }
 
-bool DynamicRun::error_is_small(const Arc &arc, const SystemState &kept, const MassForces &before,
-                                const ContactStepReport &report, double dt) {
+bool FlightRun::error_is_small(const Arc &arc, const SystemState &kept, const MassForces &before,
+                               const ContactStepReport &report, double dt) {
   constexpr double displacement_tolerance = 2e-6; // [m] a step
   constexpr double energy_tolerance = 1.5e-5;     // of the largest input, a step
   const auto scheme = GeneralizedAlpha::from(scene_.model.rho_inf);
@@ -173,7 +173,7 @@ bool DynamicRun::error_is_small(const Arc &arc, const SystemState &kept, const M
                                  kept.energies.plastic);
   const double unbalanced = 0.5 * (before.total() + after.total()).dot(du) -
                             (share * (system_.kinetic_energy(arc.state) - system_.kinetic_energy(kept) +
-                                      taken_by(arc.state) + report.integrator_loss) +
+                                      taken_by(wall_of(arc)) + report.integrator_loss) +
                              stored);
   const double energy = std::abs(unbalanced) / (energy_tolerance * std::max(1.0, record_.ledger.largest_input));
   const double error = std::max(displacement, energy);
@@ -185,8 +185,8 @@ bool DynamicRun::error_is_small(const Arc &arc, const SystemState &kept, const M
   return true;
 }
 
-void DynamicRun::accept(Arc &arc, const SystemState &kept, const MassForces &before, const ContactStepReport &report,
-                        double dt) {
+void FlightRun::accept(Arc &arc, const SystemState &kept, const MassForces &before, const ContactStepReport &report,
+                       double dt) {
   ++record_.n_steps;
   record_.augmentation_caps += report.capped;
   bearing_.t += dt;
@@ -201,8 +201,8 @@ void DynamicRun::accept(Arc &arc, const SystemState &kept, const MassForces &bef
   ledger.friction -= 0.5 * (before.friction + after.friction).dot(du);
   ledger.elastic = others_elastic_ + system_.model().share() * arc.state.energies.elastic;
   ledger.plastic = others_plastic_ + system_.model().share() * arc.state.energies.plastic;
-  ledger.contact += share * arc.state.reports[0].normal_work;
-  ledger.friction += share * arc.state.reports[0].friction_work;
+  ledger.contact += share * wall_of(arc).normal_work;
+  ledger.friction += share * wall_of(arc).friction_work;
   ledger.integrator += share * report.integrator_loss;
   ledger.kinetic = share * system_.kinetic_energy(arc.state);
   ledger.largest_input = std::max(ledger.largest_input, ledger.initial + std::abs(ledger.external));
@@ -210,7 +210,7 @@ void DynamicRun::accept(Arc &arc, const SystemState &kept, const MassForces &bef
   bearing_.v = arc.frame.to_global(top_speed_of(arc));
   sample(arc, report.iterations, after, dt);
 
-  const double force = system_.wall_force(arc.state).head<2>().norm();
+  const double force = system_.force_of(arc.state, Role::wall).head<2>().norm();
   impact_.peak_force = std::max(impact_.peak_force, force);
   impact_.peak_penetration = std::max(impact_.peak_penetration, bearing_.u.head<2>().norm() - capacity());
   if (force > 0) impact_.release_time = bearing_.t;
@@ -225,7 +225,7 @@ void DynamicRun::accept(Arc &arc, const SystemState &kept, const MassForces &bef
         {bearing_.t, end_time(), dt, report.iterations, capacity() - bearing_.u.head<2>().norm(), force, "contact"});
 }
 
-void DynamicRun::land(Arc &arc) {
+void FlightRun::land(Arc &arc) {
   const Eigen::Vector3d n = loads_.normal(bearing_.u);
   const double approach = bearing_.v.dot(n);
   support_ = Support::dish;
@@ -237,7 +237,7 @@ void DynamicRun::land(Arc &arc) {
   bearing_.v = arc.frame.to_global(top_speed_of(arc));
 }
 
-void DynamicRun::end_contact(Arc &arc) {
+void FlightRun::end_contact(Arc &arc) {
   impact_.rebound_speed = -radial_speed();
   const double strained = system_.model().share() * (arc.state.energies.elastic + arc.state.energies.plastic);
   const double moving =

@@ -1,22 +1,32 @@
-/// The dynamic run of rungs rigid-dish and full. rigid-dish: the stack slides on the exact dish, and while the rim may
-/// be touched its solids join. full: everything is solid all the time. Private to the runner; see stack_run.h.
+/// Motion in time of a bearing that stands on its dish. Exact dish (rung rigid-dish): the stack slides on it, and while
+/// the rim may be touched its solids join. Solid dish (rung full): everything is solid all the time.
 #pragma once
 #include "fe_contact/drive/checkpoint.h"
-#include "fe_contact/drive/stack_drive.h"
-#include "fe_contact/drive/stack_recorder.h"
-#include "fe_contact/drive/stack_transfer.h"
+#include "fe_contact/drive/order.h"
+#include "fe_contact/drive/rim_hand_over.h"
+#include "fe_contact/drive/run_record.h"
 #include <optional>
 
 namespace rimpact::fe {
 
-class StackDynamic {
+/// Away from the rim, sliding [s].
+constexpr double longest_sliding_step = 0.01;
+/// A slower slider rests, if the scout has done sliding too; the stack rings with half of it [m/s].
+constexpr double sliding_speed = 1e-2;
+
+/// Runs a window, a pulse or a record into `record`. Throws SolverStopped or Interrupted with the record as it stands.
+void run_sliding(const Rung &rung, const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
+                 RunRecord &record);
+
+class SlidingRun {
 public:
-  StackDynamic(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options, RunRecord &record);
+  SlidingRun(const Rung &rung, const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
+             RunRecord &record);
   /// From the beginning, from a checkpoint whose sectors the plan has, or from where another one stands, whose plan has
   /// a sector less.
   void start();
   void restore(const Checkpoint &file);
-  void take_over(const StackDynamic &old);
+  void take_over(const SlidingRun &old);
   /// To the end, or to a place where the rim is not meshed, whose direction it returns [rad].
   std::optional<double> run();
   std::map<std::string, double> time_split() const;
@@ -24,9 +34,10 @@ public:
 
 private:
   double end_time() const { return scene_.excitation.duration; }
-  bool rim_is_solid() const { return near_rim_ || model_.full(); }
-  StackSystem &active() { return rim_is_solid() ? joined_ : alone_; }
-  const StackSystem &active() const { return rim_is_solid() ? joined_ : alone_; }
+  bool all_solid() const { return model_.rung.dish == DishKind::solid; }
+  bool rim_is_solid() const { return near_rim_ || all_solid(); }
+  BearingSystem &active() { return rim_is_solid() ? joined_ : alone_; }
+  const BearingSystem &active() const { return rim_is_solid() ? joined_ : alone_; }
   Eigen::VectorXd displacements() const; ///< by dof, the held rim's shape included
   Eigen::Vector3d travel() const;        ///< of the top face from rest on the vertex [m]
   double gap() const;                    ///< left of the lateral capacity [m]
@@ -36,12 +47,6 @@ private:
   bool touching() const;
   bool rests() const; ///< as the scout has for good
 
-  /// Quasi-static slide to just short of the rim, then the speed of a window's impact.
-  void come_to_rest();
-  void slide_out();
-  void slide_near(TopDrive &drive, double to);
-  /// Along the window's direction, from one distance from the vertex to another [m].
-  void slide_to(TopDrive &drive, double from, double to, double first, double longest, const Eigen::VectorXd &load);
   void march_on();
   Attempt attempt(double t, double dt);
   double longest_at_turn() const; ///< step [s]
@@ -56,6 +61,7 @@ private:
   void join();
   void part();
   Eigen::VectorXd load(double t) const;
+  void sample(int iterations, double dt);
   void write_fields();
   void save() const;
 
@@ -63,10 +69,9 @@ private:
   const planning::Plan plan_;
   const RunOptions &options_;
   RunRecord &record_;
-  StackModel model_;
-  StackSystem alone_;
-  StackSystem joined_;
-  StackRecorder recorder_;
+  BearingModel model_;
+  BearingSystem alone_;
+  BearingSystem joined_;
   scene::GroundMotion ground_;
   TransientOptions transient_;
   SystemState state_;

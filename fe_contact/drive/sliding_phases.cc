@@ -1,60 +1,60 @@
 // Where the slider is, its rim joining and leaving the equations, what an impact was, and the ledger over all of it.
-#include "fe_contact/drive/stack_dynamic.h"
+#include "fe_contact/drive/sliding_run.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace rimpact::fe {
 
-Eigen::VectorXd StackDynamic::displacements() const {
+Eigen::VectorXd SlidingRun::displacements() const {
   Eigen::VectorXd u = active().expand(state_);
   if (!rim_is_solid() && held_.displacement.size()) u += held_.displacement;
   return u;
 }
 
-Eigen::Vector3d StackDynamic::travel() const {
+Eigen::Vector3d SlidingRun::travel() const {
   return active().top_of(state_.u) - Eigen::Vector3d(0, 0, rest_height_);
 }
 
-double StackDynamic::gap() const {
+double SlidingRun::gap() const {
   return scene_.bearing.lateral_capacity() - travel().head<2>().norm();
 }
 
-double StackDynamic::wall_gap() const {
-  const double exact = rim_is_solid() ? state_.reports[StackSystem::rim].smallest_gap : gap();
+double SlidingRun::wall_gap() const {
+  const double exact = rim_is_solid() ? active().report_of(state_, Role::wall)->smallest_gap : gap();
   return std::isfinite(exact) ? exact : gap();
 }
 
-double StackDynamic::surface_gap() const {
+double SlidingRun::surface_gap() const {
   return touched_ ? wall_gap() : gap();
 }
 
-double StackDynamic::closing_speed() const {
+double SlidingRun::closing_speed() const {
   const Eigen::Vector2d u = travel().head<2>(), v = active().top_of(state_.v).head<2>();
   return u.norm() > 0 ? v.dot(u.normalized()) : 0;
 }
 
-bool StackDynamic::touching() const {
+bool SlidingRun::touching() const {
   if (!rim_is_solid()) return false;
-  const auto &wall = state_.reports[StackSystem::rim];
-  return wall.stick + wall.slip > 0;
+  const SurfaceContactReport *wall = active().report_of(state_, Role::wall);
+  return wall->stick + wall->slip > 0;
 }
 
-void StackDynamic::join() {
-  if (!model_.full()) state_ = joined_state(alone_, state_, held_, joined_);
+void SlidingRun::join() {
+  if (!all_solid()) state_ = joined_state(alone_, state_, held_, joined_);
   near_rim_ = true;
   touched_ = peak_written_ = false;
   report_.ledger.elastic = state_.energies.elastic;
   report_.ledger.plastic = state_.energies.plastic;
 }
 
-void StackDynamic::part() {
+void SlidingRun::part() {
   if (touched_) {
     record_.impacts.push_back(impact_);
     write_fields();
   }
   next_step_ = transient_.contact_step;
-  if (model_.full()) {
+  if (all_solid()) {
     near_rim_ = touched_ = false;
     return;
   }
@@ -69,8 +69,8 @@ void StackDynamic::part() {
   record_.ledger.kinetic = model_.share() * ledger.kinetic;
 }
 
-void StackDynamic::follow_impact(double t, double dt) {
-  const double force = forces_of(model_, state_).rim.head<2>().norm();
+void SlidingRun::follow_impact(double t, double dt) {
+  const double force = active().force_of(state_, Role::wall).head<2>().norm();
   if (force <= 0) return;
   const Eigen::Vector3d u = travel();
   if (!touched_) impact_ = {t - dt, t, std::atan2(u.y(), u.x()) * 180 / M_PI, closing_before_, 0, 0, 0};
@@ -85,7 +85,7 @@ void StackDynamic::follow_impact(double t, double dt) {
 }
 
 /// The model's ledger of the step becomes the whole bearing's.
-void StackDynamic::account() {
+void SlidingRun::account() {
   auto &ledger = record_.ledger;
   const auto &model = report_.ledger;
   const double share = model_.share();

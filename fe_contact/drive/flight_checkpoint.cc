@@ -1,6 +1,6 @@
 // What a dynamic run of rung rim keeps to go on after an interruption.
+#include "fe_contact/drive/flight_run.h"
 #include "fe_contact/drive/record_checkpoint.h"
-#include "fe_contact/drive/rim_dynamic.h"
 #include "fe_contact/drive/system_checkpoint.h"
 
 #include <cmath>
@@ -27,7 +27,7 @@ void get(const Checkpoint &file, const std::string &prefix, Arc &arc) {
 
 } // namespace
 
-void DynamicRun::save() {
+void FlightRun::save() {
   if (options_.folder.empty()) return;
   if (!arcs_.empty()) system_.start_afresh_at(arcs_[current_].state); // as the run that reads it will
   steps_kept_ = record_.n_steps;
@@ -46,7 +46,7 @@ void DynamicRun::save() {
   write_checkpoint(file, checkpoint_of(options_));
 }
 
-void DynamicRun::restore() {
+void FlightRun::restore() {
   const Checkpoint file = kept_checkpoint(options_, record_);
   get(file, record_);
   const auto &a = file.field("arcs", 5, count);

@@ -1,6 +1,6 @@
 /// Hands a state of the stack over when the rim joins or leaves the equations.
 #pragma once
-#include "fe_contact/rungs/stack.h"
+#include "fe_contact/rungs/bearing_model.h"
 
 namespace rimpact::fe {
 
@@ -11,9 +11,10 @@ struct HeldRim {
 };
 
 /// The stack's state with the rim at rest in its permanent shape.
-SystemState joined_state(const StackSystem &alone, const SystemState &state, const HeldRim &held, StackSystem &joined);
+SystemState joined_state(const BearingSystem &alone, const SystemState &state, const HeldRim &held,
+                         BearingSystem &joined);
 /// The stack's state without the rim, which stops where it is: its motion is lost. Fills `held`.
-SystemState parted_state(const StackModel &model, const StackSystem &joined, const SystemState &state,
-                         StackSystem &alone, HeldRim &held);
+SystemState parted_state(const BearingModel &model, const BearingSystem &joined, const SystemState &state,
+                         BearingSystem &alone, HeldRim &held);
 
 } // namespace rimpact::fe

@@ -1,17 +1,34 @@
-/// The dynamic run of rung rim as a state machine: flight (reduced model) and contact (solids), handing the
-/// mass over at touch and release. Private to the runner; see rim_run.h.
+/// Motion in time where the dish is a law: whole histories and windows of rung rim. Between impacts the reduced model
+/// flies; while the walls touch, the solids are stepped implicitly with the rest of the bearing acting on the slider's
+/// top face. The mass is handed over at touch and release. Each touched arc keeps its own yielded state.
 #pragma once
-#include "fe_contact/drive/rim_run.h"
+#include "fe_contact/drive/checkpoint.h"
+#include "fe_contact/drive/order.h"
+#include "fe_contact/drive/run_record.h"
+#include "fe_contact/rungs/mass_loads.h"
 
 namespace rimpact::fe {
 
-class DynamicRun {
+/// Runs a window, a pulse, a record or free motion into `record`. Throws SolverStopped or Interrupted with the record
+/// as it stands.
+void run_flights(const Rung &rung, const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
+                 RunRecord &record);
+
+/// One touched arc of the rim.
+struct Arc {
+  RimFrame frame;
+  SystemState state;
+  bool yielded = false;
+};
+
+class FlightRun {
 public:
-  DynamicRun(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options, RimSystem &system,
-             RunRecord &record)
-      : scene_(scene), plan_(plan), options_(options), system_(system), step_options_(rim_step_options(scene)),
-        record_(record), model_(scene), loads_(scene, model_), bearing_(model_.initial_state()),
-        support_(loads_.initial_support()), touch_height_(model_.height(scene.bearing.lateral_capacity(), 0).z) {}
+  FlightRun(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options, BearingSystem &system,
+            RunRecord &record)
+      : scene_(scene), plan_(plan), options_(options), system_(system),
+        step_options_(step_options(system.model().rung, scene)), record_(record), model_(scene), loads_(scene, model_),
+        bearing_(model_.initial_state()), support_(loads_.initial_support()),
+        touch_height_(model_.height(scene.bearing.lateral_capacity(), 0).z) {}
 
   void run();
 
@@ -56,6 +73,7 @@ private:
     return system_.top().of(arc.state.u);
   } ///< local, from first touch [m]
   Eigen::Vector3d top_speed_of(const Arc &arc) const { return system_.top().of(arc.state.v); } ///< [m/s]
+  const SurfaceContactReport &wall_of(const Arc &arc) const { return *system_.report_of(arc.state, Role::wall); }
   void write_fields(const Arc &arc);
 
   /// Throws SolverStopped where the rim is folded over, or has let go of a slider that still moves outwards: it has
@@ -94,7 +112,7 @@ private:
   const scene::Scene &scene_;
   const planning::Plan &plan_;
   const RunOptions &options_;
-  RimSystem &system_;
+  BearingSystem &system_;
   const StepOptions step_options_;
   RunRecord &record_;
   reduced::PhysicalModel model_;

@@ -1,10 +1,12 @@
-#include "fe_contact/drive/rim_curve_push.h"
+#include "fe_contact/drive/curve_push.h"
 
-#include "fe_contact/drive/push_steps.h"
-#include "fe_contact/drive/rim_run.h"
+#include "fe_contact/drive/order.h"
+#include "fe_contact/drive/path_course.h"
+#include "fe_contact/drive/run_record.h"
 #include "fe_contact/solver/ranks.h"
 #include "files/error.h"
 #include "planning/plan_parts.h"
+#include "reduced_models/physical_model.h"
 #include "responses/build_version.h"
 #include "scene/rim_identity.h"
 #include <algorithm>
@@ -24,28 +26,28 @@ struct Way {
   const reduced::PhysicalModel &model;
   double capacity;
   bool held;
-  Eigen::Vector3d at(double d) const {
-    return {d, 0, held ? 0.0 : model.height(capacity + d, 0).z - model.height(capacity, 0).z};
+  TopTarget at(double d) const {
+    return {{d, 0}, held ? 0.0 : model.height(capacity + d, 0).z - model.height(capacity, 0).z};
   }
 };
 
 class CurvePush {
 public:
-  CurvePush(const scene::Scene &scene, RimSystem &system, const Way &way, const RunOptions &options)
-      : system_(system), way_(way), options_(options), step_options_(rim_step_options(scene)),
-        state_(system.at_rest()) {}
+  CurvePush(const scene::Scene &scene, BearingSystem &system, const Way &way, const RunOptions &options)
+      : system_(system), way_(way), options_(options), step_options_(step_options(system.model().rung, scene)),
+        no_load_(Eigen::VectorXd::Zero(system.equations().n)), state_(system.at_rest()) {}
 
   /// Loads until `works` [J, rising] are done, unloading from the first step beyond each.
   reduced::CurvePath run(const std::vector<double> &works, double depth, double thickness) {
     path_.loading = {{0}, {0}};
     std::size_t next = 0;
     const auto attempt = [&](double d, double step) {
-      Attempt result = push(state_, d + step);
+      Attempt result = push(drive_, state_, d + step);
       if (!result.accepted) return result;
       const double force = force_of(state_), work = work_ + (force + path_.loading.force.back()) / 2 * step;
       path_.loading.penetration.push_back(d + step), path_.loading.force.push_back(force);
       work_ = work;
-      result.wish = std::min(growth * step, share_in * (d + step) + first_step);
+      result.wish = std::min(push_growth * step, share_in * (d + step) + first_push_step);
       if (options_.progress)
         options_.progress({work, works.back(), step, 0, -(d + step), force, way_.held ? "held" : "dish"});
       if (work < works[next]) return result;
@@ -54,8 +56,8 @@ public:
       result.last = next == works.size();
       return result;
     };
-    const MarchReport report =
-        march(0, furthest * thickness, {first_step, smallest_step, depth / curve_steps_in, growth}, attempt);
+    const MarchReport report = march(
+        0, furthest * thickness, {first_push_step, smallest_push_step, depth / curve_steps_in, push_growth}, attempt);
     if (next < works.size())
       throw SolverStopped(fmt::format("the curve stopped at {:.4f} mm beyond touch, with {:.4g} of {:.4g} J: {}; try a "
                                       "finer mesh or a lower --speed",
@@ -65,19 +67,20 @@ public:
   }
 
 private:
-  Attempt push(SystemState &state, double d) {
+  Attempt push(TopDrive &drive, SystemState &state, double d) {
     if (is_interrupted(options_)) throw Interrupted();
-    const ContactStepReport report = system_.push(state, way_.at(d), step_options_);
+    const ContactStepReport report = drive.move_to(system_, state, way_.at(d), no_load_, step_options_);
     return {report.converged, 0, report.reason};
   }
-  double force_of(const SystemState &state) const { return -system_.wall_force(state).x(); }
+  double force_of(const SystemState &state) const { return -system_.force_of(state, Role::wall).x(); }
 
   reduced::CurveSamples unloading(double deepest) {
     SystemState state = state_;
+    TopDrive drive = drive_;
     const double top = force_of(state), stiffness = path_.loading.force[1] / path_.loading.penetration[1];
     reduced::CurveSamples back{{deepest}, {top}};
     const auto attempt = [&](double way, double step) {
-      Attempt result = push(state, deepest - way - step);
+      Attempt result = push(drive, state, deepest - way - step);
       if (!result.accepted) return result;
       const double d = deepest - way - step, force = force_of(state), slope = (back.force.back() - force) / step;
       result.last = state.bearing_points() == 0 || force <= 0;
@@ -87,7 +90,7 @@ private:
       return result;
     };
     const double first = top / stiffness / curve_steps_out;
-    const MarchReport report = march(0, deepest, {first, smallest_step, 8 * first, growth}, attempt);
+    const MarchReport report = march(0, deepest, {first, smallest_push_step, 8 * first, push_growth}, attempt);
     if (!report.finished)
       throw SolverStopped(fmt::format("the unloading from {:.4f} mm stopped after {:.4f} mm: {}; try a finer mesh",
                                       1e3 * deepest, 1e3 * report.reached, report.reason));
@@ -107,11 +110,13 @@ private:
     back.penetration.push_back(std::max(0.0, open)), back.force.push_back(0);
   }
 
-  RimSystem &system_;
+  BearingSystem &system_;
   const Way way_;
   const RunOptions &options_;
   const StepOptions step_options_;
+  const Eigen::VectorXd no_load_;
   SystemState state_;
+  TopDrive drive_;
   reduced::CurvePath path_;
   double work_ = 0;
 };
@@ -159,8 +164,8 @@ reduced::RimCurveFile push_rim_curve(const scene::Scene &scene, const CurveOrder
   const auto pushed = [&](int level, bool held, const std::vector<double> &to) {
     scene::Scene at = scene;
     at.model.mesh = level;
-    const RimModel model(at.bearing, rim_mesh_options(at, planning::Plan{}), at.model.penalty_scale);
-    RimSystem system(model, 0);
+    const BearingModel model(rungs::rim, at.bearing, mesh_order(at, planning::Plan{}), model_options(at));
+    BearingSystem system(model, 0);
     if (level == scene.model.mesh) result.mesh = fmt::format("level {}, {} unknowns", level, system.equations().n);
     return CurvePush(at, system, {physical, capacity, held}, options).run(to, depth, thickness);
   };

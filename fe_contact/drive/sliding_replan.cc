@@ -1,5 +1,5 @@
 // The slider comes to the rim where the plan meshed none: the run goes on from there on a mesh with one more sector.
-#include "fe_contact/drive/stack_dynamic.h"
+#include "fe_contact/drive/sliding_run.h"
 
 #include "fe_contact/engine/mesh_transfer.h"
 #include "files/error.h"
@@ -10,7 +10,7 @@
 namespace rimpact::fe {
 namespace {
 
-SolidEnergies energies_at(const StackModel &model, const StackSystem &system, const Eigen::VectorXd &displacements,
+SolidEnergies energies_at(const BearingModel &model, const BearingSystem &system, const Eigen::VectorXd &displacements,
                           const SolidHistory &history) {
   SolidHistory same;
   SolidEnergies result;
@@ -22,8 +22,9 @@ SolidEnergies energies_at(const StackModel &model, const StackSystem &system, co
 }
 
 /// What sticks and bears of pad and socket, whose slave faces are the same in both meshes.
-void carry_contacts(const SystemState &old, const StackSystem &system, SystemState &state) {
-  for (const std::size_t i : {StackSystem::dish, StackSystem::socket}) {
+void carry_contacts(const SystemState &old, const BearingSystem &system, SystemState &state) {
+  for (const Role role : {Role::dish, Role::socket}) {
+    const std::size_t i = system.contact_of(role).value();
     if (old.contacts[i].multiplier.size() != state.contacts[i].multiplier.size())
       throw SolverStopped(
           "the state could not be carried over to the mesh with one more sector: pad or cap have other points there");
@@ -34,7 +35,7 @@ void carry_contacts(const SystemState &old, const StackSystem &system, SystemSta
 
 } // namespace
 
-std::optional<double> StackDynamic::unmeshed_direction() const {
+std::optional<double> SlidingRun::unmeshed_direction() const {
   constexpr double served = 0.15; // cells grow away from a sector's middle [rad]
   const Eigen::Vector3d u = travel();
   const double direction = std::atan2(u.y(), u.x()),
@@ -50,7 +51,7 @@ std::optional<double> StackDynamic::unmeshed_direction() const {
                   t_, direction * 180 / M_PI));
 }
 
-void StackDynamic::take_over(const StackDynamic &old) {
+void SlidingRun::take_over(const SlidingRun &old) {
   const MeshTransfer transfer(old.model_.space, model_.space);
   state_ = active().at_rest();
   const auto moved = [&](const Eigen::VectorXd &values) {
@@ -60,9 +61,9 @@ void StackDynamic::take_over(const StackDynamic &old) {
   state_.R = active().mass_times(state_.a);
   state_.history = transfer.history(old.state_.history);
   carry_contacts(old.state_, active(), state_);
-  if (!model_.full() && old.held_.displacement.size()) held_.displacement = transfer.nodal(old.held_.displacement);
+  if (!all_solid() && old.held_.displacement.size()) held_.displacement = transfer.nodal(old.held_.displacement);
   state_.energies = energies_at(model_, active(), active().expand(state_), state_.history);
-  if (!model_.full()) {
+  if (!all_solid()) {
     const SolidEnergies all = energies_at(model_, joined_, displacements(), state_.history);
     held_.energies = {all.elastic - state_.energies.elastic, all.plastic - state_.energies.plastic};
   }
@@ -83,7 +84,7 @@ void StackDynamic::take_over(const StackDynamic &old) {
 }
 
 /// What the new mesh stores less than the old one is the numerics' loss. Returns its amount, of the whole bearing [J].
-double StackDynamic::book_hand_over(const SolidEnergies &held_before) {
+double SlidingRun::book_hand_over(const SolidEnergies &held_before) {
   auto &ledger = report_.ledger;
   const double kinetic = active().kinetic_energy(state_);
   const double moving =

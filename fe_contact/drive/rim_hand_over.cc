@@ -1,4 +1,4 @@
-#include "fe_contact/drive/stack_transfer.h"
+#include "fe_contact/drive/rim_hand_over.h"
 
 namespace rimpact::fe {
 namespace {
@@ -11,33 +11,36 @@ Eigen::VectorXd carried_over(const Equations &from, const Equations &to, const E
   return rest;
 }
 
-void carry_over(const StackSystem &from, const StackSystem &to, const SystemState &state, SystemState &result) {
+void carry_over(const BearingSystem &from, const BearingSystem &to, const SystemState &state, SystemState &result) {
   const Eigen::VectorXd none = Eigen::VectorXd::Zero(to.equations().n);
   for (const auto vector : {&SystemState::v, &SystemState::a, &SystemState::R})
     result.*vector = carried_over(from.equations(), to.equations(), state.*vector, none);
   result.history = state.history;
-  for (const std::size_t i : {StackSystem::dish, StackSystem::socket}) {
-    result.contacts[i] = state.contacts[i];
-    result.reports[i] = state.reports[i];
+  for (const Role role : {Role::dish, Role::socket}) {
+    const std::size_t there = to.contact_of(role).value(), here = from.contact_of(role).value();
+    result.contacts[there] = state.contacts[here];
+    result.reports[there] = state.reports[here];
   }
 }
 
 } // namespace
 
-SystemState joined_state(const StackSystem &alone, const SystemState &state, const HeldRim &held, StackSystem &joined) {
+SystemState joined_state(const BearingSystem &alone, const SystemState &state, const HeldRim &held,
+                         BearingSystem &joined) {
   SystemState result = joined.at_rest();
   carry_over(alone, joined, state, result);
   result.u = carried_over(alone.equations(), joined.equations(), state.u,
                           held.displacement.size() ? joined.equations().gather(held.displacement)
                                                    : Eigen::VectorXd::Zero(joined.equations().n));
-  result.contacts[StackSystem::rim] = joined.contact(StackSystem::rim).open(joined.expand(result));
+  const std::size_t wall = joined.contact_of(Role::wall).value();
+  result.contacts[wall] = joined.contact(wall).open(joined.expand(result));
   result.energies.elastic = state.energies.elastic + held.energies.elastic;
   result.energies.plastic = state.energies.plastic + held.energies.plastic;
   return result;
 }
 
-SystemState parted_state(const StackModel &model, const StackSystem &joined, const SystemState &state,
-                         StackSystem &alone, HeldRim &held) {
+SystemState parted_state(const BearingModel &model, const BearingSystem &joined, const SystemState &state,
+                         BearingSystem &alone, HeldRim &held) {
   SystemState result = alone.at_rest();
   carry_over(joined, alone, state, result);
   result.u = carried_over(joined.equations(), alone.equations(), state.u, result.u);

@@ -1,0 +1,32 @@
+#include "fe_contact/drive/forces.h"
+
+#include "fe_contact/drive/sample_row.h"
+#include <algorithm>
+#include <cmath>
+
+namespace rimpact::fe {
+
+BearingForces forces_of(const BearingSystem &system, const SystemState &state) {
+  BearingForces result;
+  result.rim = system.force_of(state, Role::wall);
+  if (!system.contact_of(Role::dish)) return result;
+  const Eigen::Vector3d dish = system.force_of(state, Role::dish);
+  result.friction = system.friction_of(state, Role::dish);
+  result.pendular = dish - result.friction;
+  result.normal = dish.z();
+  return result;
+}
+
+void sample(RunRecord &record, const BearingSystem &system, const SystemState &state, const Instant &now) {
+  double pressure = 0, surface_gap = now.gap;
+  for (const auto &report : state.reports) pressure = std::max(pressure, report.largest_pressure);
+  if (const auto *wall = system.report_of(state, Role::wall); wall && std::isfinite(wall->smallest_gap))
+    surface_gap = wall->smallest_gap;
+  std::optional<double> pad_pressure;
+  if (const auto *dish = system.report_of(state, Role::dish)) pad_pressure = dish->largest_pressure;
+  append(record, {now.time, now.u, now.v, now.forces.total(), now.forces.pendular, now.forces.friction, now.forces.rim,
+                  now.forces.normal, now.gap, surface_gap, largest_plastic_strain(state.history), pressure,
+                  now.newton_iterations, now.step, pad_pressure});
+}
+
+} // namespace rimpact::fe

@@ -1,0 +1,29 @@
+#include "fe_contact/drive/order.h"
+
+namespace rimpact::fe {
+
+MeshOrder mesh_order(const scene::Scene &scene, const planning::Plan &plan) {
+  MeshOrder order;
+  order.level = scene.model.mesh;
+  order.half = plan.half;
+  order.rim = plan.moves_in_time || plan.rim_takes_part;
+  order.sector_half_angle = plan.sector_half_angle;
+  order.directions = plan.sectors;
+  order.own = scene.model.own_mesh;
+  return order;
+}
+
+ModelOptions model_options(const scene::Scene &scene) {
+  ModelOptions options;
+  options.friction = scene.excitation.kind != scene::ExcitationKind::window || scene.excitation.with_friction;
+  options.penalty_scale = scene.model.penalty_scale;
+  return options;
+}
+
+StepOptions step_options(const Rung &rung, const scene::Scene &scene) {
+  StepOptions options = rung.steps;
+  options.rho_inf = scene.model.rho_inf;
+  return options;
+}
+
+} // namespace rimpact::fe

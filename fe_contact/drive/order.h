@@ -1,0 +1,15 @@
+/// What a scene and its plan ask of a rung: its mesh, its model, the tolerances of its steps.
+#pragma once
+#include "fe_contact/rungs/bearing_model.h"
+#include "fe_contact/rungs/catalogue.h"
+#include "planning/plan.h"
+#include "scene/scene.h"
+
+namespace rimpact::fe {
+
+MeshOrder mesh_order(const scene::Scene &scene, const planning::Plan &plan);
+ModelOptions model_options(const scene::Scene &scene);
+/// The rung's own, with the scene's damping of the time stepping.
+StepOptions step_options(const Rung &rung, const scene::Scene &scene);
+
+} // namespace rimpact::fe

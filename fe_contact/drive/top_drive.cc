@@ -1,0 +1,45 @@
+#include "fe_contact/drive/top_drive.h"
+
+#include "files/error.h"
+
+namespace rimpact::fe {
+
+ContactStepReport TopDrive::move_to(BearingSystem &system, SystemState &state, const TopTarget &target,
+                                    const Eigen::VectorXd &load, const StepOptions &options) {
+  StepTerms terms{load};
+  const Eigen::Vector3d now = system.top_of(state.u),
+                        goal(target.plane.x(), target.plane.y(), target.height.value_or(now.z()));
+  for (int i = 0; i < (target.height ? 3 : 2); ++i)
+    if (const int equation = system.top().equation[i]; equation >= 0) terms.driven.push_back({equation, goal[i]});
+  const Eigen::VectorXd before = state.u;
+  const Eigen::Vector3d way = goal - now;
+  const ContactStepReport step = static_step(system, state, terms, options, guess(system, state, way));
+  if (!step.converged) return step;
+  last_change = state.u - before;
+  last_way = way;
+  return step;
+}
+
+/// At first the carried bodies go along in translation. Onwards and on the dish the parts go on as they went; back from
+/// where the walls bear they are elastic at first.
+Eigen::VectorXd TopDrive::guess(const BearingSystem &system, const SystemState &state,
+                                const Eigen::Vector3d &way) const {
+  if (last_way.squaredNorm() == 0) {
+    Eigen::VectorXd u = state.u;
+    system.shift(u, way);
+    return u;
+  }
+  const double onwards = way.dot(last_way) / last_way.squaredNorm();
+  const SurfaceContactReport *wall = system.report_of(state, Role::wall);
+  if (onwards < 0 && wall && wall->stick + wall->slip > 0) return state.u;
+  return state.u + onwards * last_change;
+}
+
+void preload_on_dish(BearingSystem &system, SystemState &state, const Eigen::VectorXd &load,
+                     const StepOptions &options) {
+  constexpr double springs = 1e8; // first round of stabilisation [N/m an equation]
+  const PreloadReport report = preload(system, state, load, springs, options);
+  if (!report.converged) throw SolverStopped("the bearing did not come to rest under its load: " + report.reason);
+}
+
+} // namespace rimpact::fe

@@ -1,0 +1,141 @@
+#include "fe_contact/rungs/bearing_model.h"
+
+#include <algorithm>
+#include <set>
+
+namespace rimpact::fe {
+namespace {
+
+using meshes::Surface;
+
+Supports supports_of(const BearingModel &model, RimState rim) {
+  Supports supports(model.space);
+  for (int i = 0; i < 3; ++i)
+    if (model.mesh.half && i == 1)
+      supports.fix(Surface::top, i);
+    else
+      supports.tie(Surface::top, i);
+  if (model.mesh.half) supports.fix(Surface::symmetry, 1);
+  model.rung.hold(supports, rim);
+  return supports;
+}
+
+} // namespace
+
+BearingModel::BearingModel(const Rung &rung, const scene::Bearing &bearing, const MeshOrder &mesh,
+                           const ModelOptions &options)
+    : rung(rung), bearing(bearing), mesh(mesh), options(options), space(rung.mesh(bearing, mesh), options.degree),
+      solid(space, bearing) {}
+
+double BearingModel::own_mass() const {
+  double mass = 0;
+  for (const auto volume : rung.carried) mass += share() * solid.mass_of(volume);
+  return mass;
+}
+
+BearingSystem::BearingSystem(const BearingModel &model, double mass, RimState rim)
+    : BearingSystem(model, mass, rim, supports_of(model, rim)) {}
+
+BearingSystem::BearingSystem(const BearingModel &model, double mass, RimState rim, Supports supports)
+    : ContactSystem(model.space, model.solid, supports.number()), model_(model), mass_(mass) {
+  const Discretisation &space = model.space;
+  const auto &of = equations().of_dof;
+  const unsigned any = space.nodes_of(Surface::top).front();
+  for (int i = 0; i < 3; ++i) top_.equation[i] = of[3 * any + i];
+  if (mass > 0) add_mass(3 * any, (mass - model.own_mass()) / model.share());
+  for (const Pair &pair : model.rung.pairs(model, rim)) {
+    add_contact(pair.slave, pair.master, pair.options);
+    roles_.push_back(pair.role);
+  }
+  std::set<int> unique[3];
+  const auto &carried = model.rung.carried;
+  for (std::size_t c = 0; c < space.n_cells; ++c) {
+    if (std::find(carried.begin(), carried.end(), space.volumes[c]) == carried.end()) continue;
+    for (int k = 0; k < 3 * space.nodes_per_cell; ++k)
+      if (const int equation = of[3 * space.cell_nodes[c * space.nodes_per_cell + k / 3] + k % 3]; equation >= 0)
+        unique[k % 3].insert(equation);
+  }
+  for (int i = 0; i < 3; ++i) carried_[i].assign(unique[i].begin(), unique[i].end());
+}
+
+Eigen::VectorXd BearingSystem::dead_load(double vertical) const {
+  Eigen::VectorXd load = Eigen::VectorXd::Zero(equations().n);
+  load[top_.equation[2]] = -vertical / model_.share();
+  return load;
+}
+
+std::optional<std::size_t> BearingSystem::contact_of(Role role) const {
+  const auto found = std::find(roles_.begin(), roles_.end(), role);
+  if (found == roles_.end()) return {};
+  return found - roles_.begin();
+}
+
+const SurfaceContactReport *BearingSystem::report_of(const SystemState &state, Role role) const {
+  const auto number = contact_of(role);
+  return number ? &state.reports[*number] : nullptr;
+}
+
+Eigen::Vector3d BearingSystem::whole(Eigen::Vector3d force) const {
+  force *= model_.share();
+  if (model_.mesh.half) force.y() = 0; // the mirrored half takes it away
+  return force;
+}
+
+Eigen::Vector3d BearingSystem::force_of(const SystemState &state, Role role) const {
+  const auto *report = report_of(state, role);
+  return report ? whole(report->force) : Eigen::Vector3d::Zero();
+}
+
+Eigen::Vector3d BearingSystem::friction_of(const SystemState &state, Role role) const {
+  const auto *report = report_of(state, role);
+  return report ? whole(report->friction) : Eigen::Vector3d::Zero();
+}
+
+void BearingSystem::shift(Eigen::VectorXd &u, const Eigen::Vector3d &way) const {
+  for (int i = 0; i < 3; ++i)
+    for (const int equation : carried_[i]) u[equation] += way[i];
+}
+
+void BearingSystem::place(SystemState &state, const Eigen::Vector3d &top, const Eigen::Vector3d &velocity,
+                          const Eigen::Vector3d &acceleration) const {
+  shift(state.u, top - top_.of(state.u));
+  for (int i = 0; i < 3; ++i)
+    for (const int equation : carried_[i]) {
+      state.v[equation] = velocity[i];
+      state.a[equation] = acceleration[i];
+    }
+  state.last_dt = 0;
+  for (std::size_t k = 0; k < roles_.size(); ++k) {
+    state.contacts[k] = contact(k).open(expand(state));
+    state.reports[k] = {};
+  }
+}
+
+void BearingSystem::kick(SystemState &state, const Eigen::Vector3d &velocity) const {
+  shift(state.v, velocity);
+}
+
+ContactStepReport BearingSystem::relax(SystemState &state, const StepOptions &options) {
+  StepTerms terms{Eigen::VectorXd::Zero(equations().n)};
+  terms.with_contact = false;
+  const Eigen::Vector3d top = top_.of(state.u);
+  for (int i = 0; i < 3; ++i)
+    if (top_.equation[i] >= 0) terms.driven.push_back({top_.equation[i], top[i]});
+  const ContactStepReport report = static_step(*this, state, terms, options);
+  if (!report.converged) return report;
+  for (std::size_t k = 0; k < roles_.size(); ++k) state.contacts[k] = contact(k).open(expand(state));
+  state.v.setZero();
+  state.a.setZero();
+  state.last_dt = 0;
+  return report;
+}
+
+double BearingSystem::wall_gap(const SystemState &state, const Eigen::Vector3d &top) const {
+  const std::size_t wall = contact_of(Role::wall).value();
+  SystemState moved = state;
+  place(moved, top, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations().n);
+  return contact(wall).assemble(expand(moved), moved.contacts[wall], 0, equations(), forces, nullptr).smallest_gap;
+}
+
+} // namespace rimpact::fe

@@ -1,0 +1,75 @@
+/// The solids of a rung on their mesh, and their equations: the top face is a remote displacement without rotation that
+/// carries the supported mass.
+#pragma once
+#include "fe_contact/engine/contact_steps.h"
+#include "fe_contact/rungs/rung.h"
+#include <optional>
+
+namespace rimpact::fe {
+
+struct ModelOptions {
+  bool friction = true;     ///< false: dish and socket are smooth
+  double penalty_scale = 1; ///< of the contacts' penalties, times the default
+  int degree = 2;           ///< of the cells' shapes
+};
+
+struct BearingModel {
+  BearingModel(const Rung &rung, const scene::Bearing &bearing, const MeshOrder &mesh,
+               const ModelOptions &options = {});
+  BearingModel(const BearingModel &) = delete;
+
+  double share() const { return mesh.half ? 2.0 : 1.0; } ///< whole bearing over model
+  double own_mass() const;                               ///< of the carried bodies, whole bearing [kg]
+
+  const Rung &rung;
+  const scene::Bearing bearing;
+  const MeshOrder mesh;
+  const ModelOptions options;
+  const Discretisation space;
+  const Solid solid;
+};
+
+class BearingSystem : public ContactSystem {
+public:
+  /// `mass`: on the top face, the carried bodies' own included [kg]; 0: none.
+  BearingSystem(const BearingModel &model, double mass, RimState rim = RimState::solid);
+
+  const BearingModel &model() const { return model_; }
+  const RemoteFace &top() const { return top_; }
+  Eigen::Vector3d top_of(const Eigen::VectorXd &by_equation) const { return top_.of(by_equation); }
+  /// A vertical dead load of the whole bearing on the top face, down [N], by equation.
+  Eigen::VectorXd dead_load(double vertical) const;
+
+  std::optional<std::size_t> contact_of(Role role) const; ///< its number; none: the rung has no such pair
+  /// Of a pair in a state; none: the rung has no such pair.
+  const SurfaceContactReport *report_of(const SystemState &state, Role role) const;
+  /// On the carried bodies, whole bearing [N]: all of the pair's, or its friction alone.
+  Eigen::Vector3d force_of(const SystemState &state, Role role) const;
+  Eigen::Vector3d friction_of(const SystemState &state, Role role) const;
+
+  /// Moves the carried bodies, at rest in themselves, to a displacement of the top face, with a velocity and an
+  /// acceleration; their contacts begin anew there.
+  void place(SystemState &state, const Eigen::Vector3d &top, const Eigen::Vector3d &velocity,
+             const Eigen::Vector3d &acceleration) const;
+  void kick(SystemState &state, const Eigen::Vector3d &velocity) const; ///< adds it to the carried bodies
+  void shift(Eigen::VectorXd &u, const Eigen::Vector3d &way) const;     ///< of the carried bodies [m]
+  /// The parts come to rest with their contacts apart and the top face held.
+  ContactStepReport relax(SystemState &state, const StepOptions &options);
+  /// Smallest distance of the walls with the carried bodies moved rigidly to a displacement of the top face [m].
+  double wall_gap(const SystemState &state, const Eigen::Vector3d &top) const;
+  double rigid_kinetic_energy(const Eigen::Vector3d &velocity) const {
+    return 0.5 * mass_ * velocity.squaredNorm();
+  } ///< of `mass`, whole bearing [J]
+
+private:
+  BearingSystem(const BearingModel &model, double mass, RimState rim, Supports supports);
+  Eigen::Vector3d whole(Eigen::Vector3d force) const; ///< of the model's force [N]
+
+  const BearingModel &model_;
+  double mass_;
+  RemoteFace top_;
+  std::vector<Role> roles_;     ///< of the contacts
+  std::vector<int> carried_[3]; ///< equations of the carried bodies, by component
+};
+
+} // namespace rimpact::fe

@@ -1,0 +1,22 @@
+#include "fe_contact/rungs/catalogue.h"
+
+#include "files/error.h"
+
+namespace rimpact::fe {
+namespace {
+
+const Rung *const catalogue[] = {
+    &rungs::rim,
+    &rungs::rigid_dish,
+    &rungs::full,
+};
+
+} // namespace
+
+const Rung &rung_of(const std::string &name) {
+  for (const Rung *rung : catalogue)
+    if (name == rung->name) return *rung;
+  throw InputError("rung '" + name + "' is not in this build");
+}
+
+} // namespace rimpact::fe

@@ -1,0 +1,32 @@
+/// Rung full: the stack of rung rigid-dish on the whole plate, whose deformed dish carries the exact surface.
+#include "fe_contact/rungs/bearing_model.h"
+#include "fe_contact/rungs/rigid_dish.h"
+
+namespace rimpact::fe {
+namespace {
+
+meshes::HexMesh plate_mesh_of(const scene::Bearing &bearing, const MeshOrder &order) {
+  meshes::StackMeshOptions options = stack_mesh_options(order);
+  options.rim = options.whole_plate = true;
+  return meshes::stack_mesh(bearing, options);
+}
+
+std::vector<Pair> plate_pairs(const BearingModel &model, RimState rim) {
+  std::vector<Pair> result = stack_pairs(model, rim);
+  result[0].options.carrier_faces = meshes::Surface::dish;
+  return result;
+}
+
+} // namespace
+
+const Rung rungs::full{
+    .name = "full",
+    .dish = DishKind::solid,
+    .carried = stack_bodies(),
+    .mesh = plate_mesh_of,
+    .hold = hold_plate,
+    .pairs = plate_pairs,
+    .steps = stack_steps(),
+};
+
+} // namespace rimpact::fe

@@ -1,0 +1,18 @@
+/// Rung rigid-dish: pad (tied to the foot), foot and upper slider on the exact dish, and the rim's sectors where a
+/// scene needs them. Frame and reference position: at rest on the vertex (see stack_mesh).
+#pragma once
+#include "fe_contact/rungs/catalogue.h"
+#include "meshes/stack_mesh.h"
+
+namespace rimpact::fe {
+
+meshes::StackMeshOptions stack_mesh_options(const MeshOrder &order);
+inline std::vector<meshes::Volume> stack_bodies() {
+  return {meshes::Volume::pad, meshes::Volume::foot, meshes::Volume::upper_slider};
+}
+StepOptions stack_steps();
+void hold_plate(Supports &supports, RimState rim); ///< or, with the rim held, plate and rim as bodies
+/// Dish under the pad, socket on the foot's cap and, with the rim, wall against slider.
+std::vector<Pair> stack_pairs(const BearingModel &model, RimState rim);
+
+} // namespace rimpact::fe

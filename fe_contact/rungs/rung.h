@@ -1,0 +1,58 @@
+/// A rung is a value: which solids are meshed, what holds them, what touches what, and what the supported mass rides
+/// on. The engine assembles and solves any of them, and the drives run them.
+#pragma once
+#include "fe_contact/engine/contact_steps.h"
+#include "fe_contact/engine/supports.h"
+#include "meshes/hex_mesh.h"
+#include "scene/bearing.h"
+#include "scene/own_mesh_settings.h"
+#include <vector>
+
+namespace rimpact::fe {
+
+struct BearingModel;
+
+/// What a run asks of its mesh.
+struct MeshOrder {
+  int level = 1;                     ///< 0 to 3: every size divided by 1.5 a level
+  bool half = true;                  ///< y >= 0 only, with the group `symmetry` on y = 0
+  bool rim = true;                   ///< with the rim's sectors; rung full has them always
+  double sector_half_angle = 1.0;    ///< of each [rad]
+  std::vector<double> directions{0}; ///< in which slider and rim may meet [rad]
+  scene::OwnMesh own = {};           ///< drawn elsewhere
+};
+
+/// What a pair of surfaces is to the bearing; a rung has at most one pair of each.
+enum class Role { dish, socket, wall };
+
+/// A contact pair: a slave group against an exact surface, which may stand on a body's deformed faces.
+struct Pair {
+  Role role;
+  meshes::Surface slave;
+  MasterSurface master;
+  SurfaceContactOptions options;
+};
+
+/// The rim's solids are in the equations, or stand still.
+enum class RimState { solid, held };
+
+/// What the supported mass rides on.
+enum class DishKind {
+  law,   ///< the sliding surface is a constraint on the mass; solids are there while the walls touch
+  exact, ///< the pad slides on the exact surface; the rim's solids join while it may be touched
+  solid  ///< the plate is meshed; everything is solid all the time
+};
+
+struct Rung {
+  const char *name; ///< as scenes and results say it
+  DishKind dish;
+  std::vector<meshes::Volume> carried; ///< the bodies that move with the supported mass, their own mass a part of it
+  meshes::HexMesh (*mesh)(const scene::Bearing &, const MeshOrder &);
+  /// What is held besides the plane of symmetry and the top face, whose components are the first equations.
+  void (*hold)(Supports &, RimState);
+  /// The contact pairs, in the order of the system's contacts.
+  std::vector<Pair> (*pairs)(const BearingModel &, RimState);
+  StepOptions steps; ///< tolerances of its steps, static ones and in time
+};
+
+} // namespace rimpact::fe
