@@ -1,6 +1,6 @@
 // Writes the scene `rim-push`, or `impact-window` as it comes (no weight, no friction), as a CalculiX deck: same mesh
-// (27-node cells reduced to ccx's), material, mass and boundary conditions as fe_contact/drive/rim_push.cc and
-// rim_system.cc. Units: mm, N, MPa, t, s. The half model is written: forces in the .dat file are half of the bearing's.
+// (27-node cells reduced to ccx's), material, mass and boundary conditions as fe_contact/drive/path_run.cc and
+// rungs/rim.cc. Units: mm, N, MPa, t, s. The half model is written: forces in the .dat file are half of the bearing's.
 #include "ccx_deck.h"
 #include "fe_contact/drive/order.h"
 #include "fe_contact/engine/solid.h"
