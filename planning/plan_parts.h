@@ -1,4 +1,4 @@
-/// What the plans of several rungs are made of. Private to the runner.
+/// What the plans of several rungs are made of.
 #pragma once
 #include "planning/plan.h"
 #include "responses/response.h"

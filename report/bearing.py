@@ -1,11 +1,13 @@
 """Geometry of a bearing from its resolved [bearing] table, in SI: the sliding surface, L_c, where the slider touches."""
+from typing import Any
+
 import numpy as np
 
 from .numbers import is_number
 from .scene_text import commented_keys
 
 
-def value(bearing: dict, part: str, key: str):
+def value(bearing: dict[str, Any], part: str, key: str) -> float | None:
     """Of a key with its unit, in SI (m); None where it is not given."""
     found = bearing.get(part, {}).get(key)
     if not is_number(found):
@@ -13,13 +15,13 @@ def value(bearing: dict, part: str, key: str):
     return found / 1e3 if key.endswith("_mm") else found
 
 
-def lateral_capacity(bearing: dict):
+def lateral_capacity(bearing: dict[str, Any]) -> float | None:
     """L_c [m] by (2-5), None where the dimensions are not written out."""
     reach, diameter = value(bearing, "surface", "planar_radius_mm"), value(bearing, "slider", "diameter_mm")
     return reach + (value(bearing, "rim", "ledge_mm") or 0.0) - diameter / 2 if reach and diameter else None
 
 
-def height(bearing: dict, radius):
+def height(bearing: dict[str, Any], radius: float | list[float] | np.ndarray) -> np.ndarray:
     """Of the sliding surface above its vertex at a planar radius [m]. Throws ValueError for a surface not known here, or
     one that does not reach so far."""
     surface, r = bearing.get("surface", {}), np.abs(np.asarray(radius, float))
@@ -35,34 +37,34 @@ def height(bearing: dict, radius):
     return z
 
 
-def _ellipse(surface, r):
+def _ellipse(surface: dict[str, Any], r: np.ndarray) -> np.ndarray:
     a, R0 = surface["a_m"], surface["R0_m"]
     with np.errstate(invalid="ignore"):
         return a * a / R0 * (1 - np.sqrt(1 - (r / a) ** 2))
 
 
-def _sphere(surface, r):
+def _sphere(surface: dict[str, Any], r: np.ndarray) -> np.ndarray:
     return _ellipse({"a_m": surface["R0_m"], "R0_m": surface["R0_m"]}, r)
 
 
-def _cone(surface, r):
+def _cone(surface: dict[str, Any], r: np.ndarray) -> np.ndarray:
     rounding = surface["slope"] * surface["R0_m"]
     return surface["slope"] * (np.hypot(r, rounding) - rounding)
 
 
-def _polynomial(surface, r):
+def _polynomial(surface: dict[str, Any], r: np.ndarray) -> np.ndarray:
     keys = ("c2_per_m", "c3_per_m2", "c4_per_m3", "c5_per_m4", "c6_per_m5")
     return sum(surface.get(key, 0.0) * r ** power for power, key in enumerate(keys, 2))
 
 
-def _table(surface, r):
+def _table(surface: dict[str, Any], r: np.ndarray) -> np.ndarray:
     return np.interp(r, np.array(surface["radius_mm"]) / 1e3, np.array(surface["height_mm"]) / 1e3)
 
 
 HEIGHTS = {"ellipse": _ellipse, "sphere": _sphere, "cone": _cone, "polynomial": _polynomial, "table": _table}
 
 
-def assumed_keys(scene_text: str, scene: dict) -> set:
+def assumed_keys(scene_text: str, scene: dict[str, Any]) -> set[str]:
     """Dotted keys of the bearing ("rim.height_mm") that the file marks: by the comment "# assumption" on the key's line or
     its table's, or by the list `assumed`."""
     marked = {key.removeprefix("bearing.") for key in commented_keys(scene_text)}

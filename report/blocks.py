@@ -1,5 +1,5 @@
 """What a section is made of. Each block is a small dictionary that the template knows how to draw."""
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -14,42 +14,43 @@ from .style import DPI, WIDTH, embedded, plt
 class Section:
     id: str
     title: str
-    blocks: list = field(default_factory=list)
+    blocks: list[Any] = field(default_factory=list)
     lead: str = ""
 
-    def add(self, block):
+    def add(self, block: dict[str, Any] | None) -> None:
         if block is not None:
             self.blocks.append(block)
 
 
-def text(sentence):
+def text(sentence: str) -> dict[str, str]:
     return {"kind": "text", "text": sentence}
 
 
-def heading(title, tag=""):
+def heading(title: str, tag: str = "") -> dict[str, str]:
     return {"kind": "heading", "title": title, "tag": tag}
 
 
-def note(sentence, level="info"):
+def note(sentence: str, level: str = "info") -> dict[str, str]:
     """level: info | warning | missing."""
     return {"kind": "note", "text": sentence, "level": level}
 
 
-def table(header, rows, caption="", left=1, compact=False, prose=False):
+def table(header: list[str], rows: list[Any], caption: str = "", left: int | tuple[int, ...] = 1, compact: bool = False,
+          prose: bool = False) -> dict[str, Any] | None:
     """`left`: how many columns, or which (numbered from 0), are text, set flush left; figures are set flush right.
     A row is a list of cells, or {"span", "tag"}: a heading across the table. `compact`: no wider than it needs; `prose`: long cells wrap."""
-    left = set(range(left)) if isinstance(left, int) else set(left)
-    return {"kind": "table", "header": header, "rows": rows, "caption": caption, "left": left,
+    columns = set(range(left)) if isinstance(left, int) else set(left)
+    return {"kind": "table", "header": header, "rows": rows, "caption": caption, "left": columns,
             "style": "compact" if compact else "prose" if prose else "many" if len(header) > 10 else ""} if rows else None
 
 
-def bullets(items):
+def bullets(items: Sequence[str | tuple[str, str]]) -> dict[str, Any] | None:
     """items: sentences, or (lead, sentence) pairs."""
     pairs = [item if isinstance(item, tuple) else ("", item) for item in items if item]
     return {"kind": "bullets", "items": pairs} if pairs else None
 
 
-def details(title, content):
+def details(title: str, content: str) -> dict[str, Any] | None:
     return {"kind": "details", "title": title, "content": content} if content else None
 
 
@@ -61,10 +62,10 @@ def turning(model: Markup, caption: str) -> dict[str, Any]:
 class Pictures:
     """Draws figures into one folder and embeds them. A figure that cannot be drawn becomes a sentence."""
 
-    def __init__(self, folder, problems):
+    def __init__(self, folder: str, problems: list[str]) -> None:
         self.folder, self.problems = folder, problems
 
-    def path(self, name):
+    def path(self, name: str) -> str:
         safe = "".join(c if c.isalnum() or c in "-._" else "-" for c in name)
         return f"{self.folder}/{safe}.png"
 

@@ -1,50 +1,12 @@
 """From a results folder to report.html: read, draw, fill the template, write."""
 import os
 
-from . import calibration_file, document, first_page, page, sections
-from .bearing import assumed_keys
-from .blocks import Pictures
-from .doubts import Doubts
-from .numbers import is_number
-from .results import load_results
-from .run_folder import parse_scene
-
-class Context:
-    """Everything a section may read, and where it puts its pictures."""
-
-    def __init__(self, folder: str, figures: str, beside: str) -> None:
-        """`beside`: the folder the report goes to, for files that stand beside it."""
-        self.beside = beside
-        self.results = load_results(folder)
-        self.calibration = calibration_file.read(self.results.calibration)
-        for entry in self.results.entries:  # main.json tells the roles; without it the calibration does
-            if entry.role == "history":
-                entry.role = self.calibration.role(entry.name) or entry.role
-        self.problems = self.results.problems
-        self.pictures = Pictures(figures, self.problems)
-        self.doubts = Doubts(self.results, self.results.answer)
-        self._read_scene()
-
-    def _read_scene(self):
-        """The scene that stands for bearing and load: a run's, else the one the calibration was made of."""
-        reference = self.results.reference
-        text = reference.scene_text if reference else self.results.curves.get("scene", "")
-        self.scene = reference.scene if reference else parse_scene(text, "curves.json: scene") if text else {}
-        self.assumed = assumed_keys(text, self.scene)
-        self.double_concave = self.scene.get("reduced", {}).get("model") in ("dcfp", "lir-dcfp")
-        runs = [entry.any_run for entry in self.results.entries]
-        self.whole_bearing = any(run is not None and run.rung in ("rigid-dish", "full") for run in runs)
-        self.capacity = next((run.lateral_capacity for run in runs if run is not None and is_number(run.lateral_capacity)), None)
-
-    @property
-    def measured(self):
-        """Whether the law was fitted to somebody's measured curves and to nothing else."""
-        impacts = self.results.impacts
-        return self.results.answer.get("source") == "measured" or (
-            bool(impacts) and all(impact.source == "measured" for impact in impacts))
+from . import document, first_page, page, sections
+from .context import Context
+from .document import Document
 
 
-def build(folder, output=None, given=document.Document()):
+def build(folder: str, output: str | None = None, given: Document = document.Document()) -> tuple[str, list[str]]:
     """Writes the report and its pictures (DIR/figures/); gives the report's path and the list of problems.
     `given`: what the command line says of title, client, project and author."""
     output = output or os.path.join(folder, "report.html")

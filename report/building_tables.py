@@ -1,6 +1,7 @@
 """Buildings as tables: building.csv, drift, roof and floors over time; storeys.csv, the largest of each storey. SI, units in the names."""
 import os
 import re
+from typing import Any
 
 import numpy as np
 
@@ -27,7 +28,7 @@ def histories(run: Run) -> dict[str, np.ndarray]:
     return {"time_s": run.time} | columns if columns else {}
 
 
-def _place(name: str) -> list:
+def _place(name: str) -> list[Any]:
     return [int(part) if part.isdigit() else part for part in re.split(r"(\d+)", name)]
 
 

@@ -2,6 +2,7 @@
 
 Extra keys of the file are read under the names the calibration module writes; a unit suffix may follow a name."""
 from dataclasses import dataclass, field
+from typing import Any
 
 from .numbers import is_number
 
@@ -9,7 +10,7 @@ PAIR_LAWS = ("signed", "no-tension", "printed")  # whose k_i and e are a constan
 UNITS = ("", "_m_s", "_kN_per_m", "_N", "_s", "_m", "_g")
 
 
-def pick(tree, name):
+def pick(tree: dict[str, Any], name: str) -> Any:
     """The value of a key that may carry its SI unit: speed or speed_m_s. None when it is not there."""
     return next((tree[name + unit] for unit in UNITS if tree.get(name + unit) is not None), None)
 
@@ -19,69 +20,69 @@ class Parameter:
     name: str
     value: float
     unit: str = ""
-    standard_error: float = None
-    interval: tuple = None
-    identifiable: bool = None
+    standard_error: float | None = None
+    interval: tuple[float, float] | None = None
+    identifiable: bool | None = None
     reason: str = ""
-    published: float = None
+    published: float | None = None
 
 
 @dataclass
 class WindowRow:
     """What one isolated impact says. k_i in kN/m, speeds in m/s."""
     speed: float
-    k_i: Parameter = None
-    e: Parameter = None
-    peak_force_N: float = None
-    contact_time_s: float = None
-    restitution: float = None
-    pair_force_error: float = None
-    pair_holds: bool = None
+    k_i: Parameter | None = None
+    e: Parameter | None = None
+    peak_force_N: float | None = None
+    contact_time_s: float | None = None
+    restitution: float | None = None
+    pair_force_error: float | None = None
+    pair_holds: bool | None = None
 
 
 @dataclass
 class Calibration:
-    parameters: list = field(default_factory=list)
-    correlation: dict = field(default_factory=dict)
-    condition: float = None
-    derived: dict = field(default_factory=dict)
-    fit: dict = field(default_factory=dict)
-    prediction: dict = field(default_factory=dict)
-    windows: list = field(default_factory=list)
+    parameters: list[Parameter] = field(default_factory=list)
+    correlation: dict[str, Any] = field(default_factory=dict)
+    condition: float | None = None
+    derived: dict[str, Any] = field(default_factory=dict)
+    fit: dict[str, Any] = field(default_factory=dict)
+    prediction: dict[str, Any] = field(default_factory=dict)
+    windows: list[WindowRow] = field(default_factory=list)
     validity: str = ""
-    valid_from: float = None
-    valid_to: float = None
-    tolerance: float = None
-    grazing: list = field(default_factory=list)
-    notes: list = field(default_factory=list)
+    valid_from: float | None = None
+    valid_to: float | None = None
+    tolerance: float | None = None
+    grazing: list[dict[str, Any]] = field(default_factory=list)
+    notes: list[str] = field(default_factory=list)
     fitted_on: str = ""
-    search: dict = field(default_factory=dict)
-    laws: list = field(default_factory=list)  # the rows of calibration.json, the best first
+    search: dict[str, Any] = field(default_factory=dict)
+    laws: list[dict[str, Any]] = field(default_factory=list)  # the rows of calibration.json, the best first
     laws_sentence: str = ""
-    constant_pair: dict = field(default_factory=dict)
-    speed_laws: dict = field(default_factory=dict)
-    profiles: dict = field(default_factory=dict)
+    constant_pair: dict[str, Any] = field(default_factory=dict)
+    speed_laws: dict[str, Any] = field(default_factory=dict)
+    profiles: dict[str, Any] = field(default_factory=dict)
     published_applies: bool = False  # the thesis's pair may be named: it is the thesis's bearing
 
     @property
-    def is_pair(self):
+    def is_pair(self) -> bool:
         """Whether `parameters` are a constant pair; other laws' k_i is only where their curve begins."""
         return self.derived.get("law") in PAIR_LAWS
 
-    def pair(self, name):
+    def pair(self, name: str) -> Parameter | None:
         return self.parameter(name) if self.is_pair else None
 
-    def parameter(self, name):
+    def parameter(self, name: str) -> Parameter | None:
         return next((p for p in self.parameters if p.name == name), None)
 
-    def role(self, run_name):
+    def role(self, run_name: str) -> str | None:
         """fit | predict, or None for a run the calibration did not use."""
         for role, table in (("fit", self.fit), ("predict", self.prediction)):
             if any(_last_part(key) == run_name for key in table):
                 return role
         return None
 
-    def metrics(self, run_name):
+    def metrics(self, run_name: str) -> dict[str, Any]:
         """The metrics of a run, whose key is its folder: matched by the folder's last part. `published_values` in it
         holds the same for the published pair."""
         for table in (self.fit, self.prediction):
@@ -91,19 +92,19 @@ class Calibration:
         return {}
 
 
-def _last_part(folder):
+def _last_part(folder: str) -> str:
     return folder.rstrip("/").split("/")[-1]
 
 
-def parameter_of(name, data):
+def parameter_of(name: str, data: dict[str, Any] | None) -> Parameter | None:
     if not data or not is_number(data.get("value")):
         return None
-    interval = tuple(data.get("interval_95", []))
+    limits = data.get("interval_95", [])
     return Parameter(name, data["value"], data.get("unit", ""), data.get("standard_error"),
-                     interval if len(interval) == 2 else None, data.get("identifiable"), data.get("reason", ""))
+                     (limits[0], limits[1]) if len(limits) == 2 else None, data.get("identifiable"), data.get("reason", ""))
 
 
-def _window_row(data):
+def _window_row(data: dict[str, Any]) -> WindowRow:
     own = data.get("parameters", {})
     row = WindowRow(pick(data, "speed"))
     row.k_i = parameter_of("k_i", own.get("k_i"))
@@ -116,7 +117,7 @@ def _window_row(data):
     return row
 
 
-def read(data):
+def read(data: dict[str, Any]) -> Calibration:
     """From the JSON object; an empty object gives an empty calibration."""
     parameters = [parameter_of(name, item) for name, item in data.get("parameters", {}).items()]
     order = {"k_i": 0, "e": 1}
@@ -125,8 +126,8 @@ def read(data):
     if found.published_applies:
         for parameter in found.parameters:
             parameter.published = data.get("published", {}).get(parameter.name, {}).get("value")
-    for name in ("correlation", "derived", "fit", "prediction", "search"):
-        setattr(found, name, data.get(name, {}))
+    found.correlation, found.derived, found.search = (data.get(name, {}) for name in ("correlation", "derived", "search"))
+    found.fit, found.prediction = data.get("fit", {}), data.get("prediction", {})
     found.condition = data.get("condition")
     found.notes = data.get("notes", [])
     found.fitted_on = data.get("fitted_on", "")
@@ -136,7 +137,7 @@ def read(data):
     return found
 
 
-def _read_windows(found, data):
+def _read_windows(found: Calibration, data: dict[str, Any]) -> None:
     table = data.get("windows", {})
     rows = [_window_row(row) for row in table.get("rows", [])]
     found.windows = sorted((row for row in rows if is_number(row.speed)), key=lambda row: row.speed)
@@ -146,7 +147,7 @@ def _read_windows(found, data):
         found.valid_from, found.valid_to = pick(table, "valid_from"), pick(table, "valid_to")
 
 
-def _read_laws(found, data):
+def _read_laws(found: Calibration, data: dict[str, Any]) -> None:
     laws = data.get("laws", {})
     found.laws, found.laws_sentence = laws.get("rows", []), laws.get("sentence", "")
     found.constant_pair = data.get("constant_pair", {})

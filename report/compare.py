@@ -4,6 +4,8 @@ Writes DIR/figures/response.png and impacts.png and DIR/compare.html. The respon
 folders. Needs displacements, forces and rim forces in x and y; what else is missing leaves its panel empty."""
 import argparse
 import os
+from collections.abc import Callable
+from typing import Any
 
 from . import interactive, page
 from .blocks import Pictures, Section, heading, note, table, text
@@ -25,18 +27,18 @@ SHAPE = {"version": TEXT, "capacity_m": NUMBER,
 class Comparison:
     """The items, and their curves by letter."""
 
-    def __init__(self, folder):
+    def __init__(self, folder: str) -> None:
         data = read_json(os.path.join(folder, "compare.json"), SHAPE)
         self.items, self.capacity, self.version = data["items"], data.get("capacity_m"), data.get("version", "")
         self.models = [(item["name"], load_run(os.path.join(folder, "curves", item["name"]), item["name"])) for item in self.items]
         self.labels = {item["name"]: f"{item['name']}: {_short(item['path'])}" for item in self.items}
 
 
-def _short(path, most=28):
+def _short(path: str, most: int = 28) -> str:
     return path if len(path) <= most else "…" + path[1 - most:]
 
 
-def _peaks(comparison):
+def _peaks(comparison: Comparison) -> dict[str, Any] | None:
     """What each response holds by itself."""
     header = ["", *(item["name"] for item in comparison.items)]
     runs = [run for _, run in comparison.models]
@@ -48,7 +50,8 @@ def _peaks(comparison):
         ["residual displacement (mm)", *(scaled(run.norm("displacement")[-1], 1e3, 2) for run in runs)]])
 
 
-ROWS = (("peak impact force", "peak_force_error", percent), ("peak displacement", "peak_displacement_error", lambda v: percent(v, 2)),
+ROWS: tuple[tuple[str, str, Callable[[Any], str]], ...] = (
+        ("peak impact force", "peak_force_error", percent), ("peak displacement", "peak_displacement_error", lambda v: percent(v, 2)),
         ("rebound speed", "rebound_error", percent),
         ("first touch, later (ms)", "touch_time_difference", lambda v: scaled(v, 1e3, 2)),
         ("displacement, rms over L_c", "nrmse_displacement", lambda v: percent(v, 2, False)),
@@ -56,7 +59,7 @@ ROWS = (("peak impact force", "peak_force_error", percent), ("peak displacement"
         ("lateral force, rms over peak", "nrmse_lateral_force", lambda v: percent(v, 2, False)))
 
 
-def _metrics(comparison):
+def _metrics(comparison: Comparison) -> dict[str, Any] | None:
     others = comparison.items[1:]
     rows = [[title, *(write(item["metrics"].get(key)) for item in others)] for title, key, write in ROWS]
     return table(["against A", *(item["name"] for item in others)], rows,
@@ -64,7 +67,7 @@ def _metrics(comparison):
                          "or over the whole of it where A does not touch.")
 
 
-def _differences(section, comparison):
+def _differences(section: Section, comparison: Comparison) -> None:
     for item in comparison.items[1:]:
         rows = [[d["key"], d["a"], d["b"], "" if d.get("comparable") else "runs of different things"] for d in item.get("differences", [])]
         section.add(heading(f"A and {item['name']}"))
@@ -74,9 +77,10 @@ def _differences(section, comparison):
             section.add(note(sentence))
 
 
-def build(folder):
+def build(folder: str) -> str:
     """Gives the page's path."""
-    comparison, problems = Comparison(folder), []
+    comparison = Comparison(folder)
+    problems: list[str] = []
     pictures = Pictures(os.path.join(folder, "figures"), problems)
     curves = Section("curves", "Curves", lead="Forces are drawn as −F, so that a positive displacement meets a positive force.")
     planar = all(run.is_planar() for _, run in comparison.models)
@@ -97,7 +101,7 @@ def build(folder):
     return path
 
 
-def main(arguments):
+def main(arguments: list[str]) -> None:
     parser = argparse.ArgumentParser(prog="report.compare", description=__doc__.splitlines()[0])
     parser.add_argument("folder")
     print(build(parser.parse_args(arguments).folder))

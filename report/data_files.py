@@ -1,5 +1,6 @@
 """Readers of the files a run leaves: response.h5, response.csv, *.json. Each throws DataError with the reason."""
 import json
+from typing import Any
 
 import h5py
 import numpy as np
@@ -12,7 +13,7 @@ CSV_NAMES = {"time_s": "time", "ux_m": "displacement_x", "uy_m": "displacement_y
              "gap_m": "gap"}
 
 
-def read_any_json(path):
+def read_any_json(path: str) -> Any:
     """As it stands. Throws DataError where it cannot be read."""
     try:
         with open(path, encoding="utf-8") as file:
@@ -23,18 +24,18 @@ def read_any_json(path):
         raise DataError(f"cannot read {path}: {error.strerror}") from None
 
 
-def read_json(path, shape):
+def read_json(path: str, shape: dict[str, Any]) -> dict[str, Any]:
     """Checked against its shape, nulls left out. Throws DataError naming file and key."""
     data = without_nulls(read_any_json(path))
     check(data, shape, path)
     return data
 
 
-def _no_number(text):
+def _no_number(text: str) -> None:
     raise ValueError(f"{text} is no number")
 
 
-def read_hdf5(path):
+def read_hdf5(path: str) -> tuple[dict[str, np.ndarray], dict[str, str]]:
     """Signals and meta text of a response.h5."""
     try:
         with h5py.File(path, "r") as file:
@@ -53,12 +54,12 @@ def read_hdf5(path):
     return signals, meta
 
 
-def _text(value):
+def _text(value: Any) -> str:
     value = value.item() if isinstance(value, np.ndarray) and value.size == 1 else value
     return value.decode("utf-8", "replace") if isinstance(value, bytes) else str(value)
 
 
-def read_table(path):
+def read_table(path: str) -> tuple[list[str], np.ndarray]:
     """(column names, (n, columns) numbers) of a CSV with one header line."""
     try:
         with open(path, encoding="utf-8") as file:
@@ -74,13 +75,13 @@ def read_table(path):
     return names, table
 
 
-def read_csv(path):
+def read_csv(path: str) -> dict[str, np.ndarray]:
     """Signals of a response.csv."""
     names, table = read_table(path)
     return {CSV_NAMES.get(name, name): table[:, i] for i, name in enumerate(names)}
 
 
-def check_signals(path, signals):
+def check_signals(path: str, signals: dict[str, np.ndarray]) -> None:
     if "time" not in signals:
         raise DataError(f"{path} holds no signal `time`")
     n = len(signals["time"])

@@ -3,6 +3,7 @@ import datetime
 import difflib
 import tomllib
 from dataclasses import dataclass
+from typing import Any
 
 from .errors import InputError
 
@@ -20,7 +21,7 @@ class Document:
         return Document(*(getattr(self, key) or getattr(other, key) for key in KEYS))
 
 
-def of(table: dict) -> Document:
+def of(table: dict[str, Any]) -> Document:
     return Document(*(table.get(key) or "" for key in KEYS))
 
 

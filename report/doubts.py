@@ -1,8 +1,12 @@
 """What makes a run doubtful, and where it is said: beside every row of the run (a mark), on the first page (in full)."""
 import re
 from dataclasses import dataclass
+from typing import Any
 
 from markupsafe import Markup, escape
+
+from .results import Entry, Results
+from .run_folder import Run
 
 MARK = Markup('<b class="mark" title="doubtful: see the first page">!</b>')
 
@@ -13,7 +17,7 @@ class Doubt:
     sentence: str
 
 
-def of_run(run) -> list:
+def of_run(run: Run) -> list[str]:
     """Warnings of the run's own summary, and that it did not end as it should."""
     found = list(run.summary.get("warnings", []))
     if run.status not in ("done", "missing"):
@@ -25,9 +29,9 @@ def of_run(run) -> list:
 class Doubts:
     """All of a results folder, each sentence once."""
 
-    def __init__(self, results, answer):
-        self.by_entry = {}  #: name of a scene -> its sentences
-        said = {}           #: sentence -> the runs it is said of, in order
+    def __init__(self, results: Results, answer: dict[str, Any]) -> None:
+        self.by_entry: dict[str, list[str]] = {}  #: name of a scene -> its sentences
+        said: dict[str, list[str]] = {}  #: sentence -> the runs it is said of, in order
         for sentence in answer.get("doubts", []):
             said.setdefault(sentence, [])
         for entry in results.entries:
@@ -42,7 +46,7 @@ class Doubts:
                 said.setdefault(sentence, [])
         self.all = [Doubt(tuple(dict.fromkeys(runs)), sentence) for sentence, runs in said.items()]
 
-    def _add(self, said, name, label, sentence):
+    def _add(self, said: dict[str, Any], name: str, label: str, sentence: str) -> None:
         own = self.by_entry.setdefault(name, [])
         if sentence in own:
             return
@@ -50,18 +54,18 @@ class Doubts:
         if not any(sentence in other and (name in other or not name) for other in said if other != sentence):
             said.setdefault(sentence, []).append(label)
 
-    def mark(self, name: str):
+    def mark(self, name: str) -> Markup:
         """The mark of a run's row, empty where nothing is doubted: neither by the run nor by a sentence that names it."""
         named = re.compile(rf"(?<![\w.-]){re.escape(name)}(\.toml)?(?![\w-]|\.\w)")
         doubted = self.by_entry.get(name) or any(named.search(doubt.sentence) for doubt in self.all)
         return MARK if doubted else Markup("")
 
-    def marked(self, name: str, text: str):
+    def marked(self, name: str, text: str) -> str:
         mark = self.mark(name)
         return escape(text) + Markup(" ") + mark if mark else text
 
 
-def _runs(entry, single):
+def _runs(entry: Entry, single: bool) -> list[tuple[str, Run]]:
     """(label, run) of what the report shows of a scene."""
     labels = (("fe", entry.name), ("fitted", f"{entry.name} (reduced)"), ("law", f"{entry.name} (reduced, best law)"),
               ("published", f"{entry.name} (reduced, published pair)"))

@@ -1,5 +1,6 @@
 """Errors a user can meet, each with the exit code of the `rimpact` command and one clear sentence."""
 import sys
+from collections.abc import Callable
 
 
 class ReportError(Exception):
@@ -21,10 +22,10 @@ class IoError(ReportError):
     code = 6
 
 
-def run_main(main):
+def run_main(main: Callable[[list[str]], None]) -> None:
     """Runs main(argv) and turns errors into one sentence on stderr and an exit code."""
     for stream in (sys.stdout, sys.stderr):  # a folder's name may be no text
-        stream.reconfigure(errors="backslashreplace")
+        stream.reconfigure(errors="backslashreplace")  # type: ignore[attr-defined]
     try:
         main(sys.argv[1:])
     except ReportError as error:

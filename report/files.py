@@ -1,10 +1,11 @@
 """Writing files: whole or not at all, and never a device node replaced by a file."""
 import os
+from collections.abc import Callable
 
 from .errors import IoError
 
 
-def write_whole(path, write):
+def write_whole(path: str, write: Callable) -> None:
     """`write(file)` fills a binary file beside `path`, which is flushed and renamed: a full disk or a killed program
     leaves an earlier file as it was and nothing beside it. What is there and is no ordinary file (a device, a pipe) is
     written into. Throws IoError."""
@@ -28,7 +29,7 @@ def write_whole(path, write):
         raise IoError(f"cannot write {path}: {error.strerror or error}") from None
 
 
-def remove(path):
+def remove(path: str) -> None:
     """Gone, or never there."""
     try:
         os.unlink(path)

@@ -35,7 +35,8 @@ class Stretch:
         """(displacement, stress), linear between the stored instants."""
         i = int(np.clip(np.searchsorted(self.times, time, side="right") - 1, 0, len(self.times) - 2))
         share = np.clip((time - self.times[i]) / (self.times[i + 1] - self.times[i]), 0.0, 1.0)
-        return tuple((1 - share) * values[i] + share * values[i + 1] for values in (self.moved, self.stress))
+        moved, stress = ((1 - share) * values[i] + share * values[i + 1] for values in (self.moved, self.stress))
+        return moved, stress
 
 
 def read(files: list[tuple[str, float]]) -> Stretch:

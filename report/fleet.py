@@ -24,7 +24,8 @@ class Fleet:
     @property
     def varied(self) -> list[str]:
         """Parameters that differ between runs; of those that go together the first."""
-        known, chosen = [], []
+        known: list[np.ndarray] = []
+        chosen: list[str] = []
         for name in self.parameters:
             values = self.columns[name]
             differs = len(np.unique(values[np.isfinite(values)])) > 1

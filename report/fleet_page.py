@@ -14,7 +14,8 @@ from .style import CYCLE, FITTED, MUTED
 
 def build(folder: str, output: str | None = None) -> tuple[str, list[str]]:
     """Gives the report's path and the list of problems."""
-    fleet, problems = read(folder), []
+    fleet = read(folder)
+    problems: list[str] = []
     output = output or os.path.join(folder, "report.html")
     pictures = Pictures(os.path.join(folder, "figures"), problems)
     results = Section("results", "Results", lead="Over what was varied.")

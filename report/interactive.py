@@ -4,6 +4,7 @@ import base64
 import json
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from markupsafe import Markup
@@ -74,7 +75,7 @@ def data(panels: list[Panel]) -> Markup | None:
     return Markup(json.dumps(said, allow_nan=False).replace("<", "\\u003c"))
 
 
-def style_of(role: str) -> dict[str, str | float]:
+def style_of(role: str) -> dict[str, Any]:
     """What line_of() says, in the canvas's words."""
     said = line_of(role)
     dash = said.get("ls", "-")
@@ -102,7 +103,7 @@ def response(models: list[tuple[str, Run]], labels: dict[str, str], capacity: fl
     return [u, f, *loops, path, z]
 
 
-def _add_response(u: Panel, f: Panel, loops: list[Panel], path: Panel, z: Panel, run: Run, style: dict, direction: np.ndarray | None) -> None:
+def _add_response(u: Panel, f: Panel, loops: list[Panel], path: Panel, z: Panel, run: Run, style: dict[str, Any], direction: np.ndarray | None) -> None:
     zero = np.zeros_like(run.time)
     if direction is not None:
         way = [1e3 * run.along("displacement", direction)]

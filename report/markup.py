@@ -10,7 +10,7 @@ RULES = (
 )
 
 
-def sentence(value):
+def sentence(value: str) -> Markup:
     """What stands between backticks is code and keeps its signs."""
     if isinstance(value, Markup):
         return value
@@ -20,7 +20,7 @@ def sentence(value):
     return Markup("".join(f"<code>{part}</code>" if i % 2 else _running(part) for i, part in enumerate(parts)))
 
 
-def _running(part):
+def _running(part: str) -> str:
     for pattern, replacement in RULES:
         part = pattern.sub(replacement, part)
     return part

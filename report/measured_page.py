@@ -50,7 +50,8 @@ def build(path: str, output: str | None) -> tuple[str, list[str]]:
     if output and os.path.abspath(os.path.dirname(output)) == os.path.abspath(path):
         raise InputError(f"{path} is a file: say where its report goes, -o FILE.html")
     output = output or os.path.splitext(path)[0] + ".html"
-    run, problems = read(path), []
+    run = read(path)
+    problems: list[str] = []
     pictures = Pictures(os.path.join(os.path.dirname(os.path.abspath(output)), "figures"), problems)
     models, labels = [("A", run)], {"A": run.name}
     curves = Section("curves", "Curves", lead="As measured, in SI. Forces are drawn as −F.")

@@ -3,6 +3,7 @@ velocity and displacement; SI unless the column's name ends in _g (acceleration 
 import argparse
 
 import numpy as np
+from matplotlib.figure import Figure
 
 from .data_files import read_table
 from .errors import DataError, run_main
@@ -14,7 +15,7 @@ PANELS = (("acceleration", 1 / GRAVITY, "acceleration (g)", "PGA", "g"),
           ("displacement", 1e2, "displacement (cm)", "PGD", "cm"))
 
 
-def read(path):
+def read(path: str) -> dict[str, np.ndarray]:
     """{"time": ..., "acceleration": ...} in SI."""
     names, table = read_table(path)
     if len(table) < 2 or not np.all(np.isfinite(table)):
@@ -28,7 +29,7 @@ def read(path):
     return columns
 
 
-def draw(columns, path):
+def draw(columns: dict[str, np.ndarray], path: str) -> Figure | str:
     shown = [panel for panel in PANELS if panel[0] in columns]
     fig, grid = figure(len(shown), 1, 0.4 + 1.4 * len(shown), sharex=True)
     for ax, (name, factor, label, peak_name, unit) in zip(grid[:, 0], shown):
@@ -46,7 +47,7 @@ def draw(columns, path):
     return save(fig, path)
 
 
-def main(arguments):
+def main(arguments: list[str]) -> None:
     parser = argparse.ArgumentParser(prog="report.motion", description=__doc__.splitlines()[0])
     parser.add_argument("csv")
     parser.add_argument("png")

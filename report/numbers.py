@@ -1,16 +1,17 @@
 """Numbers as an engineer reads them: sensible digits, a thin space between thousands, a true minus sign."""
 import math
+from typing import Any, TypeGuard
 
 DASH = "–"
 NARROW = "\u202f"
 SUPERSCRIPT = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def is_number(value):
+def is_number(value: Any) -> TypeGuard[float]:
     return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 1e300  # nor NaN
 
 
-def _grouped(text):
+def _grouped(text: str) -> str:
     sign, text = ("−", text[1:]) if text.startswith("-") else ("", text)
     whole, _, fraction = text.partition(".")
     if len(whole) > 4:
@@ -18,7 +19,7 @@ def _grouped(text):
     return sign + whole + ("." + fraction if fraction else "")
 
 
-def sig(value, digits=3):
+def sig(value: Any, digits: int = 3) -> str:
     """`digits` significant figures; powers of ten outside 1e-3 .. 1e6; a dash for what is not there."""
     if not is_number(value):
         return DASH
@@ -30,7 +31,7 @@ def sig(value, digits=3):
     return _grouped(f"{round(value, digits - 1 - exponent):.{max(0, digits - 1 - exponent)}f}")
 
 
-def power(value, digits=3):
+def power(value: Any, digits: int = 3) -> str:
     """4.50 × 10⁵."""
     if not is_number(value):
         return DASH
@@ -38,7 +39,7 @@ def power(value, digits=3):
     return f"{mantissa.replace('-', '−')} × 10{str(int(exponent)).translate(SUPERSCRIPT)}"
 
 
-def interval(low, high, digits=3):
+def interval(low: Any, high: Any, digits: int = 3) -> str:
     """3.98 to 4.22 × 10⁵: the power of ten is said once."""
     if not is_number(low) or not is_number(high):
         return DASH
@@ -48,15 +49,15 @@ def interval(low, high, digits=3):
     return f"{a.split(' ')[0]} to {b}" if a.split(" ")[2] == b.split(" ")[2] else f"{a} to {b}"
 
 
-def fixed(value, decimals=1):
+def fixed(value: Any, decimals: int = 1) -> str:
     return _grouped(f"{round(value, decimals) + 0.0:.{decimals}f}") if is_number(value) else DASH
 
 
-def integer(value):
+def integer(value: Any) -> str:
     return _grouped(f"{value:.0f}") if is_number(value) else DASH
 
 
-def percent(ratio, decimals=1, signed=True):
+def percent(ratio: Any, decimals: int = 1, signed: bool = True) -> str:
     """A ratio as signed per cent: 0.034 -> +3.4 %."""
     if not is_number(ratio):
         return DASH
@@ -65,12 +66,12 @@ def percent(ratio, decimals=1, signed=True):
     return text.replace("-", "−") + NARROW + "%"
 
 
-def scaled(value, factor, decimals=1):
+def scaled(value: Any, factor: float, decimals: int = 1) -> str:
     """value * factor with a fixed number of decimals; a dash for None."""
     return fixed(value * factor, decimals) if is_number(value) else DASH
 
 
-def duration(seconds):
+def duration(seconds: Any) -> str:
     if not is_number(seconds):
         return DASH
     if seconds < 0.1:
@@ -80,13 +81,13 @@ def duration(seconds):
     return f"{int(seconds // 60)} min {int(seconds % 60):02d} s"
 
 
-def memory(n_bytes):
+def memory(n_bytes: Any) -> str:
     if not is_number(n_bytes) or n_bytes <= 0:
         return DASH
     return f"{n_bytes / 1e9:.2f} GB" if n_bytes >= 1e9 else f"{n_bytes / 1e6:.0f} MB"
 
 
-def plain(value):
+def plain(value: Any) -> str:
     """A value of any JSON or TOML type as text."""
     if value is None:
         return DASH

@@ -87,12 +87,12 @@ def paint(ax: Axes, quads: np.ndarray, colours: np.ndarray, axes: np.ndarray, ou
     depth = quads.mean(axis=1) @ axes[2]
     flat = list(np.stack([quads @ axes[0], quads @ axes[1]], axis=-1))
     if outlines is not None:
-        outlines = outlines[normals(outlines) @ axes[2] > 1e-9]
-        size = np.linalg.norm(outlines[:, outlines.shape[1] // 2] - outlines[:, 0], axis=1)
-        flat += list(np.stack([outlines @ axes[0], outlines @ axes[1]], axis=-1))
-        depth = np.concatenate([depth, outlines.mean(axis=1) @ axes[2] + size])
-        colours = np.concatenate([colours, np.zeros((len(outlines), 4))])
-        edges = np.concatenate([edges, np.tile(edge, (len(outlines), 1))])
+        rings = outlines[normals(outlines) @ axes[2] > 1e-9]
+        size = np.linalg.norm(rings[:, rings.shape[1] // 2] - rings[:, 0], axis=1)
+        flat += list(np.stack([rings @ axes[0], rings @ axes[1]], axis=-1))
+        depth = np.concatenate([depth, rings.mean(axis=1) @ axes[2] + size])
+        colours = np.concatenate([colours, np.zeros((len(rings), 4))])
+        edges = np.concatenate([edges, np.tile(edge, (len(rings), 1))])
     order = np.argsort(depth)
     ax.add_collection(PolyCollection([flat[i] for i in order], facecolors=colours[order], edgecolors=edges[order],
                                      linewidths=line_width))

@@ -12,12 +12,12 @@ BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 PATIENCE = 180  # seconds
 
 
-def browser():
+def browser() -> str | None:
     """Path of the first one found, or None."""
-    return next((path for path in map(shutil.which, BROWSERS) if path), None)
+    return next((path for name in BROWSERS if (path := shutil.which(name))), None)
 
 
-def print_to(html, path):
+def print_to(html: str, path: str) -> str | None:
     """Writes the PDF; gives None, or a sentence where no browser is installed (an earlier PDF is gone then: it would show
     other results). Throws IoError where the browser fails."""
     program = browser()
@@ -40,7 +40,7 @@ def print_to(html, path):
     return None
 
 
-def _run(command, folder):
+def _run(command: list[str], folder: str) -> str:
     """What the browser said last."""
     try:
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True, errors="replace", timeout=PATIENCE)

@@ -9,12 +9,14 @@ Whatever is missing or unreadable becomes a sentence in `problems`, never an err
 import os
 import re
 from dataclasses import dataclass, field
+from typing import Any
 
 from . import curves
+from .curves import ImpactCurve
 from .data_files import read_json
 from .errors import DataError
-from .shapes import CALIBRATION, CURVES, MAIN, ShapeError
 from .run_folder import Run, is_run_folder, load_run
+from .shapes import CALIBRATION, CURVES, MAIN, ShapeError
 
 SLOTS = ("fe", "fitted", "law", "published")  #: what may stand for one scene, the reference first
 ROLES = ("fit", "predict", "window", "push")
@@ -25,30 +27,30 @@ class Entry:
     """One scene: its FE run and what the reduced model makes of it. Any of them may be None."""
     name: str
     role: str
-    fe: Run = None
-    fitted: Run = None
-    law: Run = None
-    published: Run = None
+    fe: Run | None = None
+    fitted: Run | None = None
+    law: Run | None = None
+    published: Run | None = None
 
-    def models(self):
+    def models(self) -> list[tuple[str, Run]]:
         """(style role, run) of those that have a response, the reference first."""
         return [(slot, getattr(self, slot)) for slot in SLOTS if getattr(self, slot) is not None and getattr(self, slot).signals]
 
     @property
-    def best(self):
+    def best(self) -> str:
         """The slot of the reduced run to be judged by: the answer's law, where the folder holds it beside a pair."""
         return "law" if self.law else "fitted"
 
     @property
-    def any_run(self):
+    def any_run(self) -> Run | None:
         return self.fe or self.fitted or self.law or self.published
 
     @property
-    def scale(self):
+    def scale(self) -> float:
         return self.any_run.get("excitation", "scale", default=1.0) if self.any_run else 1.0
 
     @property
-    def speed(self):
+    def speed(self) -> float | None:
         """Approach speed a window asks for [m/s]."""
         return self.any_run.get("excitation", "speed_m_per_s") if self.any_run else None
 
@@ -57,32 +59,39 @@ class Entry:
 class Results:
     folder: str
     single: bool = False
-    entries: list = field(default_factory=list)
-    calibration: dict = field(default_factory=dict)
-    curves: dict = field(default_factory=dict)  # of curves.json beside it
-    impacts: list = field(default_factory=list)  # curves.ImpactCurve
-    main: dict = field(default_factory=dict)
-    problems: list = field(default_factory=list)
+    entries: list[Entry] = field(default_factory=list)
+    calibration: dict[str, Any] = field(default_factory=dict)
+    curves: dict[str, Any] = field(default_factory=dict)  # of curves.json beside it
+    impacts: list[ImpactCurve] = field(default_factory=list)
+    main: dict[str, Any] = field(default_factory=dict)
+    problems: list[str] = field(default_factory=list)
 
-    def having(self, *roles):
+    def having(self, *roles: str) -> list[Entry]:
         return [entry for entry in self.entries if entry.role in roles]
 
     @property
-    def histories(self):
+    def histories(self) -> list[Entry]:
         return self.having("fit", "predict", "history")
 
     @property
-    def windows(self):
+    def windows(self) -> list[Entry]:
         windows = self.having("window")
         return sorted(windows, key=lambda entry: entry.speed or 0.0)
 
     @property
-    def answer(self):
+    def answer(self) -> dict[str, Any]:
         """The one record of what the calibration answers; empty where there is none."""
         return self.calibration.get("answer", {})
 
     @property
-    def reference(self):
+    def only(self) -> Run:
+        """The run of a folder that holds one."""
+        run = self.entries[0].any_run
+        assert run is not None
+        return run
+
+    @property
+    def reference(self) -> Run | None:
         """The run whose scene stands for the bearing and the load."""
         for entry in self.histories + self.entries:
             for run in (entry.fe, entry.fitted, entry.law, entry.published):
@@ -91,7 +100,7 @@ class Results:
         return None
 
 
-def load_results(folder):
+def load_results(folder: str) -> Results:
     """Throws DataError when the folder holds nothing that can be reported."""
     if not os.path.isdir(folder):
         raise DataError(f"{folder} is not a folder")
@@ -112,7 +121,7 @@ def load_results(folder):
     return results
 
 
-def single_run(folder):
+def single_run(folder: str) -> Results:
     run = load_run(folder)
     if not run.signals and not run.summary:
         raise DataError(f"{folder} holds no response and no summary")
@@ -123,7 +132,7 @@ def single_run(folder):
     return results
 
 
-def _read_main(results):
+def _read_main(results: Results) -> None:
     path = os.path.join(results.folder, "main.json")
     if not os.path.isfile(path):
         if os.path.isdir(os.path.join(results.folder, "runs")):
@@ -132,7 +141,7 @@ def _read_main(results):
     results.main = read_json(path, MAIN)
 
 
-def _read_calibration(results):
+def _read_calibration(results: Results) -> None:
     for path in ("calibration/calibration.json", "calibration.json"):
         path = os.path.join(results.folder, path)
         if os.path.isfile(path):
@@ -142,17 +151,17 @@ def _read_calibration(results):
     results.problems.append("calibration: not run (no calibration/calibration.json)")
 
 
-def _read_curves(results, path):
+def _read_curves(results: Results, path: str) -> None:
     if os.path.isfile(path):
         results.curves = read_json(path, CURVES)
         results.impacts = curves.read(path, results.curves)
 
 
-def _listed_runs(results):
+def _listed_runs(results: Results) -> list[dict[str, str]]:
     return [item for item in results.main.get("runs", []) if "name" in item]
 
 
-def _found_runs(folder):
+def _found_runs(folder: str) -> list[dict[str, str]]:
     names = []
     for sub in ("runs", "reduced"):
         path = os.path.join(folder, sub)
@@ -161,15 +170,15 @@ def _found_runs(folder):
     return [{"name": name} for name in sorted(set(names), key=_natural)]
 
 
-def _is_published(name):
+def _is_published(name: str) -> bool:
     return name.endswith("-published")
 
 
-def _natural(name):
+def _natural(name: str) -> list[float | str]:
     return [float(part) if part.replace(".", "", 1).isdigit() else part for part in re.split(r"(\d+\.?\d*)", name)]
 
 
-def _load_entry(results, item):
+def _load_entry(results: Results, item: dict[str, str]) -> Entry:
     name = str(item["name"])
     entry = Entry(name, "")
     places = {"fe": [item.get("fe"), f"runs/{name}"],
@@ -188,7 +197,7 @@ def _load_entry(results, item):
     return entry
 
 
-def _first_run(results, name, slot, candidates):
+def _first_run(results: Results, name: str, slot: str, candidates: list[Any]) -> Run | None:
     for place in candidates:
         if not place:
             continue
@@ -198,7 +207,7 @@ def _first_run(results, name, slot, candidates):
     return None
 
 
-def _tolerant_load(results, path, label):
+def _tolerant_load(results: Results, path: str, label: str) -> Run | None:
     try:
         run = load_run(path)
     except ShapeError:  # a hand has been there: nothing of it is shown
@@ -210,7 +219,7 @@ def _tolerant_load(results, path, label):
     return run
 
 
-def _role_of(kind, name):
+def _role_of(kind: str, name: str) -> str:
     if kind == "window" or name.startswith(("window", "impact-window")):
         return "window"
     if kind == "push" or name.startswith(("push", "rim-push")):

@@ -5,6 +5,7 @@ raises DataError. Signals keep their names (displacement_x, impact_y, energy_pla
 import os
 import tomllib
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 
@@ -18,47 +19,47 @@ from .shapes import SCENE, SUMMARY, check
 class Run:
     name: str
     folder: str
-    signals: dict = field(default_factory=dict)
-    summary: dict = field(default_factory=dict)
-    scene: dict = field(default_factory=dict)
+    signals: dict[str, np.ndarray] = field(default_factory=dict)
+    summary: dict[str, Any] = field(default_factory=dict)
+    scene: dict[str, Any] = field(default_factory=dict)
     scene_text: str = ""
-    meta: dict = field(default_factory=dict)
-    problems: list = field(default_factory=list)
+    meta: dict[str, Any] = field(default_factory=dict)
+    problems: list[str] = field(default_factory=list)
 
-    def has(self, *names):
+    def has(self, *names: str) -> bool:
         return all(name in self.signals for name in names)
 
-    def get(self, *path, default=None):
+    def get(self, *path: str, default: Any = None) -> Any:
         """Nested look-up in the scene: get("excitation", "kind")."""
         return lookup(self.scene, *path, default=default)
 
     @property
-    def time(self):
+    def time(self) -> np.ndarray:
         return self.signals["time"]
 
     @property
-    def kind(self):
+    def kind(self) -> str:
         return self.get("excitation", "kind", default="")
 
     @property
-    def time_label(self):
+    def time_label(self) -> str:
         """For quasi-static scenes `time` is a load parameter."""
         return "load parameter (–)" if self.kind in ("push", "cyclic", "figure-eight") else "time (s)"
 
     @property
-    def rung(self):
+    def rung(self) -> str:
         return self.summary.get("rung") or ("reduced" if "plastic_strain_max" not in self.signals else "FE")
 
     @property
-    def status(self):
+    def status(self) -> str:
         return self.summary.get("status", "done" if self.signals else "missing")
 
     @property
-    def impacts(self):
+    def impacts(self) -> list[dict[str, Any]]:
         return self.summary.get("impacts", [])
 
     @property
-    def lateral_capacity(self):
+    def lateral_capacity(self) -> float | None:
         """L_c [m] by (2-5); from the stored gap when the scene does not say."""
         if self.get("reduced", "model") in ("dcfp", "lir-dcfp"):
             return self.get("isolator", "capacity_m")
@@ -69,10 +70,10 @@ class Run:
             return float(np.median(self.signals["gap"] + self.norm("displacement")))
         return None
 
-    def norm(self, base):
+    def norm(self, base: str) -> np.ndarray:
         return np.hypot(self.signals[base + "_x"], self.signals[base + "_y"])
 
-    def is_planar(self, tolerance=1e-3):
+    def is_planar(self, tolerance: float = 1e-3) -> bool:
         """Whether the motion stays on one line through the vertex (then one component tells everything)."""
         if not self.has("displacement_x", "displacement_y"):
             return False
@@ -80,7 +81,7 @@ class Run:
         size = np.linalg.svd(points, compute_uv=False)
         return len(size) < 2 or size[1] <= tolerance * max(size[0], 1e-12)
 
-    def direction(self):
+    def direction(self) -> np.ndarray:
         """Unit vector of the motion's line; +x unless the scene or the motion says otherwise."""
         angle = self.get("excitation", "direction_deg")
         if angle is None and self.has("displacement_x", "displacement_y"):
@@ -90,11 +91,11 @@ class Run:
         angle = np.radians(angle or 0.0)
         return np.array([np.cos(angle), np.sin(angle)])
 
-    def along(self, base, direction):
+    def along(self, base: str, direction: np.ndarray) -> np.ndarray:
         return direction[0] * self.signals[base + "_x"] + direction[1] * self.signals[base + "_y"]
 
 
-def lookup(tree, *path, default=None):
+def lookup(tree: Any, *path: str, default: Any = None) -> Any:
     for key in path:
         if not isinstance(tree, dict) or key not in tree:
             return default
@@ -102,7 +103,7 @@ def lookup(tree, *path, default=None):
     return tree
 
 
-def parse_scene(text, path):
+def parse_scene(text: str, path: str) -> dict[str, Any]:
     """Throws DataError naming the file, and the key of a value of the wrong type."""
     try:
         scene = tomllib.loads(text)
@@ -112,11 +113,11 @@ def parse_scene(text, path):
     return scene
 
 
-def is_run_folder(folder):
+def is_run_folder(folder: str) -> bool:
     return any(os.path.isfile(os.path.join(folder, name)) for name in ("response.h5", "response.csv", "summary.json"))
 
 
-def load_run(folder, name=None):
+def load_run(folder: str, name: str | None = None) -> Run:
     """Reads what the folder holds. Throws DataError for a file that is there but unreadable."""
     run = Run(name or os.path.basename(os.path.normpath(folder)), folder)
     h5, csv = os.path.join(folder, "response.h5"), os.path.join(folder, "response.csv")
@@ -133,7 +134,7 @@ def load_run(folder, name=None):
     return run
 
 
-def _read_summary(run):
+def _read_summary(run: Run) -> None:
     path = os.path.join(run.folder, "summary.json")
     if not os.path.isfile(path):
         run.problems.append("no summary.json")
@@ -141,7 +142,7 @@ def _read_summary(run):
     run.summary = read_json(path, SUMMARY)
 
 
-def _read_scene(run):
+def _read_scene(run: Run) -> None:
     path = os.path.join(run.folder, "scene.toml")
     if os.path.isfile(path):
         try:

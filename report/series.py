@@ -1,8 +1,10 @@
 """Operations on sampled series: the stretches of rim contact, and the curve of one impact."""
 import numpy as np
 
+from .run_folder import Run
 
-def contact_stretches(run):
+
+def contact_stretches(run: Run) -> list[slice]:
     """Slices of consecutive samples with rim force."""
     if not run.has("impact_x", "impact_y"):
         return []
@@ -12,14 +14,14 @@ def contact_stretches(run):
     return [slice(first, end) for first, end in zip(starts, ends) if end - first > 1]
 
 
-def radial_impact_force(run, part):
+def radial_impact_force(run: Run, part: slice) -> np.ndarray:
     """Rim force towards the centre [N]: positive while the rim pushes."""
     ux, uy = run.signals["displacement_x"][part], run.signals["displacement_y"][part]
     r = np.maximum(np.hypot(ux, uy), 1e-12)
     return -(run.signals["impact_x"][part] * ux + run.signals["impact_y"][part] * uy) / r
 
 
-def impact_curve(run, part):
+def impact_curve(run: Run, part: slice) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """(time since touch [s], force [N], penetration -gap [m]) of one impact, closed by the zero force before touch
     and after release: by the neighbouring samples where they are at the rim too, else straight down."""
     gap = run.signals["gap"] if run.has("gap") else None

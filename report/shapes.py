@@ -3,8 +3,11 @@ borne; one of another type is refused, with the file and the key, as somebody's 
 
 A shape is NUMBER, TEXT, FLAG, ANY, [shape of every item], {key: shape} (other keys are free; "*": shape of the others),
 or a tuple of shapes of which one must fit."""
+from typing import Any, NoReturn
+
 from .errors import DataError
 
+Shape = Any  #: one of the above, nested
 NUMBER, TEXT, FLAG, ANY = "a number", "a text", "true or false", "anything"
 
 
@@ -12,16 +15,16 @@ class ShapeError(DataError):
     """A file that can be read and makes no sense."""
 
 
-def numbers(names):
+def numbers(names: str) -> dict[str, Shape]:
     return dict.fromkeys(names.split(), NUMBER)
 
 
-def texts(names):
+def texts(names: str) -> dict[str, Shape]:
     return dict.fromkeys(names.split(), TEXT)
 
 
-LOAD = numbers("vertical_kN mass_kg gravity_m_per_s2 gravity")
-SCENE = {
+LOAD: Shape = numbers("vertical_kN mass_kg gravity_m_per_s2 gravity")
+SCENE: Shape = {
     "name": TEXT, "load": {"*": NUMBER}, "model": {"rung": TEXT, "mesh": NUMBER},
     "bearing": {"name": TEXT, "assumed": [TEXT],
                 "surface": {**texts("kind file"), "radius_mm": [NUMBER], "height_mm": [NUMBER], "*": NUMBER},
@@ -32,9 +35,9 @@ SCENE = {
                 **numbers("k_i_kN_per_m restitution mu_fast mu_slow fitted_from_m_per_s fitted_to_m_per_s fitted_mass_kg")},
     "isolator": {"capacity_m": NUMBER}, "superstructure": {"kind": TEXT, **numbers("storeys period_s damping_ratio yield_mm mass_ratio")},
 }
-IMPACT = numbers("touch_time_s release_time_s direction_deg approach_speed_m_s rebound_speed_m_s restitution peak_force_N "
+IMPACT: Shape = numbers("touch_time_s release_time_s direction_deg approach_speed_m_s rebound_speed_m_s restitution peak_force_N "
                  "peak_penetration_m")
-SUMMARY = {
+SUMMARY: Shape = {
     **numbers("peak_displacement_m peak_lateral_force_N peak_impact_force_N n_impacts residual_displacement_m "
               "peak_vertical_displacement_m min_normal_force_N max_plastic_strain mesh n_dofs n_steps n_newton_iterations "
               "wall_time_s peak_memory_bytes peak_drift_m peak_storey_shear_N peak_floor_acceleration_m_s2 ductility"),
@@ -49,21 +52,21 @@ SUMMARY = {
                                          "peak_base_displacement_m hardest_instant_s")},
     "superstructure": {"storeys": [numbers("peak_drift_m residual_drift_m peak_shear_N peak_acceleration_m_s2")]},
 }
-DOCUMENT = texts("title client project author")
-MAIN = {
+DOCUMENT: Shape = texts("title client project author")
+MAIN: Shape = {
     "runs": [texts("name role fe reduced fitted law published")], "comparison": [{"name": TEXT, "doubts": [TEXT]}],
     "totals": numbers("wall_time_s peak_memory_bytes"), "load": LOAD, "document": DOCUMENT, "warnings": [TEXT],
     "versions": {"rimpact": TEXT, "*": ANY}, "machine": {"*": ANY},
 }
-PARAMETER = {"value": NUMBER, "unit": TEXT, "standard_error": NUMBER, "interval_95": [NUMBER], "identifiable": FLAG,
+PARAMETER: Shape = {"value": NUMBER, "unit": TEXT, "standard_error": NUMBER, "interval_95": [NUMBER], "identifiable": FLAG,
              "reason": TEXT, "verdict": TEXT}
-METRICS = {**numbers("peak_force_error peak_displacement_error rebound_error nrmse_displacement nrmse_force "
+METRICS: Shape = {**numbers("peak_force_error peak_displacement_error rebound_error nrmse_displacement nrmse_force "
                      "approach_speed_m_s force_unexplained"), "grazing": FLAG}
-LAW_ROW = {"law": TEXT, "parameters": {"*": PARAMETER}, "leave_one_out": [{"left_out": TEXT, "runs": {"*": METRICS}}],
+LAW_ROW: Shape = {"law": TEXT, "parameters": {"*": PARAMETER}, "leave_one_out": [{"left_out": TEXT, "runs": {"*": METRICS}}],
            **numbers("force_unexplained largest_peak_force_error largest_rebound_error left_out_peak_force_error "
                      "left_out_rebound_error valid_from_m_s valid_to_m_s")}
-BAND = (numbers("nominal low high"), NUMBER)
-ANSWER = {
+BAND: Shape = (numbers("nominal low high"), NUMBER)
+ANSWER: Shape = {
     **texts("bearing rim_identity source pair_law no_pair validity"), "rung": (TEXT, [TEXT]), "mesh": (NUMBER, [NUMBER]),
     **numbers("mass_kg vertical_kN gravity_m_per_s2"), "published_applies": FLAG, "doubts": [TEXT],
     "assumptions": [{"key": TEXT, "value": (TEXT, NUMBER)}],
@@ -79,7 +82,7 @@ ANSWER = {
                "rows": [numbers("speed_m_s strain")], "sentence": TEXT},
     "mesh_error": {"peak_force": NUMBER, "sentence": TEXT},
 }
-CALIBRATION = {
+CALIBRATION: Shape = {
     "answer": ANSWER, "parameters": {"*": PARAMETER}, "correlation": {"*": {"*": NUMBER}}, "condition": NUMBER,
     "derived": {"*": ANY}, "fit": {"*": {**METRICS, "published_values": METRICS}},
     "prediction": {"*": {**METRICS, "published_values": METRICS}}, "fitted_on": TEXT,
@@ -95,12 +98,12 @@ CALIBRATION = {
                              "approach_speed_m_s": BAND, "peak_impact_force_N": BAND, "varied": ([TEXT], TEXT)}],
     "search": {**numbers("impacts starts starts_agreeing"), "message": TEXT}, "notes": [TEXT],
 }
-CURVE = dict.fromkeys(("time_s", "penetration_m", "force_N"), [NUMBER])
-CURVES = {"scene": TEXT, "law": TEXT, "impacts": [{**texts("run source"), **numbers("touch_time_s approach_speed_m_s"),
+CURVE: Shape = dict.fromkeys(("time_s", "penetration_m", "force_N"), [NUMBER])
+CURVES: Shape = {"scene": TEXT, "law": TEXT, "impacts": [{**texts("run source"), **numbers("touch_time_s approach_speed_m_s"),
                                                    "fitted": FLAG, "grazing": FLAG, "reference": CURVE, "law": CURVE}]}
 
 
-def without_nulls(tree):
+def without_nulls(tree: Any) -> Any:
     """Absent and null are one."""
     if isinstance(tree, dict):
         return {key: without_nulls(value) for key, value in tree.items() if value is not None}
@@ -109,7 +112,7 @@ def without_nulls(tree):
     return tree
 
 
-def check(value, shape, where, key=""):
+def check(value: Any, shape: Shape, where: str, key: str = "") -> None:
     """Throws ShapeError naming the file `where`, the key and what was found. `value` holds no null."""
     if isinstance(shape, tuple):
         if not any(_fits(value, option, where, key) for option in shape):
@@ -128,7 +131,7 @@ def check(value, shape, where, key=""):
         _refuse(value, shape, where, key)
 
 
-def _fits(value, shape, where, key):
+def _fits(value: Any, shape: Shape, where: str, key: str) -> bool:
     try:
         check(value, shape, where, key)
     except ShapeError:
@@ -136,18 +139,18 @@ def _fits(value, shape, where, key):
     return True
 
 
-def _is(value, shape):
+def _is(value: Any, shape: Shape) -> bool:
     if shape == NUMBER:
         return isinstance(value, float) or (isinstance(value, int) and not isinstance(value, bool) and abs(value) < 10**300)
     return shape == ANY or isinstance(value, str if shape == TEXT else bool)
 
 
-def _named(shape):
+def _named(shape: Shape) -> str:
     if isinstance(shape, tuple):
         return " or ".join(_named(option) for option in shape)
     return "a table" if isinstance(shape, dict) else "a list" if isinstance(shape, list) else shape
 
 
-def _refuse(value, shape, where, key):
+def _refuse(value: Any, shape: Shape, where: str, key: str) -> NoReturn:
     said = {dict: "a table", list: "a list", bool: "true or false"}.get(type(value)) or repr(value)[:60]
     raise ShapeError(f"{where}: {key or 'the whole file'} must be {_named(shape)}, got {said}")

@@ -17,7 +17,7 @@ def instants(run: Run) -> list[tuple[str, float | None]]:
         return [(file, None) for file in sorted(files, key=lambda file: [int(n) for n in re.findall(r"\d+", os.path.basename(file))])]
     try:
         listed = tree.parse(path).getroot().iter("DataSet")
-        found = [(os.path.join(run.folder, item.get("file")), float(item.get("timestep"))) for item in listed]
+        found = [(os.path.join(run.folder, item.get("file", "")), float(item.get("timestep", ""))) for item in listed]
     except (OSError, tree.ParseError, TypeError, ValueError) as error:
         raise DataError(f"{path} is not readable ({error})") from None
     return [(file, time) for file, time in found if os.path.isfile(file)]

@@ -1,14 +1,18 @@
 """One look for every figure: colour-blind safe (Okabe-Ito), thin axes, units on axes, no chart junk."""
 import base64
 import os
+from collections.abc import Iterable
+from typing import Any
 
-import matplotlib
+import matplotlib.pyplot as plt
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
-matplotlib.use("Agg")
-import matplotlib.pyplot as plt  # noqa: E402  (the backend must be chosen first)
+from .errors import IoError
+from .files import write_whole
 
-from .errors import IoError  # noqa: E402
-from .files import write_whole  # noqa: E402
+plt.switch_backend("Agg")
 
 INK, MUTED, FAINT, PAPER = "#1c2733", "#66727f", "#dde3e8", "#ffffff"
 FE, FITTED, PUBLISHED, RIM = "#0b4f8a", "#d55e00", "#7a8793", "#a3123a"
@@ -37,7 +41,7 @@ plt.rcParams.update({
 })
 
 
-def line_of(role):
+def line_of(role: str) -> dict[str, Any]:
     """Line style of a model in overlays: the reference thick below, the fitted pair and the best law thin above, the published pair dashed.
     A capital letter names one of many curves: A is the reference, the others take a colour each, dashed from I on."""
     if len(role) == 1:
@@ -49,13 +53,13 @@ def line_of(role):
             "published": dict(color=PUBLISHED, lw=0.9, ls=(0, (4, 1.6)), zorder=3)}[role]
 
 
-def figure(rows, columns, height, width=WIDTH, **options):
+def figure(rows: int, columns: int, height: float, width: float = WIDTH, **options: Any) -> tuple[Figure, np.ndarray]:
     return plt.subplots(rows, columns, figsize=(width, height), layout="constrained", squeeze=False, **options)
 
 
-def shared_legend(fig, axes, n_columns=4):
+def shared_legend(fig: Figure, axes: Iterable[Axes], n_columns: int = 4) -> None:
     """One legend above all panels, with every label of the given axes once."""
-    entries = {}
+    entries: dict[str, Any] = {}
     for ax in axes:
         handles, labels = ax.get_legend_handles_labels()
         entries |= {label: handle for label, handle in zip(labels, handles) if label not in entries}
@@ -68,12 +72,12 @@ def shared_legend(fig, axes, n_columns=4):
                borderaxespad=0.1)
 
 
-def literal(text):
+def literal(text: str) -> str:
     """A name as text of a figure: its dollars are no formula, and what is no text is a question mark."""
     return str(text).encode("utf-8", "replace").decode().replace("$", r"\$")
 
 
-def save(fig, path, dpi=DPI):
+def save(fig: Figure, path: str, dpi: int = DPI) -> str:
     """A PNG, whole or not at all."""
     try:
         os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
@@ -85,7 +89,7 @@ def save(fig, path, dpi=DPI):
     return path
 
 
-def embedded(path):
+def embedded(path: str) -> tuple[str, int]:
     """(a PNG file as a data address, its width in pixels), so that the report needs no other file."""
     try:
         with open(path, "rb") as file:

@@ -42,9 +42,9 @@ def _parse(content: bytes) -> Grid:
     content, appended = _split_appended(content)
     root = tree.fromstring(content)
     reader = _ArrayReader(root, appended)
-    piece = root.find("UnstructuredGrid/Piece")
-    points = reader.array(piece.find("Points/DataArray")).astype(float)
-    cells = {item.get("Name"): reader.array(item) for item in piece.find("Cells")}
+    piece = _child(root, "UnstructuredGrid/Piece")
+    points = reader.array(_child(piece, "Points/DataArray")).astype(float)
+    cells = {item.get("Name", ""): reader.array(item) for item in _child(piece, "Cells")}
     ends = cells["offsets"].astype(np.int64)
     chosen = np.isin(cells["types"], HEXAHEDRA)
     if not chosen.any():
@@ -53,18 +53,25 @@ def _parse(content: bytes) -> Grid:
     sizes = np.diff(ends, prepend=0)[chosen]
     n = int(sizes[0]) if sizes[0] in SIZES and np.all(sizes == sizes[0]) else 8
     nodes = cells["connectivity"].astype(np.int64)[starts[:, None] + np.arange(n)]
-    point_data = {item.get("Name"): reader.array(item) for item in _children(piece, "PointData")}
-    cell_data = {item.get("Name"): reader.array(item)[chosen] for item in _children(piece, "CellData")}
+    point_data = {item.get("Name", ""): reader.array(item) for item in _children(piece, "PointData")}
+    cell_data = {item.get("Name", ""): reader.array(item)[chosen] for item in _children(piece, "CellData")}
     points = points.reshape(-1, 3)
     return Grid(points, from_vtk(nodes, points), point_data, cell_data)
 
 
-def _children(piece, name):
+def _child(element: tree.Element, name: str) -> tree.Element:
+    found = element.find(name)
+    if found is None:
+        raise ValueError(f"no {name} in it")
+    return found
+
+
+def _children(piece: tree.Element, name: str) -> list[tree.Element]:
     part = piece.find(name)
     return [] if part is None else list(part)
 
 
-def _split_appended(content):
+def _split_appended(content: bytes) -> tuple[bytes, tuple[str, bytes] | None]:
     """Raw appended bytes are no XML: cut them out. Gives the XML without them, and (encoding, bytes) or None."""
     match = re.search(rb"<AppendedData[^>]*encoding=\"(\w+)\"[^>]*>\s*_", content)
     if not match:
@@ -75,14 +82,14 @@ def _split_appended(content):
 
 
 class _ArrayReader:
-    def __init__(self, root, appended):
+    def __init__(self, root: tree.Element, appended: tuple[str, bytes] | None) -> None:
         self.compressed = bool(root.get("compressor"))
         self.order = "<" if root.get("byte_order", "LittleEndian") == "LittleEndian" else ">"
         self.header = np.dtype(self.order + TYPES[root.get("header_type", "UInt32")])
         self.appended = appended
 
-    def array(self, item):
-        kind = np.dtype(self.order + TYPES[item.get("type")])
+    def array(self, item: tree.Element) -> np.ndarray:
+        kind = np.dtype(self.order + TYPES[item.get("type", "")])
         if item.get("format", "ascii") == "ascii":
             values = np.array((item.text or "").split(), dtype=float if kind.kind == "f" else np.int64).astype(kind)
         else:
@@ -90,16 +97,17 @@ class _ArrayReader:
         width = int(item.get("NumberOfComponents", "1") or 1)
         return values.reshape(-1, width) if width > 1 else values
 
-    def _bytes(self, item):
+    def _bytes(self, item: tree.Element) -> bytes:
         if item.get("format") == "appended":
+            if self.appended is None:
+                raise ValueError("no appended data in it")
             encoding, data = self.appended
-            data = data[int(item.get("offset")):]
+            data = data[int(item.get("offset", "")):]
             return self._decode(data, raw=encoding == "raw")
         return self._decode("".join((item.text or "").split()).encode(), raw=False)
 
-    def _decode(self, data, raw):
+    def _decode(self, data: bytes, raw: bool) -> bytes:
         size = self.header.itemsize
-        take = (lambda first, n: data[first:first + n]) if raw else None
         if not self.compressed:
             if raw:
                 n = int(np.frombuffer(data[:size], self.header)[0])
@@ -108,13 +116,13 @@ class _ArrayReader:
             return _base64(data, size + n)[size:]
         first = np.frombuffer(data[:size] if raw else _base64(data, size), self.header)
         length = size * (3 + int(first[0]))
-        head = take(0, length) if raw else _base64(data, length)
+        head = data[:length] if raw else _base64(data, length)
         sizes = np.frombuffer(head, self.header)[3:].astype(int)
-        body = take(length, int(sizes.sum())) if raw else _base64(data[4 * -(-length // 3):], int(sizes.sum()))
+        body = data[length:length + int(sizes.sum())] if raw else _base64(data[4 * -(-length // 3):], int(sizes.sum()))
         edges = np.concatenate([[0], np.cumsum(sizes)])
         return b"".join(zlib.decompress(body[a:b]) for a, b in zip(edges[:-1], edges[1:]))
 
 
-def _base64(data, n_bytes):
+def _base64(data: bytes, n_bytes: int) -> bytes:
     """The first n_bytes that base64 text stands for."""
     return base64.b64decode(data[:4 * -(-n_bytes // 3)])[:n_bytes]

@@ -1,5 +1,9 @@
 """The bearing to scale: section through plate, dish and rim, the slider at rest and where it touches the rim."""
+from collections.abc import Iterator
+from typing import Any
+
 import numpy as np
+from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
 
 from ..bearing import height, lateral_capacity, value
@@ -9,13 +13,15 @@ STEEL, SLIDER, PAD = "#d7dee5", "#b9cfe2", "#e9d8b4"
 WIDTH, DPI = 4.7, 300
 
 
-def draw(bearing, whole, path):
+def draw(bearing: dict[str, Any], whole: bool, path: str) -> str:
     """`bearing`: the resolved [bearing] table. `whole`: pad and foot take part and are drawn. Throws ValueError where a
     dimension is missing."""
     size = Section(bearing)
     fig, ax = plt.subplots(figsize=(WIDTH, WIDTH * size.aspect()), layout="constrained")
     ax.add_patch(Polygon(1e3 * size.plate(), closed=True, facecolor=STEEL, edgecolor=INK, lw=0.7, joinstyle="miter"))
-    for travel, style in ((0.0, dict(facecolor="none", edgecolor=FE, ls=(0, (3, 1.6)))), (size.capacity, dict(facecolor=SLIDER, edgecolor=FE))):
+    styles: tuple[tuple[float, dict[str, Any]], ...] = ((0.0, dict(facecolor="none", edgecolor=FE, ls=(0, (3, 1.6)))),
+                                                        (size.capacity, dict(facecolor=SLIDER, edgecolor=FE)))
+    for travel, style in styles:
         for body, fill in size.bodies(travel, whole):
             own = style | {"facecolor": fill} if fill and travel else style
             ax.add_patch(Polygon(1e3 * body, closed=True, lw=0.7, zorder=3, **own))
@@ -31,26 +37,33 @@ def draw(bearing, whole, path):
 class Section:
     """Outlines (n, 2) in m: x along the travel, z up, the vertex at the origin."""
 
-    def __init__(self, bearing):
-        self.bearing, self.capacity = bearing, lateral_capacity(bearing)
-        need = {name: value(bearing, *key) for name, key in {
-            "reach": ("surface", "planar_radius_mm"), "diameter": ("slider", "diameter_mm"), "bottom": ("slider", "bottom_mm"),
-            "top": ("slider", "top_mm"), "rim_height": ("rim", "height_mm"), "thickness": ("rim", "thickness_mm"),
-            "base": ("plate", "base_mm")}.items()}
-        missing = [name.replace("_", " ") for name, found in need.items() if found is None]
-        if missing or not self.capacity:
-            raise ValueError(f"the scene does not give {', '.join(missing) or 'L_c'}")
-        self.__dict__.update(need)
+    def __init__(self, bearing: dict[str, Any]) -> None:
+        self.bearing = bearing
+        self.missing: list[str] = []
+        self.reach = self._needed("surface", "planar_radius_mm", "reach")
+        self.diameter, self.bottom, self.top = (self._needed("slider", f"{name}_mm", name) for name in ("diameter", "bottom", "top"))
+        self.rim_height, self.thickness = self._needed("rim", "height_mm", "rim height"), self._needed("rim", "thickness_mm", "thickness")
+        self.base = self._needed("plate", "base_mm", "base")
+        capacity = lateral_capacity(bearing)
+        if self.missing or not capacity:
+            raise ValueError(f"the scene does not give {', '.join(self.missing) or 'L_c'}")
+        self.capacity = capacity
         self.wall = self.reach + (value(bearing, "rim", "ledge_mm") or 0.0)
         self.outer, self.edge = self.wall + self.thickness, float(height(bearing, self.reach))
 
-    def plate(self):
+    def _needed(self, part: str, key: str, name: str) -> float:
+        found = value(self.bearing, part, key)
+        if found is None:
+            self.missing.append(name)
+        return found or 0.0
+
+    def plate(self) -> np.ndarray:
         x = np.linspace(-self.reach, self.reach, 201)
         top = self.edge + self.rim_height
         right = [(self.wall, self.edge), (self.wall, top), (self.outer, top), (self.outer, -self.base)]
         return np.array([*zip(x, height(self.bearing, x)), *right, *((-a, b) for a, b in right[::-1])])
 
-    def bodies(self, travel, whole):
+    def bodies(self, travel: float, whole: bool) -> list[tuple[np.ndarray, str | None]]:
         """(outline, its own colour or None) of what moves; pad and foot tilt with the surface, the slider does not."""
         lift, half = float(height(self.bearing, travel)), self.diameter / 2
         edge = min(value(self.bearing, "slider", "edge_radius_mm") or 0.0, half)
@@ -61,12 +74,13 @@ class Section:
         slider = np.vstack([right, right[::-1] * [-1, 1]]) + [travel, 0]
         return ([*self._foot(travel, lift)] if whole else []) + [(slider, None)]
 
-    def _foot(self, travel, lift):
+    def _foot(self, travel: float, lift: float) -> Iterator[tuple[np.ndarray, str]]:
         names = ("radius_mm", "bottom_mm", "shoulder_mm", "cap_radius_mm"), ("outer_radius_mm", "thickness_mm")
-        radius, bottom, shoulder, cap = (value(self.bearing, "foot", name) for name in names[0])
-        pad, thick = (value(self.bearing, "pad", name) for name in names[1])
-        if None in (radius, bottom, shoulder, cap, pad, thick):
+        found = [value(self.bearing, part, name) for part, keys in zip(("foot", "pad"), names) for name in keys]
+        known = [size for size in found if size is not None]
+        if len(known) < len(found):
             return
+        radius, bottom, shoulder, cap, pad, thick = known
         step = 1e-5
         slope = np.arctan((height(self.bearing, travel + step) - height(self.bearing, abs(travel - step))) / (2 * step)) if travel else 0.0
         turn = np.array([[np.cos(slope), np.sin(slope)], [-np.sin(slope), np.cos(slope)]])
@@ -76,15 +90,15 @@ class Section:
                               (np.array([(-pad, 0), (pad, 0), (pad, thick), (-pad, thick)]), PAD)):
             yield outline @ turn + [travel, lift], fill
 
-    def limits(self):
+    def limits(self) -> tuple[float, float]:
         return -self.base - 0.10 * self.outer, max(self.edge + self.rim_height, self.top + float(height(self.bearing, self.capacity))) + 0.09 * self.outer
 
-    def aspect(self):
+    def aspect(self) -> float:
         low, high = self.limits()
         return (high - low) / (2 * self.outer) * 1.02
 
 
-def _dimensions(ax, s):
+def _dimensions(ax: Axes, s: Section) -> None:
     mm, level = 1e3, 1e3 * (s.top + float(height(s.bearing, s.capacity))) + 0.035e3 * s.outer
     _arrow(ax, 0, mm * s.capacity, level, f"L$_c$ {mm * s.capacity:.4g}", RIM)
     for x in (0, mm * s.capacity):
@@ -105,7 +119,7 @@ def _dimensions(ax, s):
     ax.text(mm * (s.capacity - s.diameter / 2) - 10, mm * s.top + mm * float(height(s.bearing, s.capacity)), "at touch", fontsize=6.2, color=FE, ha="right", va="top")
 
 
-def _arrow(ax, a, b, z, text, colour, side=False):
+def _arrow(ax: Axes, a: float, b: float, z: float, text: str, colour: str, side: bool = False) -> None:
     ax.annotate("", (a, z), (b, z), arrowprops=dict(arrowstyle="<|-|>", lw=0.5, color=colour, mutation_scale=5, shrinkA=0, shrinkB=0), zorder=5)
     where = dict(x=b + 12, ha="left") if side else dict(x=(a + b) / 2, ha="center")
     ax.text(y=z, s=text, va="center", fontsize=6.5, color=colour, zorder=6,

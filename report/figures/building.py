@@ -1,6 +1,7 @@
 """What the bearing carries: drift of the first storey, the roof, the storey shear, the roof's acceleration."""
 import numpy as np
 
+from ..run_folder import Run
 from ..style import FE, FITTED, MUTED, figure, save, shared_legend
 
 PANELS = (("drift", 1e3, "First storey's drift", "drift (mm)"), ("roof", 1e3, "Roof, relative to the base", "displacement (mm)"),
@@ -8,7 +9,7 @@ PANELS = (("drift", 1e3, "First storey's drift", "drift (mm)"), ("roof", 1e3, "R
           ("roof_acceleration", 1 / 9.80665, "Roof's acceleration, absolute", "acceleration (g)"))
 
 
-def draw(run, path):
+def draw(run: Run, path: str) -> str | None:
     """None when the run stores none of these signals."""
     shown = [panel for panel in PANELS if run.has(f"{panel[0]}_x", f"{panel[0]}_y")]
     if not shown:

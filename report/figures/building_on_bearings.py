@@ -3,12 +3,14 @@ import csv
 import os
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from ..errors import DataError
+from ..run_folder import Run
 from ..style import FE, FITTED, MUTED, RIM, figure, save
 
 
-def draw(run, path):
+def draw(run: Run, path: str) -> str:
     nodes, elements = _rows(run, "nodes.csv"), _rows(run, "elements.csv")
     at_hardest = _rows(run, "elevation.csv")
     at = np.array([[row["x_m"], row["y_m"], row["z_m"]] for row in nodes], float)
@@ -26,7 +28,7 @@ def draw(run, path):
     return save(fig, path)
 
 
-def _rows(run, name):
+def _rows(run: Run, name: str) -> list[dict[str, str]]:
     path = os.path.join(run.folder, name)
     try:
         with open(path, newline="") as file:
@@ -38,7 +40,7 @@ def _rows(run, name):
     return rows
 
 
-def _plan(ax, run, at, bearings, at_hardest):
+def _plan(ax: Axes, run: Run, at: np.ndarray, bearings: list[int], at_hardest: list[dict[str, str]]) -> None:
     """Orbits are drawn larger than the plan, so that they can be read: each fills its share of the closest neighbours' distance."""
     points = at[bearings, :2]
     distance = min((np.hypot(*(p - q)) for i, p in enumerate(points) for q in points[:i]), default=1.0)
@@ -63,7 +65,7 @@ def _plan(ax, run, at, bearings, at_hardest):
     ax.margins(0.08)
 
 
-def _elevation(ax, at, moved, members, axis, scale):
+def _elevation(ax: Axes, at: np.ndarray, moved: np.ndarray, members: list[tuple[int, int]], axis: int, scale: float) -> None:
     for i, j in members:
         rest, there = at[[i, j]], at[[i, j]] + scale * moved[[i, j]]
         ax.plot(rest[:, axis], rest[:, 2], color=MUTED, lw=0.4)

@@ -1,7 +1,12 @@
 """How the fit did: signed errors of every run beside the published values', and what the residuals look like."""
+from collections.abc import Callable
+from typing import Any
+
 import numpy as np
 
+from ..calibration_file import Calibration
 from ..numbers import is_number
+from ..results import Entry
 from ..series import contact_stretches, impact_curve
 from ..style import FE, FITTED, INK, MUTED, PUBLISHED, figure, literal, save, shared_legend
 
@@ -9,7 +14,7 @@ METRICS = (("peak_force", "peak impact force"), ("rebound", "rebound speed"),
            ("peak_displacement", "peak displacement"))
 
 
-def draw_errors(rows, path):
+def draw_errors(rows: list[dict[str, Any]], path: str) -> str | None:
     """rows: {"name", "fitted": {metric: error}, "published": {...}}; a group of bars a run, a panel a metric."""
     rows = [row for row in rows if row["fitted"] or row["published"]]
     if not rows:
@@ -31,7 +36,7 @@ def draw_errors(rows, path):
     return save(fig, path)
 
 
-def draw_residuals(entries, path, label=str):
+def draw_residuals(entries: list[Entry], path: str, label: Callable = str) -> str | None:
     """Reduced minus FE rim force through the first impact of every run, both from their own touch, over the peak."""
     drawn = [(entry, contact_stretches(entry.fe), contact_stretches(getattr(entry, entry.best))) for entry in entries
              if entry.fe is not None and getattr(entry, entry.best) is not None]
@@ -56,16 +61,17 @@ def draw_residuals(entries, path, label=str):
     return save(fig, path)
 
 
-def _aligned(entry, fe_part, reduced_part):
+def _aligned(entry: Entry, fe_part: slice, reduced_part: slice) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     series = []
     for run, part in ((entry.fe, fe_part), (getattr(entry, entry.best), reduced_part)):
         series.append(impact_curve(run, part)[:2])
     end = max(series[0][0][-1], series[1][0][-1])
     time = np.linspace(0.0, end, 400)
-    return time, *(np.interp(time, t, f, left=0.0, right=0.0) for t, f in series)
+    first, second = (np.interp(time, t, f, left=0.0, right=0.0) for t, f in series)
+    return time, first, second
 
 
-def draw_parameters(calibration, path):
+def draw_parameters(calibration: Calibration, path: str) -> str | None:
     """Fitted value with its 95 % interval beside the published one, relative to the fitted value."""
     shown = [p for p in calibration.parameters if p.value]
     if not shown:

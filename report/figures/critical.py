@@ -1,8 +1,10 @@
 """Peak impact force and approach speed over the pulse's scale: how steep they are near grazing."""
+from typing import Any
+
 from ..style import RIM, figure, line_of, literal, save, shared_legend
 
 
-def draw(families, critical, labels, path):
+def draw(families: dict[str, list[dict[str, Any]]], critical: dict[str, float], labels: dict[str, str], path: str) -> str | None:
     """families: {pulse: [{"scale", "fe": (force N, speed m/s), "fitted": ..., "published": ...}]};
     critical: {pulse: scale at which the rim is first touched}; labels: by model, the reference first."""
     families = {name: rows for name, rows in families.items() if len(rows) > 1}

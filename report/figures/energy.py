@@ -1,6 +1,9 @@
 """The energy ledger over time: where the energy put in by the ground motion is, stacked, under the input's line."""
 import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
 
+from ..run_folder import Run
 from ..style import ENERGY, INK, figure, literal, save, shared_legend
 
 NAMES = {"kinetic": "kinetic", "gravity": "lift against gravity", "elastic": "elastic", "contact": "contact",
@@ -8,7 +11,7 @@ NAMES = {"kinetic": "kinetic", "gravity": "lift against gravity", "elastic": "el
          "integrator": "integrator's loss"}
 
 
-def draw(runs, path):
+def draw(runs: list[tuple[str, Run]], path: str) -> Figure | str | None:
     """runs: [(title, run)]; two panels a row. None when no run stores energy signals."""
     runs = [(title, run) for title, run in runs if run.has("energy_external") and _terms(run)]
     if not runs:
@@ -29,11 +32,11 @@ def draw(runs, path):
     return save(fig, path)
 
 
-def _terms(run):
+def _terms(run: Run) -> list[str]:
     return [name for name in list(ENERGY)[::-1] if run.has(f"energy_{name}")]
 
 
-def _stack(ax, run):
+def _stack(ax: Axes, run: Run) -> None:
     """What is spent lies below, what is stored above it."""
     given = 1e-3 * (run.signals["energy_external"] + _initial(run))
     series = {name: 1e-3 * run.signals[f"energy_{name}"] for name in _terms(run)}
@@ -47,7 +50,7 @@ def _stack(ax, run):
     ax.plot(run.time, given, color=INK, lw=1.0, label="put in")
 
 
-def _initial(run):
+def _initial(run: Run) -> float:
     """Energy present at the start [J]; a window's kinetic energy when the summary does not say."""
     value = (run.summary.get("energy") or {}).get("initial_J")
     return value if value is not None else float(run.signals.get("energy_kinetic", [0.0])[0])

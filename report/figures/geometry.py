@@ -1,15 +1,17 @@
 """The geometry study: every run against the surrogate's formula, or over speed while there is none."""
+from typing import Any
+
 from ..style import FE, MUTED, figure, save
 
 
-def by_formula(surrogate, row):
+def by_formula(surrogate: dict[str, Any], row: dict[str, float]) -> float:
     value = surrogate["coefficient"]
     for name, item in surrogate["inputs"].items():
         value *= (row[name] / item["centre"]) ** item["exponent"]
     return value
 
 
-def draw(study, path):
+def draw(study: dict[str, Any], path: str) -> str | None:
     """Four panels; None without rows."""
     rows = study["rows"]
     if not rows:

@@ -3,12 +3,13 @@ import numpy as np
 from matplotlib import colormaps
 from matplotlib.lines import Line2D
 
+from ..curves import ImpactCurve
 from ..style import INK, MUTED, figure, literal, save
 
 MOST = 7
 
 
-def chosen(impacts):
+def chosen(impacts: list[ImpactCurve]) -> list[ImpactCurve]:
     """At most MOST impacts over the speeds, single ones before those of histories, grazing ones last."""
     able = [i for i in impacts if i.law is not None and len(i.law.force) and len(i.reference.force)]
     firm = [i for i in able if not i.grazing] or able
@@ -19,13 +20,13 @@ def chosen(impacts):
     return [ordered[round(k * (len(ordered) - 1) / (MOST - 1))] for k in range(MOST)]
 
 
-def pressed(force):
+def pressed(force: np.ndarray) -> slice:
     """From the sample before the first force to the one after the last: the flight to and from the rim is no loop."""
     touching = np.flatnonzero(force)
     return slice(max(0, touching[0] - 1), touching[-1] + 2) if len(touching) else slice(0, 0)
 
 
-def draw(impacts, law, path, width=3.55, height=2.45, dpi=300):
+def draw(impacts: list[ImpactCurve], law: str, path: str, width: float = 3.55, height: float = 2.45, dpi: int = 300) -> str | None:
     """None without a curve and its law."""
     drawn = chosen(impacts)
     if not drawn:
@@ -36,8 +37,9 @@ def draw(impacts, law, path, width=3.55, height=2.45, dpi=300):
         colour = colormaps["viridis_r"](0.12 + 0.85 * k / max(1, len(drawn) - 1))
         label = f"{impact.speed:.3g}" if impact.speed is not None else literal(impact.name)
         ax.plot(1e3 * impact.reference.penetration, 1e-3 * impact.reference.force, color=colour, lw=2.4, alpha=0.75, label=label)
-        part = pressed(impact.law.force)
-        ax.plot(1e3 * impact.law.penetration[part], 1e-3 * impact.law.force[part], color=INK, lw=0.75, zorder=4)
+        law_curve = impact.law or impact.reference
+        part = pressed(law_curve.force)
+        ax.plot(1e3 * law_curve.penetration[part], 1e-3 * law_curve.force[part], color=INK, lw=0.75, zorder=4)
     ax.axhline(0, color=MUTED, lw=0.5, zorder=0)
     ax.set(xlabel="penetration (mm)", ylabel="rim force (kN)")
     ax.set_xlim(left=min(0.0, ax.get_xlim()[0]))

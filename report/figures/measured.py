@@ -1,8 +1,11 @@
 """One measured impact with its fit: force over time and over penetration."""
+from matplotlib.figure import Figure
+
+from ..curves import ImpactCurve
 from ..style import FE, FITTED, MUTED, figure, literal, save, shared_legend
 
 
-def draw(impact, law, path):
+def draw(impact: ImpactCurve, law: str, path: str) -> Figure | str:
     """None without samples."""
     if not len(impact.reference.force):
         return None

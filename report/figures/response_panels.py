@@ -1,12 +1,17 @@
 """The panels of thesis Figures 2-7 and 2-8: displacement, lateral force, loop, vertical displacement.
 
 Forces are drawn as −F, so that a positive displacement meets a positive force and loops read as in the thesis."""
-import numpy as np
+from typing import Any
 
+import numpy as np
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from ..run_folder import Run
 from ..style import DPI, MUTED, RIM, figure, line_of, literal, save, shared_legend
 
 
-def draw(models, labels, capacity, path, dpi=DPI):
+def draw(models: list[tuple[str, Run]], labels: dict[str, str], capacity: float | None, path: str, dpi: int = DPI) -> str:
     """models: (role, run) pairs, the reference first; `labels` by role; `capacity`: L_c [m] or None. One line of motion gives four panels, a plane motion six."""
     planar = all(run.is_planar() for _, run in models)
     if planar:
@@ -24,7 +29,7 @@ def draw(models, labels, capacity, path, dpi=DPI):
     return save(fig, path, dpi)
 
 
-def _draw_direction(panels, models, direction, axis, labels):
+def _draw_direction(panels: dict[str, Axes], models: list[tuple[str, Run]], direction: np.ndarray, axis: str, labels: dict[str, str]) -> None:
     for role, run in models:
         u = 1e3 * run.along("displacement", direction)
         force = -1e-3 * run.along("force", direction) if run.has("force_x", "force_y") else np.zeros_like(u)
@@ -37,7 +42,7 @@ def _draw_direction(panels, models, direction, axis, labels):
     _name(panels["loop"], "Loop", f"displacement u{axis} (mm)", f"lateral force −F{axis} (kN)")
 
 
-def _draw_plane(panels, models, labels):
+def _draw_plane(panels: dict[str, Axes], models: list[tuple[str, Run]], labels: dict[str, str]) -> None:
     for role, run in models:
         ux, uy = 1e3 * run.signals["displacement_x"], 1e3 * run.signals["displacement_y"]
         fx, fy = -1e-3 * run.signals["force_x"], -1e-3 * run.signals["force_y"]
@@ -56,7 +61,7 @@ def _draw_plane(panels, models, labels):
     panels["path"].set_aspect("equal", adjustable="box")
 
 
-def _draw_vertical(ax, models):
+def _draw_vertical(ax: Axes, models: list[tuple[str, Run]]) -> None:
     for role, run in models:
         if run.has("displacement_z"):
             z = 1e3 * run.signals["displacement_z"]
@@ -64,7 +69,7 @@ def _draw_vertical(ax, models):
     _name(ax, "Vertical displacement", models[0][1].time_label, "u$_z$ (mm), up positive")
 
 
-def _draw_capacity(panels, capacity, planar):
+def _draw_capacity(panels: dict[str, Axes], capacity: float | None, planar: bool) -> None:
     if not capacity:
         return
     mm = 1e3 * capacity
@@ -82,7 +87,7 @@ def _draw_capacity(panels, capacity, planar):
         panels["path"].plot(mm * np.cos(angle), mm * np.sin(angle), **style)
 
 
-def _name(ax, title, x, y):
+def _name(ax: Axes, title: str, x: str, y: str) -> None:
     ax.set_title(title)
     ax.set_xlabel(x)
     ax.set_ylabel(y)
@@ -91,6 +96,6 @@ def _name(ax, title, x, y):
         ax.axhline(0, color=MUTED, lw=0.4, zorder=0)
 
 
-def _letters(axes):
+def _letters(axes: Any) -> None:
     for letter, ax in zip("abcdef", axes):
         ax.set_title(f"({letter}) {ax.get_title(loc='left')}")

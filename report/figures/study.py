@@ -1,11 +1,13 @@
 """Speed against error: every run of a study, its frontier, and the wanted error."""
+from typing import Any
+
 from ..style import FITTED, FE, GREEN, INK, MUTED, PURPLE, RIM, figure, literal, save
 
 COLOURS = {"reduced": FITTED, "rim": FE, "rigid-dish": GREEN, "full": PURPLE}
 FLOOR = 1e-5  # errors below are drawn here
 
 
-def draw(study, path):
+def draw(study: dict[str, Any], path: str) -> str | None:
     """One panel; None without rows."""
     rows = study["rows"]
     if not rows:

@@ -1,8 +1,13 @@
 """k_i and e over impact speed, beside the constant pair, its band of validity, and the published pair."""
+from collections.abc import Callable
+
+from matplotlib.axes import Axes
+
+from ..calibration_file import Calibration, Parameter, WindowRow
 from ..style import FE, FITTED, INK, MUTED, PUBLISHED, figure, save, shared_legend
 
 
-def draw(calibration, path):
+def draw(calibration: Calibration, path: str) -> str | None:
     """None when no window gave k_i or e."""
     rows = calibration.windows
     with_e = [r for r in rows if r.e or r.restitution is not None]
@@ -27,7 +32,7 @@ def draw(calibration, path):
     return save(fig, path)
 
 
-def draw_stiffness(ax, calibration, title):
+def draw_stiffness(ax: Axes, calibration: Calibration, title: str) -> None:
     """k_i over approach speed: each window alone, the constant pair, the published value."""
     _points(ax, [row for row in calibration.windows if row.k_i], lambda r: r.k_i, 1e-5)
     _constants(ax, calibration.pair("k_i"), 1e-5)
@@ -36,14 +41,14 @@ def draw_stiffness(ax, calibration, title):
     ax.set_ylim(bottom=0)
 
 
-def _speed_axis(ax, calibration):
+def _speed_axis(ax: Axes, calibration: Calibration) -> None:
     ax.set_xlabel("approach speed (m/s)")
     ax.set_xlim(left=0)
     if calibration.valid_from is not None and calibration.valid_to is not None:
         ax.axvspan(calibration.valid_from, calibration.valid_to, color=FITTED, alpha=0.10, lw=0, zorder=0)
 
 
-def _points(ax, rows, parameter, factor):
+def _points(ax: Axes, rows: list[WindowRow], parameter: Callable, factor: float) -> None:
     rows = [row for row in rows if parameter(row)]
     if not rows:
         return
@@ -57,7 +62,7 @@ def _points(ax, rows, parameter, factor):
                 capsize=2, label="each window alone, 95 %")
 
 
-def _constants(ax, parameter, factor):
+def _constants(ax: Axes, parameter: Parameter | None, factor: float) -> None:
     if parameter is None:
         return
     ax.axhline(factor * parameter.value, color=FITTED, lw=1.1, label="constant pair")
@@ -67,10 +72,10 @@ def _constants(ax, parameter, factor):
         ax.axhline(factor * parameter.published, color=PUBLISHED, lw=0.9, ls=(0, (4, 1.6)), label="published pair")
 
 
-def _force(ax, rows, tolerance):
-    rows = [row for row in rows if row.pair_force_error is not None]
+def _force(ax: Axes, rows: list[WindowRow], tolerance: float | None) -> None:
+    errors = [(row.speed, 100 * row.pair_force_error) for row in rows if row.pair_force_error is not None]
     ax.set(title="(c) Peak force by the pair", ylabel="error of peak force (%)")
-    ax.plot([r.speed for r in rows], [100 * r.pair_force_error for r in rows], color=FITTED, marker="o", ms=3.5)
+    ax.plot([speed for speed, _ in errors], [error for _, error in errors], color=FITTED, marker="o", ms=3.5)
     ax.axhline(0, color=INK, lw=0.5)
     if tolerance:
         for level in (tolerance, -tolerance):

@@ -2,11 +2,14 @@
 the steel bears it, what was assumed, what is doubted. Everything else stands behind it.
 
 make(context) gives what templates/first_page.html.j2 reads."""
+from typing import Any
+
 from . import answer, device, run
+from ..context import Context
 from .work import done
 
 
-def make(context):
+def make(context: Context) -> dict[str, Any]:
     results = context.results
     middle = run.make(context) if results.single else answer.make(context)
     page = {"bearing": device.make(context), "done": done(context), "assumptions": device.assumptions(context),
@@ -15,7 +18,7 @@ def make(context):
     return page
 
 
-def density(page):
+def density(page: dict[str, Any]) -> str:
     """How close the page is set, so that all doubts fit on it: the more is said, the smaller it is."""
     said = sum(len(d.sentence) + sum(map(len, d.runs)) + 60 for d in page["doubts"])
     said += sum(len(str(part)) for part in page["assumptions"]) + sum(map(len, page["done"]))

@@ -1,12 +1,16 @@
 """The answer on the first page: the law's picture and numbers, the table over speed, the pair, where it holds, the steel.
 
 Everything is taken from calibration.json's `answer`, the one record; nothing is worked out here."""
+from typing import Any
+
 from markupsafe import Markup
 
+from ..context import Context
 from ..doubts import MARK
 from ..figures import law as law_figure
 from ..markup import sentence
 from ..numbers import DASH, fixed, integer, interval, is_number, percent, plain, sig
+from ..results import Results
 
 NAMES = {"k_i": "k_i", "e": "e"}
 LABELS = {"k_i": "initial stiffness", "e": "restitution", "yield_force": "yield force", "hardening": "hardening",
@@ -15,7 +19,7 @@ LABELS = {"k_i": "initial stiffness", "e": "restitution", "yield_force": "yield 
           "capacity_offset": "rim begins beyond L_c by"}
 
 
-def make(context):
+def make(context: Context) -> dict[str, Any]:
     """A dictionary for the template; `missing` says why there is no answer."""
     results, answer = context.results, context.results.answer
     law = answer.get("law", {})
@@ -29,13 +33,13 @@ def make(context):
             "strain": _strain(answer.get("strain")), "mesh_error": answer.get("mesh_error", {}).get("sentence", "")}
 
 
-def _why_none(results):
+def _why_none(results: Results) -> str:
     if results.calibration:
         return "The calibration in this folder holds no answer: it was made by an earlier version. rimpact calibrate makes it anew."
     return "No impact law was fitted to these runs, so there are no numbers to type in."
 
 
-def _belongs(law, answer):
+def _belongs(law: dict[str, Any], answer: dict[str, Any]) -> str:
     if law.get("belongs_to") == "rim":
         return "The law belongs to the rim: it holds for any mass."
     if law.get("belongs_to") == "mass":
@@ -43,13 +47,13 @@ def _belongs(law, answer):
     return ""
 
 
-def value_of(number, unit):
+def value_of(number: float | None, unit: str | None) -> str:
     """Four digits with the unit; a number without one stands alone."""
     unit = "" if unit in (None, "", "-") else f"\u00a0{unit}"
     return sig(number, 4) + unit
 
 
-def _numbers(law):
+def _numbers(law: dict[str, Any]) -> list[dict[str, Any]]:
     rows = []
     order = {name: place for place, name in enumerate(LABELS)}
     for name, p in sorted(law.get("parameters", {}).items(), key=lambda item: order.get(item[0], len(order))):
@@ -63,7 +67,7 @@ def _numbers(law):
     return rows
 
 
-def _table(answer):
+def _table(answer: dict[str, Any]) -> dict[str, Any]:
     """The rows and what the marks beside them mean."""
     rows = []
     for row in answer.get("table", []):
@@ -77,7 +81,7 @@ def _table(answer):
     return {"rows": rows, "outside": any(row[-1] for row in rows), "pair_law": answer.get("pair_law", "")}
 
 
-def _pair(answer):
+def _pair(answer: dict[str, Any]) -> dict[str, Any]:
     pair = answer.get("pair")
     if not pair:
         return {"given": False, "sentence": answer.get("no_pair") or "No constant pair is given."}
@@ -91,7 +95,7 @@ def _pair(answer):
     return {"given": True, "stated": values, "errors": errors, "sentence": pair.get("sentence", "")}
 
 
-def _holds(law, answer):
+def _holds(law: dict[str, Any], answer: dict[str, Any]) -> str:
     """Sentences of where the law holds, made where the record has none."""
     if answer.get("validity"):
         return answer["validity"]
@@ -101,7 +105,7 @@ def _holds(law, answer):
     return "Nowhere is it shown to hold: no neighbouring runs left out of the fit are met within the tolerance."
 
 
-def _strain(strain):
+def _strain(strain: dict[str, Any] | None) -> dict[str, Any] | None:
     if not strain:
         return None
     limit = f"limit {percent(strain.get('limit'), 0, False)}"

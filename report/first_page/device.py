@@ -1,7 +1,10 @@
 """The bearing and its load on the first page: a drawing to scale and the numbers, assumptions with an asterisk."""
+from typing import Any
+
 from markupsafe import Markup, escape
 
 from .. import bearing as geometry
+from ..context import Context
 from ..figures import bearing as drawing
 from ..markup import sentence
 from ..numbers import is_number, plain, scaled
@@ -11,7 +14,7 @@ DOUBLE = {"radius_m": ("radius of both surfaces", "m"), "capacity_m": ("travel t
           "slider_diameter_mm": ("slider", "mm"), "rim_height_mm": ("rim height", "mm"), "slider_mass_kg": ("slider's mass", "kg")}
 
 
-def make(context):
+def make(context: Context) -> dict[str, Any]:
     scene = context.scene
     if not scene:
         return {"name": context.results.answer.get("bearing", ""), "rows": _load(context), "figure": None,
@@ -25,9 +28,9 @@ def make(context):
             "remark": remark + ("" if context.whole_bearing or not figure else " Pad and foot do not take part in what was run.")}
 
 
-def _rows(bearing, assumed):
+def _rows(bearing: dict[str, Any], assumed: set[str]) -> list[list[Any]]:
     """[label, value] pairs of what shapes an impact."""
-    def number(part, key, unit=""):
+    def number(part: str, key: str, unit: str = "") -> Markup:
         found = bearing.get(part, {}).get(key)
         text = escape(plain(found) + unit)
         return text + STAR if f"{part}.{key}" in assumed else text
@@ -54,12 +57,12 @@ def _rows(bearing, assumed):
     return rows
 
 
-def _double(scene):
+def _double(scene: dict[str, Any]) -> list[list[str]]:
     table = scene.get("isolator", {})
     return [[label, f"{plain(table[key])}\u00a0{unit}"] for key, (label, unit) in DOUBLE.items() if is_number(table.get(key))]
 
 
-def _load(context):
+def _load(context: Context) -> list[list[str]]:
     """What main.json, the answer or the scene says, in this order."""
     results = context.results
     sources = (results.main.get("load", {}), results.answer, context.scene.get("load", {}))
@@ -72,7 +75,7 @@ def _load(context):
     return rows
 
 
-def assumptions(context):
+def assumptions(context: Context) -> list[list[str]]:
     """[key, value] as the bearing file writes them; those of the answer, else of the scene's marks."""
     listed = context.results.answer.get("assumptions")
     if listed:

@@ -1,12 +1,16 @@
 """The result of one run on its first page: peaks, the response, the building it carries, whether the steel bears it."""
+from typing import Any
+
 from ..bearing import assumed_keys
+from ..context import Context
 from ..figures import response_panels
 from ..numbers import DASH, fixed, integer, is_number, percent, scaled, sig
+from ..run_folder import Run
 from ..sections.common import hardest
 
 
-def make(context):
-    run = context.results.entries[0].any_run
+def make(context: Context) -> dict[str, Any]:
+    run = context.results.only
     drawn = run.has("time", "displacement_x", "displacement_y")
     role = "fitted" if run.rung == "reduced" else "fe"
     figure = context.pictures.figure("first-response", "", response_panels.draw, [(role, run)],
@@ -15,7 +19,7 @@ def make(context):
             "building": _building(run), "strain": _strain(run), "law": _law(run), "estimate": _estimate(run)}
 
 
-def _peaks(run, capacity):
+def _peaks(run: Run, capacity: float | None) -> list[list[str]]:
     s, impact = run.summary, hardest(run)
     rows = [["Peak displacement", _unit(scaled(s.get("peak_displacement_m"), 1e3, 1), "mm") + (f" of L_c = {scaled(capacity, 1e3, 0)}\u00a0mm" if capacity else "")],
             ["Peak lateral force", _unit(scaled(s.get("peak_lateral_force_N"), 1e-3, 0), "kN")],
@@ -30,11 +34,11 @@ def _peaks(run, capacity):
     return [row for row in rows if not row[1].startswith(DASH)]
 
 
-def _unit(text, unit):
+def _unit(text: str, unit: str) -> str:
     return text if text == DASH else f"{text}\u00a0{unit}"
 
 
-def _building(run):
+def _building(run: Run) -> list[list[str]]:
     s = run.summary
     rows = [["Peak storey drift", scaled(s.get("peak_drift_m"), 1e3, 1), "mm"], ["Ductility", fixed(s.get("ductility"), 2), ""],
             ["Peak storey shear", scaled(s.get("peak_storey_shear_N"), 1e-3, 0), "kN"],
@@ -42,7 +46,7 @@ def _building(run):
     return [[label, _unit(value, unit).strip()] for label, value, unit in rows if value != DASH]
 
 
-def _strain(run):
+def _strain(run: Run) -> dict[str, Any] | None:
     limit = run.summary.get("strain_limit") or _from_scene(run)
     if not limit or not is_number(limit.get("limit")):
         return None
@@ -52,7 +56,7 @@ def _strain(run):
             "sentence": f"The largest plastic strain, {percent(limit.get('largest'), 1, False)}, {verdict} the limit of {percent(limit['limit'], 0, False)} ({source})."}
 
 
-def _from_scene(run):
+def _from_scene(run: Run) -> dict[str, Any] | None:
     """Of a run whose summary does not judge its strain: the scene's own limit."""
     limit, largest = run.get("bearing", "material", "steel", "strain_limit"), run.summary.get("max_plastic_strain")
     if not is_number(limit) or not is_number(largest):
@@ -61,7 +65,7 @@ def _from_scene(run):
             "assumption": "material.steel.strain_limit" in assumed_keys(run.scene_text, run.scene)}
 
 
-def _law(run):
+def _law(run: Run) -> str:
     """Which impact law acted, its range and whose rim it was fitted on; for reduced runs."""
     if run.rung != "reduced":
         return ""
@@ -75,7 +79,7 @@ def _law(run):
     return f"{said}; the range it was fitted to is not known."
 
 
-def _estimate(run):
+def _estimate(run: Run) -> str:
     estimate = run.summary.get("error_estimate", {})
     said = estimate.get("sentence") or estimate.get("none") or ""
     return said[:1].upper() + said[1:] + ("." if said and not said.endswith(".") else "")

@@ -7,7 +7,7 @@ from ..page import write
 from .page import Page
 
 
-def build(folder, output=None):
+def build(folder: str, output: str | None = None) -> tuple[str, list[str]]:
     """Writes the report; gives its path and the sentences of what could not be drawn."""
     output = output or os.path.join(folder, "report.html")
     try:
@@ -19,7 +19,7 @@ def build(folder, output=None):
     return output, page.problems
 
 
-def main(arguments):
+def main(arguments: list[str]) -> None:
     parser = argparse.ArgumentParser(prog="report.reliability", description=__doc__)
     parser.add_argument("folder", metavar="DIR")
     parser.add_argument("--output", metavar="FILE", help="DIR/report.html when not given")

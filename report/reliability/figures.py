@@ -1,5 +1,9 @@
 """Pictures of a reliability study: IDA curves, fragilities, hazard, reliability curves, reductions, disaggregation."""
+import numpy as np
+from matplotlib.figure import Figure
+
 from ..style import CYCLE, FE, FITTED, INK, MUTED, figure, literal, save, shared_legend
+from .tables import Layout, Row
 
 MOST_PANELS, COLUMNS = 16, 4
 AXES = {"peak_displacement_m": "base displacement (m)", "peak_lateral_force_N": "lateral force (N)",
@@ -8,11 +12,11 @@ AXES = {"peak_displacement_m": "base displacement (m)", "peak_lateral_force_N": 
         "peak_floor_acceleration_m_s2": "floor acceleration (m/s²)", "collapsed": "collapse"}
 
 
-def _panels(layout):
+def _panels(layout: Layout) -> list[tuple[str, list[int]]]:
     return list(layout.panels.items())[:MOST_PANELS]
 
 
-def _grid(layout, height=1.9):
+def _grid(layout: Layout, height: float = 1.9) -> tuple[Figure, np.ndarray, list[tuple[str, list[int]]]]:
     panels = _panels(layout)
     columns = min(COLUMNS, len(panels))
     rows = -(-len(panels) // columns)
@@ -24,12 +28,12 @@ def _grid(layout, height=1.9):
     return fig, grid, panels
 
 
-def _colours(layout):
+def _colours(layout: Layout) -> dict[str, str]:
     names = list(dict.fromkeys(layout.series(system) for system in layout.systems))
     return {name: CYCLE[i % len(CYCLE)] for i, name in enumerate(names)}
 
 
-def hazard(points, levels, period, path):
+def hazard(points: list[tuple[float, float]], levels: list[Row], period: float, path: str) -> str:
     """The hazard's points and the study's levels on its lines."""
     fig, grid = figure(1, 1, 2.6, width=4.2)
     ax = grid[0, 0]
@@ -42,7 +46,7 @@ def hazard(points, levels, period, path):
     return save(fig, path)
 
 
-def ida(layout, rows, quantity, path):
+def ida(layout: Layout, rows: list[Row], quantity: str, path: str) -> str | None:
     """Median and 16 to 84 % of the runs of each system over intensity; a fractile that a collapse reaches is not there."""
     fig, grid, panels = _grid(layout)
     colours, drawn = _colours(layout), False
@@ -62,7 +66,7 @@ def ida(layout, rows, quantity, path):
     return save(fig, path) if drawn else None
 
 
-def fragility(layout, rows, quantity, limits, path):
+def fragility(layout: Layout, rows: list[Row], quantity: str, limits: list[float], path: str) -> str:
     """P(quantity > limit) over intensity; one figure for all chosen limits, the thinner the larger the limit."""
     fig, grid, panels = _grid(layout)
     colours = _colours(layout)
@@ -82,7 +86,7 @@ def fragility(layout, rows, quantity, limits, path):
     return save(fig, path)
 
 
-def reliability(layout, rows, quantity, years, path):
+def reliability(layout: Layout, rows: list[Row], quantity: str, years: float, path: str) -> str:
     """Probability in a lifetime over the limit, with its band."""
     fig, grid, panels = _grid(layout)
     colours = _colours(layout)
@@ -101,7 +105,7 @@ def reliability(layout, rows, quantity, years, path):
     return save(fig, path)
 
 
-def reduction(layout, rows, quantity, path):
+def reduction(layout: Layout, rows: list[Row], quantity: str, path: str) -> str | None:
     """1 - P / P of the reference over the limit, with its band."""
     fig, grid, panels = _grid(layout)
     colours, drawn = _colours(layout), False
@@ -122,7 +126,7 @@ def reduction(layout, rows, quantity, path):
     return save(fig, path) if drawn else None
 
 
-def shares(rows, quantity, limits, path):
+def shares(rows: list[Row], quantity: str, limits: list[float], path: str) -> str:
     """Share of the rate of each level, the mean of all systems, for a few limits."""
     fig, grid = figure(1, 1, 2.4, width=4.6)
     ax = grid[0, 0]

@@ -1,24 +1,26 @@
 """What the report of a reliability study says, section by section."""
 import os
+from typing import Any
 
-from ..blocks import Pictures, Section, bullets, note, table, text
 from . import figures, tables
+from ..blocks import Pictures, Section, bullets, note, table, text
 
 
-def few(values, count=3):
+def few(values: list[float], count: int = 3) -> list[float]:
     """Some of a list, its ends among them."""
     if len(values) <= count:
         return values
     return [values[round(i * (len(values) - 1) / (count - 1))] for i in range(count)]
 
 
-def percent(value):
+def percent(value: Any) -> str:
     return f"{100 * value:.3g} %"
 
 
 class Page:
-    def __init__(self, folder):
-        self.folder, self.problems = folder, []
+    def __init__(self, folder: str) -> None:
+        self.folder = folder
+        self.problems: list[str] = []
         self.summary = tables.summary(folder)
         self.rows = {name: tables.read(folder, name) for name in
                      ("ida", "fragility", "reliability", "difference", "levels", "records", "sensitivity")}
@@ -27,14 +29,14 @@ class Page:
         self.pictures = Pictures(os.path.join(folder, "figures"), self.problems)
         self.quantities = list(dict.fromkeys(row["quantity"] for row in self.rows["reliability"]))
 
-    def limits(self, quantity):
+    def limits(self, quantity: str) -> list[float]:
         return sorted({row["limit"] for row in self.rows["reliability"] if row["quantity"] == quantity})
 
-    def sections(self):
+    def sections(self) -> list[Section]:
         return [section for section in (self.study(), self.curves(), self.fragilities(), self.reliabilities(),
                                         self.differences(), self.why()) if section.blocks]
 
-    def study(self):
+    def study(self) -> Section:
         s, section = self.summary, Section("study", "The study")
         n_shown, n_panels = min(figures.MOST_PANELS, len(self.layout.panels)), len(self.layout.panels)
         section.add(text(f"{s['n_systems']} systems of scene {s['scene']}, {s['samples']} samples each; intensity S_a({s['period_s']:g} s), "
@@ -54,7 +56,7 @@ class Page:
                                          s["levels"], s["period_s"]))
         return section
 
-    def curves(self):
+    def curves(self) -> Section:
         section = Section("ida", "Incremental dynamic analysis")
         for quantity in self.quantities:
             if quantity != "collapsed":
@@ -62,7 +64,7 @@ class Page:
                                                  "reaches is left out.", figures.ida, self.layout, self.rows["ida"], quantity))
         return section
 
-    def fragilities(self):
+    def fragilities(self) -> Section:
         section = Section("fragility", "Fragility")
         for quantity in self.quantities:
             limits = few(self.limits(quantity))
@@ -71,7 +73,7 @@ class Page:
                                              quantity, limits))
         return section
 
-    def reliabilities(self):
+    def reliabilities(self) -> Section:
         section = Section("reliability", "Reliability curves")
         for quantity in self.quantities:
             section.add(self.pictures.figure(f"reliability-{quantity}", f"Probability in {self.summary['years']:g} years and its band.",
@@ -89,7 +91,7 @@ class Page:
                           "Over all systems. What lies above the last level rests on its fragility held constant."))
         return section
 
-    def differences(self):
+    def differences(self) -> Section:
         section = Section("difference", "What a difference buys")
         rows = [[d["key"], tables.shown(d["value"]), d["quantity"], f"{d['limit']:g}", percent(d["mean_reduction"]),
                  f"{percent(d['least_reduction'])} to {percent(d['largest_reduction'])}",
@@ -101,7 +103,7 @@ class Page:
         section.add(table(["key", "value", "quantity", "limit", "mean reduction", "over the systems", "band excludes 0"], rows, left=3))
         return section
 
-    def why(self):
+    def why(self) -> Section:
         section = Section("why", "Why: intensities, records, inputs")
         for quantity in self.quantities:
             limits = few(self.limits(quantity))
@@ -123,8 +125,9 @@ class Page:
                                         "in long form, one row a value.")]))
         return section
 
-    def records(self, quantity, limit):
-        sums, n = {}, len(self.layout.systems)
+    def records(self, quantity: str, limit: float) -> list[list[str]]:
+        sums: dict[str, float] = {}
+        n = len(self.layout.systems)
         for row in self.rows["records"]:
             if row["quantity"] == quantity and row["limit"] == limit:
                 name = row["record"] or "tails of the fits (no run beyond the limit)"

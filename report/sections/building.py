@@ -1,6 +1,9 @@
 """What the bearing carries, where a run has a building: storey by storey, and over time."""
+from typing import Any
+
 from .. import interactive
 from ..blocks import Section, heading, table
+from ..context import Context
 from ..figures import building as figure_building
 from ..figures import storeys
 from ..numbers import fixed, is_number, scaled, sig
@@ -10,7 +13,7 @@ from .common import tables_note, title_of
 G = 9.80665
 
 
-def make(context):
+def make(context: Context) -> Section:
     section = Section("building", "The building")
     for entry in context.results.entries:
         run = entry.fitted or entry.law or entry.fe
@@ -30,7 +33,7 @@ def _curves(run: Run) -> list[interactive.Panel]:
     return interactive.over_time(run, figure_building.PANELS)
 
 
-def _peaks(run):
+def _peaks(run: Run) -> dict[str, Any] | None:
     s = run.summary
     acceleration = s.get("peak_floor_acceleration_m_s2")
     rows = [["peak storey drift (mm)", scaled(s["peak_drift_m"], 1e3, 2)], ["ductility, drift over yield", fixed(s.get("ductility"), 2)],
@@ -41,7 +44,7 @@ def _peaks(run):
     return table(["", "largest of all storeys"], [row for row in rows if row[1] != "–"], compact=True)
 
 
-def _storeys(run):
+def _storeys(run: Run) -> dict[str, Any] | None:
     rows = [[str(i), scaled(storey.get("peak_drift_m"), 1e3, 2), scaled(storey.get("residual_drift_m"), 1e3, 2),
              scaled(storey.get("peak_shear_N"), 1e-3, 0), sig(storey["peak_acceleration_m_s2"] / G, 3) if is_number(storey.get("peak_acceleration_m_s2")) else "–"]
             for i, storey in enumerate(run.summary.get("superstructure", {}).get("storeys", []), 1)]

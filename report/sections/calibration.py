@@ -1,11 +1,15 @@
 """The fit: values, intervals, correlation, and how every run comes out."""
+from typing import Any
+
 from ..blocks import Section, bullets, heading, table
+from ..context import Context
+from ..calibration_file import Calibration
 from ..figures import calibration as figure_calibration
 from ..numbers import fixed, interval, is_number, percent, plain, power, sig
 from .common import ROLE_TEXT, errors_of, row_name, short_name
 
 
-def make(context):
+def make(context: Context) -> Section | None:
     if context.results.single:
         return None
     section = Section("calibration", "Calibration")
@@ -36,18 +40,18 @@ def make(context):
     return section
 
 
-def _parameters(calibration):
+def _parameters(calibration: Calibration) -> dict[str, Any] | None:
     rows = []
     for p in calibration.parameters:
+        told = "–" if p.identifiable is None else "yes" if p.identifiable else "no" + (f": {p.reason}" if p.reason else "")
         show = (lambda x: power(x, 3)) if is_number(p.value) and abs(p.value) >= 1e4 else (lambda x: sig(x, 3))
         limits = interval(*p.interval) if p.interval else "–"
-        verdict = {True: "yes", False: "no" + (f": {p.reason}" if p.reason else "")}.get(p.identifiable, "–")
         rows.append([p.name, show(p.value), p.unit.strip("-"), show(p.standard_error) if p.standard_error else "–", limits,
-                     verdict, *([show(p.published) if p.published is not None else "–"] if calibration.published_applies else [])])
+                     told, *([show(p.published) if p.published is not None else "–"] if calibration.published_applies else [])])
     return table(["parameter", "value", "unit", "standard error", "95 % interval", "identifiable", *(["published"] if calibration.published_applies else [])], rows)
 
 
-def _correlation(calibration):
+def _correlation(calibration: Calibration) -> dict[str, Any] | None:
     names = list(calibration.correlation)
     if len(names) < 2:
         return None
@@ -57,7 +61,7 @@ def _correlation(calibration):
                  compact=True)
 
 
-def _derived(calibration):
+def _derived(calibration: Calibration) -> dict[str, Any] | None:
     rows = []
     for name, value in calibration.derived.items():
         if name == "element":  # its parameters stand in the table above
@@ -76,7 +80,7 @@ def _derived(calibration):
     return table(["stated with the fit", ""], rows, left=2, prose=True)
 
 
-def _runs(context):
+def _runs(context: Context) -> dict[str, Any] | None:
     rows = []
     for entry in context.results.histories:
         errors = errors_of(context, entry, entry.best)
@@ -90,23 +94,24 @@ def _runs(context):
                          "after the last release, displacement over L_c, force over its peak.")
 
 
-def _published(calibration):
+def _published(calibration: Calibration) -> list[str]:
     """How far the published pair is from the fitted one, and what the windows say of the reason."""
     k, e = calibration.parameter("k_i"), calibration.parameter("e")
     if not (k and e and is_number(k.published) and is_number(e.published)):
         return []
     sentences = [f"Published: k_i = {sig(k.published)} kN/m, e = {sig(e.published)}; here {sig(k.value)} kN/m, "
                  f"{sig(e.value, 2)}."]
-    rows = [row for row in calibration.windows if row.k_i and row.e]
+    rows = [(row.speed, row.k_i, row.e) for row in calibration.windows if row.k_i and row.e]
     if len(rows) < 2:
         return sentences
-    near = min(rows, key=lambda row: abs(row.k_i.value / k.published - 1))
-    sentences.append(f"Of the windows, each fitted alone, the one at {sig(near.speed, 2)} m/s comes nearest to the published "
-                     f"stiffness: {sig(near.k_i.value)} kN/m, e = {sig(near.e.value, 2)}.")
-    slow, fast = rows[0], rows[-1]
-    if fast.k_i.value < slow.k_i.value:
-        sentences.append(f"The rim softens with speed: {sig(slow.k_i.value)} kN/m at {sig(slow.speed, 2)} m/s, "
-                         f"{sig(fast.k_i.value)} kN/m at {sig(fast.speed, 2)} m/s. A pair belongs to the speeds it was "
+    published = k.published
+    speed, near, restitution = min(rows, key=lambda row: abs(row[1].value / published - 1))
+    sentences.append(f"Of the windows, each fitted alone, the one at {sig(speed, 2)} m/s comes nearest to the published "
+                     f"stiffness: {sig(near.value)} kN/m, e = {sig(restitution.value, 2)}.")
+    (low, slow, _), (high, fast, _) = rows[0], rows[-1]
+    if fast.value < slow.value:
+        sentences.append(f"The rim softens with speed: {sig(slow.value)} kN/m at {sig(low, 2)} m/s, "
+                         f"{sig(fast.value)} kN/m at {sig(high, 2)} m/s. A pair belongs to the speeds it was "
                          "fitted at; the published one was fitted to the two pulses at scale 1, which graze the rim, and to rim dimensions "
                          "that are not published (ours are assumptions, listed under the inputs).")
     return sentences

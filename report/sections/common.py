@@ -3,8 +3,10 @@ from typing import Any
 
 from .. import building_tables, view3d, vtu
 from ..blocks import note, text, turning
+from ..context import Context
 from ..calibration_file import PAIR_LAWS
 from ..numbers import is_number
+from ..results import Entry
 from ..run_folder import Run
 from ..stored_fields import said_of
 
@@ -14,7 +16,7 @@ METRIC_NAMES = {"peak_force": "peak impact force", "peak_displacement": "peak di
                 "rebound": "rebound speed"}
 
 
-def title_of(name):
+def title_of(name: str) -> str:
     """ricker-0.78g-1.0s-x1.05 -> Ricker pulse 0.78 g, 1.0 s, × 1.05; other names as they are."""
     parts = name.split("-")
     if parts[0] == "ricker" and len(parts) >= 3 and parts[1].endswith("g") and parts[2].endswith("s"):
@@ -25,12 +27,12 @@ def title_of(name):
     return name
 
 
-def short_name(name):
+def short_name(name: str) -> str:
     """ricker-0.78g-1.0s-x1.05 -> 0.78 g, 1.0 s × 1.05, for the axes of figures."""
     return title_of(name).removeprefix("Ricker pulse ").removeprefix("impact ").replace(", ×", " ×")
 
 
-def _is_float(text):
+def _is_float(text: str) -> bool:
     try:
         float(text)
     except ValueError:
@@ -38,12 +40,12 @@ def _is_float(text):
     return True
 
 
-def labels_of(models):
+def labels_of(models: list[tuple[str, Run]]) -> dict[str, str]:
     """What a run is called beside others of the same scene: by how it was made, as its own scene says."""
     return {slot: _label(slot, run) for slot, run in models}
 
 
-def _label(slot, run):
+def _label(slot: str, run: Run) -> str:
     if run.rung != "reduced":
         return "finite elements"
     law = run.get("reduced", "impact_law")
@@ -52,7 +54,7 @@ def _label(slot, run):
     return "reduced model" if not law else f"reduced, pair ({law})" if slot == "fitted" and law in PAIR_LAWS else f"reduced, {law}"
 
 
-def row_name(context, entry):
+def row_name(context: Context, entry: Entry) -> str:
     """A run's name in a table's row, with a mark where the run is doubted."""
     return context.doubts.marked(entry.name, short_name(entry.name))
 
@@ -70,24 +72,24 @@ def tables_note(run: Run) -> dict[str, Any] | None:
     return text(" and ".join(f"`{name}`" for name in names) + " in the run's folder hold the same as tables, in SI.") if names else None
 
 
-def impact_peak(run):
+def impact_peak(run: Run) -> float | None:
     value = run.summary.get("peak_impact_force_N")
     return value if is_number(value) else None
 
 
-def hardest(run):
+def hardest(run: Run) -> dict[str, float]:
     """The impact with the largest force, or an empty dictionary."""
     impacts = [i for i in run.impacts if is_number(i.get("peak_force_N"))]
     return max(impacts, key=lambda i: i["peak_force_N"]) if impacts else {}
 
 
-def figures_of(run):
+def figures_of(run: Run) -> dict[str, Any]:
     """Peaks that are compared between models, SI; None where the run does not know them."""
     return {"peak_force": impact_peak(run), "peak_displacement": run.summary.get("peak_displacement_m"),
             "rebound": hardest(run).get("rebound_speed_m_s")}
 
 
-def errors_of(context, entry, who):
+def errors_of(context: Context, entry: Entry, who: str) -> dict[str, float]:
     """Signed relative errors against FE: from the two summaries, else (no such run) as calibration.json has them."""
     run = getattr(entry, who)
     stored = context.calibration.metrics(entry.name)
@@ -98,8 +100,7 @@ def errors_of(context, entry, who):
     errors = {}
     for metric in METRIC_NAMES:
         a, b = reference.get(metric), candidate.get(metric)
-        known = is_number(a) and is_number(b) and a != 0
-        value = b / a - 1 if known else stored.get(f"{metric}_error")
+        value = b / a - 1 if is_number(a) and is_number(b) and a != 0 else stored.get(f"{metric}_error")
         if is_number(value):
             errors[metric] = value
     same_law = run is None or run.get("reduced", "impact_law") == context.calibration.derived.get("law")
@@ -109,7 +110,7 @@ def errors_of(context, entry, who):
     return errors
 
 
-def status_note(run):
+def status_note(run: Run) -> dict[str, str] | None:
     """Says it when a run did not end as it should."""
     if run.status in ("done", "missing"):
         return None

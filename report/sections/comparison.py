@@ -1,18 +1,22 @@
 """FE and what the reduced model makes of the same scenes, side by side."""
+from typing import Any
+
 from ..blocks import Section, table
+from ..context import Context
 from ..numbers import fixed, percent, scaled
 from ..results import SLOTS
+from ..run_folder import Run
 from .common import ROLE_TEXT, errors_of, hardest, impact_peak, labels_of, title_of
 
 PUBLISHED = (" The published study reports 10 % and 2 % on the peak impact force of the two pulses at scale 1, both of which only "
              "graze the rim.")
 
 
-def make(context):
+def make(context: Context) -> Section | None:
     if context.results.single:
         return None
     section = Section("comparison", "Finite elements and reduced models compared")
-    rows = []
+    rows: list[Any] = []
     for entry in context.results.histories:
         runs = [(who, getattr(entry, who)) for who in SLOTS if getattr(entry, who) is not None]
         if len(runs) < 2:
@@ -21,13 +25,13 @@ def make(context):
         labels = labels_of(runs)
         rows += [_row(labels[who], run, {} if who == "fe" else errors_of(context, entry, who)) for who, run in runs]
     section.add(table(["model", "impact force (kN)", "error", "displacement (mm)", "error",
-                       "approach (m/s)", "rebound (m/s)", "error", "impacts"], rows, 
+                       "approach (m/s)", "rebound (m/s)", "error", "impacts"], rows,
                       caption="Peaks are of the horizontal norm; speeds are of the hardest impact. Errors are signed and "
                               "relative to FE." + (PUBLISHED if context.calibration.published_applies else "")))
     return section
 
 
-def _row(label, run, errors):
+def _row(label: str, run: Run, errors: dict[str, float]) -> list[str]:
     impact = hardest(run) if run else {}
     summary = run.summary if run else {}
     return [label, scaled(impact_peak(run) if run else None, 1e-3, 0),

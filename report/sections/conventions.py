@@ -1,5 +1,6 @@
 """Signs and words, so that nobody has to guess."""
 from ..blocks import Section, table
+from ..context import Context
 
 ROWS = [
     ["Displacement u", "of the upper slider relative to the plate, which is fixed. u_z is positive upwards, zero at the "
@@ -20,7 +21,7 @@ ROWS = [
 ]
 
 
-def make(_context):
+def make(_context: Context) -> Section:
     section = Section("conventions", "Signs and terms")
     section.add(table(["term", "meaning"], ROWS, left=2, prose=True))
     return section

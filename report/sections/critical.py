@@ -1,5 +1,8 @@
 """Critical amplitudes and the sensitivity of grazing impacts."""
+from typing import Any
+
 from ..blocks import Section, table
+from ..context import Context
 from ..calibration_file import pick
 from ..figures import critical as figure_critical
 from ..numbers import is_number, plain, scaled, sig
@@ -7,7 +10,7 @@ from ..results import SLOTS
 from .common import hardest, impact_peak, labels_of, short_name
 
 
-def make(context):
+def make(context: Context) -> Section | None:
     if context.results.single:
         return None
     section = Section("critical", "Critical amplitudes and grazing")
@@ -23,35 +26,37 @@ def make(context):
     return section
 
 
-def _grazing(reports):
+def _grazing(reports: list[Any]) -> dict[str, Any] | None:
     rows = []
     for item in reports:
         speed, force = _band(pick(item, "approach_speed"), 1.0, 3), _band(pick(item, "peak_impact_force"), 1e-3, 0)
         rows.append([short_name(item.get("scene", "")), sig(item.get("scale"), 3), sig(item.get("critical_scale"), 5),
                      sig(pick(item, "critical_amplitude"), 4), speed, force])
-    varied = next((item["varied"] for item in reports if item.get("varied")), [])
+    varied: list[str] = next((item["varied"] for item in reports if item.get("varied")), [])
     return table(["pulse", "scale", "critical scale", "critical amplitude (g)", "approach speed (m/s)",
                   "peak impact force (kN)"], rows,
                  caption="Reduced model. In brackets: the band" + (f" over {plain(varied)}." if varied else "."))
 
 
-def _band(band, factor, decimals):
+def _band(band: dict[str, float] | float | None, factor: float, decimals: int) -> str:
     if isinstance(band, dict):
         nominal, low, high = (scaled(band.get(k), factor, decimals) for k in ("nominal", "low", "high"))
         return f"{nominal} ({low} to {high})"
     return scaled(band, factor, decimals)
 
 
-def _families(context):
+def _families(context: Context) -> tuple[dict[str, list[dict[str, Any]]], dict[str, float], dict[str, str]]:
     """Entries that differ in scale only, by pulse; first touches; what the models are called."""
-    families, critical, labels = {}, {}, {}
+    families: dict[str, list[dict[str, Any]]] = {}
+    critical: dict[str, float] = {}
+    labels: dict[str, str] = {}
     for entry in context.results.histories:
         run = entry.any_run
         if run is None or run.kind != "ricker":
             continue
         a, period = run.get("excitation", "amplitude_g"), run.get("excitation", "period_s")
         name = f"{a:g} g, {period:.1f} s" if is_number(a) and is_number(period) else entry.name
-        point = {"scale": entry.scale}
+        point: dict[str, Any] = {"scale": entry.scale}
         labels |= {who: label for who, label in labels_of(entry.models()).items() if who != "law"}
         for who, model in entry.models():
             point[who] = (impact_peak(model) or 0.0, hardest(model).get("approach_speed_m_s", 0.0))

@@ -1,15 +1,19 @@
 """The energy ledger: an e is only worth reporting beside what became of the energy."""
 import math
+from typing import Any
 
 from ..blocks import Section, table
+from ..context import Context
 from ..figures import energy as figure_energy
 from ..numbers import fixed, is_number, percent
+from ..results import Entry
+from ..run_folder import Run
 from .common import row_name, short_name
 
 TERMS = ("external", "gravity", "kinetic", "elastic", "plastic", "friction", "impact", "contact", "integrator")
 
 
-def make(context):
+def make(context: Context) -> Section | None:
     section = Section("energy", "Energy ledger")
     section.lead = ("Energies in kJ: what was put in, what is stored and what is spent by the end of the run. The "
                     "integrator's loss comes from its own formula; the imbalance is what is left over, relative to the "
@@ -28,7 +32,7 @@ def make(context):
     return section
 
 
-def _row(context, entry, run):
+def _row(context: Context, entry: Entry, run: Run) -> list[Any]:
     ledger = run.summary["energy"]
     values = [ledger.get(f"{name}_J") for name in ("initial", *TERMS)]
     largest = max((abs(value) for value in values if is_number(value)), default=0.0)
@@ -38,7 +42,7 @@ def _row(context, entry, run):
             percent(imbalance, 3)]
 
 
-def _kilojoule(value, largest):
+def _kilojoule(value: float | None, largest: float) -> str:
     """The row's largest energy gets four digits, the others as many decimals."""
     if not is_number(value) or largest <= 0:
         return "–"

@@ -15,7 +15,7 @@ from ..stored_fields import instants, said_of
 from .common import title_of
 
 if TYPE_CHECKING:
-    from ..build import Context
+    from ..context import Context
 
 
 def make(context: Context) -> Section | None:
@@ -41,7 +41,7 @@ def make(context: Context) -> Section | None:
     return section
 
 
-def _table(grid: vtu.Grid, run: Run, files: list[tuple[str, float | None]], name: str) -> dict:
+def _table(grid: vtu.Grid, run: Run, files: list[tuple[str, float | None]], name: str) -> dict | None:
     rows = []
     for field, values in grid.point_data.items():
         known, size = info_of(field), np.linalg.norm(values, axis=1) if values.ndim > 1 else values

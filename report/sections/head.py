@@ -1,9 +1,14 @@
 """The head of the first page: title, whose report it is, date and version, with what the results say where nothing is given."""
+from typing import Any
+
 from .. import document
+from ..context import Context
+from ..document import Document
+from ..results import Results
 from .common import title_of
 
 
-def head(context, given):
+def head(context: Context, given: Document) -> dict[str, Any]:
     results = context.results
     said = given.or_else(document.of(results.main.get("document", {})))
     title, subtitle = _defaults(context)
@@ -14,13 +19,13 @@ def head(context, given):
             "facts": facts, "date": document.today(), "version": f"rimpact {version}".strip()}
 
 
-def _defaults(context):
+def _defaults(context: Context) -> tuple[str, str]:
     """(title, subtitle) of a report nobody named."""
     results = context.results
     bearing = context.scene.get("bearing", {}).get("name") or results.answer.get("bearing")
     bearing = "double concave bearing" if context.double_concave else f"bearing {bearing}" if bearing else "friction-pendulum bearing"
     if results.single:
-        run = results.entries[0].any_run
+        run = results.only
         kind = "reduced model" if run.rung == "reduced" else f"finite elements, rung {run.rung}"
         return title_of(run.name), f"One run of {bearing}, {kind}"
     if context.measured:
@@ -31,7 +36,7 @@ def _defaults(context):
     return f"Rim impact of {bearing}", f"Impact law fitted to {source + ' ' if source else ''}runs"
 
 
-def _version(results):
+def _version(results: Results) -> str:
     version = results.main.get("versions", {}).get("rimpact")
     return version or next((entry.any_run.meta["version"] for entry in results.entries
                             if entry.any_run and entry.any_run.meta.get("version")), "")

@@ -1,14 +1,18 @@
 """Each ground motion: FE and reduced model over one another, the panels of thesis Figures 2-7 and 2-8, then a zoom on
 every impact."""
+from typing import Any
+
 from .. import interactive
 from ..blocks import Section, heading, note, table
+from ..context import Context
 from ..figures import impacts, response_panels
 from ..numbers import fixed, integer, is_number, percent, scaled
-from ..results import SLOTS
+from ..results import Entry, SLOTS
+from ..run_folder import Run
 from .common import ROLE_TEXT, errors_of, hardest, labels_of, status_note, title_of
 
 
-def make(context):
+def make(context: Context) -> Section:
     results = context.results
     entries = results.entries if results.single else results.histories + results.having("push")
     section = Section("histories", "Response" if results.single else "Finite elements and reduced model, pulse by pulse")
@@ -20,7 +24,7 @@ def make(context):
     return section
 
 
-def _entry(section, context, entry):
+def _entry(section: Section, context: Context, entry: Entry) -> None:
     if not context.results.single:
         section.add(heading(context.doubts.marked(entry.name, title_of(entry.name)), ROLE_TEXT.get(entry.role, "")))
     models = [(role, run) for role, run in entry.models() if run.has("time", "displacement_x", "displacement_y")]
@@ -42,13 +46,13 @@ def _entry(section, context, entry):
     section.add(zoom if zoom else note("The rim is not touched in any of the models.", "info"))
 
 
-def _impact_caption(models, most=4):
+def _impact_caption(models: list[tuple[str, Run]], most: int = 4) -> str:
     n = max(len(run.impacts) for _, run in models)
     shown = f" The first {most} of {n} are shown." if n > most else ""
     return "Rim force through each impact, over time and over penetration." + shown
 
 
-def _numbers(context, entry):
+def _numbers(context: Context, entry: Entry) -> dict[str, Any] | None:
     labels = labels_of([(who, getattr(entry, who)) for who in SLOTS if getattr(entry, who) is not None]) | {"fe": "FE"}
     known = [(who, labels[who], getattr(entry, who)) for who in SLOTS if getattr(entry, who) is not None]
     if not known:
@@ -74,6 +78,6 @@ def _numbers(context, entry):
     return table(["", *(label for _, label, _ in known)], rows)
 
 
-def _contact(impact):
+def _contact(impact: dict[str, float]) -> str:
     touch, release = impact.get("touch_time_s"), impact.get("release_time_s")
     return fixed(1e3 * (release - touch), 1) if is_number(touch) and is_number(release) else "–"

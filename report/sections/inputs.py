@@ -1,5 +1,9 @@
 """Inputs and assumptions: every number of the resolved scene, those assumed marked as such."""
+from collections.abc import Iterator
+from typing import Any
+
 from ..blocks import Section, note, table
+from ..context import Context
 from ..numbers import plain
 from .common import title_of
 
@@ -34,7 +38,7 @@ PARTS = {"bearing": "Bearing", "isolator": "Double concave bearing", "load": "Lo
          "model": "Finite-element model", "reduced": "Reduced model of the first run"}
 
 
-def make(context):
+def make(context: Context) -> Section | None:
     section = Section("inputs", "Inputs and assumptions")
     if not context.scene:
         return None
@@ -49,7 +53,7 @@ def make(context):
     return section
 
 
-def _rows(context, part, title):
+def _rows(context: Context, part: str, title: str) -> list[Any]:
     rows = []
     for key, value in _flat(context.scene.get(part, {})):
         name, unit = split_unit(key)
@@ -59,7 +63,7 @@ def _rows(context, part, title):
     return [{"span": title}, *rows] if rows else []
 
 
-def _flat(tree, prefix=""):
+def _flat(tree: dict[str, Any], prefix: str = "") -> Iterator[tuple[str, Any]]:
     for key, value in tree.items():
         if isinstance(value, dict):
             yield from _flat(value, f"{prefix}{key}.")
@@ -67,7 +71,7 @@ def _flat(tree, prefix=""):
             yield prefix + key, value
 
 
-def split_unit(key):
+def split_unit(key: str) -> tuple[str, str]:
     """rim.height_mm -> ("rim.height", "mm"); a key without unit is a number or a name."""
     for suffix, unit in UNITS.items():
         if key.endswith(suffix):
@@ -75,7 +79,7 @@ def split_unit(key):
     return key, ""
 
 
-def _excitations(context):
+def _excitations(context: Context) -> dict[str, Any] | None:
     rows = []
     for entry in context.results.entries:
         run = entry.any_run
@@ -87,5 +91,5 @@ def _excitations(context):
     return table(["excitation", "kind", "scale", "what it is made of"], rows, left=4, prose=True)
 
 
-def _plain_key(key):
+def _plain_key(key: str) -> str:
     return key.replace("_", " ").replace(".", ", ")

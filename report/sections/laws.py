@@ -1,10 +1,13 @@
 """Which impact law serves: what each leaves unexplained, what it predicts unseen."""
+from typing import Any
+
 from ..blocks import Section, note, table
+from ..context import Context
 from ..numbers import fixed, interval, is_number, percent, sig
 from .common import short_name
 
 
-def make(context):
+def make(context: Context) -> Section | None:
     calibration = context.calibration
     if context.results.single or not (calibration.laws or calibration.speed_laws or calibration.profiles):
         return None
@@ -22,17 +25,17 @@ def make(context):
     return section
 
 
-def _run(context, folder):
+def _run(context: Context, folder: str) -> str:
     name = folder.rstrip("/").split("/")[-1]
     return context.doubts.marked(name, short_name(name))
 
 
-def _limits(parameter):
+def _limits(parameter: dict[str, Any]) -> str:
     limits = parameter.get("interval_95", [])
     return interval(*limits) if len(limits) == 2 else "–"
 
 
-def _ranking(laws):
+def _ranking(laws: list[dict[str, Any]]) -> dict[str, Any] | None:
     rows = [[row.get("law", "–"), percent(row.get("force_unexplained"), 1, False),
              percent(row.get("largest_peak_force_error"), 1, False), percent(row.get("largest_rebound_error"), 1, False),
              percent(row.get("left_out_peak_force_error"), 1, False), percent(row.get("left_out_rebound_error"), 1, False),
@@ -43,12 +46,12 @@ def _ranking(laws):
                          "runs left out are both met within 5 %.")
 
 
-def _range(row):
+def _range(row: dict[str, Any]) -> str:
     low, high = row.get("valid_from_m_s"), row.get("valid_to_m_s")
     return f"{sig(low, 2)} to {sig(high, 2)}" if is_number(low) and is_number(high) else "nowhere"
 
 
-def _parameters(laws):
+def _parameters(laws: list[dict[str, Any]]) -> dict[str, Any] | None:
     rows = []
     for row in laws:
         for name, p in row.get("parameters", {}).items():
@@ -59,7 +62,7 @@ def _parameters(laws):
                          "widens the interval); flat; bound; grazing.")
 
 
-def _left_out(context, laws):
+def _left_out(context: Context, laws: list[dict[str, Any]]) -> dict[str, Any] | None:
     """The best law's errors on what it has not seen."""
     if not laws:
         return None
@@ -74,7 +77,7 @@ def _left_out(context, laws):
                  caption=f"{laws[0].get('law', '–')}: fitted without what is left out, then asked for it.")
 
 
-def _constant_pair(context, pair):
+def _constant_pair(context: Context, pair: dict[str, Any]) -> dict[str, Any] | None:
     """The errors of the pair with the widest range, inside and outside of it."""
     rows = []
     for part, said in (("fitted", "inside, fitted"), ("left_out", "inside, left out"), ("outside", "outside")):
@@ -85,7 +88,7 @@ def _constant_pair(context, pair):
                  caption="One constant k_i and e over the widest range of speeds that it meets.") if rows else None
 
 
-def _speed_laws(laws):
+def _speed_laws(laws: dict[str, dict[str, Any]]) -> dict[str, Any] | None:
     rows = [[name, f"{sig(law.get('coefficient'), 3)} {law.get('unit', '').strip('-')} · (v / 1 m/s)^{fixed(law.get('exponent'), 2)}",
              f"{sig(law.get('from_m_s'), 2)} to {sig(law.get('to_m_s'), 2)}", percent(law.get("largest_error"), 0, False)]
             for name, law in laws.items()]
@@ -93,7 +96,7 @@ def _speed_laws(laws):
                  caption="Where one pair does not serve: the pair of `signed` as a function of the approach speed.")
 
 
-def _profiles(profiles):
+def _profiles(profiles: dict[str, Any]) -> dict[str, Any] | None:
     rows = [[name, _limits(p), p.get("unit", "").strip("-")]
             for name, p in profiles.items()]
     return table(["parameter", "95 % by profile likelihood", "unit"], rows, compact=True,

@@ -1,12 +1,14 @@
 """Measured curves: every impact of a laboratory's record with the law that was fitted to it."""
 from ..blocks import Section, heading, note, table
+from ..context import Context
+from ..curves import ImpactCurve
 from ..figures import measured as figure_measured
 from ..numbers import integer, percent, scaled, sig
 
 MOST = 24  # impacts drawn
 
 
-def make(context):
+def make(context: Context) -> Section | None:
     impacts = [impact for impact in context.results.impacts if impact.source == "measured"]
     if not impacts:
         return _not_stored(context)
@@ -25,7 +27,7 @@ def make(context):
     return section
 
 
-def _not_stored(context):
+def _not_stored(context: Context) -> Section | None:
     """The fit of a measured curve that is not there to be drawn is said, not passed over."""
     if not context.measured:
         return None
@@ -34,7 +36,7 @@ def _not_stored(context):
     return section
 
 
-def _row(context, impact):
+def _row(context: Context, impact: ImpactCurve) -> list[str]:
     peak, depth = impact.reference.force.max(initial=0.0), impact.reference.penetration.max(initial=0.0)
     own = impact.law.force.max(initial=0.0) if impact.law is not None and len(impact.law.force) else None
     return [context.doubts.marked(impact.name, impact.name), sig(impact.speed, 3), integer(1e-3 * peak), scaled(own, 1e-3, 0),

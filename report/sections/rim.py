@@ -12,14 +12,14 @@ from ..stored_fields import instants
 from .common import title_of, turning_model
 
 if TYPE_CHECKING:
-    from ..build import Context
+    from ..context import Context
 
 LATEST = 8  # fields looked at, each touched arc of the rim writes its own
 MOST = 4  # pictures; drawing one takes about a second
 
 
-def make(context):
-    runs = [(entry, entry.fe) for entry in context.results.entries if _meets_the_rim(entry.fe)]
+def make(context: Context) -> Section | None:
+    runs = [(entry, entry.fe) for entry in context.results.entries if entry.fe is not None and _meets_the_rim(entry.fe)]
     if not runs and context.results.single:
         return None
     section = Section("rim", "The deformed rim")
@@ -35,11 +35,11 @@ def make(context):
     return section
 
 
-def _meets_the_rim(run):
-    return run is not None and run.rung != "reduced" and (run.rung == "rim" or bool(run.impacts))
+def _meets_the_rim(run: Run) -> bool:
+    return run.rung != "reduced" and (run.rung == "rim" or bool(run.impacts))
 
 
-def _most_strained(runs):
+def _most_strained(runs: list[tuple[Entry, Run]]) -> list[tuple[Entry, Run]]:
     """Histories first, then windows; within each the hardest."""
     with_fields = [(entry, run) for entry, run in runs if instants(run)]
     with_fields.sort(key=lambda pair: (pair[0].role == "window", -pair[1].summary.get("max_plastic_strain", 0.0)))

@@ -1,20 +1,25 @@
 """What each result cost, beside its error: speed is never reported alone."""
+from typing import Any
+
 from .. import stored_studies
 from ..blocks import Section, table
+from ..context import Context
 from ..figures import speed as figure_speed
 from ..figures import study as figure_study
 from ..numbers import duration, integer, is_number, memory, percent, scaled
+from ..results import Entry
+from ..run_folder import Run
 from .common import errors_of, row_name, short_name
 
 
-def make(context):
+def make(context: Context) -> Section | None:
     section = Section("speed", "Speed beside error")
     single = context.results.single
     known = [entry for entry in context.results.entries
              if any(is_number((run.summary if run else {}).get("wall_time_s")) for run in (entry.fe, entry.fitted))]
     if not known:
         return None
-    section.add(_single(known[0].any_run) if single else _all(context, known))
+    section.add(_single(context.results.only) if single else _all(context, known))
     runs = [(short_name(entry.name), entry.fe) for entry in known if entry.fe is not None and entry.fe.rung != "reduced"]
     section.add(context.pictures.figure("speed-time-split", "Where the wall time of the finite-element runs goes.",
                                         figure_speed.draw, runs))
@@ -24,7 +29,7 @@ def make(context):
     return section
 
 
-def _work(runs):
+def _work(runs: list[tuple[str, Run]]) -> dict[str, Any] | None:
     """What the solver did, counted: the same on every machine."""
     keys = ("newton_iterations", "backtracks", "linear_iterations", "factorisations", "augmentations", "steps_not_taken")
     rows = [[name, integer(run.summary.get("n_steps")), *(integer(run.summary["solver_work"].get(key)) for key in keys)]
@@ -35,7 +40,7 @@ def _work(runs):
                  caption="Work of the finite-element solver, in counts that no machine changes; a step of it each stands in response.h5.")
 
 
-def _frontiers(context, section):
+def _frontiers(context: Context, section: Section) -> None:
     """What the rungs that did not run would cost and change, from studies kept with the program."""
     reference = context.results.reference
     if reference is None or not context.calibration.published_applies:  # the studies are of the thesis's bearing
@@ -50,7 +55,7 @@ def _frontiers(context, section):
         section.add(context.pictures.figure(f"speed-rungs-{scene}", f"Speed against error on {scene} at scale 1.05.", figure_study.draw, study))
 
 
-def _all(context, entries):
+def _all(context: Context, entries: list[Entry]) -> dict[str, Any] | None:
     rows = [[row_name(context, entry), *_cost(entry.fe), _finer(entry.fe), _wall(getattr(entry, entry.best)),
              percent(errors_of(context, entry, entry.best).get("peak_force")),
              percent(errors_of(context, entry, "published").get("peak_force"))] for entry in entries]
@@ -68,20 +73,20 @@ def _all(context, entries):
     return table(header, rows, caption=caption + ".")
 
 
-def _single(run):
+def _single(run: Run) -> dict[str, Any] | None:
     return table(["model", "mesh", "wall time", "unknowns", "steps", "Newton", "memory", "FE error"],
                  [[run.rung, *_cost(run), _finer(run)]])
 
 
-def _cost(run):
+def _cost(run: Run | None) -> list[str]:
     s = run.summary if run else {}
     return [integer(s.get("mesh")), duration(s.get("wall_time_s")), integer(s.get("n_dofs") or None),
             integer(s.get("n_steps")), integer(s.get("n_newton_iterations") or None), memory(s.get("peak_memory_bytes"))]
 
 
-def _wall(run):
+def _wall(run: Run | None) -> str:
     return duration(run.summary.get("wall_time_s")) if run else "–"
 
 
-def _finer(run):
+def _finer(run: Run | None) -> str:
     return percent((run.summary if run else {}).get("error_estimate", {}).get("peak_force_relative"), signed=False)

@@ -4,6 +4,7 @@ import numpy as np
 from .. import stack_picture, vtu
 from ..bearing import height, value
 from ..blocks import Section, heading
+from ..context import Context
 from ..errors import DataError
 from ..run_folder import Run
 from ..stored_fields import instants, said_of
@@ -12,7 +13,7 @@ from .common import title_of, turning_model
 MOST = 4  # runs shown
 
 
-def make(context):
+def make(context: Context) -> Section | None:
     runs = [(entry, entry.fe) for entry in context.results.entries
             if entry.fe is not None and entry.fe.rung in ("rigid-dish", "full") and instants(entry.fe)]
     if not runs:

@@ -1,11 +1,18 @@
 """Single impacts at given speeds: k_i and e over speed, and the range in which one pair serves."""
+from collections.abc import Callable
+from typing import Any
+
 from ..blocks import Section, note, table
+from ..context import Context
+from ..calibration_file import Calibration, Parameter, WindowRow
 from ..figures import impacts, windows as figure_windows
 from ..numbers import fixed, is_number, percent, plain, power, scaled
+from ..results import Entry
+from ..run_folder import Run
 from .common import errors_of, hardest, labels_of, status_note
 
 
-def make(context):
+def make(context: Context) -> Section | None:
     if context.results.single:
         return None
     section = Section("windows", "Impact stiffness and restitution over speed")
@@ -26,14 +33,14 @@ def make(context):
     return section
 
 
-def _caption(entries):
+def _caption(entries: list[Entry]) -> str:
     """Solid, dotted, dashed: what each is, as the runs say."""
-    labels = next((labels_of(entry.models()) for entry in entries if entry.fitted or entry.law), {})
+    labels: dict[str, str] = next((labels_of(entry.models()) for entry in entries if entry.fitted or entry.law), {})
     beside = [f"{style} {labels[who]}" for who, style in (("fitted", "dotted:"), ("law", "dashed:")) if who in labels]
     return "Solid: finite elements" + "".join(f"; {said}" for said in beside) + ", at the same speed."
 
 
-def _table(context, entries, calibration):
+def _table(context: Context, entries: list[Entry], calibration: Calibration) -> dict[str, Any] | None:
     rows, used = [], set()
     for entry in entries:
         impact = hardest(entry.fe) if entry.fe else {}
@@ -51,7 +58,7 @@ def _table(context, entries, calibration):
                          "interval half-width), and the error of the peak force by the reduced model.")
 
 
-def _row(speed, impact, run, row, error):
+def _row(speed: str, impact: dict[str, float], run: Run | None, row: WindowRow | None, error: float | None) -> list[Any]:
     touch, release = impact.get("touch_time_s"), impact.get("release_time_s")
     contact = release - touch if is_number(touch) and is_number(release) else row.contact_time_s if row else None
     peak = impact.get("peak_force_N") or (row.peak_force_N if row else None)
@@ -64,7 +71,7 @@ def _row(speed, impact, run, row, error):
             _with_interval(row.e if row else None, lambda x: fixed(x, 3)), percent(error)]
 
 
-def _with_interval(parameter, show):
+def _with_interval(parameter: Parameter | None, show: Callable) -> str:
     if parameter is None:
         return "–"
     if not parameter.interval:

@@ -10,7 +10,7 @@ from . import tables
 from .results import Ours
 
 
-def main(arguments):
+def main(arguments: list[str]) -> None:
     parser = argparse.ArgumentParser(prog="rimpact thesis", description=__doc__)
     parser.add_argument("what")
     parser.add_argument("--program", required=True)

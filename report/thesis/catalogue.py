@@ -5,7 +5,9 @@ it needs, its panels, and its numbers: what is printed, how ours is found, withi
 cannot be compared says why; one that is not met says the cause."""
 import os
 import tomllib
+from collections.abc import Iterator
 from dataclasses import dataclass, field
+from typing import Any
 
 from ..errors import DataError, InputError
 from ..shapes import ANY, FLAG, NUMBER, TEXT, check, numbers, texts
@@ -29,35 +31,35 @@ SHAPE = {
 @dataclass
 class Run:
     name: str
-    command: list = field(default_factory=list)  #: words after `rimpact`; {records} stands for the user's folder
+    command: list[str] = field(default_factory=list)  #: words after `rimpact`; {records} stands for the user's folder
     kept: str = ""       #: folder in data/references instead of a command
     json: bool = False   #: the verb prints JSON and leaves no folder
     seconds: float = 1.0
     heavy: bool = False  #: finite elements, or longer than a minute
-    records: list = field(default_factory=list)
+    records: list[str] = field(default_factory=list)
 
 
 @dataclass
 class Number:
     what: str
-    printed: float = None
+    printed: float | None = None
     unit: str = ""
     ours: str = ""         #: "run:path", "a / b" or "a / b - 1" of such
     factor: float = 1.0
-    within: float = None   #: largest difference that counts as met, in the printed unit
+    within: float | None = None   #: largest difference that counts as met, in the printed unit
     resolved: float = 0.0  #: what the default step tolerance leaves open in ours, in the printed unit
-    at_least: float = None #: instead: ours is to be so much or more
+    at_least: float | None = None #: instead: ours is to be so much or more
     why: str = ""          #: why it is not compared
     cause: str = ""        #: why it is not met
     count: int = 1         #: printed numbers it stands for
 
-    def verdict(self, ours):
+    def verdict(self, ours: float | None) -> str:
         """met | not met | not comparable | not run"""
         if self.why:
             return "not comparable"
         if ours is None:
             return "not run"
-        met = ours >= self.at_least if self.at_least is not None else abs(ours - self.printed) <= self.within
+        met = ours >= self.at_least if self.at_least is not None else abs(ours - (self.printed or 0.0)) <= (self.within or 0.0)
         return "met" if met else "not met"
 
 
@@ -69,17 +71,17 @@ class Entry:
     state: str = ""
     command: str = ""   #: what makes it where no run of the catalogue does
     differs: str = ""   #: sentences: how ours differs from the thesis's, or why there is none
-    also: list = field(default_factory=list)
-    records: list = field(default_factory=list)
+    also: list[str] = field(default_factory=list)
+    records: list[str] = field(default_factory=list)
     columns: int = 2
-    panels: list = field(default_factory=list)
-    numbers: list = field(default_factory=list)
+    panels: list[dict[str, Any]] = field(default_factory=list)
+    numbers: list[Number] = field(default_factory=list)
 
     @property
-    def ids(self):
+    def ids(self) -> list[str]:
         return [self.id, *self.also]
 
-    def runs(self):
+    def runs(self) -> list[str]:
         """Names of the runs it needs, in order, each once."""
         named = [curve["run"] for panel in self.panels for curve in panel.get("curves", [])]
         for number in self.numbers:
@@ -89,34 +91,36 @@ class Entry:
 
 @dataclass
 class Catalogue:
-    thesis: dict
-    runs: dict
-    entries: list
+    thesis: dict[str, str]
+    runs: dict[str, Run]
+    entries: list[Entry]
 
-    def find(self, name):
+    def find(self, name: str) -> Entry:
         for entry in self.entries:
             if name in entry.ids:
                 return entry
         raise InputError(f"{name} is no figure, table or passage of the catalogue; rimpact thesis list shows them")
 
-    def records_of(self, entry):
+    def records_of(self, entry: Entry) -> list[str]:
         needed = list(entry.records)
         for name in entry.runs():
             needed += self.runs[name].records
         return list(dict.fromkeys(needed))
 
-    def seconds_of(self, entry, cheap=True):
+    def seconds_of(self, entry: Entry, cheap: bool = True) -> float:
         return sum(self.runs[name].seconds for name in entry.runs() if not (cheap and self.runs[name].heavy))
 
     @property
-    def citation(self):
+    def citation(self) -> str:
         t = self.thesis
         return f"{t['author']}, {t['title']}, {t['kind']}, {t['university']}, {t['year']}"
 
 
-def load(folder=os.path.join(FOLDER, "thesis")):
+def load(folder: str = os.path.join(FOLDER, "thesis")) -> Catalogue:
     """Throws DataError naming the file, and the entry of what makes no sense."""
-    merged = {"thesis": {}, "run": {}, "entry": []}
+    thesis: dict[str, str] = {}
+    commands: dict[str, dict[str, Any]] = {}
+    entries: list[dict[str, Any]] = []
     for name in sorted(os.listdir(folder), key=lambda name: (name.startswith("app"), name)):
         if not name.endswith(".toml"):
             continue
@@ -127,14 +131,14 @@ def load(folder=os.path.join(FOLDER, "thesis")):
         except (OSError, tomllib.TOMLDecodeError) as error:
             raise DataError(f"{path} is not readable TOML ({error})") from None
         check(data, SHAPE, path)
-        merged["thesis"] |= data.get("thesis", {})
-        merged["run"] |= data.get("run", {})
-        merged["entry"] += data.get("entry", [])
-    runs = {name: Run(name, **run) for name, run in merged["run"].items()}
-    return Catalogue(merged["thesis"], runs, [_entry(data, runs) for data in merged["entry"]])
+        thesis |= data.get("thesis", {})
+        commands |= data.get("run", {})
+        entries += data.get("entry", [])
+    runs = {name: Run(name, **run) for name, run in commands.items()}
+    return Catalogue(thesis, runs, [_entry(data, runs) for data in entries])
 
 
-def _entry(data, runs):
+def _entry(data: dict[str, Any], runs: dict[str, Run]) -> Entry:
     plain = {key: value for key, value in data.items() if key not in ("panel", "number", "table")}
     entry = Entry(**plain, panels=data.get("panel", []), numbers=[Number(**number) for number in data.get("number", [])])
     for table in data.get("table", []):
@@ -150,7 +154,7 @@ def _entry(data, runs):
     return entry
 
 
-def _numbers_of(table):
+def _numbers_of(table: dict[str, list[Any]]) -> Iterator[Number]:
     """A table's numbers, row by row: every column has a path, a factor, a bound and a cause of its own."""
     n = len(table["columns"])
     of = lambda key, default: table.get(key, [default] * n)

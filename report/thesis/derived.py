@@ -1,68 +1,74 @@
 """Numbers of a run that no summary holds, by name: the catalogue writes them as "run:name"."""
 import math
+from typing import Any
 
 import numpy as np
 
 from ..errors import DataError
+from ..run_folder import Run
 from .pair import equal_stiffness
 
 
-def pad_pressure_MPa(run):
+def pad_pressure_MPa(run: Run) -> float:
     """Dead load over the pad's ring."""
     pad = run.get("bearing", "pad")
     area = math.pi * (pad["outer_radius_mm"] ** 2 - pad["inner_radius_mm"] ** 2)
     return 1e3 * run.get("load", "vertical_kN") / area
 
 
-def yield_over_W(run):
+def yield_over_W(run: Run) -> float:
     """Yield force of the frame over the weight: its largest storey shear is f_y (1 - r + r mu), mu the ductility it reached."""
     r, ductility = run.get("superstructure", "post_yield_ratio"), run.summary["ductility"]
     return float(np.abs(run.signals["storey_shear_x"]).max()) / (1 - r + r * ductility) / (1e3 * run.get("load", "vertical_kN"))
 
 
-def _hits(run):
+def _hits(run: Run) -> np.ndarray:
     """Displacements [m] at which the rims are touched, one an impact."""
     pressed = run.norm("impact") > 0
     return np.abs(run.signals["displacement_x"][np.flatnonzero(pressed[1:] & ~pressed[:-1]) + 1])
 
 
-def first_hit_m(run):
+def first_hit_m(run: Run) -> float:
     return float(_hits(run)[0])
 
 
-def second_hit_m(run):
+def second_hit_m(run: Run) -> float:
     return float(_hits(run)[1])
 
 
-def largest_slip_m(run):
+def largest_slip_m(run: Run) -> float:
     """Of the interface, at any time."""
     return float(np.hypot(run.signals["interface_slip_x"], run.signals["interface_slip_y"]).max())
 
 
-def effective_radius_m(run):
+def effective_radius_m(run: Run) -> float:
     """R_eff of a bearing whose plates are alike."""
     i = run.scene["isolator"]
     return 2 * i["radius_m"] - 1e-3 * (i["top_height_mm"] + i["bottom_height_mm"])
 
 
-def equal_stiffness_kN_per_m(run):
+def equal_stiffness_kN_per_m(run: Run) -> float:
     """k_i of the constant pair that equals the run's first impact."""
     return equal_stiffness(run.impacts[0], run.get("load", "mass_kg"))
 
 
-def hardening_ratio(run):
+def hardening_ratio(run: Run) -> float:
     """Slope of the loading branch over its last tenth of displacement, over that about half of it: above 1 hardens."""
     u, f = run.signals["displacement_x"], -run.signals["force_x"]
     top = int(np.argmax(u))
-    slope = lambda low, high: np.polyfit(*(v[:top + 1][(u[:top + 1] > low * u[top]) & (u[:top + 1] < high * u[top])] for v in (u, f)), 1)[0]
-    return float(slope(0.9, 1.0) / slope(0.45, 0.55))
+
+    def slope(low: float, high: float) -> float:
+        part = (u[:top + 1] > low * u[top]) & (u[:top + 1] < high * u[top])
+        return float(np.polyfit(u[:top + 1][part], f[:top + 1][part], 1)[0])
+
+    return slope(0.9, 1.0) / slope(0.45, 0.55)
 
 
 CATALOGUE = {f.__name__: f for f in (pad_pressure_MPa, yield_over_W, first_hit_m, second_hit_m, largest_slip_m,
                                     effective_radius_m, equal_stiffness_kN_per_m, hardening_ratio)}
 
 
-def of(run, path):
+def of(run: Run, path: str) -> Any:
     """A name of the catalogue, "peak SIGNAL", "scene KEY.KEY"; None where `path` is none of them."""
     try:
         if path in CATALOGUE:
@@ -77,5 +83,5 @@ def of(run, path):
     return None
 
 
-def is_derived(path):
+def is_derived(path: str) -> bool:
     return path in CATALOGUE or path.startswith(("peak ", "scene "))

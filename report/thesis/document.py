@@ -5,11 +5,11 @@ from . import catalogue, tables
 from .results import Ours
 
 
-def text():
+def text() -> str:
     return tables.document(catalogue.load(), Ours("/nonexistent"))
 
 
-def main(arguments):
+def main(arguments: list[str]) -> None:
     write_whole(arguments[0], lambda file: file.write(text().encode()))
 
 

@@ -1,14 +1,20 @@
 """Draws an entry as the thesis lays it out: its panels and axes, finite elements below, the reduced model above."""
-import numpy as np
+from typing import Any
 
+import numpy as np
+from matplotlib.axes import Axes
+
+from ..run_folder import Run
 from ..style import CYCLE, FE, FITTED, MUTED, WIDTH, figure, literal, plt, save, shared_legend
+from .catalogue import Entry
 from .pair import draw_pair
+from .runs import Runs
 from .spectrum import draw_spectra
 
 SIDES = {"fe": dict(color=FE, lw=1.9, zorder=2), "physical": dict(color=FITTED, lw=1.0, zorder=4)}
 
 
-def series(run, name):
+def series(run: Run, name: str) -> np.ndarray | None:
     """A signal by name; "-force_x" turned about, "/W" over the dead load, "|u|" and "|F|" as norms, "/L" over what follows."""
     sign = -1.0 if name.startswith("-") else 1.0
     base, _, divisor = name.lstrip("-").partition("/")
@@ -19,7 +25,7 @@ def series(run, name):
     return sign * values / over
 
 
-def draw(entry, runs, path):
+def draw(entry: Entry, runs: Runs, path: str) -> str | None:
     """Gives the picture's path, or None where none of its curves is there."""
     if not entry.panels:
         return None
@@ -36,7 +42,7 @@ def draw(entry, runs, path):
     return save(fig, path)
 
 
-def _panel(ax, panel, runs):
+def _panel(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
     kind = panel.get("kind", "curves")
     drawn = {"curves": _curves, "ellipses": _ellipses, "spectra": draw_spectra, "bars": _bars, "pair": draw_pair}[kind](ax, panel, runs)
     ax.set_title(literal(panel.get("title", "")))
@@ -50,7 +56,7 @@ def _panel(ax, panel, runs):
     return drawn
 
 
-def _curves(ax, panel, runs):
+def _curves(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
     n = 0
     for k, curve in enumerate(panel["curves"]):
         run = runs.response(curve["run"])
@@ -66,7 +72,7 @@ def _curves(ax, panel, runs):
     return n > 0
 
 
-def _ellipses(ax, panel, _):
+def _ellipses(ax: Axes, panel: dict[str, Any], _: Runs) -> bool:
     """Plane ellipses z = b (1 - sqrt(1 - (x/a)^2)), b = a^2/R0, over their half-width."""
     for k, shape in enumerate(panel["shapes"]):
         a, b = shape["a_m"], shape["a_m"] ** 2 / shape["R0_m"]
@@ -76,7 +82,7 @@ def _ellipses(ax, panel, _):
     return True
 
 
-def _bars(ax, panel, runs):
+def _bars(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
     """One bar a run: the number at `y` of its summary."""
     labels, values = [], []
     for curve in panel["curves"]:

@@ -11,7 +11,7 @@ from . import document
 from .results import KEPT, Ours
 
 
-def main(arguments):
+def main(arguments: list[str]) -> None:
     catalogue, ours = catalogues.load(), Ours(arguments[0])
     kept = {entry.id: {number.what: ours.of(entry, number) for number in entry.numbers if ours.of(entry, number) is not None} for entry in catalogue.entries}
     text = json.dumps({name: numbers for name, numbers in kept.items() if numbers}, indent=1, sort_keys=True) + "\n"

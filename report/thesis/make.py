@@ -1,13 +1,18 @@
 """Makes entries: their runs, their picture, their numbers, one page of all that were asked for."""
+import argparse
 import os
+from collections.abc import Callable
+from typing import Any
 
+from . import draw, tables
 from .. import page
 from ..blocks import Pictures, Section, note, text
-from . import draw, tables
+from .catalogue import Catalogue, Entry
+from .results import Ours
 from .runs import Runs, value_of
 
 
-def make(catalogue, ours, entries, options):
+def make(catalogue: Catalogue, ours: Ours, entries: list[Entry], options: argparse.Namespace) -> dict[str, Any]:
     """Prints each entry's numbers and the page's path; gives the same as JSON."""
     runs = Runs(catalogue, options.program, options.output, options.records, options.cheap, options.quiet)
     pictures, made, sections = Pictures(os.path.join(options.output, "figures"), []), [], []
@@ -36,11 +41,11 @@ def make(catalogue, ours, entries, options):
     return {"entries": made, "counts": ours.count(entries), "page": path}
 
 
-def _draw(entry, runs):
+def _draw(entry: Entry, runs: Runs) -> Callable[[str], str | None]:
     return lambda path: draw.draw(entry, runs, path)
 
 
-def _section(entry, ours, figure, missing):
+def _section(entry: Entry, ours: Ours, figure: dict[str, Any] | None, missing: list[str]) -> Section:
     section = Section(entry.id, f"{entry.id}: {entry.title}", lead=f"Section {entry.section}. State: {entry.state}.")
     section.add(figure)
     section.add(text(entry.differs) if entry.differs else None)
@@ -51,7 +56,7 @@ def _section(entry, ours, figure, missing):
     return section
 
 
-def _say(entry, ours, picture, missing):
+def _say(entry: Entry, ours: Ours, picture: str | None, missing: list[str]) -> None:
     print(f"{entry.id}: {entry.title}")
     if entry.numbers:
         print(tables.numbers_text(entry, ours))

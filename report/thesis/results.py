@@ -4,7 +4,7 @@ import os
 
 from ..data_files import read_any_json
 from ..files import write_whole
-from .catalogue import FOLDER
+from .catalogue import Entry, FOLDER, Number
 
 KEPT = os.path.join(FOLDER, "thesis", "ours.json")
 VERDICTS = ("met", "not met", "not comparable", "not run")
@@ -13,17 +13,17 @@ VERDICTS = ("met", "not met", "not comparable", "not run")
 class Ours:
     """Ours of every number, by entry and what it is of."""
 
-    def __init__(self, folder):
+    def __init__(self, folder: str) -> None:
         self.path = os.path.join(folder, "numbers.json")
         self.values = read_any_json(KEPT) if os.path.isfile(KEPT) else {}
         if os.path.isfile(self.path):
             for entry, numbers in read_any_json(self.path).items():
                 self.values.setdefault(entry, {}).update(numbers)
 
-    def of(self, entry, number):
+    def of(self, entry: Entry, number: Number) -> float | None:
         return self.values.get(entry.id, {}).get(number.what)
 
-    def put(self, entry, values):
+    def put(self, entry: Entry, values: list[float | None]) -> None:
         """`values`: of its numbers in their order; what was not found now stays as it was."""
         found = {number.what: float(f"{value:.6g}") for number, value in zip(entry.numbers, values) if value is not None}
         made = read_any_json(self.path) if os.path.isfile(self.path) else {}
@@ -32,7 +32,7 @@ class Ours:
         os.makedirs(os.path.dirname(os.path.abspath(self.path)), exist_ok=True)
         write_whole(self.path, lambda file: file.write(json.dumps(made, indent=1, sort_keys=True).encode()))
 
-    def count(self, entries):
+    def count(self, entries: list[Entry]) -> dict[str, int]:
         """How many numbers of the entries have each verdict."""
         total = dict.fromkeys(VERDICTS, 0)
         for entry in entries:

@@ -3,13 +3,14 @@ import json
 import os
 import subprocess
 import sys
+from typing import Any
 
+from . import derived
 from ..data_files import read_any_json
 from ..errors import DataError
 from ..files import write_whole
-from ..run_folder import load_run
-from . import derived
-from .catalogue import FOLDER
+from ..run_folder import load_run, Run
+from .catalogue import Catalogue, FOLDER, Number
 
 INTERRUPTED = 130
 
@@ -17,23 +18,24 @@ INTERRUPTED = 130
 class Runs:
     """`folder`: where they are kept, a folder each. `cheap`: heavy ones are read where they are kept, never made."""
 
-    def __init__(self, catalogue, program, folder, records, cheap=False, quiet=False):
+    def __init__(self, catalogue: Catalogue, program: str, folder: str, records: str, cheap: bool = False, quiet: bool = False) -> None:
         self.catalogue, self.program, self.folder, self.records = catalogue, program, folder, records
         self.cheap, self.quiet = cheap, quiet
-        self.missing, self._read = {}, {}  #: name: the sentence why it is not there
+        self.missing: dict[str, str] = {}
+        self._read: dict[str, Run] = {}  #: name: the sentence why it is not there
 
-    def place(self, name):
+    def place(self, name: str) -> str:
         run = self.catalogue.runs[name]
         return os.path.join(FOLDER, "references", run.kept) if run.kept else os.path.join(self.folder, "runs", name)
 
-    def words(self, name):
+    def words(self, name: str) -> list[str]:
         """Of its command: {records} is the user's folder, {law} the settings of the law fitted to the kept references."""
         words = []
         for word in self.catalogue.runs[name].command:
             words += _law() if word == "{law}" else [word.replace("{records}", os.path.abspath(self.records))]
         return words
 
-    def make(self, name):
+    def make(self, name: str) -> bool:
         """Whether the run is there, made now if it must be."""
         run = self.catalogue.runs[name]
         if run.kept or name in self.missing or self._is_done(name):
@@ -47,12 +49,12 @@ class Runs:
             self._start(name)
         return name not in self.missing
 
-    def _is_done(self, name):
+    def _is_done(self, name: str) -> bool:
         """Kept from before, by the same command, to its end."""
         noted = os.path.join(self.place(name), "command.json")
         return os.path.isfile(noted) and read_any_json(noted) == self.words(name)
 
-    def _start(self, name):
+    def _start(self, name: str) -> None:
         place, run = self.place(name), self.catalogue.runs[name]
         os.makedirs(place, exist_ok=True)
         words = [self.program, *self.words(name), *(["--json"] if run.json else ["-o", place, "--force", "--quiet"])]
@@ -68,7 +70,7 @@ class Runs:
             _write(os.path.join(place, "output.json"), json.loads(done.stdout))
         _write(os.path.join(place, "command.json"), self.words(name))
 
-    def response(self, name):
+    def response(self, name: str) -> Run | None:
         """The run as report.run_folder reads it; None where it is not there."""
         if not self.make(name):
             return None
@@ -76,7 +78,7 @@ class Runs:
             self._read[name] = load_run(self.place(name), name)
         return self._read[name]
 
-    def summary(self, name):
+    def summary(self, name: str) -> Any:
         """Its summary.json, or what it printed; None where it is not there."""
         if not self.make(name):
             return None
@@ -84,24 +86,25 @@ class Runs:
         return read_any_json(os.path.join(self.place(name), kind))
 
 
-def _law():
+def _law() -> list[str]:
     settings = read_any_json(os.path.join(FOLDER, "references", "elastoplastic.json"))
     return [word for key, value in settings.items() for word in ("--set", f"{key}={json.dumps(value)}")]
 
 
-def value_of(number, runs):
+def value_of(number: Number, runs: Runs) -> float | None:
     """Ours, in the printed unit; None where a run is not there or has no such number."""
     if not number.ours:
         return None
     text = number.ours.removesuffix(" - 1")
     terms = [_term(term.strip(), runs) for term in text.split("/")]
-    if None in terms or 0 in terms[1:]:
+    known = [term for term in terms if term is not None]
+    if len(known) < len(terms) or 0 in known[1:]:
         return None
-    value = terms[0] / terms[1] if len(terms) > 1 else terms[0]
+    value = known[0] / known[1] if len(known) > 1 else known[0]
     return number.factor * (value - 1 if text != number.ours else value)
 
 
-def _term(term, runs):
+def _term(term: str, runs: Runs) -> float | None:
     name, _, path = term.partition(":")
     if derived.is_derived(path):
         run = runs.response(name)
@@ -117,9 +120,9 @@ def _term(term, runs):
     return value
 
 
-def _write(path, value):
+def _write(path: str, value: Any) -> None:
     write_whole(path, lambda file: file.write(json.dumps(value, indent=1).encode()))
 
 
-def _duration(seconds):
+def _duration(seconds: float) -> str:
     return f"{seconds / 3600:.1f} h" if seconds >= 3600 else f"{seconds / 60:.0f} min" if seconds >= 60 else f"{seconds:.0f} s"

@@ -1,13 +1,16 @@
 """Response spectra of records, 5 % damping: Figure 2-23 and its kind."""
 import os
+from typing import Any
 
 import numpy as np
+from matplotlib.axes import Axes
 
 from ..errors import DataError
 from ..style import FAINT, FE, FITTED, MUTED
+from .runs import Runs
 
 
-def read_at2(path):
+def read_at2(path: str) -> tuple[float, np.ndarray]:
     """(time step [s], acceleration [g]) of a PEER file: four lines of header, the last with NPTS and DT."""
     try:
         with open(path, encoding="ascii", errors="replace") as file:
@@ -18,7 +21,7 @@ def read_at2(path):
         raise DataError(f"{path} is no AT2 record ({error})") from None
 
 
-def pseudo_acceleration(dt, ground, periods, damping=0.05):
+def pseudo_acceleration(dt: float, ground: np.ndarray, periods: np.ndarray, damping: float = 0.05) -> np.ndarray:
     """Largest w^2 |u| of oscillators under the record, in the unit of `ground`: exact for its straight lines between samples, by
     the recursion of Nigam and Jennings (1969), read twenty times a shortest period."""
     n = max(1, int(np.ceil(20 * dt / np.min(periods))))
@@ -37,7 +40,7 @@ def pseudo_acceleration(dt, ground, periods, damping=0.05):
     return w * w * largest
 
 
-def design_spectrum(periods, s_s, s_1, f_a=1.2, f_v=1.4, long_period=8.0):
+def design_spectrum(periods: np.ndarray, s_s: float, s_1: float, f_a: float = 1.2, f_v: float = 1.4, long_period: float = 8.0) -> np.ndarray:
     """ASCE/SEI 7-16 two-point spectrum [g]; site class C."""
     ms, m1 = f_a * s_s, f_v * s_1
     t_s = m1 / ms
@@ -45,7 +48,7 @@ def design_spectrum(periods, s_s, s_1, f_a=1.2, f_v=1.4, long_period=8.0):
     return np.where(t < 0.2 * t_s, ms * (0.4 + 3 * t / t_s), np.where(t < t_s, ms, np.where(t < long_period, m1 / t, m1 * long_period / t ** 2)))
 
 
-def draw_spectra(ax, panel, runs):
+def draw_spectra(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
     periods = np.geomspace(0.05, 5.0, 60)
     found = [path for path in (os.path.join(runs.records, name) for name in panel.get("records", [])) if os.path.isfile(path)]
     spectra = [pseudo_acceleration(*read_at2(path), periods) for path in found]

@@ -1,25 +1,29 @@
 """What the catalogue says as text, as JSON, as blocks of a page and as docs/thesis.md."""
+from typing import Any
+
 from ..blocks import table
 from ..numbers import sig
+from .catalogue import Catalogue, Entry, Number
+from .results import Ours
 
 WORDS = {"done": "done", "partly": "partly", "missing": "missing", "drawing": "a drawing"}
 
 
-def printed(number):
+def printed(number: Number) -> str:
     return f"≥ {sig(number.at_least)}" if number.printed is None and number.at_least is not None else sig(number.printed, 4)
 
 
-def counts(total):
+def counts(total: dict[str, int]) -> str:
     compared = total["met"] + total["not met"]
     return (f"{compared} numbers compared: {total['met']} met, {total['not met']} not met with their cause; "
             f"{total['not comparable']} not comparable, with a sentence why; {total['not run']} not run yet")
 
 
-def word(number, verdict):
+def word(number: Number, verdict: str) -> str:
     return {"not met": number.cause, "not comparable": number.why}.get(verdict, "")
 
 
-def list_text(catalogue, ours):
+def list_text(catalogue: Catalogue, ours: Ours) -> str:
     lines = [catalogue.citation, ""]
     for entry in catalogue.entries:
         numbers = ours.count([entry])
@@ -32,11 +36,11 @@ def list_text(catalogue, ours):
     return "\n".join([*lines, "", counts(ours.count(catalogue.entries))])
 
 
-def _span(entry):
+def _span(entry: Entry) -> str:
     return entry.id if not entry.also else f"{entry.id} to {entry.also[-1]}" if len(entry.also) > 2 else ", ".join(entry.ids)
 
 
-def _cost(catalogue, entry):
+def _cost(catalogue: Catalogue, entry: Entry) -> str:
     if not entry.panels and not entry.numbers:
         return ""
     cheap, all_of_it = catalogue.seconds_of(entry), catalogue.seconds_of(entry, cheap=False)
@@ -44,7 +48,7 @@ def _cost(catalogue, entry):
     return of(cheap) if cheap == all_of_it else f"{of(cheap)}+{of(all_of_it - cheap)}"
 
 
-def list_json(catalogue, ours):
+def list_json(catalogue: Catalogue, ours: Ours) -> dict[str, Any]:
     entries = [{"id": entry.id, "also": entry.also, "section": entry.section, "title": entry.title, "state": entry.state, "differs": entry.differs,
                 "command": entry.command or f"rimpact thesis {entry.id}", "seconds": catalogue.seconds_of(entry),
                 "seconds_heavy": catalogue.seconds_of(entry, cheap=False) - catalogue.seconds_of(entry),
@@ -52,12 +56,12 @@ def list_json(catalogue, ours):
     return {"thesis": catalogue.thesis, "counts": ours.count(catalogue.entries), "entries": entries}
 
 
-def numbers_json(entry, ours):
+def numbers_json(entry: Entry, ours: Ours) -> list[dict[str, Any]]:
     return [{"what": n.what, "printed": n.printed, "at_least": n.at_least, "unit": n.unit, "within": n.within, "resolved": n.resolved, "ours": ours.of(entry, n),
              "verdict": n.verdict(ours.of(entry, n)), "word": word(n, n.verdict(ours.of(entry, n)))} for n in entry.numbers]
 
 
-def numbers_text(entry, ours):
+def numbers_text(entry: Entry, ours: Ours) -> str:
     lines = []
     for row in numbers_json(entry, ours):
         number = next(n for n in entry.numbers if n.what == row["what"])
@@ -66,7 +70,7 @@ def numbers_text(entry, ours):
     return "\n".join(lines)
 
 
-def numbers_block(entry, ours):
+def numbers_block(entry: Entry, ours: Ours) -> dict[str, Any] | None:
     rows = []
     for number in entry.numbers:
         verdict = number.verdict(ours.of(entry, number))
@@ -74,7 +78,7 @@ def numbers_block(entry, ours):
     return table(["", "unit", "thesis", "ours", "", ""], rows, left=(0, 1, 4, 5), prose=True)
 
 
-def document(catalogue, ours):
+def document(catalogue: Catalogue, ours: Ours) -> str:
     """docs/thesis.md."""
     total = ours.count(catalogue.entries)
     t = catalogue.thesis

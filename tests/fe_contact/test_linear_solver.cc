@@ -10,8 +10,7 @@ namespace {
 constexpr int size = 300;
 std::mt19937 generator(7);
 
-/// Indefinite, of entries between -1 and 1 in cliques of twelve, some diagonals a thousand million times larger (driven
-/// rows).
+/// The pattern of eighty cliques of twelve equations, all values zero.
 SymmetricMatrix random_matrix() {
   std::uniform_int_distribution<int> any(0, size - 1);
   std::vector<std::vector<int>> cliques;
@@ -24,6 +23,7 @@ SymmetricMatrix random_matrix() {
   return {size, cliques};
 }
 
+/// Entries between -1 and 1 on an indefinite diagonal; every seventh of it is a thousand million, as of driven rows.
 void fill(SymmetricMatrix &matrix) {
   std::uniform_real_distribution<double> number(-1, 1);
   for (double &value : matrix.values()) value = number(generator);

@@ -91,7 +91,7 @@ TEST(Restart, MidSlipItAgreesWithARunThatNeverStopped) {
   EXPECT_EQ(straight.contacts[0].status, resumed.contacts[0].status);
 }
 
-/// Flight, impact and rebound; the checkpoint falls on the twelfth step, in the middle of contact.
+/// Flight, impact and rebound; the checkpoint falls on the twentieth step, in the middle of contact.
 std::pair<SystemState, TransientReport> impact(Way way) {
   constexpr double end = 14e-6;
   const File file;
