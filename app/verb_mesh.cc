@@ -22,7 +22,7 @@ meshes::HexMesh rim_mesh(const MeshOptions &options, const Console &console) {
   if (!console.rung.empty())
     throw InputError("--rung " + console.rung + " needs --scene: a bearing alone is meshed for rung `rim`");
   const auto bearing = scene::load_bearing(options.bearing);
-  meshes::RimMeshOptions mesh;
+  meshes::MeshOrder mesh;
   if (console.mesh >= 0) mesh.level = console.mesh;
   mesh.half = !options.whole;
   return meshes::rim_mesh(bearing, mesh);

@@ -41,11 +41,11 @@ std::vector<std::vector<double>> rim_runs(const std::vector<double> &angles, con
 
 } // namespace
 
-void add_whole_plate(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions &options) {
+void add_whole_plate(HexMesh &mesh, const scene::Bearing &bearing, const MeshOrder &order) {
   constexpr double core = 0.25; // radius [m]
-  const double h = size_factor(options.level), wall = bearing.surface.planar_radius + bearing.rim.ledge;
-  const PlaceSizes sizes{2 * 10 * mm * h / wall, 20 * mm / wall, options.sector_half_angle, 0.6 * h};
-  const std::vector<double> places = folded(from_the_first(options.directions)), angles = disc_angles(places, sizes);
+  const double h = size_factor(order.level), wall = bearing.surface.planar_radius + bearing.rim.ledge;
+  const PlaceSizes sizes{2 * 10 * mm * h / wall, 20 * mm / wall, order.sector_half_angle, 0.6 * h};
+  const std::vector<double> places = folded(from_the_first(order.directions)), angles = disc_angles(places, sizes);
   const double size = 80 * mm * h;                             // as coarse as the pad's path allows
   const std::vector<double> layers = plate_layers(bearing, h); // the rim's foot bends the plate as in rung rigid-dish
   std::vector<Quad9> plate, rim;

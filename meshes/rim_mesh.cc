@@ -9,13 +9,13 @@
 #include <cmath>
 
 namespace rimpact::meshes {
-void add_rim(HexMesh &mesh, const scene::Bearing &bearing, const RimMeshOptions &options) {
-  const double h = size_factor(options.level);
+void add_rim(HexMesh &mesh, const scene::Bearing &bearing, const MeshOrder &order) {
+  const double h = size_factor(order.level);
   const double wall = bearing.surface.planar_radius + bearing.rim.ledge;
-  const PlaceSizes sizes{10 * mm * h / wall, 20 * mm / wall, options.sector_half_angle, 0.45 * h};
+  const PlaceSizes sizes{10 * mm * h / wall, 20 * mm / wall, order.sector_half_angle, 0.45 * h};
   const std::vector<Quad9> section =
-      plate_and_rim(bearing, {options.plate_inner_radius, 60 * mm * h, plate_layers(bearing, h)}, h);
-  for (const RimArc &arc : rim_arcs(from_the_first(options.directions), sizes, options.half)) {
+      plate_and_rim(bearing, {plate_cut_radius, 60 * mm * h, plate_layers(bearing, h)}, h);
+  for (const RimArc &arc : rim_arcs(from_the_first(order.directions), sizes, order.half)) {
     const auto end = [&](bool at_symmetry) -> std::optional<Surface> {
       if (arc.closed) return {};
       return at_symmetry ? Surface::symmetry : Surface::sector_end;
@@ -29,18 +29,18 @@ void flatten(HexMesh &mesh) {
     if (std::abs(node[1]) < 1e-12) node[1] = 0;
 }
 
-HexMesh rim_mesh(const scene::Bearing &bearing, const RimMeshOptions &options) {
-  if (options.own.any())
+HexMesh rim_mesh(const scene::Bearing &bearing, const MeshOrder &order) {
+  if (order.own.any())
     return own_mesh(
-        options.own, bearing,
-        {{Volume::plate, Volume::rim, Volume::upper_slider}, rim_groups, bearing.lateral_capacity(), options.half});
+        order.own, bearing,
+        {{Volume::plate, Volume::rim, Volume::upper_slider}, rim_groups, bearing.lateral_capacity(), order.half});
   HexMesh mesh;
-  RimMeshOptions half = options;
+  MeshOrder half = order;
   half.half = true;
   add_rim(mesh, bearing, half);
-  add_slider(mesh, bearing, size_factor(options.level), bearing.lateral_capacity());
+  add_slider(mesh, bearing, size_factor(order.level), bearing.lateral_capacity());
   flatten(mesh);
-  HexMesh result = options.half ? mesh : mirrored(mesh);
+  HexMesh result = order.half ? mesh : mirrored(mesh);
   check(result, 2, rim_groups);
   return result;
 }

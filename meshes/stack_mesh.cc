@@ -3,6 +3,7 @@
 #include "meshes/mirror.h"
 #include "meshes/own_mesh.h"
 #include "meshes/pad_and_foot.h"
+#include "meshes/rim_mesh.h"
 #include "meshes/slider_section.h"
 #include "meshes/touched_places.h"
 #include <cmath>
@@ -16,50 +17,45 @@ void turn(HexMesh &mesh, double angle) {
 }
 
 /// At rest on the vertex, the first direction at +x.
-HexMesh built_in(const scene::Bearing &bearing, const StackMeshOptions &options) {
-  const double h = size_factor(options.level);
-  RimMeshOptions rim;
-  rim.level = options.level;
-  rim.half = options.half;
-  rim.sector_half_angle = options.sector_half_angle;
-  rim.directions = options.directions;
+HexMesh built_in(const scene::Bearing &bearing, const MeshOrder &order) {
+  const double h = size_factor(order.level);
   HexMesh mesh;
   add_pad_and_foot(mesh, bearing, h);
-  add_slider(mesh, bearing, h, 0.0, folded(from_the_first(options.directions)));
-  if (options.whole_plate) add_whole_plate(mesh, bearing, rim);
+  add_slider(mesh, bearing, h, 0.0, folded(from_the_first(order.directions)));
+  if (order.whole_plate) add_whole_plate(mesh, bearing, order);
   flatten(mesh);
-  if (!options.half) mesh = mirrored(mesh);
-  if (options.rim && !options.whole_plate) add_rim(mesh, bearing, rim);
+  if (!order.half) mesh = mirrored(mesh);
+  if (order.rim && !order.whole_plate) add_rim(mesh, bearing, order);
   return mesh;
 }
 
 /// Each with its rim.
-int pieces_of_plate(const StackMeshOptions &options) {
-  if (options.whole_plate) return 1;
-  return options.rim ? rim_arcs(from_the_first(options.directions),
-                                {1, 0.5 * options.sector_half_angle, options.sector_half_angle, 1}, false)
-                           .size()
-                     : 0;
+int pieces_of_plate(const MeshOrder &order) {
+  if (order.whole_plate) return 1;
+  return order.rim ? rim_arcs(from_the_first(order.directions),
+                              {1, 0.5 * order.sector_half_angle, order.sector_half_angle, 1}, false)
+                         .size()
+                   : 0;
 }
 
-HexMesh drawn(const scene::Bearing &bearing, const StackMeshOptions &options, const std::vector<Surface> &groups) {
+HexMesh drawn(const scene::Bearing &bearing, const MeshOrder &order, const std::vector<Surface> &groups) {
   OwnMeshNeed need{
-      {Volume::pad, Volume::foot, Volume::upper_slider}, groups, 0.0, options.half, options.directions.size() > 1};
-  if (options.rim || options.whole_plate) need.bodies.insert(need.bodies.end(), {Volume::plate, Volume::rim});
-  return own_mesh(options.own, bearing, need);
+      {Volume::pad, Volume::foot, Volume::upper_slider}, groups, 0.0, order.half, order.directions.size() > 1};
+  if (order.rim || order.whole_plate) need.bodies.insert(need.bodies.end(), {Volume::plate, Volume::rim});
+  return own_mesh(order.own, bearing, need);
 }
 
 } // namespace
 
-HexMesh stack_mesh(const scene::Bearing &bearing, const StackMeshOptions &options) {
+HexMesh stack_mesh(const scene::Bearing &bearing, const MeshOrder &order) {
   std::vector<Surface> required{Surface::pad_face, Surface::foot_cap, Surface::socket, Surface::slider_side,
                                 Surface::top};
-  if (options.rim || options.whole_plate) required.insert(required.end(), rim_groups.begin(), rim_groups.end());
-  if (options.whole_plate) required.push_back(Surface::dish);
-  HexMesh result = options.own.any() ? drawn(bearing, options, required) : built_in(bearing, options);
-  turn(result, options.directions.front());
-  if (options.half) flatten(result);
-  if (!options.own.any()) check(result, 2 + pieces_of_plate(options), required);
+  if (order.rim || order.whole_plate) required.insert(required.end(), rim_groups.begin(), rim_groups.end());
+  if (order.whole_plate) required.push_back(Surface::dish);
+  HexMesh result = order.own.any() ? drawn(bearing, order, required) : built_in(bearing, order);
+  turn(result, order.directions.front());
+  if (order.half) flatten(result);
+  if (!order.own.any()) check(result, 2 + pieces_of_plate(order), required);
   return result;
 }
 

@@ -6,7 +6,6 @@
 #include "fe_contact/solver/ranks.h"
 #include "files/error.h"
 #include "planning/plan_parts.h"
-#include "reduced_models/physical_model.h"
 #include "responses/build_version.h"
 #include "scene/rim_identity.h"
 #include <algorithm>
@@ -26,9 +25,7 @@ struct Way {
   const reduced::PhysicalModel &model;
   double capacity;
   bool held;
-  TopTarget at(double d) const {
-    return {{d, 0}, held ? 0.0 : model.height(capacity + d, 0).z - model.height(capacity, 0).z};
-  }
+  TopTarget at(double d) const { return held ? TopTarget{{d, 0}, 0.0} : along_dish(model, capacity, d); }
 };
 
 class CurvePush {

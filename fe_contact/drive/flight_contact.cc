@@ -162,12 +162,12 @@ bool FlightRun::error_is_small(const Arc &arc, const SystemState &kept, const Ma
   constexpr double displacement_tolerance = 2e-6; // [m] a step
   constexpr double energy_tolerance = 1.5e-5;     // of the largest input, a step
   const auto scheme = GeneralizedAlpha::from(scene_.model.rho_inf);
-  const double change = system_.top().of(arc.state.a).x() - system_.top().of(kept.a).x();
+  const double change = system_.top_of(arc.state.a).x() - system_.top_of(kept.a).x();
   const double displacement = std::abs(scheme.beta - 1.0 / 6) * dt * dt * std::abs(change) / displacement_tolerance;
   // What the step leaves unbalanced: the trapezoidal work of the forces against the change of energy.
   const MassForces after = loads_.forces(arc.frame.displacement(top_of(arc)), arc.frame.to_global(top_speed_of(arc)),
                                          bearing_.t + dt, support_, report.multiplier);
-  const Eigen::Vector3d du = arc.frame.displacement(top_of(arc)) - arc.frame.displacement(system_.top().of(kept.u));
+  const Eigen::Vector3d du = arc.frame.displacement(top_of(arc)) - arc.frame.displacement(system_.top_of(kept.u));
   const double share = system_.model().share(),
                stored = share * (arc.state.energies.elastic + arc.state.energies.plastic - kept.energies.elastic -
                                  kept.energies.plastic);
@@ -192,7 +192,7 @@ void FlightRun::accept(Arc &arc, const SystemState &kept, const MassForces &befo
   bearing_.t += dt;
   multiplier_ = report.multiplier;
   const MassForces after = forces_now(arc, bearing_.t);
-  const Eigen::Vector3d u0 = arc.frame.displacement(system_.top().of(kept.u)), u1 = arc.frame.displacement(top_of(arc)),
+  const Eigen::Vector3d u0 = arc.frame.displacement(system_.top_of(kept.u)), u1 = arc.frame.displacement(top_of(arc)),
                         du = u1 - u0;
   const double share = system_.model().share();
   auto &ledger = record_.ledger;

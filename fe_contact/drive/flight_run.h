@@ -69,10 +69,8 @@ private:
   Attempt attempt(Arc &arc, double t, double dt);
   /// Support, release and what else an accepted step calls for. True: the contact has ended.
   bool after_step(Arc &arc, const ContactStepReport &report);
-  Eigen::Vector3d top_of(const Arc &arc) const {
-    return system_.top().of(arc.state.u);
-  } ///< local, from first touch [m]
-  Eigen::Vector3d top_speed_of(const Arc &arc) const { return system_.top().of(arc.state.v); } ///< [m/s]
+  Eigen::Vector3d top_of(const Arc &arc) const { return system_.top_of(arc.state.u); } ///< local, from first touch [m]
+  Eigen::Vector3d top_speed_of(const Arc &arc) const { return system_.top_of(arc.state.v); } ///< [m/s]
   const SurfaceContactReport &wall_of(const Arc &arc) const { return *system_.report_of(arc.state, Role::wall); }
   void write_fields(const Arc &arc);
 

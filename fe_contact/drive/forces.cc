@@ -18,15 +18,13 @@ BearingForces forces_of(const BearingSystem &system, const SystemState &state) {
 }
 
 void sample(RunRecord &record, const BearingSystem &system, const SystemState &state, const Instant &now) {
-  double pressure = 0, surface_gap = now.gap;
+  double pressure = 0;
   for (const auto &report : state.reports) pressure = std::max(pressure, report.largest_pressure);
-  if (const auto *wall = system.report_of(state, Role::wall); wall && std::isfinite(wall->smallest_gap))
-    surface_gap = wall->smallest_gap;
   std::optional<double> pad_pressure;
   if (const auto *dish = system.report_of(state, Role::dish)) pad_pressure = dish->largest_pressure;
   append(record, {now.time, now.u, now.v, now.forces.total(), now.forces.pendular, now.forces.friction, now.forces.rim,
-                  now.forces.normal, now.gap, surface_gap, largest_plastic_strain(state.history), pressure,
-                  now.newton_iterations, now.step, pad_pressure});
+                  now.forces.normal, now.gap, system.wall_distance(state, now.gap),
+                  largest_plastic_strain(state.history), pressure, now.newton_iterations, now.step, pad_pressure});
 }
 
 } // namespace rimpact::fe

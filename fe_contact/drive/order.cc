@@ -2,8 +2,8 @@
 
 namespace rimpact::fe {
 
-MeshOrder mesh_order(const scene::Scene &scene, const planning::Plan &plan) {
-  MeshOrder order;
+meshes::MeshOrder mesh_order(const scene::Scene &scene, const planning::Plan &plan) {
+  meshes::MeshOrder order;
   order.level = scene.model.mesh;
   order.half = plan.half;
   order.rim = plan.moves_in_time || plan.rim_takes_part;

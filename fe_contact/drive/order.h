@@ -7,7 +7,7 @@
 
 namespace rimpact::fe {
 
-MeshOrder mesh_order(const scene::Scene &scene, const planning::Plan &plan);
+meshes::MeshOrder mesh_order(const scene::Scene &scene, const planning::Plan &plan);
 ModelOptions model_options(const scene::Scene &scene);
 /// The rung's own, with the scene's damping of the time stepping.
 StepOptions step_options(const Rung &rung, const scene::Scene &scene);

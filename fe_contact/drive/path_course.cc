@@ -1,10 +1,13 @@
 #include "fe_contact/drive/path_course.h"
 
-#include "reduced_models/physical_model.h"
 #include <algorithm>
 #include <memory>
 
 namespace rimpact::fe {
+
+TopTarget along_dish(const reduced::PhysicalModel &model, double capacity, double way) {
+  return {{way, 0}, model.height(capacity + way, 0).z - model.height(capacity, 0).z};
+}
 
 PathCourse course_from_touch(const scene::Scene &scene) {
   constexpr int steps_in = 32, steps_out = 64; // unloading is nearly elastic and short: fine steps until the walls part
@@ -21,7 +24,7 @@ PathCourse course_from_touch(const scene::Scene &scene) {
   if (e.unload) course.phases.push_back(phase(deepest, 1, steps_out));
   course.top = [=](double s) {
     const double way = s <= deepest ? travel * s / deepest : travel * (1 - s) / (1 - deepest);
-    return TopTarget{{way, 0}, model->height(capacity + way, 0).z - frame.touch_height};
+    return along_dish(*model, capacity, way);
   };
   return course;
 }

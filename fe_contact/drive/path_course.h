@@ -2,6 +2,7 @@
 #pragma once
 #include "fe_contact/drive/top_drive.h"
 #include "fe_contact/rungs/rim_frame.h"
+#include "reduced_models/physical_model.h"
 #include "scene/scene.h"
 #include <functional>
 
@@ -11,6 +12,9 @@ namespace rimpact::fe {
 inline constexpr double first_push_step = 1e-5;    ///< the first contact wants a small one
 inline constexpr double smallest_push_step = 1e-8; ///< below it the push stops
 inline constexpr double push_growth = 1.6;         ///< of the next step, at most
+
+/// From first touch a way onwards along the dish [m].
+TopTarget along_dish(const reduced::PhysicalModel &model, double capacity, double way);
 
 struct PathCourse {
   struct Phase {

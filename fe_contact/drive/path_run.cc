@@ -53,7 +53,7 @@ private:
     if (on_dish_) preload_on_dish(system_, state_, load_, steps_);
     rest_height_ = system_.top_of(state_.u).z();
     rest_elastic_ = model_.share() * state_.energies.elastic;
-    sample(0, 0, 0);
+    sample(0, 0, 0, forces());
     if (on_dish_) write_fields(0);
     save(0, 0);
   }
@@ -79,13 +79,12 @@ private:
     if (!step.converged) return {false, 0, step.reason};
     ++record_.n_steps;
     record_.augmentation_caps += step.capped;
-    account(before, force_before, target.height.has_value());
-    sample(s + ds, step.iterations, ds);
-    const bool bears = forces().rim.any();
+    const BearingForces now = forces();
+    account(before, force_before, now.total(), target.height.has_value());
+    sample(s + ds, step.iterations, ds, now);
     if (options_.progress)
-      options_.progress({s + ds, 1.0, ds, step.iterations, gap(),
-                         (on_dish_ ? forces().total() : forces().rim).head<2>().norm(),
-                         bears ? "pressing" : "sliding"});
+      options_.progress({s + ds, 1.0, ds, step.iterations, gap(), now.total().head<2>().norm(),
+                         now.rim.any() ? "pressing" : "sliding"});
     const double part = course_.picture;
     if (std::floor((s + ds) / part + 1e-9) > std::floor(s / part + 1e-9)) write_fields(s + ds);
     if (record_.n_steps % steps_a_save == 0) save(s + ds, course_.growth * ds);
@@ -107,13 +106,14 @@ private:
     return scene_.bearing.lateral_capacity() - displacement(system_.top_of(state_.u)).head<2>().norm();
   }
 
-  void account(const Eigen::Vector3d &top_before, const Eigen::Vector3d &force_before, bool height_driven) {
+  void account(const Eigen::Vector3d &top_before, const Eigen::Vector3d &force_before, const Eigen::Vector3d &force,
+               bool height_driven) {
     const Eigen::Vector3d top = system_.top_of(state_.u);
     Eigen::Vector3d du = displacement(top) - displacement(top_before);
     auto &ledger = record_.ledger;
     if (on_dish_) ledger.gravity += scene_.load.vertical * du.z();
     if (!height_driven) du.z() = 0;
-    ledger.external -= 0.5 * (force_before + forces().total()).dot(du);
+    ledger.external -= 0.5 * (force_before + force).dot(du);
     ledger.elastic = model_.share() * state_.energies.elastic - rest_elastic_;
     ledger.plastic = model_.share() * state_.energies.plastic;
     for (const auto &report : state_.reports) {
@@ -123,9 +123,9 @@ private:
     ledger.largest_input = std::max(ledger.largest_input, std::abs(ledger.external));
   }
 
-  void sample(double s, int iterations, double ds) {
+  void sample(double s, int iterations, double ds, const BearingForces &now) {
     fe::sample(record_, system_, state_,
-               {s, displacement(system_.top_of(state_.u)), Eigen::Vector3d::Zero(), forces(), gap(), iterations, ds});
+               {s, displacement(system_.top_of(state_.u)), Eigen::Vector3d::Zero(), now, gap(), iterations, ds});
   }
   void write_fields(double s) {
     std::optional<double> direction;

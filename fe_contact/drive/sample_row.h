@@ -18,7 +18,6 @@ struct SampleRow {
   double step;                             ///< taken [s], or of the load parameter
   std::optional<double> pad_pressure = {}; ///< largest of the pad on the dish [Pa]; empty: there is no pad
 };
-inline constexpr double no_gap = 1.0; ///< stored as surface_gap where nothing is opposite [m]
 /// With the energies of the record's ledger as it stands.
 void append(RunRecord &record, const SampleRow &row);
 

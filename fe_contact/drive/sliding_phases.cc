@@ -20,13 +20,8 @@ double SlidingRun::gap() const {
   return scene_.bearing.lateral_capacity() - travel().head<2>().norm();
 }
 
-double SlidingRun::wall_gap() const {
-  const double exact = rim_is_solid() ? active().report_of(state_, Role::wall)->smallest_gap : gap();
-  return std::isfinite(exact) ? exact : gap();
-}
-
 double SlidingRun::surface_gap() const {
-  return touched_ ? wall_gap() : gap();
+  return touched_ ? active().wall_distance(state_, gap()) : gap();
 }
 
 double SlidingRun::closing_speed() const {
@@ -35,9 +30,7 @@ double SlidingRun::closing_speed() const {
 }
 
 bool SlidingRun::touching() const {
-  if (!rim_is_solid()) return false;
-  const SurfaceContactReport *wall = active().report_of(state_, Role::wall);
-  return wall->stick + wall->slip > 0;
+  return active().walls_touch(state_);
 }
 
 void SlidingRun::join() {

@@ -41,9 +41,8 @@ private:
   Eigen::VectorXd displacements() const; ///< by dof, the held rim's shape included
   Eigen::Vector3d travel() const;        ///< of the top face from rest on the vertex [m]
   double gap() const;                    ///< left of the lateral capacity [m]
-  double wall_gap() const;               ///< between the walls as they are [m]
-  double surface_gap() const;            ///< the same once they have touched, before that gap() [m]
-  double closing_speed() const;          ///< towards the rim [m/s]
+  double surface_gap() const;   ///< between the walls as they are once they have touched, before that gap() [m]
+  double closing_speed() const; ///< towards the rim [m/s]
   bool touching() const;
   bool rests() const; ///< as the scout has for good
 

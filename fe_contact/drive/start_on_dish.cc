@@ -65,12 +65,6 @@ StartOnDish::Start StartOnDish::nearly_there(TopDrive &drive, double to) const {
   return start;
 }
 
-double StartOnDish::wall_gap(const Start &start) const {
-  const SurfaceContactReport *wall = system_.report_of(start.first, Role::wall);
-  if (wall && std::isfinite(wall->smallest_gap)) return wall->smallest_gap;
-  return scene_.bearing.lateral_capacity() - system_.top_of(start.first.u).head<2>().norm();
-}
-
 StartOnDish::Start StartOnDish::near_the_rim() const {
   constexpr double last = 1e-3; // the stretch on which the dish takes the load of the arriving mass [m]
   const Eigen::Vector2d direction = scene_.excitation.direction();
@@ -83,7 +77,9 @@ StartOnDish::Start StartOnDish::near_the_rim() const {
   // What the dish takes on the last stretch is added, so that the walls meet at the speed asked for. Under rung full
   // the plate dips, and its rim leans away by some micrometres: a graze would stop short of it.
   const double slowing = -system_.force_of(start.first, Role::dish).head<2>().dot(direction) / scene_.load.mass;
-  const double speed = std::sqrt(std::pow(scene_.excitation.impact_speed(), 2) + 2 * slowing * wall_gap(start));
+  const double gap = scene_.bearing.lateral_capacity() - system_.top_of(start.first.u).head<2>().norm(),
+               until_touch = system_.wall_distance(start.first, gap);
+  const double speed = std::sqrt(std::pow(scene_.excitation.impact_speed(), 2) + 2 * slowing * until_touch);
   start.first.v = drive.last_change * (speed / drive.last_way.norm());
   return start;
 }

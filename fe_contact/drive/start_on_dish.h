@@ -25,7 +25,6 @@ private:
              const Eigen::VectorXd &load) const;
   /// At rest on the vertex, then to the last stretch before the rim, under the dead load; or what is kept of it.
   Start nearly_there(TopDrive &drive, double to) const;
-  double wall_gap(const Start &start) const; ///< between the walls [m]
 
   const scene::Scene &scene_;
   const planning::Plan &plan_;

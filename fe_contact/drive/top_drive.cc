@@ -30,8 +30,7 @@ Eigen::VectorXd TopDrive::guess(const BearingSystem &system, const SystemState &
     return u;
   }
   const double onwards = way.dot(last_way) / last_way.squaredNorm();
-  const SurfaceContactReport *wall = system.report_of(state, Role::wall);
-  if (onwards < 0 && wall && wall->stick + wall->slip > 0) return state.u;
+  if (onwards < 0 && system.walls_touch(state)) return state.u;
   return state.u + onwards * last_change;
 }
 

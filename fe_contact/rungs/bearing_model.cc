@@ -1,6 +1,7 @@
 #include "fe_contact/rungs/bearing_model.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace rimpact::fe {
@@ -22,7 +23,7 @@ Supports supports_of(const BearingModel &model, RimState rim) {
 
 } // namespace
 
-BearingModel::BearingModel(const Rung &rung, const scene::Bearing &bearing, const MeshOrder &mesh,
+BearingModel::BearingModel(const Rung &rung, const scene::Bearing &bearing, const meshes::MeshOrder &mesh,
                            const ModelOptions &options)
     : rung(rung), bearing(bearing), mesh(mesh), options(options), space(rung.mesh(bearing, mesh), options.degree),
       solid(space, bearing) {}
@@ -31,6 +32,12 @@ double BearingModel::own_mass() const {
   double mass = 0;
   for (const auto volume : rung.carried) mass += share() * solid.mass_of(volume);
   return mass;
+}
+
+SurfaceContactOptions penalised(const BearingModel &model, double E, double cell, const FrictionCoefficient &mu,
+                                double stiffer) {
+  const double penalty = stiffer * model.options.penalty_scale * E / (cell * meshes::size_factor(model.mesh.level));
+  return {{penalty, penalty, mu}};
 }
 
 BearingSystem::BearingSystem(const BearingModel &model, double mass, RimState rim)
@@ -89,6 +96,16 @@ Eigen::Vector3d BearingSystem::force_of(const SystemState &state, Role role) con
 Eigen::Vector3d BearingSystem::friction_of(const SystemState &state, Role role) const {
   const auto *report = report_of(state, role);
   return report ? whole(report->friction) : Eigen::Vector3d::Zero();
+}
+
+bool BearingSystem::walls_touch(const SystemState &state) const {
+  const auto *wall = report_of(state, Role::wall);
+  return wall && wall->stick + wall->slip > 0;
+}
+
+double BearingSystem::wall_distance(const SystemState &state, double otherwise) const {
+  const auto *wall = report_of(state, Role::wall);
+  return wall && std::isfinite(wall->smallest_gap) ? wall->smallest_gap : otherwise;
 }
 
 void BearingSystem::shift(Eigen::VectorXd &u, const Eigen::Vector3d &way) const {

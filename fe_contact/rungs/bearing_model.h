@@ -14,7 +14,7 @@ struct ModelOptions {
 };
 
 struct BearingModel {
-  BearingModel(const Rung &rung, const scene::Bearing &bearing, const MeshOrder &mesh,
+  BearingModel(const Rung &rung, const scene::Bearing &bearing, const meshes::MeshOrder &mesh,
                const ModelOptions &options = {});
   BearingModel(const BearingModel &) = delete;
 
@@ -23,11 +23,16 @@ struct BearingModel {
 
   const Rung &rung;
   const scene::Bearing bearing;
-  const MeshOrder mesh;
+  const meshes::MeshOrder mesh;
   const ModelOptions options;
   const Discretisation space;
   const Solid solid;
 };
+
+/// Frictional contact with penalties `stiffer` times the stiffness of the softer side's cells: its E [Pa] over their
+/// size, `cell` at level 1 [m].
+SurfaceContactOptions penalised(const BearingModel &model, double E, double cell, const FrictionCoefficient &mu,
+                                double stiffer = 1);
 
 class BearingSystem : public ContactSystem {
 public:
@@ -46,6 +51,9 @@ public:
   /// On the carried bodies, whole bearing [N]: all of the pair's, or its friction alone.
   Eigen::Vector3d force_of(const SystemState &state, Role role) const;
   Eigen::Vector3d friction_of(const SystemState &state, Role role) const;
+  bool walls_touch(const SystemState &state) const;
+  /// Of the walls as the last step left them; `otherwise` where they are no pair, or nothing is opposite [m].
+  double wall_distance(const SystemState &state, double otherwise) const;
 
   /// Moves the carried bodies, at rest in themselves, to a displacement of the top face, with a velocity and an
   /// acceleration; their contacts begin anew there.

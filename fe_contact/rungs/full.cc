@@ -1,14 +1,15 @@
 /// Rung full: the stack of rung rigid-dish on the whole plate, whose deformed dish carries the exact surface.
 #include "fe_contact/rungs/bearing_model.h"
 #include "fe_contact/rungs/rigid_dish.h"
+#include "meshes/stack_mesh.h"
 
 namespace rimpact::fe {
 namespace {
 
-meshes::HexMesh plate_mesh_of(const scene::Bearing &bearing, const MeshOrder &order) {
-  meshes::StackMeshOptions options = stack_mesh_options(order);
-  options.rim = options.whole_plate = true;
-  return meshes::stack_mesh(bearing, options);
+meshes::HexMesh plate_mesh_of(const scene::Bearing &bearing, const meshes::MeshOrder &order) {
+  meshes::MeshOrder whole = order;
+  whole.whole_plate = true;
+  return meshes::stack_mesh(bearing, whole);
 }
 
 std::vector<Pair> plate_pairs(const BearingModel &model, RimState rim) {

@@ -2,43 +2,21 @@
 
 #include "fe_contact/rungs/bearing_model.h"
 #include "fe_contact/rungs/rim.h"
+#include "meshes/stack_mesh.h"
 
 namespace rimpact::fe {
-namespace {
 
 using meshes::Surface;
-
-/// Penalties of the softer side's stiffness over its cells' size.
-SurfaceContactOptions frictional(double E, double cell, const FrictionCoefficient &mu) {
-  return {{E / cell, E / cell, mu}};
-}
-
-meshes::HexMesh dish_mesh_of(const scene::Bearing &bearing, const MeshOrder &order) {
-  return meshes::stack_mesh(bearing, stack_mesh_options(order));
-}
-
-} // namespace
 
 const Rung rungs::rigid_dish{
     .name = "rigid-dish",
     .dish = DishKind::exact,
     .carried = stack_bodies(),
-    .mesh = dish_mesh_of,
+    .mesh = meshes::stack_mesh,
     .hold = hold_plate,
     .pairs = stack_pairs,
     .steps = stack_steps(),
 };
-
-meshes::StackMeshOptions stack_mesh_options(const MeshOrder &order) {
-  meshes::StackMeshOptions options;
-  options.level = order.level;
-  options.half = order.half;
-  options.rim = order.rim;
-  options.sector_half_angle = order.sector_half_angle;
-  options.directions = order.directions;
-  options.own = order.own;
-  return options;
-}
 
 StepOptions stack_steps() {
   StepOptions options;
@@ -61,7 +39,6 @@ void hold_plate(Supports &supports, RimState rim) {
 
 std::vector<Pair> stack_pairs(const BearingModel &model, RimState rim) {
   const scene::Bearing &bearing = model.bearing;
-  const double reach = meshes::size_factor(model.mesh.level) / model.options.penalty_scale;
   constexpr double pad_cell = 0.012, cap_cell = 0.020, wall_cell = 0.010; // at level 1 [m]
   const scene::ContactFriction &mu = bearing.contact;
   const auto friction = [&](double fast, const std::optional<double> &slow) {
@@ -70,9 +47,9 @@ std::vector<Pair> stack_pairs(const BearingModel &model, RimState rim) {
   const std::shared_ptr<const scene::SlidingSurface> surface = scene::make_surface(bearing.surface);
   std::vector<Pair> pairs{
       {Role::dish, Surface::pad_face, fe::dish(surface, bearing.surface.planar_radius),
-       frictional(bearing.ertalyte.E, pad_cell * reach, friction(mu.steel_ertalyte, mu.steel_ertalyte_slow))},
+       penalised(model, bearing.ertalyte.E, pad_cell, friction(mu.steel_ertalyte, mu.steel_ertalyte_slow))},
       {Role::socket, Surface::foot_cap, sphere(Eigen::Vector3d::Zero(), bearing.foot.cap_radius, Side::inside),
-       frictional(bearing.steel.E, cap_cell * reach, friction(mu.steel_steel, mu.steel_steel_slow))}};
+       penalised(model, bearing.steel.E, cap_cell, friction(mu.steel_steel, mu.steel_steel_slow))}};
   // The socket does not turn, so it carries the sphere; the foot's cap turns under it.
   pairs[1].options.carrier_faces = Surface::socket;
   if (rim == RimState::solid) pairs.push_back(wall_pair(model, wall_cell, 1));

@@ -2,11 +2,10 @@
 /// scene needs them. Frame and reference position: at rest on the vertex (see stack_mesh).
 #pragma once
 #include "fe_contact/rungs/catalogue.h"
-#include "meshes/stack_mesh.h"
+#include "meshes/hex_mesh.h"
 
 namespace rimpact::fe {
 
-meshes::StackMeshOptions stack_mesh_options(const MeshOrder &order);
 inline std::vector<meshes::Volume> stack_bodies() {
   return {meshes::Volume::pad, meshes::Volume::foot, meshes::Volume::upper_slider};
 }

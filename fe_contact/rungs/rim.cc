@@ -1,15 +1,12 @@
 #include "fe_contact/rungs/rim.h"
 
 #include "fe_contact/rungs/bearing_model.h"
+#include "meshes/rim_mesh.h"
 
 namespace rimpact::fe {
 namespace {
 
 using meshes::Surface;
-
-meshes::HexMesh rim_mesh_of(const scene::Bearing &bearing, const MeshOrder &order) {
-  return meshes::rim_mesh(bearing, rim_mesh_options(order));
-}
 
 void hold_sector(Supports &supports, RimState) {
   for (int i = 0; i < 3; ++i) supports.fix(Surface::fixed, i);
@@ -40,27 +37,17 @@ const Rung rungs::rim{
     .name = "rim",
     .dish = DishKind::law,
     .carried = {meshes::Volume::upper_slider},
-    .mesh = rim_mesh_of,
+    .mesh = meshes::rim_mesh,
     .hold = hold_sector,
     .pairs = wall_alone,
     .steps = rim_steps(),
 };
 
-meshes::RimMeshOptions rim_mesh_options(const MeshOrder &order) {
-  meshes::RimMeshOptions options;
-  options.level = order.level;
-  options.half = order.half;
-  options.sector_half_angle = order.sector_half_angle;
-  options.own = order.own;
-  return options;
-}
-
 Pair wall_pair(const BearingModel &model, double cell, double stiffer) {
   const scene::Bearing &bearing = model.bearing;
-  const double penalty =
-      stiffer * model.options.penalty_scale * bearing.steel.E / (cell * meshes::size_factor(model.mesh.level));
   const scene::ContactFriction &mu = bearing.contact;
-  SurfaceContactOptions options{{penalty, penalty, {mu.rim, mu.rim_slow.value_or(mu.rim), mu.rate}}};
+  SurfaceContactOptions options =
+      penalised(model, bearing.steel.E, cell, {mu.rim, mu.rim_slow.value_or(mu.rim), mu.rate}, stiffer);
   options.carrier_faces = Surface::rim_wall;
   const double radius = bearing.surface.planar_radius + bearing.rim.ledge;
   return {Role::wall, Surface::slider_side,

@@ -3,11 +3,9 @@
 /// its own state.
 #pragma once
 #include "fe_contact/rungs/catalogue.h"
-#include "meshes/rim_mesh.h"
 
 namespace rimpact::fe {
 
-meshes::RimMeshOptions rim_mesh_options(const MeshOrder &order);
 /// Slider against rim, `stiffer` times as stiff as the cells of `cell` at level 1 [m] are.
 Pair wall_pair(const BearingModel &model, double cell, double stiffer);
 

@@ -4,23 +4,13 @@
 #include "fe_contact/engine/contact_steps.h"
 #include "fe_contact/engine/supports.h"
 #include "meshes/hex_mesh.h"
+#include "meshes/mesh_order.h"
 #include "scene/bearing.h"
-#include "scene/own_mesh_settings.h"
 #include <vector>
 
 namespace rimpact::fe {
 
 struct BearingModel;
-
-/// What a run asks of its mesh.
-struct MeshOrder {
-  int level = 1;                     ///< 0 to 3: every size divided by 1.5 a level
-  bool half = true;                  ///< y >= 0 only, with the group `symmetry` on y = 0
-  bool rim = true;                   ///< with the rim's sectors; rung full has them always
-  double sector_half_angle = 1.0;    ///< of each [rad]
-  std::vector<double> directions{0}; ///< in which slider and rim may meet [rad]
-  scene::OwnMesh own = {};           ///< drawn elsewhere
-};
 
 /// What a pair of surfaces is to the bearing; a rung has at most one pair of each.
 enum class Role { dish, socket, wall };
@@ -47,7 +37,7 @@ struct Rung {
   const char *name; ///< as scenes and results say it
   DishKind dish;
   std::vector<meshes::Volume> carried; ///< the bodies that move with the supported mass, their own mass a part of it
-  meshes::HexMesh (*mesh)(const scene::Bearing &, const MeshOrder &);
+  meshes::HexMesh (*mesh)(const scene::Bearing &, const meshes::MeshOrder &);
   /// What is held besides the plane of symmetry and the top face, whose components are the first equations.
   void (*hold)(Supports &, RimState);
   /// The contact pairs, in the order of the system's contacts.

@@ -102,7 +102,7 @@ TEST(DishPlan, RefusesWhatWouldFloatAndWhatItDoesNotHave) {
 class RimHandOver : public testing::Test {
 protected:
   RimHandOver()
-      : model_(rungs::rigid_dish, scene::Bearing{}, {}), alone_(model_, 80e3, RimState::held),
+      : model_(rungs::rigid_dish, scene::Bearing{}, {.rim = true}), alone_(model_, 80e3, RimState::held),
         joined_(model_, 80e3, RimState::solid) {}
   /// Smooth and small, so that no cell turns inside out.
   static Eigen::VectorXd wave(int n, double size) {
@@ -140,8 +140,7 @@ TEST_F(RimHandOver, TheRimIsHeldWithoutItsEquationsAndKeepsItsShape) {
 
 /// From its own face as a start and from none: a point that is not found would be out of contact, whatever it bears.
 TEST(StackFaces, EveryPointOnSocketAndRimIsFound) {
-  MeshOrder order;
-  order.half = false;
+  meshes::MeshOrder order{.half = false, .rim = true};
   for (order.level = 0; order.level < 2; ++order.level) {
     const BearingModel model(rungs::rigid_dish, scene::Bearing{}, order);
     const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(3 * model.space.n_nodes);

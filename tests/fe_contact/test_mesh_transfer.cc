@@ -6,8 +6,8 @@
 namespace rimpact::fe {
 namespace {
 
-meshes::StackMeshOptions draft(const std::vector<double> &directions) {
-  meshes::StackMeshOptions options;
+meshes::MeshOrder draft(const std::vector<double> &directions) {
+  meshes::MeshOrder options;
   options.level = 0, options.half = false, options.rim = true, options.directions = directions;
   return options;
 }

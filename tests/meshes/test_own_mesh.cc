@@ -33,21 +33,20 @@ struct TemporaryFile {
 
 /// A built-in mesh, changed, written and read back for rung rim.
 HexMesh through_a_file(
-    const std::function<void(HexMesh &)> &change, const std::function<void(RimMeshOptions &)> &options = [](auto &) {},
+    const std::function<void(HexMesh &)> &change, const std::function<void(MeshOrder &)> &options = [](auto &) {},
     int level = 0, bool curved = true) {
   HexMesh mesh = rim_mesh(bearing, {.level = level});
   change(mesh);
   const TemporaryFile file("mesh.msh");
   write_msh(mesh, file.path, curved);
-  RimMeshOptions own;
+  MeshOrder own;
   own.own.file = file.path;
   options(own);
   return rim_mesh(bearing, own);
 }
 
 std::string refusal(
-    const std::function<void(HexMesh &)> &change,
-    const std::function<void(RimMeshOptions &)> &options = [](auto &) {}) {
+    const std::function<void(HexMesh &)> &change, const std::function<void(MeshOrder &)> &options = [](auto &) {}) {
   try {
     through_a_file(change, options);
   } catch (const DataError &error) {
@@ -125,7 +124,7 @@ TEST(OwnMesh, DrawnAtRestInMillimetresUnderOtherNames) {
         for (auto &face : mesh.faces) // the file's names no longer mean what they say
           face.group = face.group == Surface::top ? Surface::foot_cap : face.group;
       },
-      [](RimMeshOptions &options) {
+      [](MeshOrder &options) {
         options.own.unit = "mm";
         options.own.groups[static_cast<std::size_t>(n_volumes) + static_cast<std::size_t>(Surface::top) -
                            static_cast<std::size_t>(Surface::dish)] = "foot_cap";
@@ -141,7 +140,7 @@ TEST(OwnMesh, DrawnAtRestInMillimetresUnderOtherNames) {
 
 TEST(OwnMesh, AHalfIsMirroredForAWholeModel) {
   const HexMesh half = through_a_file(as_it_is),
-                whole = through_a_file(as_it_is, [](RimMeshOptions &options) { options.half = false; });
+                whole = through_a_file(as_it_is, [](MeshOrder &options) { options.half = false; });
   EXPECT_EQ(whole.cells.size(), 2 * half.cells.size());
   EXPECT_TRUE(
       std::none_of(whole.faces.begin(), whole.faces.end(), [](const auto &f) { return f.group == Surface::symmetry; }));
@@ -151,7 +150,7 @@ TEST(OwnMesh, AStackAtRestWithItsRim) {
   const TemporaryFile file("stack.msh");
   const HexMesh built_in = stack_mesh(bearing, {.level = 0, .rim = true});
   write_msh(built_in, file.path, true);
-  StackMeshOptions options{.rim = true};
+  MeshOrder options{.rim = true};
   options.own.file = file.path;
   EXPECT_EQ(stack_mesh(bearing, options).cells.size(), built_in.cells.size());
   options.rim = false; // what the scene does not need is left out
@@ -185,8 +184,8 @@ TEST(OwnMesh, RefusalsNameWhatIsWrong) {
           }
       }),
       "is inverted");
-  expect_says(refusal(as_it_is, [](RimMeshOptions &o) { o.own.groups[1] = "rimm"; }), "did you mean \"rim\"");
-  expect_says(refusal(as_it_is, [](RimMeshOptions &o) { o.own.file = "/nowhere.msh"; }), "no such mesh file");
+  expect_says(refusal(as_it_is, [](MeshOrder &o) { o.own.groups[1] = "rimm"; }), "did you mean \"rim\"");
+  expect_says(refusal(as_it_is, [](MeshOrder &o) { o.own.file = "/nowhere.msh"; }), "no such mesh file");
 }
 
 TEST(OwnMesh, AWallElsewhereThanTheBearingsIsRefused) {
@@ -260,7 +259,7 @@ void draw_step(const std::string &path) {
 TEST(OwnMesh, AStepFileIsMeshedWithHexahedra) {
   const TemporaryFile file("bearing.step");
   draw_step(file.path);
-  RimMeshOptions options;
+  MeshOrder options;
   options.own.file = file.path;
   options.own.unit = "mm";
   options.own.size = 0.06, options.own.contact_size = 0.03;

@@ -30,7 +30,7 @@ TEST(StackMesh, PadAndFootShareTheSeatAndNothingElse) {
 
 TEST(StackMesh, CapAndSocketLieOnOneSphere) {
   for (const int level : {1, 2}) {
-    StackMeshOptions options;
+    MeshOrder options;
     options.level = level;
     const HexMesh mesh = stack_mesh(scene::Bearing{}, options);
     int cap = 0, socket = 0;
@@ -52,7 +52,7 @@ TEST(StackMesh, CellsAreSoundAtEveryLevelWholeAndHalfWithAndWithoutRim) {
     for (const bool rim : {false, true})
       for (const int level : {1, 2, 3}) {
         if (level == 3 && !half) continue;
-        StackMeshOptions options;
+        MeshOrder options;
         options.level = level;
         options.half = half;
         options.rim = rim;
@@ -67,7 +67,7 @@ TEST(StackMesh, CellsAreSoundAtEveryLevelWholeAndHalfWithAndWithoutRim) {
 
 TEST(StackMesh, TheWholePlateCarriesTheExactDishFromItsMiddleToItsEdge) {
   for (const bool both : {false, true}) {
-    StackMeshOptions options;
+    MeshOrder options;
     options.rim = options.whole_plate = true;
     if (both) options.directions = {0, M_PI};
     const scene::Bearing bearing;

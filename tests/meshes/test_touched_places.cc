@@ -53,7 +53,7 @@ TEST(TouchedPlaces, AHalfArcEndsAtTheSymmetry) {
 }
 
 TEST(TouchedPlaces, AllRoundTheRimIsAClosedRingOfOnePiece) {
-  StackMeshOptions options{.level = 0, .half = false, .rim = true};
+  MeshOrder options{.level = 0, .half = false, .rim = true};
   options.directions = {0.3, 1.9, -1.0, 3.3};
   const HexMesh mesh = stack_mesh(scene::Bearing{}, options); // checks its groups and pieces
   double around = 0, lowest = INFINITY;                       // of the wall's lowest faces, seen from above
@@ -75,7 +75,7 @@ TEST(TouchedPlaces, AllRoundTheRimIsAClosedRingOfOnePiece) {
 }
 
 TEST(TouchedPlaces, EverySectorOfAWholeModelHasAFineSliderBeforeIt) {
-  StackMeshOptions options{.level = 1, .half = false, .rim = true};
+  MeshOrder options{.level = 1, .half = false, .rim = true};
   options.directions = {0.3, 1.9};
   const HexMesh mesh = stack_mesh(scene::Bearing{}, options);
   for (const auto &[group, radius] : {std::pair{Surface::slider_side, 0.1125}, {Surface::rim_wall, 0.52}})

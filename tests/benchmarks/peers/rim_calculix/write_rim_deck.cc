@@ -4,7 +4,6 @@
 #include "ccx_deck.h"
 #include "fe_contact/drive/order.h"
 #include "fe_contact/engine/solid.h"
-#include "fe_contact/rungs/rim.h"
 #include "files/error.h"
 #include "meshes/rim_mesh.h"
 #include "planning/plan.h"
@@ -32,8 +31,7 @@ struct Settings {
 };
 
 /// Groups as node sets, free of overlaps: a node is held by one card only.
-std::string sets_and_surfaces(const DeckMesh &deck, const meshes::HexMesh &mesh,
-                              const meshes::RimMeshOptions &options) {
+std::string sets_and_surfaces(const DeckMesh &deck, const meshes::HexMesh &mesh, const meshes::MeshOrder &options) {
   const std::set<unsigned> fixed = deck.nodes_of(Surface::fixed), top = deck.nodes_of(Surface::top);
   auto symmetry = deck.nodes_of(Surface::symmetry);
   std::set<unsigned> inner, end, cuts;
@@ -41,7 +39,7 @@ std::string sets_and_surfaces(const DeckMesh &deck, const meshes::HexMesh &mesh,
     if (fixed.count(n)) continue;
     const auto &x = mesh.nodes[n];
     cuts.insert(n);
-    if (std::hypot(x[0], x[1]) < options.plate_inner_radius + 1e-9) inner.insert(n);
+    if (std::hypot(x[0], x[1]) < meshes::plate_cut_radius + 1e-9) inner.insert(n);
     if (std::abs(std::atan2(x[1], x[0]) - options.sector_half_angle) < 1e-9 || symmetry.count(n)) end.insert(n);
   }
   for (const auto &others : std::initializer_list<std::set<unsigned>>{fixed, top, cuts})
@@ -106,7 +104,7 @@ std::string window(const scene::Scene &scene, const Settings &settings, const me
 void write(const Settings &settings) {
   const scene::Scene scene = scene::load_scene(settings.scene, settings.overrides);
   planning::Plan plan = planning::make_plan(scene);
-  const auto options = fe::rim_mesh_options(fe::mesh_order(scene, plan));
+  const auto options = fe::mesh_order(scene, plan);
   if (!options.half) throw InputError("the deck is that of a symmetric half; leave model.symmetry at auto");
   const meshes::HexMesh mesh = meshes::rim_mesh(scene.bearing, options);
   const DeckMesh deck(mesh, settings.element.starts_with("C3D20") ? 20 : 8);
