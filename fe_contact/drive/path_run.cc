@@ -87,8 +87,9 @@ private:
                          now.rim.any() ? "pressing" : "sliding"});
     const double part = course_.picture;
     if (std::floor((s + ds) / part + 1e-9) > std::floor(s / part + 1e-9)) write_fields(s + ds);
-    if (record_.n_steps % steps_a_save == 0) save(s + ds, course_.growth * ds);
-    return {true, course_.growth * ds, {}, s >= course_.parts_from && state_.bearing_points() == 0};
+    const bool parted = s >= course_.parts_from && state_.bearing_points() == 0;
+    if (!parted && record_.n_steps % steps_a_save == 0) save(s + ds, course_.growth * ds);
+    return {true, course_.growth * ds, {}, parted};
   }
 
   /// In the plate's frame.
