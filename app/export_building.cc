@@ -96,7 +96,7 @@ void export_building_bearings(const std::string &folder, const std::string &out,
     if (bearings[b].double_concave())
       throw InputError(fmt::format("{}: the bearing under node {} is of rigid bodies (\"{}\"), which no element of "
                                    "OpenSees is: only dishes are exported",
-                                   folder, i + 1, bearings[b].reduced.model));
+                                   folder, i + 1, word(bearings[b].reduced.model)));
     own.bearing = bearings[b].bearing;
     const ExportedRim rim = rim_of(own, own.bearing, reactions[b]);
     const auto springs = calibration::opensees_rim(rim);

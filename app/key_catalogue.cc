@@ -33,7 +33,7 @@ public:
   }
   void flag(const Key &key, bool &) override { add(key, "flag", "true, false"); }
   void text(const Key &key, std::string &) override { add(key, "text", "text"); }
-  void choice(const Key &key, std::string &, const std::vector<std::string> &options) override {
+  void word(const Key &key, std::string &, const std::vector<std::string> &options) override {
     add(key, "choice", fmt::format("{}", fmt::join(options, ", ")));
     choices.emplace_back(keys.back().path, options);
   }
@@ -87,8 +87,7 @@ std::set<std::string> relevant(const std::vector<std::string> &settings) {
 /// What the keys that do not always count depend on: every choice is tried with each of its words.
 void find_conditions(const Describer &describer, std::vector<KeyDescription> &keys) {
   auto choices = describer.choices;
-  choices.emplace_back("reduced.model",
-                       std::vector<std::string>{"physical", "dcfp", "lir-dcfp"}); // a text: models are a catalogue
+  choices.emplace_back("reduced.model", words<scene::ModelKind>()); // a text: models are a catalogue
   for (const auto &[path, words] : choices) {
     std::map<std::string, std::vector<std::string>> words_of; // by key
     for (const auto &word : words)

@@ -107,11 +107,11 @@ void refuse_what_is_not_run(const scene::Scene &scene, const std::vector<std::st
           "--set " + assignment +
           ": the motions of main are its own: --speeds and --pulse-speeds choose them, `rimpact run` runs a scene's");
   if (scene.double_concave())
-    throw InputError("reduced.model \"" + scene.reduced.model +
+    throw InputError("reduced.model \"" + word(scene.reduced.model) +
                      "\": main is for a bearing with one dish; `rimpact reduced` runs this scene");
   if (scene.superstructure.any())
     throw InputError(
-        "superstructure.kind \"" + scene.superstructure.kind +
+        "superstructure.kind \"" + word(scene.superstructure.kind) +
         "\": main runs the bearing under a rigid mass; leave [superstructure] out, its mass is in load.mass_kg");
 }
 
@@ -146,11 +146,11 @@ MainTarget main_target(const std::string &where, const std::vector<std::string> 
   judge_load(target, vertical, mass);
   const bool asked = std::any_of(overrides.begin(), overrides.end(),
                                  [](const auto &each) { return each.rfind("model.rung", 0) == 0; });
-  if (!asked && (source.built_in || !file.find("model.rung"))) target.scene.model.rung = "rim";
+  if (!asked && (source.built_in || !file.find("model.rung"))) target.scene.model.rung = scene::Rung::rim;
   if (!source.built_in && file.find("excitation"))
     target.remarks.push_back(fmt::format(
         "the motion of {} ({}) is not run: main runs windows and Ricker pulses of its own; `rimpact run` runs it",
-        source.origin, scene::to_string(target.scene.excitation.kind)));
+        source.origin, word(target.scene.excitation.kind)));
   return target;
 }
 
@@ -174,8 +174,8 @@ std::string MainTarget::head() const {
   return fmt::format("bearing {} ({}): L_c = {:.1f} mm, slider {:g} mm, rim {:g} x {:g} mm, rung {}, mesh {}\n"
                      "load: dead load {:g} kN ({}), supported mass {:.6g} kg ({})\n",
                      b.name, bearing_from, 1e3 * b.lateral_capacity(), 1e3 * b.slider.diameter, 1e3 * b.rim.thickness,
-                     1e3 * b.rim.height, scene.model.rung, scene.model.mesh, scene.load.vertical / 1e3, vertical_from,
-                     scene.load.mass, mass_from);
+                     1e3 * b.rim.height, word(scene.model.rung), scene.model.mesh, scene.load.vertical / 1e3,
+                     vertical_from, scene.load.mass, mass_from);
 }
 
 } // namespace rimpact::app

@@ -61,7 +61,7 @@ void add_check(CLI::App &app, Console &console) {
       table["scene"] = scene.name;
       table["bearing"] = scene.bearing.name;
       table["lateral_capacity_m"] = scene.bearing.lateral_capacity();
-      table["rung"] = scene.model.rung;
+      table["rung"] = word(scene.model.rung);
       table.update(scene::case_json(scene));
       table["assumptions"] = nlohmann::json::object();
       for (const auto &item : assumed) table["assumptions"][item.key] = item.value;

@@ -20,7 +20,7 @@ Entries bearings() {
   for (const auto &name : scene::builtin_bearing_names()) {
     const auto b = scene::builtin_bearing(name);
     const double curvature = scene::make_surface(b.surface)->curvatures(0).meridional;
-    result.emplace_back(name, fmt::format("{} surface, R0 {:.3g} m, L_c {:.0f} mm", b.surface.kind, 1 / curvature,
+    result.emplace_back(name, fmt::format("{} surface, R0 {:.3g} m, L_c {:.0f} mm", word(b.surface.kind), 1 / curvature,
                                           1e3 * b.lateral_capacity()));
   }
   return result;
@@ -44,7 +44,7 @@ Entries scenes() {
 }
 Entries models() {
   Entries result;
-  for (const auto &model : reduced::reduced_models()) result.emplace_back(model.name, model.description);
+  for (const auto &model : reduced::reduced_models()) result.emplace_back(word(model.kind), model.description);
   return result;
 }
 Entries laws() {

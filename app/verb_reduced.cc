@@ -83,7 +83,7 @@ void add_reduced(CLI::App &app, Console &console) {
       if (!std::isfinite(height)) throw InputError("--nodes takes two heights in mm, not " + std::to_string(height));
     const scene::Scene scene = console.load(options->scene);
     if (!options->nodes.empty() && scene.double_concave())
-      throw InputError("--nodes is for bearings of one dish: reduced.model \"" + scene.reduced.model +
+      throw InputError("--nodes is for bearings of one dish: reduced.model \"" + word(scene.reduced.model) +
                        "\" passes moments through both plates");
     const std::string folder = options->folder.empty() ? default_folder(scene.name) + "-reduced" : options->folder;
     const auto claim =

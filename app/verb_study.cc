@@ -29,7 +29,7 @@ struct StudyOptions {
 
 /// One job a combination; the reduced model knows neither mesh nor step.
 std::vector<Job> study_jobs(const StudyOptions &options, const scene::Scene &base) {
-  const auto rungs = options.varies("rung") ? options.rungs : std::vector<std::string>{base.model.rung};
+  const auto rungs = options.varies("rung") ? options.rungs : std::vector<std::string>{word(base.model.rung)};
   const auto meshes = options.varies("mesh") ? options.meshes : std::vector<int>{base.model.mesh};
   const auto steps = options.varies("step") ? options.steps : std::vector<double>{1e3 * base.model.step};
   std::vector<Job> jobs;
@@ -45,7 +45,7 @@ std::vector<Job> study_jobs(const StudyOptions &options, const scene::Scene &bas
     for (const int mesh : meshes)
       for (const double step : steps) {
         scene::Scene scene = base;
-        scene.model.rung = rung;
+        scene.model.rung = parse<scene::Rung>(rung).value_or(base.model.rung);
         scene.model.mesh = mesh;
         scene.model.step = 1e-3 * step;
         add(fmt::format("{}-mesh{}", rung, mesh) + (options.varies("step") ? fmt::format("-{:g}ms", step) : ""), scene);
@@ -75,7 +75,7 @@ std::vector<calibration::StudyRun> runs_of(const std::vector<Job> &jobs, Console
     try {
       runs.push_back(calibration::study_run(job.name, summary_of(job.folder), read_response(job.folder)));
       if (job.name == "reduced") continue;
-      runs.back().rung = job.scene.model.rung; // as asked for, whatever wrote the summary
+      runs.back().rung = word(job.scene.model.rung); // as asked for, whatever wrote the summary
       runs.back().mesh = job.scene.model.mesh;
       runs.back().step = job.scene.model.step;
     } catch (const DataError &error) {

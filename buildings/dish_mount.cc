@@ -17,7 +17,7 @@ public:
                  std::sqrt(stiffness_ * scene.load.mass)) {
     if (law_.socket > 0)
       throw InputError("reduced.socket_friction under a building with bearings of rigid bodies: a dish there has none");
-    if (scene.reduced.friction != "park-wen")
+    if (scene.reduced.friction != scene::Friction::park_wen)
       throw InputError("reduced.friction \"coulomb\" of a dish under a building, which takes \"park-wen\"");
     if (law_.has_rim() && law_.rim.law->yields)
       throw InputError("reduced.impact_law \"" + scene.reduced.impact_law +

@@ -14,16 +14,16 @@ namespace {
 void check(const scene::Scene &s) {
   const auto refuse = [](const std::string &what) { throw InputError(what); };
   check_building_scene(s);
-  if (s.double_concave() || s.reduced.model != "physical")
+  if (s.double_concave() || s.reduced.model != scene::ModelKind::physical)
     refuse(fmt::format("reduced.model \"{}\" by branches: bearings of rigid bodies take the implicit steps",
-                       s.reduced.model));
-  if (s.reduced.friction != "park-wen")
+                       word(s.reduced.model)));
+  if (s.reduced.friction != scene::Friction::park_wen)
     refuse("reduced.friction \"coulomb\": bearings under one rigid base that stick together share their forces in no "
            "definite way; "
            "a building takes \"park-wen\", with its elastic slip");
-  if (s.reduced.normal_force != "inertia")
+  if (s.reduced.normal_force != scene::NormalForce::inertia)
     refuse(fmt::format("reduced.normal_force \"{}\": every bearing of a building has its own, by \"inertia\"",
-                       s.reduced.normal_force));
+                       word(s.reduced.normal_force)));
 }
 
 /// The bearing's scene under its share of the weight.
@@ -41,7 +41,7 @@ void check_building_scene(const scene::Scene &s) {
   if (!s.excitation.is_dynamic() || s.excitation.kind == scene::ExcitationKind::window)
     throw InputError(
         fmt::format("excitation.kind \"{}\" moves a single bearing; a building takes ricker, record or free",
-                    scene::to_string(s.excitation.kind)));
+                    word(s.excitation.kind)));
 }
 
 BuildingDynamics::BuildingDynamics(const BuildingModel &m, const scene::Scene &scene,

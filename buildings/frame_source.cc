@@ -24,13 +24,14 @@ bool has_isolator(const std::string &where) {
 
 scene::Scene own_bearing(const std::string &where, const scene::Scene &scene) {
   scene::Scene s = scene;
-  if (where == "dcfp" || where == "lir-dcfp") {
-    s.reduced.model = where;
+  const auto model = parse<scene::ModelKind>(where);
+  if (model && *model != scene::ModelKind::physical) {
+    s.reduced.model = *model;
   } else if (has_isolator(where)) {
     const scene::Scene own = scene::load_scene(where);
     s.isolator = own.isolator, s.reduced = own.reduced;
   } else {
-    s.reduced.model = "physical", s.bearing = scene::load_bearing(where);
+    s.reduced.model = scene::ModelKind::physical, s.bearing = scene::load_bearing(where);
   }
   return s;
 }

@@ -18,7 +18,7 @@ using Columns = Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 12, 6>;
 class RigidMount : public Mount {
 public:
   explicit RigidMount(const scene::Scene &scene) : model_(scene), n_(6 * model_.plate) {
-    if (scene.isolator.space != "spatial")
+    if (scene.isolator.space != scene::Space::spatial)
       throw InputError(
           "isolator.space \"planar\" under a building, which moves in space: isolator.space = \"spatial\", "
           "with isolator.points = 4 or more");

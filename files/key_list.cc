@@ -47,7 +47,7 @@ void KeyList::text(const Key &key, std::string &value) {
   add(key, toml_quoted(value));
 }
 
-void KeyList::choice(const Key &key, std::string &value, const std::vector<std::string> &) {
+void KeyList::word(const Key &key, std::string &value, const std::vector<std::string> &) {
   add(key, toml_quoted(value));
 }
 

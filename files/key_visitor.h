@@ -1,6 +1,7 @@
 /// What a file's key is: its name, unit and range, and the visitor that walks over the keys of a description. The
 /// reader, the writer, the range check and the list of assumptions are visitors.
 #pragma once
+#include "files/choice.h"
 #include <Eigen/Core>
 #include <functional>
 #include <limits>
@@ -52,7 +53,15 @@ public:
   virtual void integer(const Key &key, int &value, int low, int high) = 0;
   virtual void flag(const Key &key, bool &value) = 0;
   virtual void text(const Key &key, std::string &value) = 0;
-  virtual void choice(const Key &key, std::string &value, const std::vector<std::string> &options) = 0;
+  /// One of the options, as the file writes it.
+  virtual void word(const Key &key, std::string &value, const std::vector<std::string> &options) = 0;
+  /// One of a table's words; a key without a comment is described by the table.
+  template <Worded E> void choice(Key key, E &value) {
+    if (!*key.comment) key.comment = words_in_line<E>();
+    std::string written = rimpact::word(value);
+    word(key, written, words<E>());
+    value = parse<E>(written).value_or(value); // a reader has refused every other word
+  }
   virtual void pair(const Key &key, Eigen::Vector2d &value, Range range) = 0;
   /// An array of any length.
   virtual void numbers(const Key &key, std::vector<double> &values, Unit unit, Range range) = 0;

@@ -115,7 +115,7 @@ void TomlReader::text(const Key &key, std::string &value) {
   value = found->as_string()->get();
 }
 
-void TomlReader::choice(const Key &key, std::string &value, const std::vector<std::string> &options) {
+void TomlReader::word(const Key &key, std::string &value, const std::vector<std::string> &options) {
   text(key, value);
   if (std::find(options.begin(), options.end(), value) == options.end()) fail(key.name, not_among(value, options));
 }

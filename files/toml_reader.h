@@ -24,7 +24,7 @@ public:
   void integer(const Key &key, int &value, int low, int high) override;
   void flag(const Key &key, bool &value) override;
   void text(const Key &key, std::string &value) override;
-  void choice(const Key &key, std::string &value, const std::vector<std::string> &options) override;
+  void word(const Key &key, std::string &value, const std::vector<std::string> &options) override;
   void pair(const Key &key, Eigen::Vector2d &value, Range range) override;
   void numbers(const Key &key, std::vector<double> &values, Unit unit, Range range) override;
   void switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &flags) override;

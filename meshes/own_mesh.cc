@@ -88,7 +88,7 @@ void check_unit(const Drawn &drawn, const scene::OwnMesh &own, const scene::Bear
   if (ratio > 0.2 && ratio < 5) return;
   drawn.fail(fmt::format("slider_side is {:.4g} mm wide where the bearing's slider has {:g} mm, {:.3g} times as much: "
                          "model.own_mesh.unit is \"{}\"",
-                         1e3 * (high - low), 1e3 * bearing.slider.diameter, ratio, own.unit));
+                         1e3 * (high - low), 1e3 * bearing.slider.diameter, ratio, word(own.unit)));
 }
 
 /// Bodies that touch have nodes of their own, tied ones share them.

@@ -25,7 +25,7 @@ fs::path cache_file() {
 }
 
 std::string kind_of(const Plan &plan) {
-  return fmt::format("{}-mesh{}-{}", plan.rung, plan.mesh, plan.half ? "half" : "whole");
+  return fmt::format("{}-mesh{}-{}", word(plan.rung), plan.mesh, plan.half ? "half" : "whole");
 }
 
 /// Natural logarithm of the seconds an iteration and unknown take: mean and variance.

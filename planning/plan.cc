@@ -150,7 +150,7 @@ Plan rim_plan(const scene::Scene &scene) {
     scout(plan, scene);
   }
   add_pad_note(plan, scene);
-  if (scene.model.symmetry != "auto") plan.half = scene.model.symmetry == "half";
+  if (scene.model.symmetry != scene::Symmetry::by_plan) plan.half = scene.model.symmetry == scene::Symmetry::half;
 
   const MeshCost &cost = costs[plan.mesh];
   constexpr double whole_over_half = 3, edge_of_default = 0.52;                           // [m]
@@ -166,9 +166,9 @@ Plan rim_plan(const scene::Scene &scene) {
 } // namespace
 
 Plan make_plan(const scene::Scene &scene) {
-  Plan plan = scene.model.rung == "rim"       ? rim_plan(scene)
-              : scene.excitation.is_dynamic() ? stack_motion_plan(scene)
-                                              : stack_path_plan(scene);
+  Plan plan = scene.model.rung == scene::Rung::rim ? rim_plan(scene)
+              : scene.excitation.is_dynamic()      ? stack_motion_plan(scene)
+                                                   : stack_path_plan(scene);
   time_by_this_machine(plan);
   if (scene.model.own_mesh.any())
     plan.notes.insert(plan.notes.begin(), "own mesh " + scene.model.own_mesh.file +
@@ -184,7 +184,7 @@ std::string describe(const Plan &plan) {
                         plan.moves_in_time ? fmt::format(", of {:.2f} ms in contact", 1e3 * plan.step_in_contact)
                                            : " along the path");
   std::string text = fmt::format("plan: rung {}, {} model, mesh {}, about {} unknowns; {}; {} and {:.1f} GB\n",
-                                 plan.rung, plan.half ? "symmetric half" : "whole", plan.mesh, plan.expected_dofs,
+                                 word(plan.rung), plan.half ? "symmetric half" : "whole", plan.mesh, plan.expected_dofs,
                                  steps, expected_time(plan), 1e-9 * plan.expected_memory_bytes);
   if (!plan.rim_takes_part)
     text += fmt::format("  the rim takes no part: the scout stays {:.2f} mm away\n", 1e3 * plan.closest_gap);
@@ -204,7 +204,7 @@ nlohmann::json to_json(const Plan &plan) {
                        {"tangential_speed_m_s", impact.tangential_speed}});
   nlohmann::json sectors = nlohmann::json::array();
   for (const double direction : plan.sectors) sectors.push_back(direction * 180 / M_PI);
-  return {{"rung", plan.rung},
+  return {{"rung", word(plan.rung)},
           {"expected_steps", plan.expected_steps},
           {"symmetry", plan.half ? "half" : "whole"},
           {"moves_from_s", plan.moves_from},

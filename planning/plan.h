@@ -20,7 +20,7 @@ struct ExpectedImpact {
 };
 
 struct Plan {
-  std::string rung = "rim";
+  scene::Rung rung = scene::Rung::rim;
   long expected_steps = 0;    ///< of rungs rigid-dish and full
   double moves_from = 0;      ///< the scout sees no sliding before [s]
   double rests_from = 0;      ///< the scout sees no sliding any more [s]; 0: no motion to scout

@@ -9,11 +9,11 @@ std::optional<std::string> beyond_rungs(const scene::Scene &scene) {
     return fmt::format(
         "reduced.model \"{}\" is a rigid-body bearing of two dishes: the finite-element rungs know bearings "
         "of one dish only; use `rimpact reduced`",
-        scene.reduced.model);
+        word(scene.reduced.model));
   if (scene.superstructure.any())
     return fmt::format("superstructure.kind \"{}\" is not for the finite-element rungs, which carry a rigid mass; use "
                        "`rimpact reduced`, or --set superstructure.kind=\"none\"",
-                       scene.superstructure.kind);
+                       word(scene.superstructure.kind));
   return std::nullopt;
 }
 
@@ -21,19 +21,20 @@ std::optional<std::string> refusal(const scene::Scene &scene) {
   if (auto reason = beyond_rungs(scene)) return reason;
   using Kind = scene::ExcitationKind;
   const Kind kind = scene.excitation.kind;
-  const std::string rung = scene.model.rung, name = "excitation.kind '" + scene::to_string(kind) + "'";
+  const bool rim_alone = scene.model.rung == scene::Rung::rim;
+  const std::string rung = word(scene.model.rung), name = "excitation.kind '" + word(kind) + "'";
   const bool on_the_dish = kind == Kind::cyclic || kind == Kind::figure_eight;
   const auto &contact = scene.bearing.contact;
-  if (rung == "rim" && on_the_dish)
+  if (rim_alone && on_the_dish)
     return name +
            " moves on the dish without touching the rim; rung `rim` has nothing to solve there: try --rung rigid-dish";
-  if (rung != "rim" && kind == Kind::free)
+  if (!rim_alone && kind == Kind::free)
     return name + " is not in this build's rung `" + rung +
            "`; it has: cyclic, figure-eight, push, ricker, record, window";
-  if (rung != "rim" && kind == Kind::window && !scene.excitation.with_weight)
+  if (!rim_alone && kind == Kind::window && !scene.excitation.with_weight)
     return "a weightless window has nothing that holds the stack on its dish: set excitation.with to "
            "[\"weight\", \"friction\"], or run it on rung `rim`";
-  if (rung != "rim" && scene.load.vertical <= 0)
+  if (!rim_alone && scene.load.vertical <= 0)
     return fmt::format(
         "load.vertical_kN {:g} has nothing that holds the stack on its dish: rung `{}` needs a weight > 0; rung "
         "`rim` can do without",
@@ -43,9 +44,9 @@ std::optional<std::string> refusal(const scene::Scene &scene) {
     return fmt::format("load.mass_kg {:g} is no more than the slider's own mass, {:.1f} kg, which it includes: nothing "
                        "is left to be carried",
                        scene.load.mass, own);
-  if (rung != "rim" && contact.pad_foot != "tied")
-    return fmt::format("contact.pad_foot '{}' is not in this build; it has: tied", contact.pad_foot);
-  if (rung != "rim" && on_the_dish && make_plan(scene).rim_takes_part)
+  if (!rim_alone && contact.pad_foot != scene::PadFoot::tied)
+    return fmt::format("contact.pad_foot '{}' is not in this build; it has: tied", word(contact.pad_foot));
+  if (!rim_alone && on_the_dish && make_plan(scene).rim_takes_part)
     return fmt::format("excitation.amplitude_m {} carries the slider to the rim, L_c = {} m; a quasi-static path must "
                        "stay below it",
                        scene.excitation.amplitude * scene.excitation.scale, scene.bearing.lateral_capacity());

@@ -21,7 +21,7 @@ constexpr MeshCost plate[4] = {{8000, 0.25, 0.4e9}, {20000, 0.6, 0.9e9}, {90000,
 void add_cost(Plan &plan, double iterations, double iterations_with_rim, int sectors) {
   constexpr double whole_over_half = 3;
   plan.expected_iterations = iterations + iterations_with_rim;
-  if (plan.rung == "full") {
+  if (plan.rung == scene::Rung::full) {
     const MeshCost &own = stack[plan.mesh], &all = plate[plan.mesh];
     plan.expected_dofs = (own.dofs + all.dofs) * (plan.half ? 1 : 2);
     plan.expected_memory_bytes = (own.memory + all.memory) * (plan.half ? 1 : 2.3);
@@ -54,11 +54,11 @@ Plan stack_path_plan(const scene::Scene &scene) {
   plan.rung = scene.model.rung;
   plan.moves_in_time = false;
   const bool push = scene.excitation.kind == scene::ExcitationKind::push;
-  if (plan.rung == "full" && !push) plan.sectors = {0, M_PI}; // a path goes both ways
+  if (plan.rung == scene::Rung::full && !push) plan.sectors = {0, M_PI}; // a path goes both ways
   plan.mesh = scene.model.mesh;
   const auto &e = scene.excitation;
   const bool cyclic = e.kind == scene::ExcitationKind::cyclic;
-  plan.half = (cyclic || push) && moves_along_x(e) && scene.model.symmetry != "whole";
+  plan.half = (cyclic || push) && moves_along_x(e) && scene.model.symmetry != scene::Symmetry::whole;
   const double capacity = scene.bearing.lateral_capacity();
   double travel = 0;
   for (int k = 0; k <= 1000; ++k)
@@ -84,7 +84,7 @@ Plan stack_motion_plan(const scene::Scene &scene) {
   plan.mesh = scene.model.mesh;
   if (scene.model.step > 0) plan.step_in_contact = scene.model.step;
   const auto &e = scene.excitation;
-  plan.half = moves_along_x(e) && scene.model.symmetry != "whole";
+  plan.half = moves_along_x(e) && scene.model.symmetry != scene::Symmetry::whole;
   double flight = e.duration / step_in_flight, rest = 0;
   int impacts = 1;
   if (e.kind == scene::ExcitationKind::window) {

@@ -5,11 +5,11 @@
 namespace rimpact::reduced {
 
 struct ReducedModel {
-  std::string name, description;
+  scene::ModelKind kind; ///< its word is the name
+  std::string description;
   ReducedRun (*simulate)(const scene::Scene &scene);
 };
 const std::vector<ReducedModel> &reduced_models();
-/// Throws InputError naming the known models.
-const ReducedModel &reduced_model(const std::string &name);
+const ReducedModel &reduced_model(scene::ModelKind kind);
 
 } // namespace rimpact::reduced

@@ -16,12 +16,7 @@ bool weightless(const scene::Scene &scene) {
 }
 
 NormalForce reading_of(const scene::Scene &scene) {
-  const auto &name = scene.reduced.normal_force;
-  if (name == "constant" || weightless(scene)) // in a horizontal plane nothing changes N
-    return NormalForce::constant;
-  if (name == "inertia") return NormalForce::inertia;
-  if (name == "static") return NormalForce::statics;
-  throw InputError("reduced.normal_force \"" + name + "\" is unknown; known: inertia, static, constant");
+  return weightless(scene) ? NormalForce::constant : scene.reduced.normal_force; // nothing changes N in a plane
 }
 
 } // namespace
@@ -38,12 +33,10 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
   if (!window || scene.excitation.with_friction) {
     friction_law = {r.mu_slow, r.mu_fast, r.mu_slow == r.mu_fast ? 0.0 : r.rate};
     if (r.socket_friction && !height.is_plane()) socket = scene.bearing.contact.steel_steel * socket_arm(scene.bearing);
-    if (r.friction == "park-wen") {
+    if (r.friction == scene::Friction::park_wen) {
       park_wen_ = true, elastic_slip = r.elastic_slip;
       if (!(elastic_slip > 0))
         throw InputError("reduced.elastic_slip_mm " + std::to_string(elastic_slip * 1e3) + " must be above 0");
-    } else if (r.friction != "coulomb") {
-      throw InputError("reduced.friction \"" + r.friction + "\" is unknown; known: coulomb, park-wen");
     }
   } else {
     friction_law = {0, 0, 0};

@@ -41,7 +41,7 @@ struct Mode {
   DentedRim dented; ///< read by a rim that yields: as the path has left it, the step under way included
 };
 
-enum class NormalForce { inertia, statics, constant };
+using scene::NormalForce;
 
 /// Orthonormal tangent frame of the surface at u: along the meridian and along the circle.
 struct TangentFrame {

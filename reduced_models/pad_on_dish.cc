@@ -91,8 +91,8 @@ void add_stack_terms(scene::Scene &scene) {
   auto &r = scene.reduced;
   r.finite_pad = r.socket_friction = true;
   const double slip = pad_elastic_slip(scene.bearing, scene.load.vertical, r.mu_fast);
-  if (r.friction == "park-wen" || !(slip > 0)) return;
-  r.friction = "park-wen", r.elastic_slip = slip;
+  if (r.friction == scene::Friction::park_wen || !(slip > 0)) return;
+  r.friction = scene::Friction::park_wen, r.elastic_slip = slip;
 }
 
 } // namespace rimpact::reduced

@@ -16,7 +16,7 @@ struct PhysicalModel::Impl {
 
 PhysicalModel::PhysicalModel(const scene::Scene &scene) : impl_(std::make_unique<Impl>(scene)) {
   if (scene.double_concave())
-    throw InputError("reduced.model \"" + scene.reduced.model +
+    throw InputError("reduced.model \"" + word(scene.reduced.model) +
                      "\" is a rigid-body bearing of two dishes, without a finite-element rung");
 }
 PhysicalModel::~PhysicalModel() = default;

@@ -5,6 +5,7 @@
 #include "reduced_models/hybrid_run.h"
 #include "reduced_models/quasi_static.h"
 #include "reduced_models/rigid_body/double_concave.h"
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -63,23 +64,22 @@ ReducedRun simulate_physical(const scene::Scene &scene) {
 
 const std::vector<ReducedModel> &reduced_models() {
   static const std::vector<ReducedModel> models = {
-      {"physical", "a mass on the dish with Coulomb or Park-Wen friction, uplift and a rim element (thesis 2.2)",
+      {scene::ModelKind::physical,
+       "a mass on the dish with Coulomb or Park-Wen friction, uplift and a rim element (thesis 2.2)",
        simulate_physical},
-      {"dcfp", "double concave bearing: slider and top plate as rigid bodies on contact points (thesis 3.3)",
+      {scene::ModelKind::dcfp,
+       "double concave bearing: slider and top plate as rigid bodies on contact points (thesis 3.3)",
        simulate_double_concave},
-      {"lir-dcfp", "double concave bearing whose slider has a high-friction interface with a gap (thesis 3.3)",
+      {scene::ModelKind::lir_dcfp,
+       "double concave bearing whose slider has a high-friction interface with a gap (thesis 3.3)",
        simulate_double_concave},
   };
   return models;
 }
 
-const ReducedModel &reduced_model(const std::string &name) {
-  std::string known;
-  for (const auto &model : reduced_models()) {
-    if (model.name == name) return model;
-    known += (known.empty() ? "" : ", ") + model.name;
-  }
-  throw InputError("reduced.model \"" + name + "\" is unknown; known: " + known);
+const ReducedModel &reduced_model(scene::ModelKind kind) {
+  const auto &models = reduced_models();
+  return *std::find_if(models.begin(), models.end(), [&](const auto &model) { return model.kind == kind; });
 }
 
 ReducedRun simulate(const scene::Scene &scene) {
@@ -88,7 +88,7 @@ ReducedRun simulate(const scene::Scene &scene) {
 
 ReducedRun simulate_with_cvode(const scene::Scene &scene) {
   if (!scene.excitation.is_dynamic())
-    throw InputError("excitation.kind \"" + scene::to_string(scene.excitation.kind) +
+    throw InputError("excitation.kind \"" + word(scene.excitation.kind) +
                      "\" is quasi-static: there is nothing for CVODE to integrate");
   ReducedRun result;
   run({.scene = scene,
@@ -100,7 +100,8 @@ ReducedRun simulate_with_cvode(const scene::Scene &scene) {
 }
 
 Summary simulate_summary(const scene::Scene &scene) {
-  if (scene.reduced.model != "physical" || !scene.excitation.is_dynamic()) return simulate(scene).summary;
+  if (scene.reduced.model != scene::ModelKind::physical || !scene.excitation.is_dynamic())
+    return simulate(scene).summary;
   Summary summary;
   run({scene, PhysicalModel(scene).initial_state(), scene.excitation.duration}, nullptr, summary);
   return summary;
@@ -108,7 +109,7 @@ Summary simulate_summary(const scene::Scene &scene) {
 
 ReducedRun simulate_from(const scene::Scene &scene, const BearingState &start, double t_end, double capacity) {
   if (!scene.excitation.is_dynamic())
-    throw InputError("excitation.kind \"" + scene::to_string(scene.excitation.kind) +
+    throw InputError("excitation.kind \"" + word(scene.excitation.kind) +
                      "\" is quasi-static: there is no state to start from");
   ReducedRun result;
   run({scene, start, t_end, capacity}, &result.response, result.summary);

@@ -41,6 +41,7 @@
 /// Cases x devices x grid are the systems; samples are runs of each. A quantity of one [[limit]] only.
 // clang-format on
 #pragma once
+#include "files/choice.h"
 #include "fleets/sweep_reader.h"
 #include "reliability/bootstrap.h"
 #include "reliability/hazard.h"
@@ -51,8 +52,18 @@
 namespace rimpact::risk {
 
 enum class LevelKind { return_period, intensity };
+constexpr auto choices(LevelKind) {
+  return choices_of<LevelKind>(
+      {{LevelKind::return_period, "return_period_years"}, {LevelKind::intensity, "intensity_g"}});
+}
 enum class ComponentRule { nearest, printed };
+constexpr auto choices(ComponentRule) {
+  return choices_of<ComponentRule>({{ComponentRule::nearest, "nearest"}, {ComponentRule::printed, "printed"}});
+}
 enum class ScaleRule { factor, level };
+constexpr auto choices(ScaleRule) {
+  return choices_of<ScaleRule>({{ScaleRule::factor, "factor"}, {ScaleRule::level, "level"}});
+}
 
 /// One level's result of PEER's search.
 struct MotionSet {

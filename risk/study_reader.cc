@@ -82,14 +82,10 @@ private:
     MotionSource &motions = study_.motions;
     if (!file_.find("motions")) fail_at("motions", "a study needs [motions]: folders of records, a table of them");
     TomlReader reader(file_, "motions");
-    std::string level_is = "return_period_years", component = "nearest", scale = "factor";
     reader.text({"table"}, motions.table);
-    reader.choice({"level_is"}, level_is, {"return_period_years", "intensity_g"});
-    reader.choice({"component"}, component, {"nearest", "printed"});
-    reader.choice({"scale"}, scale, {"factor", "level"});
-    motions.level_is = level_is == "intensity_g" ? LevelKind::intensity : LevelKind::return_period;
-    motions.component = component == "printed" ? ComponentRule::printed : ComponentRule::nearest;
-    motions.scale = scale == "level" ? ScaleRule::level : ScaleRule::factor;
+    reader.choice({"level_is"}, motions.level_is);
+    reader.choice({"component"}, motions.component);
+    reader.choice({"scale"}, motions.scale);
     reader.section("columns", [&] {
       reader.text({"level"}, motions.level_column);
       reader.text({"rsn"}, motions.rsn_column);

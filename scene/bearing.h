@@ -41,14 +41,19 @@ struct Foot {                                              // assumption
   double cap_radius = 0.090; ///< of the spherical cap, centred on the middle of the sliding face [m]
   bool operator==(const Foot &) const = default;
 };
+/// How the pad sits in the foot.
+enum class PadFoot { tied, frictional };
+constexpr auto choices(PadFoot) {
+  return choices_of<PadFoot>({{PadFoot::tied, "tied"}, {PadFoot::frictional, "frictional"}});
+}
 struct ContactFriction {
   double steel_steel = 0.10;    ///< socket-cap [-]
   double steel_ertalyte = 0.07; ///< dish-pad [-]
   double rim = 0.0;             ///< slider-rim [-]
   /// At rest, where friction depends on speed (eq. 2-18) [-], at most the above; empty: it does not.
   std::optional<double> steel_steel_slow, steel_ertalyte_slow, rim_slow;
-  double rate = 0;               ///< of eq. (2-18) [s/m], > 0 where one of these is set
-  std::string pad_foot = "tied"; ///< "tied" | "frictional"
+  double rate = 0; ///< of eq. (2-18) [s/m], > 0 where one of these is set
+  PadFoot pad_foot = PadFoot::tied;
   bool operator==(const ContactFriction &) const = default;
 };
 

@@ -16,7 +16,7 @@ Bearing shfps_225() {
 Bearing fps_225() {
   Bearing b;
   b.name = "fps-225";
-  b.surface.kind = "sphere";
+  b.surface.kind = SurfaceKind::sphere;
   b.surface.a = b.surface.R0;
   b.rim.height = 0.080;
   b.pad.shape_radius = b.surface.R0;

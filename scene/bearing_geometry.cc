@@ -33,17 +33,17 @@ void check_dish(const Bearing &b) {
   const auto surface = make_surface(s);
   const double limit = surface->limit_radius();
   require(s.planar_radius < limit, "surface.planar_radius_mm {} mm reaches beyond the {}, which ends at {} mm ({})",
-          mm(s.planar_radius), s.kind, mm(limit),
-          s.kind == "ellipse" ? "a_m"
-          : s.kind == "table" ? "the last radius_mm"
-                              : "R0_m");
+          mm(s.planar_radius), word(s.kind), mm(limit),
+          s.kind == SurfaceKind::ellipse ? "a_m"
+          : s.kind == SurfaceKind::table ? "the last radius_mm"
+                                         : "R0_m");
   constexpr int n_radii = 400;
   for (int i = 1; i <= n_radii; ++i) {
     const double r = s.planar_radius * i / n_radii, slope = surface->at(r, 0).gradient.x();
     require(slope >= 0 && slope < 10,
             "surface.planar_radius_mm {} mm: at a radius of {} mm the {} has a slope of {:.4g}, outside 0 to "
             "10; a dish rises outwards",
-            mm(s.planar_radius), mm(r), s.kind, slope);
+            mm(s.planar_radius), mm(r), word(s.kind), slope);
   }
   require(b.lateral_capacity() > 0,
           "slider.diameter_mm {} mm leaves no travel in a rim of radius {} mm: L_c = {} mm must be > 0",
@@ -208,7 +208,7 @@ bool needs_only_the_dish(const Scene &s) {
   if (s.reduced.finite_pad || s.reduced.socket_friction) return false;
   const auto kind = s.excitation.kind;
   const bool on_the_dish = kind == ExcitationKind::cyclic || kind == ExcitationKind::figure_eight;
-  return s.superstructure.any() || (on_the_dish && s.model.rung == "rim");
+  return s.superstructure.any() || (on_the_dish && s.model.rung == Rung::rim);
 }
 
 } // namespace

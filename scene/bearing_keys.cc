@@ -36,12 +36,13 @@ void visit_foot_and_pad(KeyVisitor &v, Bearing &b) {
 }
 
 void visit(KeyVisitor &v, SurfaceSpec &s) {
+  using enum SurfaceKind;
   const auto is = [&](auto... kind) { return v.wants(((s.kind == kind) || ...)); };
-  v.choice({"kind", "ellipse | sphere | cone | polynomial | table"}, s.kind, surface_kind_names());
-  if (is("ellipse", "sphere", "cone")) v.number({"R0_m", "radius of curvature at the vertex"}, s.R0, si, length_m);
-  if (is("ellipse")) v.number({"a_m", "half-width of the ellipse"}, s.a, si, length_m);
-  if (is("cone")) v.number({"slope", "of the cone, rise over run; R0_m rounds its vertex"}, s.slope, si, {0, 1, true});
-  if (is("polynomial")) {
+  v.choice({"kind"}, s.kind);
+  if (is(ellipse, sphere, cone)) v.number({"R0_m", "radius of curvature at the vertex"}, s.R0, si, length_m);
+  if (is(ellipse)) v.number({"a_m", "half-width of the ellipse"}, s.a, si, length_m);
+  if (is(cone)) v.number({"slope", "of the cone, rise over run; R0_m rounds its vertex"}, s.slope, si, {0, 1, true});
+  if (is(polynomial)) {
     constexpr Range coefficient{-1e6, 1e6};
     v.number({"c2_per_m", "height = c2 r^2 + c3 r^3 + ... + c6 r^6"}, s.coefficients[0], si, coefficient);
     v.number({"c3_per_m2"}, s.coefficients[1], si, coefficient);
@@ -49,7 +50,7 @@ void visit(KeyVisitor &v, SurfaceSpec &s) {
     v.number({"c5_per_m4"}, s.coefficients[3], si, coefficient);
     v.number({"c6_per_m5"}, s.coefficients[4], si, coefficient);
   }
-  if (is("table")) {
+  if (is(table)) {
     v.numbers({"radius_mm", "rows of the table, from 0, growing"}, s.table_radius, milli, size_mm);
     v.numbers({"height_mm", "the surface above its vertex there"}, s.table_height, milli, size_mm);
   }
@@ -98,7 +99,7 @@ void visit(KeyVisitor &v, Bearing &b) {
     const auto &c = b.contact;
     if (v.wants(c.steel_steel_slow || c.steel_ertalyte_slow || c.rim_slow))
       v.number({"rate_s_per_m", "of friction's growth with speed"}, b.contact.rate, si, {0, 1e6});
-    v.choice({"pad_foot", "tied | frictional"}, b.contact.pad_foot, {"tied", "frictional"});
+    v.choice({"pad_foot"}, b.contact.pad_foot);
   });
 }
 

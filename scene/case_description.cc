@@ -34,7 +34,7 @@ std::string motion_line(const Scene &scene) {
 
 std::string bearing_line(const Scene &scene) {
   if (scene.double_concave())
-    return fmt::format("{} of [isolator], C_t = {:.1f} mm, R_eff = {:.3f} m", scene.reduced.model,
+    return fmt::format("{} of [isolator], C_t = {:.1f} mm, R_eff = {:.3f} m", word(scene.reduced.model),
                        1e3 * scene.isolator.capacity, scene.isolator.effective_radius());
   return fmt::format("{}, L_c = {:.1f} mm, rim {:g} x {:g} mm", scene.bearing.name,
                      1e3 * scene.bearing.lateral_capacity(), 1e3 * scene.bearing.rim.thickness,

@@ -68,10 +68,10 @@ void check_shape(const DoubleConcave &b) {
 }
 
 void check_points(const DoubleConcave &b) {
-  const bool planar = b.space == "planar";
+  const bool planar = b.space == Space::planar;
   bounded(b.points >= (planar ? 2 : 3), "points", b.points,
           planar ? "must be at least 2 in the plane" : "must be at least 3 in space");
-  if (planar && b.plate_rotation != "fixed")
+  if (planar && b.plate_rotation != PlateRotation::fixed)
     throw InputError("isolator.plate_rotation \"free\" needs isolator.space = \"spatial\"");
 }
 

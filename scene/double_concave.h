@@ -3,35 +3,54 @@
 /// Both plates are alike unless a `top_` key says otherwise. It stands beside `Bearing`, which stays the single-dish
 /// bearing.
 #pragma once
+#include "files/choice.h"
 #include <algorithm>
 #include <optional>
 #include <string>
 
 namespace rimpact::scene {
 
+/// In the plane x and z, two contact points a set or more on a line; or in space, on a circle.
+enum class Space { planar, spatial };
+constexpr auto choices(Space) {
+  return choices_of<Space>({{Space::planar, "planar"}, {Space::spatial, "spatial"}});
+}
+/// What of the slider meets a plate's rim, in space.
+enum class RimTouch { circle, points };
+constexpr auto choices(RimTouch) {
+  return choices_of<RimTouch>({{RimTouch::circle, "circle", "the slider's whole edge"},
+                               {RimTouch::points, "points", "only where the contact points are"}});
+}
+/// Of the top plate.
+enum class PlateRotation { fixed, free };
+constexpr auto choices(PlateRotation) {
+  return choices_of<PlateRotation>(
+      {{PlateRotation::fixed, "fixed", "held by what it carries"}, {PlateRotation::free, "free"}});
+}
+
 struct DoubleConcave {
   double radius = 1.55;   ///< R of both sliding surfaces, or of the bottom one [m], > D_s/2
   double capacity = 0.30; ///< C_t: displacement at which both rims, or the bottom one, are touched [m], < R_eff
   std::optional<double> top_radius, top_capacity; ///< of the top plate, where it differs [m]
   std::optional<double> top_mu_slow,
-      top_mu_fast;                      ///< friction of the top plate, where it differs [-]; below: reduced.mu_*
-  double slider_diameter = 0.30;        ///< D_s [m]
-  double top_height = 0.07;             ///< h_ts, surface to interface on the axis [m]
-  double bottom_height = 0.03;          ///< h_bs [m]; a DCFP's slider is h_ts + h_bs high
-  double top_wall = 0.04;               ///< e_ts [m]: the interface's radius is D_s/2 - e_ts
-  double bottom_wall = 0.01;            ///< e_bs [m]: the stop's wall; gap = e_ts - e_bs
-  double rim_height = 0.02;             ///< l of the plates' rims above the edge of the sliding surface [m], > 0
-  double stop_height = 0.015;           ///< l_bs above the interface [m], > 0
-  double slider_mass = 100.0;           ///< of the whole slider [kg], > 0; halves share it by height
-  double mu_interface = 0.15;           ///< mu_s [-], constant in speed
-  std::string space = "planar";         ///< planar (x and z, two points a set or more on a line) | spatial
-  int points = 2;                       ///< contact points a set
-  std::string rim = "circle";           ///< spatial: circle (the slider's whole edge) | points (only at the points)
-  double contact_stiffness = 2e9;       ///< k of one contact point [N/m]
-  double contact_restitution = 0.65;    ///< of the contact's dashpot, (0, 1]
-  std::string plate_rotation = "fixed"; ///< fixed (held by what it carries) | free, spatial only
-  double plate_inertia = 1000.0;        ///< of the top plate and what turns with it [kg m^2], when free
-  double step_tolerance = 1e-4;         ///< relative, of the time step's local error
+      top_mu_fast;               ///< friction of the top plate, where it differs [-]; below: reduced.mu_*
+  double slider_diameter = 0.30; ///< D_s [m]
+  double top_height = 0.07;      ///< h_ts, surface to interface on the axis [m]
+  double bottom_height = 0.03;   ///< h_bs [m]; a DCFP's slider is h_ts + h_bs high
+  double top_wall = 0.04;        ///< e_ts [m]: the interface's radius is D_s/2 - e_ts
+  double bottom_wall = 0.01;     ///< e_bs [m]: the stop's wall; gap = e_ts - e_bs
+  double rim_height = 0.02;      ///< l of the plates' rims above the edge of the sliding surface [m], > 0
+  double stop_height = 0.015;    ///< l_bs above the interface [m], > 0
+  double slider_mass = 100.0;    ///< of the whole slider [kg], > 0; halves share it by height
+  double mu_interface = 0.15;    ///< mu_s [-], constant in speed
+  Space space = Space::planar;
+  int points = 2;                                      ///< contact points a set
+  RimTouch rim = RimTouch::circle;                     ///< read in space
+  double contact_stiffness = 2e9;                      ///< k of one contact point [N/m]
+  double contact_restitution = 0.65;                   ///< of the contact's dashpot, (0, 1]
+  PlateRotation plate_rotation = PlateRotation::fixed; ///< free in space only
+  double plate_inertia = 1000.0;                       ///< of the top plate and what turns with it [kg m^2], when free
+  double step_tolerance = 1e-4;                        ///< relative, of the time step's local error
 
   double slider_height() const { return top_height + bottom_height; }       ///< H_s
   double upper_radius() const { return top_radius.value_or(radius); }       ///< of the top plate's surface [m]

@@ -26,14 +26,13 @@ void visit(KeyVisitor &v, DoubleConcave &b, bool impact_resilient) {
   }
   v.number({"rim_height_mm", "l, above the edge of the sliding surface"}, b.rim_height, milli, length_mm);
   v.number({"slider_mass_kg", "whole slider"}, b.slider_mass, si, positive);
-  v.choice({"space", "planar | spatial"}, b.space, {"planar", "spatial"});
+  v.choice({"space"}, b.space);
   v.integer({"points", "contact points a set"}, b.points, 2, 64);
-  if (v.wants(b.space == "spatial")) {
-    v.choice({"rim", "circle: the slider's whole edge | points: only where the contact points are"}, b.rim,
-             {"circle", "points"});
-    v.choice({"plate_rotation", "fixed: held by what it carries | free"}, b.plate_rotation, {"fixed", "free"});
+  if (v.wants(b.space == Space::spatial)) {
+    v.choice({"rim"}, b.rim);
+    v.choice({"plate_rotation"}, b.plate_rotation);
   }
-  if (v.wants(b.plate_rotation == "free"))
+  if (v.wants(b.plate_rotation == PlateRotation::free))
     v.number({"plate_inertia_kg_m2", "what turns with the top plate"}, b.plate_inertia, si, positive);
   v.number({"contact_stiffness_kN_per_m", "of one contact point"}, b.contact_stiffness, kilo, positive);
   v.number({"contact_restitution", "of the contact's dashpot"}, b.contact_restitution, si, {0, 1, true});

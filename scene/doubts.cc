@@ -39,7 +39,7 @@ void doubt_materials(const Bearing &b, std::vector<std::string> &found) {
 /// A pad that slides on a sphere is shaped to it, or bears on its rim or its middle only.
 void doubt_pad(const Bearing &b, std::vector<std::string> &found) {
   constexpr double alike = 0.01;
-  if (b.surface.kind == "sphere" && std::abs(b.pad.shape_radius / b.surface.R0 - 1) > alike)
+  if (b.surface.kind == SurfaceKind::sphere && std::abs(b.pad.shape_radius / b.surface.R0 - 1) > alike)
     found.push_back(
         fmt::format("bearing.pad.shape_radius_mm = {:g} on a sphere of R0_m = {:g}: a pad shaped to its dish has {:g}",
                     1e3 * b.pad.shape_radius, b.surface.R0, 1e3 * b.surface.R0));

@@ -42,26 +42,6 @@ Eigen::Vector2d Excitation::direction() const {
   return unit_vector(direction_deg);
 }
 
-std::string to_string(ExcitationKind kind) {
-  switch (kind) {
-  case ExcitationKind::ricker:
-    return "ricker";
-  case ExcitationKind::cyclic:
-    return "cyclic";
-  case ExcitationKind::figure_eight:
-    return "figure-eight";
-  case ExcitationKind::push:
-    return "push";
-  case ExcitationKind::window:
-    return "window";
-  case ExcitationKind::record:
-    return "record";
-  case ExcitationKind::free:
-    return "free";
-  }
-  return "unknown";
-}
-
 double ricker_shape(double t, double centre, double period) {
   const double p = pi * (t - centre) / period, p2 = p * p;
   return (1 - 2 * p2) * std::exp(-p2);

@@ -1,6 +1,7 @@
 /// What moves the bearing: ground motion, prescribed motion, or a single impact. SI units.
 /// Sign: ground acceleration a_g > 0 acts along +axis; the load on the mass is -m a_g.
 #pragma once
+#include "files/choice.h"
 #include "records/sampled_signal.h"
 #include <Eigen/Core>
 #include <string>
@@ -9,6 +10,16 @@
 namespace rimpact::scene {
 
 enum class ExcitationKind { ricker, cyclic, figure_eight, push, window, record, free };
+constexpr auto choices(ExcitationKind) {
+  using enum ExcitationKind;
+  return choices_of<ExcitationKind>({{ricker, "ricker"},
+                                     {cyclic, "cyclic"},
+                                     {figure_eight, "figure-eight"},
+                                     {push, "push"},
+                                     {window, "window"},
+                                     {record, "record"},
+                                     {free, "free"}});
+}
 
 /// Everything a scene file may say under [excitation]; only the fields of `kind` matter.
 struct Excitation {
@@ -40,8 +51,6 @@ struct Excitation {
   Eigen::Vector2d start_displacement() const { return scale * initial_displacement; }
   Eigen::Vector2d start_velocity() const { return scale * initial_velocity; }
 };
-
-std::string to_string(ExcitationKind kind);
 
 /// Ricker pulse (2-25) divided by its amplitude: (1 - 2 p^2) exp(-p^2), p = pi (t - centre) / period.
 double ricker_shape(double t, double centre, double period);

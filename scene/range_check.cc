@@ -27,11 +27,6 @@ public:
   void integer(const Key &key, int &value, int low, int high) override {
     if (value < low || value > high) fail(key, fmt::format("{} must be between {} and {}", value, low, high));
   }
-  void choice(const Key &key, std::string &value, const std::vector<std::string> &options) override {
-    for (const auto &option : options)
-      if (option == value) return;
-    fail(key, not_among(value, options));
-  }
   void pair(const Key &key, Eigen::Vector2d &value, Range range) override {
     for (double component : value)
       if (!range.contains(component)) fail(key, fmt::format("{} must be {}", component, range.text()));
@@ -41,6 +36,7 @@ public:
   }
   void flag(const Key &, bool &) override {}
   void text(const Key &, std::string &) override {}
+  void word(const Key &, std::string &, const std::vector<std::string> &) override {}
   void switches(const Key &, const std::vector<std::pair<std::string, bool *>> &) override {}
 
 private:

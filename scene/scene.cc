@@ -33,17 +33,17 @@ void check_excitation(const Excitation &e, double lateral_capacity) {
 /// What the double concave models do not offer is refused, never ignored.
 void check_double_concave(const Scene &s) {
   const auto refuse = [&](const std::string &key, const std::string &why) {
-    throw InputError(fmt::format("{} is not for reduced.model \"{}\": {}", key, s.reduced.model, why));
+    throw InputError(fmt::format("{} is not for reduced.model \"{}\": {}", key, word(s.reduced.model), why));
   };
   s.isolator.validate(s.impact_resilient());
   const auto &e = s.excitation;
   if (e.kind == ExcitationKind::window)
     refuse("excitation.kind \"window\"", "it isolates the rim element of the physical model");
-  if (s.reduced.normal_force != "inertia")
+  if (s.reduced.normal_force != NormalForce::inertia)
     refuse("reduced.normal_force", "its normal forces follow from the motion, \"inertia\"");
   if (s.reduced.finite_pad || s.reduced.socket_friction)
     refuse(s.reduced.finite_pad ? "reduced.finite_pad" : "reduced.socket_friction", "its slider is rigid");
-  if (s.isolator.space == "spatial") return;
+  if (s.isolator.space == Space::spatial) return;
   const bool off_x = (e.kind == ExcitationKind::record && !e.y.values.empty()) ||
                      e.kind == ExcitationKind::figure_eight ||
                      (e.kind != ExcitationKind::record && e.kind != ExcitationKind::free && e.direction()[1] != 0) ||
@@ -57,10 +57,10 @@ void check_superstructure(const Scene &s) {
   s.superstructure.validate(s.load.mass);
   if (!e.is_dynamic() || e.kind == ExcitationKind::window)
     throw InputError(fmt::format("superstructure.kind \"{}\" needs a motion in time, not excitation.kind \"{}\"",
-                                 s.superstructure.kind, to_string(e.kind)));
-  if (s.reduced.normal_force != "inertia")
+                                 word(s.superstructure.kind), word(e.kind)));
+  if (s.reduced.normal_force != NormalForce::inertia)
     throw InputError(fmt::format("superstructure.kind \"{}\" needs reduced.normal_force \"inertia\", not \"{}\"",
-                                 s.superstructure.kind, s.reduced.normal_force));
+                                 word(s.superstructure.kind), word(s.reduced.normal_force)));
 }
 
 /// A prescribed path the sliding surface cannot follow is refused here, not by the surface in mid-run.
@@ -90,7 +90,7 @@ void check_curve(const Scene &scene) {
                      "BEARING` writes");
   if (scene.double_concave())
     throw InputError("reduced.impact_law \"curve\" is for bearings of one dish; reduced.model \"" +
-                     scene.reduced.model + "\" takes the other laws (rimpact list laws)");
+                     word(scene.reduced.model) + "\" takes the other laws (rimpact list laws)");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 /// A scene: a bearing, its load, what excites it, and the models' settings. Read from TOML, every default filled in.
 #pragma once
 #include "scene/bearing.h"
+#include "scene/choices.h"
 #include "scene/double_concave.h"
 #include "scene/excitation.h"
 #include "scene/own_mesh_settings.h"
@@ -19,18 +20,18 @@ struct Load {
 
 /// [model]: the finite-element side.
 struct FeSettings {
-  std::string rung = "rim";      ///< rim | rigid-dish | full
-  int mesh = 1;                  ///< 1 | 2 | 3, h divided by 1.5 a level; 0: a draft, h x 1.5
-  double step = 0.0;             ///< time step inside an impact [s], 0: chosen by the plan (key `step_ms`)
-  double rho_inf = 0.5;          ///< spectral radius of generalised-alpha, 0..1
-  double penalty_scale = 1;      ///< of contact, times the default of the softer side's stiffness, > 0
-  std::string symmetry = "auto"; ///< auto | half | whole
-  OwnMesh own_mesh;              ///< instead of the built-in one
+  Rung rung = Rung::rim;
+  int mesh = 1;             ///< 1 | 2 | 3, h divided by 1.5 a level; 0: a draft, h x 1.5
+  double step = 0.0;        ///< time step inside an impact [s], 0: chosen by the plan (key `step_ms`)
+  double rho_inf = 0.5;     ///< spectral radius of generalised-alpha, 0..1
+  double penalty_scale = 1; ///< of contact, times the default of the softer side's stiffness, > 0
+  Symmetry symmetry = Symmetry::by_plan;
+  OwnMesh own_mesh; ///< instead of the built-in one
 };
 
 /// [reduced]: the physical model; friction, impact element and sampling of the other reduced models too.
 struct ReducedSettings {
-  std::string model = "physical";
+  ModelKind model = ModelKind::physical;
   double k_i = 4.5e8;                ///< impact stiffness [N/m]; 0 switches the impact element off
   double restitution = 0.65;         ///< e in (0, 1]
   std::string impact_law = "signed"; ///< signed | no-tension | printed | hunt-crossley | elastoplastic | curve
@@ -53,16 +54,16 @@ struct ReducedSettings {
   std::optional<double> fitted_mass =
       {};                      ///< supported mass it holds for [kg]; none: the law belongs to the rim, not to the mass
   std::string fitted_rim = {}; ///< rim_identity() of the bearing it was fitted to; empty: not known
-  std::string friction = "coulomb"; ///< coulomb | park-wen
-  double elastic_slip = 1e-4;       ///< q of the Park-Wen state [m] (key elastic_slip_mm)
+  Friction friction = Friction::coulomb;
+  double elastic_slip = 1e-4; ///< q of the Park-Wen state [m] (key elastic_slip_mm)
   double mu_fast = 0.07, mu_slow = 0.07;
-  double rate = 0.0;                    ///< of the velocity law [s/m], needed when mu_slow != mu_fast
-  std::string normal_force = "inertia"; ///< inertia | static | constant
-  double vertical_restitution = 0.0;    ///< of re-contact with the dish after uplift [-], 0..1
-  bool finite_pad = false;              ///< extra lift (Ro^2+Ri^2)/8 (kappa_m + kappa_c - 2/R0)
-  bool socket_friction = false;         ///< moment of the socket resisting tilt
-  double tolerance = 1e-9;              ///< relative, of the integrator
-  double output_step = 0.005;           ///< spacing of stored samples [s]; samples are dense during contact
+  double rate = 0.0; ///< of the velocity law [s/m], needed when mu_slow != mu_fast
+  NormalForce normal_force = NormalForce::inertia;
+  double vertical_restitution = 0.0; ///< of re-contact with the dish after uplift [-], 0..1
+  bool finite_pad = false;           ///< extra lift (Ro^2+Ri^2)/8 (kappa_m + kappa_c - 2/R0)
+  bool socket_friction = false;      ///< moment of the socket resisting tilt
+  double tolerance = 1e-9;           ///< relative, of the integrator
+  double output_step = 0.005;        ///< spacing of stored samples [s]; samples are dense during contact
 };
 
 struct Scene {
@@ -76,10 +77,10 @@ struct Scene {
   Superstructure superstructure;    ///< [superstructure]: what the bearing carries
   std::vector<std::string> remarks; ///< sentences: what the reading of its file filled in or put aside; not written out
 
-  bool impact_resilient() const { return reduced.model == "lir-dcfp"; }
-  bool double_concave() const { return reduced.model == "dcfp" || impact_resilient(); }
+  bool impact_resilient() const { return reduced.model == ModelKind::lir_dcfp; }
+  bool double_concave() const { return reduced.model == ModelKind::dcfp || impact_resilient(); }
   /// Whether pad and foot are modelled: rungs rigid-dish and full, and the reduced model's terms of pad and socket.
-  bool needs_stack() const { return model.rung != "rim" || reduced.finite_pad || reduced.socket_friction; }
+  bool needs_stack() const { return model.rung != Rung::rim || reduced.finite_pad || reduced.socket_friction; }
   /// Displacement at which the rim of the model's bearing is touched [m].
   double lateral_capacity() const {
     return double_concave() ? isolator.lateral_capacity() : bearing.lateral_capacity();

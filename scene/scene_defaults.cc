@@ -56,7 +56,7 @@ void settle_load(const TomlFile &file, bool own_bearing, Scene &scene) {
 void set_dependent_defaults(const TomlFile &file, const std::string &prefix, Bearing &bearing) {
   settle(file, prefix + "material.steel.", bearing.steel);
   settle(file, prefix + "material.ertalyte.", bearing.ertalyte);
-  if (bearing.surface.kind == "sphere") bearing.surface.a = bearing.surface.R0;
+  if (bearing.surface.kind == SurfaceKind::sphere) bearing.surface.a = bearing.surface.R0;
   const std::string cap = "foot.cap_radius_mm";
   if (!file.find(prefix + cap) && bearing.assumed.keys.count(cap) > 0) settle_socket(bearing);
 }
@@ -75,7 +75,7 @@ void set_dependent_defaults(const TomlFile &file, bool own_bearing, Scene &scene
   // A dashpot's force begins at the touch, which ends no step there: at 1e-4 later peaks come out up to 6 % low, at
   // 1e-5 within 0.3 %.
   if (!given("isolator.step_tolerance")) scene.isolator.step_tolerance = 1e-5;
-  if (!given("isolator.points") && scene.isolator.space == "spatial") scene.isolator.points = 8;
+  if (!given("isolator.points") && scene.isolator.space == Space::spatial) scene.isolator.points = 8;
   if (!given("reduced.mu_fast")) scene.reduced.mu_fast = scene.bearing.contact.steel_ertalyte;
   const auto &contact = scene.bearing.contact;
   const bool as_solid =

@@ -1,6 +1,8 @@
+#include "files/error.h"
 #include "scene/keys.h"
 #include <algorithm>
-#include <array>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace rimpact::scene {
 namespace {
@@ -9,20 +11,6 @@ constexpr Range positive{0, huge, true};
 constexpr Range not_negative{0, huge};
 constexpr Range anything{-huge, huge};
 constexpr Range share{0, 1};
-
-constexpr std::array kinds{ExcitationKind::ricker, ExcitationKind::cyclic, ExcitationKind::figure_eight,
-                           ExcitationKind::push,   ExcitationKind::window, ExcitationKind::record,
-                           ExcitationKind::free};
-
-void visit_kind(KeyVisitor &v, ExcitationKind &kind) {
-  std::vector<std::string> names;
-  names.reserve(kinds.size());
-  for (const auto k : kinds) names.push_back(to_string(k));
-  std::string name = to_string(kind);
-  v.choice({"kind", "ricker | cyclic | figure-eight | push | window | record | free"}, name, names);
-  for (const auto k : kinds)
-    if (to_string(k) == name) kind = k;
-}
 
 void visit_motion(KeyVisitor &v, Excitation &e) {
   using enum ExcitationKind;
@@ -59,12 +47,23 @@ void visit_motion(KeyVisitor &v, Excitation &e) {
   if (v.wants(e.is_dynamic())) v.number({"duration_s"}, e.duration, si, {1e-6, 1e5});
 }
 
+/// Listed as a text: the reduced models are a catalogue (rimpact list models).
+void visit_model(KeyVisitor &v, ModelKind &model) {
+  std::string written = word(model);
+  v.text({"model"}, written);
+  if (const auto known = parse<ModelKind>(written))
+    model = *known;
+  else
+    throw InputError(
+        fmt::format("reduced.model \"{}\" is unknown; known: {}", written, fmt::join(words<ModelKind>(), ", ")));
+}
+
 void visit(KeyVisitor &v, ReducedSettings &r) {
-  v.text({"model"}, r.model);
+  visit_model(v, r.model);
   v.number({"k_i_kN_per_m", "impact stiffness; 0: no impact element"}, r.k_i, kilo, not_negative);
   v.number({"restitution", "e"}, r.restitution, si, {0, 1, true});
-  v.choice({"impact_law", "signed | no-tension | printed | hunt-crossley | elastoplastic | curve"}, r.impact_law,
-           {"signed", "no-tension", "printed", "hunt-crossley", "elastoplastic", "curve"});
+  v.word({"impact_law", "signed | no-tension | printed | hunt-crossley | elastoplastic | curve"}, r.impact_law,
+         {"signed", "no-tension", "printed", "hunt-crossley", "elastoplastic", "curve"});
   if (v.wants(r.impact_law == "curve"))
     v.text({"impact_curve", "curve.h5 of this bearing, made by rimpact curve"}, r.impact_curve);
   if (v.wants(r.impact_law == "hunt-crossley")) {
@@ -94,12 +93,12 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
   if (v.wants(r.fitted_mass.has_value()))
     v.limit({"fitted_mass_kg", "supported mass it holds for"}, r.fitted_mass, si, positive);
   if (v.wants(!r.fitted_rim.empty())) v.text({"fitted_rim", "the rim it was fitted to"}, r.fitted_rim);
-  v.choice({"friction", "coulomb | park-wen"}, r.friction, {"coulomb", "park-wen"});
+  v.choice({"friction"}, r.friction);
   v.number({"elastic_slip_mm", "of park-wen"}, r.elastic_slip, milli, {1e-3, 1e3});
   v.number({"mu_fast"}, r.mu_fast, si, {0, 2});
   v.number({"mu_slow", "differs from mu_fast: the velocity law"}, r.mu_slow, si, {0, 2});
   v.number({"rate_s_per_m", "of the velocity law"}, r.rate, si, {0, 1e6});
-  v.choice({"normal_force", "inertia | static | constant"}, r.normal_force, {"inertia", "static", "constant"});
+  v.choice({"normal_force"}, r.normal_force);
   v.number({"vertical_restitution", "of coming back to the dish after uplift"}, r.vertical_restitution, si, share);
   v.flag({"finite_pad", "extra lift of the pad's finite size"}, r.finite_pad);
   v.flag({"socket_friction", "moment of the socket resisting tilt"}, r.socket_friction);
@@ -109,7 +108,7 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
 
 void visit(KeyVisitor &v, OwnMesh &m) {
   v.text({"file", ".msh, .geo or .step, instead of the built-in mesh"}, m.file);
-  v.choice({"unit", "of the file's lengths: m | cm | mm | in"}, m.unit, {"m", "cm", "mm", "in"});
+  v.choice({"unit", "of the file's lengths: m | cm | mm | in"}, m.unit);
   v.number({"size_mm", "of cells meshed from .geo or .step"}, m.size, milli, {0, 1e3, true});
   v.number({"contact_size_mm", "of those where slider and rim meet"}, m.contact_size, milli, {0, 1e3, true});
   const bool renamed =
@@ -130,17 +129,17 @@ void visit_settings(KeyVisitor &v, Scene &s) {
     v.number({"gravity_m_per_s2"}, s.load.gravity, si, {0, 1e3, true});
   });
   v.section("excitation", [&] {
-    visit_kind(v, s.excitation.kind);
+    v.choice({"kind"}, s.excitation.kind);
     v.number({"scale", "multiplies any excitation"}, s.excitation.scale, si, {-1e6, 1e6});
     visit_motion(v, s.excitation);
   });
   v.section("model", [&] {
-    v.choice({"rung", "rim | rigid-dish | full"}, s.model.rung, {"rim", "rigid-dish", "full"});
+    v.choice({"rung"}, s.model.rung);
     v.integer({"mesh", "1 | 2 | 3; 0: a draft, every size x 1.5"}, s.model.mesh, 0, 3);
     v.number({"step_ms", "inside an impact; 0: chosen by the plan"}, s.model.step, milli, {0, 1e3});
     v.number({"rho_inf", "spectral radius of generalised-alpha"}, s.model.rho_inf, si, share);
     v.number({"penalty_scale", "of contact, times the default"}, s.model.penalty_scale, si, {1e-4, 1e4});
-    v.choice({"symmetry", "auto | half | whole"}, s.model.symmetry, {"auto", "half", "whole"});
+    v.choice({"symmetry"}, s.model.symmetry);
     if (v.wants(s.model.own_mesh.any())) v.section("own_mesh", [&] { visit(v, s.model.own_mesh); });
   });
   v.section("reduced", [&] { visit(v, s.reduced); });

@@ -43,7 +43,7 @@ void read_table(const TomlFile &file, const std::string &prefix, SurfaceSpec &su
   const auto fail = [&](const std::string &what) {
     throw InputError(fmt::format("{}: {} \"{}\" {}", file.location(key), key, name.substr(0, 200), what));
   };
-  if (surface.kind != "table") fail("needs surface.kind \"table\", not \"" + surface.kind + "\"");
+  if (surface.kind != SurfaceKind::table) fail("needs surface.kind \"table\", not \"" + word(surface.kind) + "\"");
   if (file.find(prefix + "surface.radius_mm") || file.find(prefix + "surface.height_mm"))
     fail("stands beside radius_mm or height_mm; give the file or the rows");
   try {
@@ -104,12 +104,12 @@ bool is_written_out(const TomlFile &file) {
 
 /// Whether the scene models pad and foot, before its settings are read.
 bool models_stack(const TomlFile &file) {
-  const std::string rung = text_at(file, "model.rung");
+  const auto rung = parse<Rung>(text_at(file, "model.rung"));
   const auto on = [&](const char *key) {
     const auto *node = file.find(key);
     return node && node->is_boolean() && node->as_boolean()->get();
   };
-  return (!rung.empty() && rung != "rim") || on("reduced.finite_pad") || on("reduced.socket_friction");
+  return (rung && rung != Rung::rim) || on("reduced.finite_pad") || on("reduced.socket_friction");
 }
 
 bool is_builtin_name(const std::string &name) {

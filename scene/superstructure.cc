@@ -13,7 +13,7 @@ std::vector<double> Superstructure::floor_masses(double supported) const {
 }
 
 void Superstructure::validate(double supported) const {
-  if (kind != "shear-building") return;
+  if (kind != StructureKind::shear_building) return;
   const auto check_count = [&](const char *key, std::size_t count) {
     if (count != 0 && count != static_cast<std::size_t>(storeys))
       throw InputError(
@@ -30,8 +30,8 @@ void Superstructure::validate(double supported) const {
 
 void visit(KeyVisitor &v, Superstructure &s) {
   constexpr Range positive{0, huge, true}, share{0, 1}, seconds{0, 1e3, true};
-  const bool any = v.wants(s.any()), building = v.wants(s.kind == "shear-building");
-  v.choice({"kind", "none | bouc-wen | shear-building"}, s.kind, {"none", "bouc-wen", "shear-building"});
+  const bool any = v.wants(s.any()), building = v.wants(s.kind == StructureKind::shear_building);
+  v.choice({"kind"}, s.kind);
   if (any) {
     v.number({"mass_ratio", "gamma = m_s / (m_s + m_b); the base keeps the rest of load.mass_kg"}, s.mass_ratio, si,
              {0, 1, true, true});

@@ -1,13 +1,20 @@
 /// What an isolator carries: nothing that moves by itself, a one-storey inelastic frame (thesis 2.6.1, 4.3)
 /// or a linear shear building, every storey with an axial spring. SI units.
 #pragma once
+#include "files/choice.h"
 #include <string>
 #include <vector>
 
 namespace rimpact::scene {
 
+enum class StructureKind { none, bouc_wen, shear_building };
+constexpr auto choices(StructureKind) {
+  using enum StructureKind;
+  return choices_of<StructureKind>({{none, "none"}, {bouc_wen, "bouc-wen"}, {shear_building, "shear-building"}});
+}
+
 struct Superstructure {
-  std::string kind = "none";   ///< none | bouc-wen | shear-building
+  StructureKind kind = StructureKind::none;
   double mass_ratio = 0.9;     ///< gamma = m_s / (m_s + m_b), 0..1 exclusive; not read when `masses` is given
   double period = 0.6;         ///< T_s, elastic, base fixed: 2 pi sqrt(m_s / k_s), or the building's first [s], > 0
   double damping_ratio = 0.02; ///< of that period, proportional to the stiffness [-], 0..1
@@ -24,9 +31,9 @@ struct Superstructure {
   double vertical_period = 0.1;         ///< 2 pi sqrt(m_s / k_v), or the building's first [s], > 0
   double vertical_damping_ratio = 0.02; ///< [-], 0..1
 
-  bool any() const { return kind != "none"; }
-  bool inelastic() const { return kind == "bouc-wen"; }
-  int n_floors() const { return kind == "none" ? 0 : inelastic() ? 1 : storeys; }
+  bool any() const { return kind != StructureKind::none; }
+  bool inelastic() const { return kind == StructureKind::bouc_wen; }
+  int n_floors() const { return kind == StructureKind::none ? 0 : inelastic() ? 1 : storeys; }
   /// Masses of the floors [kg] under a total of `supported` that includes the base.
   std::vector<double> floor_masses(double supported) const;
   /// Throws InputError naming key, value and bound.

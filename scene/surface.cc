@@ -1,8 +1,5 @@
 #include "scene/surface.h"
-#include "files/error.h"
-#include "files/text.h"
 #include "scene/surface_of_revolution.h"
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <stdexcept>
@@ -56,38 +53,22 @@ private:
   double a_, b_, inv_a2_, inv_b2_, inv_R0_;
 };
 
-struct SurfaceKind {
-  const char *name;
-  std::unique_ptr<SlidingSurface> (*make)(const SurfaceSpec &);
-};
-// The catalogue: one line a kind.
-const std::array surface_kinds{
-    SurfaceKind{"ellipse",
-                [](const SurfaceSpec &s) -> std::unique_ptr<SlidingSurface> {
-                  return std::make_unique<Ellipsoid>(s.a, s.a * s.a / s.R0);
-                }},
-    SurfaceKind{"sphere",
-                [](const SurfaceSpec &s) -> std::unique_ptr<SlidingSurface> {
-                  return std::make_unique<Ellipsoid>(s.R0, s.R0);
-                }},
-    SurfaceKind{"cone", make_cone},
-    SurfaceKind{"polynomial", make_polynomial},
-    SurfaceKind{"table", make_table},
-};
-
 } // namespace
 
-std::vector<std::string> surface_kind_names() {
-  std::vector<std::string> names;
-  names.reserve(std::size(surface_kinds));
-  for (const auto &kind : surface_kinds) names.emplace_back(kind.name);
-  return names;
-}
-
-std::unique_ptr<SlidingSurface> make_surface(const SurfaceSpec &spec) {
-  for (const auto &kind : surface_kinds)
-    if (spec.kind == kind.name) return kind.make(spec);
-  throw InputError("surface.kind " + not_among(spec.kind, surface_kind_names()));
+std::unique_ptr<SlidingSurface> make_surface(const SurfaceSpec &s) {
+  switch (s.kind) {
+  case SurfaceKind::ellipse:
+    return std::make_unique<Ellipsoid>(s.a, s.a * s.a / s.R0);
+  case SurfaceKind::sphere:
+    return std::make_unique<Ellipsoid>(s.R0, s.R0);
+  case SurfaceKind::cone:
+    return make_cone(s);
+  case SurfaceKind::polynomial:
+    return make_polynomial(s);
+  case SurfaceKind::table:
+    return make_table(s);
+  }
+  return nullptr;
 }
 
 } // namespace rimpact::scene

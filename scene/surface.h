@@ -1,6 +1,7 @@
 /// The sliding surface as an implicit function F(x, y, z) = 0 (thesis eq. 2-1) with gradient and curvature.
 /// Frame: origin at the dish's vertex, z up. SI units.
 #pragma once
+#include "files/choice.h"
 #include <array>
 #include <Eigen/Core>
 #include <memory>
@@ -39,9 +40,16 @@ public:
   virtual double limit_radius() const = 0;
 };
 
+enum class SurfaceKind { ellipse, sphere, cone, polynomial, table };
+constexpr auto choices(SurfaceKind) {
+  using enum SurfaceKind;
+  return choices_of<SurfaceKind>(
+      {{ellipse, "ellipse"}, {sphere, "sphere"}, {cone, "cone"}, {polynomial, "polynomial"}, {table, "table"}});
+}
+
 /// What a bearing file says of its surface.
 struct SurfaceSpec {
-  std::string kind = "ellipse"; ///< "ellipse" | "sphere" | "cone" | "polynomial" | "table"
+  SurfaceKind kind = SurfaceKind::ellipse;
   double R0 = 2.25;             ///< radius of curvature at the vertex [m], > 0 (eq. 2-24: R0 = a^2/b); not read
                                 ///< for polynomial and table
   double a = 0.5625;            ///< half-width of the ellipse [m], > 0
@@ -55,9 +63,7 @@ struct SurfaceSpec {
   bool operator==(const SurfaceSpec &) const = default;
 };
 
-std::vector<std::string> surface_kind_names();
-/// One line a kind in surface.cc's catalogue. Throws InputError naming the known kinds, or what is wrong with
-/// a table.
+/// Throws InputError naming what is wrong with a table.
 std::unique_ptr<SlidingSurface> make_surface(const SurfaceSpec &spec);
 /// Fills the table from a CSV file with the columns radius_mm and height_mm (comments with #). Throws
 /// DataError naming file and line.

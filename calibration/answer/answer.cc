@@ -98,7 +98,8 @@ AnswerMeshError answer_mesh_error(const Calibration &c, const Runs &runs) {
     if (f.source != "finite elements" || run->impacts.empty()) continue;
     if (studies.empty()) studies = studies_near(run->folder);
     scene::Scene scene = run->scene;
-    scene.model.rung = f.rung, scene.model.mesh = f.mesh.value_or(scene.model.mesh);
+    scene.model.rung = parse<scene::Rung>(f.rung).value_or(scene.model.rung),
+    scene.model.mesh = f.mesh.value_or(scene.model.mesh);
     const auto estimate = error_estimate(scene, run->summary, studies, {run->folder, f.seconds});
     if (!estimate.contains("peak_force_relative") || !estimate["peak_force_relative"].is_number()) {
       if (known) error.sentence = fmt::format("The error of the mesh is {}.", estimate.value("none", "unknown"));

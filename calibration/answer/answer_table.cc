@@ -20,7 +20,7 @@ scene::Scene one_impact(const scene::Scene &answer, double speed) {
   scene.excitation.kind = scene::ExcitationKind::window;
   scene.excitation.speed = speed;
   scene.superstructure = {};
-  scene.reduced.model = "physical";
+  scene.reduced.model = scene::ModelKind::physical;
   return scene;
 }
 

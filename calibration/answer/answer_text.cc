@@ -51,7 +51,7 @@ std::string to_toml_fragment(const Answer &a) {
   text += comment(a.pair ? a.pair->sentence : a.no_pair);
   if (!a.mesh_error.sentence.empty()) text += comment(a.mesh_error.sentence);
   for (const auto &doubt : a.doubts) text += comment("Doubt: " + doubt);
-  text += fmt::format("[reduced]\nmodel = \"{}\"\nimpact_law = \"{}\"\n", r.model, r.impact_law);
+  text += fmt::format("[reduced]\nmodel = \"{}\"\nimpact_law = \"{}\"\n", word(r.model), r.impact_law);
   for (const auto *names : {&law.parameters, &law.exponents})
     for (const auto &name : *names) text += assigned(name, parameter(name).get(a.scene));
   if (law.reads("exponent")) text += fmt::format("reference_speed_m_per_s = {:.9g}\n", r.reference_speed);

@@ -27,10 +27,11 @@ std::string difference(const scene::Scene &a, const scene::Scene &b) {
             : fmt::format("bearings \"{}\" and \"{}\" of different dimensions", a.bearing.name, b.bearing.name),
         number("load.mass_kg", a.load.mass, b.load.mass),
         number("load.vertical_kN", a.load.vertical / 1e3, b.load.vertical / 1e3),
-        number("load.gravity_m_per_s2", a.load.gravity, b.load.gravity), text("reduced.model", r.model, s.model),
-        text("reduced.impact_law", r.impact_law, s.impact_law), text("reduced.friction", r.friction, s.friction),
-        text("reduced.normal_force", r.normal_force, s.normal_force), number("reduced.mu_fast", r.mu_fast, s.mu_fast),
-        number("reduced.mu_slow", r.mu_slow, s.mu_slow)})
+        number("load.gravity_m_per_s2", a.load.gravity, b.load.gravity),
+        text("reduced.model", word(r.model), word(s.model)), text("reduced.impact_law", r.impact_law, s.impact_law),
+        text("reduced.friction", word(r.friction), word(s.friction)),
+        text("reduced.normal_force", word(r.normal_force), word(s.normal_force)),
+        number("reduced.mu_fast", r.mu_fast, s.mu_fast), number("reduced.mu_slow", r.mu_slow, s.mu_slow)})
     if (!found.empty()) return found;
   return {};
 }

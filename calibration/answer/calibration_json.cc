@@ -28,13 +28,13 @@ json derived_json(const scene::Scene &scene) {
       {"masses", {{"m1_kg", scene.load.mass}, {"m2_kg", nullptr}, {"note", "m1: supported mass; m2: the rim, fixed"}}},
       {"law", r.impact_law},
       {"element", element_json(scene)},
-      {"friction", r.friction},
-      {"elastic_slip_mm", r.friction == "park-wen" ? json(1e3 * r.elastic_slip) : json(nullptr)},
-      {"normal_force", r.normal_force},
+      {"friction", word(r.friction)},
+      {"elastic_slip_mm", r.friction == scene::Friction::park_wen ? json(1e3 * r.elastic_slip) : json(nullptr)},
+      {"normal_force", word(r.normal_force)},
       {"mu_fast", r.mu_fast},
       {"vertical_kN", scene.load.vertical / 1e3},
       {"gravity_m_per_s2", scene.load.gravity},
-      {"model", r.model},
+      {"model", word(r.model)},
       {"bearing", scene.bearing.name}};
 }
 

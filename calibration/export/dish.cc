@@ -16,7 +16,7 @@ Dish dish_of(const scene::Scene &scene, double capacity) {
   const double R = 1 / surface->curvatures(0).meridional;
   const auto error = [&](double r) { return r / R / slope(r) - 1; };
   const double last = std::min(1.15 * capacity, 0.5 * (capacity + std::min(surface->limit_radius(), 2 * capacity)));
-  Dish dish{.sphere = scene.bearing.surface.kind == "sphere",
+  Dish dish{.sphere = scene.bearing.surface.kind == scene::SurfaceKind::sphere,
             .radius = R,
             .travel = {},
             .slope = {},

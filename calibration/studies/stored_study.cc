@@ -41,14 +41,18 @@ const json *reference_of(const json &study) {
   return nullptr;
 }
 
+std::optional<scene::Rung> rung_in(const json &row) {
+  return parse<scene::Rung>(row.value("rung", ""));
+}
+
 /// Whether the study has the rung and mesh with an error that is known: against a finer mesh of that rung, not against
 /// another rung, which models more.
 bool knows(const StoredStudy &study, const scene::Scene &scene) {
-  if (const json *reference = reference_of(study.json); reference && reference->value("rung", "") != scene.model.rung)
+  if (const json *reference = reference_of(study.json); reference && rung_in(*reference) != scene.model.rung)
     return false;
   const bool extrapolated = study.json.value("extrapolated_peak_force_N", json()).is_number();
   for (const json &row : study.json["rows"])
-    if (row.value("rung", "") == scene.model.rung && row.value("mesh", 0) == scene.model.mesh &&
+    if (rung_in(row) == scene.model.rung && row.value("mesh", 0) == scene.model.mesh &&
         (extrapolated || !row.value("reference", true)))
       return true;
   return false;
@@ -59,7 +63,7 @@ bool knows(const StoredStudy &study, const scene::Scene &scene) {
 json largest(const StoredStudy &study, const scene::Scene &scene, const char *error) {
   json result;
   for (const json &row : study.json["rows"])
-    if (row.value("rung", "") == scene.model.rung && row.value("mesh", 0) >= scene.model.mesh &&
+    if (rung_in(row) == scene.model.rung && row.value("mesh", 0) >= scene.model.mesh &&
         row.value(error, json()).is_number())
       result = std::max(result.is_number() ? result.get<double>() : 0.0, std::abs(row[error].get<double>()));
   return result;
@@ -74,7 +78,7 @@ std::string against(const json &study) {
 
 /// Whether it studied what the scene is: the rim, and with a rung that models the dish all of the bearing.
 bool same_solid(const StoredStudy &study, const scene::Scene &scene) {
-  if (scene.model.rung == "rim") return study.rim_identity == scene::rim_identity(scene.bearing);
+  if (scene.model.rung == scene::Rung::rim) return study.rim_identity == scene::rim_identity(scene.bearing);
   return study.bearing_identity == scene::bearing_identity(scene.bearing);
 }
 
@@ -133,7 +137,7 @@ json studied_scene(const scene::Scene &scene, const std::optional<double> &appro
 json error_estimate(const scene::Scene &scene, const Summary &summary, const std::vector<StoredStudy> &studies,
                     const AskedRun &asked) {
   if (scene.model.own_mesh.any()) return none("unknown: no study knows the mesh " + scene.model.own_mesh.file);
-  const std::string what = fmt::format("rung {}, mesh {} of this bearing", scene.model.rung, scene.model.mesh);
+  const std::string what = fmt::format("rung {}, mesh {} of this bearing", word(scene.model.rung), scene.model.mesh);
   if (summary.impacts.empty()) return none("unknown: no study without an impact is kept for " + what);
   const double speed = std::max(1e-6, summary.impacts.front().approach_speed);
   // speed of an impact of the run's mass that is as severe

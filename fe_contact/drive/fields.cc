@@ -22,7 +22,7 @@ void write_fields(const BearingSystem &system, const SystemState &state, const E
   for (double &value : pressure) value *= 1e-6;
   for (double &value : gap) value = std::isfinite(value) ? 1e3 * value : 0;
   for (double &value : cells.von_mises) value *= 1e-6;
-  const auto name = fmt::format("fields/{}_{:03d}.vtu", system.model().rung.name, record.fields.size());
+  const auto name = fmt::format("fields/{}_{:03d}.vtu", word(system.model().rung.name), record.fields.size());
   std::filesystem::create_directories(options.folder + "/fields");
   std::vector<Discretisation::Field> fields{{"displacement", 3, false, list(displacements)},
                                             {"contact_pressure_MPa", 1, false, pressure},

@@ -28,7 +28,7 @@ Summary summarise(const scene::Scene &scene, const RunRecord &record) {
   if (record.response.size() > 0) summarise_response(record.response, summary);
   summary.impacts = record.impacts; // exact instants and speeds, not those of the samples
   summary.energy = record.ledger;
-  summary.rung = scene.model.rung;
+  summary.rung = word(scene.model.rung);
   summary.mesh = scene.model.mesh;
   summary.n_steps = record.n_steps;
   const SolverWork work = record.work_so_far();

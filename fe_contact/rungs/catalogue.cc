@@ -13,10 +13,10 @@ const Rung *const catalogue[] = {
 
 } // namespace
 
-const Rung &rung_of(const std::string &name) {
+const Rung &rung_of(scene::Rung name) {
   for (const Rung *rung : catalogue)
     if (name == rung->name) return *rung;
-  throw InputError("rung '" + name + "' is not in this build");
+  throw InputError("rung '" + word(name) + "' is not in this build");
 }
 
 } // namespace rimpact::fe

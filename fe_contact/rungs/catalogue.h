@@ -1,7 +1,6 @@
 /// The rungs there are, a line each.
 #pragma once
 #include "fe_contact/rungs/rung.h"
-#include <string>
 
 namespace rimpact::fe {
 
@@ -9,7 +8,7 @@ namespace rungs {
 extern const Rung rim, rigid_dish, full;
 }
 
-/// By the name a scene has. Throws InputError.
-const Rung &rung_of(const std::string &name);
+/// Throws InputError for a rung that this build has not.
+const Rung &rung_of(scene::Rung name);
 
 } // namespace rimpact::fe

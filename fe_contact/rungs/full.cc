@@ -21,7 +21,7 @@ std::vector<Pair> plate_pairs(const BearingModel &model, RimState rim) {
 } // namespace
 
 const Rung rungs::full{
-    .name = "full",
+    .name = scene::Rung::full,
     .dish = DishKind::solid,
     .carried = stack_bodies(),
     .mesh = plate_mesh_of,

@@ -9,7 +9,7 @@ namespace rimpact::fe {
 using meshes::Surface;
 
 const Rung rungs::rigid_dish{
-    .name = "rigid-dish",
+    .name = scene::Rung::rigid_dish,
     .dish = DishKind::exact,
     .carried = stack_bodies(),
     .mesh = meshes::stack_mesh,

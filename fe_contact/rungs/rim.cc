@@ -34,7 +34,7 @@ StepOptions rim_steps() {
 } // namespace
 
 const Rung rungs::rim{
-    .name = "rim",
+    .name = scene::Rung::rim,
     .dish = DishKind::law,
     .carried = {meshes::Volume::upper_slider},
     .mesh = meshes::rim_mesh,

@@ -6,6 +6,7 @@
 #include "meshes/hex_mesh.h"
 #include "meshes/mesh_order.h"
 #include "scene/bearing.h"
+#include "scene/choices.h"
 #include <vector>
 
 namespace rimpact::fe {
@@ -34,7 +35,7 @@ enum class DishKind {
 };
 
 struct Rung {
-  const char *name; ///< as scenes and results say it
+  scene::Rung name;
   DishKind dish;
   std::vector<meshes::Volume> carried; ///< the bodies that move with the supported mass, their own mass a part of it
   meshes::HexMesh (*mesh)(const scene::Bearing &, const meshes::MeshOrder &);

@@ -82,7 +82,7 @@ private:
       const bool clipped = state.t + h * 1.001 >= limit;
       const double step = clipped ? limit - state.t : h;
       if (!(step > 1e-12 * std::max(1.0, duration_)))
-        throw SolverStopped("the time step of reduced.model \"" + scene_.reduced.model +
+        throw SolverStopped("the time step of reduced.model \"" + word(scene_.reduced.model) +
                             "\" became too small at t = " + std::to_string(state.t) + " s");
       const StepReport report = stepper_.step(state, step, next_);
       recorder_.count(report);

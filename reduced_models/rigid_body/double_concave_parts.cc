@@ -18,8 +18,8 @@ std::vector<Vector2d> layout(const scene::DoubleConcave &b, double radius) {
   std::vector<Vector2d> points;
   for (int i = 0; i < b.points; ++i) {
     const double angle = 2 * std::numbers::pi * i / b.points;
-    points.push_back(b.space == "planar" ? Vector2d(radius * (2.0 * i / (b.points - 1) - 1), 0)
-                                         : Vector2d(radius * std::cos(angle), radius * std::sin(angle)));
+    points.push_back(b.space == scene::Space::planar ? Vector2d(radius * (2.0 * i / (b.points - 1) - 1), 0)
+                                                     : Vector2d(radius * std::cos(angle), radius * std::sin(angle)));
   }
   return points;
 }
@@ -58,7 +58,7 @@ DoubleConcaveSystem::DoubleConcaveSystem(const scene::Scene &scene)
   system.top_friction = {top_slow, top, top == top_slow ? 0.0 : r.rate};
   system.dish_friction.validate(), system.top_friction.validate();
   system.interface_friction = {bearing_.mu_interface, bearing_.mu_interface, 0};
-  system.park_wen = r.friction == "park-wen" && !driven;
+  system.park_wen = r.friction == scene::Friction::park_wen && !driven;
   if (system.park_wen) system.elastic_slip = r.elastic_slip;
   if (r.k_i > 0) system.rim = rim_element(r, mass_before_rims(bearing_) * scene.load.mass);
   if (driven) system.rim.damping = 0;
@@ -75,7 +75,7 @@ void DoubleConcaveSystem::add_bodies(const scene::Scene &scene) {
   }
   const double J = b.plate_inertia;
   system.bodies.push_back({scene.load.mass - building.mass(), {J, J, J}, scene.load.vertical});
-  const bool planar = b.space == "planar", plate_turns = b.plate_rotation == "free";
+  const bool planar = b.space == scene::Space::planar, plate_turns = b.plate_rotation == scene::PlateRotation::free;
   for (int body = 0; body <= plate; ++body)
     for (int dof = 0; dof < 6; ++dof) {
       const bool in_plane = dof == 0 || dof == 2 || dof == 4, turns = dof >= 3;
@@ -142,9 +142,9 @@ void DoubleConcaveSystem::add_walls(const scene::DoubleConcave &b) {
                                .upward = -1,
                                .set = 2});
   };
-  if (b.space == "planar")
+  if (b.space == scene::Space::planar)
     add({-half, 0}, 0), add({half, 0}, 0);
-  else if (b.rim == "circle")
+  else if (b.rim == scene::RimTouch::circle)
     add({0, 0}, half);
   else
     for (const auto &p : layout(b, half)) add(p, 0);

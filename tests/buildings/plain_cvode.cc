@@ -20,7 +20,8 @@ public:
         slip_(scene.reduced.elastic_slip), R0_(scene.bearing.surface.R0), a_(scene.bearing.surface.a),
         capacity_(scene.bearing.lateral_capacity()), n_(model.n_dofs()) {
     const auto &r = scene.reduced;
-    if (r.impact_law != "hunt-crossley" || r.mu_fast != r.mu_slow || scene.bearing.surface.kind != "ellipse")
+    if (r.impact_law != "hunt-crossley" || r.mu_fast != r.mu_slow ||
+        scene.bearing.surface.kind != scene::SurfaceKind::ellipse)
       throw std::logic_error("the plain equations know Hunt-Crossley, one friction and ellipses");
     chi_ = reduced::hunt_crossley_dissipation(r.restitution, r.reference_speed), exponent_ = r.impact_exponent;
     K_ = r.k_i * std::pow(1e-3, 1 - exponent_);

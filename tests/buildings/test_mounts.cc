@@ -11,12 +11,12 @@ using namespace rimpact::buildings;
 
 namespace {
 
-scene::Scene pulse(double scale, const std::string &model, double tolerance) {
+scene::Scene pulse(double scale, scene::ModelKind model, double tolerance) {
   return scene::parse_scene(
       "[load]\nvertical_kN = 160.0\nmass_kg = 16309.888\n[excitation]\nkind = \"ricker\"\namplitude_g = 0.5\n"
       "period_s = 1.5\ncentre_s = 3.0\nduration_s = 5.0\nscale = " +
           std::to_string(scale) + "\n[isolator]\nspace = \"spatial\"\npoints = 4\nstep_tolerance = " +
-          std::to_string(tolerance) + "\n[reduced]\nmodel = \"" + model +
+          std::to_string(tolerance) + "\n[reduced]\nmodel = \"" + word(model) +
           "\"\nfriction = \"park-wen\"\nelastic_slip_mm = 1.0\nk_i_kN_per_m = 4e4\n",
       "test");
 }
@@ -30,7 +30,7 @@ Frame block() {
 } // namespace
 
 TEST(Mounts, ARigidBlockOnFourAlikeIsOneBearing) {
-  const auto s = pulse(1.0, "dcfp", 1e-4);
+  const auto s = pulse(1.0, scene::ModelKind::dcfp, 1e-4);
   const auto whole = simulate(block(), s);
   const auto one = reduced::simulate(s);
   ASSERT_EQ(whole.summary.status, "done") << whole.summary.reason;
@@ -41,7 +41,7 @@ TEST(Mounts, ARigidBlockOnFourAlikeIsOneBearing) {
 }
 
 TEST(Mounts, ADishByImplicitStepsIsTheOneByBranches) {
-  const auto s = pulse(0.6, "physical", 1e-3);
+  const auto s = pulse(0.6, scene::ModelKind::physical, 1e-3);
   const Frame f = block();
   const auto branches = simulate(f, s);
   const BuildingModel model = assemble(f);
@@ -61,16 +61,16 @@ TEST(Mounts, ADishByImplicitStepsIsTheOneByBranches) {
 TEST(Mounts, KindsStandSideBySide) {
   Frame f = block();
   f.nodes[0].bearing = "lir-dcfp"; // the others have dishes
-  const auto s = pulse(0.6, "physical", 1e-3);
-  const auto bearings = std::vector<scene::Scene>{pulse(0.6, "lir-dcfp", 1e-3), s, s, s};
+  const auto s = pulse(0.6, scene::ModelKind::physical, 1e-3);
+  const auto bearings = std::vector<scene::Scene>{pulse(0.6, scene::ModelKind::lir_dcfp, 1e-3), s, s, s};
   const auto run = simulate(f, s, bearings);
   ASSERT_EQ(run.summary.status, "done") << run.summary.reason;
   EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-2);
 }
 
 TEST(Mounts, RefuseAPlanarBearing) {
-  auto s = pulse(1.0, "dcfp", 1e-4);
-  s.isolator.space = "planar";
+  auto s = pulse(1.0, scene::ModelKind::dcfp, 1e-4);
+  s.isolator.space = scene::Space::planar;
   try {
     simulate(block(), s);
     FAIL() << "taken";

@@ -71,7 +71,7 @@ TEST(Csi, TablesHoldTheLink) {
   EXPECT_NEAR(field(lines_with(text, "Link=DISH   DOF=U2")[0], "Radius="), 0,
               1e-12); // no sphere: flat, with DISH_SPRING beside it
   scene::Scene sphere;
-  sphere.bearing.surface.kind = "sphere", sphere.bearing.surface.R0 = 3;
+  sphere.bearing.surface.kind = scene::SurfaceKind::sphere, sphere.bearing.surface.R0 = 3;
   const auto other = sap2000(rim, links, dish_of(sphere, rim.lateral_capacity), {"command"});
   EXPECT_NEAR(field(lines_with(other, "Link=DISH   DOF=U2")[0], "Radius="), 3, 1e-9);
   EXPECT_TRUE(lines_with(other, "DISH_SPRING").empty());

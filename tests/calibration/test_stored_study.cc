@@ -81,9 +81,9 @@ TEST_F(ErrorEstimate, IsNoneForAReferenceWithoutLimitAnotherRungBearingOrNoImpac
   scene.model.mesh = 2;
   EXPECT_EQ(error_estimate(scene, summary, studies)["from"], "slow"); // fast's mesh 2 is its reference
   EXPECT_TRUE(error_estimate(scene, summary, {studies[1]}).contains("none"));
-  scene.model.rung = "full";
+  scene.model.rung = scene::Rung::full;
   EXPECT_TRUE(error_estimate(scene, summary, studies).contains("none"));
-  scene.model.rung = "rim";
+  scene.model.rung = scene::Rung::rim;
   scene.bearing.rim.thickness = 0.05; // and still called shfps-225
   const auto none = error_estimate(scene, summary, studies, {"results/w", 60});
   EXPECT_EQ(none["none"], "unknown: no stored study has rung rim, mesh 2 of this bearing; this command finds it: "

@@ -125,7 +125,7 @@ TEST(OwnMesh, DrawnAtRestInMillimetresUnderOtherNames) {
           face.group = face.group == Surface::top ? Surface::foot_cap : face.group;
       },
       [](MeshOrder &options) {
-        options.own.unit = "mm";
+        options.own.unit = scene::LengthUnit::mm;
         options.own.groups[static_cast<std::size_t>(n_volumes) + static_cast<std::size_t>(Surface::top) -
                            static_cast<std::size_t>(Surface::dish)] = "foot_cap";
       });
@@ -261,7 +261,7 @@ TEST(OwnMesh, AStepFileIsMeshedWithHexahedra) {
   draw_step(file.path);
   MeshOrder options;
   options.own.file = file.path;
-  options.own.unit = "mm";
+  options.own.unit = scene::LengthUnit::mm;
   options.own.size = 0.06, options.own.contact_size = 0.03;
   const auto name = [&](auto group, const char *in_file) {
     for (std::size_t k = 0; k < scene::mesh_group_names.size(); ++k)

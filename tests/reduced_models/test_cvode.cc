@@ -48,7 +48,7 @@ TEST(Cvode, LawsOfAYieldingRim) {
 }
 TEST(Cvode, ParkWen) {
   scene::Scene s = ricker(1.05);
-  s.reduced.friction = "park-wen";
+  s.reduced.friction = scene::Friction::park_wen;
   expect_same(s);
 }
 TEST(Cvode, TwoDirections) {
@@ -69,7 +69,7 @@ TEST(Cvode, TwoDimensionalStopWithSocket) {
   // turns by more than a right angle while it comes to rest
   scene::Scene s = free_motion({0.00699383, -0.000866734}, {-0.251706, 0.584094}, 5);
   set_friction(s, 0.0813039);
-  s.reduced.normal_force = "constant";
+  s.reduced.normal_force = scene::NormalForce::constant;
   s.reduced.finite_pad = s.reduced.socket_friction = true;
   expect_same(s);
 }

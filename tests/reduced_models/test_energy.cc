@@ -25,11 +25,11 @@ std::vector<Case> cases() {
       {"printed", [](auto &s) { s.reduced.impact_law = "printed"; }},
       {"hunt_crossley", [](auto &s) { s.reduced.impact_law = "hunt-crossley"; }},
       {"elastoplastic", [](auto &s) { s.reduced.impact_law = "elastoplastic"; }},
-      {"static_normal", [](auto &s) { s.reduced.normal_force = "static"; }},
-      {"constant_normal", [](auto &s) { s.reduced.normal_force = "constant"; }},
+      {"static_normal", [](auto &s) { s.reduced.normal_force = scene::NormalForce::statics; }},
+      {"constant_normal", [](auto &s) { s.reduced.normal_force = scene::NormalForce::constant; }},
       {"velocity_law", [](auto &s) { s.reduced.mu_slow = 0.03, s.reduced.rate = 20; }},
       {"pad_and_socket", [](auto &s) { s.reduced.finite_pad = s.reduced.socket_friction = true; }},
-      {"park_wen", [](auto &s) { s.reduced.friction = "park-wen"; }},
+      {"park_wen", [](auto &s) { s.reduced.friction = scene::Friction::park_wen; }},
       {"oblique", [](auto &s) { s.excitation.direction_deg = 37; }},
       {"no_rim", [](auto &s) { s.reduced.k_i = 0, s.excitation.scale = 0.9; }},
   };
@@ -50,7 +50,7 @@ TEST_P(Ledger, Closes) {
   const auto &r = run.response;
   const auto &friction = r.series("energy_friction"), &contact = r.series("energy_contact");
   for (std::size_t i = 1; i < r.size(); ++i) {
-    if (s.reduced.friction == "coulomb") {
+    if (s.reduced.friction == scene::Friction::coulomb) {
       ASSERT_GE(friction[i], friction[i - 1] - 1e-4);
     }
     ASSERT_GE(contact[i], contact[i - 1]);

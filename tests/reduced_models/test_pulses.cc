@@ -34,7 +34,7 @@ TEST(Pulse, CriticalScaleSeparatesTouchFromNoTouch) {
 TEST(Pulse, TouchSpeedDependsOnTheElasticSlip) {
   scene::Scene s = ricker();
   EXPECT_NEAR(simulate_summary(s).impacts.at(0).approach_speed, 0.07, 0.005);
-  s.reduced.friction = "park-wen";
+  s.reduced.friction = scene::Friction::park_wen;
   s.reduced.elastic_slip = 1e-3;
   EXPECT_NEAR(simulate_summary(s).impacts.at(0).approach_speed, 0.26, 0.005);
 }
@@ -42,7 +42,7 @@ TEST(Pulse, TouchSpeedDependsOnTheElasticSlip) {
 TEST(Pulse, ParkWenTendsToCoulombWithTheRootOfTheSlip) {
   scene::Scene s = ricker(1.05, 3);
   const double limit = simulate_summary(s).impacts.at(0).approach_speed;
-  s.reduced.friction = "park-wen";
+  s.reduced.friction = scene::Friction::park_wen;
   s.reduced.tolerance = 1e-7;
   const auto error = [&](double q) {
     s.reduced.elastic_slip = q;
@@ -54,7 +54,7 @@ TEST(Pulse, ParkWenTendsToCoulombWithTheRootOfTheSlip) {
 }
 
 TEST(Pulse, DirectionDoesNotMatter) {
-  for (const char *friction : {"coulomb", "park-wen"}) {
+  for (const auto friction : {scene::Friction::coulomb, scene::Friction::park_wen}) {
     scene::Scene s = ricker(1.05, 6);
     s.reduced.friction = friction;
     s.reduced.socket_friction = s.reduced.finite_pad = true;
@@ -115,7 +115,7 @@ TEST(Pulse, ForcesAddUp) {
 TEST(Pulse, ReadingsOfTheNormalForceDifferByAFactorAtGrazing) {
   scene::Scene s = ricker();
   double least = 1e300, most = 0;
-  for (const char *reading : {"inertia", "static", "constant"}) {
+  for (const auto reading : {scene::NormalForce::inertia, scene::NormalForce::statics, scene::NormalForce::constant}) {
     s.reduced.normal_force = reading;
     const double force = *simulate_summary(s).peak_impact_force;
     least = std::min(least, force), most = std::max(most, force);

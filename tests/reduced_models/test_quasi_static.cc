@@ -111,14 +111,15 @@ TEST(Cyclic, PadAddsItsSlope) {
 /// Closed-form loops W tan(atan h' +- atan mu) on the other surfaces, slopes written down here.
 TEST(Cyclic, ClosedFormOnEverySurface) {
   struct Row {
-    const char *kind;
+    scene::SurfaceKind kind;
     double (*slope)(double);
   };
   constexpr double s = 0.11, c = 0.11 * 0.3;
-  for (const Row &row : {Row{"cone", [](double x) { return s * x / std::sqrt(x * x + c * c); }},
-                         Row{"polynomial", [](double x) { return 0.4 * x - 0.6 * x * x * x + 1.8 * std::pow(x, 5); }},
-                         Row{"table", [](double x) { return 0.5 * x - 0.15 * x * x; }}}) {
-    SCOPED_TRACE(row.kind);
+  for (const Row &row :
+       {Row{scene::SurfaceKind::cone, [](double x) { return s * x / std::sqrt(x * x + c * c); }},
+        Row{scene::SurfaceKind::polynomial, [](double x) { return 0.4 * x - 0.6 * x * x * x + 1.8 * std::pow(x, 5); }},
+        Row{scene::SurfaceKind::table, [](double x) { return 0.5 * x - 0.15 * x * x; }}}) {
+    SCOPED_TRACE(word(row.kind));
     scene::Scene scene = cyclic();
     auto &surface = scene.bearing.surface;
     surface.kind = row.kind, surface.R0 = 0.3, surface.slope = s;

@@ -58,7 +58,7 @@ TEST(RidingHeight, DerivativesAgreeWithDifferences) {
 
 TEST(RidingHeight, AnotherDishNeedsNoOtherNodes) {
   scene::Bearing bearing;
-  bearing.surface = {"sphere", 2.25, 0.5625, 0.52};
+  bearing.surface = {scene::SurfaceKind::sphere, 2.25, 0.5625, 0.52};
   const RidingHeight point(bearing), pad(bearing, 853e3);
   // a sphere has the same curvature everywhere: the pad turns with it, pressed a little deeper by the slope
   EXPECT_NEAR(pad.at(0.4, 0.1).z - point.at(0.4, 0.1).z, 0, 3e-5);
@@ -78,7 +78,7 @@ TEST(StackTerms, PadInShearGivesTheElasticSlip) {
   EXPECT_NEAR(pad_elastic_slip(s.bearing, 853e3, 0.07), 0.07 * 853e3 * 0.040 / (G * area), 1e-12);
   add_stack_terms(s);
   EXPECT_TRUE(s.reduced.finite_pad && s.reduced.socket_friction);
-  EXPECT_EQ(s.reduced.friction, "park-wen");
+  EXPECT_EQ(s.reduced.friction, scene::Friction::park_wen);
   EXPECT_NEAR(s.reduced.elastic_slip, 1.365e-4, 1e-6);
   s.reduced.elastic_slip = 2e-4; // chosen: kept
   add_stack_terms(s);
@@ -86,5 +86,5 @@ TEST(StackTerms, PadInShearGivesTheElasticSlip) {
   scene::Scene smooth;
   smooth.reduced.mu_fast = smooth.reduced.mu_slow = 0;
   add_stack_terms(smooth); // nothing to slip
-  EXPECT_EQ(smooth.reduced.friction, "coulomb");
+  EXPECT_EQ(smooth.reduced.friction, scene::Friction::coulomb);
 }

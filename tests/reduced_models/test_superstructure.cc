@@ -13,13 +13,13 @@ namespace {
 
 scene::Superstructure frame(double post_yield = 0.05) {
   scene::Superstructure s;
-  s.kind = "bouc-wen";
+  s.kind = scene::StructureKind::bouc_wen;
   s.mass_ratio = 0.7, s.period = 0.6, s.yield = 0.0186, s.post_yield = post_yield;
   return s;
 }
 scene::Superstructure shear_building() {
   scene::Superstructure s;
-  s.kind = "shear-building";
+  s.kind = scene::StructureKind::shear_building;
   s.storeys = 3, s.masses = {25e3, 20e3, 15e3}, s.stiffnesses = {3e7, 2.5e7, 2e7};
   return s;
 }
@@ -87,7 +87,8 @@ TEST(Superstructure, ModesOfALinearBuilding) {
 // The first period asked for is the one the uniform building has: closed form of n equal masses and springs.
 TEST(Superstructure, UniformBuildingHasItsPeriod) {
   scene::Scene s;
-  s.superstructure.kind = "shear-building", s.superstructure.storeys = 5, s.superstructure.period = 0.5;
+  s.superstructure.kind = scene::StructureKind::shear_building, s.superstructure.storeys = 5,
+  s.superstructure.period = 0.5;
   const Superstructure b(s);
   const double w = 2 * std::sqrt(b.storeys[0].stiffness / b.storeys[0].mass) * std::sin(std::numbers::pi / 22);
   EXPECT_NEAR(2 * std::numbers::pi / w, 0.5, 1e-12);
@@ -153,7 +154,7 @@ TEST(Superstructure, RigidLimit) {
 TEST(Superstructure, EnergyCloses) {
   for (const auto &building : {frame(), frame(-0.02), shear_building()})
     for (const double scale : {0.7, 1.1, 1.5}) {
-      SCOPED_TRACE(building.kind + " x " + std::to_string(scale));
+      SCOPED_TRACE(word(building.kind) + " x " + std::to_string(scale));
       scene::Scene s = ricker(scale);
       s.superstructure = building;
       const auto run = simulate(s);
@@ -179,7 +180,7 @@ TEST(Superstructure, TwoDirectionsWithVerticalMotion) {
 // Same branches, other integrator.
 TEST(Superstructure, AgreesWithCvode) {
   for (const auto &building : {frame(), shear_building()}) {
-    SCOPED_TRACE(building.kind);
+    SCOPED_TRACE(word(building.kind));
     scene::Scene s = ricker(1.25);
     s.superstructure = building;
     s.reduced.tolerance = 1e-10;

@@ -61,9 +61,9 @@ TEST(Doubts, StressesInPascalsAreNoticed) {
 
 TEST(Doubts, APadOnASphereIsShapedToIt) {
   Scene s;
-  s.bearing.surface.kind = "sphere", s.bearing.surface.R0 = 3;
+  s.bearing.surface.kind = SurfaceKind::sphere, s.bearing.surface.R0 = 3;
   EXPECT_TRUE(doubts(s).empty()) << "rung rim has no pad";
-  s.model.rung = "full";
+  s.model.rung = Rung::full;
   ASSERT_EQ(doubts(s).size(), 1u);
   EXPECT_NE(doubts(s)[0].find("pad.shape_radius_mm = 1400 on a sphere of R0_m = 3: a pad shaped to its dish has 3000"),
             std::string::npos)
@@ -84,7 +84,7 @@ TEST(Doubts, TheThesissPairBelongsToOneBearing) {
   Scene own = s;
   own.reduced.k_i = 1e8;
   EXPECT_TRUE(doubts_of_element(own).empty()) << "k_i is the user's";
-  own = s, own.reduced.model = "dcfp";
+  own = s, own.reduced.model = ModelKind::dcfp;
   EXPECT_TRUE(doubts_of_element(own).empty()) << "another kind of bearing";
   own = s, own.excitation.kind = ExcitationKind::cyclic;
   EXPECT_TRUE(doubts_of_element(own).empty()) << "never touched";

@@ -38,7 +38,7 @@ TEST(Limits, DeeperThanTheRimIsThick) {
   EXPECT_EQ(s.extra["beyond_rim"], true);
   ASSERT_EQ(warnings(s).size(), 2u);
   EXPECT_NE(warnings(s)[1].find("pressed 90 mm into a rim of 50 mm"), std::string::npos) << warnings(s)[1];
-  scene.reduced.model = "dcfp"; // its rim has no thickness
+  scene.reduced.model = ModelKind::dcfp; // its rim has no thickness
   judge(scene, s);
   EXPECT_TRUE(s.extra["beyond_rim"].is_null());
 }

@@ -87,7 +87,7 @@ normal_force = "static"
   EXPECT_EQ(s.model.mesh, 2);
   EXPECT_DOUBLE_EQ(s.reduced.k_i, 4.5e8);
   EXPECT_EQ(s.reduced.impact_law, "no-tension");
-  EXPECT_EQ(s.reduced.normal_force, "static");
+  EXPECT_EQ(s.reduced.normal_force, NormalForce::statics);
 }
 
 TEST(SceneToml, DefaultsFollowOtherKeys) {
@@ -111,7 +111,7 @@ TEST(SceneToml, EveryBuiltInRoundTripsExactly) {
     EXPECT_EQ(scene.name, name);
     expect_same(scene, parse_scene(to_toml(scene), "scene.toml"));
     const bool is_static = name.starts_with("static");
-    EXPECT_EQ(scene.model.rung, is_static ? "rigid-dish" : "rim");
+    EXPECT_EQ(scene.model.rung, is_static ? Rung::rigid_dish : Rung::rim);
   }
   for (const auto &name : builtin_bearing_names()) {
     SCOPED_TRACE(name);
@@ -180,6 +180,11 @@ TEST(SceneToml, ErrorsNameFileLineColumnAndBound) {
   refuse("[load]\nmass_kg = nan\n", {"my.toml:2", "nan"});
   refuse("[load]\nmass_kg = inf\n", {"my.toml:2", "a finite number, got inf"});
   refuse("[excitation]\nkind = 'riker'\n", {"my.toml:2:8", "riker", "did you mean \"ricker\""});
+  refuse("[bearing.surface]\nkind = 'elipse'\n", {"my.toml:2:8", "elipse", "did you mean \"ellipse\"", "sphere"});
+  refuse("[bearing.contact]\npad_foot = 'tide'\n", {"my.toml:2", "tide", "did you mean \"tied\""});
+  refuse("[reduced]\nfriction = 'x'\n", {"my.toml:2", "\"x\" is not known", "coulomb, park-wen"});
+  refuse("[reduced]\nnormal_force = 'x'\n", {"my.toml:2", "inertia, static, constant"});
+  refuse("[reduced]\nmodel = 'pysical'\n", {"reduced.model \"pysical\" is unknown; known: physical, dcfp, lir-dcfp"});
   refuse("[excitation]\nwith = ['wieght']\n", {"my.toml:2", "wieght", "did you mean \"weight\""});
   refuse("[excitation]\nreturn = 1\n", {"my.toml:2", "true or false"});
   refuse("[model]\nmesh = 2.0\n", {"my.toml:2", "whole number, got 2.0"});

@@ -9,7 +9,7 @@ using namespace rimpact;
 namespace {
 
 /// 12 s of the 0.78 g pulse at scale 1.05: one clear impact.
-scene::Scene pulse(const char *friction, double tolerance) {
+scene::Scene pulse(scene::Friction friction, double tolerance) {
   scene::Scene s;
   s.excitation.scale = 1.05;
   s.excitation.duration = 12;
@@ -26,14 +26,14 @@ void report(benchmark::State &state, const Summary &run, const Summary &tight) {
 }
 
 /// range(0): -log10 of the tolerance.
-void own_stepper(benchmark::State &state, const char *friction) {
+void own_stepper(benchmark::State &state, scene::Friction friction) {
   const scene::Scene s = pulse(friction, std::pow(10, -static_cast<double>(state.range(0))));
   Summary run;
   for (auto _ : state) run = reduced::simulate_summary(s);
   report(state, run, reduced::simulate_summary(pulse(friction, 1e-13)));
 }
 
-void cvode(benchmark::State &state, const char *friction) {
+void cvode(benchmark::State &state, scene::Friction friction) {
   const scene::Scene s = pulse(friction, std::pow(10, -static_cast<double>(state.range(0))));
   Summary run;
   for (auto _ : state) run = reduced::simulate_with_cvode(s).summary;
@@ -41,8 +41,8 @@ void cvode(benchmark::State &state, const char *friction) {
 }
 
 /// The same pulse on another dish; `table` has the ellipse's rows every 10 mm.
-void on_dish(benchmark::State &state, const char *kind) {
-  scene::Scene s = pulse("coulomb", 1e-9), tight = pulse("coulomb", 1e-13);
+void on_dish(benchmark::State &state, scene::SurfaceKind kind) {
+  scene::Scene s = pulse(scene::Friction::coulomb, 1e-9), tight = pulse(scene::Friction::coulomb, 1e-13);
   for (scene::Scene *scene : {&s, &tight}) {
     auto &surface = scene->bearing.surface;
     surface.kind = kind;
@@ -60,12 +60,12 @@ void on_dish(benchmark::State &state, const char *kind) {
 
 /// 20 s of the built-in near-fault motion on the bearing of the stages' scene, rims struck; bounds: planar
 /// 100 ms at 1 % of the peak force, spatial with 4 points 3 s. `points` 2: planar.
-void double_concave(benchmark::State &state, const char *model, int points) {
+void double_concave(benchmark::State &state, scene::ModelKind model, int points) {
   scene::Scene s = scene::load_scene("lir-dcfp-compared", {"excitation.x=\"builtin:near-fault-x\""});
   s.reduced.model = model;
   s.isolator.points = points;
   if (points > 2) {
-    s.isolator.space = "spatial";
+    s.isolator.space = scene::Space::spatial;
     s.excitation.y = scene::load_scene("pulse-bidirectional").excitation.y;
   }
   s.excitation.scale = 1.2, s.excitation.duration = 20;
@@ -92,34 +92,34 @@ void four_dof(benchmark::State &state) {
 }
 
 void stored(benchmark::State &state) {
-  const scene::Scene s = pulse("coulomb", 1e-9);
+  const scene::Scene s = pulse(scene::Friction::coulomb, 1e-9);
   for (auto _ : state) benchmark::DoNotOptimize(reduced::simulate(s));
 }
 
 void scout(benchmark::State &state) {
-  scene::Scene s = pulse("coulomb", 1e-9);
+  scene::Scene s = pulse(scene::Friction::coulomb, 1e-9);
   s.reduced.finite_pad = s.reduced.socket_friction = true;
   for (auto _ : state) benchmark::DoNotOptimize(reduced::simulate_summary(s));
 }
 
 void critical(benchmark::State &state) {
-  const scene::Scene s = pulse("coulomb", 1e-9);
+  const scene::Scene s = pulse(scene::Friction::coulomb, 1e-9);
   for (auto _ : state) benchmark::DoNotOptimize(reduced::critical_scale(s));
 }
 
 } // namespace
 
-BENCHMARK_CAPTURE(own_stepper, coulomb, "coulomb")->DenseRange(5, 11, 2)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(own_stepper, park_wen, "park-wen")->DenseRange(5, 9, 2)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(cvode, coulomb, "coulomb")->Arg(9)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(cvode, park_wen, "park-wen")->Arg(9)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(on_dish, cone, "cone")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(on_dish, polynomial, "polynomial")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(on_dish, table, "table")->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(double_concave, dcfp_planar, "dcfp", 2)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(double_concave, lir_planar, "lir-dcfp", 2)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(double_concave, lir_spatial, "lir-dcfp", 4)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(double_concave, lir_spatial_8, "lir-dcfp", 8)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(own_stepper, coulomb, scene::Friction::coulomb)->DenseRange(5, 11, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(own_stepper, park_wen, scene::Friction::park_wen)->DenseRange(5, 9, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(cvode, coulomb, scene::Friction::coulomb)->Arg(9)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(cvode, park_wen, scene::Friction::park_wen)->Arg(9)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(on_dish, cone, scene::SurfaceKind::cone)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(on_dish, polynomial, scene::SurfaceKind::polynomial)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(on_dish, table, scene::SurfaceKind::table)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(double_concave, dcfp_planar, scene::ModelKind::dcfp, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(double_concave, lir_planar, scene::ModelKind::lir_dcfp, 2)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(double_concave, lir_spatial, scene::ModelKind::lir_dcfp, 4)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(double_concave, lir_spatial_8, scene::ModelKind::lir_dcfp, 8)->Unit(benchmark::kMillisecond);
 BENCHMARK(four_dof)->DenseRange(6, 9, 1)->Unit(benchmark::kMillisecond);
 BENCHMARK(stored)->Unit(benchmark::kMillisecond);
 BENCHMARK(scout)->Unit(benchmark::kMillisecond);

@@ -29,20 +29,21 @@ scene::Scene finer(scene::Scene s) {
   s.isolator.step_tolerance = std::min(s.isolator.step_tolerance, 1e-5);
   return s;
 }
-scene::Scene in_space(const std::string &model, int points, double direction_deg) {
+scene::Scene in_space(scene::ModelKind model, int points, double direction_deg) {
   scene::Scene s = shaken(model, 0.4);
-  s.isolator.space = "spatial", s.isolator.points = points;
+  s.isolator.space = scene::Space::spatial, s.isolator.points = points;
   s.excitation.direction_deg = direction_deg, s.excitation.duration = 4.5; // past the second impact
   return s;
 }
 scene::Scene near_interface(double mu) {
-  scene::Scene s = shaken("lir-dcfp", 0.4);
+  scene::Scene s = shaken(scene::ModelKind::lir_dcfp, 0.4);
   s.isolator.mu_interface = mu;
   return s;
 }
 scene::Scene with_frame(double post_yield) {
-  scene::Scene s = shaken("lir-dcfp", 0.5);
-  s.superstructure.kind = "bouc-wen", s.superstructure.mass_ratio = 0.7, s.superstructure.post_yield = post_yield;
+  scene::Scene s = shaken(scene::ModelKind::lir_dcfp, 0.5);
+  s.superstructure.kind = scene::StructureKind::bouc_wen, s.superstructure.mass_ratio = 0.7,
+  s.superstructure.post_yield = post_yield;
   s.superstructure.yield = 0.005;
   return s;
 }
@@ -68,18 +69,18 @@ double gap_left(const reduced::ReducedRun &run, double gap) {
 }
 
 std::vector<Case> cases() {
-  const auto gap_exceeded = shaken("lir-dcfp", 0.6);
+  const auto gap_exceeded = shaken(scene::ModelKind::lir_dcfp, 0.6);
   const double gap = gap_exceeded.isolator.gap();
   const auto printed = near_interface(0.0528);
   return {{"gap exceeded", gap_exceeded, true, "done", "gap left [m]",
            [gap](const auto &run) { return std::max(0.0, gap_left(run, gap)); }, 0},
           {"one point lifted", slender(0.4, 0.1), true, "done", "least N of a point", least_point_force, 0},
-          {"45 degrees, DCFP, circle", in_space("dcfp", 8, 45), true, "done", "off 0 degrees",
-           against(in_space("dcfp", 8, 0)), 0.01},
-          {"45 degrees, LIR, circle", in_space("lir-dcfp", 8, 45), true, "done", "off 0 degrees",
-           against(in_space("lir-dcfp", 8, 0)), 0.01},
-          {"30 degrees, LIR, 8 points", in_space("lir-dcfp", 8, 30), true, "done", "off 16 points",
-           against(in_space("lir-dcfp", 16, 30)), 0.01},
+          {"45 degrees, DCFP, circle", in_space(scene::ModelKind::dcfp, 8, 45), true, "done", "off 0 degrees",
+           against(in_space(scene::ModelKind::dcfp, 8, 0)), 0.01},
+          {"45 degrees, LIR, circle", in_space(scene::ModelKind::lir_dcfp, 8, 45), true, "done", "off 0 degrees",
+           against(in_space(scene::ModelKind::lir_dcfp, 8, 0)), 0.01},
+          {"30 degrees, LIR, 8 points", in_space(scene::ModelKind::lir_dcfp, 8, 30), true, "done", "off 16 points",
+           against(in_space(scene::ModelKind::lir_dcfp, 16, 30)), 0.01},
           {"vertical acceleration > g", lifted(), true, "done", "least N",
            [](const auto &run) { return *run.summary.min_normal_force; }, 0},
           {"mu_s = mu_e - 0.001", near_interface(0.0518)},

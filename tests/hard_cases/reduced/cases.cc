@@ -92,17 +92,17 @@ void add_impacts(std::vector<Case> &list) {
 }
 
 void add_surfaces(std::vector<Case> &list) {
-  const auto dish = [](const char *kind) {
+  const auto dish = [](scene::SurfaceKind kind) {
     return with(pulse(1.1), [=](auto &s) {
       s.bearing.surface.kind = kind;
       s.bearing.surface.coefficients = {1 / 4.5, 0, 0.3, 0, 0.5};
     });
   };
   list.push_back({"a = R0 (ellipse)", with(pulse(1.1), [](auto &s) { s.bearing.surface.a = 2.25; })});
-  list.push_back({"sphere", dish("sphere")});
-  list.push_back({"polynomial", dish("polynomial")});
-  list.push_back({"cone", with(dish("cone"), [](auto &s) { s.bearing.surface.R0 = 0.3; })});
-  list.push_back({"table, rows each 10 mm", with(dish("table"), [](auto &s) {
+  list.push_back({"sphere", dish(scene::SurfaceKind::sphere)});
+  list.push_back({"polynomial", dish(scene::SurfaceKind::polynomial)});
+  list.push_back({"cone", with(dish(scene::SurfaceKind::cone), [](auto &s) { s.bearing.surface.R0 = 0.3; })});
+  list.push_back({"table, rows each 10 mm", with(dish(scene::SurfaceKind::table), [](auto &s) {
                     const auto ellipse = scene::make_surface(scene::SurfaceSpec{});
                     for (int i = 0; i <= 53; ++i) {
                       s.bearing.surface.table_radius.push_back(0.01 * i);
@@ -122,7 +122,7 @@ void add_records(std::vector<Case> &list) {
   list.push_back({"100 s of 0.02 g: holds", record(0.02 * 9.81, 0, 0.01, 100), true, "residual [m]", residual, 0});
   list.push_back({"100 s of 0.05 g: creeps", record(0.05 * 9.81, 0, 0.01, 100)});
   // 0.08 J in all, where the Park-Wen state stores 6 J: its energies close at a tolerance of 1e-10 only.
-  const auto park_wen = [](auto &s) { s.reduced.friction = "park-wen", s.reduced.tolerance = 1e-10; };
+  const auto park_wen = [](auto &s) { s.reduced.friction = scene::Friction::park_wen, s.reduced.tolerance = 1e-10; };
   list.push_back({"100 s of 0.01 g: park-wen", with(record(0.01 * 9.81, 0, 0.01, 100), park_wen), true, "residual [m]",
                   residual, 1e-5});
   for (const double factor : {10.0, 1000.0})

@@ -9,7 +9,7 @@ using scene::ExcitationKind;
 
 /// Appendix B's specimen: R 0.75 m, slider 85 mm high, C_t 0.175 m, W 150 kN; its slider as good as
 /// weightless.
-inline scene::Scene specimen(const std::string &model = "lir-dcfp") {
+inline scene::Scene specimen(scene::ModelKind model = scene::ModelKind::lir_dcfp) {
   scene::Scene s;
   s.reduced.model = model;
   s.load.vertical = 150e3, s.load.mass = 150e3 / 9.81;
@@ -29,7 +29,7 @@ inline scene::Scene cyclic(scene::Scene s, double amplitude, double cycles = 1) 
 }
 
 /// 200 t under a Ricker pulse of 1.5 s.
-inline scene::Scene shaken(const std::string &model, double amplitude_g) {
+inline scene::Scene shaken(scene::ModelKind model, double amplitude_g) {
   scene::Scene s;
   s.reduced.model = model;
   s.reduced.mu_fast = s.reduced.mu_slow = 0.05;
@@ -40,7 +40,7 @@ inline scene::Scene shaken(const std::string &model, double amplitude_g) {
 
 /// The same on a slider higher than it is wide.
 inline scene::Scene slender(double amplitude_g, double rim_height) {
-  scene::Scene s = shaken("dcfp", amplitude_g);
+  scene::Scene s = shaken(scene::ModelKind::dcfp, amplitude_g);
   s.isolator.slider_diameter = 0.15, s.isolator.top_height = s.isolator.bottom_height = 0.12;
   s.isolator.rim_height = rim_height;
   return s;
@@ -48,7 +48,7 @@ inline scene::Scene slender(double amplitude_g, double rim_height) {
 
 /// The same under a vertical acceleration above g.
 inline scene::Scene lifted() {
-  scene::Scene s = shaken("lir-dcfp", 0.3);
+  scene::Scene s = shaken(scene::ModelKind::lir_dcfp, 0.3);
   s.excitation.kind = ExcitationKind::record;
   s.excitation.x = {0.01, {}}, s.excitation.z = {0.01, {}};
   for (int i = 0; i < 150; ++i) {

@@ -145,11 +145,11 @@ Peaks by_cvode(const scene::Scene &scene) {
   return peaks;
 }
 
-scene::Scene struck(const std::string &model) {
+scene::Scene struck(scene::ModelKind model) {
   scene::Scene s;
   s.reduced.model = model;
   s.reduced.mu_fast = s.reduced.mu_slow = 0.05;
-  s.reduced.friction = "park-wen", s.reduced.elastic_slip = 5e-4;
+  s.reduced.friction = scene::Friction::park_wen, s.reduced.elastic_slip = 5e-4;
   s.reduced.impact_law = "hunt-crossley", s.reduced.impact_exponent = 1;
   s.reduced.k_i = 4e7;
   s.load.mass = 2e5, s.load.vertical = s.load.mass * s.load.gravity;
@@ -169,14 +169,14 @@ void expect_same(const scene::Scene &scene) {
 }
 
 TEST(RigidBodyCvode, DoubleConcave) {
-  expect_same(struck("dcfp"));
+  expect_same(struck(scene::ModelKind::dcfp));
 }
 TEST(RigidBodyCvode, ImpactResilient) {
-  expect_same(struck("lir-dcfp"));
+  expect_same(struck(scene::ModelKind::lir_dcfp));
 }
 TEST(RigidBodyCvode, WithAnInelasticFrame) {
-  auto scene = struck("lir-dcfp");
-  scene.superstructure.kind = "bouc-wen", scene.superstructure.mass_ratio = 0.7;
+  auto scene = struck(scene::ModelKind::lir_dcfp);
+  scene.superstructure.kind = scene::StructureKind::bouc_wen, scene.superstructure.mass_ratio = 0.7;
   expect_same(scene);
 }
 

@@ -7,7 +7,7 @@ namespace rimpact::reduced::testing {
 namespace {
 
 /// A pulse on the default double concave bearing; its slider as good as weightless.
-scene::Scene pulse(const std::string &model, double amplitude_g) {
+scene::Scene pulse(scene::ModelKind model, double amplitude_g) {
   scene::Scene s;
   s.reduced.model = model;
   s.reduced.mu_fast = s.reduced.mu_slow = 0.05;
@@ -18,7 +18,7 @@ scene::Scene pulse(const std::string &model, double amplitude_g) {
 }
 
 scene::Scene spatial(scene::Scene s, int points, double direction_deg) {
-  s.isolator.space = "spatial", s.isolator.points = points;
+  s.isolator.space = scene::Space::spatial, s.isolator.points = points;
   s.excitation.direction_deg = direction_deg;
   s.excitation.duration = 4.5; // past the second impact
   return s;
@@ -28,8 +28,8 @@ scene::Scene spatial(scene::Scene s, int points, double direction_deg) {
 scene::Scene as_sphere(const scene::Scene &given, double mu) {
   scene::Scene s = given;
   const auto &b = given.isolator;
-  s.reduced.model = "physical";
-  s.bearing.surface = {"sphere", b.effective_radius()};
+  s.reduced.model = scene::ModelKind::physical;
+  s.bearing.surface = {scene::SurfaceKind::sphere, b.effective_radius()};
   s.bearing.surface.planar_radius = b.capacity + s.bearing.slider.diameter / 2;
   s.reduced.mu_fast = s.reduced.mu_slow = effective_friction(b, mu);
   // Two rims in series, each penetrated by R cos(theta + phi) / (R_eff cos(theta)) of the travel beyond C_t.
@@ -48,7 +48,7 @@ double value_at(const Response &r, const char *name, double t) {
 
 TEST(DoubleConcaveMotion, FollowsTheSphereOfItsEffectiveRadius) {
   for (const double amplitude : {0.15, 0.2}) {
-    auto scene = pulse("dcfp", amplitude);
+    auto scene = pulse(scene::ModelKind::dcfp, amplitude);
     scene.isolator.contact_stiffness = 1e11; // as good as rigid
     const auto run = simulate(scene), sphere = simulate(as_sphere(scene, 0.05));
     ASSERT_TRUE(sphere.summary.impacts.empty());
@@ -64,7 +64,7 @@ TEST(DoubleConcaveMotion, FollowsTheSphereOfItsEffectiveRadius) {
 }
 
 TEST(DoubleConcaveMotion, AnImpactIsThatOfOneRimWithTheStiffnessOfBoth) {
-  const auto scene = pulse("dcfp", 0.6);
+  const auto scene = pulse(scene::ModelKind::dcfp, 0.6);
   const auto run = simulate(scene), sphere = simulate(as_sphere(scene, 0.05));
   ASSERT_FALSE(sphere.summary.impacts.empty());
   ASSERT_FALSE(run.summary.impacts.empty());
@@ -76,16 +76,16 @@ TEST(DoubleConcaveMotion, AnImpactIsThatOfOneRimWithTheStiffnessOfBoth) {
 }
 
 TEST(DoubleConcaveMotion, EnergyBalances) {
-  for (const char *model : {"dcfp", "lir-dcfp"})
+  for (const auto model : {scene::ModelKind::dcfp, scene::ModelKind::lir_dcfp})
     for (const double amplitude : {0.3, 0.6}) {
       auto scene = pulse(model, amplitude);
       scene.isolator.slider_mass = 100;
-      EXPECT_LT(std::abs(simulate(scene).summary.energy->imbalance_relative()), 1e-4) << model << amplitude;
+      EXPECT_LT(std::abs(simulate(scene).summary.energy->imbalance_relative()), 1e-4) << word(model) << amplitude;
     }
 }
 
 TEST(DoubleConcaveMotion, TheStepToleranceGovernsTheError) {
-  auto scene = pulse("lir-dcfp", 0.6);
+  auto scene = pulse(scene::ModelKind::lir_dcfp, 0.6);
   const auto at = [&](double tolerance) {
     scene.isolator.step_tolerance = tolerance;
     return simulate(scene).summary;
@@ -100,13 +100,14 @@ TEST(DoubleConcaveMotion, TheStepToleranceGovernsTheError) {
 /// later peak is met as well.
 TEST(DoubleConcaveMotion, ADashpotsPeakAtTheTouchIsMetAtTheUsualTolerance) {
   scene::Scene scene;
-  scene.reduced.model = "lir-dcfp", scene.reduced.mu_fast = scene.reduced.mu_slow = 0.06, scene.reduced.k_i = 4e7;
+  scene.reduced.model = scene::ModelKind::lir_dcfp, scene.reduced.mu_fast = scene.reduced.mu_slow = 0.06,
+  scene.reduced.k_i = 4e7;
   scene.load.vertical = 4905e3, scene.load.mass = 5e5;
   scene.excitation.amplitude_g = 0.45, scene.excitation.period = 1.5, scene.excitation.centre = 3,
   scene.excitation.duration = 6;
   auto &b = scene.isolator;
   b.radius = 1.175, b.capacity = 0.25, b.slider_diameter = 0.3, b.top_height = b.bottom_height = 0.05;
-  b.top_wall = 0.06, b.bottom_wall = 0.01, b.mu_interface = 0.14, b.space = "spatial", b.points = 8;
+  b.top_wall = 0.06, b.bottom_wall = 0.01, b.mu_interface = 0.14, b.space = scene::Space::spatial, b.points = 8;
   const auto at = [&](double tolerance) {
     b.step_tolerance = tolerance;
     return simulate(scene).summary;
@@ -122,10 +123,10 @@ TEST(DoubleConcaveMotion, ADashpotsPeakAtTheTouchIsMetAtTheUsualTolerance) {
 }
 
 TEST(DoubleConcaveMotion, SpaceDoesNotPreferADirection) {
-  const auto along = simulate(spatial(pulse("lir-dcfp", 0.5), 8, 0)).summary;
+  const auto along = simulate(spatial(pulse(scene::ModelKind::lir_dcfp, 0.5), 8, 0)).summary;
   ASSERT_FALSE(along.impacts.empty());
   for (const double degrees : {45.0, 200.0}) {
-    const auto turned = simulate(spatial(pulse("lir-dcfp", 0.5), 8, degrees)).summary;
+    const auto turned = simulate(spatial(pulse(scene::ModelKind::lir_dcfp, 0.5), 8, degrees)).summary;
     EXPECT_NEAR(turned.peak_displacement, along.peak_displacement, 0.01 * along.peak_displacement);
     EXPECT_NEAR(turned.peak_lateral_force, along.peak_lateral_force, 0.015 * along.peak_lateral_force);
     EXPECT_EQ(turned.impacts.size(), along.impacts.size());
@@ -133,22 +134,24 @@ TEST(DoubleConcaveMotion, SpaceDoesNotPreferADirection) {
 }
 
 TEST(DoubleConcaveMotion, EightPointsAreEnough) {
-  const auto at = [](int points) { return simulate(spatial(pulse("lir-dcfp", 0.5), points, 20)).summary; };
+  const auto at = [](int points) {
+    return simulate(spatial(pulse(scene::ModelKind::lir_dcfp, 0.5), points, 20)).summary;
+  };
   const auto eight = at(8), twelve = at(12);
   EXPECT_NEAR(eight.peak_displacement, twelve.peak_displacement, 0.01 * twelve.peak_displacement);
   EXPECT_NEAR(eight.peak_lateral_force, twelve.peak_lateral_force, 0.01 * twelve.peak_lateral_force);
 }
 
 TEST(DoubleConcaveMotion, SpaceAlongXIsThePlane) {
-  auto flat = pulse("dcfp", 0.3);
+  auto flat = pulse(scene::ModelKind::dcfp, 0.3);
   const auto plane = simulate(flat).summary, space = simulate(spatial(flat, 16, 0)).summary;
   EXPECT_NEAR(space.peak_displacement, plane.peak_displacement, 0.01 * plane.peak_displacement);
 }
 
 TEST(DoubleConcaveMotion, ParkWenTendsToCoulomb) {
-  auto scene = pulse("lir-dcfp", 0.3);
+  auto scene = pulse(scene::ModelKind::lir_dcfp, 0.3);
   const double coulomb = simulate(scene).summary.peak_displacement;
-  scene.reduced.friction = "park-wen";
+  scene.reduced.friction = scene::Friction::park_wen;
   double last = 1;
   for (const double slip : {1e-3, 1e-4}) {
     scene.reduced.elastic_slip = slip;

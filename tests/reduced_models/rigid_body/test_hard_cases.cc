@@ -12,7 +12,7 @@ double largest(const Response &r, const char *name) {
 }
 
 TEST(DoubleConcaveHardCases, AGapUsedUpIsStopped) {
-  auto scene = shaken("lir-dcfp", 0.6);
+  auto scene = shaken(scene::ModelKind::lir_dcfp, 0.6);
   const auto run = simulate(scene);
   EXPECT_EQ(run.summary.status, "done") << run.summary.reason;
   EXPECT_GT(largest(run.response, "interface_slip_x"), scene.isolator.gap());
@@ -38,7 +38,7 @@ TEST(DoubleConcaveHardCases, ALowRimIsLeftAndSaidSo) {
 
 TEST(DoubleConcaveHardCases, FrictionOfTheInterfaceNearThatOfTheDishes) {
   for (const double above : {-1e-3, 0.0, 1e-3}) {
-    auto scene = shaken("lir-dcfp", 0.4);
+    auto scene = shaken(scene::ModelKind::lir_dcfp, 0.4);
     scene.isolator.mu_interface = 0.0528 + above;
     const auto run = simulate(scene);
     EXPECT_EQ(run.summary.status, "done");

@@ -12,7 +12,7 @@ using Column = const std::vector<double> &;
 constexpr double settled = 2e-4;
 
 TEST(DoubleConcaveLoop, LowFrictionSlidingIsAtTheEffectiveFriction) {
-  for (const char *model : {"dcfp", "lir-dcfp"}) {
+  for (const auto model : {scene::ModelKind::dcfp, scene::ModelKind::lir_dcfp}) {
     const auto scene = cyclic(specimen(model), 0.15);
     const auto run = simulate(scene);
     QuasiStaticLoop loop{scene.isolator, 0.066, scene.impact_resilient()};
@@ -22,7 +22,8 @@ TEST(DoubleConcaveLoop, LowFrictionSlidingIsAtTheEffectiveFriction) {
     for (std::size_t i = 1; i < u.size(); ++i) {
       const double sense = loop.sense, expected = loop.move(u[i]);
       since_turn = sense == loop.sense ? since_turn + std::abs(u[i] - u[i - 1]) : 0;
-      if (since_turn > settled) ASSERT_NEAR(-F[i] / scene.load.vertical, expected, 1e-4) << model << " u " << u[i];
+      if (since_turn > settled)
+        ASSERT_NEAR(-F[i] / scene.load.vertical, expected, 1e-4) << word(model) << " u " << u[i];
     }
     EXPECT_EQ(run.summary.impacts.size(), 0u);
   }
@@ -41,18 +42,18 @@ TEST(DoubleConcaveLoop, TheEffectiveFrictionIsNotThatOfOneSurface) {
 /// frictions weighted by the radii. (An articulated one slides on the face of less friction first: Fenz and
 /// Constantinou 2008.)
 TEST(DoubleConcaveLoop, UnequalPlatesSlideTogetherAtTheFrictionWeightedByTheirRadii) {
-  for (const char *model : {"dcfp", "lir-dcfp"})
-    for (const char *space : {"planar", "spatial"}) {
+  for (const auto model : {scene::ModelKind::dcfp, scene::ModelKind::lir_dcfp})
+    for (const auto space : {scene::Space::planar, scene::Space::spatial}) {
       auto scene = cyclic(specimen(model), 0.12);
       scene.isolator.top_radius = 1.1, scene.isolator.top_mu_fast = 0.03;
-      scene.isolator.space = space, scene.isolator.points = space == std::string("planar") ? 2 : 8;
+      scene.isolator.space = space, scene.isolator.points = space == scene::Space::planar ? 2 : 8;
       const auto run = simulate(scene);
       ASSERT_EQ(run.summary.status, "done");
       QuasiStaticLoop loop{scene.isolator, 0.066, scene.impact_resilient()};
       EXPECT_NEAR(effective_friction(scene.isolator, 0.066, 0.03), (0.066 * 0.75 + 0.03 * 1.1) / (0.75 + 1.1 - 0.085),
                   5e-4);
       Column u = run.response.series("displacement_x"), F = run.response.series("force_x");
-      const double off = space == std::string("planar") ? 1e-4 : 4e-4; // eight points on a circle: their cosines differ
+      const double off = space == scene::Space::planar ? 1e-4 : 4e-4; // eight points on a circle: their cosines differ
       double since_turn = 0;
       constexpr double both_slide =
           10 * settled; // after a turn the slider rocks on its contact springs until the second face slides too
@@ -60,7 +61,7 @@ TEST(DoubleConcaveLoop, UnequalPlatesSlideTogetherAtTheFrictionWeightedByTheirRa
         const double sense = loop.sense, expected = loop.move(u[i]);
         since_turn = sense == loop.sense ? since_turn + std::abs(u[i] - u[i - 1]) : 0;
         if (since_turn > both_slide)
-          ASSERT_NEAR(-F[i] / scene.load.vertical, expected, off) << model << space << " u " << u[i];
+          ASSERT_NEAR(-F[i] / scene.load.vertical, expected, off) << word(model) << word(space) << " u " << u[i];
       }
     }
 }
@@ -69,7 +70,7 @@ TEST(DoubleConcaveLoop, UnequalPlatesSlideTogetherAtTheFrictionWeightedByTheirRa
 /// the other dish, F = W tan(alpha + atan mu), the stage of slope W / R of the other surface
 /// (docs/theory/double-concave.md).
 TEST(DoubleConcaveLoop, PastTheFirstRimTheSliderSlidesOnTheOtherDish) {
-  auto scene = cyclic(specimen("dcfp"), 0.12);
+  auto scene = cyclic(specimen(scene::ModelKind::dcfp), 0.12);
   const auto &b = scene.isolator;
   scene.isolator.top_radius = 1.1, scene.isolator.top_mu_fast = 0.03, scene.isolator.top_capacity = 0.10;
   const auto run = simulate(scene);

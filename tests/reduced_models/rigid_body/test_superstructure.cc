@@ -10,13 +10,14 @@ namespace {
 using namespace rigid;
 using Eigen::Vector2d;
 
-scene::Scene carried(const std::string &model, double amplitude_g, double post_yield = 0.05) {
+scene::Scene carried(scene::ModelKind model, double amplitude_g, double post_yield = 0.05) {
   scene::Scene s;
   s.reduced.model = model;
   s.reduced.mu_fast = s.reduced.mu_slow = 0.05;
   s.load.mass = 2e5, s.load.vertical = s.load.mass * s.load.gravity;
   s.excitation.amplitude_g = amplitude_g, s.excitation.period = 1.5, s.excitation.centre = 3;
-  s.superstructure.kind = "bouc-wen", s.superstructure.mass_ratio = 0.7, s.superstructure.post_yield = post_yield;
+  s.superstructure.kind = scene::StructureKind::bouc_wen, s.superstructure.mass_ratio = 0.7,
+  s.superstructure.post_yield = post_yield;
   return s;
 }
 
@@ -53,13 +54,13 @@ TEST(RigidBodyBuilding, TangentAgreesWithDifferences) {
 // One interface, two isolators: on the sphere of radius R_eff with the effective friction the physical model
 // carries the same frame the same way.
 TEST(RigidBodyBuilding, TheSameFrameOnTheSphereOfItsEffectiveRadius) {
-  auto scene = carried("dcfp", 0.2);
+  auto scene = carried(scene::ModelKind::dcfp, 0.2);
   scene.superstructure.yield = 0.01;
   scene.isolator.slider_mass = 0.1, scene.isolator.contact_stiffness = 1e11;
   auto sphere = scene;
   const auto &b = scene.isolator;
-  sphere.reduced.model = "physical";
-  sphere.bearing.surface = {"sphere", b.effective_radius()};
+  sphere.reduced.model = scene::ModelKind::physical;
+  sphere.bearing.surface = {scene::SurfaceKind::sphere, b.effective_radius()};
   sphere.bearing.surface.planar_radius = b.capacity + sphere.bearing.slider.diameter / 2;
   sphere.reduced.mu_fast = sphere.reduced.mu_slow = effective_friction(b, 0.05);
   const auto own = simulate(scene), other = simulate(sphere);
@@ -71,17 +72,17 @@ TEST(RigidBodyBuilding, TheSameFrameOnTheSphereOfItsEffectiveRadius) {
 }
 
 TEST(RigidBodyBuilding, EnergyCloses) {
-  for (const char *model : {"dcfp", "lir-dcfp"}) {
+  for (const auto model : {scene::ModelKind::dcfp, scene::ModelKind::lir_dcfp}) {
     auto scene = carried(model, 0.5);
     scene.isolator.step_tolerance = 1e-5;
     const auto run = simulate(scene);
     EXPECT_GE(run.summary.impacts.size(), 1u);
-    EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-4) << model;
+    EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-4) << word(model);
     EXPECT_GT(run.summary.energy->plastic, 0);
   }
-  auto building = carried("lir-dcfp", 0.4);
-  building.superstructure.kind = "shear-building";
-  building.isolator.space = "spatial", building.isolator.points = 8;
+  auto building = carried(scene::ModelKind::lir_dcfp, 0.4);
+  building.superstructure.kind = scene::StructureKind::shear_building;
+  building.isolator.space = scene::Space::spatial, building.isolator.points = 8;
   building.excitation.direction_deg = 30, building.excitation.duration = 5;
   const auto run = simulate(building);
   EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-4);
@@ -89,7 +90,7 @@ TEST(RigidBodyBuilding, EnergyCloses) {
 }
 
 TEST(RigidBodyBuilding, CollapseStopsTheRun) {
-  auto scene = carried("dcfp", 0.6, -0.1);
+  auto scene = carried(scene::ModelKind::dcfp, 0.6, -0.1);
   scene.superstructure.yield = 0.005;
   const auto run = simulate(scene);
   EXPECT_EQ(run.summary.status, "stopped");

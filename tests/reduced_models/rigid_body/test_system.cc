@@ -40,10 +40,10 @@ TEST(SlipState, DerivativesAgreeWithDifferences) {
 
 /// The slider leans on a rim, everything pressed and sliding.
 TEST(RigidSystem, TangentAgreesWithDifferences) {
-  for (const char *model : {"dcfp", "lir-dcfp"}) {
+  for (const auto model : {scene::ModelKind::dcfp, scene::ModelKind::lir_dcfp}) {
     scene::Scene scene;
     scene.reduced.model = model;
-    scene.isolator.space = "spatial", scene.isolator.points = 8;
+    scene.isolator.space = scene::Space::spatial, scene.isolator.points = 8;
     const DoubleConcaveSystem bearing(scene);
     const auto &system = bearing.system;
     const MotionState state = bearing.state_at({0.24, 0.185}, {0.2, 0.3});
@@ -71,7 +71,7 @@ TEST(RigidSystem, TangentAgreesWithDifferences) {
       const Vector dv = 1e-6 * Vector::Unit(n, j);
       difference.col(j) = (at(dv, nullptr) - at(-dv, nullptr)) / 2e-6;
     }
-    EXPECT_LT((tangent - difference).norm(), 2e-3 * difference.norm()) << model;
+    EXPECT_LT((tangent - difference).norm(), 2e-3 * difference.norm()) << word(model);
   }
 }
 

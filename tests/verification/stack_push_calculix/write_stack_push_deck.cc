@@ -89,7 +89,7 @@ std::string step(double first, double longest, const std::string &boundary) {
 
 void write(const Settings &settings) {
   scene::Scene scene = scene::load_scene("rim-push", settings.overrides);
-  scene.model.rung = "full";
+  scene.model.rung = scene::Rung::full;
   const planning::Plan plan = planning::make_plan(scene);
   if (!plan.half) throw InputError("the deck is that of rung full's symmetric half");
   meshes::HexMesh mesh = fe::mesh_of(scene, plan);

@@ -48,7 +48,7 @@ double error(const Solution &a, const Solution &b) {
 
 void compare(const std::string &folder, const std::string &name, scene::Scene coulomb) {
   scene::Scene park_wen = coulomb;
-  park_wen.reduced.friction = "park-wen";
+  park_wen.reduced.friction = scene::Friction::park_wen;
   const Problem problem(name, park_wen);
   nlohmann::json rows;
   const auto add = [&](const char *program, double tolerance, const Solution &s, const Solution &reference) {

@@ -1,0 +1,42 @@
+/// The choices of [model] and [reduced], each with the words of its key. Those of bearing, motion, isolator and
+/// superstructure stand beside them.
+#pragma once
+#include "files/choice.h"
+
+namespace rimpact::scene {
+
+/// Which parts deform by finite elements.
+enum class Rung { rim, rigid_dish, full };
+constexpr auto choices(Rung) {
+  using enum Rung;
+  return choices_of<Rung>({{rim, "rim"}, {rigid_dish, "rigid-dish"}, {full, "full"}});
+}
+
+/// Whether half of the bearing is meshed.
+enum class Symmetry { by_plan, half, whole };
+constexpr auto choices(Symmetry) {
+  using enum Symmetry;
+  return choices_of<Symmetry>({{by_plan, "auto"}, {half, "half"}, {whole, "whole"}});
+}
+
+/// A mass on one dish, or a double concave bearing, without or with an interface in its slider.
+enum class ModelKind { physical, dcfp, lir_dcfp };
+constexpr auto choices(ModelKind) {
+  using enum ModelKind;
+  return choices_of<ModelKind>({{physical, "physical"}, {dcfp, "dcfp"}, {lir_dcfp, "lir-dcfp"}});
+}
+
+enum class Friction { coulomb, park_wen };
+constexpr auto choices(Friction) {
+  using enum Friction;
+  return choices_of<Friction>({{coulomb, "coulomb"}, {park_wen, "park-wen"}});
+}
+
+/// What the normal force follows (reduced_models/dynamics.h).
+enum class NormalForce { inertia, statics, constant };
+constexpr auto choices(NormalForce) {
+  using enum NormalForce;
+  return choices_of<NormalForce>({{inertia, "inertia"}, {statics, "static"}, {constant, "constant"}});
+}
+
+} // namespace rimpact::scene
