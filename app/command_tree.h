@@ -1,6 +1,7 @@
 /// The command's verbs and options as data: what completions are made from.
 #pragma once
 #include "app/console.h"
+#include "files/choice.h"
 #include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
@@ -23,7 +24,11 @@ std::vector<VerbWords> command_tree(const CLI::App &app);
 /// The verb `completion` of both programs.
 void add_completion(CLI::App &app, Console &console);
 
-/// The script a shell reads. Throws InputError for a shell that is not bash, zsh or fish.
-std::string completion_script(const std::string &shell, const std::vector<VerbWords> &verbs);
+enum class Shell { bash, zsh, fish };
+constexpr auto choices(Shell) {
+  return choices_of<Shell>({{Shell::bash, "bash"}, {Shell::zsh, "zsh"}, {Shell::fish, "fish"}});
+}
+/// The script a shell reads.
+std::string completion_script(Shell shell, const std::vector<VerbWords> &verbs);
 
 } // namespace rimpact::app

@@ -70,7 +70,7 @@ json comparison_rows(const std::vector<Job> &jobs, const std::string &folder, co
     if (!job.done) continue;
     const json fe = summary_of(job.folder);
     json row{{"name", job.name},
-             {"role", job.role},
+             {"role", word(job.role)},
              {"fe_kN", peak_force_kN(fe)},
              {"approach_speed_m_s", of_hardest_impact(fe, "approach_speed_m_s")},
              {"rebound_over_approach", of_hardest_impact(fe, "restitution")},

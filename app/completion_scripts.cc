@@ -1,8 +1,6 @@
 // Completion of bash, zsh and fish from the command's own tree.
 #include "app/command_tree.h"
 
-#include "files/error.h"
-#include "files/text.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <iterator>
@@ -126,11 +124,16 @@ std::string fish(const std::vector<VerbWords> &verbs) {
 
 } // namespace
 
-std::string completion_script(const std::string &shell, const std::vector<VerbWords> &verbs) {
-  if (shell == "bash") return bash(verbs);
-  if (shell == "zsh") return zsh(verbs);
-  if (shell == "fish") return fish(verbs);
-  throw InputError("shell " + not_among(shell, {"bash", "zsh", "fish"}));
+std::string completion_script(Shell shell, const std::vector<VerbWords> &verbs) {
+  switch (shell) {
+  case Shell::bash:
+    return bash(verbs);
+  case Shell::zsh:
+    return zsh(verbs);
+  case Shell::fish:
+    return fish(verbs);
+  }
+  return {};
 }
 
 } // namespace rimpact::app

@@ -5,6 +5,7 @@
 #include "files/file.h"
 #include "files/key_list.h"
 #include "files/text.h"
+#include "responses/choices.h"
 #include "scene/doubts.h"
 #include "scene/names.h"
 #include "scene/script_permission.h"
@@ -104,7 +105,7 @@ std::vector<std::string> Console::settings() const {
     all.push_back("reduced.calibration=" +
                   toml_quoted(std::filesystem::absolute(calibration).lexically_normal().string()));
   all.insert(all.end(), overrides.begin(), overrides.end());
-  if (rung == "reduced")
+  if (parse<SolvedBy>(rung) == SolvedBy::reduced)
     throw InputError("--rung reduced: the reduced model is no finite-element rung (rim, rigid-dish, full); use rimpact "
                      "reduced SCENE");
   if (!rung.empty()) all.push_back("model.rung=" + toml_quoted(rung));

@@ -13,7 +13,7 @@ constexpr const char *cure = "choose another folder with -o, or replace it with 
 
 /// The reason against taking the folder for a run; empty: none.
 std::string objection(const FolderUse &use, const KeptRun &kept) {
-  if (const auto what = collection_in(use.folder); !what.empty()) return "holds " + what;
+  if (const auto what = collection_in(use.folder)) return "holds " + word(*what);
   if (!kept.any) return {};
   if (kept.finite_elements != use.finite_elements)
     return kept.finite_elements ? "holds a run by finite elements" : "holds a run by the reduced model";
@@ -46,25 +46,25 @@ ClaimedFolder claim_for_run(const FolderUse &use, const scene::Scene &scene, Con
   const KeptRun kept = kept_run(use.folder, scene);
   const std::string against = use.force ? "" : objection(use, kept);
   if (!against.empty()) throw InputError(fmt::format("{} {}; {}", use.folder, against, cure));
-  claimed.finished = use.resume && kept.is_current() && kept.status == "done";
+  claimed.finished = use.resume && kept.is_current() && kept.status == RunStatus::done;
   if (!claimed.finished) clear(use, kept, scene, console);
   return claimed;
 }
 
-FolderLock claim_for_jobs(const std::string &folder, const std::string &kind, const std::vector<Job> &jobs, bool force,
+FolderLock claim_for_jobs(const std::string &folder, Collection kind, const std::vector<Job> &jobs, bool force,
                           const std::string &part) {
   FolderLock lock(folder, part);
   if (force) return lock;
-  if (const auto what = collection_in(folder); !what.empty() && what != kind)
-    throw InputError(fmt::format("{} holds {}; {}", folder, what, cure));
+  if (const auto what = collection_in(folder); what && *what != kind)
+    throw InputError(fmt::format("{} holds {}; {}", folder, word(*what), cure));
   std::error_code none;
   if (std::filesystem::exists(folder + "/summary.json", none))
     throw InputError(fmt::format("{} holds a run; {}", folder, cure));
   for (const auto &job : jobs) {
     const auto kept = kept_run(job.folder, job.scene);
     if (kept.any && !kept.other_scene.empty() && kept.same_program)
-      throw InputError(
-          fmt::format("{} holds {} of another scene ({}: {}); {}", folder, kind, job.name, kept.other_scene, cure));
+      throw InputError(fmt::format("{} holds {} of another scene ({}: {}); {}", folder, word(kind), job.name,
+                                   kept.other_scene, cure));
   }
   return lock;
 }

@@ -26,10 +26,10 @@ struct ClaimedFolder {
 /// that is said.
 ClaimedFolder claim_for_run(const FolderUse &use, const scene::Scene &scene, Console &console);
 
-/// Takes a folder of many runs. `kind` as collection_in says it, `part` of shards that run side by side ("2-of-3").
+/// Takes a folder of many runs. `part` of shards that run side by side ("2-of-3").
 /// Throws as claim_for_run where the folder holds something else, or runs of another scene (by the same program;
 /// another version's jobs may differ without the user's doing: these are run again).
-FolderLock claim_for_jobs(const std::string &folder, const std::string &kind, const std::vector<Job> &jobs, bool force,
+FolderLock claim_for_jobs(const std::string &folder, Collection kind, const std::vector<Job> &jobs, bool force,
                           const std::string &part = "");
 
 /// "2-of-3"; empty for the whole.

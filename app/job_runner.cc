@@ -47,14 +47,14 @@ const std::string &fe_physics() {
 }
 
 KeptRun kept_in(const Job &job) {
-  return kept_run(job.folder, job.scene, job.name == "reduced" ? physics_version() : fe_physics());
+  return kept_run(job.folder, job.scene, job.reduced ? physics_version() : fe_physics());
 }
 
-/// "done", "interrupted", "stopped"; empty when the folder holds no run of this very scene, with the same files, by the
+/// Empty when the folder holds no run of this very scene, with the same files, by the
 /// same program.
-std::string status_of(const Job &job) {
+std::optional<RunStatus> status_of(const Job &job) {
   const auto kept = kept_in(job);
-  return kept.is_current() ? kept.status : "";
+  return kept.is_current() ? kept.status : std::nullopt;
 }
 
 /// Why what the folder holds is not kept, a sentence; empty: there is nothing, or it is kept.
@@ -108,7 +108,7 @@ void require_done(const std::vector<Job> &jobs) {
 }
 
 bool is_done(const Job &job) {
-  return status_of(job) == "done";
+  return status_of(job) == RunStatus::done;
 }
 
 nlohmann::json summary_of(const std::string &folder) {
@@ -153,8 +153,9 @@ void JobRunner::run() {
 
 void JobRunner::start_next() {
   Job &job = jobs_[next_++];
-  const std::string status = status_of(job), scene_file = beside_runs(job, ".toml"), log = beside_runs(job, ".log");
-  if (status == "done") {
+  const std::string scene_file = beside_runs(job, ".toml"), log = beside_runs(job, ".log");
+  const auto status = status_of(job);
+  if (status == RunStatus::done) {
     job.done = job.reused = true;
     time_of(job).state = RunTime::State::out;
     ++finished_;
@@ -168,7 +169,7 @@ void JobRunner::start_next() {
     console_.message(job.name + ": run again, because " + why);
     launch.command.push_back("--force");
   }
-  if (status == "interrupted" && std::filesystem::exists(job.folder + "/checkpoint.h5"))
+  if (status == RunStatus::interrupted && std::filesystem::exists(job.folder + "/checkpoint.h5"))
     launch.command.push_back("--resume");
   if (at_once_ > 1) launch.environment = {"OPENBLAS_NUM_THREADS=1", "OMP_NUM_THREADS=1", "RIMPACT_THREADS=1"};
   children_.push_back({start(launch), &job});

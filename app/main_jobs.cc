@@ -38,10 +38,10 @@ PulseScales scales_of(const char *built_in, const MainTarget &target, const std:
 
 MainJobs main_jobs(const MainTarget &target, const MainChoices &choices, const std::string &folder) {
   MainJobs result;
-  const auto add = [&](const std::string &name, const std::string &role, scene::Scene scene) {
+  const auto add = [&](const std::string &name, JobRole role, scene::Scene scene) {
     scene.name = name;
     scene.validate();
-    result.jobs.push_back({name, role, std::move(scene), folder + "/runs/" + name, false, false, {}});
+    result.jobs.push_back({name, role, std::move(scene), folder + "/runs/" + name, false, false, {}, false});
   };
   constexpr const char *pulses[] = {"ricker-0.78g-1.0s", "ricker-0.38g-1.5s"};
   std::vector<PulseScales> scales;
@@ -55,7 +55,7 @@ MainJobs main_jobs(const MainTarget &target, const MainChoices &choices, const s
       if (k >= scales[p].pulses.size()) continue;
       const auto &[scale, speed, fitted] = scales[p].pulses[k];
       const std::string text = in_a_name(scale);
-      add(fmt::format("{}-x{}", pulses[p], text), fitted ? "fit" : "predict",
+      add(fmt::format("{}-x{}", pulses[p], text), fitted ? JobRole::fit : JobRole::predict,
           for_target(pulses[p], target, "excitation.scale=" + text));
     }
   auto speeds = choices.speeds;
@@ -65,7 +65,7 @@ MainJobs main_jobs(const MainTarget &target, const MainChoices &choices, const s
     if (!result.jobs.empty() && result.jobs.back().name == name)
       throw InputError(
           fmt::format("--speeds: {:g} m/s stands there twice, to the four decimals of a run's name", speed));
-    add(name, "window", for_target("impact-window", target, fmt::format("excitation.speed_m_per_s={}", speed)));
+    add(name, JobRole::window, for_target("impact-window", target, fmt::format("excitation.speed_m_per_s={}", speed)));
   }
   return result;
 }

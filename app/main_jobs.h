@@ -5,12 +5,22 @@
 
 namespace rimpact::app {
 
+/// What a run is for.
+enum class JobRole { fit, predict, window, geometry, study };
+constexpr auto choices(JobRole) {
+  using enum JobRole;
+  return choices_of<JobRole>(
+      {{fit, "fit"}, {predict, "predict"}, {window, "window"}, {geometry, "geometry"}, {study, "study"}});
+}
+
 struct Job {
-  std::string name, role; ///< role: fit | predict | window | geometry | study
+  std::string name;
+  JobRole role;
   scene::Scene scene;
   std::string folder; ///< DIR/runs/NAME
   bool done = false, reused = false;
-  std::string failure; ///< the run's own sentence
+  std::string failure;  ///< the run's own sentence
+  bool reduced = false; ///< by the reduced model, else by finite elements
 };
 
 struct MainChoices {

@@ -32,7 +32,7 @@ void run_reduced(const scene::Scene &scene, const std::string &folder) {
 json critical_amplitudes(const std::vector<Job> &jobs) {
   json result = json::array();
   for (const auto &job : jobs) {
-    if (job.role != "predict") continue;
+    if (job.role != JobRole::predict) continue;
     json row{{"scene", job.name}, {"printed_g", job.scene.excitation.amplitude_g}};
     scene::Scene stack = job.scene;
     reduced::add_stack_terms(stack);
@@ -64,7 +64,7 @@ Selection select(const std::vector<Job> &jobs) {
   for (const auto &job : jobs)
     if (!job.done)
       s.warnings.push_back(job.name + ": " + job.failure);
-    else if (job.role == "predict")
+    else if (job.role == JobRole::predict)
       s.options.predict.push_back(job.folder);
     else if (summary_of(job.folder).value("n_impacts", 0) == 0)
       s.warnings.push_back(job.name + ": the rim is never touched, so nothing is fitted to this run");
@@ -109,7 +109,7 @@ json reduced_runs(const std::vector<Job> &jobs, const std::string &folder, const
     if (job.done && !columns.published.empty())
       run_reduced(with_published(job.scene), folder + "/published/" + job.name);
     runs.push_back({{"name", job.name},
-                    {"role", job.role},
+                    {"role", word(job.role)},
                     {"fe", "runs/" + job.name},
                     {"reduced", "reduced/" + job.name},
                     {"law", under(columns.law, "law/", job.name)},

@@ -20,7 +20,7 @@ struct Scouted {
 Scouted scout(scene::Scene &scene, double scale) {
   scene.excitation.scale = scale;
   const auto summary = reduced::simulate_summary(scene);
-  Scouted result{.leaves_dish = summary.status != "done"};
+  Scouted result{.leaves_dish = summary.status != RunStatus::done};
   for (const auto &impact : summary.impacts) result.speed = std::max(result.speed, impact.approach_speed);
   return result;
 }

@@ -51,7 +51,7 @@ void add_warnings(const scene::Scene &scene, reduced::ReducedRun &run, Console &
   if (!run.summary.impacts.empty())
     for (const auto &doubt : scene::doubts_of_element(scene)) warnings.push_back(doubt);
   if (const auto doubt = doubt_of_ledger(run.summary.energy.value_or(EnergyLedger()));
-      doubt && run.summary.status == "done")
+      doubt && run.summary.status == RunStatus::done)
     warnings.push_back(*doubt);
   for (const auto &warning : warnings) console.warn(warning.get<std::string>());
   for (const auto &sentence : scene.remarks) warnings.push_back(sentence);
@@ -133,7 +133,7 @@ void run_building(const BuildingOptions &options, Console &console) {
   if (options.picture && python({"report.quick", "building", folder}) != 0)
     throw IoError("the picture in " + folder + " was not made");
   console.data(console.json ? json_text(to_json(run.summary)) : describe(scene, frame, run.summary, folder));
-  if (run.summary.status == "stopped") throw SolverStopped(run.summary.reason + "; what is before it is kept");
+  if (run.summary.status == RunStatus::stopped) throw SolverStopped(run.summary.reason + "; what is before it is kept");
 }
 
 } // namespace

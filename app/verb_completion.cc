@@ -63,7 +63,8 @@ void add_completion(CLI::App &app, Console &console) {
       for (auto &other : sibling_tree())
         for (auto &own : verbs)
           if (own.name == other.name && own.options.size() < other.options.size()) own = other;
-    console.data(*shell == "json" ? json_text(json_of(verbs)) : completion_script(*shell, verbs));
+    const auto known = parse<Shell>(*shell); // else json
+    console.data(known ? completion_script(*known, verbs) : json_text(json_of(verbs)));
   });
 }
 

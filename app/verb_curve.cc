@@ -67,7 +67,7 @@ void curve(CurveOptions &options, Console &console) {
   fe::RunOptions run;
   run.interrupted = &interrupted();
   run.progress = [&](const fe::Progress &p) {
-    line.show(fmt::format("{}: {:.2f} mm, {:.0f} kN, {:.0f} % of the work", p.phase, -1e3 * p.gap, p.force / 1e3,
+    line.show(fmt::format("{}: {:.2f} mm, {:.0f} kN, {:.0f} % of the work", word(p.phase), -1e3 * p.gap, p.force / 1e3,
                           1e2 * std::min(1.0, p.time / p.end_time)));
   };
   const auto start = std::chrono::steady_clock::now();

@@ -45,9 +45,11 @@ void run_geometry(GeometryOptions options, Console &console) {
   window.validate();
   std::vector<Job> jobs;
   for (const auto &scene : calibration::geometry_scenes(window, options.study))
-    jobs.push_back({scene.name, "geometry", scene, options.folder + "/runs/" + scene.name, false, false, {}});
+    jobs.push_back(
+        {scene.name, JobRole::geometry, scene, options.folder + "/runs/" + scene.name, false, false, {}, false});
   std::vector<Job> own = shard_of(jobs, part, n_parts);
-  const auto lock = claim_for_jobs(options.folder, "a geometry study", jobs, console.force, part_name(part, n_parts));
+  const auto lock =
+      claim_for_jobs(options.folder, Collection::geometry_study, jobs, console.force, part_name(part, n_parts));
   make_runs_folder(options.folder);
   JobRunner runner(own, console);
   watch_interrupts();

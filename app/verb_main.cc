@@ -40,8 +40,8 @@ void print_plan(const MainTarget &target, const MainJobs &jobs, std::size_t at_o
   std::string text = target.head() + fmt::format("{:28s} {:8s} {}\n", "run", "role", "expected");
   for (std::size_t k = 0; k < times.size(); ++k) {
     const auto &job = jobs.jobs[k];
-    rows.push_back({{"name", job.name}, {"role", job.role}, {"expected_seconds", times[k].expected}});
-    text += fmt::format("{:28s} {:8s} {}\n", job.name, job.role, about(times[k].expected));
+    rows.push_back({{"name", job.name}, {"role", word(job.role)}, {"expected_seconds", times[k].expected}});
+    text += fmt::format("{:28s} {:8s} {}\n", job.name, word(job.role), about(times[k].expected));
   }
   text += fmt::format("{} runs, {} at a time: {} in all\n", times.size(), at_once, about(in_all));
   const nlohmann::json table{
@@ -66,7 +66,7 @@ void run_main(MainOptions options, Console &console) {
   const std::size_t at_once = options.at_once > 0 ? options.at_once : cores_to_use();
   if (options.dry_run) return print_plan(target, {jobs, left_out}, at_once, console);
   JobRunner runner(jobs, console, at_once);
-  const auto lock = claim_for_jobs(options.folder, "a main job", jobs, console.force);
+  const auto lock = claim_for_jobs(options.folder, Collection::main_job, jobs, console.force);
   make_runs_folder(options.folder);
   context.versions = fe_versions(options.folder, console);
   console.message(target.head() +

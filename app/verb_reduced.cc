@@ -97,7 +97,7 @@ void add_reduced(CLI::App &app, Console &console) {
       throw IoError("the picture in " + folder + " was not made");
     const auto &s = run.summary;
     console.data(console.json ? json_text(to_json(s)) : scene::describe_case(scene) + describe(s, scene.name, folder));
-    if (s.status == "stopped") throw SolverStopped(s.reason + "; what is before it is kept");
+    if (s.status == RunStatus::stopped) throw SolverStopped(s.reason + "; what is before it is kept");
   });
 }
 

@@ -17,38 +17,54 @@
 namespace rimpact::app {
 namespace {
 
+/// What a study varies.
+enum class StudyAxis { rung, mesh, step };
+constexpr auto choices(StudyAxis) {
+  using enum StudyAxis;
+  return choices_of<StudyAxis>({{rung, "rung"}, {mesh, "mesh"}, {step, "step"}});
+}
+
 struct StudyOptions {
   std::string scene, folder, shard;
-  std::vector<std::string> axes{"rung", "mesh"};
-  std::vector<std::string> rungs{"reduced", "rim"};
+  std::vector<std::string> axes{word(StudyAxis::rung), word(StudyAxis::mesh)};
+  std::vector<std::string> rungs{word(SolvedBy::reduced), word(SolvedBy::rim)};
+  std::vector<SolvedBy> solvers() const; ///< what the rungs' words say
   std::vector<int> meshes{1, 2};
   std::vector<double> steps{1.0, 0.5}; // [ms]
   double wanted = 2;                   // [%]
-  bool varies(const std::string &axis) const { return std::find(axes.begin(), axes.end(), axis) != axes.end(); }
+  bool varies(StudyAxis axis) const { return std::find(axes.begin(), axes.end(), word(axis)) != axes.end(); }
 };
+
+std::vector<SolvedBy> StudyOptions::solvers() const {
+  std::vector<SolvedBy> list;
+  for (const auto &rung : rungs) list.push_back(parse<SolvedBy>(rung).value()); // checked by the command line
+  return list;
+}
 
 /// One job a combination; the reduced model knows neither mesh nor step.
 std::vector<Job> study_jobs(const StudyOptions &options, const scene::Scene &base) {
-  const auto rungs = options.varies("rung") ? options.rungs : std::vector<std::string>{word(base.model.rung)};
-  const auto meshes = options.varies("mesh") ? options.meshes : std::vector<int>{base.model.mesh};
-  const auto steps = options.varies("step") ? options.steps : std::vector<double>{1e3 * base.model.step};
+  const auto solvers = options.varies(StudyAxis::rung) ? options.solvers() : std::vector{solved_by(base.model.rung)};
+  const auto meshes = options.varies(StudyAxis::mesh) ? options.meshes : std::vector<int>{base.model.mesh};
+  const auto steps = options.varies(StudyAxis::step) ? options.steps : std::vector<double>{1e3 * base.model.step};
   std::vector<Job> jobs;
-  const auto add = [&](const std::string &name, scene::Scene scene) {
+  const auto add = [&](const std::string &name, scene::Scene scene, bool reduced) {
     scene.name = base.name;
-    jobs.push_back({name, "study", scene, options.folder + "/runs/" + name, false, false, {}});
+    jobs.push_back({name, JobRole::study, scene, options.folder + "/runs/" + name, false, false, {}, reduced});
   };
-  for (const auto &rung : rungs) {
-    if (rung == "reduced") {
-      add("reduced", base);
+  for (const auto solver : solvers) {
+    const auto rung = rung_of(solver);
+    if (!rung) {
+      add(word(solver), base, true);
       continue;
     }
     for (const int mesh : meshes)
       for (const double step : steps) {
         scene::Scene scene = base;
-        scene.model.rung = parse<scene::Rung>(rung).value_or(base.model.rung);
+        scene.model.rung = *rung;
         scene.model.mesh = mesh;
         scene.model.step = 1e-3 * step;
-        add(fmt::format("{}-mesh{}", rung, mesh) + (options.varies("step") ? fmt::format("-{:g}ms", step) : ""), scene);
+        const std::string with_step = options.varies(StudyAxis::step) ? fmt::format("-{:g}ms", step) : "";
+        add(fmt::format("{}-mesh{}{}", word(*rung), mesh, with_step), scene, false);
       }
   }
   return jobs;
@@ -58,7 +74,7 @@ std::vector<Job> study_jobs(const StudyOptions &options, const scene::Scene &bas
 std::vector<Job> without_reduced(const std::vector<Job> &jobs) {
   std::vector<Job> left;
   for (const auto &job : jobs) {
-    if (job.name != "reduced") {
+    if (!job.reduced) {
       left.push_back(job);
       continue;
     }
@@ -74,8 +90,8 @@ std::vector<calibration::StudyRun> runs_of(const std::vector<Job> &jobs, Console
     if (!is_done(job)) continue;
     try {
       runs.push_back(calibration::study_run(job.name, summary_of(job.folder), read_response(job.folder)));
-      if (job.name == "reduced") continue;
-      runs.back().rung = word(job.scene.model.rung); // as asked for, whatever wrote the summary
+      if (job.reduced) continue;
+      runs.back().rung = solved_by(job.scene.model.rung); // as asked for, whatever wrote the summary
       runs.back().mesh = job.scene.model.mesh;
       runs.back().step = job.scene.model.step;
     } catch (const DataError &error) {
@@ -104,8 +120,7 @@ void write(const calibration::SpeedError &study, const scene::Scene &base, const
 
 void run_study(StudyOptions options, Console &console) {
   for (const auto &axis : options.axes)
-    if (axis != "rung" && axis != "mesh" && axis != "step")
-      throw InputError("--axes " + axis + ": must be of rung, mesh, step");
+    if (!parse<StudyAxis>(axis)) throw InputError("--axes " + axis + ": must be of rung, mesh, step");
   for (const double step : options.steps)
     if (!std::isfinite(step)) throw InputError(fmt::format("--steps {}: must be a length in ms", step));
   const auto twice = [](auto values) {
@@ -116,12 +131,12 @@ void run_study(StudyOptions options, Console &console) {
     throw InputError("--axes, --rungs, --meshes and --steps: each value once, a run would be compared with itself");
   const auto [part, n_parts] = parse_shard(options.shard);
   const scene::Scene base = console.load(options.scene);
-  if (base.model.own_mesh.any() && options.varies("mesh") && options.meshes.size() > 1)
+  if (base.model.own_mesh.any() && options.varies(StudyAxis::mesh) && options.meshes.size() > 1)
     throw InputError("--axes mesh: the scene has a mesh of its own (" + base.model.own_mesh.file +
                      "), which is the same on every level; leave mesh out");
   if (options.folder.empty()) options.folder = default_folder("study-" + base.name);
   const std::vector<Job> jobs = study_jobs(options, base);
-  const auto lock = claim_for_jobs(options.folder, "a study", jobs, console.force, part_name(part, n_parts));
+  const auto lock = claim_for_jobs(options.folder, Collection::study, jobs, console.force, part_name(part, n_parts));
   make_runs_folder(options.folder);
   std::vector<Job> own = without_reduced(shard_of(jobs, part, n_parts));
   if (!own.empty()) {
@@ -153,7 +168,7 @@ void add_study(CLI::App &app, Console &console) {
       ->capture_default_str();
   verb->add_option("--rungs", options->rungs, "values of the axis rung")
       ->delimiter(',')
-      ->check(CLI::IsMember({"reduced", "rim", "rigid-dish", "full"}))
+      ->check(CLI::IsMember(words<SolvedBy>()))
       ->capture_default_str();
   verb->add_option("--meshes", options->meshes, "values of the axis mesh")
       ->delimiter(',')

@@ -22,7 +22,7 @@ void fly(const BuildingBasis &building, const scene::Scene &scene, const Kept &k
   try {
     summary.n_steps = go(recorder);
   } catch (const SolverStopped &stop) {
-    summary.status = "stopped", summary.reason = stop.what();
+    summary.status = RunStatus::stopped, summary.reason = stop.what();
   }
   recorder.summarise(summary);
   summary.n_dofs = building.n;

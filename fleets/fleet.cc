@@ -38,18 +38,18 @@ Row run_one(const FleetScene &fleet, std::size_t run) {
   try {
     scene = fleet.load(run);
   } catch (const Error &error) {
-    return row_without_result("refused", error.what());
+    return row_without_result(RowStatus::refused, error.what());
   }
   try {
     Summary summary = reduced::simulate_summary(scene);
     judge(scene, summary);
     return row_of(summary);
   } catch (const InputError &error) {
-    return row_without_result("refused", error.what());
+    return row_without_result(RowStatus::refused, error.what());
   } catch (const SolverStopped &error) {
-    return row_without_result("stopped", error.what());
+    return row_without_result(RowStatus::stopped, error.what());
   } catch (const std::exception &error) {
-    return row_without_result("failed", error.what());
+    return row_without_result(RowStatus::failed, error.what());
   }
 }
 
@@ -108,11 +108,11 @@ void count(FleetResult &result, const Row &row) {
   result.beyond_rim += is_true(row, "beyond_rim");
   result.beyond_fit += is_true(row, "beyond_fit");
   const auto *status = std::get_if<std::string>(&row.at("status"));
-  const std::string word = status ? *status : "failed";
-  ++(word == "done"      ? result.done
-     : word == "stopped" ? result.stopped
-     : word == "refused" ? result.refused
-                         : result.failed);
+  const auto known = status ? parse<RowStatus>(*status) : std::nullopt;
+  ++(known == RowStatus::done      ? result.done
+     : known == RowStatus::stopped ? result.stopped
+     : known == RowStatus::refused ? result.refused
+                                   : result.failed);
 }
 
 } // namespace

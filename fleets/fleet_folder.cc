@@ -136,9 +136,9 @@ void open_folder(const FleetIdentity &identity, const Sweep &sweep, const FleetO
   std::error_code none;
   const auto what = collection_in(options.folder);
   const bool run = fs::exists(options.folder + "/summary.json", none);
-  if (!options.force && (run || (!what.empty() && what != "a sweep")))
-    throw InputError(
-        fmt::format("{} holds {}; choose another folder with -o, or --force", options.folder, run ? "a run" : what));
+  if (!options.force && (run || (what && *what != Collection::sweep)))
+    throw InputError(fmt::format("{} holds {}; choose another folder with -o, or --force", options.folder,
+                                 run ? "a run" : word(*what)));
   if (fs::exists(path, none)) {
     const Verdict verdict =
         options.force ? Verdict{false, "--force was given"} : judge(read_fleet(path), identity, sweep);

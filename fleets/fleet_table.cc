@@ -36,14 +36,14 @@ void add(Row &row, const std::string &name, double value) {
     row[name] = value;
     return;
   }
-  row["status"] = std::string("failed");
+  row["status"] = word(RowStatus::failed);
   row["reason"] = name + " came out not finite";
 }
 
 } // namespace
 
 Row row_of(const Summary &s) {
-  Row row{{"status", s.status}, {"reason", s.reason}};
+  Row row{{"status", word(s.status)}, {"reason", s.reason}};
   add(row, "peak_displacement_m", s.peak_displacement);
   add(row, "peak_lateral_force_N", s.peak_lateral_force);
   if (s.peak_impact_force) add(row, "peak_impact_force_N", *s.peak_impact_force);
@@ -72,8 +72,8 @@ bool is_true(const Row &row, const std::string &column) {
   return value && *value != 0;
 }
 
-Row row_without_result(const std::string &status, const std::string &reason) {
-  return {{"status", status}, {"reason", reason}};
+Row row_without_result(RowStatus status, const std::string &reason) {
+  return {{"status", word(status)}, {"reason", reason}};
 }
 
 FleetTable::FleetTable(const Sweep &sweep, std::map<std::string, std::string> meta)

@@ -1,5 +1,6 @@
 /// The rows of a fleet and the files they are kept in.
 #pragma once
+#include "fleets/run_end.h"
 #include "fleets/sweep.h"
 #include "responses/summary.h"
 #include <map>
@@ -14,8 +15,7 @@ using Row = std::map<std::string, Cell>;
 Row row_of(const Summary &summary);
 /// Whether a column of zeros and ones holds a one; false where the cell is empty.
 bool is_true(const Row &row, const std::string &column);
-/// status: "refused" (the combination is no valid scene) or "failed".
-Row row_without_result(const std::string &status, const std::string &reason);
+Row row_without_result(RowStatus status, const std::string &reason);
 
 class FleetTable {
 public:

@@ -44,7 +44,7 @@ void add(Level &level, const Table &runs, const std::vector<Cell> &row) {
     const auto *found = std::get_if<std::string>(&row[column(runs, name)]);
     return found ? *found : std::string();
   };
-  const RunEnd end = run_end(text("status"), text("reason"));
+  const RunEnd end = run_end(parse<RowStatus>(text("status")), text("reason"));
   const bool stopped = end == RunEnd::beyond;
   if (end == RunEnd::without_result) {
     ++level.n_without_result;

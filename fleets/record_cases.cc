@@ -34,15 +34,15 @@ std::vector<Axis> case_of(const std::string &name, const std::vector<std::string
 
 } // namespace
 
-RecordCases cases_of_folder(const std::string &folder, const std::string &components, double sa_period) {
+RecordCases cases_of_folder(const std::string &folder, Components components, double sa_period) {
   RecordCases result;
   for (const auto &motion : ground_motions(folder)) {
-    if (components == "x") {
+    if (components == Components::x) {
       for (const auto &path : motion.horizontal)
         result.cases.push_back(case_of(std::filesystem::path(path).stem().string(), {path}, "", sa_period));
       continue;
     }
-    const bool with_vertical = components == "xyz";
+    const bool with_vertical = components == Components::xyz;
     if (motion.horizontal.size() != 2 || (with_vertical && motion.vertical.empty())) {
       result.left_out.push_back(fmt::format("{}: left out, it has {} horizontal component(s){}", motion.name,
                                             motion.horizontal.size(),
@@ -52,7 +52,7 @@ RecordCases cases_of_folder(const std::string &folder, const std::string &compon
     result.cases.push_back(case_of(motion.name, motion.horizontal, with_vertical ? motion.vertical : "", sa_period));
   }
   if (result.cases.empty())
-    throw InputError(fmt::format("the folder {} has no station with the components {}", folder, components));
+    throw InputError(fmt::format("the folder {} has no station with the components {}", folder, word(components)));
   return result;
 }
 

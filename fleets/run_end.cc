@@ -2,10 +2,11 @@
 
 namespace rimpact::fleets {
 
-RunEnd run_end(const std::string &status, const std::string &reason) {
-  if (status == "done") return RunEnd::done;
+RunEnd run_end(std::optional<RowStatus> status, const std::string &reason) {
+  if (status == RowStatus::done) return RunEnd::done;
   const auto says = [&](const char *words) { return reason.find(words) != std::string::npos; };
-  return status == "stopped" && (says("left the dish") || says("collapsed")) ? RunEnd::beyond : RunEnd::without_result;
+  return status == RowStatus::stopped && (says("left the dish") || says("collapsed")) ? RunEnd::beyond
+                                                                                      : RunEnd::without_result;
 }
 
 } // namespace rimpact::fleets

@@ -70,19 +70,19 @@ private:
       if (!entry || !entry->is_string()) fail(entry ? *entry : *node, fmt::format("records.{} must be a text", name));
       return entry->as_string()->get();
     };
-    const std::string components = text("components");
-    if (components != "x" && components != "xy" && components != "xyz")
-      fail(*table->get("components"), "records.components: " + not_among(components, {"x", "xy", "xyz"}));
+    const std::string written = text("components");
+    const auto components = parse<Components>(written);
+    if (!components) fail(*table->get("components"), "records.components: " + not_among(written, words<Components>()));
     double period = 0;
     if (const auto *entry = table->get("sa_period_s")) {
       period = entry->value<double>().value_or(0);
       if (!(period >= 0.01 && period <= 100)) fail(*entry, "records.sa_period_s must be at least 0.01 and at most 100");
     }
-    parts_.records = record_cases(text("folder"), components, period, place(*table->get("folder")));
+    parts_.records = record_cases(text("folder"), *components, period, place(*table->get("folder")));
   }
 
   /// Files are sought beside the sweep file.
-  RecordCases record_cases(const std::string &folder, const std::string &components, double period,
+  RecordCases record_cases(const std::string &folder, Components components, double period,
                            const std::string &where) const {
     try {
       return cases_of_folder((std::filesystem::path(origin_).parent_path() / folder).string(), components, period);

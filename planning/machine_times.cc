@@ -87,8 +87,8 @@ void remember_times(const Plan &plan, const Summary &summary) {
   for (const auto &[part, seconds] : summary.time_split)
     if (part != "output") solving += seconds;
   const fs::path path = cache_file();
-  if (path.empty() || summary.status != "done" || summary.n_newton_iterations < fewest || summary.n_dofs <= 0 ||
-      !(solving > 0))
+  if (path.empty() || summary.status != RunStatus::done || summary.n_newton_iterations < fewest ||
+      summary.n_dofs <= 0 || !(solving > 0))
     return;
   const double unit = std::log(solving / summary.n_newton_iterations / summary.n_dofs);
   json cache = read_cache();

@@ -73,7 +73,7 @@ void BuildingRecorder::summarise(const BuildingSnapshot &last, std::optional<dou
   }
   extra["superstructure"] = {{"storeys", storeys}};
   if (!collapse_time) return;
-  summary.status = "stopped";
+  summary.status = RunStatus::stopped;
   summary.reason = fmt::format("the superstructure collapsed at t = {:.6g} s: its drift reached {:.6g} m, where "
                                "softening leaves it no strength",
                                *collapse_time, building_.collapse_drift);

@@ -130,7 +130,7 @@ ReducedRun quasi_static(const scene::Scene &given) {
   }
   summarise_response(run.response, run.summary);
   run.summary.energy = ledger;
-  run.summary.rung = "reduced";
+  run.summary.rung = SolvedBy::reduced;
   run.summary.n_dofs = 3;
   run.summary.n_steps = n;
   run.summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

@@ -44,10 +44,10 @@ void run(const Job &job, Response *response, Summary &summary) {
       summary.n_steps = end.n_steps, collapsed = end.collapsed;
     }
   } catch (const SolverStopped &stop) {
-    summary.status = "stopped", summary.reason = stop.what();
+    summary.status = RunStatus::stopped, summary.reason = stop.what();
   }
   recorder.summarise(summary, collapsed);
-  summary.rung = "reduced";
+  summary.rung = SolvedBy::reduced;
   summary.n_dofs = 3 * (1 + dynamics.building.n_floors());
   summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   summary.time_split["solve"] = summary.wall_time;

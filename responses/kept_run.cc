@@ -2,6 +2,7 @@
 
 #include "files/error.h"
 #include "files/file.h"
+#include "files/text.h"
 #include <array>
 #include <filesystem>
 #include <fmt/format.h>
@@ -104,6 +105,18 @@ nlohmann::json read_summary(const std::string &folder) {
   return summary;
 }
 
+std::string text_in(const nlohmann::json &summary, const char *key, const std::string &folder) {
+  if (!summary[key].is_string())
+    throw DataError(
+        fmt::format("{}/summary.json: {} is {}, not a word; was the file changed?", folder, key, summary[key].dump()));
+  return summary[key];
+}
+
+void refuse_word(const std::string &word, const std::vector<std::string> &known, const char *key,
+                 const std::string &folder) {
+  throw DataError(fmt::format("{}/summary.json: {} {}", folder, key, not_among(word, known)));
+}
+
 KeptRun kept_run(const std::string &folder, const scene::Scene &scene, const std::string &program) {
   const fs::path in = folder;
   KeptRun kept;
@@ -116,8 +129,9 @@ KeptRun kept_run(const std::string &folder, const scene::Scene &scene, const std
     kept.changed = "its summary.json is damaged";
     return kept;
   }
-  kept.status = summary.value("status", "");
-  kept.finite_elements = summary.value("rung", is_there(in / "checkpoint.h5") ? "rim" : "reduced") != "reduced";
+  kept.status = parse<RunStatus>(summary.value("status", ""));
+  const SolvedBy unsaid = is_there(in / "checkpoint.h5") ? SolvedBy::rim : SolvedBy::reduced;
+  kept.finite_elements = parse<SolvedBy>(summary.value("rung", word(unsaid))) != SolvedBy::reduced;
   const std::string here = scene::to_toml(scene), scene_file = (in / "scene.toml").string();
   if (is_there(scene_file) && read_file(scene_file) != here)
     kept.other_scene = scene_differences(kept_scene(scene_file), here);
@@ -136,11 +150,11 @@ KeptRun kept_run(const std::string &folder, const scene::Scene &scene, const std
   return kept;
 }
 
-std::string collection_in(const std::string &folder) {
-  for (const auto &[file, what] : {std::pair{"fleet.json", "a sweep"},
-                                   {"main.json", "a main job"},
-                                   {"study.json", "a study"},
-                                   {"geometry.json", "a geometry study"}})
+std::optional<Collection> collection_in(const std::string &folder) {
+  for (const auto &[file, what] : {std::pair{"fleet.json", Collection::sweep},
+                                   {"main.json", Collection::main_job},
+                                   {"study.json", Collection::study},
+                                   {"geometry.json", Collection::geometry_study}})
     if (is_there(fs::path(folder) / file)) return what;
   return {};
 }

@@ -1,5 +1,6 @@
 /// What a folder holds from an earlier run, and whether that is a result of the scene at hand.
 #pragma once
+#include "responses/choices.h"
 #include "responses/identity.h"
 #include <nlohmann/json.hpp>
 #include <string>
@@ -9,8 +10,8 @@ namespace rimpact {
 struct KeptRun {
   bool any = false; ///< there is a result or a checkpoint
   bool finite_elements = false;
-  std::string status;      ///< done | stopped | interrupted, whatever the run was of; empty: none that can be read
-  bool other_name = false; ///< its scene has another name: it is not the same one edited
+  std::optional<RunStatus> status; ///< whatever the run was of; empty: none that can be read
+  bool other_name = false;         ///< its scene has another name: it is not the same one edited
   std::string other_scene; ///< keys in which its scene differs, as scene_differences says them; empty: the same scene
   std::string
       changed; ///< why else it is no result of the scene now, e.g. "the file q.AT2 changed since"; empty: it is one
@@ -25,8 +26,28 @@ KeptRun kept_run(const std::string &folder, const scene::Scene &scene, const std
 /// damaged or a value has another type than INTERFACE says.
 nlohmann::json read_summary(const std::string &folder);
 
-/// What another kind of result stands in the folder, e.g. "a sweep"; empty: none, or a run.
-std::string collection_in(const std::string &folder);
+/// A text of a folder's summary.json. Throws DataError where the key holds something else.
+std::string text_in(const nlohmann::json &summary, const char *key, const std::string &folder);
+[[noreturn]] void refuse_word(const std::string &word, const std::vector<std::string> &known, const char *key,
+                              const std::string &folder);
+/// One of a table's words in a folder's summary.json; none: the key is not there. Throws DataError.
+template <Worded E>
+std::optional<E> word_in(const nlohmann::json &summary, const char *key, const std::string &folder) {
+  if (!summary.contains(key)) return {};
+  const std::string written = text_in(summary, key, folder);
+  if (const auto known = parse<E>(written)) return known;
+  refuse_word(written, words<E>(), key, folder);
+}
+
+/// A folder of many runs.
+enum class Collection { sweep, main_job, study, geometry_study };
+constexpr auto choices(Collection) {
+  using enum Collection;
+  return choices_of<Collection>(
+      {{sweep, "a sweep"}, {main_job, "a main job"}, {study, "a study"}, {geometry_study, "a geometry study"}});
+}
+/// What stands in the folder; empty: no collection, or a run.
+std::optional<Collection> collection_in(const std::string &folder);
 
 /// Removes what runs leave (results, checkpoint, fields, pictures, report), but for scene.toml, which may be what is
 /// run; other files stay. Throws IoError.

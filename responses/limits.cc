@@ -49,7 +49,7 @@ json beyond_fit(const scene::Scene &scene, Summary &summary) {
     if (speed >= from.value_or(0) * (1 - slack) && speed <= to.value_or(1e300) * (1 + slack)) continue;
     ++beyond, slowest = std::min(slowest, speed), fastest = std::max(fastest, speed);
   }
-  if (beyond > 0 && summary.rung == "reduced") {
+  if (beyond > 0 && summary.rung == SolvedBy::reduced) {
     const std::string range = from && to ? fmt::format("{:g} to {:g} m/s", *from, *to)
                               : from     ? fmt::format("{:g} m/s upwards", *from)
                                          : fmt::format("up to {:g} m/s", *to);

@@ -122,20 +122,20 @@ nlohmann::json to_json(const Summary &s) {
                       {"min_normal_force_N", or_null(s.min_normal_force)},
                       {"max_plastic_strain", or_null(s.max_plastic_strain)},
                       {"energy", s.energy ? to_json(*s.energy) : nlohmann::json(nullptr)},
-                      {"rung", s.rung},
+                      {"rung", word(s.rung)},
                       {"mesh", or_null(s.mesh)},
                       {"n_dofs", s.n_dofs},
                       {"n_steps", s.n_steps},
                       {"n_newton_iterations", s.n_newton_iterations},
                       {"wall_time_s", s.wall_time},
                       {"peak_memory_bytes", s.peak_memory_bytes},
-                      {"status", s.status}};
+                      {"status", word(s.status)}};
   for (const auto &impact : s.impacts) json["impacts"].push_back(to_json(impact));
   for (const char *part : {"search", "assembly", "factor", "solve", "output"}) {
     const auto found = s.time_split.find(part);
     json["time_split_s"][part] = found == s.time_split.end() ? 0.0 : found->second;
   }
-  if (s.status != "done") json["reason"] = s.reason;
+  if (s.status != RunStatus::done) json["reason"] = s.reason;
   if (s.extra.is_object()) json.update(s.extra);
   return json;
 }

@@ -1,5 +1,6 @@
 /// What summary.json holds (INTERFACE). Peaks are of the horizontal norm.
 #pragma once
+#include "responses/choices.h"
 #include "responses/response.h"
 #include "scene/scene.h"
 #include <nlohmann/json.hpp>
@@ -34,13 +35,13 @@ struct Summary {
   std::optional<double> peak_impact_force, min_normal_force, max_plastic_strain;
   std::vector<Impact> impacts;
   std::optional<EnergyLedger> energy;
-  std::string rung = "reduced";
+  SolvedBy rung = SolvedBy::reduced;
   std::optional<int> mesh;
   long n_dofs = 0, n_steps = 0, n_newton_iterations = 0;
   std::map<std::string, double> time_split; ///< search, assembly, factor, solve, output [s]
   double wall_time = 0;                     ///< [s]
   long peak_memory_bytes = 0;
-  std::string status = "done"; ///< done | stopped | interrupted
+  RunStatus status = RunStatus::done;
   std::string reason;
   nlohmann::json extra = nlohmann::json::object(); ///< further keys, merged in (plan, warnings, ...)
 };

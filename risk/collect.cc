@@ -84,7 +84,8 @@ ResponseSet collect(const Study &study, const std::string &folder, const Motions
       throw DataError(path + ": a row has no record or no variable.level_g; is it of another version?");
     ResponseLevel &level = levels[intensity];
     level.intensity_g = intensity;
-    const auto end = fleets::run_end(columns.text(row, "status"), columns.text(row, "reason"));
+    const auto end =
+        fleets::run_end(parse<fleets::RowStatus>(columns.text(row, "status")), columns.text(row, "reason"));
     if (end == fleets::RunEnd::without_result) {
       ++level.n_without_result;
       continue;

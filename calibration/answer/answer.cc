@@ -45,19 +45,24 @@ void add_doubts_of_fit(Answer &answer) {
 }
 
 void name_sources(const Calibration &c, Answer &answer, const std::vector<LawError> &fitted) {
-  std::set<std::string> sources, rungs;
+  std::set<std::string> rungs;
   std::set<int> meshes;
   for (const auto &e : fitted) {
     const RunFacts &f = c.facts.at(e.folder);
-    sources.insert(f.source);
-    rungs.insert(f.source == "finite elements" ? f.rung : f.source == "measured" ? "measured" : "reduced");
+    answer.sources.insert(f.source);
+    rungs.insert(f.rung ? word(*f.rung) : f.source == RunSource::measured ? word(f.source) : word(SolvedBy::reduced));
     if (f.mesh) meshes.insert(*f.mesh);
   }
-  for (const auto &source : sources) answer.source += (answer.source.empty() ? "" : " and ") + source;
   answer.rungs.assign(rungs.begin(), rungs.end()), answer.meshes.assign(meshes.begin(), meshes.end());
 }
 
 } // namespace
+
+std::string Answer::source() const {
+  std::string text;
+  for (const RunSource source : sources) text += (text.empty() ? "" : " and ") + word(source);
+  return text;
+}
 
 std::optional<AnswerStrain> answer_strain(const Calibration &c, const Runs &runs) {
   AnswerStrain s;
@@ -95,11 +100,10 @@ AnswerMeshError answer_mesh_error(const Calibration &c, const Runs &runs) {
   bool known = true;
   for (const StoredRun *run : runs) {
     const RunFacts &f = c.facts.at(run->folder);
-    if (f.source != "finite elements" || run->impacts.empty()) continue;
+    if (!f.rung || run->impacts.empty()) continue;
     if (studies.empty()) studies = studies_near(run->folder);
     scene::Scene scene = run->scene;
-    scene.model.rung = parse<scene::Rung>(f.rung).value_or(scene.model.rung),
-    scene.model.mesh = f.mesh.value_or(scene.model.mesh);
+    scene.model.rung = *f.rung, scene.model.mesh = f.mesh.value_or(scene.model.mesh);
     const auto estimate = error_estimate(scene, run->summary, studies, {run->folder, f.seconds});
     if (!estimate.contains("peak_force_relative") || !estimate["peak_force_relative"].is_number()) {
       if (known) error.sentence = fmt::format("The error of the mesh is {}.", estimate.value("none", "unknown"));

@@ -6,8 +6,22 @@
 /// holds for any supported mass; one whose dashpot is 2 xi sqrt(k_i m) holds for the mass it was fitted at.
 #pragma once
 #include "calibration/answer/calibration.h"
+#include <set>
 
 namespace rimpact::calibration {
+
+/// Why the answer's law is this one.
+enum class ChosenBy { ranking, user, only };
+constexpr auto choices(ChosenBy) {
+  return choices_of<ChosenBy>({{ChosenBy::ranking, "ranking", "it leaves least of the laws that hold"},
+                               {ChosenBy::user, "user", "asked for"},
+                               {ChosenBy::only, "only", "there is no other"}});
+}
+/// Of which runs an error is.
+enum class ErrorFrom { left_out, fitted };
+constexpr auto choices(ErrorFrom) {
+  return choices_of<ErrorFrom>({{ErrorFrom::left_out, "left out"}, {ErrorFrom::fitted, "fitted"}});
+}
 
 /// Largest absolute relative errors of runs left out of the fit one at a time [-].
 struct WorstErrors {
@@ -16,8 +30,8 @@ struct WorstErrors {
 };
 
 struct AnswerLaw {
-  FitResult result;                           ///< what was fitted
-  std::string chosen_by;                      ///< ranking | user | only
+  FitResult result; ///< what was fitted
+  ChosenBy chosen_by = ChosenBy::only;
   std::string remark;                         ///< where the user's choice is not the best; else empty
   bool of_the_mass = false;                   ///< holds for Answer::scene.load.mass only; else it belongs to the rim
   double fitted_from = 0, fitted_to = 0;      ///< approach speeds of the impacts fitted [m/s]
@@ -37,7 +51,7 @@ struct AnswerRow {
   double restitution = 0, contact_time = 0; ///< [-], [s]
   std::optional<double> k_i, e;             ///< of the pair_law's pair with this peak force and rebound [N/m], [-]
   std::optional<double> peak_force_error, rebound_error; ///< of the law, absolute relative; see errors_at()
-  std::string error_from;                                ///< left out | fitted
+  ErrorFrom error_from = ErrorFrom::fitted;
 };
 
 struct StrainRow {
@@ -58,9 +72,10 @@ struct AnswerMeshError {
 };
 
 struct Answer {
-  scene::Scene scene;               ///< the fitted runs' bearing and load, with the law and every number it reads
-  std::string rim_identity, source; ///< finite elements | measured | reduced model; mixed: joined by "and"
-  std::vector<std::string> rungs;   ///< of the runs fitted: rim, rigid-dish, full, or "measured"
+  scene::Scene scene; ///< the fitted runs' bearing and load, with the law and every number it reads
+  std::string rim_identity;
+  std::set<RunSource> sources;    ///< of the runs fitted
+  std::vector<std::string> rungs; ///< of the runs fitted: rim, rigid-dish, full, or "measured"
   std::vector<int> meshes;
   AnswerLaw law;
   std::vector<AnswerRow> table; ///< five speeds in equal ratios over the speeds fitted
@@ -72,6 +87,7 @@ struct Answer {
   AnswerMeshError mesh_error;
   std::vector<std::string> doubts; ///< sentences
   std::string validity;            ///< the one sentence for headers and exports
+  std::string source() const;      ///< the sources' words, joined by "and"
 };
 
 /// The error of the law at a speed, from runs by speed: linear in the logarithm of the speed between the two enclosing

@@ -46,11 +46,12 @@ const LawRow *best_valid(const LawRanking &ranking) {
 Choice choose(const Calibration &c, const CalibrationOptions &options, const std::vector<const StoredRun *> &fitted) {
   const LawRow *best = best_valid(c.laws);
   const std::string &law = options.fit.law;
-  if (best && law.empty()) return {*best, c.laws.rows.size() > 1 ? "ranking" : "only", {}};
+  if (best && law.empty()) return {*best, c.laws.rows.size() > 1 ? ChosenBy::ranking : ChosenBy::only, {}};
   const auto ranked =
       std::find_if(c.laws.rows.begin(), c.laws.rows.end(), [&](const auto &row) { return row.result.law == law; });
   const bool as_ranked = ranked != c.laws.rows.end() && fits_all_of(law, options.fit);
-  Choice choice{as_ranked ? *ranked : judged(fitted, options.fit, c.result), law.empty() ? "only" : "user", {}};
+  Choice choice{
+      as_ranked ? *ranked : judged(fitted, options.fit, c.result), law.empty() ? ChosenBy::only : ChosenBy::user, {}};
   if (best && best->result.law != choice.row.result.law) choice.remark = better(*best, choice.row, c.laws.tolerance);
   return choice;
 }

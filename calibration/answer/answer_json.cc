@@ -24,7 +24,7 @@ json law_json(const AnswerLaw &law, const scene::Scene &scene) {
              {"rebound", number(law.worst_left_out->rebound)},
              {"inside_valid_range", law.worst_left_out->inside_valid_range}};
   return {{"name", law.result.law},
-          {"chosen_by", law.chosen_by},
+          {"chosen_by", word(law.chosen_by)},
           {"remark", text_or_null(law.remark)},
           {"belongs_to", law.of_the_mass ? "mass" : "rim"},
           {"parameters", parameters_json(law.result)},
@@ -51,7 +51,7 @@ json row_json(const AnswerRow &row) {
           {"e", number(row.e)},
           {"peak_force_error", number(row.peak_force_error)},
           {"rebound_error", number(row.rebound_error)},
-          {"error_from", row.error_from},
+          {"error_from", word(row.error_from)},
           {"inside_fit", true}};
 }
 
@@ -99,7 +99,7 @@ json to_json(const Answer &a) {
           {"mass_kg", a.scene.load.mass},
           {"vertical_kN", a.scene.load.vertical / 1e3},
           {"gravity_m_per_s2", a.scene.load.gravity},
-          {"source", a.source},
+          {"source", a.source()},
           {"law", law_json(a.law, a.scene)},
           {"table", table},
           {"pair_law", a.pair_law},

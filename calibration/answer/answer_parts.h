@@ -7,7 +7,8 @@ namespace rimpact::calibration {
 /// A law's row of the ranking (or of the one fit there is) as the answer.
 struct Choice {
   LawRow row;
-  std::string chosen_by, remark; ///< as in AnswerLaw
+  ChosenBy chosen_by; ///< this and the remark as in AnswerLaw
+  std::string remark;
 };
 /// Of rows that leave less and less, the one that leaves least among those met at two neighbouring runs left out or
 /// more; where none is, the one that leaves least. nullptr: no row.

@@ -63,9 +63,9 @@ std::string where(const AnswerLaw &law) {
 std::string made_by(const Answer &answer) {
   const int n = answer.law.n_runs;
   const char *plural = n == 1 ? "" : "s";
-  if (answer.source == "measured") return fmt::format("{} measured curve{}", n, plural);
-  std::string text = fmt::format("{} run{} by {}", n, plural, answer.source);
-  if (answer.source != "finite elements") return text;
+  if (answer.sources == std::set{RunSource::measured}) return fmt::format("{} measured curve{}", n, plural);
+  std::string text = fmt::format("{} run{} by {}", n, plural, answer.source());
+  if (answer.sources != std::set{RunSource::finite_elements}) return text;
   const char *before = " (rung ";
   for (const auto &rung : answer.rungs) text += before + rung, before = ", ";
   before = ", mesh ";

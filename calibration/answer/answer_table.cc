@@ -40,7 +40,7 @@ AnswerRow row_of(const scene::Scene &answer, const AnswerLaw &law, double speed)
   if (const auto pair = no_tension_pair(row.peak_force, row.restitution, speed, answer.load.mass))
     row.k_i = pair->k_i, row.e = pair->e;
   const auto &errors = law.left_out.empty() ? law.fitted : law.left_out;
-  row.error_from = law.left_out.empty() ? "fitted" : "left out";
+  row.error_from = law.left_out.empty() ? ErrorFrom::fitted : ErrorFrom::left_out;
   row.peak_force_error = errors_at(speed, errors, &LawError::peak_force);
   row.rebound_error = errors_at(speed, errors, &LawError::rebound);
   return row;

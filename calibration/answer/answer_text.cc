@@ -71,7 +71,8 @@ std::string describe(const Answer &a) {
                         e.interval_low, e.interval_high, e.identifiable ? "" : "  NOT IDENTIFIABLE: " + e.reason);
   text += fmt::format("one impact of {:.6g} kg by this law (errors of runs {}), and the pair k_i, e of law {} that "
                       "returns the same at that speed\n",
-                      a.scene.load.mass, a.table.empty() ? "fitted" : a.table.front().error_from, a.pair_law);
+                      a.scene.load.mass, word(a.table.empty() ? ErrorFrom::fitted : a.table.front().error_from),
+                      a.pair_law);
   text += "      m/s   peak kN      off  rebound      off  depth mm   time ms  k_i kN/m         e\n";
   for (const auto &row : a.table) text += row_text(row);
   text += (a.pair ? a.pair->sentence : a.no_pair) + "\n";

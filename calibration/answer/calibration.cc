@@ -113,7 +113,7 @@ Calibration calibrate(const std::vector<std::string> &run_folders, const Calibra
   require_impacts(runs, options.fit);
 
   const auto windows = select(runs, true), histories = select(runs, false);
-  c.fitted_on = histories.empty() ? "windows" : "histories";
+  c.fitted_on = histories.empty() ? FittedOn::windows : FittedOn::histories;
   const auto &fitted = histories.empty() ? windows : histories;
   c.result = fit(fitted, options.fit);
   c.scene = with_fitted(fitted.front()->scene, c.result);

@@ -45,10 +45,16 @@ struct RunCheck {
   std::vector<std::string> notes;
 };
 
+/// Whole motions, or single impacts where there is no motion.
+enum class FittedOn { histories, windows };
+constexpr auto choices(FittedOn) {
+  return choices_of<FittedOn>({{FittedOn::histories, "histories"}, {FittedOn::windows, "windows"}});
+}
+
 struct Answer;
 struct Calibration {
   FitResult result;
-  std::string fitted_on;                           ///< "histories" | "windows"
+  FittedOn fitted_on = FittedOn::histories;
   std::map<std::string, RunCheck> fit, prediction; ///< by run folder
   std::optional<WindowsTable> windows;
   std::vector<SpeedLaw> speed_laws;

@@ -114,7 +114,7 @@ json to_json(const Calibration &c) {
                         {"e", {{"value", published_e}, {"unit", "-"}}},
                         {"source", "thesis 2.5.3, for shfps-225"}};
   out["answer"] = to_json(*c.answer);
-  out["fitted_on"] = c.fitted_on;
+  out["fitted_on"] = word(c.fitted_on);
   out["windows"] = c.windows ? windows_json(*c.windows) : json(nullptr);
   out["laws"] = laws_json(c.laws);
   out["constant_pair"] = c.pair_range ? pair_range_json(*c.pair_range) : json(nullptr);

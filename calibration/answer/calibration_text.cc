@@ -1,5 +1,6 @@
 #include "calibration/answer/answer.h"
 #include "calibration/answer/calibration_json.h"
+#include "calibration/fit/parameter.h"
 #include "reduced_models/impact_law.h"
 #include <fmt/format.h>
 
@@ -28,7 +29,7 @@ std::string describe(const Calibration &c) {
     return v ? fmt::format("{:+8.1f} %", 100 * *v) : "         -";
   };
   std::string text = c.answer ? describe(*c.answer) + "\n" : "";
-  text += fmt::format("{} fitted on {} ({} impacts, {} starts)\n", c.result.law, c.fitted_on, c.result.n_impacts,
+  text += fmt::format("{} fitted on {} ({} impacts, {} starts)\n", c.result.law, word(c.fitted_on), c.result.n_impacts,
                       c.result.n_starts);
   for (const auto &name : c.result.names) {
     const auto &e = c.result.parameters.at(name);
@@ -47,9 +48,9 @@ std::string describe(const Calibration &c) {
   section("predicted runs", c.prediction);
   if (c.windows) text += c.windows->sentence + "\n";
   for (const auto &law : c.speed_laws)
-    text += fmt::format("{} = {:.4g}{} (v / 1 m/s)^{:.3f} from {:.2g} to {:.2g} m/s, within {:.1f} %\n", law.name,
-                        law.coefficient, law.unit == "-" ? "" : " " + law.unit, law.exponent, law.from, law.to,
-                        100 * law.largest_error);
+    text +=
+        fmt::format("{} = {:.4g}{} (v / 1 m/s)^{:.3f} from {:.2g} to {:.2g} m/s, within {:.1f} %\n", law.name,
+                    law.coefficient, unit_behind(law.unit), law.exponent, law.from, law.to, 100 * law.largest_error);
   text += describe(c.laws);
   for (const auto &r : c.grazing)
     text +=

@@ -34,7 +34,7 @@ json parameters_json(const FitResult &result) {
                  {"standard_error", number(e.standard_error)},
                  {"interval_95", {number(e.interval_low), number(e.interval_high)}},
                  {"identifiable", e.identifiable},
-                 {"verdict", e.verdict},
+                 {"verdict", word(e.verdict)},
                  {"stated_error", number(e.stated_error)},
                  {"at_bound", e.at_bound},
                  {"reason", e.reason.empty() ? json(nullptr) : json(e.reason)}};

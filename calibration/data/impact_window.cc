@@ -47,14 +47,6 @@ void require(bool ok, const std::string &name, double value, const std::string &
 }
 
 /// A word of summary.json; `otherwise` where it has none.
-std::string text_of(const nlohmann::json &summary, const char *key, const char *otherwise, const std::string &folder) {
-  if (!summary.contains(key)) return otherwise;
-  if (!summary[key].is_string())
-    throw DataError(
-        fmt::format("{}/summary.json: {} is {}, not a word; was the file changed?", folder, key, summary[key].dump()));
-  return summary[key];
-}
-
 } // namespace
 
 void WindowOptions::validate() const {
@@ -123,14 +115,14 @@ StoredRun read_run(const std::string &folder, const WindowOptions &options) {
     throw DataError(folder + ": no scene.toml, so its bearing and load are unknown");
   auto scene = scene::load_scene((fs::path(folder) / "scene.toml").string());
   const nlohmann::json summary = read_summary(folder);
-  const std::string rung = text_of(summary, "rung", "", folder), status = text_of(summary, "status", "done", folder);
+  const auto solver = word_in<SolvedBy>(summary, "rung", folder);
   // The reference has the pad's and the socket's terms by itself; what is fitted to it must have them too.
-  if (rung == "rigid-dish" || rung == "full") reduced::add_stack_terms(scene);
+  if (solver && rung_of(*solver).value_or(scene::Rung::rim) != scene::Rung::rim) reduced::add_stack_terms(scene);
   StoredRun run = make_run(folder, scene, read_response(folder), options);
-  run.summary.status = status;
-  if (!rung.empty()) run.summary.rung = rung;
-  if (run.summary.status != "done")
-    run.notes.push_back(fmt::format("the run is {}: only what it holds is used", run.summary.status));
+  run.summary.status = word_in<RunStatus>(summary, "status", folder).value_or(RunStatus::done);
+  run.summary.rung = solver.value_or(SolvedBy::reduced);
+  if (run.summary.status != RunStatus::done)
+    run.notes.push_back(fmt::format("the run is {}: only what it holds is used", word(run.summary.status)));
   return run;
 }
 

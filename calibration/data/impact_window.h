@@ -85,6 +85,14 @@ struct ImpactWindow {
 };
 
 /// A stored run with its impacts. A `window` run is one isolated impact at a given speed.
+/// What made a run; several are named in this order.
+enum class RunSource { finite_elements, measured, reduced_model };
+constexpr auto choices(RunSource) {
+  using enum RunSource;
+  return choices_of<RunSource>(
+      {{finite_elements, "finite elements"}, {measured, "measured"}, {reduced_model, "reduced model"}});
+}
+
 struct StoredRun {
   std::string folder;
   scene::Scene scene;

@@ -1,4 +1,5 @@
 #include "calibration/export/exported_rim.h"
+#include "calibration/answer/answer.h"
 #include "calibration/export/statement.h"
 #include "calibration/fit/parameter.h"
 #include "files/error.h"
@@ -74,7 +75,7 @@ Source pair_of(const json &answer) {
   }
   json law = {
       {"name", pair.value("law", json("no-tension"))},
-      {"chosen_by", "user"},
+      {"chosen_by", word(ChosenBy::user)},
       {"belongs_to", "mass"},
       {"remark",
        "A constant pair is a convenience for one mass and the speeds named; the calibration's answer is the law."}};
@@ -105,7 +106,7 @@ Source ranked(const json &calibration, const json &answer, const std::string &na
     known.push_back(plain_text(law_name.get<std::string>()));
     if (law_name != name) continue;
     const bool of_mass = name == "signed" || name == "no-tension" || name == "printed";
-    json law = {{"name", name}, {"chosen_by", "user"}, {"belongs_to", of_mass ? "mass" : "rim"}};
+    json law = {{"name", name}, {"chosen_by", word(ChosenBy::user)}, {"belongs_to", of_mass ? "mass" : "rim"}};
     law["parameters"] = row.value("parameters", json::object());
     law["element"] = row.value("element", row.value("parameters", json::object()));
     scene::Scene defaults;

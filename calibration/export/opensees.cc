@@ -13,7 +13,7 @@ std::string exact(double value) {
 }
 
 OpenSeesRim elastoplastic(const ExportedRim &rim) {
-  OpenSeesRim out{.springs = gap_springs(rim), .material = "", .values = {}, .check = {}, .notes = {}};
+  OpenSeesRim out{.springs = gap_springs(rim), .material = {}, .values = {}, .check = {}, .notes = {}};
   out.check = self_check(
       rim, "four ElasticPPGap in parallel", [&](double) { return std::make_unique<GapSpringsContact>(out.springs); },
       total_stiffness(out.springs));
@@ -26,7 +26,7 @@ OpenSeesRim elastoplastic(const ExportedRim &rim) {
 
 OpenSeesRim dashpot(const ExportedRim &rim) {
   const auto element = rim.element();
-  OpenSeesRim out{.springs = {}, .material = "ViscoelasticGap", .values = {}, .check = {}, .notes = {}};
+  OpenSeesRim out{.springs = {}, .material = RimMaterial::viscoelastic_gap, .values = {}, .check = {}, .notes = {}};
   out.values = {{"k_i", exact(element.stiffness), "N/m"},
                 {"c_i", exact(element.damping), "N s/m, 2 xi sqrt(k_i m1), m2 infinite"}};
   out.check = self_check(
@@ -45,7 +45,7 @@ OpenSeesRim hertzdamp(const ExportedRim &rim) {
   const auto element = rim.element();
   const double d = reduced::hunt_crossley_penetration, K = element.stiffness * std::pow(d, 1 - element.exponent),
                xi = element.dissipation * rim.settings.reference_speed;
-  OpenSeesRim out{.springs = {}, .material = "Hertzdamp", .values = {}, .check = {}, .notes = {}};
+  OpenSeesRim out{.springs = {}, .material = RimMaterial::hertzdamp, .values = {}, .check = {}, .notes = {}};
   out.values = {{"K_h", exact(K), "N/m^n"},
                 {"xi_norm", exact(xi), "chi times the reference speed"},
                 {"exponent", exact(element.exponent), "n"}};
@@ -103,7 +103,7 @@ std::string rim_variables(const Language &in, const ExportedRim &rim, const Open
          "slope beyond yield over rim_stiffness");
   }
   for (const auto &[name, value, what] : r.values) line(name, value, what);
-  if (!r.material.empty() && r.values.size() == 2)
+  if (r.material && r.values.size() == 2)
     line("restitution", exact(rim.settings.restitution), "e, from which c_i is made");
   return text;
 }
@@ -353,8 +353,8 @@ std::string opensees_tcl(const ExportedRim &rim, const OpenSeesRim &r, const std
   if (!r.springs.empty())
     text += tcl_springs_elastoplastic;
   else {
-    const bool hertz = r.material == "Hertzdamp";
-    text += fmt::format(tcl_springs_one, hertz ? "K_h xi_norm exponent" : "k_i c_i", r.material,
+    const bool hertz = r.material == RimMaterial::hertzdamp;
+    text += fmt::format(tcl_springs_one, hertz ? "K_h xi_norm exponent" : "k_i c_i", word(*r.material),
                         hertz ? "$K_h $xi_norm [expr {-$lateral_capacity}] $exponent"
                               : "$k_i $c_i [expr {-$lateral_capacity}]");
   }
@@ -373,9 +373,9 @@ std::string opensees_python(const ExportedRim &rim, const OpenSeesRim &r, const 
   if (!r.springs.empty())
     text += python_springs_elastoplastic;
   else
-    text += fmt::format(python_springs_one, r.material,
-                        r.material == "Hertzdamp" ? "K_h, xi_norm, -lateral_capacity, exponent"
-                                                  : "k_i, c_i, -lateral_capacity");
+    text += fmt::format(python_springs_one, word(*r.material),
+                        r.material == RimMaterial::hertzdamp ? "K_h, xi_norm, -lateral_capacity, exponent"
+                                                             : "k_i, c_i, -lateral_capacity");
   if (!dish) return text;
   text += std::string(python_anchor) + python_slider + (dish->sphere ? python_sphere : python_table);
   return text + fmt::format(python_bearing, r.springs.empty() ? "rim_springs(ops, tag + 10, tag + 2, plate, slider)"

@@ -13,10 +13,16 @@
 
 namespace rimpact::calibration {
 
+/// OpenSees' name of a uniaxial material.
+enum class RimMaterial { viscoelastic_gap, hertzdamp };
+constexpr auto choices(RimMaterial) {
+  return choices_of<RimMaterial>(
+      {{RimMaterial::viscoelastic_gap, "ViscoelasticGap"}, {RimMaterial::hertzdamp, "Hertzdamp"}});
+}
 /// The rim's materials, the same for both languages.
 struct OpenSeesRim {
   std::vector<GapSpring> springs;                 ///< elastoplastic; else empty
-  std::string material;                           ///< ViscoelasticGap | Hertzdamp; empty for elastoplastic
+  std::optional<RimMaterial> material;            ///< empty for elastoplastic
   std::vector<std::array<std::string, 3>> values; ///< name, number, what it is, in the order the material takes them
   SelfCheck check;
   std::vector<std::string> notes; ///< how far the material is the law

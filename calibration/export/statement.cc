@@ -1,4 +1,5 @@
 #include "calibration/export/statement.h"
+#include "calibration/fit/parameter.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -37,7 +38,7 @@ std::string percent(const std::optional<double> &value) {
 std::string parameter_line(const std::string &name, const json &fitted) {
   const std::string unit = text(fitted, "unit");
   std::string line = fmt::format("Fitted: {} = {:.4g}{}", name, number_at(fitted, "value", plain_text(name).c_str()),
-                                 unit == "-" || unit.empty() ? "" : " " + unit);
+                                 unit_behind(unit));
   const json interval = fitted.value("interval_95", json());
   if (interval.is_array() && interval.size() == 2 && interval[0].is_number() && interval[1].is_number())
     line += fmt::format(", 95 % interval {:.4g} to {:.4g}", interval[0].get<double>(), interval[1].get<double>());

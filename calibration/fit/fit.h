@@ -54,15 +54,33 @@ struct FitOptions {
   void validate() const; ///< throws InputError naming option, value and bound
 };
 
+/// What the data say of a parameter.
+enum class Verdict {
+  determined,
+  grazing, ///< every impact only grazes the rim
+  bound,   ///< it ended at one of its bounds
+  flat,    ///< the data leave it open
+  noise,   ///< the record's noise hides it
+  form     ///< determined, but the law does not follow the data
+};
+constexpr auto choices(Verdict) {
+  using enum Verdict;
+  return choices_of<Verdict>({{determined, "determined"},
+                              {grazing, "grazing"},
+                              {bound, "bound"},
+                              {flat, "flat"},
+                              {noise, "noise"},
+                              {form, "form"}});
+}
+
 struct Estimate {
   double value = 0, standard_error = 0;       ///< reported unit
   double stated_error = 0;                    ///< standard error from the stated uncertainties alone
   double interval_low = 0, interval_high = 0; ///< 95 %
   bool identifiable = true;
   bool at_bound = false;
-  std::string reason;  ///< when not identifiable
-  std::string verdict; ///< determined | form (determined, but the law does not follow) | noise (of the record hides it)
-                       ///< | flat | bound | grazing
+  std::string reason; ///< when not identifiable
+  Verdict verdict = Verdict::determined;
 };
 
 struct FitResult {

@@ -11,9 +11,9 @@ namespace {
 
 using nlohmann::json;
 
-std::string source_of(const StoredRun &run) {
-  if (is_mapping(run.folder)) return "measured";
-  return run.summary.rung == "reduced" ? "reduced model" : "finite elements";
+RunSource source_of(const StoredRun &run) {
+  if (is_mapping(run.folder)) return RunSource::measured;
+  return run.summary.rung == SolvedBy::reduced ? RunSource::reduced_model : RunSource::finite_elements;
 }
 
 /// Last instant with force [s]; the first instant where there is none.
@@ -86,7 +86,7 @@ void write_curves(const ImpactCurves &curves, const std::string &folder) {
   json impacts = json::array();
   for (const auto &c : curves.impacts)
     impacts.push_back({{"run", c.run},
-                       {"source", c.source},
+                       {"source", word(c.source)},
                        {"touch_time_s", c.touch_time},
                        {"approach_speed_m_s", c.approach_speed},
                        {"fitted", c.fitted},

@@ -14,7 +14,8 @@ struct Curve {
   std::vector<double> time, penetration, force; ///< [s], [m], [N]
 };
 struct ImpactCurve {
-  std::string run, source;           ///< folder or mapping file; "measured" | "finite elements" | "reduced model"
+  std::string run; ///< folder or mapping file
+  RunSource source;
   double touch_time, approach_speed; ///< [s] in the run's own time, [m/s]
   bool fitted, grazing;
   Curve reference, law;

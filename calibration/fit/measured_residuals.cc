@@ -26,7 +26,7 @@ public:
       count_samples();
     else
       count_curves(run, u, options.weights);
-    add_group("start", n_nuisance(), std::sqrt(n_nuisance()), 1);
+    add_group(Compared::start, n_nuisance(), std::sqrt(n_nuisance()), 1);
     last_group().noise = 1;
   }
 
@@ -82,23 +82,24 @@ private:
   void count_curves(const StoredRun &run, const Uncertainty &u, const Weights &w) {
     const double force = u.force * run.peak_force(), speed = u.speed * run.approach_speed();
     const double travel_noise = m_.sigma_displacement * std::sqrt(m_.inflation);
-    force_ = group("force", n_pressed_, w.force, force, m_.sigma_force, m_.freedom_force);
-    displacement_ = group("displacement", n_travelled_, w.displacement,
+    force_ = group(Compared::force, n_pressed_, w.force, force, m_.sigma_force, m_.freedom_force);
+    displacement_ = group(Compared::displacement, n_travelled_, w.displacement,
                           u.displacement * run.scene.bearing.lateral_capacity(), travel_noise, m_.freedom_displacement);
     if (!m_.rebound.weights.empty())
-      rebound_ = group("rebound", 1, w.rebound, speed, travel_noise * std::sqrt(variance_gain(m_.rebound)),
+      rebound_ = group(Compared::rebound, 1, w.rebound, speed, travel_noise * std::sqrt(variance_gain(m_.rebound)),
                        m_.freedom_displacement);
     if (!m_.peak.weights.empty())
-      peak_ = group("peak", 1, w.peak, force, m_.sigma_force * std::sqrt(variance_gain(m_.peak)), m_.freedom_force);
+      peak_ =
+          group(Compared::peak, 1, w.peak, force, m_.sigma_force * std::sqrt(variance_gain(m_.peak)), m_.freedom_force);
   }
   /// Every sample is an observation; what peak and rebound say is in them.
   void count_samples() {
-    force_ = group("force", n_pressed_, std::sqrt(n_pressed_), 0, m_.sigma_force, m_.freedom_force);
-    displacement_ = group("displacement", n_travelled_, std::sqrt(n_travelled_), 0,
+    force_ = group(Compared::force, n_pressed_, std::sqrt(n_pressed_), 0, m_.sigma_force, m_.freedom_force);
+    displacement_ = group(Compared::displacement, n_travelled_, std::sqrt(n_travelled_), 0,
                           m_.sigma_displacement * std::sqrt(m_.inflation), m_.freedom_displacement);
   }
-  double group(const char *name, int count, double weight, double stated, double noise, double freedom) {
-    const double scale = add_group(name, count, weight, std::hypot(stated, noise));
+  double group(Compared kind, int count, double weight, double stated, double noise, double freedom) {
+    const double scale = add_group(kind, count, weight, std::hypot(stated, noise));
     if (scale > 0) last_group().noise = std::pow(scale * noise, 2), last_group().freedom = freedom;
     return scale;
   }
@@ -110,10 +111,10 @@ private:
   Rows places() const {
     Rows rows;
     for (const auto &g : groups()) {
-      if (g.name == "force") rows.force = g.first;
-      if (g.name == "displacement") rows.displacement = g.first;
-      if (g.name == "rebound") rows.rebound = g.first;
-      if (g.name == "peak") rows.peak = g.first;
+      if (g.kind == Compared::force) rows.force = g.first;
+      if (g.kind == Compared::displacement) rows.displacement = g.first;
+      if (g.kind == Compared::rebound) rows.rebound = g.first;
+      if (g.kind == Compared::peak) rows.peak = g.first;
     }
     return rows;
   }

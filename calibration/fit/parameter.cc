@@ -59,4 +59,8 @@ const Parameter &parameter(const std::string &name) {
   throw InputError("parameter to fit: " + not_among(name, known));
 }
 
+std::string unit_behind(const std::string &unit) {
+  return unit.empty() || unit == no_unit ? "" : " " + unit;
+}
+
 } // namespace rimpact::calibration

@@ -17,8 +17,12 @@ struct Parameter {
   double (*get)(const scene::Scene &);       ///< SI
   void (*set)(scene::Scene &, double value); ///< SI
 };
+inline constexpr const char *no_unit = "-";
 const std::vector<Parameter> &parameter_catalogue();
 /// Throws InputError naming the known parameters and the nearest.
 const Parameter &parameter(const std::string &name);
+
+/// " kN/m", to stand behind a number; empty for "-", a number without a unit.
+std::string unit_behind(const std::string &unit);
 
 } // namespace rimpact::calibration

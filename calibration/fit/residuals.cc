@@ -5,9 +5,9 @@
 
 namespace rimpact::calibration {
 
-double ResidualBlock::add_group(const std::string &name, int count, double weight, double sigma) {
+double ResidualBlock::add_group(Compared kind, int count, double weight, double sigma) {
   if (weight == 0 || count == 0) return 0;
-  groups_.push_back({name, size(), count, weight});
+  groups_.push_back({kind, size(), count, weight});
   return weight / (sigma * std::sqrt(static_cast<double>(count)));
 }
 
@@ -25,12 +25,12 @@ public:
     const Uncertainty u = run.uncertainty.value_or(options.uncertainty);
     const auto &w = options.weights;
     const double force = u.force * run.peak_force(), speed = u.speed * run.approach_speed();
-    force_ = add_group("force", static_cast<int>(pressed_.size()), w.force, force);
-    displacement_ = add_group("displacement", static_cast<int>(window.times.size()), w.displacement,
+    force_ = add_group(Compared::force, static_cast<int>(pressed_.size()), w.force, force);
+    displacement_ = add_group(Compared::displacement, static_cast<int>(window.times.size()), w.displacement,
                               u.displacement * run.scene.bearing.lateral_capacity());
-    rebound_ = add_group("rebound", 1, w.rebound, speed);
-    peak_ = add_group("peak", 1, w.peak, force);
-    phase_ = u.time > 0 ? add_group("phase", 1, 1, u.time) : 0;
+    rebound_ = add_group(Compared::rebound, 1, w.rebound, speed);
+    peak_ = add_group(Compared::peak, 1, w.peak, force);
+    phase_ = u.time > 0 ? add_group(Compared::phase, 1, 1, u.time) : 0;
   }
 
   void evaluate(const scene::Scene &scene, std::span<const double>, std::span<double> r) const override {
@@ -95,24 +95,25 @@ public:
     const double end = run.summary.impacts.empty() ? times.back() : run.summary.impacts.front().touch_time;
     while (n_ < times.size() && times[n_] < end) ++n_;
     const bool moved = run.scene.excitation.is_dynamic();
-    signal_ = moved ? "displacement" : "force";
+    compared_ = moved ? Compared::displacement : Compared::force;
     const Uncertainty u = run.uncertainty.value_or(options.uncertainty);
     const double sigma =
         moved ? u.displacement * run.scene.bearing.lateral_capacity() : u.force * run.summary.peak_lateral_force;
-    scale_ = add_group("flight", static_cast<int>(2 * n_), options.weights.flight, sigma);
+    scale_ = add_group(Compared::flight, static_cast<int>(2 * n_), options.weights.flight, sigma);
   }
 
   void evaluate(const scene::Scene &scene, std::span<const double>, std::span<double> r) const override {
     const auto run = reduced::simulate(scene);
     const auto &times = run.response.series("time");
     std::size_t n = 0;
+    const bool travel = compared_ == Compared::displacement;
     for (const char *axis : {"_x", "_y"}) {
-      const auto &ours = run.response.series(signal_ + axis), &theirs = response_.series(signal_ + axis);
+      const std::string signal = (travel ? "displacement" : "force") + std::string(axis);
+      const auto &ours = run.response.series(signal), &theirs = response_.series(signal);
       for (std::size_t i = 0; i < n_; ++i) {
         const double t = response_.series("time")[i];
-        const double value = signal_ == "displacement"
-                                 ? hermite_at(times, ours, run.response.series(std::string("velocity") + axis), t)
-                                 : linear_at(times, ours, t);
+        const double value = travel ? hermite_at(times, ours, run.response.series(std::string("velocity") + axis), t)
+                                    : linear_at(times, ours, t);
         r[n++] = scale_ * (value - theirs[i]);
       }
     }
@@ -120,7 +121,7 @@ public:
 
 private:
   const Response &response_;
-  std::string signal_;
+  Compared compared_ = Compared::displacement;
   std::size_t n_ = 0;
   double scale_;
 };

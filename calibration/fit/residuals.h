@@ -8,10 +8,13 @@
 
 namespace rimpact::calibration {
 
+/// What is compared (fit.h); of measured impacts also how they start.
+enum class Compared { force, displacement, rebound, peak, phase, flight, start };
+
 /// Residuals first .. first + count - 1 of a block share one stated uncertainty and together count as one
 /// observation.
 struct Group {
-  std::string name;
+  Compared kind;
   int first, count;
   double weight;
   double noise = 0; ///< variance of one of its residuals by the record's noise; used of measured blocks alone
@@ -51,7 +54,7 @@ public:
 
 protected:
   /// Adds a group; returns weight / (sigma sqrt(count)), what its differences are multiplied by.
-  double add_group(const std::string &name, int count, double weight, double sigma);
+  double add_group(Compared kind, int count, double weight, double sigma);
   Group &last_group() { return groups_.back(); }
 
 private:

@@ -1,6 +1,7 @@
 #include "calibration/fit/run_facts.h"
 #include "calibration/data/mapping.h"
 #include "files/error.h"
+#include "responses/kept_run.h"
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -22,27 +23,23 @@ double number_in(const json &object, const char *key) {
   return object.is_object() && object.contains(key) && object[key].is_number() ? object[key].get<double>() : 0.0;
 }
 
-std::string text_in(const json &object, const char *key, const std::string &otherwise) {
-  return object.contains(key) && object[key].is_string() ? object[key].get<std::string>() : otherwise;
-}
-
 } // namespace
 
 RunFacts run_facts(const std::string &folder) {
   RunFacts facts;
-  facts.name = last_part(folder), facts.source = "measured";
+  facts.name = last_part(folder);
   const auto file = fs::path(folder) / "summary.json";
   if (is_mapping(folder) || !fs::exists(file)) return facts;
   std::ifstream text(file);
   const json summary = json::parse(text, nullptr, false);
   if (!summary.is_object()) throw DataError(file.string() + " is not valid JSON");
-  const std::string rung = text_in(summary, "rung", "");
-  facts.source = rung.empty() ? "measured" : rung == "reduced" ? "reduced model" : "finite elements";
-  if (facts.source == "finite elements") {
-    facts.rung = rung;
-    if (summary.contains("mesh") && summary["mesh"].is_number_integer()) facts.mesh = summary["mesh"].get<int>();
+  if (const auto solver = word_in<SolvedBy>(summary, "rung", folder)) {
+    facts.rung = rung_of(*solver);
+    facts.source = facts.rung ? RunSource::finite_elements : RunSource::reduced_model;
   }
-  facts.status = text_in(summary, "status", "done");
+  if (facts.rung && summary.contains("mesh") && summary["mesh"].is_number_integer())
+    facts.mesh = summary["mesh"].get<int>();
+  facts.status = word_in<RunStatus>(summary, "status", folder).value_or(RunStatus::done);
   if (summary.contains("warnings") && summary["warnings"].is_array())
     for (const auto &warning : summary["warnings"])
       if (warning.is_string()) facts.warnings.push_back(warning);
@@ -59,13 +56,13 @@ std::vector<std::string> screen(std::vector<StoredRun> &runs, const std::map<std
   for (auto &run : runs) {
     const RunFacts &f = facts.at(run.folder);
     const double off = std::abs(f.imbalance);
-    if (f.status != "done" && !keep_stopped) {
-      sentences.push_back(
-          fmt::format("{} is left out of the fit: it is {}; --keep-stopped takes what it holds", f.name, f.status));
+    if (f.status != RunStatus::done && !keep_stopped) {
+      sentences.push_back(fmt::format("{} is left out of the fit: it is {}; --keep-stopped takes what it holds", f.name,
+                                      word(f.status)));
       continue;
     }
-    if (f.status != "done")
-      sentences.push_back(fmt::format("{} is {}; what it holds is fitted all the same", f.name, f.status));
+    if (f.status != RunStatus::done)
+      sentences.push_back(fmt::format("{} is {}; what it holds is fitted all the same", f.name, word(f.status)));
     if (off > largest_imbalance) {
       sentences.push_back(fmt::format("{} is left out of the fit: {:.2f} % of its energy is unaccounted for, where "
                                       "{:.0f} % is the most that is taken",

@@ -6,11 +6,11 @@
 namespace rimpact::calibration {
 
 struct RunFacts {
-  std::string name;                     ///< the folder's last part
-  std::string source;                   ///< finite elements | measured | reduced model
-  std::string rung;                     ///< rim | rigid-dish | full; empty: not finite elements
-  std::optional<int> mesh;              ///< of finite elements
-  std::string status = "done";          ///< done | stopped | interrupted
+  std::string name; ///< the folder's last part
+  RunSource source = RunSource::measured;
+  std::optional<scene::Rung> rung; ///< empty: not finite elements
+  std::optional<int> mesh;         ///< of finite elements
+  RunStatus status = RunStatus::done;
   std::vector<std::string> warnings;    ///< sentences of summary.json
   double imbalance = 0;                 ///< share of the energy put in that is not accounted for, signed [-]
   std::optional<double> plastic_strain; ///< largest equivalent plastic strain [-]

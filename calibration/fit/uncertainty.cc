@@ -177,26 +177,25 @@ void judge(const Problem &problem, const Eigen::VectorXd &x, const Spread &sprea
                                     : std::max(std::abs(value), 0.05 * std::max(std::abs(p.lower), std::abs(p.upper)));
     const double half_width = half * estimate.standard_error;
     const double stated_half_width = half * estimate.stated_error;
-    estimate.verdict = "determined";
     if (problem.all_grazing() && !p.seen_in_flight) {
-      estimate.verdict = "grazing";
+      estimate.verdict = Verdict::grazing;
       estimate.reason = "every impact only grazes the rim: a slightly different flight would miss it";
     } else if (estimate.at_bound) {
-      estimate.verdict = "bound";
+      estimate.verdict = Verdict::bound;
       estimate.reason = fmt::format("it ended at its {} bound {:g} {}", low ? "lower" : "upper", value, p.unit);
     } else if (!(spread.condition < flat_condition)) {
-      estimate.verdict = "flat";
+      estimate.verdict = Verdict::flat;
       estimate.reason = fmt::format("flat valley: condition {:.3g} exceeds {:g}", spread.condition, flat_condition);
     } else if (!(stated_half_width <= vague * size) && spread.measured) {
-      estimate.verdict = "noise";
+      estimate.verdict = Verdict::noise;
       estimate.reason =
           fmt::format("the noise of the record leaves +-{:.0f} % of the value open", 100 * stated_half_width / size);
     } else if (!(stated_half_width <= vague * size)) {
-      estimate.verdict = "flat";
+      estimate.verdict = Verdict::flat;
       estimate.reason =
           fmt::format("flat: the data leave +-{:.0f} % of the value open", 100 * stated_half_width / size);
     } else if (half_width > vague * size) {
-      estimate.verdict = "form";
+      estimate.verdict = Verdict::form;
       const std::string says = fmt::format(
           "the data alone leave +-{:.1f} % of it open, but the model's form does not follow them: what it leaves "
           "unexplained widens the 95 % interval to +-{:.0f} %",

@@ -18,8 +18,7 @@ std::string numbers_in_words(const scene::Scene &scene) {
   for (const auto *names : {&law.parameters, &law.exponents})
     for (const auto &name : *names) {
       const auto &p = parameter(name);
-      text += fmt::format("{}{} = {:.5g}{}", text.empty() ? "" : ", ", name, p.get(scene) / p.si,
-                          p.unit == "-" ? "" : " " + p.unit);
+      text += fmt::format("{}{} = {:.5g}{}", text.empty() ? "" : ", ", name, p.get(scene) / p.si, unit_behind(p.unit));
     }
   return text;
 }

@@ -1,3 +1,4 @@
+#include "calibration/fit/parameter.h"
 #include "calibration/studies/geometry_study.h"
 #include <algorithm>
 #include <cmath>
@@ -96,7 +97,7 @@ json to_json(const GeometryStudy &study) {
 
 std::string to_csv(const GeometryStudy &study) {
   const auto column = [](const std::string &name, std::string unit) {
-    if (unit == "-") return name;
+    if (unit == no_unit) return name;
     std::replace(unit.begin(), unit.end(), '/', 'p');
     return name + "_" + unit;
   };

@@ -1,6 +1,7 @@
 #include "calibration/studies/speed_error.h"
 
 #include "files/error.h"
+#include "files/text.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,14 +12,9 @@ namespace {
 
 constexpr double refinement = 1.5; // of h from mesh to mesh
 
-int rank(const std::string &rung) {
-  static const std::array<std::string, 4> rungs{"reduced", "rim", "rigid-dish", "full"};
-  return std::find(rungs.begin(), rungs.end(), rung) - rungs.begin();
-}
-
 /// Order of the dearest; the plan's own step counts as the largest.
 auto fineness(const StudyRun &run) {
-  return std::tuple(rank(run.rung), run.mesh, run.step > 0 ? -run.step : -1e3);
+  return std::tuple(run.rung, run.mesh, run.step > 0 ? -run.step : -1e3);
 }
 
 void extrapolate(SpeedError &study, const StudyRun &finest) {
@@ -52,8 +48,11 @@ StudyRun study_run(const std::string &name, const nlohmann::json &summary, Respo
   try {
     StudyRun run;
     run.name = name;
-    run.rung = summary.at("rung");
-    run.mesh = run.rung == "reduced" ? 0 : summary.at("mesh").get<int>();
+    const std::string rung = summary.at("rung");
+    const auto solver = parse<SolvedBy>(rung);
+    if (!solver) throw DataError("summary.json of " + name + ": rung " + not_among(rung, words<SolvedBy>()));
+    run.rung = *solver;
+    run.mesh = run.rung == SolvedBy::reduced ? 0 : summary.at("mesh").get<int>();
     run.seconds = summary.at("wall_time_s");
     run.memory = summary.at("peak_memory_bytes");
     run.n_dofs = summary.value("n_dofs", 0l);

@@ -6,7 +6,8 @@ namespace rimpact::calibration {
 
 /// A run that ended well, and what it cost.
 struct StudyRun {
-  std::string name, rung;         ///< reduced | rim | rigid-dish | full
+  std::string name;
+  SolvedBy rung = SolvedBy::reduced;
   int mesh = 0;                   ///< 1 | 2 | 3; 0: none
   double step = 0;                ///< in contact [s]; 0: the plan's
   double seconds = 0, memory = 0; ///< wall time [s], peak [bytes]

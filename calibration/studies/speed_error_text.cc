@@ -20,7 +20,7 @@ nlohmann::json to_json(const SpeedError &study) {
   for (const auto &row : study.rows) {
     nlohmann::json item = to_json(row.errors);
     item.update({{"name", row.run.name},
-                 {"rung", row.run.rung},
+                 {"rung", word(row.run.rung)},
                  {"mesh", row.run.mesh},
                  {"step_s", row.run.step},
                  {"wall_time_s", row.run.seconds},
@@ -49,7 +49,7 @@ std::string to_csv(const SpeedError &study) {
   const auto cell = [](const std::optional<double> &value) { return value ? fmt::format("{:.8g}", *value) : ""; };
   for (const auto &row : study.rows)
     text += fmt::format("{},{},{},{:g},{:.6g},{:.0f},{},{},{:.8g},{},{},{},{},{},{:d},{:d}\n", row.run.name,
-                        row.run.rung, row.run.mesh, row.run.step, row.run.seconds, row.run.memory, row.run.n_dofs,
+                        word(row.run.rung), row.run.mesh, row.run.step, row.run.seconds, row.run.memory, row.run.n_dofs,
                         cell(row.run.peak_force), row.error, cell(row.errors.peak_displacement_error),
                         cell(row.errors.rebound_error), cell(row.dissipated_error), cell(row.errors.nrmse_force),
                         cell(row.errors.nrmse_displacement), row.reference, row.on_frontier);

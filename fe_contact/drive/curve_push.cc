@@ -46,7 +46,7 @@ public:
       work_ = work;
       result.wish = std::min(push_growth * step, share_in * (d + step) + first_push_step);
       if (options_.progress)
-        options_.progress({work, works.back(), step, 0, -(d + step), force, way_.held ? "held" : "dish"});
+        options_.progress({work, works.back(), step, 0, -(d + step), force, way_.held ? Phase::held : Phase::dish});
       if (work < works[next]) return result;
       while (next < works.size() && work >= works[next]) ++next;
       path_.unloading.push_back(unloading(d + step));

@@ -221,8 +221,8 @@ void FlightRun::accept(Arc &arc, const SystemState &kept, const MassForces &befo
     write_fields(arc);
   }
   if (options_.progress)
-    options_.progress(
-        {bearing_.t, end_time(), dt, report.iterations, capacity() - bearing_.u.head<2>().norm(), force, "contact"});
+    options_.progress({bearing_.t, end_time(), dt, report.iterations, capacity() - bearing_.u.head<2>().norm(), force,
+                       Phase::contact});
 }
 
 void FlightRun::land(Arc &arc) {

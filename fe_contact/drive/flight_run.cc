@@ -78,7 +78,8 @@ bool FlightRun::fly() {
     bearing_ = end.state;
     record_.ledger.elastic = before.elastic; // what the arcs keep
     record_.ledger.plastic = before.plastic;
-    if (options_.progress) options_.progress({bearing_.t, end_time(), chunk, 0, wall_gap(bearing_.u), 0.0, "flight"});
+    if (options_.progress)
+      options_.progress({bearing_.t, end_time(), chunk, 0, wall_gap(bearing_.u), 0.0, Phase::flight});
     if (end.stopped) return true;
   }
   return false;

@@ -84,7 +84,7 @@ private:
     sample(s + ds, step.iterations, ds, now);
     if (options_.progress)
       options_.progress({s + ds, 1.0, ds, step.iterations, gap(), now.total().head<2>().norm(),
-                         now.rim.any() ? "pressing" : "sliding"});
+                         now.rim.any() ? Phase::pressing : Phase::sliding});
     const double part = course_.picture;
     if (std::floor((s + ds) / part + 1e-9) > std::floor(s / part + 1e-9)) write_fields(s + ds);
     const bool parted = s >= course_.parts_from && state_.bearing_points() == 0;

@@ -28,7 +28,7 @@ Summary summarise(const scene::Scene &scene, const RunRecord &record) {
   if (record.response.size() > 0) summarise_response(record.response, summary);
   summary.impacts = record.impacts; // exact instants and speeds, not those of the samples
   summary.energy = record.ledger;
-  summary.rung = word(scene.model.rung);
+  summary.rung = solved_by(scene.model.rung);
   summary.mesh = scene.model.mesh;
   summary.n_steps = record.n_steps;
   const SolverWork work = record.work_so_far();
@@ -99,7 +99,8 @@ Summary run(const scene::Scene &scene, const planning::Plan &plan, const RunOpti
   RunRecord record;
   record.identity = to_json(identity_of(scene));
   std::exception_ptr failure;
-  std::string status = "done", reason;
+  RunStatus status = RunStatus::done;
+  std::string reason;
   std::error_code failed;
   if (options.writes) std::filesystem::create_directories(options.folder, failed);
   if (failed) throw IoError("cannot make the run folder " + options.folder + ": " + failed.message());
@@ -109,20 +110,20 @@ Summary run(const scene::Scene &scene, const planning::Plan &plan, const RunOpti
     need_memory(plan.expected_memory_bytes);
     run_rung(rung_of(scene.model.rung), scene, plan, options, record);
   } catch (const Interrupted &error) {
-    status = "interrupted";
+    status = RunStatus::interrupted;
     reason = error.what();
     failure = std::current_exception();
   } catch (const SolverStopped &error) {
-    status = "stopped";
+    status = RunStatus::stopped;
     reason = error.what();
     failure = std::current_exception();
   } catch (const std::bad_alloc &) {
-    status = "stopped";
+    status = RunStatus::stopped;
     reason = "the limit of memory is reached; a coarser mesh (a lower model.mesh) needs less";
     failure = std::make_exception_ptr(SolverStopped(reason));
   } catch (const std::system_error &error) {
     if (error.code() != std::errc::resource_unavailable_try_again) throw;
-    status = "stopped";
+    status = RunStatus::stopped;
     reason = "the limit of threads or of memory is reached: a thread could not be started";
     failure = std::make_exception_ptr(SolverStopped(reason));
   }

@@ -8,12 +8,26 @@
 
 namespace rimpact::fe {
 
+/// What a run does at the moment.
+enum class Phase { flight, sliding, sliding_out, near_rim, contact, pressing, held, dish };
+constexpr auto choices(Phase) {
+  using enum Phase;
+  return choices_of<Phase>({{flight, "flight"},
+                            {sliding, "sliding"},
+                            {sliding_out, "sliding out"},
+                            {near_rim, "near the rim"},
+                            {contact, "contact"},
+                            {pressing, "pressing"},
+                            {held, "held", "a rim pushed by itself"},
+                            {dish, "dish", "the same with its dish below"}});
+}
+
 /// What a progress line shows (docs/interface.md).
 struct Progress {
   double time, end_time, step;
   int newton_iterations;
   double gap, force; ///< L_c - |u| [m], negative while the rim is pressed; of the rim, or of a path's drive [N]
-  std::string phase; ///< "flight", "contact", "relax", ...
+  Phase phase;
 };
 struct RunOptions {
   std::string folder; ///< run folder to write

@@ -159,9 +159,9 @@ void SlidingRun::after_step(double t, double dt, const ContactStepReport &step) 
   if (options_.progress)
     options_.progress({t, end_time(), dt, step.iterations, gap(),
                        active().force_of(state_, Role::wall).head<2>().norm(),
-                       touching()  ? "contact"
-                       : near_rim_ ? "near the rim"
-                                   : "sliding"});
+                       touching()  ? Phase::contact
+                       : near_rim_ ? Phase::near_rim
+                                   : Phase::sliding});
 }
 
 void SlidingRun::sample(int iterations, double dt) {

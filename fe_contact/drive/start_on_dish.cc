@@ -45,7 +45,8 @@ void StartOnDish::slide(SystemState &state, TopDrive &drive, double from, double
     if (is_interrupted(options_)) throw Interrupted();
     const auto report = drive.move_to(system_, state, {(at + step) * direction, {}}, load, steps_);
     if (options_.progress)
-      options_.progress({0, scene_.excitation.duration, step, report.iterations, end() - at - step, 0, "sliding out"});
+      options_.progress(
+          {0, scene_.excitation.duration, step, report.iterations, end() - at - step, 0, Phase::sliding_out});
     return Attempt{report.converged, 0, report.reason};
   };
   const MarchReport report = march(from, to, {first, 1e-5 * longest, longest, 2.0}, go);

@@ -185,7 +185,7 @@ void DoubleConcaveRecorder::end(const MotionState &s) {
   auto &summary = result_.summary;
   summarise_response(result_.response, summary);
   summary.energy = ledger(s);
-  summary.rung = "reduced";
+  summary.rung = SolvedBy::reduced;
   nlohmann::json points = nlohmann::json::object();
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (!points_[i].empty())
@@ -200,7 +200,8 @@ void DoubleConcaveRecorder::end(const MotionState &s) {
 
 void DoubleConcaveRecorder::stop(const MotionState &s, const std::string &reason) {
   end(s);
-  result_.summary.status = "stopped", result_.summary.reason = reason + " at t = " + std::to_string(s.t) + " s";
+  result_.summary.status = RunStatus::stopped,
+  result_.summary.reason = reason + " at t = " + std::to_string(s.t) + " s";
 }
 
 } // namespace rimpact::reduced::rigid

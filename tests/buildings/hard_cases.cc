@@ -120,13 +120,13 @@ int main(int argc, char **argv) {
     const Summary run = fly(c, 1), fine = fly(c, 1e-2);
     const double imbalance = std::abs(run.energy->imbalance_relative()),
                  error = std::abs(run.peak_displacement / fine.peak_displacement - 1);
-    const bool holds = run.status == "done" && imbalance <= 1e-5 && error <= 1e-4 && c.happened(run);
+    const bool holds = run.status == RunStatus::done && imbalance <= 1e-5 && error <= 1e-4 && c.happened(run);
     good = good && holds;
     const auto bound = [](double value) {
       return value <= 1e-7 ? "<= 1e-7" : value <= 1e-5 ? "<= 1e-5" : value <= 1e-4 ? "<= 1e-4" : "> 1e-4";
     };
-    table += fmt::format("{:36} {:>5} {:8} {:>10}  {}{}\n", c.name, run.status, run.impacts.size(), bound(imbalance),
-                         bound(error), holds ? "" : "  FAILS");
+    table += fmt::format("{:36} {:>5} {:8} {:>10}  {}{}\n", c.name, word(run.status), run.impacts.size(),
+                         bound(imbalance), bound(error), holds ? "" : "  FAILS");
     std::fprintf(stderr, "%s: imbalance %.1e, travel %.1e, least N %.3g, hit %zu, %ld steps, %s\n", c.name, imbalance,
                  error, least_normal(run), bearings_that_hit(run), run.n_steps,
                  c.happened(run) ? "as meant" : "NOT what it is about");

@@ -35,7 +35,7 @@ TEST(BuildingRun, OfARigidBlockOnFourAlikeIsOneBearing) {
   const auto whole = simulate(f, s);
   s.load.vertical = 64 * 10e3 / 4, s.load.mass = s.load.vertical / s.load.gravity;
   const auto one = reduced::simulate(s);
-  ASSERT_EQ(whole.summary.status, "done") << whole.summary.reason;
+  ASSERT_EQ(whole.summary.status, RunStatus::done) << whole.summary.reason;
   ASSERT_EQ(one.summary.impacts.size() * 4, whole.summary.impacts.size());
   EXPECT_GT(one.summary.impacts.size(), 0u);
   EXPECT_NEAR(whole.response.series("displacement_x").back(), one.response.series("displacement_x").back(), 1e-8 * 0.4);
@@ -46,7 +46,7 @@ TEST(BuildingRun, OfARigidBlockOnFourAlikeIsOneBearing) {
 
 TEST(BuildingRun, OfTheThesisKeepsItsEnergy) {
   const auto run = simulate(make_frame(load_building("thesis-2.4")), pulse(1.05));
-  ASSERT_EQ(run.summary.status, "done") << run.summary.reason;
+  ASSERT_EQ(run.summary.status, RunStatus::done) << run.summary.reason;
   EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-7);
   EXPECT_GT(run.summary.impacts.size(), 0u);
   EXPECT_LT(run.summary.extra["building"]["bearings"][2]["min_normal_force_N"].get<double>(),
@@ -82,7 +82,7 @@ TEST(BuildingRun, WithoutFrictionSwingsAsAPendulum) { // small amplitude: T = 2 
   s.excitation.initial_displacement = {0.002, 0};
   s.reduced.mu_fast = s.reduced.mu_slow = 0;
   const auto run = simulate(block(2, 2), s);
-  ASSERT_EQ(run.summary.status, "done");
+  ASSERT_EQ(run.summary.status, RunStatus::done);
   EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-6);
   EXPECT_NEAR(run.summary.peak_displacement, 0.002, 1e-8);
 }

@@ -65,7 +65,7 @@ TEST(BuildingGates, HalvesSideBySideRespondAsOne) {
   }
   const scene::Scene s = pulse(1.05, 1, 1e-11);
   const auto a = simulate(one, s), b = simulate(both, s);
-  ASSERT_EQ(a.summary.status, "done");
+  ASSERT_EQ(a.summary.status, RunStatus::done);
   ASSERT_GT(a.summary.impacts.size(), 0u);
   EXPECT_EQ(2 * a.summary.impacts.size(), b.summary.impacts.size());
   EXPECT_NEAR(b.summary.peak_lateral_force / a.summary.peak_lateral_force, 2, 1e-6);
@@ -105,7 +105,7 @@ TEST(BuildingGates, PlainEquationsByCvodeAgree) {
   s.excitation.direction_deg = 30;
   s.reduced.impact_law = "hunt-crossley";
   const auto ours = simulate(f, s);
-  ASSERT_EQ(ours.summary.status, "done");
+  ASSERT_EQ(ours.summary.status, RunStatus::done);
   const PlainAnswer theirs = plain_cvode(assemble(f), s, 1e-9);
   ASSERT_GT(theirs.smallest_normal, 0) << "a bearing lifts off: the plain equations do not hold";
   ASSERT_GT(theirs.rim_force, 0);

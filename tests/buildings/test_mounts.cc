@@ -33,7 +33,7 @@ TEST(Mounts, ARigidBlockOnFourAlikeIsOneBearing) {
   const auto s = pulse(1.0, scene::ModelKind::dcfp, 1e-4);
   const auto whole = simulate(block(), s);
   const auto one = reduced::simulate(s);
-  ASSERT_EQ(whole.summary.status, "done") << whole.summary.reason;
+  ASSERT_EQ(whole.summary.status, RunStatus::done) << whole.summary.reason;
   EXPECT_GT(one.summary.peak_displacement, 0.1);
   EXPECT_NEAR(whole.summary.peak_displacement, one.summary.peak_displacement, 2e-3 * one.summary.peak_displacement);
   EXPECT_NEAR(whole.summary.peak_lateral_force / 4, one.summary.peak_lateral_force,
@@ -64,7 +64,7 @@ TEST(Mounts, KindsStandSideBySide) {
   const auto s = pulse(0.6, scene::ModelKind::physical, 1e-3);
   const auto bearings = std::vector<scene::Scene>{pulse(0.6, scene::ModelKind::lir_dcfp, 1e-3), s, s, s};
   const auto run = simulate(f, s, bearings);
-  ASSERT_EQ(run.summary.status, "done") << run.summary.reason;
+  ASSERT_EQ(run.summary.status, RunStatus::done) << run.summary.reason;
   EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-2);
 }
 

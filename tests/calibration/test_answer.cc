@@ -135,7 +135,7 @@ TEST(Answer, TheLawBelongsToTheRimThePairToTheMass) {
   options.fit.law = "signed";
   const auto pair = calibrate(runs, options).answer;
   EXPECT_TRUE(pair->law.of_the_mass);
-  EXPECT_EQ(pair->law.chosen_by, "user");
+  EXPECT_EQ(pair->law.chosen_by, ChosenBy::user);
   EXPECT_NE(pair->law.remark.find("The law elastoplastic is better: it leaves"), std::string::npos) << pair->law.remark;
   EXPECT_NE(to_toml_fragment(*pair).find("fitted_mass_kg = 86952"), std::string::npos) << to_toml_fragment(*pair);
 }
@@ -250,7 +250,7 @@ TEST(Answer, WhatTheSentencesSayHoldsOfKeptFiniteElements) {
   const auto c = calibrate(names, options);
   const auto &answer = *c.answer;
   EXPECT_EQ(answer.law.result.law, "elastoplastic");
-  EXPECT_EQ(answer.source, "finite elements");
+  EXPECT_EQ(answer.source(), "finite elements");
   EXPECT_TRUE(answer.published_applies);
   EXPECT_FALSE(answer.pair) << answer.pair->sentence; // a rim that yields has none over three speeds
   EXPECT_NE(answer.no_pair.find("elastoplastic"), std::string::npos) << answer.no_pair;
@@ -318,7 +318,7 @@ TEST(Answer, SaysWhetherTheSteelBearsIt) {
       std::string::npos)
       << s.sentence;
   EXPECT_NE(s.sentence.find("up to 0.2 m/s it stays below"), std::string::npos) << s.sentence;
-  EXPECT_EQ(c.answer->source, "finite elements");
+  EXPECT_EQ(c.answer->source(), "finite elements");
   EXPECT_EQ(to_json(*c.answer)["rung"], "rim");
   EXPECT_EQ(to_json(*c.answer)["mesh"], 1);
   EXPECT_TRUE(c.answer->mesh_error.peak_force) << c.answer->mesh_error.sentence;  // a kept study knows shfps-225

@@ -22,7 +22,7 @@ TEST(Calibrate, RunFoldersToCalibrationJson) {
   options.predict = {folder.write(ricker(1.2)), folder.write(ricker(0.5))};
   const auto c = calibrate(runs, options);
   EXPECT_NO_THROW(check_gate(c));
-  EXPECT_EQ(c.fitted_on, "histories");
+  EXPECT_EQ(c.fitted_on, FittedOn::histories);
   EXPECT_NEAR(c.result.parameters.at("k_i").value / 3e5, 1, 1e-6);
   EXPECT_NEAR(c.result.parameters.at("e").value / 0.4, 1, 1e-6);
   write_calibration(c, folder.at("calibration"));
@@ -66,7 +66,7 @@ TEST(Calibrate, RunFoldersToCalibrationJson) {
 TEST(Calibrate, WindowsAloneGiveTheConstantPair) {
   TemporaryFolder folder;
   const auto c = calibrate({folder.write(window(0.1)), folder.write(window(0.3))});
-  EXPECT_EQ(c.fitted_on, "windows");
+  EXPECT_EQ(c.fitted_on, FittedOn::windows);
   EXPECT_NEAR(c.result.parameters.at("k_i").value / 3e5, 1, 1e-6);
   EXPECT_NEAR(c.windows->valid_from.value(), 0.1, 1e-6);
   EXPECT_NEAR(c.windows->valid_to.value(), 0.3, 1e-6);

@@ -22,7 +22,7 @@ TEST(ImpactCurves, TheLawThatMadeARunLiesOnIt) {
   const auto curves = impact_curves(fitted, predicted, pair(3e5, 0.4));
   ASSERT_EQ(curves.impacts.size(), 2 + predicted.front().impacts.size());
   for (const auto &c : curves.impacts) {
-    EXPECT_EQ(c.source, "reduced model");
+    EXPECT_EQ(c.source, RunSource::reduced_model);
     EXPECT_EQ(c.fitted, c.run.starts_with("window"));
     for (const auto *curve : {&c.reference, &c.law}) {
       ASSERT_EQ(curve->time.size(), curve->force.size());

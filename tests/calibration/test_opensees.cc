@@ -80,7 +80,7 @@ TEST(OpenSees, DashpotsHoldForTheirMassOnly) {
   EXPECT_TRUE(rim.of_mass);
   EXPECT_EQ(rim.law(), "no-tension");
   const auto springs = opensees_rim(rim);
-  EXPECT_EQ(springs.material, "ViscoelasticGap");
+  EXPECT_EQ(springs.material, RimMaterial::viscoelastic_gap);
   EXPECT_LT(springs.check.peak_force, 1e-3);                     // the peak is the law's
   EXPECT_GT(springs.check.rebound, 0.01);                        // it pulls, so it returns less
   EXPECT_NEAR(springs.check.rows[0].spring.rebound, 0.35, 1e-3); // e exactly

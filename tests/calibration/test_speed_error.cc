@@ -24,9 +24,9 @@ Response pulse(double peak) {
   return r;
 }
 
-StudyRun run(const std::string &rung, int mesh, double seconds, double peak) {
+StudyRun run(SolvedBy rung, int mesh, double seconds, double peak) {
   StudyRun result;
-  result.name = rung + std::to_string(mesh);
+  result.name = word(rung) + std::to_string(mesh);
   result.rung = rung;
   result.mesh = mesh;
   result.seconds = seconds;
@@ -42,8 +42,8 @@ double on_mesh(int mesh, double order) {
 
 TEST(SpeedError, ThreeMeshesGiveTheOrderAndTheLimit) {
   for (const double order : {1.0, 2.0, 3.0}) {
-    std::vector<StudyRun> runs{run("reduced", 0, 1e-3, 1.3e6)};
-    for (const int mesh : {3, 1, 2}) runs.push_back(run("rim", mesh, 10.0 * mesh * mesh, on_mesh(mesh, order)));
+    std::vector<StudyRun> runs{run(SolvedBy::reduced, 0, 1e-3, 1.3e6)};
+    for (const int mesh : {3, 1, 2}) runs.push_back(run(SolvedBy::rim, mesh, 10.0 * mesh * mesh, on_mesh(mesh, order)));
     const SpeedError study = speed_against_error(runs, 0.4, 0.03);
     ASSERT_TRUE(study.order);
     EXPECT_NEAR(*study.order, order, 1e-6);
@@ -55,21 +55,25 @@ TEST(SpeedError, ThreeMeshesGiveTheOrderAndTheLimit) {
 }
 
 TEST(SpeedError, TheFrontierLeavesOutWhatIsSlowerAndWorse) {
-  const SpeedError study = speed_against_error({run("reduced", 0, 1e-3, 1.2e6), run("rim", 1, 60, 1.01e6),
-                                                run("rim", 2, 90, 1.05e6), run("rigid-dish", 1, 400, 1e6)},
-                                               0.4, 0.02);
+  const SpeedError study =
+      speed_against_error({run(SolvedBy::reduced, 0, 1e-3, 1.2e6), run(SolvedBy::rim, 1, 60, 1.01e6),
+                           run(SolvedBy::rim, 2, 90, 1.05e6), run(SolvedBy::rigid_dish, 1, 400, 1e6)},
+                          0.4, 0.02);
   ASSERT_EQ(study.rows.size(), 4u);
   EXPECT_FALSE(study.extrapolated);
   const bool expected[] = {true, true, false, false}; // the reference's own error is not known
   for (int k = 0; k < 4; ++k) EXPECT_EQ(study.rows[k].on_frontier, expected[k]) << study.rows[k].run.name;
   EXPECT_EQ(study.recommended, "rim1");
   EXPECT_NEAR(*study.rows[0].errors.peak_force_error, 0.2, 1e-3);
-  EXPECT_EQ(speed_against_error({run("reduced", 0, 1e-3, 1.2e6), run("rim", 1, 60, 1e6)}, 0.4, 0.02).recommended, "");
+  EXPECT_EQ(speed_against_error({run(SolvedBy::reduced, 0, 1e-3, 1.2e6), run(SolvedBy::rim, 1, 60, 1e6)}, 0.4, 0.02)
+                .recommended,
+            "");
 }
 
 TEST(SpeedError, ScatteredMeshesAreNotExtrapolated) {
-  const SpeedError study =
-      speed_against_error({run("rim", 1, 10, 1.00e6), run("rim", 2, 40, 1.02e6), run("rim", 3, 90, 1.01e6)}, 0.4, 0.02);
+  const SpeedError study = speed_against_error(
+      {run(SolvedBy::rim, 1, 10, 1.00e6), run(SolvedBy::rim, 2, 40, 1.02e6), run(SolvedBy::rim, 3, 90, 1.01e6)}, 0.4,
+      0.02);
   EXPECT_FALSE(study.order);
   EXPECT_FALSE(study.extrapolated);
 }
@@ -89,8 +93,9 @@ TEST(SpeedError, ReadsASummaryAndSaysWhatIsMissing) {
   auto broken = summary;
   broken.erase("energy");
   EXPECT_THROW(study_run("a", broken, pulse(1)), DataError);
-  EXPECT_THROW(speed_against_error({run("rim", 1, 10, 1e6)}, 0.4, 0.02), InputError);
-  EXPECT_THROW(speed_against_error({run("rim", 1, 10, 1e6), run("rim", 2, 10, 1e6)}, 0.4, 0), InputError);
+  EXPECT_THROW(speed_against_error({run(SolvedBy::rim, 1, 10, 1e6)}, 0.4, 0.02), InputError);
+  EXPECT_THROW(speed_against_error({run(SolvedBy::rim, 1, 10, 1e6), run(SolvedBy::rim, 2, 10, 1e6)}, 0.4, 0),
+               InputError);
 }
 
 } // namespace

@@ -43,7 +43,7 @@ TEST_P(Ledger, Closes) {
   scene::Scene s = ricker(1.4, 12);
   GetParam().change(s);
   const auto run = simulate(s);
-  ASSERT_EQ(run.summary.status, "done") << run.summary.reason;
+  ASSERT_EQ(run.summary.status, RunStatus::done) << run.summary.reason;
   EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-6);
   EXPECT_GT(run.summary.energy->external, 0);
   // friction never gives, nor does a landing; and the ledger closes along the way, not only at the end

@@ -109,7 +109,7 @@ TEST(FreeMotion, FrictionlessOrbitKeepsEnergyAndAngularMomentum) {
 
 TEST(FreeMotion, TwoDimensionalStopIsFoundAndKept) {
   const auto run = simulate(free_motion({0.25, 0.05}, {-0.4, 0.9}, 20));
-  EXPECT_EQ(run.summary.status, "done");
+  EXPECT_EQ(run.summary.status, RunStatus::done);
   EXPECT_EQ(run.summary.energy->kinetic, 0);
   EXPECT_LT(run.summary.n_steps, 3000);
   EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-6);

@@ -65,7 +65,7 @@ TEST(Input, LeavingTheDishStopsWithASentence) {
   scene::Scene s = ricker(3);
   s.reduced.k_i = 0;
   const auto run = simulate(s);
-  EXPECT_EQ(run.summary.status, "stopped");
+  EXPECT_EQ(run.summary.status, RunStatus::stopped);
   EXPECT_NE(run.summary.reason.find("left the dish"), std::string::npos) << run.summary.reason;
   run.response.check();
   EXPECT_GT(run.response.size(), 100u);
@@ -76,7 +76,7 @@ TEST(Input, StiffAndSoftRimsRun) {
     scene::Scene s = ricker(1.05, 4);
     s.reduced.k_i = k;
     const auto summary = simulate_summary(s);
-    EXPECT_EQ(summary.status, "done") << k << summary.reason;
+    EXPECT_EQ(summary.status, RunStatus::done) << k << summary.reason;
     EXPECT_LT(std::abs(summary.energy->imbalance_relative()), 1e-6) << k;
     EXPECT_FALSE(summary.impacts.empty());
   }

@@ -121,7 +121,7 @@ TEST(RimCurve, TheSecondHitIntoTheSameDentGoesOnWhereTheFirstEnded) {
   again.v.x() = 0.05;
   again.rim.press({1, 0}, deepest, dent_shape(s));
   const auto second = simulate_from(s, again, 0.4);
-  ASSERT_EQ(second.summary.status, "done") << second.summary.reason;
+  ASSERT_EQ(second.summary.status, RunStatus::done) << second.summary.reason;
   EXPECT_NEAR(second.summary.impacts.at(0).rebound_speed, 0.05, 1e-6);
 }
 
@@ -131,13 +131,13 @@ TEST(RimCurve, SaysWhatItCannotDo) {
   const CurveOf file(s, path, path);
   s.excitation.speed = 0.6; // 8 mm stop 0.543 m/s
   auto fast = simulate_summary(s);
-  EXPECT_EQ(fast.status, "stopped");
+  EXPECT_EQ(fast.status, RunStatus::stopped);
   EXPECT_TRUE(holds(fast.reason, "0.600 m/s exceeds the 0.543 m/s") && holds(fast.reason, "rung rim")) << fast.reason;
   s.excitation.speed = 0.3;
   BearingState at = PhysicalModel(s).initial_state();
   at.v = {0.3, 0.5, 0};
   const auto oblique = simulate_from(s, at, 0.2);
-  EXPECT_EQ(oblique.summary.status, "stopped");
+  EXPECT_EQ(oblique.summary.status, RunStatus::stopped);
   EXPECT_TRUE(holds(oblique.summary.reason, "oblique slide")) << oblique.summary.reason;
   at.v = {0.3, 0, 0};
   at.rim.press({std::cos(0.05), std::sin(0.05)}, 4e-3, dent_shape(s));

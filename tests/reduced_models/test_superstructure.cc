@@ -171,7 +171,7 @@ TEST(Superstructure, TwoDirectionsWithVerticalMotion) {
   for (const auto &building : {frame(), shear_building()}) {
     s.superstructure = building;
     const auto run = simulate(s);
-    EXPECT_EQ(run.summary.status, "done") << run.summary.reason;
+    EXPECT_EQ(run.summary.status, RunStatus::done) << run.summary.reason;
     EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-6);
     EXPECT_GT(run.response.series("drift_y").size(), 100u);
   }
@@ -199,13 +199,13 @@ TEST(Superstructure, CollapseStopsTheRun) {
   s.superstructure = frame(-0.1);
   s.superstructure.yield = 0.004;
   const auto run = simulate(s);
-  EXPECT_EQ(run.summary.status, "stopped");
+  EXPECT_EQ(run.summary.status, RunStatus::stopped);
   EXPECT_NE(run.summary.reason.find("collapsed at t = "), std::string::npos) << run.summary.reason;
   EXPECT_TRUE(run.summary.extra["collapsed"].get<bool>());
   EXPECT_NEAR(run.summary.extra["peak_drift_m"].get<double>(), 11 * 0.004, 1e-9); // (1 - r) u_y / -r
   EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-6);
   const auto by_cvode = simulate_with_cvode(s);
-  EXPECT_EQ(by_cvode.summary.status, "stopped");
+  EXPECT_EQ(by_cvode.summary.status, RunStatus::stopped);
   EXPECT_NEAR(run.response.series("time").back(), by_cvode.response.series("time").back(), 1e-5);
 }
 

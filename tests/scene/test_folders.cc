@@ -108,7 +108,7 @@ TEST(KeptRun, SaysWhatDiffers) {
   EXPECT_FALSE(kept_run(run, scene).any);
   write_run(run, scene);
   EXPECT_TRUE(kept_run(run, scene).is_current());
-  EXPECT_EQ(kept_run(run, scene).status, "done");
+  EXPECT_EQ(kept_run(run, scene).status, RunStatus::done);
   Scene moved = scene;
   moved.load.mass = 1e5;
   EXPECT_NE(kept_run(run, moved).other_scene.find("load.mass_kg"), std::string::npos);

@@ -68,7 +68,7 @@ TEST(Limits, SpeedsOutsideTheFit) {
     EXPECT_EQ(warnings(s).size(), beyond ? 1u : 0u);
   }
   Summary fe = one_impact(2.0, 0.01);
-  fe.rung = "rim";
+  fe.rung = SolvedBy::rim;
   judge(scene, fe);
   EXPECT_EQ(fe.extra["beyond_fit"], true);
   EXPECT_TRUE(warnings(fe).empty()) << "finite elements have no fitted element";

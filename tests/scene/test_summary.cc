@@ -113,7 +113,7 @@ TEST(Summary, JsonHasTheContractsKeys) {
   EXPECT_FALSE(json.contains("reason"));
   EXPECT_NEAR(json["energy"]["imbalance_relative"].get<double>(), 1.0 / 200, 1e-15);
   Summary stopped;
-  stopped.status = "stopped", stopped.reason = "no convergence";
+  stopped.status = RunStatus::stopped, stopped.reason = "no convergence";
   EXPECT_EQ(to_json(stopped)["reason"], "no convergence");
   EXPECT_TRUE(to_json(stopped)["energy"].is_null());
   EXPECT_TRUE(to_json(stopped)["peak_impact_force_N"].is_null());
@@ -121,7 +121,7 @@ TEST(Summary, JsonHasTheContractsKeys) {
 
 TEST(Summary, AnImpactThatNeverEndedHasNoReleaseAndNoRebound) {
   Summary stopped;
-  stopped.status = "stopped", stopped.reason = "the slider left the dish";
+  stopped.status = RunStatus::stopped, stopped.reason = "the slider left the dish";
   stopped.impacts = {{2.0, -1, 30, 0.5, 0, 1e6, 1e-3}, {0.0, 0.1, 30, 0.5, 0.25, 1e6, 1e-3}};
   const auto json = to_json(stopped)["impacts"];
   for (const char *key : {"release_time_s", "rebound_speed_m_s", "restitution"}) {
@@ -141,7 +141,7 @@ TEST(Summary, ARunThatStopsWithTheRimPressedListsTheOpenImpact) {
   for (const auto &[name, values] : pressed.all())
     if (name != "time") pressed.append(name, name == "impact_x" ? -3e5 : values.back());
   Summary stopped;
-  stopped.impacts = whole.impacts, stopped.status = "interrupted";
+  stopped.impacts = whole.impacts, stopped.status = RunStatus::interrupted;
   for (int k = 0; k < 2; ++k) { // a second time changes nothing
     leave_last_impact_open(pressed, stopped);
     ASSERT_EQ(stopped.impacts.size(), n + 1);

@@ -18,7 +18,7 @@ struct Case {
   std::string name;
   scene::Scene scene;
   bool must_be_right = true; ///< false: must end as `status` says
-  std::string status = "done";
+  RunStatus status = RunStatus::done;
   std::string fact = {}; ///< a number that has to stay below the bound
   std::function<double(const reduced::ReducedRun &)> deviation = {};
   double bound = 0;
@@ -72,24 +72,24 @@ std::vector<Case> cases() {
   const auto gap_exceeded = shaken(scene::ModelKind::lir_dcfp, 0.6);
   const double gap = gap_exceeded.isolator.gap();
   const auto printed = near_interface(0.0528);
-  return {{"gap exceeded", gap_exceeded, true, "done", "gap left [m]",
+  return {{"gap exceeded", gap_exceeded, true, RunStatus::done, "gap left [m]",
            [gap](const auto &run) { return std::max(0.0, gap_left(run, gap)); }, 0},
-          {"one point lifted", slender(0.4, 0.1), true, "done", "least N of a point", least_point_force, 0},
-          {"45 degrees, DCFP, circle", in_space(scene::ModelKind::dcfp, 8, 45), true, "done", "off 0 degrees",
+          {"one point lifted", slender(0.4, 0.1), true, RunStatus::done, "least N of a point", least_point_force, 0},
+          {"45 degrees, DCFP, circle", in_space(scene::ModelKind::dcfp, 8, 45), true, RunStatus::done, "off 0 degrees",
            against(in_space(scene::ModelKind::dcfp, 8, 0)), 0.01},
-          {"45 degrees, LIR, circle", in_space(scene::ModelKind::lir_dcfp, 8, 45), true, "done", "off 0 degrees",
-           against(in_space(scene::ModelKind::lir_dcfp, 8, 0)), 0.01},
-          {"30 degrees, LIR, 8 points", in_space(scene::ModelKind::lir_dcfp, 8, 30), true, "done", "off 16 points",
-           against(in_space(scene::ModelKind::lir_dcfp, 16, 30)), 0.01},
-          {"vertical acceleration > g", lifted(), true, "done", "least N",
+          {"45 degrees, LIR, circle", in_space(scene::ModelKind::lir_dcfp, 8, 45), true, RunStatus::done,
+           "off 0 degrees", against(in_space(scene::ModelKind::lir_dcfp, 8, 0)), 0.01},
+          {"30 degrees, LIR, 8 points", in_space(scene::ModelKind::lir_dcfp, 8, 30), true, RunStatus::done,
+           "off 16 points", against(in_space(scene::ModelKind::lir_dcfp, 16, 30)), 0.01},
+          {"vertical acceleration > g", lifted(), true, RunStatus::done, "least N",
            [](const auto &run) { return *run.summary.min_normal_force; }, 0},
           {"mu_s = mu_e - 0.001", near_interface(0.0518)},
           {"mu_s = mu_e", printed},
           {"mu_s = mu_e + 0.001", near_interface(0.0538)},
           {"inelastic frame above", with_frame(0.05)},
-          {"softening frame above", with_frame(-0.1), false, "stopped"},
-          {"overturned", slender(0.8, 0.1), false, "stopped"},
-          {"low rim left", slender(1.5, 1e-4), false, "stopped"}};
+          {"softening frame above", with_frame(-0.1), false, RunStatus::stopped},
+          {"overturned", slender(0.8, 0.1), false, RunStatus::stopped},
+          {"low rim left", slender(1.5, 1e-4), false, RunStatus::stopped}};
 }
 
 std::string judge(const Case &hard, std::vector<std::string> &failures) {
@@ -105,10 +105,10 @@ std::string judge(const Case &hard, std::vector<std::string> &failures) {
     if (!right) failures.push_back(hard.name + ": " + what);
   };
   std::string text = fmt::format("{:<28} {:>8} {:>4} {:>9.1f} {:>9.0f} | {:8.1e} {:8.1e} {:8.1e}",
-                                 hard.name + (hard.must_be_right ? " *" : ""), s.status, s.impacts.size(),
+                                 hard.name + (hard.must_be_right ? " *" : ""), word(s.status), s.impacts.size(),
                                  1e3 * s.peak_displacement, 1e-3 * s.peak_lateral_force, off_u, off_F, energy);
-  require(s.status == hard.status, "status " + s.status);
-  require(s.status == "done" || !s.reason.empty(), "no reason given");
+  require(s.status == hard.status, "status " + word(s.status));
+  require(s.status == RunStatus::done || !s.reason.empty(), "no reason given");
   if (hard.must_be_right) {
     require(off_u <= 0.01 && off_F <= 0.01, fmt::format("off a finer step by {:.1e}, {:.1e}", off_u, off_F));
     require(energy <= 1e-4, fmt::format("imbalance {:.1e}", energy));

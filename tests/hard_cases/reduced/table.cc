@@ -16,7 +16,7 @@ void compare(Outcome &o, const Summary &own, const Summary &other) {
   o.off_displacement = relative(own.peak_displacement, other.peak_displacement);
   o.off_force = relative(*own.peak_impact_force, *other.peak_impact_force);
   o.off_residual = std::abs(own.residual_displacement - other.residual_displacement);
-  if (own.status != other.status) o.failures.push_back("CVODE ends with " + other.status);
+  if (own.status != other.status) o.failures.push_back("CVODE ends with " + word(other.status));
   if (own.impacts.size() != other.impacts.size())
     o.failures.push_back(fmt::format("CVODE has {} impacts", other.impacts.size()));
 }
@@ -30,7 +30,7 @@ void apply_bounds(Outcome &o) {
   require("force", o.off_force, 1e-4);
   require("residual", o.off_residual, 1e-6);
   require("imbalance", o.imbalance, 1e-6);
-  if (o.status != "done") o.failures.push_back("status " + o.status);
+  if (o.status != RunStatus::done) o.failures.push_back("status " + word(o.status));
 }
 
 bool well_formed(const Response &response) {
@@ -67,7 +67,7 @@ Outcome judge(const Case &hard) {
   else
     o.failures.clear(); // shown beside, not asked for
   if (!well_formed(run.response)) o.failures.push_back("a stored value is not finite");
-  if (o.status != "done" && o.reason.empty()) o.failures.push_back("no reason given");
+  if (o.status != RunStatus::done && o.reason.empty()) o.failures.push_back("no reason given");
   return o;
 }
 
@@ -79,7 +79,7 @@ std::string header() {
 std::string row(const Outcome &o) {
   std::string text =
       fmt::format("{:<30} {:>8} {:>7} {:>12.5f} {:>12.3f} {:>12.5f} | {:8.1e} {:8.1e} {:8.1e} {:8.1e}",
-                  o.name + (o.must_be_right ? " *" : ""), o.status, o.n_impacts, 1e3 * o.peak_displacement,
+                  o.name + (o.must_be_right ? " *" : ""), word(o.status), o.n_impacts, 1e3 * o.peak_displacement,
                   1e-3 * o.peak_force, 1e3 * o.residual, o.off_displacement, o.off_force, o.off_residual, o.imbalance);
   for (const auto &extra : {o.fact, o.reason})
     if (!extra.empty()) text += "  " + extra;

@@ -5,7 +5,9 @@
 namespace rimpact::hard_cases {
 
 struct Outcome {
-  std::string name, status, reason, fact;
+  std::string name;
+  RunStatus status;
+  std::string reason, fact;
   bool must_be_right = true;
   std::size_t n_impacts = 0;
   double peak_displacement = 0, peak_force = 0, residual = 0; ///< [m], [N], [m]

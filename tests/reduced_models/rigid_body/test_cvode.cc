@@ -161,7 +161,7 @@ scene::Scene struck(scene::ModelKind model) {
 void expect_same(const scene::Scene &scene) {
   const auto own = simulate(scene);
   const Peaks other = by_cvode(scene);
-  ASSERT_EQ(own.summary.status, "done") << own.summary.reason;
+  ASSERT_EQ(own.summary.status, RunStatus::done) << own.summary.reason;
   EXPECT_GE(own.summary.impacts.size(), 1u);
   EXPECT_NEAR(own.summary.peak_displacement / other.displacement, 1, 1e-4);
   EXPECT_NEAR(own.summary.peak_lateral_force / other.force, 1, 1e-3);

@@ -14,7 +14,7 @@ double largest(const Response &r, const char *name) {
 TEST(DoubleConcaveHardCases, AGapUsedUpIsStopped) {
   auto scene = shaken(scene::ModelKind::lir_dcfp, 0.6);
   const auto run = simulate(scene);
-  EXPECT_EQ(run.summary.status, "done") << run.summary.reason;
+  EXPECT_EQ(run.summary.status, RunStatus::done) << run.summary.reason;
   EXPECT_GT(largest(run.response, "interface_slip_x"), scene.isolator.gap());
   EXPECT_LT(largest(run.response, "interface_slip_x"),
             scene.isolator.gap() + 1.2 * run.summary.peak_lateral_force / scene.reduced.k_i);
@@ -32,7 +32,7 @@ TEST(DoubleConcaveHardCases, AnEdgeMayLift) {
 
 TEST(DoubleConcaveHardCases, ALowRimIsLeftAndSaidSo) {
   const auto run = simulate(slender(1.5, 1e-4));
-  EXPECT_EQ(run.summary.status, "stopped");
+  EXPECT_EQ(run.summary.status, RunStatus::stopped);
   EXPECT_NE(run.summary.reason.find("the slider has"), std::string::npos) << run.summary.reason;
 }
 
@@ -41,14 +41,14 @@ TEST(DoubleConcaveHardCases, FrictionOfTheInterfaceNearThatOfTheDishes) {
     auto scene = shaken(scene::ModelKind::lir_dcfp, 0.4);
     scene.isolator.mu_interface = 0.0528 + above;
     const auto run = simulate(scene);
-    EXPECT_EQ(run.summary.status, "done");
+    EXPECT_EQ(run.summary.status, RunStatus::done);
     EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-4) << above;
   }
 }
 
 TEST(DoubleConcaveHardCases, VerticalMotionLiftsTheMass) {
   const auto run = simulate(lifted());
-  EXPECT_EQ(run.summary.status, "done") << run.summary.reason;
+  EXPECT_EQ(run.summary.status, RunStatus::done) << run.summary.reason;
   EXPECT_EQ(*run.summary.min_normal_force, 0);
   EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-4);
 }

@@ -17,7 +17,7 @@ TEST(DoubleConcaveLoop, LowFrictionSlidingIsAtTheEffectiveFriction) {
     const auto run = simulate(scene);
     QuasiStaticLoop loop{scene.isolator, 0.066, scene.impact_resilient()};
     Column u = run.response.series("displacement_x"), F = run.response.series("force_x");
-    ASSERT_EQ(run.summary.status, "done");
+    ASSERT_EQ(run.summary.status, RunStatus::done);
     double since_turn = 0;
     for (std::size_t i = 1; i < u.size(); ++i) {
       const double sense = loop.sense, expected = loop.move(u[i]);
@@ -48,7 +48,7 @@ TEST(DoubleConcaveLoop, UnequalPlatesSlideTogetherAtTheFrictionWeightedByTheirRa
       scene.isolator.top_radius = 1.1, scene.isolator.top_mu_fast = 0.03;
       scene.isolator.space = space, scene.isolator.points = space == scene::Space::planar ? 2 : 8;
       const auto run = simulate(scene);
-      ASSERT_EQ(run.summary.status, "done");
+      ASSERT_EQ(run.summary.status, RunStatus::done);
       QuasiStaticLoop loop{scene.isolator, 0.066, scene.impact_resilient()};
       EXPECT_NEAR(effective_friction(scene.isolator, 0.066, 0.03), (0.066 * 0.75 + 0.03 * 1.1) / (0.75 + 1.1 - 0.085),
                   5e-4);

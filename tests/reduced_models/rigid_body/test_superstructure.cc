@@ -93,7 +93,7 @@ TEST(RigidBodyBuilding, CollapseStopsTheRun) {
   auto scene = carried(scene::ModelKind::dcfp, 0.6, -0.1);
   scene.superstructure.yield = 0.005;
   const auto run = simulate(scene);
-  EXPECT_EQ(run.summary.status, "stopped");
+  EXPECT_EQ(run.summary.status, RunStatus::stopped);
   EXPECT_NE(run.summary.reason.find("collapsed"), std::string::npos) << run.summary.reason;
   EXPECT_NEAR(run.summary.extra["peak_drift_m"].get<double>(), 11 * 0.005, 2e-3);
 }
