@@ -66,9 +66,12 @@ public:
   void add_mass(int dof, double mass); ///< of a rigid body, on its three dofs [kg]
 
   SystemState at_rest();
-  /// Forgets what a state does not hold, the factor and the pattern's history, and goes on from the state alone. To
-  /// be called where a checkpoint is written and where it is read: both runs then go on alike, bit for bit.
-  void start_afresh_at(const SystemState &state) { make_pattern(equations_.expand(state.u), state.contacts); }
+  /// Forgets what a state does not hold, tangents, factor and the pattern's history, and goes on from the state alone.
+  /// To be called where a checkpoint is written and where it is read: both runs then go on alike, bit for bit.
+  void start_afresh_at(const SystemState &state) {
+    solid_.forget_tangents();
+    make_pattern(equations_.expand(state.u), state.contacts);
+  }
   /// Sets what the next Newton solution is of; `old` and `terms` must outlive it.
   void prepare(const SystemState &old, const StepTerms &terms);
   bool evaluate(const Eigen::VectorXd &u, bool with_tangent) override;

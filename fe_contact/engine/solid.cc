@@ -13,7 +13,8 @@ Solid::Solid(const Discretisation &space, const scene::Bearing &bearing)
                     {meshes::Volume::upper_slider, bearing.steel},
                     {meshes::Volume::pad, bearing.ertalyte}}) {}
 
-Solid::Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials) : space_(space) {
+Solid::Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials)
+    : space_(space), kept_(space.n_cells) {
   for (const auto &[volume, material] : materials)
     laws_.emplace(volume, Law{HenckyJ2::from(material), HenckyVolumetric::from(material), material.density});
 }
@@ -55,61 +56,79 @@ const std::vector<int> &Solid::places_in(const SymmetricMatrix &matrix, const Eq
 }
 
 template <int n>
+Solid::Answer Solid::answer(std::size_t c, const std::array<Matrix3, n> &F, const SolidHistory &old, SolidHistory &next,
+                            CellKernel<n> &kernel, bool with_tangent) const {
+  Answer result;
+  const Law &law = law_of(c);
+  const int n_reduced = space_.reduced.n_points, m = 3 * n;
+  kernel.clear(with_tangent);
+  for (int q = 0; q < n; ++q) {
+    const std::size_t point = c * n + q;
+    const double weight = space_.full.weights[point];
+    const IsochoricResult isochoric = law.isochoric.step(old[point], F[q], with_tangent);
+    if (!isochoric.admissible) return result;
+    next[point] = isochoric.state;
+    result.flows = result.flows || isochoric.state.alpha > old[point].alpha;
+    result.energies.elastic += weight * isochoric.energy;
+    result.energies.plastic += weight * law.isochoric.hardening.work(isochoric.state.alpha);
+    kernel.add(&space_.full.gradients[point * m], F[q], weight, isochoric.response, with_tangent);
+  }
+  for (int q = 0; q < n_reduced; ++q) {
+    const std::size_t point = c * n_reduced + q;
+    const double *G = &space_.reduced.gradients[point * m], weight = space_.reduced.weights[point];
+    const Matrix3 at_point = kernel.deformation_gradient(G);
+    const VolumetricResult volumetric = law.volumetric.at(at_point.determinant());
+    if (!volumetric.admissible) return result;
+    result.energies.elastic += weight * volumetric.energy;
+    kernel.add(G, at_point, weight, volumetric.response, with_tangent);
+  }
+  kernel.finish();
+  result.admissible = true;
+  return result;
+}
+
+template <int n>
 bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eigen::VectorXd &u,
                            const SolidHistory &old, SolidHistory &next, const Equations &equations,
                            Eigen::VectorXd &forces, const std::vector<int> *places, double *tangent,
                            SolidEnergies &energies) const {
+  constexpr int m = 3 * n;
   auto kernel = std::make_unique<CellKernel<n>>();
-  SolidEnergies sum; // not yet where other threads write beside it
-  const int n_full = space_.full.n_points, n_reduced = space_.reduced.n_points, m = 3 * n;
+  std::array<Matrix3, n> F; // as many full points as nodes
+  SolidEnergies sum;        // not yet where other threads write beside it
   for (const unsigned *cell = begin; cell < end; ++cell) {
     const std::size_t c = *cell;
     const unsigned *nodes = &space_.cell_nodes[c * n];
-    const Law &law = law_of(c);
-    kernel->clear(tangent != nullptr);
     for (int a = 0; a < n; ++a)
       for (int i = 0; i < 3; ++i) kernel->u[i][a] = u[3 * nodes[a] + i];
-    for (int q = 0; q < n_full; ++q) {
-      const std::size_t point = c * n_full + q;
-      const double *G = &space_.full.gradients[point * m], weight = space_.full.weights[point];
-      const Matrix3 F = kernel->deformation_gradient(G);
-      const IsochoricResult result = law.isochoric.step(old[point], F, tangent != nullptr);
-      if (!result.admissible) return false;
-      next[point] = result.state;
-      sum.elastic += weight * result.energy;
-      sum.plastic += weight * law.isochoric.hardening.work(result.state.alpha);
-      kernel->add(G, F, weight, result.response, tangent != nullptr);
+    for (int q = 0; q < n; ++q) F[q] = kernel->deformation_gradient(&space_.full.gradients[(c * n + q) * m]);
+    bool anew = tangent && !kept_.serves(c, F);
+    Answer cell_answer = answer<n>(c, F, old, next, *kernel, anew);
+    if (tangent && !anew && cell_answer.admissible && cell_answer.flows) {
+      anew = true;
+      cell_answer = answer<n>(c, F, old, next, *kernel, true);
     }
-    for (int q = 0; q < n_reduced; ++q) {
-      const std::size_t point = c * n_reduced + q;
-      const double *G = &space_.reduced.gradients[point * m], weight = space_.reduced.weights[point];
-      const Matrix3 F = kernel->deformation_gradient(G);
-      const VolumetricResult result = law.volumetric.at(F.determinant());
-      if (!result.admissible) return false;
-      sum.elastic += weight * result.energy;
-      kernel->add(G, F, weight, result.response, tangent != nullptr);
+    if (!cell_answer.admissible) return false;
+    sum.elastic += cell_answer.energies.elastic;
+    sum.plastic += cell_answer.energies.plastic;
+    double weights[m];
+    int eqs[m];
+    for (int k = 0; k < m; ++k) {
+      const unsigned dof = 3 * nodes[k / 3] + k % 3;
+      eqs[k] = equations.of_dof[dof];
+      weights[k] = equations.weight[dof];
+      if (eqs[k] >= 0) forces[eqs[k]] += weights[k] * kernel->force[k % 3][k / 3];
     }
-    kernel->finish();
-    double weights[3 * n];
-    int eqs[3 * n];
-    for (int a = 0; a < n; ++a)
-      for (int i = 0; i < 3; ++i) {
-        const unsigned dof = 3 * nodes[a] + i;
-        eqs[3 * a + i] = equations.of_dof[dof];
-        weights[3 * a + i] = equations.weight[dof];
-        if (eqs[3 * a + i] >= 0) forces[eqs[3 * a + i]] += weights[3 * a + i] * kernel->force[i][a];
-      }
     if (!tangent) continue;
+    if (anew) kept_.keep(c, F, cell_answer.flows, *kernel);
+    const float *value = kept_.block(c);
     const int *place = places->data() + c * (m * (m + 1) / 2);
-    for (int a = 0; a < n; ++a)
-      for (int i = 0; i < 3; ++i)
-        for (int b = a; b < n; ++b)
-          for (int k = b == a ? i : 0; k < 3; ++k, ++place) {
-            if (*place < 0) continue;
-            const int row = 3 * a + i, column = 3 * b + k;
-            const double twice = row != column && eqs[row] == eqs[column] ? 2.0 : 1.0; // tied dofs share a diagonal
-            tangent[*place] += twice * weights[row] * weights[column] * kernel->block[i][k][a][b];
-          }
+    for (int row = 0; row < m; ++row)
+      for (int column = row; column < m; ++column, ++place, ++value) {
+        if (*place < 0) continue;
+        const double twice = row != column && eqs[row] == eqs[column] ? 2.0 : 1.0; // tied dofs share a diagonal
+        tangent[*place] += twice * weights[row] * weights[column] * *value;
+      }
   }
   energies = sum;
   return true;

@@ -4,6 +4,7 @@
 /// in, `next` out.
 #pragma once
 #include "fe_contact/engine/discretisation.h"
+#include "fe_contact/engine/kept_tangents.h"
 #include "fe_contact/laws/hencky_j2.h"
 #include "fe_contact/solver/equations.h"
 #include "fe_contact/solver/symmetric_matrix.h"
@@ -46,6 +47,8 @@ public:
   void add_mass(const Equations &equations, SymmetricMatrix &mass) const;
   /// Mass of one volume [kg].
   double mass_of(meshes::Volume volume) const;
+  /// Makes every cell's tangent anew at the next assembly.
+  void forget_tangents() const { kept_.forget(); }
   SolidFields fields(const Eigen::VectorXd &u, const SolidHistory &history) const;
 
 private:
@@ -55,6 +58,15 @@ private:
     double density;
   };
   const Law &law_of(std::size_t cell) const { return laws_.at(space_.volumes[cell]); }
+  /// What a cell's points answer with.
+  struct Answer {
+    bool admissible = false, flows = false;
+    SolidEnergies energies;
+  };
+  /// Into the kernel, at the deformation gradients of the cell's full points, which have the kernel's displacements.
+  template <int n>
+  Answer answer(std::size_t cell, const std::array<Matrix3, n> &F, const SolidHistory &old, SolidHistory &next,
+                CellKernel<n> &kernel, bool with_tangent) const;
   template <int n>
   bool assemble_cells(const unsigned *begin, const unsigned *end, const Eigen::VectorXd &u, const SolidHistory &old,
                       SolidHistory &next, const Equations &equations, Eigen::VectorXd &forces,
@@ -69,6 +81,7 @@ private:
   /// Where each local pair (i <= j) of each cell goes in the matrix; made once per pattern.
   mutable std::vector<int> places_;
   mutable long places_of_ = 0; ///< pattern_id
+  mutable KeptTangents kept_;
   mutable std::vector<std::vector<double>>
       part_values_; ///< of the tangent, by thread; kept, for making them anew costs as much as filling them
 };

@@ -91,6 +91,39 @@ TEST_P(SolidTest, MassMovesAsARigidBody) {
   EXPECT_NEAR(v.dot(mass.multiply(v)), 14 * solid.mass_of(Volume::rim), 1e-9 * 14 * solid.mass_of(Volume::rim));
 }
 
+/// Assembles at a stretch along x of a box; the tangent's values.
+std::vector<double> tangent_at(const Discretisation &space, const Solid &solid, double stretch,
+                               Eigen::VectorXd &forces) {
+  const Equations equations = all_free(space);
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(space.n_dofs());
+  for (std::size_t a = 0; a < space.n_nodes; ++a) u[3 * a] = stretch * space.positions[a].x();
+  SymmetricMatrix tangent(equations.n, solid.cliques(equations));
+  SolidHistory next;
+  SolidEnergies energies;
+  forces = Eigen::VectorXd::Zero(equations.n);
+  EXPECT_TRUE(solid.assemble(u, solid.virgin(), next, equations, forces, &tangent, energies));
+  return tangent.values();
+}
+
+TEST_P(SolidTest, ATangentIsKeptWhileACellHardlyDeforms) {
+  const Discretisation space(bent_box(), GetParam());
+  const Solid kept(space, scene::Bearing{}), fresh(space, scene::Bearing{});
+  Eigen::VectorXd forces, forces_afresh;
+  const double elastic = 5e-4, past = 2.5 * KeptTangents::as_before; // steel yields at 1.8e-3
+  const auto first = tangent_at(space, kept, 0, forces);
+  EXPECT_EQ(tangent_at(space, kept, elastic, forces), first);
+  const auto other = tangent_at(space, fresh, elastic, forces_afresh);
+  EXPECT_NE(other, first);
+  EXPECT_EQ(forces, forces_afresh) << "residuals are exact";
+  kept.forget_tangents();
+  EXPECT_EQ(tangent_at(space, kept, elastic, forces), other);
+  fresh.forget_tangents();
+  const auto flowing = tangent_at(space, fresh, past, forces_afresh);
+  EXPECT_EQ(tangent_at(space, kept, past, forces), flowing);
+  EXPECT_EQ(tangent_at(space, kept, past * 1.01, forces), tangent_at(space, fresh, past * 1.01, forces_afresh));
+  EXPECT_NE(tangent_at(space, kept, past * 1.02, forces), flowing) << "a cell that flows gets its own";
+}
+
 INSTANTIATE_TEST_SUITE_P(Degrees, SolidTest, ::testing::Values(1, 2));
 
 /// A block resting askew on another with a non-matching mesh.

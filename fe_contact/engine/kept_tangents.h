@@ -1,0 +1,49 @@
+/// Tangents of cells that hardly deform: a cell that moves, or strains elastically by less than `as_before`, keeps the
+/// one it was last made for. Newton's residuals stay exact; its rate bears an error of that size. Cells that flow get a
+/// new one every time.
+#pragma once
+#include "fe_contact/engine/solid_kernel.h"
+#include <array>
+#include <vector>
+
+namespace rimpact::fe {
+
+class KeptTangents {
+public:
+  static constexpr double as_before = 1e-3; ///< largest change of a component of the deformation gradient [-]
+
+  explicit KeptTangents(std::size_t n_cells) : cells_(n_cells) {}
+  void forget() { std::fill(cells_.begin(), cells_.end(), Cell{}); }
+  /// Whether the cell's tangent serves at these deformation gradients, one a point.
+  template <std::size_t n> bool serves(std::size_t cell, const std::array<Matrix3, n> &F) const {
+    const Cell &kept = cells_[cell];
+    if (kept.block.empty() || kept.flows) return false;
+    for (std::size_t q = 0; q < n; ++q)
+      if ((F[q] - kept.F[q]).cwiseAbs().maxCoeff() > as_before) return false;
+    return true;
+  }
+  template <int nodes, std::size_t n>
+  void keep(std::size_t cell, const std::array<Matrix3, n> &F, bool flows, const CellKernel<nodes> &made) {
+    Cell &kept = cells_[cell];
+    kept.F.assign(F.begin(), F.end());
+    kept.flows = flows;
+    kept.block.resize(3 * nodes * (3 * nodes + 1) / 2);
+    float *value = kept.block.data();
+    for (int a = 0; a < nodes; ++a)
+      for (int i = 0; i < 3; ++i)
+        for (int b = a; b < nodes; ++b)
+          for (int k = b == a ? i : 0; k < 3; ++k) *value++ = static_cast<float>(made.block[i][k][a][b]);
+  }
+  /// Upper triangle by rows, of the cell's dofs [N/m].
+  const float *block(std::size_t cell) const { return cells_[cell].block.data(); }
+
+private:
+  struct Cell {
+    std::vector<Matrix3> F{};
+    std::vector<float> block{}; ///< in single precision: its rounding is far below `as_before`
+    bool flows = false;
+  };
+  std::vector<Cell> cells_;
+};
+
+} // namespace rimpact::fe
