@@ -80,6 +80,7 @@ void SlidingRun::march_on() {
   resting_ = rests();
   transient_.step.rho_inf =
       resting_ ? 0 : scene_.model.rho_inf; // what rings on, of springs without damping, is of no interest
+  transient_.step.smooth = !near_rim_;
   const double longest = near_rim_  ? plan_.step_in_contact
                          : resting_ ? planning::longest_resting_step
                                     : longest_sliding_step;

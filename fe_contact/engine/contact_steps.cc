@@ -46,6 +46,7 @@ ContactStepReport solve(ContactSystem &system, const SystemState &state, const S
     ++report.augmentations;
     ++system.work.augmentations;
     system.augment();
+    newton_options.tolerance = options.newton.tolerance; // the first renewal mostly suffices
   }
   const int lost = system.lost_points();
   if (lost > 0)
@@ -53,6 +54,16 @@ ContactStepReport solve(ContactSystem &system, const SystemState &state, const S
   report.converged = lost == 0;
   if (lost > 0) ++system.work.cuts;
   return report;
+}
+
+/// The last increment repeated: loading goes on mostly as it did, where the velocities ring from cell to cell. Smooth
+/// motion is continued by a parabola through the last three states.
+Eigen::VectorXd first_guess(const SystemState &state, double dt, bool smooth) {
+  if (!(state.last_dt > 0)) return state.u + dt * state.v;
+  const Eigen::VectorXd rate = state.last_change / state.last_dt;
+  if (!smooth || !(state.dt_before > 0)) return state.u + dt * rate;
+  const Eigen::VectorXd bend = (rate - state.change_before / state.dt_before) / (state.last_dt + state.dt_before);
+  return state.u + dt * (rate + (dt + state.last_dt) * bend);
 }
 
 NextMultipliers next_multipliers(const StepOptions &options, const ContactStepReport &report) {
@@ -76,13 +87,14 @@ ContactStepReport time_step(ContactSystem &system, SystemState &state, const Ste
   StepTerms in_time = terms;
   in_time.inertia = &inertia;
   if (options.expects && state.last_dt > 0) in_time.expected = terms.dt / state.last_dt;
-  // The last increment repeated: loading goes on mostly as it did, where the velocities ring from cell to cell.
-  Eigen::VectorXd u = state.u + (state.last_dt > 0 ? terms.dt / state.last_dt * state.last_change : terms.dt * state.v);
+  Eigen::VectorXd u = first_guess(state, terms.dt, options.smooth);
   ContactStepReport report = solve(system, state, in_time, options, u);
   if (!report.converged) return report;
   report.multiplier = system.multiplier();
   const Eigen::VectorXd a = inertia.acceleration(u), du = u - state.u, da = a - state.a, R_old = state.R;
   system.commit(u, state, next_multipliers(options, report));
+  state.change_before = std::move(state.last_change);
+  state.dt_before = state.last_dt;
   state.last_change = du;
   state.last_dt = terms.dt;
   report.integrator_loss = inertia.scheme.loss(terms.dt, du, da, system.mass_times(da), R_old, state.R);

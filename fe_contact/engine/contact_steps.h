@@ -11,10 +11,11 @@ struct StepOptions {
   double gap_tolerance = 1e-6;  ///< penetration augmentation is to leave, in the multipliers' sense [m]
   double slip_tolerance = 1e-6; ///< likewise, slip of sticking points [m]
   int max_augmentations = 10;   ///< a cap, reported when reached; 0: pure penalty
-  /// Newton's tolerance while multipliers are still to change: solving better than they are known is wasted. The last
-  /// solution meets newton.tolerance. 0: all do.
+  /// Newton's tolerance before multipliers are renewed for the first time: solving better than they are known is
+  /// wasted. The last solution meets newton.tolerance. 0: all do.
   double tolerance_between = 0;
   double rho_inf = 0.8;
+  bool smooth = false;  ///< steps in time: no wall in reach, the motion has an acceleration
   bool expects = false; ///< steps in time begin with the pressures' last change repeated (see SurfaceContact::expect)
 };
 

@@ -14,9 +14,11 @@ namespace rimpact::fe {
 /// Committed state; vectors by equation, SI units.
 struct SystemState {
   Eigen::VectorXd u, v, a;
-  Eigen::VectorXd R;           ///< loads less internal and contact forces [N]: what accelerates the equations
-  Eigen::VectorXd last_change; ///< of u over the last step in time, from which the next one's first guess is made
-  double last_dt = 0;          ///< [s]; 0: none
+  Eigen::VectorXd R;             ///< loads less internal and contact forces [N]: what accelerates the equations
+  Eigen::VectorXd last_change;   ///< of u over the last step in time, from which the next one's first guess is made
+  double last_dt = 0;            ///< [s]; 0: none
+  Eigen::VectorXd change_before; ///< likewise, over the step before that one
+  double dt_before = 0;          ///< [s]; 0: none
   SolidHistory history;
   std::vector<SurfaceContactState> contacts;
   SolidEnergies energies;
