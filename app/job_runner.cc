@@ -11,7 +11,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
-#include <sched.h>
 #include <sstream>
 #include <thread>
 #include <unistd.h>
@@ -87,13 +86,6 @@ void make_runs_folder(const std::string &folder) {
     std::filesystem::create_directories(folder + part, error);
     if (error) throw IoError("cannot make " + folder + part + ": " + error.message());
   }
-}
-
-std::size_t cores_to_use() {
-  cpu_set_t set;
-  CPU_ZERO(&set);
-  const int count = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
-  return std::clamp(count, 1, 8);
 }
 
 std::vector<Job> shard_of(const std::vector<Job> &jobs, int part, int n_parts) {

@@ -49,9 +49,6 @@ private:
 /// The folders of a study's runs and of their logs; throws IoError when they cannot be made.
 void make_runs_folder(const std::string &folder);
 
-/// Cores this process may use (its affinity, not the machine's), at least 1 and at most 8.
-std::size_t cores_to_use();
-
 /// Every `n_parts`-th job from the `part`-th (from 1) on.
 std::vector<Job> shard_of(const std::vector<Job> &jobs, int part, int n_parts);
 

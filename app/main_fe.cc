@@ -5,10 +5,12 @@
 #include "fe_contact/drive/run.h"
 
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <petscsys.h>
+#include <sys/prctl.h>
 #include <thread>
 
 namespace {
@@ -44,7 +46,10 @@ int main(int argc, char **argv) {
   MPI_Comm leaving;
   MPI_Comm_dup(MPI_COMM_WORLD, &leaving);
   const bool first = rimpact::fe::is_first_rank(), shares = argc > 1 && std::strcmp(argv[1], "run") == 0;
-  if (n_ranks > 1) rimpact::fe::use_one_blas_thread();
+  if (n_ranks > 1) {
+    rimpact::fe::use_one_blas_thread();
+    prctl(PR_SET_PDEATHSIG, SIGKILL); // a killed mpirun leaves nobody behind who would go on writing
+  }
   if (!first && (!std::freopen("/dev/null", "w", stdout) || !std::freopen("/dev/null", "w", stderr))) return 1;
   int code = 0;
   if (first || shares)

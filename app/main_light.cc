@@ -14,9 +14,9 @@ int main(int argc, char **argv) {
   if (argc > 1 && elsewhere.count(argv[1])) {
     try {
       std::vector<std::string> words(argv + 1, argv + argc);
-      if (const auto ranks = words[0] == "run" ? app::take_ranks(words) : std::nullopt)
-        return app::run_on_ranks(*ranks, app::fe_program(), words);
-      app::become_fe(argc, argv);
+      const int ranks = words[0] == "run" ? app::take_ranks(words).value_or(app::usual_ranks(words)) : 1;
+      if (ranks > 1) return app::run_on_ranks(ranks, app::fe_program(), words);
+      app::become_fe(words);
     } catch (const Error &error) {
       app::say(fmt::format("error: {}\n", error.what()));
       return static_cast<int>(error.code());

@@ -1,7 +1,9 @@
 #include "app/rank_launcher.h"
 
+#include "app/run_words.h"
 #include "app/sibling.h"
 #include "files/error.h"
+#include "files/text.h"
 #include <algorithm>
 #include <charconv>
 #include <csignal>
@@ -13,6 +15,13 @@
 
 namespace rimpact::app {
 namespace {
+
+bool is_program(const std::string &name) {
+  const char *path = std::getenv("PATH");
+  for (const auto folder : split(path ? path : "", ':'))
+    if (access((std::string(folder) + "/" + name).c_str(), X_OK) == 0) return true;
+  return false;
+}
 
 volatile std::sig_atomic_t told = 0;
 
@@ -44,10 +53,31 @@ std::optional<int> take_ranks(std::vector<std::string> &words) {
   return n;
 }
 
+int usual_ranks(const std::vector<std::string> &words) {
+  constexpr int usual = 2; // what more gain is not measured
+  if (std::getenv("RIMPACT_THREADS") || std::getenv("OMPI_COMM_WORLD_SIZE") || cores_to_use() < usual ||
+      !is_program("mpirun"))
+    return 1;
+  try {
+    CLI::App app;
+    auto *verb = app.add_subcommand("run");
+    RunWords run;
+    Console console;
+    add_run_words(*verb, run, console);
+    app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
+    const scene::Scene scene = scene::load_scene(run.scene, console.settings());
+    const bool dear = scene.model.rung != scene::Rung::rim && scene.model.mesh > 0;
+    return dear && !run.dry_run ? usual : 1;
+  } catch (const std::exception &) { // help is asked for, or something is wrong: rimpact-fe tells
+    return 1;
+  }
+}
+
 int run_on_ranks(int n_ranks, const std::string &program, const std::vector<std::string> &words) {
   Launch launch{
       .command = {"/usr/bin/env", "mpirun", "-q", "--use-hwthread-cpus", "-np", std::to_string(n_ranks), program},
-      .apart = true};
+      .apart = true,
+      .when_killed = SIGKILL};
   launch.command.insert(launch.command.end(), words.begin(), words.end());
   launch.environment = {"OPENBLAS_THREAD_TIMEOUT=4"}; // as become_fe()
   if (geteuid() == 0)

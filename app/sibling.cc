@@ -3,11 +3,12 @@
 #include "files/address_space.h"
 #include "files/data_folder.h"
 #include "files/error.h"
-#include <csignal>
+#include <algorithm>
 #include <cstdlib>
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
+#include <sched.h>
 #include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -56,14 +57,21 @@ std::string fe_program() {
   return program;
 }
 
-void become_fe(int argc, char **argv) {
+void become_fe(const std::vector<std::string> &given) {
   need_address_space();
   // OpenBLAS's idle threads spin for tens of milliseconds and take the core from the assembly: let them sleep at once.
   setenv("OPENBLAS_THREAD_TIMEOUT", "4", 0);
   std::vector<std::string> words{fe_program()};
-  words.insert(words.end(), argv + 1, argv + argc);
+  words.insert(words.end(), given.begin(), given.end());
   execv(words[0].c_str(), pointers(words).data());
   throw IoError("cannot start " + words[0]);
+}
+
+std::size_t cores_to_use() {
+  cpu_set_t set;
+  CPU_ZERO(&set);
+  const int count = sched_getaffinity(0, sizeof set, &set) == 0 ? CPU_COUNT(&set) : 1;
+  return std::clamp(count, 1, 8);
 }
 
 pid_t start(const Launch &launch) {
@@ -74,7 +82,7 @@ pid_t start(const Launch &launch) {
   if (process > 0) return process;
   if (launch.apart) {
     setpgid(0, 0);
-    prctl(PR_SET_PDEATHSIG, SIGTERM);
+    prctl(PR_SET_PDEATHSIG, launch.when_killed);
     if (getppid() != parent) _exit(static_cast<int>(ExitCode::interrupted)); // it died before the line above
   }
   for (auto &entry : added) putenv(entry.data());

@@ -1,5 +1,6 @@
 /// The programs beside this one, and Python for the report.
 #pragma once
+#include <csignal>
 #include <string>
 #include <sys/types.h>
 #include <vector>
@@ -11,8 +12,10 @@ namespace rimpact::app {
 std::string sibling(const std::string &name);
 /// The finite-element program. Throws InputError when it was not built.
 std::string fe_program();
-/// Replaces this process by the finite-element program with the same arguments. Throws as fe_program().
-[[noreturn]] void become_fe(int argc, char **argv);
+/// Replaces this process by the finite-element program with these words. Throws as fe_program().
+[[noreturn]] void become_fe(const std::vector<std::string> &words);
+/// Processors that this process may use, at most eight.
+std::size_t cores_to_use();
 
 /// A program to start.
 struct Launch {
@@ -20,8 +23,9 @@ struct Launch {
   std::string output = {}, errors = {};      ///< files (may be the same one); "": inherited
   std::vector<std::string> environment = {}; ///< NAME=VALUE to add
   /// In a process group of its own, so that a Ctrl-C on the terminal reaches this program only, which then
-  /// tells the other once (SIGTERM); told as well when this program is killed.
+  /// tells the other once (SIGTERM).
   bool apart = false;
+  int when_killed = SIGTERM; ///< what one apart is sent when this program is killed
 };
 pid_t start(const Launch &launch);
 /// Exit code of a process, -1 while it runs (when not waiting), 128 + the signal that ended it.

@@ -3,6 +3,7 @@
 #include "app/memory.h"
 #include "app/progress.h"
 #include "app/progress_in_words.h"
+#include "app/run_words.h"
 #include "app/sibling.h"
 #include "app/verb.h"
 #include "calibration/studies/stored_study.h"
@@ -18,12 +19,6 @@
 namespace rimpact::app {
 namespace {
 
-struct RunOptions {
-  std::string scene, folder;
-  bool resume = false, dry_run = false, no_fields = false;
-  double fields_every_ms = 0;
-};
-
 /// The result of a run that had ended before.
 void tell_kept(const std::string &folder, const std::string &name, Console &console) {
   const auto summary = read_summary(folder);
@@ -37,7 +32,7 @@ void tell_kept(const std::string &folder, const std::string &name, Console &cons
                   number("n_steps"), folder));
 }
 
-void run(RunOptions &options, Console &console) {
+void run(const RunWords &options, Console &console) {
   const scene::Scene scene = console.load(options.scene);
   if (const std::string warning = fe::blas_warning(); !warning.empty()) console.warn(warning);
   fe::check_supported(scene);
@@ -128,25 +123,12 @@ void run(RunOptions &options, Console &console) {
 
 void add_run(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("run", "run a scene by finite elements");
-  auto options = std::make_shared<RunOptions>();
-  verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
-  verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>)");
-  verb->add_flag("--resume", options->resume,
-                 "go on from the folder's checkpoint; a run that has ended stays as it is");
-  verb->add_flag("--dry-run", options->dry_run, "print the plan and stop");
-  verb->add_flag("--no-fields", options->no_fields, "no VTU files");
-  verb->add_option("--fields-every", options->fields_every_ms,
-                   "also VTU files at so many ms of an impact, for a film (some 5 MB each on mesh 1)")
-      ->check(CLI::Range(0.01, 1e6));
+  auto words = std::make_shared<RunWords>();
+  add_run_words(*verb, *words, console);
   verb->add_option_function<int>(
       "--ranks", [](int) { throw InputError("--ranks is for rimpact, which starts rimpact-fe on them"); },
-      "so many processes share the run; the dear rungs gain by it");
-  console.add_common(*verb);
-  console.add_json(*verb);
-  console.add_overrides(*verb);
-  console.add_force(*verb);
-  console.add_model(*verb);
-  verb->callback([options, &console] { run(*options, console); });
+      "so many processes share the run; 1: one alone; without it the dear rungs take two on mesh 1 and finer");
+  verb->callback([words, &console] { run(*words, console); });
 }
 
 } // namespace rimpact::app

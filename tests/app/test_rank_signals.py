@@ -11,7 +11,7 @@ import unittest
 
 STAND_IN = """#!/usr/bin/python3
 import os, pathlib, signal, sys, time
-rank, folder = os.environ["OMPI_COMM_WORLD_RANK"], pathlib.Path(sys.argv[sys.argv.index("-o") + 1])
+rank, folder = os.environ.get("OMPI_COMM_WORLD_RANK", "0"), pathlib.Path(sys.argv[sys.argv.index("-o") + 1])
 def end(number, _):
     time.sleep(2.5)  # a step goes on for longer than mpirun waits
     (folder / f"checkpoint{rank}").write_text(signal.Signals(number).name)
@@ -63,6 +63,36 @@ class RankSignals(unittest.TestCase):
             _, errors = process.communicate(timeout=60)
             self.assertEqual(process.returncode, 2, errors)
             self.assertIn("--ranks", errors)
+
+    def test_a_dear_run_takes_two_ranks_unless_told(self):
+        cores = len(os.sched_getaffinity(0))
+        if cores < 2:
+            self.skipTest("one processor here")
+        dear, none = ["ricker-0.78g-1.0s", "--rung", "rigid-dish"], {}
+        for scene, threads, n in ((dear, none, 2), ([*dear, "--ranks", "1"], none, 1), ([*dear, "--mesh", "0"], none, 1), (["ricker-0.78g-1.0s"], none, 1),
+                                  ([*dear, "--dry-run"], none, 1), (dear, {"RIMPACT_THREADS": "1"}, 1)):
+            with self.subTest(" ".join(scene), **threads), tempfile.TemporaryDirectory() as folder:
+                environment = dict(self.environment, **threads)
+                environment.pop("RIMPACT_THREADS", None) if not threads else None
+                self.folder = pathlib.Path(folder)
+                process = subprocess.Popen([os.environ["RIMPACT"], "run", *scene, "-o", folder], env=environment, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True)
+                self.until_started(process, n)
+                self.assertEqual(len(list(self.folder.glob("words*"))), n)
+                process.kill()
+                process.communicate()
+
+    def test_killed_with_its_ranks(self):
+        process = self.start("--ranks", "2")
+        self.until_started(process, 2)
+        program = self.environment["RIMPACT_FE_PROGRAM"]
+        process.kill()
+        process.communicate()
+        for _ in range(50):
+            left = subprocess.run(["pgrep", "-f", f"mpirun.*{program}"], stdout=subprocess.PIPE, text=True).stdout
+            if not left:
+                return
+            time.sleep(0.1)
+        self.fail(f"still there: {left}")
 
 
 if __name__ == "__main__":
