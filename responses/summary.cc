@@ -100,9 +100,13 @@ double unaccounted(const EnergyLedger &e) { // [J]
   return e.initial + e.external -
          (e.gravity + e.kinetic + e.elastic + e.plastic + e.damping + e.friction + e.impact + e.contact + e.integrator);
 }
+/// What is put in, or what is exchanged where hardly anything is: a bearing that settles under its load. [J]
 double largest_energy(const EnergyLedger &e) {
-  return std::max(e.largest_input, std::abs(e.external) + std::abs(e.initial));
-} // [J]
+  double largest = std::max(e.largest_input, std::abs(e.external) + std::abs(e.initial));
+  for (const double term : {e.gravity, e.kinetic, e.elastic, e.plastic, e.damping, e.friction, e.impact, e.contact})
+    largest = std::max(largest, std::abs(term));
+  return largest;
+}
 
 } // namespace
 

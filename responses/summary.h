@@ -26,7 +26,7 @@ struct EnergyLedger {
   double initial = 0;       ///< energy present at the start (a window's kinetic energy)
   double largest_input = 0; ///< running maximum of |external| + initial
   /// initial + external - (gravity + kinetic + elastic + plastic + damping + friction + impact + contact + integrator),
-  /// divided by largest_input.
+  /// divided by largest_input, or by the largest term where hardly anything is put in.
   double imbalance_relative() const;
 };
 

@@ -1,4 +1,4 @@
-/// Runs a scene by finite elements. The only header of fe_contact the application needs; no deal.II in it.
+/// Runs a scene by finite elements. No deal.II in this header.
 #pragma once
 #include "meshes/hex_mesh.h"
 #include "planning/plan.h"

@@ -1,6 +1,6 @@
 /// What acts on the supported mass while the rim is solid: everything of the reduced model but the rim.
-/// Ground motion, dead load, the dish's normal force (a constraint on the height) and its friction, in an
-/// arc's frame.
+/// Ground motion, dead load, the dish's normal force (a constraint on the speed towards the dish) and its
+/// friction, in an arc's frame.
 #pragma once
 #include "fe_contact/engine/remote_load.h"
 #include "fe_contact/rungs/rim_frame.h"

@@ -169,6 +169,16 @@ TEST(Ledger, TheRoundingOfARestIsNoDoubt) {
   EXPECT_TRUE(doubt_of_ledger(real));
 }
 
+/// A bearing on its dish before the ground moves: it settles by a twentieth of a joule, and next to nothing is put in.
+TEST(Ledger, ABearingThatOnlySettlesIsMeasuredByWhatItExchanges) {
+  EnergyLedger e;
+  e.external = e.largest_input = 1e-15;
+  e.elastic = 0.0601, e.contact = -0.0476, e.friction = 0.0198, e.gravity = -0.0327, e.integrator = 4e-4;
+  EXPECT_LT(std::abs(e.imbalance_relative()), 1e-3);
+  e.elastic += 0.006;
+  EXPECT_GT(std::abs(e.imbalance_relative()), 0.05);
+}
+
 TEST(Ledger, AWindowsKineticEnergyIsItsInput) {
   EnergyLedger e;
   e.initial = 50, e.kinetic = 30, e.plastic = 19;
