@@ -85,6 +85,7 @@ bool ContactSystem::evaluate(const Eigen::VectorXd &u, bool with_tangent) {
 bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_tangent, bool &pattern_holds) {
   const Eigen::VectorXd displacements = equations_.expand(u);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations_.n);
+  if (with_tangent && exactly) solid_.forget_tangents();
   SymmetricMatrix *solid_tangent = with_tangent ? &tangent_->symmetric() : nullptr;
   if (solid_tangent) solid_tangent->set_zero();
   trial_.energies = {};

@@ -1,6 +1,6 @@
 /// Tangents of cells that hardly deform: a cell that moves, or strains elastically by less than `as_before`, keeps the
-/// one it was last made for. Newton's residuals stay exact; its rate bears an error of that size. Cells that flow get a
-/// new one every time.
+/// one it was last made for. Newton's residuals stay exact; its rate bears an error of that size, which is large where
+/// a body is slender: a solution that takes its time makes them all anew. Cells that flow get a new one every time.
 #pragma once
 #include "fe_contact/engine/solid_kernel.h"
 #include <array>
@@ -28,19 +28,19 @@ public:
     kept.F.assign(F.begin(), F.end());
     kept.flows = flows;
     kept.block.resize(3 * nodes * (3 * nodes + 1) / 2);
-    float *value = kept.block.data();
+    double *value = kept.block.data();
     for (int a = 0; a < nodes; ++a)
       for (int i = 0; i < 3; ++i)
         for (int b = a; b < nodes; ++b)
-          for (int k = b == a ? i : 0; k < 3; ++k) *value++ = static_cast<float>(made.block[i][k][a][b]);
+          for (int k = b == a ? i : 0; k < 3; ++k) *value++ = made.block[i][k][a][b];
   }
   /// Upper triangle by rows, of the cell's dofs [N/m].
-  const float *block(std::size_t cell) const { return cells_[cell].block.data(); }
+  const double *block(std::size_t cell) const { return cells_[cell].block.data(); }
 
 private:
   struct Cell {
     std::vector<Matrix3> F{};
-    std::vector<float> block{}; ///< in single precision: its rounding is far below `as_before`
+    std::vector<double> block{};
     bool flows = false;
   };
   std::vector<Cell> cells_;

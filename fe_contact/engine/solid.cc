@@ -121,7 +121,7 @@ bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eig
     }
     if (!tangent) continue;
     if (anew) kept_.keep(c, F, cell_answer.flows, *kernel);
-    const float *value = kept_.block(c);
+    const double *value = kept_.block(c);
     const int *place = places->data() + c * (m * (m + 1) / 2);
     for (int row = 0; row < m; ++row)
       for (int column = row; column < m; ++column, ++place, ++value) {

@@ -23,6 +23,7 @@ public:
   /// shortened).
   virtual bool evaluate(const Eigen::VectorXd &u, bool with_tangent) = 0;
   bool has_tangent = false; ///< of the last evaluation
+  bool exactly = false;     ///< the next tangent is to hold nothing kept from other evaluations
   virtual const Eigen::VectorXd &residual() const = 0;
   /// Size of the forces in play [N], against which the residual is small or not.
   virtual double force_scale() const = 0;
@@ -54,6 +55,8 @@ struct NewtonReport {
 double forcing_term(const std::vector<double> &residuals, double last, double tolerance, double finest);
 /// GMRES's iterations after which a factor is given up, and after which it is renewed.
 inline constexpr int most_linear_iterations = 30, worn_after = 6;
+/// Iterations after which a solution goes on with exact tangents.
+inline constexpr int takes_its_time = 3;
 
 /// From u to the solution, in place. The target stays evaluated at u.
 NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOptions &options);
