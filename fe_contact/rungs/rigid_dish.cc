@@ -23,8 +23,8 @@ StepOptions stack_steps() {
   options.newton.tolerance = 1e-5;
   options.newton.finest_forcing = 1e-3;
   options.tolerance_between = 1e-3;
-  options.gap_tolerance = 2e-5;
-  options.slip_tolerance = 2e-5;
+  options.gap_tolerance = 1e-5;
+  options.slip_tolerance = 1e-5;
   options.max_augmentations = 4;
   return options;
 }
