@@ -41,7 +41,7 @@ MainJobs main_jobs(const MainTarget &target, const MainChoices &choices, const s
   const auto add = [&](const std::string &name, JobRole role, scene::Scene scene) {
     scene.name = name;
     scene.validate();
-    result.jobs.push_back({name, role, std::move(scene), folder + "/runs/" + name, false, false, {}, false});
+    result.jobs.push_back({.name = name, .role = role, .scene = std::move(scene), .folder = folder + "/runs/" + name});
   };
   constexpr const char *pulses[] = {"ricker-0.78g-1.0s", "ricker-0.38g-1.5s"};
   std::vector<PulseScales> scales;

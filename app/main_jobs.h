@@ -19,8 +19,8 @@ struct Job {
   scene::Scene scene;
   std::string folder; ///< DIR/runs/NAME
   bool done = false, reused = false;
-  std::string failure;  ///< the run's own sentence
-  bool reduced = false; ///< by the reduced model, else by finite elements
+  std::string failure = {}; ///< the run's own sentence
+  bool reduced = false;     ///< by the reduced model, else by finite elements
 };
 
 struct MainChoices {

@@ -14,8 +14,11 @@ int main(int argc, char **argv) {
   if (argc > 1 && elsewhere.count(argv[1])) {
     try {
       std::vector<std::string> words(argv + 1, argv + argc);
-      const int ranks = words[0] == "run" ? app::take_ranks(words).value_or(app::usual_ranks(words)) : 1;
-      if (ranks > 1) return app::run_on_ranks(ranks, app::fe_program(), words);
+      if (words[0] == "run") {
+        const auto asked = app::take_ranks(words);
+        const int ranks = asked ? *asked : app::usual_ranks(words);
+        if (ranks > 1) return app::run_on_ranks(ranks, app::fe_program(), words);
+      }
       app::become_fe(words);
     } catch (const Error &error) {
       app::say(fmt::format("error: {}\n", error.what()));

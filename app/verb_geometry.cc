@@ -45,8 +45,10 @@ void run_geometry(GeometryOptions options, Console &console) {
   window.validate();
   std::vector<Job> jobs;
   for (const auto &scene : calibration::geometry_scenes(window, options.study))
-    jobs.push_back(
-        {scene.name, JobRole::geometry, scene, options.folder + "/runs/" + scene.name, false, false, {}, false});
+    jobs.push_back({.name = scene.name,
+                    .role = JobRole::geometry,
+                    .scene = scene,
+                    .folder = options.folder + "/runs/" + scene.name});
   std::vector<Job> own = shard_of(jobs, part, n_parts);
   const auto lock =
       claim_for_jobs(options.folder, Collection::geometry_study, jobs, console.force, part_name(part, n_parts));

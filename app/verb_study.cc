@@ -49,7 +49,11 @@ std::vector<Job> study_jobs(const StudyOptions &options, const scene::Scene &bas
   std::vector<Job> jobs;
   const auto add = [&](const std::string &name, scene::Scene scene, bool reduced) {
     scene.name = base.name;
-    jobs.push_back({name, JobRole::study, scene, options.folder + "/runs/" + name, false, false, {}, reduced});
+    jobs.push_back({.name = name,
+                    .role = JobRole::study,
+                    .scene = scene,
+                    .folder = options.folder + "/runs/" + name,
+                    .reduced = reduced});
   };
   for (const auto solver : solvers) {
     const auto rung = rung_of(solver);

@@ -29,16 +29,8 @@ constexpr SolvedBy solved_by(scene::Rung rung) {
 }
 /// None: the reduced model.
 constexpr std::optional<scene::Rung> rung_of(SolvedBy solver) {
-  switch (solver) {
-  case SolvedBy::reduced:
-    return std::nullopt;
-  case SolvedBy::rim:
-    return scene::Rung::rim;
-  case SolvedBy::rigid_dish:
-    return scene::Rung::rigid_dish;
-  case SolvedBy::full:
-    return scene::Rung::full;
-  }
+  for (const auto &rung : choices(scene::Rung{}))
+    if (solved_by(rung.value) == solver) return rung.value;
   return std::nullopt;
 }
 

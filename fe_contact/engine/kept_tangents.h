@@ -13,7 +13,9 @@ public:
   static constexpr double as_before = 1e-3; ///< largest change of a component of the deformation gradient [-]
 
   explicit KeptTangents(std::size_t n_cells) : cells_(n_cells) {}
-  void forget() { std::fill(cells_.begin(), cells_.end(), Cell{}); }
+  void forget() {
+    for (Cell &cell : cells_) cell.block.clear(); // its memory stays: solutions that take their time come here often
+  }
   /// Whether the cell's tangent serves at these deformation gradients, one a point.
   template <std::size_t n> bool serves(std::size_t cell, const std::array<Matrix3, n> &F) const {
     const Cell &kept = cells_[cell];

@@ -33,8 +33,8 @@ class RankSignals(unittest.TestCase):
         program.chmod(0o755)
         self.environment = dict(os.environ, RIMPACT_FE_PROGRAM=str(program))
 
-    def start(self, *ranks):
-        return subprocess.Popen([os.environ["RIMPACT"], "run", "some.toml", *ranks, "-o", str(self.folder)], env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True, start_new_session=True)
+    def start(self, *ranks, scene=("some.toml",)):
+        return subprocess.Popen([os.environ["RIMPACT"], "run", *scene, *ranks, "-o", str(self.folder)], env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True, start_new_session=True)
 
     def until_started(self, process, n):
         for _ in range(300):
@@ -69,13 +69,13 @@ class RankSignals(unittest.TestCase):
         if cores < 2:
             self.skipTest("one processor here")
         dear, none = ["ricker-0.78g-1.0s", "--rung", "rigid-dish"], {}
+        self.environment.pop("RIMPACT_THREADS", None)
+        free = self.environment
         for scene, threads, n in ((dear, none, 2), ([*dear, "--ranks", "1"], none, 1), ([*dear, "--mesh", "0"], none, 1), (["ricker-0.78g-1.0s"], none, 1),
                                   ([*dear, "--dry-run"], none, 1), (dear, {"RIMPACT_THREADS": "1"}, 1)):
             with self.subTest(" ".join(scene), **threads), tempfile.TemporaryDirectory() as folder:
-                environment = dict(self.environment, **threads)
-                environment.pop("RIMPACT_THREADS", None) if not threads else None
-                self.folder = pathlib.Path(folder)
-                process = subprocess.Popen([os.environ["RIMPACT"], "run", *scene, "-o", folder], env=environment, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True)
+                self.environment, self.folder = {**free, **threads}, pathlib.Path(folder)
+                process = self.start(scene=scene)
                 self.until_started(process, n)
                 self.assertEqual(len(list(self.folder.glob("words*"))), n)
                 process.kill()
