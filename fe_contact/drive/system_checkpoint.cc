@@ -23,6 +23,7 @@ void put(Checkpoint &file, const std::string &prefix, const SurfaceContactState 
   n[prefix + "tangential"] = flat(s.tangential);
   n[prefix + "start"] = flat(s.start);
   n[prefix + "friction"] = flat(s.friction);
+  n[prefix + "pulled_back"] = flat(s.pulled_back);
   n[prefix + "status"] = {};
   for (const ContactStatus status : s.status) n[prefix + "status"].push_back(static_cast<double>(status));
   n[prefix + "covered"] = {s.covered.begin(), s.covered.end()};
@@ -39,6 +40,7 @@ void get(const Checkpoint &file, const std::string &prefix, SurfaceContactState 
   restore(file, prefix + "tangential", s.tangential);
   restore(file, prefix + "start", s.start);
   restore(file, prefix + "friction", s.friction);
+  restore(file, prefix + "pulled_back", s.pulled_back);
   const auto &status = file.field(prefix + "status", n, {0, 2, true}),
              &covered = file.field(prefix + "covered", n, flag),
              &opposite = file.field(prefix + "opposite", n, {-1, 1e7, true});

@@ -1,7 +1,7 @@
 /// Frictional contact of a deformable body's faces with an exact surface: Gauss points of the slave faces
 /// against the signed distance. The surface may be carried by a rigid body in translation, whose three dofs
-/// stand behind the nodes' ones in the equations (see Equations), or by the displacement of a deformable body's
-/// faces (see MasterFaces), which must not turn by large angles. Slip is measured along the surface from the
+/// stand behind the nodes' ones in the equations (see Equations). Or the displacement of a deformable body's faces
+/// carries it (see MasterFaces), which must not turn by large angles. Slip is measured along the surface from the
 /// step's start, in the carrier's reference configuration: sliding may be as long as it likes, and friction goes
 /// from face to face without being handed over.
 ///
@@ -36,6 +36,8 @@ struct SurfaceContactState {
   std::vector<Eigen::Vector3d> start;      ///< position relative to the carrier at the step's start [m]
   std::vector<double> gap, pressure;       ///< at the last evaluation [m], [Pa]
   std::vector<Eigen::Vector3d> friction;   ///< [Pa]
+  /// The friction by the slip as it is measured, in the carrier's reference configuration: F^T friction [Pa].
+  std::vector<Eigen::Vector3d> pulled_back;
   std::vector<ContactStatus> status;
   /// Opposite the master, not past its edge; settled once a step, so that Newton does not chatter: within a step
   /// a point that crosses the edge sees the surface go on.

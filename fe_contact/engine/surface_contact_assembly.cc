@@ -71,6 +71,7 @@ SurfaceContact::FaceResult SurfaceContact::assemble_face(std::size_t f, const Co
     const FacePoint &point = points_[k];
     state.pressure[k] = 0;
     state.friction[k].setZero();
+    state.pulled_back[k].setZero();
     state.status[k] = ContactStatus::open;
     state.gap[k] = std::numeric_limits<double>::infinity();
     if (!state.covered[k]) continue;
@@ -90,6 +91,7 @@ SurfaceContact::FaceResult SurfaceContact::assemble_face(std::size_t f, const Co
                                      state.multiplier[k], state.tangential[k], dt, D);
     state.pressure[k] = acts.pressure;
     state.friction[k] = acts.friction;
+    state.pulled_back[k] = coupling->inverse.transpose().inverse() * acts.friction;
     state.status[k] = acts.status;
     report.force += point.area * acts.traction;
     report.friction += point.area * acts.friction;
@@ -155,6 +157,7 @@ void SurfaceContact::hand_round(SurfaceContactState &state, SurfaceContactReport
   ranks().hand_round(state.gap, starts);
   ranks().hand_round(state.pressure, starts);
   ranks().hand_round(state.friction, starts);
+  ranks().hand_round(state.pulled_back, starts);
   ranks().hand_round(state.status, starts);
   ranks().hand_round(state.opposite, starts);
   Eigen::VectorXd sums(9), largest(4);

@@ -27,6 +27,7 @@ SurfaceContactState SurfaceContact::open(const Eigen::VectorXd &u) const {
                             std::vector<double>(n, std::numeric_limits<double>::infinity()),
                             std::vector<double>(n, 0.0),
                             std::vector<Vector3d>(n, Vector3d::Zero()),
+                            std::vector<Vector3d>(n, Vector3d::Zero()),
                             std::vector<ContactStatus>(n, ContactStatus::open),
                             std::vector<char>(n, 0),
                             std::vector<int>(n, -1)};
@@ -44,7 +45,7 @@ SurfaceContactState SurfaceContact::carried(const SurfaceContactState &other, co
     state.multiplier[k] = other.multiplier[k], state.tangential[k] = other.tangential[k],
     state.start[k] = other.start[k];
     state.gap[k] = other.gap[k], state.pressure[k] = other.pressure[k], state.friction[k] = other.friction[k];
-    state.status[k] = other.status[k];
+    state.pulled_back[k] = other.pulled_back[k], state.status[k] = other.status[k];
   }
   return state;
 }
@@ -111,7 +112,7 @@ void SurfaceContact::add_work(const SurfaceContactState &before, const SurfaceCo
       report.normal_work += area * (p1 * p1 - p0 * p0) / (2 * options_.law.normal_penalty * after.stiffening);
     else
       report.normal_work -= 0.5 * area * (p0 + p1) * (g1 - g0);
-    report.friction_work -= 0.5 * area * (before.friction[k] + after.friction[k]).dot(y - before.start[k]);
+    report.friction_work -= 0.5 * area * (before.pulled_back[k] + after.pulled_back[k]).dot(y - before.start[k]);
   }
 }
 

@@ -7,7 +7,7 @@ import h5py
 import numpy as np
 
 HEADER = 512
-MARK = b"rimpact checkpoint, format 2\nsha256 "
+MARK = b"rimpact checkpoint, format 3\nsha256 "
 
 
 def reseal(path):

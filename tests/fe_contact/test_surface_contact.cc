@@ -160,6 +160,40 @@ TEST_P(Carried, TangentIsTheDerivativeAndActionIsReaction) {
 }
 INSTANTIATE_TEST_SUITE_P(Degree, Carried, ::testing::Values(1, 2));
 
+// Slip is measured in the carrier's reference configuration: on a carrier that is stretched by a twentieth it is
+// shorter by that than the way on which the traction works.
+TEST(Carried, OnAStretchedCarrierTheLedgerTakesWhatTheForcesDo) {
+  TwoBlocks blocks(2);
+  const auto displaced = [&](double way) { // the lower block stretched, the upper one pressed on it and moved
+    Eigen::VectorXd u(blocks.equations.n);
+    for (std::size_t c = 0; c < blocks.space.n_cells; ++c)
+      for (int a = 0; a < blocks.space.nodes_per_cell; ++a) {
+        const unsigned node = blocks.space.cell_nodes[c * blocks.space.nodes_per_cell + a];
+        const double x = blocks.space.positions[node].x();
+        u.segment<3>(3 * node) =
+            blocks.space.volumes[c] == Volume::rim ? Vector3d(way, 0, -2e-4) : Vector3d(0.05 * x, 0, 0);
+      }
+    return u;
+  };
+  SurfaceContactState state = blocks.contact->open(displaced(0));
+  Eigen::VectorXd u = displaced(0), forces = Eigen::VectorXd::Zero(blocks.equations.n);
+  blocks.contact->cliques(blocks.equations, u, state.opposite); // the pairs that may meet
+  for (const double way : {1e-4, 2e-4}) {                       // the first step makes it slip
+    const SurfaceContactState before = state;
+    const Eigen::VectorXd u_before = u, forces_before = forces;
+    u = displaced(way);
+    forces.setZero();
+    auto report = blocks.contact->assemble(u, state, 0, blocks.equations, forces, nullptr);
+    blocks.contact->add_work(before, state, u, report);
+    if (way > 1.5e-4) {
+      ASSERT_GT(report.slip, 20);
+      const double done = 0.5 * (forces_before + forces).dot(u - u_before);
+      EXPECT_NEAR(report.friction_work + report.normal_work, done, 2e-3 * std::abs(report.friction_work));
+    }
+    blocks.contact->commit(u, state, NextMultipliers::same);
+  }
+}
+
 TEST(Carried, MovedTogetherNothingSlips) {
   TwoBlocks blocks(2);
   SurfaceContactState state = blocks.contact->open(blocks.moved({0.021, 0, -1e-4}, 0));
