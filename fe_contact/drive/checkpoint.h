@@ -1,7 +1,7 @@
 /// Checkpoints: named arrays of doubles and texts in one HDF5 file, written atomically. In front of the HDF5 part,
 /// where HDF5 leaves room for others, stand 512 bytes with the format's number and the SHA-256 of all that follows: a
 /// file with a changed bit is refused before anything of it is read. The reader states of every field how many values
-/// are due and what they may be, so that a file of another build or hand is refused in one sentence too.
+/// are due and what they may be: a file of another build or hand is refused in one sentence too.
 #pragma once
 #include <limits>
 #include <map>

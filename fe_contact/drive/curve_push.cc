@@ -35,7 +35,7 @@ public:
         no_load_(Eigen::VectorXd::Zero(system.equations().n)), state_(system.at_rest()) {}
 
   /// Loads until `works` [J, rising] are done, unloading from the first step beyond each.
-  reduced::CurvePath run(const std::vector<double> &works, double depth, double thickness) {
+  laws::CurvePath run(const std::vector<double> &works, double depth, double thickness) {
     path_.loading = {{0}, {0}};
     std::size_t next = 0;
     const auto attempt = [&](double d, double step) {
@@ -71,11 +71,11 @@ private:
   }
   double force_of(const SystemState &state) const { return -system_.force_of(state, Role::wall).x(); }
 
-  reduced::CurveSamples unloading(double deepest) {
+  laws::CurveSamples unloading(double deepest) {
     SystemState state = state_;
     TopDrive drive = drive_;
     const double top = force_of(state), stiffness = path_.loading.force[1] / path_.loading.penetration[1];
-    reduced::CurveSamples back{{deepest}, {top}};
+    laws::CurveSamples back{{deepest}, {top}};
     const auto attempt = [&](double way, double step) {
       Attempt result = push(drive, state, deepest - way - step);
       if (!result.accepted) return result;
@@ -96,7 +96,7 @@ private:
   }
 
   /// The walls part between the last sample and `parted`: where the force goes on to as it came.
-  static void end(reduced::CurveSamples &back, double parted) {
+  static void end(laws::CurveSamples &back, double parted) {
     const std::size_t n = back.force.size();
     double open = parted;
     if (n > 1) {
@@ -114,7 +114,7 @@ private:
   const Eigen::VectorXd no_load_;
   SystemState state_;
   TopDrive drive_;
-  reduced::CurvePath path_;
+  laws::CurvePath path_;
   double work_ = 0;
 };
 
@@ -130,8 +130,8 @@ std::vector<double> works_of(const CurveOrder &order) {
 }
 
 /// Largest difference of two loadings' forces at the same work, relative.
-double difference(const reduced::CurvePath &fine, const reduced::CurvePath &coarse) {
-  const reduced::RimCurve a(fine), b(coarse);
+double difference(const laws::CurvePath &fine, const laws::CurvePath &coarse) {
+  const laws::RimCurve a(fine), b(coarse);
   double largest = 0;
   for (double share = 0.1; share <= 1; share += 0.1) {
     const double work = share * share * a.work(a.range()), force = a.loading(a.depth_of(work)).force;
@@ -172,7 +172,7 @@ reduced::RimCurveFile push_rim_curve(const scene::Scene &scene, const CurveOrder
   result.rim_identity = scene::rim_identity(scene.bearing);
   result.made_by = build_version();
   result.errors.left_out_rebound =
-      std::max(reduced::RimCurve(result.dish).left_out_rebound(), reduced::RimCurve(result.held).left_out_rebound());
+      std::max(laws::RimCurve(result.dish).left_out_rebound(), laws::RimCurve(result.held).left_out_rebound());
   if (order.estimate && scene.model.mesh > 0) {
     // A coarser mesh's errors are (1.5)^2 times as large, so that the difference is 1.25 times what is left on this
     // one.

@@ -13,14 +13,6 @@ constexpr double first_overlap = 1e-5;   ///< the first step moves the slider by
 constexpr double smallest_pull = 1e-3;   ///< of the dish on the mass, over m g: lifted off beyond it
 constexpr double deepest_landing = 1e-6; ///< the mass is back on the dish when it has sunk by this [m]
 constexpr int checkpoint_every = 25;     ///< contact steps
-constexpr double passing_share = 0.01;   ///< of the approach speed, outwards at release: not a rebound
-constexpr double folded_over = 20;       ///< times its thickness beyond L_c the wall lies flat and is no wall any more
-constexpr double chatter_depth = 1e-4;   ///< nearer to L_c than this the walls may only have parted for an instant [m]
-
-/// By the walls' contact in the last step, of the model [J].
-double taken_by(const SurfaceContactReport &wall) {
-  return wall.normal_work + wall.friction_work;
-}
 
 } // namespace
 
@@ -93,12 +85,15 @@ Attempt FlightRun::attempt(Arc &arc, double t, double dt) {
   dt_ = dt / 2;
   if (!report.converged) return {false, dt_, report.reason};
   const double finest = plan_.step_in_contact / 32;
-  if (!event_is_sharp(arc, report, dt, finest) || !error_is_small(arc, kept, before, report, dt)) {
+  const MassForces after = loads_.forces(arc.frame.displacement(top_of(arc)), arc.frame.to_global(top_speed_of(arc)),
+                                         t + dt, support_, report.multiplier);
+  const FlightStep step{system_, arc.frame, kept, arc.state, before, after, report.integrator_loss};
+  if (!event_is_sharp(arc, report, dt, finest) || !error_is_small(step, dt)) {
     arc.state = kept;
     ++system_.work.cuts;
     return {false, dt_, "the step's error is too large"};
   }
-  accept(arc, kept, before, report, dt);
+  accept(arc, step, report, dt);
   const bool ended = after_step(arc, report);
   if (!ended && record_.n_steps - steps_kept_ >= checkpoint_every) save();
   return {true, dt_, {}, ended};
@@ -122,20 +117,15 @@ bool FlightRun::after_step(Arc &arc, const ContactStepReport &report) {
 }
 
 void FlightRun::refuse_passage(double outward_speed, bool bears) {
-  const double depth = bearing_.u.head<2>().norm() - capacity(), thickness = scene_.bearing.rim.thickness;
-  const bool folded = depth > folded_over * thickness;
-  // In a history walls may part for an instant at first touch, the slider still coming on: it is touched again.
-  const bool let_go = !bears && touched_ && outward_speed > passing_share * impact_.approach_speed &&
-                      (window() || depth >= chatter_depth);
-  if (!folded && !let_go) return;
+  const Passage passage{.depth = bearing_.u.head<2>().norm() - capacity(),
+                        .outward_speed = outward_speed,
+                        .approach_speed = impact_.approach_speed,
+                        .let_go = touched_ && !bears,
+                        .may_touch = !window()};
+  const auto sentence = passes(scene_.bearing.rim, passage, bearing_.t);
+  if (!sentence) return;
   save();
-  throw SolverStopped(fmt::format("{} at t = {:.5g} s, {:.2f} mm beyond L_c, while the slider moves outwards at {:.3g} "
-                                  "m/s: it passes through or over "
-                                  "the rim (height {:g} mm, thickness {:g} mm), which this model does not follow; "
-                                  "nothing after the touch is a result for this impact of {:.3g} m/s",
-                                  folded ? "the rim is folded over" : "the rim let go of the slider", bearing_.t,
-                                  1e3 * depth, outward_speed, 1e3 * scene_.bearing.rim.height, 1e3 * thickness,
-                                  impact_.approach_speed));
+  throw SolverStopped(*sentence);
 }
 
 bool FlightRun::lifts_off(const ContactStepReport &report) const {
@@ -157,25 +147,12 @@ bool FlightRun::event_is_sharp(const Arc &arc, const ContactStepReport &report, 
   return false;
 }
 
-bool FlightRun::error_is_small(const Arc &arc, const SystemState &kept, const MassForces &before,
-                               const ContactStepReport &report, double dt) {
+bool FlightRun::error_is_small(const FlightStep &step, double dt) {
   constexpr double displacement_tolerance = 2e-6; // [m] a step
-  constexpr double energy_tolerance = 1.5e-5;     // of the largest input, a step
-  const auto scheme = GeneralizedAlpha::from(scene_.model.rho_inf);
-  const double change = system_.top_of(arc.state.a).x() - system_.top_of(kept.a).x();
-  const double displacement = std::abs(scheme.beta - 1.0 / 6) * dt * dt * std::abs(change) / displacement_tolerance;
-  // What the step leaves unbalanced: the trapezoidal work of the forces against the change of energy.
-  const MassForces after = loads_.forces(arc.frame.displacement(top_of(arc)), arc.frame.to_global(top_speed_of(arc)),
-                                         bearing_.t + dt, support_, report.multiplier);
-  const Eigen::Vector3d du = arc.frame.displacement(top_of(arc)) - arc.frame.displacement(system_.top_of(kept.u));
-  const double share = system_.model().share(),
-               stored = share * (arc.state.energies.elastic + arc.state.energies.plastic - kept.energies.elastic -
-                                 kept.energies.plastic);
-  const double unbalanced = 0.5 * (before.total() + after.total()).dot(du) -
-                            (share * (system_.kinetic_energy(arc.state) - system_.kinetic_energy(kept) +
-                                      taken_by(wall_of(arc)) + report.integrator_loss) +
-                             stored);
-  const double energy = std::abs(unbalanced) / (energy_tolerance * std::max(1.0, record_.ledger.largest_input));
+  // Of the largest input, a step.
+  constexpr double energy_tolerance = 1.5e-5;
+  const double displacement = step.displacement_error(scene_.model.rho_inf, dt) / displacement_tolerance;
+  const double energy = std::abs(step.unbalanced()) / (energy_tolerance * std::max(1.0, record_.ledger.largest_input));
   const double error = std::max(displacement, energy);
   if (error > 4 && dt > plan_.step_in_contact / 32) {
     dt_ = dt * std::clamp(0.8 / std::cbrt(error), 0.25, 0.7);
@@ -185,20 +162,16 @@ bool FlightRun::error_is_small(const Arc &arc, const SystemState &kept, const Ma
   return true;
 }
 
-void FlightRun::accept(Arc &arc, const SystemState &kept, const MassForces &before, const ContactStepReport &report,
-                       double dt) {
+void FlightRun::accept(Arc &arc, const FlightStep &step, const ContactStepReport &report, double dt) {
   ++record_.n_steps;
   record_.augmentation_caps += report.capped;
   bearing_.t += dt;
   multiplier_ = report.multiplier;
-  const MassForces after = forces_now(arc, bearing_.t);
-  const Eigen::Vector3d u0 = arc.frame.displacement(system_.top_of(kept.u)), u1 = arc.frame.displacement(top_of(arc)),
-                        du = u1 - u0;
   const double share = system_.model().share();
   auto &ledger = record_.ledger;
-  ledger.external += 0.5 * (before.ground + after.ground).dot(du);
-  ledger.gravity -= 0.5 * (before.weight + after.weight).dot(du);
-  ledger.friction -= 0.5 * (before.friction + after.friction).dot(du);
+  ledger.external += step.work(step.before.ground, step.after.ground);
+  ledger.gravity -= step.work(step.before.weight, step.after.weight);
+  ledger.friction -= step.work(step.before.friction, step.after.friction);
   ledger.elastic = others_elastic_ + system_.model().share() * arc.state.energies.elastic;
   ledger.plastic = others_plastic_ + system_.model().share() * arc.state.energies.plastic;
   ledger.contact += share * wall_of(arc).normal_work;
@@ -206,9 +179,9 @@ void FlightRun::accept(Arc &arc, const SystemState &kept, const MassForces &befo
   ledger.integrator += share * report.integrator_loss;
   ledger.kinetic = share * system_.kinetic_energy(arc.state);
   ledger.largest_input = std::max(ledger.largest_input, ledger.initial + std::abs(ledger.external));
-  bearing_.u = u1;
+  bearing_.u = arc.frame.displacement(top_of(arc));
   bearing_.v = arc.frame.to_global(top_speed_of(arc));
-  sample(arc, report.iterations, after, dt);
+  sample(arc, report.iterations, step.after, dt);
 
   const double force = system_.force_of(arc.state, Role::wall).head<2>().norm();
   impact_.peak_force = std::max(impact_.peak_force, force);

@@ -3,6 +3,7 @@
 /// top face. The mass is handed over at touch and release. Each touched arc keeps its own yielded state.
 #pragma once
 #include "fe_contact/drive/checkpoint.h"
+#include "fe_contact/drive/flight_step.h"
 #include "fe_contact/drive/order.h"
 #include "fe_contact/drive/run_record.h"
 #include "fe_contact/rungs/mass_loads.h"
@@ -87,10 +88,9 @@ private:
   bool event_is_sharp(const Arc &arc, const ContactStepReport &report, double dt, double finest);
 
   /// Local errors of the top face's displacement and of the energy; also sets the next step's length.
-  bool error_is_small(const Arc &arc, const SystemState &kept, const MassForces &before,
-                      const ContactStepReport &report, double dt);
+  bool error_is_small(const FlightStep &step, double dt);
 
-  void accept(Arc &arc, const SystemState &kept, const MassForces &before, const ContactStepReport &report, double dt);
+  void accept(Arc &arc, const FlightStep &step, const ContactStepReport &report, double dt);
 
   /// Touchdown on the dish: the normal velocity is reversed with the stated restitution, its energy booked as
   /// contact.

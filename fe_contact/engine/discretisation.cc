@@ -1,116 +1,20 @@
 #include "fe_contact/engine/discretisation.h"
 
+#include "fe_contact/engine/curved_mesh.h"
 #include "files/error.h"
-#include "meshes/hex_order.h"
 #include <algorithm>
-#include <array>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/fe_values.h>
-#include <deal.II/fe/mapping_q_cache.h>
-#include <deal.II/grid/grid_tools.h>
-#include <deal.II/grid/tria.h>
 #include <deal.II/numerics/data_out.h>
 #include <fstream>
-#include <map>
 
 namespace rimpact::fe {
 namespace {
 
 using namespace dealii;
-
-constexpr int gmsh_corner_of_dealii[8] = {0, 1, 3, 2, 4, 5, 7, 6};
-
-/// Key of an edge or face: its sorted vertex numbers.
-using VertexSet = std::array<unsigned, 4>;
-VertexSet key(std::vector<unsigned> vertices) {
-  vertices.resize(4, numbers::invalid_unsigned_int);
-  std::sort(vertices.begin(), vertices.end());
-  return {vertices[0], vertices[1], vertices[2], vertices[3]};
-}
-
-/// Where the curved mesh puts every vertex, edge middle, face middle (by their vertices) and cell centre.
-struct CurvedPoints {
-  std::vector<unsigned> vertex_of_node; ///< HexMesh node -> triangulation vertex, or invalid
-  std::vector<Point<3>> vertices;
-  std::map<VertexSet, Point<3>> middles;
-  std::map<std::vector<unsigned>, Point<3>> centres; ///< by the cell's sorted vertices
-};
-
-CurvedPoints curved_points(const meshes::HexMesh &mesh) {
-  CurvedPoints points;
-  points.vertex_of_node.assign(mesh.nodes.size(), numbers::invalid_unsigned_int);
-  const auto point = [&](unsigned node) {
-    return Point<3>(mesh.nodes[node][0], mesh.nodes[node][1], mesh.nodes[node][2]);
-  };
-  for (const auto &cell : mesh.cells)
-    for (int corner = 0; corner < 8; ++corner)
-      if (points.vertex_of_node[cell[corner]] == numbers::invalid_unsigned_int) {
-        points.vertex_of_node[cell[corner]] = points.vertices.size();
-        points.vertices.push_back(point(cell[corner]));
-      }
-  for (const auto &cell : mesh.cells) {
-    const auto vertex = [&](int corner) { return points.vertex_of_node[cell[corner]]; };
-    for (int e = 0; e < 12; ++e)
-      points.middles[key({vertex(meshes::hex27_edges[e][0]), vertex(meshes::hex27_edges[e][1])})] = point(cell[8 + e]);
-    for (int f = 0; f < 6; ++f) {
-      const auto &c = meshes::hex27_faces[f];
-      points.middles[key({vertex(c[0]), vertex(c[1]), vertex(c[2]), vertex(c[3])})] = point(cell[20 + f]);
-    }
-    std::vector<unsigned> all(8);
-    for (int corner = 0; corner < 8; ++corner) all[corner] = vertex(corner);
-    std::sort(all.begin(), all.end());
-    points.centres[all] = point(cell[26]);
-  }
-  return points;
-}
-
-void make_triangulation(const meshes::HexMesh &mesh, const CurvedPoints &points, Triangulation<3> &triangulation) {
-  std::vector<CellData<3>> cells(mesh.cells.size());
-  for (std::size_t c = 0; c < cells.size(); ++c) {
-    for (int v = 0; v < 8; ++v) cells[c].vertices[v] = points.vertex_of_node[mesh.cells[c][gmsh_corner_of_dealii[v]]];
-    cells[c].material_id = static_cast<types::material_id>(mesh.volumes[c]);
-    cells[c].manifold_id = c; // remembers the cell's place in HexMesh; no manifold is attached
-  }
-  GridTools::consistently_order_cells(cells);
-  SubCellData boundary;
-  triangulation.create_triangulation(points.vertices, cells, boundary);
-  std::map<VertexSet, types::boundary_id> group_of;
-  for (const auto &face : mesh.faces) {
-    std::vector<unsigned> vertices;
-    for (const unsigned node : face.corners) vertices.push_back(points.vertex_of_node[node]);
-    group_of[key(vertices)] = static_cast<types::boundary_id>(face.group);
-  }
-  for (const auto &cell : triangulation.active_cell_iterators())
-    for (const auto &face : cell->face_iterators())
-      if (face->at_boundary()) {
-        const auto found = group_of.find(
-            key({face->vertex_index(0), face->vertex_index(1), face->vertex_index(2), face->vertex_index(3)}));
-        if (found != group_of.end()) face->set_boundary_id(found->second);
-      }
-}
-
-/// The 27 support points of one cell in deal.II's hierarchic order (vertices, lines, quads, interior).
-std::vector<Point<3>> support_points(const Triangulation<3>::cell_iterator &cell, const CurvedPoints &points) {
-  std::vector<Point<3>> result;
-  std::vector<unsigned> all;
-  for (unsigned v = 0; v < 8; ++v) {
-    result.push_back(points.vertices[cell->vertex_index(v)]);
-    all.push_back(cell->vertex_index(v));
-  }
-  for (unsigned l = 0; l < 12; ++l)
-    result.push_back(points.middles.at(key({cell->line(l)->vertex_index(0), cell->line(l)->vertex_index(1)})));
-  for (unsigned f = 0; f < 6; ++f) {
-    const auto face = cell->face(f);
-    result.push_back(points.middles.at(
-        key({face->vertex_index(0), face->vertex_index(1), face->vertex_index(2), face->vertex_index(3)})));
-  }
-  std::sort(all.begin(), all.end());
-  result.push_back(points.centres.at(all));
-  return result;
-}
 
 void fill(QuadratureData &data, const FESystem<3> &fe, const DoFHandler<3> &dofs, const Mapping<3> &mapping, int n_1d,
           int n, const std::vector<unsigned> &dof_of_node) {
@@ -143,9 +47,7 @@ struct Discretisation::DealII {
 Discretisation::Discretisation(const meshes::HexMesh &mesh, int degree)
     : degree(degree), nodes_per_cell((degree + 1) * (degree + 1) * (degree + 1)), dealii_(std::make_unique<DealII>()) {
   auto &d = *dealii_;
-  const CurvedPoints curved = curved_points(mesh);
-  make_triangulation(mesh, curved, d.triangulation);
-  d.mapping.initialize(d.triangulation, [&](const auto &cell) { return support_points(cell, curved); });
+  make_curved_mesh(mesh, d.triangulation, d.mapping);
   d.fe = std::make_unique<FESystem<3>>(FE_Q<3>(degree), 3);
   d.dof_handler.reinit(d.triangulation);
   d.dof_handler.distribute_dofs(*d.fe);
@@ -159,6 +61,17 @@ Discretisation::Discretisation(const meshes::HexMesh &mesh, int degree)
       for (int k = 0; k < 3; ++k) place[k] = static_cast<int>(std::lround(degree * d.unit_points.back()[k]));
       node_places.push_back(place);
     }
+  read_cells();
+  fill(full, *d.fe, d.dof_handler, d.mapping, degree + 1, nodes_per_cell, d.dof_of_node);
+  fill(reduced, *d.fe, d.dof_handler, d.mapping, degree, nodes_per_cell, d.dof_of_node);
+  const QGauss<3> quadrature(degree + 1);
+  for (const auto &point : quadrature.get_points())
+    for (int a = 0; a < nodes_per_cell; ++a) full_values.push_back(d.fe->shape_value(d.dof_of_node[a], point));
+  read_faces();
+}
+
+void Discretisation::read_cells() {
+  const auto &d = *dealii_;
   positions.resize(n_nodes);
   std::vector<types::global_dof_index> indices(d.fe->dofs_per_cell);
   for (const auto &cell : d.dof_handler.active_cell_iterators()) {
@@ -172,13 +85,11 @@ Discretisation::Discretisation(const meshes::HexMesh &mesh, int degree)
       positions[node] = {p[0], p[1], p[2]};
     }
   }
-  fill(full, *d.fe, d.dof_handler, d.mapping, degree + 1, nodes_per_cell, d.dof_of_node);
-  fill(reduced, *d.fe, d.dof_handler, d.mapping, degree, nodes_per_cell, d.dof_of_node);
-  const QGauss<3> quadrature(degree + 1);
-  for (const auto &point : quadrature.get_points())
-    for (int a = 0; a < nodes_per_cell; ++a) full_values.push_back(d.fe->shape_value(d.dof_of_node[a], point));
+}
 
-  // Boundary faces: the cell's nodes with one fixed unit coordinate, sorted by the other two.
+void Discretisation::read_faces() {
+  const auto &d = *dealii_;
+  // A face's nodes: the cell's with one fixed unit coordinate, sorted by the other two.
   for (const auto &cell : d.dof_handler.active_cell_iterators())
     for (unsigned f = 0; f < 6; ++f) {
       if (!cell->face(f)->at_boundary() || cell->face(f)->boundary_id() == 0) continue;

@@ -61,6 +61,8 @@ public:
   void write_vtu(const std::string &path, const std::vector<Field> &fields) const;
 
 private:
+  void read_cells();
+  void read_faces();
   struct DealII;
   std::unique_ptr<DealII> dealii_;
 };

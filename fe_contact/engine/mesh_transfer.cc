@@ -36,8 +36,8 @@ public:
     }
   }
 
-  /// The cell of the volume that has x, or is nearest to it and no farther than a new node on a curved surface may lie
-  /// off the old cells' faces; x in the unit cell, where it may lie outside by that much.
+  /// The cell of the volume that has x, or is nearest to it: no farther than a new node on a curved surface may lie off
+  /// the old cells' faces. And x in the unit cell, where it may lie outside by that much.
   std::pair<int, Vector3d> find(const Vector3d &x, meshes::Volume volume) const {
     constexpr double allowed = 5e-3; // a draft mesh takes a quarter of the slider's circle with one cell [m]
     std::pair<int, Vector3d> best{-1, Vector3d::Zero()};
