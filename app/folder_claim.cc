@@ -24,6 +24,7 @@ std::string objection(const FolderUse &use, const KeptRun &kept) {
 
 /// Leaves nothing that would stand beside the new result as if it were part of it.
 void clear(const FolderUse &use, const KeptRun &kept, const scene::Scene &scene, Console &console) {
+  remove_unfinished(use.folder);
   if (use.resume && use.finite_elements) return;
   if (kept.any && !kept.other_scene.empty())
     console.message(fmt::format("{}: the run of another scene there is replaced ({})", use.folder, kept.other_scene));

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <optional>
+#include <regex>
 
 namespace rimpact {
 namespace {
@@ -159,13 +160,17 @@ std::optional<Collection> collection_in(const std::string &folder) {
   return {};
 }
 
-void remove_by_products(const std::string &folder) {
+void remove_unfinished(const std::string &folder) {
+  static const std::regex ours(R"(\.(scene\.toml|summary\.json|response\.(h5|csv)|checkpoint\.h5)\.[0-9]+\.tmp)");
   std::error_code none;
-  std::vector<fs::path> unfinished; // of a run that was killed
+  std::vector<fs::path> unfinished;
   for (const auto &entry : fs::directory_iterator(folder, none))
-    if (const std::string name = entry.path().filename().string(); name.starts_with(".") && name.ends_with(".tmp"))
-      unfinished.push_back(entry.path());
+    if (std::regex_match(entry.path().filename().string(), ours)) unfinished.push_back(entry.path());
   for (const auto &file : unfinished) take_away(file);
+}
+
+void remove_by_products(const std::string &folder) {
+  remove_unfinished(folder);
   for (const char *name : {"checkpoint.h5", "fields", "fields.pvd", "response.png", "report.html", "report.pdf",
                            "log.txt", "film.html", "film.mp4", "building.csv", "storeys.csv", "paraview_state.py"})
     take_away(fs::path(folder) / name);

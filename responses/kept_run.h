@@ -54,5 +54,7 @@ std::optional<Collection> collection_in(const std::string &folder);
 void remove_run(const std::string &folder);
 /// Removes what a new run of the same scene would not write anew, or not at once: checkpoint, fields, pictures, report.
 void remove_by_products(const std::string &folder);
+/// The half written files of a run that was killed, which may be all that it left.
+void remove_unfinished(const std::string &folder);
 
 } // namespace rimpact

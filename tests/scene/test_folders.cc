@@ -176,16 +176,16 @@ TEST(Removal, LeavesWhatIsTheUsers) {
   write_run(run, load_scene("impact-window"));
   std::filesystem::create_directories(run + "/fields");
   for (const char *name : {"run/fields/rim_001.vtu", "run/fields.pvd", "run/checkpoint.h5", "run/response.png",
-                           "run/bearing.toml", "run/notes.txt"})
+                           "run/bearing.toml", "run/notes.txt", "run/.response.h5.123.tmp", "run/.mine.tmp"})
     folder.write(name, "x");
   remove_by_products(run);
-  for (const char *gone : {"/fields", "/fields.pvd", "/checkpoint.h5", "/response.png"})
+  for (const char *gone : {"/fields", "/fields.pvd", "/checkpoint.h5", "/response.png", "/.response.h5.123.tmp"})
     EXPECT_FALSE(std::filesystem::exists(run + gone)) << gone;
   EXPECT_TRUE(std::filesystem::exists(run + "/summary.json"));
   remove_run(run);
   for (const char *gone : {"/summary.json", "/response.h5", "/response.csv"})
     EXPECT_FALSE(std::filesystem::exists(run + gone)) << gone;
-  for (const char *stays : {"/scene.toml", "/bearing.toml", "/notes.txt"})
+  for (const char *stays : {"/scene.toml", "/bearing.toml", "/notes.txt", "/.mine.tmp"})
     EXPECT_TRUE(std::filesystem::exists(run + stays)) << stays;
 }
 
