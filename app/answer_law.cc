@@ -12,7 +12,7 @@ scene::Scene with_answer(const scene::Scene &scene, const std::string &folder) {
 
 scene::Scene with_pair(scene::Scene scene, const nlohmann::json &answer) {
   const auto &pair = answer.at("pair");
-  scene.reduced.impact_law = pair.at("law");
+  scene.reduced.impact_law = &laws::impact_law(pair.at("law"));
   scene.reduced.k_i = 1e3 * pair.at("k_i_kN_per_m").get<double>();
   scene.reduced.restitution = pair.at("e");
   return scene;

@@ -1,7 +1,7 @@
 #include "app/calibrate_options.h"
 #include "app/assignments.h"
 #include "files/text.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -66,7 +66,7 @@ std::vector<std::string> laws_named(const std::string &list) {
   if (list == "none") return {};
   if (list == "all") return {"signed", "no-tension", "hunt-crossley", "elastoplastic"};
   auto laws = names_of(list);
-  for (const auto &law : laws) reduced::impact_law(law);
+  for (const auto &law : laws) laws::impact_law(law);
   return laws;
 }
 
@@ -74,7 +74,7 @@ calibration::CalibrationOptions calibrate_settings(const CalibrateWords &words) 
   calibration::CalibrationOptions settings;
   settings.predict = words.predict;
   settings.fit.law = words.law;
-  if (!words.law.empty()) settings.fit.parameters = reduced::impact_law(words.law).parameters;
+  if (!words.law.empty()) settings.fit.parameters = laws::impact_law(words.law).parameters;
   if (!words.fit.empty()) settings.fit.parameters = names_of(words.fit);
   settings.fit.fixed = values_of(words.fixed, "--fixed");
   if (words.fit.empty())

@@ -31,7 +31,7 @@ ExportedRim rim_of(const scene::Scene &scene, const scene::Bearing &bearing, dou
   rim.from = scene.reduced.fitted_from.value_or(0.1), rim.to = scene.reduced.fitted_to.value_or(1.0);
   rim.bearing = bearing.name, rim.rim_identity = scene::rim_identity(bearing);
   rim.statement = {fmt::format("Bearing {} under {:.6g} N, rim law {} as in scene.toml.", bearing.name, reaction,
-                               scene.reduced.impact_law)};
+                               scene.reduced.impact_law->name)};
   return rim;
 }
 

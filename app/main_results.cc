@@ -152,7 +152,7 @@ MainResults make_results(const MainTarget &target, const std::vector<Job> &jobs,
     console.warn(std::string("calibration: ") + error.what());
   }
   if (!fitted) std::filesystem::remove_all(folder + "/calibration"); // an earlier one would belong to other runs
-  const std::string law = fitted ? with_answer(target.scene, folder + "/calibration").reduced.impact_law : "";
+  const std::string law = fitted ? with_answer(target.scene, folder + "/calibration").reduced.impact_law->name : "";
   const Columns columns = columns_of(target, answer, law);
   const json runs = reduced_runs(jobs, folder, answer, columns), rows = comparison_rows(jobs, folder, columns);
   results.text = target.head() + (fitted && fitted->answer ? calibration::describe(*fitted->answer) : "") +

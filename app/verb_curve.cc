@@ -19,8 +19,8 @@ struct CurveOptions {
 };
 
 nlohmann::json answer_of(const CurveOptions &options, const reduced::RimCurveFile &file, double seconds) {
-  const reduced::RimCurve dish(file.dish), held(file.held);
-  const auto speed = [&](const reduced::RimCurve &curve) {
+  const laws::RimCurve dish(file.dish), held(file.held);
+  const auto speed = [&](const laws::RimCurve &curve) {
     return std::sqrt(2 * curve.work(curve.range()) / options.order.mass);
   };
   return {{"file", options.folder + "/curve.h5"},

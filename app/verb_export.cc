@@ -115,7 +115,7 @@ void export_to(const ExportOptions &options, const json &calibration, Console &c
   std::error_code failure;
   fs::create_directories(options.out, failure);
   if (failure) throw IoError(fmt::format("{}: {}", options.out, failure.message()));
-  json table = {{"law", rim.law()},
+  json table = {{"law", rim.law().name},
                 {"mass_kg", rim.mass},
                 {"from_m_s", rim.from},
                 {"to_m_s", rim.to},

@@ -3,8 +3,8 @@
 #include "app/result_catalogue.h"
 #include "app/verb.h"
 #include "files/json_text.h"
+#include "impact_laws/catalogue.h"
 #include "reduced_models/catalogue.h"
-#include "reduced_models/impact_law.h"
 #include "scene/scene.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -49,7 +49,7 @@ Entries models() {
 }
 Entries laws() {
   Entries result;
-  for (const auto &law : reduced::impact_laws()) result.emplace_back(law.name, law.description);
+  for (const auto *law : laws::impact_laws()) result.emplace_back(law->name, law->description);
   return result;
 }
 Entries materials() {

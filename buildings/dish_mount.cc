@@ -13,14 +13,14 @@ class DishMount : public Mount {
 public:
   explicit DishMount(const scene::Scene &scene)
       : law_(scene), weight_(scene.load.vertical), stiffness_(scene.isolator.contact_stiffness * scene.isolator.points),
-        damping_(2 * reduced::damping_ratio(scene.isolator.contact_restitution) *
+        damping_(2 * laws::damping_ratio(scene.isolator.contact_restitution) *
                  std::sqrt(stiffness_ * scene.load.mass)) {
     if (law_.socket > 0)
       throw InputError("reduced.socket_friction under a building with bearings of rigid bodies: a dish there has none");
     if (scene.reduced.friction != scene::Friction::park_wen)
       throw InputError("reduced.friction \"coulomb\" of a dish under a building, which takes \"park-wen\"");
     if (law_.has_rim() && law_.rim.law->yields)
-      throw InputError("reduced.impact_law \"" + scene.reduced.impact_law +
+      throw InputError("reduced.impact_law \"" + scene.reduced.impact_law->name +
                        "\": beside bearings of rigid bodies a dish's rim does not yield");
     lateral_capacity = law_.lateral_capacity, rim_stiffness = law_.rim.stiffness;
     sunk_ = weight_ / stiffness_;

@@ -1,6 +1,6 @@
-/// CSV as spreadsheets and data bases write it: any of comma, semicolon and tab between cells, quotes, UTF-8 with and
-/// without a byte-order mark or UTF-16, decimal commas where commas do not separate cells, lines of remarks above the
-/// header.
+/// CSV as spreadsheets and data bases write it: any of comma, semicolon and tab between cells, quotes, lines of remarks
+/// above the header. UTF-8 with and without a byte-order mark or UTF-16; decimal commas where commas do not separate
+/// cells.
 #pragma once
 #include "files/loose_cells.h"
 #include <cstddef>

@@ -62,8 +62,8 @@ struct Sweep {
 /// At most this many runs in one sweep.
 inline constexpr std::size_t largest_fleet = 200'000;
 
-/// Throws InputError "file:line:column: ..." for what is not in the form above, for an unknown key, a value
-/// of the wrong type or out of its own range, a key given twice, and more than `largest_fleet` runs.
+/// Throws InputError "file:line:column: ..." for what is not in the form above and for an unknown key. So it does for a
+/// value of the wrong type or out of its own range, a key given twice, and more than `largest_fleet` runs.
 Sweep parse_sweep(const std::string &text, const std::string &origin);
 Sweep read_sweep(const std::string &path);
 /// A grid from arguments KEY=a:b:n, n >= 1 values evenly from a to b (n = 1: a = b). Throws InputError

@@ -18,8 +18,8 @@ std::string call_that_leaves(std::string_view script);
 /// Whether --allow-script was given (scene/script_permission.h).
 bool scripts_allowed();
 
-/// Reads the file's kind and throws DataError, naming the cure, for a script that is not allowed or that leaves itself,
-/// for data under a script's ending (gmsh goes by the ending), and for anything unreadable.
+/// Reads the file's kind. Throws DataError, naming the cure, for a script that is not allowed or that leaves itself. So
+/// it does for data under a script's ending (gmsh goes by the ending), and for anything unreadable.
 MeshKind require_safe(const std::string &file);
 
 } // namespace rimpact::meshes

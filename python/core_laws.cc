@@ -3,20 +3,20 @@
 #include "python/core.h"
 
 #include "files/error.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 
 namespace py = pybind11;
 
 namespace rimpact::python {
 namespace {
 
-using reduced::RimElement;
+using laws::RimElement;
 
 RimElement element_of(const SceneHandle &handle) {
   const auto &settings = handle.scene->reduced;
-  if (settings.impact_law == "curve")
+  if (settings.impact_law->pushed)
     throw InputError("impact_law \"curve\" has no formula to call; its curve.h5 holds the samples");
-  return reduced::rim_element(settings, handle.scene->load.mass);
+  return settings.element(handle.scene->load.mass);
 }
 
 /// Force [N] of the rim, zero where it is not touched.
@@ -35,24 +35,13 @@ py::object forces(const RimElement &rim, const py::array_t<double> &penetration,
 
 py::dict numbers_of(const RimElement &rim) {
   py::dict numbers;
-  const auto put = [&](const char *parameter, const char *name, double value) {
-    if (rim.law->reads(parameter)) numbers[name] = value;
-  };
-  put("k_i", "stiffness_N_per_m", rim.stiffness);
-  put("e", "damping_N_s_per_m", rim.damping);
-  put("exponent", "exponent", rim.exponent);
-  if (rim.law->name == "hunt-crossley") numbers["dissipation_s_per_m"] = rim.dissipation;
-  put("yield_force", "yield_force_N", rim.yield_force);
-  put("hardening", "hardening", rim.hardening);
-  put("hardening_exponent", "hardening_exponent", rim.hardening_exponent);
-  put("unloading_gain", "unloading_gain", rim.unloading_gain);
-  put("unloading_exponent", "unloading_exponent", rim.unloading_exponent);
+  for (const auto &[name, value] : rim.law->numbers(rim)) numbers[name.c_str()] = value;
   return numbers;
 }
 
 py::list laws() {
   py::list list;
-  for (const auto &law : reduced::impact_laws()) list.append(py::make_tuple(law.name, law.description));
+  for (const auto *law : laws::impact_laws()) list.append(py::make_tuple(law->name, law->description));
   return list;
 }
 

@@ -29,7 +29,7 @@ Beside farthest_dent(const DentedRim &rim, const Eigen::Vector2d &u, double d, c
 
 } // namespace
 
-std::optional<std::string> beyond_curve(const RimCurve &curve, const PressedRim &press, const DentedRim &rim,
+std::optional<std::string> beyond_curve(const laws::RimCurve &curve, const PressedRim &press, const DentedRim &rim,
                                         const Eigen::Vector2d &u, const DentShape &shape) {
   constexpr double rounding = 1e-9;
   const double range = curve.range();

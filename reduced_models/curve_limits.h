@@ -18,7 +18,7 @@ struct PressedRim {
 };
 /// Why the curve holds no longer, a sentence with value and bound: too deep, too fast for its work, lifted off, slid
 /// along the wall, or beside a dent. None: it holds. `u`: the slider's displacement.
-std::optional<std::string> beyond_curve(const RimCurve &curve, const PressedRim &press, const DentedRim &rim,
+std::optional<std::string> beyond_curve(const laws::RimCurve &curve, const PressedRim &press, const DentedRim &rim,
                                         const Eigen::Vector2d &u, const DentShape &shape);
 
 } // namespace rimpact::reduced

@@ -118,11 +118,11 @@ void DentedRim::arrive(double t, const WallPoint &at, const DentShape &shape) {
   strokes_.push_back(*stroke);
 }
 
-RimPush DentedRim::push(const RimElement &rim, const Vector2d &u, const RimMotion &motion, const DentShape &shape,
-                        const WallStroke *present) const {
+RimPush DentedRim::push(const laws::RimElement &rim, const Vector2d &u, const laws::RimMotion &motion,
+                        const DentShape &shape, const WallStroke *present) const {
   static const Places places;
   const double flank = shape.flank();
-  RimMotion at = motion;
+  laws::RimMotion at = motion;
   at.deepest = deepest_at(u, shape, present);
   const double half = half_touch(std::max({at.deepest, motion.d, 0.0}), flank);
   // What lies aside is met over the touch; without it, the law as it stands.

@@ -1,5 +1,5 @@
-/// A rim that yields keeps the shape it was pressed into, and a slider that moves along it while it presses, or comes
-/// back beside its dent, stands on the dent's flank.
+/// A rim that yields keeps the shape it was pressed into. A slider that moves along it while it presses, or comes back
+/// beside its dent, stands on the dent's flank.
 ///
 /// Pressed to D where the touch is at s0 along the wall, the rim keeps D - (s - s0)^2 / (2 r_f). Two circles that meet
 /// (slider r, wall R) would make r_f = r R / (R - r); the rim's bending spreads a dent, r_f = spread r R / (R - r)
@@ -14,8 +14,9 @@
 /// steps: the path is kept as strokes (wall_stroke.h), those it can still see. What it knows of a place is a maximum:
 /// neither the order nor the number of the pieces matters.
 #pragma once
-#include "reduced_models/impact_law.h"
+#include "impact_laws/impact_law.h"
 #include "reduced_models/wall_stroke.h"
+#include "scene/scene.h"
 #include <optional>
 
 namespace rimpact::reduced {
@@ -57,8 +58,8 @@ public:
   double deepest_at(const Eigen::Vector2d &u, const DentShape &shape, const WallStroke *present = nullptr) const;
   /// By a law that yields, for the motion of a slider at u (its `deepest` is not read); `present`: the stroke under
   /// way.
-  RimPush push(const RimElement &rim, const Eigen::Vector2d &u, const RimMotion &motion, const DentShape &shape,
-               const WallStroke *present = nullptr) const;
+  RimPush push(const laws::RimElement &rim, const Eigen::Vector2d &u, const laws::RimMotion &motion,
+               const DentShape &shape, const WallStroke *present = nullptr) const;
   const std::vector<Dent> &dents() const { return dents_; }
   const std::vector<WallStroke> &strokes() const { return strokes_; }
 

@@ -43,7 +43,7 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
   }
   friction_law.validate();
   if (with_rim && r.k_i > 0)
-    rim = r.impact_law == "curve" ? curve_element(rim_curve_of(scene)) : rim_element(r, supported_mass);
+    rim = r.impact_law->pushed ? laws::curve_element(rim_curve_of(scene)) : r.element(supported_mass);
   dents = dent_shape(scene);
   dead_load_ = height.is_plane() ? 0.0 : weight;
   vertical_restitution_ = r.vertical_restitution;

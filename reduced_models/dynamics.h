@@ -10,11 +10,11 @@
 ///   `inertia`   this N; the mass lifts off when it reaches zero.
 ///   `static`    N from vertical equilibrium N n_z + f_z = W + m a_gz; planar inertia only, no uplift.
 ///   `constant`  N = W; planar inertia only, no uplift.
-/// Under a building m is the base's mass, W the whole dead load, and the first storey's force (a change from
-/// the dead load) acts on the base beside the others.
+/// Under a building m is the base's mass and W the whole dead load. The first storey's force (a change from the dead
+/// load) acts on the base beside the others.
 #pragma once
+#include "impact_laws/catalogue.h"
 #include "reduced_models/friction_law.h"
-#include "reduced_models/impact_law.h"
 #include "reduced_models/physical_model.h"
 #include "reduced_models/riding_height.h"
 #include "reduced_models/superstructure.h"
@@ -162,7 +162,7 @@ public:
   double speed_scale; ///< for tolerances [m/s]
   double stop_speed;  ///< below it a decelerating mass has stopped [m/s]
   double slow_speed;  ///< see Mode::slow [m/s]
-  RimElement rim;
+  laws::RimElement rim;
   DentShape dents;
   RidingHeight height;
   FrictionCoefficient friction_law;

@@ -6,8 +6,8 @@
 namespace rimpact::reduced {
 
 /// The pad as a layer of springs on the exact dish: its face, shaped to `shape_radius`, is pressed by `load` [N] with
-/// the centre of the socket at travel r, free to tilt about it, and leaves the dish where it would pull. The layer
-/// has the confined modulus over its thickness, E (1 - nu) / ((1 + nu)(1 - 2 nu) t): it is bonded to the foot.
+/// the centre of the socket at travel r. It is free to tilt about it, and leaves the dish where it would pull. The
+/// layer has the confined modulus over its thickness, E (1 - nu) / ((1 + nu)(1 - 2 nu) t): it is bonded to the foot.
 class PadOnDish {
 public:
   PadOnDish(const scene::Bearing &bearing, const scene::SlidingSurface &surface, double load);

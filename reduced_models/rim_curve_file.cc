@@ -31,14 +31,14 @@ void write_column(hid_t group, const char *name, const std::vector<double> &valu
   write_string(set, "units", units, true);
 }
 
-void write_path(hid_t file, const char *name, const CurvePath &path) {
+void write_path(hid_t file, const char *name, const laws::CurvePath &path) {
   const Handle group = new_group(file, name), loading = new_group(group, "loading"),
                unloading = new_group(group, "unloading");
   write_column(loading, "penetration", path.loading.penetration, "m");
   write_column(loading, "force", path.loading.force, "N");
   std::vector<double> branch, penetration, force;
   for (std::size_t k = 0; k < path.unloading.size(); ++k) {
-    const CurveSamples &back = path.unloading[k];
+    const laws::CurveSamples &back = path.unloading[k];
     branch.insert(branch.end(), back.force.size(), static_cast<double>(k + 1));
     penetration.insert(penetration.end(), back.penetration.begin(), back.penetration.end());
     force.insert(force.end(), back.force.begin(), back.force.end());
@@ -48,10 +48,10 @@ void write_path(hid_t file, const char *name, const CurvePath &path) {
   write_column(unloading, "force", force, "N");
 }
 
-CurvePath read_path(hid_t file, const char *name) {
+laws::CurvePath read_path(hid_t file, const char *name) {
   const Handle group = open_group(file, name), loading = open_group(group, "loading"),
                unloading = open_group(group, "unloading");
-  CurvePath path{{read_numbers(loading, "penetration"), read_numbers(loading, "force")}, {}};
+  laws::CurvePath path{{read_numbers(loading, "penetration"), read_numbers(loading, "force")}, {}};
   const auto branch = read_numbers(unloading, "branch"), penetration = read_numbers(unloading, "penetration"),
              force = read_numbers(unloading, "force");
   if (branch.size() != penetration.size() || branch.size() != force.size())
@@ -61,7 +61,7 @@ CurvePath read_path(hid_t file, const char *name) {
     path.unloading.back().penetration.push_back(penetration[i]);
     path.unloading.back().force.push_back(force[i]);
   }
-  RimCurve check(path); // what it holds makes a curve
+  laws::RimCurve check(path); // what it holds makes a curve
   return path;
 }
 
@@ -71,7 +71,7 @@ double number_of(const std::map<std::string, std::string> &meta, const char *nam
   return std::stod(entry->second);
 }
 
-void add_rows(Table &table, const char *path, double branch, const CurveSamples &samples) {
+void add_rows(Table &table, const char *path, double branch, const laws::CurveSamples &samples) {
   for (std::size_t i = 0; i < samples.force.size(); ++i)
     table.rows.push_back({std::string(path), branch, samples.penetration[i], samples.force[i]});
 }
@@ -122,10 +122,10 @@ RimCurveFile read_rim_curve(const std::string &path) {
   return curve;
 }
 
-std::shared_ptr<const RimCurve> rim_curve_of(const scene::Scene &scene) {
+std::shared_ptr<const laws::RimCurve> rim_curve_of(const scene::Scene &scene) {
   struct Read {
     std::string rim_identity, bearing;
-    std::shared_ptr<const RimCurve> dish, held;
+    std::shared_ptr<const laws::RimCurve> dish, held;
   };
   static std::mutex lock;
   static std::map<std::string, Read> known; // runs of a fleet share it
@@ -135,8 +135,8 @@ std::shared_ptr<const RimCurve> rim_curve_of(const scene::Scene &scene) {
   if (entry == known.end()) {
     const RimCurveFile file = read_rim_curve(path);
     entry = known
-                .emplace(path, Read{file.rim_identity, file.bearing, std::make_shared<RimCurve>(file.dish),
-                                    std::make_shared<RimCurve>(file.held)})
+                .emplace(path, Read{file.rim_identity, file.bearing, std::make_shared<laws::RimCurve>(file.dish),
+                                    std::make_shared<laws::RimCurve>(file.held)})
                 .first;
   }
   const Read &curve = entry->second;

@@ -4,7 +4,7 @@
 /// under /held; /meta texts. SI units. `dish`: pushed while the slider's height follows the dish; `held`: at the height
 /// of first touch, as an impact window without weight is.
 #pragma once
-#include "reduced_models/rim_curve.h"
+#include "impact_laws/rim_curve.h"
 #include "scene/scene.h"
 
 namespace rimpact::reduced {
@@ -12,10 +12,10 @@ namespace rimpact::reduced {
 /// How far the curve is from the answer, relative; none: not estimated.
 struct CurveErrors {
   double mesh_force = 0;       ///< force at the same work, from the next coarser mesh
-  double left_out_rebound = 0; ///< of interpolation between unloadings (RimCurve::left_out_rebound)
+  double left_out_rebound = 0; ///< of interpolation between unloadings (laws::RimCurve::left_out_rebound)
 };
 struct RimCurveFile {
-  CurvePath dish, held;
+  laws::CurvePath dish, held;
   std::string bearing;      ///< its name
   std::string rim_identity; ///< scene::rim_identity of it
   std::string mesh;         ///< in words: "level 1, 12190 unknowns"
@@ -31,6 +31,6 @@ RimCurveFile read_rim_curve(const std::string &path);
 
 /// The curve the scene's impact law flies on: along the dish, or held for a window without weight; read once a process.
 /// Throws InputError for a curve of another rim, DataError for a damaged file.
-std::shared_ptr<const RimCurve> rim_curve_of(const scene::Scene &scene);
+std::shared_ptr<const laws::RimCurve> rim_curve_of(const scene::Scene &scene);
 
 } // namespace rimpact::reduced

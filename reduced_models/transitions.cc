@@ -75,7 +75,7 @@ double Dynamics::value(Event event, const Mode &mode, double t, const State &y) 
 
 RimPush Dynamics::rim_push(const Mode &mode, double t, const Vector2d &u, const Vector2d &v) const {
   const double r = u.norm();
-  const RimMotion motion{r - lateral_capacity, r > 0 ? u.dot(v) / r : 0, v.norm()};
+  const laws::RimMotion motion{r - lateral_capacity, r > 0 ? u.dot(v) / r : 0, v.norm()};
   if (rim.law->yields) {
     if (!mode.dented.setting_out()) return mode.dented.push(rim, u, motion, dents);
     const auto present =

@@ -20,22 +20,16 @@ using nlohmann::json;
 
 /// A parameter by the name calibrations give it, and the scene's key.
 struct Parameter {
-  const char *name, *unit, *key;
+  std::string unit, key;
 };
-constexpr Parameter parameters[] = {
-    {"k_i", "kN/m", "k_i_kN_per_m"},           {"e", "-", "restitution"},
-    {"exponent", "-", "impact_exponent"},      {"yield_force", "kN", "yield_force_kN"},
-    {"hardening", "-", "hardening"},           {"hardening_exponent", "-", "hardening_exponent"},
-    {"unloading_gain", "-", "unloading_gain"}, {"unloading_exponent", "-", "unloading_exponent"},
-    {"dent_spread", "-", "dent_spread"},       {"capacity_offset", "mm", "capacity_offset_mm"}};
 
-/// Without which a law would run on defaults that no calibration gave.
-std::vector<std::string> needed_by(const std::string &law) {
-  if (law == "elastoplastic") return {"k_i_kN_per_m", "yield_force_kN", "hardening"};
-  if (law == "hunt-crossley") return {"k_i_kN_per_m", "restitution", "impact_exponent", "reference_speed_m_per_s"};
-  return law == "signed" || law == "no-tension" || law == "printed"
-             ? std::vector<std::string>{"k_i_kN_per_m", "restitution"}
-             : std::vector<std::string>{};
+const std::map<std::string, Parameter> &parameters() {
+  static const auto all = [] {
+    std::map<std::string, Parameter> list{{"capacity_offset", {"mm", "capacity_offset_mm"}}};
+    for (const auto &p : laws::law_parameters()) list[p.name] = {p.unit, p.key};
+    return list;
+  }();
+  return all;
 }
 
 /// What a calibration says, as values of keys of [reduced].
@@ -66,11 +60,11 @@ void read_parameters(const json &entries, Element &element) {
   for (const auto &[name, entry] : entries.items()) {
     if (name == "reference_speed_m_per_s") element.number(name, entry);
     if (!entry.is_object()) continue; // lateral_capacity_m and the like
-    const auto known = std::find_if(std::begin(parameters), std::end(parameters),
-                                    [&name = name](const auto &p) { return name == p.name; });
-    if (known == std::end(parameters)) element.fail("this version knows no parameter \"" + name.substr(0, 60) + "\"");
-    if (member(entry, "unit") != known->unit) element.fail(fmt::format("{} is not in {}", name, known->unit));
-    element.number(known->key, member(entry, "value"));
+    const auto known = parameters().find(name);
+    if (known == parameters().end()) element.fail("this version knows no parameter \"" + name.substr(0, 60) + "\"");
+    const auto &[unit, key] = known->second;
+    if (member(entry, "unit") != unit) element.fail(fmt::format("{} is not in {}", name, unit));
+    element.number(key, member(entry, "value"));
   }
 }
 
@@ -117,8 +111,9 @@ void check(const Element &element) {
   } catch (const InputError &error) {
     throw DataError(std::string(error.what()) + " (the calibration's element)");
   }
-  for (const auto &key : needed_by(scene.reduced.impact_law))
-    if (element.values.count(key) == 0) element.fail(fmt::format("law {} without {}", scene.reduced.impact_law, key));
+  const laws::ImpactLaw &law = *scene.reduced.impact_law;
+  for (const auto &key : law.needs) // else it would run on defaults that no calibration gave
+    if (element.values.count(key) == 0) element.fail(fmt::format("law {} without {}", law.name, key));
 }
 
 Element read_element(const std::string &folder) {
@@ -172,7 +167,7 @@ void place(Element &element, const Bearing &bearing) {
 const std::vector<std::string> &element_keys() {
   static const std::vector<std::string> keys = [] {
     std::vector<std::string> list{"impact_law", "reference_speed_m_per_s"};
-    for (const auto &parameter : parameters) list.emplace_back(parameter.key);
+    for (const auto &[name, parameter] : parameters()) list.emplace_back(parameter.key);
     for (const char *key : {"fitted_from_m_per_s", "fitted_to_m_per_s", "fitted_mass_kg", "fitted_rim", "taken_from"})
       list.emplace_back(key);
     return list;

@@ -49,10 +49,10 @@ std::string load_line(const Scene &scene) {
 
 std::string source_of(const Scene &scene) {
   const auto &r = scene.reduced;
+  if (r.impact_law->pushed) return "the curve " + r.impact_curve;
   if (!r.calibration.empty()) return "calibration " + r.calibration;
   if (!has_default_element(scene) || scene.double_concave()) return "the scene";
-  const bool pair = r.impact_law != "elastoplastic" && r.impact_law != "hunt-crossley";
-  return pair ? "the thesis's pair for shfps-225" : "defaults of the law, for shfps-225";
+  return r.impact_law->of_mass ? "the thesis's pair for shfps-225" : "defaults of the law, for shfps-225";
 }
 
 std::string range_of(const ReducedSettings &r) {
@@ -64,8 +64,8 @@ std::string range_of(const ReducedSettings &r) {
 
 std::string element_line(const Scene &scene) {
   if (scene.reduced.k_i == 0) return "none (k_i = 0)";
-  if (scene.reduced.impact_law == "curve") return "curve, " + scene.reduced.impact_curve;
-  return fmt::format("{}, {} ({}{})", scene.reduced.impact_law, numbers_of_element(scene), source_of(scene),
+  if (scene.reduced.impact_law->pushed) return "curve, " + scene.reduced.impact_curve;
+  return fmt::format("{}, {} ({}{})", scene.reduced.impact_law->name, numbers_of_element(scene), source_of(scene),
                      range_of(scene.reduced));
 }
 
@@ -94,9 +94,9 @@ json case_json(const Scene &scene) {
             {"gravity_m_per_s2", scene.load.gravity}}},
           {"motion", motion},
           {"impact_element",
-           {{"law", r.impact_law},
+           {{"law", r.impact_law->name},
             {"k_i_kN_per_m", r.k_i / 1e3},
-            {"e", r.impact_law == "elastoplastic" || r.impact_law == "curve" ? json(nullptr) : json(r.restitution)},
+            {"e", r.impact_law->reads("e") ? json(r.restitution) : json(nullptr)},
             {"sentence", element_line(scene)},
             {"source", source_of(scene)},
             {"fitted_from_m_per_s", or_null(r.fitted_from)},

@@ -26,7 +26,7 @@ std::vector<KeyEntry> element_of(const Scene &scene) {
   const auto is_of_it = [&](const KeyEntry &entry) {
     const std::string name = entry.key.name;
     if (entry.section != "reduced" || !entry.is_number || name.starts_with("fitted_")) return false;
-    if (name == "restitution" && scene.reduced.impact_law == "elastoplastic") return false; // it yields by itself
+    if (name == "restitution" && !scene.reduced.impact_law->reads("e")) return false; // it yields by itself
     return std::find(names.begin(), names.end(), name) != names.end();
   };
   std::erase_if(list.entries, [&](const KeyEntry &entry) { return !is_of_it(entry); });
@@ -63,15 +63,15 @@ std::vector<std::string> doubts_of_element(const Scene &scene) {
   std::vector<std::string> found;
   const auto &r = scene.reduced;
   const auto kind = scene.excitation.kind;
-  if (scene.double_concave() || r.k_i == 0 || r.impact_law == "curve" || kind == ExcitationKind::cyclic ||
+  if (scene.double_concave() || r.k_i == 0 || r.impact_law->pushed || kind == ExcitationKind::cyclic ||
       kind == ExcitationKind::figure_eight)
     return found;
   if (has_default_element(scene) && r.calibration.empty() && !published_pair_applies(scene)) {
-    const bool pair = r.impact_law != "elastoplastic" && r.impact_law != "hunt-crossley";
     const bool other_rim = rim_identity(scene.bearing) != rim_identity(builtin_bearing("shfps-225"));
     found.push_back(fmt::format("{} are {} for shfps-225 and {:g} kg, not this {}'s: impact forces may be several "
                                 "times off; calibrate and pass --calibration DIR",
-                                numbers_of_element(scene), pair ? "the thesis's" : "defaults of the law", Load{}.mass,
+                                numbers_of_element(scene),
+                                r.impact_law->of_mass ? "the thesis's" : "defaults of the law", Load{}.mass,
                                 other_rim ? "bearing" : "mass"));
   }
   if (!r.fitted_rim.empty() && r.fitted_rim != rim_identity(scene.bearing))
@@ -83,7 +83,7 @@ std::vector<std::string> doubts_of_element(const Scene &scene) {
     found.push_back(fmt::format("k_i and e of law {} hold for the {:g} kg they were fitted with, not for load.mass_kg "
                                 "= {:g}: a dashpot stands for the rim's "
                                 "yielding at one mass only; take a law of the rim (calibrate --law elastoplastic)",
-                                r.impact_law, *r.fitted_mass, scene.load.mass));
+                                r.impact_law->name, *r.fitted_mass, scene.load.mass));
   return found;
 }
 

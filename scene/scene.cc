@@ -102,7 +102,7 @@ void Scene::validate() const {
   check_friction(reduced);
   check_excitation(excitation, lateral_capacity());
   if (double_concave()) check_double_concave(*this);
-  if (reduced.impact_law == "curve") check_curve(*this);
+  if (reduced.impact_law->pushed) check_curve(*this);
   if (superstructure.any()) check_superstructure(*this);
   check_path(*this);
   check_sizes(*this);

@@ -1,5 +1,6 @@
 /// A scene: a bearing, its load, what excites it, and the models' settings. Read from TOML, every default filled in.
 #pragma once
+#include "impact_laws/catalogue.h"
 #include "scene/bearing.h"
 #include "scene/choices.h"
 #include "scene/double_concave.h"
@@ -30,23 +31,10 @@ struct FeSettings {
 };
 
 /// [reduced]: the physical model; friction, impact element and sampling of the other reduced models too.
-struct ReducedSettings {
+struct ReducedSettings : laws::LawNumbers {
   ModelKind model = ModelKind::physical;
-  double k_i = 4.5e8;                ///< impact stiffness [N/m]; 0 switches the impact element off
-  double restitution = 0.65;         ///< e in (0, 1]
-  std::string impact_law = "signed"; ///< signed | no-tension | printed | hunt-crossley | elastoplastic | curve
-  std::string impact_curve = {};     ///< file of the law curve, as `rimpact curve` writes it
-  double impact_exponent = 1.5;      ///< n of hunt-crossley [-], > 0
-  double reference_speed = 0.5;      ///< at which `restitution` holds for hunt-crossley [m/s], > 0
-  double yield_force = 0.8e6;        ///< F_y of elastoplastic [N], > 0
-  double hardening =
-      0.08; ///< h of elastoplastic [-], 0..1: its tangent beyond yield falls from h k_i as (1 + x)^(p - 1)
-  double hardening_exponent = 0.75; ///< p of elastoplastic [-], 0..1
-  double unloading_gain = 0.3;      ///< a of elastoplastic [-], >= 0: unloading begins at k_i (1 + a (k_i d / F_y)^m)
-  double unloading_exponent = 0.5;  ///< m of elastoplastic [-], > 0
-  double dent_spread =
-      3.0; ///< of elastoplastic [-], > 0: flank radius of a dent over that of slider and wall as circles
-  double capacity_offset = 0.0; ///< the reduced rim begins at L_c plus this [m]
+  const laws::ImpactLaw *impact_law = &laws::default_law(); ///< of the rim; its numbers are those of LawNumbers
+  double capacity_offset = 0.0;                             ///< the reduced rim begins at L_c plus this [m]
   std::string calibration =
       {}; ///< folder the rim's law and numbers were taken from (key taken_from); empty: the scene's own keys
   std::optional<double> fitted_from = {},
@@ -64,6 +52,11 @@ struct ReducedSettings {
   bool socket_friction = false;      ///< moment of the socket resisting tilt
   double tolerance = 1e-9;           ///< relative, of the integrator
   double output_step = 0.005;        ///< spacing of stored samples [s]; samples are dense during contact
+
+  /// Of the rim, for a supported mass [kg]. Throws as laws::rim_element.
+  laws::RimElement element(double supported_mass) const {
+    return laws::rim_element(*impact_law, *this, supported_mass);
+  }
 };
 
 struct Scene {

@@ -60,26 +60,7 @@ void visit_model(KeyVisitor &v, ModelKind &model) {
 
 void visit(KeyVisitor &v, ReducedSettings &r) {
   visit_model(v, r.model);
-  v.number({"k_i_kN_per_m", "impact stiffness; 0: no impact element"}, r.k_i, kilo, not_negative);
-  v.number({"restitution", "e"}, r.restitution, si, {0, 1, true});
-  v.word({"impact_law", "signed | no-tension | printed | hunt-crossley | elastoplastic | curve"}, r.impact_law,
-         {"signed", "no-tension", "printed", "hunt-crossley", "elastoplastic", "curve"});
-  if (v.wants(r.impact_law == "curve"))
-    v.text({"impact_curve", "curve.h5 of this bearing, made by rimpact curve"}, r.impact_curve);
-  if (v.wants(r.impact_law == "hunt-crossley")) {
-    v.number({"impact_exponent", "n of K d^n (1 + chi d')"}, r.impact_exponent, si, {0, 10, true});
-    v.number({"reference_speed_m_per_s", "approach speed at which the restitution holds"}, r.reference_speed, si,
-             {0, 100, true});
-  }
-  if (v.wants(r.impact_law == "elastoplastic")) {
-    v.number({"yield_force_kN", "F_y"}, r.yield_force, kilo, positive);
-    v.number({"hardening", "h: tangent over k_i just beyond yield"}, r.hardening, si, share);
-    v.number({"hardening_exponent", "p: the tangent falls as (1 + k_i d / F_y)^(p - 1)"}, r.hardening_exponent, si,
-             {0, 1, true});
-    v.number({"unloading_gain", "a: unloading begins at k_i (1 + a (k_i d / F_y)^m)"}, r.unloading_gain, si, {0, 100});
-    v.number({"unloading_exponent", "m"}, r.unloading_exponent, si, {0, 10, true});
-    v.number({"dent_spread", "a dent's flank radius over that of two circles"}, r.dent_spread, si, {0, 1e6, true});
-  }
+  laws::visit(v, r, r.impact_law);
   if (v.wants(r.capacity_offset != 0))
     v.number({"capacity_offset_mm", "the reduced rim begins at L_c plus this"}, r.capacity_offset, milli, {-100, 100});
   std::string read_before =

@@ -5,12 +5,13 @@ import pathlib
 import re
 import sys
 
-BASE = {"files", "records", "scene", "responses"}
+BASE = {"files", "impact_laws", "records", "scene", "responses"}
 FE = "fe_contact/"
 MAY_INCLUDE = {
     "files": {"files"},
     "records": {"records", "files"},
-    "scene": {"scene", "records", "files"},
+    "impact_laws": {"impact_laws", "files"},
+    "scene": {"scene", "impact_laws", "records", "files"},
     "responses": BASE,
     "reduced_models": {"reduced_models"} | BASE,
     "planning": {"planning", "reduced_models"} | BASE,

@@ -1,7 +1,7 @@
 #include "calibration/answer/answer.h"
 #include "calibration/answer/calibration_json.h"
 #include "calibration/laws/percent.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -23,7 +23,7 @@ std::string assigned(const std::string &name, double si) {
 
 /// What was fitted or held beside the law's own numbers, by table of the scene file.
 std::string others(const Answer &a, const std::string &table) {
-  const reduced::ImpactLaw &law = reduced::impact_law(a.law.result.law);
+  const laws::ImpactLaw &law = laws::impact_law(a.law.result.law);
   auto values = a.law.result.fixed;
   for (const auto &[name, estimate] : a.law.result.parameters) values[name] = estimate.value;
   std::string text;
@@ -45,13 +45,13 @@ std::string row_text(const AnswerRow &r) {
 
 std::string to_toml_fragment(const Answer &a) {
   const auto &r = a.scene.reduced;
-  const reduced::ImpactLaw &law = reduced::impact_law(r.impact_law);
+  const laws::ImpactLaw &law = *r.impact_law;
   std::string text = comment(a.validity);
   if (!a.law.remark.empty()) text += comment(a.law.remark);
   text += comment(a.pair ? a.pair->sentence : a.no_pair);
   if (!a.mesh_error.sentence.empty()) text += comment(a.mesh_error.sentence);
   for (const auto &doubt : a.doubts) text += comment("Doubt: " + doubt);
-  text += fmt::format("[reduced]\nmodel = \"{}\"\nimpact_law = \"{}\"\n", word(r.model), r.impact_law);
+  text += fmt::format("[reduced]\nmodel = \"{}\"\nimpact_law = \"{}\"\n", word(r.model), r.impact_law->name);
   for (const auto *names : {&law.parameters, &law.exponents})
     for (const auto &name : *names) text += assigned(name, parameter(name).get(a.scene));
   if (law.reads("exponent")) text += fmt::format("reference_speed_m_per_s = {:.9g}\n", r.reference_speed);

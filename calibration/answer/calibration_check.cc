@@ -28,7 +28,8 @@ std::string difference(const scene::Scene &a, const scene::Scene &b) {
         number("load.mass_kg", a.load.mass, b.load.mass),
         number("load.vertical_kN", a.load.vertical / 1e3, b.load.vertical / 1e3),
         number("load.gravity_m_per_s2", a.load.gravity, b.load.gravity),
-        text("reduced.model", word(r.model), word(s.model)), text("reduced.impact_law", r.impact_law, s.impact_law),
+        text("reduced.model", word(r.model), word(s.model)),
+        text("reduced.impact_law", r.impact_law->name, s.impact_law->name),
         text("reduced.friction", word(r.friction), word(s.friction)),
         text("reduced.normal_force", word(r.normal_force), word(s.normal_force)),
         number("reduced.mu_fast", r.mu_fast, s.mu_fast), number("reduced.mu_slow", r.mu_slow, s.mu_slow)})
@@ -82,7 +83,7 @@ RunCheck check_run(const StoredRun &run, const FitResult &result, const FitOptio
     auto published = run.scene;
     published.reduced.k_i = published_k_i;
     published.reduced.restitution = published_e;
-    published.reduced.impact_law = "signed"; // what the pair was published for
+    published.reduced.impact_law = &laws::default_law(); // what the pair was published for
     check.published = compare(run.response, reduced::simulate(published).response, L_c);
   }
   bool any_clear = false;

@@ -4,7 +4,7 @@
 #include "files/error.h"
 #include "files/file.h"
 #include "files/json_text.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include "scene/doubts.h"
 #include <cmath>
 #include <filesystem>
@@ -18,15 +18,15 @@ namespace {
 
 json derived_json(const scene::Scene &scene) {
   const auto &r = scene.reduced;
-  const bool dashpot = reduced::impact_law(r.impact_law).reads("e");
+  const bool dashpot = r.impact_law->reads("e");
   return {
       {"c_i",
        {{"value", dashpot ? json(damping_coefficient(scene) / 1e3) : json(nullptr)},
         {"unit", "kN s/m"},
         {"formula", "2 xi sqrt(k_i m1), (2-20), m2 infinite"}}},
-      {"xi", dashpot ? json(reduced::damping_ratio(r.restitution)) : json(nullptr)},
+      {"xi", dashpot ? json(laws::damping_ratio(r.restitution)) : json(nullptr)},
       {"masses", {{"m1_kg", scene.load.mass}, {"m2_kg", nullptr}, {"note", "m1: supported mass; m2: the rim, fixed"}}},
-      {"law", r.impact_law},
+      {"law", r.impact_law->name},
       {"element", element_json(scene)},
       {"friction", word(r.friction)},
       {"elastic_slip_mm", r.friction == scene::Friction::park_wen ? json(1e3 * r.elastic_slip) : json(nullptr)},

@@ -1,13 +1,13 @@
 #include "calibration/answer/answer.h"
 #include "calibration/answer/calibration_json.h"
 #include "calibration/fit/parameter.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include <fmt/format.h>
 
 namespace rimpact::calibration {
 
 double damping_coefficient(const scene::Scene &scene) {
-  return reduced::damping_coefficient(scene.reduced.k_i, scene.reduced.restitution, scene.load.mass);
+  return laws::damping_coefficient(scene.reduced.k_i, scene.reduced.restitution, scene.load.mass);
 }
 
 namespace {

@@ -1,5 +1,5 @@
 #include "calibration/answer/laws_json.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include <cmath>
 
 namespace rimpact::calibration {
@@ -15,7 +15,7 @@ json number(const std::optional<double> &value) {
 
 json element_json(const scene::Scene &scene) {
   json element = {{"lateral_capacity_m", scene.bearing.lateral_capacity() + scene.reduced.capacity_offset}};
-  const reduced::ImpactLaw &law = reduced::impact_law(scene.reduced.impact_law);
+  const laws::ImpactLaw &law = *scene.reduced.impact_law;
   for (const auto *names : {&law.parameters, &law.exponents})
     for (const auto &name : *names) {
       const auto &p = parameter(name);

@@ -154,9 +154,9 @@ void MeasuredCutter::collect(ImpactWindow &w, const Start &start, double end) co
   w.measurement->flown = start.flown - start.sample;
 }
 
-/// From touch, where the force sets in with a step late enough that the model has touched too (a step a sample off is
-/// no noise), to where the force sinks below a share of its peak: chosen by the smoothed force, as samples chosen by
-/// their own noise would be biased.
+/// From touch to where the force sinks below a share of its peak. A force that sets in with a step is taken up late
+/// enough that the model has touched too: a step a sample off is no noise. Chosen by the smoothed force, as samples
+/// chosen by their own noise would be biased.
 void MeasuredCutter::find_pressed(ImpactWindow &w, const Contact &contact, const Start &start) const {
   auto &m = *w.measurement;
   const auto &push = record_.force().push, &smooth = record_.force().smooth;

@@ -20,8 +20,8 @@ struct Comparison {
   std::vector<std::string> notes;
 };
 
-/// Both means run over time from the reference's first touch to 0.5 s after its last release (or to where the
-/// shorter response ends), on the union of both time bases, linear between samples. A reference without
+/// Both means run over time from the reference's first touch to 0.5 s after its last release, or to where the
+/// shorter response ends. They are taken on the union of both time bases, linear between samples. A reference without
 /// impact is compared over its whole length, and the figures that need an impact stay empty. Throws
 /// InputError for lateral_capacity <= 0, DataError when the responses do not overlap in time.
 Comparison compare(const Response &reference, const Response &candidate, double lateral_capacity);

@@ -1,7 +1,7 @@
 /// One isolated impact against a contact that remembers: what a mass does on the exported spring as the target program
 /// integrates it, and on the law itself. An integrator of its own, apart from the reduced models'.
 #pragma once
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -20,13 +20,13 @@ public:
 /// The law itself, one arc of the rim that no impact has touched before.
 class LawContact : public RimContact {
 public:
-  explicit LawContact(const reduced::RimElement &rim) : rim_(rim) {}
+  explicit LawContact(const laws::RimElement &rim) : rim_(rim) {}
   double force(double d, double rate) const override;
   void accept(double d) override { deepest_ = std::max(deepest_, d); }
   bool pulls() const override { return !rim_.law->unilateral; }
 
 private:
-  reduced::RimElement rim_;
+  laws::RimElement rim_;
   double deepest_ = 0;
 };
 

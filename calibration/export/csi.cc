@@ -120,11 +120,17 @@ std::string etabs_points(const std::string &link, const std::string &dof, const 
 } // namespace
 
 CsiRim csi_rim(const ExportedRim &rim) {
-  if (rim.law() == "elastoplastic") return plastic_rim(rim);
-  if (rim.law() == "signed" || rim.law() == "no-tension") return linear_rim(rim);
+  switch (rim.law().csi) {
+  case laws::CsiLink::plastic:
+    return plastic_rim(rim);
+  case laws::CsiLink::linear:
+    return linear_rim(rim);
+  case laws::CsiLink::none:
+    break;
+  }
   throw DataError(fmt::format(
       "SAP2000 and ETABS have no links for the impact law {}; export elastoplastic, signed or no-tension (--law)",
-      rim.law()));
+      rim.law().name));
 }
 
 std::string sap2000(const ExportedRim &rim, const CsiRim &r, const std::optional<Dish> &dish,

@@ -36,11 +36,11 @@ std::optional<double> number_or_none(const json &object, const char *key, const 
 /// Every number the law reads: from `element`, which holds them all, or from what was fitted where there is no element.
 scene::ReducedSettings settings_of(const std::string &law, const json &element, const char *where) {
   scene::Scene scene;
-  scene.reduced.impact_law = law;
-  const reduced::ImpactLaw *known = nullptr;
-  for (const auto &candidate : reduced::impact_laws())
-    if (candidate.name == law) known = &candidate;
+  const laws::ImpactLaw *known = nullptr;
+  for (const auto *candidate : laws::impact_laws())
+    if (candidate->name == law) known = candidate;
   if (!known) throw DataError(fmt::format("calibration.json: the law {} is not known", plain_text(law)));
+  scene.reduced.impact_law = known;
   for (const auto *names : {&known->parameters, &known->exponents})
     for (const auto &name : *names) {
       const Parameter &p = parameter(name);
@@ -105,12 +105,12 @@ Source ranked(const json &calibration, const json &answer, const std::string &na
     if (!law_name.is_string()) continue;
     known.push_back(plain_text(law_name.get<std::string>()));
     if (law_name != name) continue;
-    const bool of_mass = name == "signed" || name == "no-tension" || name == "printed";
-    json law = {{"name", name}, {"chosen_by", word(ChosenBy::user)}, {"belongs_to", of_mass ? "mass" : "rim"}};
+    const laws::ImpactLaw &own = laws::impact_law(name);
+    json law = {{"name", name}, {"chosen_by", word(ChosenBy::user)}, {"belongs_to", own.of_mass ? "mass" : "rim"}};
     law["parameters"] = row.value("parameters", json::object());
     law["element"] = row.value("element", row.value("parameters", json::object()));
     scene::Scene defaults;
-    for (const auto *names : {&reduced::impact_law(name).parameters, &reduced::impact_law(name).exponents})
+    for (const auto *names : {&own.parameters, &own.exponents})
       for (const auto &p : *names)
         if (!law["element"].contains(p)) law["element"][p] = parameter(p).get(defaults) / parameter(p).si;
     law["fitted_from_m_s"] = answer["law"].value("fitted_from_m_s", json());
@@ -178,7 +178,7 @@ ExportedRim exported_rim(const json &calibration, const ExportChoice &choice) tr
     throw InputError(fmt::format("--mass {:.6g}: the law {} holds for {:.6g} kg only, for its dashpot is scaled by the "
                                  "mass; calibrate at that mass, or export a law "
                                  "of the rim (elastoplastic)",
-                                 rim.mass, rim.law(), rim.fitted_mass));
+                                 rim.mass, rim.law().name, rim.fitted_mass));
   rim.vertical = 1e3 * positive_at(answer, "vertical_kN", "answer");
   rim.gravity = positive_at(answer, "gravity_m_per_s2", "answer");
   const json capacity =

@@ -2,7 +2,7 @@
 /// sentences that go with them. A number that is not a number, or out of its range, is refused (DataError) with its
 /// key.
 #pragma once
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -27,12 +27,12 @@ struct ExportedRim {
   std::string bearing, rim_identity;
   std::vector<std::string> statement; ///< bearing, load, law, range, errors, doubts: plain sentences in this order
 
-  const std::string &law() const { return settings.impact_law; }
-  reduced::RimElement element() const { return reduced::rim_element(settings, mass); }
+  const laws::ImpactLaw &law() const { return *settings.impact_law; }
+  laws::RimElement element() const { return settings.element(mass); }
 };
 
-/// Throws DataError where calibration.json has no answer or a bad number, InputError where `choice` asks for a law that
-/// was not ranked, a pair that was not found, or a law of one mass at another (more than 1 % off).
+/// Throws DataError where calibration.json has no answer or a bad number. Throws InputError where `choice` asks for a
+/// law that was not ranked, a pair that was not found, or a law of one mass at another (more than 1 % off).
 ExportedRim exported_rim(const nlohmann::json &calibration, const ExportChoice &choice);
 
 /// The value at `key` of `object`, or at its "value"; `where` names the object in messages.

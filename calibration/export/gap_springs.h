@@ -2,9 +2,9 @@
 ///
 /// Each is bilinear, unloads along its first stiffness E to its own dent, and never pulls: penetration d, yield at F /
 /// E, slope eta E beyond. One of them alone cannot follow: its unloading is its first loading, so a spring that bends
-/// late gives back the more. (Perfectly plastic ones at the vertices of the load path meet it exactly and return 3
-/// times the law's rebound at 0.7 m/s.) Four, fitted together, meet peak force within some 8 % and rebound within 0.15
-/// of the approach speed over a decade of speeds, better over less; what is left is measured by the self-check and
+/// late gives back the more. Perfectly plastic ones at the vertices of the load path meet it exactly and return 3
+/// times the law's rebound at 0.7 m/s. Four, fitted together, meet peak force within some 8 % and rebound within 0.15
+/// of the approach speed over a decade of speeds, better over less. What is left is measured by the self-check and
 /// printed. HyperbolicGapMaterial, whose unloading is free, follows better, but its state is spoiled by an iteration
 /// that overshoots (it then presses where it is open); ImpactMaterial forgets dents.
 #pragma once

@@ -24,7 +24,7 @@ std::string curves(const ExportedRim &rim) {
   }
   for (std::size_t s = 0; s < speeds.size(); ++s)
     for (int i = 0; i <= n_points; ++i) {
-      const double open = element.law->yields ? reduced::residual_indentation(element, depths[s]) : 0;
+      const double open = element.law->yields ? laws::residual_indentation(element, depths[s]) : 0;
       const double d = depths[s] - (depths[s] - open) * i / n_points;
       text += fmt::format("unloading,{:.6g},{:.6g},{:.6g}\n", speeds[s], 1e3 * d,
                           element.at({.d = d, .rate = 0, .deepest = depths[s]}).force / 1e3);

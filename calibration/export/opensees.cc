@@ -1,6 +1,6 @@
 #include "calibration/export/opensees.h"
 #include "calibration/export/comment.h"
-#include "files/error.h"
+#include "calibration/export/opensees_texts.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -10,56 +10,6 @@ namespace {
 
 std::string exact(double value) {
   return fmt::format("{:.10g}", value);
-}
-
-OpenSeesRim elastoplastic(const ExportedRim &rim) {
-  OpenSeesRim out{.springs = gap_springs(rim), .material = {}, .values = {}, .check = {}, .notes = {}};
-  out.check = self_check(
-      rim, "four ElasticPPGap in parallel", [&](double) { return std::make_unique<GapSpringsContact>(out.springs); },
-      total_stiffness(out.springs));
-  out.notes = {"Rim: four bilinear gap springs in parallel, tuned to the law over the speeds of the self-check. They "
-               "unload in straight lines where the law's unloading bends.",
-               "rim_springs: two along x, each side keeps its own dent; blind to y. rim_round: one round rim for any "
-               "direction, but every impact meets it as new: no dents."};
-  return out;
-}
-
-OpenSeesRim dashpot(const ExportedRim &rim) {
-  const auto element = rim.element();
-  OpenSeesRim out{.springs = {}, .material = RimMaterial::viscoelastic_gap, .values = {}, .check = {}, .notes = {}};
-  out.values = {{"k_i", exact(element.stiffness), "N/m"},
-                {"c_i", exact(element.damping), "N s/m, 2 xi sqrt(k_i m1), m2 infinite"}};
-  out.check = self_check(
-      rim, "ViscoelasticGap",
-      [&](double) { return std::make_unique<DashpotContact>(element.stiffness, element.damping, true); },
-      element.stiffness);
-  out.notes = {element.law->unilateral ? "Rim: ViscoelasticGap pulls just before release, which the law does not: it "
-                                         "returns e exactly, the law a little more."
-                                       : "Rim: ViscoelasticGap is the law itself; it pulls just before release.",
-               "rim_springs: two along x, blind to y: OpenSees has no round gap with a dashpot. Turn x along the "
-               "motion, or export a law of the rim (elastoplastic)."};
-  return out;
-}
-
-OpenSeesRim hertzdamp(const ExportedRim &rim) {
-  const auto element = rim.element();
-  const double d = reduced::hunt_crossley_penetration, K = element.stiffness * std::pow(d, 1 - element.exponent),
-               xi = element.dissipation * rim.settings.reference_speed;
-  OpenSeesRim out{.springs = {}, .material = RimMaterial::hertzdamp, .values = {}, .check = {}, .notes = {}};
-  out.values = {{"K_h", exact(K), "N/m^n"},
-                {"xi_norm", exact(xi), "chi times the reference speed"},
-                {"exponent", exact(element.exponent), "n"}};
-  const double deep = std::sqrt(rim.mass / element.stiffness) * rim.to,
-               stiff =
-                   element.stiffness * std::max(1.0, 4 * element.exponent * std::pow(deep / d, element.exponent - 1));
-  out.check = self_check(
-      rim, "Hertzdamp", [&](double v) { return std::make_unique<HertzdampContact>(K, xi, element.exponent, v); },
-      stiff);
-  out.notes = {fmt::format("Rim: Hertzdamp is the law at {:g} m/s; its damping is normalised by each impact's own "
-                           "speed, so that the restitution stays where the law's falls with speed.",
-                           rim.settings.reference_speed),
-               "rim_springs: two along x, blind to y. No dents."};
-  return out;
 }
 
 /// What differs between the two languages.
@@ -102,9 +52,8 @@ std::string rim_variables(const Language &in, const ExportedRim &rim, const Open
     line("rim_hardening", in.list(column(r.springs, [](auto &s) { return s.hardening; })),
          "slope beyond yield over rim_stiffness");
   }
-  for (const auto &[name, value, what] : r.values) line(name, value, what);
-  if (r.material && r.values.size() == 2)
-    line("restitution", exact(rim.settings.restitution), "e, from which c_i is made");
+  for (const auto &[name, value, what] : r.material.numbers) line(name, exact(value), what);
+  if (rim.law().of_mass) line("restitution", exact(rim.settings.restitution), "e, from which c_i is made");
   return text;
 }
 
@@ -134,7 +83,8 @@ std::string dish_variables(const Language &in, const ExportedRim &rim, const Dis
 
 std::string head(const ExportedRim &rim, const OpenSeesRim &r, const std::optional<Dish> &dish,
                  const std::vector<std::string> &header) {
-  std::string text = comment_lines("#", header) + comment_lines("#", rim.statement) + comment_lines("#", r.notes);
+  std::string text =
+      comment_lines("#", header) + comment_lines("#", rim.statement) + comment_lines("#", r.material.notes);
   if (dish) text += comment_lines("#", dish->lines(rim.vertical));
   text += comment_lines("#", r.check.lines());
   const double shortest = r.check.rows.back().spring.duration;
@@ -145,201 +95,14 @@ std::string head(const ExportedRim &rim, const OpenSeesRim &r, const std::option
                                   "integrator with the rules of OpenSees' source.");
 }
 
-} // namespace
-
-OpenSeesRim opensees_rim(const ExportedRim &rim) {
-  if (rim.law() == "elastoplastic") return elastoplastic(rim);
-  if (rim.law() == "hunt-crossley") return hertzdamp(rim);
-  if (rim.law() == "signed" || rim.law() == "no-tension") return dashpot(rim);
-  throw DataError(fmt::format("OpenSees has no material for the impact law {}", rim.law()));
+/// A material's numbers by name, its gap third as OpenSees takes it; none: without a gap.
+std::vector<std::string> numbers_with_gap(const OpenSeesRim &r, const std::string &sigil,
+                                          const std::optional<std::string> &gap) {
+  std::vector<std::string> words;
+  for (const auto &number : r.material.numbers) words.push_back(sigil + number.name);
+  if (gap) words.insert(words.begin() + 2, *gap);
+  return words;
 }
-
-namespace {
-
-constexpr const char *tcl_springs_elastoplastic = R"(
-# Makes the rim's material `tag` of parts tag+1 ...; `sign` -1: a gap that closes in compression, +1: one that opens to
-# `gap` in tension; forces per unit of strain times `length`.
-proc rim_material {tag sign gap length damage} {
-  global rim_stiffness rim_yield_force rim_hardening
-  set parts {}
-  foreach E $rim_stiffness Fy $rim_yield_force eta $rim_hardening {
-    set part [expr {$tag + 1 + [llength $parts]}]
-    uniaxialMaterial ElasticPPGap $part [expr {$E * $length}] [expr {$sign * $Fy}] [expr {$sign * $gap}] $eta $damage
-    lappend parts $part
-  }
-  uniaxialMaterial Parallel $tag {*}$parts
-}
-# Two springs along x between the plate's node and the slider's, which lie at the same place: elements first, first+1.
-proc rim_springs {tag first plate slider} {
-  global lateral_capacity
-  rim_material $tag -1 $lateral_capacity 1.0 damage
-  element zeroLength $first $plate $slider -mat $tag -dir 1 -orient -1 0 0 0 -1 0
-  element zeroLength [expr {$first + 1}] $plate $slider -mat $tag -dir 1 -orient 1 0 0 0 1 0
-}
-# The round rim: element `first` from the node `anchor` (see anchor_node) to the slider.
-proc rim_round {tag first anchor slider} {
-  global lateral_capacity anchor_depth
-  set gap [expr {(sqrt($lateral_capacity ** 2 + $anchor_depth ** 2) - $anchor_depth) / $anchor_depth}]
-  rim_material $tag 1 $gap $anchor_depth noDamage
-  element corotTruss $first $anchor $slider 1.0 $tag
-}
-)";
-
-constexpr const char *python_springs_elastoplastic = R"(
-
-def rim_material(ops, tag, sign, gap, length, damage):
-    """The rim's material `tag` of parts tag+1 ...; `sign` -1: a gap that closes in compression, +1: one that opens to
-    `gap` in tension; forces per unit of strain times `length`."""
-    parts = []
-    for E, Fy, eta in zip(rim_stiffness, rim_yield_force, rim_hardening):
-        parts.append(tag + 1 + len(parts))
-        ops.uniaxialMaterial("ElasticPPGap", parts[-1], E * length, sign * Fy, sign * gap, eta, damage)
-    ops.uniaxialMaterial("Parallel", tag, *parts)
-
-
-def rim_springs(ops, tag, first, plate, slider):
-    """Two springs along x between the plate's node and the slider's, which lie at the same place: elements first,
-    first+1. `ops` is openseespy.opensees."""
-    rim_material(ops, tag, -1, lateral_capacity, 1.0, "damage")
-    ops.element("zeroLength", first, plate, slider, "-mat", tag, "-dir", 1, "-orient", -1.0, 0.0, 0.0, 0.0, -1.0, 0.0)
-    ops.element("zeroLength", first + 1, plate, slider, "-mat", tag, "-dir", 1, "-orient", 1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
-
-
-def rim_round(ops, tag, first, anchor, slider):
-    """The round rim: element `first` from the node `anchor` (see anchor_node) to the slider."""
-    gap = (hypot(lateral_capacity, anchor_depth) - anchor_depth) / anchor_depth
-    rim_material(ops, tag, 1, gap, anchor_depth, "noDamage")
-    ops.element("corotTruss", first, anchor, slider, 1.0, tag)
-)";
-
-constexpr const char *tcl_springs_one = R"(
-# Two springs along x between the plate's node and the slider's, which lie at the same place: elements first, first+1.
-proc rim_springs {{tag first plate slider}} {{
-  global lateral_capacity {0}
-  uniaxialMaterial {1} $tag {2}
-  element zeroLength $first $plate $slider -mat $tag -dir 1 -orient -1 0 0 0 -1 0
-  element zeroLength [expr {{$first + 1}}] $plate $slider -mat $tag -dir 1 -orient 1 0 0 0 1 0
-}}
-)";
-
-constexpr const char *python_springs_one = R"(
-
-def rim_springs(ops, tag, first, plate, slider):
-    """Two springs along x between the plate's node and the slider's, which lie at the same place: elements first,
-    first+1. `ops` is openseespy.opensees."""
-    ops.uniaxialMaterial("{0}", tag, {1})
-    ops.element("zeroLength", first, plate, slider, "-mat", tag, "-dir", 1, "-orient", -1.0, 0.0, 0.0, 0.0, -1.0, 0.0)
-    ops.element("zeroLength", first + 1, plate, slider, "-mat", tag, "-dir", 1, "-orient", 1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
-)";
-
-constexpr const char *tcl_anchor = R"(
-# A node tied to the plate's, anchor_depth below it: what a corotTruss from it elongates by is the travel, in any direction.
-proc anchor_node {node plate} {
-  global anchor_depth
-  set at [nodeCoord $plate]
-  node $node [lindex $at 0] [lindex $at 1] [expr {[lindex $at 2] - $anchor_depth}]
-  equalDOF $plate $node 1 2 3 4 5 6
-}
-)";
-constexpr const char *python_anchor = R"(
-
-def anchor_node(ops, node, plate):
-    """A node tied to the plate's, anchor_depth below it: what a corotTruss from it elongates by is the travel, in any
-    direction."""
-    x, y, z = ops.nodeCoord(plate)
-    ops.node(node, x, y, z - anchor_depth)
-    ops.equalDOF(plate, node, 1, 2, 3, 4, 5, 6)
-)";
-
-constexpr const char *tcl_slider = R"(
-# Materials tag, tag+1 and the friction model tag of the sliding element.
-proc slider_materials {tag} {
-  global mu_slow mu_fast friction_rate vertical_stiffness free_rotation
-  uniaxialMaterial Elastic $tag $vertical_stiffness
-  uniaxialMaterial Elastic [expr {$tag + 1}] $free_rotation
-  frictionModel VelDependent $tag $mu_slow $mu_fast $friction_rate
-}
-)";
-constexpr const char *python_slider = R"(
-
-def slider_materials(ops, tag):
-    """Materials tag, tag+1 and the friction model tag of the sliding element."""
-    ops.uniaxialMaterial("Elastic", tag, vertical_stiffness)
-    ops.uniaxialMaterial("Elastic", tag + 1, free_rotation)
-    ops.frictionModel("VelDependent", tag, mu_slow, mu_fast, friction_rate)
-)";
-
-constexpr const char *tcl_sphere = R"(
-# The dish: element `first` between the plate's node and the slider's.
-proc dish {tag first plate slider anchor} {
-  global dish_radius friction_stiffness
-  slider_materials $tag
-  set hinge [expr {$tag + 1}]
-  element singleFPBearing $first $plate $slider $tag $dish_radius $friction_stiffness -P $tag -T $hinge -My $hinge -Mz $hinge -orient 0 0 1 1 0 0
-}
-)";
-constexpr const char *python_sphere = R"(
-
-def dish(ops, tag, first, plate, slider, anchor):
-    """The dish: element `first` between the plate's node and the slider's."""
-    slider_materials(ops, tag)
-    ops.element("singleFPBearing", first, plate, slider, tag, dish_radius, friction_stiffness, "-P", tag, "-T", tag + 1,
-                "-My", tag + 1, "-Mz", tag + 1, "-orient", 0.0, 0.0, 1.0, 1.0, 0.0, 0.0)
-)";
-constexpr const char *tcl_table = R"(
-# The dish: element `first` slides, first+1 restores; its table turned from travel to elongation of a truss of anchor_depth.
-proc dish {tag first plate slider anchor} {
-  global dish_travel dish_force friction_stiffness anchor_depth
-  slider_materials $tag
-  set hinge [expr {$tag + 1}]
-  element flatSliderBearing $first $plate $slider $tag $friction_stiffness -P $tag -T $hinge -My $hinge -Mz $hinge -orient 0 0 1 1 0 0
-  set strain {-1.0 0.0}
-  set force {0.0 0.0}
-  foreach r $dish_travel F $dish_force {
-    set length [expr {sqrt($r ** 2 + $anchor_depth ** 2)}]
-    lappend strain [expr {$length / $anchor_depth - 1.0}]
-    lappend force [expr {$F * $length / $r}]
-  }
-  uniaxialMaterial ElasticMultiLinear [expr {$tag + 2}] -strain {*}$strain -stress {*}$force
-  element corotTruss [expr {$first + 1}] $anchor $slider 1.0 [expr {$tag + 2}]
-}
-)";
-constexpr const char *python_table = R"(
-
-def dish(ops, tag, first, plate, slider, anchor):
-    """The dish: element `first` slides, first+1 restores; its table turned from travel to elongation of a truss of
-    anchor_depth."""
-    slider_materials(ops, tag)
-    ops.element("flatSliderBearing", first, plate, slider, tag, friction_stiffness, "-P", tag, "-T", tag + 1,
-                "-My", tag + 1, "-Mz", tag + 1, "-orient", 0.0, 0.0, 1.0, 1.0, 0.0, 0.0)
-    strain, force = [-1.0, 0.0], [0.0, 0.0]
-    for r, F in zip(dish_travel, dish_force):
-        length = hypot(r, anchor_depth)
-        strain.append(length / anchor_depth - 1.0)
-        force.append(F * length / r)
-    ops.uniaxialMaterial("ElasticMultiLinear", tag + 2, "-strain", *strain, "-stress", *force)
-    ops.element("corotTruss", first + 1, anchor, slider, 1.0, tag + 2)
-)";
-
-constexpr const char *tcl_bearing = R"(
-# The whole bearing between the plate's node and the slider's (same place, ndm 3, ndf 6, z up). Uses tags tag ... tag+19 of
-# materials and friction models, tag ... tag+3 of elements and the node `anchor`. The slider's node carries m1 and dead_load.
-proc rimpact_bearing {{tag plate slider anchor}} {{
-  anchor_node $anchor $plate
-  dish $tag $tag $plate $slider $anchor
-  {}
-}}
-)";
-constexpr const char *python_bearing = R"(
-
-def rimpact_bearing(ops, tag, plate, slider, anchor):
-    """The whole bearing between the plate's node and the slider's (same place, ndm 3, ndf 6, z up). Uses tags tag ...
-    tag+19 of materials and friction models, tag ... tag+3 of elements and the node `anchor`. The slider's node carries
-    m1 and dead_load."""
-    anchor_node(ops, anchor, plate)
-    dish(ops, tag, tag, plate, slider, anchor)
-    {}
-)";
 
 constexpr const char *anchor_comment = "m, below the plate's node: length of the trusses at rest";
 
@@ -352,12 +115,9 @@ std::string opensees_tcl(const ExportedRim &rim, const OpenSeesRim &r, const std
   if (dish) text += dish_variables(tcl, rim, *dish);
   if (!r.springs.empty())
     text += tcl_springs_elastoplastic;
-  else {
-    const bool hertz = r.material == RimMaterial::hertzdamp;
-    text += fmt::format(tcl_springs_one, hertz ? "K_h xi_norm exponent" : "k_i c_i", word(*r.material),
-                        hertz ? "$K_h $xi_norm [expr {-$lateral_capacity}] $exponent"
-                              : "$k_i $c_i [expr {-$lateral_capacity}]");
-  }
+  else
+    text += fmt::format(tcl_springs_one, fmt::join(numbers_with_gap(r, "", {}), " "), word(r.material.material),
+                        fmt::join(numbers_with_gap(r, "$", "[expr {-$lateral_capacity}]"), " "));
   if (!dish) return text;
   text += std::string(tcl_anchor) + tcl_slider + (dish->sphere ? tcl_sphere : tcl_table);
   return text + fmt::format(tcl_bearing, r.springs.empty()
@@ -373,9 +133,8 @@ std::string opensees_python(const ExportedRim &rim, const OpenSeesRim &r, const 
   if (!r.springs.empty())
     text += python_springs_elastoplastic;
   else
-    text += fmt::format(python_springs_one, word(*r.material),
-                        r.material == RimMaterial::hertzdamp ? "K_h, xi_norm, -lateral_capacity, exponent"
-                                                             : "k_i, c_i, -lateral_capacity");
+    text += fmt::format(python_springs_one, word(r.material.material),
+                        fmt::join(numbers_with_gap(r, "", "-lateral_capacity"), ", "));
   if (!dish) return text;
   text += std::string(python_anchor) + python_slider + (dish->sphere ? python_sphere : python_table);
   return text + fmt::format(python_bearing, r.springs.empty() ? "rim_springs(ops, tag + 10, tag + 2, plate, slider)"

@@ -8,27 +8,9 @@
 /// other flatSliderBearing with a corotTruss of the table W h'(r), round alike.
 #pragma once
 #include "calibration/export/dish.h"
-#include "calibration/export/gap_springs.h"
-#include "calibration/export/self_check.h"
+#include "calibration/export/opensees_rim.h"
 
 namespace rimpact::calibration {
-
-/// OpenSees' name of a uniaxial material.
-enum class RimMaterial { viscoelastic_gap, hertzdamp };
-constexpr auto choices(RimMaterial) {
-  return choices_of<RimMaterial>(
-      {{RimMaterial::viscoelastic_gap, "ViscoelasticGap"}, {RimMaterial::hertzdamp, "Hertzdamp"}});
-}
-/// The rim's materials, the same for both languages.
-struct OpenSeesRim {
-  std::vector<GapSpring> springs;                 ///< elastoplastic; else empty
-  std::optional<RimMaterial> material;            ///< empty for elastoplastic
-  std::vector<std::array<std::string, 3>> values; ///< name, number, what it is, in the order the material takes them
-  SelfCheck check;
-  std::vector<std::string> notes; ///< how far the material is the law
-};
-/// Throws DataError for a law that OpenSees has no material for (printed).
-OpenSeesRim opensees_rim(const ExportedRim &rim);
 
 std::string opensees_tcl(const ExportedRim &rim, const OpenSeesRim &springs, const std::optional<Dish> &dish,
                          const std::vector<std::string> &header);

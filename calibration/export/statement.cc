@@ -98,7 +98,7 @@ std::vector<std::string> statement_of(const ExportedRim &rim, const json &answer
                               rim.rim_identity, rim.vertical / 1e3, rim.mass, rim.gravity));
   lines.push_back(fmt::format("Fitted to: {}, rung {}, mesh {}.", text(answer, "source"), text(answer, "rung"),
                               text(answer, "mesh")));
-  lines.push_back(fmt::format("Impact law: {} (chosen by: {}), {}.", rim.law(), text(law, "chosen_by"),
+  lines.push_back(fmt::format("Impact law: {} (chosen by: {}), {}.", rim.law().name, text(law, "chosen_by"),
                               rim.of_mass ? fmt::format("holds for {:.6g} kg only", rim.fitted_mass)
                                           : "belongs to the rim, whatever the mass"));
   if (const auto remark = text(law, "remark"); !remark.empty()) lines.push_back("Remark: " + remark);

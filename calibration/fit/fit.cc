@@ -147,7 +147,7 @@ std::optional<FitResult> by_sample(const std::vector<const StoredRun *> &runs, F
 
 FitResult fit(const std::vector<const StoredRun *> &runs, const FitOptions &given) {
   FitOptions options = given;
-  if (options.law.empty() && !runs.empty()) options.law = runs.front()->scene.reduced.impact_law;
+  if (options.law.empty() && !runs.empty()) options.law = runs.front()->scene.reduced.impact_law->name;
   options.validate();
   if (options.counting == Counting::automatic) {
     options.counting = Counting::curve;
@@ -181,7 +181,7 @@ std::vector<double> profile(const std::vector<const StoredRun *> &runs, const Fi
 }
 
 scene::Scene with_settings(scene::Scene scene, const std::string &law, const std::map<std::string, double> &fixed) {
-  if (!law.empty()) scene.reduced.impact_law = law;
+  if (!law.empty()) scene.reduced.impact_law = &laws::impact_law(law);
   for (const auto &[name, value] : fixed) {
     const auto &p = calibration::parameter(name);
     p.set(scene, value * p.si);

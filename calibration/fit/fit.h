@@ -2,8 +2,8 @@
 ///
 /// Each impact is restarted from the reference's own state just before touch and integrated, ground motion
 /// and friction included, through contact to shortly after release. It contributes four groups of residuals,
-/// each a difference over its stated uncertainty and each group counting as one observation, so that neither
-/// the number of samples nor the duration weighs:
+/// each a difference over its stated uncertainty. A group counts as one observation, so that neither the number of
+/// samples nor the duration weighs:
 ///   force         radial rim force where the reference exceeds 5 % of its peak (a `signed` law pulls before
 ///   release,
 ///                 where a real rim is silent: that tension is a property of the law, not of the data)
@@ -11,7 +11,7 @@
 ///   rebound       inward radial speed at release, each at its own
 ///   peak          peak force
 /// Where the clock of force and displacement is uncertain (Uncertainty::time), each impact may be shifted by
-/// the time that serves it best, at the price of a fifth group, `phase`: shift over its uncertainty.
+/// the time that serves it best. Its price is a fifth group, `phase`: shift over its uncertainty.
 /// Parameters that the flight informs on (mu_fast, ...) add a group for the motion before the first touch.
 #pragma once
 #include "calibration/data/impact_window.h"

@@ -1,6 +1,6 @@
 #include "calibration/fit/fit.h"
 #include "files/error.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -16,10 +16,10 @@ void require(bool ok, const std::string &name, double value, const std::string &
 
 /// A parameter of another law would not move anything.
 void require_read(const std::vector<std::string> &parameters, const std::string &law) {
-  const auto &own = reduced::impact_law(law);
+  const auto &own = laws::impact_law(law);
   for (const auto &name : parameters) {
-    const bool of_a_law = std::any_of(reduced::impact_laws().begin(), reduced::impact_laws().end(),
-                                      [&](const auto &other) { return other.reads(name); });
+    const bool of_a_law = std::any_of(laws::impact_laws().begin(), laws::impact_laws().end(),
+                                      [&](const auto *other) { return other->reads(name); });
     if (of_a_law && !own.reads(name))
       throw InputError(fmt::format("{} is not read by the law {}, whose parameters are {}", name, law,
                                    fmt::join(own.parameters, ", ")));

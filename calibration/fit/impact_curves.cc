@@ -94,7 +94,7 @@ void write_curves(const ImpactCurves &curves, const std::string &folder) {
                        {"reference", to_json(c.reference)},
                        {"law", to_json(c.law)}});
   const json file{
-      {"scene", scene::to_toml(curves.scene)}, {"law", curves.scene.reduced.impact_law}, {"impacts", impacts}};
+      {"scene", scene::to_toml(curves.scene)}, {"law", curves.scene.reduced.impact_law->name}, {"impacts", impacts}};
   write_atomically(file.dump() + "\n", folder + "/curves.json");
 }
 

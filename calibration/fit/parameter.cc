@@ -6,30 +6,25 @@ namespace rimpact::calibration {
 
 using scene::Scene;
 
-const std::vector<Parameter> &parameter_catalogue() {
-  static const std::vector<Parameter> catalogue = {
-      {"k_i", "kN/m", "reduced.k_i_kN_per_m", 1e3, 5e3, 5e7, true, false, //
-       [](const Scene &s) { return s.reduced.k_i; }, [](Scene &s, double v) { s.reduced.k_i = v; }},
-      {"e", "-", "reduced.restitution", 1, 0.01, 1.0, false, false, //
-       [](const Scene &s) { return s.reduced.restitution; }, [](Scene &s, double v) { s.reduced.restitution = v; }},
-      {"exponent", "-", "reduced.impact_exponent", 1, 0.2, 4.0, true, false,
-       [](const Scene &s) { return s.reduced.impact_exponent; },
-       [](Scene &s, double v) { s.reduced.impact_exponent = v; }},
-      {"yield_force", "kN", "reduced.yield_force_kN", 1e3, 10, 1e5, true, false,
-       [](const Scene &s) { return s.reduced.yield_force; }, [](Scene &s, double v) { s.reduced.yield_force = v; }},
-      {"hardening", "-", "reduced.hardening", 1, 1e-3, 1.0, true, false,
-       [](const Scene &s) { return s.reduced.hardening; }, [](Scene &s, double v) { s.reduced.hardening = v; }},
-      {"unloading_gain", "-", "reduced.unloading_gain", 1, 0.0, 20.0, false, false,
-       [](const Scene &s) { return s.reduced.unloading_gain; },
-       [](Scene &s, double v) { s.reduced.unloading_gain = v; }},
-      {"hardening_exponent", "-", "reduced.hardening_exponent", 1, 0.1, 1.0, false, false,
-       [](const Scene &s) { return s.reduced.hardening_exponent; },
-       [](Scene &s, double v) { s.reduced.hardening_exponent = v; }},
-      {"unloading_exponent", "-", "reduced.unloading_exponent", 1, 0.25, 4.0, true, false,
-       [](const Scene &s) { return s.reduced.unloading_exponent; },
-       [](Scene &s, double v) { s.reduced.unloading_exponent = v; }},
-      {"dent_spread", "-", "reduced.dent_spread", 1, 0.5, 100.0, true, false,
-       [](const Scene &s) { return s.reduced.dent_spread; }, [](Scene &s, double v) { s.reduced.dent_spread = v; }},
+namespace {
+
+/// A number of an impact law.
+Parameter of_law(const laws::LawParameter &p) {
+  const auto member = p.member;
+  return {.name = p.name,
+          .unit = p.unit,
+          .toml_key = std::string("reduced.") + p.key,
+          .si = p.si,
+          .lower = p.lower,
+          .upper = p.upper,
+          .logarithmic = p.logarithmic,
+          .seen_in_flight = false,
+          .get = [member](const Scene &s) { return s.reduced.*member; },
+          .set = [member](Scene &s, double v) { s.reduced.*member = v; }};
+}
+
+std::vector<Parameter> of_the_bearing() {
+  return {
       {"capacity_offset", "mm", "reduced.capacity_offset_mm", 1e-3, -5.0, 5.0, false, false,
        [](const Scene &s) { return s.reduced.capacity_offset; },
        [](Scene &s, double v) { s.reduced.capacity_offset = v; }},
@@ -47,6 +42,17 @@ const std::vector<Parameter> &parameter_catalogue() {
       {"mass", "kg", "load.mass_kg", 1, 1e2, 1e8, true, true, //
        [](const Scene &s) { return s.load.mass; }, [](Scene &s, double v) { s.load.mass = v; }},
   };
+}
+
+} // namespace
+
+const std::vector<Parameter> &parameter_catalogue() {
+  static const auto catalogue = [] {
+    std::vector<Parameter> all;
+    for (const auto &p : laws::law_parameters()) all.push_back(of_law(p));
+    for (auto &p : of_the_bearing()) all.push_back(std::move(p));
+    return all;
+  }();
   return catalogue;
 }
 

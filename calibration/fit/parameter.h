@@ -1,21 +1,22 @@
-/// The catalogue of parameters a fit may move: one line each in parameter.cc.
+/// The catalogue of parameters a fit may move: those of the impact laws, and one line each in parameter.cc.
 #pragma once
 #include "scene/scene.h"
+#include <functional>
 #include <string>
 #include <vector>
 
 namespace rimpact::calibration {
 
 struct Parameter {
-  std::string name;                          ///< as on the command line and in calibration.json
-  std::string unit;                          ///< of the reported value
-  std::string toml_key;                      ///< where a scene file holds it
-  double si;                                 ///< reported value times this is SI
-  double lower, upper;                       ///< default bounds, in the reported unit
-  bool logarithmic;                          ///< fitted by its logarithm
-  bool seen_in_flight;                       ///< the motion before the first touch informs on it
-  double (*get)(const scene::Scene &);       ///< SI
-  void (*set)(scene::Scene &, double value); ///< SI
+  std::string name;                                      ///< as on the command line and in calibration.json
+  std::string unit;                                      ///< of the reported value
+  std::string toml_key;                                  ///< where a scene file holds it
+  double si;                                             ///< reported value times this is SI
+  double lower, upper;                                   ///< default bounds, in the reported unit
+  bool logarithmic;                                      ///< fitted by its logarithm
+  bool seen_in_flight;                                   ///< the motion before the first touch informs on it
+  std::function<double(const scene::Scene &)> get;       ///< SI
+  std::function<void(scene::Scene &, double value)> set; ///< SI
 };
 inline constexpr const char *no_unit = "-";
 const std::vector<Parameter> &parameter_catalogue();

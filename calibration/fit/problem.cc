@@ -1,7 +1,7 @@
 #include "calibration/fit/problem.h"
 #include "calibration/fit/halton.h"
 #include "files/error.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -120,12 +120,12 @@ Eigen::VectorXd Problem::guess() const {
     const auto hardest = std::max_element(hardest_->impacts.begin(), hardest_->impacts.end(),
                                           [](const auto &a, const auto &b) { return a.peak < b.peak; });
     const double e = std::clamp(hardest->impact.restitution(), 0.05, 0.95);
-    const double ratio = hardest->peak / (hardest->impact.approach_speed * reduced::kelvin_voigt_peak(e));
+    const double ratio = hardest->peak / (hardest->impact.approach_speed * laws::kelvin_voigt_peak(e));
     scene.reduced.restitution = e;
     scene.reduced.k_i = ratio * ratio / scene.load.mass;
     scene.reduced.yield_force = 0.4 * hardest->peak;
     // A rim that yields is as stiff as its gentlest impact finds it, F = v sqrt(k m).
-    if (gentlest_ && reduced::impact_law(scene.reduced.impact_law).yields)
+    if (gentlest_ && scene.reduced.impact_law->yields)
       scene.reduced.k_i = std::pow(gentlest_->peak / gentlest_->impact.approach_speed, 2) / scene.load.mass;
   }
   Eigen::VectorXd x(n_parameters());

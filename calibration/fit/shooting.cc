@@ -1,6 +1,6 @@
 #include "calibration/fit/shooting.h"
 #include "calibration/data/series.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include <algorithm>
 
 namespace rimpact::calibration {
@@ -27,8 +27,7 @@ bool presses_on(const std::vector<double> &force) {
 } // namespace
 
 Flight fly_from(const scene::Scene &scene, const ImpactWindow &window, const reduced::BearingState &start) {
-  const double capacity =
-      reduced::impact_law(scene.reduced.impact_law).yields ? scene.bearing.lateral_capacity() : window.capacity;
+  const double capacity = scene.reduced.impact_law->yields ? scene.bearing.lateral_capacity() : window.capacity;
   auto run = reduced::simulate_from(scene, start, window.end_time, capacity);
   if (presses_on(radial(run.response, "impact", window.direction))) // a late release
     run = reduced::simulate_from(scene, start, window.end_time + patience, capacity);

@@ -3,7 +3,7 @@
 #include "calibration/laws/law_errors.h"
 #include "calibration/laws/percent.h"
 #include "files/error.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -97,7 +97,7 @@ namespace {
 /// The law's exponents join once its other parameters are found, where the impacts are enough to tell them apart, and
 /// stay if runs left out are then predicted better: on the runs fitted two more parameters always look well.
 LawRow row_of(const Runs &runs, FitOptions options, double tolerance) {
-  std::vector<std::string> exponents = reduced::impact_law(options.law).exponents;
+  std::vector<std::string> exponents = laws::impact_law(options.law).exponents;
   std::erase_if(exponents, [&](const auto &name) { return options.fixed.count(name) > 0; });
   FitOptions plain = options;
   for (const auto &name : exponents) plain.bounds.erase(name);
@@ -115,17 +115,17 @@ LawRow row_of(const Runs &runs, FitOptions options, double tolerance) {
 } // namespace
 
 bool of_a_law(const std::string &parameter) {
-  const auto &laws = reduced::impact_laws();
-  return std::any_of(laws.begin(), laws.end(), [&](const auto &law) { return law.reads(parameter); });
+  const auto &laws = laws::impact_laws();
+  return std::any_of(laws.begin(), laws.end(), [&](const auto *law) { return law->reads(parameter); });
 }
 
 FitOptions options_for(const std::string &law, const FitOptions &given) {
   FitOptions own = given;
   own.law = law;
-  own.parameters = reduced::impact_law(law).parameters;
+  own.parameters = laws::impact_law(law).parameters;
   own.start.clear();
   own.n_starts = std::clamp(given.n_starts, 1, starts_a_law);
-  const auto read = [&](const std::string &name) { return reduced::impact_law(law).reads(name); };
+  const auto read = [&](const std::string &name) { return laws::impact_law(law).reads(name); };
   std::erase_if(own.bounds, [&](const auto &entry) { return !read(entry.first); });
   std::erase_if(own.fixed, [&](const auto &entry) { return of_a_law(entry.first) && !read(entry.first); });
   for (const auto &[name, value] : own.fixed) std::erase(own.parameters, name), own.bounds.erase(name);
@@ -141,7 +141,7 @@ struct Ranked {
 };
 Ranked ranked(const Runs &runs, const std::string &law, const FitOptions &options, double tolerance) {
   const FitOptions own = options_for(law, options);
-  if (reduced::impact_law(law).parameters.empty())
+  if (laws::impact_law(law).parameters.empty())
     return {{}, fmt::format("the law {} is not ranked: it has no parameters to fit", law)};
   if (own.parameters.empty()) return {{}, fmt::format("the law {} is not ranked: all its parameters are fixed", law)};
   try {

@@ -1,20 +1,19 @@
 #include "calibration/laws/law_words.h"
 #include "calibration/fit/parameter.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include <fmt/format.h>
 
 namespace rimpact::calibration {
 
 bool belongs_to_mass(const scene::ReducedSettings &settings) {
-  constexpr reduced::RimMotion approaching{.d = 1e-3, .rate = 0.1, .speed = 0.1, .deepest = 0};
+  constexpr laws::RimMotion approaching{.d = 1e-3, .rate = 0.1, .speed = 0.1, .deepest = 0};
   constexpr double light = 1e4, heavy = 1e6; // [kg]
-  return reduced::rim_element(settings, light).at(approaching).force !=
-         reduced::rim_element(settings, heavy).at(approaching).force;
+  return settings.element(light).at(approaching).force != settings.element(heavy).at(approaching).force;
 }
 
 std::string numbers_in_words(const scene::Scene &scene) {
   std::string text;
-  const reduced::ImpactLaw &law = reduced::impact_law(scene.reduced.impact_law);
+  const laws::ImpactLaw &law = *scene.reduced.impact_law;
   for (const auto *names : {&law.parameters, &law.exponents})
     for (const auto &name : *names) {
       const auto &p = parameter(name);
@@ -27,8 +26,8 @@ std::string law_in_words(const scene::Scene &scene) {
   const auto &r = scene.reduced;
   if (belongs_to_mass(r))
     return fmt::format("the constant pair {} of law {}, for a supported mass of {:.6g} kg,", numbers_in_words(scene),
-                       r.impact_law, scene.load.mass);
-  return fmt::format("the law {} ({})", r.impact_law, numbers_in_words(scene));
+                       r.impact_law->name, scene.load.mass);
+  return fmt::format("the law {} ({})", r.impact_law->name, numbers_in_words(scene));
 }
 
 } // namespace rimpact::calibration

@@ -1,6 +1,6 @@
 #include "calibration/laws/no_tension_pair.h"
 #include "calibration/laws/windows_table.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include <cmath>
 #include <numbers>
 
@@ -11,7 +11,7 @@ constexpr double smallest_e = 0.01; // below it a fit does not look either
 } // namespace
 
 double no_tension_rebound(double e) {
-  const double b = std::asin(reduced::damping_ratio(e));
+  const double b = std::asin(laws::damping_ratio(e));
   return std::exp(-(std::numbers::pi - 2 * b) * std::tan(b));
 }
 
@@ -22,7 +22,7 @@ std::optional<Pair> no_tension_pair(double peak, double rebound, double speed, d
     const double e = (low + high) / 2;
     (no_tension_rebound(e) < rebound ? low : high) = e;
   }
-  const double e = (low + high) / 2, root = peak / (speed * reduced::kelvin_voigt_peak(e));
+  const double e = (low + high) / 2, root = peak / (speed * laws::kelvin_voigt_peak(e));
   return Pair{root * root / mass, e};
 }
 

@@ -18,9 +18,10 @@ struct PairRange {
   std::string sentence;                   ///< what to type, where, and how far off it then is
 };
 
-/// `law` reads k_i and e alone. Among sets of at least three runs of neighbouring speeds the one with the widest ratio
-/// of speeds whose own pair, fitted to peak force and rebound, meets them in every run of it, fitted and left out,
-/// within the first of `tolerances` that any set meets. Grazing runs take no part. Empty: none.
+/// `law` reads k_i and e alone. A set is of at least three runs of neighbouring speeds. It serves where its own pair,
+/// fitted to peak force and rebound, meets them in every run of it, fitted and left out. Of those that serve within the
+/// first of `tolerances` that any meets, the one with the widest ratio of speeds. Grazing runs take no part. Empty:
+/// none.
 std::optional<PairRange> pair_range(const std::vector<const StoredRun *> &runs, const FitOptions &options,
                                     const std::string &law = "no-tension",
                                     const std::vector<double> &tolerances = {0.05, 0.10, 0.20});

@@ -3,7 +3,7 @@
 #include "calibration/laws/law_words.h"
 #include "calibration/laws/percent.h"
 #include "files/error.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -25,7 +25,7 @@ WindowRow make_row(const StoredRun &run, const FitResult &pair, const FitOptions
   row.restitution = e;
   row.own = fit({&run}, options);
   if (e > 0 && e <= 1) {
-    const double xi = reduced::damping_ratio(e), speed_ratio = row.peak_force / (v * reduced::kelvin_voigt_peak(e));
+    const double xi = laws::damping_ratio(e), speed_ratio = row.peak_force / (v * laws::kelvin_voigt_peak(e));
     row.k_from_peak = speed_ratio * speed_ratio / m;
     const double frequency = M_PI / row.contact_time;
     row.k_from_contact_time = m * frequency * frequency / (1 - xi * xi);

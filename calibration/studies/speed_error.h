@@ -1,6 +1,7 @@
 /// Speed against error: runs of one scene with dearer and cheaper settings, each compared with the dearest.
 #pragma once
 #include "calibration/data/metrics.h"
+#include "responses/choices.h"
 
 namespace rimpact::calibration {
 

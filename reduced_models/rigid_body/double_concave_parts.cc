@@ -60,7 +60,7 @@ DoubleConcaveSystem::DoubleConcaveSystem(const scene::Scene &scene)
   system.interface_friction = {bearing_.mu_interface, bearing_.mu_interface, 0};
   system.park_wen = r.friction == scene::Friction::park_wen && !driven;
   if (system.park_wen) system.elastic_slip = r.elastic_slip;
-  if (r.k_i > 0) system.rim = rim_element(r, mass_before_rims(bearing_) * scene.load.mass);
+  if (r.k_i > 0) system.rim = r.element(mass_before_rims(bearing_) * scene.load.mass);
   if (driven) system.rim.damping = 0;
 }
 

@@ -4,8 +4,8 @@
 ///   dish, interface:  -N m - mu(|v_t|) N z,   N = max(0, k d + c d'),   m the normal into the master;
 ///   rim, stop:        -F m, frictionless, F by the impact law.
 #pragma once
+#include "impact_laws/catalogue.h"
 #include "reduced_models/friction_law.h"
-#include "reduced_models/impact_law.h"
 #include "reduced_models/rigid_body/contact.h"
 #include "reduced_models/rigid_body/slip.h"
 #include "reduced_models/superstructure.h"
@@ -65,7 +65,7 @@ public:
   FrictionCoefficient dish_friction, top_friction, interface_friction; ///< of sets 0, 2 and 1
   double elastic_slip = 1e-8; ///< q [m]; Coulomb's limit is approached with the square root of q
   bool park_wen = false;
-  RimElement rim;
+  laws::RimElement rim;
   std::vector<bool>
       unmet; ///< of each contact: without force however deep, because the step under way began before it; may be empty
   std::vector<double> deepest; ///< of each contact: penetration of its wall before this impact [m]

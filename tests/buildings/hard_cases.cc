@@ -94,7 +94,7 @@ const std::vector<Case> cases{
        s.reduced.mu_fast = s.reduced.mu_slow = 0.005, s.reduced.restitution = 0.95, s.excitation.duration = 8;
      },
      [](const Summary &s) { return s.impacts.size() >= 20; }},
-    {"a rim that yields", [](auto &, auto &s, auto &) { s.reduced.impact_law = "elastoplastic"; },
+    {"a rim that yields", [](auto &, auto &s, auto &) { s.reduced.impact_law = &laws::impact_law("elastoplastic"); },
      [](const Summary &s) { return !s.impacts.empty(); }},
 };
 

@@ -1,5 +1,5 @@
 #include "plain_cvode.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include <cmath>
 #include <cvode/cvode.h>
 #include <Eigen/LU>
@@ -20,10 +20,10 @@ public:
         slip_(scene.reduced.elastic_slip), R0_(scene.bearing.surface.R0), a_(scene.bearing.surface.a),
         capacity_(scene.bearing.lateral_capacity()), n_(model.n_dofs()) {
     const auto &r = scene.reduced;
-    if (r.impact_law != "hunt-crossley" || r.mu_fast != r.mu_slow ||
+    if (r.impact_law != &laws::impact_law("hunt-crossley") || r.mu_fast != r.mu_slow ||
         scene.bearing.surface.kind != scene::SurfaceKind::ellipse)
       throw std::logic_error("the plain equations know Hunt-Crossley, one friction and ellipses");
-    chi_ = reduced::hunt_crossley_dissipation(r.restitution, r.reference_speed), exponent_ = r.impact_exponent;
+    chi_ = laws::hunt_crossley_dissipation(r.restitution, r.reference_speed), exponent_ = r.impact_exponent;
     K_ = r.k_i * std::pow(1e-3, 1 - exponent_);
     for (const auto &W : m_.slider) W_.push_back(W);
   }

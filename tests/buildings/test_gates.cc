@@ -103,7 +103,7 @@ TEST(BuildingGates, PlainEquationsByCvodeAgree) {
   const Frame f = make_frame(b);
   scene::Scene s = pulse(1.02, 1, 1e-9);
   s.excitation.direction_deg = 30;
-  s.reduced.impact_law = "hunt-crossley";
+  s.reduced.impact_law = &laws::impact_law("hunt-crossley");
   const auto ours = simulate(f, s);
   ASSERT_EQ(ours.summary.status, RunStatus::done);
   const PlainAnswer theirs = plain_cvode(assemble(f), s, 1e-9);

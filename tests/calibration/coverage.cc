@@ -1,16 +1,16 @@
 // How often the 95 % intervals of measured impacts hold the truth, and what is left of it on average: a table of cells
 // (law, noise of the displacement, rate, noise of the force), each with so many seeds. Seeds are 1..n, so that it can
-// be made again; coverage.txt holds what it gave. A cell is good where every parameter is, and a parameter is where its
-// intervals cover 90 to 99 % and its bias is below a third of the stated error, or where the verdict says for most
-// seeds that the data do not tell. Wide: more than 99 % are covered.
+// be made again; coverage.txt holds what it gave. A cell is good where every parameter is. A parameter is where its
+// intervals cover 90 to 99 % and its bias is below a third of the stated error. So it is where the verdict says for
+// most seeds that the data do not tell. Wide: more than 99 % are covered.
 //   calibration_coverage [--seeds N] [--starts N] [--only WORD] [--all] [--table FILE]
 // --starts 0: from the truth alone, which tells the valley's width and not whether it is found.
 // Without --all a few cells, with a margin for few seeds. --table keeps finished cells, so that an interrupted run goes
 // on.
 #include "calibration/fit/fit.h"
 #include "files/error.h"
+#include "impact_laws/catalogue.h"
 #include "measured_synthetic.h"
-#include "reduced_models/impact_law.h"
 #include <chrono>
 #include <cstdio>
 #include <fstream>
@@ -55,7 +55,7 @@ std::vector<Cell> few_cells() {
 
 /// What the records are made with; a fit reports in the parameters' own units.
 void set_truth(rimpact::scene::Scene &s, const std::string &law) {
-  s.reduced.impact_law = law;
+  s.reduced.impact_law = &laws::impact_law(law);
   s.reduced.k_i = 3e8, s.reduced.restitution = 0.55, s.reduced.impact_exponent = 1.5;
   if (law != "elastoplastic") return;
   s.reduced.k_i = 6e8, s.reduced.yield_force = 0.6e6, s.reduced.hardening = 0.15, s.reduced.unloading_gain = 0.3;
@@ -80,7 +80,7 @@ std::map<std::string, Tally> run_cell(const Cell &cell, int n_seeds, int n_start
     scenes = {testing::window(0.2), testing::window(0.4)};
   for (auto &s : scenes) set_truth(s, cell.law);
   FitOptions options;
-  options.parameters = rimpact::reduced::impact_law(cell.law).parameters;
+  options.parameters = rimpact::laws::impact_law(cell.law).parameters;
   if (cell.two) options.parameters.resize(2);
   options.n_starts = n_starts >= 0                              ? n_starts
                      : cell.law == "elastoplastic" && !cell.two ? FitOptions().n_starts

@@ -7,7 +7,7 @@
 #include "calibration/laws/percent.h"
 #include "calibration/laws/windows_table.h"
 #include "files/error.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include "scene/rim_identity.h"
 #include "synthetic.h"
 #include <fstream>
@@ -23,7 +23,7 @@ scene::Scene yielding(double speed, double mass = 86952) {
   auto s = window(speed, 6e8);
   s.name = fmt::format("yielding-{:g}-{:g}", speed, mass);
   s.load.mass = mass, s.load.vertical = mass * 9.81;
-  s.reduced.impact_law = "elastoplastic";
+  s.reduced.impact_law = &laws::impact_law("elastoplastic");
   s.reduced.yield_force = 0.9e6;
   s.reduced.hardening = 0.1;
   s.reduced.unloading_gain = 0.3;
@@ -83,7 +83,7 @@ LawError flown(const StoredRun &run, const std::vector<std::string> &assignments
   StoredRun own = run;
   own.scene = scene::parse_scene(scene::to_toml(run.scene), "typed.toml", assignments);
   FitResult nothing; // everything stands in the scene
-  nothing.law = own.scene.reduced.impact_law;
+  nothing.law = own.scene.reduced.impact_law->name;
   return error_of(own, nothing);
 }
 
@@ -99,7 +99,7 @@ TEST(NoTensionPair, IsWhatTheReducedModelFlies) {
   for (const double e : {0.02, 0.3, 0.65, 0.95})
     for (const double v : {0.1, 0.8}) {
       auto scene = window(v, 3e8, e);
-      scene.reduced.impact_law = "no-tension";
+      scene.reduced.impact_law = &laws::impact_law("no-tension");
       const auto impact = reduced::simulate(scene).summary.impacts.at(0);
       EXPECT_NEAR(impact.restitution(), no_tension_rebound(e), 1e-3) << e;
       const auto pair = no_tension_pair(impact.peak_force, impact.restitution(), v, scene.load.mass);
@@ -161,7 +161,7 @@ TEST(Answer, IsTheContractsJsonAndItsFragmentFliesTheSame) {
   EXPECT_TRUE(json["published_applies"].get<bool>());
   EXPECT_EQ(to_json(c)["parameters"].size(), 2u); // k_i and e stay as they were asked for
   const auto scene = scene::parse_scene(to_toml_fragment(*c.answer), "calibration.toml");
-  EXPECT_EQ(scene.reduced.impact_law, "elastoplastic");
+  EXPECT_EQ(scene.reduced.impact_law->name, "elastoplastic");
   EXPECT_NEAR(scene.reduced.yield_force / 0.9e6, 1, 1e-3);
   EXPECT_NEAR(*scene.reduced.fitted_from / 0.1, 1, 1e-3); // of the first sample pressed
   EXPECT_NEAR(*scene.reduced.fitted_to / 0.8, 1, 1e-3);
@@ -173,7 +173,7 @@ TEST(Answer, IsTheContractsJsonAndItsFragmentFliesTheSame) {
     EXPECT_NEAR(row.peak_force / *truth.peak_impact_force, 1, 2e-3);
     if (!row.e) continue;
     auto pair = window(row.speed, *row.k_i, *row.e);
-    pair.reduced.impact_law = "no-tension";
+    pair.reduced.impact_law = &laws::impact_law("no-tension");
     const auto flown = reduced::simulate(pair).summary.impacts.at(0);
     EXPECT_NEAR(flown.peak_force / row.peak_force, 1, 1e-3) << row.speed;
     EXPECT_NEAR(flown.restitution(), row.restitution, 1e-3) << row.speed;
@@ -206,14 +206,14 @@ TEST(Answer, WhatTheSentencesSayHoldsWhenTyped) {
     for (const double v : {0.1, 0.2, 0.35, 0.6}) {
       auto truth = yielding(v);
       truth.name = fmt::format("{}-{:g}", law, v);
-      truth.reduced.impact_law = law;
+      truth.reduced.impact_law = &laws::impact_law(law);
       truth.reduced.restitution = 0.5;
       names.push_back(stand_in(folder, truth));
       runs.push_back(read_run(names.back(), {}));
     }
     auto options = quick({"signed", "no-tension", "hunt-crossley", "elastoplastic"});
     options.fit.law = law;
-    options.fit.parameters = reduced::impact_law(law).parameters;
+    options.fit.parameters = laws::impact_law(law).parameters;
     const auto c = calibrate(names, options);
     std::vector<std::string> sentences{c.answer->law.sentence, c.windows->sentence};
     if (c.answer->pair) sentences.push_back(c.answer->pair->sentence);

@@ -23,7 +23,7 @@ double field(const std::string &line, const std::string &name) {
 
 TEST(SelfCheck, IntegratorMeetsClosedForms) {
   // spring and dashpot: e from xi, whatever the speed; half a period of the damped oscillator
-  const double k = 3e8, m = 86952, e = 0.4, c = reduced::damping_coefficient(k, e, m), xi = reduced::damping_ratio(e);
+  const double k = 3e8, m = 86952, e = 0.4, c = laws::damping_coefficient(k, e, m), xi = laws::damping_ratio(e);
   DashpotContact pulls(k, c, true);
   const auto impact = fly(pulls, m, 0.3, k);
   EXPECT_NEAR(impact.rebound, e, 2e-4);
@@ -106,7 +106,7 @@ TEST(Csi, APairIsGapAndDashpot) {
   const auto text = sap2000(rim, links, std::nullopt, {"command"});
   EXPECT_NEAR(field(lines_with(text, "Link=RIM   DOF=U1")[0], "TransKE="), 450000, 1e-3);
   EXPECT_NEAR(field(lines_with(text, "Link=RIM   DOF=U1")[0], "TransCE="),
-              reduced::damping_coefficient(4.5e8, 0.5, 86952) / 1e3, 1e-2);
+              laws::damping_coefficient(4.5e8, 0.5, 86952) / 1e3, 1e-2);
   EXPECT_THROW(exported_rim(calibration, {.law = "pair", .mass = 100000}), InputError);
 }
 
@@ -125,7 +125,7 @@ TEST(LawCsv, LoadsAndUnloadsFromFiveDepths) {
     ASSERT_EQ(cells.size(), 4u) << line;
     if (cells[0] == "loading") {
       const double d = std::stod(cells[2]) / 1e3;
-      EXPECT_NEAR(std::stod(cells[3]), reduced::elastoplastic_backbone(element, d).force / 1e3, 1e-2);
+      EXPECT_NEAR(std::stod(cells[3]), laws::elastoplastic_backbone(element, d).force / 1e3, 1e-2);
     } else {
       EXPECT_EQ(cells[0], "unloading");
       speeds.insert(cells[1]);

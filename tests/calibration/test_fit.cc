@@ -64,10 +64,10 @@ TEST(Fit, StandsAtABoundAndSaysSo) {
 TEST(Fit, ReboundTellsTheLawsApart) {
   // data of a rim that never pulls: `signed` meets the peak but needs a larger e to meet the rebound
   auto truth = window(0.3, 4.5e8, 0.65);
-  truth.reduced.impact_law = "no-tension";
+  truth.reduced.impact_law = &laws::impact_law("no-tension");
   StoredRun run = run_of(truth);
   const auto same = fit({&run}, {});
-  run.scene.reduced.impact_law = "signed";
+  run.scene.reduced.impact_law = &laws::impact_law("signed");
   const auto other = fit({&run}, {});
   EXPECT_NEAR(same.parameters.at("e").value, 0.65, 1e-5);
   EXPECT_GT(other.parameters.at("e").value, 0.66);

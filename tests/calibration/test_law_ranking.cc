@@ -11,7 +11,7 @@ using namespace testing;
 
 scene::Scene yielding_window(double speed) {
   auto s = window(speed, 6e8);
-  s.reduced.impact_law = "elastoplastic";
+  s.reduced.impact_law = &laws::impact_law("elastoplastic");
   s.reduced.yield_force = 0.9e6;
   s.reduced.hardening = 0.1;
   s.reduced.unloading_gain = 0.3;

@@ -152,7 +152,7 @@ TEST(MeasuredNoise, AGainThatIsOffIsSaidAndStatedOneIsInTheInterval) {
 TEST(MeasuredNoise, WithoutNoiseTheTruthIsFound) {
   auto scene = window(0.3);
   for (const char *law : {"no-tension", "hunt-crossley", "signed"}) {
-    scene.reduced.impact_law = law;
+    scene.reduced.impact_law = &laws::impact_law(law);
     StoredRun run = measured(scene, {.rate = 5000}, 1);
     ASSERT_EQ(run.impacts.size(), 1u) << law;
     run.scene.reduced.k_i = 4.5e8, run.scene.reduced.restitution = 0.65;

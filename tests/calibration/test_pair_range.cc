@@ -37,7 +37,7 @@ TEST(PairRange, IsByDefaultOfALawThatCannotPull) {
   std::vector<StoredRun> runs;
   for (const double v : {0.1, 0.2, 0.4}) {
     auto truth = window(v);
-    truth.reduced.impact_law = "no-tension";
+    truth.reduced.impact_law = &laws::impact_law("no-tension");
     runs.push_back(run_of(truth));
   }
   std::vector<const StoredRun *> all;

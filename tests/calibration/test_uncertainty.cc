@@ -87,7 +87,7 @@ TEST(Uncertainty, ProfileHasItsMinimumAtTheFit) {
 TEST(Uncertainty, NoiseOfOneChannelIsNoFormOfTheLaw) {
   const Instruments instruments{.rate = 1000, .displacement = 1e-4};
   auto soft = window(0.2), hard = window(0.4);
-  for (auto *s : {&soft, &hard}) s->reduced.impact_law = "no-tension", s->reduced.restitution = 0.55;
+  for (auto *s : {&soft, &hard}) s->reduced.impact_law = &laws::impact_law("no-tension"), s->reduced.restitution = 0.55;
   constexpr int n = 40;
   int within = 0;
   double found = 0, stated = 0;
@@ -111,7 +111,7 @@ TEST(Uncertainty, AnIntervalThatReachesZeroTellsNothing) {
   std::vector<StoredRun> runs;
   for (const double speed : {0.2, 0.4}) {
     auto scene = window(speed);
-    scene.reduced.impact_law = "elastoplastic";
+    scene.reduced.impact_law = &laws::impact_law("elastoplastic");
     scene.reduced.k_i = 6e8, scene.reduced.yield_force = 0.6e6, scene.reduced.hardening = 0.15,
     scene.reduced.unloading_gain = 0.3;
     runs.push_back(measured(scene, instruments, 1 + static_cast<unsigned>(10 * speed)));

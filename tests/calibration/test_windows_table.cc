@@ -1,5 +1,5 @@
 #include "calibration/laws/windows_table.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include "synthetic.h"
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@ namespace {
 using namespace testing;
 
 TEST(KelvinVoigt, PeakFactorAgainstTheThesisNotes) {
-  EXPECT_NEAR(reduced::kelvin_voigt_peak(0.65), 0.853, 5e-4);
-  EXPECT_DOUBLE_EQ(reduced::kelvin_voigt_peak(1.0), 1.0);
-  EXPECT_LT(reduced::kelvin_voigt_peak(0.42), reduced::kelvin_voigt_peak(0.32)); // minimum near 0.42 (notes, 7)
-  EXPECT_LT(reduced::kelvin_voigt_peak(0.42), reduced::kelvin_voigt_peak(0.52));
+  EXPECT_NEAR(laws::kelvin_voigt_peak(0.65), 0.853, 5e-4);
+  EXPECT_DOUBLE_EQ(laws::kelvin_voigt_peak(1.0), 1.0);
+  EXPECT_LT(laws::kelvin_voigt_peak(0.42), laws::kelvin_voigt_peak(0.32)); // minimum near 0.42 (notes, 7)
+  EXPECT_LT(laws::kelvin_voigt_peak(0.42), laws::kelvin_voigt_peak(0.52));
 }
 
 TEST(WindowsTable, FindsTheRangeOfAConstantPair) {
@@ -36,7 +36,7 @@ TEST(WindowsTable, FindsTheRangeOfAConstantPair) {
     EXPECT_NEAR(row.own.parameters.at("e").value, 0.5, 1e-5);
     EXPECT_NEAR(*row.k_from_peak / k, 1, 2e-3); // independent closed forms
     EXPECT_NEAR(*row.k_from_contact_time / k, 1, 1e-4);
-    EXPECT_NEAR(row.normalised_force, reduced::kelvin_voigt_peak(0.5) * std::sqrt(k / 3e8), 2e-3);
+    EXPECT_NEAR(row.normalised_force, laws::kelvin_voigt_peak(0.5) * std::sqrt(k / 3e8), 2e-3);
     EXPECT_NEAR(row.pair_force_error, std::sqrt(3e8 / k) - 1, 1e-3);
   }
   EXPECT_NEAR(table.valid_from.value(), 0.2, 1e-6);
@@ -53,7 +53,7 @@ TEST(WindowsTable, SpeaksOfALawThatIsNoPairByItsOwnNumbers) {
   std::vector<StoredRun> runs;
   for (const double v : {0.1, 0.3}) {
     auto truth = window(v, 6e8);
-    truth.reduced.impact_law = "elastoplastic";
+    truth.reduced.impact_law = &laws::impact_law("elastoplastic");
     runs.push_back(run_of(truth));
   }
   FitResult law;

@@ -1,7 +1,7 @@
 /// Scenes the tests of the reduced models start from.
 #pragma once
+#include "impact_laws/rim_curve.h"
 #include "reduced_models/physical_model.h"
-#include "reduced_models/rim_curve.h"
 #include <cmath>
 #include <numbers>
 
@@ -39,14 +39,14 @@ inline void set_friction(scene::Scene &s, double mu) {
 }
 
 /// A rim that loads with stiffness k and unloads with k_back [N/m], pushed to `range` [m].
-inline CurvePath linear_curve(double k, double k_back, double range) {
-  CurvePath path{{{0}, {0}}, {}};
+inline laws::CurvePath linear_curve(double k, double k_back, double range) {
+  laws::CurvePath path{{{0}, {0}}, {}};
   for (int i = 1; i <= 8; ++i)
     path.loading.penetration.push_back(range * i / 8),
         path.loading.force.push_back(k * path.loading.penetration.back());
   for (int i = 1; i <= 4; ++i) {
     const double D = path.loading.penetration[2 * i], top = path.loading.force[2 * i];
-    CurveSamples back;
+    laws::CurveSamples back;
     for (int j = 0; j <= 5; ++j)
       back.penetration.push_back(D - top / k_back * j / 5), back.force.push_back(j == 5 ? 0 : top * (5 - j) / 5);
     path.unloading.push_back(back);

@@ -35,14 +35,14 @@ TEST(Cvode, UpliftAndTwoImpacts) {
 }
 TEST(Cvode, NoTension) {
   scene::Scene s = ricker(1.4);
-  s.reduced.impact_law = "no-tension";
+  s.reduced.impact_law = &laws::impact_law("no-tension");
   expect_same(s);
 }
 TEST(Cvode, LawsOfAYieldingRim) {
   for (const char *law : {"hunt-crossley", "elastoplastic"}) {
     SCOPED_TRACE(law);
     scene::Scene s = ricker(1.4);
-    s.reduced.impact_law = law;
+    s.reduced.impact_law = &laws::impact_law(law);
     expect_same(s);
   }
 }

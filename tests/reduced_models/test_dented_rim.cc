@@ -8,15 +8,17 @@
 namespace rimpact::reduced {
 namespace {
 
+using namespace laws;
+
 using Eigen::Vector2d;
 
 const DentShape shape{0.52, 0.12, 3};
 
 RimElement yielding() {
   scene::ReducedSettings settings;
-  settings.impact_law = "elastoplastic";
+  settings.impact_law = &laws::impact_law("elastoplastic");
   settings.k_i = 0.986e9, settings.yield_force = 696.5e3, settings.hardening = 0.1563, settings.unloading_gain = 0.382;
-  return rim_element(settings, 86952);
+  return settings.element(86952);
 }
 
 Vector2d at(double angle) {
@@ -73,7 +75,7 @@ scene::Scene thrown(double along) {
   s.excitation.initial_velocity = {0.48, along};
   s.excitation.duration = 0.12;
   s.load.vertical = 853e3, s.load.mass = 86952;
-  s.reduced.impact_law = "elastoplastic";
+  s.reduced.impact_law = &laws::impact_law("elastoplastic");
   s.reduced.k_i = 0.986e9, s.reduced.yield_force = 696.5e3, s.reduced.hardening = 0.1563,
   s.reduced.unloading_gain = 0.382;
   s.reduced.mu_fast = s.reduced.mu_slow = 0;
@@ -168,7 +170,7 @@ scene::Scene thrice(double turn_deg = 0, bool exchanged = false) {
   };
   s.excitation.initial_displacement = turned(0.39, 0), s.excitation.initial_velocity = turned(0.48, 1.17);
   s.excitation.duration = 1.2;
-  s.reduced.impact_law = "elastoplastic";
+  s.reduced.impact_law = &laws::impact_law("elastoplastic");
   s.reduced.mu_fast = s.reduced.mu_slow = 0.01;
   return s;
 }

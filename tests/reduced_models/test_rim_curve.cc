@@ -1,8 +1,8 @@
 // The law `curve`: against closed forms and against the law whose curve it is given.
 #include "files/error.h"
 #include "files/file.h"
+#include "impact_laws/catalogue.h"
 #include "reduced_models/curve_limits.h"
-#include "reduced_models/impact_law.h"
 #include "reduced_models/rim_curve_file.h"
 #include "scene/rim_identity.h"
 #include "scenes.h"
@@ -13,6 +13,7 @@
 
 using namespace rimpact;
 using namespace rimpact::reduced;
+using namespace rimpact::laws;
 using namespace rimpact::reduced::testing;
 
 namespace {
@@ -27,7 +28,7 @@ struct CurveOf {
                .string();
     write_rim_curve(
         {dish, held, scene.bearing.name, scene::rim_identity(scene.bearing), "made up", "test", {0.01, 0.02}}, path);
-    scene.reduced.impact_law = "curve", scene.reduced.impact_curve = path;
+    scene.reduced.impact_law = &laws::impact_law("curve"), scene.reduced.impact_curve = path;
   }
   ~CurveOf() { std::filesystem::remove(path); }
 };
@@ -100,8 +101,8 @@ TEST(RimCurve, ALinearRimReturnsTheRootOfItsStiffnesses) {
 
 TEST(RimCurve, FliesAsTheLawItWasSampledFrom) {
   scene::Scene s = window(0.5), own = s;
-  own.reduced.impact_law = "elastoplastic";
-  const CurvePath path = pushed_on(rim_element(own.reduced, own.load.mass), 20e-3, 80, 40);
+  own.reduced.impact_law = &laws::impact_law("elastoplastic");
+  const CurvePath path = pushed_on(own.reduced.element(own.load.mass), 20e-3, 80, 40);
   const CurveOf file(s, path, path);
   for (const double v : {0.05, 0.1, 0.3, 0.5}) {
     s.excitation.speed = own.excitation.speed = v;
@@ -154,7 +155,7 @@ TEST(RimCurve, SaysWhatItCannotDo) {
   EXPECT_TRUE(holds(refusal([&] { simulate(other); }), "the curve is of the rim of shfps-225"));
   other = s, other.reduced.impact_curve.clear();
   EXPECT_TRUE(holds(refusal([&] { other.validate(); }), "needs reduced.impact_curve"));
-  EXPECT_TRUE(holds(refusal([&] { rim_element(s.reduced, 1e4); }), "physical only"));
+  EXPECT_TRUE(holds(refusal([&] { s.reduced.element(1e4); }), "physical only"));
 }
 
 TEST(RimCurve, FilesComeBackAndDamagedOnesAreNamed) {

@@ -1,12 +1,13 @@
 // One impact alone: the closed forms of a mass on a Kelvin-Voigt rim.
 #include "files/error.h"
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include "scenes.h"
 #include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace rimpact;
 using namespace rimpact::reduced;
+using namespace rimpact::laws;
 using namespace rimpact::reduced::testing;
 
 namespace {
@@ -15,7 +16,7 @@ constexpr double k = 4.5e8, m = 86952;
 
 Impact impact_of(const std::string &law, double e = 0.65, double speed = 0.1, double direction = 0) {
   scene::Scene s = window(speed);
-  s.reduced.impact_law = law;
+  s.reduced.impact_law = &laws::impact_law(law);
   s.reduced.restitution = e;
   s.excitation.direction_deg = direction;
   const auto summary = simulate_summary(s);

@@ -1,17 +1,18 @@
 // Laws of a rim that yields, in whole impacts: against energy balances, not against the stepper.
-#include "reduced_models/impact_law.h"
+#include "impact_laws/catalogue.h"
 #include "scenes.h"
 #include <gtest/gtest.h>
 
 using namespace rimpact;
 using namespace rimpact::reduced;
+using namespace rimpact::laws;
 using namespace rimpact::reduced::testing;
 
 namespace {
 
 scene::Scene struck(const std::string &law, double speed) {
   scene::Scene s = window(speed);
-  s.reduced.impact_law = law;
+  s.reduced.impact_law = &laws::impact_law(law);
   return s;
 }
 
@@ -46,7 +47,7 @@ TEST(YieldingRim, HuntCrossleyReturnsEAtItsReferenceSpeedOnly) {
 TEST(YieldingRim, ElastoplasticBalancesEnergy) {
   for (const double v : {0.02, 0.1, 0.5, 1.0}) {
     const scene::Scene s = struck("elastoplastic", v);
-    const auto rim = rim_element(s.reduced, s.load.mass);
+    const auto rim = s.reduced.element(s.load.mass);
     const double deepest = deepest_of(rim, s.load.mass * v * v / 2), top = elastoplastic_backbone(rim, deepest).force,
                  rebound = std::sqrt(2 * unloading(rim, deepest).elastic_energy() / s.load.mass);
     const auto impact = simulate_summary(s).impacts.at(0);
@@ -60,7 +61,7 @@ TEST(YieldingRim, TheSecondImpactFindsTheDent) {
   // thrown twice at the same arc: the rim is met only at the dent's bottom, and a lighter second hit is
   // elastic
   const scene::Scene s = struck("elastoplastic", 0.5);
-  const auto rim = rim_element(s.reduced, s.load.mass);
+  const auto rim = s.reduced.element(s.load.mass);
   const double L_c = s.bearing.lateral_capacity();
   const double deepest = simulate_summary(s).impacts.at(0).peak_penetration;
   BearingState again = PhysicalModel(s).initial_state();
@@ -79,7 +80,7 @@ TEST(YieldingRim, TheSecondImpactFindsTheDent) {
 
 TEST(YieldingRim, AHarderSecondImpactGoesOnAlongTheBackbone) {
   const scene::Scene s = struck("elastoplastic", 0.2);
-  const auto rim = rim_element(s.reduced, s.load.mass);
+  const auto rim = s.reduced.element(s.load.mass);
   BearingState again = PhysicalModel(s).initial_state();
   again.v.x() = 0.5;
   again.rim.press({1, 0}, 2e-3, dent_shape(s));
@@ -102,8 +103,8 @@ TEST(YieldingRim, PushAndReturnLeavesTheResidualIndentation) {
   s.excitation.kind = ExcitationKind::push;
   s.excitation.travel = 0.008;
   s.excitation.unload = true;
-  s.reduced.impact_law = "elastoplastic";
-  const auto rim = rim_element(s.reduced, s.load.mass);
+  s.reduced.impact_law = &laws::impact_law("elastoplastic");
+  const auto rim = s.reduced.element(s.load.mass);
   const auto run = simulate(s);
   const auto &gap = run.response.series("gap"), &force = run.response.series("impact_x");
   double deepest = 0, left = 0, peak = 0;

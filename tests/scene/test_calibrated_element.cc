@@ -41,7 +41,7 @@ TEST(CalibratedElement, TakesTheAnswersLawAndNumbers) {
   const auto path =
       folder.write("scene.toml", "[excitation]\nkind = 'window'\n[reduced]\ncalibration = 'cal'\nmu_fast = 0.05\n");
   const Scene s = load_scene(path);
-  EXPECT_EQ(s.reduced.impact_law, "elastoplastic");
+  EXPECT_EQ(s.reduced.impact_law->name, "elastoplastic");
   EXPECT_DOUBLE_EQ(s.reduced.k_i, 986665e3);
   EXPECT_DOUBLE_EQ(s.reduced.yield_force, 814.07e3);
   EXPECT_DOUBLE_EQ(s.reduced.unloading_exponent, 0.4);
@@ -94,7 +94,7 @@ TEST(CalibratedElement, WhatIsTypedWins) {
                                              "= 'hunt-crossley'\nimpact_exponent = 1.2\n");
   const Scene s = load_scene(path, {folder.cal()}); // the command line is above the file
   EXPECT_DOUBLE_EQ(s.reduced.k_i, 3e8);
-  EXPECT_EQ(s.reduced.impact_law, "signed");
+  EXPECT_EQ(s.reduced.impact_law->name, "signed");
   EXPECT_DOUBLE_EQ(s.reduced.impact_exponent, ReducedSettings{}.impact_exponent);
   ASSERT_EQ(s.remarks.size(), 1u);
   EXPECT_NE(s.remarks[0].find("take the place of the scene's own"), std::string::npos) << s.remarks[0];
@@ -124,7 +124,7 @@ TEST(CalibratedElement, WithoutAnAnswerTheFragmentIsRead) {
                                        "0.4\nimpact_law = \"no-tension\"\nmu_fast = 0.5\n");
   const Scene s = load_scene("impact-window", {folder.cal()});
   EXPECT_DOUBLE_EQ(s.reduced.k_i, 2.5e8);
-  EXPECT_EQ(s.reduced.impact_law, "no-tension");
+  EXPECT_EQ(s.reduced.impact_law->name, "no-tension");
   EXPECT_DOUBLE_EQ(s.reduced.mu_fast, 0.07) << "no part of the element";
 }
 

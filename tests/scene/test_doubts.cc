@@ -88,7 +88,7 @@ TEST(Doubts, TheThesissPairBelongsToOneBearing) {
   EXPECT_TRUE(doubts_of_element(own).empty()) << "another kind of bearing";
   own = s, own.excitation.kind = ExcitationKind::cyclic;
   EXPECT_TRUE(doubts_of_element(own).empty()) << "never touched";
-  own = s, own.reduced.impact_law = "elastoplastic";
+  own = s, own.reduced.impact_law = &laws::impact_law("elastoplastic");
   ASSERT_EQ(doubts_of_element(own).size(), 1u);
   EXPECT_NE(doubts_of_element(own)[0].find("defaults of the law"), std::string::npos);
   s.bearing = builtin_bearing("shfps-225"), s.load.mass = 203900;

@@ -15,7 +15,7 @@ namespace {
 scene::Scene motion(double slip, double tolerance) {
   scene::Scene s = scene::load_scene("pulse-bidirectional", {"reduced.friction=\"park-wen\""});
   s.excitation.duration = 40, s.reduced.elastic_slip = slip, s.reduced.tolerance = tolerance;
-  s.reduced.impact_law = "hunt-crossley";
+  s.reduced.impact_law = &laws::impact_law("hunt-crossley");
   return s;
 }
 

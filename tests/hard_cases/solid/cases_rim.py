@@ -72,7 +72,6 @@ def cases(program, folder):
 
 
 MESH = 1
-NOTES = """# Seconds beside other jobs, 19 to 60 for the same work. Elsewhere: resumed in mid-impact to 1e-10 (tests/fe_contact/test_restart.cc, app_fe_run). Not in this rung: the pad (Poisson
-# 0.499). Two ranks: rungs rigid-dish and full only (tests/fe_contact/test_ranks.cc,
-# app_stack_ranks).
+NOTES = """# Elsewhere: resumed in mid-impact to the last bit (tests/fe_contact/test_restart.cc, app_fe_run), ranks
+# (tests/fe_contact/test_ranks.cc, app_dish_ranks). Not in this rung: the pad (Poisson 0.499).
 """

@@ -41,6 +41,6 @@ def cases(program, folder):
 
 
 MESH = 0
-NOTES = """# Elsewhere: resumed in mid-slip and mid-impact (tests/fe_contact/test_restart.cc, app_stack_resume), two ranks
-# (tests/fe_contact/test_ranks.cc, app_stack_ranks). Records with spikes, tiny shaking, upward accelerations, repeated and oblique impacts: rung rim.
+NOTES = """# Elsewhere: resumed in mid-slip and mid-impact (tests/fe_contact/test_restart.cc, app_dish_resume), ranks
+# (tests/fe_contact/test_ranks.cc, app_dish_ranks). Spikes, tiny shaking, upward accelerations, repeated and oblique impacts: rung rim.
 """

@@ -150,7 +150,7 @@ scene::Scene struck(scene::ModelKind model) {
   s.reduced.model = model;
   s.reduced.mu_fast = s.reduced.mu_slow = 0.05;
   s.reduced.friction = scene::Friction::park_wen, s.reduced.elastic_slip = 5e-4;
-  s.reduced.impact_law = "hunt-crossley", s.reduced.impact_exponent = 1;
+  s.reduced.impact_law = &laws::impact_law("hunt-crossley"), s.reduced.impact_exponent = 1;
   s.reduced.k_i = 4e7;
   s.load.mass = 2e5, s.load.vertical = s.load.mass * s.load.gravity;
   s.isolator.step_tolerance = 1e-6;

@@ -1,4 +1,4 @@
-#include "reduced_models/rim_curve.h"
+#include "impact_laws/rim_curve.h"
 
 #include <math.h> // Boost 1.74's pchip calls isnan without std::
 
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
-namespace rimpact::reduced {
+namespace rimpact::laws {
 namespace {
 
 using Pchip = boost::math::interpolators::pchip<std::vector<double>>;
@@ -180,4 +180,4 @@ double RimCurve::left_out_rebound() const {
   return largest;
 }
 
-} // namespace rimpact::reduced
+} // namespace rimpact::laws

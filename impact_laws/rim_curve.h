@@ -11,7 +11,7 @@
 #include <string>
 #include <vector>
 
-namespace rimpact::reduced {
+namespace rimpact::laws {
 
 /// Penetration [m] and force [N] along one push.
 struct CurveSamples {
@@ -44,8 +44,8 @@ public:
   double returned(double deepest) const; ///< by unloading from D [J]
   double residual(double deepest) const; ///< penetration left after unloading from D [m]
   double depth_of(double work) const;    ///< inverse of `work` [m]
-  /// Largest change of the rebound speed (sqrt of the returned energy), over depths between the first and the last, if
-  /// each depth's unloading in turn were not known: relative. 0 with fewer than three depths.
+  /// Largest relative change of the rebound speed (sqrt of the returned energy) if the unloading of one depth between
+  /// the first and the last were not known. 0 with fewer than three depths.
   double left_out_rebound() const;
   const CurvePath &path() const { return path_; }
 
@@ -55,4 +55,4 @@ private:
   std::unique_ptr<Interpolants> by_;
 };
 
-} // namespace rimpact::reduced
+} // namespace rimpact::laws

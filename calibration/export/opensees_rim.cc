@@ -1,0 +1,44 @@
+#include "calibration/export/opensees_rim.h"
+
+#include "files/error.h"
+#include <fmt/format.h>
+
+namespace rimpact::calibration {
+namespace {
+
+/// The largest stiffness up to the export's highest speed, which sets the self-check's step [N/m].
+double stiffest(const ExportedRim &rim, const laws::RimElement &element) {
+  constexpr double margin = 4; // the penetration is that of a linear spring
+  const double deep = std::sqrt(rim.mass / element.stiffness) * rim.to;
+  return std::max(element.stiffness, margin * element.at({.d = deep, .rate = 0}).d_penetration);
+}
+
+/// A material with a gap, as OpenSees integrates it.
+std::unique_ptr<RimContact> contact_of(const laws::OpenSeesMaterial &material, double touch_speed) {
+  const auto number = [&](int i) { return material.numbers[i].value; };
+  if (material.material == laws::RimMaterial::hertzdamp)
+    return std::make_unique<HertzdampContact>(number(0), number(1), number(2), touch_speed);
+  return std::make_unique<DashpotContact>(number(0), number(1), true);
+}
+
+} // namespace
+
+OpenSeesRim opensees_rim(const ExportedRim &rim) {
+  const auto element = rim.element();
+  if (!rim.law().opensees)
+    throw DataError(fmt::format("OpenSees has no material for the impact law {}", rim.law().name));
+  OpenSeesRim out{.material = rim.law().opensees(element)};
+  if (out.material.material == laws::RimMaterial::gap_springs) {
+    out.springs = gap_springs(rim);
+    out.check = self_check(
+        rim, "four ElasticPPGap in parallel", [&](double) { return std::make_unique<GapSpringsContact>(out.springs); },
+        total_stiffness(out.springs));
+  } else {
+    out.check = self_check(
+        rim, word(out.material.material), [&](double speed) { return contact_of(out.material, speed); },
+        stiffest(rim, element));
+  }
+  return out;
+}
+
+} // namespace rimpact::calibration

@@ -1,0 +1,23 @@
+/// Every impact law by its name, and their keys of [reduced].
+#pragma once
+#include "impact_laws/impact_law.h"
+
+namespace rimpact::laws {
+
+/// One a pair of files, in the order of lists.
+const LawFamily &kelvin_voigt_laws();
+const LawFamily &hunt_crossley_laws();
+const LawFamily &elastoplastic_laws();
+const LawFamily &pushed_curve_laws();
+
+const std::vector<const ImpactLaw *> &impact_laws();
+/// Throws InputError naming the known laws.
+const ImpactLaw &impact_law(const std::string &name);
+/// The law of scenes that name none.
+const ImpactLaw &default_law();
+/// Of every family, in its order.
+const std::vector<LawParameter> &law_parameters();
+/// k_i, e, the law and the numbers it reads.
+void visit(KeyVisitor &visitor, LawNumbers &numbers, const ImpactLaw *&law);
+
+} // namespace rimpact::laws
