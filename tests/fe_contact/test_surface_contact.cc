@@ -97,6 +97,38 @@ TEST(SlidingBlock, PenaltyAndMultiplierAgreeOnTheFrictionForce) {
   }
 }
 
+// m v' = -mu(v) m g with mu(v) = f - (f - s) exp(-a v): f exp(a v) - (f - s) falls as exp(-a f g t).
+TEST(SlidingBlock, SlowsAsTheFrictionOverItsSpeedSays) {
+  constexpr double fast = 0.2, slow = 0.05, rate = 8, g = 9.81, v0 = 0.5, end = 0.2;
+  meshes::HexMesh mesh;
+  test::add_box(mesh, {{0, 0, 0}, {0.4, 0.1, 0.1}, {2, 1, 1}, Volume::rim, {{4, Surface::slider_side}}});
+  const Discretisation space(mesh, 2);
+  const Solid solid(space, {{Volume::rim, scene::Material{block_modulus, 0.3, 1000, {}, {}}}});
+  Supports supports(space);
+  supports.fix(1, [](const Vector3d &) { return true; });
+  ContactSystem system(space, solid, supports.number());
+  system.add_contact(Surface::slider_side, plane(Vector3d::Zero(), Vector3d::UnitZ()),
+                     {{block_modulus / 0.05, block_modulus / 0.05, {fast, slow, rate}}});
+  SystemState state = system.at_rest();
+  const Eigen::VectorXd weight = system.gravity({0, 0, -g});
+  TransientOptions options{.step = {}, .largest_step = 2e-3, .smallest_step = 1e-6, .contact_step = 1e-4};
+  ASSERT_TRUE(preload(system, state, weight, 1e6, options.step).converged);
+  const auto &of = system.equations().of_dof;
+  for (std::size_t dof = 0; dof < of.size(); dof += 3) state.v[of[dof]] = v0;
+  const auto report = run_in_time(
+      system, state, end, [&](double) { return weight; }, options,
+      [](double, const SystemState &, const ContactStepReport &) {});
+  ASSERT_TRUE(report.march.finished) << report.march.reason;
+  const Eigen::VectorXd masses = system.gravity({1, 0, 0}); // by equation [kg]
+  const double speed = masses.dot(state.v) / masses.sum();
+  const double expected =
+      std::log(((fast * std::exp(rate * v0) - (fast - slow)) * std::exp(-rate * fast * g * end) + (fast - slow)) /
+               fast) /
+      rate;
+  EXPECT_NEAR(speed, expected, 2e-3 * v0);
+  EXPECT_LT(report.ledger.imbalance(), 1e-3);
+}
+
 TEST(Ledger, CountsPointsThatLeaveOverAnEdgeAndThatComeOverIt) {
   constexpr double first_points = 0.1 * 0.0694318442, edge = first_points - 1e-3,
                    pressed = 6e-4; // the points from the face's side [m]
