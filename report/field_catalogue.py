@@ -16,6 +16,7 @@ KNOWN = {
     "equivalent_plastic_strain": FieldInfo("–", "accumulated, of a cell"),
     "contact_pressure_MPa": FieldInfo("MPa", "on the touching surfaces, positive where they press"),
     "gap_mm": FieldInfo("mm", "distance of the touching surfaces along their normal; 0 where there is no partner"),
+    "part": FieldInfo("–", "1 plate, 2 rim, 3 pad, 4 foot, 5 upper slider"),
     "arc_direction_deg": FieldInfo("°", "direction of the touched arc of the rim in plan"),
 }
 

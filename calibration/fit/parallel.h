@@ -22,6 +22,7 @@ template <class Thing, class Ask> auto parallel_map(const std::vector<Thing> &th
   for (auto &worker : workers) worker.wait();
   for (auto &worker : workers) worker.get();
   std::vector<decltype(ask(things.front()))> answers;
+  answers.reserve(found.size());
   for (auto &each : found) answers.push_back(std::move(*each));
   return answers;
 }

@@ -2,6 +2,7 @@
 #include "fe_contact/drive/fields.h"
 
 #include "fe_contact/drive/record_checkpoint.h"
+#include "fe_contact/engine/solid_fields.h"
 #include "files/error.h"
 #include "files/file.h"
 #include <cmath>
@@ -15,7 +16,7 @@ void write_fields(const BearingSystem &system, const SystemState &state, const E
                   double time, const RunOptions &options, RunRecord &record, std::optional<double> direction) {
   if (!options.keeps_fields()) return;
   const Discretisation &space = system.space();
-  SolidFields cells = system.solid().fields(displacements, state.history);
+  SolidFields cells = fields_of(system.solid(), space, displacements, state.history);
   std::vector<double> pressure(space.n_nodes, 0.0), gap(space.n_nodes, 0.0);
   for (std::size_t i = 0; i < state.contacts.size(); ++i)
     system.contact(i).nodal_fields(state.contacts[i], pressure, gap);
@@ -29,6 +30,14 @@ void write_fields(const BearingSystem &system, const SystemState &state, const E
                                             {"gap_mm", 1, false, gap},
                                             {"von_mises_MPa", 1, true, cells.von_mises},
                                             {"equivalent_plastic_strain", 1, true, cells.plastic_strain}};
+  constexpr const char *components[] = {"xx", "yy", "zz", "xy", "yz", "zx"};
+  for (int i = 0; i < 6; ++i) {
+    for (double &value : cells.stress[i]) value *= 1e-6;
+    fields.push_back({fmt::format("stress_{}_MPa", components[i]), 1, true, cells.stress[i]});
+  }
+  std::vector<double> parts;
+  for (const auto volume : space.volumes) parts.push_back(static_cast<double>(volume));
+  fields.push_back({"part", 1, true, parts});
   if (direction) fields.push_back({"arc_direction_deg", 1, true, std::vector<double>(space.n_cells, *direction)});
   space.write_vtu(options.folder + "/" + name, fields);
   record.fields.emplace_back(time, name);

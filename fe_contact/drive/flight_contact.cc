@@ -1,5 +1,6 @@
 // A dynamic run of rung rim while slider and rim touch: from the first overlap to the parts at rest after the release.
 #include "fe_contact/drive/flight_run.h"
+#include "fe_contact/engine/solid_fields.h"
 
 #include "files/error.h"
 #include <algorithm>

@@ -2,6 +2,7 @@
 #include "fe_contact/drive/fields.h"
 #include "fe_contact/drive/forces.h"
 #include "fe_contact/drive/solver_counts.h"
+#include "fe_contact/engine/solid_fields.h"
 
 #include "files/error.h"
 #include <algorithm>

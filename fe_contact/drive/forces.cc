@@ -1,6 +1,7 @@
 #include "fe_contact/drive/forces.h"
 
 #include "fe_contact/drive/sample_row.h"
+#include "fe_contact/engine/solid_fields.h"
 #include <algorithm>
 #include <cmath>
 

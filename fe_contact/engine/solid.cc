@@ -16,7 +16,7 @@ Solid::Solid(const Discretisation &space, const scene::Bearing &bearing)
 Solid::Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials)
     : space_(space), kept_(space.n_cells) {
   for (const auto &[volume, material] : materials)
-    laws_.emplace(volume, Law{HenckyJ2::from(material), HenckyVolumetric::from(material), material.density});
+    laws_.emplace(volume, SolidLaw{HenckyJ2::from(material), HenckyVolumetric::from(material), material.density});
 }
 
 std::vector<std::vector<int>> Solid::cliques(const Equations &equations) const {
@@ -59,7 +59,7 @@ template <int n>
 Solid::Answer Solid::answer(std::size_t c, const std::array<Matrix3, n> &F, const SolidHistory &old, SolidHistory &next,
                             CellKernel<n> &kernel, bool with_tangent) const {
   Answer result;
-  const Law &law = law_of(c);
+  const SolidLaw &law = law_of(c);
   const int n_reduced = space_.reduced.n_points, m = 3 * n;
   kernel.clear(with_tangent);
   for (int q = 0; q < n; ++q) {
@@ -213,33 +213,6 @@ double Solid::mass_of(meshes::Volume volume) const {
     for (int q = 0; q < space_.full.n_points && space_.volumes[c] == volume; ++q)
       mass += law_of(c).density * space_.full.weights[c * space_.full.n_points + q];
   return mass;
-}
-
-SolidFields Solid::fields(const Eigen::VectorXd &u, const SolidHistory &history) const {
-  SolidFields result;
-  const int n = space_.nodes_per_cell, n_points = space_.full.n_points;
-  for (std::size_t c = 0; c < space_.n_cells; ++c) {
-    double strain = 0.0, stress = 0.0;
-    for (int q = 0; q < n_points; ++q) {
-      Matrix3 F = Matrix3::Identity();
-      const double *G = &space_.full.gradients[(c * n_points + q) * 3 * n];
-      for (int a = 0; a < n; ++a)
-        for (int J = 0; J < 3; ++J) F.col(J) += u.segment<3>(3 * space_.cell_nodes[c * n + a]) * G[J * n + a];
-      const auto &state = history[c * n_points + q];
-      strain = std::max(strain, state.alpha);
-      const Matrix3 tau = to_matrix(law_of(c).isochoric.step(state, F).response.stress);
-      stress += std::sqrt(1.5) * tau.norm() / F.determinant() / n_points;
-    }
-    result.plastic_strain.push_back(strain);
-    result.von_mises.push_back(stress);
-  }
-  return result;
-}
-
-double largest_plastic_strain(const SolidHistory &history) {
-  double largest = 0;
-  for (const auto &point : history) largest = std::max(largest, point.alpha);
-  return largest;
 }
 
 } // namespace rimpact::fe

@@ -15,17 +15,17 @@ namespace rimpact::fe {
 
 /// States of all material points, [cell][full point].
 using SolidHistory = std::vector<J2State>;
-double largest_plastic_strain(const SolidHistory &history); ///< equivalent [-]
 
 struct SolidEnergies {
   double elastic = 0.0; ///< [J]
   double plastic = 0.0; ///< plastic work, hardening included [J]; a function of the history alone
 };
 
-/// Cell averages for pictures.
-struct SolidFields {
-  std::vector<double> plastic_strain; ///< [-] largest over the cell's points
-  std::vector<double> von_mises;      ///< Cauchy, mean over the points [Pa]
+/// Of one volume.
+struct SolidLaw {
+  HenckyJ2 isochoric;
+  HenckyVolumetric volumetric;
+  double density; ///< [kg/m^3]
 };
 
 class Solid {
@@ -49,15 +49,9 @@ public:
   double mass_of(meshes::Volume volume) const;
   /// Makes every cell's tangent anew at the next assembly.
   void forget_tangents() const { kept_.forget(); }
-  SolidFields fields(const Eigen::VectorXd &u, const SolidHistory &history) const;
+  const SolidLaw &law_of(std::size_t cell) const { return laws_.at(space_.volumes[cell]); }
 
 private:
-  struct Law {
-    HenckyJ2 isochoric;
-    HenckyVolumetric volumetric;
-    double density;
-  };
-  const Law &law_of(std::size_t cell) const { return laws_.at(space_.volumes[cell]); }
   /// What a cell's points answer with.
   struct Answer {
     bool admissible = false, flows = false;
@@ -77,7 +71,7 @@ private:
   const std::vector<int> &places_in(const SymmetricMatrix &matrix, const Equations &equations) const;
 
   const Discretisation &space_;
-  std::map<meshes::Volume, Law> laws_;
+  std::map<meshes::Volume, SolidLaw> laws_;
   /// Where each local pair (i <= j) of each cell goes in the matrix; made once per pattern.
   mutable std::vector<int> places_;
   mutable long places_of_ = 0; ///< pattern_id

@@ -1,6 +1,6 @@
 // Assembly of solids and of wall contact against independent numbers: patch, mass, differences.
 #include "box_mesh.h"
-#include "fe_contact/engine/solid.h"
+#include "fe_contact/engine/solid_fields.h"
 
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -31,6 +31,23 @@ meshes::HexMesh bent_box() {
 }
 
 class SolidTest : public ::testing::TestWithParam<int> {};
+
+TEST_P(SolidTest, FieldsShowTheStressOfAUniformStretch) {
+  const Discretisation space(bent_box(), GetParam());
+  const scene::Material steel = scene::Bearing{}.steel;
+  const Solid solid(space, scene::Bearing{});
+  constexpr double stretch = 5e-4; // along x, held across
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(space.n_dofs());
+  for (std::size_t a = 0; a < space.n_nodes; ++a) u[3 * a] = stretch * space.positions[a].x();
+  const SolidFields fields = fields_of(solid, space, u, solid.virgin());
+  const double K = steel.E / (3 * (1 - 2 * steel.nu)), G = steel.E / (2 * (1 + steel.nu)), l = std::log1p(stretch);
+  const double along = (K + 4 * G / 3) * l / (1 + stretch), across = (K - 2 * G / 3) * l / (1 + stretch);
+  for (std::size_t c = 0; c < space.n_cells; ++c) {
+    const double expected[] = {along, across, across, 0, 0, 0};
+    for (int i = 0; i < 6; ++i) EXPECT_NEAR(fields.stress[i][c], expected[i], 1e-9 * along) << i;
+    EXPECT_NEAR(fields.von_mises[c], 2 * G * l / (1 + stretch), 1e-9 * along);
+  }
+}
 
 TEST_P(SolidTest, UniformDeformationGivesUniformStressOnABentMesh) {
   const Discretisation space(bent_box(), GetParam());
