@@ -1,5 +1,7 @@
 #include "files/hdf5_memory.h"
 
+#include <algorithm>
+
 namespace rimpact::hdf5 {
 namespace {
 
@@ -41,9 +43,15 @@ void write_string(hid_t place, const std::string &name, const std::string &text,
     check(H5Awrite(attribute, type, &pointer), "attribute");
     return;
   }
-  const Handle set(H5Dcreate2(place, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
+  // Of fixed length, and ASCII where it is: Octave reads no other.
+  const Handle fixed = text_type();
+  check(H5Tset_size(fixed, std::max<std::size_t>(1, text.size())), "string size");
+  check(H5Tset_strpad(fixed, H5T_STR_NULLPAD), "string end");
+  const bool is_ascii = std::all_of(text.begin(), text.end(), [](unsigned char c) { return c < 128; });
+  check(H5Tset_cset(fixed, is_ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8), "string encoding");
+  const Handle set(H5Dcreate2(place, name.c_str(), fixed, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
                    "text");
-  check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, &pointer), "text");
+  check(H5Dwrite(set, fixed, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()), "text");
 }
 
 void write_strings(hid_t place, const std::string &name, const std::vector<std::string> &texts) {

@@ -44,6 +44,18 @@ class ReadRun(InFolder):
         done = subprocess.run(["octave-cli", "--no-init-file", "read_run.m"], cwd=self.folder, capture_output=True, text=True, timeout=100)
         self.assertIn(self.said(), done.stdout, done.stderr)
 
+    @unittest.skipUnless(shutil.which("octave-cli"), "Octave is not installed")
+    def test_octave_loads_it_whole(self):
+        loads = "run = load('run/response.h5'); printf('%d %s\\n', numel(run.response.time), run.meta.version)"
+        done = subprocess.run(["octave-cli", "--no-init-file", "--eval", loads], cwd=self.folder, capture_output=True, text=True, timeout=100)
+        with h5py.File(self.path("run", "response.h5")) as file:
+            self.assertIn(f"{len(file['response/time'])} {file['meta/version'][()].decode()}", done.stdout, done.stderr)
+
+    def test_texts_have_a_length(self):
+        with h5py.File(self.path("run", "response.h5")) as file:
+            for name, text in file["meta"].items():
+                self.assertEqual(text.dtype.kind, "S", name)
+
 
 if __name__ == "__main__":
     unittest.main()
