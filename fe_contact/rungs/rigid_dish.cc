@@ -3,6 +3,7 @@
 #include "fe_contact/rungs/bearing_model.h"
 #include "fe_contact/rungs/rim.h"
 #include "meshes/stack_mesh.h"
+#include <algorithm>
 
 namespace rimpact::fe {
 
@@ -40,7 +41,9 @@ void hold_plate(Supports &supports, RimState rim) {
 std::vector<Pair> stack_pairs(const BearingModel &model, RimState rim) {
   const scene::Bearing &bearing = model.bearing;
   constexpr double pad_cell = 0.012, cap_cell = 0.020, wall_cell = 0.010; // at level 1 [m]
-  constexpr double stiffer = 4; // the pad's pressure changes by megapascals a step: so its gap stays below a tolerance
+  // The pad's pressure changes by megapascals a step: four times as stiff its gap stays below a tolerance. Who asks for
+  // a stiffer contact has that by itself.
+  const double stiffer = std::clamp(4 / model.options.penalty_scale, 1.0, 4.0);
   const scene::ContactFriction &mu = bearing.contact;
   const auto friction = [&](double fast, const std::optional<double> &slow) {
     return model.options.friction ? FrictionCoefficient{fast, slow.value_or(fast), mu.rate} : FrictionCoefficient{};
