@@ -34,24 +34,23 @@ Quiet::~Quiet() {
 
 void write_string(hid_t place, const std::string &name, const std::string &text, bool as_attribute) {
   const Handle type = text_type();
-  set_variable_utf8(type);
   const Handle space(H5Screate(H5S_SCALAR), H5Sclose, "text space");
-  const char *const pointer = text.c_str();
   if (as_attribute) {
+    set_variable_utf8(type);
+    const char *const pointer = text.c_str();
     const Handle attribute(H5Acreate2(place, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT), H5Aclose,
                            "attribute");
     check(H5Awrite(attribute, type, &pointer), "attribute");
     return;
   }
   // Of fixed length, and ASCII where it is: Octave reads no other.
-  const Handle fixed = text_type();
-  check(H5Tset_size(fixed, std::max<std::size_t>(1, text.size())), "string size");
-  check(H5Tset_strpad(fixed, H5T_STR_NULLPAD), "string end");
+  check(H5Tset_size(type, std::max<std::size_t>(1, text.size())), "string size");
+  check(H5Tset_strpad(type, H5T_STR_NULLPAD), "string end");
   const bool is_ascii = std::all_of(text.begin(), text.end(), [](unsigned char c) { return c < 128; });
-  check(H5Tset_cset(fixed, is_ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8), "string encoding");
-  const Handle set(H5Dcreate2(place, name.c_str(), fixed, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
+  check(H5Tset_cset(type, is_ascii ? H5T_CSET_ASCII : H5T_CSET_UTF8), "string encoding");
+  const Handle set(H5Dcreate2(place, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
                    "text");
-  check(H5Dwrite(set, fixed, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()), "text");
+  check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()), "text");
 }
 
 void write_strings(hid_t place, const std::string &name, const std::vector<std::string> &texts) {

@@ -3,6 +3,8 @@
 #include "files/error.h"
 #include <algorithm>
 #include <array>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace rimpact::laws {
 namespace {
@@ -23,12 +25,6 @@ std::vector<std::string> names_of_laws() {
   return names;
 }
 
-std::string joined(const std::vector<std::string> &names, const char *between) {
-  std::string text;
-  for (const auto &name : names) text += (text.empty() ? "" : between) + name;
-  return text;
-}
-
 } // namespace
 
 const std::vector<const ImpactLaw *> &impact_laws() {
@@ -44,7 +40,8 @@ const std::vector<const ImpactLaw *> &impact_laws() {
 const ImpactLaw &impact_law(const std::string &name) {
   for (const auto *law : impact_laws())
     if (law->name == name) return *law;
-  throw InputError("reduced.impact_law \"" + name + "\" is unknown; known: " + joined(names_of_laws(), ", "));
+  throw InputError(
+      fmt::format("reduced.impact_law \"{}\" is unknown; known: {}", name, fmt::join(names_of_laws(), ", ")));
 }
 
 const ImpactLaw &default_law() {
@@ -62,7 +59,7 @@ const std::vector<LawParameter> &law_parameters() {
 
 void visit(KeyVisitor &v, LawNumbers &numbers, const ImpactLaw *&law) {
   static const std::vector<std::string> names = names_of_laws();
-  static const std::string words = joined(names, " | ");
+  static const std::string words = fmt::format("{}", fmt::join(names, " | "));
   const auto reads = [&](const LawFamily &family) {
     return std::any_of(family.laws.begin(), family.laws.end(), [&](const auto &own) { return &own == law; });
   };

@@ -5,14 +5,12 @@ import pathlib
 import re
 import sys
 
+from check_values import without_comments
+
 LOOP = re.compile(r"\b(?:for|while|do)\b\s*[({]")
 STEP = re.compile(r"\b(?:time_step|static_step|checked_step|move_to|attempt)\s*\(")
 RETRIES = "fe_contact/solver/march.cc"
 ROUNDS = {"fe_contact/engine/contact_steps.cc"}
-
-
-def without_comments(text: str) -> str:
-    return re.sub(r"//[^\n]*|/\*.*?\*/", lambda found: re.sub(r"[^\n]", " ", found.group(0)), text, flags=re.DOTALL)
 
 
 def closing(text: str, start: int) -> int:

@@ -17,9 +17,9 @@ constexpr int checkpoint_every = 25;     ///< contact steps
 
 } // namespace
 
-MassForces FlightRun::forces_now(const Arc &arc, double t) const {
+MassForces FlightRun::forces_now(const Arc &arc, double t, double multiplier) const {
   return loads_.forces(arc.frame.displacement(top_of(arc)), arc.frame.to_global(top_speed_of(arc)), t, support_,
-                       multiplier_);
+                       multiplier);
 }
 
 void FlightRun::begin_contact(Arc &arc) {
@@ -75,7 +75,7 @@ Attempt FlightRun::attempt(Arc &arc, double t, double dt) {
     save();
     throw Interrupted();
   }
-  const MassForces before = forces_now(arc, t);
+  const MassForces before = forces_now(arc, t, multiplier_);
   const SystemState kept = arc.state;
   StepTerms terms{Eigen::VectorXd::Zero(system_.equations().n)};
   terms.dt = dt;
@@ -86,8 +86,7 @@ Attempt FlightRun::attempt(Arc &arc, double t, double dt) {
   dt_ = dt / 2;
   if (!report.converged) return {false, dt_, report.reason};
   const double finest = plan_.step_in_contact / 32;
-  const MassForces after = loads_.forces(arc.frame.displacement(top_of(arc)), arc.frame.to_global(top_speed_of(arc)),
-                                         t + dt, support_, report.multiplier);
+  const MassForces after = forces_now(arc, t + dt, report.multiplier);
   const FlightStep step{system_, arc.frame, kept, arc.state, before, after, report.integrator_loss};
   if (!event_is_sharp(arc, report, dt, finest) || !error_is_small(step, dt)) {
     arc.state = kept;
@@ -150,8 +149,7 @@ bool FlightRun::event_is_sharp(const Arc &arc, const ContactStepReport &report, 
 
 bool FlightRun::error_is_small(const FlightStep &step, double dt) {
   constexpr double displacement_tolerance = 2e-6; // [m] a step
-  // Of the largest input, a step.
-  constexpr double energy_tolerance = 1.5e-5;
+  constexpr double energy_tolerance = 1.5e-5;     // of the largest input, a step
   const double displacement = step.displacement_error(scene_.model.rho_inf, dt) / displacement_tolerance;
   const double energy = std::abs(step.unbalanced()) / (energy_tolerance * std::max(1.0, record_.ledger.largest_input));
   const double error = std::max(displacement, energy);

@@ -58,8 +58,8 @@ private:
 
   void pad_fe_signals();
 
-  /// Global forces at the present end of the step.
-  MassForces forces_now(const Arc &arc, double t) const;
+  /// Global forces where the arc's slider is now, at t, with the dish's push on the mass [N].
+  MassForces forces_now(const Arc &arc, double t, double multiplier) const;
 
   /// The walls touch: the solids take over, moving as the mass does.
   void begin_contact(Arc &arc);
