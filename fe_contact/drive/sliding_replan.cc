@@ -1,6 +1,7 @@
 // The slider comes to the rim where the plan meshed none: the run goes on from there on a mesh with one more sector.
 #include "fe_contact/drive/sliding_run.h"
 
+#include "fe_contact/drive/top_drive.h"
 #include "fe_contact/engine/mesh_transfer.h"
 #include "files/error.h"
 #include <algorithm>
@@ -33,6 +34,18 @@ void carry_contacts(const SystemState &old, const BearingSystem &system, SystemS
   }
 }
 
+/// Interpolated stresses do not balance: the parts would ring with what is missing. So they take the accelerations they
+/// have as dead loads and come to balance, with the top face where it is.
+void balance(BearingSystem &system, SystemState &state, const Eigen::VectorXd &load, const StepOptions &options) {
+  const Eigen::Vector3d top = system.top_of(state.u);
+  const ContactStepReport step =
+      TopDrive().move_to(system, state, {top.head<2>(), {}}, load - system.mass_times(state.a), options);
+  if (!step.converged)
+    throw SolverStopped("the state could not be brought to balance on the mesh with one more sector: " + step.reason +
+                        "; try rung `rim`, which meshes any side");
+  state.R = system.mass_times(state.a);
+}
+
 } // namespace
 
 std::optional<double> SlidingRun::unmeshed_direction() const {
@@ -58,20 +71,19 @@ void SlidingRun::take_over(const SlidingRun &old) {
     return active().equations().gather(transfer.nodal(old.active().equations().expand(values)));
   };
   state_.u = moved(old.state_.u), state_.v = moved(old.state_.v), state_.a = moved(old.state_.a);
-  state_.R = active().mass_times(state_.a);
   state_.history = transfer.history(old.state_.history);
   carry_contacts(old.state_, active(), state_);
   if (!all_solid() && old.held_.displacement.size()) held_.displacement = transfer.nodal(old.held_.displacement);
-  state_.energies = energies_at(model_, active(), active().expand(state_), state_.history);
+  balance(active(), state_, load(old.t_), transient_.step);
   if (!all_solid()) {
     const SolidEnergies all = energies_at(model_, joined_, displacements(), state_.history);
     held_.energies = {all.elastic - state_.energies.elastic, all.plastic - state_.energies.plastic};
   }
   t_ = old.t_, rest_height_ = old.rest_height_, rest_elastic_ = old.rest_elastic_, rest_plastic_ = old.rest_plastic_;
-  external_before_ = old.external_before_, height_before_ = old.height_before_, steps_kept_ = old.steps_kept_;
+  external_before_ = old.external_before_, height_before_ = travel().z(), steps_kept_ = old.steps_kept_;
   next_step_ = transient_.contact_step;
   report_ = old.report_;
-  const double lost = book_hand_over(old.held_.energies);
+  const double lost = book_hand_over(old);
   record_.n_dofs = joined_.equations().n;
   record_.warnings.push_back(fmt::format(
       "at {:.3f} s the slider came to the rim at {:.0f} deg, where the scout saw no impact: replanned, from there on "
@@ -84,15 +96,18 @@ void SlidingRun::take_over(const SlidingRun &old) {
 }
 
 /// What the new mesh stores less than the old one is the numerics' loss. Returns its amount, of the whole bearing [J].
-double SlidingRun::book_hand_over(const SolidEnergies &held_before) {
+double SlidingRun::book_hand_over(const SlidingRun &old) {
   auto &ledger = report_.ledger;
   const double kinetic = active().kinetic_energy(state_);
   const double moving =
       ledger.kinetic - kinetic + ledger.elastic - state_.energies.elastic + ledger.plastic - state_.energies.plastic;
-  const double held = held_before.elastic - held_.energies.elastic + held_before.plastic - held_.energies.plastic;
+  const double held = old.held_.energies.elastic - held_.energies.elastic + old.held_.energies.plastic -
+                      held_.energies.plastic,
+               sunk = scene_.load.vertical * (old.height_before_ - height_before_);
   ledger.kinetic = kinetic, ledger.elastic = state_.energies.elastic, ledger.plastic = state_.energies.plastic;
-  ledger.integrator += moving + held;
-  return model_.share() * std::abs(moving + held);
+  ledger.integrator += moving + held + sunk / model_.share();
+  record_.ledger.gravity -= sunk;
+  return std::abs(model_.share() * (moving + held) + sunk);
 }
 
 } // namespace rimpact::fe

@@ -56,7 +56,7 @@ private:
   void follow_impact(double t, double dt);
   /// Of the slider, where the rim it comes to is not meshed. Throws SolverStopped where it cannot be.
   std::optional<double> unmeshed_direction() const;
-  double book_hand_over(const SolidEnergies &held_before);
+  double book_hand_over(const SlidingRun &old);
   void join();
   void part();
   Eigen::VectorXd load(double t) const;
