@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 
 namespace rimpact::reduced {
 
@@ -22,7 +23,8 @@ public:
     // A step's local error, relative to a hundredth of the capacity and of its speed.
     position_tolerance_ = scene.isolator.step_tolerance * 0.01 * C;
     velocity_tolerance_ = scene.isolator.step_tolerance * 0.01 * std::sqrt(g * C);
-    largest_step_ = model_.driven ? duration_ / (4000 * std::max(1.0, std::ceil(scene.excitation.cycles))) : 5e-3;
+    largest_step_ = model_.driven ? duration_ / (4000 * std::max(1.0, std::ceil(scene.excitation.cycles))) : 1e-2;
+    if (const auto &instants = ground_.breakpoints(); !instants.empty()) quiet_from_ = instants.back();
   }
 
   void go() {
@@ -77,7 +79,7 @@ private:
   /// An accepted step; h becomes the next one's length.
   void advance(MotionState &state, double &h) {
     for (;;) {
-      h = std::min(h, largest_step_);
+      h = std::min(h, state.t < quiet_from_ ? largest_step_ : 2 * largest_step_);
       const double limit = recorder_.next_sample(state);
       const bool clipped = state.t + h * 1.001 >= limit;
       const double step = clipped ? limit - state.t : h;
@@ -110,6 +112,7 @@ private:
   Stepper stepper_;
   DoubleConcaveRecorder recorder_;
   double position_tolerance_, velocity_tolerance_, largest_step_;
+  double quiet_from_ = std::numeric_limits<double>::infinity(); ///< of a record: its end [s]
   MotionState next_;
 };
 

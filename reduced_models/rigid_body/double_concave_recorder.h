@@ -35,7 +35,7 @@ private:
   std::vector<double> largest_normal_, smallest_normal_;
   BuildingRecorder building_;
   std::optional<double> collapse_time_;
-  double largest_moment_ = 0, largest_vertical_ = 0, smallest_vertical_ = 1e300;
+  double largest_travel_ = 0, largest_lateral_ = 0, largest_moment_ = 0, largest_vertical_ = 0, smallest_vertical_ = 1e300;
 };
 
 } // namespace rimpact::reduced::rigid

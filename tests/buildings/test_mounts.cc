@@ -68,6 +68,32 @@ TEST(Mounts, KindsStandSideBySide) {
   EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-2);
 }
 
+/// At rest aside, both dishes share the travel: the slider's load acts u / 2 from the top plate's axis (P-Delta), but for
+/// what friction holds it aside; and the block's normal forces differ by what the moments ask for.
+TEST(Mounts, ABearingAtRestAsideTurnsItsNodeByItsLoadOverHalfTheTravel) {
+  auto s = pulse(1.0, scene::ModelKind::dcfp, 1e-4);
+  s.excitation.kind = scene::ExcitationKind::free;
+  s.excitation.initial_displacement = {0.06, 0};
+  s.excitation.duration = 3;
+  s.reduced.mu_slow = s.reduced.mu_fast = 0.2; // sticks
+  const auto run = simulate(block(), s);
+  ASSERT_EQ(run.summary.status, RunStatus::done) << run.summary.reason;
+  const auto last = [&](int bearing, const char *signal) {
+    return run.response.series("bearing_" + std::to_string(bearing) + "_" + signal).back();
+  };
+  constexpr double weight = 10e3 * 8 * 8; // [N]
+  double moments = 0, of_loads = 0, normals = 0;
+  for (int bearing = 1; bearing <= 4; ++bearing) normals += last(bearing, "normal_force");
+  for (int bearing = 1; bearing <= 4; ++bearing) {
+    const double u = last(bearing, "displacement_x"), M = last(bearing, "moment_y"), x = bearing % 2 == 1 ? -4 : 4,
+                 load = last(bearing, "normal_force") * weight / normals; // points at the edge press aslant
+    EXPECT_GT(u, 0.05);
+    EXPECT_NEAR(M, load * u / 2, 0.05 * load * u / 2) << bearing;
+    moments += M, of_loads += x * load;
+  }
+  EXPECT_NEAR(moments, of_loads, 1e-3 * moments);
+}
+
 TEST(Mounts, RefuseAPlanarBearing) {
   auto s = pulse(1.0, scene::ModelKind::dcfp, 1e-4);
   s.isolator.space = scene::Space::planar;
