@@ -36,3 +36,15 @@ def in_terminal(*arguments, **environment):
         pass
     os.close(master)
     return text.decode()
+
+
+class Refusals(unittest.TestCase):
+    """Bad input is refused with one sentence and the right exit code."""
+
+    def refused(self, code, *needles, arguments):
+        run = rimpact(*arguments)
+        self.assertEqual(run.returncode, code, run.stderr)
+        self.assertEqual(run.stdout, "")
+        self.assertEqual(len([line for line in run.stderr.splitlines() if line.startswith("error:")]), 1, run.stderr)
+        for needle in needles:
+            self.assertIn(needle, run.stderr)
