@@ -1,5 +1,7 @@
-"""What the report's tests share: the source directory on the path, the command as a user runs it, a folder to use."""
+"""What the report's tests share: the source directory on the path, the command as a user runs it, a folder to use, the text of a page."""
+import html
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -15,6 +17,13 @@ def command(module, *arguments, cwd="/"):
     environment = os.environ | {"PYTHONPATH": SOURCE, "PYTHONDONTWRITEBYTECODE": "1"}
     return subprocess.run([sys.executable, "-m", module, *map(str, arguments)], cwd=cwd, env=environment,
                           capture_output=True, text=True, timeout=110)
+
+
+def text_of(path):
+    """A page, and what can be read on it."""
+    with open(path, encoding="utf-8") as file:
+        page = file.read()
+    return page, html.unescape(re.sub(r"[ \n]+", " ", re.sub(r"<[^>]+>", " ", re.sub(r"<style.*?</style>", "", page, flags=re.S))))
 
 
 class InFolder(unittest.TestCase):
