@@ -7,8 +7,10 @@ import shutil
 import subprocess
 import tempfile
 import unittest
+from collections.abc import Callable
+from typing import Any
 
-from command import rimpact
+from command import Done, rimpact
 
 ELEMENT = {"lateral_capacity_m": 0.4, "reference_speed_m_per_s": 0.5, "k_i": {"value": 1085500, "unit": "kN/m"}, "yield_force": {"value": 455.24, "unit": "kN"},
            "hardening": {"value": 0.38454, "unit": "-"}, "hardening_exponent": {"value": 0.39266, "unit": "-"},
@@ -18,18 +20,18 @@ ELEMENT = {"lateral_capacity_m": 0.4, "reference_speed_m_per_s": 0.5, "k_i": {"v
 class Recorder:
     """Takes the place of openseespy.opensees: keeps what it is asked for."""
 
-    def __init__(self):
-        self.calls = []
+    def __init__(self) -> None:
+        self.calls: list[tuple[Any, ...]] = []
 
-    def nodeCoord(self, node):
+    def nodeCoord(self, node: int) -> list[float]:
         self.calls.append(("nodeCoord", node))
         return [1.0, 2.0, 3.0]
 
-    def __getattr__(self, name):
+    def __getattr__(self, name: str) -> Callable[..., None]:
         return lambda *arguments: self.calls.append((name, *arguments))
 
 
-def calibration(text="plain", identity="0" * 16, **law):
+def calibration(text: str = "plain", identity: str = "0" * 16, **law: Any) -> dict[str, Any]:
     """A calibration.json; `text` stands wherever text may stand."""
     parameters = {"k_i": {"value": 1085500, "unit": text, "interval_95": [1.06e6, 1.1e6], "identifiable": True}, text: {"value": 1, "unit": text}}
     return {"answer": {"bearing": text, "rim_identity": identity, "rung": text, "mesh": [text, 1], "mass_kg": 86952.0, "vertical_kN": 853.0, "gravity_m_per_s2": 9.81, "source": text,
@@ -40,40 +42,44 @@ def calibration(text="plain", identity="0" * 16, **law):
                        "doubts": [text, text], "validity": text}}
 
 
-def write(folder, content):
+def write(folder: str, content: Any) -> None:
     with open(os.path.join(folder, "calibration.json"), "w") as file:
         json.dump(content, file)
 
 
-def identity():
+def identity() -> str:
     """Of the built-in bearing, from the refusal that names both."""
     with tempfile.TemporaryDirectory() as folder:
         write(folder, calibration())
         run = rimpact("export", folder, "--csv", "--scene", "shfps-225")
         assert run.returncode == 2, run.stderr
-        return re.search(r"its rim is ([0-9a-f]{16})", run.stderr).group(1)
+        found = re.search(r"its rim is ([0-9a-f]{16})", run.stderr)
+        assert found, run.stderr
+        return found.group(1)
 
 
 class Exported(unittest.TestCase):
+    rim: str
+
     @classmethod
-    def setUpClass(cls):
+    def setUpClass(cls) -> None:
         cls.rim = identity()
 
-    def exported(self, folder, *arguments, text="plain", **law):
+    def exported(self, folder: str, *arguments: str, text: str = "plain", **law: Any) -> Done:
         write(folder, calibration(text, self.rim, **law))
         run = rimpact("export", folder, "--scene", "shfps-225", *arguments)
         self.assertEqual(run.returncode, 0, run.stderr)
         return run
 
-    def python(self, folder):
+    def python(self, folder: str) -> dict[str, Any]:
         path = os.path.join(folder, "impact.py")
         py_compile.compile(path, doraise=True, cfile=os.path.join(folder, "compiled"))
-        values = {}
+        values: dict[str, Any] = {}
         with open(path) as file:
             exec(compile(file.read(), path, "exec"), values)
         return values
 
-    def tcl(self, folder, script):
+    def tcl(self, folder: str, script: str) -> list[str]:
         """Lines that the stubs of OpenSees' commands print."""
         if not shutil.which("tclsh"):
             self.skipTest("tclsh is not here: the Tcl file was not run")

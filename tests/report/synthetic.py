@@ -3,10 +3,13 @@ result."""
 import json
 import math
 import os
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any
 
 import h5py
 import numpy as np
 
+Motion = Callable[[float], float]
 MASS, WEIGHT, GRAVITY, CAPACITY = 86952.0, 853e3, 9.81, 0.400
 SCENE = """name = "{name}"
 [bearing]
@@ -60,11 +63,11 @@ impact_law = "{law}"
 class Rim:
     """k (d - dent), yielding above a force; with a dashpot when e < 1."""
 
-    def __init__(self, k, e=1.0, yield_force=math.inf, hardening=0.05):
+    def __init__(self, k: float, e: float = 1.0, yield_force: float = math.inf, hardening: float = 0.05) -> None:
         self.k, self.yield_force, self.hardening, self.dent = k, yield_force, hardening, 0.0
         self.c = -2 * math.log(e) / math.hypot(math.pi, math.log(e)) * math.sqrt(k * MASS)
 
-    def force(self, u, v):
+    def force(self, u: float, v: float) -> float:
         depth = abs(u) - CAPACITY - self.dent
         if depth <= 0:
             return 0.0
@@ -75,25 +78,25 @@ class Rim:
         return math.copysign(max(0.0, self.k * depth + self.c * v * math.copysign(1, u)), u)
 
 
-def pendular(u):
+def pendular(u: float) -> float:
     slope = u / 2.25 / math.sqrt(max(1e-3, 1 - (u / 0.5625) ** 2))
     return WEIGHT * slope
 
 
-def height(u):
+def height(u: np.ndarray) -> np.ndarray:
     return 0.140625 * (1 - np.sqrt(np.maximum(1e-6, 1 - (np.asarray(u) / 0.5625) ** 2)))
 
 
-def ricker(amplitude_g, period):
-    def motion(t):
+def ricker(amplitude_g: float, period: float) -> Motion:
+    def motion(t: float) -> float:
         p = (math.pi * (t - 2 * period) / period) ** 2
         return amplitude_g * GRAVITY * (1 - 2 * p) * math.exp(-p)
     return motion
 
 
-def integrate(rim, motion, u=0.0, v=0.0, end=8.0, window=False, step=2.5e-4):
+def integrate(rim: Rim, motion: Motion, u: float = 0.0, v: float = 0.0, end: float = 8.0, window: bool = False, step: float = 2.5e-4) -> np.ndarray:
     """Semi-implicit Euler; samples every 5 ms in flight and every step in contact."""
-    rows, t, external, friction_work = [], 0.0, 0.0, 0.0
+    rows, t, external, friction_work = list[tuple[float, ...]](), 0.0, 0.0, 0.0
     kept = 0
     while t <= end:
         f_rim, f_p = rim.force(u, v), 0.0 if window else pendular(u)
@@ -109,10 +112,10 @@ def integrate(rim, motion, u=0.0, v=0.0, end=8.0, window=False, step=2.5e-4):
     return np.array(rows).T
 
 
-def run(folder, name, excitation, motion, rim, rung, window_speed=None, status="done", truncate=1.0, law="signed",
-        warnings=()):
+def run(folder: str, name: str, excitation: str, motion: Motion, rim: Rim, rung: str, window_speed: float | None = None, status: str = "done",
+        truncate: float = 1.0, law: str = "signed", warnings: Sequence[str] = ()) -> dict[str, Any]:
     os.makedirs(folder, exist_ok=True)
-    start = dict(u=CAPACITY - 1e-6, v=window_speed, end=0.12, window=True) if window_speed else {}
+    start: dict[str, Any] = dict(u=CAPACITY - 1e-6, v=window_speed, end=0.12, window=True) if window_speed else {}
     t, u, v, f_p, f_f, f_rim, external, spent, dent = integrate(rim, motion, **start)
     n = int(truncate * len(t))
     t, u, v, f_p, f_f, f_rim, external, spent, dent = (x[:n] for x in (t, u, v, f_p, f_f, f_rim, external, spent, dent))
@@ -140,7 +143,7 @@ def run(folder, name, excitation, motion, rim, rung, window_speed=None, status="
     return summary
 
 
-def write_signals(folder, signals):
+def write_signals(folder: str, signals: Mapping[str, np.ndarray]) -> None:
     with h5py.File(os.path.join(folder, "response.h5"), "w") as file:
         group = file.create_group("response")
         for name, values in signals.items():
@@ -153,9 +156,9 @@ def write_signals(folder, signals):
                header="time_s,ux_m,uy_m,uz_m,Fx_N,Fy_N,Fz_N,Ix_N,Iy_N,gap_m", comments="")
 
 
-def summarise(s, rung, status):
+def summarise(s: Mapping[str, np.ndarray], rung: str, status: str) -> dict[str, Any]:
     touching = np.concatenate([[0], (s["impact_x"] != 0).astype(int), [0]])
-    impacts = []
+    impacts = list[dict[str, Any]]()
     for a, b in zip(np.flatnonzero(np.diff(touching) == 1), np.flatnonzero(np.diff(touching) == -1) - 1):
         side = math.copysign(1.0, s["displacement_x"][a])
         approach, rebound = side * s["velocity_x"][a], -side * s["velocity_x"][b]

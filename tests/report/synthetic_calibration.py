@@ -1,6 +1,8 @@
 """Files calibration.json and curves.json for the tests of the report ONLY: nothing here is a result."""
 import json
 import os
+from collections.abc import Sequence
+from typing import Any
 
 import numpy as np
 
@@ -9,12 +11,12 @@ from synthetic import CAPACITY, GRAVITY, MASS, SCENE
 SPEEDS = (0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0)
 
 
-def estimate(value, share, unit):
+def estimate(value: float, share: float, unit: str) -> dict[str, Any]:
     return {"value": value, "unit": unit, "standard_error": share * value / 1.96,
             "interval_95": [value * (1 - share), value * (1 + share)], "identifiable": True}
 
 
-def _law(name, error, parameters):
+def _law(name: str, error: float, parameters: dict[str, Any]) -> dict[str, Any]:
     runs = {"results/runs/window-0.10": {"approach_speed_m_s": 0.1, "peak_force_error": error, "rebound_error": -error,
                                          "force_unexplained": error, "nrmse_displacement": 0.01, "grazing": False}}
     return {"law": name, "parameters": parameters, "force_unexplained": error, "largest_peak_force_error": error,
@@ -23,7 +25,7 @@ def _law(name, error, parameters):
             "leave_one_out": [{"left_out": "results/runs/window-0.10", "converged": True, "runs": runs}]}
 
 
-def answer(speeds=SPEEDS, **changed):
+def answer(speeds: Sequence[float] = SPEEDS, **changed: Any) -> dict[str, Any]:
     """The record `answer` of calibration.json, as the contract has it."""
     table = [{"speed_m_s": v, "peak_force_kN": 4000 * v, "restitution": 0.7 - 0.4 * v, "penetration_mm": 12 * v, "contact_time_ms": 18.0,
               "k_i_kN_per_m": 1.2e5 * v ** -0.8, "e": 0.6 - 0.3 * v, "peak_force_error": 0.021, "rebound_error": 0.034,
@@ -54,24 +56,27 @@ def answer(speeds=SPEEDS, **changed):
     return record | changed
 
 
-def curves(folder, source="measured", names=("test-04", "test-07"), speeds=(0.2, 0.4)):
+def _curve(time: np.ndarray, depth: np.ndarray, force: np.ndarray) -> dict[str, list[float]]:
+    return {"time_s": time.tolist(), "penetration_m": depth.tolist(), "force_N": force.tolist()}
+
+
+def curves(folder: str, source: str = "measured", names: Sequence[str] = ("test-04", "test-07"), speeds: Sequence[float] = (0.2, 0.4)) -> None:
     """curves.json as the program writes it: a half sine and a law a little below."""
     impacts = []
     for name, speed in zip(names, speeds):
         t = np.linspace(0.0, 0.02, 80)
         depth, force = 0.01 * speed * np.sin(np.pi * t / 0.02), 4e6 * speed * np.sin(np.pi * t / 0.02)
-        one = lambda f: {"time_s": t.tolist(), "penetration_m": depth.tolist(), "force_N": (f * force).tolist()}  # noqa: E731
         impacts.append({"run": f"lab/{name}.toml", "source": source, "touch_time_s": 0.1, "approach_speed_m_s": speed, "fitted": True,
-                        "grazing": False, "reference": one(1.0), "law": one(0.97)})
+                        "grazing": False, "reference": _curve(t, depth, force), "law": _curve(t, depth, 0.97 * force)})
     os.makedirs(folder, exist_ok=True)
     scene = SCENE.format(name="lab", excitation='kind = "window"\nspeed_m_per_s = 0.2', k=4e5, e=0.65, law="elastoplastic")
     with open(os.path.join(folder, "curves.json"), "w", encoding="utf-8") as file:
         json.dump({"scene": scene, "law": "elastoplastic", "impacts": impacts}, file)
 
 
-def calibration(folder, windows, answered=None):
+def calibration(folder: str, windows: list[dict[str, Any]], answered: dict[str, Any] | None = None) -> None:
     os.makedirs(f"{folder}/calibration", exist_ok=True)
-    data = {"answer": answered, "parameters": {"k_i": estimate(4.1e5, 0.03, "kN/m"), "e": estimate(0.62, 0.02, "-")},
+    data: dict[str, Any] = {"answer": answered, "parameters": {"k_i": estimate(4.1e5, 0.03, "kN/m"), "e": estimate(0.62, 0.02, "-")},
             "correlation": {"k_i": {"k_i": 1.0, "e": -0.31}, "e": {"k_i": -0.31, "e": 1.0}}, "condition": 5.4,
             "derived": {"c_i": {"value": 1790.0, "unit": "kN s/m"}, "law": "signed", "masses": {"m1_kg": MASS, "m2_kg": None}},
             "fit": {}, "search": {"impacts": 8, "starts": 5, "starts_agreeing": 5, "message": "converged"},

@@ -3,6 +3,8 @@
 import json
 import os
 import sys
+from collections.abc import Sequence
+from typing import Any
 
 import synthetic
 from synthetic_calibration import SPEEDS, answer, calibration, estimate
@@ -11,11 +13,11 @@ from synthetic_mesh import write_vtu
 PULSES = ((0.78, 1.0), (0.38, 1.5))
 
 
-def main_folder(folder, pulses=PULSES, speeds=SPEEDS):
+def main_folder(folder: str, pulses: Sequence[tuple[float, float]] = PULSES, speeds: Sequence[float] = SPEEDS) -> None:
     """Pulses at three scales, windows, a calibration: everything `rimpact main` leaves."""
     jobs = [(f"ricker-{a:g}g-{T:.1f}s" + (f"-x{s:.2f}" if s != 1 else ""), a, T, s, "predict" if s == 1 else "fit")
             for a, T in pulses for s in (1.0, 1.05, 1.10)]
-    entries, calm = [], lambda t: 0.0
+    entries = list[dict[str, str]]()
     for name, a, T, scale, role in jobs:
         text = f'kind = "ricker"\nscale = {scale}\namplitude_g = {a}\nperiod_s = {T}\ncentre_s = {2 * T}'
         _trio(folder, name, text, synthetic.ricker((1.10 if T < 1.2 else 1.14) * a * scale, T))
@@ -23,7 +25,7 @@ def main_folder(folder, pulses=PULSES, speeds=SPEEDS):
     windows = []
     for v in speeds:
         name = f"window-{v:.2f}"
-        fe = _trio(folder, name, f'kind = "window"\nscale = 1.0\nspeed_m_per_s = {v}', calm, v)
+        fe = _trio(folder, name, f'kind = "window"\nscale = 1.0\nspeed_m_per_s = {v}', lambda t: 0.0, v)
         entries.append({"name": name, "role": "window", "fe": f"runs/{name}", "reduced": f"reduced/{name}"})
         e = fe["impacts"][0]["restitution"]
         windows.append({"folder": f"runs/{name}", "speed_m_s": v, "restitution": e, "pair_force_error": 0.5 * (v - 0.25),
@@ -36,7 +38,7 @@ def main_folder(folder, pulses=PULSES, speeds=SPEEDS):
                    "warnings": ["synthetic data: nothing in this folder is a result"]}, file, indent=1)
 
 
-def _trio(folder, name, excitation, motion, speed=None):
+def _trio(folder: str, name: str, excitation: str, motion: synthetic.Motion, speed: float | None = None) -> dict[str, Any]:
     summary = synthetic.run(f"{folder}/runs/{name}", name, excitation, motion, synthetic.Rim(4.9e8, 0.72, 2.2e6, 0.25), "rim", speed)
     synthetic.run(f"{folder}/reduced/{name}", name, excitation, motion, synthetic.Rim(4.1e8, 0.62), "reduced", speed)
     synthetic.run(f"{folder}/law/{name}", name, excitation, motion, synthetic.Rim(6.0e8, 0.75, 2.0e6, 0.25), "reduced", speed, law="elastoplastic")
