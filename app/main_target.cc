@@ -43,12 +43,7 @@ bool holds_any(const TomlFile &file, const auto &tables) {
 Source from_file(const fs::path &path) {
   constexpr std::array of_a_scene{"bearing", "load", "excitation", "model", "reduced"};
   constexpr std::array of_a_bearing{"surface", "slider", "rim", "plate", "pad", "foot", "material", "contact"};
-  std::string text;
-  try {
-    text = read_file(path.string());
-  } catch (const DataError &error) {
-    throw InputError(error.what());
-  }
+  const std::string text = read_named_file(path.string());
   const TomlFile file(text, path.string());
   const bool scene = holds_any(file, of_a_scene), bearing = holds_any(file, of_a_bearing);
   if (scene && bearing)

@@ -3,21 +3,10 @@
 /// step. The node's turn about x and y is the one the condensed frame has without the bearing's moment, whose work on
 /// it counts; the turn it adds itself is left out.
 #pragma once
-#include "buildings/mount.h"
+#include "buildings/mounted_building.h"
 #include "buildings/recorder.h"
 
 namespace rimpact::buildings {
-
-class MountedBuilding : public BuildingBasis {
-public:
-  /// `bearings`: a scene for each supported node, in their order; its bearing and [reduced] count. Throws InputError.
-  MountedBuilding(const BuildingModel &model, const scene::Scene &scene, const std::vector<scene::Scene> &bearings);
-  NodeMotion node(int b, const Eigen::VectorXd &q, const Eigen::VectorXd &v) const;
-
-  std::vector<std::unique_ptr<Mount>> mounts;
-  std::vector<Eigen::Matrix<double, 6, Eigen::Dynamic>> over_q; ///< node's motion of each bearing over q
-  scene::GroundMotion ground;
-};
 
 class ImplicitRun {
 public:

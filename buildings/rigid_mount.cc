@@ -1,7 +1,7 @@
 #include "buildings/mount.h"
 #include "files/error.h"
 #include "reduced_models/rigid_body/double_concave_system.h"
-#include "reduced_models/rigid_body/rim_memory.h"
+#include "reduced_models/rigid_body/wall_memory.h"
 #include <algorithm>
 #include <Eigen/Geometry>
 #include <Eigen/LU>
@@ -31,8 +31,8 @@ public:
     potential_ = model_.potential_energy(at_[0]);
     s.unmet.assign(s.contacts.size(), false);
     for (std::size_t i = 0; i < s.contacts.size(); ++i) {
-      if (is_wall(i)) walls_.push_back(i);
-      s.unmet[i] = is_wall(i);
+      s.unmet[i] = is_wall(s.contacts[i].surface);
+      if (s.unmet[i]) walls_.push_back(i);
     }
     lateral_capacity = scene.isolator.lateral_capacity(), rim_stiffness = s.rim.stiffness / 2;
     for (auto &state : at_) state.slip.assign(s.contacts.size(), Vector3d::Zero()), state.slip_rate = state.slip;
@@ -134,7 +134,7 @@ public:
   void accept() override {
     std::swap(at_[0], at_[2]);
     power_[0] = power_[2], force_[0] = force_[2];
-    remember_dents();
+    wall_memory_.press(model_.system, at_[0]);
   }
 
   double wall(int stage) const override {
@@ -183,10 +183,6 @@ public:
   }
 
 private:
-  bool is_wall(std::size_t i) const {
-    const auto surface = model_.system.contacts[i].surface;
-    return surface == Surface::rim || surface == Surface::stop;
-  }
   MotionState &current() { return at_[stage_.last() ? 2 : 1]; }
   void place(MotionState &s, const NodeMotion &node) const {
     const Vector3d turn = node.u.tail<3>();
@@ -212,26 +208,12 @@ private:
   MountPower power_of(const MotionState &s, const Vector3d &ground) const {
     MountPower p;
     for (std::size_t i = 0; i < s.contact.size(); ++i)
-      (is_wall(i) ? p.rim : p.contact) += s.contact[i].normal_power, p.friction += s.contact[i].slip_power;
+      (is_wall(model_.system.contacts[i].surface) ? p.rim : p.contact) += s.contact[i].normal_power,
+          p.friction += s.contact[i].slip_power;
     for (int b = 0; b < model_.plate; ++b)
       p.external -= model_.system.bodies[b].mass * ground.dot(s.velocity.segment<3>(6 * b));
     return p;
   }
-  /// What a rim that yields keeps, arc by arc.
-  void remember_dents() {
-    auto &system = model_.system;
-    if (!system.rim.law || !system.rim.law->yields) return;
-    dents_.resize(system.contacts.size());
-    for (const auto i : walls_) {
-      const auto &c = system.contacts[i];
-      const Vector3d foot = c.master == ground_ ? Vector3d(Vector3d::Zero()) : at_[0].poses[c.master].position;
-      const Vector2d arm = (at_[0].contact[i].at - foot).head<2>();
-      if (at_[0].contact[i].size != 0) dents_[i].press(arm, at_[0].contact[i].penetration);
-      system.deepest[i] = dents_[i].deepest_at(arm);
-    }
-  }
-
-  static constexpr int ground_ = reduced::rigid::ground;
   DoubleConcaveSystem model_;
   int n_;             ///< own dofs, in front of the plate's six
   MotionState at_[3]; ///< start, middle, end of a step
@@ -240,7 +222,7 @@ private:
   Vector3d rest_;
   double rest_height_ = 0, potential_ = 0, slip_step_ = 0;
   std::vector<std::size_t> walls_;
-  std::vector<reduced::RimMemory> dents_;
+  WallMemory wall_memory_;
   Stage stage_{};
   Vector moved_, base_;
   Matrix tangent_;

@@ -88,6 +88,14 @@ std::string read_file(const std::string &path) {
   return text;
 }
 
+std::string read_named_file(const std::string &path) {
+  try {
+    return read_file(path);
+  } catch (const DataError &error) {
+    throw InputError(error.what());
+  }
+}
+
 void write_atomically(std::string_view bytes, const std::string &path) {
   Temporary file(path);
   file.write(bytes);

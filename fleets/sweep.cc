@@ -137,13 +137,7 @@ Sweep parse_sweep(const std::string &text, const std::string &origin) {
 }
 
 Sweep read_sweep(const std::string &path) {
-  std::string text;
-  try {
-    text = read_file(path);
-  } catch (const DataError &error) {
-    throw InputError(error.what());
-  }
-  return parse_sweep(text, path);
+  return parse_sweep(read_named_file(path), path);
 }
 
 } // namespace rimpact::fleets

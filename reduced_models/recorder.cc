@@ -1,4 +1,5 @@
 #include "reduced_models/recorder.h"
+#include "reduced_models/inner_maximum.h"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -34,34 +35,12 @@ const char *const columns[] = {"time",
 
 const char *const building_energies[] = {"energy_elastic", "energy_plastic", "energy_damping"};
 
-double lateral(const Evaluation &e) {
-  return (e.pendular + e.friction + e.impact).head<2>().norm();
-}
-
-/// Largest value of f over [0, 1] inside the interval, from values at its ends and middle; no search when a
-/// parabola through them has its top outside or does not beat `known`.
-template <class Function> double inner_maximum(const Function &f, double f0, double fm, double f1, double known) {
-  const double curvature = f0 - 2 * fm + f1, slope = f1 - f0;
-  if (!(curvature < 0) || std::abs(slope) >= -2 * curvature) return std::max({f0, fm, f1});
-  const double top = fm - slope * slope / (8 * curvature);
-  if (top + 1e-3 * std::abs(top) <= known) return std::max({f0, fm, f1});
-  double a = 0, b = 1;
-  constexpr double golden = 0.6180339887498949;
-  double l = b - golden * (b - a), r = a + golden * (b - a), fl = f(l), fr = f(r);
-  while (b - a > 1e-5) {
-    if (fl > fr)
-      b = r, r = l, fr = fl, l = b - golden * (b - a), fl = f(l);
-    else
-      a = l, l = r, fl = fr, r = a + golden * (b - a), fr = f(r);
-  }
-  return std::max({f0, fm, f1, fl, fr});
-}
-
 } // namespace
 
 Recorder::Recorder(const Dynamics &dynamics, Response *response, double output_step, const EnergyLedger &before)
     : dynamics_(dynamics), response_(response), output_step_(output_step), contact_step_(output_step),
-      last_sample_(-1e300), before_(before), final_(dynamics.n_state()), building_(dynamics.building) {
+      last_sample_(-1e300), before_(before), final_(dynamics.n_state()), building_(dynamics.building),
+      peaks_(dynamics) {
   if (dynamics.has_rim()) // at least 120 samples over the half period of mass and spring
     contact_step_ = std::min(output_step, std::numbers::pi * std::sqrt(dynamics.mass / dynamics.rim.stiffness) / 120);
   if (response_) {
@@ -86,20 +65,11 @@ void Recorder::begin(const Mode &mode, double t, const State &y) {
   watch(mode, y, last_ = e);
   store(mode, t, y);
   next_sample_ = next_after(mode, t);
-  if (mode.rim == RimContact::pressed) open_impact(t, y);
+  if (mode.rim == RimContact::pressed) peaks_.open_impact(t, y);
 }
 
 void Recorder::watch(const Mode &mode, const State &y, const Evaluation &e) {
-  peak_displacement_ = std::max(peak_displacement_, std::hypot(y[iX], y[iY]));
-  peak_height_ = std::max(peak_height_, y[iZ]);
-  peak_lateral_ = std::max(peak_lateral_, lateral(e));
-  smallest_normal_ = std::min(smallest_normal_, mode.support == Support::airborne ? 0.0 : std::max(0.0, e.normal));
-  smallest_gap_ = std::min(smallest_gap_, e.gap);
-  if (in_impact_) {
-    auto &i = impacts_.back();
-    i.peak_force = std::max(i.peak_force, e.rim_force);
-    i.peak_penetration = std::max(i.peak_penetration, -e.gap);
-  }
+  peaks_.watch(mode, y, e);
   if (dynamics_.building.any()) building_.watch(building_at(y));
 }
 
@@ -116,27 +86,6 @@ void Recorder::refine_drifts(const Segment &s, const State &middle) {
     building_.raise_drift(i, inner_maximum([&](double x) { return lateral_drift(s.at(s.t0 + x * (s.t1 - s.t0)), i); },
                                            lateral_drift(s.y0, i), lateral_drift(middle, i), lateral_drift(s.y1, i),
                                            building_.peak_drift(i)));
-}
-
-void Recorder::refine(const Mode &mode, const Segment &s, const Evaluation &e0, const Evaluation &mid,
-                      const Evaluation &e1) {
-  const auto at = [&](double theta) {
-    const double t = s.t0 + theta * (s.t1 - s.t0);
-    State y = s.at(t);
-    dynamics_.place(mode, y);
-    return dynamics_.evaluate(mode, t, y);
-  };
-  peak_lateral_ = std::max(peak_lateral_, inner_maximum([&](double x) { return lateral(at(x)); }, lateral(e0),
-                                                        lateral(mid), lateral(e1), peak_lateral_));
-  if (mode.support != Support::airborne)
-    smallest_normal_ =
-        std::min(smallest_normal_, std::max(0.0, -inner_maximum([&](double x) { return -at(x).normal; }, -e0.normal,
-                                                                -mid.normal, -e1.normal, -smallest_normal_)));
-  if (in_impact_) {
-    auto &force = impacts_.back().peak_force;
-    force = std::max(force, inner_maximum([&](double x) { return at(x).rim_force; }, e0.rim_force, mid.rim_force,
-                                          e1.rim_force, force));
-  }
 }
 
 /// The last instant before a jump at the segment's end.
@@ -166,10 +115,7 @@ void Recorder::segment(const Mode &mode, const Segment &s, bool rim_changes_at_e
     dynamics_.place(mode, y);
     Evaluation mid = dynamics_.evaluate(mode, (s.t0 + s.t1) / 2, y);
     watch(mode, y, mid);
-    refine(mode, s, last_, mid, e);
-    if (mode.support == Support::airborne)
-      peak_height_ = std::max(peak_height_, inner_maximum([&](double x) { return s.at(s.t0 + x * (s.t1 - s.t0))[iZ]; },
-                                                          s.y0[iZ], y[iZ], s.y1[iZ], peak_height_));
+    peaks_.refine(mode, s, y, last_, mid, e);
     if (dynamics_.building.any()) refine_drifts(s, y);
   }
   watch(mode, s.y1, e);
@@ -178,27 +124,11 @@ void Recorder::segment(const Mode &mode, const Segment &s, bool rim_changes_at_e
   final_ = s.y1, final_time_ = s.t1, final_mode_.support = mode.support; // a run that stops ends here
 }
 
-void Recorder::open_impact(double t, const State &y) {
-  in_impact_ = true;
-  const double r = std::hypot(y[iX], y[iY]);
-  Impact impact{};
-  impact.touch_time = t, impact.release_time = -1; // before its touch: not released yet
-  impact.direction_deg = std::atan2(y[iY], y[iX]) * 180 / std::numbers::pi;
-  impact.approach_speed = (y[iX] * y[iVX] + y[iY] * y[iVY]) / r;
-  impacts_.push_back(impact);
-}
-
-void Recorder::close_impact(double t, const State &y) {
-  in_impact_ = false;
-  impacts_.back().release_time = t;
-  impacts_.back().rebound_speed = -(y[iX] * y[iVX] + y[iY] * y[iVY]) / std::hypot(y[iX], y[iY]);
-}
-
 void Recorder::branch(const Mode &before, const Mode &after, double t, const State &y, double loss) {
   landing_loss_ += loss;
   const bool pressed_before = before.rim == RimContact::pressed, pressed = after.rim == RimContact::pressed;
-  if (pressed_before && !pressed) close_impact(t, y);
-  if (!pressed_before && pressed) open_impact(t, y);
+  if (pressed_before && !pressed) peaks_.close_impact(t, y);
+  if (!pressed_before && pressed) peaks_.open_impact(t, y);
   Evaluation e = dynamics_.evaluate(after, t, y);
   watch(after, y, e);
   last_ = e;
@@ -232,7 +162,7 @@ void Recorder::store(const Mode &mode, double t, const State &y, double apart) {
 
 void Recorder::end(const Mode &mode, double t, const State &y) {
   store(mode, t, y);
-  if (in_impact_) close_impact(t, y);
+  if (peaks_.in_impact()) peaks_.close_impact(t, y);
   final_ = y, final_time_ = t, final_mode_.support = mode.support;
 }
 
@@ -254,15 +184,8 @@ EnergyLedger Recorder::ledger(const Mode &mode, const State &y) const {
 }
 
 void Recorder::summarise(Summary &summary, bool collapsed) const {
-  summary.peak_displacement = peak_displacement_;
-  summary.peak_lateral_force = peak_lateral_;
-  summary.peak_vertical_displacement = peak_height_;
+  peaks_.summarise(summary);
   summary.residual_displacement = std::hypot(final_[iX], final_[iY]);
-  if (!dynamics_.height.is_plane()) summary.min_normal_force = smallest_normal_; // a window without weight has none
-  summary.impacts = impacts_;
-  double peak = 0;
-  for (const auto &impact : impacts_) peak = std::max(peak, impact.peak_force);
-  summary.peak_impact_force = peak;
   summary.energy = final_ledger();
   if (dynamics_.building.any())
     building_.summarise(building_at(final_), collapsed ? std::optional(final_time_) : std::nullopt, summary);

@@ -2,18 +2,9 @@
 /// it is handed smooth segments with an interpolant, and the events between them.
 #pragma once
 #include "reduced_models/building_recorder.h"
-#include "reduced_models/dynamics.h"
-#include <functional>
+#include "reduced_models/run_peaks.h"
 
 namespace rimpact::reduced {
-
-/// A piece of the solution on one branch; `at` interpolates to the integrator's own order.
-struct Segment {
-  double t0, t1;
-  const State &y0, &y1;
-  std::function<State(double)> at;
-  const Evaluation *end = nullptr; ///< of (t1, y1) on this branch, where it is known
-};
 
 class Recorder {
 public:
@@ -31,20 +22,16 @@ public:
   EnergyLedger final_ledger() const { return ledger(final_mode_, final_); } ///< after `end`
   /// Peaks, impacts and energies. Call after `end`.
   void summarise(Summary &summary, bool collapsed = false) const;
-  double smallest_gap() const { return smallest_gap_; }
+  double smallest_gap() const { return peaks_.smallest_gap(); }
 
 private:
   static constexpr double beside = 1e-6; ///< samples beside a jump of a force stand this far from it [s]
-  void store(const Mode &mode, double t, const State &y,
-             double apart = beside / 2); ///< none sooner than `apart` after the last [s]
-  void open_impact(double t, const State &y);
-  void close_impact(double t, const State &y);
+  /// None sooner than `apart` after the last [s].
+  void store(const Mode &mode, double t, const State &y, double apart = beside / 2);
   BuildingSnapshot building_at(const State &y) const; ///< of a state that is on the surface where the dish carries it
   void store_before(const Mode &mode, const Segment &segment);
   void refine_drifts(const Segment &segment, const State &middle);
   void watch(const Mode &mode, const State &y, const Evaluation &e);
-  void refine(const Mode &mode, const Segment &segment, const Evaluation &e0, const Evaluation &mid,
-              const Evaluation &e1);
   double next_after(const Mode &mode, double t) const;
 
   const Dynamics &dynamics_;
@@ -59,11 +46,8 @@ private:
   Mode final_mode_; ///< its support only
   double final_time_ = 0;
   BuildingRecorder building_;
-  bool in_impact_ = false;
   bool turned_ = false; ///< the latest segment ended at rest on the pressed rim
-  std::vector<Impact> impacts_;
-  double peak_displacement_ = 0, peak_height_ = -1e300, peak_lateral_ = 0, smallest_normal_ = 1e300;
-  double smallest_gap_ = 1e300;
+  RunPeaks peaks_;
 };
 
 } // namespace rimpact::reduced

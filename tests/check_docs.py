@@ -10,13 +10,13 @@ VERB = re.compile(r"^\s*(?:build/release/bin/rimpact|\$rimpact|rimpact)\s+([a-z]
 FILE = re.compile(r"`((?:examples|python|files|records|scene|responses|planning|meshes|fe_contact|reduced_models|buildings|fleets|reliability|risk|calibration|data|report|app|tests|docs|cmake)/[\w./]*)`")
 
 
-def main(root, program):
-    root = pathlib.Path(root)
+def main(folder: str, program: str) -> int:
+    root = pathlib.Path(folder)
     pages = [root / "README.md", root / "CONTRIBUTING.md", root / "CHANGELOG.md", *sorted((root / "docs").rglob("*.md")),
              *sorted((root / "examples").rglob("*.md"))]
     listing = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
     verbs = set(re.findall(r"^  ([a-z]+) ", listing, re.MULTILINE))
-    errors, n_checked = [], 0
+    errors, n_checked = list[str](), 0
     for page in pages:
         text = page.read_text(encoding="utf-8")
         links = [(target, page.parent / target) for target in LINK.findall(text) if "://" not in target]

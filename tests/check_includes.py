@@ -4,6 +4,7 @@ PETSc and gmsh. A target compiles its own folder only."""
 import pathlib
 import re
 import sys
+from collections.abc import Iterator
 
 BASE = {"files", "impact_laws", "records", "scene", "responses"}
 FE = "fe_contact/"
@@ -43,12 +44,12 @@ MAY_SEE_HEAVY = ("meshes/", "fe_contact/", "app/main_fe.cc")
 ROOMS = ("fe_contact", "calibration")
 
 
-def module_of(path):
+def module_of(path: str) -> str:
     parts = path.split("/")
     return "/".join(parts[:2]) if parts[0] in ROOMS else parts[0]
 
 
-def include_errors(root, name, file):
+def include_errors(root: pathlib.Path, name: str, file: pathlib.Path) -> Iterator[str]:
     relative = str(file.relative_to(root))
     for number, line in enumerate(file.read_text().splitlines(), 1):
         found = re.match(r'\s*#include\s*([<"])([^>"]+)', line)
@@ -62,9 +63,9 @@ def include_errors(root, name, file):
             yield f"{relative}:{number}: {name} must not include {other}"
 
 
-def targets_of(root):
+def targets_of(root: pathlib.Path) -> dict[str, tuple[str, set[str]]]:
     """{target: (folder, names it links)} of every library and program outside tests/."""
-    targets = {}
+    targets: dict[str, tuple[str, set[str]]] = {}
     for file in sorted(root.glob("*/CMakeLists.txt")):
         folder = file.parent.name
         if folder in ("tests", "build"):
@@ -77,9 +78,9 @@ def targets_of(root):
     return targets
 
 
-def link_errors(root):
+def link_errors(root: pathlib.Path) -> Iterator[str]:
     targets = targets_of(root)
-    top = {}
+    top: dict[str, set[str]] = {}
     for name, allowed in MAY_INCLUDE.items():
         top.setdefault(name.split("/")[0], set()).update(other.split("/")[0] for other in allowed)
     for name, (folder, links) in targets.items():
@@ -92,8 +93,8 @@ def link_errors(root):
                 yield f"{file.parent.name}/CMakeLists.txt: {found} is another folder's"
 
 
-def main(root):
-    root = pathlib.Path(root)
+def main(folder: str) -> int:
+    root = pathlib.Path(folder)
     errors, n_files = list(link_errors(root)), 0
     for name in MAY_INCLUDE:
         for file in sorted((root / name).rglob("*.[hc]*")):

@@ -7,7 +7,7 @@ import sys
 HEAVY = re.compile(r"deal.?ii|petsc|gmsh|mumps|slepc|trilinos", re.IGNORECASE)
 
 
-def main(program):
+def main(program: str) -> int:
     listing = subprocess.run(["ldd", program], capture_output=True, text=True, check=True).stdout
     libraries = [line.split()[0] for line in listing.splitlines() if line.strip()]
     heavy = [name for name in libraries if HEAVY.search(name)]

@@ -84,7 +84,6 @@ struct ImpactWindow {
   std::optional<Measurement> measurement; ///< none: the reference has no noise
 };
 
-/// A stored run with its impacts. A `window` run is one isolated impact at a given speed.
 /// What made a run; several are named in this order.
 enum class RunSource { finite_elements, measured, reduced_model };
 constexpr auto choices(RunSource) {
@@ -93,6 +92,7 @@ constexpr auto choices(RunSource) {
       {{finite_elements, "finite elements"}, {measured, "measured"}, {reduced_model, "reduced model"}});
 }
 
+/// A stored run with its impacts. A `window` run is one isolated impact at a given speed.
 struct StoredRun {
   std::string folder;
   scene::Scene scene;

@@ -1,43 +1,34 @@
 #include "calibration/data/measured_cutter.h"
 #include "calibration/data/functionals.h"
+#include "calibration/data/measured_history.h"
 #include "calibration/data/measured_record.h"
 #include "calibration/data/series.h"
+#include "calibration/data/shot_start.h"
 #include "calibration/data/window_cutter.h"
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Cholesky>
 #include <fmt/format.h>
-#include <limits>
 #include <numbers>
 
 namespace rimpact::calibration {
 
 namespace {
 
-constexpr double pressed_share = 0.05;  ///< of its peak the force must reach to be compared
-constexpr double dent_tolerance = 1e-5; ///< travel beyond L_c without force that means a dent [m], beside its own error
-constexpr double noise_reach = 5;       ///< standard errors
+constexpr double pressed_share = 0.05; ///< of its peak the force must reach to be compared
 
 class MeasuredCutter {
 public:
   MeasuredCutter(StoredRun &run, const MeasuredRecord &record, const WindowOptions &options)
       : run_(run), record_(record), r_(run.response), times_(run.response.series("time")), options_(options),
-        model_(run.scene), L_c_(run.scene.bearing.lateral_capacity()) {}
+        model_(run.scene) {}
 
   std::optional<ImpactWindow> cut(std::size_t index, std::string &reason);
 
 private:
-  struct Start {
-    std::size_t sample = 0, flown = 0; ///< where the shot begins; first sample behind those it is fitted to
-    Eigen::Vector2d u, v;
-    Eigen::Matrix2d covariance; ///< radial (u, v)
-  };
-  std::optional<Start> start_of(std::size_t index, ImpactWindow &w, std::string &reason) const;
-  std::optional<Start> stated_start(const Contact &contact, std::string &reason) const;
-  void find_capacity(const Contact &contact, const FlightFit &fit, double t_ref, ImpactWindow &w) const;
-  void collect(ImpactWindow &w, const Start &start, double end) const;
-  void find_pressed(ImpactWindow &w, const Contact &contact, const Start &start) const;
-  void find_rebound(ImpactWindow &w, std::size_t index, const Start &start) const;
+  void collect(ImpactWindow &w, const ShotStart &start, double end) const;
+  void find_pressed(ImpactWindow &w, const Contact &contact, const ShotStart &start) const;
+  void find_rebound(ImpactWindow &w, std::size_t index, const ShotStart &start) const;
   void doubt_impulse(const ImpactWindow &w, const Contact &contact);
 
   StoredRun &run_;
@@ -46,65 +37,7 @@ private:
   const std::vector<double> &times_;
   const WindowOptions &options_;
   reduced::PhysicalModel model_;
-  double L_c_;
 };
-
-/// Where the reduced rim begins: at L_c, or where a dented rim was touched, if that is surely beyond it.
-void MeasuredCutter::find_capacity(const Contact &contact, const FlightFit &fit, double t_ref, ImpactWindow &w) const {
-  const Eigen::Vector2d touch = fit.u + (contact.touch_time - t_ref) * fit.v;
-  const double late =
-      std::abs(times_[contact.first] - contact.touch_time) + times_[contact.first] - times_[contact.first - 1];
-  const double error = std::hypot(record_.sigma() * std::sqrt(fit.shape(0, 0)), fit.v.norm() * late);
-  w.dented = touch.norm() > L_c_ + dent_tolerance + noise_reach * error;
-  const bool own =
-      options_.touch == TouchReference::own_touch || (options_.touch == TouchReference::automatic && w.dented);
-  w.capacity = own ? touch.norm() : L_c_;
-}
-
-std::optional<MeasuredCutter::Start> MeasuredCutter::start_of(std::size_t index, ImpactWindow &w,
-                                                              std::string &reason) const {
-  const Contact &contact = record_.contacts()[index];
-  const Span flight = record_.flights(index).before;
-  w.capacity = L_c_;
-  if (flight.size() < shortest_flight) return stated_start(contact, reason);
-  const double end = times_[flight.last];
-  auto fit = record_.state(flight, end);
-  find_capacity(contact, fit, end, w);
-  const double error = record_.sigma() * std::sqrt(record_.inflation() * fit.shape(0, 0)),
-               speed = fit.u.normalized().dot(fit.v);
-  const auto travel = [&](std::size_t i) { return fit.u.norm() + speed * (times_[i] - end) + 4 * error; };
-  std::size_t sample = flight.last;
-  while (sample > flight.first && travel(sample) > w.capacity - options_.lead) --sample;
-  if (travel(sample) > w.capacity + 8 * error) {
-    reason = fmt::format("{:.3g} mm beyond the rim's place before it bears force; is the displacement's zero right? "
-                         "(--fit ...,capacity_offset "
-                         "looks for the rim)",
-                         1e3 * (travel(sample) - w.capacity));
-    return {};
-  }
-  fit = record_.state(flight, times_[sample]);
-  return Start{sample, flight.last + 1, fit.u, fit.v,
-               record_.sigma() * record_.sigma() * record_.inflation() * fit.shape};
-}
-
-/// Of a window record that begins at touch: the scene states the speed.
-std::optional<MeasuredCutter::Start> MeasuredCutter::stated_start(const Contact &contact, std::string &reason) const {
-  const Eigen::Vector2d u = planar(r_, "displacement", 0);
-  const double beyond = u.norm() - L_c_, sigma = record_.sigma();
-  const double speed = run_.scene.excitation.impact_speed(),
-               a_sample = speed * (times_[1] - times_[0]); // touched since the sample before
-  if (run_.is_window() && contact.first <= 2 && beyond < a_sample + noise_reach * sigma) {
-    const Eigen::Vector2d variance(sigma * sigma + a_sample * a_sample / 3,
-                                   std::pow(options_.stated_speed_error * speed, 2));
-    return Start{0, 1, std::min(u.norm(), L_c_) * u.normalized(), speed * u.normalized(), variance.asDiagonal()};
-  }
-  reason = fmt::format("the record holds {:.2g} ms before this touch ({} samples are free of the rim's force there, {} "
-                       "are needed; 10 ms "
-                       "or more tell the speed well): let it begin earlier, or sample it faster",
-                       1e3 * std::max(0.0, contact.touch_time - times_.front()),
-                       record_.flights(&contact - record_.contacts().data()).before.size(), shortest_flight);
-  return {};
-}
 
 std::optional<ImpactWindow> MeasuredCutter::cut(std::size_t index, std::string &reason) {
   const Contact &contact = record_.contacts()[index];
@@ -116,8 +49,9 @@ std::optional<ImpactWindow> MeasuredCutter::cut(std::size_t index, std::string &
         fmt::format("only {} samples carry rim force, {} are needed: sample it faster", n, options_.minimum_samples);
     return {};
   }
-  const auto start = start_of(index, w, reason);
+  const auto start = shot_start(run_, record_, options_, index, reason);
   if (!start) return {};
+  w.capacity = start->capacity, w.dented = start->dented;
   w.direction = start->u.normalized();
   w.start.t = times_[start->sample];
   w.start.u.head<2>() = start->u, w.start.v.head<2>() = start->v;
@@ -144,7 +78,7 @@ std::optional<ImpactWindow> MeasuredCutter::cut(std::size_t index, std::string &
   return w;
 }
 
-void MeasuredCutter::collect(ImpactWindow &w, const Start &start, double end) const {
+void MeasuredCutter::collect(ImpactWindow &w, const ShotStart &start, double end) const {
   for (std::size_t i = start.sample; i < times_.size() && times_[i] <= end; ++i) {
     w.times.push_back(times_[i]);
     w.displacement.push_back(planar(r_, "displacement", i).dot(w.direction));
@@ -157,7 +91,7 @@ void MeasuredCutter::collect(ImpactWindow &w, const Start &start, double end) co
 /// From touch to where the force sinks below a share of its peak. A force that sets in with a step is taken up late
 /// enough that the model has touched too: a step a sample off is no noise. Chosen by the smoothed force, as samples
 /// chosen by their own noise would be biased.
-void MeasuredCutter::find_pressed(ImpactWindow &w, const Contact &contact, const Start &start) const {
+void MeasuredCutter::find_pressed(ImpactWindow &w, const Contact &contact, const ShotStart &start) const {
   auto &m = *w.measurement;
   const auto &push = record_.force().push, &smooth = record_.force().smooth;
   const auto top = static_cast<std::size_t>(
@@ -183,7 +117,7 @@ void MeasuredCutter::find_pressed(ImpactWindow &w, const Contact &contact, const
   w.peak = m.peak.weights.empty() ? smooth[top] : m.peak.of(w.force);
 }
 
-void MeasuredCutter::find_rebound(ImpactWindow &w, std::size_t index, const Start &start) const {
+void MeasuredCutter::find_rebound(ImpactWindow &w, std::size_t index, const ShotStart &start) const {
   const Contact &contact = record_.contacts()[index];
   const Span after = record_.flights(index).after;
   if (after.size() >= shortest_flight) {
@@ -229,53 +163,11 @@ Impact impact_of(const StoredRun &run, const MeasuredRecord &record, const Conta
   return impact;
 }
 
-/// The response holds the rim's force of contacts only, freed of the cell's zero: what a history is compared with.
-void keep_contacts_only(Response &r, const ContactRecord &record) {
-  std::vector<bool> pressed(r.size(), false);
-  for (const auto &c : record.contacts) std::fill(pressed.begin() + c.first, pressed.begin() + c.last + 1, true);
-  auto &x = r.series("impact_x"), &y = r.series("impact_y");
-  for (std::size_t i = 0; i < r.size(); ++i) {
-    x[i] = pressed[i] ? x[i] - record.zero_x : 0, y[i] = pressed[i] ? y[i] - record.zero_y : 0;
-    if (pressed[i] && x[i] == 0 && y[i] == 0)
-      x[i] = std::numeric_limits<double>::min(); // a sample that happens to read nothing is no release
-  }
-}
-
-/// Velocities for comparisons of histories, where none are measured: slopes that reach across no touch or release, and
-/// at these the speeds of the flights. Differences of neighbouring samples would be noise.
-void complete_velocities(StoredRun &run, const MeasuredRecord &record) {
-  Response &r = run.response;
-  const auto &times = r.series("time");
-  for (const char *axis : {"_x", "_y"}) {
-    if (r.has(std::string("velocity") + axis)) continue;
-    std::vector<double> rates(r.size(), 0.0);
-    const auto &u = r.series(std::string("displacement") + axis);
-    std::size_t next = 0;
-    for (std::size_t i = 0; i < record.contacts().size(); ++i) {
-      const Contact &c = record.contacts()[i];
-      if (c.first > next) smooth_rates(times, u, next, c.first - 1, rates);
-      smooth_rates(times, u, c.first, c.last, rates);
-      const Span before = record.flights(i).before, after = record.flights(i).after;
-      const auto component = [&](const Span &flight, std::size_t at) {
-        return record.state(flight, times[at]).v[axis[1] == 'x' ? 0 : 1];
-      };
-      if (before.size() >= shortest_flight) rates[c.first] = component(before, before.last);
-      if (after.size() >= shortest_flight) rates[c.last] = component(after, after.first);
-      next = c.last + 1;
-    }
-    if (next < r.size()) smooth_rates(times, u, next, r.size() - 1, rates);
-    r.series(std::string("velocity") + axis) = rates;
-  }
-}
-
 } // namespace
 
 void cut_measured(StoredRun &run, const WindowOptions &options) {
   if (!run.scene.excitation.is_dynamic()) {
-    for (const char *axis : {"_x", "_y"})
-      if (!run.response.has(std::string("velocity") + axis))
-        run.response.series(std::string("velocity") + axis) =
-            differentiate(run.response.series("time"), run.response.series(std::string("displacement") + axis));
+    differentiate_path(run.response);
     summarise_response(run.response, run.summary);
     run.notes.push_back("a quasi-static path holds no impact");
     return;

@@ -2,7 +2,7 @@
 /// docs/theory/measured-curves.md.
 ///
 /// Contacts are found by contact_detector.h. The state at a shot's start comes from the flight before it (up to 50 ms,
-/// flight_fit.h), never from differences of samples; so does the speed of rebound, from the flight after release. The
+/// shot_start.h), never from differences of samples; so does the speed of rebound, from the flight after release. The
 /// noise of the displacement is the root mean square of what these flights leave, over all impacts of the record. A
 /// window record that begins at touch has no flight: its approach speed is the scene's, with the stated error.
 #pragma once

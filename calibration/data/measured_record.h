@@ -16,6 +16,7 @@ struct Flights {
   Span before, after;
 };
 inline constexpr std::size_t shortest_flight = 4; ///< samples
+inline constexpr double noise_reach = 5;          ///< standard errors beyond which a difference is no noise
 
 class MeasuredRecord {
 public:

@@ -8,8 +8,6 @@ namespace rimpact::calibration {
 
 namespace {
 
-/// Travel beyond L_c without rim force that means a dent [m]; above the contact's own gap tolerance.
-constexpr double dent_tolerance = 1e-5;
 /// Travel within which a sample counts as the instant of touch [m].
 constexpr double touch_tolerance = 1e-9;
 

@@ -4,6 +4,10 @@
 
 namespace rimpact::calibration {
 
+/// Travel beyond L_c without rim force that means a dent [m]; above the contact's own gap tolerance. A measured one's
+/// own error comes on top.
+inline constexpr double dent_tolerance = 1e-5;
+
 /// Horizontal part of a signal at sample i.
 inline Eigen::Vector2d planar(const Response &response, const std::string &signal, std::size_t i) {
   return {response.series(signal + "_x")[i], response.series(signal + "_y")[i]};

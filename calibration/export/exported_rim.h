@@ -3,6 +3,7 @@
 /// key.
 #pragma once
 #include "impact_laws/catalogue.h"
+#include "scene/scene.h"
 #include <nlohmann/json.hpp>
 #include <optional>
 

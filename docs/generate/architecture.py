@@ -7,13 +7,15 @@ from figures import Drawing
 from settle import settle
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+Graph = dict[str, set[str]]
+Places = dict[str, tuple[float, float]]
 
 
-def folders():
+def folders() -> Graph:
     """{folder: folders it may include}, rooms of calibration and fe_contact taken as one."""
     sys.path.insert(0, str(ROOT / "tests"))
     from check_includes import MAY_INCLUDE
-    result = {}
+    result: Graph = {}
     for name, others in MAY_INCLUDE.items():
         top = name.split("/")[0]
         result.setdefault(top, set()).update(other.split("/")[0] for other in others)
@@ -21,10 +23,10 @@ def folders():
     return result
 
 
-def reduced(graph):
+def reduced(graph: Graph) -> Graph:
     """The same order with fewest arrows: what is reached through another folder is left out."""
-    def reach(name):
-        seen, todo = set(), list(graph.get(name, ()))
+    def reach(name: str) -> set[str]:
+        seen, todo = set[str](), list(graph.get(name, ()))
         while todo:
             each = todo.pop()
             if each not in seen:
@@ -35,18 +37,18 @@ def reduced(graph):
             for name, others in graph.items()}
 
 
-def rows_of(graph):
+def rows_of(graph: Graph) -> list[list[str]]:
     """Folders by how many arrows lie below them."""
-    depth = {}
+    depth: dict[str, int] = {}
 
-    def depth_of(name):
+    def depth_of(name: str) -> int:
         if name not in depth:
             depth[name] = 1 + max((depth_of(other) for other in graph[name]), default=-1)
         return depth[name]
     return [[name for name in graph if depth_of(name) == level] for level in range(1 + max(map(depth_of, graph)))]
 
 
-def faults(graph, at):
+def faults(graph: Graph, at: Places) -> float:
     """Arrows through other folders' boxes, which count most, and the arrows' lengths."""
     total = 0.0
     for name, others in graph.items():
@@ -57,16 +59,16 @@ def faults(graph, at):
     return total
 
 
-def places(graph, rows, width, step):
+def places(graph: Graph, rows: list[list[str]], width: int, step: int) -> Places:
     """{folder: (x, y)}: rows apart by `step`; along them folders are moved and changed about for as long as that makes fewer faults."""
-    at = {name: (width * (i + 1) / (len(row) + 1), step * level) for level, row in enumerate(rows) for i, name in enumerate(row)}
+    at: Places = {name: (width * (i + 1) / (len(row) + 1), step * level) for level, row in enumerate(rows) for i, name in enumerate(row)}
     better = True
     while better:
         better = False
         for row in rows:
             for name in row:
                 for x in range(70, width - 60, 20):
-                    trial = {**at, name: (x, at[name][1])}
+                    trial: Places = {**at, name: (x, at[name][1])}
                     near = [other for other in row if other != name and abs(at[other][0] - x) < 120]
                     if len(near) == 1:
                         trial[near[0]] = at[name]
@@ -75,7 +77,7 @@ def places(graph, rows, width, step):
     return at
 
 
-def picture():
+def picture() -> str:
     graph = reduced(folders())
     rows = rows_of(graph)
     step, width = 62, 720
@@ -91,7 +93,7 @@ def picture():
     return drawing.svg("Folders and what each may include")
 
 
-def main(*options):
+def main(*options: str) -> int:
     made = {ROOT / "docs/pictures/architecture.svg": picture()}
     return settle(made, options, "tests/check_includes.py says; run docs/generate/architecture.py")
 

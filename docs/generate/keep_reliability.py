@@ -7,14 +7,16 @@ and no path goes along.
 import json
 import pathlib
 import sys
+from typing import Any
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 KEPT = ("years", "period_s", "n_systems", "keys", "samples", "n_runs", "n_runs_without_result", "levels", "hazard", "confidence", "replicates",
         "differences")
 
-def main(folder, name, what, limits):
+
+def main(folder: str, name: str, what: str, limits: str) -> None:
     summary = json.loads(pathlib.Path(folder, "reliability.json").read_text(encoding="utf-8"))
-    kept = {"study": name, "what": what, **{key: summary[key] for key in KEPT}}
+    kept: dict[str, Any] = {"study": name, "what": what, **{key: summary[key] for key in KEPT}}
     wanted = {float(limit) for limit in limits.split(",")}
     kept["differences"] = [row for row in kept["differences"] if row["limit"] in wanted]
     target = ROOT / "data" / "reliability" / "kept" / f"{name}.json"

@@ -5,6 +5,7 @@ anything else is an error that names page and command, so that a site is never b
 """
 import html
 import re
+from typing import Any
 
 LETTERS = dict(zip(
     "alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau phi chi psi omega Gamma Delta Theta Lambda Sigma Phi Psi Omega".split(),
@@ -27,28 +28,28 @@ class Unknown(ValueError):
 class Formula:
     """One formula, read from left to right; every method returns MathML."""
 
-    def __init__(self, tex):
+    def __init__(self, tex: str) -> None:
         self.tokens = [token for token in TOKEN.findall(tex) if not token.isspace()]
         self.spaced = tex
         self.at = 0
 
-    def peek(self):
+    def peek(self) -> str | None:
         return self.tokens[self.at] if self.at < len(self.tokens) else None
 
-    def take(self, wanted=None):
+    def take(self, wanted: str | None = None) -> str:
         token = self.peek()
         if token is None or (wanted and token != wanted):
             raise Unknown(f"{wanted or 'more'} is missing in {self.spaced!r}")
         self.at += 1
         return token
 
-    def row(self, *ends):
+    def row(self, *ends: str) -> str:
         parts = []
         while self.peek() is not None and self.peek() not in ends:
             parts.append(self.scripted())
         return "".join(parts)
 
-    def group(self):
+    def group(self) -> str:
         """What stands in braces, or the next token."""
         if self.peek() != "{":
             return self.atom()
@@ -57,9 +58,9 @@ class Formula:
         self.take("}")
         return f"<mrow>{inside}</mrow>"
 
-    def scripted(self):
+    def scripted(self) -> str:
         large = self.peek() in (r"\sum", r"\int", r"\max", r"\min")
-        base, below, above = self.atom(), None, ""
+        base, below, raised = self.atom(), "", ""
         while self.peek() == "'":
             self.take()
             base = f'<mrow>{base}<mo lspace="0" rspace="0">′</mo></mrow>'
@@ -67,8 +68,8 @@ class Formula:
             if self.take() == "_":
                 below = self.group()
             else:
-                above += self.group()
-        above = f"<mrow>{above}</mrow>" if above else None
+                raised += self.group()
+        above = f"<mrow>{raised}</mrow>" if raised else ""
         both, under, over = ("munderover", "munder", "mover") if large and "∫" not in base else ("msubsup", "msub", "msup")
         if below and above:
             return f"<{both}>{base}{below}{above}</{both}>"
@@ -76,7 +77,7 @@ class Formula:
             return f"<{under}>{base}{below}</{under}>"
         return f"<{over}>{base}{above}</{over}>" if above else base
 
-    def text(self):
+    def text(self) -> str:
         """The letters in braces as they stand, spaces kept."""
         start = sum(1 for token in self.tokens[:self.at] if token == r"\text")
         self.take("{")
@@ -85,7 +86,7 @@ class Formula:
             pass
         return html.escape(words)
 
-    def atom(self):
+    def atom(self) -> str:
         token = self.take()
         if token.startswith("\\") and len(token) > 1:
             return self.command(token[1:])
@@ -102,17 +103,17 @@ class Formula:
             fixed = ' form="prefix"'
         return f"<mo{fixed}>{html.escape(sign)}</mo>"
 
-    def begins(self):
+    def begins(self) -> bool:
         """Whether the token just taken begins a row or follows what opens one: a sign there has no left side."""
         return self.at < 2 or self.tokens[self.at - 2] in ("{", "(", "[", "=", ",", "&", r"\left")
 
-    def function(self, name):
+    def function(self, name: str) -> str:
         """Upright, set off from its neighbours as TeX does."""
         left = "0" if self.begins() or self.tokens[self.at - 2] in ("+", "-") else "0.17em"
         right = "0" if self.peek() in ("(", "_", "^", r"\left", None) else "0.17em"
         return f'<mo lspace="{left}" rspace="{right}" form="prefix">{name}</mo>'
 
-    def command(self, name):
+    def command(self, name: str) -> str:
         if name in LETTERS:
             return f"<mi>{LETTERS[name]}</mi>"
         if name in FUNCTIONS:
@@ -138,7 +139,7 @@ class Formula:
             return self.table()
         raise Unknown(f"\\{name} is not known to docs/generate/maths.py ({self.spaced!r})")
 
-    def upright(self, name):
+    def upright(self, name: str) -> str:
         self.take("{")
         letters = ""
         while self.peek() != "}":
@@ -147,7 +148,7 @@ class Formula:
         kind = "bold" if name == "mathbf" else "normal"
         return f'<mi mathvariant="{kind}">{html.escape(letters)}</mi>'
 
-    def fence(self, side):
+    def fence(self, side: str) -> str:
         """\\left and \\right: a fence as high as what it holds; a dot is none."""
         if side == "right":
             raise Unknown(f"\\right without \\left in {self.spaced!r}")
@@ -158,7 +159,7 @@ class Formula:
         fences = [OPERATORS.get(each.lstrip("\\"), each) if each != "." else "" for each in (opening, closing)]
         return f'<mrow><mo fence="true">{fences[0]}</mo>{inside}<mo fence="true">{fences[1]}</mo></mrow>'
 
-    def table(self):
+    def table(self) -> str:
         kind = self.braced()
         if kind not in ("cases", "aligned"):
             raise Unknown(f"\\begin{{{kind}}} is not known to docs/generate/maths.py")
@@ -175,7 +176,7 @@ class Formula:
         inside = f'<mtable displaystyle="true" class="{kind}">{"".join(rows)}</mtable>'
         return f'<mrow><mo fence="true">{{</mo>{inside}</mrow>' if kind == "cases" else inside
 
-    def braced(self):
+    def braced(self) -> str:
         self.take("{")
         word = ""
         while (token := self.take()) != "}":
@@ -183,7 +184,7 @@ class Formula:
         return word
 
 
-def mathml(tex, display=False):
+def mathml(tex: str, display: bool = False) -> str:
     """One formula. Raises Unknown for what is not in the tables."""
     formula = Formula(tex)
     inside = formula.row()
@@ -193,18 +194,18 @@ def mathml(tex, display=False):
 
 CODE = re.compile(r"^```.*?^```|`[^`\n]+`", re.MULTILINE | re.DOTALL)
 MATHS = re.compile(r"\$\$(.+?)\$\$|\$([^$\n]+?)\$", re.DOTALL)
-_made = {}
+_made: dict[str, dict[str, str]] = {}
 
 
-def with_marks(text):
+def with_marks(text: str) -> tuple[str, dict[str, str]]:
     """The page with a mark in each formula's place, and what the marks stand for."""
-    made, kept = {}, []
+    made, kept = dict[str, str](), list[str]()
 
-    def keep(match):
+    def keep(match: re.Match[str]) -> str:
         kept.append(match.group(0))
         return f"\0{len(kept) - 1}\0"
 
-    def mark(match):
+    def mark(match: re.Match[str]) -> str:
         display = match.group(1) is not None
         name = f"formula{len(made)}x"
         if display:  # several in a line come one below the other on a narrow screen
@@ -218,7 +219,7 @@ def with_marks(text):
     return re.sub("\0(\\d+)\0", lambda match: kept[int(match.group(1))], text), made
 
 
-def on_page_markdown(markdown, page, **_):
+def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     """mkdocs: before Markdown is read."""
     try:
         text, _made[page.file.src_path] = with_marks(markdown)
@@ -227,6 +228,6 @@ def on_page_markdown(markdown, page, **_):
     return text
 
 
-def on_page_content(content, page, **_):
+def on_page_content(content: str, page: Any, **_: Any) -> str:
     """mkdocs: when the page is HTML."""
     return re.sub(r"formula\d+x", lambda match: _made[page.file.src_path][match.group(0)], content)

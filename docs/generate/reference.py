@@ -9,6 +9,8 @@ import pathlib
 import re
 import subprocess
 import sys
+from collections.abc import Iterable, Iterator, Sequence
+from typing import Any
 
 from settle import settle
 
@@ -20,34 +22,34 @@ SECTIONS = (("bearing.", "Bearing", "In a bearing file without `bearing.`; in a 
 
 
 class Command:
-    def __init__(self, program):
+    def __init__(self, program: str) -> None:
         self.program = program
 
-    def text(self, *words):
+    def text(self, *words: str) -> str | None:
         done = subprocess.run([self.program, *words], capture_output=True, text=True, check=False)
         return done.stdout if done.returncode == 0 else None
 
-    def listing(self, what):
-        return json.loads(self.text("list", what, "--json"))
+    def listing(self, what: str) -> Any:
+        return json.loads(self.text("list", what, "--json") or "")
 
-    def verbs(self):
-        return re.findall(r"^  ([a-z]+) ", self.text("--help").split("Subcommands:")[1], re.MULTILINE)
+    def verbs(self) -> list[str]:
+        return re.findall(r"^  ([a-z]+) ", (self.text("--help") or "").split("Subcommands:")[1], re.MULTILINE)
 
 
-def cell(text):
+def cell(text: str) -> str:
     return text.replace("|", "\\|").replace("\n", " ")
 
 
-def table(head, rows):
+def table(head: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
     lines = ["| " + " | ".join(head) + " |", "|" + "---|" * len(head)]
     return "\n".join(lines + ["| " + " | ".join(cell(each) for each in row) + " |" for row in rows]) + "\n"
 
 
-def code(text):
+def code(text: str) -> str:
     return f"`{text}`" if text else ""
 
 
-def key_rows(keys):
+def key_rows(keys: Iterable[dict[str, Any]]) -> Iterator[tuple[str, ...]]:
     for key in keys:
         preset = key["default"].replace("\n", "")
         meaning = key["meaning"] + (" *(assumption)*" if key["assumption"] else "") + (f"; when {key['when']}" if key["when"] else "")
@@ -55,7 +57,7 @@ def key_rows(keys):
         yield code(key["key"]), key["unit"], code(preset) if is_value else preset, key["range"], meaning
 
 
-def keys_page(command):
+def keys_page(command: Command) -> str:
     listed = command.listing("keys")
     text = ("# Keys of scene, bearing and sweep files\n\nA file's numbers are in the unit that its key's name ends in. An unknown key, a wrong type or a "
             "value out of range is an error with file, line, column and bound. *Assumption*: no source gives the built-in bearing's value; "
@@ -72,16 +74,16 @@ def keys_page(command):
 RESULTS = {"calibrate", "compare", "study", "geometry", "report", "export", "list", "thesis", "design", "reliability", "version", "completion"}
 
 
-def verbs_page(command):
+def verbs_page(command: Command) -> str:
     others = ", ".join(f"[{verb}](verbs-results.md#{verb})" for verb in command.verbs() if verb in RESULTS)
     return helps(command, "Verbs", f"These lead to runs. Those that make something of runs stand apart: {others}.", [verb for verb in command.verbs() if verb not in RESULTS])
 
 
-def result_verbs_page(command):
+def result_verbs_page(command: Command) -> str:
     return helps(command, "Verbs that make something of runs", "Verbs that lead to runs: [verbs](verbs.md).", [verb for verb in command.verbs() if verb in RESULTS])
 
 
-def helps(command, title, lead, verbs):
+def helps(command: Command, title: str, lead: str, verbs: Iterable[str]) -> str:
     text = f"# {title}\n\nWhat `rimpact VERB --help` prints. {lead} Data go to stdout, messages to stderr.\n"
     for verb in verbs:
         help_text = command.text(verb, "--help")
@@ -91,11 +93,11 @@ def helps(command, title, lead, verbs):
     return text
 
 
-def named(command, what):
+def named(command: Command, what: str) -> list[tuple[str, str]]:
     return list(command.listing(what)[what].items())
 
 
-def results_page(command):
+def results_page(command: Command) -> str:
     signals = [(code(name), *text.split(": ", 1)) for name, text in named(command, "signals")]
     columns = [(code(name), code(text.split()[0]), "read only" if "read only" in text else "written") for name, text in named(command, "columns")]
     return ("# Files, signals and columns\n\n## Files\n\n" + table(("file", "holds"), [(code(name), text) for name, text in named(command, "files")]) +
@@ -104,7 +106,7 @@ def results_page(command):
             "\n## Columns of response.csv\n\n" + table(("column", "signal", ""), columns))
 
 
-def choices_page(command):
+def choices_page(command: Command) -> str:
     text = "# Laws, models, rungs, scenes, bearings, exit codes\n"
     for what, title in (("laws", "Impact laws"), ("models", "Reduced models"), ("rungs", "Rungs"), ("scenes", "Built-in scenes"),
                         ("bearings", "Built-in bearings"), ("materials", "Materials"), ("exit-codes", "Exit codes")):
@@ -115,9 +117,9 @@ def choices_page(command):
 PAGES = {"keys.md": keys_page, "verbs.md": verbs_page, "verbs-results.md": result_verbs_page, "results.md": results_page, "choices.md": choices_page}
 
 
-def main(program, *options):
+def main(program: str, *options: str) -> int:
     command, folder = Command(program), pathlib.Path(__file__).resolve().parents[1] / "reference"
-    light, made = command.text("run", "--help") is None, {}
+    light, made = command.text("run", "--help") is None, dict[pathlib.Path, str]()
     for name, page in PAGES.items():
         if light and name.startswith("verbs") and "--check" in options:
             print(f"{name} is not checked: this build has no finite-element side")

@@ -6,6 +6,8 @@ Each table stands with the command that makes it. What a file's own head says of
 import json
 import pathlib
 import sys
+from collections.abc import Iterable
+from typing import Any
 
 from settle import settle
 
@@ -55,7 +57,7 @@ REMARKS = {
 PICTURES = {"window-0.50": "study-window-0.5.png", "rungs-pulse-0.78g": "study-pulse-0.78g.png", "rungs-pulse-0.38g": "study-pulse-0.38g.png"}
 
 
-def texts_page(title, tables, remark=""):
+def texts_page(title: str, tables: Iterable[tuple[str, str, str]], remark: str = "") -> str:
     text = f"# {title}\n" + (f"\n{remark}\n" if remark else "")
     for path, what, command in tables:
         file = ROOT / path
@@ -64,7 +66,7 @@ def texts_page(title, tables, remark=""):
     return text
 
 
-def contact_page(two_bodies):
+def contact_page(two_bodies: bool) -> str:
     """Baselines of verify_contact: against exact surfaces, or between two deformable bodies."""
     title, other = ("Contact between two bodies", "[against exact surfaces](contact.md)") if two_bodies else ("Contact benchmarks", "[between two bodies](contact-two-bodies.md)")
     text = f"# {title}\n\nErrors by mesh and step with their observed orders, made by `ctest -R contact` (`tests/verification/contact/`). The others: {other}.\n"
@@ -74,11 +76,11 @@ def contact_page(two_bodies):
     return text
 
 
-def percent(value):
+def percent(value: float | None) -> str:
     return "" if value is None else f"{100 * value:+.2f} %"
 
 
-def studies_page():
+def studies_page() -> str:
     text = ("# Speed against error\n\nStored studies (`data/studies/`), each made by `rimpact study`; errors against the finest run of the study. Wall times are those of the machine "
             "and of what else it did.\n")
     for file in sorted((ROOT / "data/studies").glob("*.json")):
@@ -95,7 +97,7 @@ def studies_page():
     return text
 
 
-def reductions_table(kept):
+def reductions_table(kept: dict[str, Any]) -> str:
     text = "| systems that differ in | limit | pairs | mean reduction | least | largest | pairs whose band excludes 0 |\n|---|---|---|---|---|---|---|\n"
     for row in kept["differences"]:
         text += (f"| {row['key']} = {row['value']} | {row['quantity']} > {row['limit']:g} | {row['n_systems']} | {percent(row['mean_reduction'])} | "
@@ -103,7 +105,7 @@ def reductions_table(kept):
     return text
 
 
-def reliability_page():
+def reliability_page() -> str:
     text = ("# Reliability\n\nStudies of `data/reliability/` with the records at hand, kept by `docs/generate/keep_reliability.py`. A reduction is of the probability of "
             "exceedance in the study's years, against the reference system; negative: it grows.\n")
     for file in sorted((ROOT / "data/reliability/kept").glob("*.json")):
@@ -114,13 +116,13 @@ def reliability_page():
     return text
 
 
-def pages():
+def pages() -> dict[str, str]:
     made = {f"{name}.md": texts_page(*parts, REMARKS.get(name, "")) for name, parts in TABLES.items()}
     return {**made, "contact.md": contact_page(False), "contact-two-bodies.md": contact_page(True), "studies.md": studies_page(),
             "reliability.md": reliability_page()}
 
 
-def main(*options):
+def main(*options: str) -> int:
     made = {ROOT / "docs" / "results" / name: HEAD + page for name, page in pages().items()}
     return settle(made, options, "the tables say; run docs/generate/results.py")
 

@@ -1,7 +1,9 @@
 """What every generator does with what it has made: write it, or with --check say where a file differs."""
+import pathlib
+from collections.abc import Mapping, Sequence
 
 
-def settle(files, options, source):
+def settle(files: Mapping[pathlib.Path, str], options: Sequence[str], source: str) -> int:
     """`files`: contents by path, of one folder. Exit code 1 where --check is among the options and one differs from them; `source` ends the sentence."""
     if "--check" not in options:
         for path, text in files.items():

@@ -9,8 +9,8 @@ LAW = {"reduced.impact_law": "elastoplastic", "reduced.k_i_kN_per_m": 9e5, "redu
        "reduced.unloading_gain": 0.40}
 random = np.random.default_rng(7)
 for number, speed in ((7, 0.25), (8, 0.6)):
-    run = rimpact.run_reduced(rimpact.Scene("impact-window", {**LAW, "excitation.speed_m_per_s": speed, "excitation.duration_s": 0.06,
-                                                              "reduced.output_step_ms": 0.1})).response
+    motion = {"excitation.speed_m_per_s": speed, "excitation.duration_s": 0.06, "reduced.output_step_ms": 0.1}
+    run = rimpact.run_reduced(rimpact.Scene("impact-window", LAW | motion)).response
     time = np.arange(0, run.index[-1], 2e-4)
     travel = 1e3 * np.interp(time, run.index, run.displacement_x) + random.normal(0, 0.003, time.size)
     force = np.interp(time, run.index, run.impact_x) / 9806.65 + random.normal(0, 0.3, time.size)

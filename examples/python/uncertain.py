@@ -1,4 +1,5 @@
 """How friction and the motion's scale spread the impact force: 400 runs in threads, OpenTURNS for sample and statistics."""
+from collections.abc import Sequence
 from concurrent.futures import ThreadPoolExecutor
 
 import rimpact
@@ -14,7 +15,7 @@ ot.RandomGenerator.SetSeed(7)
 sample = inputs.getSample(400)
 
 
-def force(point):
+def force(point: Sequence[float]) -> list[float]:
     mu, scale = point
     summary = rimpact.summarise(scene.with_settings({"reduced.mu_fast": mu, "reduced.mu_slow": mu, "excitation.scale": scale}))
     return [(summary["peak_impact_force_N"] or 0) / 1e3]

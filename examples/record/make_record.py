@@ -4,7 +4,7 @@ import numpy as np
 time = np.arange(0, 16, 0.005)
 
 
-def pulse(amplitude, period, centre, cycles):
+def pulse(amplitude: float, period: float, centre: float, cycles: float) -> np.ndarray:
     width = cycles * period / 2
     return amplitude * np.exp(-((time - centre) / width) ** 2) * np.cos(2 * np.pi * (time - centre) / period)
 

@@ -18,6 +18,10 @@ enum class Surface {
   rim,       ///< a point, or the edge circle, of the body inside the master's cylinder about its z axis
   stop       ///< a circle of the body inside the cylinder of the master's interface
 };
+/// Rims and stops are met at a distance; the other surfaces carry the load.
+inline bool is_wall(Surface surface) {
+  return surface == Surface::rim || surface == Surface::stop;
+}
 
 inline constexpr int ground = -1; ///< master that never moves
 

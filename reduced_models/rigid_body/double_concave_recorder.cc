@@ -55,9 +55,8 @@ DoubleConcaveRecorder::DoubleConcaveRecorder(DoubleConcaveSystem &model, const s
     : model_(model), result_(result), time_unit_(time_unit),
       sample_(model.driven ? time_unit / (2000 * std::max(1.0, std::ceil(scene.excitation.cycles)))
                            : scene.reduced.output_step),
-      points_(point_names(model)), dents_(model.system.contacts.size()),
-      largest_normal_(model.system.contacts.size(), 0), smallest_normal_(model.system.contacts.size(), 1e300),
-      building_(model.building) {
+      points_(point_names(model)), largest_normal_(model.system.contacts.size(), 0),
+      smallest_normal_(model.system.contacts.size(), 1e300), building_(model.building) {
   result.summary.n_dofs = std::count(model.system.free.begin(), model.system.free.end(), true);
 }
 
@@ -83,22 +82,9 @@ double DoubleConcaveRecorder::next_sample(const MotionState &s) const {
 
 void DoubleConcaveRecorder::accept(const MotionState &s, const MotionState &before) {
   watch(s);
-  press(s);
+  walls_.press(model_.system, s);
   const bool due = std::abs(s.t / sample_ - std::round(s.t / sample_)) < 1e-9;
   if (due || rim_pressed(model_, s) || rim_pressed(model_, before)) store(s);
-}
-
-/// What a rim that yields keeps, arc by arc.
-void DoubleConcaveRecorder::press(const MotionState &s) {
-  if (!model_.system.rim.law || !model_.system.rim.law->yields) return;
-  for (std::size_t i = 0; i < s.contact.size(); ++i) {
-    const auto &c = model_.system.contacts[i];
-    if (c.surface != Surface::rim && c.surface != Surface::stop) continue;
-    const Vector3d foot = c.master == ground ? Vector3d(Vector3d::Zero()) : s.poses[c.master].position;
-    const Eigen::Vector2d arm = (s.contact[i].at - foot).head<2>();
-    if (s.contact[i].size != 0) dents_[i].press(arm, s.contact[i].penetration);
-    model_.system.deepest[i] = dents_[i].deepest_at(arm);
-  }
 }
 
 void DoubleConcaveRecorder::watch(const MotionState &s) {

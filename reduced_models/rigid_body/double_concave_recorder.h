@@ -2,7 +2,7 @@
 #pragma once
 #include "reduced_models/physical_model.h"
 #include "reduced_models/rigid_body/double_concave_system.h"
-#include "reduced_models/rigid_body/rim_memory.h"
+#include "reduced_models/rigid_body/wall_memory.h"
 
 namespace rimpact::reduced::rigid {
 
@@ -22,7 +22,6 @@ public:
 private:
   void store(const MotionState &state);
   void watch(const MotionState &state);
-  void press(const MotionState &state);
   EnergyLedger ledger(const MotionState &state) const;
 
   DoubleConcaveSystem &model_;
@@ -31,8 +30,8 @@ private:
   double rest_height_ = 0;
   std::vector<std::string> points_;            ///< signal of each contact, normal_A1 ..., empty for rims
   std::vector<std::vector<double> *> columns_; ///< of the response, in the order they are stored
-  std::vector<RimMemory> dents_;               ///< of each contact
   std::vector<double> largest_normal_, smallest_normal_;
+  WallMemory walls_;
   BuildingRecorder building_;
   std::optional<double> collapse_time_;
   double largest_travel_ = 0, largest_lateral_ = 0, largest_moment_ = 0, largest_vertical_ = 0, smallest_vertical_ = 1e300;

@@ -81,9 +81,8 @@ double DoubleConcaveSystem::potential_energy(const MotionState &s) const {
 double DoubleConcaveSystem::stored_energy(const MotionState &s) const {
   double energy = 0;
   for (std::size_t i = 0; i < s.contact.size(); ++i) {
-    const bool wall = system.contacts[i].surface == Surface::rim || system.contacts[i].surface == Surface::stop;
     const double d = std::max(0.0, s.contact[i].penetration);
-    if (!wall) energy += system.normal.stiffness / 2 * d * d;
+    if (!is_wall(system.contacts[i].surface)) energy += system.normal.stiffness / 2 * d * d;
   }
   return energy;
 }

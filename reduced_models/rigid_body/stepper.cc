@@ -41,8 +41,7 @@ void Stepper::drive(double t, MotionState &s) const {
 Works Stepper::powers(const MotionState &s) const {
   Works p;
   for (std::size_t i = 0; i < s.contact.size(); ++i) {
-    const auto surface = system_.contacts[i].surface;
-    (surface == Surface::rim || surface == Surface::stop ? p.wall : p.normal) += s.contact[i].normal_power;
+    (is_wall(system_.contacts[i].surface) ? p.wall : p.normal) += s.contact[i].normal_power;
     p.slip += s.contact[i].slip_power;
   }
   for (const auto &link : s.link) p.damping += link.damping_power, p.hysteretic += link.hysteretic_power;

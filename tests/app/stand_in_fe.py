@@ -13,13 +13,13 @@ import time
 PAIR = ("reduced.k_i_kN_per_m=2.0e5", "reduced.restitution=0.4")
 
 
-def trace(word):
+def trace(word: str) -> None:
     if "STAND_IN_TRACE" in os.environ:
         with open(os.environ["STAND_IN_TRACE"], "a") as file:
             file.write(word + "\n")
 
 
-def doubt(folder):
+def doubt(folder: str) -> None:
     path = os.path.join(folder, "summary.json")
     with open(path) as file:
         summary = json.load(file)
@@ -27,7 +27,7 @@ def doubt(folder):
         json.dump({**summary, "warnings": summary.get("warnings", []) + ["the test doubts this run"]}, file)
 
 
-def run(arguments):
+def run(arguments: list[str]) -> int:
     scene, folder = arguments[1], arguments[arguments.index("-o") + 1]
     if "STAND_IN_LOG" in os.environ:
         with open(os.environ["STAND_IN_LOG"], "a") as log:
@@ -51,7 +51,7 @@ def run(arguments):
     return code
 
 
-def note_identity(scene, folder):
+def note_identity(scene: str, folder: str) -> None:
     """The identity of the scene as it was asked for, as the finite-element program would note it."""
     with tempfile.TemporaryDirectory() as plain:
         subprocess.run([os.environ["RIMPACT"], "reduced", scene, "-o", plain], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, check=False)

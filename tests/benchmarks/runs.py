@@ -12,8 +12,8 @@ import os
 import pathlib
 import resource
 import subprocess
-import sys
 import tempfile
+from typing import Any
 
 PULSE = ["ricker-0.78g-1.0s", "--set", "excitation.scale=1.05"]
 WINDOW = ["impact-window", "--set", 'excitation.with=["weight","friction"]', "--set"]
@@ -33,29 +33,29 @@ ROWS = {
 }
 
 
-def run(program, arguments, folder):
+def run(program: str, arguments: list[str], folder: str) -> dict[str, Any]:
     """The summary of a run, with its seconds of processor time."""
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
     result = subprocess.run([program, "run", *arguments, "-o", folder, "--ranks", "1", "--quiet", "--no-fields", "--force"], capture_output=True, text=True)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     if result.returncode != 0:
         raise SystemExit(f"{' '.join(arguments)}: {result.stderr.strip().splitlines()[-1]}")
-    summary = json.loads(pathlib.Path(folder, "summary.json").read_text())
+    summary: dict[str, Any] = json.loads(pathlib.Path(folder, "summary.json").read_text())
     summary["cpu_s"] = after.ru_utime - before.ru_utime + after.ru_stime - before.ru_stime
     return summary
 
 
-def rebound(summary):
+def rebound(summary: dict[str, Any]) -> float:
     return summary["impacts"][0]["restitution"] if summary["impacts"] else 0.0
 
 
-def counts(summary):
+def counts(summary: dict[str, Any]) -> str:
     work = summary.get("solver_work", {})
     return (f"{summary['n_steps']:6d} {summary['n_newton_iterations']:7d} {work.get('linear_iterations', 0):7d} "
             f"{work.get('factorisations', 0):6d} {summary['cpu_s']:8.1f}")
 
 
-def line(name, summary, other=None):
+def line(name: str, summary: dict[str, Any], other: dict[str, Any] | None = None) -> str:
     force = summary.get("peak_impact_force_N") or 0.0
     text = f"{name:32s} {counts(summary)} {1e-3 * force:9.1f} {rebound(summary):7.4f} {summary['energy']['imbalance_relative']:10.1e}"
     if other:
@@ -65,7 +65,7 @@ def line(name, summary, other=None):
     return text
 
 
-def main():
+def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("program")
     parser.add_argument("--rows", default=",".join(list(ROWS)[:3]))
@@ -90,4 +90,4 @@ def main():
 
 
 if __name__ == "__main__":
-    sys.exit(main())
+    main()

@@ -24,7 +24,7 @@ NEAR = 0.02
 NEED_FE = {"run", "mesh", "curve", "version"}
 
 
-def same(told, printed):
+def same(told: str, printed: str) -> bool:
     """One line against another: words alike, numbers near."""
     if NUMBER.sub("#", told).split() != NUMBER.sub("#", printed).split():
         return False
@@ -36,12 +36,12 @@ def same(told, printed):
     return True
 
 
-def timeless(text):
+def timeless(text: str) -> str:
     """What a run took is not the page's to say."""
     return re.sub(r"\bin \d+ s\b", "in some s", text)
 
 
-def missing(told, printed):
+def missing(told: str, printed: list[str]) -> str | None:
     """The first line of the page that the output does not hold in this order; None: all are there."""
     at = 0
     for line in told.splitlines():
@@ -56,15 +56,15 @@ def missing(told, printed):
 
 
 @functools.cache
-def options_of(verb):
+def options_of(verb: str) -> set[str]:
     """What `rimpact VERB --help` knows; nothing for a verb that is not there or not built."""
     done = subprocess.run([PROGRAM, verb, "--help"], capture_output=True, text=True, check=False)
     return set(re.findall(r"(?<![\w-])--?[a-zA-Z][\w-]*", done.stdout)) if not done.returncode else set()
 
 
-def unknown(body, light):
+def unknown(body: str, light: bool) -> list[str]:
     """Options of a block's rimpact commands that the program does not have."""
-    found = []
+    found = list[str]()
     for line in body.replace("\\\n", " ").splitlines():
         words = shlex.split(line, comments=True)
         if words[:1] != ["rimpact"] or light and words[1] in NEED_FE:
@@ -74,9 +74,10 @@ def unknown(body, light):
     return found
 
 
-def run_page(page, light, folder):
+def run_page(page: pathlib.Path, light: bool, folder: pathlib.Path) -> tuple[list[str], int]:
     environment = {**os.environ, "RIMPACT_SOURCE": str(SOURCE), "PATH": f"{PROGRAM.parent}:/usr/bin:{os.environ['PATH']}", "RIMPACT_PROGRAM": str(PROGRAM), "MPLBACKEND": "Agg", "LANG": "C.UTF-8"}
-    printed, python, errors, n_run = None, "", [], 0
+    printed: list[str] | None = None
+    python, errors, n_run = "", list[str](), 0
     for kind, mark, body in BLOCK.findall(page.read_text(encoding="utf-8")):
         if kind == "sh" and "part" in mark:
             printed = None
@@ -107,8 +108,8 @@ def run_page(page, light, folder):
     return errors, n_run
 
 
-def main(*options):
-    errors, n_run = [], 0
+def main(*options: str) -> int:
+    errors, n_run = list[str](), 0
     pages = [SOURCE / "docs/tutorial.md", *sorted((SOURCE / "docs/guide").glob("*.md")), *sorted((SOURCE / "examples").glob("*/README.md"))]
     if "--only" in options:
         pages = [SOURCE / options[options.index("--only") + 1]]

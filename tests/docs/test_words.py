@@ -1,6 +1,7 @@
 """What the command says of itself is whole: keys, verbs, lists, completion, next steps."""
 import json
 import os
+import pathlib
 import re
 import shutil
 import subprocess
@@ -64,8 +65,7 @@ class Words(unittest.TestCase):
         self.assertEqual(keys["reduced.k_i_kN_per_m"]["unit"], "kN/m")
 
     def test_every_part_of_a_sweep_file_is_listed(self):
-        with open(os.path.join(SOURCE, "fleets", "sweep_reader.cc"), encoding="utf-8") as file:
-            text = file.read()
+        text = "".join(file.read_text(encoding="utf-8") for file in pathlib.Path(SOURCE, "fleets").glob("*_reader.cc"))
         known = [name for names in re.findall(r"only\(\*table, \{([^}]*)\}", text) for name in re.findall(r'"(\w+)"', names)]
         self.assertGreater(len(known), 8)
         listed = {part for key in json.loads(rimpact("list", "keys", "--json").stdout)["sweep_keys"] for part in key["key"].split(".")}

@@ -6,7 +6,8 @@ import unittest
 
 import h5py
 import numpy as np
-from support import InFolder, command
+from small_results import first_page
+from support import InFolder, command, text_of
 
 import synthetic
 from report import building_tables
@@ -68,6 +69,22 @@ class Building(InFolder):
     def test_a_run_without_a_building_has_none(self):
         run = load_run(self.run_folder({}, {}))
         self.assertEqual((building_tables.write(run), storeys.draw_profiles(run, self.path("a.png")), storeys.histories(run)), ([], None, []))
+
+    def test_drift_roof_and_storeys_are_reported(self):
+        synthetic.run(self.path("run"), "town-hall", 'kind = "ricker"\nscale = 1.0\namplitude_g = 0.78', synthetic.ricker(0.9, 1.0), synthetic.Rim(4e8, 0.6), "reduced")
+        run = load_run(self.path("run"))
+        for name in ("drift_x", "roof_x", "storey_shear_x", "roof_acceleration_x"):
+            run.signals[name] = np.sin(run.time)
+            run.signals[name[:-1] + "y"] = 0 * run.time
+        synthetic.write_signals(self.path("run"), run.signals)
+        storeys = [{"peak_drift_m": 0.0234, "residual_drift_m": 0.001, "peak_shear_N": 1.5e6, "peak_acceleration_m_s2": 4.9}]
+        self.write("run/summary.json", json.dumps(run.summary | {"peak_drift_m": 0.0234, "peak_storey_shear_N": 1.5e6, "ductility": None,
+                                                                 "peak_floor_acceleration_m_s2": 4.9, "superstructure": {"storeys": storeys}}))
+        path, problems = build(self.path("run"))
+        self.assertEqual(problems, [])
+        self.assertRegex(first_page(path)[1], r"Peak storey drift 23\.4\u00a0mm Peak storey shear 1500\u00a0kN Peak floor acceleration 0\.500\u00a0g")
+        self.assertRegex(text_of(path)[1], r"1 23\.40 1\.00 1500 0\.500")
+        self.assertTrue(os.path.exists(self.path("run/figures/building-run.png")))
 
 
 if __name__ == "__main__":

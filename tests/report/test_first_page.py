@@ -2,43 +2,18 @@
 import json
 import os
 import re
-import shutil
 import unittest
 
-from support import InFolder, command
-from test_pages import text_of
+from small_results import DOUBT, SmallResults, first_page
+from support import command, text_of
 
 import synthetic
+import synthetic_calibration
 from report import document
 from report.build import build
-from report.pdf import browser
-
-DOUBT = "-0.48 % of the energy put in is unaccounted for, where 0.1 % is usual: doubt the forces"
 
 
-def first_page(path):
-    page, _ = text_of(path)
-    start, end = page.index('<section id="first"'), page.index("<nav")
-    with open(path + ".first", "w", encoding="utf-8") as file:
-        file.write(page[start:end])
-    return text_of(path + ".first")
-
-
-class Small(InFolder):
-    """One window by finite elements and by the law, and a calibration."""
-
-    def results(self, warnings=(), status="done", truncate=1.0, **changed):
-        scene, calm = 'kind = "window"\nspeed_m_per_s = 0.2', lambda t: 0.0
-        synthetic.run(self.path("runs/window-0.20"), "window-0.20", scene, calm, synthetic.Rim(5e8, 0.7, 5e5), "rim", 0.2, status, truncate, warnings=warnings)
-        synthetic.run(self.path("law/window-0.20"), "window-0.20", scene, calm, synthetic.Rim(5e8, 0.8, 5e5), "reduced", 0.2, law="elastoplastic")
-        synthetic._calibration(self.folder, [], synthetic.answer((0.1, 0.2), **changed))
-        return self.folder
-
-    def page(self, **options):
-        return first_page(build(self.results(**options))[0])
-
-
-class Answer(Small):
+class Answer(SmallResults):
     def test_the_record_is_what_is_said(self):
         _, text = self.page()
         for said in ("Law elastoplastic", "600\u202f000\u00a0kN/m 5.88 to 6.12 × 10⁵", "900.0\u00a0kN 882 to 918", "The law belongs to the rim",
@@ -62,7 +37,7 @@ class Answer(Small):
 
     def test_a_calibration_without_an_answer_gives_no_numbers(self):
         self.results()
-        synthetic._calibration(self.folder, [])
+        synthetic_calibration.calibration(self.folder, [])
         _, text = first_page(build(self.folder)[0])
         self.assertIn("holds no answer: it was made by an earlier version", text)
         self.assertNotIn("4.10", text)
@@ -89,7 +64,7 @@ class Answer(Small):
         self.assertFalse(os.path.exists(self.path("figures/law.png")))
 
 
-class Doubts(Small):
+class Doubts(SmallResults):
     def test_every_warning_is_there_in_full_and_its_rows_are_marked(self):
         path, _ = build(self.results(warnings=[DOUBT, "penetration 90 mm beyond the rim's thickness of 40 mm"]))
         page, first = text_of(path)[0], first_page(path)[1]
@@ -116,11 +91,11 @@ class Doubts(Small):
             self.assertEqual(first_page(path)[1].count(said), 1)
 
     def test_a_run_that_a_sentence_names_is_marked_too(self):
-        synthetic._calibration(self.folder, [], synthetic.answer((0.1, 0.2), doubts=["results/runs/window-0.10: it slips"]))
+        synthetic_calibration.calibration(self.folder, [], synthetic_calibration.answer((0.1, 0.2), doubts=["results/runs/window-0.10: it slips"]))
         page, _ = text_of(build(self.folder)[0])
         laws = page[page.index('<section id="laws">'):]
         self.assertIn('<b class="mark"', laws[:laws.index("</section>")])
-        synthetic._calibration(self.folder, [], synthetic.answer((0.1, 0.2), doubts=["results/runs/window-0.101: it slips"]))
+        synthetic_calibration.calibration(self.folder, [], synthetic_calibration.answer((0.1, 0.2), doubts=["results/runs/window-0.101: it slips"]))
         page, _ = text_of(build(self.folder)[0])
         laws = page[page.index('<section id="laws">'):]
         self.assertNotIn('<b class="mark"', laws[:laws.index("</section>")])
@@ -140,11 +115,11 @@ class Doubts(Small):
         self.assertRegex(text, r"! Steel\. The largest plastic strain, \d+\.\d\u202f%, exceeds the limit of 0\u202f% \(an assumption of ours\)")
 
     def test_without_doubts_there_is_no_mark(self):
-        page, text = self.page(doubts=[], strain=None, table=[], law=synthetic.answer()["law"] | {"parameters": {}})
+        page, text = self.page(doubts=[], strain=None, table=[], law=synthetic_calibration.answer()["law"] | {"parameters": {}})
         self.assertNotIn('class="mark"', page)
 
 
-class Head(Small):
+class Head(SmallResults):
     def test_what_is_given_is_escaped_and_goes_before_what_is_stored(self):
         self.results()
         with open(self.path("main.json"), "w", encoding="utf-8") as file:
@@ -169,104 +144,6 @@ class Head(Small):
     def test_the_first_that_is_given_counts(self):
         one, other = document.Document(title="a"), document.Document("b", "c")
         self.assertEqual(one.or_else(other), document.Document("a", "c"))
-
-
-class Laboratory(InFolder):
-    def test_measured_curves_are_headed_and_drawn_as_such(self):
-        synthetic._calibration(self.folder, [], synthetic.answer(source="measured", rung="measured", mesh=None, strain=None, published_applies=False,
-                                                                 mesh_error={"peak_force": None, "sentence": ""}))
-        synthetic.curves(self.path("calibration"))
-        path, problems = build(self.folder)
-        page, text = text_of(path)
-        self.assertIn("Impact law fitted to measured curves", first_page(path)[1])
-        self.assertIn("Measured curves and their fit", text)
-        self.assertRegex(text, r"test-04 0\.200 800 776 −3\.0\u202f% 2\.00")
-        for name in ("law", "measured-1-test-04", "measured-2-test-07", "bearing"):
-            self.assertTrue(os.path.exists(self.path("figures", f"{name}.png")), name)
-        for chapter in ("histories", "rim", "stack", "comparison", "energy", "speed", "building"):
-            self.assertNotIn(f'id="{chapter}"', page)
-            self.assertNotIn(f'href="#{chapter}"', page)
-        for absent in ("inite-element reference", "finite-element runs", "hardening hardening", "published", "hardest impact"):
-            self.assertNotIn(absent, text)
-        self.assertEqual([problem for problem in problems if "drawn" in problem], [])
-
-    def test_without_the_curves_it_says_so(self):
-        synthetic._calibration(self.folder, [], synthetic.answer(source="measured"))
-        text = text_of(build(self.folder)[0])[1]
-        self.assertIn("the measured curves are not drawn", text)
-
-
-class Building(InFolder):
-    def test_drift_roof_and_storeys_are_reported(self):
-        import numpy as np
-
-        from report.run_folder import load_run
-        synthetic.run(self.path("run"), "town-hall", 'kind = "ricker"\nscale = 1.0\namplitude_g = 0.78', synthetic.ricker(0.9, 1.0), synthetic.Rim(4e8, 0.6), "reduced")
-        run = load_run(self.path("run"))
-        for name in ("drift_x", "roof_x", "storey_shear_x", "roof_acceleration_x"):
-            run.signals[name] = np.sin(run.time)
-            run.signals[name[:-1] + "y"] = 0 * run.time
-        synthetic.write_signals(self.path("run"), run.signals)
-        storeys = [{"peak_drift_m": 0.0234, "residual_drift_m": 0.001, "peak_shear_N": 1.5e6, "peak_acceleration_m_s2": 4.9}]
-        self.write("run/summary.json", json.dumps(run.summary | {"peak_drift_m": 0.0234, "peak_storey_shear_N": 1.5e6, "ductility": None,
-                                                                 "peak_floor_acceleration_m_s2": 4.9, "superstructure": {"storeys": storeys}}))
-        path, problems = build(self.path("run"))
-        self.assertEqual(problems, [])
-        self.assertRegex(first_page(path)[1], r"Peak storey drift 23\.4\u00a0mm Peak storey shear 1500\u00a0kN Peak floor acceleration 0\.500\u00a0g")
-        self.assertRegex(text_of(path)[1], r"1 23\.40 1\.00 1500 0\.500")
-        self.assertTrue(os.path.exists(self.path("run/figures/building-run.png")))
-
-
-@unittest.skipIf(browser() is None, "no Chromium is installed: the page is not printed")
-class Printed(Small):
-    def pages_of_the_first_section(self, path):
-        """Prints the first page alone; gives the number of pages."""
-        page, _ = text_of(path)
-        alone = self.write("alone.html", page[:page.index("<nav")].replace("break-after: page", "") + "</body></html>")
-        from report.pdf import print_to
-        self.assertIsNone(print_to(alone, self.path("alone.pdf")))
-        with open(self.path("alone.pdf"), "rb") as file:
-            return len(re.findall(rb"/Type\s*/Page\b", file.read()))
-
-    def test_one_page_with_few_and_with_many_doubts(self):
-        long = "The law holds from 0.07 to 0.5 m/s, where runs fitted and left out one at a time are met within 2.7 % in peak force and 2.5 % in rebound. "
-        for n in (0, 4, 12):
-            shutil.rmtree(self.path("runs"), ignore_errors=True)
-            warnings = [f"{DOUBT}; smaller steps, a finer mesh or a tighter tolerance may mend it ({i})" for i in range(n)]
-            path, _ = build(self.results(warnings=warnings, assumptions=[{"key": f"foot.some_length_{i}_mm", "value": "33"} for i in range(20)], validity=2 * long,
-                                            law=synthetic.answer()["law"] | {"sentence": 3 * long}, mesh_error={"peak_force": None, "sentence": 2 * long}))
-            self.assertEqual(self.pages_of_the_first_section(path), 1, n)
-
-    def test_a_run_is_one_page(self):
-        self.results(warnings=[DOUBT])
-        self.assertEqual(self.pages_of_the_first_section(build(self.path("runs/window-0.20"))[0]), 1)
-
-
-class Pdf(Small):
-    def test_without_a_browser_the_html_is_made_and_a_sentence_says_how(self):
-        import subprocess
-        import sys
-
-        from support import SOURCE
-        self.results()
-        self.write("report.pdf", "of other results")
-        done = subprocess.run([sys.executable, "-m", "report", self.folder, "--pdf"], cwd="/", capture_output=True, text=True, timeout=110,
-                              env={"PYTHONPATH": SOURCE, "PYTHONDONTWRITEBYTECODE": "1", "PATH": "/nowhere", "HOME": self.folder})
-        self.assertEqual(done.returncode, 0)
-        self.assertRegex(done.stderr, r"^rimpact report: no PDF: none of chromium, .* is installed\. Open .*report\.html .*\n$")
-        self.assertTrue(os.path.exists(self.path("report.html")))
-        self.assertFalse(os.path.exists(self.path("report.pdf")))
-
-    def test_a_browser_that_fails_is_an_error(self):
-        self.results()
-        os.makedirs(self.path("bin"))
-        os.chmod(self.write("bin/chromium", "#!/bin/sh\necho no display >&2\nexit 1\n"), 0o755)
-        from unittest import mock
-
-        from report import pdf
-        from report.errors import IoError
-        with mock.patch.dict(os.environ, PATH=self.path("bin") + ":/bin"), self.assertRaisesRegex(IoError, "made no PDF of .*no display"):
-            pdf.print_to(build(self.folder)[0], self.path("report.pdf"))
 
 
 if __name__ == "__main__":

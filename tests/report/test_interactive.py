@@ -1,6 +1,7 @@
 """What the page's scripts are given: curves to be zoomed, the model to be turned. Nothing here is solved."""
 import base64
 import json
+import os
 import re
 import unittest
 
@@ -53,7 +54,7 @@ class Page(InFolder):
 
     def test_the_model_to_be_turned(self):
         synthetic.run(self.path("a"), "a", 'kind = "ricker"', synthetic.ricker(0.9, 1.0), synthetic.Rim(4.5e8, 0.65, 2e6), "rim")
-        synthetic.os.makedirs(self.path("a", "fields"))
+        os.makedirs(self.path("a", "fields"))
         synthetic_mesh.write_vtu(self.path("a", "fields", "rim_000.vtu"), cell_type=72, curved=True, stress=True)
         path, problems = build(self.path("a"))
         self.assertEqual(problems, [])

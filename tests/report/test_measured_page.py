@@ -4,9 +4,12 @@ import os
 import shutil
 import unittest
 
-from support import SOURCE, InFolder, command
+from small_results import first_page
+from support import SOURCE, InFolder, command, text_of
 
+import synthetic_calibration
 from report import mapping_file, measured_page
+from report.build import build
 from report.errors import InputError
 
 EXAMPLE = os.path.join(SOURCE, "examples", "laboratory-curve")
@@ -52,6 +55,31 @@ class Page(InFolder):
         done = command("report", mapping, "--output", self.path("a.html"))
         self.assertEqual(done.returncode, 3)
         self.assertIn("zeit", done.stderr)
+
+
+class Laboratory(InFolder):
+    def test_measured_curves_are_headed_and_drawn_as_such(self):
+        synthetic_calibration.calibration(self.folder, [], synthetic_calibration.answer(source="measured", rung="measured", mesh=None, strain=None, published_applies=False,
+                                                                 mesh_error={"peak_force": None, "sentence": ""}))
+        synthetic_calibration.curves(self.path("calibration"))
+        path, problems = build(self.folder)
+        page, text = text_of(path)
+        self.assertIn("Impact law fitted to measured curves", first_page(path)[1])
+        self.assertIn("Measured curves and their fit", text)
+        self.assertRegex(text, r"test-04 0\.200 800 776 −3\.0\u202f% 2\.00")
+        for name in ("law", "measured-1-test-04", "measured-2-test-07", "bearing"):
+            self.assertTrue(os.path.exists(self.path("figures", f"{name}.png")), name)
+        for chapter in ("histories", "rim", "stack", "comparison", "energy", "speed", "building"):
+            self.assertNotIn(f'id="{chapter}"', page)
+            self.assertNotIn(f'href="#{chapter}"', page)
+        for absent in ("inite-element reference", "finite-element runs", "hardening hardening", "published", "hardest impact"):
+            self.assertNotIn(absent, text)
+        self.assertEqual([problem for problem in problems if "drawn" in problem], [])
+
+    def test_without_the_curves_it_says_so(self):
+        synthetic_calibration.calibration(self.folder, [], synthetic_calibration.answer(source="measured"))
+        text = text_of(build(self.folder)[0])[1]
+        self.assertIn("the measured curves are not drawn", text)
 
 
 if __name__ == "__main__":

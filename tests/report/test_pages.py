@@ -1,5 +1,4 @@
 """Whole reports: of a results folder, of one run, and of folders in which things are missing or broken."""
-import html
 import json
 import os
 import re
@@ -8,17 +7,13 @@ import tempfile
 import time
 import unittest
 
-from support import InFolder, command
+from support import InFolder, command, text_of
 
 import synthetic
+import synthetic_calibration
+import synthetic_results
 from report.build import build
 from report.results import load_results
-
-
-def text_of(path):
-    with open(path, encoding="utf-8") as file:
-        page = file.read()
-    return page, html.unescape(re.sub(r"[ \n]+", " ", re.sub(r"<[^>]+>", " ", re.sub(r"<style.*?</style>", "", page, flags=re.S))))
 
 
 class MainResults(unittest.TestCase):
@@ -26,7 +21,7 @@ class MainResults(unittest.TestCase):
     def setUpClass(cls):
         cls.holder = tempfile.TemporaryDirectory()
         cls.folder = cls.holder.name
-        synthetic.main_folder(cls.folder, pulses=synthetic.PULSES[:1], speeds=(0.1, 0.3, 1.0))
+        synthetic_results.main_folder(cls.folder, pulses=synthetic_results.PULSES[:1], speeds=(0.1, 0.3, 1.0))
         start = time.process_time()
         cls.path, cls.problems = build(cls.folder)
         cls.seconds = time.process_time() - start
@@ -191,7 +186,7 @@ class Missing(InFolder):
         self.assertIn("the BLAS is slow", text)
 
     def test_calibration_alone(self):
-        synthetic._calibration(self.folder, [], synthetic.answer())
+        synthetic_calibration.calibration(self.folder, [], synthetic_calibration.answer())
         path, _ = build(self.folder)
         self.assertIn("4.10 × 10⁵", text_of(path)[1])
 

@@ -10,6 +10,7 @@ from unittest import mock
 from support import InFolder, command
 
 import synthetic
+import synthetic_calibration
 from report import build as building
 from report import shapes
 from report.errors import IoError, ReportError
@@ -50,8 +51,8 @@ class Tampered(InFolder):
         for place, rung in (("runs", "rim"), ("reduced", "reduced")):
             synthetic.run(self.path(place, "window-0.20"), "window-0.20", scene, calm, synthetic.Rim(5e8, 0.7, 2e6), rung, 0.2,
                           warnings=["it swerves"])
-        synthetic._calibration(self.folder, [{"speed_m_s": 0.2, "parameters": {"k_i": {"value": 3e5}}, "pair_force_error": 0.1}], synthetic.answer((0.2,)))
-        synthetic.curves(self.path("calibration"))
+        synthetic_calibration.calibration(self.folder, [{"speed_m_s": 0.2, "parameters": {"k_i": {"value": 3e5}}, "pair_force_error": 0.1}], synthetic_calibration.answer((0.2,)))
+        synthetic_calibration.curves(self.path("calibration"))
         with open(self.path("main.json"), "w", encoding="utf-8") as file:
             json.dump({"runs": [{"name": "window-0.20", "role": "window", "fe": "runs/window-0.20"}], "totals": {"wall_time_s": 3.0},
                        "comparison": [{"name": "window-0.20", "doubts": ["d"]}], "load": {"mass_kg": 1.0}, "document": {"title": "t"},
@@ -91,8 +92,8 @@ class Tampered(InFolder):
         self.try_all("calibration/calibration.json", seldom=7)
 
     def test_curves(self):
-        synthetic._calibration(self.folder, [], synthetic.answer((0.2,)))
-        synthetic.curves(self.path("calibration"), names=("a",))
+        synthetic_calibration.calibration(self.folder, [], synthetic_calibration.answer((0.2,)))
+        synthetic_calibration.curves(self.path("calibration"), names=("a",))
         with open(self.path("calibration/curves.json"), encoding="utf-8") as file:
             short = json.load(file)
         for part in ("reference", "law"):

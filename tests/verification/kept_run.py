@@ -3,11 +3,13 @@ import json
 import os
 import pathlib
 import subprocess
+from collections.abc import Sequence
+from typing import Any
 
 WINDOW_ON_THE_DISH = ['excitation.with=["weight","friction"]', "excitation.duration_s=0.06"]  # settings of impact-window
 
 
-def kept_run(program, verb, scene, folder, settings=(), options=()):
+def kept_run(program: str, verb: str, scene: str, folder: str | pathlib.Path, settings: Sequence[str] = (), options: Sequence[str] = ()) -> Any:
     """The run's summary. What an older build left behind is made again, unless RIMPACT_KEEP_RUNS is set."""
     summary = pathlib.Path(folder) / "summary.json"
     if not (is_kept(summary, program) and json.loads(summary.read_text())["status"] == "done"):
@@ -15,11 +17,11 @@ def kept_run(program, verb, scene, folder, settings=(), options=()):
     return json.loads(summary.read_text())
 
 
-def command(program, verb, scene, folder, settings=(), options=()):
+def command(program: str, verb: str, scene: str, folder: str | pathlib.Path, settings: Sequence[str] = (), options: Sequence[str] = ()) -> list[str]:
     return [program, verb, scene, "-o", str(folder), "--quiet", *options, *(word for setting in settings for word in ("--set", setting))]
 
 
-def is_kept(file, program):
+def is_kept(file: pathlib.Path, program: str) -> bool:
     """Whether the file is there and younger than the program."""
     if not file.exists():
         return False
@@ -27,12 +29,12 @@ def is_kept(file, program):
     return bool(os.environ.get("RIMPACT_KEEP_RUNS")) or file.stat().st_mtime > built
 
 
-def gate(failures, what, value, bound):
+def gate(failures: list[str], what: str, value: float, bound: float) -> None:
     if not abs(value) < bound:
         failures.append(f"MISSED {what}: {value:.3g} is not below {bound}")
 
 
-def finish(folder, lines, failures):
+def finish(folder: pathlib.Path, lines: Sequence[str], failures: Sequence[str]) -> int:
     """Prints the table with what was missed, keeps it as FOLDER/baseline.txt; the script's exit code."""
     text = "\n".join([*lines, *failures]) + "\n"
     print(text)

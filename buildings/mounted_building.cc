@@ -1,0 +1,27 @@
+#include "buildings/mounted_building.h"
+#include "buildings/dynamics.h"
+#include <algorithm>
+
+namespace rimpact::buildings {
+
+MountedBuilding::MountedBuilding(const BuildingModel &m, const scene::Scene &scene,
+                                 const std::vector<scene::Scene> &bearings)
+    : BuildingBasis(m, scene.load.gravity), ground(scene.excitation, scene.load.gravity) {
+  check_building_scene(scene);
+  rigid_bodies = true;
+  for (int b = 0; b < n_bearings(); ++b) {
+    scene::Scene s = bearings[b];
+    s.load.vertical = std::max(0.0, reactions[b]), s.load.gravity = gravity;
+    s.load.mass = s.load.vertical > 0 ? s.load.vertical / gravity : scene.load.mass;
+    s.superstructure = {}, s.excitation = scene.excitation;
+    mounts.push_back(s.double_concave() ? rigid_mount(s) : dish_mount(s));
+    capacity.push_back(mounts[b]->lateral_capacity), rim_stiffness.push_back(mounts[b]->rim_stiffness);
+    over_q.push_back(m.nodal.middleRows(6 * m.bearings[b], 6));
+  }
+}
+
+NodeMotion MountedBuilding::node(int b, const Eigen::VectorXd &q, const Eigen::VectorXd &v) const {
+  return {over_q[b] * (q - start_.head(n)), over_q[b] * v};
+}
+
+} // namespace rimpact::buildings

@@ -1,0 +1,32 @@
+/// Peaks and impacts of a run of one mass: at the instants it is shown, and between them by interpolation.
+#pragma once
+#include "reduced_models/segment.h"
+#include <vector>
+
+namespace rimpact::reduced {
+
+class RunPeaks {
+public:
+  /// `dynamics` must outlive it.
+  explicit RunPeaks(const Dynamics &dynamics) : dynamics_(dynamics) {}
+
+  void watch(const Mode &mode, const State &y, const Evaluation &e);
+  /// Inside a segment: `middle` is its state half way; e0, mid and e1 act at its start, middle and end.
+  void refine(const Mode &mode, const Segment &segment, const State &middle, const Evaluation &e0,
+              const Evaluation &mid, const Evaluation &e1);
+  void open_impact(double t, const State &y);
+  void close_impact(double t, const State &y);
+  bool in_impact() const { return in_impact_; }
+
+  double smallest_gap() const { return smallest_gap_; }
+  void summarise(Summary &summary) const;
+
+private:
+  const Dynamics &dynamics_;
+  bool in_impact_ = false;
+  std::vector<Impact> impacts_;
+  double peak_displacement_ = 0, peak_height_ = -1e300, peak_lateral_ = 0, smallest_normal_ = 1e300;
+  double smallest_gap_ = 1e300;
+};
+
+} // namespace rimpact::reduced

@@ -1,0 +1,80 @@
+// What an answer says against itself: doubts of its runs, the strain of the steel, the error of the mesh.
+#include "answer_runs.h"
+#include "files/error.h"
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace rimpact::calibration {
+namespace {
+using namespace testing;
+
+TEST(AnswerDoubts, DoubtsOfRunsTravelAndWeigh) {
+  TemporaryFolder folder;
+  std::vector<std::string> runs;
+  for (const double v : {0.1, 0.2, 0.3, 0.4, 0.5}) runs.push_back(folder.write(window(v)));
+  amend(runs[1], {{"warnings", {"the rim is pressed at the end"}}});
+  amend(runs[2], {{"energy", {{"imbalance_relative", -0.005}}}});
+  amend(runs[3], {{"energy", {{"imbalance_relative", 0.03}}}});
+  amend(runs[4], {{"status", "stopped"}, {"reason", "no step is small enough"}});
+  auto options = quick({"signed"});
+  const auto c = calibrate(runs, options);
+  EXPECT_EQ(c.fit.size(), 3u);
+  EXPECT_EQ(c.answer->law.n_runs, 3);
+  const auto says = [&](const std::string &words) {
+    return std::any_of(c.answer->doubts.begin(), c.answer->doubts.end(),
+                       [&](const auto &doubt) { return doubt.find(words) != std::string::npos; });
+  };
+  EXPECT_TRUE(says("window-0.2: the rim is pressed at the end"));
+  EXPECT_TRUE(says("window-0.3 counts less: -0.50 % of its energy"));
+  EXPECT_TRUE(says("window-0.4 is left out of the fit: 3.00 % of its energy"));
+  EXPECT_TRUE(says("window-0.5 is left out of the fit: it is stopped"));
+  EXPECT_NE(to_toml_fragment(*c.answer).find("# Doubt: window-0.3 counts less"), std::string::npos);
+  options.keep_stopped = true;
+  EXPECT_EQ(calibrate(runs, options).fit.size(), 4u);
+  EXPECT_THROW(calibrate({runs[3]}, options), DataError);
+}
+
+TEST(AnswerDoubts, SaysWhetherTheSteelBearsIt) {
+  TemporaryFolder folder;
+  std::vector<std::string> runs;
+  const double strains[] = {0.05, 0.12, 0.30};
+  for (int i = 0; i < 3; ++i) {
+    auto scene = window(0.1 * (i + 1));
+    scene.bearing = scene::builtin_bearing("shfps-225"); // with its marks: the limit is an assumption
+    runs.push_back(folder.write(scene));
+    amend(runs[i], {{"max_plastic_strain", strains[i]}, {"rung", "rim"}, {"mesh", 1}});
+  }
+  const auto c = calibrate(runs, quick({}));
+  ASSERT_TRUE(c.answer->strain);
+  const auto &s = *c.answer->strain;
+  EXPECT_TRUE(s.exceeded());
+  EXPECT_TRUE(s.limit_is_assumption);
+  EXPECT_NEAR(s.largest_speed_below_limit.value(), 0.2, 1e-9);
+  EXPECT_NE(
+      s.sentence.find("not shown to bear it: its plastic strain reaches 30 %, beyond its limit of 20 % (an assumption"),
+      std::string::npos)
+      << s.sentence;
+  EXPECT_NE(s.sentence.find("up to 0.2 m/s it stays below"), std::string::npos) << s.sentence;
+  EXPECT_EQ(c.answer->source(), "finite elements");
+  EXPECT_EQ(to_json(*c.answer)["rung"], "rim");
+  EXPECT_EQ(to_json(*c.answer)["mesh"], 1);
+  EXPECT_TRUE(c.answer->mesh_error.peak_force) << c.answer->mesh_error.sentence;  // a kept study knows shfps-225
+  EXPECT_FALSE(calibrate({folder.write(window(0.4))}, quick({})).answer->strain); // the reduced model knows no strain
+}
+
+TEST(AnswerDoubts, TheMeshOfAnotherRimUnderTheSameNameIsNotKnown) {
+  TemporaryFolder folder;
+  auto scene = window(0.2);
+  scene.bearing.rim.thickness = 0.05; // still "shfps-225"
+  const auto run = folder.write(scene);
+  amend(run, {{"rung", "rim"}, {"mesh", 1}, {"wall_time_s", 60}});
+  const auto error = calibrate({run}, quick({})).answer->mesh_error;
+  EXPECT_FALSE(error.peak_force);
+  EXPECT_NE(error.sentence.find("unknown"), std::string::npos) << error.sentence;
+  EXPECT_NE(error.sentence.find("rimpact study " + run + "/scene.toml --axes mesh --meshes 1,2,3"), std::string::npos)
+      << error.sentence;
+  EXPECT_NE(error.sentence.find("(about "), std::string::npos) << error.sentence;
+}
+
+} // namespace
+} // namespace rimpact::calibration
