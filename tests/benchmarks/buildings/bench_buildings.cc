@@ -64,6 +64,30 @@ void cvode_40_s(benchmark::State &state) {
   state.counters["steps"] = static_cast<double>(run.n_steps);
 }
 
+/// Six LIR-DCFP bearings of four points a set under the thesis's building, rims struck; range(0): -log10 of the step
+/// tolerance.
+void lir_40_s(benchmark::State &state) {
+  const auto at = [](double tolerance) {
+    scene::Scene s =
+        scene::load_scene("pulse-bidirectional",
+                          {"reduced.friction=\"park-wen\"", "reduced.elastic_slip_mm=1", "reduced.model=\"lir-dcfp\"",
+                           "reduced.impact_law=\"hunt-crossley\"", "reduced.k_i_kN_per_m=4e4",
+                           "isolator.space=\"spatial\"", "isolator.points=4", "excitation.duration_s=40"});
+    s.isolator.step_tolerance = tolerance;
+    return s;
+  };
+  const Frame frame = thesis();
+  Summary run;
+  for (auto _ : state) run = simulate(frame, at(std::pow(10, -static_cast<double>(state.range(0)))), {}, false).summary;
+  static const Summary fine = simulate(frame, at(1e-6), {}, false).summary;
+  state.counters["error_displacement"] = std::abs(run.peak_displacement / fine.peak_displacement - 1);
+  state.counters["error_force"] = std::abs(run.peak_lateral_force / fine.peak_lateral_force - 1);
+  state.counters["error_drift"] = std::abs(drift(run) / drift(fine) - 1);
+  state.counters["imbalance"] = std::abs(run.energy->imbalance_relative());
+  state.counters["impacts"] = static_cast<double>(run.impacts.size());
+  state.counters["steps"] = static_cast<double>(run.n_steps);
+}
+
 /// A base and one storey on range(0) x range(0) bearings, 10 s.
 void bearings(benchmark::State &state) {
   RegularBuilding b;
@@ -83,5 +107,6 @@ void bearings(benchmark::State &state) {
 
 BENCHMARK(thesis_40_s)->ArgsProduct({{4, 5, 6, 8}, {1000, 500, 100}})->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK(cvode_40_s)->ArgsProduct({{5, 6, 7, 8}, {1000}})->Unit(benchmark::kMillisecond)->Iterations(1);
+BENCHMARK(lir_40_s)->DenseRange(3, 5)->Unit(benchmark::kMillisecond)->Iterations(1);
 BENCHMARK(bearings)->DenseRange(2, 8, 2)->Unit(benchmark::kMillisecond)->Iterations(1)->Complexity();
 BENCHMARK_MAIN();
