@@ -77,7 +77,7 @@ std::string preset_by_hand(const std::string &path) {
                            {"reduced.mu_fast", "bearing.contact.steel_ertalyte"},
                            {"reduced.mu_slow", "mu_fast"},
                            {"isolator.points", "4; in space 8"},
-                           {"isolator.step_tolerance", "1e-05 where the law's force jumps at touch, else 1e-04"}};
+                           {"isolator.step_tolerance", "1e-05"}};
   return word_for(words, path);
 }
 

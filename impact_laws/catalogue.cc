@@ -95,10 +95,4 @@ RimElement rim_element(const ImpactLaw &law, const LawNumbers &numbers, double m
   return rim;
 }
 
-bool jumps_at_touch(const ImpactLaw &law) {
-  if (law.pushed) return false;
-  const RimMotion touch{0, 1, 1};
-  return rim_element(law, {}, 1).at(touch).force != 0;
-}
-
 } // namespace rimpact::laws

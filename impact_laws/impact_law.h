@@ -88,7 +88,5 @@ struct RimElement : LawNumbers {
 };
 /// Of a law given by numbers. Throws InputError for e outside (0, 1] and for a law that flies on a curve.
 RimElement rim_element(const ImpactLaw &law, const LawNumbers &numbers, double mass);
-/// Whether its force begins with the dashpot's part, at once, where the walls meet.
-bool jumps_at_touch(const ImpactLaw &law);
 
 } // namespace rimpact::laws

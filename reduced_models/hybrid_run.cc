@@ -23,6 +23,9 @@ Eigen::Vector3d position(const Dynamics &dynamics, const Mode &mode, const State
 
 } // namespace
 
+/// From this tolerance on the error estimate judges steps over a record's kinks; below it every kink ends one.
+constexpr double coarse = 1e-6;
+
 HybridRun::HybridRun(const Dynamics &dynamics, const scene::Scene &scene)
     : dynamics_(dynamics), tolerance_(scene.reduced.tolerance), pulse_scale_(0.02) {
   if (scene.excitation.kind == scene::ExcitationKind::ricker)
@@ -141,6 +144,7 @@ bool HybridRun::stops_accurately() {
 }
 
 double HybridRun::next_break(double t, double t_end) {
+  if (tolerance_ >= coarse) return t_end;
   const auto &breaks = dynamics_.ground.breakpoints();
   while (break_index_ < breaks.size() && breaks[break_index_] <= t + 1e-12) ++break_index_;
   return break_index_ < breaks.size() ? std::min(breaks[break_index_], t_end) : t_end;

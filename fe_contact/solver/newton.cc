@@ -45,7 +45,7 @@ bool evaluate(NewtonTarget &target, const Eigen::VectorXd &u, bool with_tangent)
 
 NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOptions &options) {
   NewtonReport report;
-  target.exactly = false;
+  target.exactly = options.exact_from == 0;
   if (!options.evaluated && !evaluate(target, u, true)) {
     report.reason = "a cell turned inside out before the first iteration";
     return report;
@@ -64,7 +64,7 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
     }
     ++report.iterations;
     ++target.work.iterations;
-    target.exactly = report.iterations >= takes_its_time;
+    target.exactly = report.iterations >= options.exact_from;
     if (!target.has_tangent) evaluate(target, u, true);
     const bool with_tangent = !is_last(report.residuals, options.tolerance);
     forcing = forcing_term(report.residuals, forcing, options.tolerance, options.finest_forcing);

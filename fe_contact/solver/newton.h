@@ -41,6 +41,7 @@ struct NewtonOptions {
   bool stale_factor = true;      ///< false: factorise at every iteration
   double finest_forcing = 1e-10; ///< the linear systems are never asked for a smaller relative residual
   bool evaluated = false;        ///< the target stands evaluated at u already
+  int exact_from = 3;            ///< iterations after which tangents hold nothing kept; 0: none ever does
 };
 
 struct NewtonReport {
@@ -55,8 +56,6 @@ struct NewtonReport {
 double forcing_term(const std::vector<double> &residuals, double last, double tolerance, double finest);
 /// GMRES's iterations after which a factor is given up, and after which it is renewed.
 inline constexpr int most_linear_iterations = 30, worn_after = 6;
-/// Iterations after which a solution goes on with exact tangents.
-inline constexpr int takes_its_time = 3;
 
 /// From u to the solution, in place. The target stays evaluated at u.
 NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOptions &options);

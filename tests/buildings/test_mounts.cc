@@ -68,8 +68,8 @@ TEST(Mounts, KindsStandSideBySide) {
   EXPECT_LT(std::abs(run.summary.energy->imbalance_relative()), 1e-2);
 }
 
-/// At rest aside, both dishes share the travel: the slider's load acts u / 2 from the top plate's axis (P-Delta), but for
-/// what friction holds it aside; and the block's normal forces differ by what the moments ask for.
+/// At rest aside, both dishes share the travel: the slider's load acts u / 2 from the top plate's axis (P-Delta), but
+/// for what friction holds it aside; and the block's normal forces differ by what the moments ask for.
 TEST(Mounts, ABearingAtRestAsideTurnsItsNodeByItsLoadOverHalfTheTravel) {
   auto s = pulse(1.0, scene::ModelKind::dcfp, 1e-4);
   s.excitation.kind = scene::ExcitationKind::free;

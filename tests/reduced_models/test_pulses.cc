@@ -133,3 +133,24 @@ TEST(Pulse, RecordOfThePulseGivesThePulse) {
   EXPECT_NEAR(sampled.peak_displacement, exact.peak_displacement, 1e-7);
   EXPECT_NEAR(*sampled.peak_impact_force / *exact.peak_impact_force, 1, 1e-5);
 }
+
+/// From a tolerance of 1e-6 on steps go over a record's instants; a rough record keeps its answer.
+TEST(Pulse, FewDigitsNeedFewerStepsThanARecordHasInstants) {
+  scene::Scene s = ricker(1.05);
+  s.excitation.kind = scene::ExcitationKind::record;
+  s.excitation.x.dt = 5e-3;
+  for (int i = 0; i <= 1600; ++i) {
+    const double t = i * 5e-3, rough = 0.05 * std::exp(-t) * std::sin(150 * t); // [g]
+    s.excitation.x.values.push_back(9.81 * (0.78 * scene::ricker_shape(t, 2, 1) + rough));
+  }
+  const auto at = [&](double tolerance) {
+    s.reduced.tolerance = tolerance;
+    return simulate_summary(s);
+  };
+  const auto fine = at(1e-9), few = at(1e-6);
+  EXPECT_GT(fine.n_steps, 700); // 4 s less the time at rest
+  EXPECT_LT(few.n_steps, 0.5 * fine.n_steps);
+  ASSERT_EQ(few.impacts.size(), fine.impacts.size());
+  EXPECT_NEAR(few.peak_displacement, fine.peak_displacement, 1e-4 * fine.peak_displacement);
+  EXPECT_NEAR(*few.peak_impact_force / *fine.peak_impact_force, 1, 5e-3);
+}
