@@ -6,7 +6,8 @@
 namespace rimpact::fe {
 namespace {
 
-constexpr double slow = 0.5; ///< left after an augmentation over left before
+constexpr double slow = 0.5;    ///< left after an augmentation over left before
+constexpr double suffices = 10; ///< tolerances left, of which one augmentation mostly leaves less than one
 
 /// Newton inside Uzawa's loop, from u; the system's trial then holds the solution.
 ContactStepReport solve(ContactSystem &system, const SystemState &state, const StepTerms &terms,
@@ -46,7 +47,7 @@ ContactStepReport solve(ContactSystem &system, const SystemState &state, const S
     ++report.augmentations;
     ++system.work.augmentations;
     system.augment();
-    newton_options.tolerance = options.newton.tolerance; // the first renewal mostly suffices
+    if (worst <= suffices) newton_options.tolerance = options.newton.tolerance;
   }
   const int lost = system.lost_points();
   if (lost > 0)

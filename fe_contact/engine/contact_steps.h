@@ -11,7 +11,7 @@ struct StepOptions {
   double gap_tolerance = 1e-6;  ///< penetration augmentation is to leave, in the multipliers' sense [m]
   double slip_tolerance = 1e-6; ///< likewise, slip of sticking points [m]
   int max_augmentations = 10;   ///< a cap, reported when reached; 0: pure penalty
-  /// Newton's tolerance before multipliers are renewed for the first time: solving better than they are known is
+  /// Newton's tolerance before multipliers are renewed, but for a last time: solving better than they are known is
   /// wasted. The last solution meets newton.tolerance. 0: all do.
   double tolerance_between = 0;
   double rho_inf = 0.8;
