@@ -214,6 +214,7 @@ private:
       p.external -= model_.system.bodies[b].mass * ground.dot(s.velocity.segment<3>(6 * b));
     return p;
   }
+
   DoubleConcaveSystem model_;
   int n_;             ///< own dofs, in front of the plate's six
   MotionState at_[3]; ///< start, middle, end of a step

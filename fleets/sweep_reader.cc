@@ -41,12 +41,9 @@ private:
     const auto *node = file_.root().get(part);
     if (!node) return;
     const std::string form = fmt::format("{0}s are written [[{0}]], one table each", part);
-    const auto *list = node->as_array();
-    if (!list || list->empty()) fail(*node, form);
-    for (const auto &entry : *list) {
-      if (!entry.is_table()) fail(entry, form);
+    each_table(*node, form, [&](const toml::table &entry) {
       std::vector<Axis> axes;
-      leaves(*entry.as_table(), "", [&](const std::string &key, const toml::node &leaf) {
+      leaves(entry, "", [&](const std::string &key, const toml::node &leaf) {
         if (key != "name") return axes.push_back({key, {value(key, leaf)}});
         if (!leaf.is_string()) fail(leaf, "name must be a text");
         axes.push_back({part, {{leaf.as_string()->get(), leaf.as_string()->get()}}});
@@ -56,7 +53,8 @@ private:
       if (!std::equal(axes.begin(), axes.end(), first.begin(), first.end(), same))
         fail(entry, fmt::format("this {} has not the same keys as the first one", part));
       cases.push_back(std::move(axes));
-    }
+    });
+    if (cases.empty()) fail(*node, form);
   }
 
   void read_records() {

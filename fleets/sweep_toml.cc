@@ -55,6 +55,15 @@ void SweepToml::leaves(const toml::table &table, const std::string &prefix, cons
   }
 }
 
+void SweepToml::each_table(const toml::node &list, const std::string &form,
+                           const std::function<void(const toml::table &)> &visit) const {
+  if (!list.is_array()) fail(list, form);
+  for (const auto &entry : *list.as_array()) {
+    if (!entry.is_table()) fail(entry, form);
+    visit(*entry.as_table());
+  }
+}
+
 void SweepToml::each_key(const char *part, const Visit &visit) const {
   const auto *node = file_.root().get(part);
   if (!node) return;

@@ -23,6 +23,9 @@ protected:
   double number_in(const toml::table &table, const char *name, const std::string &key) const;
   /// Refuses names that are not known.
   void only(const toml::table &table, const std::vector<std::string> &known, const std::string &key) const;
+  /// Visits the tables of a list of them; `form` says how they are written, where it is none.
+  void each_table(const toml::node &list, const std::string &form,
+                  const std::function<void(const toml::table &)> &visit) const;
   /// Visits the dotted keys of a part of the file.
   void each_key(const char *part, const Visit &visit) const;
   void leaves(const toml::table &table, const std::string &prefix, const Visit &visit) const;

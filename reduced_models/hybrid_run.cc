@@ -8,6 +8,9 @@ namespace rimpact::reduced {
 
 namespace {
 
+/// From this tolerance on the error estimate judges steps over a record's kinks; below it every kink ends one.
+constexpr double coarse = 1e-6;
+
 Eigen::Vector3d position(const Dynamics &dynamics, const Mode &mode, const State &y) {
   const bool air = mode.support == Support::airborne;
   return {y[iX], y[iY], air ? y[iZ] : dynamics.height.at(y[iX], y[iY]).z};
@@ -22,9 +25,6 @@ Eigen::Vector3d position(const Dynamics &dynamics, const Mode &mode, const State
 }
 
 } // namespace
-
-/// From this tolerance on the error estimate judges steps over a record's kinks; below it every kink ends one.
-constexpr double coarse = 1e-6;
 
 HybridRun::HybridRun(const Dynamics &dynamics, const scene::Scene &scene)
     : dynamics_(dynamics), tolerance_(scene.reduced.tolerance), pulse_scale_(0.02) {

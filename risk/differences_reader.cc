@@ -15,13 +15,9 @@ public:
     const auto *node = file_.find("difference");
     if (!node) return {};
     std::vector<Difference> differences;
-    const auto *list = node->as_array();
-    if (!list) fail(*node, "differences are written [[difference]], one table each");
-    for (const auto &entry : *list) {
-      const auto *table = entry.as_table();
-      if (!table) fail(entry, "differences are written [[difference]], one table each");
-      only(*table, {"key", "reference"}, "difference");
-      const auto *key = table->get("key"), *reference = table->get("reference");
+    each_table(*node, "differences are written [[difference]], one table each", [&](const toml::table &entry) {
+      only(entry, {"key", "reference"}, "difference");
+      const auto *key = entry.get("key"), *reference = entry.get("reference");
       if (!key || !key->is_string() || !reference) fail(entry, "a difference needs key and reference");
       Difference difference{key->as_string()->get(), {}};
       if (const auto *text = reference->as_string())
@@ -30,7 +26,7 @@ public:
         difference.reference = number(*reference, "difference.reference");
       require_reference(difference, *key, *reference);
       differences.push_back(std::move(difference));
-    }
+    });
     return differences;
   }
 

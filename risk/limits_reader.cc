@@ -14,15 +14,13 @@ public:
   using SweepToml::SweepToml;
 
   std::vector<Limit> read() const {
-    const auto *list = file_.find("limit") ? file_.find("limit")->as_array() : nullptr;
-    if (!list || list->empty())
+    const auto *node = file_.find("limit");
+    if (!node || !node->is_array() || node->as_array()->empty())
       throw InputError(fmt::format("{}: a study needs [[limit]] with quantity and values", file_.location("limit")));
     std::vector<Limit> limits;
-    for (const auto &entry : *list) {
-      const auto *table = entry.as_table();
-      if (!table) fail(entry, "limits are written [[limit]], one table each");
-      only(*table, {"quantity", "values"}, "limit");
-      const auto *quantity = table->get("quantity");
+    each_table(*node, "limits are written [[limit]], one table each", [&](const toml::table &entry) {
+      only(entry, {"quantity", "values"}, "limit");
+      const auto *quantity = entry.get("quantity");
       if (!quantity || !quantity->is_string()) fail(entry, "a limit needs quantity = \"NAME\"");
       Limit limit{quantity->as_string()->get(), {}};
       const auto &known = quantities();
@@ -31,16 +29,16 @@ public:
       for (const auto &other : limits)
         if (other.quantity == limit.quantity)
           fail(*quantity, fmt::format("limit: \"{}\" is given twice; put its values into one", limit.quantity));
-      limit.values = limit.quantity == collapsed ? std::vector<double>{1} : limit_values(entry, *table);
+      limit.values = limit.quantity == collapsed ? std::vector<double>{1} : limit_values(entry);
       limits.push_back(std::move(limit));
-    }
+    });
     return limits;
   }
 
 private:
-  std::vector<double> limit_values(const toml::node &entry, const toml::table &limit) const {
+  std::vector<double> limit_values(const toml::table &limit) const {
     const auto *node = limit.get("values");
-    if (!node) fail(entry, "a limit needs values, a list or { from = .., to = .., count = .. }");
+    if (!node) fail(limit, "a limit needs values, a list or { from = .., to = .., count = .. }");
     std::vector<double> values;
     if (const auto *list = node->as_array()) {
       for (const auto &value : *list) values.push_back(number(value, "limit.values"));

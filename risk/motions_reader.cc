@@ -49,18 +49,14 @@ private:
   void read_sets() {
     const auto *node = file_.find("motions.set");
     if (!node) return;
-    const auto *list = node->as_array();
-    if (!list) fail(*node, "sets are written [[motions.set]], one table each");
-    for (const auto &entry : *list) {
-      const auto *table = entry.as_table();
-      if (!table) fail(entry, "sets are written [[motions.set]], one table each");
-      only(*table, {"search_results", "level"}, "motions.set");
-      const auto *file = table->get("search_results");
+    each_table(*node, "sets are written [[motions.set]], one table each", [&](const toml::table &entry) {
+      only(entry, {"search_results", "level"}, "motions.set");
+      const auto *file = entry.get("search_results");
       if (!file || !file->is_string()) fail(entry, "a set needs search_results = \"FILE\"");
-      const double level = number_in(*table, "level", "motions.set");
+      const double level = number_in(entry, "level", "motions.set");
       if (!(level > 0)) fail(entry, fmt::format("motions.set.level {} must be > 0", level));
       motions_.sets.push_back({beside(origin_, file->as_string()->get()), level});
-    }
+    });
   }
 
   void read_where() {

@@ -22,7 +22,7 @@ SolidEnergies energies_at(const BearingModel &model, const BearingSystem &system
   return result;
 }
 
-/// What sticks and bears of pad and socket, whose slave faces are the same in both meshes.
+/// Multipliers of pad and socket, whose slave faces are the same in both meshes.
 void carry_contacts(const SystemState &old, const BearingSystem &system, SystemState &state) {
   for (const Role role : {Role::dish, Role::socket}) {
     const std::size_t i = system.contact_of(role).value();
@@ -30,7 +30,6 @@ void carry_contacts(const SystemState &old, const BearingSystem &system, SystemS
       throw SolverStopped(
           "the state could not be carried over to the mesh with one more sector: pad or cap have other points there");
     state.contacts[i] = system.contact(i).carried(old.contacts[i], system.expand(state));
-    state.reports[i] = old.reports[i];
   }
 }
 

@@ -72,8 +72,8 @@ public:
                  const SurfaceContactOptions &options);
 
   SurfaceContactState open(const Eigen::VectorXd &u) const;
-  /// What the same points bore and stuck to on another mesh, where they are opposite this one's master at u. Throws
-  /// std::invalid_argument where they are not as many.
+  /// With the multipliers that the same points had on another mesh, where they are opposite this one's master at u;
+  /// what they bear follows with the next solution. Throws std::invalid_argument where they are not as many.
   SurfaceContactState carried(const SurfaceContactState &other, const Eigen::VectorXd &u) const;
   /// Equations coupled by each slave face and what is opposite or near it at dof displacements u; the pairs are
   /// remembered as those the pattern holds. `opposite`: the state's, where the search begins.

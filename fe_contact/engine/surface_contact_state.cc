@@ -43,8 +43,6 @@ SurfaceContactState SurfaceContact::carried(const SurfaceContactState &other, co
   for (std::size_t k = 0; k < points_.size(); ++k) {
     if (!state.covered[k] || !other.covered[k]) continue; // edges differ by what the meshes' faces do
     state.multiplier[k] = other.multiplier[k], state.tangential[k] = other.tangential[k];
-    state.pressure[k] = other.pressure[k], state.friction[k] = other.friction[k];
-    state.pulled_back[k] = other.pulled_back[k], state.status[k] = other.status[k];
   }
   return state;
 }

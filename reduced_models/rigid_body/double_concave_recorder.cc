@@ -36,8 +36,7 @@ std::vector<std::string> point_names(const DoubleConcaveSystem &model) {
   std::vector<std::string> names;
   int index[3] = {};
   for (const auto &c : model.system.contacts) {
-    const bool point = c.surface == Surface::dish || c.surface == Surface::interface;
-    names.push_back(point ? std::string("normal_") + "BCA"[c.set] + std::to_string(++index[c.set]) : "");
+    names.push_back(is_wall(c.surface) ? "" : std::string("normal_") + "BCA"[c.set] + std::to_string(++index[c.set]));
   }
   return names;
 }

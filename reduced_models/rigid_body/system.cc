@@ -30,7 +30,7 @@ Matrix3d System::normal_terms(const Contact &c, std::size_t index, const Touch &
   const Vector3d &m = touch.normal;
   const double d = touch.penetration, rate = m.dot(v);
   double stiffness = 0, damping = 0;
-  if (c.surface == Surface::dish || c.surface == Surface::interface) {
+  if (!is_wall(c.surface)) {
     const double trial = normal.stiffness * d + normal.damping * rate;
     if (d > 0 && trial > 0) f.size = trial, stiffness = normal.stiffness, damping = normal.damping;
   } else if (d > 0 && !touch.passed && rim.stiffness > 0) {
@@ -121,8 +121,7 @@ Vector System::forces(const Poses &poses, const Vector &velocity, const Stage &s
         point_velocity(poses, velocity, c.body, touch.at) - point_velocity(poses, velocity, c.master, touch.at);
     Matrix3d B = normal_terms(c, i, touch, v, stage.position_weight, f);
     if (f.size == 0) continue;
-    if (c.surface == Surface::dish || c.surface == Surface::interface)
-      friction_terms(c, touch, v, stage.slip[i], stage, f, B);
+    if (!is_wall(c.surface)) friction_terms(c, touch, v, stage.slip[i], stage, f, B);
     add(c, touch, poses, B, f.normal + f.friction, stage.position_weight, sum, tangent);
   }
   return sum;

@@ -33,6 +33,16 @@ double drift(const Summary &s) {
   return s.extra.at("building").at("floors")[0].at("peak_drift_m").get<double>();
 }
 
+/// What stands beside the time.
+void count(benchmark::State &state, const Summary &run, const Summary &fine) {
+  state.counters["error_displacement"] = std::abs(run.peak_displacement / fine.peak_displacement - 1);
+  state.counters["error_force"] = std::abs(run.peak_lateral_force / fine.peak_lateral_force - 1);
+  state.counters["error_drift"] = std::abs(drift(run) / drift(fine) - 1);
+  state.counters["imbalance"] = std::abs(run.energy->imbalance_relative());
+  state.counters["impacts"] = static_cast<double>(run.impacts.size());
+  state.counters["steps"] = static_cast<double>(run.n_steps);
+}
+
 /// range(0): -log10 of the tolerance; range(1): elastic slip [um].
 void thesis_40_s(benchmark::State &state) {
   const double slip = 1e-6 * static_cast<double>(state.range(1));
@@ -40,13 +50,7 @@ void thesis_40_s(benchmark::State &state) {
   const Frame frame = thesis();
   Summary run;
   for (auto _ : state) run = simulate(frame, s, {}, false).summary;
-  const Summary &fine = exact(slip);
-  state.counters["error_displacement"] = std::abs(run.peak_displacement / fine.peak_displacement - 1);
-  state.counters["error_force"] = std::abs(run.peak_lateral_force / fine.peak_lateral_force - 1);
-  state.counters["error_drift"] = std::abs(drift(run) / drift(fine) - 1);
-  state.counters["imbalance"] = std::abs(run.energy->imbalance_relative());
-  state.counters["impacts"] = static_cast<double>(run.impacts.size());
-  state.counters["steps"] = static_cast<double>(run.n_steps);
+  count(state, run, exact(slip));
 }
 
 /// The same equations without branches or events by SUNDIALS.
@@ -80,12 +84,7 @@ void lir_40_s(benchmark::State &state) {
   Summary run;
   for (auto _ : state) run = simulate(frame, at(std::pow(10, -static_cast<double>(state.range(0)))), {}, false).summary;
   static const Summary fine = simulate(frame, at(1e-6), {}, false).summary;
-  state.counters["error_displacement"] = std::abs(run.peak_displacement / fine.peak_displacement - 1);
-  state.counters["error_force"] = std::abs(run.peak_lateral_force / fine.peak_lateral_force - 1);
-  state.counters["error_drift"] = std::abs(drift(run) / drift(fine) - 1);
-  state.counters["imbalance"] = std::abs(run.energy->imbalance_relative());
-  state.counters["impacts"] = static_cast<double>(run.impacts.size());
-  state.counters["steps"] = static_cast<double>(run.n_steps);
+  count(state, run, fine);
 }
 
 /// A base and one storey on range(0) x range(0) bearings, 10 s.

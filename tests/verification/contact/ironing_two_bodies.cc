@@ -1,5 +1,5 @@
 // VERIFICATION 8 between two deformable bodies: a die irons a slab of cells that do not match its own.
-#include "setups.h"
+#include "ironing.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -32,8 +32,7 @@ struct Ironed {
   int steps = 0, cuts = 0, iterations = 0, most = 0;
   std::size_t dofs = 0;
   bool finished = false;
-  std::string reason;
-  std::vector<double> residuals;
+  std::string reason, residuals;
 };
 
 /// The die goes 1 mm down and 10 mm across.
@@ -53,50 +52,20 @@ Ironed iron(int n) {
   system.add_contact(Surface::slider_side,
                      fe::cylinder(Vector3d(5 * mm, 0, die_radius), Vector3d::UnitY(), die_radius, fe::Side::outside),
                      contact);
-  SystemState state = system.at_rest();
-  fe::StepOptions options;
-  options.newton.exact_from = 0; // the rate of consistent tangents is part of the case
-  options.max_augmentations = 2;
-  options.tolerance_between = 1e-2;
-  options.gap_tolerance = options.slip_tolerance = 1e-6;
+  Ironing die(system, x_equation, z_equation);
+  auto report = die.move(Vector3d::Zero(), Vector3d(0, 0, -1 * mm), 20);
+  die.turn();
+  if (report.finished) report = die.move(Vector3d(0, 0, -1 * mm), Vector3d(10 * mm, 0, -1 * mm), 200);
   Ironed result{};
-  std::vector<double> vertical, along;
-  Eigen::VectorXd change;
-  const auto move = [&](const Vector3d &from, const Vector3d &to, int pieces) {
-    const auto report =
-        fe::march(0, 1, {1.0 / pieces, 0.05 / pieces, 1.0 / pieces}, [&](double t, double dt) -> fe::Attempt {
-          fe::StepTerms terms{Eigen::VectorXd::Zero(state.u.size())};
-          const Vector3d at = from + (t + dt) * (to - from);
-          terms.driven = {{x_equation, at.x()}, {z_equation, at.z()}};
-          const Eigen::VectorXd before = state.u;
-          const auto step = static_step(system, state, terms, options,
-                                        change.size() ? Eigen::VectorXd(state.u + change) : Eigen::VectorXd());
-          result.iterations += step.iterations;
-          if (!step.converged) {
-            change.resize(0);
-            return {false, 0, step.reason};
-          }
-          change = state.u - before;
-          result.most = std::max(result.most, step.iterations);
-          ++result.steps;
-          result.residuals = step.residuals;
-          vertical.push_back(-state.reports[0].force.z());
-          along.push_back(state.reports[0].force.x());
-          return {true, 0, {}};
-        });
-    result.cuts += report.cuts;
-    if (!report.finished) result.reason = fmt::format("; stopped {:.3f} of the way: {}", report.reached, report.reason);
-    return report.finished;
-  };
-  result.finished = move(Vector3d::Zero(), Vector3d(0, 0, -1 * mm), 20);
-  change.resize(0);
-  vertical.clear(), along.clear();
-  result.finished = result.finished && move(Vector3d(0, 0, -1 * mm), Vector3d(10 * mm, 0, -1 * mm), 200);
-  result.dofs = system.equations().n;
-  if (!result.finished) return result;
-  result.ripple = ripple(vertical, std::lround(h / (0.05 * mm)), result.force);
+  result.steps = die.steps, result.cuts = die.cuts, result.iterations = die.iterations, result.most = die.most_a_step;
+  result.dofs = system.equations().n, result.finished = report.finished, result.residuals = die.last_residuals();
+  if (!report.finished) {
+    result.reason = fmt::format("; stopped {:.3f} of the way: {}", report.reached, report.reason);
+    return result;
+  }
+  result.ripple = ripple(die.vertical, std::lround(h / (0.05 * mm)), result.force);
   result.force /= 1 * mm;
-  result.friction = std::abs(along.back() / vertical.back());
+  result.friction = std::abs(die.along.back() / die.vertical.back());
   return result;
 }
 
@@ -115,11 +84,9 @@ Table ironing_two_bodies() {
       table.add({"friction / normal at the end", h, r.friction, 0.3, r.dofs, r.iterations, timer.seconds()});
       table.gate("ripple", r.ripple, 0.02);
     }
-    std::string residuals;
-    for (const double value : r.residuals) residuals += fmt::format(" {:.1e}", value);
     table.note(
         fmt::format("h {:.2f} mm: {} steps, {} cuts, {:.1f} iterations a step, {} at most; residuals of the last{}{}",
-                    h, r.steps, r.cuts, double(r.iterations) / r.steps, r.most, residuals, r.reason));
+                    h, r.steps, r.cuts, double(r.iterations) / r.steps, r.most, r.residuals, r.reason));
   }
   return table;
 }

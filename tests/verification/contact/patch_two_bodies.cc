@@ -9,12 +9,6 @@ namespace {
 /// Two blocks of non-matching, distorted cells under a uniform pressure; the interface, at z = 1, is plane.
 meshes::HexMesh patch_mesh(int lower, int upper) {
   meshes::HexMesh mesh;
-  const auto bumped = [](double z0) {
-    return [=](std::array<double, 3> x) {
-      const double z = x[2] - z0, bump = 0.25 * x[0] * (1 - x[0]) * x[1] * (1 - x[1]) * z * (1 - z);
-      return std::array<double, 3>{x[0] + bump, x[1] - bump, x[2] + 2 * bump};
-    };
-  };
   test::add_box(mesh,
                 {{0, 0, 0}, {1, 1, 1}, {lower, lower, lower}, Volume::rim, {{4, Surface::fixed}, {5, Surface::dish}}},
                 bumped(0));
@@ -46,8 +40,7 @@ Patch patch(int n, int points) {
   // The surfaces overlap a little at the start, so that the upper block is held.
   system.add_contact(Surface::slider_side, fe::plane(Vector3d(0, 0, 1 + 1e-6), Vector3d::UnitZ()), contact);
   SystemState state = system.at_rest();
-  const Eigen::VectorXd load = system.surface_load(
-      Surface::top, [&](const Vector3d &, const Vector3d &normal) { return Vector3d(-pressure * normal); });
+  const Eigen::VectorXd load = pressed_top(system, pressure);
   fe::StepOptions options;
   options.gap_tolerance = 1e-9;
   options.max_augmentations = 20;

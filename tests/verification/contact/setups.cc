@@ -4,6 +4,18 @@
 
 namespace rimpact::verification {
 
+std::function<std::array<double, 3>(std::array<double, 3>)> bumped(double z0) {
+  return [z0](std::array<double, 3> x) {
+    const double z = x[2] - z0, bump = 0.25 * x[0] * (1 - x[0]) * x[1] * (1 - x[1]) * z * (1 - z);
+    return std::array<double, 3>{x[0] + bump, x[1] - bump, x[2] + 2 * bump};
+  };
+}
+
+Eigen::VectorXd pressed_top(const ContactSystem &system, double pressure) {
+  return system.surface_load(Surface::top,
+                             [=](const Vector3d &, const Vector3d &normal) { return Vector3d(-pressure * normal); });
+}
+
 std::function<double(double)> graded(int n, double first) {
   // Exponential: x(s) = (e^{g s} - 1)/(e^g - 1), g by bisection so that x(1/n) = first.
   double low = 1e-6, high = 30;

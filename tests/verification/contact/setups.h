@@ -40,6 +40,10 @@ inline fe::SurfaceContactOptions contact_options(double E, double h, double mu, 
   return options;
 }
 
+/// Of a unit cube that stands on z0: inner nodes moved, so that cells are no parallelepipeds; outer faces stay plane.
+std::function<std::array<double, 3>(std::array<double, 3>)> bumped(double z0);
+/// A uniform pressure [Pa] on the top's reference faces, by equation [N].
+Eigen::VectorXd pressed_top(const ContactSystem &system, double pressure);
 /// [0, 1] -> [0, 1], the first of n cells being `first` long.
 std::function<double(double)> graded(int n, double first);
 /// Quarter of a round bar, 0 <= x, y, along z from `bottom`: an O-grid of three blocks of n by n cells, nz

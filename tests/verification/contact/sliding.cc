@@ -1,5 +1,5 @@
 // VERIFICATION 6 (analytic half), 7 and 8: patch test, block on an incline, shallow ironing.
-#include "setups.h"
+#include "ironing.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -11,12 +11,9 @@ Table contact_patch() {
   constexpr double E = 1e9, nu = 0.3, pressure = 1e6;
   for (const int n : {2, 3, 4}) {
     const Timer timer;
-    meshes::HexMesh mesh; // inner nodes moved: cells are no parallelepipeds, outer faces stay plane
+    meshes::HexMesh mesh;
     test::add_box(mesh, {{0, 0, 0}, {1, 1, 1}, {n, n, n}, Volume::rim, {{4, Surface::slider_side}, {5, Surface::top}}},
-                  [](std::array<double, 3> x) {
-                    const double bump = 0.25 * x[0] * (1 - x[0]) * x[1] * (1 - x[1]) * x[2] * (1 - x[2]);
-                    return std::array<double, 3>{x[0] + bump, x[1] - bump, x[2] + 2 * bump};
-                  });
+                  bumped(0));
     Setup setup(mesh, elastic(E, nu));
     setup.supports.fix(0, [](const Vector3d &x) { return x.x() < 1e-12; });
     setup.supports.fix(1, [](const Vector3d &x) { return x.y() < 1e-12; });
@@ -26,8 +23,7 @@ Table contact_patch() {
     system.add_contact(Surface::slider_side, fe::plane(Vector3d(0, 0, 1e-6), Vector3d::UnitZ()),
                        contact_options(E, 1.0 / n, 0));
     SystemState state = system.at_rest();
-    const Eigen::VectorXd load = system.surface_load(
-        Surface::top, [&](const Vector3d &, const Vector3d &normal) { return Vector3d(-pressure * normal); });
+    const Eigen::VectorXd load = pressed_top(system, pressure);
     fe::StepOptions options;
     options.gap_tolerance = 1e-9;
     options.max_augmentations = 20;
@@ -138,45 +134,13 @@ Table ironing() {
     system.add_contact(Surface::slider_side,
                        fe::cylinder(Vector3d(5 * mm, 0, R), Vector3d::UnitY(), R, fe::Side::outside),
                        contact_options(E, h, mu, 1.0, die));
-    SystemState state = system.at_rest();
-    const int x_equation = system.equations().of_dof[die], z_equation = system.equations().of_dof[die + 2];
-    fe::StepOptions options;
-    options.newton.exact_from = 0; // the rate of consistent tangents is part of the case
-    options.max_augmentations = 2;
-    options.gap_tolerance = options.slip_tolerance = 1e-6;
-    options.tolerance_between = 1e-2;
-    int iterations = 0, most = 0, steps = 0, cuts = 0;
-    std::vector<double> last_residuals, vertical, along;
-    Eigen::VectorXd change;
-    const auto move = [&](const Vector3d &from, const Vector3d &to, int pieces) {
-      const auto report =
-          fe::march(0, 1, {1.0 / pieces, 0.05 / pieces, 1.0 / pieces}, [&](double t, double dt) -> fe::Attempt {
-            fe::StepTerms terms{Eigen::VectorXd::Zero(state.u.size())};
-            const Vector3d at = from + (t + dt) * (to - from);
-            terms.driven = {{x_equation, at.x()}, {z_equation, at.z()}};
-            const Eigen::VectorXd before = state.u;
-            // Sliding goes on as it did: the last change is the first guess.
-            const auto step = static_step(system, state, terms, options,
-                                          change.size() ? Eigen::VectorXd(state.u + change) : Eigen::VectorXd());
-            iterations += step.iterations;
-            if (!step.converged) return {false, 0, step.reason};
-            change = state.u - before;
-            most = std::max(most, step.iterations / (1 + step.augmentations));
-            ++steps;
-            last_residuals = step.residuals;
-            vertical.push_back(-state.reports[0].force.z());
-            along.push_back(state.reports[0].force.x());
-            return {true, 0, {}};
-          });
-      cuts += report.cuts;
-      return report;
-    };
-    const auto pressed = move(Vector3d::Zero(), Vector3d(0, 0, -1 * mm), 10);
-    const int pressing_iterations = iterations, pressing_steps = steps;
-    change.resize(0);
-    vertical.clear();
-    along.clear();
-    const auto slid = move(Vector3d(0, 0, -1 * mm), Vector3d(10 * mm, 0, -1 * mm), 200);
+    Ironing run(system, system.equations().of_dof[die], system.equations().of_dof[die + 2]);
+    const auto pressed = run.move(Vector3d::Zero(), Vector3d(0, 0, -1 * mm), 10);
+    const int pressing_iterations = run.iterations, pressing_steps = run.steps;
+    run.turn();
+    const auto slid = run.move(Vector3d(0, 0, -1 * mm), Vector3d(10 * mm, 0, -1 * mm), 200);
+    const auto &vertical = run.vertical, &along = run.along;
+    const int iterations = run.iterations;
     double mean = 0;
     const double rippled = ripple(vertical, std::max(1, int(std::lround(h / (0.05 * mm)))), mean);
     const std::size_t dofs = system.equations().n;
@@ -184,16 +148,15 @@ Table ironing() {
     table.add({"ripple / mean", h / mm, rippled, 0, dofs, iterations, timer.seconds()});
     table.add({"friction / normal at the end", h / mm, std::abs(along.back() / vertical.back()), mu, dofs, iterations,
                timer.seconds()});
-    table.add({"Newton iterations a solution", h / mm, double(most), 0, dofs, iterations, timer.seconds()});
+    table.add(
+        {"Newton iterations a solution", h / mm, double(run.most_a_solution), 0, dofs, iterations, timer.seconds()});
     table.gate("finished", pressed.finished && slid.finished ? 0 : 1, 0);
-    const double per_step = double(iterations - pressing_iterations) / (steps - pressing_steps);
+    const double per_step = double(iterations - pressing_iterations) / (run.steps - pressing_steps);
     table.gate("Newton iterations a sliding step, all augmentations", per_step, 5);
-    table.gate("cuts", cuts, 0);
-    std::string residuals;
-    for (const double value : last_residuals) residuals += fmt::format(" {:.1e}", value);
+    table.gate("cuts", run.cuts, 0);
     table.note(fmt::format(
         "h {:.2f} mm: {} steps, {} cuts, {:.2f} iterations a sliding step with augmentations; residuals of the last{}",
-        h / mm, steps, cuts, per_step, residuals));
+        h / mm, run.steps, run.cuts, per_step, run.last_residuals()));
   }
   for (const auto &row : table.rows())
     if (row.quantity == "ripple / mean" && row.size < 0.5) table.gate("ripple", row.value, 1e-3);
