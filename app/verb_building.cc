@@ -1,16 +1,19 @@
 // rimpact building SCENE: a building on bearings, one under each of its columns, moved as the scene says.
 #include "app/folder_claim.h"
 #include "app/sibling.h"
+#include "app/sweep_runs.h"
 #include "app/verb.h"
 #include "buildings/frame_source.h"
 #include "buildings/frame_tables.h"
 #include "buildings/simulate.h"
+#include "buildings/summary_row.h"
 #include "buildings/vtk_series.h"
 #include "files/digest.h"
 #include "files/error.h"
 #include "files/file.h"
 #include "files/json_text.h"
 #include "responses/identity.h"
+#include "responses/limits.h"
 #include "scene/doubts.h"
 #include <filesystem>
 #include <fmt/format.h>
@@ -53,6 +56,7 @@ void add_warnings(const scene::Scene &scene, reduced::ReducedRun &run, Console &
   if (const auto doubt = doubt_of_ledger(run.summary.energy.value_or(EnergyLedger()));
       doubt && run.summary.status == RunStatus::done)
     warnings.push_back(*doubt);
+  judge(scene, run.summary);
   for (const auto &warning : warnings) console.warn(warning.get<std::string>());
   for (const auto &sentence : scene.remarks) warnings.push_back(sentence);
 }
@@ -63,6 +67,7 @@ namespace {
 
 struct BuildingOptions {
   std::string scene, frame = "thesis-2.4", folder;
+  SweepOptions sweep;
   double vtk_step = 0; // [ms]
   bool picture = false;
 };
@@ -113,8 +118,26 @@ void write_building(const buildings::Frame &frame, const buildings::BuildingResu
   if (result.trace.step > 0) buildings::write_vtk_series(frame, result.model, result.trace, folder);
 }
 
+/// A building's frame stays as it is; the sweep moves the scene's keys, and the bearings' with them.
+void sweep_building(const BuildingOptions &options, Console &console) {
+  const auto frame = buildings::load_frame(options.frame);
+  fleets::FleetModel model{
+      .name = "building " + frame.name, .run = [&](const scene::Scene &scene) {
+        return buildings::row_summary(
+            buildings::simulate(frame, scene, buildings::bearings_of(frame, scene), false).summary);
+      }};
+  for (const auto &[name, text] : buildings::tables_of(frame)) model.inputs[frame.name + "/" + name] = sha256(text);
+  sweep_runs(options.sweep,
+             {.scene = options.scene,
+              .folder = options.folder,
+              .name = std::filesystem::path(options.scene).stem().string() + "-" + frame.name,
+              .picture = options.picture},
+             model, console);
+}
+
 void run_building(const BuildingOptions &options, Console &console) {
   console.overrides.insert(console.overrides.begin(), "reduced.friction=\"park-wen\""); // what a common base takes
+  if (!options.sweep.sweep.empty()) return sweep_building(options, console);
   const scene::Scene scene = console.load(options.scene);
   const auto frame = buildings::load_frame(options.frame);
   const auto bearings = buildings::bearings_of(frame, scene);
@@ -145,15 +168,16 @@ void add_building(CLI::App &app, Console &console) {
   verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene: ground motion, bearing, [reduced]")
       ->required();
   verb->add_option("--frame", options->frame,
-                   "thesis-2.4, a TOML file of a regular building, or a folder of nodes.csv, elements.csv, "
+                   "thesis-2.4, thesis-3.5, a TOML file of a regular building, or a folder of nodes.csv, elements.csv, "
                    "diaphragms.csv")
       ->capture_default_str();
   verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>-<building>)");
-  verb->add_option("--vtk-step", options->vtk_step,
-                   "also fields/*.vtu and fields.pvd for ParaView, one every so many ms")
-      ->check(CLI::Range(0.1, 1e6));
+  auto *vtk = verb->add_option("--vtk-step", options->vtk_step,
+                               "also fields/*.vtu and fields.pvd for ParaView, one every so many ms")
+                  ->check(CLI::Range(0.1, 1e6));
   verb->add_flag("--png", options->picture,
-                 "also draw building.png: plan with orbits, elevation at the hardest impact");
+                 "also draw building.png (plan with orbits, elevation at the hardest impact), of a sweep fleet.png");
+  add_sweep_options(*verb, options->sweep)->excludes(vtk);
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);

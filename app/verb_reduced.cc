@@ -1,7 +1,7 @@
 // rimpact reduced SCENE: a scene by the reduced model, or a fleet of them (--sweep).
 #include "app/folder_claim.h"
-#include "app/reduced_sweep.h"
 #include "app/sibling.h"
+#include "app/sweep_runs.h"
 #include "app/verb.h"
 #include "files/error.h"
 #include "files/json_text.h"
@@ -11,6 +11,7 @@
 #include "scene/case_description.h"
 #include "scene/doubts.h"
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -40,10 +41,9 @@ void tell_doubts(const scene::Scene &scene, reduced::ReducedRun &run, Console &c
 
 void add_reduced(CLI::App &app, Console &console) {
   struct ReducedOptions {
-    std::string scene, folder, model, shard;
-    std::vector<std::string> sweep;
+    std::string scene, folder, model;
+    SweepOptions sweep;
     std::vector<double> nodes; // [mm]
-    int n_threads = 0;
     bool picture = false;
   };
   auto *verb = app.add_subcommand("reduced", "a scene by the reduced model, in about a millisecond");
@@ -57,28 +57,20 @@ void add_reduced(CLI::App &app, Console &console) {
                     ->check(CLI::Range(0.0, 1e5));
   verb->add_option("--model", options->model, "see rimpact list models");
   verb->add_flag("--png", options->picture, "also draw response.png, of a sweep fleet.png");
-  auto *sweep = verb->add_option("--sweep", options->sweep,
-                                 "many runs, one table: a sweep file, or KEY=a:b:n (repeatable; n values from a to b)")
-                    ->allow_extra_args(false)
-                    ->excludes(nodes);
-  verb->add_option("--shard", options->shard, "I/N: every N-th run of the sweep from the I-th on")->needs(sweep);
-  verb->add_option("--threads", options->n_threads, "of the sweep (default: as many as the machine has)")
-      ->needs(sweep)
-      ->check(CLI::Range(1, 1024));
+  add_sweep_options(*verb, options->sweep)->excludes(nodes);
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);
   console.add_force(*verb);
   verb->callback([options, &console] {
     if (!options->model.empty()) console.overrides.push_back("reduced.model=\"" + options->model + "\"");
-    if (!options->sweep.empty())
-      return reduced_sweep({.scene = options->scene,
-                            .sweep = options->sweep,
-                            .folder = options->folder,
-                            .shard = options->shard,
-                            .n_threads = options->n_threads,
-                            .picture = options->picture},
-                           console);
+    if (!options->sweep.sweep.empty())
+      return sweep_runs(options->sweep,
+                        {.scene = options->scene,
+                         .folder = options->folder,
+                         .name = std::filesystem::path(options->scene).stem().string(),
+                         .picture = options->picture},
+                        fleets::reduced_models(), console);
     for (const double height : options->nodes)
       if (!std::isfinite(height)) throw InputError("--nodes takes two heights in mm, not " + std::to_string(height));
     const scene::Scene scene = console.load(options->scene);

@@ -1,4 +1,5 @@
 #include "buildings/regular_building.h"
+#include "buildings/builtin_buildings.h"
 #include "files/error.h"
 #include "files/file.h"
 #include "files/text.h"
@@ -43,22 +44,6 @@ std::map<int, std::string> own_bearings(const TomlFile &file) {
   }
   return list;
 }
-
-const char *thesis_building =
-    R"(# Thesis 2.4: three storeys, two bays by one, reinforced concrete, six isolators.
-name = "thesis-2.4"
-x_m = [0.0, 8.0, 16.0]
-y_m = [0.0, 8.0]
-storeys_m = [3.5, 3.5, 3.5]
-load_kN_per_m2 = 10.0     # on four levels: 5,120 kN
-E_GPa = 23.4
-nu = 0.2
-column_x_mm = 500.0
-column_y_mm = 500.0
-beam_width_mm = 500.0
-beam_depth_mm = 650.0
-damping_ratio = 0.02
-)";
 
 } // namespace
 
@@ -133,10 +118,14 @@ RegularBuilding parse_building(const std::string &text, const std::string &origi
 }
 
 RegularBuilding load_building(const std::string &where) {
-  if (where == "thesis-2.4") return parse_building(thesis_building, where);
+  std::string names;
+  for (const auto &builtin : builtin_buildings()) {
+    if (where == builtin.name) return parse_building(builtin.toml, where);
+    names += (names.empty() ? "" : ", ") + builtin.name;
+  }
   std::error_code ignored;
   if (!std::filesystem::exists(where, ignored))
-    throw InputError(fmt::format("{}: no such file, and the built-in buildings are thesis-2.4", where));
+    throw InputError(fmt::format("{}: no such file, and the built-in buildings are {}", where, names));
   return parse_building(read_file(where), where);
 }
 

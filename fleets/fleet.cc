@@ -25,6 +25,7 @@ struct FleetScene {
   std::string where;
   std::vector<std::string> overrides;
   const Sweep &sweep;
+  const FleetModel &model;
   scene::Scene load(std::size_t run) const {
     std::vector<std::string> all = overrides;
     for (auto &assignment : sweep.assignments(run)) all.push_back(std::move(assignment));
@@ -41,7 +42,7 @@ Row run_one(const FleetScene &fleet, std::size_t run) {
     return row_without_result(RowStatus::refused, error.what());
   }
   try {
-    Summary summary = reduced::simulate_summary(scene);
+    Summary summary = fleet.model.run(scene);
     judge(scene, summary);
     return row_of(summary);
   } catch (const InputError &error) {
@@ -117,14 +118,18 @@ void count(FleetResult &result, const Row &row) {
 
 } // namespace
 
+FleetModel reduced_models() {
+  return {.run = [](const scene::Scene &scene) { return reduced::simulate_summary(scene); }};
+}
+
 FleetResult run_fleet(const std::string &where, const std::vector<std::string> &overrides, const Sweep &sweep,
-                      const FleetOptions &options) {
-  const FleetScene fleet{where, overrides, sweep};
+                      const FleetOptions &options, const FleetModel &model) {
+  const FleetScene fleet{where, overrides, sweep, model};
   const scene::Scene first = first_scene(fleet);
   if (options.first) options.first(first);
   const std::string part = options.n_shards > 1 ? fmt::format("{}-of-{}", options.shard, options.n_shards) : "";
   const FolderLock lock(options.folder, part);
-  const FleetIdentity identity = fleet_identity(where, overrides, sweep, first);
+  const FleetIdentity identity = fleet_identity(where, overrides, sweep, first, model);
   open_folder(identity, sweep, options);
   FleetTable table(sweep, {{"version", RIMPACT_VERSION}, {"scene_of_first_run", scene::to_toml(first)}});
   table.read_folder(options.folder);

@@ -2,9 +2,11 @@
 /// fails says so in its row. What is finished is kept: the same call goes on where an earlier one stopped.
 #pragma once
 #include "fleets/sweep.h"
+#include "responses/summary.h"
 #include "scene/scene.h"
 #include <atomic>
 #include <functional>
+#include <map>
 
 namespace rimpact::fleets {
 
@@ -13,6 +15,16 @@ struct FleetProgress {
   std::size_t failed;      ///< of them, without a result
   double seconds, seconds_left;
 };
+
+/// What makes the runs of a fleet.
+struct FleetModel {
+  std::string name = {}; ///< of what carries on where the scene ends, a building; a folder holds the runs of one
+  /// One run's peaks; throws as the models do.
+  std::function<Summary(const scene::Scene &)> run;
+  /// What the rows depend on besides the scene: contents by name, as an Identity has them.
+  std::map<std::string, std::string> inputs = {};
+};
+FleetModel reduced_models();
 
 struct FleetOptions {
   std::string folder;
@@ -42,6 +54,6 @@ struct FleetResult {
 /// IoError where another process works on the same shard. Throws Error{ExitCode::interrupted} after the table is
 /// written.
 FleetResult run_fleet(const std::string &scene, const std::vector<std::string> &overrides, const Sweep &sweep,
-                      const FleetOptions &options);
+                      const FleetOptions &options, const FleetModel &model = reduced_models());
 
 } // namespace rimpact::fleets

@@ -113,10 +113,11 @@ FolderLock wait_to_open(const std::string &folder) {
 } // namespace
 
 FleetIdentity fleet_identity(const std::string &where, const std::vector<std::string> &overrides, const Sweep &sweep,
-                             const scene::Scene &first) {
+                             const scene::Scene &first, const FleetModel &model) {
   std::string definition = fmt::format("{}\n", sweep.runs.size()), values;
   for (const auto &assignment : overrides) definition += assignment + "\n";
   for (const auto &key : sweep.keys) definition += key + "\n";
+  if (!model.name.empty()) definition += model.name + "\n";
   for (const auto &run : sweep.runs)
     for (const auto &value : run) values += value.toml + "\n";
   FleetIdentity identity{where, sha256(definition), sha256(values), identity_of(first)};
@@ -127,6 +128,7 @@ FleetIdentity fleet_identity(const std::string &where, const std::vector<std::st
   for (const auto &[key, value] : keys) text += key + " = " + value + "\n";
   identity.rows.scene = sha256(text);
   for (const auto &file : swept_files(where, sweep)) identity.rows.inputs[file] = sha256_of_file(file);
+  identity.rows.inputs.insert(model.inputs.begin(), model.inputs.end());
   return identity;
 }
 

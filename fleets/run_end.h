@@ -21,7 +21,7 @@ constexpr auto choices(RowStatus) {
 
 enum class RunEnd {
   done,          ///< its peaks count
-  beyond,        ///< the slider left the dish or the superstructure collapsed: above every other run
+  beyond,        ///< the slider left its dish or overturned, or the frame collapsed: above every other run
   without_result ///< refused, failed, or stopped for another reason: not counted
 };
 /// From the columns `status` (none: no word of the table's) and `reason` of a fleet's table.

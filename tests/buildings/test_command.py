@@ -121,6 +121,26 @@ class Building(unittest.TestCase):
                 loads += [float(line.split("=")[1].split("#")[0]) for line in file if line.startswith("dead_load")]
         self.assertAlmostEqual(sum(loads), 5120e3, delta=10)
 
+    def test_sweep(self):
+        out = os.path.join(self.scratch.name, "sweep")
+        command = ["building", "ricker-0.78g-1.0s", "--sweep", "excitation.scale=0.3:1.05:2", "-o", out, "--json", *SHORT]
+        run = rimpact(*command)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        table, single = rows(os.path.join(out, "table.csv")), json.loads(self.run_.stdout)
+        self.assertEqual([row["status"] for row in table], ["done", "done"])
+        building = single["building"]
+        for column, value in (("peak_lateral_force_N", single["peak_lateral_force_N"]), ("peak_impact_force_N", single["peak_impact_force_N"]),
+                              ("peak_overturning_N_m", building["peak_overturning_N_m"]), ("worst_bearing", building["worst_bearing"]),
+                              ("n_bearings_hit", sum(b["impacts"] > 0 for b in building["bearings"])),
+                              ("floor_3_peak_acceleration_m_s2", building["floors"][2]["peak_acceleration_m_s2"])):
+            self.assertAlmostEqual(float(table[1][column]) / value, 1, places=6, msg=column)
+        self.assertEqual(float(table[0]["n_bearings_hit"]), 0)
+        again = json.loads(rimpact(*command).stdout)
+        self.assertEqual((again["kept"], again["done"]), (2, 2))
+        other = rimpact(*command, "--frame", "thesis-3.5")
+        self.assertEqual(other.returncode, 2, other.stderr)
+        self.assertIn("another scene or other values", other.stderr)
+
     def test_refusals(self):
         folder = os.path.join(self.scratch.name, "refused")
         broken = os.path.join(self.scratch.name, "broken.toml")

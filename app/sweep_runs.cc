@@ -1,11 +1,10 @@
-#include "app/reduced_sweep.h"
+#include "app/sweep_runs.h"
 
 #include "app/progress.h"
 #include "app/shard.h"
 #include "app/sibling.h"
 #include "files/json_text.h"
 #include "files/text.h"
-#include "fleets/fleet.h"
 #include "scene/case_description.h"
 #include "scene/doubts.h"
 #include <algorithm>
@@ -26,20 +25,33 @@ fleets::Sweep sweep_of(const std::vector<std::string> &arguments) {
   throw InputError("--sweep is given more than once; then each must be KEY=a:b:n (a file holds them all)");
 }
 
-std::string default_fleet_folder(const SweepOptions &options) {
-  const std::filesystem::path scene = options.scene, sweep = options.sweep.front();
-  return default_folder(scene.stem().string()) +
-         (is_grid_argument(options.sweep.front()) ? "-sweep" : "-" + sweep.stem().string());
+std::string default_fleet_folder(const std::string &name, const std::string &sweep) {
+  return default_folder(name) +
+         (is_grid_argument(sweep) ? "-sweep" : "-" + std::filesystem::path(sweep).stem().string());
 }
 
 } // namespace
 
-void reduced_sweep(const SweepOptions &options, Console &console) {
+CLI::Option *add_sweep_options(CLI::App &verb, SweepOptions &options) {
+  auto *sweep = verb.add_option("--sweep", options.sweep,
+                                "many runs, one table: a sweep file, or KEY=a:b:n (repeatable; n values from a to b)")
+                    ->allow_extra_args(false);
+  verb.add_option("--shard", options.shard, "I/N: every N-th run of the sweep from the I-th on")->needs(sweep);
+  verb.add_option("--threads", options.n_threads, "of the sweep (default: as many as the machine has)")
+      ->needs(sweep)
+      ->check(CLI::Range(1, 1024));
+  return sweep;
+}
+
+void sweep_runs(const SweepOptions &options, const SweepPlace &place, const fleets::FleetModel &model,
+                Console &console) {
   const auto [shard, n_shards] = parse_shard(options.shard);
   const fleets::Sweep sweep = sweep_of(options.sweep);
   for (const auto &sentence : sweep.left_out) console.message(sentence);
   ProgressLine line(console.quiet);
-  fleets::FleetOptions fleet{.folder = options.folder.empty() ? default_fleet_folder(options) : options.folder,
+  const std::string folder =
+      place.folder.empty() ? default_fleet_folder(place.name, options.sweep.front()) : place.folder;
+  fleets::FleetOptions fleet{.folder = folder,
                              .shard = shard,
                              .n_shards = n_shards,
                              .n_threads = options.n_threads,
@@ -56,7 +68,7 @@ void reduced_sweep(const SweepOptions &options, Console &console) {
       for (const auto &sentence : sentences) console.warn(sentence);
   };
   watch_interrupts();
-  const auto result = fleets::run_fleet(options.scene, console.settings(), sweep, fleet);
+  const auto result = fleets::run_fleet(place.scene, console.settings(), sweep, fleet, model);
   line.finish();
   if (result.beyond_rim > 0)
     console.warn(fmt::format(
@@ -69,7 +81,7 @@ void reduced_sweep(const SweepOptions &options, Console &console) {
     console.warn(fmt::format("{} of {} runs did not end well: {} stopped, {} refused, {} failed; the columns status "
                              "and reason say why",
                              result.total - result.done, result.total, result.stopped, result.refused, result.failed));
-  if (options.picture && n_shards == 1 && python({"report.quick", "fleet", fleet.folder}) != 0)
+  if (place.picture && n_shards == 1 && python({"report.quick", "fleet", fleet.folder}) != 0)
     throw IoError("the picture in " + fleet.folder + " was not made");
   if (console.json) {
     const nlohmann::ordered_json json = {{"table", result.table + ".csv"},

@@ -1,0 +1,26 @@
+/// SCENE --sweep FILE of `reduced` and `building`: a fleet of runs.
+#pragma once
+#include "app/console.h"
+#include "fleets/fleet.h"
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace rimpact::app {
+
+struct SweepOptions {
+  std::vector<std::string> sweep; ///< one file, or KEY=a:b:n each; empty: none
+  std::string shard;              ///< "i/n", empty: all
+  int n_threads = 0;
+};
+/// --sweep, --shard and --threads of a verb; the first of them.
+CLI::Option *add_sweep_options(CLI::App &verb, SweepOptions &options);
+
+struct SweepPlace {
+  std::string scene, folder; ///< folder empty: default_folder(name) with what the sweep is called
+  std::string name;
+  bool picture = false;
+};
+void sweep_runs(const SweepOptions &options, const SweepPlace &place, const fleets::FleetModel &model,
+                Console &console);
+
+} // namespace rimpact::app

@@ -1,0 +1,14 @@
+/// The buildings that are built in, one entry each.
+#pragma once
+#include <string>
+#include <vector>
+
+namespace rimpact::buildings {
+
+struct BuiltinBuilding {
+  std::string name;
+  const char *toml; ///< as a file of the user's would say it
+};
+const std::vector<BuiltinBuilding> &builtin_buildings();
+
+} // namespace rimpact::buildings
