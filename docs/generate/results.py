@@ -39,8 +39,7 @@ TABLES = {
         ("tests/benchmarks/peers/work_precision/table.txt", "Work against precision", "tests/benchmarks/peers/work_precision/work_precision.py"),
         ("tests/reduced_models/impact_sensitivity.txt", "Sensitivity to k_i and e, thesis 2.5.3", "tests/reduced_models/impact_sensitivity.py"),
         ("tests/reduced_models/rigid_body/slider_study.txt", "The slider study, thesis 3.4", "tests/reduced_models/rigid_body/slider_study.py"),
-        ("tests/buildings/hard_cases.txt", "Buildings on many bearings: hard cases", "build/release/bin/building_hard_cases"),
-        ("tests/buildings/thesis.txt", "Buildings on many bearings: thesis 2.4 and 3.5", "build/release/bin/building_tables")]),
+        ("tests/buildings/hard_cases.txt", "Buildings on many bearings: hard cases", "build/release/bin/building_hard_cases")]),
     "calibration": ("Calibration", [
         ("tests/calibration/coverage.txt", "How often intervals hold the truth", "build/release/bin/calibration_coverage")]),
 }

@@ -68,14 +68,28 @@ CATALOGUE = {f.__name__: f for f in (pad_pressure_MPa, yield_over_W, first_hit_m
                                     effective_radius_m, equal_stiffness_kN_per_m, hardening_ratio)}
 
 
+def largest_at_hit(run: Run, signal: str) -> float:
+    """Largest size of a signal from the first touch to the last release of what touches within half a second of it."""
+    first = run.impacts[0]["touch_time_s"]
+    ends = [impact["release_time_s"] or first for impact in run.impacts if impact["touch_time_s"] < first + 0.5]
+    time = run.signals["time"]
+    return float(np.abs(run.signals[signal][(time >= first - 1e-9) & (time <= max(ends) + 1e-9)]).max())
+
+
 def of(run: Run, path: str) -> Any:
-    """A name of the catalogue, "peak SIGNAL", "scene KEY.KEY"; None where `path` is none of them."""
+    """A name of the catalogue, "peak SIGNAL", "hit SIGNAL" (largest in the first impact), "at SECONDS SIGNAL" (its size
+    then), "scene KEY.KEY"; None where `path` is none of them."""
     try:
         if path in CATALOGUE:
             return CATALOGUE[path](run)
         kind, _, rest = path.partition(" ")
         if kind == "peak":
             return float(np.abs(run.signals[rest]).max())
+        if kind == "hit":
+            return largest_at_hit(run, rest)
+        if kind == "at":
+            seconds, signal = rest.split(" ")
+            return float(abs(np.interp(float(seconds), run.signals["time"], run.signals[signal])))
         if kind == "scene":
             return run.get(*rest.split("."))
     except (KeyError, IndexError, TypeError) as error:
@@ -84,4 +98,4 @@ def of(run: Run, path: str) -> Any:
 
 
 def is_derived(path: str) -> bool:
-    return path in CATALOGUE or path.startswith(("peak ", "scene "))
+    return path in CATALOGUE or path.startswith(("peak ", "hit ", "at ", "scene "))
