@@ -13,7 +13,7 @@ using reduced::rigid::tr_bdf2_outer, reduced::rigid::tr_bdf2_own;
 
 namespace {
 constexpr double wall_width = 1e-9;    ///< within which a wall's touch is located [m]
-constexpr double own_bodies = 3;     ///< their positions' tolerance over the building's: they weigh next to nothing
+constexpr double own_bodies = 3;       ///< their positions' tolerance over the building's: they weigh next to nothing
 constexpr double converged = 1e-12;    ///< Newton's last correction of a position [m]
 constexpr double shortest_step = 1e-9; ///< [s]
 } // namespace

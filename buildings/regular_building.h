@@ -23,7 +23,8 @@ struct RegularBuilding {
 /// Slabs are rigid in their plane; their bending is left out. Beams run along every line on every level, the base too.
 Frame make_frame(const RegularBuilding &building);
 
-/// A TOML file or the name of a built-in building (builtin_buildings.h). Throws InputError with file, line, value and bound.
+/// A TOML file or the name of a built-in building (builtin_buildings.h). Throws InputError with file, line, value and
+/// bound.
 RegularBuilding load_building(const std::string &where);
 RegularBuilding parse_building(const std::string &text, const std::string &origin);
 
