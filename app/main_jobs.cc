@@ -50,6 +50,8 @@ MainJobs main_jobs(const MainTarget &target, const MainChoices &choices, const s
       scales.push_back(scales_of(pulse, target, choices.pulse_speeds));
       for (const auto &sentence : scales.back().left_out) result.left_out.push_back(sentence);
     }
+  if (choices.bidirectional) // without a plane of symmetry it takes longest
+    add("pulse-bidirectional", JobRole::predict, for_target("pulse-bidirectional", target, "excitation.scale=1.0"));
   for (std::size_t k = 0; k < 3; ++k) // the hardest of each pulse first
     for (std::size_t p = 0; p < scales.size(); ++p) {
       if (k >= scales[p].pulses.size()) continue;

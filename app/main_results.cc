@@ -32,7 +32,7 @@ void run_reduced(const scene::Scene &scene, const std::string &folder) {
 json critical_amplitudes(const std::vector<Job> &jobs) {
   json result = json::array();
   for (const auto &job : jobs) {
-    if (job.role != JobRole::predict) continue;
+    if (job.role != JobRole::predict || job.scene.excitation.kind != scene::ExcitationKind::ricker) continue;
     json row{{"scene", job.name}, {"printed_g", job.scene.excitation.amplitude_g}};
     scene::Scene stack = job.scene;
     reduced::add_stack_terms(stack);

@@ -103,6 +103,8 @@ void add_main(CLI::App &app, Console &console) {
       ->allow_extra_args(false)
       ->capture_default_str();
   verb->add_flag("--windows-only", options->choices.windows_only, "no pulses");
+  verb->add_flag("--bidirectional", options->choices.bidirectional,
+                 "also a motion in two directions (pulse-bidirectional), predicted");
   verb->add_option("--pulse-speeds", options->pulse_speeds,
                    "LOW:HIGH [m/s], speeds at the rim for which the pulses' scales are chosen (0.05:0.6 for a bearing "
                    "or load of yours)");

@@ -205,6 +205,10 @@ class Main(unittest.TestCase):
         self.assertEqual(self.calls(), [])
         self.assertFalse(os.path.exists(self.folder))
 
+    def test_a_motion_in_two_directions_is_predicted_when_asked_for(self):
+        rows = json.loads(self.main("--bidirectional", "--dry-run", "--json").stdout)["runs"]
+        self.assertEqual([row["name"] for row in rows if row["role"] == "predict"], ["pulse-bidirectional", "ricker-0.78g-1.0s-x1.00", "ricker-0.38g-1.5s-x1.00"])
+
     def test_jobs_at_a_time(self):
         for jobs in (1, 3):
             trace = os.path.join(self.temporary.name, f"trace{jobs}")
