@@ -10,8 +10,9 @@ using Eigen::Vector2d, Eigen::Vector3d;
 namespace {
 const double diagonal = tr_bdf2_own, outer = tr_bdf2_outer;
 /// A correction this small leaves the tangent as it is [m/s, rad/s]: the next one is measured with the same.
-constexpr double kept_below = 1e-7;
-}
+constexpr double kept_below = 1e-6;
+constexpr int most_iterations = 14;
+} // namespace
 
 Pose moved_by(const Pose &pose, const Vector &motion, int body) {
   const Vector3d turn = motion.segment<3>(6 * body + 3);
@@ -94,7 +95,8 @@ void Stepper::restart(MotionState &s) {
 
 /// The stage's equations by the velocities: inertia over the stage's weight less the tangent of the forces; what is
 /// not free stays.
-template <int n> void Stepper::linearise(const Poses &poses, double weight, const Matrix &tangent, Chain<n> &chain) const {
+template <int n>
+void Stepper::linearise(const Poses &poses, double weight, const Matrix &tangent, Chain<n> &chain) const {
   const int last = static_cast<int>(system_.bodies.size()) - 1;
   for (int b = 0; b <= last; ++b) {
     const auto own = entries<n>(b);
@@ -118,9 +120,9 @@ bool Stepper::solve(const MotionState &from, double h, const Vector &moved, cons
   const Vector load = applied(t);
   Chain<n> chain;
   std::array<typename Chain<n>::Part, max_bodies> x;
-  double size = std::numeric_limits<double>::infinity();
+  double size = std::numeric_limits<double>::infinity(), least = size;
   to.t = t;
-  for (int iteration = 0; iteration < 14; ++iteration) {
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
     drive(t, to);
     const Vector motion = moved + weight * to.velocity;
     for (int b = 0; b < n_bodies; ++b) to.poses[b] = moved_by(from.poses[b], motion, b);
@@ -147,6 +149,8 @@ bool Stepper::solve(const MotionState &from, double h, const Vector &moved, cons
       to.acceleration = (to.velocity - base) / weight;
       return true;
     }
+    if (iteration >= 3 && size > least / 2) return false; // it goes to and fro over a kink
+    least = std::min(least, size);
     if (kept && size > 0.1 * before) size = std::numeric_limits<double>::infinity();
   }
   return false;

@@ -57,8 +57,7 @@ public:
 
 private:
   struct StageData;
-  template <int n>
-  void linearise(const Poses &poses, double weight, const Matrix &tangent, Chain<n> &chain) const;
+  template <int n> void linearise(const Poses &poses, double weight, const Matrix &tangent, Chain<n> &chain) const;
   template <int n>
   bool solve(const MotionState &from, double h, const Vector &moved, const Vector &base, double t, double slip_step,
              MotionState &to, int &iterations);

@@ -25,10 +25,9 @@ Vector3d point_velocity(const Poses &poses, const Vector &velocity, int body, co
 
 } // namespace
 
-Matrix3d System::normal_terms(const Contact &c, std::size_t index, const Touch &touch, const Vector3d &v, double weight,
-                              ContactForce &f) const {
-  const Vector3d &m = touch.normal;
-  const double d = touch.penetration, rate = m.dot(v);
+double System::press(const Contact &c, std::size_t index, const Touch &touch, const Vector3d &v, double weight,
+                     ContactForce &f) const {
+  const double d = touch.penetration, rate = touch.normal.dot(v);
   double stiffness = 0, damping = 0;
   if (!is_wall(c.surface)) {
     const double trial = normal.stiffness * d + normal.damping * rate;
@@ -37,27 +36,27 @@ Matrix3d System::normal_terms(const Contact &c, std::size_t index, const Touch &
     const auto law = rim.at({d, rate, v.norm(), deepest[index]});
     if (!rim.law->unilateral || law.force > 0) f.size = law.force, stiffness = law.d_penetration, damping = law.d_rate;
   }
-  f.normal = -f.size * m;
+  f.normal = -f.size * touch.normal;
   f.normal_power = f.size * rate;
-  const Matrix3d across = m * m.transpose();
-  return -(damping + weight * stiffness) * across - weight * f.size * touch.curvature * (Matrix3d::Identity() - across);
+  return damping + weight * stiffness;
 }
 
-void System::friction_terms(const Contact &c, const Touch &touch, const Vector3d &v, const Vector3d &z0,
-                            const Stage &stage, ContactForce &f, Matrix3d &B) const {
-  const Matrix3d along = Matrix3d::Identity() - touch.normal * touch.normal.transpose();
-  const Vector3d slide = along * v;
+void System::rub(const Contact &c, const Touch &touch, const Vector3d &v, const Vector3d &z0, const Stage &stage,
+                 double gain, ContactForce &f, Matrix3d *B) const {
+  const Vector3d &m = touch.normal;
+  const Vector3d slide = v - m * m.dot(v), start = z0 - m * m.dot(z0);
   const double speed = slide.norm(), per_slip = stage.slip_step / elastic_slip;
   const auto &law = c.surface != Surface::dish ? interface_friction : c.set == 2 ? top_friction : dish_friction;
   const auto mu = law.at(speed);
-  const auto state = park_wen ? park_wen_step(along * z0, slide, per_slip) : coulomb_step(along * z0, slide, per_slip);
+  const auto state = park_wen ? park_wen_step(start, slide, per_slip) : coulomb_step(start, slide, per_slip);
   f.slip = state.z;
   f.friction = -mu.value * f.size * state.z;
   f.slip_power = -f.friction.dot(slide);
-  // d N / d v = -m^T B of the normal part alone
-  const Eigen::RowVector3d d_size = -touch.normal.transpose() * B;
-  B -= mu.value * state.z * d_size + mu.value * f.size * state.d_velocity * along;
-  if (speed > 0 && mu.slope != 0) B -= f.size * mu.slope / speed * state.z * slide.transpose();
+  if (!B) return;
+  Vector3d by_z = mu.value * gain * m; // of -F / z by the velocity
+  if (speed > 0 && mu.slope != 0) by_z += f.size * mu.slope / speed * slide;
+  const Vector3d across = state.d_velocity * m;
+  *B -= state.z * by_z.transpose() + mu.value * f.size * (state.d_velocity - across * m.transpose());
 }
 
 namespace {
@@ -91,8 +90,7 @@ void System::add_tangent(const Contact &c, const Vector3d &at, const Poses &pose
   for (const auto &row : sides) {
     if (row.body == ground) continue;
     // The arm follows the point of the body: d(at) = dr + dtheta x arm of the body, less its own origin.
-    const Eigen::Matrix<double, turns, 3> F =
-        position_weight * row.sign * twist.middleRows<turns>(n == 6 ? 0 : 1);
+    const Eigen::Matrix<double, turns, 3> F = position_weight * row.sign * twist.middleRows<turns>(n == 6 ? 0 : 1);
     for (const auto &column : sides) {
       if (column.body == ground) continue;
       Eigen::Matrix<double, n, n> K = row.sign * column.sign * row.motion.transpose() * (B * column.motion);
@@ -139,9 +137,15 @@ Vector System::forces(const Poses &poses, const Vector &velocity, const Stage &s
     if (touch.penetration <= 0 || (!unmet.empty() && unmet[i])) continue;
     const Vector3d v =
         point_velocity(poses, velocity, c.body, touch.at) - point_velocity(poses, velocity, c.master, touch.at);
-    Matrix3d B = normal_terms(c, i, touch, v, stage.position_weight, f);
+    const double gain = press(c, i, touch, v, stage.position_weight, f);
     if (f.size == 0) continue;
-    if (!is_wall(c.surface)) friction_terms(c, touch, v, stage.slip[i], stage, f, B);
+    Matrix3d B;
+    if (tangent) {
+      const double turning = stage.position_weight * f.size * touch.curvature;
+      B = (turning - gain) * touch.normal * touch.normal.transpose();
+      B.diagonal().array() -= turning;
+    }
+    if (!is_wall(c.surface)) rub(c, touch, v, stage.slip[i], stage, gain, f, tangent ? &B : nullptr);
     add(c, touch, poses, B, f.normal + f.friction, stage.position_weight, sum, tangent);
   }
   return sum;

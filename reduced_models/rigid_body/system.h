@@ -92,10 +92,12 @@ private:
   template <int n>
   void add_tangent(const Contact &c, const Eigen::Vector3d &at, const Poses &poses, const Eigen::Matrix3d &B,
                    const Eigen::Vector3d &force, double position_weight, Matrix &tangent) const;
-  Eigen::Matrix3d normal_terms(const Contact &c, std::size_t index, const Touch &touch, const Eigen::Vector3d &v,
-                               double weight, ContactForce &f) const;
-  void friction_terms(const Contact &c, const Touch &touch, const Eigen::Vector3d &v, const Eigen::Vector3d &z0,
-                      const Stage &stage, ContactForce &f, Eigen::Matrix3d &B) const;
+  /// The normal force; returns its derivative by the velocity of approach, penetration following.
+  double press(const Contact &c, std::size_t index, const Touch &touch, const Eigen::Vector3d &v, double weight,
+               ContactForce &f) const;
+  /// The friction force; `gain` as `press` returns it. Adds its derivative by the velocity to B, which may be null.
+  void rub(const Contact &c, const Touch &touch, const Eigen::Vector3d &v, const Eigen::Vector3d &z0,
+           const Stage &stage, double gain, ContactForce &f, Eigen::Matrix3d *B) const;
 };
 
 Eigen::Matrix3d skew(const Eigen::Vector3d &a); ///< skew(a) b = a x b
