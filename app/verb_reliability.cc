@@ -89,6 +89,10 @@ std::string describe(const risk::Results &results, const std::string &folder) {
                         d["limit"].get<double>(), 100 * d["mean_reduction"].get<double>(),
                         100 * d["least_reduction"].get<double>(), 100 * d["largest_reduction"].get<double>(),
                         d["n_systems"].get<int>());
+  if (const int n = results.summary["n_runs_without_result"].get<int>(); n > 0)
+    text += fmt::format("{} runs have no result. They count for the limits they had passed by then; columns "
+                        "probability_if_none and _if_all of reliability.csv: none or all of them beyond the others\n",
+                        n);
   return text + fmt::format("{}/reliability.json, tables beside it\n", folder);
 }
 

@@ -1,4 +1,5 @@
 #include "reduced_models/bouc_wen.h"
+#include "reduced_models/wen_stage.h"
 #include <cmath>
 #include <Eigen/LU>
 #include <limits>
@@ -34,6 +35,10 @@ BoucWen::Rate BoucWen::rate_and_slopes(const Vector2d &z, const Vector2d &v) con
 }
 
 BoucWen::Step BoucWen::implicit_step(const Vector2d &z0, const Vector2d &v, double h) const {
+  if (exponent == 2) {
+    const auto stage = wen_stage<2>(z0, v, h / yield, 1, 1 - 2 * beta);
+    return {stage.z, stage.d_velocity};
+  }
   Vector2d z = z0;
   for (int i = 0; i < 50; ++i) {
     const Rate r = rate_and_slopes(z, v);

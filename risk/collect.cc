@@ -86,14 +86,14 @@ ResponseSet collect(const Study &study, const std::string &folder, const Motions
     level.intensity_g = intensity;
     const auto end =
         fleets::run_end(parse<fleets::RowStatus>(columns.text(row, "status")), columns.text(row, "reason"));
-    if (end == fleets::RunEnd::without_result) {
-      ++level.n_without_result;
-      continue;
-    }
     const auto known = records.find(record);
     if (known == records.end()) throw DataError(fmt::format("{}: {} is no record of this study", path, record));
     Response response = response_of(study, columns, row, set.inputs, end == fleets::RunEnd::beyond);
     response.record = known->second;
+    if (end == fleets::RunEnd::without_result) {
+      level.unfinished.push_back(std::move(response));
+      continue;
+    }
     level.runs.push_back(std::move(response));
     records_of[intensity].insert(record);
   }

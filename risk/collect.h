@@ -15,8 +15,10 @@ struct Response {
 
 struct ResponseLevel {
   double intensity_g = 0;
-  int n_records = 0, n_without_result = 0;
+  int n_records = 0;
   std::vector<Response> runs; ///< those with a result
+  /// Refused, failed, or stopped where their model holds no longer: values are what was reached by then, NaN unknown.
+  std::vector<Response> unfinished;
 };
 
 struct ResponseSet {

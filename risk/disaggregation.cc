@@ -48,12 +48,14 @@ Disaggregation disaggregate(const ResponseSet &responses, const SystemSample &sa
     result.levels[i] = share;
     const auto &level = responses.levels[i];
     const auto is_beyond = [&](const Response &run) { return run.beyond || run.values[limit.quantity] > limit.limit; };
-    const auto n = std::count_if(level.runs.begin(), level.runs.end(), is_beyond);
+    const auto n = std::count_if(level.runs.begin(), level.runs.end(), is_beyond) +
+                   std::count_if(level.unfinished.begin(), level.unfinished.end(), is_beyond);
     if (n == 0) result.tail += share;
-    for (const auto &run : level.runs)
-      if (is_beyond(run)) result.records[static_cast<std::size_t>(run.record)] += share / static_cast<double>(n);
+    for (const auto *runs : {&level.runs, &level.unfinished})
+      for (const auto &run : *runs)
+        if (is_beyond(run)) result.records[static_cast<std::size_t>(run.record)] += share / static_cast<double>(n);
     const double slope_of_rate =
-        weights[i] / rate * density(sample.distribution(limit.quantity, i, sample.once()), limit.limit);
+        weights[i] / rate * density(sample.level(limit.quantity, i, sample.once()).finished, limit.limit);
     for (std::size_t input = 0; input < responses.inputs.size(); ++input)
       result.elasticities[input] += slope_of_rate * slope_within_records(level, limit.quantity, input);
   }

@@ -32,11 +32,25 @@ std::vector<double> probabilities(const Study &study, const SystemSample &sample
   return result;
 }
 
-/// Share of a level's runs beyond the limit, collapses among them.
+/// Share of a level's runs beyond the limit, collapses among them; those that stopped short of it are left out.
 double counted(const ResponseLevel &level, std::size_t k, double limit) {
-  double n = 0;
+  double n = 0, all = static_cast<double>(level.runs.size());
   for (const auto &run : level.runs) n += run.beyond || run.values[k] > limit;
-  return n / static_cast<double>(level.runs.size());
+  for (const auto &run : level.unfinished)
+    if (run.values[k] > limit) ++n, ++all;
+  return n / all;
+}
+
+/// What runs that stopped short of the limit leave open.
+void add_bounds(const Study &study, const SystemSample &sample, LimitResult &result) {
+  std::vector<double> least, most;
+  for (std::size_t level = 0; level < sample.n_levels(); ++level) {
+    const auto bounds = sample.level(result.quantity, level, sample.once()).exceedance(result.limit);
+    result.bounds.push_back(bounds), result.n_unknown += bounds.n_unknown;
+    least.push_back(bounds.least), most.push_back(bounds.most);
+  }
+  result.if_none = reliability::probability_in(study.years, sample.weights().rate(least));
+  result.if_all = reliability::probability_in(study.years, sample.weights().rate(most));
 }
 
 } // namespace
@@ -46,7 +60,10 @@ SystemSample::SystemSample(const Study &study, const ResponseSet &responses)
       weights_(reliability::level_weights(reliability::HazardCurve(study.hazard), intensities_)) {
   for (std::size_t k = 0; k < study.limits.size(); ++k) {
     auto &levels = sums_.emplace_back();
+    auto &unfinished = unfinished_.emplace_back();
     for (const auto &level : responses.levels) {
+      auto &reached = unfinished.emplace_back();
+      for (const auto &run : level.unfinished) reached.emplace_back(run.record, run.values[k]);
       auto &records = levels.emplace_back(n_records_);
       for (const auto &run : level.runs) {
         auto &sums = records[static_cast<std::size_t>(run.record)];
@@ -56,19 +73,23 @@ SystemSample::SystemSample(const Study &study, const ResponseSet &responses)
   }
 }
 
-reliability::LevelDistribution SystemSample::distribution(std::size_t k, std::size_t level,
-                                                          const std::vector<int> &times) const {
+LevelModel SystemSample::level(std::size_t k, std::size_t level, const std::vector<int> &times) const {
   const auto &records = sums_[k][level];
+  const auto of = [&](const std::vector<int> &counted) {
+    LevelModel model{reliability::pooled(records, counted), {}};
+    for (const auto &[record, reached] : unfinished_[k][level])
+      model.unfinished.emplace_back(reached, counted[static_cast<std::size_t>(record)]);
+    return model;
+  };
   for (std::size_t i = 0; i < records.size(); ++i)
-    if (times[i] > 0 && records[i].n_collapsed + records[i].n_zero + records[i].n_positive > 0)
-      return reliability::pooled(records, times);
-  return reliability::pooled(records, once());
+    if (times[i] > 0 && records[i].n_collapsed + records[i].n_zero + records[i].n_positive > 0) return of(times);
+  return of(once());
 }
 
 std::vector<double> SystemSample::fragility(std::size_t k, double limit, const std::vector<int> &times) const {
   std::vector<double> result;
   for (std::size_t level = 0; level < n_levels(); ++level)
-    result.push_back(distribution(k, level, times).exceedance(limit));
+    result.push_back(this->level(k, level, times).exceedance(limit).value);
   return result;
 }
 
@@ -78,12 +99,11 @@ std::vector<LimitResult> evaluate(const Study &study, const ResponseSet &respons
   const auto statistic = [&](const std::vector<int> &times) {
     std::vector<double> flat;
     for (std::size_t k = 0; k < study.limits.size(); ++k) {
-      std::vector<reliability::LevelDistribution> levels;
-      for (std::size_t level = 0; level < sample.n_levels(); ++level)
-        levels.push_back(sample.distribution(k, level, times));
+      std::vector<LevelModel> levels;
+      for (std::size_t level = 0; level < sample.n_levels(); ++level) levels.push_back(sample.level(k, level, times));
       for (const double limit : study.limits[k].values) {
         std::vector<double> fragility;
-        for (const auto &level : levels) fragility.push_back(level.exceedance(limit));
+        for (const auto &level : levels) fragility.push_back(level.exceedance(limit).value);
         flat.insert(flat.end(), fragility.begin(), fragility.end());
         flat.push_back(sample.weights().rate(fragility));
         flat.push_back(reliability::probability_in(study.years, flat.back()));
@@ -102,7 +122,8 @@ std::vector<LimitResult> evaluate(const Study &study, const ResponseSet &respons
     return result;
   };
   each_limit(study, [&](std::size_t k, double limit) {
-    LimitResult result{.quantity = k, .limit = limit, .fragility = {}, .counted = {}, .rate = {}, .probability = {}};
+    LimitResult result;
+    result.quantity = k, result.limit = limit;
     std::vector<double> fragility;
     for (const auto &level : responses.levels) {
       result.fragility.push_back(next());
@@ -113,6 +134,7 @@ std::vector<LimitResult> evaluate(const Study &study, const ResponseSet &respons
     result.below = sample.weights().below * fragility.front();
     result.above = sample.weights().above * fragility.back();
     result.probability_most = reliability::probability_in(study.years, sample.weights().most(fragility));
+    add_bounds(study, sample, result);
     results.push_back(std::move(result));
   });
   return results;

@@ -2,6 +2,7 @@
 #pragma once
 #include "reliability/level_weights.h"
 #include "risk/collect.h"
+#include "risk/level_model.h"
 
 namespace rimpact::risk {
 
@@ -14,7 +15,7 @@ public:
   const std::vector<double> &intensities() const { return intensities_; }
   const reliability::LevelWeights &weights() const { return weights_; }
   /// Of quantity k at a level, records counted `times`. A level of which no record was drawn keeps all of its own.
-  reliability::LevelDistribution distribution(std::size_t k, std::size_t level, const std::vector<int> &times) const;
+  LevelModel level(std::size_t k, std::size_t level, const std::vector<int> &times) const;
   /// P(quantity k > limit) at every level.
   std::vector<double> fragility(std::size_t k, double limit, const std::vector<int> &times) const;
   std::vector<int> once() const { return std::vector<int>(n_records_, 1); }
@@ -24,6 +25,8 @@ private:
   std::vector<double> intensities_;
   reliability::LevelWeights weights_;
   std::vector<std::vector<std::vector<reliability::RecordSums>>> sums_; ///< [quantity][level][record]
+  std::vector<std::vector<std::vector<std::pair<int, double>>>>
+      unfinished_; ///< [quantity][level]: record of a run that stopped, and what it reached
 };
 
 struct Banded {
@@ -34,11 +37,14 @@ struct Banded {
 struct LimitResult {
   std::size_t quantity = 0; ///< of Study::limits
   double limit = 0;
-  std::vector<Banded> fragility; ///< one a level
-  std::vector<double> counted;   ///< share of the runs beyond the limit, one a level
-  Banded rate, probability;      ///< [1/year]; in Study::years
-  double below = 0, above = 0;   ///< parts of the rate from intensities below the first and above the last level
-  double probability_most = 0;   ///< in Study::years, if all intensities above the last level failed
+  std::vector<Banded> fragility;              ///< one a level
+  std::vector<double> counted;                ///< share of the runs beyond the limit, one a level
+  std::vector<LevelModel::Exceedance> bounds; ///< of the fragility, unfinished runs counted either way; one a level
+  Banded rate, probability;                   ///< [1/year]; in Study::years
+  double below = 0, above = 0;    ///< parts of the rate from intensities below the first and above the last level
+  double probability_most = 0;    ///< in Study::years, if all intensities above the last level failed
+  int n_unknown = 0;              ///< runs that stopped short of the limit, over all levels
+  double if_none = 0, if_all = 0; ///< probability in Study::years, if none or all of those had exceeded it
 };
 
 /// All limits of one system, in the order of Study::limits and their values.

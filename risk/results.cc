@@ -21,17 +21,23 @@ Cell fractile(std::vector<double> values, std::size_t n_beyond, double share) {
   return std::lerp(values[below], values[above], place - static_cast<double>(below));
 }
 
+double reduction(double probability, double reference) {
+  return reference > 0 ? 1 - probability / reference : 0;
+}
+
 class Writer {
 public:
   Writer(const Study &study, const Systems &systems) : study_(study), systems_(systems) {
     begin("ida", {"quantity", "level_g", "n_records", "n_runs", "n_beyond", "n_zero", "n_without_result", "p16", "p50",
                   "p84", "mean_ln", "sigma_ln", "fit_p16", "fit_p50", "fit_p84"});
-    begin("fragility", {"quantity", "limit", "level_g", "probability", "low", "high", "counted"});
-    begin("reliability",
-          {"quantity", "limit", "rate_per_year", "rate_low", "rate_high", "rate_below_levels", "rate_above_levels",
-           "years", "probability", "probability_low", "probability_high", "probability_most"});
-    begin("difference", {"key", "reference_system", "quantity", "limit", "probability", "reference_probability",
-                         "reduction", "reduction_low", "reduction_high"});
+    begin("fragility",
+          {"quantity", "limit", "level_g", "probability", "low", "high", "counted", "n_unknown", "least", "most"});
+    begin("reliability", {"quantity", "limit", "rate_per_year", "rate_low", "rate_high", "rate_below_levels",
+                          "rate_above_levels", "years", "probability", "probability_low", "probability_high",
+                          "probability_most", "n_unknown", "probability_if_none", "probability_if_all"});
+    begin("difference",
+          {"key", "reference_system", "quantity", "limit", "probability", "reference_probability", "reduction",
+           "reduction_low", "reduction_high", "n_unknown", "reduction_at_least", "reduction_at_most"});
     begin("levels", {"quantity", "limit", "level_g", "share"});
     begin("records", {"quantity", "limit", "record", "share"});
     begin("sensitivity", {"quantity", "limit", "key", "elasticity"});
@@ -52,7 +58,8 @@ public:
       row("difference", c.system,
           {study_.differences[c.difference].key, double(c.reference + 1), quantity(limits[i]), limits[i].limit,
            limits[i].probability.value, reference[i].probability.value, reductions[i].value, reductions[i].low,
-           reductions[i].high});
+           reductions[i].high, double(limits[i].n_unknown + reference[i].n_unknown),
+           reduction(limits[i].if_all, reference[i].if_none), reduction(limits[i].if_none, reference[i].if_all)});
   }
 
   std::map<std::string, Table> tables;
@@ -78,14 +85,14 @@ private:
     for (std::size_t k = 0; k < study_.limits.size(); ++k)
       for (std::size_t i = 0; i < set.levels.size(); ++i) {
         const auto &level = set.levels[i];
-        const auto model = sample.distribution(k, i, sample.once());
+        const auto model = sample.level(k, i, sample.once()).finished;
         std::vector<double> values;
         for (const auto &run : level.runs)
           if (!run.beyond) values.push_back(run.values[k]);
         const std::size_t n_beyond = level.runs.size() - values.size();
-        std::vector<Cell> cells{study_.limits[k].quantity,     level.intensity_g, double(level.n_records),
-                                double(level.runs.size()),     double(n_beyond),  double(model.n_zero),
-                                double(level.n_without_result)};
+        std::vector<Cell> cells{study_.limits[k].quantity,      level.intensity_g, double(level.n_records),
+                                double(level.runs.size()),      double(n_beyond),  double(model.n_zero),
+                                double(level.unfinished.size())};
         for (const double share : {0.16, 0.5, 0.84}) cells.push_back(fractile(values, n_beyond, share));
         if (model.fit) {
           const auto &fit = model.fit->distribution;
@@ -101,10 +108,11 @@ private:
     for (std::size_t i = 0; i < set.levels.size(); ++i)
       row("fragility", system,
           {quantity(r), r.limit, set.levels[i].intensity_g, r.fragility[i].value, r.fragility[i].low,
-           r.fragility[i].high, r.counted[i]});
+           r.fragility[i].high, r.counted[i], double(r.bounds[i].n_unknown), r.bounds[i].least, r.bounds[i].most});
     row("reliability", system,
         {quantity(r), r.limit, r.rate.value, r.rate.low, r.rate.high, r.below, r.above, study_.years,
-         r.probability.value, r.probability.low, r.probability.high, r.probability_most});
+         r.probability.value, r.probability.low, r.probability.high, r.probability_most, double(r.n_unknown), r.if_none,
+         r.if_all});
   }
 
   void add_disaggregation(std::size_t system, const ResponseSet &set, const LimitResult &r, const Disaggregation &d) {
@@ -132,6 +140,16 @@ Table table_of(const Motions &motions) {
   return table;
 }
 
+std::vector<double> levels_without_result(const Motions &motions, const ResponseSet &set) {
+  std::vector<double> levels;
+  for (const auto &level : motions.levels) {
+    const auto is_it = [&](const ResponseLevel &r) { return r.intensity_g == level.intensity_g; };
+    if (!level.motions.empty() && std::none_of(set.levels.begin(), set.levels.end(), is_it))
+      levels.push_back(level.intensity_g);
+  }
+  return levels;
+}
+
 ordered_json levels_json(const Motions &motions) {
   auto levels = ordered_json::array();
   for (const auto &level : motions.levels)
@@ -145,8 +163,12 @@ ordered_json levels_json(const Motions &motions) {
 /// What a difference's key buys: of each of its values and each limit the reductions over all systems.
 class Reductions {
 public:
-  void add(const std::string &key, const Cell &value, const std::string &quantity, double limit, const Banded &b) {
-    Sum &sum = sums_[{key, value, quantity, limit}];
+  void add(const std::string &key, const Cell &value, const std::string &quantity, const LimitResult &own,
+           const LimitResult &reference, const Banded &b) {
+    Sum &sum = sums_[{key, value, quantity, own.limit}];
+    sum.n_unknown += own.n_unknown + reference.n_unknown;
+    sum.at_least = std::min(sum.at_least, reduction(own.if_all, reference.if_none));
+    sum.at_most = std::max(sum.at_most, reduction(own.if_none, reference.if_all));
     ++sum.n, sum.total += b.value, sum.low = std::min(sum.low, b.value), sum.high = std::max(sum.high, b.value);
     sum.n_sure += b.low > 0 || b.high < 0;
   }
@@ -165,7 +187,10 @@ public:
                                 {"mean_reduction", sum.total / sum.n},
                                 {"least_reduction", sum.low},
                                 {"largest_reduction", sum.high},
-                                {"n_systems_whose_band_excludes_0", sum.n_sure}});
+                                {"n_systems_whose_band_excludes_0", sum.n_sure},
+                                {"n_unknown", sum.n_unknown},
+                                {"reduction_at_least", sum.at_least},
+                                {"reduction_at_most", sum.at_most}});
       list.push_back(std::move(entry));
     }
     return list;
@@ -173,8 +198,8 @@ public:
 
 private:
   struct Sum {
-    int n = 0, n_sure = 0;
-    double total = 0, low = 1e300, high = -1e300;
+    int n = 0, n_sure = 0, n_unknown = 0;
+    double total = 0, low = 1e300, high = -1e300, at_least = 1e300, at_most = -1e300;
   };
   std::map<std::tuple<std::string, Cell, std::string, double>, Sum> sums_;
 };
@@ -187,9 +212,14 @@ Results evaluate_study(const Study &study, const Systems &systems, const Motions
   std::vector<SystemSample> samples;
   std::vector<std::vector<LimitResult>> limits;
   std::size_t n_without = 0;
+  std::vector<std::string> doubts = motions.doubts;
   for (std::size_t s = 0; s < systems.size(); ++s) {
     const ResponseSet set = collect(study, folder_of_system(folder, s), motions);
-    for (const auto &level : set.levels) n_without += static_cast<std::size_t>(level.n_without_result);
+    for (const auto &level : set.levels) n_without += level.unfinished.size();
+    for (const double level : levels_without_result(motions, set))
+      doubts.push_back(fmt::format("system {}: no run at {:.4g} g has a result; its fragility is made without that "
+                                   "level",
+                                   s + 1, level));
     samples.emplace_back(study, set);
     limits.push_back(evaluate(study, set, samples.back()));
     writer.add(s, set, samples.back(), limits.back());
@@ -198,13 +228,14 @@ Results evaluate_study(const Study &study, const Systems &systems, const Motions
   Reductions sums;
   for (const auto &c : comparisons(study, systems)) {
     if (samples[c.system].n_levels() != samples[c.reference].n_levels()) continue; // a level without any result
-    const auto reduction = reductions(study, samples[c.system], samples[c.reference]);
-    writer.add_difference(c, limits[c.system], limits[c.reference], reduction);
+    const auto all = reductions(study, samples[c.system], samples[c.reference]);
+    writer.add_difference(c, limits[c.system], limits[c.reference], all);
     const auto &key = study.differences[c.difference].key;
     const auto at = std::find(systems.keys.begin(), systems.keys.end(), key) - systems.keys.begin();
-    for (std::size_t i = 0; i < reduction.size(); ++i)
+    for (std::size_t i = 0; i < all.size(); ++i)
       sums.add(key, systems.all[c.system].values[static_cast<std::size_t>(at)],
-               study.limits[limits[c.system][i].quantity].quantity, limits[c.system][i].limit, reduction[i]);
+               study.limits[limits[c.system][i].quantity].quantity, limits[c.system][i], limits[c.reference][i],
+               all[i]);
   }
   Results results{std::move(writer.tables), {}};
   results.tables["motions"] = table_of(motions);
@@ -223,7 +254,7 @@ Results evaluate_study(const Study &study, const Systems &systems, const Motions
                      {"confidence", study.bootstrap.confidence},
                      {"replicates", study.bootstrap.replicates},
                      {"differences", sums.json()},
-                     {"doubts", motions.doubts},
+                     {"doubts", doubts},
                      {"missing", motions.missing}};
   return results;
 }

@@ -97,16 +97,19 @@ def studies_page() -> str:
 
 
 def reductions_table(kept: dict[str, Any]) -> str:
-    text = "| systems that differ in | limit | pairs | mean reduction | least | largest | pairs whose band excludes 0 |\n|---|---|---|---|---|---|---|\n"
+    text = ("| systems that differ in | limit | pairs | mean reduction | least | largest | pairs whose band excludes 0 | unknown runs: at least to at most |\n"
+            "|---|---|---|---|---|---|---|---|\n")
     for row in kept["differences"]:
+        unknown = f"{row['n_unknown']}: {percent(row['reduction_at_least'])} to {percent(row['reduction_at_most'])}" if row.get("n_unknown") else ""
         text += (f"| {row['key']} = {row['value']} | {row['quantity']} > {row['limit']:g} | {row['n_systems']} | {percent(row['mean_reduction'])} | "
-                 f"{percent(row['least_reduction'])} | {percent(row['largest_reduction'])} | {row['n_systems_whose_band_excludes_0']} |\n")
+                 f"{percent(row['least_reduction'])} | {percent(row['largest_reduction'])} | {row['n_systems_whose_band_excludes_0']} | {unknown} |\n")
     return text
 
 
 def reliability_page() -> str:
     text = ("# Reliability\n\nStudies of `data/reliability/` with the records at hand, kept by `docs/generate/keep_reliability.py`. A reduction is of the probability of "
-            "exceedance in the study's years, against the reference system; negative: it grows.\n")
+            "exceedance in the study's years, against the reference system; negative: it grows. Unknown runs are those of both systems that stopped short of the limit because their model holds no longer; the "
+            "bounds beside them count all or none of them beyond it.\n")
     for file in sorted((ROOT / "data/reliability/kept").glob("*.json")):
         kept = json.loads(file.read_text(encoding="utf-8"))
         levels = ", ".join(f"{level['level_g']:.3g} g: {level['n_records']} of {level['n_listed']}" for level in kept["levels"])

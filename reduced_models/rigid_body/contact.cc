@@ -36,18 +36,20 @@ Vector3d farthest(const Vector3d &c, const Vector3d &e1, const Vector3d &e2) {
 
 Touch on_rim(const Contact &c, const Pose &body, const Pose &master) {
   const auto local = master.rotation.transpose();
-  Vector3d x = local * (body.at(c.point) - master.position) - c.centre;
+  Vector3d at = body.at(c.point), x = local * (at - master.position) - c.centre;
   if (c.reach > 0) x = farthest(x, c.reach * (local * body.rotation.col(0)), c.reach * (local * body.rotation.col(1)));
-  const double r = std::hypot(x[0], x[1]);
+  if (c.reach > 0) at = master.at(c.centre + x);
+  const double r = x.head<2>().norm();
+  if (r < c.radius) return {at, Vector3d::Zero(), r - c.radius, 0};
   const Vector3d outward = r > 0 ? Vector3d(x[0] / r, x[1] / r, 0) : Vector3d::UnitX();
-  Touch touch{master.at(c.centre + x), master.rotation * outward, r - c.radius, r > 0 ? 1 / r : 0};
+  Touch touch{at, master.rotation * outward, r - c.radius, r > 0 ? 1 / r : 0};
   touch.passed = touch.penetration > 0 && c.upward * x[2] > c.wall_height;
   return touch;
 }
 
 Touch on_stop(const Contact &c, const Pose &body, const Pose &master) {
   const Vector3d x = master.rotation.transpose() * (body.at(c.point) - master.position) - c.centre;
-  const double s = std::hypot(x[0], x[1]);
+  const double s = x.head<2>().norm();
   const Vector3d outward = master.rotation * (s > 0 ? Vector3d(x[0] / s, x[1] / s, 0) : Vector3d::UnitX());
   Touch touch{body.at(c.point) + c.reach * outward, outward, s - c.radius, s > 0 ? 1 / s : 0};
   touch.passed = touch.penetration > 0 && x[2] > c.wall_height;

@@ -40,7 +40,7 @@ struct Contact {
 /// A contact in one configuration.
 struct Touch {
   Eigen::Vector3d at;     ///< where the force acts
-  Eigen::Vector3d normal; ///< unit, from the body into the master
+  Eigen::Vector3d normal; ///< unit, from the body into the master; zero short of a rim
   double penetration;     ///< [m], > 0 when pressed
   double curvature;       ///< turning of the normal over sliding [1/m]
   bool passed = false;    ///< rim, stop: beyond the wall but above it

@@ -76,13 +76,14 @@ private:
     }
     return largest;
   }
-  /// An accepted step; h becomes the next one's length.
+  /// An accepted step; h becomes the next one's length. It does not grow just after a cut, and two even steps lead to a
+  /// sample rather than a long and a short one.
   void advance(MotionState &state, double &h) {
-    for (;;) {
+    for (double growth = 2;; growth = 1) {
       h = std::min(h, state.t < quiet_from_ ? largest_step_ : 2 * largest_step_);
       const double limit = recorder_.next_sample(state);
       const bool clipped = state.t + h * 1.001 >= limit;
-      const double step = clipped ? limit - state.t : h;
+      const double left = limit - state.t, step = clipped ? left : 2 * h > left ? left / 2 : h;
       if (!(step > 1e-12 * std::max(1.0, duration_)))
         throw SolverStopped("the time step of reduced.model \"" + word(scene_.reduced.model) +
                             "\" became too small at t = " + std::to_string(state.t) + " s");
@@ -92,7 +93,7 @@ private:
         h = step / 4;
         continue;
       }
-      const double e = error(report), factor = std::clamp(0.9 / std::cbrt(std::max(e, 1e-9)), 0.2, 2.0);
+      const double e = error(report), factor = std::clamp(0.9 / std::cbrt(std::max(e, 1e-9)), 0.2, growth);
       if (e > 1 && step > 1e-6 * largest_step_) {
         h = step * std::min(factor, 0.5);
         continue;

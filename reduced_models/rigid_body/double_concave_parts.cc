@@ -75,7 +75,8 @@ void DoubleConcaveSystem::add_bodies(const scene::Scene &scene) {
   }
   const double J = b.plate_inertia;
   system.bodies.push_back({scene.load.mass - building.mass(), {J, J, J}, scene.load.vertical});
-  const bool planar = b.space == scene::Space::planar, plate_turns = b.plate_rotation == scene::PlateRotation::free;
+  const bool planar = system.planar = b.space == scene::Space::planar,
+             plate_turns = b.plate_rotation == scene::PlateRotation::free;
   for (int body = 0; body <= plate; ++body)
     for (int dof = 0; dof < 6; ++dof) {
       const bool in_plane = dof == 0 || dof == 2 || dof == 4, turns = dof >= 3;

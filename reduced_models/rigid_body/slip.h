@@ -1,5 +1,6 @@
 /// The friction state of a contact point: z, tangent to the surface, |z| <= 1; the friction force is -mu N z.
 #pragma once
+#include "reduced_models/wen_stage.h"
 #include <cmath>
 #include <Eigen/Core>
 
@@ -20,17 +21,10 @@ inline SlipState coulomb_step(const Eigen::Vector3d &z0, const Eigen::Vector3d &
   return {z, h_over_q / length * (Eigen::Matrix3d::Identity() - z * z.transpose())};
 }
 
-/// Park-Wen, q z' = v - z max(0, z . v): the implicit stage z = w - (h/q) z max(0, z . v) in closed form,
-/// with w = z0 + (h/q) v: t = z . v is the root of (h/q) t^2 + t = w . v.
+/// Park-Wen, q z' = v - z max(0, z . v).
 inline SlipState park_wen_step(const Eigen::Vector3d &z0, const Eigen::Vector3d &v, double h_over_q) {
-  const Eigen::Vector3d w = z0 + h_over_q * v;
-  const double drive = w.dot(v);
-  if (!(drive > 0)) return {w, h_over_q * Eigen::Matrix3d::Identity()};
-  const double root = std::sqrt(1 + 4 * h_over_q * drive), share = 2 / (1 + root); // 1 / (1 + (h/q) t)
-  // d share/d drive = -4 (h/q) / (root (1 + root)^2)
-  const Eigen::Vector3d d_drive = w + h_over_q * v;
-  const double slope = -h_over_q * share * share / root;
-  return {share * w, share * h_over_q * Eigen::Matrix3d::Identity() + slope * w * d_drive.transpose()};
+  const auto stage = wen_stage<3>(z0, v, h_over_q, 1, 0);
+  return {stage.z, stage.d_velocity};
 }
 
 } // namespace rimpact::reduced::rigid

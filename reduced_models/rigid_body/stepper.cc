@@ -1,6 +1,7 @@
 #include "reduced_models/rigid_body/stepper.h"
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <limits>
 
 namespace rimpact::reduced::rigid {
 
@@ -8,7 +9,10 @@ using Eigen::Vector2d, Eigen::Vector3d;
 
 namespace {
 const double diagonal = tr_bdf2_own, outer = tr_bdf2_outer;
-}
+/// A correction this small leaves the tangent as it is [m/s, rad/s]: the next one is measured with the same.
+constexpr double kept_below = 1e-6;
+constexpr int most_iterations = 14;
+} // namespace
 
 Pose moved_by(const Pose &pose, const Vector &motion, int body) {
   const Vector3d turn = motion.segment<3>(6 * body + 3);
@@ -22,6 +26,10 @@ Pose moved_by(const Pose &pose, const Vector &motion, int body) {
 Stepper::Stepper(const System &system, const Loads &loads) : system_(system), loads_(loads) {
   for (int i = 0; i < system.n_dofs(); ++i)
     if (system.free[i]) dofs_.push_back(i);
+  const int n = system.planar ? 3 : 6; // of a body's entries
+  for (int b = 0; b < static_cast<int>(system.bodies.size()); ++b)
+    for (int i = 0; i < n; ++i)
+      if (!system.free[6 * b + i * (6 / n)]) held_.push_back({b, i});
 }
 
 Vector Stepper::applied(double t) const {
@@ -85,37 +93,65 @@ void Stepper::restart(MotionState &s) {
   s.slip_rate = slip_rate;
 }
 
+/// The stage's equations by the velocities: inertia over the stage's weight less the tangent of the forces; what is
+/// not free stays.
+template <int n>
+void Stepper::linearise(const Poses &poses, double weight, const Matrix &tangent, Chain<n> &chain) const {
+  const int last = static_cast<int>(system_.bodies.size()) - 1;
+  for (int b = 0; b <= last; ++b) {
+    const auto own = entries<n>(b);
+    chain.diagonal(b) = system_.inertia<n>(b, poses) / weight - tangent(own, own);
+    if (b > 0) chain.below(b) = -tangent(own, entries<n>(b - 1));
+    if (b < last) chain.above(b) = -tangent(own, entries<n>(b + 1));
+  }
+  for (const auto &[b, i] : held_) {
+    chain.diagonal(b).row(i).setZero(), chain.diagonal(b).col(i).setZero(), chain.diagonal(b)(i, i) = 1;
+    if (b > 0) chain.below(b).row(i).setZero(), chain.above(b - 1).col(i).setZero();
+    if (b < last) chain.above(b).row(i).setZero(), chain.below(b + 1).col(i).setZero();
+  }
+  chain.eliminate(last + 1);
+}
+
+template <int n>
 bool Stepper::solve(const MotionState &from, double h, const Vector &moved, const Vector &base, double t,
                     double slip_step, MotionState &to, int &iterations) {
-  const int n = static_cast<int>(dofs_.size());
+  const int n_bodies = static_cast<int>(system_.bodies.size());
   const double weight = h * diagonal;
   const Vector load = applied(t);
-  Vector f, motion;
-  Matrix tangent, J(n, n);
-  Vector residual(n), correction;
+  Chain<n> chain;
+  std::array<typename Chain<n>::Part, max_bodies> x;
+  double size = std::numeric_limits<double>::infinity(), least = size;
   to.t = t;
-  for (int iteration = 0; iteration < 14; ++iteration) {
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
     drive(t, to);
-    motion = moved + weight * to.velocity;
-    for (std::size_t b = 0; b < system_.bodies.size(); ++b) to.poses[b] = moved_by(from.poses[b], motion, b);
+    const Vector motion = moved + weight * to.velocity;
+    for (int b = 0; b < n_bodies; ++b) to.poses[b] = moved_by(from.poses[b], motion, b);
     drive(t, to);
-    f = system_.forces(to.poses, to.velocity, {weight, slip_step, to.slip}, to.contact, &tangent) + load;
-    add_links(system_, to.poses, to.velocity, {weight, weight, to.z}, to.link, f, &tangent);
-    const Matrix M = system_.mass_matrix(to.poses);
+    const bool kept = size < kept_below;
+    Matrix *tangent = kept ? nullptr : &tangent_;
+    Vector f = system_.forces(to.poses, to.velocity, {weight, slip_step, to.slip}, to.contact, tangent) + load;
+    add_links(system_, to.poses, to.velocity, {weight, weight, to.z}, to.link, f, tangent);
     to.acceleration = (to.velocity - base) / weight;
-    const Vector imbalance = M * to.acceleration - f;
-    for (int i = 0; i < n; ++i) {
-      residual[i] = -imbalance[dofs_[i]];
-      for (int j = 0; j < n; ++j) J(i, j) = M(dofs_[i], dofs_[j]) / weight - tangent(dofs_[i], dofs_[j]);
-    }
-    correction = J.partialPivLu().solve(residual);
+    if (!kept) linearise(to.poses, weight, tangent_, chain);
+    for (int b = 0; b < n_bodies; ++b)
+      x[b] = f(entries<n>(b)) - system_.inertia<n>(b, to.poses) * to.acceleration(entries<n>(b)).eval();
+    for (const auto &[b, i] : held_) x[b][i] = 0;
+    chain.solve(n_bodies, x);
     ++iterations;
-    if (!correction.allFinite()) return false;
-    for (int i = 0; i < n; ++i) to.velocity[dofs_[i]] += correction[i];
-    if (correction.lpNorm<Eigen::Infinity>() * weight < 1e-12 || correction.lpNorm<Eigen::Infinity>() < 1e-11) {
+    const double before = size;
+    size = 0;
+    for (int b = 0; b < n_bodies; ++b) {
+      if (!x[b].allFinite()) return false;
+      size = std::max(size, x[b].template lpNorm<Eigen::Infinity>());
+      to.velocity(entries<n>(b)) += x[b];
+    }
+    if (size * weight < 1e-12 || size < 1e-11) {
       to.acceleration = (to.velocity - base) / weight;
       return true;
     }
+    if (iteration >= 3 && size > least / 2) return false; // it goes to and fro over a kink
+    least = std::min(least, size);
+    if (kept && size > 0.1 * before) size = std::numeric_limits<double>::infinity();
   }
   return false;
 }
@@ -142,7 +178,8 @@ bool Stepper::stage(const MotionState &from, double h, double w1, double w2, dou
   } else {
     at.velocity = from.velocity + reach * from.acceleration;
   }
-  if (!solve(from, h, moved, base, from.t + reach, slip_step, at, iterations)) return false;
+  const auto solved = system_.planar ? &Stepper::solve<3> : &Stepper::solve<6>;
+  if (!(this->*solved)(from, h, moved, base, from.t + reach, slip_step, at, iterations)) return false;
   for (std::size_t i = 0; i < n; ++i) {
     at.slip_rate[i] = (at.contact[i].slip - at.slip[i]) / slip_step;
     at.slip[i] = at.contact[i].slip;

@@ -2,6 +2,7 @@
 /// third-order error estimate. Source: Bank et al. (1985); coefficients as Hosea and Shampine (1996). Second
 /// order, L-stable: the slider's contact modes (thousands of rad/s, next to no energy) need not be resolved.
 #pragma once
+#include "reduced_models/rigid_body/chain.h"
 #include "reduced_models/rigid_body/storey_link.h"
 #include <cmath>
 #include <functional>
@@ -56,6 +57,8 @@ public:
 
 private:
   struct StageData;
+  template <int n> void linearise(const Poses &poses, double weight, const Matrix &tangent, Chain<n> &chain) const;
+  template <int n>
   bool solve(const MotionState &from, double h, const Vector &moved, const Vector &base, double t, double slip_step,
              MotionState &to, int &iterations);
   bool stage(const MotionState &from, double h, double weight_from, double weight_middle, double reach, MotionState &at,
@@ -67,6 +70,8 @@ private:
   const System &system_;
   const Loads &loads_;
   std::vector<int> dofs_;
+  std::vector<std::pair<int, int>> held_; ///< body, and which of its entries is not free
+  Matrix tangent_;
   MotionState middle_;
 };
 

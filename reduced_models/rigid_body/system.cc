@@ -25,10 +25,9 @@ Vector3d point_velocity(const Poses &poses, const Vector &velocity, int body, co
 
 } // namespace
 
-Matrix3d System::normal_terms(const Contact &c, std::size_t index, const Touch &touch, const Vector3d &v, double weight,
-                              ContactForce &f) const {
-  const Vector3d &m = touch.normal;
-  const double d = touch.penetration, rate = m.dot(v);
+double System::press(const Contact &c, std::size_t index, const Touch &touch, const Vector3d &v, double weight,
+                     ContactForce &f) const {
+  const double d = touch.penetration, rate = touch.normal.dot(v);
   double stiffness = 0, damping = 0;
   if (!is_wall(c.surface)) {
     const double trial = normal.stiffness * d + normal.damping * rate;
@@ -37,66 +36,85 @@ Matrix3d System::normal_terms(const Contact &c, std::size_t index, const Touch &
     const auto law = rim.at({d, rate, v.norm(), deepest[index]});
     if (!rim.law->unilateral || law.force > 0) f.size = law.force, stiffness = law.d_penetration, damping = law.d_rate;
   }
-  f.normal = -f.size * m;
+  f.normal = -f.size * touch.normal;
   f.normal_power = f.size * rate;
-  const Matrix3d across = m * m.transpose();
-  return -(damping + weight * stiffness) * across - weight * f.size * touch.curvature * (Matrix3d::Identity() - across);
+  return damping + weight * stiffness;
 }
 
-void System::friction_terms(const Contact &c, const Touch &touch, const Vector3d &v, const Vector3d &z0,
-                            const Stage &stage, ContactForce &f, Matrix3d &B) const {
-  const Matrix3d along = Matrix3d::Identity() - touch.normal * touch.normal.transpose();
-  const Vector3d slide = along * v;
+void System::rub(const Contact &c, const Touch &touch, const Vector3d &v, const Vector3d &z0, const Stage &stage,
+                 double gain, ContactForce &f, Matrix3d *B) const {
+  const Vector3d &m = touch.normal;
+  const Vector3d slide = v - m * m.dot(v), start = z0 - m * m.dot(z0);
   const double speed = slide.norm(), per_slip = stage.slip_step / elastic_slip;
   const auto &law = c.surface != Surface::dish ? interface_friction : c.set == 2 ? top_friction : dish_friction;
   const auto mu = law.at(speed);
-  const auto state = park_wen ? park_wen_step(along * z0, slide, per_slip) : coulomb_step(along * z0, slide, per_slip);
+  const auto state = park_wen ? park_wen_step(start, slide, per_slip) : coulomb_step(start, slide, per_slip);
   f.slip = state.z;
   f.friction = -mu.value * f.size * state.z;
   f.slip_power = -f.friction.dot(slide);
-  // d N / d v = -m^T B of the normal part alone
-  const Eigen::RowVector3d d_size = -touch.normal.transpose() * B;
-  B -= mu.value * state.z * d_size + mu.value * f.size * state.d_velocity * along;
-  if (speed > 0 && mu.slope != 0) B -= f.size * mu.slope / speed * state.z * slide.transpose();
+  if (!B) return;
+  Vector3d by_z = mu.value * gain * m; // of -F / z by the velocity
+  if (speed > 0 && mu.slope != 0) by_z += f.size * mu.slope / speed * slide;
+  const Vector3d across = state.d_velocity * m;
+  *B -= state.z * by_z.transpose() + mu.value * f.size * (state.d_velocity - across * m.transpose());
 }
 
-void System::add(const Contact &c, const Touch &touch, const Poses &poses, const Matrix3d &B, const Vector3d &force,
-                 double position_weight, Vector &sum, Matrix *tangent) const {
+namespace {
+
+/// Velocity of a body's point at `arm` by the body's entries: x, z and the turn about y in the plane, all six in space.
+template <int n> Eigen::Matrix<double, 3, n> point_motion(const Vector3d &arm) {
+  Eigen::Matrix<double, 3, n> motion;
+  if constexpr (n == 6)
+    motion << Matrix3d::Identity(), -skew(arm);
+  else
+    motion << 1, 0, arm[2], 0, 0, 0, 0, 1, -arm[0];
+  return motion;
+}
+
+} // namespace
+
+template <int n>
+void System::add_tangent(const Contact &c, const Vector3d &at, const Poses &poses, const Matrix3d &B,
+                         const Vector3d &force, double position_weight, Matrix &tangent) const {
+  constexpr int first_turn = n / 2 + n % 2, turns = n - first_turn; // of a body's entries: x y z, or x z
   struct Side {
     int body;
     double sign;
-    Vector3d arm;
-    Matrix3d lever, B_lever; ///< skew(arm), B skew(arm)
+    Eigen::Matrix<double, 3, n> motion;
   };
   const auto side = [&](int body, double sign) {
-    if (body == ground) return Side{body, sign, {}, {}, {}};
-    const Vector3d arm = touch.at - poses[body].position;
-    const Matrix3d lever = skew(arm);
-    return Side{body, sign, arm, lever, tangent ? Matrix3d(B * lever) : Matrix3d()};
+    return body == ground ? Side{body, sign, {}} : Side{body, sign, point_motion<n>(at - poses[body].position)};
   };
   const Side sides[] = {side(c.body, 1.0), side(c.master, -1.0)};
   const Matrix3d twist = skew(force);
   for (const auto &row : sides) {
     if (row.body == ground) continue;
-    sum.segment<3>(6 * row.body) += row.sign * force;
-    sum.segment<3>(6 * row.body + 3) += row.sign * row.arm.cross(force);
-    if (!tangent) continue;
-    const Matrix3d lever_B = row.lever * B;
+    // The arm follows the point of the body: d(at) = dr + dtheta x arm of the body, less its own origin.
+    const Eigen::Matrix<double, turns, 3> F = position_weight * row.sign * twist.middleRows<turns>(n == 6 ? 0 : 1);
     for (const auto &column : sides) {
       if (column.body == ground) continue;
-      const double sign = row.sign * column.sign;
-      auto block = tangent->block<6, 6>(6 * row.body, 6 * column.body);
-      block.topLeftCorner<3, 3>() += sign * B;
-      block.topRightCorner<3, 3>() -= sign * column.B_lever;
-      block.bottomLeftCorner<3, 3>() += sign * lever_B;
-      block.bottomRightCorner<3, 3>() -= sign * (row.lever * column.B_lever);
+      Eigen::Matrix<double, n, n> K = row.sign * column.sign * row.motion.transpose() * (B * column.motion);
+      if (&column == sides) K.template bottomRows<turns>() -= F * column.motion;
+      if (&column == &row)
+        for (int i = 0; i < first_turn; ++i) K.col(i).template tail<turns>() += F.col(i * (6 / n));
+      tangent(entries<n>(row.body), entries<n>(column.body)) += K;
     }
-    // The arm follows the point of the body: d(at) = dr + dtheta x arm of the body, less its own origin.
-    const Matrix3d F = position_weight * row.sign * twist;
-    tangent->block<3, 3>(6 * row.body + 3, 6 * c.body) -= F;
-    tangent->block<3, 3>(6 * row.body + 3, 6 * c.body + 3) += F * sides[0].lever;
-    tangent->block<3, 3>(6 * row.body + 3, 6 * row.body) += F;
   }
+}
+
+void System::add(const Contact &c, const Touch &touch, const Poses &poses, const Matrix3d &B, const Vector3d &force,
+                 double position_weight, Vector &sum, Matrix *tangent) const {
+  const auto push = [&](int body, const Vector3d &f) {
+    sum.segment<3>(6 * body) += f;
+    sum.segment<3>(6 * body + 3) += (touch.at - poses[body].position).cross(f);
+  };
+  push(c.body, force);
+  if (c.master != ground) push(c.master, -force);
+  if (!tangent) return;
+  if (planar)
+    add_tangent<3>(c, touch.at, poses, B, force, position_weight, *tangent);
+  else
+    add_tangent<6>(c, touch.at, poses, B, force, position_weight, *tangent);
 }
 
 Vector System::forces(const Poses &poses, const Vector &velocity, const Stage &stage,
@@ -107,7 +125,7 @@ Vector System::forces(const Poses &poses, const Vector &velocity, const Stage &s
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     sum[6 * i + 2] = -bodies[i].weight;
     const Vector3d omega = velocity.segment<3>(6 * i + 3);
-    sum.segment<3>(6 * i + 3) -= omega.cross(inertia_in_space(bodies[i], poses[i]) * omega);
+    if (!planar) sum.segment<3>(6 * i + 3) -= omega.cross(inertia_in_space(bodies[i], poses[i]) * omega);
   }
   contact.resize(contacts.size());
   for (std::size_t i = 0; i < contacts.size(); ++i) {
@@ -119,13 +137,31 @@ Vector System::forces(const Poses &poses, const Vector &velocity, const Stage &s
     if (touch.penetration <= 0 || (!unmet.empty() && unmet[i])) continue;
     const Vector3d v =
         point_velocity(poses, velocity, c.body, touch.at) - point_velocity(poses, velocity, c.master, touch.at);
-    Matrix3d B = normal_terms(c, i, touch, v, stage.position_weight, f);
+    const double gain = press(c, i, touch, v, stage.position_weight, f);
     if (f.size == 0) continue;
-    if (!is_wall(c.surface)) friction_terms(c, touch, v, stage.slip[i], stage, f, B);
+    Matrix3d B;
+    if (tangent) {
+      const double turning = stage.position_weight * f.size * touch.curvature;
+      B = (turning - gain) * touch.normal * touch.normal.transpose();
+      B.diagonal().array() -= turning;
+    }
+    if (!is_wall(c.surface)) rub(c, touch, v, stage.slip[i], stage, gain, f, tangent ? &B : nullptr);
     add(c, touch, poses, B, f.normal + f.friction, stage.position_weight, sum, tangent);
   }
   return sum;
 }
+
+template <int n> Eigen::Matrix<double, n, n> System::inertia(int body, const Poses &poses) const {
+  const RigidBody &b = bodies[body];
+  Eigen::Matrix<double, n, n> M = b.mass * Eigen::Matrix<double, n, n>::Identity();
+  if constexpr (n == 3)
+    M(2, 2) = b.inertia[1];
+  else
+    M.template bottomRightCorner<3, 3>() = inertia_in_space(b, poses[body]);
+  return M;
+}
+template Eigen::Matrix<double, 3, 3> System::inertia<3>(int body, const Poses &poses) const;
+template Eigen::Matrix<double, 6, 6> System::inertia<6>(int body, const Poses &poses) const;
 
 Matrix System::mass_matrix(const Poses &poses) const {
   Matrix M = Matrix::Zero(n_dofs(), n_dofs());

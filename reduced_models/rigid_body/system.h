@@ -17,6 +17,11 @@ namespace rimpact::reduced::rigid {
 inline constexpr int max_bodies = 3 + max_floors, max_dofs = 6 * max_bodies;
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_dofs, 1>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_dofs, max_dofs>;
+/// Of `motion`: what of a body's six entries can change, x, z and the turn about y in the plane (n = 3).
+template <int n> auto entries(int body) {
+  static_assert(n == 3 || n == 6);
+  return Eigen::seqN(6 * body, Eigen::fix<n>, Eigen::fix<6 / n>);
+}
 using Poses = std::array<Pose, max_bodies>;
 
 struct RigidBody {
@@ -61,6 +66,7 @@ public:
   std::vector<Contact> contacts;
   std::vector<Link> links; ///< see storey_link.h
   std::vector<bool> free;  ///< of each dof; the others are at rest or driven
+  bool planar = false;     ///< motion in x, z and turns about y only: tangents have no other entries
   NormalLaw normal{};
   FrictionCoefficient dish_friction, top_friction, interface_friction; ///< of sets 0, 2 and 1
   double elastic_slip = 1e-8; ///< q [m]; Coulomb's limit is approached with the square root of q
@@ -75,16 +81,23 @@ public:
   /// derivative by the velocities, positions following with stage.position_weight.
   Vector forces(const Poses &poses, const Vector &velocity, const Stage &stage, std::vector<ContactForce> &contact,
                 Matrix *tangent) const;
+  /// Of a body's entries, in space axes.
+  template <int n> Eigen::Matrix<double, n, n> inertia(int body, const Poses &poses) const;
   Matrix mass_matrix(const Poses &poses) const;
   double kinetic_energy(const Poses &poses, const Vector &velocity) const;
 
 private:
   void add(const Contact &c, const Touch &touch, const Poses &poses, const Eigen::Matrix3d &B,
            const Eigen::Vector3d &force, double position_weight, Vector &sum, Matrix *tangent) const;
-  Eigen::Matrix3d normal_terms(const Contact &c, std::size_t index, const Touch &touch, const Eigen::Vector3d &v,
-                               double weight, ContactForce &f) const;
-  void friction_terms(const Contact &c, const Touch &touch, const Eigen::Vector3d &v, const Eigen::Vector3d &z0,
-                      const Stage &stage, ContactForce &f, Eigen::Matrix3d &B) const;
+  template <int n>
+  void add_tangent(const Contact &c, const Eigen::Vector3d &at, const Poses &poses, const Eigen::Matrix3d &B,
+                   const Eigen::Vector3d &force, double position_weight, Matrix &tangent) const;
+  /// The normal force; returns its derivative by the velocity of approach, penetration following.
+  double press(const Contact &c, std::size_t index, const Touch &touch, const Eigen::Vector3d &v, double weight,
+               ContactForce &f) const;
+  /// The friction force; `gain` as `press` returns it. Adds its derivative by the velocity to B, which may be null.
+  void rub(const Contact &c, const Touch &touch, const Eigen::Vector3d &v, const Eigen::Vector3d &z0,
+           const Stage &stage, double gain, ContactForce &f, Eigen::Matrix3d *B) const;
 };
 
 Eigen::Matrix3d skew(const Eigen::Vector3d &a); ///< skew(a) b = a x b

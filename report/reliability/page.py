@@ -17,6 +17,14 @@ def percent(value: Any) -> str:
     return f"{100 * value:.3g} %"
 
 
+def unknown_runs(rows: list[dict[str, Any]]) -> str:
+    """Of all systems: runs that stopped short of the limit, and between what they leave the probability."""
+    n = sum(int(row.get("n_unknown") or 0) for row in rows)
+    if n == 0:
+        return "0"
+    return f"{n}: {min(row['probability_if_none'] for row in rows):.3e} to {max(row['probability_if_all'] for row in rows):.3e}"
+
+
 class Page:
     def __init__(self, folder: str) -> None:
         self.folder = folder
@@ -85,9 +93,9 @@ class Page:
                 p = [row["probability"] for row in own]
                 open_end = max((row["rate_above_levels"] / row["rate_per_year"] for row in own if row["rate_per_year"]), default=0)
                 rows.append([quantity, f"{limit:g}", f"{min(p):.3e}", f"{max(p):.3e}",
-                             f"{max(row['probability_most'] for row in own):.3e}", percent(open_end)])
+                             f"{max(row['probability_most'] for row in own):.3e}", percent(open_end), unknown_runs(own)])
         section.add(table(["quantity", "limit", "least P", "largest P", "largest P if all above the levels failed",
-                           "largest share of the rate from above the levels"], rows,
+                           "largest share of the rate from above the levels", "unknown runs: P if none or all are beyond"], rows,
                           "Over all systems. What lies above the last level rests on its fragility held constant."))
         return section
 

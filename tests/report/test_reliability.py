@@ -26,7 +26,8 @@ class Reliability(InFolder):
         self.table("fragility", [r | {"level_g": x, "probability": x, "low": x / 2, "high": 2 * x}
                                  for r in rows(systems, q, limits) for x in levels])
         self.table("reliability", rows(systems, q, limits, rate_per_year=1e-3, rate_above_levels=1e-4, probability=0.05,
-                                       probability_low=0.03, probability_high=0.08, probability_most=0.09))
+                                       probability_low=0.03, probability_high=0.08, probability_most=0.09, n_unknown=3, probability_if_none=0.0444,
+                                       probability_if_all=0.0555))
         self.table("difference", rows([systems[1]], q, limits, reduction=0.11, reduction_low=0.02, reduction_high=0.2))
         self.table("levels", [r | {"level_g": x, "share": 0.5} for r in rows(systems, q, limits) for x in levels])
         self.table("records", rows(systems, q, limits, record="RSN<68>", share=0.4))
@@ -51,7 +52,7 @@ class Reliability(InFolder):
         self.study(["t.csv:3: RSN 9: no file at hand"])
         html = self.report()
         self.assertEqual(html.count("data:image/png"), 6)  # hazard, IDA, fragility, reliability, reduction, shares
-        for words in ("two &lt;systems&gt;", "RSN&lt;68&gt;", "1 listed motions are not at hand", "11 %", "2 of 2", "-1.50", "17"):
+        for words in ("two &lt;systems&gt;", "RSN&lt;68&gt;", "1 listed motions are not at hand", "11 %", "2 of 2", "-1.50", "17", "12: 4.440e-02 to 5.550e-02"):
             self.assertIn(words, html)
         self.assertNotIn("What is missing", html)
 

@@ -26,7 +26,7 @@ ResponseSet responses(int n_records = 12, int n = 15) {
   set.inputs = {"reduced.mu_fast"};
   for (int r = 0; r < n_records; ++r) set.records.push_back(fmt::format("R{}", r));
   for (const double x : {0.1, 0.3}) {
-    ResponseLevel level{.intensity_g = x, .n_records = n_records, .n_without_result = 0, .runs = {}};
+    ResponseLevel level{.intensity_g = x, .n_records = n_records, .runs = {}, .unfinished = {}};
     for (int r = 0; r < n_records; ++r) {
       const double own = 0.3 * z(random);
       for (int i = 0; i < n; ++i) {
@@ -74,6 +74,25 @@ TEST(Evaluate, CollapsesCountAsTotalProbabilitySays) {
   const auto all = evaluate(study, set, SystemSample(study, set)).front();
   EXPECT_EQ(all.fragility[0].value, 1);
   EXPECT_EQ(all.fragility[1].low, 1);
+}
+
+// 180 runs a level. Of the 20 that stop in the upper one, 8 had passed the limit by then.
+TEST(Evaluate, RunsThatStopCountForWhatTheyReachedAndBoundTheRest) {
+  const Study study = study_of("[0.2]");
+  auto set = responses();
+  const auto before = evaluate(study, set, SystemSample(study, set)).front();
+  for (int i = 0; i < 20; ++i) set.levels[1].unfinished.push_back({i % 12, false, {i < 8 ? 0.21 : 0.19}, {0.05}});
+  set.levels[1].unfinished.back().values[0] = std::nan(""); // refused: nothing is known
+  const auto after = evaluate(study, set, SystemSample(study, set)).front();
+  const double finished = 180 * before.fragility[1].value;
+  EXPECT_EQ(after.n_unknown, 12);
+  EXPECT_NEAR(after.fragility[1].value, (finished + 8) / 188, 1e-12);
+  EXPECT_NEAR(after.bounds[1].least, (finished + 8) / 200, 1e-12);
+  EXPECT_NEAR(after.bounds[1].most, (finished + 20) / 200, 1e-12);
+  EXPECT_EQ(after.bounds[0].least, after.bounds[0].most);
+  EXPECT_LT(after.if_none, after.probability.value);
+  EXPECT_GT(after.if_all, after.probability.value);
+  EXPECT_NEAR(before.if_none, before.probability.value, 1e-15);
 }
 
 TEST(Evaluate, OneRunALevelIsAStepAndALimitNeverReachedIsNever) {

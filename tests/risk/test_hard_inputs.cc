@@ -47,8 +47,7 @@ std::string result_in_words(const std::vector<double> &values, double limit) {
   ResponseSet set;
   for (std::size_t i = 0; i < values.size(); ++i) set.records.push_back(fmt::format("R{}", i));
   for (const double x : {0.1, 0.3}) {
-    ResponseLevel level{
-        .intensity_g = x, .n_records = static_cast<int>(values.size()), .n_without_result = 0, .runs = {}};
+    ResponseLevel level{.intensity_g = x, .n_records = static_cast<int>(values.size()), .runs = {}, .unfinished = {}};
     for (std::size_t i = 0; i < values.size(); ++i)
       level.runs.push_back({static_cast<int>(i), values[i] < 0, {std::abs(values[i])}, {}});
     set.levels.push_back(level);

@@ -58,5 +58,5 @@ TEST(StudyFile, ShippedStudiesAreTheThesis) {
   };
   EXPECT_EQ(size("thesis-2.6.toml"), 64u);
   EXPECT_EQ(size("thesis-4-Tb3.toml") + size("thesis-4-Tb5.toml"), 1152u);
-  EXPECT_EQ(size("impact-laws.toml"), 12u);
+  EXPECT_EQ(size("impact-laws.toml"), 14u);
 }

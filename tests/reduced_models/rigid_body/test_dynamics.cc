@@ -1,6 +1,7 @@
 // Whole histories: against the physical model on a sphere of radius R_eff, energy, space, number of points.
 #include "quasi_static_loop.h"
 #include "scenes.h"
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace rimpact::reduced::testing {
@@ -132,14 +133,20 @@ TEST(DoubleConcaveMotion, ThePeakTravelIsThatOfStepsNotOfSamples) {
   EXPECT_LT(sparse.n_steps, dense.n_steps);
 }
 
+/// Of the mass: the dashpot's jump at touch may throw the light slider back for some microseconds first.
+int n_impacts(const Summary &summary) {
+  return std::count_if(summary.impacts.begin(), summary.impacts.end(),
+                       [](const Impact &i) { return i.release_time - i.touch_time > 1e-3; });
+}
+
 TEST(DoubleConcaveMotion, SpaceDoesNotPreferADirection) {
   const auto along = simulate(spatial(pulse(scene::ModelKind::lir_dcfp, 0.5), 8, 0)).summary;
-  ASSERT_FALSE(along.impacts.empty());
+  ASSERT_GT(n_impacts(along), 0);
   for (const double degrees : {45.0, 200.0}) {
     const auto turned = simulate(spatial(pulse(scene::ModelKind::lir_dcfp, 0.5), 8, degrees)).summary;
     EXPECT_NEAR(turned.peak_displacement, along.peak_displacement, 0.01 * along.peak_displacement);
     EXPECT_NEAR(turned.peak_lateral_force, along.peak_lateral_force, 0.015 * along.peak_lateral_force);
-    EXPECT_EQ(turned.impacts.size(), along.impacts.size());
+    EXPECT_EQ(n_impacts(turned), n_impacts(along));
   }
 }
 

@@ -1,0 +1,17 @@
+#include "risk/level_model.h"
+
+namespace rimpact::risk {
+
+LevelModel::Exceedance LevelModel::exceedance(double limit) const {
+  int n_known = finished.n_collapsed + finished.n_zero + finished.n_positive, n_unknown = 0;
+  double beyond = n_known * finished.exceedance(limit);
+  for (const auto &[reached, times] : unfinished)
+    if (reached > limit)
+      n_known += times, beyond += times;
+    else
+      n_unknown += times;
+  const double all = n_known + n_unknown;
+  return {beyond / n_known, beyond / all, (beyond + n_unknown) / all, n_unknown};
+}
+
+} // namespace rimpact::risk
