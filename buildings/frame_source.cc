@@ -1,5 +1,6 @@
 #include "buildings/frame_source.h"
 #include "buildings/frame_tables.h"
+#include "buildings/plane_frame.h"
 #include "buildings/regular_building.h"
 #include "files/error.h"
 #include "files/file.h"
@@ -12,6 +13,10 @@ namespace rimpact::buildings {
 Frame load_frame(const std::string &where) {
   std::error_code none;
   if (std::filesystem::is_directory(where, none)) return read_tables(where);
+  if (where == "thesis-2.5") return make_frame(parse_plane_frame(thesis_frame(), where));
+  if (std::filesystem::is_regular_file(where, none))
+    if (const std::string text = read_file(where); is_plane_frame(text, where))
+      return make_frame(parse_plane_frame(text, where));
   return make_frame(load_building(where));
 }
 

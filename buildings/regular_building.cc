@@ -10,7 +10,24 @@
 namespace rimpact::buildings {
 namespace {
 
-/// Length of floor that a line carries: half the bay on each side [m].
+const char *thesis_building =
+    R"(# Thesis 2.4: three storeys, two bays by one, reinforced concrete, six isolators.
+name = "thesis-2.4"
+x_m = [0.0, 8.0, 16.0]
+y_m = [0.0, 8.0]
+storeys_m = [3.5, 3.5, 3.5]
+load_kN_per_m2 = 10.0     # on four levels: 5,120 kN
+E_GPa = 23.4
+nu = 0.2
+column_x_mm = 500.0
+column_y_mm = 500.0
+beam_width_mm = 500.0
+beam_depth_mm = 650.0
+damping_ratio = 0.02
+)";
+
+} // namespace
+
 double tributary(const std::vector<double> &lines, std::size_t i) {
   const double before = i > 0 ? lines[i] - lines[i - 1] : 0, after = i + 1 < lines.size() ? lines[i + 1] - lines[i] : 0;
   return (before + after) / 2;
@@ -24,7 +41,6 @@ void check_lines(const char *key, const std::vector<double> &lines) {
       throw InputError(fmt::format("{} must grow: {} follows {}", key, lines[i], lines[i - 1]));
 }
 
-/// [bearings]: node = "name or file".
 std::map<int, std::string> own_bearings(const TomlFile &file) {
   std::map<int, std::string> list;
   const auto *table = file.root()["bearings"].as_table();
@@ -43,24 +59,6 @@ std::map<int, std::string> own_bearings(const TomlFile &file) {
   }
   return list;
 }
-
-const char *thesis_building =
-    R"(# Thesis 2.4: three storeys, two bays by one, reinforced concrete, six isolators.
-name = "thesis-2.4"
-x_m = [0.0, 8.0, 16.0]
-y_m = [0.0, 8.0]
-storeys_m = [3.5, 3.5, 3.5]
-load_kN_per_m2 = 10.0     # on four levels: 5,120 kN
-E_GPa = 23.4
-nu = 0.2
-column_x_mm = 500.0
-column_y_mm = 500.0
-beam_width_mm = 500.0
-beam_depth_mm = 650.0
-damping_ratio = 0.02
-)";
-
-} // namespace
 
 Frame make_frame(const RegularBuilding &b) {
   check_lines("x_m", b.x);
@@ -136,7 +134,7 @@ RegularBuilding load_building(const std::string &where) {
   if (where == "thesis-2.4") return parse_building(thesis_building, where);
   std::error_code ignored;
   if (!std::filesystem::exists(where, ignored))
-    throw InputError(fmt::format("{}: no such file, and the built-in buildings are thesis-2.4", where));
+    throw InputError(fmt::format("{}: no such file, and the built-in buildings are thesis-2.4 and thesis-2.5", where));
   return parse_building(read_file(where), where);
 }
 

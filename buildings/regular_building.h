@@ -3,6 +3,10 @@
 #include "buildings/frame.h"
 #include <map>
 
+namespace rimpact {
+class TomlFile;
+}
+
 namespace rimpact::buildings {
 
 struct RegularBuilding {
@@ -26,5 +30,12 @@ Frame make_frame(const RegularBuilding &building);
 /// A TOML file or the name of a built-in building ("thesis-2.4"). Throws InputError with file, line, value and bound.
 RegularBuilding load_building(const std::string &where);
 RegularBuilding parse_building(const std::string &text, const std::string &origin);
+
+/// Throws InputError naming `key` unless there are two lines at least and they grow.
+void check_lines(const char *key, const std::vector<double> &lines);
+/// Length of floor that a line carries: half the bay on each side [m].
+double tributary(const std::vector<double> &lines, std::size_t i);
+/// [bearings]: node = "name or file".
+std::map<int, std::string> own_bearings(const TomlFile &file);
 
 } // namespace rimpact::buildings
