@@ -21,12 +21,12 @@ struct BearingResponse {
 
 /// An inelastic end section, moments right-handed about y.
 struct HingeResponse {
-  double moment, plastic_rotation; ///< [N m], [rad]
-  double ductility;                ///< curvature over that at yield, absolute [-]
+  double moment, plastic_rotation;      ///< [N m], [rad]
+  double ductility;                     ///< curvature over that at yield, absolute [-]
   double strength_left, stiffness_left; ///< shares that wear has left [-]
 };
 struct MembersResponse {
-  Eigen::VectorXd forces; ///< twelve a member, as MemberForces has them; empty: linear ones
+  Eigen::VectorXd forces;            ///< twelve a member, as MemberForces has them; empty: linear ones
   std::vector<HingeResponse> hinges; ///< ends i and j of each member
 };
 
@@ -66,7 +66,7 @@ public:
 
   double kinetic_energy(const Eigen::VectorXd &y) const;
   virtual double elastic_energy(const Eigen::VectorXd &y) const; ///< 1/2 q K q
-  double potential_energy(const Eigen::VectorXd &y) const; ///< of the weights
+  double potential_energy(const Eigen::VectorXd &y) const;       ///< of the weights
 
   const BuildingModel &model;
   std::vector<Slider> slider;

@@ -41,6 +41,7 @@ struct Imbalance {
 } // namespace
 
 DegradingBoucWen::Step DegradingBoucWen::implicit_step(const Point &base, double d, const Point &guess) const {
+  constexpr double small = 1e-10; // of a correction after which Newton leaves an error of rounding
   const double x = (d - base.d) / yield_deformation, way = x < 0 ? -1 : 1;
   // In the direction of x the imbalance is below zero at `low` and not below it at `high`.
   double low = std::min(way * base.z, 0.0), high = std::max(way * base.z, 1.0);
@@ -49,10 +50,11 @@ DegradingBoucWen::Step DegradingBoucWen::implicit_step(const Point &base, double
   for (int i = 0; i < 100; ++i) {
     (way * at.h < 0 ? low : high) = way * z;
     double next = z - at.h / at.by_z;
-    if (!(way * next >= low && way * next <= high)) next = way * (low + high) / 2;
+    const bool within = way * next >= low && way * next <= high;
+    if (!within) next = way * (low + high) / 2;
     const double change = std::abs(next - z);
     z = next, at = Imbalance(*this, base, z, x);
-    if (change <= 1e-15) break;
+    if (change <= (within ? small : 1e-15)) break;
   }
   const Point p{d, z, at.e};
   return {p, force(p), stiffness() * (post_yield - (1 - post_yield) * at.by_x / at.by_z)};
@@ -60,7 +62,8 @@ DegradingBoucWen::Step DegradingBoucWen::implicit_step(const Point &base, double
 
 double DegradingBoucWen::stored(const Point &p) const {
   const double eta = 1 + stiffness_loss * p.e;
-  return 0.5 * (post_yield * stiffness() * p.d * p.d + (1 - post_yield) * yield_force * yield_deformation * eta * p.z * p.z);
+  return 0.5 *
+         (post_yield * stiffness() * p.d * p.d + (1 - post_yield) * yield_force * yield_deformation * eta * p.z * p.z);
 }
 
 double DegradingBoucWen::loss(const Point &p, const Point &r) const {

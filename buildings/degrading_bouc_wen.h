@@ -11,13 +11,13 @@
 namespace rimpact::buildings {
 
 struct DegradingBoucWen {
-  double yield_force = 1;         ///< F_y, > 0; its unit is that of F
-  double yield_deformation = 1;   ///< d_y, > 0; its unit is that of d
-  double post_yield = 0.02;       ///< r [-], 0..1; 1 is elastic
-  double exponent = 2;            ///< n [-], >= 1
-  double beta = 0.5;              ///< [-], 0.5..1
-  double strength_loss = 0;       ///< d_nu [-], 0..1
-  double stiffness_loss = 0;      ///< d_eta [-], 0..2: above, a loop could give energy
+  double yield_force = 1;       ///< F_y, > 0; its unit is that of F
+  double yield_deformation = 1; ///< d_y, > 0; its unit is that of d
+  double post_yield = 0.02;     ///< r [-], 0..1; 1 is elastic
+  double exponent = 2;          ///< n [-], >= 1
+  double beta = 0.5;            ///< [-], 0.5..1
+  double strength_loss = 0;     ///< d_nu [-], 0..1
+  double stiffness_loss = 0;    ///< d_eta [-], 0..2: above, a loop could give energy
   double stiffness() const { return yield_force / yield_deformation; }
 
   /// A deformation with its hysteretic state and normalised lost energy, or their rates.

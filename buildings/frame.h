@@ -1,5 +1,5 @@
-/// A frame of beam-columns, rigid diaphragms, supports: linear in space, or inelastic in the plane of x and z. SI units,
-/// z upwards.
+/// A frame of beam-columns, rigid diaphragms, supports: linear in space, or inelastic in the plane of x and z. SI
+/// units, z upwards.
 #pragma once
 #include <Eigen/Core>
 #include <optional>
@@ -17,10 +17,10 @@ struct Node {
 
 /// What makes a member inelastic in the plane of x and z (plane_beam_column.h); wear as DegradingBoucWen.
 struct InelasticSection {
-  double yield_moment = 0, axial_yield = 0; ///< of the end sections [N m], along the member [N], > 0
-  double hinge_length = 0.25;               ///< of an end section [m], > 0, at most a sixth of the member
-  double post_yield = 0.02;                 ///< [-], 0..1
-  double exponent = 2, beta = 0.5;          ///< [-], >= 1, 0.5..1
+  double yield_moment = 0, axial_yield = 0;            ///< of the end sections [N m], along the member [N], > 0
+  double hinge_length = 0.25;                          ///< of an end section [m], > 0, at most a sixth of the member
+  double post_yield = 0.02;                            ///< [-], 0..1
+  double exponent = 2, beta = 0.5;                     ///< [-], >= 1, 0.5..1
   double strength_loss = 0.004, stiffness_loss = 0.01; ///< a unit of normalised lost energy [-], 0..1, 0..2
   bool operator==(const InelasticSection &) const = default;
 };
@@ -64,7 +64,7 @@ struct Frame {
   std::vector<Diaphragm> diaphragms; ///< the base first, then from below upwards
   double damping_ratio = 0.02;       ///< of every mode of the building with its base held [-], 0..1
   std::vector<std::string> assumed;  ///< "key = value" of an inelastic frame's numbers that no one has given
-  bool inelastic() const; ///< of its members one is; then all must be, in the plane y = 0
+  bool inelastic() const;            ///< of its members one is; then all must be, in the plane y = 0
   /// Throws InputError naming node, element or diaphragm and what is wrong with it.
   void validate() const;
 };

@@ -12,7 +12,8 @@ using Eigen::VectorXd;
 namespace {
 
 /// Displacements under V over the floors as w h^k, base held.
-VectorXd under_lateral_forces(const Frame &frame, const BuildingModel &model, const FrameDesign &design, double gravity) {
+VectorXd under_lateral_forces(const Frame &frame, const BuildingModel &model, const FrameDesign &design,
+                              double gravity) {
   const auto height = [&](int d) { return frame.nodes[frame.diaphragms[d].nodes[0]].at.z(); };
   VectorXd forces = VectorXd::Zero(model.n_dofs()), q = forces;
   double weight = gravity * frame.diaphragms[0].mass;

@@ -17,8 +17,9 @@ void HingeEnvelope::widen(const std::vector<HingeResponse> &hinges) {
 }
 
 void write_hinges(const Frame &frame, const HingeEnvelope &envelope, const std::string &path) {
-  std::string text = "element,node,end,section,yield_moment_N_m,peak_moment_N_m,peak_ductility,peak_plastic_rotation_rad,"
-                     "residual_plastic_rotation_rad,strength_left,stiffness_left\n";
+  std::string text =
+      "element,node,end,section,yield_moment_N_m,peak_moment_N_m,peak_ductility,peak_plastic_rotation_rad,"
+      "residual_plastic_rotation_rad,strength_left,stiffness_left\n";
   for (std::size_t i = 0; i < envelope.ends.size(); ++i) {
     const Element &member = frame.elements[i / 2];
     const Section &section = frame.sections[member.section];
@@ -39,7 +40,8 @@ nlohmann::json to_json(const Frame &frame, const HingeEnvelope &envelope) {
     for (std::size_t i = 0; i < envelope.ends.size(); ++i) {
       if (frame.elements[i / 2].section != static_cast<int>(s)) continue;
       const auto &end = envelope.ends[i];
-      yielded += end.ductility > 1, moment = std::max(moment, end.moment), ductility = std::max(ductility, end.ductility);
+      yielded += end.ductility > 1, moment = std::max(moment, end.moment),
+                                    ductility = std::max(ductility, end.ductility);
       rotation = std::max(rotation, end.plastic_rotation);
       strength = std::min(strength, end.last.strength_left), stiffness = std::min(stiffness, end.last.stiffness_left);
     }

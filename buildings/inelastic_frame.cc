@@ -19,8 +19,7 @@ SectionPoints along(const SectionPoints &p, double weight, const SectionPoints &
 /// (to - from) / h
 SectionPoints rates_between(const SectionPoints &from, const SectionPoints &to, double h) {
   SectionPoints r;
-  for (int i = 0; i < 3; ++i)
-    r[i] = {(to[i].d - from[i].d) / h, (to[i].z - from[i].z) / h, (to[i].e - from[i].e) / h};
+  for (int i = 0; i < 3; ++i) r[i] = {(to[i].d - from[i].d) / h, (to[i].z - from[i].z) / h, (to[i].e - from[i].e) / h};
   return r;
 }
 
@@ -32,7 +31,8 @@ PlaneBeamColumn member_law(const Frame &frame, const Element &e) {
   const double EI = section.E * (std::abs(axes(2, 1)) > 0.5 ? section.Iz : section.Iy), EA = section.E * section.area;
   PlaneBeamColumn m;
   m.from = {from.x(), from.z()}, m.to = {to.x(), to.z()};
-  m.bending = {s.yield_moment, s.yield_moment / EI, s.post_yield, s.exponent, s.beta, s.strength_loss, s.stiffness_loss};
+  m.bending = {s.yield_moment, s.yield_moment / EI, s.post_yield,    s.exponent,
+               s.beta,         s.strength_loss,     s.stiffness_loss};
   m.axial = {s.axial_yield, s.axial_yield / EA, s.post_yield, s.exponent, s.beta, s.strength_loss, s.stiffness_loss};
   m.hinge_length = s.hinge_length, m.load = e.load * std::abs(to.x() - from.x()) / m.length();
   return m;
@@ -40,7 +40,10 @@ PlaneBeamColumn member_law(const Frame &frame, const Element &e) {
 
 class InelasticFrame : public Structure {
 public:
-  InelasticFrame(const Frame &frame, const BuildingModel &model, double gravity) : model_(model) {
+  InelasticFrame(const Frame &frame, const BuildingModel &model, double gravity)
+      : model_(model), damping_(model.damping) {
+    for (int dof = 0; dof < 3 * model.n_diaphragms; ++dof) // across the plane not even rounding moves it
+      if (dof % 3 != 0) damping_.row(dof).setZero(), damping_.col(dof).setZero();
     std::vector<int> floor(frame.nodes.size());
     for (std::size_t d = 0; d < frame.diaphragms.size(); ++d)
       for (const int node : frame.diaphragms[d].nodes) floor[node] = static_cast<int>(d);
@@ -64,7 +67,7 @@ public:
   VectorXd start(const VectorXd &q, const VectorXd &v) override {
     for (auto &m : members_) m.base = m.at[0];
     evaluate(q, turns_[0], 0);
-    return -force_.head(model_.n_dofs()) - model_.damping * v;
+    return -force_.head(model_.n_dofs()) - damping_ * v;
   }
 
   void begin_stage(const Stage &stage) override {
@@ -83,8 +86,8 @@ public:
     const Eigen::PartialPivLU<MatrixXd> lu(stiffness_.bottomRightCorner(m, m));
     follows_ = -lu.solve(stiffness_.bottomLeftCorner(m, n)), own_ = -lu.solve(force_.tail(m));
     const auto across = stiffness_.topRightCorner(n, m);
-    force -= force_.head(n) + across * own_ + model_.damping * v;
-    tangent += stage_.own * (stiffness_.topLeftCorner(n, n) + across * follows_) + model_.damping;
+    force -= force_.head(n) + across * own_ + damping_ * v;
+    tangent += stage_.own * (stiffness_.topLeftCorner(n, n) + across * follows_) + damping_;
   }
 
   double correct(const VectorXd &velocity) override {
@@ -103,7 +106,7 @@ public:
   }
 
   Power power(int stage, const VectorXd &v) const override {
-    Power p{v.dot(model_.damping * v), 0};
+    Power p{v.dot(damping_ * v), 0};
     for (const auto &m : members_) p.hysteretic += m.law.loss(m.at[stage], m.rates[stage]);
     return p;
   }
@@ -126,8 +129,9 @@ public:
         r.forces.segment<3>(12 * e + 6 * end) = m.axes * Vector3(f[0], 0, f[1] + carried);
         r.forces.segment<3>(12 * e + 6 * end + 3) = m.axes * Vector3(0, -f[2], 0);
         const auto &p = m.at[0][end];
-        r.hinges.push_back({-f[2], -m.law.plastic_rotation(end, m.at[0]), std::abs(p.d) / m.law.bending.yield_deformation,
-                            m.law.bending.strength_left(p), m.law.bending.stiffness_left(p)});
+        r.hinges.push_back({-f[2], -m.law.plastic_rotation(end, m.at[0]),
+                            std::abs(p.d) / m.law.bending.yield_deformation, m.law.bending.strength_left(p),
+                            m.law.bending.stiffness_left(p)});
       }
     }
     return r;
@@ -138,7 +142,7 @@ private:
     PlaneBeamColumn law;
     std::array<int, 6> dofs; ///< (u_x, u_z, turn) of both ends; turns behind the building's dofs
     Eigen::Matrix3d axes;
-    SectionPoints base;      ///< that the stage starts from
+    SectionPoints base; ///< that the stage starts from
     PlaneBeamColumn::Answer answer;
     SectionPoints at[3], rates[3]; ///< at start, middle, end of a step
   };
@@ -202,6 +206,7 @@ private:
   }
 
   const BuildingModel &model_;
+  MatrixXd damping_;
   std::vector<Member> members_;
   VectorXd turns_[3], turn_rate_; ///< of every node, anticlockwise [rad]
   VectorXd force_, own_;

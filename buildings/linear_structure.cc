@@ -9,9 +9,7 @@ namespace {
 class LinearStructure : public Structure {
 public:
   LinearStructure(const BuildingModel &model, double gravity) : model_(model), gravity_(gravity) {}
-  Rest at_rest() const override {
-    return {static_displacements(model_, gravity_), static_reactions(model_, gravity_)};
-  }
+  Rest at_rest() const override { return {static_displacements(model_, gravity_), static_reactions(model_, gravity_)}; }
   VectorXd start(const VectorXd &q, const VectorXd &v) override { return -model_.stiffness * q - model_.damping * v; }
   void begin_stage(const Stage &stage) override { slope_ = stage.own * model_.stiffness + model_.damping; }
   void linearise(const VectorXd &q, const VectorXd &v, VectorXd &force, MatrixXd &tangent) override {

@@ -32,7 +32,7 @@ PlaneBeamColumn::Basic PlaneBeamColumn::basic(const Vector3 &v, const SectionPoi
     return phi - F * M - hinge_length * at;
   };
   Vector2d g = imbalance(kappa);
-  const double small = 1e-14 * (phi.lpNorm<Eigen::Infinity>() + hinge_length * bending.yield_deformation);
+  const double size = phi.lpNorm<Eigen::Infinity>(), small = 1e-14 * size + 1e-18;
   for (int i = 0; i < most && g.lpNorm<Eigen::Infinity>() > small; ++i) {
     const Matrix2d J = F * D + hinge_length * Matrix2d::Identity();
     const Vector2d correction = J.inverse() * g;
@@ -45,8 +45,7 @@ PlaneBeamColumn::Basic PlaneBeamColumn::basic(const Vector3 &v, const SectionPoi
     kappa += share * correction, g = next;
     if (settled) break;
   }
-  if (!(g.lpNorm<Eigen::Infinity>() < 1e-9 * (phi.lpNorm<Eigen::Infinity>() + hinge_length * bending.yield_deformation)))
-    return b;
+  if (!(g.lpNorm<Eigen::Infinity>() < 1e-9 * (size + 1e-6))) return b;
   const auto stretch = axial.implicit_step(base[2], v[0] / L, guess[2]);
   b.points[2] = stretch.at;
   b.force << stretch.force, M;

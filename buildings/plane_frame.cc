@@ -88,7 +88,8 @@ void visit(KeyVisitor &v, PlaneFrame &f) {
   v.section("design", [&] {
     v.number({"shear", "V_st over the weight of all levels"}, f.design.shear, si, {0, 10, true});
     v.number({"height_exponent", "k of the forces w h^k"}, f.design.height_exponent, si, {0, 10});
-    v.number({"overstrength", "yield moment over the largest design moment"}, f.design.overstrength, si, {0, 100, true});
+    v.number({"overstrength", "yield moment over the largest design moment"}, f.design.overstrength, si,
+             {0, 100, true});
   });
   v.section("column", [&] { visit_class(v, f.column); });
   v.section("beam", [&] { visit_class(v, f.beam); });

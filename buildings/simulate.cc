@@ -31,7 +31,8 @@ void check_plane(const Frame &frame, const scene::Scene &scene, bool rigid_bodie
   if (rigid_bodies)
     throw InputError("reduced.model \"dcfp\" or \"lir-dcfp\" under an inelastic frame: it takes dishes, \"physical\"");
   if (static_cast<int>(frame.elements.size()) > most_members)
-    throw InputError(fmt::format("the inelastic frame has {} members; {} are the most", frame.elements.size(), most_members));
+    throw InputError(
+        fmt::format("the inelastic frame has {} members; {} are the most", frame.elements.size(), most_members));
 }
 
 /// What `go` does with a recorder; its summary's times.

@@ -8,8 +8,13 @@ using Point = DegradingBoucWen::Point;
 
 namespace {
 
-const DegradingBoucWen worn{.yield_force = 300, .yield_deformation = 0.004, .post_yield = 0.03, .exponent = 1.7,
-                            .beta = 0.6, .strength_loss = 0.05, .stiffness_loss = 0.1};
+const DegradingBoucWen worn{.yield_force = 300,
+                            .yield_deformation = 0.004,
+                            .post_yield = 0.03,
+                            .exponent = 1.7,
+                            .beta = 0.6,
+                            .strength_loss = 0.05,
+                            .stiffness_loss = 0.1};
 
 /// Classical Runge-Kutta of the rates under d(t), `n` steps to t = `end`.
 template <class Path> Point integrate(const DegradingBoucWen &law, Path d, double end, int n) {
@@ -23,7 +28,8 @@ template <class Path> Point integrate(const DegradingBoucWen &law, Path d, doubl
     const double t = i * h;
     const Point k1 = law.rates(p, speed(t)), k2 = law.rates(moved(p, h / 2, k1), speed(t + h / 2)),
                 k3 = law.rates(moved(p, h / 2, k2), speed(t + h / 2)), k4 = law.rates(moved(p, h, k3), speed(t + h));
-    p = {d(t + h), p.z + h / 6 * (k1.z + 2 * k2.z + 2 * k3.z + k4.z), p.e + h / 6 * (k1.e + 2 * k2.e + 2 * k3.e + k4.e)};
+    p = {d(t + h), p.z + h / 6 * (k1.z + 2 * k2.z + 2 * k3.z + k4.z),
+         p.e + h / 6 * (k1.e + 2 * k2.e + 2 * k3.e + k4.e)};
   }
   return p;
 }
@@ -33,7 +39,8 @@ template <class Path> Point integrate(const DegradingBoucWen &law, Path d, doubl
 TEST(DegradingBoucWen, FromRestIsTheHyperbolicTangent) {
   const DegradingBoucWen law{.yield_force = 2, .yield_deformation = 0.5};
   for (const double d : {0.1, 0.5, 1.3, -0.8}) {
-    const Point p = integrate(law, [&](double t) { return d * t; }, 1, 2000);
+    const Point p = integrate(
+        law, [&](double t) { return d * t; }, 1, 2000);
     EXPECT_NEAR(p.z, std::tanh(d / 0.5), 1e-9);
     EXPECT_NEAR(law.force(p), 0.02 * 4 * d + 0.98 * 2 * std::tanh(d / 0.5), 1e-8);
   }

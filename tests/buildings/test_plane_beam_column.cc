@@ -30,8 +30,7 @@ PlaneBeamColumn yielding() {
 struct Cantilever {
   std::vector<PlaneBeamColumn> members;
   Cantilever(int n, double length, double EI, double EA) {
-    for (int i = 0; i < n; ++i)
-      members.push_back(member({length * i / n, 0}, {length * (i + 1) / n, 0}, EI, EA));
+    for (int i = 0; i < n; ++i) members.push_back(member({length * i / n, 0}, {length * (i + 1) / n, 0}, EI, EA));
   }
   int n_dofs() const { return 3 * static_cast<int>(members.size()); }
   void assemble(const VectorXd &u, VectorXd &f, MatrixXd &K) const {
@@ -84,7 +83,8 @@ TEST(PlaneBeamColumn, TangentIsThatOfItsForceAndSymmetric) {
     PlaneVector plus = u, minus = u;
     const double h = 1e-7;
     plus[c] += h, minus[c] -= h;
-    const PlaneVector slope = (m.at(plus, base, a.inner.points).force - m.at(minus, base, a.inner.points).force) / (2 * h);
+    const PlaneVector slope =
+        (m.at(plus, base, a.inner.points).force - m.at(minus, base, a.inner.points).force) / (2 * h);
     EXPECT_LT((slope - a.tangent.col(c)).norm(), 1e-6 * a.tangent.norm()) << c;
   }
 }
