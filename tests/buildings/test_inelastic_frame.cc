@@ -94,15 +94,17 @@ TEST(InelasticFrame, YieldsAndKeepsItsEnergy) {
     for (const double y : run.response.series("floor_" + std::to_string(floor) + "_displacement_y")) EXPECT_EQ(y, 0);
 }
 
+/// Local errors of third order are kept, so global ones fall as two thirds of the tolerance's order; observed 0.76.
 TEST(InelasticFrame, ConvergesWithTheTolerance) {
   const Frame f = make_frame(thesis_plane());
   const auto answer = [&](double tolerance) {
-    return peak_drift(simulate(f, frame_pulse(1.3, tolerance), {}, false).summary, 0);
+    return peak_drift(simulate(f, frame_pulse(1.3, tolerance), {}, false).summary, 1);
   };
-  const double fine = answer(1e-7), coarse = std::abs(answer(1e-4) - fine), middle = std::abs(answer(1e-5) - fine);
-  EXPECT_LT(coarse, 2e-3 * fine);
-  EXPECT_LT(middle, coarse / 2); // local errors of third order, global ones of second: two thirds of a decade
-  EXPECT_LT(middle, 5e-4 * fine);
+  const double fine = answer(1e-6), coarse = std::abs(answer(1e-4) - fine), middle = std::abs(answer(1e-5) - fine);
+  EXPECT_LT(coarse, 5e-4 * fine);
+  const double order = std::log10(coarse / middle);
+  EXPECT_GT(order, 0.4);
+  EXPECT_LT(order, 1.1);
 }
 
 TEST(InelasticFrame, AWeakerOneDriftsMore) {
