@@ -17,6 +17,7 @@
 #include "scene/doubts.h"
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace rimpact::app {
 namespace {
@@ -46,6 +47,13 @@ std::string describe(const scene::Scene &scene, const buildings::Frame &frame, c
     text += fmt::format("floor {}: drift {:.2f} mm, acceleration {:.2f} m/s2, shear of its storey {:.1f} kN\n",
                         ++number, 1e3 * f.at("peak_drift_m").get<double>(),
                         f.at("peak_acceleration_m_s2").get<double>(), 1e-3 * f.at("peak_shear_N").get<double>());
+  if (!all.contains("inelastic")) return text;
+  for (const auto &s : all.at("inelastic").at("sections"))
+    text += fmt::format("{}: {} ends of members yielded, largest ductility {:.2f}, plastic rotation {:.2f} mrad\n",
+                        s.at("name").get<std::string>(), s.at("yielded_ends").get<int>(),
+                        s.at("peak_ductility").get<double>(), 1e3 * s.at("peak_plastic_rotation_rad").get<double>());
+  if (const auto &assumed = all.at("inelastic").at("assumed"); !assumed.empty())
+    text += fmt::format("assumed of the frame: {}\n", fmt::join(assumed.get<std::vector<std::string>>(), "; "));
   return text;
 }
 
@@ -110,10 +118,11 @@ void require_same_building(const std::string &folder, const buildings::Frame &fr
 /// What stands beside the run's own files: the frame, its members' forces, its shape. An earlier run's goes first.
 void write_building(const buildings::Frame &frame, const buildings::BuildingResult &result, const std::string &folder) {
   std::error_code none;
-  for (const char *name : {"building.png", "elevation.csv", "members.csv"})
+  for (const char *name : {"building.png", "elevation.csv", "hinges.csv", "members.csv"})
     std::filesystem::remove(std::filesystem::path(folder) / name, none);
   buildings::write_tables(frame, folder);
   buildings::write_members(frame, result.trace.members, folder + "/members.csv");
+  if (frame.inelastic()) buildings::write_hinges(frame, result.trace.hinges, folder + "/hinges.csv");
   buildings::write_elevation(frame, result.model, result.trace.hardest, folder + "/elevation.csv");
   if (result.trace.step > 0) buildings::write_vtk_series(frame, result.model, result.trace, folder);
 }
@@ -162,14 +171,13 @@ void run_building(const BuildingOptions &options, Console &console) {
 } // namespace
 
 void add_building(CLI::App &app, Console &console) {
-  auto *verb =
-      app.add_subcommand("building", "a linear building on bearings, one under each column, moved as a scene says");
+  auto *verb = app.add_subcommand("building", "a building on bearings, one under each column, moved as a scene says");
   auto options = std::make_shared<BuildingOptions>();
   verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene: ground motion, bearing, [reduced]")
       ->required();
   verb->add_option("--frame", options->frame,
-                   "thesis-2.4, thesis-3.5, a TOML file of a regular building, or a folder of nodes.csv, elements.csv, "
-                   "diaphragms.csv")
+                   "thesis-2.4 and thesis-3.5 (linear), thesis-2.5 (inelastic, in the plane), a TOML file of either "
+                   "kind, or a folder of nodes.csv, elements.csv, diaphragms.csv")
       ->capture_default_str();
   verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>-<building>)");
   auto *vtk = verb->add_option("--vtk-step", options->vtk_step,

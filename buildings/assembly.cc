@@ -23,6 +23,12 @@ MatrixXd full_stiffness(const Frame &f) {
   return K;
 }
 
+/// A frame in the plane of x and z is a mechanism across it, where nothing moves: its nodes do not turn about x.
+void hold_across(MatrixXd &K) {
+  const double stiff = K.diagonal().maxCoeff();
+  for (int i = 0; i < K.rows(); i += 6) K(i + 3, i + 3) += stiff;
+}
+
 /// Nodal dofs over the retained ones and, behind them, r_x and r_y of each node.
 MatrixXd kinematics(const Frame &f, int n_retained) {
   const int n_nodes = static_cast<int>(f.nodes.size()), n_diaphragms = static_cast<int>(f.diaphragms.size());
@@ -84,7 +90,9 @@ BuildingModel assemble(const Frame &frame) {
   m.n_diaphragms = static_cast<int>(frame.diaphragms.size()), m.n_nodes = static_cast<int>(frame.nodes.size());
   const int n = 3 * m.n_diaphragms + m.n_nodes;
   const MatrixXd T = kinematics(frame, n);
-  const auto condensed = condense(T.transpose() * full_stiffness(frame) * T, n);
+  MatrixXd K = full_stiffness(frame);
+  if (frame.inelastic()) hold_across(K);
+  const auto condensed = condense(T.transpose() * K * T, n);
   m.stiffness = condensed.stiffness;
   m.nodal = T.leftCols(n) + T.rightCols(2 * m.n_nodes) * condensed.followers;
   m.mass.resize(n);

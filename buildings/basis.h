@@ -19,29 +19,54 @@ struct BearingResponse {
   Eigen::Vector3d force() const { return pendular + friction + impact; }
 };
 
+/// An inelastic end section, moments right-handed about y.
+struct HingeResponse {
+  double moment, plastic_rotation;      ///< [N m], [rad]
+  double ductility;                     ///< curvature over that at yield, absolute [-]
+  double strength_left, stiffness_left; ///< shares that wear has left [-]
+};
+struct MembersResponse {
+  Eigen::VectorXd forces;            ///< twelve a member, as MemberForces has them; empty: linear ones
+  std::vector<HingeResponse> hinges; ///< ends i and j of each member
+};
+
 struct BuildingResponse {
   Eigen::VectorXd acceleration; ///< q'', relative to the ground
   Eigen::Vector3d ground;       ///< a_g
   double ground_power = 0;      ///< [W]
   std::vector<BearingResponse> bearings;
+  MembersResponse members; ///< of inelastic ones
 };
 
 class BuildingBasis {
 public:
   BuildingBasis(const BuildingModel &model, double gravity);
+  virtual ~BuildingBasis() = default;
 
   int n_bearings() const { return static_cast<int>(slider.size()); }
   int n_state() const { return 2 * n + 2 * n_bearings() + n_works; }
   /// Where y keeps what: q, q', two friction states of each bearing, then the works below [J]. `contact`: taken by
-  /// contact springs with dashpots, what is stored in them included; of the sliders' own bodies the energies.
-  enum Work { external, damping, friction, rim, contact, sliders_kinetic, sliders_potential, n_works };
+  /// contact springs with dashpots, what is stored in them included; of the sliders' own bodies the energies; `strain`
+  /// is what implicit steps know to be stored in the structure.
+  enum Work {
+    external,
+    damping,
+    friction,
+    rim,
+    contact,
+    hysteretic,
+    sliders_kinetic,
+    sliders_potential,
+    strain,
+    n_works
+  };
   int velocity() const { return n; }
   int eta(int b) const { return 2 * n + 2 * b; }
   int work(Work w) const { return 2 * n + 2 * n_bearings() + w; }
 
   double kinetic_energy(const Eigen::VectorXd &y) const;
-  double elastic_energy(const Eigen::VectorXd &y) const;   ///< 1/2 q K q
-  double potential_energy(const Eigen::VectorXd &y) const; ///< of the weights
+  virtual double elastic_energy(const Eigen::VectorXd &y) const; ///< 1/2 q K q
+  double potential_energy(const Eigen::VectorXd &y) const;       ///< of the weights
 
   const BuildingModel &model;
   std::vector<Slider> slider;

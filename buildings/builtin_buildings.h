@@ -11,4 +11,7 @@ struct BuiltinBuilding {
 };
 const std::vector<BuiltinBuilding> &builtin_buildings();
 
+/// Of a built-in building or a file. Throws InputError where there is neither.
+std::string building_text(const std::string &where);
+
 } // namespace rimpact::buildings

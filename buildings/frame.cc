@@ -70,7 +70,40 @@ void check_diaphragms(const Frame &f) {
   }
 }
 
+void check_inelastic(const Frame &f) {
+  for (std::size_t i = 0; i < f.nodes.size(); ++i)
+    if (f.nodes[i].at.y() != 0)
+      throw InputError(fmt::format("node {} of an inelastic frame stands at y = {} m; its plane is y = 0", i + 1,
+                                   f.nodes[i].at.y()));
+  for (std::size_t e = 0; e < f.elements.size(); ++e) {
+    const auto &section = f.sections[f.elements[e].section];
+    if (!section.inelastic)
+      throw InputError(fmt::format("element {} is linear in an inelastic frame: give it a yield moment", e + 1));
+    if (section.shear_y != 0 || section.shear_z != 0)
+      throw InputError(fmt::format("element {} has shear areas; inelastic members are rigid in shear: 0", e + 1));
+    const auto &s = *section.inelastic;
+    const auto need = [&](bool held, const char *what, double value, const std::string &bound) {
+      if (!held) throw InputError(fmt::format("element {}: {} {} must be {}", e + 1, what, value, bound));
+    };
+    const double L = (f.nodes[f.elements[e].j].at - f.nodes[f.elements[e].i].at).norm();
+    need(s.yield_moment > 0, "yield moment", s.yield_moment, "above 0");
+    need(s.axial_yield > 0, "axial yield force", s.axial_yield, "above 0");
+    need(s.hinge_length > 0 && s.hinge_length <= L / 6, "hinge length", s.hinge_length,
+         fmt::format("above 0 and at most a sixth of the member, {:.6g} m", L / 6));
+    need(s.post_yield >= 0 && s.post_yield <= 1, "post-yield ratio", s.post_yield, "in 0..1");
+    need(s.exponent >= 1, "exponent", s.exponent, "1 or more");
+    need(s.beta >= 0.5 && s.beta <= 1, "beta", s.beta, "in 0.5..1");
+    need(s.strength_loss >= 0 && s.strength_loss <= 1, "strength degradation", s.strength_loss, "in 0..1");
+    need(s.stiffness_loss >= 0 && s.stiffness_loss <= 2, "stiffness degradation", s.stiffness_loss, "in 0..2");
+  }
+}
+
 } // namespace
+
+bool Frame::inelastic() const {
+  return std::any_of(elements.begin(), elements.end(),
+                     [this](const Element &e) { return sections[e.section].inelastic.has_value(); });
+}
 
 void Frame::validate() const {
   if (!(damping_ratio >= 0 && damping_ratio <= 1))
@@ -79,6 +112,7 @@ void Frame::validate() const {
   check_diaphragms(*this);
   if (std::none_of(nodes.begin(), nodes.end(), [](const Node &n) { return n.supported; }))
     throw InputError("no node stands on a bearing");
+  if (inelastic()) check_inelastic(*this);
 }
 
 } // namespace rimpact::buildings

@@ -1,6 +1,8 @@
-/// A linear frame in space: nodes, elastic beam-columns, rigid diaphragms, supports. SI units, z upwards.
+/// A frame of beam-columns, rigid diaphragms, supports: linear in space, or inelastic in the plane of x and z. SI
+/// units, z upwards.
 #pragma once
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,16 @@ struct Node {
   std::string bearing = {}; ///< its name or file; empty: the scene's
 };
 
+/// What makes a member inelastic in the plane of x and z (plane_beam_column.h); wear as DegradingBoucWen.
+struct InelasticSection {
+  double yield_moment = 0, axial_yield = 0;            ///< of the end sections [N m], along the member [N], > 0
+  double hinge_length = 0.25;                          ///< of an end section [m], > 0, at most a sixth of the member
+  double post_yield = 0.02;                            ///< [-], 0..1
+  double exponent = 2, beta = 0.5;                     ///< [-], >= 1, 0.5..1
+  double strength_loss = 0.004, stiffness_loss = 0.01; ///< a unit of normalised lost energy [-], 0..1, 0..2
+  bool operator==(const InelasticSection &) const = default;
+};
+
 /// Elastic properties of a member's section, local axes of Element.
 struct Section {
   std::string name;
@@ -21,6 +33,7 @@ struct Section {
   double Iy, Iz;                   ///< bending with displacements along local z, along local y [m^4]
   double torsion;                  ///< Saint-Venant constant [m^4]
   double shear_y = 0, shear_z = 0; ///< shear areas [m^2] (Timoshenko); 0: rigid in shear (Euler-Bernoulli)
+  std::optional<InelasticSection> inelastic = {};
 };
 /// A solid rectangle, `y` and `z` its sides along the local axes [m]; shear areas 5/6 of it.
 Section rectangle(const std::string &name, double y, double z, double E, double nu);
@@ -29,6 +42,8 @@ Section rectangle(const std::string &name, double y, double z, double E, double 
 struct Element {
   int i, j, section;
   Eigen::Vector3d up;
+  /// Weight along it, which bends an inelastic member; as a weight it stands at the nodes [N/m]
+  double load = 0;
 };
 /// Rows: the local axes x, y, z of a member from `from` to `to`.
 Eigen::Matrix3d local_axes(const Eigen::Vector3d &from, const Eigen::Vector3d &to, const Eigen::Vector3d &up);
@@ -48,6 +63,8 @@ struct Frame {
   std::vector<Element> elements;
   std::vector<Diaphragm> diaphragms; ///< the base first, then from below upwards
   double damping_ratio = 0.02;       ///< of every mode of the building with its base held [-], 0..1
+  std::vector<std::string> assumed;  ///< "key = value" of an inelastic frame's numbers that no one has given
+  bool inelastic() const;            ///< of its members one is; then all must be, in the plane y = 0
   /// Throws InputError naming node, element or diaphragm and what is wrong with it.
   void validate() const;
 };

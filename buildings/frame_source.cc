@@ -1,5 +1,7 @@
 #include "buildings/frame_source.h"
+#include "buildings/builtin_buildings.h"
 #include "buildings/frame_tables.h"
+#include "buildings/plane_frame.h"
 #include "buildings/regular_building.h"
 #include "files/error.h"
 #include "files/file.h"
@@ -12,7 +14,9 @@ namespace rimpact::buildings {
 Frame load_frame(const std::string &where) {
   std::error_code none;
   if (std::filesystem::is_directory(where, none)) return read_tables(where);
-  return make_frame(load_building(where));
+  const std::string text = building_text(where);
+  if (is_plane_frame(text, where)) return make_frame(parse_plane_frame(text, where));
+  return make_frame(parse_building(text, where));
 }
 
 namespace {

@@ -10,11 +10,27 @@
 
 namespace rimpact::buildings {
 
+namespace {
+/// Columns of elements.csv that an inelastic frame has besides.
+constexpr std::pair<const char *, double InelasticSection::*> inelastic_columns[] = {
+    {"yield_moment_N_m", &InelasticSection::yield_moment},
+    {"axial_yield_N", &InelasticSection::axial_yield},
+    {"hinge_length_m", &InelasticSection::hinge_length},
+    {"post_yield", &InelasticSection::post_yield},
+    {"exponent", &InelasticSection::exponent},
+    {"beta", &InelasticSection::beta},
+    {"strength_degradation", &InelasticSection::strength_loss},
+    {"stiffness_degradation", &InelasticSection::stiffness_loss}};
+} // namespace
+
 std::map<std::string, std::string> tables_of(const Frame &f) {
   std::vector<int> owner(f.nodes.size(), 0);
   std::string slabs = "diaphragm,mass_kg,x_m,y_m,inertia_kg_m2\n",
               nodes = "node,x_m,y_m,z_m,diaphragm,vertical_mass_kg,bearing\n",
-              elements = "element,i,j,E_Pa,G_Pa,A_m2,Iy_m4,Iz_m4,J_m4,Asy_m2,Asz_m2,up_x,up_y,up_z\n";
+              elements = "element,i,j,E_Pa,G_Pa,A_m2,Iy_m4,Iz_m4,J_m4,Asy_m2,Asz_m2,up_x,up_y,up_z";
+  if (f.inelastic())
+    for (const auto &[column, member] : inelastic_columns) elements += fmt::format(",{}", column);
+  elements += f.inelastic() ? ",load_N_per_m\n" : "\n";
   for (std::size_t d = 0; d < f.diaphragms.size(); ++d) {
     const auto &s = f.diaphragms[d];
     for (const int node : s.nodes) owner[node] = static_cast<int>(d) + 1;
@@ -28,9 +44,14 @@ std::map<std::string, std::string> tables_of(const Frame &f) {
   for (std::size_t e = 0; e < f.elements.size(); ++e) {
     const auto &m = f.elements[e];
     const auto &s = f.sections[m.section];
-    elements += fmt::format("{},{},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{},{},{}\n",
-                            e + 1, m.i + 1, m.j + 1, s.E, s.G, s.area, s.Iy, s.Iz, s.torsion, s.shear_y, s.shear_z,
-                            m.up.x(), m.up.y(), m.up.z());
+    elements += fmt::format("{},{},{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g},{},{},{}", e + 1,
+                            m.i + 1, m.j + 1, s.E, s.G, s.area, s.Iy, s.Iz, s.torsion, s.shear_y, s.shear_z, m.up.x(),
+                            m.up.y(), m.up.z());
+    if (s.inelastic) {
+      for (const auto &[column, member] : inelastic_columns) elements += fmt::format(",{:.17g}", *s.inelastic.*member);
+      elements += fmt::format(",{:.17g}", m.load);
+    }
+    elements += "\n";
   }
   return {{"nodes.csv", nodes}, {"elements.csv", elements}, {"diaphragms.csv", slabs}};
 }
@@ -60,6 +81,7 @@ public:
     if (rows_.empty()) throw DataError(path_ + ": holds no rows");
   }
   std::size_t size() const { return rows_.size(); }
+  bool has(const std::string &column) const { return columns_.count(column) > 0; }
   std::string text(std::size_t row, const std::string &column) const {
     const auto found = columns_.find(column);
     if (found == columns_.end()) throw DataError(fmt::format("{}: has no column {}", path_, column));
@@ -110,8 +132,12 @@ int section_of(Frame &f, const Rows &rows, std::size_t e) {
   for (const char *column : {"E_Pa", "G_Pa", "A_m2", "Iy_m4", "Iz_m4", "J_m4"})
     if (!(rows.number(e, column) > 0))
       throw DataError(fmt::format("{}: {} is {}; it must be above 0", rows.place(e), column, rows.number(e, column)));
+  if (rows.has(inelastic_columns[0].first)) {
+    s.inelastic.emplace();
+    for (const auto &[column, member] : inelastic_columns) *s.inelastic.*member = rows.number(e, column);
+  }
   for (std::size_t i = 0; i < f.sections.size(); ++i)
-    if (numbers(f.sections[i]) == numbers(s)) return static_cast<int>(i);
+    if (numbers(f.sections[i]) == numbers(s) && f.sections[i].inelastic == s.inelastic) return static_cast<int>(i);
   s.name = fmt::format("section {}", f.sections.size() + 1);
   f.sections.push_back(s);
   return static_cast<int>(f.sections.size()) - 1;
@@ -149,7 +175,8 @@ Frame read_tables(const std::string &folder) {
     f.elements.push_back({elements.index(e, "i"),
                           elements.index(e, "j"),
                           section_of(f, elements, e),
-                          {elements.number(e, "up_x"), elements.number(e, "up_y"), elements.number(e, "up_z")}});
+                          {elements.number(e, "up_x"), elements.number(e, "up_y"), elements.number(e, "up_z")},
+                          elements.has("load_N_per_m") ? elements.number(e, "load_N_per_m") : 0.0});
   }
   return f;
 }

@@ -52,7 +52,7 @@ void ImplicitRun::restart() {
   auto &b = building_;
   State &s = at_[0];
   const Vector3d ground = b.ground.acceleration(s.t);
-  VectorXd f = load(ground) - b.model.stiffness * s.q - b.model.damping * s.v;
+  VectorXd f = load(ground) + b.structure->start(s.q, s.v);
   for (int i = 0; i < b.n_bearings(); ++i) {
     b.mounts[i]->start(s.t, b.node(i, s.q, s.v), ground);
     f += b.over_q[i].transpose() * b.mounts[i]->force();
@@ -66,7 +66,9 @@ VectorXd ImplicitRun::powers(const State &s, int stage) const {
   VectorXd p = VectorXd::Zero(BuildingBasis::n_works);
   VectorXd f = load(b.ground.acceleration(s.t));
   f.tail(b.model.n_nodes) += b.gravity * b.model.mass.tail(b.model.n_nodes);
-  p[BuildingBasis::external] = f.dot(s.v), p[BuildingBasis::damping] = s.v.dot(b.model.damping * s.v);
+  const auto taken = b.structure->power(stage, s.v);
+  p[BuildingBasis::external] = f.dot(s.v);
+  p[BuildingBasis::damping] = taken.damping, p[BuildingBasis::hysteretic] = taken.hysteretic;
   for (const auto &mount : b.mounts) {
     const auto one = mount->power(stage);
     p[BuildingBasis::external] += one.external, p[BuildingBasis::friction] += one.friction;
@@ -91,13 +93,14 @@ bool ImplicitRun::stage(double h, bool last) {
     to.v = middle.v + (1 - 2 * tr_bdf2_own) * h * middle.a;
   }
   for (const auto &mount : b.mounts) mount->begin_stage(stage);
-  MatrixXd A = own * b.model.stiffness + b.model.damping;
-  A.diagonal() += b.model.mass / own;
+  b.structure->begin_stage(stage);
+  const MatrixXd inertia = (b.model.mass / own).asDiagonal();
   const VectorXd f = load(ground);
   for (int iteration = 0; iteration < 12; ++iteration) {
     to.q = from.q + moved + own * to.v, to.a = (to.v - base) / own;
-    VectorXd r = f - b.model.stiffness * to.q - b.model.damping * to.v - b.model.mass.cwiseProduct(to.a);
-    MatrixXd J = A;
+    VectorXd r = f - b.model.mass.cwiseProduct(to.a);
+    MatrixXd J = inertia;
+    b.structure->linearise(to.q, to.v, r, J);
     for (int i = 0; i < b.n_bearings(); ++i) {
       const MountForce m = b.mounts[i]->linearise(b.node(i, to.q, to.v));
       const auto &W = b.over_q[i];
@@ -108,12 +111,13 @@ bool ImplicitRun::stage(double h, bool last) {
     ++n_newton;
     if (!correction.allFinite()) return false;
     to.v += correction;
-    double largest = correction.lpNorm<Eigen::Infinity>();
+    double largest = std::max(correction.lpNorm<Eigen::Infinity>(), b.structure->correct(correction));
     for (int i = 0; i < b.n_bearings(); ++i)
       largest = std::max(largest, b.mounts[i]->correct(b.over_q[i] * correction));
     if (largest * own < converged || largest < 10 * converged) {
       to.q = from.q + moved + own * to.v, to.a = (to.v - base) / own;
       for (const auto &mount : b.mounts) mount->end_stage();
+      b.structure->end_stage();
       to.power = powers(to, last ? 2 : 1);
       return true;
     }
@@ -192,6 +196,7 @@ bool ImplicitRun::advance(double limit, double &h) {
     std::swap(at_[0], at_[2]);
     if (clipped && !passed) at_[0].t = limit;
     for (const auto &mount : building_.mounts) mount->accept();
+    building_.structure->accept();
     return at_wall;
   }
 }
@@ -200,6 +205,7 @@ VectorXd ImplicitRun::state() const {
   const auto &b = building_;
   VectorXd y = VectorXd::Zero(b.n_state());
   y.head(b.n) = at_[0].q, y.segment(b.n, b.n) = at_[0].v, y.tail(BuildingBasis::n_works) = at_[0].works;
+  y[b.work(BuildingBasis::strain)] = b.structure->stored(at_[0].q);
   for (const auto &mount : b.mounts) {
     y[b.work(BuildingBasis::sliders_kinetic)] += mount->kinetic_energy();
     y[b.work(BuildingBasis::sliders_potential)] += mount->potential_energy();
@@ -212,6 +218,7 @@ BuildingResponse ImplicitRun::response() const {
   r.acceleration = at_[0].a, r.ground = building_.ground.acceleration(at_[0].t);
   r.ground_power = at_[0].power[BuildingBasis::external];
   for (const auto &mount : building_.mounts) r.bearings.push_back(mount->response());
+  r.members = building_.structure->members(at_[0].q);
   return r;
 }
 

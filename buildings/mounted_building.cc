@@ -5,9 +5,11 @@
 namespace rimpact::buildings {
 
 MountedBuilding::MountedBuilding(const BuildingModel &m, const scene::Scene &scene,
-                                 const std::vector<scene::Scene> &bearings)
-    : BuildingBasis(m, scene.load.gravity), ground(scene.excitation, scene.load.gravity) {
+                                 const std::vector<scene::Scene> &bearings, std::unique_ptr<Structure> above)
+    : BuildingBasis(m, scene.load.gravity), structure(std::move(above)), ground(scene.excitation, scene.load.gravity) {
   check_building_scene(scene);
+  const auto rest = structure->at_rest();
+  start_.head(n) = rest.q, reactions = rest.reactions;
   rigid_bodies = true;
   for (int b = 0; b < n_bearings(); ++b) {
     scene::Scene s = bearings[b];
@@ -18,6 +20,10 @@ MountedBuilding::MountedBuilding(const BuildingModel &m, const scene::Scene &sce
     capacity.push_back(mounts[b]->lateral_capacity), rim_stiffness.push_back(mounts[b]->rim_stiffness);
     over_q.push_back(m.nodal.middleRows(6 * m.bearings[b], 6));
   }
+}
+
+double MountedBuilding::elastic_energy(const Eigen::VectorXd &y) const {
+  return y[work(strain)];
 }
 
 NodeMotion MountedBuilding::node(int b, const Eigen::VectorXd &q, const Eigen::VectorXd &v) const {

@@ -134,6 +134,7 @@ Vector2d BuildingRecorder::overturning(const BuildingResponse &r) const {
 
 void BuildingRecorder::watch(double t, const VectorXd &y, const BuildingResponse &r) {
   if (trace_) trace(t, y, r);
+  hinges_.widen(r.members.hinges);
   const auto raise = [](double &peak, double value) { peak = std::max(peak, value); };
   Vector2d total = Vector2d::Zero();
   double up = 0;
@@ -167,13 +168,13 @@ void BuildingRecorder::watch(double t, const VectorXd &y, const BuildingResponse
 }
 
 BuildingInstant BuildingRecorder::instant(double t, const VectorXd &y, const BuildingResponse &r) const {
-  BuildingInstant at{t, y.head(dynamics_.n), {}, {}};
+  BuildingInstant at{t, y.head(dynamics_.n), {}, {}, r.members.forces};
   for (const auto &b : r.bearings) at.normal.push_back(std::max(0.0, b.normal)), at.rim_force.push_back(b.rim_force);
   return at;
 }
 
 void BuildingRecorder::trace(double t, const VectorXd &y, const BuildingResponse &r) {
-  if (members_) trace_->members.widen(members_->at(y.head(dynamics_.n)));
+  if (members_) trace_->members.widen(r.members.forces.size() ? r.members.forces : members_->at(y.head(dynamics_.n)));
   double force = 0, travel = 0;
   for (const auto &b : r.bearings)
     force = std::max(force, b.rim_force), travel = std::max(travel, b.u.head<2>().norm());
@@ -192,6 +193,7 @@ EnergyLedger BuildingRecorder::ledger(const VectorXd &y) const {
   l.gravity += y[d.work(BuildingBasis::sliders_potential)];
   l.kinetic = d.kinetic_energy(y) + y[d.work(BuildingBasis::sliders_kinetic)];
   l.elastic = d.elastic_energy(y) - initial_elastic_;
+  l.plastic = y[d.work(BuildingBasis::hysteretic)];
   l.damping = y[d.work(BuildingBasis::damping)], l.friction = y[d.work(BuildingBasis::friction)];
   l.impact = y[d.work(BuildingBasis::rim)], l.contact = landing_loss_ + y[d.work(BuildingBasis::contact)];
   l.largest_input = largest_input_ + l.initial;

@@ -1,13 +1,15 @@
 /// Watches the run of a building: stores samples, keeps peaks, impacts and the energy ledger.
 #pragma once
 #include "buildings/dynamics.h"
+#include "buildings/hinge_envelope.h"
 #include "buildings/members.h"
 #include "responses/summary.h"
 #include <functional>
 
 namespace rimpact::buildings {
 
-inline constexpr int most_bearings = 64, most_floors = 40; ///< that a response has signals for (responses/response.cc)
+/// That a response has signals for (responses/response.cc); of members only inelastic ones.
+inline constexpr int most_bearings = 64, most_floors = 40, most_members = 200;
 
 /// A piece of the solution on one branch.
 struct BuildingSegment {
@@ -21,6 +23,7 @@ struct BuildingInstant {
   double t = 0;
   Eigen::VectorXd q;
   std::vector<double> normal, rim_force; ///< of each bearing [N]
+  Eigen::VectorXd members;               ///< end forces of inelastic members; empty: linear ones
 };
 
 /// What a run leaves besides its signals.
@@ -29,6 +32,7 @@ struct BuildingTrace {
   std::vector<BuildingInstant> instants;
   BuildingInstant hardest; ///< largest force of any rim, or, untouched, largest travel
   MemberEnvelope members;  ///< over the samples and the steps between them
+  HingeEnvelope hinges;
 };
 
 class BuildingRecorder {
@@ -54,6 +58,7 @@ public:
   EnergyLedger ledger(const Eigen::VectorXd &y) const;
   /// Peaks, impacts of all bearings in order, energies; `bearings`, `floors` and `worst_bearing` in extra.
   void summarise(Summary &summary) const;
+  const HingeEnvelope &hinges() const { return hinges_; } ///< empty of a linear building
 
 private:
   struct BearingPeaks {
@@ -84,6 +89,7 @@ private:
          largest_input_ = 0;
   std::vector<BearingPeaks> bearings_;
   std::vector<FloorPeaks> floors_;
+  HingeEnvelope hinges_;
   double base_acceleration_ = 0, peak_displacement_ = 0, peak_shear_ = 0, peak_overturning_ = 0, peak_rotation_ = 0,
          smallest_total_ = 1e300, peak_height_ = -1e300;
   Eigen::VectorXd final_;

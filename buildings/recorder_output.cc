@@ -43,6 +43,12 @@ void BuildingRecorder::store(double t, const VectorXd &y, const BuildingResponse
     put(name + "normal_force", std::max(0.0, one.normal)), put(name + "gap", one.gap);
     if (d.rigid_bodies) plane(name + "interface_slip", one.interface_slip), plane(name + "moment", one.moment);
   }
+  if (!r.members.hinges.empty()) put("energy_plastic", l.plastic);
+  for (std::size_t i = 0; i < r.members.hinges.size(); ++i) {
+    const char end = i % 2 ? 'j' : 'i';
+    put(fmt::format("member_{}_moment_{}", i / 2 + 1, end), r.members.hinges[i].moment);
+    put(fmt::format("member_{}_rotation_{}", i / 2 + 1, end), r.members.hinges[i].plastic_rotation);
+  }
   for (int f = 0; f < static_cast<int>(floors_.size()); ++f) {
     const int dof = 3 * (f + 1);
     const std::string name = fmt::format("floor_{}_", f + 1);

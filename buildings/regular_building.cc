@@ -1,17 +1,13 @@
 #include "buildings/regular_building.h"
 #include "buildings/builtin_buildings.h"
 #include "files/error.h"
-#include "files/file.h"
 #include "files/text.h"
 #include "files/toml_reader.h"
 #include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 
 namespace rimpact::buildings {
-namespace {
 
-/// Length of floor that a line carries: half the bay on each side [m].
 double tributary(const std::vector<double> &lines, std::size_t i) {
   const double before = i > 0 ? lines[i] - lines[i - 1] : 0, after = i + 1 < lines.size() ? lines[i + 1] - lines[i] : 0;
   return (before + after) / 2;
@@ -25,7 +21,6 @@ void check_lines(const char *key, const std::vector<double> &lines) {
       throw InputError(fmt::format("{} must grow: {} follows {}", key, lines[i], lines[i - 1]));
 }
 
-/// [bearings]: node = "name or file".
 std::map<int, std::string> own_bearings(const TomlFile &file) {
   std::map<int, std::string> list;
   const auto *table = file.root()["bearings"].as_table();
@@ -44,8 +39,6 @@ std::map<int, std::string> own_bearings(const TomlFile &file) {
   }
   return list;
 }
-
-} // namespace
 
 Frame make_frame(const RegularBuilding &b) {
   check_lines("x_m", b.x);
@@ -118,15 +111,7 @@ RegularBuilding parse_building(const std::string &text, const std::string &origi
 }
 
 RegularBuilding load_building(const std::string &where) {
-  std::string names;
-  for (const auto &builtin : builtin_buildings()) {
-    if (where == builtin.name) return parse_building(builtin.toml, where);
-    names += (names.empty() ? "" : ", ") + builtin.name;
-  }
-  std::error_code ignored;
-  if (!std::filesystem::exists(where, ignored))
-    throw InputError(fmt::format("{}: no such file, and the built-in buildings are {}", where, names));
-  return parse_building(read_file(where), where);
+  return parse_building(building_text(where), where);
 }
 
 } // namespace rimpact::buildings

@@ -3,6 +3,10 @@
 #include "buildings/frame.h"
 #include <map>
 
+namespace rimpact {
+class TomlFile;
+}
+
 namespace rimpact::buildings {
 
 struct RegularBuilding {
@@ -27,5 +31,12 @@ Frame make_frame(const RegularBuilding &building);
 /// bound.
 RegularBuilding load_building(const std::string &where);
 RegularBuilding parse_building(const std::string &text, const std::string &origin);
+
+/// Throws InputError naming `key` unless there are two lines at least and they grow.
+void check_lines(const char *key, const std::vector<double> &lines);
+/// Length of floor that a line carries: half the bay on each side [m].
+double tributary(const std::vector<double> &lines, std::size_t i);
+/// [bearings]: node = "name or file".
+std::map<int, std::string> own_bearings(const TomlFile &file);
 
 } // namespace rimpact::buildings

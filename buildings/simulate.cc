@@ -1,9 +1,12 @@
 #include "buildings/simulate.h"
 #include "buildings/building_run.h"
 #include "buildings/implicit_run.h"
+#include "buildings/inelastic_frame.h"
 #include "files/error.h"
 #include <algorithm>
 #include <chrono>
+#include <cmath>
+#include <fmt/format.h>
 
 namespace rimpact::buildings {
 namespace {
@@ -14,9 +17,27 @@ struct Kept {
   const MemberForces *members = nullptr;
 };
 
+/// What an inelastic frame in the plane of x and z cannot have.
+void check_plane(const Frame &frame, const scene::Scene &scene, bool rigid_bodies) {
+  const auto &e = scene.excitation;
+  const auto refuse = [](const std::string &what) {
+    throw InputError(what + ": an inelastic frame moves in the plane of x and z");
+  };
+  if (e.kind == scene::ExcitationKind::ricker && std::abs(e.direction().y()) > 1e-12)
+    refuse(fmt::format("excitation.direction_deg {:g} is neither 0 nor 180", e.direction_deg));
+  if (e.kind == scene::ExcitationKind::record && !e.y.values.empty()) refuse("excitation.y is given");
+  if (e.kind == scene::ExcitationKind::free && (e.start_displacement().y() != 0 || e.start_velocity().y() != 0))
+    refuse("excitation: the start has a part along y");
+  if (rigid_bodies)
+    throw InputError("reduced.model \"dcfp\" or \"lir-dcfp\" under an inelastic frame: it takes dishes, \"physical\"");
+  if (static_cast<int>(frame.elements.size()) > most_members)
+    throw InputError(
+        fmt::format("the inelastic frame has {} members; {} are the most", frame.elements.size(), most_members));
+}
+
 /// What `go` does with a recorder; its summary's times.
 template <class Go>
-void fly(const BuildingBasis &building, const scene::Scene &scene, const Kept &kept, Summary &summary, Go go) {
+HingeEnvelope fly(const BuildingBasis &building, const scene::Scene &scene, const Kept &kept, Summary &summary, Go go) {
   BuildingRecorder recorder(building, kept.response, scene.reduced.output_step, kept.trace, kept.members);
   const auto begin = std::chrono::steady_clock::now();
   try {
@@ -28,22 +49,32 @@ void fly(const BuildingBasis &building, const scene::Scene &scene, const Kept &k
   summary.n_dofs = building.n;
   summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   summary.time_split["solve"] = summary.wall_time;
+  return recorder.hinges();
 }
 
-void fly(const BuildingModel &model, const scene::Scene &scene, const std::vector<scene::Scene> &bearings,
-         const Kept &kept, Summary &summary) {
+void fly(const Frame &frame, const BuildingModel &model, const scene::Scene &scene,
+         const std::vector<scene::Scene> &bearings, const Kept &kept, Summary &summary) {
   const double t_end = scene.excitation.duration;
   const auto concave = [](const auto &one) { return one.double_concave(); };
-  if (!concave(scene) && std::none_of(bearings.begin(), bearings.end(), concave)) {
+  const bool rigid_bodies = concave(scene) || std::any_of(bearings.begin(), bearings.end(), concave);
+  if (frame.inelastic()) check_plane(frame, scene, rigid_bodies);
+  if (!frame.inelastic() && !rigid_bodies) {
     const BuildingDynamics dynamics(model, scene, bearings);
-    return fly(dynamics, scene, kept, summary,
-               [&](BuildingRecorder &recorder) { return BuildingRun(dynamics, scene).run(t_end, recorder); });
+    fly(dynamics, scene, kept, summary,
+        [&](BuildingRecorder &recorder) { return BuildingRun(dynamics, scene).run(t_end, recorder); });
+    return;
   }
   const std::vector<scene::Scene> alike(model.bearings.size(), scene);
-  MountedBuilding building(model, scene, bearings.empty() ? alike : bearings);
+  MountedBuilding building(model, scene, bearings.empty() ? alike : bearings,
+                           frame.inelastic() ? inelastic_structure(frame, model, scene.load.gravity)
+                                             : linear_structure(model, scene.load.gravity));
   ImplicitRun run(building, scene);
-  fly(building, scene, kept, summary, [&](BuildingRecorder &recorder) { return run.run(t_end, recorder); });
+  const auto hinges =
+      fly(building, scene, kept, summary, [&](BuildingRecorder &recorder) { return run.run(t_end, recorder); });
   summary.n_newton_iterations = run.n_newton;
+  if (!frame.inelastic()) return;
+  summary.extra["building"]["inelastic"] = to_json(frame, hinges);
+  if (kept.trace) kept.trace->hinges = hinges;
 }
 
 } // namespace
@@ -53,14 +84,14 @@ BuildingResult simulate_whole(const Frame &frame, const scene::Scene &scene, con
   BuildingResult result;
   result.model = assemble(frame), result.trace.step = picture_step;
   const MemberForces members(frame, result.model);
-  fly(result.model, scene, bearings, {&result.run.response, &result.trace, &members}, result.run.summary);
+  fly(frame, result.model, scene, bearings, {&result.run.response, &result.trace, &members}, result.run.summary);
   return result;
 }
 
 reduced::ReducedRun simulate(const Frame &frame, const scene::Scene &scene, const std::vector<scene::Scene> &bearings,
                              bool with_response) {
   reduced::ReducedRun run;
-  fly(assemble(frame), scene, bearings, {with_response ? &run.response : nullptr}, run.summary);
+  fly(frame, assemble(frame), scene, bearings, {with_response ? &run.response : nullptr}, run.summary);
   return run;
 }
 

@@ -60,7 +60,8 @@ std::string grid(const Frame &frame, const BuildingModel &model, const MemberFor
                      "NumberOfCells=\"{}\">\n",
                      frame.nodes.size(), frame.elements.size() + model.bearings.size()) +
          "<Points>\n" + array("Points", 3, points) + "</Points>\n" + cells(frame, model.bearings) + "<PointData>\n" +
-         array("displacement", 3, moved) + "</PointData>\n" + cell_data(frame, members.at(at.q), at) +
+         array("displacement", 3, moved) + "</PointData>\n" +
+         cell_data(frame, at.members.size() ? at.members : members.at(at.q), at) +
          "</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
 }
 

@@ -83,7 +83,7 @@ void add_double_concave_signals(std::vector<SignalInfo> &list) {
 
 /// Of a building on many bearings: `displacement_x` ... are those of the base's mass centre, `force_x` ... sums.
 void add_building_signals(std::vector<SignalInfo> &list) {
-  constexpr int most_bearings = 64, most_floors = 40;
+  constexpr int most_bearings = 64, most_floors = 40, most_members = 200;
   using Row = std::tuple<const char *, const char *, const char *>;
   const auto add = [&](const char *what, int most, std::initializer_list<Row> rows) {
     for (int i = 1; i <= most; ++i)
@@ -112,6 +112,11 @@ void add_building_signals(std::vector<SignalInfo> &list) {
        {"drift_y", "m", "of the storey below it, y"},
        {"acceleration_x", "m/s^2", "absolute, of the mass centre, x"},
        {"acceleration_y", "m/s^2", "absolute, of the mass centre, y"}});
+  add("member", most_members,
+      {{"moment_i", "N m", "of an inelastic one's end i, about y"},
+       {"moment_j", "N m", "of an inelastic one's end j, about y"},
+       {"rotation_i", "rad", "plastic, of end i, about y"},
+       {"rotation_j", "rad", "plastic, of end j, about y"}});
   for (const char *axis : {"x", "y"})
     list.push_back({fmt::format("overturning_{}", axis), "N m",
                     fmt::format("moment of the bearings' forces about the {} axis through the base's centre", axis)});

@@ -24,6 +24,10 @@ bool is_mark(const std::string &comment) {
 
 } // namespace
 
+bool is_marked(const TomlFile &file, const std::string &path) {
+  return is_mark(file.comment_of(path)) || is_mark(file.comment_of_table(path));
+}
+
 AssumedKeys catalogue_marks() {
   AssumedKeys marks;
   for (const auto &entry : numbers_of({}, true))
@@ -44,8 +48,7 @@ void read_marks(const TomlFile &file, TomlReader &reader, const std::string &pre
   reader.switches({"assumed"}, words);
   for (const auto &[key, is_listed] : listed) {
     const bool given = file.find(prefix + key) != nullptr;
-    if (is_listed ||
-        (given && (is_mark(file.comment_of(prefix + key)) || is_mark(file.comment_of_table(prefix + key)))))
+    if (is_listed || (given && is_marked(file, prefix + key)))
       bearing.assumed.keys.insert(key);
     else if (given)
       bearing.assumed.keys.erase(key);

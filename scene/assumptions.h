@@ -14,6 +14,9 @@ AssumedKeys catalogue_marks();
 /// Every number: a bearing file begins with none given.
 AssumedKeys every_number();
 
+/// Whether the comment behind a key of the file, or behind its table's header, begins with "assumption" or "assumed".
+bool is_marked(const TomlFile &file, const std::string &path);
+
 /// Takes the marks of a file whose bearing keys stand behind `prefix` ("" or "bearing."). A key that is given is the
 /// user's unless its line, or its table's header, has a comment that begins with "assumption" or "assumed"; a key that
 /// is not given stays as it was. The list `assumed = ["rim.height_mm"]` adds its keys. Throws InputError for a word in

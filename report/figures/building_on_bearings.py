@@ -1,4 +1,4 @@
-"""A building on many bearings: the plan with every bearing's orbit inside its rim, and two elevations at the hardest impact."""
+"""A building on many bearings: the plan with every bearing's orbit inside its rim, and elevations at the hardest impact."""
 import csv
 import os
 
@@ -17,12 +17,14 @@ def draw(run: Run, path: str) -> str:
     moved = np.array([[row["ux_m"], row["uy_m"], row["uz_m"]] for row in at_hardest], float)
     bearings = [i for i, row in enumerate(nodes) if row["bearing"] not in ("0", "")]
     members = [(int(row["i"]) - 1, int(row["j"]) - 1) for row in elements]
-    fig, grid = figure(1, 3, 3.6, gridspec_kw={"width_ratios": [1.25, 1, 1]})
+    axes = [axis for axis in (0, 1) if np.ptp(at[:, axis]) > 0]  # one of a frame in the plane
+    fig, grid = figure(1, 1 + len(axes), 3.6, gridspec_kw={"width_ratios": [1.25] + [1] * len(axes)})
     _plan(grid[0, 0], run, at, bearings, at_hardest)
     scale = 0.18 * np.ptp(at[:, :2]) / max(np.abs(moved).max(), 1e-9)
     time = float(at_hardest[0]["time_s"])
-    for ax, axis in zip(grid[0, 1:], (0, 1)):
+    for ax, axis in zip(grid[0, 1:], axes):
         _elevation(ax, at, moved, members, axis, scale)
+        _hinges(ax, run, at + scale * moved, members, axis)
         ax.set_title(f"Along {'xy'[axis]} at {time:.2f} s")
     grid[0, 1].set_ylabel("height (m)")
     return save(fig, path)
@@ -63,6 +65,19 @@ def _plan(ax: Axes, run: Run, at: np.ndarray, bearings: list[int], at_hardest: l
     ax.set_aspect("equal")
     ax.set(title=f"Plan: orbits × {scale:.0f} in their rims", xlabel="x (m)", ylabel="y (m)")
     ax.margins(0.08)
+
+
+def _hinges(ax: Axes, run: Run, there: np.ndarray, members: list[tuple[int, int]], axis: int) -> None:
+    """Ends of inelastic members that yielded in the run, the larger the more."""
+    if not os.path.isfile(os.path.join(run.folder, "hinges.csv")):
+        return
+    for row in _rows(run, "hinges.csv"):
+        ductility = float(row["peak_ductility"])
+        if ductility > 1:
+            ends = members[int(row["element"]) - 1]
+            p, q = there[list(ends if row["end"] == "i" else ends[::-1])]
+            at = p + 0.06 * (q - p)
+            ax.plot(at[axis], at[2], color=FITTED, marker="o", ms=min(2 + 0.3 * ductility, 6), mec="none")
 
 
 def _elevation(ax: Axes, at: np.ndarray, moved: np.ndarray, members: list[tuple[int, int]], axis: int, scale: float) -> None:

@@ -158,5 +158,61 @@ class Building(unittest.TestCase):
             self.assertEqual(run.stdout, "")
 
 
+class InelasticFrame(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.TemporaryDirectory()
+        cls.folder = os.path.join(cls.scratch.name, "run")
+        cls.run_ = rimpact("building", "ricker-0.78g-1.0s", "--frame", "thesis-2.5", "-o", cls.folder, "--json", "--vtk-step", "500", *SHORT)
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.scratch.cleanup()
+
+    def test_summary(self):
+        self.assertEqual(self.run_.returncode, 0, self.run_.stderr)
+        said = json.loads(self.run_.stdout)
+        inelastic = said["building"]["inelastic"]
+        self.assertEqual([s["name"] for s in inelastic["sections"]], ["column", "beam"])
+        self.assertIn("column.yield_kN_m by [design]", inelastic["assumed"])
+        self.assertGreater(inelastic["sections"][0]["yielded_ends"], 0)
+        self.assertGreater(said["energy"]["plastic_J"], 0)
+        self.assertLess(abs(said["energy"]["imbalance_relative"]), 1e-3)
+        self.assertAlmostEqual(said["building"]["weight_N"], 2560e3, delta=1)
+
+    def test_hinges_and_signals(self):
+        hinges = rows(os.path.join(self.folder, "hinges.csv"))
+        self.assertEqual(len(hinges), 2 * 17)
+        with h5py.File(os.path.join(self.folder, "response.h5")) as file:
+            signal = {name: file[f"response/{name}"][:] for name in file["response"]}
+        for row in hinges:
+            moment = signal[f"member_{row['element']}_moment_{row['end']}"]
+            self.assertLessEqual(np.abs(moment).max(), float(row["peak_moment_N_m"]) * (1 + 1e-5))
+        self.assertTrue((np.diff(signal["energy_plastic"]) >= 0).all())
+        self.assertFalse(signal["floor_3_displacement_y"].any())
+
+    def test_members_carry_the_weight(self):
+        columns = [row for row in rows(os.path.join(self.folder, "members.csv")) if row["end"] == "i" and row["node"] in "123" and float(row["at_rest_N_x_N"]) > 3e5]
+        self.assertEqual(len(columns), 3)
+        self.assertAlmostEqual(sum(float(row["at_rest_N_x_N"]) for row in columns), 1920e3, delta=3e3)
+
+    def test_its_tables_are_a_frame(self):
+        again = os.path.join(self.scratch.name, "again")
+        run = rimpact("building", "ricker-0.78g-1.0s", "--frame", self.folder, "-o", again, "--json", *SHORT)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        first, second = json.loads(self.run_.stdout), json.loads(run.stdout)
+        self.assertAlmostEqual(second["peak_lateral_force_N"] / first["peak_lateral_force_N"], 1, places=6)
+
+    def test_refusals(self):
+        frame = os.path.join(self.scratch.name, "frame.toml")
+        with open(frame, "w") as file:
+            file.write("x_m = [0.0, 8.0]\nstoreys_m = [3.5]\nload_kN_per_m = 40.0\n[column]\nhinge_length_mm = 700.0\n")
+        for needle, arguments in ((f"{frame}:5", ["--frame", frame]), ("direction_deg 30", ["--frame", "thesis-2.5", "--set", "excitation.direction_deg=30"]),
+                                  ("takes dishes", ["--frame", "thesis-2.5", "--set", 'reduced.model="dcfp"'])):
+            run = rimpact("building", "ricker-0.78g-1.0s", "-o", os.path.join(self.scratch.name, "refused"), *arguments)
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertIn(needle, run.stderr)
+
+
 if __name__ == "__main__":
     unittest.main()

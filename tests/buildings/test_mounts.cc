@@ -45,7 +45,7 @@ TEST(Mounts, ADishByImplicitStepsIsTheOneByBranches) {
   const Frame f = block();
   const auto branches = simulate(f, s);
   const BuildingModel model = assemble(f);
-  MountedBuilding building(model, s, std::vector<scene::Scene>(4, s));
+  MountedBuilding building(model, s, std::vector<scene::Scene>(4, s), linear_structure(model, s.load.gravity));
   ImplicitRun run(building, s);
   BuildingRecorder recorder(building, nullptr, s.reduced.output_step);
   run.run(s.excitation.duration, recorder);

@@ -1,0 +1,224 @@
+#include "buildings/inelastic_frame.h"
+#include "buildings/plane_beam_column.h"
+#include "files/error.h"
+#include <algorithm>
+#include <cmath>
+#include <Eigen/LU>
+
+namespace rimpact::buildings {
+namespace {
+
+using Eigen::MatrixXd, Eigen::VectorXd;
+
+SectionPoints along(const SectionPoints &p, double weight, const SectionPoints &rates) {
+  SectionPoints r = p;
+  for (int i = 0; i < 3; ++i)
+    r[i].d += weight * rates[i].d, r[i].z += weight * rates[i].z, r[i].e += weight * rates[i].e;
+  return r;
+}
+/// (to - from) / h
+SectionPoints rates_between(const SectionPoints &from, const SectionPoints &to, double h) {
+  SectionPoints r;
+  for (int i = 0; i < 3; ++i) r[i] = {(to[i].d - from[i].d) / h, (to[i].z - from[i].z) / h, (to[i].e - from[i].e) / h};
+  return r;
+}
+
+PlaneBeamColumn member_law(const Frame &frame, const Element &e) {
+  const auto &section = frame.sections[e.section];
+  const auto &s = *section.inelastic;
+  const Eigen::Vector3d &from = frame.nodes[e.i].at, &to = frame.nodes[e.j].at;
+  const Eigen::Matrix3d axes = local_axes(from, to, e.up);
+  const double EI = section.E * (std::abs(axes(2, 1)) > 0.5 ? section.Iz : section.Iy), EA = section.E * section.area;
+  PlaneBeamColumn m;
+  m.from = {from.x(), from.z()}, m.to = {to.x(), to.z()};
+  m.bending = {s.yield_moment, s.yield_moment / EI, s.post_yield,    s.exponent,
+               s.beta,         s.strength_loss,     s.stiffness_loss};
+  m.axial = {s.axial_yield, s.axial_yield / EA, s.post_yield, s.exponent, s.beta, s.strength_loss, s.stiffness_loss};
+  m.hinge_length = s.hinge_length, m.load = e.load * std::abs(to.x() - from.x()) / m.length();
+  return m;
+}
+
+class InelasticFrame : public Structure {
+public:
+  InelasticFrame(const Frame &frame, const BuildingModel &model, double gravity)
+      : model_(model), damping_(model.damping) {
+    for (int dof = 0; dof < 3 * model.n_diaphragms; ++dof) // across the plane not even rounding moves it
+      if (dof % 3 != 0) damping_.row(dof).setZero(), damping_.col(dof).setZero();
+    std::vector<int> floor(frame.nodes.size());
+    for (std::size_t d = 0; d < frame.diaphragms.size(); ++d)
+      for (const int node : frame.diaphragms[d].nodes) floor[node] = static_cast<int>(d);
+    const int n = model.n_dofs();
+    for (const Element &e : frame.elements) {
+      Member m{.law = member_law(frame, e), .dofs = {}, .axes = {}, .base = {}, .answer = {}, .at = {}, .rates = {}};
+      m.axes = local_axes(frame.nodes[e.i].at, frame.nodes[e.j].at, e.up);
+      for (int end = 0; end < 2; ++end) {
+        const int node = end ? e.j : e.i;
+        m.dofs[3 * end] = 3 * floor[node], m.dofs[3 * end + 1] = model.vertical(node), m.dofs[3 * end + 2] = n + node;
+      }
+      members_.push_back(m);
+    }
+    for (auto &turns : turns_) turns = VectorXd::Zero(model.n_nodes);
+    turn_rate_ = turns_[0];
+    settle(gravity);
+  }
+
+  Rest at_rest() const override { return rest_; }
+
+  VectorXd start(const VectorXd &q, const VectorXd &v) override {
+    for (auto &m : members_) m.base = m.at[0];
+    evaluate(q, turns_[0], 0);
+    return -force_.head(model_.n_dofs()) - damping_ * v;
+  }
+
+  void begin_stage(const Stage &stage) override {
+    stage_ = stage;
+    for (auto &m : members_) {
+      m.base = along(m.at[0], stage.w1, m.rates[0]);
+      if (stage.last()) m.base = along(m.base, stage.w2, m.rates[1]);
+      m.at[now()] = m.at[stage.last() ? 1 : 0];
+    }
+    turns_[now()] = turns_[0] + stage.reach * turn_rate_;
+  }
+
+  void linearise(const VectorXd &q, const VectorXd &v, VectorXd &force, MatrixXd &tangent) override {
+    evaluate(q, turns_[now()], now());
+    const int n = model_.n_dofs(), m = model_.n_nodes;
+    const Eigen::PartialPivLU<MatrixXd> lu(stiffness_.bottomRightCorner(m, m));
+    follows_ = -lu.solve(stiffness_.bottomLeftCorner(m, n)), own_ = -lu.solve(force_.tail(m));
+    const auto across = stiffness_.topRightCorner(n, m);
+    force -= force_.head(n) + across * own_ + damping_ * v;
+    tangent += stage_.own * (stiffness_.topLeftCorner(n, n) + across * follows_) + damping_;
+  }
+
+  double correct(const VectorXd &velocity) override {
+    const VectorXd correction = own_ + follows_ * (stage_.own * velocity);
+    turns_[now()] += correction;
+    return correction.lpNorm<Eigen::Infinity>() / stage_.own;
+  }
+
+  void end_stage() override {
+    for (auto &m : members_) m.rates[now()] = rates_between(m.base, m.at[now()], stage_.own);
+  }
+
+  void accept() override {
+    for (auto &m : members_) m.at[0] = m.at[2], m.rates[0] = m.rates[2];
+    turn_rate_ = (turns_[2] - turns_[0]) / stage_.reach, turns_[0] = turns_[2];
+  }
+
+  Power power(int stage, const VectorXd &v) const override {
+    Power p{v.dot(damping_ * v), 0};
+    for (const auto &m : members_) p.hysteretic += m.law.loss(m.at[stage], m.rates[stage]);
+    return p;
+  }
+
+  double stored(const VectorXd &) const override {
+    double sum = 0;
+    for (const auto &m : members_) sum += m.law.stored(m.at[0]);
+    return sum;
+  }
+
+  MembersResponse members(const VectorXd &q) const override {
+    MembersResponse r;
+    r.forces.resize(12 * members_.size());
+    for (std::size_t e = 0; e < members_.size(); ++e) {
+      const Member &m = members_[e];
+      const auto answer = m.law.at(motion(m, q, turns_[0]), m.at[0], m.at[0]);
+      for (int end = 0; end < 2; ++end) {
+        const Vector3 f = answer.force.segment<3>(3 * end);
+        const double carried = m.law.load * m.law.length() / 2; // its weight, which stands at the nodes
+        r.forces.segment<3>(12 * e + 6 * end) = m.axes * Vector3(f[0], 0, f[1] + carried);
+        r.forces.segment<3>(12 * e + 6 * end + 3) = m.axes * Vector3(0, -f[2], 0);
+        const auto &p = m.at[0][end];
+        r.hinges.push_back({-f[2], -m.law.plastic_rotation(end, m.at[0]),
+                            std::abs(p.d) / m.law.bending.yield_deformation, m.law.bending.strength_left(p),
+                            m.law.bending.stiffness_left(p)});
+      }
+    }
+    return r;
+  }
+
+private:
+  struct Member {
+    PlaneBeamColumn law;
+    std::array<int, 6> dofs; ///< (u_x, u_z, turn) of both ends; turns behind the building's dofs
+    Eigen::Matrix3d axes;
+    SectionPoints base; ///< that the stage starts from
+    PlaneBeamColumn::Answer answer;
+    SectionPoints at[3], rates[3]; ///< at start, middle, end of a step
+  };
+
+  int now() const { return stage_.last() ? 2 : 1; }
+
+  PlaneVector motion(const Member &m, const VectorXd &q, const VectorXd &turns) const {
+    const int n = model_.n_dofs();
+    PlaneVector u;
+    for (int c = 0; c < 6; ++c) u[c] = c % 3 == 2 ? turns[m.dofs[c] - n] : q[m.dofs[c]];
+    return u;
+  }
+
+  /// Forces on dofs and turns with their stiffness; the sections' points are those of `slot`.
+  void evaluate(const VectorXd &q, const VectorXd &turns, int slot) {
+    const int all = model_.n_dofs() + model_.n_nodes;
+    force_ = VectorXd::Zero(all), stiffness_ = MatrixXd::Zero(all, all);
+    for (auto &m : members_) {
+      m.answer = m.law.at(motion(m, q, turns), m.base, m.at[slot]);
+      m.at[slot] = m.answer.inner.points;
+      for (int a = 0; a < 6; ++a) {
+        force_[m.dofs[a]] += m.answer.force[a];
+        for (int b = 0; b < 6; ++b) stiffness_(m.dofs[a], m.dofs[b]) += m.answer.tangent(a, b);
+      }
+    }
+  }
+
+  void settle(double gravity) {
+    constexpr int n_steps = 20, most = 50;
+    const int n = model_.n_dofs(), nn = model_.n_nodes;
+    std::vector<int> free;
+    for (const int dof : model_.above_base())
+      if (dof >= 3 * model_.n_diaphragms || dof % 3 == 0) free.push_back(dof);
+    for (int i = 0; i < nn; ++i) free.push_back(n + i);
+    VectorXd weight = VectorXd::Zero(n + nn), u = weight;
+    weight.segment(3 * model_.n_diaphragms, nn) = gravity * model_.mass.tail(nn);
+    std::vector<double> loads;
+    for (const auto &m : members_) loads.push_back(m.law.load);
+    for (int step = 1; step <= n_steps; ++step) {
+      const double share = static_cast<double>(step) / n_steps;
+      for (std::size_t e = 0; e < members_.size(); ++e)
+        members_[e].base = members_[e].at[0], members_[e].law.load = share * loads[e];
+      double largest = 1;
+      for (int i = 0; i < most && largest > 1e-13; ++i) {
+        evaluate(u.head(n), u.tail(nn), 0);
+        const VectorXd pull = -(force_ + share * weight)(free);
+        const VectorXd correction = MatrixXd(stiffness_(free, free)).partialPivLu().solve(pull).eval();
+        largest = correction.allFinite() ? correction.lpNorm<Eigen::Infinity>() : 1;
+        u(free) += correction;
+      }
+      if (!(largest < 1e-10)) throw InputError("the inelastic frame cannot carry its weight at rest");
+    }
+    rest_.q = u.head(n), turns_[0] = u.tail(nn);
+    rest_.reactions.resize(model_.bearings.size());
+    for (std::size_t b = 0; b < model_.bearings.size(); ++b) {
+      const int dof = model_.vertical(model_.bearings[b]);
+      rest_.reactions[b] = force_[dof] + weight[dof];
+    }
+    for (auto &m : members_)
+      for (auto &p : m.at[0]) p.e = 0;
+  }
+
+  const BuildingModel &model_;
+  MatrixXd damping_;
+  std::vector<Member> members_;
+  VectorXd turns_[3], turn_rate_; ///< of every node, anticlockwise [rad]
+  VectorXd force_, own_;
+  MatrixXd stiffness_, follows_;
+  Rest rest_;
+  Stage stage_{};
+};
+
+} // namespace
+
+std::unique_ptr<Structure> inelastic_structure(const Frame &frame, const BuildingModel &model, double gravity) {
+  return std::make_unique<InelasticFrame>(frame, model, gravity);
+}
+
+} // namespace rimpact::buildings
