@@ -25,7 +25,7 @@ struct PressedStack {
   }
   void press() {
     preload_on_dish(system, state, weight, steps);
-    drag(0); // without the preload's springs
+    ASSERT_TRUE(TopDrive().move_to(system, state, {{0, 0}, {}}, weight, steps).converged); // without its springs
   }
   /// The top face goes to a place along x.
   void drag(double x) { ASSERT_TRUE(drive.move_to(system, state, {{x, 0}, {}}, weight, steps).converged) << x; }

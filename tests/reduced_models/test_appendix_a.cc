@@ -80,7 +80,7 @@ TEST(AppendixA, OneDishAtHalfTheTravelIsHalfTheBearingButForTheSlidersHeight) {
     const double R = 0.75, sine = 0.08 / (R - height / 2); // at a travel of 160 mm
     const double theta = std::asin(sine), lever = R / (R - height / 2);
     const double one_dish = weight * std::tan(theta + std::asin(std::sin(std::atan(0.07)) * lever));
-    EXPECT_NEAR(force_at(both.response, 0.16, true), one_dish, 5e-3 * weight) << height;
+    EXPECT_NEAR(force_at(both.response, 0.16, true), one_dish, 1e-3 * weight) << height;
     // With the slider's height left out, as one dish at half the travel has it.
     const double half = weight * std::tan(std::asin(0.08 / R) + std::atan(0.07));
     EXPECT_NEAR(half, one_dish, (height < 0.01 ? 1e-3 : 2e-2) * weight) << height;
