@@ -9,11 +9,12 @@ usage: pad_seat.py RIMPACT FOLDER [mesh of loops and pulses, 0] [parts, e.g. loo
 import pathlib
 import sys
 
-from kept_run import WINDOW_ON_THE_DISH, finish, gate, kept_run
+from kept_run import finish, gate, kept_run
 from static_loops import at, branch, loop
 
 FRICTIONAL = 'bearing.contact.pad_foot="frictional"'
 SEATS = {"tied": [], "frictional": [FRICTIONAL]}
+WINDOW = ['excitation.with=["weight","friction"]', "excitation.duration_s=0.05", "excitation.speed_m_per_s=0.2"]
 PULSE = ["excitation.scale=1.05", "excitation.duration_s=3"]
 
 
@@ -48,7 +49,7 @@ def impacts(program, folder, mesh, failures, windows):
     for rung in ("rigid-dish", "full") if windows else ("rigid-dish",):
         tied = None
         for seat, settings in SEATS.items():
-            scene, own = ("impact-window", [*WINDOW_ON_THE_DISH, "excitation.speed_m_per_s=0.2"]) if windows else ("ricker-0.78g-1.0s", PULSE)
+            scene, own = ("impact-window", WINDOW) if windows else ("ricker-0.78g-1.0s", PULSE)
             name = f"{'window' if windows else 'pulse'}_{rung}_{seat}_mesh{mesh}"
             run = kept_run(program, "run", scene, folder / name, [*own, *settings], ["--rung", rung, "--mesh", str(mesh), "--no-fields"])
             first, force = run["impacts"][0], run["peak_impact_force_N"]
