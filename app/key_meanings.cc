@@ -40,7 +40,6 @@ std::string meaning_of(const std::string &path) {
       {"excitation.kind", "what moves the bearing"},
       {"excitation.period_s", "T_p of the Ricker pulse"},
       {"excitation.amplitude_m", "of the prescribed displacement"},
-      {"excitation.cycles", "number of cycles"},
       {"excitation.travel_mm", "of the push, beyond touch"},
       {"excitation.direction_deg", "of motion, push or impact, in the plane, from x"},
       {"excitation.x", "record along x: an AT2 or CSV file, or a built-in one; empty: no motion"},

@@ -36,17 +36,25 @@ std::map<Surface, Place> places(const scene::Bearing &bearing, double travel) {
   const Place ball = [=](const Eigen::Vector3d &p) -> Eigen::Vector3d {
     return centre + cap * (p - centre).normalized();
   };
-  return {{Surface::rim_wall, [=](const Eigen::Vector3d &p) { return on_cylinder(p, 0, wall); }},
-          {Surface::slider_side,
-           [=](const Eigen::Vector3d &p) {
-             return p.z() > edge ? std::optional(on_cylinder(p, travel, side)) : std::nullopt;
-           }},
-          {Surface::dish,
-           [=](const Eigen::Vector3d &p) { return Eigen::Vector3d(p.x(), p.y(), dish->at(p.x(), p.y()).z); }},
-          {Surface::foot_cap, ball},
-          {Surface::socket, ball},
-          {Surface::top, [=](const Eigen::Vector3d &p) { return Eigen::Vector3d(p.x(), p.y(), top); }},
-          {Surface::symmetry, [](const Eigen::Vector3d &p) { return Eigen::Vector3d(p.x(), 0, p.z()); }}};
+  std::map<Surface, Place> result = {
+      {Surface::rim_wall, [=](const Eigen::Vector3d &p) { return on_cylinder(p, 0, wall); }},
+      {Surface::slider_side,
+       [=](const Eigen::Vector3d &p) {
+         return p.z() > edge ? std::optional(on_cylinder(p, travel, side)) : std::nullopt;
+       }},
+      {Surface::dish,
+       [=](const Eigen::Vector3d &p) { return Eigen::Vector3d(p.x(), p.y(), dish->at(p.x(), p.y()).z); }},
+      {Surface::foot_cap, ball},
+      {Surface::socket, ball},
+      {Surface::top, [=](const Eigen::Vector3d &p) { return Eigen::Vector3d(p.x(), p.y(), top); }},
+      {Surface::symmetry, [](const Eigen::Vector3d &p) { return Eigen::Vector3d(p.x(), 0, p.z()); }}};
+  if (!bearing.pad_is_seated()) return result;
+  const double seat = height + bearing.pad.thickness, pad = bearing.pad.outer_radius, recess = bearing.recess_radius();
+  for (const Surface group : {Surface::pad_top, Surface::foot_seat})
+    result[group] = [=](const Eigen::Vector3d &p) { return Eigen::Vector3d(p.x(), p.y(), seat); };
+  result[Surface::pad_side] = [=](const Eigen::Vector3d &p) { return on_cylinder(p, travel, pad); };
+  result[Surface::foot_recess] = [=](const Eigen::Vector3d &p) { return on_cylinder(p, travel, recess); };
+  return result;
 }
 
 /// Of every face of the cells, by its sorted corners: middles of its edges, and its own.

@@ -20,9 +20,11 @@ enum class Surface {
   top,
   fixed,
   symmetry,
-  sector_end
+  sector_end,
+  pad_side,
+  foot_recess
 };
-inline constexpr std::size_t n_volumes = 5, n_surfaces = 12;
+inline constexpr std::size_t n_volumes = 5, n_surfaces = 14;
 std::string to_string(Volume); ///< as in scene::mesh_group_names
 std::string to_string(Surface);
 

@@ -92,12 +92,13 @@ void check_unit(const Drawn &drawn, const scene::OwnMesh &own, const scene::Bear
 }
 
 /// Bodies that touch have nodes of their own, tied ones share them.
-void check_welds(const Drawn &drawn) {
+void check_welds(const Drawn &drawn, bool pad_is_tied) {
   constexpr Volume all[] = {Volume::plate, Volume::rim, Volume::pad, Volume::foot, Volume::upper_slider};
   for (const Volume a : all)
     for (const Volume b : all) {
       if (a >= b || !drawn.has(a) || !drawn.has(b)) continue;
-      const bool tied = (a == Volume::plate && b == Volume::rim) || (a == Volume::pad && b == Volume::foot);
+      const bool tied =
+          (a == Volume::plate && b == Volume::rim) || (pad_is_tied && a == Volume::pad && b == Volume::foot);
       std::vector<unsigned> shared;
       const auto of_a = drawn.nodes_of(a), of_b = drawn.nodes_of(b);
       std::set_intersection(of_a.begin(), of_a.end(), of_b.begin(), of_b.end(), std::back_inserter(shared));
@@ -162,7 +163,7 @@ HexMesh own_mesh(const scene::OwnMesh &own, const scene::Bearing &bearing, const
   const Drawn drawn{only(read.mesh, need.bodies), own.file};
   check_groups(drawn, need);
   check_unit(drawn, own, bearing);
-  check_welds(drawn);
+  check_welds(drawn, !bearing.pad_is_seated());
   check_wall(drawn, need.both_sides);
   const double travel = drawn_travel(drawn, bearing, need.travel);
   HexMesh mesh = drawn.mesh;

@@ -52,10 +52,13 @@ HexMesh stack_mesh(const scene::Bearing &bearing, const MeshOrder &order) {
                                 Surface::top};
   if (order.rim || order.whole_plate) required.insert(required.end(), rim_groups.begin(), rim_groups.end());
   if (order.whole_plate) required.push_back(Surface::dish);
+  if (bearing.pad_is_seated())
+    for (const Surface group : {Surface::pad_top, Surface::foot_seat, Surface::pad_side, Surface::foot_recess})
+      required.push_back(group);
   HexMesh result = order.own.any() ? drawn(bearing, order, required) : built_in(bearing, order);
   turn(result, order.directions.front());
   if (order.half) flatten(result);
-  if (!order.own.any()) check(result, 2 + pieces_of_plate(order), required);
+  if (!order.own.any()) check(result, (bearing.pad_is_seated() ? 3 : 2) + pieces_of_plate(order), required);
   return result;
 }
 

@@ -143,7 +143,7 @@ Plan rim_plan(const scene::Scene &scene) {
   const Kind kind = scene.excitation.kind;
   if (kind == Kind::window)
     plan.impacts.push_back({0.0, scene.excitation.direction_deg, scene.excitation.speed * scene.excitation.scale, 0.0});
-  else if (kind == Kind::cyclic || kind == Kind::figure_eight) {
+  else if (scene.excitation.stays_on_dish()) {
     plan.closest_gap = scene.bearing.lateral_capacity() - reduced::simulate_summary(scene).peak_displacement;
     plan.rim_takes_part = plan.closest_gap < 0;
   } else if (kind != Kind::push) {

@@ -23,14 +23,13 @@ std::optional<std::string> refusal(const scene::Scene &scene) {
   const Kind kind = scene.excitation.kind;
   const bool rim_alone = scene.model.rung == scene::Rung::rim;
   const std::string rung = word(scene.model.rung), name = "excitation.kind '" + word(kind) + "'";
-  const bool on_the_dish = kind == Kind::cyclic || kind == Kind::figure_eight;
-  const auto &contact = scene.bearing.contact;
+  const bool on_the_dish = scene.excitation.stays_on_dish();
   if (rim_alone && on_the_dish)
     return name +
            " moves on the dish without touching the rim; rung `rim` has nothing to solve there: try --rung rigid-dish";
   if (!rim_alone && kind == Kind::free)
     return name + " is not in this build's rung `" + rung +
-           "`; it has: cyclic, figure-eight, push, ricker, record, window";
+           "`; it has: cyclic, figure-eight, path, push, ricker, record, window";
   if (!rim_alone && kind == Kind::window && !scene.excitation.with_weight)
     return "a weightless window has nothing that holds the stack on its dish: set excitation.with to "
            "[\"weight\", \"friction\"], or run it on rung `rim`";
@@ -44,12 +43,13 @@ std::optional<std::string> refusal(const scene::Scene &scene) {
     return fmt::format("load.mass_kg {:g} is no more than the slider's own mass, {:.1f} kg, which it includes: nothing "
                        "is left to be carried",
                        scene.load.mass, own);
-  if (!rim_alone && contact.pad_foot != scene::PadFoot::tied)
-    return fmt::format("contact.pad_foot '{}' is not in this build; it has: tied", word(contact.pad_foot));
   if (!rim_alone && on_the_dish && make_plan(scene).rim_takes_part)
-    return fmt::format("excitation.amplitude_m {} carries the slider to the rim, L_c = {} m; a quasi-static path must "
-                       "stay below it",
-                       scene.excitation.amplitude * scene.excitation.scale, scene.bearing.lateral_capacity());
+    return fmt::format("excitation.{} {} carries the slider to the rim, L_c = {} m; a quasi-static path must stay "
+                       "below it",
+                       kind == Kind::path ? "file reaches" : "amplitude_m",
+                       scene.excitation.scale *
+                           (kind == Kind::path ? scene.excitation.path.reach() : scene.excitation.largest_amplitude()),
+                       scene.bearing.lateral_capacity());
   return std::nullopt;
 }
 

@@ -43,6 +43,7 @@ void add_cost(Plan &plan, double iterations, double iterations_with_rim, int sec
 bool moves_along_x(const scene::Excitation &e) {
   if (e.kind == scene::ExcitationKind::record)
     return std::all_of(e.y.values.begin(), e.y.values.end(), [](double a) { return a == 0; });
+  if (e.kind == scene::ExcitationKind::path) return e.path.stays_on_x();
   return std::abs(e.direction().y()) < 1e-12;
 }
 
@@ -57,8 +58,8 @@ Plan stack_path_plan(const scene::Scene &scene) {
   if (plan.rung == scene::Rung::full && !push) plan.sectors = {0, M_PI}; // a path goes both ways
   plan.mesh = scene.model.mesh;
   const auto &e = scene.excitation;
-  const bool cyclic = e.kind == scene::ExcitationKind::cyclic;
-  plan.half = (cyclic || push) && moves_along_x(e) && scene.model.symmetry != scene::Symmetry::whole;
+  const bool to_and_fro = e.stays_on_dish() && e.kind != scene::ExcitationKind::figure_eight;
+  plan.half = (to_and_fro || push) && moves_along_x(e) && scene.model.symmetry != scene::Symmetry::whole;
   const double capacity = scene.bearing.lateral_capacity();
   double travel = 0;
   for (int k = 0; k <= 1000; ++k)
@@ -66,7 +67,7 @@ Plan stack_path_plan(const scene::Scene &scene) {
   plan.closest_gap = capacity - travel;
   plan.rim_takes_part = plan.closest_gap <= 0;
   if (push) plan.sectors = {std::atan2(e.direction().y(), e.direction().x())};
-  plan.expected_steps = push ? steps_a_push : std::lround(steps_a_cycle * (cyclic ? e.cycles : 1.0));
+  plan.expected_steps = push ? steps_a_push : std::lround(steps_a_cycle * (to_and_fro ? e.rounds() : 1.0));
   const double iterations = plan.expected_steps * iterations_a_step;
   add_cost(plan, push ? 0 : iterations, push ? iterations : 0, 1);
   add_pad_note(plan, scene);

@@ -24,17 +24,27 @@ public:
     const Vector2d step = s > ds ? at(s) - at(s - ds) : at(s + ds) - at(s);
     return step.norm() > 0 ? Vector2d(step.normalized()) : Vector2d::UnitX();
   }
+  /// Of arrival, where the path has a time; else 0: friction is that of slow motion [m/s].
+  double speed(double s) const {
+    constexpr double ds = 1e-6;
+    const double from = std::max(0.0, s - ds), to = from + ds;
+    const auto t0 = scene::prescribed_instant(excitation_, from), t1 = scene::prescribed_instant(excitation_, to);
+    return t0 && t1 ? (at(to) - at(from)).norm() / (*t1 - *t0) : 0.0;
+  }
   State state(const Vector2d &u) const {
     State y;
     y[iX] = u[0], y[iY] = u[1], y[iZ] = dynamics_.height.at(u[0], u[1]).z;
     return y;
   }
-  Evaluation forces(const Vector2d &u, const Vector2d &direction) const {
+  Evaluation forces(double s, const Vector2d &u, const Vector2d &direction) const {
     Mode mode;
     mode.e0 = direction;
     mode.dented = rim_;
     mode.rim = dynamics_.has_rim() && u.norm() >= dynamics_.lateral_capacity ? RimContact::pressed : RimContact::open;
-    return dynamics_.evaluate(mode, 0, state(u));
+    State y = state(u);
+    const double v = speed(s);
+    y[iVX] = v * direction[0], y[iVY] = v * direction[1];
+    return dynamics_.evaluate(mode, 0, y);
   }
   /// What has been reached so far stays in a rim that yields.
   void press(const Vector2d &u) {
@@ -62,7 +72,7 @@ void add_works(const Path &path, double s0, double s1, EnergyLedger &ledger) {
     const Vector2d du = (path.at(s + ds) - path.at(s - ds)) / (2 * ds) * w[i / 2] * (s1 - s0) / 2;
     if (du.norm() == 0) continue;
     const Vector2d u = path.at(s);
-    const Evaluation e = path.forces(u, du.normalized());
+    const Evaluation e = path.forces(s, u, du.normalized());
     const double dz = path.dynamics().height.at(u[0], u[1]).gradient.dot(du);
     const bool constant = path.dynamics().reading == NormalForce::constant;
     ledger.external -= (e.pendular + e.friction + e.impact).head<2>().dot(du);
@@ -74,7 +84,7 @@ void add_works(const Path &path, double s0, double s1, EnergyLedger &ledger) {
 
 void store(const Path &path, double s, EnergyLedger &ledger, Response &response, Summary &summary) {
   const Vector2d u = path.at(s);
-  const Evaluation e = path.forces(u, path.direction(s));
+  const Evaluation e = path.forces(s, u, path.direction(s));
   const State y = path.state(u);
   const Eigen::Vector3d force = e.pendular + e.friction + e.impact;
   if (path.dynamics().reading != NormalForce::constant)
@@ -108,6 +118,20 @@ void store(const Path &path, double s, EnergyLedger &ledger, Response &response,
   summary.min_normal_force = std::min(summary.min_normal_force.value_or(e.normal), e.normal);
 }
 
+/// Load parameters, a multiple of 4 a cycle, so that turning points are samples; of a file's path the turns as well.
+std::vector<double> samples_of(const scene::Excitation &excitation) {
+  const int n = 2000 * std::max(1, static_cast<int>(std::ceil(excitation.rounds())));
+  std::vector<double> samples;
+  samples.reserve(n + 1);
+  for (int i = 0; i <= n; ++i) samples.push_back(double(i) / n);
+  if (excitation.kind != scene::ExcitationKind::path) return samples;
+  for (const double turn : scene::prescribed_breakpoints(excitation)) samples.push_back(turn);
+  std::sort(samples.begin(), samples.end());
+  const auto same = [](double a, double b) { return b - a < 1e-12; };
+  samples.erase(std::unique(samples.begin(), samples.end(), same), samples.end());
+  return samples;
+}
+
 } // namespace
 
 ReducedRun quasi_static(const scene::Scene &given) {
@@ -120,19 +144,18 @@ ReducedRun quasi_static(const scene::Scene &given) {
   Path path(scene);
   ReducedRun run;
   EnergyLedger ledger;
-  // a multiple of 4 samples a cycle, so that turning points are samples
-  const int n = 2000 * std::max(1, static_cast<int>(std::ceil(scene.excitation.cycles)));
+  const std::vector<double> samples = samples_of(scene.excitation);
   store(path, 0, ledger, run.response, run.summary);
-  for (int i = 1; i <= n; ++i) {
-    add_works(path, double(i - 1) / n, double(i) / n, ledger);
-    path.press(path.at(double(i) / n));
-    store(path, double(i) / n, ledger, run.response, run.summary);
+  for (std::size_t i = 1; i < samples.size(); ++i) {
+    add_works(path, samples[i - 1], samples[i], ledger);
+    path.press(path.at(samples[i]));
+    store(path, samples[i], ledger, run.response, run.summary);
   }
   summarise_response(run.response, run.summary);
   run.summary.energy = ledger;
   run.summary.rung = SolvedBy::reduced;
   run.summary.n_dofs = 3;
-  run.summary.n_steps = n;
+  run.summary.n_steps = static_cast<long>(samples.size()) - 1;
   run.summary.wall_time = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   return run;
 }

@@ -1,4 +1,4 @@
-/// The quasi-static kinds (cyclic, figure-eight, push): forces along a prescribed path, in closed form
+/// The quasi-static kinds (cyclic, figure-eight, path, push): forces along a prescribed path, in closed form
 /// (thesis 2.2.3): N from vertical equilibrium N n_z + f_z = W, friction along the path, the rim element's
 /// spring where it is pressed.
 #pragma once

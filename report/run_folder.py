@@ -44,7 +44,7 @@ class Run:
     @property
     def time_label(self) -> str:
         """For quasi-static scenes `time` is a load parameter."""
-        return "load parameter (–)" if self.kind in ("push", "cyclic", "figure-eight") else "time (s)"
+        return "load parameter (–)" if self.kind in ("push", "cyclic", "figure-eight", "path") else "time (s)"
 
     @property
     def rung(self) -> str:

@@ -77,6 +77,7 @@ std::vector<std::string> input_files(const scene::Scene &scene) {
   if (scene.excitation.kind == scene::ExcitationKind::record)
     for (const auto *name : {&scene.excitation.x_file, &scene.excitation.y_file, &scene.excitation.z_file})
       if (!name->empty() && !is_builtin_record(*name)) files.push_back(*name);
+  if (scene.excitation.kind == scene::ExcitationKind::path) files.push_back(scene.excitation.path_file);
   if (scene.reduced.impact_law->pushed) files.push_back(scene.reduced.impact_curve);
   if (!scene.model.own_mesh.any()) return files;
   files.push_back(scene.model.own_mesh.file);

@@ -59,6 +59,9 @@ std::vector<SignalInfo> make_signals() {
   list.push_back({"plastic_strain_max", "1", "largest equivalent plastic strain"});
   list.push_back({"contact_pressure_max", "Pa", "largest contact pressure"});
   list.push_back({"pad_pressure_max", "Pa", "largest pressure of the pad on the dish"});
+  list.push_back({"seat_pressure_max", "Pa", "largest pressure of a frictional pad on the bottom of its recess"});
+  list.push_back({"recess_pressure_max", "Pa", "largest pressure of a frictional pad on the wall of its recess"});
+  list.push_back({"energy_friction_seat", "J", "of energy_friction, dissipated in a frictional pad's recess"});
   list.push_back({"newton_iterations", "1", "Newton iterations of the step"});
   list.push_back({"augmentations", "1", "augmentations of the contact's multipliers since the row before"});
   list.push_back({"backtracks", "1", "shortened Newton steps tried since the row before"});

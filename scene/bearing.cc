@@ -8,6 +8,10 @@ double Bearing::pad_area() const {
   return std::numbers::pi * (pad.outer_radius * pad.outer_radius - pad.inner_radius * pad.inner_radius);
 }
 
+double Bearing::recess_radius() const {
+  return pad.outer_radius + (pad_is_seated() ? contact.pad_clearance : 0.0);
+}
+
 // The cap is centred on the middle of the sliding face, so the slider follows the contact point itself.
 double tilt(const Bearing &bearing, double travel) {
   return std::atan(make_surface(bearing.surface)->at(travel, 0).gradient.x());

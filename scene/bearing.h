@@ -42,7 +42,10 @@ struct Foot {                                              // assumption
   bool operator==(const Foot &) const = default;
 };
 /// How the pad sits in the foot.
-enum class PadFoot { tied, frictional };
+enum class PadFoot {
+  tied,      ///< one piece with it on the seat; the recess's wall does not touch the pad
+  frictional ///< pressed on the recess's bottom and wall, both with the friction of steel on Ertalyte
+};
 constexpr auto choices(PadFoot) {
   return choices_of<PadFoot>({{PadFoot::tied, "tied"}, {PadFoot::frictional, "frictional"}});
 }
@@ -54,6 +57,7 @@ struct ContactFriction {
   std::optional<double> steel_steel_slow, steel_ertalyte_slow, rim_slow;
   double rate = 0; ///< of eq. (2-18) [s/m], > 0 where one of these is set
   PadFoot pad_foot = PadFoot::tied;
+  double pad_clearance = 0; ///< between pad and recess wall, radial, where the seat is frictional [m], assumption
   bool operator==(const ContactFriction &) const = default;
 };
 
@@ -79,7 +83,9 @@ struct Bearing {
 
   /// L_c = r_p - b_s/2 (eq. 2-5) [m].
   double lateral_capacity() const { return surface.planar_radius + rim.ledge - slider.diameter / 2; }
-  double pad_area() const; ///< [m^2]
+  double pad_area() const;                                                       ///< [m^2]
+  bool pad_is_seated() const { return contact.pad_foot == PadFoot::frictional; } ///< a body of its own, by friction
+  double recess_radius() const;                                                  ///< of the wall around the pad [m]
   /// Throws InputError with both numbers for geometry that cannot be built or collides over 0..L_c of travel.
   void validate() const;
   /// The same of dish, slider, rim and materials alone: all that rung `rim` and the reduced models need of a bearing.

@@ -90,6 +90,10 @@ void check_foot_and_pad(const Bearing &b) {
           "pad.outer_radius_mm {} mm must be below foot.radius_mm {} mm: the pad is wider "
           "than the foot",
           mm(p.outer_radius), mm(f.radius));
+  require(b.recess_radius() < cap_at_shoulder,
+          "contact.pad_clearance_mm {:g} mm makes the recess {:g} mm in radius, wider than the cap's {:g} mm at "
+          "foot.shoulder_mm",
+          1e3 * b.contact.pad_clearance, 1e3 * b.recess_radius(), 1e3 * cap_at_shoulder);
   require(p.recess < p.thickness, "pad.recess_mm {} mm must be below pad.thickness_mm {} mm", mm(p.recess),
           mm(p.thickness));
   require(std::abs(p.thickness - p.recess - f.bottom) < 1e-6,
@@ -104,7 +108,7 @@ void check_foot_and_pad(const Bearing &b) {
           "pad.shape_radius_mm {} mm raises the pad's face by {} mm at its edge, above foot.bottom_mm "
           "{} mm",
           mm(p.shape_radius), mm(rise), mm(f.bottom));
-  const double seat_corner = std::hypot(p.outer_radius, p.thickness);
+  const double seat_corner = std::hypot(b.recess_radius(), p.thickness);
   require(seat_corner < f.cap_radius,
           "pad.recess_mm {} mm cuts through the cap: the seat's corner is {} mm from the "
           "cap's centre, foot.cap_radius_mm is {} mm",
@@ -206,9 +210,7 @@ void check(const Bearing &b, bool with_stack) {
 
 bool needs_only_the_dish(const Scene &s) {
   if (s.reduced.finite_pad || s.reduced.socket_friction) return false;
-  const auto kind = s.excitation.kind;
-  const bool on_the_dish = kind == ExcitationKind::cyclic || kind == ExcitationKind::figure_eight;
-  return s.superstructure.any() || (on_the_dish && s.model.rung == Rung::rim);
+  return s.superstructure.any() || (s.excitation.stays_on_dish() && s.model.rung == Rung::rim);
 }
 
 } // namespace

@@ -100,6 +100,9 @@ void visit(KeyVisitor &v, Bearing &b) {
     if (v.wants(c.steel_steel_slow || c.steel_ertalyte_slow || c.rim_slow))
       v.number({"rate_s_per_m", "of friction's growth with speed"}, b.contact.rate, si, {0, 1e6});
     v.choice({"pad_foot"}, b.contact.pad_foot);
+    if (v.wants(c.pad_foot == PadFoot::frictional))
+      v.number({"pad_clearance_mm", "radial, between the pad and the recess's wall around it", assumption},
+               b.contact.pad_clearance, milli, {0, 10});
   });
 }
 

@@ -62,10 +62,7 @@ std::string numbers_of_element(const Scene &scene) {
 std::vector<std::string> doubts_of_element(const Scene &scene) {
   std::vector<std::string> found;
   const auto &r = scene.reduced;
-  const auto kind = scene.excitation.kind;
-  if (scene.double_concave() || r.k_i == 0 || r.impact_law->pushed || kind == ExcitationKind::cyclic ||
-      kind == ExcitationKind::figure_eight)
-    return found;
+  if (scene.double_concave() || r.k_i == 0 || r.impact_law->pushed || scene.excitation.stays_on_dish()) return found;
   if (has_default_element(scene) && r.calibration.empty() && !published_pair_applies(scene)) {
     const bool other_rim = rim_identity(scene.bearing) != rim_identity(builtin_bearing("shfps-225"));
     found.push_back(fmt::format("{} are {} for shfps-225 and {:g} kg, not this {}'s: impact forces may be several "

@@ -38,6 +38,21 @@ bool Excitation::is_dynamic() const {
          kind == ExcitationKind::window;
 }
 
+bool Excitation::stays_on_dish() const {
+  return kind == ExcitationKind::cyclic || kind == ExcitationKind::figure_eight || kind == ExcitationKind::path;
+}
+
+double Excitation::largest_amplitude() const {
+  if (kind != ExcitationKind::cyclic || amplitudes.empty()) return amplitude;
+  return *std::max_element(amplitudes.begin(), amplitudes.end());
+}
+
+double Excitation::rounds() const {
+  if (kind == ExcitationKind::path) return path.at.empty() ? 1.0 : path.length() / (4 * path.reach());
+  return kind == ExcitationKind::cyclic && !amplitudes.empty() ? cycles * static_cast<double>(amplitudes.size())
+                                                               : cycles;
+}
+
 Eigen::Vector2d Excitation::direction() const {
   return unit_vector(direction_deg);
 }
@@ -69,11 +84,30 @@ Eigen::Vector3d GroundMotion::acceleration(double t) const {
   return Eigen::Vector3d::Zero();
 }
 
+namespace {
+
+/// Of a cyclic path at s: each amplitude has an equal part of s.
+struct Swing {
+  double amplitude, angle;
+};
+Swing swing_at(const Excitation &e, double s) {
+  if (e.amplitudes.empty()) return {e.amplitude, 2 * pi * e.cycles * s};
+  const auto n = static_cast<double>(e.amplitudes.size());
+  const double part = std::min(std::floor(n * s), n - 1);
+  return {e.amplitudes[static_cast<std::size_t>(part)], 2 * pi * e.cycles * (n * s - part)};
+}
+
+} // namespace
+
 Eigen::Vector2d prescribed_displacement(const Excitation &e, double lateral_capacity, double parameter) {
   const double s = std::clamp(parameter, 0.0, 1.0), angle = 2 * pi * e.cycles * s;
   switch (e.kind) {
-  case ExcitationKind::cyclic:
-    return e.scale * e.amplitude * std::sin(angle) * e.direction();
+  case ExcitationKind::cyclic: {
+    const Swing swing = swing_at(e, s);
+    return e.scale * swing.amplitude * std::sin(swing.angle) * e.direction();
+  }
+  case ExcitationKind::path:
+    return e.scale * e.path.displacement(s);
   case ExcitationKind::figure_eight:
     return e.scale * e.amplitude * Eigen::Vector2d(std::sin(angle), std::sin(2 * angle));
   case ExcitationKind::push: {
@@ -93,7 +127,13 @@ Eigen::Vector2d prescribed_displacement(const Excitation &e, double lateral_capa
   }
 }
 
+std::optional<double> prescribed_instant(const Excitation &e, double parameter) {
+  if (e.kind != ExcitationKind::path || e.path.time.empty()) return std::nullopt;
+  return e.path.instant(std::clamp(parameter, 0.0, 1.0));
+}
+
 std::vector<double> prescribed_breakpoints(const Excitation &e) {
+  if (e.kind == ExcitationKind::path) return e.path.turns();
   if (e.kind != ExcitationKind::push) return {};
   const auto [touch, pressed] = push_phases(e);
   return e.unload ? std::vector<double>{touch, pressed} : std::vector<double>{touch};

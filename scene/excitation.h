@@ -3,18 +3,21 @@
 #pragma once
 #include "files/choice.h"
 #include "records/sampled_signal.h"
+#include "scene/path_table.h"
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace rimpact::scene {
 
-enum class ExcitationKind { ricker, cyclic, figure_eight, push, window, record, free };
+enum class ExcitationKind { ricker, cyclic, figure_eight, path, push, window, record, free };
 constexpr auto choices(ExcitationKind) {
   using enum ExcitationKind;
   return choices_of<ExcitationKind>({{ricker, "ricker"},
                                      {cyclic, "cyclic"},
                                      {figure_eight, "figure-eight"},
+                                     {path, "path"},
                                      {push, "push"},
                                      {window, "window"},
                                      {record, "record"},
@@ -30,8 +33,12 @@ struct Excitation {
   double direction_deg = 0.0; ///< ricker, push, window, cyclic: direction in the plane
   double duration = 8.0;      ///< [s]; every dynamic kind
   // cyclic, figure-eight
-  double amplitude = 0.39; ///< [m]
-  double cycles = 1.0;
+  double amplitude = 0.39;        ///< [m]
+  double cycles = 1.0;            ///< of each amplitude
+  std::vector<double> amplitudes; ///< cyclic: one after the other [m]; empty: `amplitude` alone
+  // path: a file's name as given, and what it holds after reading
+  std::string path_file;
+  PathTable path;
   // push
   double travel = 0.008; ///< beyond touch [m]
   bool unload = true;    ///< the key is `return`
@@ -45,6 +52,9 @@ struct Excitation {
   Eigen::Vector2d initial_displacement = Eigen::Vector2d::Zero(), initial_velocity = Eigen::Vector2d::Zero();
 
   bool is_dynamic() const;           ///< ricker, record, free, window
+  bool stays_on_dish() const;        ///< cyclic, figure-eight, path: quasi-static and short of the rim
+  double largest_amplitude() const;  ///< of a cyclic path or a figure-eight [m]
+  double rounds() const;             ///< cycles in all; of a path, its length over that of a cycle as wide
   Eigen::Vector2d direction() const; ///< unit vector of direction_deg, exact along the axes
   /// Approach speed of a window [m/s], initial state of `free`: scale included, as it multiplies any excitation.
   double impact_speed() const { return scale * speed; }
@@ -71,13 +81,17 @@ private:
 };
 
 /// Prescribed planar path [m] of the quasi-static kinds over load parameter s in 0..1, scale included:
-/// cyclic u = A sin(2 pi n s) along direction_deg; figure-eight ux = u0 sin(2 pi n s), uy = u0 sin(4 pi n s) (thesis
-/// 2.3.1); push: 0 to L_c (s = 0.2), on to L_c + travel (s = 0.6), back to L_c - travel * push_clearance (s = 1);
-/// without `return`: 0 to L_c (s = 0.3), on to L_c + travel (s = 1).
+/// cyclic u = A sin(2 pi n s) along direction_deg, several A one after the other in equal parts of s; figure-eight ux =
+/// u0 sin(2 pi n s), uy = u0 sin(4 pi n s) (thesis 2.3.1); path: as its file has it, by the share of its length; push:
+/// 0 to L_c (s = 0.2), on to L_c + travel (s = 0.6), back to L_c - travel * push_clearance (s = 1); without `return`: 0
+/// to L_c (s = 0.3), on to L_c + travel (s = 1).
 Eigen::Vector2d prescribed_displacement(const Excitation &excitation, double lateral_capacity, double parameter);
 
 /// Where a push ends, short of L_c, as a share of its travel: the rim has let go there.
 inline constexpr double push_clearance = 0.125;
+/// Of the path's load parameter [s]; none: its kind, or its file, has no time, and friction is that of slow motion.
+std::optional<double> prescribed_instant(const Excitation &excitation, double parameter);
+
 /// Load parameters at which the path has a kink; empty when smooth.
 std::vector<double> prescribed_breakpoints(const Excitation &excitation);
 

@@ -7,9 +7,10 @@
 namespace rimpact::scene {
 
 /// Names of the groups a mesh of the bearing carries (INTERFACE, "Mesh groups"): five volumes, then the surfaces.
-inline constexpr std::array mesh_group_names{
-    "plate",     "rim",      "pad",    "foot",        "upper_slider", "dish",  "rim_wall", "pad_face",  "pad_top",
-    "foot_seat", "foot_cap", "socket", "slider_side", "top",          "fixed", "symmetry", "sector_end"};
+inline constexpr std::array mesh_group_names{"plate",    "rim",        "pad",         "foot",       "upper_slider",
+                                             "dish",     "rim_wall",   "pad_face",    "pad_top",    "foot_seat",
+                                             "foot_cap", "socket",     "slider_side", "top",        "fixed",
+                                             "symmetry", "sector_end", "pad_side",    "foot_recess"};
 
 enum class LengthUnit { m, cm, mm, in };
 constexpr auto choices(LengthUnit) {

@@ -21,6 +21,12 @@ void check_friction(const ReducedSettings &r) {
 void check_excitation(const Excitation &e, double lateral_capacity) {
   if (e.kind == ExcitationKind::record && e.x.values.empty() && e.y.values.empty() && e.z.values.empty())
     throw InputError("excitation.x needs a file: a record has x, y or z");
+  if (e.kind == ExcitationKind::path && e.path.at.empty())
+    throw InputError("excitation.file needs a file: a path is read from one");
+  if (e.kind == ExcitationKind::cyclic && e.amplitudes.size() > 1 && std::remainder(2 * e.cycles, 1) != 0)
+    throw InputError(fmt::format("excitation.cycles {} with {} excitation.amplitudes_m must be a whole number of half "
+                                 "cycles, so that the next amplitude begins at 0",
+                                 e.cycles, e.amplitudes.size()));
   if (e.kind == ExcitationKind::window && !(e.impact_speed() > 0))
     throw InputError(fmt::format("excitation.scale {} leaves a window no approach speed", e.scale));
   if (e.kind == ExcitationKind::push && !(e.scale > 0))
@@ -46,6 +52,7 @@ void check_double_concave(const Scene &s) {
   if (s.isolator.space == Space::spatial) return;
   const bool off_x = (e.kind == ExcitationKind::record && !e.y.values.empty()) ||
                      e.kind == ExcitationKind::figure_eight ||
+                     (e.kind == ExcitationKind::path && !e.path.stays_on_x()) ||
                      (e.kind != ExcitationKind::record && e.kind != ExcitationKind::free && e.direction()[1] != 0) ||
                      (e.kind == ExcitationKind::free && (e.initial_displacement[1] != 0 || e.initial_velocity[1] != 0));
   if (off_x) throw InputError("isolator.space \"planar\" moves along x only: this excitation needs \"spatial\"");
@@ -74,8 +81,10 @@ void check_path(const Scene &scene) {
         fmt::format("excitation.{} {} takes the slider to {:.6g} m, past the sliding surface's end at {} m", key, value,
                     reach, limit));
   };
-  const double reach = std::abs(e.scale) * e.amplitude;
-  if (e.kind == ExcitationKind::cyclic) refuse("amplitude_m", e.amplitude, reach);
+  const double reach = std::abs(e.scale) * e.largest_amplitude();
+  if (e.kind == ExcitationKind::cyclic)
+    refuse(e.amplitudes.empty() ? "amplitude_m" : "amplitudes_m", e.largest_amplitude(), reach);
+  if (e.kind == ExcitationKind::path) refuse("scale", e.scale, std::abs(e.scale) * e.path.reach());
   if (e.kind == ExcitationKind::figure_eight) refuse("amplitude_m", e.amplitude, 1.25 * reach);
   if (e.kind == ExcitationKind::push)
     refuse("travel_mm", e.travel * 1e3,

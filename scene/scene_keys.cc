@@ -26,8 +26,12 @@ void visit_motion(KeyVisitor &v, Excitation &e) {
   }
   if (is(cyclic, figure_eight)) {
     v.number({"amplitude_m"}, e.amplitude, si, {0, 1e3, true});
-    v.number({"cycles"}, e.cycles, si, {0, 1e4, true});
+    v.number({"cycles", "of each amplitude"}, e.cycles, si, {0, 1e4, true});
   }
+  if (is(cyclic) && v.wants(!e.amplitudes.empty()))
+    v.numbers({"amplitudes_m", "several, one after the other; instead of amplitude_m"}, e.amplitudes, si,
+              {0, 1e3, true});
+  if (is(path)) v.text({"file", "CSV file of the path: x_m or x_mm, and if wanted y_m, time_s"}, e.path_file);
   if (is(push)) {
     v.number({"travel_mm", "beyond touch"}, e.travel, milli, {0, 1e4, true});
     v.flag({"return", "unload afterwards"}, e.unload);

@@ -45,6 +45,18 @@ void read_records(const TomlFile &file, Scene &scene, const std::string &folder)
   read("z", e.z_file, e.z);
 }
 
+/// Reads the path a scene names; afterwards its name is absolute.
+void read_path(const TomlFile &file, Scene &scene, const std::string &folder) {
+  auto &e = scene.excitation;
+  if (e.kind != ExcitationKind::path || e.path_file.empty()) return;
+  make_absolute(e.path_file, folder);
+  try {
+    e.path = read_path_table(e.path_file);
+  } catch (const DataError &error) {
+    throw DataError(fmt::format("{}: excitation.file {}", file.location("excitation.file"), error.what()));
+  }
+}
+
 } // namespace
 
 Scene parse_scene(const std::string &text, const std::string &origin, const std::vector<std::string> &overrides,
@@ -70,6 +82,7 @@ Scene parse_scene(const std::string &text, const std::string &origin, const std:
   // Geometry first: a bearing that cannot be built is said before a record that is missing.
   with_location(file, "bearing", [&] { check_bearing(scene); });
   read_records(file, scene, folder);
+  read_path(file, scene, folder);
   if (!scene.reduced.impact_curve.empty()) make_absolute(scene.reduced.impact_curve, folder);
   if (scene.model.own_mesh.any()) make_absolute(scene.model.own_mesh.file, folder);
   set_dependent_defaults(file, has_own_bearing(file), scene);

@@ -27,6 +27,7 @@ TABLES = {
         ("tests/verification/stack_refinement.txt", "The stack", "tests/verification/stack_refinement.py"),
         ("tests/verification/windows_of_rungs.txt", "One window by every rung", "tests/verification/windows_of_rungs.py"),
         ("tests/verification/static_loops.txt", "Quasi-static loops", "tests/verification/static_loops.py"),
+        ("tests/verification/pad_seat.txt", "The pad's seat, tied and frictional", "tests/verification/pad_seat.py"),
         ("tests/verification/figure_eight.txt", "Figure-eight", "tests/verification/figure_eight.py"),
         ("tests/verification/rim_curve.txt", "Curves of rims", "ctest -L slow -R rim_curve"),
         ("tests/verification/indentation_calculix/baseline.txt", "Indentation against CalculiX", "ctest -L slow -R indentation_calculix"),

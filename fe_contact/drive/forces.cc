@@ -18,14 +18,26 @@ BearingForces forces_of(const BearingSystem &system, const SystemState &state) {
   return result;
 }
 
+namespace {
+
+std::optional<SampleRow::Seat> seat_of(const BearingSystem &system, const SystemState &state) {
+  const auto *bottom = system.report_of(state, Role::seat), *wall = system.report_of(state, Role::recess);
+  if (!bottom || !wall) return {};
+  return SampleRow::Seat{bottom->largest_pressure, wall->largest_pressure,
+                         system.model().share() * (bottom->friction_work + wall->friction_work)};
+}
+
+} // namespace
+
 void sample(RunRecord &record, const BearingSystem &system, const SystemState &state, const Instant &now) {
   double pressure = 0;
   for (const auto &report : state.reports) pressure = std::max(pressure, report.largest_pressure);
   std::optional<double> pad_pressure;
   if (const auto *dish = system.report_of(state, Role::dish)) pad_pressure = dish->largest_pressure;
-  append(record, {now.time, now.u, now.v, now.forces.total(), now.forces.pendular, now.forces.friction, now.forces.rim,
-                  now.forces.normal, now.gap, system.wall_distance(state, now.gap),
-                  largest_plastic_strain(state.history), pressure, now.newton_iterations, now.step, pad_pressure});
+  append(record,
+         {now.time, now.u, now.v, now.forces.total(), now.forces.pendular, now.forces.friction, now.forces.rim,
+          now.forces.normal, now.gap, system.wall_distance(state, now.gap), largest_plastic_strain(state.history),
+          pressure, now.newton_iterations, now.step, pad_pressure, seat_of(system, state)});
 }
 
 } // namespace rimpact::fe

@@ -29,9 +29,14 @@ PathCourse course_from_touch(const scene::Scene &scene) {
   return course;
 }
 
+double PathCourse::duration(double s, double ds) const {
+  const auto from = instant ? instant(s) : std::nullopt, to = instant ? instant(s + ds) : std::nullopt;
+  return from && to ? *to - *from : 0.0;
+}
+
 namespace {
 
-/// Of a push: out to the rim, into it, back.
+/// Of a push: out to the rim, into it, back. Of a path from a file: from turn to turn.
 std::vector<PathCourse::Phase> phases_on_dish(const scene::Scene &scene, double cycles) {
   constexpr double steps_a_cycle = 160, longest_slide = 0.025; // [m]
   constexpr double steps_in = 32, steps_back = 32;
@@ -39,9 +44,12 @@ std::vector<PathCourse::Phase> phases_on_dish(const scene::Scene &scene, double 
     return PathCourse::Phase{end, first, 1e-8 * largest, largest};
   };
   std::vector<double> ends = scene::prescribed_breakpoints(scene.excitation);
-  if (ends.empty()) {
+  if (scene.excitation.kind != scene::ExcitationKind::push) {
     const double largest = 1 / (steps_a_cycle * cycles);
-    return {phase(1, 1e-3 * largest, largest)};
+    std::vector<PathCourse::Phase> result;
+    for (const double end : ends) result.push_back(phase(end, 1e-3 * largest, largest));
+    result.push_back(phase(1, 1e-3 * largest, largest));
+    return result;
   }
   ends.push_back(1);
   const double slide = ends[0] * longest_slide / scene.bearing.lateral_capacity(), in = (ends[1] - ends[0]) / steps_in;
@@ -55,9 +63,14 @@ std::vector<PathCourse::Phase> phases_on_dish(const scene::Scene &scene, double 
 PathCourse course_on_dish(const scene::Scene &scene) {
   const scene::Excitation e = scene.excitation;
   const double capacity = scene.bearing.lateral_capacity(),
-               cycles = e.kind == scene::ExcitationKind::cyclic ? e.cycles : 1.0;
+               cycles = e.kind == scene::ExcitationKind::figure_eight || !e.stays_on_dish() ? 1.0 : e.rounds();
   const auto top = [=](double s) { return TopTarget{scene::prescribed_displacement(e, capacity, s), {}}; };
-  return {.phases = phases_on_dish(scene, cycles), .growth = 2, .top = top, .frame = {}, .picture = 0.25 / cycles};
+  return {.phases = phases_on_dish(scene, cycles),
+          .growth = 2,
+          .top = top,
+          .frame = {},
+          .picture = 0.25 / cycles,
+          .instant = [=](double s) { return scene::prescribed_instant(e, s); }};
 }
 
 } // namespace rimpact::fe

@@ -26,10 +26,13 @@ struct PathCourse {
   std::optional<RimFrame> frame;          ///< of the model, where it is not the plate's
   double parts_from = 2;                  ///< from here on the path ends where the walls part
   double picture;                         ///< fields are written so often
+  /// Of the load parameter [s]; empty, or none: friction is that of slow motion.
+  std::function<std::optional<double>(double s)> instant{};
+  double duration(double s, double ds) const; ///< of a step [s]; 0 without an instant
 };
 /// Rung rim: from first touch beyond it and back, the height following the dish.
 PathCourse course_from_touch(const scene::Scene &scene);
-/// On the dish, from rest on the vertex: cycles, a figure of eight; out to the rim, into it, back.
+/// On the dish, from rest on the vertex: cycles, a figure of eight, a file's path; out to the rim, into it, back.
 PathCourse course_on_dish(const scene::Scene &scene);
 
 } // namespace rimpact::fe

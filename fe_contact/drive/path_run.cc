@@ -73,7 +73,8 @@ private:
 
   Attempt attempt(double s, double ds) {
     if (is_interrupted(options_)) throw Interrupted();
-    const TopTarget target = course_.top(s + ds);
+    TopTarget target = course_.top(s + ds);
+    target.dt = course_.duration(s, ds);
     const Eigen::Vector3d before = system_.top_of(state_.u), force_before = forces().total();
     const ContactStepReport step = drive_.move_to(system_, state_, target, load_, steps_);
     if (!step.converged) return {false, 0, step.reason};

@@ -16,7 +16,8 @@ void carry_over(const BearingSystem &from, const BearingSystem &to, const System
   for (const auto vector : {&SystemState::v, &SystemState::a, &SystemState::R})
     result.*vector = carried_over(from.equations(), to.equations(), state.*vector, none);
   result.history = state.history;
-  for (const Role role : {Role::dish, Role::socket}) {
+  for (const Role role : from.roles()) {
+    if (role == Role::wall) continue; // which one of them lacks
     const std::size_t there = to.contact_of(role).value(), here = from.contact_of(role).value();
     result.contacts[there] = state.contacts[here];
     result.reports[there] = state.reports[here];

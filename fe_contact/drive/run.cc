@@ -13,6 +13,7 @@
 #include "files/error.h"
 #include "responses/identity.h"
 #include "responses/limits.h"
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <new>
@@ -43,6 +44,15 @@ Summary summarise(const scene::Scene &scene, const RunRecord &record) {
   for (const auto &[name, value] : record.time_split) output -= value;
   const auto &r = record.response;
   if (r.has("plastic_strain_max") && r.size() > 0) summary.max_plastic_strain = r.series("plastic_strain_max").back();
+  if (r.has("energy_friction_seat") && r.size() > 0) {
+    const auto largest = [&](const char *name) {
+      const auto &series = r.series(name);
+      return *std::max_element(series.begin(), series.end());
+    };
+    summary.extra["seat"] = {{"largest_pressure_on_bottom_Pa", largest("seat_pressure_max")},
+                             {"largest_pressure_on_wall_Pa", largest("recess_pressure_max")},
+                             {"friction_J", r.series("energy_friction_seat").back()}};
+  }
   summary.time_split["output"] = std::max(0.0, output); // meshing, flights and files
   summary.extra["cuts"] = record.n_cuts;
   for (const auto &count : solver_counts) summary.extra["solver_work"][count.sum] = work.*count.of;

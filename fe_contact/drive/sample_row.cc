@@ -50,6 +50,13 @@ void append(RunRecord &record, const SampleRow &row) {
   append_work(record);
   const bool kept_so_far = r.size() == 1 || r.has("pad_pressure_max"); // a checkpoint of an older build has none
   if (row.pad_pressure && kept_so_far) r.append("pad_pressure_max", *row.pad_pressure);
+  if (row.seat) {
+    const double so_far = // what the preload took is no part of it
+        r.has("energy_friction_seat") ? r.series("energy_friction_seat").back() + row.seat->friction_work : 0.0;
+    r.append("energy_friction_seat", so_far);
+    r.append("seat_pressure_max", row.seat->bottom);
+    r.append("recess_pressure_max", row.seat->wall);
+  }
   if (row.normal_force) r.append("normal_force", *row.normal_force);
 }
 

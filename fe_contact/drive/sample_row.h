@@ -17,6 +17,11 @@ struct SampleRow {
   int newton_iterations;
   double step;                             ///< taken [s], or of the load parameter
   std::optional<double> pad_pressure = {}; ///< largest of the pad on the dish [Pa]; empty: there is no pad
+  /// Of a frictional pad in its recess: largest pressures [Pa], and what friction took there over the step [J].
+  struct Seat {
+    double bottom, wall, friction_work;
+  };
+  std::optional<Seat> seat = {};
 };
 /// With the energies of the record's ledger as it stands.
 void append(RunRecord &record, const SampleRow &row);

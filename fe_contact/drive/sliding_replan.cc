@@ -22,9 +22,10 @@ SolidEnergies energies_at(const BearingModel &model, const BearingSystem &system
   return result;
 }
 
-/// Multipliers of pad and socket, whose slave faces are the same in both meshes.
+/// Multipliers of pad and foot, whose slave faces are the same in both meshes; the rim's begin anew.
 void carry_contacts(const SystemState &old, const BearingSystem &system, SystemState &state) {
-  for (const Role role : {Role::dish, Role::socket}) {
+  for (const Role role : system.roles()) {
+    if (role == Role::wall) continue;
     const std::size_t i = system.contact_of(role).value();
     if (old.contacts[i].multiplier.size() != state.contacts[i].multiplier.size())
       throw SolverStopped(

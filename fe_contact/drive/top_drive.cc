@@ -7,6 +7,7 @@ namespace rimpact::fe {
 ContactStepReport TopDrive::move_to(BearingSystem &system, SystemState &state, const TopTarget &target,
                                     const Eigen::VectorXd &load, const StepOptions &options) {
   StepTerms terms{load};
+  terms.dt = target.dt;
   const Eigen::Vector3d now = system.top_of(state.u),
                         goal(target.plane.x(), target.plane.y(), target.height.value_or(now.z()));
   for (int i = 0; i < (target.height ? 3 : 2); ++i)
@@ -37,8 +38,16 @@ Eigen::VectorXd TopDrive::guess(const BearingSystem &system, const SystemState &
 void preload_on_dish(BearingSystem &system, SystemState &state, const Eigen::VectorXd &load,
                      const StepOptions &options) {
   constexpr double springs = 1e8; // first round of stabilisation [N/m an equation]
-  const PreloadReport report = preload(system, state, load, springs, options);
-  if (!report.converged) throw SolverStopped("the bearing did not come to rest under its load: " + report.reason);
+  PreloadReport report;
+  for (const int parts : {1, 4, 16}) { // a small soft pad takes its load by and by
+    SystemState pressed = state;
+    for (int k = 1; k <= parts && (k == 1 || report.converged); ++k)
+      report = preload(system, pressed, double(k) / parts * load, springs, options);
+    if (!report.converged) continue;
+    state = std::move(pressed);
+    return;
+  }
+  throw SolverStopped("the bearing did not come to rest under its load: " + report.reason);
 }
 
 } // namespace rimpact::fe

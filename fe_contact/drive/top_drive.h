@@ -8,6 +8,7 @@ namespace rimpact::fe {
 struct TopTarget {
   Eigen::Vector2d plane;        ///< [m]
   std::optional<double> height; ///< [m]
+  double dt = 0;                ///< the way takes [s]; 0: friction is that of slow motion
 };
 
 /// Each step starts at the last one's change scaled to its way.
@@ -22,7 +23,7 @@ private:
   Eigen::VectorXd guess(const BearingSystem &system, const SystemState &state, const Eigen::Vector3d &way) const;
 };
 
-/// Brings the bearing to rest on the dish under its load. Throws SolverStopped.
+/// Brings the bearing to rest on the dish under its load, in parts where the whole is too much. Throws SolverStopped.
 void preload_on_dish(BearingSystem &system, SystemState &state, const Eigen::VectorXd &load,
                      const StepOptions &options);
 

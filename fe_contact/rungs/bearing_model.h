@@ -45,7 +45,8 @@ public:
   /// A vertical dead load of the whole bearing on the top face, down [N], by equation.
   Eigen::VectorXd dead_load(double vertical) const;
 
-  std::optional<std::size_t> contact_of(Role role) const; ///< its number; none: the rung has no such pair
+  const std::vector<Role> &roles() const { return roles_; } ///< of the contacts, in their order
+  std::optional<std::size_t> contact_of(Role role) const;   ///< its number; none: the rung has no such pair
   /// Of a pair in a state; none: the rung has no such pair.
   const SurfaceContactReport *report_of(const SystemState &state, Role role) const;
   /// On the carried bodies, whole bearing [N]: all of the pair's, or its friction alone.

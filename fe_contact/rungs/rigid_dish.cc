@@ -38,6 +38,21 @@ void hold_plate(Supports &supports, RimState rim) {
       for (const Surface group : {Surface::fixed, Surface::sector_end}) supports.fix(group, i);
 }
 
+namespace {
+
+/// The pad's back on the recess's bottom and its edge within the recess's wall, which turn with the foot.
+std::vector<Pair> seat_pairs(const scene::Bearing &bearing, const SurfaceContactOptions &on_steel) {
+  std::vector<Pair> pairs{
+      {Role::seat, Surface::pad_top, plane({0, 0, bearing.pad.thickness}, {0, 0, -1}), on_steel},
+      {Role::recess, Surface::pad_side,
+       cylinder(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), bearing.recess_radius(), Side::inside), on_steel}};
+  pairs[0].options.carrier_faces = Surface::foot_seat;
+  pairs[1].options.carrier_faces = Surface::foot_recess;
+  return pairs;
+}
+
+} // namespace
+
 std::vector<Pair> stack_pairs(const BearingModel &model, RimState rim) {
   const scene::Bearing &bearing = model.bearing;
   constexpr double pad_cell = 0.012, cap_cell = 0.020, wall_cell = 0.010; // at level 1 [m]
@@ -49,13 +64,16 @@ std::vector<Pair> stack_pairs(const BearingModel &model, RimState rim) {
     return model.options.friction ? FrictionCoefficient{fast, slow.value_or(fast), mu.rate} : FrictionCoefficient{};
   };
   const std::shared_ptr<const scene::SlidingSurface> surface = scene::make_surface(bearing.surface);
+  const SurfaceContactOptions pad_on_steel =
+      penalised(model, bearing.ertalyte.E, pad_cell, friction(mu.steel_ertalyte, mu.steel_ertalyte_slow), stiffer);
   std::vector<Pair> pairs{
-      {Role::dish, Surface::pad_face, fe::dish(surface, bearing.surface.planar_radius),
-       penalised(model, bearing.ertalyte.E, pad_cell, friction(mu.steel_ertalyte, mu.steel_ertalyte_slow), stiffer)},
+      {Role::dish, Surface::pad_face, fe::dish(surface, bearing.surface.planar_radius), pad_on_steel},
       {Role::socket, Surface::foot_cap, sphere(Eigen::Vector3d::Zero(), bearing.foot.cap_radius, Side::inside),
        penalised(model, bearing.steel.E, cap_cell, friction(mu.steel_steel, mu.steel_steel_slow))}};
   // The socket does not turn, so it carries the sphere; the foot's cap turns under it.
   pairs[1].options.carrier_faces = Surface::socket;
+  if (bearing.pad_is_seated())
+    for (const Pair &pair : seat_pairs(bearing, pad_on_steel)) pairs.push_back(pair);
   if (rim == RimState::solid) pairs.push_back(wall_pair(model, wall_cell, 1));
   return pairs;
 }

@@ -1,5 +1,5 @@
-/// Rung rigid-dish: pad (tied to the foot), foot and upper slider on the exact dish, and the rim's sectors where a
-/// scene needs them. Frame and reference position: at rest on the vertex (see stack_mesh).
+/// Rung rigid-dish: pad (tied to the foot, or seated in its recess), foot and upper slider on the exact dish, and the
+/// rim's sectors where a scene needs them. Frame and reference position: at rest on the vertex (see stack_mesh).
 #pragma once
 #include "fe_contact/rungs/catalogue.h"
 #include "meshes/hex_mesh.h"
@@ -11,7 +11,8 @@ inline std::vector<meshes::Volume> stack_bodies() {
 }
 StepOptions stack_steps();
 void hold_plate(Supports &supports, RimState rim); ///< or, with the rim held, plate and rim as bodies
-/// Dish under the pad, socket on the foot's cap and, with the rim, wall against slider.
+/// Dish under the pad, socket on the foot's cap, a frictional pad in the foot's recess and, with the rim, wall against
+/// slider.
 std::vector<Pair> stack_pairs(const BearingModel &model, RimState rim);
 
 } // namespace rimpact::fe

@@ -23,7 +23,7 @@ public:
     // A step's local error, relative to a hundredth of the capacity and of its speed.
     position_tolerance_ = scene.isolator.step_tolerance * 0.01 * C;
     velocity_tolerance_ = scene.isolator.step_tolerance * 0.01 * std::sqrt(g * C);
-    largest_step_ = model_.driven ? duration_ / (4000 * std::max(1.0, std::ceil(scene.excitation.cycles))) : 1e-2;
+    largest_step_ = model_.driven ? duration_ / (4000 * std::max(1.0, std::ceil(scene.excitation.rounds()))) : 1e-2;
     if (const auto &instants = ground_.breakpoints(); !instants.empty()) quiet_from_ = instants.back();
   }
 

@@ -32,7 +32,7 @@ SHAPE = {
 class Run:
     name: str
     command: list[str] = field(default_factory=list)  #: words after `rimpact`; {records} stands for the user's folder
-    kept: str = ""       #: folder in data/references instead of a command
+    kept: str = ""       #: folder in data/ instead of a command
     json: bool = False   #: the verb prints JSON and leaves no folder
     seconds: float = 1.0
     heavy: bool = False  #: finite elements, or longer than a minute

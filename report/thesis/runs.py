@@ -26,7 +26,7 @@ class Runs:
 
     def place(self, name: str) -> str:
         run = self.catalogue.runs[name]
-        return os.path.join(FOLDER, "references", run.kept) if run.kept else os.path.join(self.folder, "runs", name)
+        return os.path.join(FOLDER, run.kept) if run.kept else os.path.join(self.folder, "runs", name)
 
     def words(self, name: str) -> list[str]:
         """Of its command: {records} is the user's folder, {law} the settings of the law fitted to the kept references."""

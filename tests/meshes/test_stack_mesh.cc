@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <map>
 #include <set>
 
 namespace rimpact::meshes {
@@ -26,6 +27,40 @@ TEST(StackMesh, PadAndFootShareTheSeatAndNothingElse) {
     shared += on_the_seat;
   }
   EXPECT_GT(shared, 50);
+}
+
+TEST(StackMesh, AFrictionalPadStandsInARecessWithNodesOfItsOwn) {
+  for (const double clearance : {0.0, 3e-4}) {
+    scene::Bearing bearing;
+    bearing.contact.pad_foot = scene::PadFoot::frictional;
+    bearing.contact.pad_clearance = clearance;
+    const HexMesh mesh = stack_mesh(bearing, {});
+    EXPECT_EQ(quality(mesh).n_components, 3);
+    EXPECT_GT(quality(mesh).min_scaled_jacobian, 0.1);
+    const auto pad = nodes_of(mesh, Volume::pad), foot = nodes_of(mesh, Volume::foot);
+    for (const unsigned node : pad) EXPECT_EQ(foot.count(node), 0u);
+    std::map<Surface, int> faces;
+    for (const auto &face : mesh.faces) {
+      ++faces[face.group];
+      const bool seat = face.group == Surface::pad_top || face.group == Surface::foot_seat,
+                 wall = face.group == Surface::pad_side || face.group == Surface::foot_recess;
+      for (const unsigned node : face.corners) {
+        const auto &x = mesh.nodes[node];
+        if (seat) {
+          EXPECT_NEAR(x[2], bearing.pad.thickness, 1e-12);
+        }
+        if (!wall) continue;
+        const double gap = face.group == Surface::foot_recess ? clearance : 0.0;
+        EXPECT_NEAR(std::hypot(x[0], x[1]), bearing.pad.outer_radius + gap, 1e-12);
+        if (face.group == Surface::foot_recess) {
+          EXPECT_GE(x[2], bearing.foot.bottom - 1e-12);
+        }
+      }
+    }
+    EXPECT_GT(faces[Surface::foot_seat], faces[Surface::pad_top]); // the pad's hole is roofed too
+    EXPECT_GT(faces[Surface::pad_side], 10);
+    EXPECT_GT(faces[Surface::foot_recess], 5);
+  }
 }
 
 TEST(StackMesh, CapAndSocketLieOnOneSphere) {
