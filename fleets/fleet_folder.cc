@@ -21,9 +21,9 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// Keys whose values name files; those of a sweep's records are sought beside the sweep, the others beside the scene.
-constexpr std::array file_keys{"excitation.x",        "excitation.y",         "excitation.z",
-                               "bearing.file",        "bearing.surface.file", "model.own_mesh.file",
-                               "reduced.calibration", "reduced.impact_curve"};
+constexpr std::array file_keys{"excitation.x",        "excitation.y",        "excitation.z",
+                               "excitation.file",     "bearing.file",        "bearing.surface.file",
+                               "model.own_mesh.file", "reduced.calibration", "reduced.impact_curve"};
 
 std::set<std::string> swept_files(const std::string &where, const Sweep &sweep) {
   std::set<std::string> files;

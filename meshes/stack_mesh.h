@@ -9,7 +9,7 @@
 namespace rimpact::meshes {
 
 /// Groups: pad_face, foot_cap, socket, slider_side, top, and with a rim those of rim_mesh. A tied pad and its
-/// foot are one connected piece; a frictional one has pad_top, foot_seat, pad_side and foot_recess. the slider's socket
+/// foot are one connected piece; a frictional one has pad_top, foot_seat, pad_side and foot_recess. The slider's socket
 /// lies on the foot's cap.
 HexMesh stack_mesh(const scene::Bearing &bearing, const MeshOrder &order);
 
