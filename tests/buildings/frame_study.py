@@ -122,7 +122,7 @@ def change(value, reference):
 
 def five_shapes(study, lines, fails):
     answers = {}
-    lines += ["Peaks by record: base displacement (mm), base shear / W_s, drifts of storeys 1 2 3 (mm), * a rim is hit; a / R0 = " + ", ".join(f"{a:.2f}" for a in SHAPES),
+    lines += ["Scale: of the record as a whole, before matching. Peaks: base displacement (mm), base shear / W_s, drifts of storeys 1 2 3 (mm), * a rim is hit; a / R0 = " + ", ".join(f"{a:.2f}" for a in SHAPES),
               "GM  scale  " + "".join(f"| {a:4.2f}: u_b   V/W   drifts               " for a in SHAPES)]
     for n, (_, _, scale) in study.motions.items():
         row = f"{n:2d}  {scale:5.2f}  "
