@@ -2,6 +2,7 @@
 #include "files/file.h"
 #include "files/json_text.h"
 #include "risk/disaggregation.h"
+#include "risk/reductions.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -19,10 +20,6 @@ Cell fractile(std::vector<double> values, std::size_t n_beyond, double share) {
   const auto above = static_cast<std::size_t>(std::ceil(place));
   if (above >= values.size()) return {};
   return std::lerp(values[below], values[above], place - static_cast<double>(below));
-}
-
-double reduction(double probability, double reference) {
-  return reference > 0 ? 1 - probability / reference : 0;
 }
 
 class Writer {
@@ -159,50 +156,6 @@ ordered_json levels_json(const Motions &motions) {
                       {"n_listed", level.n_listed}});
   return levels;
 }
-
-/// What a difference's key buys: of each of its values and each limit the reductions over all systems.
-class Reductions {
-public:
-  void add(const std::string &key, const Cell &value, const std::string &quantity, const LimitResult &own,
-           const LimitResult &reference, const Banded &b) {
-    Sum &sum = sums_[{key, value, quantity, own.limit}];
-    sum.n_unknown += own.n_unknown + reference.n_unknown;
-    sum.at_least = std::min(sum.at_least, reduction(own.if_all, reference.if_none));
-    sum.at_most = std::max(sum.at_most, reduction(own.if_none, reference.if_all));
-    ++sum.n, sum.total += b.value, sum.low = std::min(sum.low, b.value), sum.high = std::max(sum.high, b.value);
-    sum.n_sure += b.low > 0 || b.high < 0;
-  }
-  ordered_json json() const {
-    auto list = ordered_json::array();
-    for (const auto &[key, sum] : sums_) {
-      const auto &[name, value, quantity, limit] = key;
-      ordered_json entry{{"key", name}};
-      if (const auto *text = std::get_if<std::string>(&value))
-        entry["value"] = *text;
-      else if (const auto *number = std::get_if<double>(&value))
-        entry["value"] = *number;
-      entry.update(ordered_json{{"quantity", quantity},
-                                {"limit", limit},
-                                {"n_systems", sum.n},
-                                {"mean_reduction", sum.total / sum.n},
-                                {"least_reduction", sum.low},
-                                {"largest_reduction", sum.high},
-                                {"n_systems_whose_band_excludes_0", sum.n_sure},
-                                {"n_unknown", sum.n_unknown},
-                                {"reduction_at_least", sum.at_least},
-                                {"reduction_at_most", sum.at_most}});
-      list.push_back(std::move(entry));
-    }
-    return list;
-  }
-
-private:
-  struct Sum {
-    int n = 0, n_sure = 0, n_unknown = 0;
-    double total = 0, low = 1e300, high = -1e300, at_least = 1e300, at_most = -1e300;
-  };
-  std::map<std::tuple<std::string, Cell, std::string, double>, Sum> sums_;
-};
 
 } // namespace
 

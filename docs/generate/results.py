@@ -39,7 +39,6 @@ TABLES = {
     "reduced": ("Reduced models and buildings", [
         ("tests/benchmarks/peers/work_precision/table.txt", "Work against precision", "tests/benchmarks/peers/work_precision/work_precision.py"),
         ("tests/reduced_models/impact_sensitivity.txt", "Sensitivity to k_i and e, thesis 2.5.3", "tests/reduced_models/impact_sensitivity.py"),
-        ("tests/reduced_models/rigid_body/slider_study.txt", "The slider study, thesis 3.4", "tests/reduced_models/rigid_body/slider_study.py"),
         ("tests/buildings/hard_cases.txt", "Buildings on many bearings: hard cases", "build/release/bin/building_hard_cases"),
         ("tests/buildings/frame_2_5.txt", "The inelastic frame of thesis 2.5 on three isolators", "tests/buildings/frame_study.py build/release/bin/rimpact FOLDER")]),
     "calibration": ("Calibration", [
