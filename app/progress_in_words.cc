@@ -5,13 +5,11 @@
 namespace rimpact::app {
 
 std::string ProgressInWords::of(const fe::Progress &p) {
-  using enum scene::ExcitationKind;
   if (p.gap != last_gap_) springing_back_ = p.gap > last_gap_;
   last_gap_ = p.gap;
-  const bool in_time = kind_ != push && kind_ != cyclic && kind_ != figure_eight && kind_ != path;
-  const std::string when = kind_ == window ? ""
-                           : in_time       ? fmt::format(", {:.2f} of {:.4g} s", p.time, p.end_time)
-                                           : fmt::format(", {:.0f} % of the path", 100 * p.time / p.end_time);
+  const std::string when = window_    ? ""
+                           : in_time_ ? fmt::format(", {:.2f} of {:.4g} s", p.time, p.end_time)
+                                      : fmt::format(", {:.0f} % of the path", 100 * p.time / p.end_time);
   if (p.phase == fe::Phase::contact || p.phase == fe::Phase::pressing) {
     const char *doing = springing_back_ ? "springing back" : "pressing";
     const std::string depth = p.gap < 0 ? fmt::format("{:.1f} mm into the rim", -1e3 * p.gap) : "at the rim";

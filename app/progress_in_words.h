@@ -6,13 +6,14 @@ namespace rimpact::app {
 
 class ProgressInWords {
 public:
-  explicit ProgressInWords(scene::ExcitationKind kind) : kind_(kind) {}
+  explicit ProgressInWords(const scene::Excitation &motion)
+      : window_(motion.kind == scene::ExcitationKind::window), in_time_(motion.is_dynamic()) {}
   /// Remembers the gap: the rim is pressed while it closes and springs back while it opens. A window ends at its
   /// release, so that its time is not shown against the scene's end.
   std::string of(const fe::Progress &progress);
 
 private:
-  scene::ExcitationKind kind_;
+  bool window_, in_time_;
   double last_gap_ = 0;
   bool springing_back_ = false;
 };

@@ -69,10 +69,6 @@ void add_warnings(const scene::Scene &scene, reduced::ReducedRun &run, Console &
   for (const auto &sentence : scene.remarks) warnings.push_back(sentence);
 }
 
-} // namespace
-
-namespace {
-
 struct BuildingOptions {
   std::string scene, frame = "thesis-2.4", folder;
   SweepOptions sweep;

@@ -76,7 +76,7 @@ void run(const RunWords &options, Console &console) {
   watch_interrupts();
   ProgressLine line(console.quiet);
   const auto start = std::chrono::steady_clock::now();
-  ProgressInWords in_words(scene.excitation.kind);
+  ProgressInWords in_words(scene.excitation);
   run_options.progress = [&](const fe::Progress &p) {
     const double spent = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     line.show(in_words.of(p) + "  (" + duration(spent) + ")" + (console.verbose ? numbers_of(p) : ""));

@@ -140,11 +140,15 @@ std::vector<LimitResult> evaluate(const Study &study, const ResponseSet &respons
   return results;
 }
 
+double reduction(double probability, double reference) {
+  return reference > 0 ? 1 - probability / reference : 0;
+}
+
 std::vector<Banded> reductions(const Study &study, const SystemSample &sample, const SystemSample &reference) {
   const auto statistic = [&](const std::vector<int> &times) {
     auto p = probabilities(study, sample, times);
     const auto p_reference = probabilities(study, reference, times);
-    for (std::size_t i = 0; i < p.size(); ++i) p[i] = p_reference[i] > 0 ? 1 - p[i] / p_reference[i] : 0;
+    for (std::size_t i = 0; i < p.size(); ++i) p[i] = reduction(p[i], p_reference[i]);
     return p;
   };
   const auto values = statistic(sample.once());

@@ -50,6 +50,8 @@ struct LimitResult {
 /// All limits of one system, in the order of Study::limits and their values.
 std::vector<LimitResult> evaluate(const Study &study, const ResponseSet &responses, const SystemSample &sample);
 
+/// 1 - P / P_reference; 0 where the reference never exceeds.
+double reduction(double probability, double reference);
 /// 1 - P / P_reference in Study::years for every limit, records drawn alike for both; 0 where P_reference is 0.
 std::vector<Banded> reductions(const Study &study, const SystemSample &sample, const SystemSample &reference);
 

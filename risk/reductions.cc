@@ -5,10 +5,6 @@ namespace rimpact::risk {
 
 using nlohmann::ordered_json;
 
-double reduction(double probability, double reference) {
-  return reference > 0 ? 1 - probability / reference : 0;
-}
-
 void Reductions::add(const std::string &key, const Cell &value, const std::string &quantity, const LimitResult &own,
                      const LimitResult &reference, const Banded &band) {
   Sum &sum = sums_[{key, value, quantity, own.limit}];

@@ -9,9 +9,6 @@
 
 namespace rimpact::risk {
 
-/// 1 - P / P_reference; 0 where the reference never exceeds.
-double reduction(double probability, double reference);
-
 class Reductions {
 public:
   void add(const std::string &key, const Cell &value, const std::string &quantity, const LimitResult &own,

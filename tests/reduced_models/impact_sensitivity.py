@@ -10,6 +10,9 @@ import os
 import subprocess
 import sys
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), ".."))
+from stored_table import differ  # noqa: E402
+
 KI, E = 450000.0, 0.65
 STIFFNESS, RESTITUTION = (0.5, 0.75, 1.25, 1.5), (0.4, 0.5, 0.6, 0.7)
 PUBLISHED = {("k_i", 1.5): "+32", ("e", 0.7): "+10"}  # the only two the text states as numbers
@@ -72,21 +75,6 @@ def table(runs):
     return lines
 
 
-def differ(now, stored):
-    """Words equal, numbers within 0.1 %, or 0.02 where they are small."""
-    a, b = now.split(), stored.split()
-    if len(a) != len(b):
-        return True
-    for p, q in zip(a, b):
-        try:
-            if abs(float(p) - float(q)) > max(0.02, 1e-3 * abs(float(q))):
-                return True
-        except ValueError:
-            if p != q:
-                return True
-    return False
-
-
 def main(rimpact, folder, baseline=None):
     beside = os.path.join(os.path.dirname(__file__), "../../../shared/records")
     records = os.environ.get("RIMPACT_RECORDS", beside)
@@ -99,7 +87,7 @@ def main(rimpact, folder, baseline=None):
         return 0
     with open(baseline) as file:
         stored = file.read().splitlines()
-    bad = [f"now: {a}\nbaseline: {b}" for a, b in zip(lines, stored) if differ(a, b)]
+    bad = [f"now: {a}\nbaseline: {b}" for a, b in zip(lines, stored) if differ(a, b, 1e-3, 0.02)]
     if len(lines) != len(stored):
         bad.append(f"{len(lines)} lines, {len(stored)} in the baseline")
     print("\n".join(bad))
