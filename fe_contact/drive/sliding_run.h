@@ -10,7 +10,7 @@
 namespace rimpact::fe {
 
 /// Away from the rim, sliding [s].
-constexpr double longest_sliding_step = 0.01;
+constexpr double longest_sliding_step = 0.02;
 /// A slower slider rests, if the scout has done sliding too; the stack rings with half of it [m/s].
 constexpr double sliding_speed = 1e-2;
 

@@ -84,7 +84,8 @@ ContactStepReport static_step(ContactSystem &system, SystemState &state, const S
 
 ContactStepReport time_step(ContactSystem &system, SystemState &state, const StepTerms &terms,
                             const StepOptions &options) {
-  const Inertia inertia(GeneralizedAlpha::from(options.rho_inf), terms.dt, state);
+  Inertia inertia(GeneralizedAlpha::from(options.rho_inf), terms.dt, state);
+  if (terms.ground) inertia.ride(*terms.ground, [&](const Eigen::Vector3d &way) { return system.translation(way); });
   StepTerms in_time = terms;
   in_time.inertia = &inertia;
   if (options.expects && state.last_dt > 0) in_time.expected = terms.dt / state.last_dt;
@@ -92,15 +93,16 @@ ContactStepReport time_step(ContactSystem &system, SystemState &state, const Ste
   ContactStepReport report = solve(system, state, in_time, options, u);
   if (!report.converged) return report;
   report.multiplier = system.multiplier();
-  const Eigen::VectorXd a = inertia.acceleration(u), du = u - state.u, da = a - state.a, R_old = state.R;
+  const Eigen::VectorXd a = inertia.acceleration(u), du = u - state.u, R_old = state.R;
+  const double kinetic_before = system.kinetic_energy(state);
   system.commit(u, state, next_multipliers(options, report));
   state.change_before = std::move(state.last_change);
   state.dt_before = state.last_dt;
   state.last_change = du;
   state.last_dt = terms.dt;
-  report.integrator_loss = inertia.scheme.loss(terms.dt, du, da, system.mass_times(da), R_old, state.R);
   state.v = inertia.velocity(a);
   state.a = a;
+  report.integrator_loss = 0.5 * (R_old + state.R).dot(du) - (system.kinetic_energy(state) - kinetic_before);
   return report;
 }
 

@@ -25,7 +25,7 @@ struct ContactStepReport {
   int iterations = 0, augmentations = 0;
   std::vector<double> residuals;      ///< of the last Newton solution
   double gap_left = 0, slip_left = 0; ///< at the end [m]
-  double integrator_loss = 0;         ///< [J], steps in time only
+  double integrator_loss = 0;         ///< work of all forces by trapezoids less the kinetic energy's gain [J], in time
   double multiplier = 0;              ///< of the remote displacement's constraint [N], whole bearing
   std::string reason;
 };
@@ -69,6 +69,7 @@ struct TransientOptions {
   double contact_step;            ///< first step after a predicted touch [s]
   double energy_tolerance = 1e-4; ///< unaccounted energy of a step over the largest; beyond it the step is cut
   double gain_tolerance = 1e-4;   ///< likewise, what the integrator adds (it takes, on the whole)
+  std::function<GroundStep(double t, double dt)> ground{}; ///< none: it stands still
   TransientPoint from{};          ///< t = 0: a new run, whose ledger starts from the state
   std::function<void(const TransientPoint &)> after_point{}; ///< sees where the run stands, to keep it
 };

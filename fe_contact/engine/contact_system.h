@@ -8,6 +8,7 @@
 #include "fe_contact/solver/newton.h"
 #include "fe_contact/solver/tangent.h"
 #include <map>
+#include <optional>
 
 namespace rimpact::fe {
 
@@ -32,6 +33,12 @@ struct Driven {
   double target; ///< [m]
 };
 
+/// What the ground does over a step, exactly: its acceleration at both ends, the change of its velocity, and of its
+/// displacement beyond what its velocity at the start brings.
+struct GroundStep {
+  Eigen::Vector3d a_old, a_new, velocity, displacement;
+};
+
 /// The terms of a step in time: u -> v, a.
 struct Inertia {
   GeneralizedAlpha scheme;
@@ -40,6 +47,15 @@ struct Inertia {
   Inertia(const GeneralizedAlpha &scheme, double dt, const SystemState &old)
       : scheme(scheme), dt(dt), u_predicted(scheme.predicted_displacement(old.u, old.v, old.a, dt)),
         v_predicted(scheme.predicted_velocity(old.v, old.a, dt)), a_old(old.a) {}
+  /// Displacements are of a frame that rides on the ground: the scheme is of the absolute motion, so that its error is
+  /// that of the forces between the bodies, not of the shaking. `by_equation` makes a translation of all bodies.
+  template <class ByEquation> void ride(const GroundStep &ground, const ByEquation &by_equation) {
+    u_predicted +=
+        by_equation(dt * dt * ((0.5 - scheme.beta) * ground.a_old + scheme.beta * ground.a_new) - ground.displacement);
+    v_predicted +=
+        by_equation(dt * ((1 - scheme.gamma) * ground.a_old + scheme.gamma * ground.a_new) - ground.velocity);
+    a_old -= by_equation(ground.a_new - ground.a_old);
+  }
   Eigen::VectorXd acceleration(const Eigen::VectorXd &u) const { return (u - u_predicted) / (scheme.beta * dt * dt); }
   double mass_factor() const { return (1 - scheme.alpha_m) / (scheme.beta * dt * dt); } ///< of the tangent [1/s^2]
   double velocity_factor() const { return scheme.gamma / (scheme.beta * dt); }          ///< dv/du [1/s]
@@ -53,6 +69,7 @@ struct StepTerms {
   double dt = 0;            ///< [s]; 0: friction at its static coefficient
   double stabilisation = 0; ///< springs to the old state on every equation [N/m]
   const Inertia *inertia = nullptr;
+  std::optional<GroundStep> ground{};  ///< of a step in time, whose load holds the inertia forces of a_new
   const RemoteTerms *remote = nullptr; ///< with inertia only
   bool with_contact = true;            ///< false: the bodies pass through one another
   /// The pressures' change over the last step, as often, is expected of this one's multipliers too; 0: they start as
@@ -94,7 +111,10 @@ public:
   void commit(const Eigen::VectorXd &u, SystemState &state, NextMultipliers normal) const;
 
   Eigen::VectorXd expand(const SystemState &state) const { return equations_.expand(state.u); }
-  Eigen::VectorXd gravity(const Eigen::Vector3d &acceleration) const; ///< loads of all masses [N]
+  Eigen::VectorXd translation(const Eigen::Vector3d &way) const;       ///< of all that is not held, by equation
+  Eigen::VectorXd gravity(const Eigen::Vector3d &acceleration) const { ///< loads of all masses [N]
+    return mass_->multiply(translation(acceleration));
+  }
   /// Dead traction [Pa] on a group's reference faces, by position and outward normal.
   using Traction = std::function<Eigen::Vector3d(const Eigen::Vector3d &x, const Eigen::Vector3d &normal)>;
   Eigen::VectorXd surface_load(meshes::Surface group, const Traction &traction) const;

@@ -11,13 +11,13 @@ int SystemState::bearing_points() const {
   return points;
 }
 
-Eigen::VectorXd ContactSystem::gravity(const Eigen::Vector3d &acceleration) const {
-  Eigen::VectorXd load = Eigen::VectorXd::Zero(equations_.n);
+Eigen::VectorXd ContactSystem::translation(const Eigen::Vector3d &way) const {
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(equations_.n);
   for (std::size_t dof = 0; dof < equations_.of_dof.size(); ++dof) {
     const int equation = equations_.of_dof[dof];
-    if (equation >= 0) load[equation] = acceleration[dof % 3]; // of_dof is 3 by 3 throughout, bodies included
+    if (equation >= 0) result[equation] = way[dof % 3]; // of_dof is 3 by 3 throughout, bodies included
   }
-  return mass_->multiply(load);
+  return result;
 }
 
 Eigen::VectorXd ContactSystem::surface_load(meshes::Surface group, const Traction &traction) const {

@@ -38,6 +38,7 @@ Attempt checked_step(ContactSystem &system, SystemState &state, double t, double
   const SystemState kept = state;
   StepTerms terms{load(t + dt)};
   terms.dt = dt;
+  if (options.ground) terms.ground = options.ground(t, dt);
   const Eigen::VectorXd load_before = load(t);
   StepOptions step_options = options.step;
   if (t == 0) step_options.rho_inf = 1; // the first, shortest step: its end's accelerations balance the forces
