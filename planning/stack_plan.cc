@@ -79,7 +79,7 @@ Plan stack_path_plan(const scene::Scene &scene) {
 }
 
 Plan stack_motion_plan(const scene::Scene &scene) {
-  constexpr double step_in_flight = 0.008, iterations_in_flight = 4, contact_time = 0.06, steps_out = 30;
+  constexpr double step_in_flight = 0.015, iterations_in_flight = 4, contact_time = 0.06, steps_out = 30;
   Plan plan;
   plan.rung = scene.model.rung;
   plan.mesh = scene.model.mesh;

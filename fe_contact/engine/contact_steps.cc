@@ -67,6 +67,21 @@ Eigen::VectorXd first_guess(const SystemState &state, double dt, bool smooth) {
   return state.u + dt * (rate + (dt + state.last_dt) * bend);
 }
 
+/// By the scheme's own formula, which is of the absolute motion: seen from a frame that goes on as the ground went at
+/// the step's start, and taken back to the ground's frame.
+double integrator_loss(const ContactSystem &system, const StepTerms &terms, const GeneralizedAlpha &scheme,
+                       const Eigen::VectorXd &du, const Eigen::VectorXd &da, const Eigen::VectorXd &R_old,
+                       const SystemState &now) {
+  if (!terms.ground) return scheme.loss(terms.dt, du, da, system.mass_times(da), R_old, now.R);
+  const GroundStep &ground = *terms.ground;
+  const Eigen::VectorXd du_absolute = du + system.translation(ground.displacement),
+                        da_absolute = da + system.translation(ground.a_new - ground.a_old),
+                        F_old = R_old + system.gravity(ground.a_old), F_new = now.R + system.gravity(ground.a_new),
+                        carried = system.translation(ground.velocity), momentum = system.mass_times(carried);
+  return scheme.loss(terms.dt, du_absolute, da_absolute, system.mass_times(da_absolute), F_old, F_new) +
+         0.5 * ((R_old + now.R).dot(du) - (F_old + F_new).dot(du_absolute)) + momentum.dot(now.v + 0.5 * carried);
+}
+
 NextMultipliers next_multipliers(const StepOptions &options, const ContactStepReport &report) {
   if (options.max_augmentations == 0) return NextMultipliers::none;
   return report.capped ? NextMultipliers::same : NextMultipliers::augmented;
@@ -93,8 +108,7 @@ ContactStepReport time_step(ContactSystem &system, SystemState &state, const Ste
   ContactStepReport report = solve(system, state, in_time, options, u);
   if (!report.converged) return report;
   report.multiplier = system.multiplier();
-  const Eigen::VectorXd a = inertia.acceleration(u), du = u - state.u, R_old = state.R;
-  const double kinetic_before = system.kinetic_energy(state);
+  const Eigen::VectorXd a = inertia.acceleration(u), du = u - state.u, da = a - state.a, R_old = state.R;
   system.commit(u, state, next_multipliers(options, report));
   state.change_before = std::move(state.last_change);
   state.dt_before = state.last_dt;
@@ -102,7 +116,7 @@ ContactStepReport time_step(ContactSystem &system, SystemState &state, const Ste
   state.last_dt = terms.dt;
   state.v = inertia.velocity(a);
   state.a = a;
-  report.integrator_loss = 0.5 * (R_old + state.R).dot(du) - (system.kinetic_energy(state) - kinetic_before);
+  report.integrator_loss = integrator_loss(system, terms, inertia.scheme, du, da, R_old, state);
   return report;
 }
 

@@ -25,7 +25,7 @@ struct ContactStepReport {
   int iterations = 0, augmentations = 0;
   std::vector<double> residuals;      ///< of the last Newton solution
   double gap_left = 0, slip_left = 0; ///< at the end [m]
-  double integrator_loss = 0;         ///< work of all forces by trapezoids less the kinetic energy's gain [J], in time
+  double integrator_loss = 0;         ///< [J], steps in time only
   double multiplier = 0;              ///< of the remote displacement's constraint [N], whole bearing
   std::string reason;
 };

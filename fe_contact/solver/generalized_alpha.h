@@ -25,6 +25,16 @@ struct GeneralizedAlpha {
   Eigen::VectorXd predicted_velocity(const Eigen::VectorXd &v, const Eigen::VectorXd &a, double dt) const {
     return v + dt * (1 - gamma) * a;
   }
+
+  /// Energy the integrator takes out of a step [J], from its own formula: with du, da, dR the changes over
+  /// the step and M da given, the kinetic energy changes by the trapezoidal work of R less exactly this
+  /// amount.
+  double loss(double dt, const Eigen::VectorXd &du, const Eigen::VectorXd &da, const Eigen::VectorXd &mass_da,
+              const Eigen::VectorXd &R_old, const Eigen::VectorXd &R_new) const {
+    const double c = gamma - 1 + alpha_m;
+    return -c * du.dot(mass_da) + dt * dt * (beta - 0.5 * gamma) * (da.dot(R_new) + c * da.dot(mass_da)) -
+           0.5 * du.dot(R_new - R_old);
+  }
 };
 
 } // namespace rimpact::fe

@@ -19,7 +19,11 @@ double left_behind(const scene::GroundMotion &ground, double end, double dt, boo
     StepTerms terms{system.gravity(-ground.acceleration((k + 1) * dt))};
     terms.dt = dt;
     if (rides) terms.ground = ground_step(ground, k * dt, dt);
-    EXPECT_TRUE(time_step(system, state, terms, {}).converged);
+    const SystemState before = state;
+    const ContactStepReport step = time_step(system, state, terms, {});
+    EXPECT_TRUE(step.converged);
+    const double work = 0.5 * (before.R + state.R).dot(state.u - before.u);
+    EXPECT_NEAR(step.integrator_loss, work - system.kinetic_energy(state) + system.kinetic_energy(before), 1e-8);
   }
   const Eigen::VectorXd masses = system.gravity({1, 0, 0});
   return masses.dot(state.u) / masses.sum();
