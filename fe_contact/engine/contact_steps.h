@@ -69,8 +69,8 @@ struct TransientOptions {
   double contact_step;            ///< first step after a predicted touch [s]
   double energy_tolerance = 1e-4; ///< unaccounted energy of a step over the largest; beyond it the step is cut
   double gain_tolerance = 1e-4;   ///< likewise, what the integrator adds (it takes, on the whole)
-  std::function<GroundStep(double t, double dt)> ground{}; ///< none: it stands still
-  TransientPoint from{};          ///< t = 0: a new run, whose ledger starts from the state
+  std::function<GroundStep(double t, double dt)> ground{};   ///< none: it stands still
+  TransientPoint from{};                                     ///< t = 0: a new run, whose ledger starts from the state
   std::function<void(const TransientPoint &)> after_point{}; ///< sees where the run stands, to keep it
 };
 
