@@ -6,11 +6,13 @@ import tempfile
 import time
 import unittest
 
+import numpy as np
 from checkpoints import numbers
 from command import RIMPACT, rimpact
 from test_checkpoints import steps_kept
 
-LOOP = ["run", "static-unidirectional", "--quiet"]
+# On one rank: shared out, MUMPS sums up in the order in which messages come.
+LOOP = ["run", "static-unidirectional", "--ranks", "1", "--quiet"]
 
 
 def run_until_next_checkpoint(folder, *more):
@@ -47,7 +49,7 @@ class Resume(unittest.TestCase):
             for name, values in second.items():
                 if name.startswith("seconds_"):
                     continue  # what it took, and that of both processes
-                self.assertEqual(values.tolist(), straight[name].tolist(), name)
+                self.assertTrue(np.array_equal(values, straight[name], equal_nan=True), name)
             other = rimpact(*LOOP, "-o", halves, "--resume", "--set", "model.mesh=2")
             self.assertEqual(other.returncode, 3)
             self.assertIn("another", other.stderr)
