@@ -33,7 +33,6 @@ SlidingRun::SlidingRun(const Rung &rung, const scene::Scene &scene, const planni
   transient_.contact_step = 0.1 * plan.step_in_contact;
   transient_.smallest_step = 1e-3 * plan.step_in_contact;
   transient_.gain_tolerance = 5e-4; // single steps at release give some back
-  transient_.ground = [this](double t, double dt) { return ground_step(ground_, t, dt); };
   record.n_dofs = joined_.equations().n;
 }
 
@@ -84,6 +83,10 @@ void SlidingRun::march_on() {
   transient_.step.rho_inf =
       resting_ ? 0 : scene_.model.rho_inf; // what rings on, of springs without damping, is of no interest
   transient_.step.smooth = !near_rim_;
+  if (resting_) // it moves with the ground, and the load's answer is exact: the long steps need no better one
+    transient_.ground = nullptr;
+  else
+    transient_.ground = [this](double t, double dt) { return ground_step(ground_, t, dt); };
   transient_.energy_tolerance = near_rim_ ? impact_energy_tolerance : sliding_energy_tolerance;
   const double longest = near_rim_  ? plan_.step_in_contact
                          : resting_ ? planning::longest_resting_step
