@@ -67,8 +67,18 @@ Eigen::VectorXd first_guess(const SystemState &state, double dt, bool smooth) {
   return state.u + dt * (rate + (dt + state.last_dt) * bend);
 }
 
+/// Displacements are of a frame that rides on the ground: the scheme is of the absolute motion, so that its error is
+/// that of the forces between the bodies, not of the shaking.
+void ride(Inertia &inertia, const ContactSystem &system, const GroundStep &ground) {
+  const double dt = inertia.dt, beta = inertia.scheme.beta, gamma = inertia.scheme.gamma;
+  inertia.u_predicted +=
+      system.translation(dt * dt * ((0.5 - beta) * ground.a_old + beta * ground.a_new) - ground.displacement);
+  inertia.v_predicted += system.translation(dt * ((1 - gamma) * ground.a_old + gamma * ground.a_new) - ground.velocity);
+  inertia.a_old -= system.translation(ground.a_new - ground.a_old);
+}
+
 /// By the scheme's own formula, which is of the absolute motion: seen from a frame that goes on as the ground went at
-/// the step's start, and taken back to the ground's frame.
+/// the step's start, and taken back to the ground's frame. There the forces at the start drop out of it.
 double integrator_loss(const ContactSystem &system, const StepTerms &terms, const GeneralizedAlpha &scheme,
                        const Eigen::VectorXd &du, const Eigen::VectorXd &da, const Eigen::VectorXd &R_old,
                        const SystemState &now) {
@@ -76,10 +86,10 @@ double integrator_loss(const ContactSystem &system, const StepTerms &terms, cons
   const GroundStep &ground = *terms.ground;
   const Eigen::VectorXd du_absolute = du + system.translation(ground.displacement),
                         da_absolute = da + system.translation(ground.a_new - ground.a_old),
-                        F_old = R_old + system.gravity(ground.a_old), F_new = now.R + system.gravity(ground.a_new),
-                        carried = system.translation(ground.velocity), momentum = system.mass_times(carried);
-  return scheme.loss(terms.dt, du_absolute, da_absolute, system.mass_times(da_absolute), F_old, F_new) +
-         0.5 * ((R_old + now.R).dot(du) - (F_old + F_new).dot(du_absolute)) + momentum.dot(now.v + 0.5 * carried);
+                        F = now.R + system.gravity(ground.a_new), carried = system.translation(ground.velocity),
+                        momentum = system.mass_times(carried);
+  return scheme.loss(terms.dt, du_absolute, da_absolute, system.mass_times(da_absolute), F, F) +
+         0.5 * (R_old + now.R).dot(du) - F.dot(du_absolute) + momentum.dot(now.v + 0.5 * carried);
 }
 
 NextMultipliers next_multipliers(const StepOptions &options, const ContactStepReport &report) {
@@ -100,7 +110,7 @@ ContactStepReport static_step(ContactSystem &system, SystemState &state, const S
 ContactStepReport time_step(ContactSystem &system, SystemState &state, const StepTerms &terms,
                             const StepOptions &options) {
   Inertia inertia(GeneralizedAlpha::from(options.rho_inf), terms.dt, state);
-  if (terms.ground) inertia.ride(*terms.ground, [&](const Eigen::Vector3d &way) { return system.translation(way); });
+  if (terms.ground) ride(inertia, system, *terms.ground);
   StepTerms in_time = terms;
   in_time.inertia = &inertia;
   if (options.expects && state.last_dt > 0) in_time.expected = terms.dt / state.last_dt;

@@ -47,15 +47,6 @@ struct Inertia {
   Inertia(const GeneralizedAlpha &scheme, double dt, const SystemState &old)
       : scheme(scheme), dt(dt), u_predicted(scheme.predicted_displacement(old.u, old.v, old.a, dt)),
         v_predicted(scheme.predicted_velocity(old.v, old.a, dt)), a_old(old.a) {}
-  /// Displacements are of a frame that rides on the ground: the scheme is of the absolute motion, so that its error is
-  /// that of the forces between the bodies, not of the shaking. `by_equation` makes a translation of all bodies.
-  template <class ByEquation> void ride(const GroundStep &ground, const ByEquation &by_equation) {
-    u_predicted +=
-        by_equation(dt * dt * ((0.5 - scheme.beta) * ground.a_old + scheme.beta * ground.a_new) - ground.displacement);
-    v_predicted +=
-        by_equation(dt * ((1 - scheme.gamma) * ground.a_old + scheme.gamma * ground.a_new) - ground.velocity);
-    a_old -= by_equation(ground.a_new - ground.a_old);
-  }
   Eigen::VectorXd acceleration(const Eigen::VectorXd &u) const { return (u - u_predicted) / (scheme.beta * dt * dt); }
   double mass_factor() const { return (1 - scheme.alpha_m) / (scheme.beta * dt * dt); } ///< of the tangent [1/s^2]
   double velocity_factor() const { return scheme.gamma / (scheme.beta * dt); }          ///< dv/du [1/s]
