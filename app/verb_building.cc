@@ -132,6 +132,9 @@ void sweep_building(const BuildingOptions &options, Console &console) {
             buildings::simulate(frame, scene, buildings::bearings_of(frame, scene), false).summary);
       }};
   for (const auto &[name, text] : buildings::tables_of(frame)) model.inputs[frame.name + "/" + name] = sha256(text);
+  std::error_code none;
+  for (const auto &node : frame.nodes) // a name is in the tables; what a file holds is not
+    if (std::filesystem::is_regular_file(node.bearing, none)) model.inputs[node.bearing] = sha256_of_file(node.bearing);
   sweep_runs(options.sweep,
              {.scene = options.scene,
               .folder = options.folder,

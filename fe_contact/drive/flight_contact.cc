@@ -125,6 +125,8 @@ void FlightRun::refuse_passage(double outward_speed, bool bears) {
   const auto sentence = passes(scene_.bearing.rim, passage, bearing_.t);
   if (!sentence) return;
   save();
+  impact_.release_time = impact_.touch_time - 1; // never released, though the force may be nil at this instant
+  record_.impacts.push_back(impact_);
   throw SolverStopped(*sentence);
 }
 

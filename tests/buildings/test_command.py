@@ -148,6 +148,22 @@ class Building(Run, unittest.TestCase):
         self.assertEqual(other.returncode, 2, other.stderr)
         self.assertIn("another scene or other values", other.stderr)
 
+    def test_a_changed_bearing_file_makes_a_sweep_anew(self):
+        self.assertEqual(rimpact("new", os.path.join(self.scratch.name, "own")).returncode, 0)
+        bearing, frame = (os.path.join(self.scratch.name, name) for name in ("own/bearing.toml", "own-frame.toml"))
+        with open(frame, "w") as file:
+            file.write(f'name = "own"\nx_m = [0.0, 8.0]\ny_m = [0.0, 8.0]\nstoreys_m = [3.5]\n[bearings]\n1 = "{bearing}"\n')
+        short = [word for word in SHORT if word != "--quiet"]
+        for changed in (False, True):
+            if changed:
+                with open(bearing, "a") as file:
+                    file.write("# another batch\n")
+            run = rimpact("building", "ricker-0.78g-1.0s", "--frame", frame, "--sweep", "excitation.scale=0.5:1.05:2", "--json",
+                          "-o", os.path.join(self.scratch.name, "own-sweep"), *short)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertEqual(json.loads(run.stdout)["kept"], 0)
+            self.assertEqual("every run is made again" in run.stderr, changed, run.stderr)
+
     def test_refusals(self):
         folder = os.path.join(self.scratch.name, "refused")
         broken = os.path.join(self.scratch.name, "broken.toml")
