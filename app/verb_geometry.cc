@@ -6,7 +6,7 @@
 #include "app/shard.h"
 #include "app/sibling.h"
 #include "app/verb.h"
-#include "calibration/studies/geometry_study.h"
+#include "calibration/studies/wanted_pair.h"
 #include "files/file.h"
 #include "files/json_text.h"
 #include "responses/response.h"
@@ -18,6 +18,7 @@ namespace {
 struct GeometryOptions {
   std::string bearing = "shfps-225", folder = "results/geometry", shard;
   std::vector<std::string> ranges;
+  std::vector<double> pair; ///< k_i, e; empty: none is wanted
   calibration::GeometryOptions study;
 };
 
@@ -37,8 +38,28 @@ std::vector<calibration::GeometryRow> rows_of(const std::vector<Job> &jobs, Cons
   return rows;
 }
 
+/// To files and screen: the rows, their surrogates and, where a pair is wanted, the rims that return it.
+void write_study(const calibration::GeometryStudy &study, const std::optional<calibration::WantedPair> &wanted,
+                 const std::string &folder, Console &console) {
+  auto json = calibration::to_json(study);
+  std::string text = calibration::describe(study);
+  if (wanted) {
+    const auto region = calibration::pair_region(study, *wanted);
+    json["pair"] = region ? calibration::to_json(*region) : nullptr;
+    text += (region ? region->sentence : "No surrogate tells where the wanted pair is returned: take more samples.") + "\n";
+  }
+  write_atomically(json_text(json), folder + "/geometry.json");
+  write_atomically(calibration::to_csv(study), folder + "/geometry.csv");
+  console.data(console.json ? json_text(json) : text);
+}
+
 void run_geometry(GeometryOptions options, Console &console) {
   const auto [part, n_parts] = parse_shard(options.shard);
+  std::optional<calibration::WantedPair> wanted;
+  if (!options.pair.empty()) {
+    wanted = {options.pair[0], options.pair[1]};
+    wanted->validate();
+  }
   options.study.ranges = ranges_of(options.ranges, "--range");
   auto window = scene::load_scene("impact-window", console.settings());
   window.bearing = scene::load_bearing(options.bearing);
@@ -58,9 +79,7 @@ void run_geometry(GeometryOptions options, Console &console) {
   runner.run();
 
   const auto study = calibration::geometry_study(rows_of(jobs, console), window, options.study);
-  write_atomically(json_text(calibration::to_json(study)), options.folder + "/geometry.json");
-  write_atomically(calibration::to_csv(study), options.folder + "/geometry.csv");
-  console.data(console.json ? json_text(calibration::to_json(study)) : calibration::describe(study));
+  write_study(study, wanted, options.folder, console);
   if (!study.rows.empty() && python({"report.quick", "geometry", options.folder}) != 0)
     console.warn("the picture in " + options.folder + " was not made");
   if (interrupted()) throw Error(ExitCode::interrupted, "interrupted; the same command goes on where it stopped");
@@ -81,6 +100,9 @@ void add_geometry(CLI::App &app, Console &console) {
                    "(mm), yield_stress, tangent_modulus (MPa), speed (m/s); repeatable");
   verb->add_option("--strain-limit", options->study.strain_limit, "plastic strain at which a rim counts as lost")
       ->capture_default_str();
+  verb->add_option("--pair", options->pair, "K_I,E (kN/m, -): which of the rims return this pair, and at what speed")
+      ->expected(2)
+      ->delimiter(',');
   verb->add_option("--shard", options->shard, "I/N: every N-th run from the I-th on, with the same -o");
   console.add_common(*verb);
   console.add_json(*verb);

@@ -19,7 +19,7 @@ struct Set {
   double ratio;
 };
 /// Neighbours in `runs` (by speed), the widest first.
-std::vector<Set> sets_of(const Runs &runs) {
+std::vector<Set> neighbouring_sets(const Runs &runs) {
   std::vector<Set> sets;
   for (std::size_t i = 0; i < runs.size(); ++i)
     for (std::size_t j = i + fewest - 1; j < runs.size(); ++j)
@@ -124,7 +124,7 @@ std::optional<PairRange> pair_range(const Runs &given, const FitOptions &options
   FitOptions own = options_for(law, options);
   own.weights = {.force = 0, .displacement = 0}; // a pair is judged by peak force and rebound
   if (own.parameters.size() < 2) return {};      // held by the caller: not a pair to find
-  const std::vector<Set> sets = sets_of(runs);
+  const std::vector<Set> sets = neighbouring_sets(runs);
   std::vector<std::optional<PairRange>> ranges(sets.size());
   for (const double tolerance : tolerances) {
     std::vector<std::size_t> asked;

@@ -102,8 +102,8 @@ std::string to_csv(const GeometryStudy &study) {
     return name + "_" + unit;
   };
   std::string text = "name";
-  for (const auto &axis : geometry_axes()) text += "," + column(axis.name, axis.unit);
-  for (const auto &output : outputs) text += "," + column(output.name, output.unit);
+  for (const auto &axis : geometry_axes()) text += fmt::format(",{}", column(axis.name, axis.unit));
+  for (const auto &output : outputs) text += fmt::format(",{}", column(output.name, output.unit));
   for (const auto &row : study.rows) {
     text += "\n" + row.name;
     for (const double value : row.inputs) text += fmt::format(",{:.8g}", value);

@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from ..run_folder import Run
 from ..style import CYCLE, FE, FITTED, MUTED, WIDTH, figure, literal, plt, save, shared_legend
 from .catalogue import Entry
-from .pair import draw_pair
+from .pair import draw_pair, draw_region
 from .runs import Runs
 from .spectrum import draw_spectra
 
@@ -44,7 +44,7 @@ def draw(entry: Entry, runs: Runs, path: str) -> str | None:
 
 def _panel(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
     kind = panel.get("kind", "curves")
-    drawn = {"curves": _curves, "ellipses": _ellipses, "spectra": draw_spectra, "bars": _bars, "pair": draw_pair}[kind](ax, panel, runs)
+    drawn = {"curves": _curves, "ellipses": _ellipses, "spectra": draw_spectra, "bars": _bars, "pair": draw_pair, "region": draw_region}[kind](ax, panel, runs)
     ax.set_title(literal(panel.get("title", "")))
     ax.set_xlabel(panel.get("x_label", ""))
     ax.set_ylabel(panel.get("y_label", ""))

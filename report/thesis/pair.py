@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from matplotlib.axes import Axes
 
+from ..figures.geometry import region
 from ..style import FE, FITTED
 
 if TYPE_CHECKING:
@@ -45,3 +46,9 @@ def draw_pair(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
     ax.axhline(PUBLISHED[0 if panel["y"] == "k" else 1], color=FITTED, ls=(0, (4, 1.6)), label="published pair")
     ax.set_ylim(bottom=0)
     return True
+
+
+def draw_region(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
+    """Of a geometry study with --pair: where its rims return the published pair."""
+    study = runs.summary(panel["of"])
+    return bool(study) and region(ax, study.get("pair"), panel["x"], panel["y"], "published pair")

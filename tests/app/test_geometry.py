@@ -41,6 +41,10 @@ class Geometry(unittest.TestCase):
         with open(os.path.join(self.folder, "geometry.csv")) as file:
             self.assertEqual(len(list(csv.DictReader(file))), 12)
         self.assertGreater(os.path.getsize(os.path.join(self.folder, "geometry.png")), 1000)
+        wanted = self.geometry("--samples", "12", "--pair", "2e5,0.4", "--json")  # the stand-in's e knows no speed: no rim can be told
+        self.assertEqual(wanted.returncode, 0, wanted.stderr)
+        self.assertEqual(self.calls(), 12)
+        self.assertIsNone(json.loads(wanted.stdout)["pair"])
 
     def test_a_run_that_stops_does_not_lose_the_others(self):
         run = self.geometry("--samples", "4", "--json", STAND_IN_FAIL="g002")
@@ -50,7 +54,8 @@ class Geometry(unittest.TestCase):
     def test_bad_words_are_refused(self):
         for words, said in ((["--shard", "3/2"], "--shard 3/2"), (["--range", "rim_height"], "NAME=LOW:HIGH"),
                             (["--range", "rim_hight=50:70"], "did you mean"), (["--samples", "1"], "samples 1"),
-                            (["--range", "speed=0.5:0.1"], "LOW < HIGH")):
+                            (["--range", "speed=0.5:0.1"], "LOW < HIGH"), (["--pair", "4.5e5,1.2"], "e 1.2"),
+                            (["--pair", "4.5e5"], "--pair")):
             run = self.geometry(*words)
             self.assertEqual(run.returncode, 2, run.stderr)
             self.assertIn(said, run.stderr)

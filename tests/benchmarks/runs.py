@@ -1,16 +1,20 @@
 #!/usr/bin/env python3
 """Whole runs, each with its counts of work, its time and its error beside it.
 
-    runs.py RIMPACT [--rows NAME,...] [--against RIMPACT_BEFORE] [--work FOLDER] [--list]
+    runs.py RIMPACT [--rows NAME,...] [--against RIMPACT_BEFORE] [--work FOLDER] [--write FILE] [--list]
 
 Counts (Newton's iterations, GMRES's, factorisations) are the same on every machine; seconds are of processor time and this machine's.
 With --against each row is run by both programs, one after the other: ratios of one session, errors of the first against the second.
+--write keeps the table.
 """
 import argparse
 import json
+import math
 import os
 import pathlib
+import re
 import resource
+import statistics
 import subprocess
 import tempfile
 from typing import Any
@@ -30,13 +34,21 @@ ROWS = {
     "pulse-full": [*PULSE, "--rung", "full"],
     "pulse-bidirectional": ["pulse-bidirectional", "--rung", "rigid-dish"],
     "rim-push": ["rim-push", "--rung", "rim"],
+    "rim-push-mesh-2": ["rim-push", "--rung", "rim", "--mesh", "2"],
+    "window-rim-mesh-0": [*FAST[:1], "--rung", "rim", "--set", "excitation.speed_m_per_s=0.5", "--mesh", "0"],
+    "window-rim-mesh-1": [*FAST[:1], "--rung", "rim", "--set", "excitation.speed_m_per_s=0.5", "--mesh", "1"],
+    "window-rim-mesh-2": [*FAST[:1], "--rung", "rim", "--set", "excitation.speed_m_per_s=0.5", "--mesh", "2"],
+    "window-rim-mesh-3": [*FAST[:1], "--rung", "rim", "--set", "excitation.speed_m_per_s=0.5", "--mesh", "3"],
+    "window-rigid-dish-mesh-2": [*FAST, "--rung", "rigid-dish", "--mesh", "2"],
 }
 
 
 def run(program: str, arguments: list[str], folder: str) -> dict[str, Any]:
-    """The summary of a run, with its seconds of processor time."""
+    """The summary of a run on one rank, with its seconds of processor time."""
+    known = subprocess.run([program, "run", "--help"], capture_output=True, text=True).stdout
+    one_rank = ["--ranks", "1"] if "--ranks" in known else []
     before = resource.getrusage(resource.RUSAGE_CHILDREN)
-    result = subprocess.run([program, "run", *arguments, "-o", folder, "--ranks", "1", "--quiet", "--no-fields", "--force"], capture_output=True, text=True)
+    result = subprocess.run([program, "run", *arguments, *one_rank, "-o", folder, "--quiet", "--no-fields", "--force"], capture_output=True, text=True)
     after = resource.getrusage(resource.RUSAGE_CHILDREN)
     if result.returncode != 0:
         raise SystemExit(f"{' '.join(arguments)}: {result.stderr.strip().splitlines()[-1]}")
@@ -46,7 +58,8 @@ def run(program: str, arguments: list[str], folder: str) -> dict[str, Any]:
 
 
 def rebound(summary: dict[str, Any]) -> float:
-    return summary["impacts"][0]["restitution"] if summary["impacts"] else 0.0
+    """Restitution of the first impact, 0 where there is none."""
+    return (summary["impacts"][0]["restitution"] or 0.0) if summary["impacts"] else 0.0
 
 
 def counts(summary: dict[str, Any]) -> str:
@@ -57,12 +70,27 @@ def counts(summary: dict[str, Any]) -> str:
 
 def line(name: str, summary: dict[str, Any], other: dict[str, Any] | None = None) -> str:
     force = summary.get("peak_impact_force_N") or 0.0
-    text = f"{name:32s} {counts(summary)} {1e-3 * force:9.1f} {rebound(summary):7.4f} {summary['energy']['imbalance_relative']:10.1e}"
+    text = f"{name:32s} {summary['n_dofs']:8d} {counts(summary)} {1e-3 * force:9.1f} {rebound(summary):7.4f} {summary['energy']['imbalance_relative']:10.1e}"
     if other:
         there = other.get("peak_impact_force_N") or 0.0
         text += (f" | {counts(other)} | {summary['cpu_s'] / other['cpu_s']:6.3f} {100 * (force / there - 1) if there else 0:8.3f} "
                  f"{100 * (rebound(summary) / rebound(other) - 1) if rebound(other) else 0:8.3f}")
     return text
+
+
+def growth(done: dict[str, dict[str, Any]]) -> list[str]:
+    """For rows of one run on several meshes: the exponent of the unknowns that an iteration's seconds follow."""
+    families: dict[str, list[dict[str, Any]]] = {}
+    for name, summary in done.items():
+        if match := re.fullmatch(r"(.*)-mesh-\d", name):
+            families.setdefault(match[1], []).append(summary)
+    lines = []
+    for family, runs in families.items():
+        if len(runs) > 2:
+            x = [math.log(one["n_dofs"]) for one in runs]
+            y = [math.log(one["cpu_s"] / one["n_newton_iterations"]) for one in runs]
+            lines.append(f"{family}: seconds an iteration grow as unknowns^{statistics.linear_regression(x, y).slope:.2f} over {len(runs)} meshes")
+    return lines
 
 
 def main() -> None:
@@ -71,6 +99,7 @@ def main() -> None:
     parser.add_argument("--rows", default=",".join(list(ROWS)[:3]))
     parser.add_argument("--against")
     parser.add_argument("--work")
+    parser.add_argument("--write")
     parser.add_argument("--list", action="store_true")
     options = parser.parse_args()
     if options.list:
@@ -80,13 +109,19 @@ def main() -> None:
     if unknown := [name for name in names if name not in ROWS]:
         parser.error(f"no row is called {unknown[0]}; --list names them")
     head = " steps  Newton   GMRES factor    cpu s"
-    print(f"{'row':32s}{head}  force kN rebound  imbalance" + (f" |{head} | ratio  force %  rebound %" if options.against else ""))
+    text = [f"{'row':32s} unknowns{head}  force kN rebound  imbalance" + (f" |{head} | ratio  force %  rebound %" if options.against else "")]
+    print(text[0])
+    done: dict[str, dict[str, Any]] = {}
     with tempfile.TemporaryDirectory() as temporary:
         work = options.work or temporary
         for name in names:
-            own = run(options.program, ROWS[name], os.path.join(work, "own", name))
+            done[name] = run(options.program, ROWS[name], os.path.join(work, "own", name))
             other = run(options.against, ROWS[name], os.path.join(work, "other", name)) if options.against else None
-            print(line(name, own, other), flush=True)
+            text.append(line(name, done[name], other))
+            print(text[-1], flush=True)
+            if options.write:  # after every row, for a table takes hours
+                pathlib.Path(options.write).write_text("\n".join([*text, *growth(done)]) + "\n", encoding="utf-8")
+    print("\n".join(growth(done)))
 
 
 if __name__ == "__main__":

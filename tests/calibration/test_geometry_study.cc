@@ -1,4 +1,4 @@
-#include "calibration/studies/geometry_study.h"
+#include "calibration/studies/wanted_pair.h"
 #include "files/error.h"
 #include "synthetic.h"
 #include <gtest/gtest.h>
@@ -94,6 +94,44 @@ TEST(GeometryStudy, SaysWhetherTheRimSurvives) {
   EXPECT_EQ(to_csv(study).substr(0, 15), "name,rim_height");
   rows.resize(4);
   EXPECT_NE(geometry_study(rows, own, options).sentence.find("too few"), std::string::npos);
+}
+
+/// e = 0.65 at 0.2 m/s over thickness / 40 mm, k_i = 4.5e5 (thickness / 40 mm)^2: the region is known.
+TEST(GeometryStudy, KnowsWhichRimsReturnAWantedPair) {
+  const auto own = window(0.3);
+  GeometryOptions options;
+  options.samples = 40;
+  options.ranges["rim_thickness"] = {20, 80};
+  std::vector<GeometryRow> rows;
+  for (const auto &s : geometry_scenes(own, options)) {
+    GeometryRow row{.name = s.name, .inputs = {}, .k_i = 0, .e = 0, .peak_force = 1e6, .plastic_strain = 0.1};
+    for (const auto &axis : geometry_axes()) row.inputs.push_back(axis.get(s) / axis.si);
+    const double thickness = s.bearing.rim.thickness / 0.04, error = rows.size() % 2 ? 1.05 : 1 / 1.05;
+    row.e = 0.65 * std::sqrt(0.2 / thickness / s.excitation.speed), row.k_i = 4.5e5 * thickness * thickness * error;
+    rows.push_back(row);
+  }
+  const auto region = pair_region(geometry_study(rows, own, options), {4.5e5, 0.65});
+  ASSERT_TRUE(region);
+  EXPECT_EQ(region->n_rims, 40u);
+  EXPECT_GT(region->rims.size(), 35u);
+  EXPECT_NEAR(region->k_i_error, 0.06, 0.02);
+  int n_met = 0;
+  for (const auto &rim : region->rims) {
+    const double thickness = rim.inputs[1] / 40;
+    EXPECT_NEAR(rim.inputs.back() * thickness, 0.2, 1e-6);
+    EXPECT_NEAR(rim.k_i / (4.5e5 * thickness * thickness), 1, 0.03);
+    EXPECT_EQ(rim.met, std::abs(rim.k_i / 4.5e5 - 1) <= region->k_i_error);
+    n_met += rim.met;
+  }
+  EXPECT_GT(n_met, 0);
+  EXPECT_LT(n_met, 10);
+  EXPECT_EQ(to_json(*region)["n_met"], n_met);
+  EXPECT_NE(region->sentence.find("of 40 rims"), std::string::npos) << region->sentence;
+}
+
+TEST(GeometryStudy, RefusesAPairThatIsNone) {
+  EXPECT_THROW(pair_region({}, {0, 0.65}), InputError);
+  EXPECT_THROW(pair_region({}, {4.5e5, 1}), InputError);
 }
 
 TEST(GeometryRow, IsTheFitOfItsWindow) {
