@@ -46,7 +46,8 @@ void write_study(const calibration::GeometryStudy &study, const std::optional<ca
   if (wanted) {
     const auto region = calibration::pair_region(study, *wanted);
     json["pair"] = region ? calibration::to_json(*region) : nullptr;
-    text += (region ? region->sentence : "No surrogate tells where the wanted pair is returned: take more samples.") + "\n";
+    text +=
+        (region ? region->sentence : "No surrogate tells where the wanted pair is returned: take more samples.") + "\n";
   }
   write_atomically(json_text(json), folder + "/geometry.json");
   write_atomically(calibration::to_csv(study), folder + "/geometry.csv");

@@ -12,7 +12,8 @@ namespace {
 constexpr double smallest_fall = 0.01; ///< of e over the speeds: less is no dependence to solve for the speed
 
 /// Smallest and largest of one input over the rims that are taken, as "low to high".
-std::string span(const std::vector<RimAtPair> &rims, bool met_only, const std::function<double(const RimAtPair &)> &of) {
+std::string span(const std::vector<RimAtPair> &rims, bool met_only,
+                 const std::function<double(const RimAtPair &)> &of) {
   double low = HUGE_VAL, high = -HUGE_VAL;
   for (const auto &rim : rims)
     if (rim.met || !met_only) low = std::min(low, of(rim)), high = std::max(high, of(rim));
