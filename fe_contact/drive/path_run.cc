@@ -4,6 +4,7 @@
 #include "fe_contact/drive/forces.h"
 #include "fe_contact/drive/order.h"
 #include "fe_contact/drive/path_course.h"
+#include "fe_contact/drive/path_work.h"
 #include "fe_contact/drive/record_checkpoint.h"
 #include "fe_contact/drive/system_checkpoint.h"
 #include "files/error.h"
@@ -115,7 +116,7 @@ private:
     auto &ledger = record_.ledger;
     if (on_dish_) ledger.gravity += scene_.load.vertical * du.z();
     if (!height_driven) du.z() = 0;
-    ledger.external -= 0.5 * (force_before + force).dot(du);
+    ledger.external -= work_.add(force_before, force, du);
     ledger.elastic = model_.share() * state_.energies.elastic - rest_elastic_;
     ledger.plastic = model_.share() * state_.energies.plastic;
     for (const auto &report : state_.reports) {
@@ -145,6 +146,8 @@ private:
     put(file, record_);
     put(file, state_);
     file.numbers["path"] = {s, ds, rest_height_, rest_elastic_, pictured_};
+    file.numbers["path_way"] = {work_.way.x(), work_.way.y(), work_.way.z()};
+    file.numbers["path_change"] = {work_.change.x(), work_.change.y(), work_.change.z()};
     file.numbers["drive_way"] = {drive_.last_way.x(), drive_.last_way.y(), drive_.last_way.z()};
     file.numbers["drive_change"] = list(drive_.last_change);
     write_checkpoint(file, checkpoint_of(options_));
@@ -159,6 +162,8 @@ private:
     if (p[0] < 0 || p[0] > 1 || p[1] < 0 || p[1] > 1 || p[4] < -1 || p[4] > 1)
       file.damaged("field path holds a number it cannot");
     rest_height_ = p[2], rest_elastic_ = p[3], pictured_ = p[4];
+    const auto &step = file.field("path_way", 3), &change = file.field("path_change", 3);
+    work_ = {{step[0], step[1], step[2]}, {change[0], change[1], change[2]}};
     const auto &way = file.field("drive_way", 3);
     drive_.last_way = {way[0], way[1], way[2]};
     drive_.last_change = vector(drive_.last_way.squaredNorm() > 0 ? file.field("drive_change", state_.u.size())
@@ -178,6 +183,7 @@ private:
   const Eigen::VectorXd load_;
   const StepOptions steps_;
   TopDrive drive_;
+  PathWork work_;
   double rest_height_ = 0;  ///< of the top face under the load [m]
   double rest_elastic_ = 0; ///< energy of the preload, not counted [J]
   double pictured_ = -1;    ///< load parameter of the last fields; -1: none

@@ -60,8 +60,12 @@ TEST_F(MeshesOfOneBearing, MaterialMemoryStaysWhereItIsInPadFootAndTheOldDent) {
     const double angle = std::abs(std::atan2(x.y(), x.x())), r = x.head<2>().norm();
     const bool dent = r > 0.43 && angle < 0.03,
                kept = volume == meshes::Volume::pad || volume == meshes::Volume::foot || dent;
-    if (kept) EXPECT_NEAR(carried[k].alpha, strain(x), 1e-12) << x.transpose();
-    if (r > 0.43 && angle > 1.02) EXPECT_EQ(carried[k].alpha, 0);
+    if (kept) {
+      EXPECT_NEAR(carried[k].alpha, strain(x), 1e-12) << x.transpose();
+    }
+    if (r > 0.43 && angle > 1.02) {
+      EXPECT_EQ(carried[k].alpha, 0);
+    }
     same += kept, virgin += carried[k].alpha == 0;
   }
   EXPECT_GT(same, 1000);
