@@ -87,7 +87,7 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations_.n);
   if (with_tangent && exactly) solid_.forget_tangents();
   SymmetricMatrix *solid_tangent = with_tangent ? &tangent_->symmetric() : nullptr;
-  if (solid_tangent) solid_tangent->set_zero();
+  if (solid_tangent) start_tangent(*solid_tangent);
   trial_.energies = {};
   {
     const Stopwatch watch(time_split["assembly"]);
@@ -97,11 +97,6 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_
   }
   const Stopwatch watch(time_split["search"]);
   const double spent = forces.cwiseAbs().norm();
-  // Of the tangent every rank has the share of its cells and faces, and the first one what belongs to none.
-  if (with_tangent && terms_->inertia && ranks().first()) {
-    const double factor = terms_->inertia->mass_factor();
-    for (std::size_t k = 0; k < mass_->n_entries(); ++k) solid_tangent->values()[k] += factor * mass_->values()[k];
-  }
   if (with_tangent) tangent_->close_symmetric();
   if (!ranks().first()) forces.setZero(); // until they are summed up with the contacts'
   pattern_holds = assemble_contacts(displacements, forces, with_tangent ? tangent_.get() : nullptr);
@@ -121,6 +116,14 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_
   }
   if (!terms_->driven.empty()) drive(u, with_tangent);
   return residual_.allFinite();
+}
+
+/// Of the tangent every rank has the share of its cells and faces, and the first one what belongs to none: the masses.
+void ContactSystem::start_tangent(SymmetricMatrix &tangent) const {
+  if (!terms_->inertia || !ranks().first()) return tangent.set_zero();
+  const double factor = terms_->inertia->mass_factor();
+  std::transform(mass_->values().begin(), mass_->values().end(), tangent.values().begin(),
+                 [factor](double mass) { return factor * mass; });
 }
 
 /// Coordinates are known to rounding, forces therefore to rounding times stiffness times size.

@@ -129,6 +129,7 @@ private:
   void make_pattern(const Eigen::VectorXd &displacements, const std::vector<SurfaceContactState> &states);
   bool evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_tangent, bool &pattern_holds);
   bool assemble_contacts(const Eigen::VectorXd &displacements, Eigen::VectorXd &forces, Tangent *tangent);
+  void start_tangent(SymmetricMatrix &tangent) const;
   void take_diagonal();
   void add_inertia(const Eigen::VectorXd &u);
   void add_remote(const Eigen::VectorXd &u, bool with_tangent);

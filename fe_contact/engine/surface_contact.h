@@ -142,8 +142,9 @@ private:
       dN[n++][1] = by_eta;
     }
   };
-  std::vector<std::size_t> starts_of_ranks() const; ///< of the points, whole faces each
-  void hand_round(SurfaceContactState &state, SurfaceContactReport &report) const;
+  /// Of the faces: where each rank's begin, so that all have as much to do. Before the state is written over.
+  std::vector<std::size_t> shares_of_ranks(const SurfaceContactState &state) const;
+  void hand_round(std::vector<std::size_t> starts, SurfaceContactState &state, SurfaceContactReport &report) const;
   Eigen::Vector3d position(const FacePoint &point, const Eigen::VectorXd &u) const;
   /// Empty where nothing is opposite.
   std::optional<Coupling> couple(std::size_t k, const Eigen::VectorXd &u, int guess, double beyond) const;

@@ -116,7 +116,7 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
   CoulombContact law = options_.law;
   law.normal_penalty *= state.stiffening;
   law.tangential_penalty *= state.stiffening;
-  const std::vector<std::size_t> starts = ranks().starts(faces_.size());
+  const std::vector<std::size_t> starts = shares_of_ranks(state);
   const std::size_t first = starts[ranks().own], n = starts[ranks().own + 1] - first;
   std::vector<FaceResult> results(n);
   const int workers = assembly_threads();
@@ -129,7 +129,7 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
     report.add(result.report);
     for (auto &pair : result.pairs) flush(pair, equations, forces, tangent);
   }
-  hand_round(state, report);
+  hand_round(starts, state, report);
   return report;
 }
 
@@ -145,15 +145,28 @@ void SurfaceContactReport::add(const SurfaceContactReport &other) {
   pattern_holds = pattern_holds && other.pattern_holds;
 }
 
-std::vector<std::size_t> SurfaceContact::starts_of_ranks() const {
-  std::vector<std::size_t> starts = ranks().starts(faces_.size());
-  for (auto &start : starts) start *= options_.points * options_.points;
+/// Contact is in patches: by numbers of faces one rank would have them all.
+std::vector<std::size_t> SurfaceContact::shares_of_ranks(const SurfaceContactState &state) const {
+  if (ranks().size == 1) return {0, faces_.size()};
+  constexpr std::size_t searched = 2, bearing = 6; // work of a point, roughly, where a face without any costs 1
+  const std::size_t per_face = options_.points * options_.points;
+  std::vector<std::size_t> work{0};
+  for (std::size_t f = 0; f < faces_.size(); ++f) {
+    std::size_t sum = 1;
+    for (std::size_t k = f * per_face; k < (f + 1) * per_face; ++k)
+      if (state.covered[k]) sum += state.status[k] == ContactStatus::open ? searched : bearing;
+    work.push_back(work.back() + sum);
+  }
+  std::vector<std::size_t> starts;
+  for (const std::size_t due : ranks().starts(work.back()))
+    starts.push_back(std::lower_bound(work.begin(), work.end(), due) - work.begin());
   return starts;
 }
 
-void SurfaceContact::hand_round(SurfaceContactState &state, SurfaceContactReport &report) const {
+void SurfaceContact::hand_round(std::vector<std::size_t> starts, SurfaceContactState &state,
+                                SurfaceContactReport &report) const {
   if (ranks().size == 1) return;
-  const std::vector<std::size_t> starts = starts_of_ranks();
+  for (auto &start : starts) start *= options_.points * options_.points; // of points, whole faces each
   ranks().hand_round(state.gap, starts);
   ranks().hand_round(state.pressure, starts);
   ranks().hand_round(state.friction, starts);

@@ -18,22 +18,26 @@ GeneralMatrix::GeneralMatrix(const SymmetricMatrix &pattern) {
   for (int i = 0; i < n; ++i) starts_[i + 1] = starts_[i] + count[i];
   columns_.resize(starts_[n]);
   values_.assign(starts_[n], 0.0);
-  upper_.resize(columns.size());
-  lower_.resize(columns.size());
+  from_.resize(starts_[n]);
+  diagonals_.assign(starts_.begin(), starts_.end() - 1);
   // Row by row, the lower entries of a row come from the rows above it, so columns come out sorted.
   std::vector<int> next(starts_.begin(), starts_.end() - 1);
   for (int i = 0; i < n; ++i)
     for (int k = starts[i]; k < starts[i + 1]; ++k) {
-      const int j = columns[k];
-      columns_[upper_[k] = next[i]++] = j;
-      lower_[k] = upper_[k];
-      if (j != i) columns_[lower_[k] = next[j]++] = i;
+      const int j = columns[k], upper = next[i]++;
+      columns_[upper] = j, from_[upper] = k;
+      if (j == i) {
+        diagonals_[i] = upper;
+        continue;
+      }
+      const int lower = next[j]++;
+      columns_[lower] = i, from_[lower] = k;
     }
 }
 
 void GeneralMatrix::assign(const SymmetricMatrix &symmetric) {
   const auto &values = symmetric.values();
-  for (std::size_t k = 0; k < values.size(); ++k) values_[upper_[k]] = values_[lower_[k]] = values[k];
+  for (std::size_t k = 0; k < values_.size(); ++k) values_[k] = values[from_[k]];
 }
 
 int GeneralMatrix::place(int row, int column) const {
@@ -59,7 +63,7 @@ void GeneralMatrix::add_row(int row, const std::vector<int> &columns, const doub
 
 void GeneralMatrix::make_unit_row(int row, double diagonal) {
   std::fill(values_.begin() + starts_[row], values_.begin() + starts_[row + 1], 0.0);
-  values_[place(row, row)] = diagonal;
+  values_[diagonals_[row]] = diagonal;
 }
 
 Eigen::VectorXd GeneralMatrix::multiply(const Eigen::VectorXd &x) const {

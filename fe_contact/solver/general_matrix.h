@@ -20,7 +20,7 @@ public:
   void add_row(int row, const std::vector<int> &columns, const double *values);
   /// The row becomes `diagonal` times the unit row.
   void make_unit_row(int row, double diagonal);
-  double diagonal(int row) const { return values_[place(row, row)]; }
+  double diagonal(int row) const { return values_[diagonals_[row]]; }
   Eigen::VectorXd multiply(const Eigen::VectorXd &x) const;
 
   std::vector<int> &starts() { return starts_; }
@@ -33,7 +33,8 @@ public:
 private:
   int place(int row, int column) const;
   std::vector<int> starts_, columns_;
-  std::vector<int> upper_, lower_; ///< where each entry of the symmetric matrix goes
+  std::vector<int> diagonals_; ///< where they stand
+  std::vector<int> from_;      ///< which entry of the symmetric matrix each takes
   std::vector<double> values_;
 };
 

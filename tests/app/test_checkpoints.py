@@ -13,7 +13,7 @@ from checkpoints import copy_of, every_field, numbers, replace, reseal, with_ent
 from command import RIMPACT, rimpact
 
 EVERY = int(os.environ.get("RIMPACT_EVERY_FIELD", "1"))  # damages of one field in so many, the others by the slow suite
-WINDOW = ["run", "impact-window", "--mesh", "0", "--set", "excitation.speed_m_per_s=0.05", "--quiet"]
+WINDOW = ["run", "impact-window", "--mesh", "0", "--set", "excitation.speed_m_per_s=0.05", "--set", "excitation.duration_s=0.015", "--quiet"]
 
 
 def contents(folder):

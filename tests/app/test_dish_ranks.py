@@ -11,8 +11,7 @@ from command import on_two_ranks, rimpact
 
 TOUCH = ["run", "impact-window", "--rung", "rigid-dish", "--set", 'excitation.with=["weight","friction"]', "--set",
          "excitation.speed_m_per_s=0.5", "--set", "excitation.duration_s=0.0005", "--no-fields", "--quiet"]
-
-
+SEAT = ["--mesh", "0", "--set", 'bearing.contact.pad_foot="frictional"']
 RIM = ["run", "impact-window", "--mesh", "0", "--set", "excitation.speed_m_per_s=0.1", "--set", "bearing.contact.rim=0.1", "--no-fields", "--quiet"]
 
 
@@ -30,6 +29,9 @@ def vector(name):
 class Ranks(unittest.TestCase):
     def test_a_touch_is_that_of_one_rank(self):
         self.alike(TOUCH, 1e-7)
+
+    def test_a_touch_with_a_frictional_seat_is_that_of_one_rank(self):
+        self.alike([*TOUCH, *SEAT], 1e-6)
 
     def test_a_window_on_rung_rim_is_that_of_one_rank(self):
         self.alike(RIM, 1e-5)

@@ -13,6 +13,7 @@ from test_checkpoints import steps_kept
 
 # On one rank: shared out, MUMPS sums up in the order in which messages come.
 LOOP = ["run", "static-unidirectional", "--ranks", "1", "--quiet"]
+SEAT = ["--mesh", "0", "--set", 'bearing.contact.pad_foot="frictional"']  # the pad rubs in the foot's recess
 
 
 def run_until_next_checkpoint(folder, *more):
@@ -30,14 +31,20 @@ def run_until_next_checkpoint(folder, *more):
 
 class Resume(unittest.TestCase):
     def test_interrupted_in_mid_slide(self):
+        self.goes_on()
+
+    def test_with_a_frictional_seat(self):
+        self.goes_on(*SEAT)
+
+    def goes_on(self, *more):
         with tempfile.TemporaryDirectory() as folder:
             whole, halves = os.path.join(folder, "whole"), os.path.join(folder, "halves")
-            first = run_until_next_checkpoint(halves)
-            second = run_until_next_checkpoint(halves, "--resume")
+            first = run_until_next_checkpoint(halves, *more)
+            second = run_until_next_checkpoint(halves, *more, "--resume")
             self.assertEqual([first["counts"][0], second["counts"][0]], [10, 20])
             for name in ("seconds_wall", "seconds_assembly", "seconds_solve"):
                 self.assertGreater(second[name][0], first[name][0])
-            process = subprocess.Popen([RIMPACT, *LOOP, "-o", whole], stderr=subprocess.PIPE)
+            process = subprocess.Popen([RIMPACT, *LOOP, *more, "-o", whole], stderr=subprocess.PIPE)
             path, straight = os.path.join(whole, "checkpoint.h5"), None
             while process.poll() is None and straight is None:
                 time.sleep(0.05)
@@ -50,7 +57,7 @@ class Resume(unittest.TestCase):
                 if name.startswith("seconds_"):
                     continue  # what it took, and that of both processes
                 self.assertTrue(np.array_equal(values, straight[name], equal_nan=True), name)
-            other = rimpact(*LOOP, "-o", halves, "--resume", "--set", "model.mesh=2")
+            other = rimpact(*LOOP, *more, "-o", halves, "--resume", "--set", "model.mesh=2")
             self.assertEqual(other.returncode, 3)
             self.assertIn("another", other.stderr)
 
