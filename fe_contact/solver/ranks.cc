@@ -1,5 +1,6 @@
 #include "fe_contact/solver/ranks.h"
 
+#include <algorithm>
 #include <limits>
 #include <mpi.h>
 #include <stdexcept>
@@ -31,6 +32,45 @@ struct Shares {
       places.push_back(static_cast<int>(starts[r] * each));
       lengths.push_back(static_cast<int>((starts[r + 1] - starts[r]) * each));
     }
+  }
+};
+
+constexpr std::size_t block = 32; ///< entries that travel together
+
+/// What each rank has for the others of a long vector that is mostly nil: the blocks that are not, and their places.
+struct Parcels {
+  explicit Parcels(int n_ranks) : counts(n_ranks, 0) {}
+  std::vector<int> counts; ///< blocks of each rank
+  std::vector<int> places; ///< in the receiver's share
+  std::vector<double> values;
+
+  void pack(const double *share, std::size_t n, int receiver) {
+    for (std::size_t k = 0; k < n; k += block) {
+      const double *first = share + k, *last = share + std::min(n, k + block);
+      if (std::all_of(first, last, [](double value) { return value == 0; })) continue;
+      ++counts[receiver];
+      places.push_back(static_cast<int>(k));
+      values.insert(values.end(), first, last);
+      values.resize(places.size() * block);
+    }
+  }
+  void exchange(Parcels &got) const {
+    MPI_Alltoall(counts.data(), 1, MPI_INT, got.counts.data(), 1, MPI_INT, MPI_COMM_WORLD);
+    const Shares out(ends_of(counts), 1), in(ends_of(got.counts), 1);
+    got.places.resize(in.places.back() + in.lengths.back());
+    got.values.resize(got.places.size() * block);
+    MPI_Alltoallv(places.data(), out.lengths.data(), out.places.data(), MPI_INT, got.places.data(), in.lengths.data(),
+                  in.places.data(), MPI_INT, MPI_COMM_WORLD);
+    const Shares out_values(ends_of(counts), block), in_values(ends_of(got.counts), block);
+    MPI_Alltoallv(values.data(), out_values.lengths.data(), out_values.places.data(), MPI_DOUBLE, got.values.data(),
+                  in_values.lengths.data(), in_values.places.data(), MPI_DOUBLE, MPI_COMM_WORLD);
+  }
+
+private:
+  static std::vector<std::size_t> ends_of(const std::vector<int> &counts) {
+    std::vector<std::size_t> result{0};
+    for (const int count : counts) result.push_back(result.back() + count);
+    return result;
   }
 };
 
@@ -74,9 +114,15 @@ bool Ranks::any(bool value) const {
 
 void Ranks::sum_to_owners(const std::vector<double> &values, const std::vector<std::size_t> &starts,
                           std::vector<double> &own_share) const {
-  const Shares shares(starts, 1);
-  own_share.resize(shares.lengths[own]);
-  MPI_Reduce_scatter(values.data(), own_share.data(), shares.lengths.data(), MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  Parcels sent(size), got(size);
+  for (int r = 0; r < size; ++r)
+    if (r != own) sent.pack(values.data() + starts[r], starts[r + 1] - starts[r], r);
+  sent.exchange(got);
+  own_share.assign(values.begin() + starts[own], values.begin() + starts[own + 1]);
+  for (std::size_t k = 0; k < got.places.size(); ++k) {
+    const std::size_t place = got.places[k], length = std::min(block, own_share.size() - place);
+    for (std::size_t i = 0; i < length; ++i) own_share[place + i] += got.values[k * block + i];
+  }
 }
 
 void Ranks::hand_round_bytes(void *data, std::size_t bytes_each, const std::vector<std::size_t> &starts) const {
