@@ -239,22 +239,5 @@ TEST(Carried, MovedTogetherNothingSlips) {
   EXPECT_LT(report.force.head<2>().norm(), 0.06 * report.force.z()); // the sphere's slope there is 0.01
 }
 
-TEST(GeneralMatrix, MultipliesSolvesAndRefusesEntriesOutsideItsPattern) {
-  const SymmetricMatrix pattern(4, {{0, 1, 2}, {2, 3}});
-  GeneralMatrix matrix(pattern);
-  Eigen::Matrix4d dense = Eigen::Matrix4d::Zero();
-  for (const auto &[i, j, value] : std::vector<std::tuple<int, int, double>>{
-           {0, 0, 4}, {0, 1, 1}, {1, 0, -2}, {1, 1, 5}, {2, 2, 3}, {2, 3, 1}, {3, 2, 0.5}, {3, 3, 6}, {0, 2, 0.7}}) {
-    matrix.add(i, j, value);
-    dense(i, j) += value;
-  }
-  const Eigen::Vector4d x(1, -2, 0.5, 3);
-  EXPECT_LT((matrix.multiply(x) - dense * x).norm(), 1e-14);
-  EXPECT_THROW(matrix.add(0, 3, 1.0), std::logic_error);
-  matrix.make_unit_row(1, 2.0);
-  dense.row(1) << 0, 2, 0, 0;
-  EXPECT_LT((matrix.multiply(x) - dense * x).norm(), 1e-14);
-}
-
 } // namespace
 } // namespace rimpact::fe

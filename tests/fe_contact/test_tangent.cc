@@ -3,6 +3,7 @@
 #include "fe_contact/solver/tangent.h"
 
 #include <gtest/gtest.h>
+#include <tuple>
 
 namespace rimpact::fe {
 namespace {
@@ -108,6 +109,23 @@ TEST(Tangent, FrictionThatIsSetOnTheWayMakesItWhole) {
     iterations[block == &late] = step.iterations;
   }
   EXPECT_EQ(iterations[0], iterations[1]);
+}
+
+TEST(GeneralMatrix, MultipliesSolvesAndRefusesEntriesOutsideItsPattern) {
+  const SymmetricMatrix pattern(4, {{0, 1, 2}, {2, 3}});
+  GeneralMatrix matrix(pattern);
+  Eigen::Matrix4d dense = Eigen::Matrix4d::Zero();
+  for (const auto &[i, j, value] : std::vector<std::tuple<int, int, double>>{
+           {0, 0, 4}, {0, 1, 1}, {1, 0, -2}, {1, 1, 5}, {2, 2, 3}, {2, 3, 1}, {3, 2, 0.5}, {3, 3, 6}, {0, 2, 0.7}}) {
+    matrix.add(i, j, value);
+    dense(i, j) += value;
+  }
+  const Eigen::Vector4d x(1, -2, 0.5, 3);
+  EXPECT_LT((matrix.multiply(x) - dense * x).norm(), 1e-14);
+  EXPECT_THROW(matrix.add(0, 3, 1.0), std::logic_error);
+  matrix.make_unit_row(1, 2.0);
+  dense.row(1) << 0, 2, 0, 0;
+  EXPECT_LT((matrix.multiply(x) - dense * x).norm(), 1e-14);
 }
 
 } // namespace

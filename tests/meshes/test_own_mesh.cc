@@ -1,8 +1,6 @@
 // Meshes drawn elsewhere: read, checked against the bearing, put where a rung wants them.
 #include "files/error.h"
-#include "meshes/cell_nodes.h"
 #include "meshes/exact_surfaces.h"
-#include "meshes/hex_order.h"
 #include "meshes/rim_mesh.h"
 #include "meshes/stack_mesh.h"
 
@@ -216,25 +214,6 @@ TEST(OwnMesh, WeldedBodiesAreRefused) {
                     if (node == on_side) node = on_wall;
               }),
               "rim and upper_slider are welded: they share 1 nodes");
-}
-
-/// Corners, edges and the rest of a cell under a quadratic map: 20 nodes determine it but for the highest products.
-TEST(CellNodes, TwentyNodesAreCompletedBySerendipity) {
-  const auto place = [](double x, double y, double z) {
-    return std::array{x + 0.1 * y * y, y + 0.05 * x * z, z + 0.1 * x * y};
-  };
-  HexMesh mesh;
-  std::vector<unsigned> twenty;
-  for (int a = 0; a < 20; ++a) {
-    mesh.nodes.push_back(place(hex27[a][0], hex27[a][1], hex27[a][2]));
-    twenty.push_back(a);
-  }
-  CellNodes complete(mesh);
-  const auto cell = complete(twenty);
-  for (int a = 20; a < 27; ++a) {
-    const auto wanted = place(hex27[a][0], hex27[a][1], hex27[a][2]);
-    for (int i = 0; i < 3; ++i) EXPECT_NEAR(mesh.nodes[cell[a]][i], wanted[i], 1e-14) << a;
-  }
 }
 
 /// Rim sector and slider without their foot and socket, drawn with OpenCASCADE; a STEP file knows neither groups nor
