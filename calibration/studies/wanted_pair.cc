@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
+#include <set>
 
 namespace rimpact::calibration {
 
@@ -57,10 +58,13 @@ std::optional<PairRegion> pair_region(const GeometryStudy &study, const WantedPa
   PairRegion region{.wanted = wanted,
                     .speed_error = e->left_out_rms / std::abs(e->exponents[v]),
                     .k_i_error = k_i->left_out_rms,
-                    .n_rims = study.rows.size(),
+                    .n_rims = 0,
                     .rims = {},
                     .sentence = {}};
+  std::set<std::vector<double>> seen; // the bearing's own rim stands in the study at several speeds
   for (const auto &row : study.rows) {
+    if (!seen.insert({row.inputs.begin(), row.inputs.end() - 1}).second) continue;
+    ++region.n_rims;
     RimAtPair rim{.name = row.name, .inputs = row.inputs, .k_i = 0, .met = false};
     rim.inputs[v] *= std::pow(wanted.e / e->at(row.inputs), 1 / e->exponents[v]); // a product of powers, solved for v
     if (!e->covers(rim.inputs)) continue;

@@ -21,7 +21,7 @@ struct RimAtPair {
 struct PairRegion {
   WantedPair wanted;
   double speed_error, k_i_error; ///< relative, rms: of e's surrogate over its exponent of speed, of k_i's
-  std::size_t n_rims;            ///< in the study
+  std::size_t n_rims;            ///< in the study, each once
   std::vector<RimAtPair> rims;   ///< those that return e within the speeds computed
   std::string sentence;
 };

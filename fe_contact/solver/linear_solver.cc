@@ -21,16 +21,20 @@ void LinearSolver::forget() {
 
 Eigen::VectorXd LinearSolver::iterate(const Eigen::VectorXd &right_side, double relative, int max_iterations) {
   const Stopwatch watch(times_["solve"]);
-  return gmres_.solve(right_side, relative, max_iterations);
+  Eigen::VectorXd result = gmres_.solve(right_side, relative, max_iterations);
+  last_iterations_ += gmres_.last_iterations();
+  return result;
 }
 
 Eigen::VectorXd LinearSolver::solve(const Eigen::VectorXd &right_side, double relative, int max_iterations) {
+  last_iterations_ = 0;
   if (!factorised_) return {};
   gmres_.take_values();
   return iterate(right_side, relative, max_iterations);
 }
 
 Eigen::VectorXd LinearSolver::solve_anew(const Eigen::VectorXd &right_side, double relative, int max_iterations) {
+  last_iterations_ = 0;
   gmres_.take_values();
   Eigen::VectorXd result;
   if (factorise()) result = iterate(right_side, relative, max_iterations);

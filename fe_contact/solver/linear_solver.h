@@ -22,7 +22,8 @@ public:
   Eigen::VectorXd solve(const Eigen::VectorXd &right_side, double relative, int max_iterations);
   /// The same with a factor of the present values. Empty when the matrix is singular.
   Eigen::VectorXd solve_anew(const Eigen::VectorXd &right_side, double relative, int max_iterations);
-  int last_iterations() const { return gmres_.last_iterations(); }
+  /// GMRES's for the last right side: 0 where no factor was at hand.
+  int last_iterations() const { return last_iterations_; }
   /// Forgets the factor, as a new solver has none; what was found out about the pattern stays.
   void forget();
   /// The factor took GMRES many iterations when last used with a new right side of Newton's: it is to be renewed.
@@ -37,6 +38,7 @@ private:
   Precision precision_ = Precision::single_;
   std::unique_ptr<MumpsFactor> factor_; ///< null: none of this pattern yet
   bool factorised_ = false;
+  int last_iterations_ = 0;
   FlexibleGmres gmres_;
   TimeSplit &times_;
 };

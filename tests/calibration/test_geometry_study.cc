@@ -112,8 +112,8 @@ TEST(GeometryStudy, KnowsWhichRimsReturnAWantedPair) {
   }
   const auto region = pair_region(geometry_study(rows, own, options), {4.5e5, 0.65});
   ASSERT_TRUE(region);
-  EXPECT_EQ(region->n_rims, 40u);
-  EXPECT_GT(region->rims.size(), 35u);
+  EXPECT_EQ(region->n_rims, 38u) << "the bearing's own stands there three times";
+  EXPECT_GT(region->rims.size(), 33u);
   EXPECT_NEAR(region->k_i_error, 0.06, 0.02);
   int n_met = 0;
   for (const auto &rim : region->rims) {
@@ -126,7 +126,7 @@ TEST(GeometryStudy, KnowsWhichRimsReturnAWantedPair) {
   EXPECT_GT(n_met, 0);
   EXPECT_LT(n_met, 10);
   EXPECT_EQ(to_json(*region)["n_met"], n_met);
-  EXPECT_NE(region->sentence.find("of 40 rims"), std::string::npos) << region->sentence;
+  EXPECT_NE(region->sentence.find("of 38 rims"), std::string::npos) << region->sentence;
 }
 
 TEST(GeometryStudy, RefusesAPairThatIsNone) {
