@@ -57,7 +57,7 @@ class Resume(unittest.TestCase):
                 if name.startswith("seconds_"):
                     continue  # what it took, and that of both processes
                 self.assertTrue(np.array_equal(values, straight[name], equal_nan=True), name)
-            other = rimpact(*LOOP, *more, "-o", halves, "--resume", "--set", "model.mesh=2")
+            other = rimpact(*LOOP, *more, "-o", halves, "--resume", "--set", "excitation.amplitude_m=0.2")
             self.assertEqual(other.returncode, 3)
             self.assertIn("another", other.stderr)
 
