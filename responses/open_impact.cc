@@ -2,6 +2,12 @@
 
 namespace rimpact {
 
+Impact left_open(Impact impact) {
+  impact.release_time = impact.touch_time - 1;
+  impact.rebound_speed = 0;
+  return impact;
+}
+
 void leave_last_impact_open(const Response &r, Summary &s) {
   if (r.size() == 0 || !r.has("impact_x") || !r.has("impact_y")) return;
   if (r.series("impact_x").back() == 0 && r.series("impact_y").back() == 0) return;
@@ -11,8 +17,7 @@ void leave_last_impact_open(const Response &r, Summary &s) {
   const bool listed = !s.impacts.empty() && (s.impacts.back().release_time < s.impacts.back().touch_time ||
                                              s.impacts.back().release_time >= last.touch_time);
   if (!listed) s.impacts.push_back(last);
-  s.impacts.back().release_time = s.impacts.back().touch_time - 1; // before its touch: not released
-  s.impacts.back().rebound_speed = 0;
+  s.impacts.back() = left_open(s.impacts.back());
 }
 
 } // namespace rimpact

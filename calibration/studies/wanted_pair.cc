@@ -12,27 +12,41 @@ namespace {
 
 constexpr double smallest_fall = 0.01; ///< of e over the speeds: less is no dependence to solve for the speed
 
-/// Smallest and largest of one input over the rims that are taken, as "low to high".
-std::string span(const std::vector<RimAtPair> &rims, bool met_only,
-                 const std::function<double(const RimAtPair &)> &of) {
-  double low = HUGE_VAL, high = -HUGE_VAL;
+using Value = std::function<double(const RimAtPair &)>;
+
+double speed(const RimAtPair &rim) {
+  return rim.inputs.back();
+}
+double stiffness(const RimAtPair &rim) {
+  return rim.k_i;
+}
+
+/// Smallest and largest value over the rims that are taken.
+Bounds bounds_of(const std::vector<RimAtPair> &rims, bool met_only, const Value &of) {
+  Bounds result{HUGE_VAL, -HUGE_VAL};
   for (const auto &rim : rims)
-    if (rim.met || !met_only) low = std::min(low, of(rim)), high = std::max(high, of(rim));
-  return fmt::format("{:.3g} to {:.3g}", low, high);
+    if (rim.met || !met_only) result = {std::min(result.lower, of(rim)), std::max(result.upper, of(rim))};
+  return result;
+}
+
+std::string span(const std::vector<RimAtPair> &rims, bool met_only, const Value &of) {
+  const Bounds bounds = bounds_of(rims, met_only, of);
+  return fmt::format("{:.3g} to {:.3g}", bounds.lower, bounds.upper);
+}
+
+std::ptrdiff_t n_met(const PairRegion &region) {
+  return std::count_if(region.rims.begin(), region.rims.end(), [](const auto &rim) { return rim.met; });
 }
 
 std::string sentence_of(const PairRegion &region) {
-  const auto speed = [](const RimAtPair &rim) { return rim.inputs.back(); };
-  const auto stiffness = [](const RimAtPair &rim) { return rim.k_i; };
   std::string text = fmt::format("e = {:g} is returned by {} of {} rims within the speeds computed", region.wanted.e,
                                  region.rims.size(), region.n_rims);
   if (region.rims.empty()) return text + ".";
   text += fmt::format(", at {} m/s (each known to {:.0f} %), with {} kN/m there. ", span(region.rims, false, speed),
                       100 * region.speed_error, span(region.rims, false, stiffness));
-  const auto n_met = std::count_if(region.rims.begin(), region.rims.end(), [](const auto &rim) { return rim.met; });
   text += fmt::format("k_i = {:g} kN/m within the surrogate's {:.0f} % as well: {} rims", region.wanted.k_i,
-                      100 * region.k_i_error, n_met);
-  if (n_met == 0) return text + ".";
+                      100 * region.k_i_error, n_met(region));
+  if (n_met(region) == 0) return text + ".";
   text += fmt::format(", at {} m/s", span(region.rims, true, speed));
   for (std::size_t j = 0; j + 1 < geometry_axes().size(); ++j)
     text += fmt::format(", {} {} {}", geometry_axes()[j].name,
@@ -78,25 +92,22 @@ std::optional<PairRegion> pair_region(const GeometryStudy &study, const WantedPa
 
 nlohmann::json to_json(const PairRegion &region) {
   nlohmann::json rims = nlohmann::json::array();
-  double low = HUGE_VAL, high = 0, softest = HUGE_VAL, hardest = 0;
-  int n_met = 0;
   for (const auto &rim : region.rims) {
     nlohmann::json entry = {{"name", rim.name}, {"k_i", rim.k_i}, {"met", rim.met}};
     for (std::size_t j = 0; j < rim.inputs.size(); ++j) entry[geometry_axes()[j].name] = rim.inputs[j];
     rims.push_back(entry);
-    low = std::min(low, rim.inputs.back()), high = std::max(high, rim.inputs.back());
-    softest = std::min(softest, rim.k_i), hardest = std::max(hardest, rim.k_i), n_met += rim.met;
   }
   nlohmann::json result = {{"wanted", {{"k_i", region.wanted.k_i}, {"e", region.wanted.e}}},
                            {"speed_error_rms", region.speed_error},
                            {"k_i_error_rms", region.k_i_error},
                            {"n_rims", region.n_rims},
                            {"n_return_e", region.rims.size()},
-                           {"n_met", n_met},
+                           {"n_met", n_met(region)},
                            {"rims", rims},
                            {"sentence", region.sentence}};
   if (region.rims.empty()) return result;
-  result["speed_m_s"] = {low, high}, result["k_i_kN_per_m"] = {softest, hardest};
+  const Bounds speeds = bounds_of(region.rims, false, speed), k_i = bounds_of(region.rims, false, stiffness);
+  result["speed_m_s"] = {speeds.lower, speeds.upper}, result["k_i_kN_per_m"] = {k_i.lower, k_i.upper};
   return result;
 }
 

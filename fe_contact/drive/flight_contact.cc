@@ -3,6 +3,7 @@
 #include "fe_contact/engine/solid_fields.h"
 
 #include "files/error.h"
+#include "responses/open_impact.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -125,8 +126,7 @@ void FlightRun::refuse_passage(double outward_speed, bool bears) {
   const auto sentence = passes(scene_.bearing.rim, passage, bearing_.t);
   if (!sentence) return;
   save();
-  impact_.release_time = impact_.touch_time - 1; // never released, though the force may be nil at this instant
-  record_.impacts.push_back(impact_);
+  record_.impacts.push_back(left_open(impact_)); // the force may be nil at this instant, so the response does not tell
   throw SolverStopped(*sentence);
 }
 

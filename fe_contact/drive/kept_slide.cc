@@ -58,7 +58,7 @@ bool KeptSlide::take(const BearingSystem &system, SystemState &state, TopDrive &
         const auto &way = file.field("way", 3);
         const double height = file.number("rest_height");
         drive.last_change = vector(file.field("drive_change", std::size_t(system.equations().n)));
-        drive.last_way = {way[0], way[1], way[2]};
+        drive.last_way = vector(way);
         state = kept;
         rest_height = height;
       }
@@ -75,7 +75,7 @@ void KeptSlide::keep(const SystemState &state, const TopDrive &drive, double res
   file.texts["key"] = key_;
   put(file, state);
   file.numbers["drive_change"] = list(drive.last_change);
-  file.numbers["way"] = {drive.last_way.x(), drive.last_way.y(), drive.last_way.z()};
+  file.numbers["way"] = list(drive.last_way);
   file.numbers["rest_height"] = {rest_height};
   std::error_code failed;
   fs::create_directories(fs::path(path_).parent_path(), failed);

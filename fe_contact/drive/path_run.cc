@@ -146,9 +146,9 @@ private:
     put(file, record_);
     put(file, state_);
     file.numbers["path"] = {s, ds, rest_height_, rest_elastic_, pictured_};
-    file.numbers["path_way"] = {work_.way.x(), work_.way.y(), work_.way.z()};
-    file.numbers["path_change"] = {work_.change.x(), work_.change.y(), work_.change.z()};
-    file.numbers["drive_way"] = {drive_.last_way.x(), drive_.last_way.y(), drive_.last_way.z()};
+    file.numbers["path_way"] = list(work_.way);
+    file.numbers["path_change"] = list(work_.change);
+    file.numbers["drive_way"] = list(drive_.last_way);
     file.numbers["drive_change"] = list(drive_.last_change);
     write_checkpoint(file, checkpoint_of(options_));
   }
@@ -162,10 +162,8 @@ private:
     if (p[0] < 0 || p[0] > 1 || p[1] < 0 || p[1] > 1 || p[4] < -1 || p[4] > 1)
       file.damaged("field path holds a number it cannot");
     rest_height_ = p[2], rest_elastic_ = p[3], pictured_ = p[4];
-    const auto &step = file.field("path_way", 3), &change = file.field("path_change", 3);
-    work_ = {{step[0], step[1], step[2]}, {change[0], change[1], change[2]}};
-    const auto &way = file.field("drive_way", 3);
-    drive_.last_way = {way[0], way[1], way[2]};
+    work_ = {vector(file.field("path_way", 3)), vector(file.field("path_change", 3))};
+    drive_.last_way = vector(file.field("drive_way", 3));
     drive_.last_change = vector(drive_.last_way.squaredNorm() > 0 ? file.field("drive_change", state_.u.size())
                                                                   : file.field("drive_change"));
     system_.start_afresh_at(state_);

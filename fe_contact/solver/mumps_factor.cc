@@ -16,12 +16,14 @@ constexpr int diagonal_pivots = 1, any_pivots = 2;
 
 struct Single {
   static constexpr int symmetric = diagonal_pivots;
+  static constexpr int scaling = 0; // none: GMRES would show where it is missed
   using Number = float;
   using Data = SMUMPS_STRUC_C;
   static void call(Data &data) { smumps_c(&data); }
 };
 struct Double {
   static constexpr int symmetric = any_pivots;
+  static constexpr int scaling = 77; // MUMPS chooses
   using Number = double;
   using Data = DMUMPS_STRUC_C;
   static void call(Data &data) { dmumps_c(&data); }
@@ -39,11 +41,11 @@ public:
     data_.sym = pattern.symmetric ? Kind::symmetric : 0;
     run(-1);
     for (const int output : {1, 2, 3}) control(output) = -1;
-    control(4) = 0;                                         // nothing printed
-    control(7) = 5;                                         // METIS ordering
-    if (Kind::symmetric == diagonal_pivots) control(8) = 0; // no scaling: GMRES would show where it is missed
-    control(14) = 50;                                       // room for pivoting [%]
-    control(28) = 1;                                        // one rank orders
+    control(4) = 0; // nothing printed
+    control(7) = 5; // METIS ordering
+    control(8) = Kind::scaling;
+    control(14) = 50; // room for pivoting [%]
+    control(28) = 1;  // one rank orders
     data_.n = pattern.n;
     data_.rhs = x_.data();
     hand_in();

@@ -56,12 +56,12 @@ struct Parcels {
   }
   void exchange(Parcels &got) const {
     MPI_Alltoall(counts.data(), 1, MPI_INT, got.counts.data(), 1, MPI_INT, MPI_COMM_WORLD);
-    const Shares out(ends_of(counts), 1), in(ends_of(got.counts), 1);
-    got.places.resize(in.places.back() + in.lengths.back());
+    const auto sent = ends_of(counts), due = ends_of(got.counts);
+    const Shares out(sent, 1), in(due, 1), out_values(sent, block), in_values(due, block);
+    got.places.resize(due.back());
     got.values.resize(got.places.size() * block);
     MPI_Alltoallv(places.data(), out.lengths.data(), out.places.data(), MPI_INT, got.places.data(), in.lengths.data(),
                   in.places.data(), MPI_INT, MPI_COMM_WORLD);
-    const Shares out_values(ends_of(counts), block), in_values(ends_of(got.counts), block);
     MPI_Alltoallv(values.data(), out_values.lengths.data(), out_values.places.data(), MPI_DOUBLE, got.values.data(),
                   in_values.lengths.data(), in_values.places.data(), MPI_DOUBLE, MPI_COMM_WORLD);
   }

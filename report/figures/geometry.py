@@ -45,7 +45,9 @@ def draw(study: dict[str, Any], path: str) -> str | None:
         else:
             ax.plot([row["speed"] for row in rows], values, ls="none", marker="o", ms=3.5, color=FE)
             ax.set(title=name, xlabel="approach speed (m/s)")
-    for ax, colour, unit in zip(grid.flat[4:], ("rim_thickness", "yield_stress"), ("mm", "MPa")):
-        region(ax, pair, colour, unit)
-        ax.set(title=f"speed at which a rim returns e = {pair['wanted']['e']:g}" if pair else "", xlabel="approach speed (m/s)", ylabel="k_i there (kN/m)")
+    if pair:
+        wanted = pair["wanted"]["e"]
+        for ax, colour, unit in zip(grid.flat[4:], ("rim_thickness", "yield_stress"), ("mm", "MPa")):
+            region(ax, pair, colour, unit)
+            ax.set(title=f"speed at which a rim returns e = {wanted:g}", xlabel="approach speed (m/s)", ylabel="k_i there (kN/m)")
     return save(fig, path)

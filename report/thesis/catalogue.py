@@ -16,7 +16,7 @@ STATES = ("done", "partly", "missing", "drawing")
 FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "data")
 NUMBER_SHAPE = {**texts("what unit ours why cause"), **numbers("printed factor within resolved at_least count")}
 CURVE = {**texts("run label side"), "x": ANY, "y": ANY}
-PANEL = {**texts("title x_label y_label x y kind of"), "curves": [CURVE], **numbers("x_factor y_factor R0_m a_m"), "x_range": [NUMBER], "y_range": [NUMBER],
+PANEL = {**texts("title x_label y_label x y kind of colour unit"), "curves": [CURVE], **numbers("x_factor y_factor R0_m a_m"), "x_range": [NUMBER], "y_range": [NUMBER],
          "records": [TEXT], "shapes": [{"label": TEXT, "R0_m": NUMBER, "a_m": NUMBER}]}
 SHAPE = {
     "thesis": texts("author title kind university year"),

@@ -51,4 +51,4 @@ def draw_pair(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
 def draw_region(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
     """Of a geometry study with --pair: where its rims return the published pair."""
     study = runs.summary(panel["of"])
-    return bool(study) and region(ax, study.get("pair"), panel["x"], panel["y"], "published pair")
+    return bool(study) and region(ax, study.get("pair"), panel["colour"], panel["unit"], "published pair")
