@@ -45,7 +45,9 @@ void add_mesh(CLI::App &app, Console &console) {
                    "instead: what a scene's run is solved on, by any rung, own meshes included");
   verb->add_option("-o,--output", options->file, "the .msh file to write")->required();
   verb->add_option("--png", options->picture, "a picture of the mesh");
-  verb->add_flag("--curved", options->curved, "27-node cells with the exact surfaces, not straight 8-node ones: what [model.own_mesh] takes back as it was");
+  verb->add_flag(
+      "--curved", options->curved,
+      "27-node cells with the exact surfaces, not straight 8-node ones: what [model.own_mesh] takes back as it was");
   verb->add_flag("--whole", options->whole, "not just the symmetric half");
   console.add_common(*verb);
   console.add_json(*verb);
