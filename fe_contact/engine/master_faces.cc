@@ -73,16 +73,20 @@ std::vector<int> MasterFaces::near(const Eigen::Vector3d &low, const Eigen::Vect
   return result;
 }
 
+/// A point keeps its face a little past an inner edge: where the surface has a kink, each face may send it to the
+/// other for ever.
+bool MasterFaces::keeps(int face, const Projection &p) const {
+  constexpr double hold = 0.02; // half widths
+  const auto past = past_edges(p);
+  bool kept = p.converged;
+  for (int e = 0; e < 4; ++e) kept = kept && past[e] <= (open_edges_[face][e] ? 0 : hold);
+  return kept;
+}
+
 MasterFaces::Place MasterFaces::locate(const Eigen::Vector3d &y, int guess, double beyond) const {
   if (guess >= 0) {
-    // A point keeps its face a little past an inner edge: where the surface has a kink, each face may send it to the
-    // other for ever.
-    constexpr double hold = 0.02; // half widths
     const Projection p = project(y, nodes_[guess], space_.degree, 0, 0);
-    const auto past = past_edges(p);
-    bool kept = p.converged;
-    for (int e = 0; e < 4; ++e) kept = kept && past[e] <= (open_edges_[guess][e] ? 0 : hold);
-    if (kept) return {guess, p, true};
+    if (keeps(guess, p)) return {guess, p, true};
   }
   // A point just past an inner edge belongs to the neighbour; where neither claims it (a convex kink) the one
   // it overshoots least does.
@@ -120,14 +124,30 @@ double MasterFaces::uneven(const Eigen::VectorXd &u, int face) const {
 }
 
 Opposite MasterFaces::find(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int guess, double beyond) const {
+  if (faces_.empty()) return {};
+  // First the guess alone, however far off its edges the way there leads: which of two faces beside a kink is found
+  // must not depend on where the search began, or Newton sees a force that jumps to and fro.
+  if (guess >= 0) {
+    const Opposite kept = settle(x, u, guess, [&](const Eigen::Vector3d &y, int) {
+      const Projection p = project(y, nodes_[guess], space_.degree, 0, 0);
+      return Place{p.converged ? guess : -1, p, keeps(guess, p)};
+    });
+    if (kept.inside) return kept;
+  }
+  return settle(x, u, guess, [&](const Eigen::Vector3d &y, int last) { return locate(y, last, beyond); });
+}
+
+/// Newton's method for the place where y + u_m(y) = x, on the faces that `place` finds.
+template <typename Search>
+Opposite MasterFaces::settle(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int guess,
+                             const Search &search) const {
   Opposite result;
-  if (faces_.empty()) return result;
   result.y = roughly_back(x, u, guess);
   const double tolerance = 1e-15 * (1 + x.norm());
   constexpr double settled = 1e-9; // [m]; two faces with a kink between them may send a point to and fro by less
   double error = 0;
   for (int iteration = 0; iteration < 12; ++iteration) {
-    const Place place = locate(result.y, guess, beyond);
+    const Place place = search(result.y, guess);
     if (place.face < 0) return {};
     guess = result.face = place.face;
     result.inside = place.inside;

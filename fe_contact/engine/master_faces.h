@@ -44,7 +44,10 @@ private:
     Projection projection;
     bool inside = false;
   };
+  bool keeps(int face, const Projection &p) const;
   Place locate(const Eigen::Vector3d &y, int guess, double beyond) const;
+  template <typename Search>
+  Opposite settle(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int guess, const Search &search) const;
 
   const Discretisation &space_;
   std::vector<const Face *> faces_;

@@ -50,6 +50,29 @@ TEST(Pitfall, PairingIsNotFrozenWithinAStep) {
   EXPECT_LT((forces - fresh_forces).norm(), 1e-12 * forces.norm());
 }
 
+TEST(Pitfall, AFaceOnceFoundIsFoundAgain) {
+  // Two faces, stretched: from the middle of either one the search for a point at their common edge leads into the
+  // other. Looked for from what was found last it must stay there, or each evaluation of Newton's sees another face.
+  constexpr double stretch = 0.2;
+  meshes::HexMesh mesh;
+  test::add_box(mesh, {{-0.01, 0, 0}, {0.01, 0.01, 0.01}, {2, 1, 1}, Volume::rim, {{5, Surface::dish}}});
+  for (const int degree : {1, 2}) {
+    const Discretisation space(mesh, degree);
+    const MasterFaces faces(space, Surface::dish);
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(3 * space.positions.size());
+    for (std::size_t node = 0; node < space.positions.size(); ++node) u[3 * node] = stretch * space.positions[node].x();
+    for (const double past : {-2e-5, 0.0, 2e-5}) // of a half width of 5 mm
+      for (const int first : {0, 1}) {
+        const Vector3d x((1 + stretch) * past, 0.005, 0.0101);
+        const Opposite found = faces.find(x, u, first, 0);
+        ASSERT_GE(found.face, 0);
+        EXPECT_NEAR(found.y.x(), past, 1e-12);
+        EXPECT_EQ(faces.find(x, u, found.face, 0).face, found.face) << degree << ", " << past << ", from " << first;
+      }
+    EXPECT_EQ(faces.find({0.006, 0.005, 0.0101}, u, 0, 0).face, faces.find({0.006, 0.005, 0.0101}, u, 1, 0).face);
+  }
+}
+
 TEST(Pitfall, APatternMadeOnADentedCarrierHoldsWhatIsOpposite) {
   // A dent deeper than the margin at the carrier's first face: what lies opposite elsewhere must not be looked for
   // there.
