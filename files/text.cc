@@ -68,6 +68,17 @@ std::optional<std::string> decimal_point_for(std::string_view text) {
   return digits == std::string::npos && to_number(number) ? std::optional(number) : std::nullopt;
 }
 
+std::string hint_at_comma(std::string_view text) {
+  const auto with_point = decimal_point_for(text);
+  if (!with_point) return {};
+  const auto mark = with_point->find('.');
+  const bool thousands =
+      mark <= 3 && with_point->size() == mark + 4 && with_point->find_first_not_of("0123456789.") == std::string::npos;
+  if (!thousands) return "; decimals follow a point: " + *with_point;
+  return fmt::format("; {0} with its decimals behind a point, or {1} without a mark of thousands?", *with_point,
+                     with_point->substr(0, mark) + with_point->substr(mark + 1));
+}
+
 std::vector<std::string> akin(std::string_view name, const std::vector<std::string> &known) {
   std::vector<std::string> found;
   if (name.size() < 2) return found;

@@ -19,6 +19,9 @@ std::optional<double> to_number(std::string_view text);
 
 /// "2000,5" with the point that TOML wants, "2000.5"; nullopt for what is not digits, one comma and digits.
 std::optional<std::string> decimal_point_for(std::string_view text);
+/// What a sentence on a refused number ends with where it has a comma: "; decimals follow a point: 2000.5", or, where
+/// three digits stand behind it, both readings. Empty: no such number.
+std::string hint_at_comma(std::string_view text);
 
 /// Levenshtein distance.
 std::size_t edit_distance(std::string_view a, std::string_view b);

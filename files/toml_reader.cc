@@ -67,9 +67,7 @@ void TomlReader::refuse_unknown(const std::vector<std::string> &also) const {
 double TomlReader::number_of(const std::string &name, const toml::node &node, Range range) const {
   if (!node.is_number()) {
     const auto *text = node.as_string();
-    const auto with_point = text ? decimal_point_for(text->get()) : std::nullopt;
-    fail(name, "must be a number, got " + type_name(node) +
-                   (with_point ? fmt::format("; decimals follow a point: {}", *with_point) : ""));
+    fail(name, "must be a number, got " + type_name(node) + (text ? hint_at_comma(text->get()) : ""));
   }
   const double value =
       node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();

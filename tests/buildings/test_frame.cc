@@ -4,7 +4,10 @@
 #include "buildings/regular_building.h"
 #include "files/error.h"
 #include <Eigen/Eigenvalues>
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 using namespace rimpact;
 using namespace rimpact::buildings;
@@ -119,4 +122,15 @@ TEST(Building, IsRefusedWithASentence) {
             }).find("did you mean \"column_x_mm\""),
             std::string::npos);
   EXPECT_NE(refusal([] { load_building("nowhere.toml"); }).find("no such file"), std::string::npos);
+}
+
+TEST(Building, ABearingsFileIsSoughtBesideTheFrame) {
+  const std::string folder = testing::TempDir() + "rimpact-beside-" + std::to_string(getpid());
+  std::filesystem::create_directory(folder);
+  std::ofstream(folder + "/mine.toml") << "[rim]\nheight_mm = 60\n";
+  const auto frame = parse_building("x_m = [0, 8]\ny_m = [0, 8]\n[bearings]\n1 = \"mine.toml\"\n2 = \"fps-225\"\n",
+                                    folder + "/frame.toml");
+  EXPECT_EQ(frame.bearings.at(1), folder + "/mine.toml");
+  EXPECT_EQ(frame.bearings.at(2), "fps-225");
+  std::filesystem::remove_all(folder);
 }

@@ -118,6 +118,8 @@ TEST(SceneToml, OverrideErrorsNameTheOverride) {
   refuse("=3", {"KEY"});
   refuse("load..x=3", {"KEY"});
   refuse("excitation.kind.deep=3", {"kind is not a table"});
+  refuse("load.vertical_kN=2,000",
+         {"--set load.vertical_kN=2,000:", "; 2.000 with its decimals behind a point, or 2000 without"});
   refuse("load.vertical_kN=2000,5", {"--set load.vertical_kN=2000,5:", "decimals follow a point: 2000.5"});
   refuse("rim.height_mm=70", {"--set rim.height_mm=70", "it is bearing.rim"});
 }
