@@ -63,7 +63,7 @@ void refuse_absurd(const std::string &text, const std::string &origin) {
 }
 
 /// Digits, a comma and digits where a value stands: a decimal comma, or a thousands separator.
-std::string hint_at_comma_of(const std::string &text, std::size_t line_number) {
+std::string hint_on_line(const std::string &text, std::size_t line_number) {
   const auto lines = lines_of(text);
   if (line_number == 0 || line_number > lines.size()) return {};
   const std::string line(lines[line_number - 1]);
@@ -78,7 +78,7 @@ toml::table parse(const std::string &text, const std::string &origin) {
   } catch (const toml::parse_error &error) {
     const auto &at = error.source().begin;
     throw InputError(fmt::format("{}:{}:{}: {}{}", origin, at.line, at.column, std::string(error.description()),
-                                 hint_at_comma_of(text, at.line)));
+                                 hint_on_line(text, at.line)));
   }
 }
 

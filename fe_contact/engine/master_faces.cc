@@ -75,19 +75,18 @@ std::vector<int> MasterFaces::near(const Eigen::Vector3d &low, const Eigen::Vect
 
 /// A point keeps its face a little past an inner edge: where the surface has a kink, each face may send it to the
 /// other for ever.
-bool MasterFaces::keeps(int face, const Projection &p) const {
+MasterFaces::Place MasterFaces::place_on(int face, const Eigen::Vector3d &y) const {
   constexpr double hold = 0.02; // half widths
+  const Projection p = project(y, nodes_[face], space_.degree, 0, 0);
   const auto past = past_edges(p);
   bool kept = p.converged;
   for (int e = 0; e < 4; ++e) kept = kept && past[e] <= (open_edges_[face][e] ? 0 : hold);
-  return kept;
+  return {p.converged ? face : -1, p, kept};
 }
 
 MasterFaces::Place MasterFaces::locate(const Eigen::Vector3d &y, int guess, double beyond) const {
-  if (guess >= 0) {
-    const Projection p = project(y, nodes_[guess], space_.degree, 0, 0);
-    if (keeps(guess, p)) return {guess, p, true};
-  }
+  if (guess >= 0)
+    if (const Place place = place_on(guess, y); place.inside) return place;
   // A point just past an inner edge belongs to the neighbour; where neither claims it (a convex kink) the one
   // it overshoots least does.
   constexpr double overshoot_limit = 0.05;
@@ -128,16 +127,13 @@ Opposite MasterFaces::find(const Eigen::Vector3d &x, const Eigen::VectorXd &u, i
   // First the guess alone, however far off its edges the way there leads: which of two faces beside a kink is found
   // must not depend on where the search began, or Newton sees a force that jumps to and fro.
   if (guess >= 0) {
-    const Opposite kept = settle(x, u, guess, [&](const Eigen::Vector3d &y, int) {
-      const Projection p = project(y, nodes_[guess], space_.degree, 0, 0);
-      return Place{p.converged ? guess : -1, p, keeps(guess, p)};
-    });
+    const Opposite kept = settle(x, u, guess, [&](const Eigen::Vector3d &y, int) { return place_on(guess, y); });
     if (kept.inside) return kept;
   }
   return settle(x, u, guess, [&](const Eigen::Vector3d &y, int last) { return locate(y, last, beyond); });
 }
 
-/// Newton's method for the place where y + u_m(y) = x, on the faces that `place` finds.
+/// Newton's method for the place where y + u_m(y) = x, at the places that `search` finds, from the last one's face.
 template <typename Search>
 Opposite MasterFaces::settle(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int guess,
                              const Search &search) const {

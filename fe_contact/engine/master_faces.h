@@ -44,7 +44,7 @@ private:
     Projection projection;
     bool inside = false;
   };
-  bool keeps(int face, const Projection &p) const;
+  Place place_on(int face, const Eigen::Vector3d &y) const; ///< of this face alone; `inside`: the point keeps it
   Place locate(const Eigen::Vector3d &y, int guess, double beyond) const;
   template <typename Search>
   Opposite settle(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int guess, const Search &search) const;
