@@ -173,7 +173,11 @@ void BuildingRun::set_out_on_rims(double t, const VectorXd &y, const VectorXd &d
 
 void BuildingRun::arrive_on_rims(double t, const VectorXd &y) {
   for (int b = 0; b < dynamics_.n_bearings(); ++b)
-    dynamics_.laws[b].arrive(modes_[b], t, dynamics_.bearing_state(b, y));
+    try {
+      dynamics_.laws[b].arrive(modes_[b], t, dynamics_.bearing_state(b, y));
+    } catch (const SolverStopped &stop) {
+      throw SolverStopped(fmt::format("bearing {}: {}", b + 1, stop.what()));
+    }
 }
 
 void BuildingRun::apply(const Watch &watch, double t, VectorXd &y, BuildingRecorder &recorder) {

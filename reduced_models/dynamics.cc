@@ -47,6 +47,7 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
   dents = dent_shape(scene);
   dead_load_ = height.is_plane() ? 0.0 : weight;
   vertical_restitution_ = r.vertical_restitution;
+  lift_over_rim_ = lift_over_rim(scene.bearing);
   limit_squared_ = height.limit_radius() * height.limit_radius();
   speed_scale = std::sqrt(scene.load.gravity * lateral_capacity);
   stop_speed = 5 * r.tolerance * speed_scale;

@@ -123,6 +123,9 @@ public:
   RimContact rim_after(Event event, const Mode &mode, double t, const State &y) const;
   /// By the rim on a pressing slider at u, v (any |u| > 0).
   RimPush rim_push(const Mode &mode, double t, const Eigen::Vector2d &u, const Eigen::Vector2d &v) const;
+  /// Throws SolverStopped where the rim's element holds no longer for a slider beyond L_c: thrown over the rim, or past
+  /// a curve's limits (curve_limits.h).
+  void keep_to_rim(const Mode &mode, double t, const State &y) const;
   /// Branch of a state at the start of a run or after a jump: decides between sliding, stuck and airborne.
   void settle(Mode &mode, double t, State &y) const;
   /// Before a step from y (its rates dy) and after it: a rim that yields keeps the path it was pressed along.
@@ -186,11 +189,9 @@ private:
   Eigen::Vector2d slow_direction(const Mode &mode, double t, const State &y, const Site &site) const;
   double drive_share(const Mode &mode, double t, const State &y) const;
   void rim_terms(const Mode &mode, double t, const Eigen::Vector2d &u, const Eigen::Vector2d &v, Evaluation &e) const;
-  /// A pressed rim that flies on a curve: throws SolverStopped where the curve holds no longer (curve_limits.h).
-  void keep_to_curve(const Mode &mode, double t, const State &y) const;
   double land(Mode &mode, double t, State &y) const;
   double dead_load_ = 0; ///< W that acts vertically (0 for a window without weight)
-  double vertical_restitution_ = 0, limit_squared_ = 0;
+  double vertical_restitution_ = 0, limit_squared_ = 0, lift_over_rim_ = 0;
   bool park_wen_ = false;
 };
 

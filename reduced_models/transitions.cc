@@ -5,6 +5,7 @@
 #include "reduced_models/curve_limits.h"
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <stdexcept>
 
 namespace rimpact::reduced {
@@ -93,13 +94,17 @@ void Dynamics::set_out(Mode &mode, double t, const State &y, const State &dy) co
 }
 
 void Dynamics::arrive(Mode &mode, double t, const State &y) const {
-  if (!denting(mode)) return;
-  mode.dented.arrive(t, wall_point({y[iX], y[iY]}, {y[iVX], y[iVY]}, Vector2d::Zero(), lateral_capacity, dents.wall),
-                     dents);
-  keep_to_curve(mode, t, y);
+  if (denting(mode))
+    mode.dented.arrive(t, wall_point({y[iX], y[iY]}, {y[iVX], y[iVY]}, Vector2d::Zero(), lateral_capacity, dents.wall),
+                       dents);
+  keep_to_rim(mode, t, y);
 }
 
-void Dynamics::keep_to_curve(const Mode &mode, double t, const State &y) const {
+void Dynamics::keep_to_rim(const Mode &mode, double t, const State &y) const {
+  if (mode.rim != RimContact::open && mode.support == Support::airborne && y[iZ] > lift_over_rim_)
+    throw SolverStopped(fmt::format("the slider is thrown over the rim at t = {:.5g} s: lifted by {:.1f} mm beyond L_c, "
+                                    "where its bottom passes the rim's top at {:.1f} mm",
+                                    t, 1e3 * y[iZ], 1e3 * lift_over_rim_));
   if (mode.rim != RimContact::pressed || !rim.curve) return;
   const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
   const PressedRim press{u.norm() - lateral_capacity, u.dot(v) / u.norm(), supported_mass,
@@ -198,14 +203,14 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
     project(mode, y);
     mode.support = Support::airborne;
     mode.slow = false;
-    keep_to_curve(mode, t, y);
+    keep_to_rim(mode, t, y);
     return 0;
   case Event::landing:
     return land(mode, t, y);
   case Event::touch:
   case Event::press_again:
     mode.rim = rim_after(event, mode, t, y);
-    keep_to_curve(mode, t, y);
+    keep_to_rim(mode, t, y);
     break;
   case Event::release:
   case Event::let_go:

@@ -1,5 +1,6 @@
 #include "scene/bearing.h"
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace rimpact::scene {
@@ -19,6 +20,11 @@ double tilt(const Bearing &bearing, double travel) {
 
 double lift(const Bearing &bearing, double travel) {
   return make_surface(bearing.surface)->at(travel, 0).z;
+}
+
+double lift_over_rim(const Bearing &bearing) {
+  const double top = lift(bearing, bearing.surface.planar_radius) + bearing.rim.height - bearing.slider.bottom;
+  return top > lift(bearing, bearing.lateral_capacity()) ? top : std::numeric_limits<double>::infinity();
 }
 
 double slider_mass(const Bearing &bearing) {

@@ -103,6 +103,9 @@ std::vector<Assumption> assumptions(const Bearing &bearing);
 /// Tilt of the slider on the surface at travel r [rad] and the height its origin rises [m].
 double tilt(const Bearing &bearing, double travel);
 double lift(const Bearing &bearing, double travel);
+/// How far the slider may be lifted from its place at rest while its bottom stays below the rim's top [m]; infinite
+/// where the dimensions leave the rim's top below it even at L_c (a scene that reads the dish alone).
+double lift_over_rim(const Bearing &bearing);
 /// Mass of the upper slider [kg]: cylinder less socket, its edge taken as sharp. The supported mass includes it.
 double slider_mass(const Bearing &bearing);
 

@@ -87,6 +87,16 @@ TEST(BuildingRun, WithoutFrictionSwingsAsAPendulum) { // small amplitude: T = 2 
   EXPECT_NEAR(run.summary.peak_displacement, 0.002, 1e-8);
 }
 
+TEST(BuildingRun, StopsWhereACornerIsThrownOverItsRim) {
+  scene::Scene s = pulse(2);
+  s.reduced.tolerance = 1e-6;
+  const auto run = simulate(make_frame(load_building("thesis-2.4")), s);
+  EXPECT_EQ(run.summary.status, RunStatus::stopped);
+  EXPECT_NE(run.summary.reason.find("bearing 3: the slider is thrown over the rim"), std::string::npos)
+      << run.summary.reason;
+  EXPECT_LT(run.response.series("time").back(), s.excitation.duration);
+}
+
 TEST(BuildingRun, RefusesWhatABuildingCannotHave) {
   const Frame f = block(2, 2);
   const auto said = [&](auto change) {

@@ -97,6 +97,24 @@ TEST(Flight, AirborneFallIsAParabola) {
   EXPECT_GT(ledger.contact, 0.9 * s.load.vertical * 0.05);
 }
 
+TEST(Flight, ARimIsNoHigherThanItStands) {
+  const scene::Scene s = free_motion({0, 0}, {0, 0});
+  const double over = lift_over_rim(s.bearing);
+  // By hand: the rim's top, 60 mm over the dish's edge, less the slider's bottom at rest.
+  EXPECT_NEAR(over, lift(s.bearing, s.bearing.surface.planar_radius) + 0.060 - 0.05825, 1e-12);
+  BearingState start;
+  start.airborne = true;
+  start.v = {1, 0, 0};
+  const double before = s.bearing.lateral_capacity() - 1e-4;
+  for (const double above : {-1e-3, 1e-3}) {
+    start.u = {before, 0, over + above};
+    const auto run = simulate_from(s, start, 0.05);
+    EXPECT_EQ(run.summary.status, above > 0 ? RunStatus::stopped : RunStatus::done) << run.summary.reason;
+    EXPECT_EQ(run.summary.reason.find("thrown over the rim") != std::string::npos, above > 0) << run.summary.reason;
+    EXPECT_EQ(run.summary.impacts.empty() || run.summary.impacts[0].peak_force == 0, above > 0);
+  }
+}
+
 TEST(Shot, FromTouchRepeatsTheWholeRun) {
   const scene::Scene s = ricker(1.05);
   const PhysicalModel model(s);
