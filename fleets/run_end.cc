@@ -6,8 +6,8 @@ namespace rimpact::fleets {
 namespace {
 
 /// What the models say where a bearing or a frame has come to its end; tests/fleets/test_run_end.cc holds them to it.
-constexpr std::array last_words{"left the dish",      "left its dish", "left over a rim",
-                                "left over the stop", "overturned",    "collapsed"};
+constexpr std::array last_words{"left the dish", "left its dish", "left over a rim", "left over the stop",
+                                "thrown over",   "overturned",    "collapsed"};
 
 } // namespace
 

@@ -23,7 +23,7 @@ public:
     // A step's local error, relative to a hundredth of the capacity and of its speed.
     position_tolerance_ = scene.isolator.step_tolerance * 0.01 * C;
     velocity_tolerance_ = scene.isolator.step_tolerance * 0.01 * std::sqrt(g * C);
-    largest_step_ = model_.driven ? duration_ / (4000 * std::max(1.0, std::ceil(scene.excitation.rounds()))) : 1e-2;
+    largest_step_ = model_.driven ? duration_ / (4000 * turns()) : 1e-2;
     if (const auto &instants = ground_.breakpoints(); !instants.empty()) quiet_from_ = instants.back();
   }
 
@@ -36,8 +36,13 @@ public:
     recorder_.begin(state);
     double h = 1e-2 * largest_step_;
     while (state.t < duration_ * (1 - 1e-12)) {
-      advance(state, h);
-      if (const char *why = model_.lost(state)) return recorder_.stop(state, why);
+      try {
+        advance(state, h);
+      } catch (const SolverStopped &stop) {
+        return recorder_.stop(state, stop.what());
+      }
+      if (const char *why = model_.lost(state))
+        return recorder_.stop(state, why + (" at t = " + std::to_string(state.t)) + " s");
       if (recorder_.collapsed()) return recorder_.end(state);
     }
     recorder_.end(state);
@@ -47,12 +52,15 @@ private:
   double drive_time() const {
     double length = 0;
     Eigen::Vector2d last = path(0);
-    for (int i = 1; i <= 1000; ++i) {
-      const Eigen::Vector2d next = path(i / 1000.0);
+    const double n = 1000 * turns();
+    for (int i = 1; i <= n; ++i) {
+      const Eigen::Vector2d next = path(i / n);
       length += (next - last).norm(), last = next;
     }
     return length / drive_speed;
   }
+  /// Cycles of the path, as many times the steps of one.
+  double turns() const { return std::max(1.0, std::ceil(scene_.excitation.rounds())); }
   Eigen::Vector2d path(double s) const {
     return scene::prescribed_displacement(scene_.excitation, scene_.isolator.lateral_capacity(), s);
   }
@@ -81,10 +89,10 @@ private:
   void advance(MotionState &state, double &h) {
     for (double growth = 2;; growth = 1) {
       h = std::min(h, state.t < quiet_from_ ? largest_step_ : 2 * largest_step_);
-      const double limit = recorder_.next_sample(state);
+      const double limit = std::min(recorder_.next_sample(state), duration_);
       const bool clipped = state.t + h * 1.001 >= limit;
       const double left = limit - state.t, step = clipped ? left : 2 * h > left ? left / 2 : h;
-      if (!(step > 1e-12 * std::max(1.0, duration_)))
+      if (!(step > 1e-9 * largest_step_))
         throw SolverStopped("the time step of reduced.model \"" + word(scene_.reduced.model) +
                             "\" became too small at t = " + std::to_string(state.t) + " s");
       const StepReport report = stepper_.step(state, step, next_);

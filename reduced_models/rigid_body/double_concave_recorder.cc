@@ -95,6 +95,9 @@ void DoubleConcaveRecorder::watch(const MotionState &s) {
   const auto p = on_plate(model_, s);
   largest_moment_ = std::max(largest_moment_, p.moment.head<2>().norm());
   largest_travel_ = std::max(largest_travel_, model_.plate_displacement(s).head<2>().norm());
+  largest_lateral_ = std::max(largest_lateral_, (p.pendular + p.friction + p.impact).head<2>().norm());
+  largest_height_ = std::max(largest_height_, model_.plate_displacement(s)[2] - rest_height_);
+  smallest_on_plate_ = std::min(smallest_on_plate_, p.normal);
   const double vertical = (p.pendular + p.friction)[2];
   largest_vertical_ = std::max(largest_vertical_, vertical);
   smallest_vertical_ = std::min(smallest_vertical_, vertical);
@@ -170,7 +173,9 @@ void DoubleConcaveRecorder::end(const MotionState &s) {
   store(s);
   auto &summary = result_.summary;
   summarise_response(result_.response, summary);
-  summary.peak_displacement = largest_travel_; // samples may miss it
+  // Samples may miss these.
+  summary.peak_displacement = largest_travel_, summary.peak_lateral_force = largest_lateral_;
+  summary.peak_vertical_displacement = largest_height_, summary.min_normal_force = smallest_on_plate_;
   summary.energy = ledger(s);
   summary.rung = SolvedBy::reduced;
   nlohmann::json points = nlohmann::json::object();
@@ -187,8 +192,7 @@ void DoubleConcaveRecorder::end(const MotionState &s) {
 
 void DoubleConcaveRecorder::stop(const MotionState &s, const std::string &reason) {
   end(s);
-  result_.summary.status = RunStatus::stopped,
-  result_.summary.reason = reason + " at t = " + std::to_string(s.t) + " s";
+  result_.summary.status = RunStatus::stopped, result_.summary.reason = reason;
 }
 
 } // namespace rimpact::reduced::rigid

@@ -34,7 +34,8 @@ private:
   WallMemory walls_;
   BuildingRecorder building_;
   std::optional<double> collapse_time_;
-  double largest_travel_ = 0, largest_moment_ = 0, largest_vertical_ = 0, smallest_vertical_ = 1e300;
+  double largest_travel_ = 0, largest_lateral_ = 0, largest_height_ = -1e300, smallest_on_plate_ = 1e300;
+  double largest_moment_ = 0, largest_vertical_ = 0, smallest_vertical_ = 1e300;
 };
 
 } // namespace rimpact::reduced::rigid

@@ -41,9 +41,9 @@ Vector Stepper::applied(double t) const {
 
 void Stepper::drive(double t, MotionState &s) const {
   if (!loads_.path) return;
-  const double dt = 1e-6 * loads_.time_scale;
+  const double dt = 1e-6 * loads_.time_scale, from = std::max(0.0, t - dt), to = std::min(loads_.time_scale, t + dt);
   s.poses[loads_.driven].position.head<2>() = loads_.path(t);
-  s.velocity.segment<2>(6 * loads_.driven) = (loads_.path(t + dt) - loads_.path(t - dt)) / (2 * dt);
+  s.velocity.segment<2>(6 * loads_.driven) = (loads_.path(to) - loads_.path(from)) / (to - from);
 }
 
 Works Stepper::powers(const MotionState &s) const {
@@ -68,6 +68,7 @@ Works Stepper::powers(const MotionState &s) const {
 }
 
 void Stepper::start(MotionState &s) {
+  drive(s.t, s);
   const auto n = system_.contacts.size();
   if (s.slip.size() != n) s.slip.assign(n, Vector3d::Zero());
   s.slip_rate.assign(n, Vector3d::Zero());

@@ -108,6 +108,24 @@ TEST(DoubleConcaveLoop, TheInterfaceSlidesAtItsOwnAngle) {
   EXPECT_GT(n_sliding, 20);
 }
 
+/// Every cycle after the first repeats it, however many there are: the drive sets out at its own speed.
+TEST(DoubleConcaveLoop, ManyCyclesAreOneRepeated) {
+  const auto two = simulate(cyclic(specimen(), 0.185, 2)).summary,
+             many = simulate(cyclic(specimen(), 0.185, 60)).summary;
+  ASSERT_EQ(many.status, RunStatus::done) << many.reason;
+  EXPECT_NEAR(many.peak_lateral_force, two.peak_lateral_force, 1e-3 * two.peak_lateral_force);
+  EXPECT_EQ(many.impacts.size(), 30 * two.impacts.size());
+}
+
+TEST(DoubleConcaveLoop, WhatASolverReachedIsKept) {
+  auto scene = cyclic(specimen(), 0.17);
+  scene.isolator.contact_stiffness = 1e30;
+  const auto run = simulate(scene);
+  EXPECT_EQ(run.summary.status, RunStatus::stopped);
+  EXPECT_NE(run.summary.reason.find("too small"), std::string::npos) << run.summary.reason;
+  EXPECT_GE(run.response.size(), 1u);
+}
+
 TEST(DoubleConcaveLoop, AppendixBHitsAt175Then165Millimetres) {
   const auto run = simulate(cyclic(specimen(), 0.185, 2));
   Column u = run.response.series("displacement_x"), impact = run.response.series("impact_x");
