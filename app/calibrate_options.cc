@@ -74,11 +74,10 @@ calibration::CalibrationOptions calibrate_settings(const CalibrateWords &words) 
   calibration::CalibrationOptions settings;
   settings.predict = words.predict;
   settings.fit.law = words.law;
-  if (!words.law.empty()) settings.fit.parameters = laws::impact_law(words.law).parameters;
-  if (!words.fit.empty()) settings.fit.parameters = names_of(words.fit);
+  settings.fit.parameters = names_of(words.fit); // none: those of the law
+  if (!words.fit.empty() && settings.fit.parameters.empty())
+    throw InputError("--fit names no parameter; without it those of the impact law are fitted");
   settings.fit.fixed = values_of(words.fixed, "--fixed");
-  if (words.fit.empty())
-    for (const auto &[name, value] : settings.fit.fixed) std::erase(settings.fit.parameters, name);
   settings.fit.bounds = ranges_of(words.bounds, "--bounds");
   settings.fit.start = values_of(words.start, "--start");
   settings.fit.uncertainty = uncertainty_of(words.sigma);

@@ -1,6 +1,7 @@
 #include "calibration/answer/answer.h"
 #include "calibration/answer/calibration_check.h"
 #include "files/error.h"
+#include "impact_laws/catalogue.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <set>
@@ -94,15 +95,27 @@ void note_outcome(Calibration &c) {
   c.notes.insert(c.notes.end(), c.result.notes.begin(), c.result.notes.end());
 }
 
+/// Fits what the law reads, less what is held. A law of a push has no parameters: the default law is fitted instead.
+FitOptions of_the_law(FitOptions fit, const scene::Scene &scene) {
+  if (fit.law.empty() && scene.reduced.impact_law->parameters.empty()) fit.law = laws::default_law().name;
+  fit.parameters = fit.law.empty() ? scene.reduced.impact_law->parameters : laws::impact_law(fit.law).parameters;
+  for (const auto &[name, value] : fit.fixed) std::erase(fit.parameters, name);
+  return fit;
+}
+
 } // namespace
 
-Calibration calibrate(const std::vector<std::string> &run_folders, const CalibrationOptions &options) {
-  options.fit.validate();
+Calibration calibrate(const std::vector<std::string> &run_folders, const CalibrationOptions &given) {
+  CalibrationOptions options = given;
   options.window.validate();
+  options.fit.validate_words();
   if (run_folders.empty()) throw InputError("no run folder to calibrate on is named");
   require_distinct(run_folders);
   Calibration c;
-  auto runs = read_runs(run_folders, options.window), predicted = read_runs(options.predict, options.window);
+  auto runs = read_runs(run_folders, options.window);
+  if (options.fit.parameters.empty()) options.fit = of_the_law(options.fit, runs.front().scene);
+  options.fit.validate();
+  auto predicted = read_runs(options.predict, options.window);
   collect_facts(runs, c), collect_facts(predicted, c);
   const auto screened = screen(runs, c.facts, options.fit.uncertainty, options.keep_stopped);
   c.doubts.insert(c.doubts.end(), screened.begin(), screened.end());
@@ -110,6 +123,7 @@ Calibration calibrate(const std::vector<std::string> &run_folders, const Calibra
   auto all = runs;
   all.insert(all.end(), predicted.begin(), predicted.end());
   require_same_device(all);
+  require_distinct(runs);
   require_impacts(runs, options.fit);
 
   const auto windows = select(runs, true), histories = select(runs, false);

@@ -3,6 +3,8 @@
 #include "calibration/fit/shooting.h"
 #include "files/error.h"
 #include "scene/doubts.h"
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -65,6 +67,21 @@ void require_distinct(const std::vector<std::string> &folders) {
           "{} and {} are the same run: named twice it would count twice, and every interval would be too small",
           other->second, folder));
   }
+}
+
+void require_distinct(const std::vector<StoredRun> &runs) {
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j) {
+      const auto same = [&a = runs[i].response, &b = runs[j].response](const char *signal) {
+        return a.has(signal) == b.has(signal) && (!a.has(signal) || a.series(signal) == b.series(signal));
+      };
+      constexpr std::array signals{"time", "displacement_x", "displacement_y", "impact_x", "impact_y"};
+      if (std::all_of(signals.begin(), signals.end(), same))
+        throw InputError(
+            fmt::format("{} and {} hold the same response, sample by sample: a copy would count twice, and "
+                        "every interval would be too small",
+                        runs[j].folder, runs[i].folder));
+    }
 }
 
 void require_same_device(const std::vector<StoredRun> &runs) {

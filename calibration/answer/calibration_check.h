@@ -6,6 +6,8 @@ namespace rimpact::calibration {
 
 /// Throws InputError when a run is named twice.
 void require_distinct(const std::vector<std::string> &folders);
+/// Throws InputError when two runs hold the same response.
+void require_distinct(const std::vector<StoredRun> &runs);
 /// Throws InputError naming both folders and what differs: bearing, load or settings of the reduced model.
 void require_same_device(const std::vector<StoredRun> &runs);
 

@@ -29,6 +29,8 @@ std::string describe(const Calibration &c) {
     return v ? fmt::format("{:+8.1f} %", 100 * *v) : "         -";
   };
   std::string text = c.answer ? describe(*c.answer) + "\n" : "";
+  if (c.answer && c.answer->law.result.law != c.result.law)
+    text += "For comparison, not the answer, which stands above:\n";
   text += fmt::format("{} fitted on {} ({} impacts, {} starts)\n", c.result.law, word(c.fitted_on), c.result.n_impacts,
                       c.result.n_starts);
   for (const auto &name : c.result.names) {

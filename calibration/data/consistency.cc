@@ -1,5 +1,6 @@
 #include "calibration/data/measured_run.h"
 #include "files/error.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -49,6 +50,16 @@ void check_velocity(const StoredRun &run) {
                                 run.folder, stated / found));
 }
 
+/// Longest time the force stays above half its peak [s].
+double pressed_time(const std::vector<double> &times, const std::vector<double> &force, double peak) {
+  double longest = 0;
+  for (std::size_t i = 0, first = 0; i < times.size(); ++i) {
+    if (force[i] < peak / 2) first = i + 1;
+    if (first <= i) longest = std::max(longest, times[i] - times[first]);
+  }
+  return longest;
+}
+
 /// Impulse of the rim's force over the change of momentum, both radial.
 double impulse_ratio(const StoredRun &run, const ImpactWindow &w) {
   double impulse = 0;
@@ -58,6 +69,20 @@ double impulse_ratio(const StoredRun &run, const ImpactWindow &w) {
 }
 
 } // namespace
+
+void require_clock(const Response &r, const scene::Scene &scene, const std::string &table) {
+  std::vector<double> force;
+  for (std::size_t i = 0; i < r.size(); ++i)
+    force.push_back(std::hypot(r.series("impact_x")[i], r.series("impact_y")[i]));
+  const double peak = *std::max_element(force.begin(), force.end()),
+               lasts = pressed_time(r.series("time"), force, peak), pushed = peak * lasts * lasts / scene.load.mass,
+               L_c = scene.bearing.lateral_capacity();
+  if (pushed > suspicious * L_c)
+    throw DataError(
+        fmt::format("{}: {:.4g} kN at the rim for {:.3g} s would push the mass ({:g} kg) by {:.3g} m, where "
+                    "its whole travel is {:.3g} m; are the units of time and force right?",
+                    table, peak / 1e3, lasts, scene.load.mass, pushed, L_c));
+}
 
 void require_consistent(const StoredRun &run) {
   check_travel(run);

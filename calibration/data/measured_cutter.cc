@@ -30,6 +30,7 @@ private:
   void find_pressed(ImpactWindow &w, const Contact &contact, const ShotStart &start) const;
   void find_rebound(ImpactWindow &w, std::size_t index, const ShotStart &start) const;
   void doubt_impulse(const ImpactWindow &w, const Contact &contact);
+  void doubt_place(const ShotStart &start, const Contact &contact);
 
   StoredRun &run_;
   const MeasuredRecord &record_;
@@ -47,6 +48,12 @@ std::optional<ImpactWindow> MeasuredCutter::cut(std::size_t index, std::string &
   if (n < static_cast<std::size_t>(options_.minimum_samples)) {
     reason =
         fmt::format("only {} samples carry rim force, {} are needed: sample it faster", n, options_.minimum_samples);
+    return {};
+  }
+  const auto &smooth = record_.force().smooth;
+  if (contact.last + 1 == times_.size() &&
+      smooth[contact.last] > pressed_share * *std::max_element(smooth.begin() + contact.first, smooth.end())) {
+    reason = still_pressed;
     return {};
   }
   const auto start = shot_start(run_, record_, options_, index, reason);
@@ -74,6 +81,7 @@ std::optional<ImpactWindow> MeasuredCutter::cut(std::size_t index, std::string &
   w.impact.peak_force = w.peak;
   judge_grazing(w, run_, model_, options_);
   doubt_impulse(w, contact);
+  if (index == 0) doubt_place(*start, contact);
   run_.summary.impacts[index] = w.impact;
   return w;
 }
@@ -145,6 +153,18 @@ void MeasuredCutter::doubt_impulse(const ImpactWindow &w, const Contact &contact
         "at {:.4f} s the force's impulse is {:.3f} +- {:.3f} times the change of momentum: the cell's gain or "
         "the mass ({:g} kg) is off, or something else than the rim slows it; [uncertainty] gain states it",
         contact.touch_time, ratio, error, run_.scene.load.mass));
+}
+
+/// The first touch of a virgin rim is at L_c, to a drawing's tolerance and the record's noise.
+void MeasuredCutter::doubt_place(const ShotStart &start, const Contact &contact) {
+  constexpr double tolerance = 1e-3; // [m]
+  const double L_c = run_.scene.bearing.lateral_capacity(), off = start.touch - L_c;
+  if (std::abs(off) <= tolerance + noise_reach * start.touch_error) return;
+  run_.doubts.push_back(fmt::format("at {:.4f} s the rim first bears force at {:.2f} mm of travel, {:.2f} mm {} the "
+                                    "bearing's L_c of {:.2f} mm: is the "
+                                    "displacement's zero right? (--fit ...,capacity_offset looks for the rim)",
+                                    contact.touch_time, 1e3 * start.touch, 1e3 * std::abs(off),
+                                    off > 0 ? "beyond" : "before", 1e3 * L_c));
 }
 
 /// As far as the samples of contact tell; its speeds and peak are filled in by the cutter.

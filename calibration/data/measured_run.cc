@@ -70,6 +70,7 @@ StoredRun read_measured(const std::string &path, const WindowOptions &options) {
   require_columns(response, mapping, table, headers);
   const bool comma = response.meta.erase(decimal_comma) > 0;
   complete(response, scene.bearing.lateral_capacity());
+  require_clock(response, scene, table);
   WindowOptions own = options;
   own.measured = true;
   if (mapping.uncertainty) own.stated_speed_error = mapping.uncertainty->speed;

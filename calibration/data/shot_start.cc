@@ -17,6 +17,7 @@ void find_capacity(const StoredRun &run, const MeasuredRecord &record, const Win
   const double late =
       std::abs(times[contact.first] - contact.touch_time) + times[contact.first] - times[contact.first - 1];
   const double error = std::hypot(record.sigma() * std::sqrt(fit.shape(0, 0)), fit.v.norm() * late);
+  start.touch = touch.norm(), start.touch_error = error;
   start.dented = touch.norm() > L_c + dent_tolerance + noise_reach * error;
   const bool own =
       options.touch == TouchReference::own_touch || (options.touch == TouchReference::automatic && start.dented);
@@ -35,8 +36,15 @@ std::optional<ShotStart> stated_start(const StoredRun &run, const MeasuredRecord
   if (run.is_window() && contact.first <= 2 && beyond < a_sample + noise_reach * sigma) {
     const Eigen::Vector2d variance(sigma * sigma + a_sample * a_sample / 3,
                                    std::pow(options.stated_speed_error * speed, 2));
-    return ShotStart{0,  1, std::min(u.norm(), L_c) * u.normalized(), speed * u.normalized(), variance.asDiagonal(),
-                     L_c};
+    return ShotStart{.sample = 0,
+                     .flown = 1,
+                     .u = std::min(u.norm(), L_c) * u.normalized(),
+                     .v = speed * u.normalized(),
+                     .covariance = variance.asDiagonal(),
+                     .capacity = L_c,
+                     .dented = false,
+                     .touch = u.norm(),
+                     .touch_error = a_sample + sigma};
   }
   reason = fmt::format("the record holds {:.2g} ms before this touch ({} samples are free of the rim's force there, {} "
                        "are needed; 10 ms "

@@ -13,6 +13,10 @@ inline Eigen::Vector2d planar(const Response &response, const std::string &signa
   return {response.series(signal + "_x")[i], response.series(signal + "_y")[i]};
 }
 
+/// Whether a window ends with the response, at `last` [s], while the rim still bears: its rebound is not known then.
+bool ends_pressed(const ImpactWindow &window, double last);
+inline constexpr const char *still_pressed =
+    "the response ends while the rim still bears, so its rebound is not known: let it go on to 10 ms after release";
 /// The dents that impacts before `index` have left on a rim that yields.
 void press_earlier(reduced::BearingState &start, const StoredRun &run, std::size_t index);
 /// Fills overshoot and grazing from the window's start.

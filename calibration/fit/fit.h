@@ -52,6 +52,8 @@ struct FitOptions {
   Uncertainty uncertainty;
   Weights weights;
   void validate() const; ///< throws InputError naming option, value and bound
+  /// The same while `parameters` may still be empty: those of a law that the runs name.
+  void validate_words() const;
 };
 
 /// What the data say of a parameter.

@@ -29,13 +29,18 @@ void require_read(const std::vector<std::string> &parameters, const std::string 
 } // namespace
 
 void FitOptions::validate() const {
-  if (parameters.empty()) throw InputError("no parameter to fit is named");
+  if (parameters.empty()) throw InputError("no parameter to fit is named, or every one is held");
+  validate_words();
+}
+
+void FitOptions::validate_words() const {
   if (std::set<std::string>(parameters.begin(), parameters.end()).size() != parameters.size())
     throw InputError(fmt::format("a parameter to fit is named twice: {}", fmt::join(parameters, ", ")));
   for (const auto &name : parameters) calibration::parameter(name);
   if (!law.empty()) require_read(parameters, law);
   const auto fitted = [&](const std::string &name) {
-    if (std::find(parameters.begin(), parameters.end(), name) == parameters.end())
+    calibration::parameter(name);
+    if (!parameters.empty() && std::find(parameters.begin(), parameters.end(), name) == parameters.end())
       throw InputError(fmt::format("{} is not among the parameters to fit: {}", name, fmt::join(parameters, ", ")));
   };
   for (const auto &[name, b] : bounds) {

@@ -45,6 +45,7 @@ RunFacts run_facts(const std::string &folder) {
       if (warning.is_string()) facts.warnings.push_back(warning);
   if (summary.contains("energy")) facts.imbalance = number_in(summary["energy"], "imbalance_relative");
   if (number_in(summary, "max_plastic_strain") > 0) facts.plastic_strain = number_in(summary, "max_plastic_strain");
+  facts.beyond_rim = summary.value("beyond_rim", json()) == json(true);
   facts.seconds = number_in(summary, "wall_time_s");
   return facts;
 }
@@ -63,6 +64,12 @@ std::vector<std::string> screen(std::vector<StoredRun> &runs, const std::map<std
     }
     if (f.status != RunStatus::done)
       sentences.push_back(fmt::format("{} is {}; what it holds is fitted all the same", f.name, word(f.status)));
+    if (f.beyond_rim) {
+      sentences.push_back(fmt::format(
+          "{} is left out of the fit: it pressed deeper than its rim is thick, which it says itself is no result",
+          f.name));
+      continue;
+    }
     if (off > largest_imbalance) {
       sentences.push_back(fmt::format("{} is left out of the fit: {:.2f} % of its energy is unaccounted for, where "
                                       "{:.0f} % is the most that is taken",

@@ -81,6 +81,46 @@ template <typename Error> void expect_refusal(const std::vector<std::string> &ru
   }
 }
 
+/// The parameters of the runs' own law are fitted where none are named, whichever it is.
+TEST(Calibrate, FitsWhatTheRunsOwnLawReads) {
+  TemporaryFolder folder;
+  std::vector<std::string> runs;
+  for (const double speed : {0.1, 0.3, 0.5}) {
+    auto s = window(speed, 6e8);
+    s.reduced.impact_law = &laws::impact_law("elastoplastic");
+    runs.push_back(folder.write(s));
+  }
+  CalibrationOptions options;
+  options.fit.parameters.clear();
+  options.profiles = false;
+  EXPECT_EQ(calibrate(runs, options).result.names, laws::impact_law("elastoplastic").parameters);
+  options.fit.fixed["k_i"] = 6e5;
+  const auto held = calibrate(runs, options).result.names;
+  EXPECT_EQ(std::count(held.begin(), held.end(), "k_i"), 0);
+}
+
+TEST(Calibrate, LeavesOutWhatIsNoResult) {
+  TemporaryFolder folder;
+  auto failed = window(0.4);
+  failed.name = "failed";
+  const auto run = reduced::simulate(failed);
+  auto summary = run.summary;
+  summary.extra["beyond_rim"] = true;
+  write_run_folder(folder.at(failed.name), failed, run.response, summary);
+  auto cut = window(0.3); // ends on the rim
+  cut.name = "cut";
+  cut.excitation.duration = 0.6 * reduced::simulate(cut).summary.impacts.at(0).release_time;
+  const auto c = calibrate({folder.write(window(0.2)), folder.at(failed.name)});
+  EXPECT_EQ(c.result.n_impacts, 1);
+  EXPECT_NE(c.doubts.at(0).find("says itself is no result"), std::string::npos) << c.doubts[0];
+  try {
+    calibrate({folder.write(cut)});
+    ADD_FAILURE() << "fitted";
+  } catch (const DataError &error) {
+    EXPECT_NE(std::string(error.what()).find("still bears"), std::string::npos) << error.what();
+  }
+}
+
 TEST(Calibrate, RefusesWithTheReason) {
   TemporaryFolder folder;
   expect_refusal<InputError>({}, "no run folder");
@@ -100,6 +140,9 @@ TEST(Calibrate, RefusesWithTheReason) {
     for (std::size_t i = 0; i < values.size(); i += stride) few.append(name, values[i]);
   write_run_folder(folder.at(coarse.name), coarse, few, {});
   expect_refusal<DataError>({folder.at(coarse.name)}, "samples carry rim force, 8 are needed");
+  auto copy = window(0.2);
+  copy.name = "copy";
+  expect_refusal<InputError>({folder.write(window(0.2)), folder.write(copy)}, "sample by sample");
   auto heavier = window(0.2);
   heavier.name = "heavier";
   heavier.load.mass = 90000;

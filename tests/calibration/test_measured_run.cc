@@ -102,6 +102,47 @@ TEST(MeasuredRun, RefusesFiguresThatContradictEachOther) {
   EXPECT_TRUE(read_run(path, {}).impacts.empty());
 }
 
+TEST(MeasuredRun, RefusesAClockAThousandTimesTooSlow) {
+  TemporaryFolder folder;
+  const auto path = write_test(folder, window(0.3));
+  std::ofstream(path) << head() + replaced(columns, "unit = \"ms\"", "unit = \"s\"");
+  expect_refusal<DataError>(path, "are the units of time and force right?");
+}
+
+/// The rim stands where the bearing says: a zero that is wrong shows in where it is first touched.
+TEST(MeasuredRun, DoubtsAZeroThatPutsTheRimElsewhere) {
+  TemporaryFolder folder;
+  auto s = window(0.3);
+  s.excitation.kind = scene::ExcitationKind::free; // flies before it touches
+  s.excitation.initial_displacement = {s.bearing.lateral_capacity() - 0.03, 0};
+  s.excitation.initial_velocity = {0.5, 0};
+  const auto path = write_test(folder, s);
+  for (const double off : {0.0, -6.0, 6.0}) { // [mm] of travel
+    std::ofstream(path) << head() + replaced(columns, "zero = 3.0", fmt::format("zero = {}", 3.0 + off));
+    const auto run = read_run(path, {});
+    ASSERT_EQ(run.doubts.size(), off == 0 ? 0u : 1u) << off;
+    if (off != 0) EXPECT_NE(run.doubts[0].find(off > 0 ? "beyond" : "before"), std::string::npos) << run.doubts[0];
+    if (off != 0) EXPECT_NE(run.doubts[0].find("zero right?"), std::string::npos) << run.doubts[0];
+  }
+}
+
+TEST(MeasuredRun, LeavesOutAnImpactTheRecordEndsIn) {
+  TemporaryFolder folder;
+  const auto s = window(0.3);
+  const auto path = write_test(folder, s);
+  const auto impact = reduced::simulate(s).summary.impacts.at(0);
+  std::ofstream(path) << head() + columns;
+  std::ifstream in(folder.at("test.csv"));
+  std::string kept;
+  int n = 0;
+  for (std::string line; std::getline(in, line); ++n)
+    if (n < 2 || std::stod(line) < 1e3 * (0.4 * impact.touch_time + 0.6 * impact.release_time)) kept += line + "\n";
+  std::ofstream(folder.at("test.csv")) << kept;
+  const auto run = read_run(path, {});
+  EXPECT_TRUE(run.impacts.empty());
+  EXPECT_NE(run.notes.at(0).find("still bears"), std::string::npos) << run.notes[0];
+}
+
 TEST(MeasuredRun, NoiseOnTheForceIsNoImpact) {
   TemporaryFolder folder;
   const auto s = window(0.3);
