@@ -35,6 +35,17 @@ void check_plane(const Frame &frame, const scene::Scene &scene, bool rigid_bodie
         fmt::format("the inelastic frame has {} members; {} are the most", frame.elements.size(), most_members));
 }
 
+/// Bearings that differ have dishes that differ.
+void check_start(const BuildingBasis &building, const scene::Excitation &e) {
+  if (e.kind != scene::ExcitationKind::free) return;
+  const double start = e.start_displacement().norm();
+  for (std::size_t b = 0; b < building.capacity.size(); ++b)
+    if (!(start <= building.capacity[b]))
+      throw InputError(
+          fmt::format("excitation.displacement_m starts at {} m, beyond the rim of bearing {} at L_c = {} m", start,
+                      b + 1, building.capacity[b]));
+}
+
 /// What `go` does with a recorder; its summary's times.
 template <class Go>
 HingeEnvelope fly(const BuildingBasis &building, const scene::Scene &scene, const Kept &kept, Summary &summary, Go go) {
@@ -60,6 +71,7 @@ void fly(const Frame &frame, const BuildingModel &model, const scene::Scene &sce
   if (frame.inelastic()) check_plane(frame, scene, rigid_bodies);
   if (!frame.inelastic() && !rigid_bodies) {
     const BuildingDynamics dynamics(model, scene, bearings);
+    check_start(dynamics, scene.excitation);
     fly(dynamics, scene, kept, summary,
         [&](BuildingRecorder &recorder) { return BuildingRun(dynamics, scene).run(t_end, recorder); });
     return;
@@ -68,6 +80,7 @@ void fly(const Frame &frame, const BuildingModel &model, const scene::Scene &sce
   MountedBuilding building(model, scene, bearings.empty() ? alike : bearings,
                            frame.inelastic() ? inelastic_structure(frame, model, scene.load.gravity)
                                              : linear_structure(model, scene.load.gravity));
+  check_start(building, scene.excitation);
   ImplicitRun run(building, scene);
   const auto hinges =
       fly(building, scene, kept, summary, [&](BuildingRecorder &recorder) { return run.run(t_end, recorder); });

@@ -79,14 +79,14 @@ Hold Dynamics::hold(const Mode &mode, double t, const State &y, const Site &site
 
 Vector2d Dynamics::slow_direction(const Mode &mode, double t, const State &y, const Site &site) const {
   constexpr double dt = 1e-5; // to see the drive turn [s]
+  const Hold now = hold(mode, t, y, site);
   const auto direction_at = [&](double later) {
     State moved = y;
     moved[iX] += later * y[iVX], moved[iY] += later * y[iVY];
     for (int i = 0; i < building.n_floors(); ++i)
       for (int c = fX; c <= fZ; ++c) moved[iFloors + i * n_floor + c] += later * y[iFloors + i * n_floor + fVX + c];
-    return hold(mode, t + later, moved).direction;
+    return inside(moved) ? hold(mode, t + later, moved).direction : now.direction;
   };
-  const Hold now = hold(mode, t, y, site);
   const Vector2d &e = now.direction, change = (direction_at(dt) - direction_at(-dt)) / (2 * dt);
   const double turning = e[0] * change[1] - e[1] * change[0];
   const double lag = std::hypot(y[iVX], y[iVY]) * turning * mass / (now.drive + now.excess * weight);

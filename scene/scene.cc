@@ -18,6 +18,16 @@ void check_friction(const ReducedSettings &r) {
                                  r.rate, r.mu_slow, r.mu_fast));
 }
 
+/// The rim stays outside the bearing's middle and within its dish.
+void check_offset(const Scene &s) {
+  const double begins = s.bearing.lateral_capacity() + s.reduced.capacity_offset;
+  if (s.double_concave() || (begins > 0 && begins < s.bearing.surface.planar_radius)) return;
+  throw InputError(
+      fmt::format("reduced.capacity_offset_mm {:g} puts the rim's touch at a travel of {:.6g} mm, where it "
+                  "must be within 0..{:g} mm, the dish's edge",
+                  1e3 * s.reduced.capacity_offset, 1e3 * begins, 1e3 * s.bearing.surface.planar_radius));
+}
+
 void check_excitation(const Excitation &e, double lateral_capacity) {
   if (e.kind == ExcitationKind::record && e.x.values.empty() && e.y.values.empty() && e.z.values.empty())
     throw InputError("excitation.x needs a file: a record has x, y or z");
@@ -109,6 +119,7 @@ void Scene::validate() const {
   check_bearing(*this);
   check_ranges(*this);
   check_friction(reduced);
+  check_offset(*this);
   check_excitation(excitation, lateral_capacity());
   if (double_concave()) check_double_concave(*this);
   if (reduced.impact_law->pushed) check_curve(*this);

@@ -97,6 +97,21 @@ TEST(BuildingRun, StopsWhereACornerIsThrownOverItsRim) {
   EXPECT_LT(run.response.series("time").back(), s.excitation.duration);
 }
 
+TEST(BuildingRun, RefusesAStartBeyondTheRimOfOneOfItsBearings) {
+  scene::Scene s = pulse(1);
+  s.excitation.kind = scene::ExcitationKind::free;
+  s.excitation.initial_displacement = {0.3, 0};
+  std::vector<scene::Scene> bearings(4, s);
+  bearings[2].bearing = scene::builtin_bearing("shfps-appendix-a");
+  try {
+    simulate(block(2, 2), s, bearings);
+    ADD_FAILURE() << "accepted";
+  } catch (const InputError &error) {
+    EXPECT_NE(std::string(error.what()).find("beyond the rim of bearing 3 at L_c = 0.095 m"), std::string::npos)
+        << error.what();
+  }
+}
+
 TEST(BuildingRun, RefusesWhatABuildingCannotHave) {
   const Frame f = block(2, 2);
   const auto said = [&](auto change) {

@@ -36,6 +36,27 @@ TEST(Input, UnknownNamesListTheKnown) {
   EXPECT_EQ(laws::impact_laws().size(), 6u);
 }
 
+TEST(Input, TheRimBeginsBetweenTheMiddleAndTheDishsEdge) {
+  const auto load = [](double offset) { // L_c is 95 mm, the edge at 135 mm
+    return scene::load_scene("ricker-0.78g-1.0s", {"bearing.name=\"shfps-appendix-a\"",
+                                                   "reduced.capacity_offset_mm=" + std::to_string(offset)});
+  };
+  EXPECT_THROW(load(-95), InputError);
+  EXPECT_THROW(load(40), InputError);
+  EXPECT_NO_THROW(load(-94));
+}
+
+/// Corners of what is allowed end as results, not as faults.
+TEST(Input, CornersOfWhatIsAllowedAreRun) {
+  const auto next_to_nothing = scene::load_scene("frame-four-dof", {"superstructure.mass_ratio=0.99999"});
+  EXPECT_EQ(simulate_summary(next_to_nothing).status, RunStatus::done); // a base of 1e-5 of the mass
+  scene::Scene s = free_motion({1e-4, 0}, {0, 0});
+  set_friction(s, 0);
+  s.reduced.finite_pad = true; // at 0.1 mm its ring lies lower than at rest
+  const auto run = simulate_summary(s);
+  EXPECT_EQ(run.status, RunStatus::done) << run.reason;
+}
+
 TEST(Input, PoisonInUnusedInputsDoesNotMatter) {
   const double nan = std::nan("");
   scene::Scene s = ricker(1.05);
