@@ -1,5 +1,6 @@
 #include "app/export_building.h"
 #include "buildings/assembly.h"
+#include "buildings/bearing_doubts.h"
 #include "buildings/frame_source.h"
 #include "calibration/export/comment.h"
 #include "calibration/export/opensees.h"
@@ -79,11 +80,14 @@ void export_building_bearings(const std::string &folder, const std::string &out,
   const Frame frame = buildings::load_frame(folder);
   const auto bearings = buildings::bearings_of(frame, scene);
   const auto reactions = buildings::static_reactions(buildings::assemble(frame), scene.load.gravity);
+  const auto doubts = buildings::doubts_of_elements(bearings, {reactions.begin(), reactions.end()});
+  for (const auto &doubt : doubts) console.warn(doubt);
   std::error_code failure;
   fs::create_directories(out, failure);
   if (failure) throw IoError(fmt::format("{}: {}", out, failure.message()));
   std::vector<Placed> placed;
   auto table = nlohmann::json{{"files", nlohmann::json::array()}, {"limits", limits}};
+  table["doubts"] = doubts;
   std::string written;
   const auto write = [&](const std::string &name, const std::string &text) {
     const std::string path = (fs::path(out) / name).string();
@@ -98,7 +102,8 @@ void export_building_bearings(const std::string &folder, const std::string &out,
                                    "OpenSees is: only dishes are exported",
                                    folder, i + 1, word(bearings[b].reduced.model)));
     own.bearing = bearings[b].bearing;
-    const ExportedRim rim = rim_of(own, own.bearing, reactions[b]);
+    ExportedRim rim = rim_of(own, own.bearing, reactions[b]);
+    for (const auto &doubt : doubts) rim.statement.push_back("DOUBT: " + doubt);
     const auto springs = calibration::opensees_rim(rim);
     const auto dish = calibration::dish_of(own, rim.lateral_capacity);
     const int node = static_cast<int>(i) + 1;

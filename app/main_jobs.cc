@@ -16,7 +16,8 @@ scene::Scene for_target(const char *built_in, const MainTarget &target, const st
   scene.reduced = target.scene.reduced;
   scene.reduced.calibration.clear(); // a reference run is of no fitted law
   scene.reduced.fitted_rim.clear();
-  scene.reduced.fitted_from = scene.reduced.fitted_to = scene.reduced.fitted_mass = std::nullopt;
+  scene.reduced.fitted_from = scene.reduced.fitted_to = scene.reduced.fitted_mass = scene.reduced.fitted_speeds_mass =
+      std::nullopt;
   return scene;
 }
 

@@ -3,6 +3,7 @@
 #include "app/sibling.h"
 #include "app/sweep_runs.h"
 #include "app/verb.h"
+#include "buildings/bearing_doubts.h"
 #include "buildings/frame_source.h"
 #include "buildings/frame_tables.h"
 #include "buildings/simulate.h"
@@ -14,7 +15,6 @@
 #include "files/json_text.h"
 #include "responses/identity.h"
 #include "responses/limits.h"
-#include "scene/doubts.h"
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -57,10 +57,14 @@ std::string describe(const scene::Scene &scene, const buildings::Frame &frame, c
   return text;
 }
 
-void add_warnings(const scene::Scene &scene, reduced::ReducedRun &run, Console &console) {
+void add_warnings(const scene::Scene &scene, const std::vector<scene::Scene> &bearings, reduced::ReducedRun &run,
+                  Console &console) {
+  std::vector<double> reactions;
+  for (const auto &bearing : run.summary.extra["building"].at("bearings"))
+    reactions.push_back(bearing.at("static_normal_force_N"));
   auto &warnings = run.summary.extra["warnings"] = nlohmann::json::array();
   if (!run.summary.impacts.empty())
-    for (const auto &doubt : scene::doubts_of_element(scene)) warnings.push_back(doubt);
+    for (const auto &doubt : buildings::doubts_of_elements(bearings, reactions)) warnings.push_back(doubt);
   if (const auto doubt = doubt_of_ledger(run.summary.energy.value_or(EnergyLedger()));
       doubt && run.summary.status == RunStatus::done)
     warnings.push_back(*doubt);
@@ -158,7 +162,7 @@ void run_building(const BuildingOptions &options, Console &console) {
   run.summary.extra["building"]["name"] = frame.name;
   run.summary.extra["identity"] = to_json(identity);
   run.summary.extra["building"]["hardest_instant_s"] = result.trace.hardest.t;
-  add_warnings(scene, run, console);
+  add_warnings(scene, bearings, run, console);
   write_run_folder(folder, scene, run.response, run.summary);
   write_building(frame, result, folder);
   if (options.picture && python({"report.quick", "building", folder}) != 0)

@@ -8,6 +8,7 @@
 #include "responses/build_version.h"
 #include "responses/response.h"
 #include "scene/rim_identity.h"
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -22,7 +23,7 @@ using nlohmann::json;
 
 struct ExportOptions {
   std::string folder, out, law, scene;
-  std::optional<double> mass;
+  std::optional<double> mass, load; ///< [kg], [kN]
   bool opensees = false, sap2000 = false, etabs = false, csv = false;
 };
 
@@ -80,6 +81,16 @@ std::optional<scene::Scene> scene_of(const ExportOptions &options, const json &c
   return std::nullopt;
 }
 
+/// The files are for one load: that of a scene which is given for its dish is not taken unasked.
+void warn_of_load(const ExportOptions &options, const scene::Scene &scene, const ExportedRim &rim, Console &console) {
+  if (options.scene.empty() || options.load || options.mass) return;
+  const double own = scene.load.vertical; // a bearing's file, and a scene that names no load, have the default one
+  if (own == scene::Load{}.vertical || std::abs(own / rim.vertical - 1) < 1e-3) return;
+  console.warn(fmt::format("{} carries {:.6g} kN, the calibration's bearing {:.6g} kN, for which the files are; --load "
+                           "{:.6g} makes them for the scene's",
+                           options.scene, own / 1e3, rim.vertical / 1e3, own / 1e3));
+}
+
 /// The command without the program's folder, and what made the file.
 std::vector<std::string> header(const Console &console) {
   std::string command = "rimpact";
@@ -88,9 +99,13 @@ std::vector<std::string> header(const Console &console) {
 }
 
 void export_to(const ExportOptions &options, const json &calibration, Console &console) {
-  const ExportedRim rim = calibration::exported_rim(calibration, {.law = options.law, .mass = options.mass});
+  const auto vertical = options.load ? std::optional(1e3 * *options.load) : std::nullopt;
+  const ExportedRim rim =
+      calibration::exported_rim(calibration, {.law = options.law, .mass = options.mass, .vertical = vertical});
   std::optional<Dish> dish;
-  if (const auto scene = scene_of(options, calibration, rim)) dish = calibration::dish_of(*scene, rim.lateral_capacity);
+  const auto scene = scene_of(options, calibration, rim);
+  if (scene) warn_of_load(options, *scene, rim, console);
+  if (scene) dish = calibration::dish_of(*scene, rim.lateral_capacity);
   auto head = header(console);
   if (!dish && (options.opensees || options.sap2000 || options.etabs)) {
     head.push_back("The rim only: the bearing's dish is not known here. Give it with --scene SCENE_OR_BEARING.");
@@ -152,7 +167,10 @@ void add_export(CLI::App &app, Console &console) {
   verb->add_flag("--csv", options->csv, "law.csv: force over penetration, loading and unloading from five depths");
   verb->add_option("--law", options->law,
                    "another of the ranked laws, or \"pair\": the constant pair; default: the calibration's answer");
-  verb->add_option("--mass", options->mass, "mass that the bearing carries [kg]; default: the calibration's");
+  verb->add_option("--mass", options->mass,
+                   "mass that the bearing carries [kg]; default: the calibration's, or W / g of --load");
+  verb->add_option("--load", options->load,
+                   "dead load W of the bearing [kN]; default: the calibration's, or m g of --mass");
   verb->add_option("--scene", options->scene,
                    "scene or bearing with the dish and its friction; default: that of a fitted run");
   console.add_common(*verb);
@@ -161,7 +179,7 @@ void add_export(CLI::App &app, Console &console) {
     if (!(options->opensees || options->sap2000 || options->etabs || options->csv))
       throw InputError("export: say for what, one or more of --opensees, --sap2000, --etabs, --csv");
     if (is_building_folder(options->folder)) {
-      if (options->sap2000 || options->etabs || options->csv || !options->law.empty() || options->mass)
+      if (options->sap2000 || options->etabs || options->csv || !options->law.empty() || options->mass || options->load)
         throw InputError("export: of a building's run only its bearings for --opensees, under their own weights");
       return export_building_bearings(options->folder, options->out.empty() ? options->folder : options->out,
                                       header(console), console);

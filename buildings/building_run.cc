@@ -172,8 +172,7 @@ void BuildingRun::set_out_on_rims(double t, const VectorXd &y, const VectorXd &d
 }
 
 void BuildingRun::arrive_on_rims(double t, const VectorXd &y) {
-  for (int b = 0; b < dynamics_.n_bearings(); ++b)
-    try {
+  for (int b = 0; b < dynamics_.n_bearings(); ++b) try {
       dynamics_.laws[b].arrive(modes_[b], t, dynamics_.bearing_state(b, y));
     } catch (const SolverStopped &stop) {
       throw SolverStopped(fmt::format("bearing {}: {}", b + 1, stop.what()));

@@ -32,7 +32,8 @@ SCENE: Shape = {
                 "material": {"*": {"*": NUMBER}}, "contact": {"pad_foot": TEXT, "*": NUMBER}},
     "excitation": {"kind": TEXT, **numbers("scale speed_m_per_s amplitude_g period_s centre_s duration_s direction_deg")},
     "reduced": {**texts("model impact_law friction normal_force calibration fitted_rim"),
-                **numbers("k_i_kN_per_m restitution mu_fast mu_slow fitted_from_m_per_s fitted_to_m_per_s fitted_mass_kg")},
+                **numbers("k_i_kN_per_m restitution mu_fast mu_slow fitted_from_m_per_s fitted_to_m_per_s fitted_mass_kg "
+                          "fitted_speeds_mass_kg")},
     "isolator": {"capacity_m": NUMBER}, "superstructure": {"kind": TEXT, **numbers("storeys period_s damping_ratio yield_mm mass_ratio")},
 }
 IMPACT: Shape = numbers("touch_time_s release_time_s direction_deg approach_speed_m_s rebound_speed_m_s restitution peak_force_N "

@@ -1,6 +1,7 @@
 #include "responses/limits.h"
 
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace rimpact {
@@ -38,8 +39,24 @@ json beyond_rim(const scene::Scene &scene, Summary &summary) {
   return true;
 }
 
+/// Supported by a bearing, the heaviest loaded of a building [kg].
+double carried_mass(const scene::Scene &scene, const Summary &summary) {
+  if (!summary.extra.contains("building")) return scene.load.mass;
+  double weight = 0;
+  for (const auto &bearing : summary.extra["building"].at("bearings"))
+    weight = std::max(weight, bearing.at("static_normal_force_N").get<double>());
+  return weight / scene.load.gravity;
+}
+
+/// A law of the rim reaches the same depths at speeds that move as 1/sqrt(m).
+std::optional<double> at_mass(std::optional<double> speed, const scene::Scene &scene, double mass) {
+  if (speed && scene.reduced.fitted_speeds_mass) *speed *= std::sqrt(*scene.reduced.fitted_speeds_mass / mass);
+  return speed;
+}
+
 json beyond_fit(const scene::Scene &scene, Summary &summary) {
-  const auto &from = scene.reduced.fitted_from, &to = scene.reduced.fitted_to;
+  const double mass = carried_mass(scene, summary);
+  const auto from = at_mass(scene.reduced.fitted_from, scene, mass), to = at_mass(scene.reduced.fitted_to, scene, mass);
   if (!from && !to) return nullptr;
   constexpr double slack = 1e-3; // of the bounds: a window's speed is met to rounding
   double slowest = 1e300, fastest = 0;
@@ -50,9 +67,11 @@ json beyond_fit(const scene::Scene &scene, Summary &summary) {
     ++beyond, slowest = std::min(slowest, speed), fastest = std::max(fastest, speed);
   }
   if (beyond > 0 && summary.rung == SolvedBy::reduced) {
-    const std::string range = from && to ? fmt::format("{:g} to {:g} m/s", *from, *to)
-                              : from     ? fmt::format("{:g} m/s upwards", *from)
-                                         : fmt::format("up to {:g} m/s", *to);
+    std::string range = from && to ? fmt::format("{:.4g} to {:.4g} m/s", *from, *to)
+                        : from     ? fmt::format("{:.4g} m/s upwards", *from)
+                                   : fmt::format("up to {:.4g} m/s", *to);
+    if (const auto &at = scene.reduced.fitted_speeds_mass; at && std::abs(*at / mass - 1) > 1e-3)
+      range += fmt::format(" at {:.6g} kg (fitted at {:.6g} kg)", mass, *at);
     const std::string speeds = beyond == 1
                                    ? fmt::format("an impact at {:.3g} m/s", fastest)
                                    : fmt::format("{} impacts at {:.3g} to {:.3g} m/s", beyond, slowest, fastest);

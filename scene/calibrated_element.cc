@@ -78,7 +78,8 @@ void read_answer(const json &answer, Element &element) {
   for (const auto &[name, key] :
        {std::pair{"fitted_from_m_s", "fitted_from_m_per_s"}, {"fitted_to_m_s", "fitted_to_m_per_s"}})
     if (!member(law, name).is_null()) element.number(key, law[name]);
-  if (member(law, "belongs_to") == "mass") element.number("fitted_mass_kg", member(answer, "mass_kg"));
+  if (const json &mass = member(answer, "mass_kg"); mass.is_number())
+    element.number(member(law, "belongs_to") == "mass" ? "fitted_mass_kg" : "fitted_speeds_mass_kg", mass);
   if (const json &rim = member(answer, "rim_identity"); rim.is_string()) element.rim = rim.get<std::string>();
   if (!element.rim.empty()) element.values["fitted_rim"] = toml_quoted(element.rim);
 }
@@ -168,7 +169,8 @@ const std::vector<std::string> &element_keys() {
   static const std::vector<std::string> keys = [] {
     std::vector<std::string> list{"impact_law", "reference_speed_m_per_s"};
     for (const auto &[name, parameter] : parameters()) list.emplace_back(parameter.key);
-    for (const char *key : {"fitted_from_m_per_s", "fitted_to_m_per_s", "fitted_mass_kg", "fitted_rim", "taken_from"})
+    for (const char *key : {"fitted_from_m_per_s", "fitted_to_m_per_s", "fitted_mass_kg", "fitted_speeds_mass_kg",
+                            "fitted_rim", "taken_from"})
       list.emplace_back(key);
     return list;
   }();
@@ -225,7 +227,8 @@ void forget_origin(const std::vector<std::string> &typed, ReducedSettings &reduc
                                 "rim it holds for are not known",
                                 fmt::join(typed, ", "), reduced.calibration));
   reduced.calibration.clear(), reduced.fitted_rim.clear();
-  reduced.fitted_from.reset(), reduced.fitted_to.reset(), reduced.fitted_mass.reset();
+  reduced.fitted_from.reset(), reduced.fitted_to.reset(), reduced.fitted_mass.reset(),
+      reduced.fitted_speeds_mass.reset();
 }
 
 } // namespace rimpact::scene

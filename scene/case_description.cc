@@ -58,6 +58,7 @@ std::string source_of(const Scene &scene) {
 std::string range_of(const ReducedSettings &r) {
   std::string text;
   if (r.fitted_from && r.fitted_to) text += fmt::format("; fitted from {:g} to {:g} m/s", *r.fitted_from, *r.fitted_to);
+  if (r.fitted_speeds_mass) text += fmt::format(" under {:g} kg", *r.fitted_speeds_mass);
   if (r.fitted_mass) text += fmt::format("; for {:g} kg only", *r.fitted_mass);
   return text;
 }
@@ -102,6 +103,7 @@ json case_json(const Scene &scene) {
             {"fitted_from_m_per_s", or_null(r.fitted_from)},
             {"fitted_to_m_per_s", or_null(r.fitted_to)},
             {"fitted_mass_kg", or_null(r.fitted_mass)},
+            {"fitted_speeds_mass_kg", or_null(r.fitted_speeds_mass)},
             {"fitted_rim", r.fitted_rim.empty() ? json(nullptr) : json(r.fitted_rim)}}}};
 }
 

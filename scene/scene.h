@@ -40,7 +40,9 @@ struct ReducedSettings : laws::LawNumbers {
   std::optional<double> fitted_from = {},
                         fitted_to = {}; ///< approach speeds for which the element holds [m/s]; none: not known
   std::optional<double> fitted_mass =
-      {};                      ///< supported mass it holds for [kg]; none: the law belongs to the rim, not to the mass
+      {}; ///< supported mass it holds for [kg]; none: the law belongs to the rim, not to the mass
+  std::optional<double> fitted_speeds_mass =
+      {}; ///< of the rim's own law: supported mass of fitted_from and fitted_to [kg]; at another they move as 1/sqrt(m)
   std::string fitted_rim = {}; ///< rim_identity() of the bearing it was fitted to; empty: not known
   Friction friction = Friction::coulomb;
   double elastic_slip = 1e-4; ///< q of the Park-Wen state [m] (key elastic_slip_mm)

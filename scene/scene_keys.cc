@@ -77,6 +77,9 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
   if (v.wants(r.fitted_to.has_value())) v.limit({"fitted_to_m_per_s", "fastest"}, r.fitted_to, si, {0, 100});
   if (v.wants(r.fitted_mass.has_value()))
     v.limit({"fitted_mass_kg", "supported mass it holds for"}, r.fitted_mass, si, positive);
+  if (v.wants(r.fitted_speeds_mass.has_value()))
+    v.limit({"fitted_speeds_mass_kg", "of a rim's own law: supported mass of those speeds; they move as 1/sqrt(m)"},
+            r.fitted_speeds_mass, si, positive);
   if (v.wants(!r.fitted_rim.empty())) v.text({"fitted_rim", "the rim it was fitted to"}, r.fitted_rim);
   v.choice({"friction"}, r.friction);
   v.number({"elastic_slip_mm", "of park-wen"}, r.elastic_slip, milli, {1e-3, 1e3});

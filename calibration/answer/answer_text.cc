@@ -57,7 +57,8 @@ std::string to_toml_fragment(const Answer &a) {
   if (law.reads("exponent")) text += fmt::format("reference_speed_m_per_s = {:.9g}\n", r.reference_speed);
   text += others(a, "reduced");
   text += fmt::format("fitted_from_m_per_s = {:.9g}\nfitted_to_m_per_s = {:.9g}\n", a.law.fitted_from, a.law.fitted_to);
-  if (a.law.of_the_mass) text += fmt::format("fitted_mass_kg = {:.9g}\n", a.scene.load.mass);
+  text +=
+      fmt::format("{} = {:.9g}\n", a.law.of_the_mass ? "fitted_mass_kg" : "fitted_speeds_mass_kg", a.scene.load.mass);
   text += fmt::format("fitted_rim = \"{}\"\n", a.rim_identity);
   const std::string load = others(a, "load");
   return load.empty() ? text : text + "[load]\n" + load;

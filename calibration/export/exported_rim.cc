@@ -139,6 +139,18 @@ const json &answer_of(const json &calibration) {
   return answer;
 }
 
+/// One of mass and dead load makes the other: W = m g.
+void set_load(ExportedRim &rim, const json &answer, const ExportChoice &choice) {
+  rim.gravity = positive_at(answer, "gravity_m_per_s2", "answer");
+  rim.mass = choice.mass ? *choice.mass : choice.vertical ? *choice.vertical / rim.gravity : rim.fitted_mass;
+  rim.vertical = choice.vertical ? *choice.vertical
+                 : choice.mass   ? *choice.mass * rim.gravity
+                                 : 1e3 * positive_at(answer, "vertical_kN", "answer");
+  if (!(rim.mass > 0) || !std::isfinite(rim.mass)) throw InputError(fmt::format("--mass {} must be > 0 kg", rim.mass));
+  if (!(rim.vertical > 0) || !std::isfinite(rim.vertical))
+    throw InputError(fmt::format("--load {} must be > 0 kN", rim.vertical / 1e3));
+}
+
 /// Speeds the law is exported for. At another mass a law that knows no rate reaches the same penetrations at other
 /// speeds: v sqrt(m).
 void set_range(ExportedRim &rim, const json &law, const std::string &where) {
@@ -172,15 +184,12 @@ ExportedRim exported_rim(const json &calibration, const ExportChoice &choice) tr
   rim.settings = settings_of(source.law["name"], element, where.c_str());
   rim.of_mass = source.law.value("belongs_to", json()) == json("mass");
   rim.fitted_mass = positive_at(source.law.contains("mass_kg") ? source.law : answer, "mass_kg", "answer");
-  rim.mass = choice.mass.value_or(rim.fitted_mass);
-  if (!(rim.mass > 0) || !std::isfinite(rim.mass)) throw InputError(fmt::format("--mass {} must be > 0 kg", rim.mass));
+  set_load(rim, answer, choice);
   if (rim.of_mass && std::abs(rim.mass / rim.fitted_mass - 1) > 0.01)
     throw InputError(fmt::format("--mass {:.6g}: the law {} holds for {:.6g} kg only, for its dashpot is scaled by the "
                                  "mass; calibrate at that mass, or export a law "
                                  "of the rim (elastoplastic)",
                                  rim.mass, rim.law().name, rim.fitted_mass));
-  rim.vertical = 1e3 * positive_at(answer, "vertical_kN", "answer");
-  rim.gravity = positive_at(answer, "gravity_m_per_s2", "answer");
   const json capacity =
       element.contains("lateral_capacity_m") ? element : answer["law"].value("element", json::object());
   rim.lateral_capacity = positive_at(capacity, "lateral_capacity_m", "answer.law.element");

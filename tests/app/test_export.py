@@ -51,6 +51,22 @@ class Export(Exported):
             with open(os.path.join(folder, "impact.tcl")) as file:
                 self.assertIn("DOUBT: Self-check", file.read())
 
+    def test_mass_and_load_go_together(self):
+        for arguments, said in ((["--mass", "40000"], "Load 392.4 kN, mass 40000 kg"), (["--load", "392.4"], "Load 392.4 kN, mass 40000 kg"),
+                                (["--load", "500", "--mass", "40000"], "Load 500 kN, mass 40000 kg")):
+            with tempfile.TemporaryDirectory() as folder:
+                self.exported(folder, "--csv", *arguments)
+                with open(os.path.join(folder, "law.csv")) as file:
+                    self.assertIn(said, file.read())
+        with tempfile.TemporaryDirectory() as folder:
+            scene = os.path.join(folder, "scene.toml")
+            with open(scene, "w") as file:
+                file.write("[load]\nvertical_kN = 400\n")
+            write(folder, calibration(identity=self.rim))
+            run = rimpact("export", folder, "--csv", "--scene", scene)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertIn("carries 400 kN", run.stderr)  # the files stay for the calibration's
+
     def test_refusals(self):
         with tempfile.TemporaryDirectory() as folder:
             self.assertEqual(rimpact("export", folder, "--csv").returncode, 3)  # no calibration.json

@@ -90,8 +90,8 @@ const std::vector<Case> cases{
     {"a chain of 20 impacts",
      [](auto &, auto &s, auto &) {
        s.excitation.kind = scene::ExcitationKind::free, s.excitation.scale = 1;
-       s.excitation.initial_displacement = {0.35, 0}, s.excitation.initial_velocity = {2.5, 0.3};
-       s.reduced.mu_fast = s.reduced.mu_slow = 0.005, s.reduced.restitution = 0.95, s.excitation.duration = 8;
+       s.excitation.initial_displacement = {0.35, 0}, s.excitation.initial_velocity = {0.7, 0.1};
+       s.reduced.mu_fast = s.reduced.mu_slow = 0.005, s.reduced.restitution = 0.95, s.excitation.duration = 14;
      },
      [](const Summary &s) { return s.impacts.size() >= 20; }},
     {"a rim that yields", [](auto &, auto &s, auto &) { s.reduced.impact_law = &laws::impact_law("elastoplastic"); },

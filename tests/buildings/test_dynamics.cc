@@ -1,4 +1,5 @@
 // A building on bearings: against one bearing, rotated, side by side, let go, uplifting.
+#include "buildings/bearing_doubts.h"
 #include "buildings/regular_building.h"
 #include "buildings/simulate.h"
 #include "files/error.h"
@@ -95,6 +96,15 @@ TEST(BuildingRun, StopsWhereACornerIsThrownOverItsRim) {
   EXPECT_NE(run.summary.reason.find("bearing 3: the slider is thrown over the rim"), std::string::npos)
       << run.summary.reason;
   EXPECT_LT(run.response.series("time").back(), s.excitation.duration);
+}
+
+TEST(BearingDoubts, AreOfTheWeightEachCarries) {
+  const scene::Scene s = pulse(1);
+  const double usual = scene::Load{}.vertical;
+  EXPECT_TRUE(doubts_of_elements({s, s}, {usual, usual}).empty());
+  const auto doubts = doubts_of_elements({s, s, s}, {usual, usual / 4, usual / 2});
+  ASSERT_EQ(doubts.size(), 1u); // a sentence once
+  EXPECT_EQ(doubts[0].find("bearing 2 (21738 kg): "), 0u) << doubts[0];
 }
 
 TEST(BuildingRun, RefusesAStartBeyondTheRimOfOneOfItsBearings) {

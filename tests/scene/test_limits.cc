@@ -55,6 +55,26 @@ TEST(Limits, PastTheDishIsNoResult) {
       << warnings(s)[1];
 }
 
+/// A rim's own law is fitted to depths: under four times the mass they are reached at half the speeds.
+TEST(Limits, SpeedsOfARimsOwnLawMoveWithTheMass) {
+  Scene scene;
+  scene.reduced.fitted_from = 0.1, scene.reduced.fitted_to = 0.4;
+  scene.reduced.fitted_speeds_mass = scene.load.mass / 4;
+  const auto beyond = [&](double speed, Summary s = {}) {
+    s.impacts.push_back({1.0, 1.05, 0.0, speed, 0.5 * speed, 1e6, 0.005});
+    judge(scene, s);
+    return s;
+  };
+  EXPECT_EQ(beyond(0.1).extra["beyond_fit"], false);
+  const auto fast = beyond(0.3);
+  EXPECT_EQ(fast.extra["beyond_fit"], true);
+  EXPECT_NE(warnings(fast).at(0).find("0.05 to 0.2 m/s at"), std::string::npos) << warnings(fast)[0];
+  Summary building; // its heaviest loaded bearing carries what the element was fitted under
+  building.extra["building"]["bearings"] = {
+      {{"static_normal_force_N", *scene.reduced.fitted_speeds_mass * scene.load.gravity}}};
+  EXPECT_EQ(beyond(0.3, building).extra["beyond_fit"], false);
+}
+
 TEST(Limits, SpeedsOutsideTheFit) {
   Scene scene;
   Summary unknown = one_impact(2.0, 0.01);

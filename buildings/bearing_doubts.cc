@@ -1,0 +1,32 @@
+#include "buildings/bearing_doubts.h"
+#include "scene/doubts.h"
+#include <algorithm>
+#include <fmt/format.h>
+#include <map>
+#include <set>
+
+namespace rimpact::buildings {
+
+std::vector<std::string> doubts_of_elements(const std::vector<scene::Scene> &bearings,
+                                            const std::vector<double> &reactions) {
+  std::map<std::string, std::pair<std::size_t, std::size_t>> extremes; // by name: lightest and heaviest loaded
+  for (std::size_t b = 0; b < bearings.size(); ++b) {
+    auto &[light, heavy] = extremes.insert({bearings[b].bearing.name, {b, b}}).first->second;
+    if (reactions[b] < reactions[light]) light = b;
+    if (reactions[b] > reactions[heavy]) heavy = b;
+  }
+  std::vector<std::string> sentences;
+  std::set<std::string> said;
+  for (const auto &[name, pair] : extremes)
+    for (const std::size_t b : {pair.first, pair.second}) {
+      if (!(reactions[b] > 0)) continue;
+      scene::Scene own = bearings[b];
+      own.load.vertical = reactions[b], own.load.mass = reactions[b] / own.load.gravity;
+      for (const auto &doubt : scene::doubts_of_element(own))
+        if (said.insert(doubt).second)
+          sentences.push_back(fmt::format("bearing {} ({:.6g} kg): {}", b + 1, own.load.mass, doubt));
+    }
+  return sentences;
+}
+
+} // namespace rimpact::buildings
