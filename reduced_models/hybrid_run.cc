@@ -42,7 +42,8 @@ void HybridRun::set_scales(const BearingState &start) {
   // Without ground motion the energy at the start bounds the speeds: a gentle motion gets as many digits.
   double share = 1;
   if (quiet_) {
-    const double energy = dynamics_.supported_mass / 2 * start.v.squaredNorm() + dynamics_.weight * std::max(0.0, start.u[2]);
+    const double energy =
+        dynamics_.supported_mass / 2 * start.v.squaredNorm() + dynamics_.weight * std::max(0.0, start.u[2]);
     share = std::clamp(std::sqrt(2 * energy / dynamics_.supported_mass) / dynamics_.speed_scale, 1e-4, 1.0);
   }
   inverse_scale_ = State(dynamics_.n_state());

@@ -11,7 +11,7 @@ namespace rimpact::calibration {
 
 struct ExportChoice {
   std::string law = {}; ///< empty: the answer's; "pair": the answer's constant pair; else one of the ranked laws
-  std::optional<double> mass = {}; ///< [kg] that the bearing carries; none: the answer's, or what `vertical` weighs
+  std::optional<double> mass = {};     ///< [kg] that the bearing carries; none: the answer's, or what `vertical` weighs
   std::optional<double> vertical = {}; ///< dead load [N]; none: the answer's, or W = m g of a mass that is given
 };
 

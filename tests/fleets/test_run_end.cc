@@ -17,7 +17,7 @@ TEST(RunEnd, OfWhatModelsSay) {
   scene::Scene off_the_dish = scene::load_scene("ricker-0.78g-1.0s", {"excitation.scale=3", "reduced.k_i_kN_per_m=0"});
   EXPECT_EQ(end_of(off_the_dish), RunEnd::beyond);
   EXPECT_EQ(end_of(scene::load_scene("ricker-0.78g-1.0s", {"excitation.scale=3"})), RunEnd::beyond); // over the rim
-  EXPECT_EQ(end_of(reduced::testing::slender(0.8, 0.1)), RunEnd::beyond);  // overturns
+  EXPECT_EQ(end_of(reduced::testing::slender(0.8, 0.1)), RunEnd::beyond);                            // overturns
   EXPECT_EQ(end_of(reduced::testing::slender(1.5, 1e-4)), RunEnd::beyond); // leaves over a low rim
   scene::Scene softening = reduced::testing::shaken(scene::ModelKind::lir_dcfp, 0.5);
   softening.superstructure.kind = scene::StructureKind::bouc_wen, softening.superstructure.mass_ratio = 0.7;
