@@ -9,6 +9,7 @@
 #include "scene/keys.h"
 #include "scene/scene_catalogue.h"
 #include "scene/scene_defaults.h"
+#include "scene/unread_keys.h"
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -81,6 +82,7 @@ Scene parse_scene(const std::string &text, const std::string &origin, const std:
   forget_origin(typed, scene.reduced, scene.remarks);
   // Geometry first: a bearing that cannot be built is said before a record that is missing.
   with_location(file, "bearing", [&] { check_bearing(scene); });
+  if (std::string remark = unread_keys(file, scene); !remark.empty()) scene.remarks.push_back(std::move(remark));
   read_records(file, scene, folder);
   read_path(file, scene, folder);
   if (!scene.reduced.impact_curve.empty()) make_absolute(scene.reduced.impact_curve, folder);

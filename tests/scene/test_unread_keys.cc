@@ -1,0 +1,38 @@
+#include "scene/scene.h"
+#include "scene/scene_catalogue.h"
+#include <gtest/gtest.h>
+
+namespace {
+using namespace rimpact::scene;
+
+std::vector<std::string> remarks(const std::string &text, const std::vector<std::string> &set = {}) {
+  return parse_scene("[load]\nvertical_kN = 853\n" + text, "a.toml", set).remarks;
+}
+
+TEST(UnreadKeys, OfAnotherKindAreNamed) {
+  const auto said = remarks("[excitation]\nkind = \"ricker\"\nspeed_m_per_s = 0.7\ntravel_mm = 9\n");
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_EQ(
+      said[0].find("excitation.speed_m_per_s, excitation.travel_mm are not read by this scene: excitation.kind is "
+                   "\"ricker\""),
+      0u)
+      << said[0];
+  EXPECT_EQ(remarks("[excitation]\nkind = \"ricker\"\n[reduced]\nyield_force_kN = 500\n").size(), 1u);
+  EXPECT_EQ(remarks("[excitation]\nkind = \"ricker\"\n[isolator]\nradius_m = 1.5\n").size(), 1u);
+  EXPECT_EQ(remarks("[excitation]\nkind = \"ricker\"\n", {"excitation.speed_m_per_s=0.7"}).size(), 1u);
+}
+
+TEST(UnreadKeys, WhatIsReadOrLeftAtItsDefaultIsNoSlip) {
+  EXPECT_TRUE(remarks("[excitation]\nkind = \"window\"\nspeed_m_per_s = 0.7\n").empty());
+  EXPECT_TRUE(remarks("[excitation]\nkind = \"ricker\"\nspeed_m_per_s = 0.1\n").empty()); // the default
+  EXPECT_TRUE(remarks("[excitation]\nkind = \"ricker\"\n[reduced]\ncapacity_offset_mm = 0\n").empty());
+  // --set takes another kind: what the file says for its own is no slip
+  EXPECT_TRUE(remarks("[excitation]\nkind = \"ricker\"\namplitude_g = 0.5\n", {"excitation.kind=free"}).empty());
+  for (const auto &name : builtin_scene_names()) {
+    if (!find_builtin_scene(name)->needs.empty()) continue; // a record that is not here
+    for (const auto &remark : load_scene(name).remarks)
+      EXPECT_EQ(remark.find("not read"), std::string::npos) << name << ": " << remark;
+  }
+}
+
+} // namespace
