@@ -132,6 +132,10 @@ int section_of(Frame &f, const Rows &rows, std::size_t e) {
   for (const char *column : {"E_Pa", "G_Pa", "A_m2", "Iy_m4", "Iz_m4", "J_m4"})
     if (!(rows.number(e, column) > 0))
       throw DataError(fmt::format("{}: {} is {}; it must be above 0", rows.place(e), column, rows.number(e, column)));
+  for (const char *column : {"Asy_m2", "Asz_m2"}) // 0: stiff in shear
+    if (!(rows.number(e, column) >= 0))
+      throw DataError(
+          fmt::format("{}: {} is {}; it must be 0 or above", rows.place(e), column, rows.number(e, column)));
   if (rows.has(inelastic_columns[0].first)) {
     s.inelastic.emplace();
     for (const auto &[column, member] : inelastic_columns) *s.inelastic.*member = rows.number(e, column);

@@ -13,6 +13,11 @@ std::string Range::text() const {
   return fmt::format("{} {} and {} {}", low_open ? ">" : ">=", low, high_open ? "<" : "<=", high);
 }
 
+std::string Range::text_for(double value) const {
+  const bool passes_huge = value > 0 ? value > huge && high >= huge : value < -huge && low <= -huge;
+  return passes_huge ? fmt::format("of a magnitude of {:g} at most", huge) : text();
+}
+
 std::string file_number(double value, Unit unit) {
   if (!std::isfinite(value)) return std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf";
   const double raw = unit.from_si(value);

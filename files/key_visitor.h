@@ -29,6 +29,8 @@ struct Range {
     return (low_open ? x > low : x >= low) && (high_open ? x < high : x <= high);
   }
   std::string text() const; ///< "> 0", "between 0 and 1", ...
+  /// The same for a value outside it: the largest magnitude is named where that is what it passes.
+  std::string text_for(double value) const;
 };
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 /// Any finite magnitude the machine's arithmetic survives; lengths are far below it.

@@ -72,7 +72,7 @@ double TomlReader::number_of(const std::string &name, const toml::node &node, Ra
   const double value =
       node.is_integer() ? static_cast<double>(node.as_integer()->get()) : node.as_floating_point()->get();
   if (!std::isfinite(value)) fail(name, fmt::format("must be a finite number, got {}", value));
-  if (!range.contains(value)) fail(name, fmt::format("{} must be {}", value, range.text()));
+  if (!range.contains(value)) fail(name, fmt::format("{} must be {}", value, range.text_for(value)));
   return value;
 }
 

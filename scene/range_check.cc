@@ -19,7 +19,7 @@ public:
   void number(const Key &key, double &value, Unit unit, Range range) override {
     // The conversion's rounding must not push a value at a bound over it.
     const double shown = std::isfinite(value) ? *to_number(file_number(value, unit)) : value;
-    if (!range.contains(shown)) fail(key, fmt::format("{} must be {}", shown, range.text()));
+    if (!range.contains(shown)) fail(key, fmt::format("{} must be {}", shown, range.text_for(shown)));
   }
   void limit(const Key &key, std::optional<double> &value, Unit unit, Range range) override {
     if (value) number(key, *value, unit, range);
@@ -29,7 +29,7 @@ public:
   }
   void pair(const Key &key, Eigen::Vector2d &value, Range range) override {
     for (double component : value)
-      if (!range.contains(component)) fail(key, fmt::format("{} must be {}", component, range.text()));
+      if (!range.contains(component)) fail(key, fmt::format("{} must be {}", component, range.text_for(component)));
   }
   void numbers(const Key &key, std::vector<double> &values, Unit unit, Range range) override {
     for (double &value : values) number(key, value, unit, range);

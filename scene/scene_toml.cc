@@ -113,7 +113,10 @@ Scene load_scene(const std::string &where, const std::vector<std::string> &overr
     try {
       return parse_scene(entry->text, where, overrides);
     } catch (const DataError &error) {
-      throw DataError(entry->needs.empty() ? error.what() : fmt::format("{} ({})", entry->needs, error.what()));
+      const std::string what = error.what(); // of a file that was given: its own error, and no other is needed
+      throw DataError(entry->needs.empty() || what.starts_with("--set ")
+                          ? what
+                          : fmt::format("{} ({})", entry->needs, error.what()));
     }
   }
   std::error_code ignored;

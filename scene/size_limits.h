@@ -6,6 +6,8 @@ namespace rimpact::scene {
 
 struct Scene;
 
+inline constexpr int instants_a_cycle = 2000; ///< of a slow path by the reduced models
+
 /// Throws InputError where the samples between contacts alone would be more than some millions.
 void check_sizes(const Scene &scene);
 

@@ -1,5 +1,6 @@
 #include "reduced_models/rigid_body/double_concave_recorder.h"
 #include "reduced_models/step_budget.h"
+#include "scene/size_limits.h"
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
@@ -52,7 +53,7 @@ bool rim_pressed(const DoubleConcaveSystem &model, const MotionState &s) {
 DoubleConcaveRecorder::DoubleConcaveRecorder(DoubleConcaveSystem &model, const scene::Scene &scene, double time_unit,
                                              ReducedRun &result)
     : model_(model), result_(result), time_unit_(time_unit),
-      sample_(model.driven ? time_unit / (2000 * std::max(1.0, std::ceil(scene.excitation.rounds())))
+      sample_(model.driven ? time_unit / (scene::instants_a_cycle * std::max(1.0, std::ceil(scene.excitation.rounds())))
                            : scene.reduced.output_step),
       points_(point_names(model)), largest_normal_(model.system.contacts.size(), 0),
       smallest_normal_(model.system.contacts.size(), 1e300), building_(model.building) {

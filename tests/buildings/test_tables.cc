@@ -61,6 +61,8 @@ TEST(FrameTables, AreRefusedWithFileAndLine) {
   EXPECT_NE(said("nodes.csv", "\n2,8", "\n5,8").find("nodes.csv:3: node is 5; rows are numbered"), std::string::npos);
   EXPECT_NE(said("elements.csv", "E_Pa", "E_kPa").find("elements.csv: has no column E_Pa"), std::string::npos);
   EXPECT_NE(said("elements.csv", "23400000000", "-1").find("elements.csv:2: E_Pa is -1"), std::string::npos);
+  EXPECT_NE(said("elements.csv", ",0.27083", ",-0.27083").find("elements.csv:2: Asy_m2 is -0.27083"), std::string::npos)
+      << said("elements.csv", ",0.27083", ",-0.27083");
   EXPECT_NE(said("diaphragms.csv", "\n2,", "\n2,1,").find("diaphragms.csv:3: 6 cells, the head has 5"),
             std::string::npos);
 }

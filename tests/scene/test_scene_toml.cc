@@ -121,6 +121,10 @@ TEST(SceneToml, OverrideErrorsNameTheOverride) {
   refuse("load.vertical_kN=2,000",
          {"--set load.vertical_kN=2,000:", "; 2.000 with its decimals behind a point, or 2000 without"});
   refuse("load.vertical_kN=2000,5", {"--set load.vertical_kN=2000,5:", "decimals follow a point: 2000.5"});
+  refuse("reduced.k_i_kN_per_m=1e13", {"of a magnitude of 1e+12 at most"});
+  refuse("reduced.restitution=1e13", {"> 0 and <= 1"});
+  expect_error<InputError>([&] { load_scene("static-unidirectional", {"excitation.cycles=9999"}); },
+                           {"9999 cycles would store 2e+07 instants; at most 2000 cycles"});
   refuse("rim.height_mm=70", {"--set rim.height_mm=70", "it is bearing.rim"});
 }
 
