@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <map>
+#include <set>
 
 namespace rimpact::risk {
 namespace {
@@ -202,6 +203,22 @@ MotionLevel level_of_folders(double intensity_g, RecordShelf &shelf) {
   return level;
 }
 
+/// Bands come from drawing the records anew: of one they have no width, of a few they are too narrow.
+void doubt_few_records(Motions &motions) {
+  constexpr std::size_t enough = 7; // what codes of practice ask for where a mean is used
+  std::set<std::string> records;
+  for (const auto &level : motions.levels)
+    for (const auto &motion : level.motions) records.insert(motion.record);
+  if (records.size() >= enough) return;
+  motions.doubts.push_back(
+      records.size() == 1
+          ? "one record serves every level: the bands, which come from drawing records anew, have no width, and what "
+            "another record would give is not known"
+          : fmt::format("{} records serve all levels: bands that come from drawing them anew are narrower than the "
+                        "truth; take {} or more",
+                        records.size(), enough));
+}
+
 } // namespace
 
 Motions motions_of(const Study &study, const std::vector<std::string> &folders) {
@@ -233,6 +250,7 @@ Motions motions_of(const Study &study, const std::vector<std::string> &folders) 
     throw InputError(fmt::format("{}: no level has a record at hand; motions.folders or --records DIR name the folders "
                                  "of AT2 files",
                                  study.origin));
+  doubt_few_records(result);
   return result;
 }
 

@@ -57,6 +57,8 @@ TEST(Motions, ARecordTwiceIsItsTwoComponents) {
     EXPECT_NE(name(motions.levels[0].motions[0]), name(motions.levels[0].motions[1]));
     for (const auto &motion : motions.levels[0].motions) EXPECT_NEAR(motion.over_level, 1, 1e-3);
     EXPECT_EQ(motions.levels[0].motions[0].record, motions.levels[0].motions[1].record); // drawn together
+    ASSERT_EQ(motions.doubts.size(), 1u);
+    EXPECT_EQ(motions.doubts[0].find("one record serves every level: the bands"), 0u) << motions.doubts[0];
   }
   expect_error<DataError>([&] { motions_of(table_study(folder, a + b + a), {}); },
                           {"table.csv:4", "RSN 1", "more than once"});
