@@ -17,9 +17,8 @@ inline constexpr std::array solid_impacts{SolidImpact{0.07, 398.8e3, 0.843}, Sol
 /// Linear between the speeds; the last one beyond them.
 SolidImpact solid_impact(double speed);
 
-/// Where the scene flies on the published pair, on the bearing and mass it was published for, and its fastest approach
-/// [m/s] is one at which the solid's peak force is off by more than a fifth: a sentence that says by how much. Else
-/// empty.
+/// Of a scene that flies on the published pair, on the bearing and mass it was published for: a sentence where the
+/// solid's peak force is off by more than a fifth at its fastest approach [m/s]. Else empty.
 std::string doubt_of_published_pair(const Scene &scene, double fastest);
 
 } // namespace rimpact::scene

@@ -71,6 +71,7 @@ std::string unread_keys(const TomlFile &file, const Scene &scene) {
   for (const auto &[path, preset] : presets) {
     const ScenePart *part = part_of(path);
     if (!part || read.names.count(path) > 0 || !file.find(path)) continue;
+    if (path == "reduced.calibration") continue; // read before the settings are
     if (file.is_set(path) || !file.is_set(part->choice)) unread.push_back(path);
   }
   if (unread.empty()) return {};

@@ -15,7 +15,7 @@ class ReducedRun(Refusals):
         with tempfile.TemporaryDirectory() as folder:
             run = rimpact("reduced", "ricker-0.78g-1.0s", "--set", "excitation.scale=50", "-o", folder)
             self.assertEqual(run.returncode, 4)
-            self.assertIn("left the dish", run.stderr)
+            self.assertIn("thrown over the rim", run.stderr)
             with open(os.path.join(folder, "summary.json")) as file:
                 self.assertEqual(json.load(file)["status"], "stopped")
 
