@@ -19,6 +19,14 @@ Frame load_frame(const std::string &where) {
   return make_frame(parse_building(text, where));
 }
 
+std::string bearing_named(const std::string &name, const std::string &folder) {
+  namespace fs = std::filesystem;
+  std::error_code none;
+  for (const auto &path : {fs::path(folder) / name, fs::path(name)})
+    if (fs::is_regular_file(path, none)) return fs::absolute(path, none).lexically_normal().string();
+  return name;
+}
+
 namespace {
 bool has_isolator(const std::string &where) {
   std::error_code none;

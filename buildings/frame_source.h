@@ -8,6 +8,10 @@ namespace rimpact::buildings {
 /// Throws InputError for a bad building file, DataError for bad tables, each with file and line.
 Frame load_frame(const std::string &where);
 
+/// A bearing as a frame names it: its file beside the frame, in `folder`, or in the current folder, by its absolute
+/// name, so that a stored frame is read from anywhere; what is no file is a name.
+std::string bearing_named(const std::string &name, const std::string &folder);
+
 /// The bearing under each supported node, in the nodes' order, as the scene it would have alone: its own in place of
 /// the scene's. A node names "dcfp" or "lir-dcfp" (of the scene's [isolator]), a scene's TOML file with [isolator],
 /// whose [isolator] and [reduced] it then has, or a dish by name or file. Throws InputError.

@@ -1,4 +1,5 @@
 #include "buildings/frame_tables.h"
+#include "buildings/frame_source.h"
 #include "files/error.h"
 #include "files/file.h"
 #include "files/text.h"
@@ -167,7 +168,7 @@ Frame read_tables(const std::string &folder) {
     f.nodes.push_back({{nodes.number(i, "x_m"), nodes.number(i, "y_m"), nodes.number(i, "z_m")},
                        nodes.number(i, "vertical_mass_kg"),
                        supported,
-                       bearing == "1" || !supported ? "" : bearing});
+                       bearing == "1" || !supported ? "" : bearing_named(bearing, folder)});
     const int slab = nodes.index(i, "diaphragm");
     if (slab < 0 || slab >= static_cast<int>(slabs.size()))
       throw DataError(fmt::format("{}: node {} stands in diaphragm {}; there are {}", nodes.place(i), i + 1, slab + 1,

@@ -1,5 +1,6 @@
 #include "buildings/regular_building.h"
 #include "buildings/builtin_buildings.h"
+#include "buildings/frame_source.h"
 #include "files/error.h"
 #include "files/text.h"
 #include "files/toml_reader.h"
@@ -22,17 +23,6 @@ void check_lines(const char *key, const std::vector<double> &lines) {
       throw InputError(fmt::format("{} must grow: {} follows {}", key, lines[i], lines[i - 1]));
 }
 
-namespace {
-
-/// A bearing's file is sought beside the frame's, as a scene's bearing is; what is not there is a name, or a file of
-/// the current folder.
-std::string beside(const std::string &frame, const std::string &bearing) {
-  const auto path = std::filesystem::path(frame).parent_path() / bearing;
-  return std::filesystem::is_regular_file(path) ? path.string() : bearing;
-}
-
-} // namespace
-
 std::map<int, std::string> own_bearings(const TomlFile &file) {
   std::map<int, std::string> list;
   const auto *table = file.root()["bearings"].as_table();
@@ -47,7 +37,8 @@ std::map<int, std::string> own_bearings(const TomlFile &file) {
       throw InputError(fmt::format("{}: [bearings] has nodes' numbers for keys, not \"{}\"", place, key.str()));
     if (!value.is_string())
       throw InputError(fmt::format("{}: the bearing of node {} must be a name or a file", place, key.str()));
-    list[static_cast<int>(*node)] = beside(file.origin(), value.as_string()->get());
+    list[static_cast<int>(*node)] =
+        bearing_named(value.as_string()->get(), std::filesystem::path(file.origin()).parent_path().string());
   }
   return list;
 }

@@ -67,6 +67,17 @@ TEST(FrameTables, AreRefusedWithFileAndLine) {
             std::string::npos);
 }
 
+TEST(FrameSource, ABearingsFileLiesBesideTheTables) {
+  const std::string folder = fresh_folder();
+  RegularBuilding b = load_building("thesis-2.4");
+  b.bearings = {{1, "mine.toml"}, {2, "fps-225"}};
+  write_tables(make_frame(b), folder);
+  write_atomically("[rim]\nheight_mm = 61\n", folder + "/mine.toml");
+  const auto bearings = bearings_of(load_frame(folder), scene::Scene());
+  EXPECT_NEAR(bearings[0].bearing.rim.height, 0.061, 1e-12);
+  EXPECT_EQ(bearings[1].bearing.name, "fps-225");
+}
+
 TEST(FrameSource, NamesTheNodeOfABearingItDoesNotKnow) {
   RegularBuilding b = load_building("thesis-2.4");
   b.bearings = {{3, "no-such-bearing"}};
