@@ -82,11 +82,14 @@ void run(const RunWords &options, Console &console) {
     line.show(in_words.of(p) + "  (" + duration(spent) + ")" + (console.verbose ? numbers_of(p) : ""));
   };
   std::exception_ptr failure;
+  bool refused = false; // what an earlier run left stays as it is
   Summary summary;
   try {
     summary = fe::run(scene, plan, run_options);
-  } catch (const Error &) {
+  } catch (const SolverStopped &) {
     failure = std::current_exception();
+  } catch (const Error &) {
+    failure = std::current_exception(), refused = true;
   }
   line.finish();
   if (!run_options.writes) { // the first rank tells
@@ -106,7 +109,7 @@ void run(const RunWords &options, Console &console) {
     const auto &estimate = summary.extra["error_estimate"];
     console.message("discretisation: " + estimate.value("sentence", estimate.value("none", "")));
   }
-  if (std::filesystem::exists(run_options.folder + "/summary.json"))
+  if (!refused && std::filesystem::exists(run_options.folder + "/summary.json"))
     write_atomically(console.log(), run_options.folder + "/log.txt");
   if (failure) std::rethrow_exception(failure);
   const std::string peak = plan.rim_takes_part
