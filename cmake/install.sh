@@ -3,7 +3,7 @@
 
 packages="g++ cmake ninja-build ccache pkg-config git ca-certificates libdeal.ii-dev libpetsc-real-dev libgmsh-dev libceres-dev
   libsundials-dev libopenblas0-pthread libtomlplusplus-dev libcli11-dev libspdlog-dev libfmt-dev nlohmann-json3-dev libgtest-dev
-  libgmock-dev libbenchmark-dev libeigen3-dev libhdf5-openmpi-dev python3-h5py python3-matplotlib python3-jinja2 pybind11-dev python3-dev
+  libgmock-dev libbenchmark-dev libeigen3-dev libhdf5-openmpi-dev python3-h5py python3-matplotlib python3-pil python3-jinja2 pybind11-dev python3-dev
   python3-pandas help2man mkdocs clang-format mypy"
 
 say() { printf '%s\n' "$*" >&2; }

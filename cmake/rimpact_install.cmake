@@ -54,7 +54,7 @@ set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 # What no shared library tells: the report's Python, and a BLAS that is fast.
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
-  "python3 (>= 3.11), python3-h5py, python3-matplotlib, python3-jinja2, python3-numpy, python3-pandas, libopenblas0-pthread")
+  "python3 (>= 3.11), python3-h5py, python3-matplotlib, python3-pil, python3-jinja2, python3-numpy, python3-pandas, libopenblas0-pthread")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "chromium, paraview, python3-openturns")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_EXTRA "${PROJECT_SOURCE_DIR}/cmake/debian/postinst;${PROJECT_SOURCE_DIR}/cmake/debian/prerm")
 set(CPACK_DEBIAN_PACKAGE_CONTROL_STRICT_PERMISSION ON)

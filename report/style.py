@@ -1,5 +1,6 @@
 """One look for every figure: colour-blind safe (Okabe-Ito), thin axes, units on axes, no chart junk."""
 import base64
+import io
 import os
 from collections.abc import Iterable
 from typing import Any
@@ -8,6 +9,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from PIL import Image
 
 from .errors import IoError
 from .files import write_whole
@@ -90,10 +92,12 @@ def save(fig: Figure, path: str, dpi: int = DPI) -> str:
 
 
 def embedded(path: str) -> tuple[str, int]:
-    """(a PNG file as a data address, its width in pixels), so that the report needs no other file."""
+    """(a PNG file as a data address, its width in pixels), so that the report needs no other file. As WebP, without
+    loss: less than half the bytes."""
+    held = io.BytesIO()
     try:
-        with open(path, "rb") as file:
-            content = file.read()
-        return "data:image/png;base64," + base64.b64encode(content).decode(), int.from_bytes(content[16:20], "big")
+        with Image.open(path) as picture:
+            picture.save(held, "WEBP", lossless=True, method=4, quality=50)
+            return "data:image/webp;base64," + base64.b64encode(held.getvalue()).decode(), picture.width
     except OSError as error:
-        raise IoError(f"cannot read {path}: {error.strerror}") from None
+        raise IoError(f"cannot read {path}: {error.strerror or error}") from None

@@ -73,6 +73,14 @@ def part_names(grid: vtu.Grid, body: np.ndarray) -> list[str]:
     return [names[b] for b in range(n)]
 
 
+def _indices(values: np.ndarray, n_points: int) -> str:
+    return _packed(values, "<u2" if _short(n_points) else "<u4")
+
+
+def _short(n_points: int) -> bool:
+    return n_points <= 2**16
+
+
 def _packed(values: np.ndarray, kind: str) -> str:
     return base64.b64encode(np.ascontiguousarray(values, kind).tobytes()).decode()
 
@@ -98,7 +106,8 @@ def data(grid: vtu.Grid, said: str = "") -> Markup:
               for name, title, unit, factor in FIELDS if name in model.fields]
     rigid = _rigid(model)
     content = {"points": _packed(model.points - middle + rigid, "<f4"), "moved": _packed(model.moved - rigid, "<f4"),
-               "triangles": _packed(triangles, "<u4"), "lines": _packed(lines, "<u4"), "half": bool(model.half), "size": size, "said": said,
+               "triangles": _indices(triangles, len(model.points)),
+               "lines": _indices(lines, len(model.points)), "short": _short(len(model.points)), "half": bool(model.half), "size": size, "said": said,
                "parts": {name: {"triangles": of_triangles[name], "lines": of_lines[name]} for name in of_triangles}, "fields": fields,
                "largest": _nice(0.05 * size / max(float(np.abs(model.moved - rigid).max()), 1e-12))}
     return Markup(json.dumps(content, allow_nan=False).replace("<", "\\u003c"))

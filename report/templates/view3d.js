@@ -143,7 +143,8 @@ void main() {
         for (const side of this.whole ? [1, -1] : [1]) {
           gl.uniform1f(p.mirror, side);
           for (const [part, ranges] of Object.entries(this.model.parts))
-            if (!this.hidden.has(part)) gl.drawElements(kind, size * ranges[name][1], gl.UNSIGNED_INT, 4 * size * ranges[name][0]);
+            if (!this.hidden.has(part)) gl.drawElements(kind, size * ranges[name][1], this.model.short ? gl.UNSIGNED_SHORT : gl.UNSIGNED_INT,
+              (this.model.short ? 2 : 4) * size * ranges[name][0]);
         }
       }
     }

@@ -29,7 +29,7 @@ class Compared(InFolder):
                 self.assertEqual(run.returncode, 0, run.stderr)
                 with open(self.path("compare.html"), encoding="utf-8") as file:
                     page = file.read()
-                self.assertEqual(page.count("data:image/png"), 2)
+                self.assertEqual(page.count("data:image/webp"), 2)
                 self.assertIn("reduced.k_i_kN_per_m", page)
                 self.assertNotIn("What is missing", page)
                 for name in ("response", "impacts"):

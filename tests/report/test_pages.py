@@ -37,7 +37,7 @@ class MainResults(unittest.TestCase):
         self.assertNotIn("could not be drawn", self.text)
 
     def test_one_file_and_no_links_out(self):
-        self.assertEqual(re.findall(r'(?:src|href)="(?!data:image/png;base64,|#)', self.page), [])
+        self.assertEqual(re.findall(r'(?:src|href)="(?!data:image/webp;base64,|#)', self.page), [])
         self.assertNotRegex(self.page, r"https?://|<script[^>]* src|@import|url\(|fetch\(")
         self.assertLess(len(self.page), 12e6)
 
@@ -112,7 +112,7 @@ class OneRun(InFolder):
         self.assertIn("Peak impact force", text)
         self.assertNotIn("What is missing", text)
         self.assertNotIn("Calibration", text)
-        self.assertGreaterEqual(page.count("data:image/png"), 3)
+        self.assertGreaterEqual(page.count("data:image/webp"), 3)
 
     def test_a_stopped_run_says_so(self):
         path, _ = build(self.run_folder("rim", status="stopped", truncate=0.4))

@@ -51,7 +51,7 @@ class Reliability(InFolder):
     def test_every_picture_and_table_is_there(self):
         self.study(["t.csv:3: RSN 9: no file at hand"])
         html = self.report()
-        self.assertEqual(html.count("data:image/png"), 6)  # hazard, IDA, fragility, reliability, reduction, shares
+        self.assertEqual(html.count("data:image/webp"), 6)  # hazard, IDA, fragility, reliability, reduction, shares
         for words in ("two &lt;systems&gt;", "RSN&lt;68&gt;", "1 listed motions are not at hand", "11 %", "2 of 2", "-1.50", "17", "12: 4.440e-02 to 5.550e-02"):
             self.assertIn(words, html)
         self.assertNotIn("What is missing", html)
