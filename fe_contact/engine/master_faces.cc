@@ -126,19 +126,23 @@ Opposite MasterFaces::find(const Eigen::Vector3d &x, const Eigen::VectorXd &u, i
   if (faces_.empty()) return {};
   // First the guess alone, however far off its edges the way there leads: which of two faces beside a kink is found
   // must not depend on where the search began, or Newton sees a force that jumps to and fro.
+  Eigen::Vector3d start = roughly_back(x, u, guess);
   if (guess >= 0) {
-    const Opposite kept = settle(x, u, guess, [&](const Eigen::Vector3d &y, int) { return place_on(guess, y); });
+    const Opposite kept =
+        settle(x, u, {guess, start}, [&](const Eigen::Vector3d &y, int) { return place_on(guess, y); });
     if (kept.inside) return kept;
+    if (kept.face >= 0) start = kept.y; // past an edge: the neighbour is there, and not where the middle's motion leads
   }
-  return settle(x, u, guess, [&](const Eigen::Vector3d &y, int last) { return locate(y, last, beyond); });
+  return settle(x, u, {guess, start}, [&](const Eigen::Vector3d &y, int last) { return locate(y, last, beyond); });
 }
 
 /// Newton's method for the place where y + u_m(y) = x, at the places that `search` finds, from the last one's face.
 template <typename Search>
-Opposite MasterFaces::settle(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int guess,
+Opposite MasterFaces::settle(const Eigen::Vector3d &x, const Eigen::VectorXd &u, const Start &from,
                              const Search &search) const {
   Opposite result;
-  result.y = roughly_back(x, u, guess);
+  result.y = from.y;
+  int guess = from.face;
   const double tolerance = 1e-15 * (1 + x.norm());
   constexpr double settled = 1e-9; // [m]; two faces with a kink between them may send a point to and fro by less
   double error = 0;

@@ -46,8 +46,12 @@ private:
   };
   Place place_on(int face, const Eigen::Vector3d &y) const; ///< of this face alone; `inside`: the point keeps it
   Place locate(const Eigen::Vector3d &y, int guess, double beyond) const;
+  struct Start {
+    int face; ///< to try first, -1: none
+    Eigen::Vector3d y;
+  };
   template <typename Search>
-  Opposite settle(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int guess, const Search &search) const;
+  Opposite settle(const Eigen::Vector3d &x, const Eigen::VectorXd &u, const Start &from, const Search &search) const;
 
   const Discretisation &space_;
   std::vector<const Face *> faces_;
