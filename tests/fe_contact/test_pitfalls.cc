@@ -74,7 +74,7 @@ TEST(Pitfall, AFaceOnceFoundIsFoundAgain) {
 }
 
 TEST(Pitfall, APointThatLeavesADentedFaceIsFoundOnItsNeighbour) {
-  // The face found last is dented by 4 mm at its middle: pulled back with the middle's displacement the point lies
+  // The face found last is dented by 6 mm at its middle: pulled back with the middle's displacement the point lies
   // beside no face at all, though the neighbour carries it.
   meshes::HexMesh mesh;
   test::add_box(mesh, {{-0.01, 0, 0}, {0.01, 0.01, 0.01}, {2, 1, 1}, Volume::rim, {{5, Surface::dish}}});
@@ -84,7 +84,7 @@ TEST(Pitfall, APointThatLeavesADentedFaceIsFoundOnItsNeighbour) {
   const int left = faces.find({-0.005, 0.005, 0.0101}, u, -1, 0).face;
   ASSERT_GE(left, 0);
   const auto &nodes = space.faces_of(Surface::dish)[left]->nodes;
-  u[3 * nodes[nodes.size() / 2] + 2] = -0.004;
+  u[3 * nodes[nodes.size() / 2] + 2] = -0.006;
   const Vector3d x(1.5e-4, 0.005, 0.0101); // past the edge by 0.03 half widths: more than a point keeps its face
   const Opposite found = faces.find(x, u, left, 0);
   EXPECT_EQ(found.face, 1 - left);
