@@ -47,7 +47,7 @@ void read_summary(const std::string &text) {
   static const auto folder = std::filesystem::temp_directory_path() / ("rimpact_fuzz_" + std::to_string(getpid()));
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "summary.json", std::ios::binary) << text;
-  read_summary(folder.string());
+  rimpact::read_summary(folder.string());
   calibration::run_facts(folder.string());
 }
 
