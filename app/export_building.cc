@@ -6,7 +6,6 @@
 #include "calibration/export/opensees.h"
 #include "files/file.h"
 #include "scene/rim_identity.h"
-#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -30,7 +29,7 @@ ExportedRim rim_of(const scene::Scene &scene, const scene::Bearing &bearing, dou
   rim.vertical = reaction, rim.gravity = scene.load.gravity;
   rim.mass = rim.fitted_mass = reaction / scene.load.gravity;
   rim.lateral_capacity = bearing.lateral_capacity() + scene.reduced.capacity_offset;
-  const double scale = std::sqrt(scene.reduced.fitted_speeds_mass.value_or(rim.mass) / rim.mass); // of a rim's own law
+  const double scale = scene.reduced.fitted_speed_scale(rim.mass);
   rim.from = scale * scene.reduced.fitted_from.value_or(0.1), rim.to = scale * scene.reduced.fitted_to.value_or(1.0);
   rim.bearing = bearing.name, rim.rim_identity = scene::rim_identity(bearing);
   rim.statement = {fmt::format("Bearing {} under {:.6g} N, rim law {} as in scene.toml.", bearing.name, reaction,

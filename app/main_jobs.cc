@@ -14,10 +14,7 @@ scene::Scene for_target(const char *built_in, const MainTarget &target, const st
   scene.load = target.scene.load;
   scene.model = target.scene.model;
   scene.reduced = target.scene.reduced;
-  scene.reduced.calibration.clear(); // a reference run is of no fitted law
-  scene.reduced.fitted_rim.clear();
-  scene.reduced.fitted_from = scene.reduced.fitted_to = scene.reduced.fitted_mass = scene.reduced.fitted_speeds_mass =
-      std::nullopt;
+  scene.reduced.forget_fit(); // a reference run is of no fitted law
   return scene;
 }
 

@@ -103,9 +103,10 @@ void export_to(const ExportOptions &options, const json &calibration, Console &c
   const ExportedRim rim =
       calibration::exported_rim(calibration, {.law = options.law, .mass = options.mass, .vertical = vertical});
   std::optional<Dish> dish;
-  const auto scene = scene_of(options, calibration, rim);
-  if (scene) warn_of_load(options, *scene, rim, console);
-  if (scene) dish = calibration::dish_of(*scene, rim.lateral_capacity);
+  if (const auto scene = scene_of(options, calibration, rim)) {
+    warn_of_load(options, *scene, rim, console);
+    dish = calibration::dish_of(*scene, rim.lateral_capacity);
+  }
   auto head = header(console);
   if (!dish && (options.opensees || options.sap2000 || options.etabs)) {
     head.push_back("The rim only: the bearing's dish is not known here. Give it with --scene SCENE_OR_BEARING.");

@@ -23,7 +23,7 @@ public:
       throw InputError("reduced.impact_law \"" + scene.reduced.impact_law->name +
                        "\": beside bearings of rigid bodies a dish's rim does not yield");
     lateral_capacity = law_.lateral_capacity, rim_stiffness = law_.rim.stiffness;
-    sunk_ = weight_ / stiffness_, lift_over_rim_ = lift_over_rim(scene.bearing);
+    sunk_ = weight_ / stiffness_;
   }
 
   double height(const Vector2d &u) const override { return law_.height.at(u[0], u[1]).z; }
@@ -71,7 +71,7 @@ public:
   double kinetic_energy() const override { return 0; }
   double potential_energy() const override { return 0; }
   const char *lost() const override {
-    if (met_ && at_[0].u[2] > lift_over_rim_) return "the slider is thrown over its rim";
+    if (met_ && at_[0].u[2] > law_.lift_over_rim) return "the slider is thrown over its rim";
     return at_[0].u.head<2>().norm() < 0.98 * law_.height.limit_radius() ? nullptr : "the slider left its dish";
   }
   BearingResponse response() const override {
@@ -150,7 +150,7 @@ private:
   RimContact rim_state() const { return met_ ? RimContact::pressed : RimContact::open; }
 
   reduced::Dynamics law_;
-  double weight_, stiffness_, damping_, sunk_, lift_over_rim_;
+  double weight_, stiffness_, damping_, sunk_;
   bool met_ = false;
   reduced::Mode mode_;
   State at_[3]; ///< start, middle, end of a step

@@ -25,6 +25,7 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
     : building(scene), mass(scene.load.mass - building.mass()), supported_mass(scene.load.mass),
       weight(scene.load.vertical),
       lateral_capacity((capacity >= 0 ? capacity : scene.bearing.lateral_capacity()) + scene.reduced.capacity_offset),
+      lift_over_rim(scene::lift_over_rim(scene.bearing)),
       height(weightless(scene) ? RidingHeight::plane(scene.bearing, scene.bearing.lateral_capacity())
                                : RidingHeight(scene.bearing, scene.reduced.finite_pad ? scene.load.vertical : 0.0)),
       reading(reading_of(scene)), ground(scene.excitation, scene.load.gravity) {
@@ -47,7 +48,6 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
   dents = dent_shape(scene);
   dead_load_ = height.is_plane() ? 0.0 : weight;
   vertical_restitution_ = r.vertical_restitution;
-  lift_over_rim_ = lift_over_rim(scene.bearing);
   limit_squared_ = height.limit_radius() * height.limit_radius();
   speed_scale = std::sqrt(scene.load.gravity * lateral_capacity);
   stop_speed = 5 * r.tolerance * speed_scale;

@@ -162,9 +162,10 @@ public:
   double mass;           ///< of what slides: without the building's floors [kg]
   double supported_mass; ///< with them [kg]
   double weight, lateral_capacity, elastic_slip = 0;
-  double speed_scale; ///< for tolerances [m/s]
-  double stop_speed;  ///< below it a decelerating mass has stopped [m/s]
-  double slow_speed;  ///< see Mode::slow [m/s]
+  double lift_over_rim; ///< of the slider, above which the rim no longer stands before it [m]
+  double speed_scale;   ///< for tolerances [m/s]
+  double stop_speed;    ///< below it a decelerating mass has stopped [m/s]
+  double slow_speed;    ///< see Mode::slow [m/s]
   laws::RimElement rim;
   DentShape dents;
   RidingHeight height;
@@ -191,7 +192,7 @@ private:
   void rim_terms(const Mode &mode, double t, const Eigen::Vector2d &u, const Eigen::Vector2d &v, Evaluation &e) const;
   double land(Mode &mode, double t, State &y) const;
   double dead_load_ = 0; ///< W that acts vertically (0 for a window without weight)
-  double vertical_restitution_ = 0, limit_squared_ = 0, lift_over_rim_ = 0;
+  double vertical_restitution_ = 0, limit_squared_ = 0;
   bool park_wen_ = false;
 };
 

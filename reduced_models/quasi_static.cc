@@ -121,7 +121,7 @@ void store(const Path &path, double s, EnergyLedger &ledger, Response &response,
 
 /// Load parameters, a multiple of 4 a cycle, so that turning points are samples; of a file's path the turns as well.
 std::vector<double> samples_of(const scene::Excitation &excitation) {
-  const int n = scene::instants_a_cycle * std::max(1, static_cast<int>(std::ceil(excitation.rounds())));
+  const int n = scene::instants_a_cycle * static_cast<int>(excitation.whole_rounds());
   std::vector<double> samples;
   samples.reserve(n + 1);
   for (int i = 0; i <= n; ++i) samples.push_back(double(i) / n);

@@ -101,11 +101,11 @@ void Dynamics::arrive(Mode &mode, double t, const State &y) const {
 }
 
 void Dynamics::keep_to_rim(const Mode &mode, double t, const State &y) const {
-  if (mode.rim != RimContact::open && mode.support == Support::airborne && y[iZ] > lift_over_rim_)
+  if (mode.rim != RimContact::open && mode.support == Support::airborne && y[iZ] > lift_over_rim)
     throw SolverStopped(
         fmt::format("the slider is thrown over the rim at t = {:.5g} s: lifted by {:.1f} mm beyond L_c, "
                     "where its bottom passes the rim's top at {:.1f} mm",
-                    t, 1e3 * y[iZ], 1e3 * lift_over_rim_));
+                    t, 1e3 * y[iZ], 1e3 * lift_over_rim));
   if (mode.rim != RimContact::pressed || !rim.curve) return;
   const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
   const PressedRim press{u.norm() - lateral_capacity, u.dot(v) / u.norm(), supported_mass,

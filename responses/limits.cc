@@ -50,7 +50,7 @@ double carried_mass(const scene::Scene &scene, const Summary &summary) {
 
 /// A law of the rim reaches the same depths at speeds that move as 1/sqrt(m).
 std::optional<double> at_mass(std::optional<double> speed, const scene::Scene &scene, double mass) {
-  if (speed && scene.reduced.fitted_speeds_mass) *speed *= std::sqrt(*scene.reduced.fitted_speeds_mass / mass);
+  if (speed) *speed *= scene.reduced.fitted_speed_scale(mass);
   return speed;
 }
 

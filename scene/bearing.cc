@@ -23,8 +23,9 @@ double lift(const Bearing &bearing, double travel) {
 }
 
 double lift_over_rim(const Bearing &bearing) {
-  const double top = lift(bearing, bearing.surface.planar_radius) + bearing.rim.height - bearing.slider.bottom;
-  return top > lift(bearing, bearing.lateral_capacity()) ? top : std::numeric_limits<double>::infinity();
+  const auto surface = make_surface(bearing.surface);
+  const double top = surface->at(bearing.surface.planar_radius, 0).z + bearing.rim.height - bearing.slider.bottom;
+  return top > surface->at(bearing.lateral_capacity(), 0).z ? top : std::numeric_limits<double>::infinity();
 }
 
 double slider_mass(const Bearing &bearing) {

@@ -226,9 +226,7 @@ void forget_origin(const std::vector<std::string> &typed, ReducedSettings &reduc
                                 "calibrated one, and the speeds, mass and "
                                 "rim it holds for are not known",
                                 fmt::join(typed, ", "), reduced.calibration));
-  reduced.calibration.clear(), reduced.fitted_rim.clear();
-  reduced.fitted_from.reset(), reduced.fitted_to.reset(), reduced.fitted_mass.reset(),
-      reduced.fitted_speeds_mass.reset();
+  reduced.forget_fit();
 }
 
 } // namespace rimpact::scene

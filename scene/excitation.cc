@@ -53,6 +53,10 @@ double Excitation::rounds() const {
                                                                : cycles;
 }
 
+double Excitation::whole_rounds() const {
+  return std::max(1.0, std::ceil(rounds()));
+}
+
 Eigen::Vector2d Excitation::direction() const {
   return unit_vector(direction_deg);
 }

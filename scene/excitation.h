@@ -55,6 +55,7 @@ struct Excitation {
   bool stays_on_dish() const;        ///< cyclic, figure-eight, path: quasi-static and short of the rim
   double largest_amplitude() const;  ///< of a cyclic path or a figure-eight [m]
   double rounds() const;             ///< cycles in all; of a path, its length over that of a cycle as wide
+  double whole_rounds() const;       ///< begun, at least one: as many times the samples and steps of one
   Eigen::Vector2d direction() const; ///< unit vector of direction_deg, exact along the axes
   /// Approach speed of a window [m/s], initial state of `free`: scale included, as it multiplies any excitation.
   double impact_speed() const { return scale * speed; }

@@ -7,6 +7,7 @@
 #include "scene/excitation.h"
 #include "scene/own_mesh_settings.h"
 #include "scene/superstructure.h"
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -55,6 +56,15 @@ struct ReducedSettings : laws::LawNumbers {
   double tolerance = 1e-9;           ///< relative, of the integrator
   double output_step = 0.005;        ///< spacing of stored samples [s]; samples are dense during contact
 
+  /// By which fitted_from and fitted_to move at a supported mass [kg]: a rim's own law is fitted to depths.
+  double fitted_speed_scale(double mass) const {
+    return fitted_speeds_mass ? std::sqrt(*fitted_speeds_mass / mass) : 1.0;
+  }
+  /// The element is of no calibration.
+  void forget_fit() {
+    calibration.clear(), fitted_rim.clear();
+    fitted_from.reset(), fitted_to.reset(), fitted_mass.reset(), fitted_speeds_mass.reset();
+  }
   /// Of the rim, for a supported mass [kg]. Throws as laws::rim_element.
   laws::RimElement element(double supported_mass) const {
     return laws::rim_element(*impact_law, *this, supported_mass);

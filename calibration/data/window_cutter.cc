@@ -24,11 +24,6 @@ double overshoot(const ImpactWindow &w, const StoredRun &run, const reduced::Phy
 
 } // namespace
 
-bool ends_pressed(const ImpactWindow &w, double last) {
-  constexpr double gone = 0.01; // of the peak: what is left changes the speed by less than a thousandth
-  return w.times.back() >= last && w.force.back() > gone * *std::max_element(w.force.begin(), w.force.end());
-}
-
 void press_earlier(reduced::BearingState &start, const StoredRun &run, std::size_t index) {
   for (std::size_t earlier = 0; earlier < index; ++earlier) {
     const auto &impact = run.summary.impacts[earlier];
@@ -71,7 +66,7 @@ std::optional<ImpactWindow> WindowCutter::cut(std::size_t index, std::string &re
                          options_.minimum_samples);
     return {};
   }
-  if (ends_pressed(w, times_.back())) {
+  if (index + 1 == run_.summary.impacts.size() && doubt_of_rebound(r_, run_.summary.impacts)) {
     reason = still_pressed;
     return {};
   }

@@ -13,8 +13,7 @@ inline Eigen::Vector2d planar(const Response &response, const std::string &signa
   return {response.series(signal + "_x")[i], response.series(signal + "_y")[i]};
 }
 
-/// Whether a window ends with the response, at `last` [s], while the rim still bears: its rebound is not known then.
-bool ends_pressed(const ImpactWindow &window, double last);
+/// Why an impact that the response ends in is not cut.
 inline constexpr const char *still_pressed =
     "the response ends while the rim still bears, so its rebound is not known: let it go on to 10 ms after release";
 /// The dents that impacts before `index` have left on a rim that yields.

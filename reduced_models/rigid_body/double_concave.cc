@@ -23,7 +23,7 @@ public:
     // A step's local error, relative to a hundredth of the capacity and of its speed.
     position_tolerance_ = scene.isolator.step_tolerance * 0.01 * C;
     velocity_tolerance_ = scene.isolator.step_tolerance * 0.01 * std::sqrt(g * C);
-    largest_step_ = model_.driven ? duration_ / (4000 * turns()) : 1e-2;
+    largest_step_ = model_.driven ? duration_ / (4000 * scene.excitation.whole_rounds()) : 1e-2;
     if (const auto &instants = ground_.breakpoints(); !instants.empty()) quiet_from_ = instants.back();
   }
 
@@ -52,15 +52,13 @@ private:
   double drive_time() const {
     double length = 0;
     Eigen::Vector2d last = path(0);
-    const double n = 1000 * turns();
+    const double n = 1000 * scene_.excitation.whole_rounds();
     for (int i = 1; i <= n; ++i) {
       const Eigen::Vector2d next = path(i / n);
       length += (next - last).norm(), last = next;
     }
     return length / drive_speed;
   }
-  /// Cycles of the path, as many times the steps of one.
-  double turns() const { return std::max(1.0, std::ceil(scene_.excitation.rounds())); }
   Eigen::Vector2d path(double s) const {
     return scene::prescribed_displacement(scene_.excitation, scene_.isolator.lateral_capacity(), s);
   }
@@ -69,7 +67,7 @@ private:
     if (model_.driven) {
       l.ground_acceleration = [](double) { return Eigen::Vector3d(0, 0, 0); };
       l.path = [this](double t) { return path(std::clamp(t / duration_, 0.0, 1.0)); };
-      l.driven = model_.plate, l.time_scale = duration_;
+      l.driven = model_.plate, l.duration = duration_;
     } else {
       l.ground_acceleration = [this](double t) { return ground_.acceleration(t); };
     }

@@ -53,7 +53,7 @@ bool rim_pressed(const DoubleConcaveSystem &model, const MotionState &s) {
 DoubleConcaveRecorder::DoubleConcaveRecorder(DoubleConcaveSystem &model, const scene::Scene &scene, double time_unit,
                                              ReducedRun &result)
     : model_(model), result_(result), time_unit_(time_unit),
-      sample_(model.driven ? time_unit / (scene::instants_a_cycle * std::max(1.0, std::ceil(scene.excitation.rounds())))
+      sample_(model.driven ? time_unit / (scene::instants_a_cycle * scene.excitation.whole_rounds())
                            : scene.reduced.output_step),
       points_(point_names(model)), largest_normal_(model.system.contacts.size(), 0),
       smallest_normal_(model.system.contacts.size(), 1e300), building_(model.building) {
@@ -95,9 +95,10 @@ void DoubleConcaveRecorder::watch(const MotionState &s) {
   }
   const auto p = on_plate(model_, s);
   largest_moment_ = std::max(largest_moment_, p.moment.head<2>().norm());
-  largest_travel_ = std::max(largest_travel_, model_.plate_displacement(s).head<2>().norm());
+  const Vector3d u = model_.plate_displacement(s);
+  largest_travel_ = std::max(largest_travel_, u.head<2>().norm());
   largest_lateral_ = std::max(largest_lateral_, (p.pendular + p.friction + p.impact).head<2>().norm());
-  largest_height_ = std::max(largest_height_, model_.plate_displacement(s)[2] - rest_height_);
+  largest_height_ = std::max(largest_height_, u[2] - rest_height_);
   smallest_on_plate_ = std::min(smallest_on_plate_, p.normal);
   const double vertical = (p.pendular + p.friction)[2];
   largest_vertical_ = std::max(largest_vertical_, vertical);

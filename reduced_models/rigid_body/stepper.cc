@@ -41,7 +41,7 @@ Vector Stepper::applied(double t) const {
 
 void Stepper::drive(double t, MotionState &s) const {
   if (!loads_.path) return;
-  const double dt = 1e-6 * loads_.time_scale, from = std::max(0.0, t - dt), to = std::min(loads_.time_scale, t + dt);
+  const double dt = 1e-6 * loads_.duration, from = std::max(0.0, t - dt), to = std::min(loads_.duration, t + dt);
   s.poses[loads_.driven].position.head<2>() = loads_.path(t);
   s.velocity.segment<2>(6 * loads_.driven) = (loads_.path(to) - loads_.path(from)) / (to - from);
 }

@@ -36,7 +36,7 @@ struct Loads {
   /// Planar path of a driven body; empty: none is driven. Its two dofs must not be free.
   std::function<Eigen::Vector2d(double t)> path;
   int driven = 0;
-  double time_scale = 1; ///< length of `path`, from 0 [s]
+  double duration = 1; ///< of `path`, from 0 [s]
 };
 
 struct StepReport {
