@@ -1,5 +1,6 @@
 #include "app/key_catalogue.h"
 
+#include "app/key_describer.h"
 #include "app/key_meanings.h"
 #include "files/key_list.h"
 #include "files/toml_reader.h"
@@ -11,59 +12,6 @@
 
 namespace rimpact::app {
 namespace {
-
-/// Writes down kind and range of every key; its value comes from KeyList.
-class Describer final : public KeyVisitor {
-public:
-  std::vector<KeyDescription> keys;
-
-  void section(const char *name, const std::function<void()> &body) override {
-    const std::string outer = prefix_;
-    prefix_ += std::string(name) + ".";
-    body();
-    prefix_ = outer;
-  }
-  bool wants(bool) const override { return true; }
-  void number(const Key &key, double &, Unit, Range range) override { add(key, "number", range.text()); }
-  void limit(const Key &key, std::optional<double> &, Unit, Range range) override {
-    add(key, "limit", range.text() + ", or inf");
-  }
-  void integer(const Key &key, int &, int low, int high) override {
-    add(key, "integer", fmt::format("{} to {}", low, high));
-  }
-  void flag(const Key &key, bool &) override { add(key, "flag", "true, false"); }
-  void text(const Key &key, std::string &) override { add(key, "text", "text"); }
-  void word(const Key &key, std::string &, const std::vector<std::string> &options) override {
-    add(key, "choice", fmt::format("{}", fmt::join(options, ", ")));
-    choices.emplace_back(keys.back().path, options);
-  }
-  void pair(const Key &key, Eigen::Vector2d &, Range range) override {
-    add(key, "pair", "two numbers, each " + range.text());
-  }
-  void numbers(const Key &key, std::vector<double> &, Unit, Range range) override {
-    add(key, "numbers", "numbers, each " + range.text());
-  }
-  void switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &flags) override {
-    std::vector<std::string> words;
-    for (const auto &[word, on] : flags) words.push_back(word);
-    add(key, "switches", fmt::format("any of {}", fmt::join(words, ", ")));
-  }
-  std::vector<std::pair<std::string, std::vector<std::string>>> choices;
-
-private:
-  void add(const Key &key, const char *kind, std::string range) {
-    const std::string path = prefix_ + key.name, own = meaning_of(path);
-    keys.push_back({.path = path,
-                    .kind = kind,
-                    .unit = unit_in_name(key.name),
-                    .preset = {},
-                    .range = std::move(range),
-                    .meaning = own.empty() ? key.comment : own,
-                    .assumption = key.assumption,
-                    .condition = {}});
-  }
-  std::string prefix_;
-};
 
 void visit_all(KeyVisitor &visitor, scene::Scene &scene) {
   visitor.section("bearing", [&] { scene::visit(visitor, scene.bearing); });
@@ -85,7 +33,7 @@ std::set<std::string> relevant(const std::vector<std::string> &settings) {
 }
 
 /// What the keys that do not always count depend on: every choice is tried with each of its words.
-void find_conditions(const Describer &describer, std::vector<KeyDescription> &keys) {
+void find_conditions(const KeyDescriber &describer, std::vector<KeyDescription> &keys) {
   auto choices = describer.choices;
   choices.emplace_back("reduced.model", words<scene::ModelKind>()); // a text: models are a catalogue
   for (const auto &[path, words] : choices) {
@@ -104,41 +52,11 @@ void find_conditions(const Describer &describer, std::vector<KeyDescription> &ke
 
 } // namespace
 
-std::string unit_in_name(const std::string &name) {
-  static const std::pair<const char *, const char *> endings[] = {// the longer ones first
-                                                                  {"_kN_per_m", "kN/m"},
-                                                                  {"_m_per_s2", "m/s2"},
-                                                                  {"_kg_per_m3", "kg/m3"},
-                                                                  {"_m_per_s", "m/s"},
-                                                                  {"_s_per_m", "s/m"},
-                                                                  {"_kg_m2", "kg m2"},
-                                                                  {"_per_m5", "1/m5"},
-                                                                  {"_per_m4", "1/m4"},
-                                                                  {"_per_m3", "1/m3"},
-                                                                  {"_per_m2", "1/m2"},
-                                                                  {"_per_m", "1/m"},
-                                                                  {"_MPa", "MPa"},
-                                                                  {"_deg", "deg"},
-                                                                  {"_kN", "kN"},
-                                                                  {"_kg", "kg"},
-                                                                  {"_mm", "mm"},
-                                                                  {"_ms", "ms"},
-                                                                  {"_m", "m"},
-                                                                  {"_g", "g"},
-                                                                  {"_s", "s"}};
-  for (const auto &[ending, unit] : endings)
-    if (name.ends_with(ending)) return unit;
-  return {};
-}
-
 std::vector<KeyDescription> scene_keys() {
-  Describer describer;
+  KeyDescriber describer(meaning_of);
   scene::Scene scene;
   visit_all(describer, scene);
-  KeyList values("", true);
-  visit_all(values, scene);
-  std::map<std::string, std::string> presets;
-  for (const auto &entry : values.entries) presets[entry.path()] = entry.value;
+  const auto presets = presets_of([&](KeyVisitor &visitor) { visit_all(visitor, scene); });
   std::vector<KeyDescription> keys = describer.keys;
   for (auto &key : keys) {
     const std::string follows = preset_by_hand(key.path);

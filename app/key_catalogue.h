@@ -1,5 +1,5 @@
-/// Every key of scene, bearing and sweep files with what a reader must know of it: the source of `list keys` and
-/// docs/reference/keys.md.
+/// Every key of scene and bearing files with what a reader must know of it: with file_keys.h the source of `list keys`
+/// and of docs/reference/keys.md.
 #pragma once
 #include <string>
 #include <vector>
@@ -19,8 +19,6 @@ struct KeyDescription {
 
 /// Keys of scenes, those of a bearing under "bearing."; a bearing file has them without that word.
 std::vector<KeyDescription> scene_keys();
-/// Keys of sweep files, KEY standing for any scene key.
-std::vector<KeyDescription> sweep_keys();
 
 /// The unit a key's name ends in, e.g. "kN/m" for k_i_kN_per_m; empty: none.
 std::string unit_in_name(const std::string &name);

@@ -1,6 +1,5 @@
 #include "app/key_meanings.h"
 
-#include "app/key_catalogue.h"
 #include <map>
 
 namespace rimpact::app {
@@ -84,40 +83,6 @@ std::string conditions_by_hand(const std::string &path) {
   if (path.starts_with("model.own_mesh.groups.")) return "the file's groups have other names";
   if (path.starts_with("model.own_mesh.")) return "model.own_mesh.file is given";
   return "it is given";
-}
-
-std::vector<KeyDescription> sweep_keys() {
-  const auto number = [](const char *path, const char *preset, const char *range, const char *meaning) {
-    return KeyDescription{path, "number", unit_in_name(path), preset, range, meaning, false, ""};
-  };
-  const auto text = [](const char *path, const char *preset, const char *range, const char *meaning) {
-    return KeyDescription{path, "text", "", preset, range, meaning, false, ""};
-  };
-  return {
-      text("grid.KEY", "", "a list, or from, to, count",
-           "every value with every other grid's; `variable.NAME` is a column only"),
-      number("grid.KEY.from", "", "a number", "first of evenly spaced values"),
-      number("grid.KEY.to", "", "a number", "last of them"),
-      number("grid.KEY.count", "", "2 and more", "how many"),
-      text("case.KEY", "", "any value", "[[case]]: one run a table, all with the same keys"),
-      text("case.name", "", "text", "column `case` of the table"),
-      text("records.folder", "", "a folder", "AT2 files, one run a station or component"),
-      text("records.components", "", "x, xy, xyz", "x: each horizontal component alone; xy, xyz: together"),
-      number("records.sa_period_s", "none", "> 0", "column record_sa_g: spectral acceleration at this period"),
-      number("latin_hypercube.samples", "", "1 and more", "how many samples of the keys beside it"),
-      number("latin_hypercube.seed", "1", "a whole number", "of the random numbers"),
-      text("latin_hypercube.correlation", "[]", "lists of two keys and a number",
-           "of the normal scores of two keys; the others are not correlated"),
-      number("latin_hypercube.KEY.low", "", "a number", "least value"),
-      number("latin_hypercube.KEY.high", "", "> low", "largest value"),
-      text("latin_hypercube.KEY.log", "false", "true, false", "even in the logarithm"),
-      number("latin_hypercube.KEY.mean", "", "low to high", "normal instead of even, cut at low and high"),
-      number("latin_hypercube.KEY.deviation", "", "> 0", "its standard deviation"),
-      text("linked.KEY.product", "", "a list of numbers and keys", "KEY is their product in every run"),
-      text("linked.KEY.over", "none", "a key", "divided by it"),
-      text("fractiles.along", "", "a key of the grid", "16, 50 and 84 % of the results along it: fractiles.csv"),
-      text("fractiles.by", "[]", "keys of the grid", "fractiles of each group of their values apart"),
-  };
 }
 
 } // namespace rimpact::app

@@ -1,5 +1,5 @@
 // rimpact list: what there is to choose from, and what keys, signals, columns, files and exit codes mean.
-#include "app/key_catalogue.h"
+#include "app/file_keys.h"
 #include "app/result_catalogue.h"
 #include "app/verb.h"
 #include "files/json_text.h"
@@ -86,16 +86,22 @@ nlohmann::ordered_json json_of(const std::vector<KeyDescription> &keys) {
 }
 
 void print_keys(const Console &console) {
-  if (console.json)
-    return console.data(
-        json_text(nlohmann::ordered_json{{"keys", json_of(scene_keys())}, {"sweep_keys", json_of(sweep_keys())}}));
-  for (const auto &[title, keys] : {std::pair{"keys of scenes (in a bearing file without \"bearing.\")", scene_keys()},
-                                    {"keys of sweep files", sweep_keys()}}) {
-    console.data(fmt::format("{}\n", title));
+  if (console.json) {
+    nlohmann::ordered_json all{{"keys", json_of(scene_keys())}};
+    for (const auto &group : file_keys()) {
+      all[group.name] = json_of(group.keys);
+      all["files"].push_back({{"keys", group.name}, {"title", group.title}, {"note", group.note}});
+    }
+    return console.data(json_text(all));
+  }
+  const auto print = [&](const std::string &title, const std::vector<KeyDescription> &keys) {
+    console.data(title + "\n");
     for (const auto &key : keys)
       console.data(fmt::format("  {:38s} {:10s} {}{}\n", key.path, key.preset.substr(0, 40), key.meaning,
                                key.condition.empty() ? "" : " (" + key.condition + ")"));
-  }
+  };
+  print("scenes (in a bearing file without \"bearing.\")", scene_keys());
+  for (const auto &group : file_keys()) print("\n" + group.title, group.keys);
 }
 
 struct Kind {

@@ -55,17 +55,17 @@ Section section_of(const PlaneFrame &f, const MemberClass &c, const char *name, 
 
 void visit(KeyVisitor &v, PlaneFrame &f) {
   const Range positive{0, huge, true}, size{0, 1e5, true};
-  v.text({"name"}, f.name);
+  v.text({"name", "of the frame"}, f.name);
   v.numbers({"x_m", "column lines"}, f.x, si, {-1e4, 1e4});
   v.numbers({"storeys_m", "from the base up"}, f.storeys, si, {0, 100, true});
   v.number({"load_kN_per_m", "seismic weight along the beams of every level"}, f.load, kilo, positive);
-  v.number({"gravity_m_per_s2"}, f.gravity, si, {0, 1e3, true});
-  v.number({"E_GPa"}, f.E, {1e9, false}, {0, 1e6, true});
+  v.number({"gravity_m_per_s2", "makes masses of it"}, f.gravity, si, {0, 1e3, true});
+  v.number({"E_GPa", "of the concrete"}, f.E, {1e9, false}, {0, 1e6, true});
   v.number({"concrete_MPa", "f_c"}, f.strength, mega, {0, 1e6, true});
-  v.number({"column_x_mm"}, f.column_x, milli, size);
-  v.number({"column_y_mm"}, f.column_y, milli, size);
-  v.number({"beam_width_mm"}, f.beam_width, milli, size);
-  v.number({"beam_depth_mm"}, f.beam_depth, milli, size);
+  v.number({"column_x_mm", "side of a column in the plane"}, f.column_x, milli, size);
+  v.number({"column_y_mm", "side of a column out of the plane"}, f.column_y, milli, size);
+  v.number({"beam_width_mm", "of every beam"}, f.beam_width, milli, size);
+  v.number({"beam_depth_mm", "of every beam"}, f.beam_depth, milli, size);
   v.number({"damping_ratio", "of the elastic frame with its base held"}, f.damping_ratio, si, {0, 1});
   v.section("design", [&] {
     v.number({"shear", "V_st over the weight of all levels"}, f.design.shear, si, {0, 10, true});

@@ -81,29 +81,32 @@ Frame make_frame(const RegularBuilding &b) {
   return f;
 }
 
+void visit(KeyVisitor &v, RegularBuilding &b) {
+  const Range positive{0, huge, true}, size{0, 1e5, true};
+  v.text({"name", "of the building"}, b.name);
+  v.numbers({"x_m", "column lines along x, growing"}, b.x, si, {-1e4, 1e4});
+  v.numbers({"y_m", "column lines along y, growing"}, b.y, si, {-1e4, 1e4});
+  v.numbers({"storeys_m", "heights from the base up; none: a base alone"}, b.storeys, si, {0, 100, true});
+  v.number({"load_kN_per_m2", "seismic weight on every level, the base too"}, b.load, kilo, positive);
+  v.number({"gravity_m_per_s2", "makes masses of it"}, b.gravity, si, {0, 1e3, true});
+  v.number({"E_GPa", "of the concrete"}, b.E, {1e9, false}, {0, 1e6, true});
+  v.number({"nu", "of the concrete"}, b.nu, si, {0, 0.5});
+  v.number({"column_x_mm", "side of a column along x"}, b.column_x, milli, size);
+  v.number({"column_y_mm", "side of a column along y"}, b.column_y, milli, size);
+  v.number({"beam_width_mm", "of every beam"}, b.beam_width, milli, size);
+  v.number({"beam_depth_mm", "of every beam"}, b.beam_depth, milli, size);
+  v.flag({"shear", "members deform in shear (Timoshenko)"}, b.shear);
+  v.pair({"eccentricity", "of every level's centre of mass, shares of the plan's sides"}, b.eccentricity, {-0.5, 0.5});
+  v.number({"damping_ratio", "of the building with its base held"}, b.damping_ratio, si, {0, 1});
+}
+
 RegularBuilding parse_building(const std::string &text, const std::string &origin) {
   const TomlFile file(text, origin);
   TomlReader v(file, "");
   RegularBuilding b;
-  const Range positive{0, huge, true}, size{0, 1e5, true};
-  double E_GPa = b.E / 1e9;
-  v.text({"name"}, b.name);
-  v.numbers({"x_m"}, b.x, si, {-1e4, 1e4});
-  v.numbers({"y_m"}, b.y, si, {-1e4, 1e4});
-  v.numbers({"storeys_m"}, b.storeys, si, {0, 100, true});
-  v.number({"load_kN_per_m2"}, b.load, kilo, positive);
-  v.number({"gravity_m_per_s2"}, b.gravity, si, {0, 1e3, true});
-  v.number({"E_GPa"}, E_GPa, si, {0, 1e6, true});
-  v.number({"nu"}, b.nu, si, {0, 0.5});
-  v.number({"column_x_mm"}, b.column_x, milli, size);
-  v.number({"column_y_mm"}, b.column_y, milli, size);
-  v.number({"beam_width_mm"}, b.beam_width, milli, size);
-  v.number({"beam_depth_mm"}, b.beam_depth, milli, size);
-  v.flag({"shear"}, b.shear);
-  v.pair({"eccentricity"}, b.eccentricity, {-0.5, 0.5});
-  v.number({"damping_ratio"}, b.damping_ratio, si, {0, 1});
+  visit(v, b);
   v.finish({"bearings"});
-  b.E = 1e9 * E_GPa, b.bearings = own_bearings(file);
+  b.bearings = own_bearings(file);
   try {
     check_lines("x_m", b.x), check_lines("y_m", b.y);
   } catch (const InputError &error) {

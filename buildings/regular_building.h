@@ -4,8 +4,9 @@
 #include <map>
 
 namespace rimpact {
+class KeyVisitor;
 class TomlFile;
-}
+} // namespace rimpact
 
 namespace rimpact::buildings {
 
@@ -24,6 +25,8 @@ struct RegularBuilding {
   double damping_ratio = 0.02;
   std::map<int, std::string> bearings; ///< names or files of bearings of their own, by the node above, from 1
 };
+/// Walks over the keys of the file.
+void visit(KeyVisitor &v, RegularBuilding &building);
 /// Slabs are rigid in their plane; their bending is left out. Beams run along every line on every level, the base too.
 Frame make_frame(const RegularBuilding &building);
 

@@ -50,10 +50,7 @@ std::vector<Column> read_columns(const TomlFile &toml, const std::string &path) 
       throw InputError(
           fmt::format("{}: columns.{}", toml.location("columns." + column.signal), not_among(column.signal, known)));
     TomlReader reader(toml, "columns." + column.signal);
-    reader.text({"column"}, column.header);
-    reader.text({"unit"}, column.unit);
-    reader.number({"factor"}, column.factor, si, {-huge, huge});
-    reader.number({"zero"}, column.zero, si, {-huge, huge});
+    visit(reader, column);
     reader.finish();
     if (column.header.empty()) throw InputError(fmt::format("{}: columns.{}.column is missing", path, column.signal));
     check_unit(column, *info, path);
@@ -66,18 +63,37 @@ std::optional<Uncertainty> read_uncertainty(const TomlFile &toml) {
   if (!toml.find("uncertainty")) return {};
   Uncertainty u;
   TomlReader reader(toml, "uncertainty");
-  const Range share{0, 1, true};
-  reader.number({"force"}, u.force, si, share);
-  reader.number({"displacement"}, u.displacement, si, share);
-  reader.number({"speed"}, u.speed, si, share);
-  if (toml.find("uncertainty.force")) u.gain = u.force;
-  reader.number({"gain"}, u.gain, si, {0, 1});
-  reader.number({"time_ms"}, u.time, milli, {0, 1e3});
+  visit(reader, u);
   reader.finish();
+  if (toml.find("uncertainty.force") && !toml.find("uncertainty.gain")) u.gain = u.force;
   return u;
 }
 
 } // namespace
+
+void visit(KeyVisitor &v, Mapping &mapping) {
+  v.text({"scene", "of the test, built in or a file"}, mapping.scene);
+  v.text({"file", "the table, beside the mapping file"}, mapping.file);
+  v.integer({"skip_lines", "before the names of the columns"}, mapping.skip_lines, 0, 10000);
+  v.number({"force_noise", "share of the peak below which no contact is looked for; 0: by the record's noise"},
+           mapping.force_noise, si, {0, 0.5});
+}
+
+void visit(KeyVisitor &v, Column &column) {
+  v.text({"column", "its name in the table"}, column.header);
+  v.text({"unit", "of its numbers"}, column.unit);
+  v.number({"factor", "stored is (value - zero) times factor, in that unit"}, column.factor, si, {-huge, huge});
+  v.number({"zero", "the reading where the signal is nil"}, column.zero, si, {-huge, huge});
+}
+
+void visit(KeyVisitor &v, Uncertainty &u) {
+  const Range share{0, 1, true};
+  v.number({"force", "share of the run's largest rim force"}, u.force, si, share);
+  v.number({"displacement", "share of L_c"}, u.displacement, si, share);
+  v.number({"speed", "share of the largest approach speed"}, u.speed, si, share);
+  v.number({"gain", "of the force channel, common to all impacts; not given: as force"}, u.gain, si, {0, 1});
+  v.number({"time_ms", "of the clock within one impact; 0: exact"}, u.time, milli, {0, 1e3});
+}
 
 bool is_mapping(const std::string &path) {
   return std::filesystem::path(path).extension() == ".toml" && !std::filesystem::is_directory(path);
@@ -88,10 +104,7 @@ Mapping read_mapping(const std::string &path) {
   scene::require_run(toml);
   Mapping mapping;
   TomlReader reader(toml, "");
-  reader.text({"scene"}, mapping.scene);
-  reader.text({"file"}, mapping.file);
-  reader.integer({"skip_lines"}, mapping.skip_lines, 0, 10000);
-  reader.number({"force_noise"}, mapping.force_noise, si, {0, 0.5});
+  visit(reader, mapping);
   reader.finish({"columns", "uncertainty", "set"});
   for (const auto &[name, value] : {std::pair{"scene", &mapping.scene}, std::pair{"file", &mapping.file}})
     if (value->empty()) throw InputError(fmt::format("{}: {} is missing", path, name));

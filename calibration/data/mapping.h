@@ -1,6 +1,7 @@
-/// The mapping file of a measured curve; its keys are described in measured_run.h.
+/// The mapping file of a measured curve: its keys are in docs/reference/keys.md.
 #pragma once
 #include "calibration/data/impact_window.h"
+#include "files/key_visitor.h"
 
 namespace rimpact::calibration {
 
@@ -19,6 +20,10 @@ struct Mapping {
   std::vector<Column> columns;
   std::optional<Uncertainty> uncertainty;
 };
+/// Walk over the keys of the file: its own, those of [columns.SIGNAL], those of [uncertainty].
+void visit(KeyVisitor &v, Mapping &mapping);
+void visit(KeyVisitor &v, Column &column);
+void visit(KeyVisitor &v, Uncertainty &uncertainty);
 /// Whether a run is named by a mapping file.
 bool is_mapping(const std::string &path);
 /// Throws InputError naming file, line and key; DataError when the file cannot be read.

@@ -59,7 +59,7 @@ def key_rows(keys: Iterable[dict[str, Any]]) -> Iterator[tuple[str, ...]]:
 
 def keys_page(command: Command) -> str:
     listed = command.listing("keys")
-    text = ("# Keys of scene, bearing and sweep files\n\nA file's numbers are in the unit that its key's name ends in. An unknown key, a wrong type or a "
+    text = ("# Keys of TOML files\n\nA file's numbers are in the unit that its key's name ends in. An unknown key, a wrong type or a "
             "value out of range is an error with file, line, column and bound. *Assumption*: no source gives the built-in bearing's value; "
             "replace it by yours. `rimpact list keys` prints the same, `--json` for programs.\n")
     head = ("key", "unit", "default", "range", "meaning")
@@ -68,7 +68,9 @@ def keys_page(command: Command) -> str:
     for prefix, title, note in SECTIONS:
         found = [key for key in listed["keys"] if key["key"].startswith(prefix)]
         text += f"\n## {title}\n\n" + (note + "\n\n" if note else "") + table(head, key_rows(found))
-    return text + "\n## Sweep files\n\n`KEY` stands for any scene key, or `variable.NAME`, a column only.\n\n" + table(head, key_rows(listed["sweep_keys"]))
+    for file in listed["files"]:
+        text += f"\n## {file['title']}\n\n{file['note']}\n\n" + table(head, key_rows(listed[file["keys"]]))
+    return text
 
 
 RESULTS = {"calibrate", "compare", "study", "geometry", "report", "export", "list", "thesis", "design", "reliability", "version", "completion"}

@@ -29,7 +29,9 @@ class Words(unittest.TestCase):
     def test_every_key_has_meaning_range_and_default(self):
         listed = json.loads(rimpact("list", "keys", "--json").stdout)
         self.assertGreater(len(listed["keys"]), 130)
-        for key in listed["keys"] + listed["sweep_keys"]:
+        groups = [file["keys"] for file in listed["files"]]
+        self.assertEqual(groups, ["sweep_keys", "study_keys", "building_keys", "frame_keys", "mapping_keys"])
+        for key in (key for group in ["keys", *groups] for key in listed[group]):
             self.assertTrue(key["meaning"] and key["range"], key)
         for key in listed["keys"]:
             if key["kind"] in ("number", "integer"):
@@ -68,8 +70,60 @@ class Words(unittest.TestCase):
         text = "".join(file.read_text(encoding="utf-8") for file in pathlib.Path(SOURCE, "fleets").glob("*_reader.cc"))
         known = [name for names in re.findall(r"only\(\*table, \{([^}]*)\}", text) for name in re.findall(r'"(\w+)"', names)]
         self.assertGreater(len(known), 8)
-        listed = {part for key in json.loads(rimpact("list", "keys", "--json").stdout)["sweep_keys"] for part in key["key"].split(".")}
-        self.assertEqual(set(known) - listed, set())
+        self.assertEqual(set(known) - self.parts_of("sweep_keys"), set())
+
+    def test_every_part_of_a_study_is_listed(self):
+        files = [file.read_text(encoding="utf-8") for file in pathlib.Path(SOURCE, "risk").glob("*_reader.cc")]
+        known = {name for text in files for name in re.findall(r'\w+\.(?:text|numbers?|integer|choice)\(\{"(\w+)"', text)}
+        for text in files:
+            known.update(name for names in re.findall(r"only\([^{]*\{([^}]*)\}", text) for name in re.findall(r'"(\w+)"', names))
+        self.assertGreater(len(known), 20)
+        self.assertEqual(known - self.parts_of("study_keys"), set())
+
+    def parts_of(self, group):
+        return {part for key in json.loads(rimpact("list", "keys", "--json").stdout)[group] for part in key["key"].split(".")}
+
+    def test_every_key_of_a_study_is_taken(self):
+        study = pathlib.Path(SOURCE, "data/reliability/thesis-2.6.toml").read_text(encoding="utf-8")
+        for key in json.loads(rimpact("list", "keys", "--json").stdout)["study_keys"]:
+            table, _, name = key["key"].rpartition(".")
+            if table in ("intensity", "bootstrap") or key["key"] == "years":
+                with tempfile.TemporaryDirectory() as folder:
+                    file = pathlib.Path(folder, "study.toml")
+                    plain = re.sub(rf"(?m)^{name} = .*$", "", study)
+                    file.write_text((f'{name} = "word"\n{plain}' if not table else
+                                     plain.replace(f"[{table}]", f'[{table}]\n{name} = "word"') if f"[{table}]" in plain else
+                                     f'{plain}\n[{table}]\n{name} = "word"\n'), encoding="utf-8")
+                    done = rimpact("reliability", str(file), "--dry-run", cwd=folder)
+                    self.assertEqual(done.returncode, 2, (key["key"], done.stderr))
+                    self.assertIn(f"{key['key']} ", done.stderr)
+
+    def test_every_key_of_a_building_is_taken(self):
+        needed = {"building_keys": {"x_m": "[0, 6]", "y_m": "[0, 6]"}, "frame_keys": {"x_m": "[0, 6]", "storeys_m": "[3]", "load_kN_per_m": "40"}}
+        for group, lines in needed.items():
+            for key in json.loads(rimpact("list", "keys", "--json").stdout)[group]:
+                if key["kind"] not in ("number", "limit", "integer", "flag"):
+                    continue
+                with tempfile.TemporaryDirectory() as folder:
+                    text = "".join(f"{name} = {value}\n" for name, value in lines.items() if name != key["key"])
+                    pathlib.Path(folder, "own.toml").write_text(f'{text}{key["key"]} = "word"\n', encoding="utf-8")
+                    done = rimpact("building", "ricker-0.78g-1.0s", "--frame", "own.toml", "-o", "/proc/none", cwd=folder)
+                    self.assertEqual(done.returncode, 2, (key["key"], done.stderr))
+                    self.assertIn(key["key"], done.stderr)
+                    self.assertNotIn("unknown key", done.stderr)
+
+    def test_every_key_of_a_mapping_is_taken(self):
+        for key in json.loads(rimpact("list", "keys", "--json").stdout)["mapping_keys"]:
+            if key["kind"] not in ("number", "integer"):
+                continue
+            with tempfile.TemporaryDirectory() as folder:
+                name = key["key"].replace("SIGNAL", "time")
+                text = f'scene = "impact-window"\nfile = "none.csv"\n{name} = "word"\ncolumns.time.column = "t"\ncolumns.time.unit = "s"\n'
+                pathlib.Path(folder, "own.toml").write_text(text, encoding="utf-8")
+                done = rimpact("calibrate", "own.toml", "-o", "out", cwd=folder)
+                self.assertEqual(done.returncode, 2, (name, done.stderr))
+                self.assertIn(name, done.stderr)
+                self.assertNotIn("unknown key", done.stderr)
 
     def test_every_kind_can_be_listed(self):
         for kind in ("bearings", "scenes", "models", "laws", "materials", "rungs", "signals", "columns", "files", "exit-codes"):
