@@ -1,6 +1,5 @@
 #include "buildings/building_run.h"
 #include "files/error.h"
-#include "reduced_models/step_budget.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -194,14 +193,13 @@ void BuildingRun::apply(const Watch &watch, double t, VectorXd &y, BuildingRecor
   recorder.branch(dynamics_, before, modes_, t, y, loss);
 }
 
-long BuildingRun::run(double t_end, BuildingRecorder &recorder) {
+void BuildingRun::run(double t_end, BuildingRecorder &recorder) {
   set_scales();
   step_.resize(dynamics_.n_state());
   step_.t = 0, step_.y0 = dynamics_.start();
   dynamics_.settle(modes_, 0, step_.y0);
   recorder.begin(dynamics_, modes_, step_.y0);
   dynamics_.rhs(modes_, 0, step_.y0, step_.k[0]);
-  long n_steps = 0;
   int n_short = 0;
   while (step_.t < t_end - 1e-13) {
     const auto events = watched();
@@ -209,7 +207,7 @@ long BuildingRun::run(double t_end, BuildingRecorder &recorder) {
     set_out_on_rims(step_.t, step_.y0, step_.k[0]);
     attempt_until_accepted(next_break(step_.t, t_end));
     const int event = first_event(events);
-    reduced::keep_to_budget(++n_steps, step_.t);
+    recorder.steps.add(step_.t);
     n_short = step_.h < 1e-10 ? n_short + 1 : 0;
     if (n_short > 100) throw SolverStopped(fmt::format("the building chatters between branches at t = {} s", step_.t));
     dynamics_.project(modes_, step_.y1);
@@ -226,7 +224,6 @@ long BuildingRun::run(double t_end, BuildingRecorder &recorder) {
     }
   }
   recorder.end(step_.t, step_.y0, dynamics_.evaluate(modes_, step_.t, step_.y0));
-  return n_steps;
 }
 
 } // namespace rimpact::buildings

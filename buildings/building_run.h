@@ -12,7 +12,7 @@ public:
   BuildingRun(const BuildingDynamics &dynamics, const scene::Scene &scene);
   /// From rest (or as `free` says) to t_end. Throws SolverStopped when a slider leaves its dish or the steps become too
   /// small; what came before is in the recorder.
-  long run(double t_end, BuildingRecorder &recorder);
+  void run(double t_end, BuildingRecorder &recorder);
 
 private:
   struct Watch {

@@ -1,6 +1,5 @@
 #include "buildings/implicit_run.h"
 #include "files/error.h"
-#include "reduced_models/step_budget.h"
 #include <algorithm>
 #include <cmath>
 #include <Eigen/LU>
@@ -222,13 +221,12 @@ BuildingResponse ImplicitRun::response() const {
   return r;
 }
 
-long ImplicitRun::run(double t_end, BuildingRecorder &recorder) {
-  long n_steps = 0;
+void ImplicitRun::run(double t_end, BuildingRecorder &recorder) {
   double h = 1e-2 * largest_step_;
   recorder.begin(state(), response());
   while (at_[0].t < t_end - 1e-12) {
     const bool at_wall = advance(std::min(recorder.next_sample(), t_end), h);
-    reduced::keep_to_budget(++n_steps, at_[0].t);
+    recorder.steps.add(at_[0].t);
     for (int b = 0; b < building_.n_bearings(); ++b)
       if (const char *why = building_.mounts[b]->lost())
         throw SolverStopped(fmt::format("bearing {}: {} at t = {} s", b + 1, why, at_[0].t));
@@ -238,7 +236,6 @@ long ImplicitRun::run(double t_end, BuildingRecorder &recorder) {
     recorder.step(at_[0].t, state(), response());
   }
   recorder.end(at_[0].t, state(), response());
-  return n_steps;
 }
 
 } // namespace rimpact::buildings

@@ -13,7 +13,7 @@ public:
   ImplicitRun(MountedBuilding &building, const scene::Scene &scene);
   /// From rest (or as `free` says) to t_end; returns the number of steps. Throws SolverStopped; what came before is in
   /// the recorder.
-  long run(double t_end, BuildingRecorder &recorder);
+  void run(double t_end, BuildingRecorder &recorder);
   long n_newton = 0;
 
 private:

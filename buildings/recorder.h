@@ -3,6 +3,7 @@
 #include "buildings/dynamics.h"
 #include "buildings/hinge_envelope.h"
 #include "buildings/members.h"
+#include "reduced_models/step_budget.h"
 #include "responses/summary.h"
 #include <functional>
 
@@ -59,6 +60,8 @@ public:
   /// Peaks, impacts of all bearings in order, energies; `bearings`, `floors` and `worst_bearing` in extra.
   void summarise(Summary &summary) const;
   const HingeEnvelope &hinges() const { return hinges_; } ///< empty of a linear building
+
+  reduced::StepCount steps; ///< taken so far
 
 private:
   struct BearingPeaks {

@@ -61,6 +61,7 @@ void BuildingRecorder::store(double t, const VectorXd &y, const BuildingResponse
 void BuildingRecorder::summarise(Summary &s) const {
   s.peak_displacement = 0, s.peak_lateral_force = peak_shear_, s.peak_vertical_displacement = peak_height_;
   s.min_normal_force = smallest_total_, s.residual_displacement = 0;
+  s.n_steps = steps.n();
   s.peak_impact_force = 0;
   nlohmann::json bearings = nlohmann::json::array(), floors = nlohmann::json::array();
   std::size_t worst = 0;

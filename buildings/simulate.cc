@@ -52,7 +52,7 @@ HingeEnvelope fly(const BuildingBasis &building, const scene::Scene &scene, cons
   BuildingRecorder recorder(building, kept.response, scene.reduced.output_step, kept.trace, kept.members);
   const auto begin = std::chrono::steady_clock::now();
   try {
-    summary.n_steps = go(recorder);
+    go(recorder);
   } catch (const SolverStopped &stop) {
     summary.status = RunStatus::stopped, summary.reason = stop.what();
   }

@@ -1,7 +1,6 @@
 #include "reduced_models/cvode_run.h"
 #include "files/error.h"
 #include "reduced_models/hybrid_run.h"
-#include "reduced_models/step_budget.h"
 #include <algorithm>
 #include <cmath>
 #include <cvode/cvode.h>
@@ -148,15 +147,14 @@ void rest(const Dynamics &dynamics, Mode &mode, double &t, State &y, double t_en
 
 } // namespace
 
-CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const BearingState &start, double t_end,
-                           Recorder &recorder) {
+bool run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const BearingState &start, double t_end,
+                    Recorder &recorder) {
   Cvode cvode(dynamics, std::min(scene.reduced.tolerance, 1e-9));
   State y;
   Mode mode = dynamics.starting_mode(start, y);
   double t = start.t;
   recorder.begin(mode, t, y);
   const auto &breaks = dynamics.ground.breakpoints();
-  long n_steps = 0;
   bool fresh = true;
   while (t < t_end - 1e-13) {
     if (dynamics.at_rest(mode)) {
@@ -176,7 +174,7 @@ CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, 
     const double t0 = t;
     const State y0 = y;
     const bool at_root = cvode.step(limit, t, y);
-    keep_to_budget(++n_steps, t);
+    recorder.steps.add(t);
     const Event event = at_root ? cvode.root() : Event::turning;
     const Mode during = mode; // with the direction the step began in
     dynamics.project(mode, y);
@@ -184,7 +182,7 @@ CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, 
                      at_root && changes_rim(event));
     if (event == Event::collapse) {
       recorder.end(mode, t, y);
-      return {n_steps, true};
+      return true;
     }
     dynamics.arrive(mode, t, y);
     const Mode before = mode;
@@ -197,7 +195,7 @@ CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, 
     cvode.follow(mode);
   }
   recorder.end(mode, t, y);
-  return {n_steps, false};
+  return false;
 }
 
 } // namespace rimpact::reduced

@@ -5,12 +5,9 @@
 
 namespace rimpact::reduced {
 
-struct CvodeResult {
-  long n_steps;
-  bool collapsed; ///< the building has: the run ended there
-};
-/// Runs from `start` to t_end. Throws SolverStopped when CVODE gives up.
-CvodeResult run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const BearingState &start, double t_end,
-                           Recorder &recorder);
+/// Runs from `start` to t_end. True: the building has collapsed, which ended the run. Throws SolverStopped when CVODE
+/// gives up.
+bool run_with_cvode(const Dynamics &dynamics, const scene::Scene &scene, const BearingState &start, double t_end,
+                    Recorder &recorder);
 
 } // namespace rimpact::reduced

@@ -18,7 +18,6 @@ public:
     Mode mode;
     bool stopped = false;   ///< by the stop function
     bool collapsed = false; ///< the building has: the run ends there
-    long n_steps = 0;
   };
   /// Runs to t_end, or until stop(u) (may be empty) falls to zero. Throws SolverStopped when the slider
   /// leaves the dish or the steps become too small.

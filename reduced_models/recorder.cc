@@ -185,6 +185,7 @@ EnergyLedger Recorder::ledger(const Mode &mode, const State &y) const {
 
 void Recorder::summarise(Summary &summary, bool collapsed) const {
   peaks_.summarise(summary);
+  summary.n_steps = steps.n();
   summary.residual_displacement = std::hypot(final_[iX], final_[iY]);
   summary.energy = final_ledger();
   if (dynamics_.building.any())

@@ -3,6 +3,7 @@
 #pragma once
 #include "reduced_models/building_recorder.h"
 #include "reduced_models/run_peaks.h"
+#include "reduced_models/step_budget.h"
 
 namespace rimpact::reduced {
 
@@ -23,6 +24,8 @@ public:
   /// Peaks, impacts and energies. Call after `end`.
   void summarise(Summary &summary, bool collapsed = false) const;
   double smallest_gap() const { return peaks_.smallest_gap(); }
+
+  StepCount steps; ///< taken so far
 
 private:
   static constexpr double beside = 1e-6; ///< samples beside a jump of a force stand this far from it [s]

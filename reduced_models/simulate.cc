@@ -36,13 +36,8 @@ void run(const Job &job, Response *response, Summary &summary) {
   Recorder recorder(dynamics, response, job.scene.reduced.output_step, before);
   bool collapsed = false;
   try {
-    if (job.by_cvode) {
-      const auto end = run_with_cvode(dynamics, job.scene, job.start, job.t_end, recorder);
-      summary.n_steps = end.n_steps, collapsed = end.collapsed;
-    } else {
-      const auto end = HybridRun(dynamics, job.scene).run(job.start, job.t_end, {}, recorder);
-      summary.n_steps = end.n_steps, collapsed = end.collapsed;
-    }
+    collapsed = job.by_cvode ? run_with_cvode(dynamics, job.scene, job.start, job.t_end, recorder)
+                             : HybridRun(dynamics, job.scene).run(job.start, job.t_end, {}, recorder).collapsed;
   } catch (const SolverStopped &stop) {
     summary.status = RunStatus::stopped, summary.reason = stop.what();
   }

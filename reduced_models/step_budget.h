@@ -8,13 +8,20 @@ namespace rimpact::reduced {
 
 inline constexpr long step_budget = 5'000'000;
 
-/// Throws SolverStopped once `n_steps` is beyond the budget.
-inline void keep_to_budget(long n_steps, double t) {
-  if (n_steps > step_budget)
-    throw SolverStopped("the reduced model has taken " + std::to_string(step_budget) +
-                        " steps up to t = " + std::to_string(t) +
-                        " s: something in the scene is far faster than a bearing moves (a stiffness, an elastic slip, "
-                        "a period), or the tolerance too tight");
-}
+class StepCount {
+public:
+  /// Counts a step that led to t. Throws SolverStopped once there are more than the budget.
+  void add(double t) {
+    if (++n_ > step_budget)
+      throw SolverStopped("the reduced model has taken " + std::to_string(step_budget) +
+                          " steps up to t = " + std::to_string(t) +
+                          " s: something in the scene is far faster than a bearing moves (a stiffness, an elastic "
+                          "slip, a period), or the tolerance too tight");
+  }
+  long n() const { return n_; }
+
+private:
+  long n_ = 0;
+};
 
 } // namespace rimpact::reduced

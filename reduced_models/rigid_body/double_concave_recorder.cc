@@ -1,5 +1,4 @@
 #include "reduced_models/rigid_body/double_concave_recorder.h"
-#include "reduced_models/step_budget.h"
 #include "scene/size_limits.h"
 #include <algorithm>
 #include <cmath>
@@ -72,7 +71,8 @@ void DoubleConcaveRecorder::begin(const MotionState &s) {
 }
 
 void DoubleConcaveRecorder::count(const StepReport &report) {
-  keep_to_budget(++result_.summary.n_steps, result_.response.size() ? result_.response.series("time").back() : 0);
+  steps_.add(result_.response.size() ? result_.response.series("time").back() : 0);
+  result_.summary.n_steps = steps_.n();
   result_.summary.n_newton_iterations += report.iterations;
 }
 

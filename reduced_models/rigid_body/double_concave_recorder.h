@@ -3,6 +3,7 @@
 #include "reduced_models/physical_model.h"
 #include "reduced_models/rigid_body/double_concave_system.h"
 #include "reduced_models/rigid_body/wall_memory.h"
+#include "reduced_models/step_budget.h"
 
 namespace rimpact::reduced::rigid {
 
@@ -32,6 +33,7 @@ private:
   std::vector<std::vector<double> *> columns_; ///< of the response, in the order they are stored
   std::vector<double> largest_normal_, smallest_normal_;
   WallMemory walls_;
+  StepCount steps_;
   BuildingRecorder building_;
   std::optional<double> collapse_time_;
   double largest_travel_ = 0, largest_lateral_ = 0, largest_height_ = -1e300, smallest_on_plate_ = 1e300;

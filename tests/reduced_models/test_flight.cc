@@ -111,6 +111,7 @@ TEST(Flight, ARimIsNoHigherThanItStands) {
     const auto run = simulate_from(s, start, 0.05);
     EXPECT_EQ(run.summary.status, above > 0 ? RunStatus::stopped : RunStatus::done) << run.summary.reason;
     EXPECT_EQ(run.summary.reason.find("thrown over the rim") != std::string::npos, above > 0) << run.summary.reason;
+    EXPECT_GT(run.summary.n_steps, 0);
     EXPECT_EQ(run.summary.impacts.empty() || run.summary.impacts[0].peak_force == 0, above > 0);
   }
 }
