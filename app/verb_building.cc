@@ -4,6 +4,7 @@
 #include "app/sweep_runs.h"
 #include "app/verb.h"
 #include "buildings/bearing_doubts.h"
+#include "buildings/frame_doubts.h"
 #include "buildings/frame_source.h"
 #include "buildings/frame_tables.h"
 #include "buildings/simulate.h"
@@ -57,12 +58,12 @@ std::string describe(const scene::Scene &scene, const buildings::Frame &frame, c
   return text;
 }
 
-void add_warnings(const scene::Scene &scene, const std::vector<scene::Scene> &bearings, reduced::ReducedRun &run,
-                  Console &console) {
+void add_warnings(const scene::Scene &scene, const buildings::Frame &frame, const std::vector<scene::Scene> &bearings,
+                  reduced::ReducedRun &run, Console &console) {
   std::vector<double> reactions;
   for (const auto &bearing : run.summary.extra["building"].at("bearings"))
     reactions.push_back(bearing.at("static_normal_force_N"));
-  auto &warnings = run.summary.extra["warnings"] = nlohmann::json::array();
+  auto &warnings = run.summary.extra["warnings"] = buildings::doubts_of(frame);
   if (!run.summary.impacts.empty())
     for (const auto &doubt : buildings::doubts_of_elements(bearings, reactions)) warnings.push_back(doubt);
   if (const auto doubt = doubt_of_ledger(run.summary.energy.value_or(EnergyLedger()));
@@ -130,6 +131,7 @@ void write_building(const buildings::Frame &frame, const buildings::BuildingResu
 /// A building's frame stays as it is; the sweep moves the scene's keys, and the bearings' with them.
 void sweep_building(const BuildingOptions &options, Console &console) {
   const auto frame = buildings::load_frame(options.frame);
+  for (const auto &doubt : buildings::doubts_of(frame)) console.warn(doubt);
   fleets::FleetModel model{
       .name = "building " + frame.name, .run = [&](const scene::Scene &scene) {
         return buildings::row_summary(
@@ -162,7 +164,7 @@ void run_building(const BuildingOptions &options, Console &console) {
   run.summary.extra["building"]["name"] = frame.name;
   run.summary.extra["identity"] = to_json(identity);
   run.summary.extra["building"]["hardest_instant_s"] = result.trace.hardest.t;
-  add_warnings(scene, bearings, run, console);
+  add_warnings(scene, frame, bearings, run, console);
   write_run_folder(folder, scene, run.response, run.summary);
   write_building(frame, result, folder);
   if (options.picture && python({"report.quick", "building", folder}) != 0)

@@ -1,5 +1,6 @@
 // rimpact compare A B [...]: what differs between scenes, then metrics between their responses; with -o, pictures.
 #include "app/compare_picture.h"
+#include "app/job_runner.h"
 #include "app/scene_differences.h"
 #include "app/verb.h"
 #include "calibration/data/measured_run.h"
@@ -21,6 +22,7 @@ using nlohmann::json;
 /// What is compared: a response, and the scene it is of where that is known.
 struct Item {
   std::string path, scene; ///< the scene's text, resolved; empty: not known
+  std::string carried;     ///< by how many bearings; empty: not known
   Response response;
 };
 
@@ -45,6 +47,19 @@ std::string resolved(const std::string &text, const std::string &path) {
   }
 }
 
+/// What the scene's load does not say: a building's bearings carry shares of it.
+std::string carried(const std::string &folder) {
+  std::error_code ignored;
+  const std::string alone = "one bearing";
+  if (!std::filesystem::exists(std::filesystem::path(folder) / "summary.json", ignored)) return alone;
+  const json summary = summary_of(folder);
+  const auto building = summary.find("building");
+  if (building == summary.end()) return alone;
+  double weight = 0;
+  for (const auto &bearing : building->at("bearings")) weight += bearing.value("static_normal_force_N", 0.0);
+  return fmt::format("{} bearings under {:.4g} kN", building->at("bearings").size(), weight / 1e3);
+}
+
 Item read_item(const std::string &path) {
   namespace fs = std::filesystem;
   Item item{.path = path, .scene = {}, .response = {}};
@@ -61,6 +76,7 @@ Item read_item(const std::string &path) {
     else if (const auto kept = item.response.meta.find("scene"); kept != item.response.meta.end())
       item.scene = kept->second;
     if (!item.scene.empty()) item.scene = resolved(item.scene, path);
+    item.carried = carried(path);
   }
   require_signals(item);
   return item;
@@ -182,6 +198,8 @@ void run_compare(const CompareOptions &options, Console &console) {
                                   reference.scene.empty() ? reference.path : each.path, reference.path, each.path));
     else
       each.differences = differences(reference.scene, items[k].scene);
+    if (!reference.carried.empty() && !items[k].carried.empty() && reference.carried != items[k].carried)
+      each.differences.insert(each.differences.begin(), {"building", reference.carried, items[k].carried, false});
     if (!options.anyway) refuse_others(reference.path, each);
     each.metrics = calibration::compare(reference.response, items[k].response, capacity);
     all.push_back(each);

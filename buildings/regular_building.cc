@@ -97,7 +97,7 @@ void visit(KeyVisitor &v, RegularBuilding &b) {
   v.number({"beam_depth_mm", "of every beam"}, b.beam_depth, milli, size);
   v.flag({"shear", "members deform in shear (Timoshenko)"}, b.shear);
   v.pair({"eccentricity", "of every level's centre of mass, shares of the plan's sides"}, b.eccentricity, {-0.5, 0.5});
-  v.number({"damping_ratio", "of the building with its base held"}, b.damping_ratio, si, {0, 1});
+  v.number({"damping_ratio", "of every mode with the base held"}, b.damping_ratio, si, {0, 1});
 }
 
 RegularBuilding parse_building(const std::string &text, const std::string &origin) {

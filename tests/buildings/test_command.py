@@ -46,6 +46,17 @@ class Run:
         self.assertAlmostEqual(second["peak_lateral_force_N"] / first["peak_lateral_force_N"], 1, places=6)
 
 
+    def test_is_not_compared_with_one_bearing(self):
+        alone = os.path.join(self.scratch.name, "alone")
+        run = rimpact("reduced", "ricker-0.78g-1.0s", "-o", alone, *SHORT)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        run = rimpact("compare", alone, self.folder)
+        self.assertEqual(run.returncode, 2)
+        self.assertRegex(run.stderr, r"building \(one bearing against \d bearings under \d+ kN\)")
+        self.assertEqual(rimpact("compare", alone, self.folder, "--anyway").returncode, 0)
+        self.assertEqual(rimpact("compare", self.folder, self.folder).returncode, 0)
+
+
 class Building(Run, unittest.TestCase):
     WORDS = ["--png"]
 

@@ -1,10 +1,13 @@
 #include "buildings/assembly.h"
 #include "buildings/beam_column.h"
+#include "buildings/frame_doubts.h"
+#include "buildings/frame_source.h"
 #include "buildings/modes.h"
 #include "buildings/regular_building.h"
 #include "files/error.h"
 #include <Eigen/Eigenvalues>
 #include <filesystem>
+#include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -48,6 +51,24 @@ TEST(BeamColumn, CantileverDeflectsAsTimoshenko) {
   const double expected = P * L * L * L / (3 * s.E * s.Iy) + P * L / (s.G * s.shear_z);
   EXPECT_NEAR(u.head<3>().dot(z) / expected, 1, 1e-12);
   EXPECT_NEAR(u.head<3>().dot(y) / expected, 0, 1e-12);
+}
+
+TEST(Building, AWrongUnitIsDoubted) {
+  for (const char *name : {"thesis-2.4", "thesis-2.5", "thesis-3.5"}) EXPECT_TRUE(doubts_of(load_frame(name)).empty());
+  const auto doubted = [](const auto &change) {
+    RegularBuilding b = load_building("thesis-2.4");
+    change(b);
+    const auto found = doubts_of(make_frame(b));
+    return found.size() == 1 ? found[0] : fmt::format("{} doubts", found.size());
+  };
+  EXPECT_EQ(doubted([](RegularBuilding &b) { b.E = 23.4e12; }), "2 doubts"); // of columns and beams
+  EXPECT_EQ(doubted([](RegularBuilding &b) { b.column_x = b.column_y = 0.5e-2; }),
+            "section column: depth = 0.005 m, where 0.03 to 5 is usual: are the units right?");
+  EXPECT_EQ(doubted([](RegularBuilding &b) { b.storeys.back() = 35; }),
+            "level 3: height = 35 m, where 1.5 to 30 is usual: are the units right?");
+  EXPECT_EQ(doubted([](RegularBuilding &b) { b.load = 10; }), "4 doubts"); // of every level
+  EXPECT_EQ(doubted([](RegularBuilding &b) { b.damping_ratio = 0.5; }),
+            "frame: damping_ratio = 0.5, where 0 to 0.2 is usual: are the units right?");
 }
 
 TEST(Building, OfTheThesisWeighs5120kNOnSixBearings) {
