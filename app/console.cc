@@ -99,6 +99,12 @@ void Console::data(const std::string &given) const {
     throw IoError("cannot write to standard output");
 }
 
+std::string Console::command() const {
+  std::string text = "rimpact";
+  for (int i = 1; i < argc; ++i) text += std::string(" ") + argv[i];
+  return text;
+}
+
 std::vector<std::string> Console::settings() const {
   std::vector<std::string> all;
   if (!calibration.empty())

@@ -27,6 +27,8 @@ public:
   const std::vector<std::string> &warnings() const { return warnings_; } ///< every sentence of warn()
   /// Every key the command line gives, in the order in which they win: --calibration, --set, --rung, --mesh.
   std::vector<std::string> settings() const;
+  /// As it was given, without the program's folder.
+  std::string command() const;
   /// The scene with its settings; warns of what it allows but doubts.
   scene::Scene load(const std::string &given);
 

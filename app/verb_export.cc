@@ -93,9 +93,7 @@ void warn_of_load(const ExportOptions &options, const scene::Scene &scene, const
 
 /// The command without the program's folder, and what made the file.
 std::vector<std::string> header(const Console &console) {
-  std::string command = "rimpact";
-  for (int i = 1; i < console.argc; ++i) command += std::string(" ") + console.argv[i];
-  return {command, build_version()};
+  return {console.command(), build_version()};
 }
 
 void export_to(const ExportOptions &options, const json &calibration, Console &console) {

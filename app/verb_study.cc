@@ -8,10 +8,14 @@
 #include "calibration/studies/stored_study.h"
 #include "files/file.h"
 #include "files/json_text.h"
+#include "impact_laws/catalogue.h"
 #include "reduced_models/physical_model.h"
+#include "responses/build_version.h"
 #include "responses/response.h"
+#include "scene/case_description.h"
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -25,7 +29,7 @@ constexpr auto choices(StudyAxis) {
 }
 
 struct StudyOptions {
-  std::string scene, folder, shard;
+  std::string scene, folder, shard, curve;
   std::vector<std::string> axes{word(StudyAxis::rung), word(StudyAxis::mesh)};
   std::vector<std::string> rungs{word(SolvedBy::reduced), word(SolvedBy::rim)};
   std::vector<SolvedBy> solvers() const; ///< what the rungs' words say
@@ -39,6 +43,19 @@ std::vector<SolvedBy> StudyOptions::solvers() const {
   std::vector<SolvedBy> list;
   for (const auto &rung : rungs) list.push_back(parse<SolvedBy>(rung).value()); // checked by the command line
   return list;
+}
+
+bool has_reduced(const StudyOptions &options) {
+  const auto solvers = options.solvers();
+  return std::find(solvers.begin(), solvers.end(), SolvedBy::reduced) != solvers.end();
+}
+
+/// The scene with the rim's own curve for its element.
+scene::Scene on_curve(scene::Scene scene, const std::string &file) {
+  scene.reduced.impact_law = &laws::impact_law("curve");
+  scene.reduced.impact_curve = std::filesystem::absolute(file).lexically_normal().string();
+  scene.validate();
+  return scene;
 }
 
 /// One job a combination; the reduced model knows neither mesh nor step.
@@ -59,6 +76,7 @@ std::vector<Job> study_jobs(const StudyOptions &options, const scene::Scene &bas
     const auto rung = rung_of(solver);
     if (!rung) {
       add(word(solver), base, true);
+      if (!options.curve.empty()) add("curve", on_curve(base, options.curve), true);
       continue;
     }
     for (const int mesh : meshes)
@@ -94,6 +112,7 @@ std::vector<calibration::StudyRun> runs_of(const std::vector<Job> &jobs, Console
     if (!is_done(job)) continue;
     try {
       runs.push_back(calibration::study_run(job.name, summary_of(job.folder), read_response(job.folder)));
+      if (job.reduced) runs.back().element = scene::element_line(job.scene);
       if (job.reduced) continue;
       runs.back().rung = solved_by(job.scene.model.rung); // as asked for, whatever wrote the summary
       runs.back().mesh = job.scene.model.mesh;
@@ -114,6 +133,8 @@ void write(const calibration::SpeedError &study, const scene::Scene &base, const
   if (reference != study.rows.end())
     if (const auto impacts = summary_of(folder + "/runs/" + reference->run.name)["impacts"]; !impacts.empty())
       approach_speed = impacts[0]["approach_speed_m_s"].get<double>();
+  json["command"] = console.command();
+  json["made_by"] = build_version();
   json["scene"] = calibration::studied_scene(base, approach_speed);
   write_atomically(json_text(json), folder + "/study.json");
   write_atomically(calibration::to_csv(study), folder + "/study.csv");
@@ -139,6 +160,8 @@ void run_study(StudyOptions options, Console &console) {
     throw InputError("--axes mesh: the scene has a mesh of its own (" + base.model.own_mesh.file +
                      "), which is the same on every level; leave mesh out");
   if (options.folder.empty()) options.folder = default_folder("study-" + base.name);
+  if (!options.curve.empty() && !(options.varies(StudyAxis::rung) && has_reduced(options)))
+    throw InputError("--curve: it is flown by the reduced model, which is not among --rungs");
   const std::vector<Job> jobs = study_jobs(options, base);
   const auto lock = claim_for_jobs(options.folder, Collection::study, jobs, console.force, part_name(part, n_parts));
   make_runs_folder(options.folder);
@@ -174,6 +197,9 @@ void add_study(CLI::App &app, Console &console) {
       ->delimiter(',')
       ->check(CLI::IsMember(words<SolvedBy>()))
       ->capture_default_str();
+  verb->add_option("--curve", options->curve,
+                   "curve.h5 of `rimpact curve`: the reduced model flies on it too, as run `curve`")
+      ->check(CLI::ExistingFile);
   verb->add_option("--meshes", options->meshes, "values of the axis mesh")
       ->delimiter(',')
       ->check(CLI::Range(0, 3))

@@ -63,18 +63,18 @@ std::string range_of(const ReducedSettings &r) {
   return text;
 }
 
+json or_null(const std::optional<double> &value) {
+  return value ? json(*value) : json(nullptr);
+}
+
+} // namespace
+
 std::string element_line(const Scene &scene) {
   if (scene.reduced.k_i == 0) return "none (k_i = 0)";
   if (scene.reduced.impact_law->pushed) return "curve, " + scene.reduced.impact_curve;
   return fmt::format("{}, {} ({}{})", scene.reduced.impact_law->name, numbers_of_element(scene), source_of(scene),
                      range_of(scene.reduced));
 }
-
-json or_null(const std::optional<double> &value) {
-  return value ? json(*value) : json(nullptr);
-}
-
-} // namespace
 
 std::string describe_case(const Scene &scene) {
   return fmt::format("bearing: {}\nload: {}\nmotion: {}\nimpact element: {}\n", bearing_line(scene), load_line(scene),

@@ -7,6 +7,8 @@ namespace rimpact::scene {
 
 /// "bearing: ...\nload: ...\nmotion: ...\nimpact element: ...\n".
 std::string describe_case(const Scene &scene);
+/// The impact element alone: its law, numbers and where they come from.
+std::string element_line(const Scene &scene);
 /// The same as `load`, `motion` and `impact_element` (law, every number of it, source, fitted_from_m_per_s,
 /// fitted_to_m_per_s, fitted_mass_kg, fitted_rim: null where not known).
 nlohmann::json case_json(const Scene &scene);

@@ -9,6 +9,7 @@ namespace rimpact::calibration {
 struct StudyRun {
   std::string name;
   SolvedBy rung = SolvedBy::reduced;
+  std::string element;            ///< of a reduced run: law, numbers and their source; empty: finite elements
   int mesh = 0;                   ///< 1 | 2 | 3; 0: none
   double step = 0;                ///< in contact [s]; 0: the plan's
   double seconds = 0, memory = 0; ///< wall time [s], peak [bytes]

@@ -21,6 +21,7 @@ nlohmann::json to_json(const SpeedError &study) {
     nlohmann::json item = to_json(row.errors);
     item.update({{"name", row.run.name},
                  {"rung", word(row.run.rung)},
+                 {"element", row.run.element},
                  {"mesh", row.run.mesh},
                  {"step_s", row.run.step},
                  {"wall_time_s", row.run.seconds},
@@ -72,6 +73,8 @@ std::string describe(const SpeedError &study) {
                         : row.on_frontier ? "frontier"
                                           : "");
   }
+  for (const auto &row : study.rows)
+    if (!row.run.element.empty()) text += fmt::format("{}: {}\n", row.run.name, row.run.element);
   if (study.extrapolated)
     text += fmt::format("peak force extrapolated over the reference's three meshes: {:.1f} kN, observed order {:.2f}; "
                         "its errors are against that\n",

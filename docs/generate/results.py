@@ -96,8 +96,10 @@ def studies_page() -> str:
                      f"{percent(row.get('nrmse_force'))} | {row['wall_time_s']:.3g} |\n")
         if picture := PICTURES.get(file.stem):
             text += f"\n![speed against error, {file.stem}](../pictures/{picture})\n"
-        if commit := study.get("git"):
-            text += f"\nCommit {commit}.\n"
+        elements = [f"`{row['name']}`: {row['element']}." for row in study["rows"] if row.get("element")]
+        made = [f"Made by {study['made_by']}, `{study['command']}`."] if study.get("made_by") else []
+        if elements or made:
+            text += "\n" + " ".join(elements + made) + "\n"
     return text
 
 

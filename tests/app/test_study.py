@@ -2,6 +2,7 @@
 import csv
 import json
 import os
+import shutil
 import tempfile
 import unittest
 
@@ -38,6 +39,22 @@ class Study(unittest.TestCase):
             self.assertEqual(len(list(csv.DictReader(file))), 5)
         for name in ("study.txt", "study.png"):
             self.assertGreater(os.path.getsize(os.path.join(self.folder, name)), 100)
+
+    def test_the_reduced_runs_name_their_element(self):
+        curve = os.path.join(os.path.dirname(self.folder), "curve.h5")
+        shutil.copy(os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../data/reliability/frame-four-dof-rim.h5"), curve)
+        run = self.study("--axes", "rung", "--error", "900", "--set", "bearing.slider.diameter_mm=220.0", "--curve", curve, "--json")  # the curve's own rim
+        self.assertEqual(run.returncode, 0, run.stderr)
+        study = json.loads(run.stdout)
+        elements = {row["name"]: row["element"] for row in study["rows"]}
+        self.assertIn("k_i = 450000 kN/m, e = 0.65", elements["reduced"])
+        self.assertEqual(elements["curve"], f"curve, {curve}")
+        self.assertEqual(elements["rim-mesh1"], "")
+        self.assertIn("--curve", study["command"])
+        self.assertIn("commit", study["made_by"])
+        with open(os.path.join(self.folder, "study.txt"), encoding="utf-8") as file:
+            self.assertIn("reduced: signed, k_i = 450000 kN/m", file.read())
+        self.assertEqual(self.study("--axes", "rung", "--rungs", "rim,full", "--curve", curve).returncode, 2)
 
     def test_shards_add_up(self):
         first = self.study("--shard", "1/3")
