@@ -6,13 +6,6 @@
 
 namespace rimpact::app {
 
-void KeyDescriber::section(const char *name, const std::function<void()> &body) {
-  const std::string outer = prefix_;
-  prefix_ += std::string(name) + ".";
-  body();
-  prefix_ = outer;
-}
-
 void KeyDescriber::number(const Key &key, double &, Unit, Range range) {
   add(key, "number", range.text());
 }
@@ -53,8 +46,8 @@ void KeyDescriber::switches(const Key &key, const std::vector<std::pair<std::str
 }
 
 void KeyDescriber::add(const Key &key, const char *kind, std::string range) {
-  const std::string path = prefix_ + key.name, own = meaning_ ? meaning_(path) : "";
-  keys.push_back({.path = path,
+  const std::string own = meaning_ ? meaning_(path(key)) : "";
+  keys.push_back({.path = path(key),
                   .kind = kind,
                   .unit = unit_in_name(key.name),
                   .preset = {},

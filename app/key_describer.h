@@ -1,21 +1,20 @@
 /// Describes the keys that a visit walks over.
 #pragma once
 #include "app/key_catalogue.h"
-#include "files/key_visitor.h"
+#include "files/path_visitor.h"
 #include <map>
 
 namespace rimpact::app {
 
 /// Writes down kind and range of every key; its value comes from presets_of.
-class KeyDescriber final : public KeyVisitor {
+class KeyDescriber final : public PathVisitor {
 public:
   /// In full, for the path of a key; empty: the key's own comment does.
   using Meaning = std::string (*)(const std::string &path);
-  explicit KeyDescriber(Meaning meaning, std::string section = "") : meaning_(meaning), prefix_(std::move(section)) {}
+  explicit KeyDescriber(Meaning meaning, std::string prefix = "") : PathVisitor(std::move(prefix)), meaning_(meaning) {}
   std::vector<KeyDescription> keys;
   std::vector<std::pair<std::string, std::vector<std::string>>> choices;
 
-  void section(const char *name, const std::function<void()> &body) override;
   bool wants(bool) const override { return true; }
   void number(const Key &key, double &value, Unit unit, Range range) override;
   void limit(const Key &key, std::optional<double> &value, Unit unit, Range range) override;
@@ -30,7 +29,6 @@ public:
 private:
   void add(const Key &key, const char *kind, std::string range);
   Meaning meaning_;
-  std::string prefix_; ///< ends in a dot where it is not empty
 };
 
 /// What a visit's keys hold where the file is silent, as TOML writes it, by path.

@@ -144,7 +144,9 @@ void add_reliability(CLI::App &app, Console &console) {
   auto options = std::make_shared<ReliabilityOptions>();
   verb->add_option("STUDY", options->study, "a study file (docs/guide/reliability.md)")->required();
   verb->add_option("-o,--output", options->folder, "results folder (default results/STUDY); finished runs are kept");
-  verb->add_option("--records", options->records, "a folder of AT2 files, besides the study's own (repeatable)")
+  verb->add_option("--records", options->records,
+                   "a folder of AT2 files, besides the study's own (repeatable; default: RIMPACT_RECORDS)")
+      ->envname("RIMPACT_RECORDS")
       ->allow_extra_args(false);
   verb->add_option("--table", options->table, "the table of motions, in place of the study's motions.table");
   verb->add_option("--shard", options->shard, "I/N: every N-th system from the I-th on, with the same -o");

@@ -92,3 +92,6 @@ def check_signals(path: str, signals: dict[str, np.ndarray]) -> None:
             raise DataError(f"{path}: signal {name} has {values.size} values, time has {n}")
         if not np.all(np.isfinite(values)):
             raise DataError(f"{path}: signal {name} holds a value that is not a number")
+    if back := np.flatnonzero(np.diff(signals["time"]) < 0).tolist():
+        before, after = signals["time"][back[0]:back[0] + 2]
+        raise DataError(f"{path}: time falls from {before:g} to {after:g} at instant {back[0] + 1}")

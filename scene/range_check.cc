@@ -1,4 +1,5 @@
 #include "files/error.h"
+#include "files/path_visitor.h"
 #include "files/text.h"
 #include "scene/keys.h"
 #include <cmath>
@@ -8,14 +9,8 @@ namespace rimpact::scene {
 namespace {
 
 /// Throws InputError at the first value outside its range.
-class RangeCheck final : public KeyVisitor {
+class RangeCheck final : public PathVisitor {
 public:
-  void section(const char *name, const std::function<void()> &body) override {
-    const std::string outer = path_;
-    path_ += std::string(name) + ".";
-    body();
-    path_ = outer;
-  }
   void number(const Key &key, double &value, Unit unit, Range range) override {
     // The conversion's rounding must not push a value at a bound over it.
     const double shown = std::isfinite(value) ? *to_number(file_number(value, unit)) : value;
@@ -41,9 +36,8 @@ public:
 
 private:
   [[noreturn]] void fail(const Key &key, const std::string &what) const {
-    throw InputError(fmt::format("{}{} {}", path_, key.name, what));
+    throw InputError(fmt::format("{} {}", path(key), what));
   }
-  std::string path_;
 };
 
 } // namespace

@@ -154,8 +154,8 @@ const std::vector<BuiltinScene> &catalogue() {
         {"sylmar-bidirectional", sylmar,
          "sylmar-bidirectional needs your own copy of PEER's NGA-West2 record RSN1086: "
          "RSN1086_NORTHR_SYL360.AT2 and "
-         "RSN1086_NORTHR_SYL090.AT2 in the current folder, or --set excitation.x=FILE --set "
-         "excitation.y=FILE"},
+         "RSN1086_NORTHR_SYL090.AT2 in the current folder or in that of RIMPACT_RECORDS, or --set excitation.x=FILE "
+         "--set excitation.y=FILE"},
         {"pulse-bidirectional", pulse_bidirectional},
     };
     for (auto &scene : double_concave_scenes()) list.push_back(std::move(scene));
@@ -169,7 +169,7 @@ const std::vector<BuiltinScene> &catalogue() {
 
 std::string needs_record(const std::string &scene, const std::string &record, const std::string &file) {
   return scene + " needs your own copy of PEER's NGA-West2 record " + record + ": " + file +
-         " in the current folder, or --set excitation.x=FILE";
+         " in the current folder or in that of RIMPACT_RECORDS, or --set excitation.x=FILE";
 }
 
 const BuiltinScene *find_builtin_scene(const std::string &name) {

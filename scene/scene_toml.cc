@@ -10,6 +10,7 @@
 #include "scene/scene_catalogue.h"
 #include "scene/scene_defaults.h"
 #include "scene/unread_keys.h"
+#include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -25,6 +26,16 @@ void make_absolute(std::string &name, const std::string &folder) {
   if (!ignored) name = absolute.lexically_normal().string();
 }
 
+/// A record beside the scene, or else in the folder that RIMPACT_RECORDS names.
+void find_record(std::string &name, const std::string &folder) {
+  std::string beside = name;
+  make_absolute(beside, folder);
+  std::error_code ignored;
+  const char *shelf = std::getenv("RIMPACT_RECORDS");
+  const fs::path kept = fs::absolute(fs::path(shelf ? shelf : "") / name, ignored).lexically_normal();
+  name = shelf && *shelf && !fs::exists(beside, ignored) && fs::exists(kept, ignored) ? kept.string() : beside;
+}
+
 /// Reads the records a scene names; afterwards their names are absolute.
 void read_records(const TomlFile &file, Scene &scene, const std::string &folder) {
   auto &e = scene.excitation;
@@ -32,7 +43,7 @@ void read_records(const TomlFile &file, Scene &scene, const std::string &folder)
   const auto read = [&](const char *axis, std::string &name, SampledSignal &signal) {
     if (name.empty()) return;
     const std::string key = std::string("excitation.") + axis;
-    if (!is_builtin_record(name)) make_absolute(name, folder);
+    if (!is_builtin_record(name)) find_record(name, folder);
     try {
       signal = *shared_record(name, scene.load.gravity);
     } catch (const InputError &error) {

@@ -1,5 +1,6 @@
 #include "scene/unread_keys.h"
 #include "files/key_list.h"
+#include "files/path_visitor.h"
 #include "scene/keys.h"
 #include <algorithm>
 #include <array>
@@ -25,16 +26,10 @@ const ScenePart *part_of(const std::string &path) {
 }
 
 /// The names alone of the keys that matter: values as text would cost a fleet's run a tenth of its time.
-class NamesRead final : public KeyVisitor {
+class NamesRead final : public PathVisitor {
 public:
   std::set<std::string> names;
 
-  void section(const char *name, const std::function<void()> &body) override {
-    const std::string outer = prefix_;
-    prefix_ += std::string(name) + ".";
-    body();
-    prefix_ = outer;
-  }
   void number(const Key &key, double &, Unit, Range) override { add(key); }
   void limit(const Key &key, std::optional<double> &, Unit, Range) override { add(key); }
   void integer(const Key &key, int &, int, int) override { add(key); }
@@ -46,8 +41,7 @@ public:
   void switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &) override { add(key); }
 
 private:
-  void add(const Key &key) { names.insert(prefix_ + key.name); }
-  std::string prefix_;
+  void add(const Key &key) { names.insert(path(key)); }
 };
 
 std::vector<KeyEntry> keys_of(Scene scene, bool every) {

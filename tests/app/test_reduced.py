@@ -1,5 +1,6 @@
 """`rimpact reduced`: what one run stores, when it stops, what of it is doubted."""
 import json
+import math
 import os
 import subprocess
 import tempfile
@@ -59,6 +60,29 @@ class ReducedRun(Refusals):
             again = os.path.join(folder, "run")
             self.assertEqual(rimpact("reduced", path, "-o", again).returncode, 0)
             self.assertEqual(rimpact("reduced", again, "-o", again).returncode, 0)  # a run's own scene, once more
+
+    def test_a_record_is_sought_beside_the_scene_and_then_on_the_shelf(self):
+        with tempfile.TemporaryDirectory() as place, tempfile.TemporaryDirectory() as shelf:
+            def record(folder, peak):
+                with open(os.path.join(folder, "OWN.AT2"), "w") as file:
+                    file.write("PEER\nown\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 200, DT= .0100 SEC\n")
+                    file.writelines(f"{peak * math.sin(0.1 * k):.6e}\n" for k in range(200))
+
+            def scene(environment):
+                words = ["--set", "excitation.kind=record", "--set", "excitation.x=OWN.AT2", "-o", "run", "--force"]
+                run = rimpact("reduced", "ricker-0.78g-1.0s", *words, cwd=place, **environment)
+                with open(os.path.join(place, "run", "scene.toml")) as file:
+                    return run, file.read()
+
+            record(shelf, 0.2)
+            run, kept = scene({"RIMPACT_RECORDS": shelf})
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertIn(os.path.join(shelf, "OWN.AT2"), kept)
+            record(place, 0.1)
+            self.assertIn(os.path.join(place, "OWN.AT2"), scene({"RIMPACT_RECORDS": shelf})[1])
+            os.remove(os.path.join(place, "OWN.AT2"))
+            self.refused(3, "OWN.AT2", arguments=["reduced", "ricker-0.78g-1.0s", "--set", "excitation.kind=record", "--set",
+                                                  f"excitation.x={place}/OWN.AT2", "-o", os.path.join(place, "none")])
 
     def test_full_disk_leaves_the_earlier_result(self):
         with tempfile.TemporaryDirectory() as folder:

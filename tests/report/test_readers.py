@@ -111,6 +111,14 @@ class Runs(InFolder):
         with self.assertRaisesRegex(DataError, "signal force_x"):
             load_run(self.path("run"))
 
+    def test_time_that_falls_is_refused(self):
+        self.run_folder()
+        run = load_run(self.path("run"))
+        run.signals["time"][7] = run.signals["time"][3]
+        synthetic.write_signals(self.path("run"), run.signals)
+        with self.assertRaisesRegex(DataError, "time falls from .* at instant 7"):
+            load_run(self.path("run"))
+
 
 class Scenes(unittest.TestCase):
     def test_assumptions_are_found_by_their_comment(self):
