@@ -37,11 +37,27 @@ void ContactSystem::make_pattern(const Eigen::VectorXd &displacements, const std
   auto cliques = solid_.cliques(equations_);
   cliques.insert(cliques.end(), pairs_.begin(), pairs_.end());
   tangent_ = std::make_unique<Tangent>(equations_.n, cliques, symmetry(), time_split);
+  make_masses();
+}
+
+/// Of the tangent's masses every rank has those of its own cells, the first one the bodies'.
+void ContactSystem::make_masses() {
+  const auto cliques = solid_.mass_cliques(equations_);
   mass_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
+  own_mass_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
   solid_.add_mass(equations_, *mass_);
+  solid_.add_own_mass(equations_, *own_mass_);
   for (const auto &[dof, mass] : body_masses_)
     for (int i = 0; i < 3; ++i)
-      if (const int equation = equations_.of_dof[dof + i]; equation >= 0) mass_->add(equation, equation, mass);
+      if (const int equation = equations_.of_dof[dof + i]; equation >= 0) {
+        mass_->add(equation, equation, mass);
+        if (ranks().first()) own_mass_->add(equation, equation, mass);
+      }
+  mass_places_.clear();
+  const auto &starts = own_mass_->starts(), &columns = own_mass_->columns();
+  for (int row = 0; row < equations_.n; ++row)
+    for (int k = starts[row]; k < starts[row + 1]; ++k)
+      mass_places_.push_back(tangent_->symmetric().find(row, columns[k]));
 }
 
 Symmetry ContactSystem::symmetry() const {
@@ -118,12 +134,13 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_
   return residual_.allFinite();
 }
 
-/// Of the tangent every rank has the share of its cells and faces, and the first one what belongs to none: the masses.
+/// Of the tangent every rank has the share of its cells and faces, and the first one what belongs to none.
 void ContactSystem::start_tangent(SymmetricMatrix &tangent) const {
-  if (!terms_->inertia || !ranks().first()) return tangent.set_zero();
+  tangent.set_zero();
+  if (!terms_->inertia) return;
   const double factor = terms_->inertia->mass_factor();
-  std::transform(mass_->values().begin(), mass_->values().end(), tangent.values().begin(),
-                 [factor](double mass) { return factor * mass; });
+  for (std::size_t k = 0; k < mass_places_.size(); ++k)
+    tangent.values()[mass_places_[k]] = factor * own_mass_->values()[k];
 }
 
 /// Coordinates are known to rounding, forces therefore to rounding times stiffness times size.
@@ -214,10 +231,10 @@ void ContactSystem::augment() {
 }
 
 bool ContactSystem::stiffen(double factor) {
-  const double inertial = terms_->inertia && ranks().first() ? terms_->inertia->mass_factor() : 0.0;
+  const double inertial = terms_->inertia ? terms_->inertia->mass_factor() : 0.0;
   Eigen::VectorXd stiffness(equations_.n);
   for (int i = 0; i < equations_.n; ++i)
-    stiffness[i] = tangent_->symmetric().diagonal(i) - inertial * mass_->diagonal(i);
+    stiffness[i] = tangent_->symmetric().diagonal(i) - inertial * own_mass_->diagonal(i);
   bool any = false;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     auto &stiffening = trial_.contacts[i].stiffening;

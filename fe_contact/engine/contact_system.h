@@ -129,6 +129,7 @@ private:
   void make_pattern(const Eigen::VectorXd &displacements, const std::vector<SurfaceContactState> &states);
   bool evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_tangent, bool &pattern_holds);
   bool assemble_contacts(const Eigen::VectorXd &displacements, Eigen::VectorXd &forces, Tangent *tangent);
+  void make_masses();
   void start_tangent(SymmetricMatrix &tangent) const;
   void take_diagonal();
   void add_inertia(const Eigen::VectorXd &u);
@@ -141,7 +142,8 @@ private:
   Equations equations_;
   std::vector<SurfaceContact> contacts_;
   std::vector<std::pair<int, double>> body_masses_;
-  std::unique_ptr<SymmetricMatrix> mass_;
+  std::unique_ptr<SymmetricMatrix> mass_, own_mass_; ///< whole; this rank's share
+  std::vector<int> mass_places_;                     ///< of own_mass_'s entries in the tangent
   std::unique_ptr<Tangent> tangent_;
 
   const SystemState *old_ = nullptr; ///< of the Newton solution under way

@@ -186,9 +186,28 @@ void Solid::hand_round(SolidHistory &history, const std::vector<unsigned> &cells
   ranks().hand_round(history, points);
 }
 
+std::vector<std::vector<int>> Solid::mass_cliques(const Equations &equations) const {
+  const int n = space_.nodes_per_cell;
+  std::vector<std::vector<int>> result(3 * space_.n_cells);
+  for (std::size_t c = 0; c < space_.n_cells; ++c)
+    for (int k = 0; k < 3 * n; ++k)
+      result[3 * c + k % 3].push_back(equations.of_dof[3 * space_.cell_nodes[c * n + k / 3] + k % 3]);
+  return result;
+}
+
 void Solid::add_mass(const Equations &equations, SymmetricMatrix &mass) const {
+  add_mass(moving_cells(equations), equations, mass);
+}
+
+void Solid::add_own_mass(const Equations &equations, SymmetricMatrix &mass) const {
+  const std::vector<unsigned> cells = moving_cells(equations);
+  const std::vector<std::size_t> starts = ranks().starts(cells.size());
+  add_mass({cells.begin() + starts[ranks().own], cells.begin() + starts[ranks().own + 1]}, equations, mass);
+}
+
+void Solid::add_mass(std::span<const unsigned> cells, const Equations &equations, SymmetricMatrix &mass) const {
   const int n = space_.nodes_per_cell, n_points = space_.full.n_points;
-  for (std::size_t c = 0; c < space_.n_cells; ++c) {
+  for (const std::size_t c : cells) {
     const double density = law_of(c).density;
     for (int a = 0; a < n; ++a)
       for (int b = a; b < n; ++b) {

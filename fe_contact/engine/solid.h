@@ -10,6 +10,7 @@
 #include "fe_contact/solver/symmetric_matrix.h"
 #include "scene/bearing.h"
 #include <map>
+#include <span>
 
 namespace rimpact::fe {
 
@@ -44,7 +45,11 @@ public:
   /// rank's cells alone; all else is whole.
   bool assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, const Equations &equations,
                 Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies) const;
+  /// Cliques of equations that masses couple, one a cell and direction.
+  std::vector<std::vector<int>> mass_cliques(const Equations &equations) const;
+  /// Of all cells, or of those whose tangent is this rank's.
   void add_mass(const Equations &equations, SymmetricMatrix &mass) const;
+  void add_own_mass(const Equations &equations, SymmetricMatrix &mass) const;
   /// Mass of one volume [kg].
   double mass_of(meshes::Volume volume) const;
   /// Makes every cell's tangent anew at the next assembly.
@@ -68,6 +73,7 @@ private:
   void hand_round(SolidHistory &history, const std::vector<unsigned> &cells,
                   const std::vector<std::size_t> &starts) const;
   std::vector<unsigned> moving_cells(const Equations &equations) const; ///< with a dof that is not held
+  void add_mass(std::span<const unsigned> cells, const Equations &equations, SymmetricMatrix &mass) const;
   const std::vector<int> &places_in(const SymmetricMatrix &matrix, const Equations &equations) const;
 
   const Discretisation &space_;

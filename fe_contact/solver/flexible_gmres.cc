@@ -69,24 +69,23 @@ PetscErrorCode FlexibleGmres::Petsc::precondition(PC pc, Vec right, Vec result) 
   return 0;
 }
 
-/// The rows of a matrix that this rank solves for; of each entry every rank has a part.
+/// The rows of a matrix that this rank solves for; of each entry every rank has a part, until they are summed up.
 struct FlexibleGmres::Rows {
-  const GeneralMatrix &parts;
+  GeneralMatrix &parts;
   std::vector<std::size_t> of_rank, entries_of_rank; ///< where each rank's begin
   std::vector<int> starts;
-  std::vector<double> values;
-  explicit Rows(const GeneralMatrix &parts) : parts(parts), of_rank(ranks().starts(parts.n())) {
+  explicit Rows(GeneralMatrix &parts) : parts(parts), of_rank(ranks().starts(parts.n())) {
     for (const std::size_t row : of_rank) entries_of_rank.push_back(parts.starts()[row]);
     const std::size_t first = of_rank[ranks().own], last = of_rank[ranks().own + 1];
     for (std::size_t row = first; row <= last; ++row) starts.push_back(parts.starts()[row] - parts.starts()[first]);
-    values.assign(starts.back(), 0.0);
   }
   int n() const { return static_cast<int>(starts.size()) - 1; }
+  double *values() const { return parts.values().data() + entries_of_rank[ranks().own]; }
   const int *columns() const { return parts.columns().data() + entries_of_rank[ranks().own]; }
 };
 
 FlexibleGmres::FlexibleGmres(SymmetricMatrix &matrix, Preconditioner preconditioner)
-    : petsc_(std::make_unique<Petsc>()), values_(matrix.values()) {
+    : petsc_(std::make_unique<Petsc>()), values_(matrix.values().data()) {
   petsc_->preconditioner = std::move(preconditioner);
   const int n = matrix.n();
   check(MatCreateSeqSBAIJWithArrays(PETSC_COMM_SELF, 1, n, n, matrix.starts().data(), matrix.columns().data(),
@@ -98,13 +97,13 @@ FlexibleGmres::FlexibleGmres(SymmetricMatrix &matrix, Preconditioner preconditio
 
 FlexibleGmres::FlexibleGmres(GeneralMatrix &matrix, Preconditioner preconditioner)
     : petsc_(std::make_unique<Petsc>()), rows_(ranks().size > 1 ? std::make_unique<Rows>(matrix) : nullptr),
-      values_(rows_ ? rows_->values : matrix.values()) {
+      values_(rows_ ? rows_->values() : matrix.values().data()) {
   petsc_->preconditioner = std::move(preconditioner);
   const int n = matrix.n();
   petsc_->of_rank = ranks().starts(n);
   if (rows_)
     check(MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, rows_->n(), rows_->n(), n, n, rows_->starts.data(),
-                                    rows_->columns(), rows_->values.data(), &petsc_->matrix));
+                                    rows_->columns(), rows_->values(), &petsc_->matrix));
   else
     check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, matrix.starts().data(), matrix.columns().data(),
                                     matrix.values().data(), &petsc_->matrix));
@@ -139,8 +138,8 @@ FlexibleGmres::~FlexibleGmres() {
 void FlexibleGmres::take_values() {
   auto &p = *petsc_;
   if (rows_) {
-    ranks().sum_to_owners(rows_->parts.values(), rows_->entries_of_rank, rows_->values);
-    check(MatUpdateMPIAIJWithArray(p.matrix, rows_->values.data()));
+    ranks().sum_to_owners(rows_->parts.values(), rows_->entries_of_rank);
+    check(MatUpdateMPIAIJWithArray(p.matrix, rows_->values()));
     return;
   }
   check(MatAssemblyBegin(p.matrix, MAT_FINAL_ASSEMBLY)); // the values changed behind PETSc's back: tell it
@@ -152,9 +151,6 @@ bool FlexibleGmres::by_all_ranks() const {
 }
 const MatrixPattern &FlexibleGmres::pattern() const {
   return petsc_->pattern;
-}
-const double *FlexibleGmres::values() const {
-  return values_.data();
 }
 
 Eigen::VectorXd FlexibleGmres::solve(const Eigen::VectorXd &right_side, double relative, int max_iterations) {

@@ -21,7 +21,7 @@ public:
   bool by_all_ranks() const;
   /// What this rank hands in of the matrix: places, and values as they were when last taken.
   const MatrixPattern &pattern() const;
-  const double *values() const;
+  const double *values() const { return values_; }
   /// Takes the matrix's values as they stand. To be called whenever they changed.
   void take_values();
   /// To a relative residual. Empty when that takes more than `max_iterations`.
@@ -34,7 +34,7 @@ private:
   struct Rows;
   std::unique_ptr<Petsc> petsc_;
   std::unique_ptr<Rows> rows_; ///< with several ranks only
-  const std::vector<double> &values_;
+  const double *values_;
   int last_iterations_ = 0;
 };
 

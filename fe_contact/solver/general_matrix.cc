@@ -37,7 +37,11 @@ GeneralMatrix::GeneralMatrix(const SymmetricMatrix &pattern) {
 
 void GeneralMatrix::assign(const SymmetricMatrix &symmetric) {
   const auto &values = symmetric.values();
-  for (std::size_t k = 0; k < values_.size(); ++k) values_[k] = values[from_[k]];
+  for (int row = 0; row < n(); ++row)
+    if (symmetric.diagonal(row) == 0) // of a rank that has no cell there
+      std::fill(values_.begin() + starts_[row], values_.begin() + starts_[row + 1], 0.0);
+    else
+      for (int k = starts_[row]; k < starts_[row + 1]; ++k) values_[k] = values[from_[k]];
 }
 
 int GeneralMatrix::place(int row, int column) const {

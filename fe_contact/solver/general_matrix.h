@@ -12,7 +12,7 @@ public:
   GeneralMatrix(const GeneralMatrix &) = delete;
 
   int n() const { return static_cast<int>(starts_.size()) - 1; }
-  /// Takes the values of a symmetric matrix with the pattern this one was made from.
+  /// Takes the values of a symmetric matrix with the pattern this one was made from. A row without diagonal is empty.
   void assign(const SymmetricMatrix &symmetric);
   /// Throws std::logic_error outside the pattern.
   void add(int row, int column, double value);

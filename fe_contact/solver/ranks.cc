@@ -44,14 +44,16 @@ struct Parcels {
   std::vector<int> places; ///< in the receiver's share
   std::vector<double> values;
 
-  void pack(const double *share, std::size_t n, int receiver) {
+  /// What is packed becomes nil: it is handed over.
+  void pack(double *share, std::size_t n, int receiver) {
     for (std::size_t k = 0; k < n; k += block) {
-      const double *first = share + k, *last = share + std::min(n, k + block);
+      double *first = share + k, *last = share + std::min(n, k + block);
       if (std::all_of(first, last, [](double value) { return value == 0; })) continue;
       ++counts[receiver];
       places.push_back(static_cast<int>(k));
       values.insert(values.end(), first, last);
       values.resize(places.size() * block);
+      std::fill(first, last, 0.0);
     }
   }
   void exchange(Parcels &got) const {
@@ -112,16 +114,16 @@ bool Ranks::any(bool value) const {
   return number > 0;
 }
 
-void Ranks::sum_to_owners(const std::vector<double> &values, const std::vector<std::size_t> &starts,
-                          std::vector<double> &own_share) const {
+void Ranks::sum_to_owners(std::vector<double> &values, const std::vector<std::size_t> &starts) const {
   Parcels sent(size), got(size);
   for (int r = 0; r < size; ++r)
     if (r != own) sent.pack(values.data() + starts[r], starts[r + 1] - starts[r], r);
   sent.exchange(got);
-  own_share.assign(values.begin() + starts[own], values.begin() + starts[own + 1]);
+  double *share = values.data() + starts[own];
+  const std::size_t n = starts[own + 1] - starts[own];
   for (std::size_t k = 0; k < got.places.size(); ++k) {
-    const std::size_t place = got.places[k], length = std::min(block, own_share.size() - place);
-    for (std::size_t i = 0; i < length; ++i) own_share[place + i] += got.values[k * block + i];
+    const std::size_t place = got.places[k], length = std::min(block, n - place);
+    for (std::size_t i = 0; i < length; ++i) share[place + i] += got.values[k * block + i];
   }
 }
 

@@ -18,9 +18,8 @@ struct Ranks {
   double sum(double value) const;
   void largest(Eigen::VectorXd &values) const;
   bool any(bool value) const;
-  /// Entry by entry the sum over the ranks, of which each keeps its own share.
-  void sum_to_owners(const std::vector<double> &values, const std::vector<std::size_t> &starts,
-                     std::vector<double> &own_share) const;
+  /// Each rank's own share becomes the sum over the ranks, and the others' shares nil.
+  void sum_to_owners(std::vector<double> &values, const std::vector<std::size_t> &starts) const;
   /// Each rank's own share of `values` goes to all the others.
   template <class T> void hand_round(std::vector<T> &values, const std::vector<std::size_t> &starts) const {
     if (size > 1) hand_round_bytes(values.data(), sizeof(T), starts);
