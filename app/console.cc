@@ -121,6 +121,7 @@ std::vector<std::string> Console::settings() const {
 
 scene::Scene Console::load(const std::string &given) {
   scene::Scene scene = scene::load_scene(given, settings());
+  if (load_is_shared) std::erase(scene.remarks, scene.load_remark);
   for (const auto &remark : scene.remarks) warn(remark);
   for (const auto &doubt : scene::doubts(scene)) warn(doubt);
   return scene;

@@ -16,6 +16,7 @@ public:
   std::string calibration;            ///< --calibration: a folder; empty: the scene's own element
   std::string rung;                   ///< --rung; empty: the scene's
   int mesh = -1;                      ///< --mesh; negative: the scene's
+  bool load_is_shared = false;        ///< a building's bearings carry shares of it: the scene's own load is not read
   int argc = 0;                       ///< the command as it was given
   char **argv = nullptr;
 

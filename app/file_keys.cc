@@ -70,6 +70,7 @@ std::vector<KeyDescription> sweep_keys() {
 
 std::vector<KeyDescription> study_keys() {
   using namespace risk;
+  const reliability::Bootstrap usual;
   return {
       text("name", "the file's", "text", "of the study"),
       text("scene", "", "text", "of every run: built in, or a file beside the study"),
@@ -101,8 +102,9 @@ std::vector<KeyDescription> study_keys() {
       number("limit.values.count", "", "2 to 1000", "how many"),
       text("difference.key", "", "a key of the systems", "[[difference]]: systems alike in all but this key"),
       text("difference.reference", "", "a value of it", "the others are compared with the one that has it"),
-      number("bootstrap.replicates", "500", "2 to 100000", "draws of the records for the bands"),
-      number("bootstrap.confidence", "0.9", "between 0 and 1", "of the bands"),
+      number("bootstrap.replicates", fmt::format("{}", usual.replicates).c_str(), "2 to 100000",
+             "draws of the records for the bands"),
+      number("bootstrap.confidence", fmt::format("{}", usual.confidence).c_str(), "between 0 and 1", "of the bands"),
       number("bootstrap.seed", "1", "a whole number", "of the random numbers"),
   };
 }

@@ -32,7 +32,7 @@ std::string describe(const scene::Scene &scene, const buildings::Frame &frame, c
   text += fmt::format("base shear {:.1f} kN, overturning moment {:.0f} kN m, {} impact(s); {}\n",
                       1e-3 * s.peak_lateral_force, 1e-3 * all.at("peak_overturning_N_m").get<double>(),
                       s.impacts.size(), folder);
-  text += "bearing      at x, y [m]   travel [mm]   N at rest, least, largest [kN]    impacts  rim force [kN]  lifted "
+  text += "bearing     arm x, y [m]   travel [mm]   N at rest, least, largest [kN]    impacts  rim force [kN]  lifted "
           "[mm]\n";
   int number = 0;
   for (const auto &b : all.at("bearings")) {
@@ -151,6 +151,7 @@ void sweep_building(const BuildingOptions &options, Console &console) {
 
 void run_building(const BuildingOptions &options, Console &console) {
   console.overrides.insert(console.overrides.begin(), "reduced.friction=\"park-wen\""); // what a common base takes
+  console.load_is_shared = true;
   if (!options.sweep.sweep.empty()) return sweep_building(options, console);
   const scene::Scene scene = console.load(options.scene);
   const auto frame = buildings::load_frame(options.frame);

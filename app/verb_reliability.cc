@@ -11,6 +11,7 @@
 #include "scene/case_description.h"
 #include "scene/doubts.h"
 #include <algorithm>
+#include <cstdlib>
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -112,6 +113,11 @@ void run_reliability(ReliabilityOptions options, Console &console) {
   if (options.folder.empty()) options.folder = default_folder(study.name);
   const bool is_shard = parse_shard(options.shard).second > 1;
   const auto systems = risk::systems_of(study);
+  if (const char *shelf = std::getenv("RIMPACT_RECORDS");
+      shelf && *shelf && options.records.empty() && study.motions.folders.empty()) {
+    options.records.push_back(shelf);
+    console.message(fmt::format("records of {} (RIMPACT_RECORDS)", shelf));
+  }
   const auto motions = risk::motions_of(study, options.records);
   tell(motions, console);
   if (options.dry_run) return show_plan(study, systems, motions, console);
@@ -145,8 +151,8 @@ void add_reliability(CLI::App &app, Console &console) {
   verb->add_option("STUDY", options->study, "a study file (docs/guide/reliability.md)")->required();
   verb->add_option("-o,--output", options->folder, "results folder (default results/STUDY); finished runs are kept");
   verb->add_option("--records", options->records,
-                   "a folder of AT2 files, besides the study's own (repeatable; default: RIMPACT_RECORDS)")
-      ->envname("RIMPACT_RECORDS")
+                   "a folder of AT2 files, besides the study's own (repeatable); where neither names one, that of "
+                   "RIMPACT_RECORDS")
       ->allow_extra_args(false);
   verb->add_option("--table", options->table, "the table of motions, in place of the study's motions.table");
   verb->add_option("--shard", options->shard, "I/N: every N-th system from the I-th on, with the same -o");

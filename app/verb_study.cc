@@ -113,6 +113,7 @@ std::vector<calibration::StudyRun> runs_of(const std::vector<Job> &jobs, Console
     try {
       runs.push_back(calibration::study_run(job.name, summary_of(job.folder), read_response(job.folder)));
       if (job.reduced) runs.back().element = scene::element_line(job.scene);
+      if (job.reduced) runs.back().on_curve = job.scene.reduced.impact_law->pushed;
       if (job.reduced) continue;
       runs.back().rung = solved_by(job.scene.model.rung); // as asked for, whatever wrote the summary
       runs.back().mesh = job.scene.model.mesh;

@@ -26,7 +26,7 @@ constexpr std::pair<const char *, double InelasticSection::*> inelastic_columns[
 
 std::map<std::string, std::string> tables_of(const Frame &f) {
   std::vector<int> owner(f.nodes.size(), 0);
-  std::string slabs = "diaphragm,mass_kg,x_m,y_m,inertia_kg_m2\n",
+  std::string slabs = "diaphragm,mass_kg,x_m,y_m,inertia_kg_m2,damping_ratio\n",
               nodes = "node,x_m,y_m,z_m,diaphragm,vertical_mass_kg,bearing\n",
               elements = "element,i,j,E_Pa,G_Pa,A_m2,Iy_m4,Iz_m4,J_m4,Asy_m2,Asz_m2,up_x,up_y,up_z";
   if (f.inelastic())
@@ -35,7 +35,8 @@ std::map<std::string, std::string> tables_of(const Frame &f) {
   for (std::size_t d = 0; d < f.diaphragms.size(); ++d) {
     const auto &s = f.diaphragms[d];
     for (const int node : s.nodes) owner[node] = static_cast<int>(d) + 1;
-    slabs += fmt::format("{},{:.17g},{:.17g},{:.17g},{:.17g}\n", d + 1, s.mass, s.centre.x(), s.centre.y(), s.inertia);
+    slabs += fmt::format("{},{:.17g},{:.17g},{:.17g},{:.17g},{:.17g}\n", d + 1, s.mass, s.centre.x(), s.centre.y(),
+                         s.inertia, f.damping_ratio);
   }
   for (std::size_t i = 0; i < f.nodes.size(); ++i) {
     const auto &n = f.nodes[i];
@@ -148,6 +149,15 @@ int section_of(Frame &f, const Rows &rows, std::size_t e) {
   return static_cast<int>(f.sections.size()) - 1;
 }
 
+/// One of the whole building, so every row has the same.
+void take_damping(Frame &f, const Rows &slabs, std::size_t d) {
+  const double ratio = slabs.number(d, "damping_ratio");
+  if (!(ratio >= 0 && ratio <= 1) || (d > 0 && ratio != f.damping_ratio))
+    throw DataError(fmt::format("{}: damping_ratio is {}; it must be between 0 and 1, the same in every row",
+                                slabs.place(d), ratio));
+  f.damping_ratio = ratio;
+}
+
 } // namespace
 
 Frame read_tables(const std::string &folder) {
@@ -160,6 +170,7 @@ Frame read_tables(const std::string &folder) {
                             slabs.number(d, "mass_kg"),
                             {slabs.number(d, "x_m"), slabs.number(d, "y_m")},
                             slabs.number(d, "inertia_kg_m2")});
+    if (slabs.has("damping_ratio")) take_damping(f, slabs, d);
   }
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     nodes.check_number(i, "node");

@@ -80,6 +80,7 @@ struct Scene {
   ReducedSettings reduced;
   DoubleConcave isolator;           ///< [isolator]: the bearing of the double concave models
   Superstructure superstructure;    ///< [superstructure]: what the bearing carries
+  std::string load_remark;          ///< that of `remarks` which says whose load the bearing carries; may be empty
   std::vector<std::string> remarks; ///< sentences: what the reading of its file filled in or put aside; not written out
 
   bool impact_resilient() const { return reduced.model == ModelKind::lir_dcfp; }

@@ -45,10 +45,11 @@ void settle_load(const TomlFile &file, bool own_bearing, Scene &scene) {
   if (weight && !mass && load.vertical > 0) load.mass = load.vertical / load.gravity;
   if (mass && !weight) load.vertical = load.mass * load.gravity;
   if (weight || mass || scene.double_concave() || is_builtin(scene.bearing, own_bearing)) return;
-  scene.remarks.push_back(fmt::format("load.vertical_kN and load.mass_kg are not given: bearing {} carries the default "
-                                      "bearing's {:g} kN and {:g} kg, which are "
-                                      "not its own (one of the two keys is enough: W = m g)",
-                                      scene.bearing.name, load.vertical / 1e3, load.mass));
+  scene.load_remark = fmt::format("load.vertical_kN and load.mass_kg are not given: bearing {} carries the default "
+                                  "bearing's {:g} kN and {:g} kg, which are "
+                                  "not its own (one of the two keys is enough: W = m g)",
+                                  scene.bearing.name, load.vertical / 1e3, load.mass);
+  scene.remarks.push_back(scene.load_remark);
 }
 
 } // namespace

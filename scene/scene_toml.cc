@@ -49,7 +49,12 @@ void read_records(const TomlFile &file, Scene &scene, const std::string &folder)
     } catch (const InputError &error) {
       throw InputError(fmt::format("{}: {} {}", file.location(key), key, error.what()));
     } catch (const DataError &error) {
-      throw DataError(fmt::format("{}: {} {}", file.location(key), key, error.what()));
+      const char *shelf = std::getenv("RIMPACT_RECORDS");
+      std::error_code ignored;
+      const std::string nor = shelf && *shelf && !fs::exists(name, ignored)
+                                  ? fmt::format(" (nor is it in RIMPACT_RECORDS, {})", shelf)
+                                  : "";
+      throw DataError(fmt::format("{}: {} {}{}", file.location(key), key, error.what(), nor));
     }
   };
   read("x", e.x_file, e.x);

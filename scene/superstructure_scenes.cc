@@ -14,6 +14,10 @@ name = "shfps-225"
 [bearing.slider]
 diameter_mm = 220.0       # L_c = 0.41 m, table 2-3
 
+[load]                    # any: the frame is told by ratios
+vertical_kN = 853.0
+mass_kg = 86952.0
+
 [excitation]
 kind = "ricker"           # the thesis's records are scaled to S_a(3 s): see the user guide
 amplitude_g = 0.78

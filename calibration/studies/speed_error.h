@@ -10,6 +10,7 @@ struct StudyRun {
   std::string name;
   SolvedBy rung = SolvedBy::reduced;
   std::string element;            ///< of a reduced run: law, numbers and their source; empty: finite elements
+  bool on_curve = false;          ///< a reduced run on the rim's own curve
   int mesh = 0;                   ///< 1 | 2 | 3; 0: none
   double step = 0;                ///< in contact [s]; 0: the plan's
   double seconds = 0, memory = 0; ///< wall time [s], peak [bytes]
@@ -36,9 +37,9 @@ struct SpeedError {
   std::string recommended;            ///< cheapest with an error below the wanted one; "": none
   double wanted = 0;
 };
-/// The reference is the run of the highest rung, there of the finest mesh, there of the smallest step. With three
-/// meshes of it that converge with an order between 0.5 and 5 the peak force is extrapolated (Richardson, h by 1.5).
-/// Throws InputError for fewer than two runs or wanted <= 0.
+/// The reference is the run of the highest rung (a rim's own curve above other elements), there of the finest mesh,
+/// there of the smallest step. With three meshes of it that converge with an order between 0.5 and 5 the peak force is
+/// extrapolated (Richardson, h by 1.5). Throws InputError for fewer than two runs or wanted <= 0.
 SpeedError speed_against_error(std::vector<StudyRun> runs, double lateral_capacity, double wanted);
 
 nlohmann::json to_json(const SpeedError &study);

@@ -70,6 +70,16 @@ class Reliability(unittest.TestCase):
     def run_study(self, *options):
         return rimpact("reliability", self.path("study.toml"), "-o", self.path("out"), *options)
 
+    def test_the_shelf_serves_a_study_that_names_no_folder(self):
+        own = rimpact("reliability", self.path("study.toml"), "-o", self.path("out"), "--dry-run", RIMPACT_RECORDS="/nowhere")
+        self.assertEqual(own.returncode, 0, own.stderr)
+        self.assertNotIn("RIMPACT_RECORDS", own.stderr)
+        self.write("study.toml", HEAD.replace('folders = ["records"]\n', ""))
+        shelf = rimpact("reliability", self.path("study.toml"), "-o", self.path("out"), "--dry-run", RIMPACT_RECORDS=self.path("records"))
+        self.assertEqual(shelf.returncode, 0, shelf.stderr)
+        self.assertIn("(RIMPACT_RECORDS)", shelf.stderr)
+        self.assertEqual(rimpact("reliability", self.path("study.toml"), "-o", self.path("out"), "--dry-run", RIMPACT_RECORDS="").returncode, 2)
+
     def table(self, name):
         with open(self.path(f"out/{name}.csv"), encoding="utf-8") as file:
             return list(csv.DictReader(file))

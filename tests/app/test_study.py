@@ -55,6 +55,9 @@ class Study(unittest.TestCase):
         with open(os.path.join(self.folder, "study.txt"), encoding="utf-8") as file:
             self.assertIn("reduced: signed, k_i = 450000 kN/m", file.read())
         self.assertEqual(self.study("--axes", "rung", "--rungs", "rim,full", "--curve", curve).returncode, 2)
+        run = rimpact("study", "impact-window", "--axes", "rung", "--rungs", "reduced", "--error", "900", "--set", "bearing.slider.diameter_mm=220.0", "--curve", curve,
+                      "-o", self.folder + "-reduced", "--json")
+        self.assertEqual([row["name"] for row in json.loads(run.stdout)["rows"] if row["reference"]], ["curve"])  # whichever was faster
 
     def test_shards_add_up(self):
         first = self.study("--shard", "1/3")

@@ -52,9 +52,10 @@ class Run:
         self.assertEqual(run.returncode, 0, run.stderr)
         run = rimpact("compare", alone, self.folder)
         self.assertEqual(run.returncode, 2)
-        self.assertRegex(run.stderr, r"building \(one bearing against \d bearings under \d+ kN\)")
+        self.assertRegex(run.stderr, r"building \(one bearing against \d bearings under \d+ kN, frame \w{8}\)")
         self.assertEqual(rimpact("compare", alone, self.folder, "--anyway").returncode, 0)
         self.assertEqual(rimpact("compare", self.folder, self.folder).returncode, 0)
+        self.assertEqual(rimpact("compare", self.folder, os.path.join(self.folder, "response.h5")).returncode, 0)  # a file does not tell
 
 
 class Building(Run, unittest.TestCase):

@@ -56,19 +56,44 @@ TEST(BeamColumn, CantileverDeflectsAsTimoshenko) {
 TEST(Building, AWrongUnitIsDoubted) {
   for (const char *name : {"thesis-2.4", "thesis-2.5", "thesis-3.5"}) EXPECT_TRUE(doubts_of(load_frame(name)).empty());
   const auto doubted = [](const auto &change) {
+    Frame frame = load_frame("thesis-2.5");
+    change(frame);
+    const auto found = doubts_of(frame);
+    return found.size() == 1 ? found[0] : fmt::format("{} doubts", found.size());
+  };
+  const auto sections = [&](const auto &change) {
+    return doubted([&](Frame &f) {
+      for (auto &section : f.sections) change(section);
+    });
+  };
+  EXPECT_EQ(sections([](Section &s) { s.E *= 1000, s.G *= 1000, s.inelastic.reset(); }),
+            "section column: E = 2.34e+04 GPa, where 3 to 300 is usual (1 more): are the units right?");
+  EXPECT_EQ(sections([](Section &s) { s.G *= 1e-6; }),
+            "section column: G over E = 4.167e-07, where 0.02 to 1 is usual (1 more): are the units right?");
+  EXPECT_EQ(sections([](Section &s) { s.inelastic->axial_yield *= 1e-3; }).substr(0, 40),
+            "section column: strain at axial_yield = ");
+  EXPECT_EQ(sections([](Section &s) { s.inelastic->yield_moment *= 1e3; }).substr(0, 40),
+            "section column: strain at the edge where");
+  EXPECT_EQ(sections([](Section &s) { s.inelastic->hinge_length *= 1e-3; }).substr(0, 40),
+            "section column: hinge length over depth ");
+  EXPECT_EQ(doubted([](Frame &f) {
+              for (auto &node : f.nodes) node.vertical_mass *= 1e-3;
+            }),
+            "frame: vertical masses of nodes over masses of slabs = 0.001, where 0.1 to 10 is usual: are the units "
+            "right?");
+  EXPECT_EQ(doubted([](Frame &f) { f.damping_ratio = 0.5; }),
+            "frame: damping_ratio = 0.5, where 0 to 0.2 is usual: are the units right?");
+  const auto building = [](const auto &change) {
     RegularBuilding b = load_building("thesis-2.4");
     change(b);
     const auto found = doubts_of(make_frame(b));
     return found.size() == 1 ? found[0] : fmt::format("{} doubts", found.size());
   };
-  EXPECT_EQ(doubted([](RegularBuilding &b) { b.E = 23.4e12; }), "2 doubts"); // of columns and beams
-  EXPECT_EQ(doubted([](RegularBuilding &b) { b.column_x = b.column_y = 0.5e-2; }),
-            "section column: depth = 0.005 m, where 0.03 to 5 is usual: are the units right?");
-  EXPECT_EQ(doubted([](RegularBuilding &b) { b.storeys.back() = 35; }),
-            "level 3: height = 35 m, where 1.5 to 30 is usual: are the units right?");
-  EXPECT_EQ(doubted([](RegularBuilding &b) { b.load = 10; }), "4 doubts"); // of every level
-  EXPECT_EQ(doubted([](RegularBuilding &b) { b.damping_ratio = 0.5; }),
-            "frame: damping_ratio = 0.5, where 0 to 0.2 is usual: are the units right?");
+  EXPECT_EQ(building([](RegularBuilding &b) { b.column_x = b.column_y = 0.04; }), // 40 cm, written as mm
+            "section column: depth = 0.04 m, where 0.08 to 5 is usual: are the units right?");
+  EXPECT_EQ(building([](RegularBuilding &b) { b.load = 800; }), // tonnes
+            "level 0: mass over its plan = 81.55 kg/m2, where 100 to 10000 is usual (3 more): are the units right?");
+  EXPECT_EQ(building([](RegularBuilding &b) { b.storeys.front() = 1.2; }), "0 doubts"); // a mezzanine
 }
 
 TEST(Building, OfTheThesisWeighs5120kNOnSixBearings) {

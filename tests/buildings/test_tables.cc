@@ -27,11 +27,13 @@ TEST(FrameTables, ReadBackToTheSameBuilding) {
   RegularBuilding b = load_building("thesis-2.4");
   b.bearings = {{2, "fps-225"}};
   b.eccentricity = {0.1, 0.2};
+  b.damping_ratio = 0.05;
   const Frame written = make_frame(b);
   const std::string folder = fresh_folder();
   write_tables(written, folder);
   const Frame read = load_frame(folder);
   EXPECT_EQ(read.sections.size(), 2u);
+  EXPECT_EQ(read.damping_ratio, 0.05);
   EXPECT_EQ(read.nodes[1].bearing, "fps-225");
   EXPECT_EQ(read.nodes[0].bearing, "");
   const auto here = fixed_base_modes(assemble(read)).omega, there = fixed_base_modes(assemble(written)).omega;
@@ -63,7 +65,9 @@ TEST(FrameTables, AreRefusedWithFileAndLine) {
   EXPECT_NE(said("elements.csv", "23400000000", "-1").find("elements.csv:2: E_Pa is -1"), std::string::npos);
   EXPECT_NE(said("elements.csv", ",0.27083", ",-0.27083").find("elements.csv:2: Asy_m2 is -0.27083"), std::string::npos)
       << said("elements.csv", ",0.27083", ",-0.27083");
-  EXPECT_NE(said("diaphragms.csv", "\n2,", "\n2,1,").find("diaphragms.csv:3: 6 cells, the head has 5"),
+  EXPECT_NE(said("diaphragms.csv", ",0.02", ",0.03").find("diaphragms.csv:3: damping_ratio is 0.02; it must be"),
+            std::string::npos);
+  EXPECT_NE(said("diaphragms.csv", "\n2,", "\n2,1,").find("diaphragms.csv:3: 7 cells, the head has 6"),
             std::string::npos);
 }
 

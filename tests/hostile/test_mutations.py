@@ -14,9 +14,9 @@ ANSWERS = {0, 2, 3, 4, 5, 6}
 ODD = [None, True, -1, 0, 1e308, "", "X", "<b>", [], {}, [None], {"a": 1}]
 
 
-def command(words, folder):
+def command(words, folder, seconds=SECONDS):
     environment = dict(os.environ, RIMPACT_THREADS="1", NO_COLOR="1")
-    return subprocess.run([os.environ["RIMPACT"], *words], cwd=folder, capture_output=True, timeout=SECONDS, env=environment, check=False)
+    return subprocess.run([os.environ["RIMPACT"], *words], cwd=folder, capture_output=True, timeout=seconds, env=environment, check=False)
 
 
 def damage_bytes(content, dice):
@@ -74,7 +74,7 @@ class Mutated(unittest.TestCase):
         assert command(["calibrate", "slow", "fast", "--laws", "none", "-o", "fit"], cls.home).returncode in (0, 5)
         assert command(["reduced", "slow.toml", "--sweep", "excitation.speed_m_per_s=0.1:0.3:3", "-o", "fleet"], cls.home).returncode == 0
         assert command(["mesh", "shfps-225", "-o", "own.msh"], cls.home).returncode == 0
-        assert command(["run", "slow.toml", "--mesh", "0", "-o", "fe"], cls.home).returncode == 0
+        assert command(["run", "slow.toml", "--mesh", "0", "-o", "fe"], cls.home, seconds=900).returncode == 0
         for name in ("summary.json", "response.h5", "response.csv"):
             os.remove(f"{cls.home}/fe/{name}")  # killed at the end: its checkpoint is all there is
         with open(f"{cls.home}/q.csv", "w", encoding="utf-8") as file:
