@@ -34,6 +34,7 @@ const std::vector<Verb> &light_verbs() {
       {"export", add_export},
       {"thesis", add_thesis},
       {"list", add_list},
+      {"help", add_help},
       {"completion", add_completion},
       {"version", [](CLI::App &app, Console &) { app.add_subcommand(version_name, version_help); }}};
   return verbs;

@@ -11,11 +11,11 @@
 namespace rimpact::app {
 namespace {
 
-KeyDescription number(const char *path, const char *preset, const char *range, const char *meaning) {
+KeyDescription number(const char *path, const std::string &preset, const char *range, const char *meaning) {
   return {path, "number", unit_in_name(path), preset, range, meaning, false, ""};
 }
 
-KeyDescription text(const char *path, const char *preset, const std::string &range, const char *meaning) {
+KeyDescription text(const char *path, const std::string &preset, const std::string &range, const char *meaning) {
   return {path, "text", "", preset, range, meaning, false, ""};
 }
 
@@ -25,13 +25,12 @@ template <Worded E> std::string any_of() {
 
 /// The keys of a description by its own visit, those of a table under `section`.
 template <class Description> std::vector<KeyDescription> visited(const std::string &section = "") {
-  const std::string prefix = section.empty() ? "" : section + ".";
   Description description;
-  KeyDescriber describer(nullptr, prefix);
+  KeyDescriber describer(nullptr, section.empty() ? "" : section + ".");
   visit(describer, description);
-  const auto presets = presets_of([&](KeyVisitor &visitor) { visit(visitor, description); });
+  const auto presets = presets_of([&](KeyVisitor &visitor) { visit(visitor, description); }, section);
   for (auto &key : describer.keys)
-    if (const auto preset = presets.at(key.path.substr(prefix.size())); preset != "inf") key.preset = preset;
+    if (const auto &preset = presets.at(key.path); preset != "inf") key.preset = preset;
   return describer.keys;
 }
 
@@ -70,27 +69,28 @@ std::vector<KeyDescription> sweep_keys() {
 
 std::vector<KeyDescription> study_keys() {
   using namespace risk;
-  const reliability::Bootstrap usual;
+  const Study usual;
+  const MotionSource &motions = usual.motions;
   return {
       text("name", "the file's", "text", "of the study"),
       text("scene", "", "text", "of every run: built in, or a file beside the study"),
-      number("years", "50", "> 0", "in which a limit is exceeded with the probability sought"),
+      number("years", fmt::format("{}", usual.years), "> 0",
+             "in which a limit is exceeded with the probability sought"),
       text("set.KEY", "", "any value", "in every run"),
       number("intensity.period_s", "", "0.01 to 100", "intensity is S_a at this period, 5 % damping"),
       text("intensity.levels_g", "[]", "numbers from 0 to 100", "every record at every one of these levels"),
       text("hazard.points", "", "pairs of S_a in g and return period in years", "the hazard curve, two or more"),
       text("motions.folders", "[]", "folders", "of AT2 files, RSN number first; --records adds one"),
       text("motions.table", "", "a CSV file", "which records stand at which level"),
-      text("motions.level_is", word(LevelKind{}).c_str(), any_of<LevelKind>(),
-           "what the table's column of levels holds"),
-      text("motions.component", word(ComponentRule{}).c_str(), any_of<ComponentRule>(),
+      text("motions.level_is", word(motions.level_is), any_of<LevelKind>(), "what the table's column of levels holds"),
+      text("motions.component", word(motions.component), any_of<ComponentRule>(),
            "the horizontal component whose S_a meets the level best, or the one named"),
-      text("motions.scale", word(ScaleRule{}).c_str(), any_of<ScaleRule>(),
+      text("motions.scale", word(motions.scale), any_of<ScaleRule>(),
            "the table's factor, or so that the level is met"),
-      text("motions.columns.level", "level", "text", "name of the table's column of levels"),
-      text("motions.columns.rsn", "rsn", "text", "of the record's number"),
-      text("motions.columns.component", "component", "text, may be empty", "of the component"),
-      text("motions.columns.factor", "factor", "text, may be empty", "of the factor"),
+      text("motions.columns.level", motions.level_column, "text", "name of the table's column of levels"),
+      text("motions.columns.rsn", motions.rsn_column, "text", "of the record's number"),
+      text("motions.columns.component", motions.component_column, "text, may be empty", "of the component"),
+      text("motions.columns.factor", motions.factor_column, "text, may be empty", "of the factor"),
       text("motions.where.COLUMN", "", "a number or a text", "only rows with this value"),
       text("motions.set.search_results", "", "a CSV file",
            "[[motions.set]]: results of PEER's search in place of a table"),
@@ -102,10 +102,10 @@ std::vector<KeyDescription> study_keys() {
       number("limit.values.count", "", "2 to 1000", "how many"),
       text("difference.key", "", "a key of the systems", "[[difference]]: systems alike in all but this key"),
       text("difference.reference", "", "a value of it", "the others are compared with the one that has it"),
-      number("bootstrap.replicates", fmt::format("{}", usual.replicates).c_str(), "2 to 100000",
+      number("bootstrap.replicates", fmt::format("{}", usual.bootstrap.replicates), "2 to 100000",
              "draws of the records for the bands"),
-      number("bootstrap.confidence", fmt::format("{}", usual.confidence).c_str(), "between 0 and 1", "of the bands"),
-      number("bootstrap.seed", "1", "a whole number", "of the random numbers"),
+      number("bootstrap.confidence", fmt::format("{}", usual.bootstrap.confidence), "between 0 and 1", "of the bands"),
+      number("bootstrap.seed", fmt::format("{}", usual.bootstrap.seed), "a whole number", "of the random numbers"),
   };
 }
 

@@ -57,8 +57,9 @@ void KeyDescriber::add(const Key &key, const char *kind, std::string range) {
                   .condition = {}});
 }
 
-std::map<std::string, std::string> presets_of(const std::function<void(KeyVisitor &)> &visit) {
-  KeyList list("", true);
+std::map<std::string, std::string> presets_of(const std::function<void(KeyVisitor &)> &visit,
+                                              const std::string &section) {
+  KeyList list(section, true);
   visit(list);
   std::map<std::string, std::string> presets;
   for (const auto &entry : list.entries) presets[entry.path()] = entry.value;

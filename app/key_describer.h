@@ -32,6 +32,7 @@ private:
 };
 
 /// What a visit's keys hold where the file is silent, as TOML writes it, by path.
-std::map<std::string, std::string> presets_of(const std::function<void(KeyVisitor &)> &visit);
+std::map<std::string, std::string> presets_of(const std::function<void(KeyVisitor &)> &visit,
+                                              const std::string &section = "");
 
 } // namespace rimpact::app

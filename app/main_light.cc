@@ -11,9 +11,10 @@ int main(int argc, char **argv) {
   using namespace rimpact;
   app::open_standard_streams();
   static const std::set<std::string> elsewhere{"run", "mesh", "curve", "version"};
-  if (argc > 1 && elsewhere.count(argv[1])) {
+  auto line = app::without_help(argc, argv);
+  if (line.size() > 1 && elsewhere.count(line[1])) {
     try {
-      std::vector<std::string> words(argv + 1, argv + argc);
+      std::vector<std::string> words(line.begin() + 1, line.end());
       if (words[0] == "run") {
         const auto asked = app::take_ranks(words);
         const int ranks = asked ? *asked : app::usual_ranks(words);
@@ -25,5 +26,7 @@ int main(int argc, char **argv) {
       return static_cast<int>(error.code());
     }
   }
-  return app::run_command(argc, argv, app::light_verbs());
+  std::vector<char *> pointers;
+  for (auto &word : line) pointers.push_back(word.data());
+  return app::run_command(static_cast<int>(pointers.size()), pointers.data(), app::light_verbs());
 }

@@ -21,6 +21,7 @@ void add_building(CLI::App &app, Console &console);
 void add_design(CLI::App &app, Console &console);
 void add_export(CLI::App &app, Console &console);
 void add_geometry(CLI::App &app, Console &console);
+void add_help(CLI::App &app, Console &console);
 void add_list(CLI::App &app, Console &console);
 void add_main(CLI::App &app, Console &console);
 void add_mesh(CLI::App &app, Console &console);

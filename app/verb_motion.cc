@@ -3,7 +3,7 @@
 #include "app/verb.h"
 #include "files/file.h"
 #include "files/json_text.h"
-#include "records/record.h"
+#include "records/record_library.h"
 #include "responses/response.h"
 #include <algorithm>
 #include <filesystem>
@@ -61,7 +61,7 @@ void add_motion(CLI::App &app, Console &console) {
         options->picture.empty() ? std::vector<std::string>{} : picture_places(options->files, options->picture);
     for (std::size_t k = 0; k < options->files.size(); ++k) {
       const std::string &file = options->files[k];
-      const auto record = read_record(file);
+      const auto record = read_record(std::filesystem::exists(file) ? file : find_record(file, "."));
       const auto info = inspect(record);
       all.push_back({{"file", file},
                      {"npts", info.npts},

@@ -6,12 +6,12 @@
 #include "app/verb.h"
 #include "files/folder_lock.h"
 #include "files/json_text.h"
+#include "records/record_library.h"
 #include "risk/plan.h"
 #include "risk/results.h"
 #include "scene/case_description.h"
 #include "scene/doubts.h"
 #include <algorithm>
-#include <cstdlib>
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -113,8 +113,8 @@ void run_reliability(ReliabilityOptions options, Console &console) {
   if (options.folder.empty()) options.folder = default_folder(study.name);
   const bool is_shard = parse_shard(options.shard).second > 1;
   const auto systems = risk::systems_of(study);
-  if (const char *shelf = std::getenv("RIMPACT_RECORDS");
-      shelf && *shelf && options.records.empty() && study.motions.folders.empty()) {
+  if (const std::string shelf = records_shelf();
+      !shelf.empty() && options.records.empty() && study.motions.folders.empty()) {
     options.records.push_back(shelf);
     console.message(fmt::format("records of {} (RIMPACT_RECORDS)", shelf));
   }

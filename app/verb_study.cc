@@ -93,7 +93,7 @@ std::vector<Job> study_jobs(const StudyOptions &options, const scene::Scene &bas
 }
 
 /// The reduced model is done in a moment; the others are left for the runner.
-std::vector<Job> without_reduced(const std::vector<Job> &jobs) {
+std::vector<Job> without_reduced(const std::vector<Job> &jobs, Console &console) {
   std::vector<Job> left;
   for (const auto &job : jobs) {
     if (!job.reduced) {
@@ -102,6 +102,8 @@ std::vector<Job> without_reduced(const std::vector<Job> &jobs) {
     }
     auto run = reduced::simulate(job.scene);
     write_run_folder(job.folder, job.scene, std::move(run.response), run.summary);
+    if (run.summary.status == RunStatus::stopped)
+      console.warn(fmt::format("{} stopped and is not in the table: {}", job.name, run.summary.reason));
   }
   return left;
 }
@@ -112,12 +114,14 @@ std::vector<calibration::StudyRun> runs_of(const std::vector<Job> &jobs, Console
     if (!is_done(job)) continue;
     try {
       runs.push_back(calibration::study_run(job.name, summary_of(job.folder), read_response(job.folder)));
-      if (job.reduced) runs.back().element = scene::element_line(job.scene);
-      if (job.reduced) runs.back().on_curve = job.scene.reduced.impact_law->pushed;
-      if (job.reduced) continue;
-      runs.back().rung = solved_by(job.scene.model.rung); // as asked for, whatever wrote the summary
-      runs.back().mesh = job.scene.model.mesh;
-      runs.back().step = job.scene.model.step;
+      auto &run = runs.back();
+      if (job.reduced) {
+        run.element = scene::element_line(job.scene), run.on_curve = job.scene.reduced.impact_law->pushed;
+        continue;
+      }
+      run.rung = solved_by(job.scene.model.rung); // as asked for, whatever wrote the summary
+      run.mesh = job.scene.model.mesh;
+      run.step = job.scene.model.step;
     } catch (const DataError &error) {
       console.warn(error.what());
     }
@@ -166,7 +170,7 @@ void run_study(StudyOptions options, Console &console) {
   const std::vector<Job> jobs = study_jobs(options, base);
   const auto lock = claim_for_jobs(options.folder, Collection::study, jobs, console.force, part_name(part, n_parts));
   make_runs_folder(options.folder);
-  std::vector<Job> own = without_reduced(shard_of(jobs, part, n_parts));
+  std::vector<Job> own = without_reduced(shard_of(jobs, part, n_parts), console);
   if (!own.empty()) {
     JobRunner runner(own, console);
     watch_interrupts();

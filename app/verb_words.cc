@@ -55,6 +55,7 @@ constexpr std::array words{
     Words{"list", "rimpact list\nrimpact list keys\nrimpact list laws --json", "rimpact new DIR"},
     Words{"reliability", "rimpact reliability my-study", "rimpact report {}"},
     Words{"thesis", "rimpact thesis list\nrimpact thesis fig-2-7", ""},
+    Words{"help", "rimpact help\nrimpact help calibrate", ""},
     Words{"version", "rimpact version\nrimpact version --json", ""},
     Words{"completion", "rimpact completion bash > ~/.local/share/bash-completion/completions/rimpact", ""}};
 
@@ -85,7 +86,8 @@ void add_words(CLI::App &app) {
     }
     verb->footer(footer + codes);
   }
-  app.footer(fmt::format("rimpact VERB --help: a verb's options, examples and exit codes\n{}", codes));
+  app.footer(
+      fmt::format("rimpact help VERB, or rimpact VERB --help: a verb's options, examples and exit codes\n{}", codes));
 }
 
 void remember_folder(const std::string &folder) {

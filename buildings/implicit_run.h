@@ -11,8 +11,7 @@ namespace rimpact::buildings {
 class ImplicitRun {
 public:
   ImplicitRun(MountedBuilding &building, const scene::Scene &scene);
-  /// From rest (or as `free` says) to t_end; returns the number of steps. Throws SolverStopped; what came before is in
-  /// the recorder.
+  /// From rest (or as `free` says) to t_end. Throws SolverStopped; what came before is in the recorder.
   void run(double t_end, BuildingRecorder &recorder);
   long n_newton = 0;
 

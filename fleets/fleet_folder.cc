@@ -5,6 +5,7 @@
 #include "files/file.h"
 #include "files/folder_lock.h"
 #include "files/json_text.h"
+#include "records/record_library.h"
 #include "responses/kept_run.h"
 #include "responses/response.h"
 #include <algorithm>
@@ -28,7 +29,8 @@ constexpr std::array file_keys{"excitation.x",        "excitation.y",        "ex
 std::set<std::string> swept_files(const std::string &where, const Sweep &sweep) {
   std::set<std::string> files;
   const std::array beside{fs::path(sweep.origin).parent_path(),
-                          fs::is_directory(where) ? fs::path(where) : fs::path(where).parent_path(), fs::path()};
+                          fs::is_directory(where) ? fs::path(where) : fs::path(where).parent_path(), fs::path(),
+                          fs::path(records_shelf())};
   for (std::size_t i = 0; i < sweep.keys.size(); ++i) {
     if (std::find(file_keys.begin(), file_keys.end(), sweep.keys[i]) == file_keys.end()) continue;
     std::set<std::string> names;

@@ -3,7 +3,7 @@
 #include "fleets/correlation.h"
 #include "fleets/sweep_reader.h"
 #include "fleets/sweep_toml.h"
-#include "records/record.h"
+#include "records/record_library.h"
 #include "scene/scene.h"
 #include <algorithm>
 #include <cmath>
@@ -84,9 +84,12 @@ void require_numbers_along(const Sweep &sweep) {
                                    sweep.fractiles_along));
 }
 
+bool is_record(const std::string &key) {
+  return key == "excitation.x" || key == "excitation.y" || key == "excitation.z";
+}
+
 bool is_file(const std::string &key) {
-  return key == "excitation.x" || key == "excitation.y" || key == "excitation.z" || key == "bearing.file" ||
-         key == "reduced.impact_curve";
+  return key == "bearing.file" || key == "reduced.impact_curve";
 }
 
 } // namespace
@@ -98,9 +101,11 @@ std::vector<std::string> Sweep::assignments(std::size_t run) const {
     const Value &value = runs[run][i];
     const auto *text = std::get_if<std::string>(&value.cell);
     if (is_label(keys[i])) continue;
-    if (text && is_file(keys[i]) && !text->empty() && !is_builtin_record(*text)) {
-      const fs::path path = fs::absolute(fs::path(origin).parent_path() / *text).lexically_normal();
-      result.push_back(keys[i] + "=" + nlohmann::json(path.string()).dump());
+    if (text && !text->empty() && (is_file(keys[i]) || is_record(keys[i]))) {
+      const fs::path folder = fs::path(origin).parent_path();
+      const std::string path = is_record(keys[i]) ? find_record(*text, folder.string())
+                                                  : fs::absolute(folder / *text).lexically_normal().string();
+      result.push_back(keys[i] + "=" + nlohmann::json(path).dump());
     } else {
       result.push_back(keys[i] + "=" + value.toml);
     }

@@ -1,5 +1,6 @@
 #include "records/record_library.h"
 #include <algorithm>
+#include <cstdlib>
 #include <deque>
 #include <filesystem>
 #include <map>
@@ -73,6 +74,22 @@ std::shared_ptr<const SampledSignal> shared_record(const std::string &path, doub
   auto record = std::make_shared<const SampledSignal>(read_record(path, gravity));
   library.keep({path, gravity}, stamp, record);
   return record;
+}
+
+std::string records_shelf() {
+  const char *folder = std::getenv("RIMPACT_RECORDS");
+  return folder ? folder : "";
+}
+
+std::string find_record(const std::string &name, const std::string &folder) {
+  if (is_builtin_record(name)) return name;
+  std::error_code failed;
+  const auto in = [&](const std::string &place) {
+    return fs::absolute(fs::path(place) / name, failed).lexically_normal();
+  };
+  const fs::path beside = in(folder), kept = in(records_shelf());
+  if (failed) return name;
+  return !records_shelf().empty() && !fs::exists(beside, failed) && fs::exists(kept, failed) ? kept : beside;
 }
 
 } // namespace rimpact

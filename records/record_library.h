@@ -9,6 +9,12 @@ namespace rimpact {
 /// again. Safe to call from many threads; records are kept up to `largest_library`, the oldest ones go first.
 std::shared_ptr<const SampledSignal> shared_record(const std::string &path, double gravity = standard_gravity);
 
+/// The folder that the variable RIMPACT_RECORDS names; empty: none.
+std::string records_shelf();
+
+/// A record's absolute name: beside `folder`, or on the shelf where only that one is there. A built-in name stays.
+std::string find_record(const std::string &name, const std::string &folder);
+
 /// Samples that are kept, of all records together: 256 MB.
 inline constexpr std::size_t largest_library = 32'000'000;
 

@@ -10,7 +10,6 @@
 #include "scene/scene_catalogue.h"
 #include "scene/scene_defaults.h"
 #include "scene/unread_keys.h"
-#include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -26,16 +25,6 @@ void make_absolute(std::string &name, const std::string &folder) {
   if (!ignored) name = absolute.lexically_normal().string();
 }
 
-/// A record beside the scene, or else in the folder that RIMPACT_RECORDS names.
-void find_record(std::string &name, const std::string &folder) {
-  std::string beside = name;
-  make_absolute(beside, folder);
-  std::error_code ignored;
-  const char *shelf = std::getenv("RIMPACT_RECORDS");
-  const fs::path kept = fs::absolute(fs::path(shelf ? shelf : "") / name, ignored).lexically_normal();
-  name = shelf && *shelf && !fs::exists(beside, ignored) && fs::exists(kept, ignored) ? kept.string() : beside;
-}
-
 /// Reads the records a scene names; afterwards their names are absolute.
 void read_records(const TomlFile &file, Scene &scene, const std::string &folder) {
   auto &e = scene.excitation;
@@ -43,17 +32,16 @@ void read_records(const TomlFile &file, Scene &scene, const std::string &folder)
   const auto read = [&](const char *axis, std::string &name, SampledSignal &signal) {
     if (name.empty()) return;
     const std::string key = std::string("excitation.") + axis;
-    if (!is_builtin_record(name)) find_record(name, folder);
+    name = find_record(name, folder);
     try {
       signal = *shared_record(name, scene.load.gravity);
     } catch (const InputError &error) {
       throw InputError(fmt::format("{}: {} {}", file.location(key), key, error.what()));
     } catch (const DataError &error) {
-      const char *shelf = std::getenv("RIMPACT_RECORDS");
       std::error_code ignored;
-      const std::string nor = shelf && *shelf && !fs::exists(name, ignored)
-                                  ? fmt::format(" (nor is it in RIMPACT_RECORDS, {})", shelf)
-                                  : "";
+      const std::string shelf = records_shelf(), nor = shelf.empty() || fs::exists(name, ignored)
+                                                           ? ""
+                                                           : fmt::format(" (nor is it in RIMPACT_RECORDS, {})", shelf);
       throw DataError(fmt::format("{}: {} {}{}", file.location(key), key, error.what(), nor));
     }
   };

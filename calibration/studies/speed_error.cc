@@ -32,13 +32,13 @@ void extrapolate(SpeedError &study, const StudyRun &finest) {
 }
 
 void judge(SpeedError &study, const StudyRun &reference, double capacity) {
+  study.touches = reference.peak_force && *reference.peak_force > 0;
   for (auto &row : study.rows) {
     row.errors = compare(reference.response, row.run.response, capacity);
     if (reference.dissipated > 0) row.dissipated_error = row.run.dissipated / reference.dissipated - 1;
-    const bool impact = reference.peak_force && *reference.peak_force > 0;
     const double truth = study.extrapolated.value_or(reference.peak_force.value_or(0));
-    row.error = impact ? std::abs(row.run.peak_force.value_or(0) / truth - 1)
-                       : std::abs(row.errors.peak_displacement_error.value_or(0));
+    row.error = study.touches ? std::abs(row.run.peak_force.value_or(0) / truth - 1)
+                              : std::abs(row.errors.peak_displacement_error.value_or(0));
   }
 }
 

@@ -32,6 +32,7 @@ struct StudyRow {
 };
 struct SpeedError {
   std::vector<StudyRow> rows;         ///< fastest first
+  bool touches = true;                ///< errors are of the peak force; else, with no impact, of the displacement
   std::optional<double> order;        ///< observed over three meshes of the reference's rung, in h
   std::optional<double> extrapolated; ///< peak force at h -> 0 [N]; then `error` is against it
   std::string recommended;            ///< cheapest with an error below the wanted one; "": none

@@ -12,6 +12,9 @@ std::string percent(const std::optional<double> &value) {
 nlohmann::json number(const std::optional<double> &value) {
   return value ? nlohmann::json(*value) : nlohmann::json();
 }
+const char *quantity(const SpeedError &study) {
+  return study.touches ? "peak force" : "peak displacement";
+}
 
 } // namespace
 
@@ -40,6 +43,7 @@ nlohmann::json to_json(const SpeedError &study) {
           {"observed_order", number(study.order)},
           {"extrapolated_peak_force_N", number(study.extrapolated)},
           {"wanted_error", study.wanted},
+          {"error_of", study.touches ? "peak_impact_force" : "peak_displacement"},
           {"recommended", study.recommended.empty() ? nlohmann::json() : nlohmann::json(study.recommended)}};
 }
 
@@ -79,9 +83,10 @@ std::string describe(const SpeedError &study) {
     text += fmt::format("peak force extrapolated over the reference's three meshes: {:.1f} kN, observed order {:.2f}; "
                         "its errors are against that\n",
                         1e-3 * *study.extrapolated, *study.order);
-  text += study.recommended.empty()
-              ? fmt::format("no setting has an error of {:.2g} % or less\n", 100 * study.wanted)
-              : fmt::format("cheapest with an error of {:.2g} % or less: {}\n", 100 * study.wanted, study.recommended);
+  if (!study.touches) text += "the reference does not touch the rim: errors are of the peak displacement\n";
+  text += study.recommended.empty() ? fmt::format("no setting has an error of {:.2g} % or less\n", 100 * study.wanted)
+                                    : fmt::format("cheapest with an error of the {} of {:.2g} % or less: {}\n",
+                                                  quantity(study), 100 * study.wanted, study.recommended);
   return text;
 }
 

@@ -73,7 +73,7 @@ def keys_page(command: Command) -> str:
     return text
 
 
-RESULTS = {"calibrate", "compare", "study", "geometry", "report", "export", "list", "thesis", "design", "reliability", "version", "completion"}
+RESULTS = {"calibrate", "compare", "study", "geometry", "report", "export", "list", "thesis", "design", "reliability", "version", "help", "completion"}
 
 
 def verbs_page(command: Command) -> str:

@@ -44,17 +44,20 @@ void ContactSystem::make_pattern(const Eigen::VectorXd &displacements, const std
 void ContactSystem::make_masses() {
   const auto cliques = solid_.mass_cliques(equations_);
   mass_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
-  own_mass_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
   solid_.add_mass(equations_, *mass_);
-  solid_.add_own_mass(equations_, *own_mass_);
+  own_mass_.reset();
+  if (ranks().size > 1) {
+    own_mass_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
+    solid_.add_own_mass(equations_, *own_mass_);
+  }
   for (const auto &[dof, mass] : body_masses_)
     for (int i = 0; i < 3; ++i)
       if (const int equation = equations_.of_dof[dof + i]; equation >= 0) {
         mass_->add(equation, equation, mass);
-        if (ranks().first()) own_mass_->add(equation, equation, mass);
+        if (own_mass_ && ranks().first()) own_mass_->add(equation, equation, mass);
       }
   mass_places_.clear();
-  const auto &starts = own_mass_->starts(), &columns = own_mass_->columns();
+  const auto &starts = own_mass().starts(), &columns = own_mass().columns();
   for (int row = 0; row < equations_.n; ++row)
     for (int k = starts[row]; k < starts[row + 1]; ++k)
       mass_places_.push_back(tangent_->symmetric().find(row, columns[k]));
@@ -140,7 +143,7 @@ void ContactSystem::start_tangent(SymmetricMatrix &tangent) const {
   if (!terms_->inertia) return;
   const double factor = terms_->inertia->mass_factor();
   for (std::size_t k = 0; k < mass_places_.size(); ++k)
-    tangent.values()[mass_places_[k]] = factor * own_mass_->values()[k];
+    tangent.values()[mass_places_[k]] = factor * own_mass().values()[k];
 }
 
 /// Coordinates are known to rounding, forces therefore to rounding times stiffness times size.
@@ -234,7 +237,7 @@ bool ContactSystem::stiffen(double factor) {
   const double inertial = terms_->inertia ? terms_->inertia->mass_factor() : 0.0;
   Eigen::VectorXd stiffness(equations_.n);
   for (int i = 0; i < equations_.n; ++i)
-    stiffness[i] = tangent_->symmetric().diagonal(i) - inertial * own_mass_->diagonal(i);
+    stiffness[i] = tangent_->symmetric().diagonal(i) - inertial * own_mass().diagonal(i);
   bool any = false;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     auto &stiffening = trial_.contacts[i].stiffening;

@@ -130,6 +130,7 @@ private:
   bool evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_tangent, bool &pattern_holds);
   bool assemble_contacts(const Eigen::VectorXd &displacements, Eigen::VectorXd &forces, Tangent *tangent);
   void make_masses();
+  const SymmetricMatrix &own_mass() const { return own_mass_ ? *own_mass_ : *mass_; }
   void start_tangent(SymmetricMatrix &tangent) const;
   void take_diagonal();
   void add_inertia(const Eigen::VectorXd &u);
@@ -142,8 +143,8 @@ private:
   Equations equations_;
   std::vector<SurfaceContact> contacts_;
   std::vector<std::pair<int, double>> body_masses_;
-  std::unique_ptr<SymmetricMatrix> mass_, own_mass_; ///< whole; this rank's share
-  std::vector<int> mass_places_;                     ///< of own_mass_'s entries in the tangent
+  std::unique_ptr<SymmetricMatrix> mass_, own_mass_; ///< whole; this rank's share, null: the whole
+  std::vector<int> mass_places_;                     ///< of own_mass()'s entries in the tangent
   std::unique_ptr<Tangent> tangent_;
 
   const SystemState *old_ = nullptr; ///< of the Newton solution under way

@@ -72,7 +72,6 @@ void DoubleConcaveRecorder::begin(const MotionState &s) {
 
 void DoubleConcaveRecorder::count(const StepReport &report) {
   steps_.add(result_.response.size() ? result_.response.series("time").back() : 0);
-  result_.summary.n_steps = steps_.n();
   result_.summary.n_newton_iterations += report.iterations;
 }
 
@@ -178,6 +177,7 @@ void DoubleConcaveRecorder::end(const MotionState &s) {
   // Samples may miss these.
   summary.peak_displacement = largest_travel_, summary.peak_lateral_force = largest_lateral_;
   summary.peak_vertical_displacement = largest_height_, summary.min_normal_force = smallest_on_plate_;
+  summary.n_steps = steps_.n();
   summary.energy = ledger(s);
   summary.rung = SolvedBy::reduced;
   nlohmann::json points = nlohmann::json::object();

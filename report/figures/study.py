@@ -29,7 +29,8 @@ def draw(study: dict[str, Any], path: str) -> str | None:
     for row in rows:
         ax.annotate(literal(row["name"]), (row["wall_time_s"], error(row)), xytext=(5, 3), textcoords="offset points", fontsize=6.5)
     ax.axhline(100 * study["wanted_error"], color=RIM, lw=0.7, ls=":", label="wanted")
-    ax.set(xscale="log", yscale="log", xlabel="wall time (s)", ylabel="error of the peak (%)")
+    quantity = "peak displacement" if study.get("error_of") == "peak_displacement" else "peak force"
+    ax.set(xscale="log", yscale="log", xlabel="wall time (s)", ylabel=f"error of the {quantity} (%)")
     ax.margins(x=0.18)
     ax.legend(loc="best")
     return save(fig, path)

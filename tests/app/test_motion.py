@@ -22,6 +22,14 @@ class Motion(Refusals):
                 self.assertEqual(run.returncode, 3)
                 self.assertIn(needle.lower(), run.stderr.lower())
 
+    def test_a_record_is_sought_on_the_shelf(self):
+        with tempfile.TemporaryDirectory() as shelf, tempfile.TemporaryDirectory() as place:
+            with open(os.path.join(shelf, "OWN.AT2"), "w") as file:
+                file.write(AT2.format("ACCELERATION TIME SERIES IN UNITS OF G", 3) + " .1E-01 .2E-01 .1E-01\n")
+            self.assertEqual(rimpact("motion", "OWN.AT2", cwd=place).returncode, 3)
+            run = rimpact("motion", "OWN.AT2", "--json", cwd=place, RIMPACT_RECORDS=shelf)
+            self.assertEqual(json.loads(run.stdout)[0]["npts"], 3)
+
     def test_motion_of_real_records(self):
         records = os.environ.get("RIMPACT_RECORDS", os.path.join(os.path.dirname(__file__), "../../../shared/records"))
         path = os.path.join(records, "RSN1086_NORTHR_SYL360.AT2")

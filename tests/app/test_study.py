@@ -59,6 +59,14 @@ class Study(unittest.TestCase):
                       "-o", self.folder + "-reduced", "--json")
         self.assertEqual([row["name"] for row in json.loads(run.stdout)["rows"] if row["reference"]], ["curve"])  # whichever was faster
 
+    def test_a_reduced_run_that_stops_is_named(self):
+        curve = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../data/reliability/frame-four-dof-rim.h5")
+        run = self.study("--axes", "rung", "--error", "900", "--set", "bearing.slider.diameter_mm=220.0", "--set", "excitation.speed_m_per_s=3",
+                         "--curve", curve, "--json")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("curve stopped and is not in the table: ", run.stderr)
+        self.assertEqual({row["name"] for row in json.loads(run.stdout)["rows"]}, {"reduced", "rim-mesh1"})
+
     def test_shards_add_up(self):
         first = self.study("--shard", "1/3")
         self.assertEqual(first.returncode, 0, first.stderr)

@@ -1,6 +1,7 @@
 """`rimpact reduced --sweep`: grids in shards, resumed and gathered; sweeps that are refused."""
 import csv
 import json
+import math
 import tempfile
 import unittest
 
@@ -33,6 +34,21 @@ class Sweeps(unittest.TestCase):
             with h5py.File(f"{folder}/table.h5") as table:
                 peaks = [float(row["peak_displacement_m"]) for row in rows]
                 self.assertEqual(list(table["table/peak_displacement_m"]), peaks)
+
+    def test_a_case_s_record_is_sought_on_the_shelf(self):
+        with tempfile.TemporaryDirectory() as shelf, tempfile.TemporaryDirectory() as place:
+            for name, peak in (("A", 0.2), ("B", 0.4)):
+                with open(f"{shelf}/{name}.AT2", "w") as file:
+                    file.write("PEER\nown\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 200, DT= .0100 SEC\n")
+                    file.writelines(f"{peak * math.sin(0.1 * k):.6e}\n" for k in range(200))
+            with open(f"{place}/sweep.toml", "w") as file:
+                file.writelines(f'[[case]]\nname = "{name}"\nexcitation.kind = "record"\nexcitation.x = "{name}.AT2"\n' for name in "AB")
+            run = ["reduced", "ricker-0.78g-1.0s", "--sweep", "sweep.toml", "--json", "-o"]
+            self.assertEqual(rimpact(*run, "none", cwd=place).returncode, 3)
+            found = json.loads(rimpact(*run, "found", cwd=place, RIMPACT_RECORDS=shelf).stdout)
+            self.assertEqual(found["done"], 2)
+            peaks = [float(row["peak_displacement_m"]) for row in self.rows(f"{place}/found/table.csv")]
+            self.assertLess(peaks[0], peaks[1])
 
     def test_bad_sweeps(self):
         for arguments, code, needle in ((["--sweep", "excitation.scale=1:2"], 2, "KEY=a:b:n"),

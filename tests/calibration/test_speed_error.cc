@@ -70,6 +70,18 @@ TEST(SpeedError, TheFrontierLeavesOutWhatIsSlowerAndWorse) {
             "");
 }
 
+TEST(SpeedError, WithoutImpactErrorsAreOfTheDisplacement) {
+  const SpeedError touching =
+      speed_against_error({run(SolvedBy::reduced, 0, 1e-3, 1e6), run(SolvedBy::rim, 1, 60, 1e6)}, 0.4, 0.02);
+  EXPECT_NE(describe(touching).find("an error of the peak force of 2 % or less"), std::string::npos);
+  std::vector<StudyRun> runs{run(SolvedBy::reduced, 0, 1e-3, 0), run(SolvedBy::rim, 1, 60, 0)};
+  for (auto &each : runs) each.peak_force.reset();
+  const SpeedError passing = speed_against_error(runs, 0.4, 0.02);
+  EXPECT_EQ(to_json(passing)["error_of"], "peak_displacement");
+  EXPECT_NE(describe(passing).find("does not touch the rim"), std::string::npos);
+  EXPECT_NE(describe(passing).find("an error of the peak displacement of 2 % or less: reduced0"), std::string::npos);
+}
+
 TEST(SpeedError, ScatteredMeshesAreNotExtrapolated) {
   const SpeedError study = speed_against_error(
       {run(SolvedBy::rim, 1, 10, 1.00e6), run(SolvedBy::rim, 2, 40, 1.02e6), run(SolvedBy::rim, 3, 90, 1.01e6)}, 0.4,

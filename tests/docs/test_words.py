@@ -138,6 +138,15 @@ class Words(unittest.TestCase):
             self.assertIn("Exit codes: 0 done", text, verb)
             self.assertRegex(text, rf"Examples:\n  rimpact {verb}", verb)
 
+    def test_help_verb_is_the_verb_s_help(self):
+        for verb in asked():
+            if verb != "help":
+                self.assertEqual(rimpact("help", verb).stdout, rimpact(verb, "--help").stdout, verb)
+        self.assertEqual(rimpact("help").stdout, rimpact("--help").stdout)
+        unknown = rimpact("help", "calibrat")
+        self.assertEqual(unknown.returncode, 2)
+        self.assertIn("calibrat", unknown.stderr)
+
     def test_the_examples_of_the_help_name_options_that_exist(self):
         for verb in asked():
             text = rimpact(verb, "--help").stdout
@@ -180,6 +189,7 @@ class Words(unittest.TestCase):
         self.assertEqual(complete("rimpact", "reduced", "--swe"), ["--sweep"])
         self.assertEqual(complete("rimpact", "list", "key"), ["keys"])
         self.assertEqual(complete("rimpact", "completion", "z"), ["zsh"])
+        self.assertEqual(complete("rimpact", "help", "calib"), ["calibrate"])
 
     def test_other_shells_can_read_their_scripts(self):
         for shell in ("zsh", "fish"):
