@@ -8,6 +8,7 @@
 #include "reduced_models/node_kinematics.h"
 #include "reduced_models/physical_model.h"
 #include "reduced_models/run_doubts.h"
+#include "responses/open_impact.h"
 #include "scene/case_description.h"
 #include "scene/doubts.h"
 #include <cmath>
@@ -22,15 +23,16 @@ std::string describe(const Summary &s, const std::string &name, const std::strin
       fmt::format("{}: peak displacement {:.2f} mm, peak lateral force {:.1f} kN, {} impact(s); {}\n", name,
                   1e3 * s.peak_displacement, 1e-3 * s.peak_lateral_force, s.impacts.size(), folder);
   for (const auto &i : s.impacts)
-    text +=
-        fmt::format("  {:.4f} s {:7.1f} deg  in {:.4f} m/s  out {:.4f} m/s  {:.1f} kN  {:.3f} mm\n", i.touch_time,
-                    i.direction_deg, i.approach_speed, i.rebound_speed, 1e-3 * i.peak_force, 1e3 * i.peak_penetration);
+    text += fmt::format("  {:.4f} s {:7.1f} deg  in {:.4f} m/s  {}  {:.1f} kN  {:.3f} mm\n", i.touch_time,
+                        i.direction_deg, i.approach_speed > 0 ? i.approach_speed : 0.0,
+                        is_open(i) ? "not let go" : fmt::format("out {:.4f} m/s", i.rebound_speed), 1e-3 * i.peak_force,
+                        1e3 * i.peak_penetration);
   return text;
 }
 
 /// What the run's folder says of itself besides its numbers, also on the screen.
 void tell_doubts(const scene::Scene &scene, reduced::ReducedRun &run, Console &console) {
-  reduced::add_doubts(scene, run);
+  reduced::add_doubts(scene, run.response, run.summary);
   auto &warnings = run.summary.extra["warnings"];
   for (const auto &warning : warnings) console.warn(warning.get<std::string>());
   for (const auto &sentences : {scene.remarks, scene::doubts(scene)}) // said when the scene was read

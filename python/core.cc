@@ -24,8 +24,14 @@ using reduced::ReducedRun;
 
 ReducedRun run(const SceneHandle &handle) {
   ReducedRun result = reduced::simulate(*handle.scene);
-  reduced::add_doubts(*handle.scene, result);
+  reduced::add_doubts(*handle.scene, result.response, result.summary);
   return result;
+}
+
+Summary summarise(const SceneHandle &handle) {
+  Summary summary = reduced::simulate_summary(*handle.scene);
+  reduced::add_doubts(*handle.scene, {}, summary);
+  return summary;
 }
 
 py::dict signals_of(const ReducedRun &run) {
@@ -72,8 +78,8 @@ void add_runs(py::module_ &module) {
           py::arg("scene"), py::arg("folder"), py::call_guard<py::gil_scoped_release>());
   module.def("run", &run, py::arg("scene"), py::call_guard<py::gil_scoped_release>());
   module.def(
-      "summarise", [](const SceneHandle &handle) { return json_of(reduced::simulate_summary(*handle.scene)); },
-      py::arg("scene"), py::call_guard<py::gil_scoped_release>());
+      "summarise", [](const SceneHandle &handle) { return json_of(summarise(handle)); }, py::arg("scene"),
+      py::call_guard<py::gil_scoped_release>());
   module.def("known_signals", &known);
 }
 

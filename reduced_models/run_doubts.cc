@@ -1,25 +1,27 @@
 #include "reduced_models/run_doubts.h"
 
 #include "responses/limits.h"
+#include "responses/open_impact.h"
 #include "scene/doubts.h"
 #include "scene/published_pair.h"
 #include <algorithm>
 
 namespace rimpact::reduced {
 
-void add_doubts(const scene::Scene &scene, ReducedRun &run) {
-  auto &warnings = run.summary.extra["warnings"] = nlohmann::json::array();
+void add_doubts(const scene::Scene &scene, const Response &response, Summary &summary) {
+  auto &warnings = summary.extra["warnings"] = nlohmann::json::array();
   double fastest = 0;
-  for (const auto &impact : run.summary.impacts) fastest = std::max(fastest, impact.approach_speed);
-  if (!run.summary.impacts.empty())
+  for (const auto &impact : summary.impacts) fastest = std::max(fastest, impact.approach_speed);
+  if (!summary.impacts.empty())
     for (const auto &doubt : scene::doubts_of_element(scene)) warnings.push_back(doubt);
   if (std::string doubt = scene::doubt_of_published_pair(scene, fastest); !doubt.empty())
     warnings.push_back(std::move(doubt));
-  if (run.summary.status == RunStatus::done)
-    for (const auto &doubt : {doubt_of_rebound(run.response, run.summary.impacts),
-                              doubt_of_ledger(run.summary.energy.value_or(EnergyLedger()))})
+  if (summary.status == RunStatus::done)
+    for (const auto &doubt :
+         {doubt_of_rebound(response, summary.impacts), doubt_of_ledger(summary.energy.value_or(EnergyLedger()))})
       if (doubt) warnings.push_back(*doubt);
-  judge(scene, run.summary);
+  if (doubt_of_rebound(response, summary.impacts)) leave_last_impact_open(response, summary);
+  judge(scene, summary);
 }
 
 } // namespace rimpact::reduced

@@ -8,14 +8,18 @@ Impact left_open(Impact impact) {
   return impact;
 }
 
+bool is_open(const Impact &impact) {
+  return impact.release_time < impact.touch_time;
+}
+
 void leave_last_impact_open(const Response &r, Summary &s) {
   if (r.size() == 0 || !r.has("impact_x") || !r.has("impact_y")) return;
   if (r.series("impact_x").back() == 0 && r.series("impact_y").back() == 0) return;
   Summary shown;
   summarise_response(r, shown);
   const Impact &last = shown.impacts.back();
-  const bool listed = !s.impacts.empty() && (s.impacts.back().release_time < s.impacts.back().touch_time ||
-                                             s.impacts.back().release_time >= last.touch_time);
+  const bool listed =
+      !s.impacts.empty() && (is_open(s.impacts.back()) || s.impacts.back().release_time >= last.touch_time);
   if (!listed) s.impacts.push_back(last);
   s.impacts.back() = left_open(s.impacts.back());
 }

@@ -7,7 +7,10 @@ namespace rimpact {
 /// As it stands in a list where it was never released: the release lies before the touch, there is no rebound.
 Impact left_open(Impact impact);
 
-/// Of a run that stopped while the rim was pressed: its last impact has no release (summary.json: null), and is added
+/// Whether it was never released.
+bool is_open(const Impact &impact);
+
+/// Of a run that ended while the rim was pressed: its last impact has no release (summary.json: null), and is added
 /// where the run's own list does not hold it yet. Nothing changes where the last sample bears no rim force.
 void leave_last_impact_open(const Response &response, Summary &summary);
 

@@ -32,7 +32,8 @@ void write_run_folder(const std::string &folder, const scene::Scene &scene, Resp
   if (error) throw IoError(fmt::format("cannot create the folder {}: {}", folder, error.message()));
   const auto in = [&](const char *name) { return (fs::path(folder) / name).string(); };
   Summary summary = given;
-  if (summary.status != RunStatus::done) leave_last_impact_open(response, summary);
+  if (summary.status != RunStatus::done || doubt_of_rebound(response, summary.impacts))
+    leave_last_impact_open(response, summary);
   const std::string toml = to_toml(scene), json = json_text(with_identity(to_json(summary), scene));
   response.series("time"); // a run stopped before its first sample still leaves a readable file
   response.meta["version"] = RIMPACT_VERSION;

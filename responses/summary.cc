@@ -132,6 +132,7 @@ nlohmann::json to_json(const Summary &s) {
                       {"n_steps", s.n_steps},
                       {"n_newton_iterations", s.n_newton_iterations},
                       {"wall_time_s", s.wall_time},
+                      {"processor_time_s", or_null(s.processor_time)},
                       {"peak_memory_bytes", s.peak_memory_bytes},
                       {"status", word(s.status)}};
   for (const auto &impact : s.impacts) json["impacts"].push_back(to_json(impact));
@@ -169,8 +170,7 @@ std::optional<std::string> doubt_of_rebound(const Response &response, const std:
   constexpr double gone = 0.01; // of the peak: what is left changes the speed by less than a thousandth
   if (!(force > gone * peak)) return {};
   return fmt::format("the scene ends while the rim still bears {:.0f} kN ({:.0f} % of the impact's peak): rebound "
-                     "speed and restitution of "
-                     "this impact are those of its last instant; set a longer excitation.duration_s",
+                     "speed and restitution of this impact are not known; set a longer excitation.duration_s",
                      1e-3 * force, 100 * force / peak);
 }
 
@@ -198,6 +198,15 @@ std::optional<std::string> doubt_of_contact(const EnergyLedger &ledger, const st
   if (rebound > created)
     text += fmt::format(": rebound speeds are overstated by about {:.1f} %", 50 * created / rebound);
   return text + "; a smaller model.step_ms lowers it";
+}
+
+double processor_seconds() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval &time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
 long peak_memory_bytes() {

@@ -40,6 +40,7 @@ struct Summary {
   long n_dofs = 0, n_steps = 0, n_newton_iterations = 0;
   std::map<std::string, double> time_split; ///< search, assembly, factor, solve, output [s]
   double wall_time = 0;                     ///< [s]
+  std::optional<double> processor_time;     ///< of all threads and ranks [s]; none: not measured
   long peak_memory_bytes = 0;
   RunStatus status = RunStatus::done;
   std::string reason;
@@ -57,6 +58,8 @@ std::optional<std::string> doubt_of_ledger(const EnergyLedger &ledger);
 /// their rebound speeds, which are overstated by about the share that the created energy has in theirs, halved.
 std::optional<std::string> doubt_of_contact(const EnergyLedger &ledger, const std::vector<Impact> &impacts,
                                             double mass);
+/// Processor time of this process so far, all its threads [s].
+double processor_seconds();
 /// Peak resident memory of this process [bytes].
 long peak_memory_bytes();
 

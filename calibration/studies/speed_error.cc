@@ -54,6 +54,8 @@ StudyRun study_run(const std::string &name, const nlohmann::json &summary, Respo
     run.rung = *solver;
     run.mesh = run.rung == SolvedBy::reduced ? 0 : summary.at("mesh").get<int>();
     run.seconds = summary.at("wall_time_s");
+    if (const auto time = summary.find("processor_time_s"); time != summary.end() && time->is_number())
+      run.processor = time->get<double>();
     run.memory = summary.at("peak_memory_bytes");
     run.n_dofs = summary.value("n_dofs", 0l);
     const auto &energy = summary.at("energy");
@@ -74,7 +76,7 @@ SpeedError speed_against_error(std::vector<StudyRun> runs, double lateral_capaci
   if (!(wanted > 0)) throw InputError("the wanted error must be > 0, not " + std::to_string(wanted));
   SpeedError study;
   study.wanted = wanted;
-  std::sort(runs.begin(), runs.end(), [](const auto &a, const auto &b) { return a.seconds < b.seconds; });
+  std::sort(runs.begin(), runs.end(), [](const auto &a, const auto &b) { return a.cost() < b.cost(); });
   for (auto &run : runs) study.rows.emplace_back().run = std::move(run);
   auto reference = std::max_element(study.rows.begin(), study.rows.end(),
                                     [](const auto &a, const auto &b) { return fineness(a.run) < fineness(b.run); });

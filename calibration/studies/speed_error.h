@@ -9,11 +9,13 @@ namespace rimpact::calibration {
 struct StudyRun {
   std::string name;
   SolvedBy rung = SolvedBy::reduced;
-  std::string element;            ///< of a reduced run: law, numbers and their source; empty: finite elements
-  bool on_curve = false;          ///< a reduced run on the rim's own curve
-  int mesh = 0;                   ///< 1 | 2 | 3; 0: none
-  double step = 0;                ///< in contact [s]; 0: the plan's
-  double seconds = 0, memory = 0; ///< wall time [s], peak [bytes]
+  std::string element;             ///< of a reduced run: law, numbers and their source; empty: finite elements
+  bool on_curve = false;           ///< a reduced run on the rim's own curve
+  int mesh = 0;                    ///< 1 | 2 | 3; 0: none
+  double step = 0;                 ///< in contact [s]; 0: the plan's
+  double seconds = 0, memory = 0;  ///< wall time [s], peak [bytes]
+  std::optional<double> processor; ///< time of all ranks [s], which does not depend on what else the machine does
+  double cost() const { return processor.value_or(seconds); }
   long n_dofs = 0;
   double imbalance = 0;             ///< of the energy, relative
   std::optional<double> peak_force; ///< of impact [N]
@@ -31,7 +33,7 @@ struct StudyRow {
   bool reference = false, on_frontier = false;
 };
 struct SpeedError {
-  std::vector<StudyRow> rows;         ///< fastest first
+  std::vector<StudyRow> rows;         ///< cheapest first
   bool touches = true;                ///< errors are of the peak force; else, with no impact, of the displacement
   std::optional<double> order;        ///< observed over three meshes of the reference's rung, in h
   std::optional<double> extrapolated; ///< peak force at h -> 0 [N]; then `error` is against it

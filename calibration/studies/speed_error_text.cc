@@ -28,6 +28,7 @@ nlohmann::json to_json(const SpeedError &study) {
                  {"mesh", row.run.mesh},
                  {"step_s", row.run.step},
                  {"wall_time_s", row.run.seconds},
+                 {"processor_time_s", number(row.run.processor)},
                  {"peak_memory_bytes", row.run.memory},
                  {"n_dofs", row.run.n_dofs},
                  {"imbalance_relative", row.run.imbalance},
@@ -50,25 +51,26 @@ nlohmann::json to_json(const SpeedError &study) {
 std::string to_csv(const SpeedError &study) {
   std::string text = "name,rung,mesh,step_s,wall_time_s,peak_memory_bytes,n_dofs,peak_impact_force_N,error,"
                      "peak_displacement_error,rebound_error,dissipated_error,nrmse_force,nrmse_displacement,reference,"
-                     "on_frontier\n";
+                     "on_frontier,processor_time_s\n";
   const auto cell = [](const std::optional<double> &value) { return value ? fmt::format("{:.8g}", *value) : ""; };
   for (const auto &row : study.rows)
-    text += fmt::format("{},{},{},{:g},{:.6g},{:.0f},{},{},{:.8g},{},{},{},{},{},{:d},{:d}\n", row.run.name,
+    text += fmt::format("{},{},{},{:g},{:.6g},{:.0f},{},{},{:.8g},{},{},{},{},{},{:d},{:d},{}\n", row.run.name,
                         word(row.run.rung), row.run.mesh, row.run.step, row.run.seconds, row.run.memory, row.run.n_dofs,
                         cell(row.run.peak_force), row.error, cell(row.errors.peak_displacement_error),
                         cell(row.errors.rebound_error), cell(row.dissipated_error), cell(row.errors.nrmse_force),
-                        cell(row.errors.nrmse_displacement), row.reference, row.on_frontier);
+                        cell(row.errors.nrmse_displacement), row.reference, row.on_frontier, cell(row.run.processor));
   return text;
 }
 
 std::string describe(const SpeedError &study) {
   std::string text =
-      fmt::format("{:22s} {:>9s} {:>6s} {:>7s} {:>9s} {:>8s} {:>8s} {:>8s} {:>8s} {:>8s}\n", "run", "seconds", "GB",
-                  "dofs", "force kN", "force %", "displ. %", "rebound%", "dissip.%", "F rms %");
+      fmt::format("{:22s} {:>9s} {:>9s} {:>6s} {:>7s} {:>9s} {:>8s} {:>8s} {:>8s} {:>8s} {:>8s}\n", "run", "cpu s",
+                  "seconds", "GB", "dofs", "force kN", "force %", "displ. %", "rebound%", "dissip.%", "F rms %");
   for (const auto &row : study.rows) {
     const double truth = row.run.peak_force.value_or(0);
     const auto &errors = row.errors;
-    text += fmt::format("{:22s} {:9.3f} {:6.2f} {:7d} {:9.1f} {:>8s} {:>8s} {:>8s} {:>8s} {:>8s} {}\n", row.run.name,
+    text += fmt::format("{:22s} {:>9s} {:9.3f} {:6.2f} {:7d} {:9.1f} {:>8s} {:>8s} {:>8s} {:>8s} {:>8s} {}\n",
+                        row.run.name, row.run.processor ? fmt::format("{:.3f}", *row.run.processor) : "-",
                         row.run.seconds, 1e-9 * row.run.memory, row.run.n_dofs, 1e-3 * truth,
                         row.run.peak_force ? fmt::format("{:.2f}", 100 * row.error) : "-",
                         percent(errors.peak_displacement_error), percent(errors.rebound_error),

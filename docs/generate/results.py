@@ -84,16 +84,26 @@ def percent(value: float | None) -> str:
     return "" if value is None else f"{100 * value:+.2f} %"
 
 
+def time_of(row: dict[str, Any] | None) -> str:
+    """Processor time where it was measured, else wall time in brackets."""
+    if row is None:
+        return ""
+    return f"{row['processor_time_s']:.3g}" if row.get("processor_time_s") else f"({row['wall_time_s']:.3g})"
+
+
 def studies_page() -> str:
-    text = ("# Speed against error\n\nStored studies (`data/studies/`), each made by `rimpact study`; errors against the finest run of the study. Wall times are those of the machine "
-            "and of what else it did.\n")
+    text = ("# Speed against error\n\nStored studies (`data/studies/`), each made by `rimpact study`; errors against the finest run of the study. Times are of the processor; wall times, in brackets, depend on what else "
+            "the machine did. *Before*: the same run by an earlier build (`data/studies/before/`).\n")
     for file in sorted((ROOT / "data/studies").glob("*.json")):
-        study = json.loads(file.read_text(encoding="utf-8"))
-        text += f"\n## {file.stem}\n\n| run | unknowns | peak force kN | peak force | rebound | force history (RMS) | wall time s |\n|---|---|---|---|---|---|---|\n"
+        study, earlier = json.loads(file.read_text(encoding="utf-8")), ROOT / "data/studies/before" / file.name
+        before = {row["name"]: row for row in json.loads(earlier.read_text(encoding="utf-8"))["rows"]} if earlier.is_file() else {}
+        head = ["run", "unknowns", "peak force kN", "peak force", "rebound", "force history (RMS)", "time s", *(["before s"] if before else [])]
+        text += f"\n## {file.stem}\n\n| {' | '.join(head)} |\n|{'---|' * len(head)}\n"
         for row in study["rows"]:
             name = row["name"] + (" (reference)" if row.get("reference") else "")
-            text += (f"| {name} | {row['n_dofs']} | {row['peak_impact_force_N'] / 1e3:.1f} | {percent(row.get('peak_force_error'))} | {percent(row.get('rebound_error'))} | "
-                     f"{percent(row.get('nrmse_force'))} | {row['wall_time_s']:.3g} |\n")
+            cells = [name, str(row["n_dofs"]), f"{row['peak_impact_force_N'] / 1e3:.1f}", percent(row.get("peak_force_error")), percent(row.get("rebound_error")),
+                     percent(row.get("nrmse_force")), time_of(row), *([time_of(before.get(row["name"]))] if before else [])]
+            text += f"| {' | '.join(cells)} |\n"
         if picture := PICTURES.get(file.stem):
             text += f"\n![speed against error, {file.stem}](../pictures/{picture})\n"
         elements = [f"`{row['name']}`: {row['element']}." for row in study["rows"] if row.get("element")]

@@ -2,6 +2,7 @@
 
 #include "fe_contact/drive/sample_row.h"
 #include "fe_contact/drive/solver_counts.h"
+#include "fe_contact/solver/ranks.h"
 #include "files/error.h"
 #include "files/json_text.h"
 #include "responses/identity.h"
@@ -136,6 +137,7 @@ void put(Checkpoint &file, const RunRecord &record) {
     file.texts["signals"] += name + "\n";
   }
   file.numbers["seconds_wall"] = {record.wall_so_far()};
+  file.numbers["processor_seconds"] = {record.processor_so_far() * ranks().size}; // ranks are alike: they wait busily
   for (const auto &[name, seconds] : record.split_so_far()) file.numbers["seconds_" + name] = {seconds};
   for (const auto &[time, name] : record.fields) file.numbers["field_" + name.substr(name.find('/') + 1)] = {time};
 }
@@ -159,6 +161,7 @@ void get(const Checkpoint &file, RunRecord &record) {
   record.n_steps = n[0], record.n_cuts = n[1], record.augmentation_caps = n[2];
   get_response(file, record);
   record.earlier_wall = file.number("seconds_wall", seconds);
+  record.earlier_processor = file.number("processor_seconds", seconds) / ranks().size;
   for (const auto &[name, values] : file.numbers) {
     if (name.starts_with("seconds_") && name != "seconds_wall")
       record.time_split[name.substr(8)] = file.number(name, seconds);

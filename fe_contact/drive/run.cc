@@ -13,6 +13,7 @@
 #include "files/error.h"
 #include "responses/identity.h"
 #include "responses/limits.h"
+#include "responses/open_impact.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
@@ -37,6 +38,7 @@ Summary summarise(const scene::Scene &scene, const RunRecord &record) {
   if (scene.excitation.kind == scene::ExcitationKind::window && !scene.excitation.with_weight)
     summary.min_normal_force.reset();
   summary.wall_time = seconds;
+  summary.processor_time = ranks().sum(record.processor_so_far());
   summary.peak_memory_bytes = static_cast<long>(ranks().sum(static_cast<double>(peak_memory_bytes())));
   summary.n_dofs = record.n_dofs;
   summary.time_split = record.time_split;
@@ -145,6 +147,7 @@ Summary run(const scene::Scene &scene, const planning::Plan &plan, const RunOpti
   Summary summary = summarise(scene, record);
   summary.status = status;
   summary.reason = reason;
+  if (doubt) leave_last_impact_open(record.response, summary);
   summary.extra["identity"] = record.identity;
   summary.extra["plan"] = to_json(plan);
   summary.extra["ranks"] = ranks().size;

@@ -3,6 +3,7 @@
 #include "fe_contact/drive/run.h"
 #include "fe_contact/solver/solver_work.h"
 #include "responses/response.h"
+#include "responses/summary.h"
 #include <chrono>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -18,6 +19,8 @@ struct RunRecord {
   long n_dofs = 0;
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
   double earlier_wall = 0;                              ///< of the processes before a restart [s]
+  double processor_at_start = processor_seconds();      ///< of this rank [s]
+  double earlier_processor = 0;                         ///< this rank's share of the processes before a restart [s]
   std::map<std::string, double> time_split;             ///< [s] of those and, once it ended, of this one
   std::function<std::map<std::string, double>()> times; ///< [s] time split of this one while it runs
   SolverWork earlier_work;          ///< of the processes before a restart and, once it ended, of this one
@@ -30,6 +33,9 @@ struct RunRecord {
 
   double wall_so_far() const { ///< [s]
     return earlier_wall + std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  }
+  double processor_so_far() const { ///< of this rank [s]
+    return earlier_processor + processor_seconds() - processor_at_start;
   }
   std::map<std::string, double> split_so_far() const { ///< [s]
     auto result = time_split;

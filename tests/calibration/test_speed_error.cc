@@ -82,6 +82,14 @@ TEST(SpeedError, WithoutImpactErrorsAreOfTheDisplacement) {
   EXPECT_NE(describe(passing).find("an error of the peak displacement of 2 % or less: reduced0"), std::string::npos);
 }
 
+TEST(SpeedError, TheCheapestHasTheLeastProcessorTime) {
+  auto waiting = run(SolvedBy::rim, 1, 90, 1.01e6), hurried = run(SolvedBy::rim, 2, 60, 1.001e6);
+  waiting.processor = 30, hurried.processor = 58; // the first one shared its core
+  const SpeedError study = speed_against_error({hurried, waiting, run(SolvedBy::rigid_dish, 1, 400, 1e6)}, 0.4, 0.02);
+  EXPECT_EQ(study.rows[0].run.name, "rim1");
+  EXPECT_EQ(study.recommended, "rim1");
+}
+
 TEST(SpeedError, ScatteredMeshesAreNotExtrapolated) {
   const SpeedError study = speed_against_error(
       {run(SolvedBy::rim, 1, 10, 1.00e6), run(SolvedBy::rim, 2, 40, 1.02e6), run(SolvedBy::rim, 3, 90, 1.01e6)}, 0.4,
@@ -101,6 +109,10 @@ TEST(SpeedError, ReadsASummaryAndSaysWhatIsMissing) {
       {"energy", {{"imbalance_relative", 1e-4}, {"friction_J", 10.0}, {"plastic_J", 5.0}, {"impact_J", 1.0}}}};
   const StudyRun read = study_run("a", summary, pulse(1));
   EXPECT_EQ(read.dissipated, 16);
+  EXPECT_FALSE(read.processor);
+  auto timed = summary;
+  timed["processor_time_s"] = 21.0;
+  EXPECT_EQ(study_run("a", timed, pulse(1)).cost(), 21);
   EXPECT_FALSE(read.peak_force);
   auto broken = summary;
   broken.erase("energy");

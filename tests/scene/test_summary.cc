@@ -95,6 +95,7 @@ TEST(Summary, JsonHasTheContractsKeys) {
                           "n_newton_iterations",
                           "time_split_s",
                           "wall_time_s",
+                          "processor_time_s",
                           "peak_memory_bytes",
                           "status",
                           "plan"})
