@@ -1,17 +1,13 @@
 // rimpact compare A B [...]: what differs between scenes, then metrics between their responses; with -o, pictures.
 #include "app/compare_picture.h"
-#include "app/job_runner.h"
-#include "app/scene_differences.h"
+#include "app/compared_run.h"
 #include "app/verb.h"
-#include "calibration/data/measured_run.h"
 #include "calibration/data/metrics.h"
-#include "files/digest.h"
 #include "files/error.h"
-#include "files/file.h"
 #include "files/json_text.h"
+#include "scene/scene.h"
 #include <array>
 #include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 #include <optional>
 
@@ -20,80 +16,17 @@ namespace {
 
 using nlohmann::json;
 
-/// What is compared: a response, and the scene it is of where that is known.
-struct Item {
-  std::string path, scene; ///< the scene's text, resolved; empty: not known
-  std::string carried;     ///< by how many bearings; empty: not known
-  Response response;
-};
-
-/// Signals every comparison reads, and the CSV columns that hold them.
-void require_signals(const Item &item) {
-  constexpr std::array needed{std::pair{"displacement_x", "ux_m"}, std::pair{"displacement_y", "uy_m"},
-                              std::pair{"force_x", "Fx_N"},        std::pair{"force_y", "Fy_N"},
-                              std::pair{"impact_x", "Ix_N"},       std::pair{"impact_y", "Iy_N"}};
-  for (const auto &[signal, column] : needed)
-    if (!item.response.has(signal))
-      throw DataError(
-          fmt::format("{}: no signal {} (CSV column {}); compare needs time_s, ux_m, uy_m, Fx_N, Fy_N, Ix_N and Iy_N",
-                      item.path, signal, column));
-}
-
-/// With every default written out, so that a scene of an older version differs in what was changed only.
-std::string resolved(const std::string &text, const std::string &path) {
-  try {
-    return scene::to_toml(scene::parse_scene(text, path));
-  } catch (const Error &) { // a record that is no longer there: its text tells as much
-    return text;
-  }
-}
-
-/// What the scene's load does not say: a building's bearings carry shares of it.
-std::string carried(const std::string &folder) {
-  std::error_code ignored;
-  if (!std::filesystem::exists(std::filesystem::path(folder) / "summary.json", ignored)) return {};
-  const json summary = summary_of(folder);
-  const auto building = summary.find("building");
-  if (building == summary.end()) return "one bearing";
-  double weight = 0;
-  for (const auto &bearing : building->at("bearings")) weight += bearing.value("static_normal_force_N", 0.0);
-  std::string tables;
-  for (const char *name : {"nodes.csv", "elements.csv", "diaphragms.csv"})
-    if (const auto path = std::filesystem::path(folder) / name; std::filesystem::exists(path, ignored))
-      tables += read_file(path.string());
-  constexpr int short_hash = 8; // of the frame: tells two of the same weight apart
-  return fmt::format("{} bearings under {:.4g} kN, frame {}", building->at("bearings").size(), weight / 1e3,
-                     sha256(tables).substr(0, short_hash));
-}
-
-Item read_item(const std::string &path) {
-  namespace fs = std::filesystem;
-  Item item{.path = path, .scene = {}, .response = {}};
-  if (calibration::is_mapping(path)) {
-    auto run = calibration::read_measured(path, {});
-    item.scene = scene::to_toml(run.scene);
-    item.response = std::move(run.response);
-  } else {
-    item.response = read_response(path);
-    const fs::path beside = fs::path(path) / "scene.toml";
-    std::error_code ignored;
-    if (fs::exists(beside, ignored))
-      item.scene = read_file(beside.string());
-    else if (const auto kept = item.response.meta.find("scene"); kept != item.response.meta.end())
-      item.scene = kept->second;
-    if (!item.scene.empty()) item.scene = resolved(item.scene, path);
-    item.carried = carried(path);
-  }
-  require_signals(item);
-  return item;
-}
-
-/// L_c [m]: as given [mm], else of the first item that knows its scene, else the default bearing's.
-double capacity_of(const std::vector<Item> &items, std::optional<double> given) {
+/// L_c [m]: as given [mm], else of the first item that knows its scene, else the default bearing's, which is said.
+double capacity_of(const std::vector<ComparedRun> &items, std::optional<double> given, Console &console) {
   if (given) return 1e-3 * *given;
   for (const auto &item : items)
     if (!item.scene.empty()) return scene::parse_scene(item.scene, item.path).lateral_capacity();
-  return scene::builtin_bearing("shfps-225").lateral_capacity();
+  const double usual = scene::builtin_bearing("shfps-225").lateral_capacity();
+  console.warn(
+      fmt::format("no scene says how large the bearing is: L_c = {:g} mm, that of shfps-225, is assumed; --capacity-mm "
+                  "gives yours",
+                  1e3 * usual));
+  return usual;
 }
 
 struct Compared {
@@ -170,7 +103,7 @@ struct CompareOptions {
   bool anyway = false;
 };
 
-std::string draw(const std::string &folder, const std::vector<Item> &items, const std::vector<Compared> &all,
+std::string draw(const std::string &folder, const std::vector<ComparedRun> &items, const std::vector<Compared> &all,
                  double capacity) {
   std::vector<ComparedCurve> curves;
   for (std::size_t k = 0; k < items.size(); ++k) {
@@ -192,10 +125,12 @@ void run_compare(const CompareOptions &options, Console &console) {
   constexpr double most = 1e4; // [mm]
   if (const auto given = options.capacity_mm; given && !(*given > 0 && *given <= most))
     throw InputError(fmt::format("--capacity-mm {:g} must be > 0 and <= {:g}", *given, most));
-  std::vector<Item> items;
-  for (const auto &path : options.paths) items.push_back(read_item(path));
-  const double capacity = capacity_of(items, options.capacity_mm);
-  const Item &reference = items.front();
+  std::vector<ComparedRun> items;
+  for (const auto &path : options.paths) items.push_back(read_compared(path));
+  const double capacity = capacity_of(items, options.capacity_mm, console);
+  for (const auto &item : items)
+    if (!item.doubt.empty()) console.warn(item.path + ": " + item.doubt);
+  const ComparedRun &reference = items.front();
   std::vector<Compared> all;
   for (std::size_t k = 1; k < items.size(); ++k) {
     Compared each{.path = items[k].path, .differences = {}, .metrics = {}};
@@ -203,7 +138,7 @@ void run_compare(const CompareOptions &options, Console &console) {
       console.message(fmt::format("{} holds no scene: nothing says that {} and {} are of one bearing, load and motion",
                                   reference.scene.empty() ? reference.path : each.path, reference.path, each.path));
     else
-      each.differences = differences(reference.scene, items[k].scene);
+      each.differences = differences_between(reference, items[k]);
     if (!reference.carried.empty() && !items[k].carried.empty() && reference.carried != items[k].carried)
       each.differences.insert(each.differences.begin(), {"building", reference.carried, items[k].carried, false});
     if (!options.anyway) refuse_others(reference.path, each);
@@ -214,6 +149,10 @@ void run_compare(const CompareOptions &options, Console &console) {
   if (console.json) {
     json table = calibration::to_json(all.front().metrics);
     table["differences"] = to_json(all.front().differences);
+    table["lateral_capacity_m"] = capacity;
+    table["doubts"] = json::object();
+    for (const auto &item : items)
+      if (!item.doubt.empty()) table["doubts"][item.path] = item.doubt;
     table["candidates"] = json::array();
     for (const auto &each : all) {
       json candidate = calibration::to_json(each.metrics);

@@ -155,16 +155,20 @@ void MeasuredCutter::doubt_impulse(const ImpactWindow &w, const Contact &contact
         contact.touch_time, ratio, error, run_.scene.load.mass));
 }
 
-/// The first touch of a virgin rim is at L_c, to a drawing's tolerance and the record's noise.
+/// The first touch of a virgin rim is at L_c, to a drawing's tolerance, the record's noise and its sampling. The law's
+/// stiffness follows from the depth, so that a smaller distance is told too.
 void MeasuredCutter::doubt_place(const ShotStart &start, const Contact &contact) {
-  constexpr double tolerance = 1e-3; // [m]
+  constexpr double tolerance = 1e-3, worth_telling = 0.25e-3; // [m]
   const double L_c = run_.scene.bearing.lateral_capacity(), off = start.touch - L_c;
-  if (std::abs(off) <= tolerance + noise_reach * start.touch_error) return;
-  run_.doubts.push_back(fmt::format("at {:.4f} s the rim first bears force at {:.2f} mm of travel, {:.2f} mm {} the "
-                                    "bearing's L_c of {:.2f} mm: is the "
-                                    "displacement's zero right? (--fit ...,capacity_offset looks for the rim)",
-                                    contact.touch_time, 1e3 * start.touch, 1e3 * std::abs(off),
-                                    off > 0 ? "beyond" : "before", 1e3 * L_c));
+  const double unsure = noise_reach * start.touch_noise + start.touch_late;
+  if (std::abs(off) <= worth_telling + unsure) return;
+  const bool doubted = std::abs(off) > tolerance + unsure;
+  (doubted ? run_.doubts : run_.notes)
+      .push_back(fmt::format("at {:.4f} s the rim first bears force at {:.2f} mm of travel, {:.2f} mm {} the "
+                             "bearing's L_c of {:.2f} mm{} (--fit ...,capacity_offset looks for the rim)",
+                             contact.touch_time, 1e3 * start.touch, 1e3 * std::abs(off), off > 0 ? "beyond" : "before",
+                             1e3 * L_c,
+                             doubted ? ": is the displacement's zero right?" : ", which a stiffness feels;"));
 }
 
 /// As far as the samples of contact tell; its speeds and peak are filled in by the cutter.

@@ -1,7 +1,7 @@
 #include "calibration/data/metrics.h"
 #include "calibration/data/series.h"
 #include "files/error.h"
-#include "responses/summary.h"
+#include "responses/open_impact.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -12,6 +12,8 @@ namespace {
 
 /// Compared after the last release [s] (docs/interface.md).
 constexpr double after_release = 0.5;
+/// A record that begins so much after the other's touch misses it [s]: a window's begins at its touch.
+constexpr double late = 1e-4;
 
 struct Overlap {
   double begin, end;
@@ -54,6 +56,7 @@ Summary summary_of(Response response) {
           differentiate(response.series("time"), response.series(std::string("displacement") + axis));
   Summary summary;
   summarise_response(response, summary);
+  if (doubt_of_rebound(response, summary.impacts)) summary.impacts.back() = left_open(summary.impacts.back());
   return summary;
 }
 
@@ -67,7 +70,20 @@ const Impact &hardest(const Summary &summary) {
                            [](const auto &a, const auto &b) { return a.peak_force < b.peak_force; });
 }
 
-void compare_impacts(const Summary &reference, const Summary &candidate, Comparison &result) {
+/// Of the hardest impacts, where both were let go.
+void compare_rebounds(const Impact &theirs, const Impact &ours, Comparison &result) {
+  if (is_open(theirs) || is_open(ours)) {
+    result.notes.push_back(fmt::format("the {} ends while the rim is pressed: no rebound to compare",
+                                       is_open(theirs) ? "reference" : "candidate"));
+    return;
+  }
+  result.rebound_error = relative(ours.rebound_speed, theirs.rebound_speed);
+  if (!result.rebound_error) result.notes.push_back("the reference does not rebound: no rebound to compare");
+}
+
+/// `their_begin`, `our_begin`: first instants of reference and candidate [s].
+void compare_impacts(const Summary &reference, const Summary &candidate, double their_begin, double our_begin,
+                     Comparison &result) {
   if (reference.impacts.empty()) {
     result.notes.push_back(candidate.impacts.empty()
                                ? "neither touches the rim: no impact to compare"
@@ -75,6 +91,12 @@ void compare_impacts(const Summary &reference, const Summary &candidate, Compari
     return;
   }
   const auto &theirs = hardest(reference);
+  if (!is_open(theirs) && our_begin > theirs.release_time) {
+    result.notes.push_back(fmt::format("the candidate begins {:.4g} ms after the reference's hardest impact: nothing "
+                                       "says how hard it hits, and when",
+                                       1e3 * (our_begin - theirs.release_time)));
+    return;
+  }
   if (candidate.impacts.empty()) {
     result.peak_force_error = -1.0;
     result.notes.push_back("the candidate never touches the rim, the reference does");
@@ -82,9 +104,13 @@ void compare_impacts(const Summary &reference, const Summary &candidate, Compari
   }
   const auto &ours = hardest(candidate);
   result.peak_force_error = relative(ours.peak_force, theirs.peak_force);
-  result.rebound_error = relative(ours.rebound_speed, theirs.rebound_speed);
-  if (!result.rebound_error) result.notes.push_back("the reference does not rebound: no rebound to compare");
-  result.touch_time_difference = candidate.impacts.front().touch_time - reference.impacts.front().touch_time;
+  compare_rebounds(theirs, ours, result);
+  const double touch = reference.impacts.front().touch_time, own_touch = candidate.impacts.front().touch_time;
+  if (our_begin > touch + late || their_begin > own_touch + late)
+    result.notes.push_back(fmt::format("the {} begins after the other's first touch: no touch to compare",
+                                       our_begin > touch + late ? "candidate" : "reference"));
+  else
+    result.touch_time_difference = own_touch - touch;
   if (candidate.impacts.size() != reference.impacts.size())
     result.notes.push_back(
         fmt::format("{} impacts against {} of the reference", candidate.impacts.size(), reference.impacts.size()));
@@ -103,15 +129,17 @@ Comparison compare(const Response &reference, const Response &candidate, double 
                                 tr.back(), tc.front(), tc.back()));
   const auto theirs = summary_of(reference), ours = summary_of(candidate);
   Comparison result;
-  compare_impacts(theirs, ours, result);
+  compare_impacts(theirs, ours, tr.front(), tc.front(), result);
   result.peak_displacement_error = relative(ours.peak_displacement, theirs.peak_displacement);
 
   Overlap span = overlap;
   if (!theirs.impacts.empty()) {
     span.begin = std::max(span.begin, theirs.impacts.front().touch_time);
-    span.end = std::min(span.end, theirs.impacts.back().release_time + after_release);
+    const Impact &last = theirs.impacts.back();
+    const double release = is_open(last) ? tr.back() : last.release_time;
+    span.end = std::min(span.end, release + after_release);
     if (!(span.begin < span.end)) throw DataError("the candidate ends before the reference's first impact");
-    if (tc.back() < theirs.impacts.back().release_time)
+    if (tc.back() < release)
       result.notes.push_back("the candidate ends before the reference's last release: compared up to its end");
   }
   result.nrmse_displacement = std::sqrt(mean_square(reference, candidate, "displacement", span)) / lateral_capacity;

@@ -16,8 +16,9 @@ void find_capacity(const StoredRun &run, const MeasuredRecord &record, const Win
   const Eigen::Vector2d touch = fit.u + (contact.touch_time - t_ref) * fit.v;
   const double late =
       std::abs(times[contact.first] - contact.touch_time) + times[contact.first] - times[contact.first - 1];
-  const double error = std::hypot(record.sigma() * std::sqrt(fit.shape(0, 0)), fit.v.norm() * late);
-  start.touch = touch.norm(), start.touch_error = error;
+  start.touch_noise = record.sigma() * std::sqrt(fit.shape(0, 0)), start.touch_late = fit.v.norm() * late;
+  const double error = std::hypot(start.touch_noise, start.touch_late);
+  start.touch = touch.norm();
   start.dented = touch.norm() > L_c + dent_tolerance + noise_reach * error;
   const bool own =
       options.touch == TouchReference::own_touch || (options.touch == TouchReference::automatic && start.dented);
@@ -44,7 +45,8 @@ std::optional<ShotStart> stated_start(const StoredRun &run, const MeasuredRecord
                      .capacity = L_c,
                      .dented = false,
                      .touch = u.norm(),
-                     .touch_error = a_sample + sigma};
+                     .touch_noise = sigma,
+                     .touch_late = a_sample};
   }
   reason = fmt::format("the record holds {:.2g} ms before this touch ({} samples are free of the rim's force there, {} "
                        "are needed; 10 ms "

@@ -1,6 +1,7 @@
 """compare: what differs between scenes comes first; what cannot be compared is refused."""
 import json
 import os
+import shutil
 import tempfile
 import unittest
 
@@ -66,6 +67,80 @@ class Compare(unittest.TestCase):
             self.assertIn(text, page)
         table = json.loads(rimpact("compare", *arguments, "--anyway", "-o", drawn, "--json").stdout)
         self.assertEqual(table["page"], os.path.join(drawn, "compare.html"))
+
+    def window(self, name, *settings):
+        words = [word for setting in settings for word in ("--set", setting)]
+        rimpact("reduced", "impact-window", "-o", self.path(name), "--quiet", *words)
+        return self.path(name)
+
+    def metrics(self, *runs):
+        run = rimpact("compare", *runs, "--anyway", "--json")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return json.loads(run.stdout)
+
+    def test_an_impact_that_is_not_let_go_has_no_rebound(self):
+        still = self.window("open", "excitation.duration_s=0.008")
+        with open(os.path.join(still, "summary.json"), encoding="utf-8") as file:
+            impact = json.load(file)["impacts"][0]
+        self.assertEqual([impact[key] for key in ("release_time_s", "rebound_speed_m_s", "restitution")], [None] * 3)
+        self.assertGreater(impact["peak_force_N"], 0)
+        for pair, who in (((self.path("a"), still), "candidate"), ((still, self.path("a")), "reference")):
+            table = self.metrics(*pair)
+            self.assertIsNone(table["rebound_error"])
+            self.assertIn(f"the {who} ends while the rim is pressed", " ".join(table["notes"]))
+
+    def test_a_record_that_begins_too_late_says_nothing_of_the_touch(self):
+        pulse = self.path("pulse")
+        rimpact("reduced", "ricker-0.78g-1.0s", "--set", "excitation.scale=1.05", "-o", pulse, "--quiet")
+        with open(os.path.join(pulse, "response.csv"), encoding="utf-8") as file:
+            head, *rows = file.read().splitlines()
+        touch = self.metrics(pulse, pulse)["touch_time_difference_s"]
+        self.assertEqual(touch, 0)
+        for begin, force, said in ((2.463, 0, "no touch to compare"), (2.6, None, "nothing says how hard it hits")):
+            late = self.path(f"late-{begin}.csv")
+            with open(late, "w", encoding="utf-8") as file:
+                file.write("\n".join([head, *(row for row in rows if float(row.split(",")[0]) >= begin)]) + "\n")
+            table = self.metrics(pulse, late)
+            self.assertIsNone(table["touch_time_difference_s"])
+            self.assertIn(said, " ".join(table["notes"]))
+            self.assertEqual(table["peak_force_error"] is None, force is None)
+
+    def test_noise_of_a_bare_table_is_not_contact(self):
+        noisy = self.path("noisy.csv")
+        with open(noisy, "w", encoding="utf-8") as file:
+            file.write("time_s,ux_m,uy_m,Fx_N,Fy_N,Ix_N,Iy_N\n")
+            for k in range(1000):
+                force = 1e6 * max(0.0, 1 - abs(k - 500) / 20)
+                file.write(f"{1e-3 * k},{0.4 - 1e-4 * abs(k - 500)},0,0,0,{-force - 1e3 * (1 + k % 3)},0\n")
+        run = rimpact("compare", noisy, noisy)
+        self.assertEqual(run.returncode, 3)
+        self.assertIn("noise", run.stderr)
+        self.assertIn("mapping file", run.stderr)
+
+    def test_a_planar_table_needs_no_y(self):
+        planar = self.path("planar.csv")
+        with open(planar, "w", encoding="utf-8") as file:
+            file.write("time_s,ux_m,Fx_N,Ix_N\n" + "".join(f"{1e-3 * k},{0.39 + 1e-4 * k},0,{-1e6 * max(0, 20 - abs(k - 120))}\n" for k in range(200)))
+        self.assertEqual(self.metrics(planar, planar)["peak_force_error"], 0)
+
+    def test_what_is_assumed_and_doubted_is_said(self):
+        tables = [os.path.join(self.path(name), "response.csv") for name in ("a", "stiff")]
+        bare = [self.path(f"bare-{k}.csv") for k in (0, 1)]
+        for path, copy in zip(tables, bare):
+            shutil.copy(path, copy)
+        run = rimpact("compare", *bare)
+        self.assertIn("L_c = 400 mm, that of shfps-225, is assumed", run.stderr)
+        self.assertNotIn("is assumed", rimpact("compare", *bare, "--capacity-mm", "200").stderr)
+        self.assertEqual(json.loads(rimpact("compare", *bare, "--capacity-mm", "200", "--json").stdout)["lateral_capacity_m"], 0.2)
+        deep = self.window("deep", "excitation.speed_m_per_s=5")
+        doubts = self.metrics(self.path("a"), deep)["doubts"]
+        self.assertIn("its forces are no result", doubts[deep])
+
+    def test_settings_that_a_run_does_not_read_are_no_difference(self):
+        solid = os.path.join(os.path.dirname(os.path.abspath(__file__)), "../../data/references/window-0.10")
+        keys = {each["key"]: each for each in self.metrics(solid, self.path("a"))["differences"]}
+        self.assertEqual((keys["solved by"]["a"], keys["solved by"]["b"]), ("rigid-dish", "reduced"))
+        self.assertFalse([key for key in keys if key.startswith(("model.", "reduced."))])
 
     def test_a_missing_column_is_named_with_its_file(self):
         path = self.path("bare.csv")
