@@ -72,7 +72,7 @@ void add_design(CLI::App &app, Console &console) {
   verb->add_option("--gamma", in.mass_ratio, "mass ratio m_s / (m_s + m_b)")->capture_default_str();
   verb->add_option("--Ts-s", in.superstructure_period, "period of the fixed-base structure [s]: gives u_y");
   verb->add_option("--reduction", in.reduction, "R_I")->capture_default_str();
-  verb->add_option("--weight-kN", options->weight_kN, "W [kN]: gives the shears in kN")->check(CLI::PositiveNumber);
+  verb->add_option("--weight-kN", options->weight_kN, "W [kN]: gives the shears in kN");
   console.add_common(*verb);
   console.add_json(*verb);
   verb->callback([options, &console] {
@@ -82,6 +82,9 @@ void add_design(CLI::App &app, Console &console) {
         throw InputError(fmt::format("period_s = {:g} must be above 0 and below 60", *options->period));
       input.radius = input.gravity * std::pow(*options->period / (2 * std::numbers::pi), 2);
     }
+    constexpr double heaviest = 1e9; // [kN]
+    if (const auto weight = options->weight_kN; weight && !(*weight > 0 && *weight <= heaviest))
+      throw InputError(fmt::format("--weight-kN {:g} must be > 0 and <= {:g}", *weight, heaviest));
     const auto design = reduced::design_isolation(input);
     console.data(console.json ? json_text(to_json(*options, design)) : to_text(*options, design));
     for (const auto &sentence : design.remarks) console.warn(sentence);

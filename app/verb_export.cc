@@ -103,6 +103,11 @@ void export_to(const ExportOptions &options, const json &calibration, Console &c
   std::optional<Dish> dish;
   if (const auto scene = scene_of(options, calibration, rim)) {
     warn_of_load(options, *scene, rim, console);
+    constexpr double farthest = 0.2; // a fitted place of the rim is within millimetres
+    if (const double own = scene->lateral_capacity(); std::abs(rim.lateral_capacity / own - 1) > farthest)
+      throw DataError(fmt::format(
+          "calibration.json: lateral_capacity_m of answer.law.element, {:g}, is not that of the bearing, {:g}",
+          rim.lateral_capacity, own));
     dish = calibration::dish_of(*scene, rim.lateral_capacity);
   }
   auto head = header(console);

@@ -32,7 +32,7 @@ OpenSeesMaterial viscoelastic_gap(const RimElement &r) {
   return {.material = RimMaterial::viscoelastic_gap,
           .numbers = {{"k_i", r.stiffness, "N/m"}, {"c_i", r.damping, "N s/m, 2 xi sqrt(k_i m1), m2 infinite"}},
           .notes = {r.law->unilateral ? "Rim: ViscoelasticGap pulls just before release, which the law does not: it "
-                                        "returns e exactly, the law a little more."
+                                        "returns e exactly, the law more (below)."
                                       : "Rim: ViscoelasticGap is the law itself; it pulls just before release.",
                     "rim_springs: two along x, blind to y: OpenSees has no round gap with a dashpot. Turn x along the "
                     "motion, or export a law of the rim (elastoplastic)."}};

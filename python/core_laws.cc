@@ -4,6 +4,7 @@
 
 #include "files/error.h"
 #include "impact_laws/catalogue.h"
+#include <cmath>
 
 namespace py = pybind11;
 
@@ -19,8 +20,9 @@ RimElement element_of(const SceneHandle &handle) {
   return settings.element(handle.scene->load.mass);
 }
 
-/// Force [N] of the rim, zero where it is not touched.
+/// Force [N] of the rim, zero where it is not touched, NaN of a NaN.
 double force(const RimElement &rim, double penetration, double rate, double deepest) {
+  if (const double all = penetration + rate + deepest; std::isnan(all)) return all;
   if (!(penetration > 0)) return 0;
   return rim.at({.d = penetration, .rate = rate, .speed = std::abs(rate), .deepest = std::max(deepest, penetration)})
       .force;

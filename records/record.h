@@ -12,6 +12,9 @@ inline constexpr double standard_gravity = 9.80665;
 /// No ground moves faster than this, in units of gravity: a larger value is a slip of units or of the file.
 inline constexpr double largest_acceleration = 100;
 
+/// Longest step of a record whose header states it [s]: a longer one is a slip of units.
+inline constexpr double longest_step = 1;
+
 /// What is in a record (verb `motion`). Velocity and displacement by exact integration of the piecewise linear
 /// acceleration from rest, without baseline correction. Arias = pi/(2g) int a^2 dt (trapezoidal); D5-95 between its 5
 /// and 95 %.

@@ -160,8 +160,10 @@ Header read_header(const std::vector<std::string_view> &lines, const std::string
     if (header.unit == 0) header.unit = gravity; // the form's own unit
     if (!(header.npts >= 2 && header.npts <= 1e9 && header.npts == std::floor(header.npts)))
       throw DataError(fmt::format("{}: NPTS {} must be a whole number >= 2", where, header.npts));
-    if (!(header.dt > 0 && header.dt <= 1e3))
-      throw DataError(fmt::format("{}: DT {} s must be > 0 and <= 1000", where, header.dt));
+    if (line.find("MSEC") != std::string::npos || line.find("MILLI") != std::string::npos)
+      throw DataError(fmt::format("{}: DT is in milliseconds, seconds are needed", where));
+    if (!(header.dt > 0 && header.dt <= longest_step))
+      throw DataError(fmt::format("{}: DT {} s must be > 0 and <= {}", where, header.dt, longest_step));
     header.data_line = i + 1;
     return header;
   }

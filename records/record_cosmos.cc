@@ -80,9 +80,10 @@ SampledSignal parse_cosmos_v2(const std::string &text, const std::string &path, 
   const auto lines = lines_of(text);
   Counts counts = find_counts(lines, path, gravity);
   const double dt = interval(lines, counts, path);
-  if (!(dt > 0 && dt <= 1e3))
-    throw DataError(fmt::format(
-        "{}: the sampling interval {} s (62nd or 34th value of the real header) must be > 0 and <= 1000", path, dt));
+  if (!(dt > 0 && dt <= longest_step))
+    throw DataError(
+        fmt::format("{}: the sampling interval {} s (62nd or 34th value of the real header) must be > 0 and <= {}",
+                    path, dt, longest_step));
   SampledSignal record{dt, read_values(lines, counts.line + 1, counts.npts, counts.width, path)};
   for (auto &value : record.values) {
     value *= counts.unit;

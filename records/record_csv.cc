@@ -1,6 +1,7 @@
 #include "files/error.h"
 #include "files/text.h"
 #include "records/record.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -37,8 +38,10 @@ Columns read_header(std::string_view line, const std::string &where, double grav
     ++columns.count;
   }
   if (columns.time == std::string::npos || columns.acceleration == std::string::npos)
-    throw DataError(
-        fmt::format("{}: the header must be \"time_s,acceleration_g\" or \"time_s,acceleration_m_per_s2\"", where));
+    throw DataError(fmt::format(
+        "{}: the header must be \"time_s,acceleration_g\" or \"time_s,acceleration_m_per_s2\", with commas between "
+        "its cells, in ASCII or UTF-8",
+        where));
   return columns;
 }
 
@@ -49,11 +52,27 @@ double finite(std::string_view cell, const std::string &where) {
   return *value;
 }
 
+/// Says where a step is far from the usual one: a hole, or a time that runs back.
+void require_even_steps(const std::vector<double> &time, const std::string &path) {
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < time.size(); ++i) steps.push_back(time[i] - time[i - 1]);
+  auto sorted = steps;
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+  const double usual = sorted[sorted.size() / 2];
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    if (!(std::abs(steps[i] - usual) < 0.5 * std::abs(usual)))
+      throw DataError(
+          fmt::format("{}: sample {} at {} s comes {:g} s after the one before, where {:g} s is usual: the sampling "
+                      "is not uniform",
+                      path, i + 2, time[i + 1], steps[i], usual));
+}
+
 /// The sampling interval of instants that are uniform to 5 % of it (files round their times).
 double uniform_step(const std::vector<double> &time, const std::string &path) {
   if (time.size() < 2) throw DataError(fmt::format("{}: {} samples, at least 2 are needed", path, time.size()));
   const double dt = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   if (!(dt > 0)) throw DataError(fmt::format("{}: time must grow; its mean step is {} s", path, dt));
+  require_even_steps(time, path);
   for (std::size_t i = 0; i < time.size(); ++i)
     if (!(std::abs(time[i] - time.front() - static_cast<double>(i) * dt) < 0.05 * dt))
       throw DataError(

@@ -43,8 +43,8 @@ SampledSignal parse_esm(const std::string &text, const std::string &path, double
   if (!kind.empty() && kind.find("ACCELERATION") == std::string::npos)
     throw DataError(fmt::format("{}: the file holds {}, an acceleration record is needed", path, kind.substr(0, 40)));
   const double dt = number_of(lines, "SAMPLING_INTERVAL_S", path), npts = number_of(lines, "NDATA", path);
-  if (!(dt > 0 && dt <= 1e3))
-    throw DataError(fmt::format("{}: SAMPLING_INTERVAL_S {} must be > 0 and <= 1000", path, dt));
+  if (!(dt > 0 && dt <= longest_step))
+    throw DataError(fmt::format("{}: SAMPLING_INTERVAL_S {} must be > 0 and <= {}", path, dt, longest_step));
   if (!(npts >= 2 && npts <= 1e9 && npts == std::floor(npts)))
     throw DataError(fmt::format("{}: NDATA {} must be a whole number >= 2", path, npts));
   const double unit = unit_named(header_value(lines, header_lines, "UNITS"), path, gravity);

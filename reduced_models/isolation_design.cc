@@ -76,6 +76,13 @@ void remark(const IsolationDesignInput &in, IsolationDesign &d) {
     d.remarks.push_back(fmt::format("the restoring force grows by {:.3f} W between half the displacement and all of "
                                     "it; 0.025 W is asked (17.2.4.4)",
                                     0.5 * d.displacement / in.radius));
+  if (in.reduction > 2)
+    d.remarks.push_back(fmt::format("R_I = {:g} exceeds 2, the most above an isolated base (17.5.4.2)", in.reduction));
+  if (d.design_shear < 1.5 * in.friction)
+    d.remarks.push_back(
+        fmt::format("V_s = {:.4f} W lies below 1.5 mu W = {:.4f} W, which sets the system in full motion: "
+                    "design the structure for that (17.5.4.3)",
+                    d.design_shear, 1.5 * in.friction));
 }
 
 } // namespace

@@ -85,6 +85,7 @@ void write_rim_curve(const RimCurveFile &curve, const std::string &path) {
                      write_meta(file, {{"kind", "rim curve"},
                                        {"bearing", curve.bearing},
                                        {"rim_identity", curve.rim_identity},
+                                       {"rim_values", curve.rim_values},
                                        {"mesh", curve.mesh},
                                        {"made_by", curve.made_by},
                                        {"mesh_force_error", fmt::format("{}", curve.errors.mesh_force)},
@@ -112,8 +113,8 @@ RimCurveFile read_rim_curve(const std::string &path) {
       const auto text = [&](const char *name) { return meta.count(name) ? meta.at(name) : std::string(); };
       if (text("kind") != "rim curve") throw std::runtime_error("no rim curve of `rimpact curve`");
       curve.dish = read_path(file, "dish"), curve.held = read_path(file, "held");
-      curve.bearing = text("bearing"), curve.rim_identity = text("rim_identity"), curve.mesh = text("mesh"),
-      curve.made_by = text("made_by");
+      curve.bearing = text("bearing"), curve.rim_identity = text("rim_identity"), curve.rim_values = text("rim_values"),
+      curve.mesh = text("mesh"), curve.made_by = text("made_by");
       curve.errors = {number_of(meta, "mesh_force_error"), number_of(meta, "left_out_rebound_error")};
     });
   } catch (const std::exception &error) {
@@ -124,7 +125,7 @@ RimCurveFile read_rim_curve(const std::string &path) {
 
 std::shared_ptr<const laws::RimCurve> rim_curve_of(const scene::Scene &scene) {
   struct Read {
-    std::string rim_identity, bearing;
+    std::string rim_identity, rim_values, bearing;
     std::shared_ptr<const laws::RimCurve> dish, held;
   };
   static std::mutex lock;
@@ -135,16 +136,20 @@ std::shared_ptr<const laws::RimCurve> rim_curve_of(const scene::Scene &scene) {
   if (entry == known.end()) {
     const RimCurveFile file = read_rim_curve(path);
     entry = known
-                .emplace(path, Read{file.rim_identity, file.bearing, std::make_shared<laws::RimCurve>(file.dish),
-                                    std::make_shared<laws::RimCurve>(file.held)})
+                .emplace(path,
+                         Read{file.rim_identity, file.rim_values, file.bearing,
+                              std::make_shared<laws::RimCurve>(file.dish), std::make_shared<laws::RimCurve>(file.held)})
                 .first;
   }
   const Read &curve = entry->second;
   if (const std::string own = scene::rim_identity(scene.bearing); curve.rim_identity != own)
-    throw InputError(fmt::format("reduced.impact_curve {}: the curve is of the rim of {} ({}), this bearing's is {}: "
-                                 "dish, slider, rim, plate and steel "
-                                 "shape it; make its own by `rimpact curve BEARING`",
-                                 path, curve.bearing, curve.rim_identity, own));
+    throw InputError(fmt::format(
+        "reduced.impact_curve {}: the curve is of the rim of {} ({}), this bearing's is {}: {}; "
+        "make its own by `rimpact curve BEARING`",
+        path, curve.bearing, curve.rim_identity, own,
+        curve.rim_values.empty()
+            ? "dish, slider, rim, plate and steel shape it"
+            : "there and here " + scene::rim_differences(curve.rim_values, scene::rim_values(scene.bearing))));
   const bool held = scene.excitation.kind == scene::ExcitationKind::window && !scene.excitation.with_weight;
   return held ? curve.held : curve.dish;
 }

@@ -18,6 +18,7 @@ struct RimCurveFile {
   laws::CurvePath dish, held;
   std::string bearing;      ///< its name
   std::string rim_identity; ///< scene::rim_identity of it
+  std::string rim_values;   ///< scene::rim_values of it; empty: the file is of an older version
   std::string mesh;         ///< in words: "level 1, 12190 unknowns"
   std::string made_by;      ///< version of the program
   CurveErrors errors;

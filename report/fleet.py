@@ -1,6 +1,7 @@
 """The folder of a sweep: table.csv, or the tables of its shards, and fractiles.csv."""
 import csv
 import glob
+import json
 import os
 from dataclasses import dataclass, field
 
@@ -19,6 +20,7 @@ class Fleet:
     status: list[str]
     fractiles: dict[str, np.ndarray] = field(default_factory=dict)
     along: str = ""                    #: the parameter the fractiles are given along
+    n_due: int = 0                     #: runs of the sweep, with those of shards that are not here
     groups: list[str] = field(default_factory=list)  #: of each row of the fractiles, what it is given by; "" where by nothing
 
     @property
@@ -51,12 +53,15 @@ def read(folder: str) -> Fleet:
         raise DataError(f"{folder} holds no table.csv of a sweep")
     rows = [row for table in tables for row in _rows(table)]
     names = list(rows[0])
+    if "run" in names:  # shards of another count hold some of them again
+        rows = [row for _, row in sorted({int(_numbers(tables[0], [row], "run")[0]): row for row in rows}.items())]
     for name in (*NOT_PARAMETERS, "peak_displacement_m"):
         if name not in names:
             raise DataError(f"{tables[0]}: no column {name}; there are {', '.join(names)}")
     parameters = [name for name in names[names.index("run") + 1:names.index("status")] if _is_number_column(rows, name)]
     numbers = [name for name in names if name not in ("status", "reason") and _is_number_column(rows, name)]
     fleet = Fleet(folder, parameters, {name: _numbers(tables[0], rows, name) for name in numbers}, [row["status"] for row in rows])
+    fleet.n_due = max(_n_due(os.path.join(folder, "fleet.json")), len(rows))
     path = os.path.join(folder, "fractiles.csv")
     if os.path.isfile(path):
         table = _rows(path)
@@ -67,6 +72,15 @@ def read(folder: str) -> Fleet:
         fleet.fractiles = {name: _numbers(path, table, name) for name in names[len(by):]}
         fleet.groups = [", ".join(row[name] for name in by) for row in table]
     return fleet
+
+
+def _n_due(path: str) -> int:
+    """0: the folder does not say."""
+    try:
+        with open(path, encoding="utf-8") as file:
+            return int(json.load(file)["n_runs"])
+    except (OSError, ValueError, KeyError, TypeError):
+        return 0
 
 
 def _rows(path: str) -> list[dict[str, str]]:

@@ -15,7 +15,7 @@ STUDIES = {"geometry": geometry, "study": study}
 
 def draw(kind: str, folder: str) -> str:
     if not os.path.isdir(folder):
-        raise DataError(f"{folder} is not a folder")
+        raise DataError(f"{folder} is not a folder" if os.path.exists(folder) else f"{folder} does not exist")
     run = load_run(folder)
     if not run.has("time", "displacement_x", "displacement_y"):
         raise DataError(f"{folder} holds no displacements to draw")

@@ -103,7 +103,7 @@ class Results:
 def load_results(folder: str) -> Results:
     """Throws DataError when the folder holds nothing that can be reported."""
     if not os.path.isdir(folder):
-        raise DataError(f"{folder} is not a folder")
+        raise DataError(f"{folder} is not a folder" if os.path.exists(folder) else f"{folder} does not exist")
     if is_run_folder(folder):
         return single_run(folder)
     results = Results(folder)

@@ -1,9 +1,12 @@
 #include "scene/rim_identity.h"
 
+#include "files/key_list.h"
 #include "files/text.h"
+#include "scene/keys.h"
 #include "scene/scene.h"
 #include <cstdint>
 #include <fmt/format.h>
+#include <map>
 
 namespace rimpact::scene {
 namespace {
@@ -22,9 +25,8 @@ std::string digest_of_values(const Bearing &bearing) {
   return fmt::format("{:016x}", hash);
 }
 
-} // namespace
-
-std::string rim_identity(const Bearing &bearing) {
+/// What shapes the force of an impact; all else is as in a bearing by default.
+Bearing rim_of(const Bearing &bearing) {
   Bearing rim;
   rim.name.clear();
   rim.surface = bearing.surface, rim.slider = bearing.slider, rim.rim = bearing.rim, rim.plate = bearing.plate;
@@ -32,7 +34,45 @@ std::string rim_identity(const Bearing &bearing) {
   rim.contact.rim = bearing.contact.rim;
   rim.contact.rim_slow = bearing.contact.rim_slow;
   if (rim.contact.rim_slow) rim.contact.rate = bearing.contact.rate;
-  return digest_of_values(rim);
+  return rim;
+}
+
+std::map<std::string, std::string> by_key(const std::string &values) {
+  std::map<std::string, std::string> result;
+  for (const auto line : lines_of(values))
+    if (const auto equals = line.find(" = "); equals != std::string_view::npos)
+      result.emplace(line.substr(0, equals), line.substr(equals + 3));
+  return result;
+}
+
+} // namespace
+
+std::string rim_identity(const Bearing &bearing) {
+  return digest_of_values(rim_of(bearing));
+}
+
+std::string rim_values(const Bearing &bearing) {
+  KeyList list;
+  Bearing rim = rim_of(bearing);
+  visit(list, rim);
+  std::string text;
+  for (const auto &entry : list.entries) text += fmt::format("{} = {}\n", entry.path(), entry.value);
+  return text;
+}
+
+std::string rim_differences(const std::string &a, const std::string &b) {
+  const auto in_a = by_key(a), in_b = by_key(b);
+  auto all = in_a;
+  all.insert(in_b.begin(), in_b.end());
+  const auto of = [](const auto &values, const std::string &key) {
+    const auto found = values.find(key);
+    return found == values.end() ? "-" : found->second;
+  };
+  std::string text;
+  for (const auto &[key, value] : all)
+    if (of(in_a, key) != of(in_b, key))
+      text += fmt::format("{}{} {} and {}", text.empty() ? "" : ", ", key, of(in_a, key), of(in_b, key));
+  return text;
 }
 
 std::string bearing_identity(const Bearing &bearing) {

@@ -141,14 +141,18 @@ const json &answer_of(const json &calibration) {
 
 /// One of mass and dead load makes the other: W = m g.
 void set_load(ExportedRim &rim, const json &answer, const ExportChoice &choice) {
+  const auto require = [](const std::optional<double> &given, double unit, double least, double most,
+                          const char *what) {
+    if (given && !(*given / unit >= least && *given / unit <= most))
+      throw InputError(fmt::format(fmt::runtime(what), *given / unit, least, most));
+  };
+  require(choice.mass, 1, 1, 1e9, "--mass {:g} must be >= {:g} and <= {:g} kg");
+  require(choice.vertical, 1e3, 0.01, 1e7, "--load {:g} must be >= {:g} and <= {:g} kN");
   rim.gravity = positive_at(answer, "gravity_m_per_s2", "answer");
   rim.mass = choice.mass ? *choice.mass : choice.vertical ? *choice.vertical / rim.gravity : rim.fitted_mass;
   rim.vertical = choice.vertical ? *choice.vertical
                  : choice.mass   ? *choice.mass * rim.gravity
                                  : 1e3 * positive_at(answer, "vertical_kN", "answer");
-  if (!(rim.mass > 0) || !std::isfinite(rim.mass)) throw InputError(fmt::format("--mass {} must be > 0 kg", rim.mass));
-  if (!(rim.vertical > 0) || !std::isfinite(rim.vertical))
-    throw InputError(fmt::format("--load {} must be > 0 kN", rim.vertical / 1e3));
 }
 
 /// Speeds the law is exported for. At another mass a law that knows no rate reaches the same penetrations at other

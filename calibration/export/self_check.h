@@ -19,8 +19,8 @@ struct SelfCheck {
   std::vector<CheckRow> rows;
   double peak_force = 0, penetration = 0; ///< largest relative difference [-]
   double rebound = 0;                     ///< largest difference over the approach speed [-]
-  bool serves() const { return peak_force <= tolerance; }
-  static constexpr double tolerance = 0.10; ///< on the peak force; beyond it the export warns
+  bool serves() const { return peak_force <= tolerance && rebound <= tolerance; }
+  static constexpr double tolerance = 0.10; ///< on peak force, and on rebound over approach; beyond it the export warns
   std::string sentence() const;
   std::vector<std::string> lines() const; ///< the sentence, and one line a speed
   nlohmann::json json() const;

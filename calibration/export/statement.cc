@@ -46,6 +46,11 @@ std::string parameter_line(const std::string &name, const json &fitted) {
   return line + (known.is_boolean() && !known.get<bool>() ? "; not identifiable from these runs." : ".");
 }
 
+/// Whether speeds of the calibration are not those of the exported mass.
+bool is_other_mass(const ExportedRim &rim) {
+  return rim.element().law->yields && std::abs(rim.mass / rim.fitted_mass - 1) > 0.01;
+}
+
 void add_range(std::vector<std::string> &lines, const ExportedRim &rim, const json &law) {
   const auto from = number(law, "valid_from_m_s"), to = number(law, "valid_to_m_s");
   const auto fitted_from = number(law, "fitted_from_m_s"), fitted_to = number(law, "fitted_to_m_s");
@@ -59,10 +64,10 @@ void add_range(std::vector<std::string> &lines, const ExportedRim &rim, const js
                     "stand below instead.");
   if (from && to && *to < ExportedRim::least_span * *from)
     lines.push_back("DOUBT: that range is narrow; springs and self-check are made for the speeds fitted instead.");
-  if (rim.element().law->yields && std::abs(rim.mass / rim.fitted_mass - 1) > 0.01)
+  if (is_other_mass(rim))
     lines.push_back(fmt::format(
-        "Exported for {:.6g} kg, fitted at {:.6g} kg: the same penetrations are reached at {:.3g} to {:.3g} m/s.",
-        rim.mass, rim.fitted_mass, rim.from, rim.to));
+        "Exported for {:.6g} kg: the speeds above are of {:.6g} kg, as severe here are {:.3g} to {:.3g} m/s.", rim.mass,
+        rim.fitted_mass, rim.from, rim.to));
   const json worst = law.value("worst_left_out", json());
   if (!worst.is_object()) {
     lines.push_back("Errors on runs left out: not known, none was left out.");
@@ -74,11 +79,16 @@ void add_range(std::vector<std::string> &lines, const ExportedRim &rim, const js
                               percent(number(worst, "peak_force")), percent(number(worst, "rebound"))));
 }
 
-void add_doubts(std::vector<std::string> &lines, const json &answer) {
+void add_doubts(std::vector<std::string> &lines, const ExportedRim &rim, const json &answer) {
   const json mesh = answer.value("mesh_error", json()), strain = answer.value("strain", json()),
              assumed = answer.value("assumptions", json());
   if (const auto sentence = text(mesh, "sentence"); !sentence.empty()) lines.push_back("Mesh: " + sentence);
-  if (const auto sentence = text(strain, "sentence"); !sentence.empty()) lines.push_back("Steel: " + sentence);
+  const std::string speeds =
+      is_other_mass(rim)
+          ? fmt::format("the speeds of this sentence are of {:.6g} kg, for {:.6g} kg they are {:.3g} times as high. ",
+                        rim.fitted_mass, rim.mass, std::sqrt(rim.fitted_mass / rim.mass))
+          : "";
+  if (const auto sentence = text(strain, "sentence"); !sentence.empty()) lines.push_back("Steel: " + speeds + sentence);
   if (assumed.is_array() && !assumed.empty()) {
     std::vector<std::string> keys;
     for (const auto &one : assumed) keys.push_back(text(one, "key") + " = " + text(one, "value"));
@@ -107,7 +117,7 @@ std::vector<std::string> statement_of(const ExportedRim &rim, const json &answer
     for (const auto &[name, fitted] : parameters.items())
       if (fitted.is_object()) lines.push_back(parameter_line(name, fitted));
   add_range(lines, rim, law);
-  add_doubts(lines, answer);
+  add_doubts(lines, rim, answer);
   const std::string sentence = text(law, "sentence"), validity = text(answer, "validity");
   if (!sentence.empty()) lines.push_back(sentence);
   lines.push_back("Validity: " + (validity.empty() ? std::string("not known.") : validity));

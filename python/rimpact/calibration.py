@@ -25,9 +25,9 @@ class Calibration:
         path = Path(folder) / "calibration.json"
         try:
             return Calibration(Path(folder), json.loads(path.read_text(encoding="utf-8")))
-        except FileNotFoundError:
-            raise DataError(f"{folder}: holds no calibration.json") from None
-        except json.JSONDecodeError as error:
+        except (FileNotFoundError, NotADirectoryError):
+            raise DataError(f"{folder}: is no folder with a calibration.json") from None
+        except ValueError as error:  # JSON, or its bytes
             raise DataError(f"{path}: {error}") from error
 
     @property
@@ -54,6 +54,8 @@ class Calibration:
 def calibrate(runs: Iterable[str | os.PathLike], folder: str | os.PathLike = "results/calibration", *, predict: Iterable[str | os.PathLike] = (),
               law: str | None = None, laws: str | None = None, fit: str | None = None, options: Iterable[str] = ()) -> Calibration:
     """Fits the rim's law to run folders or mapping files, as `rimpact calibrate` does; `options`: further words of that verb."""
+    if isinstance(runs, str | os.PathLike):
+        runs = [runs]
     words = ["calibrate", *map(os.fspath, runs), "-o", os.fspath(folder), "--quiet"]
     for run in predict:
         words += ["--predict", os.fspath(run)]

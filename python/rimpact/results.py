@@ -3,8 +3,10 @@ from __future__ import annotations
 
 import json
 import os
+import warnings
 import xml.etree.ElementTree as ElementTree
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -63,18 +65,37 @@ def load(folder: str | os.PathLike) -> Run:
     place = Path(folder)
     if not place.is_dir():
         raise DataError(f"{place}: no such folder")
-    return run_from_signals(_signals(place), _json(place / "summary.json"), _text(place / "scene.toml"), place)
+    with _reading(place):
+        return run_from_signals(_signals(place), _json(place / "summary.json"), _text(place / "scene.toml"), place)
 
 
 def load_fleet(folder: str | os.PathLike) -> Fleet:
-    """Reads what `rimpact reduced --sweep` wrote: table.csv, or the tables of its shards, and fractiles.csv."""
+    """Reads what `rimpact reduced --sweep` wrote: table.csv, or the tables of its shards, each run once, and fractiles.csv.
+
+    Warns where shards are missing."""
     place = Path(folder)
     tables = [place / "table.csv"] if (place / "table.csv").is_file() else sorted(place.glob("table-*-of-*.csv"))
     if not tables:
         raise DataError(f"{place}: holds no table.csv; is it the folder of a sweep?")
-    runs = pd.concat([pd.read_csv(table, float_precision="round_trip") for table in tables], ignore_index=True)
-    fractiles = place / "fractiles.csv"
-    return Fleet(runs, pd.read_csv(fractiles) if fractiles.is_file() else None, place)
+    with _reading(place):
+        runs = pd.concat([pd.read_csv(table, float_precision="round_trip") for table in tables], ignore_index=True)
+        runs = runs.drop_duplicates("run").sort_values("run", ignore_index=True)
+        due = _json(place / "fleet.json").get("n_runs", len(runs))
+        if len(runs) < due:
+            warnings.warn(f"{place}: {len(runs)} of {due} runs are done; the other shards are missing", stacklevel=2)
+        fractiles = place / "fractiles.csv"
+        return Fleet(runs, pd.read_csv(fractiles) if fractiles.is_file() else None, place)
+
+
+@contextmanager
+def _reading(place: Path) -> Iterator[None]:
+    """A file of another kind, a missing signal or column, signals of unequal lengths: one sentence."""
+    try:
+        yield
+    except DataError:
+        raise
+    except (OSError, ValueError, KeyError, TypeError, ElementTree.ParseError) as error:
+        raise DataError(f"{place}: cannot be read: {error!r}") from error
 
 
 def _signals(folder: Path) -> dict[str, np.ndarray]:
@@ -119,6 +140,9 @@ def _text(path: Path) -> str:
 
 def _json(path: Path) -> dict:
     try:
-        return json.loads(_text(path) or "{}")
-    except json.JSONDecodeError as error:
+        found = json.loads(_text(path) or "{}")
+    except ValueError as error:  # JSON, or its bytes
         raise DataError(f"{path}: {error}") from error
+    if not isinstance(found, dict):
+        raise DataError(f"{path}: is no table of keys")
+    return found

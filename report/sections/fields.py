@@ -1,6 +1,7 @@
 """What the stored fields hold: names, units, ranges, instants; and how to see them in ParaView."""
 from __future__ import annotations
 
+import os
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -11,7 +12,7 @@ from ..errors import DataError
 from ..field_catalogue import info_of
 from ..numbers import sig
 from ..run_folder import Run
-from ..stored_fields import instants, said_of
+from ..stored_fields import absent, instants, said_of
 from .common import title_of
 
 if TYPE_CHECKING:
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
 
 def make(context: Context) -> Section | None:
     runs = [(entry, entry.fe, instants(entry.fe)) for entry in context.results.entries if entry.fe is not None]
+    for entry, run, _ in runs:
+        if lost := absent(run):
+            context.problems.append(f"fields of {entry.name}: {len(lost)} that fields.pvd lists are not there, {os.path.basename(lost[0])} the first")
     stored = [(entry, run, files) for entry, run, files in runs if files]
     section = Section("fields", "Stored fields")
     scripts = 0

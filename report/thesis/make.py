@@ -34,11 +34,16 @@ def make(catalogue: Catalogue, ours: Ours, entries: list[Entry], options: argpar
     path = os.path.join(options.output, f"{name}.html")
     os.makedirs(options.output, exist_ok=True)
     page.write(path, "page.html.j2", title="The thesis and ours" if len(entries) > 1 else f"{entries[0].id}: {entries[0].title}", subtitle=catalogue.citation,
-               sections=sections, problems=pictures.problems, footer=tables.counts(ours.count(entries)))
+               sections=sections, problems=pictures.problems, footer=_counts(entries, ours))
     if not options.json:
-        print(tables.counts(ours.count(entries)))
+        print(_counts(entries, ours))
         print(path)
-    return {"entries": made, "counts": ours.count(entries), "page": path}
+    return {"entries": made, "counts": {**ours.count(entries), "kept": ours.n_kept(entries)}, "page": path}
+
+
+def _counts(entries: list[Entry], ours: Ours) -> str:
+    n_kept = ours.n_kept(entries)
+    return tables.counts(ours.count(entries)) + (f"; {n_kept} of ours are kept with the program, nothing here made them" if n_kept else "")
 
 
 def _draw(entry: Entry, runs: Runs) -> Callable[[str], str | None]:

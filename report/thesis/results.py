@@ -16,9 +16,9 @@ class Ours:
     def __init__(self, folder: str) -> None:
         self.path = os.path.join(folder, "numbers.json")
         self.values = read_any_json(KEPT) if os.path.isfile(KEPT) else {}
-        if os.path.isfile(self.path):
-            for entry, numbers in read_any_json(self.path).items():
-                self.values.setdefault(entry, {}).update(numbers)
+        self.made: dict[str, dict[str, float]] = read_any_json(self.path) if os.path.isfile(self.path) else {}  #: in this folder
+        for entry, numbers in self.made.items():
+            self.values.setdefault(entry, {}).update(numbers)
 
     def of(self, entry: Entry, number: Number) -> float | None:
         return self.values.get(entry.id, {}).get(number.what)
@@ -26,11 +26,15 @@ class Ours:
     def put(self, entry: Entry, values: list[float | None]) -> None:
         """`values`: of its numbers in their order; what was not found now stays as it was."""
         found = {number.what: float(f"{value:.6g}") for number, value in zip(entry.numbers, values) if value is not None}
-        made = read_any_json(self.path) if os.path.isfile(self.path) else {}
-        made.setdefault(entry.id, {}).update(found)
+        self.made.setdefault(entry.id, {}).update(found)
         self.values.setdefault(entry.id, {}).update(found)
         os.makedirs(os.path.dirname(os.path.abspath(self.path)), exist_ok=True)
-        write_whole(self.path, lambda file: file.write(json.dumps(made, indent=1, sort_keys=True).encode()))
+        write_whole(self.path, lambda file: file.write(json.dumps(self.made, indent=1, sort_keys=True).encode()))
+
+    def n_kept(self, entries: list[Entry]) -> int:
+        """How many numbers of the entries are those kept with the program: nothing in this folder made them."""
+        return sum(number.count for entry in entries for number in entry.numbers
+                   if self.of(entry, number) is not None and number.what not in self.made.get(entry.id, {}))
 
     def count(self, entries: list[Entry]) -> dict[str, int]:
         """How many numbers of the entries have each verdict."""

@@ -94,6 +94,10 @@ TEST(OpenSees, ALawOfTheRimMovesWithTheMass) {
   const auto rim = rim_of(answer_fixture(), {.law = "", .mass = 4 * 86952.0});
   EXPECT_NEAR(rim.from, 0.05, 1e-12); // the same penetrations at half the speed
   EXPECT_NEAR(rim.to, 0.35, 1e-12);
+  EXPECT_TRUE(std::any_of(rim.statement.begin(), rim.statement.end(), [](const std::string &line) {
+    return line.starts_with(
+        "Steel: the speeds of this sentence are of 86952 kg, for 347808 kg they are 0.5 times as high. The steel");
+  }));
 }
 
 TEST(OpenSees, ARangeOfOneSpeedIsNotWhatSpringsAreTunedTo) {

@@ -36,6 +36,16 @@ class Laws(unittest.TestCase):
         self.assertEqual(force[-1], 0)
         self.assertGreater(way[50:][force[50:] == 0].max(), 1e-4)  # a dent stays
 
+    def test_a_nan_stays_one(self):
+        law = rimpact.law(scene("elastoplastic", k_i_kN_per_m=1e6, yield_force_kN=900, hardening=0.15))
+        self.assertTrue(np.isnan(law(np.nan)))
+        self.assertTrue(np.isnan(law(1e-3, np.nan)))
+        np.testing.assert_array_equal(np.isnan(law([1e-3, np.nan, -1e-3])), [False, True, False])
+
+    def test_a_file_is_no_folder_of_a_calibration(self):
+        with self.assertRaisesRegex(rimpact.DataError, "is no folder with a calibration.json"):
+            rimpact.law(__file__)
+
     def test_every_law_but_the_curve_can_be_called(self):
         for name in ("signed", "no-tension", "printed", "hunt-crossley", "elastoplastic"):
             self.assertGreater(rimpact.law(scene(name))(1e-3, 0.1), 0, name)

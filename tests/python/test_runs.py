@@ -2,6 +2,7 @@
 import concurrent.futures
 import inspect
 import os
+import pathlib
 import subprocess
 import tempfile
 import threading
@@ -89,6 +90,37 @@ class Runs(unittest.TestCase):
         own = rimpact.summarise(rimpact.Scene("ricker-0.78g-1.0s", HARD))
         self.assertAlmostEqual(fleet.runs.peak_impact_force_N[3], own["peak_impact_force_N"], delta=1e-9 * own["peak_impact_force_N"])
         self.assertIsNone(fleet.fractiles)
+
+    def test_a_fleet_has_each_run_once_and_says_what_is_missing(self):
+        sweep = ["reduced", "impact-window", "--sweep", "excitation.speed_m_per_s=0.1:0.5:5", "-o", "fleet", "--shard"]
+        for shard in ("1/2", "1/3"):
+            self.assertEqual(command(*sweep, shard, cwd=self.folder).returncode, 0)
+        with self.assertWarnsRegex(UserWarning, "4 of 5 runs are done"):
+            fleet = rimpact.load_fleet(self.path("fleet"))
+        self.assertEqual(fleet.runs.run.tolist(), [1, 3, 4, 5])
+
+    def test_damaged_files_are_data_errors(self):
+        rimpact.run_reduced("impact-window", self.path("run"))
+        for name, text in (("summary.json", b"[1]"), ("summary.json", b"\xff\xfe{"), ("fields.pvd", b"<VTKFile>"), ("response.h5", b"none")):
+            place = self.path(f"run/{name}")
+            kept = pathlib.Path(place).read_bytes() if os.path.exists(place) else b""
+            pathlib.Path(place).write_bytes(text)
+            with self.assertRaises(rimpact.DataError, msg=name):
+                rimpact.load(self.path("run"))
+            pathlib.Path(place).write_bytes(kept) if kept else os.remove(place)
+        os.remove(self.path("run/response.h5"))
+        for text in (b"", b"time_s,ux_m,Fx_N\n0,word,1\n", b"\xff\xfe\x00"):
+            pathlib.Path(self.path("run/response.csv")).write_bytes(text)
+            with self.assertRaises(rimpact.DataError):
+                rimpact.load(self.path("run"))
+
+    def test_a_summary_alone_carries_its_doubts(self):
+        scene = rimpact.Scene("impact-window", {"excitation.speed_m_per_s": 5})
+        alone, whole = rimpact.summarise(scene), rimpact.run_reduced(scene).summary
+        for name in ("beyond_rim", "beyond_fit", "strain_limit"):
+            self.assertEqual(alone.get(name), whole.get(name), name)
+        self.assertTrue(alone["beyond_rim"])
+        self.assertEqual(alone["warnings"], whole["warnings"])
 
     def test_failures_are_the_commands_sentences(self):
         said = command("reduced", "ricker-0.78g-1.0s", "--set", "excitation.scal=1", cwd=self.folder).stderr

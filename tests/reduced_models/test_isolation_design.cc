@@ -91,7 +91,13 @@ TEST(IsolationDesign, RefusesWhatHasNoAnswer) {
 
 TEST(IsolationDesign, SaysWhereTheProcedureEnds) {
   EXPECT_TRUE(design_isolation(pendulum(3, 0.41, 0.7, 0.3)).remarks.empty());
-  EXPECT_EQ(design_isolation(pendulum(3, 0.05, 0.7, 0.9)).remarks.size(), 3u); // damping, T_s, restoring force
+  EXPECT_EQ(design_isolation(pendulum(3, 0.05, 0.7, 0.9)).remarks.size(), 4u); // damping, T_s, restoring force, shear
+  auto light = pendulum(3, 0.41, 0.7, 0.3);
+  light.reduction = 6; // more than R_I may be, and a shear below what sets the bearings sliding
+  const auto remarks = design_isolation(light).remarks;
+  ASSERT_EQ(remarks.size(), 2u);
+  EXPECT_NE(remarks[0].find("R_I = 6 exceeds 2"), std::string::npos) << remarks[0];
+  EXPECT_NE(remarks[1].find("below 1.5 mu W"), std::string::npos) << remarks[1];
 }
 
 } // namespace

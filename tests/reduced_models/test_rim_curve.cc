@@ -26,8 +26,15 @@ struct CurveOf {
     path = (std::filesystem::temp_directory_path() /
             ("rim-curve-" + std::to_string(getpid()) + "-" + std::to_string(++n) + ".h5"))
                .string();
-    write_rim_curve(
-        {dish, held, scene.bearing.name, scene::rim_identity(scene.bearing), "made up", "test", {0.01, 0.02}}, path);
+    write_rim_curve({dish,
+                     held,
+                     scene.bearing.name,
+                     scene::rim_identity(scene.bearing),
+                     scene::rim_values(scene.bearing),
+                     "made up",
+                     "test",
+                     {0.01, 0.02}},
+                    path);
     scene.reduced.impact_law = &laws::impact_law("curve"), scene.reduced.impact_curve = path;
   }
   ~CurveOf() { std::filesystem::remove(path); }
@@ -152,7 +159,9 @@ TEST(RimCurve, SaysWhatItCannotDo) {
   EXPECT_FALSE(beyond_curve(curve, {7e-3, 0.05, 8e4, false}, {}, {1, 0}, dent_shape(s)));
   scene::Scene other = s;
   other.bearing.rim.thickness *= 1.5;
-  EXPECT_TRUE(holds(refusal([&] { simulate(other); }), "the curve is of the rim of shfps-225"));
+  const std::string foreign = refusal([&] { simulate(other); });
+  EXPECT_TRUE(holds(foreign, "the curve is of the rim of shfps-225")) << foreign;
+  EXPECT_TRUE(holds(foreign, "there and here rim.thickness_mm 40.0 and 60.0; make its own")) << foreign;
   other = s, other.reduced.impact_curve.clear();
   EXPECT_TRUE(holds(refusal([&] { other.validate(); }), "needs reduced.impact_curve"));
   EXPECT_TRUE(holds(refusal([&] { s.reduced.element(1e4); }), "physical only"));

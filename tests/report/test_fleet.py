@@ -39,6 +39,19 @@ class Fleet(InFolder):
         self.table("table-2-of-2.csv", 11)
         self.assertEqual(len(fleet.read(self.folder).status), 20)
 
+    def test_a_run_counts_once_and_missing_shards_are_said(self):
+        self.table("table-1-of-2.csv")
+        self.table("table-1-of-3.csv", 6)
+        self.write("fleet.json", '{"n_runs": 30}')
+        read = fleet.read(self.folder)
+        self.assertEqual(list(read.columns["run"]), list(range(1, 16)))
+        self.assertEqual(read.n_due, 30)
+        self.assertEqual(command("report", self.folder).returncode, 0)
+        with open(self.path("report.html"), encoding="utf-8") as file:
+            page = file.read()
+        self.assertIn("Sweep of 15 of 30 runs", page)
+        self.assertIn("15 of 30 runs are here: the other shards are missing", page)
+
     def test_pictures_with_and_without_fractiles(self):
         self.table()
         self.assertEqual(command("report.quick", "fleet", self.folder).returncode, 0)

@@ -78,6 +78,8 @@ TEST(At2, RefusesWithFileAndLine) {
   refuse(head + "NPTS= 3, DT= .01\n1 2\n***** 3\n", {"test.AT2:6", "*****"});
   refuse(head + "NPTS= 3, DT= .01\n1 2 1e999\n", {"test.AT2:5", "1e999"});
   refuse(head + "NPTS= 3, DT= 0.0\n1 2 3\n", {"test.AT2:4", "DT 0"});
+  refuse(head + "NPTS= 3, DT= 10 SEC\n1 2 3\n", {"test.AT2:4", "DT 10"});
+  refuse(head + "NPTS= 3, DT= 10 MSEC\n1 2 3\n", {"test.AT2:4", "milliseconds"});
   refuse(head + "NPTS= 3, DT= -.01\n1 2 3\n", {"DT -0.01"});
   refuse(head + "NPTS= 1, DT= .01\n1\n", {"NPTS 1"});
   refuse(head + "NPTS= 2.5, DT= .01\n1 2 3\n", {"NPTS 2.5"});
@@ -97,7 +99,12 @@ TEST(RecordCsv, ReadsBothUnitsAndRefuses) {
   expect_error<DataError>([&] { csv("time,acc\n0,1\n"); }, {"r.csv:1", "time_s,acceleration_g"});
   expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,1\n1,x\n"); }, {"r.csv:3", "\"x\""});
   expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,1\n1\n"); }, {"r.csv:3", "1 of 2"});
-  expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,1\n1,1\n1.5,1\n3,2\n"); }, {"not uniform"});
+  expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,1\n1,1\n1.5,1\n3,2\n"); },
+                          {"sample 3 at 1.5 s", "not uniform"});
+  std::string back = "time_s,acceleration_g\n";
+  for (int i = 0; i < 100; ++i) back += std::to_string(0.01 * (i == 60 ? 50 : i)) + ",0.1\n";
+  expect_error<DataError>([&] { csv(back); }, {"sample 61", "not uniform"});
+  expect_error<DataError>([&] { csv("time_s;acceleration_g\n0;1\n"); }, {"with commas"});
   expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,1\n0,1\n"); }, {"must grow"});
   expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,1\n"); }, {"1 samples"});
   expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,nan\n1,1\n"); }, {"nan"});
