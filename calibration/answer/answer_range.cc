@@ -34,8 +34,9 @@ WorstErrors larger(const WorstErrors &a, const WorstErrors &b) {
 }
 
 std::string in_words(const WorstErrors &worst) {
+  const bool met = worst.rebound < 1; // relative to the rebound: of one that hardly is, a number says nothing
   return fmt::format("within {} in peak force and {} in rebound", percent_up(worst.peak_force),
-                     percent_up(worst.rebound));
+                     met ? percent_up(worst.rebound) : "not at all");
 }
 
 /// Where the law holds, by the runs left out and those fitted: what is stated holds of both.

@@ -1,6 +1,8 @@
 #include "fe_contact/engine/contact_steps.h"
 
+#include "fe_contact/solver/march.h"
 #include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace rimpact::fe {
@@ -132,25 +134,28 @@ ContactStepReport time_step(ContactSystem &system, SystemState &state, const Ste
 
 PreloadReport preload(ContactSystem &system, SystemState &state, const Eigen::VectorXd &load, double stiffness,
                       const StepOptions &options, double share) {
-  constexpr int most_rounds = 30;
+  constexpr double most_decades = 29;
   PreloadReport report;
   StepTerms terms{load};
-  for (terms.stabilisation = stiffness; report.rounds < most_rounds; terms.stabilisation *= 0.1) {
+  double springs = 10 * stiffness; // a decade before the first round's
+  const auto weaken = [&](double, double decades) -> Attempt {
+    terms.stabilisation = springs * std::pow(0.1, decades);
     const ContactStepReport step = static_step(system, state, terms, options);
     report.iterations += step.iterations;
-    if (!step.converged) {
-      report.reason = step.reason;
-      return report;
-    }
-    ++report.rounds;
+    if (!step.converged) return {.reason = step.reason};
+    springs = terms.stabilisation;
     report.stabilisation_share = system.stabilisation_share();
-    if (report.stabilisation_share < share) {
-      report.converged = true;
-      return report;
-    }
-  }
-  report.reason = "the stabilising springs still carry " + std::to_string(report.stabilisation_share) +
-                  " of the forces: contact does not hold the bodies";
+    return {.accepted = true, .last = report.stabilisation_share < share};
+  };
+  const MarchReport weakened =
+      march(-1, most_decades, {.first = 1, .smallest = 1.0 / 16, .largest = 1, .growth = 2}, weaken);
+  report.rounds = weakened.steps;
+  report.converged = report.stabilisation_share < share && weakened.finished;
+  if (!weakened.finished)
+    report.reason = weakened.reason;
+  else if (!report.converged)
+    report.reason = "the stabilising springs still carry " + std::to_string(report.stabilisation_share) +
+                    " of the forces: contact does not hold the bodies";
   return report;
 }
 

@@ -37,8 +37,9 @@ ContactStepReport static_step(ContactSystem &system, SystemState &state, const S
 ContactStepReport time_step(ContactSystem &system, SystemState &state, const StepTerms &terms,
                             const StepOptions &options);
 
-/// Static preload of bodies that contact alone holds: springs to the last state, weakened tenfold a round,
-/// until what they carry is below `share` of the forces in play. The last round's share is reported.
+/// Static preload of bodies that contact alone holds: springs to the last state, weakened tenfold a round, by less
+/// where that does not converge, until what they carry is below `share` of the forces in play. The last round's share
+/// is reported.
 struct PreloadReport {
   bool converged = false;
   int rounds = 0, iterations = 0;

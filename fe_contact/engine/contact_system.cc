@@ -37,30 +37,8 @@ void ContactSystem::make_pattern(const Eigen::VectorXd &displacements, const std
   auto cliques = solid_.cliques(equations_);
   cliques.insert(cliques.end(), pairs_.begin(), pairs_.end());
   tangent_ = std::make_unique<Tangent>(equations_.n, cliques, symmetry(), time_split);
-  make_masses();
-}
-
-/// Of the tangent's masses every rank has those of its own cells, the first one the bodies'.
-void ContactSystem::make_masses() {
-  const auto cliques = solid_.mass_cliques(equations_);
-  mass_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
-  solid_.add_mass(equations_, *mass_);
-  own_mass_.reset();
-  if (ranks().size > 1) {
-    own_mass_ = std::make_unique<SymmetricMatrix>(equations_.n, cliques);
-    solid_.add_own_mass(equations_, *own_mass_);
-  }
-  for (const auto &[dof, mass] : body_masses_)
-    for (int i = 0; i < 3; ++i)
-      if (const int equation = equations_.of_dof[dof + i]; equation >= 0) {
-        mass_->add(equation, equation, mass);
-        if (own_mass_ && ranks().first()) own_mass_->add(equation, equation, mass);
-      }
-  mass_places_.clear();
-  const auto &starts = own_mass().starts(), &columns = own_mass().columns();
-  for (int row = 0; row < equations_.n; ++row)
-    for (int k = starts[row]; k < starts[row + 1]; ++k)
-      mass_places_.push_back(tangent_->symmetric().find(row, columns[k]));
+  if (!mass_) mass_.emplace(solid_, equations_, body_masses_);
+  mass_->find_places(tangent_->symmetric());
 }
 
 Symmetry ContactSystem::symmetry() const {
@@ -140,10 +118,7 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_
 /// Of the tangent every rank has the share of its cells and faces, and the first one what belongs to none.
 void ContactSystem::start_tangent(SymmetricMatrix &tangent) const {
   tangent.set_zero();
-  if (!terms_->inertia) return;
-  const double factor = terms_->inertia->mass_factor();
-  for (std::size_t k = 0; k < mass_places_.size(); ++k)
-    tangent.values()[mass_places_[k]] = factor * own_mass().values()[k];
+  if (terms_->inertia) mass_->put(terms_->inertia->mass_factor(), tangent);
 }
 
 /// Coordinates are known to rounding, forces therefore to rounding times stiffness times size.
@@ -166,7 +141,8 @@ bool ContactSystem::assemble_contacts(const Eigen::VectorXd &displacements, Eige
 void ContactSystem::add_inertia(const Eigen::VectorXd &u) {
   const Inertia &inertia = *terms_->inertia;
   const double alpha_m = inertia.scheme.alpha_m;
-  const Eigen::VectorXd inertial = mass_->multiply((1 - alpha_m) * inertia.acceleration(u) + alpha_m * inertia.a_old);
+  const Eigen::VectorXd inertial =
+      mass_->whole().multiply((1 - alpha_m) * inertia.acceleration(u) + alpha_m * inertia.a_old);
   residual_ += inertial;
   scale_ += inertial.norm();
 }
@@ -237,7 +213,7 @@ bool ContactSystem::stiffen(double factor) {
   const double inertial = terms_->inertia ? terms_->inertia->mass_factor() : 0.0;
   Eigen::VectorXd stiffness(equations_.n);
   for (int i = 0; i < equations_.n; ++i)
-    stiffness[i] = tangent_->symmetric().diagonal(i) - inertial * own_mass().diagonal(i);
+    stiffness[i] = tangent_->symmetric().diagonal(i) - inertial * mass_->own_diagonal(i);
   bool any = false;
   for (std::size_t i = 0; i < contacts_.size(); ++i) {
     auto &stiffening = trial_.contacts[i].stiffening;

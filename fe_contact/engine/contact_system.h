@@ -4,6 +4,7 @@
 #include "fe_contact/engine/remote_load.h"
 #include "fe_contact/engine/solid.h"
 #include "fe_contact/engine/surface_contact.h"
+#include "fe_contact/engine/system_mass.h"
 #include "fe_contact/solver/generalized_alpha.h"
 #include "fe_contact/solver/newton.h"
 #include "fe_contact/solver/tangent.h"
@@ -104,13 +105,13 @@ public:
   Eigen::VectorXd expand(const SystemState &state) const { return equations_.expand(state.u); }
   Eigen::VectorXd translation(const Eigen::Vector3d &way) const;       ///< of all that is not held, by equation
   Eigen::VectorXd gravity(const Eigen::Vector3d &acceleration) const { ///< loads of all masses [N]
-    return mass_->multiply(translation(acceleration));
+    return mass_->whole().multiply(translation(acceleration));
   }
   /// Dead traction [Pa] on a group's reference faces, by position and outward normal.
   using Traction = std::function<Eigen::Vector3d(const Eigen::Vector3d &x, const Eigen::Vector3d &normal)>;
   Eigen::VectorXd surface_load(meshes::Surface group, const Traction &traction) const;
-  double kinetic_energy(const SystemState &state) const { return 0.5 * state.v.dot(mass_->multiply(state.v)); }
-  Eigen::VectorXd mass_times(const Eigen::VectorXd &a) const { return mass_->multiply(a); }
+  double kinetic_energy(const SystemState &state) const { return 0.5 * state.v.dot(mass_->whole().multiply(state.v)); }
+  Eigen::VectorXd mass_times(const Eigen::VectorXd &a) const { return mass_->whole().multiply(a); }
   /// Time until an open point would touch at present velocities [s]; infinity when none closes or one is in
   /// contact already.
   double time_to_touch(const SystemState &state) const;
@@ -129,8 +130,6 @@ private:
   void make_pattern(const Eigen::VectorXd &displacements, const std::vector<SurfaceContactState> &states);
   bool evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_tangent, bool &pattern_holds);
   bool assemble_contacts(const Eigen::VectorXd &displacements, Eigen::VectorXd &forces, Tangent *tangent);
-  void make_masses();
-  const SymmetricMatrix &own_mass() const { return own_mass_ ? *own_mass_ : *mass_; }
   void start_tangent(SymmetricMatrix &tangent) const;
   void take_diagonal();
   void add_inertia(const Eigen::VectorXd &u);
@@ -143,8 +142,7 @@ private:
   Equations equations_;
   std::vector<SurfaceContact> contacts_;
   std::vector<std::pair<int, double>> body_masses_;
-  std::unique_ptr<SymmetricMatrix> mass_, own_mass_; ///< whole; this rank's share, null: the whole
-  std::vector<int> mass_places_;                     ///< of own_mass()'s entries in the tangent
+  std::optional<SystemMass> mass_; ///< made with the first pattern, when all bodies are there
   std::unique_ptr<Tangent> tangent_;
 
   const SystemState *old_ = nullptr; ///< of the Newton solution under way

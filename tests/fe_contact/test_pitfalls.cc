@@ -183,6 +183,17 @@ struct Pushed {
   StepOptions options;
 };
 
+TEST(Pitfall, SpringsOfAPreloadAreWeakenedByLessWhereNewtonFails) {
+  Pushed usual, hurried;
+  hurried.options.newton.max_iterations = 2; // tenfold is then too much for one round
+  const auto whole = preload(*usual.system, usual.state, usual.load(1e5, 0.5), 1e8, usual.options),
+             parts = preload(*hurried.system, hurried.state, hurried.load(1e5, 0.5), 1e8, hurried.options);
+  ASSERT_TRUE(whole.converged && parts.converged) << whole.reason << parts.reason;
+  EXPECT_GT(parts.rounds, whole.rounds);
+  EXPECT_LT(parts.stabilisation_share, 1e-6);
+  EXPECT_LT((hurried.state.u - usual.state.u).norm(), 0.02 * usual.state.u.norm()); // friction keeps the way it came
+}
+
 TEST(Pitfall, ALoadOnTheVergeOfSlipOrOfTouchDoesNotChatter) {
   Pushed pushed;
   // One step from half the friction's limit to nine tenths fails and is cut; to and fro near the limit none is.
