@@ -28,7 +28,7 @@ StudyRun study_run(const std::string &name, const nlohmann::json &summary, Respo
 struct StudyRow {
   StudyRun run;
   Comparison errors;                      ///< against the reference
-  std::optional<double> dissipated_error; ///< [-]
+  std::optional<double> dissipated_error; ///< [-]; none: the reference ends at another instant
   double error = 0; ///< what the frontier is drawn of: of the peak force, without impact of the displacement [-]
   bool reference = false, on_frontier = false;
 };

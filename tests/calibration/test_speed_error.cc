@@ -70,6 +70,18 @@ TEST(SpeedError, TheFrontierLeavesOutWhatIsSlowerAndWorse) {
             "");
 }
 
+TEST(SpeedError, WhatIsDissipatedIsComparedOverTheSameSpan) {
+  StudyRun shorter = run(SolvedBy::rim, 1, 60, 1e6);
+  Response cut;
+  for (const auto &[name, values] : shorter.response.all())
+    for (std::size_t i = 0; i < 200; ++i) cut.append(name, values[i]);
+  shorter.response = cut;
+  const SpeedError study =
+      speed_against_error({shorter, run(SolvedBy::rim, 2, 90, 1e6), run(SolvedBy::full, 1, 400, 1e6)}, 0.4, 0.02);
+  EXPECT_FALSE(study.rows[0].dissipated_error);
+  EXPECT_TRUE(study.rows[1].dissipated_error);
+}
+
 TEST(SpeedError, WithoutImpactErrorsAreOfTheDisplacement) {
   const SpeedError touching =
       speed_against_error({run(SolvedBy::reduced, 0, 1e-3, 1e6), run(SolvedBy::rim, 1, 60, 1e6)}, 0.4, 0.02);
