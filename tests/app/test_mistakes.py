@@ -123,7 +123,7 @@ ROWS = [
     row("two masses", "calibrate {0}/runs/window {0}/runs/heavier -o {0}/cal-two", 2, "cannot be calibrated together", "203900", "86952"),
     row("two bearings", "calibrate {0}/runs/window {0}/runs/wider -o {0}/cal-two", 2, "cannot be calibrated together", "dimensions"),
     row("compare of different scenes", "compare {0}/runs/window {0}/runs/pulse", 2, "--anyway"),
-    row("a report of nothing", "report {0}/nope", 3, "not a folder"),
+    row("a report of nothing", "report {0}/nope", 3, "does not exist"),
     row("a report of another folder", "report {0}/foreign", 3, "holds no run folder"),
     row("a folder that cannot be", "reduced impact-window -o /proc/foo", 6, "/proc/foo"),
     row("half a sweep", f"reduced {RICKER} --sweep excitation.scale=1:2", 2, "KEY=a:b:n"),
