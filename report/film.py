@@ -3,7 +3,7 @@
 Frames stand at equal steps of time. Between stored instants displacements and stresses are interpolated linearly. FILE.html holds
 the frames and plays them; FILE.mp4 is written beside it where ffmpeg is installed."""
 import argparse
-import base64
+import io
 import os
 import shutil
 import subprocess
@@ -18,6 +18,7 @@ from .film_frames import Camera, read
 from .run_folder import Run, load_run
 from .sections.common import title_of
 from .stored_fields import instants, said_of
+from .style import embedded
 
 LEAST = 5       #: stored instants of which a film is made
 FRAMES = 32
@@ -55,7 +56,7 @@ def make(run: Run, output: str, n_frames: int = FRAMES) -> list[str]:
 def _write_page(run: Run, output: str, times: np.ndarray, frames: list[bytes], n_stored: int) -> None:
     apart = f", {1e3 * (times[1] - times[0]):.3g} ms apart," if "time" in run.time_label else ""
     section = Section("film", "Film", lead=f"{len(frames)} frames{apart} of {n_stored} stored instants (ticks below the curve); linear between them.")
-    section.add({"kind": "frames", "frames": ["data:image/png;base64," + base64.b64encode(frame).decode() for frame in frames],
+    section.add({"kind": "frames", "frames": [embedded(io.BytesIO(frame))[0] for frame in frames],
                  "labels": [said_of(run, float(time)) for time in times]})
     if run.status != "done":
         section.add(note(f"The run is {run.status}: the film shows what is stored.", "warning"))

@@ -91,8 +91,8 @@ def save(fig: Figure, path: str, dpi: int = DPI) -> str:
     return path
 
 
-def embedded(path: str) -> tuple[str, int]:
-    """(a PNG file as a data address, its width in pixels), so that the report needs no other file. As WebP, without
+def embedded(path: str | io.BytesIO) -> tuple[str, int]:
+    """(a PNG file, or its bytes, as a data address, its width in pixels), so that the report needs no other file. As WebP, without
     loss: less than half the bytes."""
     held = io.BytesIO()
     try:
