@@ -2,8 +2,8 @@
 
 #include "app/toml_values.h"
 #include "files/text.h"
+#include "files/value_differences.h"
 #include <algorithm>
-#include <set>
 
 namespace rimpact::app {
 namespace {
@@ -19,7 +19,6 @@ bool of_the_model(const std::string &key) {
 
 /// Numbers by value: 1 and 1.0 are the same.
 bool same(const std::string &a, const std::string &b) {
-  if (a == b) return true;
   const auto x = to_number(a), y = to_number(b);
   return x && y && *x == *y;
 }
@@ -27,19 +26,10 @@ bool same(const std::string &a, const std::string &b) {
 } // namespace
 
 std::vector<Difference> differences(const std::string &scene_a, const std::string &scene_b) {
-  const auto a = flattened(TomlFile(scene_a, "A")), b = flattened(TomlFile(scene_b, "B"));
-  std::set<std::string> keys;
-  for (const auto *values : {&a, &b})
-    for (const auto &[key, value] : *values) keys.insert(key);
-  const auto value_in = [](const auto &values, const std::string &key) {
-    const auto found = values.find(key);
-    return found == values.end() ? std::string("-") : found->second;
-  };
   std::vector<Difference> result;
-  for (const auto &key : keys) {
-    const std::string left = value_in(a, key), right = value_in(b, key);
-    if (!is_a_name(key) && !same(left, right)) result.push_back({key, left, right, of_the_model(key)});
-  }
+  for (const auto &[key, a, b] :
+       value_differences(flattened(TomlFile(scene_a, "A")), flattened(TomlFile(scene_b, "B"))))
+    if (!is_a_name(key) && !same(a, b)) result.push_back({key, a, b, of_the_model(key)});
   std::stable_partition(result.begin(), result.end(), [](const Difference &each) { return !each.comparable; });
   return result;
 }

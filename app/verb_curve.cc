@@ -4,7 +4,6 @@
 #include "fe_contact/drive/curve_push.h"
 #include "files/file.h"
 #include "files/json_text.h"
-#include "scene/rim_identity.h"
 #include "scene/scene.h"
 #include <chrono>
 #include <cmath>
@@ -72,8 +71,7 @@ void curve(CurveOptions &options, Console &console) {
                           1e2 * std::min(1.0, p.time / p.end_time)));
   };
   const auto start = std::chrono::steady_clock::now();
-  auto file = fe::push_rim_curve(scene, options.order, run);
-  file.rim_values = scene::rim_values(scene.bearing);
+  const auto file = fe::push_rim_curve(scene, options.order, run);
   line.finish();
   reduced::write_rim_curve(file, (folder / "curve.h5").string());
   reduced::write_rim_curve_csv(file, (folder / "curve.csv").string());

@@ -16,11 +16,11 @@ void add_doubts(const scene::Scene &scene, const Response &response, Summary &su
     for (const auto &doubt : scene::doubts_of_element(scene)) warnings.push_back(doubt);
   if (std::string doubt = scene::doubt_of_published_pair(scene, fastest); !doubt.empty())
     warnings.push_back(std::move(doubt));
+  const auto pressed = doubt_of_rebound(response, summary.impacts);
   if (summary.status == RunStatus::done)
-    for (const auto &doubt :
-         {doubt_of_rebound(response, summary.impacts), doubt_of_ledger(summary.energy.value_or(EnergyLedger()))})
+    for (const auto &doubt : {pressed, doubt_of_ledger(summary.energy.value_or(EnergyLedger()))})
       if (doubt) warnings.push_back(*doubt);
-  if (doubt_of_rebound(response, summary.impacts)) leave_last_impact_open(response, summary);
+  if (pressed) leave_last_impact_open(response, summary);
   judge(scene, summary);
 }
 

@@ -1,8 +1,13 @@
-"""Writing files: whole or not at all, and never a device node replaced by a file."""
+"""Writing files: whole or not at all, and never a device node replaced by a file. Folders that must be there."""
 import os
 from collections.abc import Callable
 
-from .errors import IoError
+from .errors import DataError, IoError
+
+
+def require_folder(path: str) -> None:
+    if not os.path.isdir(path):
+        raise DataError(f"{path} is not a folder" if os.path.exists(path) else f"{path} does not exist")
 
 
 def write_whole(path: str, write: Callable) -> None:

@@ -13,7 +13,7 @@ import numpy as np
 from . import page
 from .blocks import Section, note
 from .errors import DataError, IoError, run_main
-from .files import remove, write_whole
+from .files import remove, require_folder, write_whole
 from .film_frames import Camera, read
 from .run_folder import Run, load_run
 from .sections.common import title_of
@@ -88,8 +88,7 @@ def main(arguments: list[str]) -> None:
     parser.add_argument("--output", metavar="FILE.html", help="DIR/film.html when not given")
     parser.add_argument("--frames", type=int, default=FRAMES, choices=range(2, 501), metavar="N", help=f"2..500, {FRAMES} when not given")
     options = parser.parse_args(arguments)
-    if not os.path.isdir(options.folder):
-        raise DataError(f"{options.folder} is not a folder")
+    require_folder(options.folder)
     made = make(load_run(options.folder), options.output or os.path.join(options.folder, "film.html"), options.frames)
     if not made:
         raise DataError(f"{options.folder} holds fewer than {LEAST} fields in one stretch of time; a film needs as many")

@@ -54,7 +54,7 @@ def read(folder: str) -> Fleet:
     rows = [row for table in tables for row in _rows(table)]
     names = list(rows[0])
     if "run" in names:  # shards of another count hold some of them again
-        rows = [row for _, row in sorted({int(_numbers(tables[0], [row], "run")[0]): row for row in rows}.items())]
+        rows = [row for _, row in sorted(dict(zip(_numbers(tables[0], rows, "run"), rows)).items())]
     for name in (*NOT_PARAMETERS, "peak_displacement_m"):
         if name not in names:
             raise DataError(f"{tables[0]}: no column {name}; there are {', '.join(names)}")

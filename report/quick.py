@@ -8,14 +8,14 @@ from .data_files import read_any_json
 from .errors import DataError, run_main
 from .figures import building_on_bearings, geometry, response_panels, study
 from .figures import fleet as figure_fleet
+from .files import require_folder
 from .run_folder import load_run
 
 STUDIES = {"geometry": geometry, "study": study}
 
 
 def draw(kind: str, folder: str) -> str:
-    if not os.path.isdir(folder):
-        raise DataError(f"{folder} is not a folder" if os.path.exists(folder) else f"{folder} does not exist")
+    require_folder(folder)
     run = load_run(folder)
     if not run.has("time", "displacement_x", "displacement_y"):
         raise DataError(f"{folder} holds no displacements to draw")

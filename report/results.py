@@ -15,6 +15,7 @@ from . import curves
 from .curves import ImpactCurve
 from .data_files import read_json
 from .errors import DataError
+from .files import require_folder
 from .run_folder import Run, is_run_folder, load_run
 from .shapes import CALIBRATION, CURVES, MAIN, ShapeError
 
@@ -102,8 +103,7 @@ class Results:
 
 def load_results(folder: str) -> Results:
     """Throws DataError when the folder holds nothing that can be reported."""
-    if not os.path.isdir(folder):
-        raise DataError(f"{folder} is not a folder" if os.path.exists(folder) else f"{folder} does not exist")
+    require_folder(folder)
     if is_run_folder(folder):
         return single_run(folder)
     results = Results(folder)

@@ -11,19 +11,23 @@ from .run_folder import Run
 def instants(run: Run) -> list[tuple[str, float | None]]:
     """(VTU file, its time or None) of what fields.pvd lists, in its order: other files in the folder are another run's.
     Without fields.pvd every file there is, by its number."""
-    if not os.path.isfile(os.path.join(run.folder, "fields.pvd")):
+    listed = _listed(run)
+    if listed is None:
         files = glob.glob(os.path.join(glob.escape(run.folder), "fields", "*.vtu"))
         return [(file, None) for file in sorted(files, key=lambda file: [int(n) for n in re.findall(r"\d+", os.path.basename(file))])]
-    return [(file, time) for file, time in _listed(run) if os.path.isfile(file)]
+    return [(file, time) for file, time in listed if os.path.isfile(file)]
 
 
 def absent(run: Run) -> list[str]:
     """Files that fields.pvd lists and that are not there."""
-    return [file for file, _ in _listed(run) if not os.path.isfile(file)] if os.path.isfile(os.path.join(run.folder, "fields.pvd")) else []
+    return [file for file, _ in _listed(run) or [] if not os.path.isfile(file)]
 
 
-def _listed(run: Run) -> list[tuple[str, float]]:
+def _listed(run: Run) -> list[tuple[str, float]] | None:
+    """None: there is no fields.pvd."""
     path = os.path.join(run.folder, "fields.pvd")
+    if not os.path.isfile(path):
+        return None
     try:
         listed = tree.parse(path).getroot().iter("DataSet")
         return [(os.path.join(run.folder, item.get("file", "")), float(item.get("timestep", ""))) for item in listed]

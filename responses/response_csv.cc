@@ -146,9 +146,9 @@ Response parse_csv(const std::string &text, const std::string &path) {
     if (!response.has(target_of(needed, path).signal))
       throw DataError(
           fmt::format("{}: the column {} is missing; the header names {}", path, needed, fmt::join(headers, ", ")));
-  for (const char *other : {"displacement_y", "force_y"})
-    if (!response.has(other)) response.series(other).assign(response.size(), 0.0);
-  if (response.has("impact_x") && !response.has("impact_y")) response.series("impact_y").assign(response.size(), 0.0);
+  for (const std::string signal : {"displacement", "force", "impact"})
+    if (response.has(signal + "_x") && !response.has(signal + "_y"))
+      response.series(signal + "_y").assign(response.size(), 0.0);
   return response;
 }
 

@@ -2,6 +2,7 @@
 
 #include "files/key_list.h"
 #include "files/text.h"
+#include "files/value_differences.h"
 #include "scene/keys.h"
 #include "scene/scene.h"
 #include <cstdint>
@@ -61,17 +62,9 @@ std::string rim_values(const Bearing &bearing) {
 }
 
 std::string rim_differences(const std::string &a, const std::string &b) {
-  const auto in_a = by_key(a), in_b = by_key(b);
-  auto all = in_a;
-  all.insert(in_b.begin(), in_b.end());
-  const auto of = [](const auto &values, const std::string &key) {
-    const auto found = values.find(key);
-    return found == values.end() ? "-" : found->second;
-  };
   std::string text;
-  for (const auto &[key, value] : all)
-    if (of(in_a, key) != of(in_b, key))
-      text += fmt::format("{}{} {} and {}", text.empty() ? "" : ", ", key, of(in_a, key), of(in_b, key));
+  for (const auto &[key, there, here] : value_differences(by_key(a), by_key(b)))
+    text += fmt::format("{}{} {} and {}", text.empty() ? "" : ", ", key, there, here);
   return text;
 }
 

@@ -139,15 +139,15 @@ const json &answer_of(const json &calibration) {
   return answer;
 }
 
+void require_within(const char *option, double value, double least, double most, const char *unit) {
+  if (!(value >= least && value <= most))
+    throw InputError(fmt::format("{} {:g} must be >= {:g} and <= {:g} {}", option, value, least, most, unit));
+}
+
 /// One of mass and dead load makes the other: W = m g.
 void set_load(ExportedRim &rim, const json &answer, const ExportChoice &choice) {
-  const auto require = [](const std::optional<double> &given, double unit, double least, double most,
-                          const char *what) {
-    if (given && !(*given / unit >= least && *given / unit <= most))
-      throw InputError(fmt::format(fmt::runtime(what), *given / unit, least, most));
-  };
-  require(choice.mass, 1, 1, 1e9, "--mass {:g} must be >= {:g} and <= {:g} kg");
-  require(choice.vertical, 1e3, 0.01, 1e7, "--load {:g} must be >= {:g} and <= {:g} kN");
+  if (choice.mass) require_within("--mass", *choice.mass, 1, 1e9, "kg");
+  if (choice.vertical) require_within("--load", *choice.vertical / 1e3, 0.01, 1e7, "kN");
   rim.gravity = positive_at(answer, "gravity_m_per_s2", "answer");
   rim.mass = choice.mass ? *choice.mass : choice.vertical ? *choice.vertical / rim.gravity : rim.fitted_mass;
   rim.vertical = choice.vertical ? *choice.vertical

@@ -170,6 +170,7 @@ reduced::RimCurveFile push_rim_curve(const scene::Scene &scene, const CurveOrder
   result.held = pushed(scene.model.mesh, true, works);
   result.bearing = scene.bearing.name;
   result.rim_identity = scene::rim_identity(scene.bearing);
+  result.rim_values = scene::rim_values(scene.bearing);
   result.made_by = build_version();
   result.errors.left_out_rebound =
       std::max(laws::RimCurve(result.dish).left_out_rebound(), laws::RimCurve(result.held).left_out_rebound());

@@ -46,11 +46,10 @@ def _frontiers(context: Context, section: Section) -> None:
     if reference is None or not context.calibration.published_applies:  # the studies are of the thesis's bearing
         return
     for scene, study in stored_studies.of_all_rungs(reference.get("bearing", "name")).items():
-        by_processor = any(row.get("processor_time_s") for row in study["rows"])
-        rows = [[row["name"], duration(row.get("processor_time_s") or row["wall_time_s"]), integer(row["n_dofs"] or None), scaled(row["peak_impact_force_N"], 1e-3),
+        rows = [[row["name"], duration(stored_studies.cost_of(row)), integer(row["n_dofs"] or None), scaled(row["peak_impact_force_N"], 1e-3),
                  *(("reference", "") if row["reference"] else (percent(row[key], 2, signed=False) for key in ("error", "nrmse_force")))]
                 for row in study["rows"]]
-        section.add(table(["run", "processor time" if by_processor else "wall time", "unknowns", "peak kN", "its error", "force history (RMS)"], rows,
+        section.add(table(["run", stored_studies.cost_name(study["rows"]), "unknowns", "peak kN", "its error", "force history (RMS)"], rows,
                           caption=f"Every rung on {scene}, which touches at {study['scene']['approach_speed_m_s']:.2f} m/s, a study kept with the program: "
                                   "times of the machine it was made on; errors against the whole bearing deformable."))
         section.add(context.pictures.figure(f"speed-rungs-{scene}", f"Speed against error on {scene}.", figure_study.draw, study))
