@@ -35,7 +35,8 @@ TABLES = {
         ("tests/benchmarks/peers/rim_calculix/push.txt", "Push of the rim against CalculiX", "ctest -L slow -R rim_push"),
         ("tests/benchmarks/peers/rim_calculix/window.txt", "An elastic window against CalculiX", "ctest -L slow -R rim_window_calculix")]),
     "runs": ("Whole runs: work and time", [
-        ("tests/benchmarks/runs.txt", "Two builds beside one another", "tests/benchmarks/runs.py RIMPACT --against RIMPACT_BEFORE --rows NAME,... --write FILE")]),
+        ("tests/benchmarks/runs.txt", "Two builds beside one another", "tests/benchmarks/runs.py RIMPACT --against RIMPACT_BEFORE --rows NAME,... --write FILE"),
+        ("tests/benchmarks/work.txt", "One Newton iteration by mesh and by ranks, counted", "tests/benchmarks/work.py build/release/bin/bench_work --meshes 0,1,2,3 --ranks 1,2,3,4 --shared-meshes 0,1,2 --write FILE")]),
     "law-against-solids": ("The law against the solids", [
         ("tests/verification/law_against_curves.txt", "Curves of rung rigid-dish and the law fitted to them", "tests/verification/law_against_curves.py build/release/bin/rimpact")]),
     "reduced": ("Reduced models and buildings", [
@@ -49,7 +50,8 @@ TABLES = {
 # What a page's tables do not say themselves.
 REMARKS = {
     "runs": "Left of the bar the later build, right of it the one before rungs became values (commit a9d76de), whose summaries hold no counts of GMRES and factors. Each row's two runs follow one another on one "
-            "core, one rank, one thread; seconds are of processor time, beside other work on the other core. Errors are of the later build against the earlier one.",
+            "core, one rank, one thread; seconds are of processor time, beside other work on the other core. Errors are of the later build against the earlier one. `runs.py RIMPACT --list` names all rows, up to a bidirectional pulse and Sylmar; `time ./run main` is the main job, and the push against CalculiX "
+            "stands among [the peers](refinement.md).",
     "refinement": "Seconds are of a machine of two cores, an AMD EPYC at 2.6 GHz, beside other work: a hint. Why peers are compared on the same mesh: "
                   "[decision 17](../decisions/0017-peers-on-the-same-mesh.md).",
     "law-against-solids": "The runs are kept in `data/references/`; the law has the numbers of `elastoplastic.json` there, fitted to all but the bidirectional pulse. Windows start at the rim, "

@@ -145,7 +145,7 @@ PreloadReport preload(ContactSystem &system, SystemState &state, const Eigen::Ve
     if (!step.converged) return {.reason = step.reason};
     springs = terms.stabilisation;
     report.stabilisation_share = system.stabilisation_share();
-    return {.accepted = true, .last = report.stabilisation_share < share};
+    return {.accepted = true, .reason = {}, .last = report.stabilisation_share < share};
   };
   const MarchReport weakened =
       march(-1, most_decades, {.first = 1, .smallest = 1.0 / 16, .largest = 1, .growth = 2}, weaken);

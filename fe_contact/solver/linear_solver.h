@@ -24,6 +24,8 @@ public:
   Eigen::VectorXd solve_anew(const Eigen::VectorXd &right_side, double relative, int max_iterations);
   /// GMRES's for the last right side: 0 where no factor was at hand.
   int last_iterations() const { return last_iterations_; }
+  /// Of the factor at hand; nil where there is none.
+  FactorWork factor_work() const { return factorised_ ? factor_->work() : FactorWork{}; }
   /// Forgets the factor, as a new solver has none; what was found out about the pattern stays.
   void forget();
   /// The factor took GMRES many iterations when last used with a new right side of Newton's: it is to be renewed.

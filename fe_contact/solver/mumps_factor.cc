@@ -72,6 +72,12 @@ public:
     if (by_all_ranks_) MPI_Bcast(x.data(), static_cast<int>(x.size()), MPI_DOUBLE, 0, MPI_COMM_WORLD);
   }
 
+  FactorWork work() const override {
+    constexpr double millions = 1e6; // MUMPS counts in them where a number is negative
+    const double entries = data_.info[26];
+    return {data_.rinfo[2], entries < 0 ? -millions * entries : entries, static_cast<double>(rows_.size())};
+  }
+
 private:
   /// One rank alone hands in all entries at once, which spares MUMPS a tenth of its work; else each its own.
   void hand_in() {

@@ -14,6 +14,11 @@ struct MatrixPattern {
   std::vector<int> rows, columns;
 };
 
+/// What this rank has of a factor: floating-point operations, entries it keeps, and entries of the matrix it hands in.
+struct FactorWork {
+  double operations = 0, entries = 0, handed_in = 0;
+};
+
 class MumpsFactor {
 public:
   virtual ~MumpsFactor() = default;
@@ -21,6 +26,7 @@ public:
   virtual bool factorise(const double *values) = 0;
   /// The right side, whole on each rank, becomes the solution. Only after factorise() succeeded.
   virtual void solve(std::vector<double> &x) = 0;
+  virtual FactorWork work() const = 0; ///< of the last factorise()
 };
 
 enum class Precision { single_, double_ };

@@ -4,7 +4,7 @@
     runs.py RIMPACT [--rows NAME,...] [--against RIMPACT_BEFORE] [--work FOLDER] [--write FILE] [--list]
 
 Counts (Newton's iterations, GMRES's, factorisations) are the same on every machine; seconds are of processor time and this machine's.
-With --against each row is run by both programs, one after the other: ratios of one session, errors of the first against the second.
+Rows of Sylmar read the records of RIMPACT_RECORDS. With --against each row is run by both programs, one after the other: ratios of one session, errors of the first against the second.
 --write keeps the table.
 """
 import argparse
@@ -34,6 +34,8 @@ ROWS = {
     "pulse-rigid-dish": [*PULSE, "--rung", "rigid-dish"],
     "pulse-full": [*PULSE, "--rung", "full"],
     "pulse-bidirectional": ["pulse-bidirectional", "--rung", "rigid-dish"],
+    "pulse-bidirectional-1.1": ["pulse-bidirectional", "--rung", "rigid-dish", "--set", "excitation.scale=1.1"],
+    "sylmar-rigid-dish": ["sylmar-bidirectional", "--rung", "rigid-dish", "--set", "excitation.scale=0.9"],
     "rim-push": ["rim-push", "--rung", "rim"],
     "rim-push-mesh-2": ["rim-push", "--rung", "rim", "--mesh", "2"],
     **{f"window-rim-mesh-{mesh}": ["impact-window", "--rung", "rim", "--set", "excitation.speed_m_per_s=0.5", "--mesh", str(mesh)] for mesh in range(4)},
