@@ -91,7 +91,8 @@ void require_free_flight(const ComparedRun &item) {
 
 ComparedRun read_compared(const std::string &path) {
   namespace fs = std::filesystem;
-  ComparedRun item{.path = path, .scene = {}, .response = {}};
+  ComparedRun item;
+  item.path = path;
   if (calibration::is_mapping(path)) {
     auto run = calibration::read_measured(path, {});
     item.scene = scene::to_toml(run.scene);

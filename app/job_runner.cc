@@ -49,16 +49,8 @@ KeptRun kept_in(const Job &job) {
   return kept_run(job.folder, job.scene, job.reduced ? physics_version() : fe_physics());
 }
 
-/// Empty when the folder holds no run of this very scene, with the same files, by the
-/// same program.
-std::optional<RunStatus> status_of(const Job &job) {
-  const auto kept = kept_in(job);
-  return kept.is_current() ? kept.status : std::nullopt;
-}
-
 /// Why what the folder holds is not kept, a sentence; empty: there is nothing, or it is kept.
-std::string out_of_date(const Job &job) {
-  const auto kept = kept_in(job);
+std::string out_of_date(const KeptRun &kept) {
   if (!kept.any || kept.is_current()) return {};
   return kept.other_scene.empty() ? kept.changed : "the scene there is another: " + kept.other_scene;
 }
@@ -100,7 +92,8 @@ void require_done(const std::vector<Job> &jobs) {
 }
 
 bool is_done(const Job &job) {
-  return status_of(job) == RunStatus::done;
+  const auto kept = kept_in(job);
+  return kept.is_current() && kept.status == RunStatus::done;
 }
 
 nlohmann::json summary_of(const std::string &folder) {
@@ -145,39 +138,61 @@ void JobRunner::run() {
 
 void JobRunner::start_next() {
   Job &job = jobs_[next_++];
-  const std::string scene_file = beside_runs(job, ".toml"), log = beside_runs(job, ".log");
-  const auto status = status_of(job);
-  if (status == RunStatus::done) {
+  if (is_done(job)) {
     job.done = job.reused = true;
     time_of(job).state = RunTime::State::out;
     ++finished_;
     console_.message(job.name + ": already done, kept");
     return;
   }
-  write_atomically(scene::to_toml(job.scene), scene_file);
-  Launch launch{.command = {program_, "run", scene_file, "-o", job.folder, "--quiet"}, .output = log, .errors = log};
+  write_atomically(scene::to_toml(job.scene), beside_runs(job, ".toml"));
+  const KeptRun kept = kept_in(job);
+  const bool has_checkpoint = std::filesystem::exists(job.folder + "/checkpoint.h5");
+  if (kept.killed && kept.other_scene.empty()) {
+    console_.message(job.name + ": was killed, goes on from its checkpoint");
+    launch(job, {"--resume"}, true);
+  } else if (const auto why = out_of_date(kept); !why.empty())
+    start_anew(job, why);
+  else if (kept.status == RunStatus::interrupted && has_checkpoint)
+    launch(job, {"--resume"});
+  else
+    launch(job, {});
+}
+
+void JobRunner::start_anew(Job &job, const std::string &why) {
+  console_.message(job.name + ": run again, because " + why);
+  launch(job, {"--force"});
+}
+
+void JobRunner::launch(Job &job, const std::vector<std::string> &words, bool picked_up) {
+  const std::string log = beside_runs(job, ".log");
+  Launch launch{.command = {program_, "run", beside_runs(job, ".toml"), "-o", job.folder, "--quiet"},
+                .output = log,
+                .errors = log};
+  launch.command.insert(launch.command.end(), words.begin(), words.end());
   launch.apart = true;
-  if (const auto why = out_of_date(job); !why.empty()) {
-    console_.message(job.name + ": run again, because " + why);
-    launch.command.push_back("--force");
-  }
-  if (status == RunStatus::interrupted && std::filesystem::exists(job.folder + "/checkpoint.h5"))
-    launch.command.push_back("--resume");
   if (at_once_ > 1) launch.environment = {"OPENBLAS_NUM_THREADS=1", "OMP_NUM_THREADS=1", "RIMPACT_THREADS=1"};
-  children_.push_back({start(launch), &job});
+  children_.push_back({start(launch), &job, picked_up});
   time_of(job).state = RunTime::State::running;
 }
 
 void JobRunner::collect() {
-  for (auto child = children_.begin(); child != children_.end();) {
-    const int code = poll(child->process, false);
+  for (std::size_t k = 0; k < children_.size();) {
+    const int code = poll(children_[k].process, false);
     if (code < 0) {
-      ++child;
+      ++k;
       continue;
     }
-    time_of(*child->job).spent = std::chrono::duration<double>(Clock::now() - child->begin).count();
-    finish(*child->job, code);
-    child = children_.erase(child);
+    const Child child = children_[k];
+    children_.erase(children_.begin() + k);
+    if (child.picked_up && code == static_cast<int>(ExitCode::data)) {
+      line_.finish();
+      const std::string why = failure_of(*child.job, code);
+      start_anew(*child.job, why.substr(0, why.find("; run without --resume")));
+      continue;
+    }
+    time_of(*child.job).spent = std::chrono::duration<double>(Clock::now() - child.begin).count();
+    finish(*child.job, code);
   }
 }
 

@@ -15,9 +15,9 @@ public:
   JobRunner(std::vector<Job> &jobs, Console &console, std::size_t at_once = 0);
 
   /// One thread each where several run at once. Each run's scene and log go to DIR/logs, DIR/runs holds run folders
-  /// only. Jobs done with the same scene are kept, interrupted ones go on from their checkpoint, a failing one does not
-  /// lose the others (its sentence is in Job::failure). On Ctrl-C the children are told, write their checkpoints, and
-  /// an Error of exit code 130 is thrown.
+  /// only. Jobs done with the same scene are kept, interrupted and killed ones go on from their checkpoint. A failing
+  /// one does not lose the others; its sentence is in Job::failure. On Ctrl-C the children are told, write their
+  /// checkpoints, and an Error of exit code 130 is thrown.
   void run();
 
   double expected_seconds() const { return time_to_go(times_, at_once_); } ///< of what is left
@@ -27,9 +27,12 @@ private:
   struct Child {
     pid_t process;
     Job *job;
+    bool picked_up = false; ///< a run that was killed: its checkpoint may be refused
     Clock::time_point begin = Clock::now();
   };
   void start_next();
+  void start_anew(Job &job, const std::string &why);
+  void launch(Job &job, const std::vector<std::string> &words, bool picked_up = false);
   void collect();
   void finish(Job &job, int code);
   RunTime &time_of(const Job &job) { return times_[&job - jobs_.data()]; }

@@ -139,6 +139,7 @@ KeptRun kept_run(const std::string &folder, const scene::Scene &scene, const std
   kept.other_name = kept.other_scene.starts_with("name is ");
   const auto identity = identity_from(summary.value("identity", nlohmann::json()));
   kept.same_program = identity && identity->build == program;
+  kept.killed = is_there(in / "checkpoint.h5") && !is_there(in / "summary.json");
   if (!is_there(in / "summary.json"))
     kept.changed = "it was not finished";
   else if (!identity)

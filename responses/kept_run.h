@@ -11,6 +11,7 @@ struct KeptRun {
   bool any = false; ///< there is a result or a checkpoint
   bool finite_elements = false;
   std::optional<RunStatus> status; ///< whatever the run was of; empty: none that can be read
+  bool killed = false;             ///< it has a checkpoint and no summary
   bool other_name = false;         ///< its scene has another name: it is not the same one edited
   std::string other_scene; ///< keys in which its scene differs, as scene_differences says them; empty: the same scene
   std::string

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 """Stands in for rimpact-fe in the tests of `main`: the reduced model with a pair the test knows, in no time. Of the
 finite elements it says nothing. Environment: STAND_IN_FAIL (a run's name that stops, or *), STAND_IN_SLEEP (seconds a run takes),
-STAND_IN_LOG (a file that lists the command lines), STAND_IN_TRACE (a file that lists begins and ends), STAND_IN_DOUBT
+STAND_IN_REFUSE (set: no checkpoint is taken), STAND_IN_LOG (a file that lists the command lines), STAND_IN_TRACE (a file that lists begins and ends), STAND_IN_DOUBT
 (a run's name whose summary warns)."""
 import json
 import os
@@ -32,6 +32,9 @@ def run(arguments: list[str]) -> int:
     if "STAND_IN_LOG" in os.environ:
         with open(os.environ["STAND_IN_LOG"], "a") as log:
             log.write(" ".join(arguments) + "\n")
+    if "--resume" in arguments and "STAND_IN_REFUSE" in os.environ:
+        print(f"error: {folder}/checkpoint.h5 belongs to another run: the test says so; run without --resume to start afresh", file=sys.stderr)
+        return 3
     trace("begin")
     time.sleep(float(os.environ.get("STAND_IN_SLEEP", "0")))
     trace("end")

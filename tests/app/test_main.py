@@ -81,6 +81,27 @@ class Main(unittest.TestCase):
         self.assertIn("--resume", self.calls()[0])
         self.assertIn("report: " + self.folder, run.stdout)
 
+    def kill(self, name):
+        """Leaves what a run has that was killed in its course."""
+        run_folder = os.path.join(self.folder, "runs", name)
+        for file in ("summary.json", "response.h5"):
+            os.remove(os.path.join(run_folder, file))
+        with open(os.path.join(run_folder, "checkpoint.h5"), "w"):
+            pass
+
+    def test_a_killed_run_goes_on_or_where_its_checkpoint_is_refused_begins_anew(self):
+        shutil.copytree(self.done, self.folder)
+        self.kill("window-0.20")
+        run = self.main()
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("window-0.20: was killed, goes on from its checkpoint", run.stderr)
+        self.assertEqual([call.split()[-1] for call in self.calls()], ["--resume"])
+        self.kill("window-0.20")
+        run = self.main(STAND_IN_REFUSE="1")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertIn("checkpoint.h5 belongs to another run: the test says so\n", run.stderr)
+        self.assertEqual([call.split()[-1] for call in self.calls()], ["--resume", "--resume", "--force"])
+
     def test_another_bearing_runs_afresh_and_total_failure_is_said(self):
         shutil.copytree(self.done, self.folder)
         refused = self.main("fps-225", "--quiet")
