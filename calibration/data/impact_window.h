@@ -31,8 +31,9 @@ struct WindowOptions {
   bool measured = false;      ///< a record with noise, cut by measured_cutter.h; false: zero force means no contact
   double force_threshold = 0; ///< share of the peak below which no contact is looked for (measured); 0..0.5
   double stated_speed_error =
-      0.01;                ///< share of a window's stated speed, used where a record begins at touch (measured); > 0
-  int minimum_samples = 8; ///< with rim force, below which an impact is not fitted; >= 4
+      0.01; ///< share of a window's stated speed, used where a record begins at touch (measured); > 0
+  double stated_clock_error = 0;   ///< of force against displacement [s] (measured); >= 0
+  int minimum_samples = 8;         ///< with rim force, below which an impact is not fitted; >= 4
   double grazing_overshoot = 0.01; ///< share of L_c; see ImpactWindow::grazing; >= 0
   void validate() const;           ///< throws InputError naming option, value and bound
 };

@@ -1,4 +1,5 @@
 #include "calibration/data/measured_cutter.h"
+#include "calibration/data/channel_lag.h"
 #include "calibration/data/functionals.h"
 #include "calibration/data/measured_history.h"
 #include "calibration/data/measured_record.h"
@@ -31,6 +32,7 @@ private:
   void find_rebound(ImpactWindow &w, std::size_t index, const ShotStart &start) const;
   void doubt_impulse(const ImpactWindow &w, const Contact &contact);
   void doubt_place(const ShotStart &start, const Contact &contact);
+  void doubt_clocks(const ImpactWindow &w, std::size_t index);
 
   StoredRun &run_;
   const MeasuredRecord &record_;
@@ -82,6 +84,7 @@ std::optional<ImpactWindow> MeasuredCutter::cut(std::size_t index, std::string &
   judge_grazing(w, run_, model_, options_);
   doubt_impulse(w, contact);
   if (index == 0) doubt_place(*start, contact);
+  doubt_clocks(w, index);
   run_.summary.impacts[index] = w.impact;
   return w;
 }
@@ -169,6 +172,20 @@ void MeasuredCutter::doubt_place(const ShotStart &start, const Contact &contact)
                              contact.touch_time, 1e3 * start.touch, 1e3 * std::abs(off), off > 0 ? "beyond" : "before",
                              1e3 * L_c,
                              doubted ? ": is the displacement's zero right?" : ", which a stiffness feels;"));
+}
+
+/// A force that comes late looks like a rim that begins late: the law fitted to it is too soft.
+void MeasuredCutter::doubt_clocks(const ImpactWindow &w, std::size_t index) {
+  constexpr double share = 0.02; // of the contact's time: far below what a stiffness feels
+  const Contact &contact = record_.contacts()[index];
+  const auto found = channel_lag(record_, times_, index, w.direction);
+  if (w.grazing || !found) return;
+  const double unsure = found->unsure + 2 * options_.stated_clock_error;
+  if (std::abs(found->lag) <= share * (contact.release_time - contact.touch_time) + unsure) return;
+  run_.doubts.push_back(fmt::format(
+      "at {:.4f} s the force comes {:.2g} ms {} the motion that it causes (+- {:.2g} ms): do the channels have one "
+      "clock and one filter? Shift the column, or state it by [uncertainty] time_ms",
+      contact.touch_time, 1e3 * std::abs(found->lag), found->lag > 0 ? "after" : "before", 1e3 * unsure));
 }
 
 /// As far as the samples of contact tell; its speeds and peak are filled in by the cutter.

@@ -73,7 +73,10 @@ StoredRun read_measured(const std::string &path, const WindowOptions &options) {
   require_clock(response, scene, table);
   WindowOptions own = options;
   own.measured = true;
-  if (mapping.uncertainty) own.stated_speed_error = mapping.uncertainty->speed;
+  if (mapping.uncertainty) {
+    own.stated_speed_error = mapping.uncertainty->speed;
+    own.stated_clock_error = mapping.uncertainty->time;
+  }
   own.force_threshold = std::max(own.force_threshold, mapping.force_noise);
   StoredRun run = make_run(path, scene, std::move(response), own);
   run.uncertainty = mapping.uncertainty;

@@ -132,6 +132,48 @@ TEST(MeasuredNoise, ARecordThatBeginsAtTouchTakesTheStatedSpeedOrAsksForMore) {
   EXPECT_NE(asked.notes.front().find("let it begin earlier"), std::string::npos);
 }
 
+/// Impacts whose force is doubted for coming at another time than the motion.
+int doubts_of_clocks(const StoredRun &run) {
+  return static_cast<int>(std::count_if(run.doubts.begin(), run.doubts.end(), [](const std::string &doubt) {
+    return doubt.find("do the channels have one clock") != std::string::npos;
+  }));
+}
+
+/// The record with its force `late` samples behind.
+StoredRun with_lag(const StoredRun &run, int late) {
+  Response r = run.response;
+  auto &force = r.series("impact_x");
+  const std::vector<double> before = force;
+  const int n = static_cast<int>(force.size());
+  for (int i = 0; i < n; ++i) force[i] = before[std::clamp(i - late, 0, n - 1)];
+  r.series("force_x") = force;
+  return make_run(run.folder, run.scene, std::move(r), {.measured = true});
+}
+
+TEST(MeasuredNoise, ChannelsWithTwoClocksAreDoubtedAndOneClockIsNot) {
+  for (const double speed : {0.2, 0.4, 0.6})
+    for (unsigned seed = 1; seed <= 6; ++seed)
+      for (const auto &with : {Instruments{.rate = 1000, .before = 0.03, .after = 0.03},
+                               {.rate = 5000, .displacement = 0.02e-3, .force = 0.01, .before = 0.03, .after = 0.03}}) {
+        const StoredRun run = measured(window(speed), with, seed);
+        const int samples = static_cast<int>(0.002 * with.rate);
+        EXPECT_EQ(doubts_of_clocks(run), 0) << speed << ' ' << seed << ' ' << with.rate;
+        for (const int late : {-samples, samples})
+          EXPECT_EQ(doubts_of_clocks(with_lag(run, late)), 1)
+              << speed << ' ' << seed << ' ' << with.rate << ' ' << late;
+      }
+}
+
+/// Under weight, friction and a moving ground, whose accelerations the flights show.
+TEST(MeasuredNoise, ClocksOfAPulseAreJudgedToo) {
+  const auto scene = scene::load_scene("ricker-0.78g-1.0s", {"excitation.scale=1.05"});
+  const Instruments with{.rate = 5000, .displacement = 0.02e-3, .force = 0.01, .before = 0.05, .after = 0.05};
+  const StoredRun run = measured(scene, with, 1);
+  ASSERT_GE(run.impacts.size(), 1u);
+  EXPECT_EQ(doubts_of_clocks(run), 0);
+  EXPECT_GE(doubts_of_clocks(with_lag(run, 10)), 1);
+}
+
 TEST(MeasuredNoise, AGainThatIsOffIsSaidAndStatedOneIsInTheInterval) {
   const auto scene = window(0.3);
   auto motion = reduced::simulate(scene).response;
