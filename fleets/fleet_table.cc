@@ -1,5 +1,6 @@
 #include "fleets/fleet_table.h"
 #include "files/error.h"
+#include "responses/open_impact.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -51,7 +52,7 @@ Row row_of(const Summary &s) {
   if (!s.impacts.empty()) {
     add(row, "first_touch_s", s.impacts.front().touch_time);
     add(row, "first_approach_speed_m_s", s.impacts.front().approach_speed);
-    add(row, "first_rebound_speed_m_s", s.impacts.front().rebound_speed);
+    if (!is_open(s.impacts.front())) add(row, "first_rebound_speed_m_s", s.impacts.front().rebound_speed);
   }
   add(row, "residual_displacement_m", s.residual_displacement);
   add(row, "peak_vertical_displacement_m", s.peak_vertical_displacement);

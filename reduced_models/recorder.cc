@@ -162,7 +162,7 @@ void Recorder::store(const Mode &mode, double t, const State &y, double apart) {
 
 void Recorder::end(const Mode &mode, double t, const State &y) {
   store(mode, t, y);
-  if (peaks_.in_impact()) peaks_.close_impact(t, y);
+  peaks_.end(t, y, last_.rim_force);
   final_ = y, final_time_ = t, final_mode_.support = mode.support;
 }
 

@@ -1,5 +1,6 @@
 #include "reduced_models/run_peaks.h"
 #include "reduced_models/inner_maximum.h"
+#include "responses/open_impact.h"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -55,16 +56,20 @@ void RunPeaks::open_impact(double t, const State &y) {
   in_impact_ = true;
   const double r = std::hypot(y[iX], y[iY]);
   Impact impact{};
-  impact.touch_time = t, impact.release_time = -1; // before its touch: not released yet
+  impact.touch_time = t;
   impact.direction_deg = std::atan2(y[iY], y[iX]) * 180 / std::numbers::pi;
   impact.approach_speed = (y[iX] * y[iVX] + y[iY] * y[iVY]) / r;
-  impacts_.push_back(impact);
+  impacts_.push_back(left_open(impact));
 }
 
 void RunPeaks::close_impact(double t, const State &y) {
   in_impact_ = false;
   impacts_.back().release_time = t;
   impacts_.back().rebound_speed = -(y[iX] * y[iVX] + y[iY] * y[iVY]) / std::hypot(y[iX], y[iY]);
+}
+
+void RunPeaks::end(double t, const State &y, double rim_force) {
+  if (in_impact_ && !still_bears(rim_force, impacts_.back().peak_force)) close_impact(t, y);
 }
 
 void RunPeaks::summarise(Summary &summary) const {

@@ -16,7 +16,8 @@ public:
               const Evaluation &mid, const Evaluation &e1);
   void open_impact(double t, const State &y);
   void close_impact(double t, const State &y);
-  bool in_impact() const { return in_impact_; }
+  /// The run ends: an impact that is not let go has no rebound.
+  void end(double t, const State &y, double rim_force);
 
   double smallest_gap() const { return smallest_gap_; }
   void summarise(Summary &summary) const;

@@ -10,6 +10,9 @@ Impact left_open(Impact impact);
 /// Whether it was never released.
 bool is_open(const Impact &impact);
 
+/// Whether so much of an impact's force is left that its rebound is not known yet [N].
+bool still_bears(double force, double peak);
+
 /// Of a run that ended while the rim was pressed: its last impact has no release (summary.json: null), and is added
 /// where the run's own list does not hold it yet. Nothing changes where the last sample bears no rim force.
 void leave_last_impact_open(const Response &response, Summary &summary);

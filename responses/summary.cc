@@ -1,4 +1,5 @@
 #include "responses/summary.h"
+#include "responses/open_impact.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -167,8 +168,7 @@ std::optional<std::string> doubt_of_rebound(const Response &response, const std:
   if (impacts.empty() || response.size() == 0 || !response.has("impact_x")) return {};
   const double force = std::hypot(response.series("impact_x").back(), response.series("impact_y").back());
   const double peak = impacts.back().peak_force;
-  constexpr double gone = 0.01; // of the peak: what is left changes the speed by less than a thousandth
-  if (!(force > gone * peak)) return {};
+  if (!still_bears(force, peak)) return {};
   return fmt::format("the scene ends while the rim still bears {:.0f} kN ({:.0f} % of the impact's peak): rebound "
                      "speed and restitution of this impact are not known; set a longer excitation.duration_s",
                      1e-3 * force, 100 * force / peak);

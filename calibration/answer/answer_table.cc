@@ -1,6 +1,7 @@
 #include "calibration/answer/answer_parts.h"
 #include "calibration/laws/no_tension_pair.h"
 #include "calibration/laws/percent.h"
+#include "responses/open_impact.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -34,8 +35,9 @@ AnswerRow row_of(const scene::Scene &answer, const AnswerLaw &law, double speed)
     if (impacts.empty()) continue;
     const auto &i = impacts.front();
     row.peak_force = i.peak_force, row.penetration = i.peak_penetration;
-    row.restitution = i.restitution(), row.contact_time = i.release_time - i.touch_time;
-    if (i.release_time < 0.9 * scene.excitation.duration) break;
+    row.restitution = i.restitution(),
+    row.contact_time = (is_open(i) ? scene.excitation.duration : i.release_time) - i.touch_time;
+    if (!is_open(i) && i.release_time < 0.9 * scene.excitation.duration) break;
   }
   if (const auto pair = no_tension_pair(row.peak_force, row.restitution, speed, answer.load.mass))
     row.k_i = pair->k_i, row.e = pair->e;

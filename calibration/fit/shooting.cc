@@ -1,6 +1,7 @@
 #include "calibration/fit/shooting.h"
 #include "calibration/data/series.h"
 #include "impact_laws/catalogue.h"
+#include "responses/open_impact.h"
 #include <algorithm>
 
 namespace rimpact::calibration {
@@ -35,7 +36,8 @@ Flight fly_from(const scene::Scene &scene, const ImpactWindow &window, const red
   Flight flight{run.response.series("time"), radial(run.response, "displacement", window.direction),
                 radial(run.response, "velocity", window.direction),
                 radial(run.response, "impact", window.direction, -1), 0};
-  flight.rebound_speed = impacts.empty() ? -flight.velocity.back() : impacts.front().rebound_speed;
+  flight.rebound_speed =
+      impacts.empty() || is_open(impacts.front()) ? -flight.velocity.back() : impacts.front().rebound_speed;
   return flight;
 }
 

@@ -73,7 +73,8 @@ const std::vector<GeometryAxis> &geometry_axes() {
 }
 
 void GeometryOptions::validate() const {
-  if (samples < 3) throw InputError(fmt::format("samples {} must be >= 3", samples));
+  constexpr int most = 10000; // a week of runs
+  if (samples < 3 || samples > most) throw InputError(fmt::format("samples {} must be from 3 to {}", samples, most));
   if (!(strain_limit > 0)) throw InputError(fmt::format("strain-limit {:g} must be > 0", strain_limit));
   std::vector<std::string> known;
   for (const auto &axis : geometry_axes()) known.push_back(axis.name);

@@ -20,7 +20,7 @@ struct GeometryAxis {
 const std::vector<GeometryAxis> &geometry_axes();
 
 struct GeometryOptions {
-  int samples = 24;                     ///< >= 3; the first three are the bearing itself at low, middle, high speed
+  int samples = 24;                     ///< 3..10000; the first three are the bearing itself at low, middle, high speed
   std::map<std::string, Bounds> ranges; ///< instead of the defaults, reported units
   double strain_limit = 0.20;           ///< equivalent plastic strain beyond which a rim counts as lost, > 0
   /// Throws InputError naming option, value and bound.

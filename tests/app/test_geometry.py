@@ -53,7 +53,7 @@ class Geometry(unittest.TestCase):
 
     def test_bad_words_are_refused(self):
         for words, said in ((["--shard", "3/2"], "--shard 3/2"), (["--range", "rim_height"], "NAME=LOW:HIGH"),
-                            (["--range", "rim_hight=50:70"], "did you mean"), (["--samples", "1"], "samples 1"),
+                            (["--range", "rim_hight=50:70"], "did you mean"), (["--samples", "1"], "samples 1"), (["--samples", "10001"], "from 3 to 10000"),
                             (["--range", "speed=0.5:0.1"], "LOW < HIGH"), (["--pair", "4.5e5,1.2"], "e 1.2"),
                             (["--pair", "4.5e5"], "--pair")):
             run = self.geometry(*words)

@@ -5,10 +5,12 @@
 #include "files/folder_lock.h"
 #include "fleets/fleet.h"
 #include "fleets/fleet_folder.h"
+#include "fleets/fleet_table.h"
 #include "reduced_models/physical_model.h"
 #include "responses/identity.h"
 #include <algorithm>
 #include <filesystem>
+#include <fmt/format.h>
 
 using namespace rimpact;
 using namespace rimpact::fleets;
@@ -142,6 +144,18 @@ TEST(Fleet, ARunThatFailsStandsInItsRow) {
     }
   }
   EXPECT_EQ(n_refused, 2);
+}
+
+TEST(Fleet, ARunThatEndsPressedHasNoRebound) {
+  Summary summary = reduced::simulate_summary(scene::load_scene("ricker-0.78g-1.0s", {"excitation.scale=1.05"}));
+  ASSERT_FALSE(summary.impacts.empty());
+  EXPECT_TRUE(row_of(summary).contains("first_rebound_speed_m_s"));
+  const double pressed = 0.5 * (summary.impacts[0].touch_time + summary.impacts[0].release_time);
+  summary = reduced::simulate_summary(scene::load_scene(
+      "ricker-0.78g-1.0s", {"excitation.scale=1.05", fmt::format("excitation.duration_s={}", pressed)}));
+  const Row row = row_of(summary);
+  EXPECT_TRUE(row.contains("first_approach_speed_m_s"));
+  EXPECT_FALSE(row.contains("first_rebound_speed_m_s"));
 }
 
 TEST(Fleet, RefusesTheFolderOfAnotherFleet) {
