@@ -5,19 +5,21 @@
 namespace rimpact::calibration {
 
 double GapSpring::force(double d) const {
-  const double yield = yield_force / stiffness;
-  return d < yield ? stiffness * d : yield_force + hardening * stiffness * (d - yield);
+  const double yield = yield_force / stiffness, x = std::max(0.0, d - start);
+  return x < yield ? stiffness * x : yield_force + hardening * stiffness * (x - yield);
 }
 
 double GapSpring::work(double d) const {
-  const double yield = yield_force / stiffness, beyond = d - yield;
-  return d < yield ? stiffness * d * d / 2
+  const double yield = yield_force / stiffness, x = std::max(0.0, d - start), beyond = x - yield;
+  return x < yield ? stiffness * x * x / 2
                    : yield_force * yield / 2 + beyond * (yield_force + hardening * stiffness * beyond / 2);
 }
 
-GapSpringsContact::GapSpringsContact(std::vector<GapSpring> springs)
-    : springs_(std::move(springs)), open_(springs_.size(), 0.0) {
-  for (const auto &spring : springs_) furthest_.push_back(spring.yield_force / spring.stiffness);
+GapSpringsContact::GapSpringsContact(std::vector<GapSpring> springs) : springs_(std::move(springs)) {
+  for (const auto &spring : springs_) {
+    open_.push_back(spring.start);
+    furthest_.push_back(spring.start + spring.yield_force / spring.stiffness);
+  }
 }
 
 double GapSpringsContact::force(double d, double) const {
@@ -40,7 +42,7 @@ double total_stiffness(const std::vector<GapSpring> &springs) {
 
 namespace {
 
-constexpr int n_springs = 4;
+constexpr int n_springs = 4, per_spring = 4;
 
 struct Target {
   double energy; ///< of the approaching mass [J]
@@ -60,32 +62,71 @@ double stop_of(const std::vector<GapSpring> &springs, double energy, double deep
   return (low + high) / 2;
 }
 
-std::vector<GapSpring> springs_of(const double *p) {
+/// Of each spring: log E, log of the yield displacement, log eta, start over the deepest penetration.
+std::vector<GapSpring> springs_of(const double *p, double deep) {
   std::vector<GapSpring> springs;
   for (int j = 0; j < n_springs; ++j) {
-    const double E = std::exp(p[3 * j]);
-    springs.push_back({E, E * std::exp(p[3 * j + 1]), std::exp(p[3 * j + 2])});
+    const double *q = p + per_spring * j, E = std::exp(q[0]);
+    springs.push_back({E, E * std::exp(q[1]), std::exp(q[2]), j == 0 ? 0 : deep * q[3]}); // one begins with the rim
   }
   return springs;
 }
 
-/// Peak force, rebound and penetration against the law's; one unit is 5 % of the force, 0.1 of the approach speed, 10 %
-/// of the depth.
+/// Peak force, rebound and penetration against the law's; one unit is 5 % of the force, 0.07 of the approach speed, 10
+/// % of the depth.
 struct Misfit {
   const std::vector<Target> *targets;
   bool operator()(double const *const *p, double *residuals) const {
-    const auto springs = springs_of(p[0]);
+    const auto springs = springs_of(p[0], targets->back().law.penetration);
     for (const auto &[energy, law] : *targets) {
       const double d = stop_of(springs, energy, law.penetration);
       double force = 0, returned = 0;
       for (const auto &spring : springs) force += spring.force(d), returned += spring.returned(d);
       *residuals++ = (force / law.peak_force - 1) / 0.05;
-      *residuals++ = (std::sqrt(returned / energy) - law.rebound) / 0.10;
+      *residuals++ = (std::sqrt(returned / energy) - law.rebound) / 0.07;
       *residuals++ = std::log(d / law.penetration) / 0.10;
     }
     return true;
   }
 };
+
+/// What the four are tuned to, and where they may lie.
+struct Range {
+  double k, shallow, deep; ///< the law's stiffness [N/m]; its least and deepest penetration [m]
+};
+
+/// Yield displacements `spread` over the range; springs that begin one after the other up to `late` of it.
+std::vector<double> guess(const Range &range, double spread, double late) {
+  std::vector<double> p;
+  for (int j = 0; j < n_springs; ++j) {
+    const double at = double(j) / (n_springs - 1),
+                 yield = spread * 0.1 * range.shallow * std::pow(5 * range.deep / range.shallow, at);
+    p.insert(p.end(),
+             {std::log(1.5 * range.k / n_springs),
+              std::log(std::clamp(yield, 0.011 * range.shallow, 0.99 * range.deep)), std::log(0.02), late * at});
+  }
+  return p;
+}
+
+/// The misfit it comes to from there; p becomes the best of its valley. Infinite where none was found.
+double tune(std::vector<double> &p, const Range &range, const std::vector<Target> &targets) {
+  auto *cost = new ceres::DynamicNumericDiffCostFunction<Misfit>(new Misfit{&targets});
+  cost->AddParameterBlock(per_spring * n_springs);
+  cost->SetNumResiduals(static_cast<int>(3 * targets.size()));
+  ceres::Problem problem;
+  problem.AddResidualBlock(cost, nullptr, p.data());
+  const double lower[per_spring] = {std::log(0.01 * range.k), std::log(0.01 * range.shallow), std::log(1e-4), 0},
+               upper[per_spring] = {std::log(10 * range.k), std::log(range.deep), std::log(0.98), 1};
+  for (int i = 0; i < per_spring * n_springs; ++i) {
+    problem.SetParameterLowerBound(p.data(), i, lower[i % per_spring]);
+    problem.SetParameterUpperBound(p.data(), i, upper[i % per_spring]);
+  }
+  ceres::Solver::Options options;
+  options.max_num_iterations = 200, options.logging_type = ceres::SILENT;
+  ceres::Solver::Summary summary;
+  ceres::Solve(options, &problem, &summary);
+  return summary.IsSolutionUsable() ? summary.final_cost : INFINITY;
+}
 
 } // namespace
 
@@ -96,38 +137,18 @@ std::vector<GapSpring> gap_springs(const ExportedRim &rim) {
     LawContact law(rim.element());
     targets.push_back({rim.mass * v * v / 2, fly(law, rim.mass, v, k)});
   }
-  const double shallow = targets.front().law.penetration, deep = targets.back().law.penetration;
+  const Range range{k, targets.front().law.penetration, targets.back().law.penetration};
   std::vector<double> best;
   double least = INFINITY;
-  for (const double spread : {0.3, 1.0, 3.0}) { // three starts: yield displacements crowded low, over the range, high
-    std::vector<double> p;
-    for (int j = 0; j < n_springs; ++j) {
-      const double y = spread * 0.1 * shallow * std::pow(5 * deep / shallow, double(j) / (n_springs - 1));
-      p.insert(p.end(),
-               {std::log(1.5 * k / n_springs), std::log(std::clamp(y, 0.011 * shallow, 0.99 * deep)), std::log(0.02)});
+  for (const double spread : {0.3, 1.0, 3.0})
+    for (const double late : {0.0, 0.1, 0.3}) {
+      auto p = guess(range, spread, late);
+      if (const double misfit = tune(p, range, targets); misfit < least) least = misfit, best = std::move(p);
     }
-    auto *cost = new ceres::DynamicNumericDiffCostFunction<Misfit>(new Misfit{&targets});
-    cost->AddParameterBlock(3 * n_springs);
-    cost->SetNumResiduals(static_cast<int>(3 * targets.size()));
-    ceres::Problem problem;
-    problem.AddResidualBlock(cost, nullptr, p.data());
-    for (int j = 0; j < n_springs; ++j) {
-      const double lower[] = {std::log(0.01 * k), std::log(0.01 * shallow), std::log(1e-4)},
-                   upper[] = {std::log(10 * k), std::log(deep), std::log(0.98)};
-      for (int i = 0; i < 3; ++i)
-        problem.SetParameterLowerBound(p.data(), 3 * j + i, lower[i]),
-            problem.SetParameterUpperBound(p.data(), 3 * j + i, upper[i]);
-    }
-    ceres::Solver::Options options;
-    options.max_num_iterations = 200, options.logging_type = ceres::SILENT;
-    ceres::Solver::Summary summary;
-    ceres::Solve(options, &problem, &summary);
-    if (summary.IsSolutionUsable() && summary.final_cost < least) least = summary.final_cost, best = p;
-  }
   if (best.empty()) throw std::logic_error("no springs were found for the elastoplastic law");
-  auto springs = springs_of(best.data());
+  auto springs = springs_of(best.data(), range.deep);
   std::sort(springs.begin(), springs.end(), [](const GapSpring &a, const GapSpring &b) {
-    return a.yield_force / a.stiffness < b.yield_force / b.stiffness;
+    return a.start + a.yield_force / a.stiffness < b.start + b.yield_force / b.stiffness;
   });
   return springs;
 }

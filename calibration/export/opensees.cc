@@ -51,6 +51,8 @@ std::string rim_variables(const Language &in, const ExportedRim &rim, const Open
     line("rim_yield_force", in.list(column(r.springs, [](auto &s) { return s.yield_force; })), "N");
     line("rim_hardening", in.list(column(r.springs, [](auto &s) { return s.hardening; })),
          "slope beyond yield over rim_stiffness");
+    line("rim_begins", in.list(column(r.springs, [&](auto &s) { return rim.lateral_capacity + s.start; })),
+         "m, travel at which each spring begins");
   }
   for (const auto &[name, value, what] : r.material.numbers) line(name, exact(value), what);
   if (rim.law().of_mass) line("restitution", exact(rim.settings.restitution), "e, from which c_i is made");

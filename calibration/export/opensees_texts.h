@@ -4,12 +4,12 @@
 namespace rimpact::calibration {
 
 inline constexpr const char *tcl_springs_elastoplastic = R"(
-# Makes the rim's material `tag` of parts tag+1 ...; `sign` -1: a gap that closes in compression, +1: one that opens to
-# `gap` in tension; forces per unit of strain times `length`.
-proc rim_material {tag sign gap length damage} {
+# Makes the rim's material `tag` of parts tag+1 ...; `sign` -1: gaps that close in compression, +1: those that open in
+# tension; `gaps`: the strain at which each part begins; forces per unit of strain times `length`.
+proc rim_material {tag sign gaps length damage} {
   global rim_stiffness rim_yield_force rim_hardening
   set parts {}
-  foreach E $rim_stiffness Fy $rim_yield_force eta $rim_hardening {
+  foreach E $rim_stiffness Fy $rim_yield_force eta $rim_hardening gap $gaps {
     set part [expr {$tag + 1 + [llength $parts]}]
     uniaxialMaterial ElasticPPGap $part [expr {$E * $length}] [expr {$sign * $Fy}] [expr {$sign * $gap}] $eta $damage
     lappend parts $part
@@ -18,27 +18,28 @@ proc rim_material {tag sign gap length damage} {
 }
 # Two springs along x between the plate's node and the slider's, which lie at the same place: elements first, first+1.
 proc rim_springs {tag first plate slider} {
-  global lateral_capacity
-  rim_material $tag -1 $lateral_capacity 1.0 damage
+  global rim_begins
+  rim_material $tag -1 $rim_begins 1.0 damage
   element zeroLength $first $plate $slider -mat $tag -dir 1 -orient -1 0 0 0 -1 0
   element zeroLength [expr {$first + 1}] $plate $slider -mat $tag -dir 1 -orient 1 0 0 0 1 0
 }
 # The round rim: element `first` from the node `anchor` (see anchor_node) to the slider.
 proc rim_round {tag first anchor slider} {
-  global lateral_capacity anchor_depth
-  set gap [expr {(sqrt($lateral_capacity ** 2 + $anchor_depth ** 2) - $anchor_depth) / $anchor_depth}]
-  rim_material $tag 1 $gap $anchor_depth noDamage
+  global rim_begins anchor_depth
+  set gaps {}
+  foreach r $rim_begins { lappend gaps [expr {(sqrt($r ** 2 + $anchor_depth ** 2) - $anchor_depth) / $anchor_depth}] }
+  rim_material $tag 1 $gaps $anchor_depth noDamage
   element corotTruss $first $anchor $slider 1.0 $tag
 }
 )";
 
 inline constexpr const char *python_springs_elastoplastic = R"(
 
-def rim_material(ops, tag, sign, gap, length, damage):
-    """The rim's material `tag` of parts tag+1 ...; `sign` -1: a gap that closes in compression, +1: one that opens to
-    `gap` in tension; forces per unit of strain times `length`."""
+def rim_material(ops, tag, sign, gaps, length, damage):
+    """The rim's material `tag` of parts tag+1 ...; `sign` -1: gaps that close in compression, +1: those that open in
+    tension; `gaps`: the strain at which each part begins; forces per unit of strain times `length`."""
     parts = []
-    for E, Fy, eta in zip(rim_stiffness, rim_yield_force, rim_hardening):
+    for E, Fy, eta, gap in zip(rim_stiffness, rim_yield_force, rim_hardening, gaps):
         parts.append(tag + 1 + len(parts))
         ops.uniaxialMaterial("ElasticPPGap", parts[-1], E * length, sign * Fy, sign * gap, eta, damage)
     ops.uniaxialMaterial("Parallel", tag, *parts)
@@ -47,15 +48,15 @@ def rim_material(ops, tag, sign, gap, length, damage):
 def rim_springs(ops, tag, first, plate, slider):
     """Two springs along x between the plate's node and the slider's, which lie at the same place: elements first,
     first+1. `ops` is openseespy.opensees."""
-    rim_material(ops, tag, -1, lateral_capacity, 1.0, "damage")
+    rim_material(ops, tag, -1, rim_begins, 1.0, "damage")
     ops.element("zeroLength", first, plate, slider, "-mat", tag, "-dir", 1, "-orient", -1.0, 0.0, 0.0, 0.0, -1.0, 0.0)
     ops.element("zeroLength", first + 1, plate, slider, "-mat", tag, "-dir", 1, "-orient", 1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
 
 
 def rim_round(ops, tag, first, anchor, slider):
     """The round rim: element `first` from the node `anchor` (see anchor_node) to the slider."""
-    gap = (hypot(lateral_capacity, anchor_depth) - anchor_depth) / anchor_depth
-    rim_material(ops, tag, 1, gap, anchor_depth, "noDamage")
+    gaps = [(hypot(r, anchor_depth) - anchor_depth) / anchor_depth for r in rim_begins]
+    rim_material(ops, tag, 1, gaps, anchor_depth, "noDamage")
     ops.element("corotTruss", first, anchor, slider, 1.0, tag)
 )";
 

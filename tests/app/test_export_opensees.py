@@ -17,8 +17,11 @@ class OpenSees(Exported):
             values["rim_springs"](ops, 7, 100, 1, 2)
             gaps = [call for call in ops.calls if call[1] == "ElasticPPGap"]
             self.assertEqual([call[2] for call in gaps], [8, 9, 10, 11])
-            for call, E, Fy, eta in zip(gaps, values["rim_stiffness"], values["rim_yield_force"], values["rim_hardening"]):
-                self.assertEqual(call[3:], (E, -Fy, -0.4, eta, "damage"))
+            numbers = zip(gaps, values["rim_stiffness"], values["rim_yield_force"], values["rim_hardening"], values["rim_begins"])
+            for call, E, Fy, eta, begin in numbers:
+                self.assertEqual(call[3:], (E, -Fy, -begin, eta, "damage"))
+            self.assertAlmostEqual(min(values["rim_begins"]), 0.4, places=9)
+            self.assertGreater(max(values["rim_begins"]), 0.4)
             self.assertEqual(ops.calls[4], ("uniaxialMaterial", "Parallel", 7, 8, 9, 10, 11))
             self.assertEqual([call[2] for call in ops.calls[5:]], [100, 101])
             self.assertEqual([call[10] for call in ops.calls[5:]], [-1.0, 1.0])  # local x: shortened by motion along +x, -x
@@ -32,7 +35,7 @@ class OpenSees(Exported):
             self.assertEqual(len(tags), len(set(tags)))
             # the round rim closes where the truss has the length of the capacity, and is as stiff as the springs along x
             gap = next(call for call in ops.calls if call[1] == "ElasticPPGap")
-            self.assertAlmostEqual((1 + gap[5]) * 0.001, math.hypot(0.4, 0.001))
+            self.assertAlmostEqual((1 + gap[5]) * 0.001, math.hypot(values["rim_begins"][0], 0.001))
             self.assertAlmostEqual(gap[3] / 0.001 / values["rim_stiffness"][0], 1)
             # and the dish's truss pulls W h'(r) horizontally: 853 kN, ellipse R0 = 2.25, a = 0.5625
             table = next(call for call in ops.calls if call[1] == "ElasticMultiLinear")
