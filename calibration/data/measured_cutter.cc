@@ -1,6 +1,6 @@
 #include "calibration/data/measured_cutter.h"
-#include "calibration/data/channel_lag.h"
 #include "calibration/data/functionals.h"
+#include "calibration/data/measured_doubts.h"
 #include "calibration/data/measured_history.h"
 #include "calibration/data/measured_record.h"
 #include "calibration/data/series.h"
@@ -30,9 +30,6 @@ private:
   void collect(ImpactWindow &w, const ShotStart &start, double end) const;
   void find_pressed(ImpactWindow &w, const Contact &contact, const ShotStart &start) const;
   void find_rebound(ImpactWindow &w, std::size_t index, const ShotStart &start) const;
-  void doubt_impulse(const ImpactWindow &w, const Contact &contact);
-  void doubt_place(const ShotStart &start, const Contact &contact);
-  void doubt_clocks(const ImpactWindow &w, std::size_t index);
 
   StoredRun &run_;
   const MeasuredRecord &record_;
@@ -82,9 +79,7 @@ std::optional<ImpactWindow> MeasuredCutter::cut(std::size_t index, std::string &
   find_rebound(w, index, *start);
   w.impact.peak_force = w.peak;
   judge_grazing(w, run_, model_, options_);
-  doubt_impulse(w, contact);
-  if (index == 0) doubt_place(*start, contact);
-  doubt_clocks(w, index);
+  doubt(run_, record_, options_, {index, w, *start});
   run_.summary.impacts[index] = w.impact;
   return w;
 }
@@ -137,55 +132,6 @@ void MeasuredCutter::find_rebound(ImpactWindow &w, std::size_t index, const Shot
   } else { // by its impulse
     w.impact.rebound_speed = contact.impulse / run_.scene.load.mass - w.impact.approach_speed;
   }
-}
-
-/// Impulse against the change of momentum of an isolated impact: says what no noise shows, a gain or a mass that is
-/// wrong.
-void MeasuredCutter::doubt_impulse(const ImpactWindow &w, const Contact &contact) {
-  const auto &x = run_.scene.excitation;
-  if (!run_.is_window() || x.with_weight || x.with_friction || x.with_ground || w.measurement->rebound.weights.empty())
-    return;
-  const auto &m = *w.measurement;
-  const double change = run_.scene.load.mass * (w.impact.approach_speed + w.impact.rebound_speed),
-               ratio = contact.impulse / change;
-  const double speeds = std::sqrt(m.start_factor.row(1).squaredNorm() +
-                                  std::pow(m.sigma_displacement, 2) * record_.inflation() * variance_gain(m.rebound));
-  const double error = std::hypot(contact.impulse_error / change, ratio * run_.scene.load.mass * speeds / change);
-  if (std::abs(ratio - 1) > 0.02 && std::abs(ratio - 1) > 4 * error)
-    run_.doubts.push_back(fmt::format(
-        "at {:.4f} s the force's impulse is {:.3f} +- {:.3f} times the change of momentum: the cell's gain or "
-        "the mass ({:g} kg) is off, or something else than the rim slows it; [uncertainty] gain states it",
-        contact.touch_time, ratio, error, run_.scene.load.mass));
-}
-
-/// The first touch of a virgin rim is at L_c, to a drawing's tolerance, the record's noise and its sampling. The law's
-/// stiffness follows from the depth, so that a smaller distance is told too.
-void MeasuredCutter::doubt_place(const ShotStart &start, const Contact &contact) {
-  constexpr double tolerance = 1e-3, worth_telling = 0.25e-3; // [m]
-  const double L_c = run_.scene.bearing.lateral_capacity(), off = start.touch - L_c;
-  const double unsure = noise_reach * start.touch_noise + start.touch_late;
-  if (std::abs(off) <= worth_telling + unsure) return;
-  const bool doubted = std::abs(off) > tolerance + unsure;
-  (doubted ? run_.doubts : run_.notes)
-      .push_back(fmt::format("at {:.4f} s the rim first bears force at {:.2f} mm of travel, {:.2f} mm {} the "
-                             "bearing's L_c of {:.2f} mm{} (--fit ...,capacity_offset looks for the rim)",
-                             contact.touch_time, 1e3 * start.touch, 1e3 * std::abs(off), off > 0 ? "beyond" : "before",
-                             1e3 * L_c,
-                             doubted ? ": is the displacement's zero right?" : ", which a stiffness feels;"));
-}
-
-/// A force that comes late looks like a rim that begins late: the law fitted to it is too soft.
-void MeasuredCutter::doubt_clocks(const ImpactWindow &w, std::size_t index) {
-  constexpr double share = 0.02; // of the contact's time: far below what a stiffness feels
-  const Contact &contact = record_.contacts()[index];
-  const auto found = channel_lag(record_, times_, index, w.direction);
-  if (w.grazing || !found) return;
-  const double unsure = found->unsure + 2 * options_.stated_clock_error;
-  if (std::abs(found->lag) <= share * (contact.release_time - contact.touch_time) + unsure) return;
-  run_.doubts.push_back(fmt::format(
-      "at {:.4f} s the force comes {:.2g} ms {} the motion that it causes (+- {:.2g} ms): do the channels have one "
-      "clock and one filter? Shift the column, or state it by [uncertainty] time_ms",
-      contact.touch_time, 1e3 * std::abs(found->lag), found->lag > 0 ? "after" : "before", 1e3 * unsure));
 }
 
 /// As far as the samples of contact tell; its speeds and peak are filled in by the cutter.

@@ -1,4 +1,5 @@
 #include "calibration/data/measured_history.h"
+#include "calibration/data/functionals.h"
 #include "calibration/data/series.h"
 #include <algorithm>
 #include <limits>

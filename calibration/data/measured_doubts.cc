@@ -1,0 +1,73 @@
+#include "calibration/data/measured_doubts.h"
+#include "calibration/data/channel_lag.h"
+#include "calibration/data/functionals.h"
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::calibration {
+
+namespace {
+
+/// Impulse against the change of momentum of an isolated impact: says what no noise shows, a gain or a mass that is
+/// wrong.
+void doubt_impulse(StoredRun &run, const MeasuredRecord &record, const MeasuredImpact &impact) {
+  const auto &x = run.scene.excitation;
+  const auto &w = impact.window;
+  const Contact &contact = record.contacts()[impact.index];
+  if (!run.is_window() || x.with_weight || x.with_friction || x.with_ground || w.measurement->rebound.weights.empty())
+    return;
+  const auto &m = *w.measurement;
+  const double change = run.scene.load.mass * (w.impact.approach_speed + w.impact.rebound_speed),
+               ratio = contact.impulse / change;
+  const double speeds = std::sqrt(m.start_factor.row(1).squaredNorm() +
+                                  std::pow(m.sigma_displacement, 2) * record.inflation() * variance_gain(m.rebound));
+  const double error = std::hypot(contact.impulse_error / change, ratio * run.scene.load.mass * speeds / change);
+  if (std::abs(ratio - 1) > 0.02 && std::abs(ratio - 1) > 4 * error)
+    run.doubts.push_back(fmt::format(
+        "at {:.4f} s the force's impulse is {:.3f} +- {:.3f} times the change of momentum: the cell's gain or "
+        "the mass ({:g} kg) is off, or something else than the rim slows it; [uncertainty] gain states it",
+        contact.touch_time, ratio, error, run.scene.load.mass));
+}
+
+/// The first touch of a virgin rim is at L_c, to a drawing's tolerance, the record's noise and its sampling. The law's
+/// stiffness follows from the depth, so that a smaller distance is told too.
+void doubt_place(StoredRun &run, const MeasuredRecord &record, const MeasuredImpact &impact) {
+  constexpr double tolerance = 1e-3, worth_telling = 0.25e-3; // [m]
+  const Contact &contact = record.contacts()[impact.index];
+  const ShotStart &start = impact.start;
+  const double L_c = run.scene.bearing.lateral_capacity(), off = start.touch - L_c;
+  const double unsure = noise_reach * start.touch_noise + start.touch_late;
+  if (std::abs(off) <= worth_telling + unsure) return;
+  const bool doubted = std::abs(off) > tolerance + unsure;
+  (doubted ? run.doubts : run.notes)
+      .push_back(fmt::format("at {:.4f} s the rim first bears force at {:.2f} mm of travel, {:.2f} mm {} the "
+                             "bearing's L_c of {:.2f} mm{} (--fit ...,capacity_offset looks for the rim)",
+                             contact.touch_time, 1e3 * start.touch, 1e3 * std::abs(off), off > 0 ? "beyond" : "before",
+                             1e3 * L_c,
+                             doubted ? ": is the displacement's zero right?" : ", which a stiffness feels;"));
+}
+
+/// A force that comes late looks like a rim that begins late: the law fitted to it is too soft.
+void doubt_clocks(StoredRun &run, const MeasuredRecord &record, const WindowOptions &options,
+                  const MeasuredImpact &impact) {
+  constexpr double share = 0.02; // of the contact's time: far below what a stiffness feels
+  const Contact &contact = record.contacts()[impact.index];
+  const auto found = channel_lag(record, run.response.series("time"), impact.index, impact.window.direction);
+  if (impact.window.grazing || !found) return;
+  const double unsure = found->unsure + 2 * options.stated_clock_error;
+  if (std::abs(found->lag) <= share * (contact.release_time - contact.touch_time) + unsure) return;
+  run.doubts.push_back(fmt::format(
+      "at {:.4f} s the force comes {:.2g} ms {} the motion that it causes (+- {:.2g} ms): do the channels have one "
+      "clock and one filter? Shift the column, or state it by [uncertainty] time_ms",
+      contact.touch_time, 1e3 * std::abs(found->lag), found->lag > 0 ? "after" : "before", 1e3 * unsure));
+}
+
+} // namespace
+
+void doubt(StoredRun &run, const MeasuredRecord &record, const WindowOptions &options, const MeasuredImpact &impact) {
+  doubt_impulse(run, record, impact);
+  if (impact.index == 0) doubt_place(run, record, impact);
+  doubt_clocks(run, record, options, impact);
+}
+
+} // namespace rimpact::calibration
