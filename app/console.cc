@@ -123,7 +123,11 @@ scene::Scene Console::load(const std::string &given) {
   scene::Scene scene = scene::load_scene(given, settings());
   if (load_is_shared) std::erase(scene.remarks, scene.load_remark);
   for (const auto &remark : scene.remarks) warn(remark);
-  for (const auto &doubt : scene::doubts(scene)) warn(doubt);
+  for (const auto &doubt : scene::doubts(scene))
+    if (!load_is_shared || !doubt.starts_with("load.")) warn(doubt);
+  if (load_is_shared &&
+      std::any_of(overrides.begin(), overrides.end(), [](const auto &each) { return each.starts_with("load."); }))
+    warn("load keys are not read: a building's bearings carry what stands on them");
   return scene;
 }
 

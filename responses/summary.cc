@@ -193,8 +193,9 @@ std::optional<std::string> doubt_of_contact(const EnergyLedger &ledger, const st
   if (!(created > usual * input)) return {};
   double rebound = 0;
   for (const auto &impact : impacts) rebound += 0.5 * mass * impact.rebound_speed * impact.rebound_speed;
-  std::string text = fmt::format("contact has given back {:.1f} % more energy than it took, where 0.3 % is usual",
-                                 100 * created / input);
+  std::string text =
+      fmt::format("contact has given back {:.2f} % more energy than it took, where up to {:.1f} % is usual",
+                  100 * created / input, 100 * usual);
   if (rebound > created)
     text += fmt::format(": rebound speeds are overstated by about {:.1f} %", 50 * created / rebound);
   return text + "; a smaller model.step_ms lowers it";

@@ -10,6 +10,8 @@
 #include "scene/scene_catalogue.h"
 #include "scene/scene_defaults.h"
 #include "scene/unread_keys.h"
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -62,6 +64,23 @@ void read_path(const TomlFile &file, Scene &scene, const std::string &folder) {
   }
 }
 
+/// A setting of one half of a load whose other half the scene has: it stays.
+std::string remark_on_half_a_load(const TomlFile &file, const std::vector<std::string> &overrides, const Load &load) {
+  const auto is_set = [&](const std::string &key) {
+    return std::any_of(overrides.begin(), overrides.end(),
+                       [&](const auto &each) { return each.starts_with(key + "="); });
+  };
+  const bool weight = is_set("load.vertical_kN"), mass = is_set("load.mass_kg");
+  const double ratio = load.vertical / (load.mass * load.gravity);
+  constexpr double near = 0.01; // W = m g
+  if (weight == mass || !file.find("load.vertical_kN") || !file.find("load.mass_kg") || std::abs(ratio - 1) < near)
+    return {};
+  return fmt::format("{} stays as {} has it, so that W = {:.3g} m g: set both of load.vertical_kN and load.mass_kg",
+                     weight ? fmt::format("load.mass_kg = {:g}", load.mass)
+                            : fmt::format("load.vertical_kN = {:g}", load.vertical / 1e3),
+                     file.origin(), ratio);
+}
+
 } // namespace
 
 Scene parse_scene(const std::string &text, const std::string &origin, const std::vector<std::string> &overrides,
@@ -92,6 +111,8 @@ Scene parse_scene(const std::string &text, const std::string &origin, const std:
   if (!scene.reduced.impact_curve.empty()) make_absolute(scene.reduced.impact_curve, folder);
   if (scene.model.own_mesh.any()) make_absolute(scene.model.own_mesh.file, folder);
   set_dependent_defaults(file, has_own_bearing(file), scene);
+  if (std::string remark = remark_on_half_a_load(file, overrides, scene.load); !remark.empty())
+    scene.remarks.push_back(scene.load_remark = std::move(remark));
   with_location(file, "bearing", [&] { scene.validate(); });
   return scene;
 }

@@ -95,13 +95,13 @@ RunCheck check_run(const StoredRun &run, const FitResult &result, const FitOptio
   RunCheck check;
   const double L_c = run.scene.bearing.lateral_capacity();
   const auto scene = with_fitted(run.scene, result);
-  check.history = compare(run.response, reduced::simulate(scene).response, L_c);
+  check.history = compare(run.response, history_of(run, scene), L_c);
   if (scene::published_pair_applies(run.scene)) {
     auto published = run.scene;
     published.reduced.k_i = published_k_i;
     published.reduced.restitution = published_e;
     published.reduced.impact_law = &laws::default_law(); // what the pair was published for
-    check.published = compare(run.response, reduced::simulate(published).response, L_c);
+    check.published = compare(run.response, history_of(run, published), L_c);
   }
   bool any_clear = false;
   for (const auto &w : run.impacts) any_clear = any_clear || !w.grazing;

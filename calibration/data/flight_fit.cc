@@ -8,8 +8,6 @@ namespace rimpact::calibration {
 
 namespace {
 
-constexpr double doubt_of_acceleration = 0.02, share_of_acceleration = 0.05; ///< [m/s^2], [-]
-
 struct Flight {
   std::vector<double> times, u[2], v[2];
   Eigen::Vector2d displacement(double t) const {
@@ -87,7 +85,7 @@ FlightFit fit_flight(const scene::Scene &scene, const Response &response, std::s
   for (int pass = 0; pass < 3; ++pass) {
     const Flight flight = fly(scene, begin, end, u, v);
     const double a = ((flight.velocity(end) - flight.velocity(begin)) / (end - begin)).norm();
-    const double doubt = doubt_of_acceleration + share_of_acceleration * a;
+    const double doubt = acceleration_doubt(a);
     for (Eigen::Index i = 0; i < n; ++i)
       b.row(i) = Eigen::RowVector2d(ux[first + i], uy[first + i]) - flight.displacement(times[first + i]).transpose();
     Eigen::Matrix3d normal = A.transpose() * A;

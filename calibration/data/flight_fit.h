@@ -11,6 +11,11 @@
 
 namespace rimpact::calibration {
 
+/// How far the model's acceleration in flight may be off [m/s^2].
+inline double acceleration_doubt(double acceleration) {
+  return 0.02 + 0.05 * acceleration;
+}
+
 struct FlightFit {
   Eigen::Vector2d u, v;  ///< at t_ref [m], [m/s]
   Eigen::Matrix2d shape; ///< covariance of (u, v) of one component over sigma^2

@@ -177,7 +177,7 @@ void cut_measured(StoredRun &run, const WindowOptions &options) {
       left_out.push_back(fmt::format("impact at {:.4f} s left out: {}", record.contacts()[i].touch_time, reason));
   }
   run.notes.insert(run.notes.begin(), left_out.begin(), left_out.end());
-  run.noise = record.force().notes;
+  run.noise.insert(run.noise.end(), record.force().notes.begin(), record.force().notes.end());
   run.noise.push_back(record.sentence());
   run.notes.insert(run.notes.end(), run.noise.begin(), run.noise.end());
 }

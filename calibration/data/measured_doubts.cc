@@ -1,6 +1,7 @@
 #include "calibration/data/measured_doubts.h"
 #include "calibration/data/channel_lag.h"
 #include "calibration/data/functionals.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -39,7 +40,7 @@ void doubt_place(StoredRun &run, const MeasuredRecord &record, const MeasuredImp
   const double unsure = noise_reach * start.touch_noise + start.touch_late;
   if (std::abs(off) <= worth_telling + unsure) return;
   const bool doubted = std::abs(off) > tolerance + unsure;
-  (doubted ? run.doubts : run.notes)
+  (doubted ? run.doubts : run.noise)
       .push_back(fmt::format("at {:.4f} s the rim first bears force at {:.2f} mm of travel, {:.2f} mm {} the "
                              "bearing's L_c of {:.2f} mm{} (--fit ...,capacity_offset looks for the rim)",
                              contact.touch_time, 1e3 * start.touch, 1e3 * std::abs(off), off > 0 ? "beyond" : "before",
@@ -47,19 +48,45 @@ void doubt_place(StoredRun &run, const MeasuredRecord &record, const MeasuredImp
                              doubted ? ": is the displacement's zero right?" : ", which a stiffness feels;"));
 }
 
+/// From touch to half the peak force [s]: where a lag shifts the force most.
+double rise_of(const MeasuredRecord &record, const std::vector<double> &times, const Contact &contact) {
+  const auto &force = record.force().smooth;
+  const double half = 0.5 * *std::max_element(force.begin() + contact.first, force.begin() + contact.last + 1);
+  std::size_t i = contact.first;
+  while (i < contact.last && force[i] < half) ++i;
+  return std::max(0.0, times[i] - contact.touch_time);
+}
+
 /// A force that comes late looks like a rim that begins late: the law fitted to it is too soft.
 void doubt_clocks(StoredRun &run, const MeasuredRecord &record, const WindowOptions &options,
                   const MeasuredImpact &impact) {
-  constexpr double share = 0.02; // of the contact's time: far below what a stiffness feels
+  constexpr double share = 0.05; // of the force's rise, which a stiffness hardly feels
   const Contact &contact = record.contacts()[impact.index];
-  const auto found = channel_lag(record, run.response.series("time"), impact.index, impact.window.direction);
+  const auto found = channel_lag(run, record, impact.index, impact.window.direction);
   if (impact.window.grazing || !found) return;
   const double unsure = found->unsure + 2 * options.stated_clock_error;
-  if (std::abs(found->lag) <= share * (contact.release_time - contact.touch_time) + unsure) return;
+  if (std::abs(found->lag) <= share * rise_of(record, run.response.series("time"), contact) + unsure) return;
   run.doubts.push_back(fmt::format(
       "at {:.4f} s the force comes {:.2g} ms {} the motion that it causes (+- {:.2g} ms): do the channels have one "
-      "clock and one filter? Shift the column, or state it by [uncertainty] time_ms",
+      "clock and one filter, and does the cell read its peak? A stiffness feels a tenth of a millisecond; shift the "
+      "column, or state it by [uncertainty] time_ms",
       contact.touch_time, 1e3 * std::abs(found->lag), found->lag > 0 ? "after" : "before", 1e3 * unsure));
+}
+
+/// A force that stands at one value, its largest, for a tenth of the contact.
+void doubt_cell(StoredRun &run, const MeasuredRecord &record, const MeasuredImpact &impact) {
+  const Contact &contact = record.contacts()[impact.index];
+  const auto &push = record.force().push;
+  const double most = *std::max_element(push.begin() + contact.first, push.begin() + contact.last + 1);
+  std::size_t flat = 0, longest = 0;
+  for (std::size_t i = contact.first; i <= contact.last; ++i) {
+    flat = push[i] > most * (1 - 1e-6) ? flat + 1 : 0;
+    longest = std::max(longest, flat);
+  }
+  if (longest < 4 || 10 * longest < contact.last - contact.first + 1) return;
+  run.doubts.push_back(fmt::format("at {:.4f} s the force stands at {:.0f} kN, its largest, for {} samples: does the "
+                                   "cell saturate?",
+                                   contact.touch_time, most / 1e3, longest));
 }
 
 } // namespace
@@ -68,6 +95,7 @@ void doubt(StoredRun &run, const MeasuredRecord &record, const WindowOptions &op
   doubt_impulse(run, record, impact);
   if (impact.index == 0) doubt_place(run, record, impact);
   doubt_clocks(run, record, options, impact);
+  doubt_cell(run, record, impact);
 }
 
 } // namespace rimpact::calibration

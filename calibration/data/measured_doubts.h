@@ -11,7 +11,7 @@ struct MeasuredImpact {
   const ShotStart &start;
 };
 
-/// Adds to run.doubts, and to run.notes what is worth telling only.
+/// Adds to run.doubts, and to run.noise what is worth telling only.
 void doubt(StoredRun &run, const MeasuredRecord &record, const WindowOptions &options, const MeasuredImpact &impact);
 
 } // namespace rimpact::calibration

@@ -63,4 +63,13 @@ Shot shoot(const scene::Scene &scene, const ImpactWindow &window, const reduced:
   return shot;
 }
 
+Response history_of(const StoredRun &run, const scene::Scene &scene) {
+  auto [response, summary] = reduced::simulate(scene);
+  if (!run.is_window() || run.impacts.empty() || !run.impacts.front().measurement || summary.impacts.empty())
+    return response;
+  const double later = run.impacts.front().impact.touch_time - summary.impacts.front().touch_time;
+  for (double &t : response.series("time")) t += later;
+  return response;
+}
+
 } // namespace rimpact::calibration

@@ -25,4 +25,7 @@ Shot shoot(const scene::Scene &scene, const ImpactWindow &window);
 /// The same from another state.
 Shot shoot(const scene::Scene &scene, const ImpactWindow &window, const reduced::BearingState &start);
 
+/// The whole run by the model. Of a measured window, which is recorded from before its touch, on the record's clock.
+Response history_of(const StoredRun &run, const scene::Scene &scene);
+
 } // namespace rimpact::calibration

@@ -53,9 +53,8 @@ LawError error_of(const StoredRun &run, const FitResult &result) {
     error.rebound = shot.rebound_speed / w.impact.rebound_speed - 1;
   }
   error.unexplained = std::sqrt(missed / whole);
-  error.nrmse_displacement =
-      compare(run.response, reduced::simulate(scene).response, run.scene.bearing.lateral_capacity())
-          .nrmse_displacement.value_or(0);
+  error.nrmse_displacement = compare(run.response, history_of(run, scene), run.scene.bearing.lateral_capacity())
+                                 .nrmse_displacement.value_or(0);
   return error;
 }
 

@@ -43,6 +43,16 @@ TEST(Load, AnotherBearingWithoutALoadIsRemarkedUpon) {
   EXPECT_EQ(load_scene("impact-window", {"bearing.surface.R0_m=3"}).remarks.size(), 1u);
 }
 
+TEST(Load, HalfALoadOfASceneThatHasBothIsRemarkedUpon) {
+  const auto remarks = load_scene("ricker-0.78g-1.0s", {"load.vertical_kN=1500"}).remarks;
+  ASSERT_EQ(remarks.size(), 1u);
+  for (const char *words : {"load.mass_kg = 86952 stays", "1.76 m g", "set both"})
+    EXPECT_NE(remarks[0].find(words), std::string::npos) << remarks[0];
+  EXPECT_TRUE(load_scene("ricker-0.78g-1.0s", {"load.vertical_kN=1500", "load.mass_kg=152905"}).remarks.empty());
+  EXPECT_TRUE(load_scene("ricker-0.78g-1.0s", {"load.vertical_kN=853"}).remarks.empty());
+  EXPECT_TRUE(load_scene("impact-window", {"load.vertical_kN=1500"}).remarks.empty()) << "its mass follows";
+}
+
 TEST(Load, ASceneWithoutAMotionSaysWhichItRuns) {
   const auto remarks = parse_scene("", "empty.toml").remarks;
   ASSERT_EQ(remarks.size(), 1u);
