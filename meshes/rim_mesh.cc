@@ -6,15 +6,22 @@
 #include "meshes/slider_section.h"
 #include "meshes/touched_places.h"
 #include "meshes/units.h"
+#include <algorithm>
 #include <cmath>
 
 namespace rimpact::meshes {
+
+double plate_cut_radius(const scene::Bearing &bearing) {
+  constexpr double cut = 0.44, edge = 0.52; // of shfps-225: 80 mm inside, where nothing moves
+  return cut * std::min(1.0, bearing.surface.planar_radius / edge);
+}
+
 void add_rim(HexMesh &mesh, const scene::Bearing &bearing, const MeshOrder &order) {
   const double h = size_factor(order.level);
   const double wall = bearing.surface.planar_radius + bearing.rim.ledge;
   const PlaceSizes sizes{10 * mm * h / wall, 20 * mm / wall, order.sector_half_angle, 0.45 * h};
   const std::vector<Quad9> section =
-      plate_and_rim(bearing, {plate_cut_radius, 60 * mm * h, plate_layers(bearing, h)}, h);
+      plate_and_rim(bearing, {plate_cut_radius(bearing), 60 * mm * h, plate_layers(bearing, h)}, h);
   for (const RimArc &arc : rim_arcs(from_the_first(order.directions), sizes, order.half)) {
     const auto end = [&](bool at_symmetry) -> std::optional<Surface> {
       if (arc.closed) return {};

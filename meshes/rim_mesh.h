@@ -8,7 +8,8 @@
 
 namespace rimpact::meshes {
 
-inline constexpr double plate_cut_radius = 0.44; ///< where the plate is cut [m]; the cut carries `sector_end`
+/// Where the plate below the rim is cut [m], inside the dish's edge; the cut carries `sector_end`.
+double plate_cut_radius(const scene::Bearing &bearing);
 
 HexMesh rim_mesh(const scene::Bearing &bearing, const MeshOrder &order);
 /// What a mesh of rim and slider must carry.

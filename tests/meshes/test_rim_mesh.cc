@@ -140,6 +140,26 @@ TEST(RimMesh, OtherDimensions) {
   EXPECT_EQ(quality(rim_mesh(with_ledge, {})).n_components, 2);
 }
 
+/// The plate's cut follows a smaller dish: its cells are sound, and it keeps the built-in bearing's.
+TEST(RimMesh, SmallerDishes) {
+  EXPECT_EQ(plate_cut_radius(scene::Bearing{}), 0.44);
+  for (const double edge : {0.15, 0.25, 0.35, 0.42, 0.45, 0.50}) {
+    scene::Bearing bearing;
+    const double size = edge / 0.52;
+    bearing.surface.kind = scene::SurfaceKind::sphere;
+    bearing.surface.R0 = bearing.surface.a = 2.25 * std::sqrt(size);
+    bearing.surface.planar_radius = edge;
+    bearing.slider.diameter *= size;
+    bearing.foot.cap_radius =
+        std::min(bearing.foot.cap_radius, 0.9 * std::hypot(bearing.slider.bottom, bearing.slider.diameter / 2));
+    for (const int level : {0, 1}) {
+      const MeshQuality q = quality(rim_mesh(bearing, {.level = level}));
+      EXPECT_GT(q.min_scaled_jacobian, 0.05) << edge << ' ' << level;
+      EXPECT_EQ(q.n_components, 2) << edge << ' ' << level;
+    }
+  }
+}
+
 TEST(RimMesh, InvertedCellsAndMissingGroupsAreRefused) {
   HexMesh mesh = rim_mesh({}, {});
   HexMesh bad = mesh;

@@ -31,7 +31,8 @@ struct Settings {
 };
 
 /// Groups as node sets, free of overlaps: a node is held by one card only.
-std::string sets_and_surfaces(const DeckMesh &deck, const meshes::HexMesh &mesh, const meshes::MeshOrder &options) {
+std::string sets_and_surfaces(const DeckMesh &deck, const meshes::HexMesh &mesh, const meshes::MeshOrder &options,
+                              double cut_radius) {
   const std::set<unsigned> fixed = deck.nodes_of(Surface::fixed), top = deck.nodes_of(Surface::top);
   auto symmetry = deck.nodes_of(Surface::symmetry);
   std::set<unsigned> inner, end, cuts;
@@ -39,7 +40,7 @@ std::string sets_and_surfaces(const DeckMesh &deck, const meshes::HexMesh &mesh,
     if (fixed.count(n)) continue;
     const auto &x = mesh.nodes[n];
     cuts.insert(n);
-    if (std::hypot(x[0], x[1]) < meshes::plate_cut_radius + 1e-9) inner.insert(n);
+    if (std::hypot(x[0], x[1]) < cut_radius + 1e-9) inner.insert(n);
     if (std::abs(std::atan2(x[1], x[0]) - options.sector_half_angle) < 1e-9 || symmetry.count(n)) end.insert(n);
   }
   for (const auto &others : std::initializer_list<std::set<unsigned>>{fixed, top, cuts})
@@ -113,7 +114,8 @@ void write(const Settings &settings) {
   file << "*HEADING\n"
        << settings.scene << " of " << scene.bearing.name << ", mesh " << options.level
        << ", half model; mm, N, MPa, t, s\n"
-       << deck.nodes_and_elements(settings.element) << sets_and_surfaces(deck, mesh, options)
+       << deck.nodes_and_elements(settings.element)
+       << sets_and_surfaces(deck, mesh, options, meshes::plate_cut_radius(scene.bearing))
        << material("STEEL", scene.bearing.steel) << fmt::format("*DENSITY\n{:g}\n", 1e-12 * scene.bearing.steel.density)
        << contact("WALLS", "slider_side", "rim_wall", settings.contact_stiffness, 0);
   for (const auto volume : {"plate", "rim", "upper_slider"})
