@@ -60,7 +60,8 @@ REMARKS = {
                           "![the 0.78 g pulse by rung rigid-dish](../pictures/ricker-rigid-dish.png)",
     "reduced": "Peers integrate the same Park-Wen equations, written down apart; Octave and SciPy run interpreted right-hand sides.",
 }
-PICTURES = {"window-0.50": "study-window-0.5.png", "rungs-pulse-0.78g": "study-pulse-0.78g.png", "rungs-pulse-0.38g": "study-pulse-0.38g.png", "rungs-window-0.50": "study-rungs-window-0.5.png"}
+PICTURES = {"window-0.50": "study-window-0.5.png", "rungs-pulse-0.78g": "study-pulse-0.78g.png", "rungs-pulse-0.38g": "study-pulse-0.38g.png", "rungs-window-0.50": "study-rungs-window-0.5.png",
+            "rungs-pulse-bidirectional": "study-pulse-bidirectional.png"}
 
 
 def texts_page(title: str, tables: Iterable[tuple[str, str, str]], remark: str = "") -> str:
