@@ -238,7 +238,7 @@ TEST(Doubts, EnergyFromContactIsSaidWithWhatItDoesToTheRebound) {
   impact.rebound_speed = 5;
   const auto doubt = doubt_of_contact(ledger, {impact}, 2.0);
   ASSERT_TRUE(doubt);
-  EXPECT_NE(doubt->find("given back 1.0 % more"), std::string::npos) << *doubt;
+  EXPECT_NE(doubt->find("given back 1.00 % more"), std::string::npos) << *doubt;
   EXPECT_NE(doubt->find("overstated by about 2.0 %"), std::string::npos) << *doubt;
   for (const double quiet : {-0.2, 0.0, 5.0}) { // little, nothing, or taken up by landings
     ledger.contact = quiet;
