@@ -4,7 +4,9 @@
 Each table stands with the command that makes it. What a file's own head says of machine and commit is kept as it stands.
 """
 import json
+import math
 import pathlib
+import statistics
 import sys
 from collections.abc import Iterable
 from typing import Any
@@ -94,6 +96,17 @@ def time_of(row: dict[str, Any] | None) -> str:
     return f"{row['processor_time_s']:.3g}" if row.get("processor_time_s") else f"({row['wall_time_s']:.3g})"
 
 
+def growth_of(rows: list[dict[str, Any]]) -> list[str]:
+    """Of rungs that ran on several meshes: the power of the unknowns by which their processor time grows."""
+    sentences = []
+    for rung in dict.fromkeys(row["rung"] for row in rows):
+        runs = [row for row in rows if row["rung"] == rung and row.get("processor_time_s")]
+        if len({row["n_dofs"] for row in runs}) > 1:
+            power = statistics.linear_regression([math.log(row["n_dofs"]) for row in runs], [math.log(row["processor_time_s"]) for row in runs]).slope
+            sentences.append(f"Processor time of `{rung}` over {len(runs)} meshes: unknowns^{power:.2f}.")
+    return sentences
+
+
 def studies_page() -> str:
     text = ("# Speed against error\n\nStored studies (`data/studies/`), each made by `rimpact study`; errors against the finest run of the study. Times are of the processor; wall times, in brackets, depend on what else "
             "the machine did. *Before*: the same run by an earlier build (`data/studies/before/`).\n")
@@ -111,8 +124,8 @@ def studies_page() -> str:
             text += f"\n![speed against error, {file.stem}](../pictures/{picture})\n"
         elements = [f"`{row['name']}`: {row['element']}." for row in study["rows"] if row.get("element")]
         made = [f"Made by {study['made_by']}, `{study['command']}`."] if study.get("made_by") else []
-        if elements or made:
-            text += "\n" + " ".join(elements + made) + "\n"
+        if said := elements + growth_of(study["rows"]) + made:
+            text += "\n" + " ".join(said) + "\n"
     return text
 
 
