@@ -49,6 +49,10 @@ KeptRun kept_in(const Job &job) {
   return kept_run(job.folder, job.scene, job.reduced ? physics_version() : fe_physics());
 }
 
+bool is_done(const KeptRun &kept) {
+  return kept.is_current() && kept.status == RunStatus::done;
+}
+
 /// Why what the folder holds is not kept, a sentence; empty: there is nothing, or it is kept.
 std::string out_of_date(const KeptRun &kept) {
   if (!kept.any || kept.is_current()) return {};
@@ -92,8 +96,7 @@ void require_done(const std::vector<Job> &jobs) {
 }
 
 bool is_done(const Job &job) {
-  const auto kept = kept_in(job);
-  return kept.is_current() && kept.status == RunStatus::done;
+  return is_done(kept_in(job));
 }
 
 nlohmann::json summary_of(const std::string &folder) {
@@ -138,7 +141,8 @@ void JobRunner::run() {
 
 void JobRunner::start_next() {
   Job &job = jobs_[next_++];
-  if (is_done(job)) {
+  const KeptRun kept = kept_in(job);
+  if (is_done(kept)) {
     job.done = job.reused = true;
     time_of(job).state = RunTime::State::out;
     ++finished_;
@@ -146,7 +150,6 @@ void JobRunner::start_next() {
     return;
   }
   write_atomically(scene::to_toml(job.scene), beside_runs(job, ".toml"));
-  const KeptRun kept = kept_in(job);
   const bool has_checkpoint = std::filesystem::exists(job.folder + "/checkpoint.h5");
   if (kept.killed && kept.other_scene.empty()) {
     console_.message(job.name + ": was killed, goes on from its checkpoint");

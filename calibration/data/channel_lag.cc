@@ -23,6 +23,10 @@ private:
   Radial end_of(const Span &flight, bool last) const;
   std::optional<double> acceleration(std::size_t sample) const;
   std::pair<double, double> centre_of_force(std::size_t first, std::size_t last) const;
+  /// Of a sample in the trapezoidal rule from first to last [s].
+  double weight_of(std::size_t i, std::size_t first, std::size_t last) const {
+    return 0.5 * (times_[std::min(i + 1, last)] - times_[i > first ? i - 1 : first]);
+  }
 
   const StoredRun &run_;
   const MeasuredRecord &record_;
@@ -45,16 +49,11 @@ Radial Clocks::end_of(const Span &flight, bool last) const {
 /// Of all but the rim, radial, where the record is [m/s^2]. The rim's push along the dish's slope takes load off it, in
 /// the share rho of what is left; none: it lifts the slider, whose height the record does not tell.
 std::optional<double> Clocks::acceleration(std::size_t sample) const {
-  reduced::BearingState s;
-  s.t = times_[sample];
-  s.u.head<2>() = planar(run_.response, "displacement", sample);
-  s.v.head<2>() = planar(run_.response, "velocity", sample);
-  const Eigen::Vector2d u = s.u.head<2>(), v = s.v.head<2>();
+  const Eigen::Vector2d u = planar(run_.response, "displacement", sample),
+                        v = planar(run_.response, "velocity", sample);
   const auto dish = model_.height(u.x(), u.y());
-  s.u.z() = dish.z, s.v.z() = dish.gradient.dot(v);
-  if (v.norm() > 0) s.eta = v.normalized();
-  const auto forces = model_.forces(s);
-  const Eigen::Vector3d ground = model_.ground_acceleration(s.t);
+  const auto forces = model_.forces(on_the_dish(model_, times_[sample], u, v));
+  const Eigen::Vector3d ground = model_.ground_acceleration(times_[sample]);
   const double own = (forces.pendular + forces.friction).head<2>().dot(direction_), mass = run_.scene.load.mass,
                load = run_.scene.load.vertical +
                       mass * (v.dot(dish.hessian * v) + ground.z() - dish.gradient.dot(ground.head<2>())),
@@ -69,7 +68,7 @@ std::pair<double, double> Clocks::centre_of_force(std::size_t first, std::size_t
   const double middle = 0.5 * (times_[first] + times_[last]);
   double impulse = 0, moment = 0, spread = 0;
   for (std::size_t i = first; i <= last; ++i) {
-    const double weight = 0.5 * (times_[std::min(i + 1, last)] - times_[i > first ? i - 1 : first]);
+    const double weight = weight_of(i, first, last);
     impulse += weight * push[i], moment += weight * push[i] * times_[i];
     spread += std::pow(weight * (times_[i] - middle), 2);
   }
@@ -84,7 +83,7 @@ std::optional<ChannelLag> Clocks::of(const Flights &flights) const {
   for (std::size_t i = first; i <= last; ++i) {
     const auto a = acceleration(i);
     if (!a) return {};
-    const double weight = 0.5 * (times_[std::min(i + 1, last)] - times_[i > first ? i - 1 : first]);
+    const double weight = weight_of(i, first, last);
     gained += weight * *a, moved += weight * (after.t - times_[i]) * *a;
     largest = std::max(largest, std::abs(*a));
   }

@@ -16,17 +16,6 @@ struct Flight {
   Eigen::Vector2d velocity(double t) const { return {linear_at(times, v[0], t), linear_at(times, v[1], t)}; }
 };
 
-reduced::BearingState on_the_dish(const reduced::PhysicalModel &model, double t, const Eigen::Vector2d &u,
-                                  const Eigen::Vector2d &v) {
-  reduced::BearingState s;
-  s.t = t;
-  s.u.head<2>() = u, s.v.head<2>() = v;
-  const auto ground = model.height(u.x(), u.y());
-  s.u.z() = ground.z, s.v.z() = ground.gradient.dot(v);
-  if (v.norm() > 0) s.eta = v.normalized();
-  return s;
-}
-
 /// The model's flight from a state, finely sampled; in a straight line where the model refuses.
 Flight fly(const scene::Scene &scene, double t, double end, const Eigen::Vector2d &u, const Eigen::Vector2d &v) {
   scene::Scene fine = scene;
@@ -54,6 +43,17 @@ Flight fly(const scene::Scene &scene, double t, double end, const Eigen::Vector2
 }
 
 } // namespace
+
+reduced::BearingState on_the_dish(const reduced::PhysicalModel &model, double t, const Eigen::Vector2d &u,
+                                  const Eigen::Vector2d &v) {
+  reduced::BearingState s;
+  s.t = t;
+  s.u.head<2>() = u, s.v.head<2>() = v;
+  const auto ground = model.height(u.x(), u.y());
+  s.u.z() = ground.z, s.v.z() = ground.gradient.dot(v);
+  if (v.norm() > 0) s.eta = v.normalized();
+  return s;
+}
 
 double displacement_noise(const std::vector<double> &v, std::size_t first, std::size_t last) {
   double square = 0;

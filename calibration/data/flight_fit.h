@@ -11,6 +11,10 @@
 
 namespace rimpact::calibration {
 
+/// The model's slider at a place in plan and a velocity there, on the dish; its friction is fully developed.
+reduced::BearingState on_the_dish(const reduced::PhysicalModel &model, double t, const Eigen::Vector2d &u,
+                                  const Eigen::Vector2d &v);
+
 /// How far the model's acceleration in flight may be off [m/s^2].
 inline double acceleration_doubt(double acceleration) {
   return 0.02 + 0.05 * acceleration;

@@ -59,11 +59,7 @@ std::optional<ImpactWindow> MeasuredCutter::cut(std::size_t index, std::string &
   if (!start) return {};
   w.capacity = start->capacity, w.dented = start->dented;
   w.direction = start->u.normalized();
-  w.start.t = times_[start->sample];
-  w.start.u.head<2>() = start->u, w.start.v.head<2>() = start->v;
-  const auto ground = model_.height(start->u.x(), start->u.y());
-  w.start.u.z() = ground.z, w.start.v.z() = ground.gradient.dot(start->v);
-  if (start->v.norm() > 0) w.start.eta = start->v.normalized();
+  w.start = on_the_dish(model_, times_[start->sample], start->u, start->v);
   press_earlier(w.start, run_, index);
   auto &m = *w.measurement;
   m.sigma_displacement = record_.sigma(), m.inflation = record_.inflation(), m.sigma_force = record_.force().sigma;
