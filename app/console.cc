@@ -6,6 +6,7 @@
 #include "files/key_list.h"
 #include "files/text.h"
 #include "responses/choices.h"
+#include "scene/case_description.h"
 #include "scene/doubts.h"
 #include "scene/names.h"
 #include "scene/script_permission.h"
@@ -122,13 +123,24 @@ std::vector<std::string> Console::settings() const {
 scene::Scene Console::load(const std::string &given) {
   scene::Scene scene = scene::load_scene(given, settings());
   if (load_is_shared) std::erase(scene.remarks, scene.load_remark);
-  for (const auto &remark : scene.remarks) warn(remark);
-  for (const auto &doubt : scene::doubts(scene))
-    if (!load_is_shared || !doubt.starts_with("load.")) warn(doubt);
+  warn_of(scene);
   if (load_is_shared &&
       std::any_of(overrides.begin(), overrides.end(), [](const auto &each) { return each.starts_with("load."); }))
     warn("load keys are not read: a building's bearings carry what stands on them");
   return scene;
+}
+
+void Console::warn_of(const scene::Scene &scene) {
+  for (const auto &remark : scene.remarks)
+    if (!load_is_shared || remark != scene.load_remark) warn(remark);
+  for (const auto &doubt : scene::doubts(scene))
+    if (!load_is_shared || !doubt.starts_with("load.")) warn(doubt);
+}
+
+void Console::tell_first_run(const scene::Scene &scene) {
+  message("first run:\n" + scene::describe_case(scene, !load_is_shared));
+  warn_of(scene);
+  for (const auto &doubt : scene::doubts_of_element(scene)) warn(doubt);
 }
 
 void Console::add_common(CLI::App &verb) {

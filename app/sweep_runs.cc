@@ -5,8 +5,6 @@
 #include "app/sibling.h"
 #include "files/json_text.h"
 #include "files/text.h"
-#include "scene/case_description.h"
-#include "scene/doubts.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
@@ -62,11 +60,7 @@ void sweep_runs(const SweepOptions &options, const SweepPlace &place, const flee
     line.show(fmt::format("{} of {} runs, {} without a result, {}, about {} to go", p.done, p.total, p.failed,
                           duration(p.seconds), duration(p.seconds_left)));
   };
-  fleet.first = [&](const scene::Scene &scene) {
-    console.message("first run:\n" + scene::describe_case(scene));
-    for (const auto &sentences : {scene.remarks, scene::doubts(scene), scene::doubts_of_element(scene)})
-      for (const auto &sentence : sentences) console.warn(sentence);
-  };
+  fleet.first = [&](const scene::Scene &scene) { console.tell_first_run(scene); };
   watch_interrupts();
   const auto result = fleets::run_fleet(place.scene, console.settings(), sweep, fleet, model);
   line.finish();

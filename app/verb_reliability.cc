@@ -9,8 +9,6 @@
 #include "records/record_library.h"
 #include "risk/plan.h"
 #include "risk/results.h"
-#include "scene/case_description.h"
-#include "scene/doubts.h"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -56,11 +54,7 @@ risk::CampaignResult run_fleets(const ReliabilityOptions &options, const risk::S
                           p.n_systems, p.runs.done, p.runs.total, p.runs.failed, duration(p.seconds),
                           duration(p.seconds_left)));
   };
-  campaign.first = [&](const scene::Scene &scene) {
-    console.message("first run:\n" + scene::describe_case(scene));
-    for (const auto &sentences : {scene.remarks, scene::doubts(scene), scene::doubts_of_element(scene)})
-      for (const auto &sentence : sentences) console.warn(sentence);
-  };
+  campaign.first = [&](const scene::Scene &scene) { console.tell_first_run(scene); };
   watch_interrupts();
   return risk::run_campaign(study, systems, motions, campaign);
 }

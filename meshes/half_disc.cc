@@ -7,32 +7,44 @@
 namespace rimpact::meshes {
 namespace {
 
-constexpr double polygon_share = 0.55; ///< of the radius
-
-/// Corners of the polygon at the even angles; its edges' middles lie under the odd ones.
-Point2 polygon_node(double radius, const std::vector<double> &angles, std::size_t k) {
-  const auto corner = [&](std::size_t i) -> Point2 {
-    const double r = polygon_share * radius;
-    return {r * std::cos(angles[i]), i + 1 == angles.size() ? 0.0 : r * std::sin(angles[i])};
-  };
-  if (k % 2 == 0) return corner(k);
-  const Point2 a = corner(k - 1), b = corner(k + 1);
-  return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
+/// Steps narrower than `least` of the mean one widened to it, at the others' cost: lines that are fine on the arc would
+/// meet in slivers further in. 0: as they are.
+std::vector<double> widened(const std::vector<double> &angles, double least) {
+  if (least == 0) return angles;
+  const double narrowest = least * M_PI / (angles.size() - 1);
+  std::vector<double> result{0};
+  for (std::size_t k = 0; k + 1 < angles.size(); ++k)
+    result.push_back(result.back() + std::max(angles[k + 1] - angles[k], narrowest));
+  for (double &angle : result) angle *= M_PI / result.back();
+  return result;
 }
 
-void mesh_polygon(double radius, const std::vector<double> &angles, double size) {
+/// Nodes of the polygon that gmsh fills: corners at the even angles, the middles of its edges between them.
+std::vector<Point2> polygon(double radius, const std::vector<double> &angles) {
+  constexpr double share = 0.55;
+  const auto corner = [&](std::size_t k) -> Point2 {
+    const double r = share * radius;
+    return {r * std::cos(angles[k]), k + 1 == angles.size() ? 0.0 : r * std::sin(angles[k])};
+  };
+  std::vector<Point2> result{corner(0)};
+  for (std::size_t k = 2; k < angles.size(); k += 2) {
+    const Point2 a = result.back(), b = corner(k);
+    result.insert(result.end(), {{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])}, b});
+  }
+  return result;
+}
+
+void mesh_polygon(const std::vector<Point2> &polygon, double size) {
   namespace geo = gmsh::model::geo;
   gmsh::model::add("core");
   const double coarse = 2 * size; // the subdivision halves every edge
   std::vector<int> points, curves;
-  for (std::size_t k = 0; k < angles.size(); k += 2) {
-    const Point2 p = polygon_node(radius, angles, k);
-    points.push_back(geo::addPoint(p[0], p[1], 0, coarse));
-  }
+  for (std::size_t k = 0; k < polygon.size(); k += 2)
+    points.push_back(geo::addPoint(polygon[k][0], polygon[k][1], 0, coarse));
   for (std::size_t k = 0; k < points.size(); ++k) {
     curves.push_back(geo::addLine(points[k], points[(k + 1) % points.size()]));
-    const bool diameter = k + 1 == points.size();
-    const int n = diameter ? std::max(1, static_cast<int>(std::lround(2 * polygon_share * radius / coarse))) : 1;
+    const double length = k + 1 == points.size() ? polygon.front()[0] - polygon.back()[0] : 0; // of the diameter
+    const int n = std::max(1, static_cast<int>(std::lround(length / coarse)));
     geo::mesh::setTransfiniteCurve(curves.back(), n + 1);
   }
   geo::addPlaneSurface({geo::addCurveLoop(curves)});
@@ -41,13 +53,13 @@ void mesh_polygon(double radius, const std::vector<double> &angles, double size)
 }
 
 /// Straight-edged quadrilaterals of the polygon.
-std::vector<Quad9> polygon_quads(double radius, const std::vector<double> &angles, double size) {
+std::vector<Quad9> polygon_quads(const std::vector<Point2> &polygon, double size) {
   const GmshSession session;
   gmsh::option::setNumber("Mesh.RecombineAll", 1);
   gmsh::option::setNumber("Mesh.RecombinationAlgorithm", 1);
   gmsh::option::setNumber("Mesh.SubdivisionAlgorithm", 1); // leaves quadrilaterals only
   try {
-    mesh_polygon(radius, angles, size);
+    mesh_polygon(polygon, size);
   } catch (const std::string &message) { // what gmsh 4.8 throws
     throw DataError("gmsh could not mesh the slider's core: " + message);
   }
@@ -72,20 +84,50 @@ std::vector<Quad9> polygon_quads(double radius, const std::vector<double> &angle
   return quads;
 }
 
-} // namespace
-
-std::vector<Quad9> half_disc(double radius, const std::vector<double> &angles, double size) {
-  std::vector<Quad9> quads = polygon_quads(radius, angles, size);
+std::vector<Quad9> disc(double radius, const std::vector<double> &angles, const std::vector<Point2> &polygon,
+                        double size) {
+  std::vector<Quad9> quads = polygon_quads(polygon, size);
   for (std::size_t k = 0; k + 1 < angles.size(); ++k) {
     const auto arc = [&](double angle) -> Point2 {
       return {radius * std::cos(angle), angle > M_PI - 1e-12 ? 0.0 : radius * std::sin(angle)};
     };
-    Quad9 quad = straight_quad(polygon_node(radius, angles, k), arc(angles[k]), arc(angles[k + 1]),
-                               polygon_node(radius, angles, k + 1), Volume::upper_slider);
+    Quad9 quad = straight_quad(polygon[k], arc(angles[k]), arc(angles[k + 1]), polygon[k + 1], Volume::upper_slider);
     quad.nodes[5] = arc(0.5 * (angles[k] + angles[k + 1]));
     centre(quad);
     quads.push_back(quad);
   }
+  return quads;
+}
+
+/// Smallest sine of an angle between two edges, below zero where a quadrilateral is turned over; of the `core` first
+/// ones also twice the smallest ratio of two edges.
+double soundness(const std::vector<Quad9> &quads, std::size_t core) {
+  constexpr int around[4] = {0, 2, 8, 6};
+  double smallest = 1;
+  for (std::size_t q = 0; q < quads.size(); ++q)
+    for (int c = 0; c < 4; ++c) {
+      const auto at = [&](int shift) { return quads[q].nodes[around[(c + shift) % 4]]; };
+      const double a[2] = {at(1)[0] - at(0)[0], at(1)[1] - at(0)[1]}, b[2] = {at(3)[0] - at(0)[0], at(3)[1] - at(0)[1]},
+                   la = std::hypot(a[0], a[1]), lb = std::hypot(b[0], b[1]);
+      smallest = std::min(smallest, (a[0] * b[1] - a[1] * b[0]) / (la * lb));
+      if (q < core) smallest = std::min({smallest, 2 * la / lb, 2 * lb / la});
+    }
+  return smallest;
+}
+
+} // namespace
+
+std::vector<Quad9> half_disc(double radius, const std::vector<double> &angles, double size) {
+  constexpr double sound = 0.13;
+  std::vector<Quad9> quads;
+  double best = -1;
+  for (const double finer : {1.0, 0.7, 0.5})
+    for (const double least : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
+      if (best > sound) break;
+      auto tried = disc(radius, angles, polygon(radius, widened(angles, least)), finer * size);
+      const double reached = soundness(tried, tried.size() + 1 - angles.size());
+      if (reached > best) best = reached, quads = std::move(tried);
+    }
   constexpr int ends[4][2] = {{0, 6}, {2, 8}, {0, 2}, {6, 8}};
   for (auto &quad : quads)
     for (int e = 0; e < 4; ++e)

@@ -6,7 +6,7 @@
 namespace rimpact::meshes {
 
 /// Adds the half y >= 0 at a travel along x [m], lifted as the surface lifts it; h scales every size (1 at level 1).
-/// Finest at its places (see folded in touched_places.h).
+/// Finest at its places (see from_the_first in touched_places.h) and at their images in the plane of the first.
 void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double travel,
                 const std::vector<double> &places = {0.0});
 

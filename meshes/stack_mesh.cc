@@ -21,7 +21,7 @@ HexMesh built_in(const scene::Bearing &bearing, const MeshOrder &order) {
   const double h = size_factor(order.level);
   HexMesh mesh;
   add_pad_and_foot(mesh, bearing, h);
-  add_slider(mesh, bearing, h, 0.0, folded(from_the_first(order.directions)));
+  add_slider(mesh, bearing, h, 0.0, from_the_first(order.directions));
   if (order.whole_plate) add_whole_plate(mesh, bearing, order);
   flatten(mesh);
   if (!order.half) mesh = mirrored(mesh);

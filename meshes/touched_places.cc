@@ -8,9 +8,9 @@ namespace {
 
 constexpr double same = 1e-9; ///< [rad]
 
-void sort_and_merge(std::vector<double> &angles) {
+void sort_and_merge(std::vector<double> &angles, double apart) {
   std::sort(angles.begin(), angles.end());
-  angles.erase(std::unique(angles.begin(), angles.end(), [](double a, double b) { return b - a < same; }),
+  angles.erase(std::unique(angles.begin(), angles.end(), [&](double a, double b) { return b - a < apart; }),
                angles.end());
 }
 
@@ -23,14 +23,13 @@ void cut_at_symmetry(RimArc &arc) {
 
 /// Between two neighbouring places, neither of them included.
 void add_between(std::vector<Anchor> &anchors, double from, double to, const PlaceSizes &sizes) {
-  const double half = 0.5 * (to - from);
-  if (half <= sizes.zone + same) return;
+  const double half = 0.5 * (to - from), grown = std::min(half, sizes.reach) - sizes.zone;
+  if (grown < 0.5 * sizes.fine) return; // an anchor is a line: no sliver between two
   anchors.push_back({from + sizes.zone, sizes.fine});
-  if (half > sizes.reach + same)
+  if (half > sizes.reach + 0.25 * sizes.coarse)
     anchors.insert(anchors.end(), {{from + sizes.reach, sizes.coarse}, {to - sizes.reach, sizes.coarse}});
   else
-    anchors.push_back(
-        {from + half, sizes.fine + (sizes.coarse - sizes.fine) * (half - sizes.zone) / (sizes.reach - sizes.zone)});
+    anchors.push_back({from + half, sizes.fine + (sizes.coarse - sizes.fine) * grown / (sizes.reach - sizes.zone)});
   anchors.push_back({to - sizes.zone, sizes.fine});
 }
 
@@ -62,15 +61,18 @@ std::vector<double> from_the_first(const std::vector<double> &directions) {
     if (angle < -same) angle += 2 * M_PI;
     places.push_back(std::abs(angle) < same ? 0.0 : std::abs(angle - M_PI) < same ? M_PI : angle);
   }
-  sort_and_merge(places);
+  sort_and_merge(places, same);
   return places;
 }
 
-std::vector<double> folded(const std::vector<double> &places) {
+std::vector<double> folded(const std::vector<double> &places, double apart) {
   std::vector<double> result;
   result.reserve(places.size());
-  for (const double place : places) result.push_back(place > M_PI ? 2 * M_PI - place : place);
-  sort_and_merge(result);
+  for (const double place : places) {
+    const double angle = place > M_PI ? 2 * M_PI - place : place;
+    result.push_back(angle < apart ? 0.0 : M_PI - angle < apart ? M_PI : angle);
+  }
+  sort_and_merge(result, std::max(apart, same));
   return result;
 }
 

@@ -12,8 +12,9 @@ struct PlaceSizes {
 
 /// From the first, in [0, 2 pi), ascending.
 std::vector<double> from_the_first(const std::vector<double> &directions);
-/// Of places and their images in the plane of the first: in [0, pi], ascending.
-std::vector<double> folded(const std::vector<double> &places);
+/// Of places and their images in the plane of the first: in [0, pi], ascending. What lies nearer than `apart` to an end
+/// or to the place before is that one: a grid has a line at each, and no cell may be a sliver between two.
+std::vector<double> folded(const std::vector<double> &places, double apart);
 
 /// Of a grid from the first to the last of ascending places.
 std::vector<Anchor> anchors_at(const std::vector<double> &places, const PlaceSizes &sizes);

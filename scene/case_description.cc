@@ -76,9 +76,9 @@ std::string element_line(const Scene &scene) {
                      range_of(scene.reduced));
 }
 
-std::string describe_case(const Scene &scene) {
-  return fmt::format("bearing: {}\nload: {}\nmotion: {}\nimpact element: {}\n", bearing_line(scene), load_line(scene),
-                     motion_line(scene), element_line(scene));
+std::string describe_case(const Scene &scene, bool load_is_read) {
+  return fmt::format("bearing: {}\n{}motion: {}\nimpact element: {}\n", bearing_line(scene),
+                     load_is_read ? "load: " + load_line(scene) + "\n" : "", motion_line(scene), element_line(scene));
 }
 
 json case_json(const Scene &scene) {

@@ -5,8 +5,8 @@
 
 namespace rimpact::scene {
 
-/// "bearing: ...\nload: ...\nmotion: ...\nimpact element: ...\n".
-std::string describe_case(const Scene &scene);
+/// "bearing: ...\nload: ...\nmotion: ...\nimpact element: ...\n"; a load that is not read is left out.
+std::string describe_case(const Scene &scene, bool load_is_read = true);
 /// The impact element alone: its law, numbers and where they come from.
 std::string element_line(const Scene &scene);
 /// The same as `load`, `motion` and `impact_element` (law, every number of it, source, fitted_from_m_per_s,

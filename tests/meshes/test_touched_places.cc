@@ -22,7 +22,19 @@ TEST(TouchedPlaces, AreCountedFromTheFirstAndMergedWhenTheSame) {
       found = from_the_first({-0.3, M_PI / 2 - 0.3, -0.3 - M_PI, -0.3 + 2 * M_PI});
   ASSERT_EQ(found.size(), 3u);
   for (int k = 0; k < 3; ++k) EXPECT_NEAR(found[k], expected[k], 1e-12);
-  EXPECT_EQ(folded({0, 1, 2 * M_PI - 1, 4}), (std::vector<double>{0, 1, 2 * M_PI - 4}));
+  EXPECT_EQ(folded({0, 1, 2 * M_PI - 1, 4}, 0), (std::vector<double>{0, 1, 2 * M_PI - 4}));
+}
+
+TEST(TouchedPlaces, OneThatWouldLeaveASliverBesideAnotherIsThatOne) {
+  EXPECT_EQ(folded({0, 0.05, 1, 1.05, M_PI - 0.05}, 0.1), (std::vector<double>{0, 1, M_PI}));
+  EXPECT_EQ(folded({0, 0.15, 1, 1.15, M_PI - 0.15}, 0.1), (std::vector<double>{0, 0.15, 1, 1.15, M_PI - 0.15}));
+}
+
+TEST(TouchedPlaces, AnchorsOfAGridNeverLieNearerThanHalfItsFineSize) {
+  for (double next = 2 * sizes.fine; next < M_PI; next += 0.003) {
+    const std::vector<double> lines = graded_lines(anchors_at({0, next}, sizes));
+    for (std::size_t k = 0; k + 1 < lines.size(); ++k) EXPECT_GT(lines[k + 1] - lines[k], 0.45 * sizes.fine) << next;
+  }
 }
 
 TEST(TouchedPlaces, ArcsApartStayApartAndOverlappingOnesAreOne) {
