@@ -122,7 +122,6 @@ std::vector<std::string> Console::settings() const {
 
 scene::Scene Console::load(const std::string &given) {
   scene::Scene scene = scene::load_scene(given, settings());
-  if (load_is_shared) std::erase(scene.remarks, scene.load_remark);
   warn_of(scene);
   if (load_is_shared &&
       std::any_of(overrides.begin(), overrides.end(), [](const auto &each) { return each.starts_with("load."); }))
@@ -130,14 +129,14 @@ scene::Scene Console::load(const std::string &given) {
   return scene;
 }
 
-void Console::warn_of(const scene::Scene &scene) {
-  for (const auto &remark : scene.remarks)
-    if (!load_is_shared || remark != scene.load_remark) warn(remark);
+void Console::warn_of(scene::Scene &scene) {
+  if (load_is_shared) std::erase(scene.remarks, scene.load_remark);
+  for (const auto &remark : scene.remarks) warn(remark);
   for (const auto &doubt : scene::doubts(scene))
     if (!load_is_shared || !doubt.starts_with("load.")) warn(doubt);
 }
 
-void Console::tell_first_run(const scene::Scene &scene) {
+void Console::tell_first_run(scene::Scene scene) {
   message("first run:\n" + scene::describe_case(scene, !load_is_shared));
   warn_of(scene);
   for (const auto &doubt : scene::doubts_of_element(scene)) warn(doubt);

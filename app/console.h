@@ -33,7 +33,7 @@ public:
   /// The scene with its settings; warns of what it allows but doubts.
   scene::Scene load(const std::string &given);
   /// What the first of many runs is, and what to doubt of it.
-  void tell_first_run(const scene::Scene &scene);
+  void tell_first_run(scene::Scene scene);
 
   void add_common(CLI::App &verb);    ///< --quiet, --verbose
   void add_json(CLI::App &verb);      ///< --json
@@ -42,7 +42,8 @@ public:
   void add_force(CLI::App &verb);     ///< --force
 
 private:
-  void warn_of(const scene::Scene &scene); ///< its remarks and doubts, but for those of a load that is not read
+  /// Its remarks and doubts; those of a load that is not read are left out, and the remark is taken away.
+  void warn_of(scene::Scene &scene);
   std::string log_;
   std::vector<std::string> warnings_;
 };

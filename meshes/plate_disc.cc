@@ -15,10 +15,9 @@ namespace {
 /// 0 .. pi in pairs of equal intervals, as half_disc asks; fine where the rim is touched.
 std::vector<double> disc_angles(const std::vector<double> &places, const PlaceSizes &sizes) {
   std::vector<Anchor> anchors = anchors_at(places, sizes);
-  const double last = places.back();
-  const double left = M_PI - last;
-  if (left > sizes.zone + 0.5 * sizes.fine) anchors.push_back({last + sizes.zone, sizes.fine});
-  if (left > sizes.reach + 0.25 * sizes.coarse) anchors.push_back({last + sizes.reach, sizes.coarse});
+  const double last = places.back(), left = M_PI - last;
+  if (left > sizes.past_zone()) anchors.push_back({last + sizes.zone, sizes.fine});
+  if (left > sizes.past_reach()) anchors.push_back({last + sizes.reach, sizes.coarse});
   if (last < M_PI) anchors.push_back({M_PI, sizes.coarse});
   return halved(graded_lines(anchors));
 }
@@ -46,7 +45,7 @@ void add_whole_plate(HexMesh &mesh, const scene::Bearing &bearing, const MeshOrd
   constexpr double core = 0.25; // radius [m]
   const double h = size_factor(order.level), wall = bearing.surface.planar_radius + bearing.rim.ledge;
   const PlaceSizes sizes{2 * 10 * mm * h / wall, 20 * mm / wall, order.sector_half_angle, 0.6 * h};
-  const std::vector<double> places = folded(from_the_first(order.directions), 0.5 * sizes.fine),
+  const std::vector<double> places = folded(from_the_first(order.directions), sizes.apart()),
                             angles = disc_angles(places, sizes);
   const double size = 80 * mm * h;                             // as coarse as the pad's path allows
   const std::vector<double> layers = plate_layers(bearing, h); // the rim's foot bends the plate as in rung rigid-dish

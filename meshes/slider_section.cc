@@ -105,8 +105,8 @@ void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double t
   const RingGrid grid = ring_grid(s, h);
   // Angles come in equal pairs: gmsh halves every edge of the core's plan.
   const PlaceSizes sizes{2 * 10 * mm * h / s.radius, 20 * mm / s.radius, M_PI / 2, 0.9 * h};
-  std::vector<Anchor> anchors = anchors_at(folded(places, 0.5 * sizes.fine), sizes);
-  if (const double left = M_PI - anchors.back().at; left > sizes.zone + 0.5 * sizes.fine) {
+  std::vector<Anchor> anchors = anchors_at(folded(places, sizes.apart()), sizes);
+  if (const double left = M_PI - anchors.back().at; left > sizes.past_zone()) {
     anchors.push_back({anchors.back().at + sizes.zone, sizes.fine});
     anchors.push_back({M_PI, std::max(sizes.fine, 2 * 1.5 * h * left / M_PI)});
   } else if (left > 1e-9) {

@@ -23,13 +23,14 @@ void cut_at_symmetry(RimArc &arc) {
 
 /// Between two neighbouring places, neither of them included.
 void add_between(std::vector<Anchor> &anchors, double from, double to, const PlaceSizes &sizes) {
-  const double half = 0.5 * (to - from), grown = std::min(half, sizes.reach) - sizes.zone;
-  if (grown < 0.5 * sizes.fine) return; // an anchor is a line: no sliver between two
+  const double half = 0.5 * (to - from), grows_to = std::min(half, sizes.reach);
+  if (grows_to < sizes.past_zone()) return;
   anchors.push_back({from + sizes.zone, sizes.fine});
-  if (half > sizes.reach + 0.25 * sizes.coarse)
+  if (half > sizes.past_reach())
     anchors.insert(anchors.end(), {{from + sizes.reach, sizes.coarse}, {to - sizes.reach, sizes.coarse}});
   else
-    anchors.push_back({from + half, sizes.fine + (sizes.coarse - sizes.fine) * grown / (sizes.reach - sizes.zone)});
+    anchors.push_back(
+        {from + half, sizes.fine + (sizes.coarse - sizes.fine) * (grows_to - sizes.zone) / (sizes.reach - sizes.zone)});
   anchors.push_back({to - sizes.zone, sizes.fine});
 }
 

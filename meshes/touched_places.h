@@ -8,6 +8,11 @@ namespace rimpact::meshes {
 /// Of a graded grid: the size at a place and as far as `zone` from it, growing to `coarse` at `reach` [rad].
 struct PlaceSizes {
   double fine, zone, reach, coarse;
+  /// Lines nearer than this leave a sliver between them.
+  double apart() const { return 0.5 * fine; }
+  /// A shorter stretch has no line of its own at `zone`, or at `reach`.
+  double past_zone() const { return zone + apart(); }
+  double past_reach() const { return reach + 0.25 * coarse; }
 };
 
 /// From the first, in [0, 2 pi), ascending.

@@ -110,7 +110,7 @@ double shortest_edge(const HexMesh &mesh, Surface group) {
   return shortest;
 }
 
-/// A sliver at the socket carries a point's whole force and flows: twice the iterations, and a plastic strain that is
+/// A sliver at the socket carries a point's whole force and flows: twice the time, and a plastic strain that is
 /// the mesh's own.
 TEST(StackMesh, CellsAreSoundWhereverTheSecondPlaceIs) {
   for (const int level : {0, 1})
