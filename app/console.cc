@@ -132,8 +132,7 @@ scene::Scene Console::load(const std::string &given) {
 void Console::warn_of(scene::Scene &scene) {
   if (load_is_shared) std::erase(scene.remarks, scene.load_remark);
   for (const auto &remark : scene.remarks) warn(remark);
-  for (const auto &doubt : scene::doubts(scene))
-    if (!load_is_shared || !doubt.starts_with("load.")) warn(doubt);
+  for (const auto &doubt : scene::doubts(scene, !load_is_shared)) warn(doubt);
 }
 
 void Console::tell_first_run(scene::Scene scene) {

@@ -63,7 +63,7 @@ void add_warnings(const scene::Scene &scene, const buildings::Frame &frame, cons
   std::vector<double> reactions;
   for (const auto &bearing : run.summary.extra["building"].at("bearings"))
     reactions.push_back(bearing.at("static_normal_force_N"));
-  auto &warnings = run.summary.extra["warnings"] = buildings::doubts_of(frame);
+  auto &warnings = run.summary.extra["warnings"] = nlohmann::json::array();
   if (!run.summary.impacts.empty())
     for (const auto &doubt : buildings::doubts_of_elements(bearings, reactions)) warnings.push_back(doubt);
   if (const auto doubt = doubt_of_ledger(run.summary.energy.value_or(EnergyLedger()));
@@ -71,7 +71,8 @@ void add_warnings(const scene::Scene &scene, const buildings::Frame &frame, cons
     warnings.push_back(*doubt);
   judge(scene, run.summary);
   for (const auto &warning : warnings) console.warn(warning.get<std::string>());
-  for (const auto &sentence : scene.remarks) warnings.push_back(sentence);
+  for (const auto &said : {buildings::doubts_of(frame), scene.remarks}) // before the run
+    for (const auto &sentence : said) warnings.push_back(sentence);
 }
 
 struct BuildingOptions {
@@ -128,10 +129,16 @@ void write_building(const buildings::Frame &frame, const buildings::BuildingResu
   if (result.trace.step > 0) buildings::write_vtk_series(frame, result.model, result.trace, folder);
 }
 
+/// Its doubts are said before anything is run: they name what a refusal or a long run comes from.
+buildings::Frame doubted_frame(const std::string &where, Console &console) {
+  auto frame = buildings::load_frame(where);
+  for (const auto &doubt : buildings::doubts_of(frame)) console.warn(doubt);
+  return frame;
+}
+
 /// A building's frame stays as it is; the sweep moves the scene's keys, and the bearings' with them.
 void sweep_building(const BuildingOptions &options, Console &console) {
-  const auto frame = buildings::load_frame(options.frame);
-  for (const auto &doubt : buildings::doubts_of(frame)) console.warn(doubt);
+  const auto frame = doubted_frame(options.frame, console);
   fleets::FleetModel model{
       .name = "building " + frame.name, .run = [&](const scene::Scene &scene) {
         return buildings::row_summary(
@@ -154,7 +161,7 @@ void run_building(const BuildingOptions &options, Console &console) {
   console.load_is_shared = true;
   if (!options.sweep.sweep.empty()) return sweep_building(options, console);
   const scene::Scene scene = console.load(options.scene);
-  const auto frame = buildings::load_frame(options.frame);
+  const auto frame = doubted_frame(options.frame, console);
   const auto bearings = buildings::bearings_of(frame, scene);
   const std::string folder = options.folder.empty() ? default_folder(scene.name + "-" + frame.name) : options.folder;
   const auto claim = claim_for_run({.given = options.scene, .folder = folder, .force = console.force}, scene, console);

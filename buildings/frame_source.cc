@@ -11,12 +11,20 @@
 
 namespace rimpact::buildings {
 
-Frame load_frame(const std::string &where) {
+namespace {
+Frame frame_at(const std::string &where) {
   std::error_code none;
   if (std::filesystem::is_directory(where, none)) return read_tables(where);
   const std::string text = building_text(where);
   if (is_plane_frame(text, where)) return make_frame(parse_plane_frame(text, where));
   return make_frame(parse_building(text, where));
+}
+} // namespace
+
+Frame load_frame(const std::string &where) {
+  Frame frame = frame_at(where);
+  frame.validate();
+  return frame;
 }
 
 std::string bearing_named(const std::string &name, const std::string &folder) {

@@ -5,7 +5,8 @@
 
 namespace rimpact::buildings {
 
-/// Throws InputError for a bad building file, DataError for bad tables, each with file and line.
+/// Throws InputError for a bad building file, DataError for bad tables, each with file and line, and what
+/// Frame::validate throws.
 Frame load_frame(const std::string &where);
 
 /// A bearing as a frame names it: its file beside the frame, in `folder`, or in the current folder, by its absolute

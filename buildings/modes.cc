@@ -20,8 +20,9 @@ Modes fixed_base_modes(const BuildingModel &m) {
     VectorXd(solver.eigenvectors().col(0)).cwiseAbs().maxCoeff(&dof);
     dof = free[dof];
     const bool slab = dof < 3 * m.n_diaphragms;
-    throw InputError(fmt::format("the building is a mechanism: {} {} moves freely", slab ? "diaphragm" : "node",
-                                 slab ? dof / 3 + 1 : dof - 3 * m.n_diaphragms + 1));
+    throw InputError(fmt::format("the building is a mechanism: {} {} moves freely: nothing holds it, or it is "
+                                 "far too heavy for what does",
+                                 slab ? "diaphragm" : "node", slab ? dof / 3 + 1 : dof - 3 * m.n_diaphragms + 1));
   }
   return {squares.cwiseSqrt(), root.asDiagonal() * solver.eigenvectors()};
 }

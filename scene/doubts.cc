@@ -45,13 +45,9 @@ void doubt_pad(const Bearing &b, std::vector<std::string> &found) {
                     1e3 * b.pad.shape_radius, b.surface.R0, 1e3 * b.surface.R0));
 }
 
-} // namespace
-
-std::vector<std::string> doubts(const Scene &scene) {
+/// Weight and mass hold each other to account.
+void doubt_load(const Scene &scene, std::vector<std::string> &found) {
   constexpr double odd_weight = 2, slip = 20; // weight over mass times gravity, or its inverse
-  constexpr double strongest = 5;             // no ground has been recorded near it [g]
-  constexpr double fastest = 10;              // an impact's speed [m/s]
-  std::vector<std::string> found;
   const double inertial = scene.load.mass * scene.load.gravity, ratio = scene.load.vertical / inertial;
   if (scene.load.vertical > 0 && (ratio > odd_weight || ratio < 1 / odd_weight))
     found.push_back(fmt::format(
@@ -59,6 +55,15 @@ std::vector<std::string> doubts(const Scene &scene) {
         scene.load.vertical / 1e3, ratio, scene.load.mass, inertial / 1e3,
         ratio > slip || ratio < 1 / slip ? "are the units right?"
                                          : "was one of the two forgotten? Left out, it follows from the other"));
+}
+
+} // namespace
+
+std::vector<std::string> doubts(const Scene &scene, bool load_is_read) {
+  constexpr double strongest = 5; // no ground has been recorded near it [g]
+  constexpr double fastest = 10;  // an impact's speed [m/s]
+  std::vector<std::string> found;
+  if (load_is_read) doubt_load(scene, found);
   if (const double a = largest_acceleration(scene); a > strongest)
     found.push_back(fmt::format(
         "the ground's acceleration reaches {:.3g} g, beyond any recorded: are its unit and scale right?", a));

@@ -6,7 +6,8 @@
 namespace rimpact::scene {
 
 /// Sentences with key, value and what it is compared with; empty when nothing looks odd.
-std::vector<std::string> doubts(const Scene &scene);
+/// A load that is not read (a building's bearings carry shares of it) is not looked at.
+std::vector<std::string> doubts(const Scene &scene, bool load_is_read = true);
 
 /// What to say of an impact element that is not this bearing's: the thesis's pair on another bearing or mass, a
 /// calibration of another rim or of another mass. Empty where nothing reads the element: FE needs none, nor do static

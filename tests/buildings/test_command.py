@@ -2,6 +2,7 @@
 import csv
 import json
 import os
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -162,6 +163,34 @@ class Building(Run, unittest.TestCase):
         other = rimpact(*command, "--frame", "thesis-3.5")
         self.assertEqual(other.returncode, 2, other.stderr)
         self.assertIn("another scene or other values", other.stderr)
+
+    def frame_with(self, name, table, column, cell):
+        """A copy of the run's frame with another cell in the last row of a table."""
+        folder = os.path.join(self.scratch.name, name)
+        os.makedirs(folder)
+        for each in ("nodes.csv", "elements.csv", "diaphragms.csv"):
+            shutil.copy(self.file(each), folder)
+        lines = rows(os.path.join(folder, table))
+        lines[-1][column] = cell
+        with open(os.path.join(folder, table), "w", newline="") as file:
+            writer = csv.DictWriter(file, lines[0].keys())
+            writer.writeheader()
+            writer.writerows(lines)
+        return folder
+
+    def test_a_slip_of_units_is_doubted_before_the_run(self):
+        frame = self.frame_with("heavy", "diaphragms.csv", "inertia_kg_m2", "1e20")
+        run = rimpact("building", "ricker-0.78g-1.0s", "--frame", frame, "-o", os.path.join(self.scratch.name, "none"), *SHORT)
+        self.assertEqual(run.returncode, 2, run.stderr)
+        self.assertIn("inertia over that of its plan", run.stderr)
+        self.assertIn("far too heavy for what does", run.stderr)
+
+    def test_a_member_of_no_node_is_refused_before_it_is_doubted(self):
+        frame = self.frame_with("loose", "elements.csv", "j", "99")
+        for sweep in ([], ["--sweep", "excitation.scale=0.3:1.05:2"]):
+            run = rimpact("building", "ricker-0.78g-1.0s", "--frame", frame, *sweep, "-o", os.path.join(self.scratch.name, "none"), *SHORT)
+            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertIn("the frame has nodes 1 to 24", run.stderr)
 
     def test_a_changed_bearing_file_makes_a_sweep_anew(self):
         self.assertEqual(rimpact("new", os.path.join(self.scratch.name, "own")).returncode, 0)
