@@ -16,7 +16,8 @@ constexpr Usual modulus{"E", "GPa", 3, 300}, shear_modulus{"G over E", "", 0.02,
     axial_strain{"strain at axial_yield", "", 1e-4, 0.05}, member{"length", "m", 0.3, 100},
     mass_over_area{"mass over its plan", "kg/m2", 100, 1e4}, mass_over_length{"mass over its length", "kg/m", 500, 2e5},
     inertia{"inertia over that of its plan", "", 0.02, 20},
-    vertical{"vertical masses of nodes over masses of slabs", "", 0.1, 10}, damping{"damping_ratio", "", 0, 0.2};
+    apart{"distance of the centre of mass from that of the weights over the plan's diagonal", "", 0, 0.05},
+    vertical{"vertical masses of nodes over masses of slabs", "", 0.5, 2}, damping{"damping_ratio", "", 0, 0.2};
 
 /// Doubts of one kind are one sentence: that of the first, and how many more there are.
 class Doubts {
@@ -69,12 +70,24 @@ Eigen::Vector2d sides_of(const Frame &frame, const Diaphragm &slab) {
   return (high - low).head<2>();
 }
 
-void look_at(const Diaphragm &slab, const std::string &of, const Eigen::Vector2d &sides, Doubts &found) {
+Eigen::Vector2d centre_of_weights(const Frame &frame, const Diaphragm &slab) {
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double mass = 0;
+  for (const int node : slab.nodes) {
+    mass += frame.nodes[node].vertical_mass;
+    sum += frame.nodes[node].vertical_mass * frame.nodes[node].at;
+  }
+  return sum.head<2>() / mass;
+}
+
+void look_at(const Diaphragm &slab, const std::string &of, const Eigen::Vector2d &sides, const Eigen::Vector2d &weights,
+             Doubts &found) {
   if (!(sides.norm() > 0)) return;
   if (sides.prod() > 0)
     found.look(of, mass_over_area, slab.mass / sides.prod());
   else
     found.look(of, mass_over_length, slab.mass / sides.norm());
+  found.look(of, apart, (slab.centre - weights).norm() / sides.norm());
   found.look(of, inertia, slab.inertia / (slab.mass * sides.squaredNorm() / 12));
 }
 
@@ -90,7 +103,7 @@ std::vector<std::string> doubts_of(const Frame &frame) {
   double slabs = 0, nodes = 0;
   for (std::size_t level = 0; level < frame.diaphragms.size(); ++level) {
     const auto &slab = frame.diaphragms[level];
-    look_at(slab, fmt::format("level {}", level), sides_of(frame, slab), found);
+    look_at(slab, fmt::format("level {}", level), sides_of(frame, slab), centre_of_weights(frame, slab), found);
     slabs += slab.mass;
   }
   for (const auto &node : frame.nodes) nodes += node.vertical_mass;

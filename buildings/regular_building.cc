@@ -4,6 +4,7 @@
 #include "files/error.h"
 #include "files/text.h"
 #include "files/toml_reader.h"
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -21,6 +22,23 @@ void check_lines(const char *key, const std::vector<double> &lines) {
   for (std::size_t i = 1; i < lines.size(); ++i)
     if (!(lines[i] > lines[i - 1]))
       throw InputError(fmt::format("{} must grow: {} follows {}", key, lines[i], lines[i - 1]));
+}
+
+std::vector<double> line_shares(const std::vector<double> &lines, double off) {
+  const auto n = static_cast<Eigen::Index>(lines.size());
+  const double length = lines.back() - lines[0], middle = lines[0] + length / 2;
+  Eigen::ArrayXd at(n), even(n);
+  for (Eigen::Index i = 0; i < n; ++i) at[i] = (lines[i] - middle) / length, even[i] = tributary(lines, i) / length;
+  Eigen::ArrayXd shares = even;
+  double tilt = 0;
+  for (int step = 0; off != 0 && step < 100; ++step) { // its centre grows with the tilt, by its variance
+    shares = even * (tilt * at).exp();
+    shares /= shares.sum();
+    const double centre = (shares * at).sum(), variance = (shares * at.square()).sum() - centre * centre;
+    if (std::abs(off - centre) < 1e-14) break;
+    tilt += std::clamp((off - centre) / variance, -2.0, 2.0);
+  }
+  return {shares.begin(), shares.end()};
 }
 
 std::map<int, std::string> own_bearings(const TomlFile &file) {
@@ -57,6 +75,7 @@ Frame make_frame(const RegularBuilding &b) {
                 rectangle("beam", b.beam_width, b.beam_depth, b.E, b.nu)};
   if (!b.shear)
     for (auto &s : f.sections) s.shear_y = s.shear_z = 0;
+  const auto along_x = line_shares(b.x, b.eccentricity.x()), along_y = line_shares(b.y, b.eccentricity.y());
   double z = 0;
   for (int level = 0; level < levels; ++level) {
     if (level > 0) z += b.storeys[level - 1];
@@ -65,8 +84,7 @@ Frame make_frame(const RegularBuilding &b) {
       for (int i = 0; i < nx; ++i) {
         const int node = static_cast<int>(f.nodes.size());
         slab.nodes.push_back(node);
-        f.nodes.push_back(
-            {{b.x[i], b.y[j], z}, b.load / b.gravity * tributary(b.x, i) * tributary(b.y, j), level == 0});
+        f.nodes.push_back({{b.x[i], b.y[j], z}, mass * along_x[i] * along_y[j], level == 0});
         if (level > 0) f.elements.push_back({node - nx * ny, node, 0, Eigen::Vector3d::UnitY()});
         if (i > 0) f.elements.push_back({node - 1, node, 1, Eigen::Vector3d::UnitZ()});
         if (j > 0) f.elements.push_back({node - nx, node, 1, Eigen::Vector3d::UnitZ()});
@@ -96,7 +114,8 @@ void visit(KeyVisitor &v, RegularBuilding &b) {
   v.number({"beam_width_mm", "of every beam"}, b.beam_width, milli, size);
   v.number({"beam_depth_mm", "of every beam"}, b.beam_depth, milli, size);
   v.flag({"shear", "members deform in shear (Timoshenko)"}, b.shear);
-  v.pair({"eccentricity", "of every level's centre of mass, shares of the plan's sides"}, b.eccentricity, {-0.5, 0.5});
+  v.pair({"eccentricity", "of every level's centre of mass and weight, shares of the plan's sides"}, b.eccentricity,
+         {-0.45, 0.45});
   v.number({"damping_ratio", "of every mode with the base held"}, b.damping_ratio, si, {0, 1});
 }
 

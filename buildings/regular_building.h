@@ -18,10 +18,9 @@ struct RegularBuilding {
   double gravity = 9.81;       ///< makes masses of it [m/s^2]
   double E = 23.4e9, nu = 0.2; ///< concrete [Pa], [-]
   double column_x = 0.5, column_y = 0.5, beam_width = 0.5, beam_depth = 0.65; ///< [m]
-  bool shear = true; ///< Timoshenko members; false: Euler-Bernoulli
-  Eigen::Vector2d eccentricity =
-      Eigen::Vector2d::Zero(); ///< of every level's mass centre, shares of the plan's sides [-], -0.5..0.5;
-                               ///< tributary vertical masses stay where they are
+  bool shear = true;                                      ///< Timoshenko members; false: Euler-Bernoulli
+  Eigen::Vector2d eccentricity = Eigen::Vector2d::Zero(); ///< of every level's mass and weight, shares of the plan's
+                                                          ///< sides [-], -0.45..0.45
   double damping_ratio = 0.02;
   std::map<int, std::string> bearings; ///< names or files of bearings of their own, by the node above, from 1
 };
@@ -39,6 +38,9 @@ RegularBuilding parse_building(const std::string &text, const std::string &origi
 void check_lines(const char *key, const std::vector<double> &lines);
 /// Length of floor that a line carries: half the bay on each side [m].
 double tributary(const std::vector<double> &lines, std::size_t i);
+/// Shares of a level's weight on each line [-], > 0, of the sum 1: tributary ones tilted exponentially until their
+/// centre stands `off` (a share of the length, -0.5 < off < 0.5) beside the middle.
+std::vector<double> line_shares(const std::vector<double> &lines, double off);
 /// [bearings]: node = "name or file".
 std::map<int, std::string> own_bearings(const TomlFile &file);
 

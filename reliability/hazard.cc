@@ -8,6 +8,8 @@
 namespace rimpact::reliability {
 namespace {
 
+constexpr double steepest = 100; // seismic hazard falls by powers of 1 to 10
+
 bool positive(double value) {
   return std::isfinite(value) && value > 0;
 }
@@ -32,6 +34,10 @@ HazardCurve::HazardCurve(std::vector<HazardPoint> points) : points_(std::move(po
     require_growth("intensity", static_cast<int>(i) + 1, a.intensity, b.intensity);
     require_growth("return period", static_cast<int>(i) + 1, a.return_period_years, b.return_period_years);
     slopes_.push_back(std::log(b.return_period_years / a.return_period_years) / std::log(b.intensity / a.intensity));
+    if (!(slopes_.back() <= steepest))
+      throw InputError(fmt::format("the hazard curve falls as intensity^-{:.3g} between points {} and {}; {:g} is the "
+                                   "steepest a ground can have",
+                                   slopes_.back(), i + 1, i + 2, steepest));
   }
 }
 

@@ -45,8 +45,9 @@ bool lifts(const Summary &s) {
 const std::vector<Case> cases{
     {"one column lifts off and lands", [](auto &, auto &s, auto &) { s.excitation.direction_deg = 45; }, lifts},
     {"one side hits, the other slides",
-     [](auto &b, auto &s, auto &) {
-       b.eccentricity = {0.0, 0.15}, s.excitation.scale = 1.03;
+     [](auto &, auto &s, auto &f) {
+       for (auto &slab : f.diaphragms) slab.centre.y() += 1.2; // the weights stay, so it turns
+       s.excitation.scale = 1.03;
      },
      [](const Summary &s) { return bearings_that_hit(s) > 0 && bearings_that_hit(s) < 6; }},
     {"at rest in different places",

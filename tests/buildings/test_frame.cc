@@ -79,7 +79,7 @@ TEST(Building, AWrongUnitIsDoubted) {
   EXPECT_EQ(doubted([](Frame &f) {
               for (auto &node : f.nodes) node.vertical_mass *= 1e-3;
             }),
-            "frame: vertical masses of nodes over masses of slabs = 0.001, where 0.1 to 10 is usual: are the units "
+            "frame: vertical masses of nodes over masses of slabs = 0.001, where 0.5 to 2 is usual: are the units "
             "right?");
   EXPECT_EQ(doubted([](Frame &f) { f.damping_ratio = 0.5; }),
             "frame: damping_ratio = 0.5, where 0 to 0.2 is usual: are the units right?");
@@ -127,6 +127,31 @@ TEST(Building, EveryModeHasItsDampingRatio) {
   const MatrixXd C = modes.shapes.transpose() * MatrixXd(m.damping(free, free)) * modes.shapes;
   const MatrixXd expected = MatrixXd((0.04 * modes.omega).asDiagonal());
   EXPECT_LT((C - expected).cwiseAbs().maxCoeff(), 1e-10 * expected.maxCoeff());
+}
+
+TEST(Building, WeightStandsWhereItsMassDoes) {
+  RegularBuilding b;
+  b.x = {0, 3, 11, 16}, b.y = {0, 8}, b.storeys = {3.5};
+  const double level = b.load * 16 * 8;
+  for (const Eigen::Vector2d off : {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.3, -0.1), Eigen::Vector2d(-0.45, 0.45)}) {
+    b.eccentricity = off;
+    const Frame f = make_frame(b);
+    const VectorXd R = static_reactions(assemble(f), b.gravity);
+    Eigen::Vector2d moment = Eigen::Vector2d::Zero();
+    for (int i = 0; i < 8; ++i) moment += R[i] * f.nodes[i].at.head<2>();
+    EXPECT_NEAR(R.sum() / (2 * level), 1, 1e-9);
+    EXPECT_NEAR((moment / R.sum() - f.diaphragms[0].centre).norm(), 0, 1e-8);
+    for (const auto &node : f.nodes) EXPECT_GT(node.vertical_mass, 0);
+    for (const auto &doubt : doubts_of(f)) EXPECT_EQ(doubt.find("centre of mass"), std::string::npos) << doubt;
+  }
+}
+
+TEST(Building, AWeightBesideItsMassIsDoubted) {
+  Frame f = make_frame(load_building("thesis-2.4"));
+  for (auto &slab : f.diaphragms) slab.centre.x() += 2;
+  const auto found = doubts_of(f);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NE(found[0].find("distance of the centre of mass from that of the weights"), std::string::npos) << found[0];
 }
 
 TEST(Building, EccentricMassTwistsTheFirstMode) {

@@ -98,9 +98,8 @@ TEST(BuildingGates, ErrorFallsWithTheTolerance) {
 }
 
 TEST(BuildingGates, PlainEquationsByCvodeAgree) {
-  RegularBuilding b = thesis();
-  b.eccentricity = {0.05, 0.1};
-  const Frame f = make_frame(b);
+  Frame f = make_frame(thesis());
+  for (auto &slab : f.diaphragms) slab.centre += Eigen::Vector2d(0.8, 0.8); // the weights stay, so it turns
   scene::Scene s = pulse(1.02, 1, 1e-9);
   s.excitation.direction_deg = 30;
   s.reduced.impact_law = &laws::impact_law("hunt-crossley");

@@ -44,6 +44,13 @@ TEST(HazardCurve, GoesDownContinuouslyWhereTheSlopeChanges) {
   EXPECT_GT(curve.slope(0.19), curve.slope(0.2));
 }
 
+TEST(HazardCurve, RefusesACliff) {
+  EXPECT_EQ(refusal({{0.3, 475}, {0.30001, 2475}}),
+            "the hazard curve falls as intensity^-4.95e+04 between points 1 and "
+            "2; 100 is the steepest a ground can have");
+  EXPECT_NE(refusal({{0.4, 1e-300}, {0.8, 1e300}}).find("the steepest"), std::string::npos);
+}
+
 TEST(HazardCurve, RefusesWhatIsNotMonotone) {
   EXPECT_EQ(refusal({{0.1, 43}, {0.2, 475}, {0.15, 2475}}),
             "the hazard curve is not monotone: intensity 0.15 of point 3 does not exceed 0.2 of point 2");
