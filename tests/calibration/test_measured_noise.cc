@@ -253,7 +253,8 @@ TEST(MeasuredNoise, ReferencesWithoutNoiseAreFittedAsBefore) {
   EXPECT_NEAR(result.parameters.at("yield_force").value / 714.8116, 1, 1e-3);
   EXPECT_NEAR(result.parameters.at("hardening").value / 0.1397028, 1, 1e-3);
   EXPECT_NEAR(result.parameters.at("unloading_gain").value / 0.4862087, 1, 1e-3);
-  EXPECT_NEAR(result.parameters.at("k_i").standard_error / 18331.24, 1, 2e-2);
+  // Of differences of flights: it moves by some 5 % with the processor's rounding, the numbers above do not.
+  EXPECT_NEAR(result.parameters.at("k_i").standard_error / 18331.24, 1, 0.1);
 }
 
 TEST(MeasuredNoise, ARunNamedTwiceIsRefused) {
