@@ -248,14 +248,13 @@ TEST(MeasuredNoise, ReferencesWithoutNoiseAreFittedAsBefore) {
   FitOptions options;
   options.law = "elastoplastic", options.parameters = {"k_i", "yield_force", "hardening", "unloading_gain"};
   options.n_starts = 2;
+  options.difference_step = 1e-5; // 1e-4, the default, may span a jump of a residual beside these values
   const auto result = fit({&runs[0], &runs[1], &runs[2]}, options);
-  EXPECT_NEAR(result.parameters.at("k_i").value / 991333.16, 1, 3e-3);
-  EXPECT_NEAR(result.parameters.at("yield_force").value / 714.8116, 1, 3e-3);
-  EXPECT_NEAR(result.parameters.at("hardening").value / 0.1397028, 1, 3e-3);
-  EXPECT_NEAR(result.parameters.at("unloading_gain").value / 0.4862087, 1, 3e-3);
-  // Of differences of flights: 0.07 to 1 times the kept one by the processor's rounding (open).
-  EXPECT_GT(result.parameters.at("k_i").standard_error, 0);
-  EXPECT_LT(result.parameters.at("k_i").standard_error / 18331.24, 1.1);
+  EXPECT_NEAR(result.parameters.at("k_i").value / 991333.16, 1, 1e-3);
+  EXPECT_NEAR(result.parameters.at("yield_force").value / 714.8116, 1, 1e-3);
+  EXPECT_NEAR(result.parameters.at("hardening").value / 0.1397028, 1, 1e-3);
+  EXPECT_NEAR(result.parameters.at("unloading_gain").value / 0.4862087, 1, 1e-3);
+  EXPECT_NEAR(result.parameters.at("k_i").standard_error / 18331.24, 1, 2e-2);
 }
 
 TEST(MeasuredNoise, ARunNamedTwiceIsRefused) {
