@@ -80,14 +80,14 @@ Eigen::Vector2d centre_of_weights(const Frame &frame, const Diaphragm &slab) {
   return sum.head<2>() / mass;
 }
 
-void look_at(const Diaphragm &slab, const std::string &of, const Eigen::Vector2d &sides, const Eigen::Vector2d &weights,
-             Doubts &found) {
+void look_at(const Frame &frame, const Diaphragm &slab, const std::string &of, Doubts &found) {
+  const Eigen::Vector2d sides = sides_of(frame, slab);
   if (!(sides.norm() > 0)) return;
   if (sides.prod() > 0)
     found.look(of, mass_over_area, slab.mass / sides.prod());
   else
     found.look(of, mass_over_length, slab.mass / sides.norm());
-  found.look(of, apart, (slab.centre - weights).norm() / sides.norm());
+  found.look(of, apart, (slab.centre - centre_of_weights(frame, slab)).norm() / sides.norm());
   found.look(of, inertia, slab.inertia / (slab.mass * sides.squaredNorm() / 12));
 }
 
@@ -103,7 +103,7 @@ std::vector<std::string> doubts_of(const Frame &frame) {
   double slabs = 0, nodes = 0;
   for (std::size_t level = 0; level < frame.diaphragms.size(); ++level) {
     const auto &slab = frame.diaphragms[level];
-    look_at(slab, fmt::format("level {}", level), sides_of(frame, slab), centre_of_weights(frame, slab), found);
+    look_at(frame, slab, fmt::format("level {}", level), found);
     slabs += slab.mass;
   }
   for (const auto &node : frame.nodes) nodes += node.vertical_mass;

@@ -24,23 +24,6 @@ void check_lines(const char *key, const std::vector<double> &lines) {
       throw InputError(fmt::format("{} must grow: {} follows {}", key, lines[i], lines[i - 1]));
 }
 
-std::vector<double> line_shares(const std::vector<double> &lines, double off) {
-  const auto n = static_cast<Eigen::Index>(lines.size());
-  const double length = lines.back() - lines[0], middle = lines[0] + length / 2;
-  Eigen::ArrayXd at(n), even(n);
-  for (Eigen::Index i = 0; i < n; ++i) at[i] = (lines[i] - middle) / length, even[i] = tributary(lines, i) / length;
-  Eigen::ArrayXd shares = even;
-  double tilt = 0;
-  for (int step = 0; off != 0 && step < 100; ++step) { // its centre grows with the tilt, by its variance
-    shares = even * (tilt * at).exp();
-    shares /= shares.sum();
-    const double centre = (shares * at).sum(), variance = (shares * at.square()).sum() - centre * centre;
-    if (std::abs(off - centre) < 1e-14) break;
-    tilt += std::clamp((off - centre) / variance, -2.0, 2.0);
-  }
-  return {shares.begin(), shares.end()};
-}
-
 std::map<int, std::string> own_bearings(const TomlFile &file) {
   std::map<int, std::string> list;
   const auto *table = file.root()["bearings"].as_table();
@@ -60,6 +43,27 @@ std::map<int, std::string> own_bearings(const TomlFile &file) {
   }
   return list;
 }
+
+namespace {
+/// Shares of a level's weight on each line [-], > 0, of the sum 1: tributary ones tilted exponentially until their
+/// centre stands `off` (a share of the length, -0.5 < off < 0.5) beside the middle.
+std::vector<double> line_shares(const std::vector<double> &lines, double off) {
+  const auto n = static_cast<Eigen::Index>(lines.size());
+  const double length = lines.back() - lines[0], middle = lines[0] + length / 2;
+  Eigen::ArrayXd at(n), even(n);
+  for (Eigen::Index i = 0; i < n; ++i) at[i] = (lines[i] - middle) / length, even[i] = tributary(lines, i) / length;
+  Eigen::ArrayXd shares = even;
+  double tilt = 0;
+  for (int step = 0; off != 0 && step < 100; ++step) { // its centre grows with the tilt, by its variance
+    shares = even * (tilt * at).exp();
+    shares /= shares.sum();
+    const double centre = (shares * at).sum(), variance = (shares * at.square()).sum() - centre * centre;
+    if (std::abs(off - centre) < 1e-14) break;
+    tilt += std::clamp((off - centre) / variance, -2.0, 2.0);
+  }
+  return {shares.begin(), shares.end()};
+}
+} // namespace
 
 Frame make_frame(const RegularBuilding &b) {
   check_lines("x_m", b.x);

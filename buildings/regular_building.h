@@ -38,9 +38,6 @@ RegularBuilding parse_building(const std::string &text, const std::string &origi
 void check_lines(const char *key, const std::vector<double> &lines);
 /// Length of floor that a line carries: half the bay on each side [m].
 double tributary(const std::vector<double> &lines, std::size_t i);
-/// Shares of a level's weight on each line [-], > 0, of the sum 1: tributary ones tilted exponentially until their
-/// centre stands `off` (a share of the length, -0.5 < off < 0.5) beside the middle.
-std::vector<double> line_shares(const std::vector<double> &lines, double off);
 /// [bearings]: node = "name or file".
 std::map<int, std::string> own_bearings(const TomlFile &file);
 
