@@ -71,7 +71,7 @@ const LawFamily &elastoplastic_laws() {
 ImpactForce elastoplastic_backbone(const RimElement &r, double d) {
   const double p = r.hardening_exponent, h = r.hardening, x = r.stiffness * d / r.yield_force, knee = (1 - h) * x,
                root = std::sqrt(1 + knee * knee);
-  return {r.yield_force * (knee / root + h / p * (std::pow(1 + x, p) - 1)),
+  return {r.yield_force * (knee / root + h / p * std::expm1(p * std::log1p(x))),
           r.stiffness * ((1 - h) / (root * root * root) + h * std::pow(1 + x, p - 1)), 0};
 }
 

@@ -88,12 +88,14 @@ void Recorder::refine_drifts(const Segment &s, const State &middle) {
                                            building_.peak_drift(i)));
 }
 
-/// The last instant before a jump at the segment's end.
+/// The last instant before a jump at the segment's end; of a shorter segment its begin, for what follows reads a pair
+/// of samples as a jump, and may not hang on where a step ends.
 void Recorder::store_before(const Mode &mode, const Segment &s) {
-  if (!(s.t1 - beside > s.t0)) return;
-  State y = s.at(s.t1 - beside);
+  if (!(s.t1 > s.t0)) return;
+  const double t = std::max(s.t0, s.t1 - beside);
+  State y = s.at(t);
   dynamics_.place(mode, y);
-  store(mode, s.t1 - beside, y);
+  store(mode, t, y);
 }
 
 void Recorder::segment(const Mode &mode, const Segment &s, bool rim_changes_at_end) {

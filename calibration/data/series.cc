@@ -29,23 +29,11 @@ double hermite_at(const std::vector<double> &times, const std::vector<double> &v
          h * (rates[i] * s * a * a - rates[i + 1] * s * s * a);
 }
 
-double pulse_at(const std::vector<double> &times, const std::vector<double> &values, double t) {
-  if (t < times.front() || t > times.back()) return 0;
-  const std::size_t i = interval_of(times, t);
-  if (values[i] == 0) return t == times[i + 1] ? values[i + 1] : 0;
-  if (values[i + 1] == 0) return t == times[i] ? values[i] : 0;
-  // the window of up to four samples around [i, i+1] that stays inside the pulse
-  const auto usable = [&](std::size_t from, std::size_t to) {
-    return values[from] != 0 && (from + 1 != to || times[to] > times[from]);
-  };
-  std::size_t first = i, last = i + 1;
-  while (last - first < 3) {
-    const bool left = first > 0 && usable(first - 1, first);
-    const bool right = last + 1 < times.size() && values[last + 1] != 0 && times[last + 1] > times[last];
-    if (!left && !right) break;
-    const bool prefer_left = left && (!right || i - first < last - i - 1);
-    prefer_left ? --first : ++last;
-  }
+namespace {
+
+/// Lagrange's polynomial through samples first..last.
+double through(const std::vector<double> &times, const std::vector<double> &values, std::size_t first, std::size_t last,
+               double t) {
   double sum = 0;
   for (std::size_t j = first; j <= last; ++j) {
     double basis = 1;
@@ -54,6 +42,28 @@ double pulse_at(const std::vector<double> &times, const std::vector<double> &val
     sum += basis * values[j];
   }
   return sum;
+}
+
+} // namespace
+
+double pulse_at(const std::vector<double> &times, const std::vector<double> &values, double t) {
+  if (t < times.front() || t > times.back()) return 0;
+  const std::size_t i = interval_of(times, t);
+  const double begin = values[i], end = values[i + 1];
+  if (begin == 0 && end == 0) return 0;
+  // the window of up to four samples around [i, i+1] that goes on inside the pulse
+  std::size_t first = i, last = i + 1;
+  while (last - first < 3) {
+    const bool left = first > 0 && values[first] != 0 && values[first - 1] != 0 && times[first] > times[first - 1];
+    const bool right =
+        last + 1 < times.size() && values[last] != 0 && values[last + 1] != 0 && times[last + 1] > times[last];
+    if (!left && !right) break;
+    const bool prefer_left = left && (!right || i - first < last - i - 1);
+    prefer_left ? --first : ++last;
+  }
+  const double value = through(times, values, first, last, t);
+  // between its end and the first sample inside, a pulse rises or falls: a coarse one must not overshoot
+  return begin == 0 || end == 0 ? std::clamp(value, std::min(begin, end), std::max(begin, end)) : value;
 }
 
 std::vector<double> differentiate(const std::vector<double> &times, const std::vector<double> &values) {

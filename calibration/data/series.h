@@ -13,8 +13,9 @@ double linear_at(const std::vector<double> &times, const std::vector<double> &va
 /// Cubic through the values and rates of both neighbours, the end values outside.
 double hermite_at(const std::vector<double> &times, const std::vector<double> &values, const std::vector<double> &rates,
                   double t);
-/// Third-order through the four nearest non-zero samples of one pulse, zero outside pulses: for a force that
-/// jumps at touch and release.
+/// Third-order through the four nearest samples of one pulse, from the zero where it begins to that where it ends; zero
+/// outside. A jump at touch or release is kept where both of its instants are stored. Continuous in `t` and in the
+/// samples: a release that passes `t` moves the value by nothing.
 double pulse_at(const std::vector<double> &times, const std::vector<double> &values, double t);
 
 /// d values / dt: at each sample the slope of the parabola through it and its neighbours, at ends and jumps

@@ -54,7 +54,7 @@ TEST(MeasuredRun, IsCalibratedLikeAnyOther) {
   EXPECT_NEAR(c.result.parameters.at("e").value, 0.4, 0.01);
 }
 
-template <class E> void expect_refusal(const std::string &path, const std::string &words) {
+template <class E> void expect_unread(const std::string &path, const std::string &words) {
   try {
     read_run(path, {});
     ADD_FAILURE() << "accepted: " << words;
@@ -72,20 +72,20 @@ TEST(MeasuredRun, RefusesAMappingThatIsWrong) {
   const auto path = write_test(folder, window(0.3));
   const auto write = [&](const std::string &text) { std::ofstream(path) << text; };
   write(head() + replaced(columns, "unit = \"mm\"", "unit = \"kN\""));
-  expect_refusal<InputError>(path, "columns.displacement_x.unit \"kN\" is no unit of displacement_x; it is stored in "
-                                   "m, and may be given in m, cm, mm");
+  expect_unread<InputError>(path, "columns.displacement_x.unit \"kN\" is no unit of displacement_x; it is stored in "
+                                  "m, and may be given in m, cm, mm");
   write(head() + replaced(columns, "unit = \"kN\"", "unit = \"Nm\""));
-  expect_refusal<InputError>(path, "may be given in N, kN, MN");
+  expect_unread<InputError>(path, "may be given in N, kN, MN");
   write(head() + replaced(columns, "columns.impact_x", "columns.impakt_x"));
-  expect_refusal<InputError>(path, "did you mean \"impact_x\"");
+  expect_unread<InputError>(path, "did you mean \"impact_x\"");
   write(head() + replaced(columns, "\"cell\"", "\"cell 2\""));
-  expect_refusal<DataError>(
+  expect_unread<DataError>(
       path,
       "no column \"cell 2\" (impact_x); the header, after skip_lines = 1, names \"t\", \"room\", \"LVDT 1\", \"cell\"");
   write(head("colour = 1\n") + columns);
-  expect_refusal<InputError>(path, "unknown key \"colour\"");
+  expect_unread<InputError>(path, "unknown key \"colour\"");
   write("file = \"test.csv\"\n" + std::string(columns));
-  expect_refusal<InputError>(path, "scene is missing");
+  expect_unread<InputError>(path, "scene is missing");
 }
 
 TEST(MeasuredRun, RefusesFiguresThatContradictEachOther) {
@@ -93,11 +93,11 @@ TEST(MeasuredRun, RefusesFiguresThatContradictEachOther) {
   const auto path = write_test(folder, window(0.3));
   const auto write = [&](const std::string &text) { std::ofstream(path) << text; };
   write(head() + replaced(columns, "unit = \"kN\"", "unit = \"N\""));
-  expect_refusal<DataError>(path, "times the change of momentum");
+  expect_unread<DataError>(path, "times the change of momentum");
   write(head() + replaced(columns, "factor = -1.0", "factor = -25.4"));
-  expect_refusal<DataError>(path, "is the displacement's unit right?");
+  expect_unread<DataError>(path, "is the displacement's unit right?");
   write(head() + replaced(columns, "unit = \"kN\"", "unit = \"kN\"\nfactor = -1.0"));
-  expect_refusal<DataError>(path, "is its sign right?");
+  expect_unread<DataError>(path, "is its sign right?");
   write_test(folder, window(0.3), 0);
   write(head() + columns);
   EXPECT_TRUE(read_run(path, {}).impacts.empty());
@@ -107,7 +107,7 @@ TEST(MeasuredRun, RefusesAClockAThousandTimesTooSlow) {
   TemporaryFolder folder;
   const auto path = write_test(folder, window(0.3));
   std::ofstream(path) << head() + replaced(columns, "unit = \"ms\"", "unit = \"s\"");
-  expect_refusal<DataError>(path, "are the units of time and force right?");
+  expect_unread<DataError>(path, "are the units of time and force right?");
 }
 
 /// The rim stands where the bearing says: a zero that is wrong shows in where it is first touched.

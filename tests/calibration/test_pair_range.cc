@@ -1,15 +1,16 @@
 #include "calibration/laws/pair_range.h"
-#include "synthetic.h"
+#include "measured_synthetic.h"
 #include <gtest/gtest.h>
 
 namespace rimpact::calibration {
 namespace {
 using namespace testing;
 
-std::optional<PairRange> range_of(const std::vector<StoredRun> &runs, const std::string &law = "signed") {
+std::optional<PairRange> range_of(const std::vector<StoredRun> &runs, const std::string &law = "signed",
+                                  const FitOptions &options = {}) {
   std::vector<const StoredRun *> all;
   for (const auto &run : runs) all.push_back(&run);
-  return pair_range(all, {}, law);
+  return pair_range(all, options, law);
 }
 
 TEST(PairRange, IsWhereOnePairMadeTheRuns) {
@@ -47,6 +48,23 @@ TEST(PairRange, IsByDefaultOfALawThatCannotPull) {
   EXPECT_EQ(range->law, "no-tension");
   EXPECT_NEAR(range->result.parameters.at("e").value, 0.4, 1e-4);
   EXPECT_LT(range->worst_rebound, 1e-3);
+}
+
+// the answer's fit counts by sample where the law follows the records within their noise; the pair is still one of
+// peaks and rebounds
+TEST(PairRange, IsFoundInMeasuredRecordsToo) {
+  for (const double noise : {0.0, 1e-4, 1e-2}) {
+    std::vector<StoredRun> runs;
+    for (const double v : {0.15, 0.3, 0.6}) {
+      auto truth = window(v);
+      truth.reduced.impact_law = &laws::impact_law("no-tension");
+      runs.push_back(measured(truth, {.rate = 2000, .displacement = 5e-4 * noise, .force = noise}, 3));
+    }
+    const auto range = range_of(runs, "no-tension", {.counting = Counting::sample});
+    ASSERT_TRUE(range) << noise;
+    EXPECT_NEAR(range->result.parameters.at("k_i").value / 3e5, 1, 0.01) << noise;
+    EXPECT_NEAR(range->result.parameters.at("e").value, 0.4, 0.01) << noise;
+  }
 }
 
 TEST(PairRange, IsEmptyWhereNoPairServesThreeSpeeds) {
