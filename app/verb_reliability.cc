@@ -22,17 +22,22 @@ struct ReliabilityOptions {
   bool dry_run = false, no_report = false, resume = false;
 };
 
-void tell(const risk::Motions &motions, Console &console) {
+/// The first few of `doubts`, from the n-th on.
+void warn_of(const std::vector<std::string> &doubts, std::size_t n, Console &console) {
   constexpr std::size_t shown = 5;
+  for (std::size_t i = n; i < doubts.size() && i < n + shown; ++i) console.warn(doubts[i]);
+  if (doubts.size() > n + shown)
+    console.warn(fmt::format("and {} more of that kind, all in reliability.json", doubts.size() - n - shown));
+}
+
+void tell(const risk::Motions &motions, Console &console) {
   std::size_t n_motions = 0, n_listed = motions.missing.size();
   for (const auto &level : motions.levels) n_motions += level.motions.size();
   n_listed += n_motions;
   if (!motions.missing.empty())
     console.warn(fmt::format("{} of {} motions are not at hand (all of them in reliability.json), e.g. {}",
                              motions.missing.size(), n_listed, motions.missing.front()));
-  for (std::size_t i = 0; i < motions.doubts.size() && i < shown; ++i) console.warn(motions.doubts[i]);
-  if (motions.doubts.size() > shown)
-    console.warn(fmt::format("and {} more of that kind, all in reliability.json", motions.doubts.size() - shown));
+  warn_of(motions.doubts, 0, console);
   for (const auto &level : motions.levels)
     console.message(fmt::format("level {:.4g} g, {:.0f} years: {} motions of {}", level.intensity_g,
                                 level.return_period_years, level.motions.size(), level.n_listed));
@@ -129,6 +134,7 @@ void run_reliability(ReliabilityOptions options, Console &console) {
     line.show(fmt::format("{} of {} systems evaluated", n, systems.size()));
   });
   line.finish();
+  warn_of(results.summary["doubts"].get<std::vector<std::string>>(), motions.doubts.size(), console);
   results.summary["wall_time_s"] = done.seconds;
   results.summary["n_runs"] = done.runs, results.summary["kept"] = done.kept;
   risk::write_results(results, options.folder);

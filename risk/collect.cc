@@ -48,6 +48,20 @@ Response response_of(const Study &study, const Columns &columns, const std::vect
   return response;
 }
 
+/// How a run ends that leaves its rim behind, which the table's column beyond_rim says.
+enum class PastRim { no, through, left_out };
+PastRim past_rim(const Columns &columns, const std::vector<Cell> &row) {
+  if (columns.number(row, "beyond_rim") != 1) return PastRim::no;
+  return columns.number(row, "n_impacts") > 0 ? PastRim::through : PastRim::left_out;
+}
+
+/// Of a rim pressed deeper than it is thick: it has failed, and what came after is no result. Only the travel had grown
+/// so far in any case.
+void keep_travel_alone(const Study &study, Response &response) {
+  for (std::size_t k = 0; k < study.limits.size(); ++k)
+    if (study.limits[k].quantity != "peak_displacement_m") response.values[k] = absent;
+}
+
 /// The records of all levels, numbered alike for every system.
 std::map<std::string, int> numbers_of(const Motions &motions, std::vector<std::string> &names) {
   std::map<std::string, int> numbers;
@@ -90,7 +104,10 @@ ResponseSet collect(const Study &study, const std::string &folder, const Motions
     if (known == records.end()) throw DataError(fmt::format("{}: {} is no record of this study", path, record));
     Response response = response_of(study, columns, row, set.inputs, end == fleets::RunEnd::beyond);
     response.record = known->second;
-    if (end == fleets::RunEnd::without_result) {
+    const PastRim past = end == fleets::RunEnd::done ? past_rim(columns, row) : PastRim::no;
+    set.n_past_wall += past == PastRim::left_out, set.n_through_rim += past == PastRim::through;
+    if (past == PastRim::through) keep_travel_alone(study, response);
+    if (end == fleets::RunEnd::without_result || past == PastRim::through) {
       level.unfinished.push_back(std::move(response));
       continue;
     }

@@ -17,7 +17,8 @@ struct ResponseLevel {
   double intensity_g = 0;
   int n_records = 0;
   std::vector<Response> runs; ///< those with a result
-  /// Refused, failed, or stopped where their model holds no longer: values are what was reached by then, NaN unknown.
+  /// Refused, failed, or stopped where their model holds no longer, or went deeper into the rim than it is thick:
+  /// values are what was reached by then, NaN unknown.
   std::vector<Response> unfinished;
 };
 
@@ -25,6 +26,8 @@ struct ResponseSet {
   std::vector<std::string> records;  ///< names, over all levels; the same for every system of a study
   std::vector<std::string> inputs;   ///< sampled keys
   std::vector<ResponseLevel> levels; ///< of Motions::levels that have a run with a result
+  int n_through_rim = 0;             ///< runs that went deeper into the rim than it is thick: among the unfinished
+  int n_past_wall = 0;               ///< runs without a rim that went as far past its wall: among the finished
 };
 
 /// From the table.csv in a system's folder. Throws DataError where it is damaged, lacks runs, or holds no run with a

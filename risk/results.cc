@@ -157,6 +157,18 @@ ordered_json levels_json(const Motions &motions) {
   return levels;
 }
 
+/// Runs that leave their rim behind.
+void doubt_rims(std::size_t system, const ResponseSet &set, std::vector<std::string> &doubts) {
+  if (set.n_through_rim > 0)
+    doubts.push_back(fmt::format("system {}: {} runs pressed deeper into the rim than it is thick. Such a rim has "
+                                 "failed: they count for limits of the travel, of others nothing is known",
+                                 system + 1, set.n_through_rim));
+  if (set.n_past_wall > 0)
+    doubts.push_back(fmt::format("system {}: {} runs went past the wall of a rim that they leave out, by more than its "
+                                 "thickness; they count as if there were none",
+                                 system + 1, set.n_past_wall));
+}
+
 } // namespace
 
 Results evaluate_study(const Study &study, const Systems &systems, const Motions &motions, const std::string &folder,
@@ -169,6 +181,7 @@ Results evaluate_study(const Study &study, const Systems &systems, const Motions
   for (std::size_t s = 0; s < systems.size(); ++s) {
     const ResponseSet set = collect(study, folder_of_system(folder, s), motions);
     for (const auto &level : set.levels) n_without += level.unfinished.size();
+    doubt_rims(s, set, doubts);
     for (const double level : levels_without_result(motions, set))
       doubts.push_back(fmt::format("system {}: no run at {:.4g} g has a result; its fragility is made without that "
                                    "level",

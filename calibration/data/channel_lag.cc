@@ -72,7 +72,7 @@ std::pair<double, double> Clocks::centre_of_force(std::size_t first, std::size_t
     impulse += weight * push[i], moment += weight * push[i] * times_[i];
     spread += std::pow(weight * (times_[i] - middle), 2);
   }
-  return {moment / impulse, record_.force().sigma * std::sqrt(spread) / impulse};
+  return {moment / impulse, record_.force().sigma * std::sqrt(record_.force().inflation * spread) / impulse};
 }
 
 std::optional<ChannelLag> Clocks::of(const Flights &flights) const {

@@ -1,4 +1,5 @@
 #include "calibration/data/contact_detector.h"
+#include "calibration/data/correlation.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -20,12 +21,13 @@ double mean(const Values &v, std::size_t n) {
   return n > 0 ? std::accumulate(v.begin(), v.begin() + n, 0.0) / static_cast<double>(n) : 0;
 }
 
-/// Noise of white errors on a smooth curve: third differences of it have 20 times their variance (median, so that jumps
-/// do not count).
-double noise_of_differences(const Values &v) {
+/// Noise of errors on a smooth curve, of samples `apart` that err alone: third differences have 20 times their variance
+/// (median, so that jumps do not count). Of the first n.
+double noise_of_differences(const Values &v, std::size_t n, std::size_t apart) {
   Values d;
-  for (std::size_t i = 3; i < v.size(); ++i) d.push_back(std::abs(v[i] - 3 * v[i - 1] + 3 * v[i - 2] - v[i - 3]));
-  if (d.empty()) return 0;
+  for (std::size_t i = 3 * apart; i < n; ++i)
+    d.push_back(std::abs(v[i] - 3 * v[i - apart] + 3 * v[i - 2 * apart] - v[i - 3 * apart]));
+  if (d.size() < (apart > 1 ? few_quiet : 1)) return 0;
   std::nth_element(d.begin(), d.begin() + d.size() / 2, d.end());
   return d[d.size() / 2] / (0.6745 * std::sqrt(20.0));
 }
@@ -58,29 +60,43 @@ Values boxcar(const Values &v, std::size_t half) {
   return smooth;
 }
 
+/// Before any contact is known: by neighbours, or, of errors that a filter has made alike, by samples farther apart in
+/// the beginning.
+double first_noise(const Values &push, std::size_t beginning) {
+  constexpr std::size_t filtered = 4;
+  return std::max(noise_of_differences(push, push.size(), 1), noise_of_differences(push, beginning, filtered));
+}
+
 double largest(const Values &v) {
   double top = 0;
   for (const double x : v) top = std::max(top, std::abs(x));
   return top;
 }
 
-/// Zero and noise, taken anew from the samples outside all contacts.
-void measure_quiet(ContactRecord &record, const Values &x, const Values &y) {
-  Values qx, qy, quiet;
-  std::size_t next = 0;
+/// Samples outside all contacts, and some way from them.
+std::vector<bool> quiet_samples(const ContactRecord &record) {
+  std::vector<bool> quiet(record.push.size(), true);
   for (const auto &c : record.contacts) {
-    const std::size_t margin = (c.last - c.first) / 10 + 2;
-    for (std::size_t i = next; i + margin < c.first; ++i)
-      qx.push_back(x[i]), qy.push_back(y[i]), quiet.push_back(record.push[i]);
-    next = c.last + margin + 1;
+    const std::size_t margin = (c.last - c.first) / 10 + 2, from = c.first - std::min(c.first, margin),
+                      to = std::min(c.last + margin + 1, quiet.size());
+    std::fill(quiet.begin() + from, quiet.begin() + to, false);
   }
-  for (std::size_t i = next; i < x.size(); ++i) qx.push_back(x[i]), qy.push_back(y[i]), quiet.push_back(record.push[i]);
+  return quiet;
+}
+
+/// Zero and noise, taken anew from the quiet samples.
+void measure_quiet(ContactRecord &record, const Values &x, const Values &y) {
+  const std::vector<bool> is_quiet = quiet_samples(record);
+  Values qx, qy, quiet;
+  for (std::size_t i = 0; i < x.size(); ++i)
+    if (is_quiet[i]) qx.push_back(x[i]), qy.push_back(y[i]), quiet.push_back(record.push[i]);
   if (quiet.size() < few_quiet) return;
   const double centre = mean(quiet, quiet.size()), n = static_cast<double>(quiet.size());
   double square = 0;
   for (const double p : quiet) square += (p - centre) * (p - centre);
   record.sigma = std::sqrt(square / (n - 1)), record.n_quiet = static_cast<int>(quiet.size());
-  if (std::abs(centre) > 4 * record.sigma / std::sqrt(n))
+  record.inflation = correlation_of(record.push, is_quiet);
+  if (std::abs(centre) > 4 * record.sigma * std::sqrt(record.inflation / n))
     record.zero_x = mean(qx, qx.size()), record.zero_y = mean(qy, qy.size());
 }
 
@@ -92,7 +108,8 @@ public:
     half_ = r_.sigma > 0 ? std::min<std::size_t>(held / 30, 7) : 0;
     r_.smooth = boxcar(r_.push, half_);
     r_.peak = largest(r_.smooth);
-    low_ = std::max(sure * r_.sigma / std::sqrt(2.0 * static_cast<double>(half_) + 1), 1e-9 * r_.peak);
+    const double m = 2.0 * static_cast<double>(half_) + 1;
+    low_ = std::max(sure * r_.sigma * std::sqrt(std::min(1.0, r_.inflation / m)), 1e-9 * r_.peak);
     r_.threshold = std::max(low_, share * r_.peak);
     r_.contacts.clear();
     if (r_.peak > 0) find();
@@ -163,7 +180,7 @@ private:
       c.impulse += 0.5 * dt * (r_.push[i] + r_.push[i - 1]);
       square += dt * dt;
     }
-    c.impulse_error = r_.sigma * std::sqrt(square);
+    c.impulse_error = r_.sigma * std::sqrt(r_.inflation * square);
   }
 
   const Values &t_;
@@ -180,12 +197,14 @@ ContactRecord find_contacts(const Response &response, double share) {
   const std::size_t n = quiet_beginning(x, y);
   if (n >= few_quiet) record.zero_x = mean(x, n), record.zero_y = mean(y, n);
   record.push = radial_push(response, record.zero_x, record.zero_y);
-  record.sigma = noise_of_differences(record.push);
+  const double digits = std::max(noise_of_digits(x), noise_of_digits(y));
+  record.sigma = std::max(first_noise(record.push, n), digits);
   for (int pass = 0; pass < 2; ++pass) { // the second against what is quiet beside the contacts of the first
     Search(times, record, share);
     record.zero_x = record.zero_y = 0;
     record.push = radial_push(response, 0, 0);
     measure_quiet(record, x, y);
+    record.sigma = std::max(record.sigma, digits);
     record.push = radial_push(response, record.zero_x, record.zero_y);
   }
   Search(times, record, share);

@@ -1,11 +1,12 @@
 /// Contacts in a measured record, whose force is never exactly zero: found against the noise the record itself shows.
 ///
 /// p is the radial push of the rim, inwards > 0, freed of the cell's zero; pbar its mean over m neighbouring samples (m
-/// odd, 1 to 15, a fifteenth of the samples that bear half the peak), so that the noise of pbar is sigma / sqrt(m). A
-/// contact holds at least three samples in succession beyond the threshold max(5 sigma / sqrt(m), share of the peak);
-/// it reaches on both sides to where |pbar| falls below 5 sigma / sqrt(m). Neighbours closer than 0.35 of the earlier
-/// one's length are one contact: a force that changes its sign passes through zero. A contact whose impulse is within 5
-/// standard errors of none is none. Samples are not altered: thresholds find contacts and nothing else.
+/// odd, 1 to 15, a fifteenth of the samples that bear half the peak), so that the noise of pbar is s = sigma
+/// sqrt(min(1, tau / m)), where tau says how the errors of neighbouring samples hang together (data/correlation.h). A
+/// contact holds at least three samples in succession beyond the threshold max(5 s, share of the peak); it reaches on
+/// both sides to where |pbar| falls below 5 s. Neighbours closer than 0.35 of the earlier one's length are one contact:
+/// a force that changes its sign passes through zero. A contact whose impulse is within 5 standard errors of none is
+/// none. Samples are not altered: thresholds find contacts and nothing else.
 #pragma once
 #include "responses/response.h"
 #include <string>
@@ -25,7 +26,9 @@ struct ContactRecord {
   std::vector<Contact> contacts;
   std::vector<double> push;   ///< p [N], all samples
   std::vector<double> smooth; ///< pbar [N]
-  double sigma = 0;           ///< noise of one sample of p [N]: root mean square in quiet, 0 for a record without noise
+  double sigma = 0; ///< noise of one sample of p [N]: root mean square in quiet, at least that of its digits; 0 for a
+                    ///< record without noise
+  double inflation = 1; ///< tau: variance of an average of many quiet samples over that of independent ones, >= 1
   double zero_x = 0, zero_y = 0; ///< the cell's reading in quiet [N], taken off where it is beyond 4 standard errors
   double threshold = 0;          ///< [N]
   double peak = 0;               ///< largest |pbar| [N]

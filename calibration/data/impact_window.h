@@ -49,14 +49,15 @@ struct Functional {
   }
 };
 
-/// What a measured impact says, and how well: errors of samples are independent but for the inflation.
+/// What a measured impact says, and how well: errors of samples are independent but for the inflations.
 struct Measurement {
   double sigma_force = 0, sigma_displacement = 0;     ///< noise of one sample [N], [m]
   double freedom_force = 1, freedom_displacement = 1; ///< degrees of freedom these were found with, >= 1
   /// Whether the record's own noise is what its errors are judged by; a table without any comes from a program, and its
   /// errors are stated ones, as of every run folder.
   bool noisy() const { return sigma_force > 0 || sigma_displacement > 1e-7; }
-  double inflation = 1; ///< variance of an average of many displacements over that of independent ones
+  double inflation = 1;       ///< variance of an average of many displacements over that of independent ones
+  double inflation_force = 1; ///< the same of forces
   Eigen::Matrix2d start_factor =
       Eigen::Matrix2d::Zero(); ///< lower factor of the covariance of radial (u, v) at the start [m], [m/s]
   std::size_t pressed_first = 0, pressed_last = 0; ///< samples of the window whose force is compared

@@ -63,8 +63,9 @@ std::optional<ImpactWindow> MeasuredCutter::cut(std::size_t index, std::string &
   press_earlier(w.start, run_, index);
   auto &m = *w.measurement;
   m.sigma_displacement = record_.sigma(), m.inflation = record_.inflation(), m.sigma_force = record_.force().sigma;
+  m.inflation_force = record_.force().inflation;
   m.freedom_displacement = std::max(1.0, record_.freedom()),
-  m.freedom_force = std::max(1.0, record_.force().n_quiet - 1.0);
+  m.freedom_force = std::max(1.0, record_.force().n_quiet / m.inflation_force - 1.0);
   m.start_factor = start->covariance.llt().matrixL();
   if (!m.start_factor.allFinite()) m.start_factor.setZero();
   w.impact = run_.summary.impacts[index];

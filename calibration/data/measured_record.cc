@@ -1,4 +1,5 @@
 #include "calibration/data/measured_record.h"
+#include "calibration/data/correlation.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -82,6 +83,7 @@ void MeasuredRecord::measure_noise() {
     lag += fit.lag * static_cast<double>(s.size()), n += static_cast<double>(s.size());
   }
   if (freedom_ > 1) sigma_ = std::sqrt(square / freedom_);
+  sigma_ = std::max(sigma_, noise_of_digits(ux));
   if (n > 0 && lag / n > 3 / std::sqrt(n)) inflation_ = (1 + lag / n) / std::max(1 - lag / n, 0.02);
 }
 
@@ -95,6 +97,11 @@ std::string MeasuredRecord::sentence() const {
     text += fmt::format(
         "; errors of neighbouring displacement samples hang together, which widens what is said of speeds {:.2g} times",
         std::sqrt(inflation_));
+  if (force_.inflation > 1)
+    text +=
+        fmt::format("; errors of neighbouring force samples hang together (a filter?): an average of them is {:.2g} "
+                    "times less certain than of independent ones",
+                    std::sqrt(force_.inflation));
   if (!(force_.sigma > 0) || wanted <= 1.001 * options_.force_threshold) return text;
   text += fmt::format("; contacts are looked for above {:.2g} % of the peak: ", 100 * wanted);
   if (options_.force_threshold > 0)

@@ -54,7 +54,7 @@ public:
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(X.rows(), X.cols());
     if (channel == Channel::force) {
       add_samples(X, result, rows.force, m_.pressed_first, n_pressed_, force_, rows.peak, m_.peak, peak_);
-      return m_.sigma_force * m_.sigma_force * result;
+      return m_.sigma_force * m_.sigma_force * m_.inflation_force * result;
     }
     add_samples(X, result, rows.displacement, m_.flown, n_travelled_, displacement_, rows.rebound, m_.rebound,
                 rebound_);
@@ -81,8 +81,9 @@ private:
   /// A curve is one observation: stated uncertainty and noise together.
   void count_curves(const StoredRun &run, const Uncertainty &u, const Weights &w) {
     const double force = u.force * run.peak_force(), speed = u.speed * run.approach_speed();
-    const double travel_noise = m_.sigma_displacement * std::sqrt(m_.inflation);
-    force_ = group(Compared::force, n_pressed_, w.force, force, m_.sigma_force, m_.freedom_force);
+    const double travel_noise = m_.sigma_displacement * std::sqrt(m_.inflation),
+                 force_noise = m_.sigma_force * std::sqrt(m_.inflation_force);
+    force_ = group(Compared::force, n_pressed_, w.force, force, force_noise, m_.freedom_force);
     displacement_ = group(Compared::displacement, n_travelled_, w.displacement,
                           u.displacement * run.scene.bearing.lateral_capacity(), travel_noise, m_.freedom_displacement);
     if (!m_.rebound.weights.empty())
@@ -90,11 +91,12 @@ private:
                        m_.freedom_displacement);
     if (!m_.peak.weights.empty())
       peak_ =
-          group(Compared::peak, 1, w.peak, force, m_.sigma_force * std::sqrt(variance_gain(m_.peak)), m_.freedom_force);
+          group(Compared::peak, 1, w.peak, force, force_noise * std::sqrt(variance_gain(m_.peak)), m_.freedom_force);
   }
   /// Every sample is an observation; what peak and rebound say is in them.
   void count_samples() {
-    force_ = group(Compared::force, n_pressed_, std::sqrt(n_pressed_), 0, m_.sigma_force, m_.freedom_force);
+    force_ = group(Compared::force, n_pressed_, std::sqrt(n_pressed_), 0,
+                   m_.sigma_force * std::sqrt(m_.inflation_force), m_.freedom_force);
     displacement_ = group(Compared::displacement, n_travelled_, std::sqrt(n_travelled_), 0,
                           m_.sigma_displacement * std::sqrt(m_.inflation), m_.freedom_displacement);
   }

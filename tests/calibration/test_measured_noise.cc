@@ -8,6 +8,7 @@
 #include "measured_synthetic.h"
 #include <fstream>
 #include <gtest/gtest.h>
+#include <numeric>
 
 namespace rimpact::calibration {
 namespace {
@@ -225,6 +226,41 @@ TEST(MeasuredNoise, AGainThatIsOffIsSaidAndStatedOneIsInTheInterval) {
   const double without = fit({&run}, options).parameters.at("k_i").standard_error;
   run.uncertainty = Uncertainty{.gain = 0.05};
   EXPECT_GT(fit({&run}, options).parameters.at("k_i").standard_error, 2 * without);
+}
+
+/// A force channel as amplifiers make it: noise of 2 % of the peak averaged over eight samples, or steps of 2 %.
+StoredRun amplified(const scene::Scene &scene, bool averaged, unsigned seed) {
+  auto truth = scene;
+  truth.reduced.output_step = 1e-3;
+  auto r = sampled(truth, reduced::simulate(truth).response,
+                   {.rate = 2000, .displacement = 0.005e-3, .before = 0.03, .after = 0.03}, seed);
+  auto &force = r.series("impact_x");
+  const double peak = -*std::min_element(force.begin(), force.end());
+  std::mt19937 generator(seed + 100);
+  std::normal_distribution<double> normal;
+  std::vector<double> noise(force.size() + 8);
+  for (double &v : noise) v = 0.02 * peak * normal(generator);
+  for (std::size_t i = 0; i < force.size(); ++i)
+    force[i] = averaged ? force[i] + std::accumulate(noise.begin() + i, noise.begin() + i + 8, 0.0) / 8
+                        : peak / 50 * std::round(50 * force[i] / peak);
+  return make_run(fmt::format("amplified-{}", seed), scene, r, {.measured = true});
+}
+
+// errors that hang together, or that are rounding, make no contact before the touch, and intervals hold the truth
+TEST(MeasuredNoise, OfAFilterOrOfDigitsIsKnown) {
+  auto scene = window(0.3);
+  scene.reduced.impact_law = &laws::impact_law("no-tension");
+  for (const bool averaged : {true, false}) {
+    int held = 0;
+    for (unsigned seed = 1; seed <= 12; ++seed) {
+      const StoredRun run = amplified(scene, averaged, seed);
+      ASSERT_EQ(run.impacts.size(), 1u) << averaged << " " << seed;
+      EXPECT_EQ(run.impacts[0].measurement->inflation_force > 2, averaged) << seed;
+      const auto k = fit({&run}, {}).parameters.at("k_i");
+      held += k.interval_low <= 3e5 && 3e5 <= k.interval_high;
+    }
+    EXPECT_GE(held, 9) << (averaged ? "averaged" : "rounded"); // of 12; 95 % intervals hold fewer once in 5000
+  }
 }
 
 TEST(MeasuredNoise, WithoutNoiseTheTruthIsFound) {

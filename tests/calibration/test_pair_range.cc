@@ -53,6 +53,8 @@ TEST(PairRange, IsByDefaultOfALawThatCannotPull) {
 // the answer's fit counts by sample where the law follows the records within their noise; the pair is still one of
 // peaks and rebounds
 TEST(PairRange, IsFoundInMeasuredRecordsToo) {
+  FitOptions by_sample;
+  by_sample.counting = Counting::sample;
   for (const double noise : {0.0, 1e-4, 1e-2}) {
     std::vector<StoredRun> runs;
     for (const double v : {0.15, 0.3, 0.6}) {
@@ -60,7 +62,7 @@ TEST(PairRange, IsFoundInMeasuredRecordsToo) {
       truth.reduced.impact_law = &laws::impact_law("no-tension");
       runs.push_back(measured(truth, {.rate = 2000, .displacement = 5e-4 * noise, .force = noise}, 3));
     }
-    const auto range = range_of(runs, "no-tension", {.counting = Counting::sample});
+    const auto range = range_of(runs, "no-tension", by_sample);
     ASSERT_TRUE(range) << noise;
     EXPECT_NEAR(range->result.parameters.at("k_i").value / 3e5, 1, 0.01) << noise;
     EXPECT_NEAR(range->result.parameters.at("e").value, 0.4, 0.01) << noise;

@@ -3,6 +3,7 @@
 #include "files/folder_lock.h"
 #include "made_up.h"
 #include "risk/campaign.h"
+#include "risk/collect.h"
 #include "risk/plan.h"
 #include <filesystem>
 #include <set>
@@ -57,6 +58,34 @@ TEST(Campaign, FromFileToTables) {
   write_results(results, small.folder / "out");
   EXPECT_TRUE(std::filesystem::exists(small.folder / "out/reliability.h5"));
   EXPECT_EQ(read_table(small.folder / "out/ida.csv").rows.size(), 4u);
+}
+
+// what came after a rim failed is no result: only the travel counts, and all is said
+TEST(Campaign, RunsThroughTheirRimAreUnknown) {
+  const Small small;
+  small.run();
+  const std::string path = folder_of_system(small.folder / "out", 0) + "/table.csv";
+  Table table = read_table(path);
+  const auto column = [&](const char *name) {
+    return std::find(table.columns.begin(), table.columns.end(), name) - table.columns.begin();
+  };
+  for (const std::size_t row : {0, 4}) table.rows[row][column("beyond_rim")] = 1.0;
+  table.rows[0][column("n_impacts")] = 1.0, table.rows[4][column("n_impacts")] = 0.0;
+  write_csv(table, path);
+  const auto set = collect(small.study, folder_of_system(small.folder / "out", 0), small.motions);
+  EXPECT_EQ(set.n_through_rim, 1);
+  EXPECT_EQ(set.n_past_wall, 1);
+  ASSERT_EQ(set.levels[0].unfinished.size(), 1u);
+  EXPECT_GT(set.levels[0].unfinished[0].values[0], 0);
+  auto doubts = small.results().summary["doubts"].get<std::vector<std::string>>();
+  doubts.erase(doubts.begin(), doubts.begin() + static_cast<long>(small.motions.doubts.size()));
+  ASSERT_EQ(doubts.size(), 2u);
+  EXPECT_NE(doubts[0].find("system 1: 1 runs pressed deeper into the rim"), std::string::npos) << doubts[0];
+  EXPECT_NE(doubts[1].find("past the wall of a rim that they leave out"), std::string::npos) << doubts[1];
+  Study forces = small.study;
+  forces.limits = {{"peak_lateral_force_N", {1e5}}};
+  const auto other = collect(forces, folder_of_system(small.folder / "out", 0), small.motions);
+  EXPECT_TRUE(std::isnan(other.levels[0].unfinished[0].values[0]));
 }
 
 TEST(Campaign, ShardsAreGatheredAsOneCallWouldRunThem) {

@@ -1,0 +1,16 @@
+/// What a record's samples say of its errors: how neighbours hang together, and what rounding leaves.
+#pragma once
+#include <vector>
+
+namespace rimpact::calibration {
+
+/// tau = 1 + 2 sum rho_k, the variance of an average of many samples over that of independent ones, by the correlations
+/// rho_k of samples k apart that are both `counted`, up to the first that is not sure (three standard errors); 1 to a
+/// tenth of their count. The counted samples scatter about a constant.
+double correlation_of(const std::vector<double> &values, const std::vector<bool> &counted);
+
+/// Standard error q / sqrt(12) of values stored in steps of q, in the values' unit; 0 where they have no common step,
+/// or one so fine that it tells nothing (below 1e-4 of their range).
+double noise_of_digits(const std::vector<double> &values);
+
+} // namespace rimpact::calibration
