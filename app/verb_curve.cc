@@ -31,7 +31,9 @@ nlohmann::json answer_of(const CurveOptions &options, const reduced::RimCurveFil
           {"deepest_m", {{"dish", dish.range()}, {"held", held.range()}}},
           {"fastest_m_s", {{"dish", speed(dish)}, {"held", speed(held)}}},
           {"n_unloadings", file.dish.unloading.size()},
-          {"error", {{"mesh_force", file.errors.mesh_force}, {"left_out_rebound", file.errors.left_out_rebound}}},
+          {"error",
+           {{"mesh_force", file.errors.mesh_force ? nlohmann::json(*file.errors.mesh_force) : nlohmann::json()},
+            {"left_out_rebound", file.errors.left_out_rebound}}},
           {"wall_time_s", seconds}};
 }
 
@@ -39,12 +41,15 @@ std::string describe(const nlohmann::json &answer) {
   const auto &deepest = answer["deepest_m"], &fastest = answer["fastest_m_s"], &error = answer["error"];
   return fmt::format(
       "{}: {}, pressed to {:.2f} mm along the dish and {:.2f} mm held: {:g} kg at up to {:.3f} and {:.3f} m/s\n"
-      "error: mesh {:.2f} % of the force (from the next coarser mesh), unloading between the pushed depths {:.2f} % of "
+      "error: mesh {}, unloading between the pushed depths {:.2f} % of "
       "the rebound; {}\n"
       "fly it: --set reduced.impact_law=curve --set reduced.impact_curve={}\n",
       answer["bearing"].get<std::string>(), answer["mesh"].get<std::string>(), 1e3 * deepest["dish"].get<double>(),
       1e3 * deepest["held"].get<double>(), answer["mass_kg"].get<double>(), fastest["dish"].get<double>(),
-      fastest["held"].get<double>(), 1e2 * error["mesh_force"].get<double>(),
+      fastest["held"].get<double>(),
+      error["mesh_force"].is_null()
+          ? "not estimated, for there is no coarser one"
+          : fmt::format("{:.2f} % of the force (from the next coarser mesh)", 1e2 * error["mesh_force"].get<double>()),
       1e2 * error["left_out_rebound"].get<double>(), duration(answer["wall_time_s"].get<double>()),
       answer["file"].get<std::string>());
 }

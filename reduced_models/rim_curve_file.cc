@@ -65,6 +65,8 @@ laws::CurvePath read_path(hid_t file, const char *name) {
   return path;
 }
 
+constexpr const char *unknown = "unknown";
+
 double number_of(const std::map<std::string, std::string> &meta, const char *name) {
   const auto entry = meta.find(name);
   if (entry == meta.end()) throw std::runtime_error(fmt::format("/meta/{} is missing", name));
@@ -82,14 +84,16 @@ void write_rim_curve(const RimCurveFile &curve, const std::string &path) {
   write_atomically(file_in_memory([&](hid_t file) {
                      write_path(file, "dish", curve.dish);
                      write_path(file, "held", curve.held);
-                     write_meta(file, {{"kind", "rim curve"},
-                                       {"bearing", curve.bearing},
-                                       {"rim_identity", curve.rim_identity},
-                                       {"rim_values", curve.rim_values},
-                                       {"mesh", curve.mesh},
-                                       {"made_by", curve.made_by},
-                                       {"mesh_force_error", fmt::format("{}", curve.errors.mesh_force)},
-                                       {"left_out_rebound_error", fmt::format("{}", curve.errors.left_out_rebound)}});
+                     write_meta(file,
+                                {{"kind", "rim curve"},
+                                 {"bearing", curve.bearing},
+                                 {"rim_identity", curve.rim_identity},
+                                 {"rim_values", curve.rim_values},
+                                 {"mesh", curve.mesh},
+                                 {"made_by", curve.made_by},
+                                 {"mesh_force_error",
+                                  curve.errors.mesh_force ? fmt::format("{}", *curve.errors.mesh_force) : unknown},
+                                 {"left_out_rebound_error", fmt::format("{}", curve.errors.left_out_rebound)}});
                    }),
                    path);
 }
@@ -115,7 +119,8 @@ RimCurveFile read_rim_curve(const std::string &path) {
       curve.dish = read_path(file, "dish"), curve.held = read_path(file, "held");
       curve.bearing = text("bearing"), curve.rim_identity = text("rim_identity"), curve.rim_values = text("rim_values"),
       curve.mesh = text("mesh"), curve.made_by = text("made_by");
-      curve.errors = {number_of(meta, "mesh_force_error"), number_of(meta, "left_out_rebound_error")};
+      if (text("mesh_force_error") != unknown) curve.errors.mesh_force = number_of(meta, "mesh_force_error");
+      curve.errors.left_out_rebound = number_of(meta, "left_out_rebound_error");
     });
   } catch (const std::exception &error) {
     throw DataError(fmt::format("{}: is not a rim curve: {}", path, error.what()));
@@ -123,35 +128,60 @@ RimCurveFile read_rim_curve(const std::string &path) {
   return curve;
 }
 
-std::shared_ptr<const laws::RimCurve> rim_curve_of(const scene::Scene &scene) {
-  struct Read {
-    std::string rim_identity, rim_values, bearing;
-    std::shared_ptr<const laws::RimCurve> dish, held;
-  };
+namespace {
+
+struct KnownCurve {
+  RimCurveFile file;
+  std::shared_ptr<const laws::RimCurve> dish, held;
+};
+
+/// Read once a process: runs of a fleet share it.
+const KnownCurve &known_curve(const std::string &path) {
   static std::mutex lock;
-  static std::map<std::string, Read> known; // runs of a fleet share it
+  static std::map<std::string, KnownCurve> known;
   const std::lock_guard guard(lock);
-  const std::string &path = scene.reduced.impact_curve;
   auto entry = known.find(path);
-  if (entry == known.end()) {
-    const RimCurveFile file = read_rim_curve(path);
-    entry = known
-                .emplace(path,
-                         Read{file.rim_identity, file.rim_values, file.bearing,
-                              std::make_shared<laws::RimCurve>(file.dish), std::make_shared<laws::RimCurve>(file.held)})
-                .first;
-  }
-  const Read &curve = entry->second;
-  if (const std::string own = scene::rim_identity(scene.bearing); curve.rim_identity != own)
+  if (entry != known.end()) return entry->second;
+  RimCurveFile file = read_rim_curve(path);
+  auto dish = std::make_shared<laws::RimCurve>(file.dish), held = std::make_shared<laws::RimCurve>(file.held);
+  return known.emplace(path, KnownCurve{std::move(file), std::move(dish), std::move(held)}).first->second;
+}
+
+} // namespace
+
+std::shared_ptr<const laws::RimCurve> rim_curve_of(const scene::Scene &scene) {
+  const std::string &path = scene.reduced.impact_curve;
+  const auto &[file, dish, held] = known_curve(path);
+  if (const std::string own = scene::rim_identity(scene.bearing); file.rim_identity != own)
     throw InputError(fmt::format(
         "reduced.impact_curve {}: the curve is of the rim of {} ({}), this bearing's is {}: {}; "
         "make its own by `rimpact curve BEARING`",
-        path, curve.bearing, curve.rim_identity, own,
-        curve.rim_values.empty()
+        path, file.bearing, file.rim_identity, own,
+        file.rim_values.empty()
             ? "dish, slider, rim, plate and steel shape it"
-            : "there and here " + scene::rim_differences(curve.rim_values, scene::rim_values(scene.bearing))));
-  const bool held = scene.excitation.kind == scene::ExcitationKind::window && !scene.excitation.with_weight;
-  return held ? curve.held : curve.dish;
+            : "there and here " + scene::rim_differences(file.rim_values, scene::rim_values(scene.bearing))));
+  const bool is_held = scene.excitation.kind == scene::ExcitationKind::window && !scene.excitation.with_weight;
+  return is_held ? held : dish;
+}
+
+std::vector<std::string> doubts_of_curve(const scene::Scene &scene) {
+  constexpr double coarse_mesh = 0.03, coarse_unloadings = 0.10;
+  if (scene.reduced.impact_curve.empty() || !scene.reduced.impact_law->pushed) return {};
+  const std::string &path = scene.reduced.impact_curve;
+  const CurveErrors &errors = known_curve(path).file.errors;
+  std::vector<std::string> doubts;
+  if (!errors.mesh_force)
+    doubts.push_back(fmt::format("{}: nothing says how far the mesh of this rim curve is off ({}); push it on mesh 1",
+                                 path, known_curve(path).file.mesh));
+  else if (*errors.mesh_force > coarse_mesh)
+    doubts.push_back(fmt::format("{}: the mesh of this rim curve is off by some {:.1f} % of the force; push it on a "
+                                 "finer one",
+                                 path, 100 * *errors.mesh_force));
+  if (errors.left_out_rebound > coarse_unloadings)
+    doubts.push_back(fmt::format("{}: between its unloadings this rim curve is off by up to {:.0f} % of the rebound; "
+                                 "push it with more of them (rimpact curve --unloadings N)",
+                                 path, 100 * errors.left_out_rebound));
+  return doubts;
 }
 
 } // namespace rimpact::reduced

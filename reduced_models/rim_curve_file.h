@@ -6,13 +6,14 @@
 #pragma once
 #include "impact_laws/rim_curve.h"
 #include "scene/scene.h"
+#include <optional>
 
 namespace rimpact::reduced {
 
-/// How far the curve is from the answer, relative; none: not estimated.
+/// How far the curve is from the answer, relative.
 struct CurveErrors {
-  double mesh_force = 0;       ///< force at the same work, from the next coarser mesh
-  double left_out_rebound = 0; ///< of interpolation between unloadings (laws::RimCurve::left_out_rebound)
+  std::optional<double> mesh_force; ///< force at the same work, from the next coarser mesh; none: not estimated
+  double left_out_rebound = 0;      ///< of interpolation between unloadings (laws::RimCurve::left_out_rebound)
 };
 struct RimCurveFile {
   laws::CurvePath dish, held;
@@ -33,5 +34,9 @@ RimCurveFile read_rim_curve(const std::string &path);
 /// The curve the scene's impact law flies on: along the dish, or held for a window without weight; read once a process.
 /// Throws InputError for a curve of another rim, DataError for a damaged file.
 std::shared_ptr<const laws::RimCurve> rim_curve_of(const scene::Scene &scene);
+
+/// Sentences on a curve too coarse to be flown without a word: its mesh is off by more than 3 % of the force or by
+/// nobody knows how much, its unloadings leave out more than 10 % of the rebound. None for a scene of another law.
+std::vector<std::string> doubts_of_curve(const scene::Scene &scene);
 
 } // namespace rimpact::reduced

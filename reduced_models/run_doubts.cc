@@ -1,5 +1,6 @@
 #include "reduced_models/run_doubts.h"
 
+#include "reduced_models/rim_curve_file.h"
 #include "responses/limits.h"
 #include "responses/open_impact.h"
 #include "scene/doubts.h"
@@ -12,8 +13,10 @@ void add_doubts(const scene::Scene &scene, const Response &response, Summary &su
   auto &warnings = summary.extra["warnings"] = nlohmann::json::array();
   double fastest = 0;
   for (const auto &impact : summary.impacts) fastest = std::max(fastest, impact.approach_speed);
-  if (!summary.impacts.empty())
+  if (!summary.impacts.empty()) {
     for (const auto &doubt : scene::doubts_of_element(scene)) warnings.push_back(doubt);
+    for (const auto &doubt : doubts_of_curve(scene)) warnings.push_back(doubt);
+  }
   if (std::string doubt = scene::doubt_of_published_pair(scene, fastest); !doubt.empty())
     warnings.push_back(std::move(doubt));
   const auto pressed = doubt_of_rebound(response, summary.impacts);

@@ -1,9 +1,11 @@
 // The law `curve`: against closed forms and against the law whose curve it is given.
+#include "../scene/temporary_folder.h"
 #include "files/error.h"
 #include "files/file.h"
 #include "impact_laws/catalogue.h"
 #include "reduced_models/curve_limits.h"
 #include "reduced_models/rim_curve_file.h"
+#include "reduced_models/run_doubts.h"
 #include "scene/rim_identity.h"
 #include "scenes.h"
 #include <filesystem>
@@ -167,6 +169,23 @@ TEST(RimCurve, SaysWhatItCannotDo) {
   EXPECT_TRUE(holds(refusal([&] { s.reduced.element(1e4); }), "physical only"));
 }
 
+TEST(RimCurve, ACoarseOneIsDoubtedWhereItIsFlown) {
+  scene::Scene s = window(0.3);
+  const CurvePath dish = linear_curve(4e8, 1.6e9, 8e-3), held = linear_curve(5e8, 1.6e9, 8e-3);
+  const CurveOf good(s, dish, held);
+  EXPECT_TRUE(doubts_of_curve(s).empty());
+  RimCurveFile coarse = read_rim_curve(good.path);
+  coarse.errors = {{}, 0.4};
+  const TemporaryFolder folder;
+  s.reduced.impact_curve = folder / "coarse.h5";
+  write_rim_curve(coarse, s.reduced.impact_curve);
+  auto run = simulate(s);
+  add_doubts(s, run.response, run.summary);
+  const std::string said = run.summary.extra["warnings"].dump();
+  EXPECT_TRUE(holds(said, "nothing says how far the mesh of this rim curve is off")) << said;
+  EXPECT_TRUE(holds(said, "off by up to 40 % of the rebound")) << said;
+}
+
 TEST(RimCurve, FilesComeBackAndDamagedOnesAreNamed) {
   scene::Scene s = window(0.3);
   const CurvePath dish = linear_curve(4e8, 1.6e9, 8e-3), held = linear_curve(5e8, 1.6e9, 8e-3);
@@ -175,6 +194,11 @@ TEST(RimCurve, FilesComeBackAndDamagedOnesAreNamed) {
   EXPECT_EQ(back.dish.loading.force, dish.loading.force);
   EXPECT_EQ(back.held.unloading.at(2).penetration, held.unloading.at(2).penetration);
   EXPECT_EQ(back.errors.left_out_rebound, 0.02);
+  RimCurveFile draft = back;
+  draft.errors.mesh_force = {};
+  const TemporaryFolder folder;
+  write_rim_curve(draft, folder / "draft.h5");
+  EXPECT_FALSE(read_rim_curve(folder / "draft.h5").errors.mesh_force);
   std::string bytes = read_file(file.path);
   write_atomically(bytes.substr(0, bytes.size() / 2), file.path);
   EXPECT_TRUE(holds(refusal([&] { read_rim_curve(file.path); }), file.path + ": is not a rim curve"));
