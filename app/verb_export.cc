@@ -91,6 +91,18 @@ void warn_of_load(const ExportOptions &options, const scene::Scene &scene, const
                            options.scene, own / 1e3, rim.vertical / 1e3, own / 1e3));
 }
 
+/// A mass and a load that do not go together, or with the calibration: a slip of the unit.
+void warn_of_units(const ExportOptions &options, const ExportedRim &rim, Console &console) {
+  constexpr double alike = 20; // a slip of the unit is of hundreds
+  const auto odd = [&](double ratio) { return ratio > alike || ratio < 1 / alike; };
+  if (options.mass && odd(rim.mass / rim.fitted_mass))
+    console.warn(fmt::format("--mass {:.6g} is {:.2g} times the {:.6g} kg of the calibration: is it in kg?", rim.mass,
+                             rim.mass / rim.fitted_mass, rim.fitted_mass));
+  if (const double ratio = rim.vertical / (rim.mass * rim.gravity); options.load && odd(ratio))
+    console.warn(fmt::format("--load {:.6g} kN is {:.2g} times what {:.6g} kg weigh: are the units right?",
+                             *options.load, ratio, rim.mass));
+}
+
 /// The command without the program's folder, and what made the file.
 std::vector<std::string> header(const Console &console) {
   return {console.command(), build_version()};
@@ -100,6 +112,7 @@ void export_to(const ExportOptions &options, const json &calibration, Console &c
   const auto vertical = options.load ? std::optional(1e3 * *options.load) : std::nullopt;
   const ExportedRim rim =
       calibration::exported_rim(calibration, {.law = options.law, .mass = options.mass, .vertical = vertical});
+  warn_of_units(options, rim, console);
   std::optional<Dish> dish;
   if (const auto scene = scene_of(options, calibration, rim)) {
     warn_of_load(options, *scene, rim, console);

@@ -23,20 +23,23 @@ Section rectangle(const std::string &name, double y, double z, double E, double 
 
 namespace {
 
+[[noreturn]] void fault(FramePart part, std::size_t index, const std::string &says) {
+  throw FrameFault(part, index, fmt::format("{} {} {}", word(part), index + 1, says));
+}
+
 void check_elements(const Frame &f) {
   const int n = static_cast<int>(f.nodes.size());
   for (std::size_t e = 0; e < f.elements.size(); ++e) {
     const Element &m = f.elements[e];
     for (const int end : {m.i, m.j})
       if (end < 0 || end >= n)
-        throw InputError(fmt::format("element {} ends at node {}; the frame has nodes 1 to {}", e + 1, end + 1, n));
+        fault(FramePart::element, e, fmt::format("ends at node {}; the frame has nodes 1 to {}", end + 1, n));
     if (m.section < 0 || m.section >= static_cast<int>(f.sections.size()))
-      throw InputError(
-          fmt::format("element {} has section {}; the frame has {}", e + 1, m.section + 1, f.sections.size()));
+      fault(FramePart::element, e, fmt::format("has section {}; the frame has {}", m.section + 1, f.sections.size()));
     const Eigen::Vector3d axis = f.nodes[m.j].at - f.nodes[m.i].at;
-    if (!(axis.norm() > 0)) throw InputError(fmt::format("element {} has no length", e + 1));
+    if (!(axis.norm() > 0)) fault(FramePart::element, e, "has no length");
     if (!(axis.normalized().cross(m.up.normalized()).norm() > 1e-6))
-      throw InputError(fmt::format("element {} runs along its own up direction", e + 1));
+      fault(FramePart::element, e, "runs along its own up direction");
   }
 }
 
@@ -46,44 +49,43 @@ void check_diaphragms(const Frame &f) {
   for (std::size_t d = 0; d < f.diaphragms.size(); ++d) {
     const Diaphragm &slab = f.diaphragms[d];
     if (!(slab.mass > 0))
-      throw InputError(fmt::format("diaphragm {} has the mass {} kg; it must be above 0", d + 1, slab.mass));
+      fault(FramePart::diaphragm, d, fmt::format("has the mass {} kg; it must be above 0", slab.mass));
     if (!(slab.inertia > 0))
-      throw InputError(
-          fmt::format("diaphragm {} has the rotatory inertia {} kg m^2; it must be above 0", d + 1, slab.inertia));
-    if (slab.nodes.empty()) throw InputError(fmt::format("diaphragm {} has no nodes", d + 1));
+      fault(FramePart::diaphragm, d,
+            fmt::format("has the rotatory inertia {} kg m^2; it must be above 0", slab.inertia));
+    if (slab.nodes.empty()) fault(FramePart::diaphragm, d, "has no nodes");
     for (const int node : slab.nodes) {
       if (node < 0 || node >= static_cast<int>(f.nodes.size()))
-        throw InputError(
-            fmt::format("diaphragm {} names node {}; the frame has nodes 1 to {}", d + 1, node + 1, f.nodes.size()));
+        fault(FramePart::diaphragm, d,
+              fmt::format("names node {}; the frame has nodes 1 to {}", node + 1, f.nodes.size()));
       if (owner[node] >= 0)
-        throw InputError(fmt::format("node {} stands in diaphragms {} and {}", node + 1, owner[node] + 1, d + 1));
+        fault(FramePart::node, node, fmt::format("stands in diaphragms {} and {}", owner[node] + 1, d + 1));
       owner[node] = static_cast<int>(d);
     }
   }
   for (std::size_t i = 0; i < f.nodes.size(); ++i) {
     const Node &node = f.nodes[i];
-    if (owner[i] < 0) throw InputError(fmt::format("node {} stands in no diaphragm", i + 1));
+    if (owner[i] < 0) fault(FramePart::node, i, "stands in no diaphragm");
     if (!(node.vertical_mass > 0))
-      throw InputError(fmt::format("node {} has the mass {} kg; it must be above 0", i + 1, node.vertical_mass));
+      fault(FramePart::node, i, fmt::format("has the mass {} kg; it must be above 0", node.vertical_mass));
     if (node.supported && owner[i] != 0)
-      throw InputError(fmt::format("node {} stands on a bearing but not in the base, diaphragm 1", i + 1));
+      fault(FramePart::node, i, "stands on a bearing but not in the base, diaphragm 1");
   }
 }
 
 void check_inelastic(const Frame &f) {
   for (std::size_t i = 0; i < f.nodes.size(); ++i)
     if (f.nodes[i].at.y() != 0)
-      throw InputError(fmt::format("node {} of an inelastic frame stands at y = {} m; its plane is y = 0", i + 1,
-                                   f.nodes[i].at.y()));
+      fault(FramePart::node, i,
+            fmt::format("of an inelastic frame stands at y = {} m; its plane is y = 0", f.nodes[i].at.y()));
   for (std::size_t e = 0; e < f.elements.size(); ++e) {
     const auto &section = f.sections[f.elements[e].section];
-    if (!section.inelastic)
-      throw InputError(fmt::format("element {} is linear in an inelastic frame: give it a yield moment", e + 1));
+    if (!section.inelastic) fault(FramePart::element, e, "is linear in an inelastic frame: give it a yield moment");
     if (section.shear_y != 0 || section.shear_z != 0)
-      throw InputError(fmt::format("element {} has shear areas; inelastic members are rigid in shear: 0", e + 1));
+      fault(FramePart::element, e, "has shear areas; inelastic members are rigid in shear: 0");
     const auto &s = *section.inelastic;
     const auto need = [&](bool held, const char *what, double value, const std::string &bound) {
-      if (!held) throw InputError(fmt::format("element {}: {} {} must be {}", e + 1, what, value, bound));
+      if (!held) fault(FramePart::element, e, fmt::format("has the {} {}; it must be {}", what, value, bound));
     };
     const double L = (f.nodes[f.elements[e].j].at - f.nodes[f.elements[e].i].at).norm();
     need(s.yield_moment > 0, "yield moment", s.yield_moment, "above 0");

@@ -1,12 +1,28 @@
 /// A frame of beam-columns, rigid diaphragms, supports: linear in space, or inelastic in the plane of x and z. SI
 /// units, z upwards.
 #pragma once
+#include "files/choice.h"
+#include "files/error.h"
 #include <Eigen/Core>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace rimpact::buildings {
+
+enum class FramePart { node, element, diaphragm };
+constexpr auto choices(FramePart) {
+  using enum FramePart;
+  return choices_of<FramePart>({{node, "node"}, {element, "element"}, {diaphragm, "diaphragm"}});
+}
+
+/// What is wrong with one part of a frame; says its number, from 1.
+class FrameFault : public InputError {
+public:
+  FrameFault(FramePart part, std::size_t index, const std::string &what) : InputError(what), part(part), index(index) {}
+  FramePart part;
+  std::size_t index; ///< from 0
+};
 
 struct Node {
   Eigen::Vector3d at;       ///< [m]

@@ -110,6 +110,7 @@ public:
       throw DataError(fmt::format("{}:{}: {} is {}; rows are numbered 1, 2, ... in order", path_, rows_[row].line,
                                   column, index(row, column) + 1));
   }
+  const std::string &path() const { return path_; }
   std::string place(std::size_t row) const { return fmt::format("{}:{}", path_, rows_[row].line); }
 
 private:
@@ -144,9 +145,21 @@ int section_of(Frame &f, const Rows &rows, std::size_t e) {
   }
   for (std::size_t i = 0; i < f.sections.size(); ++i)
     if (numbers(f.sections[i]) == numbers(s) && f.sections[i].inelastic == s.inelastic) return static_cast<int>(i);
-  s.name = fmt::format("section {}", f.sections.size() + 1);
+  s.name = fmt::format("{} (of element {})", f.sections.size() + 1, e + 1);
   f.sections.push_back(s);
   return static_cast<int>(f.sections.size()) - 1;
+}
+
+/// A frame that contradicts itself, with the row that does.
+void check(const Frame &f, const Rows &nodes, const Rows &elements, const Rows &slabs) {
+  try {
+    f.validate();
+  } catch (const FrameFault &fault) {
+    const Rows &rows = fault.part == FramePart::node ? nodes : fault.part == FramePart::element ? elements : slabs;
+    throw DataError(fmt::format("{}: {}", rows.place(fault.index), fault.what()));
+  } catch (const InputError &error) {
+    throw DataError(fmt::format("{}: {}", nodes.path(), error.what()));
+  }
 }
 
 /// One of the whole building, so every row has the same.
@@ -175,7 +188,9 @@ Frame read_tables(const std::string &folder) {
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     nodes.check_number(i, "node");
     const std::string bearing = nodes.text(i, "bearing");
-    const bool supported = bearing != "0" && !bearing.empty();
+    if (bearing.empty())
+      throw DataError(nodes.place(i) + ": bearing is empty; 0: none, 1: the scene's, or the name or file of another");
+    const bool supported = bearing != "0";
     f.nodes.push_back({{nodes.number(i, "x_m"), nodes.number(i, "y_m"), nodes.number(i, "z_m")},
                        nodes.number(i, "vertical_mass_kg"),
                        supported,
@@ -194,6 +209,7 @@ Frame read_tables(const std::string &folder) {
                           {elements.number(e, "up_x"), elements.number(e, "up_y"), elements.number(e, "up_z")},
                           elements.has("load_N_per_m") ? elements.number(e, "load_N_per_m") : 0.0});
   }
+  check(f, nodes, elements, slabs);
   return f;
 }
 

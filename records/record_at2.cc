@@ -108,9 +108,10 @@ std::optional<double> known_unit(std::string_view name, double gravity) {
     if (!name.starts_with(unit.name)) continue;
     const std::string_view rest = name.substr(unit.name.size()), next = trim(rest);
     if (!next.empty() && std::string_view("/*^+-=%").find(next.front()) != std::string_view::npos) return std::nullopt;
-    if (!next.empty() && (std::isdigit(static_cast<unsigned char>(next.front())) != 0 || next.starts_with("X ") ||
-                          next.starts_with("TIMES")))
+    if (!next.empty() && (std::isdigit(static_cast<unsigned char>(next.front())) != 0 || next.starts_with("X ")))
       return std::nullopt;
+    for (const std::string_view word : {"FACTOR", "SCALE", "TIMES", "MULTIPL"})
+      if (rest.find(word) != std::string_view::npos) return std::nullopt;
     if (rest.empty() || std::isalnum(static_cast<unsigned char>(rest.front())) == 0) return unit.value;
   }
   return std::nullopt;

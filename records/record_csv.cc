@@ -72,6 +72,10 @@ double uniform_step(const std::vector<double> &time, const std::string &path) {
   if (time.size() < 2) throw DataError(fmt::format("{}: {} samples, at least 2 are needed", path, time.size()));
   const double dt = (time.back() - time.front()) / static_cast<double>(time.size() - 1);
   if (!(dt > 0)) throw DataError(fmt::format("{}: time must grow; its mean step is {} s", path, dt));
+  if (dt > longest_step)
+    throw DataError(
+        fmt::format("{}: its samples are {:g} s apart, at most {} s are taken: is its time in milliseconds?", path, dt,
+                    longest_step));
   require_even_steps(time, path);
   for (std::size_t i = 0; i < time.size(); ++i)
     if (!(std::abs(time[i] - time.front() - static_cast<double>(i) * dt) < 0.05 * dt))

@@ -25,7 +25,7 @@ struct Usual {
 };
 
 void doubt_materials(const Bearing &b, std::vector<std::string> &found) {
-  std::vector<Usual> values{{"steel.E_MPa", "MPa", b.steel.E / 1e6, 1e4, 4e5},
+  std::vector<Usual> values{{"steel.E_MPa", "MPa", b.steel.E / 1e6, 5e4, 4e5},
                             {"steel.density_kg_per_m3", "kg/m3", b.steel.density, 2e3, 2e4},
                             {"ertalyte.E_MPa", "MPa", b.ertalyte.E / 1e6, 1e2, 4e5},
                             {"ertalyte.density_kg_per_m3", "kg/m3", b.ertalyte.density, 5e2, 2e4}};
@@ -47,7 +47,11 @@ void doubt_pad(const Bearing &b, std::vector<std::string> &found) {
 
 /// Weight and mass hold each other to account.
 void doubt_load(const Scene &scene, std::vector<std::string> &found) {
-  constexpr double odd_weight = 2, slip = 20; // weight over mass times gravity, or its inverse
+  constexpr double odd_weight = 2, slip = 20;               // weight over mass times gravity, or its inverse
+  constexpr double least_gravity = 9.7, most_gravity = 9.9; // on Earth
+  if (const double g = scene.load.gravity; g < least_gravity || g > most_gravity)
+    found.push_back(fmt::format("load.gravity_m_per_s2 = {:g}, where it is {} to {} on Earth: is its unit m/s2?", g,
+                                least_gravity, most_gravity));
   const double inertial = scene.load.mass * scene.load.gravity, ratio = scene.load.vertical / inertial;
   if (scene.load.vertical > 0 && (ratio > odd_weight || ratio < 1 / odd_weight))
     found.push_back(fmt::format(

@@ -89,6 +89,8 @@ ROWS = [
     row("a slider wider than its dish", with_set("bearing.slider.diameter_mm=1300", "{0}/scene.toml"), 2, "leaves no travel in a rim of radius 600 mm", "L_c = -50 mm"),
     row("a stress in Pa", with_set("bearing.material.steel.yield_MPa=355e6"), 0, "yield_MPa = 3.55e+08, where 100 to 2000 MPa is usual", "is its unit MPa?"),
     row("a stress in GPa", with_set("bearing.material.steel.yield_MPa=0.355"), 0, "yield_MPa = 0.355, where 100 to 2000 MPa is usual"),
+    row("a modulus in ksi", with_set("bearing.material.steel.E_MPa=29000"), 0, "steel.E_MPa = 29000, where 50000 to 400000 MPa is usual"),
+    row("a gravity in ft/s2", with_set("load.gravity_m_per_s2=32.2"), 0, "where it is 9.7 to 9.9 on Earth", "is its unit m/s2?"),
     row("a load in N", with_set("load.vertical_kN=2000000"), 0, "times load.mass_kg", "are the units right?"),
     row("an acceleration in m/s2", "check {0}/pulse.toml --set excitation.amplitude_g=7.65", 0, "reaches 7.65 g, beyond any recorded", "no bearing meets its rim faster than 10 m/s",
         "not in m/s2"),

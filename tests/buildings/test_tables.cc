@@ -5,6 +5,8 @@
 #include "buildings/regular_building.h"
 #include "files/error.h"
 #include "files/file.h"
+#include "files/text.h"
+#include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
 
@@ -58,9 +60,39 @@ TEST(FrameTables, AreRefusedWithFileAndLine) {
     }
     return std::string();
   };
+  /// One cell of a line (from 1) changed; what is said, without the folder. Data files are exit code 3.
+  const auto with_cell = [&](const std::string &file, int line, const std::string &column, const std::string &cell) {
+    write_tables(make_frame(load_building("thesis-2.4")), folder);
+    const std::string text = read_file(folder + "/" + file);
+    const auto lines = lines_of(text);
+    const auto columns = split(lines[0], ',');
+    const auto at = std::find(columns.begin(), columns.end(), column) - columns.begin();
+    std::string changed;
+    for (int n = 1; n <= static_cast<int>(lines.size()); ++n) {
+      const auto cells = split(lines[n - 1], ',');
+      for (int c = 0; c < static_cast<int>(cells.size()); ++c)
+        changed += (c > 0 ? "," : "") + (n == line && c == at ? cell : std::string(cells[c]));
+      changed += "\n";
+    }
+    write_atomically(changed, folder + "/" + file);
+    try {
+      load_frame(folder);
+    } catch (const DataError &error) {
+      return std::string(error.what()).substr(folder.size() + 1);
+    }
+    return std::string();
+  };
   EXPECT_NE(said("nodes.csv", "\n2,8", "\n2,eight").find("nodes.csv:3: x_m is \"eight\", not a number"),
             std::string::npos);
   EXPECT_NE(said("nodes.csv", "\n2,8", "\n5,8").find("nodes.csv:3: node is 5; rows are numbered"), std::string::npos);
+  EXPECT_EQ(with_cell("nodes.csv", 3, "vertical_mass_kg", "0"),
+            "nodes.csv:3: node 2 has the mass 0 kg; it must be above 0");
+  EXPECT_EQ(with_cell("nodes.csv", 2, "bearing", ""),
+            "nodes.csv:2: bearing is empty; 0: none, 1: the scene's, or the name or file of another");
+  EXPECT_EQ(with_cell("elements.csv", 4, "j", "99"),
+            "elements.csv:4: element 3 ends at node 99; the frame has nodes 1 to 24");
+  EXPECT_EQ(with_cell("diaphragms.csv", 3, "mass_kg", "-1"),
+            "diaphragms.csv:3: diaphragm 2 has the mass -1 kg; it must be above 0");
   EXPECT_NE(said("elements.csv", "E_Pa", "E_kPa").find("elements.csv: has no column E_Pa"), std::string::npos);
   EXPECT_NE(said("elements.csv", "23400000000", "-1").find("elements.csv:2: E_Pa is -1"), std::string::npos);
   EXPECT_NE(said("elements.csv", ",0.27083", ",-0.27083").find("elements.csv:2: Asy_m2 is -0.27083"), std::string::npos)

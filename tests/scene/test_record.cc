@@ -48,8 +48,8 @@ TEST(At2, KnowsUnits) {
   for (const char *unit : {"cm/s/s", "CM/SEC**2", "gal", "cm/s^2"}) EXPECT_DOUBLE_EQ(with(unit), 0.01) << unit;
   for (const char *unit : {"G", "g, unfiltered", "G (HP 0.1 HZ)", "G'S"}) EXPECT_DOUBLE_EQ(with(unit), 10.0) << unit;
   expect_error<DataError>([&] { with("FURLONGS"); }, {"FURLONGS", "test.AT2:3"});
-  for (const char *unit :
-       {"G/10", "G*100", "G / 10", "G X 100", "G 10", "CM/S/S/10", "CM/S/S*100", "CM/S/S/S", "GRAVITY"})
+  for (const char *unit : {"G/10", "G*100", "G / 10", "G X 100", "G 10", "G (FACTOR 0.01)", "G SCALED BY 2",
+                           "CM/S/S/10", "CM/S/S*100", "CM/S/S/S", "GRAVITY"})
     expect_error<DataError>([&] { with(unit); }, {"test.AT2:3", "is not known"});
 }
 
@@ -99,6 +99,7 @@ TEST(RecordCsv, ReadsBothUnitsAndRefuses) {
   expect_error<DataError>([&] { csv("time,acc\n0,1\n"); }, {"r.csv:1", "time_s,acceleration_g"});
   expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,1\n1,x\n"); }, {"r.csv:3", "\"x\""});
   expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,1\n1\n"); }, {"r.csv:3", "1 of 2"});
+  expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,0.1\n10,0.2\n20,0\n"); }, {"10 s apart", "milliseconds"});
   expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,1\n1,1\n1.5,1\n3,2\n"); },
                           {"sample 3 at 1.5 s", "not uniform"});
   std::string back = "time_s,acceleration_g\n";
