@@ -29,7 +29,7 @@ class LabTables(unittest.TestCase):
         cls.temporary = tempfile.TemporaryDirectory()
         cls.folder = cls.temporary.name
         made = rimpact("reduced", "impact-window", "--set", "excitation.speed_m_per_s=0.3", "--set", "excitation.duration_s=0.08", "--set",
-                       "reduced.impact_law=elastoplastic", "--set", "reduced.output_step_ms=0.2", "-o", "truth", "--quiet", cwd=cls.folder)
+                       "reduced.impact_law=hunt-crossley", "--set", "reduced.output_step_ms=0.2", "-o", "truth", "--quiet", cwd=cls.folder)
         assert made.returncode == 0, made.stderr
         with open(os.path.join(cls.folder, "truth", "response.csv"), encoding="utf-8") as file:
             names = file.readline().strip().split(",")
@@ -60,7 +60,7 @@ class LabTables(unittest.TestCase):
             file.write(text.encode(encoding) if isinstance(text, str) else text)
         with open(os.path.join(self.folder, name + ".toml"), "w", encoding="utf-8") as file:
             file.write(MAPPING.format(file=name + ".csv", length=length, force=force))
-        return rimpact("calibrate", name + ".toml", "--law", "elastoplastic", "--laws", "none", "-o", name, "--json", cwd=self.folder)
+        return rimpact("calibrate", name + ".toml", "--law", "hunt-crossley", "--laws", "none", "-o", name, "--json", cwd=self.folder)
 
     def fitted(self, name, *rest, **more):
         run = self.calibrate(name, *rest, **more)
