@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
 
 namespace rimpact::calibration {
 
@@ -47,6 +48,34 @@ double mean_square(const Response &reference, const Response &candidate, const s
     }
   }
   return integral / (span.end - span.begin);
+}
+
+/// `response` as it looks at the instants of `times`.
+Response sampled_at(const Response &response, const std::vector<double> &times, const std::string &signal) {
+  Response result;
+  result.series("time") = times;
+  for (const char *axis : {"_x", "_y"})
+    for (const double t : times)
+      result.append(signal + axis, linear_at(response.series("time"), response.series(signal + axis), t));
+  return result;
+}
+
+/// What straight lines between the samples of one make of the other itself, which is no difference of the two.
+void tell_sampling(const Response &reference, const Response &candidate, Overlap span, double lateral_capacity,
+                   Comparison &result) {
+  constexpr double much = 0.3, worth_telling = 1e-3; // of the difference found, of L_c
+  const double found = mean_square(reference, candidate, "displacement", span);
+  for (const auto &[fine, coarse, name] :
+       {std::tuple(&reference, &candidate, "candidate"), std::tuple(&candidate, &reference, "reference")}) {
+    const auto &times = coarse->series("time");
+    const double own = mean_square(*fine, sampled_at(*fine, times, "displacement"), "displacement", span);
+    if (own > much * much * found && own > std::pow(worth_telling * lateral_capacity, 2))
+      result.notes.push_back(fmt::format(
+          "the {} has a sample every {:.3g} ms on average: straight lines between them make {:.0f} % of the "
+          "displacement's difference, and its first touch is known to one of them",
+          name, 1e3 * (times.back() - times.front()) / static_cast<double>(times.size() - 1),
+          100 * std::min(1.0, std::sqrt(own / found))));
+  }
 }
 
 Summary summary_of(Response response) {
@@ -143,6 +172,7 @@ Comparison compare(const Response &reference, const Response &candidate, double 
       result.notes.push_back("the candidate ends before the reference's last release: compared up to its end");
   }
   result.nrmse_displacement = std::sqrt(mean_square(reference, candidate, "displacement", span)) / lateral_capacity;
+  tell_sampling(reference, candidate, span, lateral_capacity, result);
   if (!theirs.impacts.empty())
     result.nrmse_force = std::sqrt(mean_square(reference, candidate, "impact", span)) / hardest(theirs).peak_force;
   if (theirs.peak_lateral_force > 0)

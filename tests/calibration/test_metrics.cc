@@ -52,6 +52,24 @@ TEST(Metrics, DoNotDependOnTheSampling) {
   EXPECT_NEAR(*fine.nrmse_force, *coarse.nrmse_force, 1e-9); // a triangle is linear on both grids
 }
 
+// one motion, stored at 10 ms and at 0.6 s: what differs is the straight lines between the samples, and is called so
+TEST(Metrics, SayWhatSamplingMakesOfOneMotion) {
+  const auto wave = [](double dt) {
+    Response r;
+    for (double t = 0; t <= 12; t += dt) {
+      r.append("time", t);
+      for (const char *name : {"displacement_y", "impact_x", "impact_y", "force_x", "force_y"}) r.append(name, 0);
+      r.append("displacement_x", 0.2 * std::sin(2 * M_PI * t / 3)), r.append("gap", 0.2);
+    }
+    return r;
+  };
+  const auto coarse = compare(wave(0.01), wave(0.6), 0.4);
+  ASSERT_EQ(coarse.notes.size(), 2u); // no impact to compare, and
+  EXPECT_NE(coarse.notes[1].find("the candidate has a sample every 600 ms on average"), std::string::npos);
+  EXPECT_NE(coarse.notes[1].find("make 100 % of the displacement's difference"), std::string::npos) << coarse.notes[1];
+  EXPECT_EQ(compare(wave(0.01), wave(0.012), 0.4).notes.size(), 1u);
+}
+
 TEST(Metrics, OfAResponseWithItselfAreZero) {
   const auto r = triangle(1000, 0.40, 0.10, 0.01);
   const auto c = compare(r, r, 0.4);
