@@ -1,5 +1,5 @@
 #include "calibration/data/contact_detector.h"
-#include "calibration/data/correlation.h"
+#include "calibration/data/sample_noise.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -19,17 +19,6 @@ constexpr std::size_t few_quiet = 8;  ///< samples below which quiet says nothin
 
 double mean(const Values &v, std::size_t n) {
   return n > 0 ? std::accumulate(v.begin(), v.begin() + n, 0.0) / static_cast<double>(n) : 0;
-}
-
-/// Noise of errors on a smooth curve, of samples `apart` that err alone: third differences have 20 times their variance
-/// (median, so that jumps do not count). Of the first n.
-double noise_of_differences(const Values &v, std::size_t n, std::size_t apart) {
-  Values d;
-  for (std::size_t i = 3 * apart; i < n; ++i)
-    d.push_back(std::abs(v[i] - 3 * v[i - apart] + 3 * v[i - 2 * apart] - v[i - 3 * apart]));
-  if (d.size() < (apart > 1 ? few_quiet : 1)) return 0;
-  std::nth_element(d.begin(), d.begin() + d.size() / 2, d.end());
-  return d[d.size() / 2] / (0.6745 * std::sqrt(20.0));
 }
 
 /// Samples that surely come before the first contact: up to a fifth of the largest force, less a fifth of them.

@@ -1,5 +1,5 @@
 #include "calibration/data/measured_record.h"
-#include "calibration/data/correlation.h"
+#include "calibration/data/sample_noise.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

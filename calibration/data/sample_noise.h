@@ -1,5 +1,6 @@
-/// What a record's samples say of its errors: how neighbours hang together, and what rounding leaves.
+/// What a record's samples say of their errors: how large, how neighbours hang together, what rounding leaves.
 #pragma once
+#include <cstddef>
 #include <vector>
 
 namespace rimpact::calibration {
@@ -8,6 +9,10 @@ namespace rimpact::calibration {
 /// rho_k of samples k apart that are both `counted`, up to the first that is not sure (three standard errors); 1 to a
 /// tenth of their count. The counted samples scatter about a constant.
 double correlation_of(const std::vector<double> &values, const std::vector<bool> &counted);
+
+/// Of errors on a smooth curve, among the first n values, where samples `apart` err alone: third differences have 20
+/// times their variance (median, so that jumps do not count). 0: too few.
+double noise_of_differences(const std::vector<double> &values, std::size_t n, std::size_t apart);
 
 /// Standard error q / sqrt(12) of values stored in steps of q, in the values' unit; 0 where they have no common step,
 /// or one so fine that it tells nothing (below 1e-4 of their range).

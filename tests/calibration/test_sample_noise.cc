@@ -1,4 +1,4 @@
-#include "calibration/data/correlation.h"
+#include "calibration/data/sample_noise.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <random>
@@ -15,7 +15,7 @@ std::vector<double> white(int n, unsigned seed) {
 }
 
 // a running mean of k independent errors has tau = k: an average of n of them knows as much as n / k
-TEST(Correlation, OfARunningMeanIsItsLength) {
+TEST(SampleNoise, OfARunningMeanIsItsLength) {
   for (const std::size_t k : {1, 3, 5}) {
     double sum = 0;
     for (unsigned seed = 0; seed < 20; ++seed) {
@@ -29,7 +29,7 @@ TEST(Correlation, OfARunningMeanIsItsLength) {
   }
 }
 
-TEST(Correlation, CountsWhatIsCounted) {
+TEST(SampleNoise, CountsWhatIsCounted) {
   auto values = white(400, 3);
   std::vector<bool> counted(values.size(), true);
   for (std::size_t i = 100; i < 200; ++i) values[i] = 50, counted[i] = false;
@@ -38,7 +38,7 @@ TEST(Correlation, CountsWhatIsCounted) {
   EXPECT_EQ(correlation_of({1, 2, 3}, {true, true, true}), 1);
 }
 
-TEST(Correlation, DigitsLeaveTheirRounding) {
+TEST(SampleNoise, DigitsLeaveTheirRounding) {
   auto values = white(300, 5);
   EXPECT_EQ(noise_of_digits(values), 0); // no common step
   for (double &v : values) v = 0.07 * std::round(v / 0.07);

@@ -1,4 +1,4 @@
-#include "calibration/data/correlation.h"
+#include "calibration/data/sample_noise.h"
 #include <algorithm>
 #include <cmath>
 
@@ -35,6 +35,15 @@ double correlation_of(const std::vector<double> &values, const std::vector<bool>
     tau += 2 * covariance / variance;
   }
   return std::min(tau, std::max(1.0, n / 10));
+}
+
+double noise_of_differences(const std::vector<double> &v, std::size_t n, std::size_t apart) {
+  std::vector<double> d;
+  for (std::size_t i = 3 * apart; i < n; ++i)
+    d.push_back(std::abs(v[i] - 3 * v[i - apart] + 3 * v[i - 2 * apart] - v[i - 3 * apart]));
+  if (d.size() < (apart > 1 ? few : 1)) return 0;
+  std::nth_element(d.begin(), d.begin() + d.size() / 2, d.end());
+  return d[d.size() / 2] / (0.6745 * std::sqrt(20.0));
 }
 
 double noise_of_digits(const std::vector<double> &values) {
