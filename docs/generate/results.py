@@ -38,6 +38,7 @@ TABLES = {
         ("tests/benchmarks/peers/rim_calculix/window.txt", "An elastic window against CalculiX", "ctest -L slow -R rim_window_calculix")]),
     "runs": ("Whole runs: work and time", [
         ("tests/benchmarks/runs.txt", "Two builds beside one another", "tests/benchmarks/runs.py RIMPACT --against RIMPACT_BEFORE --rows NAME,... --write FILE"),
+        ("tests/benchmarks/runs_alone.txt", "Dear runs of one build", "tests/benchmarks/runs.py RIMPACT --rows NAME,... --write FILE"),
         ("tests/benchmarks/work.txt", "One Newton iteration by mesh and by ranks, counted", "tests/benchmarks/work.py build/release/bin/bench_work --meshes 0,1,2,3 --ranks 1,2,3,4 --shared-meshes 0,1,2 --write FILE")]),
     "law-against-solids": ("The law against the solids", [
         ("tests/verification/law_against_curves.txt", "Curves of rung rigid-dish and the law fitted to them", "tests/verification/law_against_curves.py build/release/bin/rimpact")]),

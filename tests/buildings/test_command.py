@@ -189,7 +189,7 @@ class Building(Run, unittest.TestCase):
         frame = self.frame_with("loose", "elements.csv", "j", "99")
         for sweep in ([], ["--sweep", "excitation.scale=0.3:1.05:2"]):
             run = rimpact("building", "ricker-0.78g-1.0s", "--frame", frame, *sweep, "-o", os.path.join(self.scratch.name, "none"), *SHORT)
-            self.assertEqual(run.returncode, 2, run.stderr)
+            self.assertEqual(run.returncode, 3, run.stderr)
             self.assertIn("the frame has nodes 1 to 24", run.stderr)
 
     def test_a_changed_bearing_file_makes_a_sweep_anew(self):
