@@ -1,4 +1,5 @@
 #include "calibration/data/contact_detector.h"
+#include "calibration/data/quiet_samples.h"
 #include "calibration/data/sample_noise.h"
 #include <algorithm>
 #include <cmath>
@@ -15,20 +16,6 @@ constexpr double sure = 5;   ///< standard errors that noise does not reach
 constexpr double surest = 6; ///< standard errors of a sample that the few differences beside an end do not reach
 constexpr std::size_t persistence = 3;
 constexpr double same_contact = 0.35; ///< of the earlier contact's length
-constexpr std::size_t few_quiet = 8;  ///< samples below which quiet says nothing
-
-double mean(const Values &v, std::size_t n) {
-  return n > 0 ? std::accumulate(v.begin(), v.begin() + n, 0.0) / static_cast<double>(n) : 0;
-}
-
-/// Samples that surely come before the first contact: up to a fifth of the largest force, less a fifth of them.
-std::size_t quiet_beginning(const Values &x, const Values &y) {
-  double peak = 0;
-  for (std::size_t i = 0; i < x.size(); ++i) peak = std::max(peak, std::hypot(x[i] - x[0], y[i] - y[0]));
-  std::size_t n = 0;
-  while (n < x.size() && std::hypot(x[n] - x[0], y[n] - y[0]) < 0.2 * peak) ++n;
-  return n < x.size() ? n - n / 5 : 0;
-}
 
 Values radial_push(const Response &r, double zero_x, double zero_y) {
   const auto &ux = r.series("displacement_x"), &uy = r.series("displacement_y");
@@ -49,49 +36,17 @@ Values boxcar(const Values &v, std::size_t half) {
   return smooth;
 }
 
-/// Before any contact is known: by neighbours, or, of errors that a filter has made alike, by samples farther apart in
-/// the beginning.
-double first_noise(const Values &push, std::size_t beginning) {
-  constexpr std::size_t filtered = 4;
-  return std::max(noise_of_differences(push, push.size(), 1), noise_of_differences(push, beginning, filtered));
-}
-
 double largest(const Values &v) {
   double top = 0;
   for (const double x : v) top = std::max(top, std::abs(x));
   return top;
 }
 
-/// Samples outside all contacts, and some way from them.
-std::vector<bool> quiet_samples(const ContactRecord &record) {
-  std::vector<bool> quiet(record.push.size(), true);
-  for (const auto &c : record.contacts) {
-    const std::size_t margin = (c.last - c.first) / 10 + 2, from = c.first - std::min(c.first, margin),
-                      to = std::min(c.last + margin + 1, quiet.size());
-    std::fill(quiet.begin() + from, quiet.begin() + to, false);
-  }
-  return quiet;
-}
-
-/// Zero and noise, taken anew from the quiet samples.
-void measure_quiet(ContactRecord &record, const Values &x, const Values &y) {
-  const std::vector<bool> is_quiet = quiet_samples(record);
-  Values qx, qy, quiet;
-  for (std::size_t i = 0; i < x.size(); ++i)
-    if (is_quiet[i]) qx.push_back(x[i]), qy.push_back(y[i]), quiet.push_back(record.push[i]);
-  if (quiet.size() < few_quiet) return;
-  const double centre = mean(quiet, quiet.size()), n = static_cast<double>(quiet.size());
-  double square = 0;
-  for (const double p : quiet) square += (p - centre) * (p - centre);
-  record.sigma = std::sqrt(square / (n - 1)), record.n_quiet = static_cast<int>(quiet.size());
-  record.inflation = correlation_of(record.push, is_quiet);
-  if (std::abs(centre) > 4 * record.sigma * std::sqrt(record.inflation / n))
-    record.zero_x = mean(qx, qx.size()), record.zero_y = mean(qy, qy.size());
-}
-
 class Search {
 public:
-  Search(const Values &times, ContactRecord &record, double share) : t_(times), r_(record) {
+  /// `travel` empty: contacts last as long as the force does.
+  Search(const Values &times, const Values &travel, ContactRecord &record, double share)
+      : t_(times), travel_(travel), r_(record) {
     const std::size_t held = std::count_if(r_.push.begin(), r_.push.end(),
                                            [top = largest(r_.push)](double p) { return std::abs(p) > 0.5 * top; });
     half_ = r_.sigma > 0 ? std::min<std::size_t>(held / 30, 7) : 0;
@@ -119,8 +74,19 @@ private:
       i = last;
       if (holds) add(first, last);
     }
-    for (auto &c : r_.contacts) measure(c);
+    for (auto &c : r_.contacts) c.last = left_behind(c.first, c.last), measure(c);
     std::erase_if(r_.contacts, [&](const Contact &c) { return std::abs(c.impulse) <= sure * c.impulse_error; });
+  }
+
+  /// The last sample at which the rim can press: it does not follow a slider to clearly inside where it was touched.
+  /// What reads on there is the cell's.
+  std::size_t left_behind(std::size_t first, std::size_t last) const {
+    constexpr double clearly = 0.25; // of how far the slider went in
+    if (travel_.empty()) return last;
+    const double farthest = *std::max_element(travel_.begin() + first, travel_.begin() + last + 1),
+                 inside = travel_[first] - clearly * (farthest - travel_[first]) - sure * noise_of_differences(travel_);
+    while (last > first && travel_[last] < inside) --last;
+    return last;
   }
 
   void add(std::size_t first, std::size_t last) {
@@ -161,8 +127,8 @@ private:
 
   void measure(Contact &c) const {
     c.jumps = c.first == 0 || jump(c.first, 1).has_value();
-    c.touch_time = c.first > 0 ? followed_to_zero(c.first, 1) : t_.front();
-    c.release_time = c.last + 1 < t_.size() ? followed_to_zero(c.last, -1) : t_.back();
+    c.touch_time = c.first > 0 ? std::max(t_.front(), followed_to_zero(c.first, 1)) : t_.front();
+    c.release_time = c.last + 1 < t_.size() ? std::min(t_.back(), followed_to_zero(c.last, -1)) : t_.back();
     double square = 0;
     for (std::size_t i = std::max<std::size_t>(c.first, 1); i <= c.last; ++i) {
       const double dt = t_[i] - t_[i - 1];
@@ -173,6 +139,7 @@ private:
   }
 
   const Values &t_;
+  const Values travel_;
   ContactRecord &r_;
   std::size_t half_ = 0; ///< the mean reaches so far on both sides
   double low_ = 0;
@@ -183,20 +150,24 @@ private:
 ContactRecord find_contacts(const Response &response, double share) {
   const auto &x = response.series("impact_x"), &y = response.series("impact_y"), &times = response.series("time");
   ContactRecord record;
+  Values travel;
+  for (std::size_t i = 0; i < times.size(); ++i)
+    travel.push_back(std::hypot(response.series("displacement_x")[i], response.series("displacement_y")[i]));
   const std::size_t n = quiet_beginning(x, y);
-  if (n >= few_quiet) record.zero_x = mean(x, n), record.zero_y = mean(y, n);
+  if (n >= few_quiet) record.zero_x = mean_of(x, n), record.zero_y = mean_of(y, n);
   record.push = radial_push(response, record.zero_x, record.zero_y);
   const double digits = std::max(noise_of_digits(x), noise_of_digits(y));
-  record.sigma = std::max(first_noise(record.push, n), digits);
+  first_noise(record, n);
+  record.sigma = std::max(record.sigma, digits);
   for (int pass = 0; pass < 2; ++pass) { // the second against what is quiet beside the contacts of the first
-    Search(times, record, share);
+    Search(times, pass == 0 ? Values() : travel, record, share); // a zero that is guessed makes a tail of its own
     record.zero_x = record.zero_y = 0;
     record.push = radial_push(response, 0, 0);
     measure_quiet(record, x, y);
     record.sigma = std::max(record.sigma, digits);
     record.push = radial_push(response, record.zero_x, record.zero_y);
   }
-  Search(times, record, share);
+  Search(times, travel, record, share);
   if (record.zero_x != 0 || record.zero_y != 0)
     record.notes.push_back(fmt::format("the force reads {:.4g} kN where the rim is not touched: taken off",
                                        1e-3 * std::hypot(record.zero_x, record.zero_y)));

@@ -29,6 +29,7 @@ struct ContactRecord {
   double sigma = 0; ///< noise of one sample of p [N]: root mean square in quiet, at least that of its digits; 0 for a
                     ///< record without noise
   double inflation = 1; ///< tau: variance of an average of many quiet samples over that of independent ones, >= 1
+  double left_over = 0; ///< reading in quiet after the last contact less that before the first [N]; 0: too few samples
   double zero_x = 0, zero_y = 0; ///< the cell's reading in quiet [N], taken off where it is beyond 4 standard errors
   double threshold = 0;          ///< [N]
   double peak = 0;               ///< largest |pbar| [N]

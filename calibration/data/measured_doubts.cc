@@ -1,6 +1,7 @@
 #include "calibration/data/measured_doubts.h"
 #include "calibration/data/channel_lag.h"
 #include "calibration/data/functionals.h"
+#include "calibration/data/sample_noise.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -71,6 +72,17 @@ void doubt_clocks(StoredRun &run, const MeasuredRecord &record, const WindowOpti
       contact.touch_time, 1e3 * std::abs(found->lag), found->lag > 0 ? "after" : "before", 1e3 * unsure));
 }
 
+/// A cell that does not come back to its reading takes what is left for the rim's force.
+void doubt_drift(StoredRun &run, const MeasuredRecord &record) {
+  constexpr double felt = 0.02; // of the peak, beyond what filters and hum leave of a mean
+  const ContactRecord &force = record.force();
+  const double error = noise_of_differences(force.push) * std::sqrt(4.0 / std::max(1, force.n_quiet));
+  if (std::abs(force.left_over) <= felt * force.peak + noise_reach * error) return;
+  run.doubts.push_back(fmt::format("after the last release the force reads {:.3g} kN more than before the first touch, "
+                                   "{:.1f} % of the peak: does the cell drift, or does something else press?",
+                                   force.left_over / 1e3, 100 * force.left_over / force.peak));
+}
+
 /// A force that stands at one value, its largest, for a tenth of the contact.
 void doubt_cell(StoredRun &run, const MeasuredRecord &record, const MeasuredImpact &impact) {
   const Contact &contact = record.contacts()[impact.index];
@@ -81,7 +93,11 @@ void doubt_cell(StoredRun &run, const MeasuredRecord &record, const MeasuredImpa
     flat = push[i] > most * (1 - 1e-6) ? flat + 1 : 0;
     longest = std::max(longest, flat);
   }
-  if (longest < 4 || 10 * longest < contact.last - contact.first + 1) return;
+  // of a smooth peak that long is told by one step of its digits
+  const double step = std::sqrt(12.0) * noise_of_digits(run.response.series("impact_x")),
+               told = 2 / M_PI * std::acos(1 - std::min(1.0, step / most));
+  const double share = static_cast<double>(longest) / static_cast<double>(contact.last - contact.first + 1);
+  if (longest < 4 || share < std::max(0.1, 2 * told)) return;
   run.doubts.push_back(fmt::format("at {:.4f} s the force stands at {:.0f} kN, its largest, for {} samples: does the "
                                    "cell saturate?",
                                    contact.touch_time, most / 1e3, longest));
@@ -91,7 +107,7 @@ void doubt_cell(StoredRun &run, const MeasuredRecord &record, const MeasuredImpa
 
 void doubt(StoredRun &run, const MeasuredRecord &record, const WindowOptions &options, const MeasuredImpact &impact) {
   doubt_impulse(run, record, impact);
-  if (impact.index == 0) doubt_place(run, record, impact);
+  if (impact.index == 0) doubt_place(run, record, impact), doubt_drift(run, record);
   doubt_clocks(run, record, options, impact);
   doubt_cell(run, record, impact);
 }

@@ -37,13 +37,31 @@ double correlation_of(const std::vector<double> &values, const std::vector<bool>
   return std::min(tau, std::max(1.0, n / 10));
 }
 
-double noise_of_differences(const std::vector<double> &v, std::size_t n, std::size_t apart) {
+double noise_of_differences(const std::vector<double> &values) {
   std::vector<double> d;
-  for (std::size_t i = 3 * apart; i < n; ++i)
-    d.push_back(std::abs(v[i] - 3 * v[i - apart] + 3 * v[i - 2 * apart] - v[i - 3 * apart]));
-  if (d.size() < (apart > 1 ? few : 1)) return 0;
-  std::nth_element(d.begin(), d.begin() + d.size() / 2, d.end());
-  return d[d.size() / 2] / (0.6745 * std::sqrt(20.0));
+  for (std::size_t i = 3; i < values.size(); ++i)
+    d.push_back(values[i] - 3 * values[i - 1] + 3 * values[i - 2] - values[i - 3]);
+  return scatter_of(std::move(d)) / std::sqrt(20.0);
+}
+
+std::vector<double> about_line(std::vector<double> values) {
+  const double n = static_cast<double>(values.size()), middle = 0.5 * (n - 1);
+  double mean = 0, slope = 0, square = 0;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const double at = static_cast<double>(i) - middle;
+    mean += values[i] / n, slope += at * values[i], square += at * at;
+  }
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] -= mean + (square > 0 ? slope / square : 0) * (static_cast<double>(i) - middle);
+  return values;
+}
+
+double scatter_of(std::vector<double> values) {
+  constexpr double median_of_normal = 0.6745; // of its absolute value, in standard deviations
+  if (values.empty()) return 0;
+  for (double &value : values) value = std::abs(value);
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2), values.end());
+  return values[values.size() / 2] / median_of_normal;
 }
 
 double noise_of_digits(const std::vector<double> &values) {

@@ -10,9 +10,14 @@ namespace rimpact::calibration {
 /// tenth of their count. The counted samples scatter about a constant.
 double correlation_of(const std::vector<double> &values, const std::vector<bool> &counted);
 
-/// Of errors on a smooth curve, among the first n values, where samples `apart` err alone: third differences have 20
-/// times their variance (median, so that jumps do not count). 0: too few.
-double noise_of_differences(const std::vector<double> &values, std::size_t n, std::size_t apart);
+/// Of independent errors on a smooth curve: third differences have 20 times their variance (median, so that jumps do
+/// not count). 0: too few.
+double noise_of_differences(const std::vector<double> &values);
+
+/// Values less the straight line through them (least squares).
+std::vector<double> about_line(std::vector<double> values);
+/// Standard deviation of values about 0, by their median, so that a few large ones do not count.
+double scatter_of(std::vector<double> values);
 
 /// Standard error q / sqrt(12) of values stored in steps of q, in the values' unit; 0 where they have no common step,
 /// or one so fine that it tells nothing (below 1e-4 of their range).
