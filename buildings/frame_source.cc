@@ -12,9 +12,7 @@
 namespace rimpact::buildings {
 
 namespace {
-Frame frame_at(const std::string &where) {
-  std::error_code none;
-  if (std::filesystem::is_directory(where, none)) return read_tables(where);
+Frame made_at(const std::string &where) {
   const std::string text = building_text(where);
   if (is_plane_frame(text, where)) return make_frame(parse_plane_frame(text, where));
   return make_frame(parse_building(text, where));
@@ -22,7 +20,9 @@ Frame frame_at(const std::string &where) {
 } // namespace
 
 Frame load_frame(const std::string &where) {
-  Frame frame = frame_at(where);
+  std::error_code none;
+  if (std::filesystem::is_directory(where, none)) return read_tables(where);
+  Frame frame = made_at(where);
   frame.validate();
   return frame;
 }

@@ -14,7 +14,7 @@ std::map<std::string, std::string> tables_of(const Frame &frame);
 /// These in an existing folder. Throws IoError.
 void write_tables(const Frame &frame, const std::string &folder);
 /// Columns by name, in any order; members of equal numbers share a section; damping 0.02. Throws DataError with file,
-/// line and value. Whether the frame stands is asked later (Frame::validate).
+/// line and value, also for a frame that contradicts itself (Frame::validate).
 Frame read_tables(const std::string &folder);
 
 } // namespace rimpact::buildings

@@ -168,11 +168,12 @@ std::vector<std::string> doubts_of_curve(const scene::Scene &scene) {
   constexpr double coarse_mesh = 0.03, coarse_unloadings = 0.10;
   if (scene.reduced.impact_curve.empty() || !scene.reduced.impact_law->pushed) return {};
   const std::string &path = scene.reduced.impact_curve;
-  const CurveErrors &errors = known_curve(path).file.errors;
+  const RimCurveFile &file = known_curve(path).file;
+  const CurveErrors &errors = file.errors;
   std::vector<std::string> doubts;
   if (!errors.mesh_force)
     doubts.push_back(fmt::format("{}: nothing says how far the mesh of this rim curve is off ({}); push it on mesh 1",
-                                 path, known_curve(path).file.mesh));
+                                 path, file.mesh));
   else if (*errors.mesh_force > coarse_mesh)
     doubts.push_back(fmt::format("{}: the mesh of this rim curve is off by some {:.1f} % of the force; push it on a "
                                  "finer one",

@@ -45,13 +45,16 @@ void doubt_pad(const Bearing &b, std::vector<std::string> &found) {
                     1e3 * b.pad.shape_radius, b.surface.R0, 1e3 * b.surface.R0));
 }
 
+void doubt_gravity(const Scene &scene, std::vector<std::string> &found) {
+  constexpr double least = 9.7, most = 9.9; // on Earth
+  if (const double g = scene.load.gravity; g < least || g > most)
+    found.push_back(
+        fmt::format("load.gravity_m_per_s2 = {:g}, where it is {} to {} on Earth: is its unit m/s2?", g, least, most));
+}
+
 /// Weight and mass hold each other to account.
 void doubt_load(const Scene &scene, std::vector<std::string> &found) {
-  constexpr double odd_weight = 2, slip = 20;               // weight over mass times gravity, or its inverse
-  constexpr double least_gravity = 9.7, most_gravity = 9.9; // on Earth
-  if (const double g = scene.load.gravity; g < least_gravity || g > most_gravity)
-    found.push_back(fmt::format("load.gravity_m_per_s2 = {:g}, where it is {} to {} on Earth: is its unit m/s2?", g,
-                                least_gravity, most_gravity));
+  constexpr double odd_weight = 2, slip = 20; // weight over mass times gravity, or its inverse
   const double inertial = scene.load.mass * scene.load.gravity, ratio = scene.load.vertical / inertial;
   if (scene.load.vertical > 0 && (ratio > odd_weight || ratio < 1 / odd_weight))
     found.push_back(fmt::format(
@@ -67,7 +70,7 @@ std::vector<std::string> doubts(const Scene &scene, bool load_is_read) {
   constexpr double strongest = 5; // no ground has been recorded near it [g]
   constexpr double fastest = 10;  // an impact's speed [m/s]
   std::vector<std::string> found;
-  if (load_is_read) doubt_load(scene, found);
+  if (load_is_read) doubt_gravity(scene, found), doubt_load(scene, found);
   if (const double a = largest_acceleration(scene); a > strongest)
     found.push_back(fmt::format(
         "the ground's acceleration reaches {:.3g} g, beyond any recorded: are its unit and scale right?", a));

@@ -44,8 +44,8 @@ double largest(const Values &v) {
 
 class Search {
 public:
-  /// `travel` empty: contacts last as long as the force does.
-  Search(const Values &times, const Values &travel, ContactRecord &record, double share)
+  /// Without `travel` contacts last as long as the force does.
+  Search(const Values &times, const Values *travel, ContactRecord &record, double share)
       : t_(times), travel_(travel), r_(record) {
     const std::size_t held = std::count_if(r_.push.begin(), r_.push.end(),
                                            [top = largest(r_.push)](double p) { return std::abs(p) > 0.5 * top; });
@@ -74,19 +74,20 @@ private:
       i = last;
       if (holds) add(first, last);
     }
-    for (auto &c : r_.contacts) c.last = left_behind(c.first, c.last), measure(c);
+    if (travel_) leave_behind(*travel_);
+    for (auto &c : r_.contacts) measure(c);
     std::erase_if(r_.contacts, [&](const Contact &c) { return std::abs(c.impulse) <= sure * c.impulse_error; });
   }
 
-  /// The last sample at which the rim can press: it does not follow a slider to clearly inside where it was touched.
-  /// What reads on there is the cell's.
-  std::size_t left_behind(std::size_t first, std::size_t last) const {
+  /// A rim does not follow a slider to clearly inside where it was touched: what reads on there is the cell's.
+  void leave_behind(const Values &travel) {
     constexpr double clearly = 0.25; // of how far the slider went in
-    if (travel_.empty()) return last;
-    const double farthest = *std::max_element(travel_.begin() + first, travel_.begin() + last + 1),
-                 inside = travel_[first] - clearly * (farthest - travel_[first]) - sure * noise_of_differences(travel_);
-    while (last > first && travel_[last] < inside) --last;
-    return last;
+    const double noise = sure * noise_of_differences(travel);
+    for (auto &c : r_.contacts) {
+      const double farthest = *std::max_element(travel.begin() + c.first, travel.begin() + c.last + 1),
+                   inside = travel[c.first] - clearly * (farthest - travel[c.first]) - noise;
+      while (c.last > c.first && travel[c.last] < inside) --c.last;
+    }
   }
 
   void add(std::size_t first, std::size_t last) {
@@ -139,7 +140,7 @@ private:
   }
 
   const Values &t_;
-  const Values travel_;
+  const Values *travel_;
   ContactRecord &r_;
   std::size_t half_ = 0; ///< the mean reaches so far on both sides
   double low_ = 0;
@@ -160,14 +161,14 @@ ContactRecord find_contacts(const Response &response, double share) {
   first_noise(record, n);
   record.sigma = std::max(record.sigma, digits);
   for (int pass = 0; pass < 2; ++pass) { // the second against what is quiet beside the contacts of the first
-    Search(times, pass == 0 ? Values() : travel, record, share); // a zero that is guessed makes a tail of its own
+    Search(times, pass == 0 ? nullptr : &travel, record, share); // a zero that is guessed makes a tail of its own
     record.zero_x = record.zero_y = 0;
     record.push = radial_push(response, 0, 0);
     measure_quiet(record, x, y);
     record.sigma = std::max(record.sigma, digits);
     record.push = radial_push(response, record.zero_x, record.zero_y);
   }
-  Search(times, travel, record, share);
+  Search(times, &travel, record, share);
   if (record.zero_x != 0 || record.zero_y != 0)
     record.notes.push_back(fmt::format("the force reads {:.4g} kN where the rim is not touched: taken off",
                                        1e-3 * std::hypot(record.zero_x, record.zero_y)));

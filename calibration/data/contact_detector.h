@@ -4,9 +4,10 @@
 /// odd, 1 to 15, a fifteenth of the samples that bear half the peak), so that the noise of pbar is s = sigma
 /// sqrt(min(1, tau / m)), where tau says how the errors of neighbouring samples hang together (data/sample_noise.h). A
 /// contact holds at least three samples in succession beyond the threshold max(5 s, share of the peak); it reaches on
-/// both sides to where |pbar| falls below 5 s. Neighbours closer than 0.35 of the earlier one's length are one contact:
-/// a force that changes its sign passes through zero. A contact whose impulse is within 5 standard errors of none is
-/// none. Samples are not altered: thresholds find contacts and nothing else.
+/// both sides to where |pbar| falls below 5 s, and ends where the slider is clearly inside its touch. Neighbours closer
+/// than 0.35 of the earlier one's length are one contact: a force that changes its sign passes through zero. A contact
+/// whose impulse is within 5 standard errors of none is none. Samples are not altered: thresholds find contacts and
+/// nothing else.
 #pragma once
 #include "responses/response.h"
 #include <string>

@@ -2,6 +2,7 @@
 #pragma once
 #include "reduced_models/physical_model.h"
 #include "responses/summary.h"
+#include <cmath>
 #include <optional>
 
 namespace rimpact::calibration {
@@ -58,6 +59,9 @@ struct Measurement {
   bool noisy() const { return sigma_force > 0 || sigma_displacement > 1e-7; }
   double inflation = 1;       ///< variance of an average of many displacements over that of independent ones
   double inflation_force = 1; ///< the same of forces
+  /// Of one sample, as it counts in an average of many.
+  double noise_force() const { return sigma_force * std::sqrt(inflation_force); }
+  double noise_displacement() const { return sigma_displacement * std::sqrt(inflation); }
   Eigen::Matrix2d start_factor =
       Eigen::Matrix2d::Zero(); ///< lower factor of the covariance of radial (u, v) at the start [m], [m/s]
   std::size_t pressed_first = 0, pressed_last = 0; ///< samples of the window whose force is compared

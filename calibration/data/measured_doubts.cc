@@ -42,8 +42,7 @@ void doubt_place(StoredRun &run, const MeasuredRecord &record, const MeasuredImp
   if (std::abs(off) <= felt + unsure) return;
   run.doubts.push_back(fmt::format(
       "at {:.4f} s the rim first bears force at {:.2f} mm of travel, {:.2f} mm {} the bearing's L_c of {:.2f} mm, "
-      "which "
-      "a stiffness feels: is the displacement's zero right? (--fit ...,capacity_offset looks for the rim)",
+      "which a stiffness feels: is the displacement's zero right? (--fit ...,capacity_offset looks for the rim)",
       contact.touch_time, 1e3 * start.touch, 1e3 * std::abs(off), off > 0 ? "beyond" : "before", 1e3 * L_c));
 }
 
@@ -94,7 +93,7 @@ void doubt_cell(StoredRun &run, const MeasuredRecord &record, const MeasuredImpa
     longest = std::max(longest, flat);
   }
   // of a smooth peak that long is told by one step of its digits
-  const double step = std::sqrt(12.0) * noise_of_digits(run.response.series("impact_x")),
+  const double step = step_of_digits(run.response.series("impact_x")),
                told = 2 / M_PI * std::acos(1 - std::min(1.0, step / most));
   const double share = static_cast<double>(longest) / static_cast<double>(contact.last - contact.first + 1);
   if (longest < 4 || share < std::max(0.1, 2 * told)) return;

@@ -60,11 +60,11 @@ Response sampled_at(const Response &response, const std::vector<double> &times, 
   return result;
 }
 
-/// What straight lines between the samples of one make of the other itself, which is no difference of the two.
-void tell_sampling(const Response &reference, const Response &candidate, Overlap span, double lateral_capacity,
-                   Comparison &result) {
+/// What straight lines between the samples of one make of the other itself, which is no difference of the two. `found`:
+/// the mean square of the displacements' difference [m^2].
+void tell_sampling(const Response &reference, const Response &candidate, Overlap span, double found,
+                   double lateral_capacity, Comparison &result) {
   constexpr double much = 0.3, worth_telling = 1e-3; // of the difference found, of L_c
-  const double found = mean_square(reference, candidate, "displacement", span);
   for (const auto &[fine, coarse, name] :
        {std::tuple(&reference, &candidate, "candidate"), std::tuple(&candidate, &reference, "reference")}) {
     const auto &times = coarse->series("time");
@@ -171,8 +171,9 @@ Comparison compare(const Response &reference, const Response &candidate, double 
     if (tc.back() < release)
       result.notes.push_back("the candidate ends before the reference's last release: compared up to its end");
   }
-  result.nrmse_displacement = std::sqrt(mean_square(reference, candidate, "displacement", span)) / lateral_capacity;
-  tell_sampling(reference, candidate, span, lateral_capacity, result);
+  const double off = mean_square(reference, candidate, "displacement", span);
+  result.nrmse_displacement = std::sqrt(off) / lateral_capacity;
+  tell_sampling(reference, candidate, span, off, lateral_capacity, result);
   if (!theirs.impacts.empty())
     result.nrmse_force = std::sqrt(mean_square(reference, candidate, "impact", span)) / hardest(theirs).peak_force;
   if (theirs.peak_lateral_force > 0)

@@ -64,7 +64,7 @@ double scatter_of(std::vector<double> values) {
   return values[values.size() / 2] / median_of_normal;
 }
 
-double noise_of_digits(const std::vector<double> &values) {
+double step_of_digits(const std::vector<double> &values) {
   constexpr double same = 1e-9, finest = 1e-4, whole = 0.02; // of the range; of a step
   std::vector<double> sorted = values;
   std::sort(sorted.begin(), sorted.end());
@@ -81,7 +81,11 @@ double noise_of_digits(const std::vector<double> &values) {
     const double n = (value - sorted.front()) / step;
     return std::abs(n - std::round(n)) < whole;
   });
-  return in_steps ? step / std::sqrt(12.0) : 0;
+  return in_steps ? step : 0;
+}
+
+double noise_of_digits(const std::vector<double> &values) {
+  return step_of_digits(values) / std::sqrt(12.0);
 }
 
 } // namespace rimpact::calibration

@@ -19,8 +19,10 @@ std::vector<double> about_line(std::vector<double> values);
 /// Standard deviation of values about 0, by their median, so that a few large ones do not count.
 double scatter_of(std::vector<double> values);
 
-/// Standard error q / sqrt(12) of values stored in steps of q, in the values' unit; 0 where they have no common step,
-/// or one so fine that it tells nothing (below 1e-4 of their range).
+/// The step that values are stored in, in their unit; 0 where they have none in common, or one so fine that it tells
+/// nothing (below 1e-4 of their range).
+double step_of_digits(const std::vector<double> &values);
+/// Standard error that such a step leaves, itself over sqrt(12).
 double noise_of_digits(const std::vector<double> &values);
 
 } // namespace rimpact::calibration

@@ -54,11 +54,11 @@ public:
     Eigen::MatrixXd result = Eigen::MatrixXd::Zero(X.rows(), X.cols());
     if (channel == Channel::force) {
       add_samples(X, result, rows.force, m_.pressed_first, n_pressed_, force_, rows.peak, m_.peak, peak_);
-      return m_.sigma_force * m_.sigma_force * m_.inflation_force * result;
+      return m_.noise_force() * m_.noise_force() * result;
     }
     add_samples(X, result, rows.displacement, m_.flown, n_travelled_, displacement_, rows.rebound, m_.rebound,
                 rebound_);
-    result *= m_.sigma_displacement * m_.sigma_displacement * m_.inflation;
+    result *= m_.noise_displacement() * m_.noise_displacement();
     result.bottomRows(n_nuisance()) = X.bottomRows(n_nuisance());
     return result;
   }
@@ -81,8 +81,7 @@ private:
   /// A curve is one observation: stated uncertainty and noise together.
   void count_curves(const StoredRun &run, const Uncertainty &u, const Weights &w) {
     const double force = u.force * run.peak_force(), speed = u.speed * run.approach_speed();
-    const double travel_noise = m_.sigma_displacement * std::sqrt(m_.inflation),
-                 force_noise = m_.sigma_force * std::sqrt(m_.inflation_force);
+    const double travel_noise = m_.noise_displacement(), force_noise = m_.noise_force();
     force_ = group(Compared::force, n_pressed_, w.force, force, force_noise, m_.freedom_force);
     displacement_ = group(Compared::displacement, n_travelled_, w.displacement,
                           u.displacement * run.scene.bearing.lateral_capacity(), travel_noise, m_.freedom_displacement);
@@ -95,10 +94,9 @@ private:
   }
   /// Every sample is an observation; what peak and rebound say is in them.
   void count_samples() {
-    force_ = group(Compared::force, n_pressed_, std::sqrt(n_pressed_), 0,
-                   m_.sigma_force * std::sqrt(m_.inflation_force), m_.freedom_force);
-    displacement_ = group(Compared::displacement, n_travelled_, std::sqrt(n_travelled_), 0,
-                          m_.sigma_displacement * std::sqrt(m_.inflation), m_.freedom_displacement);
+    force_ = group(Compared::force, n_pressed_, std::sqrt(n_pressed_), 0, m_.noise_force(), m_.freedom_force);
+    displacement_ = group(Compared::displacement, n_travelled_, std::sqrt(n_travelled_), 0, m_.noise_displacement(),
+                          m_.freedom_displacement);
   }
   double group(Compared kind, int count, double weight, double stated, double noise, double freedom) {
     const double scale = add_group(kind, count, weight, std::hypot(stated, noise));

@@ -48,39 +48,35 @@ TEST(FrameTables, ReadBackToTheSameBuilding) {
 
 TEST(FrameTables, AreRefusedWithFileAndLine) {
   const std::string folder = fresh_folder();
-  const auto said = [&](const std::string &file, const std::string &from, const std::string &to) {
+  /// Of the tables with one of them changed; without the folder. Data files are exit code 3.
+  const auto refusal_of = [&](const std::string &file, const auto &changed) {
     write_tables(make_frame(load_building("thesis-2.4")), folder);
-    std::string text = read_file(folder + "/" + file);
-    text.replace(text.find(from), from.size(), to);
-    write_atomically(text, folder + "/" + file);
-    try {
-      load_frame(folder).validate();
-    } catch (const Error &error) {
-      return std::string(error.what());
-    }
-    return std::string();
-  };
-  /// One cell of a line (from 1) changed; what is said, without the folder. Data files are exit code 3.
-  const auto with_cell = [&](const std::string &file, int line, const std::string &column, const std::string &cell) {
-    write_tables(make_frame(load_building("thesis-2.4")), folder);
-    const std::string text = read_file(folder + "/" + file);
-    const auto lines = lines_of(text);
-    const auto columns = split(lines[0], ',');
-    const auto at = std::find(columns.begin(), columns.end(), column) - columns.begin();
-    std::string changed;
-    for (int n = 1; n <= static_cast<int>(lines.size()); ++n) {
-      const auto cells = split(lines[n - 1], ',');
-      for (int c = 0; c < static_cast<int>(cells.size()); ++c)
-        changed += (c > 0 ? "," : "") + (n == line && c == at ? cell : std::string(cells[c]));
-      changed += "\n";
-    }
-    write_atomically(changed, folder + "/" + file);
+    write_atomically(changed(read_file(folder + "/" + file)), folder + "/" + file);
     try {
       load_frame(folder);
     } catch (const DataError &error) {
       return std::string(error.what()).substr(folder.size() + 1);
     }
     return std::string();
+  };
+  const auto said = [&](const std::string &file, const std::string &from, const std::string &to) {
+    return refusal_of(file, [&](std::string text) { return text.replace(text.find(from), from.size(), to); });
+  };
+  /// One cell of a line (from 1) changed.
+  const auto with_cell = [&](const std::string &file, int line, const std::string &column, const std::string &cell) {
+    return refusal_of(file, [&](const std::string &text) {
+      const auto lines = lines_of(text);
+      const auto columns = split(lines[0], ',');
+      const auto at = std::find(columns.begin(), columns.end(), column) - columns.begin();
+      std::string changed;
+      for (int n = 1; n <= static_cast<int>(lines.size()); ++n) {
+        const auto cells = split(lines[n - 1], ',');
+        for (int c = 0; c < static_cast<int>(cells.size()); ++c)
+          changed += (c > 0 ? "," : "") + (n == line && c == at ? cell : std::string(cells[c]));
+        changed += "\n";
+      }
+      return changed;
+    });
   };
   EXPECT_NE(said("nodes.csv", "\n2,8", "\n2,eight").find("nodes.csv:3: x_m is \"eight\", not a number"),
             std::string::npos);
