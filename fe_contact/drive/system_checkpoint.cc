@@ -63,6 +63,7 @@ void put(Checkpoint &file, const SystemState &state, const std::string &prefix) 
   file.numbers[prefix + "last_dt"] = {state.last_dt};
   file.numbers[prefix + "change_before"] = list(state.change_before);
   file.numbers[prefix + "dt_before"] = {state.dt_before};
+  file.numbers[prefix + "calm"] = {double(state.calm)};
   file.numbers[prefix + "history"] = list(state.history);
   file.numbers[prefix + "energies"] = {state.energies.elastic, state.energies.plastic};
   for (std::size_t i = 0; i < state.contacts.size(); ++i) {
@@ -80,6 +81,7 @@ void get(const Checkpoint &file, SystemState &state, const std::string &prefix) 
   state.last_dt = file.number(prefix + "last_dt", {0, 1e6});
   state.last_change = last_change(file, prefix + "last_change", state.last_dt, state.u.size());
   state.dt_before = file.number(prefix + "dt_before", {0, 1e6});
+  state.calm = static_cast<int>(file.number(prefix + "calm", {0, 100, true}));
   state.change_before = last_change(file, prefix + "change_before", state.dt_before, state.u.size());
   restore(file, prefix + "history", state.history);
   const auto &energies = file.field(prefix + "energies", 2);

@@ -21,6 +21,7 @@ struct SystemState {
   double last_dt = 0;            ///< [s]; 0: none
   Eigen::VectorXd change_before; ///< likewise, over the step before that one
   double dt_before = 0;          ///< [s]; 0: none
+  int calm = 0;                  ///< steps that are not to grow, one before them did not converge
   SolidHistory history;
   std::vector<SurfaceContactState> contacts;
   SolidEnergies energies;

@@ -7,6 +7,9 @@
 namespace rimpact::fe {
 namespace {
 
+constexpr int patience = 6;   ///< of Newton, where the step may be cut
+constexpr int calm_steps = 3; ///< do not grow after one that Newton could not take: growth alone led there
+
 struct Run {
   ContactSystem &system;
   SystemState &state;
@@ -41,11 +44,14 @@ Attempt checked_step(ContactSystem &system, SystemState &state, double t, double
   if (options.ground) terms.ground = options.ground(t, dt);
   const Eigen::VectorXd load_before = load(t);
   StepOptions step_options = options.step;
+  const bool may_be_cut = dt > 1.001 * options.smallest_step;
+  step_options.newton.patience = may_be_cut ? patience : 0;
   if (t == 0) step_options.rho_inf = 1; // the first, shortest step: its end's accelerations balance the forces
   const ContactStepReport step = time_step(system, state, terms, step_options);
   report.iterations += step.iterations;
   if (!step.converged) {
     state = kept;
+    state.calm = calm_steps;
     return {false, 0, step.reason};
   }
   const double external = 0.5 * (load_before + terms.load).dot(state.u - kept.u);
@@ -64,7 +70,7 @@ Attempt checked_step(ContactSystem &system, SystemState &state, double t, double
   const double error = std::abs(unbalanced) / (options.energy_tolerance * largest) +
                        std::max(0.0, -step.integrator_loss) / (options.gain_tolerance * largest);
   // Halving buys a factor of about eight; the smallest step is taken whatever its error, and the ledger shows it.
-  if (error > 1 && dt > 1.001 * options.smallest_step) {
+  if (error > 1 && may_be_cut) {
     state = kept;
     ++system.work.cuts;
     return {false, dt * std::clamp(0.8 / std::cbrt(error), 0.2, 0.7), "the step's energy error is too large"};
@@ -78,8 +84,10 @@ Attempt checked_step(ContactSystem &system, SystemState &state, double t, double
   ledger.integrator += step.integrator_loss;
   ledger.largest = largest;
   report.capped_steps += step.capped;
+  const double growth = state.calm > 0 ? 1.0 : 2.0;
+  state.calm = std::max(0, state.calm - 1);
   after_step(t + dt, state, step);
-  const double next = dt * std::clamp(0.9 / std::cbrt(std::max(error, 1e-3)), 0.5, 2.0);
+  const double next = dt * std::clamp(0.9 / std::cbrt(std::max(error, 1e-3)), 0.5, growth);
   if (options.after_point) options.after_point({t + dt, next, ledger});
   return {true, next, {}};
 }

@@ -34,6 +34,13 @@ bool is_last(const std::vector<double> &residuals, double tolerance) {
   return residuals.size() > 1 && residuals.back() * (residuals.back() / residuals[residuals.size() - 2]) < tolerance;
 }
 
+/// Contact points that come and go by turns: the residual creeps, and a shorter step costs less than the end of it.
+bool stagnates(const std::vector<double> &residuals, int patience) {
+  constexpr double least_fall = 0.6;
+  const std::size_t n = residuals.size(), back = static_cast<std::size_t>(patience) + 1;
+  return patience > 0 && n > back && residuals[n - 1] > least_fall * residuals[n - back];
+}
+
 bool evaluate(NewtonTarget &target, const Eigen::VectorXd &u, bool with_tangent) {
   target.has_tangent = false;
   if (!target.evaluate(u, with_tangent)) return false;
@@ -60,6 +67,10 @@ NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOption
   while (report.residuals.back() > options.tolerance || report.iterations == 0 || !held()) {
     if (report.iterations >= options.max_iterations) {
       report.reason = "Newton did not converge in " + std::to_string(options.max_iterations) + " iterations";
+      return report;
+    }
+    if (stagnates(report.residuals, options.patience)) {
+      report.reason = "Newton's residual hardly fell in " + std::to_string(options.patience) + " iterations";
       return report;
     }
     ++report.iterations;

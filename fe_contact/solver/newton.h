@@ -38,6 +38,8 @@ struct NewtonOptions {
   double tolerance = 1e-8; ///< residual over the forces in play
   int max_iterations = 20;
   int max_backtracks = 4;
+  int patience =
+      0; ///< given up where the residual hardly fell (to 0.6) in so many iterations after the first; 0: never
   bool stale_factor = true;      ///< false: factorise at every iteration
   double finest_forcing = 1e-10; ///< the linear systems are never asked for a smaller relative residual
   bool evaluated = false;        ///< the target stands evaluated at u already

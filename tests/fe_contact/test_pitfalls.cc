@@ -219,6 +219,29 @@ TEST(Pitfall, ALoadOnTheVergeOfSlipOrOfTouchDoesNotChatter) {
   EXPECT_EQ((before.u - pushed.state.u).norm(), 0);
 }
 
+TEST(Pitfall, AfterAStepThatDoesNotConvergeTheNextOnesDoNotGrow) {
+  Pushed pushed;
+  const auto load = [&](double) { return pushed.load(1e5, 0.5); };
+  ASSERT_TRUE(preload(*pushed.system, pushed.state, load(0), 1e8, pushed.options).converged);
+  TransientOptions options{.step = pushed.options, .largest_step = 1, .smallest_step = 1e-6, .contact_step = 1e-3};
+  TransientReport report;
+  auto &ledger = report.ledger;
+  ledger.elastic = ledger.initial = ledger.largest = pushed.state.energies.elastic;
+  double t = 0.1;
+  const auto go = [&] {
+    const Attempt step = checked_step(*pushed.system, pushed.state, t, 1e-4, load, options, report,
+                                      [](double, const SystemState &, const ContactStepReport &) {});
+    if (step.accepted) t += 1e-4;
+    return step;
+  };
+  ASSERT_GT(go().wish, 1.5e-4); // it rests: nothing speaks against a longer step
+  options.step.newton.max_iterations = 0;
+  EXPECT_FALSE(go().accepted);
+  options.step.newton.max_iterations = 20;
+  for (int k = 0; k < 3; ++k) EXPECT_LE(go().wish, 1e-4) << k;
+  EXPECT_GT(go().wish, 1.5e-4);
+}
+
 TEST(Pitfall, ABodyThatJustTouchesStaysAsItIs) {
   Block block(FrictionCoefficient::constant(0.3));
   SystemState state = block.system->at_rest();

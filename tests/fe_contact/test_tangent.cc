@@ -77,6 +77,32 @@ TEST(Newton, FindsTheMultiplierThatHoldsItsConstraint) {
   EXPECT_NEAR(u[1] * u[1] - 3 - 2 * m, 0, 1e-7);
 }
 
+/// x = 0 with a tangent ten times too stiff: each iteration leaves nine tenths of the residual.
+struct Creeping : Curves {
+  bool evaluate(const Eigen::VectorXd &u, bool) override {
+    r = u;
+    tangent.symmetric().set_zero();
+    tangent.close_symmetric();
+    for (int i : {0, 1}) tangent.add(i, i, 10);
+    return true;
+  }
+  Border *border() override { return nullptr; }
+};
+
+TEST(Newton, IsGivenUpWhereItsResidualCreepsOnlyIfThereIsAnotherWay) {
+  for (const auto &[patience, iterations] :
+       {std::pair{3, 4}, {6, 20}, {0, 20}}) { // 0.9^3 > 0.6 > 0.9^6; the first does not count
+    Creeping creeping;
+    Eigen::VectorXd u = Eigen::Vector2d(1, 1);
+    NewtonOptions options;
+    options.patience = patience;
+    const NewtonReport report = newton(creeping, u, options);
+    EXPECT_FALSE(report.converged);
+    EXPECT_EQ(report.iterations, iterations) << patience;
+    EXPECT_NE(report.reason.find(patience == 3 ? "hardly fell in 3" : "in 20 iterations"), std::string::npos);
+  }
+}
+
 TEST(SurfaceContact, ABearingPointIsExpectedToGoOnAsItDidAndNeverToPull) {
   SurfaceContactState state;
   state.multiplier = {5.0, 1.0, 0.0};
