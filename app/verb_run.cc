@@ -64,7 +64,11 @@ void run(const RunWords &options, Console &console) {
     return;
   }
   run_options.interrupted = &interrupted();
-  run_options.remark = [&](const std::string &sentence) { console.message(sentence); };
+  ProgressLine line(console.quiet);
+  run_options.remark = [&](const std::string &sentence) {
+    line.finish();
+    console.message(sentence);
+  };
   run_options.annotate = [&](Summary &summary) {
     const auto beside = std::filesystem::absolute(run_options.folder).lexically_normal().parent_path();
     try {
@@ -75,7 +79,6 @@ void run(const RunWords &options, Console &console) {
     }
   };
   watch_interrupts();
-  ProgressLine line(console.quiet);
   const auto start = std::chrono::steady_clock::now();
   ProgressInWords in_words(scene.excitation);
   run_options.progress = [&](const fe::Progress &p) {

@@ -174,6 +174,17 @@ std::optional<std::string> doubt_of_rebound(const Response &response, const std:
                      1e-3 * force, 100 * force / peak);
 }
 
+std::optional<std::string> doubt_of_bounce(const Response &response) {
+  constexpr double off = 1e-3, until_back = 0.1; // of the normal force at first; [s]
+  if (response.size() == 0 || !response.has("normal_force") || !response.has("pad_pressure_max")) return {};
+  const auto &normal = response.series("normal_force"), &t = response.series("time");
+  const auto first = std::find_if(normal.begin(), normal.end(), [&](double N) { return N < off * normal.front(); });
+  if (first == normal.end() || t.back() - t[first - normal.begin()] < until_back) return {};
+  return fmt::format("the slider leaves the dish at t = {:.3f} s and lands again, and no rung damps the bounces that "
+                     "follow: later impacts, and where it comes to rest, depend on a damping that is not known",
+                     t[first - normal.begin()]);
+}
+
 std::optional<std::string> doubt_of_ledger(const EnergyLedger &ledger) {
   constexpr double usual = 1e-3; // what every dynamic scene is to keep
   const double left = ledger.imbalance_relative();

@@ -52,6 +52,9 @@ nlohmann::json to_json(const Summary &summary);
 void summarise_response(const Response &response, Summary &summary);
 /// What to say of a scene that ends with the rim pressed, whose last impact has no rebound yet.
 std::optional<std::string> doubt_of_rebound(const Response &response, const std::vector<Impact> &impacts);
+/// What to say of a stack of solids that leaves its dish and has come back to it where the response ends, or may have:
+/// no model of it has a damping that would end the bounce.
+std::optional<std::string> doubt_of_bounce(const Response &response);
 /// What to say of a run, finished or stopped, whose energies do not add up.
 std::optional<std::string> doubt_of_ledger(const EnergyLedger &ledger);
 /// What to say of a run whose contacts have given back energy that was not there: `mass` [kg] leaves the impacts at

@@ -141,8 +141,8 @@ Summary run(const scene::Scene &scene, const planning::Plan &plan, const RunOpti
   }
   const auto doubt = failure ? std::nullopt : doubt_of_rebound(record.response, record.impacts);
   if (doubt) record.warnings.push_back(*doubt);
-  for (const auto &found :
-       {doubt_of_ledger(record.ledger), doubt_of_contact(record.ledger, record.impacts, scene.load.mass)})
+  for (const auto &found : {doubt_of_bounce(record.response), doubt_of_ledger(record.ledger),
+                            doubt_of_contact(record.ledger, record.impacts, scene.load.mass)})
     if (found) record.warnings.push_back(*found);
   Summary summary = summarise(scene, record);
   summary.status = status;

@@ -1,8 +1,10 @@
 // Where the slider is, its rim joining and leaving the equations, what an impact was, and the ledger over all of it.
+#include "fe_contact/drive/forces.h"
 #include "fe_contact/drive/sliding_run.h"
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace rimpact::fe {
 
@@ -75,6 +77,17 @@ void SlidingRun::follow_impact(double t, double dt) {
   if (peak_written_ || closing_speed() > 0) return;
   peak_written_ = true;
   write_fields();
+}
+
+/// Once, at the first instant without a normal force: the landings that follow are most of the run.
+void SlidingRun::tell_lift() {
+  constexpr double worth_it = 0.5; // left of the scene [s]
+  if (told_lift_ || !options_.remark || forces_of(active(), state_).normal > 0 || end_time() - t_ < worth_it) return;
+  told_lift_ = true;
+  options_.remark(fmt::format(
+      "the slider leaves the dish at t = {:.3f} of {:g} s: it lands again every tenth of a second or so, undamped, and "
+      "each landing takes about a hundred iterations; a shorter excitation.duration_s ends the run sooner",
+      t_, end_time()));
 }
 
 /// The model's ledger of the step becomes the whole bearing's.

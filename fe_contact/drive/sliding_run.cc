@@ -163,6 +163,7 @@ void SlidingRun::after_step(double t, double dt, const ContactStepReport &step) 
   account();
   follow_impact(t, dt);
   sample(step.iterations, dt);
+  tell_lift();
   if (near_rim_ && touching() && fields_due(t, dt, options_)) write_fields();
   if (options_.progress)
     options_.progress({t, end_time(), dt, step.iterations, gap(),

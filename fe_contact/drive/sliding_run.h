@@ -53,6 +53,7 @@ private:
   double clipped(double dt) const;
   void after_step(double t, double dt, const ContactStepReport &step);
   void account();
+  void tell_lift();
   void follow_impact(double t, double dt);
   /// Of the slider, where the rim it comes to is not meshed. Throws SolverStopped where it cannot be.
   std::optional<double> unmeshed_direction() const;
@@ -76,7 +77,7 @@ private:
   SystemState state_;
   TransientReport report_; ///< its ledger: of the model, without the held rim
   HeldRim held_;
-  bool near_rim_ = false, touched_ = false, peak_written_ = false, resting_ = false;
+  bool near_rim_ = false, touched_ = false, peak_written_ = false, resting_ = false, told_lift_ = false;
   double t_ = 0, next_step_ = 0, rest_height_ = 0, rest_elastic_ = 0, rest_plastic_ = 0;
   double external_before_ = 0, height_before_ = 0, closing_before_ = 0;
   long steps_kept_ = 0; ///< steps made when the last checkpoint was written

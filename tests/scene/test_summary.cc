@@ -229,6 +229,25 @@ TEST(Ledger, ThatDoesNotCloseIsDoubtedAboveATenthOfAPercent) {
   EXPECT_FALSE(doubt_of_ledger(EnergyLedger())); // nothing put in
 }
 
+TEST(Doubts, AStackThatLeavesItsDishIsSaidWhereItMayHaveLanded) {
+  const auto response = [](std::vector<double> normal, bool stack, double step) {
+    Response r;
+    for (std::size_t k = 0; k < normal.size(); ++k) {
+      r.append("time", step * static_cast<double>(k));
+      r.append("normal_force", normal[k]);
+      if (stack) r.append("pad_pressure_max", 60e6);
+    }
+    return r;
+  };
+  const auto doubt = doubt_of_bounce(response({8e5, 4e5, 0, 9e5}, true, 0.25));
+  ASSERT_TRUE(doubt);
+  EXPECT_NE(doubt->find("at t = 0.500 s"), std::string::npos) << *doubt;
+  EXPECT_FALSE(doubt_of_bounce(response({8e5, 1e5, 9e5}, true, 0.25)));     // it stays on the dish
+  EXPECT_FALSE(doubt_of_bounce(response({8e5, 4e5, 0, 0}, true, 0.01)));    // the response ends in flight
+  EXPECT_FALSE(doubt_of_bounce(response({8e5, 4e5, 0, 9e5}, false, 0.25))); // a point lands by its own law
+  EXPECT_FALSE(doubt_of_bounce(Response()));
+}
+
 /// A hundred joules put in, one created by contact, a rebound that carries 25: its speed is 2 % too fast.
 TEST(Doubts, EnergyFromContactIsSaidWithWhatItDoesToTheRebound) {
   EnergyLedger ledger;
