@@ -1,4 +1,5 @@
 """Errors a user can meet, each with the exit code of the `rimpact` command and one clear sentence."""
+import io
 import sys
 from collections.abc import Callable
 
@@ -25,7 +26,8 @@ class IoError(ReportError):
 def run_main(main: Callable[[list[str]], None]) -> None:
     """Runs main(argv) and turns errors into one sentence on stderr and an exit code."""
     for stream in (sys.stdout, sys.stderr):  # a folder's name may be no text
-        stream.reconfigure(errors="backslashreplace")  # type: ignore[attr-defined]
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
     try:
         main(sys.argv[1:])
     except ReportError as error:

@@ -16,7 +16,7 @@ from .painter import bodies, body_of_points, boundary_faces, merged, paint, turn
 from .run_folder import Run
 from .stack_picture import travel_angle
 from .stored_fields import said_of
-from .style import FE, MUTED, RIM, plt
+from .style import FE, MUTED, RIM, plt, write_png
 
 DPI = 110
 STRESS = LinearSegmentedColormap.from_list("stress", ["#e8edf2", "#9cc3dd", "#4f9d8f", "#f2c14e", "#e4572e", "#7a0f2b"])
@@ -132,6 +132,6 @@ class Camera:
 
 def _png(fig: Figure) -> bytes:
     held = io.BytesIO()
-    fig.savefig(held, format="png", dpi=DPI)
+    write_png(fig, held, DPI)
     plt.close(fig)
     return held.getvalue()

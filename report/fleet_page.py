@@ -27,7 +27,8 @@ def build(folder: str, output: str | None = None) -> tuple[str, list[str]]:
     runs.add(note(f"{len(failed)} of {len(fleet.status)} runs did not end well; the columns status and reason of the table say why.", "warning") if failed else None)
     absent = fleet.n_due - len(fleet.status)
     runs.add(note(f"{len(fleet.status)} of {fleet.n_due} runs are here: the other shards are missing.", "warning") if absent > 0 else None)
-    page.write(output, "page.html.j2", title=f"Sweep of {integer(len(fleet.status))}{f' of {integer(fleet.n_due)}' if absent > 0 else ''} runs", subtitle=os.path.basename(os.path.normpath(folder)),
+    due = f" of {integer(fleet.n_due)}" if absent > 0 else ""
+    page.write(output, "page.html.j2", title=f"Sweep of {integer(len(fleet.status))}{due} runs", subtitle=os.path.basename(os.path.normpath(folder)),
                sections=[results, runs], problems=problems, footer="Every run is a row of table.csv.")
     return output, problems
 

@@ -25,11 +25,11 @@ class Mesh:
 
     def __init__(self) -> None:
         self.names: dict[tuple[int, int], str] = {}  #: by (dimension, tag)
-        self.nodes = np.empty((0, 3))
-        self.cells = np.empty((0, 8), int)
-        self.cell_tags = np.empty(0, int)
-        self.quads = np.empty((0, 4), int)
-        self.quad_tags = np.empty(0, int)
+        self.nodes: np.ndarray = np.empty((0, 3))
+        self.cells: np.ndarray = np.empty((0, 8), int)
+        self.cell_tags: np.ndarray = np.empty(0, int)
+        self.quads: np.ndarray = np.empty((0, 4), int)
+        self.quad_tags: np.ndarray = np.empty(0, int)
 
     def name(self, dimension: int, tag: int) -> str:
         return self.names.get((dimension, tag), f"group {tag}")

@@ -1,4 +1,5 @@
 """An HTML page from a template of this package, written whole or not at all."""
+import functools
 import os
 from typing import Any
 
@@ -18,9 +19,15 @@ def _scripts(sections: list[Section]) -> list[str]:
     return [script for part, script in SCRIPTS.items() if any(block.get(part) for section in sections for block in section.blocks)]
 
 
-def write(path: str, template: str, **content: Any) -> None:
+@functools.cache
+def _environment() -> jinja2.Environment:
+    """It keeps the templates it has compiled, which takes longer than to fill them."""
     environment = jinja2.Environment(loader=jinja2.FileSystemLoader(TEMPLATES), autoescape=True, trim_blocks=True,
                                      lstrip_blocks=True, undefined=jinja2.StrictUndefined)
     environment.filters["sub"] = sentence
-    html = environment.get_template(template).render(scripts=_scripts(content.get("sections", [])), **content)
+    return environment
+
+
+def write(path: str, template: str, **content: Any) -> None:
+    html = _environment().get_template(template).render(scripts=_scripts(content.get("sections", [])), **content)
     write_whole(path, lambda file: file.write(html.encode("utf-8", "replace")))

@@ -66,8 +66,8 @@ def part_names(grid: vtu.Grid, body: np.ndarray) -> list[str]:
     corners = [grid.points[grid.hexahedra[body == b].ravel()] for b in range(n)]
     reach = np.array([np.hypot(c[:, 0], c[:, 1]).max() for c in corners])
     far = reach > 0.999 * reach.max() if n > 1 and reach.max() > 0.25 else np.zeros(n, bool)
-    near = sorted(np.flatnonzero(~far), key=lambda b: corners[b][:, 2].mean())
-    names = {b: "plate and rim" for b in np.flatnonzero(far)}
+    near = sorted(np.flatnonzero(~far).tolist(), key=lambda b: corners[b][:, 2].mean())
+    names = dict.fromkeys(np.flatnonzero(far).tolist(), "plate and rim")
     below = {1: ["pad and foot"], 2: ["pad", "foot"]}.get(len(near) - 1, [f"body {i + 1}" for i in range(len(near) - 1)])
     names |= dict(zip(near, [*below, "upper slider"]))
     return [names[b] for b in range(n)]

@@ -6,7 +6,7 @@ import numpy as np
 
 from ..calibration_file import Calibration
 from ..numbers import is_number
-from ..results import Entry
+from ..results import Entry, Run
 from ..series import contact_stretches, impact_curve
 from ..style import FE, FITTED, INK, MUTED, PUBLISHED, figure, literal, save, shared_legend
 
@@ -38,18 +38,19 @@ def draw_errors(rows: list[dict[str, Any]], path: str) -> str | None:
 
 def draw_residuals(entries: list[Entry], path: str, label: Callable = str) -> str | None:
     """Reduced minus FE rim force through the first impact of every run, both from their own touch, over the peak."""
-    drawn = [(entry, contact_stretches(entry.fe), contact_stretches(getattr(entry, entry.best))) for entry in entries
-             if entry.fe is not None and getattr(entry, entry.best) is not None]
-    drawn = [item for item in drawn if item[1] and item[2]]
+    runs: list[tuple[str, tuple[Run, Run]]] = [(entry.name, (entry.fe, getattr(entry, entry.best))) for entry in entries
+                                               if entry.fe is not None and getattr(entry, entry.best) is not None]
+    touched = [(name, both, [contact_stretches(run) for run in both]) for name, both in runs]
+    drawn = [(name, both, [parts[0] for parts in stretches]) for name, both, stretches in touched if all(stretches)]
     if not drawn:
         return None
     fig, grid = figure(1, 2, 2.6, gridspec_kw={"width_ratios": [1.25, 1]})
     over_time, scatter = grid[0]
     largest = 0.0
-    for i, (entry, fe_parts, reduced_parts) in enumerate(drawn):
-        time, reference, candidate = _aligned(entry, fe_parts[0], reduced_parts[0])
+    for i, (name, both, parts) in enumerate(drawn):
+        time, reference, candidate = _aligned(both, parts)
         style = dict(color=f"C{i % 8}", lw=1.1)
-        over_time.plot(1e3 * time, 100 * (candidate - reference) / reference.max(), label=literal(label(entry.name)), **style)
+        over_time.plot(1e3 * time, 100 * (candidate - reference) / reference.max(), label=literal(label(name)), **style)
         scatter.plot(1e-3 * reference, 1e-3 * candidate, **style)
         largest = max(largest, 1e-3 * reference.max(), 1e-3 * candidate.max())
     over_time.axhline(0, color=INK, lw=0.6)
@@ -61,9 +62,9 @@ def draw_residuals(entries: list[Entry], path: str, label: Callable = str) -> st
     return save(fig, path)
 
 
-def _aligned(entry: Entry, fe_part: slice, reduced_part: slice) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+def _aligned(runs: tuple[Run, Run], parts: list[slice]) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     series = []
-    for run, part in ((entry.fe, fe_part), (getattr(entry, entry.best), reduced_part)):
+    for run, part in zip(runs, parts):
         series.append(impact_curve(run, part)[:2])
     end = max(series[0][0][-1], series[1][0][-1])
     time = np.linspace(0.0, end, 400)

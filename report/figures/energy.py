@@ -41,7 +41,7 @@ def _stack(ax: Axes, run: Run) -> None:
     given = 1e-3 * (run.signals["energy_external"] + _initial(run))
     series = {name: 1e-3 * run.signals[f"energy_{name}"] for name in _terms(run)}
     shown = max(1e-9, 0.005 * np.max(np.abs(given)))
-    base = np.zeros(len(given))
+    base: np.ndarray = np.zeros(len(given))
     for name, values in series.items():
         top = base + values
         if np.max(np.abs(values)) > shown:

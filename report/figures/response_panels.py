@@ -5,7 +5,6 @@ from typing import Any
 
 import numpy as np
 from matplotlib.axes import Axes
-from matplotlib.figure import Figure
 
 from ..run_folder import Run
 from ..style import DPI, MUTED, RIM, figure, line_of, literal, save, shared_legend

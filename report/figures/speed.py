@@ -2,7 +2,7 @@
 import numpy as np
 
 from ..run_folder import Run
-from ..style import BLUE, FITTED, GREEN, PURPLE, SKY, YELLOW, FAINT, figure, literal, save, shared_legend
+from ..style import BLUE, FAINT, FITTED, GREEN, PURPLE, SKY, YELLOW, figure, literal, save, shared_legend
 
 PARTS = {"search": PURPLE, "assembly": BLUE, "factor": FITTED, "solve": YELLOW, "output": GREEN}
 

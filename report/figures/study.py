@@ -2,7 +2,7 @@
 from typing import Any
 
 from ..stored_studies import cost_name, cost_of
-from ..style import FITTED, FE, GREEN, INK, MUTED, PURPLE, RIM, figure, literal, save
+from ..style import FE, FITTED, GREEN, INK, MUTED, PURPLE, RIM, figure, literal, save
 
 COLOURS = {"reduced": FITTED, "rim": FE, "rigid-dish": GREEN, "full": PURPLE}
 FLOOR = 1e-5  # errors below are drawn here

@@ -4,8 +4,8 @@ the steel bears it, what was assumed, what is doubted. Everything else stands be
 make(context) gives what templates/first_page.html.j2 reads."""
 from typing import Any
 
-from . import answer, device, run
 from ..context import Context
+from . import answer, device, run
 from .work import done
 
 

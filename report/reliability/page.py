@@ -2,8 +2,8 @@
 import os
 from typing import Any
 
-from . import figures, tables
 from ..blocks import Pictures, Section, bullets, note, table, text
+from . import figures, tables
 
 
 def few(values: list[float], count: int = 3) -> list[float]:

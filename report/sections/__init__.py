@@ -1,7 +1,25 @@
 """The chapters behind the first page, in order: one file each, one line here. make(context) gives a Section, or None where
 there is nothing to say; a Section without blocks is left out too."""
-from . import (building, building_on_bearings, calibration, comparison, conventions, critical, energy, fields, film, histories, inputs, laws,
-               measured, reproducibility, rim, speed, stack, windows)
+from . import (
+               building,
+               building_on_bearings,
+               calibration,
+               comparison,
+               conventions,
+               critical,
+               energy,
+               fields,
+               film,
+               histories,
+               inputs,
+               laws,
+               measured,
+               reproducibility,
+               rim,
+               speed,
+               stack,
+               windows,
+)
 from .head import head  # noqa: F401  (the page's title)
 
 CATALOGUE = [

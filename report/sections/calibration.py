@@ -2,8 +2,8 @@
 from typing import Any
 
 from ..blocks import Section, bullets, heading, table
-from ..context import Context
 from ..calibration_file import Calibration
+from ..context import Context
 from ..figures import calibration as figure_calibration
 from ..numbers import fixed, interval, is_number, percent, plain, power, sig
 from .common import ROLE_TEXT, errors_of, row_name, short_name

@@ -3,8 +3,8 @@ from typing import Any
 
 from .. import building_tables, view3d, vtu
 from ..blocks import note, text, turning
-from ..context import Context
 from ..calibration_file import PAIR_LAWS
+from ..context import Context
 from ..numbers import is_number
 from ..results import Entry
 from ..run_folder import Run

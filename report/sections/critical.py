@@ -2,8 +2,8 @@
 from typing import Any
 
 from ..blocks import Section, table
-from ..context import Context
 from ..calibration_file import pick
+from ..context import Context
 from ..figures import critical as figure_critical
 from ..numbers import is_number, plain, scaled, sig
 from ..results import SLOTS

@@ -27,7 +27,7 @@ def make(context: Context) -> Section | None:
     stored = [(entry, run, files) for entry, run, files in runs if files]
     section = Section("fields", "Stored fields")
     scripts = 0
-    for i, (entry, run, files) in enumerate(stored):
+    for entry, run, files in stored:
         try:
             grid = vtu.read(files[-1][0])
         except DataError as error:

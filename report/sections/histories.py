@@ -7,7 +7,7 @@ from ..blocks import Section, heading, note, table
 from ..context import Context
 from ..figures import impacts, response_panels
 from ..numbers import fixed, integer, is_number, percent, scaled
-from ..results import Entry, SLOTS
+from ..results import SLOTS, Entry
 from ..run_folder import Run
 from .common import ROLE_TEXT, errors_of, hardest, labels_of, status_note, title_of
 

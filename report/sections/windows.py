@@ -3,9 +3,10 @@ from collections.abc import Callable
 from typing import Any
 
 from ..blocks import Section, note, table
-from ..context import Context
 from ..calibration_file import Calibration, Parameter, WindowRow
-from ..figures import impacts, windows as figure_windows
+from ..context import Context
+from ..figures import impacts
+from ..figures import windows as figure_windows
 from ..numbers import fixed, is_number, percent, plain, power, scaled
 from ..results import Entry
 from ..run_folder import Run

@@ -4,9 +4,9 @@ import os
 from collections.abc import Callable
 from typing import Any
 
-from . import draw, tables
 from .. import page
 from ..blocks import Pictures, Section, note, text
+from . import draw, tables
 from .catalogue import Catalogue, Entry
 from .results import Ours
 from .runs import Runs, value_of

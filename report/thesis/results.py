@@ -4,7 +4,7 @@ import os
 
 from ..data_files import read_any_json
 from ..files import write_whole
-from .catalogue import Entry, FOLDER, Number
+from .catalogue import FOLDER, Entry, Number
 
 KEPT = os.path.join(FOLDER, "thesis", "ours.json")
 VERDICTS = ("met", "not met", "not comparable", "not run")

@@ -5,12 +5,12 @@ import subprocess
 import sys
 from typing import Any
 
-from . import derived
 from ..data_files import read_any_json
 from ..errors import DataError
 from ..files import write_whole
-from ..run_folder import load_run, Run
-from .catalogue import Catalogue, FOLDER, Number
+from ..run_folder import Run, load_run
+from . import derived
+from .catalogue import FOLDER, Catalogue, Number
 
 INTERRUPTED = 130
 

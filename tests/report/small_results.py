@@ -2,10 +2,10 @@
 from collections.abc import Sequence
 from typing import Any
 
-from support import InFolder, text_of
-
 import synthetic
 import synthetic_calibration
+from support import InFolder, text_of
+
 from report.build import build
 
 DOUBT = "-0.48 % of the energy put in is unaccounted for, where 0.1 % is usual: doubt the forces"

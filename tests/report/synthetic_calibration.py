@@ -5,7 +5,6 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-
 from synthetic import CAPACITY, GRAVITY, MASS, SCENE
 
 SPEEDS = (0.05, 0.1, 0.2, 0.3, 0.5, 0.75, 1.0)

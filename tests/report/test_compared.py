@@ -3,9 +3,8 @@ import json
 import os
 import shutil
 
-from support import InFolder, command
-
 import synthetic
+from support import InFolder, in_process
 
 
 class Compared(InFolder):
@@ -25,7 +24,7 @@ class Compared(InFolder):
             with self.subTest(n):
                 shutil.rmtree(self.path("curves"), ignore_errors=True)
                 self.compared(n)
-                run = command("report.compare", self.folder)
+                run = in_process("report.compare", self.folder)
                 self.assertEqual(run.returncode, 0, run.stderr)
                 with open(self.path("compare.html"), encoding="utf-8") as file:
                     page = file.read()
@@ -38,6 +37,6 @@ class Compared(InFolder):
     def test_a_damaged_file_is_one_sentence(self):
         self.compared(2)
         self.write("compare.json", "{")
-        run = command("report.compare", self.folder)
+        run = in_process("report.compare", self.folder)
         self.assertEqual(run.returncode, 3)
         self.assertIn("compare.json", run.stderr)

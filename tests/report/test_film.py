@@ -8,7 +8,7 @@ import unittest
 
 import synthetic
 import synthetic_mesh
-from support import InFolder, command
+from support import InFolder, command, in_process, unpainted
 
 from report import film, film_frames
 from report.build import build
@@ -47,7 +47,7 @@ class Film(InFolder):
 
     def test_the_page_plays_frames_at_equal_steps(self):
         folder = self.run_folder([0.0, 0.004, 0.01, 0.02, 0.03])
-        done = command("report.film", folder, "--frames", 4)
+        done = in_process("report.film", folder, "--frames", 4)
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         with open(self.path("run", "film.html"), encoding="utf-8") as file:
             data = json.loads(re.search(r'<script class="frames" type="application/json">(.*?)</script>', file.read()).group(1))
@@ -62,6 +62,7 @@ class Film(InFolder):
                               capture_output=True, text=True, check=True)
         self.assertEqual(said.stdout.strip(), "6")
 
+    @unpainted
     def test_fewer_instants_make_none(self):
         folder = self.run_folder([0.0, 0.01, 0.02])
         done = command("report.film", folder)
@@ -79,6 +80,7 @@ class Film(InFolder):
             self.assertIn("<code>film.html</code>", file.read())
         self.assertTrue(os.path.isfile(self.path("run", "film.html")))
 
+    @unpainted
     def test_another_mesh_is_said(self):
         folder = self.run_folder([0.0, 0.01, 0.02, 0.03, 0.04])
         synthetic_mesh.write_vtu(self.path("run", "fields", "rim_003.vtu"), curved=True, cell_type=72, stress=True)

@@ -4,15 +4,16 @@ import os
 import re
 import unittest
 
-from small_results import DOUBT, SmallResults, first_page
-from support import command, text_of
-
 import synthetic
 import synthetic_calibration
+from small_results import DOUBT, SmallResults, first_page
+from support import in_process, text_of, unpainted
+
 from report import document
 from report.build import build
 
 
+@unpainted
 class Answer(SmallResults):
     def test_the_record_is_what_is_said(self):
         _, text = self.page()
@@ -64,6 +65,7 @@ class Answer(SmallResults):
         self.assertFalse(os.path.exists(self.path("figures/law.png")))
 
 
+@unpainted
 class Doubts(SmallResults):
     def test_every_warning_is_there_in_full_and_its_rows_are_marked(self):
         path, _ = build(self.results(warnings=[DOUBT, "penetration 90 mm beyond the rim's thickness of 40 mm"]))
@@ -119,13 +121,14 @@ class Doubts(SmallResults):
         self.assertNotIn('class="mark"', page)
 
 
+@unpainted
 class Head(SmallResults):
     def test_what_is_given_is_escaped_and_goes_before_what_is_stored(self):
         self.results()
         with open(self.path("main.json"), "w", encoding="utf-8") as file:
             json.dump({"document": {"title": "stored", "client": "Stored & Co", "author": None}}, file)
         toml = self.write("d.toml", 'client = "From File"\nproject = "P <1>"\n')
-        done = command("report", self.folder, "--title", "<script>alert(1)</script>", "--document", toml, "--author", 'A "B"')
+        done = in_process("report", self.folder, "--title", "<script>alert(1)</script>", "--document", toml, "--author", 'A "B"')
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         page, text = first_page(self.path("report.html"))
         self.assertNotIn("<script", page)
@@ -136,7 +139,7 @@ class Head(SmallResults):
     def test_a_wrong_document_is_the_users_mistake(self):
         self.results()
         for content, said in (('clint = "x"', 'unknown key "clint"; did you mean "client"?'), ("title = 3", "title must be a text, got 3"), ("title", "TOML")):
-            done = command("report", self.folder, "--document", self.write("d.toml", content))
+            done = in_process("report", self.folder, "--document", self.write("d.toml", content))
             self.assertEqual(done.returncode, 2)
             self.assertRegex(done.stderr, r"^rimpact report: .+\n$")
             self.assertIn(said, done.stderr)

@@ -4,7 +4,7 @@ import re
 import unittest
 
 import numpy as np
-from support import InFolder, command
+from support import InFolder, command, in_process, unpainted
 
 from report import fleet
 from report.errors import DataError
@@ -39,6 +39,7 @@ class Fleet(InFolder):
         self.table("table-2-of-2.csv", 11)
         self.assertEqual(len(fleet.read(self.folder).status), 20)
 
+    @unpainted
     def test_a_run_counts_once_and_missing_shards_are_said(self):
         self.table("table-1-of-2.csv")
         self.table("table-1-of-3.csv", 6)
@@ -46,7 +47,7 @@ class Fleet(InFolder):
         read = fleet.read(self.folder)
         self.assertEqual(list(read.columns["run"]), list(range(1, 16)))
         self.assertEqual(read.n_due, 30)
-        self.assertEqual(command("report", self.folder).returncode, 0)
+        self.assertEqual(in_process("report", self.folder).returncode, 0)
         with open(self.path("report.html"), encoding="utf-8") as file:
             page = file.read()
         self.assertIn("Sweep of 15 of 30 runs", page)
@@ -54,11 +55,11 @@ class Fleet(InFolder):
 
     def test_pictures_with_and_without_fractiles(self):
         self.table()
-        self.assertEqual(command("report.quick", "fleet", self.folder).returncode, 0)
+        self.assertEqual(in_process("report.quick", "fleet", self.folder).returncode, 0)
         with open(self.path("fleet.png"), "rb") as file:
             scatter = file.read()
         self.fractiles()
-        self.assertEqual(command("report.quick", "fleet", self.folder).returncode, 0)
+        self.assertEqual(in_process("report.quick", "fleet", self.folder).returncode, 0)
         with open(self.path("fleet.png"), "rb") as file:
             self.assertNotEqual(file.read(), scatter)
 
@@ -74,6 +75,7 @@ class Fleet(InFolder):
         self.assertEqual([p["title"] for p in panels], ["Peak displacement", "Runs that touch the rim"])
         self.assertNotIn("What is missing", page)
 
+    @unpainted
     def test_fractiles_by_another_key(self):
         self.table()
         rows = ["record,excitation.scale,n_runs,p16_peak_displacement_m,p50_peak_displacement_m,p84_peak_displacement_m"]
@@ -81,8 +83,8 @@ class Fleet(InFolder):
         self.write("fractiles.csv", "\n".join(rows) + "\n")
         read = fleet.read(self.folder)
         self.assertEqual((read.along, read.groups), ("excitation.scale", ["NGA 1", "NGA 1", "NGA 2", "NGA 2"]))
-        self.assertEqual(command("report.quick", "fleet", self.folder).returncode, 0)
-        self.assertEqual(command("report", self.folder).returncode, 0)
+        self.assertEqual(in_process("report.quick", "fleet", self.folder).returncode, 0)
+        self.assertEqual(in_process("report", self.folder).returncode, 0)
         with open(self.path("report.html"), encoding="utf-8") as file:
             panels = json.loads(re.search(r'<script class="curves" type="application/json">(.*?)</script>', file.read()).group(1))
         self.assertEqual([line["label"] for line in panels[0]["lines"]], ["NGA 1", "NGA 2"])
@@ -95,7 +97,7 @@ class Fleet(InFolder):
         with self.assertRaisesRegex(DataError, "as many cells"):
             fleet.read(self.folder)
         self.write("table.csv", HEADER + "\n")
-        self.assertEqual(command("report", self.folder).returncode, 3)
+        self.assertEqual(in_process("report", self.folder).returncode, 3)
 
 
 if __name__ == "__main__":

@@ -8,7 +8,7 @@ import unittest
 import numpy as np
 import synthetic
 import synthetic_mesh
-from support import InFolder
+from support import InFolder, unpainted
 
 from report import interactive, view3d, vtu
 from report.build import build
@@ -34,6 +34,7 @@ class Curves(unittest.TestCase):
         np.testing.assert_array_equal(interactive.kept([np.arange(9.0), np.ones(9)]), [0, 8])
 
 
+@unpainted
 class Page(InFolder):
     def test_the_page_holds_the_curves_and_needs_nothing_from_elsewhere(self):
         synthetic.run(self.path("a"), "a", 'kind = "ricker"', synthetic.ricker(0.9, 1.0), synthetic.Rim(4.5e8, 0.65), "reduced")

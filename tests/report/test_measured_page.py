@@ -4,10 +4,10 @@ import os
 import shutil
 import unittest
 
-from small_results import first_page
-from support import SOURCE, InFolder, command, text_of
-
 import synthetic_calibration
+from small_results import first_page
+from support import SOURCE, InFolder, in_process, text_of, unpainted
+
 from report import mapping_file, measured_page
 from report.build import build
 from report.errors import InputError
@@ -40,7 +40,7 @@ class Page(InFolder):
         mapping = self.write("a.toml", 'scene = "impact-window"\nset = ["excitation.speed_m_per_s=0.1", "excitation.duration_s=0.044"]\nfile = "a.csv"\n'
                              '[columns.time]\ncolumn = "t"\nunit = "ms"\n[columns.displacement_x]\ncolumn = "travel"\nunit = "mm"\n'
                              '[columns.impact_x]\ncolumn = "cell"\nunit = "kN"\nfactor = -1.0\n')
-        done = command("report", mapping, "--output", self.path("a.html"))
+        done = in_process("report", mapping, "--output", self.path("a.html"))
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         with open(self.path("a.html"), encoding="utf-8") as file:
             page = file.read()
@@ -52,7 +52,7 @@ class Page(InFolder):
     def test_the_commands_own_sentence(self):
         self.write("a.csv", "t;travel\n0;1\n1;2\n")
         mapping = self.write("a.toml", 'scene = "impact-window"\nfile = "a.csv"\n[columns.time]\ncolumn = "zeit"\nunit = "ms"\n')
-        done = command("report", mapping, "--output", self.path("a.html"))
+        done = in_process("report", mapping, "--output", self.path("a.html"))
         self.assertEqual(done.returncode, 3)
         self.assertIn("zeit", done.stderr)
 
@@ -76,6 +76,7 @@ class Laboratory(InFolder):
             self.assertNotIn(absent, text)
         self.assertEqual([problem for problem in problems if "drawn" in problem], [])
 
+    @unpainted
     def test_without_the_curves_it_says_so(self):
         synthetic_calibration.calibration(self.folder, [], synthetic_calibration.answer(source="measured"))
         text = text_of(build(self.folder)[0])[1]

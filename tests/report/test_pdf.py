@@ -2,15 +2,13 @@
 import os
 import re
 import shutil
-import subprocess
-import sys
 import unittest
 from unittest import mock
 
-from small_results import DOUBT, SmallResults
-from support import SOURCE, text_of
-
 import synthetic_calibration
+from small_results import DOUBT, SmallResults
+from support import in_process, text_of, unpainted
+
 from report import pdf
 from report.build import build
 from report.errors import IoError
@@ -40,12 +38,13 @@ class Printed(SmallResults):
         self.assertEqual(self.pages_of_the_first_section(build(self.path("runs/window-0.20"))[0]), 1)
 
 
+@unpainted
 class Pdf(SmallResults):
     def test_without_a_browser_the_html_is_made_and_a_sentence_says_how(self):
         self.results()
         self.write("report.pdf", "of other results")
-        done = subprocess.run([sys.executable, "-m", "report", self.folder, "--pdf"], cwd="/", capture_output=True, text=True, timeout=110,
-                              env={"PYTHONPATH": SOURCE, "PYTHONDONTWRITEBYTECODE": "1", "PATH": "/nowhere", "HOME": self.folder})
+        with mock.patch.dict(os.environ, PATH="/nowhere"):
+            done = in_process("report", self.folder, "--pdf")
         self.assertEqual(done.returncode, 0)
         self.assertRegex(done.stderr, r"^rimpact report: no PDF: none of chromium, .* is installed\. Open .*report\.html .*\n$")
         self.assertTrue(os.path.exists(self.path("report.html")))

@@ -3,9 +3,9 @@ import os
 import unittest
 
 import numpy as np
-from support import InFolder, command
-
 import synthetic_mesh
+from support import InFolder, command, in_process
+
 from report import mesh_picture, motion, rim_picture, vtu
 from report.errors import DataError
 from report.painter import bodies, boundary_faces, merged, normals, view
@@ -110,10 +110,10 @@ class Rim(InFolder):
 
     def test_command(self):
         self.model()
-        done = command("report.rim_picture", self.path("a.vtu"), self.path("rim.png"))
+        done = in_process("report.rim_picture", self.path("a.vtu"), self.path("rim.png"))
         self.assertEqual((done.returncode, done.stderr), (0, ""))
         self.assertEqual(command("report.rim_picture", self.path("no.vtu"), self.path("rim.png")).returncode, 3)
-        self.assertEqual(command("report.rim_picture", self.path("a.vtu"), "/proc/no/rim.png").returncode, 6)
+        self.assertEqual(in_process("report.rim_picture", self.path("a.vtu"), "/proc/no/rim.png").returncode, 6)
 
 
 class Mesh(InFolder):

@@ -3,15 +3,15 @@ import os
 import unittest
 
 import numpy as np
+import synthetic
 from support import InFolder
 
-import synthetic
 from report import bearing, calibration_file, numbers
-from report.markup import sentence
 from report.errors import DataError
+from report.markup import sentence
 from report.run_folder import load_run
-from report.sections.common import errors_of, short_name, title_of
 from report.scene_text import commented_keys
+from report.sections.common import errors_of, short_name, title_of
 from report.sections.inputs import split_unit
 from report.series import contact_stretches, impact_curve
 

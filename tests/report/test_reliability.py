@@ -3,7 +3,7 @@ import csv
 import json
 import unittest
 
-from support import InFolder, command
+from support import InFolder, in_process
 
 
 def rows(systems, quantity, limits, **columns):
@@ -43,7 +43,7 @@ class Reliability(InFolder):
         self.write("reliability.json", json.dumps(summary))
 
     def report(self):
-        done = command("report.reliability", self.folder)
+        done = in_process("report.reliability", self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         with open(self.path("report.html"), encoding="utf-8") as file:
             return file.read()
@@ -57,11 +57,11 @@ class Reliability(InFolder):
         self.assertNotIn("What is missing", html)
 
     def test_a_folder_that_is_no_study_is_refused(self):
-        done = command("report.reliability", self.folder)
+        done = in_process("report.reliability", self.folder)
         self.assertEqual(done.returncode, 3)
         self.assertIn("reliability.json", done.stderr)
         self.write("reliability.json", "[]")
-        self.assertIn("no summary", command("report.reliability", self.folder).stderr)
+        self.assertIn("no summary", in_process("report.reliability", self.folder).stderr)
 
 
 if __name__ == "__main__":

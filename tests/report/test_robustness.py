@@ -7,10 +7,10 @@ import stat
 import unittest
 from unittest import mock
 
-from support import InFolder, command
-
 import synthetic
 import synthetic_calibration
+from support import InFolder, command, in_process, unpainted
+
 from report import build as building
 from report import shapes
 from report.errors import IoError, ReportError
@@ -133,12 +133,12 @@ class Sentences(InFolder):
             with open(self.path("run/summary.json"), encoding="utf-8") as file:
                 good = json.load(file)
             self.write("run/summary.json", json.dumps(good | change))
-            done = command("report", self.path("run"))
+            done = in_process("report", self.path("run"))
             self.write("run/summary.json", json.dumps(good))
             self.assertEqual(done.returncode, 3)
             self.assertRegex(done.stderr, rf"^rimpact report: .*/run/summary.json: {said}\n$")
         self.write("run/summary.json", '{"peak_displacement_m": NaN}')
-        done = command("report", self.path("run"))
+        done = in_process("report", self.path("run"))
         self.assertEqual(done.returncode, 3)
         self.assertIn("NaN is no number", done.stderr)
 
@@ -149,11 +149,13 @@ class Sentences(InFolder):
             shapes.check({"law": {"rung": 3}}, {"law": {"rung": (shapes.TEXT, [shapes.TEXT])}}, "f")
 
 
+@unpainted
 class Fields(InFolder):
     def test_only_what_the_run_lists_is_drawn(self):
         import synthetic_mesh
-        from report.stored_fields import instants
+
         from report.run_folder import load_run
+        from report.stored_fields import instants
         synthetic.run(self.path("run"), "w", 'kind = "window"\nspeed_m_per_s = 0.2', lambda t: 0.0, synthetic.Rim(4e8, 0.6), "rim", 0.2)
         os.makedirs(self.path("run/fields"))
         for name, dent in (("rim_001", 0.001), ("rim_002", 0.002), ("rim_003", 0.05)):  # the last is an earlier run's
@@ -200,12 +202,13 @@ class Files(InFolder):
         with open(self.path("page"), encoding="utf-8") as file:
             self.assertEqual(file.read(), "earlier")
 
+    @unpainted
     def test_the_command_on_a_device(self):
         synthetic.run(self.path("run"), "w", 'kind = "window"\nspeed_m_per_s = 0.2', lambda t: 0.0, synthetic.Rim(4e8, 0.6), "reduced", 0.2)
-        done = command("report", self.path("run"), "--output", "/dev/full")
+        done = in_process("report", self.path("run"), "--output", "/dev/full")
         self.assertEqual(done.returncode, 6)
         self.assertTrue(stat.S_ISCHR(os.stat("/dev/full").st_mode))
-        self.assertEqual(command("report", self.path("run"), "--output", "/dev/null", "--pdf").returncode, 2)
+        self.assertEqual(in_process("report", self.path("run"), "--output", "/dev/null", "--pdf").returncode, 2)
 
     def test_names_that_are_no_text(self):
         folder = os.fsencode(self.folder) + b"/caf\xe9 <b>"

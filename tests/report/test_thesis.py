@@ -4,7 +4,7 @@ import os
 import unittest
 
 import numpy as np
-from support import SOURCE, InFolder, command
+from support import SOURCE, InFolder, command, in_process
 
 from report.errors import DataError, InputError
 from report.thesis import catalogue as catalogues
@@ -106,15 +106,15 @@ class Listing(InFolder):
     def test_text_and_json_count_the_same(self):
         text = command("report.thesis", "list", "--program", "none", "--output", self.folder)
         self.assertEqual(text.returncode, 0, text.stderr)
-        data = json.loads(command("report.thesis", "list", "--program", "none", "--output", self.folder, "--json").stdout)
+        data = json.loads(in_process("report.thesis", "list", "--program", "none", "--output", self.folder, "--json").stdout)
         counts = data["counts"]
         self.assertIn(f"{counts['met']} met, {counts['not met']} not met", text.stdout)
         self.assertEqual(sum(counts.values()) > 900, True)
         self.assertIn("Mitigating the adverse effects", text.stdout)
 
     def test_what_is_missing_is_named(self):
-        run = command("report.thesis", "table-3-2", "--program", "/bin/false", "--output", self.folder, "--records", self.folder)
+        run = in_process("report.thesis", "table-3-2", "--program", "/bin/false", "--output", self.folder, "--records", self.folder)
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertIn("RSN1044_NORTHR_NWH360.AT2", run.stdout)
-        run = command("report.thesis", "fig-3-5", "--program", "/bin/false", "--output", self.folder)
+        run = in_process("report.thesis", "fig-3-5", "--program", "/bin/false", "--output", self.folder)
         self.assertIn("stages ended with 1", run.stdout)
