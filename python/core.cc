@@ -87,6 +87,8 @@ void add_runs(py::module_ &module) {
 
 PYBIND11_MODULE(_core, module) {
   module.doc() = "Reduced models, scenes and laws of rimpact, compiled. Use the package rimpact.";
+  module.attr("__version__") = RIMPACT_VERSION;
+  module.attr("knows_numpy_2") = PYBIND11_VERSION_HEX >= 0x020C0000; // before 2.12 its arrays would have no strides
   rimpact::python::translate_errors();
   rimpact::python::add_scene(module);
   rimpact::python::add_runs(module);

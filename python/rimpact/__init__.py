@@ -10,6 +10,7 @@
 
 Units are SI throughout; names are those of response.h5. Signs and terms: docs/interface.md.
 """
+from rimpact import compiled  # first: it says what to do where the compiled module is missing
 from rimpact.calibration import Calibration, calibrate
 from rimpact.errors import DataError, Error, GateError, InputError, OutputError, Stopped
 from rimpact.laws import Law, law
@@ -18,4 +19,4 @@ from rimpact.scene import Scene, bearing_names, run_reduced, scene_names, summar
 
 __all__ = ["Calibration", "DataError", "Error", "Fleet", "GateError", "InputError", "Law", "OutputError", "Run", "Scene", "Stopped",
            "bearing_names", "calibrate", "law", "load", "load_fleet", "run_reduced", "scene_names", "summarise"]
-__version__ = "0.2.0"
+__version__ = compiled.version

@@ -4,6 +4,9 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+__version__: str
+knows_numpy_2: bool
+
 class Scene:
     name: str
     bearing: str

@@ -4,6 +4,7 @@ from __future__ import annotations
 import os
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 from rimpact import _core
 from rimpact.calibration import Calibration
@@ -13,7 +14,7 @@ from rimpact.scene import Scene
 class Law:
     """Force of the rim on the slider [N], positive inwards. Call it with numbers or arrays."""
 
-    def __init__(self, scene: Scene):
+    def __init__(self, scene: Scene) -> None:
         self.scene = scene
         self._law = _core.Law(scene._core)
 
@@ -37,16 +38,16 @@ class Law:
         """The element's numbers, each with its unit in the name."""
         return self._law.numbers
 
-    def __call__(self, penetration, rate=0.0, deepest=None):
+    def __call__(self, penetration: ArrayLike, rate: ArrayLike = 0.0, deepest: ArrayLike | None = None) -> float | np.ndarray:
         """At a penetration [m] and its rate [m/s, > 0 while approaching]. `deepest` [m]: what this place had reached before; without it
         the first loading."""
         return self._law.force(penetration, rate, penetration if deepest is None else deepest)
 
-    def path(self, penetration, time=None) -> np.ndarray:
+    def path(self, penetration: ArrayLike, time: ArrayLike | None = None) -> np.ndarray:
         """Along a history of penetrations [m]; the deepest so far is carried along. `time` [s] gives the rates, zero without it."""
         penetration = np.asarray(penetration, float)
         rate = np.zeros_like(penetration) if time is None else np.gradient(penetration, np.asarray(time, float))
-        return self(penetration, rate, np.maximum.accumulate(np.maximum(penetration, 0)))
+        return self._law.force(penetration, rate, np.maximum.accumulate(np.maximum(penetration, 0)))
 
     def __repr__(self) -> str:
         return f"Law({self.name!r}, {', '.join(f'{name}={value:.6g}' for name, value in self.numbers.items())})"

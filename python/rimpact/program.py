@@ -10,10 +10,11 @@ from rimpact.errors import InputError, of_code
 
 
 def path() -> str:
-    """RIMPACT_PROGRAM, else the one installed with this package (PREFIX/bin), else the build folder's, else the one in PATH."""
+    """RIMPACT_PROGRAM, else the one inside this package (pip's), else the one installed with it (PREFIX/bin), else the build folder's, else
+    the one in PATH."""
     given = os.environ.get("RIMPACT_PROGRAM")
     here = Path(__file__).resolve()
-    near = [Path(__file__).absolute().parents[depth] / "bin" / "rimpact" for depth in (2, 4) if len(here.parents) > depth]
+    near = [Path(__file__).absolute().parents[depth] / "bin" / "rimpact" for depth in (0, 2, 4) if len(here.parents) > depth]
     for each in [given, *map(str, near), shutil.which("rimpact")]:
         if each and os.access(each, os.X_OK):
             return each

@@ -29,7 +29,7 @@ class Scene:
     as --set takes them: {"excitation.scale": 1.05, "bearing.rim.height_mm": 70}. Raises InputError with file, line, value and bound.
     """
 
-    def __init__(self, where: str | os.PathLike, settings: Mapping[str, Value] | None = None):
+    def __init__(self, where: str | os.PathLike, settings: Mapping[str, Value] | None = None) -> None:
         self._where, self._settings = os.fspath(where), dict(settings or {})
         words = [f"{key}={toml_value(value)}" for key, value in self._settings.items()]
         self._core = _core.load_scene(self._where, words)

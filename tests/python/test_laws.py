@@ -4,7 +4,6 @@ import tempfile
 import unittest
 
 import numpy as np
-
 import rimpact
 
 REFERENCES = os.path.join(os.environ["RIMPACT_SOURCE"], "data", "references")
