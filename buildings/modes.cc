@@ -14,7 +14,7 @@ Modes fixed_base_modes(const BuildingModel &m) {
   const VectorXd root = VectorXd(m.mass(free)).cwiseSqrt().cwiseInverse();
   const MatrixXd scaled = root.asDiagonal() * MatrixXd(m.stiffness(free, free)) * root.asDiagonal();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> solver(scaled);
-  const VectorXd squares = solver.eigenvalues();
+  const VectorXd &squares = solver.eigenvalues();
   if (!(squares[0] > 1e-12 * squares[squares.size() - 1])) {
     int dof = 0;
     VectorXd(solver.eigenvectors().col(0)).cwiseAbs().maxCoeff(&dof);

@@ -38,11 +38,9 @@ std::string code_of(std::string_view script) {
       state = string, quote = c;
     else if (state == outside)
       continue;
-    else if (state == line && c == '\n')
-      state = outside;
     else if (state == block && c == '*' && next == '/')
       state = outside, code[i + 1] = ' ';
-    else if (state == string && (c == quote || c == '\n'))
+    else if ((state == line && c == '\n') || (state == string && (c == quote || c == '\n')))
       state = outside;
     if (c != '\n') code[i] = ' ';
   }

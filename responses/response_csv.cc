@@ -146,7 +146,7 @@ Response parse_csv(const std::string &text, const std::string &path) {
     if (!response.has(target_of(needed, path).signal))
       throw DataError(
           fmt::format("{}: the column {} is missing; the header names {}", path, needed, fmt::join(headers, ", ")));
-  for (const std::string signal : {"displacement", "force", "impact"})
+  for (const auto &signal : {std::string("displacement"), std::string("force"), std::string("impact")})
     if (response.has(signal + "_x") && !response.has(signal + "_y"))
       response.series(signal + "_y").assign(response.size(), 0.0);
   return response;

@@ -7,7 +7,8 @@ import sys
 
 LINK = re.compile(r"\]\(([^)#]+)\)")
 VERB = re.compile(r"^\s*(?:build/release/bin/rimpact|\$rimpact|rimpact)\s+([a-z]+)", re.MULTILINE)
-FILE = re.compile(r"`((?:examples|python|files|records|scene|responses|planning|meshes|fe_contact|reduced_models|buildings|fleets|reliability|risk|calibration|data|report|app|tests|docs|cmake)/[\w./]*)`")
+FILE = re.compile(r"`((?:examples|python|files|records|scene|responses|planning|meshes|fe_contact|reduced_models|buildings|fleets|reliability|risk|calibration"
+                  r"|data|report|app|tests|docs|cmake)/[\w./]*)`")
 
 
 def main(folder: str, program: str) -> int:

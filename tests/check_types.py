@@ -4,16 +4,17 @@ helpers and checks are held, not the test functions."""
 import ast
 import os
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
 from collections.abc import Iterator
 
-SKIPPED = 77
+from pinned_tools import pinned_tool
+
 PACKAGES = ("report",)
 #: Scripts import one another by their bare names, so no two of them have the same.
-SCRIPTS = ("docs/generate/*.py", "examples/*/*.py", "tests/check_*.py", "tests/app/checkpoints.py", "tests/app/command.py", "tests/app/exported.py",
+SCRIPTS = ("docs/generate/*.py", "examples/*/*.py", "tests/check_*.py", "tests/pinned_tools.py", "tests/tidy_*.py", "tests/skipped.py",
+           "tests/package/debian_root.py", "tests/app/checkpoints.py", "tests/app/command.py", "tests/app/exported.py",
            "tests/app/stand_in_fe.py", "tests/benchmarks/runs.py", "tests/docs/code_of.py", "tests/docs/run_pages.py", "tests/hard_cases/solid/checks.py",
            "tests/report/s*.py", "tests/verification/kept_run.py")
 LEAST = 140  #: files; fewer means that they were not found
@@ -29,10 +30,10 @@ def bare(file: pathlib.Path) -> Iterator[str]:
                 yield f"{file}:{node.lineno}: {node.name} has no types"
 
 
-def judged(root: pathlib.Path, cache: str, words: list[str], folders: set[pathlib.Path]) -> str:
+def judged(root: pathlib.Path, mypy: str, cache: str, words: list[str], folders: set[pathlib.Path]) -> str:
     """What mypy says, the modules of the folders being imported by their bare names."""
     path = os.pathsep.join(map(str, [*sorted(folders), root]))
-    said = subprocess.run(["mypy", "--cache-dir", cache, *words], cwd=root, capture_output=True, text=True, env={**os.environ, "MYPYPATH": path})
+    said = subprocess.run([mypy, "--cache-dir", cache, *words], cwd=root, capture_output=True, text=True, env={**os.environ, "MYPYPATH": path})
     return "" if said.returncode == 0 else said.stdout + said.stderr
 
 
@@ -45,12 +46,10 @@ def main(folder: str) -> int:
     if faults or len(files) < LEAST:
         print("\n".join(faults) or f"only {len(files)} files found")
         return 1
-    if not shutil.which("mypy"):
-        print(f"{len(files)} files say their types; mypy is not here to judge them")
-        return SKIPPED
+    mypy = pinned_tool(root, "mypy")
     with tempfile.TemporaryDirectory() as cache:
-        said = judged(root, cache, [word for package in PACKAGES for word in ("--package", package)], set())
-        said += judged(root, cache, [str(file.relative_to(root)) for file in scripts], {file.parent for file in scripts})
+        said = judged(root, mypy, cache, [word for package in PACKAGES for word in ("--package", package)], set())
+        said += judged(root, mypy, cache, [str(file.relative_to(root)) for file in scripts], {file.parent for file in scripts})
     print(said or f"mypy finds nothing in {len(files)} files")
     return 1 if said else 0
 

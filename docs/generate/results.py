@@ -39,7 +39,8 @@ TABLES = {
     "runs": ("Whole runs: work and time", [
         ("tests/benchmarks/runs.txt", "Two builds beside one another", "tests/benchmarks/runs.py RIMPACT --against RIMPACT_BEFORE --rows NAME,... --write FILE"),
         ("tests/benchmarks/runs_alone.txt", "Dear runs of one build", "tests/benchmarks/runs.py RIMPACT --rows NAME,... --write FILE"),
-        ("tests/benchmarks/work.txt", "One Newton iteration by mesh and by ranks, counted", "tests/benchmarks/work.py build/release/bin/bench_work --meshes 0,1,2,3 --ranks 1,2,3,4 --shared-meshes 0,1,2 --write FILE")]),
+        ("tests/benchmarks/work.txt", "One Newton iteration by mesh and by ranks, counted",
+         "tests/benchmarks/work.py build/release/bin/bench_work --meshes 0,1,2,3 --ranks 1,2,3,4 --shared-meshes 0,1,2 --write FILE")]),
     "law-against-solids": ("The law against the solids", [
         ("tests/verification/law_against_curves.txt", "Curves of rung rigid-dish and the law fitted to them", "tests/verification/law_against_curves.py build/release/bin/rimpact")]),
     "reduced": ("Reduced models and buildings", [
@@ -52,19 +53,20 @@ TABLES = {
 }
 # What a page's tables do not say themselves.
 REMARKS = {
-    "runs": "Left of the bar the later build, right of it the one before rungs became values (commit a9d76de), whose summaries hold no counts of GMRES and factors. Each row's two runs follow one another on one "
-            "core, one rank, one thread; seconds are of processor time, beside other work on the other core. Errors are of the later build against the earlier one. `runs.py RIMPACT --list` names all rows, up to a bidirectional pulse and Sylmar; `time ./run main` is the main job, and the push against CalculiX "
-            "stands among [the peers](refinement.md).",
+    "runs": "Left of the bar the later build, right of it the one before rungs became values (commit a9d76de), whose summaries hold no counts "
+            "of GMRES and factors. Each row's two runs follow one another on one core, one rank, one thread; seconds are of processor time, beside other work on the other core. "
+            "Errors are of the later build against the earlier one. `runs.py RIMPACT --list` names all rows, up to a bidirectional pulse and Sylmar; `time ./run main` is the main "
+            "job, and the push against CalculiX stands among [the peers](refinement.md).",
     "refinement": "Seconds are of a machine of two cores, an AMD EPYC at 2.6 GHz, beside other work: a hint. Why peers are compared on the same mesh: "
                   "[decision 17](../decisions/0017-peers-on-the-same-mesh.md).",
-    "law-against-solids": "The runs are kept in `data/references/`; the law has the numbers of `elastoplastic.json` there, fitted to all but the bidirectional pulse. Windows start at the rim, "
-                          "pulses from rest; the bidirectional one is a prediction. Displacement is the root mean square from first touch to 0.5 s after the last release, over L_c. Beyond 1 m/s "
-                          "the rebound is not met: [decision 9](../decisions/0009-how-a-rim-returns.md).\n\n"
+    "law-against-solids": "The runs are kept in `data/references/`; the law has the numbers of `elastoplastic.json` there, fitted to all but the bidirectional "
+                          "pulse. Windows start at the rim, pulses from rest; the bidirectional one is a prediction. Displacement is the root mean square from first touch to 0.5 s "
+                          "after the last release, over L_c. Beyond 1 m/s the rebound is not met: [decision 9](../decisions/0009-how-a-rim-returns.md).\n\n"
                           "![the 0.78 g pulse by rung rigid-dish](../pictures/ricker-rigid-dish.png)",
     "reduced": "Peers integrate the same Park-Wen equations, written down apart; Octave and SciPy run interpreted right-hand sides.",
 }
-PICTURES = {"window-0.50": "study-window-0.5.png", "rungs-pulse-0.78g": "study-pulse-0.78g.png", "rungs-pulse-0.38g": "study-pulse-0.38g.png", "rungs-window-0.50": "study-rungs-window-0.5.png",
-            "rungs-pulse-bidirectional": "study-pulse-bidirectional.png"}
+PICTURES = {"window-0.50": "study-window-0.5.png", "rungs-pulse-0.78g": "study-pulse-0.78g.png", "rungs-pulse-0.38g": "study-pulse-0.38g.png",
+            "rungs-window-0.50": "study-rungs-window-0.5.png", "rungs-pulse-bidirectional": "study-pulse-bidirectional.png"}
 
 
 def texts_page(title: str, tables: Iterable[tuple[str, str, str]], remark: str = "") -> str:
@@ -109,8 +111,9 @@ def growth_of(rows: list[dict[str, Any]]) -> list[str]:
 
 
 def studies_page() -> str:
-    text = ("# Speed against error\n\nStored studies (`data/studies/`), each made by `rimpact study`; errors against the finest run of the study. Times are of the processor; they, and wall times, in brackets, even more, grow with what else "
-            "the machine did. *Before*: the same run by an earlier build (`data/studies/before/`).\n")
+    text = ("# Speed against error\n\nStored studies (`data/studies/`), each made by `rimpact study`; errors against the finest run of the study. "
+            "Times are of the processor; they, and wall times, in brackets, even more, grow with what else the machine did. *Before*: the same run by an "
+            "earlier build (`data/studies/before/`).\n")
     for file in sorted((ROOT / "data/studies").glob("*.json")):
         study, earlier = json.loads(file.read_text(encoding="utf-8")), ROOT / "data/studies/before" / file.name
         before = {row["name"]: row for row in json.loads(earlier.read_text(encoding="utf-8"))["rows"]} if earlier.is_file() else {}
@@ -142,8 +145,8 @@ def reductions_table(kept: dict[str, Any]) -> str:
 
 def reliability_page() -> str:
     text = ("# Reliability\n\nStudies of `data/reliability/` with the records at hand, kept by `docs/generate/keep_reliability.py`. A reduction is of the probability of "
-            "exceedance in the study's years, against the reference system; negative: it grows. Unknown runs are those of both systems that stopped short of the limit because their model holds no longer; the "
-            "bounds beside them count all or none of them beyond it.\n")
+            "exceedance in the study's years, against the reference system; negative: it grows. Unknown runs are those of both systems that stopped short of the "
+            "limit because their model holds no longer; the bounds beside them count all or none of them beyond it.\n")
     for file in sorted((ROOT / "data/reliability/kept").glob("*.json")):
         kept = json.loads(file.read_text(encoding="utf-8"))
         levels = ", ".join(f"{level['level_g']:.3g} g: {level['n_records']} of {level['n_listed']}" for level in kept["levels"])

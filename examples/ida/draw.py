@@ -1,7 +1,6 @@
 """Draws impact force over scale from the sweep's table and says where half of the runs touch the rim."""
 import matplotlib.pyplot as plt
 import numpy as np
-
 import rimpact
 
 runs = rimpact.load_fleet("fleet").runs

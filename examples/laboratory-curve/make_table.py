@@ -2,7 +2,6 @@
 
 The rim behind it is known: k_i 900,000 kN/m, F_y 650 kN, h 0.15, a 0.40 of the elastoplastic law; a fit should find them again."""
 import numpy as np
-
 import rimpact
 
 LAW = {"reduced.impact_law": "elastoplastic", "reduced.k_i_kN_per_m": 9e5, "reduced.yield_force_kN": 650, "reduced.hardening": 0.15,

@@ -2,7 +2,7 @@
 try:
     import openseespy.opensees as ops
 except ImportError:
-    raise SystemExit("OpenSeesPy is not installed; the numbers above are the export's own check")
+    raise SystemExit("OpenSeesPy is not installed; the numbers above are the export's own check") from None
 import runpy
 
 runpy.run_path("for-opensees/impact.py")

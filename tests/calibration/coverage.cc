@@ -15,6 +15,7 @@
 #include <cstdio>
 #include <fstream>
 #include <set>
+#include <string>
 
 namespace {
 using namespace rimpact;
@@ -156,8 +157,8 @@ int main(int argc, char **argv) {
     const std::string word = argv[i];
     if (word == "--all") all = true;
     if (i + 1 == argc) break;
-    if (word == "--seeds") n_seeds = std::atoi(argv[i + 1]);
-    if (word == "--starts") n_starts = std::atoi(argv[i + 1]);
+    if (word == "--seeds") n_seeds = std::stoi(argv[i + 1]);
+    if (word == "--starts") n_starts = std::stoi(argv[i + 1]);
     if (word == "--only") only = argv[i + 1];
     if (word == "--table") table = argv[i + 1];
   }

@@ -27,7 +27,7 @@ struct Block {
     options.carrier_dof = carrier;
     MasterSurface ball = sphere({0.1, 0.05, -20.0}, 20.0, Side::outside);
     if (covers) ball.covers = std::move(covers);
-    system->add_contact(Surface::slider_side, std::move(ball), options);
+    system->add_contact(Surface::slider_side, ball, options);
     system->add_mass(carrier, 5.0);
     for (int i = 0; i < 3; ++i) carrier_equations[i] = system->equations().of_dof[carrier + i];
   }

@@ -7,8 +7,8 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Callable, Optional
 
 SECONDS = 20
 FREE = '[excitation]\nkind = "free"\ndisplacement_m = [0.1, 0]\nduration_s = 0.1\n'
@@ -23,7 +23,7 @@ class Row:
     code: int
     says: str = ""
     file: tuple = ()  # (name, text or bytes)
-    limit: Optional[Callable] = None  # called in the child before the command starts
+    limit: Callable | None = None  # called in the child before the command starts
     kept: str = ""  # a file that must be there, unchanged, afterwards
     open: bool = False  # known to fail: the suite fails once it holds, so that the mark is taken away
 
@@ -108,20 +108,25 @@ ROWS = [
     Row("names", "a name that steers the terminal", ["check", "x.toml"], 0, "", ("x.toml", 'name = "a\\u001b[31m"\n' + FREE)),
     Row("process", "a limit on file sizes, its signal ignored", ["reduced", "x.toml", "-o", "o"], 6, "", ("x.toml", FREE), ignoring_the_signal, "x.toml"),
     Row("process", "a limit on file sizes", ["reduced", "x.toml", "-o", "o"], 6, "", ("x.toml", FREE), limits(resource.RLIMIT_FSIZE, 4096), "x.toml"),
-    Row("process", "two records of one name to be drawn", ["motion", "x.AT2", "./x.AT2", "--png", "p"], 2, "both be drawn", ("x.AT2", AT2 + "NPTS= 3, DT= .01 SEC\n .1 .2 .1\n"), kept="x.AT2"),
+    Row("process", "two records of one name to be drawn", ["motion", "x.AT2", "./x.AT2", "--png", "p"], 2, "both be drawn",
+        ("x.AT2", AT2 + "NPTS= 3, DT= .01 SEC\n .1 .2 .1\n"), kept="x.AT2"),
     Row("process", "a capacity of nan", ["compare", "x.toml", "x.toml", "--capacity-mm", "nan"], 2, "capacity-mm nan", ("x.toml", FREE), kept="x.toml"),
     Row("process", "a mass ratio of nan", ["design", "--displacement-m", "0.3", "--gamma", "nan"], 2, "gamma", ("x.toml", FREE)),
     Row("process", "an address space of 400 MB", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), limits(resource.RLIMIT_AS, 400 << 20), "x.toml"),
     Row("process", "finite elements in 500 MB", ["run", "impact-window", "-o", "o"], 4, "500 MB", ("x.toml", FREE), limits(resource.RLIMIT_AS, 500 << 20), "x.toml"),
-    Row("process", "finite elements in 950 MB", ["run", "impact-window", "--mesh", "1", "-o", "o"], 4, "limit of memory", ("x.toml", FREE), limits(resource.RLIMIT_AS, 950 << 20), "x.toml"),
+    Row("process", "finite elements in 950 MB", ["run", "impact-window", "--mesh", "1", "-o", "o"], 4, "limit of memory",
+        ("x.toml", FREE), limits(resource.RLIMIT_AS, 950 << 20), "x.toml"),
     Row("process", "a hundred thousand threads", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), lambda: os.environ.update(RIMPACT_THREADS="100000"), "x.toml"),
     Row("process", "a pipe for a scene", ["check", "pipe"], 2, "a pipe", ("x.toml", FREE), lambda: os.mkfifo("pipe"), "x.toml"),
     Row("process", "a scene that cannot be read", ["check", "/proc/self/mem"], 2, "cannot be read", ("x.toml", FREE), None, "x.toml"),
-    Row("process", "a rim pressed through", ["reduced", "impact-window", "--set", "excitation.speed_m_per_s=5", "--set", "reduced.k_i_kN_per_m=2e4", "-o", "o"], 0, "no bearing does so", ("x.toml", FREE)),
+    Row("process", "a rim pressed through", ["reduced", "impact-window", "--set", "excitation.speed_m_per_s=5", "--set", "reduced.k_i_kN_per_m=2e4", "-o", "o"], 0,
+        "no bearing does so", ("x.toml", FREE)),
     Row("process", "ten file handles", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), limits(resource.RLIMIT_NOFILE, 10), "x.toml"),
     Row("process", "a read-only folder", ["reduced", "x.toml", "-o", "o"], 6, "cannot create the folder o", ("x.toml", FREE), in_a_read_only_folder, "x.toml"),
-    Row("process", "a picture into a read-only folder", ["motion", "x.AT2", "--png", "p"], 6, "p", ("x.AT2", AT2 + "NPTS= 3, DT= .01 SEC\n .1 .2 .1\n"), in_a_read_only_folder, "x.AT2"),
-    Row("process", "a sweep in a read-only folder", ["reduced", "x.toml", "--sweep", "reduced.mu_fast=0.05:0.06:2", "-o", "o"], 6, "o", ("x.toml", FREE), in_a_read_only_folder, "x.toml"),
+    Row("process", "a picture into a read-only folder", ["motion", "x.AT2", "--png", "p"], 6, "p",
+        ("x.AT2", AT2 + "NPTS= 3, DT= .01 SEC\n .1 .2 .1\n"), in_a_read_only_folder, "x.AT2"),
+    Row("process", "a sweep in a read-only folder", ["reduced", "x.toml", "--sweep", "reduced.mu_fast=0.05:0.06:2", "-o", "o"], 6, "o",
+        ("x.toml", FREE), in_a_read_only_folder, "x.toml"),
     Row("process", "no terminal", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), without_a_terminal, "x.toml"),
     Row("process", "no terminal, and a mistake", ["reduced", "x.toml", "--mesg", "-o", "o"], 2, "error: ", ("x.toml", FREE), without_a_terminal, "x.toml"),
     Row("process", "no input stream", ["reduced", "x.toml", "-o", "o"], 0, "", ("x.toml", FREE), lambda: os.close(0), "x.toml"),

@@ -90,7 +90,8 @@ class Killed(unittest.TestCase):
         self.kill_and_go_on(["study", *WINDOW, "--axes", "rung", "--rungs", "reduced,rim", "--error", "1000"], "**/response.csv", tolerance=STOPPED)
 
     def test_main(self):  # one job at a time: beside another one a run has fewer threads, which round otherwise
-        self.kill_and_go_on(["main", "--windows-only", "--speeds", "0.05,0.1,0.2", "--mesh", "0", "--laws", "none", "--jobs", "1"], "**/response.csv", max(1, INSTANTS // 4), tolerance=STOPPED)
+        self.kill_and_go_on(["main", "--windows-only", "--speeds", "0.05,0.1,0.2", "--mesh", "0", "--laws", "none", "--jobs", "1"],
+                         "**/response.csv", max(1, INSTANTS // 4), tolerance=STOPPED)
 
 
 if __name__ == "__main__":

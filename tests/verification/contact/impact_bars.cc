@@ -16,7 +16,7 @@ struct Throw {
 };
 
 /// Throws a body along -z with `speed` until `end`; forces are averaged over contact.
-Throw thrown(Setup &setup, double speed, double end, fe::TransientOptions options) {
+Throw thrown(Setup &setup, double speed, double end, const fe::TransientOptions &options) {
   auto &system = *setup.system;
   SystemState state = system.at_rest();
   for (std::size_t dof = 2; dof < system.equations().of_dof.size(); dof += 3)
