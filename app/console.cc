@@ -1,5 +1,6 @@
 #include "app/console.h"
 
+#include "app/help_format.h"
 #include "app/verb.h"
 #include "app/verb_words.h"
 #include "files/file.h"
@@ -213,6 +214,7 @@ int run_command(int argc, char **argv, const std::vector<Verb> &verbs) {
   CLI::App app{"rimpact: finite-element reference curves of friction-pendulum bearings that hit their rim,\n"
                "calibrated impact parameters, and how far each model is from the reference."};
   app.name("rimpact");
+  app.formatter(std::make_shared<HelpFormat>());
   app.require_subcommand(1);
   app.set_version_flag("--version", "rimpact " RIMPACT_VERSION,
                        "this program's version; `version` names its libraries too");

@@ -174,7 +174,7 @@ void JobRunner::launch(Job &job, const std::vector<std::string> &words, bool pic
                 .errors = log};
   launch.command.insert(launch.command.end(), words.begin(), words.end());
   launch.apart = true;
-  if (at_once_ > 1) launch.environment = {"OPENBLAS_NUM_THREADS=1", "OMP_NUM_THREADS=1", "RIMPACT_THREADS=1"};
+  if (at_once_ > 1) launch.environment = {"RIMPACT_THREADS=1"};
   children_.push_back({start(launch), &job, picked_up});
   time_of(job).state = RunTime::State::running;
 }

@@ -3,6 +3,7 @@
 #include "app/command_tree.h"
 #include "app/verb.h"
 #include "fe_contact/drive/run.h"
+#include "files/library_threads.h"
 
 #include <chrono>
 #include <csignal>
@@ -33,6 +34,7 @@ void leave_together(MPI_Comm comm, int code) {
 } // namespace
 
 int main(int argc, char **argv) {
+  rimpact::begin_with_one_library_thread(argv);
   // PETSc would take options of its own from the command line, the environment and .petscrc files, some of which run
   // programs: it gets none of them.
   unsetenv("PETSC_OPTIONS");
@@ -46,10 +48,7 @@ int main(int argc, char **argv) {
   MPI_Comm leaving;
   MPI_Comm_dup(MPI_COMM_WORLD, &leaving);
   const bool first = rimpact::fe::is_first_rank(), shares = argc > 1 && std::strcmp(argv[1], "run") == 0;
-  if (n_ranks > 1) {
-    rimpact::fe::use_one_blas_thread();
-    prctl(PR_SET_PDEATHSIG, SIGKILL); // a killed mpirun leaves nobody behind who would go on writing
-  }
+  if (n_ranks > 1) prctl(PR_SET_PDEATHSIG, SIGKILL); // a killed mpirun leaves nobody behind who would go on writing
   if (!first && (!std::freopen("/dev/null", "w", stdout) || !std::freopen("/dev/null", "w", stderr))) return 1;
   int code = 0;
   if (first || shares)

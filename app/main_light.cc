@@ -3,6 +3,7 @@
 #include "app/console.h"
 #include "app/rank_launcher.h"
 #include "app/sibling.h"
+#include "files/library_threads.h"
 
 #include <fmt/format.h>
 #include <set>
@@ -10,6 +11,7 @@
 int main(int argc, char **argv) {
   using namespace rimpact;
   app::open_standard_streams();
+  ask_for_one_library_thread(); // of every program started from here
   static const std::set<std::string> elsewhere{"run", "mesh", "curve", "version"};
   auto line = app::without_help(argc, argv);
   if (line.size() > 1 && elsewhere.count(line[1])) {

@@ -74,12 +74,11 @@ int usual_ranks(const std::vector<std::string> &words) {
 }
 
 int run_on_ranks(int n_ranks, const std::string &program, const std::vector<std::string> &words) {
-  Launch launch{
-      .command = {"/usr/bin/env", "mpirun", "-q", "--use-hwthread-cpus", "-np", std::to_string(n_ranks), program},
-      .apart = true,
-      .when_killed = SIGKILL};
+  Launch launch{.command = {"/usr/bin/env", "mpirun", "--use-hwthread-cpus", "-np", std::to_string(n_ranks), program},
+                .apart = true,
+                .when_killed = SIGKILL};
   launch.command.insert(launch.command.end(), words.begin(), words.end());
-  launch.environment = {"OPENBLAS_THREAD_TIMEOUT=4"}; // as become_fe()
+  launch.environment = {"OMPI_MCA_orte_execute_quiet=1"}; // Open MPI 4's own words on a rank that ends; 5 has none
   if (geteuid() == 0)
     launch.environment.insert(launch.environment.end(),
                               {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"});

@@ -53,14 +53,14 @@ std::string sibling(const std::string &name) {
 std::string fe_program() {
   std::string program = sibling("rimpact-fe");
   if (access(program.c_str(), X_OK) != 0)
-    throw InputError("this build has no finite-element side (" + program + " is missing); build with RIMPACT_FE=ON");
+    throw InputError("this rimpact has no finite-element side (" + program +
+                     " is missing), as none has from pip; ./run in the source tree builds one with it, and the Debian "
+                     "package brings it");
   return program;
 }
 
 void become_fe(const std::vector<std::string> &given) {
   need_address_space();
-  // OpenBLAS's idle threads spin for tens of milliseconds and take the core from the assembly: let them sleep at once.
-  setenv("OPENBLAS_THREAD_TIMEOUT", "4", 0);
   std::vector<std::string> words{fe_program()};
   words.insert(words.end(), given.begin(), given.end());
   execv(words[0].c_str(), pointers(words).data());
@@ -109,8 +109,10 @@ int python(const std::vector<std::string> &arguments, bool show_output) {
   const std::string data = data_folder();
   if (!std::filesystem::is_directory(std::filesystem::path(data) / "report"))
     throw IoError(data + ": the report's Python is not there; install the programs with their data (cmake --install)");
-  // Isolated (-I): neither the working folder nor the environment brings modules of its own.
-  Launch launch{.command = {"/usr/bin/python3", "-I", "-c",
+  // Isolated (-I): neither the working folder nor the environment brings modules of its own. With pip's Python the
+  // user's own folder of packages counts (-EP), for pip may have put rimpact there.
+  const char *pip = std::getenv("RIMPACT_PYTHON");
+  Launch launch{.command = {pip ? pip : "/usr/bin/python3", pip ? "-EP" : "-I", "-c",
                             "import runpy, sys; sys.path.insert(0, sys.argv[1]); del sys.argv[1]; "
                             "runpy.run_module(sys.argv.pop(1), run_name='__main__', alter_sys=True)",
                             data},

@@ -17,7 +17,7 @@ void add_version(CLI::App &app, Console &console) {
     if (const std::string warning = fe::blas_warning(); !warning.empty()) console.warn(warning);
     if (console.json) return console.data(json_text(table));
     for (const auto &[name, version] : table.items())
-      console.data(fmt::format("{:10s} {}\n", name, version.get<std::string>()));
+      console.data(fmt::format("{:15s} {}\n", name, version.get<std::string>()));
   });
 }
 

@@ -2,9 +2,9 @@
 # Shared by ./run and ./test: installs what is missing from Debian or Ubuntu, configures, builds. Sourced, not run.
 
 packages="g++ cmake ninja-build ccache pkg-config git ca-certificates libdeal.ii-dev libpetsc-real-dev libgmsh-dev libceres-dev
-  libsundials-dev libopenblas0-pthread libtomlplusplus-dev libcli11-dev libspdlog-dev libfmt-dev nlohmann-json3-dev libgtest-dev
-  libgmock-dev libbenchmark-dev libeigen3-dev libhdf5-openmpi-dev python3-h5py python3-matplotlib python3-pil python3-jinja2 pybind11-dev python3-dev
-  python3-pandas help2man mkdocs clang-format mypy"
+  libsundials-dev libopenblas0-pthread libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libgtest-dev
+  libgmock-dev libbenchmark-dev libeigen3-dev libhdf5-openmpi-dev libhdf5-dev python3-h5py python3-matplotlib python3-pil python3-jinja2 pybind11-dev python3-dev
+  python3-venv python3-pandas help2man mkdocs"
 
 say() { printf '%s\n' "$*" >&2; }
 
@@ -12,7 +12,7 @@ install_missing() {
   local missing="" package sudo=""
   command -v apt-get >/dev/null || {
     # shellcheck disable=SC2086
-    say "error: no apt-get here; on other systems than Debian 12 and Ubuntu install by hand, then use --no-install:" $packages
+    say "error: no apt-get here; on other systems than Debian and Ubuntu install by hand, then use --no-install:" $packages
     exit 1
   }
   for package in $packages; do
@@ -29,6 +29,24 @@ install_missing() {
     $sudo env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing >&2 ||
       { say "error: apt-get install failed; see above"; exit 1; }
   fi
+}
+
+# python_environments NAME ...: build/NAME holds what tests/NAME/requirements.txt pins, from PyPI. Tests that miss it are
+# skipped by name; nothing of the product needs it.
+python_environments() {
+  local name
+  for name in "$@"; do
+    cmp -s "tests/$name/requirements.txt" "build/$name/installed.txt" && continue
+    say "Installing tests/$name/requirements.txt from PyPI into build/$name"
+    mkdir -p build && rm -rf "build/$name"
+    {
+      /usr/bin/python3 -m venv "build/$name" &&
+        "build/$name/bin/pip" install --timeout 15 --retries 1 -r "tests/$name/requirements.txt" &&
+        cp "tests/$name/requirements.txt" "build/$name/installed.txt"
+    } >"build/$name.log" 2>&1 && continue
+    rm -rf "build/$name"
+    say "warning: build/$name could not be installed from PyPI (see build/$name.log): the tests that need it are skipped"
+  done
 }
 
 # The reference BLAS makes factorisations 10 to 20 times slower: prefer OpenBLAS for this process and its children.

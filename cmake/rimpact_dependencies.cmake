@@ -1,29 +1,47 @@
-# Third-party packages, all from Debian 12 (see ./run for the package names).
+# Third-party packages, all from Debian 12, Debian 13 or Ubuntu 24.04 (cmake/install.sh has their names). What differs between versions of
+# one is found out here and adapted by one header: reduced_models/sundials.h.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
-find_package(spdlog REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(Threads REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto) # SHA-256; HDF5's own package brings it
 find_package(Ceres REQUIRED)
-find_package(GTest REQUIRED)
 
-# HDF5, the OpenMPI flavour: deal.II and PETSc are linked to it, and two flavours in one process do not mix.
+# HDF5. deal.II and PETSc are linked to the OpenMPI flavour, and two flavours in one process do not mix: finite elements take that one.
+# The reduced side alone takes the serial one where it is, and with it needs no MPI.
 add_library(rimpact_hdf5 INTERFACE)
-find_package(MPI REQUIRED COMPONENTS C)
-target_include_directories(rimpact_hdf5 SYSTEM INTERFACE /usr/include/hdf5/openmpi)
-find_library(HDF5_OPENMPI hdf5_openmpi REQUIRED)
-find_library(HDF5_HL_OPENMPI hdf5_openmpi_hl REQUIRED)
-target_link_libraries(rimpact_hdf5 INTERFACE ${HDF5_HL_OPENMPI} ${HDF5_OPENMPI} MPI::MPI_C)
+find_library(HDF5_SERIAL hdf5_serial)
+find_library(HDF5_HL_SERIAL hdf5_serial_hl)
+if(HDF5_SERIAL AND HDF5_HL_SERIAL AND NOT RIMPACT_FE)
+  target_include_directories(rimpact_hdf5 SYSTEM INTERFACE /usr/include/hdf5/serial)
+  target_link_libraries(rimpact_hdf5 INTERFACE ${HDF5_HL_SERIAL} ${HDF5_SERIAL})
+else()
+  find_package(MPI REQUIRED COMPONENTS C)
+  find_library(HDF5_OPENMPI hdf5_openmpi REQUIRED)
+  find_library(HDF5_HL_OPENMPI hdf5_openmpi_hl REQUIRED)
+  target_include_directories(rimpact_hdf5 SYSTEM INTERFACE /usr/include/hdf5/openmpi)
+  target_link_libraries(rimpact_hdf5 INTERFACE ${HDF5_HL_OPENMPI} ${HDF5_OPENMPI} MPI::MPI_C)
+endif()
 
-# SUNDIALS, serial vectors
+# SUNDIALS 6 and 7, serial vectors; reduced_models/sundials.h has both under one name. From 7 on the base is a library of its own.
 add_library(rimpact_sundials INTERFACE)
-foreach(component cvode nvecserial sunmatrixdense sunlinsoldense)
-  find_library(SUNDIALS_${component} sundials_${component} REQUIRED)
-  target_link_libraries(rimpact_sundials INTERFACE ${SUNDIALS_${component}})
+find_library(SUNDIALS_core sundials_core)
+foreach(component core cvode nvecserial sunmatrixdense sunlinsoldense)
+  if(NOT component STREQUAL core)
+    find_library(SUNDIALS_${component} sundials_${component} REQUIRED)
+  endif()
+  if(SUNDIALS_${component})
+    target_link_libraries(rimpact_sundials INTERFACE ${SUNDIALS_${component}})
+  endif()
 endforeach()
+find_file(SUNDIALS_CONFIG sundials/sundials_config.h REQUIRED)
+file(STRINGS ${SUNDIALS_CONFIG} SUNDIALS_NEEDS_MPI REGEX "define SUNDIALS_MPI_ENABLED 1")
+if(SUNDIALS_core AND SUNDIALS_NEEDS_MPI) # from 7 on the headers include MPI's
+  find_package(MPI REQUIRED COMPONENTS C)
+  target_link_libraries(rimpact_sundials INTERFACE MPI::MPI_C)
+endif()
 
 if(RIMPACT_FE)
   find_package(deal.II 9.4 REQUIRED)

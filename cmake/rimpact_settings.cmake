@@ -24,12 +24,14 @@ endif()
 add_library(rimpact_settings INTERFACE)
 target_include_directories(rimpact_settings INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(rimpact_settings INTERFACE -Wall -Wextra -Wpedantic -Wno-psabi -fno-math-errno)
-# GCC 12 reports its own AVX-512 intrinsics (bug 105593).
-target_compile_options(rimpact_settings INTERFACE -Wno-maybe-uninitialized)
+# What GCC says of its own AVX-512 intrinsics (bug 105593), from 13 on of Eigen's small vectors and of std::vector::insert too,
+# is not so.
+target_compile_options(rimpact_settings INTERFACE -Wno-maybe-uninitialized
+  "$<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_GREATER_EQUAL:$<CXX_COMPILER_VERSION>,13>>:-Wno-array-bounds;-Wno-stringop-overflow>")
 # One alignment for every unit: Debian's Ceres and deal.II are compiled for plain x86-64.
 target_compile_definitions(rimpact_settings INTERFACE EIGEN_MAX_ALIGN_BYTES=16)
-# gmsh and Ceres carry Eigen's kernels for plain x86-64 under the same weak names: ours, sized for this machine, must
-# not be exported to them.
+# gmsh and Ceres carry Eigen's functions for plain x86-64 under the same weak names: ours, sized for this machine and allocating
+# otherwise, must not be exported to them. Here those of the libraries, in CMakeLists.txt those of the programs' own sources.
 target_link_options(rimpact_settings INTERFACE -Wl,--exclude-libs,ALL)
 if(RIMPACT_NATIVE)
   target_compile_options(rimpact_settings INTERFACE -march=native)

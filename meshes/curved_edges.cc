@@ -60,7 +60,7 @@ void curve_edges(HexMesh &mesh, double travel) {
       if (std::abs(radius - other) > same || std::abs(at(mesh, a).z() - at(mesh, b).z()) > same ||
           out.norm() < 0.75 * radius)
         continue;
-      const Eigen::Vector2d on_circle = axis + radius * out.normalized();
+      const Eigen::Vector2d on_circle = axis + 0.5 * (radius + other) * out.normalized(); // from either cell the same
       changed = changed || (on_circle - middle.head<2>()).norm() > 1e-9;
       at(mesh, cell[8 + e]).head<2>() = on_circle;
     }

@@ -100,8 +100,8 @@ std::vector<Quad9> disc(double radius, const std::vector<double> &angles, const 
 }
 
 /// Smallest sine of an angle between two edges, below zero where a quadrilateral is turned over; of the `core` first
-/// ones also twice the smallest ratio of two edges.
-double soundness(const std::vector<Quad9> &quads, std::size_t core) {
+/// ones also twice the smallest ratio of two edges, and five times that of an edge to the wanted `size`.
+double soundness(const std::vector<Quad9> &quads, std::size_t core, double size) {
   constexpr int around[4] = {0, 2, 8, 6};
   double smallest = 1;
   for (std::size_t q = 0; q < quads.size(); ++q)
@@ -110,7 +110,7 @@ double soundness(const std::vector<Quad9> &quads, std::size_t core) {
       const double a[2] = {at(1)[0] - at(0)[0], at(1)[1] - at(0)[1]}, b[2] = {at(3)[0] - at(0)[0], at(3)[1] - at(0)[1]},
                    la = std::hypot(a[0], a[1]), lb = std::hypot(b[0], b[1]);
       smallest = std::min(smallest, (a[0] * b[1] - a[1] * b[0]) / (la * lb));
-      if (q < core) smallest = std::min({smallest, 2 * la / lb, 2 * lb / la});
+      if (q < core) smallest = std::min({smallest, 2 * la / lb, 2 * lb / la, 5 * la / size});
     }
   return smallest;
 }
@@ -125,7 +125,7 @@ std::vector<Quad9> half_disc(double radius, const std::vector<double> &angles, d
     for (const double least : {0.0, 0.2, 0.4, 0.6, 0.8, 1.0}) {
       if (best > sound) break;
       auto tried = disc(radius, angles, polygon(radius, widened(angles, least)), finer * size);
-      const double reached = soundness(tried, tried.size() + 1 - angles.size());
+      const double reached = soundness(tried, tried.size() + 1 - angles.size(), size);
       if (reached > best) best = reached, quads = std::move(tried);
     }
   constexpr int ends[4][2] = {{0, 6}, {2, 8}, {0, 2}, {6, 8}};

@@ -1,13 +1,10 @@
 #include "reduced_models/cvode_run.h"
 #include "files/error.h"
 #include "reduced_models/hybrid_run.h"
+#include "reduced_models/sundials.h"
 #include <algorithm>
 #include <cmath>
-#include <cvode/cvode.h>
 #include <numbers>
-#include <nvector/nvector_serial.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
 
 namespace rimpact::reduced {
 
@@ -17,7 +14,6 @@ namespace {
 class Cvode {
 public:
   Cvode(const Dynamics &dynamics, double tolerance) : dynamics_(dynamics) {
-    SUNContext_Create(nullptr, &context_);
     const int n_state = dynamics.n_state();
     y_ = N_VNew_Serial(n_state, context_);
     absolute_ = N_VNew_Serial(n_state, context_);
@@ -46,8 +42,7 @@ public:
     check(CVodeSVtolerances(memory_, tolerance, absolute_), "CVodeSVtolerances");
     check(CVodeSetLinearSolver(memory_, solver_, matrix_), "CVodeSetLinearSolver");
     check(CVodeSetMaxNumSteps(memory_, 10'000'000), "CVodeSetMaxNumSteps");
-    CVodeSetErrHandlerFn(
-        memory_, [](int, const char *, const char *, char *, void *) {}, nullptr);
+    silence(context_, memory_);
     CVodeSetNoInactiveRootWarn(memory_);
   }
   ~Cvode() {
@@ -122,7 +117,7 @@ private:
 
   const Dynamics &dynamics_;
   Mode mode_;
-  SUNContext context_ = nullptr;
+  SUNContext context_ = sundials_context();
   N_Vector y_, absolute_;
   SUNMatrix matrix_;
   SUNLinearSolver solver_;

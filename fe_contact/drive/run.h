@@ -59,11 +59,9 @@ bool is_first_rank();
 /// Whether it is so on any rank; every rank must ask.
 bool on_any_rank(bool here);
 
-/// Versions of deal.II, PETSc, MUMPS, SUNDIALS, gmsh and the BLAS in use; second: a warning when it is not
-/// OpenBLAS.
+/// Versions of deal.II, PETSc, MUMPS, SUNDIALS, gmsh and the BLAS in use, and how many threads BLAS and OpenMP take in
+/// this process; second: a warning when the BLAS is not OpenBLAS.
 std::vector<std::pair<std::string, std::string>> component_versions();
 std::string blas_warning();
-/// For several ranks on one machine, whose threads would fight over its cores.
-void use_one_blas_thread();
 
 } // namespace rimpact::fe

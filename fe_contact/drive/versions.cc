@@ -20,6 +20,12 @@ std::string blas_name() {
   return "unknown";
 }
 
+/// What a library of this process says of its own threads by that function.
+std::string threads_by(const char *function) {
+  void *ask = dlsym(RTLD_DEFAULT, function);
+  return ask ? std::to_string(reinterpret_cast<int (*)()>(ask)()) : "unknown";
+}
+
 } // namespace
 
 std::vector<std::pair<std::string, std::string>> component_versions() {
@@ -31,7 +37,9 @@ std::vector<std::pair<std::string, std::string>> component_versions() {
           {"MUMPS", MUMPS_VERSION},
           {"SUNDIALS", SUNDIALS_VERSION},
           {"gmsh", dotted(GMSH_API_VERSION_MAJOR, GMSH_API_VERSION_MINOR, GMSH_API_VERSION_PATCH)},
-          {"BLAS", blas_name()}};
+          {"BLAS", blas_name()},
+          {"BLAS threads", threads_by("openblas_get_num_threads")},
+          {"OpenMP threads", threads_by("omp_get_max_threads")}};
 }
 
 std::string blas_warning() {
@@ -41,10 +49,6 @@ std::string blas_warning() {
          ", not OpenBLAS: factorisations take 10 to 20 times longer; "
          "install libopenblas0-pthread and select it with update-alternatives --config "
          "libblas.so.3-x86_64-linux-gnu";
-}
-
-void use_one_blas_thread() {
-  if (void *set = dlsym(RTLD_DEFAULT, "openblas_set_num_threads")) reinterpret_cast<void (*)(int)>(set)(1);
 }
 
 } // namespace rimpact::fe

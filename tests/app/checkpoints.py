@@ -44,8 +44,9 @@ def with_entry(values: np.ndarray, index: int, value: float) -> np.ndarray:
 
 def every_field(kept: Numbers) -> Iterator[tuple[str, str, np.ndarray | None]]:
     """(field, what, values) for each field: taken away, emptied, cut short, or one of its numbers made impossible, in turn."""
-    ways: list[tuple[str, Callable[[np.ndarray], np.ndarray | None]]] = [("missing", lambda v: None), ("empty", lambda v: v[:0]), ("short", lambda v: v[:-1]), ("nan", lambda v: with_entry(v, 0, np.nan)),
-            ("1e300", lambda v: with_entry(v, -1, 1e300))]
+    ways: list[tuple[str, Callable[[np.ndarray], np.ndarray | None]]] = [
+        ("missing", lambda v: None), ("empty", lambda v: v[:0]), ("short", lambda v: v[:-1]), ("nan", lambda v: with_entry(v, 0, np.nan)),
+        ("1e300", lambda v: with_entry(v, -1, 1e300))]
     turn = 0
     for name, values in sorted(kept.items()):
         may_go = name.startswith(("seconds_", "field_")) and name != "seconds_wall"  # as many as there are

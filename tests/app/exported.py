@@ -84,6 +84,7 @@ class Exported(unittest.TestCase):
         if not shutil.which("tclsh"):
             self.skipTest("tclsh is not here: the Tcl file was not run")
         stubs = "".join(f"proc {name} {{args}} {{puts \"{name} $args\"}}\n" for name in ("uniaxialMaterial", "element", "frictionModel", "node", "equalDOF"))
-        run = subprocess.run(["tclsh"], input=stubs + "proc nodeCoord {n} {return {1.0 2.0 3.0}}\n" + f"source {folder}/impact.tcl\n{script}\n", capture_output=True, text=True, cwd=folder)
+        text = stubs + "proc nodeCoord {n} {return {1.0 2.0 3.0}}\n" + f"source {folder}/impact.tcl\n{script}\n"
+        run = subprocess.run(["tclsh"], input=text, capture_output=True, text=True, cwd=folder)
         self.assertEqual(run.stderr, "")
         return run.stdout.splitlines()

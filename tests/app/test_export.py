@@ -23,7 +23,8 @@ class Export(Exported):
             # the pasted table, flown here once more: a third integrator of gap and kinematic link in series
             with open(os.path.join(out, "rim-link.csv")) as file:
                 lines = [line for line in file if not line.startswith("#")]
-            points = sorted((-float(row["displacement_m"]), -float(row["force_kN"]) * 1e3) for row in csv.DictReader(lines) if row["link"] == "RIM" and float(row["displacement_m"]) <= 0)
+            rows = [row for row in csv.DictReader(lines) if row["link"] == "RIM" and float(row["displacement_m"]) <= 0]
+            points = sorted((-float(row["displacement_m"]), -float(row["force_kN"]) * 1e3) for row in rows)
             with open(os.path.join(out, "bearing.s2k")) as file:
                 gap = 1e3 * float(re.search(r"Link=RIM_GAP .* TransK=(\S+)", file.read()).group(1))
             points = [(d + f / gap, f) for d, f in points]
@@ -91,7 +92,8 @@ class Export(Exported):
     def test_a_pair_holds_for_its_mass(self):
         with tempfile.TemporaryDirectory() as folder:
             content = calibration(identity=self.rim)
-            content["answer"]["pair"] = {"law": "no-tension", "k_i_kN_per_m": 450000.0, "e": 0.5, "c_i_kN_s_per_m": 1.0, "mass_kg": 86952.0, "from_m_s": 0.2, "to_m_s": 0.4, "tolerance": 0.1,
+            content["answer"]["pair"] = {"law": "no-tension", "k_i_kN_per_m": 450000.0, "e": 0.5, "c_i_kN_s_per_m": 1.0, "mass_kg": 86952.0,
+                                         "from_m_s": 0.2, "to_m_s": 0.4, "tolerance": 0.1,
                                          "worst_peak_force_error": 0.08, "worst_rebound_error": 0.05, "parameters": {}, "sentence": "A pair."}
             write(folder, content)
             run = rimpact("export", folder, "--opensees", "--law", "pair", "--mass", "203900")

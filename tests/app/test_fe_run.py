@@ -20,6 +20,42 @@ def summary(folder):
         return json.load(file)
 
 
+class Threads(unittest.TestCase):
+    """Of a run: the program rules what its libraries take, whatever the environment asks."""
+
+    @staticmethod
+    def most(**environment):
+        """The largest number of threads, and processor time over wall time."""
+        with tempfile.TemporaryDirectory() as folder:
+            begin, before = time.monotonic(), os.times()
+            process = subprocess.Popen([RIMPACT, *WINDOW, "--mesh", "0", "--no-fields", "-o", folder + "/run"], stderr=subprocess.DEVNULL,
+                                       env={**os.environ, "RIMPACT_THREADS": "1", **environment})
+            most = 0
+            while process.poll() is None:
+                try:
+                    with open(f"/proc/{process.pid}/status") as file:
+                        most = max(most, int(re.search(r"Threads:\s*(\d+)", file.read()).group(1)))
+                except (OSError, AttributeError):
+                    pass  # it has just ended
+                time.sleep(0.02)
+            after = os.times()
+            return process.returncode, most, (after.children_user - before.children_user) / (time.monotonic() - begin)
+
+    def test_the_libraries_take_one_whatever_the_environment_asks(self):
+        code, alone, _ = self.most()
+        self.assertEqual(code, 0)
+        code, asked, share = self.most(OMP_NUM_THREADS="7", OPENBLAS_NUM_THREADS="7")
+        self.assertEqual(code, 0)
+        self.assertEqual(asked, alone)
+        self.assertLess(alone, 7)  # its own and those of MPI
+        self.assertLess(share, 1.1)  # nobody spins beside it
+
+    def test_version_names_them(self):
+        for environment in ({}, {"OMP_NUM_THREADS": "7", "OPENBLAS_NUM_THREADS": "7"}):
+            said = json.loads(rimpact("version", "--json", **environment).stdout)
+            self.assertEqual((said["BLAS threads"], said["OpenMP threads"]), ("1", "1"))
+
+
 class RimWindow(unittest.TestCase):
     def test_light_window_and_resumption(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -7,7 +7,6 @@ import tempfile
 import unittest
 
 import h5py
-
 from command import rimpact
 
 # A millisecond behind the touch: what is compared is the way there and the first contact.

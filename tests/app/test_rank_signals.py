@@ -34,7 +34,8 @@ class RankSignals(unittest.TestCase):
         self.environment = dict(os.environ, RIMPACT_FE_PROGRAM=str(program))
 
     def start(self, *ranks, scene=("some.toml",)):
-        return subprocess.Popen([os.environ["RIMPACT"], "run", *scene, *ranks, "-o", str(self.folder)], env=self.environment, stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True, start_new_session=True)
+        return subprocess.Popen([os.environ["RIMPACT"], "run", *scene, *ranks, "-o", str(self.folder)], env=self.environment,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, stdin=subprocess.DEVNULL, text=True, start_new_session=True)
 
     def until_started(self, process, n):
         for _ in range(300):

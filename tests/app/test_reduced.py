@@ -7,7 +7,6 @@ import tempfile
 import unittest
 
 import h5py
-
 from command import RIMPACT, Refusals, rimpact
 
 

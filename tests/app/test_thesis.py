@@ -3,7 +3,7 @@ import os
 import unittest
 
 from command import rimpact
-from thesis_numbers import Numbers, RECORDS
+from thesis_numbers import RECORDS, Numbers
 
 
 class Thesis(Numbers):

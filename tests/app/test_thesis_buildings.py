@@ -3,7 +3,7 @@ import json
 import os
 import unittest
 
-from thesis_numbers import Numbers, RECORDS
+from thesis_numbers import RECORDS, Numbers
 
 
 @unittest.skipUnless(os.path.isfile(os.path.join(RECORDS, "RSN828_CAPEMEND_PET000.AT2")), "the records are not here (RIMPACT_RECORDS)")

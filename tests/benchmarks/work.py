@@ -14,7 +14,7 @@ import shutil
 import statistics
 import subprocess
 
-ENVIRONMENT = {"OPENBLAS_NUM_THREADS": "1", "RIMPACT_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
+ENVIRONMENT = {"RIMPACT_THREADS": "1", "OMPI_ALLOW_RUN_AS_ROOT": "1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM": "1",
                "OMPI_MCA_mpi_yield_when_idle": "1"}
 GROWING = {"cells": "cells", "entries of the matrix": "matrix", "entries of the factor": "factor", "its operations": "Gflop"}
 

@@ -11,8 +11,9 @@ import numpy as np
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path[:0] = [os.path.join(HERE, "../.."), os.path.join(HERE, "..")]
-from report.thesis.spectrum import design_spectrum, pseudo_acceleration, read_at2  # noqa: E402
 from stored_table import differ  # noqa: E402
+
+from report.thesis.spectrum import design_spectrum, pseudo_acceleration, read_at2  # noqa: E402
 
 # Both horizontal components of table 2-2's records as far as they are at hand.
 RECORDS = {
@@ -123,7 +124,8 @@ def change(value, reference):
 
 def five_shapes(study, lines, fails):
     answers = {}
-    lines += ["Scale: of the record as a whole, before matching. Peaks: base displacement (mm), base shear / W_s, drifts of storeys 1 2 3 (mm), * a rim is hit; a / R0 = " + ", ".join(f"{a:.2f}" for a in SHAPES),
+    lines += ["Scale: of the record as a whole, before matching. Peaks: base displacement (mm), base shear / W_s, drifts of storeys 1 2 3 (mm), "
+              "* a rim is hit; a / R0 = " + ", ".join(f"{a:.2f}" for a in SHAPES),
               "GM  scale  " + "".join(f"| {a:4.2f}: u_b   V/W   drifts               " for a in SHAPES)]
     for n, (_, _, scale) in study.motions.items():
         row = f"{n:2d}  {scale:5.2f}  "
@@ -145,9 +147,11 @@ def five_shapes(study, lines, fails):
     for a in SHAPES:
         lines.append(f"Hit at a = {a:.2f} R0: " + (", ".join(f"GM{n}" for n in hits[a]) or "none"))
     at_hand = sorted(PRINTED_HITS & set(study.motions))
-    lines.append("The thesis, FPS:   " + ", ".join(f"GM{n}" for n in sorted(PRINTED_HITS)) + f" (at hand {', '.join(f'GM{n}' for n in at_hand)}); avoided by SH-FPS in GM4 and GM8, weaker in the others")
+    lines.append("The thesis, FPS:   " + ", ".join(f"GM{n}" for n in sorted(PRINTED_HITS)) + f" (at hand {', '.join(f'GM{n}' for n in at_hand)}); "
+                 "avoided by SH-FPS in GM4 and GM8, weaker in the others")
     both = sorted(set(hits[1.0]) & PRINTED_HITS)
-    lines.append(f"Of those at hand that hit in the thesis, hit here: {len(both)} of {len(at_hand)}; of the others, hit here: {len(set(hits[1.0]) - PRINTED_HITS)} of {len(study.motions) - len(at_hand)}")
+    lines.append(f"Of those at hand that hit in the thesis, hit here: {len(both)} of {len(at_hand)}; "
+                 f"of the others, hit here: {len(set(hits[1.0]) - PRINTED_HITS)} of {len(study.motions) - len(at_hand)}")
     worst = max(answers.values(), key=lambda r: r["imbalance"])["imbalance"]
     lines.append(f"Largest curvature ductility {max(r['ductility'] for r in answers.values()):.1f}; energy imbalance at most 1e-3: {'yes' if worst <= 1e-3 else 'no'}")
     for (n, a), r in answers.items():

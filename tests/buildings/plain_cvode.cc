@@ -1,12 +1,9 @@
 #include "plain_cvode.h"
 #include "impact_laws/catalogue.h"
+#include "reduced_models/sundials.h"
 #include <cmath>
-#include <cvode/cvode.h>
 #include <Eigen/LU>
-#include <nvector/nvector_serial.h>
 #include <stdexcept>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
 
 namespace rimpact::buildings {
 namespace {
@@ -97,8 +94,7 @@ int rhs(double t, N_Vector y, N_Vector dy, void *self) {
 PlainAnswer plain_cvode(const BuildingModel &model, const scene::Scene &scene, double tolerance) {
   PlainEquations equations(model, scene);
   const int size = equations.size(), n = model.n_dofs();
-  SUNContext context = nullptr;
-  SUNContext_Create(nullptr, &context);
+  SUNContext context = reduced::sundials_context();
   N_Vector y = N_VNew_Serial(size, context), scale = N_VNew_Serial(size, context), dy = N_VNew_Serial(size, context);
   N_VConst(0, y);
   const VectorXd start = static_displacements(model, scene.load.gravity);

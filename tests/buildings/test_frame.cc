@@ -133,7 +133,7 @@ TEST(Building, WeightStandsWhereItsMassDoes) {
   RegularBuilding b;
   b.x = {0, 3, 11, 16}, b.y = {0, 8}, b.storeys = {3.5};
   const double level = b.load * 16 * 8;
-  for (const Eigen::Vector2d off : {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.3, -0.1), Eigen::Vector2d(-0.45, 0.45)}) {
+  for (const Eigen::Vector2d &off : {Eigen::Vector2d(0, 0), Eigen::Vector2d(0.3, -0.1), Eigen::Vector2d(-0.45, 0.45)}) {
     b.eccentricity = off;
     const Frame f = make_frame(b);
     const VectorXd R = static_reactions(assemble(f), b.gravity);

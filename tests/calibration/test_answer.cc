@@ -65,7 +65,7 @@ TEST(Answer, IsTheContractsJsonAndItsFragmentFliesTheSame) {
   EXPECT_NEAR(*scene.reduced.fitted_from / 0.1, 1, 1e-3); // of the first sample pressed
   EXPECT_NEAR(*scene.reduced.fitted_to / 0.8, 1, 1e-3);
   EXPECT_FALSE(scene.reduced.fitted_mass);
-  EXPECT_EQ(scene.reduced.fitted_rim, json["rim_identity"]);
+  EXPECT_EQ(scene.reduced.fitted_rim, json["rim_identity"].get<std::string>());
   ASSERT_EQ(c.answer->table.size(), 5u);
   for (const auto &row : c.answer->table) {
     const auto truth = reduced::simulate(yielding(row.speed)).summary;

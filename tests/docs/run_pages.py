@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the tutorial, the guide and the examples as they are written, each in a folder of its own.
+"""Runs the README, the tutorial, the guide and the examples as they are written, each in a folder of its own.
 
 In a page a block of shell commands stands as ```sh; a block ```text right behind it is what they print. Numbers in it are met within 2 % (the last digit apart),
 words to the letter; a line `...` stands for any lines. Blocks ```sh slow are left out with --light: they need finite elements.
@@ -75,7 +75,8 @@ def unknown(body: str, light: bool) -> list[str]:
 
 
 def run_page(page: pathlib.Path, light: bool, folder: pathlib.Path) -> tuple[list[str], int]:
-    environment = {**os.environ, "RIMPACT_SOURCE": str(SOURCE), "PATH": f"{PROGRAM.parent}:/usr/bin:{os.environ['PATH']}", "RIMPACT_PROGRAM": str(PROGRAM), "MPLBACKEND": "Agg", "LANG": "C.UTF-8"}
+    environment = {**os.environ, "RIMPACT_SOURCE": str(SOURCE), "PATH": f"{PROGRAM.parent}:/usr/bin:{os.environ['PATH']}", "RIMPACT_PROGRAM": str(PROGRAM),
+                   "MPLBACKEND": "Agg", "LANG": "C.UTF-8"}
     printed: list[str] | None = None
     python, errors, n_run = "", list[str](), 0
     for kind, mark, body in BLOCK.findall(page.read_text(encoding="utf-8")):
@@ -110,19 +111,19 @@ def run_page(page: pathlib.Path, light: bool, folder: pathlib.Path) -> tuple[lis
 
 def main(*options: str) -> int:
     errors, n_run = list[str](), 0
-    pages = [SOURCE / "docs/tutorial.md", *sorted((SOURCE / "docs/guide").glob("*.md")), *sorted((SOURCE / "examples").glob("*/README.md"))]
+    pages = [SOURCE / "README.md", SOURCE / "docs/tutorial.md", *sorted((SOURCE / "docs/guide").glob("*.md")), *sorted((SOURCE / "examples").glob("*/README.md"))]
     if "--only" in options:
         pages = [SOURCE / options[options.index("--only") + 1]]
     for page in pages:
         with tempfile.TemporaryDirectory() as temporary:
             folder = pathlib.Path(temporary) / page.parent.name
-            if SOURCE / "docs" in page.parents:
+            if page.parent == SOURCE or SOURCE / "docs" in page.parents:
                 folder.mkdir()
             else:
                 shutil.copytree(page.parent, folder)
             found, n = run_page(page, "--light" in options, folder)
             errors, n_run = errors + found, n_run + n
-    print("\n".join(errors) or f"{n_run} blocks of tutorial, guide and examples print what they say")
+    print("\n".join(errors) or f"{n_run} blocks of README, tutorial, guide and examples print what they say")
     return 1 if errors or n_run < (1 if "--only" in options else 8) else 0
 
 

@@ -105,7 +105,7 @@ TEST(OwnMesh, StraightCellsGetTheirCurvatureBack) {
   EXPECT_LT(distance(own, built_in), 4e-3); // the layers above the socket, which lies 20 mm from its chord there
   HexMesh again = own;
   fit_to_surfaces(again, bearing, bearing.lateral_capacity(), "again");
-  EXPECT_LT(distance(again, own), 1e-12); // nothing left to move
+  EXPECT_LT(distance(again, own), 1e-9); // what counts as moved there
 }
 
 TEST(OwnMesh, DrawnAtRestInMillimetresUnderOtherNames) {

@@ -1,10 +1,9 @@
-"""The Debian package alone on a Debian that has nothing else: installed, walked and taken away without a trace.
+"""The Debian package alone on a system like this one that has nothing else: installed, walked and taken away without a trace.
 
 usage: fresh_root.py BUILD [PACKAGE.deb] (root and debootstrap are needed, else exit 77: skipped)
 
 Inside: version, man page, completion, Python's import, the main job on the coarsest mesh, the tutorial and four examples as their
 pages say, `apt-get purge`. What is installed from Debian is what the package depends on, and man-db."""
-import contextlib
 import glob
 import os
 import pathlib
@@ -13,60 +12,16 @@ import subprocess
 import sys
 import tempfile
 
+from debian_root import Inside, bare_root, call, own_suite, skip_unless_possible
+
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
-MIRROR = os.environ.get("RIMPACT_MIRROR", "http://deb.debian.org/debian")
-PLACES = ("proc", "dev/pts", "dev/shm")
 PAGES = ("docs/tutorial.md", "examples/own-rim/README.md", "examples/record/README.md", "examples/laboratory-curve/README.md", "examples/ida/README.md")
 DOCUMENTS = "/usr/share/doc/rimpact"
 
 
-def skip(why):
-    print(f"skipped: {why}")
-    sys.exit(77)
-
-
-def call(*command, **more):
-    subprocess.run([str(word) for word in command], check=True, **more)
-
-
 def package_of(build, folder):
-    call("cpack", "-G", "DEB", "--config", f"{build}/CPackConfig.cmake", "-B", folder, stdout=subprocess.DEVNULL)
+    call("cpack", "-G", "DEB", "--config", f"{build}/CPackConfig.cmake", "-B", folder, output=subprocess.DEVNULL)
     return glob.glob(f"{folder}/*.deb")[0]
-
-
-@contextlib.contextmanager
-def debian():
-    """A root with Debian 12's smallest system, gone afterwards."""
-    root = pathlib.Path(tempfile.mkdtemp(prefix="rimpact-root-"))
-    try:
-        call("debootstrap", "--variant=minbase", "bookworm", root, MIRROR, stdout=subprocess.DEVNULL)
-        for file in ("resolv.conf", "hosts"):
-            shutil.copy(f"/etc/{file}", root / "etc" / file)
-        for file in glob.glob("/etc/apt/apt.conf.d/*"):  # proxies and the like
-            shutil.copy(file, root / "etc/apt/apt.conf.d")
-        for place in PLACES:
-            call("mount", "--bind", f"/{place}", root / place)
-        yield root
-    finally:
-        for place in reversed(PLACES):
-            subprocess.run(["umount", str(root / place)], check=False, stderr=subprocess.DEVNULL)
-        if not any(os.path.ismount(root / place) for place in PLACES):
-            shutil.rmtree(root)
-
-
-class Inside:
-    def __init__(self, root):
-        self.root, self.failures = root, []
-
-    def __call__(self, what, command, holds=""):
-        environment = {"PATH": "/usr/sbin:/usr/bin:/sbin:/bin", "HOME": "/root", "LANG": "C.UTF-8", "DEBIAN_FRONTEND": "noninteractive", "MANPAGER": "cat"}
-        done = subprocess.run(["chroot", self.root, "sh", "-c", command], capture_output=True, text=True, check=False, env=environment)
-        good = done.returncode == 0 and holds in done.stdout + done.stderr
-        print(("ok      " if good else "FAILED  ") + what, flush=True)
-        if not good:
-            self.failures.append(what)
-            print((done.stdout + done.stderr)[-1500:])
-        return good
 
 
 def walk(inside):
@@ -81,9 +36,8 @@ def walk(inside):
 
 def main():
     build, given = sys.argv[1], sys.argv[2:]
-    if os.geteuid() != 0 or not shutil.which("debootstrap"):
-        skip("root and debootstrap are needed")
-    with tempfile.TemporaryDirectory(prefix="rimpact-deb-") as folder, debian() as root:
+    skip_unless_possible()
+    with tempfile.TemporaryDirectory(prefix="rimpact-deb-") as folder, bare_root(own_suite()) as root:
         shutil.copy(given[0] if given else package_of(build, folder), root / "rimpact.deb")
         shutil.copy(SOURCE / "tests/docs/run_pages.py", root / "tmp")
         inside = Inside(root)

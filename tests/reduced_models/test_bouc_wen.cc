@@ -50,7 +50,7 @@ TEST(BoucWen, TheSameInEveryDirection) {
 
 TEST(BoucWen, SlopesAgainstDifferences) {
   for (const double exponent : {1.0, 1.6, 2.0, 7.0})
-    for (const Vector2d v : {Vector2d(0.4, 0.2), Vector2d(-0.4, 0.1)}) {
+    for (const Vector2d &v : {Vector2d(0.4, 0.2), Vector2d(-0.4, 0.1)}) {
       const BoucWen law{.yield = 0.01, .exponent = exponent, .beta = 0.7};
       const Vector2d z{0.6, -0.35};
       const auto r = law.rate_and_slopes(z, v);

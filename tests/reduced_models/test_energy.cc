@@ -37,8 +37,6 @@ std::vector<Case> cases() {
 
 class Ledger : public ::testing::TestWithParam<Case> {};
 
-} // namespace
-
 TEST_P(Ledger, Closes) {
   scene::Scene s = ricker(1.4, 12);
   GetParam().change(s);
@@ -61,6 +59,8 @@ TEST_P(Ledger, Closes) {
   }
 }
 INSTANTIATE_TEST_SUITE_P(Hard, Ledger, ::testing::ValuesIn(cases()), [](const auto &info) { return info.param.name; });
+
+} // namespace
 
 TEST(Ledger, RimDissipatesWhatRestitutionSays) {
   const auto summary = simulate_summary(window(0.3));

@@ -9,21 +9,6 @@ using namespace rimpact;
 using namespace rimpact::reduced;
 using namespace rimpact::reduced::testing;
 
-namespace {
-
-std::string refusal(const std::function<void(scene::Scene &)> &spoil) {
-  scene::Scene s = ricker();
-  spoil(s);
-  try {
-    simulate(s);
-  } catch (const InputError &e) {
-    return e.what();
-  }
-  return "accepted";
-}
-
-} // namespace
-
 TEST(Input, UnknownNamesListTheKnown) {
   try {
     laws::impact_law("sign");

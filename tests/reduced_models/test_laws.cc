@@ -74,7 +74,6 @@ TEST(ImpactLaws, ElastoplasticByItsOwnFormula) {
   const auto rim = element("elastoplastic");
   const double k = rim.stiffness, Fy = rim.yield_force;
   EXPECT_NEAR(rim.at({1e-9, 0.1}).d_penetration, k, 1e-4 * k);
-  const double x = k * 0.2 / rim.yield_force;
   const double knee = Fy / (0.92 * k), far = k * 0.2 / Fy; // the knee's term has 1 / sqrt 2 of F_y there
   EXPECT_NEAR(rim.at({knee, 0.1}).force, Fy / std::sqrt(2.0) + 0.08 * Fy * (std::pow(1 + 1 / 0.92, 0.7) - 1) / 0.7,
               1e-9 * Fy);

@@ -1,22 +1,31 @@
 // What one Newton iteration of a bearing at its rim costs, counted: the same on every machine. `bench_work [MESH...]`,
 // alone or under mpirun; the seconds beside the counts are this machine's. Of several ranks the busiest one's share
-// is what the others wait for. The error is the residual that GMRES leaves in double precision.
+// is what the others wait for. The error is the residual that GMRES leaves in double precision. `of sgemm`: what an
+// operation of the factor costs in operations of a plain dense product on one thread here; far above 3, the factor is
+// held up (threads that spin, a slow BLAS).
 #include "fe_contact/rungs/bearing_model.h"
 #include "fe_contact/rungs/catalogue.h"
 #include "fe_contact/solver/ranks.h"
 #include "fe_contact/solver/stopwatch.h"
-#include <cstdlib>
+#include "files/library_threads.h"
+#include <algorithm>
 #include <fmt/core.h>
 #include <petscsys.h>
 #include <stdexcept>
+#include <string>
+#include <vector>
 
 using namespace rimpact;
+
+extern "C" void sgemm_(const char *trans_a, const char *trans_b, const int *m, const int *n, const int *k,
+                       const float *alpha, const float *a, const int *lda, const float *b, const int *ldb,
+                       const float *beta, float *c, const int *ldc);
 
 namespace {
 
 constexpr auto head =
     "rung       mesh ranks unknowns  cells  matrix M  busiest  factor M  busiest    Gflop  busiest GMRES assemb s "
-    "factor s  solve s    error";
+    "factor s  solve s    error of sgemm";
 constexpr double overlap = 5e-4; ///< of slider and rim [m]
 constexpr double dt = 2e-4;      ///< a step in contact [s]
 constexpr double mass = 80e3;    ///< [kg]
@@ -40,7 +49,25 @@ double largest(double value) {
   return one[0];
 }
 
-void measure(const fe::Rung &rung, const std::string &name, int mesh) {
+/// Of an operation of a dense product in single precision [s]; the best of three, each of some tenths of a second.
+double dense_operation() {
+  const int n = 1500;
+  const float one = 1, none = 0;
+  const std::vector<float> a(n * n, 1), b(n * n, 0.5f);
+  std::vector<float> c(n * n);
+  double best = 1e300;
+  for (int i = 0; i < 3; ++i) {
+    double seconds = 0;
+    {
+      const fe::Stopwatch watch(seconds);
+      sgemm_("N", "N", &n, &n, &n, &one, a.data(), &n, b.data(), &n, &none, c.data(), &n);
+    }
+    best = std::min(best, seconds);
+  }
+  return best / (2.0 * n * n * n);
+}
+
+void measure(const fe::Rung &rung, const std::string &name, int mesh, double dense) {
   const fe::BearingModel model(rung, scene::Bearing{}, {.level = mesh, .rim = true});
   fe::BearingSystem system(model, mass);
   const fe::SystemState state = at_the_rim(system);
@@ -74,21 +101,23 @@ void measure(const fe::Rung &rung, const std::string &name, int mesh) {
   };
   const std::string counts = both(1e-6 * own.handed_in) + both(1e-6 * own.entries) + both(1e-9 * own.operations);
   if (fe::ranks().first())
-    fmt::print("{:10} {:4} {:5} {:8} {:6} {} {:5} {:8.3f} {:8.3f} {:8.3f} {:8.0e}\n", name, mesh, fe::ranks().size,
-               system.equations().n, model.space.n_cells, counts, system.solver().last_iterations(), assembly, factor,
-               solve, relative);
+    fmt::print("{:10} {:4} {:5} {:8} {:6} {} {:5} {:8.3f} {:8.3f} {:8.3f} {:8.0e} {:8.1f}\n", name, mesh,
+               fe::ranks().size, system.equations().n, model.space.n_cells, counts, system.solver().last_iterations(),
+               assembly, factor, solve, relative, factor / (own.operations * dense));
 }
 
 } // namespace
 
 int main(int argc, char **argv) {
+  begin_with_one_library_thread(argv); // as rimpact-fe does
   PetscInitialize(nullptr, nullptr, nullptr, nullptr);
   std::vector<int> meshes;
-  for (int i = 1; i < argc; ++i) meshes.push_back(std::atoi(argv[i]));
+  for (int i = 1; i < argc; ++i) meshes.push_back(std::stoi(argv[i]));
   if (meshes.empty()) meshes = {0, 1};
   if (fe::ranks().first()) fmt::print("{}\n", head);
+  const double dense = dense_operation();
   for (const auto &[rung, name] :
        {std::pair{&fe::rungs::rim, "rim"}, {&fe::rungs::rigid_dish, "rigid-dish"}, {&fe::rungs::full, "full"}})
-    for (const int mesh : meshes) measure(*rung, name, mesh);
+    for (const int mesh : meshes) measure(*rung, name, mesh, dense);
   PetscFinalize();
 }

@@ -5,8 +5,8 @@
 
 A sample of the study's runs (one Latin hypercube point a motion, every N-th system) is run on one thread; processor time a run times the
 study's runs (30 motions a level, as the table lists them) is the estimate. `error`: largest relative change of a response (of a residual
-displacement: over the peak), over runs of one system in N, when the integrator's tolerance is a thousand times tighter. --against: the same sample by another program, ratio of times and
-largest change of any response.
+displacement: over the peak), over runs of one system in N, when the integrator's tolerance is a thousand times tighter. --against: the
+same sample by another program, ratio of times and largest change of any response.
 """
 import argparse
 import csv

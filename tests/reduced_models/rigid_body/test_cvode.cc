@@ -1,13 +1,10 @@
 // The rigid-body stepper against SUNDIALS CVODE: the same forces as one plain differential equation (Park-Wen
 // friction, Bouc-Wen storey), other integrator, no analytic tangent, no implicit stages of the states.
 #include "reduced_models/rigid_body/double_concave_system.h"
+#include "reduced_models/sundials.h"
 #include "scenes.h"
-#include <cvode/cvode.h>
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
-#include <nvector/nvector_serial.h>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
 
 namespace rimpact::reduced::testing {
 namespace {
@@ -106,8 +103,7 @@ struct Peaks {
 
 Peaks by_cvode(const scene::Scene &scene) {
   PlanarEquations equations(scene);
-  SUNContext context = nullptr;
-  SUNContext_Create(nullptr, &context);
+  SUNContext context = sundials_context();
   const int n = equations.size();
   N_Vector y = N_VNew_Serial(n, context), dy = N_VNew_Serial(n, context);
   equations.start(N_VGetArrayPointer(y));
@@ -165,7 +161,9 @@ void expect_same(const scene::Scene &scene) {
   EXPECT_GE(own.summary.impacts.size(), 1u);
   EXPECT_NEAR(own.summary.peak_displacement / other.displacement, 1, 1e-4);
   EXPECT_NEAR(own.summary.peak_lateral_force / other.force, 1, 1e-3);
-  if (scene.superstructure.any()) EXPECT_NEAR(own.summary.extra["peak_drift_m"].get<double>() / other.drift, 1, 1e-3);
+  if (scene.superstructure.any()) {
+    EXPECT_NEAR(own.summary.extra["peak_drift_m"].get<double>() / other.drift, 1, 1e-3);
+  }
 }
 
 TEST(RigidBodyCvode, DoubleConcave) {

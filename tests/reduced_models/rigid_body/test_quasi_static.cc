@@ -22,8 +22,9 @@ TEST(DoubleConcaveLoop, LowFrictionSlidingIsAtTheEffectiveFriction) {
     for (std::size_t i = 1; i < u.size(); ++i) {
       const double sense = loop.sense, expected = loop.move(u[i]);
       since_turn = sense == loop.sense ? since_turn + std::abs(u[i] - u[i - 1]) : 0;
-      if (since_turn > settled)
+      if (since_turn > settled) {
         ASSERT_NEAR(-F[i] / scene.load.vertical, expected, 1e-4) << word(model) << " u " << u[i];
+      }
     }
     EXPECT_EQ(run.summary.impacts.size(), 0u);
   }
@@ -60,8 +61,9 @@ TEST(DoubleConcaveLoop, UnequalPlatesSlideTogetherAtTheFrictionWeightedByTheirRa
       for (std::size_t i = 1; i < u.size(); ++i) {
         const double sense = loop.sense, expected = loop.move(u[i]);
         since_turn = sense == loop.sense ? since_turn + std::abs(u[i] - u[i - 1]) : 0;
-        if (since_turn > both_slide)
+        if (since_turn > both_slide) {
           ASSERT_NEAR(-F[i] / scene.load.vertical, expected, off) << word(model) << word(space) << " u " << u[i];
+        }
       }
     }
 }

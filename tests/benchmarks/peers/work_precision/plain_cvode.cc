@@ -1,12 +1,9 @@
 #include "problem.h"
+#include "reduced_models/sundials.h"
 #include <algorithm>
 #include <cmath>
 #include <ctime>
-#include <cvode/cvode.h>
-#include <nvector/nvector_serial.h>
 #include <stdexcept>
-#include <sunlinsol/sunlinsol_dense.h>
-#include <sunmatrix/sunmatrix_dense.h>
 
 namespace rimpact::work_precision {
 namespace {
@@ -31,8 +28,7 @@ void check(int flag) {
 Solution plain_cvode(const Problem &problem, double tolerance) {
   const std::clock_t begin = std::clock();
   Call call{problem, scene::GroundMotion(problem.excitation, problem.gravity)};
-  SUNContext context;
-  SUNContext_Create(nullptr, &context);
+  SUNContext context = reduced::sundials_context();
   N_Vector y = N_VNew_Serial(6, context);
   N_VConst(0.0, y);
   SUNMatrix matrix = SUNDenseMatrix(6, 6, context);
