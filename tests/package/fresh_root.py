@@ -1,6 +1,6 @@
 """The Debian package alone on a system like this one that has nothing else: installed, walked and taken away without a trace.
 
-usage: fresh_root.py BUILD [PACKAGE.deb] (root and debootstrap are needed, else exit 77: skipped)
+usage: fresh_root.py BUILD [PACKAGE.deb [SUITE]] (root and debootstrap are needed, else exit 77: skipped)
 
 Inside: version, man page, completion, Python's import, the main job on the coarsest mesh, the tutorial and four examples as their
 pages say, `apt-get purge`. What is installed from Debian is what the package depends on, and man-db."""
@@ -37,7 +37,7 @@ def walk(inside):
 def main():
     build, given = sys.argv[1], sys.argv[2:]
     skip_unless_possible()
-    with tempfile.TemporaryDirectory(prefix="rimpact-deb-") as folder, bare_root(own_suite()) as root:
+    with tempfile.TemporaryDirectory(prefix="rimpact-deb-") as folder, bare_root(given[1] if len(given) > 1 else own_suite()) as root:
         shutil.copy(given[0] if given else package_of(build, folder), root / "rimpact.deb")
         shutil.copy(SOURCE / "tests/docs/run_pages.py", root / "tmp")
         inside = Inside(root)

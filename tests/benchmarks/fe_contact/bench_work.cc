@@ -1,8 +1,8 @@
 // What one Newton iteration of a bearing at its rim costs, counted: the same on every machine. `bench_work [MESH...]`,
 // alone or under mpirun; the seconds beside the counts are this machine's. Of several ranks the busiest one's share
 // is what the others wait for. The error is the residual that GMRES leaves in double precision. `of sgemm`: what an
-// operation of the factor costs in operations of a plain dense product on one thread here; far above 3, the factor is
-// held up (threads that spin, a slow BLAS).
+// operation of the factor costs in operations of a plain dense product on one thread here: 9 for the smallest factor, 3
+// for a large one. Far above, the factor is held up (threads that spin, a slow BLAS).
 #include "fe_contact/rungs/bearing_model.h"
 #include "fe_contact/rungs/catalogue.h"
 #include "fe_contact/solver/ranks.h"
