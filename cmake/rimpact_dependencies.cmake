@@ -1,4 +1,4 @@
-# Third-party packages, all from Debian 12, Debian 13 or Ubuntu 24.04 (cmake/install.sh has their names). What differs between versions of
+# Third-party packages, all from Debian 12 or 13 (cmake/install.sh has their names). What differs between versions of
 # one is found out here and adapted by one header: reduced_models/sundials.h.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
 find_package(fmt REQUIRED)
