@@ -2,6 +2,7 @@
 
 #include "files/error.h"
 #include "meshes/gmsh_session.h"
+#include <algorithm>
 #include <cmath>
 
 namespace rimpact::meshes {
