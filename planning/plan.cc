@@ -4,6 +4,7 @@
 #include "files/error.h"
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 

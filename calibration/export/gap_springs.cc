@@ -1,4 +1,5 @@
 #include "calibration/export/gap_springs.h"
+#include <algorithm>
 #include <ceres/ceres.h>
 #include <fmt/format.h>
 

@@ -2,6 +2,7 @@
 #include "fe_contact/engine/surface_contact.h"
 
 #include "fe_contact/solver/ranks.h"
+#include <algorithm>
 #include <set>
 
 namespace rimpact::fe {

@@ -1,6 +1,7 @@
 // What a step leaves to the next: cover, multipliers, the work done.
 #include "fe_contact/engine/surface_contact.h"
 
+#include <algorithm>
 #include <Eigen/QR>
 #include <stdexcept>
 

@@ -1,6 +1,7 @@
 #include "fe_contact/solver/flexible_gmres.h"
 
 #include "fe_contact/solver/ranks.h"
+#include <algorithm>
 #include <petscksp.h>
 #include <stdexcept>
 

@@ -1,6 +1,7 @@
 /// Symmetric sparse matrix, upper triangle by rows (CSR), with a pattern that is fixed until it is rebuilt.
 /// An entry outside the pattern is an error in every build: nothing is dropped in silence.
 #pragma once
+#include <algorithm>
 #include <Eigen/Core>
 #include <vector>
 

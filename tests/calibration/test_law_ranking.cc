@@ -3,6 +3,7 @@
 #include "calibration/laws/speed_law.h"
 #include "files/error.h"
 #include "synthetic.h"
+#include <algorithm>
 #include <gtest/gtest.h>
 
 namespace rimpact::calibration {

@@ -3,6 +3,7 @@
 #include "fe_contact/engine/master_faces.h"
 #include "fe_contact/rungs/catalogue.h"
 #include "planning/plan.h"
+#include <algorithm>
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 

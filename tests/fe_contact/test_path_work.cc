@@ -1,5 +1,6 @@
 // The work along a path: exact for parabolas, a chord where it turns, bounded at kinks, of third order.
 #include "fe_contact/drive/path_work.h"
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>

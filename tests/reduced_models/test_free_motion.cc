@@ -2,6 +2,7 @@
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
 #include "scenes.h"
+#include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace rimpact;

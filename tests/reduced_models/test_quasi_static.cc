@@ -4,6 +4,7 @@
 #include "reduced_models/physical_model.h"
 #include "reduced_models/riding_height.h"
 #include "scenes.h"
+#include <algorithm>
 #include <gtest/gtest.h>
 
 using namespace rimpact;

@@ -5,6 +5,7 @@
 #include "risk/campaign.h"
 #include "risk/collect.h"
 #include "risk/plan.h"
+#include <algorithm>
 #include <filesystem>
 #include <set>
 

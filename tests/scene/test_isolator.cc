@@ -1,6 +1,7 @@
 // [isolator]: what cannot be built is refused with its place, its value and its bound.
 #include "expect_error.h"
 #include "scene/scene.h"
+#include <algorithm>
 
 namespace {
 using namespace rimpact;

@@ -3,6 +3,7 @@
 #include "reduced_models/rigid_body/double_concave_system.h"
 #include "reduced_models/sundials.h"
 #include "scenes.h"
+#include <algorithm>
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
 

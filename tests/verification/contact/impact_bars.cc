@@ -2,6 +2,7 @@
 // conservative potential; steps are cut by their energy error, so a rebound is physics, not the integrator's.
 #include "setups.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
