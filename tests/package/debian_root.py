@@ -48,6 +48,7 @@ def mounted_in(root: pathlib.Path) -> list[str]:
 def bare_root(suite: str) -> Iterator[pathlib.Path]:
     """A root with the suite's smallest system, gone afterwards."""
     root = pathlib.Path(tempfile.mkdtemp(prefix=f"rimpact-{suite}-"))
+    root.chmod(0o755)  # users other than root live there, too
     try:
         call("debootstrap", *words_for(suite, root), output=subprocess.DEVNULL)
         for file in filter(os.path.exists, FROM_HERE):
