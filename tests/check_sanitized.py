@@ -12,8 +12,7 @@ import tempfile
 
 PROGRAMS = ("test_scene", "test_reduced_models", "test_buildings", "test_calibration")
 SANITIZERS = "address,undefined"
-SETTINGS = ("-DCMAKE_BUILD_TYPE=Debug", "-DCMAKE_CXX_FLAGS_DEBUG=-O1 -g1", f"-DRIMPACT_SANITIZE={SANITIZERS}", "-DRIMPACT_FE=OFF", "-DRIMPACT_NATIVE=OFF",
-            "-DRIMPACT_PYTHON=OFF", "-DRIMPACT_BENCHMARKS=OFF", "-DRIMPACT_UNITY=ON")
+SETTINGS = ("--preset", "asan", f"-DRIMPACT_SANITIZE={SANITIZERS}", "-DRIMPACT_FE=OFF", "-DRIMPACT_BENCHMARKS=OFF", "-DRIMPACT_UNITY=ON")
 ENVIRONMENT = {**os.environ, "ASAN_OPTIONS": "halt_on_error=1:detect_stack_use_after_return=1", "UBSAN_OPTIONS": "halt_on_error=1:print_stacktrace=1"}
 FAULT = re.compile(r"^.*(?:runtime error:|ERROR: \w+Sanitizer|SUMMARY: \w+Sanitizer).*$", re.MULTILINE)
 PLANTED = {"heap-buffer-overflow": "int main(int n, char **) { int *a = new int[2]{}; int b = a[n + 1]; delete[] a; return b; }",
@@ -41,7 +40,7 @@ def planted_faults_missed() -> list[str]:
 def built(root: pathlib.Path, programs: list[str]) -> list[str]:
     """What went wrong while the programs were built."""
     folder = str(root / "build/asan-reduced")
-    for words in (("cmake", "-S", str(root), "-B", folder, "-G", "Ninja", *SETTINGS),
+    for words in (("cmake", "-S", str(root), "-B", folder, *SETTINGS),
                   ("cmake", "--build", folder, "--parallel", str(min(2, os.cpu_count() or 1)), "--target", *programs)):
         done = run(*words)
         if done.returncode:

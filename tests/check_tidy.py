@@ -21,7 +21,7 @@ import time
 from collections.abc import Iterator
 
 import tidy_planted
-from pinned_tools import SKIPPED, pinned_tool, version_of
+from pinned_tools import SKIPPED, pinned_tool, pinned_version
 from tidy_database import Database, changed_files, sources_to_judge
 
 FINDING = re.compile(r"^(/\S+:\d+:\d+): (?:warning|error): (.*)$", re.MULTILINE)
@@ -49,7 +49,7 @@ def judged(tidy: str, database: Database, sources: list[pathlib.Path], until: fl
     """Each source with its findings, two at a time; None where the time was over."""
     clean = database.folder / "clean"
     clean.mkdir(exist_ok=True)
-    settings = (version_of(tidy), (database.root / ".clang-tidy").read_text(encoding="utf-8"))
+    settings = (pinned_version(database.root, "clang-tidy"), (database.root / ".clang-tidy").read_text(encoding="utf-8"))
 
     def one(source: pathlib.Path) -> tuple[pathlib.Path, set[str] | None]:
         mark = clean / database.key(source, *settings)

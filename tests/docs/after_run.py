@@ -22,20 +22,19 @@ def made(build: pathlib.Path) -> set[pathlib.Path]:
     return {file for file in files if file.is_file() and build in file.parents}
 
 
-def staged(source: pathlib.Path, build: pathlib.Path, root: pathlib.Path) -> pathlib.Path:
-    """The source tree, by links, around such a build folder."""
+def staged(source: pathlib.Path, build: pathlib.Path, there: set[pathlib.Path], root: pathlib.Path) -> pathlib.Path:
+    """The source tree, by links, around a build folder with what is `there`."""
     root.mkdir()
     for entry in source.iterdir():
         if entry.name not in ("build", "results", ".git"):
             (root / entry.name).symlink_to(entry)
     inside = root / build.relative_to(source)
-    for file in made(build):
+    for file in there:
         if file.relative_to(build).parts[0] in WHOLE:
             continue
         at = inside / file.relative_to(build)
         at.parent.mkdir(parents=True, exist_ok=True)
-        if not at.exists():
-            os.link(file, at)
+        os.link(file, at)
     for name in WHOLE:
         (inside / name).symlink_to(build / name)
     for file in (build / "python/rimpact").glob("*.py"):  # links that configuring makes
@@ -43,9 +42,8 @@ def staged(source: pathlib.Path, build: pathlib.Path, root: pathlib.Path) -> pat
     return inside
 
 
-def not_made(build: pathlib.Path) -> list[str]:
+def not_made(build: pathlib.Path, there: set[pathlib.Path]) -> list[str]:
     """What `cmake --install` takes from the build folder and ./run does not make."""
-    there = made(build)
     scripts = "\n".join(file.read_text(encoding="utf-8") for file in build.glob("**/cmake_install.cmake") if "_deps" not in file.parts)
     wanted = {pathlib.Path(each) for each in re.findall(r'"(' + re.escape(str(build)) + r'/[^"$]+)"', scripts)}
     wanted = {each for each in wanted if each.suffix not in (".cmake", ".txt") and each.relative_to(build).parts[0] not in WHOLE}
@@ -55,9 +53,10 @@ def not_made(build: pathlib.Path) -> list[str]:
 
 
 def main(source: pathlib.Path, build: pathlib.Path) -> int:
-    faults = [f"cmake --install needs {each}, which ./run does not make" for each in not_made(build)]
+    there = made(build)
+    faults = [f"cmake --install needs {each}, which ./run does not make" for each in not_made(build, there)]
     with tempfile.TemporaryDirectory() as folder:
-        inside = staged(source, build, pathlib.Path(folder) / "rimpact")
+        inside = staged(source, build, there, pathlib.Path(folder) / "rimpact")
         environment = {**os.environ, "RIMPACT": str(inside / "bin/rimpact"), "RIMPACT_SOURCE": str(source), "PYTHONPATH": str(inside / "python")}
         for page in PAGES:
             done = subprocess.run([sys.executable, str(source / "tests/docs/run_pages.py"), "--light", "--only", page], env=environment, capture_output=True, text=True)

@@ -6,21 +6,12 @@ usage: bare_root.py SUITE [--tests] [--cache FOLDER] (bookworm, trixie, noble; r
 """
 import pathlib
 import sys
-import time
-from collections.abc import Callable
 
 from debian_root import Inside, bare_root, call, skip_unless_possible
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 HERE = str(SOURCE)  # the same place as here, so that kept compilations serve
 PAGES = ("README.md", "docs/tutorial.md")
-
-
-def timed(what: str, work: Callable[[], str]) -> str:
-    begin = time.monotonic()
-    said = work()
-    print(f"        {what}: {(time.monotonic() - begin) / 60:.1f} min", flush=True)
-    return said
 
 
 def kept(root: pathlib.Path, cache: str) -> dict[str, str]:
@@ -36,8 +27,8 @@ def walk(inside: Inside) -> None:
     program = f"{HERE}/build/release/bin/rimpact"
     inside("it says its version and its threads", f"{program} version", "OpenMP threads  1")
     for page in PAGES:
-        timed(page, lambda page=page: inside(f"{page} as it says, finite elements too",  # type: ignore[misc]
-              f"cd /tmp && RIMPACT={program} RIMPACT_SOURCE={HERE} PYTHONPATH={HERE}/build/release/python python3 {HERE}/tests/docs/run_pages.py --only {page}"))
+        inside(f"{page} as it says, finite elements too",
+               f"cd /tmp && RIMPACT={program} RIMPACT_SOURCE={HERE} PYTHONPATH={HERE}/build/release/python python3 {HERE}/tests/docs/run_pages.py --only {page}")
     inside("cmake --install", f"cmake --install {HERE}/build/release --prefix /opt/rimpact && test -s /opt/rimpact/share/man/man1/rimpact-run.1")
     inside("the installed program and its Python", "cd /tmp && /opt/rimpact/bin/rimpact list bearings && PYTHONPATH=/opt/rimpact/lib/python3/dist-packages "
            "python3 -c \"import rimpact; print(len(rimpact.run_reduced('impact-window').impacts))\"", "1")
@@ -49,10 +40,10 @@ def main(suite: str, *options: str) -> int:
         call("git", "clone", "-q", SOURCE, root / HERE[1:])
         cache = options[options.index("--cache") + 1] if "--cache" in options else ""
         inside = Inside(root, **kept(root, cache) if cache else {})
-        timed("./run", lambda: inside("./run", f"cd {HERE} && ./run", "report.html"))
+        inside("./run", f"cd {HERE} && ./run", "report.html")
         walk(inside)
         if "--tests" in options:
-            said = timed("./test", lambda: inside("./test", f"cd {HERE} && ./test"))
+            said = inside("./test", f"cd {HERE} && ./test")
             print(said[said.rfind("tests passed") - 8:])
     print(f"{suite}: {len(inside.failures)} failures")
     return bool(inside.failures)

@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import tempfile
+import time
 from collections.abc import Iterator
 
 MIRRORS = {"noble": "http://archive.ubuntu.com/ubuntu"}
@@ -65,7 +66,7 @@ def bare_root(suite: str) -> Iterator[pathlib.Path]:
 
 
 class Inside:
-    """Runs commands in a root, says how each went, and counts those that did not."""
+    """Runs commands in a root, says how each went and how long it took, and keeps those that did not."""
 
     def __init__(self, root: pathlib.Path, **environment: str) -> None:
         self.root, self.failures = root, list[str]()
@@ -73,10 +74,11 @@ class Inside:
 
     def __call__(self, what: str, command: str, holds: str = "") -> str:
         """What the command prints. It has to end well, and to print what `holds` says."""
+        begin = time.monotonic()
         done = subprocess.run(["chroot", str(self.root), "sh", "-c", command], capture_output=True, text=True, check=False, env=self.environment)
         said = done.stdout + done.stderr
         good = done.returncode == 0 and holds in said
-        print(("ok      " if good else "FAILED  ") + what, flush=True)
+        print(f"{'ok      ' if good else 'FAILED  '}{what} ({(time.monotonic() - begin) / 60:.1f} min)", flush=True)
         if not good:
             self.failures.append(what)
             print(said[-3000:], flush=True)
