@@ -9,7 +9,6 @@ namespace {
 constexpr const char *run_name = "run", *run_help = "run a scene by finite elements";
 constexpr const char *mesh_name = "mesh", *mesh_help = "mesh a bearing into a .msh file";
 constexpr const char *curve_name = "curve", *curve_help = "push a bearing's rim once for every speed";
-constexpr const char *version_name = "version", *version_help = "versions of the libraries in use";
 
 } // namespace
 
@@ -36,7 +35,7 @@ const std::vector<Verb> &light_verbs() {
       {"list", add_list},
       {"help", add_help},
       {"completion", add_completion},
-      {"version", [](CLI::App &app, Console &) { app.add_subcommand(version_name, version_help); }}};
+      {"version", add_version}};
   return verbs;
 }
 

@@ -3,6 +3,7 @@
 #include "app/command_tree.h"
 #include "app/verb.h"
 #include "fe_contact/drive/run.h"
+#include "fe_contact/solver/ranks.h"
 #include "files/library_threads.h"
 
 #include <chrono>
@@ -35,6 +36,7 @@ void leave_together(MPI_Comm comm, int code) {
 
 int main(int argc, char **argv) {
   rimpact::begin_with_one_library_thread(argv);
+  rimpact::fe::start_mpi_alone_unless_launched();
   // PETSc would take options of its own from the command line, the environment and .petscrc files, some of which run
   // programs: it gets none of them.
   unsetenv("PETSC_OPTIONS");

@@ -14,7 +14,7 @@ int main(int argc, char **argv) {
   ask_for_one_library_thread(); // of every program started from here
   static const std::set<std::string> elsewhere{"run", "mesh", "curve", "version"};
   auto line = app::without_help(argc, argv);
-  if (line.size() > 1 && elsewhere.count(line[1])) {
+  if (line.size() > 1 && elsewhere.count(line[1]) && (line[1] != "version" || app::has_fe_program())) {
     try {
       std::vector<std::string> words(line.begin() + 1, line.end());
       if (words[0] == "run") {

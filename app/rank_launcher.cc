@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <fcntl.h>
+#include <filesystem>
 #include <fmt/format.h>
 #include <thread>
 #include <unistd.h>
@@ -37,6 +38,25 @@ int number_of_ranks(const std::string &text) {
     throw InputError(fmt::format("--ranks {} must be a whole number from 1 to {}, the processors here", text, most));
   return n;
 }
+
+/// Where mpirun keeps what its ranks share. Left to itself, Open MPI 4 takes one folder for all runs of a user, and
+/// removes it under the feet of a run that begins.
+class SessionFolder {
+public:
+  SessionFolder() {
+    if (!mkdtemp(path_.data()))
+      throw IoError("no folder can be made in " + std::filesystem::temp_directory_path().string());
+  }
+  ~SessionFolder() {
+    std::error_code none;
+    std::filesystem::remove_all(path_, none);
+  }
+  SessionFolder(const SessionFolder &) = delete;
+  std::string variable() const { return "TMPDIR=" + path_; }
+
+private:
+  std::string path_ = (std::filesystem::temp_directory_path() / "rimpact-XXXXXX").string();
+};
 
 } // namespace
 
@@ -74,11 +94,13 @@ int usual_ranks(const std::vector<std::string> &words) {
 }
 
 int run_on_ranks(int n_ranks, const std::string &program, const std::vector<std::string> &words) {
+  const SessionFolder folder;
   Launch launch{.command = {"/usr/bin/env", "mpirun", "--use-hwthread-cpus", "-np", std::to_string(n_ranks), program},
                 .apart = true,
                 .when_killed = SIGKILL};
   launch.command.insert(launch.command.end(), words.begin(), words.end());
-  launch.environment = {"OMPI_MCA_orte_execute_quiet=1"}; // Open MPI 4's own words on a rank that ends; 5 has none
+  launch.environment = {folder.variable(),
+                        "OMPI_MCA_orte_execute_quiet=1"}; // Open MPI 4's own words on a rank that ends; 5 has none
   if (geteuid() == 0)
     launch.environment.insert(launch.environment.end(),
                               {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"});

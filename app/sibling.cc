@@ -50,9 +50,13 @@ std::string sibling(const std::string &name) {
   return (std::filesystem::path(program_folder()) / name).string();
 }
 
+bool has_fe_program() {
+  return access(sibling("rimpact-fe").c_str(), X_OK) == 0;
+}
+
 std::string fe_program() {
   std::string program = sibling("rimpact-fe");
-  if (access(program.c_str(), X_OK) != 0)
+  if (!has_fe_program())
     throw InputError("this rimpact has no finite-element side (" + program +
                      " is missing), as none has from pip; ./run in the source tree builds one with it, and the Debian "
                      "package brings it");

@@ -10,6 +10,7 @@ namespace rimpact::app {
 /// Path of a program in this executable's folder. RIMPACT_FE_PROGRAM replaces rimpact-fe (the tests'
 /// stand-in).
 std::string sibling(const std::string &name);
+bool has_fe_program();
 /// The finite-element program. Throws InputError when it was not built.
 std::string fe_program();
 /// Replaces this process by the finite-element program with these words. Throws as fe_program().

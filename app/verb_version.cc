@@ -1,6 +1,6 @@
 // rimpact version
+#include "app/library_versions.h"
 #include "app/verb.h"
-#include "fe_contact/drive/run.h"
 #include "files/json_text.h"
 #include "responses/identity.h"
 #include <fmt/format.h>
@@ -13,8 +13,9 @@ void add_version(CLI::App &app, Console &console) {
   console.add_json(*verb);
   verb->callback([&console] {
     nlohmann::ordered_json table{{"rimpact", RIMPACT_VERSION}, {"physics", physics_version()}};
-    for (const auto &[name, version] : fe::component_versions()) table[name] = version;
-    if (const std::string warning = fe::blas_warning(); !warning.empty()) console.warn(warning);
+    const LibraryVersions libraries = library_versions();
+    for (const auto &[name, version] : libraries.rows) table[name] = version;
+    if (!libraries.warning.empty()) console.warn(libraries.warning);
     if (console.json) return console.data(json_text(table));
     for (const auto &[name, version] : table.items())
       console.data(fmt::format("{:15s} {}\n", name, version.get<std::string>()));

@@ -21,7 +21,7 @@ math(EXPR last "${count} - 1")
 foreach(k RANGE ${last})
   string(JSON verb GET "${tree}" ${k} name)
   string(JSON what GET "${tree}" ${k} description)
-  if(FE OR NOT verb MATCHES "^(run|mesh|curve|version)$")
+  if(FE OR NOT verb MATCHES "^(run|mesh|curve)$")
     file(WRITE ${OUTPUT}/ask-${verb} "#!/bin/sh\nexec '${PROGRAM}' ${verb} \"$@\"\n")
     file(CHMOD ${OUTPUT}/ask-${verb} PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE)
     execute_process(COMMAND ${HELP2MAN} --no-info --section=1 "--name=${what}" --version-string=${VERSION} --output=${OUTPUT}/man/rimpact-${verb}.1

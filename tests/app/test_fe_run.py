@@ -186,6 +186,13 @@ class RimWindow(unittest.TestCase):
         table = json.loads(rimpact("version", "--json").stdout)
         self.assertEqual(set(table) & {"deal.II", "PETSc", "MUMPS", "SUNDIALS", "BLAS"}, {"deal.II", "PETSc", "MUMPS", "SUNDIALS", "BLAS"})
 
+    def test_a_run_on_its_own_needs_no_folder_of_mpi(self):
+        if " 4." not in subprocess.run(["mpirun", "--version"], capture_output=True, text=True, check=True).stdout.splitlines()[0]:
+            self.skipTest("Open MPI 5 makes a folder, and removes none that others use")
+        with tempfile.TemporaryDirectory() as folder:
+            run = rimpact("version", TMPDIR=folder)
+            self.assertEqual((run.returncode, os.listdir(folder)), (0, []), run.stderr)
+
 
 class Plan(unittest.TestCase):
     def plan(self, *arguments):

@@ -97,6 +97,7 @@ def walk(environment):
     references = environment.package / "share" / "rimpact" / "data" / "references"
     windows = [references / name for name in ("window-0.10", "window-0.20", "window-0.35")]
     environment("rimpact", "--version", holds="rimpact 0.")
+    environment("rimpact", "version", holds="finite elements none")
     environment("rimpact", "reduced", "ricker-0.78g-1.0s", "--set", "excitation.scale=1.05", "-o", "run", "--png")
     expect(any((environment.folder / "run").glob("*.png")), "the picture of a run is drawn by the environment's Python")
     environment("rimpact", "building", "ricker-0.78g-1.0s", "-o", "building")

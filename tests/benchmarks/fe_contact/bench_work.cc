@@ -110,6 +110,7 @@ void measure(const fe::Rung &rung, const std::string &name, int mesh, double den
 
 int main(int argc, char **argv) {
   begin_with_one_library_thread(argv); // as rimpact-fe does
+  fe::start_mpi_alone_unless_launched();
   PetscInitialize(nullptr, nullptr, nullptr, nullptr);
   std::vector<int> meshes;
   for (int i = 1; i < argc; ++i) meshes.push_back(std::stoi(argv[i]));

@@ -1,0 +1,10 @@
+#include "app/library_versions.h"
+#include "fe_contact/drive/run.h"
+
+namespace rimpact::app {
+
+LibraryVersions library_versions() {
+  return {fe::component_versions(), fe::blas_warning()};
+}
+
+} // namespace rimpact::app
