@@ -45,7 +45,7 @@ SUMMARY: Shape = {
     **texts("rung status reason"), "impacts": [IMPACT], "warnings": [TEXT], "energy": {"*": NUMBER},
     "time_split_s": {"*": NUMBER}, "collapsed": FLAG, "beyond_rim": FLAG, "beyond_fit": FLAG,
     "error_estimate": {"peak_force_relative": NUMBER, "sentence": TEXT, "none": TEXT},
-    "strain_limit": {"limit": NUMBER, "largest": NUMBER, "exceeded": FLAG, "assumption": FLAG},
+    "strain_limit": {"limit": NUMBER, "largest": NUMBER, "place": TEXT, "exceeded": FLAG, "assumption": FLAG},
     "building": {"bearings": [numbers("x_m y_m static_normal_force_N peak_displacement_m peak_force_N peak_impact_force_N impacts max_normal_force_N "
                                       "min_normal_force_N peak_uplift_m residual_displacement_m first_touch_s")],
                  "floors": [numbers("peak_displacement_m peak_drift_m peak_drift_x_m peak_drift_y_m peak_acceleration_m_s2 peak_shear_N")],
@@ -80,7 +80,7 @@ ANSWER: Shape = {
              **numbers("k_i_kN_per_m e c_i_kN_s_per_m mass_kg from_m_s to_m_s tolerance worst_peak_force_error "
                        "worst_rebound_error")},
     "strain": {**numbers("limit largest largest_speed_below_limit_m_s"), "limit_is_assumption": FLAG, "exceeded": FLAG,
-               "rows": [numbers("speed_m_s strain")], "sentence": TEXT},
+               "rows": [{**numbers("speed_m_s strain"), "place": TEXT}], **texts("sentence place crack_sentence slider_sentence")},
     "mesh_error": {"peak_force": NUMBER, "sentence": TEXT},
 }
 CALIBRATION: Shape = {

@@ -86,15 +86,26 @@ json beyond_fit(const scene::Scene &scene, Summary &summary) {
 json strain_limit(const scene::Scene &scene, Summary &summary) {
   const auto &limit = scene.bearing.steel.strain_limit;
   if (!limit || !summary.max_plastic_strain) return nullptr;
-  const double largest = *summary.max_plastic_strain;
+  const auto [largest, place] = judged_strain(summary.steel).value_or(JudgedStrain{*summary.max_plastic_strain, ""});
   const bool exceeded = largest > *limit,
              assumption = scene.bearing.assumed.keys.count("material.steel.strain_limit") > 0;
+  const std::string beyond =
+      fmt::format("above the {:g} % that the steel is trusted to (material.steel.strain_limit{})", 100 * *limit,
+                  assumption ? ", an assumption" : "");
   if (exceeded)
-    warn(summary, fmt::format("plastic strain reaches {:.1f} %, above the {:g} % that the steel is trusted to "
-                              "(material.steel.strain_limit{}): cracks, which "
-                              "no law here has, would change the force",
-                              100 * largest, 100 * *limit, assumption ? ", an assumption" : ""));
-  return {{"limit", *limit}, {"largest", largest}, {"exceeded", exceeded}, {"assumption", assumption}};
+    warn(summary,
+         fmt::format("plastic strain {} reaches {:.1f} %, {}: cracks, which no law here has, would change the force",
+                     place.empty() ? "of some body" : "of " + words_for_place(place), 100 * largest, beyond));
+  if (const auto edge = summary.steel.find("slider_edge");
+      edge != summary.steel.end() && edge->second.averaged > *limit)
+    warn(summary, fmt::format("the slider's edge is crushed: its plastic strain reaches {:.1f} %, {}; whether the rim "
+                              "holds is another question",
+                              100 * edge->second.averaged, beyond));
+  return {{"limit", *limit},
+          {"largest", largest},
+          {"place", place.empty() ? json(nullptr) : json(place)},
+          {"exceeded", exceeded},
+          {"assumption", assumption}};
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #pragma once
 #include "responses/choices.h"
 #include "responses/response.h"
+#include "responses/steel_report.h"
 #include "scene/scene.h"
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -33,6 +34,7 @@ struct EnergyLedger {
 struct Summary {
   double peak_displacement = 0, peak_lateral_force = 0, residual_displacement = 0, peak_vertical_displacement = 0;
   std::optional<double> peak_impact_force, min_normal_force, max_plastic_strain;
+  SteelReport steel; ///< of finite elements; empty: none were there
   std::vector<Impact> impacts;
   std::optional<EnergyLedger> energy;
   SolvedBy rung = SolvedBy::reduced;

@@ -64,36 +64,6 @@ std::string Answer::source() const {
   return text;
 }
 
-std::optional<AnswerStrain> answer_strain(const Calibration &c, const Runs &runs) {
-  AnswerStrain s;
-  for (const StoredRun *run : runs)
-    if (const auto strain = c.facts.at(run->folder).plastic_strain; strain && !run->impacts.empty())
-      s.rows.push_back({run->approach_speed(), *strain});
-  const auto &bearing = c.scene.bearing;
-  if (s.rows.empty() || !bearing.steel.strain_limit) return {};
-  std::sort(s.rows.begin(), s.rows.end(), [](const auto &a, const auto &b) { return a.speed < b.speed; });
-  s.limit = *bearing.steel.strain_limit;
-  s.limit_is_assumption = bearing.assumed.keys.empty() || bearing.assumed.keys.count("material.steel.strain_limit") > 0;
-  for (const auto &row : s.rows) s.largest = std::max(s.largest, row.strain);
-  for (const auto &row : s.rows) {
-    if (row.strain > s.limit) break;
-    s.largest_speed_below_limit = row.speed;
-  }
-  const auto limit = fmt::format("its limit of {:.3g} %{}", 100 * s.limit,
-                                 s.limit_is_assumption ? " (an assumption: take your steel's)" : "");
-  if (!s.exceeded())
-    s.sentence =
-        fmt::format("The steel bears it: in the runs, up to {:.3g} m/s, its plastic strain reaches {}, below {}.",
-                    s.rows.back().speed, percent_up(s.largest), limit);
-  else
-    s.sentence = fmt::format(
-        "The steel is not shown to bear it: its plastic strain reaches {}, beyond {}; {}. The model knows no tearing.",
-        percent_up(s.largest), limit,
-        s.largest_speed_below_limit ? fmt::format("up to {:.3g} m/s it stays below", *s.largest_speed_below_limit)
-                                    : fmt::format("already at {:.3g} m/s", s.rows.front().speed));
-  return s;
-}
-
 AnswerMeshError answer_mesh_error(const Calibration &c, const Runs &runs) {
   AnswerMeshError error;
   std::vector<StoredStudy> studies;

@@ -55,16 +55,19 @@ struct AnswerRow {
 };
 
 struct StrainRow {
-  double speed, strain; ///< approach [m/s], largest equivalent plastic strain [-]
+  double speed;        ///< approach [m/s]
+  JudgedStrain strain; ///< of the rim's steel
 };
 struct AnswerStrain {
   double limit = 0;
   bool limit_is_assumption = true;
   std::vector<StrainRow> rows; ///< by speed
-  double largest = 0;
+  JudgedStrain largest{0, ""};
   std::optional<double> largest_speed_below_limit; ///< of a run below which no run exceeds the limit [m/s]
-  bool exceeded() const { return largest > limit; }
+  bool exceeded() const { return largest.largest > limit; }
   std::string sentence;
+  std::string crack_sentence;  ///< how near the rim's steel came to a crack; empty: not known
+  std::string slider_sentence; ///< of the slider's edge, where it is crushed beyond the limit; else empty
 };
 struct AnswerMeshError {
   std::optional<double> peak_force; ///< largest over the runs fitted [-]; empty: not known

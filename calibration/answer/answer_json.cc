@@ -75,14 +75,19 @@ json pair_json(const PairRange &pair) {
 
 json strain_json(const AnswerStrain &s) {
   json rows = json::array();
-  for (const auto &row : s.rows) rows.push_back({{"speed_m_s", row.speed}, {"strain", row.strain}});
+  for (const auto &row : s.rows)
+    rows.push_back(
+        {{"speed_m_s", row.speed}, {"strain", row.strain.largest}, {"place", text_or_null(row.strain.place)}});
   return {{"limit", s.limit},
           {"limit_is_assumption", s.limit_is_assumption},
           {"rows", rows},
-          {"largest", s.largest},
+          {"largest", s.largest.largest},
+          {"place", text_or_null(s.largest.place)},
           {"exceeded", s.exceeded()},
           {"largest_speed_below_limit_m_s", number(s.largest_speed_below_limit)},
-          {"sentence", s.sentence}};
+          {"sentence", s.sentence},
+          {"crack_sentence", text_or_null(s.crack_sentence)},
+          {"slider_sentence", text_or_null(s.slider_sentence)}};
 }
 
 } // namespace

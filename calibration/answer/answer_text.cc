@@ -77,7 +77,10 @@ std::string describe(const Answer &a) {
   text += "      m/s   peak kN      off  rebound      off  depth mm   time ms  k_i kN/m         e\n";
   for (const auto &row : a.table) text += row_text(row);
   text += (a.pair ? a.pair->sentence : a.no_pair) + "\n";
-  if (a.strain && !a.strain->exceeded()) text += a.strain->sentence + "\n"; // else it is among the doubts
+  if (a.strain)
+    for (const std::string &said : {a.strain->exceeded() ? "" : a.strain->sentence, // else it is among the doubts
+                                    a.strain->crack_sentence, a.strain->slider_sentence})
+      if (!said.empty()) text += said + "\n";
   if (!a.mesh_error.sentence.empty()) text += a.mesh_error.sentence + "\n";
   for (const auto &doubt : a.doubts) text += "doubt: " + doubt + "\n";
   return text;

@@ -44,7 +44,10 @@ RunFacts run_facts(const std::string &folder) {
     for (const auto &warning : summary["warnings"])
       if (warning.is_string()) facts.warnings.push_back(warning);
   if (summary.contains("energy")) facts.imbalance = number_in(summary["energy"], "imbalance_relative");
-  if (number_in(summary, "max_plastic_strain") > 0) facts.plastic_strain = number_in(summary, "max_plastic_strain");
+  facts.steel = steel_report_in(summary, file.string());
+  facts.strain = judged_strain(facts.steel);
+  if (const double largest = number_in(summary, "max_plastic_strain"); !facts.strain && largest > 0)
+    facts.strain = JudgedStrain{largest, ""};
   facts.beyond_rim = summary.value("beyond_rim", json()) == json(true);
   facts.seconds = number_in(summary, "wall_time_s");
   return facts;

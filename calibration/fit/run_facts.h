@@ -2,6 +2,7 @@
 /// calibration are therefore left out of the fit, or count less.
 #pragma once
 #include "calibration/fit/fit.h"
+#include "responses/steel_report.h"
 
 namespace rimpact::calibration {
 
@@ -11,11 +12,12 @@ struct RunFacts {
   std::optional<scene::Rung> rung; ///< empty: not finite elements
   std::optional<int> mesh;         ///< of finite elements
   RunStatus status = RunStatus::done;
-  std::vector<std::string> warnings;    ///< sentences of summary.json
-  double imbalance = 0;                 ///< share of the energy put in that is not accounted for, signed [-]
-  std::optional<double> plastic_strain; ///< largest equivalent plastic strain [-]
-  bool beyond_rim = false;              ///< pressed deeper than the rim is thick: the run says it is no result
-  double seconds = 0;                   ///< wall time [s]; 0: not known
+  std::vector<std::string> warnings;  ///< sentences of summary.json
+  double imbalance = 0;               ///< share of the energy put in that is not accounted for, signed [-]
+  std::optional<JudgedStrain> strain; ///< of the rim's steel
+  SteelReport steel;                  ///< by its places; empty: not known
+  bool beyond_rim = false;            ///< pressed deeper than the rim is thick: the run says it is no result
+  double seconds = 0;                 ///< wall time [s]; 0: not known
 };
 /// Of a run folder's summary.json or of a mapping file. A folder without a summary holds measured curves. Throws
 /// DataError where summary.json is no JSON.

@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
+#include <limits>
 
 namespace rimpact::fe {
 
@@ -17,11 +18,12 @@ void write_fields(const BearingSystem &system, const SystemState &state, const E
   if (!options.keeps_fields()) return;
   const Discretisation &space = system.space();
   SolidFields cells = fields_of(system.solid(), space, displacements, state.history);
-  std::vector<double> pressure(space.n_nodes, 0.0), gap(space.n_nodes, 0.0);
+  constexpr double none = std::numeric_limits<double>::quiet_NaN(); // nothing is opposite
+  std::vector<double> pressure(space.n_nodes, 0.0), gap(space.n_nodes, none);
   for (std::size_t i = 0; i < state.contacts.size(); ++i)
     system.contact(i).nodal_fields(state.contacts[i], pressure, gap);
   for (double &value : pressure) value *= 1e-6;
-  for (double &value : gap) value = std::isfinite(value) ? 1e3 * value : 0;
+  for (double &value : gap) value = std::isfinite(value) ? 1e3 * value : none;
   for (double &value : cells.von_mises) value *= 1e-6;
   const auto name = fmt::format("fields/{}_{:03d}.vtu", word(system.model().rung.name), record.fields.size());
   std::filesystem::create_directories(options.folder + "/fields");

@@ -128,6 +128,12 @@ void FlightRun::write_fields(const Arc &arc) {
                    arc.frame.direction * 180 / M_PI);
 }
 
+SteelReport FlightRun::steel() const {
+  SteelReport worst;
+  for (const Arc &arc : arcs_) keep_worst(worst, steel_of(system_.model(), arc.state, arc.frame));
+  return worst;
+}
+
 void FlightRun::finish() {
   if (in_contact_) write_fields(arcs_[current_]);
   if (in_contact_ && touched_) {
@@ -143,9 +149,10 @@ void run_flights(const Rung &rung, const scene::Scene &scene, const planning::Pl
   const BearingModel model(rung, scene.bearing, mesh_order(scene, plan), model_options(scene));
   BearingSystem system(model, scene.load.mass);
   record.n_dofs = system.equations().n;
+  FlightRun flight(scene, plan, options, system, record);
   run_counted(
-      record, [&] { FlightRun(scene, plan, options, system, record).run(); }, [&] { return system.time_split; },
-      [&] { return system.work; });
+      record, [&] { flight.run(); }, [&] { return system.time_split; }, [&] { return system.work; },
+      [&] { return flight.steel(); });
 }
 
 } // namespace rimpact::fe

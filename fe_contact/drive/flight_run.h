@@ -32,6 +32,8 @@ public:
         touch_height_(model_.height(scene.bearing.lateral_capacity(), 0).z) {}
 
   void run();
+  /// Of all touched arcs.
+  SteelReport steel() const;
 
 private:
   bool window() const { return scene_.excitation.kind == scene::ExcitationKind::window; }

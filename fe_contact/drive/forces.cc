@@ -2,6 +2,7 @@
 
 #include "fe_contact/drive/sample_row.h"
 #include "fe_contact/engine/solid_fields.h"
+#include "fe_contact/engine/steel_places.h"
 #include <algorithm>
 #include <cmath>
 
@@ -16,6 +17,14 @@ BearingForces forces_of(const BearingSystem &system, const SystemState &state) {
   result.pendular = dish - result.friction;
   result.normal = dish.z();
   return result;
+}
+
+SteelReport steel_of(const BearingModel &model, const SystemState &state, const std::optional<RimFrame> &frame) {
+  if (state.history.empty()) return {}; // nothing began
+  SteelReport report = steel_by_place(model.space, model.bearing, state.history);
+  if (frame)
+    for (auto &[name, at] : report) at.place = frame->to_global(at.place);
+  return report;
 }
 
 namespace {

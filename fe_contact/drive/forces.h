@@ -2,8 +2,12 @@
 #pragma once
 #include "fe_contact/drive/run_record.h"
 #include "fe_contact/rungs/bearing_model.h"
+#include "fe_contact/rungs/rim_frame.h"
 
 namespace rimpact::fe {
+
+/// The steel of a state by its places; `frame`: where the mesh stands in the bearing, none where it is the bearing's.
+SteelReport steel_of(const BearingModel &model, const SystemState &state, const std::optional<RimFrame> &frame = {});
 
 /// Whole bearing, in the plate's frame [N]; the solids' own inertia is left out.
 struct BearingForces {

@@ -48,6 +48,7 @@ public:
     save(1, 0);
   }
   const BearingSystem &system() const { return system_; }
+  SteelReport steel() const { return steel_of(model_, state_, course_.frame); }
 
 private:
   void begin() {
@@ -193,7 +194,8 @@ void run_path(const Rung &rung, const scene::Scene &scene, const planning::Plan 
               RunRecord &record) {
   PathRun path(rung, scene, plan, options, record);
   run_counted(
-      record, [&] { path.run(); }, [&] { return path.system().time_split; }, [&] { return path.system().work; });
+      record, [&] { path.run(); }, [&] { return path.system().time_split; }, [&] { return path.system().work; },
+      [&] { return path.steel(); });
 }
 
 } // namespace rimpact::fe

@@ -14,7 +14,7 @@
 namespace rimpact::fe {
 namespace {
 
-constexpr std::size_t per_point = 7, per_impact = 7;
+constexpr std::size_t per_point = 9, per_impact = 7;
 constexpr Limits seconds{0, 1e12};
 /// By name: the ledger may gain entries that no finite-element run fills.
 using LedgerEntry = double EnergyLedger::*;
@@ -62,7 +62,7 @@ std::vector<double> list(const SolidHistory &history) {
   result.reserve(per_point * history.size());
   for (const auto &point : history) {
     result.insert(result.end(), point.cp_inverse.data(), point.cp_inverse.data() + 6);
-    result.push_back(point.alpha);
+    result.insert(result.end(), {point.alpha, point.triaxiality, point.damage});
   }
   return result;
 }
@@ -72,7 +72,10 @@ void restore(const Checkpoint &file, const std::string &name, SolidHistory &hist
   for (std::size_t k = 0; k < history.size(); ++k) {
     for (int i = 0; i < 6; ++i) history[k].cp_inverse[i] = numbers[per_point * k + i];
     history[k].alpha = numbers[per_point * k + 6];
-    if (history[k].alpha < 0) file.damaged(fmt::format("field {} holds a negative plastic strain", name));
+    history[k].triaxiality = numbers[per_point * k + 7];
+    history[k].damage = numbers[per_point * k + 8];
+    if (history[k].alpha < 0 || history[k].damage < 0)
+      file.damaged(fmt::format("field {} holds a negative plastic strain or damage", name));
   }
 }
 

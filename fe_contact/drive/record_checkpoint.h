@@ -8,7 +8,7 @@ namespace rimpact::fe {
 
 std::vector<double> list(const Eigen::VectorXd &v);
 Eigen::VectorXd vector(const std::vector<double> &v);
-std::vector<double> list(const SolidHistory &history); ///< 7 numbers a point
+std::vector<double> list(const SolidHistory &history); ///< 9 numbers a point
 /// A field of as many material points as `history` has. Throws DataError.
 void restore(const Checkpoint &file, const std::string &name, SolidHistory &history);
 /// Vectors of motion: as many values as they have; `last_change` may be empty while there was no step (last_dt 0).

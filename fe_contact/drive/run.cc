@@ -55,6 +55,7 @@ Summary summarise(const scene::Scene &scene, const RunRecord &record) {
                              {"largest_pressure_on_wall_Pa", largest("recess_pressure_max")},
                              {"friction_J", r.series("energy_friction_seat").back()}};
   }
+  summary.steel = record.steel;
   summary.time_split["output"] = std::max(0.0, output); // meshing, flights and files
   summary.extra["cuts"] = record.n_cuts;
   for (const auto &count : solver_counts) summary.extra["solver_work"][count.sum] = work.*count.of;

@@ -3,6 +3,7 @@
 #include "fe_contact/drive/run.h"
 #include "fe_contact/solver/solver_work.h"
 #include "responses/response.h"
+#include "responses/steel_report.h"
 #include "responses/summary.h"
 #include <chrono>
 #include <map>
@@ -27,6 +28,7 @@ struct RunRecord {
   std::function<SolverWork()> work; ///< of this one while it runs
   SolverWork rows_work;             ///< what the rows stored so far have taken
   std::vector<std::pair<double, std::string>> fields; ///< (time, VTU file) for the PVD
+  SteelReport steel;                                  ///< when the run ended, however it did
   std::vector<std::string> warnings;
   nlohmann::json identity; ///< what the run is of: to_json of its identity when it began
   bool ended = false;      ///< it has come to its end: nothing is left to resume
@@ -50,10 +52,12 @@ struct RunRecord {
   }
 };
 
-/// Runs, and keeps where the time went and what was solved whatever ends it: `times()` and `work()` give both.
-template <class Run, class Times, class Work>
-void run_counted(RunRecord &record, const Run &run, const Times &times, const Work &work) {
+/// Runs, and keeps where the time went, what was solved and how the steel is, whatever ends it: `times()`, `work()` and
+/// `steel()` give them.
+template <class Run, class Times, class Work, class Steel>
+void run_counted(RunRecord &record, const Run &run, const Times &times, const Work &work, const Steel &steel) {
   const auto keep = [&] {
+    record.steel = steel();
     record.time_split = record.split_so_far();
     record.earlier_work = record.work_so_far();
     record.times = nullptr;

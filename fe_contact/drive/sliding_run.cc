@@ -229,7 +229,7 @@ void run_sliding(const Rung &rung, const scene::Scene &scene, const planning::Pl
           dynamic = std::move(next);
         }
       },
-      times, work);
+      times, work, [&] { return dynamic->steel(); });
 }
 
 } // namespace rimpact::fe

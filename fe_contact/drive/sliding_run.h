@@ -2,6 +2,7 @@
 /// the rim may be touched its solids join. Solid dish (rung full): everything is solid all the time.
 #pragma once
 #include "fe_contact/drive/checkpoint.h"
+#include "fe_contact/drive/forces.h"
 #include "fe_contact/drive/order.h"
 #include "fe_contact/drive/rim_hand_over.h"
 #include "fe_contact/drive/run_record.h"
@@ -30,6 +31,7 @@ public:
   /// To the end, or to a place where the rim is not meshed, whose direction it returns [rad].
   std::optional<double> run();
   std::map<std::string, double> time_split() const;
+  SteelReport steel() const { return steel_of(model_, state_); }
   SolverWork work() const;
 
 private:

@@ -3,6 +3,7 @@
 #include "fe_contact/engine/curved_mesh.h"
 #include "files/error.h"
 #include <algorithm>
+#include <cmath>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
@@ -10,6 +11,7 @@
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/numerics/data_out.h>
 #include <fstream>
+#include <limits>
 
 namespace rimpact::fe {
 namespace {
@@ -32,6 +34,41 @@ void fill(QuadratureData &data, const FESystem<3> &fe, const DoFHandler<3> &dofs
     }
   }
 }
+
+/// Weights of the values at one point or two of a direction at another place of it.
+std::vector<double> line_weights(const std::vector<Point<1>> &points, double x) {
+  if (points.size() == 1) return {1.0};
+  const double share = (x - points[0][0]) / (points[1][0] - points[0][0]);
+  return {1 - share, share};
+}
+
+std::vector<double> carried_on(int n_from, int n_to) {
+  const QGauss<1> from(n_from);
+  const QGauss<3> reduced(n_from), full(n_to);
+  std::vector<double> weights;
+  for (const auto &x : full.get_points())
+    for (unsigned r = 0; r < reduced.size(); ++r) {
+      const unsigned place[3] = {r % n_from, r / n_from % n_from, r / n_from / n_from};
+      double weight = 1;
+      for (int k = 0; k < 3; ++k) weight *= line_weights(from.get_points(), x[k])[place[k]];
+      weights.push_back(weight);
+    }
+  return weights;
+}
+
+/// deal.II's writer interpolates, so that one NaN of a cell would be all its points': a number far below every field's
+/// goes in instead, and what comes out so becomes NaN.
+class OutputWithNone : public DataOut<3> {
+public:
+  static constexpr double none = -1e6;
+  static double in(double value) { return std::isnan(value) ? none : value; }
+  void put_none() {
+    for (auto &patch : patches)
+      for (unsigned i = 0; i < patch.data.size(0); ++i)
+        for (unsigned j = 0; j < patch.data.size(1); ++j)
+          if (patch.data(i, j) < none / 2) patch.data(i, j) = std::numeric_limits<float>::quiet_NaN();
+  }
+};
 
 } // namespace
 
@@ -67,6 +104,7 @@ Discretisation::Discretisation(const meshes::HexMesh &mesh, int degree)
   const QGauss<3> quadrature(degree + 1);
   for (const auto &point : quadrature.get_points())
     for (int a = 0; a < nodes_per_cell; ++a) full_values.push_back(d.fe->shape_value(d.dof_of_node[a], point));
+  reduced_to_full = carried_on(degree, degree + 1);
   read_faces();
 }
 
@@ -129,7 +167,7 @@ std::vector<unsigned> Discretisation::nodes_of(meshes::Surface group) const {
 void Discretisation::write_vtu(const std::string &path, const std::vector<Field> &fields) const {
   const auto &d = *dealii_;
   using Interpretation = DataComponentInterpretation::DataComponentInterpretation;
-  DataOut<3> out;
+  OutputWithNone out;
   out.attach_triangulation(d.triangulation);
   const FE_Q<3> scalar_fe(degree);
   DoFHandler<3> scalar(d.triangulation);
@@ -150,7 +188,8 @@ void Discretisation::write_vtu(const std::string &path, const std::vector<Field>
       for (const auto &cell : scalar.active_cell_iterators()) {
         cell->get_dof_indices(scalar_indices);
         for (int a = 0; a < nodes_per_cell; ++a)
-          kept.back()(scalar_indices[a]) = field.values[cell_nodes[cell->active_cell_index() * nodes_per_cell + a]];
+          kept.back()(scalar_indices[a]) =
+              OutputWithNone::in(field.values[cell_nodes[cell->active_cell_index() * nodes_per_cell + a]]);
       }
       out.add_data_vector(scalar, kept.back(), field.name);
     }
@@ -159,6 +198,7 @@ void Discretisation::write_vtu(const std::string &path, const std::vector<Field>
   flags.write_higher_order_cells = true; // as curved as they are
   out.set_flags(flags);
   out.build_patches(d.mapping, degree, DataOut<3>::curved_inner_cells);
+  out.put_none();
   std::ofstream file(path);
   out.write_vtu(file);
   if (!file) throw IoError("cannot write " + path);

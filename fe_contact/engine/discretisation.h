@@ -45,13 +45,16 @@ public:
   std::vector<std::array<int, 3>> node_places; ///< of a cell's local nodes, in steps of 1 / degree along its axes
   QuadratureData full, reduced;                ///< Gauss, degree + 1 and degree points a direction
   std::vector<double> full_values;             ///< shape values at the full points, [point][local node]
-  std::vector<Face> faces;                     ///< of all groups
+  /// What the reduced points have, carried on linearly to the full ones: weights, [full point][reduced point].
+  std::vector<double> reduced_to_full;
+  std::vector<Face> faces; ///< of all groups
 
   std::size_t n_dofs() const { return 3 * n_nodes; }
   std::vector<const Face *> faces_of(meshes::Surface group) const;
   std::vector<unsigned> nodes_of(meshes::Surface group) const; ///< sorted, unique
 
-  /// One nodal or cell field of a VTU file; `values` has 1 or 3 components per node, or 1 per cell.
+  /// One nodal or cell field of a VTU file; `values` has 1 or 3 components per node, or 1 per cell; NaN where a
+  /// field of one component a node is not defined.
   struct Field {
     std::string name;
     int components;

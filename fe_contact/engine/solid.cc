@@ -2,6 +2,7 @@
 
 #include "fe_contact/engine/solid_kernel.h"
 #include "fe_contact/engine/threads.h"
+#include "fe_contact/laws/crack_measure.h"
 #include "fe_contact/solver/ranks.h"
 #include <algorithm>
 
@@ -55,12 +56,29 @@ const std::vector<int> &Solid::places_in(const SymmetricMatrix &matrix, const Eq
   return places_;
 }
 
+void Solid::remember(std::size_t c, const SolidHistory &old, SolidHistory &next, const double *mises,
+                     const double *mean) const {
+  const int n_points = space_.full.n_points, n_reduced = space_.reduced.n_points;
+  for (int q = 0; q < n_points; ++q) {
+    const J2State &before = old[c * n_points + q];
+    J2State &now = next[c * n_points + q];
+    const double flow = now.alpha - before.alpha;
+    if (!(flow > 0)) continue;
+    double at_point = 0;
+    for (int r = 0; r < n_reduced; ++r) at_point += space_.reduced_to_full[q * n_reduced + r] * mean[r];
+    const double triaxiality = at_point / mises[q];
+    now.triaxiality += triaxiality * flow;
+    now.damage += flow / CrackMeasure{}.fracture_strain(triaxiality);
+  }
+}
+
 template <int n>
 Solid::Answer Solid::answer(std::size_t c, const std::array<Matrix3, n> &F, const SolidHistory &old, SolidHistory &next,
                             CellKernel<n> &kernel, bool with_tangent) const {
   Answer result;
   const SolidLaw &law = law_of(c);
   const int n_reduced = space_.reduced.n_points, m = 3 * n;
+  std::array<double, n> mises, mean; // the reduced points are fewer
   kernel.clear(with_tangent);
   for (int q = 0; q < n; ++q) {
     const std::size_t point = c * n + q;
@@ -69,6 +87,7 @@ Solid::Answer Solid::answer(std::size_t c, const std::array<Matrix3, n> &F, cons
     if (!isochoric.admissible) return result;
     next[point] = isochoric.state;
     result.flows = result.flows || isochoric.state.alpha > old[point].alpha;
+    mises[q] = law.isochoric.hardening.stress(isochoric.state.alpha); // where it flows
     result.energies.elastic += weight * isochoric.energy;
     result.energies.plastic += weight * law.isochoric.hardening.work(isochoric.state.alpha);
     kernel.add(&space_.full.gradients[point * m], F[q], weight, isochoric.response, with_tangent);
@@ -79,10 +98,12 @@ Solid::Answer Solid::answer(std::size_t c, const std::array<Matrix3, n> &F, cons
     const Matrix3 at_point = kernel.deformation_gradient(G);
     const VolumetricResult volumetric = law.volumetric.at(at_point.determinant());
     if (!volumetric.admissible) return result;
+    mean[q] = volumetric.response.stress[0];
     result.energies.elastic += weight * volumetric.energy;
     kernel.add(G, at_point, weight, volumetric.response, with_tangent);
   }
   kernel.finish();
+  if (result.flows) remember(c, old, next, mises.data(), mean.data());
   result.admissible = true;
   return result;
 }

@@ -66,6 +66,10 @@ private:
   template <int n>
   Answer answer(std::size_t cell, const std::array<Matrix3, n> &F, const SolidHistory &old, SolidHistory &next,
                 CellKernel<n> &kernel, bool with_tangent) const;
+  /// Adds what the step did to the steel of a cell that flows; `mises`, `mean`: Kirchhoff stresses at its full and its
+  /// reduced points [Pa].
+  void remember(std::size_t cell, const SolidHistory &old, SolidHistory &next, const double *mises,
+                const double *mean) const;
   template <int n>
   bool assemble_cells(const unsigned *begin, const unsigned *end, const Eigen::VectorXd &u, const SolidHistory &old,
                       SolidHistory &next, const Equations &equations, Eigen::VectorXd &forces,

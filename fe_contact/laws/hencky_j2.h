@@ -30,6 +30,9 @@ struct BilinearHardening {
 struct J2State {
   Vector6 cp_inverse{1.0, 1.0, 1.0, 0.0, 0.0, 0.0}; ///< C_p^-1
   double alpha = 0.0;                               ///< accumulated plastic strain [-]
+  // Of what the steel went through; no force depends on them:
+  double triaxiality = 0.0; ///< integral of the triaxiality over alpha [-]
+  double damage = 0.0;      ///< D of CrackMeasure [-]
 };
 
 /// Kirchhoff stress and its tangent c of the Lie derivative (L_v tau = c : d), in Voigt form with engineering

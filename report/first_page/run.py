@@ -8,6 +8,8 @@ from ..numbers import DASH, fixed, integer, is_number, percent, scaled, sig
 from ..run_folder import Run
 from ..sections.common import hardest
 
+PLACES = {"rim_wall": "the rim's wall", "rim_root": "the rim's root", "dish": "the dish below the rim", "slider_edge": "the slider's edge"}
+
 
 def make(context: Context) -> dict[str, Any]:
     run = context.results.only
@@ -52,8 +54,10 @@ def _strain(run: Run) -> dict[str, Any] | None:
         return None
     source = "an assumption of ours" if limit.get("assumption") else "from the bearing file"
     verdict = "exceeds" if limit.get("exceeded") else "stays below"
-    return {"exceeded": limit.get("exceeded") is True,
-            "sentence": f"The largest plastic strain, {percent(limit.get('largest'), 1, False)}, {verdict} the limit of {percent(limit['limit'], 0, False)} ({source})."}
+    where = PLACES.get(limit.get("place"))
+    what = f"The plastic strain of {where}" if where else "The largest plastic strain of any body"
+    said = f"{what}, {percent(limit.get('largest'), 1, False)}, {verdict} the limit of {percent(limit['limit'], 0, False)} ({source})."
+    return {"exceeded": limit.get("exceeded") is True, "sentence": said}
 
 
 def _from_scene(run: Run) -> dict[str, Any] | None:

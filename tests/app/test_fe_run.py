@@ -9,8 +9,11 @@ import tempfile
 import time
 import unittest
 
+import numpy as np
 from command import RIMPACT, on_two_ranks, rimpact
 from test_checkpoints import steps_kept
+
+from report import vtu
 
 WINDOW = ["run", "impact-window", "--set", "excitation.speed_m_per_s=0.05", "--quiet"]
 
@@ -135,7 +138,17 @@ class RimWindow(unittest.TestCase):
             with open(first, "rb") as file:
                 points, cells = (int(number) for number in re.search(rb'NumberOfPoints="(\d+)" NumberOfCells="(\d+)"', file.read(3000)).groups())
             self.assertEqual(points, 27 * cells, "cells are as curved as they are")
+            self.fields_are_what_they_say(first)
         self.assertEqual(rimpact(*WINDOW, "--fields-every", "0").returncode, 2)
+
+    def fields_are_what_they_say(self, name):
+        fields = vtu.read(name).point_data
+        xx, yy, zz, xy, yz, zx = (fields[f"stress_{part}_MPa"] for part in ("xx", "yy", "zz", "xy", "yz", "zx"))
+        mises = np.sqrt(0.5 * ((xx - yy)**2 + (yy - zz)**2 + (zz - xx)**2) + 3 * (xy**2 + yz**2 + zx**2))
+        np.testing.assert_allclose(fields["von_mises_MPa"], mises, rtol=1e-4, atol=1e-3)
+        known = np.isfinite(fields["gap_mm"])
+        self.assertTrue(0 < known.mean() < 0.2, "the gap is that of the touching surfaces")
+        self.assertTrue(np.all(fields["contact_pressure_MPa"][~known] == 0))
 
     def test_a_slider_that_passes_the_rim_is_no_result(self):
         with tempfile.TemporaryDirectory() as folder:

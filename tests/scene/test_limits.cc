@@ -101,7 +101,8 @@ TEST(Limits, StrainOfTheSteel) {
   s.max_plastic_strain = 0.475;
   judge(scene, s);
   EXPECT_EQ(s.extra["strain_limit"],
-            (nlohmann::json{{"limit", 0.2}, {"largest", 0.475}, {"exceeded", true}, {"assumption", true}}));
+            (nlohmann::json{
+                {"limit", 0.2}, {"largest", 0.475}, {"place", nullptr}, {"exceeded", true}, {"assumption", true}}));
   EXPECT_NE(warnings(s)[0].find("47.5 %, above the 20 %"), std::string::npos) << warnings(s)[0];
   EXPECT_NE(warnings(s)[0].find("an assumption"), std::string::npos);
   scene.bearing.assumed.keys.clear();
@@ -113,6 +114,38 @@ TEST(Limits, StrainOfTheSteel) {
   scene.bearing.steel.strain_limit.reset();
   judge(scene, given);
   EXPECT_TRUE(given.extra["strain_limit"].is_null());
+}
+
+/// The question is whether the rim holds: a slider's edge that is crushed is another.
+TEST(Limits, TheRimsStrainIsJudgedAndTheSlidersEdgeIsSaidBeside) {
+  Scene scene;
+  scene.bearing = builtin_bearing("shfps-225");
+  Summary s = one_impact(0.4, 0.01);
+  s.max_plastic_strain = 0.36;
+  s.steel = {{"rim_wall", {0.12, 0.08, -0.2, 0.01, {0, 0, 0}}},
+             {"rim_root", {0.17, 0.15, 0.5, 0.12, {0.522, 0, 0.088}}},
+             {"dish", {0.05, 0.04, 0.3, 0.02, {0, 0, 0}}},
+             {"slider_edge", {0.36, 0.21, -0.7, 0.03, {0, 0, 0}}}};
+  judge(scene, s);
+  EXPECT_EQ(s.extra["strain_limit"]["largest"], 0.15);
+  EXPECT_EQ(s.extra["strain_limit"]["place"], "rim_root");
+  EXPECT_EQ(s.extra["strain_limit"]["exceeded"], false);
+  ASSERT_EQ(warnings(s).size(), 1u);
+  EXPECT_NE(warnings(s)[0].find("the slider's edge is crushed: its plastic strain reaches 21.0 %"), std::string::npos)
+      << warnings(s)[0];
+  const auto written = to_json(s)["steel"];
+  EXPECT_EQ(written["rim_root"]["limit"], 0.2);
+  EXPECT_EQ(written["rim_root"]["place_mm"][0], 522);
+  const SteelReport back = steel_report_in(to_json(s), "here");
+  EXPECT_EQ(back.at("rim_root").triaxiality, 0.5);
+  EXPECT_EQ(back.at("slider_edge").averaged, 0.21);
+  s.steel["dish"].averaged = 0.25;
+  s.extra = {};
+  judge(scene, s);
+  EXPECT_EQ(s.extra["strain_limit"]["exceeded"], true);
+  EXPECT_NE(warnings(s)[0].find("plastic strain of the dish below the rim reaches 25.0 %, above the 20 %"),
+            std::string::npos)
+      << warnings(s)[0];
 }
 
 } // namespace

@@ -1,0 +1,77 @@
+// Whether the rim's steel bears the impacts of the runs, and what became of the slider's edge.
+#include "calibration/answer/answer_parts.h"
+#include "calibration/laws/percent.h"
+#include <algorithm>
+#include <fmt/format.h>
+
+namespace rimpact::calibration {
+namespace {
+
+/// What of the rim a strain is of.
+std::string subject(const JudgedStrain &strain) {
+  if (strain.place.empty()) return "the plastic strain of some body, the slider perhaps,";
+  return fmt::format("the plastic strain of {}, a mean over {:g} mm around it,", words_for_place(strain.place),
+                     1e3 * averaging_radius);
+}
+
+std::string sentence(const AnswerStrain &s) {
+  const auto limit = fmt::format("its limit of {:.3g} %{}", 100 * s.limit,
+                                 s.limit_is_assumption ? " (an assumption: take your steel's)" : "");
+  if (!s.exceeded())
+    return fmt::format("The rim bears it: up to {:.3g} m/s {} reaches {}, below {}.", s.rows.back().speed,
+                       subject(s.largest), percent_up(s.largest.largest), limit);
+  return fmt::format("The rim is not shown to bear it: {} reaches {}, beyond {}; {}. The model knows no tearing.",
+                     subject(s.largest), percent_up(s.largest.largest), limit,
+                     s.largest_speed_below_limit
+                         ? fmt::format("up to {:.3g} m/s it stays below", *s.largest_speed_below_limit)
+                         : fmt::format("already at {:.3g} m/s", s.rows.front().speed));
+}
+
+/// The worst of a number of the runs' steel, with the run's speed and the place.
+struct Worst {
+  double value = 0, speed = 0;
+  std::string place;
+  void take(double found, double at_speed, const std::string &at) {
+    if (found > value) value = found, speed = at_speed, place = at;
+  }
+};
+
+} // namespace
+
+std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vector<const StoredRun *> &runs) {
+  AnswerStrain s;
+  Worst crack, slider;
+  for (const StoredRun *run : runs) {
+    const RunFacts &facts = c.facts.at(run->folder);
+    if (!facts.strain || run->impacts.empty()) continue;
+    s.rows.push_back({run->approach_speed(), *facts.strain});
+    for (const auto &[place, at] : facts.steel)
+      if (is_of_the_rim(place))
+        crack.take(at.damage, run->approach_speed(), place);
+      else
+        slider.take(at.averaged, run->approach_speed(), place);
+  }
+  const auto &bearing = c.scene.bearing;
+  if (s.rows.empty() || !bearing.steel.strain_limit) return {};
+  std::sort(s.rows.begin(), s.rows.end(), [](const auto &a, const auto &b) { return a.speed < b.speed; });
+  s.limit = *bearing.steel.strain_limit;
+  s.limit_is_assumption = bearing.assumed.keys.empty() || bearing.assumed.keys.count("material.steel.strain_limit") > 0;
+  for (const auto &row : s.rows)
+    if (row.strain.largest > s.largest.largest) s.largest = row.strain;
+  for (const auto &row : s.rows) {
+    if (row.strain.largest > s.limit) break;
+    s.largest_speed_below_limit = row.speed;
+  }
+  s.sentence = sentence(s);
+  if (!crack.place.empty())
+    s.crack_sentence =
+        fmt::format("A crack begins at a damage of 1; the runs reach {:.2f}, in {} at {:.3g} m/s (constants of Weldox "
+                    "460 E, an assumption).",
+                    crack.value, words_for_place(crack.place), crack.speed);
+  if (slider.value > s.limit)
+    s.slider_sentence = fmt::format("The slider's edge is crushed, by {} at {:.3g} m/s: plan to replace the slider.",
+                                    percent_up(slider.value), slider.speed);
+  return s;
+}
+
+} // namespace rimpact::calibration

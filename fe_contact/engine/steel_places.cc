@@ -1,0 +1,101 @@
+#include "fe_contact/engine/steel_places.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace rimpact::fe {
+namespace {
+
+using Eigen::Vector3d;
+using meshes::Volume;
+
+/// A quadrature point of the steel.
+struct SteelPoint {
+  Vector3d place;
+  double volume, strain;
+  std::size_t index; ///< in the history
+};
+
+/// Names a place, empty for the pad.
+class Places {
+public:
+  explicit Places(const scene::Bearing &bearing)
+      : root_top_(scene::make_surface(bearing.surface)->at(bearing.surface.planar_radius, 0).z +
+                  bearing.rim.thickness / 4) {}
+  const char *name(Volume volume, const Vector3d &place) const {
+    switch (volume) {
+    case Volume::plate:
+      return "dish";
+    case Volume::rim:
+      return place.z() < root_top_ ? "rim_root" : "rim_wall";
+    case Volume::foot:
+    case Volume::upper_slider:
+      return "slider_edge";
+    case Volume::pad:
+      break;
+    }
+    return "";
+  }
+
+private:
+  double root_top_; ///< [m]
+};
+
+/// Weighted mean of the strain of a body about a place of it.
+double averaged(const std::vector<SteelPoint> &body, const Vector3d &middle) {
+  constexpr double reach = averaging_radius * averaging_radius;
+  double volume = 0, sum = 0;
+  for (const SteelPoint &p : body) {
+    const double share = 1 - (p.place - middle).squaredNorm() / reach;
+    if (share > 0) volume += share * share * p.volume, sum += share * share * p.volume * p.strain;
+  }
+  return sum / volume;
+}
+
+SteelAtPlace worst_of(std::vector<SteelPoint> points, const std::vector<SteelPoint> &body,
+                      const SolidHistory &history) {
+  SteelAtPlace result;
+  std::stable_sort(points.begin(), points.end(),
+                   [](const SteelPoint &a, const SteelPoint &b) { return a.strain > b.strain; });
+  const SteelPoint &largest = points.front();
+  if (!(largest.strain > 0)) return result;
+  result.largest = largest.strain;
+  result.place = largest.place;
+  result.triaxiality = history[largest.index].triaxiality / largest.strain;
+  for (const SteelPoint &p : points) {
+    result.damage = std::max(result.damage, history[p.index].damage);
+    if (p.strain > result.averaged) result.averaged = std::max(result.averaged, averaged(body, p.place));
+  }
+  return result;
+}
+
+/// Plate and rim are one body; foot and upper slider are apart.
+Volume body_of(Volume volume) {
+  return volume == Volume::rim ? Volume::plate : volume;
+}
+
+} // namespace
+
+SteelReport steel_by_place(const Discretisation &space, const scene::Bearing &bearing, const SolidHistory &history) {
+  const Places places(bearing);
+  const int n = space.nodes_per_cell, n_points = space.full.n_points;
+  std::map<Volume, std::vector<SteelPoint>> bodies;
+  std::map<std::pair<std::string, Volume>, std::vector<SteelPoint>> by_place;
+  for (std::size_t c = 0; c < space.n_cells; ++c)
+    for (int q = 0; q < n_points; ++q) {
+      Vector3d x = Vector3d::Zero();
+      for (int a = 0; a < n; ++a) x += space.full_values[q * n + a] * space.positions[space.cell_nodes[c * n + a]];
+      const std::string name = places.name(space.volumes[c], x);
+      if (name.empty()) continue;
+      const std::size_t index = c * n_points + q;
+      const SteelPoint point{x, space.full.weights[index], history[index].alpha, index};
+      bodies[body_of(space.volumes[c])].push_back(point);
+      by_place[{name, body_of(space.volumes[c])}].push_back(point);
+    }
+  SteelReport report;
+  for (const auto &[key, points] : by_place)
+    keep_worst(report, {{key.first, worst_of(points, bodies.at(key.second), history)}});
+  return report;
+}
+
+} // namespace rimpact::fe

@@ -1,0 +1,68 @@
+#include "responses/steel_report.h"
+
+#include "files/error.h"
+#include <algorithm>
+
+namespace rimpact {
+
+void keep_worst(SteelReport &worst, const SteelReport &other) {
+  for (const auto &[name, found] : other) {
+    const auto [kept, is_new] = worst.emplace(name, found);
+    if (is_new) continue;
+    const double damage = std::max(kept->second.damage, found.damage);
+    if (found.averaged > kept->second.averaged) kept->second = found;
+    kept->second.damage = damage;
+  }
+}
+
+bool is_of_the_rim(const std::string &place) {
+  return place != "slider_edge";
+}
+
+std::optional<JudgedStrain> judged_strain(const SteelReport &report) {
+  std::optional<JudgedStrain> judged;
+  for (const auto &[place, at] : report)
+    if (is_of_the_rim(place) && (!judged || at.averaged > judged->largest)) judged = {at.averaged, place};
+  return judged;
+}
+
+std::string words_for_place(const std::string &place) {
+  if (place == "rim_wall") return "the rim's wall";
+  if (place == "rim_root") return "the rim's root";
+  return place == "dish" ? "the dish below the rim" : "the slider's edge";
+}
+
+nlohmann::ordered_json to_json(const SteelReport &report, std::optional<double> limit) {
+  nlohmann::ordered_json result = nlohmann::ordered_json::object();
+  for (const auto &[name, at] : report) {
+    const bool strained = at.largest > 0;
+    nlohmann::ordered_json entry{{"max_plastic_strain", at.largest}, {"averaged_plastic_strain", at.averaged}};
+    entry["triaxiality"] = strained ? nlohmann::ordered_json(at.triaxiality) : nullptr;
+    entry["damage"] = at.damage;
+    entry["place_mm"] = strained ? nlohmann::ordered_json{1e3 * at.place.x(), 1e3 * at.place.y(), 1e3 * at.place.z()}
+                                 : nlohmann::ordered_json(nullptr);
+    entry["limit"] = limit ? nlohmann::ordered_json(*limit) : nullptr;
+    result[name] = entry;
+  }
+  return result;
+}
+
+SteelReport steel_report_in(const nlohmann::json &summary, const std::string &origin) {
+  SteelReport report;
+  if (!summary.contains("steel") || summary["steel"].is_null()) return report;
+  try {
+    for (const auto &[name, entry] : summary["steel"].items()) {
+      SteelAtPlace &at = report[name];
+      at.largest = entry.at("max_plastic_strain"), at.averaged = entry.at("averaged_plastic_strain");
+      at.damage = entry.at("damage");
+      if (!entry.at("triaxiality").is_null()) at.triaxiality = entry["triaxiality"];
+      if (!entry.at("place_mm").is_null())
+        for (int i = 0; i < 3; ++i) at.place[i] = 1e-3 * entry["place_mm"].at(i).get<double>();
+    }
+  } catch (const nlohmann::json::exception &) {
+    throw DataError(origin + ": \"steel\" is not the strain of a run's steel by its places");
+  }
+  return report;
+}
+
+} // namespace rimpact

@@ -1,0 +1,93 @@
+// Where the steel was strained, under which triaxiality, and how near it is to a crack.
+#include "box_mesh.h"
+#include "fe_contact/engine/steel_places.h"
+#include "fe_contact/laws/crack_measure.h"
+#include "meshes/rim_mesh.h"
+#include <cmath>
+#include <gtest/gtest.h>
+
+namespace rimpact::fe {
+namespace {
+
+using meshes::Volume;
+
+TEST(CrackMeasure, IsJohnsonAndCooksAndEndsInCompression) {
+  const CrackMeasure steel;
+  EXPECT_NEAR(steel.fracture_strain(0), 0.0705 + 1.732, 1e-12);
+  EXPECT_NEAR(steel.fracture_strain(1.0 / 3), 0.0705 + 1.732 * std::exp(-0.18), 1e-12);
+  EXPECT_TRUE(std::isfinite(steel.fracture_strain(-0.33)));
+  EXPECT_TRUE(std::isinf(steel.fracture_strain(-0.34)));
+}
+
+class Remembered : public ::testing::TestWithParam<int> {};
+
+/// A uniform stretch held across: mean stress kappa ln J over the flow stress, at every point of a bent mesh alike.
+TEST_P(Remembered, TriaxialityAndDamageOfAUniformStretch) {
+  meshes::HexMesh mesh;
+  test::add_box(mesh, {{0, 0, 0}, {0.2, 0.1, 0.1}, {2, 1, 2}, Volume::rim, {}}, [](std::array<double, 3> x) {
+    return std::array<double, 3>{x[0] + 0.3 * x[1] * x[2], x[1] + 0.5 * x[0] * x[0], x[2] - 0.4 * x[0] * x[1]};
+  });
+  const Discretisation space(mesh, GetParam());
+  const scene::Material steel = scene::Bearing{}.steel;
+  const Solid solid(space, scene::Bearing{});
+  Equations equations;
+  equations.n = static_cast<int>(space.n_dofs());
+  for (int k = 0; k < equations.n; ++k) equations.of_dof.push_back(k), equations.weight.push_back(1);
+  SolidHistory history = solid.virgin();
+  double triaxiality = 0, damage = 0;
+  for (const double stretch : {0.01, 0.02}) {
+    Eigen::VectorXd u = Eigen::VectorXd::Zero(space.n_dofs()), forces = Eigen::VectorXd::Zero(equations.n);
+    for (std::size_t a = 0; a < space.n_nodes; ++a) u[3 * a] = stretch * space.positions[a].x();
+    SolidEnergies energies;
+    SolidHistory next;
+    ASSERT_TRUE(solid.assemble(u, history, next, equations, forces, nullptr, energies));
+    const double K = steel.E / (3 * (1 - 2 * steel.nu)), before = history[0].alpha, flow = next[0].alpha - before;
+    const double eta = K * std::log1p(stretch) / (*steel.yield + scene::hardening_modulus(steel) * next[0].alpha);
+    triaxiality += eta * flow, damage += flow / CrackMeasure{}.fracture_strain(eta);
+    history = next;
+  }
+  ASSERT_GT(triaxiality, 0);
+  for (const J2State &point : history) {
+    EXPECT_NEAR(point.triaxiality, triaxiality, 1e-9 * triaxiality);
+    EXPECT_NEAR(point.damage, damage, 1e-9 * damage);
+  }
+}
+INSTANTIATE_TEST_SUITE_P(Degrees, Remembered, ::testing::Values(1, 2));
+
+TEST(SteelPlaces, EachPartIsToldApartAndASpikeIsAveraged) {
+  const scene::Bearing bearing;
+  meshes::MeshOrder order;
+  order.level = 0, order.half = true;
+  const Discretisation space(meshes::rim_mesh(bearing, order), 2);
+  SolidHistory history(space.n_cells * 27);
+  const std::map<Volume, double> strains{{Volume::plate, 0.02}, {Volume::rim, 0.02}, {Volume::upper_slider, 0.04}};
+  for (std::size_t c = 0; c < space.n_cells; ++c)
+    for (int q = 0; q < 27; ++q) history[27 * c + q].alpha = strains.at(space.volumes[c]);
+  const SteelReport even = steel_by_place(space, bearing, history);
+  ASSERT_EQ(even.size(), 4u);
+  for (const auto &[place, strain] :
+       {std::pair{"dish", 0.02}, {"rim_root", 0.02}, {"rim_wall", 0.02}, {"slider_edge", 0.04}}) {
+    EXPECT_EQ(even.at(place).largest, strain) << place;
+    EXPECT_NEAR(even.at(place).averaged, strain, 1e-12) << place;
+  }
+  // A point of the rim's highest cell.
+  std::size_t spike = 0;
+  double highest = 0;
+  for (std::size_t c = 0; c < space.n_cells; ++c)
+    if (const double z = space.positions[space.cell_nodes[27 * c]].z(); space.volumes[c] == Volume::rim && z > highest)
+      highest = z, spike = 27 * c;
+  history[spike].alpha = 0.5, history[spike].triaxiality = 0.1, history[spike].damage = 0.3;
+  const SteelReport spiked = steel_by_place(space, bearing, history);
+  const SteelAtPlace &wall = spiked.at("rim_wall");
+  EXPECT_EQ(wall.largest, 0.5);
+  EXPECT_GT(wall.averaged, 0.02);
+  EXPECT_LE(wall.averaged, 0.5);
+  EXPECT_NEAR(wall.triaxiality, 0.2, 1e-12);
+  EXPECT_EQ(wall.damage, 0.3);
+  EXPECT_NEAR(std::hypot(wall.place.x(), wall.place.y()), bearing.surface.planar_radius + bearing.rim.ledge, 0.05);
+  EXPECT_EQ(spiked.at("rim_root").largest, 0.02);
+  EXPECT_EQ(judged_strain(spiked)->place, "rim_wall");
+}
+
+} // namespace
+} // namespace rimpact::fe
