@@ -2,8 +2,8 @@
 // (and MPI) once; under mpirun the first rank speaks.
 #include "app/command_tree.h"
 #include "app/verb.h"
+#include "fe_contact/drive/mpi_start.h"
 #include "fe_contact/drive/run.h"
-#include "fe_contact/solver/ranks.h"
 #include "files/library_threads.h"
 
 #include <chrono>

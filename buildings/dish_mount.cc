@@ -16,7 +16,8 @@ public:
         damping_(2 * laws::damping_ratio(scene.isolator.contact_restitution) *
                  std::sqrt(stiffness_ * scene.load.mass)) {
     if (law_.socket > 0)
-      throw InputError("reduced.socket_friction under a building with bearings of rigid bodies: a dish there has none");
+      throw InputError("reduced.socket_friction under a building with bearings of rigid bodies: a dish there has none; "
+                       "--set reduced.socket_friction=false leaves it out");
     if (scene.reduced.friction != scene::Friction::park_wen)
       throw InputError("reduced.friction \"coulomb\" of a dish under a building, which takes \"park-wen\"");
     if (law_.has_rim() && law_.rim.law->yields)

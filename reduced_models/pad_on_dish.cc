@@ -1,4 +1,6 @@
 #include "reduced_models/pad_on_dish.h"
+
+#include "scene/stack_terms.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -82,15 +84,10 @@ double socket_arm(const scene::Bearing &bearing) {
   return bearing.foot.cap_radius * moment / ((1 - c * c * c) / 3);
 }
 
-double pad_elastic_slip(const scene::Bearing &bearing, double normal_force, double mu) {
-  const auto &pad = bearing.ertalyte;
-  return mu * normal_force * bearing.pad.thickness / (pad.E / (2 * (1 + pad.nu)) * bearing.pad_area());
-}
-
 void add_stack_terms(scene::Scene &scene) {
   auto &r = scene.reduced;
   r.finite_pad = r.socket_friction = true;
-  const double slip = pad_elastic_slip(scene.bearing, scene.load.vertical, r.mu_fast);
+  const double slip = scene::pad_elastic_slip(scene.bearing, scene.load.vertical, r.mu_fast);
   if (r.friction == scene::Friction::park_wen || !(slip > 0)) return;
   r.friction = scene::Friction::park_wen, r.elastic_slip = slip;
 }

@@ -38,11 +38,6 @@ private:
 /// turns at its distance from the axis. Cap radius times 1.11 for the default socket, 1 for a narrow one.
 double socket_arm(const scene::Bearing &bearing);
 
-/// Travel over which the pad, in shear, builds up the friction mu N of its face: mu N t / (G A) [m], 0.14 mm by
-/// default. A slider that turns round keeps its old friction for some milliseconds; on a pulse that is 5 to 20 % of the
-/// touch speed.
-double pad_elastic_slip(const scene::Bearing &bearing, double normal_force, double mu);
-
 /// Switches on what rungs `rigid-dish` and `full` have by themselves: the finite pad, the socket's friction, and
 /// (Park-Wen, unless the scene has chosen that itself) the pad's elastic slip under the dead load.
 void add_stack_terms(scene::Scene &scene);

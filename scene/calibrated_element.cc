@@ -38,6 +38,7 @@ struct Element {
   std::map<std::string, std::string> values; ///< key -> TOML value
   std::string rim;                           ///< identity of the rim it was fitted to; empty: not said
   std::optional<double> capacity;            ///< where the element begins [m]
+  StackTerms stack;
 
   [[noreturn]] void fail(const std::string &what) const {
     throw DataError(fmt::format("{}: its element cannot be read: {}", origin, what));
@@ -68,6 +69,16 @@ void read_parameters(const json &entries, Element &element) {
   }
 }
 
+void read_stack(const json &terms, Element &element) {
+  element.stack.slip_is_the_bearings = member(terms, "elastic_slip_from") != "fit";
+  for (const auto &key : stack_keys()) {
+    const json &value = member(terms, key.c_str());
+    if (value.is_boolean()) element.stack.values[key] = value.get<bool>() ? "true" : "false";
+    if (value.is_string()) element.stack.values[key] = toml_quoted(value.get<std::string>());
+    if (value.is_number()) element.stack.values[key] = fmt::format("{:.9g}", value.get<double>());
+  }
+}
+
 void read_answer(const json &answer, Element &element) {
   const json &law = member(answer, "law");
   if (!member(law, "name").is_string()) element.fail("answer.law.name is not a word");
@@ -82,6 +93,7 @@ void read_answer(const json &answer, Element &element) {
     element.number(member(law, "belongs_to") == "mass" ? "fitted_mass_kg" : "fitted_speeds_mass_kg", mass);
   if (const json &rim = member(answer, "rim_identity"); rim.is_string()) element.rim = rim.get<std::string>();
   if (!element.rim.empty()) element.values["fitted_rim"] = toml_quoted(element.rim);
+  read_stack(member(answer, "stack"), element);
 }
 
 /// [reduced] of calibration.toml, the element's keys alone.
@@ -119,7 +131,7 @@ void check(const Element &element) {
 
 Element read_element(const std::string &folder) {
   const auto in = [&](const char *name) { return (fs::path(folder) / name).string(); };
-  Element element{.origin = in("calibration.json"), .values = {}, .rim = {}, .capacity = {}};
+  Element element{.origin = in("calibration.json"), .values = {}, .rim = {}, .capacity = {}, .stack = {}};
   const json whole = json::parse(read_file(element.origin), nullptr, false);
   if (!whole.is_object()) element.fail("it is no JSON object");
   if (!member(whole, "answer").is_null()) {
@@ -186,11 +198,12 @@ std::vector<std::string> typed_element_keys(const TomlFile &file) {
   return typed;
 }
 
-void adopt_calibration(TomlFile &file, const std::string &folder, const Bearing &bearing,
-                       std::vector<std::string> &remarks) {
+TakenTerms adopt_calibration(TomlFile &file, const std::string &folder, const Bearing &bearing,
+                             std::vector<std::string> &remarks) {
   const std::string asked = "reduced.calibration";
   const auto *node = file.find(asked);
-  if (!node || !node->is_string() || node->as_string()->get().empty()) return; // the reader says what is wrong with it
+  if (!node || !node->is_string() || node->as_string()->get().empty())
+    return {}; // the reader says what is wrong with it
   const bool typed = file.is_set(asked);
   const std::string place_of_it = file.location(asked);
   std::error_code ignored;
@@ -218,6 +231,7 @@ void adopt_calibration(TomlFile &file, const std::string &folder, const Bearing 
     else
       file.erase("reduced." + key); // a file's key that the calibration has not
   }
+  return adopt_stack_terms(file, element.stack, typed, remarks);
 }
 
 void forget_origin(const std::vector<std::string> &typed, ReducedSettings &reduced, std::vector<std::string> &remarks) {

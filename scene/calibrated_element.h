@@ -3,6 +3,7 @@
 #include "files/toml_reader.h"
 #include "scene/bearing.h"
 #include "scene/keys.h"
+#include "scene/stack_terms.h"
 
 namespace rimpact::scene {
 
@@ -14,8 +15,9 @@ const std::vector<std::string> &element_keys();
 /// `folder`: the folder is sought beside it. A key typed with --set stays and is remarked upon. An element's key in the
 /// file itself is an InputError, or, where the calibration was given on the command line, is replaced with a remark.
 /// Throws DataError for a calibration that cannot be read.
-void adopt_calibration(TomlFile &file, const std::string &folder, const Bearing &bearing,
-                       std::vector<std::string> &remarks);
+/// The terms of pad and socket that the calibration carries come with it (adopt_stack_terms).
+TakenTerms adopt_calibration(TomlFile &file, const std::string &folder, const Bearing &bearing,
+                             std::vector<std::string> &remarks);
 
 /// Law and numbers typed with --set; to be asked before adopt_calibration.
 std::vector<std::string> typed_element_keys(const TomlFile &file);

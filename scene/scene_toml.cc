@@ -99,10 +99,11 @@ Scene parse_scene(const std::string &text, const std::string &origin, const std:
     read_bearing(file, reader, "bearing.", folder, scene.bearing);
   });
   const auto typed = typed_element_keys(file);
-  adopt_calibration(file, folder, scene.bearing, scene.remarks);
+  const TakenTerms taken = adopt_calibration(file, folder, scene.bearing, scene.remarks);
   visit_settings(reader, scene);
   reader.finish();
   forget_origin(typed, scene.reduced, scene.remarks);
+  if (taken.any) leave_out_what_does_not_fit(scene);
   // Geometry first: a bearing that cannot be built is said before a record that is missing.
   with_location(file, "bearing", [&] { check_bearing(scene); });
   if (std::string remark = unread_keys(file, scene); !remark.empty()) scene.remarks.push_back(std::move(remark));
@@ -111,6 +112,7 @@ Scene parse_scene(const std::string &text, const std::string &origin, const std:
   if (!scene.reduced.impact_curve.empty()) make_absolute(scene.reduced.impact_curve, folder);
   if (scene.model.own_mesh.any()) make_absolute(scene.model.own_mesh.file, folder);
   set_dependent_defaults(file, has_own_bearing(file), scene);
+  if (taken.bearings_slip) settle_elastic_slip(scene);
   if (std::string remark = remark_on_half_a_load(file, overrides, scene.load); !remark.empty())
     scene.remarks.push_back(scene.load_remark = std::move(remark));
   with_location(file, "bearing", [&] { scene.validate(); });

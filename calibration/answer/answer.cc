@@ -4,6 +4,7 @@
 #include "calibration/studies/stored_study.h"
 #include "scene/doubts.h"
 #include "scene/rim_identity.h"
+#include "scene/stack_terms.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
@@ -58,6 +59,20 @@ void name_sources(const Calibration &c, Answer &answer, const std::vector<LawErr
 
 } // namespace
 
+namespace {
+
+/// Solids and specimens have pad and socket, whatever the fitted part of them was.
+std::optional<AnswerStack> answer_stack(const Answer &answer) {
+  const scene::Scene &s = answer.scene;
+  if (answer.sources == std::set{RunSource::reduced_model}) return {};
+  const auto &result = answer.law.result;
+  if (result.parameters.count("elastic_slip") + result.fixed.count("elastic_slip") > 0)
+    return AnswerStack{s.reduced.elastic_slip, true};
+  return AnswerStack{scene::pad_elastic_slip(s.bearing, s.load.vertical, s.reduced.mu_fast), false};
+}
+
+} // namespace
+
 std::string Answer::source() const {
   std::string text;
   for (const RunSource source : sources) text += (text.empty() ? "" : " and ") + word(source);
@@ -98,6 +113,7 @@ Answer make_answer(const Calibration &c, const CalibrationOptions &options, cons
   answer.published_applies = scene::published_pair_applies(answer.scene);
   answer.law = answer_law(choice, answer.scene, runs, c.laws.tolerance);
   name_sources(c, answer, choice.row.fitted);
+  answer.stack = answer_stack(answer);
   answer.table = answer_table(answer.scene, answer.law);
   answer_pair(c, answer);
   answer.strain = answer_strain(c, runs);

@@ -74,6 +74,12 @@ struct AnswerMeshError {
   std::string sentence;             ///< empty: no finite elements
 };
 
+/// Of pad and socket beside the law (scene/stack_terms.h).
+struct AnswerStack {
+  double elastic_slip;  ///< [m]
+  bool slip_was_fitted; ///< or held; else it is the bearing's own, under the load
+};
+
 struct Answer {
   scene::Scene scene; ///< the fitted runs' bearing and load, with the law and every number it reads
   std::string rim_identity;
@@ -88,9 +94,10 @@ struct Answer {
   bool published_applies = false;
   std::optional<AnswerStrain> strain;
   AnswerMeshError mesh_error;
-  std::vector<std::string> doubts; ///< sentences
-  std::string validity;            ///< the one sentence for headers and exports
-  std::string source() const;      ///< the sources' words, joined by "and"
+  std::optional<AnswerStack> stack; ///< none: the runs are of the reduced model, whose scenes say what they have
+  std::vector<std::string> doubts;  ///< sentences
+  std::string validity;             ///< the one sentence for headers and exports
+  std::string source() const;       ///< the sources' words, joined by "and"
 };
 
 /// The error of the law at a speed, from runs by speed: linear in the logarithm of the speed between the two enclosing

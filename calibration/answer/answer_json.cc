@@ -73,6 +73,15 @@ json pair_json(const PairRange &pair) {
           {"sentence", pair.sentence}};
 }
 
+/// Of pad and socket, by key of [reduced]: scene/stack_terms.h.
+json stack_json(const AnswerStack &stack) {
+  return {{"finite_pad", true},
+          {"socket_friction", true},
+          {"friction", word(scene::Friction::park_wen)},
+          {"elastic_slip_mm", 1e3 * stack.elastic_slip},
+          {"elastic_slip_from", stack.slip_was_fitted ? "fit" : "bearing"}};
+}
+
 json strain_json(const AnswerStrain &s) {
   json rows = json::array();
   for (const auto &row : s.rows)
@@ -114,6 +123,7 @@ json to_json(const Answer &a) {
           {"strain", a.strain ? strain_json(*a.strain) : json(nullptr)},
           {"mesh_error",
            {{"peak_force", number(a.mesh_error.peak_force)}, {"sentence", text_or_null(a.mesh_error.sentence)}}},
+          {"stack", a.stack ? stack_json(*a.stack) : json(nullptr)},
           {"assumptions", assumed},
           {"doubts", a.doubts},
           {"validity", a.validity}};

@@ -56,6 +56,11 @@ std::string to_toml_fragment(const Answer &a) {
     for (const auto &name : *names) text += assigned(name, parameter(name).get(a.scene));
   if (law.reads("exponent")) text += fmt::format("reference_speed_m_per_s = {:.9g}\n", r.reference_speed);
   text += others(a, "reduced");
+  if (a.stack)
+    text +=
+        fmt::format("finite_pad = true\nsocket_friction = true\nfriction = \"{}\"\n", word(scene::Friction::park_wen));
+  if (a.stack && !a.stack->slip_was_fitted)
+    text += fmt::format("elastic_slip_mm = {:.9g}\n", 1e3 * a.stack->elastic_slip);
   text += fmt::format("fitted_from_m_per_s = {:.9g}\nfitted_to_m_per_s = {:.9g}\n", a.law.fitted_from, a.law.fitted_to);
   text +=
       fmt::format("{} = {:.9g}\n", a.law.of_the_mass ? "fitted_mass_kg" : "fitted_speeds_mass_kg", a.scene.load.mass);

@@ -26,6 +26,7 @@ TABLES = {
         ("tests/hard_cases/solid/table_full.txt", "Rung full", "ctest -L slow -R hard_cases_full")]),
     "refinement": ("Refinement and peers", [
         ("tests/verification/rim_window_refinement.txt", "A window, meshes 1 to 3", "tests/verification/rim_window_refinement.py"),
+        ("tests/verification/steel_places.txt", "The rim's steel, meshes 0 to 2", "tests/verification/steel_places.py"),
         ("tests/verification/stack_refinement.txt", "The stack", "tests/verification/stack_refinement.py"),
         ("tests/verification/windows_of_rungs.txt", "One window by every rung", "tests/verification/windows_of_rungs.py"),
         ("tests/verification/static_loops.txt", "Quasi-static loops", "tests/verification/static_loops.py"),

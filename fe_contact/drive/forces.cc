@@ -1,8 +1,8 @@
 #include "fe_contact/drive/forces.h"
 
 #include "fe_contact/drive/sample_row.h"
+#include "fe_contact/drive/steel_places.h"
 #include "fe_contact/engine/solid_fields.h"
-#include "fe_contact/engine/steel_places.h"
 #include <algorithm>
 #include <cmath>
 

@@ -3,8 +3,8 @@
 
 namespace rimpact::fe {
 
-/// Throws SolverStopped where the limit (ulimit -v) leaves less than `bytes` of a plan: at the limit itself libraries
-/// wait for memory without end.
+/// Throws SolverStopped where the limit (ulimit -v) leaves less than `bytes` of a plan and the buffer of BLAS, which is
+/// taken here: at the limit itself libraries wait for memory without end.
 void need_memory(double bytes);
 
 } // namespace rimpact::fe

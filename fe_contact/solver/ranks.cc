@@ -1,7 +1,6 @@
 #include "fe_contact/solver/ranks.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
 #include <mpi.h>
 #include <stdexcept>
@@ -85,15 +84,6 @@ void reduce(double *values, int n, MPI_Op operation, const Ranks &ranks) {
 }
 
 } // namespace
-
-void start_mpi_alone_unless_launched() {
-  if (std::getenv("OMPI_COMM_WORLD_SIZE")) return;
-  for (const auto &[name, value] : {std::pair{"OMPI_MCA_ess_singleton_isolated", "1"},
-                                    {"OMPI_MCA_orte_create_session_dirs", "0"},
-                                    {"OMPI_MCA_pml", "ob1"},
-                                    {"OMPI_MCA_btl", "self"}})
-    setenv(name, value, 1);
-}
 
 const Ranks &ranks() {
   return present();

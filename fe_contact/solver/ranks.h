@@ -27,9 +27,6 @@ struct Ranks {
   void hand_round_bytes(void *data, std::size_t bytes_each, const std::vector<std::size_t> &starts) const;
 };
 
-/// Before MPI starts: a process that mpirun did not start asks for no daemon, no network and no folder under /tmp. Open
-/// MPI 4 shares that folder between all runs of a user and removes it under the feet of a run that begins.
-void start_mpi_alone_unless_launched();
 /// Those of this process.
 const Ranks &ranks();
 

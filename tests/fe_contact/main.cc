@@ -1,6 +1,6 @@
 // GoogleTest's main with PETSc started, which the direct solver needs, and without what this machine remembers of its
 // runs.
-#include "fe_contact/solver/ranks.h"
+#include "fe_contact/drive/mpi_start.h"
 #include "files/library_threads.h"
 #include <cstdlib>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // Where the steel was strained, under which triaxiality, and how near it is to a crack.
 #include "box_mesh.h"
-#include "fe_contact/engine/steel_places.h"
+#include "fe_contact/drive/steel_places.h"
 #include "fe_contact/laws/crack_measure.h"
 #include "meshes/rim_mesh.h"
 #include <cmath>

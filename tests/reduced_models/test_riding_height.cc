@@ -1,5 +1,6 @@
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/riding_height.h"
+#include "scene/stack_terms.h"
 #include "scenes.h"
 #include <gtest/gtest.h>
 #include <numbers>
@@ -75,7 +76,7 @@ TEST(RidingHeight, PlaneIsFlat) {
 TEST(StackTerms, PadInShearGivesTheElasticSlip) {
   scene::Scene s;
   const double G = 3.2e9 / 2.6, area = std::numbers::pi * (0.07019 * 0.07019 - 0.02 * 0.02);
-  EXPECT_NEAR(pad_elastic_slip(s.bearing, 853e3, 0.07), 0.07 * 853e3 * 0.040 / (G * area), 1e-12);
+  EXPECT_NEAR(scene::pad_elastic_slip(s.bearing, 853e3, 0.07), 0.07 * 853e3 * 0.040 / (G * area), 1e-12);
   add_stack_terms(s);
   EXPECT_TRUE(s.reduced.finite_pad && s.reduced.socket_friction);
   EXPECT_EQ(s.reduced.friction, scene::Friction::park_wen);

@@ -3,7 +3,9 @@
 #include "scene/doubts.h"
 #include "scene/rim_identity.h"
 #include "scene/scene.h"
+#include "scene/stack_terms.h"
 #include "temporary_folder.h"
+#include <algorithm>
 #include <fmt/format.h>
 
 namespace {
@@ -52,6 +54,45 @@ TEST(CalibratedElement, TakesTheAnswersLawAndNumbers) {
   EXPECT_EQ(s.reduced.fitted_rim, thesis_rim());
   EXPECT_EQ(s.reduced.calibration, folder / "cal");
   EXPECT_TRUE(doubts_of_element(s).empty());
+}
+
+std::string with_stack(std::string json) {
+  const std::string stack =
+      R"({"answer": {"stack": {"finite_pad": true, "socket_friction": true, "friction": "park-wen",
+    "elastic_slip_mm": 0.14, "elastic_slip_from": "bearing"}, )";
+  return json.replace(0, std::string(R"({"answer": {)").size(), stack);
+}
+
+/// Pad and socket come with the law of a bearing that has them.
+TEST(CalibratedElement, BringsPadAndSocket) {
+  const Folder folder(with_stack(answer("elastoplastic", element, "rim", thesis_rim())));
+  const Scene s = load_scene("ricker-0.78g-1.0s", {folder.cal()});
+  EXPECT_TRUE(s.reduced.finite_pad && s.reduced.socket_friction);
+  EXPECT_EQ(s.reduced.friction, Friction::park_wen);
+  EXPECT_DOUBLE_EQ(s.reduced.elastic_slip, pad_elastic_slip(s.bearing, s.load.vertical, s.reduced.mu_fast));
+  EXPECT_NEAR(s.reduced.elastic_slip, 0.14e-3, 0.5e-5);
+  const Scene heavier = load_scene("ricker-0.78g-1.0s", {folder.cal(), "load.mass_kg=173904", "load.vertical_kN=1706"});
+  EXPECT_NEAR(heavier.reduced.elastic_slip, 2 * s.reduced.elastic_slip, 1e-9);
+  const Scene typed =
+      load_scene("ricker-0.78g-1.0s", {folder.cal(), "reduced.finite_pad=false", "reduced.elastic_slip_mm=0.3"});
+  EXPECT_FALSE(typed.reduced.finite_pad);
+  EXPECT_TRUE(typed.reduced.socket_friction);
+  EXPECT_DOUBLE_EQ(typed.reduced.elastic_slip, 0.3e-3);
+  const auto own = folder.write("own.toml", "[reduced]\ncalibration = 'cal'\nfriction = 'coulomb'\n");
+  EXPECT_EQ(load_scene(own).reduced.friction, Friction::coulomb) << "what the file says beside it stays";
+  const auto before = folder.write("before.toml", "[reduced]\nfriction = 'coulomb'\nfinite_pad = false\n");
+  const Scene replaced = load_scene(before, {folder.cal()});
+  EXPECT_TRUE(replaced.reduced.finite_pad);
+  EXPECT_EQ(replaced.reduced.friction, Friction::park_wen);
+  const auto told = [&](const char *words) {
+    return std::any_of(replaced.remarks.begin(), replaced.remarks.end(),
+                       [&](const std::string &remark) { return remark.find(words) != std::string::npos; });
+  };
+  EXPECT_TRUE(told("in place of the scene's own finite_pad, friction")) << replaced.remarks.front();
+  const Scene odd = load_scene("ricker-0.78g-1.0s", {folder.cal(), "bearing.pad.outer_radius_mm=400"});
+  EXPECT_FALSE(odd.reduced.finite_pad);
+  ASSERT_FALSE(odd.remarks.empty());
+  EXPECT_NE(odd.remarks.back().find("socket's friction are left out"), std::string::npos) << odd.remarks.back();
 }
 
 TEST(CalibratedElement, AResolvedSceneNeedsTheFolderNoMore) {

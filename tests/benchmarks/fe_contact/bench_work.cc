@@ -3,6 +3,7 @@
 // is what the others wait for. The error is the residual that GMRES leaves in double precision. `of sgemm`: what an
 // operation of the factor costs in operations of a plain dense product on one thread here: 9 for the smallest factor, 3
 // for a large one. Far above, the factor is held up (threads that spin, a slow BLAS).
+#include "fe_contact/drive/mpi_start.h"
 #include "fe_contact/rungs/bearing_model.h"
 #include "fe_contact/rungs/catalogue.h"
 #include "fe_contact/solver/ranks.h"

@@ -1,4 +1,4 @@
-#include "fe_contact/engine/steel_places.h"
+#include "fe_contact/drive/steel_places.h"
 
 #include <algorithm>
 #include <vector>

@@ -1,0 +1,35 @@
+/// What pad and socket add to the physical model of a bearing: the pad's finite size, the socket's friction, and the
+/// travel over which the pad, in shear, builds up the friction of its face. A calibration carries them, because the
+/// bearing it was made for has them; the impact element is fitted beside them.
+#pragma once
+#include "files/toml_reader.h"
+#include "scene/scene.h"
+
+namespace rimpact::scene {
+
+/// Keys of [reduced] that switch them on.
+const std::vector<std::string> &stack_keys();
+
+/// Travel over which the pad builds up the friction mu N of its face: mu N t / (G A) [m], 0.14 mm by default. A slider
+/// that turns round keeps its old friction for some milliseconds; on a pulse that is 5 to 20 % of the touch speed.
+double pad_elastic_slip(const Bearing &bearing, double normal_force, double mu);
+
+/// As a calibration writes them.
+struct StackTerms {
+  std::map<std::string, std::string> values; ///< by key of [reduced], in TOML
+  bool slip_is_the_bearings = true;          ///< else it was fitted
+};
+
+/// Of a file that names a calibration. What is typed with --set stays; what
+/// the file has stays beside a calibration that the file names, and is replaced, with a remark, by one that is typed.
+struct TakenTerms {
+  bool any = false, bearings_slip = false;
+};
+TakenTerms adopt_stack_terms(TomlFile &file, const StackTerms &terms, bool calibration_is_typed,
+                             std::vector<std::string> &remarks);
+/// After reading: terms that were taken are left out, with a remark, where the bearing's pad and foot do not fit it.
+void leave_out_what_does_not_fit(Scene &scene);
+/// After the load is known: an elastic slip that was taken becomes that of this bearing under this load.
+void settle_elastic_slip(Scene &scene);
+
+} // namespace rimpact::scene
