@@ -105,12 +105,12 @@ Scene parse_scene(const std::string &text, const std::string &origin, const std:
   forget_origin(typed, scene.reduced, scene.remarks);
   // Geometry first: a bearing that cannot be built is said before a record that is missing.
   with_location(file, "bearing", [&] { check_bearing(scene); });
-  if (std::string remark = unread_keys(file, scene); !remark.empty()) scene.remarks.push_back(std::move(remark));
   read_records(file, scene, folder);
   read_path(file, scene, folder);
   if (!scene.reduced.impact_curve.empty()) make_absolute(scene.reduced.impact_curve, folder);
   if (scene.model.own_mesh.any()) make_absolute(scene.model.own_mesh.file, folder);
   set_dependent_defaults(file, has_own_bearing(file), scene);
+  if (std::string remark = unread_keys(file, scene); !remark.empty()) scene.remarks.push_back(std::move(remark));
   if (std::string remark = remark_on_half_a_load(file, overrides, scene.load); !remark.empty())
     scene.remarks.push_back(scene.load_remark = std::move(remark));
   with_location(file, "bearing", [&] { scene.validate(); });
