@@ -124,9 +124,6 @@ std::vector<std::string> Console::settings() const {
 scene::Scene Console::load(const std::string &given) {
   scene::Scene scene = scene::load_scene(given, settings());
   warn_of(scene);
-  if (load_is_shared &&
-      std::any_of(overrides.begin(), overrides.end(), [](const auto &each) { return each.starts_with("load."); }))
-    warn("load keys are not read: a building's bearings carry what stands on them");
   return scene;
 }
 

@@ -11,7 +11,7 @@ namespace {
 scene::Scene for_target(const char *built_in, const MainTarget &target, const std::string &assignment) {
   scene::Scene scene = scene::load_scene(built_in, {assignment});
   scene.bearing = target.scene.bearing;
-  scene.load = target.scene.load;
+  scene.load = target.scene.load, scene.load_remark = target.scene.load_remark;
   scene.model = target.scene.model;
   scene.reduced = target.scene.reduced;
   scene.reduced.forget_fit(); // a reference run is of no fitted law
@@ -23,6 +23,7 @@ bool is_thesis(const scene::Scene &pulse, const char *built_in) {
   scene::Scene thesis = scene::load_scene(built_in);
   thesis.model = pulse.model;
   thesis.name = pulse.name;
+  thesis.load_remark = pulse.load_remark; // whether the load is given is no number
   return scene::to_toml(thesis) == scene::to_toml(pulse);
 }
 

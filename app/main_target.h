@@ -1,27 +1,22 @@
-/// What `rimpact main` is asked about: a bearing under its load, and where each of them comes from.
+/// What `rimpact main` is asked about: a bearing under its load.
 #pragma once
-#include "scene/scene.h"
-#include <nlohmann/json.hpp>
+#include "app/given_case.h"
 
 namespace rimpact::app {
 
-struct MainTarget {
-  scene::Scene scene;                   ///< its bearing, load, [model] and [reduced]; its motion is not run
-  std::string bearing_from;             ///< "own/bearing.toml", "built-in", ...
-  std::string vertical_from, mass_from; ///< "own/scene.toml:5:15", "--set load.mass_kg=...", "default"
-  std::vector<std::string> remarks;     ///< what of the scene is not run
-  std::vector<std::string> warnings;    ///< a load that nobody gave
-
-  nlohmann::json bearing_json() const;
-  nlohmann::json load_json() const;
-  std::string head() const; ///< two lines: bearing and load with their numbers and origins
+/// A bearing under its load, for runs of the verb's own motions: the scene's bearing, load, [model] and [reduced].
+struct MainTarget : GivenCase {
+  std::vector<std::string> remarks; ///< what of the scene is not run
 };
 
-/// `where`: a built-in bearing or scene, a bearing or scene file, or a case folder of `rimpact new`; `overrides` as
-/// --set of a scene. A scene has [bearing], [load], [excitation], [model] or [reduced]; a bearing [surface], [slider],
-/// [rim] and so on. A bearing under an override is parsed as the scene that names it. The rung is `rim` unless the file
-/// or an override asks for another. Throws InputError for a file that is both or neither, for a motion given by --set,
-/// for a double concave bearing and a building.
+/// Of what given_case() takes. The rung is `rim` unless the file or an override asks for another. Throws InputError for
+/// a motion or a name given by --set, for a double concave bearing and a building.
 MainTarget main_target(const std::string &where, const std::vector<std::string> &overrides);
+/// Whether the key says what an element was fitted to: reference runs carry none of it.
+bool is_of_a_fit(const std::string &key);
+/// Throws InputError for a double concave bearing and a building.
+void require_rigid_mass_on_one_dish(const scene::Scene &scene, const std::string &verb);
+/// The rung is `rim` unless the file or an override asks for another.
+void take_rung(GivenCase &given, const std::vector<std::string> &overrides);
 
 } // namespace rimpact::app

@@ -63,6 +63,7 @@ NamedTexts files() {
       {"report.html", "of `report` and `main`: one self-contained page"},
       {"calibration.json", "of `calibrate`: the answer, the fit and what stands behind it"},
       {"calibration.toml", "of `calibrate`: the answer's law as [reduced] of a scene"},
+      {"fitted-scene.toml", "of `calibrate`: bearing, load and [reduced] of the fitted runs, for `export`"},
       {"table.csv, table.h5", "of a sweep: one row a run, its parameters and results"},
       {"fractiles.csv, fractiles.h5", "of a sweep with [fractiles]: quantiles along one key"},
       {"fleet.json", "of a sweep: what its rows are of"},

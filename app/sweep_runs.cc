@@ -45,6 +45,9 @@ void sweep_runs(const SweepOptions &options, const SweepPlace &place, const flee
                 Console &console) {
   const auto [shard, n_shards] = parse_shard(options.shard);
   const fleets::Sweep sweep = sweep_of(options.sweep);
+  for (const auto &key : sweep.keys)
+    if (const std::string why = place.why_unread ? place.why_unread(key) : ""; !why.empty())
+      throw InputError(fmt::format("--sweep {}: {} is not read: {}", options.sweep.front(), key, why));
   for (const auto &sentence : sweep.left_out) console.message(sentence);
   ProgressLine line(console.quiet);
   const std::string folder =

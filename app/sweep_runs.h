@@ -1,6 +1,7 @@
 /// SCENE --sweep FILE of `reduced` and `building`: a fleet of runs.
 #pragma once
 #include "app/console.h"
+#include "app/set_keys.h"
 #include "fleets/fleet.h"
 #include <CLI/CLI.hpp>
 #include <string>
@@ -19,6 +20,7 @@ struct SweepPlace {
   std::string scene, folder; ///< folder empty: default_folder(name) with what the sweep is called
   std::string name;
   bool picture = false;
+  WhyUnread why_unread = {}; ///< of the sweep's keys; empty: what runs them reads all
 };
 void sweep_runs(const SweepOptions &options, const SweepPlace &place, const fleets::FleetModel &model,
                 Console &console);

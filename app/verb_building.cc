@@ -1,5 +1,6 @@
 // rimpact building SCENE: a building on bearings, one under each of its columns, moved as the scene says.
 #include "app/folder_claim.h"
+#include "app/set_keys.h"
 #include "app/sibling.h"
 #include "app/sweep_runs.h"
 #include "app/verb.h"
@@ -136,6 +137,12 @@ buildings::Frame doubted_frame(const std::string &where, Console &console) {
   return frame;
 }
 
+std::string not_of_a_building(const std::string &key) {
+  if (is_in(key, "load.vertical_kN") || is_in(key, "load.mass_kg"))
+    return "a building's bearings carry what stands on them; its masses are the frame's (--frame)";
+  return "";
+}
+
 /// A building's frame stays as it is; the sweep moves the scene's keys, and the bearings' with them.
 void sweep_building(const BuildingOptions &options, Console &console) {
   const auto frame = doubted_frame(options.frame, console);
@@ -152,11 +159,13 @@ void sweep_building(const BuildingOptions &options, Console &console) {
              {.scene = options.scene,
               .folder = options.folder,
               .name = std::filesystem::path(options.scene).stem().string() + "-" + frame.name,
-              .picture = options.picture},
+              .picture = options.picture,
+              .why_unread = not_of_a_building},
              model, console);
 }
 
 void run_building(const BuildingOptions &options, Console &console) {
+  refuse_unread(console.overrides, "building", not_of_a_building);
   console.overrides.insert(console.overrides.begin(), "reduced.friction=\"park-wen\""); // what a common base takes
   console.load_is_shared = true;
   if (!options.sweep.sweep.empty()) return sweep_building(options, console);

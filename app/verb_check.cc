@@ -4,6 +4,7 @@
 #include "files/error.h"
 #include "files/json_text.h"
 #include "planning/plan.h"
+#include "responses/identity.h"
 #include "scene/case_description.h"
 #include "scene/doubts.h"
 #include <algorithm>
@@ -62,6 +63,7 @@ void add_check(CLI::App &app, Console &console) {
       table["bearing"] = scene.bearing.name;
       table["lateral_capacity_m"] = scene.bearing.lateral_capacity();
       table["rung"] = word(scene.model.rung);
+      table["identity"] = to_json(identity_of(scene));
       table.update(scene::case_json(scene));
       table["assumptions"] = nlohmann::json::object();
       for (const auto &item : assumed) table["assumptions"][item.key] = item.value;

@@ -1,4 +1,5 @@
 // rimpact curve [BEARING]: the rim's quasi-static force curve with unloadings, flown by impact_law = "curve".
+#include "app/given_case.h"
 #include "app/progress.h"
 #include "app/verb.h"
 #include "fe_contact/drive/curve_push.h"
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <optional>
 
 namespace rimpact::app {
 namespace {
@@ -16,6 +18,8 @@ namespace {
 struct CurveOptions {
   std::string bearing = "shfps-225", folder;
   fe::CurveOrder order;
+  std::optional<double> mass; ///< --mass-kg; none: the scene's
+  std::string mass_from;
 };
 
 nlohmann::json answer_of(const CurveOptions &options, const reduced::RimCurveFile &file, double seconds) {
@@ -28,6 +32,7 @@ nlohmann::json answer_of(const CurveOptions &options, const reduced::RimCurveFil
           {"rim_identity", file.rim_identity},
           {"mesh", file.mesh},
           {"mass_kg", options.order.mass},
+          {"mass_from", options.mass_from},
           {"deepest_m", {{"dish", dish.range()}, {"held", held.range()}}},
           {"fastest_m_s", {{"dish", speed(dish)}, {"held", speed(held)}}},
           {"n_unloadings", file.dish.unloading.size()},
@@ -40,13 +45,13 @@ nlohmann::json answer_of(const CurveOptions &options, const reduced::RimCurveFil
 std::string describe(const nlohmann::json &answer) {
   const auto &deepest = answer["deepest_m"], &fastest = answer["fastest_m_s"], &error = answer["error"];
   return fmt::format(
-      "{}: {}, pressed to {:.2f} mm along the dish and {:.2f} mm held: {:g} kg at up to {:.3f} and {:.3f} m/s\n"
+      "{}: {}, pressed to {:.2f} mm along the dish and {:.2f} mm held: {:g} kg ({}) at up to {:.3f} and {:.3f} m/s\n"
       "error: mesh {}, unloading between the pushed depths {:.2f} % of "
       "the rebound; {}\n"
       "fly it: --set reduced.impact_law=curve --set reduced.impact_curve={}\n",
       answer["bearing"].get<std::string>(), answer["mesh"].get<std::string>(), 1e3 * deepest["dish"].get<double>(),
-      1e3 * deepest["held"].get<double>(), answer["mass_kg"].get<double>(), fastest["dish"].get<double>(),
-      fastest["held"].get<double>(),
+      1e3 * deepest["held"].get<double>(), answer["mass_kg"].get<double>(), answer["mass_from"].get<std::string>(),
+      fastest["dish"].get<double>(), fastest["held"].get<double>(),
       error["mesh_force"].is_null()
           ? "not estimated, for there is no coarser one"
           : fmt::format("{:.2f} % of the force (from the next coarser mesh)", 1e2 * error["mesh_force"].get<double>()),
@@ -54,9 +59,20 @@ std::string describe(const nlohmann::json &answer) {
       answer["file"].get<std::string>());
 }
 
-void curve(CurveOptions &options, Console &console) {
+/// The bearing to be pushed; the mass that its speeds are of is typed, else the scene's.
+scene::Scene scene_to_push(CurveOptions &options, Console &console) {
+  const GivenCase given = given_case(options.bearing, {});
+  if (!options.mass)
+    for (const auto &warning : given.warnings) console.warn(warning);
+  options.order.mass = options.mass.value_or(given.scene.load.mass);
+  options.mass_from = options.mass ? "--mass-kg" : given.mass_from;
   scene::Scene scene = scene::load_scene("rim-push");
-  scene.bearing = scene::load_bearing(options.bearing);
+  scene.bearing = given.scene.bearing;
+  return scene;
+}
+
+void curve(CurveOptions &options, Console &console) {
+  scene::Scene scene = scene_to_push(options, console);
   if (console.mesh >= 0) scene.model.mesh = console.mesh;
   scene.validate();
   fe::check_supported(scene);
@@ -92,10 +108,12 @@ void add_curve(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand(
       "curve", "push a bearing's rim once for every speed: curve.h5, flown by impact_law = \"curve\"");
   auto options = std::make_shared<CurveOptions>();
-  verb->add_option("BEARING", options->bearing, "a TOML file or a built-in bearing");
+  verb->add_option("BEARING", options->bearing,
+                   "a bearing, scene or case folder: built-in or a TOML file; a scene's load.mass_kg is taken");
   verb->add_option("-o,--output", options->folder,
                    "folder for curve.h5, curve.csv and curve.json (default results/<bearing>-curve)");
-  verb->add_option("--mass-kg", options->order.mass, "supported mass that --speed is of")->check(CLI::Range(1.0, 1e9));
+  verb->add_option("--mass-kg", options->mass, "supported mass that --speed is of (default: the scene's)")
+      ->check(CLI::Range(1.0, 1e9));
   verb->add_option("--speed", options->order.speed, "fastest approach to be stopped [m/s]")
       ->check(CLI::Range(1e-3, 10.0));
   verb->add_option("--unloadings", options->order.unloadings, "depths to unload from")->check(CLI::Range(3, 100));

@@ -13,6 +13,7 @@ namespace {
 struct DesignOptions {
   reduced::IsolationDesignInput input;
   std::optional<double> period, weight_kN;
+  std::vector<std::string> assumed; ///< sentences: what nobody gave and the thesis's bearing has
 };
 
 nlohmann::ordered_json to_json(const DesignOptions &options, const reduced::IsolationDesign &d) {
@@ -31,7 +32,7 @@ nlohmann::ordered_json to_json(const DesignOptions &options, const reduced::Isol
     json["V_b_kN"] = d.base_shear * *options.weight_kN, json["V_st_kN"] = d.structure_shear * *options.weight_kN;
     json["V_s_kN"] = d.design_shear * *options.weight_kN;
   }
-  json["remarks"] = d.remarks;
+  json["remarks"] = d.remarks, json["assumed"] = options.assumed;
   return json;
 }
 
@@ -53,6 +54,7 @@ std::string to_text(const DesignOptions &options, const reduced::IsolationDesign
   if (d.yield_displacement)
     text += fmt::format("u_y    {:9.4f} mm     yield displacement, by the total mass m_s + m_b\n",
                         1e3 * *d.yield_displacement);
+  for (const auto &sentence : options.assumed) text += sentence + "\n";
   return text;
 }
 
@@ -65,7 +67,7 @@ void add_design(CLI::App &app, Console &console) {
   auto *radius = verb->add_option("--radius-m", in.radius, "R of the pendulum [m]")->capture_default_str();
   verb->add_option("--period-s", options->period, "pendulum period 2 pi sqrt(R/g) [s], in the place of R")
       ->excludes(radius);
-  verb->add_option("--mu", in.friction, "friction coefficient")->capture_default_str();
+  auto *friction = verb->add_option("--mu", in.friction, "friction coefficient")->capture_default_str();
   auto *displacement = verb->add_option("--displacement-m", in.displacement, "D_M [m], where it is known");
   verb->add_option("--sm1-g", in.spectral_acceleration, "S_M1 = F_v S_1 [g], from which D_M is found")
       ->excludes(displacement);
@@ -75,13 +77,17 @@ void add_design(CLI::App &app, Console &console) {
   verb->add_option("--weight-kN", options->weight_kN, "W [kN]: gives the shears in kN");
   console.add_common(*verb);
   console.add_json(*verb);
-  verb->callback([options, &console] {
+  verb->callback([options, radius, friction, &console] {
     auto &input = options->input;
     if (options->period) {
       if (!(*options->period > 0 && *options->period < 60))
         throw InputError(fmt::format("period_s = {:g} must be above 0 and below 60", *options->period));
       input.radius = input.gravity * std::pow(*options->period / (2 * std::numbers::pi), 2);
     }
+    if (radius->count() == 0 && !options->period)
+      options->assumed.push_back(fmt::format("assumed: R = {:g} m, the thesis's; yours by --radius-m", input.radius));
+    if (friction->count() == 0)
+      options->assumed.push_back(fmt::format("assumed: mu = {:g}, the thesis's; yours by --mu", input.friction));
     constexpr double heaviest = 1e9; // [kN]
     if (const auto weight = options->weight_kN; weight && !(*weight > 0 && *weight <= heaviest))
       throw InputError(fmt::format("--weight-kN {:g} must be > 0 and <= {:g}", *weight, heaviest));

@@ -66,6 +66,7 @@ std::optional<scene::Scene> scene_of(const ExportOptions &options, const json &c
       for (const auto &path : {fs::path(run), fs::path(options.folder) / fs::path(run).filename(),
                                fs::path(options.folder) / ".." / fs::path(run).filename()})
         candidates.push_back((path / "scene.toml").string()); // also where runs and calibration were moved together
+  candidates.push_back((fs::path(options.folder) / "fitted-scene.toml").string());
   candidates.push_back(rim.bearing);
   for (const auto &candidate : candidates) try {
       const bool file = candidate != rim.bearing;
@@ -122,6 +123,8 @@ void export_to(const ExportOptions &options, const json &calibration, Console &c
           "calibration.json: lateral_capacity_m of answer.law.element, {:g}, is not that of the bearing, {:g}",
           rim.lateral_capacity, own));
     dish = calibration::dish_of(*scene, rim.lateral_capacity);
+    if (!dish->assumed_pad.empty() && (options.opensees || options.sap2000 || options.etabs))
+      console.warn("vertical stiffness of the bearing:" + dish->assumed_pad);
   }
   auto head = header(console);
   if (!dish && (options.opensees || options.sap2000 || options.etabs)) {
@@ -196,7 +199,8 @@ void add_export(CLI::App &app, Console &console) {
     if (!(options->opensees || options->sap2000 || options->etabs || options->csv))
       throw InputError("export: say for what, one or more of --opensees, --sap2000, --etabs, --csv");
     if (is_building_folder(options->folder)) {
-      if (options->sap2000 || options->etabs || options->csv || !options->law.empty() || options->mass || options->load)
+      if (options->sap2000 || options->etabs || options->csv || !options->law.empty() || options->mass ||
+          options->load || !options->scene.empty())
         throw InputError("export: of a building's run only its bearings for --opensees, under their own weights");
       return export_building_bearings(options->folder, options->out.empty() ? options->folder : options->out,
                                       header(console), console);

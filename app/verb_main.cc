@@ -8,6 +8,7 @@
 #include "app/verb.h"
 #include "files/json_text.h"
 #include "files/text.h"
+#include "responses/identity.h"
 #include "scene/doubts.h"
 #include <fmt/format.h>
 
@@ -40,7 +41,10 @@ void print_plan(const MainTarget &target, const MainJobs &jobs, std::size_t at_o
   std::string text = target.head() + fmt::format("{:28s} {:8s} {}\n", "run", "role", "expected");
   for (std::size_t k = 0; k < times.size(); ++k) {
     const auto &job = jobs.jobs[k];
-    rows.push_back({{"name", job.name}, {"role", word(job.role)}, {"expected_seconds", times[k].expected}});
+    rows.push_back({{"name", job.name},
+                    {"role", word(job.role)},
+                    {"expected_seconds", times[k].expected},
+                    {"identity", to_json(identity_of(job.scene))}});
     text += fmt::format("{:28s} {:8s} {}\n", job.name, word(job.role), about(times[k].expected));
   }
   text += fmt::format("{} runs, {} at a time: {} in all\n", times.size(), at_once, about(in_all));

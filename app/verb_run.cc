@@ -11,6 +11,7 @@
 #include "files/file.h"
 #include "files/json_text.h"
 #include "planning/machine_times.h"
+#include "responses/identity.h"
 #include "responses/open_impact.h"
 #include <chrono>
 #include <filesystem>
@@ -33,13 +34,19 @@ void tell_kept(const std::string &folder, const std::string &name, Console &cons
                   number("n_steps"), folder));
 }
 
+void print_plan(const scene::Scene &scene, const planning::Plan &plan, const Console &console) {
+  if (!console.json) return console.data(planning::describe(plan));
+  nlohmann::json table = planning::to_json(plan);
+  table["identity"] = to_json(identity_of(scene));
+  console.data(json_text(table));
+}
+
 void run(const RunWords &options, Console &console) {
   const scene::Scene scene = console.load(options.scene);
   if (const std::string warning = fe::blas_warning(); !warning.empty()) console.warn(warning);
   fe::check_supported(scene);
   const planning::Plan plan = planning::make_plan(scene);
-  if (options.dry_run)
-    return console.data(console.json ? json_text(planning::to_json(plan)) : planning::describe(plan));
+  if (options.dry_run) return print_plan(scene, plan, console);
   console.message(planning::describe(plan));
   if (const auto doubt = doubt_of_memory(plan.expected_memory_bytes); !doubt.empty()) console.warn(doubt);
   for (const auto &[name, version] : fe::component_versions()) console.detail(fmt::format("{} {}", name, version));

@@ -1,6 +1,7 @@
 // rimpact study SCENE: the same scene with cheaper and dearer settings, speed against error.
 #include "app/folder_claim.h"
 #include "app/job_runner.h"
+#include "app/set_keys.h"
 #include "app/shard.h"
 #include "app/sibling.h"
 #include "app/verb.h"
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace rimpact::app {
 namespace {
@@ -141,14 +143,35 @@ void write(const calibration::SpeedError &study, const scene::Scene &base, const
   json["command"] = console.command();
   json["made_by"] = build_version();
   json["scene"] = calibration::studied_scene(base, approach_speed);
+  json["load"] = scene::case_json(base)["load"];
+  json["warnings"] = console.warnings();
   write_atomically(json_text(json), folder + "/study.json");
   write_atomically(calibration::to_csv(study), folder + "/study.csv");
-  write_atomically(calibration::describe(study), folder + "/study.txt");
-  console.data(console.json ? json_text(json) : calibration::describe(study));
+  const std::string text = scene::load_sentence(base) + calibration::describe(study);
+  write_atomically(text, folder + "/study.txt");
+  console.data(console.json ? json_text(json) : text);
   if (python({"report.quick", "study", folder}) != 0) console.warn("the picture in " + folder + " was not made");
 }
 
-void run_study(StudyOptions options, Console &console) {
+/// Keys that vary have the values of the study's own options.
+void refuse_axes_set(const StudyOptions &options, const Console &console) {
+  refuse_unread(console.overrides, "study", [&](const std::string &key) -> std::string {
+    if (key == "model.rung" && options.varies(StudyAxis::rung)) return "it is an axis: --rungs";
+    if (key == "model.mesh" && options.varies(StudyAxis::mesh)) return "it is an axis: --meshes";
+    if (key == "model.step_ms" && options.varies(StudyAxis::step)) return "it is an axis: --steps";
+    return "";
+  });
+}
+
+/// Values of an axis that does not vary would be read by nothing.
+void refuse_values_unread(const StudyOptions &options, const CLI::App &verb) {
+  for (const auto &[name, axis] : {std::pair{"--rungs", StudyAxis::rung}, std::pair{"--meshes", StudyAxis::mesh},
+                                   std::pair{"--steps", StudyAxis::step}})
+    if (verb.get_option(name)->count() > 0 && !options.varies(axis))
+      throw InputError(fmt::format("{}: {} is not among --axes {}", name, word(axis), fmt::join(options.axes, ",")));
+}
+
+void run_study(StudyOptions options, const CLI::App &verb, Console &console) {
   for (const auto &axis : options.axes)
     if (!parse<StudyAxis>(axis)) throw InputError("--axes " + axis + ": must be of rung, mesh, step");
   for (const double step : options.steps)
@@ -159,8 +182,10 @@ void run_study(StudyOptions options, Console &console) {
   };
   if (twice(options.axes) || twice(options.rungs) || twice(options.meshes) || twice(options.steps))
     throw InputError("--axes, --rungs, --meshes and --steps: each value once, a run would be compared with itself");
+  refuse_values_unread(options, verb);
   const auto [part, n_parts] = parse_shard(options.shard);
   const scene::Scene base = console.load(options.scene);
+  refuse_axes_set(options, console);
   if (base.model.own_mesh.any() && options.varies(StudyAxis::mesh) && options.meshes.size() > 1)
     throw InputError("--axes mesh: the scene has a mesh of its own (" + base.model.own_mesh.file +
                      "), which is the same on every level; leave mesh out");
@@ -221,7 +246,7 @@ void add_study(CLI::App &app, Console &console) {
   console.add_json(*verb);
   console.add_overrides(*verb);
   console.add_force(*verb);
-  verb->callback([options, &console] { run_study(*options, console); });
+  verb->callback([options, verb, &console] { run_study(*options, *verb, console); });
 }
 
 } // namespace rimpact::app

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-/// Keys whose values name files; those of a sweep's records are sought beside the sweep, the others beside the scene.
+/// Keys whose values name files, sought beside the sweep; records also on their shelf.
 constexpr std::array file_keys{"excitation.x",        "excitation.y",        "excitation.z",
                                "excitation.file",     "bearing.file",        "bearing.surface.file",
                                "model.own_mesh.file", "reduced.calibration", "reduced.impact_curve"};

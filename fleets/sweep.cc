@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace rimpact::fleets {
 namespace {
@@ -88,28 +89,30 @@ bool is_record(const std::string &key) {
   return key == "excitation.x" || key == "excitation.y" || key == "excitation.z";
 }
 
+/// Whether the key's value names a file or, of a calibration, a folder.
 bool is_file(const std::string &key) {
-  return key == "bearing.file" || key == "reduced.impact_curve";
+  static const std::set<std::string> keys{"bearing.file",        "bearing.surface.file", "excitation.file",
+                                          "model.own_mesh.file", "reduced.calibration",  "reduced.impact_curve"};
+  return keys.count(key) > 0;
 }
 
 } // namespace
 
-std::vector<std::string> Sweep::assignments(std::size_t run) const {
+std::string assignment_beside(const std::string &origin, const std::string &key, const Value &value) {
   namespace fs = std::filesystem;
+  const auto *text = std::get_if<std::string>(&value.cell);
+  const bool named = text && !text->empty();
+  const fs::path folder = fs::path(origin).parent_path();
+  std::string path;
+  if (named && is_record(key)) path = find_record(*text, folder.string());
+  if (named && is_file(key)) path = fs::absolute(folder / *text).lexically_normal().string();
+  return key + "=" + (path.empty() ? value.toml : nlohmann::json(path).dump());
+}
+
+std::vector<std::string> Sweep::assignments(std::size_t run) const {
   std::vector<std::string> result;
-  for (std::size_t i = 0; i < keys.size(); ++i) {
-    const Value &value = runs[run][i];
-    const auto *text = std::get_if<std::string>(&value.cell);
-    if (is_label(keys[i])) continue;
-    if (text && !text->empty() && (is_file(keys[i]) || is_record(keys[i]))) {
-      const fs::path folder = fs::path(origin).parent_path();
-      const std::string path = is_record(keys[i]) ? find_record(*text, folder.string())
-                                                  : fs::absolute(folder / *text).lexically_normal().string();
-      result.push_back(keys[i] + "=" + nlohmann::json(path).dump());
-    } else {
-      result.push_back(keys[i] + "=" + value.toml);
-    }
-  }
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    if (!is_label(keys[i])) result.push_back(assignment_beside(origin, keys[i], runs[run][i]));
   return result;
 }
 

@@ -6,6 +6,8 @@
 
 namespace rimpact::fleets {
 
+/// KEY=VALUE for a scene: a file that the value names is sought beside the file `origin`, and named absolutely.
+std::string assignment_beside(const std::string &origin, const std::string &key, const Value &value);
 /// A key that is only a column and a factor, not one of the scene.
 bool is_variable(const std::string &key);
 Value number_value(double number);

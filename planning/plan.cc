@@ -4,6 +4,7 @@
 #include "files/error.h"
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/physical_model.h"
+#include "scene/assumptions.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -73,7 +74,10 @@ void add_pad_note(Plan &plan, const scene::Scene &scene) {
     return;
   }
   const double at_rest = scene.load.vertical / scene.bearing.pad_area();
-  plan.notes.push_back(fmt::format("pad pressure at rest {:.1f} MPa over its whole face", 1e-6 * at_rest));
+  plan.notes.push_back(fmt::format("pad pressure at rest {:.1f} MPa over its whole face{}", 1e-6 * at_rest,
+                                   scene::has_default_pad(scene.bearing)
+                                       ? ", of the built-in bearing's pad: the bearing gives none, an assumption"
+                                       : ""));
   constexpr double ertalyte_strength = 90e6;
   if (const auto travel = full_face_travel(scene.bearing))
     plan.notes.push_back(

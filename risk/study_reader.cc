@@ -31,7 +31,7 @@ public:
     study_.parts = fleets::read_parts(file_, origin_, own_parts);
     read_head();
     each_key("set", [&](const std::string &key, const toml::node &leaf) {
-      study_.settings.push_back(key + "=" + value(key, leaf).toml);
+      study_.settings.push_back(fleets::assignment_beside(origin_, key, value(key, leaf)));
       refuse_taken(key, leaf);
     });
     read_intensity();

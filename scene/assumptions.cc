@@ -4,6 +4,7 @@
 #include "files/text.h"
 #include "files/toml_reader.h"
 #include "scene/keys.h"
+#include <algorithm>
 
 namespace rimpact::scene {
 namespace {
@@ -26,6 +27,21 @@ bool is_mark(const std::string &comment) {
 
 bool is_marked(const TomlFile &file, const std::string &path) {
   return is_mark(file.comment_of(path)) || is_mark(file.comment_of_table(path));
+}
+
+bool load_is_assumed(const Scene &scene) {
+  return scene.load_remark.ends_with(assumed_load);
+}
+
+bool has_default_pad(const Bearing &bearing) {
+  const auto names = builtin_bearing_names();
+  const auto is_of = [&](const std::string &name) {
+    const Bearing known = builtin_bearing(name);
+    return bearing.surface == known.surface && bearing.slider.diameter == known.slider.diameter;
+  };
+  const auto &marks = bearing.assumed.keys;
+  return bearing.pad == Pad{} && marks.count("pad.outer_radius_mm") > 0 && marks.count("pad.thickness_mm") > 0 &&
+         std::none_of(names.begin(), names.end(), is_of);
 }
 
 AssumedKeys catalogue_marks() {

@@ -9,6 +9,12 @@ class TomlReader;
 
 namespace rimpact::scene {
 
+struct Scene;
+/// Whether nobody gave the load: neither weight nor mass, or the file marks both. The scene's load_remark says so.
+bool load_is_assumed(const Scene &scene);
+/// With this the load_remark of such a scene ends.
+inline constexpr const char *assumed_load = "an assumption";
+
 /// The built-in bearings' own: what the thesis does not give.
 AssumedKeys catalogue_marks();
 /// Every number: a bearing file begins with none given.
@@ -16,6 +22,9 @@ AssumedKeys every_number();
 
 /// Whether the comment behind a key of the file, or behind its table's header, begins with "assumption" or "assumed".
 bool is_marked(const TomlFile &file, const std::string &path);
+
+/// Whether another bearing than a built-in one has the built-in pad, for want of one in its file.
+bool has_default_pad(const Bearing &bearing);
 
 /// Takes the marks of a file whose bearing keys stand behind `prefix` ("" or "bearing."). A key that is given is the
 /// user's unless its line, or its table's header, has a comment that begins with "assumption" or "assumed"; a key that

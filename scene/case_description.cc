@@ -1,6 +1,7 @@
 #include "scene/case_description.h"
 
 #include "files/key_list.h"
+#include "scene/assumptions.h"
 #include "scene/doubts.h"
 #include "scene/keys.h"
 #include <fmt/format.h>
@@ -43,15 +44,19 @@ std::string bearing_line(const Scene &scene) {
 
 std::string load_line(const Scene &scene) {
   const Load &l = scene.load;
-  return fmt::format("W = {:.6g} kN, m = {:.6g} kg (W = {:.3g} m g)", l.vertical / 1e3, l.mass,
-                     l.vertical / (l.mass * l.gravity));
+  const bool is_thesis = l.vertical == Load{}.vertical && l.mass == Load{}.mass;
+  return fmt::format("W = {:.6g} kN, m = {:.6g} kg (W = {:.3g} m g){}", l.vertical / 1e3, l.mass,
+                     l.vertical / (l.mass * l.gravity),
+                     !load_is_assumed(scene) ? ""
+                     : is_thesis             ? ", the thesis's: none is given, an assumption"
+                                             : ", an assumption");
 }
 
 std::string source_of(const Scene &scene) {
   const auto &r = scene.reduced;
   if (r.impact_law->pushed) return "the curve " + r.impact_curve;
   if (!r.calibration.empty()) return "calibration " + r.calibration;
-  if (!has_default_element(scene) || scene.double_concave()) return "the scene";
+  if (!has_default_element(scene)) return "the scene";
   return r.impact_law->of_mass ? "the thesis's pair for shfps-225" : "defaults of the law, for shfps-225";
 }
 
@@ -76,9 +81,13 @@ std::string element_line(const Scene &scene) {
                      range_of(scene.reduced));
 }
 
+std::string load_sentence(const Scene &scene) {
+  return "load: " + load_line(scene) + "\n";
+}
+
 std::string describe_case(const Scene &scene, bool load_is_read) {
   return fmt::format("bearing: {}\n{}motion: {}\nimpact element: {}\n", bearing_line(scene),
-                     load_is_read ? "load: " + load_line(scene) + "\n" : "", motion_line(scene), element_line(scene));
+                     load_is_read ? load_sentence(scene) : "", motion_line(scene), element_line(scene));
 }
 
 json case_json(const Scene &scene) {
@@ -92,7 +101,8 @@ json case_json(const Scene &scene) {
   return {{"load",
            {{"vertical_kN", scene.load.vertical / 1e3},
             {"mass_kg", scene.load.mass},
-            {"gravity_m_per_s2", scene.load.gravity}}},
+            {"gravity_m_per_s2", scene.load.gravity},
+            {"assumed", load_is_assumed(scene)}}},
           {"motion", motion},
           {"impact_element",
            {{"law", r.impact_law->name},

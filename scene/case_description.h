@@ -7,6 +7,8 @@ namespace rimpact::scene {
 
 /// "bearing: ...\nload: ...\nmotion: ...\nimpact element: ...\n"; a load that is not read is left out.
 std::string describe_case(const Scene &scene, bool load_is_read = true);
+/// "load: W = ... kN, m = ... kg (W = ... m g)\n", and that it is an assumption where nobody gave it.
+std::string load_sentence(const Scene &scene);
 /// The impact element alone: its law, numbers and where they come from.
 std::string element_line(const Scene &scene);
 /// The same as `load`, `motion` and `impact_element` (law, every number of it, source, fitted_from_m_per_s,

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace rimpact::scene {
 namespace {
@@ -34,6 +35,40 @@ void doubt_materials(const Bearing &b, std::vector<std::string> &found) {
     if (v.value < v.low || v.value > v.high)
       found.push_back(fmt::format("bearing.material.{} = {:g}, where {:g} to {:g} {} is usual: is its unit {}?", v.key,
                                   v.value, v.low, v.high, v.unit, v.unit));
+}
+
+/// One dimension beside another of the same bearing: no bearing is of the thesis's size by rights.
+struct Beside {
+  const char *key, *unit;
+  double value;
+  const char *other;
+  double own, low, high; ///< of value / own
+};
+
+/// Dimensions in the metres or inches of a drawing are not those of the rest of the bearing.
+void doubt_sizes(const Bearing &b, std::vector<std::string> &found) {
+  const double planar = 1e3 * b.surface.planar_radius;
+  const char *edge = "surface.planar_radius_mm";
+  for (const auto &[key, unit, value, other, own, low, high] :
+       {Beside{"rim.thickness_mm", "mm", 1e3 * b.rim.thickness, "rim.height_mm", 1e3 * b.rim.height, 0.05, 10},
+        Beside{"slider.diameter_mm", "mm", 1e3 * b.slider.diameter, edge, planar, 0.1, 2},
+        Beside{"plate.base_mm", "mm", 1e3 * b.plate.base, edge, planar, 0.01, 2}})
+    if (value < low * own || value > high * own)
+      found.push_back(
+          fmt::format("bearing.{} = {:.6g} is {:.2g} times bearing.{} = {:.6g}, where {:g} to {:g} times is "
+                      "usual: is its unit {}?",
+                      key, value, value / own, other, own, low, high, unit));
+}
+
+/// The slider's disc under the dead load.
+void doubt_pressure(const Scene &scene, std::vector<std::string> &found) {
+  constexpr double least = 0.5e6, most = 200e6; // [Pa]; the thesis's bearing has 19 MPa
+  const double across = scene.bearing.slider.diameter, area = std::numbers::pi * across * across / 4,
+               pressure = scene.load.vertical / area;
+  if (scene.double_concave() || scene.load.vertical == 0 || (pressure >= least && pressure <= most)) return;
+  found.push_back(fmt::format("load.vertical_kN = {:.6g} presses a slider of {:.6g} mm with {:.2g} MPa, where {:g} to "
+                              "{:g} MPa is usual: is its unit kN?",
+                              scene.load.vertical / 1e3, 1e3 * across, pressure / 1e6, least / 1e6, most / 1e6));
 }
 
 /// A pad that slides on a sphere is shaped to it, or bears on its rim or its middle only.
@@ -70,7 +105,7 @@ std::vector<std::string> doubts(const Scene &scene, bool load_is_read) {
   constexpr double strongest = 5; // no ground has been recorded near it [g]
   constexpr double fastest = 10;  // an impact's speed [m/s]
   std::vector<std::string> found;
-  if (load_is_read) doubt_gravity(scene, found), doubt_load(scene, found);
+  if (load_is_read) doubt_gravity(scene, found), doubt_load(scene, found), doubt_pressure(scene, found);
   if (const double a = largest_acceleration(scene); a > strongest)
     found.push_back(fmt::format(
         "the ground's acceleration reaches {:.3g} g, beyond any recorded: are its unit and scale right?", a));
@@ -78,6 +113,7 @@ std::vector<std::string> doubts(const Scene &scene, bool load_is_read) {
     found.push_back(fmt::format("excitation.speed_m_per_s times scale is {:g}: no bearing meets its rim so fast",
                                 scene.excitation.impact_speed()));
   doubt_materials(scene.bearing, found);
+  if (!scene.double_concave()) doubt_sizes(scene.bearing, found);
   if (scene.needs_stack()) doubt_pad(scene.bearing, found);
   return found;
 }

@@ -62,16 +62,24 @@ std::string numbers_of_element(const Scene &scene) {
 std::vector<std::string> doubts_of_element(const Scene &scene) {
   std::vector<std::string> found;
   const auto &r = scene.reduced;
-  if (scene.double_concave() || r.k_i == 0 || r.impact_law->pushed || scene.excitation.stays_on_dish()) return found;
+  if (r.k_i == 0 || r.impact_law->pushed || scene.excitation.stays_on_dish()) return found;
+  const bool two_dishes = scene.double_concave();
   if (has_default_element(scene) && r.calibration.empty() && !published_pair_applies(scene)) {
-    const bool other_rim = rim_identity(scene.bearing) != rim_identity(builtin_bearing("shfps-225"));
+    const bool other_rim = two_dishes || rim_identity(scene.bearing) != rim_identity(builtin_bearing("shfps-225"));
     found.push_back(fmt::format("{} are {} for shfps-225 and {:g} kg, not this {}'s: impact forces may be several "
-                                "times off; calibrate and pass --calibration DIR",
+                                "times off; {}",
                                 numbers_of_element(scene),
                                 r.impact_law->of_mass ? "the thesis's" : "defaults of the law", Load{}.mass,
-                                other_rim ? "bearing" : "mass"));
+                                two_dishes  ? "isolator"
+                                : other_rim ? "bearing"
+                                            : "mass",
+                                two_dishes ? "give those of one of its rims" : "calibrate and pass --calibration DIR"));
   }
-  if (!r.fitted_rim.empty() && r.fitted_rim != rim_identity(scene.bearing))
+  if (!r.fitted_rim.empty() && two_dishes)
+    found.push_back(fmt::format("the impact element was fitted to another rim, that of a bearing of one dish ({}): "
+                                "reduced.model \"{}\" has the rims of [isolator]",
+                                r.fitted_rim, word(r.model)));
+  else if (!r.fitted_rim.empty() && r.fitted_rim != rim_identity(scene.bearing))
     found.push_back(fmt::format("the impact element was fitted to another rim ({}; this one is {}): dish, slider, rim, "
                                 "plate and steel shape it; calibrate "
                                 "this bearing and pass --calibration DIR",

@@ -1,4 +1,5 @@
 #include "scene/scene_defaults.h"
+#include "scene/assumptions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,17 +40,34 @@ bool is_builtin(Bearing bearing, bool wholly) {
   });
 }
 
+/// Another bearing than the built-in ones carries the thesis's load for want of its own: that is remarked upon.
 void settle_load(const TomlFile &file, bool own_bearing, Scene &scene) {
-  const bool weight = file.find("load.vertical_kN"), mass = file.find("load.mass_kg");
+  const char *weight_key = "load.vertical_kN", *mass_key = "load.mass_kg";
+  const bool weight = file.find(weight_key), mass = file.find(mass_key);
   Load &load = scene.load;
   if (weight && !mass && load.vertical > 0) load.mass = load.vertical / load.gravity;
   if (mass && !weight) load.vertical = load.mass * load.gravity;
-  if (weight || mass || scene.double_concave() || is_builtin(scene.bearing, own_bearing)) return;
-  scene.load_remark = fmt::format("load.vertical_kN and load.mass_kg are not given: bearing {} carries the default "
-                                  "bearing's {:g} kN and {:g} kg, which are "
-                                  "not its own (one of the two keys is enough: W = m g)",
-                                  scene.bearing.name, load.vertical / 1e3, load.mass);
-  scene.remarks.push_back(scene.load_remark);
+  if ((weight && !is_marked(file, weight_key)) || (mass && !is_marked(file, mass_key))) return;
+  const bool given = weight || mass;
+  scene.load_remark =
+      given
+          ? fmt::format("load.vertical_kN and load.mass_kg are marked in {}: {}", file.origin(), assumed_load)
+          : fmt::format("load.vertical_kN and load.mass_kg are not given: bearing {} carries the thesis's {:g} kN and "
+                        "{:g} kg (one of the two keys is enough: W = m g), {}",
+                        scene.bearing.name, load.vertical / 1e3, load.mass, assumed_load);
+  if (!given && !scene.double_concave() && !is_builtin(scene.bearing, own_bearing))
+    scene.remarks.push_back(scene.load_remark);
+}
+
+/// Two dishes are not those of [bearing].
+void remark_on_isolator(const TomlFile &file, Scene &scene) {
+  if (!scene.double_concave() || file.find("isolator")) return;
+  const bool other = file.find("bearing") != nullptr;
+  scene.remarks.push_back(fmt::format(
+      "no [isolator] is given: reduced.model \"{}\" takes the thesis's of R_eff = {:g} m and C_t = {:g} mm, an "
+      "assumption{}",
+      word(scene.reduced.model), scene.isolator.effective_radius(), 1e3 * scene.isolator.capacity,
+      other ? fmt::format("; nothing of bearing {} is read", scene.bearing.name) : ""));
 }
 
 } // namespace
@@ -85,6 +103,7 @@ void set_dependent_defaults(const TomlFile &file, bool own_bearing, Scene &scene
     scene.reduced.mu_slow = as_solid ? *contact.steel_ertalyte_slow : scene.reduced.mu_fast;
   if (!given("reduced.rate_s_per_m") && as_solid) scene.reduced.rate = contact.rate;
   settle_load(file, own_bearing, scene);
+  remark_on_isolator(file, scene);
   if (!given("excitation.kind"))
     scene.remarks.push_back(
         fmt::format("{} has no excitation.kind: a Ricker pulse of {:g} g and {:g} s is run, on bearing {}",

@@ -103,16 +103,17 @@ Scene parse_scene(const std::string &text, const std::string &origin, const std:
   visit_settings(reader, scene);
   reader.finish();
   forget_origin(typed, scene.reduced, scene.remarks);
-  if (taken.any) leave_out_what_does_not_fit(scene);
+  if (!taken.keys.empty()) leave_out_what_does_not_fit(scene);
+  for (const auto &key : taken.keys) file.erase(key); // the scene's own keys are judged from here on
   // Geometry first: a bearing that cannot be built is said before a record that is missing.
   with_location(file, "bearing", [&] { check_bearing(scene); });
-  if (std::string remark = unread_keys(file, scene); !remark.empty()) scene.remarks.push_back(std::move(remark));
   read_records(file, scene, folder);
   read_path(file, scene, folder);
   if (!scene.reduced.impact_curve.empty()) make_absolute(scene.reduced.impact_curve, folder);
   if (scene.model.own_mesh.any()) make_absolute(scene.model.own_mesh.file, folder);
   set_dependent_defaults(file, has_own_bearing(file), scene);
   if (taken.bearings_slip) settle_elastic_slip(scene);
+  if (std::string remark = unread_keys(file, scene); !remark.empty()) scene.remarks.push_back(std::move(remark));
   if (std::string remark = remark_on_half_a_load(file, overrides, scene.load); !remark.empty())
     scene.remarks.push_back(scene.load_remark = std::move(remark));
   with_location(file, "bearing", [&] { scene.validate(); });

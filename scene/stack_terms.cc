@@ -27,7 +27,7 @@ TakenTerms adopt_stack_terms(TomlFile &file, const StackTerms &terms, bool calib
     if (file.is_set(key) || (file.find(key) && !calibration_is_typed)) continue;
     if (file.find(key)) replaced.push_back(name);
     file.set(key + "=" + value, "the calibration");
-    taken.any = true;
+    taken.keys.push_back(key);
     if (name == "elastic_slip_mm") taken.bearings_slip = terms.slip_is_the_bearings;
   }
   if (!replaced.empty())

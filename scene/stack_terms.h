@@ -23,7 +23,8 @@ struct StackTerms {
 /// Of a file that names a calibration. What is typed with --set stays; what
 /// the file has stays beside a calibration that the file names, and is replaced, with a remark, by one that is typed.
 struct TakenTerms {
-  bool any = false, bearings_slip = false;
+  std::vector<std::string> keys; ///< now in the file
+  bool bearings_slip = false;    ///< among them is the slip that the bearing itself has
 };
 TakenTerms adopt_stack_terms(TomlFile &file, const StackTerms &terms, bool calibration_is_typed,
                              std::vector<std::string> &remarks);

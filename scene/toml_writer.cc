@@ -1,4 +1,5 @@
 #include "files/key_list.h"
+#include "scene/assumptions.h"
 #include "scene/keys.h"
 #include <fmt/format.h>
 #include <set>
@@ -37,8 +38,10 @@ std::string to_toml(const Scene &scene) {
   visit_settings(settings, copy);
   std::set<std::string> assumed;
   for (const auto &key : scene.bearing.assumed.keys) assumed.insert("bearing." + key);
+  if (load_is_assumed(scene)) assumed.insert({"load.vertical_kN", "load.mass_kg"});
   return fmt::format("name = {}\n\n[bearing]\nname = {}\n{}{}", toml_quoted(scene.name),
-                     toml_quoted(scene.bearing.name), to_text(bearing.entries, assumed), to_text(settings.entries, {}));
+                     toml_quoted(scene.bearing.name), to_text(bearing.entries, assumed),
+                     to_text(settings.entries, assumed));
 }
 
 } // namespace rimpact::scene

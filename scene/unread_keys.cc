@@ -11,18 +11,42 @@
 namespace rimpact::scene {
 namespace {
 
-/// Of which a part of the settings depends.
+/// Of which a part of the scene depends. The choices that are always named are those of its settings.
 struct ScenePart {
   const char *prefix, *choice;
+  bool always_named = false;
 };
-constexpr std::array parts{ScenePart{"excitation.", "excitation.kind"}, ScenePart{"isolator.", "reduced.model"},
-                           ScenePart{"superstructure.", "superstructure.kind"},
-                           ScenePart{"reduced.", "reduced.impact_law"}};
+constexpr std::array parts{ScenePart{"excitation.", "excitation.kind", true},
+                           ScenePart{"isolator.", "reduced.model", true},
+                           ScenePart{"reduced.elastic_slip_mm", "reduced.friction"},
+                           ScenePart{"reduced.rate_s_per_m", "reduced.mu_slow"},
+                           ScenePart{"reduced.", "reduced.impact_law", true},
+                           ScenePart{"superstructure.", "superstructure.kind", true},
+                           ScenePart{"bearing.surface.", "bearing.surface.kind"},
+                           ScenePart{"bearing.material.steel.", "bearing.material.steel.yield_MPa"},
+                           ScenePart{"bearing.material.ertalyte.", "bearing.material.ertalyte.yield_MPa"},
+                           ScenePart{"bearing.contact.rate_s_per_m", "bearing.contact.rim_slow"},
+                           ScenePart{"bearing.contact.", "bearing.contact.pad_foot"},
+                           ScenePart{"model.own_mesh.", "model.own_mesh.file"}};
 
 const ScenePart *part_of(const std::string &path) {
   const auto found =
       std::find_if(parts.begin(), parts.end(), [&](const ScenePart &part) { return path.starts_with(part.prefix); });
   return found == parts.end() ? nullptr : &*found;
+}
+
+/// Keys that are written out with every scene, though by its other choices nothing reads them.
+bool has_no_effect(const std::string &path, const Scene &scene) {
+  const auto &r = scene.reduced;
+  const bool one_coefficient =
+      r.mu_slow == r.mu_fast && !(scene.double_concave() && (scene.isolator.top_mu_fast || scene.isolator.top_mu_slow));
+  return (path == "reduced.elastic_slip_mm" && r.friction == Friction::coulomb) ||
+         (path == "reduced.rate_s_per_m" && one_coefficient);
+}
+
+void visit_all(KeyVisitor &visitor, Scene &scene) {
+  visitor.section("bearing", [&] { visit(visitor, scene.bearing); });
+  visit_settings(visitor, scene);
 }
 
 /// The names alone of the keys that matter: values as text would cost a fleet's run a tenth of its time.
@@ -44,10 +68,27 @@ private:
   void add(const Key &key) { names.insert(path(key)); }
 };
 
-std::vector<KeyEntry> keys_of(Scene scene, bool every) {
-  KeyList list("", every);
-  visit_settings(list, scene);
-  return std::move(list.entries);
+std::map<std::string, std::string> values_of(Scene scene) {
+  KeyList list("", true);
+  visit_all(list, scene);
+  std::map<std::string, std::string> values;
+  for (const auto &entry : list.entries) values[entry.path()] = entry.value;
+  return values;
+}
+
+/// The choices by which the keys are not read: those of the settings, and what else they depend on.
+std::string choices_in_words(const std::vector<std::string> &unread, const std::map<std::string, std::string> &values) {
+  std::set<std::string> others;
+  for (const auto &path : unread)
+    if (const ScenePart *part = part_of(path); !part->always_named) others.insert(part->choice);
+  std::string text;
+  const auto name = [&](const std::string &choice) {
+    text += fmt::format("{}{} {}{}", text.empty() ? "" : ", ", choice, text.empty() ? "is " : "", values.at(choice));
+  };
+  for (const char *choice : {"excitation.kind", "reduced.model", "reduced.impact_law", "superstructure.kind"})
+    name(choice);
+  for (const auto &choice : others) name(choice);
+  return text;
 }
 
 } // namespace
@@ -55,28 +96,26 @@ std::vector<KeyEntry> keys_of(Scene scene, bool every) {
 std::string unread_keys(const TomlFile &file, const Scene &scene) {
   NamesRead read;
   Scene copy = scene;
-  visit_settings(read, copy);
-  static const auto presets = [] {
-    std::map<std::string, std::string> values;
-    for (const auto &entry : keys_of({}, true)) values[entry.path()] = entry.value;
-    return values;
-  }();
+  visit_all(read, copy);
+  static const auto presets = values_of({});
   std::vector<std::string> unread;
   for (const auto &[path, preset] : presets) {
     const ScenePart *part = part_of(path);
-    if (!part || read.names.count(path) > 0 || !file.find(path)) continue;
-    if (path == "reduced.calibration") continue; // read before the settings are
+    if (!part || !file.find(path)) continue;
+    if (read.names.count(path) > 0 && !has_no_effect(path, scene)) continue;
+    if (path == "reduced.calibration" || path == "bearing.surface.file") continue; // read before the settings are
     if (file.is_set(path) || !file.is_set(part->choice)) unread.push_back(path);
   }
   if (unread.empty()) return {};
-  std::map<std::string, std::string> values;
-  for (const auto &entry : keys_of(scene, true)) values[entry.path()] = entry.value;
-  std::erase_if(unread, [&](const std::string &path) { return values[path] == presets.at(path); });
+  const auto values = values_of(scene);
+  const auto at_default = [&](const std::string &path) { // a slope past no yield has been taken out of the scene
+    if (path.ends_with("tangent_modulus_MPa")) return file.find(path)->value<double>().value_or(0) > huge;
+    return values.at(path) == presets.at(path);
+  };
+  std::erase_if(unread, at_default);
   if (unread.empty()) return {};
-  return fmt::format("{} {} not read by this scene: excitation.kind is \"{}\", reduced.model \"{}\", "
-                     "reduced.impact_law \"{}\", superstructure.kind \"{}\"",
-                     fmt::join(unread, ", "), unread.size() > 1 ? "are" : "is", word(scene.excitation.kind),
-                     word(scene.reduced.model), scene.reduced.impact_law->name, word(scene.superstructure.kind));
+  return fmt::format("{} {} not read by this scene: {}", fmt::join(unread, ", "), unread.size() > 1 ? "are" : "is",
+                     choices_in_words(unread, values));
 }
 
 } // namespace rimpact::scene

@@ -98,6 +98,16 @@ json grazing_json(const std::vector<GrazingReport> &reports) {
   return all;
 }
 
+/// Bearing, load and [reduced] of the fitted runs, without their motion: what `export` needs of them, wherever the
+/// folder and the runs have gone.
+scene::Scene exported_scene(const Calibration &c) {
+  scene::Scene scene = c.scene;
+  scene.name = "calibrated";
+  scene.excitation = {}, scene.model = {};
+  if (scene.reduced.impact_law->pushed) scene.reduced.impact_law = scene::ReducedSettings{}.impact_law;
+  return scene;
+}
+
 } // namespace
 
 json to_json(const Calibration &c) {
@@ -137,6 +147,7 @@ void write_calibration(const Calibration &calibration, const std::string &folder
   const auto path = std::filesystem::path(folder);
   write_atomically(json_text(to_json(calibration)), (path / "calibration.json").string());
   write_atomically(to_toml_fragment(*calibration.answer), (path / "calibration.toml").string());
+  write_atomically(scene::to_toml(exported_scene(calibration)), (path / "fitted-scene.toml").string());
   write_curves(calibration.curves, folder);
 }
 

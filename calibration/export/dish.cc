@@ -1,4 +1,5 @@
 #include "calibration/export/dish.h"
+#include "scene/assumptions.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -28,6 +29,10 @@ Dish dish_of(const scene::Scene &scene, double capacity) {
             .rate = scene.reduced.rate,
             .elastic_slip = scene.reduced.elastic_slip,
             .vertical_stiffness = scene.bearing.ertalyte.E * scene.bearing.pad_area() / scene.bearing.pad.thickness};
+  if (const auto &pad = scene.bearing.pad; scene::has_default_pad(scene.bearing))
+    dish.assumed_pad = fmt::format(" That pad, {:g} x {:g} mm, is the built-in bearing's: this bearing gives none, an "
+                                   "assumption.",
+                                   2e3 * pad.outer_radius, 1e3 * pad.thickness);
   dish.travel = {0, 0.002 * last, 0.006 * last, 0.02 * last}; // finer at the centre, where a truss of 1 mm turns
   constexpr int n = 24;
   for (int i = 1; i <= n; ++i) dish.travel.push_back(last * i / n);
@@ -50,11 +55,11 @@ std::vector<std::string> Dish::lines(double vertical) const {
                               "rim and {:+.1f} % at the rim.",
                               vertical / 1e3, radius, 100 * error_half, 100 * error_full));
   all.push_back(fmt::format("Friction: {}, built up over {:.3g} mm, on the normal force of the element. Vertical "
-                            "stiffness: the pad's E A / t.",
+                            "stiffness: the pad's E A / t.{}",
                             mu_slow == mu_fast
                                 ? fmt::format("Coulomb, {:g}", mu_fast)
                                 : fmt::format("{:g} slow, {:g} fast, rate {:g} s/m", mu_slow, mu_fast, rate),
-                            1e3 * elastic_slip));
+                            1e3 * elastic_slip, assumed_pad));
   return all;
 }
 

@@ -16,6 +16,7 @@ struct Dish {
   double mu_slow, mu_fast, rate;     ///< rate [s/m]; not read where the two are equal
   double elastic_slip;               ///< travel over which friction builds up [m], > 0
   double vertical_stiffness;         ///< of the pad alone, E A / thickness [N/m]
+  std::string assumed_pad = {};      ///< a sentence, where the pad is not the bearing's own
 
   double slope_at(double r) const;                                                              ///< linear in the table
   double initial_stiffness(double vertical) const { return mu_fast * vertical / elastic_slip; } ///< of friction [N/m]

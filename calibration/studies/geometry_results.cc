@@ -89,6 +89,7 @@ json to_json(const GeometryStudy &study) {
     json entry = {{"name", row.name}};
     for (std::size_t j = 0; j < row.inputs.size(); ++j) entry[geometry_axes()[j].name] = row.inputs[j];
     for (const auto &output : outputs) entry[output.name] = row.*output.value / output.si;
+    entry["mass_kg"] = row.mass, entry["vertical_kN"] = row.weight / 1e3;
     rows.push_back(entry);
   }
   for (const auto &output : outputs) surrogates[output.name] = surrogate_json(study.surrogates.at(output.name), output);
@@ -104,10 +105,12 @@ std::string to_csv(const GeometryStudy &study) {
   std::string text = "name";
   for (const auto &axis : geometry_axes()) text += fmt::format(",{}", column(axis.name, axis.unit));
   for (const auto &output : outputs) text += fmt::format(",{}", column(output.name, output.unit));
+  text += ",mass_kg,vertical_kN"; // under which the row was flown
   for (const auto &row : study.rows) {
     text += "\n" + row.name;
     for (const double value : row.inputs) text += fmt::format(",{:.8g}", value);
     for (const auto &output : outputs) text += fmt::format(",{:.8g}", row.*output.value / output.si);
+    text += fmt::format(",{:.8g},{:.8g}", row.mass, row.weight / 1e3);
   }
   return text + "\n";
 }

@@ -117,7 +117,9 @@ GeometryRow geometry_row(const std::string &name, const StoredRun &run, double p
                   .k_i = result.parameters.at("k_i").value,
                   .e = result.parameters.at("e").value,
                   .peak_force = run.peak_force(),
-                  .plastic_strain = plastic_strain};
+                  .plastic_strain = plastic_strain,
+                  .mass = run.scene.load.mass,
+                  .weight = run.scene.load.vertical};
   for (const auto &axis : geometry_axes()) row.inputs.push_back(axis.get(run.scene) / axis.si);
   return row;
 }

@@ -36,6 +36,7 @@ struct GeometryRow {
   std::vector<double> inputs;        ///< reported units, in the axes' order
   double k_i, e;                     ///< fitted to this impact alone (signed) [kN/m], [-]
   double peak_force, plastic_strain; ///< of the run [N], [-]
+  double mass = 0, weight = 0;       ///< supported mass and dead load of the run [kg], [N]
 };
 /// Throws DataError when the run holds no impact.
 GeometryRow geometry_row(const std::string &name, const StoredRun &run, double plastic_strain);

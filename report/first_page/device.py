@@ -24,6 +24,8 @@ def make(context: Context) -> dict[str, Any]:
     bearing = scene.get("bearing", {})
     figure = context.pictures.figure("bearing", "", drawing.draw, bearing, context.whole_bearing)
     remark = "Section to scale, mm; dashed: at rest, filled: where it touches the rim." if figure else ""
+    if figure and {"pad.outer_radius_mm", "pad.thickness_mm"} <= context.assumed:
+        remark += " The pad is an assumption."
     return {"name": bearing.get("name", ""), "rows": _rows(bearing, context.assumed) + _load(context), "figure": figure,
             "remark": remark + ("" if context.whole_bearing or not figure else " Pad and foot do not take part in what was run.")}
 
@@ -62,17 +64,24 @@ def _double(scene: dict[str, Any]) -> list[list[str]]:
     return [[label, f"{plain(table[key])}\u00a0{unit}"] for key, (label, unit) in DOUBLE.items() if is_number(table.get(key))]
 
 
-def _load(context: Context) -> list[list[str]]:
-    """What main.json, the answer or the scene says, in this order."""
+def _load(context: Context) -> list[list[Any]]:
+    """What main.json, the answer or the scene says, in this order; with an asterisk where nobody gave it."""
     results = context.results
-    sources = (results.main.get("load", {}), results.answer, context.scene.get("load", {}))
+    scene = context.scene.get("load", {})
+    sources = (results.main.get("load", {}), results.answer, scene)
     pick = lambda key: next((s[key] for s in sources if is_number(s.get(key))), None)  # noqa: E731
-    rows = []
-    if pick("vertical_kN") is not None:
-        rows.append(["Dead load", f"{plain(pick('vertical_kN'))}\u00a0kN"])
-    if pick("mass_kg") is not None:
-        rows.append(["Supported mass", f"{plain(pick('mass_kg'))}\u00a0kg"])
+    rows: list[list[Any]] = []
+    for key, label, unit in (("vertical_kN", "Dead load", "kN"), ("mass_kg", "Supported mass", "kg")):
+        if pick(key) is not None:
+            text = escape(f"{plain(pick(key))}\u00a0{unit}")
+            rows.append([label, text + STAR if _load_is_assumed(context) else text])
     return rows
+
+
+def _load_is_assumed(context: Context) -> bool:
+    """As main.json says, else by the marks of the scene, both of its keys."""
+    said = context.results.main.get("load", {}).get("assumed")
+    return bool(said) if said is not None else {"load.vertical_kN", "load.mass_kg"} <= context.assumed
 
 
 def assumptions(context: Context) -> list[list[str]]:

@@ -51,6 +51,41 @@ class Geometry(unittest.TestCase):
         self.assertEqual(run.returncode, 4, run.stderr)
         self.assertEqual([row["name"] for row in json.loads(run.stdout)["rows"]], ["g000", "g001", "g003"])
 
+    def test_whose_load_is_flown_is_said_everywhere(self):
+        case = os.path.join(os.path.dirname(self.folder), "case")
+        os.makedirs(case)
+        for name, text in (("bearing.toml", '[slider]\ndiameter_mm = 200.0\n'),
+                           ("scene.toml", '[bearing]\nfile = "bearing.toml"\n[load]\nvertical_kN = 3400.0\n[excitation]\nkind = "ricker"\n')):
+            with open(os.path.join(case, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        bearing, scene = os.path.join(case, "bearing.toml"), os.path.join(case, "scene.toml")
+        for words, kN, whose in (([], 853, "the thesis's, an assumption"), ([bearing], 853, "the thesis's, an assumption"), ([scene], 3400, "scene.toml:4"),
+                                 ([case], 3400, "scene.toml:4"), ([bearing, "--set", "load.vertical_kN=3400"], 3400, "--set load.vertical_kN=3400")):
+            with self.subTest(words=words):
+                run = self.geometry(*words, "--samples", "3", "--force")
+                self.assertEqual(run.returncode, 0, run.stderr)
+                for said in (run.stderr, run.stdout):
+                    self.assertIn(f"load: dead load {kN} kN ({whose.replace('the ', 'default: the ')}" if kN == 853 else f"load: dead load {kN} kN (", said)
+                    self.assertIn(whose, said)
+                self.assertEqual("no load is given" in run.stderr, words == [bearing])
+                with open(os.path.join(self.folder, "geometry.json"), encoding="utf-8") as file:
+                    study = json.load(file)
+                self.assertEqual((study["load"]["vertical_kN"], study["load"]["assumed"]), (kN, kN == 853))
+                self.assertEqual(any("no load is given" in sentence for sentence in study["warnings"]), words == [bearing])
+                with open(os.path.join(self.folder, "geometry.csv"), encoding="utf-8") as file:
+                    rows = list(csv.DictReader(file))
+                self.assertEqual({float(row["vertical_kN"]) for row in rows}, {kN})
+                self.assertEqual({round(float(row["mass_kg"])) for row in rows}, {86952 if kN == 853 else round(3400e3 / 9.81)})
+                with open(os.path.join(self.folder, "runs", "g000", "scene.toml"), encoding="utf-8") as file:
+                    text = file.read()
+                self.assertIn(f"vertical_kN = {kN}.0", text)
+                self.assertEqual("# assumption: dead load" in text, kN == 853)
+
+    def test_bearing_keys_are_read(self):
+        run = self.geometry("--samples", "3", "--set", "bearing.rim.thickness_mm=30.0", "--json")
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertEqual({row["rim_thickness"] for row in json.loads(run.stdout)["rows"]}, {30.0})
+
     def test_bad_words_are_refused(self):
         for words, said in ((["--shard", "3/2"], "--shard 3/2"), (["--range", "rim_height"], "NAME=LOW:HIGH"),
                             (["--range", "rim_hight=50:70"], "did you mean"), (["--samples", "1"], "samples 1"), (["--samples", "10001"], "from 3 to 10000"),

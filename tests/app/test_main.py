@@ -195,7 +195,7 @@ class Main(unittest.TestCase):
     def test_another_bearing_without_a_load_is_warned_of(self):
         run = self.main(self.own_bearing(), "--dry-run")
         self.assertEqual(run.returncode, 0, run.stderr)
-        for word in ("warning: no load is given", "load.vertical_kN = 853", "load.mass_kg = 86952"):
+        for word in ("warning: no load is given", "load.vertical_kN = 853", "load.mass_kg = 86952", "the thesis's of shfps-225, an assumption"):
             self.assertIn(word, run.stderr)
         self.assertEqual(self.calls(), [])
         self.assertNotIn("warning", self.main("--dry-run").stderr)

@@ -53,6 +53,24 @@ class MakersBearing(unittest.TestCase):
         self.assertEqual(refused.returncode, 2)
         self.assertIn("foot", refused.stderr)
 
+    def test_a_calibration_knows_its_dish_from_every_folder(self):
+        """Calibrated by relative names, moved, and exported from elsewhere without its runs: the dish and its friction are there."""
+        made = rimpact("reduced", "s.toml", "-o", "run", "--set", "excitation.kind=window", "--set", "excitation.speed_m_per_s=0.2", cwd=self.folder)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        fitted = rimpact("calibrate", "run", "-o", "cal", "--laws", "none", cwd=self.folder)
+        self.assertTrue(os.path.exists(os.path.join(self.folder, "cal", "calibration.json")), fitted.stderr)
+        with tempfile.TemporaryDirectory() as elsewhere:
+            shutil.move(os.path.join(self.folder, "cal"), os.path.join(elsewhere, "moved"))
+            done = rimpact("export", "moved", "--sap2000", "--opensees", "--json", cwd=elsewhere)
+            self.assertEqual(done.returncode, 0, done.stderr)
+            self.assertTrue(json.loads(done.stdout)["whole_bearing"], done.stderr)
+            self.assertNotIn("is not known here", done.stderr)
+            # the pad whose stiffness is exported is not this bearing's
+            self.assertIn("is the built-in bearing's", done.stderr)
+            for name in ("bearing.s2k", "impact.tcl"):
+                with open(os.path.join(elsewhere, "moved", name), encoding="utf-8") as file:
+                    self.assertIn("built-in bearing's", " ".join(file.read().split()).replace(" # ", " ").replace(" $ ", " "))
+
     def test_a_calibration_takes_the_pairs_place(self):
         out = os.path.join(self.folder, "run")
         published = rimpact("reduced", self.scene, "-o", out)

@@ -252,6 +252,15 @@ TEST(Fleet, WritesAlongTheWay) {
   EXPECT_GT(seen, 0u);
 }
 
+/// Whatever the key, a file is sought beside the sweep that names it, not in the working folder.
+TEST(Fleet, FilesAreSoughtBesideTheSweep) {
+  for (const std::string key : {"bearing.file", "bearing.surface.file", "excitation.file", "model.own_mesh.file",
+                                "reduced.calibration", "reduced.impact_curve"}) {
+    const Sweep sweep = parse_sweep("[grid]\n" + key + " = [\"sub/a.file\"]\n", "/study/here/s.toml");
+    EXPECT_EQ(sweep.assignments(0), std::vector<std::string>{key + "=\"/study/here/sub/a.file\""});
+  }
+}
+
 /// Rows rest on every file that a swept key names: an edited curve makes them stale as an edited record does.
 TEST(Fleet, InputsHoldTheFilesOfSweptKeys) {
   const TemporaryFolder folder;

@@ -1,6 +1,7 @@
 #include "../scene/expect_error.h"
 #include "made_up.h"
 #include "risk/study.h"
+#include <algorithm>
 
 using namespace rimpact;
 using namespace rimpact::risk;
@@ -32,6 +33,20 @@ TEST(StudyFile, SystemsAreCasesDevicesAndGrid) {
   ASSERT_EQ(comparisons(study, systems).size(), 2u);
   for (const auto &c : comparisons(study, systems)) // the same device, another dish
     EXPECT_EQ(systems.all[c.system].values[1], systems.all[c.reference].values[1]);
+}
+
+/// A file is sought beside the study that names it, in [set] as in a device.
+TEST(StudyFile, FilesAreSoughtBesideTheStudy) {
+  const std::string set = with(whole, "[set]\n", "[set]\nreduced.impact_curve = \"sub/curve.h5\"\n");
+  const Study study = parse_study(set, "/study/here/s.toml");
+  EXPECT_NE(
+      std::find(study.settings.begin(), study.settings.end(), "reduced.impact_curve=\"/study/here/sub/curve.h5\""),
+      study.settings.end());
+  const Study device =
+      parse_study(whole + "[[device]]\nreduced.impact_curve = \"sub/curve.h5\"\n", "/study/here/s.toml");
+  const auto &settings = systems_of(device).all.front().overrides;
+  EXPECT_NE(std::find(settings.begin(), settings.end(), "reduced.impact_curve=\"/study/here/sub/curve.h5\""),
+            settings.end());
 }
 
 TEST(StudyFile, RefusalsNameFileLineAndColumn) {

@@ -93,4 +93,29 @@ TEST(Assumptions, AreKeptThroughResolving) {
   EXPECT_EQ(parse_scene(to_toml(builtin), "resolved.toml").bearing.assumed.keys, builtin.bearing.assumed.keys);
 }
 
+/// That nobody gave the load is known of the resolved scene too; one of its two keys is enough to give it.
+TEST(Assumptions, TheLoadIsOneWhereNobodyGivesIt) {
+  const auto assumed = [](const std::string &text, const std::vector<std::string> &set = {}) {
+    const Scene scene = parse_scene(text, "a.toml", set);
+    EXPECT_EQ(load_is_assumed(parse_scene(to_toml(scene), "resolved.toml")), load_is_assumed(scene)) << text;
+    return load_is_assumed(scene);
+  };
+  const std::string window = "[excitation]\nkind = \"window\"\n";
+  EXPECT_TRUE(assumed(window));
+  EXPECT_FALSE(assumed(window + "[load]\nvertical_kN = 853\n"));
+  EXPECT_FALSE(assumed(window + "[load]\nmass_kg = 86952 # assumption\nvertical_kN = 853\n"));
+  EXPECT_TRUE(assumed(window + "[load]\nmass_kg = 86952 # assumption\n"));
+  EXPECT_FALSE(assumed(window, {"load.mass_kg=86952"}));
+  EXPECT_FALSE(load_is_assumed(parse_scene(to_toml(parse_scene(window, "a.toml")), "b.toml", {"load.mass_kg=9e4"})));
+}
+
+TEST(Assumptions, TheBuiltInPadOfAnotherBearing) {
+  EXPECT_FALSE(has_default_pad(builtin_bearing("shfps-225")));
+  const std::string other = "[surface]\nkind = \"sphere\"\nR0_m = 3\nplanar_radius_mm = 600\n[slider]\n"
+                            "diameter_mm = 300\n";
+  EXPECT_TRUE(has_default_pad(read(other)));
+  EXPECT_FALSE(has_default_pad(read(other + "[pad]\nouter_radius_mm = 120\nthickness_mm = 30\n")));
+  EXPECT_FALSE(has_default_pad(read("[slider]\ndiameter_mm = 240 # a copy\n")));
+}
+
 } // namespace

@@ -1,4 +1,6 @@
 #include "scene/doubts.h"
+#include "scene/rim_identity.h"
+#include <functional>
 #include <gtest/gtest.h>
 
 namespace {
@@ -86,7 +88,13 @@ TEST(Doubts, TheThesissPairBelongsToOneBearing) {
   own.reduced.k_i = 1e8;
   EXPECT_TRUE(doubts_of_element(own).empty()) << "k_i is the user's";
   own = s, own.reduced.model = ModelKind::dcfp;
-  EXPECT_TRUE(doubts_of_element(own).empty()) << "another kind of bearing";
+  ASSERT_EQ(doubts_of_element(own).size(), 1u) << "another kind of bearing";
+  EXPECT_NE(doubts_of_element(own)[0].find("not this isolator's"), std::string::npos) << doubts_of_element(own)[0];
+  own.reduced.k_i = 1e8;
+  EXPECT_TRUE(doubts_of_element(own).empty()) << "k_i is the user's";
+  own.reduced.fitted_rim = rim_identity(s.bearing); // a law of one dish's rim, whichever it is
+  ASSERT_EQ(doubts_of_element(own).size(), 1u);
+  EXPECT_NE(doubts_of_element(own)[0].find("fitted to another rim"), std::string::npos) << doubts_of_element(own)[0];
   own = s, own.excitation.kind = ExcitationKind::cyclic;
   EXPECT_TRUE(doubts_of_element(own).empty()) << "never touched";
   own = s, own.reduced.impact_law = &laws::impact_law("elastoplastic");
@@ -95,6 +103,44 @@ TEST(Doubts, TheThesissPairBelongsToOneBearing) {
   s.bearing = builtin_bearing("shfps-225"), s.load.mass = 203900;
   ASSERT_EQ(doubts_of_element(s).size(), 1u);
   EXPECT_NE(doubts_of_element(s)[0].find("not this mass's"), std::string::npos);
+}
+
+/// A bearing ten times larger or smaller in all its dimensions is as good as another: sizes are held against its own.
+TEST(Doubts, SizesAreHeldAgainstTheBearingsOwn) {
+  const auto of = [](double scale, const std::function<void(Bearing &)> &change) {
+    Scene s;
+    Bearing &b = s.bearing;
+    for (double *length :
+         {&b.surface.planar_radius, &b.slider.diameter, &b.rim.height, &b.rim.thickness, &b.plate.base})
+      *length *= scale;
+    s.load.vertical *= scale * scale, s.load.mass *= scale * scale;
+    change(b);
+    return doubts(s);
+  };
+  for (const double scale : {0.2, 1.0, 3.0}) {
+    EXPECT_TRUE(of(scale, [](Bearing &) {}).empty()) << scale;
+    for (const double slip : {1e-3, 1 / 25.4}) { // metres, inches for millimetres
+      const auto rim = of(scale, [&](Bearing &b) { b.rim.thickness *= slip; });
+      ASSERT_EQ(rim.size(), 1u) << scale;
+      EXPECT_NE(rim[0].find("bearing.rim.thickness_mm = "), std::string::npos) << rim[0];
+      EXPECT_NE(rim[0].find("is its unit mm?"), std::string::npos) << rim[0];
+      EXPECT_FALSE(of(scale, [&](Bearing &b) { b.plate.base *= slip; }).empty()) << scale;
+      EXPECT_FALSE(of(scale, [&](Bearing &b) { b.slider.diameter *= slip; }).empty()) << scale;
+    }
+  }
+}
+
+TEST(Doubts, ALoadIsHeldAgainstTheSlidersArea) {
+  for (const double vertical : {3.2e3, 853e6}) { // the mass follows it, so that the two agree
+    Scene s;
+    s.load.vertical = vertical, s.load.mass = vertical / s.load.gravity;
+    ASSERT_EQ(doubts(s).size(), 1u) << vertical;
+    EXPECT_NE(doubts(s)[0].find("presses a slider of 240 mm"), std::string::npos) << doubts(s)[0];
+    EXPECT_NE(doubts(s)[0].find("is its unit kN?"), std::string::npos) << doubts(s)[0];
+    EXPECT_TRUE(doubts(s, false).empty()); // a building's bearings carry shares of it
+    s.reduced.model = ModelKind::dcfp;     // another slider
+    EXPECT_TRUE(doubts(s).empty());
+  }
 }
 
 } // namespace

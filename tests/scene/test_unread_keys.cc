@@ -22,6 +22,32 @@ TEST(UnreadKeys, OfAnotherKindAreNamed) {
   EXPECT_EQ(remarks("[excitation]\nkind = \"ricker\"\n", {"excitation.speed_m_per_s=0.7"}).size(), 1u);
 }
 
+TEST(UnreadKeys, OfTheBearingAndOfMeshesToo) {
+  const std::string ricker = "[excitation]\nkind = \"ricker\"\n";
+  const auto said = [&](const std::string &set) {
+    const auto sentences = remarks(ricker, {set});
+    return sentences.size() == 1 ? sentences[0] : "";
+  };
+  const auto says = [&](const std::string &set, const std::string &choice) {
+    const std::string key = set.substr(0, set.find('=')), sentence = said(set);
+    EXPECT_EQ(sentence.find(key + " is not read by this scene"), 0u) << set << ": " << sentence;
+    EXPECT_NE(sentence.find(choice), std::string::npos) << sentence;
+  };
+  says("bearing.surface.slope=0.2", "bearing.surface.kind \"ellipse\"");
+  says("bearing.surface.radius_mm=[0, 100, 600]", "bearing.surface.kind \"ellipse\"");
+  says("bearing.material.ertalyte.tangent_modulus_MPa=100", "bearing.material.ertalyte.yield_MPa inf");
+  says("bearing.contact.rate_s_per_m=20", "bearing.contact.rim_slow");
+  says("bearing.contact.pad_clearance_mm=1", "bearing.contact.pad_foot \"tied\"");
+  says("model.own_mesh.unit=mm", "model.own_mesh.file");
+  // written out with every scene, and of no effect
+  says("reduced.elastic_slip_mm=3", "reduced.friction \"coulomb\"");
+  says("reduced.rate_s_per_m=20", "reduced.mu_slow 0.07");
+  EXPECT_EQ(said("bearing.rim.height_mm=70"), "");
+  EXPECT_TRUE(remarks(ricker, {"reduced.elastic_slip_mm=3", "reduced.friction=park-wen"}).empty());
+  EXPECT_TRUE(remarks(ricker, {"reduced.rate_s_per_m=20", "reduced.mu_slow=0.03"}).empty());
+  EXPECT_TRUE(remarks(ricker, {"bearing.surface.slope=0.2", "bearing.surface.kind=cone"}).empty());
+}
+
 TEST(UnreadKeys, WhatIsReadOrLeftAtItsDefaultIsNoSlip) {
   EXPECT_TRUE(remarks("[excitation]\nkind = \"window\"\nspeed_m_per_s = 0.7\n").empty());
   EXPECT_TRUE(remarks("[excitation]\nkind = \"ricker\"\nspeed_m_per_s = 0.1\n").empty()); // the default
