@@ -36,6 +36,12 @@ void require_columns(const Response &response, const Mapping &mapping, const std
           fmt::format("{}: time runs from {:g} s to {:g} s at sample {}", table, time[i - 1], time[i], i + 1));
 }
 
+std::string unit_of_force(const Mapping &mapping) {
+  for (const auto &column : mapping.columns)
+    if (column.signal == "impact_x" || column.signal == "impact_y") return column.unit;
+  return {};
+}
+
 /// What a planar test has not measured is zero; the gap follows from the travel.
 void complete(Response &response, double lateral_capacity) {
   for (const char *signal : {"displacement_y", "impact_x", "impact_y"})
@@ -81,7 +87,7 @@ StoredRun read_measured(const std::string &path, const WindowOptions &options) {
   StoredRun run = make_run(path, scene, std::move(response), own);
   run.uncertainty = mapping.uncertainty;
   if (comma) run.noise.push_back(table + " is read with a decimal comma");
-  require_consistent(run);
+  require_consistent(run, unit_of_force(mapping));
   return run;
 }
 
