@@ -56,6 +56,22 @@ void complete(Response &response, double lateral_capacity) {
                   std::hypot(response.series("displacement_x")[i], response.series("displacement_y")[i]));
 }
 
+/// A window's scene that says another speed than the flight before its touch: what is compared with the record must fly
+/// at the record's own. One that begins at touch has the scene's.
+void take_own_speed(StoredRun &run) {
+  constexpr double alike = 0.05, sure = 5; // of the stated speed; standard errors
+  if (!run.is_window() || run.impacts.empty()) return;
+  const ImpactWindow &w = run.impacts.front();
+  auto &excitation = run.scene.excitation;
+  const double stated = excitation.impact_speed(), own = w.impact.approach_speed,
+               error = std::sqrt(w.measurement->start_factor.row(1).squaredNorm());
+  if (!(own > 0) || std::abs(own - stated) <= std::max(alike * stated, sure * error)) return;
+  excitation.speed *= own / stated;
+  run.doubts.push_back(fmt::format("its scene says {:.4g} m/s, the record comes to the rim at {:.4g} m/s: the record's "
+                                   "own speed is taken (excitation.speed_m_per_s)",
+                                   stated, own));
+}
+
 } // namespace
 
 StoredRun read_measured(const std::string &path, const WindowOptions &options) {
@@ -88,6 +104,7 @@ StoredRun read_measured(const std::string &path, const WindowOptions &options) {
   run.uncertainty = mapping.uncertainty;
   if (comma) run.noise.push_back(table + " is read with a decimal comma");
   require_consistent(run, unit_of_force(mapping));
+  take_own_speed(run);
   return run;
 }
 

@@ -157,6 +157,33 @@ TEST(MeasuredRun, RefusesAForceThatDoesNotMoveTheMassAsTheDisplacementSays) {
     }
 }
 
+// The scene of a mapping says 0.1 m/s, its curve comes at 0.3 m/s: what is compared with it flies at the curve's own.
+TEST(MeasuredRun, TakesItsOwnSpeedAndSaysSo) {
+  TemporaryFolder folder;
+  const auto path = folder.at("test.toml");
+  const auto at = [&](double stated) {
+    write_impact(folder, 0.015, true, 1);
+    auto s = window(stated);
+    s.excitation.scale = 0.5, s.excitation.speed *= 2;
+    std::ofstream(folder.at("scene.toml")) << scene::to_toml(s);
+    std::ofstream(path) << head() + columns;
+    return read_run(path, {});
+  };
+  for (const double stated : {0.1, 0.35, 1.2}) {
+    const auto run = at(stated);
+    EXPECT_NEAR(run.scene.excitation.impact_speed(), 0.3, 1e-3);
+    ASSERT_FALSE(run.doubts.empty()) << stated;
+    EXPECT_NE(run.doubts.back().find(fmt::format("its scene says {} m/s, the record comes to the rim at 0.3", stated)),
+              std::string::npos)
+        << run.doubts.back();
+    const auto flown = reduced::simulate(run.scene); // what the table of errors compares with the record
+    EXPECT_NEAR(flown.summary.impacts.at(0).approach_speed, 0.3, 1e-3);
+  }
+  const auto right = at(0.299);
+  EXPECT_EQ(right.scene.excitation.impact_speed(), 0.299) << "alike";
+  for (const auto &doubt : right.doubts) EXPECT_EQ(doubt.find("its scene says"), std::string::npos) << doubt;
+}
+
 TEST(MeasuredRun, RefusesAClockAThousandTimesTooSlow) {
   TemporaryFolder folder;
   const auto path = write_test(folder, window(0.3));
