@@ -1,4 +1,5 @@
 #include "fleets/hit_shares.h"
+#include "responses/frame_limits.h"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -19,6 +20,10 @@ std::string share_in_words(const HitShares::Part &part) {
 std::string in_words(const std::optional<double> &from, const std::optional<double> &to) {
   if (from && to) return fmt::format("{:.3g} to {:.3g} m/s", *from, *to);
   return from ? fmt::format("{:.3g} m/s upwards", *from) : fmt::format("up to {:.3g} m/s", to.value_or(0));
+}
+
+void raise(std::optional<double> &largest, const std::optional<double> &value) {
+  if (value) largest = std::max(largest.value_or(*value), *value);
 }
 
 } // namespace
@@ -42,6 +47,9 @@ void HitShares::add(const CellReader &run) {
   const auto n = run("n_impacts");
   if (!n) return;
   ++n_runs_;
+  const auto ductility = run("ductility"), drift = run("peak_drift_m");
+  n_beyond_frame_ += is_beyond_frame(ductility, drift);
+  raise(ductility_, ductility), raise(drift_, drift);
   if (!(*n > 0)) return;
   const auto hits = static_cast<std::size_t>(*n);
   ++n_with_impact_, n_hits_ += hits;
@@ -60,6 +68,8 @@ void HitShares::add(const HitShares &other) {
        {std::pair{&fit_, &other.fit_}, {&pair_, &other.pair_}, {&rim_, &other.rim_}, {&steel_, &other.steel_}})
     part->n_known += more->n_known, part->n_beyond += more->n_beyond;
   widen(speeds_, other.speeds_), widen(known_, other.known_);
+  n_beyond_frame_ += other.n_beyond_frame_;
+  raise(ductility_, other.ductility_), raise(drift_, other.drift_);
 }
 
 ordered_json HitShares::json() const {
@@ -75,6 +85,9 @@ ordered_json HitShares::json() const {
     all[fmt::format("hits_beyond_{}", name)] = or_null(part->count());
     all[fmt::format("share_beyond_{}", name)] = or_null(part->share());
   }
+  const bool has_frame = ductility_ || drift_;
+  all["runs_beyond_frame"] = has_frame ? ordered_json(n_beyond_frame_) : ordered_json(nullptr);
+  all["largest_ductility"] = or_null(ductility_), all["largest_drift_m"] = or_null(drift_);
   return all;
 }
 
@@ -103,6 +116,8 @@ std::vector<std::string> HitShares::doubts() const {
     found.push_back(fmt::format("{} strain the steel beyond its limit: cracks, which no law here has, would change the "
                                 "force",
                                 share_in_words(steel_)));
+  if (const auto doubt = doubt_of_frame(ductility_, drift_))
+    found.push_back(fmt::format("{} of {} runs: {}", n_beyond_frame_, n_runs_, *doubt));
   return found;
 }
 

@@ -1,4 +1,5 @@
-/// Of runs of a table: how many of their hits on the rim lie where the models are not known to hold.
+/// Of runs of a table: how many of their hits on the rim lie where the models are not known to hold, and how many of
+/// their frames.
 #pragma once
 #include <functional>
 #include <nlohmann/json.hpp>
@@ -45,6 +46,8 @@ private:
 
   std::size_t n_runs_ = 0, n_with_impact_ = 0, n_hits_ = 0;
   Part fit_, pair_, rim_, steel_;
+  std::size_t n_beyond_frame_ = 0;          ///< runs, frame_limits.h
+  std::optional<double> ductility_, drift_; ///< the largest
   Speeds speeds_, known_; ///< the widest range of the approaches, and that the elements are known for [m/s]
 };
 

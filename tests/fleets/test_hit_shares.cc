@@ -68,6 +68,25 @@ TEST(HitShares, TheBoundIsStatedAndHeld) {
   EXPECT_EQ(rim.doubts().size(), 1u) << "a rim pressed through is one at any share";
 }
 
+// A median ductility of 27 that no run calls a collapse.
+TEST(HitShares, FramesBeyondWhatTheirLawStandsForAreDoubted) {
+  HitShares none, within, beyond;
+  add(none, {{"n_impacts", 0}});
+  EXPECT_TRUE(none.json()["runs_beyond_frame"].is_null());
+  add(within, {{"n_impacts", 0}, {"ductility", 9.9}, {"peak_drift_m", 0.149}});
+  EXPECT_EQ(within.json()["runs_beyond_frame"], 0);
+  EXPECT_TRUE(within.doubts().empty());
+  for (const double ductility : {2.0, 27.0}) add(beyond, {{"n_impacts", 0}, {"ductility", ductility}});
+  add(beyond, {{"n_impacts", 0}, {"ductility", 8}, {"peak_drift_m", 0.93}});
+  beyond.add(within);
+  ASSERT_EQ(beyond.doubts().size(), 1u);
+  EXPECT_NE(
+      beyond.doubts()[0].find("2 of 4 runs: the frame reaches a ductility of 27 (doubted above 10) and a drift of "
+                              "0.93 m (above 0.15 m)"),
+      std::string::npos)
+      << beyond.doubts()[0];
+}
+
 // The pulse on the published pair, and with a range that its hits leave.
 TEST(HitShares, AFleetWritesThemAndItsFractilesLeaveTheUnknownEmpty) {
   const TemporaryFolder folder;
