@@ -27,6 +27,17 @@ def doubts(limits: dict[str, Any]) -> list[dict[str, str]]:
     return [note(str(sentence), "warning") for sentence in limits.get("doubts", [])]
 
 
+def _known(limits: dict[str, Any]) -> str:
+    low, high = limits.get("known_from_m_s"), limits.get("known_to_m_s")
+    if is_number(low) and is_number(high):
+        return f"{sig(low, 3)} to {sig(high, 3)} m/s"
+    if is_number(low):
+        return f"{sig(low, 3)} m/s upwards"
+    if not is_number(high):
+        return "speeds that are not stored"
+    return f"up to {sig(high, 3)} m/s" if high else "no speed on this bearing or at this mass"
+
+
 def shares(limits: dict[str, Any]) -> dict[str, Any] | None:
     """A table, a row for each limit; what no run tells is said to be unknown."""
     if not limits.get("n_hits"):
@@ -35,7 +46,6 @@ def shares(limits: dict[str, Any]) -> dict[str, Any] | None:
              percent(limits[f"share_beyond_{name}"], 1, False) if is_number(limits.get(f"share_beyond_{name}")) else UNKNOWN]
             for name, words in PARTS]
     speeds = f"{sig(limits.get('slowest_approach_speed_m_s'), 3)} to {sig(limits.get('fastest_approach_speed_m_s'), 3)} m/s"
-    known = [sig(limits[key], 3) for key in ("known_from_m_s", "known_to_m_s") if is_number(limits.get(key))]
-    said = f"its element is known for {' to '.join(known)} m/s" if known else "the speeds its element is known for are not stored"
+    said = f"its element is known for {_known(limits)}"
     return table(["hits", "number", "share"], rows, compact=True,
                  caption=f"{integer(limits['n_hits'])} hits on the rim, at {speeds}; {said}.")
