@@ -13,7 +13,10 @@ ordered_json or_null(const std::optional<double> &value) {
 }
 
 std::string share_in_words(const HitShares::Part &part) {
-  return fmt::format("{:.2g} % of the hits on the rim ({} of {})", 100 * *part.share(), part.n_beyond, part.n_known);
+  const double share = 100 * *part.share();
+  return fmt::format("{} % of the hits on the rim ({} of {})",
+                     share < 10 ? fmt::format("{:.2g}", share) : fmt::format("{:.0f}", share), part.n_beyond,
+                     part.n_known);
 }
 
 /// "0.05 to 0.2 m/s", or one end of it.
