@@ -16,10 +16,10 @@ double carried_mass(const scene::Scene &scene, const Summary &summary);
 /// reduced.fitted_from_m_per_s and _to_ at this supported mass [kg].
 SpeedRange fitted_speeds(const scene::Scene &scene, double mass);
 
-/// Columns of a fleet's table, each a number or null, which means that it is not known: how many impacts lie outside
-/// the fitted speeds (hits_beyond_fit), are faster than the published pair is known for (hits_beyond_pair), press
-/// deeper than the rim is thick (hits_beyond_rim) or strain the steel beyond its limit (hits_beyond_steel; a run tells
-/// its largest strain only); the slowest and fastest approach, and the speeds the element is known for.
+/// Columns of a fleet's table, each a number, or null where it is not known. Counts of impacts: outside the fitted
+/// speeds (hits_beyond_fit), faster than the published pair is known for (hits_beyond_pair), deeper than the rim is
+/// thick (hits_beyond_rim). Of strains beyond the steel's limit (hits_beyond_steel) a run tells the largest only.
+/// Beside them the slowest and fastest approach, and the speeds the element is known for.
 nlohmann::json hit_limits(const scene::Scene &scene, const Summary &summary);
 
 } // namespace rimpact
