@@ -66,6 +66,7 @@ NamedTexts files() {
       {"fitted-scene.toml", "of `calibrate`: bearing, load and [reduced] of the fitted runs, for `export`"},
       {"table.csv, table.h5", "of a sweep: one row a run, its parameters and results"},
       {"fractiles.csv, fractiles.h5", "of a sweep with [fractiles]: quantiles along one key"},
+      {"limits.json", "of a sweep: which share of the hits lies where the models are not known to hold, and doubts"},
       {"fleet.json", "of a sweep: what its rows are of"},
       {"main.json", "of `main`: the comparison, the warnings, where bearing and load come from"},
       {"curve.h5, curve.csv, curve.json", "of `curve`: the rim's quasi-static paths, their samples, what was printed"}};

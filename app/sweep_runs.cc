@@ -28,6 +28,22 @@ std::string default_fleet_folder(const std::string &name, const std::string &swe
          (is_grid_argument(sweep) ? "-sweep" : "-" + std::filesystem::path(sweep).stem().string());
 }
 
+nlohmann::ordered_json or_null(const std::optional<std::size_t> &count) {
+  return count ? nlohmann::ordered_json(*count) : nlohmann::ordered_json(nullptr);
+}
+
+void warn_of_limits(const fleets::FleetResult &result, Console &console) {
+  for (const auto &doubt : result.hits.doubts()) console.warn(doubt);
+  if (result.beyond_rim.value_or(0) > 0)
+    console.warn(fmt::format(
+        "{} of {} runs went deeper into the rim than it is thick: such a rim has failed (column beyond_rim)",
+        *result.beyond_rim, result.total));
+  const bool is_doubt = result.hits.fit().is_above(fleets::HitShares::bound);
+  if (result.beyond_fit.value_or(0) > 0 && !is_doubt)
+    console.warn(fmt::format("{} of {} runs met the rim at speeds its element was not fitted to (column beyond_fit)",
+                             *result.beyond_fit, result.total));
+}
+
 } // namespace
 
 CLI::Option *add_sweep_options(CLI::App &verb, SweepOptions &options) {
@@ -67,13 +83,7 @@ void sweep_runs(const SweepOptions &options, const SweepPlace &place, const flee
   watch_interrupts();
   const auto result = fleets::run_fleet(place.scene, console.settings(), sweep, fleet, model);
   line.finish();
-  if (result.beyond_rim > 0)
-    console.warn(fmt::format(
-        "{} of {} runs went deeper into the rim than it is thick: such a rim has failed (column beyond_rim)",
-        result.beyond_rim, result.total));
-  if (result.beyond_fit > 0)
-    console.warn(fmt::format("{} of {} runs met the rim at speeds its element was not fitted to (column beyond_fit)",
-                             result.beyond_fit, result.total));
+  warn_of_limits(result, console);
   if (result.done < result.total)
     console.warn(fmt::format("{} of {} runs did not end well: {} stopped, {} refused, {} failed; the columns status "
                              "and reason say why",
@@ -88,8 +98,10 @@ void sweep_runs(const SweepOptions &options, const SweepPlace &place, const flee
                                          {"stopped", result.stopped},
                                          {"refused", result.refused},
                                          {"failed", result.failed},
-                                         {"beyond_rim", result.beyond_rim},
-                                         {"beyond_fit", result.beyond_fit},
+                                         {"beyond_rim", or_null(result.beyond_rim)},
+                                         {"beyond_fit", or_null(result.beyond_fit)},
+                                         {"hits", result.hits.json()},
+                                         {"doubts", result.hits.doubts()},
                                          {"wall_time_s", result.seconds}};
     return console.data(json_text(json));
   }

@@ -1,5 +1,6 @@
 // rimpact reduced SCENE: a scene by the reduced model, or a fleet of them (--sweep).
 #include "app/folder_claim.h"
+#include "app/impact_words.h"
 #include "app/sibling.h"
 #include "app/sweep_runs.h"
 #include "app/verb.h"
@@ -8,7 +9,6 @@
 #include "reduced_models/node_kinematics.h"
 #include "reduced_models/physical_model.h"
 #include "reduced_models/run_doubts.h"
-#include "responses/open_impact.h"
 #include "scene/case_description.h"
 #include "scene/doubts.h"
 #include <cmath>
@@ -18,15 +18,14 @@
 namespace rimpact::app {
 namespace {
 
-std::string describe(const Summary &s, const std::string &name, const std::string &folder) {
+std::string describe(const Summary &s, const scene::Scene &scene, const std::string &folder) {
   std::string text =
-      fmt::format("{}: peak displacement {:.2f} mm, peak lateral force {:.1f} kN, {} impact(s); {}\n", name,
+      fmt::format("{}: peak displacement {:.2f} mm, peak lateral force {:.1f} kN, {} impact(s); {}\n", scene.name,
                   1e3 * s.peak_displacement, 1e-3 * s.peak_lateral_force, s.impacts.size(), folder);
+  const bool is_dynamic = scene.excitation.is_dynamic();
   for (const auto &i : s.impacts)
-    text += fmt::format("  {:.4f} s {:7.1f} deg  in {:.4f} m/s  {}  {:.1f} kN  {:.3f} mm\n", i.touch_time,
-                        i.direction_deg, i.approach_speed > 0 ? i.approach_speed : 0.0,
-                        is_open(i) ? "not let go" : fmt::format("out {:.4f} m/s", i.rebound_speed), 1e-3 * i.peak_force,
-                        1e3 * i.peak_penetration);
+    text += fmt::format("  {} {:7.1f} deg  {}  {:.1f} kN  {:.3f} mm\n", when(i, is_dynamic), i.direction_deg,
+                        how_fast(i, is_dynamic, 4), 1e-3 * i.peak_force, 1e3 * i.peak_penetration);
   return text;
 }
 
@@ -90,7 +89,7 @@ void add_reduced(CLI::App &app, Console &console) {
     if (options->picture && python({"report.quick", "reduced", folder}) != 0)
       throw IoError("the picture in " + folder + " was not made");
     const auto &s = run.summary;
-    console.data(console.json ? json_text(to_json(s)) : scene::describe_case(scene) + describe(s, scene.name, folder));
+    console.data(console.json ? json_text(to_json(s)) : scene::describe_case(scene) + describe(s, scene, folder));
     if (s.status == RunStatus::stopped) throw SolverStopped(s.reason + "; what is before it is kept");
   });
 }

@@ -64,25 +64,39 @@ risk::CampaignResult run_fleets(const ReliabilityOptions &options, const risk::S
   return risk::run_campaign(study, systems, motions, campaign);
 }
 
-/// The largest probabilities of every quantity, one line a limit, over all systems.
+/// A limit's probabilities over all systems, and the range of what is open where one number does not say it.
+struct Headline {
+  double least = 1, largest = 0, range_low = 1, range_high = 0;
+  bool settled = true;
+};
+
+std::string in_words(const std::string &quantity, double limit, const Headline &line) {
+  std::string text = fmt::format("{:>28} > {:<8g} ", quantity, limit);
+  if (line.settled) return text + fmt::format("{:9.3e} {:9.3e}\n", line.least, line.largest);
+  return text +
+         fmt::format("between {:.1e} and {:.1e}: the levels do not settle it\n", line.range_low, line.range_high);
+}
+
+/// The probabilities of every quantity, one line a limit, over all systems.
 std::string describe(const risk::Results &results, const std::string &folder) {
   const auto &table = results.tables.at("reliability");
-  const auto at = [&](const char *name) {
-    return static_cast<std::size_t>(std::find(table.columns.begin(), table.columns.end(), name) -
-                                    table.columns.begin());
+  const auto at = [&](const std::vector<Cell> &row, const char *name) -> const Cell & {
+    return row[static_cast<std::size_t>(std::find(table.columns.begin(), table.columns.end(), name) -
+                                        table.columns.begin())];
   };
-  const std::size_t quantity = at("quantity"), limit = at("limit"), probability = at("probability");
-  std::map<std::pair<std::string, double>, std::pair<double, double>> ranges;
+  const auto number = [&](const std::vector<Cell> &row, const char *name) { return std::get<double>(at(row, name)); };
+  std::map<std::pair<std::string, double>, Headline> lines;
   for (const auto &row : table.rows) {
-    const double p = std::get<double>(row[probability]);
-    const auto key = std::pair(std::get<std::string>(row[quantity]), std::get<double>(row[limit]));
-    const auto [range, fresh] = ranges.emplace(key, std::pair(p, p));
-    range->second = {std::min(range->second.first, p), std::max(range->second.second, p)};
+    Headline &line = lines[std::pair(std::get<std::string>(at(row, "quantity")), number(row, "limit"))];
+    const double p = number(row, "probability");
+    line.least = std::min(line.least, p), line.largest = std::max(line.largest, p);
+    line.range_low = std::min(line.range_low, number(row, "probability_range_low"));
+    line.range_high = std::max(line.range_high, number(row, "probability_range_high"));
+    line.settled &= number(row, "settled") != 0;
   }
   std::string text = fmt::format("probability of exceedance in {:g} years, least and largest of {} systems\n",
                                  results.summary["years"].get<double>(), results.summary["n_systems"].get<int>());
-  for (const auto &[key, range] : ranges)
-    text += fmt::format("{:>28} > {:<8g} {:9.3e} {:9.3e}\n", key.first, key.second, range.first, range.second);
+  for (const auto &[key, line] : lines) text += in_words(key.first, key.second, line);
   for (const auto &d : results.summary["differences"])
     text += fmt::format("{} = {}: P({} > {:g}) reduced by {:.1f} % on average ({:.1f} to {:.1f} %, {} systems)\n",
                         d["key"].get<std::string>(), d["value"].dump(), d["quantity"].get<std::string>(),

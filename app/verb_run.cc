@@ -1,5 +1,6 @@
 // rimpact run SCENE: a scene by finite elements.
 #include "app/folder_claim.h"
+#include "app/impact_words.h"
 #include "app/memory.h"
 #include "app/progress.h"
 #include "app/progress_in_words.h"
@@ -111,10 +112,10 @@ void run(const RunWords &options, Console &console) {
     planning::remember_times(plan, summary);
     for (const auto &warning : summary.extra["warnings"]) console.warn(warning.get<std::string>());
     for (const auto &impact : summary.impacts)
-      console.message(fmt::format("impact at {:.4f} s, {:.1f} deg: {:.3f} m/s in, {}, {:.0f} kN, {:.2f} mm",
-                                  impact.touch_time, impact.direction_deg, impact.approach_speed,
-                                  is_open(impact) ? "not let go" : fmt::format("{:.3f} m/s out", impact.rebound_speed),
-                                  1e-3 * impact.peak_force, 1e3 * impact.peak_penetration));
+      console.message(fmt::format("impact at {}, {:.1f} deg: {}, {:.0f} kN, {:.2f} mm",
+                                  when(impact, scene.excitation.is_dynamic()), impact.direction_deg,
+                                  how_fast(impact, scene.excitation.is_dynamic(), 3), 1e-3 * impact.peak_force,
+                                  1e3 * impact.peak_penetration));
     std::string split;
     for (const auto &[name, seconds] : summary.time_split) split += fmt::format(" {} {:.1f} s,", name, seconds);
     console.message("time:" + split.substr(0, split.size() - 1));

@@ -11,12 +11,14 @@ Summary row_summary(Summary s) {
                           "peak_base_acceleration_m_s2", "peak_base_displacement_m"})
     s.extra[key] = building.at(key);
   int hit = 0;
-  double uplift = 0;
+  double uplift = 0, heaviest = 0;
   for (const auto &bearing : building.at("bearings")) {
     hit += bearing.at("impacts").get<int>() > 0;
     uplift = std::max(uplift, bearing.at("peak_uplift_m").get<double>());
+    heaviest = std::max(heaviest, bearing.at("static_normal_force_N").get<double>());
   }
   s.extra["n_bearings_hit"] = hit, s.extra["peak_uplift_m"] = uplift;
+  s.extra["largest_static_normal_force_N"] = heaviest;
   int number = 0;
   for (const auto &floor : building.at("floors")) {
     ++number;

@@ -1,6 +1,8 @@
 #include "fleets/fleet.h"
 #include "files/error.h"
+#include "files/file.h"
 #include "files/folder_lock.h"
+#include "files/json_text.h"
 #include "fleets/fleet_folder.h"
 #include "fleets/fleet_table.h"
 #include "fleets/fractiles.h"
@@ -106,14 +108,21 @@ private:
 };
 
 void count(FleetResult &result, const Row &row) {
-  result.beyond_rim += is_true(row, "beyond_rim");
-  result.beyond_fit += is_true(row, "beyond_fit");
+  for (const auto &[name, sum] : {std::pair{"beyond_rim", &result.beyond_rim}, {"beyond_fit", &result.beyond_fit}})
+    if (const auto flag = number_in(row, name)) *sum = sum->value_or(0) + (*flag != 0);
+  result.hits.add([&](const char *column) { return number_in(row, column); });
   const auto *status = std::get_if<std::string>(&row.at("status"));
   const auto known = status ? parse<RowStatus>(*status) : std::nullopt;
   ++(known == RowStatus::done      ? result.done
      : known == RowStatus::stopped ? result.stopped
      : known == RowStatus::refused ? result.refused
                                    : result.failed);
+}
+
+void write_limits(const HitShares &hits, const std::string &folder) {
+  auto limits = hits.json();
+  limits["doubts"] = hits.doubts();
+  write_atomically(json_text(limits), folder + "/limits.json");
 }
 
 } // namespace
@@ -180,6 +189,7 @@ FleetResult run_fleet(const std::string &where, const std::vector<std::string> &
                 fmt::format("interrupted after {} of {} runs; the same command goes on from there", result.kept + n_new,
                             result.total));
   for (const auto run : mine) count(result, table.row(run));
+  if (options.n_shards == 1) write_limits(result.hits, options.folder);
   if (options.n_shards == 1 && !sweep.fractiles_along.empty()) {
     const Table curves = fractiles(table.table(mine), sweep.fractiles_along, sweep.fractiles_by);
     write_hdf5(curves, options.folder + "/fractiles.h5");

@@ -1,6 +1,7 @@
 /// Fleets of runs: one scene, a sweep over its keys, one table. Runs go on the machine's threads; a run that
 /// fails says so in its row. What is finished is kept: the same call goes on where an earlier one stopped.
 #pragma once
+#include "fleets/hit_shares.h"
 #include "fleets/sweep.h"
 #include "responses/summary.h"
 #include "scene/scene.h"
@@ -41,14 +42,16 @@ struct FleetOptions {
 
 struct FleetResult {
   std::size_t total = 0, kept = 0, done = 0, stopped = 0, refused = 0, failed = 0;
-  std::size_t beyond_rim = 0, beyond_fit = 0; ///< runs, whatever their status
+  std::optional<std::size_t> beyond_rim, beyond_fit; ///< runs, whatever their status; none: of no run is it known
+  HitShares hits;
   double seconds = 0;
   std::string table; ///< path without .csv or .h5
 };
 
 /// Fills FOLDER/table.csv and table.h5, of a shard table-I-of-N.*; rows that any table of the folder already
 /// has are not run again (so a call without a shard gathers the shards' tables). Without shards and with
-/// [fractiles] in the sweep also FOLDER/fractiles.csv and .h5. FOLDER/fleet.json says what
+/// [fractiles] in the sweep also FOLDER/fractiles.csv and .h5. FOLDER/limits.json, without shards: which share of the
+/// hits lies where the models are not known to hold, and the doubts about that. FOLDER/fleet.json says what
 /// the fleet is; InputError when the folder holds another one, or when no run of the sweep can be read as a
 /// scene. Rows of other inputs (a file edited since) or of another version are not kept: every run is made again.
 /// IoError where another process works on the same shard. Throws Error{ExitCode::interrupted} after the table is

@@ -94,7 +94,8 @@ Verdict judge(const json &kept, const FleetIdentity &now, const Sweep &sweep) {
 void remove_rows(const std::string &folder) {
   for (const auto &entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string(), ending = entry.path().extension().string();
-    const bool ours = name == "table.csv" || name == "table.h5" || name.starts_with("fractiles.") ||
+    const bool ours = name == "table.csv" || name == "table.h5" || name == "limits.json" ||
+                      name.starts_with("fractiles.") ||
                       (name.starts_with("table-") && (ending == ".csv" || ending == ".h5"));
     if (ours) fs::remove(entry.path());
   }

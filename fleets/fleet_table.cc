@@ -26,6 +26,14 @@ const std::vector<std::string> &result_columns() {
                                                  "energy_imbalance_relative",
                                                  "beyond_rim",
                                                  "beyond_fit",
+                                                 "hits_beyond_fit",
+                                                 "hits_beyond_pair",
+                                                 "hits_beyond_rim",
+                                                 "hits_beyond_steel",
+                                                 "slowest_approach_speed_m_s",
+                                                 "fastest_approach_speed_m_s",
+                                                 "known_from_m_s",
+                                                 "known_to_m_s",
                                                  "n_steps",
                                                  "wall_time_s",
                                                  "reason"};
@@ -64,13 +72,20 @@ Row row_of(const Summary &s) {
     if (value.is_number()) add(row, name, value.get<double>());
     if (value.is_boolean()) add(row, name, value.get<bool>() ? 1 : 0);
   }
+  const auto hits = s.extra.value("hit_limits", nlohmann::json::object());
+  for (const auto &[name, value] : hits.items())
+    if (value.is_number()) add(row, name, value.get<double>()); // null: not known, an empty cell
   return row;
 }
 
-bool is_true(const Row &row, const std::string &column) {
+std::optional<double> number_in(const Row &row, const std::string &column) {
   const auto found = row.find(column);
   const auto *value = found == row.end() ? nullptr : std::get_if<double>(&found->second);
-  return value && *value != 0;
+  return value ? std::optional(*value) : std::nullopt;
+}
+
+bool is_true(const Row &row, const std::string &column) {
+  return number_in(row, column).value_or(0) != 0;
 }
 
 Row row_without_result(RowStatus status, const std::string &reason) {

@@ -4,6 +4,7 @@
 #include "fleets/sweep.h"
 #include "responses/summary.h"
 #include <map>
+#include <optional>
 
 namespace rimpact::fleets {
 
@@ -13,6 +14,8 @@ using Row = std::map<std::string, Cell>;
 /// Peaks, impacts, residual, energy, status and reason, and every number a model puts among the summary's
 /// extras. A number that is not finite is left out and makes the status "failed".
 Row row_of(const Summary &summary);
+/// None: the cell is empty or a text.
+std::optional<double> number_in(const Row &row, const std::string &column);
 /// Whether a column of zeros and ones holds a one; false where the cell is empty.
 bool is_true(const Row &row, const std::string &column);
 Row row_without_result(RowStatus status, const std::string &reason);

@@ -1,4 +1,5 @@
 #include "fleets/fractiles.h"
+#include "fleets/hit_shares.h"
 #include "fleets/run_end.h"
 #include <algorithm>
 #include <cmath>
@@ -14,7 +15,9 @@ const char *const quantities[] = {"peak_displacement_m", "peak_lateral_force_N",
 const std::pair<const char *, double> shares[] = {{"p16_", 0.16}, {"p50_", 0.50}, {"p84_", 0.84}};
 
 struct Level {
-  int n_runs = 0, n_stopped = 0, n_with_impact = 0, n_beyond_rim = 0, n_beyond_fit = 0, n_without_result = 0;
+  int n_runs = 0, n_stopped = 0, n_with_impact = 0, n_without_result = 0;
+  std::optional<int> n_beyond_rim, n_beyond_fit; ///< none: of no run is it known
+  HitShares hits;
   std::vector<double> values[std::size(quantities)];
 };
 
@@ -26,6 +29,10 @@ std::size_t column(const Table &table, const std::string &name) {
 
 bool has(const Table &table, const std::string &name) {
   return std::find(table.columns.begin(), table.columns.end(), name) != table.columns.end();
+}
+
+template <class Number> Cell cell(const std::optional<Number> &value) {
+  return value ? Cell(static_cast<double>(*value)) : Cell();
 }
 
 Cell fractile(std::vector<double> values, double share) {
@@ -54,8 +61,12 @@ void add(Level &level, const Table &runs, const std::vector<Cell> &row) {
   level.n_stopped += stopped;
   if (const auto *n = number("n_impacts")) level.n_with_impact += *n > 0;
   for (const auto &[name, count] : {std::pair{"beyond_rim", &level.n_beyond_rim}, {"beyond_fit", &level.n_beyond_fit}})
-    if (const auto *flag = has(runs, name) ? number(name) : nullptr)
-      *count += *flag != 0; // tables of before have no such column
+    if (const auto *flag = has(runs, name) ? number(name) : nullptr) // tables of before have no such column
+      *count = count->value_or(0) + (*flag != 0);
+  level.hits.add([&](const char *name) {
+    const auto *value = has(runs, name) ? number(name) : nullptr;
+    return value ? std::optional(*value) : std::nullopt;
+  });
   for (std::size_t i = 0; i < std::size(quantities); ++i) {
     if (!has(runs, quantities[i])) continue;
     const auto *value = number(quantities[i]);
@@ -84,7 +95,8 @@ Table fractiles(const Table &runs, const std::string &along, const std::vector<s
   Table result;
   result.columns = by;
   for (const char *name :
-       {along.c_str(), "n_runs", "n_stopped", "n_with_impact", "n_beyond_rim", "n_beyond_fit", "n_without_result"})
+       {along.c_str(), "n_runs", "n_stopped", "n_with_impact", "n_beyond_rim", "n_beyond_fit", "n_without_result",
+        "n_hits", "share_beyond_fit", "share_beyond_pair", "share_beyond_rim", "share_beyond_steel"})
     result.columns.emplace_back(name);
   for (const auto *quantity : quantities) {
     if (!has(runs, quantity)) continue;
@@ -92,9 +104,13 @@ Table fractiles(const Table &runs, const std::string &along, const std::vector<s
   }
   for (const auto &[key, level] : levels) {
     std::vector<Cell> row = key;
-    for (const int count : {level.n_runs, level.n_stopped, level.n_with_impact, level.n_beyond_rim, level.n_beyond_fit,
-                            level.n_without_result})
-      row.emplace_back(double(count));
+    for (const std::optional<int> count :
+         {std::optional(level.n_runs), std::optional(level.n_stopped), std::optional(level.n_with_impact),
+          level.n_beyond_rim, level.n_beyond_fit, std::optional(level.n_without_result)})
+      row.push_back(cell(count));
+    row.emplace_back(static_cast<double>(level.hits.n_hits()));
+    for (const auto *part : {&level.hits.fit(), &level.hits.pair(), &level.hits.rim(), &level.hits.steel()})
+      row.push_back(cell(part->share()));
     for (std::size_t i = 0; i < std::size(quantities); ++i)
       if (has(runs, quantities[i]))
         for (const auto &[prefix, share] : shares) row.push_back(fractile(level.values[i], share));

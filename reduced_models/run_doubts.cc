@@ -1,6 +1,7 @@
 #include "reduced_models/run_doubts.h"
 
 #include "reduced_models/rim_curve_file.h"
+#include "responses/frame_limits.h"
 #include "responses/limits.h"
 #include "responses/open_impact.h"
 #include "scene/doubts.h"
@@ -23,6 +24,11 @@ void add_doubts(const scene::Scene &scene, const Response &response, Summary &su
   if (summary.status == RunStatus::done)
     for (const auto &doubt : {pressed, doubt_of_ledger(summary.energy.value_or(EnergyLedger()))})
       if (doubt) warnings.push_back(*doubt);
+  const auto number = [&](const char *key) {
+    const auto found = summary.extra.find(key);
+    return found != summary.extra.end() && found->is_number() ? std::optional(found->get<double>()) : std::nullopt;
+  };
+  if (const auto doubt = doubt_of_frame(number("ductility"), number("peak_drift_m"))) warnings.push_back(*doubt);
   if (pressed) leave_last_impact_open(response, summary);
   judge(scene, summary);
 }

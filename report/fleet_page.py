@@ -3,7 +3,7 @@ import os
 
 import numpy as np
 
-from . import page
+from . import hit_limits, page
 from .blocks import Pictures, Section, note, table
 from .figures import fleet as figure_fleet
 from .fleet import Fleet, read
@@ -19,8 +19,12 @@ def build(folder: str, output: str | None = None) -> tuple[str, list[str]]:
     output = output or os.path.join(folder, "report.html")
     pictures = Pictures(os.path.join(folder, "figures"), problems)
     results = Section("results", "Results", lead="Over what was varied.")
+    limits = hit_limits.read(folder)
+    for doubt in hit_limits.doubts(limits):
+        results.add(doubt)
     results.add(pictures.figure("fleet", "", figure_fleet.draw, fleet, curves=_curves))
     results.add(_spread(fleet))
+    results.add(hit_limits.shares(limits))
     runs = Section("runs", "Runs")
     runs.add(_parameters(fleet))
     failed = [status for status in fleet.status if status != "done"]

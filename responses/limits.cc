@@ -1,5 +1,6 @@
 #include "responses/limits.h"
 
+#include "responses/hit_limits.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -39,31 +40,16 @@ json beyond_rim(const scene::Scene &scene, Summary &summary) {
   return true;
 }
 
-/// Supported by a bearing, the heaviest loaded of a building [kg].
-double carried_mass(const scene::Scene &scene, const Summary &summary) {
-  if (!summary.extra.contains("building")) return scene.load.mass;
-  double weight = 0;
-  for (const auto &bearing : summary.extra["building"].at("bearings"))
-    weight = std::max(weight, bearing.at("static_normal_force_N").get<double>());
-  return weight / scene.load.gravity;
-}
-
-/// A law of the rim reaches the same depths at speeds that move as 1/sqrt(m).
-std::optional<double> at_mass(std::optional<double> speed, const scene::Scene &scene, double mass) {
-  if (speed) *speed *= scene.reduced.fitted_speed_scale(mass);
-  return speed;
-}
-
 json beyond_fit(const scene::Scene &scene, Summary &summary) {
   const double mass = carried_mass(scene, summary);
-  const auto from = at_mass(scene.reduced.fitted_from, scene, mass), to = at_mass(scene.reduced.fitted_to, scene, mass);
-  if (!from && !to) return nullptr;
-  constexpr double slack = 1e-3; // of the bounds: a window's speed is met to rounding
+  const auto range_of_fit = fitted_speeds(scene, mass);
+  if (!range_of_fit.is_known()) return nullptr;
+  const auto &[from, to] = range_of_fit;
   double slowest = 1e300, fastest = 0;
   int beyond = 0;
   for (const auto &impact : summary.impacts) {
     const double speed = impact.approach_speed;
-    if (speed >= from.value_or(0) * (1 - slack) && speed <= to.value_or(1e300) * (1 + slack)) continue;
+    if (range_of_fit.holds(speed)) continue;
     ++beyond, slowest = std::min(slowest, speed), fastest = std::max(fastest, speed);
   }
   if (beyond > 0 && summary.rung == SolvedBy::reduced) {
@@ -114,6 +100,7 @@ void judge(const scene::Scene &scene, Summary &summary) {
   summary.extra["beyond_rim"] = beyond_rim(scene, summary);
   summary.extra["beyond_fit"] = beyond_fit(scene, summary);
   summary.extra["strain_limit"] = strain_limit(scene, summary);
+  summary.extra["hit_limits"] = hit_limits(scene, summary);
 }
 
 } // namespace rimpact

@@ -98,6 +98,10 @@ ResponseSet collect(const Study &study, const std::string &folder, const Motions
       throw DataError(path + ": a row has no record or no variable.level_g; is it of another version?");
     ResponseLevel &level = levels[intensity];
     level.intensity_g = intensity;
+    level.hits.add([&](const char *name) {
+      const double value = columns.number(row, name);
+      return std::isnan(value) ? std::nullopt : std::optional(value);
+    });
     const auto end =
         fleets::run_end(parse<fleets::RowStatus>(columns.text(row, "status")), columns.text(row, "reason"));
     const auto known = records.find(record);

@@ -1,5 +1,6 @@
 /// The runs of one system as numbers: responses by quantity, level and record.
 #pragma once
+#include "fleets/hit_shares.h"
 #include "reliability/record_sums.h"
 #include "risk/systems.h"
 
@@ -20,6 +21,7 @@ struct ResponseLevel {
   /// Refused, failed, or stopped where their model holds no longer, or went deeper into the rim than it is thick:
   /// values are what was reached by then, NaN unknown.
   std::vector<Response> unfinished;
+  fleets::HitShares hits = {}; ///< of all its runs
 };
 
 struct ResponseSet {

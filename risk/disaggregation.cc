@@ -43,6 +43,7 @@ Disaggregation disaggregate(const ResponseSet &responses, const SystemSample &sa
   const double rate = limit.rate.value;
   if (!(rate > 0)) return result;
   const auto &weights = sample.weights().weights;
+  double counted = 0; // share of the rate from levels whose lognormal is refused
   for (std::size_t i = 0; i < sample.n_levels(); ++i) {
     const double share = weights[i] * limit.fragility[i].value / rate;
     result.levels[i] = share;
@@ -54,11 +55,14 @@ Disaggregation disaggregate(const ResponseSet &responses, const SystemSample &sa
     for (const auto *runs : {&level.runs, &level.unfinished})
       for (const auto &run : *runs)
         if (is_beyond(run)) result.records[static_cast<std::size_t>(run.record)] += share / static_cast<double>(n);
+    counted += limit.checks[i].refused ? share : 0;
+    if (limit.checks[i].refused) continue;
     const double slope_of_rate =
         weights[i] / rate * density(sample.level(limit.quantity, i, sample.once()).finished, limit.limit);
     for (std::size_t input = 0; input < responses.inputs.size(); ++input)
       result.elasticities[input] += slope_of_rate * slope_within_records(level, limit.quantity, input);
   }
+  if (counted > settled_share) result.elasticities.assign(responses.inputs.size(), std::nan(""));
   return result;
 }
 

@@ -12,7 +12,7 @@ struct Disaggregation {
   double tail = 0;
   /// d ln(rate) / d ln(input) of each sampled key: the shift of the lognormals' means, by regression of the responses'
   /// logarithms on the input's within records. Collapses and responses of 0 keep their counts. 0 for an input that is
-  /// not > 0 in every run.
+  /// not > 0 in every run; NaN, not known, where a tenth and more of the rate is from levels without a lognormal.
   std::vector<double> elasticities;
 };
 

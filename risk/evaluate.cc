@@ -1,15 +1,9 @@
 #include "risk/evaluate.h"
 #include "reliability/failure_rate.h"
-#include <numeric>
+#include <algorithm>
 
 namespace rimpact::risk {
 namespace {
-
-std::vector<double> intensities_of(const ResponseSet &responses) {
-  std::vector<double> result;
-  for (const auto &level : responses.levels) result.push_back(level.intensity_g);
-  return result;
-}
 
 std::vector<int> times_drawn(const std::vector<int> &drawn) {
   std::vector<int> times(drawn.size(), 0);
@@ -17,35 +11,27 @@ std::vector<int> times_drawn(const std::vector<int> &drawn) {
   return times;
 }
 
-/// Of every limit of the study, in order: visit(quantity, limit).
+/// Of every limit of the study, in order: visit(quantity, number of the limit).
 template <class Visit> void each_limit(const Study &study, const Visit &visit) {
   for (std::size_t k = 0; k < study.limits.size(); ++k)
-    for (const double limit : study.limits[k].values) visit(k, limit);
+    for (std::size_t j = 0; j < study.limits[k].values.size(); ++j) visit(k, j);
 }
 
 std::vector<double> probabilities(const Study &study, const SystemSample &sample, const std::vector<int> &times) {
   std::vector<double> result;
-  each_limit(study, [&](std::size_t k, double limit) {
-    const double rate = sample.weights().rate(sample.fragility(k, limit, times));
+  each_limit(study, [&](std::size_t k, std::size_t j) {
+    const double rate = sample.weights().rate(sample.fragility(k, j, times));
     result.push_back(reliability::probability_in(study.years, rate));
   });
   return result;
 }
 
-/// Share of a level's runs beyond the limit, collapses among them; those that stopped short of it are left out.
-double counted(const ResponseLevel &level, std::size_t k, double limit) {
-  double n = 0, all = static_cast<double>(level.runs.size());
-  for (const auto &run : level.runs) n += run.beyond || run.values[k] > limit;
-  for (const auto &run : level.unfinished)
-    if (run.values[k] > limit) ++n, ++all;
-  return n / all;
-}
-
 /// What runs that stopped short of the limit leave open.
-void add_bounds(const Study &study, const SystemSample &sample, LimitResult &result) {
+void add_bounds(const Study &study, const SystemSample &sample, std::size_t j, LimitResult &result) {
   std::vector<double> least, most;
   for (std::size_t level = 0; level < sample.n_levels(); ++level) {
-    const auto bounds = sample.level(result.quantity, level, sample.once()).exceedance(result.limit);
+    const auto model = sample.level(result.quantity, level, sample.once());
+    const auto bounds = sample.exceedance(result.quantity, j, level, model, sample.once());
     result.bounds.push_back(bounds), result.n_unknown += bounds.n_unknown;
     least.push_back(bounds.least), most.push_back(bounds.most);
   }
@@ -53,45 +39,27 @@ void add_bounds(const Study &study, const SystemSample &sample, LimitResult &res
   result.if_all = reliability::probability_in(study.years, sample.weights().rate(most));
 }
 
-} // namespace
-
-SystemSample::SystemSample(const Study &study, const ResponseSet &responses)
-    : n_records_(responses.records.size()), intensities_(intensities_of(responses)),
-      weights_(reliability::level_weights(reliability::HazardCurve(study.hazard), intensities_)) {
-  for (std::size_t k = 0; k < study.limits.size(); ++k) {
-    auto &levels = sums_.emplace_back();
-    auto &unfinished = unfinished_.emplace_back();
-    for (const auto &level : responses.levels) {
-      auto &reached = unfinished.emplace_back();
-      for (const auto &run : level.unfinished) reached.emplace_back(run.record, run.values[k]);
-      auto &records = levels.emplace_back(n_records_);
-      for (const auto &run : level.runs) {
-        auto &sums = records[static_cast<std::size_t>(run.record)];
-        run.beyond ? void(++sums.n_collapsed) : sums.add(run.values[k]);
-      }
-    }
+/// What the levels leave open: what is between and beyond them, and the counts where no lognormal holds.
+void add_range(const Study &study, const SystemSample &sample, LimitResult &result) {
+  reliability::LevelBounds bounds;
+  for (std::size_t level = 0; level < sample.n_levels(); ++level) {
+    const auto &check = result.checks[level];
+    const double p = result.fragility[level].value;
+    bounds.least.push_back(check.refused ? std::min(check.low, p) : p);
+    bounds.most.push_back(check.refused ? std::max(check.high, p) : p);
   }
+  result.range = reliability::rate_range(reliability::HazardCurve(study.hazard), sample.intensities(), bounds);
+  result.probability_least = reliability::probability_in(study.years, result.range.least);
+  result.probability_range_most = result.range.most ? reliability::probability_in(study.years, *result.range.most) : 1;
 }
 
-LevelModel SystemSample::level(std::size_t k, std::size_t level, const std::vector<int> &times) const {
-  const auto &records = sums_[k][level];
-  const auto of = [&](const std::vector<int> &counted) {
-    LevelModel model{reliability::pooled(records, counted), {}};
-    for (const auto &[record, reached] : unfinished_[k][level])
-      model.unfinished.emplace_back(reached, counted[static_cast<std::size_t>(record)]);
-    return model;
-  };
-  for (std::size_t i = 0; i < records.size(); ++i)
-    if (times[i] > 0 && records[i].n_collapsed + records[i].n_zero + records[i].n_positive > 0) return of(times);
-  return of(once());
+/// A fragility that is counted has the scatter of its counts, which drawing anew does not show where none exceeds.
+Banded widened(Banded value, const reliability::LevelCheck &check) {
+  if (check.refused) value.low = std::min(value.low, check.low), value.high = std::max(value.high, check.high);
+  return value;
 }
 
-std::vector<double> SystemSample::fragility(std::size_t k, double limit, const std::vector<int> &times) const {
-  std::vector<double> result;
-  for (std::size_t level = 0; level < n_levels(); ++level)
-    result.push_back(this->level(k, level, times).exceedance(limit).value);
-  return result;
-}
+} // namespace
 
 std::vector<LimitResult> evaluate(const Study &study, const ResponseSet &responses, const SystemSample &sample) {
   std::vector<LimitResult> results;
@@ -101,9 +69,10 @@ std::vector<LimitResult> evaluate(const Study &study, const ResponseSet &respons
     for (std::size_t k = 0; k < study.limits.size(); ++k) {
       std::vector<LevelModel> levels;
       for (std::size_t level = 0; level < sample.n_levels(); ++level) levels.push_back(sample.level(k, level, times));
-      for (const double limit : study.limits[k].values) {
+      for (std::size_t j = 0; j < study.limits[k].values.size(); ++j) {
         std::vector<double> fragility;
-        for (const auto &level : levels) fragility.push_back(level.exceedance(limit).value);
+        for (std::size_t level = 0; level < levels.size(); ++level)
+          fragility.push_back(sample.exceedance(k, j, level, levels[level], times).value);
         flat.insert(flat.end(), fragility.begin(), fragility.end());
         flat.push_back(sample.weights().rate(fragility));
         flat.push_back(reliability::probability_in(study.years, flat.back()));
@@ -121,23 +90,32 @@ std::vector<LimitResult> evaluate(const Study &study, const ResponseSet &respons
     ++at;
     return result;
   };
-  each_limit(study, [&](std::size_t k, double limit) {
+  each_limit(study, [&](std::size_t k, std::size_t j) {
     LimitResult result;
-    result.quantity = k, result.limit = limit;
+    result.quantity = k, result.limit = study.limits[k].values[j];
     std::vector<double> fragility;
-    for (const auto &level : responses.levels) {
-      result.fragility.push_back(next());
+    for (std::size_t level = 0; level < sample.n_levels(); ++level) {
+      result.checks.push_back(sample.check(k, j, level));
+      result.fragility.push_back(widened(next(), result.checks.back()));
       fragility.push_back(result.fragility.back().value);
-      result.counted.push_back(counted(level, k, limit));
+      result.counted.push_back(counted_share(responses.levels[level], k, result.limit));
+      result.fitted.push_back(sample.level(k, level, sample.once()).exceedance(result.limit).value);
     }
     result.rate = next(), result.probability = next();
+    result.rate_fitted = sample.weights().rate(result.fitted);
     result.below = sample.weights().below * fragility.front();
     result.above = sample.weights().above * fragility.back();
     result.probability_most = reliability::probability_in(study.years, sample.weights().most(fragility));
-    add_bounds(study, sample, result);
+    add_bounds(study, sample, j, result);
+    add_range(study, sample, result);
     results.push_back(std::move(result));
   });
   return results;
+}
+
+bool is_settled(const LimitResult &limit) {
+  const double rate = limit.rate.value, slack = settled_share * rate;
+  return rate - limit.range.least <= slack && limit.range.most && *limit.range.most - rate <= slack;
 }
 
 double reduction(double probability, double reference) {

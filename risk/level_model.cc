@@ -3,8 +3,13 @@
 namespace rimpact::risk {
 
 LevelModel::Exceedance LevelModel::exceedance(double limit) const {
+  const int n = finished.n_collapsed + finished.n_zero + finished.n_positive;
+  return exceedance(limit, n * finished.exceedance(limit));
+}
+
+LevelModel::Exceedance LevelModel::exceedance(double limit, double n_finished_beyond) const {
   int n_known = finished.n_collapsed + finished.n_zero + finished.n_positive, n_unknown = 0;
-  double beyond = n_known * finished.exceedance(limit);
+  double beyond = n_finished_beyond;
   for (const auto &[reached, times] : unfinished)
     if (reached > limit)
       n_known += times, beyond += times;

@@ -21,6 +21,8 @@ struct LevelModel {
   };
   /// limit > 0.
   Exceedance exceedance(double limit) const;
+  /// With that many of the finished runs beyond it, as counted, in the place of the lognormal's.
+  Exceedance exceedance(double limit, double n_finished_beyond) const;
 };
 
 } // namespace rimpact::risk

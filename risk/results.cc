@@ -2,6 +2,7 @@
 #include "files/file.h"
 #include "files/json_text.h"
 #include "risk/disaggregation.h"
+#include "risk/rate_doubts.h"
 #include "risk/reductions.h"
 #include <algorithm>
 #include <cmath>
@@ -27,25 +28,48 @@ public:
   Writer(const Study &study, const Systems &systems) : study_(study), systems_(systems) {
     begin("ida", {"quantity", "level_g", "n_records", "n_runs", "n_beyond", "n_zero", "n_without_result", "p16", "p50",
                   "p84", "mean_ln", "sigma_ln", "fit_p16", "fit_p50", "fit_p84"});
-    begin("fragility",
-          {"quantity", "limit", "level_g", "probability", "low", "high", "counted", "n_unknown", "least", "most"});
-    begin("reliability", {"quantity", "limit", "rate_per_year", "rate_low", "rate_high", "rate_below_levels",
-                          "rate_above_levels", "years", "probability", "probability_low", "probability_high",
-                          "probability_most", "n_unknown", "probability_if_none", "probability_if_all"});
+    begin("fragility", {"quantity", "limit", "level_g", "probability", "low", "high", "counted", "n_unknown", "least",
+                        "most", "fitted", "source", "counted_low", "counted_high"});
+    begin("reliability", {"quantity",
+                          "limit",
+                          "rate_per_year",
+                          "rate_low",
+                          "rate_high",
+                          "rate_below_levels",
+                          "rate_above_levels",
+                          "years",
+                          "probability",
+                          "probability_low",
+                          "probability_high",
+                          "probability_most",
+                          "n_unknown",
+                          "probability_if_none",
+                          "probability_if_all",
+                          "rate_by_lognormals",
+                          "rate_range_low",
+                          "rate_range_high",
+                          "probability_range_low",
+                          "probability_range_high",
+                          "settled"});
     begin("difference",
           {"key", "reference_system", "quantity", "limit", "probability", "reference_probability", "reduction",
            "reduction_low", "reduction_high", "n_unknown", "reduction_at_least", "reduction_at_most"});
     begin("levels", {"quantity", "limit", "level_g", "share"});
     begin("records", {"quantity", "limit", "record", "share"});
     begin("sensitivity", {"quantity", "limit", "key", "elasticity"});
+    begin("hits", {"level_g", "n_hits", "fastest_approach_speed_m_s", "known_to_m_s", "share_beyond_fit",
+                   "share_beyond_pair", "share_beyond_rim", "share_beyond_steel"});
   }
 
   void add(std::size_t system, const ResponseSet &set, const SystemSample &sample,
-           const std::vector<LimitResult> &limits) {
+           const std::vector<LimitResult> &limits, RateDoubts &doubts) {
     add_ida(system, set, sample);
+    add_hits(system, set);
     for (const auto &limit : limits) {
       add_limit(system, set, limit);
-      add_disaggregation(system, set, limit, disaggregate(set, sample, limit));
+      const Disaggregation why = disaggregate(set, sample, limit);
+      add_disaggregation(system, set, limit, why);
+      doubts.add(system, quantity(limit), limit, why.tail);
     }
   }
 
@@ -101,15 +125,44 @@ private:
       }
   }
 
+  void add_hits(std::size_t system, const ResponseSet &set) {
+    const auto cell = [](const std::optional<double> &value) { return value ? Cell(*value) : Cell(); };
+    for (const auto &level : set.levels) {
+      const auto &h = level.hits;
+      row("hits", system,
+          {level.intensity_g, static_cast<double>(h.n_hits()), cell(h.fastest()), cell(h.known_to()),
+           cell(h.fit().share()), cell(h.pair().share()), cell(h.rim().share()), cell(h.steel().share())});
+    }
+  }
+
   void add_limit(std::size_t system, const ResponseSet &set, const LimitResult &r) {
     for (std::size_t i = 0; i < set.levels.size(); ++i)
       row("fragility", system,
           {quantity(r), r.limit, set.levels[i].intensity_g, r.fragility[i].value, r.fragility[i].low,
-           r.fragility[i].high, r.counted[i], double(r.bounds[i].n_unknown), r.bounds[i].least, r.bounds[i].most});
+           r.fragility[i].high, r.counted[i], double(r.bounds[i].n_unknown), r.bounds[i].least, r.bounds[i].most,
+           r.fitted[i], std::string(r.checks[i].refused ? "counted" : "fitted"), r.checks[i].low, r.checks[i].high});
     row("reliability", system,
-        {quantity(r), r.limit, r.rate.value, r.rate.low, r.rate.high, r.below, r.above, study_.years,
-         r.probability.value, r.probability.low, r.probability.high, r.probability_most, double(r.n_unknown), r.if_none,
-         r.if_all});
+        {quantity(r),
+         r.limit,
+         r.rate.value,
+         r.rate.low,
+         r.rate.high,
+         r.below,
+         r.above,
+         study_.years,
+         r.probability.value,
+         r.probability.low,
+         r.probability.high,
+         r.probability_most,
+         double(r.n_unknown),
+         r.if_none,
+         r.if_all,
+         r.rate_fitted,
+         r.range.least,
+         r.range.most ? Cell(*r.range.most) : Cell(),
+         r.probability_least,
+         r.probability_range_most,
+         double(is_settled(r))});
   }
 
   void add_disaggregation(std::size_t system, const ResponseSet &set, const LimitResult &r, const Disaggregation &d) {
@@ -120,7 +173,8 @@ private:
       if (d.records[i] >= least) row("records", system, {quantity(r), r.limit, set.records[i], d.records[i]});
     if (d.tail >= least) row("records", system, {quantity(r), r.limit, std::string(), d.tail});
     for (std::size_t i = 0; i < set.inputs.size(); ++i)
-      row("sensitivity", system, {quantity(r), r.limit, set.inputs[i], d.elasticities[i]});
+      row("sensitivity", system,
+          {quantity(r), r.limit, set.inputs[i], std::isnan(d.elasticities[i]) ? Cell() : Cell(d.elasticities[i])});
   }
 
   const Study &study_;
@@ -144,6 +198,12 @@ std::vector<double> levels_without_result(const Motions &motions, const Response
     if (!level.motions.empty() && std::none_of(set.levels.begin(), set.levels.end(), is_it))
       levels.push_back(level.intensity_g);
   }
+  return levels;
+}
+
+std::vector<double> levels_of(const Motions &motions) {
+  std::vector<double> levels;
+  for (const auto &level : motions.levels) levels.push_back(level.intensity_g);
   return levels;
 }
 
@@ -177,10 +237,12 @@ Results evaluate_study(const Study &study, const Systems &systems, const Motions
   std::vector<SystemSample> samples;
   std::vector<std::vector<LimitResult>> limits;
   std::size_t n_without = 0;
+  fleets::HitShares hits;
+  RateDoubts rates;
   std::vector<std::string> doubts = motions.doubts;
   for (std::size_t s = 0; s < systems.size(); ++s) {
     const ResponseSet set = collect(study, folder_of_system(folder, s), motions);
-    for (const auto &level : set.levels) n_without += level.unfinished.size();
+    for (const auto &level : set.levels) n_without += level.unfinished.size(), hits.add(level.hits);
     doubt_rims(s, set, doubts);
     for (const double level : levels_without_result(motions, set))
       doubts.push_back(fmt::format("system {}: no run at {:.4g} g has a result; its fragility is made without that "
@@ -188,9 +250,12 @@ Results evaluate_study(const Study &study, const Systems &systems, const Motions
                                    s + 1, level));
     samples.emplace_back(study, set);
     limits.push_back(evaluate(study, set, samples.back()));
-    writer.add(s, set, samples.back(), limits.back());
+    writer.add(s, set, samples.back(), limits.back(), rates);
     if (done) done(s + 1);
   }
+  for (const auto &sentences : {rates.sentences(levels_of(motions)), hits.doubts()}) // before those of single systems
+    doubts.insert(doubts.begin() + static_cast<std::ptrdiff_t>(motions.doubts.size()), sentences.begin(),
+                  sentences.end());
   Reductions sums;
   for (const auto &c : comparisons(study, systems)) {
     if (samples[c.system].n_levels() != samples[c.reference].n_levels()) continue; // a level without any result
@@ -219,6 +284,7 @@ Results evaluate_study(const Study &study, const Systems &systems, const Motions
                      {"hazard", hazard},
                      {"confidence", study.bootstrap.confidence},
                      {"replicates", study.bootstrap.replicates},
+                     {"hits", hits.json()},
                      {"differences", sums.json()},
                      {"doubts", doubts},
                      {"missing", motions.missing}};

@@ -7,14 +7,18 @@ namespace rimpact::risk {
 
 /// Tables by their file's name without ending. Every row of a system's begins with `system` (from 1) and its keys.
 ///   ida          quantity, level_g: counts of records and runs, counted and fitted fractiles, mean_ln, sigma_ln
-///   fragility    quantity, limit, level_g: probability with its band, share counted
+///   fragility    quantity, limit, level_g: probability with its band, share counted and its interval, the lognormal's,
+///   and
+///                which of the two the probability is (source)
 ///   reliability  quantity, limit: rate and probability in the study's years with bands, parts of the rate from beyond
-///                the levels, probability if all above the last level failed
+///                the levels, probability if all above the last level failed; the range of what is open between and
+///                beyond the levels (rate_range.h), and whether it is within a tenth of the rate (settled)
 ///   difference   key, value, quantity, limit: reduction of the probability against the reference system with its band
 ///   levels       quantity, limit, level_g: share of the rate
 ///   records      quantity, limit, record: share of the rate, those of 0.5 % and more; "" is the fits' tails
 ///   sensitivity  quantity, limit, key: elasticity of the rate
-///   motions      level_g, record, file, scale and what it is over the level
+///   hits         level_g: hits on the rim, and the shares of them beyond what the models are known for; empty: not
+///   known motions      level_g, record, file, scale and what it is over the level
 struct Results {
   std::map<std::string, Table> tables;
   nlohmann::ordered_json summary;

@@ -2,6 +2,7 @@
 #pragma once
 #include "scene/scene.h"
 #include <array>
+#include <optional>
 
 namespace rimpact::scene {
 
@@ -16,6 +17,11 @@ inline constexpr std::array solid_impacts{SolidImpact{0.07, 398.8e3, 0.843}, Sol
                                           SolidImpact{1.00, 2260e3, 0.139},  SolidImpact{1.20, 2432e3, 0.102}};
 /// Linear between the speeds; the last one beyond them.
 SolidImpact solid_impact(double speed);
+
+/// Fastest approach [m/s] up to which the published pair's peak force is within a fifth of the solid's; 0 where it
+/// stands for another bearing or supported mass [kg], for which nothing is published. None: the scene does not fly on
+/// it.
+std::optional<double> fastest_of_pair(const Scene &scene, double mass);
 
 /// Of a scene that flies on the published pair, on the bearing and mass it was published for: a sentence where the
 /// solid's peak force is off by more than a fifth at its fastest approach [m/s]. Else empty.

@@ -1,5 +1,7 @@
+#include "calibration/data/force_factor.h"
 #include "calibration/data/measured_run.h"
 #include "files/error.h"
+#include "responses/response_files.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -60,12 +62,42 @@ double pressed_time(const std::vector<double> &times, const std::vector<double> 
   return longest;
 }
 
-/// Impulse of the rim's force over the change of momentum, both radial.
-double impulse_ratio(const StoredRun &run, const ImpactWindow &w) {
-  double impulse = 0;
-  for (std::size_t i = 1; i < w.times.size(); ++i)
-    impulse += 0.5 * (w.times[i] - w.times[i - 1]) * (w.force[i] + w.force[i - 1]);
-  return impulse / (run.scene.load.mass * (w.impact.approach_speed + w.impact.rebound_speed));
+/// Of a known unit of force the name, where a column in it that is declared as `unit` gives this factor; or nothing.
+std::string unit_slip(double factor, const std::string &unit) {
+  constexpr double alike = 0.1;
+  const auto declared = csv_unit(unit);
+  if (!declared || std::string(declared->base) != "N") return {};
+  for (const char *name : {"N", "kN", "MN", "kgf", "tf", "lbf", "kip"})
+    if (const auto other = csv_unit(name); other && std::string(name) != unit)
+      if (std::abs(factor * other->factor / declared->factor - 1) < alike)
+        return fmt::format(" A column in {} declared as {} gives {:.3g}", name, unit, declared->factor / other->factor);
+  return {};
+}
+
+/// A factor by which units are suspected: of an isolated impact, where nothing else moves the mass, a smaller one.
+double suspicious_impulse(const scene::Excitation &x) {
+  const bool isolated = x.kind == scene::ExcitationKind::window && !x.with_weight && !x.with_friction && !x.with_ground;
+  return isolated ? 2 : suspicious;
+}
+
+/// The force against the motion that it causes. The change of momentum would do where a flight after the release tells
+/// the rebound; where none does, the rebound is made from the impulse itself, which then agrees in any unit.
+void check_impulse(const StoredRun &run, const ImpactWindow &w, const std::string &force_unit) {
+  constexpr double sure = 5; // standard errors
+  const double limit = suspicious_impulse(run.scene.excitation), mass = run.scene.load.mass;
+  const auto found = force_factor(w, mass);
+  if (!found) return;
+  const double share = 1 / found->value; // of the measured impulse in the change of momentum
+  const auto surely = [&](bool says) { return says && std::abs(found->value - 1) > sure * found->error; };
+  if (surely(found->value <= 0))
+    throw DataError(
+        fmt::format("{}: at {:.4f} s the rim's force points outwards: it is {:.3g} times the one that turns "
+                    "the slider back; is its sign right?",
+                    run.folder, w.impact.touch_time, share));
+  if (surely(share > limit || share < 1 / limit))
+    throw DataError(fmt::format("{}: at {:.4f} s the impulse of the rim's force is {:.3g} times the change of "
+                                "momentum; are the units of force and displacement and the mass ({:g} kg) right?{}",
+                                run.folder, w.impact.touch_time, share, mass, unit_slip(share, force_unit)));
 }
 
 } // namespace
@@ -84,20 +116,11 @@ void require_clock(const Response &r, const scene::Scene &scene, const std::stri
                     table, peak / 1e3, lasts, scene.load.mass, pushed, L_c));
 }
 
-void require_consistent(const StoredRun &run) {
+void require_consistent(const StoredRun &run, const std::string &force_unit) {
   check_travel(run);
   check_velocity(run);
-  for (const auto &w : run.impacts) {
-    if (w.grazing) continue; // other forces change its momentum as much
-    const double ratio = impulse_ratio(run, w);
-    if (ratio <= 0)
-      throw DataError(fmt::format("{}: at {:.4f} s the rim's force points outwards; is its sign right?", run.folder,
-                                  w.impact.touch_time));
-    if (disagree(ratio, 1))
-      throw DataError(fmt::format("{}: at {:.4f} s the impulse of the rim's force is {:.3g} times the change of "
-                                  "momentum; are the units of force and displacement and the mass ({:g} kg) right?",
-                                  run.folder, w.impact.touch_time, ratio, run.scene.load.mass));
-  }
+  for (const auto &w : run.impacts)
+    if (!w.grazing) check_impulse(run, w, force_unit); // of a grazing one other forces change the momentum as much
 }
 
 } // namespace rimpact::calibration

@@ -36,6 +36,12 @@ void require_columns(const Response &response, const Mapping &mapping, const std
           fmt::format("{}: time runs from {:g} s to {:g} s at sample {}", table, time[i - 1], time[i], i + 1));
 }
 
+std::string unit_of_force(const Mapping &mapping) {
+  for (const auto &column : mapping.columns)
+    if (column.signal == "impact_x" || column.signal == "impact_y") return column.unit;
+  return {};
+}
+
 /// What a planar test has not measured is zero; the gap follows from the travel.
 void complete(Response &response, double lateral_capacity) {
   for (const char *signal : {"displacement_y", "impact_x", "impact_y"})
@@ -48,6 +54,22 @@ void complete(Response &response, double lateral_capacity) {
   for (std::size_t i = 0; i < response.size(); ++i)
     gap.push_back(lateral_capacity -
                   std::hypot(response.series("displacement_x")[i], response.series("displacement_y")[i]));
+}
+
+/// A window's scene that says another speed than the flight before its touch: what is compared with the record must fly
+/// at the record's own. One that begins at touch has the scene's.
+void take_own_speed(StoredRun &run) {
+  constexpr double alike = 0.05, sure = 5; // of the stated speed; standard errors
+  if (!run.is_window() || run.impacts.empty()) return;
+  const ImpactWindow &w = run.impacts.front();
+  auto &excitation = run.scene.excitation;
+  const double stated = excitation.impact_speed(), own = w.impact.approach_speed,
+               error = std::sqrt(w.measurement->start_factor.row(1).squaredNorm());
+  if (!(own > 0) || std::abs(own - stated) <= std::max(alike * stated, sure * error)) return;
+  excitation.speed *= own / stated;
+  run.doubts.push_back(fmt::format("its scene says {:.4g} m/s, the record comes to the rim at {:.4g} m/s: the record's "
+                                   "own speed is taken (excitation.speed_m_per_s)",
+                                   stated, own));
 }
 
 } // namespace
@@ -81,7 +103,8 @@ StoredRun read_measured(const std::string &path, const WindowOptions &options) {
   StoredRun run = make_run(path, scene, std::move(response), own);
   run.uncertainty = mapping.uncertainty;
   if (comma) run.noise.push_back(table + " is read with a decimal comma");
-  require_consistent(run);
+  require_consistent(run, unit_of_force(mapping));
+  take_own_speed(run);
   return run;
 }
 

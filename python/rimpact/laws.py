@@ -2,6 +2,9 @@
 from __future__ import annotations
 
 import os
+import tomllib
+import warnings
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -12,7 +15,8 @@ from rimpact.scene import Scene
 
 
 class Law:
-    """Force of the rim on the slider [N], positive inwards. Call it with numbers or arrays."""
+    """Force of the rim on the slider [N], positive inwards. Call it with numbers or arrays. Beyond `known_depth` it is
+    extrapolated, which a UserWarning says with the bound."""
 
     def __init__(self, scene: Scene) -> None:
         self.scene = scene
@@ -38,14 +42,41 @@ class Law:
         """The element's numbers, each with its unit in the name."""
         return self._law.numbers
 
+    @cached_property
+    def known_depth(self) -> tuple[float, str]:
+        """How deep the law holds [m], and why. That is what its fastest fitted impact reaches at most, by its energy, or, where no
+        range of speeds is known or that lies deeper, the rim's thickness: beyond it a rim has failed."""
+        scene = tomllib.loads(self.scene.toml())
+        reduced = scene.get("reduced", {})
+        thickness = 1e-3 * scene.get("bearing", {}).get("rim", {}).get("thickness_mm", np.inf)  # a double concave one has none
+        speed = reduced.get("fitted_to_m_per_s")
+        if speed is not None and np.isfinite(thickness):
+            mass = reduced.get("fitted_speeds_mass_kg", reduced.get("fitted_mass_kg", self.scene.mass))
+            depths = np.linspace(0, thickness, 4001)
+            force = np.asarray(self._law.force(depths, 0.0, depths))
+            work = np.concatenate([[0], np.cumsum((force[1:] + force[:-1]) / 2 * np.diff(depths))])
+            reached = int(np.searchsorted(work, mass * speed**2 / 2))
+            if reached < len(depths):
+                return float(depths[reached]), f"the law is fitted up to {speed:.3g} m/s, which reaches it at {mass:.6g} kg"
+        return thickness, "the rim is no thicker"
+
+    def _warn_beyond(self, *penetrations: ArrayLike) -> None:
+        deepest = max((float(np.nanmax(np.append(np.asarray(each, float), -np.inf))) for each in penetrations), default=0.0)
+        bound, why = self.known_depth
+        if deepest > bound * (1 + 1e-9):
+            warnings.warn(f"a penetration of {1e3 * deepest:.4g} mm lies beyond {1e3 * bound:.4g} mm, how deep law {self.name} is known: "
+                          f"{why}. Its force there is extrapolated; penetrations are in metres", UserWarning, stacklevel=3)
+
     def __call__(self, penetration: ArrayLike, rate: ArrayLike = 0.0, deepest: ArrayLike | None = None) -> float | np.ndarray:
         """At a penetration [m] and its rate [m/s, > 0 while approaching]. `deepest` [m]: what this place had reached before; without it
         the first loading."""
+        self._warn_beyond(penetration, *(() if deepest is None else (deepest,)))
         return self._law.force(penetration, rate, penetration if deepest is None else deepest)
 
     def path(self, penetration: ArrayLike, time: ArrayLike | None = None) -> np.ndarray:
         """Along a history of penetrations [m]; the deepest so far is carried along. `time` [s] gives the rates, zero without it."""
         penetration = np.asarray(penetration, float)
+        self._warn_beyond(penetration)
         rate = np.zeros_like(penetration) if time is None else np.gradient(penetration, np.asarray(time, float))
         return self._law.force(penetration, rate, np.maximum.accumulate(np.maximum(penetration, 0)))
 

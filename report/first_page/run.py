@@ -27,7 +27,9 @@ def _peaks(run: Run, capacity: float | None) -> list[list[str]]:
             ["Peak lateral force", _unit(scaled(s.get("peak_lateral_force_N"), 1e-3, 0), "kN")],
             ["Peak impact force", _unit(scaled(s.get("peak_impact_force_N"), 1e-3, 0), "kN")],
             ["Impacts", integer(s.get("n_impacts", len(run.impacts)))]]
-    if impact:
+    if impact and run.kind in ("push", "cyclic", "figure-eight", "path"):  # pressed without inertia: a speed has no meaning
+        rows.append(["Hardest: penetration", _unit(scaled(impact.get("peak_penetration_m"), 1e3, 2), "mm")])
+    elif impact:
         rows += [["Hardest: approach, rebound", f"{fixed(impact.get('approach_speed_m_s'), 3)}, {fixed(impact.get('rebound_speed_m_s'), 3)}\u00a0m/s"],
                  ["Hardest: penetration", _unit(scaled(impact.get("peak_penetration_m"), 1e3, 2), "mm")]]
     rows.append(["Residual displacement", _unit(scaled(s.get("residual_displacement_m"), 1e3, 1), "mm")])

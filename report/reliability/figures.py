@@ -87,7 +87,7 @@ def fragility(layout: Layout, rows: list[Row], quantity: str, limits: list[float
 
 
 def reliability(layout: Layout, rows: list[Row], quantity: str, years: float, path: str) -> str:
-    """Probability in a lifetime over the limit, with its band."""
+    """Probability in a lifetime over the limit, with its band; dotted: the range where the levels do not settle it."""
     fig, grid, panels = _grid(layout)
     colours = _colours(layout)
     for (_, systems), ax in zip(panels, grid.flat):
@@ -98,6 +98,9 @@ def reliability(layout: Layout, rows: list[Row], quantity: str, years: float, pa
                         marker="o" if len(own) == 1 else None, ms=3)
             ax.fill_between(x, [max(row["probability_low"], 1e-9) for row in own], [row["probability_high"] for row in own],
                             color=colours[name], alpha=0.12, lw=0)
+            unsettled = [row for row in own if row.get("settled") == 0]
+            for end in ("probability_range_low", "probability_range_high"):
+                ax.plot([row["limit"] for row in unsettled], [max(row[end], 1e-9) for row in unsettled], ":", lw=0.8, color=colours[name])
     for ax in grid[-1, :]:
         ax.set_xlabel(AXES.get(quantity, quantity))
     grid[0, 0].set_ylabel(f"probability in {years:g} years")

@@ -2,6 +2,9 @@
 import os
 from typing import Any
 
+from markupsafe import Markup
+
+from .. import hit_limits
 from ..blocks import Pictures, Section, bullets, note, table, text
 from . import figures, tables
 
@@ -60,6 +63,7 @@ class Page:
                              "reliability.json names them.", "warning"))
         for doubt in s.get("doubts", [])[:8]:
             section.add(note(doubt, "warning"))
+        section.add(hit_limits.shares(s.get("hits") or {}))
         section.add(self.pictures.figure("hazard", "Hazard curve and the levels of the study.", figures.hazard, s["hazard"],
                                          s["levels"], s["period_s"]))
         return section
@@ -91,12 +95,15 @@ class Page:
             for limit in self.limits(quantity):
                 own = [row for row in self.rows["reliability"] if row["quantity"] == quantity and row["limit"] == limit]
                 p = [row["probability"] for row in own]
+                unsettled = any(row.get("settled") == 0 for row in own)
+                span = f"{min(row['probability_range_low'] for row in own):.1e} to {max(row['probability_range_high'] for row in own):.1e}" if unsettled else ""
                 open_end = max((row["rate_above_levels"] / row["rate_per_year"] for row in own if row["rate_per_year"]), default=0)
-                rows.append([quantity, f"{limit:g}", f"{min(p):.3e}", f"{max(p):.3e}",
+                rows.append([quantity, f"{limit:g}", *([Markup("<b>a range</b>"), span] if unsettled else [f"{min(p):.3e}", f"{max(p):.3e}"]),
                              f"{max(row['probability_most'] for row in own):.3e}", percent(open_end), unknown_runs(own)])
-        section.add(table(["quantity", "limit", "least P", "largest P", "largest P if all above the levels failed",
+        section.add(table(["quantity", "limit", "least P", "largest P, or the range", "largest P if all above the levels failed",
                            "largest share of the rate from above the levels", "unknown runs: P if none or all are beyond"], rows,
-                          "Over all systems. What lies above the last level rests on its fragility held constant."))
+                          "Over all systems. What lies above the last level rests on its fragility held constant. A range: from that, "
+                          "nothing below the first level and the least between levels, to certain failure above the last."))
         return section
 
     def differences(self) -> Section:
@@ -124,7 +131,8 @@ class Page:
         for key in dict.fromkeys(row["key"] for row in self.rows["sensitivity"]):
             for quantity in self.quantities:
                 for limit in few(self.limits(quantity)):
-                    own = [row["elasticity"] for row in self.rows["sensitivity"] if (row["key"], row["quantity"], row["limit"]) == (key, quantity, limit)]
+                    own = [row["elasticity"] for row in self.rows["sensitivity"]
+                           if (row["key"], row["quantity"], row["limit"]) == (key, quantity, limit) and row["elasticity"] is not None]
                     if own:
                         rows.append([key, quantity, f"{limit:g}", f"{sum(own) / len(own):+.2f}", f"{min(own):+.2f} to {max(own):+.2f}"])
         section.add(table(["input", "quantity", "limit", "elasticity of the rate, mean", "over the systems"], rows,

@@ -37,6 +37,16 @@ class ReducedRun(Refusals):
             self.assertTrue(any("past the dish's edge at 520 mm" in sentence for sentence in summary["warnings"]), summary["warnings"])
             self.assertIn("past the dish's edge", run.stderr)
 
+    def test_a_slow_cycle_tells_no_second_and_no_speed(self):
+        folder = self.enterContext(tempfile.TemporaryDirectory())
+        run = rimpact("reduced", "static-unidirectional", "--set", "excitation.amplitude_m=0.401", "-o", folder)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertNotIn("m/s", run.stdout)
+        self.assertIn("  23.90 % of the path     0.0 deg  pressed and let go  450.0 kN", run.stdout)
+        slow = rimpact("reduced", "impact-window", "--set", "excitation.speed_m_per_s=0.00004", "-o", folder, "--force")
+        self.assertIn("in 0.04 mm/s  out 0.0", slow.stdout)
+        self.assertNotIn("0.0000 m/s", slow.stdout)
+
     def test_moments_at_nodes(self):
         with tempfile.TemporaryDirectory() as folder:
             run = rimpact("reduced", "ricker-0.78g-1.0s", "--nodes", "350,220", "-o", folder)

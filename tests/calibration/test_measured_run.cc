@@ -1,4 +1,5 @@
 #include "calibration/answer/calibration.h"
+#include "calibration/data/force_factor.h"
 #include "calibration/data/measured_run.h"
 #include "files/error.h"
 #include "synthetic.h"
@@ -101,6 +102,86 @@ TEST(MeasuredRun, RefusesFiguresThatContradictEachOther) {
   write_test(folder, window(0.3), 0);
   write(head() + columns);
   EXPECT_TRUE(read_run(path, {}).impacts.empty());
+}
+
+/// A straight impact at 0.3 m/s with a flight [s] before its touch, and with or without one after its release.
+void write_impact(const TemporaryFolder &folder, double before, bool flies_on, double force_factor) {
+  const auto s = window(0.3);
+  const auto r = reduced::simulate(s).response;
+  const auto &t = r.series("time"), &u = r.series("displacement_x"), &force = r.series("impact_x");
+  std::ofstream table(folder.at("test.csv"));
+  table << "Impact test 7\nt;room;LVDT 1;cell\n";
+  const auto row = [&](double time, double travel, double cell) {
+    table << fmt::format("{};21.5;{};{}\n", 1e3 * (time + before), 3 - 1e3 * travel, 1e-3 * force_factor * cell);
+  };
+  constexpr double step = 1e-3;
+  for (double at = -before; at < -step / 2; at += step) row(at, u[0] + 0.3 * at, 0);
+  std::size_t last = r.size() - 1;
+  while (!flies_on && last > 0 && force[last] == 0) --last;
+  for (std::size_t i = 0; i <= std::min(last + 1, r.size() - 1); ++i)
+    if (i == 0 || t[i] > t[i - 1]) row(t[i], u[i], force[i]);
+  std::ofstream(folder.at("scene.toml")) << scene::to_toml(s);
+}
+
+// However long a record flies before its touch, and whether it holds a flight after its release or not: without one the
+// rebound is made from the impulse, which would agree in any unit.
+TEST(MeasuredRun, RefusesAForceThatDoesNotMoveTheMassAsTheDisplacementSays) {
+  TemporaryFolder folder;
+  const auto path = folder.at("test.toml");
+  const auto write = [&](const std::string &text) { std::ofstream(path) << text; };
+  for (const double before : {0.0, 0.015, 0.060})
+    for (const bool flies_on : {true, false}) {
+      SCOPED_TRACE(fmt::format("{} s before, {} after", before, flies_on));
+      write_impact(folder, before, flies_on, 1);
+      write(head() + columns);
+      const auto right = read_run(path, {});
+      ASSERT_EQ(right.impacts.size(), 1u);
+      const auto factor = force_factor(right.impacts[0], right.scene.load.mass);
+      ASSERT_TRUE(factor);
+      EXPECT_NEAR(factor->value, 1, 0.02);
+      for (const std::string unit : {"N", "MN", "kgf", "tf", "lbf", "kip"}) {
+        write(head() + replaced(columns, "unit = \"kN\"", fmt::format("unit = \"{}\"", unit)));
+        if (unit == "MN") { // would throw the mass out of its bearing
+          expect_unread<DataError>(path, "are the units of time and force right?");
+        } else {
+          expect_unread<DataError>(path, "times the change of momentum");
+          expect_unread<DataError>(path, "A column in kN declared as " + unit);
+        }
+      }
+      write(head() + columns);
+      write_impact(folder, before, flies_on, 1e3 / 4448.2216152605);
+      expect_unread<DataError>(path, "test.toml: at");
+      expect_unread<DataError>(path, "A column in kip declared as kN gives 0.225");
+      write_impact(folder, before, flies_on, -1);
+      expect_unread<DataError>(path, "is its sign right?");
+    }
+}
+
+// The scene of a mapping says 0.1 m/s, its curve comes at 0.3 m/s: what is compared with it flies at the curve's own.
+TEST(MeasuredRun, TakesItsOwnSpeedAndSaysSo) {
+  TemporaryFolder folder;
+  const auto path = folder.at("test.toml");
+  const auto at = [&](double stated) {
+    write_impact(folder, 0.015, true, 1);
+    auto s = window(stated);
+    s.excitation.scale = 0.5, s.excitation.speed *= 2;
+    std::ofstream(folder.at("scene.toml")) << scene::to_toml(s);
+    std::ofstream(path) << head() + columns;
+    return read_run(path, {});
+  };
+  for (const double stated : {0.1, 0.35, 1.2}) {
+    const auto run = at(stated);
+    EXPECT_NEAR(run.scene.excitation.impact_speed(), 0.3, 1e-3);
+    ASSERT_FALSE(run.doubts.empty()) << stated;
+    EXPECT_NE(run.doubts.back().find(fmt::format("its scene says {} m/s, the record comes to the rim at 0.3", stated)),
+              std::string::npos)
+        << run.doubts.back();
+    const auto flown = reduced::simulate(run.scene); // what the table of errors compares with the record
+    EXPECT_NEAR(flown.summary.impacts.at(0).approach_speed, 0.3, 1e-3);
+  }
+  const auto right = at(0.299);
+  EXPECT_EQ(right.scene.excitation.impact_speed(), 0.299) << "alike";
+  for (const auto &doubt : right.doubts) EXPECT_EQ(doubt.find("its scene says"), std::string::npos) << doubt;
 }
 
 TEST(MeasuredRun, RefusesAClockAThousandTimesTooSlow) {

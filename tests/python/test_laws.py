@@ -2,6 +2,7 @@
 import os
 import tempfile
 import unittest
+import warnings
 
 import numpy as np
 import rimpact
@@ -34,6 +35,23 @@ class Laws(unittest.TestCase):
         np.testing.assert_array_equal(force[:50], law(way[:50]))
         self.assertEqual(force[-1], 0)
         self.assertGreater(way[50:][force[50:] == 0].max(), 1e-4)  # a dent stays
+
+    def test_beyond_the_depth_that_is_known_a_warning_names_the_bound(self):
+        spring = {"k_i_kN_per_m": 4e5, "restitution": 1.0}
+        fitted = rimpact.law(scene("signed", **spring, fitted_to_m_per_s=0.35))
+        depth = 0.35 * np.sqrt(fitted.scene.mass / 4e8)  # of a spring
+        self.assertAlmostEqual(fitted.known_depth[0], depth, delta=2e-5)
+        unknown = rimpact.law(scene("signed", **spring))
+        thickness = 0.040
+        self.assertEqual(unknown.known_depth[0], thickness)
+        for law, bound in ((fitted, depth), (unknown, thickness)):
+            with warnings.catch_warnings():
+                warnings.simplefilter("error")
+                law(0.99 * bound), law([0.0, np.nan, 0.99 * bound]), law.path([0.0, 0.99 * bound])
+            for beyond in (lambda f: f(2.0), lambda f: f([1e-4, 2.0]), lambda f: f(1e-4, deepest=2.0), lambda f: f.path([0.0, 2.0])):
+                with self.assertWarnsRegex(UserWarning, rf"2000 mm lies beyond {1e3 * law.known_depth[0]:.4g} mm.*in metres") as told:
+                    beyond(law)
+                self.assertEqual(told.filename, __file__)
 
     def test_a_nan_stays_one(self):
         law = rimpact.law(scene("elastoplastic", k_i_kN_per_m=1e6, yield_force_kN=900, hardening=0.15))

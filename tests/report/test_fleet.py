@@ -76,6 +76,23 @@ class Fleet(InFolder):
         self.assertNotIn("What is missing", page)
 
     @unpainted
+    def test_hits_beyond_the_laws_range_are_said_and_the_unknown_is_not_nil(self):
+        self.table()
+        limits = {"n_hits": 320, "slowest_approach_speed_m_s": 0.02, "fastest_approach_speed_m_s": 1.8, "known_from_m_s": 0.05,
+                  "known_to_m_s": 0.2, "hits_beyond_fit": 310, "share_beyond_fit": 0.96875, "hits_beyond_pair": None,
+                  "share_beyond_pair": None, "hits_beyond_rim": 0, "share_beyond_rim": 0.0, "hits_beyond_steel": None,
+                  "share_beyond_steel": None, "doubts": ["97 % of the hits lie outside <the speeds>"]}
+        self.write("limits.json", json.dumps(limits))
+        self.assertEqual(in_process("report", self.folder).returncode, 0)
+        with open(self.path("report.html"), encoding="utf-8") as file:
+            page = file.read()
+        for words in ("97 % of the hits lie outside &lt;the speeds&gt;", "96.9", "known for 0.0500 to 0.200 m/s"):
+            self.assertIn(words, page)
+        self.assertEqual(page.count("not known"), 4)  # number and share of the pair and of the steel
+        self.write("limits.json", "[1]")
+        self.assertEqual(in_process("report", self.folder).returncode, 3)
+
+    @unpainted
     def test_fractiles_by_another_key(self):
         self.table()
         rows = ["record,excitation.scale,n_runs,p16_peak_displacement_m,p50_peak_displacement_m,p84_peak_displacement_m"]

@@ -18,7 +18,7 @@ class Reliability(InFolder):
             writer.writeheader()
             writer.writerows(content)
 
-    def study(self, missing=()):
+    def study(self, missing=(), hits=None, **reliability):
         systems = [(a, case) for case in ("stiff", "soft") for a in (2.25, 0.5625)]
         levels, q, limits = [0.1, 0.3], "ductility", [1.0, 2.0, 4.0]
         self.table("ida", [{"system": s, "bearing.surface.a_m": a, "case": c, "quantity": q, "level_g": x, "p16": x, "p50": 2 * x,
@@ -27,7 +27,7 @@ class Reliability(InFolder):
                                  for r in rows(systems, q, limits) for x in levels])
         self.table("reliability", rows(systems, q, limits, rate_per_year=1e-3, rate_above_levels=1e-4, probability=0.05,
                                        probability_low=0.03, probability_high=0.08, probability_most=0.09, n_unknown=3, probability_if_none=0.0444,
-                                       probability_if_all=0.0555))
+                                       probability_if_all=0.0555, **reliability))
         self.table("difference", rows([systems[1]], q, limits, reduction=0.11, reduction_low=0.02, reduction_high=0.2))
         self.table("levels", [r | {"level_g": x, "share": 0.5} for r in rows(systems, q, limits) for x in levels])
         self.table("records", rows(systems, q, limits, record="RSN<68>", share=0.4))
@@ -39,7 +39,7 @@ class Reliability(InFolder):
                    "differences": [{"key": "bearing.surface.a_m", "value": 0.5625, "quantity": q, "limit": 2.0, "n_systems": 2,
                                     "mean_reduction": 0.11, "least_reduction": 0.1, "largest_reduction": 0.12,
                                     "n_systems_whose_band_excludes_0": 2}],
-                   "doubts": ["a doubt"], "missing": list(missing)}
+                   "doubts": ["a doubt"], "missing": list(missing), "hits": hits}
         self.write("reliability.json", json.dumps(summary))
 
     def report(self):
@@ -55,6 +55,25 @@ class Reliability(InFolder):
         for words in ("two &lt;systems&gt;", "RSN&lt;68&gt;", "1 listed motions are not at hand", "11 %", "2 of 2", "-1.50", "17", "12: 4.440e-02 to 5.550e-02"):
             self.assertIn(words, html)
         self.assertNotIn("What is missing", html)
+
+    def test_what_the_levels_do_not_settle_is_a_range(self):
+        unsettled = {"settled": 0, "probability_range_low": 2e-3, "probability_range_high": 0.4}
+        self.study(**unsettled)
+        html = self.report()
+        self.assertIn("<b>a range</b>", html)
+        self.assertIn("2.0e-03 to 4.0e-01", html)
+        self.assertNotIn("5.000e-02", html)  # no single number
+        self.study(**unsettled | {"settled": 1})
+        html = self.report()
+        self.assertNotIn("a range</b>", html)
+        self.assertIn("5.000e-02", html)
+
+    def test_hits_beyond_the_law_are_shown_and_the_unknown_said(self):
+        self.study(hits={"n_hits": 50, "slowest_approach_speed_m_s": 0.01, "fastest_approach_speed_m_s": 1.5, "known_to_m_s": 0.22,
+                         "hits_beyond_pair": 17, "share_beyond_pair": 0.34, "hits_beyond_fit": None, "share_beyond_fit": None})
+        html = self.report()
+        for words in ("34.0", "known for up to 0.220 m/s", "not known"):
+            self.assertIn(words, html)
 
     def test_a_folder_that_is_no_study_is_refused(self):
         done = in_process("report.reliability", self.folder)

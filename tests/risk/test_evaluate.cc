@@ -3,6 +3,7 @@
 #include "made_up.h"
 #include "reliability/failure_rate.h"
 #include "risk/disaggregation.h"
+#include "risk/rate_doubts.h"
 #include <numeric>
 #include <random>
 
@@ -103,6 +104,67 @@ TEST(Evaluate, OneRunALevelIsAStepAndALimitNeverReachedIsNever) {
   EXPECT_EQ(limits[1].rate.value, 0);
   const auto why = disaggregate(set, SystemSample(study, set), limits[1]);
   EXPECT_EQ(std::accumulate(why.levels.begin(), why.levels.end(), 0.0), 0);
+}
+
+namespace {
+
+/// A rim stops every run at 0.21 m: the pressed ones lie within a millimetre of it.
+ResponseSet stopped(ResponseSet set) {
+  int n = 0;
+  for (auto &level : set.levels)
+    for (auto &run : level.runs)
+      if (double &value = run.values[0]; value > 0.21) value = 0.21 + 1e-5 * (++n % 100);
+  return set;
+}
+
+} // namespace
+
+// The lognormals run through the rim, where no run goes: they are refused, and the counts and their interval stand.
+TEST(Evaluate, WhereTheRunsRefuseTheLognormalTheCountedShareStands) {
+  const Study study = study_of("[0.2, 0.22]");
+  const auto set = stopped(responses(60, 1));
+  const SystemSample sample(study, set);
+  const auto limits = evaluate(study, set, sample);
+  const auto &beyond = limits[1];
+  EXPECT_GT(beyond.fitted[1], 0.05) << "the tail";
+  EXPECT_EQ(beyond.counted[1], 0);
+  EXPECT_TRUE(beyond.checks[1].refused);
+  EXPECT_EQ(beyond.fragility[1].value, 0);
+  EXPECT_NEAR(beyond.fragility[1].high, 1 - std::pow(0.025, 1 / 60.0), 1e-9) << "none of sixty";
+  EXPECT_GT(beyond.rate_fitted, 0);
+  EXPECT_EQ(beyond.rate.value, 0);
+  EXPECT_FALSE(is_settled(beyond));
+  EXPECT_EQ(beyond.range.least, 0);
+  EXPECT_GT(*beyond.range.most, beyond.rate_fitted);
+  for (const auto &limit : limits)
+    for (std::size_t i = 0; i < 2; ++i)
+      EXPECT_EQ(limit.fragility[i].value, limit.checks[i].refused ? limit.counted[i] : limit.fitted[i]);
+  RateDoubts doubts;
+  doubts.add(0, "peak_displacement_m", beyond, 0);
+  std::string said;
+  for (const auto &sentence : doubts.sentences({0.1, 0.3})) said += sentence + "\n";
+  EXPECT_NE(said.find("peak_displacement_m > 0.22 (system 1): the runs refuse the lognormal"), std::string::npos)
+      << said;
+  EXPECT_NE(said.find("the levels do not reach"), std::string::npos) << said;
+}
+
+TEST(Evaluate, ARateThatItsLevelsDoNotSettleIsARangeAndADoubt) {
+  const Study study = study_of("[0.15, 0.6]");
+  const auto set = responses(60, 5);
+  const auto limits = evaluate(study, set, SystemSample(study, set));
+  for (const auto &limit : limits) {
+    EXPECT_LE(limit.probability_least, limit.probability.value);
+    EXPECT_GE(limit.probability_range_most, limit.probability_most * (1 - 1e-12));
+  }
+  EXPECT_FALSE(is_settled(limits[1])) << "1 % exceed at the last level";
+  EXPECT_GT(limits[1].range.above, limits[1].rate.value);
+  RateDoubts doubts;
+  for (const auto &limit : limits) doubts.add(4, "peak_displacement_m", limit, limit.limit > 0.5 ? 0.9 : 0);
+  std::string said;
+  for (const auto &sentence : doubts.sentences({0.1, 0.3})) said += sentence + "\n";
+  EXPECT_NE(said.find("Above the last, 0.3 g"), std::string::npos) << said;
+  EXPECT_NE(said.find("> 0.6 (system 5): up to 90 % of the rate is from levels at which no run"), std::string::npos)
+      << said;
 }
 
 TEST(Evaluate, TheSameSystemReducesNothing) {

@@ -94,6 +94,39 @@ TEST(Limits, SpeedsOutsideTheFit) {
   EXPECT_TRUE(warnings(fe).empty()) << "finite elements have no fitted element";
 }
 
+// Three hits at 0.02, 0.1 and 0.5 m/s; null: not known, never 0.
+TEST(Limits, EveryHitIsCountedAndTheUnknownIsNull) {
+  const auto counted = [](Scene scene, std::optional<double> strain = {}) {
+    Summary s;
+    s.max_plastic_strain = strain;
+    for (const double speed : {0.02, 0.1, 0.5})
+      s.impacts.push_back({1.0, 1.05, 0.0, speed, 0.5 * speed, 1e6, 0.1 * speed});
+    judge(scene, s);
+    return s.extra["hit_limits"];
+  };
+  Scene scene;
+  scene.reduced.k_i *= 0.9; // an element of which nothing is known
+  EXPECT_TRUE(counted(scene)["hits_beyond_fit"].is_null());
+  EXPECT_TRUE(counted(scene)["hits_beyond_pair"].is_null());
+  EXPECT_TRUE(counted(scene)["hits_beyond_steel"].is_null());
+  EXPECT_TRUE(counted(scene)["known_to_m_s"].is_null());
+  EXPECT_EQ(counted(scene)["fastest_approach_speed_m_s"], 0.5);
+  EXPECT_EQ(counted(scene)["slowest_approach_speed_m_s"], 0.02);
+  scene.bearing.rim.thickness = 0.045;
+  EXPECT_EQ(counted(scene)["hits_beyond_rim"], 1);
+  scene.reduced.fitted_from = 0.05, scene.reduced.fitted_to = 0.2;
+  EXPECT_EQ(counted(scene)["hits_beyond_fit"], 2);
+  EXPECT_EQ(counted(scene)["known_to_m_s"], 0.2);
+  EXPECT_EQ(counted({})["hits_beyond_pair"], 1) << "the thesis's own bearing on the thesis's pair";
+  Scene heavy;
+  heavy.load.mass *= 3, heavy.load.vertical *= 3;
+  EXPECT_EQ(counted(heavy)["hits_beyond_pair"], 3) << "nothing is published for this mass";
+  Scene steel;
+  steel.bearing.steel.strain_limit = 0.2;
+  EXPECT_EQ(counted(steel, 0.1)["hits_beyond_steel"], 0);
+  EXPECT_TRUE(counted(steel, 0.3)["hits_beyond_steel"].is_null()) << "which of them did it is not known";
+}
+
 TEST(Limits, StrainOfTheSteel) {
   Scene scene;
   scene.bearing = builtin_bearing("shfps-225");

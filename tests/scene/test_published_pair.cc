@@ -34,4 +34,16 @@ TEST(PublishedPair, IsDoubtedAtSpeedsItDoesNotHoldFor) {
   EXPECT_EQ(doubt_of_published_pair(s, 1.0), "");
 }
 
+// The fastest speed the pair is known for is where the doubt begins.
+TEST(PublishedPair, IsKnownUpToWhereItIsDoubted) {
+  Scene s;
+  const double mass = s.load.mass, fastest = *fastest_of_pair(s, mass);
+  EXPECT_GT(fastest, 0.2);
+  EXPECT_EQ(doubt_of_published_pair(s, fastest), "");
+  EXPECT_NE(doubt_of_published_pair(s, 1.01 * fastest), "");
+  EXPECT_EQ(*fastest_of_pair(s, 2 * mass), 0) << "published for another mass";
+  s.reduced.k_i *= 0.9;
+  EXPECT_FALSE(fastest_of_pair(s, mass)) << "somebody's own";
+}
+
 } // namespace
