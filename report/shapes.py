@@ -85,7 +85,7 @@ ANSWER: Shape = {
 }
 CALIBRATION: Shape = {
     "answer": ANSWER, "parameters": {"*": PARAMETER}, "correlation": {"*": {"*": NUMBER}}, "condition": NUMBER,
-    "derived": {"*": ANY}, "fit": {"*": {**METRICS, "published_values": METRICS}},
+    "derived": {"*": ANY}, "fit": {"*": {**METRICS, "published_values": METRICS, "impacts": [numbers("approach_speed_m_s")]}},
     "prediction": {"*": {**METRICS, "published_values": METRICS}}, "fitted_on": TEXT,
     "published": {"k_i": {"value": NUMBER}, "e": {"value": NUMBER}},
     "windows": {"rows": [{**numbers("speed_m_s peak_force_N contact_time_s restitution pair_force_error"),

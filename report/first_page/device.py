@@ -43,7 +43,7 @@ def _rows(bearing: dict[str, Any], assumed: set[str]) -> list[list[Any]]:
         shape += Markup(", <i>a</i> ") + number("surface", "a_m", "\u00a0m")
     rows = [["Surface", shape], ["Planar radius", number("surface", "planar_radius_mm", "\u00a0mm")],
             ["Slider", Markup("Ø ") + number("slider", "diameter_mm", "\u00a0mm")],
-            ["Rim, height × thickness", number("rim", "height_mm") + Markup(" × ") + number("rim", "thickness_mm", "\u00a0mm")]]
+            ["Rim", number("rim", "height_mm", "\u00a0mm") + Markup(" high, ") + number("rim", "thickness_mm", "\u00a0mm") + Markup(" thick")]]
     capacity = geometry.lateral_capacity(bearing)
     if capacity:
         rows.append([Markup("Travel to the rim, ") + sentence("L_c"), f"{scaled(capacity, 1e3, 1)}\u00a0mm"])

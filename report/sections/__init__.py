@@ -3,7 +3,6 @@ there is nothing to say; a Section without blocks is left out too."""
 from . import (
     building,
     building_on_bearings,
-    calibration,
     comparison,
     conventions,
     critical,
@@ -14,6 +13,7 @@ from . import (
     inputs,
     laws,
     measured,
+    other_fits,
     reproducibility,
     rim,
     speed,
@@ -32,7 +32,6 @@ CATALOGUE = [
     rim.make,
     film.make,
     windows.make,
-    calibration.make,
     laws.make,
     comparison.make,
     critical.make,
@@ -41,4 +40,5 @@ CATALOGUE = [
     fields.make,
     reproducibility.make,
     conventions.make,
+    other_fits.make,
 ]

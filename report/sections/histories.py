@@ -72,10 +72,10 @@ def _numbers(context: Context, entry: Entry) -> dict[str, Any] | None:
         ["largest plastic strain", *(percent(r.summary.get("max_plastic_strain"), 2, False) for _, _, r in known)],
     ]
     if entry.fe is not None and len(known) > 1:
-        rows.insert(3, ["    error against FE", "", *(percent(errors_of(context, entry, who).get("peak_force"))
+        rows.insert(3, ["    error against FE", "", *(percent(errors_of(entry, who).get("peak_force"))
                                                       for who, _, _ in known if who != "fe")])
     rows = [row for row in rows if any(cell not in ("–", "") for cell in row[1:])]
-    return table(["", *(label for _, label, _ in known)], rows)
+    return table(["", *(label for _, label, _ in known)], rows, record=f"runs/{entry.name}")
 
 
 def _contact(impact: dict[str, float]) -> str:
