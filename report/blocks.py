@@ -89,6 +89,6 @@ class Pictures:
         return self.existing(drawn, caption) | {"curves": zoomed} if drawn else None
 
     def existing(self, path: str, caption: str) -> dict[str, Any]:
-        source, width = embedded(path)
+        source, (width, height) = embedded(path)
         share = min(100, round(100 * width / (WIDTH * DPI)))
-        return {"kind": "figure", "source": source, "caption": caption, "file": path.rsplit("/", 1)[-1], "share": share}
+        return {"kind": "figure", "source": source, "caption": caption, "file": path.rsplit("/", 1)[-1], "share": share, "tall": height > 0.85 * width}

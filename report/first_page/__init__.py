@@ -13,7 +13,7 @@ def make(context: Context) -> dict[str, Any]:
     results = context.results
     middle = run.make(context) if results.single else answer.make(context)
     page = {"bearing": device.make(context), "done": done(context), "assumptions": device.assumptions(context),
-            "doubts": context.doubts.all, "middle": middle, "kind": "run" if results.single else "answer"}
+            "doubts": context.doubts.lines, "middle": middle, "kind": "run" if results.single else "answer"}
     page["density"] = density(page)
     return page
 

@@ -11,6 +11,7 @@ from ..doubts import MARK
 from ..figures import law as law_figure
 from ..markup import sentence
 from ..numbers import DASH, fixed, integer, interval, is_number, percent, percent_up, plain, sig
+from ..plain_words import for_page
 from ..results import Results
 
 NAMES = {"k_i": "k_i", "e": "e"}
@@ -29,9 +30,9 @@ def make(context: Context) -> dict[str, Any]:
         return {"missing": _why_none(results), "figure": None}
     return {"missing": "", "law": law.get("name", DASH), "figure": figure,
             "no_figure": "" if figure else "No curve of a fitted impact is stored, so the law's picture is not drawn.",
-            "remark": law.get("remark", ""), "belongs": _belongs(law, answer),
-            "numbers": _numbers(law), "table": _table(answer), "pair": _pair(answer), "holds": _holds(law, answer),
-            "strain": _strain(answer.get("strain")), "mesh_error": answer.get("mesh_error", {}).get("sentence", "")}
+            "remark": for_page(law.get("remark") or ""), "belongs": _belongs(law, answer),
+            "numbers": _numbers(law), "table": _table(answer), "pair": _pair(answer), "holds": for_page(_holds(law, answer)),
+            "strain": _strain(answer.get("strain")), "mesh_error": for_page(answer.get("mesh_error", {}).get("sentence") or "")}
 
 
 def _why_none(results: Results) -> str:
@@ -86,14 +87,14 @@ def _table(answer: dict[str, Any]) -> dict[str, Any]:
 def _pair(answer: dict[str, Any]) -> dict[str, Any]:
     pair = answer.get("pair")
     if not pair:
-        return {"given": False, "sentence": answer.get("no_pair") or "No constant pair is given."}
+        return {"given": False, "sentence": for_page(answer.get("no_pair") or "No constant pair is given.")}
     said = [f"k_i = {sig(pair.get('k_i_kN_per_m'), 3)} kN/m, e = {fixed(pair.get('e'), 3)}"]
     if is_number(pair.get("c_i_kN_s_per_m")):
         said.append(f"c_i = {sig(pair['c_i_kN_s_per_m'], 3)} kN s/m")
     values = f"{', '.join(said)} (law {pair.get('law', DASH)}, {plain(pair.get('mass_kg'))} kg"
     values += f", {sig(pair.get('from_m_s'), 2)} to {sig(pair.get('to_m_s'), 2)} m/s)"
     errors = f"Worst errors there: peak force {percent_up(pair.get('worst_peak_force_error'))}, rebound {percent_up(pair.get('worst_rebound_error'))}."
-    return {"given": True, "stated": values, "errors": errors, "sentence": _beyond(pair.get("sentence", ""))}
+    return {"given": True, "stated": values, "errors": errors, "sentence": for_page(_beyond(pair.get("sentence", "")))}
 
 
 def _beyond(sentence: str) -> str:

@@ -75,13 +75,21 @@ def _load(context: Context) -> list[list[str]]:
     return rows
 
 
+STACK = ("pad.", "foot.", "material.ertalyte.", "contact.pad_foot", "contact.steel_ertalyte")
+
+
+def takes_part(context: Context, key: str) -> bool:
+    return context.whole_bearing or not key.startswith(STACK)
+
+
 def assumptions(context: Context) -> list[list[str]]:
-    """[key, value] as the bearing file writes them; those of the answer, else of the scene's marks."""
+    """[key, value] as the bearing file writes them; those of the answer, else of the scene's marks. Of pad and foot only where they
+    take part in what was run."""
     listed = context.results.answer.get("assumptions")
     if listed:
-        return [[item.get("key", ""), plain(item.get("value"))] for item in listed]
+        return [[item.get("key", ""), plain(item.get("value"))] for item in listed if takes_part(context, item.get("key", ""))]
     bearing, found = context.scene.get("bearing", {}), []
-    for key in sorted(context.assumed):
+    for key in sorted(key for key in context.assumed if takes_part(context, key)):
         value = bearing
         for part in key.split("."):
             value = value.get(part) if isinstance(value, dict) else None

@@ -6,6 +6,7 @@ from . import (
     comparison,
     conventions,
     critical,
+    each_doubt,
     energy,
     fields,
     film,
@@ -41,4 +42,5 @@ CATALOGUE = [
     reproducibility.make,
     conventions.make,
     other_fits.make,
+    each_doubt.make,
 ]
