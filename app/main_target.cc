@@ -5,6 +5,7 @@
 #include "files/key_list.h"
 #include "files/text.h"
 #include "files/toml_reader.h"
+#include "scene/case_description.h"
 #include "scene/rim_identity.h"
 #include <algorithm>
 #include <array>
@@ -166,11 +167,11 @@ json MainTarget::load_json() const {
 
 std::string MainTarget::head() const {
   const auto &b = scene.bearing;
-  return fmt::format("bearing {} ({}): L_c = {:.1f} mm, slider {:g} mm, rim {:g} x {:g} mm, rung {}, mesh {}\n"
+  return fmt::format("bearing {} ({}): L_c = {:.1f} mm, slider {:g} mm, {}, rung {}, mesh {}\n"
                      "load: dead load {:g} kN ({}), supported mass {:.6g} kg ({})\n",
-                     b.name, bearing_from, 1e3 * b.lateral_capacity(), 1e3 * b.slider.diameter, 1e3 * b.rim.thickness,
-                     1e3 * b.rim.height, word(scene.model.rung), scene.model.mesh, scene.load.vertical / 1e3,
-                     vertical_from, scene.load.mass, mass_from);
+                     b.name, bearing_from, 1e3 * b.lateral_capacity(), 1e3 * b.slider.diameter, scene::rim_in_words(b),
+                     word(scene.model.rung), scene.model.mesh, scene.load.vertical / 1e3, vertical_from,
+                     scene.load.mass, mass_from);
 }
 
 } // namespace rimpact::app

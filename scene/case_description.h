@@ -7,6 +7,8 @@ namespace rimpact::scene {
 
 /// "bearing: ...\nload: ...\nmotion: ...\nimpact element: ...\n"; a load that is not read is left out.
 std::string describe_case(const Scene &scene, bool load_is_read = true);
+/// "rim 60 mm high, 40 mm thick": the one order in which a rim's dimensions are said.
+std::string rim_in_words(const Bearing &bearing);
 /// The impact element alone: its law, numbers and where they come from.
 std::string element_line(const Scene &scene);
 /// The same as `load`, `motion` and `impact_element` (law, every number of it, source, fitted_from_m_per_s,
