@@ -121,6 +121,8 @@ TEST(AnswerSentences, AreShortAndPlain) {
           std::regex_search(text, std::regex(R"([0-9a-f]{12}|\binf\b|\bnan\b|[0-9]\.[0-9]{5}|[1-9]\.[0-9]{3})")))
           << text;
     }
+    EXPECT_FALSE(c.notes.empty()); // a pair over such speeds leaves something to say, of its law alone
+    for (const auto &note : c.notes) EXPECT_EQ(note.rfind("law signed fitted by itself: ", 0), 0u) << note;
     EXPECT_NE(a.validity.find("rim 60 mm high, 40 mm thick"), std::string::npos) << a.validity;
   }
 }
