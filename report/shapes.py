@@ -63,7 +63,7 @@ PARAMETER: Shape = {"value": NUMBER, "unit": TEXT, "standard_error": NUMBER, "in
              "reason": TEXT, "verdict": TEXT}
 METRICS: Shape = {**numbers("peak_force_error peak_displacement_error rebound_error nrmse_displacement nrmse_force "
                      "approach_speed_m_s force_unexplained"), "grazing": FLAG}
-LAW_ROW: Shape = {"law": TEXT, "parameters": {"*": PARAMETER}, "leave_one_out": [{"left_out": TEXT, "runs": {"*": METRICS}}],
+LAW_ROW: Shape = {"law": TEXT, "parameters": {"*": PARAMETER}, "runs": {"*": METRICS}, "leave_one_out": [{"left_out": TEXT, "runs": {"*": METRICS}}],
            **numbers("force_unexplained largest_peak_force_error largest_rebound_error left_out_peak_force_error "
                      "left_out_rebound_error valid_from_m_s valid_to_m_s")}
 BAND: Shape = (numbers("nominal low high"), NUMBER)
