@@ -1,6 +1,8 @@
 #include "app/comparison.h"
 
 #include "app/job_runner.h"
+#include "calibration/answer/said_once.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -84,9 +86,9 @@ json comparison_rows(const std::vector<Job> &jobs, const std::string &folder, co
   return rows;
 }
 
-std::string comparison_text(const json &rows, const Columns &columns) {
-  std::string text = fmt::format("{:28s} {:>9s} {:>9s} {:>7s}", "peak impact force", "FE [kN]", "in [m/s]", "out/in"),
-              below;
+std::string comparison_text(const json &rows, const Columns &columns, const std::vector<std::string> &said) {
+  std::vector<std::string> unsaid;
+  std::string text = fmt::format("{:28s} {:>9s} {:>9s} {:>7s}", "peak impact force", "FE [kN]", "in [m/s]", "out/in");
   for (const auto &column : present(columns))
     text += fmt::format("   {:>19s} {:>9s} {:>9s}", column.title + " [kN]", "error", "rebound");
   text += "\n";
@@ -99,9 +101,13 @@ std::string comparison_text(const json &rows, const Columns &columns) {
       text += fmt::format("   {:>19s} {:>9s} {:>9s}", cell(row[column.key + "_kN"], "{:.1f}"),
                           percent(row[column.key + "_error"]), percent(row[column.key + "_rebound_error"]));
     text += "\n";
-    for (const auto &doubt : row["doubts"]) below += fmt::format("! {}: {}\n", name, doubt.get<std::string>());
+    for (const auto &doubt : row["doubts"])
+      if (const auto sentence = name + ": " + doubt.get<std::string>();
+          std::find(said.begin(), said.end(), sentence) == said.end())
+        unsaid.push_back(sentence);
   }
-  return text + below;
+  for (const auto &doubt : calibration::said_once(unsaid)) text += "! " + doubt + "\n";
+  return text;
 }
 
 } // namespace rimpact::app

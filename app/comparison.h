@@ -14,7 +14,8 @@ struct Columns {
 /// From the summaries of DIR/runs, DIR/law (fitted_*), DIR/reduced (pair_*) and DIR/published; null where a run or
 /// column is missing. `doubts` of a row: what its finite-element run warns of.
 nlohmann::json comparison_rows(const std::vector<Job> &jobs, const std::string &folder, const Columns &columns);
-/// A doubted row is marked with !; its doubts stand below the table in full.
-std::string comparison_text(const nlohmann::json &rows, const Columns &columns);
+/// A doubted row is marked with !; its doubts stand below the table, those of one kind once, but for what `said` holds.
+std::string comparison_text(const nlohmann::json &rows, const Columns &columns,
+                            const std::vector<std::string> &said = {});
 
 } // namespace rimpact::app

@@ -151,9 +151,9 @@ std::string GivenCase::load_line() const {
 
 std::string GivenCase::head() const {
   const auto &b = scene.bearing;
-  return fmt::format("bearing {} ({}): L_c = {:.1f} mm, slider {:g} mm, rim {:g} x {:g} mm, rung {}, mesh {}\n{}",
-                     b.name, bearing_from, 1e3 * b.lateral_capacity(), 1e3 * b.slider.diameter, 1e3 * b.rim.thickness,
-                     1e3 * b.rim.height, word(scene.model.rung), scene.model.mesh, load_line());
+  return fmt::format("bearing {} ({}): L_c = {:.1f} mm, slider {:g} mm, {}, rung {}, mesh {}\n{}", b.name, bearing_from,
+                     1e3 * b.lateral_capacity(), 1e3 * b.slider.diameter, scene::rim_in_words(b),
+                     word(scene.model.rung), scene.model.mesh, load_line());
 }
 
 } // namespace rimpact::app

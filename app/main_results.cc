@@ -156,7 +156,9 @@ MainResults make_results(const MainTarget &target, const std::vector<Job> &jobs,
   const Columns columns = columns_of(target, answer, law);
   const json runs = reduced_runs(jobs, folder, answer, columns), rows = comparison_rows(jobs, folder, columns);
   results.text = target.head() + (fitted && fitted->answer ? calibration::describe(*fitted->answer) : "") +
-                 comparison_text(rows, columns);
+                 comparison_text(rows, columns,
+                                 answer.is_object() ? answer.value("doubts", std::vector<std::string>())
+                                                    : std::vector<std::string>());
   json warnings = context.warnings;
   for (const auto &warning : selection.warnings) warnings.push_back(warning);
   for (const auto &row : rows)

@@ -48,7 +48,7 @@ std::string describe(const nlohmann::json &answer) {
       "{}: {}, pressed to {:.2f} mm along the dish and {:.2f} mm held: {:g} kg ({}) at up to {:.3f} and {:.3f} m/s\n"
       "error: mesh {}, unloading between the pushed depths {:.2f} % of "
       "the rebound; {}\n"
-      "fly it: --set reduced.impact_law=curve --set reduced.impact_curve={}\n",
+      "use it: --set reduced.impact_law=curve --set reduced.impact_curve={}\n",
       answer["bearing"].get<std::string>(), answer["mesh"].get<std::string>(), 1e3 * deepest["dish"].get<double>(),
       1e3 * deepest["held"].get<double>(), answer["mass_kg"].get<double>(), answer["mass_from"].get<std::string>(),
       fastest["dish"].get<double>(), fastest["held"].get<double>(),

@@ -13,7 +13,6 @@
 #include "files/json_text.h"
 #include "planning/machine_times.h"
 #include "responses/identity.h"
-#include "responses/open_impact.h"
 #include <chrono>
 #include <filesystem>
 #include <fmt/format.h>

@@ -16,6 +16,8 @@ class Section:
     title: str
     blocks: list[Any] = field(default_factory=list)
     lead: str = ""
+    number: str = ""  #: given when the page is written
+    appendix: bool = False  #: lettered, behind the numbered chapters: what is kept for comparison and is not the answer
 
     def add(self, block: dict[str, Any] | None) -> None:
         if block is not None:
@@ -36,11 +38,12 @@ def note(sentence: str, level: str = "info") -> dict[str, str]:
 
 
 def table(header: list[str], rows: list[Any], caption: str = "", left: int | tuple[int, ...] = 1, compact: bool = False,
-          prose: bool = False) -> dict[str, Any] | None:
+          prose: bool = False, record: str = "") -> dict[str, Any] | None:
     """`left`: how many columns, or which (numbered from 0), are text, set flush left; figures are set flush right.
-    A row is a list of cells, or {"span", "tag"}: a heading across the table. `compact`: no wider than it needs; `prose`: long cells wrap."""
+    A row is a list of cells, or {"span", "tag"}: a heading across the table. `compact`: no wider than it needs; `prose`: long cells wrap.
+    `record`: where the errors of laws and pairs in it are taken from, one place a table; the page carries it, to be checked."""
     columns = set(range(left)) if isinstance(left, int) else set(left)
-    return {"kind": "table", "header": header, "rows": rows, "caption": caption, "left": columns,
+    return {"kind": "table", "header": header, "rows": rows, "caption": caption, "left": columns, "record": record,
             "style": "compact" if compact else "prose" if prose else "many" if len(header) > 10 else ""} if rows else None
 
 
@@ -86,6 +89,6 @@ class Pictures:
         return self.existing(drawn, caption) | {"curves": zoomed} if drawn else None
 
     def existing(self, path: str, caption: str) -> dict[str, Any]:
-        source, width = embedded(path)
+        source, (width, height) = embedded(path)
         share = min(100, round(100 * width / (WIDTH * DPI)))
-        return {"kind": "figure", "source": source, "caption": caption, "file": path.rsplit("/", 1)[-1], "share": share}
+        return {"kind": "figure", "source": source, "caption": caption, "file": path.rsplit("/", 1)[-1], "share": share, "tall": height > 0.85 * width}

@@ -31,6 +31,7 @@ class Parameter:
 class WindowRow:
     """What one isolated impact says. k_i in kN/m, speeds in m/s."""
     speed: float
+    folder: str = ""
     k_i: Parameter | None = None
     e: Parameter | None = None
     peak_force_N: float | None = None
@@ -57,12 +58,37 @@ class Calibration:
     notes: list[str] = field(default_factory=list)
     fitted_on: str = ""
     search: dict[str, Any] = field(default_factory=dict)
+    answer: dict[str, Any] = field(default_factory=dict)
     laws: list[dict[str, Any]] = field(default_factory=list)  # the rows of calibration.json, the best first
     laws_sentence: str = ""
     constant_pair: dict[str, Any] = field(default_factory=dict)
     speed_laws: dict[str, Any] = field(default_factory=dict)
     profiles: dict[str, Any] = field(default_factory=dict)
     published_applies: bool = False  # the thesis's pair may be named: it is the thesis's bearing
+
+    @property
+    def law(self) -> str:
+        """The answer's law."""
+        return self.answer.get("law", {}).get("name") or ""
+
+    @property
+    def answer_row(self) -> dict[str, Any]:
+        """The row of `laws` that is the answer's very fit, the same numbers; empty where the answer was fitted apart."""
+        answered = {name: p.get("value") for name, p in self.answer.get("law", {}).get("parameters", {}).items()}
+        return next((row for row in self.laws if self.law and row.get("law") == self.law
+                     and {name: p.get("value") for name, p in row.get("parameters", {}).items()} == answered), {})
+
+    @property
+    def other_rows(self) -> list[dict[str, Any]]:
+        """The rows of `laws` that are not the answer."""
+        answer = self.answer_row
+        return [row for row in self.laws if row is not answer]
+
+    @property
+    def mass_kg(self) -> float | None:
+        """Supported mass of the runs fitted."""
+        mass = self.derived.get("masses", {}).get("m1_kg") if isinstance(self.derived.get("masses"), dict) else None
+        return next((m for m in (self.answer.get("mass_kg"), mass) if is_number(m)), None)
 
     @property
     def is_pair(self) -> bool:
@@ -78,21 +104,12 @@ class Calibration:
     def role(self, run_name: str) -> str | None:
         """fit | predict, or None for a run the calibration did not use."""
         for role, table in (("fit", self.fit), ("predict", self.prediction)):
-            if any(_last_part(key) == run_name for key in table):
+            if any(last_part(key) == run_name for key in table):
                 return role
         return None
 
-    def metrics(self, run_name: str) -> dict[str, Any]:
-        """The metrics of a run, whose key is its folder: matched by the folder's last part. `published_values` in it
-        holds the same for the published pair."""
-        for table in (self.fit, self.prediction):
-            for key, value in table.items():
-                if _last_part(key) == run_name:
-                    return value
-        return {}
 
-
-def _last_part(folder: str) -> str:
+def last_part(folder: str) -> str:
     return folder.rstrip("/").split("/")[-1]
 
 
@@ -106,7 +123,7 @@ def parameter_of(name: str, data: dict[str, Any] | None) -> Parameter | None:
 
 def _window_row(data: dict[str, Any]) -> WindowRow:
     own = data.get("parameters", {})
-    row = WindowRow(pick(data, "speed"))
+    row = WindowRow(pick(data, "speed"), data.get("folder", ""))
     row.k_i = parameter_of("k_i", own.get("k_i"))
     row.e = parameter_of("e", own.get("e"))
     row.peak_force_N = pick(data, "peak_force")
@@ -126,6 +143,7 @@ def read(data: dict[str, Any]) -> Calibration:
     if found.published_applies:
         for parameter in found.parameters:
             parameter.published = data.get("published", {}).get(parameter.name, {}).get("value")
+    found.answer = data.get("answer", {})
     found.correlation, found.derived, found.search = (data.get(name, {}) for name in ("correlation", "derived", "search"))
     found.fit, found.prediction = data.get("fit", {}), data.get("prediction", {})
     found.condition = data.get("condition")

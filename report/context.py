@@ -7,7 +7,18 @@ from .blocks import Pictures
 from .doubts import Doubts
 from .numbers import is_number
 from .results import load_results
-from .run_folder import parse_scene
+from .run_folder import Run, parse_scene
+
+WHOLE = {"rigid-dish", "full"}  #: rungs in which pad and foot take part
+
+
+def _listed(rung: Any) -> list[str]:
+    return rung if isinstance(rung, list) else [rung] if isinstance(rung, str) else []
+
+
+def _has_stack(run: Run) -> bool:
+    """Whether pad and foot take part: as solids, or as terms of the reduced model."""
+    return run.rung in WHOLE or run.rung == "reduced" and any(run.get("reduced", term) is True for term in ("finite_pad", "socket_friction"))
 
 
 class Context:
@@ -34,7 +45,7 @@ class Context:
         self.assumed = assumed_keys(text, self.scene)
         self.double_concave = self.scene.get("reduced", {}).get("model") in ("dcfp", "lir-dcfp")
         runs = [entry.any_run for entry in self.results.entries]
-        self.whole_bearing = any(run is not None and run.rung in ("rigid-dish", "full") for run in runs)
+        self.whole_bearing = any(run is not None and _has_stack(run) for run in runs) or bool(WHOLE & set(_listed(self.results.answer.get("rung"))))
         self.capacity = next((run.lateral_capacity for run in runs if run is not None and is_number(run.lateral_capacity)), None)
 
     @property

@@ -5,6 +5,7 @@ from typing import Any
 
 from markupsafe import Markup, escape
 
+from .plain_words import for_page, kind_of, worst_of
 from .results import Entry, Results
 from .run_folder import Run
 
@@ -26,6 +27,14 @@ def of_run(run: Run) -> list[str]:
     return found
 
 
+@dataclass(frozen=True)
+class Line:
+    """Doubts of one kind as one line."""
+    count: int  #: doubts it stands for
+    runs: tuple  #: of the sentence, which is the worst of them
+    sentence: str
+
+
 class Doubts:
     """All of a results folder, each sentence once."""
 
@@ -45,6 +54,20 @@ class Doubts:
             if not any(own in sentence and any(run in sentence for run in runs) for own, runs in said.items() if runs):
                 said.setdefault(sentence, [])
         self.all = [Doubt(tuple(dict.fromkeys(runs)), sentence) for sentence, runs in said.items()]
+
+    @property
+    def lines(self) -> list[Line]:
+        """Those that differ in a run's name and in numbers alone are one line: how many, and the worst."""
+        kinds: dict[str, list[Doubt]] = {}
+        for doubt in self.all:
+            kinds.setdefault(kind_of(doubt.sentence), []).append(doubt)
+        return [self._line(alike) for alike in kinds.values()]
+
+    @staticmethod
+    def _line(alike: list[Doubt]) -> Line:
+        worst = alike[worst_of([doubt.sentence for doubt in alike])]
+        count = sum(max(1, len(doubt.runs)) for doubt in alike)
+        return Line(count if len(alike) > 1 else 1, worst.runs, for_page(worst.sentence))
 
     def _add(self, said: dict[str, Any], name: str, label: str, sentence: str) -> None:
         own = self.by_entry.setdefault(name, [])

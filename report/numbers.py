@@ -66,6 +66,15 @@ def percent(ratio: Any, decimals: int = 1, signed: bool = True) -> str:
     return text.replace("-", "−") + NARROW + "%"
 
 
+def percent_up(ratio: Any) -> str:
+    """The size of an error as a bound, rounded up to two figures as the program's sentences have it: 0.0312 is 3.2 %, 0.243 is 25 %."""
+    if not is_number(ratio):
+        return DASH
+    per_cent = 100 * abs(ratio)
+    step = 0.1 if per_cent < 10 else 1.0
+    return f"{max(0.1, step * math.ceil(per_cent / step - 1e-9)):.10g}{NARROW}%"
+
+
 def scaled(value: Any, factor: float, decimals: int = 1) -> str:
     """value * factor with a fixed number of decimals; a dash for None."""
     return fixed(value * factor, decimals) if is_number(value) else DASH

@@ -1,6 +1,8 @@
 """An HTML page from a template of this package, written whole or not at all."""
 import functools
+import itertools
 import os
+import string
 from typing import Any
 
 import jinja2
@@ -28,6 +30,14 @@ def _environment() -> jinja2.Environment:
     return environment
 
 
+def _number(sections: list[Section]) -> None:
+    """1, 2, ... and, for appendices, A, B, ..."""
+    chapters, appendices = itertools.count(1), iter(string.ascii_uppercase)
+    for section in sections:
+        section.number = next(appendices) if section.appendix else str(next(chapters))
+
+
 def write(path: str, template: str, **content: Any) -> None:
+    _number(content.get("sections", []))
     html = _environment().get_template(template).render(scripts=_scripts(content.get("sections", [])), **content)
     write_whole(path, lambda file: file.write(html.encode("utf-8", "replace")))

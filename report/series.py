@@ -1,7 +1,23 @@
 """Operations on sampled series: the stretches of rim contact, and the curve of one impact."""
+import dataclasses
+
 import numpy as np
 
+from .numbers import is_number
 from .run_folder import Run
+
+
+def shown_part(run: Run) -> Run:
+    """Of a window the impact: from its start to as long again, at least 20 ms, past the last release. The flight
+    across the dish behind it says nothing of it. Other runs as they are."""
+    ends = [impact["release_time_s"] for impact in run.impacts if is_number(impact.get("release_time_s"))]
+    if run.kind != "window" or not ends or "time" not in run.signals:
+        return run
+    shown = run.time <= max(ends) + max(0.02, max(ends) - run.time[0])
+    if shown.sum() < 2 or shown.all():
+        return run
+    cut = {name: values[shown] if len(values) == len(shown) else values for name, values in run.signals.items()}
+    return dataclasses.replace(run, signals=cut)
 
 
 def contact_stretches(run: Run) -> list[slice]:

@@ -63,7 +63,7 @@ PARAMETER: Shape = {"value": NUMBER, "unit": TEXT, "standard_error": NUMBER, "in
              "reason": TEXT, "verdict": TEXT}
 METRICS: Shape = {**numbers("peak_force_error peak_displacement_error rebound_error nrmse_displacement nrmse_force "
                      "approach_speed_m_s force_unexplained"), "grazing": FLAG}
-LAW_ROW: Shape = {"law": TEXT, "parameters": {"*": PARAMETER}, "leave_one_out": [{"left_out": TEXT, "runs": {"*": METRICS}}],
+LAW_ROW: Shape = {"law": TEXT, "parameters": {"*": PARAMETER}, "runs": {"*": METRICS}, "leave_one_out": [{"left_out": TEXT, "runs": {"*": METRICS}}],
            **numbers("force_unexplained largest_peak_force_error largest_rebound_error left_out_peak_force_error "
                      "left_out_rebound_error valid_from_m_s valid_to_m_s")}
 BAND: Shape = (numbers("nominal low high"), NUMBER)
@@ -85,7 +85,7 @@ ANSWER: Shape = {
 }
 CALIBRATION: Shape = {
     "answer": ANSWER, "parameters": {"*": PARAMETER}, "correlation": {"*": {"*": NUMBER}}, "condition": NUMBER,
-    "derived": {"*": ANY}, "fit": {"*": {**METRICS, "published_values": METRICS}},
+    "derived": {"*": ANY}, "fit": {"*": {**METRICS, "published_values": METRICS, "impacts": [numbers("approach_speed_m_s")]}},
     "prediction": {"*": {**METRICS, "published_values": METRICS}}, "fitted_on": TEXT,
     "published": {"k_i": {"value": NUMBER}, "e": {"value": NUMBER}},
     "windows": {"rows": [{**numbers("speed_m_s peak_force_N contact_time_s restitution pair_force_error"),

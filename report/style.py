@@ -97,13 +97,13 @@ def save(fig: Figure, path: str, dpi: int = DPI) -> str:
     return path
 
 
-def embedded(path: str | io.BytesIO) -> tuple[str, int]:
-    """(a PNG file, or its bytes, as a data address, its width in pixels), so that the report needs no other file. As WebP, without
+def embedded(path: str | io.BytesIO) -> tuple[str, tuple[int, int]]:
+    """(a PNG file, or its bytes, as a data address, its width and height in pixels), so that the report needs no other file. As WebP, without
     loss: less than half the bytes. Method 1 takes four fifths of the time of method 4, for as many bytes within a per cent."""
     held = io.BytesIO()
     try:
         with Image.open(path) as picture:
             picture.save(held, "WEBP", lossless=True, method=1, quality=50)
-            return "data:image/webp;base64," + base64.b64encode(held.getvalue()).decode(), picture.width
+            return "data:image/webp;base64," + base64.b64encode(held.getvalue()).decode(), picture.size
     except OSError as error:
         raise IoError(f"cannot read {path}: {error.strerror or error}") from None

@@ -37,9 +37,8 @@ std::string bearing_line(const Scene &scene) {
   if (scene.double_concave())
     return fmt::format("{} of [isolator], C_t = {:.1f} mm, R_eff = {:.3f} m", word(scene.reduced.model),
                        1e3 * scene.isolator.capacity, scene.isolator.effective_radius());
-  return fmt::format("{}, L_c = {:.1f} mm, rim {:g} x {:g} mm", scene.bearing.name,
-                     1e3 * scene.bearing.lateral_capacity(), 1e3 * scene.bearing.rim.thickness,
-                     1e3 * scene.bearing.rim.height);
+  return fmt::format("{}, L_c = {:.1f} mm, {}", scene.bearing.name, 1e3 * scene.bearing.lateral_capacity(),
+                     rim_in_words(scene.bearing));
 }
 
 std::string load_line(const Scene &scene) {
@@ -73,6 +72,10 @@ json or_null(const std::optional<double> &value) {
 }
 
 } // namespace
+
+std::string rim_in_words(const Bearing &bearing) {
+  return fmt::format("rim {:.4g} mm high, {:.4g} mm thick", 1e3 * bearing.rim.height, 1e3 * bearing.rim.thickness);
+}
 
 std::string element_line(const Scene &scene) {
   if (scene.reduced.k_i == 0) return "none (k_i = 0)";

@@ -9,6 +9,8 @@ namespace rimpact::scene {
 std::string describe_case(const Scene &scene, bool load_is_read = true);
 /// "load: W = ... kN, m = ... kg (W = ... m g)\n", and that it is an assumption where nobody gave it.
 std::string load_sentence(const Scene &scene);
+/// "rim 60 mm high, 40 mm thick": the one order in which a rim's dimensions are said.
+std::string rim_in_words(const Bearing &bearing);
 /// The impact element alone: its law, numbers and where they come from.
 std::string element_line(const Scene &scene);
 /// The same as `load`, `motion` and `impact_element` (law, every number of it, source, fitted_from_m_per_s,

@@ -95,8 +95,9 @@ CaseFiles new_case(const std::string &name, const std::string &bearing, const st
   put_load(text, file.find("load") != nullptr, defaults.load);
   put(text, "excitation", left_out(file, "excitation", false, defaults));
   put(text, "reduced", left_out(file, "reduced", true, defaults));
-  const std::string head = "# A number marked \"assumption\" is ours and no source's. Put yours in its place and "
-                           "strike the mark: reports list those left.\n";
+  const std::string head =
+      "# A number marked \"assumption\" was chosen by us, for no document gives it. Put yours in its place and "
+      "strike the mark: reports list those left.\n";
   return {head + to_toml(own), text};
 }
 

@@ -45,6 +45,14 @@ void add_doubts_of_fit(Answer &answer) {
   if (answer.strain && answer.strain->exceeded()) answer.doubts.push_back(answer.strain->sentence);
 }
 
+/// "It is judged by study dish-pulse-0.78g, an impact at 0.493 m/s."
+std::string judged_by(const nlohmann::json &estimate) {
+  const auto speed = estimate.find("study_approach_speed_m_s");
+  std::string text = "It is judged by study " + estimate.value("from", "");
+  if (speed != estimate.end()) text += fmt::format(", an impact at {:.3g} m/s", speed->get<double>());
+  return text + (estimate.value("far", false) ? ", far from the speed of this run." : ".");
+}
+
 void name_sources(const Calibration &c, Answer &answer, const std::vector<LawError> &fitted) {
   std::set<std::string> rungs;
   std::set<int> meshes;
@@ -95,8 +103,8 @@ AnswerMeshError answer_mesh_error(const Calibration &c, const Runs &runs) {
       known = false, error.peak_force.reset();
     } else if (const double worst = estimate["peak_force_relative"]; known && worst >= error.peak_force.value_or(0)) {
       error.peak_force = worst;
-      error.sentence = fmt::format("By the mesh the peak force is uncertain by about {}, worst in run {}: {}.",
-                                   percent_up(worst), f.name, estimate.value("sentence", ""));
+      error.sentence = fmt::format("The mesh leaves the peak force uncertain by about {}, worst in run {}. {}",
+                                   percent_up(worst), f.name, judged_by(estimate));
     }
   }
   return error;

@@ -38,7 +38,7 @@ struct AnswerLaw {
   std::optional<double> valid_from, valid_to; ///< neighbouring runs left out that are met within `tolerance` [m/s]
   double tolerance = 0.05;
   std::optional<WorstErrors> worst_left_out;
-  double unexplained = 0; ///< of the force, over the runs fitted [-]
+  std::optional<double> unexplained; ///< of the force, over the runs fitted [-]
   int n_runs = 0;
   std::vector<LawError> left_out, fitted; ///< by speed, grazing runs apart
   std::string sentence;
@@ -96,7 +96,7 @@ struct Answer {
   AnswerMeshError mesh_error;
   std::optional<AnswerStack> stack; ///< none: the runs are of the reduced model, whose scenes say what they have
   std::vector<std::string> doubts;  ///< sentences
-  std::string validity;             ///< the one sentence for headers and exports
+  std::string validity;             ///< where it holds, in short sentences, for headers and exports
   std::string source() const;       ///< the sources' words, joined by "and"
 };
 

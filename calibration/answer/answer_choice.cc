@@ -18,11 +18,10 @@ std::string range_of(const LawRow &row) {
 }
 
 std::string better(const LawRow &best, const LawRow &asked, double tolerance) {
-  return fmt::format("The law {} is better: it leaves {:.1f} % of the force unexplained and {} within {:.0f} %, where "
-                     "{}, which was asked for, "
-                     "leaves {:.1f} % and {}.",
-                     best.result.law, 100 * best.unexplained, range_of(best), 100 * tolerance, asked.result.law,
-                     100 * asked.unexplained, range_of(asked));
+  return fmt::format("The law {} is better: it leaves {} of the force unexplained and {} within {:.0f} %. The law {}, "
+                     "which was asked for, leaves {} and {}.",
+                     best.result.law, percent_of(best.unexplained), range_of(best), 100 * tolerance, asked.result.law,
+                     percent_of(asked.unexplained), range_of(asked));
 }
 
 /// Whether the user fits just what the ranking fits of the law.

@@ -54,13 +54,13 @@ std::optional<double> errors_at(double speed, const std::vector<LawError> &error
   if (errors.empty()) return {};
   const auto above =
       std::lower_bound(errors.begin(), errors.end(), speed, [](const LawError &e, double v) { return e.speed < v; });
-  if (above == errors.begin()) return std::abs(errors.front().*of);
-  if (above == errors.end()) return std::abs(errors.back().*of);
+  if (above == errors.begin()) return known(std::abs(errors.front().*of));
+  if (above == errors.end()) return known(std::abs(errors.back().*of));
   const LawError &low = *(above - 1), &high = *above;
   const double a = low.*of, b = high.*of;
-  if (a * b <= 0 || !(high.speed > low.speed)) return std::max(std::abs(a), std::abs(b));
+  if (a * b <= 0 || !(high.speed > low.speed)) return known(larger_of(std::abs(a), std::abs(b)));
   const double share = std::log(speed / low.speed) / std::log(high.speed / low.speed);
-  return std::abs((1 - share) * a + share * b);
+  return known(std::abs((1 - share) * a + share * b));
 }
 
 std::vector<AnswerRow> answer_table(const scene::Scene &scene, const AnswerLaw &law) {
@@ -76,24 +76,23 @@ std::vector<AnswerRow> answer_table(const scene::Scene &scene, const AnswerLaw &
 
 void answer_pair(const Calibration &c, Answer &answer) {
   const std::string instead =
-      answer.law.of_the_mass ? ""
-                             : fmt::format("; the law {} serves instead, and the table gives k_i and e for each speed",
-                                           answer.law.result.law);
+      answer.law.of_the_mass
+          ? ""
+          : fmt::format(". The law {} serves instead; the table gives k_i and e for each speed", answer.law.result.law);
+  const std::string none = answer.law.of_the_mass ? "No other constant pair is given" : "No constant pair is given";
   if (!c.pair_range) {
     answer.no_pair =
         c.laws.rows.empty()
-            ? "No constant pair is given: it was not searched for (--laws none)"
-            : fmt::format(
-                  "No constant pair is given: none of law {} meets peak force and rebound within 20 % over three "
-                  "neighbouring speeds of the runs",
-                  answer.pair_law);
+            ? none + ": it was not searched for (--laws none)"
+            : fmt::format("{}: none of law {} meets peak force and rebound within 20 % over three neighbouring speeds",
+                          none, answer.pair_law);
     answer.no_pair += instead + ".";
     return;
   }
   const auto &p = c.pair_range->result.parameters;
   const Estimate &k = p.at("k_i"), &e = p.at("e");
-  const std::string here = fmt::format("No constant pair is given: of the best one, from {:.3g} to {:.3g} m/s,",
-                                       c.pair_range->from, c.pair_range->to);
+  const std::string here =
+      fmt::format("{}: of the best one, from {:.3g} to {:.3g} m/s,", none, c.pair_range->from, c.pair_range->to);
   if (!e.identifiable || e.interval_high - e.interval_low > widest_e)
     answer.no_pair =
         fmt::format("{} e is known from {:.2g} to {:.2g} only{}.", here, e.interval_low, e.interval_high, instead);

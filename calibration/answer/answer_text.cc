@@ -1,5 +1,6 @@
 #include "calibration/answer/answer.h"
 #include "calibration/answer/calibration_json.h"
+#include "calibration/answer/said_once.h"
 #include "calibration/laws/percent.h"
 #include "impact_laws/catalogue.h"
 #include <algorithm>
@@ -33,12 +34,28 @@ std::string others(const Answer &a, const std::string &table) {
   return text;
 }
 
-std::string row_text(const AnswerRow &r) {
+std::string row_text(const AnswerRow &r, bool with_pair) {
   const auto error = [](const std::optional<double> &e) { return e ? percent_up(*e) : std::string("-"); };
-  return fmt::format("  {:7.3g} {:9.4g} {:>8} {:8.3g} {:>8} {:9.3g} {:9.3g} {:>11} {:>7}\n", r.speed,
-                     r.peak_force / 1e3, error(r.peak_force_error), r.restitution, error(r.rebound_error),
-                     1e3 * r.penetration, 1e3 * r.contact_time, r.k_i ? fmt::format("{:.4g}", *r.k_i / 1e3) : "-",
-                     r.e ? fmt::format("{:.3f}", *r.e) : "-");
+  std::string text = fmt::format("  {:7.3g} {:9.4g} {:>8} {:8.3g} {:>8} {:9.3g} {:9.3g}", r.speed, r.peak_force / 1e3,
+                                 error(r.peak_force_error), r.restitution, error(r.rebound_error), 1e3 * r.penetration,
+                                 1e3 * r.contact_time);
+  if (with_pair)
+    text += fmt::format(" {:>11} {:>7}", r.k_i ? fmt::format("{:.3g}", *r.k_i / 1e3) : "-",
+                        r.e ? fmt::format("{:.3f}", *r.e) : "-");
+  return text + "\n";
+}
+
+/// What follows from the law at five speeds. Where a constant pair is given it is the one pair; else each speed has
+/// its.
+std::string table_text(const Answer &a) {
+  std::string text = fmt::format("one impact of {:.6g} kg by this law (errors of runs {})", a.scene.load.mass,
+                                 word(a.table.empty() ? ErrorFrom::fitted : a.table.front().error_from));
+  if (!a.pair)
+    text += fmt::format(", and the pair k_i, e of law {} that returns the same at that one speed and mass", a.pair_law);
+  text += "\n      m/s   peak kN      off  rebound      off  depth mm   time ms";
+  text += a.pair ? "\n" : "  k_i kN/m         e\n";
+  for (const auto &row : a.table) text += row_text(row, !a.pair);
+  return text;
 }
 
 } // namespace
@@ -50,7 +67,7 @@ std::string to_toml_fragment(const Answer &a) {
   if (!a.law.remark.empty()) text += comment(a.law.remark);
   text += comment(a.pair ? a.pair->sentence : a.no_pair);
   if (!a.mesh_error.sentence.empty()) text += comment(a.mesh_error.sentence);
-  for (const auto &doubt : a.doubts) text += comment("Doubt: " + doubt);
+  for (const auto &doubt : said_once(a.doubts)) text += comment("Doubt: " + doubt);
   text += fmt::format("[reduced]\nmodel = \"{}\"\nimpact_law = \"{}\"\n", word(r.model), r.impact_law->name);
   for (const auto *names : {&law.parameters, &law.exponents})
     for (const auto &name : *names) text += assigned(name, parameter(name).get(a.scene));
@@ -75,19 +92,14 @@ std::string describe(const Answer &a) {
   for (const auto &[name, e] : a.law.result.parameters)
     text += fmt::format("  {:<18} {:>12.5g} {:<6} 95 %: {:.5g} .. {:.5g}{}\n", name, e.value, parameter(name).unit,
                         e.interval_low, e.interval_high, e.identifiable ? "" : "  NOT IDENTIFIABLE: " + e.reason);
-  text += fmt::format("one impact of {:.6g} kg by this law (errors of runs {}), and the pair k_i, e of law {} that "
-                      "returns the same at that speed\n",
-                      a.scene.load.mass, word(a.table.empty() ? ErrorFrom::fitted : a.table.front().error_from),
-                      a.pair_law);
-  text += "      m/s   peak kN      off  rebound      off  depth mm   time ms  k_i kN/m         e\n";
-  for (const auto &row : a.table) text += row_text(row);
+  text += table_text(a);
   text += (a.pair ? a.pair->sentence : a.no_pair) + "\n";
   if (a.strain)
     for (const std::string &said : {a.strain->exceeded() ? "" : a.strain->sentence, // else it is among the doubts
                                     a.strain->crack_sentence, a.strain->slider_sentence})
       if (!said.empty()) text += said + "\n";
   if (!a.mesh_error.sentence.empty()) text += a.mesh_error.sentence + "\n";
-  for (const auto &doubt : a.doubts) text += "doubt: " + doubt + "\n";
+  for (const auto &doubt : said_once(a.doubts)) text += "doubt: " + doubt + "\n";
   return text;
 }
 

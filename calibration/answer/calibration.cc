@@ -85,14 +85,17 @@ void rank(const std::vector<StoredRun> &runs, const CalibrationOptions &options,
   c.pair_range = pair_range(every, own);
 }
 
+/// Each note names the law that was fitted by itself: it need not be the answer's.
 void note_outcome(Calibration &c) {
+  const auto note = [&](const std::string &said) {
+    c.notes.push_back(fmt::format("law {} fitted by itself: {}", c.result.law, said));
+  };
   for (const auto &[name, estimate] : c.result.parameters)
-    if (!estimate.identifiable) c.notes.push_back(fmt::format("{} is not identifiable: {}", name, estimate.reason));
-  if (!c.result.converged) c.notes.push_back("the fit did not converge: " + c.result.message);
+    if (!estimate.identifiable) note(fmt::format("{} is not identifiable: {}", name, estimate.reason));
+  if (!c.result.converged) note("it did not converge: " + c.result.message);
   if (c.result.n_starts_agreeing < c.result.n_starts)
-    c.notes.push_back(
-        fmt::format("{} of {} starts ended at the best minimum", c.result.n_starts_agreeing, c.result.n_starts));
-  c.notes.insert(c.notes.end(), c.result.notes.begin(), c.result.notes.end());
+    note(fmt::format("{} of {} starts ended at the best minimum", c.result.n_starts_agreeing, c.result.n_starts));
+  for (const auto &said : c.result.notes) note(said);
 }
 
 /// Fits what the law reads, less what is held. A law of a push has no parameters: the default law is fitted instead.

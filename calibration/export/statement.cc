@@ -1,4 +1,5 @@
 #include "calibration/export/statement.h"
+#include "calibration/answer/said_once.h"
 #include "calibration/fit/parameter.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -95,9 +96,11 @@ void add_doubts(std::vector<std::string> &lines, const ExportedRim &rim, const j
     lines.push_back(fmt::format("Assumed, not given ({}): {}.", assumed.size(), fmt::join(keys, ", ")));
   }
   const json doubts = answer.value("doubts", json());
+  std::vector<std::string> sentences;
   if (doubts.is_array())
     for (const auto &doubt : doubts)
-      if (doubt.is_string()) lines.push_back("DOUBT: " + doubt.get<std::string>());
+      if (doubt.is_string()) sentences.push_back(doubt.get<std::string>());
+  for (const auto &doubt : said_once(sentences)) lines.push_back("DOUBT: " + doubt);
 }
 
 } // namespace

@@ -182,23 +182,23 @@ void judge(const Problem &problem, const Eigen::VectorXd &x, const Spread &sprea
       estimate.reason = "every impact only grazes the rim: a slightly different flight would miss it";
     } else if (estimate.at_bound) {
       estimate.verdict = Verdict::bound;
-      estimate.reason = fmt::format("it ended at its {} bound {:g} {}", low ? "lower" : "upper", value, p.unit);
+      estimate.reason = fmt::format("it ended at the {} value allowed, {:.3g}{}", low ? "smallest" : "largest", value,
+                                    unit_behind(p.unit));
     } else if (!(spread.condition < flat_condition)) {
       estimate.verdict = Verdict::flat;
-      estimate.reason = fmt::format("flat valley: condition {:.3g} exceeds {:g}", spread.condition, flat_condition);
+      estimate.reason = "other values of the parameters together follow the data as well";
     } else if (!(stated_half_width <= vague * size) && spread.measured) {
       estimate.verdict = Verdict::noise;
       estimate.reason =
           fmt::format("the noise of the record leaves +-{:.0f} % of the value open", 100 * stated_half_width / size);
     } else if (!(stated_half_width <= vague * size)) {
       estimate.verdict = Verdict::flat;
-      estimate.reason =
-          fmt::format("flat: the data leave +-{:.0f} % of the value open", 100 * stated_half_width / size);
+      estimate.reason = fmt::format("the data leave +-{:.0f} % of the value open", 100 * stated_half_width / size);
     } else if (half_width > vague * size) {
       estimate.verdict = Verdict::form;
       const std::string says = fmt::format(
-          "the data alone leave +-{:.1f} % of it open, but the model's form does not follow them: what it leaves "
-          "unexplained widens the 95 % interval to +-{:.0f} %",
+          "the data alone leave +-{:.1f} % of it open, but the law does not follow them, so the 95 % interval is "
+          "+-{:.0f} %",
           100 * stated_half_width / size, 100 * half_width / size);
       if (half_width > size) // an interval that reaches zero tells nothing, whatever widened it
         estimate.reason = says;

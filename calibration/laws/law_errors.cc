@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <optional>
 
 namespace rimpact::calibration {
@@ -38,6 +39,7 @@ LawError error_of(const StoredRun &run, const FitResult &result) {
   const auto scene = with_fitted(run.scene, result);
   LawError error{};
   error.folder = run.folder, error.speed = run.approach_speed(), error.grazing = true;
+  error.peak_force = error.rebound = std::numeric_limits<double>::quiet_NaN(); // of no impact nothing is known
   double missed = 0, whole = 0, hardest = 0;
   for (const auto &w : run.impacts) {
     error.grazing = error.grazing && w.grazing;
@@ -52,9 +54,9 @@ LawError error_of(const StoredRun &run, const FitResult &result) {
     error.peak_force = shot.peak / w.peak - 1;
     error.rebound = shot.rebound_speed / w.impact.rebound_speed - 1;
   }
-  error.unexplained = std::sqrt(missed / whole);
+  error.unexplained = std::sqrt(missed / whole); // NaN without a force
   error.nrmse_displacement = compare(run.response, history_of(run, scene), run.scene.bearing.lateral_capacity())
-                                 .nrmse_displacement.value_or(0);
+                                 .nrmse_displacement.value_or(std::numeric_limits<double>::quiet_NaN());
   return error;
 }
 

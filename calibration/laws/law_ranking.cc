@@ -35,11 +35,18 @@ std::string range_sentence(const LawRow &row, const std::vector<LawError> &error
     text = fmt::format("{}: predicts peak force and rebound within {:.0f} % at none of {} runs left out",
                        row.result.law, 100 * tolerance, errors.size());
   for (const LawError *end : {&errors.front(), &errors.back()})
-    if (!inside(*end) && (end == &errors.front() || errors.size() > 1))
+    if (!inside(*end) && !std::isnan(end->peak_force) && (end == &errors.front() || errors.size() > 1))
       text += fmt::format("; at {:.3g} m/s the peak force is {} by {}, the rebound by {:+.0f} %", end->speed,
                           end->peak_force > 0 ? "overstated" : "understated", percent_up(std::abs(end->peak_force)),
                           100 * end->rebound);
   return text;
+}
+
+/// Empty without an error, or with one that is not known.
+std::optional<double> largest(const std::vector<LawError> &errors, double LawError::*of) {
+  double found = errors.empty() ? NAN : 0;
+  for (const auto &error : errors) found = larger_of(found, std::abs(error.*of));
+  return known(found);
 }
 
 /// The longest range of neighbouring speeds at which runs not fitted are met.
@@ -70,24 +77,20 @@ std::vector<LawError> left_out_runs(const LawRow &row) {
 LawRow judged(const Runs &runs, const FitOptions &options, const FitResult &result, double tolerance) {
   LawRow row;
   row.result = result;
-  double square = 0;
-  int n = 0;
+  std::vector<LawError> firm; // grazing runs apart
   for (const StoredRun *run : runs) {
     row.fitted.push_back(error_of(*run, row.result));
-    const auto &error = row.fitted.back();
-    if (error.grazing) continue;
-    square += error.unexplained * error.unexplained, ++n;
-    row.largest_peak_error = std::max(row.largest_peak_error, std::abs(error.peak_force));
-    row.largest_rebound_error = std::max(row.largest_rebound_error, std::abs(error.rebound));
+    if (!row.fitted.back().grazing) firm.push_back(row.fitted.back());
   }
-  row.unexplained = n > 0 ? std::sqrt(square / n) : 0;
+  double square = 0;
+  for (const auto &error : firm) square += error.unexplained * error.unexplained / static_cast<double>(firm.size());
+  row.unexplained = known(firm.empty() ? NAN : std::sqrt(square));
+  row.largest_peak_error = largest(firm, &LawError::peak_force);
+  row.largest_rebound_error = largest(firm, &LawError::rebound);
   row.left_out = leave_out(runs, options, row.result);
-  for (const auto &left : row.left_out)
-    for (const auto &error : left.errors) {
-      if (error.grazing || error.folder != left.what) continue;
-      row.left_out_peak_error = std::max(row.left_out_peak_error, std::abs(error.peak_force));
-      row.left_out_rebound_error = std::max(row.left_out_rebound_error, std::abs(error.rebound));
-    }
+  const auto left_out = left_out_runs(row);
+  row.left_out_peak_error = largest(left_out, &LawError::peak_force);
+  row.left_out_rebound_error = largest(left_out, &LawError::rebound);
   find_range(row, tolerance);
   return row;
 }
@@ -166,12 +169,13 @@ LawRanking rank_laws(const std::vector<const StoredRun *> &runs, const std::vect
     else
       notes.push_back(note);
   }
-  std::sort(ranking.rows.begin(), ranking.rows.end(),
-            [](const auto &a, const auto &b) { return a.unexplained < b.unexplained; });
+  std::sort(ranking.rows.begin(), ranking.rows.end(), [](const auto &a, const auto &b) {
+    return a.unexplained.value_or(INFINITY) < b.unexplained.value_or(INFINITY);
+  });
   if (ranking.rows.empty()) return ranking;
   const auto &best = ranking.rows.front();
-  ranking.sentence = fmt::format("The law that leaves least unexplained is {} ({:.1f} % of the force)", best.result.law,
-                                 100 * best.unexplained);
+  ranking.sentence = fmt::format("The law that leaves least unexplained is {} ({} of the force)", best.result.law,
+                                 percent_of(best.unexplained));
   ranking.sentence += best.sentence.empty() ? "." : "; " + best.sentence + ".";
   return ranking;
 }

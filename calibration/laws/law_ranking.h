@@ -9,7 +9,7 @@ namespace rimpact::calibration {
 struct LawError {
   std::string folder;
   double speed;              ///< largest approach speed of the run's impacts [m/s]
-  double peak_force;         ///< signed relative, of the hardest impact [-]
+  double peak_force;         ///< signed relative, of the hardest impact [-]; these four: NaN where not known
   double rebound;            ///< signed, over the reference's rebound speed [-]
   double unexplained;        ///< root mean square of the force's difference over that of the force [-]
   double nrmse_displacement; ///< from rest, over L_c, as docs/interface.md defines it [-]
@@ -25,11 +25,11 @@ struct LawRow {
   FitResult result; ///< of all runs; result.law names the law
   std::vector<LawError> fitted;
   std::vector<LeftOut> left_out;
-  double unexplained = 0;        ///< root mean square over the fitted runs [-]
-  double largest_peak_error = 0; ///< fitted
-  double largest_rebound_error = 0;
-  double left_out_peak_error = 0; ///< largest over runs left out one at a time
-  double left_out_rebound_error = 0;
+  /// Root mean square over the fitted runs [-]. This and the largest errors below: empty where there is no run to judge
+  /// by, or one that cannot be judged.
+  std::optional<double> unexplained;
+  std::optional<double> largest_peak_error, largest_rebound_error;   ///< fitted
+  std::optional<double> left_out_peak_error, left_out_rebound_error; ///< over runs left out one at a time
   /// Speeds (neighbouring) at which the left-out peak force and rebound both stay within the tolerance.
   std::optional<double> valid_from, valid_to;
   int n_valid = 0; ///< runs in that range

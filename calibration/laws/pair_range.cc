@@ -104,15 +104,15 @@ std::string miss(const LawError &e) {
 std::string sentence_of(const PairRange &range) {
   const auto &p = range.result.parameters;
   std::string text = fmt::format("For a supported mass of {:.6g} kg and impacts from {:.3g} to {:.3g} m/s the constant "
-                                 "pair k_i = {:.5g} kN/m, e = {:.4f} of law {} meets the "
+                                 "pair k_i = {:.5g} kN/m, e = {:.4f} of law {} serves. It meets the "
                                  "peak force within {} and the rebound within {}, runs left out too",
                                  range.mass, range.from, range.to, p.at("k_i").value, p.at("e").value, range.law,
                                  percent_up(range.worst_peak_force), percent_up(range.worst_rebound));
   const auto below =
       std::find_if(range.outside.rbegin(), range.outside.rend(), [&](const auto &e) { return e.speed < range.from; });
-  if (below != range.outside.rend()) text += "; below, " + miss(*below);
+  if (below != range.outside.rend()) text += ". Below, " + miss(*below);
   if (!range.outside.empty() && range.outside.back().speed > range.to)
-    text += "; beyond, " + miss(range.outside.back());
+    text += ". Beyond, " + miss(range.outside.back());
   return text + ".";
 }
 

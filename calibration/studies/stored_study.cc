@@ -152,7 +152,7 @@ json error_estimate(const scene::Scene &scene, const Summary &summary, const std
     if (distance(study) >= 0 && (!high || distance(study) < distance(*high))) high = &study;
   }
   if (!low && !high)
-    return none(fmt::format("unknown: no stored study has {}; this command finds it: {}", what, command(scene, asked)));
+    return none(fmt::format("unknown: no stored study has {}. This command finds it: {}", what, command(scene, asked)));
   if (!low) low = high;
   if (!high) high = low;
   const double width = distance(*high) - distance(*low), share = width > 0 ? -distance(*low) / width : 0;

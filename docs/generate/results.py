@@ -113,7 +113,7 @@ def growth_of(rows: list[dict[str, Any]]) -> list[str]:
 
 def studies_page() -> str:
     text = ("# Speed against error\n\nStored studies (`data/studies/`), each made by `rimpact study`; errors against the finest run of the study. "
-            "Times are of the processor; they, and wall times, in brackets, even more, grow with what else the machine did. *Before*: the same run by an "
+            "Times are processor times; wall times stand in brackets. Both grow where the machine does other work beside. *Before*: the same run by an "
             "earlier build (`data/studies/before/`).\n")
     for file in sorted((ROOT / "data/studies").glob("*.json")):
         study, earlier = json.loads(file.read_text(encoding="utf-8")), ROOT / "data/studies/before" / file.name

@@ -1,5 +1,6 @@
 #include "fe_contact/drive/flight_step.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -33,10 +34,17 @@ std::optional<std::string> passes(const scene::Rim &rim, const Passage &p, doubl
   constexpr double passing_share = 0.01; // of the approach speed, outwards at release: not a rebound
   constexpr double folded_over = 20;     // times its thickness beyond L_c the wall lies flat and is no wall any more
   constexpr double chatter_depth = 1e-4; // nearer to L_c than this the walls may only have parted for an instant [m]
+  constexpr double least_share = 0.05;   // of the rim's thickness or height: a wall pushed less has not been passed
   const bool folded = p.depth > folded_over * rim.thickness;
   const bool let_go =
       p.let_go && p.outward_speed > passing_share * p.approach_speed && (!p.may_touch || p.depth >= chatter_depth);
   if (!folded && !let_go) return {};
+  if (!folded && p.depth < least_share * std::min(rim.thickness, rim.height))
+    return fmt::format(
+        "the walls part at t = {:.5g} s, {:.3f} mm beyond L_c, while the slider moves outwards at {:.3g} m/s: "
+        "the contact chatters. Nothing after the touch is a result for this impact of {:.3g} m/s; a finer "
+        "mesh (--mesh) or another model.step_ms may run through",
+        t, 1e3 * p.depth, p.outward_speed, p.approach_speed);
   return fmt::format(
       "{} at t = {:.5g} s, {:.2f} mm beyond L_c, while the slider moves outwards at {:.3g} m/s: it passes "
       "through or over the rim (height {:g} mm, thickness {:g} mm), which this model does not follow; "

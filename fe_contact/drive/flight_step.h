@@ -25,6 +25,7 @@ struct FlightStep {
 };
 
 /// A sentence where the slider passes the rim: it is folded over, or has let go of a slider that still moves outwards.
+/// A rim that has hardly been pushed is not passed: there the walls part and meet again, and the sentence says so.
 struct Passage {
   double depth;         ///< beyond L_c [m]
   double outward_speed; ///< [m/s]

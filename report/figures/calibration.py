@@ -1,4 +1,4 @@
-"""How the fit did: signed errors of every run beside the published values', and what the residuals look like."""
+"""How a law does: signed errors of every run beside the published pair's, what the residuals look like; a fit's parameters."""
 from collections.abc import Callable
 from typing import Any
 
@@ -14,8 +14,8 @@ METRICS = (("peak_force", "peak impact force"), ("rebound", "rebound speed"),
            ("peak_displacement", "peak displacement"))
 
 
-def draw_errors(rows: list[dict[str, Any]], path: str) -> str | None:
-    """rows: {"name", "fitted": {metric: error}, "published": {...}}; a group of bars a run, a panel a metric."""
+def draw_errors(rows: list[dict[str, Any]], law: str, path: str) -> str | None:
+    """rows: {"name", "fitted": {metric: error}, "published": {...}}; a group of bars a run, a panel a metric. `law`: of "fitted"."""
     rows = [row for row in rows if row["fitted"] or row["published"]]
     if not rows:
         return None
@@ -25,7 +25,7 @@ def draw_errors(rows: list[dict[str, Any]], path: str) -> str | None:
         both = any(row["published"] for row in rows)
         for shift, who, colour in ((0.19, "fitted", FITTED), (-0.19, "published", PUBLISHED)) if both else ((0.0, "fitted", FITTED),):
             values = [100 * row[who][metric] if is_number(row[who].get(metric)) else np.nan for row in rows]
-            ax.barh(y + shift, values, 0.34, color=colour, label=who)
+            ax.barh(y + shift, values, 0.34, color=colour, label=literal(law) if who == "fitted" else "published pair")
         ax.axvline(0, color=INK, lw=0.6)
         ax.set(title=title.capitalize(), xlabel="error against FE (%)")
         ax.grid(axis="y", visible=False)
@@ -82,12 +82,12 @@ def draw_parameters(calibration: Calibration, path: str) -> str | None:
     for y, parameter in enumerate(shown[::-1]):
         low, high = parameter.interval or (parameter.value, parameter.value)
         ax.plot([low / parameter.value, high / parameter.value], [y, y], color=FITTED, lw=3, solid_capstyle="butt")
-        ax.plot(1, y, "o", color=FITTED, ms=5, label="fitted, 95 %" if y == 0 else None)
+        ax.plot(1, y, "o", color=FITTED, ms=5, label="this fit, 95 %" if y == 0 else None)
         if parameter.published is not None:
             ax.plot(parameter.published / parameter.value, y, "D", color=PUBLISHED, ms=4.5,
                     label="published" if y == 0 else None)
     ax.set_yticks(range(len(shown)), ["k$_i$" if p.name == "k_i" else literal(p.name) for p in shown[::-1]])
-    ax.set_xlabel("value / fitted value")
+    ax.set_xlabel("value / value of this fit")
     ax.set_ylim(-0.6, len(shown) - 0.4)
     ax.grid(axis="y", visible=False)
     ax.axvline(1, color=FE, lw=0.4, zorder=0)

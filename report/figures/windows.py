@@ -1,4 +1,4 @@
-"""k_i and e over impact speed, beside the constant pair, its band of validity, and the published pair."""
+"""k_i and e over impact speed, beside one pair of the same law fitted to all, the speeds at which that holds, and the published pair."""
 from collections.abc import Callable
 
 from matplotlib.axes import Axes
@@ -33,7 +33,7 @@ def draw(calibration: Calibration, path: str) -> str | None:
 
 
 def draw_stiffness(ax: Axes, calibration: Calibration, title: str) -> None:
-    """k_i over approach speed: each window alone, the constant pair, the published value."""
+    """k_i over approach speed: each window alone, one pair of the same law for all, the published value."""
     _points(ax, [row for row in calibration.windows if row.k_i], lambda r: r.k_i, 1e-5)
     _constants(ax, calibration.pair("k_i"), 1e-5)
     ax.set(title=title, ylabel="k$_i$ (10⁵ kN/m)")
@@ -65,7 +65,7 @@ def _points(ax: Axes, rows: list[WindowRow], parameter: Callable, factor: float)
 def _constants(ax: Axes, parameter: Parameter | None, factor: float) -> None:
     if parameter is None:
         return
-    ax.axhline(factor * parameter.value, color=FITTED, lw=1.1, label="constant pair")
+    ax.axhline(factor * parameter.value, color=FITTED, lw=1.1, label="one pair, all runs")
     if parameter.interval:
         ax.axhspan(factor * parameter.interval[0], factor * parameter.interval[1], color=FITTED, alpha=0.15, lw=0)
     if parameter.published is not None:
@@ -74,7 +74,7 @@ def _constants(ax: Axes, parameter: Parameter | None, factor: float) -> None:
 
 def _force(ax: Axes, rows: list[WindowRow], tolerance: float | None) -> None:
     errors = [(row.speed, 100 * row.pair_force_error) for row in rows if row.pair_force_error is not None]
-    ax.set(title="(c) Peak force by the pair", ylabel="error of peak force (%)")
+    ax.set(title="(c) Peak force by one pair", ylabel="error of peak force (%)")
     ax.plot([speed for speed, _ in errors], [error for _, error in errors], color=FITTED, marker="o", ms=3.5)
     ax.axhline(0, color=INK, lw=0.5)
     if tolerance:

@@ -13,7 +13,7 @@ def make(context: Context) -> dict[str, Any]:
     results = context.results
     middle = run.make(context) if results.single else answer.make(context)
     page = {"bearing": device.make(context), "done": done(context), "assumptions": device.assumptions(context),
-            "doubts": context.doubts.all, "middle": middle, "kind": "run" if results.single else "answer"}
+            "doubts": context.doubts.lines, "middle": middle, "kind": "run" if results.single else "answer"}
     page["density"] = density(page)
     return page
 
@@ -25,5 +25,5 @@ def density(page: dict[str, Any]) -> str:
     middle = page["middle"]
     if page["kind"] == "answer" and not middle["missing"]:  # its three columns are as long as the longest
         columns = (middle["pair"]["sentence"], middle["holds"] + middle["mesh_error"], (middle["strain"] or {}).get("sentence", ""))
-        said += 3 * max(0, max(map(len, columns)) - 200) + max(0, len(middle["sentence"]) - 200) + 60 * max(0, len(middle["numbers"]) - 4)
+        said += 3 * max(0, max(map(len, columns)) - 200) + 60 * max(0, len(middle["numbers"]) - 4)
     return "plain" if said < 900 else "close" if said < 2000 else "closest" if said < 3000 else "closest dense"

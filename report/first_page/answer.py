@@ -1,6 +1,7 @@
 """The answer on the first page: the law's picture and numbers, the table over speed, the pair, where it holds, the steel.
 
 Everything is taken from calibration.json's `answer`, the one record; nothing is worked out here."""
+import re
 from typing import Any
 
 from markupsafe import Markup
@@ -9,7 +10,8 @@ from ..context import Context
 from ..doubts import MARK
 from ..figures import law as law_figure
 from ..markup import sentence
-from ..numbers import DASH, fixed, integer, interval, is_number, percent, plain, sig
+from ..numbers import DASH, fixed, integer, interval, is_number, percent, percent_up, plain, sig
+from ..plain_words import for_page
 from ..results import Results
 
 NAMES = {"k_i": "k_i", "e": "e"}
@@ -28,9 +30,9 @@ def make(context: Context) -> dict[str, Any]:
         return {"missing": _why_none(results), "figure": None}
     return {"missing": "", "law": law.get("name", DASH), "figure": figure,
             "no_figure": "" if figure else "No curve of a fitted impact is stored, so the law's picture is not drawn.",
-            "sentence": law.get("sentence", ""), "remark": law.get("remark", ""), "belongs": "" if "belongs to the" in law.get("sentence", "") else _belongs(law, answer),
-            "numbers": _numbers(law), "table": _table(answer), "pair": _pair(answer), "holds": _holds(law, answer),
-            "strain": _strain(answer.get("strain")), "mesh_error": answer.get("mesh_error", {}).get("sentence", "")}
+            "remark": for_page(law.get("remark") or ""), "belongs": _belongs(law, answer),
+            "numbers": _numbers(law), "table": _table(answer), "pair": _pair(answer), "holds": for_page(_holds(law, answer)),
+            "strain": _strain(answer.get("strain")), "mesh_error": for_page(answer.get("mesh_error", {}).get("sentence") or "")}
 
 
 def _why_none(results: Results) -> str:
@@ -48,9 +50,9 @@ def _belongs(law: dict[str, Any], answer: dict[str, Any]) -> str:
 
 
 def value_of(number: float | None, unit: str | None) -> str:
-    """Four digits with the unit; a number without one stands alone."""
+    """Three figures with the unit; a number without one stands alone."""
     unit = "" if unit in (None, "", "-") else f"\u00a0{unit}"
-    return sig(number, 4) + unit
+    return sig(number, 3) + unit
 
 
 def _numbers(law: dict[str, Any]) -> list[dict[str, Any]]:
@@ -68,31 +70,36 @@ def _numbers(law: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def _table(answer: dict[str, Any]) -> dict[str, Any]:
-    """The rows and what the marks beside them mean."""
+    """The rows and what the marks beside them mean. Where a constant pair is given it is the page's one pair: the rows have none."""
     rows = []
     for row in answer.get("table", []):
         left_out = row.get("error_from") == "left out"
         outside = row.get("inside_fit") is False
         rows.append([fixed(row.get("speed_m_s"), 3), integer(row.get("peak_force_kN")), fixed(row.get("penetration_mm"), 2),
                      fixed(row.get("contact_time_ms"), 1), fixed(row.get("restitution"), 3),
-                     percent(row.get("peak_force_error"), 1, False), percent(row.get("rebound_error"), 1, False),
+                     percent_up(row.get("peak_force_error")), percent_up(row.get("rebound_error")),
                      "runs left out" if left_out else "runs fitted" if row.get("error_from") else DASH,
                      sig(row.get("k_i_kN_per_m"), 3), fixed(row.get("e"), 3), MARK if outside else ""])
-    return {"rows": rows, "outside": any(row[-1] for row in rows), "pair_law": answer.get("pair_law", "")}
+    return {"rows": rows, "outside": any(row[-1] for row in rows), "pair_law": answer.get("pair_law", ""),
+            "with_pairs": not answer.get("pair") and any(is_number(row.get("e")) for row in answer.get("table", []))}
 
 
 def _pair(answer: dict[str, Any]) -> dict[str, Any]:
     pair = answer.get("pair")
     if not pair:
-        return {"given": False, "sentence": answer.get("no_pair") or "No constant pair is given."}
-    said = [f"k_i = {sig(pair.get('k_i_kN_per_m'), 4)} kN/m, e = {fixed(pair.get('e'), 3)}"]
+        return {"given": False, "sentence": for_page(answer.get("no_pair") or "No constant pair is given.")}
+    said = [f"k_i = {sig(pair.get('k_i_kN_per_m'), 3)} kN/m, e = {fixed(pair.get('e'), 3)}"]
     if is_number(pair.get("c_i_kN_s_per_m")):
-        said.append(f"c_i = {sig(pair['c_i_kN_s_per_m'], 4)} kN s/m")
+        said.append(f"c_i = {sig(pair['c_i_kN_s_per_m'], 3)} kN s/m")
     values = f"{', '.join(said)} (law {pair.get('law', DASH)}, {plain(pair.get('mass_kg'))} kg"
     values += f", {sig(pair.get('from_m_s'), 2)} to {sig(pair.get('to_m_s'), 2)} m/s)"
-    errors = f"worst errors there: peak force {percent(pair.get('worst_peak_force_error'), 1, False)}, " \
-             f"rebound {percent(pair.get('worst_rebound_error'), 1, False)}"
-    return {"given": True, "stated": values, "errors": errors, "sentence": pair.get("sentence", "")}
+    errors = f"Worst errors there: peak force {percent_up(pair.get('worst_peak_force_error'))}, rebound {percent_up(pair.get('worst_rebound_error'))}."
+    return {"given": True, "stated": values, "errors": errors, "sentence": for_page(_beyond(pair.get("sentence", "")))}
+
+
+def _beyond(sentence: str) -> str:
+    """Of the pair's sentence what the values above do not say: how far off it is below and beyond its speeds."""
+    return " ".join(part for part in re.split(r"(?<=\.) ", sentence) if part.startswith(("Below", "Beyond")))
 
 
 def _holds(law: dict[str, Any], answer: dict[str, Any]) -> str:

@@ -45,7 +45,7 @@ def _rows(bearing: dict[str, Any], assumed: set[str]) -> list[list[Any]]:
         shape += Markup(", <i>a</i> ") + number("surface", "a_m", "\u00a0m")
     rows = [["Surface", shape], ["Planar radius", number("surface", "planar_radius_mm", "\u00a0mm")],
             ["Slider", Markup("Ø ") + number("slider", "diameter_mm", "\u00a0mm")],
-            ["Rim, height × thickness", number("rim", "height_mm") + Markup(" × ") + number("rim", "thickness_mm", "\u00a0mm")]]
+            ["Rim", number("rim", "height_mm", "\u00a0mm") + Markup(" high, ") + number("rim", "thickness_mm", "\u00a0mm") + Markup(" thick")]]
     capacity = geometry.lateral_capacity(bearing)
     if capacity:
         rows.append([Markup("Travel to the rim, ") + sentence("L_c"), f"{scaled(capacity, 1e3, 1)}\u00a0mm"])
@@ -84,13 +84,21 @@ def _load_is_assumed(context: Context) -> bool:
     return bool(said) if said is not None else {"load.vertical_kN", "load.mass_kg"} <= context.assumed
 
 
+STACK = ("pad.", "foot.", "material.ertalyte.", "contact.pad_foot", "contact.steel_ertalyte")
+
+
+def takes_part(context: Context, key: str) -> bool:
+    return context.whole_bearing or not key.startswith(STACK)
+
+
 def assumptions(context: Context) -> list[list[str]]:
-    """[key, value] as the bearing file writes them; those of the answer, else of the scene's marks."""
+    """[key, value] as the bearing file writes them; those of the answer, else of the scene's marks. Of pad and foot only where they
+    take part in what was run."""
     listed = context.results.answer.get("assumptions")
     if listed:
-        return [[item.get("key", ""), plain(item.get("value"))] for item in listed]
+        return [[item.get("key", ""), plain(item.get("value"))] for item in listed if takes_part(context, item.get("key", ""))]
     bearing, found = context.scene.get("bearing", {}), []
-    for key in sorted(context.assumed):
+    for key in sorted(key for key in context.assumed if takes_part(context, key)):
         value = bearing
         for part in key.split("."):
             value = value.get(part) if isinstance(value, dict) else None

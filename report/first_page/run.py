@@ -7,6 +7,7 @@ from ..figures import response_panels
 from ..numbers import DASH, fixed, integer, is_number, percent, scaled, sig
 from ..run_folder import Run
 from ..sections.common import hardest
+from ..series import shown_part
 
 PLACES = {"rim_wall": "the rim's wall", "rim_root": "the rim's root", "dish": "the dish below the rim", "slider_edge": "the slider's edge"}
 
@@ -15,7 +16,7 @@ def make(context: Context) -> dict[str, Any]:
     run = context.results.only
     drawn = run.has("time", "displacement_x", "displacement_y")
     role = "fitted" if run.rung == "reduced" else "fe"
-    figure = context.pictures.figure("first-response", "", response_panels.draw, [(role, run)],
+    figure = context.pictures.figure("first-response", "", response_panels.draw, [(role, shown_part(run))],
                                      {role: "reduced model" if role == "fitted" else "finite elements"}, context.capacity, dpi=300) if drawn else None
     return {"figure": figure, "no_figure": "" if figure else "No response is stored, so nothing is drawn.", "rows": _peaks(run, context.capacity),
             "building": _building(run), "strain": _strain(run), "law": _law(run), "estimate": _estimate(run)}

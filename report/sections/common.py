@@ -3,9 +3,9 @@ from typing import Any
 
 from .. import building_tables, view3d, vtu
 from ..blocks import note, text, turning
-from ..calibration_file import PAIR_LAWS
+from ..calibration_file import PAIR_LAWS, Calibration
 from ..context import Context
-from ..numbers import is_number
+from ..numbers import is_number, plain, sig
 from ..results import Entry
 from ..run_folder import Run
 from ..stored_fields import said_of
@@ -89,25 +89,40 @@ def figures_of(run: Run) -> dict[str, Any]:
             "rebound": hardest(run).get("rebound_speed_m_s")}
 
 
-def errors_of(context: Context, entry: Entry, who: str) -> dict[str, float]:
-    """Signed relative errors against FE: from the two summaries, else (no such run) as calibration.json has them."""
+def errors_of(entry: Entry, who: str) -> dict[str, float]:
+    """Signed relative errors of a stored run against the stored FE run, and of nothing else: what calibration.json states is of the
+    law that it fitted, which need not be this run's."""
     run = getattr(entry, who)
-    stored = context.calibration.metrics(entry.name)
-    if who == "published":
-        stored = stored.get("published_values", {}) if context.calibration.published_applies else {}
     reference = figures_of(entry.fe) if entry.fe else {}
     candidate = figures_of(run) if run else {}
-    errors = {}
-    for metric in METRIC_NAMES:
-        a, b = reference.get(metric), candidate.get(metric)
-        value = b / a - 1 if is_number(a) and is_number(b) and a != 0 else stored.get(f"{metric}_error")
-        if is_number(value):
-            errors[metric] = value
-    same_law = run is None or run.get("reduced", "impact_law") == context.calibration.derived.get("law")
-    for metric in ("nrmse_displacement", "nrmse_force") if same_law else ():
-        if is_number(stored.get(metric)):
-            errors[metric] = stored[metric]
-    return errors
+    pairs = ((metric, reference.get(metric), candidate.get(metric)) for metric in METRIC_NAMES)
+    return {metric: b / a - 1 for metric, a, b in pairs if is_number(a) and is_number(b) and a != 0}
+
+
+def law_of(context: Context, who: str = "best") -> str:
+    """The law of the reduced runs in a slot, as the runs' own scenes say; "best": of those an entry is judged by."""
+    for entry in context.results.entries:
+        run = getattr(entry, entry.best if who == "best" else who)
+        if run is not None and run.get("reduced", "impact_law"):
+            return run.get("reduced", "impact_law")
+    return "–"
+
+
+def judged_errors(context: Context, entry: Entry) -> dict[str, float]:
+    """Errors of the run an entry is judged by, if it is of law_of(context), the law that the table beside names."""
+    run = getattr(entry, entry.best)
+    return errors_of(entry, entry.best) if run is not None and run.get("reduced", "impact_law", default="–") == law_of(context) else {}
+
+
+def of_mass(calibration: Calibration) -> str:
+    """", at 86 952 kg", or nothing."""
+    return f", at {plain(calibration.mass_kg)} kg" if is_number(calibration.mass_kg) else ""
+
+
+def of_what(context: Context, row: dict[str, Any]) -> str:
+    """Mass and speeds of the runs that a row of the laws was fitted to."""
+    speeds = [error["approach_speed_m_s"] for error in row.get("runs", {}).values() if is_number(error.get("approach_speed_m_s"))]
+    return of_mass(context.calibration) + (f", {sig(min(speeds))} to {sig(max(speeds))} m/s" if speeds else "")
 
 
 def status_note(run: Run) -> dict[str, str] | None:

@@ -9,6 +9,7 @@ from ..figures import impacts, response_panels
 from ..numbers import fixed, integer, is_number, percent, scaled
 from ..results import SLOTS, Entry
 from ..run_folder import Run
+from ..series import shown_part
 from .common import ROLE_TEXT, errors_of, hardest, labels_of, status_note, title_of
 
 
@@ -38,9 +39,11 @@ def _entry(section: Section, context: Context, entry: Entry) -> None:
         return
     labels = labels_of(models)
     capacity = next((run.lateral_capacity for _, run in models if run.lateral_capacity), None)
+    shown = [(role, shown_part(run)) for role, run in models]
+    cut = " The window's flight after its impact is left out." if any(part is not run for (_, part), (_, run) in zip(shown, models)) else ""
     section.add(context.pictures.figure(
         f"response-{entry.name}", "Displacement, lateral force, loop and vertical displacement of the upper slider. "
-        "Dotted red: lateral capacity L_c.", response_panels.draw, models, labels, capacity, curves=interactive.response))
+        "Dotted red: lateral capacity L_c." + cut, response_panels.draw, shown, labels, capacity, curves=interactive.response))
     zoom = context.pictures.figure(
         f"impacts-{entry.name}", _impact_caption(models), impacts.draw, models, labels, curves=interactive.impacts)
     section.add(zoom if zoom else note("The rim is not touched in any of the models.", "info"))
@@ -72,10 +75,10 @@ def _numbers(context: Context, entry: Entry) -> dict[str, Any] | None:
         ["largest plastic strain", *(percent(r.summary.get("max_plastic_strain"), 2, False) for _, _, r in known)],
     ]
     if entry.fe is not None and len(known) > 1:
-        rows.insert(3, ["    error against FE", "", *(percent(errors_of(context, entry, who).get("peak_force"))
+        rows.insert(3, ["    error against FE", "", *(percent(errors_of(entry, who).get("peak_force"))
                                                       for who, _, _ in known if who != "fe")])
     rows = [row for row in rows if any(cell not in ("–", "") for cell in row[1:])]
-    return table(["", *(label for _, label, _ in known)], rows)
+    return table(["", *(label for _, label, _ in known)], rows, record=f"runs/{entry.name}")
 
 
 def _contact(impact: dict[str, float]) -> str:

@@ -56,6 +56,8 @@ def make(context: Context) -> Section | None:
 def _rows(context: Context, part: str, title: str) -> list[Any]:
     rows = []
     for key, value in _flat(context.scene.get(part, {})):
+        if key == "fitted_rim":  # a code that tells rims apart; the rim's dimensions stand above
+            continue
         name, unit = split_unit(key)
         marked = (key if part == "bearing" else f"{part}.{key}") in context.assumed
         rows.append([LABELS.get(f"{part}.{name}") or LABELS.get(name) or _plain_key(name), plain(value), unit,

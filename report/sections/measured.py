@@ -17,7 +17,8 @@ def make(context: Context) -> Section | None:
     section.lead = (f"Each impact as it was measured, and the law `{law}` from the same state just before touch. Penetration is the "
                     "travel beyond L_c; force is positive where the rim pushes the slider back.")
     section.add(table(["impact", "approach (m/s)", "peak force (kN)", "by the law (kN)", "difference", "penetration (mm)", ""],
-                      [_row(context, impact) for impact in impacts], left=(0, 6)))
+                      [_row(context, impact) for impact in impacts], left=(0, 6), record="curves",
+                      caption=f"Law `{law}`: largest force of its curve beside the measured one."))
     for i, impact in enumerate(impacts[:MOST]):
         speed = f" at {sig(impact.speed, 3)} m/s" if impact.speed is not None else ""
         section.add(heading(f"{impact.name}{speed}", "fitted" if impact.fitted else "not fitted"))

@@ -9,7 +9,7 @@ from ..figures import study as figure_study
 from ..numbers import duration, integer, is_number, memory, percent, scaled
 from ..results import Entry
 from ..run_folder import Run
-from .common import errors_of, row_name, short_name
+from .common import errors_of, judged_errors, law_of, row_name, short_name
 
 
 def make(context: Context) -> Section | None:
@@ -57,20 +57,21 @@ def _frontiers(context: Context, section: Section) -> None:
 
 def _all(context: Context, entries: list[Entry]) -> dict[str, Any] | None:
     rows = [[row_name(context, entry), *_cost(entry.fe), _finer(entry.fe), _wall(getattr(entry, entry.best)),
-             percent(errors_of(context, entry, entry.best).get("peak_force")),
-             percent(errors_of(context, entry, "published").get("peak_force"))] for entry in entries]
-    header = ["run", "mesh", "FE time", "unknowns", "steps", "Newton", "memory", "FE error", "reduced time",
-              "fitted", "published"]
+             percent(judged_errors(context, entry).get("peak_force")),
+             percent(errors_of(entry, "published").get("peak_force"))] for entry in entries]
     published = context.calibration.published_applies
+    law = law_of(context)
+    header = ["run", "mesh", "FE time", "unknowns", "steps", "Newton", "memory", "FE error", "reduced time",
+              law, "published pair"]
     if not published:
         header, rows = header[:-1], [row[:-1] for row in rows]
-    caption = f"Errors of the peak impact force: reduced model{', fitted and published pair,' if published else ''} against FE"
+    caption = f"Last, errors of the peak impact force against FE: reduced model with law {law}{' and with the published pair' if published else ''}"
     if all(row[7] == "–" for row in rows):
         header, rows = header[:7] + header[8:], [row[:7] + row[8:] for row in rows]
         caption += "; FE's own error is not known here (no study of speed against error is stored for these runs)"
     else:
         caption += "; FE's own from the stored study of the nearest impact speed (summary.json, error_estimate)"
-    return table(header, rows, caption=caption + ".")
+    return table(header, rows, caption=caption + ".", record="runs")
 
 
 def _single(run: Run) -> dict[str, Any] | None:

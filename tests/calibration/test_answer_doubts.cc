@@ -1,5 +1,6 @@
 // What an answer says against itself: doubts of its runs, the strain of the steel, the error of the mesh.
 #include "answer_runs.h"
+#include "calibration/answer/said_once.h"
 #include "files/error.h"
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -7,6 +8,23 @@
 namespace rimpact::calibration {
 namespace {
 using namespace testing;
+
+TEST(AnswerDoubts, OfOneKindAreOneLineWithACountAndTheWorst) {
+  using Sentences = std::vector<std::string>;
+  const Sentences one{"window-0.10: plastic strain reaches 21.0 %, above the 20 % that the steel is trusted to"};
+  EXPECT_EQ(said_once(one), one);
+  const Sentences alike{
+      "window-0.10: plastic strain reaches 21.0 %, above the 20 % that the steel is trusted to",
+      "ricker-0.78g-1.0s-x1.05: plastic strain reaches 56.6 %, above the 20 % that the steel is trusted to",
+      "window-0.35: the rim is pressed at the end",
+      "window-1.20: plastic strain reaches 33.0 %, above the 20 % that the steel is trusted to"};
+  EXPECT_EQ(said_once(alike), (Sentences{"3 alike, the worst: " + alike[1], alike[2]}));
+  // a run's name inside the sentence, and a sign
+  const Sentences counted{"window-0.3 counts less: -0.50 % of its energy",
+                          "window-0.4 counts less: 0.30 % of its energy"};
+  EXPECT_EQ(said_once(counted), Sentences{"2 alike, the worst: " + counted[0]});
+  EXPECT_TRUE(said_once({}).empty());
+}
 
 TEST(AnswerDoubts, DoubtsOfRunsTravelAndWeigh) {
   TemporaryFolder folder;

@@ -1,10 +1,15 @@
 // Every sentence of an answer used: what it says is typed into a scene and run.
 #include "answer_runs.h"
+#include "calibration/answer/answer_parts.h"
 #include "calibration/laws/law_errors.h"
 #include "calibration/laws/percent.h"
 #include "calibration/laws/windows_table.h"
+#include <cmath>
 #include <gtest/gtest.h>
+#include <iterator>
+#include <limits>
 #include <regex>
+#include <sstream>
 
 namespace rimpact::calibration {
 namespace {
@@ -33,6 +38,21 @@ std::vector<double> bounds_in(const std::string &sentence) {
   return bounds;
 }
 
+/// Parted at full stops before a space.
+std::vector<std::string> sentences_of(const std::string &text) {
+  std::vector<std::string> found;
+  std::size_t from = 0;
+  for (auto stop = text.find(". "); stop != std::string::npos; stop = text.find(". ", from))
+    found.push_back(text.substr(from, stop + 1 - from)), from = stop + 2;
+  found.push_back(text.substr(from));
+  return found;
+}
+
+int words_of(const std::string &sentence) {
+  std::istringstream words(sentence);
+  return static_cast<int>(std::distance(std::istream_iterator<std::string>(words), {}));
+}
+
 /// Errors of a run's hardest impact with what a sentence says typed into its scene.
 LawError flown(const StoredRun &run, const std::vector<std::string> &assignments) {
   StoredRun own = run;
@@ -48,6 +68,63 @@ TEST(PercentUp, IsNeverLessThanWhatWasMeasured) {
   EXPECT_EQ(percent_up(0.03), "3 %");
   EXPECT_EQ(percent_up(0), "0.1 %");
   EXPECT_EQ(percent_up(1.89), "189 %");
+}
+
+/// A law whose runs are as given, each by itself and nothing left out.
+AnswerLaw law_of(std::vector<LawError> fitted) {
+  Choice choice{.row = {}, .chosen_by = ChosenBy::only, .remark = {}};
+  choice.row.result.law = "elastoplastic";
+  choice.row.fitted = std::move(fitted);
+  return answer_law(choice, yielding(0.1), {}, 0.05);
+}
+
+/// The largest error of no run is not zero: what is not known is said to be so.
+TEST(AnswerSentences, AnErrorThatIsNotKnownIsNoneOfZero) {
+  const double unknown = std::numeric_limits<double>::quiet_NaN();
+  const auto nothing = law_of({}), unjudged = law_of({{"a", 0.1, unknown, unknown, unknown, unknown, false}});
+  for (const auto &law : {nothing, unjudged}) {
+    EXPECT_NE(law.sentence.find("not known"), std::string::npos) << law.sentence;
+    EXPECT_TRUE(bounds_in(law.sentence).empty()) << law.sentence;
+  }
+  // runs that graze, where there are no others, are judged as they are
+  const auto grazing = law_of({{"a", 0.01, -0.089, 0.4, 0.1, 0.1, true}, {"b", 0.02, 0.01, 0.1, 0.1, 0.1, true}});
+  const auto bounds = bounds_in(grazing.sentence);
+  ASSERT_EQ(bounds.size(), 2u) << grazing.sentence;
+  EXPECT_NEAR(bounds[0], 0.089, 1e-12);
+  EXPECT_NEAR(bounds[1], 0.4, 1e-12);
+  EXPECT_TRUE(std::isnan(larger_of(0.1, unknown)) && std::isnan(larger_of(unknown, 0.1)));
+}
+
+TEST(AnswerSentences, WhatCouldNotBeLeftOutIsNotKnown) {
+  TemporaryFolder folder;
+  const auto c = calibrate({stand_in(folder, yielding(0.3))}, quick({"signed"}));
+  const auto row = to_json(c)["laws"]["rows"][0];
+  EXPECT_TRUE(row["left_out_peak_force_error"].is_null() && row["left_out_rebound_error"].is_null()) << row;
+  EXPECT_TRUE(row["largest_peak_force_error"].is_number());
+  EXPECT_TRUE(to_json(c)["answer"]["law"]["worst_left_out"].is_null());
+  const std::string text = describe(c);
+  EXPECT_NE(text.find("not known, for too few runs"), std::string::npos) << text;
+  EXPECT_TRUE(std::regex_search(text, std::regex("signed .* not known +not known\n"))) << text;
+}
+
+/// Those of a page that is handed over: short, three figures, no codes.
+TEST(AnswerSentences, AreShortAndPlain) {
+  TemporaryFolder folder;
+  std::vector<std::string> runs;
+  for (const double v : {0.0698, 0.142, 0.289, 1.2}) runs.push_back(stand_in(folder, yielding(v)));
+  for (auto laws : {std::vector<std::string>{"signed", "elastoplastic"}, std::vector<std::string>{}}) {
+    const auto c = calibrate(runs, quick(laws));
+    const auto &a = *c.answer;
+    for (const auto &text : {a.validity, a.pair ? a.pair->sentence : a.no_pair, a.mesh_error.sentence, a.law.remark}) {
+      for (const auto &sentence : sentences_of(text)) EXPECT_LE(words_of(sentence), 30) << sentence;
+      EXPECT_FALSE(
+          std::regex_search(text, std::regex(R"([0-9a-f]{12}|\binf\b|\bnan\b|[0-9]\.[0-9]{5}|[1-9]\.[0-9]{3})")))
+          << text;
+    }
+    EXPECT_FALSE(c.notes.empty()); // a pair over such speeds leaves something to say, of its law alone
+    for (const auto &note : c.notes) EXPECT_EQ(note.rfind("law signed fitted by itself: ", 0), 0u) << note;
+    EXPECT_NE(a.validity.find("rim 60 mm high, 40 mm thick"), std::string::npos) << a.validity;
+  }
 }
 
 /// For each law, runs that it has made: what its sentences say is typed in over the stated range.

@@ -25,7 +25,7 @@ TEST(PairRange, IsWhereOnePairMadeTheRuns) {
   ASSERT_EQ(range->outside.size(), 1u);
   EXPECT_NEAR(range->outside[0].peak_force, std::sqrt(0.5) - 1, 1e-3); // the peak goes with sqrt(k)
   EXPECT_NEAR(range->outside[0].rebound, 0, 1e-3);
-  EXPECT_NE(range->sentence.find("beyond, at 0.8 m/s it understates the peak force by 30 %"), // 29.3 %, rounded up
+  EXPECT_NE(range->sentence.find("Beyond, at 0.8 m/s it understates the peak force by 30 %"), // 29.3 %, rounded up
             std::string::npos)
       << range->sentence;
   EXPECT_NE(range->sentence.find("For a supported mass of 86952 kg and impacts from 0.1 to 0.4 m/s the constant pair "

@@ -86,7 +86,7 @@ TEST_F(ErrorEstimate, IsNoneForAReferenceWithoutLimitAnotherRungBearingOrNoImpac
   scene.model.rung = scene::Rung::rim;
   scene.bearing.rim.thickness = 0.05; // and still called shfps-225
   const auto none = error_estimate(scene, summary, studies, {"results/w", 60});
-  EXPECT_EQ(none["none"], "unknown: no stored study has rung rim, mesh 2 of this bearing; this command finds it: "
+  EXPECT_EQ(none["none"], "unknown: no stored study has rung rim, mesh 2 of this bearing. This command finds it: "
                           "rimpact study results/w/scene.toml --axes mesh "
                           "--meshes 1,2,3 -o results/study-w (about 7 min)"); // 60 s (1 / 6.2 + 1 + 6.2)
   scene.bearing = {};

@@ -42,7 +42,7 @@ TEST(Uncertainty, CorrelationIsOneWithItselfSymmetricAndBounded) {
 }
 
 TEST(Uncertainty, PeaksAloneDoNotTellE) {
-  // thesis notes, 7: the peak force hardly sees e, so a fit on peaks alone is a flat valley
+  // thesis notes, 7: the peak force hardly sees e, so a fit on peaks alone leaves e open
   const StoredRun run = run_of(window(0.3));
   FitOptions options;
   options.weights = {.force = 0, .displacement = 0, .rebound = 0, .peak = 1, .flight = 0};

@@ -199,5 +199,37 @@ class Words(unittest.TestCase):
                 self.assertEqual(done.returncode, 0, done.stderr)
 
 
+class Plain(unittest.TestCase):
+    """Sentences that readers could not follow were said anew, and do not come back."""
+    FRAGMENTS = ("a rim's own law at another mass: at a depth", "an uncertainty given so counts", "not as one a sample", "times are of the processor",
+                 "what has a dashpot is refused", "each sample counts by itself", "no source's", "leaves unexplained widens", "flat valley", "fly it",
+                 "condition inf", "not given by any source")
+    SUFFIXES = {".cc", ".h", ".py", ".md", ".j2", ".js", ".toml", ".css", ".in", ""}
+
+    @staticmethod
+    def running(text):
+        """On one line, in small letters: strings that go on in the next line are whole, marks of comments are gone."""
+        text = re.sub(r'"\s*\n\s*[a-z]?"', "", text)
+        return re.sub(r"\s+", " ", re.sub(r"\n\s*(///?|#)", "\n", text)).lower()
+
+    def test_no_source_and_no_page_holds_them(self):
+        found, read = [], 0
+        for folder, names, files in os.walk(SOURCE):
+            names[:] = [name for name in names if name not in ("build", ".git", "tests", "__pycache__", "data", "results", "run")
+                        or (name == "results" and folder.endswith("docs"))]
+            for file in files:
+                path = pathlib.Path(folder, file)
+                if path.suffix not in self.SUFFIXES:
+                    continue
+                text, read = self.running(path.read_text(encoding="utf-8", errors="replace")), read + 1
+                found += [f"{path}: {fragment}" for fragment in self.FRAGMENTS if fragment in text]
+        self.assertEqual(found, [])
+        self.assertGreater(read, 700)
+
+    def test_a_fragment_over_two_lines_is_found(self):
+        for text in ("times are\n    of the Processor", '"no sou"\n    "rce\'s"', "/// flat\n  /// valley"):
+            self.assertTrue(any(fragment in self.running(text) for fragment in self.FRAGMENTS), text)
+
+
 if __name__ == "__main__":
     unittest.main()

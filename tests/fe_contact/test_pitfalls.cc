@@ -1,6 +1,7 @@
 // Failures of other contact codes, each a test (VERIFICATION, last paragraph). The state after a cut-back is tested in
 // test_surface_contact.cc, restarts in test_restart.cc, stiff and soft penalties by verify_contact hard-states.
 #include "blocks.h"
+#include "fe_contact/drive/flight_step.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -295,6 +296,26 @@ TEST(Pitfall, NoNodeOfAQuadraticFacePullsUnderPressure) {
   const Eigen::VectorXd load = pushed.load(1e5, 0);
   for (const unsigned node : pushed.space.nodes_of(Surface::top))
     EXPECT_LT(load[pushed.system->equations().of_dof[3 * node + 2]], 0);
+}
+
+/// Walls that part for an instant, a slider that still comes on: passed is a rim that has been pushed by some of its
+/// own size, whatever that is. Nearer than that the contact chatters, and no rim has been passed.
+TEST(Pitfall, ARimIsPassedOnlyAtADepthOfItsOwnSize) {
+  const auto said = [](double thickness, double height, double depth, bool window = true) {
+    const Passage passage{
+        .depth = depth, .outward_speed = 0.015, .approach_speed = 0.02, .let_go = true, .may_touch = !window};
+    return passes({.height = height, .thickness = thickness, .ledge = 0}, passage, 0.01).value_or("");
+  };
+  for (const double thickness : {1e-4, 1e-3, 0.035, 0.1})
+    for (const double height : {0.005, 0.045}) {
+      const double size = std::min(thickness, height);
+      const std::string hardly = said(thickness, height, 0.004 * size), deep = said(thickness, height, 0.5 * size);
+      EXPECT_NE(hardly.find("the contact chatters"), std::string::npos) << hardly;
+      EXPECT_EQ(hardly.find("passes"), std::string::npos) << hardly;
+      EXPECT_NE(deep.find("passes through or over the rim"), std::string::npos) << deep;
+    }
+  EXPECT_NE(said(0.035, 0.045, 1.6e-4).find("the contact chatters"), std::string::npos); // as a draft mesh had it
+  EXPECT_TRUE(said(0.035, 0.045, 5e-5, false).empty());                                  // a pulse: touched again
 }
 
 } // namespace

@@ -126,7 +126,7 @@ class Missing(InFolder):
              "notes": None, "correlation": {"k_i": None}, "derived": {"c_i": None}}))
         self.write("main.json", '{"runs": null, "totals": null, "warnings": [null]}')
         path, _ = build(self.folder)
-        self.assertIn("4.00 × 10⁵ – – no", text_of(path)[1])
+        self.assertIn("4.00 × 10⁵ – – – no", text_of(path)[1])
 
     def test_exit_codes(self):
         for folder in (self.path("nowhere"), self.folder):
