@@ -69,7 +69,8 @@ LAW_ROW: Shape = {"law": TEXT, "parameters": {"*": PARAMETER}, "runs": {"*": MET
 BAND: Shape = (numbers("nominal low high"), NUMBER)
 ANSWER: Shape = {
     **texts("bearing rim_identity source pair_law no_pair validity"), "rung": (TEXT, [TEXT]), "mesh": (NUMBER, [NUMBER]),
-    **numbers("mass_kg vertical_kN gravity_m_per_s2"), "published_applies": FLAG, "doubts": [TEXT],
+    **numbers("mass_kg vertical_kN gravity_m_per_s2"), "published_applies": FLAG, "doubts": [TEXT], "error_sentences": [TEXT],
+    "errors": [{**texts("quantity source how from"), "value": NUMBER}],
     "assumptions": [{"key": TEXT, "value": (TEXT, NUMBER)}],
     "law": {**texts("name chosen_by remark belongs_to sentence"), "parameters": {"*": PARAMETER}, "element": {"*": ANY},
             **numbers("fitted_from_m_s fitted_to_m_s valid_from_m_s valid_to_m_s tolerance force_unexplained n_runs"),

@@ -12,6 +12,8 @@
 
 namespace rimpact::calibration {
 
+using nlohmann::json;
+
 namespace {
 namespace fs = std::filesystem;
 using Runs = std::vector<const StoredRun *>;
@@ -100,8 +102,12 @@ AnswerMeshError answer_mesh_error(const Calibration &c, const Runs &runs) {
     const auto estimate = error_estimate(scene, run->summary, studies, {run->folder, f.seconds});
     if (!estimate.contains("peak_force_relative") || !estimate["peak_force_relative"].is_number()) {
       if (known) error.sentence = fmt::format("The error of the mesh is {}.", estimate.value("none", "unknown"));
-      known = false, error.peak_force.reset();
-    } else if (const double worst = estimate["peak_force_relative"]; known && worst >= error.peak_force.value_or(0)) {
+      known = false, error.peak_force.reset(), error.rebound.reset();
+      continue;
+    }
+    if (const json &rebound = estimate.value("rebound_relative", json()); known && rebound.is_number())
+      error.rebound = std::max(error.rebound.value_or(0), rebound.get<double>());
+    if (const double worst = estimate["peak_force_relative"]; known && worst >= error.peak_force.value_or(0)) {
       error.peak_force = worst;
       error.sentence = fmt::format("The mesh leaves the peak force uncertain by about {}, worst in run {}. {}",
                                    percent_up(worst), f.name, judged_by(estimate));
@@ -126,6 +132,7 @@ Answer make_answer(const Calibration &c, const CalibrationOptions &options, cons
   answer_pair(c, answer);
   answer.strain = answer_strain(c, runs);
   answer.mesh_error = answer_mesh_error(c, runs);
+  answer.errors = answer_errors(c, answer, runs);
   answer.doubts = c.doubts;
   add_doubts_of_fit(answer);
   answer.validity = validity_sentence(answer);

@@ -5,6 +5,7 @@
 /// The answer is a law, not a pair: a law of the rim's material (hunt-crossley, elastoplastic) belongs to the rim and
 /// holds for any supported mass; one whose dashpot is 2 xi sqrt(k_i m) holds for the mass it was fitted at.
 #pragma once
+#include "calibration/answer/answer_error.h"
 #include "calibration/answer/calibration.h"
 #include <set>
 
@@ -70,8 +71,8 @@ struct AnswerStrain {
   std::string slider_sentence; ///< of the slider's edge, where it is crushed beyond the limit; else empty
 };
 struct AnswerMeshError {
-  std::optional<double> peak_force; ///< largest over the runs fitted [-]; empty: not known
-  std::string sentence;             ///< empty: no finite elements
+  std::optional<double> peak_force, rebound; ///< largest over the runs fitted [-]; empty: not known
+  std::string sentence;                      ///< empty: no finite elements
 };
 
 /// Of pad and socket beside the law (scene/stack_terms.h).
@@ -94,6 +95,7 @@ struct Answer {
   bool published_applies = false;
   std::optional<AnswerStrain> strain;
   AnswerMeshError mesh_error;
+  std::vector<AnswerError> errors;  ///< all parts, by quantity and source
   std::optional<AnswerStack> stack; ///< none: the runs are of the reduced model, whose scenes say what they have
   std::vector<std::string> doubts;  ///< sentences
   std::string validity;             ///< where it holds, in short sentences, for headers and exports

@@ -82,6 +82,17 @@ json stack_json(const AnswerStack &stack) {
           {"elastic_slip_from", stack.slip_was_fitted ? "fit" : "bearing"}};
 }
 
+json errors_json(const std::vector<AnswerError> &errors) {
+  json list = json::array();
+  for (const AnswerError &error : errors)
+    list.push_back({{"quantity", word(error.quantity)},
+                    {"source", word(error.source)},
+                    {"value", number(error.value)},
+                    {"how", word(error.how)},
+                    {"from", text_or_null(error.from)}});
+  return list;
+}
+
 json strain_json(const AnswerStrain &s) {
   json rows = json::array();
   for (const auto &row : s.rows)
@@ -124,6 +135,8 @@ json to_json(const Answer &a) {
           {"mesh_error",
            {{"peak_force", number(a.mesh_error.peak_force)}, {"sentence", text_or_null(a.mesh_error.sentence)}}},
           {"stack", a.stack ? stack_json(*a.stack) : json(nullptr)},
+          {"errors", errors_json(a.errors)},
+          {"error_sentences", {sentence(a.errors, Erring::peak_force), sentence(a.errors, Erring::rebound)}},
           {"assumptions", assumed},
           {"doubts", a.doubts},
           {"validity", a.validity}};

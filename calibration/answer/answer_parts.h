@@ -26,6 +26,9 @@ std::vector<AnswerRow> answer_table(const scene::Scene &scene, const AnswerLaw &
 /// Fills pair or no_pair.
 void answer_pair(const Calibration &calibration, Answer &answer);
 std::optional<AnswerStrain> answer_strain(const Calibration &calibration, const std::vector<const StoredRun *> &runs);
+/// To be called last: it reads the answer's law, rungs and error of the mesh.
+std::vector<AnswerError> answer_errors(const Calibration &calibration, const Answer &answer,
+                                       const std::vector<const StoredRun *> &runs);
 AnswerMeshError answer_mesh_error(const Calibration &calibration, const std::vector<const StoredRun *> &runs);
 
 } // namespace rimpact::calibration

@@ -9,8 +9,8 @@ namespace {
 
 /// What of the rim a strain is of.
 std::string subject(const JudgedStrain &strain) {
-  if (strain.place.empty()) return "the plastic strain of some body, the slider perhaps,";
-  return fmt::format("the plastic strain of {}, a mean over {:g} mm around it,", words_for_place(strain.place),
+  if (strain.place.empty()) return "The plastic strain of some body, the slider perhaps,";
+  return fmt::format("The plastic strain of {}, a mean over {:g} mm around it,", words_for_place(strain.place),
                      1e3 * averaging_radius);
 }
 
@@ -18,13 +18,13 @@ std::string sentence(const AnswerStrain &s) {
   const auto limit = fmt::format("its limit of {:.3g} %{}", 100 * s.limit,
                                  s.limit_is_assumption ? " (an assumption: take your steel's)" : "");
   if (!s.exceeded())
-    return fmt::format("The rim bears it: up to {:.3g} m/s {} reaches {}, below {}.", s.rows.back().speed,
+    return fmt::format("The rim bears it, up to {:.3g} m/s. {} reaches {}, below {}.", s.rows.back().speed,
                        subject(s.largest), percent_up(s.largest.largest), limit);
-  return fmt::format("The rim is not shown to bear it: {} reaches {}, beyond {}; {}. The model knows no tearing.",
+  return fmt::format("The rim is not shown to bear it. {} reaches {}, beyond {}. {} The model knows no tearing.",
                      subject(s.largest), percent_up(s.largest.largest), limit,
                      s.largest_speed_below_limit
-                         ? fmt::format("up to {:.3g} m/s it stays below", *s.largest_speed_below_limit)
-                         : fmt::format("already at {:.3g} m/s", s.rows.front().speed));
+                         ? fmt::format("Up to {:.3g} m/s it stays below.", *s.largest_speed_below_limit)
+                         : fmt::format("It is beyond already at {:.3g} m/s.", s.rows.front().speed));
 }
 
 /// The worst of a number of the runs' steel, with the run's speed and the place.

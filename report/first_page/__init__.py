@@ -12,8 +12,10 @@ from .work import done
 def make(context: Context) -> dict[str, Any]:
     results = context.results
     middle = run.make(context) if results.single else answer.make(context)
+    judged = ((middle or {}).get("strain") or {}).get("sentence")  # it stands in a column of its own
     page = {"bearing": device.make(context), "done": done(context), "assumptions": device.assumptions(context),
-            "doubts": context.doubts.lines, "middle": middle, "kind": "run" if results.single else "answer"}
+            "doubts": [doubt for doubt in context.doubts.lines if doubt.sentence != judged], "middle": middle,
+            "kind": "run" if results.single else "answer"}
     page["density"] = density(page)
     return page
 

@@ -32,7 +32,8 @@ def make(context: Context) -> dict[str, Any]:
             "no_figure": "" if figure else "No curve of a fitted impact is stored, so the law's picture is not drawn.",
             "remark": for_page(law.get("remark") or ""), "belongs": _belongs(law, answer),
             "numbers": _numbers(law), "table": _table(answer), "pair": _pair(answer), "holds": for_page(_holds(law, answer)),
-            "strain": _strain(answer.get("strain")), "mesh_error": for_page(answer.get("mesh_error", {}).get("sentence") or "")}
+            "strain": _strain(answer.get("strain")), "errors": [for_page(said) for said in answer.get("error_sentences") or []],
+            "mesh_error": for_page(answer.get("mesh_error", {}).get("sentence") or "")}
 
 
 def _why_none(results: Results) -> str:

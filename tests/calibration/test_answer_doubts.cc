@@ -3,7 +3,9 @@
 #include "calibration/answer/said_once.h"
 #include "files/error.h"
 #include <algorithm>
+#include <cmath>
 #include <gtest/gtest.h>
+#include <set>
 
 namespace rimpact::calibration {
 namespace {
@@ -69,11 +71,11 @@ TEST(AnswerDoubts, SaysWhetherTheSteelBearsIt) {
   EXPECT_TRUE(s.limit_is_assumption);
   EXPECT_NEAR(s.largest_speed_below_limit.value(), 0.2, 1e-9);
   EXPECT_NE(s.sentence.find(
-                "The rim is not shown to bear it: the plastic strain of some body, the slider perhaps, reaches 30 %, "
+                "The rim is not shown to bear it. The plastic strain of some body, the slider perhaps, reaches 30 %, "
                 "beyond its limit of 20 % (an assumption"),
             std::string::npos)
       << s.sentence;
-  EXPECT_NE(s.sentence.find("up to 0.2 m/s it stays below"), std::string::npos) << s.sentence;
+  EXPECT_NE(s.sentence.find("Up to 0.2 m/s it stays below"), std::string::npos) << s.sentence;
   EXPECT_EQ(c.answer->source(), "finite elements");
   EXPECT_EQ(to_json(*c.answer)["rung"], "rim");
   EXPECT_EQ(to_json(*c.answer)["mesh"], 1);
@@ -99,12 +101,52 @@ TEST(AnswerDoubts, TheRimIsJudgedByItsOwnSteel) {
   EXPECT_FALSE(s.exceeded());
   EXPECT_EQ(s.largest.place, "rim_root");
   EXPECT_EQ(s.sentence,
-            "The rim bears it: up to 0.3 m/s the plastic strain of the rim's root, a mean over 12 mm around it, "
+            "The rim bears it, up to 0.3 m/s. The plastic strain of the rim's root, a mean over 12 mm around it, "
             "reaches 15 %, below its limit of 20 % (an assumption: take your steel's).");
   EXPECT_NE(s.crack_sentence.find("the runs reach 0.15, in the rim's root at 0.3 m/s"), std::string::npos)
       << s.crack_sentence;
   EXPECT_NE(s.slider_sentence.find("crushed, by 30 % at 0.3 m/s"), std::string::npos) << s.slider_sentence;
   EXPECT_EQ(to_json(*c.answer)["strain"]["rows"][1]["place"], "rim_root");
+}
+
+/// No part of the error is silently zero, and parts that are known are summed in squares.
+TEST(AnswerDoubts, EveryPartOfTheErrorIsNamed) {
+  TemporaryFolder folder;
+  std::vector<std::string> runs;
+  for (int i = 0; i < 3; ++i) {
+    auto scene = window(0.1 * (i + 1));
+    scene.bearing = scene::builtin_bearing("shfps-225");
+    runs.push_back(folder.write(scene));
+    amend(runs[i], {{"rung", "rim"}, {"mesh", 1}});
+  }
+  const Answer answer = *calibrate(runs, quick({})).answer;
+  std::set<std::pair<Erring, ErrorSource>> parts;
+  for (const AnswerError &error : answer.errors) {
+    EXPECT_TRUE(parts.emplace(error.quantity, error.source).second) << word(error.source) << " stands twice";
+    EXPECT_EQ(error.value.has_value(), error.how != Known::unknown) << word(error.source);
+    EXPECT_FALSE(error.from.empty()) << word(error.source);
+    EXPECT_GE(error.value.value_or(0), 0) << word(error.source);
+  }
+  for (const ErrorSource source : {ErrorSource::mesh, ErrorSource::step, ErrorSource::rung, ErrorSource::law,
+                                   ErrorSource::steel, ErrorSource::geometry})
+    for (const Erring quantity : {Erring::peak_force, Erring::rebound})
+      EXPECT_TRUE(parts.count({quantity, source})) << word(quantity) << " " << word(source);
+  const auto of = [&](Erring quantity, ErrorSource source) {
+    return std::find_if(answer.errors.begin(), answer.errors.end(),
+                        [&](const AnswerError &error) { return error.quantity == quantity && error.source == source; });
+  };
+  EXPECT_GT(of(Erring::peak_force, ErrorSource::rung)->value.value(), 0.05) << "a kept pulse in two directions";
+  EXPECT_EQ(of(Erring::peak_force, ErrorSource::step)->how, Known::unknown);
+  double squares = 0;
+  for (const AnswerError &error : answer.errors)
+    if (error.quantity == Erring::peak_force) squares += std::pow(error.value.value_or(0), 2);
+  const ErrorSum sum = sum_of(answer.errors, Erring::peak_force);
+  EXPECT_NEAR(sum.known.value(), std::sqrt(squares), 1e-12);
+  EXPECT_NE(std::find(sum.open.begin(), sum.open.end(), ErrorSource::step), sum.open.end());
+  EXPECT_NE(sentence(answer.errors, Erring::peak_force).find("Not known: step, geometry"), std::string::npos)
+      << sentence(answer.errors, Erring::peak_force);
+  const auto other = calibrate({folder.write(window(0.4)), folder.write(window(0.3))}, quick({})).answer->errors;
+  for (const AnswerError &error : other) EXPECT_EQ(error.source, ErrorSource::law) << "the reduced model has no steel";
 }
 
 TEST(AnswerDoubts, TheMeshOfAnotherRimUnderTheSameNameIsNotKnown) {

@@ -20,7 +20,7 @@ void add(HitShares &shares, const Columns &row) {
   });
 }
 
-double number(const Table &table, std::size_t row, const std::string &column) {
+double number_in(const Table &table, std::size_t row, const std::string &column) {
   for (std::size_t i = 0; i < table.columns.size(); ++i)
     if (table.columns[i] == column) {
       const auto *value = std::get_if<double>(&table.rows[row][i]);
@@ -106,15 +106,15 @@ TEST(HitShares, AFleetWritesThemAndItsFractilesLeaveTheUnknownEmpty) {
   EXPECT_FALSE(pair.beyond_fit) << "no range is known";
   EXPECT_EQ(pair.beyond_rim, 0u);
   EXPECT_GT(pair.hits.n_hits(), 0u);
-  EXPECT_TRUE(std::isnan(number(of_pair, 1, "n_beyond_fit")));
-  EXPECT_TRUE(std::isnan(number(of_pair, 1, "share_beyond_fit")));
-  EXPECT_TRUE(std::isnan(number(of_pair, 1, "share_beyond_steel")));
-  EXPECT_EQ(number(of_pair, 1, "share_beyond_rim"), 0);
-  EXPECT_GT(number(of_pair, 1, "share_beyond_pair"), 0) << "scale 1.4 is faster than the pair is known for";
+  EXPECT_TRUE(std::isnan(number_in(of_pair, 1, "n_beyond_fit")));
+  EXPECT_TRUE(std::isnan(number_in(of_pair, 1, "share_beyond_fit")));
+  EXPECT_TRUE(std::isnan(number_in(of_pair, 1, "share_beyond_steel")));
+  EXPECT_EQ(number_in(of_pair, 1, "share_beyond_rim"), 0);
+  EXPECT_GT(number_in(of_pair, 1, "share_beyond_pair"), 0) << "scale 1.4 is faster than the pair is known for";
   ASSERT_FALSE(pair.hits.doubts().empty());
   EXPECT_NE(pair.hits.doubts()[0].find("thesis's pair is known for"), std::string::npos) << pair.hits.doubts()[0];
   const auto [fit, of_fit] = run("fit", {"reduced.k_i_kN_per_m=4e5", "reduced.fitted_to_m_per_s=0.01"});
   EXPECT_EQ(fit.beyond_fit, 2u);
-  EXPECT_EQ(number(of_fit, 0, "share_beyond_fit"), 1);
-  EXPECT_TRUE(std::isnan(number(of_fit, 0, "share_beyond_pair")));
+  EXPECT_EQ(number_in(of_fit, 0, "share_beyond_fit"), 1);
+  EXPECT_TRUE(std::isnan(number_in(of_fit, 0, "share_beyond_pair")));
 }

@@ -1,0 +1,49 @@
+/// A part of how far a number of an answer may be from the bearing it speaks of.
+#pragma once
+#include "files/choice.h"
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rimpact::calibration {
+
+enum class Erring { peak_force, rebound, strain };
+constexpr auto choices(Erring) {
+  return choices_of<Erring>(
+      {{Erring::peak_force, "peak_force"}, {Erring::rebound, "rebound"}, {Erring::strain, "strain"}});
+}
+enum class ErrorSource { mesh, step, rung, law, energy, steel, geometry };
+constexpr auto choices(ErrorSource) {
+  return choices_of<ErrorSource>({{ErrorSource::mesh, "mesh"},
+                                  {ErrorSource::step, "step"},
+                                  {ErrorSource::rung, "rung"},
+                                  {ErrorSource::law, "law"},
+                                  {ErrorSource::energy, "energy"},
+                                  {ErrorSource::steel, "steel"},
+                                  {ErrorSource::geometry, "geometry"}});
+}
+enum class Known { measured, transferred, unknown };
+constexpr auto choices(Known) {
+  return choices_of<Known>({{Known::measured, "measured", "of this rim"},
+                            {Known::transferred, "transferred", "of another rim or load"},
+                            {Known::unknown, "unknown"}});
+}
+
+struct AnswerError {
+  Erring quantity;
+  ErrorSource source;
+  std::optional<double> value; ///< absolute, relative to the quantity [-]; none: unknown
+  Known how = Known::unknown;
+  std::string from; ///< where it was read, or the command that finds it
+};
+
+/// Of one quantity.
+struct ErrorSum {
+  std::optional<double> known;   ///< root of the sum of squares of the parts that are known [-]
+  std::vector<ErrorSource> open; ///< the parts that are not
+};
+ErrorSum sum_of(const std::vector<AnswerError> &errors, Erring quantity);
+/// "Peak force: within about 30 % of the bearing's, by steel 27 %, rung 12 %, law 5 %. Not known: step, geometry."
+std::string sentence(const std::vector<AnswerError> &errors, Erring quantity);
+
+} // namespace rimpact::calibration
