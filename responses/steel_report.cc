@@ -27,9 +27,12 @@ std::optional<JudgedStrain> judged_strain(const SteelReport &report) {
 }
 
 std::string words_for_place(const std::string &place) {
-  if (place == "rim_wall") return "the rim's wall";
-  if (place == "rim_root") return "the rim's root";
-  return place == "dish" ? "the dish below the rim" : "the slider's edge";
+  static const std::map<std::string, std::string> words{{"rim_wall", "the rim's wall"},
+                                                        {"rim_root", "the rim's root"},
+                                                        {"dish", "the dish below the rim"},
+                                                        {"slider_edge", "the slider's edge"}};
+  const auto found = words.find(place);
+  return found == words.end() ? place : found->second; // of another version's run
 }
 
 nlohmann::ordered_json to_json(const SteelReport &report, std::optional<double> limit) {

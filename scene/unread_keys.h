@@ -5,8 +5,8 @@
 
 namespace rimpact::scene {
 
-/// A remark that names the keys which are given, differ from their defaults, and belong to another kind of excitation
-/// or dish, another model or another law, or have no effect by such a choice; empty where there are none. Where --set
+/// A remark that names the keys which are given, differ from their defaults and are not read; empty where there are
+/// none. They belong to another kind of excitation, dish, model or law, or have no effect by such a choice. Where --set
 /// changes the choice, what the file says for the one it replaces is no slip and goes unsaid. To be asked once the
 /// scene's defaults are settled.
 std::string unread_keys(const TomlFile &file, const Scene &scene);

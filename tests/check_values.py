@@ -19,6 +19,7 @@ EDGES = {
     ("app/calibrate_options.cc", "none"),  # the command line: --laws all | none
     ("fleets/sweep.cc", "record"),  # a column
     ("scene/element_doubts.cc", "reduced"),  # a section
+    ("scene/calibrated_element.cc", "fit"),  # calibration.json is read: whence a slip comes
 }
 
 

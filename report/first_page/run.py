@@ -57,7 +57,7 @@ def _strain(run: Run) -> dict[str, Any] | None:
         return None
     source = "an assumption of ours" if limit.get("assumption") else "from the bearing file"
     verdict = "exceeds" if limit.get("exceeded") else "stays below"
-    where = PLACES.get(limit.get("place"))
+    where = PLACES.get(str(limit.get("place")))
     what = f"The plastic strain of {where}" if where else "The largest plastic strain of any body"
     said = f"{what}, {percent(limit.get('largest'), 1, False)}, {verdict} the limit of {percent(limit['limit'], 0, False)} ({source})."
     return {"exceeded": limit.get("exceeded") is True, "sentence": said}

@@ -104,7 +104,7 @@ class MakersBearing(unittest.TestCase):
         run = rimpact("reduced", self.scene, "--calibration", cal, "--sweep", sweep, "-o", out)
         self.assertEqual(run.returncode, 0, run.stderr)
         self.assertIn("fitted to another rim", run.stderr)
-        self.assertIn("at speeds its element was not fitted to (column beyond_fit)", run.stderr)
+        self.assertIn("lie outside the speeds that the impact element was fitted to (0.05 to 0.3 m/s)", run.stderr)
         with open(os.path.join(out, "table.csv"), newline="") as file:
             rows = list(csv.DictReader(file))
         self.assertEqual([row["beyond_fit"] for row in rows], ["0", "1", "1"])
