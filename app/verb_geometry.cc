@@ -13,6 +13,7 @@
 #include "files/json_text.h"
 #include "responses/build_version.h"
 #include "responses/response.h"
+#include "responses/steel_report.h"
 #include "scene/doubts.h"
 #include <algorithm>
 #include <fmt/format.h>
@@ -27,15 +28,22 @@ struct GeometryOptions {
   calibration::GeometryOptions study;
 };
 
+/// Of the rim's side, averaged; of a summary without places, the largest of any body.
+double strain_in(const nlohmann::json &summary, const std::string &folder) {
+  if (const auto judged = judged_strain(steel_report_in(summary, folder))) return judged->largest;
+  return summary.contains("max_plastic_strain") && summary["max_plastic_strain"].is_number()
+             ? summary["max_plastic_strain"].get<double>()
+             : 0.0;
+}
+
 /// Rows of all runs that are done, whichever shard ran them.
 std::vector<calibration::GeometryRow> rows_of(const std::vector<Job> &jobs, Console &console) {
   std::vector<calibration::GeometryRow> rows;
   for (const auto &job : jobs) {
     if (!is_done(job)) continue;
     try {
-      const auto strain = summary_of(job.folder)["max_plastic_strain"];
       rows.push_back(calibration::geometry_row(job.name, calibration::read_run(job.folder, {}),
-                                               strain.is_number() ? strain.get<double>() : 0.0));
+                                               strain_in(summary_of(job.folder), job.folder)));
     } catch (const DataError &error) {
       console.warn(error.what());
     }

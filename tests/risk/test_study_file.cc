@@ -44,7 +44,7 @@ TEST(StudyFile, FilesAreSoughtBesideTheStudy) {
       study.settings.end());
   const Study device =
       parse_study(whole + "[[device]]\nreduced.impact_curve = \"sub/curve.h5\"\n", "/study/here/s.toml");
-  const auto &settings = systems_of(device).all.front().overrides;
+  const auto settings = systems_of(device).all.front().overrides; // the systems do not outlive the line
   EXPECT_NE(std::find(settings.begin(), settings.end(), "reduced.impact_curve=\"/study/here/sub/curve.h5\""),
             settings.end());
 }
