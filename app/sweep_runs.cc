@@ -28,10 +28,6 @@ std::string default_fleet_folder(const std::string &name, const std::string &swe
          (is_grid_argument(sweep) ? "-sweep" : "-" + std::filesystem::path(sweep).stem().string());
 }
 
-nlohmann::ordered_json or_null(const std::optional<std::size_t> &count) {
-  return count ? nlohmann::ordered_json(*count) : nlohmann::ordered_json(nullptr);
-}
-
 void warn_of_limits(const fleets::FleetResult &result, Console &console) {
   for (const auto &doubt : result.hits.doubts()) console.warn(doubt);
   if (result.beyond_rim.value_or(0) > 0)
@@ -98,8 +94,8 @@ void sweep_runs(const SweepOptions &options, const SweepPlace &place, const flee
                                          {"stopped", result.stopped},
                                          {"refused", result.refused},
                                          {"failed", result.failed},
-                                         {"beyond_rim", or_null(result.beyond_rim)},
-                                         {"beyond_fit", or_null(result.beyond_fit)},
+                                         {"beyond_rim", or_null<nlohmann::ordered_json>(result.beyond_rim)},
+                                         {"beyond_fit", or_null<nlohmann::ordered_json>(result.beyond_fit)},
                                          {"hits", result.hits.json()},
                                          {"doubts", result.hits.doubts()},
                                          {"wall_time_s", result.seconds}};

@@ -30,10 +30,10 @@ struct GeometryOptions {
 
 /// Of the rim's side, averaged; of a summary without places, the largest of any body.
 double strain_in(const nlohmann::json &summary, const std::string &folder) {
-  if (const auto judged = judged_strain(steel_report_in(summary, folder))) return judged->largest;
-  return summary.contains("max_plastic_strain") && summary["max_plastic_strain"].is_number()
-             ? summary["max_plastic_strain"].get<double>()
-             : 0.0;
+  const auto of_any_body = summary.value("max_plastic_strain", nlohmann::json());
+  const auto judged = judged_strain(steel_report_in(summary, folder),
+                                    of_any_body.is_number() ? std::optional(of_any_body.get<double>()) : std::nullopt);
+  return judged ? judged->largest : 0.0;
 }
 
 /// Rows of all runs that are done, whichever shard ran them.

@@ -1,4 +1,5 @@
 #include "fleets/hit_shares.h"
+#include "files/json_text.h"
 #include "responses/frame_limits.h"
 #include <algorithm>
 #include <fmt/format.h>
@@ -7,10 +8,6 @@ namespace rimpact::fleets {
 namespace {
 
 using nlohmann::ordered_json;
-
-ordered_json or_null(const std::optional<double> &value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
-}
 
 std::string share_in_words(const HitShares::Part &part) {
   const double share = 100 * *part.share();
@@ -79,18 +76,18 @@ ordered_json HitShares::json() const {
   ordered_json all{{"n_runs", n_runs_},
                    {"n_runs_with_impact", n_with_impact_},
                    {"n_hits", n_hits_},
-                   {"slowest_approach_speed_m_s", or_null(speeds_.first)},
-                   {"fastest_approach_speed_m_s", or_null(speeds_.second)},
-                   {"known_from_m_s", or_null(known_.first)},
-                   {"known_to_m_s", or_null(known_.second)},
+                   {"slowest_approach_speed_m_s", or_null<ordered_json>(speeds_.first)},
+                   {"fastest_approach_speed_m_s", or_null<ordered_json>(speeds_.second)},
+                   {"known_from_m_s", or_null<ordered_json>(known_.first)},
+                   {"known_to_m_s", or_null<ordered_json>(known_.second)},
                    {"bound_of_share", bound}};
   for (const auto &[name, part] : {std::pair{"fit", &fit_}, {"pair", &pair_}, {"rim", &rim_}, {"steel", &steel_}}) {
-    all[fmt::format("hits_beyond_{}", name)] = or_null(part->count());
-    all[fmt::format("share_beyond_{}", name)] = or_null(part->share());
+    all[fmt::format("hits_beyond_{}", name)] = or_null<ordered_json>(part->count());
+    all[fmt::format("share_beyond_{}", name)] = or_null<ordered_json>(part->share());
   }
   const bool has_frame = ductility_ || drift_;
   all["runs_beyond_frame"] = has_frame ? ordered_json(n_beyond_frame_) : ordered_json(nullptr);
-  all["largest_ductility"] = or_null(ductility_), all["largest_drift_m"] = or_null(drift_);
+  all["largest_ductility"] = or_null<ordered_json>(ductility_), all["largest_drift_m"] = or_null<ordered_json>(drift_);
   return all;
 }
 

@@ -1,4 +1,5 @@
 #include "responses/hit_limits.h"
+#include "files/json_text.h"
 
 #include "scene/published_pair.h"
 #include <algorithm>
@@ -8,10 +9,6 @@ namespace rimpact {
 namespace {
 
 using nlohmann::json;
-
-json or_null(const std::optional<double> &value) {
-  return value ? json(*value) : json(nullptr);
-}
 
 json count_outside(const SpeedRange &range, const Summary &summary) {
   if (!range.is_known()) return nullptr;
@@ -28,8 +25,9 @@ json count_through_rim(const scene::Scene &scene, const Summary &summary) {
 /// Which of several impacts strained the steel most is not known.
 json count_beyond_steel(const scene::Scene &scene, const Summary &summary) {
   const auto &limit = scene.bearing.steel.strain_limit;
-  if (!limit || !summary.max_plastic_strain) return nullptr;
-  const bool exceeded = *summary.max_plastic_strain > *limit;
+  const auto strain = judged_strain(summary.steel, summary.max_plastic_strain);
+  if (!limit || !strain) return nullptr;
+  const bool exceeded = strain->largest > *limit;
   if (exceeded && summary.impacts.size() > 1) return nullptr;
   return exceeded ? summary.impacts.size() : 0;
 }

@@ -72,7 +72,7 @@ json beyond_fit(const scene::Scene &scene, Summary &summary) {
 json strain_limit(const scene::Scene &scene, Summary &summary) {
   const auto &limit = scene.bearing.steel.strain_limit;
   if (!limit || !summary.max_plastic_strain) return nullptr;
-  const auto [largest, place] = judged_strain(summary.steel).value_or(JudgedStrain{*summary.max_plastic_strain, ""});
+  const auto [largest, place] = *judged_strain(summary.steel, summary.max_plastic_strain);
   const bool exceeded = largest > *limit,
              assumption = scene.bearing.assumed.keys.count("material.steel.strain_limit") > 0;
   const std::string beyond =
@@ -81,15 +81,15 @@ json strain_limit(const scene::Scene &scene, Summary &summary) {
   if (exceeded)
     warn(summary,
          fmt::format("plastic strain {} reaches {:.1f} %, {}: cracks, which no law here has, would change the force",
-                     place.empty() ? "of some body" : "of " + words_for_place(place), 100 * largest, beyond));
-  if (const auto edge = summary.steel.find("slider_edge");
+                     place ? "of " + in_words(*place) : "of some body", 100 * largest, beyond));
+  if (const auto edge = summary.steel.find(SteelPlace::slider_edge);
       edge != summary.steel.end() && edge->second.averaged > *limit)
     warn(summary, fmt::format("the slider's edge is crushed: its plastic strain reaches {:.1f} %, {}; whether the rim "
                               "holds is another question",
                               100 * edge->second.averaged, beyond));
   return {{"limit", *limit},
           {"largest", largest},
-          {"place", place.empty() ? json(nullptr) : json(place)},
+          {"place", place ? json(word(*place)) : json(nullptr)},
           {"exceeded", exceeded},
           {"assumption", assumption}};
 }

@@ -1,13 +1,14 @@
 #include "responses/steel_report.h"
 
 #include "files/error.h"
+#include "files/json_text.h"
 #include <algorithm>
 
 namespace rimpact {
 
 void keep_worst(SteelReport &worst, const SteelReport &other) {
-  for (const auto &[name, found] : other) {
-    const auto [kept, is_new] = worst.emplace(name, found);
+  for (const auto &[place, found] : other) {
+    const auto [kept, is_new] = worst.emplace(place, found);
     if (is_new) continue;
     const double damage = std::max(kept->second.damage, found.damage);
     if (found.averaged > kept->second.averaged) kept->second = found;
@@ -15,37 +16,35 @@ void keep_worst(SteelReport &worst, const SteelReport &other) {
   }
 }
 
-bool is_of_the_rim(const std::string &place) {
-  return place != "slider_edge";
+std::string in_words(SteelPlace place) {
+  for (const auto &choice : choices(place))
+    if (choice.value == place) return choice.description;
+  return word(place);
 }
 
-std::optional<JudgedStrain> judged_strain(const SteelReport &report) {
+bool is_of_the_rim(SteelPlace place) {
+  return place != SteelPlace::slider_edge;
+}
+
+std::optional<JudgedStrain> judged_strain(const SteelReport &report, std::optional<double> of_any_body) {
   std::optional<JudgedStrain> judged;
   for (const auto &[place, at] : report)
     if (is_of_the_rim(place) && (!judged || at.averaged > judged->largest)) judged = {at.averaged, place};
+  if (!judged && of_any_body) judged = {*of_any_body, std::nullopt};
   return judged;
-}
-
-std::string words_for_place(const std::string &place) {
-  static const std::map<std::string, std::string> words{{"rim_wall", "the rim's wall"},
-                                                        {"rim_root", "the rim's root"},
-                                                        {"dish", "the dish below the rim"},
-                                                        {"slider_edge", "the slider's edge"}};
-  const auto found = words.find(place);
-  return found == words.end() ? place : found->second; // of another version's run
 }
 
 nlohmann::ordered_json to_json(const SteelReport &report, std::optional<double> limit) {
   nlohmann::ordered_json result = nlohmann::ordered_json::object();
-  for (const auto &[name, at] : report) {
+  for (const auto &[place, at] : report) {
     const bool strained = at.largest > 0;
     nlohmann::ordered_json entry{{"max_plastic_strain", at.largest}, {"averaged_plastic_strain", at.averaged}};
     entry["triaxiality"] = strained ? nlohmann::ordered_json(at.triaxiality) : nullptr;
     entry["damage"] = at.damage;
     entry["place_mm"] = strained ? nlohmann::ordered_json{1e3 * at.place.x(), 1e3 * at.place.y(), 1e3 * at.place.z()}
                                  : nlohmann::ordered_json(nullptr);
-    entry["limit"] = limit ? nlohmann::ordered_json(*limit) : nullptr;
-    result[name] = entry;
+    entry["limit"] = or_null<nlohmann::ordered_json>(limit);
+    result[word(place)] = entry;
   }
   return result;
 }
@@ -53,9 +52,12 @@ nlohmann::ordered_json to_json(const SteelReport &report, std::optional<double> 
 SteelReport steel_report_in(const nlohmann::json &summary, const std::string &origin) {
   SteelReport report;
   if (!summary.contains("steel") || summary["steel"].is_null()) return report;
+  const std::string what = origin + ": \"steel\" is not the strain of a run's steel by its places";
   try {
     for (const auto &[name, entry] : summary["steel"].items()) {
-      SteelAtPlace &at = report[name];
+      const auto place = parse<SteelPlace>(name);
+      if (!place) throw DataError(what);
+      SteelAtPlace &at = report[*place];
       at.largest = entry.at("max_plastic_strain"), at.averaged = entry.at("averaged_plastic_strain");
       at.damage = entry.at("damage");
       if (!entry.at("triaxiality").is_null()) at.triaxiality = entry["triaxiality"];
@@ -63,7 +65,7 @@ SteelReport steel_report_in(const nlohmann::json &summary, const std::string &or
         for (int i = 0; i < 3; ++i) at.place[i] = 1e-3 * entry["place_mm"].at(i).get<double>();
     }
   } catch (const nlohmann::json::exception &) {
-    throw DataError(origin + ": \"steel\" is not the strain of a run's steel by its places");
+    throw DataError(what);
   }
   return report;
 }

@@ -1,5 +1,6 @@
 /// The steel of a finite-element run by its places, as summary.json has it.
 #pragma once
+#include "files/choice.h"
 #include <Eigen/Core>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -13,6 +14,15 @@ namespace rimpact {
 /// (docs/results/refinement.md) [m].
 constexpr double averaging_radius = 0.012;
 
+enum class SteelPlace { rim_wall, rim_root, dish, slider_edge };
+constexpr auto choices(SteelPlace) {
+  return choices_of<SteelPlace>({{SteelPlace::rim_wall, "rim_wall", "the rim's wall"},
+                                 {SteelPlace::rim_root, "rim_root", "the rim's root"},
+                                 {SteelPlace::dish, "dish", "the dish below the rim"},
+                                 {SteelPlace::slider_edge, "slider_edge", "the slider's edge"}});
+}
+std::string in_words(SteelPlace place); ///< "the rim's wall"
+
 struct SteelAtPlace {
   double largest = 0;             ///< equivalent plastic strain of a point [-]
   double averaged = 0;            ///< largest mean over averaging_radius [-]
@@ -21,21 +31,21 @@ struct SteelAtPlace {
   Eigen::Vector3d place{0, 0, 0}; ///< of the largest strain, in the mesh before it is strained [m]
 };
 
-/// rim_wall, rim_root, dish, slider_edge: those that are meshed.
-using SteelReport = std::map<std::string, SteelAtPlace>;
+/// Of the places that are meshed.
+using SteelReport = std::map<SteelPlace, SteelAtPlace>;
 
 /// Each place keeps the worse of two reports: by its largest averaged strain, and the larger damage.
 void keep_worst(SteelReport &worst, const SteelReport &other);
-/// Whether the place belongs to the rim's side, which the question is about: all but `slider_edge`.
-bool is_of_the_rim(const std::string &place);
+/// Whether the place belongs to the rim's side, which the question is about: all but the slider's edge.
+bool is_of_the_rim(SteelPlace place);
 
 /// The strain that is held against the limit: the largest averaged one of the rim's side.
 struct JudgedStrain {
-  double largest;    ///< [-]
-  std::string place; ///< empty: of no known place, the largest of a point of any body
+  double largest;                  ///< [-]
+  std::optional<SteelPlace> place; ///< none: not known, the largest of a point of any body
 };
-std::optional<JudgedStrain> judged_strain(const SteelReport &report); ///< none: nothing of the rim's side is there
-std::string words_for_place(const std::string &place);                ///< "the rim's wall"
+/// `of_any_body` where the report has nothing of the rim's side.
+std::optional<JudgedStrain> judged_strain(const SteelReport &report, std::optional<double> of_any_body);
 /// `limit`: plastic strain that the steel is trusted to; none: null.
 nlohmann::ordered_json to_json(const SteelReport &report, std::optional<double> limit);
 /// Of a summary.json; empty where it has none. Throws DataError, naming `origin`, for one that cannot be read.

@@ -1,4 +1,5 @@
 #include "responses/summary.h"
+#include "files/json_text.h"
 #include "responses/open_impact.h"
 #include <algorithm>
 #include <cmath>
@@ -91,10 +92,6 @@ nlohmann::json to_json(const EnergyLedger &e) {
           {"elastic_J", e.elastic},       {"plastic_J", e.plastic}, {"damping_J", e.damping},
           {"friction_J", e.friction},     {"impact_J", e.impact},   {"contact_J", e.contact},
           {"integrator_J", e.integrator}, {"initial_J", e.initial}, {"imbalance_relative", e.imbalance_relative()}};
-}
-
-template <class T> nlohmann::json or_null(const std::optional<T> &value) {
-  return value ? nlohmann::json(*value) : nlohmann::json(nullptr);
 }
 
 double unaccounted(const EnergyLedger &e) { // [J]

@@ -70,7 +70,8 @@ void read_parameters(const json &entries, Element &element) {
 }
 
 void read_stack(const json &terms, Element &element) {
-  element.stack.slip_is_the_bearings = member(terms, "elastic_slip_from") != "fit";
+  if (const json &from = member(terms, "elastic_slip_from"); from.is_string())
+    element.stack.slip_from = parse<SlipFrom>(from.get<std::string>()).value_or(SlipFrom::bearing);
   for (const auto &key : stack_keys()) {
     const json &value = member(terms, key.c_str());
     if (value.is_boolean()) element.stack.values[key] = value.get<bool>() ? "true" : "false";

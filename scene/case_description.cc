@@ -1,4 +1,5 @@
 #include "scene/case_description.h"
+#include "files/json_text.h"
 
 #include "files/key_list.h"
 #include "scene/assumptions.h"
@@ -65,10 +66,6 @@ std::string range_of(const ReducedSettings &r) {
   if (r.fitted_speeds_mass) text += fmt::format(" under {:g} kg", *r.fitted_speeds_mass);
   if (r.fitted_mass) text += fmt::format("; for {:g} kg only", *r.fitted_mass);
   return text;
-}
-
-json or_null(const std::optional<double> &value) {
-  return value ? json(*value) : json(nullptr);
 }
 
 } // namespace

@@ -28,7 +28,7 @@ TakenTerms adopt_stack_terms(TomlFile &file, const StackTerms &terms, bool calib
     if (file.find(key)) replaced.push_back(name);
     file.set(key + "=" + value, "the calibration");
     taken.keys.push_back(key);
-    if (name == "elastic_slip_mm") taken.bearings_slip = terms.slip_is_the_bearings;
+    if (name == "elastic_slip_mm") taken.bearings_slip = terms.slip_from == SlipFrom::bearing;
   }
   if (!replaced.empty())
     remarks.push_back(fmt::format("pad and socket are those of the calibration, in place of the scene's own {}",

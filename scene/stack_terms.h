@@ -2,6 +2,7 @@
 /// travel over which the pad, in shear, builds up the friction of its face. A calibration carries them, because the
 /// bearing it was made for has them; the impact element is fitted beside them.
 #pragma once
+#include "files/choice.h"
 #include "files/toml_reader.h"
 #include "scene/scene.h"
 
@@ -14,10 +15,17 @@ const std::vector<std::string> &stack_keys();
 /// that turns round keeps its old friction for some milliseconds; on a pulse that is 5 to 20 % of the touch speed.
 double pad_elastic_slip(const Bearing &bearing, double normal_force, double mu);
 
+/// Whence a calibration has its elastic slip.
+enum class SlipFrom { bearing, fit };
+constexpr auto choices(SlipFrom) {
+  return choices_of<SlipFrom>({{SlipFrom::bearing, "bearing", "the bearing's own, under its load"},
+                               {SlipFrom::fit, "fit", "fitted, or held in the fit"}});
+}
+
 /// As a calibration writes them.
 struct StackTerms {
   std::map<std::string, std::string> values; ///< by key of [reduced], in TOML
-  bool slip_is_the_bearings = true;          ///< else it was fitted
+  SlipFrom slip_from = SlipFrom::bearing;
 };
 
 /// Of a file that names a calibration. What is typed with --set stays; what

@@ -19,7 +19,6 @@ EDGES = {
     ("app/calibrate_options.cc", "none"),  # the command line: --laws all | none
     ("fleets/sweep.cc", "record"),  # a column
     ("scene/element_doubts.cc", "reduced"),  # a section
-    ("scene/calibrated_element.cc", "fit"),  # calibration.json is read: whence a slip comes
 }
 
 

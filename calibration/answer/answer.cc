@@ -4,7 +4,6 @@
 #include "calibration/studies/stored_study.h"
 #include "scene/doubts.h"
 #include "scene/rim_identity.h"
-#include "scene/stack_terms.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
@@ -29,6 +28,13 @@ std::vector<StoredStudy> studies_near(const std::string &folder) {
       if (seen.insert(study.json.dump()).second) studies.push_back(std::move(study));
   }
   return studies;
+}
+
+/// Near the first run of finite elements that has an impact; none without one.
+std::vector<StoredStudy> studies_of(const Calibration &c, const Runs &runs) {
+  for (const StoredRun *run : runs)
+    if (c.facts.at(run->folder).rung && !run->impacts.empty()) return studies_near(run->folder);
+  return {};
 }
 
 /// What the fit of the law itself leaves open.
@@ -67,18 +73,14 @@ void name_sources(const Calibration &c, Answer &answer, const std::vector<LawErr
   answer.rungs.assign(rungs.begin(), rungs.end()), answer.meshes.assign(meshes.begin(), meshes.end());
 }
 
-} // namespace
-
-namespace {
-
 /// Solids and specimens have pad and socket, whatever the fitted part of them was.
 std::optional<AnswerStack> answer_stack(const Answer &answer) {
   const scene::Scene &s = answer.scene;
   if (answer.sources == std::set{RunSource::reduced_model}) return {};
   const auto &result = answer.law.result;
   if (result.parameters.count("elastic_slip") + result.fixed.count("elastic_slip") > 0)
-    return AnswerStack{s.reduced.elastic_slip, true};
-  return AnswerStack{scene::pad_elastic_slip(s.bearing, s.load.vertical, s.reduced.mu_fast), false};
+    return AnswerStack{s.reduced.elastic_slip, scene::SlipFrom::fit};
+  return AnswerStack{scene::pad_elastic_slip(s.bearing, s.load.vertical, s.reduced.mu_fast), scene::SlipFrom::bearing};
 }
 
 } // namespace
@@ -89,14 +91,12 @@ std::string Answer::source() const {
   return text;
 }
 
-AnswerMeshError answer_mesh_error(const Calibration &c, const Runs &runs) {
+AnswerMeshError answer_mesh_error(const Calibration &c, const Runs &runs, const std::vector<StoredStudy> &studies) {
   AnswerMeshError error;
-  std::vector<StoredStudy> studies;
   bool known = true;
   for (const StoredRun *run : runs) {
     const RunFacts &f = c.facts.at(run->folder);
     if (!f.rung || run->impacts.empty()) continue;
-    if (studies.empty()) studies = studies_near(run->folder);
     scene::Scene scene = run->scene;
     scene.model.rung = *f.rung, scene.model.mesh = f.mesh.value_or(scene.model.mesh);
     const auto estimate = error_estimate(scene, run->summary, studies, {run->folder, f.seconds});
@@ -131,8 +131,9 @@ Answer make_answer(const Calibration &c, const CalibrationOptions &options, cons
   answer.table = answer_table(answer.scene, answer.law);
   answer_pair(c, answer);
   answer.strain = answer_strain(c, runs);
-  answer.mesh_error = answer_mesh_error(c, runs);
-  answer.errors = answer_errors(c, answer, runs);
+  const std::vector<StoredStudy> studies = studies_of(c, runs);
+  answer.mesh_error = answer_mesh_error(c, runs, studies);
+  answer.errors = answer_errors(c, answer, runs, studies);
   answer.doubts = c.doubts;
   add_doubts_of_fit(answer);
   answer.validity = validity_sentence(answer);

@@ -7,6 +7,7 @@
 #pragma once
 #include "calibration/answer/answer_error.h"
 #include "calibration/answer/calibration.h"
+#include "scene/stack_terms.h"
 #include <set>
 
 namespace rimpact::calibration {
@@ -63,7 +64,7 @@ struct AnswerStrain {
   double limit = 0;
   bool limit_is_assumption = true;
   std::vector<StrainRow> rows; ///< by speed
-  JudgedStrain largest{0, ""};
+  JudgedStrain largest{0, std::nullopt};
   std::optional<double> largest_speed_below_limit; ///< of a run below which no run exceeds the limit [m/s]
   bool exceeded() const { return largest.largest > limit; }
   std::string sentence;
@@ -77,8 +78,8 @@ struct AnswerMeshError {
 
 /// Of pad and socket beside the law (scene/stack_terms.h).
 struct AnswerStack {
-  double elastic_slip;  ///< [m]
-  bool slip_was_fitted; ///< or held; else it is the bearing's own, under the load
+  double elastic_slip; ///< [m]
+  scene::SlipFrom slip_from;
 };
 
 struct Answer {

@@ -1,7 +1,6 @@
 // The parts of an answer's errors, each with how it is known. None is silently zero.
 #include "calibration/answer/answer_parts.h"
 #include "calibration/laws/percent.h"
-#include "calibration/studies/stored_study.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -29,9 +28,10 @@ const json *row_of(const json &rows, const std::string &rung, int mesh) {
 }
 
 /// A rung against `full` on the same mesh, by each study that ran both.
-std::vector<OfRung> rung_errors(const std::string &rung, const std::string &rim) {
+std::vector<OfRung> rung_errors(const std::vector<StoredStudy> &studies, const std::string &rung,
+                                const std::string &rim) {
   std::vector<OfRung> found;
-  for (const StoredStudy &study : stored_studies("")) {
+  for (const StoredStudy &study : studies) {
     const json &rows = study.json.value("rows", json::array());
     for (const int mesh : {2, 1, 0}) {
       const json *own = row_of(rows, rung, mesh), *full = row_of(rows, word(SolvedBy::full), mesh);
@@ -55,13 +55,13 @@ public:
     errors.push_back(
         {quantity, source, value ? std::optional(std::abs(*value)) : std::nullopt, value ? how : Known::unknown, from});
   }
-  void of_solids() {
+  void of_solids(const std::vector<StoredStudy> &studies) {
     add(Erring::peak_force, ErrorSource::mesh, answer_.mesh_error.peak_force, Known::measured,
         answer_.mesh_error.sentence);
     add(Erring::rebound, ErrorSource::mesh, answer_.mesh_error.rebound, Known::measured, answer_.mesh_error.sentence);
     for (const Erring quantity : {Erring::peak_force, Erring::rebound})
       add(quantity, ErrorSource::step, {}, Known::unknown, "rimpact study RUN/scene.toml --axes step");
-    of_rung();
+    of_rung(studies);
     const std::string rate = "steel as fast as mild steel's (D 40 1/s, q 5) on shfps-225, by an explicit program";
     add(Erring::peak_force, ErrorSource::steel, rate_of_mild_steel_force, Known::transferred, rate);
     add(Erring::rebound, ErrorSource::steel, rate_of_mild_steel_rebound, Known::transferred, rate);
@@ -93,12 +93,12 @@ public:
   std::vector<AnswerError> errors;
 
 private:
-  void of_rung() {
+  void of_rung(const std::vector<StoredStudy> &studies) {
     if (answer_.rungs == std::vector<std::string>{word(SolvedBy::full)}) return;
     const OfRung *force = nullptr, *rebound = nullptr;
     std::vector<OfRung> all;
     for (const std::string &rung : answer_.rungs)
-      for (const OfRung &each : rung_errors(rung, answer_.rim_identity)) all.push_back(each);
+      for (const OfRung &each : rung_errors(studies, rung, answer_.rim_identity)) all.push_back(each);
     for (const OfRung &each : all) {
       if (!force || each.peak_force > force->peak_force) force = &each;
       if (!rebound || each.rebound > rebound->rebound) rebound = &each;
@@ -116,10 +116,11 @@ private:
 } // namespace
 
 std::vector<AnswerError> answer_errors(const Calibration &c, const Answer &answer,
-                                       const std::vector<const StoredRun *> &runs) {
+                                       const std::vector<const StoredRun *> &runs,
+                                       const std::vector<StoredStudy> &studies) {
   Parts parts(answer);
   const bool solids = answer.sources.count(RunSource::finite_elements) > 0;
-  if (solids) parts.of_solids();
+  if (solids) parts.of_solids(studies);
   parts.of_law();
   if (solids) parts.of_energy(c, runs);
   return parts.errors;

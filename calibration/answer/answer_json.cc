@@ -79,7 +79,7 @@ json stack_json(const AnswerStack &stack) {
           {"socket_friction", true},
           {"friction", word(scene::Friction::park_wen)},
           {"elastic_slip_mm", 1e3 * stack.elastic_slip},
-          {"elastic_slip_from", stack.slip_was_fitted ? "fit" : "bearing"}};
+          {"elastic_slip_from", word(stack.slip_from)}};
 }
 
 json errors_json(const std::vector<AnswerError> &errors) {
@@ -93,16 +93,20 @@ json errors_json(const std::vector<AnswerError> &errors) {
   return list;
 }
 
+json place_or_null(const std::optional<SteelPlace> &place) {
+  return place ? json(word(*place)) : json(nullptr);
+}
+
 json strain_json(const AnswerStrain &s) {
   json rows = json::array();
   for (const auto &row : s.rows)
     rows.push_back(
-        {{"speed_m_s", row.speed}, {"strain", row.strain.largest}, {"place", text_or_null(row.strain.place)}});
+        {{"speed_m_s", row.speed}, {"strain", row.strain.largest}, {"place", place_or_null(row.strain.place)}});
   return {{"limit", s.limit},
           {"limit_is_assumption", s.limit_is_assumption},
           {"rows", rows},
           {"largest", s.largest.largest},
-          {"place", text_or_null(s.largest.place)},
+          {"place", place_or_null(s.largest.place)},
           {"exceeded", s.exceeded()},
           {"largest_speed_below_limit_m_s", number(s.largest_speed_below_limit)},
           {"sentence", s.sentence},

@@ -1,6 +1,7 @@
 /// The parts of an answer, one function each. See answer.h.
 #pragma once
 #include "calibration/answer/answer.h"
+#include "calibration/studies/stored_study.h"
 
 namespace rimpact::calibration {
 
@@ -28,7 +29,9 @@ void answer_pair(const Calibration &calibration, Answer &answer);
 std::optional<AnswerStrain> answer_strain(const Calibration &calibration, const std::vector<const StoredRun *> &runs);
 /// To be called last: it reads the answer's law, rungs and error of the mesh.
 std::vector<AnswerError> answer_errors(const Calibration &calibration, const Answer &answer,
-                                       const std::vector<const StoredRun *> &runs);
-AnswerMeshError answer_mesh_error(const Calibration &calibration, const std::vector<const StoredRun *> &runs);
+                                       const std::vector<const StoredRun *> &runs,
+                                       const std::vector<StoredStudy> &studies);
+AnswerMeshError answer_mesh_error(const Calibration &calibration, const std::vector<const StoredRun *> &runs,
+                                  const std::vector<StoredStudy> &studies);
 
 } // namespace rimpact::calibration

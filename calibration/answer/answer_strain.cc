@@ -9,8 +9,8 @@ namespace {
 
 /// What of the rim a strain is of.
 std::string subject(const JudgedStrain &strain) {
-  if (strain.place.empty()) return "The plastic strain of some body, the slider perhaps,";
-  return fmt::format("The plastic strain of {}, a mean over {:g} mm around it,", words_for_place(strain.place),
+  if (!strain.place) return "The plastic strain of some body, the slider perhaps,";
+  return fmt::format("The plastic strain of {}, a mean over {:g} mm around it,", in_words(*strain.place),
                      1e3 * averaging_radius);
 }
 
@@ -30,8 +30,8 @@ std::string sentence(const AnswerStrain &s) {
 /// The worst of a number of the runs' steel, with the run's speed and the place.
 struct Worst {
   double value = 0, speed = 0;
-  std::string place;
-  void take(double found, double at_speed, const std::string &at) {
+  std::optional<SteelPlace> place;
+  void take(double found, double at_speed, SteelPlace at) {
     if (found > value) value = found, speed = at_speed, place = at;
   }
 };
@@ -63,11 +63,11 @@ std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vecto
     s.largest_speed_below_limit = row.speed;
   }
   s.sentence = sentence(s);
-  if (!crack.place.empty())
+  if (crack.place)
     s.crack_sentence =
         fmt::format("A crack begins at a damage of 1; the runs reach {:.2f}, in {} at {:.3g} m/s (constants of Weldox "
                     "460 E, an assumption).",
-                    crack.value, words_for_place(crack.place), crack.speed);
+                    crack.value, in_words(*crack.place), crack.speed);
   if (slider.value > s.limit)
     s.slider_sentence = fmt::format("The slider's edge is crushed, by {} at {:.3g} m/s: plan to replace the slider.",
                                     percent_up(slider.value), slider.speed);

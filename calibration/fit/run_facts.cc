@@ -45,9 +45,8 @@ RunFacts run_facts(const std::string &folder) {
       if (warning.is_string()) facts.warnings.push_back(warning);
   if (summary.contains("energy")) facts.imbalance = number_in(summary["energy"], "imbalance_relative");
   facts.steel = steel_report_in(summary, file.string());
-  facts.strain = judged_strain(facts.steel);
-  if (const double largest = number_in(summary, "max_plastic_strain"); !facts.strain && largest > 0)
-    facts.strain = JudgedStrain{largest, ""};
+  const double of_any_body = number_in(summary, "max_plastic_strain");
+  facts.strain = judged_strain(facts.steel, of_any_body > 0 ? std::optional(of_any_body) : std::nullopt);
   facts.beyond_rim = summary.value("beyond_rim", json()) == json(true);
   facts.seconds = number_in(summary, "wall_time_s");
   return facts;

@@ -23,7 +23,7 @@ SteelReport steel_of(const BearingModel &model, const SystemState &state, const 
   if (state.history.empty()) return {}; // nothing began
   SteelReport report = steel_by_place(model.space, model.bearing, state.history);
   if (frame)
-    for (auto &[name, at] : report) at.place = frame->to_global(at.place);
+    for (auto &[place, at] : report) at.place = frame->to_global(at.place);
   return report;
 }
 

@@ -1,13 +1,10 @@
 #include "fe_contact/drive/memory_limit.h"
 
+#include "fe_contact/solver/sgemm.h"
 #include "files/address_space.h"
 #include "files/error.h"
 #include <fmt/format.h>
 #include <vector>
-
-extern "C" void sgemm_(const char *trans_a, const char *trans_b, const int *m, const int *n, const int *k,
-                       const float *alpha, const float *a, const int *lda, const float *b, const int *ldb,
-                       const float *beta, float *c, const int *ldc);
 
 namespace rimpact::fe {
 namespace {

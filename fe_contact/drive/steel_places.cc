@@ -16,25 +16,25 @@ struct SteelPoint {
   std::size_t index; ///< in the history
 };
 
-/// Names a place, empty for the pad.
+/// The place of a point; none: the pad.
 class Places {
 public:
   explicit Places(const scene::Bearing &bearing)
       : root_top_(scene::make_surface(bearing.surface)->at(bearing.surface.planar_radius, 0).z +
                   bearing.rim.thickness / 4) {}
-  const char *name(Volume volume, const Vector3d &place) const {
+  std::optional<SteelPlace> of(Volume volume, const Vector3d &place) const {
     switch (volume) {
     case Volume::plate:
-      return "dish";
+      return SteelPlace::dish;
     case Volume::rim:
-      return place.z() < root_top_ ? "rim_root" : "rim_wall";
+      return place.z() < root_top_ ? SteelPlace::rim_root : SteelPlace::rim_wall;
     case Volume::foot:
     case Volume::upper_slider:
-      return "slider_edge";
+      return SteelPlace::slider_edge;
     case Volume::pad:
       break;
     }
-    return "";
+    return {};
   }
 
 private:
@@ -80,17 +80,17 @@ SteelReport steel_by_place(const Discretisation &space, const scene::Bearing &be
   const Places places(bearing);
   const int n = space.nodes_per_cell, n_points = space.full.n_points;
   std::map<Volume, std::vector<SteelPoint>> bodies;
-  std::map<std::pair<std::string, Volume>, std::vector<SteelPoint>> by_place;
+  std::map<std::pair<SteelPlace, Volume>, std::vector<SteelPoint>> by_place;
   for (std::size_t c = 0; c < space.n_cells; ++c)
     for (int q = 0; q < n_points; ++q) {
       Vector3d x = Vector3d::Zero();
       for (int a = 0; a < n; ++a) x += space.full_values[q * n + a] * space.positions[space.cell_nodes[c * n + a]];
-      const std::string name = places.name(space.volumes[c], x);
-      if (name.empty()) continue;
+      const auto place = places.of(space.volumes[c], x);
+      if (!place) continue;
       const std::size_t index = c * n_points + q;
       const SteelPoint point{x, space.full.weights[index], history[index].alpha, index};
       bodies[body_of(space.volumes[c])].push_back(point);
-      by_place[{name, body_of(space.volumes[c])}].push_back(point);
+      by_place[{*place, body_of(space.volumes[c])}].push_back(point);
     }
   SteelReport report;
   for (const auto &[key, points] : by_place)

@@ -5,7 +5,7 @@
 
 namespace rimpact::fe {
 
-/// By the place's name (INTERFACE, `steel` of summary.json). The rim's volume is its root up to a quarter of its
+/// The rim's volume is its root up to a quarter of its
 /// thickness above the plate, and its wall above; `dish` is the plate; `slider_edge` the foot and the upper slider. The
 /// elastic pad has none.
 SteelReport steel_by_place(const Discretisation &space, const scene::Bearing &bearing, const SolidHistory &history);

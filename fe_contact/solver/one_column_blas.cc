@@ -2,6 +2,8 @@
 // pack the factor before they use it. The two here stand before the library's in every program with finite elements.
 // They take strsv and sgemv for one column, which read the factor once: a quarter of the solves' time on processors
 // without AVX-512, a twelfth on those with it. All else goes to the library.
+#include "fe_contact/solver/sgemm.h"
+
 #include <cctype>
 #include <dlfcn.h>
 
@@ -14,9 +16,6 @@ void sgemv_(const char *trans, const int *m, const int *n, const float *alpha, c
             const float *x, const int *incx, const float *beta, float *y, const int *incy);
 void strsm_(const char *side, const char *uplo, const char *trans, const char *diag, const int *m, const int *n,
             const float *alpha, const float *a, const int *lda, float *b, const int *ldb);
-void sgemm_(const char *trans_a, const char *trans_b, const int *m, const int *n, const int *k, const float *alpha,
-            const float *a, const int *lda, const float *b, const int *ldb, const float *beta, float *c,
-            const int *ldc);
 }
 
 namespace {

@@ -92,14 +92,14 @@ TEST(AnswerDoubts, TheRimIsJudgedByItsOwnSteel) {
     auto scene = window(0.1 * (i + 1));
     scene.bearing = scene::builtin_bearing("shfps-225");
     runs.push_back(folder.write(scene));
-    const SteelReport steel{{"rim_root", {2 * rim[i], rim[i], 0.5, rim[i], {0, 0, 0}}},
-                            {"slider_edge", {2 * edge[i], edge[i], -0.7, 0.0, {0, 0, 0}}}};
+    const SteelReport steel{{SteelPlace::rim_root, {2 * rim[i], rim[i], 0.5, rim[i], {0, 0, 0}}},
+                            {SteelPlace::slider_edge, {2 * edge[i], edge[i], -0.7, 0.0, {0, 0, 0}}}};
     amend(runs[i], {{"max_plastic_strain", 2 * edge[i]}, {"steel", to_json(steel, 0.2)}, {"rung", "rim"}, {"mesh", 1}});
   }
   const auto c = calibrate(runs, quick({}));
   const auto &s = *c.answer->strain;
   EXPECT_FALSE(s.exceeded());
-  EXPECT_EQ(s.largest.place, "rim_root");
+  EXPECT_EQ(s.largest.place, SteelPlace::rim_root);
   EXPECT_EQ(s.sentence,
             "The rim bears it, up to 0.3 m/s. The plastic strain of the rim's root, a mean over 12 mm around it, "
             "reaches 15 %, below its limit of 20 % (an assumption: take your steel's).");

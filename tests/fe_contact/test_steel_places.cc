@@ -65,10 +65,12 @@ TEST(SteelPlaces, EachPartIsToldApartAndASpikeIsAveraged) {
     for (int q = 0; q < 27; ++q) history[27 * c + q].alpha = strains.at(space.volumes[c]);
   const SteelReport even = steel_by_place(space, bearing, history);
   ASSERT_EQ(even.size(), 4u);
-  for (const auto &[place, strain] :
-       {std::pair{"dish", 0.02}, {"rim_root", 0.02}, {"rim_wall", 0.02}, {"slider_edge", 0.04}}) {
-    EXPECT_EQ(even.at(place).largest, strain) << place;
-    EXPECT_NEAR(even.at(place).averaged, strain, 1e-12) << place;
+  for (const auto &[place, strain] : {std::pair{SteelPlace::dish, 0.02},
+                                      {SteelPlace::rim_root, 0.02},
+                                      {SteelPlace::rim_wall, 0.02},
+                                      {SteelPlace::slider_edge, 0.04}}) {
+    EXPECT_EQ(even.at(place).largest, strain) << word(place);
+    EXPECT_NEAR(even.at(place).averaged, strain, 1e-12) << word(place);
   }
   // A point of the rim's highest cell.
   std::size_t spike = 0;
@@ -78,15 +80,15 @@ TEST(SteelPlaces, EachPartIsToldApartAndASpikeIsAveraged) {
       highest = z, spike = 27 * c;
   history[spike].alpha = 0.5, history[spike].triaxiality = 0.1, history[spike].damage = 0.3;
   const SteelReport spiked = steel_by_place(space, bearing, history);
-  const SteelAtPlace &wall = spiked.at("rim_wall");
+  const SteelAtPlace &wall = spiked.at(SteelPlace::rim_wall);
   EXPECT_EQ(wall.largest, 0.5);
   EXPECT_GT(wall.averaged, 0.02);
   EXPECT_LE(wall.averaged, 0.5);
   EXPECT_NEAR(wall.triaxiality, 0.2, 1e-12);
   EXPECT_EQ(wall.damage, 0.3);
   EXPECT_NEAR(std::hypot(wall.place.x(), wall.place.y()), bearing.surface.planar_radius + bearing.rim.ledge, 0.05);
-  EXPECT_EQ(spiked.at("rim_root").largest, 0.02);
-  EXPECT_EQ(judged_strain(spiked)->place, "rim_wall");
+  EXPECT_EQ(spiked.at(SteelPlace::rim_root).largest, 0.02);
+  EXPECT_EQ(judged_strain(spiked, {})->place, SteelPlace::rim_wall);
 }
 
 } // namespace

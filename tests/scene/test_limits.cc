@@ -96,7 +96,7 @@ TEST(Limits, SpeedsOutsideTheFit) {
 
 // Three hits at 0.02, 0.1 and 0.5 m/s; null: not known, never 0.
 TEST(Limits, EveryHitIsCountedAndTheUnknownIsNull) {
-  const auto counted = [](Scene scene, std::optional<double> strain = {}) {
+  const auto counted = [](const Scene &scene, std::optional<double> strain = {}) {
     Summary s;
     s.max_plastic_strain = strain;
     for (const double speed : {0.02, 0.1, 0.5})
@@ -155,14 +155,15 @@ TEST(Limits, TheRimsStrainIsJudgedAndTheSlidersEdgeIsSaidBeside) {
   scene.bearing = builtin_bearing("shfps-225");
   Summary s = one_impact(0.4, 0.01);
   s.max_plastic_strain = 0.36;
-  s.steel = {{"rim_wall", {0.12, 0.08, -0.2, 0.01, {0, 0, 0}}},
-             {"rim_root", {0.17, 0.15, 0.5, 0.12, {0.522, 0, 0.088}}},
-             {"dish", {0.05, 0.04, 0.3, 0.02, {0, 0, 0}}},
-             {"slider_edge", {0.36, 0.21, -0.7, 0.03, {0, 0, 0}}}};
+  s.steel = {{SteelPlace::rim_wall, {0.12, 0.08, -0.2, 0.01, {0, 0, 0}}},
+             {SteelPlace::rim_root, {0.17, 0.15, 0.5, 0.12, {0.522, 0, 0.088}}},
+             {SteelPlace::dish, {0.05, 0.04, 0.3, 0.02, {0, 0, 0}}},
+             {SteelPlace::slider_edge, {0.36, 0.21, -0.7, 0.03, {0, 0, 0}}}};
   judge(scene, s);
   EXPECT_EQ(s.extra["strain_limit"]["largest"], 0.15);
   EXPECT_EQ(s.extra["strain_limit"]["place"], "rim_root");
   EXPECT_EQ(s.extra["strain_limit"]["exceeded"], false);
+  EXPECT_EQ(s.extra["hit_limits"]["hits_beyond_steel"], 0) << "the slider's edge counts no hit";
   ASSERT_EQ(warnings(s).size(), 1u);
   EXPECT_NE(warnings(s)[0].find("the slider's edge is crushed: its plastic strain reaches 21.0 %"), std::string::npos)
       << warnings(s)[0];
@@ -170,12 +171,13 @@ TEST(Limits, TheRimsStrainIsJudgedAndTheSlidersEdgeIsSaidBeside) {
   EXPECT_EQ(written["rim_root"]["limit"], 0.2);
   EXPECT_EQ(written["rim_root"]["place_mm"][0], 522);
   const SteelReport back = steel_report_in(to_json(s), "here");
-  EXPECT_EQ(back.at("rim_root").triaxiality, 0.5);
-  EXPECT_EQ(back.at("slider_edge").averaged, 0.21);
-  s.steel["dish"].averaged = 0.25;
+  EXPECT_EQ(back.at(SteelPlace::rim_root).triaxiality, 0.5);
+  EXPECT_EQ(back.at(SteelPlace::slider_edge).averaged, 0.21);
+  s.steel[SteelPlace::dish].averaged = 0.25;
   s.extra = {};
   judge(scene, s);
   EXPECT_EQ(s.extra["strain_limit"]["exceeded"], true);
+  EXPECT_EQ(s.extra["hit_limits"]["hits_beyond_steel"], 1);
   EXPECT_NE(warnings(s)[0].find("plastic strain of the dish below the rim reaches 25.0 %, above the 20 %"),
             std::string::npos)
       << warnings(s)[0];

@@ -6,7 +6,7 @@ integrator loss below 1 % of the impact's energy; imbalance below 1e-3."""
 import pathlib
 import sys
 
-from kept_run import kept_run
+from kept_run import finish, gate, kept_run
 
 SPEEDS = (0.1, 0.5)
 
@@ -21,11 +21,6 @@ def main(program, folder, meshes=(1, 2, 3)):
     folder = pathlib.Path(folder)
     lines = ["speed mesh step_ms   dofs  steps newton seconds  peak_kN  error_%  rebound  loss/energy imbalance"]
     failures = []
-
-    def gate(name, value, bound):
-        if not abs(value) < bound:
-            failures.append(f"{name}: {value:.3g} is not below {bound}")
-
     for speed in SPEEDS:
         runs = {(mesh, 1.0): window(program, folder, speed, mesh) for mesh in meshes}
         runs[(1, 0.5)] = window(program, folder, speed, 1, "model.step_ms=0.5")
@@ -37,16 +32,13 @@ def main(program, folder, meshes=(1, 2, 3)):
             lines.append(f"{speed:5.2f} {mesh:4d} {step:7.2f} {run['n_dofs']:6d} {run['n_steps']:6d} {run['n_newton_iterations']:6d} "
                          f"{run['wall_time_s']:7.0f} {run['peak_impact_force_N'] / 1e3:8.1f} {100 * error:8.2f} "
                          f"{impact['restitution']:8.4f} {loss:12.2e} {energy['imbalance_relative']:9.1e}")
-            gate(f"integrator loss at {speed}", loss, 0.01)
-            gate(f"imbalance at {speed}", energy["imbalance_relative"], 1e-3)
+            gate(failures, f"integrator loss at {speed}", loss, 0.01)
+            gate(failures, f"imbalance at {speed}", energy["imbalance_relative"], 1e-3)
             if mesh < max(meshes):
-                gate(f"peak force of mesh {mesh} at {speed}", error, {1: 0.04, 2: 0.015}[mesh])
+                gate(failures, f"peak force of mesh {mesh} at {speed}", error, {1: 0.04, 2: 0.015}[mesh])
         rebound = [runs[(1, step)]["impacts"][0]["rebound_speed_m_s"] for step in (1.0, 0.5)]
-        gate(f"rebound over half the step at {speed}", rebound[0] / rebound[1] - 1, 0.005)
-    text = "\n".join(lines) + "\n"
-    print(text + "\n".join(failures))
-    (folder / "baseline.txt").write_text(text)
-    return 1 if failures else 0
+        gate(failures, f"rebound over half the step at {speed}", rebound[0] / rebound[1] - 1, 0.005)
+    return finish(folder, lines, failures)
 
 
 if __name__ == "__main__":

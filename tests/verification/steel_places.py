@@ -9,7 +9,7 @@ usage: steel_places.py RIMPACT FOLDER [MESHES]
 import pathlib
 import sys
 
-from kept_run import kept_run
+from kept_run import finish, kept_run
 
 SPEEDS, PLACES = (0.2, 0.5), ("rim_wall", "rim_root", "dish", "slider_edge")
 HEAD = "speed mesh place         largest  averaged  change_%  triaxiality  damage  seconds"
@@ -41,10 +41,7 @@ def main(program, folder, meshes=(0, 1, 2)):
                              f"{at['damage']:7.3f} {run['processor_time_s']:8.0f}")
             if {1, 2} <= set(averaged):
                 failures += filter(None, [missed(place, speed, averaged[1], averaged[2])])
-    text = "\n".join(lines) + "\n"
-    print(text + "\n".join(failures))
-    (folder / "baseline.txt").write_text(text)
-    return 1 if failures else 0
+    return finish(folder, lines, failures)
 
 
 if __name__ == "__main__":

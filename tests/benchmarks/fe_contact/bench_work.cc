@@ -7,6 +7,7 @@
 #include "fe_contact/rungs/bearing_model.h"
 #include "fe_contact/rungs/catalogue.h"
 #include "fe_contact/solver/ranks.h"
+#include "fe_contact/solver/sgemm.h"
 #include "fe_contact/solver/stopwatch.h"
 #include "files/library_threads.h"
 #include <algorithm>
@@ -17,10 +18,6 @@
 #include <vector>
 
 using namespace rimpact;
-
-extern "C" void sgemm_(const char *trans_a, const char *trans_b, const int *m, const int *n, const int *k,
-                       const float *alpha, const float *a, const int *lda, const float *b, const int *ldb,
-                       const float *beta, float *c, const int *ldc);
 
 namespace {
 
