@@ -64,7 +64,7 @@ void add_calibrate_options(CLI::App &verb, CalibrateWords &words) {
 
 std::vector<std::string> laws_named(const std::string &list) {
   if (list == "none") return {};
-  if (list == "all") return {"signed", "no-tension", "hunt-crossley", "elastoplastic"};
+  if (list == "all") return {"signed", "no-tension", "hunt-crossley", "elastoplastic", "bilinear"};
   auto laws = names_of(list);
   for (const auto &law : laws) laws::impact_law(law);
   return laws;

@@ -8,7 +8,7 @@ namespace rimpact::app {
 /// As typed: names and NAME=VALUE pairs.
 struct CalibrateWords {
   std::vector<std::string> predict, fixed, bounds, start, sigma;
-  std::string fit, law, laws = "signed,no-tension,hunt-crossley,elastoplastic";
+  std::string fit, law, laws = "signed,no-tension,hunt-crossley,elastoplastic,bilinear";
   bool keep_stopped = false;
   double robust = calibration::FitOptions().robust_scale;
   std::optional<double> lead_mm;

@@ -63,12 +63,12 @@ void visit(KeyVisitor &v, LawNumbers &numbers, const ImpactLaw *&law) {
   const auto reads = [&](const LawFamily &family) {
     return std::any_of(family.laws.begin(), family.laws.end(), [&](const auto &own) { return &own == law; });
   };
-  families().front()->visit(v, numbers); // k_i and e, which most laws read
+  families().front()->visit(v, numbers, *law); // k_i and e, which most laws read
   std::string written = law->name;
   v.word({"impact_law", words.c_str()}, written, names);
   law = &impact_law(written);
   for (const auto *family : families())
-    if (family != families().front() && v.wants(reads(*family))) family->visit(v, numbers);
+    if (family != families().front() && v.wants(reads(*family))) family->visit(v, numbers, *law);
 }
 
 bool ImpactLaw::reads(const std::string &parameter) const {
@@ -81,6 +81,17 @@ bool ImpactLaw::reads(const std::string &parameter) const {
 ImpactForce RimElement::at(const RimMotion &motion) const {
   const ImpactForce f = law->at(*this, motion);
   return law->unilateral && f.force <= 0 ? ImpactForce{0, 0, 0} : f;
+}
+
+double residual_indentation(const RimElement &rim, double deepest) {
+  const auto presses = [&](double d) { return rim.trial({.d = d, .rate = 0, .deepest = deepest}) > 0; };
+  if (presses(0)) return 0;
+  double open = 0, pressed = deepest;
+  while (true) {
+    const double middle = (open + pressed) / 2;
+    if (middle <= open || middle >= pressed) return pressed;
+    (presses(middle) ? pressed : open) = middle;
+  }
 }
 
 RimElement rim_element(const ImpactLaw &law, const LawNumbers &numbers, double mass) {

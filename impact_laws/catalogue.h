@@ -15,6 +15,8 @@ const std::vector<const ImpactLaw *> &impact_laws();
 const ImpactLaw &impact_law(const std::string &name);
 /// The law of scenes that name none.
 const ImpactLaw &default_law();
+/// Where a rim that yields lets go on the way back from `deepest`, both [m]: the dent that stays. By bisection.
+double residual_indentation(const RimElement &rim, double deepest);
 /// Of every family, in its order.
 const std::vector<LawParameter> &law_parameters();
 /// k_i, e, the law and the numbers it reads.

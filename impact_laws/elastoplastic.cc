@@ -1,5 +1,6 @@
 #include "impact_laws/elastoplastic.h"
 
+#include "impact_laws/bilinear.h"
 #include "impact_laws/catalogue.h"
 #include <algorithm>
 #include <cmath>
@@ -27,17 +28,18 @@ OpenSeesMaterial gap_springs(const RimElement &) {
   return {.material = RimMaterial::gap_springs,
           .notes = {"Rim: four bilinear gap springs in parallel, tuned to the law over the speeds of the self-check. "
                     "They unload in straight lines where the law's unloading bends.",
-                    "rim_springs: two along x, each side keeps its own dent; blind to y. rim_round: one round rim for "
-                    "any direction, but every impact meets it as new: no dents."}};
+                    how_gap_springs_stand}};
 }
 
-void visit_elastoplastic(KeyVisitor &v, LawNumbers &n) {
+void visit_elastoplastic(KeyVisitor &v, LawNumbers &n, const ImpactLaw &law) {
   v.number({"yield_force_kN", "F_y"}, n.yield_force, kilo, {0, huge, true});
   v.number({"hardening", "h: tangent over k_i just beyond yield"}, n.hardening, si, {0, 1});
-  v.number({"hardening_exponent", "p: the tangent falls as (1 + k_i d / F_y)^(p - 1)"}, n.hardening_exponent, si,
-           {0, 1, true});
-  v.number({"unloading_gain", "a: unloading begins at k_i (1 + a (k_i d / F_y)^m)"}, n.unloading_gain, si, {0, 100});
-  v.number({"unloading_exponent", "m"}, n.unloading_exponent, si, {0, 10, true});
+  if (v.wants(law.reads("unloading_gain"))) {
+    v.number({"hardening_exponent", "p: the tangent falls as (1 + k_i d / F_y)^(p - 1)"}, n.hardening_exponent, si,
+             {0, 1, true});
+    v.number({"unloading_gain", "a: unloading begins at k_i (1 + a (k_i d / F_y)^m)"}, n.unloading_gain, si, {0, 100});
+    v.number({"unloading_exponent", "m"}, n.unloading_exponent, si, {0, 10, true});
+  }
   v.number({"dent_spread", "a dent's flank radius over that of two circles"}, n.dent_spread, si, {0, 1e6, true});
 }
 
@@ -55,7 +57,8 @@ const LawFamily &elastoplastic_laws() {
                 .needs = {"k_i_kN_per_m", "yield_force_kN", "hardening"},
                 .numbers = elastoplastic_numbers,
                 .opensees = gap_springs,
-                .csi = CsiLink::plastic}},
+                .csi = CsiLink::plastic},
+               bilinear_law()},
       .parameters = {{"yield_force", "kN", "yield_force_kN", 1e3, 10, 1e5, true, &LawNumbers::yield_force},
                      {"hardening", "-", "hardening", 1, 1e-3, 1.0, true, &LawNumbers::hardening},
                      {"unloading_gain", "-", "unloading_gain", 1, 0.0, 20.0, false, &LawNumbers::unloading_gain},
@@ -81,10 +84,6 @@ Unloading unloading(const RimElement &r, double deepest) {
                        (1 + r.unloading_gain * std::pow(r.stiffness * deepest / r.yield_force, r.unloading_exponent)),
                w = std::min(opening, slope * deepest / top - 1);
   return {top, w, (1 + w) * top / slope};
-}
-
-double residual_indentation(const RimElement &r, double deepest) {
-  return deepest - unloading(r, deepest).length;
 }
 
 } // namespace rimpact::laws

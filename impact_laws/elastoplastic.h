@@ -34,7 +34,5 @@ struct Unloading {
 /// (docs/decisions/0009-how-a-rim-returns.md), but smooth at its end.
 inline constexpr double opening = 0.5;
 Unloading unloading(const RimElement &rim, double deepest); ///< D [m], > 0
-/// Indentation left after unloading from `deepest` [m].
-double residual_indentation(const RimElement &rim, double deepest);
 
 } // namespace rimpact::laws

@@ -35,7 +35,7 @@ OpenSeesMaterial hertzdamp(const RimElement &r) {
                     "rim_springs: two along x, blind to y. No dents."}};
 }
 
-void visit_hunt_crossley(KeyVisitor &v, LawNumbers &n) {
+void visit_hunt_crossley(KeyVisitor &v, LawNumbers &n, const ImpactLaw &) {
   v.number({"impact_exponent", "n of K d^n (1 + chi d')"}, n.impact_exponent, si, {0, 10, true});
   v.number({"reference_speed_m_per_s", "approach speed at which the restitution holds"}, n.reference_speed, si,
            {0, 100, true});

@@ -71,8 +71,9 @@ struct ImpactLaw {
 /// Laws that share their numbers.
 struct LawFamily {
   std::vector<ImpactLaw> laws;
-  std::vector<LawParameter> parameters;                          ///< its own
-  void (*visit)(KeyVisitor &visitor, LawNumbers &own) = nullptr; ///< its own keys of [reduced]; null: none
+  std::vector<LawParameter> parameters; ///< its own
+  /// Its own keys of [reduced], as far as `law` reads them where that is asked; null: none.
+  void (*visit)(KeyVisitor &visitor, LawNumbers &own, const ImpactLaw &law) = nullptr;
 };
 
 /// The element of one rim: its law, the law's numbers, and what follows from them.

@@ -38,7 +38,7 @@ OpenSeesMaterial viscoelastic_gap(const RimElement &r) {
                     "motion, or export a law of the rim (elastoplastic)."}};
 }
 
-void visit_pair(KeyVisitor &v, LawNumbers &n) {
+void visit_pair(KeyVisitor &v, LawNumbers &n, const ImpactLaw &) {
   v.number({"k_i_kN_per_m", "impact stiffness; 0: no impact element"}, n.k_i, kilo, {0, huge});
   v.number({"restitution", "e"}, n.restitution, si, {0, 1, true});
 }

@@ -14,6 +14,10 @@ constexpr auto choices(RimMaterial) {
       {{gap_springs, "ElasticPPGap"}, {viscoelastic_gap, "ViscoelasticGap"}, {hertzdamp, "Hertzdamp"}});
 }
 
+inline constexpr auto how_gap_springs_stand = "rim_springs: two along x, each side keeps its own dent; blind to y. "
+                                              "rim_round: one round rim for any direction, but "
+                                              "every impact meets it as new: no dents.";
+
 struct OpenSeesMaterial {
   struct Number {
     std::string name;

@@ -12,7 +12,7 @@ ImpactForce curve_force(const RimElement &r, const RimMotion &m) {
   return {f.force, f.slope, 0};
 }
 
-void visit_curve(KeyVisitor &v, LawNumbers &n) {
+void visit_curve(KeyVisitor &v, LawNumbers &n, const ImpactLaw &) {
   v.text({"impact_curve", "curve.h5 of this bearing, made by rimpact curve"}, n.impact_curve);
 }
 

@@ -5,6 +5,7 @@
 #include "scene/doubts.h"
 #include "scene/rim_identity.h"
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 #include <set>
@@ -45,6 +46,11 @@ void add_doubts_of_fit(Answer &answer) {
   for (const auto &[name, e] : result.parameters)
     if (!e.identifiable)
       answer.doubts.push_back(fmt::format("{} of {} is not told by these runs: {}.", name, result.law, e.reason));
+  if (const auto &gain = result.gain; gain && std::abs(gain->factor - 1) > 2 * gain->stated)
+    answer.doubts.push_back(
+        fmt::format("The force channel reads {:.3f} of the force that moves the mass, where its gain "
+                    "is stated to within {:g}.",
+                    gain->factor, gain->stated));
   if (answer.law.left_out.empty())
     answer.doubts.push_back("No run was left out of the fit to try it: how the law predicts is not known.");
   else if (!answer.law.valid_from)

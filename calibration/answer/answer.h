@@ -35,6 +35,7 @@ struct AnswerLaw {
   FitResult result; ///< what was fitted
   ChosenBy chosen_by = ChosenBy::only;
   std::string remark;                         ///< where the user's choice is not the best; else empty
+  std::string held;                           ///< exponents that were not fitted, and why; else empty
   bool of_the_mass = false;                   ///< holds for Answer::scene.load.mass only; else it belongs to the rim
   double fitted_from = 0, fitted_to = 0;      ///< approach speeds of the impacts fitted [m/s]
   std::optional<double> valid_from, valid_to; ///< neighbouring runs left out that are met within `tolerance` [m/s]

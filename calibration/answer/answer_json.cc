@@ -26,6 +26,8 @@ json law_json(const AnswerLaw &law, const scene::Scene &scene) {
   return {{"name", law.result.law},
           {"chosen_by", word(law.chosen_by)},
           {"remark", text_or_null(law.remark)},
+          {"held", text_or_null(law.held)},
+          {"gain", gain_json(law.result.gain)},
           {"belongs_to", law.of_the_mass ? "mass" : "rim"},
           {"parameters", parameters_json(law.result)},
           {"element", element_json(scene)},

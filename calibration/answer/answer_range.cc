@@ -93,7 +93,7 @@ AnswerLaw answer_law(const Choice &choice, const scene::Scene &scene, const std:
                      double tolerance) {
   const LawRow &row = choice.row;
   AnswerLaw law;
-  law.result = row.result, law.chosen_by = choice.chosen_by, law.remark = choice.remark;
+  law.result = row.result, law.chosen_by = choice.chosen_by, law.remark = choice.remark, law.held = row.held;
   law.of_the_mass = belongs_to_mass(scene.reduced);
   law.tolerance = tolerance, law.unexplained = row.unexplained, law.n_runs = static_cast<int>(row.fitted.size());
   law.valid_from = row.valid_from, law.valid_to = row.valid_to;

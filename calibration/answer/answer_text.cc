@@ -92,6 +92,11 @@ std::string describe(const Answer &a) {
   for (const auto &[name, e] : a.law.result.parameters)
     text += fmt::format("  {:<18} {:>12.5g} {:<6} 95 %: {:.5g} .. {:.5g}{}\n", name, e.value, parameter(name).unit,
                         e.interval_low, e.interval_high, e.identifiable ? "" : "  NOT IDENTIFIABLE: " + e.reason);
+  if (!a.law.held.empty()) text += a.law.held + "\n";
+  if (const auto &gain = a.law.result.gain)
+    text += fmt::format("The force channel reads {:.3f} +- {:.3f} of the force that moves the mass (stated 1 +- {:g}); "
+                        "the law is fitted to the force.\n",
+                        gain->factor, gain->standard_error, gain->stated);
   text += table_text(a);
   text += (a.pair ? a.pair->sentence : a.no_pair) + "\n";
   if (a.strain)

@@ -41,6 +41,13 @@ json parameters_json(const FitResult &result) {
   return all;
 }
 
+json gain_json(const std::optional<ChannelGain> &gain) {
+  if (!gain) return nullptr;
+  return {{"factor", number(gain->factor)},
+          {"standard_error", number(gain->standard_error)},
+          {"stated_error", number(gain->stated)}};
+}
+
 namespace {
 
 json errors_json(const std::vector<LawError> &errors) {
@@ -74,6 +81,8 @@ json laws_json(const LawRanking &ranking) {
                     {"valid_from_m_s", number(row.valid_from)},
                     {"valid_to_m_s", number(row.valid_to)},
                     {"sentence", row.sentence},
+                    {"held", row.held.empty() ? json(nullptr) : json(row.held)},
+                    {"gain", gain_json(row.result.gain)},
                     {"runs", errors_json(row.fitted)},
                     {"leave_one_out", left_out}});
   }

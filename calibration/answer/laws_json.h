@@ -11,6 +11,7 @@ nlohmann::json number(const std::optional<double> &value);
 /// Every parameter the scene's law reads, fitted or not, and where the rim begins.
 nlohmann::json element_json(const scene::Scene &scene);
 nlohmann::json parameters_json(const FitResult &result);
+nlohmann::json gain_json(const std::optional<ChannelGain> &gain);
 nlohmann::json laws_json(const LawRanking &ranking);
 nlohmann::json pair_range_json(const PairRange &range);
 nlohmann::json speed_laws_json(const std::vector<SpeedLaw> &laws);

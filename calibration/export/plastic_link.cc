@@ -52,7 +52,7 @@ PlasticLink plastic_link(const ExportedRim &rim) {
   std::vector<double> depth, force;
   const double from = law.front().penetration / 10, to = 1.5 * law.back().penetration;
   for (const double d : speeds_between(from, to, n_vertices))
-    depth.push_back(d), force.push_back(laws::elastoplastic_backbone(element, d).force);
+    depth.push_back(d), force.push_back(element.trial({.d = d, .rate = 0}));
   // returned energy F^2 / (2 K) against the law's, in rebound speeds; golden section over ln K: one minimum, for each
   // term has one
   const auto misfit = [&](double unloading) {

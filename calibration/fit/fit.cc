@@ -1,11 +1,12 @@
 #include "calibration/fit/fit.h"
+#include "calibration/fit/judgement.h"
 #include "calibration/fit/problem.h"
-#include "calibration/fit/uncertainty.h"
 #include "files/error.h"
 #include <algorithm>
 #include <ceres/ceres.h>
 #include <fmt/format.h>
 #include <glog/logging.h>
+#include <limits>
 
 namespace rimpact::calibration {
 
@@ -21,7 +22,7 @@ class Cost final : public ceres::CostFunction {
 public:
   Cost(const Problem &problem, const ResidualBlock &block) : problem_(problem), block_(block) {
     set_num_residuals(block.size());
-    mutable_parameter_block_sizes()->push_back(problem.n_parameters());
+    mutable_parameter_block_sizes()->push_back(problem.n_unknowns());
     if (block.n_nuisance() > 0) mutable_parameter_block_sizes()->push_back(block.n_nuisance());
   }
   bool Evaluate(double const *const *x, double *r, double **jacobians) const override {
@@ -37,6 +38,26 @@ private:
   const ResidualBlock &block_;
 };
 
+/// Ends a search that creeps along a valley far above what another start has found: such valleys are long (a yielding
+/// rim whose yield force is at its bound is followed for hundreds of iterations).
+class GiveUp final : public ceres::IterationCallback {
+public:
+  explicit GiveUp(double best) : best_(best) {}
+  ceres::CallbackReturnType operator()(const ceres::IterationSummary &now) override {
+    costs_.push_back(now.cost);
+    const bool hopeless = now.cost > far * best_ && costs_.size() > patience &&
+                          now.cost > creeping * costs_[costs_.size() - 1 - patience];
+    return hopeless ? ceres::SOLVER_TERMINATE_SUCCESSFULLY : ceres::SOLVER_CONTINUE;
+  }
+
+private:
+  static constexpr std::size_t patience = 5; ///< iterations
+  static constexpr double creeping = 0.7;    ///< of its cost so many iterations before
+  static constexpr double far = 4;           ///< times the best cost
+  double best_;
+  std::vector<double> costs_;
+};
+
 struct Ending {
   Eigen::VectorXd x;
   Nuisance nuisance;
@@ -45,7 +66,16 @@ struct Ending {
   std::string message;
 };
 
-Ending search(const Problem &problem, Eigen::VectorXd x, const FitOptions &options) {
+std::vector<int> held_at_bounds(const Problem &problem, const Eigen::VectorXd &x) {
+  const std::vector<int> free = problem.free(x);
+  std::vector<int> held;
+  for (int i = 0; i < problem.n_unknowns(); ++i)
+    if (std::find(free.begin(), free.end(), i) == free.end()) held.push_back(i);
+  return held;
+}
+
+/// `best`: the cost of the best search before.
+Ending search(const Problem &problem, Eigen::VectorXd x, const FitOptions &options, double best) {
   // Ceres logs through glog; what it has to say is in its summary.
   FLAGS_minloglevel = google::GLOG_FATAL;
   ceres::Problem ceres_problem;
@@ -58,7 +88,7 @@ Ending search(const Problem &problem, Eigen::VectorXd x, const FitOptions &optio
     if (block->n_nuisance() > 0) unknowns.push_back(nuisance[i].data());
     ceres_problem.AddResidualBlock(new Cost(problem, *block), loss, unknowns);
   }
-  for (int i = 0; i < problem.n_parameters(); ++i) {
+  for (int i = 0; i < problem.n_unknowns(); ++i) {
     ceres_problem.SetParameterLowerBound(x.data(), i, problem.lower()(i));
     ceres_problem.SetParameterUpperBound(x.data(), i, problem.upper()(i));
   }
@@ -66,11 +96,17 @@ Ending search(const Problem &problem, Eigen::VectorXd x, const FitOptions &optio
   solver.linear_solver_type = ceres::DENSE_QR;
   solver.logging_type = ceres::SILENT;
   solver.max_num_iterations = options.max_iterations;
-  solver.function_tolerance = 1e-7; // data without errors go on until the parameters stand still
+  solver.function_tolerance = options.tolerance; // data without errors go on until the parameters stand still
   solver.gradient_tolerance = 1e-12;
   solver.parameter_tolerance = 1e-9;
+  GiveUp give_up(best);
+  solver.callbacks.push_back(&give_up);
   ceres::Solver::Summary summary;
   ceres::Solve(solver, &ceres_problem, &summary);
+  if (const auto held = held_at_bounds(problem, x); !held.empty() && static_cast<int>(held.size()) < x.size()) {
+    ceres_problem.SetManifold(x.data(), new ceres::SubsetManifold(static_cast<int>(x.size()), held));
+    ceres::Solve(solver, &ceres_problem, &summary); // along a bound the first ends early
+  }
   return {x,
           nuisance,
           summary.final_cost,
@@ -79,10 +115,38 @@ Ending search(const Problem &problem, Eigen::VectorXd x, const FitOptions &optio
           summary.message};
 }
 
-FitResult result_of(const Problem &problem, const std::vector<Ending> &endings, const FitOptions &options) {
-  const auto best = std::min_element(endings.begin(), endings.end(), [](const Ending &a, const Ending &b) {
+/// The channel's gain, where its error was fitted.
+std::optional<ChannelGain> gain_of(const Problem &problem, const Ending &end, const Spread &spread) {
+  if (!problem.fits_gain()) return {};
+  double stated = 0; // the largest; records of one channel state the same
+  for (const auto &block : problem.blocks()) stated = std::max(stated, block->gain_error());
+  const int at = problem.n_parameters();
+  return ChannelGain{1 + stated * end.x(at), stated * std::sqrt(spread.covariance(at, at)), stated};
+}
+
+/// Root mean square of the residuals, each group over its stated uncertainty.
+double misfit(const Problem &problem, const Ending &end) {
+  double weights = 0;
+  for (const auto &block : problem.blocks())
+    for (const Group &group : block->groups()) weights += group.weight * group.weight;
+  return std::sqrt(2 * end.cost / weights);
+}
+
+/// Whether a law of more than a pair's two numbers may have been misled: it follows the data badly, or has run into a
+/// bound.
+bool doubtful(const Problem &problem, const Ending &end) {
+  constexpr double bad = 3; // uncertainties
+  return problem.n_parameters() > 2 && (misfit(problem, end) > bad || !held_at_bounds(problem, end.x).empty());
+}
+
+const Ending &best_of(const std::vector<Ending> &endings) {
+  return *std::min_element(endings.begin(), endings.end(), [](const Ending &a, const Ending &b) {
     return a.usable != b.usable ? a.usable : a.cost < b.cost;
   });
+}
+
+FitResult result_of(const Problem &problem, const std::vector<Ending> &endings, const FitOptions &options) {
+  const Ending *best = &best_of(endings);
   FitResult result;
   result.names = options.parameters;
   result.law = options.law;
@@ -101,6 +165,7 @@ FitResult result_of(const Problem &problem, const std::vector<Ending> &endings, 
   result.counting = options.counting;
   result.within_noise = spread.within_noise;
   judge(problem, best->x, spread, result);
+  result.gain = gain_of(problem, *best, spread);
   result.n_evaluations = problem.n_evaluations();
   return result;
 }
@@ -108,7 +173,16 @@ FitResult result_of(const Problem &problem, const std::vector<Ending> &endings, 
 FitResult fit_once(const std::vector<const StoredRun *> &runs, const FitOptions &options) {
   const Problem problem(runs, options);
   std::vector<Ending> endings;
-  for (const auto &x : problem.starts()) endings.push_back(search(problem, x, options));
+  double best = std::numeric_limits<double>::infinity();
+  const auto search_from = [&](const std::vector<Eigen::VectorXd> &starts) {
+    for (const auto &x : starts) {
+      endings.push_back(search(problem, x, options, best));
+      if (endings.back().usable) best = std::min(best, endings.back().cost);
+    }
+  };
+  search_from(problem.starts());
+  if (options.n_starts > 0 && doubtful(problem, best_of(endings)))
+    search_from(problem.more_starts(2 * problem.n_parameters()));
   return result_of(problem, endings, options);
 }
 

@@ -43,10 +43,13 @@ struct FitOptions {
   std::map<std::string, double> fixed;  ///< held at these values, reported units
   std::map<std::string, Bounds> bounds; ///< instead of the catalogue's
   std::map<std::string, double> start;  ///< a first start, reported units; others are added to it
-  int n_starts = 5;                     ///< >= 1, spread over the bounds
-  double robust_scale = 20.0;           ///< Huber's, on the norm of an impact's residuals; 0: least squares
-  double difference_step = 1e-4;        ///< of central differences in the fitted variable, >= 1e-6
+  /// >= 1: what the curves say, then points spread over the bounds. A law of three numbers or more that follows badly
+  /// or ends at a bound is searched from twice its number of points more.
+  int n_starts = 5;
+  double robust_scale = 20.0;    ///< Huber's, on the norm of an impact's residuals; 0: least squares
+  double difference_step = 1e-4; ///< of central differences in the fitted variable, >= 1e-6
   int max_iterations = 60;
+  double tolerance = 1e-7;   ///< relative change of the cost at which a search ends, 0..0.01
   bool keep_grazing = false; ///< fit grazing impacts beside others too
   Counting counting = Counting::automatic;
   Uncertainty uncertainty;
@@ -85,6 +88,13 @@ struct Estimate {
   Verdict verdict = Verdict::determined;
 };
 
+/// The force channel as the fit finds it, beside what was stated.
+struct ChannelGain {
+  double factor;         ///< reading over force [-]
+  double standard_error; ///< [-]
+  double stated;         ///< standard error beforehand [-]
+};
+
 struct FitResult {
   std::vector<std::string> names;
   std::string law;
@@ -96,6 +106,7 @@ struct FitResult {
   int n_impacts = 0, n_residuals = 0, n_starts = 0;
   int n_starts_agreeing = 0; ///< that ended within 1e-3 of the same values
   int n_evaluations = 0;
+  std::optional<ChannelGain> gain; ///< where a record states an error of it
   bool converged = false;
   bool within_noise = false;           ///< the law follows every measured impact within its noise
   Counting counting = Counting::curve; ///< of measured impacts, never automatic

@@ -66,6 +66,7 @@ void FitOptions::validate_words() const {
   require(n_starts <= 1000, "n_starts", n_starts, "<= 1000");
   require(robust_scale >= 0, "robust_scale", robust_scale, ">= 0");
   require(difference_step >= 1e-6 && difference_step <= 0.1, "difference_step", difference_step, "in 1e-6..0.1");
+  require(tolerance > 0 && tolerance <= 0.01, "tolerance", tolerance, "in 0..0.01");
   require(max_iterations >= 1, "max_iterations", max_iterations, ">= 1");
   require(uncertainty.force > 0, "uncertainty of the force", uncertainty.force, "> 0");
   require(uncertainty.displacement > 0, "uncertainty of the displacement", uncertainty.displacement, "> 0");

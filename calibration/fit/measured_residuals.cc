@@ -33,8 +33,10 @@ public:
   int n_nuisance() const override { return time_error_ > 0 ? 3 : 2; }
   bool measured() const override { return m_.noisy(); }
 
-  void evaluate(const scene::Scene &scene, std::span<const double> nuisance, std::span<double> r) const override {
+  void evaluate(const scene::Scene &scene, const Beside &beside, std::span<double> r) const override {
+    const std::span<const double> nuisance = beside.nuisance;
     Shot shot = shoot(scene, window_, moved(nuisance));
+    for (double &force : shot.force) force *= 1 + gain_ * beside.gain; // as the channel shows it
     if (time_error_ > 0) delay(shot, nuisance[2] * time_error_);
     std::size_t n = 0;
     if (force_ > 0)
@@ -67,14 +69,17 @@ public:
   }
   const void *record() const override { return &record_; }
 
-  Eigen::VectorXd gain_error() const override {
-    Eigen::VectorXd change = Eigen::VectorXd::Zero(size());
+  double gain_error() const override { return gain_; }
+  /// The model's forces are the record's and what is left: by linearity no other flight is needed.
+  Eigen::VectorXd gain_slope(double gain, const Eigen::VectorXd &residuals) const override {
+    Eigen::VectorXd slope = Eigen::VectorXd::Zero(size());
     const Rows rows = places();
+    const double share = gain_ / (1 + gain_ * gain);
     if (rows.force >= 0)
       for (Eigen::Index i = 0; i < n_pressed_; ++i)
-        change(rows.force + i) = gain_ * force_ * window_.force[m_.pressed_first + i];
-    if (rows.peak >= 0) change(rows.peak) = gain_ * peak_ * m_.peak.of(window_.force);
-    return change;
+        slope(rows.force + i) = share * (residuals(rows.force + i) + force_ * window_.force[m_.pressed_first + i]);
+    if (rows.peak >= 0) slope(rows.peak) = share * (residuals(rows.peak) + peak_ * m_.peak.of(window_.force));
+    return slope;
   }
 
 private:

@@ -1,4 +1,5 @@
 #include "calibration/fit/problem.h"
+#include "calibration/fit/first_guess.h"
 #include "calibration/fit/halton.h"
 #include "files/error.h"
 #include "impact_laws/catalogue.h"
@@ -10,6 +11,10 @@ namespace rimpact::calibration {
 
 namespace {
 
+/// Bounds of the gain's error, in standard errors.
+constexpr double widest_gain = 10;
+/// Share of the bounds' range within which a value counts as standing at the bound.
+constexpr double at_bound = 1e-6;
 /// Of central differences, in standard errors of what is differenced.
 constexpr double nuisance_step = 0.1;
 
@@ -31,6 +36,10 @@ Problem::Problem(const std::vector<const StoredRun *> &runs, const FitOptions &o
     upper_(i) = to_variable(static_cast<int>(i), bounds.upper);
   }
   add_blocks(runs);
+  if (std::none_of(blocks_.begin(), blocks_.end(), [](const auto &block) { return block->gain_error() > 0; })) return;
+  blocks_.push_back(gain_block(blocks_.front()->scene()));
+  lower_.conservativeResize(n + 1), upper_.conservativeResize(n + 1);
+  lower_(n) = -widest_gain, upper_(n) = widest_gain;
 }
 
 void Problem::add_blocks(const std::vector<const StoredRun *> &runs) {
@@ -46,10 +55,9 @@ void Problem::add_blocks(const std::vector<const StoredRun *> &runs) {
     for (const auto &w : run->impacts) {
       if (drop && w.grazing) continue;
       blocks_.push_back(impact_block(*run, w, options_));
-      if (!gentlest_ || w.impact.approach_speed < gentlest_->impact.approach_speed) gentlest_ = &w;
+      windows_.push_back(&w);
       ++n_impacts_;
     }
-    if (!run->impacts.empty() && (!hardest_ || run->peak_force() > hardest_->peak_force())) hardest_ = run;
     if (any_flight(parameters_) && !run->is_window()) blocks_.push_back(flight_block(*run, options_));
   }
   std::erase_if(blocks_, [](const auto &block) { return block->size() == 0; });
@@ -63,7 +71,19 @@ double Problem::to_reported(int i, double x) const {
   return parameters_[i]->logarithmic ? std::exp(x) : x;
 }
 double Problem::per_relative_change(int i, double x) const {
-  return parameters_[i]->logarithmic ? 1.0 : x;
+  return parameters_[i]->logarithmic ? 1.0 : size(i, x);
+}
+double Problem::size(int i, double reported) const {
+  const Parameter &p = *parameters_[i];
+  if (p.lower > 0) return std::abs(reported);
+  return std::max(std::abs(reported), 0.05 * std::max(std::abs(p.lower), std::abs(p.upper)));
+}
+
+std::vector<int> Problem::free(const Eigen::VectorXd &x) const {
+  std::vector<int> inside;
+  for (int i = 0; i < n_unknowns(); ++i)
+    if (std::min(x(i) - lower_(i), upper_(i) - x(i)) >= at_bound * (upper_(i) - lower_(i))) inside.push_back(i);
+  return inside;
 }
 
 scene::Scene Problem::apply(scene::Scene scene, const double *x) const {
@@ -75,7 +95,10 @@ bool Problem::residuals(const ResidualBlock &block, const double *x, const doubl
   ++n_evaluations_;
   const std::span<double> values(r, block.size());
   try {
-    block.evaluate(apply(block.scene(), x), {nuisance, static_cast<std::size_t>(block.n_nuisance())}, values);
+    block.evaluate(apply(block.scene(), x),
+                   {.nuisance = {nuisance, static_cast<std::size_t>(block.n_nuisance())},
+                    .gain = fits_gain() ? x[n_parameters()] : 0},
+                   values);
   } catch (const Error &) { // values the reduced model refuses: the search steps back
     return false;
   }
@@ -83,9 +106,9 @@ bool Problem::residuals(const ResidualBlock &block, const double *x, const doubl
 }
 
 bool Problem::jacobian(const ResidualBlock &block, const double *x, const double *nuisance, double *jacobian) const {
-  const int n = n_parameters(), m = block.size();
+  const int n = n_unknowns(), m = block.size();
   std::vector<double> ahead(m), behind(m);
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < n_parameters(); ++i) {
     const double h = options_.difference_step;
     Eigen::VectorXd a = Eigen::Map<const Eigen::VectorXd>(x, n), b = a;
     a(i) = std::min(x[i] + h, upper_(i)), b(i) = std::max(x[i] - h, lower_(i));
@@ -93,6 +116,11 @@ bool Problem::jacobian(const ResidualBlock &block, const double *x, const double
       return false;
     for (int j = 0; j < m; ++j) jacobian[j * n + i] = (ahead[j] - behind[j]) / (a(i) - b(i));
   }
+  if (!fits_gain()) return true;
+  Eigen::VectorXd r(m);
+  if (!residuals(block, x, nuisance, r.data())) return false;
+  const Eigen::VectorXd slope = block.gain_slope(x[n_parameters()], r);
+  for (int j = 0; j < m; ++j) jacobian[j * n + n - 1] = slope(j);
   return true;
 }
 
@@ -114,27 +142,15 @@ Eigen::VectorXd Problem::clamped(const Eigen::VectorXd &x) const {
   return x.cwiseMax(lower_ + margin).cwiseMin(upper_ - margin);
 }
 
-Eigen::VectorXd Problem::guess() const {
-  scene::Scene scene = blocks_.front()->scene();
-  if (hardest_) {
-    const auto hardest = std::max_element(hardest_->impacts.begin(), hardest_->impacts.end(),
-                                          [](const auto &a, const auto &b) { return a.peak < b.peak; });
-    const double e = std::clamp(hardest->impact.restitution(), 0.05, 0.95);
-    const double ratio = hardest->peak / (hardest->impact.approach_speed * laws::kelvin_voigt_peak(e));
-    scene.reduced.restitution = e;
-    scene.reduced.k_i = ratio * ratio / scene.load.mass;
-    scene.reduced.yield_force = 0.4 * hardest->peak;
-    // A rim that yields is as stiff as its gentlest impact finds it, F = v sqrt(k m).
-    if (gentlest_ && scene.reduced.impact_law->yields)
-      scene.reduced.k_i = std::pow(gentlest_->peak / gentlest_->impact.approach_speed, 2) / scene.load.mass;
-  }
-  Eigen::VectorXd x(n_parameters());
+/// Of the parameters' values in `scene`; the gain is what it says.
+Eigen::VectorXd Problem::point(const scene::Scene &scene) const {
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(n_unknowns());
   for (int i = 0; i < n_parameters(); ++i) x(i) = to_variable(i, parameters_[i]->get(scene) / parameters_[i]->si);
   return clamped(x);
 }
 
 Eigen::VectorXd Problem::spread_point(int index) const {
-  Eigen::VectorXd x(n_parameters());
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(n_unknowns());
   for (int i = 0; i < n_parameters(); ++i)
     x(i) = lower_(i) + radical_inverse(index, halton_bases[i % std::size(halton_bases)]) * (upper_(i) - lower_(i));
   return clamped(x);
@@ -142,7 +158,7 @@ Eigen::VectorXd Problem::spread_point(int index) const {
 
 std::vector<Eigen::VectorXd> Problem::starts() const {
   std::vector<Eigen::VectorXd> points;
-  const Eigen::VectorXd own = guess();
+  const Eigen::VectorXd own = point(first_guess(blocks_.front()->scene(), windows_));
   if (!options_.start.empty()) {
     Eigen::VectorXd x = own;
     for (int i = 0; i < n_parameters(); ++i)
@@ -152,6 +168,12 @@ std::vector<Eigen::VectorXd> Problem::starts() const {
   }
   if (options_.n_starts > 0) points.push_back(own);
   for (int i = 1; i < options_.n_starts; ++i) points.push_back(spread_point(i));
+  return points;
+}
+
+std::vector<Eigen::VectorXd> Problem::more_starts(int count) const {
+  std::vector<Eigen::VectorXd> points;
+  for (int i = 0; i < count; ++i) points.push_back(spread_point(std::max(1, options_.n_starts) + i));
   return points;
 }
 

@@ -33,7 +33,7 @@ public:
     phase_ = u.time > 0 ? add_group(Compared::phase, 1, 1, u.time) : 0;
   }
 
-  void evaluate(const scene::Scene &scene, std::span<const double>, std::span<double> r) const override {
+  void evaluate(const scene::Scene &scene, const Beside &, std::span<double> r) const override {
     Shot shot = shoot(scene, window_);
     std::size_t n = compare_curves(shot, r);
     const double shifted = phase_ > 0 ? shift(shot, r) : 0;
@@ -102,7 +102,7 @@ public:
     scale_ = add_group(Compared::flight, static_cast<int>(2 * n_), options.weights.flight, sigma);
   }
 
-  void evaluate(const scene::Scene &scene, std::span<const double>, std::span<double> r) const override {
+  void evaluate(const scene::Scene &scene, const Beside &, std::span<double> r) const override {
     const auto run = reduced::simulate(scene);
     const auto &times = run.response.series("time");
     std::size_t n = 0;
@@ -126,12 +126,23 @@ private:
   double scale_;
 };
 
+class GainBlock final : public ResidualBlock {
+public:
+  explicit GainBlock(const scene::Scene &scene) : ResidualBlock(scene) { add_group(Compared::gain, 1, 1, 1); }
+  void evaluate(const scene::Scene &, const Beside &beside, std::span<double> r) const override { r[0] = beside.gain; }
+  Eigen::VectorXd gain_slope(double, const Eigen::VectorXd &) const override { return Eigen::VectorXd::Ones(1); }
+};
+
 } // namespace
 
 std::unique_ptr<ResidualBlock> impact_block(const StoredRun &run, const ImpactWindow &window,
                                             const FitOptions &options) {
   if (window.measurement) return measured_block(run, window, options);
   return std::make_unique<ImpactBlock>(run, window, options);
+}
+
+std::unique_ptr<ResidualBlock> gain_block(const scene::Scene &scene) {
+  return std::make_unique<GainBlock>(scene);
 }
 
 std::unique_ptr<ResidualBlock> flight_block(const StoredRun &run, const FitOptions &options) {

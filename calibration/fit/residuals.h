@@ -9,7 +9,7 @@
 namespace rimpact::calibration {
 
 /// What is compared (fit.h); of measured impacts also how they start.
-enum class Compared { force, displacement, rebound, peak, phase, flight, start };
+enum class Compared { force, displacement, rebound, peak, phase, flight, start, gain };
 
 /// Residuals first .. first + count - 1 of a block share one stated uncertainty and together count as one
 /// observation.
@@ -34,9 +34,14 @@ public:
   /// What the impact itself leaves open (its start, its clock), in standard errors, fitted beside the parameters: each
   /// has a residual of its own size, so that it is known beforehand to +-1.
   virtual int n_nuisance() const { return 0; }
+  /// What is fitted beside a law's parameters: the block's own unknowns, and the error of the force channel's gain, one
+  /// for all impacts, in its standard errors.
+  struct Beside {
+    std::span<const double> nuisance;
+    double gain = 0;
+  };
   /// `scene` is scene() with trial values. May throw what the reduced model throws.
-  virtual void evaluate(const scene::Scene &scene, std::span<const double> nuisance,
-                        std::span<double> residuals) const = 0;
+  virtual void evaluate(const scene::Scene &scene, const Beside &beside, std::span<double> residuals) const = 0;
 
   /// Whether the covariance of the residuals comes from the record's own noise, and not from stated uncertainties.
   virtual bool measured() const { return false; }
@@ -49,8 +54,12 @@ public:
   /// common to all impacts of a record.
   virtual double freedom(Channel) const { return std::numeric_limits<double>::infinity(); }
   virtual const void *record() const { return nullptr; }
-  /// Change of the residuals by one standard error of the force channel's gain.
-  virtual Eigen::VectorXd gain_error() const { return Eigen::VectorXd::Zero(size()); }
+  /// Standard error of the force channel's gain [-]; 0: it is exact.
+  virtual double gain_error() const { return 0; }
+  /// Derivative of the residuals by Beside::gain, where they are `residuals`.
+  virtual Eigen::VectorXd gain_slope(double, const Eigen::VectorXd &residuals) const {
+    return Eigen::VectorXd::Zero(residuals.size());
+  }
 
 protected:
   /// Adds a group; returns weight / (sigma sqrt(count)), what its differences are multiplied by.
@@ -67,6 +76,8 @@ std::unique_ptr<ResidualBlock> impact_block(const StoredRun &run, const ImpactWi
 /// The same of a measured impact (window.measurement is set).
 std::unique_ptr<ResidualBlock> measured_block(const StoredRun &run, const ImpactWindow &window,
                                               const FitOptions &options);
+/// What is known of the gain beforehand: one residual, its error in standard errors.
+std::unique_ptr<ResidualBlock> gain_block(const scene::Scene &scene);
 /// Motion from rest to the first touch; of quasi-static scenes the force instead.
 std::unique_ptr<ResidualBlock> flight_block(const StoredRun &run, const FitOptions &options);
 

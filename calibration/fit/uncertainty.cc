@@ -1,10 +1,8 @@
 #include "calibration/fit/uncertainty.h"
 #include "calibration/fit/noise_left.h"
-#include <boost/math/distributions/students_t.hpp>
 #include <cmath>
 #include <Eigen/LU>
 #include <Eigen/SVD>
-#include <fmt/format.h>
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -13,13 +11,6 @@ namespace rimpact::calibration {
 
 namespace {
 
-constexpr double both_sides_of_95 = 0.975;
-/// A parameter whose 95 % interval reaches this share of its value to either side is not identified.
-constexpr double vague = 0.5;
-/// Condition (relative changes) beyond which the valley is called flat.
-constexpr double flat_condition = 1e4;
-/// Share of the bounds' range within which a value counts as standing at the bound.
-constexpr double at_bound = 1e-6;
 /// Of squared residuals: differences of interpolation and digits, in uncertainties.
 constexpr double numerical = 1e-8;
 
@@ -57,7 +48,7 @@ Linearised linearised(const Problem &problem, const ResidualBlock &block, const 
                       const Eigen::VectorXd &nuisance, double robust_scale) {
   using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   Eigen::VectorXd r(block.size());
-  RowMajor J(block.size(), problem.n_parameters()), N(block.size(), block.n_nuisance());
+  RowMajor J(block.size(), problem.n_unknowns()), N(block.size(), block.n_nuisance());
   if (!problem.residuals(block, x.data(), nuisance.data(), r.data()) ||
       !problem.jacobian(block, x.data(), nuisance.data(), J.data()) ||
       (N.cols() > 0 && !problem.nuisance_jacobian(block, x.data(), nuisance.data(), N.data())))
@@ -96,44 +87,34 @@ Eigen::VectorXd freedom_of(const Eigen::MatrixXd &covariance, const Eigen::Matri
   return covariance.diagonal().cwiseAbs2().cwiseQuotient(loss);
 }
 
-/// The normal matrix in relative changes of the parameters.
-double condition_of(const Problem &problem, const Eigen::VectorXd &x, const Eigen::MatrixXd &bread) {
-  const int n = problem.n_parameters();
-  Eigen::VectorXd relative(n);
-  for (int i = 0; i < n; ++i) relative(i) = problem.per_relative_change(i, x(i));
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(relative.asDiagonal() * bread * relative.asDiagonal());
+/// Of the normal matrix in relative changes of the parameters.
+double condition_of(const Eigen::MatrixXd &relative) {
+  const auto n = relative.rows();
+  if (n == 0) return 1;
+  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(relative);
   const double least = svd.singularValues()(n - 1), most = svd.singularValues()(0);
   return most > 0 && least >= 1e-14 * most ? std::sqrt(most / least) : std::numeric_limits<double>::infinity();
 }
 
-double half_of_95(double freedom) {
-  return boost::math::quantile(boost::math::students_t(freedom > 1 ? freedom : 1), both_sides_of_95);
+/// Of the unknowns `kept` alone; the others are held where they are.
+std::vector<Linearised> columns_of(const std::vector<Linearised> &parts, const std::vector<int> &kept) {
+  std::vector<Linearised> fewer = parts;
+  for (Linearised &part : fewer) part.J = Eigen::MatrixXd(part.J(Eigen::all, kept));
+  return fewer;
 }
 
-} // namespace
+struct Covariances {
+  Eigen::MatrixXd all, stated;
+  Eigen::VectorXd freedom;
+};
 
-Spread spread_at(const Problem &problem, const Eigen::VectorXd &x, const Nuisance &nuisance, double robust_scale) {
-  const int n = problem.n_parameters();
-  Eigen::MatrixXd bread = Eigen::MatrixXd::Zero(n, n), noise = bread, stated = bread, found = bread;
-  Eigen::VectorXd gain = Eigen::VectorXd::Zero(n); // one error, common to all impacts
-  Spread spread;
-  std::vector<Linearised> parts;
+/// By the rows of all parts, of regular columns.
+Covariances covariances(const std::vector<Linearised> &parts, const Eigen::MatrixXd &bread, bool &within_noise) {
+  const auto n = bread.rows();
+  Eigen::MatrixXd noise = Eigen::MatrixXd::Zero(n, n), stated = noise, found = noise;
   NoiseShares shares;
-  for (std::size_t k = 0; k < problem.blocks().size(); ++k) {
-    parts.push_back(linearised(problem, *problem.blocks()[k], x, nuisance[k], robust_scale));
-    const Linearised &part = parts.back();
-    bread += part.weight * part.J.transpose() * part.J;
-    if (!part.block->measured()) continue;
-    spread.measured = true;
-    add_noise(shares, part);
-    gain += part.weight * part.J.transpose() * part.block->gain_error();
-  }
-  spread.condition = condition_of(problem, x, bread);
-  if (!std::isfinite(spread.condition)) {
-    spread.covariance = Eigen::MatrixXd::Constant(n, n, std::numeric_limits<double>::infinity());
-    spread.stated_covariance = spread.covariance, spread.freedom = spread.covariance.diagonal();
-    return spread;
-  }
+  for (const Linearised &part : parts)
+    if (part.block->measured()) add_noise(shares, part);
   const Eigen::MatrixXd inverse = bread.inverse();
   for (const auto &[origin, share] : shares) noise += share.filling;
   const Eigen::MatrixXd by_noise = inverse * noise * inverse;
@@ -145,75 +126,66 @@ Spread spread_at(const Problem &problem, const Eigen::VectorXd &x, const Nuisanc
       const auto rows = part.J.middleRows(group.first, group.count);
       const Eigen::MatrixXd square = part.weight * part.weight * rows.transpose() * rows;
       const double excess = measured ? beyond_noise(group, left[g], part.r) : 0;
-      spread.within_noise = spread.within_noise && excess == 0;
+      within_noise = within_noise && excess == 0;
       found += (measured ? excess : group_variance(group, part.r)) * square;
       if (!measured) stated += group.weight * group.weight / group.count * square;
     }
   }
-  const Eigen::MatrixXd common = noise + gain * gain.transpose();
-  spread.covariance = inverse * (common + found) * inverse;
-  spread.stated_covariance = inverse * (common + stated) * inverse;
-  spread.freedom = freedom_of(spread.covariance, inverse, shares);
-  return spread;
+  Covariances c{inverse * (noise + found) * inverse, inverse * (noise + stated) * inverse, {}};
+  c.freedom = freedom_of(c.all, inverse, shares);
+  return c;
 }
 
-void judge(const Problem &problem, const Eigen::VectorXd &x, const Spread &spread, FitResult &result) {
-  const int n = problem.n_parameters();
-  result.condition = spread.condition;
-  for (int i = 0; i < n; ++i) {
-    const Parameter &p = problem.parameter(i);
-    const double sd = std::sqrt(spread.covariance(i, i)), value = problem.to_reported(i, x(i));
-    const double range = problem.upper()(i) - problem.lower()(i), half = half_of_95(spread.freedom(i));
-    Estimate estimate;
-    estimate.value = value;
-    estimate.standard_error = p.logarithmic ? value * sd : sd;
-    estimate.stated_error = estimate.standard_error * std::sqrt(spread.stated_covariance(i, i)) / sd;
-    estimate.interval_low = problem.to_reported(i, std::max(x(i) - half * sd, problem.lower()(i)));
-    estimate.interval_high = problem.to_reported(i, std::min(x(i) + half * sd, problem.upper()(i)));
-    const bool low = x(i) - problem.lower()(i) < at_bound * range;
-    estimate.at_bound = low || problem.upper()(i) - x(i) < at_bound * range;
-    // a parameter that may vanish is judged against what its bounds admit
-    const double size = p.lower > 0 ? std::abs(value)
-                                    : std::max(std::abs(value), 0.05 * std::max(std::abs(p.lower), std::abs(p.upper)));
-    const double half_width = half * estimate.standard_error;
-    const double stated_half_width = half * estimate.stated_error;
-    if (problem.all_grazing() && !p.seen_in_flight) {
-      estimate.verdict = Verdict::grazing;
-      estimate.reason = "every impact only grazes the rim: a slightly different flight would miss it";
-    } else if (estimate.at_bound) {
-      estimate.verdict = Verdict::bound;
-      estimate.reason = fmt::format("it ended at the {} value allowed, {:.3g}{}", low ? "smallest" : "largest", value,
-                                    unit_behind(p.unit));
-    } else if (!(spread.condition < flat_condition)) {
-      estimate.verdict = Verdict::flat;
-      estimate.reason = "other values of the parameters together follow the data as well";
-    } else if (!(stated_half_width <= vague * size) && spread.measured) {
-      estimate.verdict = Verdict::noise;
-      estimate.reason =
-          fmt::format("the noise of the record leaves +-{:.0f} % of the value open", 100 * stated_half_width / size);
-    } else if (!(stated_half_width <= vague * size)) {
-      estimate.verdict = Verdict::flat;
-      estimate.reason = fmt::format("the data leave +-{:.0f} % of the value open", 100 * stated_half_width / size);
-    } else if (half_width > vague * size) {
-      estimate.verdict = Verdict::form;
-      const std::string says = fmt::format(
-          "the data alone leave +-{:.1f} % of it open, but the law does not follow them, so the 95 % interval is "
-          "+-{:.0f} %",
-          100 * stated_half_width / size, 100 * half_width / size);
-      if (half_width > size) // an interval that reaches zero tells nothing, whatever widened it
-        estimate.reason = says;
-      else
-        result.notes.push_back(fmt::format("{} is determined: {}", p.name, says));
-    }
-    estimate.identifiable = estimate.reason.empty();
-    result.parameters[p.name] = estimate;
+Eigen::MatrixXd normal_matrix(const std::vector<Linearised> &parts) {
+  Eigen::MatrixXd bread = Eigen::MatrixXd::Zero(parts.front().J.cols(), parts.front().J.cols());
+  for (const Linearised &part : parts) bread += part.weight * part.J.transpose() * part.J;
+  return bread;
+}
+
+} // namespace
+
+Spread spread_at(const Problem &problem, const Eigen::VectorXd &x, const Nuisance &nuisance, double robust_scale) {
+  const int n = problem.n_unknowns();
+  constexpr double unknown = std::numeric_limits<double>::infinity();
+  Spread spread;
+  std::vector<Linearised> parts;
+  for (std::size_t k = 0; k < problem.blocks().size(); ++k) {
+    parts.push_back(linearised(problem, *problem.blocks()[k], x, nuisance[k], robust_scale));
+    spread.measured = spread.measured || parts.back().block->measured();
   }
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j) {
-      const double scale = std::sqrt(spread.covariance(i, i) * spread.covariance(j, j));
-      const double value = i == j ? 1.0 : std::isfinite(scale) && scale > 0 ? spread.covariance(i, j) / scale : 0.0;
-      result.correlation[problem.parameter(i).name][problem.parameter(j).name] = value;
-    }
+  const Eigen::MatrixXd bread = normal_matrix(parts);
+  Eigen::VectorXd relative = Eigen::VectorXd::Ones(n);
+  for (int i = 0; i < problem.n_parameters(); ++i) relative(i) = problem.per_relative_change(i, x(i));
+  const Eigen::MatrixXd scaled = relative.asDiagonal() * bread * relative.asDiagonal();
+  const auto condition = [&](const std::vector<int> &kept) { return condition_of(scaled(kept, kept)); };
+
+  const std::vector<int> free = problem.free(x);
+  spread.free.assign(n, false);
+  for (const int i : free) spread.free[i] = true;
+  spread.covariance = Eigen::MatrixXd::Zero(n, n), spread.freedom = Eigen::VectorXd::Constant(n, unknown);
+  spread.covariance.diagonal().setConstant(unknown), spread.stated_covariance = spread.covariance;
+  spread.condition = condition(free);
+  if (!std::isfinite(spread.condition)) return spread;
+  const auto take = [&](const std::vector<int> &kept, bool &within_noise) {
+    return covariances(columns_of(parts, kept), bread(kept, kept), within_noise);
+  };
+  if (!free.empty()) {
+    const Covariances c = take(free, spread.within_noise);
+    spread.covariance(free, free) = c.all, spread.stated_covariance(free, free) = c.stated;
+    spread.freedom(free) = c.freedom;
+  }
+  for (int i = 0; i < n; ++i) { // how far one that is held could go if the fit let it
+    if (spread.free[i]) continue;
+    std::vector<int> with = free;
+    with.push_back(i);
+    if (!std::isfinite(condition(with))) continue;
+    bool unused = true;
+    const Covariances c = take(with, unused);
+    const auto last = c.all.rows() - 1;
+    spread.covariance(i, i) = c.all(last, last), spread.stated_covariance(i, i) = c.stated(last, last);
+    spread.freedom(i) = c.freedom(last);
+  }
+  return spread;
 }
 
 } // namespace rimpact::calibration

@@ -79,7 +79,8 @@ std::optional<LeftOut> without(const Runs &runs, const std::pair<std::string, Ru
 
 std::vector<LeftOut> leave_out(const Runs &runs, const FitOptions &options, const FitResult &all) {
   FitOptions again = options;
-  again.n_starts = 0; // from the fit of all runs alone
+  again.n_starts = 0;     // from the fit of all runs alone
+  again.tolerance = 1e-4; // errors are told in tenths of a per cent
   for (const auto &name : again.parameters) again.start[name] = all.parameters.at(name).value;
   std::vector<LeftOut> table;
   for (auto &left : parallel_map(sets_of(runs), [&](const auto &set) { return without(runs, set, again); }))

@@ -97,8 +97,29 @@ LawRow judged(const Runs &runs, const FitOptions &options, const FitResult &resu
 
 namespace {
 
-/// The law's exponents join once its other parameters are found, where the impacts are enough to tell them apart, and
-/// stay if runs left out are then predicted better: on the runs fitted two more parameters always look well.
+/// With this many impacts one can be left out and two still tell a curve's shape from its size.
+constexpr int enough_for_exponents = 3;
+
+bool tells_all(const LawRow &row) {
+  return std::all_of(row.result.parameters.begin(), row.result.parameters.end(),
+                     [](const auto &entry) { return entry.second.identifiable; });
+}
+
+std::string held_words(const std::vector<std::string> &exponents, const LawRow &row, const std::string &why) {
+  std::string text;
+  for (const auto &name : exponents) {
+    const auto &p = parameter(name);
+    scene::Scene scene;
+    const auto fixed = row.result.fixed.find(name);
+    text += fmt::format("{}{} at {:g}", text.empty() ? "" : " and ", name,
+                        fixed == row.result.fixed.end() ? p.get(scene) / p.si : fixed->second);
+  }
+  return fmt::format("{}: held {}, {}.", row.result.law, text, why);
+}
+
+/// The law's exponents join once its other parameters are found. They stay if runs left out are then predicted better:
+/// on the runs fitted two more parameters always look well. Where the impacts are fewer than the parameters, the curves
+/// must also tell each of them.
 LawRow row_of(const Runs &runs, FitOptions options, double tolerance) {
   std::vector<std::string> exponents = laws::impact_law(options.law).exponents;
   std::erase_if(exponents, [&](const auto &name) { return options.fixed.count(name) > 0; });
@@ -106,13 +127,22 @@ LawRow row_of(const Runs &runs, FitOptions options, double tolerance) {
   for (const auto &name : exponents) plain.bounds.erase(name);
   LawRow row = judged(runs, plain, fit(runs, plain), tolerance);
   options.parameters.insert(options.parameters.end(), exponents.begin(), exponents.end());
-  if (exponents.empty() || row.result.n_impacts < static_cast<int>(options.parameters.size())) return row;
+  if (exponents.empty()) return row;
+  if (row.result.n_impacts < enough_for_exponents) {
+    row.held = held_words(exponents, row, fmt::format("for {} impacts do not tell a shape", row.result.n_impacts));
+    return row;
+  }
   for (const auto &name : plain.parameters) options.start[name] = row.result.parameters.at(name).value;
   options.n_starts = 0;
   const LawRow shaped = judged(runs, options, fit(runs, options), tolerance);
   const auto worst = [](const LawRow &r) { return std::max(r.left_out_peak_error, r.left_out_rebound_error); };
   const bool wider = shaped.n_valid > row.n_valid; // first: a run beyond what any exponents can follow does not decide
-  return wider || (shaped.n_valid == row.n_valid && worst(shaped) < worst(row)) ? shaped : row;
+  const bool better = wider || (shaped.n_valid == row.n_valid && worst(shaped) < worst(row));
+  const bool many = row.result.n_impacts >= static_cast<int>(options.parameters.size());
+  if (better && (many || tells_all(shaped))) return shaped;
+  row.held = held_words(exponents, row,
+                        better ? "for the curves do not tell them" : "for with them runs left out are not met better");
+  return row;
 }
 
 } // namespace

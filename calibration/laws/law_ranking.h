@@ -34,6 +34,7 @@ struct LawRow {
   std::optional<double> valid_from, valid_to;
   int n_valid = 0; ///< runs in that range
   std::string sentence;
+  std::string held; ///< which exponents were not fitted, and why; empty: none
 };
 struct LawRanking {
   double tolerance = 0.05;

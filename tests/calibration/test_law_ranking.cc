@@ -45,6 +45,35 @@ TEST(LawRanking, PutsTheLawThatMadeTheDataFirst) {
   EXPECT_NE(ranking.sentence.find("elastoplastic"), std::string::npos);
 }
 
+// what an ElasticPPGap, a multi-linear link or a bolted stop return
+TEST(LawRanking, ABilinearRimIsFoundByItsOwnLaw) {
+  std::vector<StoredRun> runs;
+  for (const double v : {0.1, 0.2, 0.35, 0.6}) {
+    auto truth = yielding_window(v);
+    truth.reduced.impact_law = &laws::impact_law("bilinear");
+    runs.push_back(run_of(truth));
+    runs.back().scene.reduced = {};
+  }
+  std::vector<std::string> notes;
+  const auto ranking = rank_laws(pointers(runs), {"elastoplastic", "bilinear"}, {}, notes);
+  ASSERT_EQ(ranking.rows.size(), 2u);
+  const auto &best = ranking.rows[0];
+  EXPECT_EQ(best.result.law, "bilinear");
+  EXPECT_NEAR(best.result.parameters.at("k_i").value / 6e5, 1, 1e-3);
+  EXPECT_NEAR(best.result.parameters.at("yield_force").value / 900, 1, 1e-3);
+  EXPECT_NEAR(best.result.parameters.at("hardening").value / 0.1, 1, 1e-2);
+  EXPECT_LT(best.left_out_peak_error, 0.01);
+  EXPECT_LT(best.left_out_rebound_error, 0.01);
+}
+
+TEST(LawRanking, ExponentsThatAreHeldAreSaid) {
+  std::vector<StoredRun> runs = {run_of(yielding_window(0.2)), run_of(yielding_window(0.5))};
+  std::vector<std::string> notes;
+  const auto row = rank_laws(pointers(runs), {"elastoplastic"}, {}, notes).rows.at(0);
+  EXPECT_NE(row.held.find("hardening_exponent at 0.75"), std::string::npos) << row.held;
+  EXPECT_NE(row.held.find("2 impacts"), std::string::npos) << row.held;
+}
+
 TEST(LawRanking, FindsTheExponentsOnceImpactsAreEnough) {
   std::vector<StoredRun> runs;
   for (const double v : {0.1, 0.2, 0.3, 0.45, 0.7, 1.0}) {

@@ -41,6 +41,50 @@ TEST(Uncertainty, CorrelationIsOneWithItselfSymmetricAndBounded) {
   EXPECT_LT(std::abs(c.at("k_i").at("e")), 1);
 }
 
+// a direction in which the fit cannot move says nothing of the others
+TEST(Uncertainty, AParameterAtItsBoundIsHeldWhileTheOthersAreJudged) {
+  std::vector<StoredRun> runs;
+  for (const double v : {0.1, 0.2, 0.35, 0.6}) {
+    auto s = window(v, 9.9e8);
+    s.reduced.impact_law = &laws::impact_law("elastoplastic");
+    s.reduced.yield_force = 0.7e6, s.reduced.hardening = 0.156, s.reduced.unloading_gain = 0;
+    runs.push_back(run_of(s));
+  }
+  FitOptions options;
+  options.law = "elastoplastic", options.parameters = laws::impact_law("elastoplastic").parameters;
+  options.bounds["unloading_gain"] = {0.05, 20}; // the truth lies outside: it ends at the bound
+  const auto held = fit({&runs[0], &runs[1], &runs[2], &runs[3]}, options);
+  EXPECT_EQ(held.parameters.at("unloading_gain").verdict, Verdict::bound);
+  EXPECT_LT(held.condition, 1e4);
+  FitOptions fixed = options;
+  fixed.bounds.clear(), fixed.fixed["unloading_gain"] = 0.05, std::erase(fixed.parameters, "unloading_gain");
+  const auto given = fit({&runs[0], &runs[1], &runs[2], &runs[3]}, fixed);
+  for (const auto &[name, estimate] : given.parameters) { // as if it had been given
+    const auto &other = held.parameters.at(name);
+    EXPECT_TRUE(other.identifiable) << name << ": " << other.reason;
+    EXPECT_NEAR(other.value / estimate.value, 1, 1e-3) << name;
+    EXPECT_NEAR(other.standard_error / estimate.standard_error, 1, 0.02) << name;
+  }
+}
+
+// its own value is no size of a number that vanishes
+TEST(Uncertainty, AParameterNearZeroMakesNoFlatValley) {
+  std::vector<StoredRun> runs;
+  for (const double v : {0.1, 0.2, 0.35, 0.6}) {
+    auto s = window(v, 9.9e8);
+    s.reduced.impact_law = &laws::impact_law("elastoplastic");
+    s.reduced.yield_force = 0.7e6, s.reduced.hardening = 0.156, s.reduced.unloading_gain = 0;
+    runs.push_back(run_of(s));
+  }
+  FitOptions options;
+  options.law = "elastoplastic", options.parameters = laws::impact_law("elastoplastic").parameters;
+  const auto result = fit({&runs[0], &runs[1], &runs[2], &runs[3]}, options);
+  EXPECT_LT(result.condition, 1e4);
+  for (const char *name : {"k_i", "yield_force", "hardening"})
+    EXPECT_TRUE(result.parameters.at(name).identifiable) << name << ": " << result.parameters.at(name).reason;
+  EXPECT_NEAR(result.parameters.at("unloading_gain").value, 0, 0.01);
+}
+
 TEST(Uncertainty, PeaksAloneDoNotTellE) {
   // thesis notes, 7: the peak force hardly sees e, so a fit on peaks alone leaves e open
   const StoredRun run = run_of(window(0.3));

@@ -64,7 +64,7 @@ class Laws(unittest.TestCase):
             rimpact.law(__file__)
 
     def test_every_law_but_the_curve_can_be_called(self):
-        for name in ("signed", "no-tension", "printed", "hunt-crossley", "elastoplastic"):
+        for name in ("signed", "no-tension", "printed", "hunt-crossley", "elastoplastic", "bilinear"):
             self.assertGreater(rimpact.law(scene(name))(1e-3, 0.1), 0, name)
 
     def test_reference_windows_give_a_law_that_meets_them(self):

@@ -15,10 +15,10 @@ TEST(Input, UnknownNamesListTheKnown) {
     ADD_FAILURE() << "accepted";
   } catch (const InputError &e) {
     EXPECT_STREQ(e.what(), "reduced.impact_law \"sign\" is unknown; known: signed, no-tension, printed, hunt-crossley, "
-                           "elastoplastic, curve");
+                           "elastoplastic, bilinear, curve");
   }
   for (const auto &model : reduced_models()) EXPECT_FALSE(model.description.empty());
-  EXPECT_EQ(laws::impact_laws().size(), 6u);
+  EXPECT_EQ(laws::impact_laws().size(), 7u);
 }
 
 TEST(Input, TheRimBeginsBetweenTheMiddleAndTheDishsEdge) {

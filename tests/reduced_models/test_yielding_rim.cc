@@ -57,6 +57,26 @@ TEST(YieldingRim, ElastoplasticBalancesEnergy) {
   }
 }
 
+// m v^2 / 2 is the area below two straight lines; F^2 / (2 k) comes back
+TEST(YieldingRim, BilinearBalancesEnergy) {
+  for (const double v : {0.02, 0.1, 0.5, 1.0}) {
+    const scene::Scene s = struck("bilinear", v);
+    const auto rim = s.reduced.element(s.load.mass);
+    const double m = s.load.mass, k = rim.stiffness, F_y = rim.yield_force, h = rim.hardening,
+                 elastic = F_y * F_y / (2 * k), energy = m * v * v / 2,
+                 beyond =
+                     energy <= elastic ? 0 : (-F_y + std::sqrt(F_y * F_y + 2 * h * k * (energy - elastic))) / (h * k),
+                 top = energy <= elastic ? v * std::sqrt(k * m) : F_y + h * k * beyond;
+    const auto impact = simulate_summary(s).impacts.at(0);
+    EXPECT_NEAR(impact.peak_force / top, 1, 1e-6) << v;
+    EXPECT_NEAR(impact.rebound_speed / (top / std::sqrt(k * m)), 1, 1e-6) << v;
+    if (beyond > 0) {
+      EXPECT_NEAR(impact.peak_penetration / (F_y / k + beyond), 1, 1e-6) << v;
+      EXPECT_NEAR(residual_indentation(rim, impact.peak_penetration), impact.peak_penetration - top / k, 1e-9) << v;
+    }
+  }
+}
+
 TEST(YieldingRim, TheSecondImpactFindsTheDent) {
   // thrown twice at the same arc: the rim is met only at the dent's bottom, and a lighter second hit is
   // elastic
