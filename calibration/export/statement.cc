@@ -80,6 +80,18 @@ void add_range(std::vector<std::string> &lines, const ExportedRim &rim, const js
                               percent(number(worst, "peak_force")), percent(number(worst, "rebound"))));
 }
 
+/// How far the numbers may be from the bearing's, as the answer sums it.
+void add_errors(std::vector<std::string> &lines, const json &answer) {
+  const json sentences = answer.value("error_sentences", json());
+  const std::size_t before = lines.size();
+  if (sentences.is_array())
+    for (const auto &sentence : sentences)
+      if (sentence.is_string()) lines.push_back("Error of the answer: " + sentence.get<std::string>());
+  if (lines.size() == before)
+    lines.push_back(
+        "DOUBT: how far these numbers may be from the bearing's is not known; the calibration holds no errors.");
+}
+
 void add_doubts(std::vector<std::string> &lines, const ExportedRim &rim, const json &answer) {
   const json mesh = answer.value("mesh_error", json()), strain = answer.value("strain", json()),
              assumed = answer.value("assumptions", json());
@@ -120,6 +132,7 @@ std::vector<std::string> statement_of(const ExportedRim &rim, const json &answer
     for (const auto &[name, fitted] : parameters.items())
       if (fitted.is_object()) lines.push_back(parameter_line(name, fitted));
   add_range(lines, rim, law);
+  add_errors(lines, answer);
   add_doubts(lines, rim, answer);
   const std::string sentence = text(law, "sentence"), validity = text(answer, "validity");
   if (!sentence.empty()) lines.push_back(sentence);

@@ -5,8 +5,8 @@
 
 namespace rimpact::calibration {
 
-/// Bearing, load, who was fitted, law with its numbers and intervals, range, errors on runs left out, strain, mesh,
-/// assumptions, doubts, validity. `law` is answer.law or what stands for it.
+/// Bearing, load, who was fitted, law with its numbers and intervals, range, errors on runs left out, errors of the
+/// answer, strain, mesh, assumptions, doubts, validity. `law` is answer.law or what stands for it.
 std::vector<std::string> statement_of(const ExportedRim &rim, const nlohmann::json &answer, const nlohmann::json &law);
 
 } // namespace rimpact::calibration
