@@ -17,10 +17,11 @@ using buildings::Frame;
 using calibration::ExportedRim;
 
 constexpr const char *limits =
-    "What OpenSees carries of a building's bearings: friction follows each bearing's own normal force. A sphere's "
-    "restoring force does too (singleFPBearing); any other dish's is that of the weight at rest, so it misses what "
-    "overturning and vertical motion add. A rim is round but forgets its dents (elastoplastic), or stands along x only "
-    "(the other laws). The rim's push does not unload the dish: rimpact's does.";
+    "What OpenSees carries of a building's bearings: friction and restoring force follow each bearing's own normal "
+    "force, for its slider rides on an ellipsoid; what that leaves of another dish is for the weight at rest. The "
+    "rim's push "
+    "unloads the dish. A rim is round but forgets its dents (elastoplastic), or stands along x only (the other laws). "
+    "No pulse was flown on these bearings; rimpact export of the calibration flies them on one.";
 
 /// The law of the scene, under the weight of one bearing.
 ExportedRim rim_of(const scene::Scene &scene, const scene::Bearing &bearing, double reaction) {
@@ -31,6 +32,7 @@ ExportedRim rim_of(const scene::Scene &scene, const scene::Bearing &bearing, dou
   rim.lateral_capacity = bearing.lateral_capacity() + scene.reduced.capacity_offset;
   const double scale = scene.reduced.fitted_speed_scale(rim.mass);
   rim.from = scale * scene.reduced.fitted_from.value_or(0.1), rim.to = scale * scene.reduced.fitted_to.value_or(1.0);
+  rim.tuned_to = rim.to;
   rim.bearing = bearing.name, rim.rim_identity = scene::rim_identity(bearing);
   rim.statement = {fmt::format("Bearing {} under {:.6g} N, rim law {} as in scene.toml.", bearing.name, reaction,
                                scene.reduced.impact_law->name)};
@@ -42,13 +44,15 @@ struct Placed {
   Eigen::Vector3d at;
 };
 constexpr int plate_offset = 100000, anchor_offset = 200000, tag_offset = 100000;
+constexpr int nodes_each = 10; ///< of a bearing's own nodes, the anchor first
 
 std::string place_tcl(const std::vector<Placed> &list, const std::string &head) {
   std::string text = head + "set here [file dirname [info script]]\n";
   for (const auto &[node, at] : list)
     text += fmt::format("node {0} {1:.10g} {2:.10g} {3:.10g}\nfix {0} 1 1 1 1 1 1\nsource [file join $here "
                         "bearing_{4}.tcl]\nrimpact_bearing {5} {0} {4} {6}\n",
-                        plate_offset + node, at[0], at[1], at[2], node, tag_offset + 100 * node, anchor_offset + node);
+                        plate_offset + node, at[0], at[1], at[2], node, tag_offset + 100 * node,
+                        anchor_offset + nodes_each * node);
   return text;
 }
 
@@ -60,7 +64,8 @@ std::string place_python(const std::vector<Placed> &list, const std::string &hea
   for (const auto &[node, at] : list)
     text += fmt::format("    ops.node({0}, {1:.10g}, {2:.10g}, {3:.10g})\n    ops.fix({0}, 1, 1, 1, 1, 1, 1)\n    "
                         "bearing_{4}.rimpact_bearing(ops, {5}, {0}, {4}, {6})\n",
-                        plate_offset + node, at[0], at[1], at[2], node, tag_offset + 100 * node, anchor_offset + node);
+                        plate_offset + node, at[0], at[1], at[2], node, tag_offset + 100 * node,
+                        anchor_offset + nodes_each * node);
   return text;
 }
 
@@ -102,7 +107,7 @@ void export_building_bearings(const std::string &folder, const std::string &out,
       throw InputError(fmt::format("{}: the bearing under node {} is of rigid bodies (\"{}\"), which no element of "
                                    "OpenSees is: only dishes are exported",
                                    folder, i + 1, word(bearings[b].reduced.model)));
-    own.bearing = bearings[b].bearing;
+    own.bearing = bearings[b].bearing, own.load.vertical = reactions[b];
     ExportedRim rim = rim_of(own, own.bearing, reactions[b]);
     for (const auto &doubt : doubts) rim.statement.push_back("DOUBT: " + doubt);
     const auto springs = calibration::opensees_rim(rim);
@@ -115,9 +120,9 @@ void export_building_bearings(const std::string &folder, const std::string &out,
   }
   auto lines = header;
   lines.push_back(
-      fmt::format("The building's nodes have the numbers of nodes.csv; plates are nodes {} + N, anchors {} + "
-                  "N, elements and materials from {} + 100 N.",
-                  plate_offset, anchor_offset, tag_offset));
+      fmt::format("The building's nodes have the numbers of nodes.csv; plates are nodes {} + N, a bearing's "
+                  "own nodes from {} + {} N, elements and materials from {} + 100 N.",
+                  plate_offset, anchor_offset, nodes_each, tag_offset));
   lines.push_back(limits);
   write("bearings.tcl", place_tcl(placed, calibration::comment_lines("#", lines)));
   write("bearings.py", place_python(placed, calibration::comment_lines("#", lines)));

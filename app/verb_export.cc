@@ -18,6 +18,7 @@ namespace {
 namespace fs = std::filesystem;
 using calibration::Dish;
 using calibration::ExportedRim;
+using calibration::PulseCheck;
 using calibration::SelfCheck;
 using nlohmann::json;
 
@@ -109,19 +110,41 @@ std::vector<std::string> header(const Console &console) {
   return {console.command(), build_version()};
 }
 
+/// The bearing carries what the files are for, with the terms of pad and socket that the calibration has.
+void take_answer(scene::Scene &scene, const json &calibration, ExportedRim &rim) {
+  scene.load.vertical = rim.vertical, scene.load.mass = rim.mass, scene.load.gravity = rim.gravity;
+  calibration::take_stack(scene, calibration["answer"]);
+  for (const auto &line : calibration::stack_effect(scene, rim)) rim.statement.push_back(calibration::plain_text(line));
+  rim.tuned_to = std::max(rim.to, calibration::fastest_touch(scene, rim));
+  if (rim.tuned_to > rim.to)
+    rim.statement.push_back(
+        fmt::format("DOUBT: pulses of the self-check bring the model to its rim at up to {:.3g} m/s, "
+                    "beyond {:.3g} m/s. Springs and links are tuned to the law as far as that.",
+                    rim.tuned_to, rim.to));
+}
+
+std::string refusal_of(const SelfCheck &check) {
+  return fmt::format(
+      "The rim only: the whole bearing is refused, for under pulses its peak force differs by {:.0f} % "
+      "from the model's, more than {:.0f} %. Its dish is too far from an ellipsoid, or its springs from the law.",
+      100 * check.pulses->worst(), 100 * PulseCheck::refused);
+}
+
 void export_to(const ExportOptions &options, const json &calibration, Console &console) {
   const auto vertical = options.load ? std::optional(1e3 * *options.load) : std::nullopt;
-  const ExportedRim rim =
+  ExportedRim rim =
       calibration::exported_rim(calibration, {.law = options.law, .mass = options.mass, .vertical = vertical});
   warn_of_units(options, rim, console);
   std::optional<Dish> dish;
-  if (const auto scene = scene_of(options, calibration, rim)) {
+  auto scene = scene_of(options, calibration, rim);
+  if (scene) {
     warn_of_load(options, *scene, rim, console);
     constexpr double farthest = 0.2; // a fitted place of the rim is within millimetres
     if (const double own = scene->lateral_capacity(); std::abs(rim.lateral_capacity / own - 1) > farthest)
       throw DataError(fmt::format(
           "calibration.json: lateral_capacity_m of answer.law.element, {:g}, is not that of the bearing, {:g}",
           rim.lateral_capacity, own));
+    take_answer(*scene, calibration, rim);
     dish = calibration::dish_of(*scene, rim.lateral_capacity);
     if (!dish->assumed_pad.empty() && (options.opensees || options.sap2000 || options.etabs))
       console.warn("vertical stiffness of the bearing:" + dish->assumed_pad);
@@ -134,13 +157,22 @@ void export_to(const ExportOptions &options, const json &calibration, Console &c
   std::vector<std::pair<std::string, std::string>> files;
   std::vector<SelfCheck> checks;
   if (options.opensees) {
-    const auto springs = calibration::opensees_rim(rim);
-    files.emplace_back("impact.tcl", calibration::opensees_tcl(rim, springs, dish, head));
-    files.emplace_back("impact.py", calibration::opensees_python(rim, springs, dish, head));
+    auto springs = calibration::opensees_rim(rim);
+    auto riding = dish;
+    auto own_head = head;
+    if (dish) springs.check.pulses = pulse_check(*scene, rim, flown_bearing(rim, springs, *dish));
+    if (springs.check.pulses && springs.check.pulses->worst() > PulseCheck::refused) {
+      own_head.push_back(refusal_of(springs.check));
+      console.warn(own_head.back());
+      riding.reset();
+    }
+    files.emplace_back("impact.tcl", calibration::opensees_tcl(rim, springs, riding, own_head));
+    files.emplace_back("impact.py", calibration::opensees_python(rim, springs, riding, own_head));
     checks.push_back(springs.check);
   }
   if (options.sap2000 || options.etabs) {
-    const auto links = calibration::csi_rim(rim);
+    auto links = calibration::csi_rim(rim);
+    if (dish) links.check.pulses = pulse_check(*scene, rim, flown_bearing(rim, links, *dish));
     if (options.sap2000) files.emplace_back("bearing.s2k", calibration::sap2000(rim, links, dish, head));
     if (options.etabs) files.emplace_back("bearing.e2k", calibration::etabs(rim, links, dish, head));
     files.emplace_back("rim-link.csv", calibration::link_csv(rim, links, dish, head));
@@ -169,6 +201,7 @@ void export_to(const ExportOptions &options, const json &calibration, Console &c
       console.message(check.sentence());
     else
       console.warn(check.sentence());
+    for (const auto &doubt : check.doubts()) console.warn(doubt);
   }
   console.data(console.json ? table.dump(2, ' ', false, json::error_handler_t::replace) + "\n" : written);
 }

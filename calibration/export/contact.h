@@ -4,6 +4,8 @@
 #include "impact_laws/catalogue.h"
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <memory>
 #include <vector>
 
 namespace rimpact::calibration {
@@ -59,6 +61,9 @@ public:
 private:
   double K_, xi_, n_, v_;
 };
+
+/// A fresh contact as the target program integrates it; `speed` is that of the touch (read by Hertzdamp).
+using MakeContact = std::function<std::unique_ptr<RimContact>(double speed)>;
 
 struct Bounce {
   double peak_force;  ///< [N]

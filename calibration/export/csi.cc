@@ -20,9 +20,8 @@ CsiRim plastic_rim(const ExportedRim &rim) {
              .damping = 0,
              .check = {},
              .notes = {}};
-  out.check = self_check(
-      rim, "Gap and MultiLinear Plastic (Kinematic) in series",
-      [&](double) { return std::make_unique<PlasticLinkContact>(link); }, link.unloading);
+  out.contact = [link](double) { return std::make_unique<PlasticLinkContact>(link); };
+  out.check = self_check(rim, "Gap and MultiLinear Plastic (Kinematic) in series", out.contact, link.unloading);
   out.notes = {"RIM: hysteresis type Kinematic. It unloads in a straight line with the slope of its first segment, "
                "chosen to give back the law's rebound; the dent stays. Takeda and Pivot do the same "
                "for a link that a gap keeps out of tension. The tension side of the table is never reached; do not "
@@ -41,9 +40,10 @@ CsiRim linear_rim(const ExportedRim &rim) {
              .check = {},
              .notes = {}};
   const double softer = 1 / (1 / out.stiffness + 1 / out.gap_stiffness);
-  out.check = self_check(
-      rim, "Gap and Linear (k_i, c_i) in series",
-      [&](double) { return std::make_unique<DashpotContact>(softer, element.damping, false); }, element.stiffness);
+  out.contact = [softer, damping = element.damping](double) {
+    return std::make_unique<DashpotContact>(softer, damping, false);
+  };
+  out.check = self_check(rim, "Gap and Linear (k_i, c_i) in series", out.contact, element.stiffness);
   if (!element.law->unilateral)
     out.notes.push_back("RIM: behind a gap the links cannot pull; the law does just before release, so that the links "
                         "rebound a little faster.");
@@ -64,7 +64,7 @@ std::vector<std::string> head(const ExportedRim &rim, const CsiRim &links, const
                               1e3 * rim.lateral_capacity * (1 / std::cos(M_PI / 16) - 1),
                               1e3 * rim.lateral_capacity * (1 / std::cos(M_PI / 36) - 1)));
   if (dish) {
-    for (const auto &line : dish->lines(rim.vertical)) lines.push_back(line);
+    for (const auto &line : dish->flat_lines(rim.vertical)) lines.push_back(line);
     if (!dish->sphere)
       lines.push_back(fmt::format("DISH is flat (no radius) and slides; DISH_SPRING beside it restores along axes 2 "
                                   "and 3. In between the two are off by {:+.1f} % at the rim.",
@@ -133,6 +133,16 @@ CsiRim csi_rim(const ExportedRim &rim) {
       rim.law().name));
 }
 
+FlownBearing flown_bearing(const ExportedRim &rim, const CsiRim &links, const Dish &dish) {
+  return {.slider = Slider::flat,
+          .dish = &dish,
+          .mass = rim.mass,
+          .weight = rim.vertical,
+          .capacity = rim.lateral_capacity,
+          .rim = links.contact,
+          .stiffness = links.stiffness};
+}
+
 std::string sap2000(const ExportedRim &rim, const CsiRim &r, const std::optional<Dish> &dish,
                     const std::vector<std::string> &header) {
   std::string text = comment_lines("$", head(rim, r, dish, header, "SAP2000")) +
@@ -168,8 +178,8 @@ std::string sap2000(const ExportedRim &rim, const CsiRim &r, const std::optional
       text += fmt::format("   Link=DISH   DOF={}   Fixed=No   NonLinear=Yes   TransKE={:.8g}   TransCE=0   DJ=0   "
                           "TransK={:.8g}   Slow={:.8g}   Fast={:.8g}   Rate={:.8g}   Radius={:.8g}\n",
                           dof, dish->sphere ? rim.vertical / dish->radius / 1e3 : 0.0,
-                          dish->initial_stiffness(rim.vertical) / 1e3, dish->mu_slow, dish->mu_fast,
-                          dish->mu_slow == dish->mu_fast ? 1 : dish->rate, dish->sphere ? dish->radius : 0.0);
+                          dish->flat_stiffness(rim.vertical) / 1e3, dish->mu_slow, dish->mu_fast,
+                          dish->is_coulomb() ? 1 : dish->rate, dish->sphere ? dish->radius : 0.0);
     text += "\n";
   }
   if (r.plastic)
@@ -204,8 +214,8 @@ std::string etabs(const ExportedRim &rim, const CsiRim &r, const std::optional<D
     text += fmt::format("  LINKPROP  \"DISH\"  DOF \"{}\"  DJ 0  NONLIN \"Yes\"  KE {:.8g}  CE 0  K {:.8g}  CSLOW "
                         "{:.8g}  CFAST {:.8g}  RATE {:.8g}  RADIUS {:.8g}\n",
                         dof, dish->sphere ? rim.vertical / dish->radius / 1e3 : 0.0,
-                        dish->initial_stiffness(rim.vertical) / 1e3, dish->mu_slow, dish->mu_fast,
-                        dish->mu_slow == dish->mu_fast ? 1 : dish->rate, dish->sphere ? dish->radius : 0.0);
+                        dish->flat_stiffness(rim.vertical) / 1e3, dish->mu_slow, dish->mu_fast,
+                        dish->is_coulomb() ? 1 : dish->rate, dish->sphere ? dish->radius : 0.0);
   if (dish->sphere) return text;
   link("DISH_SPRING", "MultiLinear Elastic");
   for (const char *dof : {"U2", "U3"})

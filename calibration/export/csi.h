@@ -18,9 +18,12 @@ struct CsiRim {
   double stiffness, damping;          ///< of Linear [N/m], [N s/m]; else of small motions
   SelfCheck check;
   std::vector<std::string> notes;
+  MakeContact contact = {}; ///< of one side, as these programs integrate it
 };
 /// Throws DataError for a law that these programs have no links for (printed, hunt-crossley).
 CsiRim csi_rim(const ExportedRim &rim);
+/// The whole bearing of the file: the slider stays in its plane, and each side keeps its dent.
+FlownBearing flown_bearing(const ExportedRim &rim, const CsiRim &links, const Dish &dish);
 
 std::string sap2000(const ExportedRim &rim, const CsiRim &links, const std::optional<Dish> &dish,
                     const std::vector<std::string> &header);

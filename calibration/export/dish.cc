@@ -1,66 +1,85 @@
 #include "calibration/export/dish.h"
+#include "reduced_models/pad_on_dish.h"
+#include "reduced_models/riding_height.h"
 #include "scene/assumptions.h"
 #include <cmath>
 #include <fmt/format.h>
 
 namespace rimpact::calibration {
+namespace {
 
-double Dish::slope_at(double r) const {
+/// Park-Wen's state falls from -1 to 0 in a straight line over q, then nears 1 as exp(-x / q). It so misses 2.5 q mu N
+/// of work at a turn; a bilinear element of slip s misses 2 s mu N.
+constexpr double slip_of_equal_work = 1.25;
+constexpr double rigid_slip = 2e-6; ///< of Coulomb's friction, which has none, for the element's sake [m]
+
+std::vector<double> travels(double last) {
+  std::vector<double> all = {0, 0.002 * last, 0.006 * last, 0.02 * last}; // finer where a truss of 1 mm turns
+  constexpr int n = 24;
+  for (int i = 1; i <= n; ++i) all.push_back(last * i / n);
+  return all;
+}
+
+void set_friction(Dish &dish, const scene::Scene &scene, const reduced::RidingHeight &height, double capacity) {
+  const auto &r = scene.reduced;
+  const double socket = r.socket_friction ? scene.bearing.contact.steel_steel * reduced::socket_arm(scene.bearing) : 0;
+  const auto per_reaction = [&](double mu) {
+    return [&height, socket, mu](double x) {
+      const double slope = height.at(x, 0).gradient.x();
+      return (mu + socket * height.curvatures(x).meridional) * (1 + slope * slope);
+    };
+  };
+  const auto slow = per_reaction(r.mu_slow), fast = per_reaction(r.mu_fast);
+  const RidingFriction riding = riding_friction(dish.rider, capacity, fast);
+  dish.rises = riding.rises, dish.ride_fast = riding.slides;
+  dish.mu_slow = mean_to(capacity, slow), dish.mu_fast = mean_to(capacity, fast);
+  dish.ride_slow = std::max(0.0, dish.ride_fast - (dish.mu_fast - dish.mu_slow));
+  dish.face_slow = r.mu_slow, dish.face_fast = r.mu_fast, dish.rate = r.rate;
+  dish.elastic_slip = r.friction == scene::Friction::park_wen ? slip_of_equal_work * r.elastic_slip : rigid_slip;
+  for (std::size_t i = 0; i < dish.travel.size(); ++i) {
+    const double x = dish.travel[i], f = fast(x) / (1 + dish.slope[i] * dish.slope[i]);
+    dish.left.push_back(dish.slope[i] - dish.rider.slope(x) + f * fast(x) * dish.slope[i]);
+  }
+}
+
+std::vector<std::string> stack_of(const scene::ReducedSettings &r) {
+  std::vector<std::string> all;
+  if (r.finite_pad) all.push_back("the pad's size in the dish's table");
+  if (r.socket_friction) all.push_back("the socket's friction in the coefficient of friction");
+  if (r.friction == scene::Friction::park_wen)
+    all.push_back(fmt::format("the pad's elastic slip, {:.3g} mm, as a slip of equal work", 1e3 * r.elastic_slip));
+  return all;
+}
+
+} // namespace
+
+double Dish::in_table(const std::vector<double> &column, double r) const {
   std::size_t i = 1;
   while (i + 1 < travel.size() && r > travel[i]) ++i;
-  return slope[i - 1] + (slope[i] - slope[i - 1]) * (r - travel[i - 1]) / (travel[i] - travel[i - 1]);
+  return column[i - 1] + (column[i] - column[i - 1]) * (r - travel[i - 1]) / (travel[i] - travel[i - 1]);
 }
 
 Dish dish_of(const scene::Scene &scene, double capacity) {
-  const auto surface = scene::make_surface(scene.bearing.surface);
-  const auto slope = [&](double r) { return surface->at(r, 0).gradient.x(); };
-  const double R = 1 / surface->curvatures(0).meridional;
+  const reduced::RidingHeight height(scene.bearing, scene.reduced.finite_pad ? scene.load.vertical : 0.0);
+  const auto slope = [&](double r) { return height.at(r, 0).gradient.x(); };
+  const double R = 1 / height.curvatures(0).meridional;
   const auto error = [&](double r) { return r / R / slope(r) - 1; };
-  const double last = std::min(1.15 * capacity, 0.5 * (capacity + std::min(surface->limit_radius(), 2 * capacity)));
-  Dish dish{.sphere = scene.bearing.surface.kind == scene::SurfaceKind::sphere,
-            .radius = R,
-            .travel = {},
-            .slope = {},
-            .error_half = error(capacity / 2),
-            .error_full = error(capacity),
-            .diagonal_error = 0,
-            .mu_slow = scene.reduced.mu_slow,
-            .mu_fast = scene.reduced.mu_fast,
-            .rate = scene.reduced.rate,
-            .elastic_slip = scene.reduced.elastic_slip,
-            .vertical_stiffness = scene.bearing.ertalyte.E * scene.bearing.pad_area() / scene.bearing.pad.thickness};
+  const double last = std::min(1.15 * capacity, 0.5 * (capacity + std::min(height.limit_radius(), 2 * capacity)));
+  Dish dish{};
+  dish.sphere = scene.bearing.surface.kind == scene::SurfaceKind::sphere, dish.radius = R;
+  dish.error_half = error(capacity / 2), dish.error_full = error(capacity);
+  dish.vertical_stiffness = scene.bearing.ertalyte.E * scene.bearing.pad_area() / scene.bearing.pad.thickness;
   if (const auto &pad = scene.bearing.pad; scene::has_default_pad(scene.bearing))
     dish.assumed_pad = fmt::format(" That pad, {:g} x {:g} mm, is the built-in bearing's: this bearing gives none, an "
                                    "assumption.",
                                    2e3 * pad.outer_radius, 1e3 * pad.thickness);
-  dish.travel = {0, 0.002 * last, 0.006 * last, 0.02 * last}; // finer at the centre, where a truss of 1 mm turns
-  constexpr int n = 24;
-  for (int i = 1; i <= n; ++i) dish.travel.push_back(last * i / n);
+  dish.travel = travels(last);
   for (const double r : dish.travel) dish.slope.push_back(r > 0 ? slope(r) : 0);
-  const double on_axis = slope(capacity / std::sqrt(2.0));
-  dish.diagonal_error = std::sqrt(2.0) * on_axis / slope(capacity) - 1;
+  dish.diagonal_error = std::sqrt(2.0) * slope(capacity / std::sqrt(2.0)) / slope(capacity) - 1;
+  dish.rider = rider_of(dish.travel, dish.slope);
+  set_friction(dish, scene, height, capacity);
+  dish.stack = stack_of(scene.reduced);
   return dish;
-}
-
-std::vector<std::string> Dish::lines(double vertical) const {
-  std::vector<std::string> all;
-  if (sphere)
-    all.push_back(fmt::format("Dish: sphere of {:.6g} m. Its element restores N r / R, with N the force it carries: "
-                              "{:+.2f} % at half the way to the rim, {:+.2f} % at the rim against W h'(r).",
-                              radius, 100 * error_half, 100 * error_full));
-  else
-    all.push_back(fmt::format("Dish: no sphere. Its restoring force is the table W h'(r) for the dead load W = {:.6g} "
-                              "kN: it does not follow a changing normal force (overturning, vertical motion). "
-                              "A sphere of the vertex radius {:.4g} m would be off by {:+.1f} % at half the way to the "
-                              "rim and {:+.1f} % at the rim.",
-                              vertical / 1e3, radius, 100 * error_half, 100 * error_full));
-  all.push_back(fmt::format("Friction: {}, built up over {:.3g} mm, on the normal force of the element. Vertical "
-                            "stiffness: the pad's E A / t.{}",
-                            mu_slow == mu_fast
-                                ? fmt::format("Coulomb, {:g}", mu_fast)
-                                : fmt::format("{:g} slow, {:g} fast, rate {:g} s/m", mu_slow, mu_fast, rate),
-                            1e3 * elastic_slip, assumed_pad));
-  return all;
 }
 
 } // namespace rimpact::calibration

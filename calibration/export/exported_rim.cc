@@ -167,7 +167,7 @@ void set_range(ExportedRim &rim, const json &law, const std::string &where) {
     throw DataError(
         fmt::format("calibration.json: {}: speeds {:g} to {:g} m/s must be > 0 and rise", where, *from, *to));
   const double scale = rim.element().law->yields ? std::sqrt(rim.fitted_mass / rim.mass) : 1;
-  rim.from = scale * *from, rim.to = scale * *to;
+  rim.from = scale * *from, rim.to = rim.tuned_to = scale * *to;
 }
 
 } // namespace

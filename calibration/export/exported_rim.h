@@ -24,6 +24,8 @@ struct ExportedRim {
   double lateral_capacity = 0;      ///< travel at which the rim begins [m]
   double from = 0,
          to = 0; ///< approach speeds at `mass` [m/s] it is tuned and checked for: where the law holds, or those fitted
+  double tuned_to =
+      0; ///< fastest touch that springs and links are tuned to [m/s], >= to: those of the check's pulses too
   static constexpr double least_span =
       1.5; ///< of `to` over `from`: where the law holds over less, the speeds fitted are taken
   std::string bearing, rim_identity;

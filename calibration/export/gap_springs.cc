@@ -134,7 +134,7 @@ double tune(std::vector<double> &p, const Range &range, const std::vector<Target
 std::vector<GapSpring> gap_springs(const ExportedRim &rim) {
   std::vector<Target> targets;
   const double k = rim.settings.k_i;
-  for (const double v : speeds_between(rim.from, rim.to, 10)) {
+  for (const double v : speeds_between(rim.from, rim.tuned_to, 10)) {
     LawContact law(rim.element());
     targets.push_back({rim.mass * v * v / 2, fly(law, rim.mass, v, k)});
   }

@@ -36,7 +36,8 @@ private:
   std::vector<double> furthest_, open_; ///< of each: where it yields on, and where it lets go [m]
 };
 
-/// Four springs that stop the mass as the law does at ten speeds over the exported range. Deterministic.
+/// Four springs that stop the mass as the law does at ten speeds from the exported range's first to the fastest it is
+/// tuned to. Deterministic.
 std::vector<GapSpring> gap_springs(const ExportedRim &rim);
 double total_stiffness(const std::vector<GapSpring> &springs);
 

@@ -1,5 +1,6 @@
 #include "calibration/export/opensees.h"
 #include "calibration/export/comment.h"
+#include "calibration/export/opensees_dish_texts.h"
 #include "calibration/export/opensees_texts.h"
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -59,27 +60,40 @@ std::string rim_variables(const Language &in, const ExportedRim &rim, const Open
   return text;
 }
 
+constexpr double lever_arm = 0.1;      ///< from foot to end [m]; the linkage's motion does not depend on it
+constexpr double rigid_over_pad = 100; ///< stiffness of the linkage's parts over the pad's
+
+/// Yield moment and stiffness of the hinge between seat and foot that opposes the rise: the lever turns by the rise
+/// over ratio times arm. It builds up over the travel that the friction does, at half the way to the rim.
+std::pair<double, double> rise_hinge(const ExportedRim &rim, const Dish &dish) {
+  const double per_rise = dish.rider.ratio * lever_arm, moment = dish.rises * rim.vertical * per_rise;
+  return {moment, moment * per_rise / (dish.elastic_slip * dish.rider.slope(rim.lateral_capacity / 2))};
+}
+
 std::string dish_variables(const Language &in, const ExportedRim &rim, const Dish &dish) {
   std::string text;
   const auto line = [&](const std::string &name, const std::string &value, const std::string &what) {
     text += in.assign(name, value) + "  # " + what + "\n";
   };
-  line("mu_slow", exact(dish.mu_slow), "friction at rest");
-  line("mu_fast", exact(dish.mu_fast), "friction at speed");
-  line("friction_rate", exact(dish.mu_slow == dish.mu_fast ? 1 : dish.rate),
-       dish.mu_slow == dish.mu_fast ? "s/m, without effect: the two are equal" : "s/m, of the change between the two");
-  line("friction_stiffness", exact(dish.initial_stiffness(rim.vertical)), "N/m, before it slides");
+  line("mu_slow", exact(dish.ride_slow), "friction of the sliding element at rest");
+  line("mu_fast", exact(dish.ride_fast), "friction of the sliding element at speed");
+  line("friction_rate", exact(dish.is_coulomb() ? 1 : dish.rate),
+       dish.is_coulomb() ? "s/m, without effect: the two are equal" : "s/m, of the change between the two");
+  line("friction_stiffness", exact(dish.ride_stiffness(rim.vertical)), "N/m, before it slides");
   line("vertical_stiffness", exact(dish.vertical_stiffness), "N/m, of the pad");
+  line("rigid_stiffness", exact(rigid_over_pad * dish.vertical_stiffness), "N/m, of the linkage's parts");
   line("free_rotation", "1.0", "N m/rad, a hinge's small stiffness");
-  if (dish.sphere) {
-    line("dish_radius", exact(dish.radius), "m");
-    return text;
-  }
+  line("dish_half_width", exact(dish.rider.half_width), "m, of the ellipsoid: length of its truss");
+  line("dish_ratio", exact(dish.rider.ratio), "its height over its half-width, 1: a sphere");
+  line("lever_arm", exact(lever_arm), "m, from the foot to the lever's end");
+  const auto [moment, stiffness] = rise_hinge(rim, dish);
+  line("rise_moment", exact(moment), "N m, of the friction that opposes the rise");
+  line("rise_stiffness", exact(stiffness), "N m/rad, before it slides");
   std::vector<std::string> travel, force;
   for (std::size_t i = 1; i < dish.travel.size(); ++i)
-    travel.push_back(exact(dish.travel[i])), force.push_back(exact(rim.vertical * dish.slope[i]));
+    travel.push_back(exact(dish.travel[i])), force.push_back(exact(rim.vertical * dish.left[i]));
   line("dish_travel", in.list(travel), "m, from the centre");
-  line("dish_force", in.list(force), "N, restoring force W h'(r)");
+  line("dish_force_left", in.list(force), "N, restoring force that the ellipsoid leaves");
   return text;
 }
 
@@ -87,14 +101,15 @@ std::string head(const ExportedRim &rim, const OpenSeesRim &r, const std::option
                  const std::vector<std::string> &header) {
   std::string text =
       comment_lines("#", header) + comment_lines("#", rim.statement) + comment_lines("#", r.material.notes);
-  if (dish) text += comment_lines("#", dish->lines(rim.vertical));
+  if (dish) text += comment_lines("#", dish->riding_lines(rim.vertical));
   text += comment_lines("#", r.check.lines());
   const double shortest = r.check.rows.back().spring.duration;
   text += comment_line(
       "#", fmt::format("Time step while the rim is pressed: at most {:.2g} s, a fortieth of the contact at {:.3g} m/s.",
                        shortest / 40, r.check.rows.back().speed));
-  return text + comment_line("#", "Units: N, m, s, kg. Not run in OpenSees here: the spring was flown by rimpact's own "
-                                  "integrator with the rules of OpenSees' source.");
+  return text + comment_line("#",
+                             "Units: N, m, s, kg. Springs and bearing were flown by rimpact's own integrator with the "
+                             "rules of OpenSees' source; rimpact's tests fly such files in OpenSees 3.7.");
 }
 
 /// A material's numbers by name, its gap third as OpenSees takes it; none: without a gap.
@@ -121,10 +136,12 @@ std::string opensees_tcl(const ExportedRim &rim, const OpenSeesRim &r, const std
     text += fmt::format(tcl_springs_one, fmt::join(numbers_with_gap(r, "", {}), " "), word(r.material.material),
                         fmt::join(numbers_with_gap(r, "$", "[expr {-$lateral_capacity}]"), " "));
   if (!dish) return text;
-  text += std::string(tcl_anchor) + tcl_slider + (dish->sphere ? tcl_sphere : tcl_table);
-  return text + fmt::format(tcl_bearing, r.springs.empty()
-                                             ? "rim_springs [expr {$tag + 10}] [expr {$tag + 2}] $plate $slider"
-                                             : "rim_round [expr {$tag + 10}] [expr {$tag + 2}] $anchor $slider");
+  text += std::string(tcl_anchor) + tcl_rider_nodes + tcl_dish;
+  return text +
+         fmt::format(tcl_bearing,
+                     r.springs.empty()
+                         ? "rim_springs [expr {$tag + 10}] [expr {$tag + 2}] [expr {$anchor + 1}] [expr {$anchor + 2}]"
+                         : "rim_round [expr {$tag + 10}] [expr {$tag + 2}] $anchor [expr {$anchor + 2}]");
 }
 
 std::string opensees_python(const ExportedRim &rim, const OpenSeesRim &r, const std::optional<Dish> &dish,
@@ -138,9 +155,10 @@ std::string opensees_python(const ExportedRim &rim, const OpenSeesRim &r, const 
     text += fmt::format(python_springs_one, word(r.material.material),
                         fmt::join(numbers_with_gap(r, "", "-lateral_capacity"), ", "));
   if (!dish) return text;
-  text += std::string(python_anchor) + python_slider + (dish->sphere ? python_sphere : python_table);
-  return text + fmt::format(python_bearing, r.springs.empty() ? "rim_springs(ops, tag + 10, tag + 2, plate, slider)"
-                                                              : "rim_round(ops, tag + 10, tag + 2, anchor, slider)");
+  text += std::string(python_anchor) + python_rider_nodes + python_dish;
+  return text + fmt::format(python_bearing, r.springs.empty()
+                                                ? "rim_springs(ops, tag + 10, tag + 2, anchor + 1, anchor + 2)"
+                                                : "rim_round(ops, tag + 10, tag + 2, anchor, anchor + 2)");
 }
 
 } // namespace rimpact::calibration

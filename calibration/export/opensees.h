@@ -4,8 +4,7 @@
 /// Rim: elastoplastic as gap_springs.h in parallel; signed and no-tension as ViscoelasticGap (k_i, c_i); hunt-crossley
 /// as Hertzdamp. `rim_springs` puts two along x, each with its own dent. `rim_round` (elastoplastic) is one corotTruss
 /// from a node 1 mm below the plate's: its elongation is the travel in any direction, so that the rim is round; it
-/// forgets dents ("noDamage"), for one made at one side would be met at all. Dish: a sphere is singleFPBearing; any
-/// other flatSliderBearing with a corotTruss of the table W h'(r), round alike.
+/// forgets dents ("noDamage"), for one made at one side would be met at all. Dish: rider.h, opensees_dish_texts.h.
 #pragma once
 #include "calibration/export/dish.h"
 #include "calibration/export/opensees_rim.h"

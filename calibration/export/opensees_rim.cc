@@ -30,15 +30,27 @@ OpenSeesRim opensees_rim(const ExportedRim &rim) {
   OpenSeesRim out{.material = rim.law().opensees(element)};
   if (out.material.material == laws::RimMaterial::gap_springs) {
     out.springs = gap_springs(rim);
-    out.check = self_check(
-        rim, "four ElasticPPGap in parallel", [&](double) { return std::make_unique<GapSpringsContact>(out.springs); },
-        total_stiffness(out.springs));
+    out.contact = [springs = out.springs](double) { return std::make_unique<GapSpringsContact>(springs); };
+    out.stiffness = total_stiffness(out.springs);
+    out.check = self_check(rim, "four ElasticPPGap in parallel", out.contact, out.stiffness);
+    out.check.dented_form = "rim_springs", out.check.new_form = "rim_round, a new rim each time";
   } else {
-    out.check = self_check(
-        rim, word(out.material.material), [&](double speed) { return contact_of(out.material, speed); },
-        stiffest(rim, element));
+    out.contact = [material = out.material](double speed) { return contact_of(material, speed); };
+    out.stiffness = stiffest(rim, element);
+    out.check = self_check(rim, word(out.material.material), out.contact, out.stiffness);
   }
   return out;
+}
+
+FlownBearing flown_bearing(const ExportedRim &rim, const OpenSeesRim &springs, const Dish &dish) {
+  return {.slider = Slider::rides,
+          .dish = &dish,
+          .mass = rim.mass,
+          .weight = rim.vertical,
+          .capacity = rim.lateral_capacity,
+          .rim = springs.contact,
+          .stiffness = springs.stiffness,
+          .keeps_dents = springs.springs.empty()};
 }
 
 } // namespace rimpact::calibration

@@ -10,9 +10,13 @@ namespace rimpact::calibration {
 struct OpenSeesRim {
   laws::OpenSeesMaterial material;
   std::vector<GapSpring> springs = {}; ///< of the material gap_springs; else empty
+  MakeContact contact = {};            ///< of one side, as OpenSees integrates it
+  double stiffness = 0;                ///< its largest [N/m]
   SelfCheck check = {};
 };
 /// Throws DataError for a law that OpenSees has no material for (printed, curve).
 OpenSeesRim opensees_rim(const ExportedRim &rim);
+/// The whole bearing of the file: the slider rides, and the round rim of rimpact_bearing is new at every touch.
+FlownBearing flown_bearing(const ExportedRim &rim, const OpenSeesRim &springs, const Dish &dish);
 
 } // namespace rimpact::calibration

@@ -1,4 +1,5 @@
-/// What an export to OpenSees says in every file, in Tcl and in Python; numbers stand before it as variables.
+/// What an export to OpenSees says of rim and bearing, in Tcl and in Python; numbers stand before it as variables. The
+/// dish: opensees_dish_texts.h.
 #pragma once
 
 namespace rimpact::calibration {
@@ -99,82 +100,13 @@ def anchor_node(ops, node, plate):
     ops.equalDOF(plate, node, 1, 2, 3, 4, 5, 6)
 )";
 
-inline constexpr const char *tcl_slider = R"(
-# Materials tag, tag+1 and the friction model tag of the sliding element.
-proc slider_materials {tag} {
-  global mu_slow mu_fast friction_rate vertical_stiffness free_rotation
-  uniaxialMaterial Elastic $tag $vertical_stiffness
-  uniaxialMaterial Elastic [expr {$tag + 1}] $free_rotation
-  frictionModel VelDependent $tag $mu_slow $mu_fast $friction_rate
-}
-)";
-inline constexpr const char *python_slider = R"(
-
-def slider_materials(ops, tag):
-    """Materials tag, tag+1 and the friction model tag of the sliding element."""
-    ops.uniaxialMaterial("Elastic", tag, vertical_stiffness)
-    ops.uniaxialMaterial("Elastic", tag + 1, free_rotation)
-    ops.frictionModel("VelDependent", tag, mu_slow, mu_fast, friction_rate)
-)";
-
-inline constexpr const char *tcl_sphere = R"(
-# The dish: element `first` between the plate's node and the slider's.
-proc dish {tag first plate slider anchor} {
-  global dish_radius friction_stiffness
-  slider_materials $tag
-  set hinge [expr {$tag + 1}]
-  element singleFPBearing $first $plate $slider $tag $dish_radius $friction_stiffness -P $tag -T $hinge -My $hinge -Mz $hinge -orient 0 0 1 1 0 0
-}
-)";
-inline constexpr const char *python_sphere = R"(
-
-def dish(ops, tag, first, plate, slider, anchor):
-    """The dish: element `first` between the plate's node and the slider's."""
-    slider_materials(ops, tag)
-    ops.element("singleFPBearing", first, plate, slider, tag, dish_radius, friction_stiffness, "-P", tag, "-T", tag + 1,
-                "-My", tag + 1, "-Mz", tag + 1, "-orient", 0.0, 0.0, 1.0, 1.0, 0.0, 0.0)
-)";
-inline constexpr const char *tcl_table = R"(
-# The dish: element `first` slides, first+1 restores; its table turned from travel to elongation of a truss of anchor_depth.
-proc dish {tag first plate slider anchor} {
-  global dish_travel dish_force friction_stiffness anchor_depth
-  slider_materials $tag
-  set hinge [expr {$tag + 1}]
-  element flatSliderBearing $first $plate $slider $tag $friction_stiffness -P $tag -T $hinge -My $hinge -Mz $hinge -orient 0 0 1 1 0 0
-  set strain {-1.0 0.0}
-  set force {0.0 0.0}
-  foreach r $dish_travel F $dish_force {
-    set length [expr {sqrt($r ** 2 + $anchor_depth ** 2)}]
-    lappend strain [expr {$length / $anchor_depth - 1.0}]
-    lappend force [expr {$F * $length / $r}]
-  }
-  uniaxialMaterial ElasticMultiLinear [expr {$tag + 2}] -strain {*}$strain -stress {*}$force
-  element corotTruss [expr {$first + 1}] $anchor $slider 1.0 [expr {$tag + 2}]
-}
-)";
-inline constexpr const char *python_table = R"(
-
-def dish(ops, tag, first, plate, slider, anchor):
-    """The dish: element `first` slides, first+1 restores; its table turned from travel to elongation of a truss of
-    anchor_depth."""
-    slider_materials(ops, tag)
-    ops.element("flatSliderBearing", first, plate, slider, tag, friction_stiffness, "-P", tag, "-T", tag + 1,
-                "-My", tag + 1, "-Mz", tag + 1, "-orient", 0.0, 0.0, 1.0, 1.0, 0.0, 0.0)
-    strain, force = [-1.0, 0.0], [0.0, 0.0]
-    for r, F in zip(dish_travel, dish_force):
-        length = hypot(r, anchor_depth)
-        strain.append(length / anchor_depth - 1.0)
-        force.append(F * length / r)
-    ops.uniaxialMaterial("ElasticMultiLinear", tag + 2, "-strain", *strain, "-stress", *force)
-    ops.element("corotTruss", first + 1, anchor, slider, 1.0, tag + 2)
-)";
-
 inline constexpr const char *tcl_bearing = R"(
 # The whole bearing between the plate's node and the slider's (same place, ndm 3, ndf 6, z up). Uses tags tag ... tag+19 of
-# materials and friction models, tag ... tag+3 of elements and the node `anchor`. The slider's node carries m1 and dead_load.
+# materials and friction models, tag and tag+1 of geomTransf, tag ... tag+9 of elements and the nodes anchor ... anchor+6.
+# The slider's node carries m1 and dead_load; it must be free to rise.
 proc rimpact_bearing {{tag plate slider anchor}} {{
-  anchor_node $anchor $plate
-  dish $tag $tag $plate $slider $anchor
+  rider_nodes $anchor $plate
+  dish $tag $tag $slider $anchor
   {}
 }}
 )";
@@ -182,10 +114,10 @@ inline constexpr const char *python_bearing = R"(
 
 def rimpact_bearing(ops, tag, plate, slider, anchor):
     """The whole bearing between the plate's node and the slider's (same place, ndm 3, ndf 6, z up). Uses tags tag ...
-    tag+19 of materials and friction models, tag ... tag+3 of elements and the node `anchor`. The slider's node carries
-    m1 and dead_load."""
-    anchor_node(ops, anchor, plate)
-    dish(ops, tag, tag, plate, slider, anchor)
+    tag+19 of materials and friction models, tag and tag+1 of geomTransf, tag ... tag+9 of elements and the nodes anchor
+    ... anchor+6. The slider's node carries m1 and dead_load; it must be free to rise."""
+    rider_nodes(ops, anchor, plate)
+    dish(ops, tag, tag, slider, anchor)
     {}
 )";
 

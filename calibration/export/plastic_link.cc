@@ -44,7 +44,7 @@ PlasticLink plastic_link(const ExportedRim &rim) {
   const auto element = rim.element();
   const double k = rim.settings.k_i;
   std::vector<Bounce> law;
-  const auto speeds = speeds_between(rim.from, rim.to, 10);
+  const auto speeds = speeds_between(rim.from, rim.tuned_to, 10);
   for (const double v : speeds) {
     LawContact contact(element);
     law.push_back(fly(contact, rim.mass, v, k));

@@ -1,28 +1,34 @@
-/// How far the exported spring is from the law: one mass on both, at five speeds over the exported range.
+/// How far the exported spring is from the law, and the exported bearing from the model: one mass on both at five
+/// speeds over the exported range, a second time on the dent of the first, and whole flights under pulses
+/// (pulse_check.h).
 #pragma once
 #include "calibration/export/contact.h"
 #include "calibration/export/exported_rim.h"
-#include <functional>
-#include <memory>
+#include "calibration/export/pulse_check.h"
 
 namespace rimpact::calibration {
-
-/// A fresh contact as the target program integrates it; `speed` is that of the touch (read by Hertzdamp).
-using MakeContact = std::function<std::unique_ptr<RimContact>(double speed)>;
 
 struct CheckRow {
   double speed; ///< [m/s]
   Bounce law, spring;
+  Bounce law_again, spring_again; ///< at the same speed, on the dent of the first; of laws that yield
 };
 struct SelfCheck {
   std::string form; ///< whose spring, for messages
   std::vector<CheckRow> rows;
-  double peak_force = 0, penetration = 0; ///< largest relative difference [-]
-  double rebound = 0;                     ///< largest difference over the approach speed [-]
+  double peak_force = 0, penetration = 0;   ///< largest relative difference [-]
+  double rebound = 0;                       ///< largest difference over the approach speed [-]
+  bool dents = false;                       ///< the law yields: second hits are flown
+  std::string dented_form = {};             ///< what keeps its dent in the file; empty: the form itself
+  std::string new_form = {};                ///< what meets a new rim each time; empty: nothing in the file does
+  std::optional<PulseCheck> pulses = {};    ///< none: the dish is not known
+  static constexpr double tolerance = 0.10; ///< on peak force, and on rebound over approach; beyond it: a doubt
   bool serves() const { return peak_force <= tolerance && rebound <= tolerance; }
-  static constexpr double tolerance = 0.10; ///< on peak force, and on rebound over approach; beyond it the export warns
+  double again() const;     ///< largest difference in peak force of a second hit [-]
+  double again_new() const; ///< the same of a rim that is new each time [-]
   std::string sentence() const;
-  std::vector<std::string> lines() const; ///< the sentence, and one line a speed
+  std::vector<std::string> doubts() const; ///< with their numbers: second hits and pulses beyond what is tolerated
+  std::vector<std::string> lines() const;  ///< for a file's head: the sentence, one line a row, and the doubts
   nlohmann::json json() const;
 };
 /// `stiffness` [N/m]: the spring's largest.

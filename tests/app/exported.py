@@ -39,7 +39,7 @@ def calibration(text: str = "plain", identity: str = "0" * 16, **law: Any) -> di
                                "fitted_to_m_s": 0.7, "valid_from_m_s": 0.1, "valid_to_m_s": 0.7, "tolerance": 0.05,
                                "worst_left_out": {"peak_force": 0.02, "rebound": 0.04, "inside_valid_range": True}, "sentence": text, **law},
                        "pair": None, "no_pair": text, "strain": {"sentence": text}, "mesh_error": {"sentence": text}, "assumptions": [{"key": text, "value": text}],
-                       "doubts": [text, text], "validity": text}}
+                       "error_sentences": ["Peak force: within about 28 % of the bearing's.", text], "doubts": [text, text], "validity": text}}
 
 
 def write(folder: str, content: Any) -> None:
@@ -83,7 +83,7 @@ class Exported(unittest.TestCase):
         """Lines that the stubs of OpenSees' commands print."""
         if not shutil.which("tclsh"):
             self.skipTest("tclsh is not here: the Tcl file was not run")
-        stubs = "".join(f"proc {name} {{args}} {{puts \"{name} $args\"}}\n" for name in ("uniaxialMaterial", "element", "frictionModel", "node", "equalDOF"))
+        stubs = "".join(f"proc {name} {{args}} {{puts \"{name} $args\"}}\n" for name in ("uniaxialMaterial", "element", "frictionModel", "node", "equalDOF", "fix", "geomTransf"))
         text = stubs + "proc nodeCoord {n} {return {1.0 2.0 3.0}}\n" + f"source {folder}/impact.tcl\n{script}\n"
         run = subprocess.run(["tclsh"], input=text, capture_output=True, text=True, cwd=folder)
         self.assertEqual(run.stderr, "")

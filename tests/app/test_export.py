@@ -44,6 +44,48 @@ class Export(Exported):
                 self.assertAlmostEqual(1e3 * depth / row["spring"]["penetration_mm"], 1, places=3)
                 self.assertAlmostEqual(force / math.sqrt(unloading * 86952) / speed, row["spring"]["rebound"], places=3)
 
+    def test_pulses_and_second_hits_carry_their_numbers(self):
+        with tempfile.TemporaryDirectory() as folder:
+            run = self.exported(folder, "--opensees", "--sap2000", "--json")
+            checks = json.loads(run.stdout)["self_checks"]
+            heads = []
+            for name in ("impact.py", "bearing.s2k"):
+                with open(os.path.join(folder, name)) as file:
+                    heads.append(" ".join(line.lstrip("#$ ").rstrip() for line in file if line[0] in "#$"))
+            for check, head in zip(checks, heads):
+                self.assertEqual(len(check["second_hits"]), 5)
+                self.assertEqual({row["pulse"] for row in check["pulses"]["rows"]}, {"ricker-0.78g-1.0s", "ricker-0.38g-1.5s"})
+                for row in check["pulses"]["rows"]:
+                    model, own = row["model"], row["exported"]
+                    doubted = [doubt for doubt in check["doubts"] if f"{row['pulse']} x {row['scale']:.4g}:" in doubt]
+                    self.assertEqual(len(doubted), row["peak_force_difference"] > 0.1, row)
+                    for side in (model, own):
+                        if side["touch_speed_m_s"]:
+                            self.assertIn(f"{side['touch_speed_m_s']:.3f} m/s, {side['peak_force_kN']:.0f} kN", head)
+                for doubt in check["doubts"]:
+                    self.assertRegex(doubt, r"[0-9.]+ m/s.* kN|mm")
+                    self.assertIn(doubt.replace(";", ","), head)  # as comments have it
+                    self.assertIn(doubt, run.stderr)
+            rides, flat = (check["pulses"] for check in checks)
+            # a slider that rides arrives as the model does; one that stays in its plane faster, and says by how much
+            for row in rides["rows"]:
+                if (row["model"]["touch_speed_m_s"] or 0) > 0.3:
+                    self.assertAlmostEqual(row["exported"]["touch_speed_m_s"] / row["model"]["touch_speed_m_s"], 1, delta=0.06)
+            self.assertGreater(flat["peak_force_difference"], 2 * rides["peak_force_difference"])
+
+    def test_heads_carry_the_errors_and_what_pad_and_socket_do(self):
+        with tempfile.TemporaryDirectory() as folder:
+            content = calibration(identity=self.rim)
+            content["answer"]["stack"] = {"finite_pad": True, "socket_friction": True, "friction": "park-wen", "elastic_slip_mm": 0.14, "elastic_slip_from": "fit"}
+            write(folder, content)
+            run = rimpact("export", folder, "--opensees", "--etabs", "--csv", "--scene", "shfps-225")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            for name, needles in (("impact.tcl", ["the socket's friction in the coefficient"]), ("bearing.e2k", ["the socket's friction in the coefficient"]), ("law.csv", [])):
+                with open(os.path.join(folder, name)) as file:
+                    head = " ".join(line.lstrip("#$ ").rstrip() for line in file if line[0] in "#$")
+                for needle in ["Error of the answer: Peak force: within about 28 %", "without them the model has", "with them", *needles]:
+                    self.assertIn(needle, head, name)
+
     def test_beyond_ten_per_cent_is_said(self):
         # a law from 0.02 to 3 m/s: four springs cannot follow two decades
         with tempfile.TemporaryDirectory() as folder:

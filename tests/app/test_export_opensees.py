@@ -26,24 +26,35 @@ class OpenSees(Exported):
             self.assertEqual([call[10] for call in ops.calls[5:]], [-1.0, 1.0])  # local x: shortened by motion along +x, -x
             ops = Recorder()
             values["rimpact_bearing"](ops, 1000, 1, 2, 99)
-            self.assertEqual(ops.calls[1], ("node", 99, 1.0, 2.0, 2.999))
+            nodes = {call[1]: call[2:] for call in ops.calls if call[0] == "node"}
+            self.assertEqual(sorted(nodes), list(range(99, 106)))
+            self.assertEqual(nodes[99][2], 2.999)  # the anchor, below the seat
+            self.assertEqual(nodes[100], nodes[101])  # seat and foot slide on one another
+            self.assertEqual(nodes[102], (1.0, 2.0, 3.0))  # the slider's hinge is at the slider
+            self.assertAlmostEqual((nodes[102][0] - nodes[101][0]) / (nodes[103][0] - nodes[101][0]), values["dish_ratio"])
+            self.assertAlmostEqual(nodes[104][2] - nodes[103][2], values["dish_half_width"])
             elements = [call for call in ops.calls if call[0] == "element"]
-            self.assertEqual([call[1] for call in elements], ["flatSliderBearing", "corotTruss", "corotTruss"])
-            self.assertEqual(len({call[2] for call in elements}), 3)
+            self.assertEqual([call[1] for call in elements], ["flatSliderBearing", "corotTruss", "zeroLength", "zeroLength", "zeroLength", "elasticBeamColumn",
+                                                             "elasticBeamColumn", "corotTruss", "corotTruss"])
+            self.assertEqual(len({call[2] for call in elements}), 9)
             tags = [call[2] for call in ops.calls if call[0] == "uniaxialMaterial"]
             self.assertEqual(len(tags), len(set(tags)))
             # the round rim closes where the truss has the length of the capacity, and is as stiff as the springs along x
             gap = next(call for call in ops.calls if call[1] == "ElasticPPGap")
             self.assertAlmostEqual((1 + gap[5]) * 0.001, math.hypot(values["rim_begins"][0], 0.001))
             self.assertAlmostEqual(gap[3] / 0.001 / values["rim_stiffness"][0], 1)
-            # and the dish's truss pulls W h'(r) horizontally: 853 kN, ellipse R0 = 2.25, a = 0.5625
+            # ellipsoid and table together restore W h'(r), and what friction along the slope adds: 853 kN, R0 = 2.25, a = 0.5625
+            self.assertAlmostEqual(values["dish_half_width"], 0.5625, places=4)
+            self.assertAlmostEqual(values["dish_ratio"], 0.25, places=4)
             table = next(call for call in ops.calls if call[1] == "ElasticMultiLinear")
             half = table.index("-stress")
             strain, force = table[4:half], table[half + 1:]
             for e, f in list(zip(strain, force))[2:]:
                 r = math.sqrt(((1 + e) * 0.001) ** 2 - 1e-6)
                 if r < 0.45:
-                    self.assertAlmostEqual(f * r / ((1 + e) * 0.001) / (853e3 * r / 2.25 / math.sqrt(1 - (r / 0.5625) ** 2)), 1, places=6)
+                    slope = r / 2.25 / math.sqrt(1 - (r / 0.5625) ** 2)
+                    rides = values["dish_ratio"] * r / math.sqrt(values["dish_half_width"] ** 2 - r ** 2)
+                    self.assertAlmostEqual((f * r / ((1 + e) * 0.001) / 853e3 + rides) / (slope * (1 + 0.07 ** 2 * (1 + slope ** 2))), 1, places=4)
 
     def test_tcl_and_python_make_the_same_bearing(self):
         with tempfile.TemporaryDirectory() as folder:

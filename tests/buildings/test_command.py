@@ -133,8 +133,10 @@ class Building(Run, unittest.TestCase):
             bearings.place(Recorder())
         finally:
             sys.path.remove(out)
-        plates = [arguments for name, arguments in calls if name == "fix"]
+        plates = [arguments for name, arguments in calls if name == "fix" and arguments[0] < 200000]
         self.assertEqual([p[0] for p in plates], [100001 + i for i in range(6)])
+        nodes = [arguments[0] for name, arguments in calls if name == "node"]
+        self.assertEqual(len(nodes), len(set(nodes)))  # no bearing's own nodes are another's
         loads = []
         for node in range(1, 7):
             with open(os.path.join(out, f"bearing_{node}.py")) as file:

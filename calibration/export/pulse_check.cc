@@ -1,0 +1,89 @@
+#include "calibration/export/pulse_check.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::calibration {
+namespace {
+
+std::string line_of(const PulseRow &row) {
+  return fmt::format("{} x {:.4g}: {} (model {})", row.pulse, row.scale, words_of(row.exported), words_of(row.model));
+}
+
+nlohmann::json json_of(const Arrival &arrival) {
+  const auto or_null = [&](double value) { return arrival.touch_speed > 0 ? nlohmann::json(value) : nlohmann::json(); };
+  return {{"touch_speed_m_s", or_null(arrival.touch_speed)},
+          {"peak_force_kN", or_null(arrival.peak_force / 1e3)},
+          {"largest_travel_mm", 1e3 * arrival.largest_travel}};
+}
+
+} // namespace
+
+double PulseRow::difference(double least_force) const {
+  return std::abs(exported.peak_force - model.peak_force) / std::max(model.peak_force, least_force);
+}
+
+double PulseCheck::worst() const {
+  double most = 0;
+  for (const auto &row : rows) most = std::max(most, row.difference(least_force));
+  return most;
+}
+
+std::vector<std::string> PulseCheck::lines() const {
+  std::vector<std::string> all;
+  if (!rows.empty())
+    all.push_back(fmt::format("Self-check under pulses: the exported bearing, flown by rimpact, against the reduced "
+                              "model; peak force within {:.1f} % of the model's, or of the law's at its lowest speed.",
+                              100 * worst()));
+  for (const auto &row : rows) all.push_back("  " + line_of(row) + ".");
+  all.insert(all.end(), left_out.begin(), left_out.end());
+  return all;
+}
+
+std::vector<std::string> PulseCheck::doubts() const {
+  std::vector<std::string> all;
+  for (const auto &row : rows)
+    if (const double off = row.difference(least_force); off > tolerance)
+      all.push_back(fmt::format("DOUBT: the exported bearing differs by {:.0f} % in peak force under {}.", 100 * off,
+                                line_of(row)));
+  return all;
+}
+
+nlohmann::json PulseCheck::json() const {
+  nlohmann::json all = nlohmann::json::array();
+  for (const auto &row : rows)
+    all.push_back({{"pulse", row.pulse},
+                   {"scale", row.scale},
+                   {"model", json_of(row.model)},
+                   {"exported", json_of(row.exported)},
+                   {"peak_force_difference", row.difference(least_force)}});
+  return {{"rows", all}, {"left_out", left_out}, {"peak_force_difference", worst()}};
+}
+
+PulseCheck pulse_check(const scene::Scene &scene, const ExportedRim &rim, const FlownBearing &bearing) {
+  LawContact law(rim.element());
+  PulseCheck check{.rows = {}, .left_out = {}, .least_force = 0, .capacity = rim.lateral_capacity};
+  check.least_force = fly(law, rim.mass, rim.from, rim.settings.k_i).peak_force;
+  const scene::Scene model = model_of(scene, rim);
+  for (const char *pulse : check_pulses) {
+    scene::Scene flown = under_pulse(model, pulse);
+    const auto unit = unit_scale(flown);
+    if (!unit)
+      check.left_out.push_back(fmt::format("Pulse {}: at no scale does it bring the model to its rim.", pulse));
+    for (const double scale : check_scales) {
+      if (!unit) break;
+      flown.excitation.scale = scale * *unit;
+      const auto run = fly_model(flown);
+      const auto own = fly_bearing(bearing, {flown.excitation, rim.gravity}, flown.excitation.duration);
+      if (!run || own.leaves)
+        check.left_out.push_back(fmt::format("Pulse {} x {:.4g}: the {} goes over its rim, so it is not compared.",
+                                             pulse, flown.excitation.scale, run ? "exported bearing" : "model"));
+      else
+        check.rows.push_back({pulse, flown.excitation.scale, *run, own});
+    }
+  }
+  return check;
+}
+
+} // namespace rimpact::calibration

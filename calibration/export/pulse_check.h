@@ -1,0 +1,32 @@
+/// How an exported bearing meets its rim under ground motion, against the reduced model: both Ricker pulses of the
+/// catalogue at the scales of the main job, 1.00, 1.05 and 1.10. A bearing that these do not bring to its rim gets them
+/// at 1.00, 1.05 and 1.10 times the scale of its first touch.
+#pragma once
+#include "calibration/export/bearing_flight.h"
+#include "calibration/export/exported_model.h"
+
+namespace rimpact::calibration {
+
+struct PulseRow {
+  std::string pulse; ///< scene of the catalogue
+  double scale;
+  Arrival model, exported;
+  /// Of the peak force, over the model's; over `least_force` where that is larger: a touch that hardly is one.
+  double difference(double least_force) const;
+};
+struct PulseCheck {
+  std::vector<PulseRow> rows;
+  std::vector<std::string> left_out;        ///< sentences: rows that say nothing, and why
+  double least_force = 0;                   ///< of the law at the lowest speed it is exported for [N]
+  double capacity = 0;                      ///< where the rim begins [m]
+  static constexpr double tolerance = 0.10; ///< of the peak force; a row beyond it is a doubt with its numbers
+  static constexpr double refused = 0.40;   ///< beyond it a riding bearing is not exported
+  double worst() const;
+  std::vector<std::string> lines() const; ///< a sentence of the whole, then one line a row
+  std::vector<std::string> doubts() const;
+  nlohmann::json json() const;
+};
+
+PulseCheck pulse_check(const scene::Scene &scene, const ExportedRim &rim, const FlownBearing &bearing);
+
+} // namespace rimpact::calibration
