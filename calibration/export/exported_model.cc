@@ -27,9 +27,11 @@ scene::Scene under_pulse(const scene::Scene &model, const char *pulse) {
 
 /// What the scales of the main job are multiplied with: one, where the largest of them brings the model to its rim.
 std::optional<double> unit_scale(scene::Scene scene) {
+  constexpr double above_first_touch = 1.05;
   scene.excitation.scale = check_scales.back();
   if (const auto run = fly_model(scene); run && run->touch_speed > 0) return 1.0;
-  return reduced::critical_scale(scene, 0.1, 5.0, 1e-4);
+  const auto first = reduced::critical_scale(scene, 0.1, 5.0, 1e-4);
+  return first ? std::optional(above_first_touch * *first) : std::nullopt;
 }
 
 double fastest_touch(const scene::Scene &scene, const ExportedRim &rim) {

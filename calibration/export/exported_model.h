@@ -13,8 +13,8 @@ scene::Scene model_of(const scene::Scene &scene, const ExportedRim &rim);
 inline constexpr std::array check_pulses{"ricker-0.78g-1.0s", "ricker-0.38g-1.5s"};
 inline constexpr std::array check_scales{1.0, 1.05, 1.1};
 scene::Scene under_pulse(const scene::Scene &model, const char *pulse);
-/// What the scales are multiplied with: one, where the largest of them brings the model to its rim; else the scale of
-/// the first touch. None: no scale does.
+/// What the scales are multiplied with: one, where the largest of them brings the model to its rim; else 1.05 times
+/// the scale of the first touch. None: no scale does.
 std::optional<double> unit_scale(scene::Scene scene);
 /// Its run; none: it stopped.
 std::optional<Arrival> fly_model(const scene::Scene &scene);

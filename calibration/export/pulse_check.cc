@@ -30,6 +30,14 @@ double PulseCheck::worst() const {
   return most;
 }
 
+double PulseCheck::worst_judged() const {
+  double most = 0;
+  for (const auto &row : rows)
+    if (row.model.touch_speed >= slowest || row.exported.touch_speed >= 2 * slowest)
+      most = std::max(most, row.difference(least_force));
+  return most;
+}
+
 std::vector<std::string> PulseCheck::lines() const {
   std::vector<std::string> all;
   if (!rows.empty())
@@ -63,7 +71,7 @@ nlohmann::json PulseCheck::json() const {
 
 PulseCheck pulse_check(const scene::Scene &scene, const ExportedRim &rim, const FlownBearing &bearing) {
   LawContact law(rim.element());
-  PulseCheck check{.rows = {}, .left_out = {}, .least_force = 0, .capacity = rim.lateral_capacity};
+  PulseCheck check{.rows = {}, .left_out = {}, .least_force = 0, .slowest = rim.from};
   check.least_force = fly(law, rim.mass, rim.from, rim.settings.k_i).peak_force;
   const scene::Scene model = model_of(scene, rim);
   for (const char *pulse : check_pulses) {

@@ -1,6 +1,6 @@
 /// How an exported bearing meets its rim under ground motion, against the reduced model: both Ricker pulses of the
 /// catalogue at the scales of the main job, 1.00, 1.05 and 1.10. A bearing that these do not bring to its rim gets them
-/// at 1.00, 1.05 and 1.10 times the scale of its first touch.
+/// at as many times a scale 5 % above that of its first touch.
 #pragma once
 #include "calibration/export/bearing_flight.h"
 #include "calibration/export/exported_model.h"
@@ -18,10 +18,13 @@ struct PulseCheck {
   std::vector<PulseRow> rows;
   std::vector<std::string> left_out;        ///< sentences: rows that say nothing, and why
   double least_force = 0;                   ///< of the law at the lowest speed it is exported for [N]
-  double capacity = 0;                      ///< where the rim begins [m]
+  double slowest = 0;                       ///< that speed [m/s]
   static constexpr double tolerance = 0.10; ///< of the peak force; a row beyond it is a doubt with its numbers
-  static constexpr double refused = 0.40;   ///< beyond it a riding bearing is not exported
+  static constexpr double refused = 0.40;   ///< of a row that is judged; beyond it a riding bearing is not exported
   double worst() const;
+  /// Of rows where the model meets its rim no slower than the law knows, or the exported bearing twice as fast as that.
+  /// A slower touch moves with anything: the energy left there is some thousandths of the pulse's.
+  double worst_judged() const;
   std::vector<std::string> lines() const; ///< a sentence of the whole, then one line a row
   std::vector<std::string> doubts() const;
   nlohmann::json json() const;

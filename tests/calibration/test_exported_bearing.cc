@@ -101,7 +101,7 @@ TEST(PulseCheck, TheRidingBearingArrivesAsTheModel) {
 
 TEST(PulseCheck, ARowBeyondItsToleranceIsSaidWithBothNumbers) {
   const PulseRow harder{.pulse = "p", .scale = 1, .model = {0.164, 760e3, 0.401}, .exported = {0.3, 1078e3, 0.403}};
-  PulseCheck check{.rows = {harder}, .left_out = {}, .least_force = 400e3, .capacity = 0.4};
+  PulseCheck check{.rows = {harder}, .left_out = {}, .least_force = 400e3, .slowest = 0.1};
   EXPECT_NEAR(check.worst(), 318.0 / 760, 1e-12);
   ASSERT_EQ(check.doubts().size(), 1u);
   for (const char *number : {"42 %", "0.300 m/s", "1078 kN", "0.164 m/s", "760 kN"})
@@ -110,6 +110,16 @@ TEST(PulseCheck, ARowBeyondItsToleranceIsSaidWithBothNumbers) {
   check.rows = {{.pulse = "p", .scale = 1, .model = {0, 0, 0.3995}, .exported = {0.01, 30e3, 0.4001}}};
   EXPECT_NEAR(check.worst(), 0.075, 1e-12);
   EXPECT_TRUE(check.doubts().empty());
+}
+
+TEST(PulseCheck, WhatIsRefusedIsNoHairsBreadth) {
+  const auto judged = [](Arrival model, Arrival exported) {
+    return PulseCheck{.rows = {{"p", 1, model, exported}}, .left_out = {}, .least_force = 400e3, .slowest = 0.1}
+        .worst_judged();
+  };
+  EXPECT_GT(judged({0.164, 760e3, 0.401}, {0.3, 1078e3, 0.403}), PulseCheck::refused); // a flat slider's
+  EXPECT_GT(judged({0, 0, 0.399}, {0.3, 1078e3, 0.403}), PulseCheck::refused);
+  EXPECT_EQ(judged({0.01, 50e3, 0.4}, {0.09, 390e3, 0.401}), 0); // slower than the law knows, in both
 }
 
 TEST(SelfCheck, SecondHitsMeetTheDent) {
