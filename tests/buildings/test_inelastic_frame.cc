@@ -2,6 +2,7 @@
 #include "buildings/builtin_buildings.h"
 #include "buildings/frame_tables.h"
 #include "buildings/implicit_run.h"
+#include "buildings/inelastic_frame.h"
 #include "buildings/modes.h"
 #include "buildings/plane_frame.h"
 #include "buildings/simulate.h"
@@ -79,6 +80,38 @@ TEST(InelasticFrame, FarFromYieldIsTheLinearBuilding) {
   EXPECT_NEAR(frame.peak_displacement, linear.peak_displacement, 5e-3 * linear.peak_displacement);
   for (int floor = 0; floor < 3; ++floor)
     EXPECT_NEAR(peak_drift(frame, floor), peak_drift(linear, floor), 0.03 * peak_drift(linear, floor));
+}
+
+/// A closed portal of one bay under its own weight: every end has the same moment M. Its closed form is the M at which
+/// ends of beam and column turn alike, with M = r E I kappa + (1 - r) M_y tanh(kappa / kappa_y) in their end sections.
+TEST(InelasticFrame, APortalAtRestHasTheMomentOfItsClosedForm) {
+  constexpr double L = 6, h = 4, load = 50e3, E = 30e9, lp = 0.25, r = 0.02;
+  constexpr double column = E * 0.5 * 0.5 * 0.5 * 0.5 / 12, beam = E * 0.4 * 0.6 * 0.6 * 0.6 / 12; // E I
+  const auto root_of = [](double high, const auto &below) {
+    double low = 0;
+    for (int i = 0; i < 200; ++i) (below((low + high) / 2) ? low : high) = (low + high) / 2;
+    return low;
+  };
+  for (const double My : {140e3, 270e3}) {
+    PlaneFrame p = parse_plane_frame("x_m = [0.0, 6.0]\nstoreys_m = [4.0]\nload_kN_per_m = 50.0\nE_GPa = 30.0\n"
+                                     "beam_width_mm = 400.0\nbeam_depth_mm = 600.0\n",
+                                     "portal");
+    p.column.yield_moment = p.beam.yield_moment = My;
+    for (MemberClass *c : {&p.column, &p.beam}) c->law.strength_loss = c->law.stiffness_loss = 0;
+    const auto softening = [&](double M, double EI) { // curvature beyond the elastic one
+      return root_of(1.0, [&](double k) { return r * EI * k + (1 - r) * My * std::tanh(k * EI / My) < M; }) - M / EI;
+    };
+    const double expected = root_of(load * L * L / 12, [&](double M) {
+      const double of_beam = load * L * L * L / (24 * beam) - M * L / (2 * beam) - lp * softening(M, beam);
+      return of_beam > M * h / (6 * column) + lp * softening(M, column);
+    });
+    const Frame frame = make_frame(p);
+    const BuildingModel model = assemble(frame);
+    const auto structure = inelastic_structure(frame, model, 9.81);
+    const auto rest = structure->members(structure->at_rest().q);
+    for (int end = 0; end < rest.forces.size() / 6; ++end)
+      EXPECT_NEAR(rest.forces.segment(6 * end + 3, 3).lpNorm<Eigen::Infinity>(), expected, 1e-4 * expected);
+  }
 }
 
 TEST(InelasticFrame, YieldsAndKeepsItsEnergy) {
