@@ -91,11 +91,11 @@ void BuildingRun::give_up() const {
     const double r = dynamics_.slider[b].of(step_.y0.data()).head<2>().norm(),
                  edge = dynamics_.laws[b].height.limit_radius();
     if (r > 0.98 * edge)
-      throw SolverStopped(
-          fmt::format("the slider of bearing {} left its dish at t = {} s: travel {} m reaches the edge at {} m", b + 1,
-                      step_.t, r, edge));
+      throw SolverStopped(fmt::format(
+          "the slider of bearing {} left its dish at t = {:.6g} s: travel {:.4g} m reaches the edge at {:.4g} m", b + 1,
+          step_.t, r, edge));
   }
-  throw SolverStopped(fmt::format("the time step of the building became too small at t = {} s", step_.t));
+  throw SolverStopped(fmt::format("the time step of the building became too small at t = {:.6g} s", step_.t));
 }
 
 void BuildingRun::attempt_until_accepted(double t_limit) {
@@ -209,7 +209,8 @@ void BuildingRun::run(double t_end, BuildingRecorder &recorder) {
     const int event = first_event(events);
     recorder.steps.add(step_.t);
     n_short = step_.h < 1e-10 ? n_short + 1 : 0;
-    if (n_short > 100) throw SolverStopped(fmt::format("the building chatters between branches at t = {} s", step_.t));
+    if (n_short > 100)
+      throw SolverStopped(fmt::format("the building chatters between branches at t = {:.6g} s", step_.t));
     dynamics_.project(modes_, step_.y1);
     const double t1 = step_.t + step_.h;
     recorder.segment(dynamics_, modes_,

@@ -178,7 +178,7 @@ bool ImplicitRun::advance(double limit, double &h) {
     const bool clipped = at_[0].t + h * 1.001 >= limit;
     const double length = clipped ? limit - at_[0].t : h;
     if (!(length > 1e-13))
-      throw SolverStopped(fmt::format("the time step of the building became too small at t = {} s", at_[0].t));
+      throw SolverStopped(fmt::format("the time step of the building became too small at t = {:.6g} s", at_[0].t));
     if (!step(length)) {
       h = length / 4;
       continue;
@@ -229,7 +229,7 @@ void ImplicitRun::run(double t_end, BuildingRecorder &recorder) {
     recorder.steps.add(at_[0].t);
     for (int b = 0; b < building_.n_bearings(); ++b)
       if (const char *why = building_.mounts[b]->lost())
-        throw SolverStopped(fmt::format("bearing {}: {} at t = {} s", b + 1, why, at_[0].t));
+        throw SolverStopped(fmt::format("bearing {}: {} at t = {:.6g} s", b + 1, why, at_[0].t));
     bool changed = false;
     for (const auto &mount : building_.mounts) changed = (at_wall && mount->change_walls()) || changed;
     if (changed) restart(), h = std::min(h, 1e-2 * largest_step_);

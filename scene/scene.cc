@@ -42,7 +42,7 @@ void check_excitation(const Excitation &e, double lateral_capacity) {
   if (e.kind == ExcitationKind::push && !(e.scale > 0))
     throw InputError(fmt::format("excitation.scale {} must be > 0 for a push", e.scale));
   if (e.kind == ExcitationKind::free && !(e.start_displacement().norm() <= lateral_capacity))
-    throw InputError(fmt::format("excitation.displacement_m starts at {} m, beyond the rim at L_c = {} m",
+    throw InputError(fmt::format("excitation.displacement_m starts at {:.6g} m, beyond the rim at L_c = {:.6g} m",
                                  e.start_displacement().norm(), lateral_capacity));
 }
 

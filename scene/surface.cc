@@ -46,8 +46,8 @@ private:
   double depth(double r2) const {
     const double s2 = 1 - r2 * inv_a2_;
     if (!(s2 > 1e-15)) // with fused multiply-add the edge itself rounds to 1e-17, not to zero
-      throw std::domain_error(
-          fmt::format("planar radius {} m lies outside the sliding surface, which ends at {} m", std::sqrt(r2), a_));
+      throw std::domain_error(fmt::format(
+          "planar radius {:.6g} m lies outside the sliding surface, which ends at {:.6g} m", std::sqrt(r2), a_));
     return std::sqrt(s2);
   }
   double a_, b_, inv_a2_, inv_b2_, inv_R0_;

@@ -9,8 +9,8 @@ namespace rimpact::scene {
 
 MeridianPoint SurfaceOfRevolution::inside(double r) const {
   if (!(r < limit_radius()))
-    throw std::domain_error(
-        fmt::format("planar radius {} m lies outside the sliding surface, which ends at {} m", r, limit_radius()));
+    throw std::domain_error(fmt::format(
+        "planar radius {:.6g} m lies outside the sliding surface, which ends at {:.6g} m", r, limit_radius()));
   return meridian(r);
 }
 

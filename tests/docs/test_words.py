@@ -203,7 +203,7 @@ class Plain(unittest.TestCase):
     """Sentences that readers could not follow were said anew, and do not come back."""
     FRAGMENTS = ("a rim's own law at another mass: at a depth", "an uncertainty given so counts", "not as one a sample", "times are of the processor",
                  "what has a dashpot is refused", "each sample counts by itself", "no source's", "leaves unexplained widens", "flat valley", "fly it",
-                 "condition inf", "not given by any source")
+                 "condition inf", "not given by any source", "lower bound 0")
     SUFFIXES = {".cc", ".h", ".py", ".md", ".j2", ".js", ".toml", ".css", ".in", ""}
 
     @staticmethod
