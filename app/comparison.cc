@@ -58,10 +58,12 @@ std::vector<Column> present(const Columns &columns) {
 }
 
 void add_column(json &row, const std::string &key, const json &fe, const json &reduced) {
-  const json peak = peak_force_kN(reduced), rebound = of_hardest_impact(reduced, "restitution");
+  const json peak = peak_force_kN(reduced);
   row[key + "_kN"] = peak;
   row[key + "_error"] = relative(peak, peak_force_kN(fe));
-  row[key + "_rebound_error"] = relative(rebound, of_hardest_impact(fe, "restitution"));
+  for (const auto &[of, quantity] :
+       {std::pair{"_rebound_error", "rebound_speed_m_s"}, {"_restitution_error", "restitution"}})
+    row[key + of] = relative(of_hardest_impact(reduced, quantity), of_hardest_impact(fe, quantity));
 }
 
 } // namespace
@@ -90,7 +92,7 @@ std::string comparison_text(const json &rows, const Columns &columns, const std:
   std::vector<std::string> unsaid;
   std::string text = fmt::format("{:28s} {:>9s} {:>9s} {:>7s}", "peak impact force", "FE [kN]", "in [m/s]", "out/in");
   for (const auto &column : present(columns))
-    text += fmt::format("   {:>19s} {:>9s} {:>9s}", column.title + " [kN]", "error", "rebound");
+    text += fmt::format("   {:>19s} {:>9s} {:>9s}", column.title + " [kN]", "error", "out/in");
   text += "\n";
   for (const auto &row : rows) {
     const std::string name = row["name"];
@@ -99,7 +101,7 @@ std::string comparison_text(const json &rows, const Columns &columns, const std:
                         cell(row["rebound_over_approach"], "{:.3f}"));
     for (const auto &column : present(columns))
       text += fmt::format("   {:>19s} {:>9s} {:>9s}", cell(row[column.key + "_kN"], "{:.1f}"),
-                          percent(row[column.key + "_error"]), percent(row[column.key + "_rebound_error"]));
+                          percent(row[column.key + "_error"]), percent(row[column.key + "_restitution_error"]));
     text += "\n";
     for (const auto &doubt : row["doubts"])
       if (const auto sentence = name + ": " + doubt.get<std::string>();

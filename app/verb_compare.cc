@@ -45,7 +45,11 @@ struct Row {
 constexpr std::array rows{
     Row{"peak impact force", "of the hardest impact", &calibration::Comparison::peak_force_error, 100, "%"},
     Row{"peak displacement", "horizontal", &calibration::Comparison::peak_displacement_error, 100, "%"},
-    Row{"rebound speed", "of the hardest impact", &calibration::Comparison::rebound_error, 100, "%"},
+    Row{"approach speed", "of the hardest impact, at its touch", &calibration::Comparison::approach_speed_error, 100,
+        "%"},
+    Row{"rebound speed", "of the hardest impact, at its release", &calibration::Comparison::rebound_error, 100, "%"},
+    Row{"restitution", "rebound over approach speed, of the hardest impact",
+        &calibration::Comparison::restitution_error, 100, "%"},
     Row{"first touch", "later than A's", &calibration::Comparison::touch_time_difference, 1e3, "ms"},
     Row{"displacement, rms", "difference over L_c, from first touch to 0.5 s after release",
         &calibration::Comparison::nrmse_displacement, 100, "% of L_c"},

@@ -17,7 +17,7 @@ from .run_folder import load_run
 from .series import contact_stretches
 from .shapes import FLAG, NUMBER, TEXT, numbers, texts
 
-METRICS = numbers("peak_force_error peak_displacement_error rebound_error nrmse_displacement nrmse_force "
+METRICS = numbers("peak_force_error peak_displacement_error approach_speed_error rebound_error restitution_error nrmse_displacement nrmse_force "
                   "nrmse_lateral_force touch_time_difference")
 SHAPE = {"version": TEXT, "capacity_m": NUMBER,
          "items": [{**texts("name path"), "metrics": METRICS, "notes": [TEXT],
@@ -47,12 +47,13 @@ def _peaks(comparison: Comparison) -> dict[str, Any] | None:
         ["peak lateral force (kN)", *(scaled(run.norm("force").max(), 1e-3, 1) for run in runs)],
         ["peak impact force (kN)", *(scaled(run.norm("impact").max(), 1e-3, 1) for run in runs)],
         ["impacts", *(integer(len(contact_stretches(run))) for run in runs)],
-        ["residual displacement (mm)", *(scaled(run.norm("displacement")[-1], 1e3, 2) for run in runs)]])
+        ["displacement at the end (mm)", *(scaled(run.norm("displacement")[-1], 1e3, 2) for run in runs)]])
 
 
 ROWS: tuple[tuple[str, str, Callable[[Any], str]], ...] = (
         ("peak impact force", "peak_force_error", percent), ("peak displacement", "peak_displacement_error", lambda v: percent(v, 2)),
-        ("rebound speed", "rebound_error", percent),
+        ("approach speed", "approach_speed_error", percent), ("rebound speed", "rebound_error", percent),
+        ("restitution (rebound over approach)", "restitution_error", percent),
         ("first touch, later (ms)", "touch_time_difference", lambda v: scaled(v, 1e3, 2)),
         ("displacement, rms over L_c", "nrmse_displacement", lambda v: percent(v, 2, False)),
         ("impact force, rms over peak", "nrmse_force", lambda v: percent(v, 2, False)),

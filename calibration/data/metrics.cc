@@ -107,6 +107,7 @@ void compare_rebounds(const Impact &theirs, const Impact &ours, Comparison &resu
     return;
   }
   result.rebound_error = relative(ours.rebound_speed, theirs.rebound_speed);
+  result.restitution_error = relative(ours.restitution(), theirs.restitution());
   if (!result.rebound_error) result.notes.push_back("the reference does not rebound: no rebound to compare");
 }
 
@@ -133,6 +134,7 @@ void compare_impacts(const Summary &reference, const Summary &candidate, double 
   }
   const auto &ours = hardest(candidate);
   result.peak_force_error = relative(ours.peak_force, theirs.peak_force);
+  result.approach_speed_error = relative(ours.approach_speed, theirs.approach_speed);
   compare_rebounds(theirs, ours, result);
   const double touch = reference.impacts.front().touch_time, own_touch = candidate.impacts.front().touch_time;
   if (our_begin > touch + late || their_begin > own_touch + late)
@@ -186,7 +188,9 @@ nlohmann::json to_json(const Comparison &c) {
   const auto value = [](const std::optional<double> &v) { return v ? nlohmann::json(*v) : nlohmann::json(nullptr); };
   return {{"peak_force_error", value(c.peak_force_error)},
           {"peak_displacement_error", value(c.peak_displacement_error)},
+          {"approach_speed_error", value(c.approach_speed_error)},
           {"rebound_error", value(c.rebound_error)},
+          {"restitution_error", value(c.restitution_error)},
           {"nrmse_displacement", value(c.nrmse_displacement)},
           {"nrmse_force", value(c.nrmse_force)},
           {"nrmse_lateral_force", value(c.nrmse_lateral_force)},

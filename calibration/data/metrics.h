@@ -12,8 +12,10 @@ namespace rimpact::calibration {
 struct Comparison {
   std::optional<double> peak_force_error;        ///< of the peak impact force (horizontal norm) [-]
   std::optional<double> peak_displacement_error; ///< of the peak horizontal displacement [-]
+  std::optional<double> approach_speed_error;    ///< of the radial speed at the touch of the hardest impact [-]
   std::optional<double> rebound_error;           ///< of the radial speed at release of the hardest impact, where both
                                                  ///< records hold the release [-]
+  std::optional<double> restitution_error;       ///< of rebound over approach; it holds the approaches' difference too
   std::optional<double> nrmse_displacement;      ///< root mean square of |u_c - u_r| over L_c [-]
   std::optional<double> nrmse_force;             ///< of |I_c - I_r| (impact force) over the reference's peak [-]
   std::optional<double> nrmse_lateral_force;     ///< of |F_c - F_r| (lateral force) over the reference's peak [-]

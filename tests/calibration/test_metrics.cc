@@ -45,6 +45,22 @@ TEST(Metrics, AgreeWithHandComputedValues) {
   EXPECT_NEAR(*c.touch_time_difference, 0, 1e-12);
 }
 
+/// A quicker approach returns quicker by the same law: the rebound's error and that of rebound over approach differ by
+/// it, and all three are told apart.
+TEST(Metrics, TellTheSpeedsOfApproachAndReboundAndTheirRatioApart) {
+  const auto reference = triangle(1000, 0.40, 0.10, 0.01);
+  auto candidate = triangle(1000, 0.40, 0.0997, 0.01);
+  for (auto &v : candidate.series("velocity_x"))
+    if (v > 0) v *= 1.014;
+  const auto c = compare(reference, candidate, 0.4);
+  EXPECT_NEAR(*c.approach_speed_error, 0.014, 1e-12);
+  EXPECT_NEAR(*c.rebound_error, -0.003, 1e-12);
+  EXPECT_NEAR(*c.restitution_error, 0.997 / 1.014 - 1, 1e-12);
+  const auto json = to_json(c);
+  for (const char *key : {"approach_speed_error", "rebound_error", "restitution_error"})
+    EXPECT_TRUE(json.at(key).is_number()) << key;
+}
+
 TEST(Metrics, DoNotDependOnTheSampling) {
   const auto reference = triangle(1000, 0.40, 0.10, 0.01);
   const auto fine = compare(reference, triangle(1200, 0.41, 0.08, 0.01), 0.4);
