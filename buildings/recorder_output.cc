@@ -60,7 +60,7 @@ void BuildingRecorder::store(double t, const VectorXd &y, const BuildingResponse
 
 void BuildingRecorder::summarise(Summary &s) const {
   s.peak_displacement = 0, s.peak_lateral_force = peak_shear_, s.peak_vertical_displacement = peak_height_;
-  s.min_normal_force = smallest_total_, s.residual_displacement = 0;
+  s.min_normal_force = smallest_total_, s.residual_displacement = 0, s.final_speed = 0;
   s.n_steps = steps.n();
   s.peak_impact_force = 0;
   nlohmann::json bearings = nlohmann::json::array(), floors = nlohmann::json::array();
@@ -76,6 +76,7 @@ void BuildingRecorder::summarise(Summary &s) const {
     *s.peak_impact_force = std::max(*s.peak_impact_force, p.impact);
     const double residual = node.of(final_.data()).head<2>().norm();
     s.residual_displacement = std::max(s.residual_displacement, residual);
+    s.final_speed = std::max(*s.final_speed, node.of(final_.data() + dynamics_.n).head<2>().norm());
     s.impacts.insert(s.impacts.end(), p.impacts.begin(), p.impacts.end());
     bearings.push_back({{"x_m", node.arm_x},
                         {"y_m", node.arm_y},

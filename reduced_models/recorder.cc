@@ -189,6 +189,7 @@ void Recorder::summarise(Summary &summary, bool collapsed) const {
   peaks_.summarise(summary);
   summary.n_steps = steps.n();
   summary.residual_displacement = std::hypot(final_[iX], final_[iY]);
+  summary.final_speed = std::hypot(final_[iVX], final_[iVY]);
   summary.energy = final_ledger();
   if (dynamics_.building.any())
     building_.summarise(building_at(final_), collapsed ? std::optional(final_time_) : std::nullopt, summary);

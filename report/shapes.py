@@ -39,7 +39,7 @@ SCENE: Shape = {
 IMPACT: Shape = numbers("touch_time_s release_time_s direction_deg approach_speed_m_s rebound_speed_m_s restitution peak_force_N "
                  "peak_penetration_m")
 SUMMARY: Shape = {
-    **numbers("peak_displacement_m peak_lateral_force_N peak_impact_force_N n_impacts residual_displacement_m "
+    **numbers("peak_displacement_m peak_lateral_force_N peak_impact_force_N n_impacts residual_displacement_m final_speed_m_s "
               "peak_vertical_displacement_m min_normal_force_N max_plastic_strain mesh n_dofs n_steps n_newton_iterations "
               "wall_time_s peak_memory_bytes peak_drift_m peak_storey_shear_N peak_floor_acceleration_m_s2 ductility"),
     **texts("rung status reason"), "impacts": [IMPACT], "warnings": [TEXT], "energy": {"*": NUMBER},
@@ -49,6 +49,7 @@ SUMMARY: Shape = {
     "building": {"bearings": [numbers("x_m y_m static_normal_force_N peak_displacement_m peak_force_N peak_impact_force_N impacts max_normal_force_N "
                                       "min_normal_force_N peak_uplift_m residual_displacement_m first_touch_s")],
                  "floors": [numbers("peak_displacement_m peak_drift_m peak_drift_x_m peak_drift_y_m peak_acceleration_m_s2 peak_shear_N")],
+                 "dish_springs": {**numbers("stiffness_N_per_m restitution"), "assumed": FLAG},
                  "name": TEXT, **numbers("worst_bearing peak_base_shear_N peak_overturning_N_m peak_base_rotation_rad weight_N "
                                          "peak_base_displacement_m hardest_instant_s")},
     "superstructure": {"storeys": [numbers("peak_drift_m residual_drift_m peak_shear_N peak_acceleration_m_s2")]},

@@ -21,7 +21,7 @@ bool is_there(const fs::path &path) {
 
 /// Keys of summary.json and what they hold; all may be absent or null, but for the status.
 enum class Is { number, text, list, object };
-constexpr std::array<std::pair<const char *, Is>, 19> known{{{"status", Is::text},
+constexpr std::array<std::pair<const char *, Is>, 20> known{{{"status", Is::text},
                                                              {"reason", Is::text},
                                                              {"rung", Is::text},
                                                              {"mesh", Is::number},
@@ -31,6 +31,7 @@ constexpr std::array<std::pair<const char *, Is>, 19> known{{{"status", Is::text
                                                              {"peak_lateral_force_N", Is::number},
                                                              {"peak_impact_force_N", Is::number},
                                                              {"residual_displacement_m", Is::number},
+                                                             {"final_speed_m_s", Is::number},
                                                              {"max_plastic_strain", Is::number},
                                                              {"min_normal_force_N", Is::number},
                                                              {"wall_time_s", Is::number},

@@ -120,6 +120,7 @@ nlohmann::json to_json(const Summary &s) {
                       {"n_impacts", s.impacts.size()},
                       {"impacts", nlohmann::json::array()},
                       {"residual_displacement_m", s.residual_displacement},
+                      {"final_speed_m_s", or_null(s.final_speed)},
                       {"peak_vertical_displacement_m", s.peak_vertical_displacement},
                       {"min_normal_force_N", or_null(s.min_normal_force)},
                       {"max_plastic_strain", or_null(s.max_plastic_strain)},
@@ -153,6 +154,8 @@ void summarise_response(const Response &r, Summary &s) {
   s.peak_displacement = largest_norm(r, "displacement");
   s.peak_lateral_force = largest_norm(r, "force");
   s.residual_displacement = std::hypot(r.series("displacement_x").back(), r.series("displacement_y").back());
+  if (r.has("velocity_x") && r.has("velocity_y"))
+    s.final_speed = std::hypot(r.series("velocity_x").back(), r.series("velocity_y").back());
   const auto largest = [&](const char *name) {
     const auto &values = r.series(name);
     return *std::max_element(values.begin(), values.end());

@@ -33,6 +33,8 @@ struct EnergyLedger {
 
 struct Summary {
   double peak_displacement = 0, peak_lateral_force = 0, residual_displacement = 0, peak_vertical_displacement = 0;
+  /// Horizontal, at the same last instant as residual_displacement, which is a place of rest only where it is 0 [m/s].
+  std::optional<double> final_speed;
   std::optional<double> peak_impact_force, min_normal_force, max_plastic_strain;
   SteelReport steel; ///< of finite elements; empty: none were there
   std::vector<Impact> impacts;

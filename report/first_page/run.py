@@ -9,6 +9,7 @@ from ..run_folder import Run
 from ..sections.common import hardest
 from ..series import shown_part
 
+AT_REST = 5e-3  # [m/s]
 PLACES = {"rim_wall": "the rim's wall", "rim_root": "the rim's root", "dish": "the dish below the rim", "slider_edge": "the slider's edge"}
 
 
@@ -33,10 +34,16 @@ def _peaks(run: Run, capacity: float | None) -> list[list[str]]:
     elif impact:
         rows += [["Hardest: approach, rebound", f"{fixed(impact.get('approach_speed_m_s'), 3)}, {fixed(impact.get('rebound_speed_m_s'), 3)}\u00a0m/s"],
                  ["Hardest: penetration", _unit(scaled(impact.get("peak_penetration_m"), 1e3, 2), "mm")]]
-    rows.append(["Residual displacement", _unit(scaled(s.get("residual_displacement_m"), 1e3, 1), "mm")])
+    rows.append([residual_title(s), _unit(scaled(s.get("residual_displacement_m"), 1e3, 1), "mm")])
     if is_number(s.get("max_plastic_strain")):
         rows.append(["Largest plastic strain", percent(s["max_plastic_strain"], 2, False)])
     return [row for row in rows if not row[1].startswith(DASH)]
+
+
+def residual_title(summary: dict[str, Any]) -> str:
+    """A place of rest is called residual; where the run ends in motion, its speed is said."""
+    speed = summary.get("final_speed_m_s")
+    return f"Displacement at the end, at {fixed(speed, 2)}\u00a0m/s" if is_number(speed) and speed >= AT_REST else "Residual displacement"
 
 
 def _unit(text: str, unit: str) -> str:

@@ -70,7 +70,8 @@ def _numbers(context: Context, entry: Entry) -> dict[str, Any] | None:
         ["hardest impact: contact time (ms)", *(_contact(hardest(r)) for _, _, r in known)],
         ["peak vertical displacement (mm)",
          *(scaled(r.summary.get("peak_vertical_displacement_m"), 1e3, 1) for _, _, r in known)],
-        ["residual displacement (mm)", *(scaled(r.summary.get("residual_displacement_m"), 1e3, 1) for _, _, r in known)],
+        ["displacement at the end (mm)", *(scaled(r.summary.get("residual_displacement_m"), 1e3, 1) for _, _, r in known)],
+        ["speed at the end, 0 at rest (m/s)", *(fixed(r.summary.get("final_speed_m_s"), 3) for _, _, r in known)],
         ["smallest normal force (kN)", *(scaled(r.summary.get("min_normal_force_N"), 1e-3, 0) for _, _, r in known)],
         ["largest plastic strain", *(percent(r.summary.get("max_plastic_strain"), 2, False) for _, _, r in known)],
     ]

@@ -1,6 +1,8 @@
 """The reduced model with the fitted law against the stored curves of rung rigid-dish (data/references), each from its own
 start: a pulse from rest. The one beyond the law's range (1 m/s) is held by its displacement alone."""
+import csv
 import json
+import math
 import pathlib
 import tempfile
 import unittest
@@ -12,6 +14,17 @@ BEYOND = "window-1.20"
 
 
 class References(unittest.TestCase):
+    def test_the_displacement_at_the_end_is_that_of_the_last_row_kept(self):
+        kept = sorted(path.parent for root in (REFERENCES, REFERENCES.parent / "thesis/kept") for path in root.glob("*/summary.json"))
+        self.assertGreater(len(kept), 12)
+        for folder in kept:
+            with self.subTest(folder.name), open(folder / "response.csv", encoding="utf-8") as file:
+                row = {key: float(value) for key, value in list(csv.DictReader(file))[-1].items()}
+                summary = json.loads((folder / "summary.json").read_text())
+                self.assertAlmostEqual(summary["residual_displacement_m"], math.hypot(row["ux_m"], row["uy_m"]), delta=1e-7)
+                if "vx_m_per_s" in row:
+                    self.assertAlmostEqual(summary["final_speed_m_s"], math.hypot(row["vx_m_per_s"], row["vy_m_per_s"]), delta=1e-7)
+
     def test_the_law_gives_the_curves_back(self):
         law = json.loads((REFERENCES / "elastoplastic.json").read_text())
         settings = [word for key, value in law.items() for word in ("--set", f"{key}={json.dumps(value)}")]

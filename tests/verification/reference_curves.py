@@ -4,6 +4,7 @@ from 0.07 to 1.2 m/s, Ricker pulses and the bidirectional one to half a second a
 summary.json and response.csv, nine digits, from the start on: a run folder `rimpact calibrate` and `compare` read.
 Fails when a run's imbalance is 1e-3 or more, or it has no impact.
 usage: reference_curves.py RIMPACT FOLDER KEPT [part of a run's name]"""
+import json
 import pathlib
 import shutil
 import sys
@@ -30,12 +31,16 @@ def runs():
 
 def keep(folder, kept, summary):
     kept.mkdir(parents=True, exist_ok=True)
-    for name in ("scene.toml", "summary.json"):
-        shutil.copy(folder / name, kept / name)
+    shutil.copy(folder / "scene.toml", kept / "scene.toml")
     end = summary["impacts"][-1]["release_time_s"] + SHOWN_AFTER
     with h5py.File(folder / "response.h5") as file:
         table = np.column_stack([file[f"response/{signal}"][:] for signal in COLUMNS.values()])
-    np.savetxt(kept / "response.csv", table[table[:, 0] <= end], fmt="%.9g", delimiter=",", header=",".join(COLUMNS), comments="")
+    table = table[table[:, 0] <= end]
+    at_end = dict(zip(COLUMNS, table[-1].tolist(), strict=True))  # of what is kept, not of the run that was longer
+    summary = {**summary, "residual_displacement_m": np.hypot(at_end["ux_m"], at_end["uy_m"]).item(),
+               "final_speed_m_s": np.hypot(at_end["vx_m_per_s"], at_end["vy_m_per_s"]).item()}
+    (kept / "summary.json").write_text(json.dumps(summary, indent=2, sort_keys=True) + "\n")
+    np.savetxt(kept / "response.csv", table, fmt="%.9g", delimiter=",", header=",".join(COLUMNS), comments="")
 
 
 def main(program, folder, kept, only=""):
