@@ -129,6 +129,8 @@ scene::Scene Console::load(const std::string &given) {
 
 void Console::warn_of(scene::Scene &scene) {
   if (load_is_shared) std::erase(scene.remarks, scene.load_remark);
+  if (springs_are_read) std::erase(scene.remarks, scene.springs_remark);
+  if (isolator_is_read) std::erase(scene.remarks, scene.isolator_remark);
   for (const auto &remark : scene.remarks) warn(remark);
   for (const auto &doubt : scene::doubts(scene, !load_is_shared)) warn(doubt);
 }

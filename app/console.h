@@ -12,12 +12,13 @@ namespace rimpact::app {
 class Console {
 public:
   bool quiet = false, verbose = false, json = false, force = false;
-  std::vector<std::string> overrides; ///< --set
-  std::string calibration;            ///< --calibration: a folder; empty: the scene's own element
-  std::string rung;                   ///< --rung; empty: the scene's
-  int mesh = -1;                      ///< --mesh; negative: the scene's
-  bool load_is_shared = false;        ///< a building's bearings carry shares of it: the scene's own load is not read
-  int argc = 0;                       ///< the command as it was given
+  std::vector<std::string> overrides;                      ///< --set
+  std::string calibration;                                 ///< --calibration: a folder; empty: the scene's own element
+  std::string rung;                                        ///< --rung; empty: the scene's
+  int mesh = -1;                                           ///< --mesh; negative: the scene's
+  bool springs_are_read = false, isolator_is_read = false; ///< of [isolator] beside a dish, by a building
+  bool load_is_shared = false; ///< a building's bearings carry shares of it: the scene's own load is not read
+  int argc = 0;                ///< the command as it was given
   char **argv = nullptr;
 
   void message(const std::string &sentence); ///< stderr, unless --quiet; kept for log.txt

@@ -32,6 +32,14 @@ std::set<std::string> relevant(const std::vector<std::string> &settings) {
   return paths;
 }
 
+/// A choice of [isolator] is tried with the model that reads all of it.
+std::vector<std::string> settings_of(const std::string &path, const std::string &word) {
+  std::vector<std::string> settings{fmt::format("{}=\"{}\"", path, word)};
+  if (path.starts_with("isolator."))
+    settings.push_back(fmt::format("reduced.model=\"{}\"", rimpact::word(scene::ModelKind::lir_dcfp)));
+  return settings;
+}
+
 /// What the keys that do not always count depend on: every choice is tried with each of its words.
 void find_conditions(const KeyDescriber &describer, std::vector<KeyDescription> &keys) {
   auto choices = describer.choices;
@@ -39,7 +47,7 @@ void find_conditions(const KeyDescriber &describer, std::vector<KeyDescription> 
   for (const auto &[path, words] : choices) {
     std::map<std::string, std::vector<std::string>> words_of; // by key
     for (const auto &word : words)
-      for (const auto &key : relevant({fmt::format("{}=\"{}\"", path, word)})) words_of[key].push_back(word);
+      for (const auto &key : relevant(settings_of(path, word))) words_of[key].push_back(word);
     for (auto &key : keys)
       if (const auto found = words_of.find(key.path); found != words_of.end() && found->second.size() < words.size())
         key.condition +=
@@ -48,6 +56,7 @@ void find_conditions(const KeyDescriber &describer, std::vector<KeyDescription> 
   const auto always = relevant({});
   for (auto &key : keys)
     if (key.condition.empty() && always.count(key.path) == 0) key.condition = conditions_by_hand(key.path);
+  for (auto &key : keys) key.condition += further_condition(key.path);
 }
 
 } // namespace

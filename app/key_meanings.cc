@@ -74,8 +74,15 @@ std::string preset_by_hand(const std::string &path) {
                            {"load.vertical_kN", "m g where mass_kg is given, else 853"},
                            {"reduced.mu_fast", "bearing.contact.steel_ertalyte"},
                            {"reduced.mu_slow", "mu_fast"},
-                           {"isolator.points", "4; in space 8"},
-                           {"isolator.step_tolerance", "1e-05"}};
+                           {"isolator.points", "2; in space 8"}};
+  return word_for(words, path);
+}
+
+std::string further_condition(const std::string &path) {
+  static const Words words{{"isolator.points", ", or dishes of a building stand on springs"},
+                           {"isolator.contact_stiffness_kN_per_m", ", or dishes of a building stand on springs"},
+                           {"isolator.contact_restitution", ", or dishes of a building stand on springs"},
+                           {"isolator.step_tolerance", ", or dishes of a building stand on springs"}};
   return word_for(words, path);
 }
 

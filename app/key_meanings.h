@@ -10,5 +10,7 @@ std::string meaning_of(const std::string &path);
 std::string preset_by_hand(const std::string &path);
 /// When a key counts, where no choice says it.
 std::string conditions_by_hand(const std::string &path);
+/// What is to be added to a key's condition: who reads it beside the choices that say so.
+std::string further_condition(const std::string &path);
 
 } // namespace rimpact::app

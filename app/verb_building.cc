@@ -44,6 +44,11 @@ std::string describe(const scene::Scene &scene, const buildings::Frame &frame, c
                         value("max_normal_force_N", 1e3), b.at("impacts").get<int>(), value("peak_impact_force_N", 1e3),
                         value("peak_uplift_m", 1e-3));
   }
+  if (all.contains("dish_springs"))
+    text += fmt::format("every dish stands on a spring of {:g} kN/m (isolator.points times "
+                        "isolator.contact_stiffness_kN_per_m{}); vertical forces and overturning follow it\n",
+                        1e-3 * all.at("dish_springs").at("stiffness_N_per_m").get<double>(),
+                        all.at("dish_springs").at("assumed").get<bool>() ? ", an assumption" : "");
   number = 0;
   for (const auto &f : all.at("floors"))
     text += fmt::format("floor {}: drift {:.2f} mm, acceleration {:.2f} m/s2, shear of its storey {:.1f} kN\n",
@@ -143,9 +148,17 @@ std::string not_of_a_building(const std::string &key) {
   return "";
 }
 
+/// The frame, doubted; the console then knows what its bearings read of the scene.
+buildings::Frame frame_of(const BuildingOptions &options, Console &console) {
+  auto frame = doubted_frame(options.frame, console);
+  const auto use = buildings::isolator_use(frame);
+  console.springs_are_read = use.springs || use.whole, console.isolator_is_read = use.whole;
+  return frame;
+}
+
 /// A building's frame stays as it is; the sweep moves the scene's keys, and the bearings' with them.
 void sweep_building(const BuildingOptions &options, Console &console) {
-  const auto frame = doubted_frame(options.frame, console);
+  const auto frame = frame_of(options, console);
   fleets::FleetModel model{
       .name = "building " + frame.name, .run = [&](const scene::Scene &scene) {
         return buildings::row_summary(
@@ -169,8 +182,8 @@ void run_building(const BuildingOptions &options, Console &console) {
   console.overrides.insert(console.overrides.begin(), "reduced.friction=\"park-wen\""); // what a common base takes
   console.load_is_shared = true;
   if (!options.sweep.sweep.empty()) return sweep_building(options, console);
+  const auto frame = frame_of(options, console);
   const scene::Scene scene = console.load(options.scene);
-  const auto frame = doubted_frame(options.frame, console);
   const auto bearings = buildings::bearings_of(frame, scene);
   const std::string folder = options.folder.empty() ? default_folder(scene.name + "-" + frame.name) : options.folder;
   const auto claim = claim_for_run({.given = options.scene, .folder = folder, .force = console.force}, scene, console);

@@ -57,6 +57,18 @@ scene::Scene own_bearing(const std::string &where, const scene::Scene &scene) {
 }
 } // namespace
 
+IsolatorUse isolator_use(const Frame &frame) {
+  IsolatorUse use{frame.inelastic(), false};
+  for (const Node &node : frame.nodes) {
+    if (!node.supported || node.bearing.empty()) continue;
+    const auto model = parse<scene::ModelKind>(node.bearing);
+    const bool by_name = model && *model != scene::ModelKind::physical;
+    use.whole = use.whole || by_name;
+    use.springs = use.springs || by_name || has_isolator(node.bearing);
+  }
+  return use;
+}
+
 std::vector<scene::Scene> bearings_of(const Frame &frame, const scene::Scene &scene) {
   std::vector<scene::Scene> list;
   for (std::size_t i = 0; i < frame.nodes.size(); ++i) {

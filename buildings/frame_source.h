@@ -18,4 +18,11 @@ std::string bearing_named(const std::string &name, const std::string &folder);
 /// whose [isolator] and [reduced] it then has, or a dish by name or file. Throws InputError.
 std::vector<scene::Scene> bearings_of(const Frame &frame, const scene::Scene &scene);
 
+/// What a building reads of the scene's [isolator] where the scene itself is one of a dish.
+struct IsolatorUse {
+  bool springs; ///< the dishes stand on them: an inelastic frame, or one with bearings of rigid bodies
+  bool whole;   ///< a node names "dcfp" or "lir-dcfp"
+};
+IsolatorUse isolator_use(const Frame &frame);
+
 } // namespace rimpact::buildings

@@ -207,6 +207,7 @@ private:
     std::vector<double> loads;
     std::vector<SectionPoints> before(members_.size());
     for (auto &m : members_) m.at[0] = {}, loads.push_back(m.law.load);
+    const auto free = free_at_rest();
     VectorXd u = VectorXd::Zero(n + nn);
     for (int step = 1; step <= n_steps; ++step) {
       const double share = static_cast<double>(step) / n_steps;
@@ -215,19 +216,24 @@ private:
         m.base = step == 1 ? m.at[0] : along(m.at[0], 1.0 / 3, rates_between(before[e], m.at[0], 1));
         before[e] = m.at[0], m.law.load = share * loads[e];
       }
-      balance(share * weight, u);
+      balance(share * weight, free, u);
     }
     rest_.q = u.head(n), turns_[0] = u.tail(nn);
   }
 
-  /// Newton over what is free while base nodes are held.
-  void balance(const VectorXd &weight, VectorXd &u) {
-    constexpr int most = 50;
-    const int n = model_.n_dofs(), nn = model_.n_nodes;
+  /// What moves while base nodes are held: floors along x, nodes up and down, turns of all nodes.
+  std::vector<int> free_at_rest() const {
     std::vector<int> free;
     for (const int dof : model_.above_base())
       if (dof >= 3 * model_.n_diaphragms || dof % 3 == 0) free.push_back(dof);
-    for (int i = 0; i < nn; ++i) free.push_back(n + i);
+    for (int i = 0; i < model_.n_nodes; ++i) free.push_back(model_.n_dofs() + i);
+    return free;
+  }
+
+  /// Newton over the dofs of `free`.
+  void balance(const VectorXd &weight, const std::vector<int> &free, VectorXd &u) {
+    constexpr int most = 50;
+    const int n = model_.n_dofs(), nn = model_.n_nodes;
     double largest = 1;
     for (int i = 0; i < most && largest > 1e-13; ++i) {
       evaluate(u.head(n), u.tail(nn), 0);

@@ -42,8 +42,15 @@ void check_start(const BuildingBasis &building, const scene::Excitation &e) {
   for (std::size_t b = 0; b < building.capacity.size(); ++b)
     if (!(start <= building.capacity[b]))
       throw InputError(
-          fmt::format("excitation.displacement_m starts at {} m, beyond the rim of bearing {} at L_c = {} m", start,
-                      b + 1, building.capacity[b]));
+          fmt::format("excitation.displacement_m starts at {:.6g} m, beyond the rim of bearing {} at L_c = {:.6g} m",
+                      start, b + 1, building.capacity[b]));
+}
+
+/// What dishes stand on where steps are implicit: a stiffness that no drawing gives, unless the user did.
+nlohmann::json dish_springs(const scene::DoubleConcave &isolator) {
+  return {{"stiffness_N_per_m", isolator.points * isolator.contact_stiffness},
+          {"restitution", isolator.contact_restitution},
+          {"assumed", isolator.contact_stiffness == scene::DoubleConcave().contact_stiffness}};
 }
 
 /// What `go` does with a recorder; its summary's times.
@@ -85,6 +92,9 @@ void fly(const Frame &frame, const BuildingModel &model, const scene::Scene &sce
   const auto hinges =
       fly(building, scene, kept, summary, [&](BuildingRecorder &recorder) { return run.run(t_end, recorder); });
   summary.n_newton_iterations = run.n_newton;
+  const auto dish = [](const scene::Scene &one) { return !one.double_concave(); };
+  if (bearings.empty() ? dish(scene) : std::any_of(bearings.begin(), bearings.end(), dish))
+    summary.extra["building"]["dish_springs"] = dish_springs(scene.isolator);
   if (!frame.inelastic()) return;
   summary.extra["building"]["inelastic"] = to_json(frame, hinges);
   if (kept.trace) kept.trace->hinges = hinges;

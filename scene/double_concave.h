@@ -50,7 +50,9 @@ struct DoubleConcave {
   double contact_restitution = 0.65;                   ///< of the contact's dashpot, (0, 1]
   PlateRotation plate_rotation = PlateRotation::fixed; ///< free in space only
   double plate_inertia = 1000.0;                       ///< of the top plate and what turns with it [kg m^2], when free
-  double step_tolerance = 1e-4;                        ///< relative, of the time step's local error
+  /// A dashpot's force begins at the touch, which ends no step there: at 1e-4 later peaks come out up to 6 % low, at
+  /// 1e-5 within 0.3 %.
+  double step_tolerance = 1e-5; ///< relative, of the time step's local error
 
   double slider_height() const { return top_height + bottom_height; }       ///< H_s
   double upper_radius() const { return top_radius.value_or(radius); }       ///< of the top plate's surface [m]

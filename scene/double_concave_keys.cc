@@ -27,15 +27,17 @@ void visit(KeyVisitor &v, DoubleConcave &b, bool impact_resilient) {
   v.number({"rim_height_mm", "l, above the edge of the sliding surface"}, b.rim_height, milli, length_mm);
   v.number({"slider_mass_kg", "whole slider"}, b.slider_mass, si, positive);
   v.choice({"space"}, b.space);
-  v.integer({"points", "contact points a set"}, b.points, 2, 64);
+  v.integer({"points", "contact points a set; a building's dish stands on as many"}, b.points, 2, 64);
   if (v.wants(b.space == Space::spatial)) {
     v.choice({"rim"}, b.rim);
     v.choice({"plate_rotation"}, b.plate_rotation);
   }
   if (v.wants(b.plate_rotation == PlateRotation::free))
     v.number({"plate_inertia_kg_m2", "what turns with the top plate"}, b.plate_inertia, si, positive);
-  v.number({"contact_stiffness_kN_per_m", "of one contact point"}, b.contact_stiffness, kilo, positive);
-  v.number({"contact_restitution", "of the contact's dashpot"}, b.contact_restitution, si, {0, 1, true});
+  v.number({"contact_stiffness_kN_per_m", "of one contact point, also under a building's dish"}, b.contact_stiffness,
+           kilo, positive);
+  v.number({"contact_restitution", "of the contact's dashpot, also under a building's dish"}, b.contact_restitution, si,
+           {0, 1, true});
   v.number({"step_tolerance", "relative, local error of a time step"}, b.step_tolerance, si, {1e-12, 1e-1});
 }
 

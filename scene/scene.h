@@ -78,8 +78,9 @@ struct Scene {
   Excitation excitation;
   FeSettings model;
   ReducedSettings reduced;
-  DoubleConcave isolator;           ///< [isolator]: the bearing of the double concave models
-  Superstructure superstructure;    ///< [superstructure]: what the bearing carries
+  DoubleConcave isolator;                      ///< [isolator]: the bearing of the double concave models
+  Superstructure superstructure;               ///< [superstructure]: what the bearing carries
+  std::string isolator_remark, springs_remark; ///< those that name keys of [isolator] beside a dish; may be empty
   std::string load_remark;          ///< that of `remarks` which says whose load the bearing carries; may be empty
   std::vector<std::string> remarks; ///< sentences: what the reading of its file filled in or put aside; not written out
 

@@ -91,9 +91,6 @@ void set_dependent_defaults(const TomlFile &file, bool own_bearing, Scene &scene
     if (e.kind == ExcitationKind::record && has_record) e.duration = std::max({e.x.end(), e.y.end(), e.z.end()});
   }
   if (!given("excitation.amplitude_m") && e.kind == ExcitationKind::figure_eight) e.amplitude = 0.31;
-  // A dashpot's force begins at the touch, which ends no step there: at 1e-4 later peaks come out up to 6 % low, at
-  // 1e-5 within 0.3 %.
-  if (!given("isolator.step_tolerance")) scene.isolator.step_tolerance = 1e-5;
   if (!given("isolator.points") && scene.isolator.space == Space::spatial) scene.isolator.points = 8;
   if (!given("reduced.mu_fast")) scene.reduced.mu_fast = scene.bearing.contact.steel_ertalyte;
   const auto &contact = scene.bearing.contact;

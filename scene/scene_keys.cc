@@ -131,7 +131,10 @@ void visit_settings(KeyVisitor &v, Scene &s) {
     if (v.wants(s.model.own_mesh.any())) v.section("own_mesh", [&] { visit(v, s.model.own_mesh); });
   });
   v.section("reduced", [&] { visit(v, s.reduced); });
-  if (v.wants(s.double_concave())) v.section("isolator", [&] { visit(v, s.isolator, s.impact_resilient()); });
+  // Beside dishes too where it says something: a building's dishes may stand on its springs, and its "dcfp" are of it.
+  const bool two_dishes = s.double_concave();
+  if (v.wants(two_dishes || s.isolator != DoubleConcave()))
+    v.section("isolator", [&] { visit(v, s.isolator, s.impact_resilient() || !two_dishes); });
   v.section("superstructure", [&] { visit(v, s.superstructure); });
 }
 

@@ -113,7 +113,10 @@ Scene parse_scene(const std::string &text, const std::string &origin, const std:
   if (scene.model.own_mesh.any()) make_absolute(scene.model.own_mesh.file, folder);
   set_dependent_defaults(file, has_own_bearing(file), scene);
   if (taken.bearings_slip) settle_elastic_slip(scene);
-  if (std::string remark = unread_keys(file, scene); !remark.empty()) scene.remarks.push_back(std::move(remark));
+  scene.isolator_remark = unread_keys(file, scene, UnreadPart::isolator);
+  scene.springs_remark = unread_keys(file, scene, UnreadPart::springs);
+  for (const auto &remark : {unread_keys(file, scene, UnreadPart::scene), scene.isolator_remark, scene.springs_remark})
+    if (!remark.empty()) scene.remarks.push_back(remark);
   if (std::string remark = remark_on_half_a_load(file, overrides, scene.load); !remark.empty())
     scene.remarks.push_back(scene.load_remark = std::move(remark));
   with_location(file, "bearing", [&] { scene.validate(); });

@@ -35,13 +35,26 @@ const ScenePart *part_of(const std::string &path) {
   return found == parts.end() ? nullptr : &*found;
 }
 
+/// Of [isolator] what a dish may stand on, in a building whose steps are implicit.
+bool is_of_springs(const std::string &path) {
+  constexpr std::array keys{"isolator.points", "isolator.contact_stiffness_kN_per_m", "isolator.contact_restitution",
+                            "isolator.step_tolerance"};
+  return std::find(keys.begin(), keys.end(), path) != keys.end();
+}
+
+UnreadPart remark_of(const std::string &path, const Scene &scene) {
+  if (scene.double_concave() || !path.starts_with("isolator.")) return UnreadPart::scene;
+  return is_of_springs(path) ? UnreadPart::springs : UnreadPart::isolator;
+}
+
 /// Keys that are written out with every scene, though by its other choices nothing reads them.
 bool has_no_effect(const std::string &path, const Scene &scene) {
   const auto &r = scene.reduced;
   const bool one_coefficient =
       r.mu_slow == r.mu_fast && !(scene.double_concave() && (scene.isolator.top_mu_fast || scene.isolator.top_mu_slow));
   return (path == "reduced.elastic_slip_mm" && r.friction == Friction::coulomb) ||
-         (path == "reduced.rate_s_per_m" && one_coefficient);
+         (path == "reduced.rate_s_per_m" && one_coefficient) ||
+         (path.starts_with("isolator.") && !scene.double_concave());
 }
 
 void visit_all(KeyVisitor &visitor, Scene &scene) {
@@ -93,7 +106,7 @@ std::string choices_in_words(const std::vector<std::string> &unread, const std::
 
 } // namespace
 
-std::string unread_keys(const TomlFile &file, const Scene &scene) {
+std::string unread_keys(const TomlFile &file, const Scene &scene, UnreadPart wanted) {
   NamesRead read;
   Scene copy = scene;
   visit_all(read, copy);
@@ -101,7 +114,7 @@ std::string unread_keys(const TomlFile &file, const Scene &scene) {
   std::vector<std::string> unread;
   for (const auto &[path, preset] : presets) {
     const ScenePart *part = part_of(path);
-    if (!part || !file.find(path)) continue;
+    if (!part || !file.find(path) || remark_of(path, scene) != wanted) continue;
     if (read.names.count(path) > 0 && !has_no_effect(path, scene)) continue;
     if (path == "reduced.calibration" || path == "bearing.surface.file") continue; // read before the settings are
     if (file.is_set(path) || !file.is_set(part->choice)) unread.push_back(path);

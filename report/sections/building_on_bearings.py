@@ -1,7 +1,7 @@
 """A building on many bearings: every bearing, every floor, the plan with its orbits and the shape at the hardest impact."""
 from typing import Any
 
-from ..blocks import Section, table
+from ..blocks import Section, note, table
 from ..context import Context
 from ..figures import building_on_bearings, storeys
 from ..numbers import is_number, scaled, sig
@@ -18,6 +18,7 @@ def make(context: Context) -> Section:
         if run is None or not building:
             continue
         section.add(_bearings(building))
+        section.add(_springs(building))
         section.add(_floors(building))
         section.add(context.pictures.figure(f"building-on-bearings-{entry.name}",
                                             "Plan: the orbit of every bearing inside its rim, impacts thick, with its normal force at the hardest "
@@ -35,6 +36,14 @@ def _bearings(building: dict[str, Any]) -> dict[str, Any] | None:
     worst = building.get("worst_bearing")
     return table(["bearing", "travel (mm)", "N at rest (kN)", "least (kN)", "largest (kN)", "lateral force (kN)", "impacts", "rim force (kN)", "lifted (mm)"], rows,
                  caption=f"Largest over the run. The worst bearing is number {worst}." if worst else "")
+
+
+def _springs(building: dict[str, Any]) -> dict[str, Any] | None:
+    springs = building.get("dish_springs")
+    if not springs or not is_number(springs.get("stiffness_N_per_m")):
+        return None
+    return note(f"Every dish stands on a vertical spring of {sig(1e-3 * springs['stiffness_N_per_m'], 3)} kN/m"
+                + (", an assumption of ours" if springs.get("assumed") else "") + ". Vertical forces and the overturning moment depend on it.")
 
 
 def _floors(building: dict[str, Any]) -> dict[str, Any] | None:

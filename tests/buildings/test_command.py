@@ -241,6 +241,21 @@ class InelasticFrame(Run, unittest.TestCase):
         self.assertLess(abs(said["energy"]["imbalance_relative"]), 1e-3)
         self.assertAlmostEqual(said["building"]["weight_N"], 2560e3, delta=1)
 
+    def test_what_its_dishes_stand_on_is_said_read_and_kept(self):
+        springs = json.loads(self.run_.stdout)["building"]["dish_springs"]
+        self.assertEqual(springs, {"stiffness_N_per_m": 4e9, "restitution": 0.65, "assumed": True})
+        folder, again = (os.path.join(self.scratch.name, name) for name in ("soft", "soft-again"))
+        key = "isolator.contact_stiffness_kN_per_m"
+        run = rimpact("building", "ricker-0.78g-1.0s", *self.WORDS, "-o", folder, "--set", f"{key}=500000", *SHORT)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        self.assertNotIn("not read", run.stderr)
+        self.assertIn("every dish stands on a spring of 1e+06 kN/m", run.stdout)
+        run = rimpact("building", os.path.join(folder, "scene.toml"), *self.WORDS, "-o", again, "--json", *SHORT)
+        self.assertEqual(json.loads(run.stdout)["building"]["dish_springs"], {"stiffness_N_per_m": 1e9, "restitution": 0.65, "assumed": False})
+        linear = rimpact("building", "ricker-0.78g-1.0s", "-o", os.path.join(self.scratch.name, "linear"), "--json", "--set", f"{key}=500000", *SHORT)
+        self.assertIn(f"{key} is not read by this scene", linear.stderr)
+        self.assertNotIn("dish_springs", json.loads(linear.stdout)["building"])
+
     def test_hinges_and_signals(self):
         hinges = rows(os.path.join(self.folder, "hinges.csv"))
         self.assertEqual(len(hinges), 2 * 17)

@@ -13,7 +13,9 @@ from support import InFolder, in_process, text_of, unpainted
 from report import building_tables
 from report.build import build
 from report.figures import storeys
+from report.first_page.run import residual_title
 from report.run_folder import load_run
+from report.sections import building_on_bearings
 
 
 class Building(InFolder):
@@ -71,6 +73,18 @@ class Building(InFolder):
     def test_a_run_without_a_building_has_none(self):
         run = load_run(self.run_folder({}, {}))
         self.assertEqual((building_tables.write(run), storeys.draw_profiles(run, self.path("a.png")), storeys.histories(run)), ([], None, []))
+
+    def test_what_a_dish_stands_on_is_said(self):
+        said = building_on_bearings._springs({"dish_springs": {"stiffness_N_per_m": 4e9, "restitution": 0.65, "assumed": True}})
+        self.assertIn("a vertical spring of 4\u202f000\u202f000 kN/m", said["text"])
+        self.assertIn("an assumption of ours", said["text"])
+        self.assertNotIn("assumption", building_on_bearings._springs({"dish_springs": {"stiffness_N_per_m": 1e9, "restitution": 0.65, "assumed": False}})["text"])
+        self.assertIsNone(building_on_bearings._springs({}))
+
+    def test_a_run_that_ends_in_motion_has_no_residual_displacement(self):
+        self.assertEqual(residual_title({"final_speed_m_s": 0.8353}), "Displacement at the end, at 0.84\u00a0m/s")
+        for rest in ({"final_speed_m_s": 0.0}, {"final_speed_m_s": None}, {}):
+            self.assertEqual(residual_title(rest), "Residual displacement")
 
     def test_drift_roof_and_storeys_are_reported(self):
         synthetic.run(self.path("run"), "town-hall", 'kind = "ricker"\nscale = 1.0\namplitude_g = 0.78', synthetic.ricker(0.9, 1.0), synthetic.Rim(4e8, 0.6), "reduced")

@@ -22,6 +22,18 @@ TEST(UnreadKeys, OfAnotherKindAreNamed) {
   EXPECT_EQ(remarks("[excitation]\nkind = \"ricker\"\n", {"excitation.speed_m_per_s=0.7"}).size(), 1u);
 }
 
+/// A building reads them for its dishes: they stand apart, and a scene written out keeps them.
+TEST(UnreadKeys, OfTheSpringsBesideADishStandApartAndAreKept) {
+  const auto scene = parse_scene("[load]\nvertical_kN = 853\n[excitation]\nkind = \"ricker\"\n", "a.toml",
+                                 {"isolator.contact_stiffness_kN_per_m=5e5", "isolator.capacity_m=0.25"});
+  EXPECT_EQ(scene.springs_remark.find("isolator.contact_stiffness_kN_per_m is not read by this scene"), 0u);
+  EXPECT_EQ(scene.isolator_remark.find("isolator.capacity_m is not read by this scene"), 0u);
+  ASSERT_EQ(scene.remarks.size(), 2u);
+  const auto again = parse_scene(to_toml(scene), "b.toml");
+  EXPECT_EQ(again.isolator, scene.isolator);
+  EXPECT_EQ(to_toml(parse_scene("[load]\nvertical_kN = 853\n", "a.toml")).find("[isolator]"), std::string::npos);
+}
+
 TEST(UnreadKeys, OfTheBearingAndOfMeshesToo) {
   const std::string ricker = "[excitation]\nkind = \"ricker\"\n";
   const auto said = [&](const std::string &set) {
