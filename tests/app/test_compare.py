@@ -78,6 +78,16 @@ class Compare(unittest.TestCase):
         self.assertEqual(run.returncode, 0, run.stderr)
         return json.loads(run.stdout)
 
+    def test_approach_rebound_and_restitution_are_told_apart(self):
+        """A signed law returns e of every speed: a quicker approach is a quicker rebound, and no other restitution."""
+        slow, quick = self.window("slow"), self.window("quick", "excitation.speed_m_per_s=0.22")
+        table = self.metrics(slow, quick)
+        self.assertGreater(table["approach_speed_error"], 0.05)
+        self.assertAlmostEqual(table["rebound_error"], table["approach_speed_error"], places=4)
+        self.assertAlmostEqual(table["restitution_error"], 0, places=4)
+        for title in ("approach speed ", "rebound speed ", "restitution "):
+            self.assertIn("\n" + title, rimpact("compare", slow, quick, "--anyway").stdout)
+
     def test_an_impact_that_is_not_let_go_has_no_rebound(self):
         still = self.window("open", "excitation.duration_s=0.008")
         with open(os.path.join(still, "summary.json"), encoding="utf-8") as file:
