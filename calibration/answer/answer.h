@@ -27,7 +27,7 @@ constexpr auto choices(ErrorFrom) {
 
 /// Largest absolute relative errors of runs left out of the fit one at a time [-].
 struct WorstErrors {
-  double peak_force = 0, rebound = 0;
+  double peak_force = 0, depth = 0, rebound = 0;
   bool inside_valid_range = true; ///< false: over all of them, for the law holds nowhere
 };
 

@@ -7,10 +7,14 @@
 
 namespace rimpact::calibration {
 
-enum class Erring { peak_force, rebound, strain };
+enum class Erring { peak_force, depth, rebound, k_i, e, strain };
 constexpr auto choices(Erring) {
-  return choices_of<Erring>(
-      {{Erring::peak_force, "peak_force"}, {Erring::rebound, "rebound"}, {Erring::strain, "strain"}});
+  return choices_of<Erring>({{Erring::peak_force, "peak_force", "Peak force"},
+                             {Erring::depth, "depth", "Depth"},
+                             {Erring::rebound, "rebound", "Rebound"},
+                             {Erring::k_i, "k_i", "k_i"},
+                             {Erring::e, "e", "e"},
+                             {Erring::strain, "strain", "Strain"}});
 }
 enum class ErrorSource { mesh, step, rung, law, energy, steel, geometry };
 constexpr auto choices(ErrorSource) {
@@ -45,5 +49,7 @@ struct ErrorSum {
 ErrorSum sum_of(const std::vector<AnswerError> &errors, Erring quantity);
 /// "Peak force: within about 30 % of the bearing's, by steel 27 %, rung 12 %, law 5 %. Not known: step, geometry."
 std::string sentence(const std::vector<AnswerError> &errors, Erring quantity);
+/// The same of every quantity that has a part.
+std::vector<std::string> sentences(const std::vector<AnswerError> &errors);
 
 } // namespace rimpact::calibration

@@ -1,6 +1,7 @@
 // The parts of an answer's errors, each with how it is known. None is silently zero.
 #include "calibration/answer/answer_parts.h"
 #include "calibration/laws/percent.h"
+#include "impact_laws/catalogue.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -78,7 +79,26 @@ public:
     const std::string from = worst ? "runs left out of the fit" : "no run was left out";
     add(Erring::peak_force, ErrorSource::law, worst ? std::optional(worst->peak_force) : std::nullopt, Known::measured,
         from);
+    add(Erring::depth, ErrorSource::law, worst ? std::optional(worst->depth) : std::nullopt, Known::measured, from);
     add(Erring::rebound, ErrorSource::law, worst ? std::optional(worst->rebound) : std::nullopt, Known::measured, from);
+    add_interval(Erring::k_i, "k_i"), add_interval(Erring::e, "e");
+  }
+  /// What moves every peak force by one share moves depth, k_i and e too. A rim that presses F (1 + s) at the depth
+  /// d / (1 + s) stores the same energy: it is met as deep as that, its stiffness is k (1 + s)^2, and e is the rebound
+  /// over the approach. To be called when the parts of peak force and rebound are there.
+  void of_similar() {
+    const std::string by_energy = "of the peak force, by the energy stored: ";
+    for (const AnswerError &part : std::vector<AnswerError>(errors)) {
+      if (part.source == ErrorSource::law) continue;
+      const Known how = part.value ? Known::transferred : Known::unknown;
+      const auto twice = part.value ? std::optional(2 * *part.value) : std::nullopt;
+      if (part.quantity == Erring::peak_force) {
+        add(Erring::depth, part.source, part.value, how, by_energy + part.from);
+        if (law_reads("k_i")) add(Erring::k_i, part.source, twice, how, "twice that " + by_energy + part.from);
+      }
+      if (part.quantity == Erring::rebound && law_reads("e"))
+        add(Erring::e, part.source, part.value, how, "of the rebound: " + part.from);
+    }
   }
   /// Energy that no entry accounts for goes, at worst, into the rebound: d e / e = share / (2 e^2).
   void of_energy(const Calibration &c, const std::vector<const StoredRun *> &runs) {
@@ -93,6 +113,18 @@ public:
   std::vector<AnswerError> errors;
 
 private:
+  bool law_reads(const std::string &name) const { return answer_.scene.reduced.impact_law->reads(name); }
+  /// Half the 95 % interval of a law's own number.
+  void add_interval(Erring quantity, const std::string &name) {
+    if (!law_reads(name)) return;
+    const auto found = answer_.law.result.parameters.find(name);
+    if (found == answer_.law.result.parameters.end())
+      return add(quantity, ErrorSource::law, {}, Known::unknown, "held, not fitted");
+    const Estimate &e = found->second;
+    const double half = std::max(e.interval_high - e.value, e.value - e.interval_low) / e.value;
+    add(quantity, ErrorSource::law, std::isfinite(half) ? std::optional(half) : std::nullopt, Known::measured,
+        "its 95 % interval");
+  }
   void of_rung(const std::vector<StoredStudy> &studies) {
     if (answer_.rungs == std::vector<std::string>{word(SolvedBy::full)}) return;
     const OfRung *force = nullptr, *rebound = nullptr;
@@ -123,6 +155,7 @@ std::vector<AnswerError> answer_errors(const Calibration &c, const Answer &answe
   if (solids) parts.of_solids(studies);
   parts.of_law();
   if (solids) parts.of_energy(c, runs);
+  parts.of_similar();
   return parts.errors;
 }
 
@@ -149,12 +182,23 @@ std::string sentence(const std::vector<AnswerError> &errors, Erring quantity) {
     parts.push_back(fmt::format("{} {}", word(error.source), percent_up(*error.value)));
   const ErrorSum sum = sum_of(errors, quantity);
   for (const ErrorSource source : sum.open) open.push_back(word(source));
-  const std::string what = quantity == Erring::peak_force ? "Peak force" : "Rebound";
+  std::string what;
+  for (const auto &choice : choices(quantity))
+    if (choice.value == quantity) what = choice.description;
   std::string text = sum.known ? fmt::format("{}: within about {} of the bearing's, by {}.", what,
                                              percent_up(*sum.known), fmt::join(parts, ", "))
                                : fmt::format("{}: how far it is from the bearing's is not known.", what);
   if (!open.empty()) text += fmt::format(" Not known: {}.", fmt::join(open, ", "));
   return text;
+}
+
+std::vector<std::string> sentences(const std::vector<AnswerError> &errors) {
+  std::vector<std::string> said;
+  for (const auto &choice : choices(Erring())) {
+    const auto of_it = [&](const AnswerError &error) { return error.quantity == choice.value; };
+    if (std::any_of(errors.begin(), errors.end(), of_it)) said.push_back(sentence(errors, choice.value));
+  }
+  return said;
 }
 
 } // namespace rimpact::calibration

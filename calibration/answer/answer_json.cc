@@ -21,6 +21,7 @@ json law_json(const AnswerLaw &law, const scene::Scene &scene) {
   json worst = nullptr;
   if (law.worst_left_out)
     worst = {{"peak_force", number(law.worst_left_out->peak_force)},
+             {"penetration", number(law.worst_left_out->depth)},
              {"rebound", number(law.worst_left_out->rebound)},
              {"inside_valid_range", law.worst_left_out->inside_valid_range}};
   return {{"name", law.result.law},
@@ -142,7 +143,7 @@ json to_json(const Answer &a) {
            {{"peak_force", number(a.mesh_error.peak_force)}, {"sentence", text_or_null(a.mesh_error.sentence)}}},
           {"stack", a.stack ? stack_json(*a.stack) : json(nullptr)},
           {"errors", errors_json(a.errors)},
-          {"error_sentences", {sentence(a.errors, Erring::peak_force), sentence(a.errors, Erring::rebound)}},
+          {"error_sentences", sentences(a.errors)},
           {"assumptions", assumed},
           {"doubts", a.doubts},
           {"validity", a.validity}};

@@ -27,6 +27,7 @@ template <class Passes> std::optional<WorstErrors> worst_of(const std::vector<La
     if (passes(e.speed)) {
       if (!worst) worst.emplace();
       worst->peak_force = larger_of(worst->peak_force, std::abs(e.peak_force));
+      worst->depth = larger_of(worst->depth, std::abs(e.depth));
       worst->rebound = larger_of(worst->rebound, std::abs(e.rebound));
     }
   return worst;
@@ -34,7 +35,8 @@ template <class Passes> std::optional<WorstErrors> worst_of(const std::vector<La
 
 std::optional<WorstErrors> larger(const std::optional<WorstErrors> &a, const std::optional<WorstErrors> &b) {
   if (!a || !b) return a ? a : b;
-  return WorstErrors{larger_of(a->peak_force, b->peak_force), larger_of(a->rebound, b->rebound), a->inside_valid_range};
+  return WorstErrors{larger_of(a->peak_force, b->peak_force), larger_of(a->depth, b->depth),
+                     larger_of(a->rebound, b->rebound), a->inside_valid_range};
 }
 
 /// "runs fitted are met within 2 % in peak force and 3 % in rebound", or that it is not known.

@@ -104,7 +104,7 @@ std::string describe(const Answer &a) {
                                     a.strain->crack_sentence, a.strain->slider_sentence})
       if (!said.empty()) text += said + "\n";
   if (!a.mesh_error.sentence.empty()) text += a.mesh_error.sentence + "\n";
-  for (const Erring quantity : {Erring::peak_force, Erring::rebound}) text += sentence(a.errors, quantity) + "\n";
+  for (const std::string &said : sentences(a.errors)) text += said + "\n";
   for (const auto &doubt : said_once(a.doubts)) text += "doubt: " + doubt + "\n";
   return text;
 }

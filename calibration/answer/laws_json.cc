@@ -55,6 +55,7 @@ json errors_json(const std::vector<LawError> &errors) {
   for (const auto &e : errors)
     all[e.folder] = {{"approach_speed_m_s", e.speed},
                      {"peak_force_error", number(e.peak_force)},
+                     {"penetration_error", number(e.depth)},
                      {"rebound_error", number(e.rebound)},
                      {"force_unexplained", number(e.unexplained)},
                      {"nrmse_displacement", number(e.nrmse_displacement)},

@@ -29,6 +29,10 @@ std::vector<std::pair<std::string, Runs>> sets_of(const Runs &runs) {
   return sets;
 }
 
+double deepest(const std::vector<double> &displacement, const ImpactWindow &w) {
+  return *std::max_element(displacement.begin(), displacement.end()) - w.capacity;
+}
+
 } // namespace
 
 bool only_grazing(const StoredRun &run) {
@@ -39,7 +43,8 @@ LawError error_of(const StoredRun &run, const FitResult &result) {
   const auto scene = with_fitted(run.scene, result);
   LawError error{};
   error.folder = run.folder, error.speed = run.approach_speed(), error.grazing = true;
-  error.peak_force = error.rebound = std::numeric_limits<double>::quiet_NaN(); // of no impact nothing is known
+  error.peak_force = error.depth = error.rebound =
+      std::numeric_limits<double>::quiet_NaN(); // of no impact nothing is known
   double missed = 0, whole = 0, hardest = 0;
   for (const auto &w : run.impacts) {
     error.grazing = error.grazing && w.grazing;
@@ -52,6 +57,7 @@ LawError error_of(const StoredRun &run, const FitResult &result) {
     if (w.peak <= hardest) continue;
     hardest = w.peak;
     error.peak_force = shot.peak / w.peak - 1;
+    error.depth = deepest(shot.displacement, w) / deepest(w.displacement, w) - 1;
     error.rebound = shot.rebound_speed / w.impact.rebound_speed - 1;
   }
   error.unexplained = std::sqrt(missed / whole); // NaN without a force

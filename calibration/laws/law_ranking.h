@@ -9,7 +9,8 @@ namespace rimpact::calibration {
 struct LawError {
   std::string folder;
   double speed;              ///< largest approach speed of the run's impacts [m/s]
-  double peak_force;         ///< signed relative, of the hardest impact [-]; these four: NaN where not known
+  double peak_force;         ///< signed relative, of the hardest impact [-]; these five: NaN where not known
+  double depth;              ///< signed relative, of the hardest impact's penetration [-]
   double rebound;            ///< signed, over the reference's rebound speed [-]
   double unexplained;        ///< root mean square of the force's difference over that of the force [-]
   double nrmse_displacement; ///< from rest, over L_c, as docs/interface.md defines it [-]

@@ -13,6 +13,7 @@ from ..markup import sentence
 from ..numbers import DASH, fixed, integer, interval, is_number, percent, percent_up, plain, sig
 from ..plain_words import for_page
 from ..results import Results
+from .error_bars import bars
 
 NAMES = {"k_i": "k_i", "e": "e"}
 LABELS = {"k_i": "initial stiffness", "e": "restitution", "yield_force": "yield force", "hardening": "hardening",
@@ -32,7 +33,7 @@ def make(context: Context) -> dict[str, Any]:
             "no_figure": "" if figure else "No curve of a fitted impact is stored, so the law's picture is not drawn.",
             "remark": for_page(law.get("remark") or ""), "belongs": _belongs(law, answer),
             "numbers": _numbers(law), "table": _table(answer), "pair": _pair(answer), "holds": for_page(_holds(law, answer)),
-            "strain": _strain(answer.get("strain")), "errors": [for_page(said) for said in answer.get("error_sentences") or []],
+            "strain": _strain(answer.get("strain")), "bars": bars(answer.get("errors") or []),
             "mesh_error": for_page(answer.get("mesh_error", {}).get("sentence") or "")}
 
 
@@ -113,6 +114,14 @@ def _holds(law: dict[str, Any], answer: dict[str, Any]) -> str:
     return "Nowhere is it shown to hold: no neighbouring runs left out of the fit are met within the tolerance."
 
 
+def _telling(rows: list[dict[str, Any]], limit: float | None) -> list[dict[str, Any]]:
+    """Of rows by speed the slowest, the fastest, and the two between which the limit lies."""
+    below = [row for row in rows if is_number(limit) and is_number(row.get("strain")) and row["strain"] <= limit]
+    beyond = [row for row in rows if row not in below]
+    told = [*rows[:1], *below[-1:], *beyond[:1], *rows[-1:]]
+    return [row for place, row in enumerate(told) if row not in told[:place]]
+
+
 def _strain(strain: dict[str, Any] | None) -> dict[str, Any] | None:
     if not strain:
         return None
@@ -121,4 +130,4 @@ def _strain(strain: dict[str, Any] | None) -> dict[str, Any] | None:
     return {"exceeded": strain.get("exceeded") is True, "sentence": strain.get("sentence", ""),
             "beside": [strain[key] for key in ("crack_sentence", "slider_sentence") if strain.get(key)],
             "limit": f"{limit}, {source}", "largest": percent(strain.get("largest"), 1, False),
-            "rows": [[sig(row.get("speed_m_s"), 2), percent(row.get("strain"), 1, False)] for row in strain.get("rows", [])]}
+            "rows": [[sig(row.get("speed_m_s"), 2), percent(row.get("strain"), 1, False)] for row in _telling(strain.get("rows", []), strain.get("limit"))]}

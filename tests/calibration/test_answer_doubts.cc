@@ -129,7 +129,7 @@ TEST(AnswerDoubts, EveryPartOfTheErrorIsNamed) {
   }
   for (const ErrorSource source : {ErrorSource::mesh, ErrorSource::step, ErrorSource::rung, ErrorSource::law,
                                    ErrorSource::steel, ErrorSource::geometry})
-    for (const Erring quantity : {Erring::peak_force, Erring::rebound})
+    for (const Erring quantity : {Erring::peak_force, Erring::depth, Erring::rebound, Erring::k_i, Erring::e})
       EXPECT_TRUE(parts.count({quantity, source})) << word(quantity) << " " << word(source);
   const auto of = [&](Erring quantity, ErrorSource source) {
     return std::find_if(answer.errors.begin(), answer.errors.end(),
@@ -137,6 +137,12 @@ TEST(AnswerDoubts, EveryPartOfTheErrorIsNamed) {
   };
   EXPECT_GT(of(Erring::peak_force, ErrorSource::rung)->value.value(), 0.05) << "a kept pulse in two directions";
   EXPECT_EQ(of(Erring::peak_force, ErrorSource::step)->how, Known::unknown);
+  const double of_force = of(Erring::peak_force, ErrorSource::steel)->value.value();
+  EXPECT_DOUBLE_EQ(of(Erring::depth, ErrorSource::steel)->value.value(), of_force);
+  EXPECT_DOUBLE_EQ(of(Erring::k_i, ErrorSource::steel)->value.value(), 2 * of_force);
+  const Estimate &k = answer.law.result.parameters.at("k_i");
+  EXPECT_GE(of(Erring::k_i, ErrorSource::law)->value.value(), k.interval_high / k.value - 1);
+  EXPECT_EQ(sentences(answer.errors).size(), 6u) << "one of each quantity";
   double squares = 0;
   for (const AnswerError &error : answer.errors)
     if (error.quantity == Erring::peak_force) squares += std::pow(error.value.value_or(0), 2);

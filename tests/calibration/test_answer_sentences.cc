@@ -81,13 +81,14 @@ AnswerLaw law_of(std::vector<LawError> fitted) {
 /// The largest error of no run is not zero: what is not known is said to be so.
 TEST(AnswerSentences, AnErrorThatIsNotKnownIsNoneOfZero) {
   const double unknown = std::numeric_limits<double>::quiet_NaN();
-  const auto nothing = law_of({}), unjudged = law_of({{"a", 0.1, unknown, unknown, unknown, unknown, false}});
+  const auto nothing = law_of({}), unjudged = law_of({{"a", 0.1, unknown, unknown, unknown, unknown, unknown, false}});
   for (const auto &law : {nothing, unjudged}) {
     EXPECT_NE(law.sentence.find("not known"), std::string::npos) << law.sentence;
     EXPECT_TRUE(bounds_in(law.sentence).empty()) << law.sentence;
   }
   // runs that graze, where there are no others, are judged as they are
-  const auto grazing = law_of({{"a", 0.01, -0.089, 0.4, 0.1, 0.1, true}, {"b", 0.02, 0.01, 0.1, 0.1, 0.1, true}});
+  const auto grazing =
+      law_of({{"a", 0.01, -0.089, 0.1, 0.4, 0.1, 0.1, true}, {"b", 0.02, 0.01, 0.1, 0.1, 0.1, 0.1, true}});
   const auto bounds = bounds_in(grazing.sentence);
   ASSERT_EQ(bounds.size(), 2u) << grazing.sentence;
   EXPECT_NEAR(bounds[0], 0.089, 1e-12);

@@ -77,6 +77,20 @@ TEST(YieldingRim, BilinearBalancesEnergy) {
   }
 }
 
+// what an answer's errors of k_i and of the depth are read from: the energy is stored on a way shorter by the share
+// that the force is higher
+TEST(YieldingRim, AHigherForceIsMetOnAShorterWayAndTwiceInTheStiffness) {
+  for (const char *law : {"elastoplastic", "bilinear"}) {
+    scene::Scene s = struck(law, 0.4);
+    const auto plain = simulate_summary(s).impacts.at(0);
+    s.reduced.k_i *= 1.1 * 1.1, s.reduced.yield_force *= 1.1;
+    const auto higher = simulate_summary(s).impacts.at(0);
+    EXPECT_NEAR(higher.peak_force / plain.peak_force, 1.1, 1e-6) << law;
+    EXPECT_NEAR(higher.peak_penetration / plain.peak_penetration, 1 / 1.1, 1e-6) << law;
+    EXPECT_NEAR(higher.rebound_speed / plain.rebound_speed, 1, 1e-6) << law;
+  }
+}
+
 TEST(YieldingRim, TheSecondImpactFindsTheDent) {
   // thrown twice at the same arc: the rim is met only at the dent's bottom, and a lighter second hit is
   // elastic

@@ -58,6 +58,11 @@ def answer(speeds: Sequence[float] = SPEEDS, **changed: Any) -> dict[str, Any]:
                    "largest": 0.475, "exceeded": True, "largest_speed_below_limit_m_s": 0.3,
                    "sentence": "The plastic strain exceeds the limit of 20 % above 0.3 m/s: 47.5 % at 1 m/s."},
         "mesh_error": {"peak_force": 0.015, "sentence": "Peak forces lie within about 1.5 % of a finer mesh."},
+        "errors": [{"quantity": "peak_force", "source": "steel", "value": 0.27, "how": "transferred", "from": "an explicit program"},
+                   {"quantity": "peak_force", "source": "law", "value": 0.041, "how": "measured", "from": "runs left out of the fit"},
+                   {"quantity": "peak_force", "source": "step", "value": None, "how": "unknown", "from": "rimpact study"},
+                   {"quantity": "k_i", "source": "steel", "value": 0.54, "how": "transferred", "from": "twice that of the peak force"},
+                   {"quantity": "strain", "source": "mesh", "value": None, "how": "unknown", "from": "rimpact study"}],
         "assumptions": [{"key": "rim.height_mm", "value": "60"}, {"key": "rim.thickness_mm", "value": "40"}],
         "doubts": ["The steel is strained beyond its limit at 1 m/s."],
         "validity": "The law holds within 5 % from 0.1 to 0.75 m/s, for any mass on this rim."}

@@ -1,6 +1,7 @@
 """The first page: what it says, from which record, and that nothing doubtful is passed over."""
 import dataclasses
 import json
+import math
 import os
 import re
 import unittest
@@ -29,6 +30,23 @@ class Answer(SmallResults):
                      "Peak forces lie within about 1.5 % of a finer mesh.", "The steel is strained beyond its limit at 1 m/s.",
                      "86\u202f952\u00a0kg", "853\u00a0kN", "520\u00a0mm", "60\u00a0mm * high, 40\u00a0mm * thick", "rim.height_mm\u00a060; rim.thickness_mm\u00a040."):
             self.assertIn(said, re.sub(r"\s*<[^>]*>\s*", " ", text).replace("  ", " "))
+
+    def test_errors_are_bars_on_one_scale_with_the_unknown_named(self):
+        page, text = self.page()
+        for said in ("Peak force steel 27 % 28 % not known: step", "k_i steel 54 % 54 %", "Strain – not known: mesh"):
+            self.assertIn(said, re.sub(r"\s+", " ", re.sub(r"\s*<[^>]*>\s*", " ", text)).replace("k i", "k_i"))
+        widths = [float(width) for width in re.findall(r'class="bar" style="width:([\d.]+)%"', page)]
+        self.assertEqual(len(widths), 2)
+        self.assertEqual(max(widths), 100.0)
+        self.assertAlmostEqual(widths[0] / widths[1], math.hypot(0.27, 0.041) / 0.54, delta=2e-3)
+
+    def test_strain_is_told_by_the_speeds_that_tell(self):
+        rows = [{"speed_m_s": v, "strain": 0.3 * v} for v in (0.1, 0.2, 0.3, 0.5, 0.6, 0.7, 0.8, 1.0)]
+        _, text = self.page(strain=synthetic_calibration.answer()["strain"] | {"rows": rows})
+        self.assertIn("Plastic strain of the rim 3.0\u202f% at 0.10, 18.0\u202f% at 0.60, 21.0\u202f% at 0.70, 30.0\u202f% at 1.0", text)
+
+    def test_a_record_without_errors_has_no_bars(self):
+        self.assertNotIn("bar-row", self.page(errors=[])[0])
 
     def test_what_is_not_identifiable_carries_a_mark(self):
         self.assertRegex(self.page()[1], r"unloading gain 0\.400 0\.320 to 0\.480 ! flat")

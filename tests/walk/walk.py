@@ -12,6 +12,8 @@ import subprocess
 import sys
 import tomllib
 
+import page_one
+
 HERE = os.path.dirname(os.path.abspath(__file__))
 WEIGHT_KN, MASS_KG = 2000.0, 2000e3 / 9.81
 FITTED = "0.05,0.1,0.35,1.0"
@@ -112,6 +114,8 @@ class Walk:
         for _, doubt in doubts:
             start = re.sub(r"\s+", " ", doubt)[:50]
             expect(start in plain, f"page one says: {start}")
+        for met, said in page_one.checks(self.main):
+            expect(met, said)
         expect("+-" not in plain and "`" not in plain, "no +- and no backticks are left in the report")
 
     def export(self, answer):
