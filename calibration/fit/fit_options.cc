@@ -43,13 +43,15 @@ void FitOptions::validate_words() const {
     if (!parameters.empty() && std::find(parameters.begin(), parameters.end(), name) == parameters.end())
       throw InputError(fmt::format("{} is not among the parameters to fit: {}", name, fmt::join(parameters, ", ")));
   };
+  const Parameter &restitution = calibration::parameter("e");
   for (const auto &[name, b] : bounds) {
     fitted(name);
     const auto &p = calibration::parameter(name);
     if (!(b.lower < b.upper))
       throw InputError(fmt::format("bounds of {}: {:g} must be < {:g}", name, b.lower, b.upper));
     require(p.lower < 0 || b.lower > 0 || (b.lower == 0 && !p.logarithmic), "lower bound of " + name, b.lower, "> 0");
-    if (name == "e") require(b.upper <= 1 && b.lower > 0, "bound of e", b.upper > 1 ? b.upper : b.lower, "in (0, 1]");
+    if (&p == &restitution)
+      require(b.upper <= 1 && b.lower > 0, "bound of e", b.upper > 1 ? b.upper : b.lower, "in (0, 1]");
   }
   for (const auto &[name, value] : start) {
     fitted(name);
