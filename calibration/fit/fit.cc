@@ -44,6 +44,7 @@ class GiveUp final : public ceres::IterationCallback {
 public:
   explicit GiveUp(double best) : best_(best) {}
   ceres::CallbackReturnType operator()(const ceres::IterationSummary &now) override {
+    if (!now.step_is_successful) return ceres::SOLVER_CONTINUE; // it is tried again, shorter
     costs_.push_back(now.cost);
     const bool hopeless = now.cost > far * best_ && costs_.size() > patience &&
                           now.cost > creeping * costs_[costs_.size() - 1 - patience];
@@ -99,6 +100,8 @@ Ending search(const Problem &problem, Eigen::VectorXd x, const FitOptions &optio
   solver.function_tolerance = options.tolerance; // data without errors go on until the parameters stand still
   solver.gradient_tolerance = 1e-12;
   solver.parameter_tolerance = 1e-9;
+  // Steps end at the bounds anyway; a search along each would ask for a second Jacobian, which is what a fit costs.
+  solver.max_num_line_search_step_size_iterations = 0;
   GiveUp give_up(best);
   solver.callbacks.push_back(&give_up);
   ceres::Solver::Summary summary;
@@ -132,11 +135,12 @@ double misfit(const Problem &problem, const Ending &end) {
   return std::sqrt(2 * end.cost / weights);
 }
 
-/// Whether a law of more than a pair's two numbers may have been misled: it follows the data badly, or has run into a
-/// bound.
+/// Whether a law that yields may have been misled (others have one valley): it follows the data badly, or has run into
+/// a bound.
 bool doubtful(const Problem &problem, const Ending &end) {
   constexpr double bad = 3; // uncertainties
-  return problem.n_parameters() > 2 && (misfit(problem, end) > bad || !held_at_bounds(problem, end.x).empty());
+  return problem.blocks().front()->scene().reduced.impact_law->yields &&
+         (misfit(problem, end) > bad || !held_at_bounds(problem, end.x).empty());
 }
 
 const Ending &best_of(const std::vector<Ending> &endings) {

@@ -43,8 +43,8 @@ struct FitOptions {
   std::map<std::string, double> fixed;  ///< held at these values, reported units
   std::map<std::string, Bounds> bounds; ///< instead of the catalogue's
   std::map<std::string, double> start;  ///< a first start, reported units; others are added to it
-  /// >= 1: what the curves say, then points spread over the bounds. A law of three numbers or more that follows badly
-  /// or ends at a bound is searched from twice its number of points more.
+  /// >= 1: what the curves say, then points spread over the bounds. A law that yields is searched from twice its
+  /// number of points more where it follows badly or ends at a bound.
   int n_starts = 5;
   double robust_scale = 20.0;    ///< Huber's, on the norm of an impact's residuals; 0: least squares
   double difference_step = 1e-4; ///< of central differences in the fitted variable, >= 1e-6
