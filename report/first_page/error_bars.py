@@ -13,7 +13,7 @@ ROOM = 10.0  #: width of a part, in % of the longest bar, below which its name d
 
 def bars(errors: list[dict[str, Any]]) -> list[dict[str, Any]]:
     """Each with `label`, `total` ("30 %"), `length` (of 100), `parts` (name, value, share of the bar in %) and `unknown`."""
-    rows = [_row(name, [e for e in errors if e.get("quantity") == key]) for key, name in QUANTITIES.items()]
+    rows = [_row(name, [e for e in errors if e.get("quantity") == key and e.get("source")]) for key, name in QUANTITIES.items()]
     rows = [row for row in rows if row["parts"] or row["unknown"]]
     longest = max((row["sum"] for row in rows), default=0)
     for row in rows:

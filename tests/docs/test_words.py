@@ -62,7 +62,8 @@ class Words(unittest.TestCase):
         keys = {key["key"]: key for key in json.loads(rimpact("list", "keys", "--json").stdout)["keys"]}
         self.assertEqual(keys["excitation.travel_mm"]["when"], "excitation.kind = push")
         self.assertEqual(keys["bearing.surface.a_m"]["when"], "bearing.surface.kind = ellipse")
-        self.assertEqual(keys["reduced.yield_force_kN"]["when"], "reduced.impact_law = elastoplastic")
+        self.assertEqual(keys["reduced.yield_force_kN"]["when"], "reduced.impact_law = elastoplastic | bilinear")
+        self.assertEqual(keys["reduced.unloading_gain"]["when"], "reduced.impact_law = elastoplastic")
         self.assertEqual(keys["load.mass_kg"]["when"], "")
         self.assertEqual(keys["reduced.k_i_kN_per_m"]["unit"], "kN/m")
 
