@@ -137,7 +137,7 @@ PathTable read_path_table(const std::string &file) {
       return number(cells[column->index], column->factor, bound, unit, where);
     };
     const auto t = read(0, latest, "s");
-    const double x = *read(1, farthest, "m"), y = read(2, farthest, "m").value_or(0.0);
+    const double x = read(1, farthest, "m").value(), y = read(2, farthest, "m").value_or(0.0);
     add(path, {x, y}, t, where);
     if (path.at.size() > most) throw DataError(fmt::format("{}: a path has at most {} corners", where, most));
   }

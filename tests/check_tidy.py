@@ -39,8 +39,9 @@ def judge(tidy: str, root: pathlib.Path, database: pathlib.Path, source: pathlib
         os.killpg(running.pid, signal.SIGKILL)  # the wheel's script and its program
         running.communicate()
         return None
-    found = {f"{place}: {what}" for place, what in FINDING.findall(said)}
-    if running.returncode and not found:
+    findings = FINDING.findall(said)
+    found = {f"{place}: {what}" for place, what in findings if place.startswith(f"{root}/")}  # a library's header is not ours to mend
+    if running.returncode and not findings:
         found = {f"{source}: clang-tidy ended with {running.returncode}: {said[-500:]}{complaint[-500:]}"}
     return found
 

@@ -11,7 +11,7 @@ using Eigen::MatrixXd, Eigen::VectorXd, Eigen::Vector2d;
 
 namespace {
 
-PlaneBeamColumn member(Vector2d from, Vector2d to, double EI, double EA, double post_yield = 1) {
+PlaneBeamColumn member(const Vector2d &from, const Vector2d &to, double EI, double EA, double post_yield = 1) {
   PlaneBeamColumn m;
   m.from = from, m.to = to;
   m.bending = {1.0 * EI, 1.0, post_yield}, m.axial = {1.0 * EA, 1.0, post_yield};

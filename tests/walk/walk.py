@@ -4,6 +4,7 @@ new -> check -> main -> report -> export for a bearing of the user's own (bearin
 (3,200 kN). Three finite-element windows at speeds the fit has not seen judge what is handed over: the exported law must meet their
 peak force within 5 % at 0.15 and 0.3 m/s. Page one is computed once more (page_one.py). Usage: walk.py RIMPACT FOLDER [--mesh N]; about 15 minutes on two cores."""
 import argparse
+import html
 import json
 import os
 import re
@@ -90,7 +91,7 @@ class Walk:
             typed = tomllib.load(file)["reduced"]
         ways = {"--calibration": ["--calibration", os.path.join(self.main, "calibration")],
                 "typed from calibration.toml": [word for key, value in typed.items() for word in
-                                                ("--set", f"reduced.{key}=" + (f'"{value}"' if isinstance(value, str) else str(value)))]}
+                                                ("--set", f"reduced.{key}={json.dumps(value)}")]}
         for way, words in ways.items():
             for speed, summary in unseen.items():
                 out = os.path.join(self.folder, "flown")
@@ -108,7 +109,7 @@ class Walk:
         with open(os.path.join(self.main, "report.html"), encoding="utf-8") as file:
             page = file.read()
         told = re.sub(r"<(script|style)\b.*?</\1>", "", page.replace("&nbsp;", " "), flags=re.DOTALL)
-        plain = re.sub(r"\s+", " ", re.sub(r"<[^>]+>", "", told))
+        plain = re.sub(r"\s+", " ", html.unescape(re.sub(r"<[^>]+>", "", told)))
         for word in ("Walk", "ACME", "acme-r2500"):
             expect(word in plain, f"the report's head names {word}")
         for _, doubt in doubts:
