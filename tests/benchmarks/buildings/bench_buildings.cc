@@ -50,7 +50,7 @@ void thesis_40_s(benchmark::State &state) {
   const scene::Scene s = motion(slip, std::pow(10, -static_cast<double>(state.range(0))));
   const Frame frame = thesis();
   Summary run;
-  for (auto _ : state) run = simulate(frame, s, {}, false).summary;
+  while (state.KeepRunning()) run = simulate(frame, s, {}, false).summary;
   count(state, run, exact(slip));
 }
 
@@ -60,7 +60,7 @@ void cvode_40_s(benchmark::State &state) {
   const scene::Scene s = motion(slip, std::pow(10, -static_cast<double>(state.range(0))));
   const BuildingModel model = assemble(thesis());
   PlainAnswer run;
-  for (auto _ : state) run = plain_cvode(model, s, s.reduced.tolerance);
+  while (state.KeepRunning()) run = plain_cvode(model, s, s.reduced.tolerance);
   const Summary &fine = exact(slip);
   state.counters["error_displacement"] = std::abs(run.travel / fine.peak_displacement - 1);
   state.counters["error_force"] = std::abs(run.base_shear / fine.peak_lateral_force - 1);
@@ -83,7 +83,8 @@ void lir_40_s(benchmark::State &state) {
   };
   const Frame frame = thesis();
   Summary run;
-  for (auto _ : state) run = simulate(frame, at(std::pow(10, -static_cast<double>(state.range(0)))), {}, false).summary;
+  while (state.KeepRunning())
+    run = simulate(frame, at(std::pow(10, -static_cast<double>(state.range(0)))), {}, false).summary;
   static const Summary fine = simulate(frame, at(1e-6), {}, false).summary;
   count(state, run, fine);
 }
@@ -99,7 +100,8 @@ void inelastic_frame_40_s(benchmark::State &state) {
   };
   const Frame frame = load_frame("thesis-2.5");
   Summary run;
-  for (auto _ : state) run = simulate(frame, at(std::pow(10, -static_cast<double>(state.range(0)))), {}, false).summary;
+  while (state.KeepRunning())
+    run = simulate(frame, at(std::pow(10, -static_cast<double>(state.range(0)))), {}, false).summary;
   static const Summary fine = simulate(frame, at(1e-8), {}, false).summary;
   count(state, run, fine);
   state.counters["ductility"] =
@@ -115,7 +117,7 @@ void bearings(benchmark::State &state) {
   scene::Scene s = motion(1e-3, 1e-6);
   s.excitation.duration = 10;
   Summary run;
-  for (auto _ : state) run = simulate(frame, s, {}, false).summary;
+  while (state.KeepRunning()) run = simulate(frame, s, {}, false).summary;
   state.counters["bearings"] = static_cast<double>(state.range(0) * state.range(0));
   state.counters["steps"] = static_cast<double>(run.n_steps);
   state.SetComplexityN(state.range(0) * state.range(0));

@@ -35,7 +35,7 @@ void assembly(benchmark::State &state) {
   const fe::SolidHistory old = solid.virgin();
   fe::SolidHistory next;
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations.n);
-  for (auto _ : state) {
+  while (state.KeepRunning()) {
     fe::SolidEnergies energies;
     forces.setZero();
     tangent.set_zero();

@@ -29,14 +29,14 @@ void report(benchmark::State &state, const Summary &run, const Summary &tight) {
 void own_stepper(benchmark::State &state, scene::Friction friction) {
   const scene::Scene s = pulse(friction, std::pow(10, -static_cast<double>(state.range(0))));
   Summary run;
-  for (auto _ : state) run = reduced::simulate_summary(s);
+  while (state.KeepRunning()) run = reduced::simulate_summary(s);
   report(state, run, reduced::simulate_summary(pulse(friction, 1e-13)));
 }
 
 void cvode(benchmark::State &state, scene::Friction friction) {
   const scene::Scene s = pulse(friction, std::pow(10, -static_cast<double>(state.range(0))));
   Summary run;
-  for (auto _ : state) run = reduced::simulate_with_cvode(s).summary;
+  while (state.KeepRunning()) run = reduced::simulate_with_cvode(s).summary;
   report(state, run, reduced::simulate_summary(pulse(friction, 1e-13)));
 }
 
@@ -54,7 +54,7 @@ void on_dish(benchmark::State &state, scene::SurfaceKind kind) {
     }
   }
   Summary run;
-  for (auto _ : state) run = reduced::simulate_summary(s);
+  while (state.KeepRunning()) run = reduced::simulate_summary(s);
   report(state, run, reduced::simulate_summary(tight));
 }
 
@@ -72,7 +72,7 @@ void double_concave(benchmark::State &state, scene::ModelKind model, int points)
   scene::Scene tight = s;
   tight.isolator.step_tolerance = 0.01 * s.isolator.step_tolerance;
   Summary run;
-  for (auto _ : state) run = reduced::simulate_summary(s);
+  while (state.KeepRunning()) run = reduced::simulate_summary(s);
   const Summary exact = reduced::simulate_summary(tight);
   report(state, run, exact);
   state.counters["error_lateral"] = std::abs(run.peak_lateral_force / exact.peak_lateral_force - 1);
@@ -84,7 +84,7 @@ void four_dof(benchmark::State &state) {
   scene::Scene s = scene::load_scene("frame-four-dof", {"excitation.scale=1.3", "excitation.duration_s=12"}), tight = s;
   s.reduced.tolerance = std::pow(10, -static_cast<double>(state.range(0))), tight.reduced.tolerance = 1e-12;
   Summary run;
-  for (auto _ : state) run = reduced::simulate_summary(s);
+  while (state.KeepRunning()) run = reduced::simulate_summary(s);
   const Summary exact = reduced::simulate_summary(tight);
   report(state, run, exact);
   state.counters["error_drift"] =
@@ -93,18 +93,18 @@ void four_dof(benchmark::State &state) {
 
 void stored(benchmark::State &state) {
   const scene::Scene s = pulse(scene::Friction::coulomb, 1e-9);
-  for (auto _ : state) benchmark::DoNotOptimize(reduced::simulate(s));
+  while (state.KeepRunning()) benchmark::DoNotOptimize(reduced::simulate(s));
 }
 
 void scout(benchmark::State &state) {
   scene::Scene s = pulse(scene::Friction::coulomb, 1e-9);
   s.reduced.finite_pad = s.reduced.socket_friction = true;
-  for (auto _ : state) benchmark::DoNotOptimize(reduced::simulate_summary(s));
+  while (state.KeepRunning()) benchmark::DoNotOptimize(reduced::simulate_summary(s));
 }
 
 void critical(benchmark::State &state) {
   const scene::Scene s = pulse(scene::Friction::coulomb, 1e-9);
-  for (auto _ : state) benchmark::DoNotOptimize(reduced::critical_scale(s));
+  while (state.KeepRunning()) benchmark::DoNotOptimize(reduced::critical_scale(s));
 }
 
 } // namespace
