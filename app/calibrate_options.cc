@@ -64,8 +64,7 @@ void add_calibrate_options(CLI::App &verb, CalibrateWords &words) {
 
 std::vector<std::string> laws_named(const std::string &list) {
   if (list == "none") return {};
-  if (list == "all") return {"signed", "no-tension", "hunt-crossley", "elastoplastic", "bilinear"};
-  auto laws = names_of(list);
+  auto laws = names_of(list == "all" ? CalibrateWords().laws : list);
   for (const auto &law : laws) laws::impact_law(law);
   return laws;
 }

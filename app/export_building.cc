@@ -19,8 +19,8 @@ using calibration::ExportedRim;
 constexpr const char *limits =
     "What OpenSees carries of a building's bearings: friction and restoring force follow each bearing's own normal "
     "force, for its slider rides on an ellipsoid; what that leaves of another dish is for the weight at rest. The "
-    "rim's push "
-    "unloads the dish. A rim is round but forgets its dents (elastoplastic), or stands along x only (the other laws). "
+    "rim's push unloads the dish. A rim is round but forgets its dents (elastoplastic), or stands along x only (the "
+    "other laws). "
     "No pulse was flown on these bearings; rimpact export of the calibration flies them on one.";
 
 /// The law of the scene, under the weight of one bearing.

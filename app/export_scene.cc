@@ -1,7 +1,6 @@
 #include "app/export_scene.h"
 
 #include "calibration/export/comment.h"
-#include "calibration/export/dish.h"
 #include "calibration/export/exported_model.h"
 #include "files/error.h"
 #include "scene/rim_identity.h"
@@ -82,10 +81,10 @@ void take_answer(scene::Scene &scene, const json &calibration, ExportedRim &rim)
 
 } // namespace
 
-std::optional<scene::Scene> export_scene(const ExportOptions &options, const json &calibration, ExportedRim &rim,
-                                         Console &console) {
+std::optional<ExportScene> export_scene(const ExportOptions &options, const json &calibration, ExportedRim &rim,
+                                        Console &console) {
   auto scene = scene_of(options, calibration, rim);
-  if (!scene) return scene;
+  if (!scene) return {};
   warn_of_load(options, *scene, rim, console);
   constexpr double farthest = 0.2; // a fitted place of the rim is within millimetres
   if (const double own = scene->lateral_capacity(); std::abs(rim.lateral_capacity / own - 1) > farthest)
@@ -93,10 +92,10 @@ std::optional<scene::Scene> export_scene(const ExportOptions &options, const jso
         "calibration.json: lateral_capacity_m of answer.law.element, {:g}, is not that of the bearing, {:g}",
         rim.lateral_capacity, own));
   take_answer(*scene, calibration, rim);
-  const auto dish = calibration::dish_of(*scene, rim.lateral_capacity);
+  auto dish = calibration::dish_of(*scene, rim.lateral_capacity);
   if (!dish.assumed_pad.empty() && (options.opensees || options.sap2000 || options.etabs))
     console.warn("vertical stiffness of the bearing:" + dish.assumed_pad);
-  return scene;
+  return ExportScene{*scene, std::move(dish)};
 }
 
 } // namespace rimpact::app

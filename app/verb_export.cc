@@ -69,13 +69,13 @@ struct Exported {
 
 using Head = std::vector<std::string>;
 
-void add_opensees(Exported &out, const ExportedRim &rim, const std::optional<scene::Scene> &scene, Head head,
+void add_opensees(Exported &out, const ExportedRim &rim, const std::optional<ExportScene> &bearing, Head head,
                   Console &console) {
   auto springs = calibration::opensees_rim(rim);
   std::optional<Dish> dish;
-  if (scene) {
-    dish = calibration::dish_of(*scene, rim.lateral_capacity);
-    springs.check.pulses = pulse_check(*scene, rim, flown_bearing(rim, springs, *dish));
+  if (bearing) {
+    dish = bearing->dish;
+    springs.check.pulses = pulse_check(bearing->scene, rim, flown_bearing(rim, springs, *dish));
     if (springs.check.pulses->worst_judged() > PulseCheck::refused) {
       head.push_back(refusal_of(springs.check)), dish.reset(), out.refused = true;
       console.warn(head.back());
@@ -86,13 +86,13 @@ void add_opensees(Exported &out, const ExportedRim &rim, const std::optional<sce
   out.checks.push_back(springs.check);
 }
 
-void add_csi(Exported &out, const ExportedRim &rim, const std::optional<scene::Scene> &scene, const Head &head,
+void add_csi(Exported &out, const ExportedRim &rim, const std::optional<ExportScene> &bearing, const Head &head,
              const ExportOptions &options) {
   auto links = calibration::csi_rim(rim);
   std::optional<Dish> dish;
-  if (scene) {
-    dish = calibration::dish_of(*scene, rim.lateral_capacity);
-    links.check.pulses = pulse_check(*scene, rim, flown_bearing(rim, links, *dish));
+  if (bearing) {
+    dish = bearing->dish;
+    links.check.pulses = pulse_check(bearing->scene, rim, flown_bearing(rim, links, *dish));
   }
   if (options.sap2000) out.files.emplace_back("bearing.s2k", calibration::sap2000(rim, links, dish, head));
   if (options.etabs) out.files.emplace_back("bearing.e2k", calibration::etabs(rim, links, dish, head));
@@ -127,22 +127,22 @@ void export_to(const ExportOptions &options, const json &calibration, Console &c
   ExportedRim rim =
       calibration::exported_rim(calibration, {.law = options.law, .mass = options.mass, .vertical = vertical});
   warn_of_units(options, rim, console);
-  const auto scene = export_scene(options, calibration, rim, console);
+  const auto bearing = export_scene(options, calibration, rim, console);
   const bool for_programs = options.opensees || options.sap2000 || options.etabs;
   Head head = header(console);
-  if (!scene && for_programs) {
+  if (!bearing && for_programs) {
     head.push_back("The rim only: the bearing's dish is not known here. Give it with --scene SCENE_OR_BEARING.");
     console.warn(head.back());
   }
   Exported out;
-  if (options.opensees) add_opensees(out, rim, scene, head, console);
-  if (options.sap2000 || options.etabs) add_csi(out, rim, scene, head, options);
+  if (options.opensees) add_opensees(out, rim, bearing, head, console);
+  if (options.sap2000 || options.etabs) add_csi(out, rim, bearing, head, options);
   if (options.csv) out.files.emplace_back("law.csv", calibration::law_csv(rim, head));
   const json table = {{"law", rim.law().name},
                       {"mass_kg", rim.mass},
                       {"from_m_s", rim.from},
                       {"to_m_s", rim.to},
-                      {"whole_bearing", scene.has_value() && !out.refused}};
+                      {"whole_bearing", bearing.has_value() && !out.refused}};
   write(out, options, table, console);
 }
 

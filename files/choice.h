@@ -43,6 +43,13 @@ template <Worded E> std::string word(E value) {
   return "unknown"; // a bug: every value has a line
 }
 
+/// What stands behind the value's word in lists.
+template <Worded E> std::string description(E value) {
+  for (const auto &choice : choices(value))
+    if (choice.value == value) return choice.description;
+  return "unknown"; // a bug: every value has a line
+}
+
 /// The value that is written so; none: it is no word of the table (see `words` and not_among for the error).
 template <Worded E> constexpr std::optional<E> parse(std::string_view written) {
   for (const auto &choice : choices(E{}))

@@ -81,7 +81,7 @@ json strain_limit(const scene::Scene &scene, Summary &summary) {
   if (exceeded)
     warn(summary,
          fmt::format("plastic strain {} reaches {:.1f} %, {}: cracks, which no law here has, would change the force",
-                     place ? "of " + in_words(*place) : "of some body", 100 * largest, beyond));
+                     place ? "of " + description(*place) : "of some body", 100 * largest, beyond));
   if (const auto edge = summary.steel.find(SteelPlace::slider_edge);
       edge != summary.steel.end() && edge->second.averaged > *limit)
     warn(summary, fmt::format("the slider's edge is crushed: its plastic strain reaches {:.1f} %, {}; whether the rim "

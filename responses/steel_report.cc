@@ -16,12 +16,6 @@ void keep_worst(SteelReport &worst, const SteelReport &other) {
   }
 }
 
-std::string in_words(SteelPlace place) {
-  for (const auto &choice : choices(place))
-    if (choice.value == place) return choice.description;
-  return word(place);
-}
-
 bool is_of_the_rim(SteelPlace place) {
   return place != SteelPlace::slider_edge;
 }

@@ -21,7 +21,6 @@ constexpr auto choices(SteelPlace) {
                                  {SteelPlace::dish, "dish", "the dish below the rim"},
                                  {SteelPlace::slider_edge, "slider_edge", "the slider's edge"}});
 }
-std::string in_words(SteelPlace place); ///< "the rim's wall"
 
 struct SteelAtPlace {
   double largest = 0;             ///< equivalent plastic strain of a point [-]

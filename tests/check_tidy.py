@@ -29,9 +29,10 @@ SECONDS = 50  #: of --changed
 LEAST = 300  #: sources; fewer means that they were not found
 
 
-def judge(tidy: str, root: pathlib.Path, database: pathlib.Path, source: pathlib.Path, seconds: float | None = None) -> set[str] | None:
-    """What the tool finds in one source and its headers; None where the seconds did not suffice. A tool that fails without a finding is one."""
-    words = [tidy, "--quiet", f"--config-file={root / '.clang-tidy'}", "-p", str(database), str(source)]
+def judge(tidy: str, settings: pathlib.Path, ours: pathlib.Path, database: pathlib.Path, source: pathlib.Path,
+          seconds: float | None = None) -> set[str] | None:
+    """What the tool finds in one source and its headers under `ours`; None where the seconds did not suffice. A tool that fails without a finding is one."""
+    words = [tidy, "--quiet", f"--config-file={settings}", "-p", str(database), str(source)]
     running = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, start_new_session=True)
     try:
         said, complaint = running.communicate(timeout=seconds)
@@ -40,7 +41,7 @@ def judge(tidy: str, root: pathlib.Path, database: pathlib.Path, source: pathlib
         running.communicate()
         return None
     findings = FINDING.findall(said)
-    found = {f"{place}: {what}" for place, what in findings if place.startswith(f"{root}/")}  # a library's header is not ours to mend
+    found = {f"{place}: {what}" for place, what in findings if place.startswith(f"{ours}/")}  # a library's header is not ours to mend
     if running.returncode and not findings:
         found = {f"{source}: clang-tidy ended with {running.returncode}: {said[-500:]}{complaint[-500:]}"}
     return found
@@ -57,7 +58,7 @@ def judged(tidy: str, database: Database, sources: list[pathlib.Path], until: fl
         if mark.exists():
             return source, set()
         left = None if until is None else until - time.monotonic()
-        found = None if left is not None and left <= 0 else judge(tidy, database.root, database.folder, source, left)
+        found = None if left is not None and left <= 0 else judge(tidy, database.root / ".clang-tidy", database.root, database.folder, source, left)
         if found == set():
             mark.touch()
         return source, found
@@ -99,7 +100,7 @@ def main() -> int:
     root = given.root.resolve()
     tidy = pinned_tool(root, "clang-tidy")
     if given.self_test:
-        return tidy_planted.missed(functools.partial(judge, tidy, root))
+        return tidy_planted.missed(functools.partial(judge, tidy, root / ".clang-tidy"))
     until = time.monotonic() + SECONDS if given.changed else None
     changed = changed_files(root) if given.changed else set()
     if changed is None:

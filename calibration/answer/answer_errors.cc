@@ -188,9 +188,7 @@ std::string sentence(const std::vector<AnswerError> &errors, Erring quantity) {
     parts.push_back(fmt::format("{} {}", word(error.source), percent_up(*error.value)));
   const ErrorSum sum = sum_of(errors, quantity);
   for (const ErrorSource source : sum.open) open.push_back(word(source));
-  std::string what;
-  for (const auto &choice : choices(quantity))
-    if (choice.value == quantity) what = choice.description;
+  const std::string what = description(quantity);
   std::string text = sum.known ? fmt::format("{}: within about {} of the bearing's, by {}.", what,
                                              percent_up(*sum.known), fmt::join(parts, ", "))
                                : fmt::format("{}: how far it is from the bearing's is not known.", what);

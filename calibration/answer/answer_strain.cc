@@ -10,7 +10,7 @@ namespace {
 /// What of the rim a strain is of.
 std::string subject(const JudgedStrain &strain) {
   if (!strain.place) return "The plastic strain of some body, the slider perhaps,";
-  return fmt::format("The plastic strain of {}, a mean over {:g} mm around it,", in_words(*strain.place),
+  return fmt::format("The plastic strain of {}, a mean over {:g} mm around it,", description(*strain.place),
                      1e3 * averaging_radius);
 }
 
@@ -67,7 +67,7 @@ std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vecto
     s.crack_sentence =
         fmt::format("A crack begins at a damage of 1; the runs reach {:.2f}, in {} at {:.3g} m/s (constants of Weldox "
                     "460 E, an assumption).",
-                    crack.value, in_words(*crack.place), crack.speed);
+                    crack.value, description(*crack.place), crack.speed);
   if (slider.value > s.limit)
     s.slider_sentence = fmt::format("The slider's edge is crushed, by {} at {:.3g} m/s: plan to replace the slider.",
                                     percent_up(slider.value), slider.speed);

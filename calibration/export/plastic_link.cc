@@ -1,4 +1,5 @@
 #include "calibration/export/plastic_link.h"
+#include "calibration/export/golden_section.h"
 
 namespace rimpact::calibration {
 
@@ -53,26 +54,16 @@ PlasticLink plastic_link(const ExportedRim &rim) {
   const double from = law.front().penetration / 10, to = 1.5 * law.back().penetration;
   for (const double d : speeds_between(from, to, n_vertices))
     depth.push_back(d), force.push_back(element.trial({.d = d, .rate = 0}));
-  // returned energy F^2 / (2 K) against the law's, in rebound speeds; golden section over ln K: one minimum, for each
-  // term has one
-  const auto misfit = [&](double unloading) {
+  // returned energy F^2 / (2 K) against the law's, in rebound speeds, over ln K: one minimum, for each term has one
+  const auto misfit = [&](double log_unloading) {
     double sum = 0;
     for (std::size_t i = 0; i < speeds.size(); ++i) {
-      const double e = law[i].peak_force / (speeds[i] * std::sqrt(rim.mass * unloading)) - law[i].rebound;
+      const double e = law[i].peak_force / (speeds[i] * std::sqrt(rim.mass * std::exp(log_unloading))) - law[i].rebound;
       sum += e * e;
     }
     return sum;
   };
-  const double ratio = (std::sqrt(5.0) - 1) / 2;
-  double low = std::log(1.001 * k), high = std::log(100 * k);
-  for (int i = 0; i < 60; ++i) {
-    const double a = high - ratio * (high - low), b = low + ratio * (high - low);
-    if (misfit(std::exp(a)) < misfit(std::exp(b)))
-      high = b;
-    else
-      low = a;
-  }
-  return link_of(depth, force, std::exp((low + high) / 2));
+  return link_of(depth, force, std::exp(golden_section(std::log(1.001 * k), std::log(100 * k), misfit)));
 }
 
 } // namespace rimpact::calibration

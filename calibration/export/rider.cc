@@ -1,4 +1,5 @@
 #include "calibration/export/rider.h"
+#include "calibration/export/golden_section.h"
 
 #include <algorithm>
 #include <cmath>
@@ -34,14 +35,7 @@ struct Meridian {
     double least = low;
     for (int i = 1; i <= n_grid; ++i)
       if (cost(low + i * step) < cost(least)) least = low + i * step;
-    double from = std::max(low, least - step), to = least + step;
-    const double golden = (std::sqrt(5.0) - 1) / 2;
-    for (int i = 0; i < 80; ++i) {
-      const double a = to - golden * (to - from), b = from + golden * (to - from);
-      const bool left = cost(a) < cost(b);
-      (left ? to : from) = left ? b : a;
-    }
-    return of(std::exp((from + to) / 2));
+    return of(std::exp(golden_section(std::max(low, least - step), least + step, cost)));
   }
 };
 

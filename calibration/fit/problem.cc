@@ -105,7 +105,8 @@ bool Problem::residuals(const ResidualBlock &block, const double *x, const doubl
   return std::all_of(values.begin(), values.end(), [](double v) { return std::isfinite(v); });
 }
 
-bool Problem::jacobian(const ResidualBlock &block, const double *x, const double *nuisance, double *jacobian) const {
+bool Problem::jacobian(const ResidualBlock &block, const double *x, const double *nuisance, const double *r,
+                       double *jacobian) const {
   const int n = n_unknowns(), m = block.size();
   std::vector<double> ahead(m), behind(m);
   for (int i = 0; i < n_parameters(); ++i) {
@@ -117,9 +118,7 @@ bool Problem::jacobian(const ResidualBlock &block, const double *x, const double
     for (int j = 0; j < m; ++j) jacobian[j * n + i] = (ahead[j] - behind[j]) / (a(i) - b(i));
   }
   if (!fits_gain()) return true;
-  Eigen::VectorXd r(m);
-  if (!residuals(block, x, nuisance, r.data())) return false;
-  const Eigen::VectorXd slope = block.gain_slope(x[n_parameters()], r);
+  const Eigen::VectorXd slope = block.gain_slope(x[n_parameters()], Eigen::Map<const Eigen::VectorXd>(r, m));
   for (int j = 0; j < m; ++j) jacobian[j * n + n - 1] = slope(j);
   return true;
 }

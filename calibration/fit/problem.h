@@ -36,8 +36,10 @@ public:
 
   /// False where the reduced model refuses the values.
   bool residuals(const ResidualBlock &block, const double *x, const double *nuisance, double *r) const;
-  /// Central differences (one-sided at a bound). `jacobian` is row-major, size() x n_unknowns().
-  bool jacobian(const ResidualBlock &block, const double *x, const double *nuisance, double *jacobian) const;
+  /// Central differences (one-sided at a bound). `r`: the residuals there. `jacobian` is row-major, size() x
+  /// n_unknowns().
+  bool jacobian(const ResidualBlock &block, const double *x, const double *nuisance, const double *r,
+                double *jacobian) const;
   /// The same by the block's own unknowns, size() x n_nuisance().
   bool nuisance_jacobian(const ResidualBlock &block, const double *x, const double *nuisance, double *jacobian) const;
 

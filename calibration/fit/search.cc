@@ -18,7 +18,7 @@ public:
     const double *nuisance = block_.n_nuisance() > 0 ? x[1] : nullptr;
     if (!problem_.residuals(block_, x[0], nuisance, r)) return false;
     if (!jacobians) return true;
-    if (jacobians[0] && !problem_.jacobian(block_, x[0], nuisance, jacobians[0])) return false;
+    if (jacobians[0] && !problem_.jacobian(block_, x[0], nuisance, r, jacobians[0])) return false;
     return !nuisance || !jacobians[1] || problem_.nuisance_jacobian(block_, x[0], nuisance, jacobians[1]);
   }
 

@@ -50,7 +50,7 @@ Linearised linearised(const Problem &problem, const ResidualBlock &block, const 
   Eigen::VectorXd r(block.size());
   RowMajor J(block.size(), problem.n_unknowns()), N(block.size(), block.n_nuisance());
   if (!problem.residuals(block, x.data(), nuisance.data(), r.data()) ||
-      !problem.jacobian(block, x.data(), nuisance.data(), J.data()) ||
+      !problem.jacobian(block, x.data(), nuisance.data(), r.data(), J.data()) ||
       (N.cols() > 0 && !problem.nuisance_jacobian(block, x.data(), nuisance.data(), N.data())))
     throw std::logic_error("the fitted values cannot be evaluated");
   const double weight = huber_slope(r.squaredNorm(), robust_scale);

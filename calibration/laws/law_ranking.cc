@@ -105,16 +105,15 @@ bool tells_all(const LawRow &row) {
                      [](const auto &entry) { return entry.second.identifiable; });
 }
 
-std::string held_words(const std::vector<std::string> &exponents, const LawRow &row, const std::string &why) {
+/// At the values of the runs' scene, which are what a fit leaves alone.
+std::string held_words(const std::vector<std::string> &exponents, const scene::Scene &scene, const std::string &law,
+                       const std::string &why) {
   std::string text;
   for (const auto &name : exponents) {
     const auto &p = parameter(name);
-    scene::Scene scene;
-    const auto fixed = row.result.fixed.find(name);
-    text += fmt::format("{}{} at {:g}", text.empty() ? "" : " and ", name,
-                        fixed == row.result.fixed.end() ? p.get(scene) / p.si : fixed->second);
+    text += fmt::format("{}{} at {:g}", text.empty() ? "" : " and ", name, p.get(scene) / p.si);
   }
-  return fmt::format("{}: held {}, {}.", row.result.law, text, why);
+  return fmt::format("{}: held {}, {}.", law, text, why);
 }
 
 /// The law's exponents join once its other parameters are found. They stay if runs left out are then predicted better:
@@ -129,7 +128,8 @@ LawRow row_of(const Runs &runs, FitOptions options, double tolerance) {
   options.parameters.insert(options.parameters.end(), exponents.begin(), exponents.end());
   if (exponents.empty()) return row;
   if (row.result.n_impacts < enough_for_exponents) {
-    row.held = held_words(exponents, row, fmt::format("for {} impacts do not tell a shape", row.result.n_impacts));
+    row.held = held_words(exponents, runs.front()->scene, options.law,
+                          fmt::format("for {} impacts do not tell a shape", row.result.n_impacts));
     return row;
   }
   for (const auto &name : plain.parameters) options.start[name] = row.result.parameters.at(name).value;
@@ -140,7 +140,7 @@ LawRow row_of(const Runs &runs, FitOptions options, double tolerance) {
   const bool better = wider || (shaped.n_valid == row.n_valid && worst(shaped) < worst(row));
   const bool many = row.result.n_impacts >= static_cast<int>(options.parameters.size());
   if (better && (many || tells_all(shaped))) return shaped;
-  row.held = held_words(exponents, row,
+  row.held = held_words(exponents, runs.front()->scene, options.law,
                         better ? "for the curves do not tell them" : "for with them runs left out are not met better");
   return row;
 }

@@ -72,6 +72,9 @@ TEST(LawRanking, ExponentsThatAreHeldAreSaid) {
   const auto row = rank_laws(pointers(runs), {"elastoplastic"}, {}, notes).rows.at(0);
   EXPECT_NE(row.held.find("hardening_exponent at 0.75"), std::string::npos) << row.held;
   EXPECT_NE(row.held.find("2 impacts"), std::string::npos) << row.held;
+  for (auto &run : runs) run.scene.reduced.hardening_exponent = 0.6; // a fit leaves it there
+  const auto other = rank_laws(pointers(runs), {"elastoplastic"}, {}, notes).rows.at(0);
+  EXPECT_NE(other.held.find("hardening_exponent at 0.6"), std::string::npos) << other.held;
 }
 
 TEST(LawRanking, FindsTheExponentsOnceImpactsAreEnough) {

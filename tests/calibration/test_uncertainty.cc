@@ -7,6 +7,24 @@ namespace rimpact::calibration {
 namespace {
 using namespace testing;
 
+/// Four impacts on a rim that unloads as it loaded at first: its unloading gain is zero.
+std::vector<StoredRun> without_gain() {
+  std::vector<StoredRun> runs;
+  for (const double v : {0.1, 0.2, 0.35, 0.6}) {
+    auto s = window(v, 9.9e8);
+    s.reduced.impact_law = &laws::impact_law("elastoplastic");
+    s.reduced.yield_force = 0.7e6, s.reduced.hardening = 0.156, s.reduced.unloading_gain = 0;
+    runs.push_back(run_of(s));
+  }
+  return runs;
+}
+
+FitOptions of_the_yielding_law() {
+  FitOptions options;
+  options.law = "elastoplastic", options.parameters = laws::impact_law("elastoplastic").parameters;
+  return options;
+}
+
 TEST(Uncertainty, IntervalsCoverTheTruth) {
   const auto scene = window(0.3);
   const Uncertainty noise{.force = 0.01, .displacement = 0.001, .speed = 0.01};
@@ -43,15 +61,8 @@ TEST(Uncertainty, CorrelationIsOneWithItselfSymmetricAndBounded) {
 
 // a direction in which the fit cannot move says nothing of the others
 TEST(Uncertainty, AParameterAtItsBoundIsHeldWhileTheOthersAreJudged) {
-  std::vector<StoredRun> runs;
-  for (const double v : {0.1, 0.2, 0.35, 0.6}) {
-    auto s = window(v, 9.9e8);
-    s.reduced.impact_law = &laws::impact_law("elastoplastic");
-    s.reduced.yield_force = 0.7e6, s.reduced.hardening = 0.156, s.reduced.unloading_gain = 0;
-    runs.push_back(run_of(s));
-  }
-  FitOptions options;
-  options.law = "elastoplastic", options.parameters = laws::impact_law("elastoplastic").parameters;
+  const auto runs = without_gain();
+  FitOptions options = of_the_yielding_law();
   options.bounds["unloading_gain"] = {0.05, 20}; // the truth lies outside: it ends at the bound
   const auto held = fit({&runs[0], &runs[1], &runs[2], &runs[3]}, options);
   EXPECT_EQ(held.parameters.at("unloading_gain").verdict, Verdict::bound);
@@ -69,15 +80,8 @@ TEST(Uncertainty, AParameterAtItsBoundIsHeldWhileTheOthersAreJudged) {
 
 // its own value is no size of a number that vanishes
 TEST(Uncertainty, AParameterNearZeroMakesNoFlatValley) {
-  std::vector<StoredRun> runs;
-  for (const double v : {0.1, 0.2, 0.35, 0.6}) {
-    auto s = window(v, 9.9e8);
-    s.reduced.impact_law = &laws::impact_law("elastoplastic");
-    s.reduced.yield_force = 0.7e6, s.reduced.hardening = 0.156, s.reduced.unloading_gain = 0;
-    runs.push_back(run_of(s));
-  }
-  FitOptions options;
-  options.law = "elastoplastic", options.parameters = laws::impact_law("elastoplastic").parameters;
+  const auto runs = without_gain();
+  FitOptions options = of_the_yielding_law();
   const auto result = fit({&runs[0], &runs[1], &runs[2], &runs[3]}, options);
   EXPECT_LT(result.condition, 1e4);
   for (const char *name : {"k_i", "yield_force", "hardening"})

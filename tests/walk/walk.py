@@ -14,6 +14,7 @@ import sys
 import tomllib
 
 import page_one
+from page_one import read
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 WEIGHT_KN, MASS_KG = 3200.0, 3200e3 / 9.81
@@ -27,11 +28,6 @@ def expect(truth, sentence):
     print(("ok      " if truth else "FAILED  ") + sentence, flush=True)
     if not truth:
         failures.append(sentence)
-
-
-def read(*path):
-    with open(os.path.join(*path), encoding="utf-8") as file:
-        return json.load(file)
 
 
 class Walk:
