@@ -45,6 +45,7 @@ endif()
 if(RIMPACT_FE)
   find_package(deal.II 9.4 REQUIRED)
   find_library(RIMPACT_GMSH gmsh REQUIRED)
+  find_library(RIMPACT_SECCOMP seccomp REQUIRED)
   find_library(RIMPACT_PETSC petsc_real REQUIRED)
   find_library(RIMPACT_SMUMPS smumps REQUIRED) # PETSc brings it
   find_library(RIMPACT_DMUMPS dmumps REQUIRED)

@@ -1,78 +1,40 @@
 #include "meshes/sandbox.h"
 
 #include <cerrno>
-#include <cstddef>
 #include <fcntl.h>
-#include <linux/audit.h>
-#include <linux/filter.h>
-#include <linux/seccomp.h>
+#include <memory>
 #include <sched.h>
-#include <sys/prctl.h>
+#include <seccomp.h>
 #include <sys/resource.h>
-#include <sys/syscall.h>
-#include <vector>
 
 namespace rimpact::meshes {
 namespace {
-
-#if defined(__x86_64__)
-constexpr unsigned architecture = AUDIT_ARCH_X86_64;
-#elif defined(__aarch64__)
-constexpr unsigned architecture = AUDIT_ARCH_AARCH64;
-#else
-constexpr unsigned architecture = 0;
-#endif
-
-constexpr unsigned refused = SECCOMP_RET_ERRNO | EPERM, unknown = SECCOMP_RET_ERRNO | ENOSYS;
-
-/// A filter is a program of its own: load a word of the call, compare, answer.
-class Filter {
-public:
-  Filter() {
-    load(offsetof(seccomp_data, arch));
-    code_.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, architecture, 1, 0));
-    answer(SECCOMP_RET_KILL_PROCESS);
-#ifdef __X32_SYSCALL_BIT // a second numbering of the same calls
-    load(offsetof(seccomp_data, nr));
-    code_.push_back(BPF_JUMP(BPF_JMP | BPF_JGE | BPF_K, __X32_SYSCALL_BIT, 0, 1));
-    answer(SECCOMP_RET_KILL_PROCESS);
-#endif
-  }
-  void refuse(long call, unsigned with = refused) {
-    load(offsetof(seccomp_data, nr));
-    code_.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned>(call), 0, 1));
-    answer(with);
-  }
-  /// Where argument `index` (from 0) has any of `bits`, or, `when_set` false, has none of them.
-  void refuse_bits(long call, int index, unsigned bits, bool when_set = true) {
-    load(offsetof(seccomp_data, nr));
-    code_.push_back(BPF_JUMP(BPF_JMP | BPF_JEQ | BPF_K, static_cast<unsigned>(call), 0, 3));
-    load(offsetof(seccomp_data, args) + 8 * index); // the lower half: flags fit into it
-    code_.push_back(BPF_JUMP(BPF_JMP | BPF_JSET | BPF_K, bits, static_cast<unsigned char>(!when_set),
-                             static_cast<unsigned char>(when_set)));
-    answer(refused);
-  }
-  bool install() {
-    answer(SECCOMP_RET_ALLOW);
-    const sock_fprog program{static_cast<unsigned short>(code_.size()), code_.data()};
-    return architecture != 0 && prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0 &&
-           prctl(PR_SET_SECCOMP, SECCOMP_MODE_FILTER, &program) == 0;
-  }
-
-private:
-  void load(std::size_t offset) {
-    code_.push_back(BPF_STMT(BPF_LD | BPF_W | BPF_ABS, static_cast<unsigned>(offset)));
-  }
-  void answer(unsigned with) {
-    code_.push_back(BPF_STMT(BPF_RET | BPF_K, with));
-  }
-  std::vector<sock_filter> code_;
-};
 
 void limit(__rlimit_resource what, unsigned long value) {
   const rlimit bound{value, value};
   setrlimit(what, &bound);
 }
+
+/// A filter that lets every system call through but those that it refuses.
+class Filter {
+public:
+  Filter() : context_(seccomp_init(SCMP_ACT_ALLOW), seccomp_release) {}
+  /// A call that this machine does not have is refused already.
+  void refuse(int call, int error = EPERM) {
+    if (context_ && seccomp_rule_add(context_.get(), SCMP_ACT_ERRNO(error), call, 0) != 0) complete_ = false;
+  }
+  /// Where the bits `mask` of argument `index` (from 0) are `bits`.
+  void refuse_bits(int call, unsigned index, unsigned mask, unsigned bits) {
+    if (context_ && seccomp_rule_add(context_.get(), SCMP_ACT_ERRNO(EPERM), call, 1,
+                                     SCMP_CMP(index, SCMP_CMP_MASKED_EQ, mask, bits)) != 0)
+      complete_ = false;
+  }
+  bool install() const { return context_ && complete_ && seccomp_load(context_.get()) == 0; }
+
+private:
+  std::unique_ptr<void, void (*)(scmp_filter_ctx)> context_;
+  bool complete_ = true;
+};
 
 } // namespace
 
@@ -80,21 +42,21 @@ bool confine(unsigned long cpu_seconds, unsigned long memory_bytes) {
   limit(RLIMIT_CPU, cpu_seconds);
   limit(RLIMIT_AS, memory_bytes);
   limit(RLIMIT_CORE, 0);
-  constexpr unsigned writing = O_WRONLY | O_RDWR | O_CREAT | O_TRUNC;
   Filter filter;
-  for (const long call : {SYS_execve, SYS_execveat, SYS_socket, SYS_ptrace, SYS_openat2, SYS_truncate, SYS_mkdirat,
-                          SYS_unlinkat, SYS_renameat2, SYS_linkat, SYS_symlinkat, SYS_mknodat, SYS_fchmodat,
-                          SYS_fchownat, SYS_mount, SYS_kill, SYS_io_uring_setup})
+  for (const int call :
+       {SCMP_SYS(execve),    SCMP_SYS(execveat),       SCMP_SYS(socket),   SCMP_SYS(ptrace),    SCMP_SYS(openat2),
+        SCMP_SYS(truncate),  SCMP_SYS(mkdirat),        SCMP_SYS(unlinkat), SCMP_SYS(renameat2), SCMP_SYS(linkat),
+        SCMP_SYS(symlinkat), SCMP_SYS(mknodat),        SCMP_SYS(fchmodat), SCMP_SYS(fchownat),  SCMP_SYS(mount),
+        SCMP_SYS(kill),      SCMP_SYS(io_uring_setup), SCMP_SYS(creat),    SCMP_SYS(mkdir),     SCMP_SYS(rmdir),
+        SCMP_SYS(unlink),    SCMP_SYS(rename),         SCMP_SYS(renameat), SCMP_SYS(link),      SCMP_SYS(symlink),
+        SCMP_SYS(mknod),     SCMP_SYS(chmod),          SCMP_SYS(chown),    SCMP_SYS(fork),      SCMP_SYS(vfork)})
     filter.refuse(call);
-#ifdef SYS_open // calls that newer architectures do not have
-  for (const long call : {SYS_creat, SYS_mkdir, SYS_rmdir, SYS_unlink, SYS_rename, SYS_renameat, SYS_link, SYS_symlink,
-                          SYS_mknod, SYS_chmod, SYS_chown, SYS_fork, SYS_vfork})
-    filter.refuse(call);
-  filter.refuse_bits(SYS_open, 1, writing);
-#endif
-  filter.refuse(SYS_clone3, unknown); // the C library then falls back on clone, whose flags can be seen
-  filter.refuse_bits(SYS_clone, 0, CLONE_THREAD, false);
-  filter.refuse_bits(SYS_openat, 2, writing);
+  filter.refuse(SCMP_SYS(clone3), ENOSYS); // the C library then falls back on clone, whose flags can be seen
+  filter.refuse_bits(SCMP_SYS(clone), 0, CLONE_THREAD, 0);
+  for (const unsigned writing : {O_WRONLY, O_RDWR, O_CREAT, O_TRUNC}) {
+    filter.refuse_bits(SCMP_SYS(open), 1, writing, writing);
+    filter.refuse_bits(SCMP_SYS(openat), 2, writing, writing);
+  }
   return filter.install();
 }
 

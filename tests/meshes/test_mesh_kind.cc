@@ -7,11 +7,14 @@
 #include "scene/script_permission.h"
 
 #include <cstdlib>
+#include <fcntl.h>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
 #include <spawn.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 
 namespace rimpact::meshes {
@@ -118,7 +121,18 @@ TEST_F(ForeignMesh, AConfinedProcessStartsNothingAndWritesNothing) {
   EXPECT_EQ(programs, 0);
   EXPECT_EQ(confined([&] { return std::ofstream(marker()).good() ? 1 : 0; }), 0);
   EXPECT_EQ(confined([&] { return std::remove(path.c_str()) == 0 ? 1 : 0; }), 0);
-  EXPECT_EQ(confined([&] { return std::ifstream(path).good() ? 0 : 1; }), 0); // reading goes on
+  EXPECT_EQ(confined([&] { return ::rename(path.c_str(), marker().c_str()) == 0 ? 1 : 0; }), 0);
+  EXPECT_EQ(confined([] { return ::socket(AF_INET, SOCK_STREAM, 0) >= 0 ? 1 : 0; }), 0);
+  EXPECT_EQ(confined([] { return ::fork() >= 0 ? 1 : 0; }), 0);
+  for (const int mode : {O_WRONLY, O_RDWR, O_RDONLY | O_TRUNC})
+    EXPECT_EQ(confined([&] { return ::open(path.c_str(), mode) >= 0 ? 1 : 0; }), 0) << mode;
+  EXPECT_EQ(confined([&] { return std::ifstream(path).good() ? 0 : 1; }), 0); // reading goes on, and so do threads
+  EXPECT_EQ(confined([] {
+              int seen = 1;
+              std::thread([&] { seen = 0; }).join();
+              return seen;
+            }),
+            0);
 }
 
 } // namespace
