@@ -156,6 +156,32 @@ def reliability_page() -> str:
     return text
 
 
+#: The README's table: which row of which study, in plain words.
+FIRST_STUDY = "rungs-pulse-0.78g"
+FIRST_ROWS = {"reduced": "a constant pair k_i, e as published", "curve": "the rim's curve, pushed once, under a moving mass",
+              "rim-mesh1": "rim, plate and slider where they meet (rung `rim`)", "rigid-dish-mesh1": "these and pad and foot on a rigid dish (`rigid-dish`)",
+              "full-mesh1": "everything (`full`)"}
+BEGIN, END = "<!-- begin: made by docs/generate/results.py -->\n", "<!-- end -->\n"
+
+
+def first_table() -> str:
+    rows = {row["name"]: row for row in json.loads((ROOT / f"data/studies/{FIRST_STUDY}.json").read_text(encoding="utf-8"))["rows"]}
+    text = "| what is solved | time | peak force | rebound |\n|---|---|---|---|\n"
+    for name, words in FIRST_ROWS.items():
+        row = rows[name]
+        seconds = row.get("processor_time_s") or row["wall_time_s"]
+        cells = [words, f"{1e3 * seconds:.0f} ms" if seconds < 1 else f"{seconds:.0f} s",
+                 *(["reference"] * 2 if row.get("reference") else [f"{100 * row[key]:+.1f} %" for key in ("peak_force_error", "rebound_error")])]
+        text += f"| {' | '.join(cells)} |\n"
+    return text
+
+
+def readme() -> str:
+    text = (ROOT / "README.md").read_text(encoding="utf-8")
+    before, rest = text.split(BEGIN)
+    return before + BEGIN + first_table() + END + rest.split(END, 1)[1]
+
+
 def pages() -> dict[str, str]:
     made = {f"{name}.md": texts_page(*parts, REMARKS.get(name, "")) for name, parts in TABLES.items()}
     return {**made, "contact.md": contact_page(False), "contact-two-bodies.md": contact_page(True), "studies.md": studies_page(),
@@ -164,6 +190,7 @@ def pages() -> dict[str, str]:
 
 def main(*options: str) -> int:
     made = {ROOT / "docs" / "results" / name: HEAD + page for name, page in pages().items()}
+    made[ROOT / "README.md"] = readme()
     return settle(made, options, "the tables say; run docs/generate/results.py")
 
 
