@@ -35,7 +35,7 @@ void require_rigid_mass_on_one_dish(const scene::Scene &scene, const std::string
 void take_rung(GivenCase &given, const std::vector<std::string> &overrides) {
   const auto keys = keys_set(overrides);
   const bool asked = std::find(keys.begin(), keys.end(), "model.rung") != keys.end();
-  if (!asked && (given.built_in || !given.has_rung)) given.scene.model.rung = scene::Rung::rim;
+  if (!asked && (given.built_in || !given.has_rung)) given.scene.model.rung = scene::FeSettings{}.rung;
 }
 
 MainTarget main_target(const std::string &where, const std::vector<std::string> &overrides) {

@@ -57,7 +57,7 @@ std::optional<double> scale_for(scene::Scene &scene, double first_touch, double 
 PulseScales pulse_scales(scene::Scene pulse, const SpeedRange &range) {
   PulseScales result;
   if (pulse.reduced.k_i == 0) pulse.reduced.k_i = scene::ReducedSettings{}.k_i; // a scout must feel the rim
-  if (pulse.model.rung != scene::Rung::rim) reduced::add_stack_terms(pulse);
+  if (has_dish(pulse.model.rung)) reduced::add_stack_terms(pulse);
   result.first_touch = reduced::critical_scale(pulse, smallest_scale, largest_scale);
   if (!result.first_touch) {
     result.left_out.push_back(

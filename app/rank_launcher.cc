@@ -86,7 +86,7 @@ int usual_ranks(const std::vector<std::string> &words) {
     add_run_words(*verb, run, console);
     app.parse(std::vector<std::string>(words.rbegin(), words.rend()));
     const scene::Scene scene = scene::load_scene(run.scene, console.settings());
-    const bool dear = scene.model.rung != scene::Rung::rim && scene.model.mesh > 0;
+    const bool dear = has_dish(scene.model.rung) && scene.model.mesh > 0;
     return dear && !run.dry_run ? usual : 1;
   } catch (const std::exception &) { // help is asked for, or something is wrong: rimpact-fe tells
     return 1;

@@ -1,4 +1,4 @@
-/// Errors a user can cause or meet, each with the exit code of INTERFACE (0 done, 1 a bug, ...).
+/// Errors a user can cause or meet, each with the exit code of docs/interface.md (0 done, 1 a bug, ...).
 #pragma once
 #include <stdexcept>
 #include <string>

@@ -171,9 +171,9 @@ Plan rim_plan(const scene::Scene &scene) {
 } // namespace
 
 Plan make_plan(const scene::Scene &scene) {
-  Plan plan = scene.model.rung == scene::Rung::rim ? rim_plan(scene)
-              : scene.excitation.is_dynamic()      ? stack_motion_plan(scene)
-                                                   : stack_path_plan(scene);
+  Plan plan = flies_reduced(scene.model.rung) ? rim_plan(scene)
+              : scene.excitation.is_dynamic() ? stack_motion_plan(scene)
+                                              : stack_path_plan(scene);
   time_by_this_machine(plan);
   if (scene.model.own_mesh.any())
     plan.notes.insert(plan.notes.begin(), "own mesh " + scene.model.own_mesh.file +

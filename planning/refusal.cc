@@ -21,19 +21,19 @@ std::optional<std::string> refusal(const scene::Scene &scene) {
   if (auto reason = beyond_rungs(scene)) return reason;
   using Kind = scene::ExcitationKind;
   const Kind kind = scene.excitation.kind;
-  const bool rim_alone = scene.model.rung == scene::Rung::rim;
+  const bool stands = has_dish(scene.model.rung);
   const std::string rung = word(scene.model.rung), name = "excitation.kind '" + word(kind) + "'";
   const bool on_the_dish = scene.excitation.stays_on_dish();
-  if (rim_alone && on_the_dish)
+  if (!stands && on_the_dish)
     return name +
            " moves on the dish without touching the rim; rung `rim` has nothing to solve there: try --rung rigid-dish";
-  if (!rim_alone && kind == Kind::free)
+  if (stands && kind == Kind::free)
     return name + " is not in this build's rung `" + rung +
            "`; it has: cyclic, figure-eight, path, push, ricker, record, window";
-  if (!rim_alone && kind == Kind::window && !scene.excitation.with_weight)
+  if (stands && kind == Kind::window && !scene.excitation.with_weight)
     return "a weightless window has nothing that holds the stack on its dish: set excitation.with to "
            "[\"weight\", \"friction\"], or run it on rung `rim`";
-  if (!rim_alone && scene.load.vertical <= 0)
+  if (stands && scene.load.vertical <= 0)
     return fmt::format(
         "load.vertical_kN {:g} has nothing that holds the stack on its dish: rung `{}` needs a weight > 0; rung "
         "`rim` can do without",
@@ -43,7 +43,7 @@ std::optional<std::string> refusal(const scene::Scene &scene) {
     return fmt::format("load.mass_kg {:g} is no more than the slider's own mass, {:.1f} kg, which it includes: nothing "
                        "is left to be carried",
                        scene.load.mass, own);
-  if (!rim_alone && on_the_dish && make_plan(scene).rim_takes_part)
+  if (stands && on_the_dish && make_plan(scene).rim_takes_part)
     return fmt::format("excitation.{} {} carries the slider to the rim, L_c = {} m; a quasi-static path must stay "
                        "below it",
                        kind == Kind::path ? "file reaches" : "amplitude_m",

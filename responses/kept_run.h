@@ -24,7 +24,7 @@ struct KeptRun {
 KeptRun kept_run(const std::string &folder, const scene::Scene &scene, const std::string &program = physics_version());
 
 /// A run folder's summary.json; an empty object where there is none. Throws DataError, naming file and key, where it is
-/// damaged or a value has another type than INTERFACE says.
+/// damaged or a value has another type than docs/interface.md says.
 nlohmann::json read_summary(const std::string &folder);
 
 /// A text of a folder's summary.json. Throws DataError where the key holds something else.

@@ -10,7 +10,7 @@ namespace rimpact {
 struct SignalInfo {
   std::string name, units, description;
 };
-/// The signals every model may write, in the order they are stored (INTERFACE).
+/// The signals every model may write, in the order they are stored (docs/interface.md).
 const std::vector<SignalInfo> &known_signals();
 
 class Response {

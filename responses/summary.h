@@ -1,4 +1,4 @@
-/// What summary.json holds (INTERFACE). Peaks are of the horizontal norm.
+/// What summary.json holds (docs/interface.md). Peaks are of the horizontal norm.
 #pragma once
 #include "responses/choices.h"
 #include "responses/response.h"

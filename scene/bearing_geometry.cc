@@ -210,7 +210,7 @@ void check(const Bearing &b, bool with_stack) {
 
 bool needs_only_the_dish(const Scene &s) {
   if (s.reduced.finite_pad || s.reduced.socket_friction) return false;
-  return s.superstructure.any() || (s.excitation.stays_on_dish() && s.model.rung == Rung::rim);
+  return s.superstructure.any() || (s.excitation.stays_on_dish() && !has_dish(s.model.rung));
 }
 
 } // namespace

@@ -67,7 +67,7 @@ bool models_stack(const TomlFile &file) {
     const auto *node = file.find(key);
     return node && node->is_boolean() && node->as_boolean()->get();
   };
-  return (rung && rung != Rung::rim) || on("reduced.finite_pad") || on("reduced.socket_friction");
+  return (rung && has_dish(*rung)) || on("reduced.finite_pad") || on("reduced.socket_friction");
 }
 
 bool is_builtin_name(const std::string &name) {

@@ -12,6 +12,15 @@ constexpr auto choices(Rung) {
   return choices_of<Rung>({{rim, "rim"}, {rigid_dish, "rigid-dish"}, {full, "full"}});
 }
 
+/// The solids stand on the dish: pad and foot are among them, and the dish carries the weight.
+constexpr bool has_dish(Rung rung) {
+  return rung != Rung::rim;
+}
+/// The dish is a law: between impacts the reduced model moves the mass, and the solids are there while the walls touch.
+constexpr bool flies_reduced(Rung rung) {
+  return !has_dish(rung);
+}
+
 /// Whether half of the bearing is meshed.
 enum class Symmetry { by_plan, half, whole };
 constexpr auto choices(Symmetry) {

@@ -6,7 +6,7 @@
 
 namespace rimpact::scene {
 
-/// Names of the groups a mesh of the bearing carries (INTERFACE, "Mesh groups"): five volumes, then the surfaces.
+/// Names of the groups a mesh of the bearing carries (docs/interface.md): five volumes, then the surfaces.
 inline constexpr std::array mesh_group_names{"plate",    "rim",        "pad",         "foot",       "upper_slider",
                                              "dish",     "rim_wall",   "pad_face",    "pad_top",    "foot_seat",
                                              "foot_cap", "socket",     "slider_side", "top",        "fixed",

@@ -87,7 +87,7 @@ struct Scene {
   bool impact_resilient() const { return reduced.model == ModelKind::lir_dcfp; }
   bool double_concave() const { return reduced.model == ModelKind::dcfp || impact_resilient(); }
   /// Whether pad and foot are modelled: rungs rigid-dish and full, and the reduced model's terms of pad and socket.
-  bool needs_stack() const { return model.rung != Rung::rim || reduced.finite_pad || reduced.socket_friction; }
+  bool needs_stack() const { return has_dish(model.rung) || reduced.finite_pad || reduced.socket_friction; }
   /// Displacement at which the rim of the model's bearing is touched [m].
   double lateral_capacity() const {
     return double_concave() ? isolator.lateral_capacity() : bearing.lateral_capacity();

@@ -8,7 +8,7 @@ import sys
 from check_values import without_comments
 
 LOOP = re.compile(r"\b(?:for|while|do)\b\s*[({]")
-STEP = re.compile(r"\b(?:time_step|static_step|checked_step|move_to|attempt)\s*\(")
+STEP = re.compile(r"\b(?:time_step|static_step|motion_step|move_to|attempt)\s*\(")
 RETRIES = "fe_contact/solver/march.cc"
 
 

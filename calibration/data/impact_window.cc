@@ -117,7 +117,8 @@ StoredRun read_run(const std::string &folder, const WindowOptions &options) {
   const nlohmann::json summary = read_summary(folder);
   const auto solver = word_in<SolvedBy>(summary, "rung", folder);
   // The reference has the pad's and the socket's terms by itself; what is fitted to it must have them too.
-  if (solver && rung_of(*solver).value_or(scene::Rung::rim) != scene::Rung::rim) reduced::add_stack_terms(scene);
+  const auto rung = solver ? rung_of(*solver) : std::nullopt;
+  if (rung && has_dish(*rung)) reduced::add_stack_terms(scene);
   StoredRun run = make_run(folder, scene, read_response(folder), options);
   run.summary.status = word_in<RunStatus>(summary, "status", folder).value_or(RunStatus::done);
   run.summary.rung = solver.value_or(SolvedBy::reduced);

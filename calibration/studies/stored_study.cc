@@ -78,7 +78,7 @@ std::string against(const json &study) {
 
 /// Whether it studied what the scene is: the rim, and with a rung that models the dish all of the bearing.
 bool same_solid(const StoredStudy &study, const scene::Scene &scene) {
-  if (scene.model.rung == scene::Rung::rim) return study.rim_identity == scene::rim_identity(scene.bearing);
+  if (!has_dish(scene.model.rung)) return study.rim_identity == scene::rim_identity(scene.bearing);
   return study.bearing_identity == scene::bearing_identity(scene.bearing);
 }
 

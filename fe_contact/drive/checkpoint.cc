@@ -15,7 +15,7 @@ using namespace hdf5;
 namespace {
 
 constexpr std::size_t header_size = 512; // HDF5 looks for its beginning at 0, 512, 1024 ...
-constexpr const char *mark = "rimpact checkpoint, format 6\nsha256 ";
+constexpr const char *mark = "rimpact checkpoint, format 7\nsha256 ";
 
 std::string header_of(const std::string &body) {
   std::string header = mark + sha256(body) + "\n";
@@ -75,6 +75,7 @@ void read_groups(const std::string &body, Checkpoint &checkpoint) {
 } // namespace
 
 bool Limits::contains(double value) const {
+  if (infinite && std::isinf(value)) return true;
   return value >= low && value <= high && (!whole || value == std::floor(value));
 }
 
@@ -103,7 +104,7 @@ double Checkpoint::number(const std::string &name, Limits limits) const {
 
 const std::string &Checkpoint::text(const std::string &name) const {
   const auto found = texts.find(name);
-  if (found == texts.end()) damaged("text " + name + " is missing");
+  if (found == texts.end()) damaged("field " + name + " is missing");
   return found->second;
 }
 

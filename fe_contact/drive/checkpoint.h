@@ -3,7 +3,6 @@
 /// file with a changed bit is refused before anything of it is read. The reader states of every field how many values
 /// are due and what they may be: a file of another build or hand is refused in one sentence too.
 #pragma once
-#include <limits>
 #include <map>
 #include <string>
 #include <vector>
@@ -14,10 +13,11 @@ namespace rimpact::fe {
 struct Limits {
   double low = -1e30, high = 1e30;
   bool whole = false;                ///< a whole number
+  bool infinite = false;             ///< it may be infinite too
   bool contains(double value) const; ///< NaN is nowhere
 };
 inline constexpr Limits flag{0, 1, true}, count{0, 1e15, true};
-inline constexpr Limits infinite_too{-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
+inline constexpr Limits infinite_too{.infinite = true};
 
 struct Checkpoint {
   std::map<std::string, std::vector<double>> numbers;

@@ -1,7 +1,6 @@
 // Pictures' data: VTU files of the deformed solids and their PVD index.
 #include "fe_contact/drive/fields.h"
 
-#include "fe_contact/drive/record_checkpoint.h"
 #include "fe_contact/engine/solid_fields.h"
 #include "files/error.h"
 #include "files/file.h"
@@ -27,11 +26,12 @@ void write_fields(const BearingSystem &system, const SystemState &state, const E
   for (double &value : cells.von_mises) value *= 1e-6;
   const auto name = fmt::format("fields/{}_{:03d}.vtu", word(system.model().rung.name), record.fields.size());
   std::filesystem::create_directories(options.folder + "/fields");
-  std::vector<Discretisation::Field> fields{{"displacement", 3, false, list(displacements)},
-                                            {"contact_pressure_MPa", 1, false, pressure},
-                                            {"gap_mm", 1, false, gap},
-                                            {"von_mises_MPa", 1, true, cells.von_mises},
-                                            {"equivalent_plastic_strain", 1, true, cells.plastic_strain}};
+  std::vector<Discretisation::Field> fields{
+      {"displacement", 3, false, {displacements.data(), displacements.data() + displacements.size()}},
+      {"contact_pressure_MPa", 1, false, pressure},
+      {"gap_mm", 1, false, gap},
+      {"von_mises_MPa", 1, true, cells.von_mises},
+      {"equivalent_plastic_strain", 1, true, cells.plastic_strain}};
   constexpr const char *components[] = {"xx", "yy", "zz", "xy", "yz", "zx"};
   for (int i = 0; i < 6; ++i) {
     for (double &value : cells.stress[i]) value *= 1e-6;

@@ -1,7 +1,9 @@
 #include "fe_contact/drive/flight_run.h"
 #include "fe_contact/drive/fields.h"
 #include "fe_contact/drive/forces.h"
+#include "fe_contact/drive/record_checkpoint.h"
 #include "fe_contact/drive/solver_counts.h"
+#include "fe_contact/drive/state_fields.h"
 #include "fe_contact/engine/solid_fields.h"
 
 #include "files/error.h"
@@ -15,12 +17,30 @@ namespace {
 constexpr double arc_width = 0.14;
 constexpr double shortest_stretch = 1e-12; ///< less than this before its end a scene has ended [s]
 constexpr double nearest_look = 1e-3;      ///< a dented arc's true gap is computed within this of touch [m]
+constexpr int steps_a_checkpoint = 25;     ///< in contact
+
+void visit_bearing(StateVisitor &v, reduced::BearingState &bearing, double end) {
+  constexpr Limits reach{-1e4, 1e4};
+  v.number("time", bearing.t, {0, end + 1e-9});
+  v.point("u", bearing.u, reach);
+  v.point("v", bearing.v, reach);
+  v.flag("airborne", bearing.airborne);
+  v.number("eta_x", bearing.eta.x(), reach);
+  v.number("eta_y", bearing.eta.y(), reach);
+}
 
 } // namespace
 
+FlightRun::FlightRun(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
+                     BearingSystem &system, RunRecord &record)
+    : Drive(options, record, steps_a_checkpoint), scene_(scene), plan_(plan), system_(system),
+      step_options_(step_options(system.model().rung, scene)), model_(scene), loads_(scene, model_),
+      bearing_(model_.initial_state()), support_(loads_.initial_support()),
+      touch_height_(model_.height(scene.bearing.lateral_capacity(), 0).z) {}
+
 void FlightRun::run() {
   if (options_.resume)
-    restore();
+    restore(kept_checkpoint(options_, record_));
   else
     start();
   if (record_.ended) return;
@@ -52,11 +72,10 @@ const Arc *FlightRun::arc_at(const Eigen::Vector3d &u) const {
   return nullptr;
 }
 
-Arc &FlightRun::touched_arc() {
-  if (in_contact_) return arcs_[current_];
+void FlightRun::choose_arc() {
   if (const Arc *known = arc_at(bearing_.u)) {
-    current_ = known - arcs_.data();
-    return arcs_[current_];
+    current_ = static_cast<std::size_t>(known - arcs_.data());
+    return;
   }
   const double direction = std::atan2(bearing_.u.y(), bearing_.u.x());
   for (const auto &arc : arcs_)
@@ -65,7 +84,6 @@ Arc &FlightRun::touched_arc() {
                                  " degrees of one another; each was solved with its own yielded state");
   arcs_.push_back({{direction, capacity(), touch_height_}, system_.at_rest(), false});
   current_ = arcs_.size() - 1;
-  return arcs_.back();
 }
 
 bool FlightRun::fly() {
@@ -115,17 +133,17 @@ void FlightRun::pad_fe_signals() {
     step.push_back(k > 0 ? r.series("time")[k] - r.series("time")[k - 1] : 0.0);
 }
 
-void FlightRun::sample(const Arc &arc, int iterations, const MassForces &forces, double dt) {
-  const Eigen::Vector3d rim = arc.frame.to_global(system_.force_of(arc.state, Role::wall));
-  fe::sample(record_, system_, arc.state,
+void FlightRun::sample(int iterations, const MassForces &forces, double dt) {
+  const Eigen::Vector3d rim = arc().frame.to_global(system_.force_of(arc().state, Role::wall));
+  fe::sample(record_, system_, arc().state,
              {bearing_.t, bearing_.u, bearing_.v,
-              BearingForces{forces.pendular, forces.friction, rim, std::max(0.0, forces.normal)},
-              capacity() - bearing_.u.head<2>().norm(), iterations, dt});
+              BearingForces{forces.pendular, forces.friction, rim, std::max(0.0, forces.normal)}, -penetration(),
+              iterations, dt});
 }
 
-void FlightRun::write_fields(const Arc &arc) {
-  fe::write_fields(system_, arc.state, system_.expand(arc.state), bearing_.t, options_, record_,
-                   arc.frame.direction * 180 / M_PI);
+void FlightRun::write_fields() {
+  fe::write_fields(system_, arc().state, system_.expand(arc().state), bearing_.t, options_, record_,
+                   arc().frame.direction * 180 / M_PI);
 }
 
 SteelReport FlightRun::steel() const {
@@ -135,13 +153,38 @@ SteelReport FlightRun::steel() const {
 }
 
 void FlightRun::finish() {
-  if (in_contact_) write_fields(arcs_[current_]);
-  if (in_contact_ && touched_) {
-    impact_.rebound_speed = -radial_speed(); // the scene's end, not the rim's
-    record_.impacts.push_back(impact_);
+  if (in_contact_) write_fields();
+  if (in_contact_ && impact_.touched()) {
+    impact_.set_rebound(-radial_speed()); // the scene's end, not the rim's
+    record_.impacts.push_back(impact_.impact());
   }
   record_.ended = true;
   save();
+}
+
+void FlightRun::start_afresh() {
+  if (!arcs_.empty()) system_.start_afresh_at(arc().state);
+}
+
+void FlightRun::visit(StateVisitor &v) {
+  constexpr double most_arcs = 1000;
+  v.part("bearing", [&] { visit_bearing(v, bearing_, end_time()); });
+  v.choice("support", support_);
+  v.length("arcs", arcs_, most_arcs, [&] { return Arc{{0, capacity(), touch_height_}, system_.at_rest(), false}; });
+  for (std::size_t k = 0; k < arcs_.size(); ++k)
+    v.part("arc" + std::to_string(k), [&, &arc = arcs_[k]] {
+      v.number("direction", arc.frame.direction, {-7, 7});
+      v.flag("yielded", arc.yielded);
+      fe::visit(v, arc.state);
+    });
+  v.integer("current_arc", current_, 0, std::max(0.0, static_cast<double>(arcs_.size()) - 1));
+  v.flag("in_contact", in_contact_);
+  v.number("next_step", next_step_, {in_contact_ ? 1e-300 : 0, 1e6});
+  v.number("multiplier", multiplier_);
+  v.number("others_elastic", others_elastic_);
+  v.number("others_plastic", others_plastic_);
+  v.number("lift_height", lift_height_);
+  v.part("impact", [&] { impact_.visit(v); });
 }
 
 void run_flights(const Rung &rung, const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,

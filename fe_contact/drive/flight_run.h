@@ -2,10 +2,10 @@
 /// flies; while the walls touch, the solids are stepped implicitly with the rest of the bearing acting on the slider's
 /// top face. The mass is handed over at touch and release. Each touched arc keeps its own yielded state.
 #pragma once
-#include "fe_contact/drive/checkpoint.h"
+#include "fe_contact/drive/drive.h"
 #include "fe_contact/drive/flight_step.h"
+#include "fe_contact/drive/impact_follower.h"
 #include "fe_contact/drive/order.h"
-#include "fe_contact/drive/run_record.h"
 #include "fe_contact/rungs/mass_loads.h"
 
 namespace rimpact::fe {
@@ -22,15 +22,10 @@ struct Arc {
   bool yielded = false;
 };
 
-class FlightRun {
+class FlightRun : public Drive {
 public:
   FlightRun(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options, BearingSystem &system,
-            RunRecord &record)
-      : scene_(scene), plan_(plan), options_(options), system_(system),
-        step_options_(step_options(system.model().rung, scene)), record_(record), model_(scene), loads_(scene, model_),
-        bearing_(model_.initial_state()), support_(loads_.initial_support()),
-        touch_height_(model_.height(scene.bearing.lateral_capacity(), 0).z) {}
-
+            RunRecord &record);
   void run();
   /// Of all touched arcs.
   SteelReport steel() const;
@@ -39,82 +34,66 @@ private:
   bool window() const { return scene_.excitation.kind == scene::ExcitationKind::window; }
   double end_time() const { return scene_.excitation.duration; }
   double capacity() const { return scene_.bearing.lateral_capacity(); }
+  double penetration() const { return bearing_.u.head<2>().norm() - capacity(); } ///< beyond L_c [m]
   double radial_speed() const {
     return bearing_.v.head<2>().dot(bearing_.u.head<2>().normalized());
   } ///< outwards [m/s]
 
   void start();
-
   /// Distance of the walls at a slider displacement: exact for fresh arcs, by projection for dented ones.
   double wall_gap(const Eigen::Vector3d &u) const;
-
   const Arc *arc_at(const Eigen::Vector3d &u) const;
-
-  Arc &touched_arc();
-
+  void choose_arc(); ///< that is touched: a known one, or a fresh one
   /// Reduced flight until the walls touch. False: the scene ended first.
   bool fly();
-
   /// One stretch of flight into the record, whole even where the reduced model stops.
   reduced::FlightEnd reduced_flight(double t_end, const std::function<double(const Eigen::Vector3d &)> &stop);
-
   void pad_fe_signals();
-
-  /// Global forces where the arc's slider is now, at t, with the dish's push on the mass [N].
-  MassForces forces_now(const Arc &arc, double t, double multiplier) const;
-
-  /// The walls touch: the solids take over, moving as the mass does.
-  void begin_contact(Arc &arc);
-
-  void contact();
-
-  /// One step from t; false acceptance leaves everything as it was.
-  Attempt attempt(Arc &arc, double t, double dt);
-  /// Support, release and what else an accepted step calls for. True: the contact has ended.
-  bool after_step(Arc &arc, const ContactStepReport &report);
-  Eigen::Vector3d top_of(const Arc &arc) const { return system_.top_of(arc.state.u); } ///< local, from first touch [m]
-  Eigen::Vector3d top_speed_of(const Arc &arc) const { return system_.top_of(arc.state.v); } ///< [m/s]
-  const SurfaceContactReport &wall_of(const Arc &arc) const { return *system_.report_of(arc.state, Role::wall); }
-  void write_fields(const Arc &arc);
-
-  /// Throws SolverStopped where the rim is folded over, or has let go of a slider that still moves outwards: it has
-  /// passed the rim.
-  void refuse_passage(double outward_speed, bool bears);
-
-  bool lifts_off(const ContactStepReport &report) const;
-  /// The dish is held by its speed (see RemoteLoad), so that heights drift by microns: those since the lift-off count.
-  bool lands(const Arc &arc) const;
-  double height_above_dish(const Arc &arc) const; ///< [m]
-
-  /// Lift-off, landing and release are cut down to a fine step, so that their instants are sharp.
-  bool event_is_sharp(const Arc &arc, const ContactStepReport &report, double dt, double finest);
-
-  /// Local errors of the top face's displacement and of the energy; also sets the next step's length.
-  bool error_is_small(const FlightStep &step, double dt);
-
-  void accept(Arc &arc, const FlightStep &step, const ContactStepReport &report, double dt);
-
-  /// Touchdown on the dish: the normal velocity is reversed with the stated restitution, its energy booked as
-  /// contact.
-  void land(Arc &arc);
-
-  /// The walls have parted: the parts come to rest, what they still vibrated with is booked as lost in the
-  /// impact.
-  void end_contact(Arc &arc);
-
-  void sample(const Arc &arc, int iterations, const MassForces &forces, double dt);
-
   void finish();
 
-  void save();
-  void restore();
+  // While the walls touch (flight_contact.cc):
+  /// Global forces where the arc's slider is now, at t, with the dish's push on the mass [N].
+  MassForces forces_now(double t, double multiplier) const;
+  /// The walls touch: the solids take over, moving as the mass does.
+  void begin_contact();
+  void contact();
+  double smallest_step() const { return plan_.step_in_contact / 4096; }       ///< [s]
+  Eigen::Vector3d top() const { return system_.top_of(arc().state.u); }       ///< local, from first touch [m]
+  Eigen::Vector3d top_speed() const { return system_.top_of(arc().state.v); } ///< [m/s]
+  double wall_force() const { return system_.force_of(arc().state, Role::wall).head<2>().norm(); } ///< [N]
+  double height_above_dish() const;                                                                ///< [m]
+  FlightStep flight_step(const SolvedStep &step) const;
+  void sample(int iterations, const MassForces &forces, double dt);
+  void write_fields();
+  void picture(double t, double dt); ///< fields at the deepest point, and where they are asked for
+  /// Throws SolverStopped where the rim is folded over, or has let go of a slider that still moves outwards: it has
+  /// passed the rim.
+  void refuse_passage();
+  /// Touchdown on the dish: the normal velocity is reversed with the stated restitution, its energy booked as
+  /// contact.
+  void land();
+  /// The walls have parted: the parts come to rest, what they still vibrated with is booked as lost in the
+  /// impact.
+  void end_contact();
+
+  Arc &arc() { return arcs_[current_]; }
+  const Arc &arc() const { return arcs_[current_]; }
+  ContactSystem &system() override { return system_; }
+  SystemState &state() override { return arc().state; }
+  ContactStepReport solve(double t, double dt) override;
+  std::vector<Event> events(const SolvedStep &step) const override;
+  double sharp_step(const std::vector<Event> &events) const override;
+  /// Local errors of the top face's displacement and of the energy.
+  Attempt assess(const SolvedStep &step) override;
+  void follow(const SolvedStep &step) override;
+  bool take(const std::vector<Event> &events) override;
+  void visit(StateVisitor &v) override;
+  void start_afresh() override;
 
   const scene::Scene &scene_;
   const planning::Plan &plan_;
-  const RunOptions &options_;
   BearingSystem &system_;
   const StepOptions step_options_;
-  RunRecord &record_;
   reduced::PhysicalModel model_;
   MassLoads loads_;
   reduced::BearingState bearing_;
@@ -122,11 +101,13 @@ private:
   double touch_height_;
   std::vector<Arc> arcs_;
   std::size_t current_ = 0; ///< arc in contact
-  long steps_kept_ = 0;     ///< steps made when the last checkpoint was written
-  bool in_contact_ = false, touched_ = false, peak_written_ = false;
-  double dt_ = 0, multiplier_ = 0, others_elastic_ = 0, others_plastic_ = 0;
+  bool in_contact_ = false;
+  double multiplier_ = 0; ///< the dish's push on the mass
+  double others_elastic_ = 0, others_plastic_ = 0;
   double lift_height_ = 0; ///< above the dish when the mass lifted off, at most 0 [m]
-  Impact impact_{};
+  ImpactFollower impact_;
+  MassForces forces_before_, forces_after_; ///< of the step
+  StepEnergies energies_;                   ///< of the step
 };
 
 } // namespace rimpact::fe

@@ -14,14 +14,12 @@ double FlightStep::work(const Eigen::Vector3d &force_before, const Eigen::Vector
   return 0.5 * (force_before + force_after).dot(travel());
 }
 
-double FlightStep::unbalanced() const {
-  const auto *wall = system.report_of(now, Role::wall);
-  const double share = system.model().share(),
-               stored =
-                   share * (now.energies.elastic + now.energies.plastic - old.energies.elastic - old.energies.plastic),
-               taken = wall->normal_work + wall->friction_work;
-  return work(before.total(), after.total()) -
-         (share * (system.kinetic_energy(now) - system.kinetic_energy(old) + taken + integrator_loss) + stored);
+StepEnergies FlightStep::energies(const ContactStepReport &report) const {
+  StepEnergies result = energies_of(system, now, report, system.model().share());
+  result.external = work(before.ground, after.ground);
+  result.gravity = -work(before.weight, after.weight);
+  result.friction -= work(before.friction, after.friction);
+  return result;
 }
 
 double FlightStep::displacement_error(double rho_inf, double dt) const {

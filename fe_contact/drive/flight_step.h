@@ -1,5 +1,6 @@
-/// What one step of the touched walls left behind on the whole bearing: energies, works, errors.
+/// What one step of the touched walls did to the whole bearing: energies, works, errors.
 #pragma once
+#include "fe_contact/drive/ledger.h"
 #include "fe_contact/rungs/bearing_model.h"
 #include "fe_contact/rungs/mass_loads.h"
 #include "fe_contact/rungs/rim_frame.h"
@@ -14,12 +15,12 @@ struct FlightStep {
   const RimFrame &frame;
   const SystemState &old, &now;
   const MassForces &before, &after;
-  double integrator_loss; ///< of the model [J]
 
   Eigen::Vector3d travel() const;                                                             ///< of the mass [m]
   double work(const Eigen::Vector3d &force_before, const Eigen::Vector3d &force_after) const; ///< trapezoidal [J]
-  /// Energy that nothing accounts for: the trapezoidal work of the forces against what is stored, moving and lost [J].
-  double unbalanced() const;
+  StepEnergies energies(const ContactStepReport &report) const;                               ///< the ledger's
+  /// Work of the dish, a constraint on the mass, of which the ledger has no entry [J].
+  double work_of_dish() const { return work(before.pendular, after.pendular); }
   /// Local error of the top face's radial displacement, of generalised-alpha's beta [m].
   double displacement_error(double rho_inf, double dt) const;
 };

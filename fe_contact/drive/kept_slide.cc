@@ -1,7 +1,7 @@
 #include "fe_contact/drive/kept_slide.h"
 
-#include "fe_contact/drive/record_checkpoint.h"
-#include "fe_contact/drive/system_checkpoint.h"
+#include "fe_contact/drive/run.h"
+#include "fe_contact/drive/state_fields.h"
 #include "fe_contact/solver/ranks.h"
 #include "files/digest.h"
 #include "files/error.h"
@@ -35,6 +35,18 @@ std::string key_of(const scene::Scene &scene, const planning::Plan &plan) {
   return key;
 }
 
+struct SlideOut {
+  SystemState &state;
+  TopDrive &drive;
+  double rest_height;
+};
+
+void visit(StateVisitor &v, SlideOut &slide) {
+  fe::visit(v, slide.state);
+  v.part("drive", [&] { fe::visit(v, slide.drive, slide.state.u.size()); });
+  v.number("rest_height", slide.rest_height);
+}
+
 } // namespace
 
 KeptSlide::KeptSlide(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options) {
@@ -45,22 +57,22 @@ KeptSlide::KeptSlide(const scene::Scene &scene, const planning::Plan &plan, cons
   writes_ = options.keeps_files();
 }
 
-bool KeptSlide::take(const BearingSystem &system, SystemState &state, TopDrive &drive, double &rest_height) const {
+bool KeptSlide::take(SystemState &state, TopDrive &drive, double &rest_height) const {
   bool whole = false;
   std::error_code none;
   if (!path_.empty() && fs::is_regular_file(path_, none)) {
     try {
       SystemState kept = state;
+      TopDrive kept_drive;
       const Checkpoint file = read_checkpoint(path_);
       whole = file.text("key") == key_;
       if (whole) {
-        get(file, kept);
-        const auto &way = file.field("way", 3);
-        const double height = file.number("rest_height");
-        drive.last_change = vector(file.field("drive_change", std::size_t(system.equations().n)));
-        drive.last_way = vector(way);
+        StateReader reader(file);
+        SlideOut slide{kept, kept_drive, 0};
+        visit(reader, slide);
         state = kept;
-        rest_height = height;
+        drive = kept_drive;
+        rest_height = slide.rest_height;
       }
     } catch (const DataError &) {
       whole = false; // damaged, or of an older format: it is made anew
@@ -69,14 +81,13 @@ bool KeptSlide::take(const BearingSystem &system, SystemState &state, TopDrive &
   return !ranks().any(!whole);
 }
 
-void KeptSlide::keep(const SystemState &state, const TopDrive &drive, double rest_height) const {
+void KeptSlide::keep(SystemState &state, TopDrive &drive, double rest_height) const {
   if (!writes_ || path_.empty()) return;
   Checkpoint file;
   file.texts["key"] = key_;
-  put(file, state);
-  file.numbers["drive_change"] = list(drive.last_change);
-  file.numbers["way"] = list(drive.last_way);
-  file.numbers["rest_height"] = {rest_height};
+  StateWriter writer(file);
+  SlideOut slide{state, drive, rest_height};
+  visit(writer, slide);
   std::error_code failed;
   fs::create_directories(fs::path(path_).parent_path(), failed);
   if (failed) throw IoError("cannot make the folder of " + path_ + ": " + failed.message());

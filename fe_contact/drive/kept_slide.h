@@ -16,9 +16,9 @@ public:
 
   /// Into a state of the same system, the drive that brought it there, and the top face's height at rest on the vertex
   /// [m]. False: none is kept, or it is not whole.
-  bool take(const BearingSystem &system, SystemState &state, TopDrive &drive, double &rest_height) const;
-  /// Throws IoError.
-  void keep(const SystemState &state, const TopDrive &drive, double rest_height) const;
+  bool take(SystemState &state, TopDrive &drive, double &rest_height) const;
+  /// Throws IoError. State and drive stay as they are.
+  void keep(SystemState &state, TopDrive &drive, double rest_height) const;
   /// Its file; empty: none.
   const std::string &path() const { return path_; }
 

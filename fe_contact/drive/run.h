@@ -44,7 +44,7 @@ struct RunOptions {
   bool keeps_fields() const { return fields && keeps_files(); }
 };
 
-/// Throws InputError when this build cannot run the scene (rung, kind of excitation, friction at the rim).
+/// Throws InputError when this build cannot run the scene (see planning::refusal).
 void check_supported(const scene::Scene &scene);
 
 /// Writes the run folder whatever happens (partial results, status, checkpoint). Returns the summary.

@@ -1,4 +1,4 @@
-// Where the slider is, its rim joining and leaving the equations, what an impact was, and the ledger over all of it.
+// Where the slider is, its rim joining and leaving the equations, and what an impact was.
 #include "fe_contact/drive/forces.h"
 #include "fe_contact/drive/sliding_run.h"
 
@@ -23,7 +23,7 @@ double SlidingRun::gap() const {
 }
 
 double SlidingRun::surface_gap() const {
-  return touched_ ? active().wall_distance(state_, gap()) : gap();
+  return impact_.touched() ? active().wall_distance(state_, gap()) : gap();
 }
 
 double SlidingRun::closing_speed() const {
@@ -38,45 +38,32 @@ bool SlidingRun::touching() const {
 void SlidingRun::join() {
   if (!all_solid()) state_ = joined_state(alone_, state_, held_, joined_);
   near_rim_ = true;
-  touched_ = peak_written_ = false;
-  report_.ledger.elastic = state_.energies.elastic;
-  report_.ledger.plastic = state_.energies.plastic;
+  impact_.forget();
 }
 
 void SlidingRun::part() {
-  if (touched_) {
-    record_.impacts.push_back(impact_);
+  if (impact_.touched()) {
+    record_.impacts.push_back(impact_.impact());
     write_fields();
   }
-  next_step_ = transient_.contact_step;
-  if (all_solid()) {
-    near_rim_ = touched_ = false;
-    return;
-  }
+  next_step_ = motion_.contact_step;
   const double kinetic = joined_.kinetic_energy(state_);
-  state_ = parted_state(model_, joined_, state_, alone_, held_);
-  near_rim_ = touched_ = false;
-  auto &ledger = report_.ledger;
-  ledger.elastic = state_.energies.elastic;
-  ledger.plastic = state_.energies.plastic;
-  ledger.kinetic = alone_.kinetic_energy(state_);
-  record_.ledger.impact += model_.share() * (kinetic - ledger.kinetic); // the rim still rang
-  record_.ledger.kinetic = model_.share() * ledger.kinetic;
+  if (!all_solid()) state_ = parted_state(model_, joined_, state_, alone_, held_);
+  near_rim_ = false;
+  impact_.forget();
+  if (all_solid()) return;
+  const double left = alone_.kinetic_energy(state_);
+  record_.ledger.impact += model_.share() * (kinetic - left); // the rim still rang
+  record_.ledger.kinetic = model_.share() * left;
 }
 
-void SlidingRun::follow_impact(double t, double dt) {
+void SlidingRun::follow_impact(const SolvedStep &step) {
   const double force = active().force_of(state_, Role::wall).head<2>().norm();
   if (force <= 0) return;
-  const Eigen::Vector3d u = travel();
-  if (!touched_) impact_ = {t - dt, t, std::atan2(u.y(), u.x()) * 180 / M_PI, closing_before_, 0, 0, 0};
-  touched_ = true;
-  impact_.release_time = t;
-  impact_.rebound_speed = -closing_speed();
-  impact_.peak_force = std::max(impact_.peak_force, force);
-  impact_.peak_penetration = std::max(impact_.peak_penetration, -gap());
-  if (peak_written_ || closing_speed() > 0) return;
-  peak_written_ = true;
-  write_fields();
+  if (!impact_.touched()) impact_.begin(step.t, travel(), closing_before_);
+  impact_.touch();
+  impact_.follow(t_, force, -gap(), closing_speed());
+  if (impact_.turns(closing_speed())) write_fields();
 }
 
 /// Once, at the first instant without a normal force: the landings that follow are most of the run.
@@ -88,25 +75,6 @@ void SlidingRun::tell_lift() {
       "the slider leaves the dish at t = {:.3f} of {:g} s: it lands again every tenth of a second or so, undamped, and "
       "each landing takes about a hundred iterations; a shorter excitation.duration_s ends the run sooner",
       t_, end_time()));
-}
-
-/// The model's ledger of the step becomes the whole bearing's.
-void SlidingRun::account() {
-  auto &ledger = record_.ledger;
-  const auto &model = report_.ledger;
-  const double share = model_.share();
-  const double weight = -scene_.load.vertical * (travel().z() - height_before_); // work of the dead load
-  ledger.external += share * (model.external - external_before_) - weight;
-  ledger.gravity -= weight;
-  ledger.kinetic = share * model.kinetic;
-  ledger.elastic = share * (model.elastic + (rim_is_solid() ? 0 : held_.energies.elastic)) - rest_elastic_;
-  ledger.plastic = share * (model.plastic + (rim_is_solid() ? 0 : held_.energies.plastic)) - rest_plastic_;
-  ledger.friction = share * model.friction;
-  ledger.contact = share * model.contact;
-  ledger.integrator = share * model.integrator;
-  ledger.largest_input = std::max(ledger.largest_input, ledger.initial + std::abs(ledger.external));
-  external_before_ = model.external;
-  height_before_ = travel().z();
 }
 
 } // namespace rimpact::fe

@@ -48,7 +48,7 @@ void balance(BearingSystem &system, SystemState &state, const Eigen::VectorXd &l
 
 } // namespace
 
-std::optional<double> SlidingRun::unmeshed_direction() const {
+std::optional<double> SlidingRun::unmeshed_direction() {
   constexpr double served = 0.15; // cells grow away from a sector's middle [rad]
   const Eigen::Vector3d u = travel();
   const double direction = std::atan2(u.y(), u.x()),
@@ -74,15 +74,14 @@ void SlidingRun::take_over(const SlidingRun &old) {
   state_.history = transfer.history(old.state_.history);
   carry_contacts(old.state_, active(), state_);
   if (!all_solid() && old.held_.displacement.size()) held_.displacement = transfer.nodal(old.held_.displacement);
-  balance(active(), state_, load(old.t_), transient_.step);
+  balance(active(), state_, load(old.t_), motion_.step);
   if (!all_solid()) {
     const SolidEnergies all = energies_at(model_, joined_, displacements(), state_.history);
     held_.energies = {all.elastic - state_.energies.elastic, all.plastic - state_.energies.plastic};
   }
   t_ = old.t_, rest_height_ = old.rest_height_, rest_elastic_ = old.rest_elastic_, rest_plastic_ = old.rest_plastic_;
-  external_before_ = old.external_before_, height_before_ = travel().z(), steps_kept_ = old.steps_kept_;
-  next_step_ = transient_.contact_step;
-  report_ = old.report_;
+  scale_ = old.scale_, height_before_ = travel().z();
+  next_step_ = motion_.contact_step;
   const double lost = book_hand_over(old);
   record_.n_dofs = joined_.equations().n;
   record_.warnings.push_back(fmt::format(
@@ -91,23 +90,22 @@ void SlidingRun::take_over(const SlidingRun &old) {
       "{} sectors and {} unknowns; the hand-over to the new mesh changed the energy by {:.1e} of the largest input",
       t_, plan_.sectors.back() * 180 / M_PI, plan_.sectors.size(), record_.n_dofs,
       lost / std::max(record_.ledger.largest_input, 1e-300)));
-  active().start_afresh_at(state_);
   save();
 }
 
-/// What the new mesh stores less than the old one is the numerics' loss. Returns its amount, of the whole bearing [J].
+/// What the new mesh stores less than the old one is the numerics' loss. Returns its amount [J].
 double SlidingRun::book_hand_over(const SlidingRun &old) {
-  auto &ledger = report_.ledger;
-  const double kinetic = active().kinetic_energy(state_);
-  const double moving =
-      ledger.kinetic - kinetic + ledger.elastic - state_.energies.elastic + ledger.plastic - state_.energies.plastic;
-  const double held = old.held_.energies.elastic - held_.energies.elastic + old.held_.energies.plastic -
-                      held_.energies.plastic,
-               sunk = scene_.load.vertical * (old.height_before_ - height_before_);
-  ledger.kinetic = kinetic, ledger.elastic = state_.energies.elastic, ledger.plastic = state_.energies.plastic;
-  ledger.integrator += moving + held + sunk / model_.share();
-  record_.ledger.gravity -= sunk;
-  return std::abs(model_.share() * (moving + held) + sunk);
+  EnergyLedger &ledger = record_.ledger;
+  const EnergyLedger before = ledger;
+  const double share = model_.share(), sunk = scene_.load.vertical * (old.height_before_ - height_before_);
+  ledger.kinetic = share * active().kinetic_energy(state_);
+  ledger.elastic = share * (state_.energies.elastic + held_.energies.elastic) - rest_elastic_;
+  ledger.plastic = share * (state_.energies.plastic + held_.energies.plastic) - rest_plastic_;
+  const double lost =
+      before.kinetic - ledger.kinetic + before.elastic - ledger.elastic + before.plastic - ledger.plastic + sunk;
+  ledger.integrator += lost;
+  ledger.gravity -= sunk;
+  return std::abs(lost);
 }
 
 } // namespace rimpact::fe

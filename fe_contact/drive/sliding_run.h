@@ -1,11 +1,12 @@
 /// Motion in time of a bearing that stands on its dish. Exact dish (rung rigid-dish): the stack slides on it, and while
 /// the rim may be touched its solids join. Solid dish (rung full): everything is solid all the time.
 #pragma once
-#include "fe_contact/drive/checkpoint.h"
+#include "fe_contact/drive/drive.h"
 #include "fe_contact/drive/forces.h"
+#include "fe_contact/drive/impact_follower.h"
+#include "fe_contact/drive/motion.h"
 #include "fe_contact/drive/order.h"
 #include "fe_contact/drive/rim_hand_over.h"
-#include "fe_contact/drive/run_record.h"
 #include <optional>
 
 namespace rimpact::fe {
@@ -19,14 +20,14 @@ constexpr double sliding_speed = 1e-2;
 void run_sliding(const Rung &rung, const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
                  RunRecord &record);
 
-class SlidingRun {
+class SlidingRun : public Drive {
 public:
   SlidingRun(const Rung &rung, const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options,
              RunRecord &record);
   /// From the beginning, from a checkpoint whose sectors the plan has, or from where another one stands, whose plan has
   /// a sector less.
   void start();
-  void restore(const Checkpoint &file);
+  using Drive::restore;
   void take_over(const SlidingRun &old);
   /// To the end, or to a place where the rim is not meshed, whose direction it returns [rad].
   std::optional<double> run();
@@ -46,44 +47,49 @@ private:
   double surface_gap() const;   ///< between the walls as they are once they have touched, before that gap() [m]
   double closing_speed() const; ///< towards the rim [m/s]
   bool touching() const;
-  bool rests() const; ///< as the scout has for good
+  bool rests_at(double t) const;  ///< as the scout has for good
+  double longest_at_turn() const; ///< step [s]
+  bool leaves() const;            ///< the slider has left the rim
 
   void march_on();
-  Attempt attempt(double t, double dt);
-  double longest_at_turn() const; ///< step [s]
-  /// Length instead of a step that would overshoot a turn, the rim's joining or the touch; 0: it would not.
-  double clipped(double dt) const;
-  void after_step(double t, double dt, const ContactStepReport &step);
-  void account();
-  void tell_lift();
-  void follow_impact(double t, double dt);
   /// Of the slider, where the rim it comes to is not meshed. Throws SolverStopped where it cannot be.
-  std::optional<double> unmeshed_direction() const;
+  std::optional<double> unmeshed_direction();
   double book_hand_over(const SlidingRun &old);
   void join();
   void part();
+  void follow_impact(const SolvedStep &step);
+  void tell_lift();
   Eigen::VectorXd load(double t) const;
   void sample(int iterations, double dt);
   void write_fields();
-  void save() const;
+
+  ContactSystem &system() override { return active(); }
+  SystemState &state() override { return state_; }
+  /// Length instead of a step that would overshoot a turn, the rim's joining or the touch.
+  double clipped(double t, double dt) const override;
+  ContactStepReport solve(double t, double dt) override;
+  std::vector<Event> events(const SolvedStep &step) const override;
+  Attempt assess(const SolvedStep &step) override;
+  void follow(const SolvedStep &step) override;
+  bool take(const std::vector<Event> &events) override { return !events.empty(); }
+  void visit(StateVisitor &v) override;
 
   const scene::Scene &scene_;
   const planning::Plan plan_;
-  const RunOptions &options_;
-  RunRecord &record_;
   BearingModel model_;
   BearingSystem alone_;
   BearingSystem joined_;
   scene::GroundMotion ground_;
-  TransientOptions transient_;
+  MotionOptions motion_;
   SystemState state_;
-  TransientReport report_; ///< its ledger: of the model, without the held rim
   HeldRim held_;
-  bool near_rim_ = false, touched_ = false, peak_written_ = false, resting_ = false, told_lift_ = false;
-  double t_ = 0, next_step_ = 0, rest_height_ = 0, rest_elastic_ = 0, rest_plastic_ = 0;
-  double external_before_ = 0, height_before_ = 0, closing_before_ = 0;
-  long steps_kept_ = 0; ///< steps made when the last checkpoint was written
-  Impact impact_{};
+  bool near_rim_ = false, resting_ = false, told_lift_ = false;
+  double t_ = 0, rest_height_ = 0, rest_elastic_ = 0, rest_plastic_ = 0;
+  EnergyScale scale_;
+  ImpactFollower impact_;
+  double height_before_ = 0, closing_before_ = 0; ///< at the step's start [m], [m/s]
+  StepEnergies energies_;                         ///< of the step
+  Eigen::VectorXd load_before_, load_after_;      ///< likewise
 };
 
 } // namespace rimpact::fe

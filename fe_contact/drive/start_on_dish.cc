@@ -1,6 +1,7 @@
 #include "fe_contact/drive/start_on_dish.h"
 
 #include "fe_contact/drive/kept_slide.h"
+#include "fe_contact/solver/march.h"
 #include "files/error.h"
 #include "reduced_models/physical_model.h"
 #include <cmath>
@@ -57,7 +58,7 @@ StartOnDish::Start StartOnDish::nearly_there(TopDrive &drive, double to) const {
   constexpr double longest = 0.025; // step [m]
   const KeptSlide kept(scene_, plan_, options_);
   Start start{system_.at_rest(), 0};
-  if (!kept.take(system_, start.first, drive, start.second)) {
+  if (!kept.take(start.first, drive, start.second)) {
     start = at_rest();
     slide(start.first, drive, 0, to, 1e-3 * longest, longest, system_.dead_load(scene_.load.vertical));
     kept.keep(start.first, drive, start.second);

@@ -23,8 +23,8 @@ ContactStepReport solve(ContactSystem &system, const SystemState &state, const S
     const NewtonReport newton_report = newton(system, u, newton_options);
     report.iterations += newton_report.iterations;
     report.residuals = newton_report.residuals;
-    if (!newton_report.converged) {
-      report.reason = newton_report.reason;
+    if (!newton_report.converged()) {
+      report.reason = newton_report.reason();
       ++system.work.cuts;
       return report;
     }

@@ -2,7 +2,6 @@
 /// as it was.
 #pragma once
 #include "fe_contact/engine/contact_system.h"
-#include "fe_contact/solver/march.h"
 
 namespace rimpact::fe {
 
@@ -48,48 +47,5 @@ struct PreloadReport {
 };
 PreloadReport preload(ContactSystem &system, SystemState &state, const Eigen::VectorXd &load, double stiffness,
                       const StepOptions &options, double share = 1e-6);
-
-/// Energies of a run in time [J]. `imbalance` is what nothing accounts for, over the largest energy seen.
-struct SystemLedger {
-  double initial = 0, external = 0, kinetic = 0, elastic = 0, plastic = 0, friction = 0, contact = 0, integrator = 0;
-  double largest = 0; ///< largest energy put in so far
-  double imbalance() const;
-};
-
-/// Where a run in time stands after an accepted step; with the state it is all a restart needs.
-struct TransientPoint {
-  double t = 0;         ///< [s]
-  double next_step = 0; ///< the step it would try next [s]; 0: the smallest
-  SystemLedger ledger{};
-};
-
-struct TransientOptions {
-  StepOptions step;
-  double largest_step;            ///< [s]
-  double smallest_step;           ///< [s]
-  double contact_step;            ///< first step after a predicted touch [s]
-  double energy_tolerance = 1e-4; ///< unaccounted energy of a step over the largest; beyond it the step is cut
-  double gain_tolerance = 1e-4;   ///< likewise, what the integrator adds (it takes, on the whole)
-  std::function<GroundStep(double t, double dt)> ground{};   ///< none: it stands still
-  TransientPoint from{};                                     ///< t = 0: a new run, whose ledger starts from the state
-  std::function<void(const TransientPoint &)> after_point{}; ///< sees where the run stands, to keep it
-};
-
-struct TransientReport {
-  MarchReport march;
-  SystemLedger ledger;
-  int iterations = 0, capped_steps = 0;
-};
-
-using AfterStep = std::function<void(double t, const SystemState &, const ContactStepReport &)>;
-/// One step from t: rejected, with everything as it was, when it does not converge or its energy error is too large.
-Attempt checked_step(ContactSystem &system, SystemState &state, double t, double dt,
-                     const std::function<Eigen::VectorXd(double)> &load, const TransientOptions &options,
-                     TransientReport &report, const AfterStep &after_step);
-/// From `options.from` to `end` under a load that may vary in time; `after_step(t, state, step)` sees every accepted
-/// state.
-TransientReport run_in_time(ContactSystem &system, SystemState &state, double end,
-                            const std::function<Eigen::VectorXd(double)> &load, const TransientOptions &options,
-                            const AfterStep &after_step);
 
 } // namespace rimpact::fe

@@ -82,6 +82,7 @@ private:
 
   const Discretisation &space_;
   std::map<meshes::Volume, SolidLaw> laws_;
+  // Assembly keeps what the next one can use, so that one solid is assembled by one caller at a time.
   /// Where each local pair (i <= j) of each cell goes in the matrix; made once per pattern.
   mutable std::vector<int> places_;
   mutable long places_of_ = 0; ///< pattern_id

@@ -4,6 +4,7 @@
 #pragma once
 #include "fe_contact/engine/remote_load.h"
 #include "fe_contact/rungs/rim_frame.h"
+#include "files/choice.h"
 #include "reduced_models/physical_model.h"
 
 namespace rimpact::fe {
@@ -14,6 +15,10 @@ enum class Support {
   airborne, ///< lifted off
   held      ///< an isolated window: the height is held
 };
+constexpr auto choices(Support) {
+  using enum Support;
+  return choices_of<Support>({{dish, "dish"}, {airborne, "airborne"}, {held, "held"}});
+}
 
 /// Forces on the mass in the plate's frame [N].
 struct MassForces {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <optional>
 
 namespace rimpact::fe {
@@ -20,13 +21,40 @@ double forcing_term(const std::vector<double> &residuals, double last, double to
 
 namespace {
 
-/// Makes the change of u that of the bordered system; returns the multiplier's, nothing when it cannot be solved.
-std::optional<double> add_border(const Border &border, LinearSolver &solver, double forcing, Eigen::VectorXd &change) {
+/// How u and the border's multiplier are to change.
+struct Direction {
+  Eigen::VectorXd change;
+  double multiplier_change = 0;
+};
+
+/// The change by a factor of an earlier solution, or of another step, where that serves; else by a new one. Empty: the
+/// tangent is singular.
+Eigen::VectorXd solve_tangent(NewtonTarget &target, double forcing, bool stale_factor) {
+  Eigen::VectorXd change;
+  LinearSolver &solver = target.solver();
+  if (stale_factor && !solver.worn) {
+    change = solver.solve(-target.residual(), forcing, most_linear_iterations);
+    target.work.linear_iterations += solver.last_iterations();
+    solver.worn = solver.last_iterations() > worn_after;
+  }
+  if (change.size() == 0) {
+    change = solver.solve_anew(-target.residual(), forcing, most_linear_iterations);
+    target.work.linear_iterations += solver.last_iterations();
+    ++target.work.factorisations;
+    solver.worn = false;
+  }
+  if (change.size() > 0 && !change.allFinite()) change.resize(0);
+  return change;
+}
+
+/// Makes the direction that of the bordered system. False: with its constraint the tangent is singular.
+bool add_border(const Border &border, LinearSolver &solver, double forcing, Direction &direction) {
   const Eigen::VectorXd response = solver.solve(border.push, forcing, most_linear_iterations);
-  if (response.size() == 0) return {};
-  const double multiplier_change = (-border.constraint - border.gradient.dot(change)) / border.gradient.dot(response);
-  change += multiplier_change * response;
-  return multiplier_change;
+  if (response.size() == 0) return false;
+  direction.multiplier_change =
+      (-border.constraint - border.gradient.dot(direction.change)) / border.gradient.dot(response);
+  direction.change += direction.multiplier_change * response;
+  return true;
 }
 
 /// Going on as it did the next residual will do: its tangent need not be made.
@@ -48,91 +76,103 @@ bool evaluate(NewtonTarget &target, const Eigen::VectorXd &u, bool with_tangent)
   return true;
 }
 
+double relative_residual(const NewtonTarget &target) {
+  return target.residual().norm() / target.force_scale();
+}
+
+bool holds_constraint(NewtonTarget &target) {
+  const Border *border = target.border();
+  return !border || std::abs(border->constraint) <= border->tolerance;
+}
+
+/// Goes along the direction as far as the residual falls, at most the whole way: bounded backtracking. Contact is not
+/// smooth, so the best trial is taken where none is better than `before`; the first change of a solution carries the
+/// step's loading, and any admissible trial of it will do. Returns the residual reached; none: every trial turned a
+/// cell inside out.
+std::optional<double> backtrack(NewtonTarget &target, Eigen::VectorXd &u, const Direction &direction, double before,
+                                bool is_first, bool with_tangent, int most) {
+  Border *border = target.border();
+  const Eigen::VectorXd start = u;
+  const double multiplier = border ? border->multiplier : 0;
+  const auto go = [&](double factor) {
+    u = start + factor * direction.change;
+    if (border) border->multiplier = multiplier + factor * direction.multiplier_change;
+    return evaluate(target, u, with_tangent);
+  };
+  double best = -1, best_factor = 0, factor = 1, last = 0;
+  for (int trial = 0; trial <= most; ++trial, factor /= 2) {
+    if (trial > 0) ++target.work.backtracks;
+    last = factor;
+    if (!go(factor)) continue;
+    const double reached = relative_residual(target);
+    if (best_factor == 0 || reached < best) best = reached, best_factor = factor;
+    if (is_first || reached < before) break;
+  }
+  if (best_factor == 0 || !std::isfinite(best)) return {};
+  if (last != best_factor) go(best_factor);
+  return best;
+}
+
+/// One iteration: the direction, and how far to go. Converged: there is a next residual.
+NewtonOutcome iterate(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOptions &options, NewtonReport &report,
+                      double &forcing) {
+  ++report.iterations;
+  ++target.work.iterations;
+  target.exactly = report.iterations >= options.exact_from;
+  if (!target.has_tangent) evaluate(target, u, true);
+  const bool with_tangent = !is_last(report.residuals, options.tolerance);
+  forcing = forcing_term(report.residuals, forcing, options.tolerance, options.finest_forcing);
+  Direction direction{solve_tangent(target, forcing, options.stale_factor)};
+  if (direction.change.size() == 0) return NewtonOutcome::singular_tangent;
+  const Border *border = target.border();
+  if (border && !add_border(*border, target.solver(), forcing, direction)) return NewtonOutcome::singular_constraint;
+  const auto reached = backtrack(target, u, direction, report.residuals.back(), report.iterations == 1, with_tangent,
+                                 options.max_backtracks);
+  if (!reached) return NewtonOutcome::inverted_cell;
+  report.residuals.push_back(*reached);
+  return NewtonOutcome::converged;
+}
+
 } // namespace
+
+std::string NewtonReport::reason() const {
+  using enum NewtonOutcome;
+  switch (outcome) {
+  case converged:
+    return fmt::format("Newton converged in {} iterations", iterations);
+  case inverted_at_start:
+    return "a cell turned inside out before the first iteration";
+  case inverted_cell:
+    return "a cell turned inside out";
+  case spent:
+    return fmt::format("Newton did not converge in {} iterations", iterations);
+  case stagnant:
+    return fmt::format("Newton's residual hardly fell any more, after {} iterations", iterations);
+  case singular_tangent:
+    return "the tangent is singular: is every body held by supports or contact?";
+  case singular_constraint:
+    return "the tangent with its constraint is singular";
+  }
+  return "unknown"; // a bug: every outcome has a sentence
+}
 
 NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOptions &options) {
   NewtonReport report;
-  target.exactly = options.exact_from == 0;
-  if (!options.evaluated && !evaluate(target, u, true)) {
-    report.reason = "a cell turned inside out before the first iteration";
+  const auto end = [&](NewtonOutcome outcome) {
+    report.outcome = outcome;
     return report;
-  }
-  const auto relative = [&] { return target.residual().norm() / target.force_scale(); };
-  double forcing = 0;
-  const auto held = [&] {
-    const Border *border = target.border();
-    return !border || std::abs(border->constraint) <= border->tolerance;
   };
-  report.residuals.push_back(relative());
-  while (report.residuals.back() > options.tolerance || report.iterations == 0 || !held()) {
-    if (report.iterations >= options.max_iterations) {
-      report.reason = "Newton did not converge in " + std::to_string(options.max_iterations) + " iterations";
-      return report;
-    }
-    if (stagnates(report.residuals, options.patience)) {
-      report.reason = "Newton's residual hardly fell in " + std::to_string(options.patience) + " iterations";
-      return report;
-    }
-    ++report.iterations;
-    ++target.work.iterations;
-    target.exactly = report.iterations >= options.exact_from;
-    if (!target.has_tangent) evaluate(target, u, true);
-    const bool with_tangent = !is_last(report.residuals, options.tolerance);
-    forcing = forcing_term(report.residuals, forcing, options.tolerance, options.finest_forcing);
-    Eigen::VectorXd change;
-    LinearSolver &solver = target.solver(); // a factor of an earlier solution, or of another step, may still serve
-    if (options.stale_factor && !solver.worn) {
-      change = solver.solve(-target.residual(), forcing, most_linear_iterations);
-      target.work.linear_iterations += solver.last_iterations();
-      solver.worn = solver.last_iterations() > worn_after;
-    }
-    if (change.size() == 0) {
-      change = solver.solve_anew(-target.residual(), forcing, most_linear_iterations);
-      target.work.linear_iterations += solver.last_iterations();
-      ++target.work.factorisations;
-      solver.worn = false;
-    }
-    if (change.size() == 0 || !change.allFinite()) {
-      report.reason = "the tangent is singular: is every body held by supports or contact?";
-      return report;
-    }
-    Border *border = target.border();
-    const auto multiplier_change =
-        border && change.size() && change.allFinite() ? add_border(*border, solver, forcing, change) : 0.0;
-    const double multiplier = border ? border->multiplier : 0;
-    if (!multiplier_change) {
-      report.reason = "the tangent with its constraint is singular";
-      return report;
-    }
-    const auto go = [&](const Eigen::VectorXd &from, double factor) {
-      u = from + factor * change;
-      if (border) border->multiplier = multiplier + factor * *multiplier_change;
-      return evaluate(target, u, with_tangent);
-    };
-    // Bounded backtracking: contact is not smooth, so the best step found is taken when none is better. The
-    // first change carries the step's loading, its residual is no measure: any admissible one will do.
-    const Eigen::VectorXd start = u;
-    const double before = report.residuals.back();
-    double best = -1, best_factor = 0, factor = 1;
-    for (int trial = 0; trial <= options.max_backtracks; ++trial, factor /= 2) {
-      if (trial > 0) ++target.work.backtracks;
-      if (!go(start, factor)) continue;
-      const double reached = relative();
-      if (best_factor == 0 || reached < best) {
-        best = reached;
-        best_factor = factor;
-      }
-      if (report.iterations == 1 || reached < before) break;
-    }
-    if (best_factor == 0 || !std::isfinite(best)) {
-      report.reason = "a cell turned inside out";
-      return report;
-    }
-    if (u != start + best_factor * change) go(start, best_factor);
-    report.residuals.push_back(best);
+  target.exactly = options.exact_from == 0;
+  if (!options.evaluated && !evaluate(target, u, true)) return end(NewtonOutcome::inverted_at_start);
+  report.residuals.push_back(relative_residual(target));
+  double forcing = 0;
+  while (report.residuals.back() > options.tolerance || report.iterations == 0 || !holds_constraint(target)) {
+    if (report.iterations >= options.max_iterations) return end(NewtonOutcome::spent);
+    if (stagnates(report.residuals, options.patience)) return end(NewtonOutcome::stagnant);
+    if (const auto outcome = iterate(target, u, options, report, forcing); outcome != NewtonOutcome::converged)
+      return end(outcome);
   }
-  report.converged = true;
-  return report;
+  return end(NewtonOutcome::converged);
 }
 
 } // namespace rimpact::fe

@@ -46,11 +46,22 @@ struct NewtonOptions {
   int exact_from = 3;            ///< iterations after which tangents hold nothing kept; 0: none ever does
 };
 
+/// How a solution ended.
+enum class NewtonOutcome {
+  converged,
+  inverted_at_start,
+  inverted_cell,
+  spent,
+  stagnant,
+  singular_tangent,
+  singular_constraint
+};
 struct NewtonReport {
-  bool converged = false;
+  NewtonOutcome outcome = NewtonOutcome::spent;
   int iterations = 0;
   std::vector<double> residuals; ///< relative, before each iteration and at the end
-  std::string reason;            ///< when not converged
+  bool converged() const { return outcome == NewtonOutcome::converged; }
+  std::string reason() const; ///< a sentence on the outcome
 };
 
 /// Relative residual to which an iteration's linear system need be solved: Eisenstat and Walker (1996), choice 2 with

@@ -9,7 +9,7 @@ import numpy as np
 
 Numbers = dict[str, np.ndarray]
 HEADER = 512
-MARK = b"rimpact checkpoint, format 6\nsha256 "
+MARK = b"rimpact checkpoint, format 7\nsha256 "
 
 
 def reseal(path: str) -> None:
@@ -49,14 +49,9 @@ def every_field(kept: Numbers) -> Iterator[tuple[str, str, np.ndarray | None]]:
         ("1e300", lambda v: with_entry(v, -1, 1e300))]
     turn = 0
     for name, values in sorted(kept.items()):
-        may_go = name.startswith(("seconds_", "field_")) and name != "seconds_wall"  # as many as there are
-        if len(values) == 0 or may_go:
-            ways_here = [ways[0]] if len(values) == 0 else [ways[3]]
-        else:
-            ways_here = [ways[turn % len(ways)]]
-            turn += 1
-        for what, way in ways_here:
-            yield name, what, way(values)
+        what, way = ways[turn % len(ways)] if len(values) else ways[0]
+        turn += 1
+        yield name, what, way(values)
 
 
 def copy_of(folder: str, name: str) -> str:

@@ -38,7 +38,7 @@ def until(folder, ready, *command, end=signal.SIGINT):
 def steps_kept(folder, at_least):
     path = os.path.join(folder, "checkpoint.h5")
     try:
-        return numbers(path)["counts"][0] >= at_least
+        return numbers(path)["steps"][0] >= at_least
     except (OSError, KeyError):  # not there yet, or being replaced, or only begun
         return False
 
@@ -141,7 +141,7 @@ class Rim(unittest.TestCase):
     def test_an_edited_checkpoint_is_found_by_its_checksum(self):
         folder = copy_of(self.half, "edited")
         path = os.path.join(folder, "checkpoint.h5")
-        replace(path, "bearing", with_entry(numbers(path)["bearing"], 4, 0.06), sealed=False)
+        replace(path, "bearing_v", with_entry(numbers(path)["bearing_v"], 0, 0.06), sealed=False)
         self.refused(folder, "do not match their checksum")
         reseal(path)
         self.assertEqual(rimpact(*WINDOW, "-o", folder, "--resume").returncode, 0)  # with the checksum made right it is a checkpoint again
@@ -150,11 +150,11 @@ class Rim(unittest.TestCase):
         kept = numbers(os.path.join(self.half, "checkpoint.h5"))
         self.assertGreater(len(kept), 50)
         cases = list(every_field(kept))[::EVERY]
-        for index, values in ((0, (-1, 1e300, np.nan, 2.5)), (1, (2,)), (4, (3, -1))):
-            cases += [("arcs", f"[{index}]={value}", with_entry(kept["arcs"], index, value)) for value in values]
-        cases += [("current_arc", str(value), [value]) for value in (5, np.nan, 1e18, -1)]
-        cases += [("bearing", "t", with_entry(kept["bearing"], 0, -1)), ("step", "dt", with_entry(kept["step"], 0, 0)), ("response_time", "back", kept["response_time"][::-1]),
-                  ("response_time", "1e300", with_entry(kept["response_time"], 3, 1e300)), ("arc0_history", "alpha", with_entry(kept["arc0_history"], 6, -1))]
+        for name, wrong in (("arcs", (-1, 1e300, np.nan, 2.5, 2)), ("in_contact", (2,)), ("current_arc", (5, np.nan, 1e18, -1)), ("bearing_time", (-1,)),
+                            ("next_step", (0,)), ("arc0_yielded", (3,))):
+            cases += [(name, str(value), [value]) for value in wrong]
+        cases += [("response_time", "back", kept["response_time"][::-1]), ("response_time", "1e300", with_entry(kept["response_time"], 3, 1e300)),
+                  ("arc0_history_alpha", "negative", with_entry(kept["arc0_history_alpha"], 0, -1))]
         for name, what, values in cases:
             with self.subTest(field=name, what=what):
                 folder = copy_of(self.half, "field")

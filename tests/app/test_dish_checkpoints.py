@@ -19,7 +19,7 @@ class RigidDish(unittest.TestCase):
             self.assertEqual(code, 130, errors)
             kept = numbers(os.path.join(half, "checkpoint.h5"))
             cases = [case for case in every_field(kept) if not case[0].startswith("response_") or case[0] == "response_force_x"]
-            cases += [("path", "beyond", with_entry(kept["path"], 0, 1.5)), ("contact0_status", "5", with_entry(kept["contact0_status"], 0, 5)),
+            cases += [("reached", "beyond", [1.5]), ("contact0_status", "5", with_entry(kept["contact0_status"], 0, 5)),
                       ("contact0_gap", "nan", with_entry(kept["contact0_gap"], 0, np.nan)), ("contact0_stiffening", "0", [0.0])]
             for name, what, values in cases:
                 with self.subTest(field=name, what=what):

@@ -1,7 +1,7 @@
 /// Blocks in contact that several tests share.
 #pragma once
 #include "box_mesh.h"
-#include "fe_contact/engine/contact_steps.h"
+#include "fe_contact/drive/motion.h"
 #include "fe_contact/engine/supports.h"
 
 #include <cmath>
@@ -128,17 +128,19 @@ struct Bar {
       if (const int equation = system->equations().of_dof[dof]; equation >= 0) state.v[equation] = -100;
     return state;
   }
-  TransientReport run(SystemState &state, double end) {
+  MotionReport run(SystemState &state, double end) {
     const Eigen::VectorXd none = Eigen::VectorXd::Zero(state.u.size());
     return run_in_time(
         *system, state, end, [&](double) { return none; }, options,
-        [](double, const SystemState &, const ContactStepReport &) {});
+        [](double, const SystemState &, const ContactStepReport &) {}, from, after_point);
   }
   Discretisation space;
   Solid solid;
   Supports supports;
   std::optional<ContactSystem> system;
-  TransientOptions options;
+  MotionOptions options;
+  MotionPoint from;
+  AfterPoint after_point;
 };
 
 } // namespace rimpact::fe

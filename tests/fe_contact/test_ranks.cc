@@ -96,11 +96,11 @@ TEST(Ranks, SlidingOverADeformableMasterIsThatOfOneRank) {
   expect_close(alone, slid(), 1e-8);
 }
 
-std::pair<SystemState, TransientReport> impact() {
+std::pair<SystemState, MotionReport> impact() {
   Bar bar;
   bar.options.step.newton.tolerance = 1e-10;
   SystemState state = bar.thrown();
-  const TransientReport report = bar.run(state, 14e-6);
+  const MotionReport report = bar.run(state, 14e-6);
   EXPECT_TRUE(report.march.finished) << report.march.reason;
   return {state, report};
 }

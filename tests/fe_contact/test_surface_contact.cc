@@ -111,7 +111,7 @@ TEST(SlidingBlock, SlowsAsTheFrictionOverItsSpeedSays) {
                      {{block_modulus / 0.05, block_modulus / 0.05, {fast, slow, rate}}});
   SystemState state = system.at_rest();
   const Eigen::VectorXd weight = system.gravity({0, 0, -g});
-  TransientOptions options{.step = {}, .largest_step = 2e-3, .smallest_step = 1e-6, .contact_step = 1e-4};
+  MotionOptions options{.step = {}, .largest_step = 2e-3, .smallest_step = 1e-6, .contact_step = 1e-4};
   ASSERT_TRUE(preload(system, state, weight, 1e6, options.step).converged);
   const auto &of = system.equations().of_dof;
   for (std::size_t dof = 0; dof < of.size(); dof += 3) state.v[of[dof]] = v0;
@@ -126,7 +126,7 @@ TEST(SlidingBlock, SlowsAsTheFrictionOverItsSpeedSays) {
                fast) /
       rate;
   EXPECT_NEAR(speed, expected, 2e-3 * v0);
-  EXPECT_LT(report.ledger.imbalance(), 1e-3);
+  EXPECT_LT(report.imbalance(), 1e-3);
 }
 
 TEST(Ledger, CountsPointsThatLeaveOverAnEdgeAndThatComeOverIt) {

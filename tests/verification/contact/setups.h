@@ -1,7 +1,7 @@
 /// What the cases share: boxes with graded cells, round bars, and a system with its parts in one place.
 #pragma once
 #include "../../fe_contact/box_mesh.h"
-#include "fe_contact/engine/contact_steps.h"
+#include "fe_contact/drive/motion.h"
 #include "fe_contact/engine/supports.h"
 #include "meshes/section.h"
 #include "table.h"

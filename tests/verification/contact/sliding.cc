@@ -66,7 +66,7 @@ double slide(double degrees, double mu, double tolerance, int &iterations, std::
   const Eigen::VectorXd normal = system.gravity({0, 0, -g * std::cos(angle)});
   fe::preload(system, state,
               normal + system.gravity({g * std::min(std::sin(angle), 0.99 * mu * std::cos(angle)), 0, 0}), 1e9, still);
-  fe::TransientOptions options;
+  fe::MotionOptions options;
   options.step.gap_tolerance = 1e-8;
   options.step.slip_tolerance = 1e-8;
   options.step.max_augmentations = 3;
@@ -80,7 +80,7 @@ double slide(double degrees, double mu, double tolerance, int &iterations, std::
       [](double, const SystemState &, const fe::ContactStepReport &) {});
   iterations = report.iterations;
   dofs = system.equations().n;
-  imbalance = report.ledger.imbalance();
+  imbalance = report.imbalance();
   const Eigen::VectorXd unit = system.gravity({1, 0, 0});
   return unit.dot(state.u) / unit.dot(Eigen::VectorXd::Ones(state.u.size()));
 }

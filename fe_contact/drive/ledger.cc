@@ -1,0 +1,49 @@
+#include "fe_contact/drive/ledger.h"
+
+#include "fe_contact/engine/contact_steps.h"
+#include <algorithm>
+#include <cmath>
+
+namespace rimpact::fe {
+
+double StepEnergies::unbalanced(const EnergyLedger &before) const {
+  return external - gravity - (kinetic - before.kinetic) - (elastic - before.elastic) - (plastic - before.plastic) -
+         friction - contact - integrator;
+}
+
+StepEnergies energies_of(const ContactSystem &system, const SystemState &state, const ContactStepReport &step,
+                         double share) {
+  StepEnergies result;
+  for (const auto &report : state.reports) {
+    result.friction += share * report.friction_work;
+    result.contact += share * report.normal_work;
+  }
+  result.integrator = share * step.integrator_loss;
+  result.kinetic = share * system.kinetic_energy(state);
+  result.elastic = share * state.energies.elastic;
+  result.plastic = share * state.energies.plastic;
+  return result;
+}
+
+EnergyLedger ledger_at(const ContactSystem &system, const SystemState &state) {
+  EnergyLedger ledger;
+  ledger.kinetic = system.kinetic_energy(state);
+  ledger.elastic = state.energies.elastic;
+  ledger.plastic = state.energies.plastic;
+  ledger.initial = ledger.largest_input = ledger.kinetic + ledger.elastic + ledger.plastic;
+  return ledger;
+}
+
+void book(EnergyLedger &ledger, const StepEnergies &step) {
+  ledger.external += step.external;
+  ledger.gravity += step.gravity;
+  ledger.friction += step.friction;
+  ledger.contact += step.contact;
+  ledger.integrator += step.integrator;
+  ledger.kinetic = step.kinetic;
+  ledger.elastic = step.elastic;
+  ledger.plastic = step.plastic;
+  ledger.largest_input = std::max(ledger.largest_input, ledger.initial + std::abs(ledger.external));
+}
+
+} // namespace rimpact::fe
