@@ -1,6 +1,8 @@
 // The rung of docs/extending.md is solved by the engine as any other: pressed, it bears its load; dragged, it slides.
 #include "extending_rung.h"
+#include "fe_contact/solver/march.h"
 #include "scene/scene.h"
+
 #include <gtest/gtest.h>
 
 namespace {

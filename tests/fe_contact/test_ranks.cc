@@ -111,8 +111,9 @@ TEST(Ranks, AnImpactWithPlasticFlowAndItsLedgerAreThoseOfOneRank) {
   EXPECT_GT(alone.energies.plastic, 0);
   expect_close(alone, shared, 1e-8);
   EXPECT_EQ(alone_report.march.steps, shared_report.march.steps);
-  EXPECT_NEAR(alone_report.ledger.friction, shared_report.ledger.friction, 1e-8 * alone_report.ledger.largest);
-  EXPECT_NEAR(alone_report.ledger.integrator, shared_report.ledger.integrator, 1e-8 * alone_report.ledger.largest);
+  EXPECT_NEAR(alone_report.ledger.friction, shared_report.ledger.friction, 1e-8 * alone_report.ledger.largest_input);
+  EXPECT_NEAR(alone_report.ledger.integrator, shared_report.ledger.integrator,
+              1e-8 * alone_report.ledger.largest_input);
 }
 
 TEST(Ranks, ABodyTurnedInsideOutOnOneRankIsSeenByAll) {
