@@ -67,30 +67,14 @@ std::map<std::string, std::string> presets_of(const std::function<void(KeyVisito
 }
 
 std::string unit_in_name(const std::string &name) {
-  static const std::pair<const char *, const char *> endings[] = {// the longer ones first
-                                                                  {"_kN_per_m2", "kN/m2"},
-                                                                  {"_kN_per_m", "kN/m"},
-                                                                  {"_m_per_s2", "m/s2"},
-                                                                  {"_kg_per_m3", "kg/m3"},
-                                                                  {"_m_per_s", "m/s"},
-                                                                  {"_s_per_m", "s/m"},
-                                                                  {"_kg_m2", "kg m2"},
-                                                                  {"_per_m5", "1/m5"},
-                                                                  {"_per_m4", "1/m4"},
-                                                                  {"_per_m3", "1/m3"},
-                                                                  {"_per_m2", "1/m2"},
-                                                                  {"_per_m", "1/m"},
-                                                                  {"_MPa", "MPa"},
-                                                                  {"_GPa", "GPa"},
-                                                                  {"_kN_m", "kN m"},
-                                                                  {"_deg", "deg"},
-                                                                  {"_kN", "kN"},
-                                                                  {"_kg", "kg"},
-                                                                  {"_mm", "mm"},
-                                                                  {"_ms", "ms"},
-                                                                  {"_m", "m"},
-                                                                  {"_g", "g"},
-                                                                  {"_s", "s"}};
+  static const std::pair<const char *, const char *> endings[] = {
+      // the longer ones first
+      {"_kN_per_m2", "kN/m2"}, {"_kN_per_m", "kN/m"}, {"_m_per_s2", "m/s2"}, {"_kg_per_m3", "kg/m3"},
+      {"_m_per_s", "m/s"},     {"_s_per_m", "s/m"},   {"_kg_m2", "kg m2"},   {"_per_m5", "1/m5"},
+      {"_per_m4", "1/m4"},     {"_per_m3", "1/m3"},   {"_per_m2", "1/m2"},   {"_per_m", "1/m"},
+      {"_per_s", "1/s"},       {"_MPa", "MPa"},       {"_GPa", "GPa"},       {"_kN_m", "kN m"},
+      {"_deg", "deg"},         {"_kN", "kN"},         {"_kg", "kg"},         {"_mm", "mm"},
+      {"_ms", "ms"},           {"_m", "m"},           {"_g", "g"},           {"_s", "s"}};
   for (const auto &[ending, unit] : endings)
     if (name.ends_with(ending)) return unit;
   return {};

@@ -76,6 +76,10 @@ void curve(CurveOptions &options, Console &console) {
   if (console.mesh >= 0) scene.model.mesh = console.mesh;
   scene.validate();
   fe::check_supported(scene);
+  if (scene.bearing.steel.knows_rate())
+    console.warn(
+        fmt::format("the curve is pushed infinitely slowly: the steel's law of the rate ({}) has no part in it",
+                    in_words(scene.bearing.steel.rate)));
   if (options.folder.empty()) options.folder = default_folder(scene.bearing.name) + "-curve";
   const std::filesystem::path folder(options.folder);
   if (std::filesystem::exists(folder / "curve.h5") && !console.force)

@@ -29,7 +29,7 @@ SCENE: Shape = {
     "bearing": {"name": TEXT, "assumed": [TEXT],
                 "surface": {**texts("kind file"), "radius_mm": [NUMBER], "height_mm": [NUMBER], "*": NUMBER},
                 **dict.fromkeys(("slider", "rim", "plate", "pad", "foot"), {"*": NUMBER}),
-                "material": {"*": {"*": NUMBER}}, "contact": {"pad_foot": TEXT, "*": NUMBER}},
+                "material": {"*": {"rate": TEXT, "*": NUMBER}}, "contact": {"pad_foot": TEXT, "*": NUMBER}},
     "excitation": {"kind": TEXT, **numbers("scale speed_m_per_s amplitude_g period_s centre_s duration_s direction_deg")},
     "reduced": {**texts("model impact_law friction normal_force calibration fitted_rim"),
                 **numbers("k_i_kN_per_m restitution mu_fast mu_slow fitted_from_m_per_s fitted_to_m_per_s fitted_mass_kg "

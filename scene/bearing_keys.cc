@@ -18,6 +18,21 @@ void visit(KeyVisitor &v, Material &m) {
   v.number({"density_kg_per_m3", "", assumption}, m.density, si, {0, 1e6, true});
 }
 
+/// The model is written where it is one, so that a steel without it is described as ever.
+void visit(KeyVisitor &v, StrainRate &r) {
+  using enum RateModel;
+  constexpr Range rate{0, 1e9, true};
+  if (v.wants(r.model != none)) v.choice({"rate", "law of the flow stress over the plastic strain rate"}, r.model);
+  if (v.wants(r.model == cowper_symonds)) {
+    v.number({"rate_D_per_s", "flow stress = static one (1 + (rate / D)^(1 / q))", assumption}, r.D, si, rate);
+    v.number({"rate_q", "q of that law", assumption}, r.q, si, {1, 100});
+  }
+  if (v.wants(r.model == johnson_cook)) {
+    v.number({"rate_C", "flow stress = static one (1 + C ln(rate / reference))", assumption}, r.C, si, {0, 1, true});
+    v.number({"rate_reference_per_s", "no growth up to this rate", assumption}, r.reference, si, rate);
+  }
+}
+
 void visit_foot_and_pad(KeyVisitor &v, Bearing &b) {
   v.section("pad", [&] {
     v.number({"inner_radius_mm", "", assumption}, b.pad.inner_radius, milli, size_mm);
@@ -81,6 +96,7 @@ void visit(KeyVisitor &v, Bearing &b) {
   v.section("material", [&] {
     v.section("steel", [&] {
       visit(v, b.steel);
+      if (v.wants(b.steel.yield.has_value())) visit(v, b.steel.rate);
       v.limit({"strain_limit", "plastic strain beyond which results are doubted; inf: not judged", assumption},
               b.steel.strain_limit, si, {0, 10, true});
     });

@@ -22,11 +22,13 @@ TABLES = {
         ("tests/hard_cases/reduced/table.txt", "Reduced model", "build/release/bin/hard_cases_reduced --write"),
         ("tests/hard_cases/double_concave/table.txt", "Double concave models", "build/release/bin/hard_cases_double_concave --write"),
         ("tests/hard_cases/solid/table_rim.txt", "Rung rim", "ctest -L slow -R hard_cases_rim"),
+        ("tests/hard_cases/solid/table_rim-rate.txt", "Rung rim, steel that knows its rate", "ctest -L slow -R hard_cases_rim-rate"),
         ("tests/hard_cases/solid/table_rigid-dish.txt", "Rung rigid-dish", "ctest -L slow -R hard_cases_rigid-dish"),
         ("tests/hard_cases/solid/table_full.txt", "Rung full", "ctest -L slow -R hard_cases_full")]),
     "refinement": ("Refinement and peers", [
         ("tests/verification/rim_window_refinement.txt", "A window, meshes 1 to 3", "tests/verification/rim_window_refinement.py"),
         ("tests/verification/steel_places.txt", "The rim's steel, meshes 0 to 2", "tests/verification/steel_places.py"),
+        ("tests/verification/steel_rate.txt", "Steel that knows its rate", "tests/verification/steel_rate.py"),
         ("tests/verification/stack_refinement.txt", "The stack", "tests/verification/stack_refinement.py"),
         ("tests/verification/windows_of_rungs.txt", "One window by every rung", "tests/verification/windows_of_rungs.py"),
         ("tests/verification/static_loops.txt", "Quasi-static loops", "tests/verification/static_loops.py"),

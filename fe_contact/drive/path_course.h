@@ -26,7 +26,7 @@ struct PathCourse {
   std::optional<RimFrame> frame;          ///< of the model, where it is not the plate's
   double parts_from = 2;                  ///< from here on the path ends where the walls part
   double picture;                         ///< fields are written so often
-  /// Of the load parameter [s]; empty, or none: friction is that of slow motion.
+  /// Of the load parameter [s]; empty, or none: friction is that of slow motion, steel without rate.
   std::function<std::optional<double>(double s)> instant{};
   double duration(double s, double ds) const; ///< of a step [s]; 0 without an instant
 };

@@ -56,6 +56,7 @@ Summary summarise(const scene::Scene &scene, const RunRecord &record) {
                              {"friction_J", r.series("energy_friction_seat").back()}};
   }
   summary.steel = record.steel;
+  if (scene.bearing.steel.knows_rate()) summary.extra["steel_rate"] = in_words(scene.bearing.steel.rate);
   summary.time_split["output"] = std::max(0.0, output); // meshing, flights and files
   summary.extra["cuts"] = record.n_cuts;
   for (const auto &count : solver_counts) summary.extra["solver_work"][count.sum] = work.*count.of;
@@ -87,6 +88,13 @@ void check_supported(const scene::Scene &scene) {
 }
 
 namespace {
+
+/// What to say of a push whose steel knows its rate: nothing of it takes time.
+std::optional<std::string> doubt_of_rate(const scene::Scene &scene) {
+  if (!scene.bearing.steel.knows_rate() || scene.excitation.kind != scene::ExcitationKind::push) return {};
+  return fmt::format("a push is infinitely slow: the steel's law of the rate ({}) has no part in it",
+                     in_words(scene.bearing.steel.rate));
+}
 
 /// Whether the run goes on from the folder's checkpoint. Where the checkpoint holds nothing but the beginning it starts
 /// afresh, and says so.
@@ -143,7 +151,7 @@ Summary run(const scene::Scene &scene, const planning::Plan &plan, const RunOpti
   const auto doubt = failure ? std::nullopt : doubt_of_rebound(record.response, record.impacts);
   if (doubt) record.warnings.push_back(*doubt);
   for (const auto &found : {doubt_of_bounce(record.response), doubt_of_ledger(record.ledger),
-                            doubt_of_contact(record.ledger, record.impacts, scene.load.mass)})
+                            doubt_of_contact(record.ledger, record.impacts, scene.load.mass), doubt_of_rate(scene)})
     if (found) record.warnings.push_back(*found);
   Summary summary = summarise(scene, record);
   summary.status = status;

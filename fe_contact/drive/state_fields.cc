@@ -12,6 +12,8 @@ void visit(StateVisitor &v, SolidHistory &history) {
   v.column("alpha", history, &J2State::alpha, positive);
   v.column("triaxiality", history, &J2State::triaxiality, size);
   v.column("damage", history, &J2State::damage, positive);
+  v.column("overstress", history, &J2State::overstress, {0, 1e12});
+  v.column("viscous_work", history, &J2State::viscous_work, {0, 1e15});
 }
 
 void visit(StateVisitor &v, SolidEnergies &energies) {

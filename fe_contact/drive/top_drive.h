@@ -8,7 +8,7 @@ namespace rimpact::fe {
 struct TopTarget {
   Eigen::Vector2d plane;        ///< [m]
   std::optional<double> height; ///< [m]
-  double dt = 0;                ///< the way takes [s]; 0: friction is that of slow motion
+  double dt = 0;                ///< the way takes [s]; 0: friction is that of slow motion, steel without rate
 };
 
 /// Each step starts at the last one's change scaled to its way.

@@ -89,7 +89,7 @@ bool ContactSystem::evaluate_on_the_pattern(const Eigen::VectorXd &u, bool with_
   {
     const Stopwatch watch(time_split["assembly"]);
     if (!solid_.assemble(displacements, old_->history, trial_.history, equations_, forces, solid_tangent,
-                         trial_.energies))
+                         trial_.energies, terms_->dt))
       return false;
   }
   const Stopwatch watch(time_split["search"]);

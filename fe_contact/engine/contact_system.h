@@ -59,7 +59,7 @@ struct Inertia {
 struct StepTerms {
   Eigen::VectorXd load; ///< dead loads by equation [N]
   std::vector<Driven> driven{};
-  double dt = 0;            ///< [s]; 0: friction at its static coefficient
+  double dt = 0;            ///< [s]; 0: friction at its static coefficient, steel without rate
   double stabilisation = 0; ///< springs to the old state on every equation [N/m]
   const Inertia *inertia = nullptr;
   std::optional<GroundStep> ground{};  ///< of a step in time, whose load holds the inertia forces of a_new

@@ -66,15 +66,22 @@ void Solid::remember(std::size_t c, const SolidHistory &old, SolidHistory &next,
     if (!(flow > 0)) continue;
     double at_point = 0;
     for (int r = 0; r < n_reduced; ++r) at_point += space_.reduced_to_full[q * n_reduced + r] * mean[r];
-    const double triaxiality = at_point / mises[q];
+    const double triaxiality = at_point / (mises[q] + now.overstress);
     now.triaxiality += triaxiality * flow;
     now.damage += flow / CrackMeasure{}.fracture_strain(triaxiality);
   }
 }
 
+double Solid::viscous_work(std::size_t c, const SolidHistory &history) const {
+  double sum = 0;
+  for (std::size_t point = c * space_.full.n_points; point < (c + 1) * space_.full.n_points; ++point)
+    sum += space_.full.weights[point] * history[point].viscous_work;
+  return sum;
+}
+
 template <int n>
 Solid::Answer Solid::answer(std::size_t c, const std::array<Matrix3, n> &F, const SolidHistory &old, SolidHistory &next,
-                            CellKernel<n> &kernel, bool with_tangent) const {
+                            double dt, CellKernel<n> &kernel, bool with_tangent) const {
   Answer result;
   const SolidLaw &law = law_of(c);
   const int n_reduced = space_.reduced.n_points, m = 3 * n;
@@ -83,11 +90,11 @@ Solid::Answer Solid::answer(std::size_t c, const std::array<Matrix3, n> &F, cons
   for (int q = 0; q < n; ++q) {
     const std::size_t point = c * n + q;
     const double weight = space_.full.weights[point];
-    const IsochoricResult isochoric = law.isochoric.step(old[point], F[q], with_tangent);
+    const IsochoricResult isochoric = law.isochoric.step(old[point], F[q], dt, with_tangent);
     if (!isochoric.admissible) return result;
     next[point] = isochoric.state;
     result.flows = result.flows || isochoric.state.alpha > old[point].alpha;
-    mises[q] = law.isochoric.hardening.stress(isochoric.state.alpha); // where it flows
+    mises[q] = law.isochoric.hardening.stress(isochoric.state.alpha); // where it flows, without a rate
     result.energies.elastic += weight * isochoric.energy;
     result.energies.plastic += weight * law.isochoric.hardening.work(isochoric.state.alpha);
     kernel.add(&space_.full.gradients[point * m], F[q], weight, isochoric.response, with_tangent);
@@ -103,6 +110,7 @@ Solid::Answer Solid::answer(std::size_t c, const std::array<Matrix3, n> &F, cons
     kernel.add(G, at_point, weight, volumetric.response, with_tangent);
   }
   kernel.finish();
+  if (!law.isochoric.rate.none()) result.energies.plastic += viscous_work(c, next);
   if (result.flows) remember(c, old, next, mises.data(), mean.data());
   result.admissible = true;
   return result;
@@ -110,7 +118,7 @@ Solid::Answer Solid::answer(std::size_t c, const std::array<Matrix3, n> &F, cons
 
 template <int n>
 bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eigen::VectorXd &u,
-                           const SolidHistory &old, SolidHistory &next, const Equations &equations,
+                           const SolidHistory &old, SolidHistory &next, double dt, const Equations &equations,
                            Eigen::VectorXd &forces, const std::vector<int> *places, double *tangent,
                            SolidEnergies &energies) const {
   constexpr int m = 3 * n;
@@ -124,10 +132,10 @@ bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eig
       for (int i = 0; i < 3; ++i) kernel->u[i][a] = u[3 * nodes[a] + i];
     for (int q = 0; q < n; ++q) F[q] = kernel->deformation_gradient(&space_.full.gradients[(c * n + q) * m]);
     bool anew = tangent && !kept_.serves(c, F);
-    Answer cell_answer = answer<n>(c, F, old, next, *kernel, anew);
+    Answer cell_answer = answer<n>(c, F, old, next, dt, *kernel, anew);
     if (tangent && !anew && cell_answer.admissible && cell_answer.flows) {
       anew = true;
-      cell_answer = answer<n>(c, F, old, next, *kernel, true);
+      cell_answer = answer<n>(c, F, old, next, dt, *kernel, true);
     }
     if (!cell_answer.admissible) return false;
     sum.elastic += cell_answer.energies.elastic;
@@ -156,7 +164,7 @@ bool Solid::assemble_cells(const unsigned *begin, const unsigned *end, const Eig
 }
 
 bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, const Equations &equations,
-                     Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies) const {
+                     Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies, double dt) const {
   const int workers = assembly_threads();
   const std::vector<int> *places = tangent ? &places_in(*tangent, equations) : nullptr;
   next = old; // cells that do not move keep theirs
@@ -175,8 +183,8 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
       values = part_values_[w].data();
     }
     const auto run = space_.degree == 2 ? &Solid::assemble_cells<27> : &Solid::assemble_cells<8>;
-    admissible[w] = (this->*run)(own_cells + begin, own_cells + end, u, old, next, equations, part_forces[w], places,
-                                 values, part_energies[w]);
+    admissible[w] = (this->*run)(own_cells + begin, own_cells + end, u, old, next, dt, equations, part_forces[w],
+                                 places, values, part_energies[w]);
   });
   if (ranks().any(std::find(admissible.begin(), admissible.end(), 0) != admissible.end())) return false;
   Eigen::VectorXd summed = Eigen::VectorXd::Zero(equations.n + 2); // forces, energies

@@ -19,7 +19,7 @@ using SolidHistory = std::vector<J2State>;
 
 struct SolidEnergies {
   double elastic = 0.0; ///< [J]
-  double plastic = 0.0; ///< plastic work, hardening included [J]; a function of the history alone
+  double plastic = 0.0; ///< plastic work, hardening and viscous part included [J]; a function of the history alone
 };
 
 /// Of one volume.
@@ -39,12 +39,13 @@ public:
   /// Cliques of coupled equations, one a cell.
   std::vector<std::vector<int>> cliques(const Equations &equations) const;
 
-  /// Adds internal forces at dof displacements u to `forces` (equations) and, when given, the tangent.
+  /// Adds internal forces at dof displacements u to `forces` (equations) and, when given, the tangent. dt: from old to
+  /// next [s]; 0: infinitely slow.
   /// False when a point is inadmissible (inverted): the step must be cut. A cell whose dofs are all held has no
   /// part in it: its history is kept, its energy not counted. With several ranks the tangent is that of this
   /// rank's cells alone; all else is whole.
   bool assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, const Equations &equations,
-                Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies) const;
+                Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies, double dt = 0) const;
   /// Cliques of equations that masses couple, one a cell and direction.
   std::vector<std::vector<int>> mass_cliques(const Equations &equations) const;
   /// Of all cells, or of those whose tangent is this rank's.
@@ -65,14 +66,15 @@ private:
   /// Into the kernel, at the deformation gradients of the cell's full points, which have the kernel's displacements.
   template <int n>
   Answer answer(std::size_t cell, const std::array<Matrix3, n> &F, const SolidHistory &old, SolidHistory &next,
-                CellKernel<n> &kernel, bool with_tangent) const;
-  /// Adds what the step did to the steel of a cell that flows; `mises`, `mean`: Kirchhoff stresses at its full and its
-  /// reduced points [Pa].
+                double dt, CellKernel<n> &kernel, bool with_tangent) const;
+  double viscous_work(std::size_t cell, const SolidHistory &history) const; ///< of a cell's points [J]
+  /// Adds what the step did to the steel of a cell that flows; `mises`, `mean`: Kirchhoff stresses at its full points,
+  /// without overstress, and at its reduced ones [Pa].
   void remember(std::size_t cell, const SolidHistory &old, SolidHistory &next, const double *mises,
                 const double *mean) const;
   template <int n>
   bool assemble_cells(const unsigned *begin, const unsigned *end, const Eigen::VectorXd &u, const SolidHistory &old,
-                      SolidHistory &next, const Equations &equations, Eigen::VectorXd &forces,
+                      SolidHistory &next, double dt, const Equations &equations, Eigen::VectorXd &forces,
                       const std::vector<int> *places, double *tangent, SolidEnergies &energies) const;
   void hand_round(SolidHistory &history, const std::vector<unsigned> &cells,
                   const std::vector<std::size_t> &starts) const;

@@ -17,29 +17,51 @@ struct PrincipalReturn {
   Eigen::Vector3d stress;
   Matrix3 moduli;
   double alpha;
+  double overstress = 0.0; ///< [Pa]
+};
+
+/// Plastic part of a step: the change of the elastic strain's norm, and its own change with the trial stress's.
+struct Flow {
+  double gamma;
+  double share; ///< 2 mu d gamma / d |trial stress| [-], between 0 (elastic) and 1 (no hardening)
+  double overstress = 0.0;
 };
 
 Matrix3 deviatoric_projector() {
   return Matrix3::Identity() - Matrix3::Constant(1.0 / 3.0);
 }
 
-/// Radial return in principal axes: |dev tau| = sqrt(2/3) sigma_y(alpha). The bilinear curve is solved
-/// exactly.
-PrincipalReturn return_map(const HenckyJ2 &law, const Eigen::Vector3d &trial_deviator, double alpha) {
+/// Beyond the static yield surface by `excess` [Pa] of |dev tau|. The bilinear curve is solved exactly, the law of the
+/// rate in terms of the equivalent stress sqrt(3/2) |dev tau|.
+Flow flow_beyond(const HenckyJ2 &law, double excess, double alpha, double dt) {
+  const double mu = law.shear_modulus, slope = law.hardening.slope(alpha);
+  if (law.rate.none() || !(dt > 0))
+    return {excess / (2 * mu + 2.0 / 3.0 * slope), 2 * mu / (2 * mu + 2.0 / 3.0 * slope)};
+  const StepFlow step = flow_of(law.rate, {.excess = std::sqrt(1.5) * excess,
+                                           .stress = law.hardening.stress(alpha),
+                                           .slope = slope,
+                                           .elastic = 3 * mu,
+                                           .dt = dt});
+  return {std::sqrt(1.5) * step.flow, 3 * mu * step.by_trial,
+          step.overstress * law.hardening.stress(alpha + step.flow)};
+}
+
+/// Radial return in principal axes: |dev tau| = sqrt(2/3) times the flow stress.
+PrincipalReturn return_map(const HenckyJ2 &law, const Eigen::Vector3d &trial_deviator, double alpha, double dt) {
   const double mu = law.shear_modulus;
   PrincipalReturn result{trial_deviator, 2 * mu * trial_deviator, 2 * mu * deviatoric_projector(), alpha};
   if (law.elastic) return result;
   const double norm = result.stress.norm();
   const double excess = norm - std::sqrt(2.0 / 3.0) * law.hardening.stress(alpha);
   if (excess <= 0) return result;
-  const double slope = law.hardening.slope(alpha);
-  const double gamma = excess / (2 * mu + 2.0 / 3.0 * slope);
+  const auto [gamma, share, overstress] = flow_beyond(law, excess, alpha, dt);
   const Eigen::Vector3d direction = result.stress / norm;
   result.elastic_strain -= gamma * direction;
   result.stress = 2 * mu * result.elastic_strain;
   result.alpha = alpha + std::sqrt(2.0 / 3.0) * gamma;
+  result.overstress = overstress;
   const double theta = 1 - 2 * mu * gamma / norm;
-  const double theta_bar = 2 * mu / (2 * mu + 2.0 / 3.0 * slope) - (1 - theta);
+  const double theta_bar = share - (1 - theta);
   result.moduli = 2 * mu * theta * deviatoric_projector() - 2 * mu * theta_bar * direction * direction.transpose();
   return result;
 }
@@ -88,11 +110,13 @@ Vector6 to_vector(const Matrix3 &m) {
 
 HenckyJ2 HenckyJ2::from(const scene::Material &material) {
   HenckyJ2 law{material.E / (2 * (1 + material.nu)), !material.yield.has_value(), {}};
-  if (material.yield) law.hardening = {*material.yield, scene::hardening_modulus(material)};
+  if (!material.yield) return law;
+  law.hardening = {*material.yield, scene::hardening_modulus(material)};
+  law.rate = {material.rate};
   return law;
 }
 
-IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F, bool with_tangent) const {
+IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F, double dt, bool with_tangent) const {
   IsochoricResult result;
   const double J = F.determinant();
   if (!(J > 0) || !std::isfinite(J)) {
@@ -111,18 +135,21 @@ IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F, bool with_t
   }
   const Eigen::Vector3d strain = 0.5 * b.array().log();
   const Eigen::Vector3d deviator = strain.array() - strain.mean();
-  const PrincipalReturn principal = return_map(*this, deviator, old.alpha);
+  const PrincipalReturn principal = return_map(*this, deviator, old.alpha, dt);
 
   result.energy = shear_modulus * principal.elastic_strain.squaredNorm();
   result.response.stress = to_vector(axes * principal.stress.asDiagonal() * axes.transpose());
   if (with_tangent) result.response.tangent = assemble_tangent(principal, b, axes);
   result.state = old;
+  result.state.overstress = principal.overstress;
   if (principal.alpha > old.alpha) {
     const Eigen::Vector3d b_elastic = (2 * (principal.elastic_strain.array() + strain.mean())).exp();
     const Matrix3 F_inverse = F.inverse();
     const Matrix3 pulled = F_inverse * axes;
     result.state.cp_inverse = to_vector(pulled * b_elastic.asDiagonal() * pulled.transpose());
     result.state.alpha = principal.alpha;
+    // As the ledgers take the work of the stresses: by the trapezoid over the step.
+    result.state.viscous_work += 0.5 * (old.overstress + principal.overstress) * (principal.alpha - old.alpha);
   }
   return result;
 }

@@ -4,8 +4,10 @@
 /// Multiplicative split F = F_e F_p, b_e = F C_p^-1 F^T, exponential map in principal axes (Simo 1992; Simo
 /// and Hughes, Computational Inelasticity, box 9.1). Stored energy per reference volume
 ///   Psi = mu |dev eps_e|^2 + kappa/2 (ln J)^2 + integral of the hardening curve,
-/// Kirchhoff stress tau = 2 mu dev eps_e + kappa ln J 1. Signs: tension positive. Units: Pa, J/m^3.
+/// flow stress that of the hardening curve, times 1 + w where the steel knows its rate (strain_rate.h), Kirchhoff
+/// stress tau = 2 mu dev eps_e + kappa ln J 1. Signs: tension positive. Units: Pa, J/m^3.
 #pragma once
+#include "fe_contact/laws/strain_rate.h"
 #include "scene/material.h"
 #include <Eigen/Core>
 
@@ -30,6 +32,8 @@ struct BilinearHardening {
 struct J2State {
   Vector6 cp_inverse{1.0, 1.0, 1.0, 0.0, 0.0, 0.0}; ///< C_p^-1
   double alpha = 0.0;                               ///< accumulated plastic strain [-]
+  double overstress = 0.0;   ///< flow stress over the hardening curve's at the last step's end [Pa]; 0: it did not flow
+  double viscous_work = 0.0; ///< integral of the overstress over alpha [J/m^3]
   // Of what the steel went through; no force depends on them:
   double triaxiality = 0.0; ///< integral of the triaxiality over alpha [-]
   double damage = 0.0;      ///< D of CrackMeasure [-]
@@ -54,10 +58,12 @@ struct HenckyJ2 {
   double shear_modulus; ///< mu [Pa], > 0
   bool elastic = false; ///< never yields
   BilinearHardening hardening{0.0, 0.0};
+  RateLaw rate{};
 
   static HenckyJ2 from(const scene::Material &material);
-  /// F: deformation gradient at the end of the step; old: state at its start. The tangent is made if it is asked for.
-  IsochoricResult step(const J2State &old, const Matrix3 &F, bool with_tangent = true) const;
+  /// F: deformation gradient at the end of the step; old: state at its start; dt: its length [s], 0: infinitely slow,
+  /// the steel shows no rate. The tangent is made if it is asked for.
+  IsochoricResult step(const J2State &old, const Matrix3 &F, double dt = 0, bool with_tangent = true) const;
 };
 
 struct VolumetricResult {

@@ -1,4 +1,5 @@
 """The bearing and its load on the first page: a drawing to scale and the numbers, assumptions with an asterisk."""
+from collections.abc import Callable
 from typing import Any
 
 from markupsafe import Markup, escape
@@ -30,6 +31,21 @@ def make(context: Context) -> dict[str, Any]:
             "remark": remark + ("" if context.whole_bearing or not figure else " Pad and foot do not take part in what was run.")}
 
 
+RATES = {"cowper-symonds": ("Cowper and Symonds", (("rate_D_per_s", "D", "\u00a01/s"), ("rate_q", "q", ""))),
+         "johnson-cook": ("Johnson and Cook", (("rate_C", "C", ""), ("rate_reference_per_s", "from", "\u00a01/s")))}
+
+
+def _rate_row(steel: dict[str, Any], mark: Callable[[str], str]) -> list[list[Any]]:
+    """The law of the strain rate, where the steel has one."""
+    if steel.get("rate") not in RATES:
+        return []
+    name, constants = RATES[steel["rate"]]
+    value = Markup(f"grows with its rate, {name}")
+    for key, symbol, unit in constants:
+        value += Markup(f", {symbol}\u00a0{plain(steel.get(key))}{unit}") + mark(key)
+    return [["Steel at speed", value]]
+
+
 def _rows(bearing: dict[str, Any], assumed: set[str]) -> list[list[Any]]:
     """[label, value] pairs of what shapes an impact."""
     def number(part: str, key: str, unit: str = "") -> Markup:
@@ -56,6 +72,7 @@ def _rows(bearing: dict[str, Any], assumed: set[str]) -> list[list[Any]]:
         if is_number(steel.get("tangent_modulus_MPa")):
             value += Markup(f", tangent {plain(steel['tangent_modulus_MPa'])}\u00a0MPa") + mark("tangent_modulus_MPa")
         rows.append(["Steel", value])
+        rows += _rate_row(steel, mark)
     return rows
 
 

@@ -9,7 +9,7 @@ from .common import title_of
 
 UNITS = {"_kg_per_m3": "kg/m³", "_kN_per_m": "kN/m", "_m_per_s2": "m/s²", "_m_per_s": "m/s", "_s_per_m": "s/m",
          "_MPa": "MPa", "_mm": "mm", "_kN": "kN", "_kg": "kg", "_deg": "°", "_ms": "ms", "_m": "m", "_N": "N",
-         "_g": "g", "_s": "s"}
+         "_g": "g", "_per_s": "1/s", "_s": "s"}
 LABELS = {
     "surface.R0": "radius of curvature at the vertex", "surface.a": "half-width of the ellipse",
     "surface.planar_radius": "planar radius of the dish", "surface.kind": "sliding surface",
@@ -24,6 +24,9 @@ LABELS = {
     "foot.cap_radius": "foot, radius of the spherical cap", "material.steel.E": "steel, Young's modulus",
     "material.steel.nu": "steel, Poisson's ratio", "material.steel.yield": "steel, yield stress",
     "material.steel.tangent_modulus": "steel, tangent modulus past yield", "material.steel.density": "steel, density",
+    "material.steel.rate": "steel, law of the strain rate", "material.steel.rate_D": "steel, rate that doubles the flow stress",
+    "material.steel.rate_q": "steel, exponent of the rate's law", "material.steel.rate_C": "steel, growth by e-fold of the rate",
+    "material.steel.rate_reference": "steel, rate without growth",
     "material.ertalyte.E": "Ertalyte, Young's modulus", "material.ertalyte.nu": "Ertalyte, Poisson's ratio",
     "material.ertalyte.yield": "Ertalyte, yield stress (∞: elastic)",
     "material.ertalyte.density": "Ertalyte, density", "contact.steel_steel": "friction steel on steel",

@@ -16,6 +16,7 @@ from test_checkpoints import steps_kept
 from report import vtu
 
 WINDOW = ["run", "impact-window", "--set", "excitation.speed_m_per_s=0.05", "--quiet"]
+MILD = ["--set", "bearing.material.steel.rate=cowper-symonds"]
 
 
 def summary(folder):
@@ -96,9 +97,14 @@ class RimWindow(unittest.TestCase):
             self.assertEqual(other.returncode, 3)  # another bearing's checkpoint is refused
 
     def test_killed_and_resumed_it_is_the_same_to_the_last_bit(self):
+        for settings in ([], MILD):
+            with self.subTest(settings=settings):
+                self.killed_and_resumed(*settings)
+
+    def killed_and_resumed(self, *settings):
         with tempfile.TemporaryDirectory() as folder:
             whole, killed = os.path.join(folder, "whole"), os.path.join(folder, "killed")
-            words = [*WINDOW, "--mesh", "0", "--no-fields"]
+            words = [*WINDOW, *settings, "--mesh", "0", "--no-fields"]
             self.assertEqual(rimpact(*words, "-o", whole).returncode, 0)
             process = subprocess.Popen([RIMPACT, *words, "-o", killed], stderr=subprocess.PIPE)
             while not steps_kept(killed, 20) and process.poll() is None:
@@ -113,6 +119,23 @@ class RimWindow(unittest.TestCase):
                 with open(os.path.join(one, "response.csv"), "rb") as file:
                     responses.append(file.read())
             self.assertEqual(*responses)
+
+    def test_steel_that_knows_its_rate_is_pressed_less_and_harder(self):
+        runs = {}
+        with tempfile.TemporaryDirectory() as folder:
+            for name, settings in (("static", []), ("fast", MILD), ("hardly", [*MILD, "--set", "bearing.material.steel.rate_D_per_s=1e9"])):
+                run = rimpact(*WINDOW, *settings, "--mesh", "0", "--no-fields", "-o", os.path.join(folder, name))
+                self.assertEqual(run.returncode, 0, run.stderr)
+                runs[name] = summary(os.path.join(folder, name))
+        static, fast, hardly = (run["impacts"][0] for run in runs.values())
+        self.assertGreater(fast["peak_force_N"], 1.05 * static["peak_force_N"])
+        self.assertLess(fast["peak_penetration_m"], 0.98 * static["peak_penetration_m"])
+        self.assertGreater(fast["restitution"], static["restitution"])
+        self.assertAlmostEqual(hardly["peak_force_N"] / static["peak_force_N"], 1, delta=0.03)  # the overstress falls with D to the fifth root
+        for run in runs.values():
+            self.assertLess(abs(run["energy"]["imbalance_relative"]), 1e-3)
+        self.assertNotIn("steel_rate", runs["static"])
+        self.assertEqual(runs["fast"]["steel_rate"], "cowper-symonds, D = 40 1/s, q = 5")
 
     def test_a_scene_that_ends_on_the_rim_has_its_rebound_doubted(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -103,8 +103,8 @@ struct TwoBlocks {
 
 /// A copper bar, plane strain, that hits a wall at 100 m/s and yields.
 struct Bar {
-  Bar()
-      : space(mesh(), 2), solid(space, {{Volume::rim, scene::Material{117e9, 0.35, 8930, 200e6, 100e6}}}),
+  explicit Bar(const scene::StrainRate &rate = {})
+      : space(mesh(), 2), solid(space, {{Volume::rim, scene::Material{117e9, 0.35, 8930, 200e6, 100e6, {}, rate}}}),
         supports(space) {
     supports.fix(1, [](const Vector3d &) { return true; });
     supports.fix(0, [](const Vector3d &x) { return x.x() < 1e-12; });

@@ -12,6 +12,13 @@ namespace {
 
 const scene::Material steel{200e9, 0.30, 7850.0, 360e6, 1450e6};
 
+HenckyJ2 with_rate(scene::RateModel model) {
+  scene::Material material = steel;
+  material.rate.model = model;
+  return HenckyJ2::from(material);
+}
+constexpr scene::RateModel rate_models[] = {scene::RateModel::cowper_symonds, scene::RateModel::johnson_cook};
+
 Matrix3 random_gradient(std::mt19937 &generator, double size) {
   std::uniform_real_distribution<double> uniform(-size, size);
   Matrix3 F = Matrix3::Identity();
@@ -21,8 +28,9 @@ Matrix3 random_gradient(std::mt19937 &generator, double size) {
 }
 
 /// First Piola-Kirchhoff stress of both parts.
-Matrix3 piola(const HenckyJ2 &law, const HenckyVolumetric &volumetric, const J2State &old, const Matrix3 &F) {
-  const Vector6 tau = law.step(old, F).response.stress + volumetric.at(F.determinant()).response.stress;
+Matrix3 piola(const HenckyJ2 &law, const HenckyVolumetric &volumetric, const J2State &old, const Matrix3 &F,
+              double dt) {
+  const Vector6 tau = law.step(old, F, dt).response.stress + volumetric.at(F.determinant()).response.stress;
   return to_matrix(tau) * F.inverse().transpose();
 }
 
@@ -34,9 +42,9 @@ Matrix3 predicted_change(const StressAndTangent &s, const Matrix3 &F, const Matr
   return (L * to_matrix(s.stress) + to_matrix(s.tangent * rate)) * F.inverse().transpose();
 }
 
-void expect_consistent_tangent(const HenckyJ2 &law, const J2State &old, const Matrix3 &F) {
+void expect_consistent_tangent(const HenckyJ2 &law, const J2State &old, const Matrix3 &F, double dt = 0) {
   const auto volumetric = HenckyVolumetric::from(steel);
-  StressAndTangent total = law.step(old, F).response;
+  StressAndTangent total = law.step(old, F, dt).response;
   const auto vol = volumetric.at(F.determinant()).response;
   total.stress += vol.stress;
   total.tangent += vol.tangent;
@@ -45,37 +53,142 @@ void expect_consistent_tangent(const HenckyJ2 &law, const J2State &old, const Ma
     for (int j = 0; j < 3; ++j) {
       Matrix3 dF = Matrix3::Zero();
       dF(i, j) = h;
-      const Matrix3 difference = (piola(law, volumetric, old, F + dF) - piola(law, volumetric, old, F - dF)) / 2;
+      const Matrix3 difference =
+          (piola(law, volumetric, old, F + dF, dt) - piola(law, volumetric, old, F - dF, dt)) / 2;
       const Matrix3 exact = predicted_change(total, F, dF);
       EXPECT_LT((difference - exact).norm(), 2e-6 * h * 200e9) << "component " << i << j;
     }
 }
 
-TEST(HenckyJ2, UniaxialTensionFollowsTheBilinearCurve) {
-  const HenckyJ2 law = HenckyJ2::from(steel);
-  const auto volumetric = HenckyVolumetric::from(steel);
-  J2State state;
-  double lateral = 0.0; // logarithmic, found so that the lateral Kirchhoff stress vanishes
-  for (int n = 1; n <= 50; ++n) {
-    const double axial = 0.02 * n / 50;
+/// A point of a bar that is pulled: the lateral stretch is the one without lateral stress.
+struct PulledBar {
+  const HenckyJ2 &law;
+  J2State state{};
+  double lateral = 0.0; ///< logarithmic strain
+  double energy = 0.0;  ///< elastic [J/m^3]
+
+  /// Axial Kirchhoff stress at a logarithmic strain, a step of dt [s] after the last one.
+  double pull(double axial, double dt = 0) {
+    const auto volumetric = HenckyVolumetric::from(steel);
     IsochoricResult result;
     Vector6 tau;
     for (int iteration = 0; iteration < 50; ++iteration) {
       const Eigen::Vector3d stretch(std::exp(axial), std::exp(lateral), std::exp(lateral));
-      result = law.step(state, stretch.asDiagonal());
-      const auto vol = volumetric.at(stretch.prod()).response;
-      tau = result.response.stress + vol.stress;
-      const Matrix6 c = result.response.tangent + vol.tangent;
-      lateral -= tau(1) / (c(1, 1) + c(1, 2) + 2 * tau(1)); // d tau / d ln stretch = c + 2 tau
+      result = law.step(state, stretch.asDiagonal(), dt);
+      const auto vol = volumetric.at(stretch.prod());
+      tau = result.response.stress + vol.response.stress;
+      energy = result.energy + vol.energy;
+      const Matrix6 c = result.response.tangent + vol.response.tangent;
       if (std::abs(tau(1)) < 1) break;
+      lateral -= tau(1) / (c(1, 1) + c(1, 2) + 2 * tau(1)); // d tau / d ln stretch = c + 2 tau
     }
     state = result.state;
+    return tau(0);
+  }
+};
+
+TEST(HenckyJ2, UniaxialTensionFollowsTheBilinearCurve) {
+  const HenckyJ2 law = HenckyJ2::from(steel);
+  PulledBar bar{law};
+  for (int n = 1; n <= 50; ++n) {
+    const double axial = 0.02 * n / 50, stress = bar.pull(axial);
     // Closed form: elastic to the yield stress, then the tangent modulus.
     const double yield_strain = *steel.yield / steel.E;
     const double expected = axial < yield_strain ? steel.E * axial : *steel.yield + 1450e6 * (axial - yield_strain);
-    EXPECT_NEAR(tau(0), expected, 1e-6 * 200e9 * 0.02) << "at strain " << axial;
+    EXPECT_NEAR(stress, expected, 1e-6 * 200e9 * 0.02) << "at strain " << axial;
   }
-  EXPECT_GT(state.alpha, 0.015);
+  EXPECT_GT(bar.state.alpha, 0.015);
+}
+
+/// Closed form of the flow that a bar settles to, pulled at a constant rate: sigma = (sigma_y + H alpha) f with f of
+/// the plastic rate, which is a constant: E (rate - rate_p) = H rate_p f(rate_p).
+double settled_plastic_rate(const HenckyJ2 &law, double rate) {
+  double plastic = rate;
+  for (int k = 0; k < 200; ++k)
+    plastic = steel.E * rate / (steel.E + law.hardening.modulus * (1 + law.rate.overstress(plastic)));
+  return plastic;
+}
+
+TEST(HenckyJ2, ABarAtAConstantRateSettlesToTheClosedForm) {
+  for (const auto model : rate_models)
+    for (const double rate : {1e-3, 2.0, 20.0, 1e3}) {
+      const HenckyJ2 law = with_rate(model);
+      PulledBar bar{law};
+      constexpr int steps = 400;
+      constexpr double furthest = 0.04;
+      const double plastic = settled_plastic_rate(law, rate);
+      for (int n = 1; n <= steps; ++n) {
+        const double axial = furthest * n / steps, stress = bar.pull(axial, furthest / steps / rate);
+        if (axial < 0.02) continue; // it settles
+        const double flow_stress = law.hardening.stress(axial - stress / steel.E);
+        EXPECT_NEAR(stress / (flow_stress * (1 + law.rate.overstress(plastic))), 1, 1e-6) << rate << " at " << axial;
+      }
+    }
+}
+
+TEST(HenckyJ2, WorkOfABarIsStoredSpentAndSpentOnItsRate) {
+  for (const auto model : rate_models) {
+    const HenckyJ2 law = with_rate(model);
+    PulledBar bar{law};
+    double work = 0, before = 0, elastic = 0;
+    for (int n = 1; n <= 600; ++n) { // out, back beyond yield the other way
+      const double axial = n <= 300 ? 0.03 * n / 300 : 0.03 * (600 - n) / 300, stress = bar.pull(axial, 1e-5);
+      work += 0.5 * (stress + before) * (n <= 300 ? 1 : -1) * 0.03 / 300;
+      before = stress, elastic = bar.energy;
+    }
+    const double spent = law.hardening.work(bar.state.alpha), viscous = bar.state.viscous_work;
+    EXPECT_GT(viscous, 0.02 * spent);
+    EXPECT_NEAR(work, elastic + spent + viscous, 2e-3 * work);
+  }
+}
+
+TEST(HenckyJ2, RateTangentAgreesWithDifferences) {
+  for (const auto model : rate_models)
+    for (const double dt : {1e-8, 1e-4, 1e-1, 1e4}) { // rates of 1e6 to 1e-6 1/s
+      const HenckyJ2 law = with_rate(model);
+      std::mt19937 generator(7);
+      for (int sample = 0; sample < 10; ++sample) {
+        const J2State history = law.step(J2State{}, random_gradient(generator, 0.02), dt).state;
+        ASSERT_GT(history.alpha, 0);
+        expect_consistent_tangent(law, history, random_gradient(generator, 0.02), dt);
+      }
+      expect_consistent_tangent(law, J2State{}, random_gradient(generator, 1e-4), dt); // elastic
+    }
+}
+
+TEST(HenckyJ2, WithoutTimeOrALawNothingOfTheRateIsLeft) {
+  std::mt19937 generator(13);
+  for (int sample = 0; sample < 20; ++sample) {
+    const Matrix3 F = random_gradient(generator, 0.03);
+    const auto none = HenckyJ2::from(steel).step(J2State{}, F, 1e-4), ever = HenckyJ2::from(steel).step(J2State{}, F);
+    EXPECT_EQ((none.response.stress - ever.response.stress).norm(), 0);
+    EXPECT_EQ(none.state.viscous_work, 0);
+    for (const auto model : rate_models) {
+      const auto slow = with_rate(model).step(J2State{}, F);
+      EXPECT_EQ((slow.response.stress - ever.response.stress).norm(), 0);
+      EXPECT_EQ((slow.response.tangent - ever.response.tangent).norm(), 0);
+      EXPECT_EQ(slow.state.alpha, ever.state.alpha);
+      EXPECT_EQ(slow.state.viscous_work, 0);
+    }
+    HenckyJ2 hardly = with_rate(scene::RateModel::cowper_symonds);
+    hardly.rate.data.D = 1e90;
+    const auto fast = hardly.step(J2State{}, F, 1e-4);
+    EXPECT_LT((fast.response.stress - ever.response.stress).norm(), 1e-12 * ever.response.stress.norm());
+    EXPECT_LT((fast.response.tangent - ever.response.tangent).norm(), 1e-12 * ever.response.tangent.norm());
+  }
+}
+
+TEST(HenckyJ2, OverstressRelaxesWhereItIsLeftAlone) {
+  const HenckyJ2 law = with_rate(scene::RateModel::cowper_symonds);
+  const Matrix3 F = Eigen::Vector3d(1.02, 0.99, 0.99).asDiagonal();
+  const auto fast = law.step(J2State{}, F, 1e-3), held = law.step(fast.state, F, 10.0), rest = law.step(held.state, F);
+  const auto equivalent = [](const IsochoricResult &r) { return std::sqrt(1.5) * to_matrix(r.response.stress).norm(); };
+  EXPECT_GT(fast.state.overstress, 0.5 * *steel.yield);
+  EXPECT_LT(held.state.overstress, 0.5 * fast.state.overstress);
+  EXPECT_GT(held.state.alpha, fast.state.alpha);
+  EXPECT_NEAR(equivalent(held), law.hardening.stress(held.state.alpha) + held.state.overstress, 1e-3);
+  EXPECT_EQ(rest.state.overstress, 0); // infinitely slow
+  EXPECT_NEAR(equivalent(rest), law.hardening.stress(rest.state.alpha), 1e-3);
 }
 
 TEST(HenckyJ2, TangentAgreesWithDifferences) {

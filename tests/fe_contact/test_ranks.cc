@@ -96,8 +96,8 @@ TEST(Ranks, SlidingOverADeformableMasterIsThatOfOneRank) {
   expect_close(alone, slid(), 1e-8);
 }
 
-std::pair<SystemState, MotionReport> impact() {
-  Bar bar;
+std::pair<SystemState, MotionReport> impact_of(const scene::StrainRate &rate) {
+  Bar bar(rate);
   bar.options.step.newton.tolerance = 1e-10;
   SystemState state = bar.thrown();
   const MotionReport report = bar.run(state, 14e-6);
@@ -105,15 +105,23 @@ std::pair<SystemState, MotionReport> impact() {
   return {state, report};
 }
 
-TEST(Ranks, AnImpactWithPlasticFlowAndItsLedgerAreThoseOfOneRank) {
-  const auto [alone, alone_report] = on_one_rank(impact);
-  const auto [shared, shared_report] = impact();
+void expect_an_impact_as_on_one_rank(const scene::StrainRate &rate) {
+  const auto [alone, alone_report] = on_one_rank([&] { return impact_of(rate); });
+  const auto [shared, shared_report] = impact_of(rate);
   EXPECT_GT(alone.energies.plastic, 0);
   expect_close(alone, shared, 1e-8);
   EXPECT_EQ(alone_report.march.steps, shared_report.march.steps);
   EXPECT_NEAR(alone_report.ledger.friction, shared_report.ledger.friction, 1e-8 * alone_report.ledger.largest_input);
   EXPECT_NEAR(alone_report.ledger.integrator, shared_report.ledger.integrator,
               1e-8 * alone_report.ledger.largest_input);
+}
+
+TEST(Ranks, AnImpactWithPlasticFlowAndItsLedgerAreThoseOfOneRank) {
+  expect_an_impact_as_on_one_rank({});
+}
+
+TEST(Ranks, AnImpactOfSteelThatKnowsItsRateIsThatOfOneRank) {
+  expect_an_impact_as_on_one_rank({.model = scene::RateModel::cowper_symonds});
 }
 
 TEST(Ranks, ABodyTurnedInsideOutOnOneRankIsSeenByAll) {

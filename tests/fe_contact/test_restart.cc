@@ -95,10 +95,10 @@ TEST(Restart, MidSlipItAgreesWithARunThatNeverStopped) {
 }
 
 /// Flight, impact and rebound; the checkpoint falls on the twentieth step, in the middle of contact.
-std::pair<SystemState, MotionReport> impact(Way way) {
+std::pair<SystemState, MotionReport> impact(Way way, const scene::StrainRate &rate = {}) {
   constexpr double end = 14e-6;
   const File file;
-  Bar bar;
+  Bar bar(rate);
   SystemState state = bar.thrown();
   int steps = 0;
   MotionPoint kept_at;
@@ -113,7 +113,7 @@ std::pair<SystemState, MotionReport> impact(Way way) {
   EXPECT_TRUE(report.march.finished) << report.march.reason;
   EXPECT_GT(steps, 30);
   if (way != Way::resumed) return {state, report};
-  Bar second;
+  Bar second(rate);
   SystemState resumed = resume(*second.system, file.path, &second.from);
   EXPECT_EQ(second.from.t, kept_at.t);
   report = second.run(resumed, end);
@@ -129,6 +129,22 @@ TEST(Restart, MidImpactItIsExactToTheLastBitWithItsLedger) {
   EXPECT_EQ(kept_report.ledger.integrator, resumed_report.ledger.integrator);
   EXPECT_EQ(kept_report.imbalance(), resumed_report.imbalance());
   EXPECT_LT(resumed_report.imbalance(), 5e-3);
+}
+
+TEST(Restart, MidImpactItIsExactToTheLastBitWhereTheSteelKnowsItsRate) {
+  const scene::StrainRate rate{.model = scene::RateModel::cowper_symonds};
+  const auto [kept, kept_report] = impact(Way::kept, rate);
+  const auto [resumed, resumed_report] = impact(Way::resumed, rate);
+  expect_equal(kept, resumed);
+  double viscous = 0;
+  for (std::size_t k = 0; k < kept.history.size(); ++k) {
+    EXPECT_EQ(kept.history[k].overstress, resumed.history[k].overstress);
+    EXPECT_EQ(kept.history[k].viscous_work, resumed.history[k].viscous_work);
+    viscous = std::max(viscous, kept.history[k].viscous_work);
+  }
+  EXPECT_GT(viscous, 0);
+  EXPECT_EQ(kept_report.ledger.plastic, resumed_report.ledger.plastic);
+  EXPECT_EQ(kept_report.imbalance(), resumed_report.imbalance());
 }
 
 TEST(Restart, ACheckpointOfAnotherMeshIsRefused) {

@@ -139,6 +139,17 @@ class Doubts(SmallResults):
         _, text = first_page(build(self.path("runs/window-0.20"))[0])
         self.assertRegex(text, r"! Steel\. The largest plastic strain of any body, \d+\.\d\u202f%, exceeds the limit of 0\u202f% \(an assumption of ours\)")
 
+    def test_steel_that_knows_its_rate_says_so(self):
+        self.results()
+        name = self.path("runs/window-0.20/scene.toml")
+        with open(name, encoding="utf-8") as file:
+            scene = file.read()
+        self.assertNotIn("Steel at speed", first_page(build(self.path("runs/window-0.20"))[0])[1])
+        rate = 'rate = "cowper-symonds"\nrate_D_per_s = 40.0 # assumption\nrate_q = 5.0\n'
+        self.write("runs/window-0.20/scene.toml", scene.replace("tangent_modulus_MPa", rate + "tangent_modulus_MPa"))
+        _, text = first_page(build(self.path("runs/window-0.20"))[0])
+        self.assertRegex(text, r"Steel at speed grows with its rate, Cowper and Symonds, D\u00a040\u00a01/s \* , q\u00a05")
+
     def test_without_doubts_there_is_no_mark(self):
         page, text = self.page(doubts=[], strain=None, table=[], law=synthetic_calibration.answer()["law"] | {"parameters": {}})
         self.assertNotIn('class="mark"', page)

@@ -15,6 +15,7 @@ const std::vector<Case> cases{
     {"elastic-bars", "1, 2: elastic bars against a rigid wall", elastic_bars},
     {"signorini-bar", "2: Signorini's bar, exact", signorini_bar},
     {"taylor-bar", "3: Taylor's copper bar", taylor_bar},
+    {"taylor-bar-rate", "3: Taylor's bar of copper that knows its rate", taylor_bar_rate},
     {"hertz-cylinder", "4: Hertz, cylinder", hertz_cylinder},
     {"hertz-sphere", "4: Hertz, sphere", hertz_sphere},
     {"mindlin-cylinder", "5: Cattaneo-Mindlin, cylinder", mindlin_cylinder},

@@ -55,6 +55,7 @@ Table rigid_bar();
 Table elastic_bars();
 Table signorini_bar();
 Table taylor_bar();
+Table taylor_bar_rate();
 Table hertz_cylinder();
 Table hertz_sphere();
 Table mindlin_cylinder();

@@ -1,0 +1,76 @@
+// Solids whose steel knows its rate: the tangent of a mesh, an impact with its ledger.
+#include "blocks.h"
+
+#include <gtest/gtest.h>
+
+namespace rimpact::fe {
+namespace {
+
+using scene::RateModel;
+
+TEST(RateDependentSolid, TangentOfAMeshAgreesWithDifferences) {
+  for (const RateModel model : {RateModel::cowper_symonds, RateModel::johnson_cook})
+    for (const double dt : {1e-7, 1e-3}) {
+      Bar bar({.model = model});
+      const Equations &equations = bar.system->equations();
+      std::mt19937 generator(1);
+      std::normal_distribution<double> normal(0, 1e-5);
+      Eigen::VectorXd u(bar.space.n_dofs()), direction = Eigen::VectorXd::Zero(u.size());
+      for (auto &value : u) value = normal(generator);
+      for (int dof = 0; dof < u.size(); ++dof)
+        if (equations.of_dof[dof] >= 0) direction[dof] = normal(generator);
+      SymmetricMatrix tangent(equations.n, bar.solid.cliques(equations));
+      const SolidHistory virgin = bar.solid.virgin();
+      SolidHistory next;
+      SolidEnergies energies;
+      Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations.n), plus = forces, minus = forces;
+      ASSERT_TRUE(bar.solid.assemble(u, virgin, next, equations, forces, &tangent, energies, dt));
+      EXPECT_GT(energies.plastic, 0);
+      const double h = 1e-4;
+      ASSERT_TRUE(bar.solid.assemble(u + h * direction, virgin, next, equations, plus, nullptr, energies, dt));
+      ASSERT_TRUE(bar.solid.assemble(u - h * direction, virgin, next, equations, minus, nullptr, energies, dt));
+      const Eigen::VectorXd difference = (plus - minus) / (2 * h),
+                            exact = tangent.multiply(equations.gather(direction));
+      EXPECT_LT((difference - exact).norm(), 1e-5 * exact.norm()) << dt;
+    }
+}
+
+struct BarImpact {
+  EnergyLedger ledger;
+  int steps;
+  double strain = 0, viscous_work = 0; ///< the largest of a point [-, J/m^3]
+};
+
+BarImpact bar_impact(const scene::StrainRate &rate) {
+  Bar bar(rate);
+  SystemState state = bar.thrown();
+  const MotionReport report = bar.run(state, 14e-6);
+  EXPECT_TRUE(report.march.finished) << report.march.reason;
+  BarImpact result{report.ledger, report.march.steps};
+  for (const auto &point : state.history) {
+    result.strain = std::max(result.strain, point.alpha);
+    result.viscous_work = std::max(result.viscous_work, point.viscous_work);
+  }
+  return result;
+}
+
+TEST(RateDependentSolid, AnImpactKeepsItsLedgerAndStrainsLess) {
+  const BarImpact none = bar_impact({});
+  EXPECT_EQ(none.viscous_work, 0);
+  for (const RateModel model : {RateModel::cowper_symonds, RateModel::johnson_cook}) {
+    const BarImpact fast = bar_impact({.model = model});
+    EXPECT_GT(fast.viscous_work, 0);
+    EXPECT_LT(std::abs(fast.ledger.imbalance_relative()), std::abs(none.ledger.imbalance_relative()) + 1e-3);
+    EXPECT_LT(fast.strain, none.strain);
+  }
+}
+
+TEST(RateDependentSolid, ARateThatIsNeverNearMakesNoDifference) {
+  const auto none = bar_impact({}), far = bar_impact({.model = RateModel::johnson_cook, .reference = 1e9});
+  EXPECT_NEAR(far.ledger.plastic, none.ledger.plastic, 1e-9 * none.ledger.plastic);
+  EXPECT_NEAR(far.ledger.friction, none.ledger.friction, 1e-9 * none.ledger.plastic);
+  EXPECT_EQ(far.steps, none.steps);
+}
+
+} // namespace
+} // namespace rimpact::fe
