@@ -1,8 +1,10 @@
 #include "app/main_jobs.h"
 
 #include "files/error.h"
+#include "planning/plan_parts.h"
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 
 namespace rimpact::app {
 namespace {
@@ -33,7 +35,44 @@ PulseScales scales_of(const char *built_in, const MainTarget &target, const std:
   return {.pulses = {{1.10, 0, true}, {1.05, 0, true}, {1.0, 0, false}}};
 }
 
+/// The windows' scene with steel that knows its rate where theirs does not, and the other way round.
+scene::Scene with_other_steel(scene::Scene window) {
+  scene::Material &steel = window.bearing.steel;
+  if (steel.knows_rate())
+    steel.rate.model = scene::RateModel::none;
+  else
+    steel.rate = fast_rate(steel);
+  return window;
+}
+
+/// Of the fastest, the middle and the slowest window that the rim is expected to stop; fewer where there are fewer.
+std::vector<Job> twins_of(const std::vector<Job> &jobs, const std::string &folder) {
+  std::vector<const Job *> windows;
+  for (const Job &job : jobs)
+    if (job.role == JobRole::window &&
+        planning::depth_of_impact(job.scene, job.scene.excitation.speed) < job.scene.bearing.rim.thickness)
+      windows.push_back(&job);
+  std::vector<Job> result;
+  for (const std::size_t k : std::set<std::size_t>{0, windows.size() / 2, windows.size() - 1}) {
+    if (k >= windows.size()) continue;
+    const std::string name = windows[k]->name + (windows[k]->scene.bearing.steel.knows_rate() ? "-static" : "-fast");
+    result.push_back({.name = name,
+                      .role = JobRole::twin,
+                      .scene = with_other_steel(windows[k]->scene),
+                      .folder = folder + "/twins/" + name});
+    result.back().scene.name = name;
+  }
+  return result;
+}
+
 } // namespace
+
+scene::StrainRate fast_rate(const scene::Material &steel) {
+  if (steel.knows_rate()) return steel.rate;
+  scene::StrainRate mild;
+  mild.model = scene::RateModel::cowper_symonds;
+  return mild;
+}
 
 MainJobs main_jobs(const MainTarget &target, const MainChoices &choices, const std::string &folder) {
   MainJobs result;
@@ -68,6 +107,8 @@ MainJobs main_jobs(const MainTarget &target, const MainChoices &choices, const s
           fmt::format("--speeds: {:g} m/s stands there twice, to the four decimals of a run's name", speed));
     add(name, JobRole::window, for_target("impact-window", target, fmt::format("excitation.speed_m_per_s={}", speed)));
   }
+  if (choices.twins.value_or(!target.built_in) && target.scene.bearing.steel.yield)
+    for (Job &twin : twins_of(result.jobs, folder)) result.jobs.push_back(std::move(twin));
   return result;
 }
 

@@ -6,18 +6,22 @@
 namespace rimpact::app {
 
 /// What a run is for.
-enum class JobRole { fit, predict, window, geometry, study };
+enum class JobRole { fit, predict, window, twin, geometry, study };
 constexpr auto choices(JobRole) {
   using enum JobRole;
-  return choices_of<JobRole>(
-      {{fit, "fit"}, {predict, "predict"}, {window, "window"}, {geometry, "geometry"}, {study, "study"}});
+  return choices_of<JobRole>({{fit, "fit"},
+                              {predict, "predict"},
+                              {window, "window"},
+                              {twin, "twin", "a window with the other steel: without its strain rate, or with it"},
+                              {geometry, "geometry"},
+                              {study, "study"}});
 }
 
 struct Job {
   std::string name;
   JobRole role;
   scene::Scene scene;
-  std::string folder; ///< DIR/runs/NAME
+  std::string folder; ///< DIR/runs/NAME; of a twin DIR/twins/NAME
   bool done = false, reused = false;
   std::string failure = {}; ///< the run's own sentence
   bool reduced = false;     ///< by the reduced model, else by finite elements
@@ -28,6 +32,7 @@ struct MainChoices {
   bool windows_only = false;
   bool bidirectional = false;             ///< also pulse-bidirectional, to predict
   std::optional<SpeedRange> pulse_speeds; ///< wished of the pulses
+  std::optional<bool> twins;              ///< of the steel's rate; none: for every bearing but the built-in ones
 };
 
 struct MainJobs {
@@ -35,9 +40,13 @@ struct MainJobs {
   std::vector<std::string> left_out; ///< pulses that cannot be run, a sentence each
 };
 
+/// The rate of the fast side of a bearing's band: its own, else mild steel's, an assumption.
+scene::StrainRate fast_rate(const scene::Material &steel);
 /// Windows over speed and both Ricker pulses, at the target's load and with its settings. shfps-225 as the thesis has
 /// it keeps the thesis's scales, 1.0 (predicted), 1.05 and 1.10 (fitted), unless `pulse_speeds` are given; of any other
-/// bearing or load they are chosen by pulse_scales(). Throws InputError for a speed out of its range or given twice.
+/// bearing or load they are chosen by pulse_scales(). Last come the
+/// twins of the fastest, the middle and the slowest window, with the other steel. Throws InputError for a speed out of
+/// its range or given twice.
 MainJobs main_jobs(const MainTarget &target, const MainChoices &choices, const std::string &folder);
 
 } // namespace rimpact::app

@@ -3,6 +3,7 @@
 #include "app/answer_law.h"
 #include "app/comparison.h"
 #include "app/job_runner.h"
+#include "app/steel_twins.h"
 #include "calibration/answer/answer.h"
 #include "calibration/answer/calibration_json.h"
 #include "files/file.h"
@@ -64,6 +65,8 @@ Selection select(const std::vector<Job> &jobs) {
   for (const auto &job : jobs)
     if (!job.done)
       s.warnings.push_back(job.name + ": " + job.failure);
+    else if (job.role == JobRole::twin)
+      continue; // beside the law
     else if (job.role == JobRole::predict)
       s.options.predict.push_back(job.folder);
     else if (summary_of(job.folder).value("n_impacts", 0) == 0)
@@ -124,12 +127,29 @@ json column_titles(const Columns &columns) {
   return {{"fitted", title(columns.law)}, {"pair", title(columns.pair)}, {"published", title(columns.published)}};
 }
 
+/// The law of all runs, with the band of the steel's two laws, into DIR/calibration.
+calibration::Calibration fit_law(const MainTarget &target, const std::vector<Job> &all, Selection selection,
+                                 const std::string &folder, Console &console) {
+  if (selection.fit.empty()) throw DataError("no run that touches the rim is left to fit");
+  selection.options.steel_band = steel_band(target, all);
+  calibration::Calibration fitted = calibration::calibrate(selection.fit, selection.options);
+  std::filesystem::remove_all(folder + "/calibration"); // of other runs
+  if (selection.options.steel_band) {
+    calibration::Answer answer = *fitted.answer;
+    fit_twins(all, answer.law.result.law, folder + "/calibration", *answer.steel_band, console);
+    fitted.answer = std::make_shared<const calibration::Answer>(std::move(answer));
+  }
+  calibration::write_calibration(fitted, folder + "/calibration");
+  return fitted;
+}
+
 } // namespace
 
-MainResults make_results(const MainTarget &target, const std::vector<Job> &jobs, const MainContext &context,
+MainResults make_results(const MainTarget &target, const std::vector<Job> &all, const MainContext &context,
                          Console &console) {
   const std::string &folder = context.folder;
-  Selection selection = select(jobs);
+  const std::vector<Job> jobs = without_twins(all);
+  Selection selection = select(all);
   selection.options.laws = context.laws;
   for (const auto &job : jobs)
     if (job.done && summary_of(job.folder).value("n_impacts", 0) == 0)
@@ -141,9 +161,7 @@ MainResults make_results(const MainTarget &target, const std::vector<Job> &jobs,
   std::optional<calibration::Calibration> fitted;
   json answer;
   try {
-    if (selection.fit.empty()) throw DataError("no run that touches the rim is left to fit");
-    fitted = calibration::calibrate(selection.fit, selection.options);
-    calibration::write_calibration(*fitted, folder + "/calibration");
+    fitted = fit_law(target, all, selection, folder, console);
     answer = calibration::to_json(*fitted).value("answer", json());
     console.detail(calibration::describe(*fitted));
     calibration::check_gate(*fitted);

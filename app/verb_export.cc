@@ -122,6 +122,16 @@ void write(const Exported &out, const ExportOptions &options, json table, Consol
   console.data(console.json ? table.dump(2, ' ', false, json::error_handler_t::replace) + "\n" : written);
 }
 
+/// The twins' law beside the answer's, which says of which steel each is.
+std::string twin_folder(const json &calibration) {
+  const json band = calibration.value("answer", json::object()).value("steel_band", json());
+  return band.is_object() && band.value("calibration", json()).is_string() ? band["calibration"].get<std::string>()
+                                                                           : "";
+}
+
+/// The spring of the other steel into a folder beside the answer's files.
+void export_twin(ExportOptions options, const std::string &twin, Console &console);
+
 void export_to(const ExportOptions &options, const json &calibration, Console &console) {
   const auto vertical = options.load ? std::optional(1e3 * *options.load) : std::nullopt;
   ExportedRim rim =
@@ -144,6 +154,18 @@ void export_to(const ExportOptions &options, const json &calibration, Console &c
                       {"to_m_s", rim.to},
                       {"whole_bearing", bearing.has_value() && !out.refused}};
   write(out, options, table, console);
+  if (const std::string twin = twin_folder(calibration); !twin.empty() && options.law.empty())
+    export_twin(options, twin, console);
+}
+
+void export_twin(ExportOptions options, const std::string &twin, Console &console) {
+  options.folder = (fs::path(options.folder) / twin).string();
+  options.out = (fs::path(options.out) / twin).string();
+  console.message(
+      fmt::format("two springs: {} is of the {} steel; take the static one for the travel, the fast one for "
+                  "the force",
+                  options.out, twin));
+  export_to(options, read_calibration(options.folder), console);
 }
 
 } // namespace

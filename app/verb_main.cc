@@ -10,6 +10,7 @@
 #include "files/text.h"
 #include "responses/identity.h"
 #include "scene/doubts.h"
+#include <cstdint>
 #include <fmt/format.h>
 
 namespace rimpact::app {
@@ -109,6 +110,9 @@ void add_main(CLI::App &app, Console &console) {
   verb->add_flag("--windows-only", options->choices.windows_only, "no pulses");
   verb->add_flag("--bidirectional", options->choices.bidirectional,
                  "also a motion in two directions (pulse-bidirectional), predicted");
+  verb->add_flag_function(
+      "--twins,!--no-twins", [options](std::int64_t count) { options->choices.twins = count > 0; },
+      "windows with the other steel too, without its strain rate and with it (default: for a bearing of yours)");
   verb->add_option("--pulse-speeds", options->pulse_speeds,
                    "LOW:HIGH [m/s], speeds at the rim for which the pulses' scales are chosen (0.05:0.6 for a bearing "
                    "or load of yours)");

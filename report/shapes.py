@@ -69,7 +69,7 @@ LAW_ROW: Shape = {"law": TEXT, "parameters": {"*": PARAMETER}, "runs": {"*": MET
                      "left_out_rebound_error valid_from_m_s valid_to_m_s")}
 BAND: Shape = (numbers("nominal low high"), NUMBER)
 ANSWER: Shape = {
-    **texts("bearing rim_identity source pair_law no_pair validity"), "rung": (TEXT, [TEXT]), "mesh": (NUMBER, [NUMBER]),
+    **texts("bearing rim_identity source pair_law no_pair validity steel_rate"), "rung": (TEXT, [TEXT]), "mesh": (NUMBER, [NUMBER]),
     **numbers("mass_kg vertical_kN gravity_m_per_s2"), "published_applies": FLAG, "doubts": [TEXT], "error_sentences": [TEXT],
     "errors": [{**texts("quantity source how from"), "value": NUMBER}],
     "assumptions": [{"key": TEXT, "value": (TEXT, NUMBER)}],
@@ -84,6 +84,8 @@ ANSWER: Shape = {
     "strain": {**numbers("limit largest largest_speed_below_limit_m_s"), "limit_is_assumption": FLAG, "exceeded": FLAG,
                "rows": [{**numbers("speed_m_s strain"), "place": TEXT}], **texts("sentence place crack_sentence slider_sentence")},
     "mesh_error": {"peak_force": NUMBER, "sentence": TEXT},
+    "steel_band": {**texts("rate law_is_of calibration"), "rate_is_assumption": FLAG, "sentences": [TEXT],
+                   "rows": [{"speed_m_s": NUMBER, **dict.fromkeys(("static", "fast"), numbers("peak_force_kN penetration_mm restitution"))}]},
 }
 CALIBRATION: Shape = {
     "answer": ANSWER, "parameters": {"*": PARAMETER}, "correlation": {"*": {"*": NUMBER}}, "condition": NUMBER,

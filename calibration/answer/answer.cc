@@ -137,6 +137,7 @@ Answer make_answer(const Calibration &c, const CalibrationOptions &options, cons
   answer.table = answer_table(answer.scene, answer.law);
   answer_pair(c, answer);
   answer.strain = answer_strain(c, runs);
+  answer.steel_band = options.steel_band;
   const std::vector<StoredStudy> studies = studies_of(c, runs);
   answer.mesh_error = answer_mesh_error(c, runs, studies);
   answer.errors = answer_errors(c, answer, runs, studies);

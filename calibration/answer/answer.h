@@ -97,11 +97,12 @@ struct Answer {
   bool published_applies = false;
   std::optional<AnswerStrain> strain;
   AnswerMeshError mesh_error;
-  std::vector<AnswerError> errors;  ///< all parts, by quantity and source
-  std::optional<AnswerStack> stack; ///< none: the runs are of the reduced model, whose scenes say what they have
-  std::vector<std::string> doubts;  ///< sentences
-  std::string validity;             ///< where it holds, in short sentences, for headers and exports
-  std::string source() const;       ///< the sources' words, joined by "and"
+  std::optional<SteelBand> steel_band; ///< static and fast; none: no twin was run
+  std::vector<AnswerError> errors;     ///< all parts, by quantity and source
+  std::optional<AnswerStack> stack;    ///< none: the runs are of the reduced model, whose scenes say what they have
+  std::vector<std::string> doubts;     ///< sentences
+  std::string validity;                ///< where it holds, in short sentences, for headers and exports
+  std::string source() const;          ///< the sources' words, joined by "and"
 };
 
 /// The error of the law at a speed, from runs by speed: linear in the logarithm of the speed between the two enclosing

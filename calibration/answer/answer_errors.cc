@@ -67,9 +67,7 @@ public:
     for (const Erring quantity : {Erring::peak_force, Erring::rebound})
       add(quantity, ErrorSource::step, {}, Known::unknown, "rimpact study RUN/scene.toml --axes step");
     of_rung(studies);
-    const std::string rate = "steel as fast as mild steel's (D 40 1/s, q 5) on shfps-225, by an explicit program";
-    add(Erring::peak_force, ErrorSource::steel, rate_of_mild_steel_force, Known::transferred, rate);
-    add(Erring::rebound, ErrorSource::steel, rate_of_mild_steel_rebound, Known::transferred, rate);
+    of_steel();
     const auto assumed = scene::assumptions(answer_.scene.bearing).size();
     for (const Erring quantity : {Erring::peak_force, Erring::rebound})
       if (assumed > 0)
@@ -99,7 +97,7 @@ public:
       const Known how = part.value ? Known::transferred : Known::unknown;
       const auto twice = part.value ? std::optional(2 * *part.value) : std::nullopt;
       if (part.quantity == Erring::peak_force) {
-        add(Erring::depth, part.source, part.value, how, by_energy + part.from);
+        if (!has(Erring::depth, part.source)) add(Erring::depth, part.source, part.value, how, by_energy + part.from);
         if (law_reads("k_i")) add(Erring::k_i, part.source, twice, how, "twice that " + by_energy + part.from);
       }
       if (part.quantity == Erring::rebound && law_reads("e"))
@@ -119,6 +117,30 @@ public:
   std::vector<AnswerError> errors;
 
 private:
+  /// The law's steel has no rate, or one of two; how far it is from the other is the band of the twins.
+  void of_steel() {
+    const auto both = [&](std::optional<double> force, std::optional<double> rebound, Known how,
+                          const std::string &from) {
+      add(Erring::peak_force, ErrorSource::steel, force, how, from);
+      add(Erring::rebound, ErrorSource::steel, rebound, how, from);
+    };
+    if (const auto &band = answer_.steel_band) {
+      const Known how = band->assumed ? Known::transferred : Known::measured;
+      const std::string from = fmt::format("windows of this rim without and with {}{}", in_words(band->rate),
+                                           band->assumed ? ", constants of mild steel" : "");
+      both(band->largest(&SteelTwin::force_ratio), band->largest(&SteelTwin::rebound_ratio), how, from);
+      add(Erring::depth, ErrorSource::steel, band->largest(&SteelTwin::depth_ratio), how, from);
+    } else if (const auto &steel = answer_.scene.bearing.steel; steel.knows_rate()) {
+      both({}, {}, Known::unknown, fmt::format("the constants of its rate, {}", in_words(steel.rate)));
+    } else {
+      both(rate_of_mild_steel_force, rate_of_mild_steel_rebound, Known::transferred,
+           "steel as fast as mild steel's (D 40 1/s, q 5) on shfps-225, by an explicit program");
+    }
+  }
+  bool has(Erring quantity, ErrorSource source) const {
+    return std::any_of(errors.begin(), errors.end(),
+                       [&](const AnswerError &error) { return error.quantity == quantity && error.source == source; });
+  }
   bool law_reads(const std::string &name) const { return answer_.scene.reduced.impact_law->reads(name); }
   /// Half the 95 % interval of a law's own number.
   void add_interval(Erring quantity, const std::string &name) {

@@ -85,6 +85,33 @@ json stack_json(const AnswerStack &stack) {
           {"elastic_slip_from", word(stack.slip_from)}};
 }
 
+/// Of an impact in the band: static or fast.
+json impact_json(const Impact &impact) {
+  return {{"peak_force_kN", impact.peak_force / 1e3},
+          {"penetration_mm", 1e3 * impact.peak_penetration},
+          {"restitution", number(impact.restitution())}};
+}
+
+json band_json(const SteelBand &band) {
+  json rows = json::array();
+  for (const SteelTwin &twin : band.twins)
+    rows.push_back(
+        {{"speed_m_s", twin.speed}, {"static", impact_json(twin.static_steel)}, {"fast", impact_json(twin.fast)}});
+  return {{"rate", in_words(band.rate)},
+          {"rate_is_assumption", band.assumed},
+          {"law_is_of", band.runs_are_static ? "static" : "fast"},
+          {"rows", rows},
+          {"calibration", text_or_null(band.calibration)},
+          {"sentences", sentences(band)}};
+}
+
+/// Of the solids that the law is fitted to.
+json steel_rate_json(const Answer &a) {
+  if (a.sources.count(RunSource::finite_elements) == 0) return nullptr;
+  const scene::Material &steel = a.scene.bearing.steel;
+  return steel.knows_rate() ? in_words(steel.rate) : word(scene::RateModel::none);
+}
+
 json errors_json(const std::vector<AnswerError> &errors) {
   json list = json::array();
   for (const AnswerError &error : errors)
@@ -142,6 +169,8 @@ json to_json(const Answer &a) {
           {"mesh_error",
            {{"peak_force", number(a.mesh_error.peak_force)}, {"sentence", text_or_null(a.mesh_error.sentence)}}},
           {"stack", a.stack ? stack_json(*a.stack) : json(nullptr)},
+          {"steel_rate", steel_rate_json(a)},
+          {"steel_band", a.steel_band ? band_json(*a.steel_band) : json(nullptr)},
           {"errors", errors_json(a.errors)},
           {"error_sentences", sentences(a.errors)},
           {"assumptions", assumed},

@@ -58,6 +58,21 @@ std::string table_text(const Answer &a) {
   return text;
 }
 
+/// Both steels at the speeds of the twins.
+std::string band_text(const SteelBand &band) {
+  std::string text =
+      "steel without and with its strain rate\n      m/s   peak kN      fast  depth mm      fast  rebound "
+      "     fast\n";
+  for (const SteelTwin &twin : band.twins) {
+    const Impact &slow = twin.static_steel, &fast = twin.fast;
+    text += fmt::format("  {:7.3g} {:9.4g} {:9.4g} {:9.3g} {:9.3g} {:8.3g} {:9.3g}\n", twin.speed,
+                        slow.peak_force / 1e3, fast.peak_force / 1e3, 1e3 * slow.peak_penetration,
+                        1e3 * fast.peak_penetration, slow.restitution(), fast.restitution());
+  }
+  for (const std::string &said : sentences(band)) text += said + "\n";
+  return text;
+}
+
 } // namespace
 
 std::string to_toml_fragment(const Answer &a) {
@@ -67,6 +82,8 @@ std::string to_toml_fragment(const Answer &a) {
   if (!a.law.remark.empty()) text += comment(a.law.remark);
   text += comment(a.pair ? a.pair->sentence : a.no_pair);
   if (!a.mesh_error.sentence.empty()) text += comment(a.mesh_error.sentence);
+  if (a.steel_band)
+    for (const std::string &said : sentences(*a.steel_band)) text += comment(said);
   for (const auto &doubt : said_once(a.doubts)) text += comment("Doubt: " + doubt);
   text += fmt::format("[reduced]\nmodel = \"{}\"\nimpact_law = \"{}\"\n", word(r.model), r.impact_law->name);
   for (const auto *names : {&law.parameters, &law.exponents})
@@ -104,6 +121,7 @@ std::string describe(const Answer &a) {
                                     a.strain->crack_sentence, a.strain->slider_sentence})
       if (!said.empty()) text += said + "\n";
   if (!a.mesh_error.sentence.empty()) text += a.mesh_error.sentence + "\n";
+  if (a.steel_band) text += band_text(*a.steel_band);
   for (const std::string &said : sentences(a.errors)) text += said + "\n";
   for (const auto &doubt : said_once(a.doubts)) text += "doubt: " + doubt + "\n";
   return text;

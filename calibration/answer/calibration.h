@@ -5,6 +5,7 @@
 /// which the constant pair holds; with windows alone, the parameters are the best constant ones over all of
 /// them.
 #pragma once
+#include "calibration/answer/steel_band.h"
 #include "calibration/data/metrics.h"
 #include "calibration/fit/impact_curves.h"
 #include "calibration/fit/profile.h"
@@ -26,6 +27,7 @@ struct CalibrationOptions {
       {};                    ///< impact laws to rank on all runs to fit; the best valid one is the answer, or fit.law
   bool keep_stopped = false; ///< fit runs that ended early too
   bool profiles = true;      ///< profile likelihood of every parameter (two or more)
+  std::optional<SteelBand> steel_band = {}; ///< of windows beside the runs, for the answer
 };
 
 /// An impact restarted from the reference's state, with the fitted values.

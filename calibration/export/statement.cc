@@ -1,6 +1,8 @@
 #include "calibration/export/statement.h"
 #include "calibration/answer/said_once.h"
 #include "calibration/fit/parameter.h"
+#include "scene/material.h"
+
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -92,6 +94,18 @@ void add_errors(std::vector<std::string> &lines, const json &answer) {
         "DOUBT: how far these numbers may be from the bearing's is not known; the calibration holds no errors.");
 }
 
+/// Of which steel the law is, and what the other would do.
+void add_steel(std::vector<std::string> &lines, const json &answer) {
+  const json rate = answer.value("steel_rate", json()), band = answer.value("steel_band", json());
+  if (!rate.is_string()) return; // measured, or of an earlier version
+  lines.push_back(parse<scene::RateModel>(rate.get<std::string>()) == scene::RateModel::none
+                      ? "Steel: static, without its strain rate."
+                      : "Steel: at speed, " + rate.get<std::string>() + ".");
+  if (band.is_object())
+    for (const auto &sentence : band.value("sentences", json::array()))
+      if (sentence.is_string()) lines.push_back(sentence.get<std::string>());
+}
+
 void add_doubts(std::vector<std::string> &lines, const ExportedRim &rim, const json &answer) {
   const json mesh = answer.value("mesh_error", json()), strain = answer.value("strain", json()),
              assumed = answer.value("assumptions", json());
@@ -133,6 +147,7 @@ std::vector<std::string> statement_of(const ExportedRim &rim, const json &answer
       if (fitted.is_object()) lines.push_back(parameter_line(name, fitted));
   add_range(lines, rim, law);
   add_errors(lines, answer);
+  add_steel(lines, answer);
   add_doubts(lines, rim, answer);
   const std::string sentence = text(law, "sentence"), validity = text(answer, "validity");
   if (!sentence.empty()) lines.push_back(sentence);

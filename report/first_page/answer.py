@@ -33,7 +33,7 @@ def make(context: Context) -> dict[str, Any]:
             "no_figure": "" if figure else "No curve of a fitted impact is stored, so the law's picture is not drawn.",
             "remark": for_page(law.get("remark") or ""), "belongs": _belongs(law, answer),
             "numbers": _numbers(law), "table": _table(answer), "pair": _pair(answer), "holds": for_page(_holds(law, answer)),
-            "strain": _strain(answer.get("strain")), "bars": bars(answer.get("errors") or []),
+            "band": _band(answer.get("steel_band")), "strain": _strain(answer.get("strain")), "bars": bars(answer.get("errors") or []),
             "mesh_error": for_page(answer.get("mesh_error", {}).get("sentence") or "")}
 
 
@@ -120,6 +120,16 @@ def _telling(rows: list[dict[str, Any]], limit: float | None) -> list[dict[str, 
     beyond = [row for row in rows if row not in below]
     told = [*rows[:1], *below[-1:], *beyond[:1], *rows[-1:]]
     return [row for place, row in enumerate(told) if row not in told[:place]]
+
+
+def _band(band: dict[str, Any] | None) -> dict[str, Any] | None:
+    """Static and fast steel at the twins' speeds: force, depth and rebound by pairs, the law's own steel named."""
+    if not band or not band.get("rows"):
+        return None
+    columns = (("peak_force_kN", integer), ("penetration_mm", lambda x: fixed(x, 2)), ("restitution", lambda x: fixed(x, 3)))
+    rows = [[fixed(row.get("speed_m_s"), 3), *(said(row.get(steel, {}).get(key)) for key, said in columns for steel in ("static", "fast"))]
+            for row in band["rows"]]
+    return {"rows": rows, "sentences": [for_page(said) for said in band.get("sentences", [])], "law_is_of": band.get("law_is_of", DASH)}
 
 
 def _strain(strain: dict[str, Any] | None) -> dict[str, Any] | None:

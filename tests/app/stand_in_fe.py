@@ -10,7 +10,8 @@ import sys
 import tempfile
 import time
 
-PAIR = ("reduced.k_i_kN_per_m=2.0e5", "reduced.restitution=0.4")
+PAIR = {"reduced.k_i_kN_per_m": 2.0e5, "reduced.restitution": 0.4}
+FASTER = 1.21  #: k_i of steel that knows its rate, over that of static steel: the peak force rises by a tenth
 
 
 def trace(word: str) -> None:
@@ -42,8 +43,10 @@ def run(arguments: list[str]) -> int:
         print("error: the solver stopped because the test asked for it", file=sys.stderr)
         return 4
     command = [os.environ["RIMPACT"], "reduced", scene, "-o", folder, "--force"]
-    for key_value in PAIR:
-        command += ["--set", key_value]
+    with open(scene) as file:
+        stiffer = FASTER if "rate = " in file.read() else 1.0
+    for key, value in PAIR.items():
+        command += ["--set", f"{key}={value * (stiffer if 'k_i' in key else 1.0)}"]
     code = subprocess.run(command, stdout=subprocess.DEVNULL).returncode
     if code == 0:  # the scene as `main` asked for it, without the pair the reference has of its own
         with open(scene) as source, open(os.path.join(folder, "scene.toml"), "w") as target:

@@ -176,6 +176,54 @@ class Main(unittest.TestCase):
         self.assertGreater(max(row["approach_speed_m_s"] for row in pulses), 0.5)
         self.assertFalse(os.path.exists(os.path.join(self.folder, "published")))
 
+    def band(self, *more, rate=""):
+        """What the main job says of an own bearing's steel; its whole calibration beside."""
+        with open(self.own_bearing(), "a") as file:
+            file.write(rate)
+        run = self.main(os.path.join(self.temporary.name, "own.toml"), "--windows-only", "--speeds", "0.1,0.125,0.2,0.4", "--quiet", *more)
+        self.assertEqual(run.returncode, 0, run.stderr)
+        return read(self.folder, "calibration", "calibration.json")["answer"]["steel_band"], run
+
+    def test_a_bearing_of_ones_own_has_a_band_of_its_steel(self):
+        band, run = self.band()
+        self.assertEqual(sorted(os.listdir(os.path.join(self.folder, "twins"))), ["window-0.10-fast", "window-0.125-fast", "window-0.40-fast"])
+        self.assertEqual((band["law_is_of"], band["rate_is_assumption"], band["calibration"]), ("static", True, "fast"))
+        self.assertEqual([row["speed_m_s"] for row in band["rows"]], [0.1, 0.125, 0.4])
+        for row in band["rows"]:
+            self.assertAlmostEqual(row["fast"]["peak_force_kN"] / row["static"]["peak_force_kN"], 1.1, places=2)
+        fast = read(self.folder, "calibration", "fast", "calibration.json")
+        self.assertAlmostEqual(fast["parameters"]["k_i"]["value"] / 2.42e5, 1, places=3)
+        self.assertAlmostEqual(read(self.folder, "calibration", "calibration.json")["parameters"]["k_i"]["value"] / 2.0e5, 1, places=3)
+        self.assertEqual([row["name"] for row in read(self.folder, "main.json")["runs"]], ["window-0.40", "window-0.20", "window-0.125", "window-0.10"])
+        self.assertIn("raises the peak force by 10 %", run.stdout)
+        with open(os.path.join(self.folder, "report.html")) as file:
+            self.assertIn("The steel at speed", file.read())
+        exported = rimpact("export", self.folder, "--csv", "-o", os.path.join(self.folder, "out"))
+        self.assertEqual(exported.returncode, 0, exported.stderr)
+        self.assertIn("two springs", exported.stderr)
+        for place in ("out", os.path.join("out", "fast")):
+            self.assertTrue(os.path.exists(os.path.join(self.folder, place, "law.csv")), place)
+
+    def test_a_bearing_whose_steel_knows_its_rate_has_static_twins(self):
+        band, _ = self.band(rate='[material.steel]\nrate = "cowper-symonds"\nrate_D_per_s = 3200.0\n')
+        self.assertEqual((band["law_is_of"], band["rate_is_assumption"], band["calibration"]), ("fast", False, "static"))
+        self.assertIn("D = 3200", band["rate"])
+        for row in band["rows"]:
+            self.assertGreater(row["fast"]["peak_force_kN"], 1.05 * row["static"]["peak_force_kN"])
+
+    def test_twins_are_left_out_where_they_are_not_wanted(self):
+        band, _ = self.band("--no-twins")
+        self.assertIsNone(band)
+        self.assertFalse(os.path.exists(os.path.join(self.folder, "twins")))
+        self.assertFalse(os.path.exists(os.path.join(self.done, "twins")))  # a built-in bearing's steel is the thesis's
+
+    def test_a_twin_that_fails_leaves_the_law(self):
+        self.own_bearing()
+        run = self.main(os.path.join(self.temporary.name, "own.toml"), "--windows-only", "--speeds", "0.1,0.2,0.4", STAND_IN_FAIL="window-0.20-fast")
+        self.assertEqual(run.returncode, 4, run.stderr)
+        self.assertEqual(len(read(self.folder, "calibration", "calibration.json")["answer"]["steel_band"]["rows"]), 2)
+        self.assertIn("window-0.20-fast: ", " ".join(read(self.folder, "main.json")["warnings"]))
+
     def test_a_scene_gives_bearing_load_and_settings(self):
         scene = os.path.join(self.temporary.name, "scene.toml")
         self.own_bearing()

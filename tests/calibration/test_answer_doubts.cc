@@ -177,6 +177,54 @@ TEST(AnswerDoubts, EveryPartOfTheErrorIsNamed) {
   for (const AnswerError &error : other) EXPECT_EQ(error.source, ErrorSource::law) << "the reduced model has no steel";
 }
 
+/// Static and fast windows of this rim tell what the steel's rate does; without them mild steel's on another rim does.
+TEST(AnswerDoubts, ABandOfTheSteelTakesThePlaceOfAnothersRate) {
+  TemporaryFolder folder;
+  std::vector<std::string> runs;
+  for (const double speed : {0.1, 0.3}) {
+    auto scene = window(speed);
+    scene.bearing = scene::builtin_bearing("shfps-225");
+    runs.push_back(folder.write(scene));
+    amend(runs.back(), {{"rung", "rim"}, {"mesh", 1}});
+  }
+  const auto hit = [](double force, double depth, double rebound) {
+    return Impact{0, 0.05, 0, 0.3, rebound, force, depth};
+  };
+  CalibrationOptions options = quick({});
+  options.steel_band = {
+      .rate = {.model = scene::RateModel::cowper_symonds},
+      .assumed = true,
+      .twins = {{.speed = 0.1, .static_steel = hit(1e6, 2e-3, 0.10), .fast = hit(1.12e6, 1.8e-3, 0.11)},
+                {.speed = 0.3, .static_steel = hit(2e6, 8e-3, 0.10), .fast = hit(2.4e6, 6e-3, 0.12)}},
+      .calibration = "fast"};
+  const Answer answer = *calibrate(runs, options).answer;
+  const auto of = [&](Erring quantity) {
+    std::vector<AnswerError> found;
+    std::copy_if(answer.errors.begin(), answer.errors.end(), std::back_inserter(found), [&](const AnswerError &error) {
+      return error.quantity == quantity && error.source == ErrorSource::steel;
+    });
+    EXPECT_EQ(found.size(), 1u) << word(quantity);
+    return found.front();
+  };
+  EXPECT_NEAR(of(Erring::peak_force).value.value(), 0.20, 1e-12);
+  EXPECT_NEAR(of(Erring::depth).value.value(), 0.25, 1e-12);
+  EXPECT_NEAR(of(Erring::rebound).value.value(), 0.20, 1e-12);
+  EXPECT_NEAR(of(Erring::k_i).value.value(), 0.40, 1e-12);
+  EXPECT_EQ(of(Erring::peak_force).how, Known::transferred) << "its constants are mild steel's";
+  const auto said = sentences(*answer.steel_band);
+  EXPECT_EQ(said.front(),
+            "Steel that knows its strain rate raises the peak force by 12 to 20 % and lowers the depth by "
+            "10 to 25 %, from 0.1 to 0.3 m/s.");
+  const auto json = to_json(answer)["steel_band"];
+  EXPECT_EQ(json["law_is_of"], "static");
+  EXPECT_EQ(json["rows"][1]["fast"]["penetration_mm"], 6.0);
+  options.steel_band->assumed = false;
+  const Answer known = *calibrate(runs, options).answer;
+  EXPECT_TRUE(std::any_of(known.errors.begin(), known.errors.end(), [](const AnswerError &error) {
+    return error.source == ErrorSource::steel && error.how == Known::measured;
+  }));
+}
+
 TEST(AnswerDoubts, TheMeshOfAnotherRimUnderTheSameNameIsNotKnown) {
   TemporaryFolder folder;
   auto scene = window(0.2);

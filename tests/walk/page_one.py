@@ -139,6 +139,20 @@ def of_the_runs(answer: dict[str, Any], folder: str, words: str) -> Iterator[tup
         yield abs(off) <= stated + 0.005, f"{name}: the law is off by {100 * off:+.2f} % of the peak, {100 * stated:.1f} % is stated"
 
 
+def of_the_band(answer: dict[str, Any], folder: str, words: str) -> Iterator[tuple[bool, str]]:
+    """Static and fast steel from the summaries of windows and twins, as the page's row of that speed has them."""
+    places = os.path.join(folder, "twins")
+    for name in sorted(os.listdir(places)) if os.path.isdir(places) else []:
+        pair = [read(folder, *where, "summary.json")["impacts"][0] for where in (("runs", name.rpartition("-")[0]), ("twins", name))]
+        static, fast = pair if name.endswith("-fast") else reversed(pair)
+        cells = [f"{hit['peak_force_N'] / 1e3:.0f}" for hit in (static, fast)] + [f"{1e3 * hit['peak_penetration_m']:.2f}" for hit in (static, fast)]
+        cells += [f"{hit['rebound_speed_m_s'] / hit['approach_speed_m_s']:.3f}" for hit in (static, fast)]
+        row = " ".join([f"{float(name.split('-')[1]):.3f}", *cells])
+        yield row in words, f"page one has the row {row}"
+        band = answer["steel_band"]["rows"]
+        yield any(near(at["fast"]["peak_force_kN"], fast["peak_force_N"] / 1e3, 1e-9) for at in band), f"{name}: {fast['peak_force_N'] / 1e3:.1f} kN"
+
+
 def of_the_device(answer: dict[str, Any], folder: str, words: str) -> Iterator[tuple[bool, str]]:
     name = sorted(os.listdir(os.path.join(folder, "runs")))[-1]
     with open(os.path.join(folder, "runs", name, "scene.toml"), "rb") as file:
@@ -156,6 +170,7 @@ def checks(folder: str) -> Iterator[tuple[bool, str]]:
     yield from of_the_device(answer, folder, words)
     yield from of_the_table(answer, words)
     yield from of_the_bars(answer, words)
+    yield from of_the_band(answer, folder, words)
     yield from of_the_runs(answer, folder, words)
     for sentence in sentences_of(folder):
         yield len(sentence.split()) <= LONGEST, f"{len(sentence.split())} words: {sentence[:110]}"
