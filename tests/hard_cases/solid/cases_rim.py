@@ -26,7 +26,8 @@ def record(stem, axis, seconds):
     return PULSE, settings
 
 
-def cases(program, folder):
+def cases(program, folder, close=0.001):
+    """close: by what the peak force may move with the penalty, relative."""
     base = window(0.2)
     spike = record(folder / "spike", {"x": lambda t: 1.0 if 1.0 <= t < 1.05 else 0.0}, 4)
     tiny = record(folder / "tiny", {"x": lambda t: 0.002 * ((int(t / 0.3) % 2) * 2 - 1)}, 100)
@@ -51,9 +52,9 @@ def cases(program, folder):
         ("negative tangent modulus", True, window(0.2, "bearing.material.steel.tangent_modulus_MPa=-10"), 2, None),
         ("rim 10 mm thick", True, window(0.2, "bearing.rim.thickness_mm=10"), 0, impacts(1)),
         ("rim 100 mm thick", True, window(0.2, "bearing.rim.thickness_mm=100"), 0, impacts(1)),
-        ("penalty x 0.01", True, window(0.2, "model.penalty_scale=0.01"), 0, close_to("reference: 0.2 m/s", 0.001)),
-        ("penalty x 0.1", True, window(0.2, "model.penalty_scale=0.1"), 0, close_to("reference: 0.2 m/s", 0.001)),
-        ("penalty x 100", True, window(0.2, "model.penalty_scale=100"), 0, close_to("reference: 0.2 m/s", 0.001)),
+        ("penalty x 0.01", True, window(0.2, "model.penalty_scale=0.01"), 0, close_to("reference: 0.2 m/s", close)),
+        ("penalty x 0.1", True, window(0.2, "model.penalty_scale=0.1"), 0, close_to("reference: 0.2 m/s", close)),
+        ("penalty x 100", True, window(0.2, "model.penalty_scale=100"), 0, close_to("reference: 0.2 m/s", close)),
         ("friction of the walls 0.1, oblique", True, free((0.39, 0), (0.4, 0.24), 0.3, "bearing.contact.rim=0.1"), 0, impacts(1)),
         ("friction of the walls 0.3, oblique", True, free((0.39, 0), (0.4, 0.24), 0.3, "bearing.contact.rim=0.3"), 0, impacts(1)),
         ("rho_inf 0", True, window(0.2, "model.rho_inf=0"), 0, close_to("reference: 0.2 m/s", 0.01)),

@@ -2,7 +2,8 @@
 // 7.1 mm; the radius grows with the mesh's fineness, and an independent program (taylor_reference.py) meets the
 // published ones on the coarse meshes they come from. The radius's reference is that program's at the same spacing of
 // nodes. The same bar of copper whose flow stress grows with its rate, at a hundred thousand a second: lengths and
-// radii of that program with the same two laws (taylor_reference.py --rate LAW 8).
+// radii of that program with the same two laws (taylor_reference.py --rate LAW 8). The radius is that of the foot's
+// lip, where the two programs part, by less, without a rate too.
 #include "setups.h"
 
 #include <fmt/format.h>
@@ -88,8 +89,8 @@ Table taylor_bar_rate() {
   const auto thrown = [&](const std::string &of, const scene::StrainRate &rate, double reference_length,
                           double reference_radius) {
     add(table, taylor_bar_of(2, rate), of, reference_length, reference_radius);
-    table.gate("length of the independent program" + of, table.last_error("final length" + of + " [mm]"), 0.015);
-    table.gate("radius of the independent program" + of, table.last_error("mushroom radius" + of + " [mm]"), 0.02);
+    table.gate("length of the independent program" + of, table.last_error("final length" + of + " [mm]"), 0.005);
+    table.gate("radius of the independent program" + of, table.last_error("mushroom radius" + of + " [mm]"), 0.06);
   };
   thrown(", power law", {.model = scene::RateModel::cowper_symonds, .D = 1e6, .q = 4}, 23.7447, 5.9735);
   thrown(", logarithm", {.model = scene::RateModel::johnson_cook, .C = 0.025, .reference = 1}, 23.1618, 6.4458);
