@@ -1,13 +1,16 @@
-// rimpact motion FILE...: what is in a record.
+// rimpact motion FILE|FOLDER...: what is in records.
+#include "app/motion_table.h"
 #include "app/sibling.h"
 #include "app/verb.h"
 #include "files/file.h"
 #include "files/json_text.h"
+#include "records/record_file.h"
 #include "records/record_library.h"
 #include "responses/response.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 namespace rimpact::app {
@@ -17,7 +20,7 @@ namespace {
 std::vector<std::string> picture_places(const std::vector<std::string> &files, const std::string &folder) {
   std::vector<std::string> places;
   for (const auto &file : files) {
-    places.push_back(folder + "/" + std::filesystem::path(file).stem().string());
+    places.push_back(folder + "/" + record_label(file));
     const auto before = std::find(places.begin(), places.end() - 1, places.back());
     if (before != places.end() - 1)
       throw InputError(fmt::format("{} and {} would both be drawn as {}.png; draw them into two folders",
@@ -42,49 +45,80 @@ std::string motion_csv(const SampledSignal &record) {
   return text;
 }
 
+/// A record and its plot, each where `base` says.
+void draw_record(const std::string &name, const std::string &base) {
+  write_atomically(motion_csv(read_record(name)), base + ".csv");
+  if (python({"report.motion", base + ".csv", base + ".png"}) != 0)
+    throw IoError("the plot " + base + ".png was not made");
+}
+
+void draw_records(const std::vector<MotionRow> &rows, const std::string &folder) {
+  std::vector<std::string> names;
+  for (const auto &row : rows)
+    if (row.info) names.push_back(row.record.path);
+  const auto places = picture_places(names, folder);
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) throw IoError(fmt::format("cannot create the folder {}: {}", folder, failed.message()));
+  for (std::size_t k = 0; k < names.size(); ++k) draw_record(names[k], places[k]);
+}
+
+/// What a folder's components are, in words behind its table.
+std::string folder_in_words(const RecordFolder &folder) {
+  const auto pairs =
+      std::count_if(folder.stations.begin(), folder.stations.end(), [](const auto &s) { return s.is_pair(); });
+  return fmt::format("{} records of {} stations, {} of them with two horizontal components", folder.records.size(),
+                     folder.stations.size(), pairs);
+}
+
+void ask_about(const RecordFolder &folder, Console &console) {
+  const std::string path = (std::filesystem::path(folder.path) / records_csv_name).string();
+  write_atomically(records_csv(folder), path);
+  console.message(fmt::format("{} says what was understood; correct it, and it counts from now on", path));
+}
+
+std::vector<MotionRow> motion_rows(const std::string &given, bool is_asked, Console &console) {
+  const std::string name = std::filesystem::exists(given) ? given : find_record(given, ".");
+  if (!std::filesystem::is_directory(name)) {
+    if (is_asked)
+      throw InputError(fmt::format("--ask writes {} into a folder, and {} is none", records_csv_name, given));
+    return rows_of_file(name);
+  }
+  const RecordFolder folder = read_record_folder(name);
+  folder.require_any();
+  if (is_asked) ask_about(folder, console);
+  console.message(folder_in_words(folder));
+  if (const std::string question = folder.question(); !is_asked && !question.empty()) console.warn(question);
+  return rows_of_folder(folder);
+}
+
 } // namespace
 
 void add_motion(CLI::App &app, Console &console) {
   struct MotionOptions {
-    std::vector<std::string> files;
+    std::vector<std::string> names;
     std::string picture;
+    bool ask = false;
   };
-  auto *verb = app.add_subcommand("motion", "what is in a ground-motion record");
+  auto *verb = app.add_subcommand("motion", "what is in ground-motion records, or in a folder of them");
   auto options = std::make_shared<MotionOptions>();
-  verb->add_option("FILE", options->files, "AT2 or CSV records")->required();
+  verb->add_option("FILE", options->names, "records of any form, FILE#2 for a channel, or folders of them")->required();
   verb->add_option("--png", options->picture, "folder for a plot of each record");
+  verb->add_flag("--ask", options->ask, "writes records.csv into a folder: stations and directions, to be corrected");
   console.add_common(*verb);
   console.add_json(*verb);
   verb->callback([options, &console] {
-    nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    const auto places =
-        options->picture.empty() ? std::vector<std::string>{} : picture_places(options->files, options->picture);
-    for (std::size_t k = 0; k < options->files.size(); ++k) {
-      const std::string &file = options->files[k];
-      const auto record = read_record(std::filesystem::exists(file) ? file : find_record(file, "."));
-      const auto info = inspect(record);
-      all.push_back({{"file", file},
-                     {"npts", info.npts},
-                     {"dt_s", info.dt},
-                     {"pga_g", info.pga_g},
-                     {"pgv_m_per_s", info.pgv},
-                     {"pgd_m", info.pgd},
-                     {"arias_m_per_s", info.arias},
-                     {"duration_5_95_s", info.duration}});
-      if (!console.json)
-        console.data(fmt::format("{}: NPTS {}, dt {} s, PGA {:.4f} g, PGV {:.4f} m/s, PGD {:.4f} m, Arias "
-                                 "{:.3f} m/s, D5-95 {:.2f} s\n",
-                                 file, info.npts, info.dt, info.pga_g, info.pgv, info.pgd, info.arias, info.duration));
-      if (options->picture.empty()) continue;
-      std::error_code failed;
-      std::filesystem::create_directories(options->picture, failed);
-      if (failed) throw IoError(fmt::format("cannot create the folder {}: {}", options->picture, failed.message()));
-      const std::string &base = places[k];
-      write_atomically(motion_csv(record), base + ".csv");
-      if (python({"report.motion", base + ".csv", base + ".png"}) != 0)
-        throw IoError("the plot " + base + ".png was not made");
+    std::vector<MotionRow> all;
+    std::string text;
+    for (const auto &name : options->names) {
+      auto rows = motion_rows(name, options->ask, console);
+      text += std::filesystem::is_directory(name) ? motion_table(rows) : motion_lines(rows);
+      std::move(rows.begin(), rows.end(), std::back_inserter(all));
     }
-    if (console.json) console.data(json_text(all));
+    nlohmann::ordered_json json = nlohmann::ordered_json::array();
+    for (const auto &row : all) json.push_back(to_json(row));
+    console.data(console.json ? json_text(json) : text);
+    if (!options->picture.empty()) draw_records(all, options->picture);
   });
 }
 

@@ -19,7 +19,7 @@ constexpr std::array words{
     Words{"new", "rimpact new my-case\nrimpact new my-case --scene impact-window", ""},
     Words{"check", "rimpact check my-case/scene.toml\nrimpact check ricker-0.78g-1.0s --rung rigid-dish --json",
           "rimpact reduced SCENE (milliseconds), then rimpact run SCENE"},
-    Words{"motion", "rimpact motion record.AT2\nrimpact motion x.AT2 y.AT2 --json",
+    Words{"motion", "rimpact motion record.AT2\nrimpact motion x.AT2 y.AT2 --json\nrimpact motion my-records",
           "rimpact reduced SCENE --set excitation.kind=record --set excitation.x=FILE"},
     Words{"design", "rimpact design --sm1-g 0.87 --mu 0.07 --gamma 0.75 --Ts-s 0.5 --weight-kN 853",
           "rimpact new DIR, then a history: rimpact reduced DIR/scene.toml"},

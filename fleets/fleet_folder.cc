@@ -5,6 +5,7 @@
 #include "files/file.h"
 #include "files/folder_lock.h"
 #include "files/json_text.h"
+#include "records/record_file.h"
 #include "records/record_library.h"
 #include "responses/kept_run.h"
 #include "responses/response.h"
@@ -38,7 +39,7 @@ std::set<std::string> swept_files(const std::string &where, const Sweep &sweep) 
       if (const auto *text = std::get_if<std::string>(&run[i].cell); text && !text->empty()) names.insert(*text);
     for (const auto &name : names)
       for (const auto &folder : beside) {
-        fs::path path = fs::absolute(folder / name).lexically_normal();
+        fs::path path = record_name(fs::absolute(folder / name).lexically_normal().string()).file;
         std::error_code none;
         if (fs::is_directory(path, none)) path /= "calibration.json";
         if (fs::is_regular_file(path, none)) files.insert(path.string());

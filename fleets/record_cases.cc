@@ -1,10 +1,13 @@
 // Cases of a sweep from a folder of records.
 #include "files/error.h"
-#include "fleets/record_folder.h"
+#include "fleets/record_intensity.h"
 #include "fleets/sweep_reader.h"
 #include "fleets/sweep_toml.h"
+#include "records/record_file.h"
+#include "records/record_folder.h"
 #include <filesystem>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 namespace rimpact::fleets {
@@ -32,27 +35,47 @@ std::vector<Axis> case_of(const std::string &name, const std::vector<std::string
   return axes;
 }
 
+/// "it has HILL000.AT2 (000), HILL-UP.AT2 (UP)".
+std::string what_it_has(const RecordFolder &folder, const Station &station) {
+  std::vector<std::string> has;
+  for (const auto *part : {&station.horizontal, &station.vertical})
+    for (const std::size_t i : *part)
+      has.push_back(fmt::format("{} ({})", folder.records[i].file, folder.records[i].direction.spelling));
+  return fmt::format("it has {}", fmt::join(has, ", "));
+}
+
+std::vector<std::string> paths(const RecordFolder &folder, const std::vector<std::size_t> &records) {
+  std::vector<std::string> result;
+  for (const std::size_t i : records) result.push_back(folder.records[i].path);
+  return result;
+}
+
 } // namespace
 
-RecordCases cases_of_folder(const std::string &folder, Components components, double sa_period) {
+RecordCases cases_of_folder(const std::string &folder_name, Components components, double sa_period) {
+  const RecordFolder folder = read_record_folder(folder_name);
+  folder.require_any();
   RecordCases result;
-  for (const auto &motion : ground_motions(folder)) {
+  if (const std::string question = folder.question(); !question.empty()) result.left_out.push_back(question);
+  for (const auto &station : folder.stations) {
+    const auto horizontal = paths(folder, station.horizontal), vertical = paths(folder, station.vertical);
     if (components == Components::x) {
-      for (const auto &path : motion.horizontal)
-        result.cases.push_back(case_of(std::filesystem::path(path).stem().string(), {path}, "", sa_period));
+      for (const auto &path : horizontal) result.cases.push_back(case_of(record_label(path), {path}, "", sa_period));
       continue;
     }
     const bool with_vertical = components == Components::xyz;
-    if (motion.horizontal.size() != 2 || (with_vertical && motion.vertical.empty())) {
-      result.left_out.push_back(fmt::format("{}: left out, it has {} horizontal component(s){}", motion.name,
-                                            motion.horizontal.size(),
-                                            motion.vertical.empty() ? " and no vertical one" : ""));
+    if (!station.is_pair() || (with_vertical && vertical.size() != 1)) {
+      result.left_out.push_back(fmt::format("{}: left out, {} asks for two horizontal components{}; {}", station.name,
+                                            word(components), with_vertical ? " and a vertical one" : "",
+                                            what_it_has(folder, station)));
       continue;
     }
-    result.cases.push_back(case_of(motion.name, motion.horizontal, with_vertical ? motion.vertical : "", sa_period));
+    result.cases.push_back(case_of(station.name, horizontal, with_vertical ? vertical.front() : "", sa_period));
   }
   if (result.cases.empty())
-    throw InputError(fmt::format("the folder {} has no station with the components {}", folder, word(components)));
+    throw InputError(fmt::format("the folder {} has no station with the components {}{}{}", folder_name,
+                                 word(components), result.left_out.empty() ? "" : ": ",
+                                 fmt::join(result.left_out, "; ")));
   return result;
 }
 

@@ -1,14 +1,10 @@
 #include "records/record.h"
 #include "files/error.h"
-#include "files/file.h"
-#include "files/text.h"
-#include "records/record_format.h"
+#include "records/record_file.h"
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 #include <numbers>
-#include <stdexcept>
 
 namespace rimpact {
 namespace {
@@ -43,15 +39,14 @@ void require_plausible(double acceleration, double gravity, const std::string &w
 
 SampledSignal read_record(const std::string &path, double gravity) {
   if (is_builtin_record(path)) return builtin_record(path);
-  const std::string text = read_file(path);
-  return parse_record(text, path, gravity);
+  const auto [name, channel] = record_name(path);
+  const auto file = RecordFile::read(name);
+  return file.parse(file.chosen(channel), gravity);
 }
 
 SampledSignal parse_record(const std::string &text, const std::string &path, double gravity) {
-  const std::string ending = upper(std::filesystem::path(path).extension().string());
-  for (const auto &format : record_formats())
-    if (format.is(text, ending)) return format.parse(text, path, gravity);
-  throw std::logic_error("no form takes what no other does");
+  const RecordFile file(text, path);
+  return file.parse(file.chosen(std::nullopt), gravity);
 }
 
 RecordInfo inspect(const SampledSignal &record, double gravity) {

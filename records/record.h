@@ -28,8 +28,9 @@ struct RecordInfo {
 };
 
 /// Reads `path` ("builtin:NAME": a built-in record; CSV, K-NET, ESM, COSMOS V2 or AT2, told by the file,
-/// record_format.h). Throws DataError naming file and line: missing file, velocity or displacement, fewer values than
-/// NPTS, dt <= 0, values that are not finite or beyond largest_acceleration.
+/// record_format.h; "FILE#3": its third channel, record_file.h). A file of several channels is refused without one.
+/// Throws DataError naming file and line: missing file, velocity or displacement, fewer values than NPTS, dt <= 0,
+/// values that are not finite or beyond largest_acceleration.
 SampledSignal read_record(const std::string &path, double gravity = standard_gravity);
 /// The same from a file's text.
 SampledSignal parse_record(const std::string &text, const std::string &path, double gravity);

@@ -1,3 +1,4 @@
+#include "files/digit.h"
 #include "files/error.h"
 #include "files/text.h"
 #include "records/record.h"
@@ -9,10 +10,6 @@
 
 namespace rimpact {
 namespace {
-
-bool is_digit(char c) {
-  return std::isdigit(static_cast<unsigned char>(c)) != 0;
-}
 
 /// Reads one Fortran number from the front of `text` and drops it: 1.2, .5, -.3780051E-03, 1.2D-03, 1.2-103.
 /// Numbers may touch (fixed columns): a sign ends a number unless it opens an exponent.
@@ -184,6 +181,17 @@ void refuse_surplus(std::string_view rest, const std::string &where, std::size_t
 }
 
 } // namespace
+
+RecordHead head_of_at2(std::string_view text) {
+  const auto lines = lines_of(text.substr(0, 4000));
+  if (lines.size() < 4) return {};
+  const auto title = lines[1];
+  const auto comma = title.rfind(',');
+  if (comma == std::string_view::npos) return {};
+  auto direction = trim(title.substr(comma + 1));
+  direction = trim(direction.substr(0, direction.find('('))); // "270 (CDMG STATION 89324)"
+  return {std::string(trim(title.substr(0, comma))), std::string(direction)};
+}
 
 SampledSignal parse_at2(const std::string &text, const std::string &path, double gravity) {
   const auto lines = lines_of(text);

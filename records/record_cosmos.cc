@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <fmt/format.h>
+#include <regex>
 
 namespace rimpact {
 namespace {
@@ -74,7 +75,41 @@ double interval(const std::vector<std::string_view> &lines, const Counts &counts
   return 0;
 }
 
+/// Of a station's head line, which opens every channel.
+bool opens_channel(std::string_view line) {
+  const std::string head = upper(trim(line));
+  return head.starts_with("CORRECTED ACCELERATION") || head.starts_with("CORRECTED ACCELEROGRAM");
+}
+
 } // namespace
+
+RecordHead head_of_cosmos(std::string_view text) {
+  static const std::regex channel(R"(\bCHA?N(?:NEL)?\.?\s*\d+\s*[:,]?\s*(?:COMP(?:ONENT)?\.?\s*:?)?\s*([A-Z0-9]+))"),
+      number(R"(STATI?O?N NO\.?\s*:?\s*(\S+))"), recorded(R"(\bRCRD OF\s*(.*))");
+  RecordHead head;
+  std::size_t n_lines = 0;
+  constexpr std::size_t preamble = 30; // of text, before the headers of numbers
+  for (const auto line : lines_of(text)) {
+    const std::string words = upper(line);
+    std::smatch part;
+    if (++n_lines > preamble || words.find("HEADER VALUES") != std::string::npos) break;
+    if (head.direction.empty() && std::regex_search(words, part, channel)) head.direction = part[1];
+    if (std::regex_search(words, part, number)) head.station = part[1].str() + head.station;
+    if (std::regex_search(words, part, recorded)) head.station.append(" ").append(trim(part[1].str().substr(0, 40)));
+  }
+  return head;
+}
+
+std::vector<std::string_view> channels_of_cosmos(std::string_view text) {
+  std::vector<std::size_t> starts;
+  for (const auto line : lines_of(text))
+    if (opens_channel(line)) starts.push_back(static_cast<std::size_t>(line.data() - text.data()));
+  if (starts.size() < 2) return {text};
+  std::vector<std::string_view> channels;
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    channels.push_back(text.substr(starts[i], (i + 1 < starts.size() ? starts[i + 1] : text.size()) - starts[i]));
+  return channels;
+}
 
 SampledSignal parse_cosmos_v2(const std::string &text, const std::string &path, double gravity) {
   const auto lines = lines_of(text);

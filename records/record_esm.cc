@@ -37,6 +37,16 @@ bool is_header(std::string_view line) {
 
 } // namespace
 
+RecordHead head_of_esm(std::string_view text) {
+  const auto lines = lines_of(text);
+  const auto said = [&](const char *key) { return header_value(lines, header_lines, key); };
+  const std::string code = said("STATION_CODE");
+  return {code.empty() ? code
+                       : fmt::format("{} {}{}{} {}", said("EVENT_ID"), said("NETWORK"),
+                                     said("NETWORK").empty() ? "" : ".", code, said("LOCATION")),
+          said("STREAM")};
+}
+
 SampledSignal parse_esm(const std::string &text, const std::string &path, double gravity) {
   const auto lines = lines_of(text);
   const std::string kind = upper(header_value(lines, header_lines, "DATA_TYPE"));

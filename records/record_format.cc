@@ -35,12 +35,21 @@ bool is_at2(std::string_view, const std::string &) {
 } // namespace
 
 const std::vector<RecordFormat> &record_formats() {
-  static const std::vector<RecordFormat> formats{{"CSV", is_csv, parse_record_csv},
-                                                 {"K-NET", is_knet, parse_knet},
-                                                 {"ESM", is_esm, parse_esm},
-                                                 {"COSMOS V2", is_cosmos, parse_cosmos_v2},
-                                                 {"AT2", is_at2, parse_at2}};
+  static const std::vector<RecordFormat> formats{
+      {"CSV", is_csv, parse_record_csv},
+      {"K-NET", is_knet, parse_knet, head_of_knet},
+      {"ESM", is_esm, parse_esm, head_of_esm},
+      {"COSMOS V2", is_cosmos, parse_cosmos_v2, head_of_cosmos, channels_of_cosmos},
+      {"AT2", is_at2, parse_at2, head_of_at2}};
   return formats;
+}
+
+bool is_record_file(std::string_view beginning, const std::string &ending) {
+  if (ending == ".AT2") return true;
+  const auto &format = *std::find_if(record_formats().begin(), record_formats().end(),
+                                     [&](const auto &each) { return each.is(beginning, ending); });
+  if (format.is == is_at2) return false;
+  return format.is != is_csv || upper(beginning).find("ACCELERATION") != std::string::npos;
 }
 
 std::string header_value(const std::vector<std::string_view> &lines, std::size_t n, std::string_view key) {

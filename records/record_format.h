@@ -7,25 +7,46 @@
 
 namespace rimpact {
 
+/// What a header says besides numbers, as it writes it; empty: nothing.
+struct RecordHead {
+  std::string station;   ///< event and station: alike for the components of one recording, and no other's
+  std::string direction; ///< see direction.h
+};
+
 /// One form of a file: whether a file is of it, and its reader, which gives m/s^2 and throws DataError naming file and
 /// line. `ending` is the file's, in capitals with its dot.
 struct RecordFormat {
   const char *name;
   bool (*is)(std::string_view text, const std::string &ending);
-  SampledSignal (*parse)(const std::string &text, const std::string &path, double gravity);
+  SampledSignal (*parse)(const std::string &text, const std::string &path, double gravity); ///< of one channel
+  RecordHead (*head)(std::string_view text) = nothing_said;                                 ///< the same; never throws
+  std::vector<std::string_view> (*channels)(std::string_view text) = one_channel;           ///< at least one
+
+  static RecordHead nothing_said(std::string_view) { return {}; }
+  static std::vector<std::string_view> one_channel(std::string_view text) { return {text}; }
 };
 
 /// Tried in this order; the last one, AT2, takes what no other does.
 const std::vector<RecordFormat> &record_formats();
+/// Whether a file of a folder is a record, as its text's beginning and its ending say: AT2 files by their ending,
+/// tables by their header, other forms by what they hold.
+bool is_record_file(std::string_view beginning, const std::string &ending);
 
 /// COSMOS V2 (corrected accelerations): header blocks whose lengths their first lines tell, accelerations in a unit
-/// that the line of counts names (cm/s^2, g, m/s^2). One channel a file; velocity and displacement blocks behind it are
-/// not read.
+/// that the line of counts names (cm/s^2, g, m/s^2). Velocity and displacement blocks behind it are not read.
 SampledSignal parse_cosmos_v2(const std::string &text, const std::string &path, double gravity);
+RecordHead head_of_cosmos(std::string_view text);
+/// Parts that each begin with a head line "Corrected acceleration ...".
+std::vector<std::string_view> channels_of_cosmos(std::string_view text);
 /// ESM and ITACA ASCII: 64 lines KEY: VALUE, then one value a line in the unit of UNITS (cm/s^2 | m/s^2 | g).
 SampledSignal parse_esm(const std::string &text, const std::string &path, double gravity);
+RecordHead head_of_esm(std::string_view text);
 /// K-NET and KiK-net ASCII: 17 lines, counts times the scale factor N(gal)/M less their mean; the sampling is in Hz.
 SampledSignal parse_knet(const std::string &text, const std::string &path, double gravity);
+/// Directions 1 to 3 of KiK-net are the borehole's, 4 to 6 the surface's: two stations.
+RecordHead head_of_knet(std::string_view text);
+/// PEER's second line: event, date, station, direction.
+RecordHead head_of_at2(std::string_view text);
 
 /// The names of keys that open a line, "KEY: VALUE" or fixed columns; the rest of the line, trimmed. Empty: no such
 /// line among the first `n`.

@@ -23,6 +23,18 @@ double scale_of(const std::string &text, const std::string &path) {
 
 } // namespace
 
+RecordHead head_of_knet(std::string_view text) {
+  const auto lines = lines_of(text);
+  std::string direction = header_value(lines, preamble, "DIR."), place;
+  const char *const axes[] = {"N-S", "E-W", "U-D"};
+  if (direction.size() == 1 && direction[0] >= '1' && direction[0] <= '6') {
+    const int number = direction[0] - '1';
+    direction = axes[number % 3], place = number < 3 ? " borehole" : " surface";
+  }
+  const std::string code = header_value(lines, preamble, "STATION CODE");
+  return {code.empty() ? code : code + place + " " + header_value(lines, preamble, "RECORD TIME"), direction};
+}
+
 SampledSignal parse_knet(const std::string &text, const std::string &path, double gravity) {
   const auto lines = lines_of(text);
   std::string rate = upper(header_value(lines, preamble, "SAMPLING FREQ(HZ)"));

@@ -1,4 +1,5 @@
 #include "records/record_library.h"
+#include "records/record_file.h"
 #include <algorithm>
 #include <cstdlib>
 #include <deque>
@@ -22,7 +23,8 @@ using Name = std::pair<std::string, double>; ///< path and gravity
 /// None: the file cannot be looked at, and reading it says why.
 bool stamp_of(const std::string &path, Stamp &stamp) {
   std::error_code no_time, no_length;
-  stamp = {fs::last_write_time(path, no_time), fs::file_size(path, no_length)};
+  const std::string file = record_name(path).file;
+  stamp = {fs::last_write_time(file, no_time), fs::file_size(file, no_length)};
   return !no_time && !no_length;
 }
 
@@ -89,7 +91,8 @@ std::string find_record(const std::string &name, const std::string &folder) {
   };
   const fs::path beside = in(folder), kept = in(records_shelf());
   if (failed) return name;
-  return !records_shelf().empty() && !fs::exists(beside, failed) && fs::exists(kept, failed) ? kept : beside;
+  const auto is_there = [&](const fs::path &path) { return fs::exists(record_name(path.string()).file, failed); };
+  return !records_shelf().empty() && !is_there(beside) && is_there(kept) ? kept : beside;
 }
 
 } // namespace rimpact

@@ -3,6 +3,7 @@
 #include "files/file.h"
 #include "files/loose_csv.h"
 #include "files/text.h"
+#include "records/record_file.h"
 #include "risk/record_shelf.h"
 #include <algorithm>
 #include <cmath>
@@ -197,8 +198,7 @@ private:
 MotionLevel level_of_folders(double intensity_g, RecordShelf &shelf) {
   MotionLevel level{.intensity_g = intensity_g};
   for (const auto &file : shelf.all())
-    level.motions.push_back(
-        {.file = file, .record = std::filesystem::path(file).stem().string(), .scale = intensity_g / shelf.sa_g(file)});
+    level.motions.push_back({.file = file, .record = record_label(file), .scale = intensity_g / shelf.sa_g(file)});
   level.n_listed = static_cast<int>(level.motions.size());
   return level;
 }
@@ -227,6 +227,7 @@ Motions motions_of(const Study &study, const std::vector<std::string> &folders) 
   RecordShelf shelf(all, study.period_s);
   const reliability::HazardCurve hazard(study.hazard);
   Motions result;
+  result.doubts = shelf.questions();
   std::vector<MotionLevel> levels;
   for (const double level : study.levels_g) levels.push_back(level_of_folders(level, shelf));
   if (study.levels_g.empty())

@@ -1,41 +1,21 @@
 #include "risk/record_shelf.h"
-#include "files/error.h"
-#include "files/text.h"
+#include "records/record_folder.h"
 #include "records/record_library.h"
 #include "records/spectral_acceleration.h"
-#include <algorithm>
 #include <filesystem>
-#include <fmt/format.h>
-#include <regex>
 
 namespace rimpact::risk {
-namespace {
-
-namespace fs = std::filesystem;
-
-bool is_record(const fs::path &path) {
-  static const std::regex vertical(".*([-_](UP|DWN|VER|V|Z)|VRT)", std::regex::icase);
-  return upper(path.extension().string()) == ".AT2" && !std::regex_match(path.stem().string(), vertical);
-}
-
-std::string number_of(const std::string &name) {
-  static const std::regex rsn("RSN0*([0-9]+)_.*", std::regex::icase);
-  std::smatch part;
-  return std::regex_match(name, part, rsn) ? part[1].str() : "";
-}
-
-} // namespace
-
 RecordShelf::RecordShelf(const std::vector<std::string> &folders, double period_s) : period_(period_s) {
-  for (const auto &folder : folders) {
-    std::error_code error;
-    for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::end(entry); entry.increment(error))
-      if (is_record(entry->path()))
-        files_.emplace(entry->path().filename().string(), fs::absolute(entry->path()).lexically_normal().string());
-    if (error) throw InputError(fmt::format("the folder of records {} cannot be read: {}", folder, error.message()));
+  namespace fs = std::filesystem;
+  for (const auto &name : folders) {
+    const RecordFolder folder = read_record_folder(name);
+    if (const std::string question = folder.question(); !question.empty()) questions_.push_back(question);
+    for (const auto &record : folder.records) {
+      if (record.left_out || record.direction.kind != DirectionKind::horizontal) continue;
+      const std::string path = fs::absolute(record.path).lexically_normal().string();
+      if (files_.emplace(record.file, path).second && !record.rsn.empty()) by_number_[record.rsn].push_back(path);
+    }
   }
-  for (const auto &[name, path] : files_)
-    if (const auto rsn = number_of(name); !rsn.empty()) by_number_[rsn].push_back(path);
 }
 
 std::vector<std::string> RecordShelf::components(const std::string &rsn) const {

@@ -8,13 +8,15 @@ namespace rimpact::risk {
 
 class RecordShelf {
 public:
-  /// Files RSN<number>_<name>.AT2; vertical components (-UP, -V, DWN, VER) are left out. A file name that several
-  /// folders have is taken from the first. Throws InputError for a folder that cannot be read.
+  /// Horizontal components as records/record_folder.h tells them. A file name that several folders have is taken from
+  /// the first. Throws as read_record_folder.
   RecordShelf(const std::vector<std::string> &folders, double period_s);
   /// Paths of a record's horizontal components, sorted; none: it is not at hand.
   std::vector<std::string> components(const std::string &rsn) const;
   /// Every horizontal file, by name.
   std::vector<std::string> all() const;
+  /// Sentences: records whose direction is not known and which are not used, one a folder.
+  const std::vector<std::string> &questions() const { return questions_; }
   /// Spectral acceleration of the whole record as it is [standard g], 5 % damping. Throws DataError.
   double sa_g(const std::string &file);
 
@@ -23,6 +25,7 @@ private:
   std::map<std::string, std::string> files_;                  ///< name -> path
   std::map<std::string, std::vector<std::string>> by_number_; ///< RSN -> paths
   std::map<std::string, double> sa_;                          ///< by path
+  std::vector<std::string> questions_;
 };
 
 } // namespace rimpact::risk

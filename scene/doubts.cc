@@ -1,4 +1,5 @@
 #include "scene/doubts.h"
+#include "scene/record_doubts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -112,6 +113,7 @@ std::vector<std::string> doubts(const Scene &scene, bool load_is_read) {
   if (scene.excitation.kind == ExcitationKind::window && scene.excitation.impact_speed() > fastest)
     found.push_back(fmt::format("excitation.speed_m_per_s times scale is {:g}: no bearing meets its rim so fast",
                                 scene.excitation.impact_speed()));
+  doubt_records(scene, found);
   doubt_materials(scene.bearing, found);
   if (!scene.double_concave()) doubt_sizes(scene.bearing, found);
   if (scene.needs_stack()) doubt_pad(scene.bearing, found);

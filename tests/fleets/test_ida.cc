@@ -3,7 +3,7 @@
 #include "../scene/temporary_folder.h"
 #include "fleets/fleet.h"
 #include "fleets/fractiles.h"
-#include "fleets/record_folder.h"
+#include "fleets/record_intensity.h"
 #include "records/record.h"
 #include "reduced_models/physical_model.h"
 #include <algorithm>
@@ -46,24 +46,17 @@ Sweep ida_sweep(const TemporaryFolder &folder, const std::string &components, co
 
 } // namespace
 
-TEST(RecordFolder, StationsByTheirFilesNames) {
+TEST(RecordIntensity, IsTheLargerComponents) {
   const TemporaryFolder folder;
   write_station(folder);
-  const auto motions = ground_motions(folder.path());
-  ASSERT_EQ(motions.size(), 2u);
-  EXPECT_EQ(motions[0].name, "RSN1_HILL");
-  EXPECT_EQ(motions[0].horizontal,
-            (std::vector<std::string>{folder / "RSN1_HILL000.AT2", folder / "RSN1_HILL090.at2"}));
-  EXPECT_EQ(motions[0].vertical, folder / "RSN1_HILL-UP.AT2");
-  EXPECT_EQ(motions[1].name, "RSN2_E04"); // the azimuth is three digits, not five
-  EXPECT_EQ(motions[1].vertical, "");
+  const std::vector<std::string> both{folder / "RSN1_HILL000.AT2", folder / "RSN1_HILL090.at2"};
   // sine of 1 s period: its peak velocity is a T / pi from rest
-  const auto peak = intensity(motions[0].horizontal);
+  const auto peak = intensity(both);
   EXPECT_NEAR(peak.pga_g, 0.4, 1e-6);
   EXPECT_NEAR(peak.pgv, 0.4 * standard_gravity / std::acos(-1.0), 1e-3);
   EXPECT_EQ(peak.sa_g, 0); // not asked for
   // so stiff that it rides along, but for the small overshoot of its free vibration
-  EXPECT_NEAR(intensity(motions[0].horizontal, 0.01).sa_g, 0.4, 0.02);
+  EXPECT_NEAR(intensity(both, 0.01).sa_g, 0.4, 0.02);
 }
 
 TEST(RecordFolder, ComponentsThatAMotionHas) {
@@ -106,7 +99,7 @@ TEST(RecordFolder, ErrorsNameFolderAndKey) {
   const auto refused = [&](const std::string &text, std::initializer_list<const char *> words) {
     expect_error<InputError>([&] { parse_sweep(text, folder / "s.toml"); }, words);
   };
-  refused("[records]\nfolder = '.'\ncomponents = 'x'\n", {"s.toml:2:", "records.folder", "no AT2 file"});
+  refused("[records]\nfolder = '.'\ncomponents = 'x'\n", {"s.toml:2:", "records.folder", "holds no record"});
   refused("[records]\nfolder = 'nowhere'\ncomponents = 'x'\n", {"s.toml:2:", "nowhere"});
   folder.write("A000.AT2", at2(0.2));
   refused("[records]\nfolder = '.'\ncomponents = 'xz'\n", {"s.toml:3:", "components", "xz", "xyz"});

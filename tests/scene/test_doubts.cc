@@ -1,5 +1,6 @@
 #include "scene/doubts.h"
 #include "scene/rim_identity.h"
+#include "temporary_folder.h"
 #include <functional>
 #include <gtest/gtest.h>
 
@@ -141,6 +142,26 @@ TEST(Doubts, ALoadIsHeldAgainstTheSlidersArea) {
     s.reduced.model = ModelKind::dcfp;     // another slider
     EXPECT_TRUE(doubts(s).empty());
   }
+}
+
+TEST(Doubts, RecordsThatBelongToAnotherAxis) {
+  const TemporaryFolder folder;
+  const std::string text = "PEER\nMADE UP\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n .1 .2 .1\n";
+  const std::string along = folder.write("A090.AT2", text), up = folder.write("A-UP.AT2", text),
+                    lone = folder.write("lone.AT2", text);
+  const auto of = [](const std::string &x, const std::string &y, const std::string &z) {
+    Scene s;
+    s.excitation.kind = ExcitationKind::record;
+    s.excitation.x_file = x, s.excitation.y_file = y, s.excitation.z_file = z;
+    return doubts(s);
+  };
+  EXPECT_TRUE(of(along, lone, up).empty());
+  EXPECT_TRUE(of("builtin:near-fault-x", "builtin:near-fault-y", "").empty());
+  ASSERT_EQ(of(up, "", "").size(), 1u);
+  EXPECT_NE(of(up, "", "")[0].find("excitation.x = " + up + " is a vertical record"), std::string::npos);
+  ASSERT_EQ(of("", "", along).size(), 1u);
+  ASSERT_EQ(of(along, along, "").size(), 1u);
+  EXPECT_NE(of(along, along, "")[0].find("excitation.x and excitation.y are the same component"), std::string::npos);
 }
 
 } // namespace

@@ -1,0 +1,10 @@
+/// Digits of ASCII, whatever the locale.
+#pragma once
+
+namespace rimpact {
+
+constexpr bool is_digit(char c) {
+  return c >= '0' && c <= '9';
+}
+
+} // namespace rimpact

@@ -1,0 +1,69 @@
+#include "records/record_file.h"
+#include "files/error.h"
+#include "files/file.h"
+#include "files/text.h"
+#include <filesystem>
+#include <fmt/format.h>
+#include <stdexcept>
+
+namespace rimpact {
+namespace {
+
+const RecordFormat &format_of(std::string_view text, const std::string &path) {
+  const std::string ending = upper(std::filesystem::path(path).extension().string());
+  for (const auto &format : record_formats())
+    if (format.is(text, ending)) return format;
+  throw std::logic_error("no form takes what no other does");
+}
+
+} // namespace
+
+RecordName record_name(const std::string &name) {
+  const auto mark = name.rfind('#');
+  std::error_code ignored;
+  if (mark == std::string::npos || std::filesystem::exists(name, ignored)) return {name, std::nullopt};
+  const auto number = to_number(name.substr(mark + 1));
+  if (!number || !(*number >= 1 && *number <= 999) || *number != static_cast<int>(*number)) return {name, std::nullopt};
+  return {name.substr(0, mark), static_cast<std::size_t>(*number)};
+}
+
+std::string record_label(const std::string &name) {
+  const auto [file, channel] = record_name(name);
+  const std::string stem = std::filesystem::path(file).stem().string();
+  return channel ? fmt::format("{}#{}", stem, *channel) : stem;
+}
+
+RecordFile RecordFile::read(const std::string &path) {
+  return {read_file(path), path};
+}
+
+RecordFile::RecordFile(std::string text, std::string path)
+    : text_(std::move(text)), path_(std::move(path)), format_(&format_of(text_, path_)),
+      channels_(format_->channels(text_)) {}
+
+RecordHead RecordFile::head(std::size_t channel) const {
+  return format_->head(channels_[channel]);
+}
+
+std::string RecordFile::name(std::size_t channel) const {
+  return n_channels() == 1 ? path_ : fmt::format("{}#{}", path_, channel + 1);
+}
+
+SampledSignal RecordFile::parse(std::size_t channel, double gravity) const {
+  return format_->parse(std::string(channels_[channel]), name(channel), gravity);
+}
+
+std::size_t RecordFile::chosen(const std::optional<std::size_t> &channel) const {
+  if (channel && *channel <= n_channels()) return *channel - 1;
+  if (!channel && n_channels() == 1) return 0;
+  std::string all;
+  for (std::size_t i = 0; i < n_channels(); ++i) {
+    const std::string direction = head(i).direction;
+    all += fmt::format("{}#{} ({})", i == 0 ? "" : ", ", i + 1, direction.empty() ? "no direction" : direction);
+  }
+  throw DataError(channel ? fmt::format("{}: there is no channel {}, it has {}: {}", path_, *channel, n_channels(), all)
+                          : fmt::format("{}: holds {} channels: {}; say which, as in \"{}#1\"", path_, n_channels(),
+                                        all, std::filesystem::path(path_).filename().string()));
+}
+
+} // namespace rimpact

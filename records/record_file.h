@@ -1,0 +1,43 @@
+/// A file of records: its form, and its channels where it holds several.
+#pragma once
+#include "records/record_format.h"
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rimpact {
+
+/// "station.V2#3" is channel 3 of station.V2, from 1; any other name is a file's, also one with "#" that is there.
+struct RecordName {
+  std::string file;
+  std::optional<std::size_t> channel;
+};
+RecordName record_name(const std::string &name);
+/// A component's name in tables: its file's without folder and ending, with the channel where it says one.
+std::string record_label(const std::string &name);
+
+/// The text of one file, told apart into channels by its form.
+class RecordFile {
+public:
+  /// Throws DataError as read_file.
+  static RecordFile read(const std::string &path);
+  RecordFile(std::string text, std::string path);
+  RecordFile(const RecordFile &) = delete;
+  RecordFile(RecordFile &&) = delete;
+
+  const RecordFormat &format() const { return *format_; }
+  std::size_t n_channels() const { return channels_.size(); }
+  RecordHead head(std::size_t channel) const;  ///< channel from 0
+  std::string name(std::size_t channel) const; ///< as read_record takes it: with its number where there are several
+  SampledSignal parse(std::size_t channel, double gravity) const;
+  /// The channel that a name asks for, from 0. Throws DataError, naming all of them with their directions, where none
+  /// is asked for and there are several, or the file has no such channel.
+  std::size_t chosen(const std::optional<std::size_t> &channel) const;
+
+private:
+  std::string text_, path_;
+  const RecordFormat *format_;
+  std::vector<std::string_view> channels_;
+};
+
+} // namespace rimpact

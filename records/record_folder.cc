@@ -1,0 +1,136 @@
+#include "records/record_folder.h"
+#include "files/digit.h"
+#include "files/error.h"
+#include "files/text.h"
+#include "records/record_corrections.h"
+#include "records/record_file.h"
+#include "records/stations.h"
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <fstream>
+
+namespace rimpact {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The first bytes of a file; empty where it cannot be read.
+std::string beginning_of(const fs::path &path) {
+  std::string text(4096, '\0');
+  std::ifstream file(path, std::ios::binary);
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  return text;
+}
+
+bool is_record(const fs::directory_entry &entry) {
+  std::error_code none;
+  return entry.is_regular_file(none) && entry.path().filename() != records_csv_name &&
+         is_record_file(beginning_of(entry.path()), upper(entry.path().extension().string()));
+}
+
+std::vector<fs::path> record_files(const std::string &folder) {
+  std::error_code error;
+  std::vector<fs::path> files;
+  for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::end(entry); entry.increment(error))
+    if (is_record(*entry)) files.push_back(entry->path());
+  if (error) throw InputError(fmt::format("the folder {} cannot be read: {}", folder, error.message()));
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string rsn_in(const std::string &name) {
+  const std::string capitals = upper(name);
+  if (!capitals.starts_with("RSN")) return {};
+  const auto end = std::find_if_not(capitals.begin() + 3, capitals.end(), is_digit);
+  if (end == capitals.end() || *end != '_') return {};
+  const std::string digits(capitals.begin() + 3, end);
+  const auto first = digits.find_first_not_of('0');
+  return first == std::string::npos ? std::string() : digits.substr(first);
+}
+
+/// Doubts where header and name tell different directions.
+void doubt_contradiction(const Direction &header, const Direction &name, FolderRecord &record) {
+  const bool other_kind = header.kind != name.kind;
+  const bool other_angle = header.azimuth_deg && name.azimuth_deg && *header.azimuth_deg != *name.azimuth_deg &&
+                           std::abs(*header.azimuth_deg - *name.azimuth_deg) != 360;
+  if (other_kind || other_angle)
+    record.doubts.push_back(
+        fmt::format("its header says direction {}, its name {}: the header's counts", header.spelling, name.spelling));
+}
+
+FolderRecord identify(const fs::path &path, const RecordFile &file, std::size_t channel) {
+  const std::string stem = path.stem().string();
+  const bool alone = file.n_channels() == 1;
+  FolderRecord record{.path = file.name(channel), .file = {}, .form = file.format().name, .station = {}};
+  record.file = fs::path(record.path).filename().string();
+  record.rsn = rsn_in(stem);
+  const RecordHead head = file.head(channel);
+  const NamedDirection named = alone ? direction_in_name(stem) : NamedDirection{stem, {}};
+  record.direction = direction_written(head.direction);
+  record.station = named.station;
+  if (record.direction.kind == DirectionKind::unknown) {
+    record.direction = named.direction;
+    return record;
+  }
+  if (named.direction.kind != DirectionKind::unknown)
+    doubt_contradiction(record.direction, named.direction, record);
+  else if (alone && !head.station.empty())
+    record.station = head.station;
+  return record;
+}
+
+/// The station that a header names; only where it also says a direction is it a header of a known kind.
+std::string station_in_header(const fs::path &path, const RecordFile &file, std::size_t channel) {
+  if (file.n_channels() > 1) return path.stem().string();
+  const RecordHead head = file.head(channel);
+  return direction_written(head.direction).kind == DirectionKind::unknown ? std::string() : head.station;
+}
+
+} // namespace
+
+std::string RecordFolder::question() const {
+  std::vector<std::string> unknown;
+  for (const auto &record : records)
+    if (record.direction.kind == DirectionKind::unknown && !record.left_out) unknown.push_back(record.file);
+  if (unknown.empty()) return {};
+  constexpr std::size_t told = 5;
+  const std::size_t more = unknown.size() > told ? unknown.size() - told : 0;
+  unknown.resize(unknown.size() - more);
+  return fmt::format("the direction of {}{} is told neither by header nor by name: not used. `rimpact motion {} --ask` "
+                     "writes records.csv there, which takes it",
+                     fmt::join(unknown, ", "), more ? fmt::format(" and {} more", more) : "", path);
+}
+
+void RecordFolder::require_any() const {
+  if (records.empty()) throw InputError(fmt::format("the folder {} holds no record (AT2 or another form)", path));
+}
+
+std::vector<FolderRecord> records_of_file(const std::string &name) {
+  const auto [path, channel] = record_name(name);
+  const auto file = RecordFile::read(path);
+  std::vector<FolderRecord> records;
+  const std::size_t first = channel ? file.chosen(channel) : 0, last = channel ? first + 1 : file.n_channels();
+  for (std::size_t i = first; i < last; ++i) records.push_back(identify(path, file, i));
+  return records;
+}
+
+RecordFolder read_record_folder(const std::string &folder) {
+  RecordFolder result{.path = folder, .records = {}, .stations = {}};
+  std::vector<std::string> headers; // of each record, the station that its header names
+  for (const auto &path : record_files(folder)) {
+    const auto file = RecordFile::read(path.string());
+    for (std::size_t channel = 0; channel < file.n_channels(); ++channel) {
+      result.records.push_back(identify(path, file, channel));
+      headers.push_back(station_in_header(path, file, channel));
+    }
+  }
+  correct_by_file(folder, result.records, headers);
+  result.stations = stations_of(result.records, headers);
+  return result;
+}
+
+} // namespace rimpact

@@ -1,0 +1,45 @@
+#include "scene/record_doubts.h"
+#include "files/error.h"
+#include "records/record.h"
+#include "records/record_folder.h"
+#include <array>
+#include <fmt/format.h>
+
+namespace rimpact::scene {
+namespace {
+
+struct Axis {
+  const char *key;
+  const std::string &file;
+  DirectionKind kind; ///< of a record that belongs there
+};
+
+DirectionKind kind_of(const std::string &file) {
+  if (is_builtin_record(file)) return DirectionKind::unknown;
+  try {
+    return records_of_file(file).front().direction.kind;
+  } catch (const DataError &) {
+    return DirectionKind::unknown; // reading it for the run says why
+  }
+}
+
+} // namespace
+
+void doubt_records(const Scene &scene, std::vector<std::string> &found) {
+  const Excitation &e = scene.excitation;
+  if (e.kind != ExcitationKind::record) return;
+  const std::array axes{Axis{"excitation.x", e.x_file, DirectionKind::horizontal},
+                        Axis{"excitation.y", e.y_file, DirectionKind::horizontal},
+                        Axis{"excitation.z", e.z_file, DirectionKind::vertical}};
+  for (std::size_t i = 0; i < axes.size(); ++i) {
+    if (axes[i].file.empty()) continue;
+    if (const auto kind = kind_of(axes[i].file); kind != DirectionKind::unknown && kind != axes[i].kind)
+      found.push_back(fmt::format("{} = {} is a {} record by its header or name", axes[i].key, axes[i].file,
+                                  kind == DirectionKind::vertical ? "vertical" : "horizontal"));
+    for (std::size_t k = 0; k < i; ++k)
+      if (axes[k].file == axes[i].file)
+        found.push_back(fmt::format("{} and {} are the same component, {}", axes[k].key, axes[i].key, axes[i].file));
+  }
+}
+
+} // namespace rimpact::scene

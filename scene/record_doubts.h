@@ -1,0 +1,13 @@
+/// What is odd about the records that move a scene.
+#pragma once
+#include "scene/scene.h"
+#include <string>
+#include <vector>
+
+namespace rimpact::scene {
+
+/// A vertical record along x or y, a horizontal one along z, one component along two axes: a sentence each. Records of
+/// unknown direction, and those that are not there any more, say nothing.
+void doubt_records(const Scene &scene, std::vector<std::string> &found);
+
+} // namespace rimpact::scene
