@@ -74,6 +74,7 @@ std::vector<KeyDescription> study_keys() {
   return {
       text("name", "the file's", "text", "of the study"),
       text("scene", "", "text", "of every run: built in, or a file beside the study"),
+      text("fragility", word(usual.fragility), any_of<FragilityRule>(), "how responses become fragilities and rates"),
       number("years", fmt::format("{}", usual.years), "> 0",
              "in which a limit is exceeded with the probability sought"),
       text("set.KEY", "", "any value", "in every run"),

@@ -8,9 +8,7 @@
 namespace rimpact::reliability {
 namespace {
 
-struct Ends {
-  double at_low = 0, at_high = 0; ///< what P at the two ends is multiplied with [1/year]
-};
+using Ends = LevelWeights::Step;
 
 /// Of a straight fragility over [low, high], which one line of the hazard, rate(low) (x / low)^-slope, spans. With
 /// u = ln(x / low), U its end and s the slope: the integral of s exp(-s u) (1 - u / U) and of s exp(-s u) u / U.
@@ -57,6 +55,7 @@ LevelWeights level_weights(const HazardCurve &hazard, const std::vector<double> 
   for (std::size_t i = 0; i + 1 < intensities.size(); ++i) {
     const Ends ends = between(hazard, intensities[i], intensities[i + 1]);
     result.weights[i] += ends.at_low, result.weights[i + 1] += ends.at_high;
+    result.steps.push_back(ends);
   }
   if (intensities.size() > 1) {
     const double foot = intensities[0] * intensities[0] / intensities[1];

@@ -9,8 +9,13 @@ namespace rimpact::reliability {
 /// of intensity between levels. Below the first it falls straight to 0 over the step of the first two levels; with one
 /// level only it is 0 there. Above the last it stays: what is above may fail surely, see `most`.
 struct LevelWeights {
+  /// What P at the two ends of a step between levels is multiplied with [1/year].
+  struct Step {
+    double at_low = 0, at_high = 0;
+  };
   std::vector<double> weights;
-  double below = 0; ///< part of the first weight from intensities below the first level [1/year]
+  std::vector<Step> steps = {}; ///< one between each two levels
+  double below = 0;             ///< part of the first weight from intensities below the first level [1/year]
   double above = 0; ///< part of the last weight from intensities above the last level [1/year]: the hazard there
 
   /// Annual rate; `probabilities` in [0, 1], one a level.

@@ -1,5 +1,4 @@
 #include "reliability/record_sums.h"
-#include "files/error.h"
 #include <algorithm>
 #include <cmath>
 
@@ -22,8 +21,6 @@ LevelDistribution pooled(const std::vector<RecordSums> &records, const std::vect
     level.n_positive += times[i] * records[i].n_positive;
     sum += times[i] * records[i].sum_ln, sum2 += times[i] * records[i].sum_ln2;
   }
-  if (level.n_collapsed + level.n_zero + level.n_positive == 0)
-    throw InputError("a level of intensity without runs has no fragility");
   if (level.n_positive == 0) return level;
   const double n = level.n_positive, mean = sum / n, square = sum2 / n;
   // The difference of two sums: below their rounding the responses are equal, a step.

@@ -13,7 +13,8 @@ struct RecordSums {
   void add(double response);
 };
 
-/// A level as in level.h of the records together, each counted `times[i]` times. Throws InputError where no run counts.
+/// A level as in level.h of the records together, each counted `times[i]` times. Where none counts, all its counts
+/// are 0.
 LevelDistribution pooled(const std::vector<RecordSums> &records, const std::vector<int> &times);
 
 } // namespace rimpact::reliability

@@ -37,7 +37,7 @@ private:
 
 Response response_of(const Study &study, const Columns &columns, const std::vector<Cell> &row,
                      const std::vector<std::string> &inputs, bool beyond) {
-  Response response{0, beyond, {}, {}};
+  Response response{0, beyond, {}, {}, columns.number(row, "n_impacts") > 0};
   for (const auto &limit : study.limits) {
     // A run without an impact has no rim force in its table.
     double value = limit.quantity == collapsed ? 0 : columns.number(row, limit.quantity);
@@ -71,6 +71,18 @@ std::map<std::string, int> numbers_of(const Motions &motions, std::vector<std::s
   return numbers;
 }
 
+/// Records whose runs do not all respond as another record's.
+int different_records(const ResponseLevel &level) {
+  std::map<int, std::vector<std::vector<double>>> responses;
+  for (const auto &run : level.runs) {
+    auto &values = responses[run.record].emplace_back(run.values);
+    values.push_back(run.beyond);
+  }
+  std::set<std::vector<std::vector<double>>> different;
+  for (auto &[record, values] : responses) different.insert(std::move(values));
+  return static_cast<int>(different.size());
+}
+
 void require_quantities(const Study &study, const ResponseSet &set, const std::string &path) {
   for (std::size_t k = 0; k < study.limits.size(); ++k)
     for (const auto &level : set.levels)
@@ -90,7 +102,6 @@ ResponseSet collect(const Study &study, const std::string &folder, const Motions
   for (const auto &key : study.parts.sampled) set.inputs.push_back(key.key);
   std::map<double, ResponseLevel> levels;
   const auto records = numbers_of(motions, set.records);
-  std::map<double, std::set<std::string>> records_of;
   for (const auto &row : table.rows) {
     const double intensity = columns.number(row, "variable.level_g");
     const std::string record = columns.text(row, "record");
@@ -116,7 +127,6 @@ ResponseSet collect(const Study &study, const std::string &folder, const Motions
       continue;
     }
     level.runs.push_back(std::move(response));
-    records_of[intensity].insert(record);
   }
   std::size_t wanted = 0;
   for (const auto &level : motions.levels)
@@ -124,7 +134,7 @@ ResponseSet collect(const Study &study, const std::string &folder, const Motions
   if (table.rows.size() != wanted)
     throw DataError(fmt::format("{}: {} rows, the study has {} runs a system", path, table.rows.size(), wanted));
   for (auto &[intensity, level] : levels) {
-    level.n_records = static_cast<int>(records_of[intensity].size());
+    level.n_records = different_records(level);
     if (!level.runs.empty()) set.levels.push_back(std::move(level));
   }
   if (set.levels.empty()) throw DataError(path + ": no run has a result; its columns status and reason say why");

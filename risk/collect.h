@@ -12,11 +12,12 @@ struct Response {
   bool beyond;                ///< collapsed, or left the dish
   std::vector<double> values; ///< of Study::limits, >= 0; NaN where the run's table has no such column
   std::vector<double> inputs; ///< of ResponseSet::inputs
+  bool hit = false;           ///< it touched the rim
 };
 
 struct ResponseLevel {
   double intensity_g = 0;
-  int n_records = 0;
+  int n_records = 0;          ///< records of different responses: a record given twice is one trial
   std::vector<Response> runs; ///< those with a result
   /// Refused, failed, or stopped where their model holds no longer, or went deeper into the rim than it is thick:
   /// values are what was reached by then, NaN unknown.

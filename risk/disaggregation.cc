@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 namespace rimpact::risk {
 namespace {
@@ -26,13 +25,24 @@ double slope_within_records(const ResponseLevel &level, std::size_t k, std::size
   return xx > 1e-12 ? xy / xx : 0;
 }
 
-/// dP/d(mean_ln) of a level.
-double density(const reliability::LevelDistribution &level, double limit) {
-  if (!level.fit || level.fit->distribution.sigma_ln == 0) return 0;
-  const auto &lognormal = level.fit->distribution;
-  const double z = (std::log(limit) - lognormal.mean_ln) / lognormal.sigma_ln;
-  const double n = level.n_collapsed + level.n_zero + level.n_positive;
-  return level.n_positive / n * std::exp(-z * z / 2) / (lognormal.sigma_ln * std::sqrt(2 * std::numbers::pi));
+/// dP/d(mean_ln) of a level's finished runs: every response larger by a factor is every limit smaller by it.
+double density(const LevelModel &model, double limit) {
+  constexpr double h = 1e-4;
+  const double more = model.finished_exceedance(limit * std::exp(-h)),
+               less = model.finished_exceedance(limit * std::exp(h));
+  return (more - less) / (2 * h);
+}
+
+/// d ln(rate) / d ln(input) where the probabilities change by `slopes` with the input's logarithm.
+double elasticity(const SystemSample &sample, const std::vector<double> &probabilities,
+                  const std::vector<double> &slopes) {
+  constexpr double h = 1e-4;
+  const auto moved = [&](double step) {
+    auto p = probabilities;
+    for (std::size_t i = 0; i < p.size(); ++i) p[i] = std::clamp(p[i] + step * slopes[i], 0.0, 1.0);
+    return sample.rate(p).rate;
+  };
+  return (moved(h) - moved(-h)) / (2 * h * moved(0));
 }
 
 } // namespace
@@ -42,10 +52,13 @@ Disaggregation disaggregate(const ResponseSet &responses, const SystemSample &sa
                         0, std::vector<double>(responses.inputs.size(), 0.0)};
   const double rate = limit.rate.value;
   if (!(rate > 0)) return result;
-  const auto &weights = sample.weights().weights;
-  double counted = 0; // share of the rate from levels whose lognormal is refused
+  const auto models = sample.levels(limit.quantity, sample.once());
+  std::vector<double> probabilities;
+  std::vector<std::vector<double>> slopes(responses.inputs.size(), std::vector<double>(sample.n_levels(), 0.0));
+  double counted = 0; // share of the rate from levels whose fit is refused
   for (std::size_t i = 0; i < sample.n_levels(); ++i) {
-    const double share = weights[i] * limit.fragility[i].value / rate;
+    const double share = limit.of_levels[i] / rate;
+    probabilities.push_back(limit.fragility[i].value);
     result.levels[i] = share;
     const auto &level = responses.levels[i];
     const auto is_beyond = [&](const Response &run) { return run.beyond || run.values[limit.quantity] > limit.limit; };
@@ -55,14 +68,15 @@ Disaggregation disaggregate(const ResponseSet &responses, const SystemSample &sa
     for (const auto *runs : {&level.runs, &level.unfinished})
       for (const auto &run : *runs)
         if (is_beyond(run)) result.records[static_cast<std::size_t>(run.record)] += share / static_cast<double>(n);
-    counted += limit.checks[i].refused ? share : 0;
-    if (limit.checks[i].refused) continue;
-    const double slope_of_rate =
-        weights[i] / rate * density(sample.level(limit.quantity, i, sample.once()).finished, limit.limit);
+    counted += limit.is_counted[i] ? share : 0;
+    if (limit.is_counted[i]) continue;
+    const double slope = density(models[i], limit.limit);
     for (std::size_t input = 0; input < responses.inputs.size(); ++input)
-      result.elasticities[input] += slope_of_rate * slope_within_records(level, limit.quantity, input);
+      slopes[input][i] = slope * slope_within_records(level, limit.quantity, input);
   }
-  if (counted > settled_share) result.elasticities.assign(responses.inputs.size(), std::nan(""));
+  for (std::size_t input = 0; input < slopes.size(); ++input)
+    result.elasticities[input] =
+        counted > settled_share ? std::nan("") : elasticity(sample, probabilities, slopes[input]);
   return result;
 }
 

@@ -5,14 +5,15 @@
 namespace rimpact::risk {
 
 struct Disaggregation {
-  std::vector<double> levels; ///< share of the rate of each level's probability (w_i P_i / rate); sums to 1
+  std::vector<double> levels; ///< share of the rate that rests on each level's probability (level_rate.h); sums to 1
   /// Share of each record: a level's share divided among its records as their runs beyond the limit are. What a level
   /// whose runs all stay below the limit contributes by its lognormal tail belongs to no record: the sum is 1 - tail.
   std::vector<double> records;
   double tail = 0;
-  /// d ln(rate) / d ln(input) of each sampled key: the shift of the lognormals' means, by regression of the responses'
-  /// logarithms on the input's within records. Collapses and responses of 0 keep their counts. 0 for an input that is
-  /// not > 0 in every run; NaN, not known, where a tenth and more of the rate is from levels without a lognormal.
+  /// d ln(rate) / d ln(input) of each sampled key: the shift of the responses' logarithms, by their
+  /// regression on the input's within records. Collapses, responses of 0 and the share of hits keep their counts. 0 for
+  /// an input that is not > 0 in every run; NaN, not known, where a tenth and more of the rate is from levels without a
+  /// lognormal.
   std::vector<double> elasticities;
 };
 

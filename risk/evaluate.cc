@@ -11,32 +11,29 @@ std::vector<int> times_drawn(const std::vector<int> &drawn) {
   return times;
 }
 
-/// Of every limit of the study, in order: visit(quantity, number of the limit).
-template <class Visit> void each_limit(const Study &study, const Visit &visit) {
-  for (std::size_t k = 0; k < study.limits.size(); ++k)
-    for (std::size_t j = 0; j < study.limits[k].values.size(); ++j) visit(k, j);
-}
-
 std::vector<double> probabilities(const Study &study, const SystemSample &sample, const std::vector<int> &times) {
   std::vector<double> result;
-  each_limit(study, [&](std::size_t k, std::size_t j) {
-    const double rate = sample.weights().rate(sample.fragility(k, j, times));
-    result.push_back(reliability::probability_in(study.years, rate));
-  });
+  for (std::size_t k = 0; k < study.limits.size(); ++k) {
+    const auto models = sample.levels(k, times);
+    for (std::size_t j = 0; j < study.limits[k].values.size(); ++j) {
+      const double rate = sample.rate(sample.fragility(k, j, models, times)).rate;
+      result.push_back(reliability::probability_in(study.years, rate));
+    }
+  }
   return result;
 }
 
 /// What runs that stopped short of the limit leave open.
-void add_bounds(const Study &study, const SystemSample &sample, std::size_t j, LimitResult &result) {
+void add_bounds(const Study &study, const SystemSample &sample, std::size_t j, const std::vector<LevelModel> &models,
+                LimitResult &result) {
   std::vector<double> least, most;
   for (std::size_t level = 0; level < sample.n_levels(); ++level) {
-    const auto model = sample.level(result.quantity, level, sample.once());
-    const auto bounds = sample.exceedance(result.quantity, j, level, model, sample.once());
+    const auto bounds = sample.exceedance(result.quantity, j, level, models[level], sample.once());
     result.bounds.push_back(bounds), result.n_unknown += bounds.n_unknown;
     least.push_back(bounds.least), most.push_back(bounds.most);
   }
-  result.if_none = reliability::probability_in(study.years, sample.weights().rate(least));
-  result.if_all = reliability::probability_in(study.years, sample.weights().rate(most));
+  result.if_none = reliability::probability_in(study.years, sample.rate(least).rate);
+  result.if_all = reliability::probability_in(study.years, sample.rate(most).rate);
 }
 
 /// What the levels leave open: what is between and beyond them, and the counts where no lognormal holds.
@@ -53,9 +50,27 @@ void add_range(const Study &study, const SystemSample &sample, LimitResult &resu
   result.probability_range_most = result.range.most ? reliability::probability_in(study.years, *result.range.most) : 1;
 }
 
+/// What the rate is made of, and what other readings of the same probabilities give.
+void add_rate(const Study &study, const SystemSample &sample, LimitResult &result) {
+  std::vector<double> fragility;
+  for (const auto &level : result.fragility) fragility.push_back(level.value);
+  const auto rate = sample.rate(fragility);
+  const double at_last = sample.weights().above; // the hazard there
+  result.below = rate.below, result.above = rate.above, result.of_levels = rate.of_levels;
+  result.probability_most = reliability::probability_in(study.years, rate.rate - rate.above + at_last);
+  result.rate_fitted = sample.rate(result.fitted).rate;
+  std::vector<double> checked = result.fitted;
+  for (std::size_t i = 0; i < checked.size(); ++i)
+    if (result.checks[i].refused) checked[i] = result.counted[i];
+  result.rate_checked = sample.rate(checked).rate;
+  result.rate_flat = reliability::flat_rate(sample.weights(), fragility).rate;
+  result.across = sample.across(fragility);
+  if (result.across) result.test_across = sample.test_of(*result.across, fragility);
+}
+
 /// A fragility that is counted has the scatter of its counts, which drawing anew does not show where none exceeds.
-Banded widened(Banded value, const reliability::LevelCheck &check) {
-  if (check.refused) value.low = std::min(value.low, check.low), value.high = std::max(value.high, check.high);
+Banded widened(Banded value, bool is_counted, const reliability::LevelCheck &check) {
+  if (is_counted) value.low = std::min(value.low, check.low), value.high = std::max(value.high, check.high);
   return value;
 }
 
@@ -67,14 +82,11 @@ std::vector<LimitResult> evaluate(const Study &study, const ResponseSet &respons
   const auto statistic = [&](const std::vector<int> &times) {
     std::vector<double> flat;
     for (std::size_t k = 0; k < study.limits.size(); ++k) {
-      std::vector<LevelModel> levels;
-      for (std::size_t level = 0; level < sample.n_levels(); ++level) levels.push_back(sample.level(k, level, times));
+      const auto models = sample.levels(k, times);
       for (std::size_t j = 0; j < study.limits[k].values.size(); ++j) {
-        std::vector<double> fragility;
-        for (std::size_t level = 0; level < levels.size(); ++level)
-          fragility.push_back(sample.exceedance(k, j, level, levels[level], times).value);
+        const auto fragility = sample.fragility(k, j, models, times);
         flat.insert(flat.end(), fragility.begin(), fragility.end());
-        flat.push_back(sample.weights().rate(fragility));
+        flat.push_back(sample.rate(fragility).rate);
         flat.push_back(reliability::probability_in(study.years, flat.back()));
       }
     }
@@ -90,26 +102,25 @@ std::vector<LimitResult> evaluate(const Study &study, const ResponseSet &respons
     ++at;
     return result;
   };
-  each_limit(study, [&](std::size_t k, std::size_t j) {
-    LimitResult result;
-    result.quantity = k, result.limit = study.limits[k].values[j];
-    std::vector<double> fragility;
-    for (std::size_t level = 0; level < sample.n_levels(); ++level) {
-      result.checks.push_back(sample.check(k, j, level));
-      result.fragility.push_back(widened(next(), result.checks.back()));
-      fragility.push_back(result.fragility.back().value);
-      result.counted.push_back(counted_share(responses.levels[level], k, result.limit));
-      result.fitted.push_back(sample.level(k, level, sample.once()).exceedance(result.limit).value);
+  for (std::size_t k = 0; k < study.limits.size(); ++k) {
+    const auto models = sample.levels(k, sample.once());
+    for (std::size_t j = 0; j < study.limits[k].values.size(); ++j) {
+      LimitResult result;
+      result.quantity = k, result.limit = study.limits[k].values[j];
+      for (std::size_t level = 0; level < sample.n_levels(); ++level) {
+        result.checks.push_back(sample.check(k, j, level));
+        result.is_counted.push_back(sample.is_counted(k, j, level));
+        result.fragility.push_back(widened(next(), result.is_counted.back(), result.checks.back()));
+        result.counted.push_back(counted_share(responses.levels[level], k, result.limit));
+        result.fitted.push_back(models[level].exceedance(result.limit).value);
+      }
+      result.rate = next(), result.probability = next();
+      add_rate(study, sample, result);
+      add_bounds(study, sample, j, models, result);
+      add_range(study, sample, result);
+      results.push_back(std::move(result));
     }
-    result.rate = next(), result.probability = next();
-    result.rate_fitted = sample.weights().rate(result.fitted);
-    result.below = sample.weights().below * fragility.front();
-    result.above = sample.weights().above * fragility.back();
-    result.probability_most = reliability::probability_in(study.years, sample.weights().most(fragility));
-    add_bounds(study, sample, j, result);
-    add_range(study, sample, result);
-    results.push_back(std::move(result));
-  });
+  }
   return results;
 }
 

@@ -15,13 +15,20 @@ struct LimitResult {
   double limit = 0;
   std::vector<Banded> fragility; ///< one a level
   std::vector<double> counted;   ///< share of the runs beyond the limit, one a level
-  std::vector<double> fitted;    ///< the fragility by lognormals alone, one a level
+  std::vector<double> fitted;    ///< the fragility by the fits alone, one a level
   std::vector<reliability::LevelCheck>
-      checks; ///< where they do not hold the counted share is the fragility; one a level
+      checks;                   ///< where they do not hold the counted share is the fragility; one a level
+  std::vector<bool> is_counted; ///< whether it is, one a level: the thesis's rule keeps its lognormals
   std::vector<LevelModel::Exceedance> bounds; ///< of the fragility, unfinished runs counted either way; one a level
   Banded rate, probability;                   ///< [1/year]; in Study::years
-  double rate_fitted = 0;                     ///< by lognormals alone
-  reliability::RateRange range;               ///< what is assumed between and beyond the levels
+  double rate_fitted = 0;                     ///< by the fits alone
+  double rate_checked = 0;                    ///< by the counted share where the runs refuse the fit
+  double rate_flat = 0;                       ///< straight between levels, flat above the last: the thesis's reading
+  std::vector<double> of_levels;              ///< parts of the rate that rest on each level, see level_rate.h
+  /// The curve over all levels that the rate takes beyond them, and the probability of levels as far from it.
+  std::optional<reliability::BinomialFit> across;
+  double test_across = 1;
+  reliability::RateRange range;                             ///< what is assumed between and beyond the levels
   double probability_least = 0, probability_range_most = 0; ///< of it, in Study::years; 1 where it has no upper end
   double below = 0, above = 0;    ///< parts of the rate from intensities below the first and above the last level
   double probability_most = 0;    ///< in Study::years, if all intensities above the last level failed

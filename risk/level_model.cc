@@ -2,9 +2,13 @@
 
 namespace rimpact::risk {
 
+double LevelModel::finished_exceedance(double limit) const {
+  return apart ? apart->exceedance(limit) : finished.exceedance(limit);
+}
+
 LevelModel::Exceedance LevelModel::exceedance(double limit) const {
   const int n = finished.n_collapsed + finished.n_zero + finished.n_positive;
-  return exceedance(limit, n * finished.exceedance(limit));
+  return exceedance(limit, n * finished_exceedance(limit));
 }
 
 LevelModel::Exceedance LevelModel::exceedance(double limit, double n_finished_beyond) const {

@@ -27,10 +27,14 @@ void RateDoubts::add(std::size_t system, const std::string &quantity, const Limi
   const auto &range = limit.range;
   const double rate = limit.rate.value, most = std::max(rate, range.most.value_or(rate)), bound = settled_share * rate;
   const auto say = [&](Cause cause, double share) { add(cause, system, quantity, limit.limit, share); };
-  if (range.above > bound) say(Cause::above, range.above / (rate + range.above));
+  if (range.above > bound) say(Cause::above, range.above / (range.least + range.above));
+  const double beyond = rate > 0 ? (limit.above + limit.below) / rate : 0;
+  constexpr double unlikely = 0.05;
+  if (limit.across && limit.test_across < unlikely && beyond > settled_share) say(Cause::across, beyond);
   if (!range.below || *range.below > bound) say(Cause::below, range.below ? *range.below / most : 1);
   if (range.between > bound) say(Cause::between, range.between / most);
-  if (const double change = difference(rate, limit.rate_fitted); change > settled_share) say(Cause::refused, change);
+  if (const double change = difference(limit.rate_checked, limit.rate_fitted); change > settled_share)
+    say(Cause::refused, change);
   if (falls(limit)) say(Cause::falls, 0);
   if (tail > 0.5) say(Cause::tail, tail);
 }
@@ -54,15 +58,22 @@ std::string RateDoubts::sentence(Cause cause, double worst, const std::vector<do
     return fmt::format("the levels begin too high. Below the first, {:.4g} g, could lie up to {:.0f} % of the rate: "
                        "its probability is a range (probability_range_low and _high)",
                        levels_g.front(), share);
+  case Cause::across:
+    return fmt::format(
+        "the curve across levels misses them by more than chance, and up to {:.0f} % of the rate rests on "
+        "it beyond them (reliability.csv, curve_test)",
+        share);
   case Cause::between:
     return fmt::format(
         "up to {:.0f} % of the rate is open between levels, which are far apart or have few records; its "
         "probability is a range (probability_range_low and _high)",
         share);
   case Cause::refused:
-    return fmt::format("the runs refuse the lognormal at some levels; the counted share stands there (fragility.csv, "
-                       "source). By lognormals alone the rate differs by up to {:.0f} %",
-                       share);
+    return fmt::format(
+        "the runs refuse the lognormal at some levels (fragility.csv: counted, fitted, and by source what "
+        "stands). By the fits alone the rate differs by up to {:.0f} % from that with the counted share "
+        "there",
+        share);
   case Cause::falls:
     return "the fragility falls with intensity by more than chance: motions of a higher level are milder, or the limit "
            "is not one that grows";

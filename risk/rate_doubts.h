@@ -13,7 +13,7 @@ public:
   std::vector<std::string> sentences(const std::vector<double> &levels_g) const;
 
 private:
-  enum class Cause { refused, falls, tail, above, below, between }; ///< in the order they are said
+  enum class Cause { refused, falls, tail, above, across, below, between }; ///< in the order they are said
   struct Where {
     std::size_t first_system = 0, n = 0; ///< results it is said of
     double least_limit = 0, largest_limit = 0, worst = 0;

@@ -1,6 +1,7 @@
 #include "risk/results.h"
 #include "files/file.h"
 #include "files/json_text.h"
+#include "reliability/failure_rate.h"
 #include "risk/disaggregation.h"
 #include "risk/rate_doubts.h"
 #include "risk/reductions.h"
@@ -27,9 +28,9 @@ class Writer {
 public:
   Writer(const Study &study, const Systems &systems) : study_(study), systems_(systems) {
     begin("ida", {"quantity", "level_g", "n_records", "n_runs", "n_beyond", "n_zero", "n_without_result", "p16", "p50",
-                  "p84", "mean_ln", "sigma_ln", "fit_p16", "fit_p50", "fit_p84"});
+                  "p84", "mean_ln", "sigma_ln", "fit_p16", "fit_p50", "fit_p84", "n_hit", "hit_probability"});
     begin("fragility", {"quantity", "limit", "level_g", "probability", "low", "high", "counted", "n_unknown", "least",
-                        "most", "fitted", "source", "counted_low", "counted_high"});
+                        "most", "fitted", "source", "counted_low", "counted_high", "curve"});
     begin("reliability", {"quantity",
                           "limit",
                           "rate_per_year",
@@ -50,7 +51,13 @@ public:
                           "rate_range_high",
                           "probability_range_low",
                           "probability_range_high",
-                          "settled"});
+                          "settled",
+                          "rate_counted",
+                          "rate_flat",
+                          "probability_flat",
+                          "curve_median_g",
+                          "curve_deviation",
+                          "curve_test"});
     begin("difference",
           {"key", "reference_system", "quantity", "limit", "probability", "reference_probability", "reduction",
            "reduction_low", "reduction_high", "n_unknown", "reduction_at_least", "reduction_at_most"});
@@ -103,10 +110,11 @@ private:
   const std::string &quantity(const LimitResult &limit) const { return study_.limits[limit.quantity].quantity; }
 
   void add_ida(std::size_t system, const ResponseSet &set, const SystemSample &sample) {
-    for (std::size_t k = 0; k < study_.limits.size(); ++k)
+    for (std::size_t k = 0; k < study_.limits.size(); ++k) {
+      const auto models = sample.levels(k, sample.once());
       for (std::size_t i = 0; i < set.levels.size(); ++i) {
         const auto &level = set.levels[i];
-        const auto model = sample.level(k, i, sample.once()).finished;
+        const auto &model = models[i].finished;
         std::vector<double> values;
         for (const auto &run : level.runs)
           if (!run.beyond) values.push_back(run.values[k]);
@@ -121,8 +129,12 @@ private:
           for (const double share : {0.16, 0.5, 0.84}) cells.emplace_back(fit.quantile(share));
         }
         cells.resize(15);
+        const auto n_hit = std::count_if(level.runs.begin(), level.runs.end(), [](const auto &run) { return run.hit; });
+        cells.emplace_back(static_cast<double>(n_hit));
+        cells.push_back(models[i].apart ? Cell(models[i].apart->hit_share) : Cell());
         row("ida", system, cells);
       }
+    }
   }
 
   void add_hits(std::size_t system, const ResponseSet &set) {
@@ -140,7 +152,8 @@ private:
       row("fragility", system,
           {quantity(r), r.limit, set.levels[i].intensity_g, r.fragility[i].value, r.fragility[i].low,
            r.fragility[i].high, r.counted[i], double(r.bounds[i].n_unknown), r.bounds[i].least, r.bounds[i].most,
-           r.fitted[i], std::string(r.checks[i].refused ? "counted" : "fitted"), r.checks[i].low, r.checks[i].high});
+           r.fitted[i], std::string(r.is_counted[i] ? "counted" : "fitted"), r.checks[i].low, r.checks[i].high,
+           r.across ? Cell(r.across->at(set.levels[i].intensity_g)) : Cell()});
     row("reliability", system,
         {quantity(r),
          r.limit,
@@ -162,7 +175,13 @@ private:
          r.range.most ? Cell(*r.range.most) : Cell(),
          r.probability_least,
          r.probability_range_most,
-         double(is_settled(r))});
+         double(is_settled(r)),
+         r.rate_checked,
+         r.rate_flat,
+         reliability::probability_in(study_.years, r.rate_flat),
+         r.across ? Cell(r.across->median()) : Cell(),
+         r.across ? Cell(r.across->deviation()) : Cell(),
+         r.across ? Cell(r.test_across) : Cell()});
   }
 
   void add_disaggregation(std::size_t system, const ResponseSet &set, const LimitResult &r, const Disaggregation &d) {

@@ -6,13 +6,15 @@
 namespace rimpact::risk {
 
 /// Tables by their file's name without ending. Every row of a system's begins with `system` (from 1) and its keys.
-///   ida          quantity, level_g: counts of records and runs, counted and fitted fractiles, mean_ln, sigma_ln
+///   ida          quantity, level_g: counts of records and runs, counted and fitted fractiles, mean_ln, sigma_ln, hits
+///                and their probability by the fit over all levels
 ///   fragility    quantity, limit, level_g: probability with its band, share counted and its interval, the lognormal's,
 ///   and
 ///                which of the two the probability is (source)
 ///   reliability  quantity, limit: rate and probability in the study's years with bands, parts of the rate from beyond
 ///                the levels, probability if all above the last level failed; the range of what is open between and
-///                beyond the levels (rate_range.h), and whether it is within a tenth of the rate (settled)
+///                beyond the levels (rate_range.h), and whether it is within a tenth of the rate (settled); the rate as
+///                the thesis reads it (flat), the curve across levels and the probability of levels as far from it
 ///   difference   key, value, quantity, limit: reduction of the probability against the reference system with its band
 ///   levels       quantity, limit, level_g: share of the rate
 ///   records      quantity, limit, record: share of the rate, those of 0.5 % and more; "" is the fits' tails

@@ -4,6 +4,7 @@
 ///
 ///   scene = "frame-four-dof"      # built in, or a file beside the study
 ///   years = 50.0                  # of the probability
+///   fragility = "hits-apart"      # | "thesis": one lognormal a level, flat above the last
 ///   [set]                         # keys that every run has
 ///   excitation.duration_s = 40.0
 ///   [intensity]
@@ -65,6 +66,17 @@ constexpr auto choices(ScaleRule) {
   return choices_of<ScaleRule>({{ScaleRule::factor, "factor"}, {ScaleRule::level, "level"}});
 }
 
+/// How responses become fragilities, and fragilities rates.
+enum class FragilityRule {
+  hits_apart, ///< runs that hit the rim and runs that do not; a curve across levels beyond them
+  thesis      ///< thesis 2.6.6: one lognormal a level; straight between levels, flat above the last
+};
+constexpr auto choices(FragilityRule) {
+  return choices_of<FragilityRule>(
+      {{FragilityRule::hits_apart, "hits-apart", "runs that hit the rim apart; a curve across levels beyond them"},
+       {FragilityRule::thesis, "thesis", "one lognormal a level, flat above the last"}});
+}
+
 /// One level's result of PEER's search.
 struct MotionSet {
   std::string search_results;
@@ -98,6 +110,7 @@ struct Study {
   std::string name, origin; ///< origin: the file
   std::string scene;        ///< built in, or an absolute path
   double years = 50;
+  FragilityRule fragility = FragilityRule::hits_apart;
   std::vector<std::string> settings; ///< KEY=VALUE of [set]
   fleets::SweepParts parts;          ///< its records are not used
   double period_s = 0;               ///< of S_a

@@ -15,7 +15,7 @@
 namespace rimpact::risk {
 namespace {
 
-const std::vector<std::string> own_parts = {"scene",   "name",   "years", "set",        "intensity",
+const std::vector<std::string> own_parts = {"scene",   "name",   "years", "set",        "intensity", "fragility",
                                             "motions", "hazard", "limit", "difference", "bootstrap"};
 /// What the study itself sets in every run.
 const std::vector<std::string> taken_keys = {"excitation.kind", "excitation.x", "excitation.y", "excitation.z",
@@ -63,6 +63,7 @@ private:
     root.text({"name"}, study_.name);
     root.text({"scene"}, study_.scene);
     root.number({"years"}, study_.years, si, {0, 1e6, true});
+    root.choice({"fragility"}, study_.fragility);
     if (study_.scene.empty()) fail_at("scene", "a study needs scene = \"NAME\", built in or a file beside the study");
     if (const auto file = beside(origin_, study_.scene); std::filesystem::exists(file)) study_.scene = file;
   }

@@ -102,7 +102,7 @@ class Page:
                              f"{max(row['probability_most'] for row in own):.3e}", percent(open_end), unknown_runs(own)])
         section.add(table(["quantity", "limit", "least P", "largest P, or the range", "largest P if all above the levels failed",
                            "largest share of the rate from above the levels", "unknown runs: P if none or all are beyond"], rows,
-                          "Over all systems. What lies above the last level rests on its fragility held constant. A range: from that, "
+                          "Over all systems. What lies above the last level rests on the curve across levels, or on its fragility held flat. A range: from that held flat, "
                           "nothing below the first level and the least between levels, to certain failure above the last."))
         return section
 

@@ -84,6 +84,21 @@ class Reliability(unittest.TestCase):
         with open(self.path(f"out/{name}.csv"), encoding="utf-8") as file:
             return list(csv.DictReader(file))
 
+    def test_a_record_given_twice_moves_no_rate(self):
+        study = HEAD.replace('table = "table.csv"\nlevel_is = "intensity_g"\nscale = "level"\n', "").replace(
+            "period_s = 3.0\n", "period_s = 3.0\nlevels_g = [0.1, 0.2, 0.4]\n")
+        self.write("study.toml", study)
+        self.assertEqual(self.run_study("--no-report").returncode, 0)
+        once = [float(row["rate_per_year"]) for row in self.table("reliability")]
+        self.assertTrue(any(once))
+        for name, period in (("RSN9_AGAIN000", 1.7), ("RSN8_AGAIN000", 1.0)):
+            self.write(f"records/{name}.AT2", at2(period))
+        self.assertEqual(rimpact("reliability", self.path("study.toml"), "-o", self.path("twice"), "--no-report").returncode, 0)
+        with open(self.path("twice/reliability.csv"), encoding="utf-8") as file:
+            twice = [float(row["rate_per_year"]) for row in csv.DictReader(file)]
+        for a, b in zip(once, twice, strict=True):
+            self.assertLessEqual(abs(a - b), 1e-12 * a)
+
     def test_from_a_study_to_its_report(self):
         done = self.run_study("--json")
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -79,11 +79,13 @@ TEST(RecordSums, PoolToTheFitOfAllRuns) {
   EXPECT_NEAR(pooled(records, {2, 0}).exceedance(0.2), level_distribution(all, 0).exceedance(0.2), 1e-12);
 }
 
-TEST(RecordSums, EqualResponsesAreAStepAndNoRunsAreRefused) {
+TEST(RecordSums, EqualResponsesAreAStepAndNoRunsCountNothing) {
   std::vector<RecordSums> records(1);
   for (int i = 0; i < 3; ++i) records[0].add(0.3);
   EXPECT_EQ(pooled(records, {7}).fit->distribution.sigma_ln, 0);
   EXPECT_EQ(pooled(records, {1}).exceedance(0.31), 0);
   EXPECT_EQ(pooled(records, {1}).exceedance(0.29), 1);
-  expect_error<InputError>([&] { pooled(records, {0}); }, {"without runs"});
+  const auto none = pooled(records, {0});
+  EXPECT_EQ(none.n_positive + none.n_zero + none.n_collapsed, 0);
+  EXPECT_FALSE(none.fit);
 }

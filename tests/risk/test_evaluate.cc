@@ -43,7 +43,8 @@ ResponseSet responses(int n_records = 12, int n = 15) {
 } // namespace
 
 TEST(Evaluate, RateIsTheConvolutionOfTheFittedFragility) {
-  const Study study = study_of();
+  Study study = study_of();
+  study.fragility = FragilityRule::thesis;
   const auto set = responses();
   const SystemSample sample(study, set);
   const auto limits = evaluate(study, set, sample);
@@ -138,7 +139,7 @@ TEST(Evaluate, WhereTheRunsRefuseTheLognormalTheCountedShareStands) {
   EXPECT_GT(*beyond.range.most, beyond.rate_fitted);
   for (const auto &limit : limits)
     for (std::size_t i = 0; i < 2; ++i)
-      EXPECT_EQ(limit.fragility[i].value, limit.checks[i].refused ? limit.counted[i] : limit.fitted[i]);
+      EXPECT_EQ(limit.fragility[i].value, limit.is_counted[i] ? limit.counted[i] : limit.fitted[i]);
   RateDoubts doubts;
   doubts.add(0, "peak_displacement_m", beyond, 0);
   std::string said;

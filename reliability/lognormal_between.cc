@@ -1,0 +1,46 @@
+#include "reliability/lognormal_between.h"
+#include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <cmath>
+
+namespace rimpact::reliability {
+namespace {
+
+constexpr double farthest_score = 37;
+constexpr double endless = 1e6; // [1/year]: a rate above it is no bound
+
+} // namespace
+
+double normal_probability(double score) {
+  return std::erfc(-score / std::sqrt(2.0)) / 2;
+}
+
+double standard_score(double probability) {
+  if (probability <= 0) return -farthest_score;
+  if (probability >= 1) return farthest_score;
+  return std::max(-farthest_score, boost::math::quantile(boost::math::normal(), probability));
+}
+
+Fragility lognormal_between(double low, double p_low, double high, double p_high) {
+  const double from = standard_score(p_low), to = standard_score(p_high), width = std::log(high / low);
+  return [=](double x) {
+    return normal_probability(std::lerp(from, to, std::clamp(std::log(x / low) / width, 0.0, 1.0)));
+  };
+}
+
+std::optional<double> rate_below_first(const HazardCurve &hazard, double first, double p, double deviation) {
+  if (p <= 0) return 0;
+  const double z = std::min(standard_score(p), standard_score(1 - 1e-16));
+  double steepest = 0;
+  for (const auto &point : hazard.points())
+    if (point.intensity < first) steepest = std::max(steepest, hazard.slope(point.intensity));
+  steepest = std::max(steepest, hazard.slope(first * (1 - 1e-9)));
+  // Of the product of the falling fragility and the growing hazard the peak lies at z + steepest at most.
+  const double width = deviation * (std::max(0.0, z + deviation * steepest) + 8);
+  if (width * steepest > 300) return std::nullopt;
+  const auto falling = [&](double x) { return normal_probability(z - std::log(first / x) / deviation); };
+  const double rate = failure_rate(hazard, falling, {first * std::exp(-width), first}).shares.front().rate;
+  return rate < endless ? std::optional(rate) : std::nullopt;
+}
+
+} // namespace rimpact::reliability
