@@ -1,5 +1,9 @@
 #include "app/motion_table.h"
 #include "files/error.h"
+#include "records/record_doubts.h"
+#include "records/record_library.h"
+#include "records/scaled_copies.h"
+#include "records/spectral_acceleration.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <set>
@@ -19,53 +23,82 @@ const char *word_of(DirectionKind kind) {
   return "unknown";
 }
 
-MotionRow motion_row(FolderRecord record, std::string pair) {
-  MotionRow row{.record = std::move(record), .pair = std::move(pair), .info = std::nullopt};
-  row.info = inspect(read_record(row.record.path));
+MotionRow motion_row(const FolderRecord &record, double period) {
+  MotionRow row{.record = record};
+  const auto signal = shared_record(record.path);
+  row.info = inspect(*signal);
+  if (!is_builtin_record(record.path))
+    for (auto &doubt : record_doubts(*signal, standard_gravity)) row.record.doubts.push_back(std::move(doubt));
+  if (period > 0) row.sa = spectral_acceleration(*signal, period);
   return row;
 }
 
 /// A damaged record among others is a row that says so.
-MotionRow row_or_reason(const FolderRecord &record, const std::string &pair) {
+MotionRow row_or_reason(const FolderRecord &record, double period) {
   try {
-    return motion_row(record, pair);
+    return motion_row(record, period);
   } catch (const DataError &error) {
-    MotionRow row{.record = record, .pair = pair, .info = std::nullopt};
+    MotionRow row{.record = record};
     row.record.doubts.emplace_back(error.what());
     return row;
   }
 }
 
+/// What two components at right angles have in common.
+void join_pair(MotionRow &first, MotionRow &second, double period) {
+  first.pair = second.record.file, second.pair = first.record.file;
+  if (!first.info || !second.info) return;
+  const auto one = shared_record(first.record.path), two = shared_record(second.record.path);
+  first.pulse = second.pulse = velocity_pulse(*one, *two);
+  if (one->dt != two->dt) {
+    const auto sentence =
+        fmt::format("the components of {} have steps of {:g} and {:g} s", first.record.station, one->dt, two->dt);
+    first.record.doubts.push_back(sentence), second.record.doubts.push_back(sentence);
+  }
+  if (period > 0) first.rotated = second.rotated = rotated_acceleration(*one, *two, period);
+}
+
+void doubt_copies(std::vector<MotionRow> &rows) {
+  std::vector<std::shared_ptr<const SampledSignal>> signals;
+  for (const auto &row : rows) signals.push_back(row.info ? shared_record(row.record.path) : nullptr);
+  const auto copies = scaled_copies(signals);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    if (copies[i])
+      rows[i].record.doubts.push_back(fmt::format("it is {} times {}: one record, given twice", copies[i]->factor,
+                                                  rows[copies[i]->of].record.file));
+}
+
 } // namespace
 
-std::vector<MotionRow> rows_of_file(const std::string &name) {
-  if (is_builtin_record(name)) {
-    FolderRecord record{.path = name, .file = name, .form = "built in", .station = name};
-    return {motion_row(record, "")};
-  }
+std::vector<MotionRow> rows_of_file(const std::string &name, double period) {
+  if (is_builtin_record(name))
+    return {motion_row({.path = name, .file = name, .form = "built in", .station = name}, period)};
   std::vector<MotionRow> rows;
-  for (const auto &record : records_of_file(name)) rows.push_back(motion_row(record, ""));
+  for (const auto &record : records_of_file(name)) rows.push_back(motion_row(record, period));
   return rows;
 }
 
-std::vector<MotionRow> rows_of_folder(const RecordFolder &folder) {
+std::vector<MotionRow> rows_of_folder(const RecordFolder &folder, double period) {
   std::vector<MotionRow> rows;
   std::set<std::size_t> told;
-  for (const auto &station : folder.stations)
+  for (const auto &station : folder.stations) {
+    const std::size_t first = rows.size();
     for (const auto *part : {&station.horizontal, &station.vertical})
-      for (std::size_t k = 0; k < part->size(); ++k) {
-        FolderRecord record = folder.records[(*part)[k]];
+      for (const std::size_t i : *part) {
+        FolderRecord record = folder.records[i];
         record.station = station.name;
-        const bool paired = part == &station.horizontal && station.is_pair();
-        rows.push_back(row_or_reason(record, paired ? folder.records[(*part)[1 - k]].file : ""));
-        told.insert((*part)[k]);
+        rows.push_back(row_or_reason(record, period));
+        told.insert(i);
       }
+    if (station.is_pair()) join_pair(rows[first], rows[first + 1], period);
+  }
   for (std::size_t i = 0; i < folder.records.size(); ++i)
     if (told.count(i) == 0) {
       FolderRecord record = folder.records[i];
       record.doubts.emplace_back(record.left_out ? "left out by records.csv" : "its direction is not known");
-      rows.push_back(row_or_reason(record, ""));
+      rows.push_back(row_or_reason(record, period));
     }
+  doubt_copies(rows);
   return rows;
 }
 
@@ -76,6 +109,10 @@ nlohmann::ordered_json to_json(const MotionRow &row) {
     return info ? nlohmann::ordered_json((*info).*member) : nlohmann::ordered_json();
   };
   const auto &azimuth = record.direction.azimuth_deg;
+  const auto in_g = [](const std::optional<double> &a) {
+    return a ? nlohmann::ordered_json(*a / standard_gravity) : nlohmann::ordered_json();
+  };
+  const auto &rotated = row.rotated;
   return {{"file", record.path},
           {"form", record.form},
           {"station", record.station},
@@ -92,12 +129,20 @@ nlohmann::ordered_json to_json(const MotionRow &row) {
           {"pgd_m", number(&RecordInfo::pgd)},
           {"arias_m_per_s", number(&RecordInfo::arias)},
           {"duration_5_95_s", number(&RecordInfo::duration)},
+          {"pulse_period_s",
+           row.pulse && row.pulse->period ? nlohmann::ordered_json(*row.pulse->period) : nlohmann::ordered_json()},
+          {"pulse_indicator", row.pulse ? nlohmann::ordered_json(row.pulse->indicator) : nlohmann::ordered_json()},
+          {"sa_g", in_g(row.sa)},
+          {"rotd50_g", in_g(rotated ? std::optional(rotated->rotd50) : std::nullopt)},
+          {"rotd100_g", in_g(rotated ? std::optional(rotated->rotd100) : std::nullopt)},
           {"doubts", record.doubts}};
 }
 
 std::string motion_lines(const std::vector<MotionRow> &rows) {
   std::string text;
-  for (const auto &[record, pair, info] : rows) {
+  for (const auto &row : rows) {
+    const auto &record = row.record;
+    const auto &info = row.info;
     text +=
         fmt::format("{}: NPTS {}, dt {} s, PGA {:.4f} g, PGV {:.4f} m/s, PGD {:.4f} m, Arias {:.3f} m/s, D5-95 "
                     "{:.2f} s{}{}\n",
@@ -112,8 +157,9 @@ std::string motion_table(const std::vector<MotionRow> &rows) {
   std::size_t station = 7, file = 4;
   for (const auto &row : rows)
     station = std::max(station, row.record.station.size()), file = std::max(file, row.record.file.size());
-  std::string text = fmt::format("{:<{}}  {:<{}}  {:<9} {:>7} {:>7} {:>8} {:>8} {:>8} {:>8}\n", "station", station,
-                                 "file", file, "direction", "dt [s]", "NPTS", "t [s]", "PGA [g]", "PGV m/s", "PGD [m]");
+  std::string text =
+      fmt::format("{:<{}}  {:<{}}  {:<9} {:>7} {:>7} {:>8} {:>8} {:>8} {:>8} {:>7}\n", "station", station, "file", file,
+                  "direction", "dt [s]", "NPTS", "t [s]", "PGA [g]", "PGV m/s", "PGD [m]", "T_p [s]");
   for (const auto &row : rows) {
     const auto &record = row.record;
     text += fmt::format("{:<{}}  {:<{}}  {:<9}", record.station, station, record.file, file,
@@ -121,6 +167,11 @@ std::string motion_table(const std::vector<MotionRow> &rows) {
     if (const auto &i = row.info)
       text += fmt::format(" {:>7g} {:>7} {:>8.2f} {:>8.4f} {:>8.4f} {:>8.4f}", i->dt, i->npts,
                           i->dt * static_cast<double>(i->npts - 1), i->pga_g, i->pgv, i->pgd);
+    if (row.pulse && row.pulse->period) text += fmt::format(" {:>7.2f}", *row.pulse->period);
+    if (row.sa) text += fmt::format("  S_a {:.4f} g", *row.sa / standard_gravity);
+    if (row.rotated)
+      text += fmt::format(", RotD50 {:.4f} g, RotD100 {:.4f} g", row.rotated->rotd50 / standard_gravity,
+                          row.rotated->rotd100 / standard_gravity);
     text += "\n";
     for (const auto &doubt : record.doubts) text += fmt::format("  {}\n", doubt);
   }

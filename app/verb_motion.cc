@@ -4,6 +4,7 @@
 #include "app/verb.h"
 #include "files/file.h"
 #include "files/json_text.h"
+#include "records/record_doubts.h"
 #include "records/record_file.h"
 #include "records/record_library.h"
 #include "responses/response.h"
@@ -77,41 +78,63 @@ void ask_about(const RecordFolder &folder, Console &console) {
   console.message(fmt::format("{} says what was understood; correct it, and it counts from now on", path));
 }
 
-std::vector<MotionRow> motion_rows(const std::string &given, bool is_asked, Console &console) {
+struct MotionOptions {
+  std::vector<std::string> names;
+  std::string picture, corrected;
+  double period = 0; ///< [s], 0: no spectral acceleration
+  bool ask = false;
+};
+
+/// Each record with its baseline taken off, as a CSV of its own.
+void write_corrected(const std::vector<MotionRow> &rows, const std::string &folder, Console &console) {
+  std::error_code failed;
+  std::filesystem::create_directories(folder, failed);
+  if (failed) throw IoError(fmt::format("cannot create the folder {}: {}", folder, failed.message()));
+  for (const auto &row : rows) {
+    if (!row.info) continue;
+    const auto corrected = baseline_corrected(read_record(row.record.path));
+    std::string text = "time_s,acceleration_m_per_s2\n";
+    for (std::size_t i = 0; i < corrected.values.size(); ++i)
+      text += fmt::format("{:.9g},{:.9g}\n", corrected.instant(i), corrected.values[i]);
+    const std::string path = folder + "/" + record_label(row.record.path) + ".csv";
+    write_atomically(text, path);
+    console.message(fmt::format("{}: {} with its baseline corrected", path, row.record.path));
+  }
+}
+
+std::vector<MotionRow> motion_rows(const std::string &given, const MotionOptions &options, Console &console) {
   const std::string name = std::filesystem::exists(given) ? given : find_record(given, ".");
   if (!std::filesystem::is_directory(name)) {
-    if (is_asked)
+    if (options.ask)
       throw InputError(fmt::format("--ask writes {} into a folder, and {} is none", records_csv_name, given));
-    return rows_of_file(name);
+    return rows_of_file(name, options.period);
   }
   const RecordFolder folder = read_record_folder(name);
   folder.require_any();
-  if (is_asked) ask_about(folder, console);
+  if (options.ask) ask_about(folder, console);
   console.message(folder_in_words(folder));
-  if (const std::string question = folder.question(); !is_asked && !question.empty()) console.warn(question);
-  return rows_of_folder(folder);
+  if (const std::string question = folder.question(); !options.ask && !question.empty()) console.warn(question);
+  return rows_of_folder(folder, options.period);
 }
 
 } // namespace
 
 void add_motion(CLI::App &app, Console &console) {
-  struct MotionOptions {
-    std::vector<std::string> names;
-    std::string picture;
-    bool ask = false;
-  };
   auto *verb = app.add_subcommand("motion", "what is in ground-motion records, or in a folder of them");
   auto options = std::make_shared<MotionOptions>();
   verb->add_option("FILE", options->names, "records of any form, FILE#2 for a channel, or folders of them")->required();
   verb->add_option("--png", options->picture, "folder for a plot of each record");
   verb->add_flag("--ask", options->ask, "writes records.csv into a folder: stations and directions, to be corrected");
+  verb->add_option("--period", options->period, "S_a at this period [s] with 5 % damping, of pairs RotD50 and RotD100")
+      ->check(CLI::Range(0.01, 100.0));
+  verb->add_option("--baseline", options->corrected, "folder for each record with its baseline corrected, as CSV");
   console.add_common(*verb);
   console.add_json(*verb);
   verb->callback([options, &console] {
     std::vector<MotionRow> all;
     std::string text;
     for (const auto &name : options->names) {
-      auto rows = motion_rows(name, options->ask, console);
+      auto rows = motion_rows(name, *options, console);
       text += std::filesystem::is_directory(name) ? motion_table(rows) : motion_lines(rows);
       std::move(rows.begin(), rows.end(), std::back_inserter(all));
     }
@@ -119,6 +142,7 @@ void add_motion(CLI::App &app, Console &console) {
     for (const auto &row : all) json.push_back(to_json(row));
     console.data(console.json ? json_text(json) : text);
     if (!options->picture.empty()) draw_records(all, options->picture);
+    if (!options->corrected.empty()) write_corrected(all, options->corrected, console);
   });
 }
 

@@ -165,7 +165,7 @@ void add_reliability(CLI::App &app, Console &console) {
   verb->add_option("STUDY", options->study, "a study file (docs/guide/reliability.md)")->required();
   verb->add_option("-o,--output", options->folder, "results folder (default results/STUDY); finished runs are kept");
   verb->add_option("--records", options->records,
-                   "a folder of AT2 files, besides the study's own (repeatable); where neither names one, that of "
+                   "a folder of records, besides the study's own (repeatable); where neither names one, that of "
                    "RIMPACT_RECORDS")
       ->allow_extra_args(false);
   verb->add_option("--table", options->table, "the table of motions, in place of the study's motions.table");

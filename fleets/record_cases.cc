@@ -5,6 +5,8 @@
 #include "fleets/sweep_toml.h"
 #include "records/record_file.h"
 #include "records/record_folder.h"
+#include "records/record_library.h"
+#include "records/rotated_spectrum.h"
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,6 +34,12 @@ std::vector<Axis> case_of(const std::string &name, const std::vector<std::string
                          {"variable.record_pga_g", {number_value(pga_g)}},
                          {"variable.record_pgv_m_per_s", {number_value(pgv)}}};
   if (sa_period > 0) axes.push_back({"variable.record_sa_g", {number_value(sa_g)}});
+  if (sa_period > 0 && horizontal.size() > 1) {
+    const auto [rotd50, rotd100] =
+        rotated_acceleration(*shared_record(horizontal[0]), *shared_record(horizontal[1]), sa_period);
+    axes.push_back({"variable.record_rotd50_g", {number_value(rotd50 / standard_gravity)}});
+    axes.push_back({"variable.record_rotd100_g", {number_value(rotd100 / standard_gravity)}});
+  }
   return axes;
 }
 

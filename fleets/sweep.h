@@ -8,7 +8,7 @@
 ///   [[device]]                    # a second list of the same form, column `device`: every case with every device
 ///   name = "stiff rim"
 ///   reduced.k_i_kN_per_m = 1e6
-///   [records]                     # one case for each ground motion of a folder of AT2 files
+///   [records]                     # one case for each ground motion of a folder of records
 ///   folder = "records"
 ///   components = "xy"             # "x": every horizontal component alone; "xy", "xyz": stations that have them
 ///   sa_period_s = 3.0             # also variable.record_sa_g

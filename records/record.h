@@ -42,8 +42,9 @@ void require_plausible(double acceleration, double gravity, const std::string &w
 /// The two forms from text; `path` is for messages only.
 /// AT2: 4 header lines as PEER writes them (old and new), NPTS and DT in any spelling met in practice.
 SampledSignal parse_at2(const std::string &text, const std::string &path, double gravity);
-/// CSV: `time_s,acceleration_g` or `time_s,acceleration_m_per_s2`, uniformly sampled, starting at any instant >= 0,
-/// which it keeps. Refused: a column given twice or in both units, more or fewer cells than columns, instants before 0.
+/// CSV, uniformly sampled, starting at any instant >= 0, which it keeps; columns by record_table.h, any of comma,
+/// semicolon and tab between cells, decimal commas, UTF-8, UTF-16 or Latin-1, remarks above the header, text below the
+/// rows. Refused: two columns of one quantity, more or fewer cells than columns, instants before 0.
 SampledSignal parse_record_csv(const std::string &text, const std::string &path, double gravity);
 
 /// Built-in records: "builtin:near-fault-x", "builtin:near-fault-y" (see near_fault_pulse.cc).

@@ -2,6 +2,8 @@
 #include "files/error.h"
 #include "files/text.h"
 #include "records/record.h"
+#include "records/record_format.h"
+#include "records/record_units.h"
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -90,30 +92,6 @@ std::string_view unit_name(std::string_view line) {
   return {};
 }
 
-/// The unit a name begins with [m/s^2]; nothing may follow but a remark: G/10 or G*100 is not G.
-std::optional<double> known_unit(std::string_view name, double gravity) {
-  struct Unit {
-    std::string_view name;
-    double value;
-  };
-  const Unit units[] = {{"CM/S/S", 0.01}, {"CM/SEC/SEC", 0.01}, {"CM/S**2", 0.01}, {"CM/SEC**2", 0.01},
-                        {"CM/S^2", 0.01}, {"CM/SEC^2", 0.01},   {"CM/S2", 0.01},   {"CM/SEC2", 0.01},
-                        {"GALS", 0.01},   {"GAL", 0.01},        {"M/S/S", 1.0},    {"M/SEC/SEC", 1.0},
-                        {"M/S**2", 1.0},  {"M/SEC**2", 1.0},    {"M/S^2", 1.0},    {"M/SEC^2", 1.0},
-                        {"M/S2", 1.0},    {"M/SEC2", 1.0},      {"G'S", gravity},  {"G", gravity}};
-  for (const auto &unit : units) {
-    if (!name.starts_with(unit.name)) continue;
-    const std::string_view rest = name.substr(unit.name.size()), next = trim(rest);
-    if (!next.empty() && std::string_view("/*^+-=%").find(next.front()) != std::string_view::npos) return std::nullopt;
-    if (!next.empty() && (std::isdigit(static_cast<unsigned char>(next.front())) != 0 || next.starts_with("X ")))
-      return std::nullopt;
-    for (const std::string_view word : {"FACTOR", "SCALE", "TIMES", "MULTIPL"})
-      if (rest.find(word) != std::string_view::npos) return std::nullopt;
-    if (rest.empty() || std::isalnum(static_cast<unsigned char>(rest.front())) == 0) return unit.value;
-  }
-  return std::nullopt;
-}
-
 /// Metres per second squared of the units named in a header line; velocity and displacement are refused.
 std::optional<double> unit_of(const std::string &line, const std::string &where, double gravity) {
   const auto says = [&](const char *word) { return line.find(word) != std::string::npos; };
@@ -124,7 +102,7 @@ std::optional<double> unit_of(const std::string &line, const std::string &where,
                                   wrong[0] == 'V' ? "velocity" : "displacement"));
   const auto name = unit_name(line);
   if (name.empty()) return std::nullopt;
-  if (const auto unit = known_unit(name, gravity)) return unit;
+  if (const auto unit = leading_acceleration_unit(name, gravity)) return unit;
   throw DataError(
       fmt::format("{}: the unit \"{}\" of the acceleration is not known (G, CM/S/S, M/S/S, without a factor)", where,
                   name.substr(0, 40)));
@@ -191,6 +169,27 @@ RecordHead head_of_at2(std::string_view text) {
   auto direction = trim(title.substr(comma + 1));
   direction = trim(direction.substr(0, direction.find('('))); // "270 (CDMG STATION 89324)"
   return {std::string(trim(title.substr(0, comma))), std::string(direction)};
+}
+
+std::vector<std::string_view> channels_of_at2(std::string_view text) {
+  const auto lines = lines_of(text);
+  constexpr std::size_t n_header_lines = 4;
+  std::vector<std::size_t> starts; // of lines, three above the one with NPTS
+  for (std::size_t i = 0; i < lines.size(); ++i) {
+    if (lines[i].find_first_of("Nn") == std::string_view::npos || upper(lines[i]).find("NPTS") == std::string::npos)
+      continue;
+    const std::size_t start = i + 1 >= n_header_lines ? i + 1 - n_header_lines : 0;
+    if (starts.empty() || start > starts.back() + n_header_lines) starts.push_back(start);
+  }
+  if (starts.size() < 2) return {text};
+  std::vector<std::string_view> channels;
+  for (std::size_t k = 0; k < starts.size(); ++k) {
+    const auto from = k == 0 ? 0 : static_cast<std::size_t>(lines[starts[k]].data() - text.data());
+    const auto to =
+        k + 1 < starts.size() ? static_cast<std::size_t>(lines[starts[k + 1]].data() - text.data()) : text.size();
+    channels.push_back(text.substr(from, to - from));
+  }
+  return channels;
 }
 
 SampledSignal parse_at2(const std::string &text, const std::string &path, double gravity) {

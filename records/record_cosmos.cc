@@ -1,8 +1,9 @@
-// COSMOS V2: blocks of text, integers and reals whose lengths they tell, then the accelerations.
+// COSMOS V2 and CSMIP V2: blocks of text, integers and reals whose lengths they tell, then the accelerations.
 #include "files/error.h"
 #include "files/text.h"
 #include "records/record.h"
 #include "records/record_format.h"
+#include "records/record_units.h"
 #include <cctype>
 #include <cmath>
 #include <fmt/format.h>
@@ -22,20 +23,24 @@ double first_number(std::string_view text) {
   return to_number(text.substr(0, end)).value_or(0);
 }
 
+/// Behind "units=" (COSMOS) or "sec, in" (CSMIP), else a code of COSMOS.
 double unit_in(const std::string &line, double gravity, const std::string &where) {
-  const auto says = [&](const char *word) { return line.find(word) != std::string::npos; };
-  if (says("CM/SEC2") || says("CM/SEC/SEC") || says("CM/S2") || says("CM/S/S") || says("CM/S^2") || says("CM/SEC^2") ||
-      says("(04)"))
-    return 0.01;
-  if (says("M/SEC2") || says("M/S2") || says("M/S/S") || says("M/S^2")) return 1;
-  if (says("UNITS=G") || says("UNITS= G") || says("(02)")) return gravity;
+  for (const std::string_view opening : {"UNITS=", "UNITS =", " IN "})
+    if (const auto at = line.rfind(opening); at != std::string::npos) {
+      auto name = trim(std::string_view(line).substr(at + opening.size()));
+      name = trim(name.substr(0, name.find_first_of(",(")));
+      while (!name.empty() && name.back() == '.') name.remove_suffix(1);
+      if (const auto unit = acceleration_unit(name, gravity)) return *unit;
+    }
+  if (line.find("(04)") != std::string::npos) return 0.01;
+  if (line.find("(02)") != std::string::npos) return gravity;
   throw DataError(fmt::format("{}: the line of counts names no unit that is known (cm/sec2, m/sec2, g)", where));
 }
 
 /// Of (8F10.5) or (5E15.6): 10, 15.
 std::size_t width_of(const std::string &line) {
   const auto at = line.find("FORMAT");
-  const auto open = at == std::string::npos ? at : line.find('(', at);
+  const auto open = at == std::string::npos ? line.rfind('(') : line.find('(', at);
   if (open == std::string::npos) return 0;
   for (std::size_t i = open; i + 1 < line.size(); ++i)
     if ((line[i] == 'F' || line[i] == 'E') && std::isdigit(static_cast<unsigned char>(line[i + 1])) != 0) {
@@ -48,8 +53,7 @@ std::size_t width_of(const std::string &line) {
 Counts find_counts(const std::vector<std::string_view> &lines, const std::string &path, double gravity) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string line = upper(trim(lines[i]));
-    const auto word = line.find("ACCELERATION");
-    if (word == std::string::npos ||
+    if (line.find("ACCEL") == std::string::npos ||
         (line.find("PTS") == std::string::npos && line.find("POINTS") == std::string::npos))
       continue;
     const double npts = first_number(line);
@@ -63,7 +67,11 @@ Counts find_counts(const std::vector<std::string_view> &lines, const std::string
 
 /// The interval between samples [s]: of the real header's values the 62nd, in ms, of this series; where it is unknown
 /// the 34th, in s, of the raw record. Unknown values are -999.
+/// CSMIP says it in the line of counts: "equally spaced at .020 sec".
 double interval(const std::vector<std::string_view> &lines, const Counts &counts, const std::string &path) {
+  const std::string_view spaced = "SPACED AT", line_of_counts = lines[counts.line];
+  if (const std::string said = upper(line_of_counts); said.find(spaced) != std::string::npos)
+    return first_number(trim(std::string_view(said).substr(said.find(spaced) + spaced.size())));
   for (std::size_t i = 0; i < counts.line; ++i) {
     const std::string line = upper(trim(lines[i]));
     if (line.find("REAL") == std::string::npos || line.find("HEADER") == std::string::npos) continue;
@@ -75,10 +83,32 @@ double interval(const std::vector<std::string_view> &lines, const Counts &counts
   return 0;
 }
 
+/// A line of nothing but numbers behind the values: the count or the data are wrong.
+void refuse_numbers(const std::vector<std::string_view> &lines, std::size_t line, std::size_t npts,
+                    const std::string &path) {
+  if (line >= lines.size() || trim(lines[line]).empty() ||
+      trim(lines[line]).find_first_not_of("0123456789.-+Ee \t") != std::string_view::npos)
+    return;
+  throw DataError(fmt::format("{}:{}: more numbers come after the {} values that the line of counts promises", path,
+                              line + 1, npts));
+}
+
+/// V1 and V3 of CSMIP: raw samples at uneven instants, and spectra.
+void refuse_raw_and_spectra(std::string_view text, const std::string &path) {
+  const std::string head = upper(text.substr(0, text.find('\n')));
+  if (head.find("UNCORRECTED ACCELEROGRAM") != std::string::npos)
+    throw DataError(path + ": holds an uncorrected accelerogram (V1), whose samples are not evenly spaced; take the "
+                           "corrected one (V2)");
+  if (head.find("SPECTRA") != std::string::npos)
+    throw DataError(path + ": holds spectra (V3), no record; take the corrected accelerogram (V2)");
+}
+
 /// Of a station's head line, which opens every channel.
 bool opens_channel(std::string_view line) {
   const std::string head = upper(trim(line));
-  return head.starts_with("CORRECTED ACCELERATION") || head.starts_with("CORRECTED ACCELEROGRAM");
+  for (const char *opening : {"CORRECTED ACCELERATION", "CORRECTED ACCELEROGRAM", "UNCORRECTED ACCELERATION"})
+    if (head.starts_with(opening)) return true;
+  return false;
 }
 
 } // namespace
@@ -90,7 +120,7 @@ RecordHead head_of_cosmos(std::string_view text) {
   std::size_t n_lines = 0;
   constexpr std::size_t preamble = 30; // of text, before the headers of numbers
   for (const auto line : lines_of(text)) {
-    const std::string words = upper(line);
+    const std::string words = upper(line.substr(0, 200)); // a damaged file may have no ends of lines
     std::smatch part;
     if (++n_lines > preamble || words.find("HEADER VALUES") != std::string::npos) break;
     if (head.direction.empty() && std::regex_search(words, part, channel)) head.direction = part[1];
@@ -112,6 +142,7 @@ std::vector<std::string_view> channels_of_cosmos(std::string_view text) {
 }
 
 SampledSignal parse_cosmos_v2(const std::string &text, const std::string &path, double gravity) {
+  refuse_raw_and_spectra(text, path);
   const auto lines = lines_of(text);
   Counts counts = find_counts(lines, path, gravity);
   const double dt = interval(lines, counts, path);
@@ -119,7 +150,9 @@ SampledSignal parse_cosmos_v2(const std::string &text, const std::string &path, 
     throw DataError(
         fmt::format("{}: the sampling interval {} s (62nd or 34th value of the real header) must be > 0 and <= {}",
                     path, dt, longest_step));
-  SampledSignal record{dt, read_values(lines, counts.line + 1, counts.npts, counts.width, path)};
+  std::size_t next = 0;
+  SampledSignal record{dt, read_values(lines, counts.line + 1, counts.npts, counts.width, path, &next)};
+  refuse_numbers(lines, next, counts.npts, path);
   for (auto &value : record.values) {
     value *= counts.unit;
     require_plausible(value, gravity, path);

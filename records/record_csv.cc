@@ -1,56 +1,17 @@
+// Tables of time and acceleration as spreadsheets and programs write them.
+#include "files/digit.h"
 #include "files/error.h"
+#include "files/loose_cells.h"
 #include "files/text.h"
 #include "records/record.h"
+#include "records/record_format.h"
+#include "records/record_table.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
 namespace rimpact {
 namespace {
-
-struct Columns {
-  std::size_t time, acceleration, count;
-  double unit; ///< [m/s^2]
-};
-
-/// Two columns for the same quantity contradict each other: which one is meant the file does not say.
-void claim(std::size_t &column, std::size_t index, std::string_view first, std::string_view name,
-           const std::string &where) {
-  if (column != std::string::npos)
-    throw DataError(fmt::format("{}: column {} \"{}\" gives what column {} \"{}\" gives already; keep one of them",
-                                where, index + 1, name, column + 1, first));
-  column = index;
-}
-
-Columns read_header(std::string_view line, const std::string &where, double gravity) {
-  Columns columns{std::string::npos, std::string::npos, 0, 0};
-  const auto names = split(line, ',');
-  for (const auto &cell : names) {
-    const auto name = trim(cell);
-    const auto first = [&](std::size_t column) {
-      return column < names.size() ? trim(names[column]) : std::string_view();
-    };
-    if (name == "time_s") claim(columns.time, columns.count, first(columns.time), name, where);
-    if (name == "acceleration_g" || name == "acceleration_m_per_s2") {
-      claim(columns.acceleration, columns.count, first(columns.acceleration), name, where);
-      columns.unit = name == "acceleration_g" ? gravity : 1;
-    }
-    ++columns.count;
-  }
-  if (columns.time == std::string::npos || columns.acceleration == std::string::npos)
-    throw DataError(fmt::format(
-        "{}: the header must be \"time_s,acceleration_g\" or \"time_s,acceleration_m_per_s2\", with commas between "
-        "its cells, in ASCII or UTF-8",
-        where));
-  return columns;
-}
-
-double finite(std::string_view cell, const std::string &where) {
-  const auto value = to_number(cell);
-  if (!value || !std::isfinite(*value))
-    throw DataError(fmt::format("{}: \"{}\" is not a finite number", where, trim(cell).substr(0, 40)));
-  return *value;
-}
 
 /// Says where a step is far from the usual one: a hole, or a time that runs back.
 void require_even_steps(const std::vector<double> &time, const std::string &path) {
@@ -84,34 +45,104 @@ double uniform_step(const std::vector<double> &time, const std::string &path) {
   return dt;
 }
 
-} // namespace
+bool is_remark(std::string_view line) {
+  const auto text = trim(line);
+  return text.empty() || text.front() == '#' || stated_separator(text).has_value();
+}
 
-SampledSignal parse_record_csv(const std::string &text, const std::string &path, double gravity) {
-  SampledSignal record;
-  std::vector<double> time;
-  Columns columns{};
-  std::size_t line_number = 0;
-  for (const auto line : lines_of(text)) {
-    const std::string where = fmt::format("{}:{}", path, ++line_number);
-    if (trim(line).empty() || trim(line).front() == '#') continue;
-    if (columns.count == 0) {
-      columns = read_header(line, where, gravity);
-      continue;
-    }
-    const auto cells = split(line, ',');
-    if (cells.size() < columns.count)
-      throw DataError(fmt::format("{}: {} of {} columns", where, cells.size(), columns.count));
-    if (cells.size() > columns.count)
+/// The header's columns and the line it stands in; remarks may stand above it.
+struct FoundHeader {
+  RecordColumns columns;
+  std::size_t line = 0;
+};
+std::optional<FoundHeader> find_header(const std::vector<std::string_view> &lines, double gravity,
+                                       const std::string &path) {
+  constexpr std::size_t most_remarks = 60;
+  for (std::size_t i = 0; i < std::min(lines.size(), most_remarks); ++i) {
+    if (is_remark(lines[i])) continue;
+    const std::string below(i + 1 < lines.size() ? lines[i + 1] : std::string_view());
+    if (const auto columns = record_columns(std::string(lines[i]), below, gravity, fmt::format("{}:{}", path, i + 1)))
+      return FoundHeader{*columns, i};
+  }
+  return std::nullopt;
+}
+
+FoundHeader require_header(const std::vector<std::string_view> &lines, double gravity, const std::string &path) {
+  if (const auto found = find_header(lines, gravity, path)) return *found;
+  const auto first = std::find_if_not(lines.begin(), lines.end(), is_remark);
+  if (first == lines.end()) throw DataError(fmt::format("{}: holds no header line", path));
+  throw DataError(fmt::format(
+      "{}:{}: the header must be \"time_s,acceleration_g\" or \"time_s,acceleration_m_per_s2\", or name a column with "
+      "the unit s and one with g, m/s2, cm/s2 or gal, in brackets or in the line below",
+      path, first - lines.begin() + 1));
+}
+
+/// Reads the rows below a header.
+class Rows {
+public:
+  Rows(const RecordColumns &columns, std::string path, double gravity)
+      : columns_(columns), path_(std::move(path)), gravity_(gravity) {}
+
+  void read(std::string_view line, std::size_t number) {
+    if (is_remark(line)) return;
+    const std::string where = fmt::format("{}:{}", path_, number);
+    const auto cells = cells_of(line, columns_.separator);
+    const bool is_row =
+        columns_.time < cells.size() && !cells[columns_.time].empty() && starts_number(cells[columns_.time]);
+    if (!is_row && !time.empty()) return void(footer_ = footer_ == 0 ? number : footer_); // perhaps the table's end
+    if (footer_ > 0)
+      throw DataError(fmt::format("{}:{}: no row of the table, and rows go on behind it", path_, footer_));
+    require_width(cells, where);
+    time.push_back(finite(cells[columns_.time], where));
+    values.push_back(finite(cells[columns_.acceleration], where) * columns_.unit);
+    require_plausible(values.back(), gravity_, where);
+  }
+
+  std::vector<double> time, values;
+
+private:
+  static bool starts_number(const std::string &cell) {
+    return is_digit(cell.front()) || std::string_view("+-.,").find(cell.front()) != std::string_view::npos;
+  }
+  void require_width(const std::vector<std::string> &cells, const std::string &where) const {
+    if (cells.size() < columns_.count)
+      throw DataError(fmt::format("{}: {} of {} columns", where, cells.size(), columns_.count));
+    if (cells.size() > columns_.count)
       throw DataError(
           fmt::format("{}: {} cells for {} columns; commas separate cells, so a decimal comma makes two of one number",
-                      where, cells.size(), columns.count));
-    time.push_back(finite(cells[columns.time], where));
-    record.values.push_back(finite(cells[columns.acceleration], where) * columns.unit);
-    require_plausible(record.values.back(), gravity, where);
+                      where, cells.size(), columns_.count));
   }
-  if (columns.count == 0) throw DataError(fmt::format("{}: holds no header line", path));
-  record.dt = uniform_step(time, path);
-  record.start = time.front();
+  double finite(const std::string &cell, const std::string &where) {
+    const auto value = decimals_.number(cell, where);
+    if (!value) throw DataError(fmt::format("{}: \"{}\" is not a finite number", where, cell.substr(0, 40)));
+    return *value;
+  }
+
+  RecordColumns columns_;
+  std::string path_;
+  double gravity_;
+  DecimalReader decimals_;
+  std::size_t footer_ = 0; ///< line of the first text below the rows; 0: none
+};
+
+} // namespace
+
+bool has_record_header(const std::string &text, double gravity) {
+  try {
+    return find_header(lines_of(utf8_text(text, "")), gravity, "").has_value();
+  } catch (const DataError &) {
+    return true; // a header that contradicts itself
+  }
+}
+
+SampledSignal parse_record_csv(const std::string &bytes, const std::string &path, double gravity) {
+  const std::string text = utf8_text(bytes, path);
+  const auto lines = lines_of(text);
+  const auto [columns, header] = require_header(lines, gravity, path);
+  Rows rows(columns, path, gravity);
+  for (std::size_t i = header + columns.lines; i < lines.size(); ++i) rows.read(lines[i], i + 1);
+  SampledSignal record{.dt = uniform_step(rows.time, path), .values = std::move(rows.values)};
+  record.start = rows.time.front();
   if (record.start < 0)
     throw DataError(fmt::format(
         "{}: begins at {} s; a run begins at 0 s, so shift all times (of every component alike)", path, record.start));

@@ -1,25 +1,22 @@
 // ESM and ITACA ASCII: lines KEY: VALUE, then one acceleration a line.
 #include "files/error.h"
 #include "files/text.h"
+#include "records/header_check.h"
 #include "records/record.h"
 #include "records/record_format.h"
+#include "records/record_units.h"
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 
 namespace rimpact {
 namespace {
 
 constexpr std::size_t header_lines = 64;
 
-double unit_named(const std::string &name, const std::string &path, double gravity) {
-  const std::string unit = upper(name);
-  for (const char *cm : {"CM/S^2", "CM/S2", "CM/S**2", "CM/S/S", "GAL"})
-    if (unit == cm) return 0.01;
-  for (const char *m : {"M/S^2", "M/S2", "M/S**2", "M/S/S"})
-    if (unit == m) return 1;
-  if (unit == "G") return gravity;
-  throw DataError(
-      fmt::format("{}: UNITS \"{}\" of the acceleration are not known (cm/s^2, m/s^2, g)", path, name.substr(0, 40)));
+/// A number that the header may lack.
+std::optional<double> number_if(const std::vector<std::string_view> &lines, const char *key) {
+  return to_number(header_value(lines, header_lines, key));
 }
 
 double number_of(const std::vector<std::string_view> &lines, const char *key, const std::string &path) {
@@ -28,6 +25,22 @@ double number_of(const std::vector<std::string_view> &lines, const char *key, co
   if (!value || !std::isfinite(*value))
     throw DataError(fmt::format("{}: {} \"{}\" is not a number", path, key, text.substr(0, 40)));
   return *value;
+}
+
+/// To the file's end. A line of two numbers is not of this form: spectra have them.
+std::vector<double> one_value_a_line(const std::vector<std::string_view> &lines, std::size_t first,
+                                     const std::string &path) {
+  std::vector<double> values;
+  for (std::size_t i = first; i < lines.size(); ++i) {
+    const auto word = trim(lines[i]);
+    if (word.empty()) continue;
+    const auto value = to_number(word);
+    if (!value || !std::isfinite(*value))
+      throw DataError(fmt::format("{}:{}: \"{}\" is not a finite number, one a line ({} values read)", path, i + 1,
+                                  word.substr(0, 40), values.size()));
+    values.push_back(*value);
+  }
+  return values;
 }
 
 bool is_header(std::string_view line) {
@@ -50,22 +63,28 @@ RecordHead head_of_esm(std::string_view text) {
 SampledSignal parse_esm(const std::string &text, const std::string &path, double gravity) {
   const auto lines = lines_of(text);
   const std::string kind = upper(header_value(lines, header_lines, "DATA_TYPE"));
-  if (!kind.empty() && kind.find("ACCELERATION") == std::string::npos)
+  if (!kind.empty() && (kind.find("ACCELERATION") == std::string::npos || kind.find("SPECTR") != std::string::npos))
     throw DataError(fmt::format("{}: the file holds {}, an acceleration record is needed", path, kind.substr(0, 40)));
   const double dt = number_of(lines, "SAMPLING_INTERVAL_S", path), npts = number_of(lines, "NDATA", path);
   if (!(dt > 0 && dt <= longest_step))
     throw DataError(fmt::format("{}: SAMPLING_INTERVAL_S {} must be > 0 and <= {}", path, dt, longest_step));
   if (!(npts >= 2 && npts <= 1e9 && npts == std::floor(npts)))
     throw DataError(fmt::format("{}: NDATA {} must be a whole number >= 2", path, npts));
-  const double unit = unit_named(header_value(lines, header_lines, "UNITS"), path, gravity);
+  const std::string name = header_value(lines, header_lines, "UNITS");
+  const auto unit = acceleration_unit(name, gravity);
+  if (!unit)
+    throw DataError(
+        fmt::format("{}: UNITS \"{}\" of the acceleration are not known (cm/s^2, m/s^2, g)", path, name.substr(0, 40)));
   std::size_t first = 0;
   while (first < std::min(header_lines, lines.size()) && (is_header(lines[first]) || trim(lines[first]).empty()))
     ++first;
-  SampledSignal record{dt, read_values(lines, first, static_cast<std::size_t>(npts), 0, path)};
+  SampledSignal record{dt, one_value_a_line(lines, first, path)};
+  require_count(path, "NDATA", npts, record.values.size());
   for (auto &value : record.values) {
-    value *= unit;
+    value *= *unit;
     require_plausible(value, gravity, path);
   }
+  if (const auto peak = number_if(lines, "PGA_CM/S^2")) require_peak(path, "PGA_CM/S^2", *peak / 100, record);
   return record;
 }
 

@@ -26,7 +26,8 @@ bool is_esm(std::string_view text, const std::string &) {
 bool is_cosmos(std::string_view text, const std::string &ending) {
   const auto line = head_of(text.substr(0, text.find('\n')));
   return ending == ".V2" || ending == ".V2C" || line.find("CORRECTED ACCELEROGRAM") != std::string::npos ||
-         line.find("CORRECTED ACCELERATION") != std::string::npos;
+         line.find("CORRECTED ACCELERATION") != std::string::npos ||
+         line.find("RESPONSE AND FOURIER AMPLITUDE SPECTRA") != std::string::npos;
 }
 bool is_at2(std::string_view, const std::string &) {
   return true;
@@ -40,7 +41,7 @@ const std::vector<RecordFormat> &record_formats() {
       {"K-NET", is_knet, parse_knet, head_of_knet},
       {"ESM", is_esm, parse_esm, head_of_esm},
       {"COSMOS V2", is_cosmos, parse_cosmos_v2, head_of_cosmos, channels_of_cosmos},
-      {"AT2", is_at2, parse_at2, head_of_at2}};
+      {"AT2", is_at2, parse_at2, head_of_at2, channels_of_at2}};
   return formats;
 }
 
@@ -49,7 +50,7 @@ bool is_record_file(std::string_view beginning, const std::string &ending) {
   const auto &format = *std::find_if(record_formats().begin(), record_formats().end(),
                                      [&](const auto &each) { return each.is(beginning, ending); });
   if (format.is == is_at2) return false;
-  return format.is != is_csv || upper(beginning).find("ACCELERATION") != std::string::npos;
+  return format.is != is_csv || has_record_header(std::string(beginning), standard_gravity);
 }
 
 std::string header_value(const std::vector<std::string_view> &lines, std::size_t n, std::string_view key) {
@@ -63,9 +64,10 @@ std::string header_value(const std::vector<std::string_view> &lines, std::size_t
 }
 
 std::vector<double> read_values(const std::vector<std::string_view> &lines, std::size_t first, std::size_t expected,
-                                std::size_t width, const std::string &path) {
+                                std::size_t width, const std::string &path, std::size_t *next_line) {
   std::vector<double> values;
-  for (std::size_t i = first; i < lines.size() && (expected == 0 || values.size() < expected); ++i) {
+  std::size_t i = first;
+  for (; i < lines.size() && (expected == 0 || values.size() < expected); ++i) {
     std::string_view rest = lines[i];
     while (!trim(rest).empty() && (expected == 0 || values.size() < expected)) {
       std::string_view word;
@@ -88,6 +90,7 @@ std::vector<double> read_values(const std::vector<std::string_view> &lines, std:
   if (values.size() < std::max<std::size_t>(expected, 2))
     throw DataError(fmt::format("{}: truncated: {} values found, {} needed", path, values.size(),
                                 std::max<std::size_t>(expected, 2)));
+  if (next_line) *next_line = i;
   return values;
 }
 

@@ -32,21 +32,28 @@ const std::vector<RecordFormat> &record_formats();
 /// tables by their header, other forms by what they hold.
 bool is_record_file(std::string_view beginning, const std::string &ending);
 
-/// COSMOS V2 (corrected accelerations): header blocks whose lengths their first lines tell, accelerations in a unit
-/// that the line of counts names (cm/s^2, g, m/s^2). Velocity and displacement blocks behind it are not read.
+/// Whether a table's text, or its beginning, holds the header of a record (record_table.h).
+bool has_record_header(const std::string &text, double gravity);
+/// COSMOS V2 and CSMIP V2 (corrected accelerations): header blocks whose lengths their first lines tell, accelerations
+/// in a unit that the line of counts names (cm/s^2, g, m/s^2). Numbers behind the values it promises are refused, and
+/// so are CSMIP's raw accelerograms (V1) and spectra (V3). Velocity and displacement blocks behind it are not read.
 SampledSignal parse_cosmos_v2(const std::string &text, const std::string &path, double gravity);
 RecordHead head_of_cosmos(std::string_view text);
 /// Parts that each begin with a head line "Corrected acceleration ...".
 std::vector<std::string_view> channels_of_cosmos(std::string_view text);
-/// ESM and ITACA ASCII: 64 lines KEY: VALUE, then one value a line in the unit of UNITS (cm/s^2 | m/s^2 | g).
+/// ESM and ITACA ASCII: 64 lines KEY: VALUE, then one value a line in the unit of UNITS (cm/s^2 | m/s^2 | g), as many
+/// as NDATA says and as large as PGA_CM/S^2 says (header_check.h).
 SampledSignal parse_esm(const std::string &text, const std::string &path, double gravity);
 RecordHead head_of_esm(std::string_view text);
 /// K-NET and KiK-net ASCII: 17 lines, counts times the scale factor N(gal)/M less their mean; the sampling is in Hz.
+/// Their number and peak are held against the header's.
 SampledSignal parse_knet(const std::string &text, const std::string &path, double gravity);
 /// Directions 1 to 3 of KiK-net are the borehole's, 4 to 6 the surface's: two stations.
 RecordHead head_of_knet(std::string_view text);
 /// PEER's second line: event, date, station, direction.
 RecordHead head_of_at2(std::string_view text);
+/// Records of PEER joined into one file, each with its four header lines.
+std::vector<std::string_view> channels_of_at2(std::string_view text);
 
 /// The names of keys that open a line, "KEY: VALUE" or fixed columns; the rest of the line, trimmed. Empty: no such
 /// line among the first `n`.
@@ -54,8 +61,8 @@ std::string header_value(const std::vector<std::string_view> &lines, std::size_t
 
 /// Numbers from `first` on, several a line, until `expected` are there (0: to the end). Throws DataError naming line
 /// and word that is none, or how many are missing. Columns of `width` characters that touch are told apart; 0: blanks
-/// part.
+/// part. `next_line` gets the first line that was not read.
 std::vector<double> read_values(const std::vector<std::string_view> &lines, std::size_t first, std::size_t expected,
-                                std::size_t width, const std::string &path);
+                                std::size_t width, const std::string &path, std::size_t *next_line = nullptr);
 
 } // namespace rimpact

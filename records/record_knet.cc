@@ -1,8 +1,10 @@
 // K-NET and KiK-net ASCII (NIED): 17 lines of header, counts in columns.
 #include "files/error.h"
 #include "files/text.h"
+#include "records/header_check.h"
 #include "records/record.h"
 #include "records/record_format.h"
+#include <cmath>
 #include <fmt/format.h>
 #include <numeric>
 
@@ -48,13 +50,19 @@ SampledSignal parse_knet(const std::string &text, const std::string &path, doubl
   if (first >= lines.size() || upper(trim(lines[first])).rfind("MEMO", 0) != 0)
     throw DataError(path + ": no line \"Memo.\" closes the header: not a K-NET record");
   SampledSignal record{1 / *hertz, read_values(lines, first + 1, 0, 0, path)};
+  const double n_values = static_cast<double>(record.values.size());
+  if (const auto length = to_number(header_value(lines, preamble, "DURATION TIME(S)"));
+      length && std::abs(n_values - *length * *hertz) > *hertz) // the header rounds to whole seconds
+    require_count(path, "Duration Time(s) times Sampling Freq(Hz)", *length * *hertz, record.values.size());
   // The instrument's offset is not motion: NIED's own advice is to take the mean off.
-  const double mean =
-      std::accumulate(record.values.begin(), record.values.end(), 0.0) / static_cast<double>(record.values.size());
+  const double mean = std::accumulate(record.values.begin(), record.values.end(), 0.0) / n_values;
   for (auto &value : record.values) {
     value = (value - mean) * scale;
     require_plausible(value, gravity, path);
   }
+  constexpr double slack = 0.05; // NIED takes another mean
+  if (const auto peak = to_number(header_value(lines, preamble, "MAX. ACC. (GAL)")))
+    require_peak(path, "Max. Acc. (gal)", *peak / 100, record, slack);
   return record;
 }
 

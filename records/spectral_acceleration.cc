@@ -23,27 +23,41 @@ struct Transfer {
   }
 };
 
-} // namespace
-
-double spectral_acceleration(const SampledSignal &record, double period, double damping) {
-  if (record.values.empty()) return 0;
+/// Calls visit(u) at every instant.
+template <class Visit>
+void fly_oscillator(const SampledSignal &record, double period, double damping, const Visit &visit) {
   const double w = 2 * std::numbers::pi / period;
   const int parts = std::max(1, static_cast<int>(std::ceil(100 * record.dt / period)));
   const double h = record.dt / parts;
   const Transfer over(w, damping, h);
-  double u = 0, v = 0, largest = 0;
+  double u = 0, v = 0;
   const auto advance = [&](double a, double b) {
     const double next = over.u[0] * u + over.u[1] * v + over.u[2] * a + over.u[3] * b;
     v = over.v[0] * u + over.v[1] * v + over.v[2] * a + over.v[3] * b;
     u = next;
-    largest = std::max(largest, std::abs(u));
+    visit(u);
   };
   for (std::size_t i = 0; i + 1 < record.values.size(); ++i) {
     const double slope = (record.values[i + 1] - record.values[i]) / record.dt;
     for (int part = 0; part < parts; ++part) advance(record.values[i] + part * h * slope, slope);
   }
   for (double t = 0; t < period; t += h) advance(0, 0);
+}
+
+} // namespace
+
+double spectral_acceleration(const SampledSignal &record, double period, double damping) {
+  if (record.values.empty()) return 0;
+  double largest = 0;
+  fly_oscillator(record, period, damping, [&](double u) { largest = std::max(largest, std::abs(u)); });
+  const double w = 2 * std::numbers::pi / period;
   return w * w * largest;
+}
+
+std::vector<double> oscillator_travel(const SampledSignal &record, double period, double damping) {
+  std::vector<double> travel;
+  if (!record.values.empty()) fly_oscillator(record, period, damping, [&](double u) { travel.push_back(u); });
+  return travel;
 }
 
 } // namespace rimpact

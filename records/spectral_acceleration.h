@@ -1,6 +1,7 @@
 /// The response spectrum of a record.
 #pragma once
 #include "records/sampled_signal.h"
+#include <vector>
 
 namespace rimpact {
 
@@ -9,5 +10,8 @@ namespace rimpact {
 /// linear record (Nigam and Jennings, BSSA 59, 1969); the peak is taken at samples, of the record or, where
 /// they are wider than a hundredth of the period, between them. period > 0 [s], 0 <= damping < 1.
 double spectral_acceleration(const SampledSignal &record, double period, double damping = 0.05);
+
+/// The same oscillator's travel [m] at those instants, one period of its free vibration included.
+std::vector<double> oscillator_travel(const SampledSignal &record, double period, double damping = 0.05);
 
 } // namespace rimpact

@@ -8,8 +8,8 @@ namespace rimpact::reliability {
 /// Of the runs of a level that did not collapse, with h the probability of a hit:
 ///   P(Y > y) = n_collapsed / n + (1 - n_collapsed / n) [h P_hit(y) + (1 - h) P_free(y)].
 /// P_hit and P_free are those of their runs' lognormals (level.h). A stop caps the response where every free run lies
-/// below it and every hit one at or above it. F is then the lognormal of the free runs, the others known to lie beyond
-/// the stop (censored_lognormal.h), and G that of what the hit runs press the stop by:
+/// below it and every hit one at or above it. F is then the lognormal of the free runs, with the others beyond
+/// the stop (censored_lognormal.h). G is that of what the hit runs press the stop by:
 ///   P_free(y) = 1 - F(y) / F(stop) below it, else 0;  P_hit(y) = 1 up to it, else 1 - G(y - stop).
 struct HitLevel {
   int n_collapsed = 0;

@@ -249,7 +249,7 @@ Motions motions_of(const Study &study, const std::vector<std::string> &folders) 
   }
   if (result.levels.empty())
     throw InputError(fmt::format("{}: no level has a record at hand; motions.folders or --records DIR name the folders "
-                                 "of AT2 files",
+                                 "of records",
                                  study.origin));
   doubt_few_records(result);
   return result;

@@ -1,5 +1,6 @@
 """`rimpact motion` reads records of PEER, and refuses what is none."""
 import json
+import math
 import os
 import tempfile
 import unittest
@@ -60,8 +61,39 @@ class Motion(Refusals):
             with open(table, "w") as file:
                 file.write(text.replace("lone.AT2,lone,", "lone.AT2,lone,N35E"))
             rows = {os.path.basename(row["file"]): row for row in json.loads(rimpact("motion", folder, "--json").stdout)}
-            self.assertEqual((rows["lone.AT2"]["azimuth_deg"], rows["lone.AT2"]["doubts"]), (35, []))
+            self.assertEqual((rows["lone.AT2"]["azimuth_deg"], rows["lone.AT2"]["kind"]), (35, "horizontal"))
+            self.assertNotIn("its direction is not known", rows["lone.AT2"]["doubts"])
             self.refused(2, "--ask", arguments=["motion", os.path.join(folder, "lone.AT2"), "--ask"])
+
+    def test_an_offset_is_doubted_and_taken_off_when_asked(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "offset.csv")
+            with open(path, "w", encoding="latin-1") as file:
+                file.write("Zeit [s];Beschleunigung [m/s\u00b2]\n")
+                for k in range(2000):
+                    wave = math.sin(0.3 * k) * math.sin(math.pi * k / 2000) ** 2
+                    file.write(f"{0.01 * k:.2f};{2 * wave + 0.2:.6f}\n".replace(".", ","))
+            row = json.loads(rimpact("motion", path, "--json").stdout)[0]
+            self.assertIn("an offset of 0.2", row["doubts"][0])
+            done = rimpact("motion", path, "--baseline", os.path.join(folder, "mended"))
+            self.assertEqual(done.returncode, 0, done.stderr)
+            row = json.loads(rimpact("motion", os.path.join(folder, "mended", "offset.csv"), "--period", "1", "--json").stdout)[0]
+            self.assertEqual(row["doubts"], [])
+            self.assertGreater(row["sa_g"], 0)
+            self.assertIsNone(row["rotd50_g"])
+
+    def test_pairs_have_rotations_and_copies_are_found(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, scale in (("A000", 1), ("A090", 1), ("B000", 2)):
+                values = " ".join(f"{scale * 0.1 * math.sin(0.3 * k + len(name) * (name == 'A090')) * math.sin(math.pi * k / 900) ** 2:.6e}"
+                                  for k in range(900))
+                with open(os.path.join(folder, name + ".AT2"), "w") as file:
+                    file.write(AT2.format("ACCELERATION TIME SERIES IN UNITS OF G", 900) + values + "\n")
+            rows = json.loads(rimpact("motion", folder, "--period", "0.5", "--json").stdout)
+            self.assertEqual([bool(row["rotd50_g"]) for row in rows], [True, True, False])
+            self.assertLessEqual(rows[0]["rotd50_g"], rows[0]["rotd100_g"])
+            self.assertGreaterEqual(rows[0]["rotd100_g"], max(rows[0]["sa_g"], rows[1]["sa_g"]) * (1 - 1e-3))
+            self.assertIn("2 times A000.AT2", " ".join(rows[2]["doubts"]))
 
     def test_every_station_of_appendix_c_is_a_pair(self):
         records = os.environ.get("RIMPACT_RECORDS", os.path.join(os.path.dirname(__file__), "../../../shared/records"))

@@ -92,6 +92,9 @@ TEST(RecordFolder, SpectralAccelerationIsAVariable) {
   };
   EXPECT_NEAR(at("excitation.scale"), 0.5 / at("variable.record_sa_g"), 1e-12);
   EXPECT_GT(at("variable.record_sa_g"), 0.8); // two thirds of the way to resonance in one cycle
+  // Both components are one wave, 0.2 and 0.4 g: along their sum stands the root of five times the smaller.
+  EXPECT_NEAR(at("variable.record_rotd100_g") / at("variable.record_sa_g"), std::sqrt(5.0) / 2, 1e-3);
+  EXPECT_LT(at("variable.record_rotd50_g"), at("variable.record_rotd100_g"));
 }
 
 TEST(RecordFolder, ErrorsNameFolderAndKey) {

@@ -30,6 +30,17 @@ class Runs(unittest.TestCase):
     def path(self, name):
         return os.path.join(self.folder, name)
 
+    def test_records_are_a_table(self):
+        for name in ("A000.AT2", "A090.AT2", "B-UP.AT2"):
+            with open(self.path(name), "w") as file:
+                file.write("PEER\nMADE UP\nACCELERATION TIME SERIES IN UNITS OF G\nNPTS= 3, DT= .01 SEC\n .1 .2 .1\n")
+        records = rimpact.motion(self.folder)
+        self.assertEqual(list(records["pair"]), ["A090.AT2", "A000.AT2", None])
+        self.assertEqual(list(records["kind"]), ["horizontal", "horizontal", "vertical"])
+        self.assertAlmostEqual(records["pga_g"].max(), 0.2)
+        with self.assertRaisesRegex(rimpact.DataError, "no such file"):
+            rimpact.motion(self.path("none.AT2"))
+
     def test_a_run_here_is_the_commands_to_the_last_bit(self):
         done = command("reduced", "ricker-0.78g-1.0s", "--set", "excitation.scale=1.05", "-o", "run", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)

@@ -105,10 +105,35 @@ TEST(RecordCsv, ReadsBothUnitsAndRefuses) {
   std::string back = "time_s,acceleration_g\n";
   for (int i = 0; i < 100; ++i) back += std::to_string(0.01 * (i == 60 ? 50 : i)) + ",0.1\n";
   expect_error<DataError>([&] { csv(back); }, {"sample 61", "not uniform"});
-  expect_error<DataError>([&] { csv("time_s;acceleration_g\n0;1\n"); }, {"with commas"});
+  expect_error<DataError>([&] { csv("time_s;acceleration_g\n0;1\n"); }, {"1 samples"});
   expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,1\n0,1\n"); }, {"must grow"});
   expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,1\n"); }, {"1 samples"});
   expect_error<DataError>([&] { csv("time_s,acceleration_g\n0,nan\n1,1\n"); }, {"nan"});
+}
+
+TEST(RecordCsv, TablesOfAnyTongue) {
+  for (const char *text :
+       {"Zeit [s];Beschleunigung [m/s\xC2\xB2]\n0,00;1,5\n0,01;-2,5\n",                            // UTF-8
+        "Zeit [s];Beschleunigung [m/s\xB2]\r\n0,00;1,5\r\n0,01;-2,5\r\n\r\nEnde der Messung;\r\n", // Latin-1
+        "station: X\nevent: Y\n\nTempo;Acc\ns;m/s2\n0,00;1,5\n0,01;-2,5\n", // units in the line below
+        "sep=;\nTiempo (seg);Aceleracion (cm/s2);Velocidad (cm/s)\n0;150;0\n0.01;-250;1\n",
+        "Time (s)\tAcceleration (gal)\n0\t150\n0.01\t-250\nPGA 250 gal\n", "\"t_s\",\"a [g]\"\n0,0.15\n0.01,-0.25\n"}) {
+    SCOPED_TRACE(text);
+    const auto r = parse_record_csv(text, "r.csv", 10.0);
+    ASSERT_EQ(r.values.size(), 2u);
+    EXPECT_NEAR(r.dt, 0.01, 1e-12);
+    EXPECT_NEAR(r.values[0], 1.5, 1e-12);
+    EXPECT_NEAR(r.values[1], -2.5, 1e-12);
+  }
+  const auto refuse = [](const std::string &text, std::initializer_list<const char *> words) {
+    expect_error<DataError>([&] { parse_record_csv(text, "r.csv", 10.0); }, words);
+  };
+  refuse("t (s),a (g)\n0,1\nbroken\n0.02,1\n", {"r.csv:3", "rows go on"});
+  refuse("t (s),NS (g),EW (g)\n0,1,2\n0.01,1,2\n", {"r.csv:1", "EW (g)", "NS (g)"});
+  refuse("T [s],Sa [g]\n0,1\n0.01,1\n", {"r.csv:1", "header must be"});
+  refuse("period_s,level_g\n0,1\n0.01,1\n", {"r.csv:1", "header must be"});
+  refuse("t (ms),a (g)\n0,1\n10,1\n", {"r.csv:1", "header must be"});
+  refuse("t (s);a (g)\n0;1\n0,01;1\n0.02;2\n", {"r.csv:4", "decimal"});
 }
 
 TEST(RecordCsv, KeepsItsFirstInstant) {

@@ -124,6 +124,17 @@ TEST(RecordFolder, ChannelsOfOneFileAreAStation) {
   expect_error<DataError>([&] { read_record(path + "#4"); }, {"no channel 4"});
 }
 
+TEST(RecordFolder, RecordsOfPeerJoinedIntoOneFile) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("both.AT2", at2("E, 1/1/2000, S, 90") + "\n" + at2("E, 1/1/2000, S, 360") +
+                                                        at2("E, 1/1/2000, S, UP"));
+  const auto read = read_record_folder(folder.path());
+  ASSERT_EQ(read.stations.size(), 1u);
+  EXPECT_EQ(files(read, read.stations[0].horizontal), (Names{"both.AT2#1", "both.AT2#2"}));
+  EXPECT_EQ(read_record(path + "#2").values.size(), 3u);
+  expect_error<DataError>([&] { read_record(path); }, {"3 channels", "#2 (360)", "#3 (UP)"});
+}
+
 TEST(RecordFolder, NoFolderAndNoRecord) {
   const TemporaryFolder folder;
   expect_error<InputError>([&] { read_record_folder(folder / "nowhere"); }, {"nowhere", "cannot be read"});

@@ -13,8 +13,8 @@ const std::string knet =
     "Origin Time       2011/03/11 14:46:00\nLat.              38.103\nLong.             142.860\nDepth. (km)       "
     "24\nMag.              9.0\nStation Code      MYG004\nStation Lat.      38.7292\nStation Long.     "
     "141.0217\nStation Height(m) 40\nRecord Time       2011/03/11 14:46:36\nSampling Freq(Hz) "
-    "100Hz\nDuration Time(s)  300\nDir.              N-S\nScale Factor      3920(gal)/6182761\nMax. Acc. (gal)   "
-    "2699.890\nLast Correction   2011/03/11 14:46:21\nMemo.             \n    1000    3000    2000    2000\n    "
+    "100Hz\nDuration Time(s)  0\nDir.              N-S\nScale Factor      3920(gal)/6182761\nMax. Acc. (gal)   "
+    "0.634\nLast Correction   2011/03/11 14:46:21\nMemo.             \n    1000    3000    2000    2000\n    "
     "2000    2000\n";
 
 const std::string esm =
@@ -76,6 +76,37 @@ TEST(RecordFormats, EsmRefusals) {
   refuse(replaced(esm, "0.005000", "0"), {"SAMPLING_INTERVAL_S 0", "> 0"});
   refuse(replaced(esm, "1.0e1", "nan"), {"q.asc:13", "nan"});
   refuse(replaced(esm, "-98.0665", "-980665"), {"100 g"});
+}
+
+TEST(RecordFormats, HeadersThatDisagreeWithTheirDataAreRefusedWithBothFigures) {
+  const auto refuse = [](const std::string &text, std::initializer_list<const char *> words) {
+    expect_error<DataError>([&] { parse_record(text, "q.x", 9.81); }, words);
+  };
+  refuse(replaced(esm, "NDATA: 4", "NDATA: 3"), {"4 values found", "NDATA promises 3"});
+  refuse(replaced(esm, "USER1:", "PGA_CM/S^2: 49.0"), {"PGA_CM/S^2 says 0.49", "reach 0.98067"});
+  expect_values(parse_record(replaced(esm, "USER1:", "PGA_CM/S^2: -98.07"), "q", 9.81), 0.005,
+                {0.005, -0.980665, 0.1, -0.02}); // rounded, and of the other sign
+  refuse(replaced(esm, "ACCELERATION", "ACCELERATION RESPONSE SPECTRUM"), {"SPECTRUM", "acceleration record"});
+  refuse(replaced(esm, "1.0e1\n", "0.09 1.0e1\n"), {"q.x:13", "one a line"});
+  refuse(replaced(knet, "Duration Time(s)  0", "Duration Time(s)  3"), {"6 values found", "promises 300"});
+  refuse(replaced(knet, "0.634", "6.34"), {"Max. Acc. (gal) says 0.0634", "reach 0.0063"});
+  refuse(cosmos(0.01, 5, counts, touching + "   1.00000   2.00000\n"), {"more numbers", "4 values"});
+}
+
+TEST(RecordFormats, Csmip) {
+  const auto csmip = [](const std::string &channel, const std::string &values) {
+    return "CORRECTED ACCELEROGRAM DATA\nSTATION NO. 24514\nCHAN 1: " + channel +
+           "\n    4 POINTS OF ACCEL DATA EQUALLY SPACED AT  .020 SEC, IN CM/SEC2.   (8F10.3)\n" + values +
+           "    4 POINTS OF VELOC DATA EQUALLY SPACED AT  .020 SEC, IN CM/SEC.    (8F10.3)\n" + values + "/&\n";
+  };
+  const std::string values = "    50.000  -100.000   -98.067     2.000\n";
+  const auto one = csmip("90 DEG", values);
+  expect_values(parse_record(one, "a.V2", 9.81), 0.02, {0.5, -1, -0.98067, 0.02});
+  expect_error<DataError>([&] { parse_record(one + csmip("UP", values), "a.V2", 9.81); },
+                          {"2 channels", "#1 (90)", "#2 (UP)"});
+  expect_error<DataError>([&] { parse_record("UN" + one, "a.V1", 9.81); }, {"uncorrected", "V2"});
+  expect_error<DataError>([&] { parse_record("RESPONSE AND FOURIER AMPLITUDE SPECTRA\n1 2\n", "a.V3", 9.81); },
+                          {"spectra", "V2"});
 }
 
 TEST(RecordFormats, KnetRefusals) {

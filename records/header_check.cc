@@ -1,0 +1,25 @@
+#include "records/header_check.h"
+#include "files/error.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact {
+
+void require_count(const std::string &path, const char *key, double stated, std::size_t found) {
+  if (static_cast<double>(found) == stated) return;
+  throw DataError(fmt::format("{}: {}: {} values found, {} promises {:.0f}", path,
+                              static_cast<double>(found) < stated ? "truncated" : "more values than promised", found,
+                              key, stated));
+}
+
+void require_peak(const std::string &path, const char *key, double stated, const SampledSignal &record, double slack) {
+  double largest = 0;
+  for (const double value : record.values) largest = std::max(largest, std::abs(value));
+  constexpr double rounding = 1e-4; // of a header that gives few digits [m/s^2]
+  if (stated == 0 || std::abs(largest - std::abs(stated)) <= slack * std::abs(stated) + rounding) return;
+  throw DataError(fmt::format("{}: {} says {:.5g} m/s^2, the values reach {:.5g} m/s^2: header and data disagree", path,
+                              key, std::abs(stated), largest));
+}
+
+} // namespace rimpact
