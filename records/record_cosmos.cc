@@ -83,16 +83,6 @@ double interval(const std::vector<std::string_view> &lines, const Counts &counts
   return 0;
 }
 
-/// A line of nothing but numbers behind the values: the count or the data are wrong.
-void refuse_numbers(const std::vector<std::string_view> &lines, std::size_t line, std::size_t npts,
-                    const std::string &path) {
-  if (line >= lines.size() || trim(lines[line]).empty() ||
-      trim(lines[line]).find_first_not_of("0123456789.-+Ee \t") != std::string_view::npos)
-    return;
-  throw DataError(fmt::format("{}:{}: more numbers come after the {} values that the line of counts promises", path,
-                              line + 1, npts));
-}
-
 /// V1 and V3 of CSMIP: raw samples at uneven instants, and spectra.
 void refuse_raw_and_spectra(std::string_view text, const std::string &path) {
   const std::string head = upper(text.substr(0, text.find('\n')));
@@ -131,14 +121,7 @@ RecordHead head_of_cosmos(std::string_view text) {
 }
 
 std::vector<std::string_view> channels_of_cosmos(std::string_view text) {
-  std::vector<std::size_t> starts;
-  for (const auto line : lines_of(text))
-    if (opens_channel(line)) starts.push_back(static_cast<std::size_t>(line.data() - text.data()));
-  if (starts.size() < 2) return {text};
-  std::vector<std::string_view> channels;
-  for (std::size_t i = 0; i < starts.size(); ++i)
-    channels.push_back(text.substr(starts[i], (i + 1 < starts.size() ? starts[i + 1] : text.size()) - starts[i]));
-  return channels;
+  return parts_at(text, opens_channel);
 }
 
 SampledSignal parse_cosmos_v2(const std::string &text, const std::string &path, double gravity) {

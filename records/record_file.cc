@@ -2,6 +2,7 @@
 #include "files/error.h"
 #include "files/file.h"
 #include "files/text.h"
+#include "records/direction.h"
 #include <filesystem>
 #include <fmt/format.h>
 #include <stdexcept>
@@ -29,7 +30,10 @@ RecordName record_name(const std::string &name) {
 
 std::string record_label(const std::string &name) {
   const auto [file, channel] = record_name(name);
-  const std::string stem = std::filesystem::path(file).stem().string();
+  const std::filesystem::path path(file);
+  const std::string ending = path.extension().string();
+  const bool tells_direction = ending.size() > 1 && direction_written(ending).kind != DirectionKind::unknown;
+  const std::string stem = tells_direction ? path.filename().string() : path.stem().string();
   return channel ? fmt::format("{}#{}", stem, *channel) : stem;
 }
 

@@ -13,7 +13,8 @@ struct RecordName {
   std::optional<std::size_t> channel;
 };
 RecordName record_name(const std::string &name);
-/// A component's name in tables: its file's without folder and ending, with the channel where it says one.
+/// A component's name in tables: its file's without folder and ending, with the channel where it says one. An ending
+/// that is a direction, as K-NET's (".EW", ".NS2"), stays.
 std::string record_label(const std::string &name);
 
 /// The text of one file, told apart into channels by its form.

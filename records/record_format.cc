@@ -29,6 +29,9 @@ bool is_cosmos(std::string_view text, const std::string &ending) {
          line.find("CORRECTED ACCELERATION") != std::string::npos ||
          line.find("RESPONSE AND FOURIER AMPLITUDE SPECTRA") != std::string::npos;
 }
+bool is_geonet(std::string_view text, const std::string &) {
+  return opens_geonet(text.substr(0, text.find('\n')));
+}
 bool is_at2(std::string_view, const std::string &) {
   return true;
 }
@@ -40,6 +43,7 @@ const std::vector<RecordFormat> &record_formats() {
       {"CSV", is_csv, parse_record_csv},
       {"K-NET", is_knet, parse_knet, head_of_knet},
       {"ESM", is_esm, parse_esm, head_of_esm},
+      {"GeoNet", is_geonet, parse_geonet, head_of_geonet, channels_of_geonet},
       {"COSMOS V2", is_cosmos, parse_cosmos_v2, head_of_cosmos, channels_of_cosmos},
       {"AT2", is_at2, parse_at2, head_of_at2, channels_of_at2}};
   return formats;
@@ -92,6 +96,26 @@ std::vector<double> read_values(const std::vector<std::string_view> &lines, std:
                                 std::max<std::size_t>(expected, 2)));
   if (next_line) *next_line = i;
   return values;
+}
+
+void refuse_numbers(const std::vector<std::string_view> &lines, std::size_t line, std::size_t npts,
+                    const std::string &path) {
+  if (line >= lines.size() || trim(lines[line]).empty() ||
+      trim(lines[line]).find_first_not_of("0123456789.-+Ee \t") != std::string_view::npos)
+    return;
+  throw DataError(fmt::format("{}:{}: more numbers come after the {} values that the line of counts promises", path,
+                              line + 1, npts));
+}
+
+std::vector<std::string_view> parts_at(std::string_view text, bool (*opens)(std::string_view line)) {
+  std::vector<std::size_t> starts;
+  for (const auto line : lines_of(text))
+    if (opens(line)) starts.push_back(static_cast<std::size_t>(line.data() - text.data()));
+  if (starts.size() < 2) return {text};
+  std::vector<std::string_view> parts;
+  for (std::size_t i = 0; i < starts.size(); ++i)
+    parts.push_back(text.substr(starts[i], (i + 1 < starts.size() ? starts[i + 1] : text.size()) - starts[i]));
+  return parts;
 }
 
 } // namespace rimpact

@@ -41,6 +41,12 @@ SampledSignal parse_cosmos_v2(const std::string &text, const std::string &path, 
 RecordHead head_of_cosmos(std::string_view text);
 /// Parts that each begin with a head line "Corrected acceleration ...".
 std::vector<std::string_view> channels_of_cosmos(std::string_view text);
+/// GeoNet V1A and V2A: 16 lines of text, 10 of numbers, accelerations in mm/s^2 in columns of 8, as many and as large
+/// as the header says; velocities and displacements behind them are not read.
+SampledSignal parse_geonet(const std::string &text, const std::string &path, double gravity);
+RecordHead head_of_geonet(std::string_view text);
+std::vector<std::string_view> channels_of_geonet(std::string_view text);
+bool opens_geonet(std::string_view line); ///< the first line of a component
 /// ESM and ITACA ASCII: 64 lines KEY: VALUE, then one value a line in the unit of UNITS (cm/s^2 | m/s^2 | g), as many
 /// as NDATA says and as large as PGA_CM/S^2 says (header_check.h).
 SampledSignal parse_esm(const std::string &text, const std::string &path, double gravity);
@@ -64,5 +70,12 @@ std::string header_value(const std::vector<std::string_view> &lines, std::size_t
 /// part. `next_line` gets the first line that was not read.
 std::vector<double> read_values(const std::vector<std::string_view> &lines, std::size_t first, std::size_t expected,
                                 std::size_t width, const std::string &path, std::size_t *next_line = nullptr);
+
+/// Throws DataError where `line`, behind the values, holds nothing but numbers: the count or the data are wrong.
+void refuse_numbers(const std::vector<std::string_view> &lines, std::size_t line, std::size_t npts,
+                    const std::string &path);
+
+/// The text from each line that opens a part to the next one; with fewer than two such lines all of it.
+std::vector<std::string_view> parts_at(std::string_view text, bool (*opens)(std::string_view line));
 
 } // namespace rimpact

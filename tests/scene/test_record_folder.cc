@@ -1,6 +1,7 @@
 // What a folder's records are: stations, directions, pairs, and what is asked about.
 #include "expect_error.h"
 #include "records/record.h"
+#include "records/record_file.h"
 #include "records/record_folder.h"
 #include "temporary_folder.h"
 #include <algorithm>
@@ -122,6 +123,31 @@ TEST(RecordFolder, ChannelsOfOneFileAreAStation) {
   EXPECT_NEAR(read_record(path + "#3").values[0], 0.03, 1e-12);
   expect_error<DataError>([&] { read_record(path); }, {"3 channels", "#1 (360)", "#2 (UP)", "hall.V2#1"});
   expect_error<DataError>([&] { read_record(path + "#4"); }, {"no channel 4"});
+}
+
+TEST(RecordFolder, KnetsEndingsAndKiknetsTwoInstruments) {
+  const auto knet = [](const std::string &direction) {
+    return "Origin Time       2011/03/11 14:46:00\nLat.              38.103\nStation Code      MYG004\nRecord Time     "
+           "  "
+           "2011/03/11 14:46:36\nSampling Freq(Hz) 100Hz\nDir.              " +
+           direction + "\nScale Factor      3920(gal)/6182761\nMemo.\n    1000    3000    2000    2000\n";
+  };
+  const TemporaryFolder folder;
+  for (const auto &[name, direction] : {std::pair{"MYG0041103111446.EW", "E-W"},
+                                        {"MYG0041103111446.NS", "N-S"},
+                                        {"MYG0041103111446.UD", "U-D"},
+                                        {"KIK.NS1", "1"},
+                                        {"KIK.EW1", "2"},
+                                        {"KIK.NS2", "4"},
+                                        {"KIK.EW2", "5"},
+                                        {"KIK.UD2", "6"}})
+    folder.write(name, knet(direction));
+  const auto read = read_record_folder(folder.path());
+  EXPECT_EQ(read.question(), "");
+  ASSERT_EQ(read.stations.size(), 3u);
+  for (const auto &each : read.stations) EXPECT_TRUE(each.is_pair()) << each.name;
+  EXPECT_NE(record_label("a/MYG0041103111446.EW"), record_label("a/MYG0041103111446.NS"));
+  EXPECT_EQ(record_label("a/RSN1_A090.AT2"), "RSN1_A090");
 }
 
 TEST(RecordFolder, RecordsOfPeerJoinedIntoOneFile) {

@@ -93,6 +93,32 @@ TEST(RecordFormats, HeadersThatDisagreeWithTheirDataAreRefusedWithBothFigures) {
   refuse(cosmos(0.01, 5, counts, touching + "   1.00000   2.00000\n"), {"more numbers", "4 values"});
 }
 
+TEST(RecordFormats, Geonet) {
+  const auto component = [](const std::string &direction, const std::string &count, const std::string &peak) {
+    std::string text =
+        "Corrected accelerogram 20300101_000000_HALL_20 GNS Science\nSite HALL      43 30 25S  172 43 53E\n"
+        "Hall\nInstrument\nResolution\nAccelerogram\nnear\n2030 January 01         00:00:00 UT\nEpicentre\n"
+        "Number of points\nunits\nfiltered\nComponent " +
+        direction + "\nAcceleration:  Peak  " + peak + " mm/s/s at  0.01 s\nVelocity\nDisplacement\n";
+    for (int i = 0; i < 100; ++i)
+      text += fmt::format("{:>8}", i == 33   ? count
+                                   : i == 65 ? "0.0050"
+                                   : i == 34 ? "2"
+                                             : "0") +
+              (i % 10 == 9 ? "\n" : "");
+    return text + "   500.0-1000.0   100.0\n     1.0     2.0\n";
+  };
+  const auto one = component("S14E", "3", "-1000.0");
+  expect_values(parse_record(one, "a.V2A", 9.81), 0.005, {0.5, -1, 0.1});
+  expect_error<DataError>([&] { parse_record(one + component("Up", "3", "-1000.0"), "a.V2A", 9.81); },
+                          {"2 channels", "#1 (S14E)", "#2 (Up)"});
+  expect_error<DataError>([&] { parse_record(component("N76E", "3", "-1100.0"), "a.V2A", 9.81); },
+                          {"Acceleration: Peak says 1.1", "reach 1 m/s^2"});
+  expect_error<DataError>([&] { parse_record(component("N76E", "9", "-1000.0"), "a.V2A", 9.81); },
+                          {"truncated", "9 needed"});
+  expect_error<DataError>([&] { parse_record(component("N76E", "0", "-1000.0"), "a.V2A", 9.81); }, {"samples 0"});
+}
+
 TEST(RecordFormats, Csmip) {
   const auto csmip = [](const std::string &channel, const std::string &values) {
     return "CORRECTED ACCELEROGRAM DATA\nSTATION NO. 24514\nCHAN 1: " + channel +
