@@ -133,8 +133,8 @@ bool may_follow(Before needed, std::string_view before, bool is_peers) {
 
 Direction ending(std::string_view name, std::size_t length, bool is_peers) {
   const auto before = name.substr(0, name.size() - length), word = name.substr(name.size() - length);
-  if (const auto angle = quadrant(word)) return {level_axis, *angle, std::string(word)};
-  if (const auto angle = azimuth(word, 3)) return {level_axis, *angle, std::string(word)};
+  if (const auto angle = quadrant(word)) return {level_axis, angle, std::string(word)};
+  if (const auto angle = azimuth(word, 3)) return {level_axis, angle, std::string(word)};
   if (const auto code = stream(word); code && may_follow(Before::mark, before, false)) return *code;
   for (const auto &known : spellings)
     if (known.word == word && may_follow(known.before, before, is_peers)) return of(known);
@@ -158,8 +158,8 @@ Direction direction_written(std::string_view given) {
       word.erase(word.size() - unit.size());
       break;
     }
-  if (const auto angle = azimuth(word, 0)) return {level_axis, *angle, word};
-  if (const auto angle = quadrant(word)) return {level_axis, *angle, word};
+  if (const auto angle = azimuth(word, 0)) return {level_axis, angle, word};
+  if (const auto angle = quadrant(word)) return {level_axis, angle, word};
   if (const auto code = stream(word)) return *code;
   for (const auto &known : spellings)
     if (known.word == word) return of(known);

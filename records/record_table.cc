@@ -62,8 +62,8 @@ std::optional<RecordColumns> record_columns(const std::string &header, const std
   for (std::size_t i = 0; i < names.size(); ++i) {
     if (is_number(names[i]) || is_spectral(names[i])) return std::nullopt;
     std::string unit = unit_in_name(names[i]);
-    bool known = is_seconds(unit) || acceleration_unit(unit, gravity);
-    if (!known && has_units) unit = units[i], known = from_below = true;
+    const bool is_known = is_seconds(unit) || acceleration_unit(unit, gravity);
+    if (!is_known && has_units) unit = units[i], from_below = true;
     if (is_seconds(unit)) claim(columns.time, i, names, where);
     if (const auto value = acceleration_unit(unit, gravity)) {
       claim(columns.acceleration, i, names, where);

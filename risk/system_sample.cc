@@ -114,11 +114,12 @@ void SystemSample::set_hits_apart(std::size_t k, const std::vector<int> &times, 
   std::vector<reliability::ShareAt> hits;
   for (std::size_t i = 0; i < models.size(); ++i) {
     const auto counted = counted_times(sums_[k][i], times);
-    auto apart = reliability::hit_level(models[i].finished.n_collapsed, reliability::pooled(sums_[k][i].hit, counted),
-                                        reliability::pooled(sums_[k][i].free, counted), stops_[k]);
+    const auto apart =
+        reliability::hit_level(models[i].finished.n_collapsed, reliability::pooled(sums_[k][i].hit, counted),
+                               reliability::pooled(sums_[k][i].free, counted), stops_[k]);
     const double n = models[i].finished.n_zero + models[i].finished.n_positive;
     if (n > 0) hits.push_back({intensities_[i], apart.hit_share, n});
-    models[i].apart = std::move(apart);
+    models[i].apart = apart;
   }
   if (const auto logistic = reliability::fit_binomial(hits, reliability::Link::logit))
     for (std::size_t i = 0; i < models.size(); ++i) models[i].apart->hit_share = logistic->at(intensities_[i]);
