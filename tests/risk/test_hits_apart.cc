@@ -4,6 +4,7 @@
 #include "reliability/lognormal_between.h"
 #include "risk/evaluate.h"
 #include <algorithm>
+#include <gtest/gtest.h>
 #include <numeric>
 #include <random>
 
