@@ -169,7 +169,7 @@ Direction direction_written(std::string_view given) {
 NamedDirection direction_in_name(std::string_view stem) {
   const std::string name = upper(stem);
   const bool is_peers = name.starts_with("RSN") && name.size() > 3 && is_digit(name[3]);
-  for (std::size_t length = std::min(longest, name.size() > 0 ? name.size() - 1 : 0); length > 0; --length) {
+  for (std::size_t length = std::min(longest, name.empty() ? 0 : name.size() - 1); length > 0; --length) {
     auto direction = ending(name, length, is_peers);
     if (direction.kind == DirectionKind::unknown) continue;
     std::size_t end = name.size() - length;

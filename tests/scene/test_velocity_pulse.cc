@@ -35,7 +35,7 @@ TEST(VelocityPulse, OfThePulsesBuiltIn) {
   EXPECT_FALSE(velocity_pulse({0.01, {0, 1, 0}}, {0.02, {0, 1}}));
 }
 
-/// T_p of NGA-West2's flatfile, which the paper's own program made; none: not pulse-like there.
+/// T_p as we remember it of NGA-West2's flatfile, which was not at hand to check it by; none: not pulse-like there.
 struct Pulse {
   const char *first, *second;
   std::optional<double> period;
