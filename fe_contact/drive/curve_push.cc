@@ -45,7 +45,7 @@ public:
       const double force = force_of(state_), work = work_ + (force + path_.loading.force.back()) / 2 * step;
       path_.loading.penetration.push_back(d + step), path_.loading.force.push_back(force);
       work_ = work;
-      result.wish = std::min(push_growth * step, share_in * (d + step) + first_push_step);
+      result.suggested_step = std::min(push_growth * step, share_in * (d + step) + first_push_step);
       if (options_.progress)
         options_.progress({work, works.back(), step, 0, -(d + step), force, way_.held ? Phase::held : Phase::dish});
       if (work < works[next]) return result;
@@ -82,7 +82,7 @@ private:
       if (!result.accepted) return result;
       const double d = deepest - way - step, force = force_of(state), slope = (back.force.back() - force) / step;
       result.last = state.bearing_points() == 0 || force <= 0;
-      if (!result.last) result.wish = top / curve_steps_out / std::max(slope, 1e-3 * stiffness);
+      if (!result.last) result.suggested_step = top / curve_steps_out / std::max(slope, 1e-3 * stiffness);
       if (result.last) return end(back, d), result;
       back.penetration.push_back(d), back.force.push_back(force);
       return result;

@@ -38,7 +38,7 @@ void FlightRun::begin_contact() {
   if (support_ == Support::held) acceleration.z() = 0;
   state.v.setZero();
   state.a.setZero();
-  system_.place(state, frame.master(bearing_.u), frame.to_local(bearing_.v), frame.to_local(acceleration));
+  system_.set_position(state, frame.master(bearing_.u), frame.to_local(bearing_.v), frame.to_local(acceleration));
   state.R.setZero(); // the parts are at rest in themselves
   const Eigen::Vector3d on_top = frame.to_local(now.total());
   for (int i = 0; i < 3; ++i)
@@ -120,7 +120,7 @@ Attempt FlightRun::assess(const SolvedStep &step) {
   const double energy = std::abs(energies_.unbalanced(record_.ledger) + flight.work_of_dish()) /
                         (energy_tolerance * std::max(1.0, record_.ledger.largest_input));
   return control.assess(std::max(displacement, energy), step.dt, step.dt > finest * plan_.step_in_contact,
-                        arc().state.calm > 0);
+                        arc().state.growth_hold > 0);
 }
 
 void FlightRun::follow(const SolvedStep &step) {
@@ -183,7 +183,8 @@ void FlightRun::land() {
   support_ = Support::dish;
   if (approach >= 0) return;
   const double before = record_.ledger.kinetic;
-  system_.kick(arc().state, arc().frame.to_local(-(1 + scene_.reduced.vertical_restitution) * approach * n));
+  system_.apply_velocity_jump(arc().state,
+                              arc().frame.to_local(-(1 + scene_.reduced.vertical_restitution) * approach * n));
   record_.ledger.kinetic = system_.model().share() * system_.kinetic_energy(arc().state);
   record_.ledger.contact += before - record_.ledger.kinetic;
   bearing_.v = arc().frame.to_global(top_speed());

@@ -31,7 +31,7 @@ Attempt assess(const SolvedStep &step, const StepEnergies &energies, const Energ
   const double largest = scale.with(ledger, energies);
   const double error = std::abs(energies.unbalanced(ledger)) / (options.energy_tolerance * largest) +
                        std::max(0.0, -energies.integrator) / (options.gain_tolerance * largest);
-  Attempt result = StepControl{}.assess(error, step.dt, options.may_cut(step.dt), now.calm > 0);
+  Attempt result = StepControl{}.assess(error, step.dt, options.may_cut(step.dt), now.growth_hold > 0);
   if (result.accepted) scale.largest = largest;
   return result;
 }

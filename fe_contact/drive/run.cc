@@ -38,8 +38,8 @@ Summary summarise(const scene::Scene &scene, const RunRecord &record) {
   if (scene.excitation.kind == scene::ExcitationKind::window && !scene.excitation.with_weight)
     summary.min_normal_force.reset();
   summary.wall_time = seconds;
-  summary.processor_time = ranks().sum(record.processor_so_far());
-  summary.peak_memory_bytes = static_cast<long>(ranks().sum(static_cast<double>(peak_memory_bytes())));
+  summary.processor_time = ranks().all_reduce_sum(record.processor_so_far());
+  summary.peak_memory_bytes = static_cast<long>(ranks().all_reduce_sum(static_cast<double>(peak_memory_bytes())));
   summary.n_dofs = record.n_dofs;
   summary.time_split = record.time_split;
   double output = seconds;

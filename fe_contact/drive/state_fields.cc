@@ -68,7 +68,7 @@ void visit(StateVisitor &v, SystemState &state) {
   visit_change(v, "last_change", state.last_dt, n, state.last_change);
   v.number("dt_before", state.dt_before, {0, most_steps});
   visit_change(v, "change_before", state.dt_before, n, state.change_before);
-  v.integer("calm", state.calm, 0, 100);
+  v.integer("growth_hold", state.growth_hold, 0, 100);
   v.part("history", [&] { visit(v, state.history); });
   v.part("energies", [&] { visit(v, state.energies); });
   for (std::size_t i = 0; i < state.contacts.size(); ++i) {

@@ -10,8 +10,9 @@ struct StepControl {
   double most_growth = 2; ///< of the next step
 
   /// A step of length dt with an error in tolerances. The error falls with about the third power of the step. Where the
-  /// step may not be cut it is taken whatever its error, and the ledger shows it. `calm`: the next step is not to grow.
-  Attempt assess(double error, double dt, bool may_be_cut, bool calm) const;
+  /// step may not be cut it is taken whatever its error, and the ledger shows it. `growth_hold`: the next step is not
+  /// to grow.
+  Attempt assess(double error, double dt, bool may_be_cut, bool growth_hold) const;
 };
 
 /// Iterations after which Newton is given up where its residual creeps and the step may be cut.

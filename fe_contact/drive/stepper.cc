@@ -16,7 +16,7 @@ Attempt Stepper::attempt(double t, double dt) {
   const ContactStepReport report = solve(t, dt);
   if (!report.converged) {
     state() = before;
-    state().calm = steps_without_growth;
+    state().growth_hold = steps_without_growth;
     return {false, 0, report.reason};
   }
   const SolvedStep step{t, dt, before, report};
@@ -25,10 +25,10 @@ Attempt Stepper::attempt(double t, double dt) {
     return refuse(before, {false, dt / 4, "an event falls into the step"});
   Attempt result = assess(step);
   if (!result.accepted) return refuse(before, result);
-  state().calm = std::max(0, state().calm - 1);
+  state().growth_hold = std::max(0, state().growth_hold - 1);
   accept(step);
   result.last = take(now);
-  if (!result.last) keep(result.wish);
+  if (!result.last) keep(result.suggested_step);
   return result;
 }
 

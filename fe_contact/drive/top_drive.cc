@@ -27,7 +27,7 @@ Eigen::VectorXd TopDrive::guess(const BearingSystem &system, const SystemState &
                                 const Eigen::Vector3d &way) const {
   if (last_way.squaredNorm() == 0) {
     Eigen::VectorXd u = state.u;
-    system.shift(u, way);
+    system.translate(u, way);
     return u;
   }
   const double onwards = way.dot(last_way) / last_way.squaredNorm();

@@ -29,7 +29,7 @@ ContactStepReport solve(ContactSystem &system, const SystemState &state, const S
       return report;
     }
     const double before = worst;
-    const auto left = system.left_to_augment();
+    const auto left = system.augmentation_residual();
     report.gap_left = left.gap;
     report.slip_left = left.slip;
     worst = std::max(left.gap / options.gap_tolerance, left.slip / options.slip_tolerance);
@@ -71,7 +71,7 @@ Eigen::VectorXd first_guess(const SystemState &state, double dt, bool smooth) {
 
 /// Displacements are of a frame that rides on the ground: the scheme is of the absolute motion, so that its error is
 /// that of the forces between the bodies, not of the shaking.
-void ride(Inertia &inertia, const ContactSystem &system, const GroundStep &ground) {
+void follow_ground(Inertia &inertia, const ContactSystem &system, const GroundStep &ground) {
   const double dt = inertia.dt, beta = inertia.scheme.beta, gamma = inertia.scheme.gamma;
   inertia.u_predicted +=
       system.translation(dt * dt * ((0.5 - beta) * ground.a_old + beta * ground.a_new) - ground.displacement);
@@ -112,7 +112,7 @@ ContactStepReport static_step(ContactSystem &system, SystemState &state, const S
 ContactStepReport time_step(ContactSystem &system, SystemState &state, const StepTerms &terms,
                             const StepOptions &options) {
   Inertia inertia(GeneralizedAlpha::from(options.rho_inf), terms.dt, state);
-  if (terms.ground) ride(inertia, system, *terms.ground);
+  if (terms.ground) follow_ground(inertia, system, *terms.ground);
   StepTerms in_time = terms;
   in_time.inertia = &inertia;
   if (options.expects && state.last_dt > 0) in_time.expected = terms.dt / state.last_dt;

@@ -30,13 +30,13 @@ void ContactSystem::make_pattern(const Eigen::VectorXd &displacements, const std
   const Stopwatch watch(time_split["search"]);
   std::vector<std::vector<int>> pairs;
   for (std::size_t i = 0; i < contacts_.size(); ++i)
-    for (auto &clique : contacts_[i].cliques(equations_, displacements, states[i].opposite))
+    for (auto &clique : contacts_[i].couplings(equations_, displacements, states[i].opposite))
       pairs.push_back(std::move(clique));
   if (tangent_ && tangent_->symmetry() == symmetry() && pairs == pairs_) return tangent_->solver().forget();
   pairs_ = std::move(pairs);
-  auto cliques = solid_.cliques(equations_);
-  cliques.insert(cliques.end(), pairs_.begin(), pairs_.end());
-  tangent_ = std::make_unique<Tangent>(equations_.n, cliques, symmetry(), time_split);
+  auto couplings = solid_.couplings(equations_);
+  couplings.insert(couplings.end(), pairs_.begin(), pairs_.end());
+  tangent_ = std::make_unique<Tangent>(equations_.n, couplings, symmetry(), time_split);
   if (!mass_) mass_.emplace(solid_, equations_, body_masses_);
   mass_->find_places(tangent_->symmetric());
 }
@@ -52,7 +52,7 @@ Symmetry ContactSystem::symmetry() const {
 SystemState ContactSystem::at_rest() {
   SystemState state;
   state.u = state.v = state.a = state.R = Eigen::VectorXd::Zero(equations_.n);
-  state.history = solid_.virgin();
+  state.history = solid_.initial_history();
   for (const auto &contact : contacts_) state.contacts.push_back(contact.open(equations_.expand(state.u)));
   start_afresh_at(state);
   state.reports.resize(contacts_.size());
@@ -125,7 +125,7 @@ void ContactSystem::start_tangent(SymmetricMatrix &tangent) const {
 void ContactSystem::take_diagonal() {
   diagonal_.resize(equations_.n);
   for (int i = 0; i < equations_.n; ++i) diagonal_[i] = tangent_->diagonal(i);
-  ranks().sum(diagonal_);
+  ranks().all_reduce_sum(diagonal_);
   rounding_ = 4 * std::numeric_limits<double>::epsilon() * diagonal_.norm() * size_;
 }
 
@@ -134,7 +134,7 @@ bool ContactSystem::assemble_contacts(const Eigen::VectorXd &displacements, Eige
   for (std::size_t i = 0; i < contacts_.size() && terms_->with_contact; ++i)
     trial_.reports[i] =
         contacts_[i].assemble(displacements, trial_.contacts[i], terms_->dt, equations_, forces, tangent);
-  ranks().sum(forces);
+  ranks().all_reduce_sum(forces);
   return std::all_of(trial_.reports.begin(), trial_.reports.end(), [](const auto &r) { return r.pattern_holds; });
 }
 
@@ -176,7 +176,7 @@ void ContactSystem::drive(const Eigen::VectorXd &u, bool with_tangent) {
     Eigen::VectorXd moved = Eigen::VectorXd::Zero(equations_.n);
     for (const auto &[equation, target] : terms_->driven)
       tangent_->drive(equation, ranks().first() ? stiffness(equation) : 0.0, u[equation] - target, moved);
-    ranks().sum(moved);
+    ranks().all_reduce_sum(moved);
     residual_ += moved;
   }
   for (const auto &[equation, target] : terms_->driven) {
@@ -191,7 +191,7 @@ int ContactSystem::lost_points() const {
   return lost;
 }
 
-ContactSystem::Left ContactSystem::left_to_augment() {
+ContactSystem::Left ContactSystem::augmentation_residual() {
   Left left;
   augmentations_.clear();
   for (std::size_t i = 0; i < contacts_.size(); ++i) {

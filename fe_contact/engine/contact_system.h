@@ -21,7 +21,7 @@ struct SystemState {
   double last_dt = 0;            ///< [s]; 0: none
   Eigen::VectorXd change_before; ///< likewise, over the step before that one
   double dt_before = 0;          ///< [s]; 0: none
-  int calm = 0;                  ///< steps that are not to grow, one before them did not converge
+  int growth_hold = 0;           ///< steps that are not to grow, one before them did not converge
   SolidHistory history;
   std::vector<SurfaceContactState> contacts;
   SolidEnergies energies;
@@ -90,12 +90,12 @@ public:
   const Eigen::VectorXd &residual() const override { return residual_; }
   double force_scale() const override { return scale_; }
   LinearSolver &solver() override { return tangent_->solver(); }
-  Border *border() override { return has_border_ ? &border_ : nullptr; }
+  BorderingConstraint *border() override { return has_border_ ? &border_ : nullptr; }
   /// What the next augmentation would mend of the trial, in its multipliers' sense [m]; then: makes it.
   struct Left {
     double gap = 0, slip = 0;
   };
-  Left left_to_augment();
+  Left augmentation_residual();
   void augment();
   /// Multiplies the trial's penalties, but never beyond the solid's own stiffness at the contact, without its inertia
   /// (stiffer ones over-constrain the faces, and stay when the steps are long again); false when none could be.
@@ -152,10 +152,10 @@ private:
   std::vector<SurfaceContact::Augmentation> augmentations_;
   Eigen::VectorXd residual_, diagonal_; ///< diagonal: of the last tangent, before what is driven and stabilised
   double rounding_ = 0;                 ///< of the forces [N]
-  Border border_;
+  BorderingConstraint border_;
   bool has_border_ = false;
   double scale_ = 0, stabilisation_share_ = 0, size_ = 0;
-  std::vector<std::vector<int>> pairs_; ///< cliques of the contacts in the pattern at hand
+  std::vector<std::vector<int>> pairs_; ///< couplings of the contacts in the pattern at hand
 };
 
 } // namespace rimpact::fe

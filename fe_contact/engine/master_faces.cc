@@ -110,15 +110,15 @@ MasterFaces::Place MasterFaces::locate(const Eigen::Vector3d &y, int guess, doub
   return best;
 }
 
-Eigen::Vector3d MasterFaces::roughly_back(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int face) const {
+Eigen::Vector3d MasterFaces::approximate_pull_back(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int face) const {
   const auto &nodes = faces_[std::max(face, 0)]->nodes;
   return x - u.segment<3>(3 * nodes[nodes.size() / 2]);
 }
 
-double MasterFaces::uneven(const Eigen::VectorXd &u, int face) const {
+double MasterFaces::displacement_spread(const Eigen::VectorXd &u, int face) const {
   double largest = 0;
   for (const unsigned node : faces_[std::max(face, 0)]->nodes)
-    largest = std::max(largest, roughly_back(u.segment<3>(3 * node), u, face).norm());
+    largest = std::max(largest, approximate_pull_back(u.segment<3>(3 * node), u, face).norm());
   return largest;
 }
 
@@ -126,20 +126,21 @@ Opposite MasterFaces::find(const Eigen::Vector3d &x, const Eigen::VectorXd &u, i
   if (faces_.empty()) return {};
   // First the guess alone, however far off its edges the way there leads: which of two faces beside a kink is found
   // must not depend on where the search began, or Newton sees a force that jumps to and fro.
-  Eigen::Vector3d start = roughly_back(x, u, guess);
+  Eigen::Vector3d start = approximate_pull_back(x, u, guess);
   if (guess >= 0) {
     const Opposite kept =
-        settle(x, u, {guess, start}, [&](const Eigen::Vector3d &y, int) { return place_on(guess, y); });
+        solve_opposite(x, u, {guess, start}, [&](const Eigen::Vector3d &y, int) { return place_on(guess, y); });
     if (kept.inside) return kept;
     if (kept.face >= 0) start = kept.y; // past an edge: the neighbour is there, and not where the middle's motion leads
   }
-  return settle(x, u, {guess, start}, [&](const Eigen::Vector3d &y, int last) { return locate(y, last, beyond); });
+  return solve_opposite(x, u, {guess, start},
+                        [&](const Eigen::Vector3d &y, int last) { return locate(y, last, beyond); });
 }
 
 /// Newton's method for the place where y + u_m(y) = x, at the places that `search` finds, from the last one's face.
 template <typename Search>
-Opposite MasterFaces::settle(const Eigen::Vector3d &x, const Eigen::VectorXd &u, const Start &from,
-                             const Search &search) const {
+Opposite MasterFaces::solve_opposite(const Eigen::Vector3d &x, const Eigen::VectorXd &u, const Start &from,
+                                     const Search &search) const {
   Opposite result;
   result.y = from.y;
   int guess = from.face;

@@ -30,9 +30,10 @@ public:
   Opposite find(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int guess, double beyond) const;
   /// x pulled back with the displacement of a face's middle (-1: the group's first): good enough to look up what is
   /// near.
-  Eigen::Vector3d roughly_back(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int face = -1) const;
-  /// How much a face's displacements differ from its middle's at most: what `roughly_back` errs by near that face [m].
-  double uneven(const Eigen::VectorXd &u, int face) const;
+  Eigen::Vector3d approximate_pull_back(const Eigen::Vector3d &x, const Eigen::VectorXd &u, int face = -1) const;
+  /// How much a face's displacements differ from its middle's at most: what `approximate_pull_back` errs by near that
+  /// face [m].
+  double displacement_spread(const Eigen::VectorXd &u, int face) const;
   /// Faces within `margin` of a box of pulled-back points [m].
   std::vector<int> near(const Eigen::Vector3d &low, const Eigen::Vector3d &high, double margin) const;
   const Face &face(int i) const { return *faces_[i]; }
@@ -51,7 +52,8 @@ private:
     Eigen::Vector3d y;
   };
   template <typename Search>
-  Opposite settle(const Eigen::Vector3d &x, const Eigen::VectorXd &u, const Start &from, const Search &search) const;
+  Opposite solve_opposite(const Eigen::Vector3d &x, const Eigen::VectorXd &u, const Start &from,
+                          const Search &search) const;
 
   const Discretisation &space_;
   std::vector<const Face *> faces_;

@@ -20,7 +20,7 @@ Solid::Solid(const Discretisation &space, const std::map<meshes::Volume, scene::
     laws_.emplace(volume, SolidLaw{HenckyJ2::from(material), HenckyVolumetric::from(material), material.density});
 }
 
-std::vector<std::vector<int>> Solid::cliques(const Equations &equations) const {
+std::vector<std::vector<int>> Solid::couplings(const Equations &equations) const {
   std::vector<std::vector<int>> result(space_.n_cells);
   for (std::size_t c = 0; c < space_.n_cells; ++c)
     for (int a = 0; a < space_.nodes_per_cell; ++a)
@@ -46,7 +46,7 @@ const std::vector<int> &Solid::places_in(const SymmetricMatrix &matrix, const Eq
   places_.clear();
   const int m = 3 * space_.nodes_per_cell;
   places_.reserve(space_.n_cells * m * (m + 1) / 2);
-  for (const auto &clique : cliques(equations))
+  for (const auto &clique : couplings(equations))
     for (int i = 0; i < m; ++i)
       for (int j = i; j < m; ++j)
         places_.push_back(clique[i] < 0 || clique[j] < 0
@@ -169,13 +169,13 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
   const std::vector<int> *places = tangent ? &places_in(*tangent, equations) : nullptr;
   next = old; // cells that do not move keep theirs
   const std::vector<unsigned> cells = moving_cells(equations);
-  const std::vector<std::size_t> starts = ranks().starts(cells.size());
-  const unsigned *own_cells = cells.data() + starts[ranks().own];
+  const std::vector<std::size_t> offsets = ranks().offsets(cells.size());
+  const unsigned *own_cells = cells.data() + offsets[ranks().own];
   std::vector<Eigen::VectorXd> part_forces(workers, Eigen::VectorXd::Zero(equations.n));
   part_values_.resize(workers);
   std::vector<SolidEnergies> part_energies(workers);
   std::vector<char> admissible(workers, 1);
-  share(starts[ranks().own + 1] - starts[ranks().own], workers, [&](std::size_t begin, std::size_t end, int w) {
+  share(offsets[ranks().own + 1] - offsets[ranks().own], workers, [&](std::size_t begin, std::size_t end, int w) {
     double *values = nullptr;
     if (tangent && w == 0) values = tangent->values().data();
     if (tangent && w > 0) {
@@ -197,25 +197,25 @@ bool Solid::assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHis
       for (int w = 1; w < workers; ++w)
         for (std::size_t k = begin; k < end; ++k) tangent->values()[k] += part_values_[w][k];
     });
-  ranks().sum(summed);
+  ranks().all_reduce_sum(summed);
   forces += summed.head(equations.n);
   energies.elastic += summed[equations.n];
   energies.plastic += summed[equations.n + 1];
-  hand_round(next, cells, starts);
+  all_gather(next, cells, offsets);
   return true;
 }
 
 /// The history of each rank's cells, and of those at rest between them, goes to all the others.
-void Solid::hand_round(SolidHistory &history, const std::vector<unsigned> &cells,
-                       const std::vector<std::size_t> &starts) const {
+void Solid::all_gather(SolidHistory &history, const std::vector<unsigned> &cells,
+                       const std::vector<std::size_t> &offsets) const {
   std::vector<std::size_t> points{0};
   for (int r = 1; r < ranks().size; ++r)
-    points.push_back((starts[r] < cells.size() ? cells[starts[r]] : space_.n_cells) * space_.full.n_points);
+    points.push_back((offsets[r] < cells.size() ? cells[offsets[r]] : space_.n_cells) * space_.full.n_points);
   points.push_back(history.size());
-  ranks().hand_round(history, points);
+  ranks().all_gather(history, points);
 }
 
-std::vector<std::vector<int>> Solid::mass_cliques(const Equations &equations) const {
+std::vector<std::vector<int>> Solid::mass_couplings(const Equations &equations) const {
   const int n = space_.nodes_per_cell;
   std::vector<std::vector<int>> result(3 * space_.n_cells);
   for (std::size_t c = 0; c < space_.n_cells; ++c)
@@ -230,8 +230,8 @@ void Solid::add_mass(const Equations &equations, SymmetricMatrix &mass) const {
 
 void Solid::add_own_mass(const Equations &equations, SymmetricMatrix &mass) const {
   const std::vector<unsigned> cells = moving_cells(equations);
-  const std::vector<std::size_t> starts = ranks().starts(cells.size());
-  add_mass({cells.begin() + starts[ranks().own], cells.begin() + starts[ranks().own + 1]}, equations, mass);
+  const std::vector<std::size_t> offsets = ranks().offsets(cells.size());
+  add_mass({cells.begin() + offsets[ranks().own], cells.begin() + offsets[ranks().own + 1]}, equations, mass);
 }
 
 void Solid::add_mass(std::span<const unsigned> cells, const Equations &equations, SymmetricMatrix &mass) const {

@@ -35,9 +35,9 @@ public:
   Solid(const Discretisation &space, const scene::Bearing &bearing);
   Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials);
 
-  SolidHistory virgin() const { return SolidHistory(space_.n_cells * space_.full.n_points); }
+  SolidHistory initial_history() const { return SolidHistory(space_.n_cells * space_.full.n_points); }
   /// Cliques of coupled equations, one a cell.
-  std::vector<std::vector<int>> cliques(const Equations &equations) const;
+  std::vector<std::vector<int>> couplings(const Equations &equations) const;
 
   /// Adds internal forces at dof displacements u to `forces` (equations) and, when given, the tangent. dt: from old to
   /// next [s]; 0: infinitely slow.
@@ -47,7 +47,7 @@ public:
   bool assemble(const Eigen::VectorXd &u, const SolidHistory &old, SolidHistory &next, const Equations &equations,
                 Eigen::VectorXd &forces, SymmetricMatrix *tangent, SolidEnergies &energies, double dt = 0) const;
   /// Cliques of equations that masses couple, one a cell and direction.
-  std::vector<std::vector<int>> mass_cliques(const Equations &equations) const;
+  std::vector<std::vector<int>> mass_couplings(const Equations &equations) const;
   /// Of all cells, or of those whose tangent is this rank's.
   void add_mass(const Equations &equations, SymmetricMatrix &mass) const;
   void add_own_mass(const Equations &equations, SymmetricMatrix &mass) const;
@@ -76,8 +76,8 @@ private:
   bool assemble_cells(const unsigned *begin, const unsigned *end, const Eigen::VectorXd &u, const SolidHistory &old,
                       SolidHistory &next, double dt, const Equations &equations, Eigen::VectorXd &forces,
                       const std::vector<int> *places, double *tangent, SolidEnergies &energies) const;
-  void hand_round(SolidHistory &history, const std::vector<unsigned> &cells,
-                  const std::vector<std::size_t> &starts) const;
+  void all_gather(SolidHistory &history, const std::vector<unsigned> &cells,
+                  const std::vector<std::size_t> &offsets) const;
   std::vector<unsigned> moving_cells(const Equations &equations) const; ///< with a dof that is not held
   void add_mass(std::span<const unsigned> cells, const Equations &equations, SymmetricMatrix &mass) const;
   const std::vector<int> &places_in(const SymmetricMatrix &matrix, const Equations &equations) const;

@@ -55,16 +55,16 @@ std::optional<SurfaceContact::Coupling> SurfaceContact::couple(std::size_t k, co
 Vector3d SurfaceContact::relative_position(std::size_t k, const Eigen::VectorXd &u,
                                            const SurfaceContactState &state) const {
   if (const auto coupling = couple(k, u, state.opposite[k], reach_past_edges)) return coupling->y;
-  return carrier_->roughly_back(position(points_[k], u), u);
+  return carrier_->approximate_pull_back(position(points_[k], u), u);
 }
 
-bool SurfaceContact::may_bear(std::size_t k, const Eigen::VectorXd &u, int opposite) const {
-  const double rough = 2 * carrier_->uneven(u, opposite); // twice, as the point lies past that face
-  return master_.distance(carrier_->roughly_back(position(points_[k], u), u, opposite)).gap < rough;
+bool SurfaceContact::is_candidate(std::size_t k, const Eigen::VectorXd &u, int opposite) const {
+  const double rough = 2 * carrier_->displacement_spread(u, opposite); // twice, as the point lies past that face
+  return master_.distance(carrier_->approximate_pull_back(position(points_[k], u), u, opposite)).gap < rough;
 }
 
-std::vector<std::vector<int>> SurfaceContact::cliques(const Equations &equations, const Eigen::VectorXd &u,
-                                                      const std::vector<int> &opposite) {
+std::vector<std::vector<int>> SurfaceContact::couplings(const Equations &equations, const Eigen::VectorXd &u,
+                                                        const std::vector<int> &opposite) {
   std::vector<std::vector<int>> result;
   const int per_face = options_.points * options_.points;
   pairs_.assign(faces_.size(), {});
@@ -84,7 +84,7 @@ std::vector<std::vector<int>> SurfaceContact::cliques(const Equations &equations
     for (std::size_t k = f * per_face; k < (f + 1) * per_face; ++k) {
       // Where the carrier is dented by more than the margin, only the search itself knows what lies opposite.
       const auto found = couple(k, u, opposite[k], reach_past_edges);
-      const Vector3d y = found ? found->y : carrier_->roughly_back(position(points_[k], u), u);
+      const Vector3d y = found ? found->y : carrier_->approximate_pull_back(position(points_[k], u), u);
       if (found) pairs.insert(found->carrier_face);
       low = low.cwiseMin(y);
       high = high.cwiseMax(y);
@@ -106,7 +106,7 @@ double SurfaceContact::stiffness_per_area(const Equations &equations, const Eige
       for (int i = 0; i < 3; ++i)
         if (const int equation = equations.of_dof[3 * node + i]; equation >= 0) stiffness += diagonal[equation] / 3;
   for (const auto &point : points_) area += point.area;
-  return ranks().sum(stiffness) / area;
+  return ranks().all_reduce_sum(stiffness) / area;
 }
 
 double SurfaceContact::time_to_touch(const Eigen::VectorXd &u, const Eigen::VectorXd &v,
@@ -122,8 +122,8 @@ double SurfaceContact::time_to_touch(const Eigen::VectorXd &u, const Eigen::Vect
       velocity -= v.segment<3>(options_.carrier_dof);
     }
     if (carrier_) {
-      y = carrier_->roughly_back(y, u, opposite[k]);
-      velocity = velocity + carrier_->roughly_back(Vector3d::Zero(), v, opposite[k]);
+      y = carrier_->approximate_pull_back(y, u, opposite[k]);
+      velocity = velocity + carrier_->approximate_pull_back(Vector3d::Zero(), v, opposite[k]);
     }
     if (master_.covers && !master_.covers(y)) continue;
     const Distance distance = master_.distance(y);

@@ -77,8 +77,8 @@ public:
   SurfaceContactState carried(const SurfaceContactState &other, const Eigen::VectorXd &u) const;
   /// Equations coupled by each slave face and what is opposite or near it at dof displacements u; the pairs are
   /// remembered as those the pattern holds. `opposite`: the state's, where the search begins.
-  std::vector<std::vector<int>> cliques(const Equations &equations, const Eigen::VectorXd &u,
-                                        const std::vector<int> &opposite);
+  std::vector<std::vector<int>> couplings(const Equations &equations, const Eigen::VectorXd &u,
+                                          const std::vector<int> &opposite);
   /// Adds (internal-sign) contact forces and the tangent at dof displacements u; fills `state`'s results. With several
   /// ranks forces and tangent are those of this rank's faces, to be summed up; state and report are whole.
   SurfaceContactReport assemble(const Eigen::VectorXd &u, SurfaceContactState &state, double dt,
@@ -144,15 +144,15 @@ private:
   };
   /// Of the faces: where each rank's begin, so that all have as much to do. Before the state is written over.
   std::vector<std::size_t> shares_of_ranks(const SurfaceContactState &state) const;
-  void hand_round(std::vector<std::size_t> starts, SurfaceContactState &state, SurfaceContactReport &report) const;
+  void all_gather(std::vector<std::size_t> offsets, SurfaceContactState &state, SurfaceContactReport &report) const;
   Eigen::Vector3d position(const FacePoint &point, const Eigen::VectorXd &u) const;
   /// Empty where nothing is opposite.
   std::optional<Coupling> couple(std::size_t k, const Eigen::VectorXd &u, int guess, double beyond) const;
   /// Relative position by the present opposite, else by the carrier's rough displacement.
   Eigen::Vector3d relative_position(std::size_t k, const Eigen::VectorXd &u, const SurfaceContactState &state) const;
-  void settle(const Eigen::VectorXd &u, SurfaceContactState &state) const;
+  void update_active(const Eigen::VectorXd &u, SurfaceContactState &state) const;
   /// Whether a point for which no face is found may be on the master's surface, judged by the face last opposite.
-  bool may_bear(std::size_t k, const Eigen::VectorXd &u, int opposite) const;
+  bool is_candidate(std::size_t k, const Eigen::VectorXd &u, int opposite) const;
   /// The master's distance where a point is, on the deformed carrier. The gap's gradient by w, nu, has the length
   /// `stretch`; it changes with w and, w held, with the carrier's own strain.
   struct Carried {

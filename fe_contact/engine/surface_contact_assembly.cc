@@ -77,7 +77,7 @@ SurfaceContact::FaceResult SurfaceContact::assemble_face(std::size_t f, const Co
     if (!state.covered[k]) continue;
     const auto coupling = couple(k, u, state.opposite[k], reach_past_edges);
     if (!coupling) {
-      report.lost += may_bear(k, u, state.opposite[k]);
+      report.lost += is_candidate(k, u, state.opposite[k]);
       continue;
     }
     state.opposite[k] = coupling->carrier_face;
@@ -116,8 +116,8 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
   CoulombContact law = options_.law;
   law.normal_penalty *= state.stiffening;
   law.tangential_penalty *= state.stiffening;
-  const std::vector<std::size_t> starts = shares_of_ranks(state);
-  const std::size_t first = starts[ranks().own], n = starts[ranks().own + 1] - first;
+  const std::vector<std::size_t> offsets = shares_of_ranks(state);
+  const std::size_t first = offsets[ranks().own], n = offsets[ranks().own + 1] - first;
   std::vector<FaceResult> results(n);
   const int workers = assembly_threads();
   on_each_thread(workers, [&](int w) { // contact is in patches: every worker takes of all of them
@@ -129,7 +129,7 @@ SurfaceContactReport SurfaceContact::assemble(const Eigen::VectorXd &u, SurfaceC
     report.add(result.report);
     for (auto &pair : result.pairs) flush(pair, equations, forces, tangent);
   }
-  hand_round(starts, state, report);
+  all_gather(offsets, state, report);
   return report;
 }
 
@@ -157,27 +157,27 @@ std::vector<std::size_t> SurfaceContact::shares_of_ranks(const SurfaceContactSta
       if (state.covered[k]) sum += state.status[k] == ContactStatus::open ? searched : bearing;
     work.push_back(work.back() + sum);
   }
-  std::vector<std::size_t> starts;
-  for (const std::size_t due : ranks().starts(work.back()))
-    starts.push_back(std::lower_bound(work.begin(), work.end(), due) - work.begin());
-  return starts;
+  std::vector<std::size_t> offsets;
+  for (const std::size_t due : ranks().offsets(work.back()))
+    offsets.push_back(std::lower_bound(work.begin(), work.end(), due) - work.begin());
+  return offsets;
 }
 
-void SurfaceContact::hand_round(std::vector<std::size_t> starts, SurfaceContactState &state,
+void SurfaceContact::all_gather(std::vector<std::size_t> offsets, SurfaceContactState &state,
                                 SurfaceContactReport &report) const {
   if (ranks().size == 1) return;
-  for (auto &start : starts) start *= options_.points * options_.points; // of points, whole faces each
-  ranks().hand_round(state.gap, starts);
-  ranks().hand_round(state.pressure, starts);
-  ranks().hand_round(state.friction, starts);
-  ranks().hand_round(state.pulled_back, starts);
-  ranks().hand_round(state.status, starts);
-  ranks().hand_round(state.opposite, starts);
+  for (auto &start : offsets) start *= options_.points * options_.points; // of points, whole faces each
+  ranks().all_gather(state.gap, offsets);
+  ranks().all_gather(state.pressure, offsets);
+  ranks().all_gather(state.friction, offsets);
+  ranks().all_gather(state.pulled_back, offsets);
+  ranks().all_gather(state.status, offsets);
+  ranks().all_gather(state.opposite, offsets);
   Eigen::VectorXd sums(9), largest(4);
   sums << report.force, report.friction, report.stick, report.slip, report.lost;
   largest << -report.smallest_gap, report.penetration, report.largest_pressure, !report.pattern_holds;
-  ranks().sum(sums);
-  ranks().largest(largest);
+  ranks().all_reduce_sum(sums);
+  ranks().all_reduce_max(largest);
   report.force = sums.head<3>();
   report.friction = sums.segment<3>(3);
   report.stick = static_cast<int>(sums[6]);

@@ -9,7 +9,7 @@ namespace rimpact::fe {
 
 using Eigen::Vector3d;
 
-void SurfaceContact::settle(const Eigen::VectorXd &u, SurfaceContactState &state) const {
+void SurfaceContact::update_active(const Eigen::VectorXd &u, SurfaceContactState &state) const {
   for (std::size_t k = 0; k < points_.size(); ++k) {
     const auto coupling = couple(k, u, state.opposite[k], 0.0);
     state.covered[k] = coupling && coupling->inside;
@@ -32,7 +32,7 @@ SurfaceContactState SurfaceContact::open(const Eigen::VectorXd &u) const {
                             std::vector<ContactStatus>(n, ContactStatus::open),
                             std::vector<char>(n, 0),
                             std::vector<int>(n, -1)};
-  settle(u, state);
+  update_active(u, state);
   for (std::size_t k = 0; k < n; ++k) state.start.push_back(relative_position(k, u, state));
   return state;
 }
@@ -120,7 +120,7 @@ void SurfaceContact::commit(const Eigen::VectorXd &u, SurfaceContactState &state
   if (normal == NextMultipliers::augmented) state.multiplier = next.multiplier;
   if (normal == NextMultipliers::none) std::fill(state.multiplier.begin(), state.multiplier.end(), 0.0);
   for (std::size_t k = 0; k < points_.size(); ++k) state.start[k] = relative_position(k, u, state);
-  settle(u, state);
+  update_active(u, state);
 }
 
 } // namespace rimpact::fe

@@ -6,10 +6,10 @@ namespace rimpact::fe {
 
 SystemMass::SystemMass(const Solid &solid, const Equations &equations,
                        const std::vector<std::pair<int, double>> &bodies)
-    : whole_(equations.n, solid.mass_cliques(equations)) {
+    : whole_(equations.n, solid.mass_couplings(equations)) {
   solid.add_mass(equations, whole_);
   if (ranks().size > 1) {
-    own_.emplace(equations.n, solid.mass_cliques(equations));
+    own_.emplace(equations.n, solid.mass_couplings(equations));
     solid.add_own_mass(equations, *own_);
   }
   for (const auto &[dof, mass] : bodies)
@@ -22,9 +22,9 @@ SystemMass::SystemMass(const Solid &solid, const Equations &equations,
 
 void SystemMass::find_places(const SymmetricMatrix &tangent) {
   places_.clear();
-  const auto &starts = own().starts(), &columns = own().columns();
-  for (std::size_t row = 0; row + 1 < starts.size(); ++row)
-    for (int k = starts[row]; k < starts[row + 1]; ++k)
+  const auto &offsets = own().offsets(), &columns = own().columns();
+  for (std::size_t row = 0; row + 1 < offsets.size(); ++row)
+    for (int k = offsets[row]; k < offsets[row + 1]; ++k)
       places_.push_back(tangent.find(static_cast<int>(row), columns[k]));
 }
 

@@ -108,14 +108,14 @@ double BearingSystem::wall_distance(const SystemState &state, double otherwise) 
   return wall && std::isfinite(wall->smallest_gap) ? wall->smallest_gap : otherwise;
 }
 
-void BearingSystem::shift(Eigen::VectorXd &u, const Eigen::Vector3d &way) const {
+void BearingSystem::translate(Eigen::VectorXd &u, const Eigen::Vector3d &way) const {
   for (int i = 0; i < 3; ++i)
     for (const int equation : carried_[i]) u[equation] += way[i];
 }
 
-void BearingSystem::place(SystemState &state, const Eigen::Vector3d &top, const Eigen::Vector3d &velocity,
-                          const Eigen::Vector3d &acceleration) const {
-  shift(state.u, top - top_.of(state.u));
+void BearingSystem::set_position(SystemState &state, const Eigen::Vector3d &top, const Eigen::Vector3d &velocity,
+                                 const Eigen::Vector3d &acceleration) const {
+  translate(state.u, top - top_.of(state.u));
   for (int i = 0; i < 3; ++i)
     for (const int equation : carried_[i]) {
       state.v[equation] = velocity[i];
@@ -128,8 +128,8 @@ void BearingSystem::place(SystemState &state, const Eigen::Vector3d &top, const 
   }
 }
 
-void BearingSystem::kick(SystemState &state, const Eigen::Vector3d &velocity) const {
-  shift(state.v, velocity);
+void BearingSystem::apply_velocity_jump(SystemState &state, const Eigen::Vector3d &velocity) const {
+  translate(state.v, velocity);
 }
 
 ContactStepReport BearingSystem::relax(SystemState &state, const StepOptions &options) {
@@ -150,7 +150,7 @@ ContactStepReport BearingSystem::relax(SystemState &state, const StepOptions &op
 double BearingSystem::wall_gap(const SystemState &state, const Eigen::Vector3d &top) const {
   const std::size_t wall = contact_of(Role::wall).value();
   SystemState moved = state;
-  place(moved, top, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+  set_position(moved, top, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations().n);
   return contact(wall).assemble(expand(moved), moved.contacts[wall], 0, equations(), forces, nullptr).smallest_gap;
 }

@@ -58,10 +58,11 @@ public:
 
   /// Moves the carried bodies, at rest in themselves, to a displacement of the top face, with a velocity and an
   /// acceleration; their contacts begin anew there.
-  void place(SystemState &state, const Eigen::Vector3d &top, const Eigen::Vector3d &velocity,
-             const Eigen::Vector3d &acceleration) const;
-  void kick(SystemState &state, const Eigen::Vector3d &velocity) const; ///< adds it to the carried bodies
-  void shift(Eigen::VectorXd &u, const Eigen::Vector3d &way) const;     ///< of the carried bodies [m]
+  void set_position(SystemState &state, const Eigen::Vector3d &top, const Eigen::Vector3d &velocity,
+                    const Eigen::Vector3d &acceleration) const;
+  void apply_velocity_jump(SystemState &state,
+                           const Eigen::Vector3d &velocity) const;      ///< adds it to the carried bodies
+  void translate(Eigen::VectorXd &u, const Eigen::Vector3d &way) const; ///< of the carried bodies [m]
   /// The parts come to rest with their contacts apart and the top face held.
   ContactStepReport relax(SystemState &state, const StepOptions &options);
   /// Smallest distance of the walls with the carried bodies moved rigidly to a displacement of the top face [m].

@@ -12,15 +12,15 @@ void check(PetscErrorCode code) {
   if (code) throw std::runtime_error("PETSc failed with code " + std::to_string(code));
 }
 
-MatrixPattern pattern_of(const std::vector<int> &starts, const std::vector<int> &columns, bool symmetric,
+MatrixPattern pattern_of(const std::vector<int> &offsets, const std::vector<int> &columns, bool symmetric,
                          std::size_t first, std::size_t last) {
-  MatrixPattern result{static_cast<int>(starts.size()) - 1,
+  MatrixPattern result{static_cast<int>(offsets.size()) - 1,
                        symmetric,
                        {},
-                       {columns.begin() + starts[first], columns.begin() + starts[last]}};
+                       {columns.begin() + offsets[first], columns.begin() + offsets[last]}};
   result.rows.reserve(result.columns.size());
   for (std::size_t row = first; row < last; ++row)
-    result.rows.insert(result.rows.end(), starts[row + 1] - starts[row], static_cast<int>(row));
+    result.rows.insert(result.rows.end(), offsets[row + 1] - offsets[row], static_cast<int>(row));
   return result;
 }
 
@@ -49,7 +49,7 @@ void FlexibleGmres::Petsc::gather(Vec part, double *result) const {
   check(VecGetArrayRead(part, &own));
   std::copy(own, own + (last - first), result + first);
   check(VecRestoreArrayRead(part, &own));
-  if (shared()) ranks().hand_round_bytes(result, sizeof(double), of_rank);
+  if (shared()) ranks().all_gather_bytes(result, sizeof(double), of_rank);
 }
 
 void FlexibleGmres::Petsc::scatter(const double *values, Vec part) const {
@@ -74,13 +74,13 @@ PetscErrorCode FlexibleGmres::Petsc::precondition(PC pc, Vec right, Vec result) 
 struct FlexibleGmres::Rows {
   GeneralMatrix &parts;
   std::vector<std::size_t> of_rank, entries_of_rank; ///< where each rank's begin
-  std::vector<int> starts;
-  explicit Rows(GeneralMatrix &parts) : parts(parts), of_rank(ranks().starts(parts.n())) {
-    for (const std::size_t row : of_rank) entries_of_rank.push_back(parts.starts()[row]);
+  std::vector<int> offsets;
+  explicit Rows(GeneralMatrix &parts) : parts(parts), of_rank(ranks().offsets(parts.n())) {
+    for (const std::size_t row : of_rank) entries_of_rank.push_back(parts.offsets()[row]);
     const std::size_t first = of_rank[ranks().own], last = of_rank[ranks().own + 1];
-    for (std::size_t row = first; row <= last; ++row) starts.push_back(parts.starts()[row] - parts.starts()[first]);
+    for (std::size_t row = first; row <= last; ++row) offsets.push_back(parts.offsets()[row] - parts.offsets()[first]);
   }
-  int n() const { return static_cast<int>(starts.size()) - 1; }
+  int n() const { return static_cast<int>(offsets.size()) - 1; }
   double *values() const { return parts.values().data() + entries_of_rank[ranks().own]; }
   const int *columns() const { return parts.columns().data() + entries_of_rank[ranks().own]; }
 };
@@ -89,10 +89,10 @@ FlexibleGmres::FlexibleGmres(SymmetricMatrix &matrix, Preconditioner preconditio
     : petsc_(std::make_unique<Petsc>()), values_(matrix.values().data()) {
   petsc_->preconditioner = std::move(preconditioner);
   const int n = matrix.n();
-  check(MatCreateSeqSBAIJWithArrays(PETSC_COMM_SELF, 1, n, n, matrix.starts().data(), matrix.columns().data(),
+  check(MatCreateSeqSBAIJWithArrays(PETSC_COMM_SELF, 1, n, n, matrix.offsets().data(), matrix.columns().data(),
                                     matrix.values().data(), &petsc_->matrix));
   petsc_->of_rank = {0, std::size_t(n)};
-  petsc_->pattern = pattern_of(matrix.starts(), matrix.columns(), true, 0, n);
+  petsc_->pattern = pattern_of(matrix.offsets(), matrix.columns(), true, 0, n);
   set_up();
 }
 
@@ -101,14 +101,14 @@ FlexibleGmres::FlexibleGmres(GeneralMatrix &matrix, Preconditioner preconditione
       values_(rows_ ? rows_->values() : matrix.values().data()) {
   petsc_->preconditioner = std::move(preconditioner);
   const int n = matrix.n();
-  petsc_->of_rank = ranks().starts(n);
+  petsc_->of_rank = ranks().offsets(n);
   if (rows_)
-    check(MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, rows_->n(), rows_->n(), n, n, rows_->starts.data(),
+    check(MatCreateMPIAIJWithArrays(PETSC_COMM_WORLD, rows_->n(), rows_->n(), n, n, rows_->offsets.data(),
                                     rows_->columns(), rows_->values(), &petsc_->matrix));
   else
-    check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, matrix.starts().data(), matrix.columns().data(),
+    check(MatCreateSeqAIJWithArrays(PETSC_COMM_SELF, n, n, matrix.offsets().data(), matrix.columns().data(),
                                     matrix.values().data(), &petsc_->matrix));
-  petsc_->pattern = pattern_of(matrix.starts(), matrix.columns(), false, petsc_->of_rank[ranks().own],
+  petsc_->pattern = pattern_of(matrix.offsets(), matrix.columns(), false, petsc_->of_rank[ranks().own],
                                petsc_->of_rank[ranks().own + 1]);
   set_up();
 }
@@ -139,7 +139,7 @@ FlexibleGmres::~FlexibleGmres() {
 void FlexibleGmres::take_values() {
   auto &p = *petsc_;
   if (rows_) {
-    ranks().sum_to_owners(rows_->parts.values(), rows_->entries_of_rank);
+    ranks().reduce_scatter(rows_->parts.values(), rows_->entries_of_rank);
     check(MatUpdateMPIAIJWithArray(p.matrix, rows_->values()));
     return;
   }

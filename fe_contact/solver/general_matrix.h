@@ -11,7 +11,7 @@ public:
   explicit GeneralMatrix(const SymmetricMatrix &pattern);
   GeneralMatrix(const GeneralMatrix &) = delete;
 
-  int n() const { return static_cast<int>(starts_.size()) - 1; }
+  int n() const { return static_cast<int>(offsets_.size()) - 1; }
   /// Takes the values of a symmetric matrix with the pattern this one was made from. A row without diagonal is empty.
   void assign(const SymmetricMatrix &symmetric);
   /// Throws std::logic_error outside the pattern.
@@ -23,16 +23,16 @@ public:
   double diagonal(int row) const { return values_[diagonals_[row]]; }
   Eigen::VectorXd multiply(const Eigen::VectorXd &x) const;
 
-  std::vector<int> &starts() { return starts_; }
+  std::vector<int> &offsets() { return offsets_; }
   std::vector<int> &columns() { return columns_; }
   std::vector<double> &values() { return values_; }
-  const std::vector<int> &starts() const { return starts_; }
+  const std::vector<int> &offsets() const { return offsets_; }
   const std::vector<int> &columns() const { return columns_; }
   const std::vector<double> &values() const { return values_; }
 
 private:
-  int place(int row, int column) const;
-  std::vector<int> starts_, columns_;
+  int entry_of(int row, int column) const;
+  std::vector<int> offsets_, columns_;
   std::vector<int> diagonals_; ///< where they stand
   std::vector<int> from_;      ///< which entry of the symmetric matrix each takes
   std::vector<double> values_;

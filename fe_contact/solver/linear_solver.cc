@@ -13,7 +13,7 @@ bool LinearSolver::factorise() {
 }
 
 void LinearSolver::forget() {
-  factorised_ = worn = false;
+  factorised_ = needs_refactorisation = false;
   if (precision_ == Precision::single_) return;
   precision_ = Precision::single_;
   factor_.reset();

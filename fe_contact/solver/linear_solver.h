@@ -29,7 +29,7 @@ public:
   /// Forgets the factor, as a new solver has none; what was found out about the pattern stays.
   void forget();
   /// The factor took GMRES many iterations when last used with a new right side of Newton's: it is to be renewed.
-  bool worn = false;
+  bool needs_refactorisation = false;
 
 private:
   FlexibleGmres::Preconditioner by_factor() {

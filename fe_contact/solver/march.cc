@@ -20,7 +20,7 @@ MarchReport march(double start, double end, const StepLimits &limits,
     if (result.accepted) {
       t += dt;
       ++report.steps;
-      wanted = result.wish > 0 ? result.wish : std::max(wanted, dt) * limits.growth;
+      wanted = result.suggested_step > 0 ? result.suggested_step : std::max(wanted, dt) * limits.growth;
       if (result.last) break;
       continue;
     }
@@ -30,7 +30,7 @@ MarchReport march(double start, double end, const StepLimits &limits,
       report.reason = result.reason;
       return report;
     }
-    wanted = result.wish > 0 ? std::min(result.wish, 0.7 * dt) : 0.5 * dt;
+    wanted = result.suggested_step > 0 ? std::min(result.suggested_step, 0.7 * dt) : 0.5 * dt;
   }
   report.finished = true;
   report.reached = end - t > rounding ? t : end;

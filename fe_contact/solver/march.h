@@ -10,11 +10,11 @@ struct StepLimits {
   double growth = 1.5;             ///< after an accepted step that wishes no other
 };
 
-/// What came of one attempt at a step. A rejected one may wish a shorter step (else it is halved), an accepted
-/// one the next step's length (else it grows).
+/// What came of one attempt at a step. A rejected one may suggested_step a shorter step (else it is halved), an
+/// accepted one the next step's length (else it grows).
 struct Attempt {
   bool accepted = false;
-  double wish = 0; ///< 0: none
+  double suggested_step = 0; ///< 0: none
   std::string reason;
   bool last = false; ///< accepted, and the march is to end here
 };

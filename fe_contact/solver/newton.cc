@@ -32,23 +32,23 @@ struct Direction {
 Eigen::VectorXd solve_tangent(NewtonTarget &target, double forcing, bool stale_factor) {
   Eigen::VectorXd change;
   LinearSolver &solver = target.solver();
-  if (stale_factor && !solver.worn) {
+  if (stale_factor && !solver.needs_refactorisation) {
     change = solver.solve(-target.residual(), forcing, most_linear_iterations);
     target.work.linear_iterations += solver.last_iterations();
-    solver.worn = solver.last_iterations() > worn_after;
+    solver.needs_refactorisation = solver.last_iterations() > refactorise_after;
   }
   if (change.size() == 0) {
     change = solver.solve_anew(-target.residual(), forcing, most_linear_iterations);
     target.work.linear_iterations += solver.last_iterations();
     ++target.work.factorisations;
-    solver.worn = false;
+    solver.needs_refactorisation = false;
   }
   if (change.size() > 0 && !change.allFinite()) change.resize(0);
   return change;
 }
 
 /// Makes the direction that of the bordered system. False: with its constraint the tangent is singular.
-bool add_border(const Border &border, LinearSolver &solver, double forcing, Direction &direction) {
+bool add_border(const BorderingConstraint &border, LinearSolver &solver, double forcing, Direction &direction) {
   const Eigen::VectorXd response = solver.solve(border.push, forcing, most_linear_iterations);
   if (response.size() == 0) return false;
   direction.multiplier_change =
@@ -81,7 +81,7 @@ double relative_residual(const NewtonTarget &target) {
 }
 
 bool holds_constraint(NewtonTarget &target) {
-  const Border *border = target.border();
+  const BorderingConstraint *border = target.border();
   return !border || std::abs(border->constraint) <= border->tolerance;
 }
 
@@ -91,7 +91,7 @@ bool holds_constraint(NewtonTarget &target) {
 /// cell inside out.
 std::optional<double> backtrack(NewtonTarget &target, Eigen::VectorXd &u, const Direction &direction, double before,
                                 bool is_first, bool with_tangent, int most) {
-  Border *border = target.border();
+  BorderingConstraint *border = target.border();
   const Eigen::VectorXd start = u;
   const double multiplier = border ? border->multiplier : 0;
   const auto go = [&](double factor) {
@@ -124,7 +124,7 @@ NewtonOutcome iterate(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOpti
   forcing = forcing_term(report.residuals, forcing, options.tolerance, options.finest_forcing);
   Direction direction{solve_tangent(target, forcing, options.stale_factor)};
   if (direction.change.size() == 0) return NewtonOutcome::singular_tangent;
-  const Border *border = target.border();
+  const BorderingConstraint *border = target.border();
   if (border && !add_border(*border, target.solver(), forcing, direction)) return NewtonOutcome::singular_constraint;
   const auto reached = backtrack(target, u, direction, report.residuals.back(), report.iterations == 1, with_tangent,
                                  options.max_backtracks);

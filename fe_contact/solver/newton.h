@@ -10,7 +10,7 @@
 namespace rimpact::fe {
 
 /// One more unknown and the equation that determines it: a multiplier and its constraint, bordering the tangent.
-struct Border {
+struct BorderingConstraint {
   Eigen::VectorXd push;     ///< -d residual / d multiplier
   Eigen::VectorXd gradient; ///< d constraint / d u
   double constraint = 0, tolerance = 0, multiplier = 0;
@@ -29,7 +29,7 @@ public:
   virtual double force_scale() const = 0;
   virtual LinearSolver &solver() = 0; ///< of the tangent
   /// Of the last evaluation; its multiplier is set before each. Null: none.
-  virtual Border *border() { return nullptr; }
+  virtual BorderingConstraint *border() { return nullptr; }
   TimeSplit time_split;
   SolverWork work; ///< of all solutions so far
 };
@@ -68,7 +68,7 @@ struct NewtonReport {
 /// its safeguard. `residuals` so far, at least one; `last`: the term before (0: none).
 double forcing_term(const std::vector<double> &residuals, double last, double tolerance, double finest);
 /// GMRES's iterations after which a factor is given up, and after which it is renewed.
-inline constexpr int most_linear_iterations = 30, worn_after = 6;
+inline constexpr int most_linear_iterations = 30, refactorise_after = 6;
 
 /// From u to the solution, in place. The target stays evaluated at u.
 NewtonReport newton(NewtonTarget &target, Eigen::VectorXd &u, const NewtonOptions &options);

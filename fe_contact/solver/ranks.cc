@@ -24,13 +24,13 @@ Ranks &present() {
 /// Lengths and places of the shares as MPI wants them.
 struct Shares {
   std::vector<int> lengths, places;
-  Shares(const std::vector<std::size_t> &starts, std::size_t each) {
-    if (starts.back() * each > std::size_t(std::numeric_limits<int>::max()))
+  Shares(const std::vector<std::size_t> &offsets, std::size_t each) {
+    if (offsets.back() * each > std::size_t(std::numeric_limits<int>::max()))
       throw std::runtime_error(
           "more than 2 GB to hand from rank to rank at once: the mesh is too fine for shares of this kind");
-    for (std::size_t r = 0; r + 1 < starts.size(); ++r) {
-      places.push_back(static_cast<int>(starts[r] * each));
-      lengths.push_back(static_cast<int>((starts[r + 1] - starts[r]) * each));
+    for (std::size_t r = 0; r + 1 < offsets.size(); ++r) {
+      places.push_back(static_cast<int>(offsets[r] * each));
+      lengths.push_back(static_cast<int>((offsets[r + 1] - offsets[r]) * each));
     }
   }
 };
@@ -89,22 +89,22 @@ const Ranks &ranks() {
   return present();
 }
 
-std::vector<std::size_t> Ranks::starts(std::size_t n) const {
+std::vector<std::size_t> Ranks::offsets(std::size_t n) const {
   std::vector<std::size_t> result;
   for (int r = 0; r <= size; ++r) result.push_back(n * r / size);
   return result;
 }
 
-void Ranks::sum(Eigen::VectorXd &values) const {
+void Ranks::all_reduce_sum(Eigen::VectorXd &values) const {
   reduce(values.data(), static_cast<int>(values.size()), MPI_SUM, *this);
 }
 
-double Ranks::sum(double value) const {
+double Ranks::all_reduce_sum(double value) const {
   reduce(&value, 1, MPI_SUM, *this);
   return value;
 }
 
-void Ranks::largest(Eigen::VectorXd &values) const {
+void Ranks::all_reduce_max(Eigen::VectorXd &values) const {
   reduce(values.data(), static_cast<int>(values.size()), MPI_MAX, *this);
 }
 
@@ -114,22 +114,22 @@ bool Ranks::any(bool value) const {
   return number > 0;
 }
 
-void Ranks::sum_to_owners(std::vector<double> &values, const std::vector<std::size_t> &starts) const {
+void Ranks::reduce_scatter(std::vector<double> &values, const std::vector<std::size_t> &offsets) const {
   Parcels sent(size), got(size);
   for (int r = 0; r < size; ++r)
-    if (r != own) sent.pack(values.data() + starts[r], starts[r + 1] - starts[r], r);
+    if (r != own) sent.pack(values.data() + offsets[r], offsets[r + 1] - offsets[r], r);
   sent.exchange(got);
-  double *share = values.data() + starts[own];
-  const std::size_t n = starts[own + 1] - starts[own];
+  double *share = values.data() + offsets[own];
+  const std::size_t n = offsets[own + 1] - offsets[own];
   for (std::size_t k = 0; k < got.places.size(); ++k) {
     const std::size_t place = got.places[k], length = std::min(block, n - place);
     for (std::size_t i = 0; i < length; ++i) share[place + i] += got.values[k * block + i];
   }
 }
 
-void Ranks::hand_round_bytes(void *data, std::size_t bytes_each, const std::vector<std::size_t> &starts) const {
+void Ranks::all_gather_bytes(void *data, std::size_t bytes_each, const std::vector<std::size_t> &offsets) const {
   if (size == 1) return;
-  const Shares shares(starts, bytes_each);
+  const Shares shares(offsets, bytes_each);
   MPI_Allgatherv(MPI_IN_PLACE, 0, MPI_DATATYPE_NULL, data, shares.lengths.data(), shares.places.data(), MPI_BYTE,
                  MPI_COMM_WORLD);
 }

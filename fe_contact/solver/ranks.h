@@ -12,19 +12,19 @@ struct Ranks {
   int size = 1, own = 0;
 
   bool first() const { return own == 0; }
-  /// Of n things rank r has those from starts[r] up to starts[r + 1].
-  std::vector<std::size_t> starts(std::size_t n) const;
-  void sum(Eigen::VectorXd &values) const;
-  double sum(double value) const;
-  void largest(Eigen::VectorXd &values) const;
+  /// Of n things rank r has those from offsets[r] up to offsets[r + 1].
+  std::vector<std::size_t> offsets(std::size_t n) const;
+  void all_reduce_sum(Eigen::VectorXd &values) const;
+  double all_reduce_sum(double value) const;
+  void all_reduce_max(Eigen::VectorXd &values) const;
   bool any(bool value) const;
   /// Each rank's own share becomes the sum over the ranks, and the others' shares nil.
-  void sum_to_owners(std::vector<double> &values, const std::vector<std::size_t> &starts) const;
+  void reduce_scatter(std::vector<double> &values, const std::vector<std::size_t> &offsets) const;
   /// Each rank's own share of `values` goes to all the others.
-  template <class T> void hand_round(std::vector<T> &values, const std::vector<std::size_t> &starts) const {
-    if (size > 1) hand_round_bytes(values.data(), sizeof(T), starts);
+  template <class T> void all_gather(std::vector<T> &values, const std::vector<std::size_t> &offsets) const {
+    if (size > 1) all_gather_bytes(values.data(), sizeof(T), offsets);
   }
-  void hand_round_bytes(void *data, std::size_t bytes_each, const std::vector<std::size_t> &starts) const;
+  void all_gather_bytes(void *data, std::size_t bytes_each, const std::vector<std::size_t> &offsets) const;
 };
 
 /// Those of this process.

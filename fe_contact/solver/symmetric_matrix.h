@@ -11,7 +11,7 @@ class SymmetricMatrix {
 public:
   SymmetricMatrix(const SymmetricMatrix &) = delete; // a copy would share the pattern's identity
   /// Each clique is a list of equations coupled with one another (-1 entries are skipped).
-  SymmetricMatrix(int n, const std::vector<std::vector<int>> &cliques);
+  SymmetricMatrix(int n, const std::vector<std::vector<int>> &couplings);
 
   int n() const { return n_; }
   /// Differs between any two patterns ever made: caches of places compare it.
@@ -22,23 +22,23 @@ public:
   /// Adds to entry (i, j) or (j, i), whichever is stored; throws std::logic_error outside the pattern.
   void add(int i, int j, double value);
   void set_zero() { std::fill(values_.begin(), values_.end(), 0.0); }
-  double diagonal(int i) const { return values_[starts_[i]]; }
+  double diagonal(int i) const { return values_[offsets_[i]]; }
   Eigen::VectorXd multiply(const Eigen::VectorXd &x) const;
   /// Makes row and column `i` the unit row scaled by `diagonal` (i must be smaller than every other coupled
   /// index that matters, as masters are: only the stored row is cleared).
   void make_unit_row(int i, double diagonal);
 
-  std::vector<int> &starts() { return starts_; }
+  std::vector<int> &offsets() { return offsets_; }
   std::vector<int> &columns() { return columns_; }
   std::vector<double> &values() { return values_; }
-  const std::vector<int> &starts() const { return starts_; }
+  const std::vector<int> &offsets() const { return offsets_; }
   const std::vector<int> &columns() const { return columns_; }
   const std::vector<double> &values() const { return values_; }
 
 private:
   int n_;
   long pattern_id_;
-  std::vector<int> starts_, columns_;
+  std::vector<int> offsets_, columns_;
   std::vector<double> values_;
 };
 

@@ -2,8 +2,8 @@
 
 namespace rimpact::fe {
 
-Tangent::Tangent(int n, const std::vector<std::vector<int>> &cliques, Symmetry symmetry, TimeSplit &times)
-    : symmetric_(n, cliques) {
+Tangent::Tangent(int n, const std::vector<std::vector<int>> &couplings, Symmetry symmetry, TimeSplit &times)
+    : symmetric_(n, couplings) {
   if (symmetry == Symmetry::general) general_ = std::make_unique<GeneralMatrix>(symmetric_);
   solver_ =
       general_ ? std::make_unique<LinearSolver>(*general_, times) : std::make_unique<LinearSolver>(symmetric_, times);
@@ -24,8 +24,8 @@ void Tangent::add_row(int row, const std::vector<int> &columns, const double *va
 void Tangent::drive(int equation, double diagonal, double miss, Eigen::VectorXd &moved) {
   if (general_) return general_->make_unit_row(equation, diagonal);
   auto &values = symmetric_.values();
-  const auto &starts = symmetric_.starts(), &columns = symmetric_.columns();
-  for (int k = starts[equation]; k < starts[equation + 1]; ++k) {
+  const auto &offsets = symmetric_.offsets(), &columns = symmetric_.columns();
+  for (int k = offsets[equation]; k < offsets[equation + 1]; ++k) {
     moved[columns[k]] -= values[k] * miss;
     values[k] = 0;
   }
@@ -34,7 +34,7 @@ void Tangent::drive(int equation, double diagonal, double miss, Eigen::VectorXd 
       moved[row] -= values[place] * miss;
       values[place] = 0;
     }
-  values[starts[equation]] = diagonal;
+  values[offsets[equation]] = diagonal;
 }
 
 } // namespace rimpact::fe

@@ -11,7 +11,7 @@ enum class Symmetry { symmetric, general };
 class Tangent {
 public:
   /// Each clique is a list of equations coupled with one another (-1 entries are skipped).
-  Tangent(int n, const std::vector<std::vector<int>> &cliques, Symmetry symmetry, TimeSplit &times);
+  Tangent(int n, const std::vector<std::vector<int>> &couplings, Symmetry symmetry, TimeSplit &times);
 
   /// The symmetric part, filled first; then `close_symmetric`, and the rest by `add`.
   SymmetricMatrix &symmetric() { return symmetric_; }

@@ -10,17 +10,17 @@ namespace {
 constexpr int size = 300;
 std::mt19937 generator(7);
 
-/// The pattern of eighty cliques of twelve equations, all values zero.
+/// The pattern of eighty couplings of twelve equations, all values zero.
 SymmetricMatrix random_matrix() {
   std::uniform_int_distribution<int> any(0, size - 1);
-  std::vector<std::vector<int>> cliques;
+  std::vector<std::vector<int>> couplings;
   for (int c = 0; c < 80; ++c) {
     std::vector<int> clique(12);
     for (int &equation : clique) equation = any(generator);
-    cliques.push_back(clique);
+    couplings.push_back(clique);
   }
-  for (int i = 0; i < size; ++i) cliques.push_back({i});
-  return {size, cliques};
+  for (int i = 0; i < size; ++i) couplings.push_back({i});
+  return {size, couplings};
 }
 
 /// Entries between -1 and 1 on an indefinite diagonal; every seventh of it is a thousand million, as of driven rows.
@@ -62,9 +62,9 @@ TEST(LinearSolver, SolvesAnUnsymmetricMatrix) {
 }
 
 std::vector<std::vector<int>> neighbours() {
-  std::vector<std::vector<int>> cliques;
-  for (int i = 0; i + 1 < size; ++i) cliques.push_back({i, i + 1});
-  return cliques;
+  std::vector<std::vector<int>> couplings;
+  for (int i = 0; i + 1 < size; ++i) couplings.push_back({i, i + 1});
+  return couplings;
 }
 
 /// A chain of springs of 1 N/m, held at its end by one of `support`.

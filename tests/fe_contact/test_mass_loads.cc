@@ -44,7 +44,7 @@ TEST_F(MassOnTheDish, AShortStepFromMicronsBelowTheDishNeedsNoMoreThanTheWeight)
   const auto surface = model.height(x, 0);
   const Vector3d speed(0.5, 0, 0.5 * surface.gradient.x());
   SystemState state = system.at_rest();
-  system.place(state, ahead.master({x, 0, surface.z - 2e-6}), speed, Vector3d::Zero());
+  system.set_position(state, ahead.master({x, 0, surface.z - 2e-6}), speed, Vector3d::Zero());
   RemoteTerms remote{system.top(), loads.law(ahead, 0, Support::dish), parts.share()};
   StepTerms terms{Eigen::VectorXd::Zero(system.equations().n)};
   terms.dt = 1e-5;

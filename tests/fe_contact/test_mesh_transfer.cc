@@ -53,7 +53,7 @@ TEST_F(MeshesOfOneBearing, MaterialMemoryStaysWhereItIsInPadFootAndTheOldDent) {
   for (std::size_t k = 0; k < old.size(); ++k) old[k].alpha = strain(place(before, k));
   const SolidHistory carried = transfer.history(old);
   ASSERT_EQ(carried.size(), 27 * after.n_cells);
-  int same = 0, virgin = 0;
+  int same = 0, initial_history = 0;
   for (std::size_t k = 0; k < carried.size(); ++k) {
     const Eigen::Vector3d x = place(after, k);
     const auto volume = after.volumes[k / 27];
@@ -66,10 +66,10 @@ TEST_F(MeshesOfOneBearing, MaterialMemoryStaysWhereItIsInPadFootAndTheOldDent) {
     if (r > 0.43 && angle > 1.02) {
       EXPECT_EQ(carried[k].alpha, 0);
     }
-    same += kept, virgin += carried[k].alpha == 0;
+    same += kept, initial_history += carried[k].alpha == 0;
   }
   EXPECT_GT(same, 1000);
-  EXPECT_GT(virgin, 1000);
+  EXPECT_GT(initial_history, 1000);
 }
 
 } // namespace

@@ -34,7 +34,7 @@ TEST(Pitfall, PairingIsNotFrozenWithinAStep) {
   SurfaceContactState state = blocks.contact->open(blocks.moved({0.0, 0, 0}, 0));
   const auto first = state.opposite;
   const Eigen::VectorXd u = blocks.moved({0.045, 0.03, -1e-4}, 1e-5);
-  blocks.contact->cliques(blocks.equations, u, state.opposite);
+  blocks.contact->couplings(blocks.equations, u, state.opposite);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(blocks.equations.n), fresh_forces = forces;
   const auto report = blocks.contact->assemble(u, state, 0, blocks.equations, forces, nullptr);
   SurfaceContactState fresh = blocks.contact->open(u);
@@ -100,7 +100,7 @@ TEST(Pitfall, APatternMadeOnADentedCarrierHoldsWhatIsOpposite) {
   Eigen::VectorXd u = blocks.moved({0, 0, -1e-4}, 0);
   const auto &first = blocks.space.faces_of(Surface::dish)[0]->nodes;
   u[3 * first[first.size() / 2] + 2] -= 0.3;
-  blocks.contact->cliques(blocks.equations, u, state.opposite);
+  blocks.contact->couplings(blocks.equations, u, state.opposite);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(blocks.equations.n);
   const auto report = blocks.contact->assemble(u, state, 0, blocks.equations, forces, nullptr);
   EXPECT_TRUE(report.pattern_holds);
@@ -280,7 +280,8 @@ TEST(Pitfall, AStepCutToMicrosecondsDoesNotLeaveAPenaltyStifferThanTheSolid) {
 }
 
 TEST(Pitfall, WhereAugmentationIsBrokenOffTheNextStepStartsInEquilibrium) {
-  // Multipliers augmented once more than the forces were balanced with would kick the bodies, hardest in a short step.
+  // Multipliers augmented once more than the forces were balanced with would apply_velocity_jump the bodies, hardest in
+  // a short step.
   Block block(FrictionCoefficient::constant(0));
   SystemState state = block.system->at_rest();
   StepOptions options;

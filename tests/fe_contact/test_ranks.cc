@@ -47,13 +47,13 @@ TEST(Ranks, ThereAreSeveral) {
 
 TEST(Ranks, WhatIsSummedUpIsHandedOver) {
   const std::size_t n = 1000; // some blocks a share, the last one short
-  const auto starts = ranks().starts(n);
+  const auto offsets = ranks().offsets(n);
   std::vector<double> values(n, 0.0);
   for (std::size_t k = 0; k < n; k += 3) values[k] = static_cast<double>(k + 1);
   for (int again = 0; again < 2; ++again) { // what was handed over is not counted twice
-    ranks().sum_to_owners(values, starts);
+    ranks().reduce_scatter(values, offsets);
     for (std::size_t k = 0; k < n; ++k) {
-      const bool own = k >= starts[ranks().own] && k < starts[ranks().own + 1];
+      const bool own = k >= offsets[ranks().own] && k < offsets[ranks().own + 1];
       ASSERT_EQ(values[k], own && k % 3 == 0 ? ranks().size * static_cast<double>(k + 1) : 0) << k;
     }
   }

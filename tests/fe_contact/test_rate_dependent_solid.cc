@@ -19,16 +19,17 @@ TEST(RateDependentSolid, TangentOfAMeshAgreesWithDifferences) {
       for (auto &value : u) value = normal(generator);
       for (int dof = 0; dof < u.size(); ++dof)
         if (equations.of_dof[dof] >= 0) direction[dof] = normal(generator);
-      SymmetricMatrix tangent(equations.n, bar.solid.cliques(equations));
-      const SolidHistory virgin = bar.solid.virgin();
+      SymmetricMatrix tangent(equations.n, bar.solid.couplings(equations));
+      const SolidHistory initial_history = bar.solid.initial_history();
       SolidHistory next;
       SolidEnergies energies;
       Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations.n), plus = forces, minus = forces;
-      ASSERT_TRUE(bar.solid.assemble(u, virgin, next, equations, forces, &tangent, energies, dt));
+      ASSERT_TRUE(bar.solid.assemble(u, initial_history, next, equations, forces, &tangent, energies, dt));
       EXPECT_GT(energies.plastic, 0);
       const double h = 1e-4;
-      ASSERT_TRUE(bar.solid.assemble(u + h * direction, virgin, next, equations, plus, nullptr, energies, dt));
-      ASSERT_TRUE(bar.solid.assemble(u - h * direction, virgin, next, equations, minus, nullptr, energies, dt));
+      ASSERT_TRUE(bar.solid.assemble(u + h * direction, initial_history, next, equations, plus, nullptr, energies, dt));
+      ASSERT_TRUE(
+          bar.solid.assemble(u - h * direction, initial_history, next, equations, minus, nullptr, energies, dt));
       const Eigen::VectorXd difference = (plus - minus) / (2 * h),
                             exact = tangent.multiply(equations.gather(direction));
       EXPECT_LT((difference - exact).norm(), 1e-5 * exact.norm()) << dt;

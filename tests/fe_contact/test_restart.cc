@@ -54,7 +54,7 @@ SystemState dragged(Way way, double tolerance, std::vector<ContactStatus> *at_ch
   for (int k = 1; k <= 8; ++k) {
     EXPECT_TRUE(static_step(*block->system, state, block->drive(6e-6 * k, 1e-4, 1e-3), options).converged) << k;
     if (k != 4 || way == Way::straight) continue;
-    state.calm = 2; // static steps leave it
+    state.growth_hold = 2; // static steps leave it
     if (at_checkpoint) *at_checkpoint = state.contacts[0].status;
     keep(*block->system, state, file.path);
     if (way != Way::resumed) continue;
@@ -71,7 +71,7 @@ void expect_equal(const SystemState &a, const SystemState &b) {
   EXPECT_EQ((a.u - b.u).norm(), 0);
   EXPECT_EQ((a.v - b.v).norm(), 0);
   EXPECT_EQ((a.a - b.a).norm(), 0);
-  EXPECT_EQ(a.calm, b.calm);
+  EXPECT_EQ(a.growth_hold, b.growth_hold);
   EXPECT_EQ(a.contacts[0].pressure, b.contacts[0].pressure);
   EXPECT_EQ(a.contacts[0].status, b.contacts[0].status);
   EXPECT_EQ((a.reports[0].friction - b.reports[0].friction).norm(), 0);

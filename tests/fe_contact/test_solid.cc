@@ -39,7 +39,7 @@ TEST_P(SolidTest, FieldsShowTheStressOfAUniformStretch) {
   constexpr double stretch = 5e-4; // along x, held across
   Eigen::VectorXd u = Eigen::VectorXd::Zero(space.n_dofs());
   for (std::size_t a = 0; a < space.n_nodes; ++a) u[3 * a] = stretch * space.positions[a].x();
-  const SolidFields fields = fields_of(solid, space, u, solid.virgin());
+  const SolidFields fields = fields_of(solid, space, u, solid.initial_history());
   const double K = steel.E / (3 * (1 - 2 * steel.nu)), G = steel.E / (2 * (1 + steel.nu)), l = std::log1p(stretch);
   const double along = (K + 4 * G / 3) * l / (1 + stretch), across = (K - 2 * G / 3) * l / (1 + stretch);
   for (std::size_t c = 0; c < space.n_cells; ++c) {
@@ -60,7 +60,7 @@ TEST_P(SolidTest, UniformDeformationGivesUniformStressOnABentMesh) {
   SolidHistory next;
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations.n);
   SolidEnergies energies;
-  ASSERT_TRUE(solid.assemble(u, solid.virgin(), next, equations, forces, nullptr, energies));
+  ASSERT_TRUE(solid.assemble(u, solid.initial_history(), next, equations, forces, nullptr, energies));
   // The energy density of a uniform strain times the volume, by the law itself.
   const scene::Material steel = scene::Bearing{}.steel;
   const Matrix3 F = Matrix3::Identity() + gradient;
@@ -84,15 +84,15 @@ TEST_P(SolidTest, TangentAgreesWithDifferencesInThePlasticRange) {
   Eigen::VectorXd u(space.n_dofs()), direction(space.n_dofs());
   for (auto &value : u) value = normal(generator);
   for (auto &value : direction) value = normal(generator);
-  SymmetricMatrix tangent(equations.n, solid.cliques(equations));
+  SymmetricMatrix tangent(equations.n, solid.couplings(equations));
   SolidHistory next;
   SolidEnergies energies;
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations.n), plus = forces, minus = forces;
-  ASSERT_TRUE(solid.assemble(u, solid.virgin(), next, equations, forces, &tangent, energies));
+  ASSERT_TRUE(solid.assemble(u, solid.initial_history(), next, equations, forces, &tangent, energies));
   EXPECT_GT(energies.plastic, 0);
   const double h = 1e-4;
-  ASSERT_TRUE(solid.assemble(u + h * direction, solid.virgin(), next, equations, plus, nullptr, energies));
-  ASSERT_TRUE(solid.assemble(u - h * direction, solid.virgin(), next, equations, minus, nullptr, energies));
+  ASSERT_TRUE(solid.assemble(u + h * direction, solid.initial_history(), next, equations, plus, nullptr, energies));
+  ASSERT_TRUE(solid.assemble(u - h * direction, solid.initial_history(), next, equations, minus, nullptr, energies));
   const Eigen::VectorXd difference = (plus - minus) / (2 * h), exact = tangent.multiply(direction);
   EXPECT_LT((difference - exact).norm(), 1e-5 * exact.norm());
 }
@@ -101,7 +101,7 @@ TEST_P(SolidTest, MassMovesAsARigidBody) {
   const Discretisation space(bent_box(), GetParam());
   const Solid solid(space, scene::Bearing{});
   const Equations equations = all_free(space);
-  SymmetricMatrix mass(equations.n, solid.cliques(equations));
+  SymmetricMatrix mass(equations.n, solid.couplings(equations));
   solid.add_mass(equations, mass);
   Eigen::VectorXd v = Eigen::VectorXd::Zero(equations.n);
   for (std::size_t a = 0; a < space.n_nodes; ++a) v.segment<3>(3 * a) = Eigen::Vector3d(1, 2, 3);
@@ -114,11 +114,11 @@ std::vector<double> tangent_at(const Discretisation &space, const Solid &solid, 
   const Equations equations = all_free(space);
   Eigen::VectorXd u = Eigen::VectorXd::Zero(space.n_dofs());
   for (std::size_t a = 0; a < space.n_nodes; ++a) u[3 * a] = stretch * space.positions[a].x();
-  SymmetricMatrix tangent(equations.n, solid.cliques(equations));
+  SymmetricMatrix tangent(equations.n, solid.couplings(equations));
   SolidHistory next;
   SolidEnergies energies;
   forces = Eigen::VectorXd::Zero(equations.n);
-  EXPECT_TRUE(solid.assemble(u, solid.virgin(), next, equations, forces, &tangent, energies));
+  EXPECT_TRUE(solid.assemble(u, solid.initial_history(), next, equations, forces, &tangent, energies));
   return tangent.values();
 }
 

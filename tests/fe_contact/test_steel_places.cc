@@ -33,7 +33,7 @@ TEST_P(Remembered, TriaxialityAndDamageOfAUniformStretch) {
   Equations equations;
   equations.n = static_cast<int>(space.n_dofs());
   for (int k = 0; k < equations.n; ++k) equations.of_dof.push_back(k), equations.weight.push_back(1);
-  SolidHistory history = solid.virgin();
+  SolidHistory history = solid.initial_history();
   double triaxiality = 0, damage = 0;
   for (const double stretch : {0.01, 0.02}) {
     Eigen::VectorXd u = Eigen::VectorXd::Zero(space.n_dofs()), forces = Eigen::VectorXd::Zero(equations.n);

@@ -22,10 +22,10 @@ TEST_P(ContactTangent, IsTheDerivativeOfTheForcesWhereSomePointsStickAndOthersSl
   for (int i = 0; i < 3; ++i) u[block.carrier_equations[i]] = i == 2 ? 3e-4 : 5e-5;
   for (auto &multiplier : state.tangential) multiplier = 3e5 * Vector3d(unit(random), unit(random), unit(random));
 
-  auto cliques = contact.cliques(equations, equations.expand(u), state.opposite);
-  for (int i = 0; i < equations.n; ++i) cliques.push_back({i});
+  auto couplings = contact.couplings(equations, equations.expand(u), state.opposite);
+  for (int i = 0; i < equations.n; ++i) couplings.push_back({i});
   TimeSplit times;
-  Tangent tangent(equations.n, cliques, Symmetry::general, times);
+  Tangent tangent(equations.n, couplings, Symmetry::general, times);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations.n);
   const auto report = contact.assemble(equations.expand(u), state, 1e-3, equations, forces, &tangent);
   ASSERT_GT(report.stick, 0);
@@ -164,10 +164,10 @@ TEST_P(Carried, TangentIsTheDerivativeAndActionIsReaction) {
   const Equations &equations = blocks.equations;
   const Eigen::VectorXd u = blocks.moved({0.021, -0.013, -4e-4}, 2e-5);
   SurfaceContactState state = contact.open(blocks.moved({0.0209, -0.013, 0}, 0));
-  auto cliques = contact.cliques(equations, u, state.opposite);
-  for (int i = 0; i < equations.n; ++i) cliques.push_back({i});
+  auto couplings = contact.couplings(equations, u, state.opposite);
+  for (int i = 0; i < equations.n; ++i) couplings.push_back({i});
   TimeSplit times;
-  Tangent tangent(equations.n, cliques, Symmetry::general, times);
+  Tangent tangent(equations.n, couplings, Symmetry::general, times);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations.n);
   const auto report = contact.assemble(u, state, 1e-3, equations, forces, &tangent);
   ASSERT_TRUE(report.pattern_holds);
@@ -209,8 +209,8 @@ TEST(Carried, OnAStretchedCarrierTheLedgerTakesWhatTheForcesDo) {
   };
   SurfaceContactState state = blocks.contact->open(displaced(0));
   Eigen::VectorXd u = displaced(0), forces = Eigen::VectorXd::Zero(blocks.equations.n);
-  blocks.contact->cliques(blocks.equations, u, state.opposite); // the pairs that may meet
-  for (const double way : {1e-4, 2e-4}) {                       // the first step makes it slip
+  blocks.contact->couplings(blocks.equations, u, state.opposite); // the pairs that may meet
+  for (const double way : {1e-4, 2e-4}) {                         // the first step makes it slip
     const SurfaceContactState before = state;
     const Eigen::VectorXd u_before = u, forces_before = forces;
     u = displaced(way);
@@ -231,7 +231,7 @@ TEST(Carried, MovedTogetherNothingSlips) {
   SurfaceContactState state = blocks.contact->open(blocks.moved({0.021, 0, -1e-4}, 0));
   Eigen::VectorXd u = blocks.moved({0.021, 0, -1e-4}, 0);
   for (std::size_t a = 0; a < blocks.space.n_nodes; ++a) u.segment<3>(3 * a) += Vector3d(0.3, -0.2, 0.05);
-  blocks.contact->cliques(blocks.equations, u, state.opposite);
+  blocks.contact->couplings(blocks.equations, u, state.opposite);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(blocks.equations.n);
   const auto report = blocks.contact->assemble(u, state, 1e-3, blocks.equations, forces, nullptr);
   EXPECT_GT(report.stick, 0);

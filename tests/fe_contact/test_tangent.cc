@@ -51,7 +51,7 @@ struct Curves : NewtonTarget {
   TimeSplit times;
   Tangent tangent{2, {{0, 1}}, Symmetry::general, times};
   Eigen::VectorXd r = Eigen::VectorXd::Zero(2);
-  Border edge{Eigen::Vector2d(1, 2), Eigen::Vector2d(1, 1), 0, 1e-12, 0.1};
+  BorderingConstraint edge{Eigen::Vector2d(1, 2), Eigen::Vector2d(1, 1), 0, 1e-12, 0.1};
   bool evaluate(const Eigen::VectorXd &u, bool) override {
     r << u[0] * u[0] - u[1] - 1 - edge.multiplier, u[1] * u[1] - 3 - 2 * edge.multiplier;
     edge.constraint = u[0] + u[1] - 3;
@@ -65,7 +65,7 @@ struct Curves : NewtonTarget {
   const Eigen::VectorXd &residual() const override { return r; }
   double force_scale() const override { return 1; }
   LinearSolver &solver() override { return tangent.solver(); }
-  Border *border() override { return &edge; }
+  BorderingConstraint *border() override { return &edge; }
 };
 
 TEST(Newton, FindsTheMultiplierThatHoldsItsConstraint) {
@@ -88,7 +88,7 @@ struct Creeping : Curves {
     for (int i : {0, 1}) tangent.add(i, i, 10);
     return true;
   }
-  Border *border() override { return nullptr; }
+  BorderingConstraint *border() override { return nullptr; }
 };
 
 TEST(Newton, IsGivenUpWhereItsResidualCreepsOnlyIfThereIsAnotherWay) {

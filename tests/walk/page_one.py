@@ -144,6 +144,8 @@ def of_the_band(answer: dict[str, Any], folder: str, words: str) -> Iterator[tup
     places = os.path.join(folder, "twins")
     for name in sorted(os.listdir(places)) if os.path.isdir(places) else []:
         pair = [read(folder, *where, "summary.json")["impacts"][0] for where in (("runs", name.rpartition("-")[0]), ("twins", name))]
+        if any(hit["rebound_speed_m_s"] is None for hit in pair):  # the scene ended on the rim: the pair is no row
+            continue
         static, fast = pair if name.endswith("-fast") else reversed(pair)
         cells = [f"{hit['peak_force_N'] / 1e3:.0f}" for hit in (static, fast)] + [f"{1e3 * hit['peak_penetration_m']:.2f}" for hit in (static, fast)]
         cells += [f"{hit['rebound_speed_m_s'] / hit['approach_speed_m_s']:.3f}" for hit in (static, fast)]

@@ -21,7 +21,7 @@ void assembly(benchmark::State &state) {
   const fe::Solid solid(space, {{meshes::Volume::rim, scene::Material{200e9, 0.3, 7850, 235e6, 2e9}}});
   fe::Supports supports(space);
   const fe::Equations equations = supports.number();
-  fe::SymmetricMatrix tangent(equations.n, solid.cliques(equations));
+  fe::SymmetricMatrix tangent(equations.n, solid.couplings(equations));
   // One per cent of stretch, well past yield, and a little noise.
   std::mt19937 random(1);
   std::uniform_real_distribution<double> unit(-1, 1);
@@ -32,7 +32,7 @@ void assembly(benchmark::State &state) {
     u[i] += 1e-4 / n * unit(random);
     direction[i] = unit(random);
   }
-  const fe::SolidHistory old = solid.virgin();
+  const fe::SolidHistory old = solid.initial_history();
   fe::SolidHistory next;
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(equations.n);
   while (state.KeepRunning()) {

@@ -36,14 +36,14 @@ fe::SystemState at_the_rim(fe::BearingSystem &system) {
   if (system.model().rung.dish != fe::DishKind::law)
     top << bearing.lateral_capacity(), 0, scene::lift(bearing, bearing.lateral_capacity());
   top.x() += system.wall_gap(state, top) + overlap;
-  system.place(state, top, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
+  system.set_position(state, top, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero());
   system.start_afresh_at(state);
   return state;
 }
 
 double largest(double value) {
   Eigen::VectorXd one = Eigen::VectorXd::Constant(1, value);
-  fe::ranks().largest(one);
+  fe::ranks().all_reduce_max(one);
   return one[0];
 }
 
@@ -95,7 +95,7 @@ void measure(const fe::Rung &rung, const std::string &name, int mesh, double den
   factor -= solve; // which it does as well
   const fe::FactorWork own = system.solver().factor_work();
   const auto both = [](double value) {
-    return fmt::format(" {:9.3f} {:8.3f}", fe::ranks().sum(value), largest(value));
+    return fmt::format(" {:9.3f} {:8.3f}", fe::ranks().all_reduce_sum(value), largest(value));
   };
   const std::string counts = both(1e-6 * own.handed_in) + both(1e-6 * own.entries) + both(1e-9 * own.operations);
   if (fe::ranks().first())
