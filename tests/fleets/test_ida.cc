@@ -35,7 +35,9 @@ Cell at(const Table &t, std::size_t row, const std::string &name) {
   return t.rows.at(row).at(static_cast<std::size_t>(i));
 }
 double number(const Table &t, std::size_t row, const std::string &name) {
-  return std::get<double>(at(t, row, name));
+  const Cell cell = at(t, row, name);
+  const double *value = std::get_if<double>(&cell);
+  return value ? *value : std::nan("");
 }
 Sweep ida_sweep(const TemporaryFolder &folder, const std::string &components, const std::string &levels) {
   return parse_sweep("[records]\nfolder = '.'\ncomponents = '" + components + "'\n[grid]\nvariable.pga_g = " + levels +
