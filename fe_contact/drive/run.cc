@@ -112,6 +112,33 @@ void run_rung(const Rung &rung, const scene::Scene &scene, const planning::Plan 
   drive(rung, scene, plan, options, record);
 }
 
+/// How a run ended; a failure is thrown again once its folder is written.
+struct Ending {
+  RunStatus status = RunStatus::done;
+  std::string reason = {};
+  std::exception_ptr failure = {};
+};
+
+Ending carry_out(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &options, RunRecord &record) {
+  const auto stopped = [](const std::string &reason) {
+    return Ending{RunStatus::stopped, reason, std::make_exception_ptr(SolverStopped(reason))};
+  };
+  try {
+    need_memory(plan.expected_memory_bytes);
+    run_rung(rung_of(scene.model.rung), scene, plan, options, record);
+    return {};
+  } catch (const Interrupted &error) {
+    return {RunStatus::interrupted, error.what(), std::current_exception()};
+  } catch (const SolverStopped &error) {
+    return {RunStatus::stopped, error.what(), std::current_exception()};
+  } catch (const std::bad_alloc &) {
+    return stopped("the limit of memory is reached; a coarser mesh (a lower model.mesh) needs less");
+  } catch (const std::system_error &error) {
+    if (error.code() != std::errc::resource_unavailable_try_again) throw;
+    return stopped("the limit of threads or of memory is reached: a thread could not be started");
+  }
+}
+
 } // namespace
 
 Summary run(const scene::Scene &scene, const planning::Plan &plan, const RunOptions &given) {
@@ -119,35 +146,12 @@ Summary run(const scene::Scene &scene, const planning::Plan &plan, const RunOpti
   RunOptions options = given;
   RunRecord record;
   record.identity = to_json(identity_of(scene));
-  std::exception_ptr failure;
-  RunStatus status = RunStatus::done;
-  std::string reason;
   std::error_code failed;
   if (options.writes) std::filesystem::create_directories(options.folder, failed);
   if (failed) throw IoError("cannot make the run folder " + options.folder + ": " + failed.message());
   options.resume = goes_on(options, record);
   if (!options.resume) begin_checkpoint(options, record);
-  try {
-    need_memory(plan.expected_memory_bytes);
-    run_rung(rung_of(scene.model.rung), scene, plan, options, record);
-  } catch (const Interrupted &error) {
-    status = RunStatus::interrupted;
-    reason = error.what();
-    failure = std::current_exception();
-  } catch (const SolverStopped &error) {
-    status = RunStatus::stopped;
-    reason = error.what();
-    failure = std::current_exception();
-  } catch (const std::bad_alloc &) {
-    status = RunStatus::stopped;
-    reason = "the limit of memory is reached; a coarser mesh (a lower model.mesh) needs less";
-    failure = std::make_exception_ptr(SolverStopped(reason));
-  } catch (const std::system_error &error) {
-    if (error.code() != std::errc::resource_unavailable_try_again) throw;
-    status = RunStatus::stopped;
-    reason = "the limit of threads or of memory is reached: a thread could not be started";
-    failure = std::make_exception_ptr(SolverStopped(reason));
-  }
+  const auto [status, reason, failure] = carry_out(scene, plan, options, record);
   const auto doubt = failure ? std::nullopt : doubt_of_rebound(record.response, record.impacts);
   if (doubt) record.warnings.push_back(*doubt);
   for (const auto &found : {doubt_of_bounce(record.response), doubt_of_ledger(record.ledger),
