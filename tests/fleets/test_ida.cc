@@ -30,14 +30,12 @@ void write_station(const TemporaryFolder &folder) {
   folder.write("RSN2_E04230.AT2", at2(0.3));
   folder.write("MANIFEST.md", "not a record");
 }
-Cell at(const Table &t, std::size_t row, const std::string &name) {
+const Cell &at(const Table &t, std::size_t row, const std::string &name) {
   const auto i = std::find(t.columns.begin(), t.columns.end(), name) - t.columns.begin();
   return t.rows.at(row).at(static_cast<std::size_t>(i));
 }
 double number(const Table &t, std::size_t row, const std::string &name) {
-  const Cell cell = at(t, row, name);
-  const double *value = std::get_if<double>(&cell);
-  return value ? *value : std::nan("");
+  return std::get<double>(at(t, row, name));
 }
 Sweep ida_sweep(const TemporaryFolder &folder, const std::string &components, const std::string &levels) {
   return parse_sweep("[records]\nfolder = '.'\ncomponents = '" + components + "'\n[grid]\nvariable.pga_g = " + levels +
