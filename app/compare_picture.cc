@@ -5,26 +5,15 @@
 #include "files/json_text.h"
 #include "responses/build_version.h"
 #include <filesystem>
-#include <fmt/format.h>
 
 namespace rimpact::app {
-namespace {
-
-namespace fs = std::filesystem;
-
-void make_folder(const fs::path &path) {
-  std::error_code error;
-  fs::create_directories(path, error);
-  if (error) throw IoError(fmt::format("cannot create the folder {}: {}", path.string(), error.message()));
-}
-
-} // namespace
 
 std::string draw_comparison(const std::string &folder, const std::vector<ComparedCurve> &curves, double capacity) {
+  namespace fs = std::filesystem;
   nlohmann::json items = nlohmann::json::array();
   for (const auto &curve : curves) {
     const fs::path place = fs::path(folder) / "curves" / curve.name;
-    make_folder(place);
+    make_folder(place.string());
     write_hdf5(*curve.response, (place / "response.h5").string());
     if (!curve.scene.empty()) write_atomically(curve.scene, (place / "scene.toml").string());
     items.push_back(curve.said);

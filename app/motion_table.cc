@@ -11,18 +11,6 @@
 namespace rimpact::app {
 namespace {
 
-const char *word_of(DirectionKind kind) {
-  switch (kind) {
-  case DirectionKind::horizontal:
-    return "horizontal";
-  case DirectionKind::vertical:
-    return "vertical";
-  case DirectionKind::unknown:
-    break;
-  }
-  return "unknown";
-}
-
 MotionRow motion_row(const FolderRecord &record, double period) {
   MotionRow row{.record = record};
   const auto signal = shared_record(record.path);
@@ -117,7 +105,7 @@ nlohmann::ordered_json to_json(const MotionRow &row) {
           {"form", record.form},
           {"station", record.station},
           {"direction", record.direction.spelling},
-          {"kind", word_of(record.direction.kind)},
+          {"kind", word(record.direction.kind)},
           {"azimuth_deg", azimuth ? nlohmann::ordered_json(*azimuth) : nlohmann::ordered_json()},
           {"pair", row.pair.empty() ? nlohmann::ordered_json() : nlohmann::ordered_json(row.pair)},
           {"npts", number(&RecordInfo::npts)},

@@ -30,19 +30,12 @@ std::vector<std::string> picture_places(const std::vector<std::string> &files, c
   return places;
 }
 
-/// Acceleration, velocity and displacement for the plot; velocity is exact for linear acceleration between
-/// samples.
+/// Acceleration, velocity and displacement for the plot.
 std::string motion_csv(const SampledSignal &record) {
   std::string text = "time_s,acceleration_m_per_s2,velocity_m_per_s,displacement_m\n";
-  double v = 0, u = 0;
-  for (std::size_t k = 0; k < record.values.size(); ++k) {
-    const double a = record.values[k];
-    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", record.instant(k), a, v, u);
-    if (k + 1 == record.values.size()) break;
-    const double next = record.values[k + 1];
-    u += v * record.dt + record.dt * record.dt * (2 * a + next) / 6;
-    v += 0.5 * record.dt * (a + next);
-  }
+  integrate_from_rest(record, [&](std::size_t i, double v, double u) {
+    text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g}\n", record.instant(i), record.values[i], v, u);
+  });
   return text;
 }
 
@@ -58,9 +51,7 @@ void draw_records(const std::vector<MotionRow> &rows, const std::string &folder)
   for (const auto &row : rows)
     if (row.info) names.push_back(row.record.path);
   const auto places = picture_places(names, folder);
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) throw IoError(fmt::format("cannot create the folder {}: {}", folder, failed.message()));
+  make_folder(folder);
   for (std::size_t k = 0; k < names.size(); ++k) draw_record(names[k], places[k]);
 }
 
@@ -87,9 +78,7 @@ struct MotionOptions {
 
 /// Each record with its baseline taken off, as a CSV of its own.
 void write_corrected(const std::vector<MotionRow> &rows, const std::string &folder, Console &console) {
-  std::error_code failed;
-  std::filesystem::create_directories(folder, failed);
-  if (failed) throw IoError(fmt::format("cannot create the folder {}: {}", folder, failed.message()));
+  make_folder(folder);
   for (const auto &row : rows) {
     if (!row.info) continue;
     const auto corrected = baseline_corrected(read_record(row.record.path));

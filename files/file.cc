@@ -102,4 +102,10 @@ void write_atomically(std::string_view bytes, const std::string &path) {
   file.commit();
 }
 
+void make_folder(const std::string &path) {
+  std::error_code failed;
+  fs::create_directories(path, failed);
+  if (failed) throw IoError(fmt::format("cannot create the folder {}: {}", path, failed.message()));
+}
+
 } // namespace rimpact

@@ -12,5 +12,7 @@ std::string read_named_file(const std::string &path);
 /// Writes beside `path`, flushes to the disk and renames, so that a full disk or a killed run leaves an earlier
 /// file as it was. Throws IoError.
 void write_atomically(std::string_view bytes, const std::string &path);
+/// With those above it; nothing where it is there. Throws IoError naming it and the reason.
+void make_folder(const std::string &path);
 
 } // namespace rimpact

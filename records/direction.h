@@ -1,5 +1,6 @@
 /// In which direction a record was taken, as headers, file names and people write it: the one table of spellings.
 #pragma once
+#include "files/choice.h"
 #include <optional>
 #include <string>
 #include <string_view>
@@ -7,6 +8,10 @@
 namespace rimpact {
 
 enum class DirectionKind { unknown, horizontal, vertical };
+constexpr auto choices(DirectionKind) {
+  using enum DirectionKind;
+  return choices_of<DirectionKind>({{unknown, "unknown"}, {horizontal, "horizontal"}, {vertical, "vertical"}});
+}
 
 /// Of positive motion.
 struct Direction {

@@ -14,8 +14,7 @@ void require_count(const std::string &path, const char *key, double stated, std:
 }
 
 void require_peak(const std::string &path, const char *key, double stated, const SampledSignal &record, double slack) {
-  double largest = 0;
-  for (const double value : record.values) largest = std::max(largest, std::abs(value));
+  const double largest = peak_of(record.values);
   constexpr double rounding = 1e-4; // of a header that gives few digits [m/s^2]
   if (stated == 0 || std::abs(largest - std::abs(stated)) <= slack * std::abs(stated) + rounding) return;
   throw DataError(fmt::format("{}: {} says {:.5g} m/s^2, the values reach {:.5g} m/s^2: header and data disagree", path,

@@ -51,19 +51,13 @@ SampledSignal parse_record(const std::string &text, const std::string &path, dou
 
 RecordInfo inspect(const SampledSignal &record, double gravity) {
   RecordInfo info{record.values.size(), record.dt, 0, 0, 0, 0, 0};
-  double v = 0, u = 0, square = 0;
-  const double dt = record.dt;
-  for (std::size_t i = 0; i < record.values.size(); ++i) {
-    const double a = record.values[i];
-    info.pga_g = std::max(info.pga_g, std::abs(a) / gravity);
+  double square = 0;
+  integrate_from_rest(record, [&](std::size_t i, double v, double u) {
+    info.pga_g = std::max(info.pga_g, std::abs(record.values[i]) / gravity);
     info.pgv = std::max(info.pgv, std::abs(v));
     info.pgd = std::max(info.pgd, std::abs(u));
-    if (i + 1 == record.values.size()) break;
-    const double b = record.values[i + 1];
-    u += v * dt + dt * dt * (2 * a + b) / 6;
-    v += dt * (a + b) / 2;
-    square += square_integral(a, b, dt);
-  }
+    if (i > 0) square += square_integral(record.values[i - 1], record.values[i], record.dt);
+  });
   info.arias = std::numbers::pi / (2 * gravity) * square;
   info.duration = significant_duration(record, square);
   return info;

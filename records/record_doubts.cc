@@ -62,8 +62,7 @@ void doubt_kind(const SampledSignal &record, std::vector<std::string> &found) {
 }
 
 void doubt_size(const SampledSignal &record, double gravity, std::vector<std::string> &found) {
-  double largest = 0;
-  for (const double a : record.values) largest = std::max(largest, std::abs(a));
+  const double largest = peak_of(record.values);
   constexpr double strongest = 2, weakest = 0.003; // [g]
   if (largest > strongest * gravity)
     found.push_back(fmt::format("its peak is {:.3g} g, where {:g} g is rare: is the unit right, is it scaled twice?",
@@ -82,16 +81,11 @@ void doubt_size(const SampledSignal &record, double gravity, std::vector<std::st
 
 BaselineDrift baseline_drift(const SampledSignal &record) {
   BaselineDrift drift{};
-  double v = 0, u = 0;
-  const double dt = record.dt;
-  for (std::size_t i = 0; i + 1 < record.values.size(); ++i) {
-    const double a = record.values[i], b = record.values[i + 1];
-    u += v * dt + dt * dt * (2 * a + b) / 6;
-    v += dt * (a + b) / 2;
+  integrate_from_rest(record, [&](std::size_t, double v, double u) {
     drift.peak_velocity = std::max(drift.peak_velocity, std::abs(v));
     drift.peak_travel = std::max(drift.peak_travel, std::abs(u));
-  }
-  drift.end_velocity = v, drift.end_travel = u;
+    drift.end_velocity = v, drift.end_travel = u;
+  });
   return drift;
 }
 
@@ -105,12 +99,11 @@ std::vector<std::string> record_doubts(const SampledSignal &record, double gravi
 
 SampledSignal baseline_corrected(const SampledSignal &record) {
   // v(t) = b t + c t^2 by least squares; sums over the samples of t and of the velocity.
-  double v = 0, t2 = 0, t3 = 0, t4 = 0, vt = 0, vt2 = 0;
-  for (std::size_t i = 0; i < record.values.size(); ++i) {
+  double t2 = 0, t3 = 0, t4 = 0, vt = 0, vt2 = 0;
+  integrate_from_rest(record, [&](std::size_t i, double v, double) {
     const double t = record.dt * static_cast<double>(i);
     t2 += t * t, t3 += t * t * t, t4 += t * t * t * t, vt += v * t, vt2 += v * t * t;
-    if (i + 1 < record.values.size()) v += record.dt * (record.values[i] + record.values[i + 1]) / 2;
-  }
+  });
   const double determinant = t2 * t4 - t3 * t3;
   if (!(determinant > 0)) return record;
   const double b = (vt * t4 - vt2 * t3) / determinant, c = (vt2 * t2 - vt * t3) / determinant;

@@ -62,32 +62,34 @@ void doubt_contradiction(const Direction &header, const Direction &name, FolderR
         fmt::format("its header says direction {}, its name {}: the header's counts", header.spelling, name.spelling));
 }
 
-FolderRecord identify(const fs::path &path, const RecordFile &file, std::size_t channel) {
+/// A component, and the station that its header names; only a header that also says a direction is one of a known kind.
+struct Identified {
+  FolderRecord record;
+  std::string header_station;
+};
+
+Identified identify(const fs::path &path, const RecordFile &file, std::size_t channel) {
   const std::string stem = path.stem().string();
   const bool alone = file.n_channels() == 1;
-  FolderRecord record{.path = file.name(channel), .file = {}, .form = file.format().name, .station = {}};
-  record.file = fs::path(record.path).filename().string();
-  record.rsn = rsn_in(stem);
   const RecordHead head = file.head(channel);
   const NamedDirection named = alone ? direction_in_name(stem) : NamedDirection{stem, {}};
+  const std::string name = file.name(channel);
+  Identified result{{.path = name, .file = fs::path(name).filename().string(), .form = file.format().name},
+                    alone ? std::string() : stem};
+  FolderRecord &record = result.record;
+  record.rsn = rsn_in(stem);
   record.direction = direction_written(head.direction);
   record.station = named.station;
   if (record.direction.kind == DirectionKind::unknown) {
     record.direction = named.direction;
-    return record;
+    return result;
   }
+  if (alone) result.header_station = head.station;
   if (named.direction.kind != DirectionKind::unknown)
     doubt_contradiction(record.direction, named.direction, record);
   else if (alone && !head.station.empty())
     record.station = head.station;
-  return record;
-}
-
-/// The station that a header names; only where it also says a direction is it a header of a known kind.
-std::string station_in_header(const fs::path &path, const RecordFile &file, std::size_t channel) {
-  if (file.n_channels() > 1) return path.stem().string();
-  const RecordHead head = file.head(channel);
-  return direction_written(head.direction).kind == DirectionKind::unknown ? std::string() : head.station;
+  return result;
 }
 
 } // namespace
@@ -114,7 +116,7 @@ std::vector<FolderRecord> records_of_file(const std::string &name) {
   const auto file = RecordFile::read(path);
   std::vector<FolderRecord> records;
   const std::size_t first = channel ? file.chosen(channel) : 0, last = channel ? first + 1 : file.n_channels();
-  for (std::size_t i = first; i < last; ++i) records.push_back(identify(path, file, i));
+  for (std::size_t i = first; i < last; ++i) records.push_back(identify(path, file, i).record);
   return records;
 }
 
@@ -124,8 +126,9 @@ RecordFolder read_record_folder(const std::string &folder) {
   for (const auto &path : record_files(folder)) {
     const auto file = RecordFile::read(path.string());
     for (std::size_t channel = 0; channel < file.n_channels(); ++channel) {
-      result.records.push_back(identify(path, file, channel));
-      headers.push_back(station_in_header(path, file, channel));
+      auto [record, station] = identify(path, file, channel);
+      result.records.push_back(std::move(record));
+      headers.push_back(std::move(station));
     }
   }
   correct_by_file(folder, result.records, headers);

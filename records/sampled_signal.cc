@@ -1,6 +1,7 @@
 #include "records/sampled_signal.h"
 
-#include <cstddef>
+#include <algorithm>
+#include <cmath>
 
 namespace rimpact {
 
@@ -11,6 +12,12 @@ double SampledSignal::at(double t) const {
   if (i + 1 >= values.size()) return values.back();
   const double share = position - static_cast<double>(i);
   return values[i] + share * (values[i + 1] - values[i]);
+}
+
+double peak_of(const std::vector<double> &values) {
+  double largest = 0;
+  for (const double value : values) largest = std::max(largest, std::abs(value));
+  return largest;
 }
 
 } // namespace rimpact

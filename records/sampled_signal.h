@@ -1,5 +1,6 @@
 /// A uniformly sampled signal, as records are.
 #pragma once
+#include <cstddef>
 #include <vector>
 
 namespace rimpact {
@@ -15,5 +16,22 @@ struct SampledSignal {
   double end() const { return start + duration(); }
   bool operator==(const SampledSignal &) const = default;
 };
+
+/// Of a signal that is an acceleration: calls visit(i, velocity, displacement) at each sample i, exactly integrated
+/// from rest at the first one.
+template <class Visit> void integrate_from_rest(const SampledSignal &acceleration, const Visit &visit) {
+  const double dt = acceleration.dt;
+  double v = 0, u = 0;
+  for (std::size_t i = 0; i < acceleration.values.size(); ++i) {
+    visit(i, v, u);
+    if (i + 1 == acceleration.values.size()) break;
+    const double a = acceleration.values[i], b = acceleration.values[i + 1];
+    u += v * dt + dt * dt * (2 * a + b) / 6;
+    v += dt * (a + b) / 2;
+  }
+}
+
+/// Largest absolute value; 0 of none.
+double peak_of(const std::vector<double> &values);
 
 } // namespace rimpact

@@ -16,7 +16,7 @@ bool repeats(const std::vector<FolderRecord> &records, const Group &group) {
   std::set<std::string> seen;
   for (const std::size_t i : group) {
     const auto &direction = records[i].direction;
-    const std::string way = direction.kind == DirectionKind::vertical ? "vertical"
+    const std::string way = direction.kind == DirectionKind::vertical ? word(direction.kind)
                             : direction.azimuth_deg ? fmt::format("{:.0f}", std::fmod(*direction.azimuth_deg, 360))
                                                     : direction.spelling;
     if (!seen.insert(way).second) return true;

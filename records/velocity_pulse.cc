@@ -21,8 +21,8 @@ struct Velocity {
 
 Velocity velocity_of(const SampledSignal &record, std::size_t n) {
   Velocity v{record.dt, std::vector<double>(n, 0.0)};
-  for (std::size_t i = 1; i < std::min(n, record.values.size()); ++i)
-    v.values[i] = v.values[i - 1] + 50 * record.dt * (record.values[i - 1] + record.values[i]);
+  constexpr double centimetres = 100; // in a metre
+  integrate_from_rest(record, [&](std::size_t i, double speed, double) { v.values[i] = centimetres * speed; });
   for (std::size_t i = record.values.size(); i < n; ++i) v.values[i] = v.values[i - 1];
   return v;
 }
@@ -98,12 +98,6 @@ double refined_scale(const Velocity &v, const Candidate &candidate) {
   return best;
 }
 
-double peak(const std::vector<double> &v) {
-  double largest = 0;
-  for (const double value : v) largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
 double energy(const std::vector<double> &v) {
   double sum = 0;
   for (const double value : v) sum += value * value;
@@ -142,8 +136,8 @@ bool is_late(const std::vector<double> &v, const std::vector<double> &pulse) {
 double indicator_of(const std::vector<double> &v, const std::vector<double> &pulse) {
   std::vector<double> rest(v.size());
   for (std::size_t i = 0; i < v.size(); ++i) rest[i] = v[i] - pulse[i];
-  const double component = 0.63 * peak(rest) / peak(v) + 0.777 * energy(rest) / energy(v);
-  const double p = (component - 1.208421) / 0.2462717, g = (peak(v) - 11.58861) / 18.88015;
+  const double component = 0.63 * peak_of(rest) / peak_of(v) + 0.777 * energy(rest) / energy(v);
+  const double p = (component - 1.208421) / 0.2462717, g = (peak_of(v) - 11.58861) / 18.88015;
   return -7.817 - 0.5679 * p * p - 0.1516 * g * g - 3.0253 * p - 1.7396 * g - 2.7156 * p * g;
 }
 
@@ -153,7 +147,7 @@ std::optional<ClassifiedPulse> velocity_pulse(const SampledSignal &first, const 
   if (std::abs(first.dt - second.dt) > 1e-9 * first.dt) return std::nullopt;
   const std::size_t n = std::max(first.values.size(), second.values.size());
   const Velocity one = velocity_of(first, n), two = velocity_of(second, n);
-  if (!(peak(one.values) + peak(two.values) > 0)) return std::nullopt;
+  if (!(peak_of(one.values) + peak_of(two.values) > 0)) return std::nullopt;
   auto wavelets = all_wavelets(one, two);
   std::optional<ClassifiedPulse> largest;
   for (int k = 0; k < n_candidates && !wavelets.empty(); ++k) {

@@ -1,32 +1,28 @@
 #include "reliability/binomial_fit.h"
+#include "reliability/normal.h"
 #include <algorithm>
 #include <boost/math/distributions/chi_squared.hpp>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
-#include <numbers>
 
 namespace rimpact::reliability {
 namespace {
-
-constexpr double farthest_predictor = 37; // beyond it a normal probability leaves the numbers of a double
 
 /// p, 1 - p and dp/d(predictor), each with all its digits.
 struct Curve {
   double p, q, slope;
 };
 Curve curve(Link link, double predictor) {
-  const double z = std::clamp(predictor, -farthest_predictor, farthest_predictor);
+  const double z = std::clamp(predictor, -farthest_score, farthest_score);
   if (link == Link::logit) {
     const double p = 1 / (1 + std::exp(-z)), q = 1 / (1 + std::exp(z));
     return {p, q, p * q};
   }
-  const double root = std::sqrt(2.0);
-  return {std::erfc(-z / root) / 2, std::erfc(z / root) / 2, std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi)};
+  return {normal_probability(z), normal_probability(-z), normal_density(z)};
 }
 
 double predictor_of(Link link, double share) {
   if (link == Link::logit) return std::log(share / (1 - share));
-  return boost::math::quantile(boost::math::normal(), share);
+  return standard_score(share);
 }
 
 double log_likelihood(Link link, const std::vector<ShareAt> &levels, double a, double b) {
@@ -60,7 +56,7 @@ Step start(Link link, const std::vector<ShareAt> &inner) {
   double n = 0, u = 0, z = 0, uu = 0, uz = 0;
   for (const auto &level : inner) {
     const double x = std::log(level.intensity),
-                 y = std::clamp(predictor_of(link, level.share), -farthest_predictor, farthest_predictor);
+                 y = std::clamp(predictor_of(link, level.share), -farthest_score, farthest_score);
     ++n, u += x, z += y, uu += x * x, uz += x * y;
   }
   const double b = (n * uz - u * z) / (n * uu - u * u);

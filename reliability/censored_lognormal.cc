@@ -1,7 +1,7 @@
 #include "reliability/censored_lognormal.h"
+#include "reliability/normal.h"
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace rimpact::reliability {
 namespace {
@@ -10,8 +10,7 @@ namespace {
 double hazard_of_normal(double z) {
   constexpr double far = 30;
   if (z > far) return z + 1 / z;
-  const double density = std::exp(-z * z / 2) / std::sqrt(2 * std::numbers::pi);
-  return density / (std::erfc(z / std::sqrt(2.0)) / 2);
+  return normal_density(z) / normal_probability(-z);
 }
 
 } // namespace

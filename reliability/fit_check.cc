@@ -1,4 +1,5 @@
 #include "reliability/fit_check.h"
+#include "reliability/normal.h"
 #include <algorithm>
 #include <boost/math/distributions/beta.hpp>
 #include <boost/math/distributions/normal.hpp>
@@ -24,10 +25,7 @@ struct Score {
   double z, variance;
 };
 Score score_of(const LevelEvidence &level) {
-  constexpr double farthest = 37;
-  double z = level.fitted <= 0 ? -farthest : farthest;
-  if (level.fitted > 0 && level.fitted < 1)
-    z = std::max(-farthest, boost::math::quantile(boost::math::normal(), level.fitted));
+  const double z = standard_score(level.fitted);
   return {z, (1 + z * z / 2) / std::max(1.0, level.n_fitted)};
 }
 

@@ -1,5 +1,6 @@
 #include "reliability/lognormal.h"
 #include "files/error.h"
+#include "reliability/normal.h"
 #include <boost/math/distributions/chi_squared.hpp>
 #include <boost/math/distributions/normal.hpp>
 #include <boost/math/distributions/students_t.hpp>
@@ -21,7 +22,7 @@ double Lognormal::exceedance(double y) const {
   if (y <= 0) return 1;
   const double distance = std::log(y) - mean_ln;
   if (sigma_ln == 0) return distance < 0 ? 1 : 0;
-  return std::erfc(distance / sigma_ln / std::sqrt(2.0)) / 2;
+  return normal_probability(-distance / sigma_ln);
 }
 
 double Lognormal::quantile(double p) const {

@@ -1,25 +1,14 @@
 #include "reliability/lognormal_between.h"
+#include "reliability/normal.h"
 #include <algorithm>
-#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 
 namespace rimpact::reliability {
 namespace {
 
-constexpr double farthest_score = 37;
 constexpr double endless = 1e6; // [1/year]: a rate above it is no bound
 
 } // namespace
-
-double normal_probability(double score) {
-  return std::erfc(-score / std::sqrt(2.0)) / 2;
-}
-
-double standard_score(double probability) {
-  if (probability <= 0) return -farthest_score;
-  if (probability >= 1) return farthest_score;
-  return std::max(-farthest_score, boost::math::quantile(boost::math::normal(), probability));
-}
 
 Fragility lognormal_between(double low, double p_low, double high, double p_high) {
   const double from = standard_score(p_low), to = standard_score(p_high), width = std::log(high / low);

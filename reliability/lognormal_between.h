@@ -8,10 +8,6 @@ namespace rimpact::reliability {
 /// Deviation of ln intensity of a fragility below the first level: that none falls more slowly is an assumption.
 inline constexpr double slowest_fall = 1;
 
-/// Phi(score), and the score of a probability: at most 37 in size, which 0 and 1 have.
-double normal_probability(double score);
-double standard_score(double probability);
-
 /// The lognormal through two points of growing intensity; constant beyond them.
 Fragility lognormal_between(double low, double p_low, double high, double p_high);
 

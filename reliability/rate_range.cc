@@ -1,6 +1,7 @@
 #include "reliability/rate_range.h"
 #include "reliability/failure_rate.h"
 #include "reliability/lognormal_between.h"
+#include "reliability/normal.h"
 #include <algorithm>
 #include <cmath>
 

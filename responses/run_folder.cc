@@ -6,7 +6,6 @@
 #include "responses/open_impact.h"
 #include "responses/summary.h"
 #include <filesystem>
-#include <fmt/format.h>
 
 namespace rimpact {
 namespace {
@@ -27,9 +26,7 @@ nlohmann::json with_identity(nlohmann::json summary, const scene::Scene &scene) 
 
 void write_run_folder(const std::string &folder, const scene::Scene &scene, Response response, const Summary &given) {
   namespace fs = std::filesystem;
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw IoError(fmt::format("cannot create the folder {}: {}", folder, error.message()));
+  make_folder(folder);
   const auto in = [&](const char *name) { return (fs::path(folder) / name).string(); };
   Summary summary = given;
   if (summary.status != RunStatus::done || doubt_of_rebound(response, summary.impacts))

@@ -36,8 +36,8 @@ void doubt_records(const Scene &scene, std::vector<std::string> &found) {
   for (std::size_t i = 0; i < axes.size(); ++i) {
     if (axes[i].file.empty()) continue;
     if (const auto kind = kind_of(axes[i].file); kind != DirectionKind::unknown && kind != axes[i].kind)
-      found.push_back(fmt::format("{} = {} is a {} record by its header or name", axes[i].key, axes[i].file,
-                                  kind == DirectionKind::vertical ? "vertical" : "horizontal"));
+      found.push_back(
+          fmt::format("{} = {} is a {} record by its header or name", axes[i].key, axes[i].file, word(kind)));
     if (!is_builtin_record(axes[i].file) && !axes[i].signal.values.empty())
       for (const auto &doubt : record_doubts(axes[i].signal, scene.load.gravity))
         found.push_back(fmt::format("{}: {}: {}", axes[i].key, axes[i].file, doubt));

@@ -16,7 +16,7 @@ struct Limits {
   bool infinite = false;             ///< it may be infinite too
   bool contains(double value) const; ///< NaN is nowhere
 };
-inline constexpr Limits flag{0, 1, true}, count{0, 1e15, true};
+inline constexpr Limits count{0, 1e15, true};
 inline constexpr Limits infinite_too{.infinite = true};
 
 struct Checkpoint {
@@ -24,7 +24,6 @@ struct Checkpoint {
   std::map<std::string, std::string> texts;
   std::string path = {}; ///< of the file it was read from, for messages
 
-  bool has(const std::string &name) const { return numbers.count(name) > 0; }
   /// A field of `due` values within the limits; of any number of values. Throw DataError.
   const std::vector<double> &field(const std::string &name, std::size_t due, Limits limits = {}) const;
   const std::vector<double> &field(const std::string &name, Limits limits = {}) const;

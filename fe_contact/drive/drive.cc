@@ -25,6 +25,12 @@ void Drive::restore(const Checkpoint &file) {
   steps_at_saving_ = record_.n_steps;
 }
 
+MarchReport Drive::march_to(double start, double end, const StepLimits &limits) {
+  MarchReport report = Stepper::march_to(start, end, limits);
+  record_.n_cuts += report.cuts;
+  return report;
+}
+
 void Drive::prepare(double, double dt) {
   if (!is_interrupted(options_)) return;
   next_step_ = dt;

@@ -21,7 +21,8 @@ protected:
   /// Writes the checkpoint. The run goes on from it as one does that reads it, to the last bit.
   void save();
   void restore(const Checkpoint &file); ///< throws DataError
-  void count(const MarchReport &report) { record_.n_cuts += report.cuts; }
+  /// The stretch's cuts are the record's.
+  MarchReport march_to(double start, double end, const StepLimits &limits);
 
   const RunOptions &options_;
   RunRecord &record_;

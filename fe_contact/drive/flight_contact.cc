@@ -60,7 +60,6 @@ void FlightRun::contact() {
   }
   const double longest = plan_.step_in_contact, smallest = smallest_step();
   const MarchReport report = march_to(bearing_.t, end_time(), {next_step_, smallest, longest});
-  count(report);
   if (report.finished) return;
   next_step_ = smallest;
   save();

@@ -83,7 +83,6 @@ private:
   }
   void accept(const SolvedStep &step) override {
     book(at_.ledger, energies_);
-    report_.capped_steps += step.report.capped;
     at_.t = step.end();
     after_step_(at_.t, state_, step.report);
   }

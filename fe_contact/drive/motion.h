@@ -46,7 +46,7 @@ struct MotionPoint {
 struct MotionReport {
   MarchReport march;
   EnergyLedger ledger;
-  int iterations = 0, capped_steps = 0;
+  int iterations = 0;
   double imbalance() const; ///< of the ledger, without its sign
 };
 /// What sees each accepted step, and where the motion stands after it.

@@ -68,7 +68,6 @@ private:
   void push(const PathCourse::Phase &phase) {
     const double first = next_step_ > 0 ? next_step_ : phase.first;
     const MarchReport report = march_to(reached_, phase.end, {first, phase.smallest, phase.largest, course_.growth});
-    count(report);
     reached_ = report.finished ? phase.end : report.reached;
     if (report.finished) return;
     next_step_ = phase.largest;

@@ -48,8 +48,7 @@ void append(RunRecord &record, const SampleRow &row) {
                                                     {"energy_integrator", e.integrator}};
   for (const auto &[name, value] : values) r.append(name, value);
   append_work(record);
-  const bool kept_so_far = r.size() == 1 || r.has("pad_pressure_max"); // a checkpoint of an older build has none
-  if (row.pad_pressure && kept_so_far) r.append("pad_pressure_max", *row.pad_pressure);
+  if (row.pad_pressure) r.append("pad_pressure_max", *row.pad_pressure);
   if (row.seat) {
     const double so_far = // what the preload took is no part of it
         r.has("energy_friction_seat") ? r.series("energy_friction_seat").back() + row.seat->friction_work : 0.0;

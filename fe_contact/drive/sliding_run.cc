@@ -89,7 +89,6 @@ void SlidingRun::march_on() {
                          : resting_ ? planning::longest_resting_step
                                     : longest_sliding_step;
   const MarchReport report = march_to(t_, end_time(), {std::min(next_step_, longest), motion_.smallest_step, longest});
-  count(report);
   next_step_ = report.wanted;
   if (!report.finished) {
     save();

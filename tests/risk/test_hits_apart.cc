@@ -1,7 +1,7 @@
 // Fragilities and rates of a made-up bearing whose rim stops it, and whose truth is known.
 #include "made_up.h"
 #include "reliability/failure_rate.h"
-#include "reliability/lognormal_between.h"
+#include "reliability/normal.h"
 #include "risk/evaluate.h"
 #include <algorithm>
 #include <gtest/gtest.h>
