@@ -79,7 +79,7 @@ NamedTexts exit_codes() {
       {ExitCode::input, "the command line or a TOML file: the message names file, line, value and bound"},
       {ExitCode::data, "a data file: a record, a table, a mesh, a response"},
       {ExitCode::stopped, "the solver stopped: what is before it, and a checkpoint, are kept"},
-      {ExitCode::gate, "a gate of calibrate or study was not met"},
+      {ExitCode::gate, "a gate of calibrate, study or compare was not met"},
       {ExitCode::io, "reading or writing failed, or another process has the folder"},
       {ExitCode::interrupted, "interrupted: --resume goes on"}};
   NamedTexts list;

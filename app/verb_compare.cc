@@ -1,12 +1,13 @@
 // rimpact compare A B [...]: what differs between scenes, then metrics between their responses; with -o, pictures.
+#include "app/compare_limits.h"
 #include "app/compare_picture.h"
 #include "app/compared_run.h"
 #include "app/verb.h"
 #include "calibration/data/metrics.h"
 #include "files/error.h"
+#include "files/file.h"
 #include "files/json_text.h"
 #include "scene/scene.h"
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
@@ -35,30 +36,6 @@ struct Compared {
   calibration::Comparison metrics;
 };
 
-/// A figure of the comparison as an engineer reads it.
-struct Row {
-  const char *title, *meaning;
-  std::optional<double> calibration::Comparison::*figure;
-  double factor;
-  const char *unit;
-};
-constexpr std::array rows{
-    Row{"peak impact force", "of the hardest impact", &calibration::Comparison::peak_force_error, 100, "%"},
-    Row{"peak displacement", "horizontal", &calibration::Comparison::peak_displacement_error, 100, "%"},
-    Row{"approach speed", "of the hardest impact, at its touch", &calibration::Comparison::approach_speed_error, 100,
-        "%"},
-    Row{"rebound speed", "of the hardest impact, at its release", &calibration::Comparison::rebound_error, 100, "%"},
-    Row{"restitution", "rebound over approach speed, of the hardest impact",
-        &calibration::Comparison::restitution_error, 100, "%"},
-    Row{"first touch", "later than A's", &calibration::Comparison::touch_time_difference, 1e3, "ms"},
-    Row{"displacement, rms", "difference over L_c, from first touch to 0.5 s after release",
-        &calibration::Comparison::nrmse_displacement, 100, "% of L_c"},
-    Row{"impact force, rms", "difference over A's peak, the same span", &calibration::Comparison::nrmse_force, 100,
-        "% of peak"},
-    Row{"lateral force, rms", "difference over A's peak, the same span", &calibration::Comparison::nrmse_lateral_force,
-        100, "% of peak"},
-};
-
 /// A for the reference, B, C, ... for the others.
 std::string letter(std::size_t k) {
   return std::string(1, static_cast<char>('A' + std::min<std::size_t>(k, 25)));
@@ -75,13 +52,10 @@ std::string text_of(const std::string &reference, const std::vector<Compared> &a
   text += fmt::format("{:20s}", "");
   for (std::size_t k = 0; k < all.size(); ++k) text += fmt::format(" {:>20s}", letter(k + 1) + " against A");
   text += "\n";
-  for (const auto &row : rows) {
-    text += fmt::format("{:20s}", row.title);
-    for (const auto &each : all) {
-      const auto value = each.metrics.*row.figure;
-      text += fmt::format(" {:>20s}", value ? fmt::format("{:+.2f} {}", row.factor * *value + 0.0, row.unit) : "-");
-    }
-    text += fmt::format("   {}\n", row.meaning);
+  for (const auto &figure : compared_figures()) {
+    text += fmt::format("{:20s}", figure.title);
+    for (const auto &each : all) text += fmt::format(" {:>20s}", in_words(figure, value_of(figure, each.metrics)));
+    text += fmt::format("   {}\n", figure.meaning);
   }
   return text;
 }
@@ -104,6 +78,8 @@ struct CompareOptions {
   std::vector<std::string> paths;
   std::string folder; ///< of the pictures and the page; empty: none
   std::optional<double> capacity_mm;
+  std::vector<std::string> limits; ///< --max
+  std::string junit;               ///< a file; empty: none
   bool anyway = false;
 };
 
@@ -123,54 +99,89 @@ std::string draw(const std::string &folder, const std::vector<ComparedRun> &item
   return draw_comparison(folder, curves, capacity);
 }
 
-void run_compare(const CompareOptions &options, Console &console) {
+/// Throws InputError where the runs are of different things, unless --anyway.
+Compared compared(const ComparedRun &reference, const ComparedRun &item, double capacity, bool anyway,
+                  Console &console) {
+  Compared each{.path = item.path, .differences = {}, .metrics = {}};
+  if (reference.scene.empty() || item.scene.empty())
+    console.message(fmt::format("{} holds no scene: nothing says that {} and {} are of one bearing, load and motion",
+                                reference.scene.empty() ? reference.path : each.path, reference.path, each.path));
+  else
+    each.differences = differences_between(reference, item);
+  if (!reference.carried.empty() && !item.carried.empty() && reference.carried != item.carried)
+    each.differences.insert(each.differences.begin(), {"building", reference.carried, item.carried, false});
+  if (!anyway) refuse_others(reference.path, each);
+  each.metrics = calibration::compare(reference.response, item.response, capacity);
+  return each;
+}
+
+/// Of each candidate: a run that is no result, and one that is held against such a run, keep no limit.
+std::vector<Judged> judged(const std::vector<FigureLimit> &limits, const std::vector<ComparedRun> &items,
+                           const std::vector<Compared> &all) {
+  std::vector<Judged> verdicts;
+  for (std::size_t k = 1; k < items.size(); ++k) {
+    const std::string doubt = items[0].doubt.empty() ? items[k].doubt : "of the reference: " + items[0].doubt;
+    verdicts.push_back(judge(limits, all[k - 1].metrics, doubt));
+    verdicts.back().name = letter(k), verdicts.back().path = items[k].path;
+  }
+  return verdicts;
+}
+
+json json_of(const std::vector<ComparedRun> &items, const std::vector<Compared> &all,
+             const std::vector<Judged> &verdicts) {
+  json table = calibration::to_json(all.front().metrics);
+  table["differences"] = to_json(all.front().differences);
+  table["figures"] = figures_json(all.front().metrics), table["limits"] = to_json(verdicts.front());
+  table["doubts"] = json::object();
+  for (const auto &item : items)
+    if (!item.doubt.empty()) table["doubts"][item.path] = item.doubt;
+  table["candidates"] = json::array();
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    json candidate = calibration::to_json(all[k].metrics);
+    candidate["path"] = all[k].path;
+    candidate["differences"] = to_json(all[k].differences);
+    candidate["figures"] = figures_json(all[k].metrics), candidate["limits"] = to_json(verdicts[k]);
+    table["candidates"].push_back(candidate);
+  }
+  return table;
+}
+
+void require(const CompareOptions &options) {
   if (options.paths.size() < 2) throw InputError("compare needs two or more: the first is the reference");
   if (options.paths.size() > 26) throw InputError("compare takes 26 responses or fewer");
   constexpr double most = 1e4; // [mm]
   if (const auto given = options.capacity_mm; given && !(*given > 0 && *given <= most))
     throw InputError(fmt::format("--capacity-mm {:g} must be > 0 and <= {:g}", *given, most));
+  if (!options.junit.empty() && options.limits.empty())
+    throw InputError("--junit writes what came of limits: give some, as --max peak=5,rebound=10");
+}
+
+void run_compare(const CompareOptions &options, Console &console) {
+  require(options);
+  const auto limits = limits_of(options.limits);
   std::vector<ComparedRun> items;
   for (const auto &path : options.paths) items.push_back(read_compared(path));
   const double capacity = capacity_of(items, options.capacity_mm, console);
   for (const auto &item : items)
     if (!item.doubt.empty()) console.warn(item.path + ": " + item.doubt);
-  const ComparedRun &reference = items.front();
   std::vector<Compared> all;
-  for (std::size_t k = 1; k < items.size(); ++k) {
-    Compared each{.path = items[k].path, .differences = {}, .metrics = {}};
-    if (reference.scene.empty() || items[k].scene.empty())
-      console.message(fmt::format("{} holds no scene: nothing says that {} and {} are of one bearing, load and motion",
-                                  reference.scene.empty() ? reference.path : each.path, reference.path, each.path));
-    else
-      each.differences = differences_between(reference, items[k]);
-    if (!reference.carried.empty() && !items[k].carried.empty() && reference.carried != items[k].carried)
-      each.differences.insert(each.differences.begin(), {"building", reference.carried, items[k].carried, false});
-    if (!options.anyway) refuse_others(reference.path, each);
-    each.metrics = calibration::compare(reference.response, items[k].response, capacity);
-    all.push_back(each);
-  }
+  for (std::size_t k = 1; k < items.size(); ++k)
+    all.push_back(compared(items.front(), items[k], capacity, options.anyway, console));
+  const auto verdicts = judged(limits, items, all);
   const std::string page = options.folder.empty() ? "" : draw(options.folder, items, all, capacity);
+  if (!options.junit.empty()) write_atomically(junit_of(items.front().path, verdicts), options.junit);
   if (console.json) {
-    json table = calibration::to_json(all.front().metrics);
-    table["differences"] = to_json(all.front().differences);
+    json table = json_of(items, all, verdicts);
     table["lateral_capacity_m"] = capacity;
-    table["doubts"] = json::object();
-    for (const auto &item : items)
-      if (!item.doubt.empty()) table["doubts"][item.path] = item.doubt;
-    table["candidates"] = json::array();
-    for (const auto &each : all) {
-      json candidate = calibration::to_json(each.metrics);
-      candidate["path"] = each.path;
-      candidate["differences"] = to_json(each.differences);
-      table["candidates"].push_back(candidate);
-    }
     if (!page.empty()) table["page"] = page;
-    return console.data(json_text(table));
+    console.data(json_text(table));
+  } else {
+    console.data(text_of(items.front().path, all) + text_of(verdicts));
+    if (!page.empty()) console.data(page + "\n");
+    for (const auto &each : all)
+      for (const auto &note : each.metrics.notes) console.message(each.path + ": " + note);
   }
-  console.data(text_of(reference.path, all));
-  if (!page.empty()) console.data(page + "\n");
-  for (const auto &each : all)
-    for (const auto &note : each.metrics.notes) console.message(each.path + ": " + note);
+  require_met(verdicts);
 }
 
 } // namespace
@@ -184,6 +195,13 @@ void add_compare(CLI::App &app, Console &console) {
       ->required();
   verb->add_option("-o,--output", options->folder, "a folder for pictures and one HTML page of all curves");
   verb->add_option("--capacity-mm", options->capacity_mm, "L_c, where no scene is known");
+  verb->add_option(
+          "--max", options->limits,
+          "limits as peak=5,rebound=10,time_ms=2 (per cent, but for time): exit code 5 where one is not met; of "
+          "peak, displacement, approach, rebound, restitution, time_ms, rms_displacement, rms_force, rms_lateral")
+      ->delimiter(',')
+      ->allow_extra_args(false);
+  verb->add_option("--junit", options->junit, "a file for what came of the limits, as JUnit XML");
   verb->add_flag("--anyway", options->anyway, "compare runs of different bearings, loads or excitations");
   console.add_common(*verb);
   console.add_json(*verb);

@@ -43,7 +43,9 @@ constexpr std::array words{
           "rimpact calibrate runs/window-*/ -o my-calibration\n"
           "rimpact calibrate test-07.toml --law elastoplastic --sigma force=0.02",
           "rimpact reduced SCENE --calibration {}", "results/calibration"},
-    Words{"compare", "rimpact compare my-run my-reduced\nrimpact compare my-run test-07.toml --json",
+    Words{"compare",
+          "rimpact compare my-run my-reduced\nrimpact compare my-run test-07.toml --json\n"
+          "rimpact compare reference my-run --max peak=5,rebound=10,time_ms=2 --junit compare.xml",
           "rimpact report DIR draws one of them"},
     Words{"geometry", "rimpact geometry my-case/bearing.toml --samples 40 --range speed=0.1:0.6 -o my-study",
           "rimpact report {}"},

@@ -12,12 +12,13 @@ Units are SI throughout; names are those of response.h5. Signs and terms: docs/i
 """
 from rimpact import compiled  # first: it says what to do where the compiled module is missing
 from rimpact.calibration import Calibration, calibrate
+from rimpact.comparison import Comparison, compare
 from rimpact.errors import DataError, Error, GateError, InputError, OutputError, Stopped
 from rimpact.laws import Law, law
 from rimpact.records import motion
 from rimpact.results import Fleet, Run, load, load_fleet
 from rimpact.scene import Scene, bearing_names, run_reduced, scene_names, summarise
 
-__all__ = ["Calibration", "DataError", "Error", "Fleet", "GateError", "InputError", "Law", "OutputError", "Run", "Scene", "Stopped",
-           "bearing_names", "calibrate", "law", "load", "load_fleet", "motion", "run_reduced", "scene_names", "summarise"]
+__all__ = ["Calibration", "Comparison", "DataError", "Error", "Fleet", "GateError", "InputError", "Law", "OutputError", "Run", "Scene", "Stopped",
+           "bearing_names", "calibrate", "compare", "law", "load", "load_fleet", "motion", "run_reduced", "scene_names", "summarise"]
 __version__ = compiled.version

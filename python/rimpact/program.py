@@ -4,6 +4,7 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
+from collections.abc import Collection
 from pathlib import Path
 
 from rimpact.errors import InputError, of_code
@@ -21,10 +22,11 @@ def path() -> str:
     raise InputError("the command rimpact was not found; set RIMPACT_PROGRAM to it")
 
 
-def run(*words: str) -> str:
-    """Runs a verb and returns what it prints; a failure raises the exception of its exit code with the command's own sentence."""
+def run(*words: str, accept: Collection[int] = (0,)) -> str:
+    """Runs a verb and returns what it prints; a failure, an exit code that is not among `accept`, raises its exception with the
+    command's own sentence."""
     done = subprocess.run([path(), *words], capture_output=True, text=True, check=False)
-    if done.returncode:
+    if done.returncode not in accept:
         said = [line for line in done.stderr.splitlines() if line.startswith("error: ")]
         raise of_code(done.returncode)((said or [f"rimpact {words[0]} ended with code {done.returncode}"])[-1].removeprefix("error: "))
     return done.stdout

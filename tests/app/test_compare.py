@@ -4,6 +4,7 @@ import os
 import shutil
 import tempfile
 import unittest
+import xml.etree.ElementTree as ElementTree
 
 from command import rimpact
 
@@ -161,6 +162,50 @@ class Compare(unittest.TestCase):
             self.assertEqual(run.returncode, 3)
             self.assertIn("bare.csv", run.stderr)
             self.assertIn("Ix_N", run.stderr)
+
+    def test_limits_make_a_test_of_it(self):
+        """sqrt(5 / 4.5) of the force is 5.4 %: met by 6, missed by 5."""
+        met = rimpact("compare", self.path("a"), self.path("stiff"), "--max", "peak=6,time_ms=0.1", "--max", "rebound=1")
+        self.assertEqual(met.returncode, 0, met.stderr)
+        for title, words in (("peak impact force", "within 6 %"), ("rebound speed", "within 1 %"), ("first touch", "within 0.1 ms")):
+            self.assertRegex(met.stdout, rf"{title} +met   {words}\n")
+        self.assertNotIn("limits", rimpact("compare", self.path("a"), self.path("stiff")).stdout)
+        missed = rimpact("compare", self.path("a"), self.path("stiff"), self.path("a"), "--max", "peak=5,rebound=1")
+        self.assertEqual(missed.returncode, 5)
+        self.assertRegex(missed.stdout, r"peak impact force +NOT MET +met   within 5 %")
+        self.assertRegex(missed.stderr, r"error: 1 of 4 limits are not met: B: peak impact force: \+5\.4\d % against A, within 5 % is allowed")
+        table = json.loads(rimpact("compare", self.path("a"), self.path("stiff"), "--max", "peak=5", "--json").stdout)
+        (limit,) = table["candidates"][0]["limits"]
+        self.assertEqual((limit["name"], limit["met"], limit["limit"], limit["unit"]), ("peak", False, 5, "%"))
+        self.assertAlmostEqual(limit["value"], 100 * table["peak_force_error"])
+        self.assertEqual(len(table["figures"]), 9)
+
+    def test_what_is_not_known_or_no_result_meets_no_limit(self):
+        still, deep = self.window("still-pressed", "excitation.duration_s=0.008"), self.window("too-deep", "excitation.speed_m_per_s=5")
+        for pair, limit, said in (((self.path("a"), still), "rebound=1000", "ends while the rim is pressed"), ((deep, deep), "peak=5", "its forces are no result")):
+            run = rimpact("compare", *pair, "--max", limit)
+            self.assertEqual(run.returncode, 5, run.stderr)
+            self.assertIn(said, run.stderr)
+
+    def test_verdicts_for_continuous_integration(self):
+        odd = self.path('a <b> & "c"')
+        shutil.copytree(self.path("stiff"), odd)
+        junit = self.path("verdicts.xml")
+        run = rimpact("compare", self.path("a"), odd, "--max", "peak=5,rebound=1", "--junit", junit)
+        self.assertEqual(run.returncode, 5, run.stderr)
+        (suite,) = ElementTree.parse(junit).getroot().findall("testsuite")
+        self.assertEqual((suite.get("tests"), suite.get("failures"), suite.get("errors")), ("2", "1", "0"))
+        cases = {case.get("name"): case for case in suite.iter("testcase")}
+        self.assertEqual([case.get("classname") for case in cases.values()], [odd, odd])
+        self.assertIn("within 5 % is allowed", cases["peak impact force within 5 %"].findtext("failure"))
+        self.assertIsNone(cases["rebound speed within 1 %"].find("failure"))
+
+    def test_limits_that_cannot_be_are_refused(self):
+        for words, said in ((["--max", "peek=5"], 'did you mean "peak"'), (["--max", "peak=-1"], "from 0"), (["--max", "peak=nan"], "from 0"), (["--max", "peak"], "NAME=VALUE"),
+                            (["--junit", self.path("none.xml")], "--max peak=5")):
+            run = rimpact("compare", self.path("a"), self.path("stiff"), *words)
+            self.assertEqual(run.returncode, 2, words)
+            self.assertIn(said, run.stderr)
 
 
 if __name__ == "__main__":
