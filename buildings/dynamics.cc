@@ -168,8 +168,8 @@ BuildingResponse BuildingDynamics::evaluate(const BearingModes &modes, double t,
   return r;
 }
 
-void BuildingDynamics::rhs(const BearingModes &modes, double t, const VectorXd &y, VectorXd &dy) const {
-  const BuildingResponse r = evaluate(modes, t, y);
+BuildingResponse BuildingDynamics::rhs(const BearingModes &modes, double t, const VectorXd &y, VectorXd &dy) const {
+  BuildingResponse r = evaluate(modes, t, y);
   dy.setZero(n_state());
   dy.head(n) = y.segment(n, n), dy.segment(n, n) = r.acceleration;
   double friction_power = 0, rim_power = 0;
@@ -181,6 +181,7 @@ void BuildingDynamics::rhs(const BearingModes &modes, double t, const VectorXd &
   }
   dy[work(external)] = r.ground_power, dy[work(damping)] = y.segment(n, n).dot(model.damping * y.segment(n, n));
   dy[work(friction)] = friction_power, dy[work(rim)] = rim_power;
+  return r;
 }
 
 void BuildingDynamics::project(const BearingModes &modes, VectorXd &y) const {

@@ -38,7 +38,8 @@ public:
   Eigen::VectorXd
   start() const; ///< at rest under its weight, displaced and moving as the scene's `free` excitation says
   BuildingResponse evaluate(const BearingModes &modes, double t, const Eigen::VectorXd &y) const;
-  void rhs(const BearingModes &modes, double t, const Eigen::VectorXd &y, Eigen::VectorXd &dy) const;
+  /// Fills the rates; returns what acts, which they were made of.
+  BuildingResponse rhs(const BearingModes &modes, double t, const Eigen::VectorXd &y, Eigen::VectorXd &dy) const;
   /// Closed sliders onto their dishes.
   void project(const BearingModes &modes, Eigen::VectorXd &y) const;
   /// Which bearings carry: of those on their dish and not approaching it, N >= 0, no slider driven through its dish,
