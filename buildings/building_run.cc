@@ -80,12 +80,11 @@ double BuildingRun::largest_step() const {
 
 void BuildingRun::give_up(double t, const VectorXd &y) const {
   for (int b = 0; b < dynamics_.n_bearings(); ++b) {
-    const double r = dynamics_.slider[b].of(y.data()).head<2>().norm(),
-                 edge = dynamics_.laws[b].height.limit_radius();
+    const double r = dynamics_.slider[b].of(y.data()).head<2>().norm(), edge = dynamics_.laws[b].height.limit_radius();
     if (r > 0.98 * edge)
       throw SolverStopped(fmt::format(
-          "the slider of bearing {} left its dish at t = {:.6g} s: travel {:.4g} m reaches the edge at {:.4g} m", b + 1, t,
-          r, edge));
+          "the slider of bearing {} left its dish at t = {:.6g} s: travel {:.4g} m reaches the edge at {:.4g} m", b + 1,
+          t, r, edge));
   }
   throw SolverStopped(fmt::format("the time step of the building became too small at t = {:.6g} s", t));
 }
@@ -137,8 +136,7 @@ void BuildingRun::run(double t_end, BuildingRecorder &recorder) {
     const int event = stepper_.advance(events, t_end);
     recorder.steps.add(s.t);
     dynamics_.project(modes_, s.y1);
-    recorder.segment(dynamics_, modes_,
-                     {s.t, s.t + s.h, s.y0, s.y1, [&](double t) { return s.at((t - s.t) / s.h); }});
+    recorder.segment(dynamics_, modes_, {s.t, s.t + s.h, s.y0, s.y1, [&](double t) { return s.at((t - s.t) / s.h); }});
     stepper_.move_on(s.y1);
     if (stepper_.chatters(100 + 2 * dynamics_.n_bearings())) // all may change at one instant
       throw SolverStopped(fmt::format("the building chatters between branches at t = {:.6g} s", s.t));

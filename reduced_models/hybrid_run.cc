@@ -56,8 +56,8 @@ double HybridRun::largest_step() const {
 void HybridRun::give_up(double t, const State &y) const {
   const double r = std::hypot(y[iX], y[iY]), edge = dynamics_.height.limit_radius();
   if (r > 0.98 * edge)
-    throw SolverStopped(
-        fmt::format("the slider left the dish at t = {:.6f} s: travel {:.6f} m reaches its edge at {:.6f} m", t, r, edge));
+    throw SolverStopped(fmt::format(
+        "the slider left the dish at t = {:.6f} s: travel {:.6f} m reaches its edge at {:.6f} m", t, r, edge));
   throw SolverStopped(fmt::format("the time step of the reduced model became too small at t = {:.6f} s", t));
 }
 
@@ -112,8 +112,7 @@ std::optional<Event> HybridRun::step(double t_end, Recorder &recorder) {
   recorder.steps.add(s.t);
   const Mode during = mode_; // with the direction the step began in: at a stop y1 may lie just beyond v = 0
   dynamics_.project(mode_, s.y1);
-  recorder.segment(during,
-                   {s.t, s.t + s.h, s.y0, s.y1, [&](double t) { return s.at((t - s.t) / s.h); }, &end_},
+  recorder.segment(during, {s.t, s.t + s.h, s.y0, s.y1, [&](double t) { return s.at((t - s.t) / s.h); }, &end_},
                    event && changes_rim(*event));
   stepper_.move_on(s.y1);
   if (stepper_.chatters(100))
@@ -160,8 +159,12 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
   recorder.end(mode_, s.t, s.y0);
   const State &y = s.y0;
   result.mode = mode_;
-  result.state = {s.t,              {y[iX], y[iY], y[iZ]}, {y[iVX], y[iVY], y[iVZ]}, mode_.support == Support::airborne,
-                  {y[iEX], y[iEY]}, mode_.dented};
+  result.state = {s.t,
+                  {y[iX], y[iY], y[iZ]},
+                  {y[iVX], y[iVY], y[iVZ]},
+                  mode_.support == Support::airborne,
+                  {y[iEX], y[iEY]},
+                  mode_.dented};
   return result;
 }
 
