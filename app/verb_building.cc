@@ -17,6 +17,7 @@
 #include "files/json_text.h"
 #include "responses/identity.h"
 #include "responses/limits.h"
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -24,12 +25,17 @@
 namespace rimpact::app {
 namespace {
 
+std::string friction_in_words(const scene::ReducedSettings &reduced) {
+  if (reduced.friction == scene::Friction::coulomb) return "Coulomb's friction in implicit steps";
+  return fmt::format("Park-Wen friction with an elastic slip of {:g} mm", 1e3 * reduced.elastic_slip);
+}
+
 std::string describe(const scene::Scene &scene, const buildings::Frame &frame, const Summary &s,
                      const std::string &folder) {
   const auto &all = s.extra.at("building");
   std::string text =
-      fmt::format("{}: {:.0f} kN on {} bearings; Park-Wen friction with an elastic slip of {:g} mm\n", frame.name,
-                  1e-3 * all.at("weight_N").get<double>(), all.at("bearings").size(), 1e3 * scene.reduced.elastic_slip);
+      fmt::format("{}: {:.0f} kN on {} bearings; {}\n", frame.name, 1e-3 * all.at("weight_N").get<double>(),
+                  all.at("bearings").size(), friction_in_words(scene.reduced));
   text += fmt::format("base shear {:.1f} kN, overturning moment {:.0f} kN m, {} impact(s); {}\n",
                       1e-3 * s.peak_lateral_force, 1e-3 * all.at("peak_overturning_N_m").get<double>(),
                       s.impacts.size(), folder);
@@ -152,7 +158,10 @@ std::string not_of_a_building(const std::string &key) {
 buildings::Frame frame_of(const BuildingOptions &options, Console &console) {
   auto frame = doubted_frame(options.frame, console);
   const auto use = buildings::isolator_use(frame);
-  console.springs_are_read = use.springs || use.whole, console.isolator_is_read = use.whole;
+  const bool coulomb = std::any_of(console.overrides.begin(), console.overrides.end(), [](const std::string &set) {
+    return set.starts_with("reduced.friction=") && set.find("coulomb") != std::string::npos;
+  });
+  console.springs_are_read = use.springs || use.whole || coulomb, console.isolator_is_read = use.whole;
   return frame;
 }
 

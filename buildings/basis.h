@@ -31,9 +31,9 @@ struct MembersResponse {
 };
 
 struct BuildingResponse {
-  Eigen::VectorXd acceleration; ///< q'', relative to the ground
-  Eigen::Vector3d ground;       ///< a_g
-  double ground_power = 0;      ///< [W]
+  Eigen::VectorXd acceleration;               ///< q'', relative to the ground
+  Eigen::Vector3d ground;                     ///< a_g
+  double ground_power = 0, damping_power = 0; ///< [W]
   std::vector<BearingResponse> bearings;
   MembersResponse members; ///< of inelastic ones
 };

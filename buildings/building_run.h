@@ -1,9 +1,7 @@
-/// Dormand-Prince steps with error control on each smooth branch of a building on bearings; an event is located by
-/// repeating the step with other lengths, as for a single bearing (reduced_models/hybrid_run.h).
+/// A building's run by events (reduced_models/motion/event_stepper.h): one smooth branch of its bearings after another.
 #pragma once
 #include "buildings/recorder.h"
-#include "reduced_models/dormand_prince.h"
-#include <functional>
+#include "reduced_models/motion/event_stepper.h"
 
 namespace rimpact::buildings {
 
@@ -14,34 +12,31 @@ public:
   /// small; what came before is in the recorder.
   void run(double t_end, BuildingRecorder &recorder);
 
-private:
+  // What the stepper moves.
+  using Vector = Eigen::VectorXd;
   struct Watch {
     int bearing;
     reduced::Event event;
   };
-  std::vector<Watch> watched() const;
-  /// Of each watched event: positive before it, through zero at it.
-  std::vector<double> values(const std::vector<Watch> &events, double t, const Eigen::VectorXd &y) const;
-  void set_scales();
-  void try_step(double h);
+  void rhs(double t, const Vector &y, Vector &dy) { end_ = dynamics_.rhs(modes_, t, y, dy); }
+  double value(const Watch &watch, double t, const Vector &y) const;
+  double value_at_end(const Watch &watch, const reduced::DormandPrince<Vector> &step) const;
+  bool begins_at_zero(const Watch &) const { return true; }
   double largest_step() const;
-  double next_break(double t, double t_end);
-  void attempt_until_accepted(double t_limit);
-  /// Shortens the step to the first event in it; its place in `events`, or -1.
-  int first_event(const std::vector<Watch> &events);
-  void locate(const std::vector<Watch> &events, int which, double before, double after);
-  void apply(const Watch &watch, double t, Eigen::VectorXd &y, BuildingRecorder &recorder);
-  void set_out_on_rims(double t, const Eigen::VectorXd &y, const Eigen::VectorXd &dy);
-  void arrive_on_rims(double t, const Eigen::VectorXd &y);
-  [[noreturn]] void give_up() const;
+  [[noreturn]] void give_up(double t, const Vector &y) const;
+
+private:
+  std::vector<Watch> watched() const;
+  Vector scales() const;
+  void apply(const Watch &watch, double t, Vector &y, BuildingRecorder &recorder);
+  void set_out_on_rims(double t, const Vector &y, const Vector &dy);
+  void arrive_on_rims(double t, const Vector &y);
 
   const BuildingDynamics &dynamics_;
-  double tolerance_, pulse_step_, contact_step_, h_ = 1e-3;
-  Eigen::VectorXd inverse_scale_;
-  reduced::DormandPrince<Eigen::VectorXd> step_;
+  double tolerance_, pulse_step_, contact_step_;
   BearingModes modes_;
-  std::vector<double> at_start_; ///< values of the watched events where the step begins
-  std::size_t break_index_ = 0;
+  BuildingResponse end_; ///< at the end of the step last tried
+  reduced::EventStepper<BuildingRun> stepper_{*this};
 };
 
 } // namespace rimpact::buildings

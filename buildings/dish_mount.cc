@@ -1,5 +1,4 @@
 #include "buildings/mount.h"
-#include "files/error.h"
 #include "reduced_models/dynamics.h"
 #include <algorithm>
 
@@ -9,20 +8,28 @@ namespace {
 using Eigen::Matrix3d, Eigen::Vector2d, Eigen::Vector3d;
 using reduced::RimContact;
 
+/// The socket's friction over that of a unit arm and coefficient (Dynamics::friction_per_normal), by the sliding face's
+/// state z in place of its direction: |z| K^2 z / |K z|, K the curvatures along meridian and circle [1/m].
+struct SocketShare {
+  Vector3d value;
+  Matrix3d d_state;
+};
+SocketShare socket_share(const scene::Curvatures &k, const reduced::TangentFrame &frame, const Vector3d &z) {
+  const Matrix3d K = k.meridional * frame.meridian * frame.meridian.transpose() +
+                     k.circumferential * frame.circle * frame.circle.transpose();
+  const Vector3d turn = K * z;
+  const double size = z.norm(), rate = turn.norm();
+  if (!(rate > 0)) return {Vector3d::Zero(), K};
+  const Vector3d along = K * turn / rate;
+  return {size * along, along * z.transpose() / size + size / rate * (K * K - along * along.transpose())};
+}
+
 class DishMount : public Mount {
 public:
   explicit DishMount(const scene::Scene &scene)
       : law_(scene), weight_(scene.load.vertical), stiffness_(scene.isolator.contact_stiffness * scene.isolator.points),
         damping_(2 * laws::damping_ratio(scene.isolator.contact_restitution) *
                  std::sqrt(stiffness_ * scene.load.mass)) {
-    if (law_.socket > 0)
-      throw InputError("reduced.socket_friction under a building with bearings of rigid bodies: a dish there has none; "
-                       "--set reduced.socket_friction=false leaves it out");
-    if (scene.reduced.friction != scene::Friction::park_wen)
-      throw InputError("reduced.friction \"coulomb\" of a dish under a building, which takes \"park-wen\"");
-    if (law_.has_rim() && law_.rim.law->yields)
-      throw InputError("reduced.impact_law \"" + scene.reduced.impact_law->name +
-                       "\": beside bearings of rigid bodies a dish's rim does not yield");
     lateral_capacity = law_.lateral_capacity, rim_stiffness = law_.rim.stiffness;
     sunk_ = weight_ / stiffness_;
   }
@@ -33,23 +40,30 @@ public:
 
   void begin_stage(const Stage &stage) override {
     stage_ = stage;
-    State &to = current();
-    to.z0 = at_[0].z + stage.w1 * at_[0].z_rate;
-    if (stage.last()) to.z0 += stage.w2 * at_[1].z_rate;
+    slip_step_ = law_.park_wen() ? stage.own : stage.reach;
+    current().z0 = law_.park_wen() ? reduced::tr_bdf2::base(stage, at_[0].z, at_[0].z_rate, at_[1].z_rate) : at_[0].z;
   }
-  MountForce linearise(const NodeMotion &node) override {
+  MountForce linearise(const NodeMotion &node, bool) override {
     MountForce m{Vector6::Zero(), Matrix6::Zero()};
-    m.tangent.topLeftCorner<3, 3>() = current().evaluate(*this, node, stage_.t, stage_.own, stage_.own);
+    m.tangent.topLeftCorner<3, 3>() = current().evaluate(*this, node, stage_.t, stage_.own, slip_step_);
     m.force.head<3>() = current().force();
     return m;
   }
   double correct(const Vector6 &) override { return 0; }
   void end_stage() override {
     State &to = current();
-    to.z_rate = (to.z - to.z0) / stage_.own;
+    to.z_rate = (to.z - to.z0) / slip_step_;
   }
   double error(double) const override { return 0; }
-  void accept() override { std::swap(at_[0], at_[2]); }
+  void set_out(double t, const Vector6 &acceleration) override {
+    reduced::State rates;
+    rates[reduced::iVX] = acceleration[0], rates[reduced::iVY] = acceleration[1];
+    law_.set_out(mode_, t, at_[0].of_law(), rates);
+  }
+  void accept() override {
+    std::swap(at_[0], at_[2]);
+    law_.arrive(mode_, stage_.t, at_[0].of_law());
+  }
   double wall(int stage) const override {
     if (!law_.has_rim()) return 1e300;
     const double d = at_[stage].u.head<2>().norm() - law_.lateral_capacity;
@@ -60,6 +74,7 @@ public:
     met_ = !met_, mode_.rim = rim_state();
     return true;
   }
+  bool at_wall() const override { return met_; }
   MountPower power(int stage) const override {
     const State &s = at_[stage];
     return {0, -s.friction.dot(s.v), -s.impact.dot(s.v), -s.pendular.dot(s.v)};
@@ -79,7 +94,7 @@ public:
     const State &s = at_[0];
     BearingResponse r;
     r.u = s.u, r.v = s.v, r.height = s.u[2] - std::max(0.0, -s.penetration), r.normal = s.normal;
-    r.pendular = s.pendular, r.friction = s.friction, r.impact = s.impact, r.rim_force = s.impact.head<2>().norm();
+    r.pendular = s.pendular, r.friction = s.friction, r.impact = s.impact, r.rim_force = s.rim_force;
     r.gap = law_.lateral_capacity - s.u.head<2>().norm();
     return r;
   }
@@ -89,13 +104,18 @@ private:
     Vector3d u = Vector3d::Zero(), v = Vector3d::Zero();
     Vector3d z = Vector3d::Zero(), z0 = Vector3d::Zero(), z_rate = Vector3d::Zero(); ///< of friction
     Vector3d pendular = Vector3d::Zero(), friction = Vector3d::Zero(), impact = Vector3d::Zero();
-    double normal = 0, penetration = 0;
+    double normal = 0, penetration = 0, rim_force = 0;
     Vector3d force() const { return pendular + friction + impact; }
+    reduced::State of_law() const {
+      reduced::State y;
+      for (int c = 0; c < 3; ++c) y[reduced::iX + c] = u[c], y[reduced::iVX + c] = v[c];
+      return y;
+    }
 
     /// Forces at the node's motion, and their derivative by its velocity; `weight` of positions, `slip_step` of z.
     Matrix3d evaluate(const DishMount &m, const NodeMotion &node, double t, double weight, double slip_step) {
       u = node.u.head<3>(), v = node.v.head<3>();
-      pendular = friction = impact = Vector3d::Zero(), normal = 0, z = slip_step > 0 ? z0 : z;
+      pendular = friction = impact = Vector3d::Zero(), normal = rim_force = 0, z = slip_step > 0 ? z0 : z;
       Matrix3d B = Matrix3d::Zero();
       if (!(u.head<2>().norm() < m.law_.height.limit_radius())) {
         pendular.setConstant(std::nan("")); // beyond the dish: inadmissible, the step is cut
@@ -113,24 +133,33 @@ private:
         Matrix3d turn = Matrix3d::Zero(); // of the normal, to first order in the slope's change
         turn.topLeftCorner<2, 2>() = p.hessian / S;
         B -= weight * normal * (Matrix3d::Identity() - across) * turn;
-        rub(m, n, slip_step, B);
+        rub(m, p, n, slip_step, B);
       }
       if (m.met_) press(m, t, weight, B);
       return B;
     }
-    void rub(const DishMount &m, const Vector3d &n, double slip_step, Matrix3d &B) {
+    void rub(const DishMount &m, const scene::SurfacePoint &p, const Vector3d &n, double slip_step, Matrix3d &B) {
       const Matrix3d along = Matrix3d::Identity() - n * n.transpose();
       const Vector3d slide = along * v;
       const double speed = slide.norm();
       const auto mu = m.law_.friction_law.at(speed);
       Matrix3d d_velocity = Matrix3d::Zero();
       if (slip_step > 0) {
-        const auto state = reduced::rigid::park_wen_step(along * z0, slide, slip_step / m.law_.elastic_slip);
+        const auto state =
+            m.law_.park_wen()
+                ? reduced::rigid::park_wen_step(along * z0, slide, slip_step / m.law_.elastic_slip)
+                : reduced::rigid::coulomb_step(along * z0, slide, slip_step / reduced::rigid::coulomb_slip);
         z = state.z, d_velocity = state.d_velocity;
       }
-      friction = -mu.value * normal * z;
+      Vector3d share = mu.value * z; // of the normal force
+      Matrix3d d_state = mu.value * Matrix3d::Identity();
+      if (m.law_.socket > 0) {
+        const auto turning = socket_share(m.law_.height.curvatures(u.head<2>().norm()), {p, u.head<2>()}, z);
+        share += m.law_.socket * turning.value, d_state += m.law_.socket * turning.d_state;
+      }
+      friction = -normal * share;
       const Eigen::RowVector3d d_normal = n.transpose() * B;
-      B -= mu.value * z * d_normal + mu.value * normal * d_velocity * along;
+      B -= share * d_normal + normal * d_state * d_velocity * along;
       if (speed > 0 && mu.slope != 0) B -= normal * mu.slope / speed * z * slide.transpose();
     }
     void press(const DishMount &m, double t, double weight, Matrix3d &B) {
@@ -138,8 +167,12 @@ private:
       const double travel = at.norm(), d = travel - m.law_.lateral_capacity;
       if (!(d > 0)) return;
       const auto push = m.law_.rim_push(m.mode_, t, at, speed);
-      impact.head<2>() = -push.inwards / travel * at + push.along / travel * Vector2d(-at.y(), at.x());
+      impact.head<2>() = on_slider(push, at), rim_force = push.inwards;
       if (push.inwards == 0) return;
+      if (m.law_.rim.law->yields) {
+        B.topLeftCorner<2, 2>() += m.by_differences(t, at, speed, weight);
+        return;
+      }
       const Vector2d e = at / travel;
       const auto slopes = m.law_.rim.at({d, speed.dot(e), speed.norm(), 0});
       B.topLeftCorner<2, 2>() -= (weight * slopes.d_penetration + slopes.d_rate) * e * e.transpose() +
@@ -147,11 +180,27 @@ private:
     }
   };
 
-  State &current() { return at_[stage_.last() ? 2 : 1]; }
+  static Vector2d on_slider(const reduced::RimPush &push, const Vector2d &at) {
+    return (-push.inwards * at + push.along * Vector2d(-at.y(), at.x())) / at.norm();
+  }
+  /// Of a rim that yields, by the velocity, positions following with `weight`: a mean over the touch of what the path
+  /// has left has no derivative in closed form.
+  Eigen::Matrix2d by_differences(double t, const Vector2d &u, const Vector2d &v, double weight) const {
+    constexpr double apart = 1e-6; // [m/s]
+    const auto force = [&](const Vector2d &change) {
+      const Vector2d at = u + weight * change;
+      return on_slider(law_.rim_push(mode_, t, at, v + change), at);
+    };
+    const Vector2d here = force(Vector2d::Zero());
+    Eigen::Matrix2d slope;
+    for (int c = 0; c < 2; ++c) slope.col(c) = (force(apart * Vector2d::Unit(c)) - here) / apart;
+    return slope;
+  }
+  State &current() { return at_[stage_.last ? 2 : 1]; }
   RimContact rim_state() const { return met_ ? RimContact::pressed : RimContact::open; }
 
   reduced::Dynamics law_;
-  double weight_, stiffness_, damping_, sunk_;
+  double weight_, stiffness_, damping_, sunk_, slip_step_ = 0;
   bool met_ = false;
   reduced::Mode mode_;
   State at_[3]; ///< start, middle, end of a step

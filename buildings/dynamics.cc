@@ -1,12 +1,11 @@
 #include "buildings/dynamics.h"
 #include "files/error.h"
 #include <cmath>
-#include <Eigen/LU>
 #include <fmt/format.h>
 
 namespace rimpact::buildings {
 
-using Eigen::Vector2d, Eigen::Vector3d, Eigen::VectorXd, Eigen::MatrixXd;
+using Eigen::Vector2d, Eigen::Vector3d, Eigen::VectorXd;
 using reduced::Support, reduced::RimContact;
 
 namespace {
@@ -18,12 +17,8 @@ void check(const scene::Scene &s) {
     refuse(fmt::format("reduced.model \"{}\" by branches: bearings of rigid bodies take the implicit steps",
                        word(s.reduced.model)));
   if (s.reduced.friction != scene::Friction::park_wen)
-    refuse("reduced.friction \"coulomb\": bearings under one rigid base that stick together share their forces in no "
-           "definite way; "
-           "a building takes \"park-wen\", with its elastic slip");
-  if (s.reduced.normal_force != scene::NormalForce::inertia)
-    refuse(fmt::format("reduced.normal_force \"{}\": every bearing of a building has its own, by \"inertia\"",
-                       word(s.reduced.normal_force)));
+    refuse("reduced.friction \"coulomb\" by branches: bearings under one rigid base that stick together share their "
+           "forces in no definite way; implicit steps have an elastic slip");
 }
 
 /// The bearing's scene under its share of the weight.
@@ -42,6 +37,9 @@ void check_building_scene(const scene::Scene &s) {
     throw InputError(
         fmt::format("excitation.kind \"{}\" moves a single bearing; a building takes ricker, record or free",
                     word(s.excitation.kind)));
+  if (s.reduced.normal_force != scene::NormalForce::inertia)
+    throw InputError(fmt::format("reduced.normal_force \"{}\": every bearing of a building has its own, by \"inertia\"",
+                                 word(s.reduced.normal_force)));
 }
 
 BuildingDynamics::BuildingDynamics(const BuildingModel &m, const scene::Scene &scene,
@@ -108,31 +106,28 @@ BearingResponse BuildingDynamics::contact(int b, const reduced::Mode &mode, doub
 
 SupportEquations BuildingDynamics::support_equations(const BuildingResponse &r, const std::vector<int> &closed,
                                                      const std::vector<Vector3d> &per_normal) const {
-  const int m = static_cast<int>(closed.size());
-  SupportEquations e{MatrixXd(m, m), VectorXd(m)};
+  SupportEquations equations(model.n_diaphragms);
   const VectorXd &mass = model.mass;
-  for (int i = 0; i < m; ++i) {
-    const int b = closed[i];
+  for (const int b : closed) {
     const Slider &s = slider[b];
-    const Vector3d G(-r.bearings[b].gradient[0], -r.bearings[b].gradient[1], 1);
-    const double turn = (s.arm_x * G[1] - s.arm_y * G[0]) / mass[s.dof[2]], x = G[0] / mass[s.dof[0]],
-                 y = G[1] / mass[s.dof[1]];
-    for (int j = 0; j < m; ++j) {
-      const Slider &o = slider[closed[j]];
-      const Vector3d &f = per_normal[closed[j]];
-      e.matrix(i, j) = o.dof[0] == s.dof[0] ? x * f[0] + y * f[1] + turn * (o.arm_x * f[1] - o.arm_y * f[0]) : 0;
-    }
-    e.matrix(i, i) += per_normal[b][2] / mass[s.dof[3]];
-    e.rest[i] = r.bearings[b].normal - G.dot(s.of(r.acceleration.data()));
+    const Vector3d G(-r.bearings[b].gradient[0], -r.bearings[b].gradient[1], 1), &f = per_normal[b];
+    equations.add(
+        {.diaphragm = s.dof[0] / 3,
+         .own = f[2] / mass[s.dof[3]],
+         .response = {G[0] / mass[s.dof[0]], G[1] / mass[s.dof[1]], (s.arm_x * G[1] - s.arm_y * G[0]) / mass[s.dof[2]]},
+         .push = {f[0], f[1], s.arm_x * f[1] - s.arm_y * f[0]},
+         .rest = r.bearings[b].normal - G.dot(s.of(r.acceleration.data()))});
   }
-  return e;
+  return equations;
 }
 
 BuildingResponse BuildingDynamics::unsupported(const BearingModes &modes, double t, const VectorXd &y,
                                                std::vector<int> &closed, std::vector<Vector3d> &per_normal) const {
   BuildingResponse r;
   r.ground = laws[0].ground.acceleration(t);
-  VectorXd force = -(model.stiffness * y.head(n)) - model.damping * y.segment(n, n);
+  const VectorXd dashpots = model.damping * y.segment(n, n);
+  VectorXd force = -(model.stiffness * y.head(n)) - dashpots;
+  r.damping_power = y.segment(n, n).dot(dashpots);
   const int nd = model.n_diaphragms, nn = model.n_nodes;
   for (int d = 0; d < nd; ++d) {
     const Vector2d inertia = model.mass[3 * d] * r.ground.head<2>();
@@ -156,8 +151,7 @@ BuildingResponse BuildingDynamics::evaluate(const BearingModes &modes, double t,
   std::vector<Vector3d> per_normal;
   BuildingResponse r = unsupported(modes, t, y, closed, per_normal);
   if (closed.empty()) return r;
-  const auto equations = support_equations(r, closed, per_normal);
-  const VectorXd N = equations.matrix.partialPivLu().solve(equations.rest);
+  const VectorXd N = support_equations(r, closed, per_normal).solve();
   VectorXd added = VectorXd::Zero(n);
   for (std::size_t i = 0; i < closed.size(); ++i) {
     auto &b = r.bearings[closed[i]];
@@ -168,8 +162,8 @@ BuildingResponse BuildingDynamics::evaluate(const BearingModes &modes, double t,
   return r;
 }
 
-void BuildingDynamics::rhs(const BearingModes &modes, double t, const VectorXd &y, VectorXd &dy) const {
-  const BuildingResponse r = evaluate(modes, t, y);
+BuildingResponse BuildingDynamics::rhs(const BearingModes &modes, double t, const VectorXd &y, VectorXd &dy) const {
+  BuildingResponse r = evaluate(modes, t, y);
   dy.setZero(n_state());
   dy.head(n) = y.segment(n, n), dy.segment(n, n) = r.acceleration;
   double friction_power = 0, rim_power = 0;
@@ -179,8 +173,9 @@ void BuildingDynamics::rhs(const BearingModes &modes, double t, const VectorXd &
     friction_power -= bearing.friction.dot(bearing.v), rim_power -= bearing.impact.dot(bearing.v);
     if (std::isnan(bearing.height)) dy.setConstant(bearing.height);
   }
-  dy[work(external)] = r.ground_power, dy[work(damping)] = y.segment(n, n).dot(model.damping * y.segment(n, n));
+  dy[work(external)] = r.ground_power, dy[work(damping)] = r.damping_power;
   dy[work(friction)] = friction_power, dy[work(rim)] = rim_power;
+  return r;
 }
 
 void BuildingDynamics::project(const BearingModes &modes, VectorXd &y) const {

@@ -11,6 +11,7 @@
 /// out.
 #pragma once
 #include "buildings/basis.h"
+#include "buildings/support_equations.h"
 #include "reduced_models/dynamics.h"
 #include "scene/scene.h"
 
@@ -19,26 +20,22 @@ namespace rimpact::buildings {
 /// Branch of every bearing: `support` is sliding or airborne.
 using BearingModes = std::vector<reduced::Mode>;
 
-/// matrix N = rest: accelerations of the closed sliders away from their dishes.
-struct SupportEquations {
-  Eigen::MatrixXd matrix; ///< [1/kg]
-  Eigen::VectorXd rest;   ///< [m/s^2]
-};
-
-/// Throws InputError for an excitation that no building takes, and for a [superstructure].
+/// Throws InputError for an excitation or a normal force that no building takes, and for a [superstructure].
 void check_building_scene(const scene::Scene &scene);
 
 class BuildingDynamics : public BuildingBasis {
 public:
   /// `bearings`: of each supported node, in their order (frame_source.h); the scene's for none. Throws InputError for
-  /// what a building cannot have: Coulomb's law without elastic slip, another normal force than `inertia`, a window.
+  /// what branches cannot have: rigid bodies, and Coulomb's law, which leaves open how bearings that stick share a
+  /// force.
   BuildingDynamics(const BuildingModel &model, const scene::Scene &scene,
                    const std::vector<scene::Scene> &bearings = {});
 
   Eigen::VectorXd
   start() const; ///< at rest under its weight, displaced and moving as the scene's `free` excitation says
   BuildingResponse evaluate(const BearingModes &modes, double t, const Eigen::VectorXd &y) const;
-  void rhs(const BearingModes &modes, double t, const Eigen::VectorXd &y, Eigen::VectorXd &dy) const;
+  /// Fills the rates; returns what acts, which they were made of.
+  BuildingResponse rhs(const BearingModes &modes, double t, const Eigen::VectorXd &y, Eigen::VectorXd &dy) const;
   /// Closed sliders onto their dishes.
   void project(const BearingModes &modes, Eigen::VectorXd &y) const;
   /// Which bearings carry: of those on their dish and not approaching it, N >= 0, no slider driven through its dish,

@@ -74,8 +74,8 @@ public:
     stage_ = stage;
     for (auto &m : members_) {
       m.base = along(m.at[0], stage.w1, m.rates[0]);
-      if (stage.last()) m.base = along(m.base, stage.w2, m.rates[1]);
-      m.at[now()] = m.at[stage.last() ? 1 : 0];
+      if (stage.last) m.base = along(m.base, stage.w2, m.rates[1]);
+      m.at[now()] = m.at[stage.last ? 1 : 0];
     }
     turns_[now()] = turns_[0] + stage.reach * turn_rate_;
   }
@@ -147,7 +147,7 @@ private:
     SectionPoints at[3], rates[3]; ///< at start, middle, end of a step
   };
 
-  int now() const { return stage_.last() ? 2 : 1; }
+  int now() const { return stage_.last ? 2 : 1; }
 
   PlaneVector motion(const Member &m, const VectorXd &q, const VectorXd &turns) const {
     const int n = model_.n_dofs();

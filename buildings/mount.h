@@ -14,13 +14,9 @@ struct NodeMotion {
   Vector6 u = Vector6::Zero(), v = Vector6::Zero();
 };
 
-/// A stage of TR-BDF2 from a step's start: w1 weighs its rates, w2 those of the middle stage (0 in the middle stage).
-struct Stage {
-  double t; ///< of the stage [s]
-  double w1, w2, reach;
-  double own;             ///< weight of the stage's own rates [s]
-  Eigen::Vector3d ground; ///< a_g at t [m/s^2]
-  bool last() const { return w2 > 0; }
+/// A stage (reduced_models/motion/tr_bdf2.h), and a_g there [m/s^2].
+struct Stage : reduced::ImplicitStage {
+  Eigen::Vector3d ground;
 };
 
 /// Force and moment on the node, and their derivative by its velocity, positions following with Stage::own.
@@ -39,21 +35,25 @@ public:
   virtual ~Mount() = default;
   /// Rates at the start of a run, and again where a wall's force has jumped.
   virtual void start(double t, const NodeMotion &node, const Eigen::Vector3d &ground) = 0;
+  /// A step begins; the node has this acceleration there.
+  virtual void set_out(double, const Vector6 &) {}
   virtual void begin_stage(const Stage &stage) = 0;
-  /// At the node's motion and the own unknowns of this iterate, own imbalance taken to first order.
-  virtual MountForce linearise(const NodeMotion &node) = 0;
+  /// At the node's motion and the own unknowns of this iterate, own imbalance taken to first order. `renew` false: by
+  /// the tangent of the iterate before, where own corrections have become small.
+  virtual MountForce linearise(const NodeMotion &node, bool renew) = 0;
   /// Own unknowns follow a correction of the node's velocity; their largest correction [m/s].
   virtual double correct(const Vector6 &node_velocity) = 0;
   virtual void end_stage() = 0;
   /// Local error of the own bodies' positions over a step [m].
   virtual double error(double h) const = 0;
-  /// The step's end becomes the next one's start.
+  /// The step's end becomes the next one's start. Throws SolverStopped where what it stands on holds no longer.
   virtual void accept() = 0;
   /// Least distance [m] by which a wall is from its touch, or from opening again, at a stage as `power` numbers them;
   /// below zero: passed.
   virtual double wall(int stage) const = 0;
   /// Walls at or past zero change, met or left; whether one did.
   virtual bool change_walls() = 0;
+  virtual bool at_wall() const = 0;              ///< whether one is met
   virtual MountPower power(int stage) const = 0; ///< 0 the step's start, 1 its middle, 2 its end
   virtual Vector6 force() const = 0;             ///< on the node at the step's end, or after `start`
   virtual double kinetic_energy() const = 0;
@@ -68,8 +68,8 @@ public:
 /// A bearing of rigid bodies (`dcfp`, `lir-dcfp`) under its share of the weight: its top plate moves and turns with the
 /// node, whose moments are its contacts' about the plate's vertex. Throws InputError for isolator.space "planar".
 std::unique_ptr<Mount> rigid_mount(const scene::Scene &scene);
-/// A dish with rim (`physical`): a slider under the node on unilateral springs of isolator.contact_stiffness a point,
-/// Park-Wen friction; no moments. Throws InputError for a frictional socket.
+/// A dish with rim (`physical`): a slider under the node on unilateral springs of isolator.contact_stiffness a point;
+/// no moments. Coulomb's friction has the elastic slip of the rigid bodies' contacts (rigid_body/system.h).
 std::unique_ptr<Mount> dish_mount(const scene::Scene &scene);
 
 } // namespace rimpact::buildings

@@ -66,34 +66,29 @@ public:
     MotionState &to = current();
     const bool park_wen = model_.system.park_wen;
     slip_step_ = park_wen ? stage.own : stage.reach;
-    for (std::size_t i = 0; i < to.slip.size(); ++i) {
-      to.slip[i] = from.slip[i];
-      if (park_wen) to.slip[i] += stage.w1 * from.slip_rate[i];
-      if (park_wen && stage.last()) to.slip[i] += stage.w2 * middle.slip_rate[i];
-    }
-    moved_ = stage.w1 * from.velocity, base_ = from.velocity + stage.w1 * from.acceleration;
-    to.velocity = from.velocity + stage.reach * from.acceleration;
-    if (stage.last()) {
-      moved_ += stage.w2 * middle.velocity, base_ += stage.w2 * middle.acceleration;
-      to.velocity = middle.velocity + (1 - 2 * tr_bdf2_own) * (stage.own / tr_bdf2_own) * middle.acceleration;
-    }
-    to.poses = from.poses;
+    to.slip = from.slip;
+    if (park_wen)
+      for (std::size_t i = 0; i < to.slip.size(); ++i)
+        to.slip[i] = reduced::tr_bdf2::base(stage, from.slip[i], from.slip_rate[i], middle.slip_rate[i]);
+    start_ = reduced::tr_bdf2::start<Vector>(stage, from, middle);
+    to.velocity = start_.velocity, to.poses = from.poses;
   }
 
-  MountForce linearise(const NodeMotion &node) override {
+  MountForce linearise(const NodeMotion &node, bool renew) override {
     MotionState &to = current();
     place(to, node);
-    const Vector motion = moved_ + stage_.own * to.velocity;
+    const Vector motion = start_.moved + stage_.own * to.velocity;
     for (int b = 0; b < model_.plate; ++b) to.poses[b] = moved_by(at_[0].poses[b], motion, b);
-    Vector f = model_.system.forces(to.poses, to.velocity, {stage_.own, slip_step_, to.slip}, to.contact, &tangent_);
+    Vector f = model_.system.forces(to.poses, to.velocity, {stage_.own, slip_step_, to.slip}, to.contact,
+                                    renew ? &tangent_ : nullptr);
     add_ground(f, stage_.ground);
     const OwnMatrix M = own_mass(to);
-    to.acceleration = (to.velocity - base_) / stage_.own;
-    const OwnVector residual = f.head(n_) - M * to.acceleration.head(n_);
-    const OwnMatrix J = M / stage_.own - tangent_.topLeftCorner(n_, n_);
-    const Eigen::PartialPivLU<OwnMatrix> lu(J);
-    follows_ = lu.solve(Columns(tangent_.block(0, n_, n_, 6)));
-    own_ = lu.solve(residual);
+    to.acceleration = (to.velocity - start_.base) / stage_.own;
+    if (renew) {
+      own_tangent_.compute(M / stage_.own - tangent_.topLeftCorner(n_, n_));
+      follows_ = own_tangent_.solve(Columns(tangent_.block(0, n_, n_, 6)));
+    }
+    own_ = own_tangent_.solve(OwnVector(f.head(n_) - M * to.acceleration.head(n_)));
     const auto back = tangent_.block(n_, 0, 6, n_);
     return {f.segment<6>(n_) + back * own_, tangent_.block<6, 6>(n_, n_) + back * follows_};
   }
@@ -106,7 +101,7 @@ public:
 
   void end_stage() override {
     MotionState &to = current();
-    to.acceleration = (to.velocity - base_) / stage_.own;
+    to.acceleration = (to.velocity - start_.base) / stage_.own;
     for (std::size_t i = 0; i < to.slip.size(); ++i) {
       to.slip_rate[i] = (to.contact[i].slip - to.slip[i]) / slip_step_;
       to.slip[i] = to.contact[i].slip;
@@ -117,17 +112,15 @@ public:
         const Vector3d on_plate = -(to.contact[i].normal + to.contact[i].friction);
         f.head<3>() += on_plate, f.tail<3>() += (to.contact[i].at - to.poses[model_.plate].position).cross(on_plate);
       }
-    force_[stage_.last() ? 2 : 1] = f;
-    power_[stage_.last() ? 2 : 1] = power_of(to, stage_.ground);
+    force_[stage_.last ? 2 : 1] = f;
+    power_[stage_.last ? 2 : 1] = power_of(to, stage_.ground);
   }
 
   double error(double h) const override {
-    const double e1 = h * (4 * tr_bdf2_outer - 1) / 3, e2 = -h / 3, e3 = h * 2 * tr_bdf2_own / 3;
+    const auto velocity = [&](int stage, int body) { return Vector3d(at_[stage].velocity.segment<3>(6 * body)); };
     double largest = 0;
     for (int b = 0; b < model_.plate; ++b)
-      largest = std::max(largest, (e1 * at_[0].velocity.segment<3>(6 * b) + e2 * at_[1].velocity.segment<3>(6 * b) +
-                                   e3 * at_[2].velocity.segment<3>(6 * b))
-                                      .norm());
+      largest = std::max(largest, reduced::tr_bdf2::error(h, velocity(0, b), velocity(1, b), velocity(2, b)).norm());
     return largest;
   }
 
@@ -155,6 +148,9 @@ public:
     return changed;
   }
 
+  bool at_wall() const override {
+    return std::any_of(walls_.begin(), walls_.end(), [&](std::size_t i) { return !model_.system.unmet[i]; });
+  }
   MountPower power(int stage) const override { return power_[stage]; }
   Vector6 force() const override { return force_[0]; }
   double kinetic_energy() const override { return model_.system.kinetic_energy(at_[0].poses, at_[0].velocity); }
@@ -183,7 +179,7 @@ public:
   }
 
 private:
-  MotionState &current() { return at_[stage_.last() ? 2 : 1]; }
+  MotionState &current() { return at_[stage_.last ? 2 : 1]; }
   void place(MotionState &s, const NodeMotion &node) const {
     const Vector3d turn = node.u.tail<3>();
     const double angle = turn.norm();
@@ -225,8 +221,9 @@ private:
   std::vector<std::size_t> walls_;
   WallMemory wall_memory_;
   Stage stage_{};
-  Vector moved_, base_;
+  reduced::StageStart<Vector> start_;
   Matrix tangent_;
+  Eigen::PartialPivLU<OwnMatrix> own_tangent_;
   Columns follows_;
   OwnVector own_;
 };

@@ -73,10 +73,11 @@ HingeEnvelope fly(const BuildingBasis &building, const scene::Scene &scene, cons
 void fly(const Frame &frame, const BuildingModel &model, const scene::Scene &scene,
          const std::vector<scene::Scene> &bearings, const Kept &kept, Summary &summary) {
   const double t_end = scene.excitation.duration;
-  const auto concave = [](const auto &one) { return one.double_concave(); };
-  const bool rigid_bodies = concave(scene) || std::any_of(bearings.begin(), bearings.end(), concave);
+  const auto any = [&](auto has) { return has(scene) || std::any_of(bearings.begin(), bearings.end(), has); };
+  const bool rigid_bodies = any([](const scene::Scene &one) { return one.double_concave(); });
+  const bool coulomb = any([](const scene::Scene &one) { return one.reduced.friction == scene::Friction::coulomb; });
   if (frame.inelastic()) check_plane(frame, scene, rigid_bodies);
-  if (!frame.inelastic() && !rigid_bodies) {
+  if (!frame.inelastic() && !rigid_bodies && !coulomb) {
     const BuildingDynamics dynamics(model, scene, bearings);
     check_start(dynamics, scene.excitation);
     fly(dynamics, scene, kept, summary,

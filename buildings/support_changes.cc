@@ -2,7 +2,6 @@
 #include "buildings/dynamics.h"
 #include <cmath>
 #include <Eigen/Cholesky>
-#include <Eigen/LU>
 
 namespace rimpact::buildings {
 
@@ -29,16 +28,7 @@ void BuildingDynamics::settle(BearingModes &modes, double t, const VectorXd &y, 
   std::vector<int> closed;
   std::vector<Vector3d> per_normal;
   const BuildingResponse r = unsupported(trial, t, y, closed, per_normal);
-  const auto e = support_equations(r, closed, per_normal);
-  VectorXd N = VectorXd::Zero(closed.size());
-  for (int sweep = 0; sweep < 1000; ++sweep) { // projected Gauss-Seidel: every node's own mass rules its row
-    double change = 0;
-    for (std::size_t i = 0; i < closed.size(); ++i) {
-      const double next = std::max(0.0, N[i] + (e.rest[i] - e.matrix.row(i).dot(N)) / e.matrix(i, i));
-      change = std::max(change, std::abs(next - N[i])), N[i] = next;
-    }
-    if (change <= 1e-14 * weight) break;
-  }
+  const VectorXd N = support_equations(r, closed, per_normal).solve_without_pull(1e-14 * weight);
   modes = trial;
   for (std::size_t i = 0; i < closed.size(); ++i)
     if (!(N[i] > 0)) modes[closed[i]].support = Support::airborne;

@@ -84,8 +84,22 @@ struct Hold {
 };
 
 /// What ends a branch. Each has a value that is positive before and falls through zero at the event.
-enum class Event { turning, stop, slip, underway, uplift, landing, collapse, touch, release, let_go, press_again };
-/// Touch and what follows it change the rim's force.
+/// `target`: what the run was to reach, its stop function's zero.
+enum class Event {
+  turning,
+  stop,
+  slip,
+  underway,
+  uplift,
+  landing,
+  collapse,
+  touch,
+  release,
+  let_go,
+  press_again,
+  target
+};
+/// Touch and what follows it change the rim's force, or may: a run's target is its touch.
 inline bool changes_rim(Event event) {
   return event >= Event::touch;
 }

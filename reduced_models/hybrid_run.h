@@ -1,9 +1,8 @@
-/// The event-driven stepper: Dormand-Prince steps with error control on each smooth branch; an event is
-/// located by repeating the step with other lengths, so its accuracy is the integrator's own and not that of
-/// an interpolant.
+/// A bearing's run by events (motion/event_stepper.h): the branches of its dynamics one after another, rests between.
 #pragma once
-#include "reduced_models/dormand_prince.h"
+#include "reduced_models/motion/event_stepper.h"
 #include "reduced_models/recorder.h"
+#include <optional>
 
 namespace rimpact::reduced {
 
@@ -23,36 +22,31 @@ public:
   /// leaves the dish or the steps become too small.
   Result run(const BearingState &start, double t_end, const StopFunction &stop, Recorder &recorder);
 
+  // What the stepper moves.
+  using Vector = State;
+  using Watch = Event;
+  void rhs(double t, const State &y, State &dy) { end_ = dynamics_.rhs(mode_, t, y, dy, &footing_); }
+  double value(Event event, double t, const State &y) const;
+  double value_at_end(Event event, const DormandPrinceStep &step) const;
+  bool begins_at_zero(Event event) const { return event != Event::turning; }
+  double largest_step() const;
+  [[noreturn]] void give_up(double t, const State &y) const;
+
 private:
-  struct Crossing {
-    bool found = false, by_stop = false;
-    Event event{};
-  };
-  void set_scales(const BearingState &start);
-  double largest_step(const Mode &mode) const;
-  void try_step(double h);
-  double event_value(const Crossing &c, double t, const State &y) const;
-  double value_at_end(const Crossing &c) const;
-  bool crosses(const Crossing &c);
-  void locate(const Crossing &c);
-  Crossing first_crossing(const StopFunction &stop);
+  State scales(const BearingState &start) const;
   bool stops_accurately();
   void rest(double t_end, Recorder &recorder);
-  double next_break(double t, double t_end);
-  void attempt_until_accepted(double t_limit);
+  std::optional<Event> step(double t_end, Recorder &recorder);
+  void follow(std::optional<Event> event, Recorder &recorder);
 
   const Dynamics &dynamics_;
   double tolerance_, pulse_scale_, contact_limit_;
-  State inverse_scale_;
   const StopFunction *stop_ = nullptr;
   bool quiet_ = false; ///< no ground motion
-  double stop_start_ = 0;
-  DormandPrinceStep step_;
   Footing footing_;
   Evaluation end_; ///< at the end of the step last tried
   Mode mode_;
-  double h_ = 1e-3;
-  std::size_t break_index_ = 0;
+  EventStepper<HybridRun> stepper_{*this};
 };
 
 /// Instant in (t, t_end] at which a mass at rest starts to slide (or lift), or t_end; shared with the CVODE

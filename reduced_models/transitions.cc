@@ -70,8 +70,10 @@ double Dynamics::value(Event event, const Mode &mode, double t, const State &y) 
     return -trial();
   case Event::turning:
     return u.dot(v);
+  case Event::target:
+    break;
   }
-  throw std::logic_error("unknown event");
+  throw std::logic_error("the run itself knows its target");
 }
 
 RimPush Dynamics::rim_push(const Mode &mode, double t, const Vector2d &u, const Vector2d &v) const {
@@ -222,6 +224,7 @@ double Dynamics::apply(Event event, Mode &mode, double t, State &y) const {
     return 0;
   case Event::turning:
   case Event::collapse:
+  case Event::target:
     return 0;
   }
   settle(mode, t, y);

@@ -18,7 +18,8 @@ HEAD = "<!-- Made by docs/generate/reference.py; do not edit. -->\n"
 SECTIONS = (("bearing.", "Bearing", "In a bearing file without `bearing.`; in a scene under `[bearing]`."), ("load.", "Load", ""),
             ("excitation.", "Excitation", ""), ("model.", "Finite-element model", ""), ("reduced.", "Reduced model", ""),
             ("isolator.", "Double concave bearing", "Read by the reduced models `dcfp` and `lir-dcfp`. A building reads four of them for its dishes too: `points`, "
-             "`contact_stiffness_kN_per_m`, `contact_restitution` and `step_tolerance`. It does so under an inelastic frame and beside double concave bearings: "
+             "`contact_stiffness_kN_per_m`, `contact_restitution` and `step_tolerance`. "
+             "It does so under an inelastic frame, beside double concave bearings and with friction `coulomb`: "
              "there every dish stands on a spring of `points` times `contact_stiffness_kN_per_m` ([guide](../guide/buildings.md#what-a-dish-stands-on))."),
             ("superstructure.", "Superstructure", ""))
 

@@ -21,6 +21,9 @@ inline SlipState coulomb_step(const Eigen::Vector3d &z0, const Eigen::Vector3d &
   return {z, h_over_q / length * (Eigen::Matrix3d::Identity() - z * z.transpose())};
 }
 
+/// The elastic slip by which Coulomb's limit is approached [m]; the error goes with its square root.
+inline constexpr double coulomb_slip = 1e-8;
+
 /// Park-Wen, q z' = v - z max(0, z . v).
 inline SlipState park_wen_step(const Eigen::Vector3d &z0, const Eigen::Vector3d &v, double h_over_q) {
   const auto stage = wen_stage<3>(z0, v, h_over_q, 1, 0);

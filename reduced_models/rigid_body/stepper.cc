@@ -8,7 +8,6 @@ namespace rimpact::reduced::rigid {
 using Eigen::Vector2d, Eigen::Vector3d;
 
 namespace {
-const double diagonal = tr_bdf2_own, outer = tr_bdf2_outer;
 /// A correction this small leaves the tangent as it is [m/s, rad/s]: the next one is measured with the same.
 constexpr double kept_below = 1e-6;
 constexpr int most_iterations = 14;
@@ -114,10 +113,10 @@ void Stepper::linearise(const Poses &poses, double weight, const Matrix &tangent
 }
 
 template <int n>
-bool Stepper::solve(const MotionState &from, double h, const Vector &moved, const Vector &base, double t,
-                    double slip_step, MotionState &to, int &iterations) {
+bool Stepper::solve(const MotionState &from, const ImplicitStage &stage, const StageStart<Vector> &start,
+                    MotionState &to, int &iterations) {
   const int n_bodies = static_cast<int>(system_.bodies.size());
-  const double weight = h * diagonal;
+  const double weight = stage.own, t = stage.t;
   const Vector load = applied(t);
   Chain<n> chain;
   std::array<typename Chain<n>::Part, max_bodies> x;
@@ -125,14 +124,14 @@ bool Stepper::solve(const MotionState &from, double h, const Vector &moved, cons
   to.t = t;
   for (int iteration = 0; iteration < most_iterations; ++iteration) {
     drive(t, to);
-    const Vector motion = moved + weight * to.velocity;
+    const Vector motion = start.moved + weight * to.velocity;
     for (int b = 0; b < n_bodies; ++b) to.poses[b] = moved_by(from.poses[b], motion, b);
     drive(t, to);
     const bool kept = size < kept_below;
     Matrix *tangent = kept ? nullptr : &tangent_;
-    Vector f = system_.forces(to.poses, to.velocity, {weight, slip_step, to.slip}, to.contact, tangent) + load;
+    Vector f = system_.forces(to.poses, to.velocity, {weight, slip_step(stage), to.slip}, to.contact, tangent) + load;
     add_links(system_, to.poses, to.velocity, {weight, weight, to.z}, to.link, f, tangent);
-    to.acceleration = (to.velocity - base) / weight;
+    to.acceleration = (to.velocity - start.base) / weight;
     if (!kept) linearise(to.poses, weight, tangent_, chain);
     for (int b = 0; b < n_bodies; ++b)
       x[b] = f(entries<n>(b)) - system_.inertia<n>(b, to.poses) * to.acceleration(entries<n>(b)).eval();
@@ -147,7 +146,7 @@ bool Stepper::solve(const MotionState &from, double h, const Vector &moved, cons
       to.velocity(entries<n>(b)) += x[b];
     }
     if (size * weight < 1e-12 || size < 1e-11) {
-      to.acceleration = (to.velocity - base) / weight;
+      to.acceleration = (to.velocity - start.base) / weight;
       return true;
     }
     if (iteration >= 3 && size > least / 2) return false; // it goes to and fro over a kink
@@ -157,36 +156,25 @@ bool Stepper::solve(const MotionState &from, double h, const Vector &moved, cons
   return false;
 }
 
-/// A stage at t + reach that weighs the rates of the step's start and (where w2 > 0) of the middle stage.
-bool Stepper::stage(const MotionState &from, double h, double w1, double w2, double reach, MotionState &at,
-                    int &iterations) {
+bool Stepper::stage(const MotionState &from, const ImplicitStage &stage, MotionState &at, int &iterations) {
   const std::size_t n = system_.contacts.size(), n_links = system_.links.size();
   at.slip.resize(n), at.slip_rate.resize(n), at.z.resize(n_links), at.z_rate.resize(n_links);
-  for (std::size_t i = 0; i < n; ++i) {
-    at.slip[i] = from.slip[i];
-    if (system_.park_wen) at.slip[i] += w1 * from.slip_rate[i];
-    if (system_.park_wen && w2 > 0) at.slip[i] += w2 * middle_.slip_rate[i];
-  }
-  for (std::size_t i = 0; i < n_links; ++i) {
-    at.z[i] = from.z[i] + w1 * from.z_rate[i];
-    if (w2 > 0) at.z[i] += w2 * middle_.z_rate[i];
-  }
-  const double own = h * diagonal, slip_step = system_.park_wen ? own : reach;
-  Vector moved = w1 * from.velocity, base = from.velocity + w1 * from.acceleration;
-  if (w2 > 0) {
-    moved += w2 * middle_.velocity, base += w2 * middle_.acceleration;
-    at.velocity = middle_.velocity + (1 - 2 * diagonal) * h * middle_.acceleration;
-  } else {
-    at.velocity = from.velocity + reach * from.acceleration;
-  }
+  at.slip = from.slip;
+  if (system_.park_wen)
+    for (std::size_t i = 0; i < n; ++i)
+      at.slip[i] = tr_bdf2::base(stage, from.slip[i], from.slip_rate[i], middle_.slip_rate[i]);
+  for (std::size_t i = 0; i < n_links; ++i)
+    at.z[i] = tr_bdf2::base(stage, from.z[i], from.z_rate[i], middle_.z_rate[i]);
+  const auto start = tr_bdf2::start<Vector>(stage, from, middle_);
+  at.velocity = start.velocity;
   const auto solved = system_.planar ? &Stepper::solve<3> : &Stepper::solve<6>;
-  if (!(this->*solved)(from, h, moved, base, from.t + reach, slip_step, at, iterations)) return false;
+  if (!(this->*solved)(from, stage, start, at, iterations)) return false;
   for (std::size_t i = 0; i < n; ++i) {
-    at.slip_rate[i] = (at.contact[i].slip - at.slip[i]) / slip_step;
+    at.slip_rate[i] = (at.contact[i].slip - at.slip[i]) / slip_step(stage);
     at.slip[i] = at.contact[i].slip;
   }
   for (std::size_t i = 0; i < n_links; ++i) {
-    at.z_rate[i] = (at.link[i].z - at.z[i]) / own;
+    at.z_rate[i] = (at.link[i].z - at.z[i]) / stage.own;
     at.z[i] = at.link[i].z;
   }
   at.power = powers(at);
@@ -196,18 +184,16 @@ bool Stepper::stage(const MotionState &from, double h, double w1, double w2, dou
 StepReport Stepper::step(const MotionState &from, double h, MotionState &to) {
   StepReport report;
   middle_.poses = to.poses = from.poses;
-  const double first = h * diagonal, w = h * outer;
-  if (!stage(from, h, first, 0, 2 * first, middle_, report.iterations) ||
-      !stage(from, h, w, w, h, to, report.iterations))
+  if (!stage(from, tr_bdf2::middle(from.t, h), middle_, report.iterations) ||
+      !stage(from, tr_bdf2::end(from.t, h), to, report.iterations))
     return report;
   const auto summed = [&](double Works::*p) {
-    return from.works.*p + w * (from.power.*p + middle_.power.*p) + first * to.power.*p;
+    return tr_bdf2::total(h, from.works.*p, from.power.*p, middle_.power.*p, to.power.*p);
   };
   to.works = {summed(&Works::external), summed(&Works::normal),  summed(&Works::slip),
               summed(&Works::wall),     summed(&Works::damping), summed(&Works::hysteretic)};
-  const double e1 = h * (4 * outer - 1) / 3, e2 = -h / 3, e3 = h * 2 * diagonal / 3;
-  report.position_error = e1 * from.velocity + e2 * middle_.velocity + e3 * to.velocity;
-  report.velocity_error = e1 * from.acceleration + e2 * middle_.acceleration + e3 * to.acceleration;
+  report.position_error = tr_bdf2::error(h, from.velocity, middle_.velocity, to.velocity);
+  report.velocity_error = tr_bdf2::error(h, from.acceleration, middle_.acceleration, to.acceleration);
   report.converged = true;
   return report;
 }

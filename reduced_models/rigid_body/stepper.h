@@ -1,16 +1,12 @@
-/// TR-BDF2 for rigid bodies with contacts: both implicit stages by Newton with the analytic tangent, a
-/// third-order error estimate. Source: Bank et al. (1985); coefficients as Hosea and Shampine (1996). Second
-/// order, L-stable: the slider's contact modes (thousands of rad/s, next to no energy) need not be resolved.
+/// TR-BDF2 (motion/tr_bdf2.h) for rigid bodies with contacts: both implicit stages by Newton with the analytic tangent.
+/// It is L-stable: the slider's contact modes (thousands of rad/s, next to no energy) need not be resolved.
 #pragma once
+#include "reduced_models/motion/tr_bdf2.h"
 #include "reduced_models/rigid_body/chain.h"
 #include "reduced_models/rigid_body/storey_link.h"
-#include <cmath>
 #include <functional>
 
 namespace rimpact::reduced::rigid {
-
-/// Weights of TR-BDF2 over a step of 1: of a stage's own rates, and of start and middle stage in the last.
-inline const double tr_bdf2_own = 1 - std::sqrt(0.5), tr_bdf2_outer = std::sqrt(2.0) / 4;
 
 /// A body's pose after the motion (shift, turn) of its six entries in `motion`.
 Pose moved_by(const Pose &pose, const Vector &motion, int body);
@@ -56,13 +52,12 @@ public:
   StepReport step(const MotionState &from, double h, MotionState &to);
 
 private:
-  struct StageData;
   template <int n> void linearise(const Poses &poses, double weight, const Matrix &tangent, Chain<n> &chain) const;
   template <int n>
-  bool solve(const MotionState &from, double h, const Vector &moved, const Vector &base, double t, double slip_step,
-             MotionState &to, int &iterations);
-  bool stage(const MotionState &from, double h, double weight_from, double weight_middle, double reach, MotionState &at,
+  bool solve(const MotionState &from, const ImplicitStage &stage, const StageStart<Vector> &start, MotionState &to,
              int &iterations);
+  bool stage(const MotionState &from, const ImplicitStage &stage, MotionState &at, int &iterations);
+  double slip_step(const ImplicitStage &stage) const { return system_.park_wen ? stage.own : stage.reach; }
   Vector applied(double t) const;
   void drive(double t, MotionState &state) const;
   Works powers(const MotionState &state) const;

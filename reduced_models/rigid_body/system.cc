@@ -173,7 +173,13 @@ Matrix System::mass_matrix(const Poses &poses) const {
 }
 
 double System::kinetic_energy(const Poses &poses, const Vector &velocity) const {
-  return 0.5 * velocity.dot(mass_matrix(poses) * velocity);
+  double twice = 0;
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    const Vector3d omega = velocity.segment<3>(6 * i + 3);
+    twice += bodies[i].mass * velocity.segment<3>(6 * i).squaredNorm() +
+             omega.dot(inertia_in_space(bodies[i], poses[i]) * omega);
+  }
+  return twice / 2;
 }
 
 } // namespace rimpact::reduced::rigid

@@ -69,7 +69,7 @@ public:
   bool planar = false;     ///< motion in x, z and turns about y only: tangents have no other entries
   NormalLaw normal{};
   FrictionCoefficient dish_friction, top_friction, interface_friction; ///< of sets 0, 2 and 1
-  double elastic_slip = 1e-8; ///< q [m]; Coulomb's limit is approached with the square root of q
+  double elastic_slip = coulomb_slip;                                  ///< q [m]
   bool park_wen = false;
   laws::RimElement rim;
   std::vector<bool>

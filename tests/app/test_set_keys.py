@@ -88,7 +88,7 @@ VERBS = [
     Verb("check", ["check", RICKER, "--json"], identity),
     Verb("run", ["run", RICKER, "--dry-run", "--json"], identity),
     Verb("reduced", ["reduced", RICKER, "-o", "out"], scene_of_run),
-    Verb("building", ["building", RICKER, "-o", "out"], scene_of_run, reduced__friction='"coulomb"'),  # it has park-wen
+    Verb("building", ["building", RICKER, "-o", "out"], scene_of_run, reduced__friction='"coulomb"'),  # park-wen without the key
     Verb("main", ["main", "--dry-run", "--json", "--windows-only", "--speeds", "0.2"], identity),
     Verb("geometry", ["geometry", "--samples", "3", "-o", "out"], scenes_of_jobs),
     Verb("study", ["study", RICKER, "--rungs", "rim", "-o", "out"], scenes_of_jobs),

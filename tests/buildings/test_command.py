@@ -219,7 +219,6 @@ class Building(Run, unittest.TestCase):
                 (2, "no such file", ["--frame", "nowhere.toml"]),
                 (2, "broken.toml:2:", ["--frame", broken]),
                 (2, "normal_force", ["--set", "reduced.normal_force=\"static\""]),
-                (2, "elastic slip", ["--set", "reduced.friction=\"coulomb\""]),
                 (2, "isolator.space", ["--set", "reduced.model=\"dcfp\""])):
             run = rimpact("building", "ricker-0.78g-1.0s", "-o", folder, *arguments)
             self.assertEqual(run.returncode, code, run.stderr)

@@ -135,8 +135,6 @@ TEST(BuildingRun, RefusesWhatABuildingCannotHave) {
     }
     return std::string();
   };
-  EXPECT_NE(said([](scene::Scene &s) { s.reduced.friction = scene::Friction::coulomb; }).find("elastic slip"),
-            std::string::npos);
   EXPECT_NE(said([](scene::Scene &s) { s.reduced.normal_force = scene::NormalForce::constant; }).find("inertia"),
             std::string::npos);
   EXPECT_NE(said([](scene::Scene &s) { s.excitation.kind = scene::ExcitationKind::window; }).find("window"),

@@ -104,3 +104,114 @@ TEST(Mounts, RefuseAPlanarBearing) {
     EXPECT_NE(std::string(error.what()).find("isolator.space"), std::string::npos);
   }
 }
+
+namespace {
+
+/// Rims are struck: a block of 160 kN a bearing under the pulse of 0.78 g. Its supports are as good as rigid: with the
+/// default ones normal forces ring during an impact, by 1 % of the lateral force. `own`: lines of [reduced].
+scene::Scene struck(const std::string &own) {
+  return scene::parse_scene(
+      "[load]\nvertical_kN = 160.0\nmass_kg = 16309.888\n[excitation]\nkind = \"ricker\"\namplitude_g = 0.78\n"
+      "period_s = 1.0\ncentre_s = 2.0\nduration_s = 5.0\nscale = 1.05\n[isolator]\nspace = \"spatial\"\npoints = 4\n"
+      "contact_stiffness_kN_per_m = 1e9\nstep_tolerance = 3e-6\n[reduced]\nk_i_kN_per_m = 1e5\n" +
+          own,
+      "test");
+}
+
+/// Of the block on four dishes, by implicit steps.
+Summary by_implicit_steps(const scene::Scene &s) {
+  const BuildingModel model = assemble(block());
+  MountedBuilding building(model, s, std::vector<scene::Scene>(4, s), linear_structure(model, s.load.gravity));
+  ImplicitRun run(building, s);
+  BuildingRecorder recorder(building, nullptr, s.reduced.output_step);
+  run.run(s.excitation.duration, recorder);
+  Summary summary;
+  recorder.summarise(summary);
+  return summary;
+}
+
+void expect_as_one(const Summary &whole, const Summary &one, double tolerance) {
+  EXPECT_NEAR(whole.peak_displacement, one.peak_displacement, tolerance * one.peak_displacement);
+  if (one.min_normal_force.value_or(0) > 0) // else it lifts off: a landing is an impulse there, a force here
+    EXPECT_NEAR(whole.peak_lateral_force, 4 * one.peak_lateral_force, 4 * tolerance * one.peak_lateral_force);
+  ASSERT_EQ(whole.impacts.size(), 4 * one.impacts.size());
+  for (std::size_t i = 0; i < whole.impacts.size(); ++i) {
+    const Impact &own = one.impacts[i / 4];
+    EXPECT_NEAR(whole.impacts[i].touch_time, own.touch_time, 1e-4);
+    EXPECT_NEAR(whole.impacts[i].peak_force, own.peak_force, tolerance * own.peak_force);
+    EXPECT_NEAR(whole.impacts[i].peak_penetration, own.peak_penetration, tolerance * own.peak_penetration);
+  }
+  EXPECT_LT(std::abs(whole.energy->imbalance_relative()), 1e-5);
+}
+
+constexpr const char *park_wen = "friction = \"park-wen\"\nelastic_slip_mm = 0.5\n";
+
+} // namespace
+
+TEST(Mounts, AYieldingRimIsTheOneOfOneBearing) {
+  for (const char *law : {"elastoplastic", "bilinear"}) {
+    const auto s = struck(park_wen + std::string("impact_law = \"") + law + "\"\n");
+    const auto one = reduced::simulate(s).summary;
+    ASSERT_GE(one.impacts.size(), 1U) << law;
+    expect_as_one(by_implicit_steps(s), one, 2e-3);
+  }
+}
+
+/// Struck aslant, so that dents lie beside one another.
+TEST(Mounts, AYieldingRimStruckAslantIsTheOneByBranches) {
+  auto s = struck(park_wen + std::string("impact_law = \"elastoplastic\"\n"));
+  s.excitation = scene::load_scene("pulse-bidirectional").excitation;
+  const auto branches = simulate(block(), s).summary;
+  const auto implicit = by_implicit_steps(s);
+  ASSERT_GE(branches.impacts.size(), 4U);
+  ASSERT_EQ(implicit.impacts.size(), branches.impacts.size());
+  for (std::size_t i = 0; i < implicit.impacts.size(); ++i)
+    EXPECT_NEAR(implicit.impacts[i].peak_force, branches.impacts[i].peak_force, 5e-3 * branches.impacts[i].peak_force);
+  EXPECT_LT(std::abs(implicit.energy->imbalance_relative()), 1e-5);
+}
+
+TEST(Mounts, ASocketRubsAsByBranches) {
+  const auto s = struck(park_wen + std::string("socket_friction = true\nmu_slow = 0.03\nrate_s_per_m = 20.0\n"));
+  const auto plain = struck(park_wen + std::string("mu_slow = 0.03\nrate_s_per_m = 20.0\n"));
+  const auto branches = simulate(block(), s).summary, without = simulate(block(), plain).summary;
+  const auto implicit = by_implicit_steps(s);
+  EXPECT_GT(std::abs(without.energy->friction / branches.energy->friction - 1), 0.01); // it matters
+  EXPECT_NEAR(implicit.energy->friction, branches.energy->friction, 1e-3 * branches.energy->friction);
+  EXPECT_NEAR(implicit.peak_lateral_force, branches.peak_lateral_force, 2e-3 * branches.peak_lateral_force);
+  EXPECT_LT(std::abs(implicit.energy->imbalance_relative()), 1e-5);
+}
+
+TEST(Mounts, CoulombsFrictionUnderABuildingIsTheOneOfOneBearing) {
+  for (const char *own : {"", "mu_slow = 0.03\nrate_s_per_m = 20.0\n", "impact_law = \"elastoplastic\"\n"}) {
+    const auto s = struck(own);
+    const auto whole = simulate(block(), s).summary;
+    const auto one = reduced::simulate(s).summary;
+    ASSERT_EQ(whole.status, RunStatus::done) << whole.reason;
+    ASSERT_GE(one.impacts.size(), 1U);
+    expect_as_one(whole, one, 2e-3);
+    EXPECT_NEAR(whole.residual_displacement, one.residual_displacement, 1e-3);
+  }
+}
+
+/// Dishes whose rims yield, with sockets that rub, stand beside LIR-DCFP bearings; the plan is symmetric about both
+/// axes.
+TEST(Mounts, ASymmetricPlanStaysSymmetric) {
+  for (const char *friction : {park_wen, "friction = \"coulomb\"\n"}) {
+    RegularBuilding b;
+    b.x = {0, 8, 16}, b.y = {0, 8}, b.storeys = {3.5};
+    Frame f = make_frame(b);
+    const auto s = struck(friction + std::string("impact_law = \"elastoplastic\"\nsocket_friction = true\n"));
+    auto lir = s;
+    lir.reduced.model = scene::ModelKind::lir_dcfp, lir.isolator.capacity = 0.6; // the dishes' rims hold the building
+    f.nodes[1].bearing = f.nodes[4].bearing = "lir-dcfp";
+    const auto run = simulate(f, s, {s, lir, s, s, lir, s}).summary;
+    ASSERT_EQ(run.status, RunStatus::done) << run.reason;
+    const auto &building = run.extra.at("building");
+    EXPECT_LT(building.at("peak_base_rotation_rad").get<double>(), 1e-9);
+    const auto force = [&](int b) { return building.at("bearings")[b].at("peak_impact_force_N").get<double>(); };
+    EXPECT_GT(force(0), 1e5);
+    EXPECT_NEAR(force(0), force(3), 1e-6 * force(0)); // across
+    EXPECT_NEAR(force(2), force(5), 1e-6 * force(2));
+    EXPECT_LT(std::abs(run.energy->imbalance_relative()), 1e-5);
+  }
+}

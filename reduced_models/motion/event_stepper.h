@@ -1,0 +1,134 @@
+/// Dormand-Prince steps with error control on one smooth branch after another, each shortened to the first event in it.
+/// An event is located by repeating the step with other lengths, so its accuracy is the integrator's own and not that
+/// of an interpolant. SI units.
+///
+/// What it moves, a System, has
+///   Vector, Watch            a state; an event that can end a branch
+///   rhs(t, y, dy)            rates; NaN where y is inadmissible, which cuts the step
+///   value(watch, t, y)       positive before the event, through zero at it
+///   value_at_end(watch, s)   the same at the end of the step last tried, whose rates were the last that `rhs` gave
+///   begins_at_zero(watch)    whether a branch that begins at the event's zero can end by it
+///   largest_step()           [s]
+///   give_up(t, y)            throws SolverStopped: the steps have become too small there
+#pragma once
+#include "files/error.h"
+#include "reduced_models/motion/dormand_prince.h"
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace rimpact::reduced {
+
+template <class System> class EventStepper {
+public:
+  using Vector = typename System::Vector;
+  using Watch = typename System::Watch;
+
+  explicit EventStepper(System &system) : system_(system) {}
+
+  /// Before the first step: y0 and the scales by which errors are judged; 0 leaves a component out. `breaks`: instants
+  /// that end a step, ascending; empty: none. They must outlive the steps.
+  void begin(double t, const Vector &y0, const Vector &inverse_scale, const std::vector<double> &breaks) {
+    step.resize(y0.size());
+    step.t = t, step.y0 = y0;
+    inverse_scale_ = inverse_scale, breaks_ = &breaks, next_break_ = 0, h_ = 1e-3, n_short_ = 0;
+  }
+
+  /// One accepted step towards t_end, shortened to the first of `events` in it: its place among them, or -1. step.k[0]
+  /// must hold the rates at its start.
+  template <class Events> int advance(const Events &events, double t_end) {
+    attempt_until_accepted(break_before(t_end));
+    return first_of(events);
+  }
+  void try_step(double h) {
+    step.advance([&](double t, const Vector &y, Vector &dy) { system_.rhs(t, y, dy); }, h);
+  }
+  bool accurate() const { return step.error(inverse_scale_) <= 1; }
+  /// The next step begins where this one ends, at y.
+  void move_on(const Vector &y) {
+    n_short_ = step.h < shortest ? n_short_ + 1 : 0;
+    step.t += step.h, step.y0 = y;
+  }
+  /// More zero-length steps than `most` have followed one another: branches change to and fro.
+  bool chatters(int most) const { return n_short_ > most; }
+
+  DormandPrince<Vector> step; ///< the one last tried
+
+private:
+  static constexpr double shortest = 1e-10; ///< [s]
+
+  double break_before(double t_end) {
+    while (next_break_ < breaks_->size() && (*breaks_)[next_break_] <= step.t + 1e-12) ++next_break_;
+    return next_break_ < breaks_->size() ? std::min((*breaks_)[next_break_], t_end) : t_end;
+  }
+
+  void attempt_until_accepted(double t_limit) {
+    for (;;) {
+      const double room = std::min(system_.largest_step(), t_limit - step.t), h = h_ < 0.999 * room ? h_ : room;
+      try_step(h);
+      const double error = step.error(inverse_scale_);
+      if (error <= 1) {
+        const double grown = h * std::min(4.0, 0.9 * std::pow(std::max(error, 1e-10), -0.2));
+        h_ = h < h_ ? std::max(h_, grown) : grown; // a step cut short by a limit says nothing against a longer one
+        return;
+      }
+      h_ = std::isfinite(error) ? h * std::max(0.2, 0.9 * std::pow(error, -0.2)) : h / 4;
+      if (h_ < 1e-13) system_.give_up(step.t, step.y0);
+    }
+  }
+
+  template <class Events> int first_of(const Events &events) {
+    int first = -1, place = 0;
+    for (const Watch &watch : events) {
+      const double after = system_.value_at_end(watch, step);
+      if (!(after > 0)) {
+        const double before = system_.value(watch, step.t, step.y0);
+        if (before > 0)
+          locate(watch, before, after), first = place;
+        else if (after < 0 && system_.begins_at_zero(watch))
+          first = holds_at_start(watch) ? place : -1; // what was found lies beyond the shortened step
+      }
+      ++place;
+    }
+    return first;
+  }
+
+  /// A branch that began exactly at the zero: whether no shorter step finds a positive value; then the step's length is
+  /// zero.
+  bool holds_at_start(const Watch &watch) {
+    for (double h = step.h / 4; h > shortest; h /= 4) {
+      try_step(h);
+      if (system_.value(watch, step.t + h, step.y1) > 0) return false;
+    }
+    try_step(0);
+    return true;
+  }
+
+  /// Shortens the step to the event, by steps of other lengths from its start (Illinois).
+  void locate(const Watch &watch, double f_low, double f_high) {
+    double low = 0, high = step.h;
+    int last_side = 0;
+    for (int i = 0; i < 100 && high - low > 1e-15 + 1e-16 * step.t; ++i) {
+      double h = (low * f_high - high * f_low) / (f_high - f_low);
+      if (!(h > low && h < high) || i % 12 == 11) h = (low + high) / 2;
+      try_step(h);
+      const double f = system_.value_at_end(watch, step);
+      if (f == 0) return;
+      const int side = f > 0 ? 1 : -1;
+      (f > 0 ? low : high) = h;
+      (f > 0 ? f_low : f_high) = f;
+      if (side == last_side) (f > 0 ? f_high : f_low) /= 2; // Illinois: halve the weight of the end that stays
+      last_side = side;
+    }
+    try_step(high);
+  }
+
+  System &system_;
+  Vector inverse_scale_;
+  const std::vector<double> *breaks_ = nullptr;
+  std::size_t next_break_ = 0;
+  double h_ = 1e-3;
+  int n_short_ = 0;
+};
+
+} // namespace rimpact::reduced
