@@ -31,6 +31,7 @@ const std::vector<Verb> &light_verbs() {
       {"study", add_study},
       {"report", add_report},
       {"export", add_export},
+      {"references", add_references},
       {"thesis", add_thesis},
       {"list", add_list},
       {"help", add_help},

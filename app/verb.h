@@ -29,6 +29,7 @@ void add_motion(CLI::App &app, Console &console);
 void add_new(CLI::App &app, Console &console);
 void add_reduced(CLI::App &app, Console &console);
 void add_reliability(CLI::App &app, Console &console);
+void add_references(CLI::App &app, Console &console);
 void add_report(CLI::App &app, Console &console);
 void add_run(CLI::App &app, Console &console);
 void add_study(CLI::App &app, Console &console);

@@ -57,7 +57,9 @@ constexpr std::array words{
           "check the first analysis against the self-check's table"},
     Words{"list", "rimpact list\nrimpact list keys\nrimpact list laws --json", "rimpact new DIR"},
     Words{"reliability", "rimpact reliability my-study", "rimpact report {}"},
-    Words{"thesis", "rimpact thesis list\nrimpact thesis fig-2-7", ""},
+    Words{"references", "rimpact references --list\nrimpact references window-0.20 pulse-0.78g-1.05 -o again",
+          "rimpact calibrate {}/window-*", "results/references"},
+    Words{"thesis", "rimpact thesis list\nrimpact thesis headlines\nrimpact thesis fig-2-7", ""},
     Words{"help", "rimpact help\nrimpact help calibrate", ""},
     Words{"version", "rimpact version\nrimpact version --json", ""},
     Words{"completion", "rimpact completion bash > ~/.local/share/bash-completion/completions/rimpact", ""}};

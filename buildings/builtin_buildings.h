@@ -7,7 +7,7 @@ namespace rimpact::buildings {
 
 struct BuiltinBuilding {
   std::string name;
-  const char *toml; ///< as a file of the user's would say it
+  std::string toml; ///< as a file of the user's would say it
 };
 const std::vector<BuiltinBuilding> &builtin_buildings();
 

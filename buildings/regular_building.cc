@@ -77,6 +77,7 @@ Frame make_frame(const RegularBuilding &b) {
   f.name = b.name, f.damping_ratio = b.damping_ratio;
   f.sections = {rectangle("column", b.column_x, b.column_y, b.E, b.nu),
                 rectangle("beam", b.beam_width, b.beam_depth, b.E, b.nu)};
+  f.sections[1].Iy *= b.beam_inertia_factor;
   if (!b.shear)
     for (auto &s : f.sections) s.shear_y = s.shear_z = 0;
   const auto along_x = line_shares(b.x, b.eccentricity.x()), along_y = line_shares(b.y, b.eccentricity.y());
@@ -117,6 +118,8 @@ void visit(KeyVisitor &v, RegularBuilding &b) {
   v.number({"column_y_mm", "side of a column along y"}, b.column_y, milli, size);
   v.number({"beam_width_mm", "of every beam"}, b.beam_width, milli, size);
   v.number({"beam_depth_mm", "of every beam"}, b.beam_depth, milli, size);
+  v.number({"beam_inertia_factor", "bending of a beam in the vertical plane over its rectangle's: the slab's flange"},
+           b.beam_inertia_factor, si, {1, 10});
   v.flag({"shear", "members deform in shear (Timoshenko)"}, b.shear);
   v.pair({"eccentricity", "of every level's centre of mass and weight, shares of the plan's sides"}, b.eccentricity,
          {-0.45, 0.45});

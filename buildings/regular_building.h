@@ -18,7 +18,8 @@ struct RegularBuilding {
   double gravity = 9.81;       ///< makes masses of it [m/s^2]
   double E = 23.4e9, nu = 0.2; ///< concrete [Pa], [-]
   double column_x = 0.5, column_y = 0.5, beam_width = 0.5, beam_depth = 0.65; ///< [m]
-  bool shear = true;                                      ///< Timoshenko members; false: Euler-Bernoulli
+  double beam_inertia_factor = 1; ///< bending of a beam in the vertical plane over its rectangle's: a slab's flange [-]
+  bool shear = true;              ///< Timoshenko members; false: Euler-Bernoulli
   Eigen::Vector2d eccentricity = Eigen::Vector2d::Zero(); ///< of every level's mass and weight, shares of the plan's
                                                           ///< sides [-], -0.45..0.45
   double damping_ratio = 0.02;

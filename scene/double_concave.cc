@@ -13,6 +13,8 @@ double angle_of_edge(const DoubleConcave &b, double R) {
 }
 
 double rim_radius(const DoubleConcave &b, double R, double capacity) {
+  if (b.rim_place == RimPlace::approximate)
+    return (capacity + b.slider_diameter + b.slider_height() * capacity / b.effective_radius()) / 2;
   return R * std::sin(std::asin(capacity / b.effective_radius()) + angle_of_edge(b, R));
 }
 

@@ -28,6 +28,21 @@ constexpr auto choices(PlateRotation) {
       {{PlateRotation::fixed, "fixed", "held by what it carries"}, {PlateRotation::free, "free"}});
 }
 
+/// The mass before the dashpots of rims, stop and contact points.
+enum class DampedMass { supported, bearing };
+constexpr auto choices(DampedMass) {
+  return choices_of<DampedMass>(
+      {{DampedMass::supported, "supported", "what the bearing carries, so that an impact returns e"},
+       {DampedMass::bearing, "bearing",
+        "the bearing's own parts, by (3-46); an impact of what it carries is nearly elastic"}});
+}
+/// Where the rim of a plate stands for a given capacity.
+enum class RimPlace { exact, approximate };
+constexpr auto choices(RimPlace) {
+  return choices_of<RimPlace>({{RimPlace::exact, "exact", "touched at the capacity"},
+                               {RimPlace::approximate, "approximate", "by (3-95), some mm farther out"}});
+}
+
 struct DoubleConcave {
   double radius = 1.55;   ///< R of both sliding surfaces, or of the bottom one [m], > D_s/2
   double capacity = 0.30; ///< C_t: displacement at which both rims, or the bottom one, are touched [m], < R_eff
@@ -42,12 +57,15 @@ struct DoubleConcave {
   double rim_height = 0.02;      ///< l of the plates' rims above the edge of the sliding surface [m], > 0
   double stop_height = 0.015;    ///< l_bs above the interface [m], > 0
   double slider_mass = 100.0;    ///< of the whole slider [kg], > 0; halves share it by height
+  double plate_mass = 300.0;     ///< m_tp of (3-46) [kg], > 0; read with the damped mass "bearing" only
   double mu_interface = 0.15;    ///< mu_s [-], constant in speed
   Space space = Space::planar;
-  int points = 2;                                      ///< contact points a set
-  RimTouch rim = RimTouch::circle;                     ///< read in space
-  double contact_stiffness = 2e9;                      ///< k of one contact point [N/m]
-  double contact_restitution = 0.65;                   ///< of the contact's dashpot, (0, 1]
+  int points = 2;                    ///< contact points a set
+  RimTouch rim = RimTouch::circle;   ///< read in space
+  double contact_stiffness = 2e9;    ///< k of one contact point [N/m]
+  double contact_restitution = 0.65; ///< of the contact's dashpot, (0, 1]
+  DampedMass damped_mass = DampedMass::supported;
+  RimPlace rim_place = RimPlace::exact;
   PlateRotation plate_rotation = PlateRotation::fixed; ///< free in space only
   double plate_inertia = 1000.0;                       ///< of the top plate and what turns with it [kg m^2], when free
   /// A dashpot's force begins at the touch, which ends no step there: at 1e-4 later peaks come out up to 6 % low, at
@@ -63,8 +81,10 @@ struct DoubleConcave {
   double rim_tilt() const;       ///< theta_c = asin(C / R_eff), C the lateral capacity [rad]
   double edge_angle() const;     ///< phi = asin(D_s / 2R) of the bottom face [rad]
   double top_edge_angle() const; ///< of the top face [rad]
-  /// b/2 [m] of a plate's rim by the exact condition b/2 = R sin(theta + phi), sin theta = C / R_eff, sin phi = D_s /
-  /// 2R, in place of the approximate (3-95).
+  /// m_s m_tp / (m_s + m_tp), the reduced mass of (3-46) [kg].
+  double own_reduced_mass() const { return slider_mass * plate_mass / (slider_mass + plate_mass); }
+  /// b/2 [m] of a plate's rim. Exact: b/2 = R sin(theta + phi), sin theta = C / R_eff, sin phi = D_s / 2R. Approximate,
+  /// (3-95): b = C + D_s + H_s sin(theta).
   double bottom_rim_radius() const;
   double top_rim_radius() const;
   /// Throws InputError naming key, value and bound.

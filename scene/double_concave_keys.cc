@@ -2,8 +2,22 @@
 
 namespace rimpact::scene {
 
+namespace {
+
+constexpr Range positive{0, huge, true};
+
+/// What of the model is a choice between formulas.
+void visit_readings(KeyVisitor &v, DoubleConcave &b) {
+  v.choice({"damped_mass", "before the dashpots of rims, stop and contact points"}, b.damped_mass);
+  if (v.wants(b.damped_mass == DampedMass::bearing))
+    v.number({"plate_mass_kg", "m_tp of (3-46)"}, b.plate_mass, si, positive);
+  v.choice({"rim_place", "of a plate, for the capacity"}, b.rim_place);
+}
+
+} // namespace
+
 void visit(KeyVisitor &v, DoubleConcave &b, bool impact_resilient) {
-  constexpr Range length_mm{0, 1e5, true}, size_mm{0, 1e5}, positive{0, huge, true};
+  constexpr Range length_mm{0, 1e5, true}, size_mm{0, 1e5};
   v.number({"radius_m", "R of both sliding surfaces"}, b.radius, si, {0, 1e3, true});
   v.number({"capacity_m", "C_t: displacement at which the rims are touched"}, b.capacity, si, {0, 1e3, true});
   if (v.wants(b.top_radius.has_value()))
@@ -26,6 +40,7 @@ void visit(KeyVisitor &v, DoubleConcave &b, bool impact_resilient) {
   }
   v.number({"rim_height_mm", "l, above the edge of the sliding surface"}, b.rim_height, milli, length_mm);
   v.number({"slider_mass_kg", "whole slider"}, b.slider_mass, si, positive);
+  visit_readings(v, b);
   v.choice({"space"}, b.space);
   v.integer({"points", "contact points a set; a building's dish stands on as many"}, b.points, 2, 64);
   if (v.wants(b.space == Space::spatial)) {

@@ -24,15 +24,16 @@ std::vector<Vector2d> layout(const scene::DoubleConcave &b, double radius) {
   return points;
 }
 
-/// A rim is penetrated by about R / (R_1 + R_2) of the travel beyond its capacity, so the bearing has that share's
-/// square of its k and c, summed over the rims that are touched together, and must return e: c is that of this many
-/// supported masses (2 where the plates are alike).
-double mass_before_rims(const scene::DoubleConcave &b) {
+/// The mass whose impact on one rim returns e. A rim is penetrated by about R / (R_1 + R_2) of the travel beyond its
+/// capacity, so the bearing has that share's square of its k and c, summed over the rims that are touched together, and
+/// must return e: c is that of this many supported masses (2 where the plates are alike).
+double mass_before_rim(const scene::DoubleConcave &b, double supported_mass) {
+  if (b.damped_mass == scene::DampedMass::bearing) return b.own_reduced_mass();
   const double R[] = {b.radius, b.upper_radius()}, C[] = {b.capacity, b.upper_capacity()}, both = R[0] + R[1];
   double squares = 0;
   for (int i = 0; i < 2; ++i)
     if (C[i] <= b.lateral_capacity()) squares += R[i] * R[i];
-  return both * both / squares;
+  return supported_mass * both * both / squares;
 }
 
 double depth(double R, double r) {
@@ -60,7 +61,7 @@ DoubleConcaveSystem::DoubleConcaveSystem(const scene::Scene &scene)
   system.interface_friction = {bearing_.mu_interface, bearing_.mu_interface, 0};
   system.park_wen = r.friction == scene::Friction::park_wen && !driven;
   if (system.park_wen) system.elastic_slip = r.elastic_slip;
-  if (r.k_i > 0) system.rim = r.element(mass_before_rims(bearing_) * scene.load.mass);
+  if (r.k_i > 0) system.rim = r.element(mass_before_rim(bearing_, scene.load.mass));
   if (driven) system.rim.damping = 0;
 }
 

@@ -6,8 +6,10 @@ namespace rimpact::reduced::rigid {
 
 using Eigen::Vector2d, Eigen::Vector3d;
 
-double contact_damping(const scene::DoubleConcave &b, double mass, int n_sets) {
-  return 2 * laws::damping_ratio(b.contact_restitution) * std::sqrt(b.contact_stiffness * mass * n_sets / b.points);
+double contact_damping(const scene::DoubleConcave &b, double supported_mass, int n_sets) {
+  const bool own = b.damped_mass == scene::DampedMass::bearing;
+  const double mass = own ? b.own_reduced_mass() : supported_mass * n_sets / b.points;
+  return 2 * laws::damping_ratio(b.contact_restitution) * std::sqrt(b.contact_stiffness * mass);
 }
 
 MotionState DoubleConcaveSystem::state_at(const Vector2d &u, const Vector2d &v) const {

@@ -9,9 +9,9 @@
 
 namespace rimpact::reduced::rigid {
 
-/// c of a contact point [N s/m] so that the supported mass on `n_sets` sets of `points` points in series
-/// comes back with the contact's restitution: 2 xi sqrt(k m n_sets / points). (3-46) leaves the supported
-/// mass out.
+/// c of a contact point [N s/m], 2 xi sqrt(k m). Damped mass "supported": m is the supported mass times n_sets /
+/// points, which on `n_sets` sets of `points` points in series comes back with the contact's restitution. "bearing": m
+/// is the bearing's own reduced mass, as (3-46) prints it.
 double contact_damping(const scene::DoubleConcave &bearing, double supported_mass, int n_sets);
 
 class DoubleConcaveSystem {

@@ -1,4 +1,4 @@
-"""python3 -m report.thesis WHAT --program RIMPACT --output DIR [--records DIR] [--cheap] [--json]: list, one figure or table, or all."""
+"""python3 -m report.thesis WHAT --program RIMPACT --output DIR [--records DIR] [--cheap] [--json]: list, headlines, one figure or table, or all."""
 import argparse
 import json
 import os
@@ -6,7 +6,7 @@ import sys
 
 from ..errors import run_main
 from . import catalogue as catalogues
-from . import tables
+from . import headlines, tables
 from .results import Ours
 
 
@@ -22,6 +22,9 @@ def main(arguments: list[str]) -> None:
     catalogue, ours = catalogues.load(), Ours(options.output)
     if options.what == "list":
         print(json.dumps(tables.list_json(catalogue, ours), indent=1, ensure_ascii=False) if options.json else tables.list_text(catalogue, ours))
+        return
+    if options.what == "headlines":
+        print(json.dumps(headlines.as_json(catalogue, ours), indent=1, ensure_ascii=False) if options.json else headlines.as_text(catalogue, ours))
         return
     entries = catalogue.entries if options.what == "all" else [catalogue.find(options.what)]
     from .make import make  # after the command line: matplotlib takes a second to load

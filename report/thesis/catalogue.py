@@ -4,6 +4,7 @@ A [run.NAME] is a command of rimpact, or a kept reference. An [[entry]] is a fig
 it needs, its panels, and its numbers: what is printed, how ours is found, within what it counts as met. A number that
 cannot be compared says why; one that is not met says the cause."""
 import os
+import re
 import tomllib
 from collections.abc import Iterator
 from dataclasses import dataclass, field
@@ -14,17 +15,20 @@ from ..shapes import ANY, FLAG, NUMBER, TEXT, check, numbers, texts
 
 STATES = ("done", "partly", "missing", "drawing")
 FOLDER = os.path.join(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))), "data")
-NUMBER_SHAPE = {**texts("what unit ours why cause"), **numbers("printed factor within resolved at_least count")}
+NUMBER_SHAPE = {**texts("what unit ours why cause without headline apart"), **numbers("printed factor within resolved at_least count")}
 CURVE = {**texts("run label side"), "x": ANY, "y": ANY}
-PANEL = {**texts("title x_label y_label x y kind of colour unit"), "curves": [CURVE], **numbers("x_factor y_factor R0_m a_m"), "x_range": [NUMBER], "y_range": [NUMBER],
+MARK = {**texts("entry number"), **numbers("curve factor")}  #: a printed number of an entry, drawn in the colour of a curve
+PANEL = {**texts("title x_label y_label x y kind of colour unit"), "curves": [CURVE], "marks": [MARK], **numbers("x_factor y_factor R0_m a_m"), "x_range": [NUMBER], "y_range": [NUMBER],
          "records": [TEXT], "shapes": [{"label": TEXT, "R0_m": NUMBER, "a_m": NUMBER}]}
 SHAPE = {
     "thesis": texts("author title kind university year"),
+    "reading": [texts("what printed exact key")],
+    "reading_count": [{**texts("section"), **numbers("printed exact numbers")}],
     "run": {"*": {"command": [TEXT], "kept": TEXT, "json": FLAG, "seconds": NUMBER, "heavy": FLAG, "records": [TEXT]}},
     "entry": [{**texts("id section title state command differs"), "also": [TEXT], "records": [TEXT], "columns": NUMBER,
                "panel": [PANEL], "number": [NUMBER_SHAPE],
                "table": [{"columns": [TEXT], "paths": [TEXT], "factors": [NUMBER], "within": [NUMBER], "resolved": [NUMBER], "units": [TEXT], "causes": [TEXT],
-                          "row": [{"label": TEXT, "run": TEXT, "printed": [NUMBER]}]}]}],
+                          "row": [{"label": TEXT, "run": TEXT, "without": TEXT, "printed": [NUMBER]}]}]}],
 }
 
 
@@ -32,7 +36,7 @@ SHAPE = {
 class Run:
     name: str
     command: list[str] = field(default_factory=list)  #: words after `rimpact`; {records} stands for the user's folder
-    kept: str = ""       #: folder in data/ instead of a command
+    kept: str = ""       #: a run's folder in data/, or a JSON file there, instead of a command
     json: bool = False   #: the verb prints JSON and leaves no folder
     seconds: float = 1.0
     heavy: bool = False  #: finite elements, or longer than a minute
@@ -44,21 +48,26 @@ class Number:
     what: str
     printed: float | None = None
     unit: str = ""
-    ours: str = ""         #: "run:path", "a / b" or "a / b - 1" of such
+    ours: str = ""         #: "run:path", "a / b" or "a / b - 1" of such; several of these, "; " between them: their mean
     factor: float = 1.0
     within: float | None = None   #: largest difference that counts as met, in the printed unit
     resolved: float = 0.0  #: what the default step tolerance leaves open in ours, in the printed unit
     at_least: float | None = None #: instead: ours is to be so much or more
     why: str = ""          #: why it is not compared
     cause: str = ""        #: why it is not met
+    without: str = ""      #: as `ours`, of a run without that cause: what the cause moves
+    headline: str = ""     #: where the thesis's abstract or conclusions give it as a result
+    apart: str = ""        #: why it proves little: an input, a duplicate, tuned, not printed. It is counted apart
     count: int = 1         #: printed numbers it stands for
 
     def verdict(self, ours: float | None) -> str:
-        """met | not met | not comparable | not run"""
+        """met | not met | apart | not comparable | not run"""
         if self.why:
             return "not comparable"
         if ours is None:
             return "not run"
+        if self.apart:
+            return "apart"
         met = ours >= self.at_least if self.at_least is not None else abs(ours - (self.printed or 0.0)) <= (self.within or 0.0)
         return "met" if met else "not met"
 
@@ -85,7 +94,8 @@ class Entry:
         """Names of the runs it needs, in order, each once."""
         named = [curve["run"] for panel in self.panels for curve in panel.get("curves", [])]
         for number in self.numbers:
-            named += [term.split(":")[0].strip() for term in number.ours.removesuffix(" - 1").split("/") if number.ours]
+            for text in filter(None, (number.ours, number.without)):
+                named += [term.split(":")[0].strip() for term in re.split("[;/]", text)]
         return list(dict.fromkeys(named))
 
 
@@ -94,12 +104,21 @@ class Catalogue:
     thesis: dict[str, str]
     runs: dict[str, Run]
     entries: list[Entry]
+    readings: list[dict[str, str]] = field(default_factory=list)       #: what the items take as printed
+    reading_counts: list[dict[str, Any]] = field(default_factory=list)  #: met by these and by the exact ones
 
     def find(self, name: str) -> Entry:
         for entry in self.entries:
             if name in entry.ids:
                 return entry
         raise InputError(f"{name} is no figure, table or passage of the catalogue; rimpact thesis list shows them")
+
+    def printed(self, entry: str, what: str) -> float:
+        """Throws DataError where the entry has no such printed number."""
+        for number in self.find(entry).numbers:
+            if number.what == what and number.printed is not None:
+                return number.printed
+        raise DataError(f"data/thesis: {entry} has no printed number {what}")
 
     def records_of(self, entry: Entry) -> list[str]:
         needed = list(entry.records)
@@ -121,6 +140,8 @@ def load(folder: str = os.path.join(FOLDER, "thesis")) -> Catalogue:
     thesis: dict[str, str] = {}
     commands: dict[str, dict[str, Any]] = {}
     entries: list[dict[str, Any]] = []
+    readings: list[dict[str, str]] = []
+    counts: list[dict[str, Any]] = []
     for name in sorted(os.listdir(folder), key=lambda name: (name.startswith("app"), name)):
         if not name.endswith(".toml"):
             continue
@@ -134,8 +155,10 @@ def load(folder: str = os.path.join(FOLDER, "thesis")) -> Catalogue:
         thesis |= data.get("thesis", {})
         commands |= data.get("run", {})
         entries += data.get("entry", [])
+        readings += data.get("reading", [])
+        counts += data.get("reading_count", [])
     runs = {name: Run(name, **run) for name, run in commands.items()}
-    return Catalogue(thesis, runs, [_entry(data, runs) for data in entries])
+    return Catalogue(thesis, runs, [_entry(data, runs) for data in entries], readings, counts)
 
 
 def _entry(data: dict[str, Any], runs: dict[str, Run]) -> Entry:
@@ -162,4 +185,5 @@ def _numbers_of(table: dict[str, list[Any]]) -> Iterator[Number]:
         for k in range(n):
             yield Number(f"{table['columns'][k]}, {row['label']}", row["printed"][k], of("units", "")[k],
                          f"{row['run']}:{table['paths'][k]}", of("factors", 1.0)[k], of("within", None)[k],
-                         of("resolved", 0.0)[k], cause=of("causes", "")[k])
+                         of("resolved", 0.0)[k], cause=of("causes", "")[k],
+                         without=f"{row['without']}:{table['paths'][k]}" if "without" in row else "")

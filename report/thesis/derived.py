@@ -17,9 +17,10 @@ def pad_pressure_MPa(run: Run) -> float:
 
 
 def yield_over_W(run: Run) -> float:
-    """Yield force of the frame over the weight: its largest storey shear is f_y (1 - r + r mu), mu the ductility it reached."""
-    r, ductility = run.get("superstructure", "post_yield_ratio"), run.summary["ductility"]
-    return float(np.abs(run.signals["storey_shear_x"]).max()) / (1 - r + r * ductility) / (1e3 * run.get("load", "vertical_kN"))
+    """Yield force of the frame over the weight of all: k_s u_y / W, k_s = m_s (2 pi / T_s)^2."""
+    frame = run.scene["superstructure"]
+    stiffness = frame["mass_ratio"] * run.get("load", "mass_kg") * (2 * math.pi / frame["period_s"]) ** 2
+    return stiffness * frame["yield_mm"] * 1e-3 / (1e3 * run.get("load", "vertical_kN"))
 
 
 def _hits(run: Run) -> np.ndarray:
@@ -95,6 +96,16 @@ def of(run: Run, path: str) -> Any:
     except (KeyError, IndexError, TypeError) as error:
         raise DataError(f"{run.folder} holds no {path} ({error})") from None
     return None
+
+
+def reduction(study: dict[str, Any], path: str) -> float:
+    """"reduction STATISTIC QUANTITY LIMIT VALUE" of a kept reliability study: by how much the probability of exceeding the limit falls
+    (mean, least, largest over its pairs of systems) where the key that tells them apart has that value."""
+    _, statistic, quantity, limit, value = path.split(" ", 4)
+    for row in study["differences"]:
+        if row["quantity"] == quantity and row["limit"] == float(limit) and str(row["value"]) == value:
+            return float(row[f"{statistic}_reduction"])
+    raise DataError(f"the study {study['study']} has no {path}")
 
 
 def is_derived(path: str) -> bool:

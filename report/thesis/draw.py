@@ -45,6 +45,8 @@ def draw(entry: Entry, runs: Runs, path: str) -> str | None:
 def _panel(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
     kind = panel.get("kind", "curves")
     drawn = {"curves": _curves, "ellipses": _ellipses, "spectra": draw_spectra, "bars": _bars, "pair": draw_pair, "region": draw_region}[kind](ax, panel, runs)
+    if drawn:
+        _marks(ax, panel, runs)
     ax.set_title(literal(panel.get("title", "")))
     ax.set_xlabel(panel.get("x_label", ""))
     ax.set_ylabel(panel.get("y_label", ""))
@@ -70,6 +72,15 @@ def _curves(ax: Axes, panel: dict[str, Any], runs: Runs) -> bool:
         ax.plot(panel.get("x_factor", 1.0) * x, panel.get("y_factor", 1.0) * y, label=literal(curve["label"]), **style)
         n += 1
     return n > 0
+
+
+def _marks(ax: Axes, panel: dict[str, Any], runs: Runs) -> None:
+    """Printed numbers as dashed lines, each in the colour of the curve whose extreme it is."""
+    for k, mark in enumerate(panel.get("marks", [])):
+        curve = int(mark.get("curve", k))
+        style = SIDES.get(panel["curves"][curve].get("side"), dict(color=CYCLE[curve % len(CYCLE)]))
+        ax.axhline(mark.get("factor", 1.0) * runs.catalogue.printed(mark["entry"], mark["number"]), color=style["color"], lw=0.7, ls=(0, (4, 3)),
+                   zorder=1, label="printed in the thesis" if k == 0 else None)
 
 
 def _ellipses(ax: Axes, panel: dict[str, Any], _: Runs) -> bool:

@@ -8,12 +8,14 @@ from ..errors import run_main
 from ..files import write_whole
 from . import catalogue as catalogues
 from . import document
-from .results import KEPT, Ours
+from .results import KEPT, WITHOUT, Ours
 
 
 def main(arguments: list[str]) -> None:
     catalogue, ours = catalogues.load(), Ours(arguments[0])
-    kept = {entry.id: {number.what: ours.of(entry, number) for number in entry.numbers if ours.of(entry, number) is not None} for entry in catalogue.entries}
+    kept = {entry.id: {what: value for number in entry.numbers
+                       for what, value in ((number.what, ours.of(entry, number)), (number.what + WITHOUT, ours.without_cause(entry, number)))
+                       if value is not None} for entry in catalogue.entries}
     text = json.dumps({name: numbers for name, numbers in kept.items() if numbers}, indent=1, sort_keys=True) + "\n"
     write_whole(KEPT, lambda file: file.write(text.encode()))
     document.main([os.path.join(os.path.dirname(catalogues.FOLDER), "docs", "thesis.md")])

@@ -9,7 +9,8 @@ from ..blocks import Pictures, Section, note, text
 from . import draw, tables
 from .catalogue import Catalogue, Entry
 from .results import Ours
-from .runs import Runs, value_of
+from .runs import Runs, value_of, value_without_cause
+from .words import counts
 
 
 def make(catalogue: Catalogue, ours: Ours, entries: list[Entry], options: argparse.Namespace) -> dict[str, Any]:
@@ -23,7 +24,7 @@ def make(catalogue: Catalogue, ours: Ours, entries: list[Entry], options: argpar
             continue
         before = set(runs.missing)
         figure = pictures.figure(entry.id, f"As the thesis lays it out: {entry.title}", _draw(entry, runs)) if entry.panels else None
-        ours.put(entry, [value_of(number, runs) for number in entry.numbers])
+        ours.put(entry, [value_of(number, runs) for number in entry.numbers], [value_without_cause(number, runs) for number in entry.numbers])
         missing = [runs.missing[name] for name in entry.runs() if name in runs.missing]
         sections.append(_section(entry, ours, figure, missing))
         made.append({"id": entry.id, "numbers": tables.numbers_json(entry, ours), "missing": missing,
@@ -43,7 +44,7 @@ def make(catalogue: Catalogue, ours: Ours, entries: list[Entry], options: argpar
 
 def _counts(entries: list[Entry], ours: Ours) -> str:
     n_kept = ours.n_kept(entries)
-    return tables.counts(ours.count(entries)) + (f"; {n_kept} of ours are kept with the program, nothing here made them" if n_kept else "")
+    return counts(ours.count(entries)) + (f"; {n_kept} of ours are kept with the program, nothing here made them" if n_kept else "")
 
 
 def _draw(entry: Entry, runs: Runs) -> Callable[[str], str | None]:

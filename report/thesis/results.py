@@ -6,8 +6,9 @@ from ..data_files import read_any_json
 from ..files import write_whole
 from .catalogue import FOLDER, Entry, Number
 
+WITHOUT = " (without the cause)"
 KEPT = os.path.join(FOLDER, "thesis", "ours.json")
-VERDICTS = ("met", "not met", "not comparable", "not run")
+VERDICTS = ("met", "not met", "apart", "not comparable", "not run")
 
 
 class Ours:
@@ -23,9 +24,14 @@ class Ours:
     def of(self, entry: Entry, number: Number) -> float | None:
         return self.values.get(entry.id, {}).get(number.what)
 
-    def put(self, entry: Entry, values: list[float | None]) -> None:
-        """`values`: of its numbers in their order; what was not found now stays as it was."""
-        found = {number.what: float(f"{value:.6g}") for number, value in zip(entry.numbers, values) if value is not None}
+    def without_cause(self, entry: Entry, number: Number) -> float | None:
+        """Ours where the cause is taken away."""
+        return self.values.get(entry.id, {}).get(number.what + WITHOUT)
+
+    def put(self, entry: Entry, values: list[float | None], without: list[float | None]) -> None:
+        """`values`, `without`: of its numbers in their order; what was not found now stays as it was."""
+        named = [(number.what + end, value) for end, list_of in (("", values), (WITHOUT, without)) for number, value in zip(entry.numbers, list_of)]
+        found = {what: float(f"{value:.6g}") for what, value in named if value is not None}
         self.made.setdefault(entry.id, {}).update(found)
         self.values.setdefault(entry.id, {}).update(found)
         os.makedirs(os.path.dirname(os.path.abspath(self.path)), exist_ok=True)

@@ -82,8 +82,9 @@ class Runs:
         """Its summary.json, or what it printed; None where it is not there."""
         if not self.make(name):
             return None
+        place = self.place(name)
         kind = "output.json" if self.catalogue.runs[name].json else "summary.json"
-        return read_any_json(os.path.join(self.place(name), kind))
+        return read_any_json(place if place.endswith(".json") else os.path.join(place, kind))
 
 
 def _law() -> list[str]:
@@ -93,15 +94,30 @@ def _law() -> list[str]:
 
 def value_of(number: Number, runs: Runs) -> float | None:
     """Ours, in the printed unit; None where a run is not there or has no such number."""
-    if not number.ours:
+    return _mean(number, number.ours, runs)
+
+
+def value_without_cause(number: Number, runs: Runs) -> float | None:
+    """The same of the run that takes the cause away."""
+    return _mean(number, number.without, runs)
+
+
+def _mean(number: Number, formula: str, runs: Runs) -> float | None:
+    if not formula:
         return None
-    text = number.ours.removesuffix(" - 1")
+    values = [_ratio(text.strip(), runs) for text in formula.split(";")]
+    known = [value for value in values if value is not None]
+    return number.factor * sum(known) / len(known) if len(known) == len(values) else None
+
+
+def _ratio(ours: str, runs: Runs) -> float | None:
+    text = ours.removesuffix(" - 1")
     terms = [_term(term.strip(), runs) for term in text.split("/")]
     known = [term for term in terms if term is not None]
     if len(known) < len(terms) or 0 in known[1:]:
         return None
     value = known[0] / known[1] if len(known) > 1 else known[0]
-    return number.factor * (value - 1 if text != number.ours else value)
+    return value - 1 if text != ours else value
 
 
 def _term(term: str, runs: Runs) -> float | None:
@@ -110,6 +126,8 @@ def _term(term: str, runs: Runs) -> float | None:
         run = runs.response(name)
         return None if run is None else derived.of(run, path)
     value = runs.summary(name)
+    if path.startswith("reduction "):
+        return None if value is None else derived.reduction(value, path)
     for key in path.split("."):
         if isinstance(value, list):
             value = value[int(key)] if int(key) < len(value) else None

@@ -25,6 +25,19 @@ class References(unittest.TestCase):
                 if "vx_m_per_s" in row:
                     self.assertAlmostEqual(summary["final_speed_m_s"], math.hypot(row["vx_m_per_s"], row["vy_m_per_s"]), delta=1e-7)
 
+    def test_they_are_listed_with_their_cost(self):
+        listed = json.loads(rimpact("references", "--list", "--json").stdout)
+        self.assertEqual([row["name"] for row in listed], sorted(folder.name for folder in REFERENCES.iterdir() if folder.is_dir()))
+        self.assertTrue(all(row["wall_time_s"] > 1 and row["peak_impact_force_N"] > 1e4 for row in listed))
+        text = rimpact("references", "--list", "window-0.20").stdout
+        self.assertIn("window-0.20", text)
+        self.assertNotIn("window-0.35", text)
+
+    def test_an_unknown_name_is_refused(self):
+        run = rimpact("references", "window-0.2", "--list")
+        self.assertEqual(run.returncode, 2)
+        self.assertIn("did you mean window-0.20?", run.stderr)
+
     def test_the_law_gives_the_curves_back(self):
         law = json.loads((REFERENCES / "elastoplastic.json").read_text())
         settings = [word for key, value in law.items() for word in ("--set", f"{key}={json.dumps(value)}")]

@@ -1,9 +1,12 @@
 """rimpact thesis: what takes seconds is made anew, and its numbers are those kept with the program; done runs are not made twice."""
+import json
 import os
 import unittest
 
 from command import rimpact
 from thesis_numbers import RECORDS, Numbers
+
+from report.thesis import catalogue as catalogues
 
 
 class Thesis(Numbers):
@@ -33,6 +36,25 @@ class Thesis(Numbers):
         self.assertEqual(sum(self.holds(f"table-3-{k}", RECORDS) for k in range(2, 8)), 162)
         for what in ("table-3-1", "slider-slip", "fig-4-4", "fig-2-32"):
             self.assertGreater(self.holds(what, RECORDS), 0, what)
+
+    @unittest.skipUnless(os.path.isfile(os.path.join(RECORDS, "RSN1044_NORTHR_NWH360.AT2")), "the records are not here (RIMPACT_RECORDS)")
+    def test_no_command_of_a_building_is_refused(self):
+        """Each one's first instants: whole, they are in the slow suite."""
+        runs = [run for run in catalogues.load().runs.values() if run.command[:1] == ["building"]]
+        self.assertGreater(len(runs), 8)
+        for run in runs:
+            words = [word.replace("{records}", os.path.abspath(RECORDS)) for word in run.command]
+            with self.subTest(run.name):
+                done = rimpact(*words, "--set", "excitation.duration_s=0.02", "--quiet", "-o", os.path.join(self.folder, run.name))
+                self.assertEqual(done.returncode, 0, done.stderr)
+
+    def test_the_thesis_s_own_results(self):
+        listed = json.loads(rimpact("thesis", "headlines", "--json").stdout)
+        self.assertEqual(len(listed), 13)
+        text = rimpact("thesis", "headlines").stdout
+        for row in listed:
+            self.assertIn(row["verdict"], ("met", "not met"))
+            self.assertIn(row["headline"], text)
 
     def test_an_unknown_figure_is_a_usage_error(self):
         run = rimpact("thesis", "fig-9-9", "-o", self.folder)

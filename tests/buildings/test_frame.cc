@@ -53,8 +53,17 @@ TEST(BeamColumn, CantileverDeflectsAsTimoshenko) {
   EXPECT_NEAR(u.head<3>().dot(y) / expected, 0, 1e-12);
 }
 
+TEST(Building, ASlabStiffensItsBeamsInTheVerticalPlaneOnly) {
+  const Frame bare = load_frame("thesis-3.5"), slab = load_frame("thesis-3.5-slab");
+  EXPECT_NEAR(slab.sections[1].Iy / bare.sections[1].Iy, 1.7, 1e-14);
+  EXPECT_EQ(slab.sections[1].Iz, bare.sections[1].Iz);
+  EXPECT_EQ(slab.sections[0].Iy, bare.sections[0].Iy);
+  EXPECT_EQ(slab.nodes.size(), bare.nodes.size());
+}
+
 TEST(Building, AWrongUnitIsDoubted) {
-  for (const char *name : {"thesis-2.4", "thesis-2.5", "thesis-3.5"}) EXPECT_TRUE(doubts_of(load_frame(name)).empty());
+  for (const char *name : {"thesis-2.4", "thesis-2.5", "thesis-3.5", "thesis-3.5-slab"})
+    EXPECT_TRUE(doubts_of(load_frame(name)).empty());
   const auto doubted = [](const auto &change) {
     Frame frame = load_frame("thesis-2.5");
     change(frame);

@@ -2,6 +2,7 @@
 #include "expect_error.h"
 #include "scene/scene.h"
 #include <algorithm>
+#include <cmath>
 
 namespace {
 using namespace rimpact;
@@ -23,6 +24,8 @@ const Case cases[] = {
     {"wall_fills_the_slider", "top_wall_mm = 900", {"top_wall_mm 900 leaves no interface"}},
     {"friction_out_of_range", "mu_interface = 3", {"isolator.mu_interface 3 must be >= 0 and <= 2"}},
     {"restitution_above_one", "contact_restitution = 1.2", {"isolator.contact_restitution 1.2"}},
+    {"plate_without_mass", "damped_mass = \"bearing\"\nplate_mass_kg = 0", {"isolator.plate_mass_kg 0", "must be > 0"}},
+    {"unknown_mass", "damped_mass = \"slider\"", {"isolator.damped_mass \"slider\"", "supported", "bearing"}},
     {"too_few_points", "space = \"spatial\"\npoints = 2", {"isolator.points 2 must be at least 3 in space"}},
     {"one_point", "points = 1", {"isolator.points 1 must be between 2 and 64"}},
     {"plate_turns_in_the_plane", "space = \"planar\"\nplate_rotation = \"free\"", {"plate_rotation"}},
@@ -48,6 +51,16 @@ TEST_P(Isolator, IsRefusedWithPlaceValueAndBound) {
 
 INSTANTIATE_TEST_SUITE_P(Input, Isolator, testing::ValuesIn(cases),
                          [](const auto &info) { return std::string(info.param.name); });
+
+TEST(IsolatorOfTheThesis, ItsRimsStandByTheApproximateFormulaAMillimetreOrTwoFartherOut) {
+  scene::DoubleConcave b; // the bearings of thesis 3.5: R_eff = 3 m, C = 0.30 m, D_s = 300 mm, H_s = 100 mm
+  const double exact = b.bottom_rim_radius();
+  EXPECT_NEAR(exact, 1.55 * std::sin(std::asin(0.1) + std::asin(0.15 / 1.55)), 1e-15);
+  b.rim_place = scene::RimPlace::approximate;
+  EXPECT_NEAR(b.bottom_rim_radius(), (0.30 + 0.30 + 0.10 * 0.1) / 2, 1e-15);
+  EXPECT_EQ(b.top_rim_radius(), b.bottom_rim_radius());
+  EXPECT_NEAR(b.bottom_rim_radius() - exact, 1.4e-3, 0.1e-3);
+}
 
 TEST(IsolatorWithUnequalPlates, ItsTopKeysAreReadWrittenAndDefaultToTheBottoms) {
   const std::string head = "[excitation]\nkind = \"ricker\"\n[reduced]\nmodel = \"dcfp\"\n[isolator]\n";

@@ -76,6 +76,19 @@ TEST(DoubleConcaveMotion, AnImpactIsThatOfOneRimWithTheStiffnessOfBoth) {
   EXPECT_NEAR(run.summary.peak_displacement, sphere.summary.peak_displacement, 2e-3);
 }
 
+TEST(DoubleConcaveMotion, ADashpotOfTheBearingsOwnMassReturnsNearlyAll) {
+  auto scene = pulse(scene::ModelKind::dcfp, 0.6);
+  scene.isolator.slider_mass = 100;
+  const auto returned = [&] {
+    const auto run = simulate(scene);
+    const auto &first = run.summary.impacts.at(0);
+    return first.rebound_speed / first.approach_speed;
+  };
+  const double supported = returned();
+  scene.isolator.damped_mass = scene::DampedMass::bearing; // a thousandth of the supported mass: xi is 30 times smaller
+  EXPECT_GT(returned(), supported + 0.2);
+}
+
 TEST(DoubleConcaveMotion, EnergyBalances) {
   for (const auto model : {scene::ModelKind::dcfp, scene::ModelKind::lir_dcfp})
     for (const double amplitude : {0.3, 0.6}) {

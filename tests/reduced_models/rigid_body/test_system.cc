@@ -11,6 +11,15 @@ namespace {
 using namespace rigid;
 using Eigen::Vector3d;
 
+TEST(ContactDamping, IsOfTheSupportedMassOrAsPrintedOfTheBearingsOwn) {
+  scene::DoubleConcave b;
+  b.contact_stiffness = 4e7, b.slider_mass = 100, b.plate_mass = 300;
+  const double xi = -std::log(0.65) / std::hypot(M_PI, std::log(0.65));
+  EXPECT_NEAR(contact_damping(b, 2e5, 3), 2 * xi * std::sqrt(4e7 * 2e5 * 3 / 2), 1e-6);
+  b.damped_mass = scene::DampedMass::bearing; // (3-46)
+  EXPECT_NEAR(contact_damping(b, 2e5, 3), 2 * xi * std::sqrt(4e7 * 100 * 300 / 400), 1e-9);
+}
+
 TEST(SlipState, CoulombStaysOnTheCircleAndSlidesWithTheVelocity) {
   const Vector3d v(0.3, -0.4, 0);
   const auto sliding = coulomb_step({1, 0, 0}, v, 1e9);
