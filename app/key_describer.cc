@@ -39,6 +39,10 @@ void KeyDescriber::numbers(const Key &key, std::vector<double> &, Unit, Range ra
   add(key, "numbers", "numbers, each " + range.text());
 }
 
+void KeyDescriber::rows(const Key &key, Rows &, const std::array<Column, 2> &columns) {
+  add(key, "rows", fmt::format("rows of two numbers, {} and {}", columns[0].range.text(), columns[1].range.text()));
+}
+
 void KeyDescriber::switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &flags) {
   std::vector<std::string> words;
   for (const auto &[word, on] : flags) words.push_back(word);

@@ -69,9 +69,9 @@ std::vector<Job> twins_of(const std::vector<Job> &jobs, const std::string &folde
 
 scene::StrainRate fast_rate(const scene::Material &steel) {
   if (steel.knows_rate()) return steel.rate;
-  scene::StrainRate mild;
-  mild.model = scene::RateModel::cowper_symonds;
-  return mild;
+  scene::StrainRate fast = steel.has_grade() ? steel.rate : scene::StrainRate{}; // else mild steel's
+  fast.model = scene::RateModel::cowper_symonds;
+  return fast;
 }
 
 MainJobs main_jobs(const MainTarget &target, const MainChoices &choices, const std::string &folder) {

@@ -6,7 +6,9 @@
 #include "impact_laws/catalogue.h"
 #include "reduced_models/catalogue.h"
 #include "scene/scene.h"
+#include "scene/steel_grades.h"
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -52,6 +54,36 @@ Entries laws() {
   for (const auto *law : laws::impact_laws()) result.emplace_back(law->name, law->description);
   return result;
 }
+/// "355 up to 16 mm, 345 up to 40 mm", or the one value.
+std::string in_words(const scene::GradeNumber &number) {
+  if (number.by_thickness.empty()) return fmt::format("{:g}", number.value);
+  std::string text;
+  for (const auto &[thickness, value] : number.by_thickness)
+    text += fmt::format("{}{:g} up to {:g} mm", text.empty() ? "" : ", ", value, 1e3 * thickness);
+  return text;
+}
+
+/// A grade in a line, with the numbers that nobody has checked.
+std::string summary(const scene::SteelGrade &grade) {
+  std::vector<std::string> unchecked;
+  for (const auto &[key, number] : grade.numbers)
+    if (!number.checked) unchecked.push_back(key);
+  return fmt::format("{}: in MPa, yield {}, ultimate {}; {}", grade.title, in_words(*grade.find("yield_MPa")),
+                     in_words(*grade.find("ultimate_MPa")),
+                     unchecked.empty() ? "all checked" : fmt::format("unchecked: {}", fmt::join(unchecked, ", ")));
+}
+
+/// Every number of the grades.
+Entries steels() {
+  Entries result;
+  for (const auto &grade : scene::steel_grades())
+    for (const auto &[key, number] : grade.numbers)
+      result.emplace_back(grade.name + " " + key,
+                          fmt::format("{}; {}; scatter: {}; {}", in_words(number), number.source, number.scatter,
+                                      number.checked ? "checked" : "unchecked"));
+  return result;
+}
+
 Entries materials() {
   Entries result;
   const scene::Bearing b;
@@ -61,6 +93,7 @@ Entries materials() {
                                                                 1e-6 * m.tangent_modulus.value_or(0))
                                                   : std::string("elastic"),
                                           m.density));
+  for (const auto &grade : scene::steel_grades()) result.emplace_back(grade.name, summary(grade));
   return result;
 }
 
@@ -110,11 +143,11 @@ struct Kind {
   bool is_short; ///< listed where no kind is named
 };
 const std::vector<Kind> &kinds() {
-  static const std::vector<Kind> all{{"bearings", bearings, true},   {"scenes", scenes, true},
-                                     {"models", models, true},       {"laws", laws, true},
-                                     {"materials", materials, true}, {"rungs", rungs, true},
-                                     {"signals", signals, false},    {"columns", columns, false},
-                                     {"files", files, false},        {"exit-codes", exit_codes, false}};
+  static const std::vector<Kind> all{
+      {"bearings", bearings, true}, {"scenes", scenes, true},         {"models", models, true},
+      {"laws", laws, true},         {"materials", materials, true},   {"rungs", rungs, true},
+      {"steels", steels, false},    {"signals", signals, false},      {"columns", columns, false},
+      {"files", files, false},      {"exit-codes", exit_codes, false}};
   return all;
 }
 
@@ -122,7 +155,7 @@ const std::vector<Kind> &kinds() {
 
 void add_list(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand(
-      "list", "bearings, scenes, models, laws, materials, rungs; keys, signals, columns, files, exit-codes");
+      "list", "bearings, scenes, models, laws, materials, rungs; keys, steels, signals, columns, files, exit-codes");
   auto what = std::make_shared<std::string>();
   std::vector<std::string> names{"keys"};
   for (const auto &kind : kinds()) names.push_back(kind.name);

@@ -66,6 +66,15 @@ void KeyList::numbers(const Key &key, std::vector<double> &values, Unit unit, Ra
   add(key, "[" + list + (tall ? "\n]" : "]"));
 }
 
+void KeyList::rows(const Key &key, Rows &rows, const std::array<Column, 2> &columns) {
+  if (!rows.file.empty()) return add(key, toml_quoted(rows.file));
+  std::string list;
+  for (const auto &[first, second] : rows.values)
+    list += fmt::format("{}[{}, {}]", list.empty() ? "" : ", ", file_number(first, columns[0].unit),
+                        file_number(second, columns[1].unit));
+  add(key, "[" + list + "]");
+}
+
 void KeyList::switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &flags) {
   std::string list;
   for (const auto &[name, on] : flags)

@@ -30,6 +30,7 @@ public:
   void word(const Key &key, std::string &value, const std::vector<std::string> &options) override;
   void pair(const Key &key, Eigen::Vector2d &value, Range range) override;
   void numbers(const Key &key, std::vector<double> &values, Unit unit, Range range) override;
+  void rows(const Key &key, Rows &rows, const std::array<Column, 2> &columns) override;
   void switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &flags) override;
 
 private:

@@ -2,6 +2,7 @@
 /// reader, the writer, the range check and the list of assumptions are visitors.
 #pragma once
 #include "files/choice.h"
+#include <array>
 #include <Eigen/Core>
 #include <functional>
 #include <limits>
@@ -42,6 +43,18 @@ struct Key {
   bool assumption = false;
 };
 
+/// One of the two columns of a table of rows.
+struct Column {
+  Unit unit;
+  Range range;
+};
+/// Rows of two numbers [SI], or the name of a file that holds them.
+struct Rows {
+  std::vector<std::array<double, 2>> values = {};
+  std::string file = {}; ///< empty once it is read
+  bool operator==(const Rows &) const = default;
+};
+
 class KeyVisitor {
 public:
   virtual ~KeyVisitor() = default;
@@ -67,6 +80,8 @@ public:
   virtual void pair(const Key &key, Eigen::Vector2d &value, Range range) = 0;
   /// An array of any length.
   virtual void numbers(const Key &key, std::vector<double> &values, Unit unit, Range range) = 0;
+  /// An array of rows of two numbers, or a file's name in its place.
+  virtual void rows(const Key &key, Rows &rows, const std::array<Column, 2> &columns) = 0;
   /// An array of words, each switching a flag on.
   virtual void switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &flags) = 0;
 };

@@ -135,6 +135,26 @@ void TomlReader::numbers(const Key &key, std::vector<double> &values, Unit unit,
   for (const auto &entry : *array) values.push_back(unit.to_si(number_of(key.name, entry, range)));
 }
 
+void TomlReader::rows(const Key &key, Rows &rows, const std::array<Column, 2> &columns) {
+  const auto *found = node(key);
+  if (!found) return;
+  rows = {};
+  if (found->is_string()) {
+    rows.file = found->as_string()->get();
+    return;
+  }
+  const auto *array = found->as_array();
+  if (!array) fail(key.name, "must be rows of two numbers or a file's name, got " + type_name(*found));
+  for (const auto &entry : *array) {
+    const auto *row = entry.as_array();
+    if (!row || row->size() != 2)
+      fail(key.name, fmt::format("row {} must be two numbers, e.g. [0.05, 480]", rows.values.size() + 1));
+    auto &values = rows.values.emplace_back();
+    for (std::size_t i = 0; i < 2; ++i)
+      values[i] = columns[i].unit.to_si(number_of(key.name, (*row)[i], columns[i].range));
+  }
+}
+
 void TomlReader::switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &flags) {
   const auto *found = node(key);
   if (!found) return;

@@ -14,6 +14,7 @@ KNOWN = {
     "displacement": FieldInfo("m", "of the solid's points, from the undeformed model"),
     "von_mises_MPa": FieldInfo("MPa", "equivalent stress, of the mean stress of a cell"),
     "equivalent_plastic_strain": FieldInfo("–", "accumulated, of the most strained point of a cell"),
+    "damage": FieldInfo("–", "of the worst point of a cell, by Johnson and Cook; a crack begins at 1"),
     "contact_pressure_MPa": FieldInfo("MPa", "on the touching surfaces, positive where they press"),
     "gap_mm": FieldInfo("mm", "distance of the touching surfaces along their normal; NaN where nothing is opposite"),
     "part": FieldInfo("–", "1 plate, 2 rim, 3 pad, 4 foot, 5 upper slider"),

@@ -109,5 +109,5 @@ def plain(value: Any) -> str:
     if isinstance(value, float):
         return _grouped(f"{value:.6g}") if value == 0 or 1e-4 <= abs(value) < 1e6 else power(value, 3)
     if isinstance(value, (list, tuple)):
-        return ", ".join(plain(item) for item in value)
+        return ("; " if value and isinstance(value[0], (list, tuple)) else ", ").join(plain(item) for item in value)
     return str(value)

@@ -29,7 +29,7 @@ SCENE: Shape = {
     "bearing": {"name": TEXT, "assumed": [TEXT],
                 "surface": {**texts("kind file"), "radius_mm": [NUMBER], "height_mm": [NUMBER], "*": NUMBER},
                 **dict.fromkeys(("slider", "rim", "plate", "pad", "foot"), {"*": NUMBER}),
-                "material": {"*": {"rate": TEXT, "*": NUMBER}}, "contact": {"pad_foot": TEXT, "*": NUMBER}},
+                "material": {"*": {**texts("rate hardening curve_kind grade"), "curve": ([[NUMBER]], TEXT), "*": NUMBER}}, "contact": {"pad_foot": TEXT, "*": NUMBER}},
     "excitation": {"kind": TEXT, **numbers("scale speed_m_per_s amplitude_g period_s centre_s duration_s direction_deg")},
     "reduced": {**texts("model impact_law friction normal_force calibration fitted_rim"),
                 **numbers("k_i_kN_per_m restitution mu_fast mu_slow fitted_from_m_per_s fitted_to_m_per_s fitted_mass_kg "
@@ -82,7 +82,9 @@ ANSWER: Shape = {
              **numbers("k_i_kN_per_m e c_i_kN_s_per_m mass_kg from_m_s to_m_s tolerance worst_peak_force_error "
                        "worst_rebound_error")},
     "strain": {**numbers("limit largest largest_speed_below_limit_m_s"), "limit_is_assumption": FLAG, "exceeded": FLAG,
-               "rows": [{**numbers("speed_m_s strain"), "place": TEXT}], **texts("sentence place crack_sentence slider_sentence")},
+               "rows": [{**numbers("speed_m_s strain"), "place": TEXT}],
+               "places": [{**texts("place sentence"), **numbers("damage damage_at_m_s strain strain_at_m_s"),
+                           **dict.fromkeys(("crack", "limit"), numbers("below_m_s beyond_m_s expected_m_s"))}], **texts("sentence place crack_sentence slider_sentence")},
     "mesh_error": {"peak_force": NUMBER, "sentence": TEXT},
     "steel_band": {**texts("rate law_is_of calibration"), "rate_is_assumption": FLAG, "sentences": [TEXT],
                    "rows": [{"speed_m_s": NUMBER, **dict.fromkeys(("static", "fast"), numbers("peak_force_kN penetration_mm restitution"))}]},

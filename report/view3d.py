@@ -15,7 +15,7 @@ from .painter import bodies, body_of_points, boundary_faces, merged
 
 MOST_FACES = 20_000  #: beyond these, faces are drawn by their corners
 FIELDS = (("von_mises_MPa", "von Mises stress", "MPa", 1.0), ("equivalent_plastic_strain", "equivalent plastic strain", "%", 100.0),
-          ("contact_pressure_MPa", "contact pressure", "MPa", 1.0))
+          ("damage", "damage", "–", 1.0), ("contact_pressure_MPa", "contact pressure", "MPa", 1.0))
 
 
 @dataclass

@@ -1,6 +1,7 @@
 #include "responses/limits.h"
 
 #include "responses/hit_limits.h"
+#include "scene/flow_curve.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -94,12 +95,24 @@ json strain_limit(const scene::Scene &scene, Summary &summary) {
           {"assumption", assumption}};
 }
 
+/// Steel that was strained beyond the last row of its curve, where the stress is held.
+void warn_beyond_curve(const scene::Scene &scene, Summary &summary) {
+  const scene::Material &steel = scene.bearing.steel;
+  if (!summary.max_plastic_strain || !steel.yield || steel.hardening.law != scene::HardeningLaw::table) return;
+  const auto last = scene::flow_curve(steel).rows.back();
+  if (*summary.max_plastic_strain > last[0])
+    warn(summary, fmt::format("plastic strain reaches {:.3g}, beyond the last row of bearing.material.steel.curve at "
+                              "{:.3g}: the stress was held at {:.4g} MPa there, which no test shows",
+                              *summary.max_plastic_strain, last[0], last[1] / 1e6));
+}
+
 } // namespace
 
 void judge(const scene::Scene &scene, Summary &summary) {
   summary.extra["beyond_rim"] = beyond_rim(scene, summary);
   summary.extra["beyond_fit"] = beyond_fit(scene, summary);
   summary.extra["strain_limit"] = strain_limit(scene, summary);
+  warn_beyond_curve(scene, summary);
   summary.extra["hit_limits"] = hit_limits(scene, summary);
 }
 

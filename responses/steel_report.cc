@@ -10,9 +10,10 @@ void keep_worst(SteelReport &worst, const SteelReport &other) {
   for (const auto &[place, found] : other) {
     const auto [kept, is_new] = worst.emplace(place, found);
     if (is_new) continue;
-    const double damage = std::max(kept->second.damage, found.damage);
+    const double damage = std::max(kept->second.damage, found.damage),
+                 averaged_damage = std::max(kept->second.averaged_damage, found.averaged_damage);
     if (found.averaged > kept->second.averaged) kept->second = found;
-    kept->second.damage = damage;
+    kept->second.damage = damage, kept->second.averaged_damage = averaged_damage;
   }
 }
 
@@ -34,7 +35,9 @@ nlohmann::ordered_json to_json(const SteelReport &report, std::optional<double> 
     const bool strained = at.largest > 0;
     nlohmann::ordered_json entry{{"max_plastic_strain", at.largest}, {"averaged_plastic_strain", at.averaged}};
     entry["triaxiality"] = strained ? nlohmann::ordered_json(at.triaxiality) : nullptr;
+    entry["lode"] = strained ? nlohmann::ordered_json(at.lode) : nullptr;
     entry["damage"] = at.damage;
+    entry["averaged_damage"] = at.averaged_damage;
     entry["place_mm"] = strained ? nlohmann::ordered_json{1e3 * at.place.x(), 1e3 * at.place.y(), 1e3 * at.place.z()}
                                  : nlohmann::ordered_json(nullptr);
     entry["limit"] = or_null<nlohmann::ordered_json>(limit);
@@ -54,7 +57,9 @@ SteelReport steel_report_in(const nlohmann::json &summary, const std::string &or
       SteelAtPlace &at = report[*place];
       at.largest = entry.at("max_plastic_strain"), at.averaged = entry.at("averaged_plastic_strain");
       at.damage = entry.at("damage");
+      at.averaged_damage = entry.value("averaged_damage", at.damage); // runs of earlier versions have a point's alone
       if (!entry.at("triaxiality").is_null()) at.triaxiality = entry["triaxiality"];
+      if (entry.contains("lode") && !entry["lode"].is_null()) at.lode = entry["lode"];
       if (!entry.at("place_mm").is_null())
         for (int i = 0; i < 3; ++i) at.place[i] = 1e-3 * entry["place_mm"].at(i).get<double>();
     }

@@ -26,7 +26,9 @@ struct SteelAtPlace {
   double largest = 0;             ///< equivalent plastic strain of a point [-]
   double averaged = 0;            ///< largest mean over averaging_radius [-]
   double triaxiality = 0;         ///< at the largest strain, a mean over its plastic strain [-]; tension positive
-  double damage = 0;              ///< largest D of fe_contact/laws/crack_measure.h [-]; a crack begins at 1
+  double lode = 0;                ///< Lode parameter 27 J3 / (2 q^3), alike [-]: 1 tension, 0 shear, -1 compression
+  double damage = 0;              ///< largest D of a point (fe_contact/laws/crack_measure.h) [-]; a crack begins at 1
+  double averaged_damage = 0;     ///< largest mean over averaging_radius [-]
   Eigen::Vector3d place{0, 0, 0}; ///< of the largest strain, in the mesh before it is strained [m]
 };
 

@@ -1,6 +1,7 @@
 /// Bearing::validate(), validate_rim() and check_bearing(): what cannot be built or collides over 0..L_c is refused
 /// with both numbers.
 #include "files/error.h"
+#include "scene/flow_curve.h"
 #include "scene/keys.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -25,6 +26,7 @@ void check_materials(const Bearing &b) {
             *m.tangent_modulus / 1e6, m.E / 1e6);
   };
   check("steel", b.steel);
+  if (b.steel.yield) check_hardening("steel", b.steel);
   check("ertalyte", b.ertalyte);
 }
 

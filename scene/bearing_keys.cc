@@ -1,4 +1,5 @@
 #include "scene/keys.h"
+#include "scene/steel_grades.h"
 
 namespace rimpact::scene {
 namespace {
@@ -13,9 +14,46 @@ void visit(KeyVisitor &v, Material &m) {
   v.number({"E_MPa", "Young's modulus"}, m.E, mega, {0, 1e9, true});
   v.number({"nu", "Poisson's ratio"}, m.nu, si, {0, 0.5, false, true});
   v.limit({"yield_MPa", "initial yield stress; inf: elastic"}, m.yield, mega, {0, 1e9, true});
-  if (v.wants(m.yield.has_value()))
+  if (v.wants(m.yield.has_value() && m.hardening.law == HardeningLaw::bilinear))
     v.limit({"tangent_modulus_MPa", "slope past yield", assumption}, m.tangent_modulus, mega, {0, 1e9});
   v.number({"density_kg_per_m3", "", assumption}, m.density, si, {0, 1e6, true});
+}
+
+/// The law is written where it is another than two straight lines, or than the grade's.
+void visit_hardening(KeyVisitor &v, Material &m) {
+  using enum HardeningLaw;
+  Hardening &h = m.hardening;
+  constexpr Range stress{0, 1e6, true}, share{0, 1, true};
+  if (v.wants(h.law != bilinear || m.has_grade())) v.choice({"hardening"}, h.law);
+  if (v.wants(h.law == table)) {
+    v.rows({"curve", "[[plastic strain, true stress in MPa], ...] from a strain of 0, or a CSV file of them"}, h.curve,
+           {Column{si, {0, 10}}, Column{mega, {0, 1e6}}});
+    v.choice({"curve_kind"}, h.curve_kind);
+  }
+  if (v.wants(h.law == swift || h.law == ludwik)) v.number({"hardening_K_MPa", "K of the law"}, h.K, mega, stress);
+  if (v.wants(h.law == swift)) v.number({"hardening_e0", "e0 of the law"}, h.e0, si, share);
+  if (v.wants(h.law == swift || h.law == ludwik)) v.number({"hardening_n", "n of the law"}, h.n, si, share);
+  if (v.wants(h.law == voce)) {
+    v.number({"hardening_Q_MPa", "Q of the law"}, h.Q, mega, stress);
+    v.number({"hardening_b", "b of the law"}, h.b, si, {0, 1e4, true});
+  }
+}
+
+void visit_fracture(KeyVisitor &v, const Material &m, Fracture &f) {
+  if (!v.wants(f != Fracture{} || m.has_grade())) return;
+  constexpr Range strain{0, 100};
+  v.number({"fracture_D1", "plastic strain at fracture = D1 + D2 exp(D3 triaxiality), for the damage", assumption},
+           f.D1, si, {0, 100, true});
+  v.number({"fracture_D2", "D2 of that", assumption}, f.D2, si, strain);
+  v.number({"fracture_D3", "D3 of that", assumption}, f.D3, si, {-100, 0});
+}
+
+/// Before the numbers that follow from them.
+void visit_origin(KeyVisitor &v, Material &m) {
+  if (v.wants(m.has_grade())) v.word({"grade", "that gives what is not given here"}, m.grade, grade_names());
+  if (v.wants(m.hardness_HB > 0))
+    v.number({"hardness_HB", "Brinell; yield_MPa is estimated from it where it is not given"}, m.hardness_HB, si,
+             {80, 450});
 }
 
 /// The model is written where it is one, so that a steel without it is described as ever.
@@ -95,8 +133,12 @@ void visit(KeyVisitor &v, Bearing &b) {
   visit_foot_and_pad(v, b);
   v.section("material", [&] {
     v.section("steel", [&] {
+      visit_origin(v, b.steel);
       visit(v, b.steel);
-      if (v.wants(b.steel.yield.has_value())) visit(v, b.steel.rate);
+      if (v.wants(b.steel.yield.has_value())) {
+        visit_hardening(v, b.steel), visit(v, b.steel.rate);
+        visit_fracture(v, b.steel, b.steel.fracture);
+      }
       v.limit({"strain_limit", "plastic strain beyond which results are doubted; inf: not judged", assumption},
               b.steel.strain_limit, si, {0, 10, true});
     });

@@ -1,6 +1,7 @@
 /// Data of the two materials of a bearing (thesis Table 2-1). Data only: the laws live in fe_contact/laws.
 #pragma once
 #include "files/choice.h"
+#include "files/key_visitor.h"
 #include <optional>
 #include <string>
 
@@ -26,17 +27,68 @@ struct StrainRate {
 /// The model with its constants: "cowper-symonds, D = 40 1/s, q = 5".
 std::string in_words(const StrainRate &rate);
 
-/// Isotropic elastic, optionally with J2 plasticity, bilinear isotropic hardening and a growth with the strain rate.
+/// Which curve the static flow stress follows over the plastic strain (fe_contact/laws/hardening.h).
+enum class HardeningLaw { bilinear, table, swift, voce, ludwik };
+constexpr auto choices(HardeningLaw) {
+  using enum HardeningLaw;
+  return choices_of<HardeningLaw>({{bilinear, "bilinear", "a line of tangent_modulus"},
+                                   {table, "table", "straight between the rows of curve, held beyond the last"},
+                                   {swift, "swift", "K (e0 + strain)^n"},
+                                   {voce, "voce", "yield + Q (1 - exp(-b strain))"},
+                                   {ludwik, "ludwik", "yield + K strain^n"}});
+}
+
+/// What the rows of a curve are.
+enum class CurveKind { true_stress, engineering };
+constexpr auto choices(CurveKind) {
+  using enum CurveKind;
+  return choices_of<CurveKind>({{true_stress, "true", "plastic strain and true stress"},
+                                {engineering, "engineering", "strain and stress of a tensile test, elastic part too"}});
+}
+
+/// Rows and constants of the curves; the law at hand reads its own.
+struct Hardening {
+  HardeningLaw law = HardeningLaw::bilinear;
+  Rows curve = {}; ///< [-], [Pa]
+  CurveKind curve_kind = CurveKind::true_stress;
+  // 0: not given.
+  double K = 0;  ///< Swift, Ludwik [Pa], > 0
+  double e0 = 0; ///< Swift [-], > 0
+  double n = 0;  ///< Swift, Ludwik [-], 0 < n <= 1
+  double Q = 0;  ///< Voce: growth of the stress without end of strain [Pa], > 0
+  double b = 0;  ///< Voce [-], > 0
+  bool operator==(const Hardening &) const = default;
+};
+
+/// Constants of Johnson and Cook's fracture strain D1 + D2 exp(D3 triaxiality) (fe_contact/laws/crack_measure.h). Those
+/// of Weldox 460 E (Borvik, Hopperstad, Berstad and Langseth, European Journal of Mechanics A 20, 2001): an assumption
+/// for any other steel.
+struct Fracture {
+  double D1 = 0.0705; ///< [-], > 0
+  double D2 = 1.732;  ///< [-], >= 0
+  double D3 = -0.54;  ///< [-], <= 0
+  bool operator==(const Fracture &) const = default;
+};
+
+constexpr const char *no_grade = "none"; ///< as files write it
+
+/// Isotropic elastic, optionally with J2 plasticity, isotropic hardening and a growth with the strain rate.
 struct Material {
-  double E;                                   ///< Young's modulus [Pa], > 0
-  double nu;                                  ///< Poisson's ratio [-], 0 <= nu < 0.5
-  double density;                             ///< [kg/m^3], > 0
-  std::optional<double> yield = {};           ///< initial yield stress [Pa], > 0; none: elastic
-  std::optional<double> tangent_modulus = {}; ///< slope of the uniaxial curve past yield [Pa], 0 <= E_t < E
+  double E;       ///< Young's modulus [Pa], > 0
+  double nu;      ///< Poisson's ratio [-], 0 <= nu < 0.5
+  double density; ///< [kg/m^3], > 0
+  /// Initial yield stress [Pa], > 0; none: elastic. That of the curve itself for `table` and `swift`.
+  std::optional<double> yield = {};
+  std::optional<double> tangent_modulus = {}; ///< of the bilinear curve past yield [Pa], 0 <= E_t < E; none: another
   std::optional<double> strain_limit = {};    ///< equivalent plastic strain it is trusted to [-], > 0; none: not judged
 
-  StrainRate rate = {}; ///< of steel that yields
+  StrainRate rate = {};     ///< of steel that yields
+  Hardening hardening = {}; ///< the same
+  Fracture fracture = {};
+  std::string grade = no_grade; ///< that the numbers were taken from (scene/steel_grades.h)
+  double hardness_HB = 0;       ///< that the yield stress was estimated from, Brinell; 0: it was not
 
+  bool has_grade() const { return grade != no_grade; }
   bool knows_rate() const { return yield && rate.model != RateModel::none; }
   bool operator==(const Material &) const = default;
 };

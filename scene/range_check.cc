@@ -29,6 +29,10 @@ public:
   void numbers(const Key &key, std::vector<double> &values, Unit unit, Range range) override {
     for (double &value : values) number(key, value, unit, range);
   }
+  void rows(const Key &key, Rows &rows, const std::array<Column, 2> &columns) override {
+    for (auto &row : rows.values)
+      for (std::size_t i = 0; i < 2; ++i) number(key, row[i], columns[i].unit, columns[i].range);
+  }
   void flag(const Key &, bool &) override {}
   void text(const Key &, std::string &) override {}
   void word(const Key &, std::string &, const std::vector<std::string> &) override {}

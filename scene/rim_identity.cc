@@ -26,12 +26,19 @@ std::string digest_of_values(const Bearing &bearing) {
   return fmt::format("{:016x}", hash);
 }
 
+/// The steel as the force knows it: how far it is trusted, and where its numbers are from, shape none.
+Material force_of(Material steel) {
+  steel.strain_limit.reset();
+  steel.fracture = {}, steel.grade = Material{}.grade, steel.hardness_HB = 0;
+  return steel;
+}
+
 /// What shapes the force of an impact; all else is as in a bearing by default.
 Bearing rim_of(const Bearing &bearing) {
   Bearing rim;
   rim.name.clear();
   rim.surface = bearing.surface, rim.slider = bearing.slider, rim.rim = bearing.rim, rim.plate = bearing.plate;
-  rim.steel = bearing.steel, rim.steel.strain_limit.reset();
+  rim.steel = force_of(bearing.steel);
   rim.contact.rim = bearing.contact.rim;
   rim.contact.rim_slow = bearing.contact.rim_slow;
   if (rim.contact.rim_slow) rim.contact.rate = bearing.contact.rate;
@@ -71,7 +78,7 @@ std::string rim_differences(const std::string &a, const std::string &b) {
 std::string bearing_identity(const Bearing &bearing) {
   Bearing whole = bearing;
   whole.name.clear();
-  whole.steel.strain_limit.reset(), whole.assumed = {};
+  whole.steel = force_of(whole.steel), whole.assumed = {};
   return digest_of_values(whole);
 }
 

@@ -24,6 +24,9 @@ constexpr std::array parts{ScenePart{"excitation.", "excitation.kind", true},
                            ScenePart{"superstructure.", "superstructure.kind", true},
                            ScenePart{"bearing.surface.", "bearing.surface.kind"},
                            ScenePart{"bearing.material.steel.rate_", "bearing.material.steel.rate"},
+                           ScenePart{"bearing.material.steel.hardening_", "bearing.material.steel.hardening"},
+                           ScenePart{"bearing.material.steel.curve", "bearing.material.steel.hardening"},
+                           ScenePart{"bearing.material.steel.tangent_modulus_MPa", "bearing.material.steel.hardening"},
                            ScenePart{"bearing.material.steel.", "bearing.material.steel.yield_MPa"},
                            ScenePart{"bearing.material.ertalyte.", "bearing.material.ertalyte.yield_MPa"},
                            ScenePart{"bearing.contact.rate_s_per_m", "bearing.contact.rim_slow"},
@@ -58,6 +61,13 @@ bool has_no_effect(const std::string &path, const Scene &scene) {
          (path.starts_with("isolator.") && !scene.double_concave());
 }
 
+/// Keys that are read before the settings are, and leave numbers in other keys.
+bool is_read_before(const std::string &path) {
+  constexpr std::array keys{"reduced.calibration", "bearing.surface.file", "bearing.material.steel.grade",
+                            "bearing.material.steel.hardness_HB"};
+  return std::find(keys.begin(), keys.end(), path) != keys.end();
+}
+
 void visit_all(KeyVisitor &visitor, Scene &scene) {
   visitor.section("bearing", [&] { visit(visitor, scene.bearing); });
   visit_settings(visitor, scene);
@@ -76,6 +86,7 @@ public:
   void word(const Key &key, std::string &, const std::vector<std::string> &) override { add(key); }
   void pair(const Key &key, Eigen::Vector2d &, Range) override { add(key); }
   void numbers(const Key &key, std::vector<double> &, Unit, Range) override { add(key); }
+  void rows(const Key &key, Rows &, const std::array<Column, 2> &) override { add(key); }
   void switches(const Key &key, const std::vector<std::pair<std::string, bool *>> &) override { add(key); }
 
 private:
@@ -117,7 +128,7 @@ std::string unread_keys(const TomlFile &file, const Scene &scene, UnreadPart wan
     const ScenePart *part = part_of(path);
     if (!part || !file.find(path) || remark_of(path, scene) != wanted) continue;
     if (read.names.count(path) > 0 && !has_no_effect(path, scene)) continue;
-    if (path == "reduced.calibration" || path == "bearing.surface.file") continue; // read before the settings are
+    if (is_read_before(path)) continue;
     if (file.is_set(path) || !file.is_set(part->choice)) unread.push_back(path);
   }
   if (unread.empty()) return {};

@@ -61,6 +61,20 @@ struct StrainRow {
   double speed;        ///< approach [m/s]
   JudgedStrain strain; ///< of the rim's steel
 };
+/// Where runs pass a limit: the slowest run beyond it, the next slower one, and between the two a straight line.
+struct Passing {
+  std::optional<double> below;    ///< [m/s]; none: no run is below it
+  std::optional<double> beyond;   ///< [m/s]; none: no run reaches it
+  std::optional<double> expected; ///< between them [m/s]
+};
+/// A place of the steel over all runs.
+struct PlaceStrain {
+  SteelPlace place;
+  double damage = 0, damage_speed = 0; ///< largest mean damage [-], of the run at [m/s]
+  double strain = 0, strain_speed = 0; ///< largest mean plastic strain [-], alike
+  Passing crack, limit;                ///< damage 1, and the strain's limit
+  std::string sentence;
+};
 struct AnswerStrain {
   double limit = 0;
   bool limit_is_assumption = true;
@@ -68,6 +82,7 @@ struct AnswerStrain {
   JudgedStrain largest{0, std::nullopt};
   std::optional<double> largest_speed_below_limit; ///< of a run below which no run exceeds the limit [m/s]
   bool exceeded() const { return largest.largest > limit; }
+  std::vector<PlaceStrain> places; ///< that are known
   std::string sentence;
   std::string crack_sentence;  ///< how near the rim's steel came to a crack; empty: not known
   std::string slider_sentence; ///< of the slider's edge, where it is crushed beyond the limit; else empty

@@ -127,6 +127,24 @@ json place_or_null(const std::optional<SteelPlace> &place) {
   return place ? json(word(*place)) : json(nullptr);
 }
 
+json passing_json(const Passing &p) {
+  return {{"below_m_s", number(p.below)}, {"beyond_m_s", number(p.beyond)}, {"expected_m_s", number(p.expected)}};
+}
+
+json places_json(const std::vector<PlaceStrain> &places) {
+  json list = json::array();
+  for (const PlaceStrain &at : places)
+    list.push_back({{"place", word(at.place)},
+                    {"damage", at.damage},
+                    {"damage_at_m_s", at.damage_speed},
+                    {"strain", at.strain},
+                    {"strain_at_m_s", at.strain_speed},
+                    {"crack", passing_json(at.crack)},
+                    {"limit", passing_json(at.limit)},
+                    {"sentence", at.sentence}});
+  return list;
+}
+
 json strain_json(const AnswerStrain &s) {
   json rows = json::array();
   for (const auto &row : s.rows)
@@ -139,6 +157,7 @@ json strain_json(const AnswerStrain &s) {
           {"place", place_or_null(s.largest.place)},
           {"exceeded", s.exceeded()},
           {"largest_speed_below_limit_m_s", number(s.largest_speed_below_limit)},
+          {"places", places_json(s.places)},
           {"sentence", s.sentence},
           {"crack_sentence", text_or_null(s.crack_sentence)},
           {"slider_sentence", text_or_null(s.slider_sentence)}};

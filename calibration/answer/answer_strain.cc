@@ -3,6 +3,8 @@
 #include "calibration/laws/percent.h"
 #include <algorithm>
 #include <fmt/format.h>
+#include <map>
+#include <tuple>
 
 namespace rimpact::calibration {
 namespace {
@@ -36,6 +38,65 @@ struct Worst {
   }
 };
 
+/// A value by the speed of its run.
+using BySpeed = std::vector<std::pair<double, double>>;
+
+Passing passing(const BySpeed &values, double limit) {
+  const auto beyond = std::find_if(values.begin(), values.end(), [&](const auto &at) { return at.second > limit; });
+  Passing result;
+  if (beyond != values.begin()) result.below = beyond[-1].first;
+  if (beyond == values.end()) return result;
+  result.beyond = beyond->first;
+  if (beyond == values.begin()) return result;
+  const double share = (limit - beyond[-1].second) / (beyond->second - beyond[-1].second);
+  result.expected = beyond[-1].first + share * (beyond->first - beyond[-1].first);
+  return result;
+}
+
+std::string in_words(const Passing &p) {
+  if (!p.beyond) return "not reached";
+  if (!p.below) return fmt::format("passed by every run, from {:.3g} m/s on", *p.beyond);
+  return fmt::format("passed at about {:.2g} m/s (runs at {:.3g} and {:.3g})", *p.expected, *p.below, *p.beyond);
+}
+
+PlaceStrain place_strain(SteelPlace place, const BySpeed &damage, const BySpeed &strain, double limit) {
+  const auto largest = [](const BySpeed &values) {
+    return *std::max_element(values.begin(), values.end(),
+                             [](const auto &a, const auto &b) { return a.second < b.second; });
+  };
+  PlaceStrain at{.place = place, .crack = passing(damage, 1.0), .limit = passing(strain, limit), .sentence = {}};
+  std::tie(at.damage_speed, at.damage) = largest(damage);
+  std::tie(at.strain_speed, at.strain) = largest(strain);
+  at.sentence = fmt::format("{}: damage {:.2f} at {:.3g} m/s, 1 {}; strain {} at {:.3g} m/s, its limit of {:.3g} % {}",
+                            description(place), at.damage, at.damage_speed, in_words(at.crack), percent_up(at.strain),
+                            at.strain_speed, 100 * limit, in_words(at.limit));
+  return at;
+}
+
+/// Of all runs, means over averaging_radius.
+std::vector<PlaceStrain> by_places(const Calibration &c, const std::vector<const StoredRun *> &runs, double limit) {
+  std::map<SteelPlace, std::pair<BySpeed, BySpeed>> values;
+  for (const StoredRun *run : runs) {
+    if (run->impacts.empty()) continue;
+    for (const auto &[place, at] : c.facts.at(run->folder).steel) {
+      values[place].first.emplace_back(run->approach_speed(), at.averaged_damage);
+      values[place].second.emplace_back(run->approach_speed(), at.averaged);
+    }
+  }
+  std::vector<PlaceStrain> result;
+  for (auto &[place, both] : values) {
+    std::sort(both.first.begin(), both.first.end()), std::sort(both.second.begin(), both.second.end());
+    result.push_back(place_strain(place, both.first, both.second, limit));
+  }
+  return result;
+}
+
+/// Whose constants the damage has.
+const char *constants_of(const scene::Material &steel) {
+  if (steel.fracture == scene::Fracture{}) return "constants of Weldox 460 E, an assumption";
+  return steel.has_grade() ? "constants of its grade" : "constants of the bearing's file";
+}
+
 } // namespace
 
 std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vector<const StoredRun *> &runs) {
@@ -47,7 +108,7 @@ std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vecto
     s.rows.push_back({run->approach_speed(), *facts.strain});
     for (const auto &[place, at] : facts.steel)
       if (is_of_the_rim(place))
-        crack.take(at.damage, run->approach_speed(), place);
+        crack.take(at.averaged_damage, run->approach_speed(), place);
       else
         slider.take(at.averaged, run->approach_speed(), place);
   }
@@ -62,12 +123,13 @@ std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vecto
     if (row.strain.largest > s.limit) break;
     s.largest_speed_below_limit = row.speed;
   }
+  s.places = by_places(c, runs, s.limit);
   s.sentence = sentence(s);
   if (crack.place)
-    s.crack_sentence =
-        fmt::format("A crack begins at a damage of 1; the runs reach {:.2f}, in {} at {:.3g} m/s (constants of Weldox "
-                    "460 E, an assumption).",
-                    crack.value, description(*crack.place), crack.speed);
+    s.crack_sentence = fmt::format(
+        "A crack begins at a damage of 1; the runs reach {:.2f}, in {} at {:.3g} m/s ({}; a mean over {:g} "
+        "mm). No crack is in the model: beyond 1 its forces are no result.",
+        crack.value, description(*crack.place), crack.speed, constants_of(bearing.steel), 1e3 * averaging_radius);
   if (slider.value > s.limit)
     s.slider_sentence = fmt::format("The slider's edge is crushed, by {} at {:.3g} m/s: plan to replace the slider.",
                                     percent_up(slider.value), slider.speed);

@@ -120,6 +120,8 @@ std::string describe(const Answer &a) {
     for (const std::string &said : {a.strain->exceeded() ? "" : a.strain->sentence, // else it is among the doubts
                                     a.strain->crack_sentence, a.strain->slider_sentence})
       if (!said.empty()) text += said + "\n";
+  if (a.strain)
+    for (const PlaceStrain &at : a.strain->places) text += "  " + at.sentence + "\n";
   if (!a.mesh_error.sentence.empty()) text += a.mesh_error.sentence + "\n";
   if (a.steel_band) text += band_text(*a.steel_band);
   for (const std::string &said : sentences(a.errors)) text += said + "\n";

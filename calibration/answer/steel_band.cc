@@ -19,6 +19,14 @@ std::string span(const SteelBand &band, double (SteelTwin::*ratio)() const) {
   return from == to ? to + " %" : from + " to " + to + " %";
 }
 
+/// Whose constants the law of the rate has.
+const char *origin(const SteelBand &band) {
+  if (!band.assumed) return ", from the bearing's file";
+  scene::StrainRate mild;
+  mild.model = band.rate.model;
+  return band.rate == mild ? ", mild steel's constants, an assumption" : ", the grade's constants, an assumption";
+}
+
 } // namespace
 
 double SteelBand::largest(double (SteelTwin::*ratio)() const) const {
@@ -32,8 +40,7 @@ std::vector<std::string> sentences(const SteelBand &band) {
   return {fmt::format("Steel that knows its strain rate raises the peak force by {} and lowers the depth by {}, from "
                       "{:.3g} to {:.3g} m/s.",
                       span(band, &SteelTwin::force_ratio), span(band, &SteelTwin::depth_ratio), low, high),
-          fmt::format("Its law: {}{}.", in_words(band.rate),
-                      band.assumed ? ", mild steel's constants, an assumption" : ", from the bearing's file"),
+          fmt::format("Its law: {}{}.", in_words(band.rate), origin(band)),
           "Take the static steel for the travel, the fast one for the force."};
 }
 

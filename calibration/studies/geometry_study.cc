@@ -88,7 +88,10 @@ void GeometryOptions::validate() const {
 std::vector<Scene> geometry_scenes(const Scene &window, const GeometryOptions &options) {
   options.validate();
   if (!window.bearing.steel.yield || window.bearing.steel.tangent_modulus.value_or(0) <= 0)
-    throw InputError("material.steel needs yield_MPa and tangent_modulus_MPa > 0 for a geometry study");
+    throw InputError(
+        fmt::format("material.steel needs yield_MPa and tangent_modulus_MPa > 0 for a geometry study, which "
+                    "varies two straight lines; its hardening is \"{}\"",
+                    word(window.bearing.steel.hardening.law)));
   const auto speeds = range_of(geometry_axes().back(), window, options);
   std::vector<Scene> scenes;
   for (const double share : {0.0, 0.5, 1.0}) {

@@ -31,7 +31,8 @@ void write_fields(const BearingSystem &system, const SystemState &state, const E
       {"contact_pressure_MPa", 1, false, pressure},
       {"gap_mm", 1, false, gap},
       {"von_mises_MPa", 1, true, cells.von_mises},
-      {"equivalent_plastic_strain", 1, true, cells.plastic_strain}};
+      {"equivalent_plastic_strain", 1, true, cells.plastic_strain},
+      {"damage", 1, true, cells.damage}};
   constexpr const char *components[] = {"xx", "yy", "zz", "xy", "yz", "zx"};
   for (int i = 0; i < 6; ++i) {
     for (double &value : cells.stress[i]) value *= 1e-6;

@@ -11,6 +11,7 @@ void visit(StateVisitor &v, SolidHistory &history) {
       "cp_inverse", history, 6, [](J2State &point) { return point.cp_inverse.data(); }, size);
   v.column("alpha", history, &J2State::alpha, positive);
   v.column("triaxiality", history, &J2State::triaxiality, size);
+  v.column("lode", history, &J2State::lode, size);
   v.column("damage", history, &J2State::damage, positive);
   v.column("overstress", history, &J2State::overstress, {0, 1e12});
   v.column("viscous_work", history, &J2State::viscous_work, {0, 1e15});

@@ -12,7 +12,7 @@ using meshes::Volume;
 /// A quadrature point of the steel.
 struct SteelPoint {
   Vector3d place;
-  double volume, strain;
+  double volume, strain, damage;
   std::size_t index; ///< in the history
 };
 
@@ -41,15 +41,20 @@ private:
   double root_top_; ///< [m]
 };
 
-/// Weighted mean of the strain of a body about a place of it.
-double averaged(const std::vector<SteelPoint> &body, const Vector3d &middle) {
+/// Weighted means of a body about a place of it.
+struct Means {
+  double strain, damage;
+};
+Means averaged(const std::vector<SteelPoint> &body, const Vector3d &middle) {
   constexpr double reach = averaging_radius * averaging_radius;
-  double volume = 0, sum = 0;
+  double volume = 0, strain = 0, damage = 0;
   for (const SteelPoint &p : body) {
     const double share = 1 - (p.place - middle).squaredNorm() / reach;
-    if (share > 0) volume += share * share * p.volume, sum += share * share * p.volume * p.strain;
+    if (!(share > 0)) continue;
+    const double weight = share * share * p.volume;
+    volume += weight, strain += weight * p.strain, damage += weight * p.damage;
   }
-  return sum / volume;
+  return {strain / volume, damage / volume};
 }
 
 SteelAtPlace worst_of(std::vector<SteelPoint> points, const std::vector<SteelPoint> &body,
@@ -62,9 +67,14 @@ SteelAtPlace worst_of(std::vector<SteelPoint> points, const std::vector<SteelPoi
   result.largest = largest.strain;
   result.place = largest.place;
   result.triaxiality = history[largest.index].triaxiality / largest.strain;
+  result.lode = history[largest.index].lode / largest.strain;
   for (const SteelPoint &p : points) {
-    result.damage = std::max(result.damage, history[p.index].damage);
-    if (p.strain > result.averaged) result.averaged = std::max(result.averaged, averaged(body, p.place));
+    result.damage = std::max(result.damage, p.damage);
+    if (!(p.strain > result.averaged || p.damage > result.averaged_damage))
+      continue; // about lower points no mean is sought
+    const Means means = averaged(body, p.place);
+    result.averaged = std::max(result.averaged, means.strain);
+    result.averaged_damage = std::max(result.averaged_damage, means.damage);
   }
   return result;
 }
@@ -88,7 +98,7 @@ SteelReport steel_by_place(const Discretisation &space, const scene::Bearing &be
       const auto place = places.of(space.volumes[c], x);
       if (!place) continue;
       const std::size_t index = c * n_points + q;
-      const SteelPoint point{x, space.full.weights[index], history[index].alpha, index};
+      const SteelPoint point{x, space.full.weights[index], history[index].alpha, history[index].damage, index};
       bodies[body_of(space.volumes[c])].push_back(point);
       by_place[{*place, body_of(space.volumes[c])}].push_back(point);
     }

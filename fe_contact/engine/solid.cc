@@ -2,7 +2,6 @@
 
 #include "fe_contact/engine/solid_kernel.h"
 #include "fe_contact/engine/threads.h"
-#include "fe_contact/laws/crack_measure.h"
 #include "fe_contact/solver/ranks.h"
 #include <algorithm>
 
@@ -17,7 +16,9 @@ Solid::Solid(const Discretisation &space, const scene::Bearing &bearing)
 Solid::Solid(const Discretisation &space, const std::map<meshes::Volume, scene::Material> &materials)
     : space_(space), kept_(space.n_cells) {
   for (const auto &[volume, material] : materials)
-    laws_.emplace(volume, SolidLaw{HenckyJ2::from(material), HenckyVolumetric::from(material), material.density});
+    laws_.emplace(
+        volume,
+        SolidLaw{HenckyJ2::from(material), HenckyVolumetric::from(material), {material.fracture}, material.density});
 }
 
 std::vector<std::vector<int>> Solid::couplings(const Equations &equations) const {
@@ -59,6 +60,7 @@ const std::vector<int> &Solid::places_in(const SymmetricMatrix &matrix, const Eq
 void Solid::remember(std::size_t c, const SolidHistory &old, SolidHistory &next, const double *mises,
                      const double *mean) const {
   const int n_points = space_.full.n_points, n_reduced = space_.reduced.n_points;
+  const CrackMeasure &crack = law_of(c).crack;
   for (int q = 0; q < n_points; ++q) {
     const J2State &before = old[c * n_points + q];
     J2State &now = next[c * n_points + q];
@@ -68,7 +70,7 @@ void Solid::remember(std::size_t c, const SolidHistory &old, SolidHistory &next,
     for (int r = 0; r < n_reduced; ++r) at_point += space_.reduced_to_full[q * n_reduced + r] * mean[r];
     const double triaxiality = at_point / (mises[q] + now.overstress);
     now.triaxiality += triaxiality * flow;
-    now.damage += flow / CrackMeasure{}.fracture_strain(triaxiality);
+    now.damage += flow / crack.fracture_strain(triaxiality);
   }
 }
 

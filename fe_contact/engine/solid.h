@@ -5,6 +5,7 @@
 #pragma once
 #include "fe_contact/engine/discretisation.h"
 #include "fe_contact/engine/kept_tangents.h"
+#include "fe_contact/laws/crack_measure.h"
 #include "fe_contact/laws/hencky_j2.h"
 #include "fe_contact/solver/equations.h"
 #include "fe_contact/solver/symmetric_matrix.h"
@@ -26,6 +27,7 @@ struct SolidEnergies {
 struct SolidLaw {
   HenckyJ2 isochoric;
   HenckyVolumetric volumetric;
+  CrackMeasure crack;
   double density; ///< [kg/m^3]
 };
 

@@ -22,20 +22,20 @@ SolidFields fields_of(const Solid &solid, const Discretisation &space, const Eig
   for (std::size_t c = 0; c < space.n_cells; ++c) {
     const unsigned *nodes = &space.cell_nodes[c * n];
     const SolidLaw &law = solid.law_of(c);
-    double strain = 0.0;
+    double strain = 0.0, damage = 0.0;
     Vector6 stress = Vector6::Zero();
     for (int q = 0; q < n_points; ++q) {
       const std::size_t point = c * n_points + q;
       const Matrix3 F = gradient_at(u, nodes, &space.full.gradients[point * 3 * n], n);
       const Vector6 tau = law.isochoric.step(history[point], F).response.stress;
-      strain = std::max(strain, history[point].alpha);
+      strain = std::max(strain, history[point].alpha), damage = std::max(damage, history[point].damage);
       stress += tau / F.determinant() / n_points;
     }
     for (int q = 0; q < n_reduced; ++q) {
       const Matrix3 F = gradient_at(u, nodes, &space.reduced.gradients[(c * n_reduced + q) * 3 * n], n);
       stress += law.volumetric.at(F.determinant()).response.stress / F.determinant() / n_reduced;
     }
-    result.plastic_strain.push_back(strain);
+    result.plastic_strain.push_back(strain), result.damage.push_back(damage);
     const Matrix3 mean = to_matrix(stress);
     result.von_mises.push_back(std::sqrt(1.5) * (mean - mean.trace() / 3 * Matrix3::Identity()).norm());
     for (int i = 0; i < 6; ++i) result.stress[i].push_back(stress[i]);

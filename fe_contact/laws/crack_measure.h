@@ -3,19 +3,18 @@
 /// eta the triaxiality, mean stress over von Mises stress; tension positive. A crack begins at D = 1. Below eta = -1/3
 /// nothing cracks (Bao and Wierzbicki, Engineering Fracture Mechanics 72, 2005). Rate and temperature are left out.
 #pragma once
+#include "scene/material.h"
 #include <cmath>
 
 namespace rimpact::fe {
 
 struct CrackMeasure {
-  /// Weldox 460 E (Borvik, Hopperstad, Berstad and Langseth, European Journal of Mechanics A 20, 2001): an assumption
-  /// for any other steel.
-  double D1 = 0.0705, D2 = 1.732, D3 = -0.54;
+  scene::Fracture constants{};
 
   /// Plastic strain at fracture under a constant triaxiality [-]; infinite where nothing cracks.
   double fracture_strain(double triaxiality) const {
     constexpr double none_below = -1.0 / 3.0;
-    return triaxiality < none_below ? HUGE_VAL : D1 + D2 * std::exp(D3 * triaxiality);
+    return triaxiality < none_below ? HUGE_VAL : constants.D1 + constants.D2 * std::exp(constants.D3 * triaxiality);
   }
 };
 

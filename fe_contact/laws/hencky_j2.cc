@@ -1,4 +1,5 @@
 #include "fe_contact/laws/hencky_j2.h"
+#include "fe_contact/laws/plastic_flow.h"
 
 #include <cmath>
 #include <Eigen/Eigenvalues>
@@ -20,6 +21,12 @@ struct PrincipalReturn {
   double overstress = 0.0; ///< [Pa]
 };
 
+/// 27 J3 / (2 q^3) of a deviator, q = sqrt(3/2) |s|: 1 in tension, 0 in shear, -1 in compression.
+double lode_parameter(const Eigen::Vector3d &s) {
+  const double q = std::sqrt(1.5) * s.norm();
+  return 13.5 * s.prod() / (q * q * q);
+}
+
 /// Plastic part of a step: the change of the elastic strain's norm, and its own change with the trial stress's.
 struct Flow {
   double gamma;
@@ -31,17 +38,16 @@ Matrix3 deviatoric_projector() {
   return Matrix3::Identity() - Matrix3::Constant(1.0 / 3.0);
 }
 
-/// Beyond the static yield surface by `excess` [Pa] of |dev tau|. The bilinear curve is solved exactly, the law of the
-/// rate in terms of the equivalent stress sqrt(3/2) |dev tau|.
+/// Beyond the static yield surface by `excess` [Pa] of |dev tau|. The bilinear curve of static steel is solved exactly,
+/// all else in terms of the equivalent stress sqrt(3/2) |dev tau|.
 Flow flow_beyond(const HenckyJ2 &law, double excess, double alpha, double dt) {
-  const double mu = law.shear_modulus, slope = law.hardening.slope(alpha);
-  if (law.rate.none() || !(dt > 0))
+  const double mu = law.shear_modulus;
+  if (law.hardening.is_linear() && (law.rate.none() || !(dt > 0))) {
+    const double slope = law.hardening.slope(alpha);
     return {excess / (2 * mu + 2.0 / 3.0 * slope), 2 * mu / (2 * mu + 2.0 / 3.0 * slope)};
-  const StepFlow step = flow_of(law.rate, {.excess = std::sqrt(1.5) * excess,
-                                           .stress = law.hardening.stress(alpha),
-                                           .slope = slope,
-                                           .elastic = 3 * mu,
-                                           .dt = dt});
+  }
+  const StepFlow step = flow_of(law.hardening, law.rate,
+                                {.excess = std::sqrt(1.5) * excess, .alpha = alpha, .elastic = 3 * mu, .dt = dt});
   return {std::sqrt(1.5) * step.flow, 3 * mu * step.by_trial,
           step.overstress * law.hardening.stress(alpha + step.flow)};
 }
@@ -109,9 +115,9 @@ Vector6 to_vector(const Matrix3 &m) {
 }
 
 HenckyJ2 HenckyJ2::from(const scene::Material &material) {
-  HenckyJ2 law{material.E / (2 * (1 + material.nu)), !material.yield.has_value(), {}};
+  HenckyJ2 law{material.E / (2 * (1 + material.nu)), !material.yield.has_value()};
   if (!material.yield) return law;
-  law.hardening = {*material.yield, scene::hardening_modulus(material)};
+  law.hardening = Hardening(material);
   law.rate = {material.rate};
   return law;
 }
@@ -148,6 +154,7 @@ IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F, double dt, 
     const Matrix3 pulled = F_inverse * axes;
     result.state.cp_inverse = to_vector(pulled * b_elastic.asDiagonal() * pulled.transpose());
     result.state.alpha = principal.alpha;
+    result.state.lode += lode_parameter(principal.stress) * (principal.alpha - old.alpha);
     // As the ledgers take the work of the stresses: by the trapezoid over the step.
     result.state.viscous_work += 0.5 * (old.overstress + principal.overstress) * (principal.alpha - old.alpha);
   }

@@ -7,6 +7,7 @@
 /// flow stress that of the hardening curve, times 1 + w where the steel knows its rate (strain_rate.h), Kirchhoff
 /// stress tau = 2 mu dev eps_e + kappa ln J 1. Signs: tension positive. Units: Pa, J/m^3.
 #pragma once
+#include "fe_contact/laws/hardening.h"
 #include "fe_contact/laws/strain_rate.h"
 #include "scene/material.h"
 #include <Eigen/Core>
@@ -18,16 +19,6 @@ using Matrix6 = Eigen::Matrix<double, 6, 6>;
 /// Symmetric tensors as (xx, yy, zz, xy, yz, zx).
 using Vector6 = Eigen::Matrix<double, 6, 1>;
 
-/// Isotropic hardening: flow stress and plastic work as functions of the accumulated plastic strain alpha >=
-/// 0.
-struct BilinearHardening {
-  double yield;   ///< [Pa], > 0
-  double modulus; ///< H [Pa], >= 0
-  double stress(double alpha) const { return yield + modulus * alpha; }
-  double slope(double) const { return modulus; }
-  double work(double alpha) const { return alpha * (yield + 0.5 * modulus * alpha); } ///< integral of stress [J/m^3]
-};
-
 /// Memory of a material point.
 struct J2State {
   Vector6 cp_inverse{1.0, 1.0, 1.0, 0.0, 0.0, 0.0}; ///< C_p^-1
@@ -36,6 +27,7 @@ struct J2State {
   double viscous_work = 0.0; ///< integral of the overstress over alpha [J/m^3]
   // Of what the steel went through; no force depends on them:
   double triaxiality = 0.0; ///< integral of the triaxiality over alpha [-]
+  double lode = 0.0;        ///< integral of the Lode parameter over alpha [-]
   double damage = 0.0;      ///< D of CrackMeasure [-]
 };
 
@@ -57,7 +49,7 @@ struct IsochoricResult {
 struct HenckyJ2 {
   double shear_modulus; ///< mu [Pa], > 0
   bool elastic = false; ///< never yields
-  BilinearHardening hardening{0.0, 0.0};
+  Hardening hardening{};
   RateLaw rate{};
 
   static HenckyJ2 from(const scene::Material &material);

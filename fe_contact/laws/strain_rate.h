@@ -1,4 +1,4 @@
-/// Flow stress that grows with the plastic strain rate, and the flow of a step in time that is implicit in it.
+/// Flow stress that grows with the plastic strain rate.
 ///
 /// Flow stress = sigma_s(alpha) (1 + w), with sigma_s the static one and w >= 0 the relative overstress at the rate
 /// d alpha / dt:
@@ -22,24 +22,5 @@ struct RateLaw {
   double overstress(double rate) const;      ///< rate [1/s] >= 0 -> w [-]
   PlasticRate rate(double overstress) const; ///< w [-] >= 0 -> the rate; at w = 0 the largest one without overstress
 };
-
-/// A step beyond yield, in terms of equivalent stress.
-struct FlowStep {
-  double excess;  ///< trial stress over the static flow stress at the step's start [Pa], > 0
-  double stress;  ///< that static flow stress [Pa], > 0
-  double slope;   ///< of the static hardening curve [Pa], >= 0, the same over the step
-  double elastic; ///< fall of the stress by flow, 3 mu [Pa], > 0
-  double dt;      ///< [s], > 0
-};
-
-struct StepFlow {
-  double flow;       ///< change of alpha [-], >= 0
-  double by_trial;   ///< d flow / d trial stress [1/Pa], between 0 and 1 / (elastic + slope)
-  double overstress; ///< w at the step's end [-], >= 0
-};
-
-/// Solves excess = stress w + (elastic + slope (1 + w)) dt rate(w) for w >= 0, by Newton's method from above, which
-/// a convex function lets fall to its root without overshooting.
-StepFlow flow_of(const RateLaw &law, const FlowStep &step);
 
 } // namespace rimpact::fe

@@ -139,5 +139,6 @@ def _strain(strain: dict[str, Any] | None) -> dict[str, Any] | None:
     source = "an assumption of ours" if strain.get("limit_is_assumption") else "from the bearing file"
     return {"exceeded": strain.get("exceeded") is True, "sentence": strain.get("sentence", ""),
             "beside": [strain[key] for key in ("crack_sentence", "slider_sentence") if strain.get(key)],
+            "places": [row["sentence"] for row in strain.get("places") or [] if row.get("sentence")],
             "limit": f"{limit}, {source}", "largest": percent(strain.get("largest"), 1, False),
             "rows": [[sig(row.get("speed_m_s"), 2), percent(row.get("strain"), 1, False)] for row in _telling(strain.get("rows", []), strain.get("limit"))]}

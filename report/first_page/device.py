@@ -46,6 +46,25 @@ def _rate_row(steel: dict[str, Any], mark: Callable[[str], str]) -> list[list[An
     return [["Steel at speed", value]]
 
 
+HARDENING = {"table": ("a table", ()), "swift": ("Swift", (("hardening_K_MPa", "K", "\u00a0MPa"), ("hardening_e0", "e0", ""), ("hardening_n", "n", ""))),
+             "voce": ("Voce", (("hardening_Q_MPa", "Q", "\u00a0MPa"), ("hardening_b", "b", ""))),
+             "ludwik": ("Ludwik", (("hardening_K_MPa", "K", "\u00a0MPa"), ("hardening_n", "n", "")))}
+
+
+def _hardening(steel: dict[str, Any], mark: Callable[[str], str]) -> Markup:
+    """Behind the yield stress: the tangent of two straight lines, or the law and its constants."""
+    if steel.get("hardening") not in HARDENING:
+        tangent = steel.get("tangent_modulus_MPa")
+        return Markup(f", tangent {plain(tangent)}\u00a0MPa") + mark("tangent_modulus_MPa") if is_number(tangent) else Markup("")
+    name, constants = HARDENING[steel["hardening"]]
+    value = Markup(f", then {name}")
+    if steel["hardening"] == "table" and isinstance(steel.get("curve"), list):
+        value += f" of {len(steel['curve'])} rows"
+    for key, symbol, unit in constants:
+        value += Markup(f", {symbol}\u00a0{plain(steel.get(key))}{unit}") + mark(key)
+    return value
+
+
 def _rows(bearing: dict[str, Any], assumed: set[str]) -> list[list[Any]]:
     """[label, value] pairs of what shapes an impact."""
     def number(part: str, key: str, unit: str = "") -> Markup:
@@ -68,9 +87,8 @@ def _rows(bearing: dict[str, Any], assumed: set[str]) -> list[list[Any]]:
     steel = bearing.get("material", {}).get("steel", {})
     if is_number(steel.get("yield_MPa")):
         mark = lambda key: STAR if f"material.steel.{key}" in assumed else ""  # noqa: E731
-        value = Markup(f"yields at {plain(steel['yield_MPa'])}\u00a0MPa") + mark("yield_MPa")
-        if is_number(steel.get("tangent_modulus_MPa")):
-            value += Markup(f", tangent {plain(steel['tangent_modulus_MPa'])}\u00a0MPa") + mark("tangent_modulus_MPa")
+        named = f"{escape(steel['grade'])}, " if steel.get("grade", "none") != "none" else ""
+        value = Markup(f"{named}yields at {plain(steel['yield_MPa'])}\u00a0MPa") + mark("yield_MPa") + _hardening(steel, mark)
         rows.append(["Steel", value])
         rows += _rate_row(steel, mark)
     return rows

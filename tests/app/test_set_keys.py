@@ -16,6 +16,7 @@ Key = dict[str, Any]
 VALUES = {
     "bearing.assumed": '["slider.diameter_mm"]', "bearing.file": '"nosuch.toml"', "bearing.name": '"fps-225"', "bearing.surface.file": '"nosuch.csv"',
     "bearing.surface.radius_mm": "[0, 100, 600]", "bearing.surface.height_mm": "[0, 5, 90]",
+    "bearing.material.steel.curve": "[[0, 355], [0.1, 500]]", "bearing.material.steel.hardness_HB": "150",
     "excitation.with": '["weight"]', "excitation.displacement_m": "[0.1, 0.0]", "excitation.velocity_m_per_s": "[0.1, 0.0]",
     "excitation.amplitudes_m": "[0.1, 0.2]", "excitation.centre_s": "3", "excitation.duration_s": "3", "excitation.kind": '"cyclic"', "model.rung": '"full"',
     "reduced.model": '"lir-dcfp"', "superstructure.kind": '"bouc-wen"', "isolator.points": "16", "isolator.step_tolerance": "1e-3",

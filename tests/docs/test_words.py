@@ -127,7 +127,7 @@ class Words(unittest.TestCase):
                 self.assertNotIn("unknown key", done.stderr)
 
     def test_every_kind_can_be_listed(self):
-        for kind in ("bearings", "scenes", "models", "laws", "materials", "rungs", "signals", "columns", "files", "exit-codes"):
+        for kind in ("bearings", "scenes", "models", "laws", "materials", "rungs", "steels", "signals", "columns", "files", "exit-codes"):
             listed = json.loads(rimpact("list", kind, "--json").stdout)
             self.assertTrue(all(listed[kind].values()), kind)
             self.assertIn(next(iter(listed[kind])), rimpact("list", kind).stdout)

@@ -2,6 +2,7 @@
 // 10).
 #include "fe_contact/laws/hencky_j2.h"
 
+#include "steels.h"
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <gtest/gtest.h>
@@ -100,12 +101,45 @@ TEST(HenckyJ2, UniaxialTensionFollowsTheBilinearCurve) {
   EXPECT_GT(bar.state.alpha, 0.015);
 }
 
+TEST(HenckyJ2, UniaxialTensionFollowsEveryCurve) {
+  for (const auto &[name, material] : test::steels()) {
+    const HenckyJ2 law = HenckyJ2::from(material);
+    PulledBar bar{law};
+    double work = 0, before = 0;
+    for (int n = 1; n <= 400; ++n) {
+      const double axial = 0.15 * n / 400, stress = bar.pull(axial);
+      if (bar.state.alpha > 0)
+        EXPECT_NEAR(stress / law.hardening.stress(axial - stress / material.E), 1, 1e-6) << name << " at " << axial;
+      work += 0.5 * (stress + before) * 0.15 / 400;
+      before = stress;
+    }
+    EXPECT_GT(bar.state.alpha, 0.14);
+    EXPECT_NEAR((bar.energy + law.hardening.work(bar.state.alpha)) / work, 1, 1e-3) << name;
+  }
+}
+
+TEST(HenckyJ2, TangentOfEveryCurveAgreesWithDifferences) {
+  for (const auto &[name, material] : test::steels())
+    for (const auto model : {scene::RateModel::none, scene::RateModel::cowper_symonds}) {
+      scene::Material steel_at_speed = material;
+      steel_at_speed.rate.model = model;
+      const HenckyJ2 law = HenckyJ2::from(steel_at_speed);
+      std::mt19937 generator(7);
+      for (int sample = 0; sample < 10; ++sample) {
+        SCOPED_TRACE(name);
+        const J2State history = law.step(J2State{}, random_gradient(generator, 0.02), 1e-4).state;
+        ASSERT_GT(history.alpha, 0);
+        expect_consistent_tangent(law, history, random_gradient(generator, 0.02), 1e-4);
+      }
+    }
+}
+
 /// Closed form of the flow that a bar settles to, pulled at a constant rate: sigma = (sigma_y + H alpha) f with f of
 /// the plastic rate, which is a constant: E (rate - rate_p) = H rate_p f(rate_p).
 double settled_plastic_rate(const HenckyJ2 &law, double rate) {
   double plastic = rate;
   for (int k = 0; k < 200; ++k)
-    plastic = steel.E * rate / (steel.E + law.hardening.modulus * (1 + law.rate.overstress(plastic)));
+    plastic = steel.E * rate / (steel.E + law.hardening.slope(0) * (1 + law.rate.overstress(plastic)));
   return plastic;
 }
 
@@ -229,6 +263,17 @@ TEST(HenckyJ2, PlasticFlowIsIsochoricAndYieldIsMet) {
   const Matrix3 s = to_matrix(result.response.stress);
   EXPECT_NEAR(std::sqrt(1.5) * s.norm(), law.hardening.stress(result.state.alpha), 1e-3);
   EXPECT_NEAR(s.trace(), 0.0, 1.0);
+}
+
+TEST(HenckyJ2, LodeParameterTellsTensionShearAndCompression) {
+  const HenckyJ2 law = HenckyJ2::from(steel);
+  const auto lode = [&](const Matrix3 &F) {
+    const J2State state = law.step(J2State{}, F).state;
+    return state.lode / state.alpha;
+  };
+  EXPECT_NEAR(lode(Eigen::Vector3d(1.02, 0.99, 0.99).asDiagonal()), 1, 1e-12);
+  EXPECT_NEAR(lode(Eigen::Vector3d(0.98, 1.01, 1.01).asDiagonal()), -1, 1e-12);
+  EXPECT_NEAR(lode(Eigen::Vector3d(1.02, 1.0 / 1.02, 1).asDiagonal()), 0, 1e-12); // pure shear
 }
 
 TEST(HenckyJ2, RepeatingAnAcceptedGradientChangesNothing) {

@@ -17,6 +17,8 @@ TEST(CrackMeasure, IsJohnsonAndCooksAndEndsInCompression) {
   EXPECT_NEAR(steel.fracture_strain(1.0 / 3), 0.0705 + 1.732 * std::exp(-0.18), 1e-12);
   EXPECT_TRUE(std::isfinite(steel.fracture_strain(-0.33)));
   EXPECT_TRUE(std::isinf(steel.fracture_strain(-0.34)));
+  const CrackMeasure own{{.D1 = 0.05, .D2 = 3.44, .D3 = -2.12}};
+  EXPECT_NEAR(own.fracture_strain(1), 0.05 + 3.44 * std::exp(-2.12), 1e-12);
 }
 
 class Remembered : public ::testing::TestWithParam<int> {};
@@ -50,6 +52,7 @@ TEST_P(Remembered, TriaxialityAndDamageOfAUniformStretch) {
   for (const J2State &point : history) {
     EXPECT_NEAR(point.triaxiality, triaxiality, 1e-9 * triaxiality);
     EXPECT_NEAR(point.damage, damage, 1e-9 * damage);
+    EXPECT_NEAR(point.lode, point.alpha, 1e-9 * point.alpha); // a stretch along one axis: 1
   }
 }
 INSTANTIATE_TEST_SUITE_P(Degrees, Remembered, ::testing::Values(1, 2));
@@ -62,7 +65,10 @@ TEST(SteelPlaces, EachPartIsToldApartAndASpikeIsAveraged) {
   SolidHistory history(space.n_cells * 27);
   const std::map<Volume, double> strains{{Volume::plate, 0.02}, {Volume::rim, 0.02}, {Volume::upper_slider, 0.04}};
   for (std::size_t c = 0; c < space.n_cells; ++c)
-    for (int q = 0; q < 27; ++q) history[27 * c + q].alpha = strains.at(space.volumes[c]);
+    for (int q = 0; q < 27; ++q) {
+      J2State &point = history[27 * c + q];
+      point.alpha = strains.at(space.volumes[c]), point.damage = 2 * point.alpha, point.lode = -0.5 * point.alpha;
+    }
   const SteelReport even = steel_by_place(space, bearing, history);
   ASSERT_EQ(even.size(), 4u);
   for (const auto &[place, strain] : {std::pair{SteelPlace::dish, 0.02},
@@ -71,6 +77,8 @@ TEST(SteelPlaces, EachPartIsToldApartAndASpikeIsAveraged) {
                                       {SteelPlace::slider_edge, 0.04}}) {
     EXPECT_EQ(even.at(place).largest, strain) << word(place);
     EXPECT_NEAR(even.at(place).averaged, strain, 1e-12) << word(place);
+    EXPECT_NEAR(even.at(place).averaged_damage, 2 * strain, 1e-12) << word(place);
+    EXPECT_NEAR(even.at(place).lode, -0.5, 1e-12) << word(place);
   }
   // A point of the rim's highest cell.
   std::size_t spike = 0;
@@ -86,6 +94,8 @@ TEST(SteelPlaces, EachPartIsToldApartAndASpikeIsAveraged) {
   EXPECT_LE(wall.averaged, 0.5);
   EXPECT_NEAR(wall.triaxiality, 0.2, 1e-12);
   EXPECT_EQ(wall.damage, 0.3);
+  EXPECT_GT(wall.averaged_damage, 0.04);
+  EXPECT_LT(wall.averaged_damage, 0.3);
   EXPECT_NEAR(std::hypot(wall.place.x(), wall.place.y()), bearing.surface.planar_radius + bearing.rim.ledge, 0.05);
   EXPECT_EQ(spiked.at(SteelPlace::rim_root).largest, 0.02);
   EXPECT_EQ(judged_strain(spiked, {})->place, SteelPlace::rim_wall);

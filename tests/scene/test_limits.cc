@@ -55,6 +55,20 @@ TEST(Limits, PastTheDishIsNoResult) {
       << warnings(s)[1];
 }
 
+TEST(Limits, StrainBeyondTheCurveIsSaid) {
+  Scene scene;
+  scene.bearing.steel.hardening.law = HardeningLaw::table;
+  scene.bearing.steel.hardening.curve.values = {{0, 360e6}, {0.1, 500e6}};
+  Summary within = one_impact(0.2, 0.005), beyond = within;
+  within.max_plastic_strain = 0.09, beyond.max_plastic_strain = 0.11;
+  judge(scene, within), judge(scene, beyond);
+  EXPECT_TRUE(warnings(within).empty());
+  ASSERT_EQ(warnings(beyond).size(), 1u);
+  EXPECT_NE(warnings(beyond)[0].find("reaches 0.11, beyond the last row of bearing.material.steel.curve at 0.1"),
+            std::string::npos)
+      << warnings(beyond)[0];
+}
+
 /// A rim's own law is fitted to depths: under four times the mass they are reached at half the speeds.
 TEST(Limits, SpeedsOfARimsOwnLawMoveWithTheMass) {
   Scene scene;
@@ -155,10 +169,11 @@ TEST(Limits, TheRimsStrainIsJudgedAndTheSlidersEdgeIsSaidBeside) {
   scene.bearing = builtin_bearing("shfps-225");
   Summary s = one_impact(0.4, 0.01);
   s.max_plastic_strain = 0.36;
-  s.steel = {{SteelPlace::rim_wall, {0.12, 0.08, -0.2, 0.01, {0, 0, 0}}},
-             {SteelPlace::rim_root, {0.17, 0.15, 0.5, 0.12, {0.522, 0, 0.088}}},
-             {SteelPlace::dish, {0.05, 0.04, 0.3, 0.02, {0, 0, 0}}},
-             {SteelPlace::slider_edge, {0.36, 0.21, -0.7, 0.03, {0, 0, 0}}}};
+  s.steel = {{SteelPlace::rim_wall, {.largest = 0.12, .averaged = 0.08, .triaxiality = -0.2, .damage = 0.01}},
+             {SteelPlace::rim_root,
+              {.largest = 0.17, .averaged = 0.15, .triaxiality = 0.5, .damage = 0.12, .place = {0.522, 0, 0.088}}},
+             {SteelPlace::dish, {.largest = 0.05, .averaged = 0.04, .triaxiality = 0.3, .damage = 0.02}},
+             {SteelPlace::slider_edge, {.largest = 0.36, .averaged = 0.21, .triaxiality = -0.7, .damage = 0.03}}};
   judge(scene, s);
   EXPECT_EQ(s.extra["strain_limit"]["largest"], 0.15);
   EXPECT_EQ(s.extra["strain_limit"]["place"], "rim_root");
