@@ -57,6 +57,7 @@ std::string meaning_of(const std::string &path) {
       {"reduced.friction", "law of friction; park-wen has an elastic slip"},
       {"reduced.mu_fast", "coefficient of friction at speed"},
       {"reduced.mu_slow", "coefficient of friction at rest"},
+      {"reduced.integrator", "own steps, or SUNDIALS CVODE as a check of them for one dish: the difference is printed"},
       {"reduced.normal_force", "inertia: with vertical inertia; static: by the slope; constant: W"},
       {"isolator.space", "motion in a plane or in space"},
       {"superstructure.kind", "what the bearing carries"},

@@ -6,6 +6,7 @@
 #include "app/verb.h"
 #include "files/error.h"
 #include "files/json_text.h"
+#include "reduced_models/integrator_check.h"
 #include "reduced_models/node_kinematics.h"
 #include "reduced_models/physical_model.h"
 #include "reduced_models/run_doubts.h"
@@ -26,6 +27,7 @@ std::string describe(const Summary &s, const scene::Scene &scene, const std::str
   for (const auto &i : s.impacts)
     text += fmt::format("  {} {:7.1f} deg  {}  {:.1f} kN  {:.3f} mm\n", when(i, is_dynamic), i.direction_deg,
                         how_fast(i, is_dynamic, 4), 1e-3 * i.peak_force, 1e3 * i.peak_penetration);
+  if (s.extra.contains("integrator")) text += reduced::integrator_in_words(s.extra.at("integrator")) + "\n";
   return text;
 }
 

@@ -37,6 +37,8 @@ void check_building_scene(const scene::Scene &s) {
     throw InputError(
         fmt::format("excitation.kind \"{}\" moves a single bearing; a building takes ricker, record or free",
                     word(s.excitation.kind)));
+  if (s.reduced.integrator == scene::Integrator::cvode)
+    throw InputError("reduced.integrator \"cvode\" moves a mass on one dish, not a building");
   if (s.reduced.normal_force != scene::NormalForce::inertia)
     throw InputError(fmt::format("reduced.normal_force \"{}\": every bearing of a building has its own, by \"inertia\"",
                                  word(s.reduced.normal_force)));

@@ -73,7 +73,7 @@ void BuildingRecorder::press(int b, bool pressed, double t, const Vector2d &u, c
   bearings_[b].pressed = pressed;
   if (pressed) {
     Impact impact{};
-    impact.touch_time = t, impact.release_time = -1; // before its touch: not released yet
+    impact.touch_time = t, impact.release_time = -1, impact.impulse = 0; // before its touch: not released yet
     impact.direction_deg = std::atan2(u[1], u[0]) * 180 / std::numbers::pi, impact.approach_speed = outwards;
     bearings_[b].impacts.push_back(impact);
   } else {
@@ -146,8 +146,12 @@ void BuildingRecorder::watch(double t, const VectorXd &y, const BuildingResponse
     raise(p.largest_normal, one.normal), raise(p.lift, one.u[2] - one.height), raise(peak_height_, one.u[2]);
     p.smallest_normal = std::min(p.smallest_normal, std::max(0.0, one.normal));
     p.interface_slip = one.interface_slip;
-    if (p.pressed)
-      raise(p.impacts.back().peak_force, one.rim_force), raise(p.impacts.back().peak_penetration, -one.gap);
+    if (p.pressed) {
+      Impact &impact = p.impacts.back();
+      raise(impact.peak_force, one.rim_force), raise(impact.peak_penetration, -one.gap);
+      *impact.impulse += (t - p.watched) / 2 * (p.rim_force + one.rim_force);
+    }
+    p.watched = t, p.rim_force = one.rim_force;
     total += one.force().head<2>(), up += std::max(0.0, one.normal);
   }
   raise(peak_displacement_, y.head<2>().norm()), raise(peak_shear_, total.norm()),

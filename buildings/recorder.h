@@ -68,6 +68,7 @@ private:
     double travel = 0, force = 0, impact = 0, largest_normal = 0, smallest_normal = 1e300, lift = 0;
     std::vector<Impact> impacts;
     bool pressed = false;
+    double watched = 0, rim_force = 0; ///< at the instant last watched
     Eigen::Vector2d interface_slip = Eigen::Vector2d::Zero();
   };
   struct FloorPeaks {

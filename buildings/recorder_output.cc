@@ -27,6 +27,7 @@ void BuildingRecorder::store(double t, const VectorXd &y, const BuildingResponse
   plane("velocity", y.segment<2>(d.n)), put("velocity_z", vz);
   plane("force", force), put("force_z", force[2]);
   plane("pendular", pendular), plane("friction", friction), plane("impact", impact);
+  plane("ground_acceleration", r.ground), put("ground_acceleration_z", r.ground[2]);
   put("gap", gap), put("normal_force", normal), put("base_rotation", y[2]);
   plane("base_acceleration", Vector2d(r.acceleration.head<2>() + r.ground.head<2>())),
       plane("overturning", overturning(r));

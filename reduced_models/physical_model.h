@@ -76,7 +76,8 @@ struct ReducedRun {
   Summary summary;
 };
 ReducedRun simulate(const scene::Scene &scene);
-/// The same by SUNDIALS CVODE with root finding: the independent check of the event-driven stepper.
+/// The same by SUNDIALS CVODE with root finding, whatever scene.reduced.integrator says: the independent check of the
+/// event-driven stepper. `simulate` of a scene that asks for it adds summary.extra["integrator"] (integrator_check.h).
 ReducedRun simulate_with_cvode(const scene::Scene &scene);
 /// Peaks and impacts only, nothing stored: the calibration's and the benchmarks' hot path.
 Summary simulate_summary(const scene::Scene &scene);

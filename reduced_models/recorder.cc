@@ -24,6 +24,12 @@ const char *const columns[] = {"time",
                                "friction_y",
                                "impact_x",
                                "impact_y",
+                               "ground_acceleration_x",
+                               "ground_acceleration_y",
+                               "ground_acceleration_z",
+                               "acceleration_x",
+                               "acceleration_y",
+                               "acceleration_z",
                                "gap",
                                "normal_force",
                                "energy_external",
@@ -118,8 +124,10 @@ void Recorder::segment(const Mode &mode, const Segment &s, bool rim_changes_at_e
     Evaluation mid = dynamics_.evaluate(mode, (s.t0 + s.t1) / 2, y);
     watch(mode, y, mid);
     peaks_.refine(mode, s, y, last_, mid, e);
+    peaks_.press(s.t1 - s.t0, last_, mid, e);
     if (dynamics_.building.any()) refine_drifts(s, y);
   }
+  if (dynamics_.at_rest(mode)) peaks_.press(s.t1 - s.t0, e, e, e);
   watch(mode, s.y1, e);
   last_ = e;
   largest_input_ = std::max(largest_input_, std::abs(before_.external + s.y1[iExternal]));
@@ -150,11 +158,13 @@ void Recorder::store(const Mode &mode, double t, const State &y, double apart) {
   last_sample_ = t;
   const Evaluation e = dynamics_.evaluate(mode, t, y);
   const Eigen::Vector3d force = e.pendular + e.friction + e.impact;
+  const Eigen::Vector3d ground = dynamics_.ground.acceleration(t), absolute = e.acceleration + ground;
   const EnergyLedger l = ledger(mode, y);
-  const double row[] = {t,           y[iX],       y[iY],    y[iZ],         y[iVX],        y[iVY],        y[iVZ],
-                        force[0],    force[1],    force[2], e.pendular[0], e.pendular[1], e.friction[0], e.friction[1],
-                        e.impact[0], e.impact[1], e.gap,    e.normal,      l.external,    l.gravity,     l.kinetic,
-                        l.friction,  l.impact,    l.contact};
+  const double row[] = {t,           y[iX],       y[iY],     y[iZ],         y[iVX],        y[iVY],        y[iVZ],
+                        force[0],    force[1],    force[2],  e.pendular[0], e.pendular[1], e.friction[0], e.friction[1],
+                        e.impact[0], e.impact[1], ground[0], ground[1],     ground[2],     absolute[0],   absolute[1],
+                        absolute[2], e.gap,       e.normal,  l.external,    l.gravity,     l.kinetic,     l.friction,
+                        l.impact,    l.contact};
   for (std::size_t i = 0; i < std::size(row); ++i) columns_[i]->push_back(row[i]);
   if (!dynamics_.building.any()) return;
   const double energies[] = {l.elastic, l.plastic, l.damping};

@@ -52,11 +52,15 @@ void RunPeaks::refine(const Mode &mode, const Segment &s, const State &middle, c
                                                         s.y0[iZ], middle[iZ], s.y1[iZ], peak_height_));
 }
 
+void RunPeaks::press(double duration, const Evaluation &e0, const Evaluation &mid, const Evaluation &e1) {
+  if (in_impact_) *impacts_.back().impulse += duration / 6 * (e0.rim_force + 4 * mid.rim_force + e1.rim_force);
+}
+
 void RunPeaks::open_impact(double t, const State &y) {
   in_impact_ = true;
   const double r = std::hypot(y[iX], y[iY]);
   Impact impact{};
-  impact.touch_time = t;
+  impact.touch_time = t, impact.impulse = 0;
   impact.direction_deg = std::atan2(y[iY], y[iX]) * 180 / std::numbers::pi;
   impact.approach_speed = (y[iX] * y[iVX] + y[iY] * y[iVY]) / r;
   impacts_.push_back(left_open(impact));

@@ -14,6 +14,8 @@ public:
   /// Inside a segment: `middle` is its state half way; e0, mid and e1 act at its start, middle and end.
   void refine(const Mode &mode, const Segment &segment, const State &middle, const Evaluation &e0,
               const Evaluation &mid, const Evaluation &e1);
+  /// The rim's impulse over a segment (Simpson), by what acts at its start, middle and end.
+  void press(double duration, const Evaluation &e0, const Evaluation &mid, const Evaluation &e1);
   void open_impact(double t, const State &y);
   void close_impact(double t, const State &y);
   /// The run ends: an impact that is not let go has no rebound.

@@ -3,6 +3,7 @@
 #include "reduced_models/catalogue.h"
 #include "reduced_models/cvode_run.h"
 #include "reduced_models/hybrid_run.h"
+#include "reduced_models/integrator_check.h"
 #include "reduced_models/quasi_static.h"
 #include "reduced_models/rigid_body/double_concave.h"
 #include <algorithm>
@@ -48,7 +49,16 @@ void run(const Job &job, Response *response, Summary &summary) {
   summary.time_split["solve"] = summary.wall_time;
 }
 
+/// CVODE's run, beside the own steps'.
+ReducedRun checked_by_cvode(scene::Scene scene) {
+  ReducedRun result = simulate_with_cvode(scene);
+  scene.reduced.integrator = scene::Integrator::own;
+  result.summary.extra["integrator"] = integrator_check(result.summary, simulate_summary(scene));
+  return result;
+}
+
 ReducedRun simulate_physical(const scene::Scene &scene) {
+  if (scene.reduced.integrator == scene::Integrator::cvode) return checked_by_cvode(scene);
   if (!scene.excitation.is_dynamic()) return quasi_static(scene);
   ReducedRun result;
   run({scene, PhysicalModel(scene).initial_state(), scene.excitation.duration}, &result.response, result.summary);
@@ -78,6 +88,9 @@ const ReducedModel &reduced_model(scene::ModelKind kind) {
 }
 
 ReducedRun simulate(const scene::Scene &scene) {
+  if (scene.reduced.integrator == scene::Integrator::cvode && scene.double_concave())
+    throw InputError("reduced.integrator \"cvode\" moves a mass on one dish: reduced.model \"" +
+                     word(scene.reduced.model) + "\" has rigid bodies on contact points, which take implicit steps");
   return reduced_model(scene.reduced.model).simulate(scene);
 }
 
@@ -95,7 +108,9 @@ ReducedRun simulate_with_cvode(const scene::Scene &scene) {
 }
 
 Summary simulate_summary(const scene::Scene &scene) {
-  if (scene.reduced.model != scene::ModelKind::physical || !scene.excitation.is_dynamic())
+  const auto &r = scene.reduced;
+  if (r.model != scene::ModelKind::physical || r.integrator == scene::Integrator::cvode ||
+      !scene.excitation.is_dynamic())
     return simulate(scene).summary;
   Summary summary;
   run({scene, PhysicalModel(scene).initial_state(), scene.excitation.duration}, nullptr, summary);

@@ -29,6 +29,8 @@ std::vector<SignalInfo> make_signals() {
   vector("impact", "N", "share of the force from the rim");
   vector("moment_below", "N m", "moment of the bearing on the node below");
   vector("moment_above", "N m", "moment of the bearing on the node above");
+  vector("ground_acceleration", "m/s^2", "of the ground");
+  vector("acceleration", "m/s^2", "absolute, of the mass (of a double concave bearing's top plate)");
   list.push_back({"gap", "m", "L_c - |u|, negative while the rim is pressed"});
   list.push_back({"normal_force", "N", "normal force of the sliding surface, never negative"});
   list.push_back({"tilt", "rad", "angle of the (bottom) slider's axis to the vertical, double concave models"});

@@ -77,14 +77,16 @@ std::vector<Impact> impacts_of(const Response &r) {
 nlohmann::json to_json(const Impact &impact) {
   const bool released = impact.release_time >= impact.touch_time;
   const auto if_released = [&](double value) { return released ? nlohmann::json(value) : nlohmann::json(nullptr); };
-  return {{"touch_time_s", impact.touch_time},
-          {"release_time_s", if_released(impact.release_time)},
-          {"direction_deg", impact.direction_deg},
-          {"approach_speed_m_s", impact.approach_speed},
-          {"rebound_speed_m_s", if_released(impact.rebound_speed)},
-          {"restitution", if_released(impact.restitution())},
-          {"peak_force_N", impact.peak_force},
-          {"peak_penetration_m", impact.peak_penetration}};
+  nlohmann::json json{{"touch_time_s", impact.touch_time},
+                      {"release_time_s", if_released(impact.release_time)},
+                      {"direction_deg", impact.direction_deg},
+                      {"approach_speed_m_s", impact.approach_speed},
+                      {"rebound_speed_m_s", if_released(impact.rebound_speed)},
+                      {"restitution", if_released(impact.restitution())},
+                      {"peak_force_N", impact.peak_force},
+                      {"peak_penetration_m", impact.peak_penetration}};
+  if (impact.impulse) json["impulse_N_s"] = *impact.impulse;
+  return json;
 }
 
 nlohmann::json to_json(const EnergyLedger &e) {
@@ -167,6 +169,16 @@ void summarise_response(const Response &r, Summary &s) {
   if (!r.has("impact_x") || !r.has("impact_y")) return;
   s.peak_impact_force = largest_norm(r, "impact");
   s.impacts = impacts_of(r);
+}
+
+void add_impulses(const Response &r, std::vector<Impact> &impacts) {
+  const auto &time = r.series("time"), &x = r.series("impact_x"), &y = r.series("impact_y");
+  for (auto &impact : impacts) {
+    impact.impulse = 0;
+    for (std::size_t i = 1; i < time.size(); ++i)
+      if (time[i] > impact.touch_time - 1e-12 && (is_open(impact) || time[i - 1] < impact.release_time + 1e-12))
+        *impact.impulse += (time[i] - time[i - 1]) / 2 * (std::hypot(x[i - 1], y[i - 1]) + std::hypot(x[i], y[i]));
+  }
 }
 
 std::optional<std::string> doubt_of_rebound(const Response &response, const std::vector<Impact> &impacts) {

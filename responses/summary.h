@@ -14,6 +14,7 @@ struct Impact {
   double direction_deg;                 ///< of the displacement at touch
   double approach_speed, rebound_speed; ///< radial, at touch and release [m/s]
   double peak_force, peak_penetration;  ///< [N], [m]
+  std::optional<double> impulse = {};   ///< of the rim's force towards the middle [N s]; none: not measured
   double restitution() const { return approach_speed > 0 ? rebound_speed / approach_speed : 0; }
 };
 
@@ -54,6 +55,8 @@ struct Summary {
 nlohmann::json to_json(const Summary &summary);
 /// Fills peaks and impacts from a response: an impact is a run of consecutive non-zero impact_x|y samples.
 void summarise_response(const Response &response, Summary &summary);
+/// The impacts' impulses from samples in time (trapezoidal rule), of a response whose impacts they are.
+void add_impulses(const Response &response, std::vector<Impact> &impacts);
 /// What to say of a scene that ends with the rim pressed, whose last impact has no rebound yet.
 std::optional<std::string> doubt_of_rebound(const Response &response, const std::vector<Impact> &impacts);
 /// What to say of a stack of solids that leaves its dish and has come back to it where the response ends, or may have:

@@ -48,4 +48,11 @@ constexpr auto choices(NormalForce) {
   return choices_of<NormalForce>({{inertia, "inertia"}, {statics, "static"}, {constant, "constant"}});
 }
 
+/// Who moves a mass on one dish: our own steps by events, or SUNDIALS CVODE as an independent check of them.
+enum class Integrator { own, cvode };
+constexpr auto choices(Integrator) {
+  using enum Integrator;
+  return choices_of<Integrator>({{own, "own"}, {cvode, "cvode"}});
+}
+
 } // namespace rimpact::scene

@@ -54,7 +54,8 @@ struct ReducedSettings : laws::LawNumbers {
   bool finite_pad = false;           ///< extra lift (Ro^2+Ri^2)/8 (kappa_m + kappa_c - 2/R0)
   bool socket_friction = false;      ///< moment of the socket resisting tilt
   double tolerance = 1e-9;           ///< relative, of the integrator
-  double output_step = 0.005;        ///< spacing of stored samples [s]; samples are dense during contact
+  Integrator integrator = Integrator::own;
+  double output_step = 0.005; ///< spacing of stored samples [s]; samples are dense during contact
 
   /// By which fitted_from and fitted_to move at a supported mass [kg]: a rim's own law is fitted to depths.
   double fitted_speed_scale(double mass) const {

@@ -91,6 +91,7 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
   v.flag({"finite_pad", "extra lift of the pad's finite size"}, r.finite_pad);
   v.flag({"socket_friction", "moment of the socket resisting tilt"}, r.socket_friction);
   v.number({"tolerance", "relative, of the integrator"}, r.tolerance, si, {1e-14, 1e-2});
+  if (v.wants(r.integrator != Integrator::own)) v.choice({"integrator"}, r.integrator);
   v.number({"output_step_ms", "between stored samples outside contact"}, r.output_step, milli, {0, 1e4, true});
 }
 

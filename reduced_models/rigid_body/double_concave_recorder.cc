@@ -51,7 +51,7 @@ bool rim_pressed(const DoubleConcaveSystem &model, const MotionState &s) {
 
 DoubleConcaveRecorder::DoubleConcaveRecorder(DoubleConcaveSystem &model, const scene::Scene &scene, double time_unit,
                                              ReducedRun &result)
-    : model_(model), result_(result), time_unit_(time_unit),
+    : model_(model), result_(result), ground_(scene.excitation, scene.load.gravity), time_unit_(time_unit),
       sample_(model.driven ? time_unit / (scene::instants_a_cycle * scene.excitation.whole_rounds())
                            : scene.reduced.output_step),
       points_(point_names(model)), largest_normal_(model.system.contacts.size(), 0),
@@ -165,6 +165,12 @@ void DoubleConcaveRecorder::store(const MotionState &s) {
   for (std::size_t i = 0; i < s.contact.size(); ++i)
     if (!points_[i].empty()) put(points_[i], s.contact[i].size);
   put("plate_moment_x", p.moment[0]), put("plate_moment_y", p.moment[1]);
+  if (!model_.driven) {
+    const Vector3d ground = ground_.acceleration(s.t), plate = s.acceleration.segment<3>(6 * model_.plate) + ground;
+    put("ground_acceleration_x", ground[0]), put("ground_acceleration_y", ground[1]);
+    put("ground_acceleration_z", ground[2]);
+    put("acceleration_x", plate[0]), put("acceleration_y", plate[1]), put("acceleration_z", plate[2]);
+  }
   if (!model_.building.any()) return;
   put("energy_elastic", l.elastic), put("energy_plastic", l.plastic), put("energy_damping", l.damping);
   BuildingRecorder::append(model_.building_at(s), model_.building.n_floors(), result_.response);
@@ -174,6 +180,7 @@ void DoubleConcaveRecorder::end(const MotionState &s) {
   store(s);
   auto &summary = result_.summary;
   summarise_response(result_.response, summary);
+  if (!model_.driven) add_impulses(result_.response, summary.impacts);
   // Samples may miss these.
   summary.peak_displacement = largest_travel_, summary.peak_lateral_force = largest_lateral_;
   summary.peak_vertical_displacement = largest_height_, summary.min_normal_force = smallest_on_plate_;

@@ -27,6 +27,7 @@ private:
 
   DoubleConcaveSystem &model_;
   ReducedRun &result_;
+  scene::GroundMotion ground_;
   double time_unit_, sample_, potential_ = 0, stored_ = 0, initial_ = 0, largest_input_ = 0, last_ = -1;
   double rest_height_ = 0;
   std::vector<std::string> points_;            ///< signal of each contact, normal_A1 ..., empty for rims

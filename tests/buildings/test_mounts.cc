@@ -132,14 +132,16 @@ Summary by_implicit_steps(const scene::Scene &s) {
 
 void expect_as_one(const Summary &whole, const Summary &one, double tolerance) {
   EXPECT_NEAR(whole.peak_displacement, one.peak_displacement, tolerance * one.peak_displacement);
-  if (one.min_normal_force.value_or(0) > 0) // else it lifts off: a landing is an impulse there, a force here
+  if (one.min_normal_force.value_or(0) > 0) { // else it lifts off: a landing is an impulse there, a force here
     EXPECT_NEAR(whole.peak_lateral_force, 4 * one.peak_lateral_force, 4 * tolerance * one.peak_lateral_force);
+  }
   ASSERT_EQ(whole.impacts.size(), 4 * one.impacts.size());
   for (std::size_t i = 0; i < whole.impacts.size(); ++i) {
     const Impact &own = one.impacts[i / 4];
     EXPECT_NEAR(whole.impacts[i].touch_time, own.touch_time, 1e-4);
     EXPECT_NEAR(whole.impacts[i].peak_force, own.peak_force, tolerance * own.peak_force);
     EXPECT_NEAR(whole.impacts[i].peak_penetration, own.peak_penetration, tolerance * own.peak_penetration);
+    EXPECT_NEAR(*whole.impacts[i].impulse, *own.impulse, tolerance * *own.impulse);
   }
   EXPECT_LT(std::abs(whole.energy->imbalance_relative()), 1e-5);
 }

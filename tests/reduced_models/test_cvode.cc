@@ -97,3 +97,23 @@ TEST(Cvode, RefusesQuasiStaticScenes) {
   s.excitation.kind = ExcitationKind::cyclic;
   EXPECT_THROW(simulate_with_cvode(s), InputError);
 }
+
+/// As a user asks for it: the run is CVODE's, and says by how much the own steps differ.
+TEST(Cvode, IsAskedForByTheScene) {
+  for (const char *law : {"signed", "hunt-crossley", "elastoplastic"}) {
+    const auto scene = scene::load_scene("ricker-0.78g-1.0s", {"excitation.scale=1.05", "reduced.integrator=\"cvode\"",
+                                                               std::string("reduced.impact_law=\"") + law + "\""});
+    const auto run = reduced::simulate(scene);
+    EXPECT_EQ(run.summary.peak_displacement, reduced::simulate_with_cvode(scene).summary.peak_displacement);
+    const auto &check = run.summary.extra.at("integrator");
+    ASSERT_GE(run.summary.impacts.size(), 1U) << law;
+    EXPECT_LT(check.at("peak_displacement_difference_m").get<double>(), 1e-7) << law;
+    EXPECT_LT(check.at("touch_time_difference_s").get<double>(), 1e-6) << law;
+    EXPECT_LT(check.at("impact_force_difference").get<double>(), 1e-4) << law;
+    EXPECT_EQ(scene::parse_scene(to_toml(scene), "again").reduced.integrator, scene::Integrator::cvode);
+  }
+  const auto refused = scene::load_scene("lir-dcfp-stages", {"reduced.integrator=\"cvode\""});
+  EXPECT_THROW(reduced::simulate(refused), InputError);
+  EXPECT_THROW(reduced::simulate(scene::load_scene("static-unidirectional", {"reduced.integrator=\"cvode\""})),
+               InputError);
+}
