@@ -18,13 +18,17 @@ def _settings(settings: Mapping[str, Value] | None) -> list[str]:
     return [word for key, value in (settings or {}).items() for word in ("--set", f"{key}={toml_value(value)}")]
 
 
-def _on_disk(scene: Scene | str | os.PathLike, place: str) -> str:
+def _write(path: Path, text: str) -> str:
+    """Writes what is not there already: shards that begin together read the same file."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if not path.is_file() or path.read_text(encoding="utf-8") != text:
+        path.write_text(text, encoding="utf-8")
+    return os.path.abspath(path)
+
+
+def _on_disk(scene: Scene | str | os.PathLike, place: str | os.PathLike) -> str:
     """What the command reads of a scene: its own file, or the resolved scene in `place`."""
-    if not isinstance(scene, Scene):
-        return os.fspath(scene)
-    path = Path(place) / "scene.toml"
-    path.write_text(scene.toml(), encoding="utf-8")
-    return os.fspath(path)
+    return _write(Path(place) / "scene.toml", scene.toml()) if isinstance(scene, Scene) else os.fspath(scene)
 
 
 def run(scene: Scene | str | os.PathLike, folder: str | os.PathLike, *, rung: str | None = None, mesh: int | None = None, resume: bool = False,
@@ -47,19 +51,17 @@ def sweep(scene: Scene | str | os.PathLike, over: Mapping[str, Sequence[Value]] 
           settings: Mapping[str, Value] | None = None, shard: str | None = None) -> Fleet:
     """Runs the reduced model over every combination of values, as `rimpact reduced --sweep` does, and reads the table.
 
-    over: values by key, {"excitation.scale": [0.9, 1.0, 1.1], "reduced.mu_fast": [0.05, 0.07]}, or a sweep file. What `folder` holds of the
-    same sweep is kept. shard: "2/4" runs the second of four parts.
+    over: values by key, {"excitation.scale": [0.9, 1.0, 1.1], "reduced.restitution": [0.5, 0.7]}, or a sweep file. What `folder` holds of the
+    same sweep is kept; it also gets the scene and the sweep (asked/). shard: "2/4" runs the second of four parts.
     """
-    with tempfile.TemporaryDirectory() as place:
-        if isinstance(over, Mapping):
-            if not over or not all(len(values) for values in over.values()):
-                raise InputError("over: every key needs one value or more")
-            lines = [f"{key} = {toml_value(list(values))}" for key, values in over.items()]
-            file = Path(place) / "sweep.toml"
-            file.write_text("\n".join(["[grid]", *lines]) + "\n", encoding="utf-8")
-            over = file
-        words = ["reduced", _on_disk(scene, place), "--sweep", os.fspath(over), "-o", os.fspath(folder), "--quiet", *_settings(settings)]
-        program.run(*words, *(["--shard", shard] if shard else []))
+    asked = Path(folder) / "asked"  # a sweep goes on where its files lie as they lay
+    if isinstance(over, Mapping):
+        if not over or not all(len(values) for values in over.values()):
+            raise InputError("over: every key needs one value or more")
+        lines = [f"{key} = {toml_value(list(values))}" for key, values in over.items()]
+        over = _write(asked / "sweep.toml", "\n".join(["[grid]", *lines]) + "\n")
+    words = ["reduced", _on_disk(scene, asked), "--sweep", os.fspath(over), "-o", os.fspath(folder), "--quiet", *_settings(settings)]
+    program.run(*words, *(["--shard", shard] if shard else []))
     return load_fleet(folder)
 
 

@@ -95,12 +95,16 @@ class Motions(Desk):
 
 class Work(Desk):
     def test_a_sweep_is_a_table(self):
-        fleet = rimpact.sweep(rimpact.Scene("ricker-0.78g-1.0s"), {"excitation.scale": np.linspace(0.9, 1.1, 3), "reduced.restitution": [0.4, 0.65]}, self.folder / "fleet")
+        over = {"excitation.scale": np.linspace(0.9, 1.1, 3), "reduced.restitution": [0.4, 0.65]}
+        fleet = rimpact.sweep(rimpact.Scene("ricker-0.78g-1.0s"), over, self.folder / "fleet")
         self.assertEqual(len(fleet.runs), 6)
         row = fleet.runs[(fleet.runs["excitation.scale"] == 1.1) & (fleet.runs["reduced.restitution"] == 0.4)].iloc[0]
         own = rimpact.summarise(rimpact.Scene("ricker-0.78g-1.0s", {"excitation.scale": 1.1, "reduced.restitution": 0.4, "reduced.mu_slow": 0.07}))
         self.assertAlmostEqual(row.peak_impact_force_N / own["peak_impact_force_N"], 1, places=6)
         self.assertIn("<table", fleet._repr_html_())
+        again = rimpact.sweep(rimpact.Scene("ricker-0.78g-1.0s"), over, self.folder / "fleet")
+        self.assertTrue(again.runs.equals(fleet.runs), "what the folder holds is kept")
+        self.assertEqual(len(again.runs), 6)
         with self.assertRaises(rimpact.InputError):
             rimpact.sweep("impact-window", {"excitation.sped": [1]}, self.folder / "none")
         with self.assertRaisesRegex(rimpact.InputError, "one value or more"):
