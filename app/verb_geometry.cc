@@ -2,9 +2,9 @@
 // speed.
 #include "app/assignments.h"
 #include "app/folder_claim.h"
+#include "app/geometry_target.h"
+#include "app/geometry_vary.h"
 #include "app/job_runner.h"
-#include "app/main_target.h"
-#include "app/set_keys.h"
 #include "app/shard.h"
 #include "app/sibling.h"
 #include "app/verb.h"
@@ -13,8 +13,6 @@
 #include "files/json_text.h"
 #include "responses/build_version.h"
 #include "responses/response.h"
-#include "responses/steel_report.h"
-#include "scene/doubts.h"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -25,16 +23,11 @@ struct GeometryOptions {
   std::string bearing = "shfps-225", folder = "results/geometry", shard;
   std::vector<std::string> ranges;
   std::vector<double> pair; ///< k_i, e; empty: none is wanted
+  std::size_t jobs = 0;     ///< side by side; 0: as many as there are cores
+  bool dry_run = false, no_proof = false;
   calibration::GeometryOptions study;
+  VaryWords vary;
 };
-
-/// Of the rim's side, averaged; of a summary without places, the largest of any body.
-double strain_in(const nlohmann::json &summary, const std::string &folder) {
-  const auto of_any_body = summary.value("max_plastic_strain", nlohmann::json());
-  const auto judged = judged_strain(steel_report_in(summary, folder),
-                                    of_any_body.is_number() ? std::optional(of_any_body.get<double>()) : std::nullopt);
-  return judged ? judged->largest : 0.0;
-}
 
 /// Rows of all runs that are done, whichever shard ran them.
 std::vector<calibration::GeometryRow> rows_of(const std::vector<Job> &jobs, Console &console) {
@@ -49,48 +42,6 @@ std::vector<calibration::GeometryRow> rows_of(const std::vector<Job> &jobs, Cons
     }
   }
   return rows;
-}
-
-std::string not_of_geometry(const std::string &key) {
-  if (is_in(key, "excitation.kind")) return "every run is an isolated impact (impact-window)";
-  if (is_in(key, "excitation.speed_m_per_s") || is_in(key, "excitation.scale"))
-    return "the speed is one of its ranges: --range speed=LOW:HIGH";
-  if (is_in(key, "reduced.calibration") || is_of_a_fit(key)) return "each impact gets a k_i and e of its own";
-  return key == "name" ? "its runs are numbered" : "";
-}
-
-/// The isolated impact of the bearing under its load.
-scene::Scene window_of(const GivenCase &given, const std::vector<std::string> &overrides) {
-  std::vector<std::string> motion;
-  for (const auto &assignment : overrides) {
-    const auto keys = keys_set({assignment});
-    if (std::any_of(keys.begin(), keys.end(), [](const auto &key) { return is_in(key, "excitation"); }))
-      motion.push_back(assignment);
-  }
-  scene::Scene window = scene::load_scene("impact-window", motion);
-  window.bearing = given.scene.bearing, window.load = given.scene.load;
-  window.load_remark = given.scene.load_remark;
-  window.model = given.scene.model, window.reduced = given.scene.reduced;
-  window.reduced.forget_fit();
-  window.validate();
-  return window;
-}
-
-/// The bearing and load that are flown, with what is to be said of them.
-GivenCase geometry_target(const GeometryOptions &options, Console &console) {
-  if (!console.calibration.empty())
-    throw InputError("--calibration: geometry fits k_i and e to each impact by itself, it takes no element");
-  GivenCase given = given_case(options.bearing, console.overrides);
-  refuse_unread(console.overrides, "geometry", not_of_geometry);
-  require_rigid_mass_on_one_dish(given.scene, "geometry");
-  take_rung(given, console.overrides);
-  for (const auto &doubt : scene::doubts(given.scene)) given.warnings.push_back(doubt);
-  for (const auto &warning : given.warnings) console.warn(warning);
-  if (!given.built_in && given.has_motion)
-    console.message(fmt::format("the motion of {} is not run: geometry runs isolated impacts (impact-window); --range "
-                                "speed=LOW:HIGH gives their speeds",
-                                given.origin));
-  return given;
 }
 
 /// To files and screen: the case, the rows, their surrogates and, where a pair is wanted, the rims that return it.
@@ -111,6 +62,27 @@ void write_study(const calibration::GeometryStudy &study, const GivenCase &given
   console.data(console.json ? json_text(json) : text);
 }
 
+/// The runs of this part and the time they take.
+void print_plan(const GivenCase &given, const std::vector<Job> &jobs, std::size_t at_once, const Console &console) {
+  const auto times = expected_times(jobs);
+  nlohmann::json rows = nlohmann::json::array();
+  std::string text = given.head() + fmt::format("{:10s} {}\n", "run", "expected");
+  for (std::size_t k = 0; k < jobs.size(); ++k) {
+    rows.push_back({{"name", jobs[k].name}, {"expected_seconds", times[k].expected}});
+    text += fmt::format("{:10s} {}\n", jobs[k].name, about(times[k].expected));
+  }
+  const std::size_t n = at_once > 0 ? at_once : cores_to_use();
+  const double in_all = time_to_go(times, n);
+  text += fmt::format("{} runs, {} at a time: {} in all\n", jobs.size(), n, about(in_all));
+  const nlohmann::json table{{"made_by", build_version()},
+                             {"bearing", given.bearing_json()},
+                             {"load", given.load_json()},
+                             {"runs", rows},
+                             {"at_once", n},
+                             {"expected_seconds", in_all}};
+  console.data(console.json ? json_text(table) : text);
+}
+
 void run_geometry(GeometryOptions options, Console &console) {
   const auto [part, n_parts] = parse_shard(options.shard);
   std::optional<calibration::WantedPair> wanted;
@@ -119,7 +91,9 @@ void run_geometry(GeometryOptions options, Console &console) {
     wanted->validate();
   }
   options.study.ranges = ranges_of(options.ranges, "--range");
-  GivenCase given = geometry_target(options, console);
+  if (!options.vary.at.empty() || !options.vary.targets.empty())
+    throw InputError("--at and --target belong to --vary KEY=LOW:HIGH");
+  GivenCase given = geometry_target(options.bearing, console);
   const scene::Scene window = window_of(given, console.overrides);
   for (const auto &remark : window.remarks) // what a window does not read
     if (std::find(given.warnings.begin(), given.warnings.end(), remark) == given.warnings.end())
@@ -132,10 +106,11 @@ void run_geometry(GeometryOptions options, Console &console) {
                     .scene = scene,
                     .folder = options.folder + "/runs/" + scene.name});
   std::vector<Job> own = shard_of(jobs, part, n_parts);
+  if (options.dry_run) return print_plan(given, own, options.jobs, console);
   const auto lock =
       claim_for_jobs(options.folder, Collection::geometry_study, jobs, console.force, part_name(part, n_parts));
   make_runs_folder(options.folder);
-  JobRunner runner(own, console);
+  JobRunner runner(own, console, options.jobs);
   watch_interrupts();
   runner.run();
 
@@ -147,15 +122,50 @@ void run_geometry(GeometryOptions options, Console &console) {
   require_done(own);
 }
 
+/// --vary asks another question than the samples do, whose options it does not read.
+void answer(const GeometryOptions &options, const CLI::App &verb, Console &console) {
+  if (console.mesh >= 0) console.overrides.push_back(fmt::format("model.mesh={}", console.mesh));
+  if (options.vary.vary.empty()) return run_geometry(options, console);
+  for (const char *other : {"--samples", "--range", "--pair", "--strain-limit"})
+    if (verb.count(other) > 0)
+      throw InputError(fmt::format("{} belongs to the samples, which --vary does not take{}", other,
+                                   std::string(other) == "--strain-limit"
+                                       ? "; its limit is the steel's: --set bearing.material.steel.strain_limit=..."
+                                       : ""));
+  run_vary({.words = options.vary,
+            .where = options.bearing,
+            .folder = options.folder,
+            .shard = options.shard,
+            .jobs = options.jobs,
+            .dry_run = options.dry_run,
+            .no_proof = options.no_proof},
+           console);
+}
+
 } // namespace
 
 void add_geometry(CLI::App &app, Console &console) {
-  auto *verb = app.add_subcommand("geometry", "k_i and e over rim and slider dimensions, yield stress and speed");
+  auto *verb =
+      app.add_subcommand("geometry", "force, depth, rebound and strain over a rim's dimension, and which of them "
+                                     "meets a target (--vary); or k_i and e over samples of them all");
   auto options = std::make_shared<GeometryOptions>();
   verb->add_option("BEARING", options->bearing,
                    "a bearing, scene or case folder: built-in or a TOML file; a scene's load and settings are taken")
       ->capture_default_str();
   verb->add_option("-o,--output", options->folder, "results folder")->capture_default_str();
+  verb->add_option("--vary", options->vary.vary,
+                   "KEY=LOW:HIGH[:N] of a bearing's key, as rim.thickness_mm=20:80: N (3) rims are pushed; repeatable")
+      ->allow_extra_args(false);
+  verb->add_option("--at", options->vary.at, "speed=V: the speed of approach that --vary asks at [m/s]")
+      ->allow_extra_args(false);
+  verb->add_option("--target", options->vary.targets,
+                   "NAME=MOST of peak_kN, depth_mm, rebound_m_per_s, strain: which of the rims of --vary meets it; "
+                   "repeatable")
+      ->allow_extra_args(false);
+  verb->add_flag("--no-proof", options->no_proof, "without the solid run of the rim that --vary answers with");
+  verb->add_option("--mesh", console.mesh, "1 | 2 | 3: finer and dearer")->check(CLI::Range(0, 3));
+  verb->add_option("--jobs", options->jobs, "runs side by side (default: one a core)")->check(CLI::Range(1, 64));
+  verb->add_flag("--dry-run", options->dry_run, "list the runs and the time they take, and stop");
   verb->add_option("--samples", options->study.samples, "impacts by finite elements, about a minute each")
       ->capture_default_str();
   verb->add_option("--range", options->ranges,
@@ -171,7 +181,7 @@ void add_geometry(CLI::App &app, Console &console) {
   console.add_json(*verb);
   console.add_overrides(*verb);
   console.add_force(*verb);
-  verb->callback([options, &console] { run_geometry(*options, console); });
+  verb->callback([options, verb, &console] { answer(*options, *verb, console); });
 }
 
 } // namespace rimpact::app

@@ -47,7 +47,9 @@ constexpr std::array words{
           "rimpact compare my-run my-reduced\nrimpact compare my-run test-07.toml --json\n"
           "rimpact compare reference my-run --max peak=5,rebound=10,time_ms=2 --junit compare.xml",
           "rimpact report DIR draws one of them"},
-    Words{"geometry", "rimpact geometry my-case/bearing.toml --samples 40 --range speed=0.1:0.6 -o my-study",
+    Words{"geometry",
+          "rimpact geometry my-case --vary rim.thickness_mm=20:80 --at speed=0.8 --target peak_kN=4000\n"
+          "rimpact geometry my-case/bearing.toml --samples 40 --range speed=0.1:0.6 -o my-study",
           "rimpact report {}"},
     Words{"study", "rimpact study impact-window --axes rung,mesh -o my-study\nrimpact study impact-window --shard 1/4",
           "rimpact report {}"},

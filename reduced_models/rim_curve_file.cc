@@ -65,6 +65,22 @@ laws::CurvePath read_path(hid_t file, const char *name) {
   return path;
 }
 
+void write_strain(hid_t file, const CurveStrain &strain) {
+  const Handle held = open_group(file, "held"), steel = new_group(held, "steel");
+  write_column(steel, "penetration", strain.penetration, "m");
+  write_column(steel, "strain", strain.strain, "1");
+}
+
+CurveStrain read_strain(hid_t file) {
+  const Handle held = open_group(file, "held");
+  if (H5Lexists(held, "steel", H5P_DEFAULT) <= 0) return {};
+  const Handle steel = open_group(held, "steel");
+  CurveStrain strain{read_numbers(steel, "penetration"), read_numbers(steel, "strain")};
+  if (strain.penetration.size() != strain.strain.size())
+    throw std::runtime_error("its columns of steel differ in length");
+  return strain;
+}
+
 constexpr const char *unknown = "unknown";
 
 double number_of(const std::map<std::string, std::string> &meta, const char *name) {
@@ -82,8 +98,9 @@ void add_rows(Table &table, const char *path, double branch, const laws::CurveSa
 
 void write_rim_curve(const RimCurveFile &curve, const std::string &path) {
   write_atomically(file_in_memory([&](hid_t file) {
-                     write_path(file, "dish", curve.dish);
+                     if (!curve.dish.unloading.empty()) write_path(file, "dish", curve.dish);
                      write_path(file, "held", curve.held);
+                     if (!curve.strain.strain.empty()) write_strain(file, curve.strain);
                      write_meta(file,
                                 {{"kind", "rim curve"},
                                  {"bearing", curve.bearing},
@@ -116,7 +133,8 @@ RimCurveFile read_rim_curve(const std::string &path) {
       const auto meta = read_meta(file);
       const auto text = [&](const char *name) { return meta.count(name) ? meta.at(name) : std::string(); };
       if (text("kind") != "rim curve") throw std::runtime_error("no rim curve of `rimpact curve`");
-      curve.dish = read_path(file, "dish"), curve.held = read_path(file, "held");
+      if (H5Lexists(file, "dish", H5P_DEFAULT) > 0) curve.dish = read_path(file, "dish");
+      curve.held = read_path(file, "held"), curve.strain = read_strain(file);
       curve.bearing = text("bearing"), curve.rim_identity = text("rim_identity"), curve.rim_values = text("rim_values"),
       curve.mesh = text("mesh"), curve.made_by = text("made_by");
       if (text("mesh_force_error") != unknown) curve.errors.mesh_force = number_of(meta, "mesh_force_error");
@@ -143,7 +161,10 @@ const KnownCurve &known_curve(const std::string &path) {
   auto entry = known.find(path);
   if (entry != known.end()) return entry->second;
   RimCurveFile file = read_rim_curve(path);
-  auto dish = std::make_shared<laws::RimCurve>(file.dish), held = std::make_shared<laws::RimCurve>(file.held);
+  const auto curve_of = [](const laws::CurvePath &way) {
+    return way.unloading.empty() ? nullptr : std::make_shared<laws::RimCurve>(way);
+  };
+  auto dish = curve_of(file.dish), held = curve_of(file.held);
   return known.emplace(path, KnownCurve{std::move(file), std::move(dish), std::move(held)}).first->second;
 }
 
@@ -161,6 +182,11 @@ std::shared_ptr<const laws::RimCurve> rim_curve_of(const scene::Scene &scene) {
             ? "dish, slider, rim, plate and steel shape it"
             : "there and here " + scene::rim_differences(file.rim_values, scene::rim_values(scene.bearing))));
   const bool is_held = scene.excitation.kind == scene::ExcitationKind::window && !scene.excitation.with_weight;
+  if (!is_held && !dish)
+    throw InputError(
+        fmt::format("reduced.impact_curve {}: it holds the path with the height held alone (`rimpact curve "
+                    "--held`), which serves windows without weight; push both for this scene",
+                    path));
   return is_held ? held : dish;
 }
 

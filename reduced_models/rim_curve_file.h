@@ -1,8 +1,9 @@
 /// The file of a rim curve, curve.h5, and its table, curve.csv.
 ///
 /// /dish/loading/{penetration,force}, /dish/unloading/{branch,penetration,force} (branch 1, 2, ... by depth), the same
-/// under /held; /meta texts. SI units. `dish`: pushed while the slider's height follows the dish; `held`: at the height
-/// of first touch, as an impact window without weight is.
+/// under /held; /held/steel/{penetration,strain}; /meta texts. SI units. `dish`: pushed while the slider's height
+/// follows the dish; `held`: at the height of first touch, as an impact window without weight is. A file may hold the
+/// held path alone.
 #pragma once
 #include "impact_laws/rim_curve.h"
 #include "scene/scene.h"
@@ -15,13 +16,18 @@ struct CurveErrors {
   std::optional<double> mesh_force; ///< force at the same work, from the next coarser mesh; none: not estimated
   double left_out_rebound = 0;      ///< of interpolation between unloadings (laws::RimCurve::left_out_rebound)
 };
+/// The rim's plastic strain on the way in, as judged_strain() (responses/steel_report.h) has it.
+struct CurveStrain {
+  std::vector<double> penetration, strain; ///< rising from 0 [m]; [-]
+};
 struct RimCurveFile {
-  laws::CurvePath dish, held;
-  std::string bearing;      ///< its name
-  std::string rim_identity; ///< scene::rim_identity of it
-  std::string rim_values;   ///< scene::rim_values of it; empty: the file is of an older version
-  std::string mesh;         ///< in words: "level 1, 12190 unknowns"
-  std::string made_by;      ///< version of the program
+  laws::CurvePath dish, held; ///< `dish` is empty where it was not pushed
+  CurveStrain strain;         ///< along `held`; empty in files of an older version
+  std::string bearing;        ///< its name
+  std::string rim_identity;   ///< scene::rim_identity of it
+  std::string rim_values;     ///< scene::rim_values of it; empty: the file is of an older version
+  std::string mesh;           ///< in words: "level 1, 12190 unknowns"
+  std::string made_by;        ///< version of the program
   CurveErrors errors;
 };
 

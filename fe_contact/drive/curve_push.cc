@@ -1,5 +1,6 @@
 #include "fe_contact/drive/curve_push.h"
 
+#include "fe_contact/drive/forces.h"
 #include "fe_contact/drive/order.h"
 #include "fe_contact/drive/path_course.h"
 #include "fe_contact/drive/run_record.h"
@@ -37,13 +38,14 @@ public:
 
   /// Loads until `works` [J, rising] are done, unloading from the first step beyond each.
   laws::CurvePath run(const std::vector<double> &works, double depth, double thickness) {
-    path_.loading = {{0}, {0}};
+    path_.loading = {{0}, {0}}, strain_ = {{0}, {0}};
     std::size_t next = 0;
     const auto attempt = [&](double d, double step) {
       Attempt result = push(drive_, state_, d + step);
       if (!result.accepted) return result;
       const double force = force_of(state_), work = work_ + (force + path_.loading.force.back()) / 2 * step;
       path_.loading.penetration.push_back(d + step), path_.loading.force.push_back(force);
+      if (way_.held) note_strain(d + step);
       work_ = work;
       result.suggested_step = std::min(push_growth * step, share_in * (d + step) + first_push_step);
       if (options_.progress)
@@ -64,7 +66,14 @@ public:
     return std::move(path_);
   }
 
+  /// Along the held path; empty along the dish.
+  const reduced::CurveStrain &strain() const { return strain_; }
+
 private:
+  void note_strain(double d) {
+    const auto judged = judged_strain(steel_of(system_.model(), state_), {});
+    if (judged) strain_.penetration.push_back(d), strain_.strain.push_back(judged->largest);
+  }
   Attempt push(TopDrive &drive, SystemState &state, double d) {
     if (is_interrupted(options_)) throw Interrupted();
     const ContactStepReport report = drive.move_to(system_, state, way_.at(d), no_load_, step_options_);
@@ -116,6 +125,7 @@ private:
   SystemState state_;
   TopDrive drive_;
   laws::CurvePath path_;
+  reduced::CurveStrain strain_;
   double work_ = 0;
 };
 
@@ -165,16 +175,21 @@ reduced::RimCurveFile push_rim_curve(const scene::Scene &scene, const CurveOrder
     const BearingModel model(rungs::rim, at.bearing, mesh_order(at, planning::Plan{}), model_options(at));
     BearingSystem system(model, 0);
     if (level == scene.model.mesh) result.mesh = fmt::format("level {}, {} unknowns", level, system.equations().n);
-    return CurvePush(at, system, {physical, capacity, held}, options).run(to, depth, thickness);
+    CurvePush push(at, system, {physical, capacity, held}, options);
+    auto path = push.run(to, depth, thickness);
+    if (held) result.strain = push.strain();
+    return path;
   };
-  result.dish = pushed(scene.model.mesh, false, works);
+  if (!order.held_only) result.dish = pushed(scene.model.mesh, false, works);
   result.held = pushed(scene.model.mesh, true, works);
   result.bearing = scene.bearing.name;
   result.rim_identity = scene::rim_identity(scene.bearing);
   result.rim_values = scene::rim_values(scene.bearing);
   result.made_by = build_version();
+  result.errors.left_out_rebound = laws::RimCurve(result.held).left_out_rebound();
+  if (order.held_only) return result;
   result.errors.left_out_rebound =
-      std::max(laws::RimCurve(result.dish).left_out_rebound(), laws::RimCurve(result.held).left_out_rebound());
+      std::max(laws::RimCurve(result.dish).left_out_rebound(), result.errors.left_out_rebound);
   if (order.estimate && scene.model.mesh > 0) {
     // A coarser mesh's errors are (1.5)^2 times as large, so that the difference is 1.25 times what is left on this
     // one.

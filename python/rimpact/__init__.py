@@ -11,6 +11,7 @@
 Units are SI throughout; names are those of response.h5. Signs and terms: docs/interface.md.
 """
 from rimpact import compiled  # first: it says what to do where the compiled module is missing
+from rimpact.arrays import with_record, write_record
 from rimpact.calibration import Calibration, calibrate
 from rimpact.comparison import Comparison, compare
 from rimpact.errors import DataError, Error, GateError, InputError, OutputError, Stopped
@@ -18,7 +19,9 @@ from rimpact.laws import Law, law
 from rimpact.records import motion
 from rimpact.results import Fleet, Run, load, load_fleet
 from rimpact.scene import Scene, bearing_names, run_reduced, scene_names, summarise
+from rimpact.work import export, geometry, run, sweep
 
 __all__ = ["Calibration", "Comparison", "DataError", "Error", "Fleet", "GateError", "InputError", "Law", "OutputError", "Run", "Scene", "Stopped",
-           "bearing_names", "calibrate", "compare", "law", "load", "load_fleet", "motion", "run_reduced", "scene_names", "summarise"]
+           "bearing_names", "calibrate", "compare", "export", "geometry", "law", "load", "load_fleet", "motion", "run", "run_reduced", "scene_names", "summarise",
+           "sweep", "with_record", "write_record"]
 __version__ = compiled.version

@@ -80,6 +80,11 @@ class Law:
         rate = np.zeros_like(penetration) if time is None else np.gradient(penetration, np.asarray(time, float))
         return self._law.force(penetration, rate, np.maximum.accumulate(np.maximum(penetration, 0)))
 
+    def plot(self, path: str | os.PathLike | None = None) -> object:
+        """Force over penetration up to `known_depth`: a matplotlib figure, written to `path` where one is given."""
+        from rimpact.drawing import draw_law
+        return draw_law(self, path)
+
     def __repr__(self) -> str:
         return f"Law({self.name!r}, {', '.join(f'{name}={value:.6g}' for name, value in self.numbers.items())})"
 

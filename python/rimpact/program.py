@@ -4,7 +4,8 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
-from collections.abc import Collection
+import tempfile
+from collections.abc import Callable, Collection
 from pathlib import Path
 
 from rimpact.errors import InputError, of_code
@@ -22,11 +23,22 @@ def path() -> str:
     raise InputError("the command rimpact was not found; set RIMPACT_PROGRAM to it")
 
 
-def run(*words: str, accept: Collection[int] = (0,)) -> str:
+def run(*words: str, accept: Collection[int] = (0,), progress: Callable[[str], object] | None = None) -> str:
     """Runs a verb and returns what it prints; a failure, an exit code that is not among `accept`, raises its exception with the
-    command's own sentence."""
-    done = subprocess.run([path(), *words], capture_output=True, text=True, check=False)
-    if done.returncode not in accept:
-        said = [line for line in done.stderr.splitlines() if line.startswith("error: ")]
-        raise of_code(done.returncode)((said or [f"rimpact {words[0]} ended with code {done.returncode}"])[-1].removeprefix("error: "))
-    return done.stdout
+    command's own sentence. `progress` is called with each line of its messages as it comes."""
+    with tempfile.TemporaryFile("w+") as printed:
+        with subprocess.Popen([path(), *words], stdout=printed, stderr=subprocess.PIPE, text=True) as process:
+            messages = []
+            try:
+                for line in process.stderr or ():
+                    messages.append(line.rstrip("\n"))
+                    if progress:
+                        progress(messages[-1])
+            except BaseException:  # Ctrl-C, or an error of `progress`: the run writes its checkpoint
+                process.terminate()
+                raise
+        if process.returncode not in accept:
+            said = [line for line in messages if line.startswith("error: ")]
+            raise of_code(process.returncode)((said or [f"rimpact {words[0]} ended with code {process.returncode}"])[-1].removeprefix("error: "))
+        printed.seek(0)
+        return printed.read()

@@ -1,6 +1,7 @@
 """Run folders and fleets as pandas tables. Column names are the signals of response.h5; units stand in `frame.attrs["units"]`."""
 from __future__ import annotations
 
+import html
 import json
 import os
 import warnings
@@ -35,6 +36,16 @@ class Run:
     scene: str
     folder: Path | None
 
+    def plot(self, path: str | os.PathLike | None = None) -> object:
+        """Displacement and rim force over time, and the loop: a matplotlib figure, written to `path` where one is given. Loops are drawn as
+        minus the force over the displacement. Needs matplotlib."""
+        from rimpact.drawing import draw_run
+        return draw_run(self, path)
+
+    def _repr_html_(self) -> str:
+        return _html("run", {name: self.summary.get(name) for name in ("status", "rung", "peak_displacement_m", "peak_lateral_force_N", "peak_impact_force_N",
+                                                                       "n_impacts")}, self.impacts, self.summary.get("warnings") or [])
+
 
 @dataclass(frozen=True)
 class Fleet:
@@ -42,6 +53,16 @@ class Fleet:
     runs: pd.DataFrame
     fractiles: pd.DataFrame | None
     folder: Path
+
+    def _repr_html_(self) -> str:
+        return _html("fleet", {"runs": len(self.runs), "folder": self.folder}, self.runs.head(20), [])
+
+
+def _html(title: str, facts: Mapping[str, object], table: pd.DataFrame, doubts: list[str]) -> str:
+    rows = "".join(f"<tr><th>{html.escape(name)}</th><td>{html.escape(f'{value:.6g}' if isinstance(value, float) else str(value))}</td></tr>"
+                   for name, value in facts.items() if value is not None)
+    said = "".join(f"<li>{html.escape(each)}</li>" for each in doubts)
+    return f"<b>{title}</b><table>{rows}</table>{table.to_html()}" + (f"<ul>{said}</ul>" if said else "")
 
 
 def frame_of(signals: Mapping[str, np.ndarray]) -> pd.DataFrame:

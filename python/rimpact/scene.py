@@ -1,11 +1,16 @@
 """Scenes, and reduced runs of them in this process."""
 from __future__ import annotations
 
+import difflib
+import html
 import json
 import os
+import tomllib
 from collections.abc import Mapping
+from functools import cached_property
 
 from rimpact import _core
+from rimpact.errors import InputError
 from rimpact.results import Run, run_from_signals
 
 Value = bool | int | float | str | list
@@ -33,6 +38,54 @@ class Scene:
         self._where, self._settings = os.fspath(where), dict(settings or {})
         words = [f"{key}={toml_value(value)}" for key, value in self._settings.items()]
         self._core = _core.load_scene(self._where, words)
+
+    @classmethod
+    def _restored(cls, where: str, settings: dict[str, Value], toml: str) -> Scene:
+        """As it was resolved when it was pickled, whatever its file holds now."""
+        scene = cls.__new__(cls)
+        scene._where, scene._settings, scene._core = where, settings, _core.parse_scene(toml, [], ".")
+        return scene
+
+    def __reduce__(self) -> tuple:
+        where = os.path.abspath(self._where) if os.path.exists(self._where) else self._where
+        return Scene._restored, (where, self._settings, self.toml())
+
+    def __eq__(self, other: object) -> bool:
+        """Whether all that is resolved is the same, wherever it was read from."""
+        return self.toml() == other.toml() if isinstance(other, Scene) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(self.toml())
+
+    def __getitem__(self, key: str) -> Value | dict:
+        """The value of a dotted key as resolved, in the unit of its name: scene["bearing.rim.thickness_mm"]; of a table a dict of it."""
+        at: Value | dict = self._values
+        for depth, part in enumerate(key.split(".")):
+            if not isinstance(at, dict) or part not in at:
+                known = list(at) if isinstance(at, dict) else []
+                near = difflib.get_close_matches(part, known, 1)
+                table = ".".join(key.split(".")[:depth])
+                raise InputError(f'the scene has no key "{key}"' + (f'; did you mean "{".".join(filter(None, (table, near[0])))}"?' if near else ""))
+            at = at[part]
+        return at
+
+    def __contains__(self, key: str) -> bool:
+        try:
+            self[key]
+        except InputError:
+            return False
+        return True
+
+    @cached_property
+    def _values(self) -> dict:
+        return tomllib.loads(self.toml())
+
+    def _repr_html_(self) -> str:
+        rows = {"bearing": self.bearing, "supported mass": f"{self.mass:.6g} kg", "dead load": f"{self.weight / 1e3:.6g} kN",
+                "travel to the rim": f"{1e3 * self.lateral_capacity:.4g} mm", "motion": self["excitation.kind"], "duration": f"{self.duration:.4g} s"}
+        body = "".join(f"<tr><th>{html.escape(name)}</th><td>{html.escape(str(value))}</td></tr>" for name, value in rows.items())
+        doubts = "".join(f"<li>{html.escape(each)}</li>" for each in self.remarks)
+        return f"<b>{html.escape(self.name)}</b><table>{body}</table>" + (f"<ul>{doubts}</ul>" if doubts else "")
 
     def with_settings(self, settings: Mapping[str, Value]) -> Scene:
         """The same scene read again with further keys; values that follow from them follow."""

@@ -4,6 +4,7 @@ from typing import Any
 from matplotlib.axes import Axes
 
 from ..style import FE, FITTED, MUTED, figure, save
+from . import vary
 
 
 def by_formula(surrogate: dict[str, Any], row: dict[str, float]) -> float:
@@ -28,7 +29,9 @@ def region(ax: Axes, pair: dict[str, Any] | None, colour: str, unit: str, label:
 
 
 def draw(study: dict[str, Any], path: str) -> str | None:
-    """Four panels, and two of the wanted pair where one is asked for; None without rows."""
+    """Four panels, and two of the wanted pair where one is asked for; of --vary its own; None without rows."""
+    if "vary" in study:
+        return vary.draw(study, path)
     rows, pair = study["rows"], study.get("pair")
     if not rows:
         return None

@@ -9,8 +9,10 @@ import subprocess
 import sys
 import tempfile
 import time
+import tomllib
 
 PAIR = {"reduced.k_i_kN_per_m": 2.0e5, "reduced.restitution": 0.4}
+STIFFNESS = 6e6  #: of curves [N/m^0.4]
 FASTER = 1.21  #: k_i of steel that knows its rate, over that of static steel: the peak force rises by a tenth
 
 
@@ -57,6 +59,40 @@ def run(arguments: list[str]) -> int:
     return code
 
 
+def curve(arguments: list[str]) -> int:
+    """The curve of a rim whose force is STIFFNESS (thickness / 50 mm)^0.5 d^0.4 and whose strain is that depth over ten times its thickness."""
+    import h5py
+    import numpy as np
+    scene, folder = arguments[1], arguments[arguments.index("-o") + 1]
+    if "STAND_IN_LOG" in os.environ:
+        with open(os.environ["STAND_IN_LOG"], "a") as log:
+            log.write(" ".join(arguments) + "\n")
+    if os.environ.get("STAND_IN_FAIL") == os.path.basename(folder):
+        print("error: the curve stopped because the test asked for it", file=sys.stderr)
+        return 4
+    with open(scene, "rb") as file:
+        values = tomllib.load(file)
+    thickness, mass = values["bearing"]["rim"]["thickness_mm"], values["load"]["mass_kg"]
+    plan = subprocess.run([os.environ["RIMPACT"], "geometry", scene, "--dry-run", "--json"], capture_output=True, text=True, check=True).stdout
+    said, speed = json.loads(plan), float(arguments[arguments.index("--speed") + 1])
+    scale = STIFFNESS * (thickness / 50) ** 0.5
+    depth = (1.4 * mass * speed**2 / 2 / scale) ** (1 / 1.4) * np.linspace(0, 1.01, 200) ** 2
+    force = scale * depth**0.4
+    os.makedirs(folder, exist_ok=True)
+    with h5py.File(os.path.join(folder, "curve.h5"), "w") as file:
+        file["held/loading/penetration"], file["held/loading/force"] = depth, force
+        tops = [40, 80, 140, 199]
+        file["held/unloading/branch"] = np.repeat([1.0, 2.0, 3.0, 4.0], 12)
+        file["held/unloading/penetration"] = np.concatenate([np.linspace(depth[k], depth[k] - force[k] / 3e9, 12) for k in tops])
+        file["held/unloading/force"] = np.concatenate([np.linspace(force[k], 0, 12) for k in tops])
+        file["held/steel/penetration"], file["held/steel/strain"] = depth, depth / (0.01 * thickness)
+        mesh = arguments[arguments.index("--mesh") + 1]
+        for name, text in {"kind": "rim curve", "bearing": "stand-in", "rim_identity": said["bearing"]["rim_identity"], "rim_values": "",
+                           "mesh": f"level {mesh}, 1 unknown", "made_by": said["made_by"], "mesh_force_error": "unknown", "left_out_rebound_error": "0.01"}.items():
+            file.create_dataset(f"meta/{name}", data=text, dtype=h5py.string_dtype("utf-8"))
+    return 0
+
+
 def note_identity(scene: str, folder: str) -> None:
     """The identity of the scene as it was asked for, as the finite-element program would note it."""
     with tempfile.TemporaryDirectory() as plain:
@@ -73,4 +109,4 @@ if __name__ == "__main__":
     if sys.argv[1] == "version":
         print(json.dumps({"rimpact": "stand-in", "BLAS": "none"}))
         sys.exit(0)
-    sys.exit(run(sys.argv[1:]))
+    sys.exit(curve(sys.argv[1:]) if sys.argv[1] == "curve" else run(sys.argv[1:]))

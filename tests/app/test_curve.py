@@ -54,6 +54,28 @@ class Curve(unittest.TestCase):
         self.assertAlmostEqual(work / (0.5 * 86952 * 0.08**2), 1, delta=0.01)
         self.assertTrue(0.2 < impact["restitution"] < 0.9, impact)
 
+    def test_the_held_path_alone_serves_windows_without_weight(self):
+        folder = os.path.join(self.place.name, "held")
+        made = rimpact("curve", "shfps-225", "--mesh", "0", "--speed", "0.1", "--unloadings", "3", "--held", "--json", "-o", folder)
+        self.assertEqual(made.returncode, 0, made.stderr)
+        told = json.loads(made.stdout)
+        self.assertIsNone(told["deepest_m"]["dish"])
+        self.assertGreater(told["fastest_m_s"]["held"], 0.1)
+        with h5py.File(os.path.join(folder, "curve.h5")) as held, h5py.File(self.file) as both:
+            self.assertNotIn("dish", held)
+            for column in ("held/loading/force", "held/steel/strain", "held/unloading/force"):
+                self.assertEqual(list(held[column][:]), list(both[column][:]), column)
+            strain = both["held/steel/strain"][:]
+            self.assertEqual(strain[0], 0)
+            self.assertGreater(strain[-1], strain[1])
+            self.assertLess(strain[-1], 0.2)
+        words = ["reduced", "impact-window", "--set", "reduced.impact_law=curve", "--set", f"reduced.impact_curve={folder}/curve.h5",
+                 "--set", "excitation.speed_m_per_s=0.08", "--force", "-o", os.path.join(self.place.name, "on-held")]
+        self.assertEqual(rimpact(*words).returncode, 0)
+        weighed = rimpact(*words, "--set", 'excitation.with=["weight"]')
+        self.assertEqual(weighed.returncode, 2)
+        self.assertIn("--held", weighed.stderr)
+
     def test_what_it_refuses(self):
         fast = self.fly("--set", "excitation.speed_m_per_s=0.3")
         self.assertEqual(fast.returncode, 4)

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""Runs the README, the tutorial, the guide and the examples as they are written, each in a folder of its own.
+"""Runs the README, the tutorial, the Python page, the guide and the examples as they are written, each in a folder of its own.
 
 In a page a block of shell commands stands as ```sh; a block ```text right behind it is what they print. Numbers in it are met within 2 % (the last digit apart),
 words to the letter; a line `...` stands for any lines. Blocks ```sh slow are left out with --light: they need finite elements.
@@ -111,7 +111,8 @@ def run_page(page: pathlib.Path, light: bool, folder: pathlib.Path) -> tuple[lis
 
 def main(*options: str) -> int:
     errors, n_run = list[str](), 0
-    pages = [SOURCE / "README.md", SOURCE / "docs/tutorial.md", *sorted((SOURCE / "docs/guide").glob("*.md")), *sorted((SOURCE / "examples").glob("*/README.md"))]
+    pages = [SOURCE / "README.md", SOURCE / "docs/tutorial.md", SOURCE / "docs/python.md",
+             *sorted((SOURCE / "docs/guide").glob("*.md")), *sorted((SOURCE / "examples").glob("*/README.md"))]
     if "--only" in options:
         pages = [SOURCE / options[options.index("--only") + 1]]
     for page in pages:

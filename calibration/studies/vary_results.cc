@@ -1,0 +1,93 @@
+#include "calibration/studies/vary_results.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace rimpact::calibration {
+namespace {
+
+/// In percent of the limit; NaN where either is not known.
+double utilisation(const VaryPoint &point, const VaryQuestion &question) {
+  return question.strain_limit && point.strain ? *point.strain / *question.strain_limit : std::nan("");
+}
+
+nlohmann::json known(double value) {
+  return std::isnan(value) ? nlohmann::json() : nlohmann::json(value);
+}
+
+std::string cell(double value, const char *pattern) {
+  return std::isnan(value) ? "" : fmt::format(fmt::runtime(pattern), value);
+}
+
+std::string speed_at_limit(const VaryPoint &point) {
+  return point.speed_at_limit ? fmt::format("{:.3f}", *point.speed_at_limit) : fmt::format("> {:.3f}", point.fastest);
+}
+
+} // namespace
+
+nlohmann::json to_json(const std::vector<VaryPoint> &points, const VaryQuestion &question) {
+  auto rows = nlohmann::json::array(), keys = nlohmann::json::array();
+  for (const auto &key : question.keys) keys.push_back({{"key", key.key}, {"values", key.values}});
+  for (const auto &point : points) {
+    nlohmann::json row{{"name", point.name}, {"at", point.at}};
+    for (std::size_t k = 0; k < vary_outputs().size(); ++k) row[vary_outputs()[k]] = known(point.output(k));
+    row["restitution"] = point.rebound / question.speed;
+    row["utilisation"] = known(utilisation(point, question));
+    row["speed_at_strain_limit_m_per_s"] = known(point.speed_at_limit.value_or(std::nan("")));
+    row["pushed_for_m_per_s"] = point.fastest;
+    rows.push_back(row);
+  }
+  return {{"vary", keys},
+          {"speed_m_per_s", question.speed},
+          {"mass_kg", question.mass},
+          {"strain_limit", known(question.strain_limit.value_or(std::nan("")))},
+          {"targets", question.targets},
+          {"curve_error", {{"force", CurveAgainstWindows{}.force}, {"restitution", CurveAgainstWindows{}.restitution}}},
+          {"points", rows}};
+}
+
+nlohmann::json between_json(const std::vector<VaryPoint> &points) {
+  if (points.empty()) return nullptr;
+  nlohmann::json columns;
+  for (const auto &point : points) {
+    columns["at"].push_back(point.at[0]);
+    for (std::size_t k = 0; k < vary_outputs().size(); ++k)
+      columns[vary_outputs()[k]].push_back(known(point.output(k)));
+  }
+  return columns;
+}
+
+std::string to_csv(const std::vector<VaryPoint> &points, const VaryQuestion &question) {
+  std::string text = "name";
+  for (const auto &key : question.keys) text += "," + key.key;
+  for (const auto &name : vary_outputs()) text += "," + name;
+  text += ",restitution,utilisation,speed_at_strain_limit_m_per_s,pushed_for_m_per_s,speed_m_per_s,mass_kg,vertical_kN";
+  for (const auto &point : points) {
+    text += "\n" + point.name;
+    for (const double value : point.at) text += fmt::format(",{:.8g}", value);
+    for (std::size_t k = 0; k < vary_outputs().size(); ++k) text += fmt::format(",{}", cell(point.output(k), "{:.8g}"));
+    text += fmt::format(",{:.8g},{},{},{:.8g},{:g},{:.8g},{:.8g}", point.rebound / question.speed,
+                        cell(utilisation(point, question), "{:.8g}"),
+                        cell(point.speed_at_limit.value_or(std::nan("")), "{:.8g}"), point.fastest, question.speed,
+                        question.mass, question.weight / 1e3);
+  }
+  return text + "\n";
+}
+
+std::string describe(const std::vector<VaryPoint> &points, const VaryQuestion &question) {
+  std::string text;
+  for (const auto &key : question.keys) text += fmt::format("{:>22} ", key.key);
+  text += fmt::format("{:>10} {:>9} {:>12} {:>8} {:>12} {:>16}\n", "peak kN", "depth mm", "rebound m/s", "strain",
+                      "of its limit", "at limit m/s");
+  for (const auto &point : points) {
+    for (const double value : point.at) text += fmt::format("{:>22.5g} ", value);
+    const double used = utilisation(point, question);
+    text += fmt::format("{:>10.0f} {:>9.2f} {:>12.3f} {:>8} {:>12} {:>16}\n", point.output(0), point.output(1),
+                        point.rebound, point.strain ? fmt::format("{:.3f}", *point.strain) : "-",
+                        std::isnan(used) ? "-" : fmt::format("{:.0f} %", 100 * used),
+                        point.strain && question.strain_limit ? speed_at_limit(point) : "-");
+  }
+  return text;
+}
+
+} // namespace rimpact::calibration

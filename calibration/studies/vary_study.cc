@@ -1,0 +1,107 @@
+#include "calibration/studies/vary_study.h"
+
+#include "files/error.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+
+namespace rimpact::calibration {
+namespace {
+
+/// Of values over a rising `x`, straight between them.
+std::optional<double> crossing(const std::vector<double> &x, const std::vector<double> &y, double level) {
+  for (std::size_t i = 1; i < y.size(); ++i)
+    if (y[i] >= level && y[i] > y[i - 1]) return x[i - 1] + (x[i] - x[i - 1]) * (level - y[i - 1]) / (y[i] - y[i - 1]);
+  return {};
+}
+
+double linear_at(const std::vector<double> &x, const std::vector<double> &y, double at) {
+  const auto next = std::upper_bound(x.begin(), x.end(), at);
+  if (next == x.begin()) return y.front();
+  if (next == x.end()) return y.back();
+  const auto i = static_cast<std::size_t>(next - x.begin());
+  return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
+}
+
+/// Lagrange's parabola through three points.
+double parabola(const std::array<double, 3> &x, const std::array<double, 3> &y, double at) {
+  double sum = 0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    double weight = y[i];
+    for (std::size_t j = 0; j < 3; ++j)
+      if (j != i) weight *= (at - x[j]) / (x[i] - x[j]);
+    sum += weight;
+  }
+  return sum;
+}
+
+} // namespace
+
+const std::vector<std::string> &vary_outputs() {
+  static const std::vector<std::string> names{"peak_kN", "depth_mm", "rebound_m_per_s", "strain"};
+  return names;
+}
+
+double VaryPoint::output(std::size_t k) const {
+  constexpr double kilo = 1e-3, milli = 1e3;
+  switch (k) {
+  case 0:
+    return kilo * peak_force;
+  case 1:
+    return milli * depth;
+  case 2:
+    return rebound;
+  default:
+    return strain.value_or(std::numeric_limits<double>::quiet_NaN());
+  }
+}
+
+VaryPoint vary_point(const reduced::RimCurveFile &file, const VaryQuestion &question) {
+  const laws::RimCurve curve(file.held);
+  const double work = question.mass / 2 * question.speed * question.speed;
+  VaryPoint point{};
+  point.fastest = std::sqrt(2 * curve.work(curve.range()) / question.mass);
+  if (!(point.fastest >= question.speed))
+    throw DataError(fmt::format("the curve stops {:.3f} m/s, {:g} m/s is asked for", point.fastest, question.speed));
+  point.depth = curve.depth_of(work);
+  point.peak_force = curve.loading(point.depth).force;
+  point.rebound = std::sqrt(2 * curve.returned(point.depth) / question.mass);
+  if (file.strain.strain.empty()) return point;
+  point.strain = linear_at(file.strain.penetration, file.strain.strain, point.depth);
+  if (question.strain_limit)
+    if (const auto d = crossing(file.strain.penetration, file.strain.strain, *question.strain_limit);
+        d && *d <= curve.range())
+      point.speed_at_limit = std::sqrt(2 * curve.work(*d) / question.mass);
+  return point;
+}
+
+Interpolated interpolated(const std::vector<VaryPoint> &points, std::size_t k, double x) {
+  const auto value = [&](std::size_t i) { return points[i].output(k); };
+  const auto near = std::min_element(points.begin(), points.end(), [x](const auto &a, const auto &b) {
+    return std::abs(a.at[0] - x) < std::abs(b.at[0] - x);
+  });
+  constexpr double same = 1e-9;
+  if (std::abs(near->at[0] - x) <= same * std::abs(x)) return {near->output(k), 0.0};
+  bool logarithmic = true;
+  for (std::size_t i = 0; i < points.size(); ++i) logarithmic &= value(i) > 0;
+  const auto scaled = [&](double y) { return logarithmic ? std::log(y) : y; };
+  const auto back = [&](double y) { return logarithmic ? std::exp(y) : y; };
+  const auto right = std::clamp<std::size_t>(
+      std::upper_bound(points.begin(), points.end(), x, [](double at, const auto &p) { return at < p.at[0]; }) -
+          points.begin(),
+      1, points.size() - 1);
+  const std::size_t left = right - 1;
+  const double share = std::log(x / points[left].at[0]) / std::log(points[right].at[0] / points[left].at[0]);
+  const double straight = back(scaled(value(left)) + share * (scaled(value(right)) - scaled(value(left))));
+  if (points.size() < 3) return {straight, {}};
+  std::size_t first = left;
+  if (right + 1 == points.size() || (left > 0 && x - points[left - 1].at[0] < points[right + 1].at[0] - x)) --first;
+  std::array<double, 3> xs{}, ys{};
+  for (std::size_t i = 0; i < 3; ++i) xs[i] = std::log(points[first + i].at[0]), ys[i] = scaled(value(first + i));
+  const double curved = back(parabola(xs, ys, std::log(x)));
+  return {curved, std::abs(straight / curved - 1)};
+}
+
+} // namespace rimpact::calibration

@@ -1,0 +1,56 @@
+/// The designer's question: what one isolated impact does to rims of which dimensions or steel are varied. Each rim is
+/// pushed once (`rimpact curve --held`), and a mass at a speed is stopped by its curve's work:
+///   int_0^D F dd = m v^2 / 2,  rebound = sqrt(2 W_returned(D) / m).
+/// Between the rims that were pushed, values are interpolated by a parabola in the logarithms.
+#pragma once
+#include "reduced_models/rim_curve_file.h"
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace rimpact::calibration {
+
+/// How far a curve is from impacts of rung rim at most, over 18 windows of three rims from 0.05 to 0.7 m/s: the largest
+/// magnitudes in tests/verification/rim_curve.txt, which a test reads. Relative.
+struct CurveAgainstWindows {
+  double force = 0.0198, restitution = 0.0149;
+};
+
+struct VariedKey {
+  std::string key;            ///< of a bearing, "rim.thickness_mm"
+  std::vector<double> values; ///< rising, in the key's unit
+};
+struct VaryQuestion {
+  std::vector<VariedKey> keys;
+  double speed = 0;                      ///< of approach [m/s], > 0
+  double mass = 0;                       ///< supported [kg], > 0
+  double weight = 0;                     ///< dead load [N]
+  std::optional<double> strain_limit;    ///< of the steel [-]; none: not judged
+  std::map<std::string, double> targets; ///< most of peak_kN, depth_mm, rebound_m_per_s, strain
+};
+/// What can be a target, in the order of a row's columns.
+const std::vector<std::string> &vary_outputs();
+
+/// One rim at the question's speed.
+struct VaryPoint {
+  std::string name;
+  std::vector<double> at;               ///< the keys' values
+  double peak_force, depth, rebound;    ///< [N], [m], [m/s]
+  std::optional<double> strain;         ///< of the rim's side, averaged [-]; none: the curve does not say
+  std::optional<double> speed_at_limit; ///< at which the strain meets its limit [m/s]; none: not up to `fastest`
+  double fastest;                       ///< that the curve stops [m/s]
+  double output(std::size_t k) const;   ///< in vary_outputs()'s order and units; NaN where it is not known
+};
+/// Throws DataError where the curve does not stop the question's speed.
+VaryPoint vary_point(const reduced::RimCurveFile &curve, const VaryQuestion &question);
+
+struct Interpolated {
+  double value;
+  std::optional<double> error; ///< relative: the parabola against the straight line between neighbours, 0 at a point;
+                               ///< none: two points say nothing of it
+};
+/// Of output `k` over the first key; `points` rise in it.
+Interpolated interpolated(const std::vector<VaryPoint> &points, std::size_t k, double x);
+
+} // namespace rimpact::calibration
