@@ -13,6 +13,7 @@ namespace {
 
 constexpr std::size_t most_rows = 1000; // written out in scene.toml
 constexpr double MPa = 1e6;
+constexpr double least_step = 1e-6; // of plastic strain between rows: none is a jump
 
 using Row = std::array<double, 2>;
 
@@ -27,9 +28,9 @@ void check_rows(const std::vector<Row> &rows, std::size_t first) {
     require(stress > 0, "curve, row {}: a stress of {:g} MPa must be > 0", first + i, stress / MPa);
     if (i == 0) continue;
     const auto &[strain_before, stress_before] = rows[i - 1];
-    require(strain > strain_before,
-            "curve, row {}: a plastic strain of {:g} does not lie beyond {:g} of the row before", first + i, strain,
-            strain_before);
+    require(strain - strain_before >= least_step,
+            "curve, row {}: a plastic strain of {:g} does not lie beyond {:g} of the row before, by {:g} at least",
+            first + i, strain, strain_before, least_step);
     require(stress >= stress_before,
             "curve, row {}: the true stress falls from {:g} to {:g} MPa; a flow stress that falls has no one answer. "
             "Where the test shows an upper yield point, give the lower one",

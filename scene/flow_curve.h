@@ -10,7 +10,8 @@
 namespace rimpact::scene {
 
 struct FlowCurve {
-  std::vector<std::array<double, 2>> rows; ///< plastic strain [-], from 0, growing; true stress [Pa], never falling
+  std::vector<std::array<double, 2>>
+      rows; ///< plastic strain [-], from 0, growing by 1e-6 at least; true stress [Pa], never falling
   std::optional<double> necks_at =
       std::nullopt;      ///< engineering strain that rows were cut at [-]; none: nothing was cut
   std::size_t n_cut = 0; ///< rows beyond it

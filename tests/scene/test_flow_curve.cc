@@ -94,6 +94,7 @@ TEST(FlowCurve, BadCurvesAreRefused) {
   refused("curve = [[0, 355]]\n", {"my.toml:6", "1 rows", "at least 2"});
   refused("curve = [[0.01, 355], [0.1, 400]]\n", {"row 1", "0.01", "must be 0"});
   refused("curve = [[0, 355], [0.1, 400], [0.1, 410]]\n", {"row 3", "0.1", "does not lie beyond"});
+  refused("curve = [[0, 355], [1e-300, 400]]\n", {"row 2", "1e-300", "1e-06 at least"});
   refused("curve = [[0, 355], [0.1, 340]]\n", {"row 2", "falls from 355 to 340 MPa"});
   refused("curve = [[0, 0], [0.1, 340]]\n", {"row 1", "0 MPa", "> 0"});
   refused("curve = [[0, 355], [0.1, -340]]\n", {"curve", "-340", ">= 0"});
