@@ -220,7 +220,8 @@ void add_building(CLI::App &app, Console &console) {
   verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene: ground motion, bearing, [reduced]")
       ->required();
   verb->add_option("--frame", options->frame,
-                   "thesis-2.4, thesis-3.5 and thesis-3.5-slab (linear), thesis-2.5 (inelastic, in the plane), a TOML file of either "
+                   "thesis-2.4, thesis-3.5 and thesis-3.5-slab (linear), thesis-2.5 (inelastic, in the plane), a TOML "
+                   "file of either "
                    "kind, or a folder of nodes.csv, elements.csv, diaphragms.csv")
       ->capture_default_str();
   verb->add_option("-o,--output", options->folder, "run folder (default results/<scene>-<building>)");

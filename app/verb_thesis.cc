@@ -33,7 +33,8 @@ void run_thesis(const ThesisOptions &options, Console &console) {
 void add_thesis(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("thesis", "a figure or table of the thesis by its number, ours drawn over it");
   auto options = std::make_shared<ThesisOptions>();
-  verb->add_option("WHAT", options->what, "list, headlines, fig-2-7, table-3-4, design, ... or all")->capture_default_str();
+  verb->add_option("WHAT", options->what, "list, headlines, fig-2-7, table-3-4, design, ... or all")
+      ->capture_default_str();
   verb->add_flag("--cheap", options->cheap, "only what takes seconds: no finite elements");
   verb->add_option("--records", options->records, "folder of your AT2 files (default: RIMPACT_RECORDS, else this one)");
   verb->add_option("-o,--output", options->folder, "folder of runs, pictures and pages")->capture_default_str();
