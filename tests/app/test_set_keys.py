@@ -137,6 +137,8 @@ class SetKeys(unittest.TestCase):
                 asked = [key for key in every if not key["key"].startswith(NO_DIMENSION)]
             if verb.words[0] in ("mesh", "run"):  # these start the finite-element program
                 asked = asked[::4]
+            if "--mesh" in verb.words:  # the option stands over the key
+                asked = [key for key in asked if key["key"] != "model.mesh"]
             if verb.resolved is identity:  # a mark, no number: it stands in scene.toml
                 asked = [key for key in asked if key["key"] != "bearing.assumed"]
             outcomes = self.judge(verb, asked)
