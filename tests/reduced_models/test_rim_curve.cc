@@ -28,14 +28,15 @@ struct CurveOf {
     path = (std::filesystem::temp_directory_path() /
             ("rim-curve-" + std::to_string(getpid()) + "-" + std::to_string(++n) + ".h5"))
                .string();
-    write_rim_curve({dish,
-                     held,
-                     scene.bearing.name,
-                     scene::rim_identity(scene.bearing),
-                     scene::rim_values(scene.bearing),
-                     "made up",
-                     "test",
-                     {0.01, 0.02}},
+    write_rim_curve({.dish = dish,
+                     .held = held,
+                     .strain = {},
+                     .bearing = scene.bearing.name,
+                     .rim_identity = scene::rim_identity(scene.bearing),
+                     .rim_values = scene::rim_values(scene.bearing),
+                     .mesh = "made up",
+                     .made_by = "test",
+                     .errors = {0.01, 0.02}},
                     path);
     scene.reduced.impact_law = &laws::impact_law("curve"), scene.reduced.impact_curve = path;
   }
