@@ -25,6 +25,7 @@ std::map<std::string, double> values_of(const std::vector<std::string> &words, c
   std::map<std::string, double> values;
   for (const auto &word : words) {
     const auto [name, text] = assignment(word, option, "NAME=VALUE");
+    if (values.count(name) > 0) throw InputError(fmt::format("{} {}: {} is given twice", option, word, name));
     values[name] = number_in(text, option, word);
   }
   return values;

@@ -1,7 +1,6 @@
 /// The command's verbs and options as data: what completions are made from.
 #pragma once
 #include "app/console.h"
-#include "files/choice.h"
 #include <CLI/CLI.hpp>
 #include <string>
 #include <vector>
@@ -23,12 +22,5 @@ std::vector<VerbWords> command_tree(const CLI::App &app);
 
 /// The verb `completion` of both programs.
 void add_completion(CLI::App &app, Console &console);
-
-enum class Shell { bash, zsh, fish };
-constexpr auto choices(Shell) {
-  return choices_of<Shell>({{Shell::bash, "bash"}, {Shell::zsh, "zsh"}, {Shell::fish, "fish"}});
-}
-/// The script a shell reads.
-std::string completion_script(Shell shell, const std::vector<VerbWords> &verbs);
 
 } // namespace rimpact::app

@@ -2,6 +2,7 @@
 
 #include "app/assignments.h"
 #include "files/error.h"
+#include "files/json_text.h"
 #include "files/text.h"
 #include <algorithm>
 #include <cmath>
@@ -22,8 +23,10 @@ std::string result_of(const Verdict &verdict) {
   return in_words(*verdict.limit.figure, verdict.value) + (verdict.met ? "" : verdict.value ? " beyond" : " not known");
 }
 
-/// For XML: its five signs, and a question mark for what XML cannot hold.
-std::string escaped(const std::string &text) {
+/// For XML: its five signs, a question mark for what XML cannot hold, and the replacement character for bytes that are
+/// no text, as names of folders may have them.
+std::string escaped(const std::string &bytes) {
+  const auto text = nlohmann::json::parse(json_text(nlohmann::json(bytes))).get<std::string>();
   constexpr unsigned char first_printable = 0x20;
   std::string safe;
   for (const char c : text) switch (c) {

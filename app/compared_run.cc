@@ -87,6 +87,20 @@ void require_free_flight(const ComparedRun &item) {
                     item.path, n_small, n_pressed));
 }
 
+/// A rim pushes its slider back: a force that pushes it outwards has the wrong sign.
+std::string doubt_of_sign(const Response &response) {
+  const auto &ix = response.series("impact_x"), &iy = response.series("impact_y");
+  const auto &ux = response.series("displacement_x"), &uy = response.series("displacement_y");
+  std::size_t hardest = 0;
+  double peak = 0;
+  for (std::size_t i = 0; i < ix.size(); ++i)
+    if (const double size = std::hypot(ix[i], iy[i]); size > peak) peak = size, hardest = i;
+  if (!(ix[hardest] * ux[hardest] + iy[hardest] * uy[hardest] > 0)) return "";
+  return fmt::format("its rim pushes outwards with {:.4g} kN at {:.4g} s, where a rim pushes back: its forces have the "
+                     "wrong sign",
+                     peak / 1e3, response.series("time")[hardest]);
+}
+
 } // namespace
 
 ComparedRun read_compared(const std::string &path) {
@@ -110,6 +124,7 @@ ComparedRun read_compared(const std::string &path) {
   }
   require_signals(item);
   if (item.scene.empty()) require_free_flight(item);
+  if (item.doubt.empty()) item.doubt = doubt_of_sign(item.response);
   return item;
 }
 

@@ -1,5 +1,4 @@
-// Completion of bash, zsh and fish from the command's own tree.
-#include "app/command_tree.h"
+#include "app/completion_scripts.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>

@@ -109,6 +109,40 @@ int poll(pid_t process, bool wait) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
+namespace {
+
+volatile std::sig_atomic_t listener = 0; ///< the child that is told of an interrupt
+
+/// While it lives, an interrupt is the child's: it ends what it does, and this program then ends by its code.
+class PassedOn {
+public:
+  explicit PassedOn(pid_t child) {
+    listener = child;
+    struct sigaction pass {};
+    pass.sa_handler = [](int signal) { kill(listener, signal); };
+    sigemptyset(&pass.sa_mask);
+    sigaction(SIGINT, &pass, &before_);
+  }
+  PassedOn(const PassedOn &) = delete;
+  PassedOn &operator=(const PassedOn &) = delete;
+  ~PassedOn() { sigaction(SIGINT, &before_, nullptr); }
+
+private:
+  struct sigaction before_ {};
+};
+
+constexpr const char *run_module = R"(import sys
+try:
+    import runpy
+    sys.path.insert(0, sys.argv[1])
+    del sys.argv[1]
+    runpy.run_module(sys.argv.pop(1), run_name="__main__", alter_sys=True)
+except KeyboardInterrupt:
+    sys.exit(130)
+)";
+
+} // namespace
+
 int python(const std::vector<std::string> &arguments, bool show_output) {
   const std::string data = data_folder();
   if (!std::filesystem::is_directory(std::filesystem::path(data) / "report"))
@@ -116,13 +150,15 @@ int python(const std::vector<std::string> &arguments, bool show_output) {
   // Isolated (-I): neither the working folder nor the environment brings modules of its own. With pip's Python the
   // user's own folder of packages counts (-EP), for pip may have put rimpact there.
   const char *pip = std::getenv("RIMPACT_PYTHON");
-  Launch launch{.command = {pip ? pip : "/usr/bin/python3", pip ? "-EP" : "-I", "-c",
-                            "import runpy, sys; sys.path.insert(0, sys.argv[1]); del sys.argv[1]; "
-                            "runpy.run_module(sys.argv.pop(1), run_name='__main__', alter_sys=True)",
-                            data},
-                .output = show_output ? "" : "/dev/null"};
+  Launch launch{.command = {pip ? pip : "/usr/bin/python3", pip ? "-EP" : "-I", "-c", run_module, data},
+                .output = show_output ? "" : "/dev/null",
+                .apart = true};
   launch.command.insert(launch.command.end(), arguments.begin(), arguments.end());
-  return poll(start(launch), true);
+  const pid_t process = start(launch);
+  const PassedOn interrupts(process);
+  const int code = poll(process, true);
+  if (code == static_cast<int>(ExitCode::interrupted)) throw Interrupted();
+  return code;
 }
 
 } // namespace rimpact::app

@@ -32,7 +32,8 @@ pid_t start(const Launch &launch);
 /// Exit code of a process, -1 while it runs (when not waiting), 128 + the signal that ended it.
 int poll(pid_t process, bool wait);
 /// Runs MODULE ARGS of the report package by an isolated Python (RIMPACT_PYTHON, which pip's command sets, else the
-/// system's), its errors shown, and its output where that is asked for; returns its exit code.
+/// system's), its errors shown, and its output where that is asked for; returns its exit code. An interrupt is passed
+/// on to it. Throws Interrupted where it ended by one.
 int python(const std::vector<std::string> &arguments, bool show_output = false);
 
 } // namespace rimpact::app

@@ -5,6 +5,7 @@
 #include "files/text.h"
 #include "scene/assumptions.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -21,6 +22,21 @@ double number_in(std::string_view text, const std::string &word) {
   return *value;
 }
 
+/// Keys of which a slow push of the rim alone knows nothing: every rim would be the same.
+void require_felt(const std::string &key, const std::string &word) {
+  constexpr std::array unfelt{"pad.",
+                              "foot.",
+                              "contact.",
+                              "material.ertalyte.",
+                              "material.steel.rate",
+                              "material.steel.density",
+                              "material.steel.strain_limit",
+                              "material.steel.fracture"};
+  for (const char *part : unfelt)
+    if (key.starts_with(part))
+      throw InputError(fmt::format("--vary {}: a slow push of the rim does not feel bearing.{}", word, key));
+}
+
 VariedKey varied_key(const std::string &word) {
   constexpr int usual = 3, most = 20;
   const auto equals = word.find('=');
@@ -29,6 +45,7 @@ VariedKey varied_key(const std::string &word) {
   if (equals == 0 || parts.size() < 2 || parts.size() > 3) throw InputError(fmt::format("--vary {}: {}", word, form));
   VariedKey key{.key = word.substr(0, equals), .values = {}};
   if (key.key.starts_with("bearing.")) key.key.erase(0, std::string("bearing.").size());
+  require_felt(key.key, word);
   const double low = number_in(parts[0], word), high = number_in(parts[1], word);
   const double n = parts.size() == 3 ? number_in(parts[2], word) : usual;
   if (!(low > 0 && low < high)) throw InputError(fmt::format("--vary {}: must be 0 < LOW < HIGH", word));

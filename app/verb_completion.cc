@@ -1,5 +1,5 @@
 // rimpact completion SHELL: what a shell needs to complete the command's words.
-#include "app/command_tree.h"
+#include "app/completion_scripts.h"
 #include "app/sibling.h"
 #include "app/verb.h"
 #include "files/file.h"

@@ -24,7 +24,6 @@ void run_references(const ReferencesOptions &options, Console &console) {
   if (code == static_cast<int>(ExitCode::input)) throw InputError("references: nothing was made");
   if (code == static_cast<int>(ExitCode::data)) throw DataError("references: not all could be compared");
   if (code == static_cast<int>(ExitCode::stopped)) throw SolverStopped("references: not every run came to its end");
-  if (code == static_cast<int>(ExitCode::interrupted)) throw Interrupted();
   if (code != 0) throw IoError("the references were not finished");
 }
 

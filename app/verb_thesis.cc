@@ -24,7 +24,6 @@ void run_thesis(const ThesisOptions &options, Console &console) {
   const int code = python(command(options, console), true);
   if (code == static_cast<int>(ExitCode::input)) throw InputError("thesis " + options.what + ": nothing was made");
   if (code == static_cast<int>(ExitCode::data)) throw DataError("thesis " + options.what + ": nothing could be made");
-  if (code == 130) throw Interrupted();
   if (code != 0) throw IoError("thesis " + options.what + " was not finished");
 }
 

@@ -11,7 +11,8 @@ struct Usual {
   double low, high;
 };
 constexpr Usual modulus{"E", "GPa", 3, 300}, shear_modulus{"G over E", "", 0.02, 1}, depth{"depth", "m", 0.08, 5},
-    shear_area{"shear area over area", "", 0.02, 1.5}, hinge{"hinge length over depth", "", 0.05, 4},
+    width{"width", "m", 0.02, 5}, shear_area{"shear area over area", "", 0.02, 1.5},
+    hinge{"hinge length over depth", "", 0.05, 4},
     yield_strain{"strain at the edge where its ends yield", "", 2e-4, 0.05},
     axial_strain{"strain at axial_yield", "", 1e-4, 0.05}, member{"length", "m", 0.3, 100},
     mass_over_area{"mass over its plan", "kg/m2", 100, 1e4}, mass_over_length{"mass over its length", "kg/m", 500, 2e5},
@@ -52,6 +53,7 @@ void look_at(const Section &s, Doubts &found) {
   found.look(of, modulus, s.E / 1e9);
   found.look(of, shear_modulus, s.G / s.E);
   found.look(of, depth, deep);
+  found.look(of, width, std::sqrt(12 * std::min(s.Iy, s.Iz) / s.area));
   for (const double area : {s.shear_y, s.shear_z})
     if (area > 0) found.look(of, shear_area, area / s.area);
   if (!s.inelastic) return;

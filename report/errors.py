@@ -33,5 +33,11 @@ def run_main(main: Callable[[list[str]], None]) -> None:
     except ReportError as error:
         print(f"rimpact report: {error}", file=sys.stderr)
         sys.exit(error.code)
+    except BrokenPipeError:
+        raise
+    except OSError as error:
+        place = f"{error.filename}: " if error.filename else ""
+        print(f"rimpact report: {place}{error.strerror or error}", file=sys.stderr)
+        sys.exit(IoError.code)
     except KeyboardInterrupt:
         sys.exit(130)

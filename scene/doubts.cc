@@ -1,5 +1,6 @@
 #include "scene/doubts.h"
 #include "scene/record_doubts.h"
+#include "scene/steel_doubts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -115,6 +116,8 @@ std::vector<std::string> doubts(const Scene &scene, bool load_is_read) {
                                 scene.excitation.impact_speed()));
   doubt_records(scene, found);
   doubt_materials(scene.bearing, found);
+  if (!scene.double_concave())
+    for (auto &doubt : doubts_of_grade(scene.bearing)) found.push_back(std::move(doubt));
   if (!scene.double_concave()) doubt_sizes(scene.bearing, found);
   if (scene.needs_stack()) doubt_pad(scene.bearing, found);
   return found;

@@ -54,7 +54,9 @@ void settle_grade(const TomlFile &file, const std::string &prefix, Bearing &b) {
   take("fracture_D1", steel.fracture.D1, named.fracture.D1), take("fracture_D2", steel.fracture.D2, named.fracture.D2);
   take("fracture_D3", steel.fracture.D3, named.fracture.D3);
   for (const auto &[key, number] : grade.numbers)
-    if (!given(key) && !is_of_the_curve(key)) mark(b, key, !number.checked);
+    if (const bool estimated = key == "yield_MPa" && given("hardness_HB");
+        !given(key) && !is_of_the_curve(key) && !estimated)
+      mark(b, key, !number.checked);
   if (given("hardening") || given("curve") || given("tangent_modulus_MPa")) return;
   steel.hardening.law = named.hardening.law;
   take("hardening_Q_MPa", steel.hardening.Q, named.hardening.Q),
@@ -92,6 +94,10 @@ void settle_hardening(const TomlFile &file, const std::string &prefix, Bearing &
     throw InputError(fmt::format("{}: {}", file.location(file.find(curve) ? curve : key + "hardening"), error.what()));
   }
   if (!own) return;
+  if (file.find(key + "hardness_HB"))
+    throw InputError(fmt::format("{}: {}hardness_HB stands beside a curve, which has a yield stress of its own, "
+                                 "{:g} MPa; give one",
+                                 file.location(key + "hardness_HB"), key, *own / 1e6));
   constexpr double rounding = 1e-3;
   if (!file.find(prefix + yield))
     mark(b, "yield_MPa", is_marked(file, curve));

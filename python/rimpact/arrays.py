@@ -1,6 +1,7 @@
 """Ground motions from arrays: files that scenes read."""
 from __future__ import annotations
 
+import hashlib
 import os
 from pathlib import Path
 
@@ -34,11 +35,15 @@ def write_record(path: str | os.PathLike, time: ArrayLike, acceleration: ArrayLi
 def with_record(scene: Scene, folder: str | os.PathLike, time: ArrayLike, x: ArrayLike, y: ArrayLike | None = None, z: ArrayLike | None = None,
                 units: str = "m/s2") -> Scene:
     """The scene under a recorded motion: ground accelerations over time [s] along x, and along y and z where they are given. They are
-    written to `folder`, which the scene then reads (record-x.csv, ...)."""
+    written to `folder` (made where it is not there), each under a name of its own content (record-x-1f0c....csv), and the scene reads them there:
+    another motion is another file, and a worker elsewhere needs the folder."""
     place = Path(folder)
     place.mkdir(parents=True, exist_ok=True)
     settings: dict[str, str] = {"excitation.kind": "record"}
     for axis, values in (("x", x), ("y", y), ("z", z)):
         if values is not None:
-            settings[f"excitation.{axis}"] = os.path.abspath(write_record(place / f"record-{axis}.csv", time, values, units))
+            written = write_record(place / f"record-{axis}.part", time, values, units)
+            named = place / f"record-{axis}-{hashlib.sha256(written.read_bytes()).hexdigest()[:12]}.csv"
+            written.replace(named)
+            settings[f"excitation.{axis}"] = os.path.abspath(named)
     return scene.with_settings(settings)

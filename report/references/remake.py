@@ -5,12 +5,11 @@ import subprocess
 from dataclasses import dataclass
 from typing import Any
 
+from ..child import run_child
 from ..data_files import read_any_json
 from ..errors import DataError
 from ..numbers import sig
 from .kept import Reference
-
-INTERRUPTED = 130
 
 
 @dataclass(frozen=True)
@@ -36,12 +35,10 @@ def remake(reference: Reference, program: str, output: str, quiet: bool) -> Rema
     folder = os.path.join(output, reference.name)
     resume = ["--resume"] if os.path.isdir(folder) else []
     words = [program, "run", reference.scene, "-o", folder, "--no-fields", *resume, *(["--quiet"] if quiet else [])]
-    done = subprocess.run(words, stdout=subprocess.DEVNULL)
-    if done.returncode == INTERRUPTED:
-        raise KeyboardInterrupt
+    done = run_child(words, stdout=subprocess.DEVNULL, stderr=None)
     if done.returncode != 0:
         return Remade(reference, folder, f"its run ended with {done.returncode}")
-    compared = subprocess.run([program, "compare", reference.folder, folder, "--json"], capture_output=True, text=True)
+    compared = run_child([program, "compare", reference.folder, folder, "--json"])
     if compared.returncode != 0:
         raise DataError(f"{folder} cannot be held against {reference.folder}: {compared.stderr.strip()}")
     return Remade(reference, folder, "", read_any_json(os.path.join(folder, "summary.json")), json.loads(compared.stdout))

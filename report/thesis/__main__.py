@@ -4,7 +4,7 @@ import json
 import os
 import sys
 
-from ..errors import run_main
+from ..errors import InputError, run_main
 from . import catalogue as catalogues
 from . import headlines, tables
 from .results import Ours
@@ -19,6 +19,8 @@ def main(arguments: list[str]) -> None:
     for flag in ("--cheap", "--json", "--quiet"):
         parser.add_argument(flag, action="store_true")
     options = parser.parse_args(arguments)
+    if not os.path.isdir(options.records):
+        raise InputError(f"--records {options.records} is no folder")
     catalogue, ours = catalogues.load(), Ours(options.output)
     if options.what == "list":
         print(json.dumps(tables.list_json(catalogue, ours), indent=1, ensure_ascii=False) if options.json else tables.list_text(catalogue, ours))

@@ -17,7 +17,8 @@ def as_text(catalogue: Catalogue, ours: Ours) -> str:
     lines, causes = [], []
     for entry, number in of(catalogue):
         verdict = number.verdict(ours.of(entry, number))
-        lines.append(f"{number.headline:85} thesis {printed(number):>6}  ours {sig(ours.of(entry, number), 3):>6} {number.unit:3} {verdict:8} {made_by(entry)}")
+        values = f"thesis {printed(number)} {number.unit}", f"ours {sig(ours.of(entry, number), 3)} {number.unit}", f"within {sig(number.within)} points"
+        lines.append(f"{number.headline:85} {values[0]:16} {values[1]:14} {verdict:8} ({values[2]})  {made_by(entry)}")
         causes += [f"{number.headline}: {word(number, verdict)}"] if word(number, verdict) else []
     return "\n".join([*lines, "", *causes])
 
@@ -28,8 +29,10 @@ def as_json(catalogue: Catalogue, ours: Ours) -> list[dict[str, Any]]:
 
 def as_table(catalogue: Catalogue, ours: Ours) -> list[str]:
     """Lines of Markdown."""
-    lines = ["| | thesis | ours | | made by | |", "|---|---|---|---|---|---|"]
+    lines = ["| | thesis | ours | met within | | made by | |", "|---|---|---|---|---|---|---|"]
     for entry, number in of(catalogue):
         verdict = number.verdict(ours.of(entry, number))
-        lines.append(f"| {number.headline} | {printed(number)} {number.unit} | {sig(ours.of(entry, number), 3)} | {verdict} | `{made_by(entry)}` | {word(number, verdict)} |")
+        cells = [number.headline, f"{printed(number)} {number.unit}", f"{sig(ours.of(entry, number), 3)} {number.unit}", f"{sig(number.within)} points", verdict,
+                 f"`{made_by(entry)}`", word(number, verdict)]
+        lines.append(f"| {' | '.join(cells)} |")
     return lines

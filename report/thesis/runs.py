@@ -1,18 +1,16 @@
 """Runs of the catalogue: made by rimpact's own verbs as child processes, kept once done, read by the figures and numbers."""
 import json
 import os
-import subprocess
 import sys
 from typing import Any
 
+from ..child import run_child
 from ..data_files import read_any_json
 from ..errors import DataError
 from ..files import write_whole
 from ..run_folder import Run, load_run
 from . import derived
 from .catalogue import FOLDER, Catalogue, Number
-
-INTERRUPTED = 130
 
 
 class Runs:
@@ -60,9 +58,7 @@ class Runs:
         words = [self.program, *self.words(name), *(["--json"] if run.json else ["-o", place, "--force", "--quiet"])]
         if not self.quiet:
             print(f"{name}: rimpact {' '.join(words[1:])}", file=sys.stderr)
-        done = subprocess.run(words, capture_output=True, text=True)
-        if done.returncode == INTERRUPTED:
-            raise KeyboardInterrupt
+        done = run_child(words)
         if done.returncode != 0:
             self.missing[name] = f"{name} ended with {done.returncode}: {(done.stderr.strip().splitlines() or ['no word'])[-1]}"
             return

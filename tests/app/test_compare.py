@@ -134,6 +134,15 @@ class Compare(unittest.TestCase):
             file.write("time_s,ux_m,Fx_N,Ix_N\n" + "".join(f"{1e-3 * k},{0.39 + 1e-4 * k},0,{-1e6 * max(0, 20 - abs(k - 120))}\n" for k in range(200)))
         self.assertEqual(self.metrics(planar, planar)["peak_force_error"], 0)
 
+    def test_a_rim_that_pushes_outwards_meets_no_limit(self):
+        outwards = self.path("outwards.csv")
+        with open(outwards, "w", encoding="utf-8") as file:
+            file.write("time_s,ux_m,Fx_N,Ix_N\n" + "".join(f"{1e-3 * k},{0.39 + 1e-4 * k},0,{1e6 * max(0, 20 - abs(k - 120))}\n" for k in range(200)))
+        self.assertIn("wrong sign", self.metrics(outwards, outwards)["doubts"][outwards])
+        run = rimpact("compare", outwards, outwards, "--max", "peak=5")
+        self.assertEqual(run.returncode, 5, run.stderr)
+        self.assertIn("pushes outwards with 2e+04 kN at 0.12 s", run.stderr)
+
     def test_what_is_assumed_and_doubted_is_said(self):
         tables = [os.path.join(self.path(name), "response.csv") for name in ("a", "stiff")]
         bare = [self.path(f"bare-{k}.csv") for k in (0, 1)]
@@ -200,8 +209,15 @@ class Compare(unittest.TestCase):
         self.assertIn("within 5 % is allowed", cases["peak impact force within 5 %"].findtext("failure"))
         self.assertIsNone(cases["rebound speed within 1 %"].find("failure"))
 
+    def test_a_folder_whose_name_is_no_text_stands_in_readable_xml(self):
+        odd, junit = os.fsencode(self.path("odd-")) + b"\xff", self.path("odd.xml")
+        shutil.copytree(os.fsencode(self.path("stiff")), odd)
+        self.assertEqual(rimpact("compare", self.path("a"), os.fsdecode(odd), "--max", "peak=10", "--junit", junit).returncode, 0)
+        self.assertIn("odd-\ufffd", next(ElementTree.parse(junit).getroot().iter("testcase")).get("classname"))
+
     def test_limits_that_cannot_be_are_refused(self):
         for words, said in ((["--max", "peek=5"], 'did you mean "peak"'), (["--max", "peak=-1"], "from 0"), (["--max", "peak=nan"], "from 0"), (["--max", "peak"], "NAME=VALUE"),
+                            (["--max", "peak=1,peak=6"], "given twice"),
                             (["--junit", self.path("none.xml")], "--max peak=5")):
             run = rimpact("compare", self.path("a"), self.path("stiff"), *words)
             self.assertEqual(run.returncode, 2, words)

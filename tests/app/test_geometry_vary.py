@@ -120,7 +120,8 @@ class Vary(unittest.TestCase):
     def test_bad_words_are_refused(self):
         for words, said in ((["--vary", "rim.thickness_mm=20"], "KEY=LOW:HIGH"), (["--vary", "rim.thickness_mm=80:20"], "0 < LOW < HIGH"),
                             (["--vary", "rim.thickness_mm=20:80:1"], "2 to 20"), (["--vary", "rim.thicknes_mm=20:80"], "did you mean"),
-                            (["--vary", "rim.thickness_mm=a:80"], "KEY=LOW:HIGH")):
+                            (["--vary", "rim.thickness_mm=a:80"], "KEY=LOW:HIGH"), (["--vary", "pad.thickness_mm=20:80"], "does not feel"),
+                            (["--vary", "material.steel.strain_limit=0.1:0.3"], "does not feel")):
             run = self.geometry(*LOAD, *words, "--at", "speed=0.4")
             self.assertEqual(run.returncode, 2, run.stderr)
             self.assertIn(said, run.stderr)

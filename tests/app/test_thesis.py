@@ -1,12 +1,23 @@
 """rimpact thesis: what takes seconds is made anew, and its numbers are those kept with the program; done runs are not made twice."""
+import glob
 import json
 import os
+import signal
+import subprocess
 import unittest
 
-from command import rimpact
+from command import RIMPACT, rimpact
 from thesis_numbers import RECORDS, Numbers
 
 from report.thesis import catalogue as catalogues
+
+
+def words_of(path):
+    try:
+        with open(path, encoding="utf-8", errors="replace") as file:
+            return file.read()
+    except OSError:  # it has ended
+        return ""
 
 
 class Thesis(Numbers):
@@ -55,6 +66,19 @@ class Thesis(Numbers):
         for row in listed:
             self.assertIn(row["verdict"], ("met", "not met"))
             self.assertIn(row["headline"], text)
+
+    def test_an_interrupt_ends_what_it_started(self):
+        """The command alone hears it: its Python and that one's runs end before it does."""
+        place = os.path.join(self.folder, "interrupted")
+        process = subprocess.Popen([RIMPACT, "thesis", "fig-2-24", "-o", place], stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+        for line in process.stderr:  # its first run begins
+            if line.startswith("loop-"):
+                break
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+        self.assertEqual(process.returncode, 130)
+        self.assertNotIn("Traceback", said)
+        self.assertEqual([name for name in glob.glob("/proc/[0-9]*/cmdline") if place in words_of(name)], [])
 
     def test_an_unknown_figure_is_a_usage_error(self):
         run = rimpact("thesis", "fig-9-9", "-o", self.folder)

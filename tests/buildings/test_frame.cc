@@ -100,6 +100,8 @@ TEST(Building, AWrongUnitIsDoubted) {
   };
   EXPECT_EQ(building([](RegularBuilding &b) { b.column_x = b.column_y = 0.04; }), // 40 cm, written as mm
             "section column: depth = 0.04 m, where 0.08 to 5 is usual: are the units right?");
+  EXPECT_EQ(building([](RegularBuilding &b) { b.column_x = 5e-4; }), // half a metre, where mm are asked for
+            "section column: width = 0.0005 m, where 0.02 to 5 is usual: are the units right?");
   EXPECT_EQ(building([](RegularBuilding &b) { b.load = 800; }), // tonnes
             "level 0: mass over its plan = 81.55 kg/m2, where 100 to 10000 is usual (3 more): are the units right?");
   EXPECT_EQ(building([](RegularBuilding &b) { b.storeys.front() = 1.2; }), "0 doubts"); // a mezzanine

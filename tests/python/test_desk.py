@@ -80,6 +80,9 @@ class Motions(Desk):
         self.assertEqual(scene["excitation.kind"], "record")
         peak = rimpact.summarise(scene)["peak_impact_force_N"]
         self.assertAlmostEqual(peak / rimpact.summarise(pulse)["peak_impact_force_N"], 1, delta=0.01)
+        harder = rimpact.with_record(pulse.with_settings({"excitation.scale": 1.0}), self.folder / "motion", time, 1.1 * sign * sampled)
+        self.assertNotEqual(harder, scene)  # in the same folder, yet another motion
+        self.assertEqual(rimpact.summarise(scene.with_settings({}))["peak_impact_force_N"], peak)
         in_g = rimpact.write_record(self.folder / "g.csv", time, sampled / 9.80665, "g")
         self.assertAlmostEqual(rimpact.motion(in_g)["pga_g"][0], np.abs(sampled).max() / 9.80665, delta=1e-3)
         both = rimpact.with_record(pulse, self.folder / "two", time, sampled, 0.5 * sampled)

@@ -2,10 +2,13 @@
 import json
 import os
 import shutil
+import signal
 import stat
+import threading
 
 from support import InFolder, in_process
 
+from report.child import run_child
 from report.errors import DataError, InputError
 from report.references import keep
 from report.references.kept import chosen, references
@@ -55,6 +58,14 @@ class References(InFolder):
         self.assertEqual(run.returncode, 4)
         self.assertEqual([row["problem"] for row in json.loads(run.stdout)], ["its run ended with 4", ""])
         self.assertIn("its run ended with 4", self.made("window-0.20", stops="window-0.20", json_too=False).stdout)
+
+    def test_an_interrupt_is_passed_on_and_waited_for(self):
+        heard = os.path.join(self.folder, "heard")
+        program = ["sh", "-c", f"trap 'sleep 0.2; echo heard > {heard}; exit 130' INT; while :; do sleep 0.02; done"]
+        threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
+        with self.assertRaises(KeyboardInterrupt):
+            run_child(program)
+        self.assertTrue(os.path.isfile(heard))  # it had ended
 
     def test_names_are_those_kept(self):
         known = references()

@@ -137,6 +137,16 @@ class Listing(InFolder):
         self.assertEqual(sum(counts.values()) > 900, True)
         self.assertIn("Mitigating the adverse effects", text.stdout)
 
+    def test_a_place_that_cannot_be_written_or_read_is_a_sentence(self):
+        file = self.write("taken", "")
+        run = in_process("report.thesis", "fig-2-3", "--program", "/bin/false", "--output", file)
+        self.assertEqual(run.returncode, 6, run.stderr)
+        self.assertIn(file, run.stderr)
+        self.assertNotIn("Traceback", run.stderr)
+        run = in_process("report.thesis", "fig-2-3", "--program", "/bin/false", "--output", self.folder, "--records", os.path.join(self.folder, "nowhere"))
+        self.assertEqual(run.returncode, 2, run.stderr)
+        self.assertIn("nowhere is no folder", run.stderr)
+
     def test_what_is_missing_is_named(self):
         run = in_process("report.thesis", "table-3-2", "--program", "/bin/false", "--output", self.folder, "--records", self.folder)
         self.assertEqual(run.returncode, 0, run.stderr)

@@ -1,8 +1,10 @@
 // Steels by name: what a grade gives, what a file puts in its place, and the curve through yield and necking.
 #include "expect_error.h"
+#include "scene/steel_doubts.h"
 #include "scene/steel_grades.h"
 #include "scene_text.h"
 #include <cmath>
+#include <fmt/format.h>
 
 namespace rimpact::scene {
 namespace {
@@ -90,6 +92,30 @@ TEST(SteelGrades, AHardnessEstimatesTheYieldStress) {
   expect_same(parse_scene(to_toml(scene), "again.toml"), scene);
 }
 
+TEST(SteelGrades, AHardnessBesideAGradeIsAnAssumption) {
+  const Bearing b = scene_of(grade_head + "grade = \"S355\"\nhardness_HB = 150\n").bearing;
+  EXPECT_NEAR(*b.steel.yield / yield_of_hardness(150), 1, 1e-12);
+  EXPECT_EQ(b.assumed.keys.count("material.steel.yield_MPa"), 1u);
+}
+
+TEST(SteelGrades, WhatStandsInAGradesPlaceIsDoubted) {
+  const auto found = [](const std::string &keys, double thickness) {
+    return doubts_of_grade(
+        scene_of(grade_head + keys + fmt::format("[bearing.rim]\nthickness_mm = {}\n", thickness)).bearing);
+  };
+  EXPECT_TRUE(found("grade = \"S355\"\n", 40).empty());
+  EXPECT_TRUE(found("grade = \"S355\"\nhardness_HB = 150\n", 40).empty());
+  EXPECT_TRUE(found("yield_MPa = 360\n", 40).empty());
+  const auto own = found("grade = \"S355\"\nE_MPa = 200000\nyield_MPa = 360\ntangent_modulus_MPa = 1450\n", 40);
+  ASSERT_EQ(own.size(), 1u);
+  for (const char *words :
+       {"E_MPa 2e+05 (the grade's: 2.1e+05)", "yield_MPa 360 (the grade's: 345)", "two straight lines"})
+    EXPECT_NE(own[0].find(words), std::string::npos) << own[0];
+  const auto thick = found("grade = \"S460\"\n", 151);
+  ASSERT_EQ(thick.size(), 1u);
+  EXPECT_NE(thick[0].find("151 is beyond the 150 mm"), std::string::npos) << thick[0];
+}
+
 TEST(SteelGrades, BadKeysAreRefused) {
   const auto refused = [](const std::string &keys, std::initializer_list<const char *> words) {
     expect_error<InputError>([&] { scene_of(grade_head + keys).validate(); }, words);
@@ -99,6 +125,9 @@ TEST(SteelGrades, BadKeysAreRefused) {
   refused("grade = \"S355\"\nyield_MPa = 700\n", {"my.toml:6", "S355", "700", "necks"});
   refused("hardness_HB = 20\n", {"hardness_HB", "20", "80"});
   refused("hardness_HB = 150\nyield_MPa = 500\n", {"hardness_HB 150", "yield_MPa", "363", "give one"});
+  refused("hardness_HB = 150\ncurve = [[0, 355], [0.1, 500]]\n", {"my.toml:6", "hardness_HB", "355 MPa", "give one"});
+  refused("hardness_HB = 150\nhardening = \"swift\"\nhardening_K_MPa = 800\nhardening_e0 = 0.002\nhardening_n = 0.2\n",
+          {"hardness_HB", "a curve", "give one"});
   refused("grade = \"S355\"\nfracture_D1 = 0\n", {"fracture_D1", "0", "> 0"});
 }
 

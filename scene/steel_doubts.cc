@@ -1,0 +1,56 @@
+#include "scene/steel_doubts.h"
+
+#include "scene/steel_grades.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace rimpact::scene {
+namespace {
+
+bool differ(double own, double of_grade) {
+  constexpr double rounding = 1e-3;
+  return std::abs(own - of_grade) > rounding * std::abs(of_grade);
+}
+
+/// The numbers by which most steels differ, and the curve. A curve of one's own, or a hardness, brings its yield
+/// stress.
+std::vector<std::string> own_numbers(const Material &steel, const Material &named) {
+  constexpr double MPa = 1e6;
+  std::vector<std::string> own;
+  const auto compare = [&](const char *key, double value, double of_grade) {
+    if (differ(value, of_grade)) own.push_back(fmt::format("{} {:.4g} (the grade's: {:.4g})", key, value, of_grade));
+  };
+  compare("E_MPa", steel.E / MPa, named.E / MPa), compare("nu", steel.nu, named.nu);
+  compare("density_kg_per_m3", steel.density, named.density);
+  const bool settled =
+      steel.hardness_HB > 0 || steel.hardening.law == HardeningLaw::table || steel.hardening.law == HardeningLaw::swift;
+  if (!settled && steel.yield) compare("yield_MPa", *steel.yield / MPa, *named.yield / MPa);
+  if (steel.hardening.law == HardeningLaw::bilinear) own.emplace_back("two straight lines (the grade's: Voce's curve)");
+  return own;
+}
+
+} // namespace
+
+std::vector<std::string> doubts_of_grade(const Bearing &bearing) {
+  const Material &steel = bearing.steel;
+  if (!steel.has_grade() || !steel.yield) return {};
+  const SteelGrade &grade = steel_grade(steel.grade);
+  std::vector<std::string> found;
+  if (const auto own = own_numbers(steel, steel_of(grade, bearing.rim.thickness)); !own.empty())
+    found.push_back(
+        fmt::format("bearing.material.steel of grade {}: the file's own numbers stand in the grade's place: "
+                    "{}. Left out, they are the grade's",
+                    grade.name, fmt::join(own, ", ")));
+  double most = HUGE_VAL;
+  for (const auto &[key, number] : grade.numbers)
+    if (!number.by_thickness.empty()) most = std::min(most, number.by_thickness.back()[0]);
+  if (bearing.rim.thickness > most)
+    found.push_back(fmt::format("bearing.rim.thickness_mm = {:g} is beyond the {:g} mm that the tables of grade {} go "
+                                "to: the last values are taken",
+                                1e3 * bearing.rim.thickness, 1e3 * most, grade.name));
+  return found;
+}
+
+} // namespace rimpact::scene
