@@ -1,6 +1,6 @@
 #include "app/curve_jobs.h"
 
-#include "app/job_runner.h"
+#include "app/fe_processes.h"
 #include "app/progress.h"
 #include "app/sibling.h"
 #include "files/file.h"
@@ -9,10 +9,8 @@
 #include "scene/rim_identity.h"
 #include <chrono>
 #include <cmath>
-#include <csignal>
 #include <filesystem>
 #include <fmt/format.h>
-#include <sstream>
 #include <thread>
 
 namespace rimpact::app {
@@ -33,31 +31,29 @@ std::string log_of(const CurveJob &job, const std::string &folder) {
   return folder + "/logs/" + job.name + ".log";
 }
 
-std::string last_error(const std::string &path) {
-  std::string line, last = "its log is empty";
-  for (std::istringstream text(read_file(path)); std::getline(text, line);)
-    if (!line.empty()) last = line;
-  return last.starts_with("error: ") ? last.substr(7) : last;
-}
-
 Child launch(CurveJob &job, const std::string &folder, bool alone) {
-  const std::string scene = folder + "/logs/" + job.name + ".toml", log = log_of(job, folder);
+  const std::string scene = folder + "/logs/" + job.name + ".toml";
   write_atomically(scene::to_toml(job.scene), scene);
-  Launch launch{.command = {fe_program(), "curve", scene, "-o", job.folder, "--quiet", "--force", "--held", "--mesh",
-                            fmt::format("{}", job.scene.model.mesh), "--speed",
-                            fmt::format("{}", job.scene.excitation.speed), "--unloadings",
-                            fmt::format("{}", unloadings)},
-                .output = log,
-                .errors = log};
-  launch.apart = true;
-  if (!alone) launch.environment = {"RIMPACT_THREADS=1"};
-  return {start(launch), &job};
+  const std::vector<std::string> words{"curve",
+                                       scene,
+                                       "-o",
+                                       job.folder,
+                                       "--quiet",
+                                       "--force",
+                                       "--held",
+                                       "--mesh",
+                                       fmt::format("{}", job.scene.model.mesh),
+                                       "--speed",
+                                       fmt::format("{}", job.scene.excitation.speed),
+                                       "--unloadings",
+                                       fmt::format("{}", unloadings)};
+  return {start_fe(words, log_of(job, folder), alone), &job};
 }
 
 [[noreturn]] void stop(const std::vector<Child> &children) {
-  for (const auto &child : children) kill(child.process, SIGTERM);
-  for (const auto &child : children) poll(child.process, true);
-  throw Error(ExitCode::interrupted, "interrupted; the same command goes on where it stopped");
+  std::vector<pid_t> running;
+  for (const auto &child : children) running.push_back(child.process);
+  stop_fe(running);
 }
 
 /// Takes what has ended out of the list.
@@ -73,7 +69,7 @@ void collect(std::vector<Child> &children, const std::string &folder, Console &c
     if (code == 0 && kept_curve(job))
       console.message(job.name + ": pushed");
     else
-      console.warn(job.name + ": " + (job.failure = last_error(log_of(job, folder))));
+      console.warn(job.name + ": " + (job.failure = failure_in_words(code, log_of(job, folder))));
   }
 }
 

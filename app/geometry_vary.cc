@@ -3,6 +3,7 @@
 #include "app/folder_claim.h"
 #include "app/geometry_target.h"
 #include "app/job_runner.h"
+#include "app/run_plan.h"
 #include "app/shard.h"
 #include "app/sibling.h"
 #include "calibration/studies/vary_answer.h"
@@ -48,24 +49,11 @@ std::vector<CurveJob> curve_jobs(const VaryOptions &options, const VaryQuestion 
   return jobs;
 }
 
-void print_plan(const GivenCase &given, const std::vector<CurveJob> &jobs, double proof, std::size_t at_once,
-                const Console &console) {
-  std::vector<RunTime> times;
-  json rows = json::array();
-  std::string text = given.head() + fmt::format("{:32s} {}\n", "rim curve", "expected");
-  for (const auto &job : jobs) {
-    times.push_back({.expected = job.expected_seconds});
-    rows.push_back({{"name", job.name}, {"expected_seconds", job.expected_seconds}});
-    text += fmt::format("{:32s} {}\n", job.name, about(job.expected_seconds));
-  }
-  const double in_all = time_to_go(times, at_once) + proof;
-  if (proof > 0) text += fmt::format("{:32s} {}\n", "the answer's rim, solid", about(proof));
-  text += fmt::format("{} curves, {} at a time: {} in all\n", jobs.size(), at_once, about(in_all));
-  const json plan{{"made_by", build_version()}, {"bearing", given.bearing_json()},
-                  {"load", given.load_json()},  {"runs", rows},
-                  {"proof_seconds", proof},     {"at_once", at_once},
-                  {"expected_seconds", in_all}};
-  console.data(console.json ? json_text(plan) : text);
+RunPlan plan_of(const VaryOptions &options, const std::vector<CurveJob> &jobs, std::size_t at_once) {
+  RunPlan plan{.what = "rim curve", .several = "curves", .width = 32, .runs = {}, .at_once = at_once, .proof = 0.0};
+  for (const auto &job : jobs) plan.runs.push_back({job.name, job.expected_seconds});
+  if (!options.no_proof) plan.proof = planning::make_plan(jobs[jobs.size() / 2].scene).expected_seconds;
+  return plan;
 }
 
 /// What the curves of all shards say.
@@ -172,17 +160,13 @@ void run_vary(const VaryOptions &options, Console &console) {
                              in_words(given.scene.bearing.steel.rate)));
   auto jobs = curve_jobs(options, question, console);
   const std::size_t at_once = options.jobs > 0 ? options.jobs : cores_to_use();
-  if (options.dry_run) {
-    const double proof = options.no_proof ? 0 : planning::make_plan(jobs[jobs.size() / 2].scene).expected_seconds;
-    return print_plan(given, jobs, proof, at_once, console);
-  }
+  if (options.dry_run) return print_plan(given, plan_of(options, jobs, at_once), console);
   if (!console.json) console.message(given.load_line().substr(0, given.load_line().size() - 1));
   const auto lock =
       claim_for_jobs(options.folder, Collection::geometry_study, {}, console.force, part_name(part, n_parts));
   make_runs_folder(options.folder);
   watch_interrupts();
-  std::vector<CurveJob> own;
-  for (std::size_t k = part - 1; k < jobs.size(); k += n_parts) own.push_back(jobs[k]);
+  std::vector<CurveJob> own = shard_of(jobs, part, n_parts);
   run_curves(own, options.folder, at_once, console);
   const auto points = points_of(jobs, question);
   if (n_parts > 1 && points.size() < jobs.size()) {

@@ -1,13 +1,12 @@
 #include "app/job_runner.h"
 
+#include "app/fe_processes.h"
 #include "app/sibling.h"
 #include "files/file.h"
 #include "responses/kept_run.h"
 #include "responses/response.h"
 #include <algorithm>
-#include <csignal>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
@@ -23,13 +22,6 @@ std::string read_text(const std::string &path) {
   std::stringstream text;
   text << file.rdbuf();
   return text.str();
-}
-
-std::string last_line(const std::string &path) {
-  std::string line, last;
-  for (std::istringstream text(read_text(path)); std::getline(text, line);)
-    if (!line.empty()) last = line;
-  return last;
 }
 
 /// The physics_version() of the finite-element program: this one's own, unless another build's was asked for.
@@ -65,15 +57,6 @@ std::string beside_runs(const Job &job, const char *extension) {
   return (runs.parent_path() / "logs" / (job.name + extension)).string();
 }
 
-std::string failure_of(const Job &job, int code) {
-  if (code == 128 + SIGKILL) return "killed, perhaps for want of memory";
-  if (code > 128 && code != static_cast<int>(ExitCode::interrupted))
-    return fmt::format("ended by signal {} ({})", code - 128, strsignal(code - 128));
-  const std::string last = last_line(beside_runs(job, ".log"));
-  if (last.empty()) return fmt::format("ended with exit code {}; its log is empty", code);
-  return last.rfind("error: ", 0) == 0 ? last.substr(7) : last;
-}
-
 } // namespace
 
 void make_runs_folder(const std::string &folder) {
@@ -82,12 +65,6 @@ void make_runs_folder(const std::string &folder) {
     std::filesystem::create_directories(folder + part, error);
     if (error) throw IoError("cannot make " + folder + part + ": " + error.message());
   }
-}
-
-std::vector<Job> shard_of(const std::vector<Job> &jobs, int part, int n_parts) {
-  std::vector<Job> own;
-  for (std::size_t k = part - 1; k < jobs.size(); k += n_parts) own.push_back(jobs[k]);
-  return own;
 }
 
 void require_done(const std::vector<Job> &jobs) {
@@ -125,8 +102,10 @@ nlohmann::json fe_versions(const std::string &folder, Console &console) {
 }
 
 JobRunner::JobRunner(std::vector<Job> &jobs, Console &console, std::size_t at_once)
-    : jobs_(jobs), console_(console), program_(fe_program()), at_once_(at_once > 0 ? at_once : cores_to_use()),
-      times_(expected_times(jobs)), line_(console.quiet) {}
+    : jobs_(jobs), console_(console), at_once_(at_once > 0 ? at_once : cores_to_use()), times_(expected_times(jobs)),
+      line_(console.quiet) {
+  static_cast<void>(fe_program()); // before the first run, so that nothing is begun without it
+}
 
 void JobRunner::run() {
   while (next_ < jobs_.size() || !children_.empty()) {
@@ -168,14 +147,9 @@ void JobRunner::start_anew(Job &job, const std::string &why) {
 }
 
 void JobRunner::launch(Job &job, const std::vector<std::string> &words, bool picked_up) {
-  const std::string log = beside_runs(job, ".log");
-  Launch launch{.command = {program_, "run", beside_runs(job, ".toml"), "-o", job.folder, "--quiet"},
-                .output = log,
-                .errors = log};
-  launch.command.insert(launch.command.end(), words.begin(), words.end());
-  launch.apart = true;
-  if (at_once_ > 1) launch.environment = {"RIMPACT_THREADS=1"};
-  children_.push_back({start(launch), &job, picked_up});
+  std::vector<std::string> command{"run", beside_runs(job, ".toml"), "-o", job.folder, "--quiet"};
+  command.insert(command.end(), words.begin(), words.end());
+  children_.push_back({start_fe(command, beside_runs(job, ".log"), at_once_ == 1), &job, picked_up});
   time_of(job).state = RunTime::State::running;
 }
 
@@ -190,7 +164,7 @@ void JobRunner::collect() {
     children_.erase(children_.begin() + k);
     if (child.picked_up && code == static_cast<int>(ExitCode::data)) {
       line_.finish();
-      const std::string why = failure_of(*child.job, code);
+      const std::string why = failure_in_words(code, beside_runs(*child.job, ".log"));
       start_anew(*child.job, why.substr(0, why.find("; run without --resume")));
       continue;
     }
@@ -205,7 +179,7 @@ void JobRunner::finish(Job &job, int code) {
   job.done = code == 0 && is_done(job);
   time_of(job).state = job.done ? RunTime::State::finished : RunTime::State::out;
   if (!job.done) {
-    job.failure = failure_of(job, code);
+    job.failure = failure_in_words(code, beside_runs(job, ".log"));
     return console_.warn(job.name + ": " + job.failure);
   }
   const auto summary = summary_of(job.folder);
@@ -230,9 +204,9 @@ void JobRunner::show_progress() {
 void JobRunner::stop_all() {
   line_.finish();
   console_.message("interrupted: waiting for the runs to write their checkpoints");
-  for (const auto &child : children_) kill(child.process, SIGTERM);
-  for (const auto &child : children_) poll(child.process, true);
-  throw Error(ExitCode::interrupted, "interrupted; the same command goes on where it stopped");
+  std::vector<pid_t> running;
+  for (const auto &child : children_) running.push_back(child.process);
+  stop_fe(running);
 }
 
 } // namespace rimpact::app

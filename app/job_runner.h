@@ -41,7 +41,6 @@ private:
 
   std::vector<Job> &jobs_;
   Console &console_;
-  std::string program_;
   std::size_t at_once_, next_ = 0, finished_ = 0;
   std::vector<Child> children_;
   std::vector<RunTime> times_; ///< by job
@@ -51,9 +50,6 @@ private:
 
 /// The folders of a study's runs and of their logs; throws IoError when they cannot be made.
 void make_runs_folder(const std::string &folder);
-
-/// Every `n_parts`-th job from the `part`-th (from 1) on.
-std::vector<Job> shard_of(const std::vector<Job> &jobs, int part, int n_parts);
 
 /// Throws SolverStopped naming the first job that did not end well.
 void require_done(const std::vector<Job> &jobs);

@@ -24,12 +24,6 @@ bool is_program(const std::string &name) {
   return false;
 }
 
-volatile std::sig_atomic_t told = 0;
-
-void on_signal(int) {
-  told = told + 1;
-}
-
 int number_of_ranks(const std::string &text) {
   const int most = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
   int n = 0;
@@ -106,13 +100,9 @@ int run_on_ranks(int n_ranks, const std::string &program, const std::vector<std:
                               {"OMPI_ALLOW_RUN_AS_ROOT=1", "OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1"});
   // A group in the background that reads from the terminal would be halted.
   if (const int nothing = open("/dev/null", O_RDONLY); nothing >= 0) dup2(nothing, STDIN_FILENO), close(nothing);
-  const pid_t process = start(launch);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGUSR1}) std::signal(signal, on_signal);
-  int code = -1;
-  for (int passed_on = 0; (code = poll(process, false)) < 0; usleep(50000))
-    for (; passed_on < told; ++passed_on) kill(process, SIGUSR1);
+  const auto [code, was_told] = wait_passing_on(start(launch), {SIGINT, SIGTERM, SIGHUP, SIGUSR1}, SIGUSR1);
   if (code == 127) throw IoError("mpirun is not here (package openmpi-bin): leave --ranks out");
-  return told > 0 && code == 128 + SIGUSR1 ? static_cast<int>(ExitCode::interrupted)
+  return was_told && code == 128 + SIGUSR1 ? static_cast<int>(ExitCode::interrupted)
                                            : code; // before it was listened for
 }
 

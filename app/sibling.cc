@@ -111,25 +111,7 @@ int poll(pid_t process, bool wait) {
 
 namespace {
 
-volatile std::sig_atomic_t listener = 0; ///< the child that is told of an interrupt
-
-/// While it lives, an interrupt is the child's: it ends what it does, and this program then ends by its code.
-class PassedOn {
-public:
-  explicit PassedOn(pid_t child) {
-    listener = child;
-    struct sigaction pass {};
-    pass.sa_handler = [](int signal) { kill(listener, signal); };
-    sigemptyset(&pass.sa_mask);
-    sigaction(SIGINT, &pass, &before_);
-  }
-  PassedOn(const PassedOn &) = delete;
-  PassedOn &operator=(const PassedOn &) = delete;
-  ~PassedOn() { sigaction(SIGINT, &before_, nullptr); }
-
-private:
-  struct sigaction before_ {};
-};
+volatile std::sig_atomic_t told = 0; ///< signals that were heard
 
 constexpr const char *run_module = R"(import sys
 try:
@@ -143,6 +125,22 @@ except KeyboardInterrupt:
 
 } // namespace
 
+Ended wait_passing_on(pid_t process, std::initializer_list<int> heard, int as) {
+  struct sigaction hear {};
+  hear.sa_handler = [](int) { told = told + 1; };
+  hear.sa_flags = SA_RESTART;
+  sigemptyset(&hear.sa_mask);
+  told = 0;
+  std::vector<struct sigaction> before(heard.size());
+  for (std::size_t i = 0; i < heard.size(); ++i) sigaction(heard.begin()[i], &hear, &before[i]);
+  constexpr unsigned pause = 10000; // [us]
+  int code = -1;
+  for (int passed_on = 0; (code = poll(process, false)) < 0; usleep(pause))
+    for (; passed_on < told; ++passed_on) kill(process, as);
+  for (std::size_t i = 0; i < heard.size(); ++i) sigaction(heard.begin()[i], &before[i], nullptr);
+  return {code, told > 0};
+}
+
 int python(const std::vector<std::string> &arguments, bool show_output) {
   const std::string data = data_folder();
   if (!std::filesystem::is_directory(std::filesystem::path(data) / "report"))
@@ -154,9 +152,7 @@ int python(const std::vector<std::string> &arguments, bool show_output) {
                 .output = show_output ? "" : "/dev/null",
                 .apart = true};
   launch.command.insert(launch.command.end(), arguments.begin(), arguments.end());
-  const pid_t process = start(launch);
-  const PassedOn interrupts(process);
-  const int code = poll(process, true);
+  const int code = wait_passing_on(start(launch), {SIGINT}, SIGINT).code;
   if (code == static_cast<int>(ExitCode::interrupted)) throw Interrupted();
   return code;
 }

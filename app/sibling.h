@@ -1,6 +1,7 @@
 /// The programs beside this one, and Python for the report.
 #pragma once
 #include <csignal>
+#include <initializer_list>
 #include <string>
 #include <sys/types.h>
 #include <vector>
@@ -31,6 +32,12 @@ struct Launch {
 pid_t start(const Launch &launch);
 /// Exit code of a process, -1 while it runs (when not waiting), 128 + the signal that ended it.
 int poll(pid_t process, bool wait);
+/// Waits for a process. A signal of `heard` that comes meanwhile is its own: it gets `as` for each.
+struct Ended {
+  int code;      ///< as poll() has it
+  bool was_told; ///< whether a signal was heard
+};
+Ended wait_passing_on(pid_t process, std::initializer_list<int> heard, int as);
 /// Runs MODULE ARGS of the report package by an isolated Python (RIMPACT_PYTHON, which pip's command sets, else the
 /// system's), its errors shown, and its output where that is asked for; returns its exit code. An interrupt is passed
 /// on to it. Throws Interrupted where it ended by one.

@@ -127,20 +127,23 @@ std::vector<Judged> judged(const std::vector<FigureLimit> &limits, const std::ve
   return verdicts;
 }
 
+json json_of(const Compared &each, const Judged &verdicts) {
+  json said = calibration::to_json(each.metrics);
+  said["differences"] = to_json(each.differences);
+  said["figures"] = figures_json(each.metrics), said["limits"] = to_json(verdicts);
+  return said;
+}
+
 json json_of(const std::vector<ComparedRun> &items, const std::vector<Compared> &all,
              const std::vector<Judged> &verdicts) {
-  json table = calibration::to_json(all.front().metrics);
-  table["differences"] = to_json(all.front().differences);
-  table["figures"] = figures_json(all.front().metrics), table["limits"] = to_json(verdicts.front());
+  json table = json_of(all.front(), verdicts.front());
   table["doubts"] = json::object();
   for (const auto &item : items)
     if (!item.doubt.empty()) table["doubts"][item.path] = item.doubt;
   table["candidates"] = json::array();
   for (std::size_t k = 0; k < all.size(); ++k) {
-    json candidate = calibration::to_json(all[k].metrics);
+    json candidate = json_of(all[k], verdicts[k]);
     candidate["path"] = all[k].path;
-    candidate["differences"] = to_json(all[k].differences);
-    candidate["figures"] = figures_json(all[k].metrics), candidate["limits"] = to_json(verdicts[k]);
     table["candidates"].push_back(candidate);
   }
   return table;

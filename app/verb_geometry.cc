@@ -5,6 +5,7 @@
 #include "app/geometry_target.h"
 #include "app/geometry_vary.h"
 #include "app/job_runner.h"
+#include "app/run_plan.h"
 #include "app/shard.h"
 #include "app/sibling.h"
 #include "app/verb.h"
@@ -62,25 +63,17 @@ void write_study(const calibration::GeometryStudy &study, const GivenCase &given
   console.data(console.json ? json_text(json) : text);
 }
 
-/// The runs of this part and the time they take.
-void print_plan(const GivenCase &given, const std::vector<Job> &jobs, std::size_t at_once, const Console &console) {
+/// The runs of this part.
+RunPlan plan_of(const std::vector<Job> &jobs, std::size_t at_once) {
   const auto times = expected_times(jobs);
-  nlohmann::json rows = nlohmann::json::array();
-  std::string text = given.head() + fmt::format("{:10s} {}\n", "run", "expected");
-  for (std::size_t k = 0; k < jobs.size(); ++k) {
-    rows.push_back({{"name", jobs[k].name}, {"expected_seconds", times[k].expected}});
-    text += fmt::format("{:10s} {}\n", jobs[k].name, about(times[k].expected));
-  }
-  const std::size_t n = at_once > 0 ? at_once : cores_to_use();
-  const double in_all = time_to_go(times, n);
-  text += fmt::format("{} runs, {} at a time: {} in all\n", jobs.size(), n, about(in_all));
-  const nlohmann::json table{{"made_by", build_version()},
-                             {"bearing", given.bearing_json()},
-                             {"load", given.load_json()},
-                             {"runs", rows},
-                             {"at_once", n},
-                             {"expected_seconds", in_all}};
-  console.data(console.json ? json_text(table) : text);
+  RunPlan plan{.what = "run",
+               .several = "runs",
+               .width = 10,
+               .runs = {},
+               .at_once = at_once > 0 ? at_once : cores_to_use(),
+               .proof = {}};
+  for (std::size_t k = 0; k < jobs.size(); ++k) plan.runs.push_back({jobs[k].name, times[k].expected});
+  return plan;
 }
 
 void run_geometry(GeometryOptions options, Console &console) {
@@ -106,7 +99,7 @@ void run_geometry(GeometryOptions options, Console &console) {
                     .scene = scene,
                     .folder = options.folder + "/runs/" + scene.name});
   std::vector<Job> own = shard_of(jobs, part, n_parts);
-  if (options.dry_run) return print_plan(given, own, options.jobs, console);
+  if (options.dry_run) return print_plan(given, plan_of(own, options.jobs), console);
   const auto lock =
       claim_for_jobs(options.folder, Collection::geometry_study, jobs, console.force, part_name(part, n_parts));
   make_runs_folder(options.folder);

@@ -33,8 +33,8 @@ def run_main(main: Callable[[list[str]], None]) -> None:
     except ReportError as error:
         print(f"rimpact report: {error}", file=sys.stderr)
         sys.exit(error.code)
-    except BrokenPipeError:
-        raise
+    except BrokenPipeError:  # nobody reads on
+        sys.exit(0)
     except OSError as error:
         place = f"{error.filename}: " if error.filename else ""
         print(f"rimpact report: {place}{error.strerror or error}", file=sys.stderr)

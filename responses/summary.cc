@@ -173,11 +173,13 @@ void summarise_response(const Response &r, Summary &s) {
 
 void add_impulses(const Response &r, std::vector<Impact> &impacts) {
   const auto &time = r.series("time"), &x = r.series("impact_x"), &y = r.series("impact_y");
+  constexpr double same = 1e-12; // instant [s]
   for (auto &impact : impacts) {
     impact.impulse = 0;
-    for (std::size_t i = 1; i < time.size(); ++i)
-      if (time[i] > impact.touch_time - 1e-12 && (is_open(impact) || time[i - 1] < impact.release_time + 1e-12))
-        *impact.impulse += (time[i] - time[i - 1]) / 2 * (std::hypot(x[i - 1], y[i - 1]) + std::hypot(x[i], y[i]));
+    const auto first = std::upper_bound(time.begin(), time.end(), impact.touch_time - same);
+    for (auto i = static_cast<std::size_t>(std::max<std::ptrdiff_t>(first - time.begin(), 1));
+         i < time.size() && (is_open(impact) || time[i - 1] < impact.release_time + same); ++i)
+      *impact.impulse += (time[i] - time[i - 1]) / 2 * (std::hypot(x[i - 1], y[i - 1]) + std::hypot(x[i], y[i]));
   }
 }
 

@@ -116,9 +116,10 @@ std::vector<std::string> doubts(const Scene &scene, bool load_is_read) {
                                 scene.excitation.impact_speed()));
   doubt_records(scene, found);
   doubt_materials(scene.bearing, found);
-  if (!scene.double_concave())
+  if (!scene.double_concave()) {
     for (auto &doubt : doubts_of_grade(scene.bearing)) found.push_back(std::move(doubt));
-  if (!scene.double_concave()) doubt_sizes(scene.bearing, found);
+    doubt_sizes(scene.bearing, found);
+  }
   if (scene.needs_stack()) doubt_pad(scene.bearing, found);
   return found;
 }

@@ -2,6 +2,7 @@
 
 #include "files/error.h"
 #include "files/file.h"
+#include "files/table_lines.h"
 #include "files/text.h"
 #include <algorithm>
 #include <cmath>
@@ -81,11 +82,9 @@ Row row_in(std::string_view line, const std::string &where) {
   if (cells.size() != 2) throw DataError(fmt::format("{}: {} of 2 columns", where, cells.size()));
   Row row{};
   for (std::size_t i = 0; i < 2; ++i) {
-    const auto value = to_number(cells[i]);
-    if (!value || !std::isfinite(*value))
-      throw DataError(fmt::format("{}: \"{}\" is not a finite number", where, trim(cells[i]).substr(0, 40)));
-    if (*value < 0) throw DataError(fmt::format("{}: {:g} must be >= 0", where, *value));
-    row[i] = i == 0 ? *value : *value * MPa;
+    const double value = finite_number(cells[i], where);
+    if (value < 0) throw DataError(fmt::format("{}: {:g} must be >= 0", where, value));
+    row[i] = i == 0 ? value : value * MPa;
   }
   return row;
 }
@@ -141,11 +140,8 @@ std::vector<std::array<double, 2>> read_curve(const std::string &path, CurveKind
       kind == CurveKind::engineering ? "strain,stress_MPa" : "plastic_strain,true_stress_MPa";
   std::vector<Row> rows;
   bool headed = false;
-  std::size_t line_number = 0;
   const std::string text = read_file(path);
-  for (const auto line : lines_of(text)) {
-    const std::string where = fmt::format("{}:{}", path, ++line_number);
-    if (trim(line).empty() || trim(line).front() == '#') continue;
+  for (const auto &[line, where] : table_lines(text, path)) {
     if (headed) {
       rows.push_back(row_in(line, where));
       continue;

@@ -2,6 +2,7 @@
 
 #include "files/error.h"
 #include "files/file.h"
+#include "files/table_lines.h"
 #include "files/text.h"
 #include <algorithm>
 #include <array>
@@ -48,12 +49,10 @@ Columns read_header(std::string_view line, const std::string &where) {
 }
 
 double number(std::string_view cell, double factor, double most, const char *unit, const std::string &where) {
-  const auto value = to_number(cell);
-  if (!value || !std::isfinite(*value))
-    throw DataError(fmt::format("{}: \"{}\" is not a finite number", where, trim(cell).substr(0, 40)));
-  if (std::abs(*value * factor) > most)
-    throw DataError(fmt::format("{}: {:g} {} is beyond {:g} {}", where, *value * factor, unit, most, unit));
-  return *value * factor;
+  const double value = finite_number(cell, where) * factor;
+  if (std::abs(value) > most)
+    throw DataError(fmt::format("{}: {:g} {} is beyond {:g} {}", where, value, unit, most, unit));
+  return value;
 }
 
 /// Adds a corner; one at the same place as the last adds nothing but its time.
@@ -120,11 +119,9 @@ PathTable read_path_table(const std::string &file) {
   constexpr std::size_t most = 100000;
   PathTable path;
   std::optional<Columns> columns;
-  std::size_t line_number = 0, width = 0;
+  std::size_t width = 0;
   const std::string text = read_file(file);
-  for (const auto line : lines_of(text)) {
-    const std::string where = fmt::format("{}:{}", file, ++line_number);
-    if (trim(line).empty() || trim(line).front() == '#') continue;
+  for (const auto &[line, where] : table_lines(text, file)) {
     const auto cells = split(line, ',');
     if (!columns) {
       columns = read_header(line, where), width = cells.size();

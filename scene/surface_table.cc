@@ -1,10 +1,10 @@
 /// A sliding surface through a table of radii and heights, and the table's rules.
 #include "files/error.h"
 #include "files/file.h"
+#include "files/table_lines.h"
 #include "files/text.h"
 #include "scene/surface_of_revolution.h"
 #include <algorithm>
-#include <cmath>
 #include <fmt/format.h>
 
 namespace rimpact::scene {
@@ -77,11 +77,8 @@ std::unique_ptr<SlidingSurface> make_table(const SurfaceSpec &spec) {
 void read_surface_table(const std::string &path, SurfaceSpec &spec) {
   spec.table_radius.clear(), spec.table_height.clear();
   const std::string text = read_file(path);
-  std::size_t line_number = 0;
   bool header = false;
-  for (const auto line : lines_of(text)) {
-    const std::string where = fmt::format("{}:{}", path, ++line_number);
-    if (trim(line).empty() || trim(line).front() == '#') continue;
+  for (const auto &[line, where] : table_lines(text, path)) {
     const auto cells = split(line, ',');
     if (!header) {
       if (cells.size() != 2 || trim(cells[0]) != "radius_mm" || trim(cells[1]) != "height_mm")
@@ -91,11 +88,8 @@ void read_surface_table(const std::string &path, SurfaceSpec &spec) {
     }
     if (cells.size() != 2) throw DataError(fmt::format("{}: {} of 2 columns", where, cells.size()));
     for (const auto &cell : cells) {
-      const auto value = to_number(cell);
-      if (!value || !std::isfinite(*value))
-        throw DataError(fmt::format("{}: \"{}\" is not a finite number", where, trim(cell).substr(0, 40)));
       auto &column = &cell == &cells[0] ? spec.table_radius : spec.table_height;
-      column.push_back(*value / 1e3);
+      column.push_back(finite_number(cell, where) / 1e3);
     }
   }
   if (!header) throw DataError(fmt::format("{}: holds no header line", path));

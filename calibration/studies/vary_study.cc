@@ -1,5 +1,6 @@
 #include "calibration/studies/vary_study.h"
 
+#include "calibration/data/series.h"
 #include "files/error.h"
 #include <algorithm>
 #include <array>
@@ -15,14 +16,6 @@ std::optional<double> crossing(const std::vector<double> &x, const std::vector<d
   for (std::size_t i = 1; i < y.size(); ++i)
     if (y[i] >= level && y[i] > y[i - 1]) return x[i - 1] + (x[i] - x[i - 1]) * (level - y[i - 1]) / (y[i] - y[i - 1]);
   return {};
-}
-
-double linear_at(const std::vector<double> &x, const std::vector<double> &y, double at) {
-  const auto next = std::upper_bound(x.begin(), x.end(), at);
-  if (next == x.begin()) return y.front();
-  if (next == x.end()) return y.back();
-  const auto i = static_cast<std::size_t>(next - x.begin());
-  return y[i - 1] + (y[i] - y[i - 1]) * (at - x[i - 1]) / (x[i] - x[i - 1]);
 }
 
 /// Lagrange's parabola through three points.

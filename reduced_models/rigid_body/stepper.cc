@@ -158,7 +158,7 @@ bool Stepper::solve(const MotionState &from, const ImplicitStage &stage, const S
 
 bool Stepper::stage(const MotionState &from, const ImplicitStage &stage, MotionState &at, int &iterations) {
   const std::size_t n = system_.contacts.size(), n_links = system_.links.size();
-  at.slip.resize(n), at.slip_rate.resize(n), at.z.resize(n_links), at.z_rate.resize(n_links);
+  at.slip_rate.resize(n), at.z.resize(n_links), at.z_rate.resize(n_links);
   at.slip = from.slip;
   if (system_.park_wen)
     for (std::size_t i = 0; i < n; ++i)

@@ -24,7 +24,6 @@ def groups(study: dict[str, Any]) -> dict[str, list[dict[str, Any]]]:
     return found
 
 
-
 def panel(ax: Axes, study: dict[str, Any], name: str, limit: float | None, factor: float) -> None:
     """One quantity; `factor` [per its unit] scales it."""
     between = study.get("between") or {}

@@ -2,7 +2,6 @@
 import argparse
 import json
 import os
-import sys
 
 from ..errors import InputError, run_main
 from . import catalogue as catalogues
@@ -35,7 +34,4 @@ def main(arguments: list[str]) -> None:
         print(json.dumps(made, indent=1, ensure_ascii=False))
 
 
-try:
-    run_main(main)
-except BrokenPipeError:
-    sys.exit(0)
+run_main(main)

@@ -1,7 +1,7 @@
 // Bearings of rigid bodies under a building: against one bearing alone, and dishes by implicit steps against branches.
-#include "buildings/implicit_run.h"
 #include "buildings/regular_building.h"
 #include "buildings/simulate.h"
+#include "by_implicit_steps.h"
 #include "files/error.h"
 #include <cmath>
 #include <gtest/gtest.h>
@@ -44,13 +44,7 @@ TEST(Mounts, ADishByImplicitStepsIsTheOneByBranches) {
   const auto s = pulse(0.6, scene::ModelKind::physical, 1e-3);
   const Frame f = block();
   const auto branches = simulate(f, s);
-  const BuildingModel model = assemble(f);
-  MountedBuilding building(model, s, std::vector<scene::Scene>(4, s), linear_structure(model, s.load.gravity));
-  ImplicitRun run(building, s);
-  BuildingRecorder recorder(building, nullptr, s.reduced.output_step);
-  run.run(s.excitation.duration, recorder);
-  Summary implicit;
-  recorder.summarise(implicit);
+  const Summary implicit = buildings::by_implicit_steps(assemble(f), s, 4);
   EXPECT_GT(branches.summary.peak_displacement, 0.05);
   EXPECT_NEAR(implicit.peak_displacement, branches.summary.peak_displacement,
               1e-3 * branches.summary.peak_displacement);
@@ -118,16 +112,9 @@ scene::Scene struck(const std::string &own) {
       "test");
 }
 
-/// Of the block on four dishes, by implicit steps.
+/// Of the block on four dishes.
 Summary by_implicit_steps(const scene::Scene &s) {
-  const BuildingModel model = assemble(block());
-  MountedBuilding building(model, s, std::vector<scene::Scene>(4, s), linear_structure(model, s.load.gravity));
-  ImplicitRun run(building, s);
-  BuildingRecorder recorder(building, nullptr, s.reduced.output_step);
-  run.run(s.excitation.duration, recorder);
-  Summary summary;
-  recorder.summarise(summary);
-  return summary;
+  return buildings::by_implicit_steps(assemble(block()), s, 4);
 }
 
 void expect_as_one(const Summary &whole, const Summary &one, double tolerance) {
