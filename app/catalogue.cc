@@ -28,6 +28,7 @@ const std::vector<Verb> &light_verbs() {
       {"calibrate", add_calibrate},
       {"compare", add_compare},
       {"geometry", add_geometry},
+      {"design-page", add_design_page},
       {"study", add_study},
       {"report", add_report},
       {"export", add_export},

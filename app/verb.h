@@ -19,6 +19,7 @@ void add_compare(CLI::App &app, Console &console);
 void add_curve(CLI::App &app, Console &console);
 void add_building(CLI::App &app, Console &console);
 void add_design(CLI::App &app, Console &console);
+void add_design_page(CLI::App &app, Console &console);
 void add_export(CLI::App &app, Console &console);
 void add_geometry(CLI::App &app, Console &console);
 void add_help(CLI::App &app, Console &console);

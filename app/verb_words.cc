@@ -51,6 +51,7 @@ constexpr std::array words{
           "rimpact geometry my-case --vary rim.thickness_mm=20:80 --at speed=0.8 --target peak_kN=4000\n"
           "rimpact geometry my-case/bearing.toml --samples 40 --range speed=0.1:0.6 -o my-study",
           "rimpact report {}"},
+    Words{"design-page", "rimpact design-page results/geometry", "open the page that is named above in a browser"},
     Words{"study", "rimpact study impact-window --axes rung,mesh -o my-study\nrimpact study impact-window --shard 1/4",
           "rimpact report {}"},
     Words{"report", "rimpact report my-run\nrimpact report results/main --pdf",

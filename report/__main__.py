@@ -5,6 +5,7 @@ import os
 import sys
 
 from . import document
+from .design_page import is_design
 from .errors import InputError, run_main
 from .fleet import is_fleet
 from .mapping_file import is_mapping
@@ -28,6 +29,9 @@ def main(arguments: list[str]) -> None:
     if os.path.exists(os.path.join(options.folder, "reliability.json")):
         from .reliability.__main__ import build as build_reliability
         path, _ = build_reliability(options.folder, options.output)
+    elif is_design(options.folder):
+        from .design_page import build as build_design
+        path, _ = build_design(options.folder, options.output or os.path.join(options.folder, "report.html"))
     elif os.path.isfile(options.folder) and is_mapping(options.folder):
         from .measured_page import build as build_measured
         path, _ = build_measured(options.folder, options.output)

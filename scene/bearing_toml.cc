@@ -6,6 +6,7 @@
 #include "scene/flow_curve.h"
 #include "scene/keys.h"
 #include "scene/scene_defaults.h"
+#include "scene/surface_table.h"
 #include <algorithm>
 #include <array>
 #include <filesystem>

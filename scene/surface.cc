@@ -1,5 +1,6 @@
 #include "scene/surface.h"
 #include "scene/surface_of_revolution.h"
+#include "scene/surface_table.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <stdexcept>

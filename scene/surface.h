@@ -65,8 +65,5 @@ struct SurfaceSpec {
 
 /// Throws InputError naming what is wrong with a table.
 std::unique_ptr<SlidingSurface> make_surface(const SurfaceSpec &spec);
-/// Fills the table from a CSV file with the columns radius_mm and height_mm (comments with #). Throws
-/// DataError naming file and line.
-void read_surface_table(const std::string &path, SurfaceSpec &spec);
 
 } // namespace rimpact::scene

@@ -35,10 +35,5 @@ std::unique_ptr<SlidingSurface> make_cone(const SurfaceSpec &spec);
 /// h = c2 r^2 + c3 r^3 + ... + c6 r^6. The "third" and "fifth order" isolators of the literature name the
 /// order of the restoring force, h': they end with c4 and c6.
 std::unique_ptr<SlidingSurface> make_polynomial(const SurfaceSpec &spec);
-/// Cubic spline through a table's rows, horizontal at the vertex, its last two pieces one cubic (not-a-knot):
-/// exact for cubics, fourth order in the rows' distance. Curvature is as good as the heights' digits: an
-/// error d of heights at a distance h of rows becomes up to 12 d/h^2. Throws InputError for rows that make no
-/// table.
-std::unique_ptr<SlidingSurface> make_table(const SurfaceSpec &spec);
 
 } // namespace rimpact::scene

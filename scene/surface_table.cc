@@ -1,4 +1,5 @@
-/// A sliding surface through a table of radii and heights, and the table's rules.
+#include "scene/surface_table.h"
+
 #include "files/error.h"
 #include "files/file.h"
 #include "files/table_lines.h"

@@ -19,6 +19,19 @@ std::string cell(double value, const char *pattern) {
   return std::isnan(value) ? "" : fmt::format(fmt::runtime(pattern), value);
 }
 
+/// In the units of a row's columns; rebound is the speed of rebound times the root of the mass.
+nlohmann::json to_json(const SeverityTable &table) {
+  const auto scaled = [](std::vector<double> values, double factor) {
+    for (double &value : values) value *= factor;
+    return values;
+  };
+  return {{"severity_m_per_s_sqrt_kg", table.severity},
+          {"peak_kN", scaled(table.peak_force, 1e-3)},
+          {"depth_mm", scaled(table.depth, 1e3)},
+          {"rebound_m_per_s_sqrt_kg", table.rebound},
+          {"strain", table.strain}};
+}
+
 std::string speed_at_limit(const VaryPoint &point) {
   return point.speed_at_limit ? fmt::format("{:.3f}", *point.speed_at_limit) : fmt::format("> {:.3f}", point.fastest);
 }
@@ -35,6 +48,7 @@ nlohmann::json to_json(const std::vector<VaryPoint> &points, const VaryQuestion 
     row["utilisation"] = known(utilisation(point, question));
     row["speed_at_strain_limit_m_per_s"] = known(point.speed_at_limit.value_or(std::nan("")));
     row["pushed_for_m_per_s"] = point.fastest;
+    row["over_severity"] = to_json(point.table);
     rows.push_back(row);
   }
   return {{"vary", keys},

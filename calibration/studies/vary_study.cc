@@ -30,6 +30,22 @@ double parabola(const std::array<double, 3> &x, const std::array<double, 3> &y, 
   return sum;
 }
 
+SeverityTable table_of(const laws::RimCurve &curve, const reduced::CurveStrain &strain) {
+  constexpr int n_steps = 80; // straight lines between them are within 1e-3 of the curve
+  const double most = std::sqrt(2 * curve.work(curve.range()));
+  SeverityTable table;
+  for (int i = 0; i <= n_steps; ++i) {
+    const double severity = most * i / n_steps,
+                 depth = i == 0 ? 0 : std::min(curve.depth_of(severity * severity / 2), curve.range());
+    table.severity.push_back(severity);
+    table.depth.push_back(depth);
+    table.peak_force.push_back(curve.loading(depth).force);
+    table.rebound.push_back(i == 0 ? 0 : std::sqrt(2 * curve.returned(depth)));
+    if (!strain.strain.empty()) table.strain.push_back(linear_at(strain.penetration, strain.strain, depth));
+  }
+  return table;
+}
+
 } // namespace
 
 const std::vector<std::string> &vary_outputs() {
@@ -61,6 +77,7 @@ VaryPoint vary_point(const reduced::RimCurveFile &file, const VaryQuestion &ques
   point.depth = curve.depth_of(work);
   point.peak_force = curve.loading(point.depth).force;
   point.rebound = std::sqrt(2 * curve.returned(point.depth) / question.mass);
+  point.table = table_of(curve, file.strain);
   if (file.strain.strain.empty()) return point;
   point.strain = linear_at(file.strain.penetration, file.strain.strain, point.depth);
   if (question.strain_limit)

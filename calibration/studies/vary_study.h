@@ -32,6 +32,14 @@ struct VaryQuestion {
 /// What can be a target, in the order of a row's columns.
 const std::vector<std::string> &vary_outputs();
 
+/// A rim at every speed and mass: over the impact's severity v sqrt(m), rising from 0 in equal steps.
+struct SeverityTable {
+  std::vector<double> severity;          ///< [m/s sqrt(kg)]
+  std::vector<double> peak_force, depth; ///< [N], [m]
+  std::vector<double> rebound;           ///< of the rebound speed, times sqrt(m) [m/s sqrt(kg)]
+  std::vector<double> strain;            ///< averaged [-]; empty: the curve does not say
+};
+
 /// One rim at the question's speed.
 struct VaryPoint {
   std::string name;
@@ -40,6 +48,7 @@ struct VaryPoint {
   std::optional<double> strain;         ///< of the rim's side, averaged [-]; none: the curve does not say
   std::optional<double> speed_at_limit; ///< at which the strain meets its limit [m/s]; none: not up to `fastest`
   double fastest;                       ///< that the curve stops [m/s]
+  SeverityTable table = {};             ///< up to `fastest`; empty between the rims
   double output(std::size_t k) const;   ///< in vary_outputs()'s order and units; NaN where it is not known
 };
 /// Throws DataError where the curve does not stop the question's speed.

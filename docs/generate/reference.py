@@ -76,7 +76,7 @@ def keys_page(command: Command) -> str:
     return text
 
 
-RESULTS = {"calibrate", "compare", "study", "geometry", "report", "export", "list", "references", "thesis", "design", "reliability", "version", "help", "completion"}
+RESULTS = {"calibrate", "compare", "study", "geometry", "design-page", "report", "export", "list", "references", "thesis", "design", "reliability", "version", "help", "completion"}
 
 
 def verbs_page(command: Command) -> str:
