@@ -71,7 +71,9 @@ BAND: Shape = (numbers("nominal low high"), NUMBER)
 ANSWER: Shape = {
     **texts("bearing rim_identity source pair_law no_pair validity steel_rate"), "rung": (TEXT, [TEXT]), "mesh": (NUMBER, [NUMBER]),
     **numbers("mass_kg vertical_kN gravity_m_per_s2"), "published_applies": FLAG, "doubts": [TEXT], "error_sentences": [TEXT],
-    "errors": [{**texts("quantity source how from"), "value": NUMBER}],
+    "finding_sentences": [TEXT],
+    "errors": [{**texts("quantity source how from"), "value": NUMBER, "by": [{"load": TEXT, **numbers("speed_m_s penetration_mm value")}],
+                "find": {"command": TEXT, "minutes": NUMBER}}],
     "assumptions": [{"key": TEXT, "value": (TEXT, NUMBER)}],
     "law": {**texts("name chosen_by remark belongs_to sentence"), "parameters": {"*": PARAMETER}, "element": {"*": ANY},
             **numbers("fitted_from_m_s fitted_to_m_s valid_from_m_s valid_to_m_s tolerance force_unexplained n_runs"),
@@ -82,7 +84,7 @@ ANSWER: Shape = {
              **numbers("k_i_kN_per_m e c_i_kN_s_per_m mass_kg from_m_s to_m_s tolerance worst_peak_force_error "
                        "worst_rebound_error")},
     "strain": {**numbers("limit largest largest_speed_below_limit_m_s"), "limit_is_assumption": FLAG, "exceeded": FLAG,
-               "rows": [{**numbers("speed_m_s strain"), "place": TEXT}],
+               "rows": [{**numbers("speed_m_s penetration_mm strain"), "place": TEXT}],
                "places": [{**texts("place sentence"), **numbers("damage damage_at_m_s strain strain_at_m_s"),
                            **dict.fromkeys(("crack", "limit"), numbers("below_m_s beyond_m_s expected_m_s"))}], **texts("sentence place crack_sentence slider_sentence")},
     "mesh_error": {"peak_force": NUMBER, "sentence": TEXT},

@@ -1,7 +1,9 @@
 #include "responses/hit_limits.h"
 #include "files/json_text.h"
 
+#include "responses/steel_by_depth.h"
 #include "scene/published_pair.h"
+#include "scene/rim_identity.h"
 #include <algorithm>
 #include <cmath>
 
@@ -22,11 +24,29 @@ json count_through_rim(const scene::Scene &scene, const Summary &summary) {
                        [&](const Impact &impact) { return impact.peak_penetration > scene.bearing.rim.thickness; });
 }
 
-/// Which of several impacts strained the steel most is not known.
+/// By the runs of the calibration that the element is from, where it is of this rim; one impact that they do not tell
+/// leaves the number unknown.
+json count_by_depth(const scene::Scene &scene, const Summary &summary, double limit) {
+  const auto &r = scene.reduced;
+  if (scene.double_concave() || r.calibration.empty() || r.fitted_rim != scene::rim_identity(scene.bearing))
+    return nullptr;
+  const auto steel = SteelByDepth::of(r.calibration);
+  if (!steel) return nullptr;
+  int n = 0;
+  for (const Impact &impact : summary.impacts) {
+    const auto beyond = steel->is_beyond(impact.peak_penetration, limit);
+    if (!beyond) return nullptr;
+    n += *beyond;
+  }
+  return n;
+}
+
+/// Of a run that tells its strain: which of several impacts strained the steel most is not known.
 json count_beyond_steel(const scene::Scene &scene, const Summary &summary) {
   const auto &limit = scene.bearing.steel.strain_limit;
+  if (!limit) return nullptr;
   const auto strain = judged_strain(summary.steel, summary.max_plastic_strain);
-  if (!limit || !strain) return nullptr;
+  if (!strain) return summary.rung == SolvedBy::reduced ? count_by_depth(scene, summary, *limit) : json(nullptr);
   const bool exceeded = strain->largest > *limit;
   if (exceeded && summary.impacts.size() > 1) return nullptr;
   return exceeded ? summary.impacts.size() : 0;

@@ -18,8 +18,10 @@ SpeedRange fitted_speeds(const scene::Scene &scene, double mass);
 
 /// Columns of a fleet's table, each a number, or null where it is not known. Counts of impacts: outside the fitted
 /// speeds (hits_beyond_fit), faster than the published pair is known for (hits_beyond_pair), deeper than the rim is
-/// thick (hits_beyond_rim). Of strains beyond the steel's limit (hits_beyond_steel) a run tells the largest only.
-/// Beside them the slowest and fastest approach, and the speeds the element is known for.
+/// thick (hits_beyond_rim). Beside them those that strain
+/// the rim's steel beyond its limit (hits_beyond_steel): finite elements tell the largest strain. Reduced models know
+/// it by the penetrations of the calibration's runs (steel_by_depth.h). Then the slowest and fastest approach, and the
+/// speeds the element is known for.
 nlohmann::json hit_limits(const scene::Scene &scene, const Summary &summary);
 
 } // namespace rimpact

@@ -109,8 +109,16 @@ AnswerMeshError answer_mesh_error(const Calibration &c, const Runs &runs, const 
     if (!estimate.contains("peak_force_relative") || !estimate["peak_force_relative"].is_number()) {
       if (known) error.sentence = fmt::format("The error of the mesh is {}.", estimate.value("none", "unknown"));
       known = false, error.peak_force.reset(), error.rebound.reset();
+      if (estimate.contains("command")) error.find = Finding{estimate["command"], estimate.value("minutes", 0.0)};
       continue;
     }
+    const auto at = [&](double value) {
+      return ErrorAt{word(run->scene.excitation.kind), run->approach_speed(),
+                     run->impacts.front().impact.peak_penetration, value};
+    };
+    error.by_peak_force.push_back(at(estimate["peak_force_relative"].get<double>()));
+    if (estimate.value("rebound_relative", json()).is_number())
+      error.by_rebound.push_back(at(estimate["rebound_relative"].get<double>()));
     if (const json &rebound = estimate.value("rebound_relative", json()); known && rebound.is_number())
       error.rebound = std::max(error.rebound.value_or(0), rebound.get<double>());
     if (const double worst = estimate["peak_force_relative"]; known && worst >= error.peak_force.value_or(0)) {

@@ -59,6 +59,7 @@ struct AnswerRow {
 
 struct StrainRow {
   double speed;        ///< approach [m/s]
+  double depth;        ///< deepest penetration [m]
   JudgedStrain strain; ///< of the rim's steel
 };
 /// Where runs pass a limit: the slowest run beyond it, the next slower one, and between the two a straight line.
@@ -88,8 +89,10 @@ struct AnswerStrain {
   std::string slider_sentence; ///< of the slider's edge, where it is crushed beyond the limit; else empty
 };
 struct AnswerMeshError {
-  std::optional<double> peak_force, rebound; ///< largest over the runs fitted [-]; empty: not known
-  std::string sentence;                      ///< empty: no finite elements
+  std::optional<double> peak_force, rebound;      ///< largest over the runs fitted [-]; empty: not known
+  std::vector<ErrorAt> by_peak_force, by_rebound; ///< of the runs of which it is known
+  std::optional<Finding> find;                    ///< where it is not known
+  std::string sentence;                           ///< empty: no finite elements
 };
 
 /// Of pad and socket beside the law (scene/stack_terms.h).

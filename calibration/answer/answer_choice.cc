@@ -1,6 +1,7 @@
 #include "calibration/answer/answer_parts.h"
 #include "calibration/laws/law_words.h"
 #include "calibration/laws/percent.h"
+#include "impact_laws/catalogue.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -33,6 +34,14 @@ bool fits_all_of(const std::string &law, const FitOptions &fit) {
   return asked == std::set<std::string>(own.begin(), own.end());
 }
 
+/// Of a fit that no ranking made: its law's exponents that were neither fitted nor given, in words.
+std::string held_without_ranking(const FitResult &result, const scene::Scene &scene) {
+  std::vector<std::string> held = laws::impact_law(result.law).exponents;
+  std::erase_if(held, [&](const auto &name) { return result.parameters.count(name) + result.fixed.count(name) > 0; });
+  return held_in_words(held, scene, result.law,
+                       "for they are fitted only where laws are compared (--laws) or --fit names them");
+}
+
 } // namespace
 
 const LawRow *best_valid(const LawRanking &ranking) {
@@ -51,6 +60,7 @@ Choice choose(const Calibration &c, const CalibrationOptions &options, const std
   const bool as_ranked = ranked != c.laws.rows.end() && fits_all_of(law, options.fit);
   Choice choice{
       as_ranked ? *ranked : judged(fitted, options.fit, c.result), law.empty() ? ChosenBy::only : ChosenBy::user, {}};
+  if (!as_ranked) choice.row.held = held_without_ranking(c.result, fitted.front()->scene);
   if (best && best->result.law != choice.row.result.law) choice.remark = better(*best, choice.row, c.laws.tolerance);
   return choice;
 }

@@ -33,12 +33,28 @@ constexpr auto choices(Known) {
                             {Known::unknown, "unknown"}});
 }
 
+/// A part at one impact, where runs or kept studies tell impacts apart.
+struct ErrorAt {
+  std::string load;            ///< kind of excitation, or the kept study's scene
+  double speed;                ///< approach [m/s]
+  std::optional<double> depth; ///< of the impact [m]; none: not kept
+  double value;                ///< as AnswerError::value
+};
+
+/// What tells a part that is not known.
+struct Finding {
+  std::string command;
+  double minutes; ///< expected, > 0; 0: not known
+};
+
 struct AnswerError {
   Erring quantity;
   ErrorSource source;
   std::optional<double> value; ///< absolute, relative to the quantity [-]; none: unknown
   Known how = Known::unknown;
-  std::string from; ///< where it was read, or the command that finds it
+  std::string from;                 ///< where it was read, or why it is not known
+  std::vector<ErrorAt> by = {};     ///< by load and depth; `value` is the worst of them, or of more
+  std::optional<Finding> find = {}; ///< of a part that is not known; none: no command tells it
 };
 
 /// Of one quantity.
@@ -51,5 +67,7 @@ ErrorSum sum_of(const std::vector<AnswerError> &errors, Erring quantity);
 std::string sentence(const std::vector<AnswerError> &errors, Erring quantity);
 /// The same of every quantity that has a part.
 std::vector<std::string> sentences(const std::vector<AnswerError> &errors);
+/// One a command: "What is not known of step: rimpact study ... tells it (about 3 min)."
+std::vector<std::string> finding_sentences(const std::vector<AnswerError> &errors);
 
 } // namespace rimpact::calibration

@@ -112,6 +112,21 @@ json steel_rate_json(const Answer &a) {
   return steel.knows_rate() ? in_words(steel.rate) : word(scene::RateModel::none);
 }
 
+json by_json(const std::vector<ErrorAt> &by) {
+  json rows = json::array();
+  for (const ErrorAt &at : by)
+    rows.push_back({{"load", at.load},
+                    {"speed_m_s", at.speed},
+                    {"penetration_mm", at.depth ? json(1e3 * *at.depth) : json(nullptr)},
+                    {"value", number(at.value)}});
+  return rows;
+}
+
+json find_json(const std::optional<Finding> &find) {
+  if (!find) return nullptr;
+  return {{"command", find->command}, {"minutes", find->minutes > 0 ? json(find->minutes) : json(nullptr)}};
+}
+
 json errors_json(const std::vector<AnswerError> &errors) {
   json list = json::array();
   for (const AnswerError &error : errors)
@@ -119,7 +134,9 @@ json errors_json(const std::vector<AnswerError> &errors) {
                     {"source", word(error.source)},
                     {"value", number(error.value)},
                     {"how", word(error.how)},
-                    {"from", text_or_null(error.from)}});
+                    {"from", text_or_null(error.from)},
+                    {"by", by_json(error.by)},
+                    {"find", find_json(error.find)}});
   return list;
 }
 
@@ -148,8 +165,10 @@ json places_json(const std::vector<PlaceStrain> &places) {
 json strain_json(const AnswerStrain &s) {
   json rows = json::array();
   for (const auto &row : s.rows)
-    rows.push_back(
-        {{"speed_m_s", row.speed}, {"strain", row.strain.largest}, {"place", place_or_null(row.strain.place)}});
+    rows.push_back({{"speed_m_s", row.speed},
+                    {"penetration_mm", 1e3 * row.depth},
+                    {"strain", row.strain.largest},
+                    {"place", place_or_null(row.strain.place)}});
   return {{"limit", s.limit},
           {"limit_is_assumption", s.limit_is_assumption},
           {"rows", rows},
@@ -192,6 +211,7 @@ json to_json(const Answer &a) {
           {"steel_band", a.steel_band ? band_json(*a.steel_band) : json(nullptr)},
           {"errors", errors_json(a.errors)},
           {"error_sentences", sentences(a.errors)},
+          {"finding_sentences", finding_sentences(a.errors)},
           {"assumptions", assumed},
           {"doubts", a.doubts},
           {"validity", a.validity}};

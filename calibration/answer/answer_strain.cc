@@ -105,7 +105,9 @@ std::optional<AnswerStrain> answer_strain(const Calibration &c, const std::vecto
   for (const StoredRun *run : runs) {
     const RunFacts &facts = c.facts.at(run->folder);
     if (!facts.strain || run->impacts.empty()) continue;
-    s.rows.push_back({run->approach_speed(), *facts.strain});
+    double depth = 0;
+    for (const auto &w : run->impacts) depth = std::max(depth, w.impact.peak_penetration);
+    s.rows.push_back({run->approach_speed(), depth, *facts.strain});
     for (const auto &[place, at] : facts.steel)
       if (is_of_the_rim(place))
         crack.take(at.averaged_damage, run->approach_speed(), place);

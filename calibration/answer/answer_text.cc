@@ -125,6 +125,7 @@ std::string describe(const Answer &a) {
   if (!a.mesh_error.sentence.empty()) text += a.mesh_error.sentence + "\n";
   if (a.steel_band) text += band_text(*a.steel_band);
   for (const std::string &said : sentences(a.errors)) text += said + "\n";
+  for (const std::string &said : finding_sentences(a.errors)) text += said + "\n";
   for (const auto &doubt : said_once(a.doubts)) text += "doubt: " + doubt + "\n";
   return text;
 }

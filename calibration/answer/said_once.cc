@@ -1,7 +1,12 @@
 #include "calibration/answer/said_once.h"
+#include "files/data_folder.h"
+#include "files/error.h"
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
+#include <nlohmann/json.hpp>
 #include <regex>
 
 namespace rimpact::calibration {
@@ -14,15 +19,25 @@ struct Parts {
   std::vector<double> numbers;
 };
 
-/// Length of "NAME: " in front, a name being one word; 0 without.
-std::size_t name_length(const std::string &sentence) {
-  const auto colon = sentence.find(": ");
-  return colon == std::string::npos || sentence.find(' ') < colon ? 0 : colon + 2;
+/// Of data/words/alike.json, which the report reads too.
+struct Patterns {
+  std::regex name_in_front, named, number;
+};
+const Patterns &patterns() {
+  static const Patterns known = [] {
+    const auto path = std::filesystem::path(data_folder()) / "data" / "words" / "alike.json";
+    std::ifstream file(path);
+    const auto words = nlohmann::json::parse(file, nullptr, false);
+    if (!words.is_object()) throw IoError(path.string() + " cannot be read: it goes with the program");
+    const auto of = [&](const char *key) { return std::regex(words.at(key).get<std::string>()); };
+    return Patterns{of("name_in_front"), of("named"), of("number")};
+  }();
+  return known;
 }
 
 Parts apart(const std::string &sentence) {
-  static const std::regex number(R"([-+]?[0-9]+(\.[0-9]+)?(e[-+]?[0-9]+)?)"), named(R"((^|\s)[A-Za-z]\S*[0-9]\S*)");
-  const std::string rest = std::regex_replace(sentence.substr(name_length(sentence)), named, "$1NAME");
+  const auto &[name_in_front, named, number] = patterns();
+  const std::string rest = std::regex_replace(std::regex_replace(sentence, name_in_front, ""), named, "$1NAME");
   Parts parts{.kind = std::regex_replace(rest, number, "#"), .numbers = {}};
   for (std::sregex_iterator i(rest.begin(), rest.end(), number), end; i != end; ++i)
     parts.numbers.push_back(std::abs(std::stod(i->str())));

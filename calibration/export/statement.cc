@@ -89,6 +89,8 @@ void add_errors(std::vector<std::string> &lines, const json &answer) {
   if (sentences.is_array())
     for (const auto &sentence : sentences)
       if (sentence.is_string()) lines.push_back("Error of the answer: " + sentence.get<std::string>());
+  for (const auto &sentence : answer.value("finding_sentences", json::array()))
+    if (sentence.is_string()) lines.push_back(sentence.get<std::string>());
   if (lines.size() == before)
     lines.push_back(
         "DOUBT: how far these numbers may be from the bearing's is not known; the calibration holds no errors.");

@@ -1,6 +1,7 @@
 #include "calibration/laws/law_ranking.h"
 #include "calibration/fit/parallel.h"
 #include "calibration/laws/law_errors.h"
+#include "calibration/laws/law_words.h"
 #include "calibration/laws/percent.h"
 #include "files/error.h"
 #include "impact_laws/catalogue.h"
@@ -105,17 +106,6 @@ bool tells_all(const LawRow &row) {
                      [](const auto &entry) { return entry.second.identifiable; });
 }
 
-/// At the values of the runs' scene, which are what a fit leaves alone.
-std::string held_words(const std::vector<std::string> &exponents, const scene::Scene &scene, const std::string &law,
-                       const std::string &why) {
-  std::string text;
-  for (const auto &name : exponents) {
-    const auto &p = parameter(name);
-    text += fmt::format("{}{} at {:g}", text.empty() ? "" : " and ", name, p.get(scene) / p.si);
-  }
-  return fmt::format("{}: held {}, {}.", law, text, why);
-}
-
 /// The law's exponents join once its other parameters are found. They stay if runs left out are then predicted better:
 /// on the runs fitted two more parameters always look well. Where the impacts are fewer than the parameters, the curves
 /// must also tell each of them.
@@ -128,8 +118,8 @@ LawRow row_of(const Runs &runs, FitOptions options, double tolerance) {
   options.parameters.insert(options.parameters.end(), exponents.begin(), exponents.end());
   if (exponents.empty()) return row;
   if (row.result.n_impacts < enough_for_exponents) {
-    row.held = held_words(exponents, runs.front()->scene, options.law,
-                          fmt::format("for {} impacts do not tell a shape", row.result.n_impacts));
+    row.held = held_in_words(exponents, runs.front()->scene, options.law,
+                             fmt::format("for {} impacts do not tell a shape", row.result.n_impacts));
     return row;
   }
   for (const auto &name : plain.parameters) options.start[name] = row.result.parameters.at(name).value;
@@ -140,8 +130,9 @@ LawRow row_of(const Runs &runs, FitOptions options, double tolerance) {
   const bool better = wider || (shaped.n_valid == row.n_valid && worst(shaped) < worst(row));
   const bool many = row.result.n_impacts >= static_cast<int>(options.parameters.size());
   if (better && (many || tells_all(shaped))) return shaped;
-  row.held = held_words(exponents, runs.front()->scene, options.law,
-                        better ? "for the curves do not tell them" : "for with them runs left out are not met better");
+  row.held =
+      held_in_words(exponents, runs.front()->scene, options.law,
+                    better ? "for the curves do not tell them" : "for with them runs left out are not met better");
   return row;
 }
 

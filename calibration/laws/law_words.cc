@@ -30,4 +30,15 @@ std::string law_in_words(const scene::Scene &scene) {
   return fmt::format("the law {} ({})", r.impact_law->name, numbers_in_words(scene));
 }
 
+std::string held_in_words(const std::vector<std::string> &exponents, const scene::Scene &scene, const std::string &law,
+                          const std::string &why) {
+  if (exponents.empty()) return {};
+  std::string text;
+  for (const auto &name : exponents) {
+    const auto &p = parameter(name);
+    text += fmt::format("{}{} at {:g}", text.empty() ? "" : " and ", name, p.get(scene) / p.si);
+  }
+  return fmt::format("{}: held {}, {}.", law, text, why);
+}
+
 } // namespace rimpact::calibration

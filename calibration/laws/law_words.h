@@ -2,6 +2,7 @@
 #pragma once
 #include "scene/scene.h"
 #include <string>
+#include <vector>
 
 namespace rimpact::calibration {
 
@@ -15,5 +16,10 @@ std::string numbers_in_words(const scene::Scene &scene);
 /// "the constant pair k_i = ..., e = ... of law signed, for a supported mass of 86952 kg", or "the law elastoplastic
 /// (k_i = ...)".
 std::string law_in_words(const scene::Scene &scene);
+
+/// "elastoplastic: held hardening_exponent at 0.75 and unloading_exponent at 0.5, WHY." at the scene's values, which
+/// are what a fit leaves alone. Empty without exponents.
+std::string held_in_words(const std::vector<std::string> &exponents, const scene::Scene &scene, const std::string &law,
+                          const std::string &why);
 
 } // namespace rimpact::calibration

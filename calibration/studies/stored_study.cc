@@ -46,11 +46,13 @@ std::optional<scene::Rung> rung_in(const json &row) {
 }
 
 /// Whether the study has the rung and mesh with an error that is known: against a finer mesh of that rung, not against
-/// another rung, which models more.
+/// another rung, which models more, nor against a shorter step on the same mesh.
 bool knows(const StoredStudy &study, const scene::Scene &scene) {
-  if (const json *reference = reference_of(study.json); reference && rung_in(*reference) != scene.model.rung)
-    return false;
   const bool extrapolated = study.json.value("extrapolated_peak_force_N", json()).is_number();
+  if (const json *reference = reference_of(study.json);
+      reference &&
+      (rung_in(*reference) != scene.model.rung || (!extrapolated && reference->value("mesh", 0) <= scene.model.mesh)))
+    return false;
   for (const json &row : study.json["rows"])
     if (rung_in(row) == scene.model.rung && row.value("mesh", 0) == scene.model.mesh &&
         (extrapolated || !row.value("reference", true)))
@@ -82,8 +84,8 @@ bool same_solid(const StoredStudy &study, const scene::Scene &scene) {
   return study.bearing_identity == scene::bearing_identity(scene.bearing);
 }
 
-/// The command that makes the study, to be found beside the run, and what it costs.
-std::string command(const scene::Scene &scene, const AskedRun &asked) {
+/// The command that makes the study, to be found beside the run, and what it costs [min]; 0: not known.
+std::pair<std::string, double> command(const scene::Scene &scene, const AskedRun &asked) {
   const int coarsest = std::min(scene.model.mesh, 1);
   const fs::path folder = fs::path(asked.folder).lexically_normal(),
                  name = folder.has_filename() ? folder.filename() : folder.parent_path().filename();
@@ -92,11 +94,19 @@ std::string command(const scene::Scene &scene, const AskedRun &asked) {
                                  coarsest + 1, coarsest + 2);
   if (!asked.folder.empty())
     text += fmt::format(" -o {}", (folder / ".." / ("study-" + name.string())).lexically_normal().string());
-  if (!(asked.seconds > 0)) return text;
   double seconds = 0;
   for (int mesh = coarsest; mesh < coarsest + 3; ++mesh)
     seconds += asked.seconds * std::pow(dearer_a_level, mesh - scene.model.mesh);
-  return text + fmt::format(" (about {:.0f} min)", std::max(1.0, seconds / 60));
+  return {text, seconds / 60};
+}
+
+/// No stored study has `what`.
+json to_be_studied(const std::string &what, const scene::Scene &scene, const AskedRun &asked) {
+  const auto [typed, minutes] = command(scene, asked);
+  const std::string cost = minutes > 0 ? fmt::format(" (about {:.0f} min)", std::max(1.0, minutes)) : "";
+  return {{"none", fmt::format("unknown: no stored study has {}. This command finds it: {}{}", what, typed, cost)},
+          {"command", typed},
+          {"minutes", minutes}};
 }
 
 json none(const std::string &why) {
@@ -151,8 +161,7 @@ json error_estimate(const scene::Scene &scene, const Summary &summary, const std
     if (distance(study) <= 0 && (!low || distance(study) > distance(*low))) low = &study;
     if (distance(study) >= 0 && (!high || distance(study) < distance(*high))) high = &study;
   }
-  if (!low && !high)
-    return none(fmt::format("unknown: no stored study has {}. This command finds it: {}", what, command(scene, asked)));
+  if (!low && !high) return to_be_studied(what, scene, asked);
   if (!low) low = high;
   if (!high) high = low;
   const double width = distance(*high) - distance(*low), share = width > 0 ? -distance(*low) / width : 0;

@@ -52,7 +52,8 @@ TABLES = {
         ("tests/buildings/hard_cases.txt", "Buildings on many bearings: hard cases", "build/release/bin/building_hard_cases"),
         ("tests/buildings/frame_2_5.txt", "The inelastic frame of thesis 2.5 on three isolators", "tests/buildings/frame_study.py build/release/bin/rimpact FOLDER")]),
     "calibration": ("Calibration", [
-        ("tests/calibration/coverage.txt", "How often intervals hold the truth", "build/release/bin/calibration_coverage")]),
+        ("tests/calibration/coverage.txt", "How often intervals hold the truth", "build/release/bin/calibration_coverage"),
+        ("tests/calibration/coverage_default.txt", "The same from default starts", "build/release/bin/calibration_coverage --all --seeds 200 --only CELL")]),
 }
 # What a page's tables do not say themselves.
 REMARKS = {

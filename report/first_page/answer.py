@@ -34,6 +34,7 @@ def make(context: Context) -> dict[str, Any]:
             "remark": for_page(law.get("remark") or ""), "belongs": _belongs(law, answer),
             "numbers": _numbers(law), "table": _table(answer), "pair": _pair(answer), "holds": for_page(_holds(law, answer)),
             "band": _band(answer.get("steel_band")), "strain": _strain(answer.get("strain")), "bars": bars(answer.get("errors") or []),
+            "findings": [for_page(said) for said in answer.get("finding_sentences") or []],
             "mesh_error": for_page(answer.get("mesh_error", {}).get("sentence") or "")}
 
 

@@ -1,7 +1,7 @@
 """How far the answer's numbers may be from the bearing's, one bar a number: the record's known parts, and the names of those that are not.
 
 Parts add as squares, so a part's length is its share of the sum of squares; the bar's whole length is the root of that sum, on one
-scale for all bars."""
+scale for all bars. A part that is known to be nothing is in the record and not drawn."""
 import math
 from typing import Any
 
@@ -24,7 +24,7 @@ def bars(errors: list[dict[str, Any]]) -> list[dict[str, Any]]:
 
 
 def _row(label: str, errors: list[dict[str, Any]]) -> dict[str, Any]:
-    known = sorted((e for e in errors if is_number(e.get("value"))), key=lambda e: -e["value"])
+    known = sorted((e for e in errors if is_number(e.get("value")) and e["value"] > 0), key=lambda e: -e["value"])
     squares = sum(e["value"] ** 2 for e in known)
     parts = [{"source": e["source"], "value": percent_up(e["value"]), "how": e.get("how", ""),
               "share": 100 * e["value"] ** 2 / squares} for e in known if squares > 0]

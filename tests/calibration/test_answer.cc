@@ -39,6 +39,22 @@ TEST(Answer, TheLawBelongsToTheRimThePairToTheMass) {
   EXPECT_NE(to_toml_fragment(*pair).find("fitted_mass_kg = 86952"), std::string::npos) << to_toml_fragment(*pair);
 }
 
+/// Without a comparison of laws no exponent is fitted: that is said too, unless the user named or held it.
+TEST(Answer, ExponentsHeldWithoutAComparisonAreSaid) {
+  TemporaryFolder folder;
+  std::vector<std::string> runs;
+  for (const double v : {0.1, 0.3, 0.6}) runs.push_back(stand_in(folder, yielding(v)));
+  auto options = quick({});
+  options.fit.law = "elastoplastic", options.fit.parameters.clear();
+  options.fit.fixed["hardening_exponent"] = 0.75;
+  const Answer answer = *calibrate(runs, options).answer;
+  EXPECT_NE(answer.law.held.find("held unloading_exponent at 0.5, for"), std::string::npos) << answer.law.held;
+  EXPECT_EQ(answer.law.held.find("hardening_exponent"), std::string::npos) << answer.law.held;
+  EXPECT_NE(describe(answer).find(answer.law.held), std::string::npos);
+  options.fit.law = "bilinear", options.fit.fixed.clear();
+  EXPECT_TRUE(calibrate(runs, options).answer->law.held.empty()) << "it has none";
+}
+
 TEST(Answer, IsTheContractsJsonAndItsFragmentFliesTheSame) {
   TemporaryFolder folder;
   std::vector<std::string> runs;

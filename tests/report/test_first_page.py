@@ -45,6 +45,14 @@ class Answer(SmallResults):
         _, text = self.page(strain=synthetic_calibration.answer()["strain"] | {"rows": rows})
         self.assertIn("Plastic strain of the rim 3.0\u202f% at 0.10, 18.0\u202f% at 0.60, 21.0\u202f% at 0.70, 30.0\u202f% at 1.0", text)
 
+    def test_what_is_not_known_has_its_command_and_nothing_is_no_part(self):
+        said = "What is not known of step: rimpact study runs/a/scene.toml --axes step tells it (about 6 min)."
+        errors = [*synthetic_calibration.answer()["errors"], {"quantity": "peak_force", "source": "geometry", "value": 0, "how": "measured", "from": "none"}]
+        page, text = self.page(errors=errors, finding_sentences=[said])
+        self.assertIn(said, text)
+        self.assertNotIn('class="part geometry', page)
+        self.assertIn("Peak force steel 27 % 28 % not known: step", re.sub(r"\s+", " ", re.sub(r"\s*<[^>]*>\s*", " ", text)))
+
     def test_a_record_without_errors_has_no_bars(self):
         self.assertNotIn("bar-row", self.page(errors=[])[0])
 

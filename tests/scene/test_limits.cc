@@ -1,6 +1,11 @@
 #include "responses/limits.h"
+#include "responses/steel_by_depth.h"
 #include "scene/assumptions.h"
+#include "scene/rim_identity.h"
+#include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 namespace {
 using namespace rimpact;
@@ -139,6 +144,49 @@ TEST(Limits, EveryHitIsCountedAndTheUnknownIsNull) {
   steel.bearing.steel.strain_limit = 0.2;
   EXPECT_EQ(counted(steel, 0.1)["hits_beyond_steel"], 0);
   EXPECT_TRUE(counted(steel, 0.3)["hits_beyond_steel"].is_null()) << "which of them did it is not known";
+}
+
+// 10 % at 4 mm, 30 % at 12 mm: a straight line meets 20 % at 8 mm; what no run is as deep as is known only beyond
+TEST(Limits, TheCalibrationsRunsTellTheStrainOfAPenetration) {
+  const SteelByDepth steel({{0.012, 0.30}, {0.004, 0.10}, {0.008, 0.05}});
+  EXPECT_EQ(steel.is_beyond(0.009, 0.2), false) << "a strain that fell, of another load, does not count";
+  EXPECT_EQ(steel.is_beyond(0.0101, 0.2), true);
+  EXPECT_EQ(steel.is_beyond(0.030, 0.2), true);
+  EXPECT_EQ(steel.is_beyond(0.0019, 0.05), false);
+  EXPECT_EQ(steel.is_beyond(0.0021, 0.05), true) << "from no strain at no depth";
+  EXPECT_EQ(steel.is_beyond(0.012, 0.4), false);
+  EXPECT_FALSE(steel.is_beyond(0.013, 0.4)) << "no run was as deep";
+}
+
+/// A reduced run with a calibration's element of this rim counts its hits beyond the steel; else it is not known.
+TEST(Limits, HitsBeyondTheSteelOfAReducedRunAreCounted) {
+  namespace fs = std::filesystem;
+  const fs::path folder = fs::temp_directory_path() / ("rimpact-steel-" + std::to_string(::getpid()));
+  fs::create_directories(folder / "other");
+  std::ofstream(folder / "calibration.json")
+      << R"({"answer": {"strain": {"rows": [{"speed_m_s": 0.2, "penetration_mm": 4, "strain": 0.1},
+             {"speed_m_s": 0.5, "penetration_mm": 12, "strain": 0.3}, {"speed_m_s": 1, "strain": 0.9}]}}})";
+  std::ofstream(folder / "other" / "calibration.json") << R"({"answer": {"strain": null}})";
+  const auto counted = [](const Scene &scene) {
+    Summary s;
+    for (const double depth : {0.002, 0.007, 0.009, 0.020}) s.impacts.push_back({1.0, 1.05, 0.0, 0.5, 0.2, 1e6, depth});
+    judge(scene, s);
+    return s.extra["hit_limits"]["hits_beyond_steel"];
+  };
+  Scene scene;
+  scene.bearing = builtin_bearing("shfps-225");
+  EXPECT_TRUE(counted(scene).is_null()) << "no calibration";
+  scene.reduced.calibration = folder, scene.reduced.fitted_rim = rim_identity(scene.bearing);
+  EXPECT_EQ(counted(scene), 2);
+  scene.bearing.steel.strain_limit = 0.35;
+  EXPECT_TRUE(counted(scene).is_null()) << "20 mm are deeper than any run";
+  scene.bearing.steel.strain_limit.reset();
+  EXPECT_TRUE(counted(scene).is_null()) << "no limit";
+  scene.bearing = builtin_bearing("shfps-225"), scene.bearing.rim.thickness = 0.05;
+  EXPECT_TRUE(counted(scene).is_null()) << "another rim";
+  scene.bearing = builtin_bearing("shfps-225"), scene.reduced.calibration = folder / "other";
+  EXPECT_TRUE(counted(scene).is_null()) << "a calibration without strain";
+  fs::remove_all(folder);
 }
 
 TEST(Limits, StrainOfTheSteel) {

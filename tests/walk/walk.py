@@ -14,7 +14,7 @@ import sys
 import tomllib
 
 import page_one
-from page_one import read
+from runs_again import read
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 WEIGHT_KN, MASS_KG = 3200.0, 3200e3 / 9.81
