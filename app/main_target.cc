@@ -2,6 +2,7 @@
 
 #include "app/set_keys.h"
 #include "files/error.h"
+#include "planning/plan.h"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -43,6 +44,7 @@ MainTarget main_target(const std::string &where, const std::vector<std::string> 
   refuse_unread(overrides, "main", not_of_main);
   require_rigid_mass_on_one_dish(target.scene, "main");
   take_rung(target, overrides);
+  if (const auto reason = planning::beyond_rungs(target.scene)) throw InputError(*reason);
   if (!target.built_in && target.has_motion)
     target.remarks.push_back(fmt::format(
         "the motion of {} ({}) is not run: main runs windows and Ricker pulses of its own; `rimpact run` runs it",

@@ -1,4 +1,5 @@
 // rimpact building SCENE: a building on bearings, one under each of its columns, moved as the scene says.
+#include "app/bounds_runs.h"
 #include "app/folder_claim.h"
 #include "app/set_keys.h"
 #include "app/sibling.h"
@@ -90,6 +91,7 @@ void add_warnings(const scene::Scene &scene, const buildings::Frame &frame, cons
 struct BuildingOptions {
   std::string scene, frame = "thesis-2.4", folder;
   SweepOptions sweep;
+  std::vector<std::string> bounds;
   double vtk_step = 0; // [ms]
   bool picture = false;
 };
@@ -186,15 +188,10 @@ void sweep_building(const BuildingOptions &options, Console &console) {
              model, console);
 }
 
-void run_building(const BuildingOptions &options, Console &console) {
-  refuse_unread(console.overrides, "building", not_of_a_building);
-  console.overrides.insert(console.overrides.begin(), "reduced.friction=\"park-wen\""); // what a common base takes
-  console.load_is_shared = true;
-  if (!options.sweep.sweep.empty()) return sweep_building(options, console);
-  const auto frame = frame_of(options, console);
-  const scene::Scene scene = console.load(options.scene);
+/// The building's run, written into a folder and doubted.
+Summary run_building_into(const BuildingOptions &options, const buildings::Frame &frame, const scene::Scene &scene,
+                          const std::string &folder, Console &console) {
   const auto bearings = buildings::bearings_of(frame, scene);
-  const std::string folder = options.folder.empty() ? default_folder(scene.name + "-" + frame.name) : options.folder;
   const auto claim = claim_for_run({.given = options.scene, .folder = folder, .force = console.force}, scene, console);
   const Identity identity = identity_of_building(scene, frame, bearings, folder);
   require_same_building(folder, frame, console.force);
@@ -208,8 +205,27 @@ void run_building(const BuildingOptions &options, Console &console) {
   write_building(frame, result, folder);
   if (options.picture && python({"report.quick", "building", folder}) != 0)
     throw IoError("the picture in " + folder + " was not made");
-  console.data(console.json ? json_text(to_json(run.summary)) : describe(scene, frame, run.summary, folder));
-  if (run.summary.status == RunStatus::stopped) throw SolverStopped(run.summary.reason + "; what is before it is kept");
+  return run.summary;
+}
+
+void run_building(const BuildingOptions &options, Console &console) {
+  refuse_unread(console.overrides, "building", not_of_a_building);
+  console.overrides.insert(console.overrides.begin(), "reduced.friction=\"park-wen\""); // what a common base takes
+  console.load_is_shared = true;
+  if (!options.sweep.sweep.empty()) return sweep_building(options, console);
+  const auto frame = frame_of(options, console);
+  const scene::Scene scene = console.load(options.scene);
+  const std::string folder = options.folder.empty() ? default_folder(scene.name + "-" + frame.name) : options.folder;
+  if (!options.bounds.empty())
+    return run_bounds(
+        {options.bounds, options.folder.empty() ? folder + "-bounds" : folder, options.picture}, scene,
+        [&](const scene::Scene &one, const std::string &place) {
+          return run_building_into(options, frame, one, place, console);
+        },
+        console);
+  const Summary s = run_building_into(options, frame, scene, folder, console);
+  console.data(console.json ? json_text(to_json(s)) : describe(scene, frame, s, folder));
+  if (s.status == RunStatus::stopped) throw SolverStopped(s.reason + "; what is before it is kept");
 }
 
 } // namespace
@@ -230,7 +246,8 @@ void add_building(CLI::App &app, Console &console) {
                   ->check(CLI::Range(0.1, 1e6));
   verb->add_flag("--png", options->picture,
                  "also draw building.png (plan with orbits, elevation at the hardest impact), of a sweep fleet.png");
-  add_sweep_options(*verb, options->sweep)->excludes(vtk);
+  auto *sweep = add_sweep_options(*verb, options->sweep)->excludes(vtk);
+  add_bounds_option(*verb, options->bounds)->excludes(sweep);
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);

@@ -1,4 +1,5 @@
 // rimpact reduced SCENE: a scene by the reduced model, or a fleet of them (--sweep).
+#include "app/bounds_runs.h"
 #include "app/folder_claim.h"
 #include "app/impact_words.h"
 #include "app/sibling.h"
@@ -40,15 +41,49 @@ void tell_doubts(const scene::Scene &scene, reduced::ReducedRun &run, Console &c
     for (const auto &sentence : sentences) warnings.push_back(sentence);
 }
 
+struct ReducedOptions {
+  std::string scene, folder, model;
+  SweepOptions sweep;
+  std::vector<double> nodes; // [mm]
+  std::vector<std::string> bounds;
+  bool picture = false;
+};
+
+/// The scene's run, written into a folder and doubted.
+Summary run_into(const ReducedOptions &options, const scene::Scene &scene, const std::string &folder,
+                 Console &console) {
+  const auto claim = claim_for_run({.given = options.scene, .folder = folder, .force = console.force}, scene, console);
+  auto run = reduced::simulate(scene);
+  if (!options.nodes.empty())
+    reduced::add_nodal_moments(run.response, {options.nodes[0] / 1e3, options.nodes[1] / 1e3});
+  tell_doubts(scene, run, console);
+  write_run_folder(folder, scene, run.response, run.summary);
+  if (options.picture && python({"report.quick", "reduced", folder}) != 0)
+    throw IoError("the picture in " + folder + " was not made");
+  return run.summary;
+}
+
+void run_reduced(const ReducedOptions &options, Console &console) {
+  for (const double height : options.nodes)
+    if (!std::isfinite(height)) throw InputError("--nodes takes two heights in mm, not " + std::to_string(height));
+  const scene::Scene scene = console.load(options.scene);
+  if (!options.nodes.empty() && scene.double_concave())
+    throw InputError("--nodes is for bearings of one dish: reduced.model \"" + word(scene.reduced.model) +
+                     "\" passes moments through both plates");
+  const std::string folder = options.folder.empty() ? default_folder(scene.name) + "-reduced" : options.folder;
+  if (!options.bounds.empty())
+    return run_bounds(
+        {options.bounds, options.folder.empty() ? folder + "-bounds" : folder, options.picture}, scene,
+        [&](const scene::Scene &one, const std::string &place) { return run_into(options, one, place, console); },
+        console);
+  const Summary s = run_into(options, scene, folder, console);
+  console.data(console.json ? json_text(to_json(s)) : scene::describe_case(scene) + describe(s, scene, folder));
+  if (s.status == RunStatus::stopped) throw SolverStopped(s.reason + "; what is before it is kept");
+}
+
 } // namespace
 
 void add_reduced(CLI::App &app, Console &console) {
-  struct ReducedOptions {
-    std::string scene, folder, model;
-    SweepOptions sweep;
-    std::vector<double> nodes; // [mm]
-    bool picture = false;
-  };
   auto *verb = app.add_subcommand("reduced", "a scene by the reduced model, in about a millisecond");
   auto options = std::make_shared<ReducedOptions>();
   verb->add_option("SCENE", options->scene, "a TOML file or a built-in scene")->required();
@@ -60,7 +95,8 @@ void add_reduced(CLI::App &app, Console &console) {
                     ->check(CLI::Range(0.0, 1e5));
   verb->add_option("--model", options->model, "see rimpact list models");
   verb->add_flag("--png", options->picture, "also draw response.png, of a sweep fleet.png");
-  add_sweep_options(*verb, options->sweep)->excludes(nodes);
+  auto *sweep = add_sweep_options(*verb, options->sweep)->excludes(nodes);
+  add_bounds_option(*verb, options->bounds)->excludes(sweep);
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);
@@ -74,25 +110,7 @@ void add_reduced(CLI::App &app, Console &console) {
                          .name = std::filesystem::path(options->scene).stem().string(),
                          .picture = options->picture},
                         fleets::reduced_models(), console);
-    for (const double height : options->nodes)
-      if (!std::isfinite(height)) throw InputError("--nodes takes two heights in mm, not " + std::to_string(height));
-    const scene::Scene scene = console.load(options->scene);
-    if (!options->nodes.empty() && scene.double_concave())
-      throw InputError("--nodes is for bearings of one dish: reduced.model \"" + word(scene.reduced.model) +
-                       "\" passes moments through both plates");
-    const std::string folder = options->folder.empty() ? default_folder(scene.name) + "-reduced" : options->folder;
-    const auto claim =
-        claim_for_run({.given = options->scene, .folder = folder, .force = console.force}, scene, console);
-    auto run = reduced::simulate(scene);
-    if (!options->nodes.empty())
-      reduced::add_nodal_moments(run.response, {options->nodes[0] / 1e3, options->nodes[1] / 1e3});
-    tell_doubts(scene, run, console);
-    write_run_folder(folder, scene, run.response, run.summary);
-    if (options->picture && python({"report.quick", "reduced", folder}) != 0)
-      throw IoError("the picture in " + folder + " was not made");
-    const auto &s = run.summary;
-    console.data(console.json ? json_text(to_json(s)) : scene::describe_case(scene) + describe(s, scene, folder));
-    if (s.status == RunStatus::stopped) throw SolverStopped(s.reason + "; what is before it is kept");
+    run_reduced(*options, console);
   });
 }
 

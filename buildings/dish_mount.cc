@@ -32,6 +32,7 @@ public:
                  std::sqrt(stiffness_ * scene.load.mass)) {
     lateral_capacity = law_.lateral_capacity, rim_stiffness = law_.rim.stiffness;
     sunk_ = weight_ / stiffness_;
+    temperature_ = law_.heat.at_start();
   }
 
   double height(const Vector2d &u) const override { return law_.height.at(u[0], u[1]).z; }
@@ -63,6 +64,11 @@ public:
   void accept() override {
     std::swap(at_[0], at_[2]);
     law_.arrive(mode_, stage_.t, at_[0].of_law());
+    if (!law_.heats()) return;
+    const bool covered = friction::passes_over(at_[0].u.head<2>().norm(), law_.contact_radius);
+    const double flux = covered ? std::max(0.0, at_[0].face_power) / law_.friction_law.area : 0.0;
+    heat_ = law_.heat.after(heat_, flux, stage_.t - heated_until_);
+    heated_until_ = stage_.t, temperature_ = law_.heat.temperature(heat_.data());
   }
   double wall(int stage) const override {
     if (!law_.has_rim()) return 1e300;
@@ -105,6 +111,7 @@ private:
     Vector3d z = Vector3d::Zero(), z0 = Vector3d::Zero(), z_rate = Vector3d::Zero(); ///< of friction
     Vector3d pendular = Vector3d::Zero(), friction = Vector3d::Zero(), impact = Vector3d::Zero();
     double normal = 0, penetration = 0, rim_force = 0;
+    double face_power = 0; ///< taken by the sliding face [W]
     Vector3d force() const { return pendular + friction + impact; }
     reduced::State of_law() const {
       reduced::State y;
@@ -115,7 +122,7 @@ private:
     /// Forces at the node's motion, and their derivative by its velocity; `weight` of positions, `slip_step` of z.
     Matrix3d evaluate(const DishMount &m, const NodeMotion &node, double t, double weight, double slip_step) {
       u = node.u.head<3>(), v = node.v.head<3>();
-      pendular = friction = impact = Vector3d::Zero(), normal = rim_force = 0, z = slip_step > 0 ? z0 : z;
+      pendular = friction = impact = Vector3d::Zero(), normal = rim_force = face_power = 0, z = slip_step > 0 ? z0 : z;
       Matrix3d B = Matrix3d::Zero();
       if (!(u.head<2>().norm() < m.law_.height.limit_radius())) {
         pendular.setConstant(std::nan("")); // beyond the dish: inadmissible, the step is cut
@@ -142,7 +149,7 @@ private:
       const Matrix3d along = Matrix3d::Identity() - n * n.transpose();
       const Vector3d slide = along * v;
       const double speed = slide.norm();
-      const auto mu = m.law_.friction_law.at(speed);
+      const auto mu = m.law_.friction_law.under(normal, speed, m.temperature_);
       Matrix3d d_velocity = Matrix3d::Zero();
       if (slip_step > 0) {
         const auto state =
@@ -151,6 +158,7 @@ private:
                 : reduced::rigid::coulomb_step(along * z0, slide, slip_step / reduced::rigid::coulomb_slip);
         z = state.z, d_velocity = state.d_velocity;
       }
+      face_power = mu.value * normal * z.dot(slide);
       Vector3d share = mu.value * z; // of the normal force
       Matrix3d d_state = mu.value * Matrix3d::Identity();
       if (m.law_.socket > 0) {
@@ -159,8 +167,9 @@ private:
       }
       friction = -normal * share;
       const Eigen::RowVector3d d_normal = n.transpose() * B;
-      B -= share * d_normal + normal * d_state * d_velocity * along;
-      if (speed > 0 && mu.slope != 0) B -= normal * mu.slope / speed * z * slide.transpose();
+      const double by_pressure = m.law_.friction_law.d_force(mu, normal) - mu.value;
+      B -= (share + by_pressure * z) * d_normal + normal * d_state * d_velocity * along;
+      if (speed > 0 && mu.d_speed != 0) B -= normal * mu.d_speed / speed * z * slide.transpose();
     }
     void press(const DishMount &m, double t, double weight, Matrix3d &B) {
       const Vector2d at = u.head<2>(), speed = v.head<2>();
@@ -201,6 +210,8 @@ private:
 
   reduced::Dynamics law_;
   double weight_, stiffness_, damping_, sunk_, slip_step_ = 0;
+  friction::HeatModes heat_{};
+  double heated_until_ = 0, temperature_; ///< of the last step's end: held through the next
   bool met_ = false;
   reduced::Mode mode_;
   State at_[3]; ///< start, middle, end of a step

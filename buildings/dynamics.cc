@@ -16,6 +16,8 @@ void check(const scene::Scene &s) {
   if (s.double_concave() || s.reduced.model != scene::ModelKind::physical)
     refuse(fmt::format("reduced.model \"{}\" by branches: bearings of rigid bodies take the implicit steps",
                        word(s.reduced.model)));
+  refuse_friction_beyond_speed(s.reduced.measured, "bearings by branches",
+                               "N follows from friction per N; implicit steps take it");
   if (s.reduced.friction != scene::Friction::park_wen)
     refuse("reduced.friction \"coulomb\" by branches: bearings under one rigid base that stick together share their "
            "forces in no definite way; implicit steps have an elastic slip");
@@ -97,8 +99,8 @@ BearingResponse BuildingDynamics::contact(int b, const reduced::Mode &mode, doub
   if (mode.support == Support::airborne) return r;
   r.v[2] = p.gradient.dot(v);
   const Vector2d eta = y.segment<2>(this->eta(b));
-  const double mu = law.friction_law.at(r.v.norm()).value;
-  r.eta_rate = reduced::park_wen_rate(eta, v, law.elastic_slip);
+  const double mu = law.friction_law.at({.speed = r.v.norm()}).value;
+  r.eta_rate = friction::park_wen_rate(eta, v, law.elastic_slip);
   r.friction = law.friction_per_normal(p, u, eta, mu) * eta.norm(); // per unit of N until N is known
   r.pendular = Vector3d(-p.gradient[0], -p.gradient[1], 1) / std::sqrt(1 + p.gradient.squaredNorm());
   r.normal = v.dot(p.hessian * v); // the constraint's v^T H v until N is known

@@ -1,6 +1,7 @@
 #include "buildings/mount.h"
 #include "files/error.h"
 #include "reduced_models/rigid_body/double_concave_system.h"
+#include "reduced_models/rigid_body/heat_memory.h"
 #include "reduced_models/rigid_body/wall_memory.h"
 #include <algorithm>
 #include <Eigen/Geometry>
@@ -17,7 +18,7 @@ using Columns = Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 12, 6>;
 
 class RigidMount : public Mount {
 public:
-  explicit RigidMount(const scene::Scene &scene) : model_(scene), n_(6 * model_.plate) {
+  explicit RigidMount(const scene::Scene &scene) : model_(scene), n_(6 * model_.plate), heat_(scene, model_.system) {
     if (scene.isolator.space != scene::Space::spatial)
       throw InputError(
           "isolator.space \"planar\" under a building, which moves in space: isolator.space = \"spatial\", "
@@ -128,6 +129,7 @@ public:
     std::swap(at_[0], at_[2]);
     power_[0] = power_[2], force_[0] = force_[2];
     wall_memory_.press(model_.system, at_[0]);
+    heat_.pass(model_.system, at_[0], stage_.t);
   }
 
   double wall(int stage) const override {
@@ -220,6 +222,7 @@ private:
   double rest_height_ = 0, potential_ = 0, slip_step_ = 0;
   std::vector<std::size_t> walls_;
   WallMemory wall_memory_;
+  HeatMemory heat_;
   Stage stage_{};
   reduced::StageStart<Vector> start_;
   Matrix tangent_;

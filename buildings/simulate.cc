@@ -77,7 +77,8 @@ void fly(const Frame &frame, const BuildingModel &model, const scene::Scene &sce
   const bool rigid_bodies = any([](const scene::Scene &one) { return one.double_concave(); });
   const bool coulomb = any([](const scene::Scene &one) { return one.reduced.friction == scene::Friction::coulomb; });
   if (frame.inelastic()) check_plane(frame, scene, rigid_bodies);
-  if (!frame.inelastic() && !rigid_bodies && !coulomb) {
+  const bool measured = any([](const scene::Scene &one) { return one.reduced.measured.any(); });
+  if (!frame.inelastic() && !rigid_bodies && !coulomb && !measured) {
     const BuildingDynamics dynamics(model, scene, bearings);
     check_start(dynamics, scene.excitation);
     fly(dynamics, scene, kept, summary,

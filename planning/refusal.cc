@@ -4,6 +4,32 @@
 
 namespace rimpact::planning {
 
+namespace {
+
+/// Of [reduced] what no rung reads, and would change what the user expects.
+std::optional<std::string> unread_of_reduced(const scene::Scene &scene) {
+  const auto &r = scene.reduced;
+  if (r.integrator == scene::Integrator::cvode)
+    return fmt::format("reduced.integrator \"{}\" checks the reduced model's own steps: finite elements have steps of "
+                       "their own; use `rimpact reduced`, or --set reduced.integrator=\"own\"",
+                       word(r.integrator));
+  if (r.measured.by_temperature)
+    return "reduced.mu_by_temperature is the reduced models': the finite-element rungs carry no heat of sliding; use "
+           "`rimpact reduced`, or --set reduced.mu_by_temperature=false";
+  if (!has_dish(scene.model.rung)) return std::nullopt;
+  const std::string solid = fmt::format(" is not for rung `{}`, whose pad slides on its dish by the keys of "
+                                        "bearing.contact: ",
+                                        word(scene.model.rung));
+  if (r.measured.table)
+    return "reduced.mu_table" + solid + "steel_ertalyte, steel_ertalyte_slow, reference_pressure_MPa";
+  if (r.measured.scale != 1) return "reduced.mu_scale" + solid + "steel_ertalyte, steel_ertalyte_slow";
+  if (r.measured.reference_pressure != scene.bearing.contact.reference_pressure)
+    return "reduced.mu_reference_pressure_MPa" + solid + "reference_pressure_MPa, the same for the reduced model";
+  return std::nullopt;
+}
+
+} // namespace
+
 std::optional<std::string> beyond_rungs(const scene::Scene &scene) {
   if (scene.double_concave())
     return fmt::format(
@@ -14,7 +40,7 @@ std::optional<std::string> beyond_rungs(const scene::Scene &scene) {
     return fmt::format("superstructure.kind \"{}\" is not for the finite-element rungs, which carry a rigid mass; use "
                        "`rimpact reduced`, or --set superstructure.kind=\"none\"",
                        word(scene.superstructure.kind));
-  return std::nullopt;
+  return unread_of_reduced(scene);
 }
 
 std::optional<std::string> refusal(const scene::Scene &scene) {

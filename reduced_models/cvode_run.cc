@@ -32,7 +32,8 @@ public:
                                       work,
                                       work};
     for (int i = 0; i < n_bearing; ++i) NV_Ith_S(absolute_, i) = tolerance * std::max(scales[i], 1e-12);
-    for (int i = iDamping; i < n_state; ++i)
+    for (int i = dynamics.heat_begins(); i < n_state; ++i) NV_Ith_S(absolute_, i) = 1e-4; // [K]
+    for (int i = iDamping; i < dynamics.heat_begins(); ++i)
       NV_Ith_S(absolute_, i) = tolerance * (i < iFloors ? work : scales[(i - iFloors) % n_floor]);
     matrix_ = SUNDenseMatrix(n_state, n_state, context_);
     solver_ = SUNLinSol_Dense(y_, matrix_, context_);

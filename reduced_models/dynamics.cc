@@ -28,11 +28,12 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
       lift_over_rim(scene::lift_over_rim(scene.bearing)),
       height(weightless(scene) ? RidingHeight::plane(scene.bearing, scene.bearing.lateral_capacity())
                                : RidingHeight(scene.bearing, scene.reduced.finite_pad ? scene.load.vertical : 0.0)),
-      reading(reading_of(scene)), ground(scene.excitation, scene.load.gravity) {
+      heat(scene.reduced.measured.heat), contact_radius(scene::contact_radius(scene)), reading(reading_of(scene)),
+      ground(scene.excitation, scene.load.gravity) {
   const auto &r = scene.reduced;
   const bool window = scene.excitation.kind == scene::ExcitationKind::window;
   if (!window || scene.excitation.with_friction) {
-    friction_law = {r.mu_slow, r.mu_fast, r.mu_slow == r.mu_fast ? 0.0 : r.rate};
+    friction_law = scene::sliding_law(scene);
     if (r.socket_friction && !height.is_plane()) socket = scene.bearing.contact.steel_steel * socket_arm(scene.bearing);
     if (r.friction == scene::Friction::park_wen) {
       park_wen_ = true, elastic_slip = r.elastic_slip;
@@ -40,9 +41,8 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
         throw InputError("reduced.elastic_slip_mm " + std::to_string(elastic_slip * 1e3) + " must be above 0");
     }
   } else {
-    friction_law = {0, 0, 0};
+    friction_law = {.mu_slow = 0, .mu_fast = 0};
   }
-  friction_law.validate();
   if (with_rim && r.k_i > 0)
     rim = r.impact_law->pushed ? laws::curve_element(rim_curve_of(scene)) : r.element(supported_mass);
   dents = dent_shape(scene);
@@ -128,6 +128,28 @@ Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y) const 
   return evaluate(mode, t, y, site(mode, t, y));
 }
 
+/// Friction in a direction (Park and Wen: their state), the heat it makes, and N where that follows from friction too.
+Vector3d Dynamics::friction_of(const Site &site, const State &y, const Vector2d &direction, Evaluation &e) const {
+  const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
+  const double vz = site.dish.gradient.dot(v), speed = std::sqrt(v.squaredNorm() + vz * vz);
+  const double share = park_wen_ ? direction.norm() : 1.0;
+  const auto per_normal = [&](double normal) {
+    const Vector3d f = friction_per_normal(site.dish, u, direction, mu(speed, normal, y).value);
+    return park_wen_ ? Vector3d(f * share) : f;
+  };
+  if (reading == NormalForce::statics) {
+    // N n_z + f_z = -F_z; by pressure N enters its own coefficient, a contraction by mu times the slope.
+    const double up = 1 / std::sqrt(1 + site.dish.gradient.squaredNorm()), load = e.normal;
+    e.normal = std::max(0.0, load / (up + per_normal(load).z()));
+    for (int i = 0; i < 30 && friction_law.by_pressure(); ++i)
+      e.normal = std::max(0.0, load / (up + per_normal(e.normal).z()));
+  }
+  const Vector3d f = per_normal(e.normal);
+  if (heats() && e.normal > 0 && friction::passes_over(u.norm(), contact_radius))
+    e.heat_flux = mu(speed, e.normal, y).value * e.normal / friction_law.area * speed * share;
+  return e.normal * f;
+}
+
 Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y, const Site &site) const {
   Evaluation e;
   const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);
@@ -151,36 +173,19 @@ Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y, const 
     return e;
   }
   const auto &p = site.dish;
-  const double S = std::sqrt(1 + g.squaredNorm()), vz = g.dot(v);
-  // friction per unit of N
-  Vector3d f;
-  const double speed = std::sqrt(v.squaredNorm() + vz * vz), mu = friction_law.at(speed).value;
+  const double S = std::sqrt(1 + g.squaredNorm()), vz = g.dot(v), curvature = v.dot(p.hessian * v);
+  if (reading == NormalForce::inertia) e.normal = (mass * curvature + g.dot(F.head<2>()) - F[2]) / S;
+  if (reading == NormalForce::constant) e.normal = weight;
+  if (reading == NormalForce::statics) e.normal = -F[2]; // what N and friction have to carry together
+  Vector2d direction(y[iEX], y[iEY]);
   if (park_wen_) {
-    const Vector2d eta(y[iEX], y[iEY]);
-    e.eta_rate = park_wen_rate(eta, v, elastic_slip);
-    f = friction_per_normal(p, u, eta, mu) * eta.norm();
+    e.eta_rate = friction::park_wen_rate(direction, v, elastic_slip);
   } else {
     const double side = v.squaredNorm() > stop_speed * stop_speed ? v.dot(mode.e0) : 0.0;
-    const Vector2d direction = mode.slow  ? slow_direction(mode, t, y, site)
-                               : side > 0 ? v
-                               : side < 0 ? Vector2d(-v)
-                                          : mode.e0;
-    f = friction_per_normal(p, u, direction, mu);
+    direction = mode.slow ? slow_direction(mode, t, y, site) : side > 0 ? v : side < 0 ? Vector2d(-v) : mode.e0;
   }
-  const double curvature = v.dot(p.hessian * v);
-  switch (reading) {
-  case NormalForce::inertia:
-    e.normal = (mass * curvature + g.dot(F.head<2>()) - F[2]) / S;
-    break;
-  case NormalForce::statics:
-    e.normal = std::max(0.0, -F[2] / (1 / S + f[2]));
-    break;
-  case NormalForce::constant:
-    e.normal = weight;
-    break;
-  }
+  e.friction = friction_of(site, y, direction, e);
   e.pendular = e.normal / S * Vector3d(-g[0], -g[1], 1);
-  e.friction = e.normal * f;
   e.acceleration.head<2>() = (F + e.pendular + e.friction).head<2>() / mass;
   e.acceleration[2] = g.dot(e.acceleration.head<2>()) + curvature;
   e.ground_power = -mass * (a_g[0] * v[0] + a_g[1] * v[1] + (reading == NormalForce::constant ? 0.0 : a_g[2] * vz));
@@ -200,6 +205,7 @@ Evaluation Dynamics::rhs(const Mode &mode, double t, const State &y, State &dy, 
   dy[iExternal] = e.ground_power;
   dy[iImpact] = -e.impact[0] * y[iVX] - e.impact[1] * y[iVY];
   if (building.any()) building.rates(y, here.base, here.ground, dy);
+  if (heats()) heat.rates(y.begin() + heat_begins(), e.heat_flux, dy.begin() + heat_begins());
   if (mode.support == Support::airborne) {
     dy[iZ] = y[iVZ], dy[iVZ] = e.acceleration[2];
     return e;

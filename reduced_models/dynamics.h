@@ -13,8 +13,9 @@
 /// Under a building m is the base's mass and W the whole dead load. The first storey's force (a change from the dead
 /// load) acts on the base beside the others.
 #pragma once
+#include "friction_laws/regularised.h"
+#include "friction_laws/sliding_heat.h"
 #include "impact_laws/catalogue.h"
-#include "reduced_models/friction_law.h"
 #include "reduced_models/physical_model.h"
 #include "reduced_models/riding_height.h"
 #include "reduced_models/superstructure.h"
@@ -71,6 +72,7 @@ struct Evaluation {
   double excess = 0;                ///< of a mass held by friction, as Hold's [-]
   double gap = 0, gap_rate = 0;     ///< L_c - |u_xy| and its rate
   double ground_power = 0;          ///< [W]
+  double heat_flux = 0;             ///< into the steel at the dish's vertex, where the slider covers it [W/m^2]
   Eigen::Vector3d pendular, friction, impact, acceleration;
   Eigen::Vector2d eta_rate;
 };
@@ -160,14 +162,24 @@ public:
 
   double kinetic_energy(const State &y) const;
   double potential_energy(const State &y) const; ///< W z, or the pendular work for `constant`
-  double coulomb_limit() const { return friction_law.mu_slow; }
+  /// Coefficient of the sliding face at a speed [m/s] under N, by the temperature of the state.
+  friction::Coefficient mu(double speed, double normal, const State &y) const {
+    return friction_law.under(normal, speed, temperature(y));
+  }
+  /// Of the steel at the dish's vertex [degrees Celsius]; where friction does not go by it, that at the start.
+  double temperature(const State &y) const {
+    return heats() ? heat.temperature(y.begin() + heat_begins()) : heat.at_start();
+  }
+  /// Whether friction goes by the heat of sliding: the state ends with its modes.
+  bool heats() const { return friction_law.by_temperature; }
+  int heat_begins() const { return state_size(building.n_floors()); }
   bool inside(const State &y) const { return y[iX] * y[iX] + y[iY] * y[iY] < limit_squared_; }
   bool has_rim() const { return rim.stiffness > 0; }
   bool park_wen() const { return park_wen_; }
 
-  /// A mass held by friction is at rest, and with it everything: only time passes until it slides.
-  bool at_rest(const Mode &mode) const { return mode.support == Support::stuck && !building.any(); }
-  int n_state() const { return state_size(building.n_floors()); }
+  /// A mass held by friction is at rest, and with it everything that does not cool: only time passes until it slides.
+  bool at_rest(const Mode &mode) const { return mode.support == Support::stuck && !building.any() && !heats(); }
+  int n_state() const { return heat_begins() + (heats() ? friction::n_heat_modes : 0); }
   /// Position and velocity of the mass, on the surface while the dish carries it.
   FloorMotion base(const Mode &mode, const State &y) const;
 
@@ -183,7 +195,9 @@ public:
   laws::RimElement rim;
   DentShape dents;
   RidingHeight height;
-  FrictionCoefficient friction_law;
+  friction::FrictionLaw friction_law;
+  friction::SlidingHeat heat;
+  double contact_radius; ///< of the sliding face [m]
   NormalForce reading = NormalForce::inertia;
   scene::GroundMotion ground;
 
@@ -201,6 +215,7 @@ private:
                           const Eigen::Vector3d &ground) const;
   Site on_dish(double t, const State &y) const;
   Site on_dish(double t, const State &y, Footing &footing) const;
+  Eigen::Vector3d friction_of(const Site &site, const State &y, const Eigen::Vector2d &direction, Evaluation &e) const;
   Eigen::Vector2d slow_direction(const Mode &mode, double t, const State &y, const Site &site) const;
   double drive_share(const Mode &mode, double t, const State &y) const;
   void rim_terms(const Mode &mode, double t, const Eigen::Vector2d &u, const Eigen::Vector2d &v, Evaluation &e) const;

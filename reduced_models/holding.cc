@@ -69,7 +69,7 @@ Hold Dynamics::hold(const Mode &mode, double t, const State &y, const Site &site
   }
   const double N = std::max(0.0, h.normal);
   const Onset o = onset(drive, N * socket, socket > 0 ? height.curvatures(u.norm()) : scene::Curvatures{});
-  h.excess = weight > 0 ? (o.beta - coulomb_limit() * N) / weight : o.beta;
+  h.excess = weight > 0 ? (o.beta - mu(0, N, y).value * N) / weight : o.beta;
   const Vector3d direction = o.direction[0] * frame.meridian + o.direction[1] * frame.circle;
   h.direction = direction.head<2>().normalized();
   h.drive = o.beta;
@@ -96,7 +96,7 @@ Vector2d Dynamics::slow_direction(const Mode &mode, double t, const State &y, co
 /// Drive along the motion over the Coulomb limit.
 double Dynamics::drive_share(const Mode &mode, double t, const State &y) const {
   const Hold h = hold(mode, t, y);
-  return h.drive * h.direction.dot(mode.e0) / (coulomb_limit() * h.normal);
+  return h.drive * h.direction.dot(mode.e0) / (mu(0, h.normal, y).value * h.normal);
 }
 
 bool Dynamics::slow_down(Mode &mode, double t, State &y) const {
@@ -111,7 +111,7 @@ bool Dynamics::slow_down(Mode &mode, double t, State &y) const {
     mode.slow = value(Event::underway, mode, t, y) > 0;
     return !mode.slow;
   }
-  if (coulomb_limit() == 0) return false;
+  if (!friction_law.holds()) return false;
   const Vector2d e = hold(mode, t, y).direction;
   mode.slow = std::abs(e[0] * mode.e0[1] - e[1] * mode.e0[0]) < 0.01 && drive_share(mode, t, y) > 0.8;
   if (mode.slow) { // begins on the direction it would reach within |v| / (mu g)

@@ -10,6 +10,8 @@ namespace {
 
 /// From this tolerance on the error estimate judges steps over a record's kinks; below it every kink ends one.
 constexpr double coarse = 1e-6;
+/// Local error of the sliding steel's temperature [K]: 6e-6 of a coefficient.
+constexpr double degrees_a_step = 1e-3;
 
 Eigen::Vector3d position(const Dynamics &dynamics, const Mode &mode, const State &y) {
   const bool air = mode.support == Support::airborne;
@@ -45,6 +47,7 @@ State HybridRun::scales(const BearingState &start) const {
   for (int i : {iEX, iEY}) inverse[i] = 1 / std::min(std::max(1e-8, tolerance_), 10 * tolerance_);
   for (int floor = 0; floor < dynamics_.building.n_floors(); ++floor)
     for (int i = 0; i < n_floor; ++i) inverse[iFloors + floor * n_floor + i] = inverse[iX + i];
+  for (int i = dynamics_.heat_begins(); i < dynamics_.n_state(); ++i) inverse[i] = 1 / degrees_a_step;
   return inverse;
 }
 
@@ -165,6 +168,8 @@ HybridRun::Result HybridRun::run(const BearingState &start, double t_end, const 
                   mode_.support == Support::airborne,
                   {y[iEX], y[iEY]},
                   mode_.dented};
+  if (dynamics_.heats())
+    std::copy_n(y.begin() + dynamics_.heat_begins(), friction::n_heat_modes, result.state.heat.begin());
   return result;
 }
 

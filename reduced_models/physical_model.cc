@@ -63,12 +63,7 @@ FrictionForce PhysicalModel::smoothed_friction(const Vector3d &u, const Vector3d
   const auto p = d.height.at(u[0], u[1]);
   const Vector3d n = Vector3d(-p.gradient[0], -p.gradient[1], 1).normalized();
   const Matrix3d tangent = Matrix3d::Identity() - n * n.transpose();
-  const Vector3d w = tangent * v;
-  const double s = std::sqrt(w.squaredNorm() + speed_scale * speed_scale);
-  const auto mu = d.friction_law.at(s);
-  FrictionForce f;
-  f.force = -normal_force * mu.value / s * w;
-  f.d_velocity = -normal_force * (mu.value / s * tangent + (mu.slope - mu.value / s) / (s * s) * w * w.transpose());
+  FrictionForce f = friction::regularised(d.friction_law, tangent, v, normal_force, d.heat.at_start(), speed_scale);
   if (d.socket > 0) {
     const double r = std::hypot(u[0], u[1]);
     const Vector2d er = r > 0 ? Vector2d(u.head<2>() / r) : Vector2d::UnitX();
@@ -78,6 +73,7 @@ FrictionForce PhysicalModel::smoothed_friction(const Vector3d &u, const Vector3d
     const Vector3d turn = K * v; // rate of the surface's normal
     const double q = std::sqrt(turn.squaredNorm() + std::pow(k.meridional * speed_scale, 2));
     f.force -= normal_force * d.socket / q * K * turn;
+    f.d_normal -= d.socket / q * K * turn;
     f.d_velocity -= normal_force * d.socket / q * K * (Matrix3d::Identity() - turn * turn.transpose() / (q * q)) * K;
   }
   return f;

@@ -2,6 +2,8 @@
 /// friction, unilateral vertical support, and an impact element at the rim. Rung reduced, and the part of rim that
 /// is not solid. SI units; the plate is fixed, u is the upper slider's displacement relative to the plate.
 #pragma once
+#include "friction_laws/regularised.h"
+#include "friction_laws/sliding_heat.h"
 #include "reduced_models/dented_rim.h"
 #include "responses/summary.h"
 #include "scene/scene.h"
@@ -17,6 +19,7 @@ struct BearingState {
   bool airborne = false;                         ///< lifted off the dish
   Eigen::Vector2d eta = Eigen::Vector2d::Zero(); ///< Park-Wen state, |eta| <= 1 (unused for coulomb)
   DentedRim rim;                                 ///< read by laws that yield
+  friction::HeatModes heat{};                    ///< read by friction that goes by temperature
 };
 
 /// Forces on the mass [N] (what the bearing does to the mass), and the surface's normal force.
@@ -31,12 +34,9 @@ struct FlightEnd {
   bool stopped = false; ///< the stop function crossed zero before t_end
 };
 
-/// Friction force for a given normal force, smoothed at zero speed, with its derivative: what an implicit
-/// time step of the finite-element side needs. Includes the socket's share when switched on.
-struct FrictionForce {
-  Eigen::Vector3d force;
-  Eigen::Matrix3d d_velocity;
-};
+/// Friction force for a given normal force, smoothed at zero speed, with its derivatives (friction_laws/regularised.h).
+/// Includes the socket's share when switched on.
+using friction::FrictionForce;
 
 class PhysicalModel {
 public:

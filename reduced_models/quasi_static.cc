@@ -33,7 +33,7 @@ public:
     return t0 && t1 ? (at(to) - at(from)).norm() / (*t1 - *t0) : 0.0;
   }
   State state(const Vector2d &u) const {
-    State y;
+    State y(dynamics_.n_state());
     y[iX] = u[0], y[iY] = u[1], y[iZ] = dynamics_.height.at(u[0], u[1]).z;
     return y;
   }
@@ -43,6 +43,7 @@ public:
     mode.dented = rim_;
     mode.rim = dynamics_.has_rim() && u.norm() >= dynamics_.lateral_capacity ? RimContact::pressed : RimContact::open;
     State y = state(u);
+    if (dynamics_.heats()) std::copy(heat_.begin(), heat_.end(), y.begin() + dynamics_.heat_begins());
     const double v = speed(s);
     y[iVX] = v * direction[0], y[iVY] = v * direction[1];
     return dynamics_.evaluate(mode, 0, y);
@@ -57,12 +58,21 @@ public:
                                 : std::nullopt)
       throw InputError("impact_law \"curve\": " + *reason + "; take rung rim (rimpact run --rung rim)");
   }
+  /// Over an interval of a path with a time the steel takes the heat of its middle.
+  void heat(double s0, double s1) {
+    if (!dynamics_.heats()) return;
+    const double time = *scene::prescribed_instant(excitation_, s1) - *scene::prescribed_instant(excitation_, s0);
+    const double middle = (s0 + s1) / 2;
+    heat_ = dynamics_.heat.after(heat_, forces(middle, at(middle), direction(middle)).heat_flux, time);
+  }
+  double temperature() const { return dynamics_.heat.temperature(heat_.data()); }
   const Dynamics &dynamics() const { return dynamics_; }
 
 private:
   const scene::Excitation &excitation_;
   Dynamics dynamics_;
   DentedRim rim_;
+  friction::HeatModes heat_{};
 };
 
 /// Works over one interval of the path by Gauss's four points: of the drive, the friction and the rim.
@@ -116,6 +126,11 @@ void store(const Path &path, double s, EnergyLedger &ledger, Response &response,
                                                  {"energy_impact", ledger.impact},
                                                  {"energy_contact", 0}};
   for (const auto &[name, value] : row) response.append(name, value);
+  if (path.dynamics().heats()) {
+    response.append("temperature", path.temperature());
+    auto &warmest = summary.extra["friction"]["peak_temperature_C"];
+    warmest = std::max(warmest.is_null() ? path.temperature() : warmest.get<double>(), path.temperature());
+  }
   summary.min_normal_force = std::min(summary.min_normal_force.value_or(e.normal), e.normal);
 }
 
@@ -150,6 +165,7 @@ ReducedRun quasi_static(const scene::Scene &given) {
   for (std::size_t i = 1; i < samples.size(); ++i) {
     add_works(path, samples[i - 1], samples[i], ledger);
     path.press(path.at(samples[i]));
+    path.heat(samples[i - 1], samples[i]);
     store(path, samples[i], ledger, run.response, run.summary);
   }
   summarise_response(run.response, run.summary);

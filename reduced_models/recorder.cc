@@ -39,6 +39,7 @@ const char *const columns[] = {"time",
                                "energy_impact",
                                "energy_contact"};
 
+const char *const temperature = "temperature"; ///< of a run whose friction goes by it
 const char *const building_energies[] = {"energy_elastic", "energy_plastic", "energy_damping"};
 
 } // namespace
@@ -51,6 +52,7 @@ Recorder::Recorder(const Dynamics &dynamics, Response *response, double output_s
     contact_step_ = std::min(output_step, std::numbers::pi * std::sqrt(dynamics.mass / dynamics.rim.stiffness) / 120);
   if (response_) {
     for (const char *name : columns) columns_.push_back(&response_->series(name));
+    if (dynamics_.heats()) columns_.push_back(&response_->series(temperature));
     if (dynamics_.building.any()) {
       for (const char *name : building_energies) columns_.push_back(&response_->series(name));
       for (const auto &name : BuildingRecorder::signals()) columns_.push_back(&response_->series(name));
@@ -76,6 +78,7 @@ void Recorder::begin(const Mode &mode, double t, const State &y) {
 
 void Recorder::watch(const Mode &mode, const State &y, const Evaluation &e) {
   peaks_.watch(mode, y, e);
+  if (dynamics_.heats()) warmest_ = std::max(warmest_, dynamics_.temperature(y));
   if (dynamics_.building.any()) building_.watch(building_at(y));
 }
 
@@ -166,6 +169,7 @@ void Recorder::store(const Mode &mode, double t, const State &y, double apart) {
                         absolute[2], e.gap,       e.normal,  l.external,    l.gravity,     l.kinetic,     l.friction,
                         l.impact,    l.contact};
   for (std::size_t i = 0; i < std::size(row); ++i) columns_[i]->push_back(row[i]);
+  if (dynamics_.heats()) response_->append(temperature, dynamics_.temperature(y));
   if (!dynamics_.building.any()) return;
   const double energies[] = {l.elastic, l.plastic, l.damping};
   for (int i = 0; i < 3; ++i) response_->append(building_energies[i], energies[i]);
@@ -201,6 +205,9 @@ void Recorder::summarise(Summary &summary, bool collapsed) const {
   summary.residual_displacement = std::hypot(final_[iX], final_[iY]);
   summary.final_speed = std::hypot(final_[iVX], final_[iVY]);
   summary.energy = final_ledger();
+  if (dynamics_.heats())
+    summary.extra["friction"] = {{"peak_temperature_C", warmest_},
+                                 {"final_temperature_C", dynamics_.temperature(final_)}};
   if (dynamics_.building.any())
     building_.summarise(building_at(final_), collapsed ? std::optional(final_time_) : std::nullopt, summary);
 }

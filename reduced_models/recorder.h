@@ -47,7 +47,7 @@ private:
   Evaluation last_; ///< at the latest watched instant
   State final_;
   Mode final_mode_; ///< its support only
-  double final_time_ = 0;
+  double final_time_ = 0, warmest_ = -1e300;
   BuildingRecorder building_;
   bool turned_ = false; ///< the latest segment ended at rest on the pressed rim
   RunPeaks peaks_;

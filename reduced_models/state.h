@@ -1,5 +1,7 @@
-/// What the integrators of the physical model advance: the bearing's state and, behind it, the building's.
+/// What the integrators of the physical model advance: the bearing's state and, behind it, the building's; then the
+/// modes of its heat, where friction goes by them.
 #pragma once
+#include "friction_laws/sliding_heat.h"
 #include <algorithm>
 #include <array>
 
@@ -13,7 +15,7 @@ enum BuildingIndex { iDamping = n_bearing, iHysteretic, iFloors };
 /// Of a floor: displacement relative to the ground (z from the statically compressed building), velocity,
 /// Bouc-Wen state of the storey below.
 enum FloorIndex { fX, fY, fZ, fVX, fVY, fVZ, fEX, fEY, n_floor };
-inline constexpr int max_floors = 12, max_state = iFloors + max_floors * n_floor;
+inline constexpr int max_floors = 12, max_state = iFloors + max_floors * n_floor + friction::n_heat_modes;
 
 constexpr int state_size(int n_floors) {
   return n_floors > 0 ? iFloors + n_floors * n_floor : n_bearing;

@@ -139,7 +139,7 @@ void Dynamics::settle(Mode &mode, double t, State &y) const {
   if (at_rest && !park_wen_) {
     const Hold h = hold(mode, t, y);
     mode.e0 = h.direction;
-    mode.slow = h.excess > 0 && coulomb_limit() > 0;
+    mode.slow = h.excess > 0 && friction_law.holds();
     if (h.excess <= 0) mode.support = Support::stuck;
   }
   if (reading == NormalForce::inertia && evaluate(mode, t, y).normal < 0) {
@@ -153,7 +153,7 @@ void Dynamics::release_from_rest(Mode &mode, double t, State &y) const {
   if (mode.support == Support::stuck) {
     mode.e0 = hold(mode, t, y).direction;
     mode.support = Support::sliding;
-    mode.slow = coulomb_limit() > 0;
+    mode.slow = friction_law.holds();
   }
 }
 
@@ -236,6 +236,7 @@ Mode Dynamics::starting_mode(const BearingState &start, State &y) const {
   for (int c = 0; c < 3; ++c) y[iX + c] = start.u[c], y[iVX + c] = start.v[c];
   y[iEX] = start.eta[0], y[iEY] = start.eta[1];
   building.follow({start.u, start.v}, y);
+  if (heats()) std::copy(start.heat.begin(), start.heat.end(), y.begin() + heat_begins());
   Mode mode;
   mode.dented = start.rim;
   const Vector2d u(y[iX], y[iY]), v(y[iVX], y[iVY]);

@@ -1,5 +1,5 @@
-"""python3 -m report.quick reduced|fe|building|fleet|geometry|study DIR: writes DIR/response.png, the panels of one run,
-DIR/building.png, DIR/fleet.png of a sweep, or the picture of a study, DIR/geometry.png or DIR/study.png."""
+"""python3 -m report.quick reduced|fe|building|fleet|bounds|geometry|study DIR: writes DIR/response.png, the panels of one run,
+DIR/building.png, DIR/fleet.png of a sweep, DIR/bounds.png of runs at friction's bounds, or the picture of a study, DIR/geometry.png or DIR/study.png."""
 import argparse
 import os
 
@@ -34,6 +34,15 @@ def draw_fleet(folder: str) -> str:
     return path
 
 
+def draw_bounds(folder: str) -> str:
+    """The runs of `--bounds` in one picture, each by its own colour."""
+    runs = read_any_json(os.path.join(folder, "bounds.json"))["runs"]
+    roles = {role: (entry, load_run(os.path.join(folder, entry["bound"]))) for role, entry in zip("ABC", runs)}
+    labels = {role: f"{entry['bound']}, friction x {entry['lambda']:.3g}" for role, (entry, _) in roles.items()}
+    models = [(role, run) for role, (_, run) in roles.items()]
+    return response_panels.draw(models, labels, models[0][1].lateral_capacity, os.path.join(folder, "bounds.png"))
+
+
 def draw_table(kind: str, folder: str) -> str:
     path = os.path.join(folder, f"{kind}.json")
     try:
@@ -44,11 +53,13 @@ def draw_table(kind: str, folder: str) -> str:
 
 def main(arguments: list[str]) -> None:
     parser = argparse.ArgumentParser(prog="report.quick", description=__doc__.splitlines()[0])
-    parser.add_argument("kind", choices=("reduced", "fe", "building", "fleet", *STUDIES))
+    parser.add_argument("kind", choices=("reduced", "fe", "building", "fleet", "bounds", *STUDIES))
     parser.add_argument("folder")
     options = parser.parse_args(arguments)
     if options.kind == "fleet":
         draw_fleet(options.folder)
+    elif options.kind == "bounds":
+        draw_bounds(options.folder)
     elif options.kind in STUDIES:
         draw_table(options.kind, options.folder)
     else:

@@ -33,6 +33,8 @@ std::vector<SignalInfo> make_signals() {
   vector("acceleration", "m/s^2", "absolute, of the mass (of a double concave bearing's top plate)");
   list.push_back({"gap", "m", "L_c - |u|, negative while the rim is pressed"});
   list.push_back({"normal_force", "N", "normal force of the sliding surface, never negative"});
+  list.push_back({"temperature", "degC", "of the sliding steel at the dish's vertex (the bottom dish's of two)"});
+  list.push_back({"temperature_top", "degC", "of the sliding steel at the top dish's vertex"});
   list.push_back({"tilt", "rad", "angle of the (bottom) slider's axis to the vertical, double concave models"});
   for (const char *axis : {"x", "y"})
     list.push_back({fmt::format("interface_slip_{}", axis), "m", "of the top slider past the bottom one"});

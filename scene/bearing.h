@@ -56,6 +56,9 @@ struct ContactFriction {
   /// At rest, where friction depends on speed (eq. 2-18) [-], at most the above; empty: it does not.
   std::optional<double> steel_steel_slow, steel_ertalyte_slow, rim_slow;
   double rate = 0; ///< of eq. (2-18) [s/m], > 0 where one of these is set
+  /// p0 of the pad's friction by pressure, 0.7^(0.02 (p - p0)), p at the point itself in solids [Pa]; empty: it does
+  /// not.
+  std::optional<double> reference_pressure;
   PadFoot pad_foot = PadFoot::tied;
   double pad_clearance = 0; ///< between pad and recess wall, radial, where the seat is frictional [m], assumption
   bool operator==(const ContactFriction &) const = default;

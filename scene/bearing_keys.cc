@@ -157,6 +157,10 @@ void visit(KeyVisitor &v, Bearing &b) {
     const auto &c = b.contact;
     if (v.wants(c.steel_steel_slow || c.steel_ertalyte_slow || c.rim_slow))
       v.number({"rate_s_per_m", "of friction's growth with speed"}, b.contact.rate, si, {0, 1e6});
+    if (v.wants(c.reference_pressure.has_value()))
+      v.limit(
+          {"reference_pressure_MPa", "p0 of the pad's friction by pressure, 0.7^(0.02 (p - p0)); inf: not by pressure"},
+          b.contact.reference_pressure, mega, {0, 1e4});
     v.choice({"pad_foot"}, b.contact.pad_foot);
     if (v.wants(c.pad_foot == PadFoot::frictional))
       v.number({"pad_clearance_mm", "radial, between the pad and the recess's wall around it", assumption},

@@ -124,6 +124,8 @@ void Scene::validate() const {
   if (double_concave()) check_double_concave(*this);
   if (reduced.impact_law->pushed) check_curve(*this);
   if (superstructure.any()) check_superstructure(*this);
+  check_measured_friction(*this);
+  bounds.validate();
   check_path(*this);
   check_sizes(*this);
 }

@@ -2,9 +2,11 @@
 #pragma once
 #include "impact_laws/catalogue.h"
 #include "scene/bearing.h"
+#include "scene/bounds.h"
 #include "scene/choices.h"
 #include "scene/double_concave.h"
 #include "scene/excitation.h"
+#include "scene/measured_friction.h"
 #include "scene/own_mesh_settings.h"
 #include "scene/superstructure.h"
 #include <cmath>
@@ -48,7 +50,8 @@ struct ReducedSettings : laws::LawNumbers {
   Friction friction = Friction::coulomb;
   double elastic_slip = 1e-4; ///< q of the Park-Wen state [m] (key elastic_slip_mm)
   double mu_fast = 0.07, mu_slow = 0.07;
-  double rate = 0.0; ///< of the velocity law [s/m], needed when mu_slow != mu_fast
+  double rate = 0.0;         ///< of the velocity law [s/m], needed when mu_slow != mu_fast
+  MeasuredFriction measured; ///< by pressure, temperature, table
   NormalForce normal_force = NormalForce::inertia;
   double vertical_restitution = 0.0; ///< of re-contact with the dish after uplift [-], 0..1
   bool finite_pad = false;           ///< extra lift (Ro^2+Ri^2)/8 (kappa_m + kappa_c - 2/R0)
@@ -80,6 +83,7 @@ struct Scene {
   FeSettings model;
   ReducedSettings reduced;
   DoubleConcave isolator;                      ///< [isolator]: the bearing of the double concave models
+  FrictionBounds bounds;                       ///< [bounds]: of friction over the bearing's life
   Superstructure superstructure;               ///< [superstructure]: what the bearing carries
   std::string isolator_remark, springs_remark; ///< those that name keys of [isolator] beside a dish; may be empty
   std::string load_remark;          ///< that of `remarks` which says whose load the bearing carries; may be empty

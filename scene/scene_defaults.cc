@@ -205,6 +205,9 @@ void set_dependent_defaults(const TomlFile &file, bool own_bearing, Scene &scene
   if (!given("reduced.mu_slow"))
     scene.reduced.mu_slow = as_solid ? *contact.steel_ertalyte_slow : scene.reduced.mu_fast;
   if (!given("reduced.rate_s_per_m") && as_solid) scene.reduced.rate = contact.rate;
+  auto &measured = scene.reduced.measured;
+  if (!given("reduced.mu_fast") && !given("reduced.mu_reference_pressure_MPa") && !measured.table)
+    measured.reference_pressure = contact.reference_pressure;
   settle_load(file, own_bearing, scene);
   remark_on_necking(scene);
   remark_on_isolator(file, scene);

@@ -86,6 +86,7 @@ void visit(KeyVisitor &v, ReducedSettings &r) {
   v.number({"mu_fast"}, r.mu_fast, si, {0, 2});
   v.number({"mu_slow", "differs from mu_fast: the velocity law"}, r.mu_slow, si, {0, 2});
   v.number({"rate_s_per_m", "of the velocity law"}, r.rate, si, {0, 1e6});
+  visit(v, r.measured);
   v.choice({"normal_force"}, r.normal_force);
   v.number({"vertical_restitution", "of coming back to the dish after uplift"}, r.vertical_restitution, si, share);
   v.flag({"finite_pad", "extra lift of the pad's finite size"}, r.finite_pad);
@@ -136,6 +137,7 @@ void visit_settings(KeyVisitor &v, Scene &s) {
   const bool two_dishes = s.double_concave();
   if (v.wants(two_dishes || s.isolator != DoubleConcave()))
     v.section("isolator", [&] { visit(v, s.isolator, s.impact_resilient() || !two_dishes); });
+  if (v.wants(s.bounds != FrictionBounds())) v.section("bounds", [&] { visit(v, s.bounds); });
   v.section("superstructure", [&] { visit(v, s.superstructure); });
 }
 

@@ -64,6 +64,18 @@ void read_path(const TomlFile &file, Scene &scene, const std::string &folder) {
   }
 }
 
+/// Reads the table of friction a scene names; afterwards its name is absolute.
+void read_friction(const TomlFile &file, MeasuredFriction &measured, const std::string &folder) {
+  if (measured.table_file.empty()) return;
+  make_absolute(measured.table_file, folder);
+  try {
+    measured.table =
+        std::make_shared<const friction::FrictionTable>(friction::read_friction_table(measured.table_file));
+  } catch (const DataError &error) {
+    throw DataError(fmt::format("{}: reduced.mu_table {}", file.location("reduced.mu_table"), error.what()));
+  }
+}
+
 /// A setting of one half of a load whose other half the scene has: it stays.
 std::string remark_on_half_a_load(const TomlFile &file, const std::vector<std::string> &overrides, const Load &load) {
   const auto is_set = [&](const std::string &key) {
@@ -109,6 +121,7 @@ Scene parse_scene(const std::string &text, const std::string &origin, const std:
   with_location(file, "bearing", [&] { check_bearing(scene); });
   read_records(file, scene, folder);
   read_path(file, scene, folder);
+  read_friction(file, scene.reduced.measured, folder);
   if (!scene.reduced.impact_curve.empty()) make_absolute(scene.reduced.impact_curve, folder);
   if (scene.model.own_mesh.any()) make_absolute(scene.model.own_mesh.file, folder);
   set_dependent_defaults(file, has_own_bearing(file), scene);

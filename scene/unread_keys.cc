@@ -20,6 +20,12 @@ constexpr std::array parts{ScenePart{"excitation.", "excitation.kind", true},
                            ScenePart{"isolator.", "reduced.model", true},
                            ScenePart{"reduced.elastic_slip_mm", "reduced.friction"},
                            ScenePart{"reduced.rate_s_per_m", "reduced.mu_slow"},
+                           ScenePart{"reduced.mu_fast", "reduced.mu_table"},
+                           ScenePart{"reduced.mu_slow", "reduced.mu_table"},
+                           ScenePart{"reduced.temperature_C", "reduced.mu_by_temperature"},
+                           ScenePart{"reduced.conductivity_W_per_m_K", "reduced.mu_by_temperature"},
+                           ScenePart{"reduced.diffusivity_mm2_per_s", "reduced.mu_by_temperature"},
+                           ScenePart{"reduced.contact_radius_mm", "reduced.mu_by_temperature"},
                            ScenePart{"reduced.", "reduced.impact_law", true},
                            ScenePart{"superstructure.", "superstructure.kind", true},
                            ScenePart{"bearing.surface.", "bearing.surface.kind"},
@@ -56,7 +62,9 @@ bool has_no_effect(const std::string &path, const Scene &scene) {
   const auto &r = scene.reduced;
   const bool one_coefficient =
       r.mu_slow == r.mu_fast && !(scene.double_concave() && (scene.isolator.top_mu_fast || scene.isolator.top_mu_slow));
-  return (path == "reduced.elastic_slip_mm" && r.friction == Friction::coulomb) ||
+  const bool by_table = path == "reduced.mu_fast" || path == "reduced.mu_slow" || path == "reduced.rate_s_per_m";
+  return (by_table && r.measured.table) || (path == "reduced.contact_radius_mm" && !r.measured.any()) ||
+         (path == "reduced.elastic_slip_mm" && r.friction == Friction::coulomb) ||
          (path == "reduced.rate_s_per_m" && one_coefficient) ||
          (path.starts_with("isolator.") && !scene.double_concave());
 }

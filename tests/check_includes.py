@@ -6,13 +6,14 @@ import re
 import sys
 from collections.abc import Iterator
 
-BASE = {"files", "impact_laws", "records", "scene", "responses"}
+BASE = {"files", "friction_laws", "impact_laws", "records", "scene", "responses"}
 FE = "fe_contact/"
 MAY_INCLUDE = {
     "files": {"files"},
     "records": {"records", "files"},
+    "friction_laws": {"friction_laws", "files"},
     "impact_laws": {"impact_laws", "files"},
-    "scene": {"scene", "impact_laws", "records", "files"},
+    "scene": {"scene", "friction_laws", "impact_laws", "records", "files"},
     "responses": BASE,
     "reduced_models": {"reduced_models"} | BASE,
     "planning": {"planning", "reduced_models"} | BASE,
@@ -30,9 +31,9 @@ MAY_INCLUDE = {
                            "reduced_models"} | BASE,
     "python": {"python", "reduced_models"} | BASE,
     "meshes": {"meshes", "files", "scene"},
-    FE + "laws": {FE + "laws", "scene"},
+    FE + "laws": {FE + "laws", "friction_laws", "scene"},
     FE + "solver": {FE + "solver"},
-    FE + "engine": {FE + "engine", FE + "laws", FE + "solver", "meshes", "scene", "files"},
+    FE + "engine": {FE + "engine", FE + "laws", FE + "solver", "friction_laws", "meshes", "scene", "files"},
     FE + "rungs": {FE + "rungs", FE + "engine", FE + "laws", FE + "solver", "meshes", "reduced_models"} | BASE,
     FE + "drive": {FE + "drive", FE + "rungs", FE + "engine", FE + "laws", FE + "solver", "meshes", "planning",
                    "reduced_models"} | BASE,

@@ -22,6 +22,10 @@ std::vector<double> travels(double last) {
 
 void set_friction(Dish &dish, const scene::Scene &scene, const reduced::RidingHeight &height, double capacity) {
   const auto &r = scene.reduced;
+  scene::refuse_friction_beyond_speed(
+      r.measured, "an exported dish",
+      "the elements of OpenSees, SAP2000 and ETABS it is written for go by speed alone");
+  const double at_rest = r.measured.scale * r.mu_slow, at_speed = r.measured.scale * r.mu_fast;
   const double socket = r.socket_friction ? scene.bearing.contact.steel_steel * reduced::socket_arm(scene.bearing) : 0;
   const auto per_reaction = [&](double mu) {
     return [&height, socket, mu](double x) {
@@ -29,12 +33,12 @@ void set_friction(Dish &dish, const scene::Scene &scene, const reduced::RidingHe
       return (mu + socket * height.curvatures(x).meridional) * (1 + slope * slope);
     };
   };
-  const auto slow = per_reaction(r.mu_slow), fast = per_reaction(r.mu_fast);
+  const auto slow = per_reaction(at_rest), fast = per_reaction(at_speed);
   const RidingFriction riding = riding_friction(dish.rider, capacity, fast);
   dish.rises = riding.rises, dish.ride_fast = riding.slides;
   dish.mu_slow = mean_to(capacity, slow), dish.mu_fast = mean_to(capacity, fast);
   dish.ride_slow = std::max(0.0, dish.ride_fast - (dish.mu_fast - dish.mu_slow));
-  dish.face_slow = r.mu_slow, dish.face_fast = r.mu_fast, dish.rate = r.rate;
+  dish.face_slow = at_rest, dish.face_fast = at_speed, dish.rate = r.rate;
   dish.elastic_slip = r.friction == scene::Friction::park_wen ? slip_of_equal_work * r.elastic_slip : rigid_slip;
   for (std::size_t i = 0; i < dish.travel.size(); ++i) {
     const double x = dish.travel[i], f = fast(x) / (1 + dish.slope[i] * dish.slope[i]);

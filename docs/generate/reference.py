@@ -21,6 +21,7 @@ SECTIONS = (("bearing.", "Bearing", "In a bearing file without `bearing.`; in a 
              "`contact_stiffness_kN_per_m`, `contact_restitution` and `step_tolerance`. "
              "It does so under an inelastic frame, beside double concave bearings and with friction `coulomb`: "
              "there every dish stands on a spring of `points` times `contact_stiffness_kN_per_m` ([guide](../guide/buildings.md#what-a-dish-stands-on))."),
+            ("bounds.", "Bounds of friction", "Read by `--bounds` of `reduced` and `building` ([guide](../guide/friction.md))."),
             ("superstructure.", "Superstructure", ""))
 
 

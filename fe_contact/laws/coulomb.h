@@ -8,21 +8,22 @@
 /// where the point sticks. Frictionless is mu = 0. Written over the scalar type, so that the consistent,
 /// unsymmetric tangent follows by automatic differentiation. SI units.
 #pragma once
+#include "friction_laws/factors.h"
 #include <cmath>
 #include <Eigen/Core>
+#include <optional>
 
 namespace rimpact::fe {
 
-/// mu(v) = fast - (fast - slow) exp(-rate v) (thesis eq. 2-18; Constantinou 1990); fast = slow: Coulomb.
+/// mu(v, p) = (fast - (fast - slow) exp(-rate v)) k_p(p) (thesis eq. 2-18; friction_laws/factors.h), p the pressure at
+/// the point; fast = slow and no reference pressure: Coulomb.
 struct FrictionCoefficient {
-  double fast = 0, slow = 0; ///< [-], >= 0
-  double rate = 0;           ///< [s/m], >= 0
-  static FrictionCoefficient constant(double mu) { return {mu, mu, 0}; }
+  double fast = 0, slow = 0;                     ///< [-], >= 0
+  double rate = 0;                               ///< [s/m], >= 0
+  std::optional<double> reference_pressure = {}; ///< of k_p [Pa]; none: not by pressure
+  static FrictionCoefficient constant(double mu) { return {mu, mu, 0, {}}; }
   bool depends_on_speed() const { return fast != slow; }
-  template <typename T> T at(const T &speed) const {
-    using std::exp;
-    return fast - (fast - slow) * exp(-rate * speed);
-  }
+  template <typename T> T at(const T &speed) const { return friction::coefficient_at_speed(speed, slow, fast, rate); }
 };
 
 enum class ContactStatus : char { open, stick, slip };
@@ -77,7 +78,8 @@ CoulombContact::Result<T> CoulombContact::at(const T &gap, const Eigen::Matrix<T
   }
   const T coefficient = friction.depends_on_speed() && dt > 0 ? friction.at(T(sqrt(slip_squared) / dt))
                                                               : T(dt > 0 ? friction.fast : friction.slow);
-  const T limit = coefficient * pressure;
+  T limit = coefficient * pressure;
+  if (friction.reference_pressure) limit *= friction::pressure_factor(pressure, *friction.reference_pressure);
   if (squared <= limit * limit) {
     result.status = ContactStatus::stick;
   } else {

@@ -64,8 +64,9 @@ RemoteLaw MassLoads::law(const RimFrame &frame, double t, Support support) const
     load.d_displacement = multiplier * R.transpose() * d_gradient * R;
     if (!friction_) return load;
     const double normal = std::max(0.0, multiplier) * gradient.norm();
-    load.d_velocity = R.transpose() * model_.smoothed_friction(u, v, normal, smoothing_speed).d_velocity * R;
-    load.d_multiplier += frame.to_local(model_.smoothed_friction(u, v, gradient.norm(), smoothing_speed).force);
+    const auto friction = model_.smoothed_friction(u, v, normal, smoothing_speed);
+    load.d_velocity = R.transpose() * friction.d_velocity * R;
+    load.d_multiplier += frame.to_local(gradient.norm() * friction.d_normal);
     return load;
   };
 }

@@ -61,11 +61,12 @@ std::vector<Pair> stack_pairs(const BearingModel &model, RimState rim) {
   const double stiffer = std::clamp(4 / model.options.penalty_scale, 1.0, 4.0);
   const scene::ContactFriction &mu = bearing.contact;
   const auto friction = [&](double fast, const std::optional<double> &slow) {
-    return model.options.friction ? FrictionCoefficient{fast, slow.value_or(fast), mu.rate} : FrictionCoefficient{};
+    return model.options.friction ? FrictionCoefficient{fast, slow.value_or(fast), mu.rate, {}} : FrictionCoefficient{};
   };
+  FrictionCoefficient on_dish = friction(mu.steel_ertalyte, mu.steel_ertalyte_slow);
+  on_dish.reference_pressure = mu.reference_pressure;
   const std::shared_ptr<const scene::SlidingSurface> surface = scene::make_surface(bearing.surface);
-  const SurfaceContactOptions pad_on_steel =
-      penalised(model, bearing.ertalyte.E, pad_cell, friction(mu.steel_ertalyte, mu.steel_ertalyte_slow), stiffer);
+  const SurfaceContactOptions pad_on_steel = penalised(model, bearing.ertalyte.E, pad_cell, on_dish, stiffer);
   std::vector<Pair> pairs{
       {Role::dish, Surface::pad_face, fe::dish(surface, bearing.surface.planar_radius), pad_on_steel},
       {Role::socket, Surface::foot_cap, sphere(Eigen::Vector3d::Zero(), bearing.foot.cap_radius, Side::inside),

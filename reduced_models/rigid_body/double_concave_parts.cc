@@ -52,13 +52,12 @@ DoubleConcaveSystem::DoubleConcaveSystem(const scene::Scene &scene)
   system.deepest.assign(system.contacts.size(), 0.0);
   system.normal = {bearing_.contact_stiffness, contact_damping(bearing_, scene.load.mass, n_sets_)};
   const double fast = driven ? r.mu_slow : r.mu_fast; // slow motion
-  system.dish_friction = {r.mu_slow, fast, fast == r.mu_slow ? 0.0 : r.rate};
   const double top_fast = bearing_.top_mu_fast.value_or(r.mu_fast),
-               top_slow = bearing_.top_mu_slow.value_or(bearing_.top_mu_fast ? top_fast : r.mu_slow),
-               top = driven ? top_slow : top_fast;
-  system.top_friction = {top_slow, top, top == top_slow ? 0.0 : r.rate};
-  system.dish_friction.validate(), system.top_friction.validate();
-  system.interface_friction = {bearing_.mu_interface, bearing_.mu_interface, 0};
+               top_slow = bearing_.top_mu_slow.value_or(bearing_.top_mu_fast ? top_fast : r.mu_slow);
+  system.friction[0] = scene::sliding_law(scene, r.mu_slow, fast);
+  system.friction[2] = scene::sliding_law(scene, top_slow, driven ? top_slow : top_fast);
+  system.friction[1] = {.mu_slow = bearing_.mu_interface, .mu_fast = bearing_.mu_interface, .scale = r.measured.scale};
+  for (auto &law : system.friction) law.area /= bearing_.points;
   system.park_wen = r.friction == scene::Friction::park_wen && !driven;
   if (system.park_wen) system.elastic_slip = r.elastic_slip;
   if (r.k_i > 0) system.rim = r.element(mass_before_rim(bearing_, scene.load.mass));

@@ -55,7 +55,8 @@ DoubleConcaveRecorder::DoubleConcaveRecorder(DoubleConcaveSystem &model, const s
       sample_(model.driven ? time_unit / (scene::instants_a_cycle * scene.excitation.whole_rounds())
                            : scene.reduced.output_step),
       points_(point_names(model)), largest_normal_(model.system.contacts.size(), 0),
-      smallest_normal_(model.system.contacts.size(), 1e300), building_(model.building) {
+      smallest_normal_(model.system.contacts.size(), 1e300), heat_(scene, model.system),
+      heats_(scene.reduced.measured.by_temperature), building_(model.building) {
   result.summary.n_dofs = std::count(model.system.free.begin(), model.system.free.end(), true);
 }
 
@@ -82,6 +83,7 @@ double DoubleConcaveRecorder::next_sample(const MotionState &s) const {
 void DoubleConcaveRecorder::accept(const MotionState &s, const MotionState &before) {
   watch(s);
   walls_.press(model_.system, s);
+  heat_.pass(model_.system, s, s.t);
   const bool due = std::abs(s.t / sample_ - std::round(s.t / sample_)) < 1e-9;
   if (due || rim_pressed(model_, s) || rim_pressed(model_, before)) store(s);
 }
@@ -164,6 +166,7 @@ void DoubleConcaveRecorder::store(const MotionState &s) {
   for (const auto &[name, value] : row) put(name, value);
   for (std::size_t i = 0; i < s.contact.size(); ++i)
     if (!points_[i].empty()) put(points_[i], s.contact[i].size);
+  if (heats_) put("temperature", model_.system.temperature[0]), put("temperature_top", model_.system.temperature[2]);
   put("plate_moment_x", p.moment[0]), put("plate_moment_y", p.moment[1]);
   if (!model_.driven) {
     const Vector3d ground = ground_.acceleration(s.t), plate = s.acceleration.segment<3>(6 * model_.plate) + ground;
@@ -196,6 +199,7 @@ void DoubleConcaveRecorder::end(const MotionState &s) {
                                {"min_vertical_force_N", smallest_vertical_},
                                {"max_moment_N_m", largest_moment_},
                                {"residual_interface_slip_m", model_.interface_slip(s).norm()}};
+  if (heats_) summary.extra["friction"] = {{"peak_temperature_C", heat_.warmest()}};
   if (model_.building.any()) building_.summarise(model_.building_at(s), collapse_time_, summary);
 }
 

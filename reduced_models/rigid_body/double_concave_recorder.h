@@ -2,6 +2,7 @@
 #pragma once
 #include "reduced_models/physical_model.h"
 #include "reduced_models/rigid_body/double_concave_system.h"
+#include "reduced_models/rigid_body/heat_memory.h"
 #include "reduced_models/rigid_body/wall_memory.h"
 #include "reduced_models/step_budget.h"
 
@@ -34,6 +35,8 @@ private:
   std::vector<std::vector<double> *> columns_; ///< of the response, in the order they are stored
   std::vector<double> largest_normal_, smallest_normal_;
   WallMemory walls_;
+  HeatMemory heat_;
+  bool heats_;
   StepCount steps_;
   BuildingRecorder building_;
   std::optional<double> collapse_time_;

@@ -46,15 +46,15 @@ void System::rub(const Contact &c, const Touch &touch, const Vector3d &v, const 
   const Vector3d &m = touch.normal;
   const Vector3d slide = v - m * m.dot(v), start = z0 - m * m.dot(z0);
   const double speed = slide.norm(), per_slip = stage.slip_step / elastic_slip;
-  const auto &law = c.surface != Surface::dish ? interface_friction : c.set == 2 ? top_friction : dish_friction;
-  const auto mu = law.at(speed);
+  const auto &law = friction[c.set];
+  const auto mu = law.under(f.size, speed, temperature[c.set]);
   const auto state = park_wen ? park_wen_step(start, slide, per_slip) : coulomb_step(start, slide, per_slip);
   f.slip = state.z;
   f.friction = -mu.value * f.size * state.z;
   f.slip_power = -f.friction.dot(slide);
   if (!B) return;
-  Vector3d by_z = mu.value * gain * m; // of -F / z by the velocity
-  if (speed > 0 && mu.slope != 0) by_z += f.size * mu.slope / speed * slide;
+  Vector3d by_z = law.d_force(mu, f.size) * gain * m; // of -F / z by the velocity
+  if (speed > 0 && mu.d_speed != 0) by_z += f.size * mu.d_speed / speed * slide;
   const Vector3d across = state.d_velocity * m;
   *B -= state.z * by_z.transpose() + mu.value * f.size * (state.d_velocity - across * m.transpose());
 }

@@ -4,8 +4,8 @@
 ///   dish, interface:  -N m - mu(|v_t|) N z,   N = max(0, k d + c d'),   m the normal into the master;
 ///   rim, stop:        -F m, frictionless, F by the impact law.
 #pragma once
+#include "friction_laws/friction_law.h"
 #include "impact_laws/catalogue.h"
-#include "reduced_models/friction_law.h"
 #include "reduced_models/rigid_body/contact.h"
 #include "reduced_models/rigid_body/slip.h"
 #include "reduced_models/superstructure.h"
@@ -14,7 +14,7 @@
 
 namespace rimpact::reduced::rigid {
 
-inline constexpr int max_bodies = 3 + max_floors, max_dofs = 6 * max_bodies;
+inline constexpr int max_sets = 3, max_bodies = 3 + max_floors, max_dofs = 6 * max_bodies;
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_dofs, 1>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_dofs, max_dofs>;
 /// Of `motion`: what of a body's six entries can change, x, z and the turn about y in the plane (n = 3).
@@ -68,8 +68,11 @@ public:
   std::vector<bool> free;  ///< of each dof; the others are at rest or driven
   bool planar = false;     ///< motion in x, z and turns about y only: tangents have no other entries
   NormalLaw normal{};
-  FrictionCoefficient dish_friction, top_friction, interface_friction; ///< of sets 0, 2 and 1
-  double elastic_slip = coulomb_slip;                                  ///< q [m]
+  /// Of each set (0 bottom dish, 1 interface, 2 top dish). Its area is one point's share: a point goes by its own
+  /// pressure.
+  std::array<friction::FrictionLaw, max_sets> friction;
+  std::array<double, max_sets> temperature{}; ///< of the steel of each set, as the last step left it [degrees Celsius]
+  double elastic_slip = coulomb_slip;         ///< q [m]
   bool park_wen = false;
   laws::RimElement rim;
   std::vector<bool>

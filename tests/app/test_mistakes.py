@@ -82,7 +82,7 @@ def with_set(assignment, scene=RICKER):
 
 ROWS = [
     row("a key misspelt", with_set("excitation.scal=1.05"), 2, "unknown key \"scal\" in [excitation]", "did you mean \"scale\"?"),
-    row("a key cut short", with_set("reduced.mu=0.05"), 2, "unknown key \"mu\" in [reduced]", "mu_fast, mu_slow"),
+    row("a key cut short", with_set("reduced.mu=0.05"), 2, "unknown key \"mu\" in [reduced]", "mu_fast", "mu_slow"),
     row("a unit left out", with_set("bearing.rim.height=70"), 2, "did you mean \"height_mm\"?"),
     row("metres for millimetres", with_set("bearing.rim.height_mm=0.07"), 2, "leaves the rim's top at z =", "below the slider's bottom"),
     row("a negative thickness", with_set("bearing.rim.thickness_mm=-50"), 2, "must be > 0"),

@@ -171,7 +171,10 @@ TEST(Mounts, ASocketRubsAsByBranches) {
 }
 
 TEST(Mounts, CoulombsFrictionUnderABuildingIsTheOneOfOneBearing) {
-  for (const char *own : {"", "mu_slow = 0.03\nrate_s_per_m = 20.0\n", "impact_law = \"elastoplastic\"\n"}) {
+  // By pressure and temperature too: the pad carries 11 MPa.
+  constexpr const char *measured =
+      "mu_slow = 0.03\nrate_s_per_m = 20.0\nmu_reference_pressure_MPa = 5.0\nmu_by_temperature = true\n";
+  for (const char *own : {"", "mu_slow = 0.03\nrate_s_per_m = 20.0\n", "impact_law = \"elastoplastic\"\n", measured}) {
     const auto s = struck(own);
     const auto whole = simulate(block(), s).summary;
     const auto one = reduced::simulate(s).summary;

@@ -39,8 +39,8 @@ class Words(unittest.TestCase):
 
     def test_every_key_of_the_sources_is_listed(self):
         text = ""
-        for name in ("scene/bearing_keys", "scene/scene_keys", "scene/double_concave_keys", "scene/superstructure", "impact_laws/kelvin_voigt",
-                     "impact_laws/hunt_crossley", "impact_laws/elastoplastic", "impact_laws/pushed_curve"):
+        for name in ("scene/bearing_keys", "scene/scene_keys", "scene/double_concave_keys", "scene/measured_friction", "scene/bounds", "scene/superstructure",
+                     "impact_laws/kelvin_voigt", "impact_laws/hunt_crossley", "impact_laws/elastoplastic", "impact_laws/pushed_curve"):
             with open(os.path.join(SOURCE, name + ".cc"), encoding="utf-8") as file:
                 text += file.read()
         names = set(re.findall(r'v\.\w+\(\{"(\w+)"', text))

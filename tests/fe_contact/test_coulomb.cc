@@ -47,6 +47,18 @@ TEST(Coulomb, DoesNotDependOnTheFrame) {
   EXPECT_TRUE((Q * a.traction).isApprox(b.traction, 1e-12));
 }
 
+/// 0.7^(0.02 (p - p0)) at the point's own pressure; the slipping traction's derivative by the gap is that of mu(p) p.
+TEST(Coulomb, FrictionFollowsThePressureAtThePoint) {
+  const CoulombContact pad{2e9, 1e9, {0.10, 0.10, 0, 20e6}};
+  const auto limit = [&](double pressure) {
+    const auto r = pad.at<double>(-pressure / 2e9, Vector3d::UnitZ(), Vector3d(1, 0, 0), 0, Vector3d::Zero(), 0.1);
+    EXPECT_EQ(r.status, ContactStatus::slip);
+    return r.friction.norm();
+  };
+  for (const double p : {1e6, 20e6, 80e6}) EXPECT_NEAR(limit(p) / p, 0.10 * std::pow(0.7, 0.02e-6 * (p - 20e6)), 1e-12);
+  EXPECT_NEAR((limit(40e6 + 1) - limit(40e6 - 1)) / 2, (1 + 0.8 * std::log(0.7)) * 0.10 * std::pow(0.7, 0.4), 1e-8);
+}
+
 TEST(Coulomb, FrictionFollowsTheSpeedOfSlip) {
   const CoulombContact teflon{2e9, 1e9, {0.10, 0.04, 20}};
   for (const double speed : {0.0, 0.01, 0.1, 1.0}) {

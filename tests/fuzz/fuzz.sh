@@ -21,7 +21,7 @@ flags=(-std=c++20 -g -O1 -fsanitize=fuzzer-no-link,address,undefined -fno-saniti
   -DRIMPACT_VERSION="\"fuzz\"" -I"$root" -I"$build/responses/generated"
   -isystem /usr/include/eigen3 -isystem /usr/include/hdf5/serial)
 objects=()
-for source in "$root"/{files,records,impact_laws,scene,responses}/*.cc "$root"/calibration/{data/mapping,fit/run_facts}.cc "$root"/meshes/mesh_kind.cc "$root"/tests/fuzz/fuzz_readers.cc; do
+for source in "$root"/{files,records,friction_laws,impact_laws,scene,responses}/*.cc "$root"/calibration/{data/mapping,fit/run_facts}.cc "$root"/meshes/mesh_kind.cc "$root"/tests/fuzz/fuzz_readers.cc; do
   object=$folder/$(basename "$(dirname "$source")")_$(basename "$source" .cc).o
   [ "$object" -nt "$source" ] || clang++ "${flags[@]}" -c "$source" -o "$object"
   objects+=("$object")

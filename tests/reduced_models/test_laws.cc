@@ -1,7 +1,6 @@
 // Laws as pure values: forces against formulas, derivatives against differences.
 #include "files/error.h"
 #include "impact_laws/catalogue.h"
-#include "reduced_models/friction_law.h"
 #include "reduced_models/rigid_body/rim_memory.h"
 #include "scenes.h"
 #include <Eigen/Geometry>
@@ -124,44 +123,6 @@ TEST(ImpactLaws, DampingOfTheThesis) {
   EXPECT_THROW(damping_ratio(std::nan("")), InputError);
 }
 
-TEST(FrictionCoefficient, VelocityLawAndSlope) {
-  const FrictionCoefficient law{0.03, 0.08, 20};
-  EXPECT_DOUBLE_EQ(law.at(0).value, 0.03);
-  EXPECT_NEAR(law.at(0.1).value, 0.08 - 0.05 * std::exp(-2.0), 1e-15);
-  EXPECT_NEAR(law.at(10).value, 0.08, 1e-12);
-  EXPECT_NEAR(law.at(0.1).slope, (law.at(0.1 + 1e-6).value - law.at(0.1 - 1e-6).value) / 2e-6, 1e-8);
-  const FrictionCoefficient constant{0.07, 0.07, std::nan("")}; // the rate must not matter
-  EXPECT_EQ(constant.at(0.3).value, 0.07);
-  EXPECT_NO_THROW(constant.validate());
-}
-
-TEST(FrictionCoefficient, RefusesWithNumbers) {
-  try {
-    FrictionCoefficient{0.12, 0.08, 20}.validate();
-    FAIL();
-  } catch (const InputError &e) {
-    EXPECT_NE(std::string(e.what()).find("mu_slow 0.120000 exceeds mu_fast 0.080000"), std::string::npos);
-  }
-  EXPECT_THROW((FrictionCoefficient{-0.1, 0.08, 20}.validate()), InputError);
-  EXPECT_THROW((FrictionCoefficient{0.05, 0.08, 0}.validate()), InputError);
-}
-
-TEST(ParkWen, StaysInTheUnitDiscAndIsRotationInvariant) {
-  Eigen::Vector2d eta = Eigen::Vector2d::Zero();
-  const double q = 1e-4, dt = 1e-6;
-  for (int i = 0; i < 20000; ++i) {
-    const double t = i * dt;
-    eta += dt * park_wen_rate(eta, {0.3 * std::cos(300 * t), 0.2 * std::sin(500 * t)}, q);
-    ASSERT_LE(eta.norm(), 1 + 1e-3); // explicit Euler overshoots
-  }
-  const Eigen::Rotation2D<double> turn(0.7);
-  const Eigen::Vector2d v(0.2, -0.1), e(0.3, 0.5);
-  EXPECT_NEAR((park_wen_rate(turn * e, turn * v, q) - turn * park_wen_rate(e, v, q)).norm(), 0, 1e-10);
-  // steady sliding: along the velocity
-  for (int i = 0; i < 20000; ++i) eta += dt * park_wen_rate(eta, v, q);
-  EXPECT_NEAR((eta - v.normalized()).norm(), 0, 1e-9);
-}
-
 TEST(SmoothedFriction, DerivativeAgreesWithDifferencesAndTendsToCoulomb) {
   for (const bool socket : {false, true}) {
     scene::Scene s = reduced::testing::ricker();
@@ -180,6 +141,7 @@ TEST(SmoothedFriction, DerivativeAgreesWithDifferencesAndTendsToCoulomb) {
       EXPECT_NEAR((f.d_velocity.col(j) - slope).norm(), 0, 1e-3 * f.d_velocity.norm()) << j;
       EXPECT_NEAR((f.d_velocity.col(j) - slope).norm(), 0, 2.0) << j;
     }
+    EXPECT_NEAR((8e5 * f.d_normal - f.force).norm(), 0, 1e-6 * f.force.norm());
     EXPECT_LT(f.force.dot(v), 0);
     // sharp: the sliding force of the model itself
     BearingState state;

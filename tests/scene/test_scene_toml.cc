@@ -93,7 +93,7 @@ TEST(SceneToml, ErrorsNameFileLineColumnAndBound) {
          {"my.toml:3", "excitation.amplitude_m", "0.7", "0.5625"});
   refuse("[excitation]\nkind = 'free'\ndisplacement_m = [0.5, 0]\n", {"my.toml:3", "0.5", "0.4"});
   refuse("[excitation]\nkind = 'record'\nx = 'builtin:near-falt-x'\n", {"my.toml:3", "did you mean"});
-  refuse("[reduced]\nmu = 0.05\n", {"my.toml:2:1", "unknown key \"mu\" in [reduced]", "mu_fast, mu_slow"});
+  refuse("[reduced]\nmu = 0.05\n", {"my.toml:2:1", "unknown key \"mu\" in [reduced]", "mu_fast", "mu_slow"});
   refuse("[load]\nqqqqqq = 1\n", {"known: gravity_m_per_s2, mass_kg, vertical_kN"});
   refuse("[load]\nvertical_kN = 2000,5\n", {"my.toml:2:", "decimals follow a point: 2000.5"});
   refuse("bearing = 'own.toml'\n", {"my.toml:1:11", "the line [bearing] and under it the line file = \"own.toml\""});
