@@ -13,6 +13,7 @@
 #include <sstream>
 #include <thread>
 #include <unistd.h>
+#include <utility>
 
 namespace rimpact::app {
 namespace {
@@ -69,7 +70,7 @@ void make_runs_folder(const std::string &folder) {
 
 void require_done(const std::vector<Job> &jobs) {
   for (const auto &job : jobs)
-    if (!job.done) throw SolverStopped(job.name + " did not end well: " + job.failure);
+    if (!job.done && !job.left_out) throw SolverStopped(job.name + " did not end well: " + job.failure);
 }
 
 bool is_done(const Job &job) {
@@ -107,11 +108,12 @@ JobRunner::JobRunner(std::vector<Job> &jobs, Console &console, std::size_t at_on
   static_cast<void>(fe_program()); // before the first run, so that nothing is begun without it
 }
 
-void JobRunner::run() {
+void JobRunner::run(const std::function<void(std::vector<Job> &)> &on_end) {
   while (next_ < jobs_.size() || !children_.empty()) {
     if (interrupted()) stop_all();
-    while (next_ < jobs_.size() && children_.size() < at_once_) start_next();
     collect();
+    if (std::exchange(ended_, false) && on_end) line_.finish(), on_end(jobs_);
+    while (next_ < jobs_.size() && children_.size() < at_once_ && !ended_) start_next();
     show_progress();
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
   }
@@ -120,11 +122,16 @@ void JobRunner::run() {
 
 void JobRunner::start_next() {
   Job &job = jobs_[next_++];
+  if (job.left_out) {
+    time_of(job).state = RunTime::State::out;
+    return;
+  }
+  job.begun = true;
   const KeptRun kept = kept_in(job);
   if (is_done(kept)) {
     job.done = job.reused = true;
     time_of(job).state = RunTime::State::out;
-    ++finished_;
+    ++finished_, ended_ = true;
     console_.message(job.name + ": already done, kept");
     return;
   }
@@ -174,7 +181,7 @@ void JobRunner::collect() {
 }
 
 void JobRunner::finish(Job &job, int code) {
-  ++finished_;
+  ++finished_, ended_ = true;
   line_.finish();
   job.done = code == 0 && is_done(job);
   time_of(job).state = job.done ? RunTime::State::finished : RunTime::State::out;

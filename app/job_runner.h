@@ -4,6 +4,7 @@
 #include "app/main_jobs.h"
 #include "app/progress.h"
 #include "app/time_to_go.h"
+#include <functional>
 #include <nlohmann/json.hpp>
 
 namespace rimpact::app {
@@ -18,7 +19,8 @@ public:
   /// only. Jobs done with the same scene are kept, interrupted and killed ones go on from their checkpoint. A failing
   /// one does not lose the others; its sentence is in Job::failure. On Ctrl-C the children are told, write their
   /// checkpoints, and an Error of exit code 130 is thrown.
-  void run();
+  /// After runs have ended `on_end` is called, if there is one: it may leave out jobs that are not begun.
+  void run(const std::function<void(std::vector<Job> &)> &on_end = {});
 
   double expected_seconds() const { return time_to_go(times_, at_once_); } ///< of what is left
 
@@ -42,6 +44,7 @@ private:
   std::vector<Job> &jobs_;
   Console &console_;
   std::size_t at_once_, next_ = 0, finished_ = 0;
+  bool ended_ = false; ///< a run, since on_end was called
   std::vector<Child> children_;
   std::vector<RunTime> times_; ///< by job
   ProgressLine line_;
@@ -51,7 +54,7 @@ private:
 /// The folders of a study's runs and of their logs; throws IoError when they cannot be made.
 void make_runs_folder(const std::string &folder);
 
-/// Throws SolverStopped naming the first job that did not end well.
+/// Throws SolverStopped naming the first job that did not end well and is not left out.
 void require_done(const std::vector<Job> &jobs);
 
 /// Versions of the libraries the finite-element program uses (`version --json`), kept in `folder`. Warns when

@@ -3,7 +3,10 @@
 #include "files/error.h"
 #include "planning/plan_parts.h"
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <functional>
+#include <limits>
 #include <set>
 
 namespace rimpact::app {
@@ -52,6 +55,7 @@ std::vector<Job> twins_of(const std::vector<Job> &jobs, const std::string &folde
     if (job.role == JobRole::window &&
         planning::depth_of_impact(job.scene, job.scene.excitation.speed) < job.scene.bearing.rim.thickness)
       windows.push_back(&job);
+  std::ranges::sort(windows, std::greater(), [](const Job *job) { return job->scene.excitation.speed; });
   std::vector<Job> result;
   for (const std::size_t k : std::set<std::size_t>{0, windows.size() / 2, windows.size() - 1}) {
     if (k >= windows.size()) continue;
@@ -63,6 +67,22 @@ std::vector<Job> twins_of(const std::vector<Job> &jobs, const std::string &folde
     result.back().scene.name = name;
   }
   return result;
+}
+
+/// From 0, the largest, on: each the farthest from those before it, by the logarithm.
+std::vector<double> spread(std::vector<double> speeds) {
+  std::sort(speeds.rbegin(), speeds.rend());
+  const auto distance = [&](std::size_t n, double speed) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < n; ++k) least = std::min(least, std::abs(std::log(speeds[k] / speed)));
+    return least;
+  };
+  for (std::size_t n = 1; n < speeds.size(); ++n) {
+    const auto next = std::max_element(speeds.begin() + n, speeds.end(),
+                                       [&](double a, double b) { return distance(n, a) < distance(n, b); });
+    std::rotate(speeds.begin() + n, next, next + 1);
+  }
+  return speeds;
 }
 
 } // namespace
@@ -81,6 +101,13 @@ MainJobs main_jobs(const MainTarget &target, const MainChoices &choices, const s
     scene.validate();
     result.jobs.push_back({.name = name, .role = role, .scene = std::move(scene), .folder = folder + "/runs/" + name});
   };
+  for (const double speed : spread(choices.speeds)) {
+    const std::string name = "window-" + in_a_name(speed);
+    if (std::ranges::any_of(result.jobs, [&](const Job &job) { return job.name == name; }))
+      throw InputError(
+          fmt::format("--speeds: {:g} m/s stands there twice, to the four decimals of a run's name", speed));
+    add(name, JobRole::window, for_target("impact-window", target, fmt::format("excitation.speed_m_per_s={}", speed)));
+  }
   constexpr const char *pulses[] = {"ricker-0.78g-1.0s", "ricker-0.38g-1.5s"};
   std::vector<PulseScales> scales;
   if (!choices.windows_only)
@@ -98,18 +125,17 @@ MainJobs main_jobs(const MainTarget &target, const MainChoices &choices, const s
       add(fmt::format("{}-x{}", pulses[p], text), fitted ? JobRole::fit : JobRole::predict,
           for_target(pulses[p], target, "excitation.scale=" + text));
     }
-  auto speeds = choices.speeds;
-  std::sort(speeds.rbegin(), speeds.rend());
-  for (const double speed : speeds) {
-    const std::string name = "window-" + in_a_name(speed);
-    if (!result.jobs.empty() && result.jobs.back().name == name)
-      throw InputError(
-          fmt::format("--speeds: {:g} m/s stands there twice, to the four decimals of a run's name", speed));
-    add(name, JobRole::window, for_target("impact-window", target, fmt::format("excitation.speed_m_per_s={}", speed)));
-  }
   if (choices.twins.value_or(!target.built_in) && target.scene.bearing.steel.yield)
     for (Job &twin : twins_of(result.jobs, folder)) result.jobs.push_back(std::move(twin));
   return result;
+}
+
+void sort_for_tables(std::vector<Job> &jobs) {
+  const auto place = [](const Job &job) {
+    const bool window = job.role == JobRole::window;
+    return std::pair(job.role == JobRole::twin ? 2 : window ? 1 : 0, window ? -job.scene.excitation.speed : 0.0);
+  };
+  std::ranges::stable_sort(jobs, {}, place);
 }
 
 } // namespace rimpact::app

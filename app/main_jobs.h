@@ -22,7 +22,8 @@ struct Job {
   JobRole role;
   scene::Scene scene;
   std::string folder; ///< DIR/runs/NAME; of a twin DIR/twins/NAME
-  bool done = false, reused = false;
+  bool begun = false, done = false, reused = false;
+  bool left_out = false;    ///< the runner does not begin it
   std::string failure = {}; ///< the run's own sentence
   bool reduced = false;     ///< by the reduced model, else by finite elements
 };
@@ -36,7 +37,7 @@ struct MainChoices {
 };
 
 struct MainJobs {
-  std::vector<Job> jobs;             ///< pulses, then windows, longest first
+  std::vector<Job> jobs;             ///< in the order in which they are begun
   std::vector<std::string> left_out; ///< pulses that cannot be run, a sentence each
 };
 
@@ -44,9 +45,13 @@ struct MainJobs {
 scene::StrainRate fast_rate(const scene::Material &steel);
 /// Windows over speed and both Ricker pulses, at the target's load and with its settings. shfps-225 as the thesis has
 /// it keeps the thesis's scales, 1.0 (predicted), 1.05 and 1.10 (fitted), unless `pulse_speeds` are given; of any other
-/// bearing or load they are chosen by pulse_scales(). Last come the
-/// twins of the fastest, the middle and the slowest window, with the other steel. Throws InputError for a speed out of
-/// its range or given twice.
+/// bearing or load they are chosen by pulse_scales(). Windows come first, the fastest and then each the farthest (of
+/// the speeds' logarithms) from those before it, so that few of them span the speeds; then the pulses, the hardest
+/// first; last the twins of the fastest, the middle and the slowest window, with the other steel. Throws InputError for
+/// a speed out of its range or given twice.
 MainJobs main_jobs(const MainTarget &target, const MainChoices &choices, const std::string &folder);
+
+/// As they stand in tables: pulses, windows with the fastest first, twins.
+void sort_for_tables(std::vector<Job> &jobs);
 
 } // namespace rimpact::app

@@ -194,7 +194,8 @@ MainResults make_results(const MainTarget &target, const std::vector<Job> &all, 
                   {"totals", {{"wall_time_s", context.seconds}, {"peak_memory_bytes", memory}}},
                   {"versions", context.versions},
                   {"machine", machine()},
-                  {"warnings", warnings}};
+                  {"warnings", warnings},
+                  {"until", context.until}};
   if (fitted) results.main["parameters"] = calibration::to_json(*fitted)["parameters"];
   if (answer.is_object()) results.main["answer"] = answer;
   write_atomically(json_text(results.main), folder + "/main.json");

@@ -18,7 +18,7 @@ struct MainContext {
   std::string folder;
   std::vector<std::string> laws = {};     ///< ranked on all runs to fit
   std::vector<std::string> warnings = {}; ///< said before the runs
-  nlohmann::json versions = {}, document = {};
+  nlohmann::json versions = {}, document = {}, until = {};
   double seconds = 0; ///< [s] spent so far
 };
 

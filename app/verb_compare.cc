@@ -8,7 +8,6 @@
 #include "files/file.h"
 #include "files/json_text.h"
 #include "scene/scene.h"
-#include <cmath>
 #include <fmt/format.h>
 #include <optional>
 

@@ -1,6 +1,7 @@
 // rimpact main: from a bearing to its impact law, with a report.
 #include "app/calibrate_options.h"
 #include "app/document_options.h"
+#include "app/early_answer.h"
 #include "app/folder_claim.h"
 #include "app/job_runner.h"
 #include "app/main_results.h"
@@ -17,7 +18,8 @@ namespace rimpact::app {
 namespace {
 
 struct MainOptions {
-  std::string target = "shfps-225", folder = "results/main", laws = "signed,no-tension,elastoplastic", pulse_speeds;
+  std::string target = "shfps-225", folder = "results/main", laws = "signed,no-tension,elastoplastic", pulse_speeds,
+              until;
   MainChoices choices;
   std::size_t at_once = 0;
   bool dry_run = false;
@@ -32,6 +34,16 @@ SpeedRange speed_range(const std::string &text) {
     throw InputError(
         fmt::format("--pulse-speeds {} must be LOW:HIGH in m/s with 0 < LOW < HIGH <= 100, e.g. 0.05:0.6", text));
   return range;
+}
+
+/// A share, of per cent with or without their sign.
+double share_of_percent(std::string text) {
+  const std::string typed = text;
+  if (text.ends_with('%')) text.pop_back();
+  const auto value = to_number(text);
+  if (!value || !(*value > 0 && *value <= 100))
+    throw InputError(fmt::format("--until {} must be a number of per cent above 0, up to 100, e.g. 5%", typed));
+  return *value / 100;
 }
 
 /// What would run, and how long it takes.
@@ -55,12 +67,32 @@ void print_plan(const MainTarget &target, const MainJobs &jobs, std::size_t at_o
   console.data(console.json ? json_text(table) : text);
 }
 
+/// The runs that are wanted: those left out are taken out of `jobs`, the others are put as they stand in tables.
+void make_runs(JobRunner &runner, std::vector<Job> &jobs, EarlyAnswer &early, MainContext &context) {
+  watch_interrupts();
+  runner.run([&](std::vector<Job> &all) { early(all); });
+  std::erase_if(jobs, [](const Job &job) { return job.left_out; });
+  if (!early.left_out().empty()) context.warnings.push_back(early.left_out());
+  sort_for_tables(jobs);
+  context.until = early.to_json();
+}
+
+/// Throws InputError where the error asked for cannot be had.
+std::optional<double> wished_error(const MainOptions &options, const std::vector<std::string> &laws) {
+  if (options.until.empty()) return {};
+  const double until = share_of_percent(options.until);
+  if (laws.empty())
+    throw InputError("--until asks for windows left out of the fit, and --laws none ranks no law by them");
+  return until;
+}
+
 void run_main(MainOptions options, Console &console) {
   const auto begin = std::chrono::steady_clock::now();
   const auto spent = [&] { return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(); };
   if (!options.pulse_speeds.empty()) options.choices.pulse_speeds = speed_range(options.pulse_speeds);
   MainContext context{
       .folder = options.folder, .laws = laws_named(options.laws), .document = document_json(options.document)};
+  EarlyAnswer early(options.folder, context.laws, wished_error(options, context.laws), console);
   const MainTarget target = main_target(options.target, console.settings());
   auto [jobs, left_out] = main_jobs(target, options.choices, options.folder);
   context.warnings = target.warnings;
@@ -77,8 +109,7 @@ void run_main(MainOptions options, Console &console) {
   console.message(target.head() +
                   fmt::format("{} runs, {} at a time: {}", jobs.size(), at_once, about(runner.expected_seconds())));
 
-  watch_interrupts();
-  runner.run();
+  make_runs(runner, jobs, early, context);
   context.seconds = spent();
   MainResults results = make_results(target, jobs, context, console);
   const int code = python({"report", options.folder});
@@ -116,6 +147,9 @@ void add_main(CLI::App &app, Console &console) {
   verb->add_option("--pulse-speeds", options->pulse_speeds,
                    "LOW:HIGH [m/s], speeds at the rim for which the pulses' scales are chosen (0.05:0.6 for a bearing "
                    "or load of yours)");
+  verb->add_option("--until", options->until,
+                   "per cent, e.g. 5%: begin no further window or pulse once peak force and rebound of windows left "
+                   "out of the fit are met so well");
   verb->add_option("--jobs", options->at_once, "runs at a time (default: the cores this process may use)")
       ->check(CLI::Range(1, 256));
   verb->add_flag("--dry-run", options->dry_run, "list the runs and the time they take, and stop");

@@ -21,7 +21,7 @@ class Importing(unittest.TestCase):
         version = found(r"^project\(rimpact VERSION (\S+) ", "CMakeLists.txt")
         self.assertEqual(rimpact.__version__, version)
         self.assertEqual(found(r"^version: (\S+)$", "CITATION.cff"), version)
-        self.assertEqual(found(r"^## (\d\S+)$", "CHANGELOG.md"), version)
+        self.assertEqual(found(r"^## (\d\S+) \(\d{4}-\d\d-\d\d\)$", "CHANGELOG.md"), version)
         said = subprocess.run([COMMAND, "--version"], capture_output=True, text=True, check=True).stdout
         self.assertEqual(said, f"rimpact {version}\n")
 
