@@ -10,6 +10,7 @@ struct ExportOptions {
   std::string folder, out, law, scene;
   std::optional<double> mass, load; ///< [kg], [kN]
   bool opensees = false, sap2000 = false, etabs = false, csv = false;
+  bool anyway = false; ///< the whole bearing also where its self-check refuses it
 };
 
 struct ExportScene {

@@ -8,9 +8,11 @@
 #include "files/file.h"
 #include "responses/build_version.h"
 #include "responses/response.h"
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <tuple>
 
 namespace rimpact::app {
 namespace {
@@ -53,54 +55,59 @@ std::vector<std::string> header(const Console &console) {
   return {console.command(), build_version()};
 }
 
-std::string refusal_of(const SelfCheck &check) {
-  return fmt::format(
-      "The rim only: the whole bearing is refused, for under pulses its peak force differs by {:.0f} % "
-      "from the model's, more than {:.0f} %. Its dish is too far from an ellipsoid, or its springs from the law.",
-      100 * check.pulses->worst_judged(), 100 * PulseCheck::refused);
-}
-
-/// What one export writes, and how far each form is from law and model.
-struct Exported {
-  std::vector<std::pair<std::string, std::string>> files; ///< name, text
-  std::vector<SelfCheck> checks;
-  bool refused = false; ///< a whole bearing, for what it does under pulses
-};
-
 using Head = std::vector<std::string>;
 
-void add_opensees(Exported &out, const ExportedRim &rim, const std::optional<ExportScene> &bearing, Head head,
-                  Console &console) {
-  auto springs = calibration::opensees_rim(rim);
-  std::optional<Dish> dish;
-  if (bearing) {
-    dish = bearing->dish;
-    springs.check.pulses = pulse_check(bearing->scene, rim, flown_bearing(rim, springs, *dish));
-    if (springs.check.pulses->worst_judged() > PulseCheck::refused) {
-      head.push_back(refusal_of(springs.check)), dish.reset(), out.refused = true;
-      console.warn(head.back());
-    }
-  }
-  out.files.emplace_back("impact.tcl", calibration::opensees_tcl(rim, springs, dish, head));
-  out.files.emplace_back("impact.py", calibration::opensees_python(rim, springs, dish, head));
+/// What one export is asked for, what it writes, and how far each form is from law and model.
+struct Exported {
+  const ExportOptions &options;
+  const ExportedRim &rim;
+  const std::optional<ExportScene> &bearing;
+  Head head;
+  Console &console;
+  std::vector<std::pair<std::string, std::string>> files = {}; ///< name, text
+  std::vector<SelfCheck> checks = {};
+};
+
+/// The dish for the file, flown with the rim `with`; none, with a line in the head, where its pulses refuse it.
+template <class Rim> std::optional<Dish> flown_dish(Exported &out, Rim &with, const char *why, Head &head) {
+  if (!out.bearing) return {};
+  const Dish &dish = out.bearing->dish;
+  PulseCheck &pulses =
+      with.check.pulses.emplace(pulse_check(out.bearing->scene, out.rim, flown_bearing(out.rim, with, dish)));
+  pulses.written = out.options.anyway || !pulses.refuses();
+  if (pulses.written) return dish;
+  head.push_back(fmt::format("The rim only: the whole bearing is refused, for under pulses its peak force differs by "
+                             "{:.0f} % from the model's, more than {:.0f} %. {} --anyway writes it all the same.",
+                             100 * pulses.worst_judged(), 100 * PulseCheck::refused, why));
+  out.console.warn(head.back());
+  return {};
+}
+
+void add_opensees(Exported &out) {
+  Head head = out.head;
+  auto springs = calibration::opensees_rim(out.rim);
+  const auto dish =
+      flown_dish(out, springs, "Its dish is too far from an ellipsoid, or its springs from the law.", head);
+  out.files.emplace_back("impact.tcl", calibration::opensees_tcl(out.rim, springs, dish, head));
+  out.files.emplace_back("impact.py", calibration::opensees_python(out.rim, springs, dish, head));
   out.checks.push_back(springs.check);
 }
 
-void add_csi(Exported &out, const ExportedRim &rim, const std::optional<ExportScene> &bearing, const Head &head,
-             const ExportOptions &options) {
-  auto links = calibration::csi_rim(rim);
-  std::optional<Dish> dish;
-  if (bearing) {
-    dish = bearing->dish;
-    links.check.pulses = pulse_check(bearing->scene, rim, flown_bearing(rim, links, *dish));
-  }
-  if (options.sap2000) out.files.emplace_back("bearing.s2k", calibration::sap2000(rim, links, dish, head));
-  if (options.etabs) out.files.emplace_back("bearing.e2k", calibration::etabs(rim, links, dish, head));
-  out.files.emplace_back("rim-link.csv", calibration::link_csv(rim, links, dish, head));
+void add_csi(Exported &out) {
+  Head head = out.head;
+  auto links = calibration::csi_rim(out.rim);
+  const auto dish = flown_dish(out, links,
+                               "The slider of links stays in its plane, where the bearing's rises: fly the bearing in "
+                               "OpenSees, and take here the rim alone.",
+                               head);
+  if (out.options.sap2000) out.files.emplace_back("bearing.s2k", calibration::sap2000(out.rim, links, dish, head));
+  if (out.options.etabs) out.files.emplace_back("bearing.e2k", calibration::etabs(out.rim, links, dish, head));
+  out.files.emplace_back("rim-link.csv", calibration::link_csv(out.rim, links, dish, head));
   out.checks.push_back(links.check);
 }
 
-void write(const Exported &out, const ExportOptions &options, json table, Console &console) {
+void write(const Exported &out, json table) {
+  const auto &[options, console] = std::tie(out.options, out.console);
   std::error_code failure;
   fs::create_directories(options.out, failure);
   if (failure) throw IoError(fmt::format("{}: {}", options.out, failure.message()));
@@ -144,16 +151,18 @@ void export_to(const ExportOptions &options, const json &calibration, Console &c
     head.push_back("The rim only: the bearing's dish is not known here. Give it with --scene SCENE_OR_BEARING.");
     console.warn(head.back());
   }
-  Exported out;
-  if (options.opensees) add_opensees(out, rim, bearing, head, console);
-  if (options.sap2000 || options.etabs) add_csi(out, rim, bearing, head, options);
+  Exported out{.options = options, .rim = rim, .bearing = bearing, .head = head, .console = console};
+  if (options.opensees) add_opensees(out);
+  if (options.sap2000 || options.etabs) add_csi(out);
   if (options.csv) out.files.emplace_back("law.csv", calibration::law_csv(rim, head));
+  const bool whole = bearing && std::all_of(out.checks.begin(), out.checks.end(),
+                                            [](const auto &check) { return check.pulses && check.pulses->written; });
   const json table = {{"law", rim.law().name},
                       {"mass_kg", rim.mass},
                       {"from_m_s", rim.from},
                       {"to_m_s", rim.to},
-                      {"whole_bearing", bearing.has_value() && !out.refused}};
-  write(out, options, table, console);
+                      {"whole_bearing", whole}};
+  write(out, table);
   if (const std::string twin = twin_folder(calibration); !twin.empty() && options.law.empty())
     export_twin(options, twin, console);
 }
@@ -188,6 +197,8 @@ void add_export(CLI::App &app, Console &console) {
                    "dead load W of the bearing [kN]; default: the calibration's, or m g of --mass");
   verb->add_option("--scene", options->scene,
                    "scene or bearing with the dish and its friction; default: that of a fitted run");
+  verb->add_flag("--anyway", options->anyway,
+                 "the whole bearing also where its self-check refuses it, with its differences as doubts");
   console.add_common(*verb);
   console.add_json(*verb);
   verb->callback([options, &console] {

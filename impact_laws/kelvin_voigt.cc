@@ -28,12 +28,13 @@ std::vector<std::pair<std::string, double>> spring_and_dashpot(const RimElement 
   return {{"stiffness_N_per_m", r.stiffness}, {"damping_N_s_per_m", r.damping}};
 }
 
-OpenSeesMaterial viscoelastic_gap(const RimElement &r) {
+OpenSeesMaterial dashpot_behind_a_gap(const RimElement &r) {
   return {.material = RimMaterial::viscoelastic_gap,
           .numbers = {{"k_i", r.stiffness, "N/m"}, {"c_i", r.damping, "N s/m, 2 xi sqrt(k_i m1), m2 infinite"}},
-          .notes = {r.law->unilateral ? "Rim: ViscoelasticGap pulls just before release, which the law does not: it "
-                                        "returns e exactly, the law more (below)."
-                                      : "Rim: ViscoelasticGap is the law itself; it pulls just before release.",
+          .notes = {r.law->unilateral
+                        ? "Rim: a gap that only presses, in series with spring and dashpot: it never pulls, "
+                          "as the law (ViscoelasticGap would)."
+                        : "Rim: ViscoelasticGap is the law itself; it pulls just before release.",
                     "rim_springs: two along x, blind to y: OpenSees has no round gap with a dashpot. Turn x along the "
                     "motion, or export a law of the rim (elastoplastic)."}};
 }
@@ -53,7 +54,7 @@ ImpactLaw pair_law(const char *name, const char *description) {
           .needs = {"k_i_kN_per_m", "restitution"},
           .prepare = set_damping,
           .numbers = spring_and_dashpot,
-          .opensees = viscoelastic_gap,
+          .opensees = dashpot_behind_a_gap,
           .csi = CsiLink::linear};
 }
 

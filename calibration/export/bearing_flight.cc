@@ -38,18 +38,21 @@ private:
     return d.is_coulomb() ? fast : fast - (fast - slow) * std::exp(-d.rate * std::abs(v));
   }
   bool rides() const { return b_.slider == Slider::rides; }
-  double table(double r) const {
+  /// Restoring force that is not the rider's [N], under the vertical load `now`.
+  double restores(double r, double now) const {
     const Dish &d = *b_.dish;
-    if (rides()) return d.left_at(r);
-    return d.sphere ? r / d.radius : d.slope_at(r);
+    if (rides()) return b_.weight * d.left_at(r);
+    return d.sphere ? now * r / d.radius : b_.weight * d.slope_at(r);
   }
   double acceleration(double t, double u, double v) const {
-    const double r = std::abs(u), side = u < 0 ? -1 : 1, ground = ground_.acceleration(t).x();
+    const double r = std::abs(u), side = u < 0 ? -1 : 1;
+    const Eigen::Vector3d ground = ground_.acceleration(t);
+    const double now = std::max(0.0, b_.weight + b_.mass * ground.z());
     const double p = rides() ? b_.dish->rider.slope(u) : 0, bend = rides() ? b_.dish->rider.curvature(u) : 0;
     const double rises = rides() ? b_.dish->rises * std::abs(p) * now_.rise : 0;
     const double push = p + mu(v) * now_.friction;
-    const double rest = b_.weight * (side * table(r) + rises) + side * rim_force(side, r - b_.capacity, side * v);
-    return (-(b_.weight + b_.mass * bend * v * v) * push - rest - b_.mass * ground) / (b_.mass * (1 + p * push));
+    const double rest = side * restores(r, now) + b_.weight * rises + side * rim_force(side, r - b_.capacity, side * v);
+    return (-(now + b_.mass * bend * v * v) * push - rest - b_.mass * ground.x()) / (b_.mass * (1 + p * push));
   }
   double rim_force(double side, double d, double rate) const {
     const auto &rim = rims_[side > 0];

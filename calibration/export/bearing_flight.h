@@ -1,10 +1,11 @@
-/// An exported bearing under a ground motion along x, as the target program integrates it: dish, friction and rim of
-/// the file, not of the model. An integrator of its own, apart from the reduced models'.
+/// An exported bearing under a ground motion along x and z, as the target program integrates it: dish, friction and rim
+/// of the file, not of the model. An integrator of its own, apart from the reduced models'.
 ///
-///   m (1 + p Q) u'' = -(W + m p' u'^2) Q - R - m a_g,   N = W + m (p u'' + p' u'^2),
+///   m (1 + p Q) u'' = -(V + m p' u'^2) Q - R - m a_gx,   N = V + m (p u'' + p' u'^2),   V = W + m a_gz >= 0,
 ///
 /// with p the slope of what the slider rides on, Q its horizontal push per N (slope and friction), and R what does not
-/// follow N: the table, the friction against the rise, the rim. A flat slider has p = 0: N = W.
+/// follow N: the table, the friction against the rise, the rim. A flat slider has p = 0: N = V; a sphere's restoring
+/// force V r / R follows it, a table's W h' does not.
 #pragma once
 #include "calibration/export/contact.h"
 #include "calibration/export/dish.h"

@@ -3,7 +3,9 @@
 #include "reduced_models/physical_model.h"
 #include "scene/stack_terms.h"
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <numbers>
 
 namespace rimpact::calibration {
 
@@ -22,6 +24,21 @@ scene::Scene under_pulse(const scene::Scene &model, const char *pulse) {
   scene::Scene scene = model;
   scene.excitation = scene::load_scene(pulse).excitation;
   scene.excitation.duration = 2 * scene.excitation.period + after_pulse;
+  return scene;
+}
+
+scene::Scene with_varying_load(scene::Scene scene) {
+  constexpr double dt = 5e-3; // straight lines between are within 0.1 % of sine and pulse [s]
+  const double g = scene.load.gravity;
+  const scene::GroundMotion pulse(scene.excitation, g);
+  scene::Excitation record;
+  record.kind = scene::ExcitationKind::record, record.duration = scene.excitation.duration;
+  record.x.dt = record.z.dt = dt;
+  for (double t = 0; t < record.duration + dt; t += dt) {
+    record.x.values.push_back(pulse.acceleration(t).x());
+    record.z.values.push_back(check_vertical_g * g * std::sin(2 * std::numbers::pi * check_vertical_hz * t));
+  }
+  scene.excitation = std::move(record);
   return scene;
 }
 

@@ -13,6 +13,10 @@ scene::Scene model_of(const scene::Scene &scene, const ExportedRim &rim);
 inline constexpr std::array check_pulses{"ricker-0.78g-1.0s", "ricker-0.38g-1.5s"};
 inline constexpr std::array check_scales{1.0, 1.05, 1.1};
 scene::Scene under_pulse(const scene::Scene &model, const char *pulse);
+/// A load that varies: what the ground does up and down beside a pulse, a sine [g], [Hz].
+inline constexpr double check_vertical_g = 0.3, check_vertical_hz = 3;
+/// The scene's pulse and that sine, as a record.
+scene::Scene with_varying_load(scene::Scene scene);
 /// What the scales are multiplied with: one, where the largest of them brings the model to its rim; else 1.05 times
 /// the scale of the first touch. None: no scale does.
 std::optional<double> unit_scale(scene::Scene scene);

@@ -1,5 +1,6 @@
 #include "calibration/export/opensees.h"
 #include "calibration/export/comment.h"
+#include "calibration/export/flown_there.h"
 #include "calibration/export/opensees_dish_texts.h"
 #include "calibration/export/opensees_texts.h"
 #include <fmt/format.h>
@@ -101,15 +102,20 @@ std::string head(const ExportedRim &rim, const OpenSeesRim &r, const std::option
                  const std::vector<std::string> &header) {
   std::string text =
       comment_lines("#", header) + comment_lines("#", rim.statement) + comment_lines("#", r.material.notes);
+  if (dish && !r.springs.empty())
+    text +=
+        comment_line("#", "rimpact_bearing takes rim_round, or with along_x as its last word rim_springs: for motion "
+                          "along x they keep the dents that a second hit meets.");
   if (dish) text += comment_lines("#", dish->riding_lines(rim.vertical));
   text += comment_lines("#", r.check.lines());
   const double shortest = r.check.rows.back().spring.duration;
   text += comment_line(
       "#", fmt::format("Time step while the rim is pressed: at most {:.2g} s, a fortieth of the contact at {:.3g} m/s.",
                        shortest / 40, r.check.rows.back().speed));
-  return text + comment_line("#",
-                             "Units: N, m, s, kg. Springs and bearing were flown by rimpact's own integrator with the "
-                             "rules of OpenSees' source; rimpact's tests fly such files in OpenSees 3.7.");
+  return text + comment_line("#", FlownThere{}.sentence()) +
+         comment_line("#",
+                      "Units: N, m, s, kg. The self-check is of rimpact's own integrator with the rules of OpenSees' "
+                      "source.");
 }
 
 /// A material's numbers by name, its gap third as OpenSees takes it; none: without a gap.
@@ -130,18 +136,17 @@ std::string opensees_tcl(const ExportedRim &rim, const OpenSeesRim &r, const std
   std::string text = head(rim, r, dish, header) + rim_variables(tcl, rim, r) +
                      fmt::format("set anchor_depth 0.001;  # {}\n", anchor_comment);
   if (dish) text += dish_variables(tcl, rim, *dish);
-  if (!r.springs.empty())
-    text += tcl_springs_elastoplastic;
+  const BearingWords *whole = &tcl_bearing_one;
+  if (r.material.material == laws::RimMaterial::gap_springs)
+    text += tcl_springs_elastoplastic, whole = &tcl_bearing_either;
+  else if (r.in_series)
+    text += tcl_springs_in_series, whole = &tcl_bearing_series;
   else
     text += fmt::format(tcl_springs_one, fmt::join(numbers_with_gap(r, "", {}), " "), word(r.material.material),
                         fmt::join(numbers_with_gap(r, "$", "[expr {-$lateral_capacity}]"), " "));
   if (!dish) return text;
-  text += std::string(tcl_anchor) + tcl_rider_nodes + tcl_dish;
-  return text +
-         fmt::format(tcl_bearing,
-                     r.springs.empty()
-                         ? "rim_springs [expr {$tag + 10}] [expr {$tag + 2}] [expr {$anchor + 1}] [expr {$anchor + 2}]"
-                         : "rim_round [expr {$tag + 10}] [expr {$tag + 2}] $anchor [expr {$anchor + 2}]");
+  return text + tcl_anchor + tcl_rider_nodes + tcl_dish +
+         fmt::format(tcl_bearing, whole->says, whole->word, whole->rim);
 }
 
 std::string opensees_python(const ExportedRim &rim, const OpenSeesRim &r, const std::optional<Dish> &dish,
@@ -149,16 +154,17 @@ std::string opensees_python(const ExportedRim &rim, const OpenSeesRim &r, const 
   std::string text = head(rim, r, dish, header) + "from math import hypot\n\n" + rim_variables(python, rim, r) +
                      fmt::format("anchor_depth = 0.001  # {}\n", anchor_comment);
   if (dish) text += dish_variables(python, rim, *dish);
-  if (!r.springs.empty())
-    text += python_springs_elastoplastic;
+  const BearingWords *whole = &python_bearing_one;
+  if (r.material.material == laws::RimMaterial::gap_springs)
+    text += python_springs_elastoplastic, whole = &python_bearing_either;
+  else if (r.in_series)
+    text += python_springs_in_series, whole = &python_bearing_series;
   else
     text += fmt::format(python_springs_one, word(r.material.material),
                         fmt::join(numbers_with_gap(r, "", "-lateral_capacity"), ", "));
   if (!dish) return text;
-  text += std::string(python_anchor) + python_rider_nodes + python_dish;
-  return text + fmt::format(python_bearing, r.springs.empty()
-                                                ? "rim_springs(ops, tag + 10, tag + 2, anchor + 1, anchor + 2)"
-                                                : "rim_round(ops, tag + 10, tag + 2, anchor, anchor + 2)");
+  return text + python_anchor + python_rider_nodes + python_dish +
+         fmt::format(python_bearing, whole->word, whole->says, whole->rim);
 }
 
 } // namespace rimpact::calibration

@@ -1,5 +1,6 @@
 #include "calibration/export/opensees_rim.h"
 
+#include "calibration/export/flown_there.h"
 #include "files/error.h"
 #include <fmt/format.h>
 
@@ -14,11 +15,11 @@ double stiffest(const ExportedRim &rim, const laws::RimElement &element) {
 }
 
 /// A material with a gap, as OpenSees integrates it.
-std::unique_ptr<RimContact> contact_of(const laws::OpenSeesMaterial &material, double touch_speed) {
+std::unique_ptr<RimContact> contact_of(const laws::OpenSeesMaterial &material, double touch_speed, bool pulls) {
   const auto number = [&](int i) { return material.numbers[i].value; };
   if (material.material == laws::RimMaterial::hertzdamp)
     return std::make_unique<HertzdampContact>(number(0), number(1), number(2), touch_speed);
-  return std::make_unique<DashpotContact>(number(0), number(1), true);
+  return std::make_unique<DashpotContact>(number(0), number(1), pulls);
 }
 
 } // namespace
@@ -28,6 +29,7 @@ OpenSeesRim opensees_rim(const ExportedRim &rim) {
   if (!rim.law().opensees)
     throw DataError(fmt::format("OpenSees has no material for the impact law {}", rim.law().name));
   OpenSeesRim out{.material = rim.law().opensees(element)};
+  out.in_series = out.material.material == laws::RimMaterial::viscoelastic_gap && rim.law().unilateral;
   if (out.material.material == laws::RimMaterial::gap_springs) {
     out.springs = gap_springs(rim);
     out.contact = [springs = out.springs](double) { return std::make_unique<GapSpringsContact>(springs); };
@@ -35,10 +37,14 @@ OpenSeesRim opensees_rim(const ExportedRim &rim) {
     out.check = self_check(rim, "four ElasticPPGap in parallel", out.contact, out.stiffness);
     out.check.dented_form = "rim_springs", out.check.new_form = "rim_round, a new rim each time";
   } else {
-    out.contact = [material = out.material](double speed) { return contact_of(material, speed); };
+    out.contact = [material = out.material, pulls = !out.in_series](double speed) {
+      return contact_of(material, speed, pulls);
+    };
     out.stiffness = stiffest(rim, element);
-    out.check = self_check(rim, word(out.material.material), out.contact, out.stiffness);
+    out.check = self_check(rim, out.in_series ? "gap in series with spring and dashpot" : word(out.material.material),
+                           out.contact, out.stiffness);
   }
+  out.check.flown_there = FlownThere{}.json();
   return out;
 }
 

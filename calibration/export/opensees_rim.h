@@ -9,6 +9,7 @@ namespace rimpact::calibration {
 /// The rim's materials, the same for both languages.
 struct OpenSeesRim {
   laws::OpenSeesMaterial material;
+  bool in_series = false;              ///< spring and dashpot behind a gap that only presses, for ViscoelasticGap pulls
   std::vector<GapSpring> springs = {}; ///< of the material gap_springs; else empty
   MakeContact contact = {};            ///< of one side, as OpenSees integrates it
   double stiffness = 0;                ///< its largest [N/m]

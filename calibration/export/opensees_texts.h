@@ -81,6 +81,40 @@ def rim_springs(ops, tag, first, plate, slider):
     ops.element("zeroLength", first + 1, plate, slider, "-mat", tag, "-dir", 1, "-orient", 1.0, 0.0, 0.0, 0.0, 1.0, 0.0)
 )";
 
+inline constexpr const char *tcl_springs_in_series = R"(
+# Two springs along x between the plate's node and the slider's, which lie at the same place: each a gap that only presses
+# (elements first, first+1) and, behind the nodes joint and joint+1 that this makes, spring and dashpot (first+8, first+9).
+proc rim_springs {tag first plate slider joint} {
+  global lateral_capacity k_i c_i
+  lassign [nodeCoord $plate] x y z
+  uniaxialMaterial ElasticPPGap $tag [expr {1000.0 * $k_i}] [expr {-1e6 * $k_i}] [expr {-$lateral_capacity}]
+  uniaxialMaterial Elastic [expr {$tag + 1}] $k_i $c_i
+  foreach side {0 1} way {-1 1} {
+    set node [expr {$joint + $side}]
+    node $node $x $y $z
+    fix $node 0 1 1 1 1 1
+    element zeroLength [expr {$first + $side}] $node $slider -mat $tag -dir 1 -orient $way 0 0 0 $way 0
+    element zeroLength [expr {$first + 8 + $side}] $plate $node -mat [expr {$tag + 1}] -dir 1
+  }
+}
+)";
+
+inline constexpr const char *python_springs_in_series = R"(
+
+def rim_springs(ops, tag, first, plate, slider, joint):
+    """Two springs along x between the plate's node and the slider's, which lie at the same place: each a gap that only
+    presses (elements first, first+1) and, behind the nodes joint and joint+1 that this makes, spring and dashpot
+    (first+8, first+9). `ops` is openseespy.opensees."""
+    x, y, z = ops.nodeCoord(plate)
+    ops.uniaxialMaterial("ElasticPPGap", tag, 1000.0 * k_i, -1e6 * k_i, -lateral_capacity)
+    ops.uniaxialMaterial("Elastic", tag + 1, k_i, c_i)
+    for side, way in enumerate((-1, 1)):
+        ops.node(joint + side, x, y, z)
+        ops.fix(joint + side, 0, 1, 1, 1, 1, 1)
+        ops.element("zeroLength", first + side, joint + side, slider, "-mat", tag, "-dir", 1, "-orient", way, 0, 0, 0, way, 0)
+        ops.element("zeroLength", first + 8 + side, plate, joint + side, "-mat", tag + 1, "-dir", 1)
+)";
+
 inline constexpr const char *tcl_anchor = R"(
 # A node tied to the plate's, anchor_depth below it: what a corotTruss from it elongates by is the travel, in any direction.
 proc anchor_node {node plate} {
@@ -102,9 +136,9 @@ def anchor_node(ops, node, plate):
 
 inline constexpr const char *tcl_bearing = R"(
 # The whole bearing between the plate's node and the slider's (same place, ndm 3, ndf 6, z up). Uses tags tag ... tag+19 of
-# materials and friction models, tag and tag+1 of geomTransf, tag ... tag+9 of elements and the nodes anchor ... anchor+6.
-# The slider's node carries m1 and dead_load; it must be free to rise.
-proc rimpact_bearing {{tag plate slider anchor}} {{
+# materials and friction models, tag and tag+1 of geomTransf, tag ... tag+11 of elements and the nodes anchor ... anchor+8.
+# The slider's node carries m1 and dead_load; it must be free to rise.{}
+proc rimpact_bearing {{tag plate slider anchor{}}} {{
   rider_nodes $anchor $plate
   dish $tag $tag $slider $anchor
   {}
@@ -112,13 +146,44 @@ proc rimpact_bearing {{tag plate slider anchor}} {{
 )";
 inline constexpr const char *python_bearing = R"(
 
-def rimpact_bearing(ops, tag, plate, slider, anchor):
+def rimpact_bearing(ops, tag, plate, slider, anchor{}):
     """The whole bearing between the plate's node and the slider's (same place, ndm 3, ndf 6, z up). Uses tags tag ...
-    tag+19 of materials and friction models, tag and tag+1 of geomTransf, tag ... tag+9 of elements and the nodes anchor
-    ... anchor+6. The slider's node carries m1 and dead_load; it must be free to rise."""
+    tag+19 of materials and friction models, tag and tag+1 of geomTransf, tag ... tag+11 of elements and the nodes anchor
+    ... anchor+8. The slider's node carries m1 and dead_load; it must be free to rise.{}"""
     rider_nodes(ops, anchor, plate)
     dish(ops, tag, tag, slider, anchor)
     {}
 )";
+
+/// What rimpact_bearing says of its last word, the word, and the rim it makes.
+struct BearingWords {
+  const char *says, *word, *rim;
+};
+inline constexpr BearingWords tcl_bearing_either{
+    "\n# `rim`: round, of any direction, new at every touch; or along_x, which keeps the dents of either side.",
+    " {rim round}",
+    R"(if {$rim eq "along_x"} {
+    rim_springs [expr {$tag + 10}] [expr {$tag + 2}] [expr {$anchor + 1}] [expr {$anchor + 2}]
+  } elseif {$rim eq "round"} {
+    rim_round [expr {$tag + 10}] [expr {$tag + 2}] $anchor [expr {$anchor + 2}]
+  } else {error "rimpact_bearing: rim $rim is neither round nor along_x"})"};
+inline constexpr BearingWords python_bearing_either{" `rim`: \"round\", of any direction, new at\n    every touch; or "
+                                                    "\"along_x\", which keeps the dents of either side.",
+                                                    ", rim=\"round\"",
+                                                    R"(if rim == "along_x":
+        rim_springs(ops, tag + 10, tag + 2, anchor + 1, anchor + 2)
+    elif rim == "round":
+        rim_round(ops, tag + 10, tag + 2, anchor, anchor + 2)
+    else:
+        raise ValueError(f"rimpact_bearing: rim {rim} is neither round nor along_x"))"};
+inline constexpr BearingWords tcl_bearing_one{
+    "", "", "rim_springs [expr {$tag + 10}] [expr {$tag + 2}] [expr {$anchor + 1}] [expr {$anchor + 2}]"};
+inline constexpr BearingWords python_bearing_one{"", "", "rim_springs(ops, tag + 10, tag + 2, anchor + 1, anchor + 2)"};
+inline constexpr BearingWords tcl_bearing_series{
+    "", "",
+    "rim_springs [expr {$tag + 10}] [expr {$tag + 2}] [expr {$anchor + 1}] "
+    "[expr {$anchor + 2}] [expr {$anchor + 7}]"};
+inline constexpr BearingWords python_bearing_series{
+    "", "", "rim_springs(ops, tag + 10, tag + 2, anchor + 1, anchor + 2, anchor + 7)"};
 
 } // namespace rimpact::calibration

@@ -8,7 +8,7 @@ namespace rimpact::calibration {
 namespace {
 
 std::string line_of(const PulseRow &row) {
-  return fmt::format("{} x {:.4g}: {} (model {})", row.pulse, row.scale, words_of(row.exported), words_of(row.model));
+  return fmt::format("{}: {} (model {})", row.name(), words_of(row.exported), words_of(row.model));
 }
 
 nlohmann::json json_of(const Arrival &arrival) {
@@ -18,7 +18,25 @@ nlohmann::json json_of(const Arrival &arrival) {
           {"largest_travel_mm", 1e3 * arrival.largest_travel}};
 }
 
+void add_row(PulseCheck &check, PulseRow row, const scene::Scene &flown, const FlownBearing &bearing) {
+  const auto run = fly_model(flown);
+  row.exported = fly_bearing(bearing, {flown.excitation, flown.load.gravity}, flown.excitation.duration);
+  if (run && !row.exported.leaves) {
+    row.model = *run;
+    check.rows.push_back(row);
+  } else {
+    check.left_out.push_back(fmt::format("Pulse {}: the {} goes over its rim, so it is not compared.", row.name(),
+                                         run ? "exported bearing" : "model"));
+  }
+}
+
 } // namespace
+
+std::string PulseRow::name() const {
+  const std::string varies =
+      load_varies ? fmt::format(" with {:g} g at {:g} Hz up and down", check_vertical_g, check_vertical_hz) : "";
+  return fmt::format("{} x {:.4g}{}", pulse, scale, varies);
+}
 
 double PulseRow::difference(double least_force) const {
   return std::abs(exported.peak_force - model.peak_force) / std::max(model.peak_force, least_force);
@@ -41,9 +59,9 @@ double PulseCheck::worst_judged() const {
 std::vector<std::string> PulseCheck::lines() const {
   std::vector<std::string> all;
   if (!rows.empty())
-    all.push_back(fmt::format("Self-check under pulses: the exported bearing, flown by rimpact, against the reduced "
-                              "model; peak force within {:.1f} % of the model's, or of the law's at its lowest speed.",
-                              100 * worst()));
+    all.push_back(fmt::format("Self-check under pulses: {}, flown by rimpact, against the reduced model; peak force "
+                              "within {:.1f} % of the model's, or of the law's at its lowest speed.",
+                              written ? "the exported bearing" : "the bearing that is refused", 100 * worst()));
   for (const auto &row : rows) all.push_back("  " + line_of(row) + ".");
   all.insert(all.end(), left_out.begin(), left_out.end());
   return all;
@@ -51,6 +69,7 @@ std::vector<std::string> PulseCheck::lines() const {
 
 std::vector<std::string> PulseCheck::doubts() const {
   std::vector<std::string> all;
+  if (!written) return all;
   for (const auto &row : rows)
     if (const double off = row.difference(least_force); off > tolerance)
       all.push_back(fmt::format("DOUBT: the exported bearing differs by {:.0f} % in peak force under {}.", 100 * off,
@@ -61,12 +80,14 @@ std::vector<std::string> PulseCheck::doubts() const {
 nlohmann::json PulseCheck::json() const {
   nlohmann::json all = nlohmann::json::array();
   for (const auto &row : rows)
-    all.push_back({{"pulse", row.pulse},
+    all.push_back({{"name", row.name()},
+                   {"pulse", row.pulse},
                    {"scale", row.scale},
+                   {"vertical_g", row.load_varies ? check_vertical_g : 0},
                    {"model", json_of(row.model)},
                    {"exported", json_of(row.exported)},
                    {"peak_force_difference", row.difference(least_force)}});
-  return {{"rows", all}, {"left_out", left_out}, {"peak_force_difference", worst()}};
+  return {{"rows", all}, {"left_out", left_out}, {"written", written}, {"peak_force_difference", worst()}};
 }
 
 PulseCheck pulse_check(const scene::Scene &scene, const ExportedRim &rim, const FlownBearing &bearing) {
@@ -77,19 +98,17 @@ PulseCheck pulse_check(const scene::Scene &scene, const ExportedRim &rim, const 
   for (const char *pulse : check_pulses) {
     scene::Scene flown = under_pulse(model, pulse);
     const auto unit = unit_scale(flown);
-    if (!unit)
+    if (!unit) {
       check.left_out.push_back(fmt::format("Pulse {}: at no scale does it bring the model to its rim.", pulse));
-    for (const double scale : check_scales) {
-      if (!unit) break;
-      flown.excitation.scale = scale * *unit;
-      const auto run = fly_model(flown);
-      const auto own = fly_bearing(bearing, {flown.excitation, rim.gravity}, flown.excitation.duration);
-      if (!run || own.leaves)
-        check.left_out.push_back(fmt::format("Pulse {} x {:.4g}: the {} goes over its rim, so it is not compared.",
-                                             pulse, flown.excitation.scale, run ? "exported bearing" : "model"));
-      else
-        check.rows.push_back({pulse, flown.excitation.scale, *run, own});
+      continue;
     }
+    for (const double scale : check_scales) {
+      flown.excitation.scale = scale * *unit;
+      add_row(check, {.pulse = pulse, .scale = flown.excitation.scale, .model = {}, .exported = {}}, flown, bearing);
+    }
+    flown.excitation.scale = check_scales[1] * *unit;
+    add_row(check, {.pulse = pulse, .scale = flown.excitation.scale, .model = {}, .exported = {}, .load_varies = true},
+            with_varying_load(flown), bearing);
   }
   return check;
 }

@@ -22,6 +22,7 @@ struct SelfCheck {
   std::string dented_form = {};             ///< what keeps its dent in the file; empty: the form itself
   std::string new_form = {};                ///< what meets a new rim each time; empty: nothing in the file does
   std::optional<PulseCheck> pulses = {};    ///< none: the dish is not known
+  nlohmann::json flown_there = {};          ///< what the target program had of such files; null: not tried
   static constexpr double tolerance = 0.10; ///< on peak force, and on rebound over approach; beyond it: a doubt
   bool serves() const { return peak_force <= tolerance && rebound <= tolerance; }
   double again() const;     ///< largest difference in peak force of a second hit [-]

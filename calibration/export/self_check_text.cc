@@ -99,7 +99,8 @@ nlohmann::json SelfCheck::json() const {
           {"doubts", doubts()},
           {"rows", all},
           {"second_hits", second},
-          {"pulses", pulses ? pulses->json() : nlohmann::json()}};
+          {"pulses", pulses ? pulses->json() : nlohmann::json()},
+          {"flown_there", flown_there}};
 }
 
 } // namespace rimpact::calibration

@@ -57,8 +57,8 @@ class Export(Exported):
                 self.assertEqual({row["pulse"] for row in check["pulses"]["rows"]}, {"ricker-0.78g-1.0s", "ricker-0.38g-1.5s"})
                 for row in check["pulses"]["rows"]:
                     model, own = row["model"], row["exported"]
-                    doubted = [doubt for doubt in check["doubts"] if f"{row['pulse']} x {row['scale']:.4g}:" in doubt]
-                    self.assertEqual(len(doubted), row["peak_force_difference"] > 0.1, row)
+                    doubted = [doubt for doubt in check["doubts"] if f"{row['name']}:" in doubt]
+                    self.assertEqual(len(doubted), check["pulses"]["written"] and row["peak_force_difference"] > 0.1, row)
                     for side in (model, own):
                         if side["touch_speed_m_s"]:
                             self.assertIn(f"{side['touch_speed_m_s']:.3f} m/s, {side['peak_force_kN']:.0f} kN", head)
@@ -72,13 +72,28 @@ class Export(Exported):
                 if (row["model"]["touch_speed_m_s"] or 0) > 0.3:
                     self.assertAlmostEqual(row["exported"]["touch_speed_m_s"] / row["model"]["touch_speed_m_s"], 1, delta=0.06)
             self.assertGreater(flat["peak_force_difference"], 2 * rides["peak_force_difference"])
+            for pulses in (rides, flat):  # under a load that varies, too
+                self.assertEqual([row["vertical_g"] for row in pulses["rows"]].count(0.3), 2)
+            # a slider in its plane hits half as hard again: it is refused, not doubted, and the links of the rim stay
+            self.assertTrue(rides["written"])
+            self.assertFalse(flat["written"])
+            with open(os.path.join(folder, "bearing.s2k")) as file:
+                text = file.read()
+            self.assertNotIn("Link=DISH", text)
+            self.assertIn("Link=RIM_GAP", text)
+            self.assertIn("the whole bearing is refused", run.stderr)
+            anyway = json.loads(self.exported(folder, "--sap2000", "--json", "--anyway").stdout)
+            self.assertTrue(anyway["whole_bearing"])
+            self.assertTrue(any("DOUBT: the exported bearing differs" in doubt for doubt in anyway["self_checks"][0]["doubts"]))
+            with open(os.path.join(folder, "bearing.s2k")) as file:
+                self.assertIn("Link=DISH", file.read())
 
     def test_heads_carry_the_errors_and_what_pad_and_socket_do(self):
         with tempfile.TemporaryDirectory() as folder:
             content = calibration(identity=self.rim)
             content["answer"]["stack"] = {"finite_pad": True, "socket_friction": True, "friction": "park-wen", "elastic_slip_mm": 0.14, "elastic_slip_from": "fit"}
             write(folder, content)
-            run = rimpact("export", folder, "--opensees", "--etabs", "--csv", "--scene", "shfps-225")
+            run = rimpact("export", folder, "--opensees", "--etabs", "--csv", "--anyway", "--scene", "shfps-225")
             self.assertEqual(run.returncode, 0, run.stderr)
             for name, needles in (("impact.tcl", ["the socket's friction in the coefficient"]), ("bearing.e2k", ["the socket's friction in the coefficient"]), ("law.csv", [])):
                 with open(os.path.join(folder, name)) as file:
@@ -145,9 +160,13 @@ class Export(Exported):
             self.assertEqual(run.returncode, 0, run.stderr)
             values, ops = self.python(folder), Recorder()
             values["rimpact_bearing"](ops, 1000, 1, 2, 99)
-            gap = next(call for call in ops.calls if call[1] == "ViscoelasticGap")
-            self.assertEqual(gap[3:], (values["k_i"], values["c_i"], -0.4))
+            gap = next(call for call in ops.calls if call[1] == "ElasticPPGap")  # it never pulls, as ViscoelasticGap does
+            self.assertEqual(gap[5], -0.4)
+            self.assertGreaterEqual(gap[3], 1000 * values["k_i"])
+            self.assertIn(("uniaxialMaterial", "Elastic", gap[2] + 1, values["k_i"], values["c_i"]), ops.calls)
             self.assertAlmostEqual(values["k_i"], 4.5e8)
+            joints = [call[1] for call in ops.calls if call[0] == "node"][-2:]
+            self.assertEqual(joints, [106, 107])
 
 
 if __name__ == "__main__":

@@ -1,0 +1,3 @@
+// Makes nothing here.
+#pragma once
+class FEM_ObjectBroker {};

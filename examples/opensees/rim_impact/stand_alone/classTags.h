@@ -1,0 +1,2 @@
+// OpenSees numbers its classes here.
+#pragma once
