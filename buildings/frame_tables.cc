@@ -2,6 +2,7 @@
 #include "buildings/frame_source.h"
 #include "files/error.h"
 #include "files/file.h"
+#include "files/table_lines.h"
 #include "files/text.h"
 #include <array>
 #include <cmath>
@@ -68,17 +69,15 @@ namespace {
 class Rows {
 public:
   Rows(const std::string &folder, const std::string &name) : path_(folder + "/" + name), text_(read_file(path_)) {
-    for (const auto line : lines_of(text_)) {
-      ++line_;
-      if (trim(line).empty() || trim(line).front() == '#') continue;
+    for (const auto &[line, where] : table_lines(text_, path_)) {
       const auto cells = split(line, ',');
       if (columns_.empty()) {
         for (std::size_t i = 0; i < cells.size(); ++i) columns_[std::string(trim(cells[i]))] = i;
         continue;
       }
       if (cells.size() != columns_.size())
-        throw DataError(fmt::format("{}:{}: {} cells, the head has {}", path_, line_, cells.size(), columns_.size()));
-      rows_.push_back({line_, {cells.begin(), cells.end()}});
+        throw DataError(fmt::format("{}: {} cells, the head has {}", where, cells.size(), columns_.size()));
+      rows_.push_back({where, {cells.begin(), cells.end()}});
     }
     if (rows_.empty()) throw DataError(path_ + ": holds no rows");
   }
@@ -95,33 +94,32 @@ public:
     const auto cell = text(row, column);
     const auto value = to_number(cell);
     if (!value || !std::isfinite(*value))
-      throw DataError(fmt::format("{}:{}: {} is \"{}\", not a number", path_, rows_[row].line, column, cell));
+      throw DataError(fmt::format("{}: {} is \"{}\", not a number", place(row), column, cell));
     return *value;
   }
   /// Counted from 1 in the file, from 0 here; every table numbers its rows 1, 2, ...
   int index(std::size_t row, const std::string &column) const {
     const double value = number(row, column);
     if (value != std::floor(value) || std::abs(value) > 1e9)
-      throw DataError(fmt::format("{}:{}: {} is {}, not a whole number", path_, rows_[row].line, column, value));
+      throw DataError(fmt::format("{}: {} is {}, not a whole number", place(row), column, value));
     return static_cast<int>(value) - 1;
   }
   void check_number(std::size_t row, const std::string &column) const {
     if (index(row, column) != static_cast<int>(row))
-      throw DataError(fmt::format("{}:{}: {} is {}; rows are numbered 1, 2, ... in order", path_, rows_[row].line,
-                                  column, index(row, column) + 1));
+      throw DataError(fmt::format("{}: {} is {}; rows are numbered 1, 2, ... in order", place(row), column,
+                                  index(row, column) + 1));
   }
   const std::string &path() const { return path_; }
-  std::string place(std::size_t row) const { return fmt::format("{}:{}", path_, rows_[row].line); }
+  const std::string &place(std::size_t row) const { return rows_[row].where; }
 
 private:
   struct Row {
-    int line;
+    std::string where;
     std::vector<std::string_view> cells;
   };
   std::string path_, text_;
   std::map<std::string, std::size_t> columns_;
   std::vector<Row> rows_;
-  int line_ = 0;
 };
 
 int section_of(Frame &f, const Rows &rows, std::size_t e) {

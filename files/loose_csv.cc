@@ -1,4 +1,5 @@
 #include "files/loose_csv.h"
+#include "files/binary_kind.h"
 #include "files/error.h"
 #include "files/text.h"
 #include <algorithm>
@@ -17,6 +18,7 @@ bool holds(const std::vector<std::string> &cells, const std::string &name) {
 
 LooseTable::LooseTable(const std::string &bytes, const std::string &path, const std::vector<std::string> &columns)
     : path_(path) {
+  refuse_binary(bytes, path);
   const std::string text = utf8_text(bytes, path);
   const auto lines = lines_of(text);
   char separator = 0;

@@ -1,5 +1,6 @@
 #include "files/table_lines.h"
 
+#include "files/binary_kind.h"
 #include "files/error.h"
 #include "files/text.h"
 #include <cmath>
@@ -8,6 +9,7 @@
 namespace rimpact {
 
 std::vector<TableLine> table_lines(std::string_view text, const std::string &path) {
+  refuse_binary(text, path);
   std::vector<TableLine> lines;
   std::size_t number = 0;
   for (const auto line : lines_of(text)) {

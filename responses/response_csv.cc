@@ -2,6 +2,7 @@
 /// columns in any order, more columns, what loose_cells.h reads, units of csv_unit() in the names, comment lines (#); a
 /// planar test may leave out uy and Fy, which are then zero. velocities (vx_m_per_s, ...) are read when
 /// there.
+#include "files/binary_kind.h"
 #include "files/error.h"
 #include "files/file.h"
 #include "files/loose_cells.h"
@@ -102,6 +103,7 @@ std::optional<CsvUnit> csv_unit(std::string_view name) {
 
 Response parse_columns(const std::string &bytes, const std::string &path, const CsvColumns &columns_of,
                        std::size_t skip_lines) {
+  refuse_binary(bytes, path);
   const std::string text = utf8_text(bytes, path);
   Response response;
   std::vector<CsvTarget> targets;

@@ -3,6 +3,7 @@ import json
 import os
 import tempfile
 import unittest
+import zipfile
 
 from command import rimpact
 
@@ -110,6 +111,15 @@ class LabTables(unittest.TestCase):
     def test_what_there_is_is_listed(self):
         self.refused('names "t", "LVDT 2", "cell"', self.table().replace("LVDT 1", "LVDT 2"))
         self.refused("N, kN, MN, kgf, tf, lbf, kip", self.table(), code=2, force="ton")
+
+    def test_a_workbook_is_named_with_what_to_do(self):
+        with zipfile.ZipFile(os.path.join(self.folder, "test.xlsx"), "w") as book:
+            book.writestr("xl/workbook.xml", "<workbook/>")
+        with open(os.path.join(self.folder, "book.toml"), "w", encoding="utf-8") as file:
+            file.write(MAPPING.format(file="test.xlsx", length="mm", force="kN"))
+        run = rimpact("calibrate", "book.toml", "--laws", "none", "-o", "book", cwd=self.folder)
+        self.assertEqual(run.returncode, 3, run.stderr)
+        self.assertIn("test.xlsx: is an Excel workbook: save its sheet as CSV; a table is read from text", run.stderr)
 
     def test_a_broken_utf_16_is_named(self):
         self.refused("ends within a character", b"\xff\xfea")

@@ -1,6 +1,10 @@
 // Cells and numbers of tables as laboratories and spreadsheets write them.
+#include "files/binary_kind.h"
 #include "files/error.h"
 #include "files/loose_cells.h"
+#include "files/loose_csv.h"
+#include "files/table_lines.h"
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 namespace rimpact {
@@ -50,6 +54,26 @@ TEST(LooseCells, OneDecimalSignAFile) {
   EXPECT_FALSE(points.number("1.234,5", "t:2"));
   EXPECT_FALSE(points.number("word", "t:2"));
   EXPECT_FALSE(points.number("inf", "t:2"));
+}
+
+using namespace std::literals;
+
+TEST(BinaryKind, WhatIsNoTextIsNamed) {
+  EXPECT_EQ(binary_kind(""), "");
+  EXPECT_EQ(binary_kind("t;x\n1;2\n"), "");
+  EXPECT_EQ(binary_kind("\xFF\xFE\x41\0"sv), "");
+  EXPECT_EQ(binary_kind("PK\3\4 a kind of header\n"), "a zip archive: unpack it");
+  EXPECT_THAT(binary_kind("PK\3\4....xl/workbook.xml"), testing::StartsWith("an Excel workbook"));
+  EXPECT_THAT(binary_kind("PK\3\4....mimetypeapplication/vnd.oasis.opendocument.spreadsheet"),
+              testing::StartsWith("a LibreOffice spreadsheet"));
+  EXPECT_THAT(binary_kind("\xD0\xCF\x11\xE0\xA1\xB1"sv), testing::StartsWith("an old Excel workbook"));
+  EXPECT_THAT(binary_kind("\x89HDF\r\n"sv), testing::StartsWith("an HDF5 file"));
+  EXPECT_THAT(binary_kind("t,x\n\0\0"sv), testing::StartsWith("no text"));
+}
+
+TEST(BinaryKind, EveryReaderOfTablesRefusesIt) {
+  EXPECT_THROW(table_lines("%PDF-1.4", "t.csv"), DataError);
+  EXPECT_THROW(LooseTable("\x1F\x8B\x08", "t.csv", {"a"}), DataError);
 }
 
 } // namespace
