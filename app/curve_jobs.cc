@@ -89,6 +89,7 @@ std::optional<reduced::RimCurveFile> kept_curve(const CurveJob &job) {
     const laws::RimCurve curve(file.held);
     const double needed = job.scene.load.mass / 2 * std::pow(job.scene.excitation.speed, 2);
     const bool same = file.rim_identity == scene::rim_identity(job.scene.bearing) && file.made_by == build_version() &&
+                      file.joint == strength_in_words(job.scene.bearing.rim.connection) &&
                       file.mesh.starts_with(fmt::format("level {},", job.scene.model.mesh));
     if (!same || curve.work(curve.range()) < needed) return {};
     return file;

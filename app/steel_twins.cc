@@ -46,9 +46,13 @@ std::optional<calibration::SteelBand> steel_band(const MainTarget &target, const
     const Job *window = window_of(jobs, job.scene.excitation.speed);
     const auto twin = first_impact(job), run = window ? first_impact(*window) : std::nullopt;
     if (!twin || !run) continue;
+    const auto of_twin = foot_report_in(summary_of(job.folder), job.folder),
+               of_run = foot_report_in(summary_of(window->folder), window->folder);
     band.twins.push_back({.speed = job.scene.excitation.impact_speed(),
                           .static_steel = band.runs_are_static ? *run : *twin,
-                          .fast = band.runs_are_static ? *twin : *run});
+                          .fast = band.runs_are_static ? *twin : *run,
+                          .static_foot = band.runs_are_static ? of_run : of_twin,
+                          .fast_foot = band.runs_are_static ? of_twin : of_run});
   }
   if (band.twins.empty()) return {};
   std::ranges::sort(band.twins, {}, &calibration::SteelTwin::speed);

@@ -152,8 +152,8 @@ void add_geometry(CLI::App &app, Console &console) {
   verb->add_option("--at", options->vary.at, "speed=V: the speed of approach that --vary asks at [m/s]")
       ->allow_extra_args(false);
   verb->add_option("--target", options->vary.targets,
-                   "NAME=MOST of peak_kN, depth_mm, rebound_m_per_s, strain: which of the rims of --vary meets it; "
-                   "repeatable")
+                   "NAME=MOST of peak_kN, depth_mm, rebound_m_per_s, strain, rim_foot_use: which of the rims of --vary "
+                   "meets it; repeatable")
       ->allow_extra_args(false);
   verb->add_flag("--no-proof", options->no_proof, "without the solid run of the rim that --vary answers with");
   verb->add_option("--mesh", console.mesh, "1 | 2 | 3: finer and dearer")->check(CLI::Range(0, 3));

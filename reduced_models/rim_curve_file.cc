@@ -81,6 +81,22 @@ CurveStrain read_strain(hid_t file) {
   return strain;
 }
 
+void write_foot(hid_t file, const CurveFoot &foot) {
+  const Handle held = open_group(file, "held"), group = new_group(held, "rim_foot");
+  write_column(group, "penetration", foot.penetration, "m");
+  write_column(group, "use", foot.use, "1");
+}
+
+CurveFoot read_foot(hid_t file) {
+  const Handle held = open_group(file, "held");
+  if (H5Lexists(held, "rim_foot", H5P_DEFAULT) <= 0) return {};
+  const Handle group = open_group(held, "rim_foot");
+  CurveFoot foot{read_numbers(group, "penetration"), read_numbers(group, "use")};
+  if (foot.penetration.size() != foot.use.size())
+    throw std::runtime_error("its columns of the rim's foot differ in length");
+  return foot;
+}
+
 constexpr const char *unknown = "unknown";
 
 double number_of(const std::map<std::string, std::string> &meta, const char *name) {
@@ -101,11 +117,13 @@ void write_rim_curve(const RimCurveFile &curve, const std::string &path) {
                      if (!curve.dish.unloading.empty()) write_path(file, "dish", curve.dish);
                      write_path(file, "held", curve.held);
                      if (!curve.strain.strain.empty()) write_strain(file, curve.strain);
+                     if (!curve.foot.use.empty()) write_foot(file, curve.foot);
                      write_meta(file,
                                 {{"kind", "rim curve"},
                                  {"bearing", curve.bearing},
                                  {"rim_identity", curve.rim_identity},
                                  {"rim_values", curve.rim_values},
+                                 {"joint", curve.joint},
                                  {"mesh", curve.mesh},
                                  {"made_by", curve.made_by},
                                  {"mesh_force_error",
@@ -134,9 +152,9 @@ RimCurveFile read_rim_curve(const std::string &path) {
       const auto text = [&](const char *name) { return meta.count(name) ? meta.at(name) : std::string(); };
       if (text("kind") != "rim curve") throw std::runtime_error("no rim curve of `rimpact curve`");
       if (H5Lexists(file, "dish", H5P_DEFAULT) > 0) curve.dish = read_path(file, "dish");
-      curve.held = read_path(file, "held"), curve.strain = read_strain(file);
-      curve.bearing = text("bearing"), curve.rim_identity = text("rim_identity"), curve.rim_values = text("rim_values"),
-      curve.mesh = text("mesh"), curve.made_by = text("made_by");
+      curve.held = read_path(file, "held"), curve.strain = read_strain(file), curve.foot = read_foot(file);
+      curve.joint = text("joint"), curve.bearing = text("bearing"), curve.rim_identity = text("rim_identity"),
+      curve.rim_values = text("rim_values"), curve.mesh = text("mesh"), curve.made_by = text("made_by");
       if (text("mesh_force_error") != unknown) curve.errors.mesh_force = number_of(meta, "mesh_force_error");
       curve.errors.left_out_rebound = number_of(meta, "left_out_rebound_error");
     });

@@ -1,7 +1,8 @@
 /// The file of a rim curve, curve.h5, and its table, curve.csv.
 ///
 /// /dish/loading/{penetration,force}, /dish/unloading/{branch,penetration,force} (branch 1, 2, ... by depth), the same
-/// under /held; /held/steel/{penetration,strain}; /meta texts. SI units. `dish`: pushed while the slider's height
+/// under /held; /held/steel/{penetration,strain};
+/// /held/rim_foot/{penetration,use}; /meta texts. SI units. `dish`: pushed while the slider's height
 /// follows the dish; `held`: at the height of first touch, as an impact window without weight is. A file may hold the
 /// held path alone.
 #pragma once
@@ -20,9 +21,15 @@ struct CurveErrors {
 struct CurveStrain {
   std::vector<double> penetration, strain; ///< rising from 0 [m]; [-]
 };
+/// Largest use of the joint at the rim's foot so far (responses/foot_strength.h).
+struct CurveFoot {
+  std::vector<double> penetration, use; ///< rising from 0 [m]; [-]
+};
 struct RimCurveFile {
   laws::CurvePath dish, held; ///< `dish` is empty where it was not pushed
   CurveStrain strain;         ///< along `held`; empty in files of an older version
+  CurveFoot foot;             ///< along `held`; empty: one piece with the plate
+  std::string joint;          ///< scene::strength_in_words of what `foot` is of
   std::string bearing;        ///< its name
   std::string rim_identity;   ///< scene::rim_identity of it
   std::string rim_values;     ///< scene::rim_values of it; empty: the file is of an older version

@@ -95,6 +95,18 @@ json strain_limit(const scene::Scene &scene, Summary &summary) {
           {"assumption", assumption}};
 }
 
+json rim_foot(const scene::Scene &scene, Summary &summary) {
+  if (!summary.foot) return nullptr;
+  const auto &connection = scene.bearing.rim.connection;
+  if (summary.foot->exceeded())
+    warn(summary,
+         fmt::format("the joint at the rim's foot, {}, is used to {:.2f} of what it bears (bearing.rim.connection): "
+                     "the wall breaks off there, and forces and travel beyond a use of 1, which are those of "
+                     "a rim in one piece with its plate, are no result",
+                     in_words(connection), *summary.foot->use));
+  return to_json(*summary.foot, connection);
+}
+
 /// Steel that was strained beyond the last row of its curve, where the stress is held.
 void warn_beyond_curve(const scene::Scene &scene, Summary &summary) {
   const scene::Material &steel = scene.bearing.steel;
@@ -112,6 +124,7 @@ void judge(const scene::Scene &scene, Summary &summary) {
   summary.extra["beyond_rim"] = beyond_rim(scene, summary);
   summary.extra["beyond_fit"] = beyond_fit(scene, summary);
   summary.extra["strain_limit"] = strain_limit(scene, summary);
+  summary.extra["rim_foot"] = rim_foot(scene, summary);
   warn_beyond_curve(scene, summary);
   summary.extra["hit_limits"] = hit_limits(scene, summary);
 }

@@ -66,6 +66,17 @@ std::vector<SignalInfo> make_signals() {
   list.push_back({"seat_pressure_max", "Pa", "largest pressure of a frictional pad on the bottom of its recess"});
   list.push_back({"recess_pressure_max", "Pa", "largest pressure of a frictional pad on the wall of its recess"});
   list.push_back({"energy_friction_seat", "J", "of energy_friction, dissipated in a frictional pad's recess"});
+  list.push_back(
+      {"rim_foot_normal", "N", "of the rim's wall on its plate, upwards, over the whole foot; 0 between impacts"});
+  list.push_back({"rim_foot_shear", "N", "the same, horizontal"});
+  list.push_back(
+      {"rim_foot_moment", "N m", "the same, about the foot's middle, tipping the wall outwards, summed along the rim"});
+  list.push_back(
+      {"rim_foot_normal_per_length", "N/m", "upwards, where the foot's joint, or two fillet welds, is used most"});
+  list.push_back({"rim_foot_shear_per_length", "N/m", "outwards, there"});
+  list.push_back({"rim_foot_moment_per_length", "N", "tipping outwards, there"});
+  list.push_back({"rim_foot_weld_force", "N/m", "of one of two fillet welds, there"});
+  list.push_back({"rim_foot_use", "1", "of what the joint at the rim's foot bears; it goes at 1"});
   list.push_back({"newton_iterations", "1", "Newton iterations of the step"});
   list.push_back({"augmentations", "1", "augmentations of the contact's multipliers since the row before"});
   list.push_back({"backtracks", "1", "shortened Newton steps tried since the row before"});

@@ -1,6 +1,7 @@
 /// What summary.json holds (docs/interface.md). Peaks are of the horizontal norm.
 #pragma once
 #include "responses/choices.h"
+#include "responses/foot_report.h"
 #include "responses/response.h"
 #include "responses/steel_report.h"
 #include "scene/scene.h"
@@ -37,7 +38,8 @@ struct Summary {
   /// Horizontal, at the same last instant as residual_displacement, which is a place of rest only where it is 0 [m/s].
   std::optional<double> final_speed;
   std::optional<double> peak_impact_force, min_normal_force, max_plastic_strain;
-  SteelReport steel; ///< of finite elements; empty: none were there
+  SteelReport steel;              ///< of finite elements; empty: none were there
+  std::optional<FootReport> foot; ///< of finite elements
   std::vector<Impact> impacts;
   std::optional<EnergyLedger> energy;
   SolvedBy rung = SolvedBy::reduced;

@@ -5,6 +5,7 @@
 /// `assumptions()`.
 #pragma once
 #include "scene/material.h"
+#include "scene/rim_connection.h"
 #include "scene/surface.h"
 #include <optional>
 #include <set>
@@ -24,6 +25,7 @@ struct Rim {
   double height = 0.060;    ///< above the dish's edge [m], assumption
   double thickness = 0.040; ///< radial [m], assumption
   double ledge = 0.0;       ///< flat step between dish edge and wall [m], assumption
+  RimConnection connection = {};
   bool operator==(const Rim &) const = default;
 };
 struct Plate {

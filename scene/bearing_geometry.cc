@@ -52,6 +52,20 @@ void check_dish(const Bearing &b) {
           mm(b.slider.diameter), mm(s.planar_radius + b.rim.ledge), mm(b.lateral_capacity()));
 }
 
+/// Bolts stand in the wall's thickness and do not overlap.
+void check_connection(const Bearing &b) {
+  const RimConnection &c = b.rim.connection;
+  if (c.kind != ConnectionKind::bolts) return;
+  const double wall = b.surface.planar_radius + b.rim.ledge, outer = wall + b.rim.thickness, bolt = diameter(c.size);
+  require(c.circle - bolt >= 2 * wall && c.circle + bolt <= 2 * outer,
+          "rim.connection.circle_mm {} mm with bolts {} leaves the wall, which stands between {} and {} mm",
+          mm(c.circle), word(c.size), mm(2 * wall), mm(2 * outer));
+  require(c.number >= 3, "rim.connection.number {} must be 3 or more", c.number);
+  const double pitch = std::numbers::pi * c.circle / c.number;
+  require(pitch > 2 * bolt, "rim.connection.number {} of bolts {} stand {} mm apart, less than twice their diameter",
+          c.number, word(c.size), mm(pitch));
+}
+
 void check_slider(const Bearing &b) {
   const auto &s = b.slider;
   const double cap = b.foot.cap_radius, radius = s.diameter / 2;
@@ -199,6 +213,7 @@ void check(const Bearing &b, bool with_stack) {
   check_materials(b);
   check_friction(b.contact);
   check_dish(b);
+  check_connection(b);
   check_slider(b);
   if (with_stack) check_foot_and_pad(b);
   const Clearance clearance(b);

@@ -71,6 +71,29 @@ void visit(KeyVisitor &v, StrainRate &r) {
   }
 }
 
+/// Written where the rim is not one piece with its plate.
+void visit(KeyVisitor &v, RimConnection &c) {
+  using enum ConnectionKind;
+  constexpr Range factor{0, 10, true};
+  if (!v.wants(c.kind != monolithic)) return;
+  v.section("connection", [&] {
+    v.choice({"kind"}, c.kind);
+    if (v.wants(c.kind == fillet)) {
+      v.number({"throat_mm", "of each of the two fillet welds"}, c.throat, milli, length_mm);
+      v.number({"strength_MPa", "ultimate strength f_u of the weaker part they join", assumption}, c.strength, mega,
+               {0, 1e4, true});
+      v.number({"correlation", "beta_w of EN 1993-1-8, table 4.1", assumption}, c.correlation, si, factor);
+    }
+    if (v.wants(c.kind == bolts)) {
+      v.integer({"number", "of bolts around the whole rim"}, c.number, 3, 1000);
+      v.choice({"size", "of the bolts' thread"}, c.size);
+      v.choice({"grade", "property class of the bolts"}, c.grade);
+      v.number({"circle_mm", "diameter of the circle that the bolts stand on"}, c.circle, milli, length_mm);
+    }
+    v.number({"partial_factor", "gamma_M2 of welds and bolts", assumption}, c.partial_factor, si, {1, 3});
+  });
+}
+
 void visit_foot_and_pad(KeyVisitor &v, Bearing &b) {
   v.section("pad", [&] {
     v.number({"inner_radius_mm", "", assumption}, b.pad.inner_radius, milli, size_mm);
@@ -126,6 +149,7 @@ void visit(KeyVisitor &v, Bearing &b) {
     v.number({"height_mm", "above the dish's edge", assumption}, b.rim.height, milli, length_mm);
     v.number({"thickness_mm", "radial", assumption}, b.rim.thickness, milli, length_mm);
     v.number({"ledge_mm", "flat step between the dish's edge and the wall", assumption}, b.rim.ledge, milli, size_mm);
+    visit(v, b.rim.connection);
   });
   v.section("plate", [&] {
     v.number({"base_mm", "bottom plane below the vertex", assumption}, b.plate.base, milli, length_mm);

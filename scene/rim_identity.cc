@@ -38,6 +38,7 @@ Bearing rim_of(const Bearing &bearing) {
   Bearing rim;
   rim.name.clear();
   rim.surface = bearing.surface, rim.slider = bearing.slider, rim.rim = bearing.rim, rim.plate = bearing.plate;
+  rim.rim.connection = {}; // whether it bears the force is another question
   rim.steel = force_of(bearing.steel);
   rim.contact.rim = bearing.contact.rim;
   rim.contact.rim_slow = bearing.contact.rim_slow;
@@ -78,7 +79,7 @@ std::string rim_differences(const std::string &a, const std::string &b) {
 std::string bearing_identity(const Bearing &bearing) {
   Bearing whole = bearing;
   whole.name.clear();
-  whole.steel = force_of(whole.steel), whole.assumed = {};
+  whole.steel = force_of(whole.steel), whole.rim.connection = {}, whole.assumed = {};
   return digest_of_values(whole);
 }
 

@@ -56,6 +56,7 @@ void add_doubts_of_fit(Answer &answer) {
   else if (!answer.law.valid_from)
     answer.doubts.push_back(
         fmt::format("The law {} meets no run left out within {:.0f} %.", result.law, 100 * answer.law.tolerance));
+  if (answer.foot && !answer.foot->doubt.empty()) answer.doubts.push_back(answer.foot->doubt);
   if (answer.strain && answer.strain->exceeded()) answer.doubts.push_back(answer.strain->sentence);
 }
 
@@ -140,6 +141,8 @@ Answer make_answer(const Calibration &c, const CalibrationOptions &options, cons
   answer.rim_identity = scene::rim_identity(answer.scene.bearing);
   answer.published_applies = scene::published_pair_applies(answer.scene);
   answer.law = answer_law(choice, answer.scene, runs, c.laws.tolerance);
+  answer.foot = answer_foot(c, runs, options.steel_band);
+  if (answer.foot) end_at_foot(*answer.foot, answer.law);
   name_sources(c, answer, choice.row.fitted);
   answer.stack = answer_stack(answer);
   answer.table = answer_table(answer.scene, answer.law);

@@ -6,7 +6,7 @@
 /// holds for any supported mass; one whose dashpot is 2 xi sqrt(k_i m) holds for the mass it was fitted at.
 #pragma once
 #include "calibration/answer/answer_error.h"
-#include "calibration/answer/calibration.h"
+#include "calibration/answer/answer_foot.h"
 #include "scene/stack_terms.h"
 #include <set>
 
@@ -34,10 +34,12 @@ struct WorstErrors {
 struct AnswerLaw {
   FitResult result; ///< what was fitted
   ChosenBy chosen_by = ChosenBy::only;
-  std::string remark;                         ///< where the user's choice is not the best; else empty
-  std::string held;                           ///< exponents that were not fitted, and why; else empty
-  bool of_the_mass = false;                   ///< holds for Answer::scene.load.mass only; else it belongs to the rim
-  double fitted_from = 0, fitted_to = 0;      ///< approach speeds of the impacts fitted [m/s]
+  std::string remark;       ///< where the user's choice is not the best; else empty
+  std::string held;         ///< exponents that were not fitted, and why; else empty
+  bool of_the_mass = false; ///< holds for Answer::scene.load.mass only; else it belongs to the rim
+  /// Approach speeds of the impacts fitted, those that the rim's foot bears [m/s].
+  double fitted_from = 0, fitted_to = 0;
+  std::string end;                            ///< sentence of a law that ends where the rim's foot goes; else empty
   std::optional<double> valid_from, valid_to; ///< neighbouring runs left out that are met within `tolerance` [m/s]
   double tolerance = 0.05;
   std::optional<WorstErrors> worst_left_out;
@@ -61,12 +63,6 @@ struct StrainRow {
   double speed;        ///< approach [m/s]
   double depth;        ///< deepest penetration [m]
   JudgedStrain strain; ///< of the rim's steel
-};
-/// Where runs pass a limit: the slowest run beyond it, the next slower one, and between the two a straight line.
-struct Passing {
-  std::optional<double> below;    ///< [m/s]; none: no run is below it
-  std::optional<double> beyond;   ///< [m/s]; none: no run reaches it
-  std::optional<double> expected; ///< between them [m/s]
 };
 /// A place of the steel over all runs.
 struct PlaceStrain {
@@ -114,6 +110,7 @@ struct Answer {
   std::string no_pair; ///< why there is none
   bool published_applies = false;
   std::optional<AnswerStrain> strain;
+  std::optional<AnswerFoot> foot; ///< none: no run tells
   AnswerMeshError mesh_error;
   std::optional<SteelBand> steel_band; ///< static and fast; none: no twin was run
   std::vector<AnswerError> errors;     ///< all parts, by quantity and source

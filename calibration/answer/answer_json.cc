@@ -182,6 +182,29 @@ json strain_json(const AnswerStrain &s) {
           {"slider_sentence", text_or_null(s.slider_sentence)}};
 }
 
+json foot_rows_json(const FootOfRuns &runs) {
+  json rows = json::array();
+  for (const auto &row : runs.rows)
+    rows.push_back({{"speed_m_s", row.speed},
+                    {"use", number(row.foot.use)},
+                    {"normal_N_per_m", row.foot.worst.normal},
+                    {"shear_N_per_m", row.foot.worst.shear},
+                    {"moment_N", row.foot.worst.moment},
+                    {"needed_throat_mm", 1e3 * row.foot.needed_throat}});
+  return rows;
+}
+
+json foot_json(const AnswerFoot &foot) {
+  return {{"connection", word(foot.connection.kind)},
+          {"in_words", in_words(foot.connection)},
+          {"rows", foot_rows_json(foot.runs)},
+          {"gone", passing_json(foot.runs.gone)},
+          {"twins", foot_rows_json(foot.twins)},
+          {"twins_gone", passing_json(foot.twins.gone)},
+          {"sentence", foot.sentence},
+          {"doubt", text_or_null(foot.doubt)}};
+}
+
 } // namespace
 
 json to_json(const Answer &a) {
@@ -204,6 +227,7 @@ json to_json(const Answer &a) {
           {"no_pair", text_or_null(a.no_pair)},
           {"published_applies", a.published_applies},
           {"strain", a.strain ? strain_json(*a.strain) : json(nullptr)},
+          {"rim_foot", a.foot ? foot_json(*a.foot) : json(nullptr)},
           {"mesh_error",
            {{"peak_force", number(a.mesh_error.peak_force)}, {"sentence", text_or_null(a.mesh_error.sentence)}}},
           {"stack", a.stack ? stack_json(*a.stack) : json(nullptr)},

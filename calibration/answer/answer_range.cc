@@ -63,8 +63,8 @@ std::string where(const AnswerLaw &law) {
   };
   const std::string both = "runs fitted and runs left out in turn";
   if (law.left_out.empty())
-    return "No run could be left out to try it, so how it predicts is not known. " +
-           as_sentence(met("the runs fitted", worst_of(law.fitted, all)));
+    return fmt::format("No run could be left out to try it, so how it predicts is not known. {}",
+                       as_sentence(met("the runs fitted", worst_of(law.fitted, all))));
   if (!law.valid_from)
     return fmt::format("It holds nowhere within {:.0f} %. {}", 100 * law.tolerance, as_sentence(over(both, all)));
   const Speeds valid{*law.valid_from, *law.valid_to};
@@ -133,7 +133,8 @@ std::string validity_sentence(const Answer &answer) {
                      answer.scene.bearing.name, scene::rim_in_words(answer.scene.bearing),
                      law.of_the_mass ? fmt::format("a supported mass of {:.6g} kg only", answer.scene.load.mass)
                                      : "any supported mass",
-                     made_by(answer), in_words(Speeds{law.fitted_from, law.fitted_to}), where(law));
+                     made_by(answer), in_words(Speeds{law.fitted_from, law.fitted_to}), where(law)) +
+         (law.end.empty() ? "" : " " + law.end);
 }
 
 } // namespace rimpact::calibration

@@ -122,6 +122,7 @@ std::string describe(const Answer &a) {
       if (!said.empty()) text += said + "\n";
   if (a.strain)
     for (const PlaceStrain &at : a.strain->places) text += "  " + at.sentence + "\n";
+  if (a.foot) text += "  " + a.foot->sentence + "\n";
   if (!a.mesh_error.sentence.empty()) text += a.mesh_error.sentence + "\n";
   if (a.steel_band) text += band_text(*a.steel_band);
   for (const std::string &said : sentences(a.errors)) text += said + "\n";

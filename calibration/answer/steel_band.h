@@ -12,8 +12,9 @@ namespace rimpact::calibration {
 
 /// One speed, both ways.
 struct SteelTwin {
-  double speed;              ///< approach [m/s], > 0
-  Impact static_steel, fast; ///< of steel without and with its rate
+  double speed;                                               ///< approach [m/s], > 0
+  Impact static_steel, fast;                                  ///< of steel without and with its rate
+  std::optional<FootReport> static_foot = {}, fast_foot = {}; ///< of the rim's foot, alike; none: not known
 
   double force_ratio() const { return fast.peak_force / static_steel.peak_force; }
   double depth_ratio() const { return fast.peak_penetration / static_steel.peak_penetration; }

@@ -8,7 +8,7 @@ namespace rimpact::calibration {
 
 namespace {
 
-struct Flight {
+struct ModelFlight {
   std::vector<double> times, u[2], v[2];
   Eigen::Vector2d displacement(double t) const {
     return {hermite_at(times, u[0], v[0], t), hermite_at(times, u[1], v[1], t)};
@@ -17,7 +17,7 @@ struct Flight {
 };
 
 /// The model's flight from a state, finely sampled; in a straight line where the model refuses.
-Flight fly(const scene::Scene &scene, double t, double end, const Eigen::Vector2d &u, const Eigen::Vector2d &v) {
+ModelFlight fly(const scene::Scene &scene, double t, double end, const Eigen::Vector2d &u, const Eigen::Vector2d &v) {
   scene::Scene fine = scene;
   fine.reduced.output_step = (end - t) / 16;
   Response r;
@@ -29,7 +29,7 @@ Flight fly(const scene::Scene &scene, double t, double end, const Eigen::Vector2
   } catch (const Error &) {
     r = {};
   }
-  Flight flight;
+  ModelFlight flight;
   if (r.size() >= 2) {
     flight.times = r.series("time");
     for (int c : {0, 1})
@@ -83,7 +83,7 @@ FlightFit fit_flight(const scene::Scene &scene, const Response &response, std::s
   }
   FlightFit fit;
   for (int pass = 0; pass < 3; ++pass) {
-    const Flight flight = fly(scene, begin, end, u, v);
+    const ModelFlight flight = fly(scene, begin, end, u, v);
     const double a = ((flight.velocity(end) - flight.velocity(begin)) / (end - begin)).norm();
     const double doubt = acceleration_doubt(a);
     for (Eigen::Index i = 0; i < n; ++i)

@@ -45,6 +45,7 @@ RunFacts run_facts(const std::string &folder) {
       if (warning.is_string()) facts.warnings.push_back(warning);
   if (summary.contains("energy")) facts.imbalance = number_in(summary["energy"], "imbalance_relative");
   facts.steel = steel_report_in(summary, file.string());
+  facts.foot = foot_report_in(summary, file.string());
   const double of_any_body = number_in(summary, "max_plastic_strain");
   facts.strain = judged_strain(facts.steel, of_any_body > 0 ? std::optional(of_any_body) : std::nullopt);
   facts.beyond_rim = summary.value("beyond_rim", json()) == json(true);

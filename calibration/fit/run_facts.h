@@ -2,6 +2,7 @@
 /// calibration are therefore left out of the fit, or count less.
 #pragma once
 #include "calibration/fit/fit.h"
+#include "responses/foot_report.h"
 #include "responses/steel_report.h"
 
 namespace rimpact::calibration {
@@ -16,6 +17,7 @@ struct RunFacts {
   double imbalance = 0;               ///< share of the energy put in that is not accounted for, signed [-]
   std::optional<JudgedStrain> strain; ///< of the rim's steel
   SteelReport steel;                  ///< by its places; empty: not known
+  std::optional<FootReport> foot;     ///< of the rim's foot; none: not known
   bool beyond_rim = false;            ///< pressed deeper than the rim is thick: the run says it is no result
   double seconds = 0;                 ///< wall time [s]; 0: not known
 };

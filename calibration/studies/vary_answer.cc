@@ -8,7 +8,7 @@
 namespace rimpact::calibration {
 namespace {
 
-constexpr std::size_t strain_output = 3;
+constexpr std::size_t strain_output = 3, foot_output = 4;
 
 /// What a rim must not exceed: the targets, and the steel's limit.
 std::vector<std::pair<std::size_t, double>> limits_of(const VaryQuestion &question, bool with_steel) {
@@ -17,6 +17,7 @@ std::vector<std::pair<std::size_t, double>> limits_of(const VaryQuestion &questi
     if (const auto found = question.targets.find(vary_outputs()[k]); found != question.targets.end())
       limits.emplace_back(k, found->second);
   if (with_steel && question.strain_limit) limits.emplace_back(strain_output, *question.strain_limit);
+  if (with_steel) limits.emplace_back(foot_output, 1.0); // known of a joint alone
   return limits;
 }
 
@@ -66,6 +67,7 @@ VaryPoint between(const std::vector<VaryPoint> &points, double x) {
   point.peak_force = kilo * interpolated(points, 0, x).value, point.depth = milli * interpolated(points, 1, x).value;
   point.rebound = interpolated(points, 2, x).value;
   if (const double strain = interpolated(points, strain_output, x).value; !std::isnan(strain)) point.strain = strain;
+  if (const double use = interpolated(points, foot_output, x).value; !std::isnan(use)) point.foot_use = use;
   point.fastest = std::min_element(points.begin(), points.end(), [](const auto &a, const auto &b) {
                     return a.fastest < b.fastest;
                   })->fastest;
@@ -167,6 +169,8 @@ VaryAnswer vary_answer(const std::vector<VaryPoint> &points, const VaryQuestion 
     answer.sentence +=
         fmt::format(", strain of the rim {:.3f} ({})", *best.point.strain,
                     question.strain_limit ? fmt::format("limit {:g}", *question.strain_limit) : "no limit is known");
+  if (best.point.foot_use)
+    answer.sentence += fmt::format(", the joint at the rim's foot used to {:.2f}", *best.point.foot_use);
   answer.sentence += ".";
   return answer;
 }

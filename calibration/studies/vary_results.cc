@@ -47,6 +47,7 @@ nlohmann::json to_json(const std::vector<VaryPoint> &points, const VaryQuestion 
     row["restitution"] = point.rebound / question.speed;
     row["utilisation"] = known(utilisation(point, question));
     row["speed_at_strain_limit_m_per_s"] = known(point.speed_at_limit.value_or(std::nan("")));
+    row["rim_foot_goes_at_m_per_s"] = known(point.foot_goes_at.value_or(std::nan("")));
     row["pushed_for_m_per_s"] = point.fastest;
     row["over_severity"] = to_json(point.table);
     rows.push_back(row);
@@ -75,14 +76,16 @@ std::string to_csv(const std::vector<VaryPoint> &points, const VaryQuestion &que
   std::string text = "name";
   for (const auto &key : question.keys) text += "," + key.key;
   for (const auto &name : vary_outputs()) text += "," + name;
-  text += ",restitution,utilisation,speed_at_strain_limit_m_per_s,pushed_for_m_per_s,speed_m_per_s,mass_kg,vertical_kN";
+  text += ",restitution,utilisation,speed_at_strain_limit_m_per_s,rim_foot_goes_at_m_per_s,pushed_for_m_per_s,speed_m_"
+          "per_s,mass_kg,vertical_kN";
   for (const auto &point : points) {
     text += "\n" + point.name;
     for (const double value : point.at) text += fmt::format(",{:.8g}", value);
     for (std::size_t k = 0; k < vary_outputs().size(); ++k) text += fmt::format(",{}", cell(point.output(k), "{:.8g}"));
-    text += fmt::format(",{:.8g},{},{},{:.8g},{:g},{:.8g},{:.8g}", point.rebound / question.speed,
+    text += fmt::format(",{:.8g},{},{},{},{:.8g},{:g},{:.8g},{:.8g}", point.rebound / question.speed,
                         cell(utilisation(point, question), "{:.8g}"),
-                        cell(point.speed_at_limit.value_or(std::nan("")), "{:.8g}"), point.fastest, question.speed,
+                        cell(point.speed_at_limit.value_or(std::nan("")), "{:.8g}"),
+                        cell(point.foot_goes_at.value_or(std::nan("")), "{:.8g}"), point.fastest, question.speed,
                         question.mass, question.weight / 1e3);
   }
   return text + "\n";
@@ -93,6 +96,8 @@ std::string describe(const std::vector<VaryPoint> &points, const VaryQuestion &q
   for (const auto &key : question.keys) text += fmt::format("{:>22} ", key.key);
   text += fmt::format("{:>10} {:>9} {:>12} {:>8} {:>12} {:>16}\n", "peak kN", "depth mm", "rebound m/s", "strain",
                       "of its limit", "at limit m/s");
+  const bool joint = !points.empty() && points.front().foot_use.has_value();
+  if (joint) text.insert(text.size() - 1, fmt::format("{:>10} {:>14}", "foot use", "foot goes m/s"));
   for (const auto &point : points) {
     for (const double value : point.at) text += fmt::format("{:>22.5g} ", value);
     const double used = utilisation(point, question);
@@ -100,6 +105,10 @@ std::string describe(const std::vector<VaryPoint> &points, const VaryQuestion &q
                         point.rebound, point.strain ? fmt::format("{:.3f}", *point.strain) : "-",
                         std::isnan(used) ? "-" : fmt::format("{:.0f} %", 100 * used),
                         point.strain && question.strain_limit ? speed_at_limit(point) : "-");
+    if (joint && point.foot_use)
+      text.insert(text.size() - 1, fmt::format("{:>10.2f} {:>14}", *point.foot_use,
+                                               point.foot_goes_at ? fmt::format("{:.3f}", *point.foot_goes_at)
+                                                                  : fmt::format("> {:.3f}", point.fastest)));
   }
   return text;
 }

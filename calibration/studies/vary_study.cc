@@ -49,7 +49,7 @@ SeverityTable table_of(const laws::RimCurve &curve, const reduced::CurveStrain &
 } // namespace
 
 const std::vector<std::string> &vary_outputs() {
-  static const std::vector<std::string> names{"peak_kN", "depth_mm", "rebound_m_per_s", "strain"};
+  static const std::vector<std::string> names{"peak_kN", "depth_mm", "rebound_m_per_s", "strain", "rim_foot_use"};
   return names;
 }
 
@@ -62,8 +62,10 @@ double VaryPoint::output(std::size_t k) const {
     return milli * depth;
   case 2:
     return rebound;
-  default:
+  case 3:
     return strain.value_or(std::numeric_limits<double>::quiet_NaN());
+  default:
+    return foot_use.value_or(std::numeric_limits<double>::quiet_NaN());
   }
 }
 
@@ -78,12 +80,20 @@ VaryPoint vary_point(const reduced::RimCurveFile &file, const VaryQuestion &ques
   point.peak_force = curve.loading(point.depth).force;
   point.rebound = std::sqrt(2 * curve.returned(point.depth) / question.mass);
   point.table = table_of(curve, file.strain);
+  const auto speed_where = [&](const std::vector<double> &d, const std::vector<double> &value,
+                               double limit) -> std::optional<double> {
+    const auto deep = crossing(d, value, limit);
+    if (!deep || *deep > curve.range()) return {};
+    return std::sqrt(2 * curve.work(*deep) / question.mass);
+  };
+  if (!file.foot.use.empty()) {
+    point.foot_use = linear_at(file.foot.penetration, file.foot.use, point.depth);
+    point.foot_goes_at = speed_where(file.foot.penetration, file.foot.use, 1.0);
+  }
   if (file.strain.strain.empty()) return point;
   point.strain = linear_at(file.strain.penetration, file.strain.strain, point.depth);
   if (question.strain_limit)
-    if (const auto d = crossing(file.strain.penetration, file.strain.strain, *question.strain_limit);
-        d && *d <= curve.range())
-      point.speed_at_limit = std::sqrt(2 * curve.work(*d) / question.mass);
+    point.speed_at_limit = speed_where(file.strain.penetration, file.strain.strain, *question.strain_limit);
   return point;
 }
 

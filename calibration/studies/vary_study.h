@@ -27,7 +27,7 @@ struct VaryQuestion {
   double mass = 0;                       ///< supported [kg], > 0
   double weight = 0;                     ///< dead load [N]
   std::optional<double> strain_limit;    ///< of the steel [-]; none: not judged
-  std::map<std::string, double> targets; ///< most of peak_kN, depth_mm, rebound_m_per_s, strain
+  std::map<std::string, double> targets; ///< most of peak_kN, depth_mm, rebound_m_per_s, strain, rim_foot_use
 };
 /// What can be a target, in the order of a row's columns.
 const std::vector<std::string> &vary_outputs();
@@ -46,6 +46,8 @@ struct VaryPoint {
   std::vector<double> at;               ///< the keys' values
   double peak_force, depth, rebound;    ///< [N], [m], [m/s]
   std::optional<double> strain;         ///< of the rim's side, averaged [-]; none: the curve does not say
+  std::optional<double> foot_use;       ///< of the joint at the rim's foot [-]; none: one piece with the plate
+  std::optional<double> foot_goes_at;   ///< speed at which its use meets 1 [m/s]; none: not up to `fastest`
   std::optional<double> speed_at_limit; ///< at which the strain meets its limit [m/s]; none: not up to `fastest`
   double fastest;                       ///< that the curve stops [m/s]
   SeverityTable table = {};             ///< up to `fastest`; empty between the rims

@@ -38,14 +38,14 @@ public:
 
   /// Loads until `works` [J, rising] are done, unloading from the first step beyond each.
   laws::CurvePath run(const std::vector<double> &works, double depth, double thickness) {
-    path_.loading = {{0}, {0}}, strain_ = {{0}, {0}};
+    path_.loading = {{0}, {0}}, strain_ = {{0}, {0}}, foot_ = {};
     std::size_t next = 0;
     const auto attempt = [&](double d, double step) {
       Attempt result = push(drive_, state_, d + step);
       if (!result.accepted) return result;
       const double force = force_of(state_), work = work_ + (force + path_.loading.force.back()) / 2 * step;
       path_.loading.penetration.push_back(d + step), path_.loading.force.push_back(force);
-      if (way_.held) note_strain(d + step);
+      if (way_.held) note_strain(d + step), note_foot(d + step);
       work_ = work;
       result.suggested_step = std::min(push_growth * step, share_in * (d + step) + first_push_step);
       if (options_.progress)
@@ -68,11 +68,18 @@ public:
 
   /// Along the held path; empty along the dish.
   const reduced::CurveStrain &strain() const { return strain_; }
+  const reduced::CurveFoot &foot() const { return foot_; }
 
 private:
   void note_strain(double d) {
     const auto judged = judged_strain(steel_of(system_.model(), state_), {});
     if (judged) strain_.penetration.push_back(d), strain_.strain.push_back(judged->largest);
+  }
+  void note_foot(double d) {
+    const auto use = system_.model().foot.of(system_.expand(state_), state_.history).use;
+    if (!use) return;
+    if (foot_.use.empty()) foot_ = {{0}, {0}};
+    foot_.penetration.push_back(d), foot_.use.push_back(std::max(foot_.use.back(), *use));
   }
   Attempt push(TopDrive &drive, SystemState &state, double d) {
     if (is_interrupted(options_)) throw Interrupted();
@@ -126,6 +133,7 @@ private:
   TopDrive drive_;
   laws::CurvePath path_;
   reduced::CurveStrain strain_;
+  reduced::CurveFoot foot_;
   double work_ = 0;
 };
 
@@ -177,11 +185,12 @@ reduced::RimCurveFile push_rim_curve(const scene::Scene &scene, const CurveOrder
     if (level == scene.model.mesh) result.mesh = fmt::format("level {}, {} unknowns", level, system.equations().n);
     CurvePush push(at, system, {physical, capacity, held}, options);
     auto path = push.run(to, depth, thickness);
-    if (held) result.strain = push.strain();
+    if (held) result.strain = push.strain(), result.foot = push.foot();
     return path;
   };
   if (!order.held_only) result.dish = pushed(scene.model.mesh, false, works);
   result.held = pushed(scene.model.mesh, true, works);
+  result.joint = strength_in_words(scene.bearing.rim.connection);
   result.bearing = scene.bearing.name;
   result.rim_identity = scene::rim_identity(scene.bearing);
   result.rim_values = scene::rim_values(scene.bearing);

@@ -2,6 +2,7 @@
 #include "fe_contact/drive/fields.h"
 #include "fe_contact/drive/forces.h"
 #include "fe_contact/drive/record_checkpoint.h"
+#include "fe_contact/drive/sample_row.h"
 #include "fe_contact/drive/solver_counts.h"
 #include "fe_contact/drive/state_fields.h"
 #include "fe_contact/engine/solid_fields.h"
@@ -124,6 +125,9 @@ void FlightRun::pad_fe_signals() {
       {"plastic_strain_max", strain}, {"contact_pressure_max", 0},   {"newton_iterations", 0},
       {"energy_elastic", e.elastic},  {"energy_plastic", e.plastic}, {"energy_integrator", e.integrator}};
   for (const auto &[name, value] : values) r.series(name).resize(r.size(), value);
+  if (system_.model().foot.exists())
+    for (const auto &[name, value] : foot_signals(FootForces::none(scene_.bearing)))
+      r.series(name).resize(r.size(), value);
   for (const auto &count : solver_counts)
     if (count.signal) r.series(count.signal).resize(r.size(), 0.0);
   auto &gap = r.series("surface_gap");

@@ -29,6 +29,14 @@ SteelReport steel_of(const BearingModel &model, const SystemState &state, const 
 
 namespace {
 
+/// Nothing while the rim stands still.
+std::optional<FootForces> foot_of(const BearingSystem &system, const SystemState &state) {
+  const BearingModel &model = system.model();
+  if (!model.foot.exists()) return {};
+  if (system.contact_of(Role::wall)) return model.foot.of(system.expand(state), state.history);
+  return FootForces::none(model.bearing);
+}
+
 std::optional<SampleRow::Seat> seat_of(const BearingSystem &system, const SystemState &state) {
   const auto *bottom = system.report_of(state, Role::seat), *wall = system.report_of(state, Role::recess);
   if (!bottom || !wall) return {};
@@ -46,7 +54,7 @@ void sample(RunRecord &record, const BearingSystem &system, const SystemState &s
   append(record,
          {now.time, now.u, now.v, now.forces.total(), now.forces.pendular, now.forces.friction, now.forces.rim,
           now.forces.normal, now.gap, system.wall_distance(state, now.gap), largest_plastic_strain(state.history),
-          pressure, now.newton_iterations, now.step, pad_pressure, seat_of(system, state)});
+          pressure, now.newton_iterations, now.step, pad_pressure, seat_of(system, state), foot_of(system, state)});
 }
 
 } // namespace rimpact::fe

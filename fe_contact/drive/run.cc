@@ -56,6 +56,7 @@ Summary summarise(const scene::Scene &scene, const RunRecord &record) {
                              {"friction_J", r.series("energy_friction_seat").back()}};
   }
   summary.steel = record.steel;
+  summary.foot = foot_report(record.response, scene.bearing);
   if (scene.bearing.steel.knows_rate()) summary.extra["steel_rate"] = in_words(scene.bearing.steel.rate);
   summary.time_split["output"] = std::max(0.0, output); // meshing, flights and files
   summary.extra["cuts"] = record.n_cuts;

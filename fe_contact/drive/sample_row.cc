@@ -17,6 +17,18 @@ void append_work(RunRecord &record) {
 
 } // namespace
 
+std::vector<std::pair<const char *, double>> foot_signals(const FootForces &foot) {
+  std::vector<std::pair<const char *, double>> values{{"rim_foot_normal", foot.normal},
+                                                      {"rim_foot_shear", foot.shear},
+                                                      {"rim_foot_moment", foot.moment},
+                                                      {"rim_foot_normal_per_length", foot.worst.normal},
+                                                      {"rim_foot_shear_per_length", foot.worst.shear},
+                                                      {"rim_foot_moment_per_length", foot.worst.moment},
+                                                      {"rim_foot_weld_force", foot.weld}};
+  if (foot.use) values.emplace_back("rim_foot_use", *foot.use);
+  return values;
+}
+
 void append(RunRecord &record, const SampleRow &row) {
   auto &r = record.response;
   const char *axes[3] = {"x", "y", "z"};
@@ -56,6 +68,8 @@ void append(RunRecord &record, const SampleRow &row) {
     r.append("seat_pressure_max", row.seat->bottom);
     r.append("recess_pressure_max", row.seat->wall);
   }
+  if (row.foot)
+    for (const auto &[name, value] : foot_signals(*row.foot)) r.append(name, value);
   if (row.normal_force) r.append("normal_force", *row.normal_force);
 }
 

@@ -1,6 +1,7 @@
 /// One instant of a finite-element run as the response stores it, whatever the rung. SI units.
 #pragma once
 #include "fe_contact/drive/run_record.h"
+#include "fe_contact/rungs/rim_foot.h"
 #include <Eigen/Core>
 #include <optional>
 
@@ -22,7 +23,10 @@ struct SampleRow {
     double bottom, wall, friction_work;
   };
   std::optional<Seat> seat = {};
+  std::optional<FootForces> foot = {}; ///< empty: the mesh has no foot
 };
+/// The foot's signals by name; `rim_foot_use` is there where the joint has one.
+std::vector<std::pair<const char *, double>> foot_signals(const FootForces &foot);
 /// With the energies of the record's ledger as it stands.
 void append(RunRecord &record, const SampleRow &row);
 

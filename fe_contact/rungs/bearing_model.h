@@ -2,6 +2,7 @@
 /// carries the supported mass.
 #pragma once
 #include "fe_contact/engine/contact_steps.h"
+#include "fe_contact/rungs/rim_foot.h"
 #include "fe_contact/rungs/rung.h"
 #include <optional>
 
@@ -27,6 +28,7 @@ struct BearingModel {
   const ModelOptions options;
   const Discretisation space;
   const Solid solid;
+  const RimFoot foot;
 };
 
 /// Frictional contact with penalties `stiffer` times the stiffness of the softer side's cells: its E [Pa] over their

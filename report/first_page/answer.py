@@ -33,7 +33,7 @@ def make(context: Context) -> dict[str, Any]:
             "no_figure": "" if figure else "No curve of a fitted impact is stored, so the law's picture is not drawn.",
             "remark": for_page(law.get("remark") or ""), "belongs": _belongs(law, answer),
             "numbers": _numbers(law), "table": _table(answer), "pair": _pair(answer), "holds": for_page(_holds(law, answer)),
-            "band": _band(answer.get("steel_band")), "strain": _strain(answer.get("strain")), "bars": bars(answer.get("errors") or []),
+            "band": _band(answer.get("steel_band")), "strain": _strain(answer.get("strain"), answer.get("rim_foot") or {}), "bars": bars(answer.get("errors") or []),
             "findings": [for_page(said) for said in answer.get("finding_sentences") or []],
             "mesh_error": for_page(answer.get("mesh_error", {}).get("sentence") or "")}
 
@@ -133,13 +133,13 @@ def _band(band: dict[str, Any] | None) -> dict[str, Any] | None:
     return {"rows": rows, "sentences": [for_page(said) for said in band.get("sentences", [])], "law_is_of": band.get("law_is_of", DASH)}
 
 
-def _strain(strain: dict[str, Any] | None) -> dict[str, Any] | None:
+def _strain(strain: dict[str, Any] | None, foot: dict[str, Any]) -> dict[str, Any] | None:
     if not strain:
         return None
     limit = f"limit {percent(strain.get('limit'), 0, False)}"
     source = "an assumption of ours" if strain.get("limit_is_assumption") else "from the bearing file"
     return {"exceeded": strain.get("exceeded") is True, "sentence": strain.get("sentence", ""),
             "beside": [strain[key] for key in ("crack_sentence", "slider_sentence") if strain.get(key)],
-            "places": [row["sentence"] for row in strain.get("places") or [] if row.get("sentence")],
+            "places": [*(row["sentence"] for row in strain.get("places") or [] if row.get("sentence")), *([foot["sentence"]] if foot.get("sentence") else [])],
             "limit": f"{limit}, {source}", "largest": percent(strain.get("largest"), 1, False),
             "rows": [[sig(row.get("speed_m_s"), 2), percent(row.get("strain"), 1, False)] for row in _telling(strain.get("rows", []), strain.get("limit"))]}

@@ -65,6 +65,11 @@ def _hardening(steel: dict[str, Any], mark: Callable[[str], str]) -> Markup:
     return value
 
 
+JOINTS: dict[str, Callable[[dict[str, Any]], str]] = {
+    "fillet": lambda joint: f"two fillet welds, throat {plain(joint.get('throat_mm'))}\u00a0mm",
+    "bolts": lambda joint: f"{plain(joint.get('number'))} bolts {joint.get('size')} {joint.get('grade')} on Ø {plain(joint.get('circle_mm'))}\u00a0mm"}
+
+
 def _rows(bearing: dict[str, Any], assumed: set[str]) -> list[list[Any]]:
     """[label, value] pairs of what shapes an impact."""
     def number(part: str, key: str, unit: str = "") -> Markup:
@@ -81,6 +86,9 @@ def _rows(bearing: dict[str, Any], assumed: set[str]) -> list[list[Any]]:
     rows = [["Surface", shape], ["Planar radius", number("surface", "planar_radius_mm", "\u00a0mm")],
             ["Slider", Markup("Ø ") + number("slider", "diameter_mm", "\u00a0mm")],
             ["Rim", number("rim", "height_mm", "\u00a0mm") + Markup(" high, ") + number("rim", "thickness_mm", "\u00a0mm") + Markup(" thick")]]
+    joint = bearing.get("rim", {}).get("connection", {})
+    if joint.get("kind") in JOINTS:
+        rows.append(["Rim's foot", JOINTS[joint["kind"]](joint)])
     capacity = geometry.lateral_capacity(bearing)
     if capacity:
         rows.append([Markup("Travel to the rim, ") + sentence("L_c"), f"{scaled(capacity, 1e3, 1)}\u00a0mm"])

@@ -20,7 +20,7 @@ def make(context: Context) -> dict[str, Any]:
     figure = context.pictures.figure("first-response", "", response_panels.draw, [(role, shown_part(run))],
                                      {role: "reduced model" if role == "fitted" else "finite elements"}, context.capacity, dpi=300) if drawn else None
     return {"figure": figure, "no_figure": "" if figure else "No response is stored, so nothing is drawn.", "rows": _peaks(run, context.capacity),
-            "building": _building(run), "strain": _strain(run), "law": _law(run), "estimate": _estimate(run)}
+            "building": _building(run), "strain": _strain(run), "foot": _foot(run.summary.get("rim_foot")), "law": _law(run), "estimate": _estimate(run)}
 
 
 def _peaks(run: Run, capacity: float | None) -> list[list[str]]:
@@ -68,6 +68,17 @@ def _strain(run: Run) -> dict[str, Any] | None:
     what = f"The plastic strain of {where}" if where else "The largest plastic strain of any body"
     said = f"{what}, {percent(limit.get('largest'), 1, False)}, {verdict} the limit of {percent(limit['limit'], 0, False)} ({source})."
     return {"exceeded": limit.get("exceeded") is True, "sentence": said}
+
+
+def _foot(foot: dict[str, Any] | None) -> dict[str, Any] | None:
+    """What went through the rim's foot, and whether the joint there bears it."""
+    if not foot or not is_number(foot.get("weld_N_per_m")):
+        return None
+    carried = f"each mm of it carries {scaled(foot.get('shear_N_per_m'), 1e-6, 2)}\u00a0kN of shear and {scaled(foot.get('moment_N'), 1e-3, 0)}\u00a0kN\u00a0mm of moment"
+    if is_number(foot.get("use")):
+        return {"exceeded": foot.get("exceeded") is True, "sentence": f"{foot.get('in_words')}: used to {fixed(foot['use'], 2)}, it goes at 1; {carried}."}
+    return {"exceeded": False, "sentence": f"Taken as one piece with the plate, an assumption; {carried}, for which two fillet welds would need a throat of "
+                                           f"{fixed(foot.get('needed_throat_mm'), 0)}\u00a0mm."}
 
 
 def _from_scene(run: Run) -> dict[str, Any] | None:

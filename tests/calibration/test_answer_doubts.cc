@@ -145,5 +145,58 @@ TEST(AnswerDoubts, TheMeshOfAnotherRimUnderTheSameNameIsNotKnown) {
   EXPECT_NE(error.sentence.find("(about "), std::string::npos) << error.sentence;
 }
 
+/// A law ends at the fastest run whose foot bears it; of a rim in one piece the needed weld is told.
+TEST(AnswerDoubts, TheLawEndsWhereTheRimsFootGoes) {
+  TemporaryFolder folder;
+  std::vector<std::string> runs, whole;
+  for (int i = 0; i < 4; ++i) {
+    auto scene = window(0.1 * (i + 1));
+    FootReport foot;
+    foot.weld = 1e6 * (i + 1), foot.needed_throat = 0.004 * (i + 1), foot.worst = {0, 2e6 * (i + 1), 0, 3e4 * (i + 1)};
+    whole.push_back(folder.write(scene));
+    amend(whole[i], {{"rung", "rim"}, {"mesh", 1}, {"rim_foot", to_json(foot, scene.bearing.rim.connection)}});
+    scene.bearing.rim.connection.kind = scene::ConnectionKind::fillet, scene.bearing.rim.connection.throat = 0.010;
+    scene.name += "-fillet";
+    foot.use = 0.4 * (i + 1); // beyond 1 at 0.3 m/s
+    runs.push_back(folder.write(scene));
+    amend(runs[i], {{"rung", "rim"}, {"mesh", 1}, {"rim_foot", to_json(foot, scene.bearing.rim.connection)}});
+  }
+  const auto c = calibrate(runs, quick({"signed"}));
+  ASSERT_TRUE(c.answer->foot);
+  EXPECT_NEAR(c.answer->foot->runs.gone.expected.value(), 0.25, 1e-9);
+  EXPECT_NEAR(c.answer->law.fitted_to, 0.2, 1e-3) << "the law ends there";
+  EXPECT_LE(c.answer->law.valid_to.value_or(0), 0.2 + 1e-3);
+  EXPECT_NEAR(c.answer->table.back().speed, 0.2, 1e-3);
+  EXPECT_NE(c.answer->foot->sentence.find("used to 1.60 at 0.4 m/s, 1 passed at about 0.25 m/s (runs at 0.2 and 0.3)"),
+            std::string::npos)
+      << c.answer->foot->sentence;
+  EXPECT_NE(c.answer->validity.find("It ends at 0.2 m/s"), std::string::npos) << c.answer->validity;
+  EXPECT_NE(to_toml_fragment(*c.answer).find("# Doubt: The joint at the rim's foot"), std::string::npos);
+  EXPECT_EQ(to_json(*c.answer)["rim_foot"]["rows"].size(), 4u);
+  // With fast steel the joint goes earlier: the law ends there.
+  auto options = quick({"signed"});
+  options.steel_band = SteelBand{};
+  FootReport bears, breaks;
+  bears.use = 0.9, breaks.use = 1.3;
+  options.steel_band->twins = {{.speed = 0.1, .static_steel = {}, .fast = {}, .fast_foot = bears},
+                               {.speed = 0.2, .static_steel = {}, .fast = {}, .fast_foot = breaks}};
+  const auto banded = answer_foot(c, {}, options.steel_band);
+  EXPECT_FALSE(banded) << "no run tells";
+  AnswerFoot both = *c.answer->foot;
+  both.twins.rows = {{0.1, bears}, {0.2, breaks}}, both.twins.gone = passing({{0.1, 0.9}, {0.2, 1.3}}, 1);
+  EXPECT_NEAR(both.goes_at().value(), 0.2, 1e-9);
+  EXPECT_NEAR(both.borne_to().value(), 0.1, 1e-3);
+  both.twins.rows = {{0.05, breaks}}, both.twins.gone = passing({{0.05, 1.3}}, 1);
+  EXPECT_FALSE(both.borne_to());
+  const auto one_piece = calibrate(whole, quick({"signed"}));
+  EXPECT_NEAR(one_piece.answer->law.fitted_to, 0.4, 1e-3);
+  EXPECT_NE(
+      one_piece.answer->foot->sentence.find("one piece with the plate, an assumption (bearing.rim.connection); at "
+                                            "0.4 m/s each mm of it carries 8.00 kN of shear and 120 kN mm"),
+      std::string::npos)
+      << one_piece.answer->foot->sentence;
+  EXPECT_TRUE(one_piece.answer->foot->doubt.empty());
+}
+
 } // namespace
 } // namespace rimpact::calibration

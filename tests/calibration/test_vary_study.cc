@@ -73,7 +73,12 @@ TEST(VaryPoint, SaysWhatTheCurveDoesNotReach) {
   EXPECT_FALSE(tough.speed_at_limit);
   EXPECT_GT(tough.fastest, 0.8);
   auto old = power_curve(1, 0.06);
-  old.strain = {};
+  old.foot = {{0, 0.1}, {0, 10}}; // goes at 10 mm
+  const VaryPoint joined = vary_point(old, asked());
+  EXPECT_NEAR(joined.foot_use.value(), joined.depth / 0.01, 1e-9);
+  EXPECT_NEAR(joined.foot_goes_at.value(), std::sqrt(2 * stiffness * std::pow(0.01, power + 1) / (power + 1) / mass),
+              2e-3);
+  old.foot = {}, old.strain = {};
   const auto unknown = vary_point(old, asked());
   EXPECT_FALSE(unknown.strain);
   EXPECT_TRUE(std::isnan(unknown.output(3)));
