@@ -93,13 +93,15 @@ void write_corrected(const std::vector<MotionRow> &rows, const std::string &fold
 
 std::vector<MotionRow> motion_rows(const std::string &given, const MotionOptions &options, Console &console) {
   const std::string name = std::filesystem::exists(given) ? given : find_record(given, ".");
-  if (!std::filesystem::is_directory(name)) {
+  if (!holds_records(name)) {
     if (options.ask)
       throw InputError(fmt::format("--ask writes {} into a folder, and {} is none", records_csv_name, given));
     return rows_of_file(name, options.period);
   }
   const RecordFolder folder = read_record_folder(name);
   folder.require_any();
+  if (options.ask && !std::filesystem::is_directory(name))
+    throw InputError(fmt::format("--ask writes {} into a folder; unpack {} first", records_csv_name, given));
   if (options.ask) ask_about(folder, console);
   console.message(folder_in_words(folder));
   if (const std::string question = folder.question(); !options.ask && !question.empty()) console.warn(question);
@@ -111,7 +113,9 @@ std::vector<MotionRow> motion_rows(const std::string &given, const MotionOptions
 void add_motion(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("motion", "what is in ground-motion records, or in a folder of them");
   auto options = std::make_shared<MotionOptions>();
-  verb->add_option("FILE", options->names, "records of any form, FILE#2 for a channel, or folders of them")->required();
+  verb->add_option("FILE", options->names,
+                   "records of any form, FILE#2 for a channel, or folders and zip archives of them")
+      ->required();
   verb->add_option("--png", options->picture, "folder for a plot of each record");
   verb->add_flag("--ask", options->ask, "writes records.csv into a folder: stations and directions, to be corrected");
   verb->add_option("--period", options->period, "S_a at this period [s] with 5 % damping, of pairs RotD50 and RotD100")
@@ -124,7 +128,7 @@ void add_motion(CLI::App &app, Console &console) {
     std::string text;
     for (const auto &name : options->names) {
       auto rows = motion_rows(name, *options, console);
-      text += std::filesystem::is_directory(name) ? motion_table(rows) : motion_lines(rows);
+      text += holds_records(name) ? motion_table(rows) : motion_lines(rows);
       std::move(rows.begin(), rows.end(), std::back_inserter(all));
     }
     nlohmann::ordered_json json = nlohmann::ordered_json::array();
