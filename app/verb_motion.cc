@@ -1,4 +1,5 @@
 // rimpact motion FILE|FOLDER...: what is in records.
+#include "app/motion_choice.h"
 #include "app/motion_table.h"
 #include "app/sibling.h"
 #include "app/verb.h"
@@ -74,7 +75,29 @@ struct MotionOptions {
   std::string picture, corrected;
   double period = 0; ///< [s], 0: no spectral acceleration
   bool ask = false;
+  SelectionOptions selection;
+  double strike = -1; ///< [deg], negative: not given
+  std::string rotated;
+  std::vector<double> range{0.2, 1.5}; ///< of periods, over `period`
 };
+
+/// The one folder that a selection or a rotation is of.
+void choose_from(const MotionOptions &options, Console &console) {
+  if (options.names.size() != 1) throw InputError("--select and --strike take one folder of records");
+  const std::string given = options.names.front();
+  const std::string name = std::filesystem::exists(given) ? given : find_record(given, ".");
+  const RecordFolder folder = read_record_folder(name);
+  folder.require_any();
+  if (const std::string question = folder.question(); !question.empty()) console.warn(question);
+  if (options.strike >= 0) rotate_motions(folder, options.strike, options.rotated, console);
+  if (options.selection.rules.count == 0) return;
+  SelectionOptions selection = options.selection;
+  if (options.period == 0) throw InputError("--select needs --period, that of the structure [s]");
+  selection.rules.period = options.period;
+  selection.rules.from = options.range[0], selection.rules.to = options.range[1];
+  if (!(options.range[0] < options.range[1])) throw InputError("--range A,B needs A below B");
+  select_motions(folder, selection, console);
+}
 
 /// Each record with its baseline taken off, as a CSV of its own.
 void write_corrected(const std::vector<MotionRow> &rows, const std::string &folder, Console &console) {
@@ -108,6 +131,35 @@ std::vector<MotionRow> motion_rows(const std::string &given, const MotionOptions
   return rows_of_folder(folder, options.period);
 }
 
+/// --select and --strike with what belongs to them.
+void add_choices(CLI::App &verb, const std::shared_ptr<MotionOptions> &options) {
+  auto *select = verb.add_option("--select", options->selection.rules.count,
+                                 "of a folder: so many recordings whose spectra fit --target best, scaled to it")
+                     ->check(CLI::Range(1, 1000));
+  auto *target = verb.add_option("--target", options->selection.target,
+                                 "asce7,S_DS=g,S_D1=g,T_L=s or en1998,a_g=g,ground=A..E,type=1|2");
+  auto *out = verb.add_option("-o,--output", options->selection.folder,
+                              "of --select: folder for sweep.toml, spectrum.csv and .png, selection.csv");
+  verb.add_option("--range", options->range, "of --select: periods from A to B times --period (0.2 1.5)")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(CLI::Range(0.01, 10.0))
+      ->needs(select);
+  verb.add_option("--largest-scale", options->selection.rules.largest_scale,
+                  "of --select: factors beyond it, or below its inverse, are not taken (5)")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->needs(select);
+  select->needs(target)->needs(out);
+  target->needs(select);
+  out->needs(select);
+  auto *strike = verb.add_option("--strike", options->strike,
+                                 "of a folder: turns every pair to fault-normal and fault-parallel [deg from north]")
+                     ->check(CLI::Range(0.0, 360.0));
+  auto *rotated = verb.add_option("--rotated", options->rotated, "folder for what --strike makes, as CSV");
+  strike->needs(rotated);
+  rotated->needs(strike);
+}
+
 } // namespace
 
 void add_motion(CLI::App &app, Console &console) {
@@ -121,9 +173,11 @@ void add_motion(CLI::App &app, Console &console) {
   verb->add_option("--period", options->period, "S_a at this period [s] with 5 % damping, of pairs RotD50 and RotD100")
       ->check(CLI::Range(0.01, 100.0));
   verb->add_option("--baseline", options->corrected, "folder for each record with its baseline corrected, as CSV");
+  add_choices(*verb, options);
   console.add_common(*verb);
   console.add_json(*verb);
   verb->callback([options, &console] {
+    if (options->selection.rules.count > 0 || options->strike >= 0) return choose_from(*options, console);
     std::vector<MotionRow> all;
     std::string text;
     for (const auto &name : options->names) {
