@@ -64,8 +64,8 @@ void tell_sweep(const fleets::Sweep &sweep, const SweepPlace &place, const fleet
   }
   const double one = seconds / static_cast<double>(tried.size());
   const auto at_once = static_cast<double>(n_threads > 0 ? static_cast<std::size_t>(n_threads) : cores_to_use());
-  constexpr double bytes_a_cell = 12, own_columns = 60; // of table.csv, as written
-  const double bytes = bytes_a_cell * (own_columns + static_cast<double>(sweep.keys.size())) * static_cast<double>(n);
+  constexpr double own_bytes = 230, key_bytes = 10; // of a row of table.csv, as 100,000 runs were written
+  const double bytes = (own_bytes + key_bytes * static_cast<double>(sweep.keys.size())) * static_cast<double>(n);
   if (!trouble.empty()) console.warn(trouble);
   if (console.json)
     return console.data(json_text(nlohmann::ordered_json{{"n_runs", n},
