@@ -87,6 +87,8 @@ std::vector<KeyDescription> study_keys() {
       text("motions.level_is", word(motions.level_is), any_of<LevelKind>(), "what the table's column of levels holds"),
       text("motions.component", word(motions.component), any_of<ComponentRule>(),
            "the horizontal component whose S_a meets the level best, or the one named"),
+      text("motions.list", word(motions.list), any_of<RecordList>(),
+           "of levels_g: records by number, as the list has them"),
       text("motions.scale", word(motions.scale), any_of<ScaleRule>(),
            "the table's factor, or so that the level is met"),
       text("motions.columns.level", motions.level_column, "text", "name of the table's column of levels"),
@@ -111,6 +113,25 @@ std::vector<KeyDescription> study_keys() {
   };
 }
 
+/// Of [p695] and [plausible].
+std::vector<KeyDescription> acceptance_keys() {
+  using namespace risk;
+  const CollapseStudy usual;
+  return {
+      text("p695.quantity", usual.quantity, "one of the limits' quantities", "[p695]: what collapse is, by FEMA P-695"),
+      number("p695.limit", "the first", "one of its values", "beyond which a run has collapsed"),
+      number("p695.mce_g", "", "> 0", "maximum considered S_a at intensity.period_s"),
+      number("p695.ductility", fmt::format("{:g}", usual.ductility), ">= 1", "period-based ductility"),
+      text("p695.category", word(usual.category), any_of<reliability::ShapeCategory>(), "seismic design category"),
+      text("p695.design_requirements", word(usual.design), any_of<reliability::Rating>(),
+           "quality of the design rules"),
+      text("p695.test_data", word(usual.tests), any_of<reliability::Rating>(), "quality of the test data"),
+      text("p695.model", word(usual.model), any_of<reliability::Rating>(), "quality of the model"),
+      text("p695.three_dimensional", "false", "true or false", "the margin times 1.2"),
+      number("plausible.QUANTITY", "", "> 0", "largest value that is believed: runs beyond are doubted"),
+  };
+}
+
 std::vector<KeyDescription> with_bearings(std::vector<KeyDescription> keys) {
   return std::move(keys) + std::vector{text("bearings.NODE", "the scene's", "text",
                                             "a bearing of its own under the node of this number: a name or a file")};
@@ -128,7 +149,8 @@ std::vector<FileKeys> file_keys() {
   return {
       {"sweep_keys", "Sweep files", "`KEY` stands for any scene key, or `variable.NAME`, a column only.", sweep_keys()},
       {"study_keys", "Reliability studies",
-       "Parts `case`, `device`, `grid`, `latin_hypercube` and `linked` are those of a sweep file.", study_keys()},
+       "Parts `case`, `device`, `grid`, `latin_hypercube` and `linked` are those of a sweep file.",
+       study_keys() + acceptance_keys()},
       {"building_keys", "Buildings", "A regular building, linear in space, for `--frame`.",
        with_bearings(visited<buildings::RegularBuilding>())},
       {"frame_keys", "Inelastic frames",

@@ -52,7 +52,7 @@ void doubt_copies(std::vector<MotionRow> &rows) {
   const auto copies = scaled_copies(signals);
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (copies[i])
-      rows[i].record.doubts.push_back(fmt::format("it is {} times {}: one record, given twice", copies[i]->factor,
+      rows[i].record.doubts.push_back(fmt::format("it is {:.4g} times {}: one record, given twice", copies[i]->factor,
                                                   rows[copies[i]->of].record.file));
 }
 

@@ -12,8 +12,10 @@ struct SweepOptions {
   std::vector<std::string> sweep; ///< one file, or KEY=a:b:n each; empty: none
   std::string shard;              ///< "i/n", empty: all
   int n_threads = 0;
+  int slurm = 0;        ///< shards of the scripts to write; 0: runs
+  bool dry_run = false; ///< tells what would run
 };
-/// --sweep, --shard and --threads of a verb; the first of them.
+/// --sweep, --shard, --threads, --slurm and --dry-run of a verb; the first of them.
 CLI::Option *add_sweep_options(CLI::App &verb, SweepOptions &options);
 
 struct SweepPlace {

@@ -1,4 +1,5 @@
 // rimpact motion FILE|FOLDER...: what is in records.
+#include "app/motion_choice.h"
 #include "app/motion_table.h"
 #include "app/sibling.h"
 #include "app/verb.h"
@@ -74,7 +75,29 @@ struct MotionOptions {
   std::string picture, corrected;
   double period = 0; ///< [s], 0: no spectral acceleration
   bool ask = false;
+  SelectionOptions selection;
+  double strike = -1; ///< [deg], negative: not given
+  std::string rotated;
+  std::vector<double> range{0.2, 1.5}; ///< of periods, over `period`
 };
+
+/// The one folder that a selection or a rotation is of.
+void choose_from(const MotionOptions &options, Console &console) {
+  if (options.names.size() != 1) throw InputError("--select and --strike take one folder of records");
+  const std::string given = options.names.front();
+  const std::string name = std::filesystem::exists(given) ? given : find_record(given, ".");
+  const RecordFolder folder = read_record_folder(name);
+  folder.require_any();
+  if (const std::string question = folder.question(); !question.empty()) console.warn(question);
+  if (options.strike >= 0) rotate_motions(folder, options.strike, options.rotated, console);
+  if (options.selection.rules.count == 0) return;
+  SelectionOptions selection = options.selection;
+  if (options.period == 0) throw InputError("--select needs --period, that of the structure [s]");
+  selection.rules.period = options.period;
+  selection.rules.from = options.range[0], selection.rules.to = options.range[1];
+  if (!(options.range[0] < options.range[1])) throw InputError("--range A,B needs A below B");
+  select_motions(folder, selection, console);
+}
 
 /// Each record with its baseline taken off, as a CSV of its own.
 void write_corrected(const std::vector<MotionRow> &rows, const std::string &folder, Console &console) {
@@ -93,17 +116,48 @@ void write_corrected(const std::vector<MotionRow> &rows, const std::string &fold
 
 std::vector<MotionRow> motion_rows(const std::string &given, const MotionOptions &options, Console &console) {
   const std::string name = std::filesystem::exists(given) ? given : find_record(given, ".");
-  if (!std::filesystem::is_directory(name)) {
+  if (!holds_records(name)) {
     if (options.ask)
       throw InputError(fmt::format("--ask writes {} into a folder, and {} is none", records_csv_name, given));
     return rows_of_file(name, options.period);
   }
   const RecordFolder folder = read_record_folder(name);
   folder.require_any();
+  if (options.ask && !std::filesystem::is_directory(name))
+    throw InputError(fmt::format("--ask writes {} into a folder; unpack {} first", records_csv_name, given));
   if (options.ask) ask_about(folder, console);
   console.message(folder_in_words(folder));
   if (const std::string question = folder.question(); !options.ask && !question.empty()) console.warn(question);
   return rows_of_folder(folder, options.period);
+}
+
+/// --select and --strike with what belongs to them.
+void add_choices(CLI::App &verb, const std::shared_ptr<MotionOptions> &options) {
+  auto *select = verb.add_option("--select", options->selection.rules.count,
+                                 "of a folder: so many recordings whose spectra fit --target best, scaled to it")
+                     ->check(CLI::Range(1, 1000));
+  auto *target = verb.add_option("--target", options->selection.target,
+                                 "asce7,S_DS=g,S_D1=g,T_L=s or en1998,a_g=g,ground=A..E,type=1|2");
+  auto *out = verb.add_option("-o,--output", options->selection.folder,
+                              "of --select: folder for sweep.toml, spectrum.csv and .png, selection.csv");
+  verb.add_option("--range", options->range, "of --select: periods from A to B times --period (0.2 1.5)")
+      ->delimiter(',')
+      ->expected(2)
+      ->check(CLI::Range(0.01, 10.0))
+      ->needs(select);
+  verb.add_option("--largest-scale", options->selection.rules.largest_scale,
+                  "of --select: factors beyond it, or below its inverse, are not taken (5)")
+      ->check(CLI::Range(1.0, 1000.0))
+      ->needs(select);
+  select->needs(target)->needs(out);
+  target->needs(select);
+  out->needs(select);
+  auto *strike = verb.add_option("--strike", options->strike,
+                                 "of a folder: turns every pair to fault-normal and fault-parallel [deg from north]")
+                     ->check(CLI::Range(0.0, 360.0));
+  auto *rotated = verb.add_option("--rotated", options->rotated, "folder for what --strike makes, as CSV");
+  strike->needs(rotated);
+  rotated->needs(strike);
 }
 
 } // namespace
@@ -111,20 +165,24 @@ std::vector<MotionRow> motion_rows(const std::string &given, const MotionOptions
 void add_motion(CLI::App &app, Console &console) {
   auto *verb = app.add_subcommand("motion", "what is in ground-motion records, or in a folder of them");
   auto options = std::make_shared<MotionOptions>();
-  verb->add_option("FILE", options->names, "records of any form, FILE#2 for a channel, or folders of them")->required();
+  verb->add_option("FILE", options->names,
+                   "records of any form, FILE#2 for a channel, or folders and zip archives of them")
+      ->required();
   verb->add_option("--png", options->picture, "folder for a plot of each record");
   verb->add_flag("--ask", options->ask, "writes records.csv into a folder: stations and directions, to be corrected");
   verb->add_option("--period", options->period, "S_a at this period [s] with 5 % damping, of pairs RotD50 and RotD100")
       ->check(CLI::Range(0.01, 100.0));
   verb->add_option("--baseline", options->corrected, "folder for each record with its baseline corrected, as CSV");
+  add_choices(*verb, options);
   console.add_common(*verb);
   console.add_json(*verb);
   verb->callback([options, &console] {
+    if (options->selection.rules.count > 0 || options->strike >= 0) return choose_from(*options, console);
     std::vector<MotionRow> all;
     std::string text;
     for (const auto &name : options->names) {
       auto rows = motion_rows(name, *options, console);
-      text += std::filesystem::is_directory(name) ? motion_table(rows) : motion_lines(rows);
+      text += holds_records(name) ? motion_table(rows) : motion_lines(rows);
       std::move(rows.begin(), rows.end(), std::back_inserter(all));
     }
     nlohmann::ordered_json json = nlohmann::ordered_json::array();

@@ -3,6 +3,7 @@
 #include "app/progress.h"
 #include "app/shard.h"
 #include "app/sibling.h"
+#include "app/slurm_scripts.h"
 #include "app/verb.h"
 #include "files/folder_lock.h"
 #include "files/json_text.h"
@@ -11,6 +12,7 @@
 #include "risk/results.h"
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 
 namespace rimpact::app {
 namespace {
@@ -18,7 +20,7 @@ namespace {
 struct ReliabilityOptions {
   std::string study, folder, shard, table;
   std::vector<std::string> records;
-  int n_threads = 0;
+  int n_threads = 0, slurm = 0;
   bool dry_run = false, no_report = false, resume = false;
 };
 
@@ -77,6 +79,22 @@ std::string in_words(const std::string &quantity, double limit, const Headline &
          fmt::format("between {:.1e} and {:.1e}: the levels do not settle it\n", line.range_low, line.range_high);
 }
 
+/// FEMA P-695: the least and the mean margin of all systems beside what is asked.
+std::string collapse_in_words(const nlohmann::ordered_json &p695) {
+  double least = std::numeric_limits<double>::infinity();
+  bool is_bound = false;
+  for (const auto &system : p695["systems"])
+    least = std::min(least, system["adjusted_collapse_margin"].get<double>()),
+    is_bound |= system["is_lower_bound"].get<bool>();
+  return fmt::format(
+      "FEMA P-695: least adjusted collapse margin {:.2f} ({:.2f} needed: {}), mean {:.2f} ({:.2f} needed: "
+      "{}), total uncertainty {:.3f}{}\n",
+      least, p695["acceptable_20"].get<double>(), p695["all_accepted"].get<bool>() ? "accepted" : "not accepted",
+      p695["mean_adjusted_collapse_margin"].get<double>(), p695["acceptable_10"].get<double>(),
+      p695["accepted_on_average"].get<bool>() ? "accepted" : "not accepted", p695["total_uncertainty"].get<double>(),
+      is_bound ? "; where fewer than half of the runs collapse at every level the margin is a lower bound" : "");
+}
+
 /// The probabilities of every quantity, one line a limit, over all systems.
 std::string describe(const risk::Results &results, const std::string &folder) {
   const auto &table = results.tables.at("reliability");
@@ -107,6 +125,7 @@ std::string describe(const risk::Results &results, const std::string &folder) {
     text += fmt::format("{} runs have no result. They count for the limits they had passed by then; columns "
                         "probability_if_none and _if_all of reliability.csv: none or all of them beyond the others\n",
                         n);
+  if (results.summary.contains("p695")) text += collapse_in_words(results.summary["p695"]);
   return text + fmt::format("{}/reliability.json, tables beside it\n", folder);
 }
 
@@ -124,6 +143,7 @@ void run_reliability(ReliabilityOptions options, Console &console) {
     study.motions.table = options.table;
   }
   if (options.folder.empty()) options.folder = default_folder(study.name);
+  if (options.slurm > 0) return write_slurm({.shards = options.slurm, .folder = options.folder}, console);
   const bool is_shard = parse_shard(options.shard).second > 1;
   const auto systems = risk::systems_of(study);
   if (const std::string shelf = records_shelf();
@@ -170,7 +190,9 @@ void add_reliability(CLI::App &app, Console &console) {
       ->allow_extra_args(false);
   verb->add_option("--table", options->table, "the table of motions, in place of the study's motions.table");
   verb->add_option("--shard", options->shard, "I/N: every N-th system from the I-th on, with the same -o");
-  verb->add_option("--threads", options->n_threads, "default: as many as the machine has")->check(CLI::Range(1, 1024));
+  add_slurm(*verb, options->slurm);
+  verb->add_option("--threads,--jobs", options->n_threads, "default: as many as the machine has")
+      ->check(CLI::Range(1, 1024));
   verb->add_flag("--dry-run", options->dry_run, "the plan: runs, hours, memory, files, shards");
   verb->add_flag("--no-report", options->no_report, "leaves report.html out");
   verb->add_flag("--resume", options->resume, "what a study always does: finished runs are kept");

@@ -4,6 +4,8 @@
 #include "app/set_keys.h"
 #include "app/shard.h"
 #include "app/sibling.h"
+#include "app/slurm_scripts.h"
+#include "app/time_to_go.h"
 #include "app/verb.h"
 #include "calibration/studies/speed_error.h"
 #include "calibration/studies/stored_study.h"
@@ -38,6 +40,8 @@ struct StudyOptions {
   std::vector<int> meshes{1, 2};
   std::vector<double> steps{1.0, 0.5}; // [ms]
   double wanted = 2;                   // [%]
+  int slurm = 0;
+  bool dry_run = false;
   bool varies(StudyAxis axis) const { return std::find(axes.begin(), axes.end(), word(axis)) != axes.end(); }
 };
 
@@ -171,7 +175,24 @@ void refuse_values_unread(const StudyOptions &options, const CLI::App &verb) {
       throw InputError(fmt::format("{}: {} is not among --axes {}", name, word(axis), fmt::join(options.axes, ",")));
 }
 
-void run_study(StudyOptions options, const CLI::App &verb, Console &console) {
+/// What would run, and how long it takes, one after the other.
+void print_study(const std::vector<Job> &jobs, const std::string &folder, const Console &console) {
+  nlohmann::ordered_json rows = nlohmann::ordered_json::array();
+  std::string text = fmt::format("{:28s} {}\n", "run", "expected");
+  double in_all = 0;
+  for (const auto &job : jobs) {
+    constexpr double reduced = 0.01; // [s]
+    const double seconds = job.reduced ? reduced : expected_times({job}).front().expected;
+    in_all += seconds;
+    rows.push_back({{"name", job.name}, {"expected_seconds", seconds}});
+    text += fmt::format("{:28s} {}\n", job.name, about(seconds));
+  }
+  text += fmt::format("{} runs, {} in all, one after the other; {}\n", jobs.size(), about(in_all), folder);
+  console.data(console.json ? json_text(nlohmann::ordered_json{{"runs", rows}, {"expected_seconds", in_all}}) : text);
+}
+
+/// Throws InputError for axes and values that are none.
+void check_axes(const StudyOptions &options, const CLI::App &verb) {
   for (const auto &axis : options.axes)
     if (!parse<StudyAxis>(axis)) throw InputError("--axes " + axis + ": must be of rung, mesh, step");
   for (const double step : options.steps)
@@ -183,6 +204,10 @@ void run_study(StudyOptions options, const CLI::App &verb, Console &console) {
   if (twice(options.axes) || twice(options.rungs) || twice(options.meshes) || twice(options.steps))
     throw InputError("--axes, --rungs, --meshes and --steps: each value once, a run would be compared with itself");
   refuse_values_unread(options, verb);
+}
+
+void run_study(StudyOptions options, const CLI::App &verb, Console &console) {
+  check_axes(options, verb);
   const auto [part, n_parts] = parse_shard(options.shard);
   const scene::Scene base = console.load(options.scene);
   refuse_axes_set(options, console);
@@ -192,7 +217,10 @@ void run_study(StudyOptions options, const CLI::App &verb, Console &console) {
   if (options.folder.empty()) options.folder = default_folder("study-" + base.name);
   if (!options.curve.empty() && !(options.varies(StudyAxis::rung) && has_reduced(options)))
     throw InputError("--curve: it is flown by the reduced model, which is not among --rungs");
+  if (options.slurm > 0)
+    return write_slurm({.shards = options.slurm, .folder = options.folder, .has_threads = false}, console);
   const std::vector<Job> jobs = study_jobs(options, base);
+  if (options.dry_run) return print_study(shard_of(jobs, part, n_parts), options.folder, console);
   const auto lock = claim_for_jobs(options.folder, Collection::study, jobs, console.force, part_name(part, n_parts));
   make_runs_folder(options.folder);
   std::vector<Job> own = without_reduced(shard_of(jobs, part, n_parts), console);
@@ -242,6 +270,8 @@ void add_study(CLI::App &app, Console &console) {
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
   verb->add_option("--shard", options->shard, "I/N: every N-th run from the I-th on, with the same -o");
+  add_slurm(*verb, options->slurm);
+  verb->add_flag("--dry-run", options->dry_run, "list the runs and the time they take, and stop");
   console.add_common(*verb);
   console.add_json(*verb);
   console.add_overrides(*verb);

@@ -91,7 +91,7 @@ ordered_json HitShares::json() const {
   return all;
 }
 
-std::vector<std::string> HitShares::doubts() const {
+std::vector<std::string> HitShares::doubts(bool with_frame) const {
   std::vector<std::string> found;
   const std::string speeds = fmt::format("hits come at {}", in_words(speeds_.first, speeds_.second)),
                     stated = fmt::format("a doubt above {:g} %", 100 * bound);
@@ -116,7 +116,7 @@ std::vector<std::string> HitShares::doubts() const {
     found.push_back(fmt::format("{} strain the steel beyond its limit: cracks, which no law here has, would change the "
                                 "force",
                                 share_in_words(steel_)));
-  if (const auto doubt = doubt_of_frame(ductility_, drift_))
+  if (const auto doubt = doubt_of_frame(ductility_, drift_); doubt && with_frame)
     found.push_back(fmt::format("{} of {} runs: {}", n_beyond_frame_, n_runs_, *doubt));
   return found;
 }

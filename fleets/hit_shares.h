@@ -38,7 +38,8 @@ public:
   /// Counts, shares and speeds; null: not known.
   nlohmann::ordered_json json() const;
   /// Sentences with the share, the speeds and the bound.
-  std::vector<std::string> doubts() const;
+  /// `with_frame`: also of the frame beyond responses/frame_limits.h; false where a study has bounds of its own.
+  std::vector<std::string> doubts(bool with_frame = true) const;
 
 private:
   using Speeds = std::pair<std::optional<double>, std::optional<double>>;

@@ -1,5 +1,6 @@
 #include "records/record.h"
 #include "files/error.h"
+#include "records/record_corrections.h"
 #include "records/record_file.h"
 #include <algorithm>
 #include <cmath>
@@ -39,14 +40,15 @@ void require_plausible(double acceleration, double gravity, const std::string &w
 
 SampledSignal read_record(const std::string &path, double gravity) {
   if (is_builtin_record(path)) return builtin_record(path);
-  const auto [name, channel] = record_name(path);
+  const RecordName name = record_name(path);
   const auto file = RecordFile::read(name);
-  return file.parse(file.chosen(channel), gravity);
+  const std::size_t channel = file.chosen(name.channel);
+  return file.parse(channel, {gravity, stated_unit(file.name(channel), gravity)});
 }
 
-SampledSignal parse_record(const std::string &text, const std::string &path, double gravity) {
+SampledSignal parse_record(const std::string &text, const std::string &path, const ReadAs &as) {
   const RecordFile file(text, path);
-  return file.parse(file.chosen(std::nullopt), gravity);
+  return file.parse(file.chosen(std::nullopt), as);
 }
 
 RecordInfo inspect(const SampledSignal &record, double gravity) {

@@ -1,5 +1,6 @@
 /// Ground-motion records: PEER AT2 files, CSV files and built-in ones. Accelerations are returned in m/s^2.
 #pragma once
+#include "records/record_units.h"
 #include "records/sampled_signal.h"
 #include <string>
 #include <vector>
@@ -27,13 +28,14 @@ struct RecordInfo {
   double duration; ///< significant duration D5-95 [s]
 };
 
-/// Reads `path` ("builtin:NAME": a built-in record; CSV, K-NET, ESM, COSMOS V2 or AT2, told by the file,
-/// record_format.h; "FILE#3": its third channel, record_file.h). A file of several channels is refused without one.
+/// Reads `path` ("builtin:NAME": a built-in record; any form of record_format.h, told by the file; "FILE#3": its third
+/// channel; "FILE.zip/NAME": of an archive, record_file.h). A file of several channels is refused without one. A unit
+/// that records.csv beside it states takes the place of its header's.
 /// Throws DataError naming file and line: missing file, velocity or displacement, fewer values than NPTS, dt <= 0,
 /// values that are not finite or beyond largest_acceleration.
 SampledSignal read_record(const std::string &path, double gravity = standard_gravity);
 /// The same from a file's text.
-SampledSignal parse_record(const std::string &text, const std::string &path, double gravity);
+SampledSignal parse_record(const std::string &text, const std::string &path, const ReadAs &as);
 RecordInfo inspect(const SampledSignal &record, double gravity = standard_gravity);
 
 /// Throws DataError, naming `where`, for an acceleration [m/s^2] beyond largest_acceleration.
@@ -41,11 +43,12 @@ void require_plausible(double acceleration, double gravity, const std::string &w
 
 /// The two forms from text; `path` is for messages only.
 /// AT2: 4 header lines as PEER writes them (old and new), NPTS and DT in any spelling met in practice.
-SampledSignal parse_at2(const std::string &text, const std::string &path, double gravity);
+SampledSignal parse_at2(const std::string &text, const std::string &path, const ReadAs &as);
 /// CSV, uniformly sampled, starting at any instant >= 0, which it keeps; columns by record_table.h, any of comma,
 /// semicolon and tab between cells, decimal commas, UTF-8, UTF-16 or Latin-1, remarks above the header, text below the
-/// rows. Refused: two columns of one quantity, more or fewer cells than columns, instants before 0.
-SampledSignal parse_record_csv(const std::string &text, const std::string &path, double gravity);
+/// rows. Refused: two columns of one quantity without a direction each, more or fewer cells than columns, instants
+/// before 0.
+SampledSignal parse_record_csv(const std::string &text, const std::string &path, const ReadAs &as);
 
 /// Built-in records: "builtin:near-fault-x", "builtin:near-fault-y" (see near_fault_pulse.cc).
 bool is_builtin_record(const std::string &name);

@@ -1,6 +1,7 @@
 #include "files/digit.h"
 #include "files/error.h"
 #include "files/text.h"
+#include "records/header_check.h"
 #include "records/record.h"
 #include "records/record_format.h"
 #include "records/record_units.h"
@@ -68,6 +69,7 @@ std::optional<double> number_after(const std::string &line, std::string_view nam
 struct Header {
   double npts = 0, dt = 0;
   double unit = 0;           ///< [m/s^2]
+  double peak = 0;           ///< in that unit, as older files tell it; 0: not told
   std::size_t data_line = 0; ///< index of the first line of values
 };
 
@@ -92,8 +94,9 @@ std::string_view unit_name(std::string_view line) {
   return {};
 }
 
-/// Metres per second squared of the units named in a header line; velocity and displacement are refused.
-std::optional<double> unit_of(const std::string &line, const std::string &where, double gravity) {
+/// Metres per second squared of the units named in a header line, or what the reader was told; velocity and
+/// displacement are refused.
+std::optional<double> unit_of(const std::string &line, const std::string &where, const ReadAs &as) {
   const auto says = [&](const char *word) { return line.find(word) != std::string::npos; };
   if (!says("TIME SERIES") && !says("TIME HISTORY") && !says("UNITS")) return std::nullopt;
   for (const char *wrong : {"VELOCITY", "DISPLACEMENT"})
@@ -101,8 +104,9 @@ std::optional<double> unit_of(const std::string &line, const std::string &where,
       throw DataError(fmt::format("{}: the file holds {}, an acceleration record (AT2) is needed", where,
                                   wrong[0] == 'V' ? "velocity" : "displacement"));
   const auto name = unit_name(line);
+  if (as.unit) return as.unit;
   if (name.empty()) return std::nullopt;
-  if (const auto unit = leading_acceleration_unit(name, gravity)) return unit;
+  if (const auto unit = leading_acceleration_unit(name, as.gravity)) return unit;
   throw DataError(
       fmt::format("{}: the unit \"{}\" of the acceleration is not known (G, CM/S/S, M/S/S, without a factor)", where,
                   name.substr(0, 40)));
@@ -125,15 +129,16 @@ bool read_sampling(const std::string &line, Header &header) {
   return true;
 }
 
-Header read_header(const std::vector<std::string_view> &lines, const std::string &path, double gravity) {
+Header read_header(const std::vector<std::string_view> &lines, const std::string &path, const ReadAs &as) {
   Header header;
   constexpr std::size_t n_header_lines = 12; // PEER has 4; others put comments above
   for (std::size_t i = 0; i < std::min(lines.size(), n_header_lines); ++i) {
     const std::string line = upper(trim(lines[i]));
     const std::string where = fmt::format("{}:{}", path, i + 1);
-    if (const auto unit = unit_of(line, where, gravity)) header.unit = *unit;
+    if (const auto unit = unit_of(line, where, as)) header.unit = *unit;
+    if (const auto peak = number_after(line, "PGA")) header.peak = *peak;
     if (!read_sampling(line, header)) continue;
-    if (header.unit == 0) header.unit = gravity; // the form's own unit
+    if (header.unit == 0) header.unit = as.unit.value_or(as.gravity); // the form's own unit
     if (!(header.npts >= 2 && header.npts <= 1e9 && header.npts == std::floor(header.npts)))
       throw DataError(fmt::format("{}: NPTS {} must be a whole number >= 2", where, header.npts));
     if (line.find("MSEC") != std::string::npos || line.find("MILLI") != std::string::npos)
@@ -160,8 +165,8 @@ void refuse_surplus(std::string_view rest, const std::string &where, std::size_t
 
 } // namespace
 
-RecordHead head_of_at2(std::string_view text) {
-  const auto lines = lines_of(text.substr(0, 4000));
+RecordHead head_of_at2(const Channel &channel) {
+  const auto lines = lines_of(channel.text.substr(0, 4000));
   if (lines.size() < 4) return {};
   const auto title = lines[1];
   const auto comma = title.rfind(',');
@@ -171,7 +176,7 @@ RecordHead head_of_at2(std::string_view text) {
   return {std::string(trim(title.substr(0, comma))), std::string(direction)};
 }
 
-std::vector<std::string_view> channels_of_at2(std::string_view text) {
+std::vector<Channel> channels_of_at2(std::string_view text) {
   const auto lines = lines_of(text);
   constexpr std::size_t n_header_lines = 4;
   std::vector<std::size_t> starts; // of lines, three above the one with NPTS
@@ -181,20 +186,20 @@ std::vector<std::string_view> channels_of_at2(std::string_view text) {
     const std::size_t start = i + 1 >= n_header_lines ? i + 1 - n_header_lines : 0;
     if (starts.empty() || start > starts.back() + n_header_lines) starts.push_back(start);
   }
-  if (starts.size() < 2) return {text};
-  std::vector<std::string_view> channels;
+  if (starts.size() < 2) return {{text}};
+  std::vector<Channel> channels;
   for (std::size_t k = 0; k < starts.size(); ++k) {
     const auto from = k == 0 ? 0 : static_cast<std::size_t>(lines[starts[k]].data() - text.data());
     const auto to =
         k + 1 < starts.size() ? static_cast<std::size_t>(lines[starts[k + 1]].data() - text.data()) : text.size();
-    channels.push_back(text.substr(from, to - from));
+    channels.push_back({text.substr(from, to - from)});
   }
   return channels;
 }
 
-SampledSignal parse_at2(const std::string &text, const std::string &path, double gravity) {
+SampledSignal parse_at2(const std::string &text, const std::string &path, const ReadAs &as) {
   const auto lines = lines_of(text);
-  const Header header = read_header(lines, path, gravity);
+  const Header header = read_header(lines, path, as);
   const auto expected = static_cast<std::size_t>(header.npts);
   SampledSignal record{header.dt, {}};
   for (std::size_t i = header.data_line; i < lines.size(); ++i) {
@@ -206,7 +211,7 @@ SampledSignal parse_at2(const std::string &text, const std::string &path, double
         throw DataError(fmt::format("{}:{}: \"{}\" is not a finite number ({} of {} values read)", path, i + 1, shown,
                                     record.values.size(), expected));
       record.values.push_back(*value * header.unit);
-      require_plausible(record.values.back(), gravity, fmt::format("{}:{}", path, i + 1));
+      require_plausible(record.values.back(), as.gravity, fmt::format("{}:{}", path, i + 1));
       rest = skip_blanks(rest);
     }
     if (!rest.empty()) refuse_surplus(rest, fmt::format("{}:{}", path, i + 1), expected);
@@ -214,6 +219,7 @@ SampledSignal parse_at2(const std::string &text, const std::string &path, double
   if (record.values.size() < expected)
     throw DataError(
         fmt::format("{}: truncated: {} values found, NPTS promises {}", path, record.values.size(), expected));
+  require_peak(path, "PGA", header.peak * header.unit, record);
   return record;
 }
 

@@ -1,12 +1,23 @@
 /// What a folder's records.csv says of its records.
 #pragma once
 #include "records/record_folder.h"
+#include <optional>
+#include <string>
+#include <vector>
 
 namespace rimpact {
 
+/// The unit [m/s^2] that a records.csv beside a record states for it; none: there is no such file, or it says nothing
+/// of this record. Throws DataError naming its line for a unit that is not known.
+std::optional<double> stated_unit(const std::string &record, double gravity);
+
+/// The files that a record's numbers come from: its own or its archive, and the records.csv that states its unit.
+std::vector<std::string> files_of_record(const std::string &record);
+
 /// Replaces station and direction of the records that FOLDER/records.csv names; an empty cell says nothing, the
-/// direction "none" leaves the record out. `headers`: the station that each record's header names; a station of the
-/// file takes its place. Nothing happens where there is no such file. Throws DataError naming its line.
+/// direction "none" leaves the record out, and a unit is kept as it is written. `headers`: the station that each
+/// record's header names; a station of the file takes its place. Nothing happens where there is no such file. Throws
+/// DataError naming its line.
 void correct_by_file(const std::string &folder, std::vector<FolderRecord> &records, std::vector<std::string> &headers);
 
 } // namespace rimpact

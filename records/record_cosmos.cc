@@ -1,7 +1,9 @@
 // COSMOS V2 and CSMIP V2: blocks of text, integers and reals whose lengths they tell, then the accelerations.
 #include "files/error.h"
 #include "files/text.h"
+#include "records/header_check.h"
 #include "records/record.h"
+#include "records/record_csmip_raw.h"
 #include "records/record_format.h"
 #include "records/record_units.h"
 #include <cctype>
@@ -24,16 +26,17 @@ double first_number(std::string_view text) {
 }
 
 /// Behind "units=" (COSMOS) or "sec, in" (CSMIP), else a code of COSMOS.
-double unit_in(const std::string &line, double gravity, const std::string &where) {
+double unit_in(const std::string &line, const ReadAs &as, const std::string &where) {
+  if (as.unit) return *as.unit;
   for (const std::string_view opening : {"UNITS=", "UNITS =", " IN "})
     if (const auto at = line.rfind(opening); at != std::string::npos) {
       auto name = trim(std::string_view(line).substr(at + opening.size()));
       name = trim(name.substr(0, name.find_first_of(",(")));
       while (!name.empty() && name.back() == '.') name.remove_suffix(1);
-      if (const auto unit = acceleration_unit(name, gravity)) return *unit;
+      if (const auto unit = acceleration_unit(name, as.gravity)) return *unit;
     }
   if (line.find("(04)") != std::string::npos) return 0.01;
-  if (line.find("(02)") != std::string::npos) return gravity;
+  if (line.find("(02)") != std::string::npos) return as.gravity;
   throw DataError(fmt::format("{}: the line of counts names no unit that is known (cm/sec2, m/sec2, g)", where));
 }
 
@@ -50,7 +53,7 @@ std::size_t width_of(const std::string &line) {
   return 0;
 }
 
-Counts find_counts(const std::vector<std::string_view> &lines, const std::string &path, double gravity) {
+Counts find_counts(const std::vector<std::string_view> &lines, const std::string &path, const ReadAs &as) {
   for (std::size_t i = 0; i < lines.size(); ++i) {
     const std::string line = upper(trim(lines[i]));
     if (line.find("ACCEL") == std::string::npos ||
@@ -59,7 +62,7 @@ Counts find_counts(const std::vector<std::string_view> &lines, const std::string
     const double npts = first_number(line);
     if (!(npts >= 2 && npts <= 1e9 && npts == std::floor(npts))) continue;
     Counts counts{i, static_cast<std::size_t>(npts), width_of(line), 0, 0};
-    counts.unit = unit_in(line, gravity, fmt::format("{}:{}", path, i + 1));
+    counts.unit = unit_in(line, as, fmt::format("{}:{}", path, i + 1));
     return counts;
   }
   throw DataError(path + ": no line of counts (\"N acceleration pts, ... units=...\"): not a COSMOS V2 record");
@@ -83,33 +86,43 @@ double interval(const std::vector<std::string_view> &lines, const Counts &counts
   return 0;
 }
 
-/// V1 and V3 of CSMIP: raw samples at uneven instants, and spectra.
-void refuse_raw_and_spectra(std::string_view text, const std::string &path) {
+/// V3 of CSMIP and COSMOS.
+void refuse_spectra(std::string_view text, const std::string &path) {
   const std::string head = upper(text.substr(0, text.find('\n')));
-  if (head.find("UNCORRECTED ACCELEROGRAM") != std::string::npos)
-    throw DataError(path + ": holds an uncorrected accelerogram (V1), whose samples are not evenly spaced; take the "
-                           "corrected one (V2)");
   if (head.find("SPECTRA") != std::string::npos)
     throw DataError(path + ": holds spectra (V3), no record; take the corrected accelerogram (V2)");
+}
+
+/// Of "PEAK ACCELERATION = -98.07 CM/SEC/SEC AT .04 SEC", in the data's unit; none: the headers have no such line.
+std::optional<double> stated_peak(const std::vector<std::string_view> &lines, std::size_t n) {
+  static const std::regex peak(R"(PEAK ACCEL[A-Z]*\.?\s*[=:]\s*(-?\d*\.?\d+))");
+  for (std::size_t i = 0; i < n; ++i) {
+    const std::string line = upper(lines[i].substr(0, 200));
+    std::smatch part;
+    if (line.find("PEAK ACCEL") != std::string::npos && std::regex_search(line, part, peak))
+      return to_number(part.str(1));
+  }
+  return std::nullopt;
 }
 
 /// Of a station's head line, which opens every channel.
 bool opens_channel(std::string_view line) {
   const std::string head = upper(trim(line));
-  for (const char *opening : {"CORRECTED ACCELERATION", "CORRECTED ACCELEROGRAM", "UNCORRECTED ACCELERATION"})
+  for (const char *opening :
+       {"CORRECTED ACCELERATION", "CORRECTED ACCELEROGRAM", "UNCORRECTED ACCELERATION", "RAW ACCELERATION"})
     if (head.starts_with(opening)) return true;
   return false;
 }
 
 } // namespace
 
-RecordHead head_of_cosmos(std::string_view text) {
+RecordHead head_of_cosmos(const Channel &channel_given) {
   static const std::regex channel(R"(\bCHA?N(?:NEL)?\.?\s*\d+\s*[:,]?\s*(?:COMP(?:ONENT)?\.?\s*:?)?\s*([A-Z0-9]+))"),
       number(R"(STATI?O?N NO\.?\s*:?\s*(\S+))"), recorded(R"(\bRCRD OF\s*(.*))");
   RecordHead head;
   std::size_t n_lines = 0;
   constexpr std::size_t preamble = 30; // of text, before the headers of numbers
-  for (const auto line : lines_of(text)) {
+  for (const auto line : lines_of(channel_given.text)) {
     const std::string words = upper(line.substr(0, 200)); // a damaged file may have no ends of lines
     std::smatch part;
     if (++n_lines > preamble || words.find("HEADER VALUES") != std::string::npos) break;
@@ -120,14 +133,17 @@ RecordHead head_of_cosmos(std::string_view text) {
   return head;
 }
 
-std::vector<std::string_view> channels_of_cosmos(std::string_view text) {
-  return parts_at(text, opens_channel);
+std::vector<Channel> channels_of_cosmos(std::string_view text) {
+  const auto first = text.substr(0, text.find('\n'));
+  if (upper(first).find("SPECTRA") != std::string::npos) return {{text}};
+  return parts_at(text, opens_csmip_raw(first) ? opens_csmip_raw : opens_channel); // V1's first line is V2's second
 }
 
-SampledSignal parse_cosmos_v2(const std::string &text, const std::string &path, double gravity) {
-  refuse_raw_and_spectra(text, path);
+SampledSignal parse_cosmos_v2(const std::string &text, const std::string &path, const ReadAs &as) {
+  refuse_spectra(text, path);
+  if (opens_csmip_raw(text.substr(0, text.find('\n')))) return parse_csmip_raw(text, path, as);
   const auto lines = lines_of(text);
-  Counts counts = find_counts(lines, path, gravity);
+  Counts counts = find_counts(lines, path, as);
   const double dt = interval(lines, counts, path);
   if (!(dt > 0 && dt <= longest_step))
     throw DataError(
@@ -138,8 +154,10 @@ SampledSignal parse_cosmos_v2(const std::string &text, const std::string &path, 
   refuse_numbers(lines, next, counts.npts, path);
   for (auto &value : record.values) {
     value *= counts.unit;
-    require_plausible(value, gravity, path);
+    require_plausible(value, as.gravity, path);
   }
+  if (const auto peak = stated_peak(lines, counts.line))
+    require_peak(path, "Peak acceleration", *peak * counts.unit, record);
   return record;
 }
 

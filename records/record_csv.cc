@@ -3,6 +3,7 @@
 #include "files/error.h"
 #include "files/loose_cells.h"
 #include "files/text.h"
+#include "records/direction.h"
 #include "records/record.h"
 #include "records/record_format.h"
 #include "records/record_table.h"
@@ -80,8 +81,9 @@ FoundHeader require_header(const std::vector<std::string_view> &lines, double gr
 /// Reads the rows below a header.
 class Rows {
 public:
-  Rows(const RecordColumns &columns, std::string path, double gravity)
-      : columns_(columns), path_(std::move(path)), gravity_(gravity) {}
+  Rows(RecordColumns columns, std::string path, const ReadAs &as)
+      : columns_(std::move(columns)), acceleration_(columns_.accelerations[as.column]),
+        unit_(as.unit.value_or(acceleration_.unit)), path_(std::move(path)), gravity_(as.gravity) {}
 
   void read(std::string_view line, std::size_t number) {
     if (is_remark(line)) return;
@@ -94,7 +96,7 @@ public:
       throw DataError(fmt::format("{}:{}: no row of the table, and rows go on behind it", path_, footer_));
     require_width(cells, where);
     time.push_back(finite(cells[columns_.time], where));
-    values.push_back(finite(cells[columns_.acceleration], where) * columns_.unit);
+    values.push_back(finite(cells[acceleration_.index], where) * unit_);
     require_plausible(values.back(), gravity_, where);
   }
 
@@ -119,11 +121,29 @@ private:
   }
 
   RecordColumns columns_;
+  AccelerationColumn acceleration_;
+  double unit_; ///< [m/s^2]
   std::string path_;
   double gravity_;
   DecimalReader decimals_;
   std::size_t footer_ = 0; ///< line of the first text below the rows; 0: none
 };
+
+} // namespace
+
+namespace {
+
+/// Of the beginning of a table, which holds its header; none: it has none, or one that contradicts itself.
+std::optional<RecordColumns> columns_of(std::string_view bytes) {
+  try {
+    constexpr std::size_t beginning = 20'000; // even, so that no character of UTF-16 is cut
+    const std::string text = utf8_text(std::string(bytes.substr(0, beginning)), "");
+    const auto found = find_header(lines_of(text), standard_gravity, "");
+    return found ? std::optional(found->columns) : std::nullopt;
+  } catch (const DataError &) {
+    return std::nullopt;
+  }
+}
 
 } // namespace
 
@@ -135,11 +155,26 @@ bool has_record_header(const std::string &text, double gravity) {
   }
 }
 
-SampledSignal parse_record_csv(const std::string &bytes, const std::string &path, double gravity) {
+std::vector<Channel> channels_of_csv(std::string_view text) {
+  const auto columns = columns_of(text);
+  if (!columns || columns->accelerations.size() < 2) return {{text}};
+  std::vector<Channel> channels;
+  for (std::size_t i = 0; i < columns->accelerations.size(); ++i) channels.push_back({text, i});
+  return channels;
+}
+
+RecordHead head_of_csv(const Channel &channel) {
+  const auto columns = columns_of(channel.text);
+  if (!columns) return {};
+  const std::string &direction = columns->accelerations[channel.column].direction;
+  return {"", direction_written(direction).kind == DirectionKind::unknown ? "" : direction};
+}
+
+SampledSignal parse_record_csv(const std::string &bytes, const std::string &path, const ReadAs &as) {
   const std::string text = utf8_text(bytes, path);
   const auto lines = lines_of(text);
-  const auto [columns, header] = require_header(lines, gravity, path);
-  Rows rows(columns, path, gravity);
+  const auto [columns, header] = require_header(lines, as.gravity, path);
+  Rows rows(columns, path, as);
   for (std::size_t i = header + columns.lines; i < lines.size(); ++i) rows.read(lines[i], i + 1);
   SampledSignal record{.dt = uniform_step(rows.time, path), .values = std::move(rows.values)};
   record.start = rows.time.front();

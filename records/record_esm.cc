@@ -50,8 +50,8 @@ bool is_header(std::string_view line) {
 
 } // namespace
 
-RecordHead head_of_esm(std::string_view text) {
-  const auto lines = lines_of(text);
+RecordHead head_of_esm(const Channel &channel) {
+  const auto lines = lines_of(channel.text);
   const auto said = [&](const char *key) { return header_value(lines, header_lines, key); };
   const std::string code = said("STATION_CODE");
   return {code.empty() ? code
@@ -60,7 +60,7 @@ RecordHead head_of_esm(std::string_view text) {
           said("STREAM")};
 }
 
-SampledSignal parse_esm(const std::string &text, const std::string &path, double gravity) {
+SampledSignal parse_esm(const std::string &text, const std::string &path, const ReadAs &as) {
   const auto lines = lines_of(text);
   const std::string kind = upper(header_value(lines, header_lines, "DATA_TYPE"));
   if (!kind.empty() && (kind.find("ACCELERATION") == std::string::npos || kind.find("SPECTR") != std::string::npos))
@@ -71,7 +71,7 @@ SampledSignal parse_esm(const std::string &text, const std::string &path, double
   if (!(npts >= 2 && npts <= 1e9 && npts == std::floor(npts)))
     throw DataError(fmt::format("{}: NDATA {} must be a whole number >= 2", path, npts));
   const std::string name = header_value(lines, header_lines, "UNITS");
-  const auto unit = acceleration_unit(name, gravity);
+  const auto unit = as.unit ? as.unit : acceleration_unit(name, as.gravity);
   if (!unit)
     throw DataError(
         fmt::format("{}: UNITS \"{}\" of the acceleration are not known (cm/s^2, m/s^2, g)", path, name.substr(0, 40)));
@@ -82,7 +82,7 @@ SampledSignal parse_esm(const std::string &text, const std::string &path, double
   require_count(path, "NDATA", npts, record.values.size());
   for (auto &value : record.values) {
     value *= *unit;
-    require_plausible(value, gravity, path);
+    require_plausible(value, as.gravity, path);
   }
   if (const auto peak = number_if(lines, "PGA_CM/S^2")) require_peak(path, "PGA_CM/S^2", *peak / 100, record);
   return record;

@@ -2,6 +2,7 @@
 #include "files/error.h"
 #include "files/file.h"
 #include "files/text.h"
+#include "files/zip_archive.h"
 #include "records/direction.h"
 #include <filesystem>
 #include <fmt/format.h>
@@ -17,28 +18,45 @@ const RecordFormat &format_of(std::string_view text, const std::string &path) {
   throw std::logic_error("no form takes what no other does");
 }
 
+/// A path of which a part is an archive's name.
+RecordName in_archive(const std::string &path) {
+  std::error_code none;
+  for (auto at = upper(path).find(".ZIP/"); at != std::string::npos; at = upper(path).find(".ZIP/", at + 1)) {
+    constexpr std::size_t ending = 4;
+    const std::string archive = path.substr(0, at + ending);
+    if (std::filesystem::is_regular_file(archive, none)) return {archive, path.substr(at + ending + 1), std::nullopt};
+  }
+  return {path, "", std::nullopt};
+}
+
 } // namespace
+
+std::string RecordName::whole() const {
+  return member.empty() ? file : file + "/" + member;
+}
 
 RecordName record_name(const std::string &name) {
   const auto mark = name.rfind('#');
   std::error_code ignored;
-  if (mark == std::string::npos || std::filesystem::exists(name, ignored)) return {name, std::nullopt};
+  if (mark == std::string::npos || std::filesystem::exists(name, ignored)) return in_archive(name);
   const auto number = to_number(name.substr(mark + 1));
-  if (!number || !(*number >= 1 && *number <= 999) || *number != static_cast<int>(*number)) return {name, std::nullopt};
-  return {name.substr(0, mark), static_cast<std::size_t>(*number)};
+  if (!number || !(*number >= 1 && *number <= 999) || *number != static_cast<int>(*number)) return in_archive(name);
+  RecordName result = in_archive(name.substr(0, mark));
+  result.channel = static_cast<std::size_t>(*number);
+  return result;
 }
 
 std::string record_label(const std::string &name) {
-  const auto [file, channel] = record_name(name);
-  const std::filesystem::path path(file);
+  const RecordName record = record_name(name);
+  const std::filesystem::path path(record.whole());
   const std::string ending = path.extension().string();
   const bool tells_direction = ending.size() > 1 && direction_written(ending).kind != DirectionKind::unknown;
   const std::string stem = tells_direction ? path.filename().string() : path.stem().string();
-  return channel ? fmt::format("{}#{}", stem, *channel) : stem;
+  return record.channel ? fmt::format("{}#{}", stem, *record.channel) : stem;
 }
 
-RecordFile RecordFile::read(const std::string &path) {
-  return {read_file(path), path};
+RecordFile RecordFile::read(const RecordName &name) {
+  return {name.member.empty() ? read_file(name.file) : ZipArchive(name.file).read(name.member), name.whole()};
 }
 
 RecordFile::RecordFile(std::string text, std::string path)
@@ -53,8 +71,10 @@ std::string RecordFile::name(std::size_t channel) const {
   return n_channels() == 1 ? path_ : fmt::format("{}#{}", path_, channel + 1);
 }
 
-SampledSignal RecordFile::parse(std::size_t channel, double gravity) const {
-  return format_->parse(std::string(channels_[channel]), name(channel), gravity);
+SampledSignal RecordFile::parse(std::size_t channel, const ReadAs &as) const {
+  ReadAs reading = as;
+  reading.column = channels_[channel].column;
+  return format_->parse(std::string(channels_[channel].text), name(channel), reading);
 }
 
 std::size_t RecordFile::chosen(const std::optional<std::size_t> &channel) const {

@@ -1,7 +1,9 @@
 #include "records/record_folder.h"
 #include "files/digit.h"
 #include "files/error.h"
+#include "files/file.h"
 #include "files/text.h"
+#include "files/zip_archive.h"
 #include "records/record_corrections.h"
 #include "records/record_file.h"
 #include "records/stations.h"
@@ -11,6 +13,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 #include <fstream>
+#include <functional>
 
 namespace rimpact {
 namespace {
@@ -32,14 +35,29 @@ bool is_record(const fs::directory_entry &entry) {
          is_record_file(beginning_of(entry.path()), upper(entry.path().extension().string()));
 }
 
-std::vector<fs::path> record_files(const std::string &folder) {
+using Visit = std::function<void(const RecordFile &)>;
+
+void visit_archive(const std::string &path, const Visit &visit) {
+  const ZipArchive archive(path);
+  for (const auto &name : archive.names()) {
+    constexpr std::size_t beginning = 4096;
+    const fs::path member(name);
+    if (member.filename().string().starts_with("._") || // a Macintosh's shadow of a file
+        !is_record_file(archive.read(name, beginning), upper(member.extension().string())))
+      continue;
+    visit(RecordFile(archive.read(name), path + "/" + name));
+  }
+}
+
+void visit_records(const std::string &folder, const Visit &visit) {
+  if (is_zip_archive(folder)) return visit_archive(folder, visit);
   std::error_code error;
-  std::vector<fs::path> files;
+  std::vector<fs::path> paths;
   for (auto entry = fs::directory_iterator(folder, error); !error && entry != fs::end(entry); entry.increment(error))
-    if (is_record(*entry)) files.push_back(entry->path());
+    if (is_record(*entry)) paths.push_back(entry->path());
   if (error) throw InputError(fmt::format("the folder {} cannot be read: {}", folder, error.message()));
-  std::sort(files.begin(), files.end());
-  return files;
+  std::sort(paths.begin(), paths.end());
+  for (const auto &path : paths) visit(RecordFile(read_file(path.string()), path.string()));
 }
 
 std::string rsn_in(const std::string &name) {
@@ -68,7 +86,8 @@ struct Identified {
   std::string header_station;
 };
 
-Identified identify(const fs::path &path, const RecordFile &file, std::size_t channel) {
+Identified identify(const RecordFile &file, std::size_t channel) {
+  const fs::path path(file.path());
   const std::string stem = path.stem().string();
   const bool alone = file.n_channels() == 1;
   const RecordHead head = file.head(channel);
@@ -112,26 +131,31 @@ void RecordFolder::require_any() const {
 }
 
 std::vector<FolderRecord> records_of_file(const std::string &name) {
-  const auto [path, channel] = record_name(name);
-  const auto file = RecordFile::read(path);
+  const RecordName given = record_name(name);
+  const auto file = RecordFile::read(given);
   std::vector<FolderRecord> records;
-  const std::size_t first = channel ? file.chosen(channel) : 0, last = channel ? first + 1 : file.n_channels();
-  for (std::size_t i = first; i < last; ++i) records.push_back(identify(path, file, i).record);
+  const std::size_t first = given.channel ? file.chosen(given.channel) : 0,
+                    last = given.channel ? first + 1 : file.n_channels();
+  for (std::size_t i = first; i < last; ++i) records.push_back(identify(file, i).record);
   return records;
+}
+
+bool holds_records(const std::string &name) {
+  std::error_code none;
+  return fs::is_directory(name, none) || is_zip_archive(name);
 }
 
 RecordFolder read_record_folder(const std::string &folder) {
   RecordFolder result{.path = folder, .records = {}, .stations = {}};
   std::vector<std::string> headers; // of each record, the station that its header names
-  for (const auto &path : record_files(folder)) {
-    const auto file = RecordFile::read(path.string());
+  visit_records(folder, [&](const RecordFile &file) {
     for (std::size_t channel = 0; channel < file.n_channels(); ++channel) {
-      auto [record, station] = identify(path, file, channel);
+      auto [record, station] = identify(file, channel);
       result.records.push_back(std::move(record));
       headers.push_back(std::move(station));
     }
-  }
-  correct_by_file(folder, result.records, headers);
+  });
+  if (!is_zip_archive(folder)) correct_by_file(folder, result.records, headers);
   result.stations = stations_of(result.records, headers);
   return result;
 }

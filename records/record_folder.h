@@ -14,6 +14,7 @@ struct FolderRecord {
   std::string station = {};             ///< what the names of its components have in common, or the header's station
   Direction direction = {};             ///< unknown: it is not used, and asked about
   std::string rsn = {};                 ///< PEER's record sequence number, of its name; empty: none
+  std::string unit = {};                ///< what records.csv says; empty: the header's
   bool left_out = false;                ///< records.csv says so
   std::vector<std::string> doubts = {}; ///< sentences
 };
@@ -36,10 +37,13 @@ struct RecordFolder {
   void require_any() const; ///< throws InputError where there is no record
 };
 
-/// Every record of a folder, of every form. A file `records.csv` there (columns file, station, direction) has the last
-/// word: "none" as direction leaves a record out. Throws InputError for what is no folder, DataError naming the line
-/// for a records.csv with a file that is not there or a direction that is not known.
+/// Every record of a folder or of a zip archive, of every form. A file `records.csv` in a folder (columns file,
+/// station, direction, and if wanted unit) has the last word: "none" as direction leaves a record out. Throws
+/// InputError for what is neither, DataError naming the line for a records.csv with a file that is not there, a
+/// direction or a unit that is not known.
 RecordFolder read_record_folder(const std::string &folder);
+/// Whether a name is a folder's or an archive's.
+bool holds_records(const std::string &name);
 
 /// The components of one file; a name with a channel (record_file.h) is that one alone. Throws DataError where it
 /// cannot be read.

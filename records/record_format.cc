@@ -2,6 +2,8 @@
 #include "files/error.h"
 #include "files/text.h"
 #include "records/record.h"
+#include "records/record_jma.h"
+#include "records/record_smc.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -11,6 +13,12 @@ namespace {
 
 std::string head_of(std::string_view text) {
   return upper(text.substr(0, 400));
+}
+bool is_jma(std::string_view text, const std::string &) {
+  return is_jma_table(text);
+}
+bool is_smc(std::string_view text, const std::string &) {
+  return opens_smc(text.substr(0, text.find('\n')));
 }
 bool is_csv(std::string_view, const std::string &ending) {
   return ending == ".CSV";
@@ -27,7 +35,8 @@ bool is_cosmos(std::string_view text, const std::string &ending) {
   const auto line = head_of(text.substr(0, text.find('\n')));
   return ending == ".V2" || ending == ".V2C" || line.find("CORRECTED ACCELEROGRAM") != std::string::npos ||
          line.find("CORRECTED ACCELERATION") != std::string::npos ||
-         line.find("RESPONSE AND FOURIER AMPLITUDE SPECTRA") != std::string::npos;
+         line.find("RAW ACCELERATION") != std::string::npos ||
+         (line.find("RESPONSE") != std::string::npos && line.find("SPECTRA") != std::string::npos);
 }
 bool is_geonet(std::string_view text, const std::string &) {
   return opens_geonet(text.substr(0, text.find('\n')));
@@ -40,10 +49,12 @@ bool is_at2(std::string_view, const std::string &) {
 
 const std::vector<RecordFormat> &record_formats() {
   static const std::vector<RecordFormat> formats{
-      {"CSV", is_csv, parse_record_csv},
+      {"JMA", is_jma, parse_jma, head_of_jma, channels_of_jma},
+      {"CSV", is_csv, parse_record_csv, head_of_csv, channels_of_csv},
       {"K-NET", is_knet, parse_knet, head_of_knet},
       {"ESM", is_esm, parse_esm, head_of_esm},
       {"GeoNet", is_geonet, parse_geonet, head_of_geonet, channels_of_geonet},
+      {"SMC", is_smc, parse_smc, head_of_smc},
       {"COSMOS V2", is_cosmos, parse_cosmos_v2, head_of_cosmos, channels_of_cosmos},
       {"AT2", is_at2, parse_at2, head_of_at2, channels_of_at2}};
   return formats;
@@ -107,14 +118,14 @@ void refuse_numbers(const std::vector<std::string_view> &lines, std::size_t line
                               line + 1, npts));
 }
 
-std::vector<std::string_view> parts_at(std::string_view text, bool (*opens)(std::string_view line)) {
+std::vector<Channel> parts_at(std::string_view text, bool (*opens)(std::string_view line)) {
   std::vector<std::size_t> starts;
   for (const auto line : lines_of(text))
     if (opens(line)) starts.push_back(static_cast<std::size_t>(line.data() - text.data()));
-  if (starts.size() < 2) return {text};
-  std::vector<std::string_view> parts;
+  if (starts.size() < 2) return {{text}};
+  std::vector<Channel> parts;
   for (std::size_t i = 0; i < starts.size(); ++i)
-    parts.push_back(text.substr(starts[i], (i + 1 < starts.size() ? starts[i + 1] : text.size()) - starts[i]));
+    parts.push_back({text.substr(starts[i], (i + 1 < starts.size() ? starts[i + 1] : text.size()) - starts[i])});
   return parts;
 }
 

@@ -30,12 +30,12 @@ bool opens_geonet(std::string_view line) {
   return head.find("CORRECTED ACCELEROGRAM") != std::string::npos && head.find("GNS SCIENCE") != std::string::npos;
 }
 
-std::vector<std::string_view> channels_of_geonet(std::string_view text) {
+std::vector<Channel> channels_of_geonet(std::string_view text) {
   return parts_at(text, opens_geonet);
 }
 
-RecordHead head_of_geonet(std::string_view text) {
-  const auto lines = lines_of(text.substr(0, 4000));
+RecordHead head_of_geonet(const Channel &channel) {
+  const auto lines = lines_of(channel.text.substr(0, 4000));
   const std::string site = header_value(lines, text_lines, "SITE ");
   constexpr std::size_t line_of_time = 7;
   return {site.substr(0, site.find(' ')) + " " +
@@ -43,7 +43,7 @@ RecordHead head_of_geonet(std::string_view text) {
           header_value(lines, text_lines, "COMPONENT ")};
 }
 
-SampledSignal parse_geonet(const std::string &text, const std::string &path, double gravity) {
+SampledSignal parse_geonet(const std::string &text, const std::string &path, const ReadAs &as) {
   const auto lines = lines_of(text);
   const auto header = read_values(lines, text_lines, number_lines * numbers_a_line, column, path);
   const double npts = header[place_of_count], dt = header[place_of_step];
@@ -57,8 +57,8 @@ SampledSignal parse_geonet(const std::string &text, const std::string &path, dou
       dt, read_values(lines, text_lines + number_lines, static_cast<std::size_t>(npts), column, path, &next)};
   if (header[place_of_velocities] == 0) refuse_numbers(lines, next, record.values.size(), path);
   for (auto &value : record.values) {
-    value *= millimetre;
-    require_plausible(value, gravity, path);
+    value *= as.unit.value_or(millimetre);
+    require_plausible(value, as.gravity, path);
   }
   if (const auto peak = stated_peak(lines)) require_peak(path, "Acceleration: Peak", *peak * millimetre, record);
   return record;

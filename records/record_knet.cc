@@ -25,8 +25,8 @@ double scale_of(const std::string &text, const std::string &path) {
 
 } // namespace
 
-RecordHead head_of_knet(std::string_view text) {
-  const auto lines = lines_of(text);
+RecordHead head_of_knet(const Channel &channel) {
+  const auto lines = lines_of(channel.text);
   std::string direction = header_value(lines, preamble, "DIR."), place;
   const char *const axes[] = {"N-S", "E-W", "U-D"};
   if (direction.size() == 1 && direction[0] >= '1' && direction[0] <= '6') {
@@ -37,14 +37,15 @@ RecordHead head_of_knet(std::string_view text) {
   return {code.empty() ? code : code + place + " " + header_value(lines, preamble, "RECORD TIME"), direction};
 }
 
-SampledSignal parse_knet(const std::string &text, const std::string &path, double gravity) {
+SampledSignal parse_knet(const std::string &text, const std::string &path, const ReadAs &as) {
   const auto lines = lines_of(text);
   std::string rate = upper(header_value(lines, preamble, "SAMPLING FREQ(HZ)"));
   if (rate.ends_with("HZ")) rate.resize(rate.size() - 2);
   const auto hertz = to_number(rate);
   if (!hertz || !(*hertz >= 1 && *hertz <= 10'000))
     throw DataError(fmt::format("{}: Sampling Freq(Hz) \"{}\" is not between 1 and 10000", path, rate.substr(0, 40)));
-  const double scale = scale_of(header_value(lines, preamble, "SCALE FACTOR"), path) / 100; // m/s^2 a count
+  const double gal = as.unit.value_or(0.01);
+  const double scale = scale_of(header_value(lines, preamble, "SCALE FACTOR"), path) * gal; // m/s^2 a count
   std::size_t first = 0;
   while (first < std::min(preamble + 3, lines.size()) && upper(trim(lines[first])).rfind("MEMO", 0) != 0) ++first;
   if (first >= lines.size() || upper(trim(lines[first])).rfind("MEMO", 0) != 0)
@@ -58,7 +59,7 @@ SampledSignal parse_knet(const std::string &text, const std::string &path, doubl
   const double mean = std::accumulate(record.values.begin(), record.values.end(), 0.0) / n_values;
   for (auto &value : record.values) {
     value = (value - mean) * scale;
-    require_plausible(value, gravity, path);
+    require_plausible(value, as.gravity, path);
   }
   constexpr double slack = 0.05; // NIED takes another mean
   if (const auto peak = to_number(header_value(lines, preamble, "MAX. ACC. (GAL)")))

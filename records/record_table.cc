@@ -2,6 +2,7 @@
 #include "files/error.h"
 #include "files/loose_cells.h"
 #include "files/text.h"
+#include "records/direction.h"
 #include "records/record_units.h"
 #include <algorithm>
 #include <fmt/format.h>
@@ -41,18 +42,52 @@ bool is_seconds(const std::string &unit) {
 }
 
 /// Two columns for the same quantity contradict each other: which one is meant the file does not say.
-void claim(std::size_t &column, std::size_t index, const std::vector<std::string> &names, const std::string &where) {
-  if (column != no_column)
-    throw DataError(fmt::format("{}: column {} \"{}\" gives what column {} \"{}\" gives already; keep one of them",
-                                where, index + 1, names[index], column + 1, names[column]));
-  column = index;
+[[noreturn]] void refuse_second(std::size_t first, std::size_t second, const std::vector<std::string> &names,
+                                const std::string &where) {
+  throw DataError(fmt::format("{}: column {} \"{}\" gives what column {} \"{}\" gives already; keep one of them", where,
+                              second + 1, names[second], first + 1, names[first]));
+}
+
+/// "NS" of "NS (gal)", "acc_EW_gal" and "a NS [m/s2]": what is left without unit and the words for acceleration.
+std::string direction_in_column(const std::string &name) {
+  std::string word = upper(name);
+  if (const auto open = word.find_last_of("[("); open != std::string::npos) word.resize(open);
+  for (const char *unit : {"_M_PER_S2", "_CM_PER_S2", "_M_S2", "_CM_S2", "_GAL", "_G"})
+    if (word.ends_with(unit)) {
+      word.resize(word.size() - std::string_view(unit).size());
+      break;
+    }
+  for (const std::string_view opening : {"ACCELERATION", "ACCEL", "ACC", "A_", "A "})
+    if (word.starts_with(opening)) {
+      word.erase(0, opening.size());
+      break;
+    }
+  while (!word.empty() && std::string_view("_.- ").find(word.front()) != std::string_view::npos) word.erase(0, 1);
+  return std::string(trim(word));
+}
+
+bool is_one_way(const Direction &one, const Direction &two) {
+  if (one.kind != two.kind) return false;
+  return one.kind == DirectionKind::vertical || (one.azimuth_deg && one.azimuth_deg == two.azimuth_deg) ||
+         one.spelling == two.spelling;
+}
+
+/// Several accelerations are channels where each has a direction of its own.
+void require_directions(const std::vector<AccelerationColumn> &columns, const std::vector<std::string> &names,
+                        const std::string &where) {
+  for (std::size_t i = 1; i < columns.size(); ++i)
+    for (std::size_t k = 0; k < i; ++k) {
+      const auto one = direction_written(columns[k].direction), two = direction_written(columns[i].direction);
+      if (one.kind == DirectionKind::unknown || two.kind == DirectionKind::unknown || is_one_way(one, two))
+        refuse_second(columns[k].index, columns[i].index, names, where);
+    }
 }
 
 } // namespace
 
 std::optional<RecordColumns> record_columns(const std::string &header, const std::string &below, double gravity,
                                             const std::string &where) {
-  RecordColumns columns{.time = no_column, .acceleration = no_column};
+  RecordColumns columns{.time = no_column};
   columns.separator = separator_of(header);
   const auto names = cells_of(header, columns.separator), units = cells_of(below, columns.separator);
   columns.count = names.size();
@@ -64,13 +99,15 @@ std::optional<RecordColumns> record_columns(const std::string &header, const std
     std::string unit = unit_in_name(names[i]);
     const bool is_known = is_seconds(unit) || acceleration_unit(unit, gravity);
     if (!is_known && has_units) unit = units[i], from_below = true;
-    if (is_seconds(unit)) claim(columns.time, i, names, where);
-    if (const auto value = acceleration_unit(unit, gravity)) {
-      claim(columns.acceleration, i, names, where);
-      columns.unit = *value;
+    if (is_seconds(unit)) {
+      if (columns.time != no_column) refuse_second(columns.time, i, names, where);
+      columns.time = i;
     }
+    if (const auto value = acceleration_unit(unit, gravity))
+      columns.accelerations.push_back({i, *value, direction_in_column(names[i])});
   }
-  if (columns.time == no_column || columns.acceleration == no_column) return std::nullopt;
+  if (columns.time == no_column || columns.accelerations.empty()) return std::nullopt;
+  require_directions(columns.accelerations, names, where);
   columns.lines = from_below ? 2 : 1;
   return columns;
 }

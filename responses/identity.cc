@@ -3,7 +3,7 @@
 #include "files/digest.h"
 #include "files/text.h"
 #include "records/record.h"
-#include "records/record_file.h"
+#include "records/record_corrections.h"
 #include "responses/script_files.h"
 #include <algorithm>
 #include <fmt/format.h>
@@ -77,7 +77,8 @@ std::vector<std::string> input_files(const scene::Scene &scene) {
   std::vector<std::string> files;
   if (scene.excitation.kind == scene::ExcitationKind::record)
     for (const auto *name : {&scene.excitation.x_file, &scene.excitation.y_file, &scene.excitation.z_file})
-      if (!name->empty() && !is_builtin_record(*name)) files.push_back(record_name(*name).file);
+      if (!name->empty() && !is_builtin_record(*name))
+        for (const auto &file : files_of_record(*name)) files.push_back(file);
   if (scene.excitation.kind == scene::ExcitationKind::path) files.push_back(scene.excitation.path_file);
   if (scene.reduced.impact_law->pushed) files.push_back(scene.reduced.impact_curve);
   if (!scene.model.own_mesh.any()) return files;

@@ -115,6 +115,11 @@ ResponseSet collect(const Study &study, const std::string &folder, const Motions
     });
     const auto end =
         fleets::run_end(parse<fleets::RowStatus>(columns.text(row, "status")), columns.text(row, "reason"));
+    for (const auto &[quantity, most] : study.plausible)
+      if (const double value = columns.number(row, quantity); value > most) {
+        auto &[n, largest] = set.implausible[quantity];
+        ++n, largest = std::max(largest, value);
+      }
     const auto known = records.find(record);
     if (known == records.end()) throw DataError(fmt::format("{}: {} is no record of this study", path, record));
     Response response = response_of(study, columns, row, set.inputs, end == fleets::RunEnd::beyond);

@@ -3,6 +3,7 @@
 #include "fleets/hit_shares.h"
 #include "reliability/record_sums.h"
 #include "risk/systems.h"
+#include <map>
 
 namespace rimpact::risk {
 
@@ -30,7 +31,9 @@ struct ResponseSet {
   std::vector<std::string> inputs;   ///< sampled keys
   std::vector<ResponseLevel> levels; ///< of Motions::levels that have a run with a result
   int n_through_rim = 0;             ///< runs that went deeper into the rim than it is thick: among the unfinished
-  int n_past_wall = 0;               ///< runs without a rim that went as far past its wall: among the finished
+  /// Runs with a value beyond Study::plausible, by quantity, and the largest such value.
+  std::map<std::string, std::pair<int, double>> implausible = {};
+  int n_past_wall = 0; ///< runs without a rim that went as far past its wall: among the finished
 };
 
 /// From the table.csv in a system's folder. Throws DataError where it is damaged, lacks runs, or holds no run with a

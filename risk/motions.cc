@@ -3,7 +3,7 @@
 #include "files/file.h"
 #include "files/loose_csv.h"
 #include "files/text.h"
-#include "records/record_file.h"
+#include "risk/far_field_set.h"
 #include "risk/record_shelf.h"
 #include <algorithm>
 #include <cmath>
@@ -198,7 +198,7 @@ private:
 MotionLevel level_of_folders(double intensity_g, RecordShelf &shelf) {
   MotionLevel level{.intensity_g = intensity_g};
   for (const auto &file : shelf.all())
-    level.motions.push_back({.file = file, .record = record_label(file), .scale = intensity_g / shelf.sa_g(file)});
+    level.motions.push_back({.file = file, .record = shelf.station(file), .scale = intensity_g / shelf.sa_g(file)});
   level.n_listed = static_cast<int>(level.motions.size());
   return level;
 }
@@ -229,7 +229,10 @@ Motions motions_of(const Study &study, const std::vector<std::string> &folders) 
   Motions result;
   result.doubts = shelf.questions();
   std::vector<MotionLevel> levels;
-  for (const double level : study.levels_g) levels.push_back(level_of_folders(level, shelf));
+  const bool is_listed = study.motions.list == RecordList::p695_far_field;
+  for (const double level : study.levels_g)
+    levels.push_back(is_listed ? far_field_level(level, shelf, result.missing) : level_of_folders(level, shelf));
+  result.doubts.insert(result.doubts.end(), shelf.copies().begin(), shelf.copies().end());
   if (study.levels_g.empty())
     for (const auto &[value, rows] :
          study.motions.table.empty() ? read_sets(study.motions) : read_levels(study.motions)) {

@@ -6,7 +6,7 @@ namespace rimpact::risk {
 
 struct Motion {
   std::string file;      ///< absolute
-  std::string record;    ///< what is drawn together in the bootstrap: RSN and number, or the file's stem
+  std::string record;    ///< what is drawn together in the bootstrap: RSN and number, or the station
   double scale = 1;      ///< of the acceleration
   double over_level = 1; ///< scale x S_a / level
   std::size_t line = 0;  ///< of the table, 0: none

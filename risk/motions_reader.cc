@@ -19,6 +19,7 @@ public:
     reader.text({"table"}, motions_.table);
     reader.choice({"level_is"}, motions_.level_is);
     reader.choice({"component"}, motions_.component);
+    reader.choice({"list"}, motions_.list);
     reader.choice({"scale"}, motions_.scale);
     reader.section("columns", [&] {
       reader.text({"level"}, motions_.level_column);

@@ -1,8 +1,11 @@
 #include "risk/record_shelf.h"
+#include "records/record_file.h"
 #include "records/record_folder.h"
 #include "records/record_library.h"
+#include "records/scaled_copies.h"
 #include "records/spectral_acceleration.h"
 #include <filesystem>
+#include <fmt/format.h>
 
 namespace rimpact::risk {
 RecordShelf::RecordShelf(const std::vector<std::string> &folders, double period_s) : period_(period_s) {
@@ -10,6 +13,9 @@ RecordShelf::RecordShelf(const std::vector<std::string> &folders, double period_
   for (const auto &name : folders) {
     const RecordFolder folder = read_record_folder(name);
     if (const std::string question = folder.question(); !question.empty()) questions_.push_back(question);
+    for (const auto &station : folder.stations)
+      for (const std::size_t i : station.horizontal)
+        stations_[fs::absolute(folder.records[i].path).lexically_normal().string()] = station.name;
     for (const auto &record : folder.records) {
       if (record.left_out || record.direction.kind != DirectionKind::horizontal) continue;
       const std::string path = fs::absolute(record.path).lexically_normal().string();
@@ -23,10 +29,24 @@ std::vector<std::string> RecordShelf::components(const std::string &rsn) const {
   return found == by_number_.end() ? std::vector<std::string>() : found->second;
 }
 
-std::vector<std::string> RecordShelf::all() const {
-  std::vector<std::string> paths;
-  for (const auto &[name, path] : files_) paths.push_back(path);
-  return paths;
+std::vector<std::string> RecordShelf::all() {
+  std::vector<std::string> paths, own;
+  std::vector<std::shared_ptr<const SampledSignal>> signals;
+  for (const auto &[name, path] : files_) paths.push_back(path), signals.push_back(shared_record(path));
+  copies_.clear();
+  const auto copies = scaled_copies(signals);
+  for (std::size_t i = 0; i < paths.size(); ++i)
+    if (const auto &copy = copies[i])
+      copies_.push_back(fmt::format("{} is {:.4g} times {}: it counts once", record_label(paths[i]), copy->factor,
+                                    record_label(paths[copy->of])));
+    else
+      own.push_back(paths[i]);
+  return own;
+}
+
+std::string RecordShelf::station(const std::string &file) const {
+  const auto found = stations_.find(file);
+  return found == stations_.end() ? record_label(file) : found->second;
 }
 
 double RecordShelf::sa_g(const std::string &file) {

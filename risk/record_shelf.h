@@ -13,8 +13,12 @@ public:
   RecordShelf(const std::vector<std::string> &folders, double period_s);
   /// Paths of a record's horizontal components, sorted; none: it is not at hand.
   std::vector<std::string> components(const std::string &rsn) const;
-  /// Every horizontal file, by name.
-  std::vector<std::string> all() const;
+  /// Every horizontal file, by name, but those that are another one, scaled or not.
+  std::vector<std::string> all();
+  /// What was recorded together: the station of its folder's list, else the file's own label.
+  std::string station(const std::string &file) const;
+  /// Sentences: files that all() leaves out, once it was asked.
+  const std::vector<std::string> &copies() const { return copies_; }
   /// Sentences: records whose direction is not known and which are not used, one a folder.
   const std::vector<std::string> &questions() const { return questions_; }
   /// Spectral acceleration of the whole record as it is [standard g], 5 % damping. Throws DataError.
@@ -25,7 +29,8 @@ private:
   std::map<std::string, std::string> files_;                  ///< name -> path
   std::map<std::string, std::vector<std::string>> by_number_; ///< RSN -> paths
   std::map<std::string, double> sa_;                          ///< by path
-  std::vector<std::string> questions_;
+  std::map<std::string, std::string> stations_;               ///< by path
+  std::vector<std::string> questions_, copies_;
 };
 
 } // namespace rimpact::risk

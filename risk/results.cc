@@ -2,6 +2,7 @@
 #include "files/file.h"
 #include "files/json_text.h"
 #include "reliability/failure_rate.h"
+#include "risk/collapse_check.h"
 #include "risk/disaggregation.h"
 #include "risk/rate_doubts.h"
 #include "risk/reductions.h"
@@ -236,6 +237,14 @@ ordered_json levels_json(const Motions &motions) {
   return levels;
 }
 
+void doubt_range(std::size_t system, const Study &study, const ResponseSet &set, std::vector<std::string> &doubts) {
+  for (const auto &[quantity, found] : set.implausible)
+    doubts.push_back(
+        fmt::format("system {}: {} runs have a {} beyond {:g}, the study's bound of what is plausible, up to "
+                    "{:.3g}: such a run may be a collapse that the model does not have",
+                    system + 1, found.first, quantity, study.plausible.at(quantity), found.second));
+}
+
 /// Runs that leave their rim behind.
 void doubt_rims(std::size_t system, const ResponseSet &set, std::vector<std::string> &doubts) {
   if (set.n_through_rim > 0)
@@ -258,21 +267,26 @@ Results evaluate_study(const Study &study, const Systems &systems, const Motions
   std::size_t n_without = 0;
   fleets::HitShares hits;
   RateDoubts rates;
+  std::vector<CollapseCheck> checks;
+  const bool has_own_bounds = study.plausible.contains("ductility") || study.plausible.contains("peak_drift_m");
   std::vector<std::string> doubts = motions.doubts;
   for (std::size_t s = 0; s < systems.size(); ++s) {
     const ResponseSet set = collect(study, folder_of_system(folder, s), motions);
     for (const auto &level : set.levels) n_without += level.unfinished.size(), hits.add(level.hits);
     doubt_rims(s, set, doubts);
+    doubt_range(s, study, set, doubts);
     for (const double level : levels_without_result(motions, set))
       doubts.push_back(fmt::format("system {}: no run at {:.4g} g has a result; its fragility is made without that "
                                    "level",
                                    s + 1, level));
     samples.emplace_back(study, set);
     limits.push_back(evaluate(study, set, samples.back()));
+    if (study.collapse) checks.push_back(collapse_check(study, limits.back(), samples.back().intensities()));
     writer.add(s, set, samples.back(), limits.back(), rates);
     if (done) done(s + 1);
   }
-  for (const auto &sentences : {rates.sentences(levels_of(motions)), hits.doubts()}) // before those of single systems
+  for (const auto &sentences :
+       {rates.sentences(levels_of(motions)), hits.doubts(!has_own_bounds)}) // before those of single systems
     doubts.insert(doubts.begin() + static_cast<std::ptrdiff_t>(motions.doubts.size()), sentences.begin(),
                   sentences.end());
   Reductions sums;
@@ -307,6 +321,7 @@ Results evaluate_study(const Study &study, const Systems &systems, const Motions
                      {"differences", sums.json()},
                      {"doubts", doubts},
                      {"missing", motions.missing}};
+  if (study.collapse) results.summary["p695"] = to_json(checks);
   return results;
 }
 

@@ -15,6 +15,7 @@
 ///   table = "table.csv"           # records of each level; columns as below, any separator, decimal commas
 ///   level_is = "return_period_years"   # or "intensity_g": what the table's column `level` holds
 ///   component = "nearest"         # of a record's two the one whose factor x S_a meets the level | "printed"
+///   list = "none"                 # | "p695-far-field": levels_g of that set, normalised as it says
 ///   scale = "factor"              # as the table has it | "level": to meet the level
 ///   [motions.columns]             # names of the table's columns; component and factor may be ""
 ///   level = "level"
@@ -34,6 +35,15 @@
 ///   [[difference]]                # systems that differ in nothing but `key`, which is `reference` in one of them
 ///   key = "bearing.surface.a_m"
 ///   reference = 2.25
+///   [p695]                        # acceptance by FEMA P-695, see collapse_check.h
+///   quantity = "collapsed"        # and `limit`, of a [[limit]]: what collapse is
+///   mce_g = 0.9                   # S_MT: the maximum considered S_a at period_s
+///   ductility = 6.0               # mu_T, period-based
+///   category = "Dmax"             # | "C" | "E"
+///   design_requirements = "B"     # A to D; so are test_data and model
+///   three_dimensional = false     # 1.2 times the margin
+///   [plausible]                   # largest values of quantities(); a run beyond is doubted
+///   ductility = 15.0              # in place of 10, peak_drift_m in place of 0.15 m (responses/frame_limits.h)
 ///   [bootstrap]
 ///   replicates = 500
 ///   confidence = 0.9
@@ -45,8 +55,10 @@
 #include "files/choice.h"
 #include "fleets/sweep_reader.h"
 #include "reliability/bootstrap.h"
+#include "reliability/collapse_margin.h"
 #include "reliability/hazard.h"
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -77,6 +89,14 @@ constexpr auto choices(FragilityRule) {
        {FragilityRule::thesis, "thesis", "one lognormal a level, flat above the last"}});
 }
 
+/// Lists of records by number that the study need not bring.
+enum class RecordList { none, p695_far_field };
+constexpr auto choices(RecordList) {
+  return choices_of<RecordList>({{RecordList::none, "none", "every record of the folders"},
+                                 {RecordList::p695_far_field, "p695-far-field",
+                                  "the far-field set of FEMA P-695, normalised, its median S_a at each level"}});
+}
+
 /// One level's result of PEER's search.
 struct MotionSet {
   std::string search_results;
@@ -90,6 +110,7 @@ struct MotionSource {
   std::string table;                ///< CSV; empty: every horizontal component of the folders at every level
   LevelKind level_is = LevelKind::return_period;
   ComponentRule component = ComponentRule::nearest;
+  RecordList list = RecordList::none; ///< of levels_g
   ScaleRule scale = ScaleRule::factor;
   std::string level_column = "level", rsn_column = "rsn", component_column = "component", factor_column = "factor";
   std::map<std::string, std::string> where; ///< column -> value
@@ -99,6 +120,18 @@ struct MotionSource {
 struct Limit {
   std::string quantity;
   std::vector<double> values;
+};
+
+/// What FEMA P-695 asks of a study: the limit that is collapse, the intensity, and how well all of it is known.
+struct CollapseStudy {
+  std::string quantity = "collapsed";
+  double limit = 0;     ///< one of the limit's values; 0: its first one
+  double mce_g = 0;     ///< S_MT [g], > 0
+  double ductility = 1; ///< mu_T, >= 1
+  reliability::ShapeCategory category = reliability::ShapeCategory::low;
+  reliability::Rating design = reliability::Rating::good, tests = reliability::Rating::good,
+                      model = reliability::Rating::good;
+  bool is_three_dimensional = false;
 };
 
 struct Difference {
@@ -119,6 +152,10 @@ struct Study {
   std::vector<reliability::HazardPoint> hazard;
   std::vector<Limit> limits;
   std::vector<Difference> differences;
+  std::optional<CollapseStudy> collapse = {};
+  /// Largest values that are believed, by quantity: a run beyond is doubted. Where ductility or drift has one it takes
+  /// the place of responses/frame_limits.h.
+  std::map<std::string, double> plausible = {};
   reliability::Bootstrap bootstrap;
 };
 

@@ -3,6 +3,7 @@
 #include "files/text.h"
 #include "files/toml_reader.h"
 #include "fleets/sweep_toml.h"
+#include "risk/collapse_check.h"
 #include "risk/differences_reader.h"
 #include "risk/limits_reader.h"
 #include "risk/motions_reader.h"
@@ -15,8 +16,9 @@
 namespace rimpact::risk {
 namespace {
 
-const std::vector<std::string> own_parts = {"scene",   "name",   "years", "set",        "intensity", "fragility",
-                                            "motions", "hazard", "limit", "difference", "bootstrap"};
+const std::vector<std::string> own_parts = {"scene",     "name",    "years",    "set",   "intensity",
+                                            "fragility", "motions", "hazard",   "limit", "difference",
+                                            "bootstrap", "p695",    "plausible"};
 /// What the study itself sets in every run.
 const std::vector<std::string> taken_keys = {"excitation.kind", "excitation.x", "excitation.y", "excitation.z",
                                              "excitation.scale"};
@@ -42,6 +44,8 @@ public:
     read_hazard();
     study_.limits = read_limits(file_, origin_);
     study_.differences = read_differences(file_, origin_, study_.parts);
+    study_.collapse = read_collapse_study(file_, study_.limits);
+    read_plausible();
     TomlReader bootstrap(file_, "bootstrap");
     bootstrap.integer({"replicates"}, study_.bootstrap.replicates, 2, 100'000);
     bootstrap.number({"confidence"}, study_.bootstrap.confidence, si, {0, 1, true, true});
@@ -78,6 +82,19 @@ private:
     std::sort(study_.levels_g.begin(), study_.levels_g.end());
     if (std::adjacent_find(study_.levels_g.begin(), study_.levels_g.end()) != study_.levels_g.end())
       fail_at("intensity.levels_g", "intensity.levels_g has a level twice");
+  }
+
+  void read_plausible() {
+    if (study_.motions.list != RecordList::none && study_.levels_g.empty())
+      fail_at("motions.list", "motions.list needs intensity.levels_g, the levels of its median S_a");
+    TomlReader reader(file_, "plausible");
+    for (const auto &quantity : quantities()) {
+      double most = 0;
+      if (quantity == collapsed) continue;
+      reader.number({quantity.c_str()}, most, si, {0, 1e12, true});
+      if (most > 0) study_.plausible[quantity] = most;
+    }
+    reader.finish();
   }
 
   void read_hazard() {

@@ -57,7 +57,7 @@ class Motion(Refusals):
             table = os.path.join(folder, "records.csv")
             with open(table) as file:
                 text = file.read()
-            self.assertIn("lone.AT2,lone,\n", text)
+            self.assertIn("lone.AT2,lone,,\n", text)
             with open(table, "w") as file:
                 file.write(text.replace("lone.AT2,lone,", "lone.AT2,lone,N35E"))
             rows = {os.path.basename(row["file"]): row for row in json.loads(rimpact("motion", folder, "--json").stdout)}
@@ -94,6 +94,45 @@ class Motion(Refusals):
             self.assertLessEqual(rows[0]["rotd50_g"], rows[0]["rotd100_g"])
             self.assertGreaterEqual(rows[0]["rotd100_g"], max(rows[0]["sa_g"], rows[1]["sa_g"]) * (1 - 1e-3))
             self.assertIn("2 times A000.AT2", " ".join(rows[2]["doubts"]))
+
+    def write_pairs(self, folder, n):
+        for k in range(1, n + 1):
+            for direction, period, phase in (("000", 0.4 + 0.2 * k, 0.3), ("090", 0.5 + 0.15 * k, 0.9)):
+                with open(os.path.join(folder, f"RSN{k}_HILL{direction}.AT2"), "w") as file:
+                    file.write(AT2.format("ACCELERATION TIME SERIES IN UNITS OF G", 1500))
+                    file.writelines(f"{0.1 * k * math.exp(-i / 500) * math.sin(2 * math.pi * 0.01 * i / period + phase):.6e}\n"
+                                    for i in range(1500))
+
+    def test_recordings_are_selected_and_scaled_and_flown(self):
+        with tempfile.TemporaryDirectory() as place:
+            self.write_pairs(place, 5)
+            out = os.path.join(place, "out")
+            select = ["motion", place, "--select", "3", "--period", "2", "--target"]
+            run = rimpact(*select, "asce7,S_DS=1.0,S_D1=0.6,T_L=8", "-o", out, "--largest-scale", "50", "--json")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            found = json.loads(run.stdout)
+            self.assertEqual(len(found["recordings"]), 3)
+            self.assertAlmostEqual(found["from_s"], 0.4)
+            self.assertAlmostEqual(found["to_s"], 3.0)
+            self.assertGreaterEqual(found["least_mean_over_target"], 0.9 - 1e-9)
+            self.assertEqual(sorted(os.listdir(out)), ["selection.csv", "spectrum.csv", "spectrum.png", "sweep.toml"])
+            sweep = rimpact("reduced", "ricker-0.78g-1.0s", "--sweep", os.path.join(out, "sweep.toml"), "-o",
+                            os.path.join(place, "flown"), "--json", "--quiet")
+            self.assertEqual(json.loads(sweep.stdout)["n_runs"], 3, sweep.stderr)
+            for target, needle in (("asce7,S_DS=1.0", "S_D1"), ("en1998,a_g=0.2,ground=Q", "ground")):
+                refused = rimpact(*select, target, "-o", out)
+                self.assertEqual(refused.returncode, 2)
+                self.assertIn(needle, refused.stderr)
+
+    def test_pairs_are_turned_to_a_fault(self):
+        with tempfile.TemporaryDirectory() as place:
+            self.write_pairs(place, 2)
+            out = os.path.join(place, "turned")
+            run = rimpact("motion", place, "--strike", "30", "--rotated", out)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertEqual(sorted(os.listdir(out)), ["RSN1_HILL-FN.csv", "RSN1_HILL-FP.csv", "RSN2_HILL-FN.csv", "RSN2_HILL-FP.csv"])
+            turned = json.loads(rimpact("motion", out, "--json").stdout)
+            self.assertEqual(len([row for row in turned if row["pair"]]), 4)
 
     def test_every_station_of_appendix_c_is_a_pair(self):
         records = os.environ.get("RIMPACT_RECORDS", os.path.join(os.path.dirname(__file__), "../../../shared/records"))

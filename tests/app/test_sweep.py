@@ -2,6 +2,8 @@
 import csv
 import json
 import math
+import os
+import subprocess
 import tempfile
 import unittest
 
@@ -33,6 +35,39 @@ class Sweeps(unittest.TestCase):
             with h5py.File(f"{folder}/table.h5") as table:
                 peaks = [float(row["peak_displacement_m"]) for row in rows]
                 self.assertEqual(list(table["table/peak_displacement_m"]), peaks)
+
+    def test_slurms_scripts_make_the_same_table(self):
+        with tempfile.TemporaryDirectory() as place:
+            plain = rimpact(*self.GRID, "-o", "plain", "--quiet", cwd=place)
+            self.assertEqual(plain.returncode, 0, plain.stderr)
+            made = rimpact(*self.GRID, "-o", "it's shared", "--slurm", "3", cwd=place)
+            self.assertEqual(made.returncode, 0, made.stderr)
+            scripts = f"{place}/it's shared/slurm"
+            self.assertEqual(sorted(os.listdir(scripts)), ["array.sbatch", "gather.sbatch", "submit.sh"])
+            with open(f"{scripts}/array.sbatch", encoding="utf-8") as file:
+                self.assertIn("#SBATCH --array=1-3\n", file.read())
+            program = os.environ["RIMPACT"]
+            for task in ("1", "2", "3"):
+                shard = subprocess.run(["bash", f"{scripts}/array.sbatch"], capture_output=True, text=True,
+                                       env={**os.environ, "SLURM_ARRAY_TASK_ID": task, "RIMPACT": program})
+                self.assertEqual(shard.returncode, 0, shard.stderr)
+            gathered = subprocess.run(["bash", f"{scripts}/gather.sbatch"], capture_output=True, text=True,
+                                      env={**os.environ, "RIMPACT": program})
+            self.assertEqual(gathered.returncode, 0, gathered.stderr)
+            self.assertIn("8 of them kept", gathered.stdout)
+            tables = [self.rows(f"{place}/{folder}/table.csv") for folder in ("it's shared", "plain")]
+            for row in tables[0] + tables[1]:
+                del row["wall_time_s"]
+            self.assertEqual(*tables)
+
+    def test_a_dry_run_makes_no_folder(self):
+        with tempfile.TemporaryDirectory() as place:
+            run = rimpact(*self.GRID, "-o", "none", "--dry-run", "--json", "--jobs", "2", cwd=place)
+            self.assertEqual(run.returncode, 0, run.stderr)
+            plan = json.loads(run.stdout)
+            self.assertEqual((plan["n_runs"], plan["at_once"]), (8, 2))
+            self.assertGreater(plan["expected_seconds"], 0)
+            self.assertFalse(os.path.exists(f"{place}/none"))
 
     def test_a_case_s_record_is_sought_on_the_shelf(self):
         with tempfile.TemporaryDirectory() as shelf, tempfile.TemporaryDirectory() as place:

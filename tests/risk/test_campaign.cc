@@ -62,6 +62,12 @@ TEST(Campaign, FromFileToTables) {
   const auto doubts = results.summary["doubts"].dump();
   EXPECT_NE(doubts.find("100 % of the hits on the rim"), std::string::npos) << doubts;
   EXPECT_NE(doubts.find("the levels begin too high"), std::string::npos) << doubts;
+  EXPECT_EQ(doubts.find("plausible"), std::string::npos) << doubts;
+  Study bounded = small.study; // by [plausible] of the study
+  bounded.plausible["peak_displacement_m"] = 1e-4;
+  const auto doubted =
+      evaluate_study(bounded, small.systems, small.motions, small.folder / "out", nullptr).summary["doubts"].dump();
+  EXPECT_NE(doubted.find("system 1: 18 runs have a peak_displacement_m beyond 0.0001"), std::string::npos) << doubted;
   write_results(results, small.folder / "out");
   EXPECT_TRUE(std::filesystem::exists(small.folder / "out/reliability.h5"));
   EXPECT_EQ(read_table(small.folder / "out/ida.csv").rows.size(), 4u);

@@ -129,7 +129,8 @@ TEST(RecordCsv, TablesOfAnyTongue) {
     expect_error<DataError>([&] { parse_record_csv(text, "r.csv", 10.0); }, words);
   };
   refuse("t (s),a (g)\n0,1\nbroken\n0.02,1\n", {"r.csv:3", "rows go on"});
-  refuse("t (s),NS (g),EW (g)\n0,1,2\n0.01,1,2\n", {"r.csv:1", "EW (g)", "NS (g)"});
+  refuse("t (s),NS (g),N (g)\n0,1,2\n0.01,1,2\n", {"r.csv:1", "N (g)", "NS (g)"});
+  refuse("t (s),NS (g),trigger (g)\n0,1,2\n0.01,1,2\n", {"r.csv:1", "trigger (g)", "NS (g)"});
   refuse("T [s],Sa [g]\n0,1\n0.01,1\n", {"r.csv:1", "header must be"});
   refuse("period_s,level_g\n0,1\n0.01,1\n", {"r.csv:1", "header must be"});
   refuse("t (ms),a (g)\n0,1\n10,1\n", {"r.csv:1", "header must be"});

@@ -130,7 +130,6 @@ TEST(RecordFormats, Csmip) {
   expect_values(parse_record(one, "a.V2", 9.81), 0.02, {0.5, -1, -0.98067, 0.02});
   expect_error<DataError>([&] { parse_record(one + csmip("UP", values), "a.V2", 9.81); },
                           {"2 channels", "#1 (90)", "#2 (UP)"});
-  expect_error<DataError>([&] { parse_record("UN" + one, "a.V1", 9.81); }, {"uncorrected", "V2"});
   expect_error<DataError>([&] { parse_record("RESPONSE AND FOURIER AMPLITUDE SPECTRA\n1 2\n", "a.V3", 9.81); },
                           {"spectra", "V2"});
 }
