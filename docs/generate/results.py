@@ -68,7 +68,7 @@ REMARKS = {
              "finite-element runs, with the terms of pad and socket; windows are thrown from 0.05 mm before the rim with weight and friction. The hardest touch of a pulse is shown, "
              "the first one in two directions. Work is what the rim took and did not give back.\n\n"
              "The second table has no rim. Why the programs differ: `singleFPBearing` and `FPBearingPTV` slide in a plane, so that their normal force misses the acceleration of "
-             "the rise, which lifts load off our slider: 7 to 10 % of the force. Against our model with a static normal force 1.6 % remain under a constant load: `singleFPBearing` "
+             "the rise, which lifts load off our slider: 4 to 10 % of the force. Against our model with a static normal force 1.6 % remain under a constant load: `singleFPBearing` "
              "adds the push's share, u F / R, to the normal force and projects it without the cosine; `FPBearingPTV` leaves that share out. Where the load varies, the pad's spring "
              "under it swings along; our rigid one does not. Friction by speed is the same law in all three. `TripleFrictionPendulum`, its inner surfaces held to 0.1 mm, is a "
              "double concave bearing whose faces slide about a point. Our `dcfp` has a slider of a height, whose faces need mu 2 R / R_eff (`mu_e`), and it rises.",

@@ -1,5 +1,6 @@
 // Solids whose steel knows its rate: the tangent of a mesh, an impact with its ledger.
 #include "blocks.h"
+#include "fe_contact/engine/solid_fields.h"
 
 #include <gtest/gtest.h>
 
@@ -34,6 +35,23 @@ TEST(RateDependentSolid, TangentOfAMeshAgreesWithDifferences) {
                             exact = tangent.multiply(equations.gather(direction));
       EXPECT_LT((difference - exact).norm(), 1e-5 * exact.norm()) << dt;
     }
+}
+
+TEST(RateDependentSolid, FieldsShowTheStressThatTheRateBears) {
+  Bar bar({.model = RateModel::cowper_symonds});
+  const Equations &equations = bar.system->equations();
+  constexpr double stretch = 0.01; // along x, held across
+  Eigen::VectorXd u = Eigen::VectorXd::Zero(bar.space.n_dofs()), forces = Eigen::VectorXd::Zero(equations.n);
+  for (std::size_t a = 0; a < bar.space.n_nodes; ++a) u[3 * a] = stretch * bar.space.positions[a].x();
+  SolidHistory next;
+  SolidEnergies energies;
+  ASSERT_TRUE(bar.solid.assemble(u, bar.solid.initial_history(), next, equations, forces, nullptr, energies, 1e-4));
+  const SolidFields fields = fields_of(bar.solid, bar.space, u, next);
+  const J2State &point = next.front();
+  const double flow = bar.solid.law_of(0).isochoric.hardening.stress(point.alpha);
+  EXPECT_GT(point.overstress, 0.1 * flow);
+  for (const double von_mises : fields.von_mises)
+    EXPECT_NEAR(von_mises * (1 + stretch) / (flow + point.overstress), 1, 1e-9);
 }
 
 struct BarImpact {

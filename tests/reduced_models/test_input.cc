@@ -49,7 +49,7 @@ TEST(Input, PoisonInUnusedInputsDoesNotMatter) {
   s.reduced.elastic_slip = s.reduced.rate = nan;
   s.reduced.impact_exponent = s.reduced.reference_speed = s.reduced.yield_force = nan;
   s.reduced.hardening = s.reduced.hardening_exponent = s.reduced.unloading_gain = s.reduced.unloading_exponent = nan;
-  s.bearing.contact = {nan, nan, nan, nan, nan, nan, nan, scene::PadFoot::tied};
+  s.bearing.contact = {nan, nan, nan, nan, nan, nan, nan, nan, scene::PadFoot::tied};
   s.bearing.pad = {nan, nan, nan, nan, nan};
   s.bearing.foot = {nan, nan, nan, nan};
   s.bearing.steel.E = s.bearing.rim.height = s.bearing.rim.thickness = nan;

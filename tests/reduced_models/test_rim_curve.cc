@@ -31,6 +31,8 @@ struct CurveOf {
     write_rim_curve({.dish = dish,
                      .held = held,
                      .strain = {},
+                     .foot = {},
+                     .joint = {},
                      .bearing = scene.bearing.name,
                      .rim_identity = scene::rim_identity(scene.bearing),
                      .rim_values = scene::rim_values(scene.bearing),
