@@ -16,7 +16,7 @@ def main(folder: str, program: str) -> int:
     pages = [root / "README.md", root / "CONTRIBUTING.md", root / "CHANGELOG.md", *sorted((root / "docs").rglob("*.md")),
              *sorted((root / "examples").rglob("*.md"))]
     listing = subprocess.run([program, "--help"], capture_output=True, text=True, check=True).stdout
-    verbs = set(re.findall(r"^  ([a-z]+) ", listing, re.MULTILINE))
+    verbs = set(re.findall(r"^  ([a-z-]+) ", listing, re.MULTILINE))
     errors, n_checked = list[str](), 0
     for page in pages:
         text = page.read_text(encoding="utf-8")

@@ -26,6 +26,9 @@ def density(page: dict[str, Any]) -> str:
     said += sum(len(str(part)) for part in page["assumptions"]) + sum(map(len, page["done"]))
     middle = page["middle"]
     if page["kind"] == "answer" and not middle["missing"]:  # its three columns are as long as the longest
-        columns = (middle["pair"]["sentence"], middle["holds"] + middle["mesh_error"], (middle["strain"] or {}).get("sentence", ""))
+        strain, band = middle["strain"] or {}, middle["band"] or {}
+        judged = " ".join([strain.get("sentence", ""), *strain.get("beside", []), *strain.get("places", [])])
+        columns = (middle["pair"]["sentence"], middle["holds"] + middle["mesh_error"], judged)
+        said += (600 + 110 * len(middle["bars"]) if middle["bars"] else 0) + sum(map(len, middle["findings"])) + 100 * len(band.get("rows", [])) + sum(map(len, band.get("sentences", [])))
         said += 3 * max(0, max(map(len, columns)) - 200) + 60 * max(0, len(middle["numbers"]) - 4)
     return "plain" if said < 900 else "close" if said < 2000 else "closest" if said < 3000 else "closest dense"

@@ -149,7 +149,7 @@ class SetKeys(unittest.TestCase):
                 self.assertIn("read", outcomes.values())
 
     def test_the_list_of_verbs_is_whole(self) -> None:
-        names = re.findall(r"^  ([a-z]+) ", rimpact("--help").stdout.split("Subcommands:")[1], re.MULTILINE)
+        names = re.findall(r"^  ([a-z-]+) ", rimpact("--help").stdout.split("Subcommands:")[1], re.MULTILINE)
         taking = {name for name in names if "--set " in rimpact(name, "--help").stdout}
         self.assertEqual(taking, {verb.words[0] for verb in VERBS})
 

@@ -15,6 +15,7 @@ class Site(unittest.TestCase):
             menu = set(re.findall(r"[\w./-]+\.md", file.read()))
         docs = os.path.join(SOURCE, "docs")
         pages = {os.path.relpath(os.path.join(place, name), docs) for place, _, names in os.walk(docs) for name in names if name.endswith(".md")}
+        pages = {page for page in pages if not re.fullmatch(r"changes/.*\.(highlight|breaking|added|fixed)\.md", page)}  # they wait for the changelog
         self.assertEqual(pages - menu, set())
         self.assertEqual(menu - pages, set())
 

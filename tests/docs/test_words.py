@@ -18,7 +18,7 @@ def rimpact(*words, cwd=None):
 
 
 def verbs():
-    return re.findall(r"^  ([a-z]+) ", rimpact("--help").stdout.split("Subcommands:")[1], re.MULTILINE)
+    return re.findall(r"^  ([a-z-]+) ", rimpact("--help").stdout.split("Subcommands:")[1], re.MULTILINE)
 
 
 def asked():
