@@ -13,10 +13,14 @@ std::string not_of_main(const std::string &key) {
   if (is_in(key, "excitation"))
     return "the motions of main are its own: --speeds and --pulse-speeds choose them, `rimpact run` runs a scene's";
   if (is_of_a_fit(key)) return "a reference run is of no fitted law";
+  if (is_in(key, "bounds")) return bounds_are_reduced;
   return key == "name" ? "main names its runs itself; --title stands on the report" : "";
 }
 
 } // namespace
+
+const char *const bounds_are_reduced =
+    "bounds of friction are run by the reduced model: `rimpact reduced` and `rimpact building` with --bounds";
 
 bool is_of_a_fit(const std::string &key) {
   return key.starts_with("reduced.fitted_") || is_in(key, "reduced.taken_from");

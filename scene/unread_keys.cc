@@ -35,6 +35,7 @@ constexpr std::array parts{ScenePart{"excitation.", "excitation.kind", true},
                            ScenePart{"bearing.material.steel.tangent_modulus_MPa", "bearing.material.steel.hardening"},
                            ScenePart{"bearing.material.steel.", "bearing.material.steel.yield_MPa"},
                            ScenePart{"bearing.material.ertalyte.", "bearing.material.ertalyte.yield_MPa"},
+                           ScenePart{"bearing.rim.connection.", "bearing.rim.connection.kind"},
                            ScenePart{"bearing.contact.rate_s_per_m", "bearing.contact.rim_slow"},
                            ScenePart{"bearing.contact.", "bearing.contact.pad_foot"},
                            ScenePart{"model.own_mesh.", "model.own_mesh.file"}};

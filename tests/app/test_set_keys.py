@@ -97,7 +97,8 @@ VERBS = [
     Verb("mesh --scene", ["mesh", "--scene", RICKER, "--mesh", "0", "-o", "out.msh", "--json"], identity),
 ]
 # What a mesh of a bearing alone is not made of, though it is a bearing's: read with it, and judged.
-NO_DIMENSION = ("bearing.name", "bearing.assumed", "bearing.plate.", "bearing.pad.", "bearing.foot.", "bearing.material.", "bearing.contact.")
+NO_DIMENSION = ("bearing.name", "bearing.assumed", "bearing.plate.", "bearing.pad.", "bearing.foot.", "bearing.material.", "bearing.contact.",
+                "bearing.rim.connection.")
 
 
 def keys() -> list[Key]:
