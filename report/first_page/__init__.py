@@ -27,8 +27,9 @@ def density(page: dict[str, Any]) -> str:
     middle = page["middle"]
     if page["kind"] == "answer" and not middle["missing"]:  # its three columns are as long as the longest
         strain, band = middle["strain"] or {}, middle["band"] or {}
-        judged = " ".join([strain.get("sentence", ""), *strain.get("beside", []), *strain.get("places", [])])
+        judged = " ".join([strain.get("sentence", ""), *strain.get("beside", [])])
         columns = (middle["pair"]["sentence"], middle["holds"] + middle["mesh_error"], judged)
-        said += (600 + 110 * len(middle["bars"]) if middle["bars"] else 0) + sum(map(len, middle["findings"])) + 100 * len(band.get("rows", [])) + sum(map(len, band.get("sentences", [])))
+        said += 600 + 110 * len(middle["bars"]) if middle["bars"] else 0
+        said += 100 * len(band.get("rows", [])) + sum(map(len, (*middle["findings"], *band.get("sentences", []), *strain.get("places", []))))
         said += 3 * max(0, max(map(len, columns)) - 200) + 60 * max(0, len(middle["numbers"]) - 4)
     return "plain" if said < 900 else "close" if said < 2000 else "closest" if said < 3000 else "closest dense"
