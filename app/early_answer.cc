@@ -3,6 +3,7 @@
 #include "app/job_runner.h"
 #include "calibration/answer/answer.h"
 #include "calibration/answer/calibration_json.h"
+#include "calibration/laws/percent.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -16,9 +17,8 @@ constexpr std::size_t fewest = 3; ///< windows: one is left out, two are fitted
 std::optional<double> error_left_out(const calibration::AnswerLaw &law) {
   double most = law.left_out.empty() ? NAN : 0;
   for (const auto &error : law.left_out)
-    for (const double each : {error.peak_force, error.rebound})
-      most = std::isnan(most) || std::isnan(each) ? NAN : std::max(most, std::abs(each));
-  return std::isnan(most) ? std::nullopt : std::optional(most);
+    for (const double each : {error.peak_force, error.rebound}) most = calibration::larger_of(most, std::abs(each));
+  return calibration::known(most);
 }
 
 bool touches(const Job &job) {
@@ -47,6 +47,7 @@ bool EarlyAnswer::due(std::size_t done, std::size_t all) const {
 }
 
 void EarlyAnswer::operator()(std::vector<Job> &jobs) {
+  if (!left_out_.empty()) return;
   std::vector<const Job *> windows;
   std::vector<std::string> done;
   for (const Job &job : jobs) {
@@ -54,9 +55,9 @@ void EarlyAnswer::operator()(std::vector<Job> &jobs) {
     windows.push_back(&job);
     if (touches(job)) done.push_back(job.folder);
   }
-  if (!left_out_.empty() || !due(done.size(), windows.size()) || !spans(windows)) return;
+  if (!due(done.size(), windows.size()) || !spans(windows)) return;
   fitted_ = done.size();
-  if (const bool waits = std::ranges::any_of(jobs, [](const Job &job) { return !job.begun; }); !waits) return;
+  if (std::ranges::all_of(jobs, &Job::begun)) return; // the whole answer comes next
   reached_ = error_of(done);
   if (until_ && reached_ && *reached_ <= *until_) leave_out(jobs);
 }

@@ -101,6 +101,13 @@ std::string selection_in_words(const RecordSelection &selection, const TargetSpe
 
 } // namespace
 
+std::string acceleration_csv(const SampledSignal &record) {
+  std::string text = "time_s,acceleration_m_per_s2\n";
+  for (std::size_t i = 0; i < record.values.size(); ++i)
+    text += fmt::format("{:.9g},{:.9g}\n", record.instant(i), record.values[i]);
+  return text;
+}
+
 void select_motions(const RecordFolder &folder, const SelectionOptions &options, Console &console) {
   const TargetSpectrum target(options.target);
   const RecordSelection selection = select_records(folder, target, options.rules);
@@ -128,10 +135,7 @@ void rotate_motions(const RecordFolder &folder, double strike, const std::string
       std::replace_if(
           label.begin(), label.end(), [](char c) { return c == '/' || c == '\\' || c == ' ' || c == ','; }, '_');
       for (const auto &[ending, signal] : {std::pair("-FN", &turned.normal), std::pair("-FP", &turned.parallel)}) {
-        std::string text = "time_s,acceleration_m_per_s2\n";
-        for (std::size_t i = 0; i < signal->values.size(); ++i)
-          text += fmt::format("{:.9g},{:.9g}\n", signal->instant(i), signal->values[i]);
-        write_atomically(text, fmt::format("{}/{}{}.csv", out, label, ending));
+        write_atomically(acceleration_csv(*signal), fmt::format("{}/{}{}.csv", out, label, ending));
       }
       ++n;
     } catch (const DataError &error) {

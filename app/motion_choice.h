@@ -14,6 +14,9 @@ struct SelectionOptions {
 /// Selects, writes selection.csv, spectrum.csv, spectrum.png and sweep.toml into the folder, and says what it did.
 void select_motions(const RecordFolder &folder, const SelectionOptions &options, Console &console);
 
+/// A record as a table that every verb reads.
+std::string acceleration_csv(const SampledSignal &record);
+
 /// Writes STATION-FN.csv and STATION-FP.csv of every pair into `out`; a pair that cannot be turned is told.
 void rotate_motions(const RecordFolder &folder, double strike, const std::string &out, Console &console);
 

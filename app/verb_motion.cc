@@ -104,12 +104,8 @@ void write_corrected(const std::vector<MotionRow> &rows, const std::string &fold
   make_folder(folder);
   for (const auto &row : rows) {
     if (!row.info) continue;
-    const auto corrected = baseline_corrected(read_record(row.record.path));
-    std::string text = "time_s,acceleration_m_per_s2\n";
-    for (std::size_t i = 0; i < corrected.values.size(); ++i)
-      text += fmt::format("{:.9g},{:.9g}\n", corrected.instant(i), corrected.values[i]);
     const std::string path = folder + "/" + record_label(row.record.path) + ".csv";
-    write_atomically(text, path);
+    write_atomically(acceleration_csv(baseline_corrected(read_record(row.record.path))), path);
     console.message(fmt::format("{}: {} with its baseline corrected", path, row.record.path));
   }
 }

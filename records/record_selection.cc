@@ -1,6 +1,7 @@
 #include "records/record_selection.h"
 #include "files/error.h"
 #include "records/record_library.h"
+#include "records/rotated_spectrum.h"
 #include "records/scaled_copies.h"
 #include "records/spectral_acceleration.h"
 #include <algorithm>
@@ -19,19 +20,6 @@ std::vector<double> periods_of(const SelectionRules &rules) {
   for (std::size_t i = 0; i < n_periods; ++i)
     periods.push_back(std::exp(std::lerp(low, high, static_cast<double>(i) / (n_periods - 1))));
   return periods;
-}
-
-/// On the longer of both at the shorter of their steps, from their first samples on.
-std::pair<SampledSignal, SampledSignal> together(const SampledSignal &x, const SampledSignal &y) {
-  if (x.dt == y.dt && x.values.size() == y.values.size()) return {x, y};
-  const double dt = std::min(x.dt, y.dt), length = std::max(x.duration(), y.duration());
-  const auto n = static_cast<std::size_t>(std::floor(length / dt * (1 + 1e-12))) + 1;
-  SampledSignal first{dt, std::vector<double>(n)}, second = first;
-  for (std::size_t i = 0; i < n; ++i) {
-    first.values[i] = x.at(x.start + dt * static_cast<double>(i));
-    second.values[i] = y.at(y.start + dt * static_cast<double>(i));
-  }
-  return {first, second};
 }
 
 double largest_direction(const SampledSignal &x, const SampledSignal &y, double period) {

@@ -7,8 +7,8 @@
 
 namespace rimpact {
 
-RotatedAcceleration rotated_acceleration(const SampledSignal &x, const SampledSignal &y, double period,
-                                         double damping) {
+std::pair<SampledSignal, SampledSignal> together(const SampledSignal &x, const SampledSignal &y) {
+  if (x.dt == y.dt && x.values.size() == y.values.size()) return {x, y};
   const double dt = std::min(x.dt, y.dt), length = std::max(x.duration(), y.duration());
   const auto n = static_cast<std::size_t>(std::floor(length / dt * (1 + 1e-12))) + 1;
   SampledSignal first{dt, std::vector<double>(n)}, second = first;
@@ -16,6 +16,12 @@ RotatedAcceleration rotated_acceleration(const SampledSignal &x, const SampledSi
     first.values[i] = x.at(x.start + dt * static_cast<double>(i));
     second.values[i] = y.at(y.start + dt * static_cast<double>(i));
   }
+  return {first, second};
+}
+
+RotatedAcceleration rotated_acceleration(const SampledSignal &x, const SampledSignal &y, double period,
+                                         double damping) {
+  const auto [first, second] = together(x, y);
   const auto along = oscillator_travel(first, period, damping), across = oscillator_travel(second, period, damping);
   constexpr int directions = 180;
   std::vector<double> largest(directions, 0.0);

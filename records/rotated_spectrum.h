@@ -1,6 +1,7 @@
 /// The spectral acceleration of two horizontal components in every direction.
 #pragma once
 #include "records/sampled_signal.h"
+#include <utility>
 
 namespace rimpact {
 
@@ -10,8 +11,11 @@ struct RotatedAcceleration {
   double rotd50, rotd100;
 };
 
-/// `x` and `y` at right angles, from their first samples on at the shorter of their steps, straight in between; the
-/// shorter one is followed by rest. Directions from 0 to 179 degrees in steps of one; oscillator as in
+/// Both from their first samples on at the shorter of their steps, straight in between; the shorter one is followed by
+/// rest.
+std::pair<SampledSignal, SampledSignal> together(const SampledSignal &x, const SampledSignal &y);
+
+/// `x` and `y` at right angles, together(). Directions from 0 to 179 degrees in steps of one; oscillator as in
 /// spectral_acceleration.h.
 RotatedAcceleration rotated_acceleration(const SampledSignal &x, const SampledSignal &y, double period,
                                          double damping = 0.05);

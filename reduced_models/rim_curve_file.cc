@@ -65,36 +65,28 @@ laws::CurvePath read_path(hid_t file, const char *name) {
   return path;
 }
 
-void write_strain(hid_t file, const CurveStrain &strain) {
-  const Handle held = open_group(file, "held"), steel = new_group(held, "steel");
-  write_column(steel, "penetration", strain.penetration, "m");
-  write_column(steel, "strain", strain.strain, "1");
+/// A column over the penetration along `held`, in a group of its own.
+struct AlongHeld {
+  const char *group, *column, *words;
+};
+constexpr AlongHeld strain_columns{"steel", "strain", "steel"}, foot_columns{"rim_foot", "use", "the rim's foot"};
+
+void write_along(hid_t file, const AlongHeld &what, const std::vector<double> &penetration,
+                 const std::vector<double> &values) {
+  const Handle held = open_group(file, "held"), group = new_group(held, what.group);
+  write_column(group, "penetration", penetration, "m");
+  write_column(group, what.column, values, "1");
 }
 
-CurveStrain read_strain(hid_t file) {
+/// Penetrations and values; empty where the file has none.
+template <class Columns> Columns read_along(hid_t file, const AlongHeld &what) {
   const Handle held = open_group(file, "held");
-  if (H5Lexists(held, "steel", H5P_DEFAULT) <= 0) return {};
-  const Handle steel = open_group(held, "steel");
-  CurveStrain strain{read_numbers(steel, "penetration"), read_numbers(steel, "strain")};
-  if (strain.penetration.size() != strain.strain.size())
-    throw std::runtime_error("its columns of steel differ in length");
-  return strain;
-}
-
-void write_foot(hid_t file, const CurveFoot &foot) {
-  const Handle held = open_group(file, "held"), group = new_group(held, "rim_foot");
-  write_column(group, "penetration", foot.penetration, "m");
-  write_column(group, "use", foot.use, "1");
-}
-
-CurveFoot read_foot(hid_t file) {
-  const Handle held = open_group(file, "held");
-  if (H5Lexists(held, "rim_foot", H5P_DEFAULT) <= 0) return {};
-  const Handle group = open_group(held, "rim_foot");
-  CurveFoot foot{read_numbers(group, "penetration"), read_numbers(group, "use")};
-  if (foot.penetration.size() != foot.use.size())
-    throw std::runtime_error("its columns of the rim's foot differ in length");
-  return foot;
+  if (H5Lexists(held, what.group, H5P_DEFAULT) <= 0) return {};
+  const Handle group = open_group(held, what.group);
+  const auto penetration = read_numbers(group, "penetration"), values = read_numbers(group, what.column);
+  if (penetration.size() != values.size())
+    throw std::runtime_error(fmt::format("its columns of {} differ in length", what.words));
+  return {penetration, values};
 }
 
 constexpr const char *unknown = "unknown";
@@ -116,8 +108,10 @@ void write_rim_curve(const RimCurveFile &curve, const std::string &path) {
   write_atomically(file_in_memory([&](hid_t file) {
                      if (!curve.dish.unloading.empty()) write_path(file, "dish", curve.dish);
                      write_path(file, "held", curve.held);
-                     if (!curve.strain.strain.empty()) write_strain(file, curve.strain);
-                     if (!curve.foot.use.empty()) write_foot(file, curve.foot);
+                     if (!curve.strain.strain.empty())
+                       write_along(file, strain_columns, curve.strain.penetration, curve.strain.strain);
+                     if (!curve.foot.use.empty())
+                       write_along(file, foot_columns, curve.foot.penetration, curve.foot.use);
                      write_meta(file,
                                 {{"kind", "rim curve"},
                                  {"bearing", curve.bearing},
@@ -152,7 +146,9 @@ RimCurveFile read_rim_curve(const std::string &path) {
       const auto text = [&](const char *name) { return meta.count(name) ? meta.at(name) : std::string(); };
       if (text("kind") != "rim curve") throw std::runtime_error("no rim curve of `rimpact curve`");
       if (H5Lexists(file, "dish", H5P_DEFAULT) > 0) curve.dish = read_path(file, "dish");
-      curve.held = read_path(file, "held"), curve.strain = read_strain(file), curve.foot = read_foot(file);
+      curve.held = read_path(file, "held");
+      curve.strain = read_along<CurveStrain>(file, strain_columns);
+      curve.foot = read_along<CurveFoot>(file, foot_columns);
       curve.joint = text("joint"), curve.bearing = text("bearing"), curve.rim_identity = text("rim_identity"),
       curve.rim_values = text("rim_values"), curve.mesh = text("mesh"), curve.made_by = text("made_by");
       if (text("mesh_force_error") != unknown) curve.errors.mesh_force = number_of(meta, "mesh_force_error");

@@ -1,5 +1,6 @@
 #include "calibration/studies/vary_results.h"
 
+#include "files/json_text.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -11,7 +12,8 @@ double utilisation(const VaryPoint &point, const VaryQuestion &question) {
   return question.strain_limit && point.strain ? *point.strain / *question.strain_limit : std::nan("");
 }
 
-nlohmann::json or_null(double value) {
+/// NaN stands for what is not known.
+nlohmann::json number_or_null(double value) {
   return std::isnan(value) ? nlohmann::json() : nlohmann::json(value);
 }
 
@@ -43,11 +45,11 @@ nlohmann::json to_json(const std::vector<VaryPoint> &points, const VaryQuestion 
   for (const auto &key : question.keys) keys.push_back({{"key", key.key}, {"values", key.values}});
   for (const auto &point : points) {
     nlohmann::json row{{"name", point.name}, {"at", point.at}};
-    for (std::size_t k = 0; k < vary_outputs().size(); ++k) row[vary_outputs()[k]] = or_null(point.output(k));
+    for (std::size_t k = 0; k < vary_outputs().size(); ++k) row[vary_outputs()[k]] = number_or_null(point.output(k));
     row["restitution"] = point.rebound / question.speed;
-    row["utilisation"] = or_null(utilisation(point, question));
-    row["speed_at_strain_limit_m_per_s"] = or_null(point.speed_at_limit.value_or(std::nan("")));
-    row["rim_foot_goes_at_m_per_s"] = or_null(point.foot_goes_at.value_or(std::nan("")));
+    row["utilisation"] = number_or_null(utilisation(point, question));
+    row["speed_at_strain_limit_m_per_s"] = or_null(point.speed_at_limit);
+    row["rim_foot_goes_at_m_per_s"] = or_null(point.foot_goes_at);
     row["pushed_for_m_per_s"] = point.fastest;
     row["over_severity"] = to_json(point.table);
     rows.push_back(row);
@@ -55,7 +57,7 @@ nlohmann::json to_json(const std::vector<VaryPoint> &points, const VaryQuestion 
   return {{"vary", keys},
           {"speed_m_per_s", question.speed},
           {"mass_kg", question.mass},
-          {"strain_limit", or_null(question.strain_limit.value_or(std::nan("")))},
+          {"strain_limit", or_null(question.strain_limit)},
           {"targets", question.targets},
           {"curve_error", {{"force", CurveAgainstWindows{}.force}, {"restitution", CurveAgainstWindows{}.restitution}}},
           {"points", rows}};
@@ -67,7 +69,7 @@ nlohmann::json between_json(const std::vector<VaryPoint> &points) {
   for (const auto &point : points) {
     columns["at"].push_back(point.at[0]);
     for (std::size_t k = 0; k < vary_outputs().size(); ++k)
-      columns[vary_outputs()[k]].push_back(or_null(point.output(k)));
+      columns[vary_outputs()[k]].push_back(number_or_null(point.output(k)));
   }
   return columns;
 }

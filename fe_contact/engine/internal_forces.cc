@@ -13,8 +13,7 @@ Eigen::Matrix3Xd internal_forces(const Solid &solid, const Discretisation &space
                                  const Eigen::VectorXd &u, const SolidHistory &history) {
   const int n = space.nodes_per_cell;
   const SolidLaw &law = solid.law_of(cell);
-  HenckyJ2 kept = law.isochoric;
-  kept.elastic = true;
+  const HenckyJ2 kept = law.isochoric.at_rest();
   Eigen::Matrix3Xd moved(3, n), forces = Eigen::Matrix3Xd::Zero(3, n);
   for (int a = 0; a < n; ++a) moved.col(a) = u.segment<3>(3 * space.cell_nodes[cell * n + a]);
   const auto add = [&](const QuadratureData &rule, auto &&stress_at) {

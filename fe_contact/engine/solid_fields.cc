@@ -22,8 +22,7 @@ SolidFields fields_of(const Solid &solid, const Discretisation &space, const Eig
   for (std::size_t c = 0; c < space.n_cells; ++c) {
     const unsigned *nodes = &space.cell_nodes[c * n];
     const SolidLaw &law = solid.law_of(c);
-    HenckyJ2 kept = law.isochoric;
-    kept.elastic = true; // at the step's end: to flow again, infinitely slowly, would relax what the rate bears
+    const HenckyJ2 kept = law.isochoric.at_rest();
     double strain = 0.0, damage = 0.0;
     Vector6 stress = Vector6::Zero();
     for (int q = 0; q < n_points; ++q) {

@@ -122,6 +122,12 @@ HenckyJ2 HenckyJ2::from(const scene::Material &material) {
   return law;
 }
 
+HenckyJ2 HenckyJ2::at_rest() const {
+  HenckyJ2 law = *this;
+  law.elastic = true;
+  return law;
+}
+
 IsochoricResult HenckyJ2::step(const J2State &old, const Matrix3 &F, double dt, bool with_tangent) const {
   IsochoricResult result;
   const double J = F.determinant();

@@ -53,6 +53,9 @@ struct HenckyJ2 {
   RateLaw rate{};
 
   static HenckyJ2 from(const scene::Material &material);
+  /// The same that never yields: from the state at a step's end its stress is that of the step. To flow again,
+  /// infinitely slowly, would relax what the rate bears.
+  HenckyJ2 at_rest() const;
   /// F: deformation gradient at the end of the step; old: state at its start; dt: its length [s], 0: infinitely slow,
   /// the steel shows no rate. The tangent is made if it is asked for.
   IsochoricResult step(const J2State &old, const Matrix3 &F, double dt = 0, bool with_tangent = true) const;
