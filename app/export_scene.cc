@@ -3,6 +3,7 @@
 #include "calibration/export/comment.h"
 #include "calibration/export/exported_model.h"
 #include "files/error.h"
+#include "scene/case_description.h"
 #include "scene/rim_identity.h"
 #include <cmath>
 #include <filesystem>
@@ -29,9 +30,9 @@ scene::Scene scene_or_bearing(const std::string &where) {
 std::optional<scene::Scene> scene_of(const ExportOptions &options, const json &calibration, const ExportedRim &rim) {
   if (!options.scene.empty()) {
     auto scene = scene_or_bearing(options.scene);
-    if (const auto identity = scene::rim_identity(scene.bearing); identity != rim.rim_identity)
-      throw InputError(fmt::format("--scene {}: its rim is {}, the calibration's {}: another bearing", options.scene,
-                                   identity, rim.rim_identity));
+    if (scene::rim_identity(scene.bearing) != rim.rim_identity)
+      throw InputError(fmt::format("--scene {}: {} ({}) is another bearing than {}, to whose rim the law was fitted",
+                                   options.scene, scene.bearing.name, scene::rim_in_words(scene.bearing), rim.bearing));
     return scene;
   }
   std::vector<std::string> candidates;
@@ -68,6 +69,10 @@ void warn_of_load(const ExportOptions &options, const scene::Scene &scene, const
 
 /// The bearing carries what the files are for, with the terms of pad and socket that the calibration has.
 void take_answer(scene::Scene &scene, const json &calibration, ExportedRim &rim) {
+  rim.statement.insert(
+      rim.statement.begin() + 1,
+      calibration::plain_text(fmt::format("Its dimensions: L_c = {:.4g} mm, {}.", 1e3 * scene.lateral_capacity(),
+                                          scene::rim_in_words(scene.bearing))));
   scene.load.vertical = rim.vertical, scene.load.mass = rim.mass, scene.load.gravity = rim.gravity;
   calibration::take_stack(scene, calibration["answer"]);
   for (const auto &line : calibration::stack_effect(scene, rim)) rim.statement.push_back(calibration::plain_text(line));

@@ -135,8 +135,8 @@ void add_doubts(std::vector<std::string> &lines, const ExportedRim &rim, const j
 
 std::vector<std::string> statement_of(const ExportedRim &rim, const json &answer, const json &law) {
   std::vector<std::string> lines;
-  lines.push_back(fmt::format("Bearing {}, rim {}. Load {:.6g} kN, mass {:.6g} kg, g = {:g} m/s2.", rim.bearing,
-                              rim.rim_identity, rim.vertical / 1e3, rim.mass, rim.gravity));
+  lines.push_back(fmt::format("Bearing {}. Load {:.6g} kN, mass {:.6g} kg, g = {:g} m/s2.", rim.bearing,
+                              rim.vertical / 1e3, rim.mass, rim.gravity));
   lines.push_back(fmt::format("Fitted to: {}, rung {}, mesh {}.", text(answer, "source"), text(answer, "rung"),
                               text(answer, "mesh")));
   lines.push_back(fmt::format("Impact law: {} (chosen by: {}), {}.", rim.law().name, text(law, "chosen_by"),

@@ -157,7 +157,7 @@ Eigen::VectorXd Problem::spread_point(int index) const {
 
 std::vector<Eigen::VectorXd> Problem::starts() const {
   std::vector<Eigen::VectorXd> points;
-  const Eigen::VectorXd own = point(first_guess(blocks_.front()->scene(), windows_));
+  const Eigen::VectorXd own = point(first_guess(blocks_.front()->scene(), windows_, parameters_));
   if (!options_.start.empty()) {
     Eigen::VectorXd x = own;
     for (int i = 0; i < n_parameters(); ++i)

@@ -1,15 +1,28 @@
 """The whole report of a results folder as `rimpact main` leaves it, every picture painted."""
 import json
 import os
+import pathlib
 import re
+import shutil
+import subprocess
 import tempfile
 import time
 import unittest
 
+import numpy as np
 import synthetic_results
+from PIL import Image
 from support import text_of
 
+from report import pdf
 from report.build import build
+
+
+def filled(page: pathlib.Path) -> float:
+    """The share of a printed page's height above its last ink; its foot line does not count."""
+    dark = np.asarray(Image.open(page).convert("L")) < 180
+    rows = np.flatnonzero(dark[:int(0.95 * len(dark))].any(axis=1))
+    return (rows[-1] + 1) / len(dark) if len(rows) else 0.0
 
 
 class MainResults(unittest.TestCase):
@@ -36,6 +49,15 @@ class MainResults(unittest.TestCase):
         self.assertEqual(re.findall(r'(?:src|href)="(?!data:image/webp;base64,|#)', self.page), [])
         self.assertNotRegex(self.page, r"https?://|<script[^>]* src|@import|url\(|fetch\(")
         self.assertLess(len(self.page), 12e6)
+
+    @unittest.skipIf(pdf.browser() is None or not shutil.which("pdftoppm"), "no Chromium or no pdftoppm (poppler-utils): the report is not printed")
+    def test_no_printed_page_is_half_empty(self):
+        printed = os.path.join(self.folder, "printed.pdf")
+        self.assertIsNone(pdf.print_to(self.path, printed))
+        subprocess.run(["pdftoppm", "-r", "30", "-gray", printed, os.path.join(self.folder, "sheet")], check=True)
+        shares = [filled(page) for page in sorted(pathlib.Path(self.folder).glob("sheet-*.pgm"))]
+        self.assertGreater(len(shares), 5)
+        self.assertEqual([(n, share) for n, share in enumerate(shares[:-1], 1) if share < 0.5], [])  # the last one ends where it ends
 
     def test_the_answer_comes_first(self):
         answer = self.text.index("The answer")
