@@ -13,6 +13,10 @@ std::optional<std::string> unread_of_reduced(const scene::Scene &scene) {
     return fmt::format("reduced.integrator \"{}\" checks the reduced model's own steps: finite elements have steps of "
                        "their own; use `rimpact reduced`, or --set reduced.integrator=\"own\"",
                        word(r.integrator));
+  if (r.normal_force == scene::NormalForce::pad && r.calibration.empty()) // a calibration's is for its reduced model
+    return fmt::format("reduced.normal_force \"{}\" is the reduced model's: rung `rim` has no pad, the others a solid "
+                       "one; use `rimpact reduced`, or --set reduced.normal_force=\"{}\"",
+                       word(r.normal_force), word(scene::NormalForce::inertia));
   if (r.measured.by_temperature)
     return "reduced.mu_by_temperature is the reduced models': the finite-element rungs carry no heat of sliding; use "
            "`rimpact reduced`, or --set reduced.mu_by_temperature=false";

@@ -3,6 +3,7 @@
 #include "files/error.h"
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/rim_curve_file.h"
+#include "scene/stack_terms.h"
 #include <cmath>
 
 namespace rimpact::reduced {
@@ -46,6 +47,7 @@ Dynamics::Dynamics(const scene::Scene &scene, bool with_rim, double capacity)
   if (with_rim && r.k_i > 0)
     rim = r.impact_law->pushed ? laws::curve_element(rim_curve_of(scene)) : r.element(supported_mass);
   dents = dent_shape(scene);
+  if (reading == NormalForce::pad) pad_stiffness = scene::pad_stiffness(scene.bearing);
   dead_load_ = height.is_plane() ? 0.0 : weight;
   vertical_restitution_ = r.vertical_restitution;
   limit_squared_ = height.limit_radius() * height.limit_radius();
@@ -98,11 +100,25 @@ FloorMotion on_surface(const scene::SurfacePoint &p, const State &y) {
   return {{y[iX], y[iY], p.z}, {y[iVX], y[iVY], p.gradient[0] * y[iVX] + p.gradient[1] * y[iVY]}};
 }
 
+FloorMotion in_space(const State &y) {
+  return {{y[iX], y[iY], y[iZ]}, {y[iVX], y[iVY], y[iVZ]}};
+}
+
 } // namespace
+
+/// Of a mass that the dish carries, by the pad's spring or as it stands.
+FloorMotion Dynamics::above(const scene::SurfacePoint &p, const State &y) const {
+  return reading == NormalForce::pad ? in_space(y) : on_surface(p, y);
+}
+
+/// Of the pad's spring, from where it bears nothing [m]; < 0: the mass is lifted off it.
+double Dynamics::pad_compression(const scene::SurfacePoint &p, const State &y) const {
+  return dead_load_ / pad_stiffness + p.z - y[iZ];
+}
 
 Site Dynamics::on_dish(double t, const State &y) const {
   const auto p = height.at(y[iX], y[iY]);
-  return {p, on_surface(p, y), ground.acceleration(t)};
+  return {p, above(p, y), ground.acceleration(t)};
 }
 
 Site Dynamics::on_dish(double t, const State &y, Footing &footing) const {
@@ -111,16 +127,16 @@ Site Dynamics::on_dish(double t, const State &y, Footing &footing) const {
     footing.u = u, footing.dish = height.at(u[0], u[1]);
     footing.frame = TangentFrame(footing.dish, u);
   }
-  return {footing.dish, on_surface(footing.dish, y), ground.acceleration(t), &footing.frame};
+  return {footing.dish, above(footing.dish, y), ground.acceleration(t), &footing.frame};
 }
 
 Site Dynamics::site(const Mode &mode, double t, const State &y) const {
   if (mode.support != Support::airborne) return on_dish(t, y);
-  return {{}, {{y[iX], y[iY], y[iZ]}, {y[iVX], y[iVY], y[iVZ]}}, ground.acceleration(t)};
+  return {{}, in_space(y), ground.acceleration(t)};
 }
 
 FloorMotion Dynamics::base(const Mode &mode, const State &y) const {
-  if (mode.support == Support::airborne) return {{y[iX], y[iY], y[iZ]}, {y[iVX], y[iVY], y[iVZ]}};
+  if (rises(mode)) return in_space(y);
   return on_surface(height.at(y[iX], y[iY]), y);
 }
 
@@ -137,7 +153,7 @@ Vector3d Dynamics::friction_of(const Site &site, const State &y, const Vector2d 
     const Vector3d f = friction_per_normal(site.dish, u, direction, mu(speed, normal, y).value);
     return park_wen_ ? Vector3d(f * share) : f;
   };
-  if (reading == NormalForce::statics) {
+  if (reading == NormalForce::statics || reading == NormalForce::pad) {
     // N n_z + f_z = -F_z; by pressure N enters its own coefficient, a contraction by mu times the slope.
     const double up = 1 / std::sqrt(1 + site.dish.gradient.squaredNorm()), load = e.normal;
     e.normal = std::max(0.0, load / (up + per_normal(load).z()));
@@ -177,6 +193,7 @@ Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y, const 
   if (reading == NormalForce::inertia) e.normal = (mass * curvature + g.dot(F.head<2>()) - F[2]) / S;
   if (reading == NormalForce::constant) e.normal = weight;
   if (reading == NormalForce::statics) e.normal = -F[2]; // what N and friction have to carry together
+  if (reading == NormalForce::pad) e.normal = pad_stiffness * std::max(0.0, pad_compression(p, y));
   Vector2d direction(y[iEX], y[iEY]);
   if (park_wen_) {
     e.eta_rate = friction::park_wen_rate(direction, v, elastic_slip);
@@ -187,8 +204,10 @@ Evaluation Dynamics::evaluate(const Mode &mode, double t, const State &y, const 
   e.friction = friction_of(site, y, direction, e);
   e.pendular = e.normal / S * Vector3d(-g[0], -g[1], 1);
   e.acceleration.head<2>() = (F + e.pendular + e.friction).head<2>() / mass;
-  e.acceleration[2] = g.dot(e.acceleration.head<2>()) + curvature;
-  e.ground_power = -mass * (a_g[0] * v[0] + a_g[1] * v[1] + (reading == NormalForce::constant ? 0.0 : a_g[2] * vz));
+  const bool sprung = reading == NormalForce::pad;
+  e.acceleration[2] = sprung ? (F + e.pendular + e.friction)[2] / mass : g.dot(e.acceleration.head<2>()) + curvature;
+  const double rise = reading == NormalForce::constant ? 0.0 : sprung ? y[iVZ] : vz;
+  e.ground_power = -mass * (a_g[0] * v[0] + a_g[1] * v[1] + a_g[2] * rise);
   return e;
 }
 
@@ -206,10 +225,8 @@ Evaluation Dynamics::rhs(const Mode &mode, double t, const State &y, State &dy, 
   dy[iImpact] = -e.impact[0] * y[iVX] - e.impact[1] * y[iVY];
   if (building.any()) building.rates(y, here.base, here.ground, dy);
   if (heats()) heat.rates(y.begin() + heat_begins(), e.heat_flux, dy.begin() + heat_begins());
-  if (mode.support == Support::airborne) {
-    dy[iZ] = y[iVZ], dy[iVZ] = e.acceleration[2];
-    return e;
-  }
+  if (rises(mode)) dy[iZ] = y[iVZ], dy[iVZ] = e.acceleration[2];
+  if (mode.support == Support::airborne) return e;
   dy[iEX] = e.eta_rate[0], dy[iEY] = e.eta_rate[1];
   dy[iPendular] = -e.pendular[0] * y[iVX] - e.pendular[1] * y[iVY];
   dy[iFriction] = -e.friction[0] * y[iVX] - e.friction[1] * y[iVY];
@@ -219,12 +236,18 @@ Evaluation Dynamics::rhs(const Mode &mode, double t, const State &y, State &dy, 
 }
 
 double Dynamics::kinetic_energy(const State &y) const {
-  const double vz = reading == NormalForce::inertia ? y[iVZ] : 0.0;
+  const double vz = reading == NormalForce::inertia || reading == NormalForce::pad ? y[iVZ] : 0.0;
   return mass / 2 * (y[iVX] * y[iVX] + y[iVY] * y[iVY] + vz * vz) + building.kinetic_energy(y);
 }
 
 double Dynamics::potential_energy(const State &y) const {
-  return reading == NormalForce::constant ? y[iPendular] : dead_load_ * y[iZ];
+  if (reading == NormalForce::constant) return y[iPendular];
+  double energy = dead_load_ * y[iZ];
+  if (reading == NormalForce::pad) { // beyond what the dead load keeps in it
+    const double now = std::max(0.0, pad_compression(height.at(y[iX], y[iY]), y)), still = dead_load_ / pad_stiffness;
+    energy += pad_stiffness / 2 * (now * now - still * still);
+  }
+  return energy;
 }
 
 } // namespace rimpact::reduced

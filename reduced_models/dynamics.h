@@ -10,6 +10,8 @@
 ///   `inertia`   this N; the mass lifts off when it reaches zero.
 ///   `static`    N from vertical equilibrium N n_z + f_z = W + m a_gz; planar inertia only, no uplift.
 ///   `constant`  N = W; planar inertia only, no uplift.
+///   `pad`       the mass stands on the pad's spring, m z'' = S - W - m a_gz, S = k max(0, W / k + h(x, y) - z), and
+///               the slider below it, without mass, stays on the dish: N n_z + f_z = S. It bounces on the pad.
 /// Under a building m is the base's mass and W the whole dead load. The first storey's force (a change from the dead
 /// load) acts on the base beside the others.
 #pragma once
@@ -161,7 +163,7 @@ public:
   void project(Mode &mode, State &y) const;
 
   double kinetic_energy(const State &y) const;
-  double potential_energy(const State &y) const; ///< W z, or the pendular work for `constant`
+  double potential_energy(const State &y) const; ///< W z and the pad's spring, or the pendular work for `constant`
   /// Coefficient of the sliding face at a speed [m/s] under N, by the temperature of the state.
   friction::Coefficient mu(double speed, double normal, const State &y) const {
     return friction_law.under(normal, speed, temperature(y));
@@ -199,6 +201,9 @@ public:
   friction::SlidingHeat heat;
   double contact_radius; ///< of the sliding face [m]
   NormalForce reading = NormalForce::inertia;
+  double pad_stiffness = 0; ///< read by `pad` [N/m]
+  /// The mass has a height of its own: beside `pad`'s spring, or in the air.
+  bool rises(const Mode &mode) const { return mode.support == Support::airborne || reading == NormalForce::pad; }
   scene::GroundMotion ground;
 
   /// Friction per unit of normal force, tangent to the surface and opposed to `v`; zero for v = 0.
@@ -215,6 +220,8 @@ private:
                           const Eigen::Vector3d &ground) const;
   Site on_dish(double t, const State &y) const;
   Site on_dish(double t, const State &y, Footing &footing) const;
+  FloorMotion above(const scene::SurfacePoint &p, const State &y) const;
+  double pad_compression(const scene::SurfacePoint &p, const State &y) const;
   Eigen::Vector3d friction_of(const Site &site, const State &y, const Eigen::Vector2d &direction, Evaluation &e) const;
   Eigen::Vector2d slow_direction(const Mode &mode, double t, const State &y, const Site &site) const;
   double drive_share(const Mode &mode, double t, const State &y) const;

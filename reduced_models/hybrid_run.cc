@@ -14,8 +14,7 @@ constexpr double coarse = 1e-6;
 constexpr double degrees_a_step = 1e-3;
 
 Eigen::Vector3d position(const Dynamics &dynamics, const Mode &mode, const State &y) {
-  const bool air = mode.support == Support::airborne;
-  return {y[iX], y[iY], air ? y[iZ] : dynamics.height.at(y[iX], y[iY]).z};
+  return {y[iX], y[iY], dynamics.rises(mode) ? y[iZ] : dynamics.height.at(y[iX], y[iY]).z};
 }
 
 } // namespace

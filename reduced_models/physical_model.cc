@@ -8,10 +8,20 @@ namespace rimpact::reduced {
 
 using Eigen::Matrix3d, Eigen::Vector2d, Eigen::Vector3d;
 
+namespace {
+
+/// What drives a solid rim stands on the dish itself: the pad's spring is of the runs without solids.
+scene::Scene on_the_dish(scene::Scene scene) {
+  if (scene.reduced.normal_force == NormalForce::pad) scene.reduced.normal_force = NormalForce::inertia;
+  return scene;
+}
+
+} // namespace
+
 struct PhysicalModel::Impl {
   scene::Scene scene;
   Dynamics dynamics;
-  explicit Impl(const scene::Scene &s) : scene(s), dynamics(s, false) {}
+  explicit Impl(const scene::Scene &s) : scene(on_the_dish(s)), dynamics(scene, false) {}
 };
 
 PhysicalModel::PhysicalModel(const scene::Scene &scene) : impl_(std::make_unique<Impl>(scene)) {

@@ -1,6 +1,7 @@
 /// The physical model of a single bearing (thesis 2.2): a mass riding a curved dish with Coulomb or Park-Wen
 /// friction, unilateral vertical support, and an impact element at the rim. Rung reduced, and the part of rim that
-/// is not solid. SI units; the plate is fixed, u is the upper slider's displacement relative to the plate.
+/// is not solid (on the dish itself, whatever spring the scene's pad is). SI units; the plate is fixed, u is the upper
+/// slider's displacement relative to the plate.
 #pragma once
 #include "friction_laws/regularised.h"
 #include "friction_laws/sliding_heat.h"

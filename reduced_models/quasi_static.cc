@@ -154,7 +154,7 @@ ReducedRun quasi_static(const scene::Scene &given) {
   const auto begin = std::chrono::steady_clock::now();
   scene::Scene scene = given;
   // Slow motion: nothing accelerates, friction is fully developed and its vertical part shares in carrying W.
-  if (scene.reduced.normal_force == scene::NormalForce::inertia)
+  if (scene.reduced.normal_force != scene::NormalForce::constant)
     scene.reduced.normal_force = scene::NormalForce::statics;
   scene.reduced.friction = scene::Friction::coulomb;
   Path path(scene);

@@ -47,7 +47,7 @@ void RunPeaks::refine(const Mode &mode, const Segment &s, const State &middle, c
     force = std::max(force, inner_maximum([&](double x) { return at(x).rim_force; }, e0.rim_force, mid.rim_force,
                                           e1.rim_force, force));
   }
-  if (mode.support == Support::airborne)
+  if (dynamics_.rises(mode))
     peak_height_ = std::max(peak_height_, inner_maximum([&](double x) { return s.at(s.t0 + x * (s.t1 - s.t0))[iZ]; },
                                                         s.y0[iZ], middle[iZ], s.y1[iZ], peak_height_));
 }

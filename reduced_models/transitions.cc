@@ -103,7 +103,11 @@ void Dynamics::arrive(Mode &mode, double t, const State &y) const {
 }
 
 void Dynamics::keep_to_rim(const Mode &mode, double t, const State &y) const {
-  if (mode.rim != RimContact::open && mode.support == Support::airborne && y[iZ] > lift_over_rim)
+  const auto lifted = [&] { // the slider, which a pad's spring holds to the dish while it bears
+    return reading == NormalForce::pad ? pad_compression(height.at(y[iX], y[iY]), y) < 0
+                                       : mode.support == Support::airborne;
+  };
+  if (mode.rim != RimContact::open && y[iZ] > lift_over_rim && lifted())
     throw SolverStopped(
         fmt::format("the slider is thrown over the rim at t = {:.5g} s: lifted by {:.1f} mm beyond L_c, "
                     "where its bottom passes the rim's top at {:.1f} mm",
@@ -118,7 +122,7 @@ void Dynamics::keep_to_rim(const Mode &mode, double t, const State &y) const {
 }
 
 void Dynamics::place(const Mode &mode, State &y) const {
-  if (mode.support == Support::airborne) return;
+  if (rises(mode)) return;
   const auto p = height.at(y[iX], y[iY]);
   y[iZ] = p.z;
   y[iVZ] = p.gradient[0] * y[iVX] + p.gradient[1] * y[iVY];

@@ -42,10 +42,10 @@ constexpr auto choices(Friction) {
 }
 
 /// What the normal force follows (reduced_models/dynamics.h).
-enum class NormalForce { inertia, statics, constant };
+enum class NormalForce { inertia, statics, constant, pad };
 constexpr auto choices(NormalForce) {
   using enum NormalForce;
-  return choices_of<NormalForce>({{inertia, "inertia"}, {statics, "static"}, {constant, "constant"}});
+  return choices_of<NormalForce>({{inertia, "inertia"}, {statics, "static"}, {constant, "constant"}, {pad, "pad"}});
 }
 
 /// Who moves a mass on one dish: our own steps by events, or SUNDIALS CVODE as an independent check of them.

@@ -80,6 +80,13 @@ void check_superstructure(const Scene &s) {
                                  word(s.superstructure.kind), word(s.reduced.normal_force)));
 }
 
+/// A slider that sticks on a mass that bounces is no branch of the model's: friction has to be Park and Wen's.
+void check_pad_spring(const Scene &s) {
+  if (s.reduced.friction != Friction::park_wen)
+    throw InputError(fmt::format("reduced.normal_force \"{}\" needs reduced.friction \"{}\", not \"{}\"",
+                                 word(NormalForce::pad), word(Friction::park_wen), word(s.reduced.friction)));
+}
+
 /// A prescribed path the sliding surface cannot follow is refused here, not by the surface in mid-run.
 void check_path(const Scene &scene) {
   const auto &e = scene.excitation;
@@ -124,6 +131,7 @@ void Scene::validate() const {
   if (double_concave()) check_double_concave(*this);
   if (reduced.impact_law->pushed) check_curve(*this);
   if (superstructure.any()) check_superstructure(*this);
+  if (reduced.normal_force == NormalForce::pad) check_pad_spring(*this);
   check_measured_friction(*this);
   bounds.validate();
   check_path(*this);

@@ -7,13 +7,18 @@
 namespace rimpact::scene {
 
 const std::vector<std::string> &stack_keys() {
-  static const std::vector<std::string> keys{"finite_pad", "socket_friction", "friction", "elastic_slip_mm"};
+  static const std::vector<std::string> keys{"finite_pad", "socket_friction", "normal_force", "friction",
+                                             "elastic_slip_mm"};
   return keys;
 }
 
 double pad_elastic_slip(const Bearing &bearing, double normal_force, double mu) {
   const Material &pad = bearing.ertalyte;
   return mu * normal_force * bearing.pad.thickness / (pad.E / (2 * (1 + pad.nu)) * bearing.pad_area());
+}
+
+double pad_stiffness(const Bearing &bearing) {
+  return bearing.ertalyte.E * bearing.pad_area() / bearing.pad.thickness;
 }
 
 TakenTerms adopt_stack_terms(TomlFile &file, const StackTerms &terms, bool calibration_is_typed,
@@ -38,6 +43,8 @@ TakenTerms adopt_stack_terms(TomlFile &file, const StackTerms &terms, bool calib
 
 void leave_out_what_does_not_fit(Scene &scene) {
   ReducedSettings &r = scene.reduced;
+  if (r.normal_force == NormalForce::pad && (r.friction != Friction::park_wen || scene.superstructure.any()))
+    r.normal_force = NormalForce::inertia; // the pad's spring is for a rigid mass on friction with an elastic slip
   if (!r.finite_pad && !r.socket_friction) return;
   try {
     scene.bearing.validate();

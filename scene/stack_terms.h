@@ -1,6 +1,6 @@
-/// What pad and socket add to the physical model of a bearing: the pad's finite size, the socket's friction, and the
-/// travel over which the pad, in shear, builds up the friction of its face. A calibration carries them, because the
-/// bearing it was made for has them; the impact element is fitted beside them.
+/// What pad and socket add to the physical model of a bearing: the pad's finite size and its spring below the mass, the
+/// socket's friction, and the travel over which the pad, in shear, builds up the friction of its face. A calibration
+/// carries them, because the bearing it was made for has them; the impact element is fitted beside them.
 #pragma once
 #include "files/choice.h"
 #include "files/toml_reader.h"
@@ -21,6 +21,10 @@ constexpr auto choices(SlipFrom) {
   return choices_of<SlipFrom>({{SlipFrom::bearing, "bearing", "the bearing's own, under its load"},
                                {SlipFrom::fit, "fit", "fitted, or held in the fit"}});
 }
+
+/// Of the pad pressed between mass and dish, E A / t [N/m]: free to bulge, as a layer that shares its face with the
+/// dish.
+double pad_stiffness(const Bearing &bearing);
 
 /// As a calibration writes them.
 struct StackTerms {

@@ -84,10 +84,12 @@ void name_sources(const Calibration &c, Answer &answer, const std::vector<LawErr
 std::optional<AnswerStack> answer_stack(const Answer &answer) {
   const scene::Scene &s = answer.scene;
   if (answer.sources == std::set{RunSource::reduced_model}) return {};
+  const bool on_spring = answer.rungs.size() == 1 && answer.rungs.front() == word(scene::Rung::rim);
   const auto &result = answer.law.result;
   if (result.parameters.count("elastic_slip") + result.fixed.count("elastic_slip") > 0)
-    return AnswerStack{s.reduced.elastic_slip, scene::SlipFrom::fit};
-  return AnswerStack{scene::pad_elastic_slip(s.bearing, s.load.vertical, s.reduced.mu_fast), scene::SlipFrom::bearing};
+    return AnswerStack{s.reduced.elastic_slip, scene::SlipFrom::fit, on_spring};
+  return AnswerStack{scene::pad_elastic_slip(s.bearing, s.load.vertical, s.reduced.mu_fast), scene::SlipFrom::bearing,
+                     on_spring};
 }
 
 } // namespace

@@ -95,6 +95,9 @@ struct AnswerMeshError {
 struct AnswerStack {
   double elastic_slip; ///< [m]
   scene::SlipFrom slip_from;
+  /// Rung rim has no pad: its law is the rim's alone, and the pad's spring stands beside it. A law fitted to runs that
+  /// have a pad has taken up what the mass's bouncing on it does.
+  bool on_pads_spring;
 };
 
 struct Answer {

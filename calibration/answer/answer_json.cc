@@ -78,8 +78,10 @@ json pair_json(const PairRange &pair) {
 
 /// Of pad and socket, by key of [reduced]: scene/stack_terms.h.
 json stack_json(const AnswerStack &stack) {
+  const auto normal = stack.on_pads_spring ? scene::NormalForce::pad : scene::NormalForce::inertia;
   return {{"finite_pad", true},
           {"socket_friction", true},
+          {"normal_force", word(normal)},
           {"friction", word(scene::Friction::park_wen)},
           {"elastic_slip_mm", 1e3 * stack.elastic_slip},
           {"elastic_slip_from", word(stack.slip_from)}};

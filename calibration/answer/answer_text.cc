@@ -93,6 +93,7 @@ std::string to_toml_fragment(const Answer &a) {
   if (a.stack)
     text +=
         fmt::format("finite_pad = true\nsocket_friction = true\nfriction = \"{}\"\n", word(scene::Friction::park_wen));
+  if (a.stack && a.stack->on_pads_spring) text += fmt::format("normal_force = \"{}\"\n", word(scene::NormalForce::pad));
   if (a.stack && a.stack->slip_from == scene::SlipFrom::bearing)
     text += fmt::format("elastic_slip_mm = {:.9g}\n", 1e3 * a.stack->elastic_slip);
   text += fmt::format("fitted_from_m_per_s = {:.9g}\nfitted_to_m_per_s = {:.9g}\n", a.law.fitted_from, a.law.fitted_to);

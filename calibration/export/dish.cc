@@ -2,6 +2,7 @@
 #include "reduced_models/pad_on_dish.h"
 #include "reduced_models/riding_height.h"
 #include "scene/assumptions.h"
+#include "scene/stack_terms.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -72,7 +73,7 @@ Dish dish_of(const scene::Scene &scene, double capacity) {
   Dish dish{};
   dish.sphere = scene.bearing.surface.kind == scene::SurfaceKind::sphere, dish.radius = R;
   dish.error_half = error(capacity / 2), dish.error_full = error(capacity);
-  dish.vertical_stiffness = scene.bearing.ertalyte.E * scene.bearing.pad_area() / scene.bearing.pad.thickness;
+  dish.vertical_stiffness = scene::pad_stiffness(scene.bearing);
   if (const auto &pad = scene.bearing.pad; scene::has_default_pad(scene.bearing))
     dish.assumed_pad = fmt::format(" That pad, {:g} x {:g} mm, is the built-in bearing's: this bearing gives none, an "
                                    "assumption.",

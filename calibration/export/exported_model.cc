@@ -75,7 +75,8 @@ scene::Scene model_of(const scene::Scene &scene, const ExportedRim &rim) {
   model.load = {.vertical = rim.vertical, .mass = rim.mass, .gravity = rim.gravity};
   static_cast<laws::LawNumbers &>(model.reduced) = rim.settings;
   model.reduced.impact_law = rim.settings.impact_law;
-  model.reduced.model = scene::ModelKind::physical, model.reduced.normal_force = scene::NormalForce::inertia;
+  model.reduced.model = scene::ModelKind::physical;
+  if (model.reduced.normal_force != scene::NormalForce::pad) model.reduced.normal_force = scene::NormalForce::inertia;
   model.reduced.capacity_offset = rim.lateral_capacity - scene.bearing.lateral_capacity();
   return model;
 }
@@ -85,6 +86,7 @@ void take_stack(scene::Scene &scene, const nlohmann::json &answer) {
   if (stack == answer.end() || !stack->is_object()) return;
   scene::ReducedSettings &r = scene.reduced;
   r.finite_pad = stack->value("finite_pad", false), r.socket_friction = stack->value("socket_friction", false);
+  r.normal_force = parse<scene::NormalForce>(stack->value("normal_force", "")).value_or(scene::NormalForce::inertia);
   r.friction = parse<scene::Friction>(stack->value("friction", "")).value_or(r.friction);
   r.elastic_slip = stack->value("elastic_slip_mm", 1e3 * r.elastic_slip) / 1e3;
   const auto from = parse<scene::SlipFrom>(stack->value("elastic_slip_from", ""));
@@ -97,6 +99,7 @@ std::vector<std::string> stack_effect(const scene::Scene &scene, const ExportedR
   if (!r.finite_pad && !r.socket_friction && r.friction == scene::Friction::coulomb) return {};
   scene::Scene bare = scene;
   bare.reduced.finite_pad = bare.reduced.socket_friction = false, bare.reduced.friction = scene::Friction::coulomb;
+  bare.reduced.normal_force = scene::NormalForce::inertia;
   std::vector<std::string> all;
   for (const char *pulse : check_pulses) {
     scene::Scene with = under_pulse(model_of(scene, rim), pulse), without = under_pulse(model_of(bare, rim), pulse);
