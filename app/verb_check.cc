@@ -7,6 +7,7 @@
 #include "responses/identity.h"
 #include "scene/case_description.h"
 #include "scene/doubts.h"
+#include "scene/rim_identity.h"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -61,6 +62,7 @@ void add_check(CLI::App &app, Console &console) {
       nlohmann::json table = planning::to_json(plan);
       table["scene"] = scene.name;
       table["bearing"] = scene.bearing.name;
+      table["rim_identity"] = scene::rim_identity(scene.bearing);
       table["lateral_capacity_m"] = scene.bearing.lateral_capacity();
       table["rung"] = word(scene.model.rung);
       table["identity"] = to_json(identity_of(scene));
