@@ -36,7 +36,7 @@ std::string sentence(const AnswerFoot &f) {
   if (!hardest.foot.use) {
     constexpr double mm = 1e3;
     std::string text = fmt::format(
-        "the rim's foot: taken as one piece with the plate, an assumption (bearing.rim.connection); {}, for which two "
+        "the rim's foot: taken as one piece with the plate, an assumption (bearing.rim.connection); {}; two "
         "fillet welds would need a throat of {:.0f} mm (f_u {:g} MPa)",
         carried(hardest), mm * hardest.foot.needed_throat, f.connection.strength / 1e6);
     if (twins)

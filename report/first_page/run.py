@@ -77,7 +77,7 @@ def _foot(foot: dict[str, Any] | None) -> dict[str, Any] | None:
     carried = f"each mm of it carries {scaled(foot.get('shear_N_per_m'), 1e-6, 2)}\u00a0kN of shear and {scaled(foot.get('moment_N'), 1e-3, 0)}\u00a0kN\u00a0mm of moment"
     if is_number(foot.get("use")):
         return {"exceeded": foot.get("exceeded") is True, "sentence": f"{foot.get('in_words')}: used to {fixed(foot['use'], 2)}, it goes at 1; {carried}."}
-    return {"exceeded": False, "sentence": f"Taken as one piece with the plate, an assumption; {carried}, for which two fillet welds would need a throat of "
+    return {"exceeded": False, "sentence": f"Taken as one piece with the plate, an assumption; {carried}; two fillet welds would need a throat of "
                                            f"{fixed(foot.get('needed_throat_mm'), 0)}\u00a0mm."}
 
 
