@@ -80,6 +80,7 @@ std::vector<KeyDescription> study_keys() {
       text("set.KEY", "", "any value", "in every run"),
       number("intensity.period_s", "", "0.01 to 100", "intensity is S_a at this period, 5 % damping"),
       text("intensity.levels_g", "[]", "numbers from 0 to 100", "every record at every one of these levels"),
+      text("intensity.measure", word(Measure::component), any_of<Measure>(), "of levels_g: whose S_a is the level"),
       text("hazard.points", "", "pairs of S_a in g and return period in years", "the hazard curve, two or more"),
       text("motions.folders", "[]", "folders",
            "of records; those of a table are named RSN<number>_...; --records adds one"),

@@ -146,8 +146,10 @@ std::string motion_table(const std::vector<MotionRow> &rows) {
   for (const auto &row : rows)
     station = std::max(station, row.record.station.size()), file = std::max(file, row.record.file.size());
   std::string text =
-      fmt::format("{:<{}}  {:<{}}  {:<9} {:>7} {:>7} {:>8} {:>8} {:>8} {:>8} {:>7}\n", "station", station, "file", file,
+      fmt::format("{:<{}}  {:<{}}  {:<9} {:>7} {:>7} {:>8} {:>8} {:>8} {:>8} {:>7}", "station", station, "file", file,
                   "direction", "dt [s]", "NPTS", "t [s]", "PGA [g]", "PGV m/s", "PGD [m]", "T_p [s]");
+  const bool has_sa = std::any_of(rows.begin(), rows.end(), [](const auto &row) { return row.sa.has_value(); });
+  text += has_sa ? fmt::format(" {:>8} {:>10} {:>11}\n", "S_a [g]", "RotD50 [g]", "RotD100 [g]") : "\n";
   for (const auto &row : rows) {
     const auto &record = row.record;
     text += fmt::format("{:<{}}  {:<{}}  {:<9}", record.station, station, record.file, file,
@@ -155,12 +157,14 @@ std::string motion_table(const std::vector<MotionRow> &rows) {
     if (const auto &i = row.info)
       text += fmt::format(" {:>7g} {:>7} {:>8.2f} {:>8.4f} {:>8.4f} {:>8.4f}", i->dt, i->npts,
                           i->dt * static_cast<double>(i->npts - 1), i->pga_g, i->pgv, i->pgd);
-    if (row.pulse && row.pulse->period) text += fmt::format(" {:>7.2f}", *row.pulse->period);
-    if (row.sa) text += fmt::format("  S_a {:.4f} g", *row.sa / standard_gravity);
+    std::string rest =
+        row.pulse && row.pulse->period ? fmt::format(" {:>7.2f}", *row.pulse->period) : std::string(8, ' ');
+    if (row.sa) rest += fmt::format(" {:>8.4f}", *row.sa / standard_gravity);
     if (row.rotated)
-      text += fmt::format(", RotD50 {:.4f} g, RotD100 {:.4f} g", row.rotated->rotd50 / standard_gravity,
+      rest += fmt::format(" {:>10.4f} {:>11.4f}", row.rotated->rotd50 / standard_gravity,
                           row.rotated->rotd100 / standard_gravity);
-    text += "\n";
+    rest.resize(rest.find_last_not_of(' ') + 1);
+    text += rest + "\n";
     for (const auto &doubt : record.doubts) text += fmt::format("  {}\n", doubt);
   }
   return text;

@@ -27,7 +27,7 @@ std::vector<MotionRow> rows_of_folder(const RecordFolder &folder, double period)
 nlohmann::ordered_json to_json(const MotionRow &row);
 /// A line a row by itself, with its doubts below.
 std::string motion_lines(const std::vector<MotionRow> &rows);
-/// A line a row under a head line, doubts below their row: of a folder.
+/// A line a row under a head line, doubts below their row: of a folder. Columns of S_a where one was asked for.
 std::string motion_table(const std::vector<MotionRow> &rows);
 
 } // namespace rimpact::app

@@ -66,6 +66,8 @@ NamedTexts files() {
       {"fitted-scene.toml", "of `calibrate`: bearing, load and [reduced] of the fitted runs, for `export`"},
       {"table.csv, table.h5", "of a sweep: one row a run, its parameters and results"},
       {"fractiles.csv, fractiles.h5", "of a sweep with [fractiles]: quantiles along one key"},
+      {"runs.h5", "of a reliability study: the table of all runs, its columns read where they stand in systems/"},
+      {"spectrum.csv", "of `motion --spectrum` and `--select`: response spectra"},
       {"limits.json", "of a sweep: which share of the hits lies where the models are not known to hold, and doubts"},
       {"fleet.json", "of a sweep: what its rows are of"},
       {"main.json", "of `main`: the comparison, the warnings, where bearing and load come from"},

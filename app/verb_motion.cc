@@ -1,10 +1,12 @@
 // rimpact motion FILE|FOLDER...: what is in records.
 #include "app/motion_choice.h"
+#include "app/motion_spectrum.h"
 #include "app/motion_table.h"
 #include "app/sibling.h"
 #include "app/verb.h"
 #include "files/file.h"
 #include "files/json_text.h"
+#include "records/record_corrections.h"
 #include "records/record_doubts.h"
 #include "records/record_file.h"
 #include "records/record_library.h"
@@ -65,14 +67,14 @@ std::string folder_in_words(const RecordFolder &folder) {
 }
 
 void ask_about(const RecordFolder &folder, Console &console) {
-  const std::string path = (std::filesystem::path(folder.path) / records_csv_name).string();
+  const std::string path = corrections_path(folder.path);
   write_atomically(records_csv(folder), path);
   console.message(fmt::format("{} says what was understood; correct it, and it counts from now on", path));
 }
 
 struct MotionOptions {
   std::vector<std::string> names;
-  std::string picture, corrected;
+  std::string picture, corrected, spectra;
   double period = 0; ///< [s], 0: no spectral acceleration
   bool ask = false;
   SelectionOptions selection;
@@ -114,17 +116,39 @@ std::vector<MotionRow> motion_rows(const std::string &given, const MotionOptions
   const std::string name = std::filesystem::exists(given) ? given : find_record(given, ".");
   if (!holds_records(name)) {
     if (options.ask)
-      throw InputError(fmt::format("--ask writes {} into a folder, and {} is none", records_csv_name, given));
+      throw InputError(fmt::format("--ask writes records.csv for a folder or a zip archive, and {} is none", given));
     return rows_of_file(name, options.period);
   }
   const RecordFolder folder = read_record_folder(name);
   folder.require_any();
-  if (options.ask && !std::filesystem::is_directory(name))
-    throw InputError(fmt::format("--ask writes {} into a folder; unpack {} first", records_csv_name, given));
   if (options.ask) ask_about(folder, console);
   console.message(folder_in_words(folder));
   if (const std::string question = folder.question(); !options.ask && !question.empty()) console.warn(question);
   return rows_of_folder(folder, options.period);
+}
+
+void look_at_motions(const MotionOptions &options, Console &console) {
+  const std::string &target = options.selection.target;
+  if (!target.empty() && options.selection.rules.count == 0 && options.spectra.empty())
+    throw InputError("--target belongs to --select or --spectrum");
+  if (options.selection.rules.count > 0 || options.strike >= 0) {
+    if (options.ask || !(options.picture + options.corrected + options.spectra).empty())
+      throw InputError("--select and --strike stand without --ask, --png, --baseline and --spectrum");
+    return choose_from(options, console);
+  }
+  std::vector<MotionRow> all;
+  std::string text;
+  for (const auto &name : options.names) {
+    auto rows = motion_rows(name, options, console);
+    text += holds_records(name) ? motion_table(rows) : motion_lines(rows);
+    std::move(rows.begin(), rows.end(), std::back_inserter(all));
+  }
+  nlohmann::ordered_json json = nlohmann::ordered_json::array();
+  for (const auto &row : all) json.push_back(to_json(row));
+  console.data(console.json ? json_text(json) : text);
+  if (!options.picture.empty()) draw_records(all, options.picture);
+  if (!options.spectra.empty()) write_spectra(all, target, options.spectra, console);
+  if (!options.corrected.empty()) write_corrected(all, options.corrected, console);
 }
 
 /// --select and --strike with what belongs to them.
@@ -132,8 +156,9 @@ void add_choices(CLI::App &verb, const std::shared_ptr<MotionOptions> &options) 
   auto *select = verb.add_option("--select", options->selection.rules.count,
                                  "of a folder: so many recordings whose spectra fit --target best, scaled to it")
                      ->check(CLI::Range(1, 1000));
-  auto *target = verb.add_option("--target", options->selection.target,
-                                 "asce7,S_DS=g,S_D1=g,T_L=s or en1998,a_g=g,ground=A..E,type=1|2");
+  auto *target =
+      verb.add_option("--target", options->selection.target,
+                      "of --select and --spectrum: asce7,S_DS=g,S_D1=g,T_L=s or en1998,a_g=g,ground=A..E,type=1|2");
   auto *out = verb.add_option("-o,--output", options->selection.folder,
                               "of --select: folder for sweep.toml, spectrum.csv and .png, selection.csv");
   verb.add_option("--range", options->range, "of --select: periods from A to B times --period (0.2 1.5)")
@@ -146,7 +171,6 @@ void add_choices(CLI::App &verb, const std::shared_ptr<MotionOptions> &options) 
       ->check(CLI::Range(1.0, 1000.0))
       ->needs(select);
   select->needs(target)->needs(out);
-  target->needs(select);
   out->needs(select);
   auto *strike = verb.add_option("--strike", options->strike,
                                  "of a folder: turns every pair to fault-normal and fault-parallel [deg from north]")
@@ -165,28 +189,18 @@ void add_motion(CLI::App &app, Console &console) {
                    "records of any form, FILE#2 for a channel, or folders and zip archives of them")
       ->required();
   verb->add_option("--png", options->picture, "folder for a plot of each record");
-  verb->add_flag("--ask", options->ask, "writes records.csv into a folder: stations and directions, to be corrected");
+  verb->add_flag("--ask", options->ask,
+                 "writes records.csv into a folder, or beside an archive: stations and directions, to be corrected");
   verb->add_option("--period", options->period, "S_a at this period [s] with 5 % damping, of pairs RotD50 and RotD100")
       ->check(CLI::Range(0.01, 100.0));
+  verb->add_option(
+      "--spectrum", options->spectra,
+      "folder for spectrum.csv and .png: S_a with 5 % damping of each record, RotD50 and RotD100 of pairs");
   verb->add_option("--baseline", options->corrected, "folder for each record with its baseline corrected, as CSV");
   add_choices(*verb, options);
   console.add_common(*verb);
   console.add_json(*verb);
-  verb->callback([options, &console] {
-    if (options->selection.rules.count > 0 || options->strike >= 0) return choose_from(*options, console);
-    std::vector<MotionRow> all;
-    std::string text;
-    for (const auto &name : options->names) {
-      auto rows = motion_rows(name, *options, console);
-      text += holds_records(name) ? motion_table(rows) : motion_lines(rows);
-      std::move(rows.begin(), rows.end(), std::back_inserter(all));
-    }
-    nlohmann::ordered_json json = nlohmann::ordered_json::array();
-    for (const auto &row : all) json.push_back(to_json(row));
-    console.data(console.json ? json_text(json) : text);
-    if (!options->picture.empty()) draw_records(all, options->picture);
-    if (!options->corrected.empty()) write_corrected(all, options->corrected, console);
-  });
+  verb->callback([options, &console] { look_at_motions(*options, console); });
 }
 
 } // namespace rimpact::app

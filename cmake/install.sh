@@ -1,7 +1,7 @@
 # shellcheck shell=bash
 # Shared by ./run and ./test: installs what is missing from Debian or Ubuntu, configures, builds. Sourced, not run.
 
-packages="g++ cmake ninja-build ccache pkg-config dpkg-dev file git ca-certificates libdeal.ii-dev libpetsc-real-dev libgmsh-dev libseccomp-dev libceres-dev
+packages="g++ cmake ninja-build ccache pkg-config dpkg-dev file git ca-certificates libdeal.ii-dev libpetsc-real-dev libgmsh-dev libseccomp-dev libzip-dev libceres-dev
   libsundials-dev libopenblas0-pthread libtomlplusplus-dev libcli11-dev libfmt-dev nlohmann-json3-dev libgtest-dev
   libgmock-dev libbenchmark-dev libeigen3-dev libhdf5-openmpi-dev libhdf5-dev python3-h5py python3-matplotlib python3-pil python3-jinja2 pybind11-dev python3-dev
   python3-venv python3-pandas help2man mkdocs tcl"

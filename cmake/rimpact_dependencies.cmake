@@ -7,7 +7,7 @@ find_package(nlohmann_json REQUIRED)
 find_package(tomlplusplus REQUIRED)
 find_package(Threads REQUIRED)
 find_package(OpenSSL REQUIRED COMPONENTS Crypto) # SHA-256; HDF5's own package brings it
-find_package(ZLIB REQUIRED) # archives of records; HDF5's own package brings it
+find_library(RIMPACT_ZIP zip REQUIRED) # archives of records; the targets of its own package need its programs, too
 find_package(Ceres REQUIRED)
 
 # HDF5. deal.II and PETSc are linked to the OpenMPI flavour, and two flavours in one process do not mix: finite elements take that one.

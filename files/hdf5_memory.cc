@@ -53,19 +53,6 @@ void write_string(hid_t place, const std::string &name, const std::string &text,
   check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, text.c_str()), "text");
 }
 
-void write_strings(hid_t place, const std::string &name, const std::vector<std::string> &texts) {
-  const Handle type = text_type();
-  set_variable_utf8(type);
-  const hsize_t n = texts.size();
-  const Handle space(H5Screate_simple(1, &n, nullptr), H5Sclose, "space");
-  const Handle set(H5Dcreate2(place, name.c_str(), type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Dclose,
-                   "texts");
-  std::vector<const char *> pointers;
-  pointers.reserve(texts.size());
-  for (const auto &text : texts) pointers.push_back(text.c_str());
-  if (n > 0) check(H5Dwrite(set, type, H5S_ALL, H5S_ALL, H5P_DEFAULT, pointers.data()), "texts");
-}
-
 void write_numbers(hid_t place, const std::string &name, const std::vector<double> &values) {
   const hsize_t n = values.size();
   const Handle space(H5Screate_simple(1, &n, nullptr), H5Sclose, "space");

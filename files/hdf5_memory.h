@@ -45,7 +45,6 @@ private:
 
 /// Text of variable length, which every reader hands back as text.
 void write_string(hid_t place, const std::string &name, const std::string &text, bool as_attribute);
-void write_strings(hid_t place, const std::string &name, const std::vector<std::string> &texts);
 void write_numbers(hid_t place, const std::string &name, const std::vector<double> &values);
 /// Group /meta with one text each.
 void write_meta(hid_t file, const std::map<std::string, std::string> &meta);

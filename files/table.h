@@ -2,6 +2,7 @@
 #pragma once
 #include <map>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -21,9 +22,17 @@ struct Table {
 void write_csv(const Table &table, const std::string &path);
 /// Reads what write_csv writes. Throws DataError naming file and line.
 Table read_table(const std::string &path);
-/// /table/NAME: one dataset a column, of numbers (f64) or of texts (a column that holds any text); in a
-/// column with empty cells these are 0 or "" and /present/NAME says which are there (1) and which are not
-/// (0).
+/// /table/NAME: one dataset a column, packed, so that a reader takes the columns and rows it asks for: numbers (f64; an
+/// empty cell is NaN), or texts of UTF-8 of one length, padded with zeros, in a column that holds any (an empty cell is
+/// an empty text).
 void write_hdf5(const Table &table, const std::string &path);
+
+/// What write_hdf5 makes of a table.
+struct TableShape {
+  std::size_t n_rows = 0;
+  /// In the table's order; the bytes of its texts, 0: a column of numbers.
+  std::vector<std::pair<std::string, std::size_t>> columns;
+};
+TableShape shape_of(const Table &table);
 
 } // namespace rimpact

@@ -1,112 +1,73 @@
 #include "files/zip_archive.h"
 #include "files/error.h"
-#include "files/file.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
-#include <zlib.h>
+#include <zip.h>
 
 namespace rimpact {
 namespace {
 
-constexpr std::string_view end_mark("PK\5\6", 4), entry_mark("PK\1\2", 4), member_mark("PK\3\4", 4);
-constexpr std::size_t end_size = 22, entry_size = 46, member_size = 30, largest_comment = 65535;
-constexpr std::size_t largest_member = 1'000'000'000;
-constexpr unsigned stored = 0, deflated = 8, encrypted = 1;
+constexpr zip_uint64_t largest_member = 1'000'000'000;
 
-/// A number of `n` bytes, the lowest first.
-std::size_t number_at(const std::string &bytes, std::size_t at, std::size_t n) {
-  std::size_t value = 0;
-  for (std::size_t i = n; i-- > 0;) value = 256 * value + static_cast<unsigned char>(bytes[at + i]);
-  return value;
-}
-
-bool stands_at(const std::string &bytes, std::size_t at, std::string_view mark) {
-  return at <= bytes.size() && bytes.compare(at, mark.size(), mark) == 0;
-}
-
-/// Where the record that ends every archive begins.
-std::size_t find_end(const std::string &bytes, const std::string &path) {
-  const std::size_t first = bytes.size() > end_size + largest_comment ? bytes.size() - end_size - largest_comment : 0;
-  for (std::size_t at = bytes.size() >= end_size ? bytes.size() - end_size + 1 : 0; at-- > first;)
-    if (stands_at(bytes, at, end_mark)) return at;
-  throw DataError(fmt::format("{}: is no zip archive, or a truncated one: the record at its end is missing", path));
-}
-
-std::string inflated(std::string packed, std::size_t size, const std::string &where) {
-  std::string bytes(size, '\0');
-  z_stream stream{};
-  constexpr int raw = -MAX_WBITS; // no header of zlib around the data
-  if (inflateInit2(&stream, raw) != Z_OK) throw DataError(where + ": cannot be unpacked");
-  stream.next_in = reinterpret_cast<Bytef *>(packed.data());
-  stream.avail_in = static_cast<uInt>(packed.size());
-  stream.next_out = reinterpret_cast<Bytef *>(bytes.data());
-  stream.avail_out = static_cast<uInt>(size);
-  const int status = inflate(&stream, Z_SYNC_FLUSH);
-  const std::size_t missing = stream.avail_out;
-  inflateEnd(&stream);
-  if ((status != Z_STREAM_END && status != Z_OK && status != Z_BUF_ERROR) || missing > 0)
-    throw DataError(fmt::format("{}: is damaged: {} of {} bytes could be unpacked", where, size - missing, size));
-  return bytes;
-}
+struct CloseFile {
+  void operator()(zip_file_t *file) const { zip_fclose(file); }
+};
 
 } // namespace
 
-ZipArchive::ZipArchive(const std::string &path) : bytes_(read_file(path)), path_(path) {
-  const std::size_t end = find_end(bytes_, path);
-  const std::size_t n = number_at(bytes_, end + 10, 2);
-  std::size_t at = number_at(bytes_, end + 16, 4);
-  for (std::size_t i = 0; i < n; ++i) {
-    if (!stands_at(bytes_, at, entry_mark) || at + entry_size > bytes_.size())
-      throw DataError(fmt::format("{}: its list of members is damaged behind {} of {}", path, i, n));
-    const auto field = [&](std::size_t offset, std::size_t length) { return number_at(bytes_, at + offset, length); };
-    const std::size_t name_length = field(28, 2);
-    Member member{.name = bytes_.substr(at + entry_size, name_length)};
-    member.flags = static_cast<unsigned>(field(8, 2)), member.method = static_cast<unsigned>(field(10, 2));
-    member.crc = field(16, 4), member.packed = field(20, 4), member.size = field(24, 4), member.offset = field(42, 4);
-    at += entry_size + name_length + field(30, 2) + field(32, 2);
-    if (!member.name.empty() && member.name.back() != '/') members_.push_back(std::move(member));
-  }
+void ZipArchive::Close::operator()(zip *archive) const {
+  zip_discard(archive);
+}
+
+ZipArchive::ZipArchive(const std::string &path) : path_(path) {
+  int code = 0;
+  archive_.reset(zip_open(path.c_str(), ZIP_RDONLY, &code));
+  if (archive_) return;
+  zip_error_t error;
+  zip_error_init_with_code(&error, code);
+  const std::string why = zip_error_strerror(&error);
+  zip_error_fini(&error);
+  throw DataError(fmt::format("{}: is no zip archive, or a truncated one: {}", path, why));
 }
 
 std::vector<std::string> ZipArchive::names() const {
   std::vector<std::string> names;
-  for (const auto &member : members_) names.push_back(member.name);
+  for (zip_int64_t i = 0; i < zip_get_num_entries(archive_.get(), 0); ++i) {
+    const char *name = zip_get_name(archive_.get(), static_cast<zip_uint64_t>(i), 0);
+    if (name != nullptr && *name != '\0' && !std::string_view(name).ends_with('/')) names.emplace_back(name);
+  }
   std::sort(names.begin(), names.end());
   return names;
 }
 
-const ZipArchive::Member *ZipArchive::find(const std::string &name) const {
-  const auto found = std::find_if(members_.begin(), members_.end(), [&](const auto &m) { return m.name == name; });
-  return found == members_.end() ? nullptr : &*found;
-}
-
 bool ZipArchive::has(const std::string &name) const {
-  return find(name) != nullptr;
+  return zip_name_locate(archive_.get(), name.c_str(), 0) >= 0;
 }
 
 std::string ZipArchive::read(const std::string &name, std::size_t most) const {
   const std::string where = path_ + "/" + name;
-  const Member *member = find(name);
-  if (member == nullptr) throw DataError(fmt::format("{}: the archive has no such member", where));
-  if ((member->flags & encrypted) != 0) throw DataError(where + ": is encrypted; unpack the archive");
-  if (member->method != stored && member->method != deflated)
-    throw DataError(
-        fmt::format("{}: is packed by method {}, only 0 and 8 are known; unpack the archive", where, member->method));
-  if (member->size > largest_member) throw DataError(where + ": is larger than 1 GB");
-  if (!stands_at(bytes_, member->offset, member_mark) || member->offset + member_size > bytes_.size())
-    throw DataError(where + ": its beginning is not where the archive's list says");
-  const std::size_t begin = member->offset + member_size + number_at(bytes_, member->offset + 26, 2) +
-                            number_at(bytes_, member->offset + 28, 2);
-  if (begin + member->packed > bytes_.size()) throw DataError(where + ": is truncated");
-  std::string packed = bytes_.substr(begin, member->packed);
-  const std::size_t size = std::min(member->size, most);
-  if (member->method == stored) return packed.substr(0, size);
-  std::string bytes = inflated(std::move(packed), size, where);
-  if (size == member->size &&
-      crc32(0, reinterpret_cast<const Bytef *>(bytes.data()), static_cast<uInt>(size)) != member->crc)
-    throw DataError(where + ": is damaged: its check sum differs from the archive's");
+  if (!has(name)) throw DataError(fmt::format("{}: the archive has no such member", where));
+  zip_stat_t about;
+  if (zip_stat(archive_.get(), name.c_str(), 0, &about) != 0 || (about.valid & ZIP_STAT_SIZE) == 0)
+    throw DataError(fmt::format("{}: is damaged: {}", where, zip_strerror(archive_.get())));
+  if (about.encryption_method != ZIP_EM_NONE) throw DataError(where + ": is encrypted; unpack the archive");
+  if (about.size > largest_member) throw DataError(where + ": is larger than 1 GB");
+  const std::unique_ptr<zip_file_t, CloseFile> file(zip_fopen(archive_.get(), name.c_str(), 0));
+  if (!file)
+    throw DataError(fmt::format("{}: cannot be unpacked here: {} (method {})", where, zip_strerror(archive_.get()),
+                                about.comp_method));
+  std::string bytes(std::min<std::size_t>(about.size, most), '\0');
+  std::size_t n = 0;
+  zip_int64_t more = 1;
+  while (n < bytes.size() && (more = zip_fread(file.get(), bytes.data() + n, bytes.size() - n)) > 0)
+    n += static_cast<std::size_t>(more);
+  char behind = 0;
+  if (n == about.size) more = zip_fread(file.get(), &behind, 1); // the check sum is looked at behind the last byte
+  if (more < 0 || n < bytes.size())
+    throw DataError(fmt::format("{}: is damaged: {} of {} bytes could be unpacked ({})", where, n, bytes.size(),
+                                zip_file_strerror(file.get())));
   return bytes;
 }
 
@@ -114,9 +75,9 @@ bool is_zip_archive(const std::string &path) {
   std::error_code none;
   if (!std::filesystem::is_regular_file(path, none)) return false;
   std::ifstream file(path, std::ios::binary);
-  std::string start(member_mark.size(), '\0');
+  std::string start(4, '\0');
   file.read(start.data(), static_cast<std::streamsize>(start.size()));
-  return start == member_mark;
+  return start == "PK\3\4";
 }
 
 } // namespace rimpact

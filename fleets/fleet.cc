@@ -8,6 +8,7 @@
 #include "fleets/fractiles.h"
 #include "reduced_models/physical_model.h"
 #include "responses/limits.h"
+#include <algorithm>
 #include <chrono>
 #include <condition_variable>
 #include <fmt/format.h>
@@ -18,6 +19,9 @@ namespace rimpact::fleets {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+/// A long table takes seconds to write: the runs get so many times what its last writing took.
+constexpr double rests_of_a_flush = 20;
 
 double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
@@ -155,6 +159,7 @@ FleetResult run_fleet(const std::string &where, const std::vector<std::string> &
 
   const auto start = Clock::now();
   auto last_flush = start;
+  double flush_took = 0; // [s]
   std::size_t n_new = 0, n_failed = 0;
   const auto was_interrupted = [&] { return options.interrupted && *options.interrupted; };
   {
@@ -172,10 +177,11 @@ FleetResult run_fleet(const std::string &where, const std::vector<std::string> &
       if (options.progress)
         options.progress(
             {result.kept + n_new, result.total, n_failed, spent, n_new ? spent * (todo.size() - n_new) / n_new : 0});
-      if (seconds_since(last_flush) > options.flush_seconds) {
+      if (seconds_since(last_flush) > std::max(options.flush_seconds, rests_of_a_flush * flush_took)) {
+        const auto begun = Clock::now();
         require_still_ours(identity, options.folder);
-        table.write(result.table, mine);
-        last_flush = Clock::now();
+        table.keep(result.table, mine);
+        last_flush = Clock::now(), flush_took = seconds_since(begun);
       }
     }
     workers.stop();

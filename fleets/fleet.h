@@ -32,7 +32,7 @@ struct FleetOptions {
   /// Run j (from 0) belongs to shard j mod n_shards + 1; 1 <= shard <= n_shards.
   int shard = 1, n_shards = 1;
   int n_threads = 0;        ///< 0: as many as the machine has
-  double flush_seconds = 5; ///< at most this long between writings of the table
+  double flush_seconds = 5; ///< between writings of the table; longer where one takes longer than a twentieth of that
   bool force = false;       ///< replaces what the folder holds
   const std::atomic<bool> *interrupted = nullptr;
   std::function<void(const FleetProgress &)> progress = {}; ///< called by the calling thread only

@@ -5,6 +5,7 @@
 #include "files/file.h"
 #include "files/folder_lock.h"
 #include "files/json_text.h"
+#include "records/record_corrections.h"
 #include "records/record_file.h"
 #include "records/record_library.h"
 #include "responses/kept_run.h"
@@ -23,8 +24,8 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 /// Keys whose values name files, sought beside the sweep; records also on their shelf.
-constexpr std::array file_keys{"excitation.x",        "excitation.y",        "excitation.z",
-                               "excitation.file",     "bearing.file",        "bearing.surface.file",
+constexpr std::array record_keys{"excitation.x", "excitation.y", "excitation.z"};
+constexpr std::array file_keys{"excitation.file",     "bearing.file",        "bearing.surface.file",
                                "model.own_mesh.file", "reduced.calibration", "reduced.impact_curve"};
 
 std::set<std::string> swept_files(const std::string &where, const Sweep &sweep) {
@@ -33,18 +34,30 @@ std::set<std::string> swept_files(const std::string &where, const Sweep &sweep) 
                           fs::is_directory(where) ? fs::path(where) : fs::path(where).parent_path(), fs::path(),
                           fs::path(records_shelf())};
   for (std::size_t i = 0; i < sweep.keys.size(); ++i) {
-    if (std::find(file_keys.begin(), file_keys.end(), sweep.keys[i]) == file_keys.end()) continue;
+    const auto is_among = [&](const auto &keys) {
+      return std::find(keys.begin(), keys.end(), sweep.keys[i]) != keys.end();
+    };
+    const bool is_record = is_among(record_keys);
+    if (!is_record && !is_among(file_keys)) continue;
     std::set<std::string> names;
     for (const auto &run : sweep.runs)
       if (const auto *text = std::get_if<std::string>(&run[i].cell); text && !text->empty()) names.insert(*text);
     for (const auto &name : names)
       for (const auto &folder : beside) {
-        fs::path path = record_name(fs::absolute(folder / name).lexically_normal().string()).file;
+        const std::string path = fs::absolute(folder / name).lexically_normal().string();
         std::error_code none;
-        if (fs::is_directory(path, none)) path /= "calibration.json";
-        if (fs::is_regular_file(path, none)) files.insert(path.string());
+        if (fs::is_directory(path, none))
+          files.insert(path + "/calibration.json");
+        else if (!is_record)
+          files.insert(path);
+        else if (fs::is_regular_file(record_name(path).file, none))
+          for (const auto &file : files_of_record(path)) files.insert(file);
       }
   }
+  std::erase_if(files, [](const auto &file) {
+    std::error_code none;
+    return !fs::is_regular_file(file, none);
+  });
   return files;
 }
 

@@ -149,6 +149,10 @@ Table FleetTable::table(const std::vector<std::size_t> &wanted) const {
   return table;
 }
 
+void FleetTable::keep(const std::string &path, const std::vector<std::size_t> &wanted) const {
+  write_csv(table(wanted), path + ".csv");
+}
+
 void FleetTable::write(const std::string &path, const std::vector<std::size_t> &wanted) const {
   const Table all = table(wanted);
   write_hdf5(all, path + ".h5");

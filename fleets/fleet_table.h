@@ -30,6 +30,8 @@ public:
   const Row &row(std::size_t run) const { return rows_.at(run); }
   /// Of the runs that `wanted` names and that are there.
   Table table(const std::vector<std::size_t> &wanted) const;
+  /// The same as path.csv, which a later call goes on from.
+  void keep(const std::string &path, const std::vector<std::size_t> &wanted) const;
   /// The same as path.csv and path.h5.
   void write(const std::string &path, const std::vector<std::size_t> &wanted) const;
 

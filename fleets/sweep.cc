@@ -136,6 +136,9 @@ Sweep combine(const SweepParts &parts, const std::string &origin) {
   if (sweep.keys.empty())
     throw InputError(
         fmt::format("{}: nothing varies; a sweep has [[case]], [records], [grid] or [latin_hypercube]", origin));
+  for (const auto &key : sweep.keys)
+    if (key.find('/') != std::string::npos)
+      throw InputError(fmt::format("{}: {}: a column of table.h5 cannot have \"/\" in its name", origin, key));
   require_numbers_along(sweep);
   return sweep;
 }

@@ -3,8 +3,15 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <numeric>
 
 namespace rimpact {
+
+void take_mean_off(SampledSignal &signal) {
+  const double mean = std::accumulate(signal.values.begin(), signal.values.end(), 0.0) /
+                      static_cast<double>(std::max<std::size_t>(1, signal.values.size()));
+  for (double &value : signal.values) value -= mean;
+}
 
 void require_count(const std::string &path, const char *key, double stated, std::size_t found) {
   if (static_cast<double>(found) == stated) return;

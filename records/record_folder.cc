@@ -31,7 +31,7 @@ std::string beginning_of(const fs::path &path) {
 
 bool is_record(const fs::directory_entry &entry) {
   std::error_code none;
-  return entry.is_regular_file(none) && entry.path().filename() != records_csv_name &&
+  return entry.is_regular_file(none) && !is_corrections(entry.path().string()) &&
          is_record_file(beginning_of(entry.path()), upper(entry.path().extension().string()));
 }
 
@@ -43,7 +43,7 @@ void visit_archive(const std::string &path, const Visit &visit) {
     constexpr std::size_t beginning = 4096;
     const fs::path member(name);
     if (member.filename().string().starts_with("._") || // a Macintosh's shadow of a file
-        !is_record_file(archive.read(name, beginning), upper(member.extension().string())))
+        is_corrections(name) || !is_record_file(archive.read(name, beginning), upper(member.extension().string())))
       continue;
     visit(RecordFile(archive.read(name), path + "/" + name));
   }
@@ -93,12 +93,13 @@ Identified identify(const RecordFile &file, std::size_t channel) {
   const RecordHead head = file.head(channel);
   const NamedDirection named = alone ? direction_in_name(stem) : NamedDirection{stem, {}};
   const std::string name = file.name(channel);
+  const std::string together = head.instrument.empty() ? stem : stem + " " + head.instrument;
   Identified result{{.path = name, .file = fs::path(name).filename().string(), .form = file.format().name},
-                    alone ? std::string() : stem};
+                    alone ? std::string() : together};
   FolderRecord &record = result.record;
   record.rsn = rsn_in(stem);
   record.direction = direction_written(head.direction);
-  record.station = named.station;
+  record.station = alone ? named.station : together;
   if (record.direction.kind == DirectionKind::unknown) {
     record.direction = named.direction;
     return result;
@@ -122,8 +123,9 @@ std::string RecordFolder::question() const {
   const std::size_t more = unknown.size() > told ? unknown.size() - told : 0;
   unknown.resize(unknown.size() - more);
   return fmt::format("the direction of {}{} is told neither by header nor by name: not used. `rimpact motion {} --ask` "
-                     "writes records.csv there, which takes it",
-                     fmt::join(unknown, ", "), more ? fmt::format(" and {} more", more) : "", path);
+                     "writes {}, which takes it",
+                     fmt::join(unknown, ", "), more ? fmt::format(" and {} more", more) : "", path,
+                     corrections_path(path));
 }
 
 void RecordFolder::require_any() const {
@@ -155,7 +157,7 @@ RecordFolder read_record_folder(const std::string &folder) {
       headers.push_back(std::move(station));
     }
   });
-  if (!is_zip_archive(folder)) correct_by_file(folder, result.records, headers);
+  correct_by_file(folder, result.records, headers);
   result.stations = stations_of(result.records, headers);
   return result;
 }

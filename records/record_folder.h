@@ -37,7 +37,7 @@ struct RecordFolder {
   void require_any() const; ///< throws InputError where there is no record
 };
 
-/// Every record of a folder or of a zip archive, of every form. A file `records.csv` in a folder (columns file,
+/// Every record of a folder or of a zip archive, of every form. Its `records.csv` (record_corrections.h; columns file,
 /// station, direction, and if wanted unit) has the last word: "none" as direction leaves a record out. Throws
 /// InputError for what is neither, DataError naming the line for a records.csv with a file that is not there, a
 /// direction or a unit that is not known.
@@ -51,6 +51,5 @@ std::vector<FolderRecord> records_of_file(const std::string &name);
 
 /// What a records.csv says of a folder as it was understood, to be corrected by hand.
 std::string records_csv(const RecordFolder &folder);
-inline constexpr const char *records_csv_name = "records.csv";
 
 } // namespace rimpact

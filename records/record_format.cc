@@ -3,6 +3,7 @@
 #include "files/text.h"
 #include "records/record.h"
 #include "records/record_jma.h"
+#include "records/record_knet_csv.h"
 #include "records/record_smc.h"
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,9 @@ std::string head_of(std::string_view text) {
 }
 bool is_jma(std::string_view text, const std::string &) {
   return is_jma_table(text);
+}
+bool is_knet_csv(std::string_view text, const std::string &) {
+  return is_knet_table(text);
 }
 bool is_smc(std::string_view text, const std::string &) {
   return opens_smc(text.substr(0, text.find('\n')));
@@ -50,6 +54,7 @@ bool is_at2(std::string_view, const std::string &) {
 const std::vector<RecordFormat> &record_formats() {
   static const std::vector<RecordFormat> formats{
       {"JMA", is_jma, parse_jma, head_of_jma, channels_of_jma},
+      {"K-NET CSV", is_knet_csv, parse_knet_csv, head_of_knet_csv, channels_of_knet_csv},
       {"CSV", is_csv, parse_record_csv, head_of_csv, channels_of_csv},
       {"K-NET", is_knet, parse_knet, head_of_knet},
       {"ESM", is_esm, parse_esm, head_of_esm},

@@ -10,8 +10,9 @@ namespace rimpact {
 
 /// What a header says besides numbers, as it writes it; empty: nothing.
 struct RecordHead {
-  std::string station;   ///< event and station: alike for the components of one recording, and no other's
-  std::string direction; ///< see direction.h
+  std::string station;         ///< event and station: alike for the components of one recording, and no other's
+  std::string direction;       ///< see direction.h
+  std::string instrument = {}; ///< of several of one file: its components are a station of their own
 };
 
 /// One of the components that a file holds: a part of its text, or a column of all of it.

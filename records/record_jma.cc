@@ -2,12 +2,12 @@
 #include "files/error.h"
 #include "files/text.h"
 #include "records/direction.h"
+#include "records/header_check.h"
 #include "records/record.h"
 #include "records/record_format.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <numeric>
 
 namespace rimpact {
 namespace {
@@ -101,9 +101,8 @@ SampledSignal parse_jma(const std::string &text, const std::string &path, const 
   }
   if (record.values.size() < 2)
     throw DataError(fmt::format("{}: {} samples, at least 2 are needed", path, record.values.size()));
-  const double mean =
-      std::accumulate(record.values.begin(), record.values.end(), 0.0) / static_cast<double>(record.values.size());
-  for (auto &value : record.values) require_plausible(value -= mean, as.gravity, path);
+  take_mean_off(record);
+  for (const double value : record.values) require_plausible(value, as.gravity, path);
   return record;
 }
 

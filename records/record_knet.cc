@@ -6,7 +6,6 @@
 #include "records/record_format.h"
 #include <cmath>
 #include <fmt/format.h>
-#include <numeric>
 
 namespace rimpact {
 namespace {
@@ -56,9 +55,9 @@ SampledSignal parse_knet(const std::string &text, const std::string &path, const
       length && std::abs(n_values - *length * *hertz) > *hertz) // the header rounds to whole seconds
     require_count(path, "Duration Time(s) times Sampling Freq(Hz)", *length * *hertz, record.values.size());
   // The instrument's offset is not motion: NIED's own advice is to take the mean off.
-  const double mean = std::accumulate(record.values.begin(), record.values.end(), 0.0) / n_values;
+  take_mean_off(record);
   for (auto &value : record.values) {
-    value = (value - mean) * scale;
+    value *= scale;
     require_plausible(value, as.gravity, path);
   }
   constexpr double slack = 0.05; // NIED takes another mean

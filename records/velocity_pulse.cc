@@ -1,5 +1,6 @@
 #include "records/velocity_pulse.h"
 #include "records/daubechies.h"
+#include "records/wavelet_candidates.h"
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,92 +11,24 @@ namespace {
 
 constexpr double shortest_period = 0.25, longest_period = 15; // [s]
 constexpr int n_scales = 51, n_candidates = 5, n_wavelets = 10;
-constexpr double reach = 0.4;    // of a scale: how far wavelets of one pulse lie apart
-constexpr double samples = 16.0; // of a wavelet's scale, at least as many as the record has
+constexpr double reach = 0.4; // of a scale: how far wavelets of one pulse lie apart
 
-/// Velocity [cm/s] at even instants.
-struct Velocity {
-  double dt;
-  std::vector<double> values;
-};
+/// As the authors space them.
+WaveletScales scales_of(double dt) {
+  const auto first = std::max(1L, static_cast<long>(shortest_period / daubechies_period / dt));
+  const double range = longest_period / daubechies_period / dt - static_cast<double>(first);
+  return {
+      .shortest = first, .step = std::max(1L, static_cast<long>(std::ceil(range / (n_scales - 1)))), .count = n_scales};
+}
 
-Velocity velocity_of(const SampledSignal &record, std::size_t n) {
-  Velocity v{record.dt, std::vector<double>(n, 0.0)};
+/// Velocities [cm/s] of both components: sums of the accelerations before and at each sample, as the authors take them.
+PlaneSignal velocity_of(const SampledSignal &first, const SampledSignal &second) {
+  PlaneSignal v;
+  std::complex<double> sum = 0;
   constexpr double centimetres = 100; // in a metre
-  integrate_from_rest(record, [&](std::size_t i, double speed, double) { v.values[i] = centimetres * speed; });
-  for (std::size_t i = record.values.size(); i < n; ++i) v.values[i] = v.values[i - 1];
+  for (std::size_t i = 0; i < std::min(first.values.size(), second.values.size()); ++i)
+    v.push_back(sum += centimetres * first.dt * std::complex(first.values[i], second.values[i]));
   return v;
-}
-
-/// Means of `stride` samples each.
-Velocity thinned(const Velocity &v, std::size_t stride) {
-  Velocity result{v.dt * static_cast<double>(stride), {}};
-  for (std::size_t i = 0; i + stride <= v.values.size(); i += stride) {
-    double sum = 0;
-    for (std::size_t k = 0; k < stride; ++k) sum += v.values[i + k];
-    result.values.push_back(sum / static_cast<double>(stride));
-  }
-  return result;
-}
-
-double wavelet_at(double t, double centre, double scale) {
-  return daubechies_wavelet((t - centre) / scale + daubechies_support / 2);
-}
-
-/// Height of the wavelet of `scale` [s] about `centre` [s]: int v psi dt / scale. The first mean of v lies at `origin`.
-double coefficient(const Velocity &v, double origin, double centre, double scale) {
-  const double half = daubechies_support / 2 * scale;
-  const double first = std::max(0.0, std::ceil((centre - half - origin) / v.dt));
-  double sum = 0;
-  for (auto i = static_cast<std::size_t>(first); i < v.values.size(); ++i) {
-    const double t = origin + v.dt * static_cast<double>(i);
-    if (t > centre + half) break;
-    sum += v.values[i] * wavelet_at(t, centre, scale);
-  }
-  return sum * v.dt / scale;
-}
-
-/// A velocity at the spacing that a scale asks for.
-struct AtScale {
-  AtScale(const Velocity &v, double scale)
-      : scale(scale), thin(thinned(v, static_cast<std::size_t>(std::max(1.0, std::floor(scale / samples / v.dt))))),
-        origin((thin.dt - v.dt) / 2) {}
-  double at(double centre) const { return coefficient(thin, origin, centre, scale); }
-  double scale;
-  Velocity thin;
-  double origin;
-};
-
-struct Candidate {
-  double scale, centre, along, across; ///< heights in both components
-  double strength() const { return scale * (along * along + across * across); }
-};
-
-std::vector<Candidate> all_wavelets(const Velocity &first, const Velocity &second) {
-  std::vector<Candidate> all;
-  const double low = shortest_period / daubechies_period, high = longest_period / daubechies_period;
-  for (int k = 0; k < n_scales; ++k) {
-    const AtScale one(first, low + (high - low) * k / (n_scales - 1)), two(second, one.scale);
-    for (std::size_t i = 0; i < one.thin.values.size(); ++i) {
-      const double centre = one.origin + one.thin.dt * static_cast<double>(i);
-      all.push_back({one.scale, centre, one.at(centre), two.at(centre)});
-    }
-  }
-  return all;
-}
-
-/// Of the scales beside the candidate's the one whose wavelet is the strongest there.
-double refined_scale(const Velocity &v, const Candidate &candidate) {
-  const double step = (longest_period - shortest_period) / daubechies_period / (n_scales - 1);
-  double best = candidate.scale, strongest = 0;
-  constexpr int parts = 20;
-  for (int k = -parts; k <= parts; ++k) {
-    const double scale = candidate.scale + step * k / parts;
-    if (scale < shortest_period / daubechies_period || scale > longest_period / daubechies_period) continue;
-    const double strength = std::sqrt(scale) * std::abs(AtScale(v, scale).at(candidate.centre));
-    if (strength > strongest) strongest = strength, best = scale;
-  }
-  return best;
 }
 
 double energy(const std::vector<double> &v) {
@@ -104,19 +37,42 @@ double energy(const std::vector<double> &v) {
   return sum;
 }
 
-/// Ten wavelets of one scale about a place, taken off one after the other.
-std::vector<double> extracted(const Velocity &v, double scale, double centre) {
-  Velocity rest = v;
-  for (int n = 0; n < n_wavelets; ++n) {
-    const AtScale at(rest, scale);
-    double place = centre, height = 0;
-    for (double b = centre - reach * scale; b <= centre + reach * scale; b += at.thin.dt)
-      if (const double c = at.at(b); std::abs(c) > std::abs(height)) place = b, height = c;
-    for (std::size_t i = 0; i < rest.values.size(); ++i)
-      rest.values[i] -= height * wavelet_at(v.dt * static_cast<double>(i), place, scale);
+/// Of the scales beside a candidate's, a sample apart, the one whose wavelet along `direction` is the strongest there.
+long refined_scale(const WaveletCandidates &wavelets, const WaveletCandidate &candidate, const WaveletScales &scales,
+                   const std::complex<double> &direction) {
+  long best = candidate.scale;
+  double strongest = 0;
+  const long last = std::min(scales.longest(), candidate.scale + scales.step);
+  for (long scale = std::max(scales.shortest, candidate.scale - scales.step); scale <= last; ++scale) {
+    const auto height = wavelets.height({scale, candidate.place}) * std::conj(direction);
+    const double strength = std::sqrt(static_cast<double>(scale)) * std::abs(height.real());
+    if (strength > strongest) strongest = strength, best = scale;
   }
-  std::vector<double> pulse(v.values.size());
-  for (std::size_t i = 0; i < pulse.size(); ++i) pulse[i] = v.values[i] - rest.values[i];
+  return best;
+}
+
+/// Ten wavelets of one scale about a place, taken off one after the other.
+std::vector<double> extracted(const std::vector<double> &v, const WaveletCandidate &about) {
+  const auto far = static_cast<std::size_t>(std::ceil(reach * static_cast<double>(about.scale))),
+             half = static_cast<std::size_t>(daubechies_support * about.scale / 2 + 1);
+  const auto before = [](std::size_t place, std::size_t by) { return place > by ? place - by : 0; };
+  // What none of the wavelets touches stays out of it.
+  const std::size_t begin = before(about.place, far + half), end = std::min(v.size(), about.place + far + half + 1);
+  const std::size_t first = before(about.place, far), last = std::min(v.size() - 1, about.place + far);
+  const WaveletTransform transform(end - begin, about.scale);
+  PlaneSignal rest(v.begin() + static_cast<std::ptrdiff_t>(begin), v.begin() + static_cast<std::ptrdiff_t>(end));
+  std::vector<double> pulse(v.size(), 0.0);
+  for (int n = 0; n < n_wavelets; ++n) {
+    const auto heights = transform.heights(rest, about.scale);
+    std::size_t place = first;
+    for (std::size_t i = first; i <= last; ++i)
+      if (std::abs(heights[i - begin].real()) > std::abs(heights[place - begin].real())) place = i;
+    for (std::size_t i = begin; i < end; ++i) {
+      pulse[i] +=
+          heights[place - begin].real() * wavelet_value(static_cast<long>(i) - static_cast<long>(place), about.scale);
+      rest[i - begin] = v[i] - pulse[i];
+    }
+  }
   return pulse;
 }
 
@@ -145,26 +101,25 @@ double indicator_of(const std::vector<double> &v, const std::vector<double> &pul
 
 std::optional<ClassifiedPulse> velocity_pulse(const SampledSignal &first, const SampledSignal &second) {
   if (std::abs(first.dt - second.dt) > 1e-9 * first.dt) return std::nullopt;
-  const std::size_t n = std::max(first.values.size(), second.values.size());
-  const Velocity one = velocity_of(first, n), two = velocity_of(second, n);
-  if (!(peak_of(one.values) + peak_of(two.values) > 0)) return std::nullopt;
-  auto wavelets = all_wavelets(one, two);
+  const PlaneSignal v = velocity_of(first, second);
+  if (std::all_of(v.begin(), v.end(), [](const auto &value) { return std::norm(value) == 0; })) return std::nullopt;
+  const WaveletScales scales = scales_of(first.dt);
+  WaveletCandidates wavelets(v, scales);
   std::optional<ClassifiedPulse> largest;
-  for (int k = 0; k < n_candidates && !wavelets.empty(); ++k) {
-    const Candidate best = *std::max_element(wavelets.begin(), wavelets.end(),
-                                             [](const auto &a, const auto &b) { return a.strength() < b.strength(); });
-    const double angle = std::atan2(best.across, best.along), c = std::cos(angle), s = std::sin(angle);
-    Velocity rotated = one;
-    for (std::size_t i = 0; i < n; ++i) rotated.values[i] = c * one.values[i] + s * two.values[i];
-    const double scale = refined_scale(rotated, best);
-    const auto pulse = extracted(rotated, scale, best.centre);
-    ClassifiedPulse found{indicator_of(rotated.values, pulse), std::nullopt, angle * 180 / std::numbers::pi};
-    if (found.indicator > 0 && !is_late(rotated.values, pulse)) {
-      found.period = daubechies_period * scale;
+  for (int k = 0; k < n_candidates; ++k) {
+    const auto best = wavelets.take(reach);
+    const double angle = std::arg(wavelets.height(best));
+    const std::complex<double> direction = std::polar(1.0, angle);
+    std::vector<double> rotated;
+    for (const auto &value : v) rotated.push_back((value * std::conj(direction)).real());
+    const long scale = refined_scale(wavelets, best, scales, direction);
+    const auto pulse = extracted(rotated, {scale, best.place});
+    ClassifiedPulse found{indicator_of(rotated, pulse), std::nullopt, angle * 180 / std::numbers::pi};
+    if (found.indicator > 0 && !is_late(rotated, pulse)) {
+      found.period = daubechies_period * static_cast<double>(scale) * first.dt;
       return found;
     }
     if (!largest) largest = found;
-    std::erase_if(wavelets, [&](const auto &w) { return std::abs(w.centre - best.centre) < reach * best.scale; });
   }
   return largest;
 }

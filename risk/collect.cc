@@ -99,6 +99,7 @@ ResponseSet collect(const Study &study, const std::string &folder, const Motions
   const Table table = read_table(path);
   const Columns columns(table);
   ResponseSet set;
+  set.runs = shape_of(table);
   for (const auto &key : study.parts.sampled) set.inputs.push_back(key.key);
   std::map<double, ResponseLevel> levels;
   const auto records = numbers_of(motions, set.records);

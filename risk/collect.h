@@ -33,7 +33,8 @@ struct ResponseSet {
   int n_through_rim = 0;             ///< runs that went deeper into the rim than it is thick: among the unfinished
   /// Runs with a value beyond Study::plausible, by quantity, and the largest such value.
   std::map<std::string, std::pair<int, double>> implausible = {};
-  int n_past_wall = 0; ///< runs without a rim that went as far past its wall: among the finished
+  int n_past_wall = 0;  ///< runs without a rim that went as far past its wall: among the finished
+  TableShape runs = {}; ///< of its table
 };
 
 /// From the table.csv in a system's folder. Throws DataError where it is damaged, lacks runs, or holds no run with a

@@ -195,11 +195,27 @@ private:
   MotionLevel &level_;
 };
 
-MotionLevel level_of_folders(double intensity_g, RecordShelf &shelf) {
+/// Every record of the folders, scaled to a level. One without the pair that its measure asks for is told.
+MotionLevel level_of_folders(double intensity_g, Measure measure, RecordShelf &shelf,
+                             std::vector<std::string> &missing) {
   MotionLevel level{.intensity_g = intensity_g};
-  for (const auto &file : shelf.all())
-    level.motions.push_back({.file = file, .record = shelf.station(file), .scale = intensity_g / shelf.sa_g(file)});
-  level.n_listed = static_cast<int>(level.motions.size());
+  for (const auto &file : shelf.all()) {
+    ++level.n_listed;
+    double unscaled = 0; // [g]
+    if (measure == Measure::component) {
+      unscaled = shelf.sa_g(file);
+    } else if (const auto rotated = shelf.rotated_g(file)) {
+      unscaled = measure == Measure::rotd50 ? rotated->rotd50 : rotated->rotd100;
+    } else {
+      missing.push_back(
+          fmt::format("{} at {:.4g} g: it is of no pair, which {} asks for", file, intensity_g, word(measure)));
+      continue;
+    }
+    level.motions.push_back({.file = file,
+                             .record = shelf.station(file),
+                             .scale = intensity_g / unscaled,
+                             .over_level = shelf.sa_g(file) / unscaled});
+  }
   return level;
 }
 
@@ -231,7 +247,8 @@ Motions motions_of(const Study &study, const std::vector<std::string> &folders) 
   std::vector<MotionLevel> levels;
   const bool is_listed = study.motions.list == RecordList::p695_far_field;
   for (const double level : study.levels_g)
-    levels.push_back(is_listed ? far_field_level(level, shelf, result.missing) : level_of_folders(level, shelf));
+    levels.push_back(is_listed ? far_field_level(level, shelf, result.missing)
+                               : level_of_folders(level, study.measure, shelf, result.missing));
   result.doubts.insert(result.doubts.end(), shelf.copies().begin(), shelf.copies().end());
   if (study.levels_g.empty())
     for (const auto &[value, rows] :

@@ -11,11 +11,12 @@
 namespace rimpact::risk {
 namespace {
 
-/// Bytes of a cell as write_csv writes it and as write_hdf5 does, a text there behind a reference in a heap.
+/// Bytes of a cell as write_csv writes it and as write_hdf5 does, which packs texts to next to nothing and numbers to
+/// what they vary.
 double bytes_of(const Cell &cell) {
-  constexpr double digits = 19, number = 8, text_besides = 39;
+  constexpr double digits = 19, packed_number = 6, quotes_and_comma = 3;
   const auto *text = std::get_if<std::string>(&cell);
-  return text ? 2 * static_cast<double>(text->size()) + text_besides : digits + number;
+  return text ? static_cast<double>(text->size()) + quotes_and_comma : digits + packed_number;
 }
 
 double bytes_of(const fleets::Row &row, const std::vector<fleets::Value> &parameters) {

@@ -13,9 +13,15 @@ RecordShelf::RecordShelf(const std::vector<std::string> &folders, double period_
   for (const auto &name : folders) {
     const RecordFolder folder = read_record_folder(name);
     if (const std::string question = folder.question(); !question.empty()) questions_.push_back(question);
-    for (const auto &station : folder.stations)
-      for (const std::size_t i : station.horizontal)
-        stations_[fs::absolute(folder.records[i].path).lexically_normal().string()] = station.name;
+    const auto path_of = [&](std::size_t i) {
+      return fs::absolute(folder.records[i].path).lexically_normal().string();
+    };
+    for (const auto &station : folder.stations) {
+      for (const std::size_t i : station.horizontal) stations_[path_of(i)] = station.name;
+      if (!station.is_pair()) continue;
+      pairs_[path_of(station.horizontal[0])] = path_of(station.horizontal[1]);
+      pairs_[path_of(station.horizontal[1])] = path_of(station.horizontal[0]);
+    }
     for (const auto &record : folder.records) {
       if (record.left_out || record.direction.kind != DirectionKind::horizontal) continue;
       const std::string path = fs::absolute(record.path).lexically_normal().string();
@@ -47,6 +53,16 @@ std::vector<std::string> RecordShelf::all() {
 std::string RecordShelf::station(const std::string &file) const {
   const auto found = stations_.find(file);
   return found == stations_.end() ? record_label(file) : found->second;
+}
+
+std::optional<RotatedAcceleration> RecordShelf::rotated_g(const std::string &file) {
+  const auto other = pairs_.find(file);
+  if (other == pairs_.end()) return std::nullopt;
+  if (const auto known = rotated_.find(file); known != rotated_.end()) return known->second;
+  const auto [rotd50, rotd100] = rotated_acceleration(*shared_record(file), *shared_record(other->second), period_);
+  const RotatedAcceleration in_g{rotd50 / standard_gravity, rotd100 / standard_gravity};
+  rotated_[other->second] = in_g;
+  return rotated_[file] = in_g;
 }
 
 double RecordShelf::sa_g(const std::string &file) {

@@ -1,6 +1,8 @@
 /// Record files of folders by PEER's record sequence number, with their spectral accelerations.
 #pragma once
+#include "records/rotated_spectrum.h"
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,6 +25,8 @@ public:
   const std::vector<std::string> &questions() const { return questions_; }
   /// Spectral acceleration of the whole record as it is [standard g], 5 % damping. Throws DataError.
   double sa_g(const std::string &file);
+  /// The same of the pair that a component belongs to, over all directions; none: it belongs to none.
+  std::optional<RotatedAcceleration> rotated_g(const std::string &file);
 
 private:
   double period_;
@@ -30,6 +34,8 @@ private:
   std::map<std::string, std::vector<std::string>> by_number_; ///< RSN -> paths
   std::map<std::string, double> sa_;                          ///< by path
   std::map<std::string, std::string> stations_;               ///< by path
+  std::map<std::string, std::string> pairs_;                  ///< path of the other component, by path
+  std::map<std::string, RotatedAcceleration> rotated_;        ///< [standard g], by path
   std::vector<std::string> questions_, copies_;
 };
 

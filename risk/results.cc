@@ -28,6 +28,7 @@ Cell fractile(std::vector<double> values, std::size_t n_beyond, double share) {
 class Writer {
 public:
   Writer(const Study &study, const Systems &systems) : study_(study), systems_(systems) {
+    runs = GatheredTable(keys());
     begin("ida", {"quantity", "level_g", "n_records", "n_runs", "n_beyond", "n_zero", "n_without_result", "p16", "p50",
                   "p84", "mean_ln", "sigma_ln", "fit_p16", "fit_p50", "fit_p84", "n_hit", "hit_probability"});
     begin("fragility", {"quantity", "limit", "level_g", "probability", "low", "high", "counted", "n_unknown", "least",
@@ -91,20 +92,30 @@ public:
            reduction(limits[i].if_all, reference[i].if_none), reduction(limits[i].if_none, reference[i].if_all)});
   }
 
+  /// Of a system's rows: its number and its keys.
+  std::vector<Cell> values_of(std::size_t system) const {
+    std::vector<Cell> values{double(system + 1)};
+    values.insert(values.end(), systems_.all[system].values.begin(), systems_.all[system].values.end());
+    return values;
+  }
+
   std::map<std::string, Table> tables;
+  GatheredTable runs;
 
 private:
+  std::vector<std::string> keys() const {
+    std::vector<std::string> names{"system"};
+    names.insert(names.end(), systems_.keys.begin(), systems_.keys.end());
+    return names;
+  }
   void begin(const std::string &name, const std::vector<std::string> &columns) {
     Table &table = tables[name];
     table.meta = {{"study", study_.name}, {"scene", study_.scene}};
-    table.columns = {"system"};
-    table.columns.insert(table.columns.end(), systems_.keys.begin(), systems_.keys.end());
+    table.columns = keys();
     table.columns.insert(table.columns.end(), columns.begin(), columns.end());
   }
   void row(const std::string &name, std::size_t system, const std::vector<Cell> &cells) {
-    std::vector<Cell> all{double(system + 1)};
-    const auto &values = systems_.all[system].values;
-    all.insert(all.end(), values.begin(), values.end());
+    std::vector<Cell> all = values_of(system);
     all.insert(all.end(), cells.begin(), cells.end());
     tables[name].rows.push_back(std::move(all));
   }
@@ -283,6 +294,7 @@ Results evaluate_study(const Study &study, const Systems &systems, const Motions
     limits.push_back(evaluate(study, set, samples.back()));
     if (study.collapse) checks.push_back(collapse_check(study, limits.back(), samples.back().intensities()));
     writer.add(s, set, samples.back(), limits.back(), rates);
+    writer.runs.add(folder_of_system(".", s).substr(2) + "/table.h5", set.runs, writer.values_of(s));
     if (done) done(s + 1);
   }
   for (const auto &sentences :
@@ -301,7 +313,7 @@ Results evaluate_study(const Study &study, const Systems &systems, const Motions
                study.limits[limits[c.system][i].quantity].quantity, limits[c.system][i], limits[c.reference][i],
                all[i]);
   }
-  Results results{std::move(writer.tables), {}};
+  Results results{std::move(writer.tables), std::move(writer.runs), {}};
   results.tables["motions"] = table_of(motions);
   auto hazard = ordered_json::array();
   for (const auto &point : study.hazard) hazard.push_back({point.intensity, point.return_period_years});
@@ -331,6 +343,9 @@ void write_results(const Results &results, const std::string &folder) {
     write_hdf5(table, fmt::format("{}/{}.h5", folder, name));
     write_csv(table, fmt::format("{}/{}.csv", folder, name));
   }
+  if (results.runs.n_rows() > 0)
+    results.runs.write(folder + "/runs.h5",
+                       {{"study", results.summary.at("study")}, {"scene", results.summary.at("scene")}});
   write_atomically(json_text(results.summary), folder + "/reliability.json");
 }
 

@@ -1,5 +1,6 @@
 /// The results of a study as tables in long form, and their summary.
 #pragma once
+#include "files/gathered_table.h"
 #include "risk/campaign.h"
 #include <nlohmann/json.hpp>
 
@@ -23,13 +24,15 @@ namespace rimpact::risk {
 ///   known motions      level_g, record, file, scale and what it is over the level
 struct Results {
   std::map<std::string, Table> tables;
+  GatheredTable runs; ///< of all systems, `system` and the systems' keys in front
   nlohmann::ordered_json summary;
 };
 
 /// Reads every system's table in FOLDER and evaluates it. `done` is told the number of systems done. Throws as collect.
 Results evaluate_study(const Study &study, const Systems &systems, const Motions &motions, const std::string &folder,
                        const std::function<void(std::size_t)> &done);
-/// FOLDER/NAME.csv and .h5 of every table, FOLDER/reliability.json. Throws IoError.
+/// FOLDER/NAME.csv and .h5 of every table, FOLDER/runs.h5 over systems/*/table.h5, FOLDER/reliability.json. Throws
+/// IoError.
 void write_results(const Results &results, const std::string &folder);
 
 /// For each difference and system the system it is compared with; systems that have the reference are left out.

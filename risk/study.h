@@ -9,6 +9,7 @@
 ///   excitation.duration_s = 40.0
 ///   [intensity]
 ///   period_s = 3.0                # S_a at this period, 5 % damping
+///   measure = "component"         # of levels_g: each component's own S_a | "rotd50", "rotd100": its pair's
 ///   levels_g = [0.1, 0.2]         # without a table: every record at every level
 ///   [motions]
 ///   folders = ["records"]         # beside the study; or --records DIR
@@ -97,6 +98,14 @@ constexpr auto choices(RecordList) {
                                   "the far-field set of FEMA P-695, normalised, its median S_a at each level"}});
 }
 
+/// What a component's S_a is where every record of the folders stands at every level.
+enum class Measure { component, rotd50, rotd100 };
+constexpr auto choices(Measure) {
+  return choices_of<Measure>({{Measure::component, "component", "its own"},
+                              {Measure::rotd50, "rotd50", "the median over all directions of its pair"},
+                              {Measure::rotd100, "rotd100", "the largest over all directions of its pair"}});
+}
+
 /// One level's result of PEER's search.
 struct MotionSet {
   std::string search_results;
@@ -144,9 +153,10 @@ struct Study {
   std::string scene;        ///< built in, or an absolute path
   double years = 50;
   FragilityRule fragility = FragilityRule::hits_apart;
-  std::vector<std::string> settings; ///< KEY=VALUE of [set]
-  fleets::SweepParts parts;          ///< its records are not used
-  double period_s = 0;               ///< of S_a
+  std::vector<std::string> settings;    ///< KEY=VALUE of [set]
+  fleets::SweepParts parts;             ///< its records are not used
+  double period_s = 0;                  ///< of S_a
+  Measure measure = Measure::component; ///< of levels_g
   std::vector<double> levels_g;
   MotionSource motions;
   std::vector<reliability::HazardPoint> hazard;

@@ -76,6 +76,7 @@ private:
     if (!file_.find("intensity")) fail_at("intensity", "a study needs [intensity] with period_s, the period of S_a");
     TomlReader reader(file_, "intensity");
     reader.number({"period_s"}, study_.period_s, si, {0.01, 100});
+    reader.choice({"measure"}, study_.measure);
     reader.numbers({"levels_g"}, study_.levels_g, si, {0, largest_acceleration_g, true});
     reader.finish();
     if (study_.period_s == 0) fail_at("intensity", "intensity needs period_s, the period of S_a");
@@ -85,6 +86,10 @@ private:
   }
 
   void read_plausible() {
+    if (study_.measure != Measure::component && (study_.levels_g.empty() || study_.motions.list != RecordList::none))
+      fail_at("intensity.measure",
+              "intensity.measure is of intensity.levels_g with the records of the folders; tables, "
+              "searches and motions.list have measures of their own");
     if (study_.motions.list != RecordList::none && study_.levels_g.empty())
       fail_at("motions.list", "motions.list needs intensity.levels_g, the levels of its median S_a");
     TomlReader reader(file_, "plausible");

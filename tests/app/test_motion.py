@@ -1,10 +1,13 @@
 """`rimpact motion` reads records of PEER, and refuses what is none."""
+import csv
 import json
 import math
 import os
 import tempfile
 import unittest
+import zipfile
 
+import numpy as np
 from command import Refusals, rimpact
 
 AT2 = "PEER\nA RECORD\n{}\nNPTS= {}, DT= .0100 SEC\n"
@@ -123,6 +126,54 @@ class Motion(Refusals):
                 refused = rimpact(*select, target, "-o", out)
                 self.assertEqual(refused.returncode, 2)
                 self.assertIn(needle, refused.stderr)
+
+    def test_spectra_of_records_with_a_target(self):
+        with tempfile.TemporaryDirectory() as place:
+            self.write_pairs(place, 2)
+            out = os.path.join(place, "spectra")
+            run = rimpact("motion", place, "--spectrum", out, "--target", "asce7,S_DS=1.0,S_D1=0.6", "--period", "1.0", "--json")
+            self.assertEqual(run.returncode, 0, run.stderr)
+            self.assertEqual(sorted(os.listdir(out)), ["spectrum.csv", "spectrum.png"])
+            with open(f"{out}/spectrum.csv", encoding="utf-8") as file:
+                rows = list(csv.DictReader(file))
+            self.assertEqual(len(rows), 4 * 61)
+            known = {row["file"].rsplit("/")[-1]: row for row in json.loads(run.stdout)}
+            for name, record in known.items():
+                of_record = [row for row in rows if row["file"] == name]
+                periods = [float(row["period_s"]) for row in of_record]
+                for mine, theirs in (("sa_g", "sa_g"), ("rotd50_g", "rotd50_g"), ("rotd100_g", "rotd100_g")):
+                    at_one = np.interp(1.0, periods, [float(row[mine]) for row in of_record])
+                    self.assertAlmostEqual(at_one / record[theirs], 1, delta=0.05)
+            self.assertAlmostEqual(float(rows[30]["target_g"]), min(1.0, 0.6 / float(rows[30]["period_s"])), places=6)
+            table = rimpact("motion", place, "--period", "1.0").stdout.splitlines()
+            ends = {line.rstrip()[-8:].strip().count(".") for line in table[1:] if line.startswith("RSN")}
+            self.assertEqual((table[0].split()[-2:], ends), (["RotD100", "[g]"], {1}))
+            for wrong, needle in ((("--target", "asce7,S_DS=1.0,S_D1=0.6"), "--select or --spectrum"),
+                                  (("--strike", "30", "--rotated", out, "--spectrum", out), "stand without")):
+                refused = rimpact("motion", place, *wrong)
+                self.assertEqual(refused.returncode, 2)
+                self.assertIn(needle, refused.stderr)
+
+    def test_a_table_beside_an_archive_corrects_it(self):
+        with tempfile.TemporaryDirectory() as place:
+            archive = os.path.join(place, "portal.zip")
+            with zipfile.ZipFile(archive, "w") as file:
+                for name in ("in/hill", "in/dale"):
+                    file.writestr(name + ".AT2", AT2.format("ACCELERATION TIME SERIES IN UNITS OF G", 3) + " .1E-01 .2E-01 .1E-01\n")
+            self.assertEqual(rimpact("motion", archive, "--ask").returncode, 0)
+            table = os.path.join(place, "portal.records.csv")
+            with open(table) as file:
+                text = file.read()
+            self.assertIn("in/dale.AT2,dale,,\nin/hill.AT2,hill,,\n", text)
+            with open(table, "w") as file:
+                file.write(text.replace("in/dale.AT2,dale,,", "in/dale.AT2,ridge,N,").replace("in/hill.AT2,hill,,", "in/hill.AT2,ridge,E,"))
+            for where in ("beside", "inside"):
+                rows = json.loads(rimpact("motion", archive, "--json").stdout)
+                self.assertEqual({row["station"] for row in rows if row["pair"]}, {"ridge"}, where)
+                if where == "beside":
+                    with zipfile.ZipFile(archive, "a") as file:
+                        file.write(table, "in/records.csv")
+                    os.remove(table)
 
     def test_pairs_are_turned_to_a_fault(self):
         with tempfile.TemporaryDirectory() as place:

@@ -6,6 +6,8 @@ import os
 import tempfile
 import unittest
 
+import h5py
+import numpy as np
 from command import rimpact
 
 HEAD = """scene = "frame-four-dof"
@@ -69,6 +71,28 @@ class Reliability(unittest.TestCase):
 
     def run_study(self, *options):
         return rimpact("reliability", self.path("study.toml"), "-o", self.path("out"), *options)
+
+    def test_all_runs_of_a_study_are_one_lazy_table(self):
+        done = self.run_study("--quiet", "--no-report")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        frames = []
+        for system in ("0001", "0002"):
+            with open(self.path(f"out/systems/{system}/table.csv"), encoding="utf-8") as file:
+                frames += list(csv.DictReader(file))
+        moved = self.path("moved")  # paths in it are relative: the folder may go elsewhere
+        os.rename(self.path("out"), moved)
+        with h5py.File(f"{moved}/runs.h5") as file:
+            table = file["table"]
+            self.assertTrue(table["peak_displacement_m"].is_virtual)
+            self.assertEqual(len(frames), 2 * 3 * 3)
+            self.assertEqual(list(table["system"]), [1.0] * 9 + [2.0] * 9)
+            self.assertEqual(list(table["bearing.surface.a_m"]), [2.25] * 9 + [0.5625] * 9)
+            self.assertEqual(list(table["record"].asstr()), [row["record"] for row in frames])
+            for column in ("run", "reduced.mu_fast", "peak_displacement_m", "ductility"):
+                np.testing.assert_array_equal(table[column][:], [float(row[column]) for row in frames], column)
+            np.testing.assert_array_equal(np.isnan(table["first_touch_s"]), [row["first_touch_s"] == "" for row in frames])
+            self.assertEqual(table["peak_displacement_m"][10], float(frames[10]["peak_displacement_m"]))  # a row alone
+        self.assertLess(os.path.getsize(f"{moved}/runs.h5"), 60_000)
 
     def test_the_shelf_serves_a_study_that_names_no_folder(self):
         own = rimpact("reliability", self.path("study.toml"), "-o", self.path("out"), "--dry-run", RIMPACT_RECORDS="/nowhere")

@@ -35,6 +35,15 @@ class Sweeps(unittest.TestCase):
             with h5py.File(f"{folder}/table.h5") as table:
                 peaks = [float(row["peak_displacement_m"]) for row in rows]
                 self.assertEqual(list(table["table/peak_displacement_m"]), peaks)
+                self.assertEqual(list(table["table/status"].asstr()), ["done"] * 8)
+                touched = [row["first_touch_s"] == "" for row in rows]
+                self.assertEqual([math.isnan(value) for value in table["table/first_touch_s"]], touched)  # empty is NaN, not 0
+                self.assertEqual(list(table), ["meta", "table"])
+
+    def test_a_column_of_a_slash_is_refused(self):
+        done = rimpact("reduced", "ricker-0.78g-1.0s", "--sweep", "variable.a/b=1:2:2", "-o", "nowhere")
+        self.assertEqual(done.returncode, 2)
+        self.assertIn('variable.a/b', done.stderr)
 
     def test_slurms_scripts_make_the_same_table(self):
         with tempfile.TemporaryDirectory() as place:

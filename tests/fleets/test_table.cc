@@ -2,6 +2,7 @@
 #include "../scene/temporary_folder.h"
 #include "files/table.h"
 #include <cmath>
+#include <filesystem>
 #include <limits>
 
 using namespace rimpact;
@@ -42,6 +43,23 @@ TEST(Table, DamageIsNamedWithItsLine) {
   refused("a\nword\n", {"t.csv:2", "word"});
   refused("a\n\"open\n", {"t.csv:2", "quote"});
   refused("a\nnan\n", {"t.csv:2", "nan"});
+}
+
+/// What h5py and pandas make of them: tests/app/test_sweep.py, test_reliability.py.
+TEST(Table, HasTheShapeOfItsColumns) {
+  const Table t{{"run", "text", "empty"}, {{1.0, std::string("aé"), Cell{}}, {2.0, std::string(), Cell{}}}, {}};
+  const TableShape shape = shape_of(t);
+  EXPECT_EQ(shape.n_rows, 2u);
+  EXPECT_EQ(shape.columns, (std::vector<std::pair<std::string, std::size_t>>{{"run", 0}, {"text", 3}, {"empty", 0}}));
+}
+
+TEST(Table, OfManyRowsIsPacked) {
+  const TemporaryFolder folder;
+  Table t{{"run", "status"}, {}, {}};
+  constexpr int n = 40'000; // more than one piece
+  for (int i = 0; i < n; ++i) t.rows.push_back({1.0 * i, std::string(i == 17 ? std::string(300, 'x') : "done")});
+  write_hdf5(t, folder / "t.h5");
+  EXPECT_LT(std::filesystem::file_size(folder / "t.h5"), 8u * n) << "numbers alone would take that";
 }
 
 /// Keys with commas and quotes, as a sweep over variable."a,b" has them.

@@ -2,10 +2,12 @@
 #include "../scene/expect_error.h"
 #include "made_up.h"
 #include "records/record.h"
+#include "records/rotated_spectrum.h"
 #include "records/spectral_acceleration.h"
 #include "risk/collapse_check.h"
 #include "risk/far_field_set.h"
 #include <algorithm>
+#include <fmt/format.h>
 #include <set>
 
 using namespace rimpact;
@@ -61,6 +63,59 @@ TEST(Stations, AComponentGivenTwiceMovesNothing) {
   EXPECT_TRUE(std::any_of(twice.doubts.begin(), twice.doubts.end(), [](const auto &d) {
     return d.find("RSN1_HILL180 is -2 times RSN1_HILL000: it counts once") != std::string::npos;
   }));
+}
+
+TEST(Stations, NoVerticalAmongHorizontalsUnderTwentySpellings) {
+  const std::vector<std::string> spellings{"-UP",  "_UP", "UP",   "-DWN", "DWN", "-DOWN", "UD",   "-UD",
+                                           "-V",   "V",   "-VER", "VRT",  "VER", "VERT",  "-VRT", "_Z",
+                                           "-HNZ", "-Up", "dwn",  "-DN",  "-U",  "UD2"};
+  const TemporaryFolder folder;
+  std::set<std::string> verticals;
+  for (std::size_t i = 0; i < spellings.size(); ++i) {
+    const double period = 0.5 + 0.07 * static_cast<double>(i);
+    folder.write(fmt::format("RSN{}_HILL000.AT2", i + 1), made_up::at2(0.2, period));
+    verticals.insert(
+        folder.write(fmt::format("RSN{}_HILL{}.AT2", i + 1, spellings[i]), made_up::at2(0.9, period + 0.03)));
+  }
+  ASSERT_GE(verticals.size(), 20u);
+  const auto sweep = fleets::cases_of_folder(folder.path(), fleets::Components::x, 0); // what a sweep runs
+  EXPECT_EQ(sweep.cases.size(), spellings.size());
+  for (const auto &motion : sweep.cases)
+    for (const auto &axis : motion)
+      if (axis.key == "excitation.x") {
+        EXPECT_FALSE(verticals.contains(std::get<std::string>(axis.values[0].cell)));
+      }
+  for (const auto &level : motions_of(folder_study(folder), {}).levels) { // what a study runs
+    EXPECT_EQ(level.motions.size(), spellings.size());
+    for (const auto &motion : level.motions) EXPECT_FALSE(verticals.contains(motion.file)) << motion.file;
+  }
+}
+
+TEST(Stations, TheMeasureOfAPairScalesBothComponents) {
+  const TemporaryFolder folder;
+  made_up::write_records(folder);
+  const auto with = [&](const std::string &measure) {
+    std::string text = made_up::head;
+    text.replace(text.find("period_s = 3.0"), 14, "period_s = 3.0\nmeasure = \"" + measure + "\"");
+    return motions_of(parse_study(text, folder / "s.toml"), {});
+  };
+  const auto own = motions_of(folder_study(folder), {});
+  for (const char *measure : {"rotd50", "rotd100"}) {
+    const auto motions = with(measure);
+    for (std::size_t i = 0; i < motions.levels.size(); ++i) {
+      const auto &level = motions.levels[i];
+      ASSERT_EQ(level.motions.size(), 2u); // RSN1_HILL; RSN2_VALLEY is alone
+      EXPECT_EQ(level.n_listed, 3);
+      const auto &one = level.motions[0], &two = level.motions[1];
+      EXPECT_EQ(one.scale, two.scale) << "one motion, one factor";
+      const auto both = rotated_acceleration(read_record(one.file), read_record(two.file), 3.0);
+      const double unscaled = (std::string(measure) == "rotd50" ? both.rotd50 : both.rotd100) / standard_gravity;
+      EXPECT_NEAR(one.scale * unscaled / level.intensity_g, 1, 1e-12);
+      EXPECT_NEAR(one.over_level * own.levels[i].motions[0].scale / one.scale, 1, 1e-12);
+    }
+    ASSERT_FALSE(motions.missing.empty());
+    EXPECT_NE(motions.missing[0].find("of no pair, which " + std::string(measure)), std::string::npos);
+  }
 }
 
 TEST(FarFieldSet, ItsPrintedFactorsAreTheMedianVelocityOverEachOwn) {

@@ -59,6 +59,10 @@ TEST(StudyFile, RefusalsNameFileLineAndColumn) {
   refuse(with(whole, "period_s = 3.0", "period_s = 0"), {"intensity.period_s"});
   refuse(with(whole, "levels_g = [0.1, 0.3]", "levels_g = [0.1, 0.1]"), {"twice"});
   refuse(with(whole, "levels_g = [0.1, 0.3]", ""), {"one of motions.table"});
+  refuse(with(whole, "period_s = 3.0", "period_s = 3.0\nmeasure = \"rotd\""), {"measure", "rotd50"});
+  refuse(with(with(whole, "period_s = 3.0", "period_s = 3.0\nmeasure = \"rotd50\""), "levels_g = [0.1, 0.3]", "") +
+             "[[motions.set]]\nsearch_results = \"a.csv\"\nlevel = 475\n",
+         {"intensity.measure", "levels_g"});
   refuse(with(whole, "replicates = 60", "replicates = 1"), {"replicates", "between 2"});
   refuse(with(whole, "excitation.duration_s = 7.0", "excitation.scale = 2.0"), {"s.toml:3:", "set by [motions]"});
   refuse(with(whole, "bearing.surface.a_m = [2.25, 0.5625]", "bearing.surface.b_m = [2.25]"), {"b_m"});

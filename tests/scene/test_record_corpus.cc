@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <zip.h>
 
 using namespace rimpact;
 
@@ -33,6 +34,13 @@ const std::vector<Example> examples{
     {"HILL090.AT2", "AT2", "90", 1e-6, "PGA=   0.10", "PGA=   0.20", {"PGA says 1.98", "reach 1 m/s^2"}},
     {"HIL0010301010000.NS", "K-NET", "360", 0.02, "3920(gal)", "392(gal)", {"Max. Acc. (gal) says", "disagree"}},
     {"jma-hill.csv#1", "JMA", "360", 0.02, "UNIT  = gal", "UNIT  = counts", {"UNIT \"counts", "acceleration"}},
+    {"HIL0013001010000.csv#1",
+     "K-NET CSV",
+     "360",
+     0.02,
+     "5.20,0.20,",
+     "5.20,0.30,",
+     {":37", "RelativeTime(s) is 0.3", "at 0.2 s"}},
     {"tabelle.csv#1", "CSV", "360", 1e-4, "0,0200;", "0,0250;", {"0.005 s after", "not uniform"}},
     {"units-below.csv", "CSV", "", 1e-4, "s,cm/s2", "s,furlong", {"header"}},
     {"XX.HIL..HNE.D.made-up.ASC",
@@ -60,6 +68,13 @@ const std::vector<Example> examples{
     {"slope.V1#3", "COSMOS V2", "360", 5e-4, "  0.050", "  0.058", {"not evenly spaced", "V2"}},
     {"hill230.smc", "SMC", "230", 5e-4, "        40", "        60", {"hill230.smc"}},
 };
+
+void write_zip(const std::string &path, const std::vector<std::pair<std::string, std::string>> &members) {
+  zip_t *archive = zip_open(path.c_str(), ZIP_CREATE | ZIP_TRUNCATE, nullptr);
+  for (const auto &[name, text] : members)
+    zip_file_add(archive, name.c_str(), zip_source_buffer(archive, text.data(), text.size(), 0), 0);
+  ASSERT_EQ(zip_close(archive), 0);
+}
 
 std::string text_of(const Example &example) {
   return read_file(record_name(forms + "/" + example.name).file);
@@ -134,8 +149,27 @@ TEST(RecordCorpus, AFolderOfAllFormsIsSeenAsItsStations) {
   const auto folder = read_record_folder(forms);
   std::size_t pairs = 0;
   for (const auto &station : folder.stations) pairs += station.is_pair();
-  EXPECT_EQ(pairs, 6u);                             // the three-channel files
-  EXPECT_EQ(folder.records.size(), 6 * 3 + 6 + 1u); // and the spectrum, which reading refuses
+  EXPECT_EQ(pairs, 7u);                             // the three-channel files
+  EXPECT_EQ(folder.records.size(), 7 * 3 + 6 + 1u); // and the spectrum, which reading refuses
+}
+
+TEST(RecordCorpus, SixColumnsOfKiknetAreTwoStations) {
+  std::string text = read_file(forms + "/HIL0013001010000.csv"), six;
+  for (std::size_t at = 0, number = 1; at < text.size(); ++number) {
+    const auto end = text.find('\n', at);
+    std::string line = text.substr(at, end - at);
+    if (line.starts_with("#Time")) line = "#Time,RelativeTime(s),1(gal),2(gal),3(gal),4(gal),5(gal),6(gal)";
+    if (!line.starts_with("#")) line += line.substr(line.find(',', line.find(',') + 1)); // the same below and above
+    six += line + "\n", at = end + 1;
+  }
+  const TemporaryFolder folder;
+  const std::string path = folder.write("HILH013001010000.csv", six);
+  const auto read = read_record_folder(folder.path());
+  ASSERT_EQ(read.stations.size(), 2u);
+  for (const auto &station : read.stations) EXPECT_TRUE(station.is_pair()) << station.name;
+  EXPECT_EQ(read.stations[0].name, "HILH013001010000 borehole");
+  EXPECT_EQ(read_record(path + "#5").values, read_record(path + "#2").values);
+  expect_error<DataError>([&] { read_record(path); }, {"6 channels", "#4 (N-S)", "#6 (U-D)"});
 }
 
 TEST(RecordCorpus, MembersOfAnArchiveAreReadInPlace) {
@@ -150,6 +184,44 @@ TEST(RecordCorpus, MembersOfAnArchiveAreReadInPlace) {
   EXPECT_EQ(record_label(archive + "/made/RSN9001_MADEUP_HIL090.AT2"), "RSN9001_MADEUP_HIL090");
   EXPECT_EQ(files_of_record(archive + "/hill230.smc"), std::vector<std::string>{archive});
   expect_error<DataError>([&] { read_record(archive + "/none.AT2"); }, {"portal.zip/none.AT2", "no such member"});
+}
+
+TEST(RecordCorpus, TheTableOfAnArchiveCorrectsItsMembers) {
+  const std::string member = "portal/hill.AT2", unknown = "portal/dale.AT2";
+  const std::string text = read_file(forms + "/RSN9001_MADEUP_HIL090.AT2");
+  std::string nameless = text; // a header without a direction
+  nameless.replace(nameless.find("Hillside, 90"), 12, "Hillside    ");
+  const TemporaryFolder folder;
+  const std::string archive = folder / "portal.zip", beside = folder / "portal.records.csv";
+  const auto pack = [&](const std::string &table) {
+    write_zip(archive,
+              {{member, nameless}, {unknown, nameless}, {"other/dale.AT2", nameless}, {"portal/records.csv", table}});
+  };
+  pack("file,station,direction,unit\nhill.AT2,hill,N,m/s2\nportal/dale.AT2,hill,E,\nother/dale.AT2,,none,\n");
+  const auto read = read_record_folder(archive);
+  EXPECT_EQ(read.records.size(), 3u) << "the table itself is no record";
+  EXPECT_EQ(read.question(), "");
+  ASSERT_EQ(read.stations.size(), 1u);
+  EXPECT_TRUE(read.stations[0].is_pair());
+  EXPECT_NEAR(peak_of(read_record(archive + "/" + member).values), 1 / standard_gravity, 1e-6) << "its unit counts";
+  EXPECT_NE(records_csv(read).find("\nportal/dale.AT2,hill,E,\nportal/hill.AT2,hill,N,m/s2\n"), std::string::npos)
+      << records_csv(read);
+
+  EXPECT_EQ(corrections_path(archive), beside);
+  folder.write("portal.records.csv", "file,station,direction,unit\nportal/hill.AT2,hill,270,\n"); // has the last word
+  const auto corrected = read_record_folder(archive);
+  EXPECT_EQ(corrected.stations.size(), 1u);
+  EXPECT_NE(corrected.question().find("portal.records.csv"), std::string::npos) << corrected.question();
+  EXPECT_NEAR(peak_of(read_record(archive + "/" + member).values), 1, 1e-6);
+  folder.write("portal.records.csv", "file,station,direction,unit\nportal/hill.AT2,hill,270,cm/s2\n");
+  EXPECT_EQ(files_of_record(archive + "/" + member), (std::vector<std::string>{archive, beside}));
+
+  const auto refuse = [&](const std::string &row, std::initializer_list<const char *> words) {
+    folder.write("portal.records.csv", "file,station,direction\n" + row + "\n");
+    expect_error<DataError>([&] { read_record_folder(archive); }, words);
+  };
+  refuse("dale.AT2,,N", {"portal.records.csv:2", "name of 2 records", "other/dale.AT2"});
+  refuse("vale.AT2,,N", {"portal.records.csv:2", "no record"});
 }
 
 TEST(RecordCorpus, DamagedArchivesAreRefused) {
