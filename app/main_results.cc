@@ -105,7 +105,9 @@ json reduced_runs(const std::vector<Job> &jobs, const std::string &folder, const
   };
   for (const auto &job : jobs) {
     if (job.done && !columns.law.empty()) {
-      const scene::Scene law = with_answer(job.scene, folder + "/calibration");
+      scene::Scene law = with_answer(job.scene, folder + "/calibration");
+      if (!has_dish(job.scene.model.rung)) // the run it stands beside has no pad to bounce on
+        law.reduced.normal_force = job.scene.reduced.normal_force;
       run_reduced(law, folder + "/law/" + job.name);
       run_reduced(columns.pair.empty() ? law : with_pair(job.scene, answer), folder + "/reduced/" + job.name);
     }
