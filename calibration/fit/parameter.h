@@ -1,6 +1,7 @@
 /// The catalogue of parameters a fit may move: those of the impact laws, and one line each in parameter.cc.
 #pragma once
 #include "scene/scene.h"
+#include <cmath>
 #include <functional>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ struct Parameter {
   bool seen_in_flight;                                   ///< the motion before the first touch informs on it
   std::function<double(const scene::Scene &)> get;       ///< SI
   std::function<void(scene::Scene &, double value)> set; ///< SI
+  /// What a fit moves in place of a reported value, and back.
+  double to_variable(double reported) const { return logarithmic ? std::log(reported) : reported; }
+  double to_reported(double variable) const { return logarithmic ? std::exp(variable) : variable; }
 };
 inline constexpr const char *no_unit = "-";
 const std::vector<Parameter> &parameter_catalogue();

@@ -35,8 +35,7 @@ public:
 
   scene::Scene with(const double *x) const {
     scene::Scene s = scene_;
-    for (std::size_t i = 0; i < free_.size(); ++i)
-      free_[i]->set(s, (free_[i]->logarithmic ? std::exp(x[i]) : x[i]) * free_[i]->si);
+    for (std::size_t i = 0; i < free_.size(); ++i) free_[i]->set(s, free_[i]->to_reported(x[i]) * free_[i]->si);
     return s;
   }
   bool operator()(double const *const *x, double *r) const {
@@ -66,23 +65,19 @@ struct End {
   double cost = std::numeric_limits<double>::infinity();
 };
 
-double variable(const Parameter &p, double reported) {
-  return p.logarithmic ? std::log(reported) : reported;
-}
-
 End descend(const ForceOverPath &law, int n_samples, const std::vector<const Parameter *> &free,
             const scene::Scene &from) {
   FLAGS_minloglevel = google::GLOG_FATAL; // what Ceres has to say is in its summary
   const auto n = static_cast<int>(free.size());
   End end;
-  for (const Parameter *p : free) end.x.push_back(variable(*p, std::clamp(p->get(from) / p->si, p->lower, p->upper)));
+  for (const Parameter *p : free) end.x.push_back(p->to_variable(std::clamp(p->get(from) / p->si, p->lower, p->upper)));
   auto *cost = new ceres::DynamicNumericDiffCostFunction<ForceOverPath>(new ForceOverPath(law));
   cost->AddParameterBlock(n), cost->SetNumResiduals(n_samples);
   ceres::Problem problem;
   problem.AddResidualBlock(cost, nullptr, end.x.data());
   for (int i = 0; i < n; ++i) {
-    problem.SetParameterLowerBound(end.x.data(), i, variable(*free[i], free[i]->lower));
-    problem.SetParameterUpperBound(end.x.data(), i, variable(*free[i], free[i]->upper));
+    problem.SetParameterLowerBound(end.x.data(), i, free[i]->to_variable(free[i]->lower));
+    problem.SetParameterUpperBound(end.x.data(), i, free[i]->to_variable(free[i]->upper));
   }
   ceres::Solver::Options options;
   options.linear_solver_type = ceres::DENSE_QR;

@@ -65,10 +65,10 @@ void Problem::add_blocks(const std::vector<const StoredRun *> &runs) {
 }
 
 double Problem::to_variable(int i, double reported) const {
-  return parameters_[i]->logarithmic ? std::log(reported) : reported;
+  return parameters_[i]->to_variable(reported);
 }
 double Problem::to_reported(int i, double x) const {
-  return parameters_[i]->logarithmic ? std::exp(x) : x;
+  return parameters_[i]->to_reported(x);
 }
 double Problem::per_relative_change(int i, double x) const {
   return parameters_[i]->logarithmic ? 1.0 : size(i, x);
