@@ -103,10 +103,13 @@ void export_building_bearings(const std::string &folder, const std::string &out,
   for (std::size_t i = 0, b = 0; i < frame.nodes.size(); ++i) {
     if (!frame.nodes[i].supported) continue;
     scene::Scene own = scene;
-    if (bearings[b].double_concave())
-      throw InputError(fmt::format("{}: the bearing under node {} is of rigid bodies (\"{}\"), which no element of "
-                                   "OpenSees is: only dishes are exported",
-                                   folder, i + 1, word(bearings[b].reduced.model)));
+    if (bearings[b].rigid_bodies())
+      throw InputError(fmt::format(
+          "{}: the bearing under node {} is of rigid bodies (\"{}\"): only dishes are exported; {}", folder, i + 1,
+          word(bearings[b].reduced.model),
+          bearings[b].triple() ? "OpenSees' TripleFrictionPendulum has a triple pendulum's stages without its "
+                                 "rims' law (docs/guide/triple-pendulum.md)"
+                               : "no element of OpenSees is one"));
     own.bearing = bearings[b].bearing, own.load.vertical = reactions[b];
     ExportedRim rim = rim_of(own, own.bearing, reactions[b]);
     for (const auto &doubt : doubts) rim.statement.push_back("DOUBT: " + doubt);

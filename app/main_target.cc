@@ -27,7 +27,7 @@ bool is_of_a_fit(const std::string &key) {
 }
 
 void require_rigid_mass_on_one_dish(const scene::Scene &scene, const std::string &verb) {
-  if (scene.double_concave())
+  if (scene.rigid_bodies())
     throw InputError(
         fmt::format("reduced.model \"{}\": {} is for a bearing with one dish; `rimpact reduced` runs this scene",
                     word(scene.reduced.model), verb));

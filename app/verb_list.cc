@@ -5,6 +5,7 @@
 #include "files/json_text.h"
 #include "impact_laws/catalogue.h"
 #include "reduced_models/catalogue.h"
+#include "scene/isolator_catalogue.h"
 #include "scene/scene.h"
 #include "scene/steel_grades.h"
 #include <fmt/format.h>
@@ -24,6 +25,12 @@ Entries bearings() {
     const double curvature = scene::make_surface(b.surface)->curvatures(0).meridional;
     result.emplace_back(name, fmt::format("{} surface, R0 {:.3g} m, L_c {:.0f} mm", word(b.surface.kind), 1 / curvature,
                                           1e3 * b.lateral_capacity()));
+  }
+  for (const auto &name : scene::builtin_isolator_names()) {
+    const auto b = scene::builtin_isolator(name);
+    result.emplace_back(name, fmt::format("isolator.name of a triple pendulum, R_eff {:.3g} m, L_c {:.0f} mm; {}",
+                                          b.effective_radius(), 1e3 * scene::triple_capacity(b),
+                                          scene::isolator_source(name)));
   }
   return result;
 }

@@ -67,7 +67,7 @@ void run_reduced(const ReducedOptions &options, Console &console) {
   for (const double height : options.nodes)
     if (!std::isfinite(height)) throw InputError("--nodes takes two heights in mm, not " + std::to_string(height));
   const scene::Scene scene = console.load(options.scene);
-  if (!options.nodes.empty() && scene.double_concave())
+  if (!options.nodes.empty() && scene.rigid_bodies())
     throw InputError("--nodes is for bearings of one dish: reduced.model \"" + word(scene.reduced.model) +
                      "\" passes moments through both plates");
   const std::string folder = options.folder.empty() ? default_folder(scene.name) + "-reduced" : options.folder;

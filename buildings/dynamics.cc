@@ -13,7 +13,7 @@ namespace {
 void check(const scene::Scene &s) {
   const auto refuse = [](const std::string &what) { throw InputError(what); };
   check_building_scene(s);
-  if (s.double_concave() || s.reduced.model != scene::ModelKind::physical)
+  if (s.rigid_bodies() || s.reduced.model != scene::ModelKind::physical)
     refuse(fmt::format("reduced.model \"{}\" by branches: bearings of rigid bodies take the implicit steps",
                        word(s.reduced.model)));
   refuse_friction_beyond_speed(s.reduced.measured, "bearings by branches",

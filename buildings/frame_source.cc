@@ -6,6 +6,8 @@
 #include "files/error.h"
 #include "files/file.h"
 #include "files/toml_file.h"
+#include "scene/isolator_catalogue.h"
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -42,10 +44,26 @@ bool has_isolator(const std::string &where) {
   return TomlFile(read_file(where), where).find("isolator");
 }
 
+/// A triple pendulum of the catalogue, in the scene's space and with its points.
+void take_triple(const std::string &name, scene::Scene &s) {
+  const scene::Isolator given = s.isolator;
+  s.reduced.model = scene::ModelKind::tfp, s.isolator = scene::builtin_isolator(name);
+  s.isolator.space = given.space, s.isolator.points = given.points, s.isolator.rim = given.rim;
+  s.isolator.step_tolerance = given.step_tolerance;
+}
+
+bool is_of_catalogue(const std::string &where) {
+  const auto names = scene::builtin_isolator_names();
+  return std::find(names.begin(), names.end(), where) != names.end();
+}
+
 scene::Scene own_bearing(const std::string &where, const scene::Scene &scene) {
   scene::Scene s = scene;
   const auto model = parse<scene::ModelKind>(where);
-  if (model && *model != scene::ModelKind::physical) {
+  const bool triple = model == scene::ModelKind::tfp && s.isolator.name.empty() && !s.triple();
+  if (triple || is_of_catalogue(where)) {
+    take_triple(triple ? scene::default_triple : where, s);
+  } else if (model && *model != scene::ModelKind::physical) {
     s.reduced.model = *model;
   } else if (has_isolator(where)) {
     const scene::Scene own = scene::load_scene(where);
@@ -62,7 +80,7 @@ IsolatorUse isolator_use(const Frame &frame) {
   for (const Node &node : frame.nodes) {
     if (!node.supported || node.bearing.empty()) continue;
     const auto model = parse<scene::ModelKind>(node.bearing);
-    const bool by_name = model && *model != scene::ModelKind::physical;
+    const bool by_name = (model && *model != scene::ModelKind::physical) || is_of_catalogue(node.bearing);
     use.whole = use.whole || by_name;
     use.springs = use.springs || by_name || has_isolator(node.bearing);
   }

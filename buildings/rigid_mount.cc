@@ -1,7 +1,7 @@
 #include "buildings/mount.h"
 #include "files/error.h"
-#include "reduced_models/rigid_body/double_concave_system.h"
 #include "reduced_models/rigid_body/heat_memory.h"
+#include "reduced_models/rigid_body/rigid_bearing.h"
 #include "reduced_models/rigid_body/wall_memory.h"
 #include <algorithm>
 #include <Eigen/Geometry>
@@ -12,13 +12,15 @@ namespace {
 
 using namespace reduced::rigid;
 using Eigen::Vector2d, Eigen::Vector3d;
-using OwnMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 12, 12>;
-using OwnVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 12, 1>;
-using Columns = Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 12, 6>;
+constexpr int most_own = 6 * (max_sets - 1); // dofs of the sliders
+using OwnMatrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_own, most_own>;
+using OwnVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_own, 1>;
+using Columns = Eigen::Matrix<double, Eigen::Dynamic, 6, 0, most_own, 6>;
 
 class RigidMount : public Mount {
 public:
-  explicit RigidMount(const scene::Scene &scene) : model_(scene), n_(6 * model_.plate), heat_(scene, model_.system) {
+  explicit RigidMount(const scene::Scene &scene)
+      : model_(scene), n_(6 * model_.plate), heat_(scene, model_.parts, model_.system) {
     if (scene.isolator.space != scene::Space::spatial)
       throw InputError(
           "isolator.space \"planar\" under a building, which moves in space: isolator.space = \"spatial\", "
@@ -35,7 +37,7 @@ public:
       s.unmet[i] = is_wall(s.contacts[i].surface);
       if (s.unmet[i]) walls_.push_back(i);
     }
-    lateral_capacity = scene.isolator.lateral_capacity(), rim_stiffness = s.rim.stiffness / 2;
+    lateral_capacity = scene.lateral_capacity(), rim_stiffness = s.rim.stiffness * model_.parts.stop_share;
     for (auto &state : at_) state.slip.assign(s.contacts.size(), Vector3d::Zero()), state.slip_rate = state.slip;
   }
 
@@ -163,10 +165,11 @@ public:
     const MotionState &s = at_[0];
     BearingResponse r;
     r.u = model_.plate_displacement(s) - Vector3d(0, 0, rest_height_), r.v = s.velocity.segment<3>(n_);
-    double apart[2] = {1e300, 1e300};
+    std::array<double, max_sets> apart;
+    apart.fill(1e300);
     for (std::size_t i = 0; i < s.contact.size(); ++i) {
       const auto &c = model_.system.contacts[i];
-      if (c.surface == Surface::dish) apart[c.set / 2] = std::min(apart[c.set / 2], -s.contact[i].penetration);
+      if (c.surface == Surface::dish) apart[c.set] = std::min(apart[c.set], -s.contact[i].penetration);
       if (c.master != model_.plate) continue;
       (c.surface == Surface::rim ? r.impact : r.pendular) -= s.contact[i].normal;
       r.friction -= s.contact[i].friction;
@@ -174,7 +177,9 @@ public:
     }
     for (const auto i : walls_)
       if (model_.system.contacts[i].surface == Surface::rim) r.rim_force = std::max(r.rim_force, s.contact[i].size);
-    r.height = r.u[2] - std::max({0.0, apart[0], apart[1]});
+    r.height = r.u[2];
+    for (const double opening : apart)
+      if (opening < 1e300) r.height = std::min(r.height, r.u[2] - opening);
     r.gap = model_.gap(s), r.moment = force_[0].segment<2>(3);
     r.interface_slip = model_.interface_slip(s).head<2>();
     return r;
@@ -213,7 +218,7 @@ private:
     return p;
   }
 
-  DoubleConcaveSystem model_;
+  RigidBearing model_;
   int n_;             ///< own dofs, in front of the plate's six
   MotionState at_[3]; ///< start, middle, end of a step
   Vector6 force_[3];

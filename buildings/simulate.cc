@@ -29,7 +29,8 @@ void check_plane(const Frame &frame, const scene::Scene &scene, bool rigid_bodie
   if (e.kind == scene::ExcitationKind::free && (e.start_displacement().y() != 0 || e.start_velocity().y() != 0))
     refuse("excitation: the start has a part along y");
   if (rigid_bodies)
-    throw InputError("reduced.model \"dcfp\" or \"lir-dcfp\" under an inelastic frame: it takes dishes, \"physical\"");
+    throw InputError("a bearing of rigid bodies (\"dcfp\", \"lir-dcfp\", \"tfp\") under an inelastic frame: it takes "
+                     "dishes, \"physical\"");
   if (static_cast<int>(frame.elements.size()) > most_members)
     throw InputError(
         fmt::format("the inelastic frame has {} members; {} are the most", frame.elements.size(), most_members));
@@ -47,10 +48,10 @@ void check_start(const BuildingBasis &building, const scene::Excitation &e) {
 }
 
 /// What dishes stand on where steps are implicit: a stiffness that no drawing gives, unless the user did.
-nlohmann::json dish_springs(const scene::DoubleConcave &isolator) {
+nlohmann::json dish_springs(const scene::Isolator &isolator) {
   return {{"stiffness_N_per_m", isolator.points * isolator.contact_stiffness},
           {"restitution", isolator.contact_restitution},
-          {"assumed", isolator.contact_stiffness == scene::DoubleConcave().contact_stiffness}};
+          {"assumed", isolator.contact_stiffness == scene::Isolator().contact_stiffness}};
 }
 
 /// What `go` does with a recorder; its summary's times.
@@ -74,7 +75,7 @@ void fly(const Frame &frame, const BuildingModel &model, const scene::Scene &sce
          const std::vector<scene::Scene> &bearings, const Kept &kept, Summary &summary) {
   const double t_end = scene.excitation.duration;
   const auto any = [&](auto has) { return has(scene) || std::any_of(bearings.begin(), bearings.end(), has); };
-  const bool rigid_bodies = any([](const scene::Scene &one) { return one.double_concave(); });
+  const bool rigid_bodies = any([](const scene::Scene &one) { return one.rigid_bodies(); });
   const bool coulomb = any([](const scene::Scene &one) { return one.reduced.friction == scene::Friction::coulomb; });
   if (frame.inelastic()) check_plane(frame, scene, rigid_bodies);
   const bool measured = any([](const scene::Scene &one) { return one.reduced.measured.any(); });
@@ -94,7 +95,7 @@ void fly(const Frame &frame, const BuildingModel &model, const scene::Scene &sce
   const auto hinges =
       fly(building, scene, kept, summary, [&](BuildingRecorder &recorder) { return run.run(t_end, recorder); });
   summary.n_newton_iterations = run.n_newton;
-  const auto dish = [](const scene::Scene &one) { return !one.double_concave(); };
+  const auto dish = [](const scene::Scene &one) { return !one.rigid_bodies(); };
   if (bearings.empty() ? dish(scene) : std::any_of(bearings.begin(), bearings.end(), dish))
     summary.extra["building"]["dish_springs"] = dish_springs(scene.isolator);
   if (!frame.inelastic()) return;

@@ -35,11 +35,10 @@ std::optional<std::string> unread_of_reduced(const scene::Scene &scene) {
 } // namespace
 
 std::optional<std::string> beyond_rungs(const scene::Scene &scene) {
-  if (scene.double_concave())
-    return fmt::format(
-        "reduced.model \"{}\" is a rigid-body bearing of two dishes: the finite-element rungs know bearings "
-        "of one dish only; use `rimpact reduced`",
-        word(scene.reduced.model));
+  if (scene.rigid_bodies())
+    return fmt::format("reduced.model \"{}\" is a bearing of rigid bodies: the finite-element rungs know bearings "
+                       "of one dish only; use `rimpact reduced`",
+                       word(scene.reduced.model));
   if (scene.superstructure.any())
     return fmt::format("superstructure.kind \"{}\" is not for the finite-element rungs, which carry a rigid mass; use "
                        "`rimpact reduced`, or --set superstructure.kind=\"none\"",

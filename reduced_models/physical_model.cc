@@ -25,9 +25,9 @@ struct PhysicalModel::Impl {
 };
 
 PhysicalModel::PhysicalModel(const scene::Scene &scene) : impl_(std::make_unique<Impl>(scene)) {
-  if (scene.double_concave())
+  if (scene.rigid_bodies())
     throw InputError("reduced.model \"" + word(scene.reduced.model) +
-                     "\" is a rigid-body bearing of two dishes, without a finite-element rung");
+                     "\" is a bearing of rigid bodies, without a finite-element rung");
 }
 PhysicalModel::~PhysicalModel() = default;
 PhysicalModel::PhysicalModel(PhysicalModel &&) noexcept = default;

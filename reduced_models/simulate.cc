@@ -5,7 +5,7 @@
 #include "reduced_models/hybrid_run.h"
 #include "reduced_models/integrator_check.h"
 #include "reduced_models/quasi_static.h"
-#include "reduced_models/rigid_body/double_concave.h"
+#include "reduced_models/rigid_body/bearing_run.h"
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -74,10 +74,13 @@ const std::vector<ReducedModel> &reduced_models() {
        simulate_physical},
       {scene::ModelKind::dcfp,
        "double concave bearing: slider and top plate as rigid bodies on contact points (thesis 3.3)",
-       simulate_double_concave},
+       simulate_rigid_bodies},
       {scene::ModelKind::lir_dcfp,
        "double concave bearing whose slider has a high-friction interface with a gap (thesis 3.3)",
-       simulate_double_concave},
+       simulate_rigid_bodies},
+      {scene::ModelKind::tfp,
+       "triple friction pendulum: two slide plates, an inner slider and a rim at each of four faces",
+       simulate_rigid_bodies},
   };
   return models;
 }
@@ -88,7 +91,7 @@ const ReducedModel &reduced_model(scene::ModelKind kind) {
 }
 
 ReducedRun simulate(const scene::Scene &scene) {
-  if (scene.reduced.integrator == scene::Integrator::cvode && scene.double_concave())
+  if (scene.reduced.integrator == scene::Integrator::cvode && scene.rigid_bodies())
     throw InputError("reduced.integrator \"cvode\" moves a mass on one dish: reduced.model \"" +
                      word(scene.reduced.model) + "\" has rigid bodies on contact points, which take implicit steps");
   return reduced_model(scene.reduced.model).simulate(scene);

@@ -9,6 +9,7 @@ from .numbers import is_number
 from .results import load_results
 from .run_folder import Run, parse_scene
 
+RIGID_BODIES = {"dcfp": "double concave bearing", "lir-dcfp": "double concave bearing", "tfp": "triple friction pendulum"}  #: models of [isolator]
 WHOLE = {"rigid-dish", "full"}  #: rungs in which pad and foot take part
 
 
@@ -43,7 +44,7 @@ class Context:
         text = reference.scene_text if reference else self.results.curves.get("scene", "")
         self.scene: dict[str, Any] = reference.scene if reference else parse_scene(text, "curves.json: scene") if text else {}
         self.assumed = assumed_keys(text, self.scene)
-        self.double_concave = self.scene.get("reduced", {}).get("model") in ("dcfp", "lir-dcfp")
+        self.rigid_bodies = RIGID_BODIES.get(self.scene.get("reduced", {}).get("model"), "")
         runs = [entry.any_run for entry in self.results.entries]
         self.whole_bearing = any(run is not None and _has_stack(run) for run in runs) or bool(WHOLE & set(_listed(self.results.answer.get("rung"))))
         self.capacity = next((run.lateral_capacity for run in runs if run is not None and is_number(run.lateral_capacity)), None)

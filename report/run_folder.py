@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from . import bearing
+from . import bearing, triple
 from .data_files import check_signals, read_csv, read_hdf5, read_json
 from .errors import DataError
 from .shapes import SCENE, SUMMARY, check
@@ -63,6 +63,8 @@ class Run:
         """L_c [m] by (2-5); from the stored gap when the scene does not say."""
         if self.get("reduced", "model") in ("dcfp", "lir-dcfp"):
             return self.get("isolator", "capacity_m")
+        if self.get("reduced", "model") == "tfp":
+            return triple.lateral_capacity(self.get("isolator", default={}))
         known = bearing.lateral_capacity(self.get("bearing", default={}))
         if known:
             return known

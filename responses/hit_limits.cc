@@ -19,7 +19,7 @@ json count_outside(const SpeedRange &range, const Summary &summary) {
 }
 
 json count_through_rim(const scene::Scene &scene, const Summary &summary) {
-  if (scene.double_concave()) return nullptr;
+  if (scene.rigid_bodies()) return nullptr;
   return std::count_if(summary.impacts.begin(), summary.impacts.end(),
                        [&](const Impact &impact) { return impact.peak_penetration > scene.bearing.rim.thickness; });
 }
@@ -28,7 +28,7 @@ json count_through_rim(const scene::Scene &scene, const Summary &summary) {
 /// leaves the number unknown.
 json count_by_depth(const scene::Scene &scene, const Summary &summary, double limit) {
   const auto &r = scene.reduced;
-  if (scene.double_concave() || r.calibration.empty() || r.fitted_rim != scene::rim_identity(scene.bearing))
+  if (scene.rigid_bodies() || r.calibration.empty() || r.fitted_rim != scene::rim_identity(scene.bearing))
     return nullptr;
   const auto steel = SteelByDepth::of(r.calibration);
   if (!steel) return nullptr;

@@ -23,7 +23,7 @@ double deepest(const scene::Scene &scene, const Summary &summary) {
 }
 
 json beyond_rim(const scene::Scene &scene, Summary &summary) {
-  if (scene.double_concave()) return nullptr;
+  if (scene.rigid_bodies()) return nullptr;
   const double depth = deepest(scene, summary), thickness = scene.bearing.rim.thickness;
   const double travel = summary.peak_displacement, edge = scene.bearing.surface.planar_radius;
   if (travel > edge)

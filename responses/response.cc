@@ -3,6 +3,7 @@
 #include "files/file.h"
 #include "files/text.h"
 #include "responses/response_files.h"
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
@@ -13,7 +14,7 @@ namespace rimpact {
 namespace {
 
 void add_building_signals(std::vector<SignalInfo> &list);
-void add_double_concave_signals(std::vector<SignalInfo> &list);
+void add_rigid_body_signals(std::vector<SignalInfo> &list);
 
 std::vector<SignalInfo> make_signals() {
   std::vector<SignalInfo> list{{"time", "s", "instant, or load parameter of a quasi-static run"}};
@@ -30,15 +31,18 @@ std::vector<SignalInfo> make_signals() {
   vector("moment_below", "N m", "moment of the bearing on the node below");
   vector("moment_above", "N m", "moment of the bearing on the node above");
   vector("ground_acceleration", "m/s^2", "of the ground");
-  vector("acceleration", "m/s^2", "absolute, of the mass (of a double concave bearing's top plate)");
-  list.push_back({"gap", "m", "L_c - |u|, negative while the rim is pressed"});
+  vector("acceleration", "m/s^2", "absolute, of the mass (of the top plate of a bearing of rigid bodies)");
+  list.push_back(
+      {"gap", "m", "L_c - |u|, negative while the rim is pressed; of a triple pendulum L_c is where the last rim is"});
   list.push_back({"normal_force", "N", "normal force of the sliding surface, never negative"});
   list.push_back({"temperature", "degC", "of the sliding steel at the dish's vertex (the bottom dish's of two)"});
   list.push_back({"temperature_top", "degC", "of the sliding steel at the top dish's vertex"});
-  list.push_back({"tilt", "rad", "angle of the (bottom) slider's axis to the vertical, double concave models"});
+  list.push_back({"temperature_inner", "degC", "of the steel below a triple pendulum's inner slider"});
+  list.push_back({"temperature_inner_top", "degC", "of the steel above it"});
+  list.push_back({"tilt", "rad", "angle of the (bottom) slider's axis to the vertical, bearings of rigid bodies"});
   for (const char *axis : {"x", "y"})
     list.push_back({fmt::format("interface_slip_{}", axis), "m", "of the top slider past the bottom one"});
-  add_double_concave_signals(list);
+  add_rigid_body_signals(list);
   for (const char *axis : {"x", "y"}) {
     list.push_back({fmt::format("drift_{}", axis), "m", "of the superstructure's first storey, u_s"});
     list.push_back(
@@ -87,14 +91,23 @@ std::vector<SignalInfo> make_signals() {
   return list;
 }
 
-/// Of the contact points of a slider between two plates, and of its upper plate.
-void add_double_concave_signals(std::vector<SignalInfo> &list) {
+/// Of the contact points of sliders between two plates, of the upper plate, and of a triple pendulum's four faces.
+void add_rigid_body_signals(std::vector<SignalInfo> &list) {
   constexpr int most_points = 64;
   using Set = std::pair<char, const char *>;
-  for (const auto &[set, where] : {Set{'A', "top plate"}, Set{'B', "bottom plate"}, Set{'C', "interface"}})
+  for (const auto &[set, where] :
+       {Set{'A', "top plate"}, Set{'B', "bottom plate"}, Set{'C', "interface, or the inner slider's lower face"},
+        Set{'D', "inner slider's upper face"}})
     for (int i = 1; i <= most_points; ++i)
       list.push_back({fmt::format("normal_{}{}", set, i), "N",
                       fmt::format("normal force of contact point {} on the {}", i, where)});
+  constexpr std::array faces{"bottom plate", "inner slider's lower face", "inner slider's upper face", "top plate"};
+  for (std::size_t i = 0; i < faces.size(); ++i) {
+    for (const char *axis : {"x", "y"})
+      list.push_back({fmt::format("face_{}_travel_{}", i + 1, axis), "m",
+                      fmt::format("part of the displacement on a triple pendulum's {}, {}", faces[i], axis)});
+    list.push_back({fmt::format("face_{}_rim_force", i + 1), "N", fmt::format("of the rim at the {}", faces[i])});
+  }
   for (const char *axis : {"x", "y"})
     list.push_back({fmt::format("plate_moment_{}", axis), "N m", "of the bearing on the top plate about its vertex"});
 }

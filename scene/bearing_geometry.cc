@@ -233,7 +233,7 @@ bool needs_only_the_dish(const Scene &s) {
 } // namespace
 
 void check_bearing(const Scene &scene) {
-  if (scene.double_concave()) return;
+  if (scene.rigid_bodies()) return;
   if (needs_only_the_dish(scene)) {
     check_ranges(scene.bearing);
     return check_dish(scene.bearing);

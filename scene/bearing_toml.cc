@@ -62,11 +62,6 @@ Bearing parse_bearing(const std::string &text, const std::string &origin, bool w
   return bearing;
 }
 
-std::string text_at(const TomlFile &file, const std::string &path) {
-  const auto *node = file.find(path);
-  return node && node->is_string() ? node->as_string()->get() : "";
-}
-
 /// A resolved scene names a bearing of someone's own and writes all its dimensions.
 bool is_written_out(const TomlFile &file) {
   constexpr std::array tables{"surface", "slider", "rim", "plate", "pad", "foot", "material", "contact"};
@@ -90,6 +85,11 @@ bool is_builtin_name(const std::string &name) {
 }
 
 } // namespace
+
+std::string text_at(const TomlFile &file, const std::string &path) {
+  const auto *node = file.find(path);
+  return node && node->is_string() ? node->as_string()->get() : "";
+}
 
 std::string name_from(const std::string &origin) {
   const fs::path path = origin;

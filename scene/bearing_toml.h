@@ -9,6 +9,8 @@ namespace rimpact::scene {
 
 /// What a scene or bearing is called when its file does not say: the file's name without .toml.
 std::string name_from(const std::string &origin);
+/// The text at a dotted key; empty where there is none.
+std::string text_at(const TomlFile &file, const std::string &path);
 
 /// A bearing of someone's own: from a file, or written out under a name that no built-in one has.
 bool has_own_bearing(const TomlFile &file);

@@ -28,11 +28,11 @@ constexpr auto choices(Symmetry) {
   return choices_of<Symmetry>({{by_plan, "auto"}, {half, "half"}, {whole, "whole"}});
 }
 
-/// A mass on one dish, or a double concave bearing, without or with an interface in its slider.
-enum class ModelKind { physical, dcfp, lir_dcfp };
+/// A mass on one dish; a double concave bearing, without or with an interface in its slider; a triple pendulum.
+enum class ModelKind { physical, dcfp, lir_dcfp, tfp };
 constexpr auto choices(ModelKind) {
   using enum ModelKind;
-  return choices_of<ModelKind>({{physical, "physical"}, {dcfp, "dcfp"}, {lir_dcfp, "lir-dcfp"}});
+  return choices_of<ModelKind>({{physical, "physical"}, {dcfp, "dcfp"}, {lir_dcfp, "lir-dcfp"}, {tfp, "tfp"}});
 }
 
 enum class Friction { coulomb, park_wen };

@@ -67,7 +67,7 @@ void doubt_pressure(const Scene &scene, std::vector<std::string> &found) {
   constexpr double least = 0.5e6, most = 200e6; // [Pa]; the thesis's bearing has 19 MPa
   const double across = scene.bearing.slider.diameter, area = std::numbers::pi * across * across / 4,
                pressure = scene.load.vertical / area;
-  if (scene.double_concave() || scene.load.vertical == 0 || (pressure >= least && pressure <= most)) return;
+  if (scene.rigid_bodies() || scene.load.vertical == 0 || (pressure >= least && pressure <= most)) return;
   found.push_back(fmt::format("load.vertical_kN = {:.6g} presses a slider of {:.6g} mm with {:.2g} MPa, where {:g} to "
                               "{:g} MPa is usual: is its unit kN?",
                               scene.load.vertical / 1e3, 1e3 * across, pressure / 1e6, least / 1e6, most / 1e6));
@@ -116,7 +116,7 @@ std::vector<std::string> doubts(const Scene &scene, bool load_is_read) {
                                 scene.excitation.impact_speed()));
   doubt_records(scene, found);
   doubt_materials(scene.bearing, found);
-  if (!scene.double_concave()) {
+  if (!scene.rigid_bodies()) {
     for (auto &doubt : doubts_of_grade(scene.bearing)) found.push_back(std::move(doubt));
     doubt_sizes(scene.bearing, found);
   }

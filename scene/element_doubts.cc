@@ -36,7 +36,7 @@ std::vector<KeyEntry> element_of(const Scene &scene) {
 } // namespace
 
 bool published_pair_applies(const Scene &scene) {
-  return !scene.double_concave() && within(scene.load.mass, Load{}.mass) &&
+  return !scene.rigid_bodies() && within(scene.load.mass, Load{}.mass) &&
          rim_identity(scene.bearing) == rim_identity(builtin_bearing("shfps-225"));
 }
 
@@ -63,7 +63,7 @@ std::vector<std::string> doubts_of_element(const Scene &scene) {
   std::vector<std::string> found;
   const auto &r = scene.reduced;
   if (r.k_i == 0 || r.impact_law->pushed || scene.excitation.stays_on_dish()) return found;
-  const bool two_dishes = scene.double_concave();
+  const bool two_dishes = scene.rigid_bodies();
   if (has_default_element(scene) && r.calibration.empty() && !published_pair_applies(scene)) {
     const bool other_rim = two_dishes || rim_identity(scene.bearing) != rim_identity(builtin_bearing("shfps-225"));
     found.push_back(fmt::format("{} are {} for shfps-225 and {:g} kg, not this {}'s: impact forces may be several "

@@ -1,5 +1,5 @@
 /// The keys of scene and bearing files, described once. A new key is one line in bearing_keys.cc,
-/// double_concave_keys.cc, superstructure.cc or scene_keys.cc.
+/// isolator_keys.cc, superstructure.cc or scene_keys.cc.
 #pragma once
 #include "files/key_visitor.h"
 #include "scene/scene.h"
@@ -7,8 +7,8 @@
 namespace rimpact::scene {
 
 void visit(KeyVisitor &visitor, Bearing &bearing); ///< all but its name
-/// [isolator], read by the reduced models "dcfp" and "lir-dcfp".
-void visit(KeyVisitor &visitor, DoubleConcave &bearing, bool impact_resilient);
+/// [isolator], as the model reads it; all of it beside "physical", which reads none.
+void visit(KeyVisitor &visitor, Isolator &bearing, ModelKind model);
 void visit(KeyVisitor &visitor, Superstructure &structure); ///< [superstructure]
 /// [load], [excitation], [model], [reduced], [isolator], [superstructure]
 void visit_settings(KeyVisitor &visitor, Scene &scene);

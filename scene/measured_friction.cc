@@ -34,7 +34,7 @@ void visit(KeyVisitor &v, MeasuredFriction &m) {
 
 double contact_radius(const Scene &scene) {
   if (scene.reduced.measured.contact_radius) return *scene.reduced.measured.contact_radius;
-  if (scene.double_concave()) return scene.isolator.slider_diameter / 2;
+  if (scene.rigid_bodies()) return scene.isolator.slider_diameter / 2;
   const Pad &pad = scene.bearing.pad;
   return std::sqrt(pad.outer_radius * pad.outer_radius - pad.inner_radius * pad.inner_radius);
 }
@@ -65,17 +65,20 @@ void check_measured_friction(const Scene &scene) {
     throw InputError(fmt::format("reduced.mu_reference_pressure_MPa {:g} stands beside reduced.mu_table {}, which has "
                                  "pressures of its own; give one",
                                  *m.reference_pressure / 1e6, m.table_file));
-  if (m.table && scene.double_concave() && (scene.isolator.top_mu_fast || scene.isolator.top_mu_slow))
+  if (m.table && scene.rigid_bodies() && (scene.isolator.top_mu_fast || scene.isolator.top_mu_slow))
     throw InputError(fmt::format("isolator.{} stands beside reduced.mu_table {}, which is of both dishes; give one",
                                  scene.isolator.top_mu_fast ? "top_mu_fast" : "top_mu_slow", m.table_file));
+  if (m.table && scene.triple() && scene.isolator.mu_of == FrictionOf::loops)
+    throw InputError(fmt::format("isolator.mu_of \"loops\" stands beside reduced.mu_table {}, which is of the faces: "
+                                 "isolator.mu_of = \"faces\", with the inner slider's friction in isolator.inner",
+                                 m.table_file));
   const auto &e = scene.excitation;
   const bool timed =
-      e.is_dynamic() || (e.kind == ExcitationKind::path && !e.path.time.empty() && !scene.double_concave());
+      e.is_dynamic() || (e.kind == ExcitationKind::path && !e.path.time.empty() && !scene.rigid_bodies());
   if (m.by_temperature && !timed)
     throw InputError(fmt::format("reduced.mu_by_temperature needs a motion in time: excitation.kind \"{}\" is "
                                  "quasi-static{}",
-                                 word(e.kind),
-                                 scene.double_concave() ? "" : "; a path whose file has time_s takes it"));
+                                 word(e.kind), scene.rigid_bodies() ? "" : "; a path whose file has time_s takes it"));
 }
 
 std::string friction_beyond_speed(const MeasuredFriction &m) {

@@ -15,12 +15,12 @@ namespace {
 
 constexpr double farthest = 1e3, latest = 1e9; // [m], [s]
 
-struct Column {
+struct PathColumn {
   std::size_t index;
   double factor; ///< to SI
 };
 /// time, x, y.
-using Columns = std::array<std::optional<Column>, 3>;
+using Columns = std::array<std::optional<PathColumn>, 3>;
 
 Columns read_header(std::string_view line, const std::string &where) {
   struct Name {

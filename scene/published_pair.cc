@@ -12,7 +12,7 @@ constexpr double worth_saying = 0.2; // of the peak force
 
 bool flies_on_pair(const Scene &scene) {
   const auto &r = scene.reduced;
-  return r.k_i > 0 && r.impact_law->of_mass && r.calibration.empty() && !scene.double_concave() &&
+  return r.k_i > 0 && r.impact_law->of_mass && r.calibration.empty() && !scene.rigid_bodies() &&
          has_default_element(scene);
 }
 

@@ -21,7 +21,7 @@ void check_friction(const ReducedSettings &r) {
 /// The rim stays outside the bearing's middle and within its dish.
 void check_offset(const Scene &s) {
   const double begins = s.bearing.lateral_capacity() + s.reduced.capacity_offset;
-  if (s.double_concave() || (begins > 0 && begins < s.bearing.surface.planar_radius)) return;
+  if (s.rigid_bodies() || (begins > 0 && begins < s.bearing.surface.planar_radius)) return;
   throw InputError(
       fmt::format("reduced.capacity_offset_mm {:g} puts the rim's touch at a travel of {:.6g} mm, where it "
                   "must be within 0..{:g} mm, the dish's edge",
@@ -46,12 +46,12 @@ void check_excitation(const Excitation &e, double lateral_capacity) {
                                  e.start_displacement().norm(), lateral_capacity));
 }
 
-/// What the double concave models do not offer is refused, never ignored.
-void check_double_concave(const Scene &s) {
+/// What the models of rigid bodies do not offer is refused, never ignored.
+void check_isolator(const Scene &s) {
   const auto refuse = [&](const std::string &key, const std::string &why) {
     throw InputError(fmt::format("{} is not for reduced.model \"{}\": {}", key, word(s.reduced.model), why));
   };
-  s.isolator.validate(s.impact_resilient());
+  s.isolator.validate(s.reduced.model);
   const auto &e = s.excitation;
   if (e.kind == ExcitationKind::window)
     refuse("excitation.kind \"window\"", "it isolates the rim element of the physical model");
@@ -91,7 +91,7 @@ void check_pad_spring(const Scene &s) {
 void check_path(const Scene &scene) {
   const auto &e = scene.excitation;
   const double limit =
-      scene.double_concave() ? scene.isolator.effective_radius() : make_surface(scene.bearing.surface)->limit_radius();
+      scene.rigid_bodies() ? scene.isolator.effective_radius() : make_surface(scene.bearing.surface)->limit_radius();
   const auto refuse = [&](const char *key, double value, double reach) {
     if (reach < limit) return;
     throw InputError(
@@ -105,7 +105,7 @@ void check_path(const Scene &scene) {
   if (e.kind == ExcitationKind::figure_eight) refuse("amplitude_m", e.amplitude, 1.25 * reach);
   if (e.kind == ExcitationKind::push)
     refuse("travel_mm", e.travel * 1e3,
-           scene.lateral_capacity() + (scene.double_concave() ? 0.0 : scene.reduced.capacity_offset) +
+           scene.lateral_capacity() + (scene.rigid_bodies() ? 0.0 : scene.reduced.capacity_offset) +
                e.scale * e.travel);
 }
 
@@ -114,7 +114,7 @@ void check_curve(const Scene &scene) {
   if (scene.reduced.impact_curve.empty())
     throw InputError("reduced.impact_law \"curve\" needs reduced.impact_curve, the file curve.h5 that `rimpact curve "
                      "BEARING` writes");
-  if (scene.double_concave())
+  if (scene.rigid_bodies())
     throw InputError("reduced.impact_law \"curve\" is for bearings of one dish; reduced.model \"" +
                      word(scene.reduced.model) + "\" takes the other laws (rimpact list laws)");
 }
@@ -127,8 +127,8 @@ void Scene::validate() const {
   check_ranges(*this);
   check_friction(reduced);
   check_offset(*this);
-  check_excitation(excitation, lateral_capacity());
-  if (double_concave()) check_double_concave(*this);
+  check_excitation(excitation, triple() ? triple_start_capacity(isolator) : lateral_capacity());
+  if (rigid_bodies()) check_isolator(*this);
   if (reduced.impact_law->pushed) check_curve(*this);
   if (superstructure.any()) check_superstructure(*this);
   if (reduced.normal_force == NormalForce::pad) check_pad_spring(*this);

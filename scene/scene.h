@@ -4,11 +4,12 @@
 #include "scene/bearing.h"
 #include "scene/bounds.h"
 #include "scene/choices.h"
-#include "scene/double_concave.h"
 #include "scene/excitation.h"
+#include "scene/isolator.h"
 #include "scene/measured_friction.h"
 #include "scene/own_mesh_settings.h"
 #include "scene/superstructure.h"
+#include "scene/triple_pendulum.h"
 #include <cmath>
 #include <optional>
 #include <string>
@@ -82,7 +83,7 @@ struct Scene {
   Excitation excitation;
   FeSettings model;
   ReducedSettings reduced;
-  DoubleConcave isolator;                      ///< [isolator]: the bearing of the double concave models
+  Isolator isolator;                           ///< [isolator]: the bearing of rigid bodies
   FrictionBounds bounds;                       ///< [bounds]: of friction over the bearing's life
   Superstructure superstructure;               ///< [superstructure]: what the bearing carries
   std::string isolator_remark, springs_remark; ///< those that name keys of [isolator] beside a dish; may be empty
@@ -90,12 +91,16 @@ struct Scene {
   std::vector<std::string> remarks; ///< sentences: what the reading of its file filled in or put aside; not written out
 
   bool impact_resilient() const { return reduced.model == ModelKind::lir_dcfp; }
-  bool double_concave() const { return reduced.model == ModelKind::dcfp || impact_resilient(); }
+  bool triple() const { return reduced.model == ModelKind::tfp; }
+  /// Whether its bearing is of rigid bodies between two plates, [isolator].
+  bool rigid_bodies() const { return reduced.model != ModelKind::physical; }
   /// Whether pad and foot are modelled: rungs rigid-dish and full, and the reduced model's terms of pad and socket.
   bool needs_stack() const { return has_dish(model.rung) || reduced.finite_pad || reduced.socket_friction; }
-  /// Displacement at which the rim of the model's bearing is touched [m].
+  /// Displacement at which the rim of the model's bearing is touched, or the last of a triple pendulum's [m].
   double lateral_capacity() const {
-    return double_concave() ? isolator.lateral_capacity() : bearing.lateral_capacity();
+    return triple()         ? triple_capacity(isolator)
+           : rigid_bodies() ? isolator.lateral_capacity()
+                            : bearing.lateral_capacity();
   }
 
   /// Throws InputError naming value and bound; includes the bearing, pad and foot where they are modelled.

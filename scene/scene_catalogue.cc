@@ -4,6 +4,7 @@
 #include "scene/double_concave_scenes.h"
 #include "scene/scene.h"
 #include "scene/superstructure_scenes.h"
+#include "scene/triple_scenes.h"
 #include <algorithm>
 #include <vector>
 
@@ -159,6 +160,7 @@ const std::vector<BuiltinScene> &catalogue() {
         {"pulse-bidirectional", pulse_bidirectional},
     };
     for (auto &scene : double_concave_scenes()) list.push_back(std::move(scene));
+    for (auto &scene : triple_scenes()) list.push_back(std::move(scene));
     for (auto &scene : superstructure_scenes()) list.push_back(std::move(scene));
     return list;
   }();

@@ -158,19 +158,19 @@ void settle_load(const TomlFile &file, bool own_bearing, Scene &scene) {
           : fmt::format("load.vertical_kN and load.mass_kg are not given: bearing {} carries the thesis's {:g} kN and "
                         "{:g} kg (one of the two keys is enough: W = m g), {}",
                         scene.bearing.name, load.vertical / 1e3, load.mass, assumed_load);
-  if (!given && !scene.double_concave() && !is_builtin(scene.bearing, own_bearing))
+  if (!given && !scene.rigid_bodies() && !is_builtin(scene.bearing, own_bearing))
     scene.remarks.push_back(scene.load_remark);
 }
 
-/// Two dishes are not those of [bearing].
+/// The plates of rigid bodies are not the dish of [bearing].
 void remark_on_isolator(const TomlFile &file, Scene &scene) {
-  if (!scene.double_concave() || file.find("isolator")) return;
-  const bool other = file.find("bearing") != nullptr;
-  scene.remarks.push_back(fmt::format(
-      "no [isolator] is given: reduced.model \"{}\" takes the thesis's of R_eff = {:g} m and C_t = {:g} mm, an "
-      "assumption{}",
-      word(scene.reduced.model), scene.isolator.effective_radius(), 1e3 * scene.isolator.capacity,
-      other ? fmt::format("; nothing of bearing {} is read", scene.bearing.name) : ""));
+  if (!scene.rigid_bodies() || file.find("isolator")) return;
+  const std::string taken = scene.triple() ? scene.isolator.name + " of the catalogue, of" : "the thesis's of";
+  scene.remarks.push_back(
+      fmt::format("no [isolator] is given: reduced.model \"{}\" takes {} R_eff = {:g} m and C_t = {:.4g} mm, an "
+                  "assumption{}",
+                  word(scene.reduced.model), taken, scene.isolator.effective_radius(), 1e3 * scene.lateral_capacity(),
+                  file.find("bearing") ? fmt::format("; nothing of bearing {} is read", scene.bearing.name) : ""));
 }
 
 } // namespace
@@ -198,6 +198,8 @@ void set_dependent_defaults(const TomlFile &file, bool own_bearing, Scene &scene
   }
   if (!given("excitation.amplitude_m") && e.kind == ExcitationKind::figure_eight) e.amplitude = 0.31;
   if (!given("isolator.points") && scene.isolator.space == Space::spatial) scene.isolator.points = 8;
+  if (!given("isolator.inner.mu_slow") && given("isolator.inner.mu_fast"))
+    scene.isolator.inner.mu_slow = scene.isolator.inner.mu_fast;
   if (!given("reduced.mu_fast")) scene.reduced.mu_fast = scene.bearing.contact.steel_ertalyte;
   const auto &contact = scene.bearing.contact;
   const bool as_solid =

@@ -134,9 +134,8 @@ void visit_settings(KeyVisitor &v, Scene &s) {
   });
   v.section("reduced", [&] { visit(v, s.reduced); });
   // Beside dishes too where it says something: a building's dishes may stand on its springs, and its "dcfp" are of it.
-  const bool two_dishes = s.double_concave();
-  if (v.wants(two_dishes || s.isolator != DoubleConcave()))
-    v.section("isolator", [&] { visit(v, s.isolator, s.impact_resilient() || !two_dishes); });
+  if (v.wants(s.rigid_bodies() || s.isolator != Isolator()))
+    v.section("isolator", [&] { visit(v, s.isolator, s.reduced.model); });
   if (v.wants(s.bounds != FrictionBounds())) v.section("bounds", [&] { visit(v, s.bounds); });
   v.section("superstructure", [&] { visit(v, s.superstructure); });
 }

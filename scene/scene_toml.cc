@@ -6,6 +6,7 @@
 #include "scene/bearing_toml.h"
 #include "scene/calibrated_element.h"
 #include "scene/file_kind.h"
+#include "scene/isolator_catalogue.h"
 #include "scene/keys.h"
 #include "scene/scene_catalogue.h"
 #include "scene/scene_defaults.h"
@@ -93,6 +94,18 @@ std::string remark_on_half_a_load(const TomlFile &file, const std::vector<std::s
                      file.origin(), ratio);
 }
 
+/// The numbers that [isolator] begins with: those of the catalogue where it is named or the model needs one.
+Isolator base_isolator(const TomlFile &file) {
+  const std::string name = text_at(file, "isolator.name");
+  try {
+    if (!name.empty()) return builtin_isolator(name);
+  } catch (const InputError &error) {
+    throw InputError(fmt::format("{}: {}", file.location("isolator.name"), error.what()));
+  }
+  const bool triple = text_at(file, "reduced.model") == word(ModelKind::tfp);
+  return triple ? builtin_isolator(default_triple) : Isolator();
+}
+
 } // namespace
 
 Scene parse_scene(const std::string &text, const std::string &origin, const std::vector<std::string> &overrides,
@@ -112,6 +125,7 @@ Scene parse_scene(const std::string &text, const std::string &origin, const std:
   });
   const auto typed = typed_element_keys(file);
   const TakenTerms taken = adopt_calibration(file, folder, scene.bearing, scene.remarks);
+  scene.isolator = base_isolator(file);
   visit_settings(reader, scene);
   reader.finish();
   forget_origin(typed, scene.reduced, scene.remarks);

@@ -54,20 +54,21 @@ bool is_of_springs(const std::string &path) {
 }
 
 UnreadPart remark_of(const std::string &path, const Scene &scene) {
-  if (scene.double_concave() || !path.starts_with("isolator.")) return UnreadPart::scene;
+  if (scene.rigid_bodies() || !path.starts_with("isolator.")) return UnreadPart::scene;
   return is_of_springs(path) ? UnreadPart::springs : UnreadPart::isolator;
 }
 
 /// Keys that are written out with every scene, though by its other choices nothing reads them.
 bool has_no_effect(const std::string &path, const Scene &scene) {
   const auto &r = scene.reduced;
-  const bool one_coefficient =
-      r.mu_slow == r.mu_fast && !(scene.double_concave() && (scene.isolator.top_mu_fast || scene.isolator.top_mu_slow));
+  const auto &b = scene.isolator;
+  const bool faces_differ = b.top_mu_fast || b.top_mu_slow || (scene.triple() && b.inner.mu_fast != b.inner.mu_slow);
+  const bool one_coefficient = r.mu_slow == r.mu_fast && !(scene.rigid_bodies() && faces_differ);
   const bool by_table = path == "reduced.mu_fast" || path == "reduced.mu_slow" || path == "reduced.rate_s_per_m";
   return (by_table && r.measured.table) || (path == "reduced.contact_radius_mm" && !r.measured.any()) ||
          (path == "reduced.elastic_slip_mm" && r.friction == Friction::coulomb) ||
          (path == "reduced.rate_s_per_m" && one_coefficient) ||
-         (path.starts_with("isolator.") && !scene.double_concave());
+         (path.starts_with("isolator.") && !scene.rigid_bodies());
 }
 
 /// Keys that are read before the settings are, and leave numbers in other keys.

@@ -17,9 +17,9 @@ from settle import settle
 HEAD = "<!-- Made by docs/generate/reference.py; do not edit. -->\n"
 SECTIONS = (("bearing.", "Bearing", "In a bearing file without `bearing.`; in a scene under `[bearing]`."), ("load.", "Load", ""),
             ("excitation.", "Excitation", ""), ("model.", "Finite-element model", ""), ("reduced.", "Reduced model", ""),
-            ("isolator.", "Double concave bearing", "Read by the reduced models `dcfp` and `lir-dcfp`. A building reads four of them for its dishes too: `points`, "
+            ("isolator.", "Bearing of rigid bodies", "Read by the reduced models `dcfp`, `lir-dcfp` and `tfp`. A building reads four of them for its dishes too: `points`, "
              "`contact_stiffness_kN_per_m`, `contact_restitution` and `step_tolerance`. "
-             "It does so under an inelastic frame, beside double concave bearings and with friction `coulomb`: "
+             "It does so under an inelastic frame, beside bearings of rigid bodies and with friction `coulomb`: "
              "there every dish stands on a spring of `points` times `contact_stiffness_kN_per_m` ([guide](../guide/buildings.md#what-a-dish-stands-on))."),
             ("bounds.", "Bounds of friction", "Read by `--bounds` of `reduced` and `building` ([guide](../guide/friction.md))."),
             ("superstructure.", "Superstructure", ""))

@@ -34,7 +34,7 @@ struct Contact {
   double reach = 0;       ///< radius of the body's circle, 0 for a point [m]
   double wall_height = 0; ///< rim, stop: above the foot, towards the body [m]
   double upward = 1;      ///< rim: +1 when the wall rises along the master's z, -1 when it hangs
-  int set = 0;            ///< 0 B (bottom dish), 1 C (interface), 2 A (top dish): for what is reported
+  int set = 0;            ///< which joint of the bearing, from the ground up
 };
 
 /// A contact in one configuration.

@@ -6,9 +6,9 @@ namespace rimpact::reduced::rigid {
 
 using Eigen::Vector2d;
 
-HeatMemory::HeatMemory(const scene::Scene &scene, System &system)
-    : counts_(scene.reduced.measured.by_temperature), heat_(scene.reduced.measured.heat),
-      radius_(scene::contact_radius(scene)), warmest_(heat_.at_start()) {
+HeatMemory::HeatMemory(const scene::Scene &scene, const Parts &parts, System &system)
+    : counts_(scene.reduced.measured.by_temperature), heat_(scene.reduced.measured.heat), warmest_(heat_.at_start()) {
+  for (std::size_t j = 0; j < parts.joints.size(); ++j) radius_[j] = parts.joints[j].face;
   system.temperature.fill(heat_.at_start());
 }
 
@@ -25,14 +25,14 @@ void HeatMemory::pass(System &system, const MotionState &state, double t) {
     if (c.surface != Surface::dish) continue;
     Face &face = faces[c.set];
     face.power += state.contact[i].slip_power, ++face.points;
-    face.centre += state.contact[i].at.head<2>();
-    if (c.master != ground) face.centre -= state.poses[c.master].position.head<2>();
+    const Pose master = c.master == ground ? Pose() : state.poses[c.master];
+    face.centre += (master.rotation.transpose() * (state.contact[i].at - master.position)).head<2>();
   }
   for (int set = 0; set < max_sets; ++set) {
     const Face &face = faces[set];
     if (face.points == 0) continue;
-    const bool covered = friction::passes_over(face.centre.norm() / face.points, radius_);
-    const double area = std::numbers::pi * radius_ * radius_;
+    const bool covered = friction::passes_over(face.centre.norm() / face.points, radius_[set]);
+    const double area = std::numbers::pi * radius_[set] * radius_[set];
     modes_[set] = heat_.after(modes_[set], covered ? std::max(0.0, face.power) / area : 0.0, t - until_);
     system.temperature[set] = heat_.temperature(modes_[set].data());
     warmest_ = std::max(warmest_, system.temperature[set]);

@@ -2,6 +2,7 @@
 /// temperatures that the one before it has left.
 #pragma once
 #include "friction_laws/sliding_heat.h"
+#include "reduced_models/rigid_body/bearing_parts.h"
 #include "reduced_models/rigid_body/stepper.h"
 #include "scene/scene.h"
 
@@ -10,7 +11,7 @@ namespace rimpact::reduced::rigid {
 class HeatMemory {
 public:
   /// The steel of every set takes its temperature at the start.
-  HeatMemory(const scene::Scene &scene, System &system);
+  HeatMemory(const scene::Scene &scene, const Parts &parts, System &system);
   /// After an accepted step to `t`: the steel at each dish's vertex takes the friction of the step's end while the
   /// slider covers it.
   void pass(System &system, const MotionState &state, double t);
@@ -19,7 +20,8 @@ public:
 private:
   bool counts_;
   friction::SlidingHeat heat_;
-  double radius_, warmest_, until_ = 0;
+  std::array<double, max_sets> radius_{}; ///< of each set's sliding face [m]
+  double warmest_, until_ = 0;
   std::array<friction::HeatModes, max_sets> modes_{};
 };
 

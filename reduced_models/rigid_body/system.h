@@ -14,7 +14,7 @@
 
 namespace rimpact::reduced::rigid {
 
-inline constexpr int max_sets = 3, max_bodies = 3 + max_floors, max_dofs = 6 * max_bodies;
+inline constexpr int max_sets = 4, max_bodies = max_sets + max_floors, max_dofs = 6 * max_bodies;
 using Vector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, max_dofs, 1>;
 using Matrix = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, max_dofs, max_dofs>;
 /// Of `motion`: what of a body's six entries can change, x, z and the turn about y in the plane (n = 3).
@@ -68,7 +68,7 @@ public:
   std::vector<bool> free;  ///< of each dof; the others are at rest or driven
   bool planar = false;     ///< motion in x, z and turns about y only: tangents have no other entries
   NormalLaw normal{};
-  /// Of each set (0 bottom dish, 1 interface, 2 top dish). Its area is one point's share: a point goes by its own
+  /// Of each set of points, from the ground up. Its area is one point's share: a point goes by its own
   /// pressure.
   std::array<friction::FrictionLaw, max_sets> friction;
   std::array<double, max_sets> temperature{}; ///< of the steel of each set, as the last step left it [degrees Celsius]

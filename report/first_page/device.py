@@ -7,12 +7,16 @@ from markupsafe import Markup, escape
 from .. import bearing as geometry
 from ..context import Context
 from ..figures import bearing as drawing
+from ..figures import triple
 from ..markup import sentence
 from ..numbers import is_number, plain, scaled
+from ..triple import faces
 
 STAR = Markup("<b class=\"star\">*</b>")
-DOUBLE = {"radius_m": ("radius of both surfaces", "m"), "capacity_m": ("travel to the rims", "m"),
-          "slider_diameter_mm": ("slider", "mm"), "rim_height_mm": ("rim height", "mm"), "slider_mass_kg": ("slider's mass", "kg")}
+RIGID = {"radius_m": ("radius of both plates", "m"), "capacity_m": ("travel to the rims", "m"), "travel_mm": ("travel on a plate", "mm"),
+         "slider_diameter_mm": ("slider", "mm"), "rim_height_mm": ("rim height", "mm"), "slider_mass_kg": ("slider's mass", "kg")}
+INNER = {"radius_m": ("radius of the inner slider's faces", "m"), "travel_mm": ("travel of the inner slider on a slide plate", "mm"),
+         "diameter_mm": ("inner slider", "mm")}
 
 
 def make(context: Context) -> dict[str, Any]:
@@ -20,8 +24,11 @@ def make(context: Context) -> dict[str, Any]:
     if not scene:
         return {"name": context.results.answer.get("bearing", ""), "rows": _load(context), "figure": None,
                 "remark": "The bearing's dimensions are not stored with these results."}
-    if context.double_concave:
-        return {"name": "double concave", "rows": _double(scene) + _load(context), "figure": None, "remark": ""}
+    if context.rigid_bodies:
+        table = scene.get("isolator", {})
+        figure = context.pictures.figure("bearing", "", triple.section, table) if faces(table) and "inner" in table else None
+        return {"name": table.get("name") or context.rigid_bodies, "rows": _rigid(table) + _load(context), "figure": figure,
+                "remark": "Section to scale; dashed: at rest, filled: where the last rim is touched." if figure else ""}
     bearing = scene.get("bearing", {})
     figure = context.pictures.figure("bearing", "", drawing.draw, bearing, context.whole_bearing)
     remark = "Section to scale, mm; dashed: at rest, filled: where it touches the rim." if figure else ""
@@ -102,9 +109,9 @@ def _rows(bearing: dict[str, Any], assumed: set[str]) -> list[list[Any]]:
     return rows
 
 
-def _double(scene: dict[str, Any]) -> list[list[str]]:
-    table = scene.get("isolator", {})
-    return [[label, f"{plain(table[key])}\u00a0{unit}"] for key, (label, unit) in DOUBLE.items() if is_number(table.get(key))]
+def _rigid(isolator: dict[str, Any]) -> list[list[str]]:
+    return [[label, f"{plain(table[key])}\u00a0{unit}"] for table, words in ((isolator, RIGID), (isolator.get("inner", {}), INNER))
+            for key, (label, unit) in words.items() if is_number(table.get(key))]
 
 
 def _load(context: Context) -> list[list[Any]]:

@@ -23,7 +23,7 @@ def _defaults(context: Context) -> tuple[str, str]:
     """(title, subtitle) of a report nobody named."""
     results = context.results
     bearing = context.scene.get("bearing", {}).get("name") or results.answer.get("bearing")
-    bearing = "double concave bearing" if context.double_concave else f"bearing {bearing}" if bearing else "friction-pendulum bearing"
+    bearing = context.rigid_bodies if context.rigid_bodies else f"bearing {bearing}" if bearing else "friction-pendulum bearing"
     if results.single:
         run = results.only
         kind = "reduced model" if run.rung == "reduced" else f"finite elements, rung {run.rung}"

@@ -5,7 +5,7 @@ from typing import Any
 from .. import interactive
 from ..blocks import Section, heading, note, table
 from ..context import Context
-from ..figures import impacts, response_panels
+from ..figures import impacts, response_panels, triple
 from ..numbers import fixed, integer, is_number, percent, scaled
 from ..results import SLOTS, Entry
 from ..run_folder import Run
@@ -44,6 +44,10 @@ def _entry(section: Section, context: Context, entry: Entry) -> None:
     section.add(context.pictures.figure(
         f"response-{entry.name}", "Displacement, lateral force, loop and vertical displacement of the upper slider. "
         "Dotted red: lateral capacity L_c." + cut, response_panels.draw, shown, labels, capacity, curves=interactive.response))
+    for _, run in models:
+        if run.has("face_1_travel_x", "face_4_rim_force"):
+            section.add(context.pictures.figure(f"faces-{entry.name}", "What each face of the triple pendulum adds to the displacement, and the force of "
+                                                "its rim.", triple.travel, run))
     zoom = context.pictures.figure(
         f"impacts-{entry.name}", _impact_caption(models), impacts.draw, models, labels, curves=interactive.impacts)
     section.add(zoom if zoom else note("The rim is not touched in any of the models.", "info"))

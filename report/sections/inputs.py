@@ -56,7 +56,7 @@ def make(context: Context) -> Section | None:
         return None
     section.lead = ("As resolved for the first run, every default written out. An assumption is a value that the bearing file "
                     "marks so; the results depend on it.")
-    parts = {part: title for part, title in PARTS.items() if not (part == "bearing" and context.double_concave or part == "model" and context.measured)}
+    parts = {part: title for part, title in PARTS.items() if not (part == "bearing" and context.rigid_bodies or part == "model" and context.measured)}
     rows = [row for part, title in parts.items() for row in _rows(context, part, title)]
     section.add(table(["quantity", "value", "unit", ""], rows, left=(0, 2, 3)))
     if not context.assumed:

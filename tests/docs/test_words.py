@@ -39,7 +39,7 @@ class Words(unittest.TestCase):
 
     def test_every_key_of_the_sources_is_listed(self):
         text = ""
-        for name in ("scene/bearing_keys", "scene/scene_keys", "scene/double_concave_keys", "scene/measured_friction", "scene/bounds", "scene/superstructure",
+        for name in ("scene/bearing_keys", "scene/scene_keys", "scene/isolator_keys", "scene/measured_friction", "scene/bounds", "scene/superstructure",
                      "impact_laws/kelvin_voigt", "impact_laws/hunt_crossley", "impact_laws/elastoplastic", "impact_laws/pushed_curve"):
             with open(os.path.join(SOURCE, name + ".cc"), encoding="utf-8") as file:
                 text += file.read()

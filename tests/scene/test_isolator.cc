@@ -1,5 +1,6 @@
 // [isolator]: what cannot be built is refused with its place, its value and its bound.
 #include "expect_error.h"
+#include "scene/isolator_catalogue.h"
 #include "scene/scene.h"
 #include <algorithm>
 #include <cmath>
@@ -52,8 +53,51 @@ TEST_P(Isolator, IsRefusedWithPlaceValueAndBound) {
 INSTANTIATE_TEST_SUITE_P(Input, Isolator, testing::ValuesIn(cases),
                          [](const auto &info) { return std::string(info.param.name); });
 
+const Case triples[] = {
+    {"unknown_name", "name = \"tfp-fens-2008\"", {"isolator \"tfp-fens-2008\"", "did you mean \"tfp-fenz-2008\""}},
+    {"slide_plate_without_thickness", "bottom_height_mm = 20", {"isolator.bottom_height_mm 20 must exceed", "inner"}},
+    {"inner_rim_outside", "slider_diameter_mm = 60", {"inner.travel_mm 19 puts the inner rim", "outside"}},
+    {"travel_beyond_the_sphere", "travel_mm = 500", {"isolator.travel_mm 500 must be below R = 473 mm"}},
+    {"unknown_reading", "mu_of = \"points\"", {"isolator.mu_of \"points\"", "faces", "loops"}},
+    {"inner_slider_flatter_than_its_face",
+     "[isolator.inner]\nbottom_height_mm = 4",
+     {"isolator.inner.bottom_height_mm 4 must exceed", "depth of its curved face"}},
+    {"friction_the_wrong_way",
+     "[isolator.inner]\nmu_fast = 0.02\nmu_slow = 0.03",
+     {"isolator.inner.mu_slow 0.03 exceeds isolator.inner.mu_fast 0.02"}},
+};
+
+class Triple : public testing::TestWithParam<Case> {};
+
+TEST_P(Triple, IsRefusedWithValueAndBound) {
+  const std::string text = std::string("[excitation]\nkind = \"ricker\"\n[reduced]\nmodel = \"tfp\"\n[isolator]\n");
+  EXPECT_NO_THROW(scene::parse_scene(text, "my.toml", {}));
+  expect_error<InputError>([&] { scene::parse_scene(text + GetParam().lines, "my.toml", {}); }, GetParam().words);
+  expect_error<InputError>([&] { scene::parse_scene(text + GetParam().lines, "my.toml", {}); }, {"my.toml:"});
+}
+
+INSTANTIATE_TEST_SUITE_P(Input, Triple, testing::ValuesIn(triples),
+                         [](const auto &info) { return std::string(info.param.name); });
+
+TEST(TripleOfTheCatalogue, IsWrittenOutAndReadAgain) {
+  for (const auto &name : scene::builtin_isolator_names()) {
+    const auto s = scene::load_scene("tfp-stages", {"isolator.name=\"" + name + "\""});
+    EXPECT_EQ(s.isolator, scene::builtin_isolator(name)) << name;
+    const auto again = scene::parse_scene(scene::to_toml(s), "scene.toml");
+    EXPECT_EQ(again.isolator, s.isolator) << name;
+    EXPECT_TRUE(again.remarks.empty()) << again.remarks.front();
+  }
+}
+
+/// The displacement capacity of the tested specimen: its four pivots' travels, but for the turns.
+TEST(TripleOfTheCatalogue, ReachesTheSumOfItsTravels) {
+  const auto b = scene::builtin_isolator("tfp-fenz-2008");
+  const double sum = 2 * (64e-3 * 435 / 473 + 19e-3 * 53 / 76);
+  EXPECT_NEAR(scene::triple_capacity(b), sum, 0.01 * sum);
+}
+
 TEST(IsolatorOfTheThesis, ItsRimsStandByTheApproximateFormulaAMillimetreOrTwoFartherOut) {
-  scene::DoubleConcave b; // the bearings of thesis 3.5: R_eff = 3 m, C = 0.30 m, D_s = 300 mm, H_s = 100 mm
+  scene::Isolator b; // the bearings of thesis 3.5: R_eff = 3 m, C = 0.30 m, D_s = 300 mm, H_s = 100 mm
   const double exact = b.bottom_rim_radius();
   EXPECT_NEAR(exact, 1.55 * std::sin(std::asin(0.1) + std::asin(0.15 / 1.55)), 1e-15);
   b.rim_place = scene::RimPlace::approximate;

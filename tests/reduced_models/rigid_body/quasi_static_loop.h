@@ -2,7 +2,7 @@
 /// docs/theory/double-concave.md): the independent oracle of the rigid-body models. Planar, weightless slider, rigid
 /// contacts.
 #pragma once
-#include "scene/double_concave.h"
+#include "scene/isolator.h"
 #include <algorithm>
 #include <cmath>
 
@@ -13,18 +13,18 @@ namespace rimpact::reduced::testing {
 /// T R_eff = 2 mu R S and A = S cos(phi) (1 + mu^2) - mu T, S = N1 + N2.
 /// Plates of unequal radius and friction share T and A, each with its own S: T R_eff = sum mu_i R_i S_i,
 /// A = S_i cos(phi_i) (1 + mu_i^2) - mu_i T.
-inline double effective_friction(const scene::DoubleConcave &b, double mu, double top_mu) {
+inline double effective_friction(const scene::Isolator &b, double mu, double top_mu) {
   const auto arm = [](double m, double R, double phi) { return m * R / (std::cos(phi) * (1 + m * m)); };
   const double bottom = arm(mu, b.radius, b.edge_angle()), top = arm(top_mu, b.upper_radius(), b.top_edge_angle());
   return (bottom + top) / (b.effective_radius() - bottom * mu - top * top_mu);
 }
-inline double effective_friction(const scene::DoubleConcave &b, double mu) {
+inline double effective_friction(const scene::Isolator &b, double mu) {
   return effective_friction(b, mu, mu);
 }
 
 /// One slow LIR-DCFP (or DCFP: no interface) followed along a path u of the plate; the rims are rigid.
 struct QuasiStaticLoop {
-  scene::DoubleConcave bearing;
+  scene::Isolator bearing;
   double mu;
   bool impact_resilient = true;
   double u = 0, theta = 0, slip = 0, sense = 1; ///< slip s > 0: the top slider ahead in +x

@@ -1,6 +1,6 @@
 // The rigid-body stepper against SUNDIALS CVODE: the same forces as one plain differential equation (Park-Wen
 // friction, Bouc-Wen storey), other integrator, no analytic tangent, no implicit stages of the states.
-#include "reduced_models/rigid_body/double_concave_system.h"
+#include "reduced_models/rigid_body/rigid_bearing.h"
 #include "reduced_models/sundials.h"
 #include "scenes.h"
 #include <algorithm>
@@ -91,7 +91,7 @@ public:
   }
 
 private:
-  DoubleConcaveSystem model_;
+  RigidBearing model_;
   scene::GroundMotion ground_;
   std::size_t n_bodies_, n_contacts_, n_links_;
   std::vector<ContactForce> contact_;

@@ -1,5 +1,5 @@
 // Friction by pressure and temperature on two dishes: the tangent, the heat, and a single surface's limit.
-#include "reduced_models/rigid_body/double_concave_system.h"
+#include "reduced_models/rigid_body/rigid_bearing.h"
 #include "scenes.h"
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ scene::Scene measured(scene::ModelKind model) {
 TEST(RigidMeasuredFriction, TangentAgreesWithDifferences) {
   scene::Scene s = measured(scene::ModelKind::lir_dcfp);
   s.isolator.space = scene::Space::spatial, s.isolator.points = 8;
-  DoubleConcaveSystem bearing(s);
+  RigidBearing bearing(s);
   bearing.system.temperature.fill(120);
   const MotionState state = bearing.state_at({0.15, 0.1}, {0.2, 0.3});
   const double weight = 1e-3;

@@ -1,6 +1,6 @@
 // The tangent against differences; the friction states against the equations they solve.
 #include "reduced_models/rigid_body/chain.h"
-#include "reduced_models/rigid_body/double_concave_system.h"
+#include "reduced_models/rigid_body/rigid_bearing.h"
 #include "scenes.h"
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ using namespace rigid;
 using Eigen::Vector3d;
 
 TEST(ContactDamping, IsOfTheSupportedMassOrAsPrintedOfTheBearingsOwn) {
-  scene::DoubleConcave b;
+  scene::Isolator b;
   b.contact_stiffness = 4e7, b.slider_mass = 100, b.plate_mass = 300;
   const double xi = -std::log(0.65) / std::hypot(M_PI, std::log(0.65));
   EXPECT_NEAR(contact_damping(b, 2e5, 3), 2 * xi * std::sqrt(4e7 * 2e5 * 3 / 2), 1e-6);
@@ -54,7 +54,7 @@ void expect_tangent_of_differences(scene::ModelKind model, scene::Space space) {
   scene.reduced.model = model;
   const bool planar = space == scene::Space::planar;
   scene.isolator.space = space, scene.isolator.points = planar ? 3 : 8;
-  const DoubleConcaveSystem bearing(scene);
+  const RigidBearing bearing(scene);
   const auto &system = bearing.system;
   const MotionState state =
       planar ? bearing.state_at({0.303, 0}, {0.36, 0}) : bearing.state_at({0.24, 0.185}, {0.2, 0.3});

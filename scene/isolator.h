@@ -1,9 +1,10 @@
-/// A double concave friction-pendulum bearing: a lens between two spherical plates (DCFP), or two lens halves
-/// that meet in a plane, high-friction interface with a gap and a stop (LIR-DCFP); thesis Fig. 3-4. SI units.
-/// Both plates are alike unless a `top_` key says otherwise. It stands beside `Bearing`, which stays the single-dish
-/// bearing.
+/// [isolator]: a friction-pendulum bearing of rigid bodies between two spherical plates. A lens (DCFP); two lens halves
+/// that meet in a plane, high-friction interface with a gap and a stop (LIR-DCFP; thesis Fig. 3-4); or two slide plates
+/// with an inner slider between them (TFP; scene/triple_pendulum.h). SI units. Both plates are alike unless a `top_`
+/// key says otherwise. It stands beside `Bearing`, which stays the single-dish bearing.
 #pragma once
 #include "files/choice.h"
+#include "scene/choices.h"
 #include <algorithm>
 #include <optional>
 #include <string>
@@ -43,22 +44,54 @@ constexpr auto choices(RimPlace) {
                                {RimPlace::approximate, "approximate", "by (3-95), some mm farther out"}});
 }
 
-struct DoubleConcave {
+/// What the coefficients of friction of a TFP are of.
+enum class FrictionOf { faces, loops };
+constexpr auto choices(FrictionOf) {
+  return choices_of<FrictionOf>({{FrictionOf::faces, "faces", "each point of the face, as for the other models"},
+                                 {FrictionOf::loops, "loops",
+                                  "force over load where the face begins to slide, as tests give it (Fenz and "
+                                  "Constantinou 2008)"}});
+}
+
+/// Of a TFP, between the concave inner faces of its slide plates. The pivot is its middle.
+struct InnerSlider {
+  double radius = 0.076;                            ///< R_2 of its lower face [m], > diameter / 2
+  std::optional<double> top_radius = {};            ///< R_3, where it differs [m]
+  double bottom_height = 0.023, top_height = 0.023; ///< h_2, h_3: from the pivot to the face on the axis [m]
+  double diameter = 0.051;                          ///< [m]
+  double travel = 0.019;                            ///< d_2 along the lower slide plate's face to its rim [m], < R_2
+  std::optional<double> top_travel = {};            ///< d_3, where it differs [m]
+  double rim_height = 0.005;                        ///< of the slide plates' inner rims [m], > 0
+  double mass = 0.5;                                ///< [kg], > 0
+  double mu_fast = 0.02, mu_slow = 0.02;            ///< of its lower face [-]
+  std::optional<double> top_mu_fast = {}, top_mu_slow = {}; ///< of its upper face, where it differs [-]
+
+  double upper_radius() const { return top_radius.value_or(radius); } ///< R_3 [m]
+  double upper_travel() const { return top_travel.value_or(travel); } ///< d_3 [m]
+  bool operator==(const InnerSlider &) const = default;
+};
+
+struct Isolator {
+  std::string name;       ///< of the catalogue (isolator_catalogue.cc) whose numbers are the presets; empty: none
   double radius = 1.55;   ///< R of both sliding surfaces, or of the bottom one [m], > D_s/2
   double capacity = 0.30; ///< C_t: displacement at which both rims, or the bottom one, are touched [m], < R_eff
   std::optional<double> top_radius, top_capacity; ///< of the top plate, where it differs [m]
   std::optional<double> top_mu_slow,
       top_mu_fast;               ///< friction of the top plate, where it differs [-]; below: reduced.mu_*
-  double slider_diameter = 0.30; ///< D_s [m]
-  double top_height = 0.07;      ///< h_ts, surface to interface on the axis [m]
-  double bottom_height = 0.03;   ///< h_bs [m]; a DCFP's slider is h_ts + h_bs high
+  double slider_diameter = 0.30; ///< D_s; TFP: of the slide plates [m]
+  double top_height = 0.07;      ///< h_ts, surface to interface on the axis; TFP: h_4, surface to pivot [m]
+  double bottom_height = 0.03;   ///< h_bs; TFP: h_1 [m]. All sliders together are the sum of both high
   double top_wall = 0.04;        ///< e_ts [m]: the interface's radius is D_s/2 - e_ts
   double bottom_wall = 0.01;     ///< e_bs [m]: the stop's wall; gap = e_ts - e_bs
   double rim_height = 0.02;      ///< l of the plates' rims above the edge of the sliding surface [m], > 0
   double stop_height = 0.015;    ///< l_bs above the interface [m], > 0
-  double slider_mass = 100.0;    ///< of the whole slider [kg], > 0; halves share it by height
+  double slider_mass = 100.0;    ///< of the whole slider [kg], > 0; halves share it by height; TFP: of a slide plate
   double plate_mass = 300.0;     ///< m_tp of (3-46) [kg], > 0; read with the damped mass "bearing" only
   double mu_interface = 0.15;    ///< mu_s [-], constant in speed
+  double travel = 0.064;         ///< TFP: d_1 along the bottom plate's surface to its rim [m], < R_1
+  std::optional<double> top_travel = {}; ///< TFP: d_4, where it differs [m]
+  FrictionOf mu_of = FrictionOf::faces;  ///< TFP
+  InnerSlider inner;                     ///< TFP
   Space space = Space::planar;
   int points = 2;                    ///< contact points a set
   RimTouch rim = RimTouch::circle;   ///< read in space
@@ -72,11 +105,13 @@ struct DoubleConcave {
   /// 1e-5 within 0.3 %.
   double step_tolerance = 1e-5; ///< relative, of the time step's local error
 
-  double slider_height() const { return top_height + bottom_height; }       ///< H_s
+  double slider_height() const { return top_height + bottom_height; }       ///< H_s; TFP: of all sliders
   double upper_radius() const { return top_radius.value_or(radius); }       ///< of the top plate's surface [m]
   double upper_capacity() const { return top_capacity.value_or(capacity); } ///< at which the top rim is touched [m]
+  double upper_travel() const { return top_travel.value_or(travel); }       ///< d_4 [m]
   double effective_radius() const { return radius + upper_radius() - slider_height(); } ///< (3-94)
-  double lateral_capacity() const { return std::min(capacity, upper_capacity()); } ///< at which a rim is touched [m]
+  /// Of a DCFP or LIR-DCFP: at which a rim is touched [m]; that of a TFP: triple_capacity.
+  double lateral_capacity() const { return std::min(capacity, upper_capacity()); }
   double gap() const { return top_wall - bottom_wall; }
   double rim_tilt() const;       ///< theta_c = asin(C / R_eff), C the lateral capacity [rad]
   double edge_angle() const;     ///< phi = asin(D_s / 2R) of the bottom face [rad]
@@ -88,8 +123,8 @@ struct DoubleConcave {
   double bottom_rim_radius() const;
   double top_rim_radius() const;
   /// Throws InputError naming key, value and bound.
-  void validate(bool impact_resilient) const;
-  bool operator==(const DoubleConcave &) const = default;
+  void validate(ModelKind model) const;
+  bool operator==(const Isolator &) const = default;
 };
 
 } // namespace rimpact::scene

@@ -1,5 +1,6 @@
-#include "scene/double_concave.h"
+#include "scene/isolator.h"
 #include "files/error.h"
+#include "scene/triple_pendulum.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
@@ -8,11 +9,11 @@ namespace rimpact::scene {
 
 namespace {
 
-double angle_of_edge(const DoubleConcave &b, double R) {
+double angle_of_edge(const Isolator &b, double R) {
   return std::asin(b.slider_diameter / (2 * R));
 }
 
-double rim_radius(const DoubleConcave &b, double R, double capacity) {
+double rim_radius(const Isolator &b, double R, double capacity) {
   if (b.rim_place == RimPlace::approximate)
     return (capacity + b.slider_diameter + b.slider_height() * capacity / b.effective_radius()) / 2;
   return R * std::sin(std::asin(capacity / b.effective_radius()) + angle_of_edge(b, R));
@@ -20,19 +21,19 @@ double rim_radius(const DoubleConcave &b, double R, double capacity) {
 
 } // namespace
 
-double DoubleConcave::rim_tilt() const {
+double Isolator::rim_tilt() const {
   return std::asin(lateral_capacity() / effective_radius());
 }
-double DoubleConcave::edge_angle() const {
+double Isolator::edge_angle() const {
   return angle_of_edge(*this, radius);
 }
-double DoubleConcave::top_edge_angle() const {
+double Isolator::top_edge_angle() const {
   return angle_of_edge(*this, upper_radius());
 }
-double DoubleConcave::bottom_rim_radius() const {
+double Isolator::bottom_rim_radius() const {
   return rim_radius(*this, radius, capacity);
 }
-double DoubleConcave::top_rim_radius() const {
+double Isolator::top_rim_radius() const {
   return rim_radius(*this, upper_radius(), upper_capacity());
 }
 
@@ -47,7 +48,7 @@ struct PlateKeys {
   double R, height, capacity;
 };
 
-void check_shape(const DoubleConcave &b) {
+void check_shape(const Isolator &b) {
   const double mm = 1e3, half = b.slider_diameter / 2;
   const PlateKeys plates[] = {{"bottom_height_mm", "capacity_m", b.radius, b.bottom_height, b.capacity},
                               {"top_height_mm", b.top_capacity ? "top_capacity_m" : "capacity_m", b.upper_radius(),
@@ -69,7 +70,7 @@ void check_shape(const DoubleConcave &b) {
   }
 }
 
-void check_points(const DoubleConcave &b) {
+void check_points(const Isolator &b) {
   const bool planar = b.space == Space::planar;
   bounded(b.points >= (planar ? 2 : 3), "points", b.points,
           planar ? "must be at least 2 in the plane" : "must be at least 3 in space");
@@ -79,10 +80,11 @@ void check_points(const DoubleConcave &b) {
 
 } // namespace
 
-void DoubleConcave::validate(bool impact_resilient) const {
-  check_shape(*this);
+void Isolator::validate(ModelKind model) const {
   check_points(*this);
-  if (!impact_resilient) return;
+  if (model == ModelKind::tfp) return validate_triple(*this);
+  check_shape(*this);
+  if (model != ModelKind::lir_dcfp) return;
   const double mm = 1e3;
   bounded(top_wall < slider_diameter / 2, "top_wall_mm", mm * top_wall,
           fmt::format("leaves no interface in a slider of radius {} mm", mm * slider_diameter / 2));

@@ -1,6 +1,6 @@
-#include "reduced_models/rigid_body/double_concave.h"
+#include "reduced_models/rigid_body/bearing_run.h"
 #include "files/error.h"
-#include "reduced_models/rigid_body/double_concave_recorder.h"
+#include "reduced_models/rigid_body/bearing_recorder.h"
 #include <algorithm>
 #include <chrono>
 #include <cmath>
@@ -19,7 +19,7 @@ public:
       : scene_(scene), model_(scene), ground_(scene.excitation, scene.load.gravity),
         duration_(model_.driven ? drive_time() : scene.excitation.duration), loads_(loads()),
         stepper_(model_.system, loads_), recorder_(model_, scene, model_.driven ? duration_ : 1, result) {
-    const double g = scene.load.gravity, C = scene.isolator.lateral_capacity();
+    const double g = scene.load.gravity, C = scene.lateral_capacity();
     // A step's local error, relative to a hundredth of the capacity and of its speed.
     position_tolerance_ = scene.isolator.step_tolerance * 0.01 * C;
     velocity_tolerance_ = scene.isolator.step_tolerance * 0.01 * std::sqrt(g * C);
@@ -60,7 +60,7 @@ private:
     return length / drive_speed;
   }
   Eigen::Vector2d path(double s) const {
-    return scene::prescribed_displacement(scene_.excitation, scene_.isolator.lateral_capacity(), s);
+    return scene::prescribed_displacement(scene_.excitation, scene_.lateral_capacity(), s);
   }
   Loads loads() const {
     Loads l;
@@ -112,12 +112,12 @@ private:
   }
 
   const scene::Scene &scene_;
-  DoubleConcaveSystem model_;
+  RigidBearing model_;
   scene::GroundMotion ground_;
   double duration_;
   Loads loads_;
   Stepper stepper_;
-  DoubleConcaveRecorder recorder_;
+  BearingRecorder recorder_;
   double position_tolerance_, velocity_tolerance_, largest_step_;
   double quiet_from_ = std::numeric_limits<double>::infinity(); ///< of a record: its end [s]
   MotionState next_;
@@ -125,7 +125,7 @@ private:
 
 } // namespace
 
-ReducedRun simulate_double_concave(const scene::Scene &scene) {
+ReducedRun simulate_rigid_bodies(const scene::Scene &scene) {
   const auto begin = std::chrono::steady_clock::now();
   ReducedRun result;
   Run(scene, result).go();

@@ -1,8 +1,9 @@
-#include "reduced_models/rigid_body/double_concave_recorder.h"
+#include "reduced_models/rigid_body/bearing_recorder.h"
 #include "scene/size_limits.h"
 #include <algorithm>
 #include <cmath>
 #include <Eigen/Geometry>
+#include <fmt/format.h>
 
 namespace rimpact::reduced::rigid {
 
@@ -17,7 +18,7 @@ struct PlateForces {
   Vector3d moment = Vector3d::Zero(); ///< about the plate's vertex
 };
 
-PlateForces on_plate(const DoubleConcaveSystem &model, const MotionState &s) {
+PlateForces on_plate(const RigidBearing &model, const MotionState &s) {
   PlateForces p;
   for (std::size_t i = 0; i < s.contact.size(); ++i) {
     const auto &c = model.system.contacts[i];
@@ -30,18 +31,25 @@ PlateForces on_plate(const DoubleConcaveSystem &model, const MotionState &s) {
   return p;
 }
 
-/// Signal of every contact point between slider and plates, normal_A1, ..., or at the interface, normal_C1, ...; empty
-/// for the others.
-std::vector<std::string> point_names(const DoubleConcaveSystem &model) {
+/// Signal of every contact point, normal_B1, ...; empty for rims and stops.
+std::vector<std::string> point_names(const RigidBearing &model) {
   std::vector<std::string> names;
-  int index[3] = {};
-  for (const auto &c : model.system.contacts) {
-    names.push_back(is_wall(c.surface) ? "" : std::string("normal_") + "BCA"[c.set] + std::to_string(++index[c.set]));
-  }
+  int index[max_sets] = {};
+  for (const auto &c : model.system.contacts)
+    names.push_back(is_wall(c.surface) ? ""
+                                       : fmt::format("normal_{}{}", model.parts.joints[c.set].name, ++index[c.set]));
   return names;
 }
 
-bool rim_pressed(const DoubleConcaveSystem &model, const MotionState &s) {
+/// Signals of the steel of each joint, from the ground up.
+std::vector<std::string> temperature_names(const RigidBearing &model) {
+  if (model.triple()) return {"temperature", "temperature_inner", "temperature_inner_top", "temperature_top"};
+  std::vector<std::string> names(model.parts.joints.size());
+  names.front() = "temperature", names.back() = "temperature_top";
+  return names;
+}
+
+bool rim_pressed(const RigidBearing &model, const MotionState &s) {
   for (std::size_t i = 0; i < s.contact.size(); ++i)
     if (model.system.contacts[i].surface == Surface::rim && s.contact[i].size != 0) return true;
   return false;
@@ -49,18 +57,18 @@ bool rim_pressed(const DoubleConcaveSystem &model, const MotionState &s) {
 
 } // namespace
 
-DoubleConcaveRecorder::DoubleConcaveRecorder(DoubleConcaveSystem &model, const scene::Scene &scene, double time_unit,
-                                             ReducedRun &result)
+BearingRecorder::BearingRecorder(RigidBearing &model, const scene::Scene &scene, double time_unit, ReducedRun &result)
     : model_(model), result_(result), ground_(scene.excitation, scene.load.gravity), time_unit_(time_unit),
       sample_(model.driven ? time_unit / (scene::instants_a_cycle * scene.excitation.whole_rounds())
                            : scene.reduced.output_step),
-      points_(point_names(model)), largest_normal_(model.system.contacts.size(), 0),
-      smallest_normal_(model.system.contacts.size(), 1e300), heat_(scene, model.system),
-      heats_(scene.reduced.measured.by_temperature), building_(model.building) {
+      points_(point_names(model)), temperatures_(temperature_names(model)),
+      largest_normal_(model.system.contacts.size(), 0), smallest_normal_(model.system.contacts.size(), 1e300),
+      faces_(model), heat_(scene, model.parts, model.system), heats_(scene.reduced.measured.by_temperature),
+      building_(model.building) {
   result.summary.n_dofs = std::count(model.system.free.begin(), model.system.free.end(), true);
 }
 
-void DoubleConcaveRecorder::begin(const MotionState &s) {
+void BearingRecorder::begin(const MotionState &s) {
   potential_ = model_.potential_energy(s), stored_ = model_.stored_energy(s);
   rest_height_ = model_.plate_displacement(model_.state_at({0, 0}, {0, 0}))[2];
   initial_ = model_.system.kinetic_energy(s.poses, s.velocity);
@@ -71,16 +79,16 @@ void DoubleConcaveRecorder::begin(const MotionState &s) {
   store(s);
 }
 
-void DoubleConcaveRecorder::count(const StepReport &report) {
+void BearingRecorder::count(const StepReport &report) {
   steps_.add(result_.response.size() ? result_.response.series("time").back() : 0);
   result_.summary.n_newton_iterations += report.iterations;
 }
 
-double DoubleConcaveRecorder::next_sample(const MotionState &s) const {
+double BearingRecorder::next_sample(const MotionState &s) const {
   return (std::floor(s.t / sample_ + 1e-9) + 1) * sample_;
 }
 
-void DoubleConcaveRecorder::accept(const MotionState &s, const MotionState &before) {
+void BearingRecorder::accept(const MotionState &s, const MotionState &before) {
   watch(s);
   walls_.press(model_.system, s);
   heat_.pass(model_.system, s, s.t);
@@ -88,12 +96,13 @@ void DoubleConcaveRecorder::accept(const MotionState &s, const MotionState &befo
   if (due || rim_pressed(model_, s) || rim_pressed(model_, before)) store(s);
 }
 
-void DoubleConcaveRecorder::watch(const MotionState &s) {
+void BearingRecorder::watch(const MotionState &s) {
   largest_input_ = std::max(largest_input_, std::abs(s.works.external));
   for (std::size_t i = 0; i < s.contact.size(); ++i) {
     largest_normal_[i] = std::max(largest_normal_[i], s.contact[i].size);
     smallest_normal_[i] = std::min(smallest_normal_[i], s.contact[i].size);
   }
+  if (model_.triple()) faces_.watch(s);
   const auto p = on_plate(model_, s);
   largest_moment_ = std::max(largest_moment_, p.moment.head<2>().norm());
   const Vector3d u = model_.plate_displacement(s);
@@ -111,7 +120,7 @@ void DoubleConcaveRecorder::watch(const MotionState &s) {
     if (building.drift[i].norm() >= model_.building.collapse_drift) collapse_time_ = s.t;
 }
 
-EnergyLedger DoubleConcaveRecorder::ledger(const MotionState &s) const {
+EnergyLedger BearingRecorder::ledger(const MotionState &s) const {
   EnergyLedger l;
   l.initial = initial_;
   l.external = s.works.external;
@@ -124,7 +133,7 @@ EnergyLedger DoubleConcaveRecorder::ledger(const MotionState &s) const {
   return l;
 }
 
-void DoubleConcaveRecorder::store(const MotionState &s) {
+void BearingRecorder::store(const MotionState &s) {
   if (s.t <= last_) return;
   last_ = s.t;
   const auto p = on_plate(model_, s);
@@ -166,7 +175,9 @@ void DoubleConcaveRecorder::store(const MotionState &s) {
   for (const auto &[name, value] : row) put(name, value);
   for (std::size_t i = 0; i < s.contact.size(); ++i)
     if (!points_[i].empty()) put(points_[i], s.contact[i].size);
-  if (heats_) put("temperature", model_.system.temperature[0]), put("temperature_top", model_.system.temperature[2]);
+  for (std::size_t j = 0; j < temperatures_.size(); ++j)
+    if (heats_ && !temperatures_[j].empty()) put(temperatures_[j], model_.system.temperature[j]);
+  if (model_.triple()) faces_.store(s, put);
   put("plate_moment_x", p.moment[0]), put("plate_moment_y", p.moment[1]);
   if (!model_.driven) {
     const Vector3d ground = ground_.acceleration(s.t), plate = s.acceleration.segment<3>(6 * model_.plate) + ground;
@@ -179,7 +190,7 @@ void DoubleConcaveRecorder::store(const MotionState &s) {
   BuildingRecorder::append(model_.building_at(s), model_.building.n_floors(), result_.response);
 }
 
-void DoubleConcaveRecorder::end(const MotionState &s) {
+void BearingRecorder::end(const MotionState &s) {
   store(s);
   auto &summary = result_.summary;
   summarise_response(result_.response, summary);
@@ -199,11 +210,12 @@ void DoubleConcaveRecorder::end(const MotionState &s) {
                                {"min_vertical_force_N", smallest_vertical_},
                                {"max_moment_N_m", largest_moment_},
                                {"residual_interface_slip_m", model_.interface_slip(s).norm()}};
+  if (model_.triple()) summary.extra["isolator"]["faces"] = faces_.summary();
   if (heats_) summary.extra["friction"] = {{"peak_temperature_C", heat_.warmest()}};
   if (model_.building.any()) building_.summarise(model_.building_at(s), collapse_time_, summary);
 }
 
-void DoubleConcaveRecorder::stop(const MotionState &s, const std::string &reason) {
+void BearingRecorder::stop(const MotionState &s, const std::string &reason) {
   end(s);
   result_.summary.status = RunStatus::stopped, result_.summary.reason = reason;
 }

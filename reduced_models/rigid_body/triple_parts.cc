@@ -1,0 +1,77 @@
+#include "reduced_models/rigid_body/triple_parts.h"
+#include <cmath>
+#include <numbers>
+
+namespace rimpact::reduced::rigid {
+
+namespace {
+
+constexpr char set_names[] = {'B', 'C', 'D', 'A'};
+
+/// Coefficients as the scene gives them, of the faces or of loops.
+FaceFriction given_friction(const scene::Scene &scene, bool fast) {
+  const auto &b = scene.isolator;
+  const auto &in = b.inner;
+  const auto &r = scene.reduced;
+  if (fast) return {r.mu_fast, in.mu_fast, in.top_mu_fast.value_or(in.mu_fast), b.top_mu_fast.value_or(r.mu_fast)};
+  return {r.mu_slow, in.mu_slow, in.top_mu_slow.value_or(in.top_mu_fast.value_or(in.mu_slow)),
+          b.top_mu_slow.value_or(b.top_mu_fast.value_or(r.mu_slow))};
+}
+
+/// Pressed against all four rims, the relative turns t_i that cost the rims least under a given travel sum R_eff t_i
+/// penetrate each by about R_i t_i ~ a_i = R_eff,i / R_i: the bearing has 1 / sum a_i^2 of one rim's k, and of its c.
+double rims_in_series(const std::array<scene::TripleFace, 4> &faces) {
+  double squares = 0;
+  for (const auto &f : faces) squares += std::pow(f.effective_radius() / f.radius, 2);
+  return squares;
+}
+
+} // namespace
+
+double moment_factor(const scene::Isolator &b, const scene::TripleFace &face) {
+  double moment = 0, load = 0;
+  for (const auto &p : point_layout(b, face.half)) {
+    const double r = p.norm() / face.radius, across = p[1] / face.radius;
+    moment += std::sqrt(1 - r * r) * std::sqrt(1 - across * across), load += 1 - r * r;
+  }
+  return moment / load;
+}
+
+FaceFriction face_friction(const scene::Isolator &b, const FaceFriction &loops) {
+  const auto f = scene::triple_faces(b);
+  const auto R_eff = [&](int i) { return f[i].effective_radius(); };
+  // Moments over the load, by the equilibrium of inner slider and slide plates.
+  const FaceFriction moment{loops[0] * (R_eff(0) - R_eff(1)) + loops[1] * R_eff(1), loops[1] * R_eff(1),
+                            loops[2] * R_eff(2), loops[3] * (R_eff(3) - R_eff(2)) + loops[2] * R_eff(2)};
+  FaceFriction mu;
+  for (int i = 0; i < 4; ++i) mu[i] = moment[i] / (f[i].radius * moment_factor(b, f[i]));
+  return mu;
+}
+
+Parts triple_parts(const scene::Scene &scene, bool slow) {
+  const auto &b = scene.isolator;
+  const auto faces = scene::triple_faces(b);
+  FaceFriction mu_slow = given_friction(scene, false), mu_fast = given_friction(scene, !slow);
+  if (b.mu_of == scene::FrictionOf::loops) mu_slow = face_friction(b, mu_slow), mu_fast = face_friction(b, mu_fast);
+  Parts parts;
+  const double D = b.slider_diameter;
+  parts.sliders = {{b.slider_mass, D, b.bottom_height - b.inner.bottom_height},
+                   {b.inner.mass, b.inner.diameter, b.inner.bottom_height + b.inner.top_height},
+                   {b.slider_mass, D, b.top_height - b.inner.top_height}};
+  for (int i = 0; i < 4; ++i) {
+    const auto &f = faces[i];
+    const bool inner = i == 1 || i == 2;
+    Joint j{.points_above = i < 2, .radius = f.radius, .effective_radius = f.effective_radius(), .half = f.half};
+    j.wall = f.rim_radius(), j.wall_height = f.rim_height, j.tilt = f.tilt(), j.name = set_names[i];
+    j.face = inner ? f.half : scene::contact_radius(scene);
+    j.friction = scene::sliding_law(scene, mu_slow[i], mu_fast[i]);
+    if (inner) j.friction.table = nullptr, j.friction.area = std::numbers::pi * f.half * f.half;
+    parts.joints.push_back(j);
+  }
+  const double series = rims_in_series(faces);
+  parts.stop_share = 1 / series;
+  parts.rim_mass = b.damped_mass == scene::DampedMass::bearing ? b.own_reduced_mass() : scene.load.mass * series;
+  return parts;
+}
+
+} // namespace rimpact::reduced::rigid

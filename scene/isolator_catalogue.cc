@@ -1,0 +1,87 @@
+#include "scene/isolator_catalogue.h"
+#include "files/error.h"
+#include "files/text.h"
+#include <array>
+
+namespace rimpact::scene {
+namespace {
+
+/// The triple pendulum that Fenz and Constantinou tested, in mm: R 473 and 76, h 38 and 23, d 64 and 19, slide plates
+/// of 102, inner slider of 51.
+Isolator fenz_2008() {
+  Isolator b;
+  b.radius = 0.473, b.bottom_height = b.top_height = 0.038, b.travel = 0.064, b.slider_diameter = 0.102;
+  b.inner = {.radius = 0.076, .bottom_height = 0.023, .top_height = 0.023, .diameter = 0.051, .travel = 0.019};
+  b.mu_of = FrictionOf::loops;
+  b.top_mu_fast = b.top_mu_slow = 0.10;
+  b.inner.mu_fast = b.inner.mu_slow = 0.02;
+  b.slider_mass = 1.5, b.inner.mass = 0.7, b.rim_height = 0.010;
+  return b;
+}
+
+/// Configuration A of Kim and Constantinou: R_eff 3.7465 and 0.3937 m, travels of the pivot 0.5043 and 0.0716 m, slide
+/// plates of 711 mm, inner slider of 508 mm. R = 156 and 20 inches are assumed, and h and d follow from them.
+Isolator kim_2023() {
+  constexpr double inch = 0.0254, R = 156 * inch, R_inner = 20 * inch, R_eff = 3.7465, R_eff_inner = 0.3937;
+  Isolator b;
+  b.radius = R, b.bottom_height = b.top_height = R - R_eff, b.travel = 0.5043 * R / R_eff, b.slider_diameter = 0.711;
+  const double h = R_inner - R_eff_inner;
+  b.inner = {.radius = R_inner,
+             .bottom_height = h,
+             .top_height = h,
+             .diameter = 0.508,
+             .travel = 0.0716 * R_inner / R_eff_inner,
+             .rim_height = 0.030,
+             .mass = 350};
+  b.mu_of = FrictionOf::loops;
+  b.top_mu_fast = b.top_mu_slow = 0.08;
+  b.inner.mu_fast = b.inner.mu_slow = 0.01;
+  b.slider_mass = 320, b.rim_height = 0.040;
+  b.contact_stiffness = 1.6e10;
+  return b;
+}
+
+struct IsolatorEntry {
+  const char *name, *source;
+  Isolator (*make)();
+};
+// The catalogue: one line a bearing.
+constexpr std::array isolators{
+    IsolatorEntry{
+        "tfp-fenz-2008",
+        "tested by Fenz and Constantinou (2008): radii, heights, travels and diameters; friction, masses and rims are "
+        "assumptions",
+        fenz_2008},
+    IsolatorEntry{
+        "tfp-kim-2023",
+        "configuration A of Kim and Constantinou (2023): effective radii, travels, diameters and friction; radii, "
+        "masses, rims and contact stiffness are assumptions",
+        kim_2023},
+};
+
+const IsolatorEntry &named_isolator(const std::string &name) {
+  for (const auto &entry : isolators)
+    if (name == entry.name) return entry;
+  throw InputError("isolator " + not_among(name, builtin_isolator_names()));
+}
+
+} // namespace
+
+std::vector<std::string> builtin_isolator_names() {
+  std::vector<std::string> names;
+  names.reserve(isolators.size());
+  for (const auto &entry : isolators) names.emplace_back(entry.name);
+  return names;
+}
+
+Isolator builtin_isolator(const std::string &name) {
+  Isolator isolator = named_isolator(name).make();
+  isolator.name = name;
+  return isolator;
+}
+
+std::string isolator_source(const std::string &name) {
+  return named_isolator(name).source;
+}
+
+} // namespace rimpact::scene
