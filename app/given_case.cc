@@ -7,6 +7,7 @@
 #include "files/toml_reader.h"
 #include "scene/assumptions.h"
 #include "scene/case_description.h"
+#include "scene/isolator_catalogue.h"
 #include "scene/rim_identity.h"
 #include <algorithm>
 #include <array>
@@ -72,6 +73,7 @@ Source source_of(const std::string &where) {
   fs::path path = where;
   if (fs::is_directory(path, ignored)) path /= fs::exists(path / "scene.toml", ignored) ? "scene.toml" : "bearing.toml";
   if (fs::exists(path, ignored)) return from_file(path);
+  scene::refuse_isolator(where);
   auto names = scene::builtin_bearing_names();
   for (auto &name : scene::builtin_scene_names()) names.push_back(name);
   throw InputError(fmt::format("{}: no such file, and bearing or scene {}", path.string(), not_among(where, names)));

@@ -10,13 +10,13 @@ struct MainTarget : GivenCase {
 };
 
 /// Of what given_case() takes. The rung is `rim` unless the file or an override asks for another. Throws InputError for
-/// a motion or a name given by --set, for a double concave bearing and a building.
+/// a motion or a name given by --set, for a bearing of rigid bodies and a building.
 MainTarget main_target(const std::string &where, const std::vector<std::string> &overrides);
 /// Whether the key says what an element was fitted to: reference runs carry none of it.
 bool is_of_a_fit(const std::string &key);
 /// Why verbs that run finite elements do not read [bounds].
 extern const char *const bounds_are_reduced;
-/// Throws InputError for a double concave bearing and a building.
+/// Throws InputError for a bearing of rigid bodies and a building.
 void require_rigid_mass_on_one_dish(const scene::Scene &scene, const std::string &verb);
 /// The rung is `rim` unless the file or an override asks for another.
 void take_rung(GivenCase &given, const std::vector<std::string> &overrides);

@@ -37,9 +37,11 @@ void add_new(CLI::App &app, Console &console) {
         throw InputError(options->folder + "/" + name + " exists already; choose another folder");
     write_atomically(files.bearing, options->folder + "/bearing.toml");
     write_atomically(files.scene, options->folder + "/scene.toml");
-    scene::load_scene(options->folder + "/scene.toml"); // what was written can be read
-    console.message(
-        fmt::format("next: rimpact check {0}/scene.toml; rimpact run {0}/scene.toml -o {0}/run", options->folder));
+    const auto scene = scene::load_scene(options->folder + "/scene.toml"); // what was written can be read
+    console.message(scene.rigid_bodies()
+                        ? fmt::format("next: rimpact reduced {0}/scene.toml -o {0}/run", options->folder)
+                        : fmt::format("next: rimpact check {0}/scene.toml; rimpact run {0}/scene.toml -o {0}/run",
+                                      options->folder));
     console.data(options->folder + "/scene.toml\n");
   });
 }

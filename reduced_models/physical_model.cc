@@ -27,7 +27,7 @@ struct PhysicalModel::Impl {
 PhysicalModel::PhysicalModel(const scene::Scene &scene) : impl_(std::make_unique<Impl>(scene)) {
   if (scene.rigid_bodies())
     throw InputError("reduced.model \"" + word(scene.reduced.model) +
-                     "\" is a bearing of rigid bodies, without a finite-element rung");
+                     "\" is a bearing of rigid bodies: this is of bearings of one dish only; use `rimpact reduced`");
 }
 PhysicalModel::~PhysicalModel() = default;
 PhysicalModel::PhysicalModel(PhysicalModel &&) noexcept = default;

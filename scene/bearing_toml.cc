@@ -4,6 +4,7 @@
 #include "scene/assumptions.h"
 #include "scene/file_kind.h"
 #include "scene/flow_curve.h"
+#include "scene/isolator_catalogue.h"
 #include "scene/keys.h"
 #include "scene/scene_defaults.h"
 #include "scene/surface_table.h"
@@ -137,8 +138,10 @@ Bearing base_bearing(const TomlFile &file, const std::string &folder) {
 Bearing load_bearing(const std::string &where) {
   if (is_builtin_name(where)) return builtin_bearing(where);
   std::error_code ignored;
-  if (!fs::exists(where, ignored))
+  if (!fs::exists(where, ignored)) {
+    refuse_isolator(where);
     throw InputError(fmt::format("{}: no such file, and bearing {}", where, not_among(where, builtin_bearing_names())));
+  }
   return parse_bearing(read_named_file(where), where, false);
 }
 

@@ -40,7 +40,7 @@ double Isolator::top_rim_radius() const {
 namespace {
 
 void bounded(bool holds, const char *key, double value, const std::string &bound) {
-  if (!holds) throw InputError(fmt::format("isolator.{} {} {}", key, value, bound));
+  if (!holds) throw InputError(fmt::format("isolator.{} {:.6g} {}", key, value, bound));
 }
 
 struct PlateKeys {
@@ -55,16 +55,16 @@ void check_shape(const Isolator &b) {
                                b.top_height, b.upper_capacity()}};
   for (const auto &p : plates) {
     bounded(half < p.R, "slider_diameter_mm", mm * b.slider_diameter,
-            fmt::format("must be below 2 R = {} mm", 2 * mm * p.R));
+            fmt::format("must be below 2 R = {:.6g} mm", 2 * mm * p.R));
     const double sagitta = p.R - std::sqrt(p.R * p.R - half * half);
     bounded(p.height > sagitta, p.height_key, mm * p.height,
             fmt::format("must exceed {:.4g} mm, the depth of its curved face", mm * sagitta));
   }
   bounded(b.effective_radius() > 0, "radius_m", b.radius,
-          fmt::format("must exceed half the slider's height, {} m", b.slider_height() / 2));
+          fmt::format("must exceed half the slider's height, {:.6g} m", b.slider_height() / 2));
   for (const auto &p : plates) {
     bounded(p.capacity < b.effective_radius(), p.capacity_key, p.capacity,
-            fmt::format("must be below R_eff = {} m", b.effective_radius()));
+            fmt::format("must be below R_eff = {:.6g} m", b.effective_radius()));
     bounded(std::asin(p.capacity / b.effective_radius()) + angle_of_edge(b, p.R) < std::numbers::pi / 2, p.capacity_key,
             p.capacity, "takes the slider's edge past the sphere's equator");
   }
@@ -87,9 +87,9 @@ void Isolator::validate(ModelKind model) const {
   if (model != ModelKind::lir_dcfp) return;
   const double mm = 1e3;
   bounded(top_wall < slider_diameter / 2, "top_wall_mm", mm * top_wall,
-          fmt::format("leaves no interface in a slider of radius {} mm", mm * slider_diameter / 2));
+          fmt::format("leaves no interface in a slider of radius {:.6g} mm", mm * slider_diameter / 2));
   bounded(bottom_wall <= top_wall, "bottom_wall_mm", mm * bottom_wall,
-          fmt::format("exceeds isolator.top_wall_mm {}: the interface has no gap", mm * top_wall));
+          fmt::format("exceeds isolator.top_wall_mm {:.6g}: the interface has no gap", mm * top_wall));
 }
 
 } // namespace rimpact::scene

@@ -2,6 +2,7 @@
 #include "files/error.h"
 #include "files/text.h"
 #include <array>
+#include <fmt/format.h>
 
 namespace rimpact::scene {
 namespace {
@@ -20,17 +21,16 @@ Isolator fenz_2008() {
 }
 
 /// Configuration A of Kim and Constantinou: R_eff 3.7465 and 0.3937 m, travels of the pivot 0.5043 and 0.0716 m, slide
-/// plates of 711 mm, inner slider of 508 mm. R = 156 and 20 inches are assumed, and h and d follow from them.
+/// plates of 711 mm, inner slider of 508 mm. R = 156 and 20 inches are assumed; h = R - R_eff and d, the travel of the
+/// pivot times R / R_eff, follow from them.
 Isolator kim_2023() {
-  constexpr double inch = 0.0254, R = 156 * inch, R_inner = 20 * inch, R_eff = 3.7465, R_eff_inner = 0.3937;
   Isolator b;
-  b.radius = R, b.bottom_height = b.top_height = R - R_eff, b.travel = 0.5043 * R / R_eff, b.slider_diameter = 0.711;
-  const double h = R_inner - R_eff_inner;
-  b.inner = {.radius = R_inner,
-             .bottom_height = h,
-             .top_height = h,
+  b.radius = 3.9624, b.bottom_height = b.top_height = 0.2159, b.travel = 0.53336, b.slider_diameter = 0.711;
+  b.inner = {.radius = 0.508,
+             .bottom_height = 0.1143,
+             .top_height = 0.1143,
              .diameter = 0.508,
-             .travel = 0.0716 * R_inner / R_eff_inner,
+             .travel = 0.092387,
              .rim_height = 0.030,
              .mass = 350};
   b.mu_of = FrictionOf::loops;
@@ -78,6 +78,14 @@ Isolator builtin_isolator(const std::string &name) {
   Isolator isolator = named_isolator(name).make();
   isolator.name = name;
   return isolator;
+}
+
+void refuse_isolator(const std::string &where) {
+  for (const auto &entry : isolators)
+    if (where == entry.name)
+      throw InputError(fmt::format("{0} is a triple friction pendulum, which only a scene names: isolator.name = "
+                                   "\"{0}\" beside reduced.model = \"tfp\", as in tfp-pulse",
+                                   where));
 }
 
 std::string isolator_source(const std::string &name) {

@@ -10,6 +10,8 @@ inline constexpr const char *default_triple = "tfp-fenz-2008"; ///< taken where 
 std::vector<std::string> builtin_isolator_names();
 /// Throws InputError naming the known ones.
 Isolator builtin_isolator(const std::string &name);
+/// Throws InputError where a file, a scene or a dish is asked for and the name is one of these.
+void refuse_isolator(const std::string &where);
 /// Where its numbers come from, and which are assumptions.
 std::string isolator_source(const std::string &name);
 

@@ -1,5 +1,6 @@
 #include "scene/scene.h"
 #include "files/error.h"
+#include "scene/face_friction.h"
 #include "scene/keys.h"
 #include "scene/names.h"
 #include "scene/size_limits.h"
@@ -8,15 +9,6 @@
 
 namespace rimpact::scene {
 namespace {
-
-void check_friction(const ReducedSettings &r) {
-  if (r.mu_slow > r.mu_fast)
-    throw InputError(fmt::format("reduced.mu_slow {} exceeds reduced.mu_fast {}", r.mu_slow, r.mu_fast));
-  if (r.mu_slow != r.mu_fast && !(r.rate > 0))
-    throw InputError(fmt::format("reduced.rate_s_per_m {} must be > 0 when reduced.mu_slow {} differs from "
-                                 "reduced.mu_fast {}",
-                                 r.rate, r.mu_slow, r.mu_fast));
-}
 
 /// The rim stays outside the bearing's middle and within its dish.
 void check_offset(const Scene &s) {
@@ -125,10 +117,10 @@ void Scene::validate() const {
   check_names(*this);
   check_bearing(*this);
   check_ranges(*this);
-  check_friction(reduced);
+  check_face_friction(*this);
   check_offset(*this);
-  check_excitation(excitation, triple() ? triple_start_capacity(isolator) : lateral_capacity());
   if (rigid_bodies()) check_isolator(*this);
+  check_excitation(excitation, triple() ? triple_start_capacity(isolator) : lateral_capacity());
   if (reduced.impact_law->pushed) check_curve(*this);
   if (superstructure.any()) check_superstructure(*this);
   if (reduced.normal_force == NormalForce::pad) check_pad_spring(*this);

@@ -180,9 +180,11 @@ Scene load_scene(const std::string &where, const std::vector<std::string> &overr
   std::error_code ignored;
   fs::path path = where;
   if (fs::is_directory(path, ignored)) path /= "scene.toml";
-  if (!fs::exists(path, ignored))
+  if (!fs::exists(path, ignored)) {
+    refuse_isolator(where);
     throw InputError(
         fmt::format("{}: no such file, and scene {}", path.string(), not_among(where, builtin_scene_names())));
+  }
   return parse_scene(read_named_file(path.string()), path.string(), overrides, path.parent_path().string());
 }
 

@@ -1,6 +1,7 @@
 #include "scene/unread_keys.h"
 #include "files/key_list.h"
 #include "files/path_visitor.h"
+#include "scene/face_friction.h"
 #include "scene/keys.h"
 #include <algorithm>
 #include <array>
@@ -61,9 +62,9 @@ UnreadPart remark_of(const std::string &path, const Scene &scene) {
 /// Keys that are written out with every scene, though by its other choices nothing reads them.
 bool has_no_effect(const std::string &path, const Scene &scene) {
   const auto &r = scene.reduced;
-  const auto &b = scene.isolator;
-  const bool faces_differ = b.top_mu_fast || b.top_mu_slow || (scene.triple() && b.inner.mu_fast != b.inner.mu_slow);
-  const bool one_coefficient = r.mu_slow == r.mu_fast && !(scene.rigid_bodies() && faces_differ);
+  const auto faces = face_coefficients(scene);
+  const bool one_coefficient =
+      std::all_of(faces.begin(), faces.end(), [](const FaceCoefficients &face) { return face.slow == face.fast; });
   const bool by_table = path == "reduced.mu_fast" || path == "reduced.mu_slow" || path == "reduced.rate_s_per_m";
   return (by_table && r.measured.table) || (path == "reduced.contact_radius_mm" && !r.measured.any()) ||
          (path == "reduced.elastic_slip_mm" && r.friction == Friction::coulomb) ||

@@ -1,5 +1,6 @@
 #include "reduced_models/rigid_body/bearing_parts.h"
 #include "reduced_models/rigid_body/triple_parts.h"
+#include "scene/face_friction.h"
 #include <cmath>
 #include <numbers>
 
@@ -23,14 +24,12 @@ double mass_before_rim(const scene::Isolator &b, double supported_mass) {
 
 Joint dish(const scene::Scene &scene, bool below, bool slow) {
   const auto &b = scene.isolator;
-  const auto &r = scene.reduced;
   Joint j{.points_above = below, .half = b.slider_diameter / 2, .wall_height = b.rim_height};
   j.radius = below ? b.radius : b.upper_radius(), j.wall = below ? b.bottom_rim_radius() : b.top_rim_radius();
   j.name = below ? 'B' : 'A', j.tilt = b.rim_tilt(), j.face = scene::contact_radius(scene);
-  const double top_fast = b.top_mu_fast.value_or(r.mu_fast),
-               top_slow = b.top_mu_slow.value_or(b.top_mu_fast ? top_fast : r.mu_slow);
-  const double mu_slow = below ? r.mu_slow : top_slow, mu_fast = below ? r.mu_fast : top_fast;
-  j.friction = scene::sliding_law(scene, mu_slow, slow ? mu_slow : mu_fast);
+  const auto faces = scene::face_coefficients(scene);
+  const auto &mu = below ? faces.front() : faces.back();
+  j.friction = scene::sliding_law(scene, mu.slow, slow ? mu.slow : mu.fast);
   return j;
 }
 

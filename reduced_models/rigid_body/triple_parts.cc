@@ -1,4 +1,5 @@
 #include "reduced_models/rigid_body/triple_parts.h"
+#include "scene/face_friction.h"
 #include <cmath>
 #include <numbers>
 
@@ -9,13 +10,11 @@ namespace {
 constexpr char set_names[] = {'B', 'C', 'D', 'A'};
 
 /// Coefficients as the scene gives them, of the faces or of loops.
-FaceFriction given_friction(const scene::Scene &scene, bool fast) {
-  const auto &b = scene.isolator;
-  const auto &in = b.inner;
-  const auto &r = scene.reduced;
-  if (fast) return {r.mu_fast, in.mu_fast, in.top_mu_fast.value_or(in.mu_fast), b.top_mu_fast.value_or(r.mu_fast)};
-  return {r.mu_slow, in.mu_slow, in.top_mu_slow.value_or(in.top_mu_fast.value_or(in.mu_slow)),
-          b.top_mu_slow.value_or(b.top_mu_fast.value_or(r.mu_slow))};
+FaceFriction given_friction(const scene::Scene &scene, double scene::FaceCoefficients::*which) {
+  FaceFriction mu{};
+  const auto faces = scene::face_coefficients(scene);
+  for (std::size_t i = 0; i < mu.size(); ++i) mu[i] = faces[i].*which;
+  return mu;
 }
 
 /// Pressed against all four rims, the relative turns t_i that cost the rims least under a given travel sum R_eff t_i
@@ -51,7 +50,8 @@ FaceFriction face_friction(const scene::Isolator &b, const FaceFriction &loops) 
 Parts triple_parts(const scene::Scene &scene, bool slow) {
   const auto &b = scene.isolator;
   const auto faces = scene::triple_faces(b);
-  FaceFriction mu_slow = given_friction(scene, false), mu_fast = given_friction(scene, !slow);
+  FaceFriction mu_slow = given_friction(scene, &scene::FaceCoefficients::slow),
+               mu_fast = slow ? mu_slow : given_friction(scene, &scene::FaceCoefficients::fast);
   if (b.mu_of == scene::FrictionOf::loops) mu_slow = face_friction(b, mu_slow), mu_fast = face_friction(b, mu_fast);
   Parts parts;
   const double D = b.slider_diameter;

@@ -1,6 +1,8 @@
 // [isolator]: what cannot be built is refused with its place, its value and its bound.
 #include "expect_error.h"
+#include "files/key_list.h"
 #include "scene/isolator_catalogue.h"
+#include "scene/keys.h"
 #include "scene/scene.h"
 #include <algorithm>
 #include <cmath>
@@ -23,6 +25,9 @@ const Case cases[] = {
      "top_wall_mm = 20\nbottom_wall_mm = 60",
      {"bottom_wall_mm 60 exceeds isolator.top_wall_mm 20", "no gap"}},
     {"wall_fills_the_slider", "top_wall_mm = 900", {"top_wall_mm 900 leaves no interface"}},
+    {"top_friction_the_wrong_way",
+     "top_mu_fast = 0.05\ntop_mu_slow = 0.08",
+     {"isolator.top_mu_slow 0.08 exceeds isolator.top_mu_fast 0.05"}},
     {"friction_out_of_range", "mu_interface = 3", {"isolator.mu_interface 3 must be >= 0 and <= 2"}},
     {"restitution_above_one", "contact_restitution = 1.2", {"isolator.contact_restitution 1.2"}},
     {"plate_without_mass", "damped_mass = \"bearing\"\nplate_mass_kg = 0", {"isolator.plate_mass_kg 0", "must be > 0"}},
@@ -65,6 +70,15 @@ const Case triples[] = {
     {"friction_the_wrong_way",
      "[isolator.inner]\nmu_fast = 0.02\nmu_slow = 0.03",
      {"isolator.inner.mu_slow 0.03 exceeds isolator.inner.mu_fast 0.02"}},
+    {"friction_of_the_upper_face_the_wrong_way",
+     "[isolator.inner]\nmu_fast = 0.02\ntop_mu_slow = 0.03",
+     {"isolator.inner.top_mu_slow 0.03 exceeds isolator.inner.mu_fast 0.02"}},
+    {"upper_travel_beyond_the_sphere",
+     "[isolator.inner]\ntop_travel_mm = 80",
+     {"isolator.inner.top_travel_mm 80 must be below R = 76 mm"}},
+    {"upper_sphere_smaller_than_its_height",
+     "top_radius_m = 0.08\ntop_travel_mm = 5",
+     {"isolator.top_radius_m 0.08 less its height must exceed 0.053 m"}},
 };
 
 class Triple : public testing::TestWithParam<Case> {};
@@ -82,11 +96,45 @@ INSTANTIATE_TEST_SUITE_P(Input, Triple, testing::ValuesIn(triples),
 TEST(TripleOfTheCatalogue, IsWrittenOutAndReadAgain) {
   for (const auto &name : scene::builtin_isolator_names()) {
     const auto s = scene::load_scene("tfp-stages", {"isolator.name=\"" + name + "\""});
-    EXPECT_EQ(s.isolator, scene::builtin_isolator(name)) << name;
+    EXPECT_TRUE(s.isolator == scene::builtin_isolator(name)) << name;
     const auto again = scene::parse_scene(scene::to_toml(s), "scene.toml");
-    EXPECT_EQ(again.isolator, s.isolator) << name;
+    EXPECT_TRUE(again.isolator == s.isolator) << name;
     EXPECT_TRUE(again.remarks.empty()) << again.remarks.front();
   }
+}
+
+/// Below zero and without a value: refused by key and value, and where it stands.
+TEST(TripleOfTheCatalogue, EveryNumberOfItHasABound) {
+  scene::Scene s = scene::load_scene("tfp-stages");
+  KeyList list("", true);
+  visit_settings(list, s);
+  int asked = 0;
+  for (const auto &entry : list.entries) {
+    const std::string key = entry.path();
+    if (!key.starts_with("isolator.") || !entry.is_number) continue;
+    ++asked;
+    expect_error<InputError>([&] { scene::load_scene("tfp-stages", {key + "=-1"}); },
+                             {(key + " -1 must be ").c_str(), "--set"});
+    expect_error<InputError>([&] { scene::load_scene("tfp-stages", {key + "=nan"}); },
+                             {(key + " must be a finite number, got nan").c_str(), "--set"});
+  }
+  EXPECT_GT(asked, 30);
+}
+
+TEST(TripleOfTheCatalogue, OfBadShapeIsSaidBeforeItsStart) {
+  expect_error<InputError>(
+      [] {
+        scene::load_scene("tfp-pulse", {"excitation.kind=\"free\"", "isolator.travel_mm=5000"});
+      },
+      {"isolator.travel_mm 5000 must be below R = 3962.4 mm"});
+}
+
+TEST(TripleOfTheCatalogue, FrictionBySpeedOfOneFaceNeedsARate) {
+  const std::vector<std::string> no_rate{"reduced.rate_s_per_m=0", "isolator.inner.top_mu_slow=0.005"};
+  expect_error<InputError>([&] { scene::load_scene("tfp-pulse", no_rate); },
+                           {"reduced.rate_s_per_m 0 must be > 0", "isolator.inner.top_mu_slow 0.005"});
+  const auto s = scene::load_scene("tfp-pulse", {"reduced.rate_s_per_m=50", "isolator.inner.top_mu_slow=0.005"});
+  EXPECT_TRUE(s.remarks.empty()) << s.remarks.front(); // the rate is read
 }
 
 /// The displacement capacity of the tested specimen: its four pivots' travels, but for the turns.
@@ -107,7 +155,8 @@ TEST(IsolatorOfTheThesis, ItsRimsStandByTheApproximateFormulaAMillimetreOrTwoFar
 }
 
 TEST(IsolatorWithUnequalPlates, ItsTopKeysAreReadWrittenAndDefaultToTheBottoms) {
-  const std::string head = "[excitation]\nkind = \"ricker\"\n[reduced]\nmodel = \"dcfp\"\n[isolator]\n";
+  const std::string head =
+      "[excitation]\nkind = \"ricker\"\n[reduced]\nmodel = \"dcfp\"\nrate_s_per_m = 50\n[isolator]\n";
   const auto alike = scene::parse_scene(head + "radius_m = 1.2\ncapacity_m = 0.2\n", "my.toml", {});
   EXPECT_EQ(alike.isolator.upper_radius(), 1.2);
   EXPECT_EQ(alike.isolator.lateral_capacity(), 0.2);
@@ -119,7 +168,7 @@ TEST(IsolatorWithUnequalPlates, ItsTopKeysAreReadWrittenAndDefaultToTheBottoms) 
   EXPECT_EQ(apart.isolator.lateral_capacity(), 0.25); // the bottom's 0.30 comes later
   EXPECT_EQ(scene::parse_scene(to_toml(apart), "again.toml", {}).isolator, apart.isolator);
   expect_error<InputError>([&] { scene::parse_scene(head + "top_radius_m = -1\n", "my.toml", {}); },
-                           {"isolator.top_radius_m -1", "my.toml:6"});
+                           {"isolator.top_radius_m -1", "my.toml:7"});
   expect_error<InputError>([&] { scene::parse_scene(head + "top_capacity_m = 9\n", "my.toml", {}); },
                            {"isolator.top_capacity_m 9 must be below R_eff"});
   expect_error<InputError>([&] { scene::parse_scene(head + "top_mu_fast = 3\n", "my.toml", {}); },
