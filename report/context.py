@@ -45,6 +45,8 @@ class Context:
         self.scene: dict[str, Any] = reference.scene if reference else parse_scene(text, "curves.json: scene") if text else {}
         self.assumed = assumed_keys(text, self.scene)
         self.rigid_bodies = RIGID_BODIES.get(self.scene.get("reduced", {}).get("model"), "")
+        if self.rigid_bodies:  # nothing of [bearing] is read
+            self.assumed = {key for key in self.assumed if key.split(".")[0] in self.scene}
         runs = [entry.any_run for entry in self.results.entries]
         self.whole_bearing = any(run is not None and _has_stack(run) for run in runs) or bool(WHOLE & set(_listed(self.results.answer.get("rung"))))
         self.capacity = next((run.lateral_capacity for run in runs if run is not None and is_number(run.lateral_capacity)), None)

@@ -130,7 +130,7 @@ def impacts(models: list[tuple[str, Run]], labels: dict[str, str], most: int = 4
     stretches = [(role, run, contact_stretches(run)) for role, run in models]
     for row in range(min(most, max((len(parts) for *_, parts in stretches), default=0))):
         over_time = Panel(f"Impact {row + 1}: force over time", "time since the model's own touch (ms)", "rim force (kN)")
-        over_depth = Panel(f"Impact {row + 1}: force over penetration", "penetration −gap (mm)", "rim force (kN)", over=False)
+        over_depth = Panel(f"Impact {row + 1}: force over penetration", "penetration (mm)", "rim force (kN)", over=False)
         for role, run, parts in stretches:
             if row >= len(parts):
                 continue

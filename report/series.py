@@ -38,9 +38,12 @@ def radial_impact_force(run: Run, part: slice) -> np.ndarray:
 
 
 def impact_curve(run: Run, part: slice) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """(time since touch [s], force [N], penetration -gap [m]) of one impact, closed by the zero force before touch
-    and after release: by the neighbouring samples where they are at the rim too, else straight down."""
+    """(time since touch [s], force [N], penetration [m]) of one impact, closed by the zero force before touch and after
+    release: by the neighbouring samples where they are at the rim too, else straight down. The penetration is -gap; of a
+    triple pendulum, whose gap is counted to the last of its rims, it is that of the top plate's."""
     gap = run.signals["gap"] if run.has("gap") else None
+    if run.has("face_4_rim_penetration"):
+        gap = -run.signals["face_4_rim_penetration"]
     at_rim = lambda i: gap is not None and 0 <= i < len(gap) and gap[i] <= 1e-9
     first = part.start - 1 if at_rim(part.start - 1) else part.start
     last = part.stop if at_rim(part.stop) else part.stop - 1

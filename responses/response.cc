@@ -107,6 +107,7 @@ void add_rigid_body_signals(std::vector<SignalInfo> &list) {
       list.push_back({fmt::format("face_{}_travel_{}", i + 1, axis), "m",
                       fmt::format("part of the displacement on a triple pendulum's {}, {}", faces[i], axis)});
     list.push_back({fmt::format("face_{}_rim_force", i + 1), "N", fmt::format("of the rim at the {}", faces[i])});
+    list.push_back({fmt::format("face_{}_rim_penetration", i + 1), "m", "of that rim"});
   }
   for (const char *axis : {"x", "y"})
     list.push_back({fmt::format("plate_moment_{}", axis), "N m", "of the bearing on the top plate about its vertex"});

@@ -41,6 +41,13 @@ double release_after(const std::vector<double> &time, double before, double at, 
   return std::min(1.0, at / (before - at) * (time[last] - time[last - 1]) / (time[last + 1] - time[last]));
 }
 
+/// Of the rim that pushes the mass [m]. A triple pendulum's gap is counted to the last of its rims, which need not be
+/// it.
+double penetration(const Response &r, std::size_t i) {
+  if (r.has("face_4_rim_penetration")) return r.series("face_4_rim_penetration")[i];
+  return r.has("gap") ? -r.series("gap")[i] : 0.0;
+}
+
 Impact impact_of(const Response &r, std::size_t first, std::size_t last) {
   const auto &ux = r.series("displacement_x"), &uy = r.series("displacement_y");
   const auto &ix = r.series("impact_x"), &iy = r.series("impact_y"), &time = r.series("time");
@@ -55,7 +62,7 @@ Impact impact_of(const Response &r, std::size_t first, std::size_t last) {
   if (after > 0) impact.rebound_speed -= after * radial_speed(r, last + 1, -1);
   for (std::size_t i = first; i <= last; ++i) {
     impact.peak_force = std::max(impact.peak_force, force(i));
-    if (r.has("gap")) impact.peak_penetration = std::max(impact.peak_penetration, -r.series("gap")[i]);
+    impact.peak_penetration = std::max(impact.peak_penetration, penetration(r, i));
   }
   return impact;
 }

@@ -32,7 +32,7 @@ mass_kg = 1360346.6
 
 [excitation]
 kind = "ricker"
-amplitude_g = 0.45
+amplitude_g = 0.38
 period_s = 2.4
 
 [reduced]

@@ -4,24 +4,24 @@
 
 namespace rimpact::reduced::rigid {
 
-double TripleFaces::rim_force(const MotionState &s, int joint) const {
-  double largest = 0;
+TripleFaces::RimPress TripleFaces::pressed(const MotionState &s, int joint) const {
+  RimPress largest;
   for (std::size_t i = 0; i < s.contact.size(); ++i) {
     const auto &c = model_.system.contacts[i];
-    if (c.set == joint && is_wall(c.surface)) largest = std::max(largest, s.contact[i].size);
+    const auto &f = s.contact[i];
+    if (c.set != joint || !is_wall(c.surface) || f.size == 0) continue;
+    largest = {std::max(largest.force, f.size), std::max(largest.penetration, f.penetration)};
   }
   return largest;
 }
 
 void TripleFaces::watch(const MotionState &s) {
-  for (int j = 0; j < static_cast<int>(faces_.size()); ++j)
-    faces_[j].travel = std::max(faces_[j].travel, model_.travel(s, j).norm());
-  for (std::size_t i = 0; i < s.contact.size(); ++i) {
-    const auto &c = model_.system.contacts[i];
-    const auto &f = s.contact[i];
-    if (!is_wall(c.surface) || f.size == 0) continue;
-    Face &face = faces_[c.set];
-    face.force = std::max(face.force, f.size), face.penetration = std::max(face.penetration, f.penetration);
+  for (int j = 0; j < static_cast<int>(faces_.size()); ++j) {
+    Face &face = faces_[j];
+    face.travel = std::max(face.travel, model_.travel(s, j).norm());
+    const RimPress rim = pressed(s, j);
+    if (rim.force == 0) continue;
+    face.force = std::max(face.force, rim.force), face.penetration = std::max(face.penetration, rim.penetration);
     if (!face.touched) face.touched = s.t;
   }
 }

@@ -17,14 +17,18 @@ public:
       const std::string face = "face_" + std::to_string(j + 1);
       const Eigen::Vector2d travel = model_.travel(state, j);
       put(face + "_travel_x", travel[0]), put(face + "_travel_y", travel[1]);
-      put(face + "_rim_force", rim_force(state, j));
+      const RimPress rim = pressed(state, j);
+      put(face + "_rim_force", rim.force), put(face + "_rim_penetration", rim.penetration);
     }
   }
   /// A row a face, from the ground up: largest travel, first touch of its rim, largest force and penetration.
   nlohmann::json summary() const;
 
 private:
-  double rim_force(const MotionState &state, int joint) const;
+  struct RimPress {
+    double force = 0, penetration = 0;
+  };
+  RimPress pressed(const MotionState &state, int joint) const;
   struct Face {
     double travel = 0, force = 0, penetration = 0;
     std::optional<double> touched;

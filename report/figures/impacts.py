@@ -44,7 +44,7 @@ def _finish(over_time: Axes, over_depth: Axes, row: int, last: bool) -> None:
         ax.axhline(0, color=MUTED, lw=0.5, zorder=0)
     if last:
         over_time.set_xlabel("time since the model's own touch (ms)")
-        over_depth.set_xlabel("penetration −gap (mm)")
+        over_depth.set_xlabel("penetration (mm)")
 
 
 def draw_windows(entries: list[Entry], path: str) -> str | None:
@@ -64,7 +64,7 @@ def draw_windows(entries: list[Entry], path: str) -> str | None:
             if run is not None:
                 _window_line(over_time, over_depth, run, dict(color=colour, lw=0.8, ls=(0, dashes)), None)
     over_time.set(title="(a) Force over time", xlabel="time since touch (ms)", ylabel="rim force (kN)")
-    over_depth.set(title="(b) Force over penetration", xlabel="penetration −gap (mm)", ylabel="rim force (kN)")
+    over_depth.set(title="(b) Force over penetration", xlabel="penetration (mm)", ylabel="rim force (kN)")
     over_depth.legend(title="approach speed", title_fontsize=7, loc="center left",
                       bbox_to_anchor=(1.0, 0.5))
     return save(fig, path)

@@ -46,7 +46,7 @@ LABELS = {
     "reduced.mu_fast": "friction at speed", "reduced.mu_slow": "friction at rest", "reduced.rate": "rate of the velocity law",
     "reduced.normal_force": "normal force from", "reduced.elastic_slip": "elastic slip (park-wen)",
 }
-PARTS = {"bearing": "Bearing", "isolator": "Double concave bearing", "load": "Load", "superstructure": "Building",
+PARTS = {"bearing": "Bearing", "isolator": "Bearing of rigid bodies", "load": "Load", "superstructure": "Building",
          "model": "Finite-element model", "reduced": "Reduced model of the first run"}
 
 
@@ -57,6 +57,8 @@ def make(context: Context) -> Section | None:
     section.lead = ("As resolved for the first run, every default written out. An assumption is a value that the bearing file "
                     "marks so; the results depend on it.")
     parts = {part: title for part, title in PARTS.items() if not (part == "bearing" and context.rigid_bodies or part == "model" and context.measured)}
+    if context.rigid_bodies:
+        parts["isolator"] = context.rigid_bodies.capitalize()
     rows = [row for part, title in parts.items() for row in _rows(context, part, title)]
     section.add(table(["quantity", "value", "unit", ""], rows, left=(0, 2, 3)))
     if not context.assumed:
