@@ -12,7 +12,7 @@ namespace {
 /// What stands before the number of a signal that a family has one of for each bearing, floor or point; empty: of none.
 std::string family(const std::string &name) {
   const auto digit = [&](std::size_t at) { return at < name.size() && name[at] >= '0' && name[at] <= '9'; };
-  for (const std::string what : {"bearing_", "floor_", "member_", "normal_A", "normal_B", "normal_C"})
+  for (const std::string what : {"bearing_", "floor_", "member_", "normal_A", "normal_B", "normal_C", "normal_D"})
     if (name.starts_with(what) && digit(what.size())) return what;
   return {};
 }
