@@ -2,7 +2,7 @@
 
 The element is Fenz and Constantinou's for small turns, with friction as loops give it. It has no rise, so that its normal force is the dead load, no mass
 of the sliders, and an elastic displacement uy before each slip. With sliders of a hundredth of their masses, and uy = 0.03 mm, histories differ by up to
-0.7 % of the largest displacement (uy = 0.1 mm: 1.1 %; its steps halved: below 0.02 %). With the catalogue's masses they differ by up to 3.4 % (Sylmar), largest ones by 1.4 % (El Centro): a
+0.7 % of the largest displacement (uy = 0.1 mm: 1.1 %; its steps halved: below 0.02 %). With the catalogue's masses: 3.4 % (Sylmar), largest ones 1.4 % (El Centro). A
 slide plate that begins to turn swings about where it would ride, and takes the inner face beside it off the limit of its friction, at which the element has
 it always. Slow loops, light sliders and friction by body instead of by face are without that. Rims are beyond reach."""
 import csv
