@@ -1,6 +1,7 @@
 #include "app/compared_run.h"
 
 #include "app/job_runner.h"
+#include "calibration/data/measured_name.h"
 #include "calibration/data/measured_run.h"
 #include "files/digest.h"
 #include "files/error.h"

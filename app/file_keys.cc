@@ -141,7 +141,9 @@ std::vector<KeyDescription> with_bearings(std::vector<KeyDescription> keys) {
 std::vector<KeyDescription> mapping_keys() {
   return visited<calibration::Mapping>() +
          std::vector{text("set", "[]", "KEY=VALUE texts", "changes to the scene, as --set")} +
-         visited<calibration::Column>("columns.SIGNAL") + visited<calibration::Uncertainty>("uncertainty");
+         visited<calibration::Column>("columns.SIGNAL") + visited<calibration::TestPart>("test.NAME") +
+         std::vector{text("test.NAME.set", "[]", "KEY=VALUE texts", "further changes to the scene, for this test")} +
+         visited<calibration::Uncertainty>("uncertainty");
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // rimpact report DIR: one self-contained HTML file whose first page can be sent, and a PDF of it.
 #include "app/sibling.h"
 #include "app/verb.h"
+#include "calibration/data/measured_name.h"
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -23,12 +24,16 @@ std::vector<std::string> command(const ReportOptions &options, const std::string
   return words;
 }
 
+/// Where the page goes: into the folder, or beside the mapping file.
+std::string beside(const ReportOptions &options) {
+  const auto measured = calibration::measured_name(options.folder);
+  if (!measured) return (std::filesystem::path(options.folder) / "report.html").string();
+  const std::string stem = std::filesystem::path(measured->file).replace_extension().string();
+  return stem + (measured->test.empty() ? "" : "-" + measured->test) + ".html";
+}
+
 void run_report(const ReportOptions &options, Console &console) {
-  const std::filesystem::path what = options.folder;
-  const std::string beside = what.extension() == ".toml"
-                                 ? std::filesystem::path(what).replace_extension(".html").string()
-                                 : (what / "report.html").string(),
-                    file = options.output.empty() ? beside : options.output;
+  const std::string file = options.output.empty() ? beside(options) : options.output;
   const int code = python(command(options, file));
   if (code == static_cast<int>(ExitCode::input)) throw InputError(options.folder + ": no report was made");
   if (code == static_cast<int>(ExitCode::data)) throw DataError(options.folder + ": no report could be made of it");

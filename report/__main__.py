@@ -32,7 +32,7 @@ def main(arguments: list[str]) -> None:
     elif is_design(options.folder):
         from .design_page import build as build_design
         path, _ = build_design(options.folder, options.output or os.path.join(options.folder, "report.html"))
-    elif os.path.isfile(options.folder) and is_mapping(options.folder):
+    elif not os.path.isdir(options.folder) and is_mapping(options.folder):
         from .measured_page import build as build_measured
         path, _ = build_measured(options.folder, options.output)
     elif is_fleet(options.folder):

@@ -11,6 +11,7 @@ from .blocks import Pictures, Section, bullets, note, table
 from .data_files import read_any_json
 from .errors import DataError, InputError, IoError
 from .figures import impacts, response_panels
+from .mapping_file import parts_of
 from .numbers import fixed, integer, scaled
 from .run_folder import Run, load_run
 from .series import contact_stretches, impact_curve
@@ -40,16 +41,22 @@ def read(path: str) -> Run:
         if done.returncode:
             said = [line.removeprefix("error: ") for line in done.stderr.splitlines() if line.startswith("error: ")]
             raise ERRORS.get(done.returncode, IoError)((said or [f"{path} was not read"])[-1])
-        run = load_run(os.path.join(folder, "curves", "A"), os.path.splitext(os.path.basename(path))[0])
+        run = load_run(os.path.join(folder, "curves", "A"), os.path.basename(_stem(path)))
         run.meta.setdefault("version", str(read_any_json(os.path.join(folder, "compare.json")).get("version", "")))
         return run
+
+
+def _stem(path: str) -> str:
+    """The mapping file without its ending, and the test's name where it has several."""
+    file, test = parts_of(path)
+    return os.path.splitext(file)[0] + (f"-{test}" if test else "")
 
 
 def build(path: str, output: str | None) -> tuple[str, list[str]]:
     """Gives the report's path and the list of problems. Throws InputError where `output` lies inside the mapping file."""
     if output and os.path.abspath(os.path.dirname(output)) == os.path.abspath(path):
         raise InputError(f"{path} is a file: say where its report goes, -o FILE.html")
-    output = output or os.path.splitext(path)[0] + ".html"
+    output = output or _stem(path) + ".html"
     run = read(path)
     problems: list[str] = []
     pictures = Pictures(os.path.join(os.path.dirname(os.path.abspath(output)), "figures"), problems)

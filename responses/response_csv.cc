@@ -12,6 +12,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <functional>
 #include <iterator>
 
 namespace rimpact {
@@ -52,6 +53,13 @@ constexpr std::array unit_names{
     CsvUnit{"in_per_s", "m_per_s", inch},
 };
 
+/// Where the values of a column go, times `factor`; no signal: a column of no interest.
+struct CsvTarget {
+  std::string signal;
+  double factor = 1;
+};
+using CsvColumns = std::function<CsvTarget(std::string_view header)>;
+
 CsvTarget target_of(std::string_view header, const std::string &path) {
   for (const auto &column : columns) {
     const std::string prefix = std::string(column.symbol) + "_";
@@ -81,6 +89,44 @@ std::vector<CsvTarget> read_header(std::string_view header, char separator, cons
   return targets;
 }
 
+/// The columns `columns_of` asks for, from a table with one header line. Throws DataError naming file, line and what
+/// stands there.
+Response parse_columns(const std::string &bytes, const std::string &path, const CsvColumns &columns_of) {
+  refuse_binary(bytes, path);
+  const std::string text = utf8_text(bytes, path);
+  Response response;
+  std::vector<CsvTarget> targets;
+  std::optional<char> stated;
+  char separator = ',';
+  DecimalReader decimals;
+  std::size_t line_number = 0;
+  for (const auto line : lines_of(text)) {
+    ++line_number;
+    if (trim(line).empty() || trim(line).front() == '#') continue;
+    if (targets.empty()) {
+      if (const auto said = stated_separator(line); said && !stated) {
+        stated = said;
+        continue;
+      }
+      separator = stated.value_or(separator_of(line));
+      targets = read_header(line, separator, columns_of, response, path);
+      continue;
+    }
+    const auto cells = cells_of(line, separator);
+    const auto place = fmt::format("{}:{}", path, line_number);
+    if (cells.size() < targets.size())
+      throw DataError(fmt::format("{}: {} of {} columns", place, cells.size(), targets.size()));
+    for (std::size_t i = 0; i < targets.size(); ++i) {
+      if (targets[i].signal.empty()) continue;
+      const auto value = decimals.number(cells[i], place);
+      if (!value) throw DataError(fmt::format("{}: \"{}\" is not a finite number", place, cells[i].substr(0, 40)));
+      response.append(targets[i].signal, *value * targets[i].factor);
+    }
+  }
+  if (targets.empty()) throw DataError(fmt::format("{}: holds no header line", path));
+  return response;
+}
+
 } // namespace
 
 const std::vector<CsvColumn> &csv_columns() {
@@ -99,43 +145,6 @@ std::optional<CsvUnit> csv_unit(std::string_view name) {
   for (const auto &known : unit_names)
     if (name == known.name) return known;
   return {};
-}
-
-Response parse_columns(const std::string &bytes, const std::string &path, const CsvColumns &columns_of,
-                       std::size_t skip_lines) {
-  refuse_binary(bytes, path);
-  const std::string text = utf8_text(bytes, path);
-  Response response;
-  std::vector<CsvTarget> targets;
-  std::optional<char> stated;
-  char separator = ',';
-  DecimalReader decimals;
-  std::size_t line_number = 0;
-  for (const auto line : lines_of(text)) {
-    if (++line_number <= skip_lines || trim(line).empty() || trim(line).front() == '#') continue;
-    if (targets.empty()) {
-      if (const auto said = stated_separator(line); said && !stated) {
-        stated = said;
-        continue;
-      }
-      separator = stated.value_or(separator_of(line));
-      targets = read_header(line, separator, columns_of, response, path);
-      continue;
-    }
-    const auto cells = cells_of(line, separator);
-    const auto place = fmt::format("{}:{}", path, line_number);
-    if (cells.size() < targets.size())
-      throw DataError(fmt::format("{}: {} of {} columns", place, cells.size(), targets.size()));
-    for (std::size_t i = 0; i < targets.size(); ++i) {
-      if (targets[i].signal.empty()) continue;
-      const auto value = decimals.number(cells[i], place);
-      if (!value) throw DataError(fmt::format("{}: \"{}\" is not a finite number", place, cells[i].substr(0, 40)));
-      response.append(targets[i].signal, (*value - targets[i].zero) * targets[i].factor);
-    }
-  }
-  if (targets.empty()) throw DataError(fmt::format("{}: holds no header line", path));
-  if (decimals.comma()) response.meta[decimal_comma] = "true";
-  return response;
 }
 
 Response parse_csv(const std::string &text, const std::string &path) {

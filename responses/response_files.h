@@ -1,7 +1,6 @@
 /// The two file forms of a response, from and to bytes.
 #pragma once
 #include "responses/response.h"
-#include <functional>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,17 +25,5 @@ struct CsvUnit {
 };
 std::optional<CsvUnit> csv_unit(std::string_view name);
 std::string csv_units_of(std::string_view base); ///< their names, e.g. "s, ms"
-/// Key of Response::meta where a table's numbers had a decimal comma.
-inline constexpr const char *decimal_comma = "decimal_comma";
-/// Where the values of a column go, as (value - zero) factor; no signal: a column of no interest.
-struct CsvTarget {
-  std::string signal;
-  double factor = 1, zero = 0;
-};
-using CsvColumns = std::function<CsvTarget(std::string_view header)>;
-/// The columns `columns_of` asks for, from a table with one header line after `skip_lines` lines. Throws
-/// DataError naming file, line and what stands there.
-Response parse_columns(const std::string &text, const std::string &path, const CsvColumns &columns_of,
-                       std::size_t skip_lines = 0);
 
 } // namespace rimpact

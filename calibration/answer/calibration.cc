@@ -1,5 +1,6 @@
 #include "calibration/answer/answer.h"
 #include "calibration/answer/calibration_check.h"
+#include "calibration/data/measured_name.h"
 #include "files/error.h"
 #include "impact_laws/catalogue.h"
 #include <algorithm>
@@ -113,12 +114,13 @@ Calibration calibrate(const std::vector<std::string> &run_folders, const Calibra
   options.window.validate();
   options.fit.validate_words();
   if (run_folders.empty()) throw InputError("no run folder to calibrate on is named");
-  require_distinct(run_folders);
+  const auto names = each_test(run_folders);
+  require_distinct(names);
   Calibration c;
-  auto runs = read_runs(run_folders, options.window);
+  auto runs = read_runs(names, options.window);
   if (options.fit.parameters.empty()) options.fit = of_the_law(options.fit, runs.front().scene);
   options.fit.validate();
-  auto predicted = read_runs(options.predict, options.window);
+  auto predicted = read_runs(each_test(options.predict), options.window);
   collect_facts(runs, c), collect_facts(predicted, c);
   const auto screened = screen(runs, c.facts, options.fit.uncertainty, options.keep_stopped);
   c.doubts.insert(c.doubts.end(), screened.begin(), screened.end());

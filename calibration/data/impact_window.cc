@@ -1,5 +1,6 @@
 #include "calibration/data/impact_window.h"
 #include "calibration/data/measured_cutter.h"
+#include "calibration/data/measured_name.h"
 #include "calibration/data/measured_run.h"
 #include "calibration/data/series.h"
 #include "calibration/data/window_cutter.h"
@@ -79,6 +80,7 @@ StoredRun make_run(const std::string &folder, const scene::Scene &scene, Respons
                 .summary = {},
                 .impacts = {},
                 .uncertainty = {},
+                .clock_error = 0,
                 .notes = {},
                 .noise = {},
                 .doubts = {}};

@@ -106,9 +106,10 @@ struct StoredRun {
   Summary summary; ///< peaks and impacts, made anew from the response
   std::vector<ImpactWindow> impacts;
   std::optional<Uncertainty> uncertainty; ///< the run's own, instead of the fit's
-  std::vector<std::string> notes;         ///< impacts left out and why, a run that stopped early, ...
-  std::vector<std::string> noise;         ///< of a measured record: what is worth telling, among the notes too
-  std::vector<std::string> doubts;        ///< of a measured record: what its noise does not explain
+  double clock_error = 0; ///< of its force against its displacement, where a lag was found, beside the stated one [s]
+  std::vector<std::string> notes;  ///< impacts left out and why, a run that stopped early, ...
+  std::vector<std::string> noise;  ///< of a measured record: what is worth telling, among the notes too
+  std::vector<std::string> doubts; ///< of a measured record: what its noise does not explain
   bool is_window() const { return scene.excitation.kind == scene::ExcitationKind::window; }
   double peak_force() const;     ///< of all impacts [N]
   double approach_speed() const; ///< the largest [m/s]

@@ -1,13 +1,12 @@
 #include "calibration/data/measured_run.h"
-#include "calibration/data/mapping.h"
+#include "calibration/data/channels.h"
+#include "calibration/data/force_clock.h"
+#include "calibration/data/measured_name.h"
 #include "files/error.h"
-#include "files/file.h"
-#include "responses/response_files.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 namespace rimpact::calibration {
 
@@ -17,29 +16,6 @@ namespace fs = std::filesystem;
 /// A scene file beside the mapping, or a built-in scene.
 std::string scene_beside(const std::string &name, const fs::path &folder) {
   return fs::exists(folder / name) ? (folder / name).string() : name;
-}
-
-void require_columns(const Response &response, const Mapping &mapping, const std::string &table,
-                     const std::vector<std::string> &headers) {
-  for (const auto &column : mapping.columns)
-    if (!response.has(column.signal))
-      throw DataError(fmt::format("{}: no column \"{}\" ({}); the header, after skip_lines = {}, names \"{}\"", table,
-                                  column.header, column.signal, mapping.skip_lines, fmt::join(headers, "\", \"")));
-  for (const char *needed : {"time", "displacement_x"})
-    if (!response.has(needed)) throw DataError(fmt::format("{}: {} has no column", table, needed));
-  if (!response.has("impact_x") && !response.has("impact_y"))
-    throw DataError(table + ": neither impact_x nor impact_y, the rim's force, has a column");
-  const auto &time = response.series("time");
-  for (std::size_t i = 1; i < time.size(); ++i)
-    if (time[i] <= time[i - 1])
-      throw DataError(
-          fmt::format("{}: time runs from {:g} s to {:g} s at sample {}", table, time[i - 1], time[i], i + 1));
-}
-
-std::string unit_of_force(const Mapping &mapping) {
-  for (const auto &column : mapping.columns)
-    if (column.signal == "impact_x" || column.signal == "impact_y") return column.unit;
-  return {};
 }
 
 /// What a planar test has not measured is zero; the gap follows from the travel.
@@ -75,35 +51,30 @@ void take_own_speed(StoredRun &run) {
 } // namespace
 
 StoredRun read_measured(const std::string &path, const WindowOptions &options) {
-  const Mapping mapping = read_mapping(path);
-  const fs::path folder = fs::path(path).parent_path();
-  const auto scene = scene::load_scene(scene_beside(mapping.scene, folder), mapping.overrides);
-  const std::string table = (folder / mapping.file).string();
-  std::vector<std::string> headers;
-  auto response = parse_columns(
-      read_file(table), table,
-      [&](std::string_view header) -> CsvTarget {
-        headers.emplace_back(header);
-        for (const auto &c : mapping.columns)
-          if (header == c.header) return {c.signal, c.factor * c.si, c.zero};
-        return {};
-      },
-      static_cast<std::size_t>(mapping.skip_lines));
-  require_columns(response, mapping, table, headers);
-  const bool comma = response.meta.erase(decimal_comma) > 0;
+  const auto name = measured_name(path);
+  const Mapping mapping = read_mapping(name->file);
+  const TestPart part = named_part(mapping, *name, tests_of(mapping));
+  const fs::path folder = fs::path(name->file).parent_path();
+  const auto scene = scene::load_scene(scene_beside(mapping.scene, folder), part.overrides);
+  auto [response, unit_of_force, notes] = read_channels(mapping, part);
   complete(response, scene.bearing.lateral_capacity());
-  require_clock(response, scene, table);
+  require_clock(response, scene, path);
   WindowOptions own = options;
   own.measured = true;
-  if (mapping.uncertainty) {
-    own.stated_speed_error = mapping.uncertainty->speed;
-    own.stated_clock_error = mapping.uncertainty->time;
-  }
+  if (const auto &stated = mapping.uncertainty)
+    own.stated_speed_error = stated->speed, own.stated_clock_error = stated->time;
   own.force_threshold = std::max(own.force_threshold, mapping.force_noise);
+  double clock_error = 0;
+  if (std::any_of(mapping.columns.begin(), mapping.columns.end(), [](const Column &c) { return c.estimate_lag; })) {
+    const ForceClock clock = align_force(path, scene, response, own);
+    clock_error = clock.unsure;
+    own.stated_clock_error = std::hypot(own.stated_clock_error, clock_error);
+    notes.push_back(clock.sentence());
+  }
   StoredRun run = make_run(path, scene, std::move(response), own);
-  run.uncertainty = mapping.uncertainty;
-  if (comma) run.noise.push_back(table + " is read with a decimal comma");
-  require_consistent(run, unit_of_force(mapping));
+  run.uncertainty = mapping.uncertainty, run.clock_error = clock_error;
+  run.noise.insert(run.noise.begin(), notes.begin(), notes.end());
+  require_consistent(run, unit_of_force);
   take_own_speed(run);
   return run;
 }

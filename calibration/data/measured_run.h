@@ -1,7 +1,6 @@
 /// Measured curves: a table of somebody else's (a laboratory's, another program's) read through a mapping file.
 #pragma once
 #include "calibration/data/impact_window.h"
-#include "calibration/data/mapping.h"
 
 namespace rimpact::calibration {
 

@@ -1,4 +1,5 @@
 #include "calibration/fit/impact_curves.h"
+#include "calibration/data/measured_name.h"
 #include "calibration/data/measured_run.h"
 #include "calibration/fit/shooting.h"
 #include "files/file.h"

@@ -17,7 +17,7 @@ public:
       : ResidualBlock(with_settings(run.scene, options.law, options.fixed)), record_(run), window_(window),
         m_(*window.measurement) {
     const Uncertainty u = run.uncertainty.value_or(options.uncertainty);
-    time_error_ = u.time, gain_ = u.gain;
+    time_error_ = std::hypot(u.time, run.clock_error), gain_ = u.gain;
     const reduced::PhysicalModel model(run.scene);
     slope_ = model.height(window.start.u.x(), window.start.u.y()).gradient;
     n_pressed_ = static_cast<int>(m_.pressed_last - m_.pressed_first) + 1;
@@ -145,17 +145,11 @@ private:
     return start;
   }
 
-  /// The model's curves, later by `by` [s].
+  /// The model's force, later by `by` [s] than its motion. When the slider touches, the start's own errors tell.
   void delay(Shot &shot, double by) const {
-    const Shot own = shot;
-    const auto speed = differentiate(window_.times, own.displacement);
-    for (std::size_t j = 0; j < window_.times.size(); ++j) {
-      const double t = window_.times[j] - by;
-      shot.force[j] = pulse_at(window_.times, own.force, t);
-      shot.displacement[j] = hermite_at(window_.times, own.displacement, speed, t);
-      if (t < window_.times.front()) shot.displacement[j] += (t - window_.times.front()) * speed.front();
-      if (t > window_.times.back()) shot.displacement[j] += (t - window_.times.back()) * speed.back();
-    }
+    const std::vector<double> own = shot.force;
+    for (std::size_t j = 0; j < window_.times.size(); ++j)
+      shot.force[j] = pulse_at(window_.times, own, window_.times[j] - by);
   }
 
   const StoredRun &record_;

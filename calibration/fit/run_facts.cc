@@ -1,5 +1,5 @@
 #include "calibration/fit/run_facts.h"
-#include "calibration/data/mapping.h"
+#include "calibration/data/measured_name.h"
 #include "files/error.h"
 #include "responses/kept_run.h"
 #include <cmath>
