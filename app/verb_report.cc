@@ -11,6 +11,7 @@ namespace {
 struct ReportOptions {
   std::string folder, output, document;
   std::map<std::string, std::string> head; ///< title, client, project, author: what is given
+  std::string language;                    ///< of the client's two pages; empty: the report itself
   bool pdf = false;
 };
 
@@ -20,6 +21,7 @@ std::vector<std::string> command(const ReportOptions &options, const std::string
   for (const auto &[key, value] : options.head)
     if (!value.empty()) words.push_back("--" + key + "=" + value);
   if (options.pdf) words.emplace_back("--pdf");
+  if (!options.language.empty()) words.push_back("--language=" + options.language);
   words.insert(words.end(), {"--", options.folder});
   return words;
 }
@@ -27,7 +29,8 @@ std::vector<std::string> command(const ReportOptions &options, const std::string
 /// Where the page goes: into the folder, or beside the mapping file.
 std::string beside(const ReportOptions &options) {
   const auto measured = calibration::measured_name(options.folder);
-  if (!measured) return (std::filesystem::path(options.folder) / "report.html").string();
+  const std::string page = options.language.empty() ? "report.html" : "client-" + options.language + ".html";
+  if (!measured) return (std::filesystem::path(options.folder) / page).string();
   const std::string stem = std::filesystem::path(measured->file).replace_extension().string();
   return stem + (measured->test.empty() ? "" : "-" + measured->test) + ".html";
 }
@@ -58,6 +61,9 @@ void add_report(CLI::App &app, Console &console) {
   for (const char *key : {"title", "client", "project", "author"})
     verb->add_option(std::string("--") + key, options->head[key], "on the first page");
   verb->add_option("--document", options->document, "a TOML file with title, client, project and author");
+  verb->add_option("--language", options->language,
+                   "two pages for the client in its place, client-LANGUAGE.html: words in this language")
+      ->check(CLI::IsMember({"en", "es", "it", "ja", "tr"}));
   verb->add_flag("--pdf", options->pdf, "a PDF beside the HTML file, printed by Chromium where it is installed");
   console.add_common(*verb);
   verb->callback([options, &console] { run_report(*options, console); });

@@ -18,6 +18,7 @@ def main(arguments: list[str]) -> None:
     parser.add_argument("--document", metavar="FILE.toml", help="title, client, project and author")
     for key in document.KEYS:
         parser.add_argument(f"--{key}", default="")
+    parser.add_argument("--language", metavar="LANGUAGE", help="two pages for the client instead: en, es, it, ja or tr")
     parser.add_argument("--pdf", action="store_true", help="a PDF beside the HTML file as well")
     options = parser.parse_args(arguments)
     given = document.of(vars(options))
@@ -26,6 +27,9 @@ def main(arguments: list[str]) -> None:
     if options.pdf and options.output and os.path.exists(options.output) and not os.path.isfile(options.output):
         raise InputError(f"--pdf prints an ordinary file; --output {options.output} is none")
     # After the command line: matplotlib takes a second to load.
+    if options.language:
+        _client(options, given)
+        return
     if os.path.exists(os.path.join(options.folder, "reliability.json")):
         from .reliability.__main__ import build as build_reliability
         path, _ = build_reliability(options.folder, options.output)
@@ -43,6 +47,20 @@ def main(arguments: list[str]) -> None:
         path, _ = build(options.folder, options.output, given)
     print(path)
     if options.pdf:
+        _print(path)
+
+
+def _client(options: argparse.Namespace, given: document.Document) -> None:
+    from . import client
+    from .client import fonts
+    path, problems = client.build(options.folder, options.language, options.output, given)
+    print(path)
+    for problem in problems:
+        print(f"rimpact report: {problem}", file=sys.stderr)
+    unwritable = fonts.missing(options.language)
+    if unwritable:
+        print(f"rimpact report: {unwritable}", file=sys.stderr)
+    elif options.pdf:
         _print(path)
 
 

@@ -43,5 +43,10 @@ def read(path: str) -> Document:
     return of(table)
 
 
+def today_as_number() -> str:
+    """Read alike in every language: 2026-11-28."""
+    return datetime.date.today().isoformat()
+
+
 def today() -> str:
     return datetime.date.today().strftime("%-d %B %Y")

@@ -13,9 +13,12 @@ STEEL, SLIDER, PAD = "#d7dee5", "#b9cfe2", "#e9d8b4"
 WIDTH, DPI = 4.7, 300
 
 
-def draw(bearing: dict[str, Any], whole: bool, path: str) -> str:
-    """`bearing`: the resolved [bearing] table. `whole`: pad and foot take part and are drawn. Throws ValueError where a
-    dimension is missing."""
+LABELS = {"dish_short": "dish", "rim_short": "rim", "at_rest": "at rest", "at_touch": "at touch"}
+
+
+def draw(bearing: dict[str, Any], whole: bool, path: str, labels: dict[str, str] | None = None) -> str:
+    """`bearing`: the resolved [bearing] table. `whole`: pad and foot take part and are drawn. `labels`: LABELS in another language.
+    Throws ValueError where a dimension is missing."""
     size = Section(bearing)
     fig, ax = plt.subplots(figsize=(WIDTH, WIDTH * size.aspect()), layout="constrained")
     ax.add_patch(Polygon(1e3 * size.plate(), closed=True, facecolor=STEEL, edgecolor=INK, lw=0.7, joinstyle="miter"))
@@ -25,7 +28,7 @@ def draw(bearing: dict[str, Any], whole: bool, path: str) -> str:
         for body, fill in size.bodies(travel, whole):
             own = style | {"facecolor": fill} if fill and travel else style
             ax.add_patch(Polygon(1e3 * body, closed=True, lw=0.7, zorder=3, **own))
-    _dimensions(ax, size)
+    _dimensions(ax, size, labels or LABELS)
     ax.set_xlim(-1e3 * size.outer - 8, 1e3 * size.outer + 8)
     low, high = size.limits()
     ax.set_ylim(1e3 * low, 1e3 * high)
@@ -98,7 +101,7 @@ class Section:
         return (high - low) / (2 * self.outer) * 1.02
 
 
-def _dimensions(ax: Axes, s: Section) -> None:
+def _dimensions(ax: Axes, s: Section, words: dict[str, str]) -> None:
     mm, level = 1e3, 1e3 * (s.top + float(height(s.bearing, s.capacity))) + 0.035e3 * s.outer
     _arrow(ax, 0, mm * s.capacity, level, f"L$_c$ {mm * s.capacity:.4g}", RIM)
     for x in (0, mm * s.capacity):
@@ -106,8 +109,8 @@ def _dimensions(ax: Axes, s: Section) -> None:
     _arrow(ax, mm * (s.capacity - s.diameter / 2), mm * (s.capacity + s.diameter / 2), mm * (s.bottom + s.top) / 2 + mm * float(height(s.bearing, s.capacity)),
            f"Ø {mm * s.diameter:.4g}", FE)
     below = -mm * s.base - 45 * s.outer
-    _arrow(ax, 0, mm * s.reach, below, f"dish {mm * s.reach:.4g}", INK)
-    _arrow(ax, -mm * s.outer, -mm * s.wall, below, f"rim {mm * s.thickness:.4g}", INK, side=True)
+    _arrow(ax, 0, mm * s.reach, below, f"{words['dish_short']} {mm * s.reach:.4g}", INK)
+    _arrow(ax, -mm * s.outer, -mm * s.wall, below, f"{words['rim_short']} {mm * s.thickness:.4g}", INK, side=True)
     for x, z in ((0, 0), (s.reach, s.edge), (-s.outer, -s.base), (-s.wall, s.edge)):
         ax.plot([mm * x, mm * x], [below, mm * z], color=MUTED, lw=0.4, zorder=0 if z >= 0 else 1)
     x = -mm * s.wall + 18 * s.outer
@@ -115,8 +118,8 @@ def _dimensions(ax: Axes, s: Section) -> None:
     for z in (s.edge, s.edge + s.rim_height):
         ax.plot([-mm * s.wall, x + 10], [mm * z, mm * z], color=FAINT if z == s.edge else MUTED, lw=0.4)
     ax.text(x + 14 * s.outer, mm * (s.edge + s.rim_height / 2), f"{mm * s.rim_height:.4g}", fontsize=6.5, va="center")
-    ax.text(-mm * s.diameter / 2 - 10, mm * (s.bottom + s.top) / 2, "at rest", fontsize=6.2, color=FE, ha="right", va="center")
-    ax.text(mm * (s.capacity - s.diameter / 2) - 10, mm * s.top + mm * float(height(s.bearing, s.capacity)), "at touch", fontsize=6.2, color=FE, ha="right", va="top")
+    ax.text(-mm * s.diameter / 2 - 10, mm * (s.bottom + s.top) / 2, words["at_rest"], fontsize=6.2, color=FE, ha="right", va="center")
+    ax.text(mm * (s.capacity - s.diameter / 2) - 10, mm * s.top + mm * float(height(s.bearing, s.capacity)), words["at_touch"], fontsize=6.2, color=FE, ha="right", va="top")
 
 
 def _arrow(ax: Axes, a: float, b: float, z: float, text: str, colour: str, side: bool = False) -> None:
