@@ -2,6 +2,7 @@
 #include "calibration/export/comment.h"
 #include "files/error.h"
 #include <fmt/format.h>
+#include <string_view>
 
 namespace rimpact::calibration {
 
@@ -72,8 +73,10 @@ std::vector<std::string> head(const ExportedRim &rim, const CsiRim &links, const
   }
   for (const auto &line : links.check.lines()) lines.push_back(line);
   lines.push_back(
-      "Units: kN, m, s. Import into " + program +
-      " was not tried: the program is not here. Where a line is refused, type in the numbers, or paste rim-link.csv.");
+      "Units: kN, m, s. Tables and fields are held against files that SAP2000 20.1 and ETABS 2015 wrote; import into " +
+      program +
+      " was not tried: the program is not here. SAP2000 before 20 has no field Point: strike it there. Where a line is "
+      "refused, type in the numbers, or paste rim-link.csv.");
   return lines;
 }
 
@@ -97,23 +100,30 @@ std::vector<Point> dish_points(const ExportedRim &rim, const Dish &dish) {
   return points;
 }
 
+/// DJ, the distance of the shear spring, is a field of U2 and U3 alone.
+std::string shear_distance(const std::string &dof) {
+  return dof == "U1" ? "" : "   DJ=0";
+}
+
 std::string sap_points(const std::string &link, const std::string &dof, double linear, const std::string &hysteresis,
                        const std::vector<Point> &points) {
   std::string text;
   for (std::size_t i = 0; i < points.size(); ++i) {
     text += fmt::format("   Link={}   DOF={}", link, dof);
     if (i == 0)
-      text += fmt::format("   Fixed=No   NonLinear=Yes   TransKE={:.8g}   TransCE=0   DJ=0{}", linear, hysteresis);
-    text += fmt::format("   Force={:.8g}   Displ={:.8g}\n", points[i].force, points[i].displacement);
+      text += fmt::format("   Fixed=No   NonLinear=Yes   TransKE={:.8g}   TransCE=0{}{}", linear, shear_distance(dof),
+                          hysteresis);
+    text += fmt::format("   Point={}   Force={:.8g}   Displ={:.8g}\n", i + 1, points[i].force, points[i].displacement);
   }
   return text + "\n";
 }
 
-std::string etabs_points(const std::string &link, const std::string &dof, const std::vector<Point> &points) {
+/// Of the direction that the line before them names.
+std::string etabs_points(const std::string &link, const std::vector<Point> &points) {
   std::string text;
   for (const auto &point : points)
-    text += fmt::format("  LINKPROPFORCEDISPL  \"{}\"  DOF \"{}\"  DISPL {:.8g}  FORCE {:.8g}\n", link, dof,
-                        point.displacement, point.force);
+    text +=
+        fmt::format("  LINKPROPFORCEDISPL  \"{}\"  DISPL {:.8g} FORCE {:.8g}\n", link, point.displacement, point.force);
   return text;
 }
 
@@ -149,9 +159,10 @@ std::string sap2000(const ExportedRim &rim, const CsiRim &r, const std::optional
                      "\nTABLE:  \"PROGRAM CONTROL\"\n   ProgramName=SAP2000   CurrUnits=\"KN, m, C\"\n\n";
   text += "TABLE:  \"LINK PROPERTY DEFINITIONS 01 - GENERAL\"\n";
   const auto general = [&](const char *link, const char *type) {
-    text += fmt::format("   Link={}   LinkType=\"{}\"   Mass=0   Weight=0   RotInert1=0   RotInert2=0   RotInert3=0   "
+    const bool quoted = std::string_view(type).find(' ') != std::string_view::npos; // as the program writes words
+    text += fmt::format("   Link={}   LinkType={}   Mass=0   Weight=0   RotInert1=0   RotInert2=0   RotInert3=0   "
                         "DefLength=1   DefArea=1   PDM2I=0   PDM2J=0   PDM3I=0   PDM3J=0\n",
-                        link, type);
+                        link, quoted ? fmt::format("\"{}\"", type) : type);
   };
   general("RIM_GAP", "Gap"), general("RIM", r.plastic ? "MultiLinear Plastic" : "Linear");
   if (dish) general("DISH", "Friction Isolator");
@@ -159,7 +170,7 @@ std::string sap2000(const ExportedRim &rim, const CsiRim &r, const std::optional
   text += "\n";
   if (!r.plastic)
     text += fmt::format("TABLE:  \"LINK PROPERTY DEFINITIONS 02 - LINEAR\"\n   Link=RIM   DOF=U1   Fixed=No   "
-                        "TransKE={:.8g}   TransCE={:.8g}   DJ=0\n\n",
+                        "TransKE={:.8g}   TransCE={:.8g}\n\n",
                         r.stiffness / 1e3, r.damping / 1e3);
   if (dish && !dish->sphere) {
     text += "TABLE:  \"LINK PROPERTY DEFINITIONS 03 - MULTILINEAR\"\n";
@@ -167,11 +178,11 @@ std::string sap2000(const ExportedRim &rim, const CsiRim &r, const std::optional
       text += sap_points("DISH_SPRING", dof, rim.vertical / dish->radius / 1e3, "", dish_points(rim, *dish));
   }
   text += fmt::format("TABLE:  \"LINK PROPERTY DEFINITIONS 05 - GAP\"\n   Link=RIM_GAP   DOF=U1   Fixed=No   "
-                      "NonLinear=Yes   TransKE=0   TransCE=0   DJ=0   TransK={:.8g}   TransOpen={:.8g}\n\n",
+                      "NonLinear=Yes   TransKE=0   TransCE=0   TransK={:.8g}   TransOpen={:.8g}\n\n",
                       r.gap_stiffness / 1e3, rim.lateral_capacity);
   if (dish) {
     text += "TABLE:  \"LINK PROPERTY DEFINITIONS 08 - SLIDING ISOLATOR\"\n";
-    text += fmt::format("   Link=DISH   DOF=U1   Fixed=No   NonLinear=Yes   TransKE={0:.8g}   TransCE=0   DJ=0   "
+    text += fmt::format("   Link=DISH   DOF=U1   Fixed=No   NonLinear=Yes   TransKE={0:.8g}   TransCE=0   "
                         "TransK={0:.8g}   TransC=0\n",
                         dish->vertical_stiffness / 1e3);
     for (const char *dof : {"U2", "U3"})
@@ -193,35 +204,34 @@ std::string etabs(const ExportedRim &rim, const CsiRim &r, const std::optional<D
   std::string text = comment_lines("$", head(rim, r, dish, header, "ETABS")) +
                      "\n$ CONTROLS\n  UNITS  \"KN\"  \"M\"  \"C\"\n\n$ LINK PROPERTIES\n";
   const auto link = [&](const char *name, const char *type) {
-    text +=
-        fmt::format("  LINKPROP  \"{}\"  TYPE \"{}\"  MASS 0  WEIGHT 0  RMASS1 0  RMASS2 0  RMASS3 0\n", name, type);
+    text += fmt::format("  LINKPROP  \"{}\"  TYPE \"{}\"\n", name, type);
   };
-  link("RIM_GAP", "Gap");
-  text += fmt::format("  LINKPROP  \"RIM_GAP\"  DOF \"U1\"  NONLIN \"Yes\"  KE 0  CE 0  K {:.8g}  OPEN {:.8g}\n",
+  link("RIM_GAP", "GAP");
+  text += fmt::format("  LINKPROP  \"RIM_GAP\"  DOF \"U1\"  KE 0 CE 0 NONLIN \"Yes\"  K {:.8g} OPEN {:.8g}\n",
                       r.gap_stiffness / 1e3, rim.lateral_capacity);
-  link("RIM", r.plastic ? "MultiLinear Plastic" : "Linear");
+  link("RIM", r.plastic ? "MULTILINEAR PLASTIC" : "LINEAR");
   if (r.plastic)
-    text += fmt::format("  LINKPROP  \"RIM\"  DOF \"U1\"  NONLIN \"Yes\"  KE {:.8g}  CE 0  HYSTYPE \"Kinematic\"\n",
+    text += fmt::format("  LINKPROP  \"RIM\"  DOF \"U1\"  KE {:.8g} CE 0 NONLIN \"Yes\"  HYSTYPE \"Kinematic\"\n",
                         r.stiffness / 1e3) +
-            etabs_points("RIM", "U1", rim_points(*r.plastic));
+            etabs_points("RIM", rim_points(*r.plastic));
   else
-    text += fmt::format("  LINKPROP  \"RIM\"  DOF \"U1\"  KE {:.8g}  CE {:.8g}\n", r.stiffness / 1e3, r.damping / 1e3);
+    text += fmt::format("  LINKPROP  \"RIM\"  DOF \"U1\"  KE {:.8g} CE {:.8g}\n", r.stiffness / 1e3, r.damping / 1e3);
   if (!dish) return text;
-  link("DISH", "Friction Isolator");
-  text += fmt::format("  LINKPROP  \"DISH\"  DOF \"U1\"  NONLIN \"Yes\"  KE {0:.8g}  CE 0  K {0:.8g}  CDAMP 0\n",
+  link("DISH", "FRICTION ISOLATOR");
+  text += fmt::format("  LINKPROP  \"DISH\"  DOF \"U1\"  KE {0:.8g} CE 0 NONLIN \"Yes\"  K {0:.8g} CDAMP 0\n",
                       dish->vertical_stiffness / 1e3);
   for (const char *dof : {"U2", "U3"})
-    text += fmt::format("  LINKPROP  \"DISH\"  DOF \"{}\"  DJ 0  NONLIN \"Yes\"  KE {:.8g}  CE 0  K {:.8g}  CSLOW "
-                        "{:.8g}  CFAST {:.8g}  RATE {:.8g}  RADIUS {:.8g}\n",
+    text += fmt::format("  LINKPROP  \"DISH\"  DOF \"{}\"  KE {:.8g} CE 0 DJ 0 NONLIN \"Yes\"  K {:.8g} CSLOW {:.8g} "
+                        "CFAST {:.8g} RATE {:.8g} RADIUS {:.8g}\n",
                         dof, dish->sphere ? rim.vertical / dish->radius / 1e3 : 0.0,
                         dish->flat_stiffness(rim.vertical) / 1e3, dish->mu_slow, dish->mu_fast,
                         dish->is_coulomb() ? 1 : dish->rate, dish->sphere ? dish->radius : 0.0);
   if (dish->sphere) return text;
-  link("DISH_SPRING", "MultiLinear Elastic");
+  link("DISH_SPRING", "MULTILINEAR ELASTIC");
   for (const char *dof : {"U2", "U3"})
-    text += fmt::format("  LINKPROP  \"DISH_SPRING\"  DOF \"{}\"  DJ 0  NONLIN \"Yes\"  KE {:.8g}  CE 0\n", dof,
+    text += fmt::format("  LINKPROP  \"DISH_SPRING\"  DOF \"{}\"  KE {:.8g} CE 0 DJ 0 NONLIN \"Yes\"\n", dof,
                         rim.vertical / dish->radius / 1e3) +
-            etabs_points("DISH_SPRING", dof, dish_points(rim, *dish));
+            etabs_points("DISH_SPRING", dish_points(rim, *dish));
   return text;
 }
 

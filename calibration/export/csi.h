@@ -3,8 +3,9 @@
 ///
 /// Rim: RIM_GAP (Gap) in series with RIM (elastoplastic: MultiLinear Plastic, Kinematic; signed, no-tension: Linear,
 /// k_i and c_i), joined by a joint of small mass. Drawn from the slider outwards along the motion: moving out shortens
-/// them. Dish: DISH (Friction Isolator), beside it DISH_SPRING (MultiLinear Elastic) where it is no sphere. Table and
-/// field names are those the programs write; import was not tried.
+/// them. Dish: DISH (Friction Isolator), beside it DISH_SPRING (MultiLinear Elastic) where it is no sphere. Tables and
+/// fields are those of files that SAP2000 20.1 and ETABS 2015 wrote (tests/app/test_export_csi.py names them); import
+/// was not tried.
 #pragma once
 #include "calibration/export/dish.h"
 #include "calibration/export/plastic_link.h"
