@@ -16,12 +16,14 @@ from rimpact.calibration import Calibration, calibrate
 from rimpact.comparison import Comparison, compare
 from rimpact.errors import DataError, Error, GateError, InputError, OutputError, Stopped
 from rimpact.laws import Law, law
-from rimpact.records import motion
+from rimpact.measured import Measured
+from rimpact.records import motion, spectrum
 from rimpact.results import Fleet, Run, load, load_fleet
 from rimpact.scene import Scene, bearing_names, run_reduced, scene_names, summarise
+from rimpact.studies import Building, Reliability, building, reliability, thesis
 from rimpact.work import export, geometry, run, sweep
 
-__all__ = ["Calibration", "Comparison", "DataError", "Error", "Fleet", "GateError", "InputError", "Law", "OutputError", "Run", "Scene", "Stopped",
-           "bearing_names", "calibrate", "compare", "export", "geometry", "law", "load", "load_fleet", "motion", "run", "run_reduced", "scene_names", "summarise",
-           "sweep", "with_record", "write_record"]
+__all__ = ["Building", "Calibration", "Comparison", "DataError", "Error", "Fleet", "GateError", "InputError", "Law", "Measured", "OutputError", "Reliability",
+           "Run", "Scene", "Stopped", "bearing_names", "building", "calibrate", "compare", "export", "geometry", "law", "load", "load_fleet",
+           "motion", "reliability", "run", "run_reduced", "scene_names", "spectrum", "summarise", "sweep", "thesis", "with_record", "write_record"]
 __version__ = compiled.version

@@ -16,7 +16,11 @@ UNITS = {"m/s2": 1.0, "g": 9.80665, "cm/s2": 0.01}
 
 def write_record(path: str | os.PathLike, time: ArrayLike, acceleration: ArrayLike, units: str = "m/s2") -> Path:
     """Writes a ground acceleration (CSV: time_s, acceleration_m/s2) that scenes and `motion` read. time [s] rises; units: "m/s2", "g"
-    (9.80665 m/s2) or "cm/s2". Raises InputError for another unit, DataError for arrays that are no record."""
+    (9.80665 m/s2) or "cm/s2". Raises InputError for another unit, DataError for arrays that are no record.
+
+    >>> rimpact.write_record("sine.csv", np.arange(0, 2, 0.01), np.sin(np.arange(0, 2, 0.01)), "g").name
+    'sine.csv'
+    """
     if units not in UNITS:
         raise InputError(f'units "{units}" is not known; known are {", ".join(UNITS)}')
     t, a = np.asarray(time, float), np.asarray(acceleration, float)
@@ -36,7 +40,13 @@ def with_record(scene: Scene, folder: str | os.PathLike, time: ArrayLike, x: Arr
                 units: str = "m/s2") -> Scene:
     """The scene under a recorded motion: ground accelerations over time [s] along x, and along y and z where they are given. They are
     written to `folder` (made where it is not there), each under a name of its own content (record-x-1f0c....csv), and the scene reads them there:
-    another motion is another file, and a worker elsewhere needs the folder."""
+    another motion is another file, and a worker elsewhere needs the folder.
+
+    >>> times = np.arange(0, 5, 0.01)
+    >>> moved = rimpact.with_record(rimpact.Scene("ricker-0.78g-1.0s"), "motions", times, 2.0 * np.sin(4 * times))
+    >>> moved["excitation.kind"]
+    'record'
+    """
     place = Path(folder)
     place.mkdir(parents=True, exist_ok=True)
     settings: dict[str, str] = {"excitation.kind": "record"}

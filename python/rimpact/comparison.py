@@ -24,6 +24,10 @@ class Comparison:
     table: a row a figure (peak, displacement, approach, rebound, restitution, time_ms, rms_displacement, rms_force, rms_lateral) with
     `title`, `value` (NaN: it has no meaning here, `notes` say why), `unit`, and where it was limited `limit` and `met`.
     differences: what differs between the two scenes, a row a key; data: the command's JSON.
+
+    >>> runs = [rimpact.run_reduced(rimpact.Scene("impact-window", {"reduced.k_i_kN_per_m": k})) for k in (4.5e5, 9e5)]
+    >>> rimpact.compare(*runs, {"peak": 5}).missed[0].split(":")[0]
+    'peak impact force'
     """
     table: pd.DataFrame
     notes: list[str]
@@ -63,16 +67,21 @@ def _table(source: pd.DataFrame, path: Path) -> None:
     frame[[name for name in names.values() if name in frame]].to_csv(path, index=False, float_format="%.17g")
 
 
+def write_run(run: Run, folder: Path) -> str:
+    """A run folder of a run that has none."""
+    folder.mkdir(parents=True, exist_ok=True)
+    _table(run.response, folder / "response.csv")
+    (folder / "scene.toml").write_text(run.scene, encoding="utf-8")
+    (folder / "summary.json").write_text(json.dumps(run.summary), encoding="utf-8")
+    return os.fspath(folder)
+
+
 def _placed(source: str | os.PathLike | Run | pd.DataFrame, folder: Path) -> str:
     """A path that the command reads: the source's own, or one in `folder`."""
     if isinstance(source, Run):
         if source.folder is not None:
             return os.fspath(source.folder)
-        folder.mkdir()
-        _table(source.response, folder / "response.csv")
-        (folder / "scene.toml").write_text(source.scene, encoding="utf-8")
-        (folder / "summary.json").write_text(json.dumps(source.summary), encoding="utf-8")
-        return os.fspath(folder)
+        return write_run(source, folder)
     if isinstance(source, pd.DataFrame):
         _table(source, folder.with_suffix(".csv"))
         return os.fspath(folder.with_suffix(".csv"))
@@ -88,6 +97,10 @@ def compare(reference: str | os.PathLike | Run | pd.DataFrame, run: str | os.Pat
     that pushes back is negative where the displacement is positive. `limits`: {"peak": 5, "rebound": 10, "time_ms": 2}, per cent but for
     the time; `Comparison.check` raises where one is not met. `capacity`: L_c [m], where neither has a scene. Runs of another
     bearing, load or motion raise InputError unless `anyway`.
+
+    >>> mine = rimpact.run_reduced("impact-window")
+    >>> rimpact.compare(mine, mine.response, {"peak": 5, "time_ms": 1}).met
+    True
     """
     with tempfile.TemporaryDirectory() as place:
         words = ["compare", _placed(reference, Path(place) / "reference"), _placed(run, Path(place) / "run"), "--json"]

@@ -15,8 +15,8 @@ def path() -> str:
     """RIMPACT_PROGRAM, else the one inside this package (pip's), else the one installed with it (PREFIX/bin), else the build folder's, else
     the one in PATH."""
     given = os.environ.get("RIMPACT_PROGRAM")
-    here = Path(__file__).resolve()
-    near = [Path(__file__).absolute().parents[depth] / "bin" / "rimpact" for depth in (0, 2, 4) if len(here.parents) > depth]
+    folders = Path(__file__).absolute().parents
+    near = [folders[depth] / "bin" / "rimpact" for depth in (0, 2, 4) if len(folders) > depth]
     for each in [given, *map(str, near), shutil.which("rimpact")]:
         if each and os.access(each, os.X_OK):
             return each

@@ -24,10 +24,14 @@ CSV_COLUMNS = {"time_s": "time", "ux_m": "displacement_x", "uy_m": "displacement
 
 @dataclass(frozen=True)
 class Run:
-    """One run.
+    """One run, flown or read.
 
     response: signals over time [s]; summary: summary.json; impacts: a row each, as summary["impacts"]; fields: the files of the
     finite-element fields with their times [s], empty for a reduced run; scene: the resolved scene, TOML; folder: None where none was written.
+
+    >>> run = rimpact.run_reduced("impact-window")
+    >>> float(run.impacts.peak_force_N[0]) == run.summary["peak_impact_force_N"], run.response.attrs["units"]["impact_x"]
+    (True, 'N')
     """
     response: pd.DataFrame
     summary: dict
@@ -43,22 +47,28 @@ class Run:
         return draw_run(self, path)
 
     def _repr_html_(self) -> str:
-        return _html("run", {name: self.summary.get(name) for name in ("status", "rung", "peak_displacement_m", "peak_lateral_force_N", "peak_impact_force_N",
+        return html_of("run", {name: self.summary.get(name) for name in ("status", "rung", "peak_displacement_m", "peak_lateral_force_N", "peak_impact_force_N",
                                                                        "n_impacts")}, self.impacts, self.summary.get("warnings") or [])
 
 
 @dataclass(frozen=True)
 class Fleet:
-    """A sweep: `runs`, a row each with parameters and results; `fractiles`, None where none were asked for."""
+    """A sweep: `runs`, a row each with parameters and results; `fractiles`, None where none were asked for.
+
+    >>> fleet = rimpact.sweep("impact-window", {"excitation.speed_m_per_s": [0.2, 0.4]}, "two-runs")
+    >>> list(fleet.runs["excitation.speed_m_per_s"]), fleet.fractiles is None
+    ([0.2, 0.4], True)
+    """
     runs: pd.DataFrame
     fractiles: pd.DataFrame | None
     folder: Path
 
     def _repr_html_(self) -> str:
-        return _html("fleet", {"runs": len(self.runs), "folder": self.folder}, self.runs.head(20), [])
+        return html_of("fleet", {"runs": len(self.runs), "folder": self.folder}, self.runs.head(20), [])
 
 
-def _html(title: str, facts: Mapping[str, object], table: pd.DataFrame, doubts: list[str]) -> str:
+def html_of(title: str, facts: Mapping[str, object], table: pd.DataFrame, doubts: list[str]) -> str:
+    """What a notebook shows: facts, a table, and doubts as a list."""
     rows = "".join(f"<tr><th>{html.escape(name)}</th><td>{html.escape(f'{value:.6g}' if isinstance(value, float) else str(value))}</td></tr>"
                    for name, value in facts.items() if value is not None)
     said = "".join(f"<li>{html.escape(each)}</li>" for each in doubts)
@@ -82,7 +92,12 @@ def run_from_signals(signals: Mapping[str, np.ndarray], summary: dict, scene: st
 
 
 def load(folder: str | os.PathLike) -> Run:
-    """Reads a run folder of any rung: response.h5 (or response.csv), summary.json, scene.toml, fields/fields.pvd."""
+    """Reads a run folder of any rung: response.h5 (or response.csv), summary.json, scene.toml, fields/fields.pvd.
+
+    >>> flown = rimpact.run_reduced("impact-window", "a-run")
+    >>> bool((rimpact.load("a-run").response.impact_x == flown.response.impact_x).all())
+    True
+    """
     place = Path(folder)
     if not place.is_dir():
         raise DataError(f"{place}: no such folder")
@@ -93,7 +108,12 @@ def load(folder: str | os.PathLike) -> Run:
 def load_fleet(folder: str | os.PathLike) -> Fleet:
     """Reads what `rimpact reduced --sweep` wrote: table.csv, or the tables of its shards, each run once, and fractiles.csv.
 
-    Warns where shards are missing."""
+    Warns where shards are missing.
+
+    >>> made = rimpact.sweep("impact-window", {"excitation.speed_m_per_s": [0.2, 0.4]}, "a-fleet")
+    >>> len(rimpact.load_fleet("a-fleet").runs)
+    2
+    """
     place = Path(folder)
     tables = [place / "table.csv"] if (place / "table.csv").is_file() else sorted(place.glob("table-*-of-*.csv"))
     if not tables:

@@ -6,6 +6,7 @@ import html
 import json
 import os
 import tomllib
+import warnings
 from collections.abc import Mapping
 from functools import cached_property
 
@@ -32,6 +33,12 @@ class Scene:
 
     `where`: a TOML file, a folder with scene.toml, or a built-in scene's name (`scene_names()`). `settings`: dotted keys over values,
     as --set takes them: {"excitation.scale": 1.05, "bearing.rim.height_mm": 70}. Raises InputError with file, line, value and bound.
+
+    >>> scene = rimpact.Scene("impact-window", {"bearing.rim.thickness_mm": 35})
+    >>> scene["bearing.rim.thickness_mm"], "load.mass_kg" in scene
+    (35.0, True)
+    >>> scene == pickle.loads(pickle.dumps(scene))
+    True
     """
 
     def __init__(self, where: str | os.PathLike, settings: Mapping[str, Value] | None = None) -> None:
@@ -135,12 +142,20 @@ class Scene:
 
 
 def scene_names() -> list[str]:
-    """The built-in scenes."""
+    """The built-in scenes.
+
+    >>> "impact-window" in rimpact.scene_names()
+    True
+    """
     return _core.scene_names()
 
 
 def bearing_names() -> list[str]:
-    """The built-in bearings."""
+    """The built-in bearings.
+
+    >>> "shfps-225" in rimpact.bearing_names()
+    True
+    """
     return _core.bearing_names()
 
 
@@ -148,16 +163,29 @@ def run_reduced(scene: Scene | str | os.PathLike, folder: str | os.PathLike | No
     """Flies the scene by its reduced model, in about a millisecond, and returns response, summary and impacts.
 
     The interpreter's lock is released meanwhile: threads run side by side. `folder`: also writes a run folder there, as `rimpact
-    reduced` does. A run that stops early (the slider leaves the dish) is returned too: see summary["status"].
+    reduced` does. A run that stops early (the slider leaves the dish) is returned too: see summary["status"]. A UserWarning says where
+    an impact was outside the speeds its law was fitted to.
+
+    >>> run = rimpact.run_reduced(rimpact.Scene("ricker-0.78g-1.0s", {"excitation.scale": 1.05}))
+    >>> run.summary["status"], len(run.impacts) > 0
+    ('done', True)
     """
     scene = scene if isinstance(scene, Scene) else Scene(scene)
     flown = _core.run(scene._core)
+    summary = json.loads(flown.summary_json())
+    if summary.get("beyond_fit"):
+        said = [each for each in summary.get("warnings") or [] if "outside the speeds" in each]
+        warnings.warn((said or ["an impact outside the speeds the impact element was fitted to"])[0], UserWarning, stacklevel=2)
     if folder is not None:
         flown.save(scene._core, os.fspath(folder))
-    return run_from_signals(flown.signals(), json.loads(flown.summary_json()), scene.toml(), folder)
+    return run_from_signals(flown.signals(), summary, scene.toml(), folder)
 
 
 def summarise(scene: Scene | str | os.PathLike) -> dict:
-    """Peaks and impacts alone, as summary.json holds them; no response is kept. For samplers and optimisers."""
+    """Peaks and impacts alone, as summary.json holds them; no response is kept. For samplers and optimisers.
+
+    >>> rimpact.summarise("impact-window")["n_impacts"]
+    1
+    """
     scene = scene if isinstance(scene, Scene) else Scene(scene)
     return json.loads(_core.summarise(scene._core))

@@ -20,6 +20,7 @@ def window(**settings):
 class Comparisons(unittest.TestCase):
     def test_runs_of_this_process_are_compared_with_their_scenes(self):
         found = rimpact.compare(window(), window(k_i_kN_per_m=5e5), {"peak": 5, "rebound": 1})
+        self.assertIsInstance(found, rimpact.Comparison)
         self.assertAlmostEqual(found.table.value["peak"], 100 * ((5 / 4.5) ** 0.5 - 1), delta=0.1)
         self.assertEqual(list(found.differences.key), ["reduced.k_i_kN_per_m"])
         self.assertEqual((found.table.met["peak"], found.table.met["rebound"], found.met), (False, True, False))

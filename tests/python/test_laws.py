@@ -26,6 +26,7 @@ class Laws(unittest.TestCase):
 
     def test_a_rim_that_yields_follows_its_loading_and_keeps_a_dent(self):
         law = rimpact.law(scene("elastoplastic", k_i_kN_per_m=1e6, yield_force_kN=900, hardening=0.15))
+        self.assertIsInstance(law, rimpact.Law)
         self.assertTrue(law.yields)
         self.assertAlmostEqual(law(1e-7), 1e9 * 1e-7, delta=1e-3)  # the first slope is k_i
         self.assertGreater(law(3e-3), law(2e-3))

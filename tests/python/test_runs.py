@@ -69,6 +69,7 @@ class Runs(unittest.TestCase):
     def test_a_folder_written_here_is_the_commands(self):
         scene = rimpact.Scene("impact-window", {"excitation.speed_m_per_s": 0.3})
         flown = rimpact.run_reduced(scene, self.path("mine"))
+        self.assertIsInstance(flown, rimpact.Run)
         self.assertEqual(flown.folder.name, "mine")
         np.testing.assert_array_equal(rimpact.load(self.path("mine")).response.impact_x, flown.response.impact_x)
         again = command("reduced", self.path("mine"), "-o", "again", "--json", cwd=self.folder)
@@ -96,6 +97,7 @@ class Runs(unittest.TestCase):
         done = command("reduced", "ricker-0.78g-1.0s", "--sweep", "excitation.scale=0.9:1.1:5", "-o", "fleet", cwd=self.folder)
         self.assertEqual(done.returncode, 0, done.stderr)
         fleet = rimpact.load_fleet(self.path("fleet"))
+        self.assertIsInstance(fleet, rimpact.Fleet)
         np.testing.assert_allclose(fleet.runs["excitation.scale"], [0.9, 0.95, 1.0, 1.05, 1.1])
         own = rimpact.summarise(rimpact.Scene("ricker-0.78g-1.0s", HARD))
         self.assertAlmostEqual(fleet.runs.peak_impact_force_N[3], own["peak_impact_force_N"], delta=1e-9 * own["peak_impact_force_N"])
