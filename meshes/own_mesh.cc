@@ -151,7 +151,7 @@ void check_wall(const Drawn &drawn, bool both_sides) {
 
 /// Places where cells meshed from a geometry are to be fine: first touch, on the wall and on a slider drawn at rest.
 std::vector<std::array<double, 3>> contact_places(const scene::Bearing &bearing) {
-  const double bottom = bearing.slider.bottom, wall = bearing.surface.planar_radius + bearing.rim.ledge;
+  const double bottom = bearing.slider.bottom, wall = bearing.wall_radius();
   return {{wall, 0, bottom + scene::lift(bearing, bearing.lateral_capacity())},
           {bearing.slider.diameter / 2, 0, bottom}};
 }

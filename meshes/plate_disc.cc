@@ -43,7 +43,7 @@ std::vector<std::vector<double>> rim_runs(const std::vector<double> &angles, con
 
 void add_whole_plate(HexMesh &mesh, const scene::Bearing &bearing, const MeshOrder &order) {
   constexpr double core = 0.25; // radius [m]
-  const double h = size_factor(order.level), wall = bearing.surface.planar_radius + bearing.rim.ledge;
+  const double h = size_factor(order.level), wall = bearing.wall_radius();
   const PlaceSizes sizes{2 * 10 * mm * h / wall, 20 * mm / wall, order.sector_half_angle, 0.6 * h};
   const std::vector<double> places = folded(from_the_first(order.directions), sizes.apart()),
                             angles = disc_angles(places, sizes);

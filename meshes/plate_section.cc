@@ -14,14 +14,25 @@ std::vector<double> plate_layers(const scene::Bearing &bearing, double h) {
   return shares;
 }
 
+namespace {
+
+/// Up the wall: fine where the slider's edge bites. Between two dishes it bites beside the dish, and the tilted slider
+/// comes to the wall's top last.
+std::vector<Anchor> wall_anchors(const scene::Bearing &bearing, double z0, double h) {
+  const double top = scene::rim_top(bearing);
+  if (bearing.double_concave()) return {{z0, 2.5 * mm * h}, {top, 8 * mm * h}};
+  return {{z0, 9 * mm * h}, {scene::edge_at_touch(bearing), 5 * mm * h}, {top, 40 * mm * h}};
+}
+
+} // namespace
+
 /// Sizes [mm] at level 1 are what the refinement study of docs/ settled.
 std::vector<Quad9> plate_and_rim(const scene::Bearing &bearing, const PlateSection &plate, double h) {
   const auto surface = scene::make_surface(bearing.surface);
   const auto dish = [&](double r) { return surface->at(r, 0).z; };
   const double edge = bearing.surface.planar_radius, wall = edge + bearing.rim.ledge,
                outer = wall + bearing.rim.thickness;
-  const double z0 = dish(edge), top = z0 + bearing.rim.height, base = -bearing.plate.base;
-  const double bite = bearing.slider.bottom + scene::lift(bearing, bearing.lateral_capacity());
+  const double z0 = dish(edge), base = -bearing.plate.base;
 
   std::vector<Anchor> radii{{plate.inner_radius, plate.inner_size}, {edge, 40 * mm * h}};
   if (bearing.rim.ledge > 0) radii.push_back({wall, 12 * mm * h});
@@ -31,7 +42,7 @@ std::vector<Quad9> plate_and_rim(const scene::Bearing &bearing, const PlateSecti
   std::vector<double> z;
   for (const double share : plate.layers) z.push_back(base + share * (z0 - base));
   z.back() = z0;
-  const std::vector<double> above_dish = graded_lines({{z0, 9 * mm * h}, {bite, 5 * mm * h}, {top, 40 * mm * h}});
+  const std::vector<double> above_dish = graded_lines(wall_anchors(bearing, z0, h));
   z.insert(z.end(), above_dish.begin() + 1, above_dish.end());
 
   // Below the dish the horizontal lines follow its surface.

@@ -18,7 +18,7 @@ double plate_cut_radius(const scene::Bearing &bearing) {
 
 void add_rim(HexMesh &mesh, const scene::Bearing &bearing, const MeshOrder &order) {
   const double h = size_factor(order.level);
-  const double wall = bearing.surface.planar_radius + bearing.rim.ledge;
+  const double wall = bearing.wall_radius();
   const PlaceSizes sizes{10 * mm * h / wall, 20 * mm / wall, order.sector_half_angle, 0.45 * h};
   const std::vector<Quad9> section =
       plate_and_rim(bearing, {plate_cut_radius(bearing), 60 * mm * h, plate_layers(bearing, h)}, h);

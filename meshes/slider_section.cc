@@ -8,31 +8,54 @@
 namespace rimpact::meshes {
 namespace {
 
-/// Heights are measured from the slider's bottom plane; radii from its axis.
+/// Heights are measured from the slider's bottom, radii from its axis.
 struct SliderShape {
-  double radius, height, edge;    ///< outer radius, height, rounding
-  double cap, cap_depth, opening; ///< socket sphere: radius, centre below the bottom plane, opening radius
-  double bottom;                  ///< of the bottom plane, in the plate's frame
+  double radius, height, edge; ///< outer radius, height on the axis, rounding
+  double sphere, centre;       ///< of the underside: radius; centre above the bottom (< 0: below, a socket)
+  double core;                 ///< radius of the middle, meshed as a disc: the socket's opening
+  double bottom;               ///< in the plate's frame
 
-  /// Height of the underside: the sphere inside the opening, the bottom plane outside.
-  double underside(double r) const { return r >= opening ? 0.0 : std::sqrt(cap * cap - r * r) - cap_depth; }
-  /// Layers follow the underside and flatten towards the top.
+  /// Height of the underside: a socket's sphere inside its opening and the bottom plane outside, or a sliding face.
+  double underside(double r) const {
+    if (centre > 0) return centre - std::sqrt(sphere * sphere - r * r);
+    return r >= core ? 0.0 : std::sqrt(sphere * sphere - r * r) + centre;
+  }
+  double side() const { return height - underside(radius); } ///< height of the side
+  double edge_bottom() const { return bottom + underside(radius - edge); }
+  /// Layers, up to side(), follow the underside and flatten towards the top.
   Point2 point(double r, double layer) const {
     const double s = underside(r);
-    return {r, bottom + s + layer / height * (height - s)};
+    return {r, bottom + s + layer / side() * (height - s)};
   }
 };
 
 SliderShape shape_of(const scene::Bearing &bearing, double travel) {
-  SliderShape s;
-  s.radius = bearing.slider.diameter / 2;
-  s.height = bearing.slider.top - bearing.slider.bottom;
-  s.edge = bearing.slider.edge_radius;
-  s.cap = bearing.foot.cap_radius;
-  s.cap_depth = bearing.slider.bottom;
-  s.opening = s.cap > s.cap_depth ? std::sqrt(s.cap * s.cap - s.cap_depth * s.cap_depth) : 0.0;
-  s.bottom = bearing.slider.bottom + scene::lift(bearing, travel);
-  return s;
+  const scene::UpperSlider &slider = bearing.slider;
+  const double radius = slider.diameter / 2;
+  if (bearing.double_concave()) {
+    constexpr double core = 0.5; // of the radius
+    const double R = bearing.surface.R0;
+    return {radius, slider.height / 2, slider.edge_radius, R, R, core * radius, 0};
+  }
+  const double cap = bearing.foot.cap_radius, depth = slider.bottom;
+  return {radius,
+          slider.top - slider.bottom,
+          slider.edge_radius,
+          cap,
+          -depth,
+          cap > depth ? std::sqrt(cap * cap - depth * depth) : 0.0,
+          slider.bottom + scene::lift(bearing, travel)};
+}
+
+/// Turns what was added since node `first` about the centre of the dish, towards +x.
+void tilt_about_dish(HexMesh &mesh, std::size_t first, double radius, double angle) {
+  const double c = std::cos(angle), s = std::sin(angle);
+  for (std::size_t i = first; i < mesh.nodes.size(); ++i) {
+    auto &[x, y, z] = mesh.nodes[i];
+    const double down = radius - z, out = x;
+    x = out * c + down * s;
+    z = radius - (down * c - out * s);
+  }
 }
 
 /// The grid of the ring between socket and side: columns at `radii`, layers at `inner`, wrapped at the
@@ -44,24 +67,25 @@ struct RingGrid {
 
 RingGrid ring_grid(const SliderShape &s, double h) {
   const double t = 6 * mm; // depth of the wrapping layer
+  const bool bites = s.centre > 0;
   RingGrid grid;
   const double step = 3.2 * mm; // the layers' offset from the wall's nodes at the edge
-  grid.radii = graded_lines({{s.opening, 45 * mm * h}, {s.radius - t - step, 45 * mm * h}});
+  grid.radii = graded_lines({{s.core, 45 * mm * h}, {s.radius - t - step, 45 * mm * h}});
   grid.radii.push_back(s.radius - t);
   const std::vector<double> above =
-      graded_lines({{s.edge, 5 * mm * h}, {0.5 * s.height, 40 * mm * h}, {s.height, 70 * mm * h}});
+      graded_lines({{s.edge, (bites ? 2.5 : 5) * mm * h}, {0.5 * s.side(), 40 * mm * h}, {s.side(), 70 * mm * h}});
   grid.inner = {0.0, t};
   grid.wall = {0.0, s.edge * (1 - std::sqrt(0.5))};
   for (const double height : above) { // offset at the edge, level at the top
     grid.wall.push_back(height);
-    grid.inner.push_back(height + (t + step - s.edge) * (s.height - height) / (s.height - s.edge));
+    grid.inner.push_back(height + (t + step - s.edge) * (s.side() - height) / (s.side() - s.edge));
   }
   return grid;
 }
 
 std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
   const std::size_t columns = grid.radii.size(), layers = grid.inner.size();
-  const Point2 centre_of_edge{s.radius - s.edge, s.bottom + s.edge};
+  const Point2 centre_of_edge{s.radius - s.edge, s.edge_bottom() + s.edge};
   const auto arc = [&](double angle) -> Point2 {
     return {centre_of_edge[0] + s.edge * std::cos(angle), centre_of_edge[1] + s.edge * std::sin(angle)};
   };
@@ -70,13 +94,22 @@ std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
     return arc(i + 1 == columns ? -M_PI / 4 : -M_PI / 2); // below: ends of the rounded edge's lower half
   };
   const auto wall = [&](std::size_t j) -> Point2 {
-    return j == 1 ? arc(-M_PI / 4) : Point2{s.radius, s.bottom + grid.wall[j]};
+    if (j == 1) return arc(-M_PI / 4);
+    const double from = s.edge_bottom() + s.edge; // above the rounding
+    return {s.radius, from + (grid.wall[j] - s.edge) * (s.bottom + s.height - from) / (s.side() - s.edge)};
   };
   std::vector<Quad9> section;
   for (std::size_t i = 0; i + 1 < columns; ++i)
     for (std::size_t j = 0; j + 1 < layers; ++j) {
       Quad9 quad =
           straight_quad(inside(i, j), inside(i + 1, j), inside(i + 1, j + 1), inside(i, j + 1), Volume::upper_slider);
+      if (i + 2 < columns) { // lines between follow the underside
+        const auto between = [&](std::size_t layer) {
+          return s.point(0.5 * (inside(i, layer)[0] + inside(i + 1, layer)[0]), grid.inner[layer]);
+        };
+        quad.nodes[1] = between(j);
+        quad.nodes[7] = between(j + 1);
+      }
       if (j == 0 && i + 2 == columns) {
         quad.nodes[1] = arc(-3 * M_PI / 8);
         quad.groups[2] = Surface::slider_side;
@@ -114,12 +147,16 @@ void add_slider(HexMesh &mesh, const scene::Bearing &bearing, double h, double t
   }
   const std::vector<double> angles = halved(graded_lines(anchors));
   Body body(mesh);
-  body.revolve(ring_section(s, grid), angles, travel, Surface::symmetry, Surface::symmetry);
+  const bool between_dishes = bearing.double_concave();
+  const double axis = between_dishes ? 0.0 : travel;
+  const std::size_t first = mesh.nodes.size();
+  body.revolve(ring_section(s, grid), angles, axis, Surface::symmetry, Surface::symmetry);
   const auto height = [&](double r, double level) {
-    return s.point(std::min(r, s.opening), at_level(grid.inner, level))[1];
+    return s.point(std::min(r, s.core), at_level(grid.inner, level))[1];
   };
-  body.raise(half_disc(s.opening, angles, 25 * mm * h), grid.inner.size() - 1, travel, height, Volume::upper_slider,
-             Surface::socket, Surface::top);
+  body.raise(half_disc(s.core, angles, 25 * mm * h), grid.inner.size() - 1, axis, height, Volume::upper_slider,
+             between_dishes ? Surface::pad_face : Surface::socket, Surface::top);
+  if (between_dishes) tilt_about_dish(mesh, first, bearing.surface.R0, bearing.slider_tilt(travel));
 }
 
 } // namespace rimpact::meshes

@@ -20,10 +20,12 @@ constexpr double usual_step = 4e-4; // mean of what the error control takes in c
 
 double depth_of_impact(const scene::Scene &scene, double speed) {
   constexpr double measured = 2.58e-3, at_energy = 1739; // shfps-225 at 0.2 m/s [m], [J]
-  const double energy = 0.5 * scene.load.mass * speed * speed, thickness = scene.bearing.rim.thickness / 0.040;
+  const int dishes = scene.bearing.dishes(); // each rim takes its share
+  const double energy = 0.5 * scene.load.mass * speed * speed / dishes,
+               thickness = scene.bearing.rim.thickness / 0.040;
   const double yield = scene.bearing.steel.yield.value_or(1e9) / 360e6; // elastic: beyond any steel
   const double hardness = std::pow(yield, 0.6) * std::pow(thickness, thickness < 1 ? 0.8 : 0.3);
-  return measured * std::pow(energy / at_energy, 0.68) / hardness;
+  return dishes * measured * std::pow(energy / at_energy, 0.68) / hardness;
 }
 
 double iterations_of_impact(double depth) {
@@ -69,6 +71,7 @@ std::optional<double> full_face_travel(const scene::Bearing &bearing) {
 } // namespace
 
 void add_pad_note(Plan &plan, const scene::Scene &scene) {
+  if (scene.bearing.double_concave()) return;
   if (const auto reason = unfit_stack(scene.bearing)) {
     plan.notes.push_back("pad and foot are left out of these notes, rung `rim` needs neither: " + *reason);
     return;

@@ -46,8 +46,8 @@ double farthest(const WallStroke &stroke, double from_start) {
 } // namespace
 
 DentShape dent_shape(const scene::Scene &scene) {
-  const scene::Bearing &b = scene.bearing;
-  return {b.surface.planar_radius + b.rim.ledge, b.slider.diameter / 2, scene.reduced.dent_spread};
+  const scene::Bearing &b = scene.bearing; // two rims in series are pressed half as deep each
+  return {b.wall_radius(), b.slider.diameter / 2, scene.reduced.dent_spread / b.dishes()};
 }
 
 double DentedRim::deepest_at(const Vector2d &u, const DentShape &shape, const WallStroke *present) const {

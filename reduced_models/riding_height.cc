@@ -99,9 +99,9 @@ std::shared_ptr<const RadialInterpolant> lift_under(const scene::Bearing &bearin
 } // namespace
 
 RidingHeight::RidingHeight(const scene::Bearing &bearing, double pad_load)
-    : surface_(scene::make_surface(bearing.surface)) {
+    : surface_(scene::make_surface(bearing.ridden_surface())) {
   // The dish ends at its planar radius; a pad centre beyond it has nothing to ride on.
-  limit_ = std::min(bearing.surface.planar_radius, surface_->limit_radius() * (1 - 1e-9));
+  limit_ = std::min(bearing.ridden_surface().planar_radius, surface_->limit_radius() * (1 - 1e-9));
   if (pad_load > 0) lift_ = lift_under(bearing, *surface_, pad_load, limit_);
 }
 

@@ -27,7 +27,7 @@ LOAD: Shape = numbers("vertical_kN mass_kg gravity_m_per_s2 gravity")
 SCENE: Shape = {
     "name": TEXT, "load": {"*": NUMBER}, "model": {"rung": TEXT, "mesh": NUMBER},
     "bearing": {"name": TEXT, "assumed": [TEXT],
-                "surface": {**texts("kind file"), "radius_mm": [NUMBER], "height_mm": [NUMBER], "*": NUMBER},
+                "surface": {**texts("kind file concave"), "radius_mm": [NUMBER], "height_mm": [NUMBER], "*": NUMBER},
                 "rim": {"connection": {**texts("kind size grade"), "*": NUMBER}, "*": NUMBER},
                 **dict.fromkeys(("slider", "plate", "pad", "foot"), {"*": NUMBER}),
                 "material": {"*": {**texts("rate hardening curve_kind grade"), "curve": ([[NUMBER]], TEXT), "*": NUMBER}}, "contact": {"pad_foot": TEXT, "*": NUMBER}},

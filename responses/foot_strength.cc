@@ -10,7 +10,7 @@ namespace {
 using scene::ConnectionKind;
 
 double mean_radius(const scene::Bearing &b) {
-  return b.surface.planar_radius + b.rim.ledge + b.rim.thickness / 2;
+  return b.wall_radius() + b.rim.thickness / 2;
 }
 
 double pitch(const scene::RimConnection &c) {

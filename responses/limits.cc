@@ -15,17 +15,18 @@ void warn(Summary &summary, const std::string &sentence) {
   summary.extra["warnings"].push_back(sentence);
 }
 
-/// Deepest the slider went into or past the rim [m]; impacts that a model leaves out count by their travel.
+/// Deepest the slider went into or past the rim, or each of two [m]; impacts that a model leaves out count by their
+/// travel.
 double deepest(const scene::Scene &scene, const Summary &summary) {
   double depth = summary.peak_displacement - scene.bearing.lateral_capacity();
   for (const auto &impact : summary.impacts) depth = std::max(depth, impact.peak_penetration);
-  return depth;
+  return depth / scene.bearing.dishes();
 }
 
 json beyond_rim(const scene::Scene &scene, Summary &summary) {
   if (scene.rigid_bodies()) return nullptr;
   const double depth = deepest(scene, summary), thickness = scene.bearing.rim.thickness;
-  const double travel = summary.peak_displacement, edge = scene.bearing.surface.planar_radius;
+  const double travel = summary.peak_displacement, edge = scene.bearing.ridden_surface().planar_radius;
   if (travel > edge)
     warn(summary, fmt::format("the slider's centre came {:.0f} mm from the middle, past the dish's edge at {:.0f} mm: "
                               "no bearing does so, this is no result",

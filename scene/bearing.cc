@@ -13,23 +13,81 @@ double Bearing::recess_radius() const {
   return pad.outer_radius + (pad_is_seated() ? contact.pad_clearance : 0.0);
 }
 
+namespace {
+
+/// R_eff (3-94) [m].
+double effective_radius(const Bearing &b) {
+  return 2 * b.surface.R0 - b.slider.height;
+}
+
+/// The middle of the rounding of a slider's edge between two dishes, from the dish's centre in the slider's own frame:
+/// outwards and down [m]. The rounding meets the side, and the sliding face at `out` from the axis.
+struct EdgeMiddle {
+  double out, down;
+  explicit EdgeMiddle(const Bearing &b)
+      : out(b.slider.diameter / 2 - b.slider.edge_radius),
+        down(std::sqrt(b.surface.R0 * b.surface.R0 - out * out) - b.slider.edge_radius) {}
+};
+
+/// At which the rounding is tangent to the wall: out cos(theta) + down sin(theta) + e = wall.
+double tilt_at_touch(const Bearing &b) {
+  const EdgeMiddle middle(b);
+  return std::asin((b.wall_radius() - b.slider.edge_radius) / std::hypot(middle.out, middle.down)) -
+         std::atan2(middle.out, middle.down);
+}
+
+} // namespace
+
+double Bearing::lateral_capacity() const {
+  return double_concave() ? effective_radius(*this) * std::sin(tilt_at_touch(*this))
+                          : wall_radius() - slider.diameter / 2;
+}
+
+double Bearing::slider_tilt(double travel) const {
+  return std::asin(travel / effective_radius(*this));
+}
+
+SurfaceSpec Bearing::ridden_surface() const {
+  SurfaceSpec ridden = surface;
+  if (!double_concave()) return ridden;
+  ridden.R0 = ridden.a = effective_radius(*this);
+  ridden.planar_radius *= dishes();
+  return ridden;
+}
+
 // The cap is centred on the middle of the sliding face, so the slider follows the contact point itself.
 double tilt(const Bearing &bearing, double travel) {
-  return std::atan(make_surface(bearing.surface)->at(travel, 0).gradient.x());
+  return std::atan(make_surface(bearing.ridden_surface())->at(travel, 0).gradient.x());
 }
 
 double lift(const Bearing &bearing, double travel) {
-  return make_surface(bearing.surface)->at(travel, 0).z;
+  return make_surface(bearing.ridden_surface())->at(travel, 0).z;
+}
+
+double rim_top(const Bearing &bearing) {
+  return make_surface(bearing.surface)->at(bearing.surface.planar_radius, 0).z + bearing.rim.height;
+}
+
+double edge_at_touch(const Bearing &bearing) {
+  if (!bearing.double_concave()) return bearing.slider.bottom + lift(bearing, bearing.lateral_capacity());
+  const EdgeMiddle middle(bearing);
+  const double theta = tilt_at_touch(bearing);
+  return bearing.surface.R0 - middle.down * std::cos(theta) + middle.out * std::sin(theta) - bearing.slider.edge_radius;
 }
 
 double lift_over_rim(const Bearing &bearing) {
-  const auto surface = make_surface(bearing.surface);
-  const double top = surface->at(bearing.surface.planar_radius, 0).z + bearing.rim.height - bearing.slider.bottom;
-  return top > surface->at(bearing.lateral_capacity(), 0).z ? top : std::numeric_limits<double>::infinity();
+  const double top = rim_top(bearing), edge = edge_at_touch(bearing);
+  if (!(top > edge)) return std::numeric_limits<double>::infinity();
+  return bearing.double_concave() ? top - edge : top - bearing.slider.bottom;
 }
 
 double slider_mass(const Bearing &bearing) {
   const auto &s = bearing.slider;
+  if (bearing.double_concave()) {
+    const double R = bearing.surface.R0, r = s.diameter / 2, face = R - std::sqrt(R * R - r * r); // rise of a face
+    const double beside = std::numbers::pi * (r * r * face - face * face * (R - face / 3));     // a face and its plane
+    return bearing.steel.density * (std::numbers::pi * r * r * s.height - 2 * beside);
+  }
   const double radius = s.diameter / 2, height = bearing.foot.cap_radius - s.bottom; // of the socket, a spherical cap
   const double socket = std::numbers::pi * height * height * (bearing.foot.cap_radius - height / 3);
   return bearing.steel.density * (std::numbers::pi * radius * radius * (s.top - s.bottom) - socket);

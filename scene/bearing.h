@@ -1,5 +1,9 @@
-/// A single-dish friction-pendulum bearing with a restraining rim: every dimension, in SI.
+/// A friction-pendulum bearing with a restraining rim: every dimension, in SI.
 /// Frame: origin at the dish's vertex, z up; the plate is fixed, the upper slider moves.
+///
+/// With `surface.concave` "double" two like dishes face each other and one slider, whose faces are shaped to them, lies
+/// between. Dish, rim and plate are those of one of them; pad, foot and Ertalyte are not read. A half turn about the
+/// slider's middle maps one half on the other, so the slider's middle moves half as far as what the bearing carries.
 /// Values marked *assumption* are the built-in bearings' (the thesis's drawing is not available). In a bearing of
 /// someone's own a number that its file leaves to its default, or marks, is one: `Bearing::assumed`, listed by
 /// `assumptions()`.
@@ -18,7 +22,8 @@ struct UpperSlider {
   double diameter = 0.240;    ///< b_s [m]
   double bottom = 0.05825;    ///< bottom plane above the vertex at rest [m], assumption
   double top = 0.15825;       ///< top plane above the vertex at rest [m], assumption
-  double edge_radius = 0.002; ///< rounding of the lower edge [m], >= 0, assumption
+  double height = 0.100;      ///< between two dishes: H_s on its axis, from face to face [m]; bottom and top are not read
+  double edge_radius = 0.002; ///< rounding of the lower edge, between two dishes of both [m], >= 0, assumption
   bool operator==(const UpperSlider &) const = default;
 };
 struct Rim {
@@ -86,8 +91,18 @@ struct Bearing {
   ContactFriction contact;
   AssumedKeys assumed;
 
-  /// L_c = r_p - b_s/2 (eq. 2-5) [m].
-  double lateral_capacity() const { return surface.planar_radius + rim.ledge - slider.diameter / 2; }
+  bool double_concave() const { return surface.concave == Concave::twice; }
+  /// Dishes in series, each moved through by its share of the travel: 1 or 2.
+  int dishes() const { return double_concave() ? 2 : 1; }
+  double wall_radius() const { return surface.planar_radius + rim.ledge; } ///< of the rim's inner face [m]
+  /// Travel of what is carried at which the rim is touched, or both are [m]. L_c = r_p - b_s/2 (eq. 2-5); between two
+  /// dishes C = R_eff sin(theta), theta the slider's tilt at which its rounded edge meets the wall.
+  double lateral_capacity() const;
+  /// Tilt of a slider between two dishes at a travel of what is carried [rad].
+  double slider_tilt(double travel) const;
+  /// What the carried mass rides: the dish, or the sphere of R_eff = 2 R - H_s (3-94) that two of them make, with the
+  /// edge where twice the travel of one of them ends.
+  SurfaceSpec ridden_surface() const;
   double pad_area() const;                                                       ///< [m^2]
   bool pad_is_seated() const { return contact.pad_foot == PadFoot::frictional; } ///< a body of its own, by friction
   double recess_radius() const;                                                  ///< of the wall around the pad [m]
@@ -105,13 +120,17 @@ struct Assumption {
 };
 std::vector<Assumption> assumptions(const Bearing &bearing);
 
-/// Tilt of the slider on the surface at travel r [rad] and the height its origin rises [m].
+/// Tilt of the slider on the surface at travel r [rad] and the height its origin rises, between two dishes the height
+/// that what it carries rises [m].
 double tilt(const Bearing &bearing, double travel);
 double lift(const Bearing &bearing, double travel);
+/// Of the rim's top, and of the bottom of the slider's edge when it touches, above the dish's vertex [m].
+double rim_top(const Bearing &bearing);
+double edge_at_touch(const Bearing &bearing);
 /// How far the slider may be lifted from its place at rest while its bottom stays below the rim's top [m]; infinite
 /// where the dimensions leave the rim's top below it even at L_c (a scene that reads the dish alone).
 double lift_over_rim(const Bearing &bearing);
-/// Mass of the upper slider [kg]: cylinder less socket, its edge taken as sharp. The supported mass includes it.
+/// Mass of the upper slider [kg]: cylinder less socket, or between its two faces; its edge taken as sharp. The supported mass includes it.
 double slider_mass(const Bearing &bearing);
 
 /// Built-in bearings: shfps-225 (default) and fps-225 (a = R0). Throws InputError with the nearest name.

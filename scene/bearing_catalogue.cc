@@ -45,6 +45,21 @@ Bearing shfps_appendix_a() {
   return b;
 }
 
+/// Two dishes face to face with the thesis's radius, slider and capacity of 300 mm (section 3.4; scene::DoubleConcave).
+/// It draws neither the plates nor what is behind the rims' faces: those dimensions and the steel are assumed.
+Bearing dcfp_155() {
+  Bearing b;
+  b.name = "dcfp-155";
+  b.surface = {.kind = SurfaceKind::sphere, .concave = Concave::twice, .R0 = 1.55, .a = 1.55, .planar_radius = 0.30335};
+  b.slider.diameter = 0.300;
+  b.slider.height = 0.100;
+  b.rim.height = 0.020;
+  b.rim.thickness = 0.020;
+  b.plate.base = 0.040;
+  b.contact.steel_ertalyte = 0.05;
+  return b;
+}
+
 struct Entry {
   const char *name;
   Bearing (*make)();
@@ -54,6 +69,7 @@ constexpr std::array catalogue{
     Entry{"shfps-225", shfps_225},
     Entry{"fps-225", fps_225},
     Entry{"shfps-appendix-a", shfps_appendix_a},
+    Entry{"dcfp-155", dcfp_155},
 };
 
 } // namespace

@@ -30,6 +30,27 @@ void check_materials(const Bearing &b) {
   check("ertalyte", b.ertalyte);
 }
 
+/// Between two dishes: a face is shaped to its dish, and the slider's edge comes to the wall before the dishes end.
+void check_two_dishes(const Bearing &b) {
+  const auto &s = b.slider;
+  const double R = b.surface.R0, radius = s.diameter / 2, wall = b.wall_radius();
+  require(b.surface.kind == SurfaceKind::sphere, "surface.concave \"{}\" needs surface.kind \"{}\", not \"{}\"",
+          word(b.surface.concave), word(SurfaceKind::sphere), word(b.surface.kind));
+  require(radius < wall, "slider.diameter_mm {} mm leaves no travel in a rim of radius {} mm", mm(s.diameter),
+          mm(wall));
+  require(wall - s.edge_radius < R - s.edge_radius,
+          "surface.planar_radius_mm {} mm reaches beyond the sphere, which ends at {} mm (R0_m)", mm(wall), mm(R));
+  require(s.edge_radius < radius, "slider.edge_radius_mm {} mm must be below the slider's radius {} mm",
+          mm(s.edge_radius), mm(radius));
+  const double face = R - std::sqrt(R * R - radius * radius);
+  require(s.height > 2 * (face + s.edge_radius),
+          "slider.height_mm {} mm must exceed {:.5g} mm: its two faces rise by {:.4g} mm each, and its edges are rounded "
+          "by {} mm",
+          mm(s.height), 2e3 * (face + s.edge_radius), 1e3 * face, mm(s.edge_radius));
+  require(s.height < 2 * R, "slider.height_mm {} mm must be below 2 R = {} mm: R_eff = 2 R - H_s", mm(s.height),
+          mm(2 * R));
+}
+
 void check_dish(const Bearing &b) {
   const auto &s = b.surface;
   const auto surface = make_surface(s);
@@ -47,6 +68,7 @@ void check_dish(const Bearing &b) {
             "10; a dish rises outwards",
             mm(s.planar_radius), mm(r), word(s.kind), slope);
   }
+  if (b.double_concave()) return check_two_dishes(b);
   require(b.lateral_capacity() > 0,
           "slider.diameter_mm {} mm leaves no travel in a rim of radius {} mm: L_c = {} mm must be > 0",
           mm(b.slider.diameter), mm(s.planar_radius + b.rim.ledge), mm(b.lateral_capacity()));
@@ -56,7 +78,7 @@ void check_dish(const Bearing &b) {
 void check_connection(const Bearing &b) {
   const RimConnection &c = b.rim.connection;
   if (c.kind != ConnectionKind::bolts) return;
-  const double wall = b.surface.planar_radius + b.rim.ledge, outer = wall + b.rim.thickness, bolt = diameter(c.size);
+  const double wall = b.wall_radius(), outer = wall + b.rim.thickness, bolt = diameter(c.size);
   require(c.circle - bolt >= 2 * wall && c.circle + bolt <= 2 * outer,
           "rim.connection.circle_mm {} mm with bolts {} leaves the wall, which stands between {} and {} mm",
           mm(c.circle), word(c.size), mm(2 * wall), mm(2 * outer));
@@ -168,9 +190,9 @@ private:
     const double along = b_.foot.radius * std::cos(azimuth), across = b_.foot.radius * std::sin(azimuth);
     const double x = travel + along * c - b_.foot.bottom * s, z = lifted + along * s + b_.foot.bottom * c;
     const double radius = std::hypot(x, across);
-    require(radius < b_.surface.planar_radius + b_.rim.ledge,
+    require(radius < b_.wall_radius(),
             "foot.radius_mm {} mm: at a travel of {} mm the foot reaches {} mm and meets the rim's wall at {} mm",
-            mm(b_.foot.radius), mm(travel), mm(radius), mm(b_.surface.planar_radius + b_.rim.ledge));
+            mm(b_.foot.radius), mm(travel), mm(radius), mm(b_.wall_radius()));
     require(z > height(radius),
             "foot.bottom_mm {} mm: at a travel of {} mm the foot's lower edge, at z = {} mm, meets the dish "
             "at z = {} mm",
@@ -180,9 +202,8 @@ private:
   std::unique_ptr<SlidingSurface> surface_;
 };
 
-void check_rim(const Bearing &b, const Clearance &clearance) {
-  const double top = clearance.height(b.surface.planar_radius) + b.rim.height;
-  const double bottom = b.slider.bottom + clearance.height(b.lateral_capacity());
+void check_rim(const Bearing &b) {
+  const double top = rim_top(b), bottom = edge_at_touch(b);
   require(top > bottom,
           "rim.height_mm {} mm leaves the rim's top at z = {} mm, below the slider's bottom at {} mm when "
           "it touches",
@@ -214,6 +235,13 @@ void check(const Bearing &b, bool with_stack) {
   check_friction(b.contact);
   check_dish(b);
   check_connection(b);
+  if (b.double_concave()) {
+    require(!with_stack,
+            "surface.concave \"{}\": a slider between two dishes has neither pad nor foot; rung `rim` and the reduced "
+            "model without their terms know it",
+            word(b.surface.concave));
+    return check_rim(b);
+  }
   check_slider(b);
   if (with_stack) check_foot_and_pad(b);
   const Clearance clearance(b);
@@ -222,7 +250,7 @@ void check(const Bearing &b, bool with_stack) {
     clearance.check_slider(travel);
     if (with_stack) clearance.check_stack(travel);
   }
-  check_rim(b, clearance);
+  check_rim(b);
 }
 
 bool needs_only_the_dish(const Scene &s) {

@@ -111,12 +111,24 @@ void visit_foot_and_pad(KeyVisitor &v, Bearing &b) {
   });
 }
 
+/// Of a slider on a foot, or of one between two dishes.
+void visit_height(KeyVisitor &v, Bearing &b) {
+  if (v.wants(b.double_concave()))
+    v.number({"height_mm", "H_s of a slider between two dishes, on its axis from face to face"}, b.slider.height, milli,
+             length_mm);
+  if (!v.wants(!b.double_concave())) return;
+  v.number({"bottom_mm", "bottom plane above the vertex at rest", assumption}, b.slider.bottom, milli, length_mm);
+  v.number({"top_mm", "top plane above the vertex at rest", assumption}, b.slider.top, milli, length_mm);
+}
+
 void visit(KeyVisitor &v, SurfaceSpec &s) {
   using enum SurfaceKind;
   const auto is = [&](auto... kind) { return v.wants(((s.kind == kind) || ...)); };
   v.choice({"kind"}, s.kind);
   if (is(ellipse, sphere, cone)) v.number({"R0_m", "radius of curvature at the vertex"}, s.R0, si, length_m);
   if (is(ellipse)) v.number({"a_m", "half-width of the ellipse"}, s.a, si, length_m);
+  if (v.wants(s.concave == Concave::twice))
+    v.choice({"concave", "whether two such dishes face each other, one slider between them"}, s.concave);
   if (is(cone)) v.number({"slope", "of the cone, rise over run; R0_m rounds its vertex"}, s.slope, si, {0, 1, true});
   if (is(polynomial)) {
     constexpr Range coefficient{-1e6, 1e6};
@@ -141,9 +153,9 @@ void visit(KeyVisitor &v, Bearing &b) {
   v.section("surface", [&] { visit(v, b.surface); });
   v.section("slider", [&] {
     v.number({"diameter_mm"}, b.slider.diameter, milli, length_mm);
-    v.number({"bottom_mm", "bottom plane above the vertex at rest", assumption}, b.slider.bottom, milli, length_mm);
-    v.number({"top_mm", "top plane above the vertex at rest", assumption}, b.slider.top, milli, length_mm);
-    v.number({"edge_radius_mm", "rounding of the lower edge", assumption}, b.slider.edge_radius, milli, size_mm);
+    visit_height(v, b);
+    v.number({"edge_radius_mm", "rounding of the edge that meets the rim", assumption}, b.slider.edge_radius, milli,
+             size_mm);
   });
   v.section("rim", [&] {
     v.number({"height_mm", "above the dish's edge", assumption}, b.rim.height, milli, length_mm);
@@ -154,7 +166,7 @@ void visit(KeyVisitor &v, Bearing &b) {
   v.section("plate", [&] {
     v.number({"base_mm", "bottom plane below the vertex", assumption}, b.plate.base, milli, length_mm);
   });
-  visit_foot_and_pad(v, b);
+  if (v.wants(!b.double_concave())) visit_foot_and_pad(v, b);
   v.section("material", [&] {
     v.section("steel", [&] {
       visit_origin(v, b.steel);
@@ -166,7 +178,7 @@ void visit(KeyVisitor &v, Bearing &b) {
       v.limit({"strain_limit", "plastic strain beyond which results are doubted; inf: not judged", assumption},
               b.steel.strain_limit, si, {0, 10, true});
     });
-    v.section("ertalyte", [&] { visit(v, b.ertalyte); });
+    if (v.wants(!b.double_concave())) v.section("ertalyte", [&] { visit(v, b.ertalyte); });
   });
   v.section("contact", [&] {
     v.number({"steel_steel", "socket on cap"}, b.contact.steel_steel, si, coefficient);

@@ -65,9 +65,12 @@ Bearing parse_bearing(const std::string &text, const std::string &origin, bool w
 
 /// A resolved scene names a bearing of someone's own and writes all its dimensions.
 bool is_written_out(const TomlFile &file) {
-  constexpr std::array tables{"surface", "slider", "rim", "plate", "pad", "foot", "material", "contact"};
-  return std::all_of(tables.begin(), tables.end(),
-                     [&](const char *name) { return file.find(std::string("bearing.") + name) != nullptr; });
+  constexpr std::array tables{"surface", "slider", "rim", "plate", "material", "contact"};
+  constexpr std::array of_one_dish{"pad", "foot"};
+  const auto has = [&](const char *name) { return file.find(std::string("bearing.") + name) != nullptr; };
+  const bool two_dishes = text_at(file, "bearing.surface.concave") == word(Concave::twice);
+  return std::all_of(tables.begin(), tables.end(), has) &&
+         (two_dishes || std::all_of(of_one_dish.begin(), of_one_dish.end(), has));
 }
 
 /// Whether the scene models pad and foot, before its settings are read.

@@ -35,6 +35,7 @@ void visit(KeyVisitor &v, MeasuredFriction &m) {
 double contact_radius(const Scene &scene) {
   if (scene.reduced.measured.contact_radius) return *scene.reduced.measured.contact_radius;
   if (scene.rigid_bodies()) return scene.isolator.slider_diameter / 2;
+  if (scene.bearing.double_concave()) return scene.bearing.slider.diameter / 2;
   const Pad &pad = scene.bearing.pad;
   return std::sqrt(pad.outer_radius * pad.outer_radius - pad.inner_radius * pad.inner_radius);
 }

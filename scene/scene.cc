@@ -13,11 +13,12 @@ namespace {
 /// The rim stays outside the bearing's middle and within its dish.
 void check_offset(const Scene &s) {
   const double begins = s.bearing.lateral_capacity() + s.reduced.capacity_offset;
-  if (s.rigid_bodies() || (begins > 0 && begins < s.bearing.surface.planar_radius)) return;
+  const double edge = s.bearing.ridden_surface().planar_radius;
+  if (s.rigid_bodies() || (begins > 0 && begins < edge)) return;
   throw InputError(
       fmt::format("reduced.capacity_offset_mm {:g} puts the rim's touch at a travel of {:.6g} mm, where it "
                   "must be within 0..{:g} mm, the dish's edge",
-                  1e3 * s.reduced.capacity_offset, 1e3 * begins, 1e3 * s.bearing.surface.planar_radius));
+                  1e3 * s.reduced.capacity_offset, 1e3 * begins, 1e3 * edge));
 }
 
 void check_excitation(const Excitation &e, double lateral_capacity) {
@@ -79,11 +80,19 @@ void check_pad_spring(const Scene &s) {
                                  word(NormalForce::pad), word(Friction::park_wen), word(s.reduced.friction)));
 }
 
+/// Groups of drawn meshes are those of a slider on one dish.
+void check_own_mesh(const Scene &s) {
+  if (s.model.own_mesh.any() && s.bearing.double_concave())
+    throw InputError(fmt::format("model.own_mesh is for bearings of one dish: surface.concave \"{}\" has the built-in "
+                                 "mesh only",
+                                 word(s.bearing.surface.concave)));
+}
+
 /// A prescribed path the sliding surface cannot follow is refused here, not by the surface in mid-run.
 void check_path(const Scene &scene) {
   const auto &e = scene.excitation;
   const double limit =
-      scene.rigid_bodies() ? scene.isolator.effective_radius() : make_surface(scene.bearing.surface)->limit_radius();
+      scene.rigid_bodies() ? scene.isolator.effective_radius() : make_surface(scene.bearing.ridden_surface())->limit_radius();
   const auto refuse = [&](const char *key, double value, double reach) {
     if (reach < limit) return;
     throw InputError(
@@ -127,6 +136,7 @@ void Scene::validate() const {
   check_measured_friction(*this);
   bounds.validate();
   check_path(*this);
+  check_own_mesh(*this);
   check_sizes(*this);
 }
 

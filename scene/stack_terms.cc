@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <numbers>
 
 namespace rimpact::scene {
 
@@ -18,6 +19,8 @@ double pad_elastic_slip(const Bearing &bearing, double normal_force, double mu) 
 }
 
 double pad_stiffness(const Bearing &bearing) {
+  if (bearing.double_concave())
+    return bearing.steel.E * std::numbers::pi * std::pow(bearing.slider.diameter / 2, 2) / bearing.slider.height;
   return bearing.ertalyte.E * bearing.pad_area() / bearing.pad.thickness;
 }
 
@@ -43,7 +46,8 @@ TakenTerms adopt_stack_terms(TomlFile &file, const StackTerms &terms, bool calib
 
 void leave_out_what_does_not_fit(Scene &scene) {
   ReducedSettings &r = scene.reduced;
-  if (r.normal_force == NormalForce::pad && (r.friction != Friction::park_wen || scene.superstructure.any()))
+  if (r.normal_force == NormalForce::pad &&
+      (r.friction != Friction::park_wen || scene.superstructure.any() || scene.bearing.double_concave()))
     r.normal_force = NormalForce::inertia; // the pad's spring is for a rigid mass on friction with an elastic slip
   if (!r.finite_pad && !r.socket_friction) return;
   try {
@@ -57,6 +61,7 @@ void leave_out_what_does_not_fit(Scene &scene) {
 
 void settle_elastic_slip(Scene &scene) {
   constexpr double rounding = 1e-6; // of a number that a calibration wrote
+  if (scene.bearing.double_concave()) return;
   const double slip = pad_elastic_slip(scene.bearing, scene.load.vertical, scene.reduced.mu_fast);
   if (slip > 0 && std::abs(slip / scene.reduced.elastic_slip - 1) > rounding) scene.reduced.elastic_slip = slip;
 }

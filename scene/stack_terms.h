@@ -23,7 +23,7 @@ constexpr auto choices(SlipFrom) {
 }
 
 /// Of the pad pressed between mass and dish, E A / t [N/m]: free to bulge, as a layer that shares its face with the
-/// dish.
+/// dish. Of a slider between two dishes, which has no pad: of its steel from face to face.
 double pad_stiffness(const Bearing &bearing);
 
 /// As a calibration writes them.

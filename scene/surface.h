@@ -47,9 +47,19 @@ constexpr auto choices(SurfaceKind) {
       {{ellipse, "ellipse"}, {sphere, "sphere"}, {cone, "cone"}, {polynomial, "polynomial"}, {table, "table"}});
 }
 
-/// What a bearing file says of its surface.
+/// How many dishes a bearing has.
+enum class Concave {
+  single, ///< one, on which a slider with pad and foot moves
+  twice   ///< two alike, face to face, with one slider between them
+};
+constexpr auto choices(Concave) {
+  return choices_of<Concave>({{Concave::single, "single"}, {Concave::twice, "double"}});
+}
+
+/// What a bearing file says of its surface: of one of its dishes.
 struct SurfaceSpec {
   SurfaceKind kind = SurfaceKind::ellipse;
+  Concave concave = Concave::single;
   double R0 = 2.25;             ///< radius of curvature at the vertex [m], > 0 (eq. 2-24: R0 = a^2/b); not read
                                 ///< for polynomial and table
   double a = 0.5625;            ///< half-width of the ellipse [m], > 0

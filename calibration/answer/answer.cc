@@ -80,10 +80,10 @@ void name_sources(const Calibration &c, Answer &answer, const std::vector<LawErr
   answer.rungs.assign(rungs.begin(), rungs.end()), answer.meshes.assign(meshes.begin(), meshes.end());
 }
 
-/// Solids and specimens have pad and socket, whatever the fitted part of them was.
+/// Solids and specimens have pad and socket, whatever the fitted part of them was; a slider between two dishes has none.
 std::optional<AnswerStack> answer_stack(const Answer &answer) {
   const scene::Scene &s = answer.scene;
-  if (answer.sources == std::set{RunSource::reduced_model}) return {};
+  if (answer.sources == std::set{RunSource::reduced_model} || s.bearing.double_concave()) return {};
   const bool on_spring = answer.rungs.size() == 1 && answer.rungs.front() == word(scene::Rung::rim);
   const auto &result = answer.law.result;
   if (result.parameters.count("elastic_slip") + result.fixed.count("elastic_slip") > 0)

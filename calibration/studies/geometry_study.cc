@@ -11,12 +11,9 @@ namespace rimpact::calibration {
 namespace {
 using scene::Scene;
 
-double rim_top(const Scene &s) {
-  return scene::make_surface(s.bearing.surface)->at(s.bearing.surface.planar_radius, 0).z + s.bearing.rim.height;
-}
 /// Height of the slider's side that stands before the rim's wall at L_c.
 double contact_band(const Scene &s) {
-  return rim_top(s) - s.bearing.slider.bottom - scene::lift(s.bearing, s.bearing.lateral_capacity());
+  return scene::rim_top(s.bearing) - scene::edge_at_touch(s.bearing);
 }
 
 struct Range {

@@ -25,9 +25,9 @@ constexpr double furthest = 20;     ///< times the rim's thickness: folded over
 /// The slider's way: along the dish, or held at the height of first touch.
 struct Way {
   const reduced::PhysicalModel &model;
-  double capacity;
+  RimFrame frame;
   bool held;
-  TopTarget at(double d) const { return held ? TopTarget{{d, 0}, 0.0} : along_dish(model, capacity, d); }
+  TopTarget at(double d) const { return beyond_touch(frame, held ? nullptr : &model, d); }
 };
 
 class CurvePush {
@@ -86,7 +86,9 @@ private:
     const ContactStepReport report = drive.move_to(system_, state, way_.at(d), no_load_, step_options_);
     return {report.converged, 0, report.reason};
   }
-  double force_of(const SystemState &state) const { return -system_.force_of(state, Role::wall).x(); }
+  double force_of(const SystemState &state) const {
+    return -way_.frame.force(system_.force_of(state, Role::wall)).x();
+  }
 
   laws::CurveSamples unloading(double deepest) {
     SystemState state = state_;
@@ -97,7 +99,7 @@ private:
       Attempt result = push(drive, state, deepest - way - step);
       if (!result.accepted) return result;
       const double d = deepest - way - step, force = force_of(state), slope = (back.force.back() - force) / step;
-      result.last = state.bearing_points() == 0 || force <= 0;
+      result.last = !system_.walls_touch(state) || force <= 0;
       if (!result.last) result.suggested_step = top / curve_steps_out / std::max(slope, 1e-3 * stiffness);
       if (result.last) return end(back, d), result;
       back.penetration.push_back(d), back.force.push_back(force);
@@ -171,7 +173,8 @@ reduced::RimCurveFile push_rim_curve(const scene::Scene &scene, const CurveOrder
   require(order);
   const OnOneRank alone;
   const reduced::PhysicalModel physical(scene);
-  const double capacity = scene.bearing.lateral_capacity(), thickness = scene.bearing.rim.thickness;
+  const double capacity = scene.bearing.lateral_capacity(),
+               thickness = scene.bearing.dishes() * scene.bearing.rim.thickness;
   const auto works = works_of(order);
   scene::Scene struck = scene;
   struck.load.mass = order.mass;
@@ -183,7 +186,8 @@ reduced::RimCurveFile push_rim_curve(const scene::Scene &scene, const CurveOrder
     const BearingModel model(rungs::rim, at.bearing, mesh_order(at, planning::Plan{}), model_options(at));
     BearingSystem system(model, 0);
     if (level == scene.model.mesh) result.mesh = fmt::format("level {}, {} unknowns", level, system.equations().n);
-    CurvePush push(at, system, {physical, capacity, held}, options);
+    const RimFrame frame = RimFrame::of(at.bearing, 0, physical.height(capacity, 0).z, held);
+    CurvePush push(at, system, {physical, frame, held}, options);
     auto path = push.run(to, depth, thickness);
     if (held) result.strain = push.strain(), result.foot = push.foot();
     return path;

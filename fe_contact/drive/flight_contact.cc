@@ -21,7 +21,7 @@ constexpr double finest = 1.0 / 32;      ///< of the longest step: a step so sho
 } // namespace
 
 MassForces FlightRun::forces_now(double t, double multiplier) const {
-  return loads_.forces(arc().frame.displacement(top()), arc().frame.to_global(top_speed()), t, support_, multiplier);
+  return loads_.forces(arc().frame.displacement(top()), arc().frame.rate(top_speed()), t, support_, multiplier);
 }
 
 void FlightRun::begin_contact() {
@@ -38,16 +38,16 @@ void FlightRun::begin_contact() {
   if (support_ == Support::held) acceleration.z() = 0;
   state.v.setZero();
   state.a.setZero();
-  system_.set_position(state, frame.master(bearing_.u), frame.to_local(bearing_.v), frame.to_local(acceleration));
+  system_.set_position(state, frame.master(bearing_.u), frame.master_rate(bearing_.v), frame.master_rate(acceleration));
   state.R.setZero(); // the parts are at rest in themselves
-  const Eigen::Vector3d on_top = frame.to_local(now.total());
+  const Eigen::Vector3d on_top = frame.master_force(now.total());
   for (int i = 0; i < 3; ++i)
     if (const int equation = system_.top().equation[i]; equation >= 0)
       state.R[equation] = on_top[i] / system_.model().share();
   const double approach_speed = radial_speed();
   impact_.begin(bearing_.t, bearing_.u, approach_speed);
-  others_elastic_ = record_.ledger.elastic - system_.model().share() * state.energies.elastic;
-  others_plastic_ = record_.ledger.plastic - system_.model().share() * state.energies.plastic;
+  others_elastic_ = record_.ledger.elastic - system_.model().energy_share() * state.energies.elastic;
+  others_plastic_ = record_.ledger.plastic - system_.model().energy_share() * state.energies.plastic;
   next_step_ = std::min(0.25 * plan_.step_in_contact, first_overlap / std::max(1e-3, approach_speed));
   in_contact_ = true;
   if (record_.response.size() == 0) sample(0, now, 0); // a window starts here
@@ -90,7 +90,7 @@ std::vector<Event> FlightRun::events(const SolvedStep &step) const {
     result.push_back(Event::lift_off);
   else if (support_ == Support::airborne && height_above_dish() < lift_height_ - deepest_landing)
     result.push_back(Event::landing);
-  if (arc().state.bearing_points() > 0) return result;
+  if (system_.walls_touch(arc().state)) return result;
   if (impact_.touched())
     result.push_back(Event::release);
   else if (top_speed().x() < 0)
@@ -127,14 +127,14 @@ void FlightRun::follow(const SolvedStep &step) {
   multiplier_ = step.report.multiplier;
   book(record_.ledger, energies_);
   bearing_.u = arc().frame.displacement(top());
-  bearing_.v = arc().frame.to_global(top_speed());
+  bearing_.v = arc().frame.rate(top_speed());
   sample(step.report.iterations, forces_after_, step.dt);
   const double force = wall_force();
   impact_.follow(bearing_.t, force, penetration(), top_speed().x());
   picture(bearing_.t, step.dt);
   if (options_.progress)
     options_.progress({bearing_.t, end_time(), step.dt, step.report.iterations, -penetration(), force, Phase::contact});
-  if (arc().state.bearing_points() > 0) impact_.touch();
+  if (system_.walls_touch(arc().state)) impact_.touch();
   refuse_passage();
 }
 
@@ -160,10 +160,10 @@ bool FlightRun::take(const std::vector<Event> &events) {
 }
 
 void FlightRun::refuse_passage() {
-  const Passage passage{.depth = penetration(),
-                        .outward_speed = top_speed().x(),
+  const Passage passage{.depth = penetration() / arc().frame.dishes,
+                        .outward_speed = radial_speed(),
                         .approach_speed = impact_.impact().approach_speed,
-                        .let_go = impact_.touched() && arc().state.bearing_points() == 0,
+                        .let_go = impact_.touched() && !system_.walls_touch(arc().state),
                         .may_touch = !window()};
   const auto sentence = passes(scene_.bearing.rim, passage, bearing_.t);
   if (!sentence) return;
@@ -183,15 +183,15 @@ void FlightRun::land() {
   if (approach >= 0) return;
   const double before = record_.ledger.kinetic;
   system_.apply_velocity_jump(arc().state,
-                              arc().frame.to_local(-(1 + scene_.reduced.vertical_restitution) * approach * n));
-  record_.ledger.kinetic = system_.model().share() * system_.kinetic_energy(arc().state);
+                              arc().frame.master_rate(-(1 + scene_.reduced.vertical_restitution) * approach * n));
+  record_.ledger.kinetic = system_.model().energy_share() * system_.kinetic_energy(arc().state);
   record_.ledger.contact += before - record_.ledger.kinetic;
-  bearing_.v = arc().frame.to_global(top_speed());
+  bearing_.v = arc().frame.rate(top_speed());
 }
 
 void FlightRun::end_contact() {
   impact_.set_rebound(-radial_speed());
-  const double share = system_.model().share();
+  const double share = system_.model().energy_share();
   SystemState &state = arc().state;
   const double strained = share * (state.energies.elastic + state.energies.plastic);
   const Eigen::Vector3d speed = top_speed();

@@ -63,7 +63,7 @@ double FlightRun::wall_gap(const Eigen::Vector3d &u) const {
   const double plain = capacity() - u.head<2>().norm();
   if (plain > nearest_look) return plain;
   const Arc *arc = arc_at(u);
-  return arc && arc->yielded ? system_.wall_gap(arc->state, arc->frame.master(u)) : plain;
+  return arc && arc->yielded ? arc->frame.rate_ratio() * system_.wall_gap(arc->state, arc->frame.master(u)) : plain;
 }
 
 const Arc *FlightRun::arc_at(const Eigen::Vector3d &u) const {
@@ -83,7 +83,7 @@ void FlightRun::choose_arc() {
     if (std::abs(std::remainder(direction - arc.frame.direction, 2 * M_PI)) < 3 * arc_width)
       record_.warnings.push_back("two touched arcs lie within " + std::to_string(int(3 * arc_width * 180 / M_PI)) +
                                  " degrees of one another; each was solved with its own yielded state");
-  arcs_.push_back({{direction, capacity(), touch_height_}, system_.at_rest(), false});
+  arcs_.push_back({frame_at(direction), system_.at_rest(), false});
   current_ = arcs_.size() - 1;
 }
 
@@ -138,7 +138,7 @@ void FlightRun::pad_fe_signals() {
 }
 
 void FlightRun::sample(int iterations, const MassForces &forces, double dt) {
-  const Eigen::Vector3d rim = arc().frame.to_global(system_.force_of(arc().state, Role::wall));
+  const Eigen::Vector3d rim = rim_force();
   fe::sample(record_, system_, arc().state,
              {bearing_.t, bearing_.u, bearing_.v,
               BearingForces{forces.pendular, forces.friction, rim, std::max(0.0, forces.normal)}, -penetration(),
@@ -174,7 +174,7 @@ void FlightRun::visit(StateVisitor &v) {
   constexpr double most_arcs = 1000;
   v.part("bearing", [&] { visit_bearing(v, bearing_, end_time()); });
   v.choice("support", support_);
-  v.length("arcs", arcs_, most_arcs, [&] { return Arc{{0, capacity(), touch_height_}, system_.at_rest(), false}; });
+  v.length("arcs", arcs_, most_arcs, [&] { return Arc{frame_at(0), system_.at_rest(), false}; });
   for (std::size_t k = 0; k < arcs_.size(); ++k)
     v.part("arc" + std::to_string(k), [&, &arc = arcs_[k]] {
       v.number("direction", arc.frame.direction, {-7, 7});

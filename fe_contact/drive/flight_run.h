@@ -40,6 +40,9 @@ private:
   } ///< outwards [m/s]
 
   void start();
+  RimFrame frame_at(double direction) const {
+    return RimFrame::of(scene_.bearing, direction, touch_height_, loads_.initial_support() == Support::held);
+  }
   /// Distance of the walls at a slider displacement: exact for fresh arcs, by projection for dented ones.
   double wall_gap(const Eigen::Vector3d &u) const;
   const Arc *arc_at(const Eigen::Vector3d &u) const;
@@ -60,7 +63,9 @@ private:
   double smallest_step() const { return plan_.step_in_contact / 4096; }       ///< [s]
   Eigen::Vector3d top() const { return system_.top_of(arc().state.u); }       ///< local, from first touch [m]
   Eigen::Vector3d top_speed() const { return system_.top_of(arc().state.v); } ///< [m/s]
-  double wall_force() const { return system_.force_of(arc().state, Role::wall).head<2>().norm(); } ///< [N]
+  /// Of the rim on what is carried, global [N].
+  Eigen::Vector3d rim_force() const { return arc().frame.force(system_.force_of(arc().state, Role::wall)); }
+  double wall_force() const { return rim_force().head<2>().norm(); } ///< [N]
   double height_above_dish() const;                                                                ///< [m]
   FlightStep flight_step(const SolvedStep &step) const;
   void sample(int iterations, const MassForces &forces, double dt);

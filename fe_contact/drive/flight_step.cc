@@ -15,7 +15,7 @@ double FlightStep::work(const Eigen::Vector3d &force_before, const Eigen::Vector
 }
 
 StepEnergies FlightStep::energies(const ContactStepReport &report) const {
-  StepEnergies result = energies_of(system, now, report, system.model().share());
+  StepEnergies result = energies_of(system, now, report, system.model().energy_share());
   result.external = work(before.ground, after.ground);
   result.gravity = -work(before.weight, after.weight);
   result.friction -= work(before.friction, after.friction);
@@ -25,7 +25,7 @@ StepEnergies FlightStep::energies(const ContactStepReport &report) const {
 double FlightStep::displacement_error(double rho_inf, double dt) const {
   const auto scheme = GeneralizedAlpha::from(rho_inf);
   const double change = system.top_of(now.a).x() - system.top_of(old.a).x();
-  return std::abs(scheme.beta - 1.0 / 6) * dt * dt * std::abs(change);
+  return frame.rate_ratio() * std::abs(scheme.beta - 1.0 / 6) * dt * dt * std::abs(change);
 }
 
 std::optional<std::string> passes(const scene::Rim &rim, const Passage &p, double t) {

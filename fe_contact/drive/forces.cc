@@ -23,7 +23,7 @@ SteelReport steel_of(const BearingModel &model, const SystemState &state, const 
   if (state.history.empty()) return {}; // nothing began
   SteelReport report = steel_by_place(model.space, model.bearing, state.history);
   if (frame)
-    for (auto &[place, at] : report) at.place = frame->to_global(at.place);
+    for (auto &[place, at] : report) at.place = frame->in_plate(at.place);
   return report;
 }
 
@@ -41,7 +41,7 @@ std::optional<SampleRow::Seat> seat_of(const BearingSystem &system, const System
   const auto *bottom = system.report_of(state, Role::seat), *wall = system.report_of(state, Role::recess);
   if (!bottom || !wall) return {};
   return SampleRow::Seat{bottom->largest_pressure, wall->largest_pressure,
-                         system.model().share() * (bottom->friction_work + wall->friction_work)};
+                         system.model().energy_share() * (bottom->friction_work + wall->friction_work)};
 }
 
 } // namespace

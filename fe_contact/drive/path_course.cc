@@ -5,8 +5,12 @@
 
 namespace rimpact::fe {
 
-TopTarget along_dish(const reduced::PhysicalModel &model, double capacity, double way) {
-  return {{way, 0}, model.height(capacity + way, 0).z - model.height(capacity, 0).z};
+TopTarget beyond_touch(const RimFrame &frame, const reduced::PhysicalModel *dish, double way) {
+  const double out = frame.lateral_capacity + way, height = dish ? dish->height(out, 0).z : frame.touch_height;
+  RimFrame ahead = frame;
+  ahead.direction = 0;
+  const Eigen::Vector3d at = ahead.master({out, 0, height});
+  return {at.head<2>(), at.z()};
 }
 
 PathCourse course_from_touch(const scene::Scene &scene) {
@@ -14,7 +18,8 @@ PathCourse course_from_touch(const scene::Scene &scene) {
   const scene::Excitation &e = scene.excitation;
   const auto model = std::make_shared<reduced::PhysicalModel>(scene);
   const double capacity = scene.bearing.lateral_capacity(), travel = e.travel * e.scale, deepest = e.unload ? 0.5 : 1.0;
-  const RimFrame frame{e.direction_deg * M_PI / 180, capacity, model->height(capacity, 0).z};
+  const RimFrame frame =
+      RimFrame::of(scene.bearing, e.direction_deg * M_PI / 180, model->height(capacity, 0).z, false);
   const auto phase = [&](double from, double to, int steps) {
     const double per_metre = (to - from) / travel, longest = (to - from) / steps;
     return PathCourse::Phase{to, std::min(first_push_step * per_metre, longest), smallest_push_step * per_metre,
@@ -24,7 +29,7 @@ PathCourse course_from_touch(const scene::Scene &scene) {
   if (e.unload) course.phases.push_back(phase(deepest, 1, steps_out));
   course.top = [=](double s) {
     const double way = s <= deepest ? travel * s / deepest : travel * (1 - s) / (1 - deepest);
-    return along_dish(*model, capacity, way);
+    return beyond_touch(frame, model.get(), way);
   };
   return course;
 }

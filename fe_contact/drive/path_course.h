@@ -13,8 +13,9 @@ inline constexpr double first_push_step = 1e-5;    ///< the first contact wants 
 inline constexpr double smallest_push_step = 1e-8; ///< below it the push stops
 inline constexpr double push_growth = 1.6;         ///< of the next step, at most
 
-/// From first touch a way onwards along the dish [m].
-TopTarget along_dish(const reduced::PhysicalModel &model, double capacity, double way);
+/// Where the top face is when what is carried has gone a way on from first touch, along the dish, or, without one, at
+/// the height of first touch [m].
+TopTarget beyond_touch(const RimFrame &frame, const reduced::PhysicalModel *dish, double way);
 
 struct PathCourse {
   struct Phase {

@@ -58,7 +58,7 @@ private:
   void begin() {
     if (on_dish_) preload_on_dish(system_, state_, load_, steps_);
     rest_height_ = system_.top_of(state_.u).z();
-    rest_elastic_ = model_.share() * state_.energies.elastic;
+    rest_elastic_ = model_.energy_share() * state_.energies.elastic;
     sample(0, 0, forces());
     if (on_dish_) write_fields(0);
     save();
@@ -89,7 +89,7 @@ private:
   }
 
   std::vector<Event> events(const SolvedStep &step) const override {
-    if (step.t >= course_.parts_from && state_.bearing_points() == 0) return {Event::release};
+    if (step.t >= course_.parts_from && !system_.walls_touch(state_)) return {Event::release};
     return {};
   }
   bool take(const std::vector<Event> &events) override { return !events.empty(); }
@@ -111,7 +111,7 @@ private:
   BearingForces forces() const {
     BearingForces result = forces_of(system_, state_);
     if (course_.frame)
-      for (auto *force : {&result.pendular, &result.friction, &result.rim}) *force = course_.frame->to_global(*force);
+      for (auto *force : {&result.pendular, &result.friction, &result.rim}) *force = course_.frame->force(*force);
     return result;
   }
   /// Of the slider from rest on the vertex, in the plate's frame [m].
@@ -124,7 +124,7 @@ private:
 
   void account(const Eigen::Vector3d &force) {
     Eigen::Vector3d du = displacement(system_.top_of(state_.u)) - displacement(top_before_);
-    StepEnergies energies = energies_of(system_, state_, {}, model_.share());
+    StepEnergies energies = energies_of(system_, state_, {}, model_.energy_share());
     energies.kinetic = 0;
     energies.elastic -= rest_elastic_;
     if (on_dish_) energies.gravity = scene_.load.vertical * du.z();

@@ -26,7 +26,8 @@ Supports supports_of(const BearingModel &model, RimState rim) {
 BearingModel::BearingModel(const Rung &rung, const scene::Bearing &bearing, const meshes::MeshOrder &mesh,
                            const ModelOptions &options)
     : rung(rung), bearing(bearing), mesh(mesh), options(options), space(rung.mesh(bearing, mesh), options.degree),
-      solid(space, bearing), foot(space, solid, bearing, mesh.half) {}
+      solid(space, bearing), foot(space, solid, bearing, mesh.half),
+      rate_ratio(RimFrame::of(bearing, 0, 0, false).rate_ratio()) {}
 
 double BearingModel::own_mass() const {
   double mass = 0;
@@ -49,7 +50,8 @@ BearingSystem::BearingSystem(const BearingModel &model, double mass, RimState ri
   const auto &of = equations().of_dof;
   const unsigned any = space.nodes_of(Surface::top).front();
   for (int i = 0; i < 3; ++i) top_.equation[i] = of[3 * any + i];
-  if (mass > 0) add_mass(3 * any, (mass - model.own_mass()) / model.share());
+  const double on_top = mass * std::pow(model.rate_ratio, 2) / model.bearing.dishes(); // m u'^2 / 2 = 2 on_top w'^2 / 2
+  if (mass > 0) add_mass(3 * any, (on_top - model.own_mass()) / model.share());
   for (const Pair &pair : model.rung.pairs(model, rim)) {
     add_contact(pair.slave, pair.master, pair.options);
     roles_.push_back(pair.role);

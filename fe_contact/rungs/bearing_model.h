@@ -3,6 +3,7 @@
 #pragma once
 #include "fe_contact/engine/contact_steps.h"
 #include "fe_contact/rungs/rim_foot.h"
+#include "fe_contact/rungs/rim_frame.h"
 #include "fe_contact/rungs/rung.h"
 #include <optional>
 
@@ -19,8 +20,9 @@ struct BearingModel {
                const ModelOptions &options = {});
   BearingModel(const BearingModel &) = delete;
 
-  double share() const { return mesh.half ? 2.0 : 1.0; } ///< whole bearing over model
-  double own_mass() const;                               ///< of the carried bodies, whole bearing [kg]
+  double share() const { return mesh.half ? 2.0 : 1.0; }           ///< whole bearing over model, of forces
+  double energy_share() const { return share() * bearing.dishes(); } ///< and of energies: two dishes stand in series
+  double own_mass() const; ///< of the carried bodies, of one dish's side of the bearing [kg]
 
   const Rung &rung;
   const scene::Bearing bearing;
@@ -29,6 +31,7 @@ struct BearingModel {
   const Discretisation space;
   const Solid solid;
   const RimFoot foot;
+  const double rate_ratio; ///< velocity of what is carried over that of the top face
 };
 
 /// Frictional contact with penalties `stiffer` times the stiffness of the softer side's cells: its E [Pa] over their
@@ -38,7 +41,7 @@ SurfaceContactOptions penalised(const BearingModel &model, double E, double cell
 
 class BearingSystem : public ContactSystem {
 public:
-  /// `mass`: on the top face, the carried bodies' own included [kg]; 0: none.
+  /// `mass`: what the bearing carries, the carried bodies' own included [kg]; 0: none.
   BearingSystem(const BearingModel &model, double mass, RimState rim = RimState::solid);
 
   const BearingModel &model() const { return model_; }
@@ -69,9 +72,10 @@ public:
   ContactStepReport relax(SystemState &state, const StepOptions &options);
   /// Smallest distance of the walls with the carried bodies moved rigidly to a displacement of the top face [m].
   double wall_gap(const SystemState &state, const Eigen::Vector3d &top) const;
+  /// Of `mass`, whole bearing, at a velocity of the top face [J].
   double rigid_kinetic_energy(const Eigen::Vector3d &velocity) const {
-    return 0.5 * mass_ * velocity.squaredNorm();
-  } ///< of `mass`, whole bearing [J]
+    return 0.5 * mass_ * std::pow(model_.rate_ratio, 2) * velocity.squaredNorm();
+  }
 
 private:
   BearingSystem(const BearingModel &model, double mass, RimState rim, Supports supports);

@@ -47,26 +47,27 @@ MassForces MassLoads::forces(const Eigen::Vector3d &u, const Eigen::Vector3d &v,
 
 RemoteLaw MassLoads::law(const RimFrame &frame, double t, Support support) const {
   return [this, frame, t, support](const Eigen::Vector3d &master, const Eigen::Vector3d &velocity, double multiplier) {
-    const Eigen::Vector3d u = frame.displacement(master), v = frame.to_global(velocity);
+    const Eigen::Vector3d u = frame.displacement(master), v = frame.rate(velocity);
+    const double ratio = frame.rate_ratio() / frame.reach; // of a matrix by u' on the force, by w' on the master's
     const Eigen::Matrix3d R = frame.rotation();
     RemoteLoad load;
-    load.force = frame.to_local(forces(u, v, t, support, multiplier).total());
+    load.force = frame.master_force(forces(u, v, t, support, multiplier).total());
     if (support == Support::airborne) return load;
     const Eigen::Vector3d gradient = constraint_gradient(u, support);
     load.constrained = true;
-    load.constraint = gradient.dot(v);
-    load.gradient = frame.to_local(gradient);
+    load.constraint = gradient.dot(v) / frame.dishes;
+    load.gradient = frame.master_force(gradient);
     load.d_multiplier = load.gradient;
     if (support == Support::held) return load;
     Eigen::Matrix3d d_gradient = Eigen::Matrix3d::Zero();
     d_gradient.topLeftCorner<2, 2>() = -model_.height(u.x(), u.y()).hessian;
-    load.by_displacement = frame.to_local(d_gradient * v);
-    load.d_displacement = multiplier * R.transpose() * d_gradient * R;
+    load.by_displacement = frame.master_force(d_gradient * v);
+    load.d_displacement = ratio * multiplier * R.transpose() * d_gradient * R;
     if (!friction_) return load;
     const double normal = std::max(0.0, multiplier) * gradient.norm();
     const auto friction = model_.smoothed_friction(u, v, normal, smoothing_speed);
-    load.d_velocity = R.transpose() * friction.d_velocity * R;
-    load.d_multiplier += frame.to_local(gradient.norm() * friction.d_normal);
+    load.d_velocity = ratio * R.transpose() * friction.d_velocity * R;
+    load.d_multiplier += frame.master_force(gradient.norm() * friction.d_normal);
     return load;
   };
 }

@@ -13,11 +13,21 @@ void hold_sector(Supports &supports, RimState) {
   supports.slide_on(Surface::sector_end);
 }
 
+/// The edge of a slider between two dishes lies on its dish: squeezed, it cannot give way downwards.
+Pair edge_on_dish(const BearingModel &model, SurfaceContactOptions options) {
+  const scene::ContactFriction &mu = model.bearing.contact;
+  options.law.friction = FrictionCoefficient{mu.steel_ertalyte, mu.steel_ertalyte_slow.value_or(mu.steel_ertalyte), mu.rate, {}};
+  options.carrier_faces = Surface::dish;
+  return {Role::dish, Surface::slider_side,
+          dish(scene::make_surface(model.bearing.surface), model.bearing.surface.planar_radius), options};
+}
+
 std::vector<Pair> wall_alone(const BearingModel &model, RimState) {
   constexpr double cell = 0.006, stiffer = 4;
   Pair wall = wall_pair(model, cell, stiffer);
   wall.options.margin = 0.003; // the slider comes and goes radially and moves little along the wall [m]
-  return {wall};
+  if (!model.bearing.double_concave()) return {wall};
+  return {wall, edge_on_dish(model, wall.options)};
 }
 
 StepOptions rim_steps() {
@@ -49,7 +59,7 @@ Pair wall_pair(const BearingModel &model, double cell, double stiffer) {
   SurfaceContactOptions options =
       penalised(model, bearing.steel.E, cell, {mu.rim, mu.rim_slow.value_or(mu.rim), mu.rate}, stiffer);
   options.carrier_faces = Surface::rim_wall;
-  const double radius = bearing.surface.planar_radius + bearing.rim.ledge;
+  const double radius = bearing.wall_radius();
   return {Role::wall, Surface::slider_side,
           cylinder(Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitZ(), radius, Side::inside), options};
 }

@@ -130,7 +130,7 @@ std::vector<RimFoot::Share> RimFoot::shares(const Eigen::VectorXd &u, const Soli
 }
 
 FootLine RimFoot::line_at(double angle, const std::vector<Share> &shares) const {
-  const double wall = bearing_.surface.planar_radius + bearing_.rim.ledge, thickness = bearing_.rim.thickness;
+  const double wall = bearing_.wall_radius(), thickness = bearing_.rim.thickness;
   const double reach = foot_reach(bearing_) / (wall + thickness / 2);
   struct Weighted {
     const Share *share;

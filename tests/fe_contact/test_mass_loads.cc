@@ -15,7 +15,11 @@ struct MassOnTheDish : testing::Test {
   RimFrame frame{0.3, scene.lateral_capacity(), model.height(scene.lateral_capacity(), 0).z};
 };
 
-TEST_F(MassOnTheDish, DerivativesAreThoseOfTheConstraintAndTheForce) {
+/// Of one dish, and of the half of two.
+struct Derivatives : MassOnTheDish, testing::WithParamInterface<int> {};
+
+TEST_P(Derivatives, AreThoseOfTheConstraintAndTheForce) {
+  frame.dishes = GetParam();
   const RemoteLaw law = loads.law(frame, 1.9, Support::dish);
   const Vector3d u(0.004, 0.02, 0.003), v(0.4, -0.2, 0.1);
   const double multiplier = 7e5, du = 1e-6, dv = 1e-5;
@@ -35,6 +39,8 @@ TEST_F(MassOnTheDish, DerivativesAreThoseOfTheConstraintAndTheForce) {
   const Vector3d by_multiplier = (law(u, v, multiplier + 10).force - law(u, v, multiplier - 10).force) / 20;
   EXPECT_LT((at.d_multiplier - by_multiplier).norm(), 1e-6);
 }
+
+INSTANTIATE_TEST_SUITE_P(Dishes, Derivatives, testing::Values(1, 2));
 
 TEST_F(MassOnTheDish, AShortStepFromMicronsBelowTheDishNeedsNoMoreThanTheWeight) {
   const BearingModel parts(rungs::rim, scene.bearing, {}, {.degree = 1});

@@ -180,5 +180,46 @@ TEST(GradedLines, HitTheAnchorsAndFollowTheSizes) {
   EXPECT_GT(lines.back() - lines[lines.size() - 2], 4);
 }
 
+/// What the tilt about the dish's centre makes of a node, undone: from the dish's centre, out and down.
+Eigen::Vector3d upright(const std::array<double, 3> &node, const scene::Bearing &b) {
+  const double theta = b.slider_tilt(b.lateral_capacity()), x = node[0], down = b.surface.R0 - node[2];
+  return {x * std::cos(theta) - down * std::sin(theta), node[1], x * std::sin(theta) + down * std::cos(theta)};
+}
+
+TEST(RimMesh, ASliderBetweenTwoDishesStandsTiltedAtTheWall) {
+  const scene::Bearing b = scene::builtin_bearing("dcfp-155");
+  const double R = b.surface.R0, radius = b.slider.diameter / 2;
+  for (int level = 0; level <= 2; ++level) {
+    MeshOrder order;
+    order.level = level;
+    const HexMesh mesh = rim_mesh(b, order);
+    EXPECT_EQ(quality(mesh).n_components, 2);
+    EXPECT_GT(quality(mesh).min_scaled_jacobian, 0.1) << level;
+    double farthest = 0;
+    for (const BoundaryFace &face : mesh.faces)
+      for (const unsigned corner : face.corners) {
+        const Eigen::Vector3d at = upright(mesh.nodes[corner], b);
+        if (face.group == Surface::pad_face) EXPECT_NEAR(at.norm(), R, 1e-9);
+        if (face.group == Surface::top) EXPECT_NEAR(at.z(), R - b.slider.height / 2, 1e-9);
+        if (face.group != Surface::slider_side) continue;
+        EXPECT_LT(std::hypot(at.x(), at.y()), radius + 1e-9);
+        farthest = std::max(farthest, std::hypot(mesh.nodes[corner][0], mesh.nodes[corner][1]));
+      }
+    // Nodes of the rounding stand beside the very point of touch.
+    EXPECT_LT(farthest, b.wall_radius() + 1e-9);
+    EXPECT_GT(farthest, b.wall_radius() - 0.5 * b.slider.edge_radius * std::pow(b.slider_tilt(0.3), 2));
+  }
+}
+
+TEST(RimMesh, ASliderBetweenTwoDishesHasItsVolume) {
+  const scene::Bearing b = scene::builtin_bearing("dcfp-155");
+  MeshOrder order;
+  order.level = 2, order.half = false;
+  // The lower half of the slider; the rounding takes about (1 - pi / 4) e^2 of the edge's length.
+  const double edge = (1 - M_PI / 4) * std::pow(b.slider.edge_radius, 2) * M_PI * b.slider.diameter;
+  const double half = scene::slider_mass(b) / b.steel.density / 2 - edge;
+  EXPECT_NEAR(volume(rim_mesh(b, order), Volume::upper_slider) / half, 1, 1e-3);
+}
+
 } // namespace
 } // namespace rimpact::meshes

@@ -56,7 +56,7 @@ inline laws::CurvePath linear_curve(double k, double k_back, double range) {
 
 /// A spherical dish of radius 2.25 m with a rim far away.
 inline scene::Scene on_sphere(scene::Scene s) {
-  s.bearing.surface = {scene::SurfaceKind::sphere, 2.25, 0.5625, 1.5};
+  s.bearing.surface = {.kind = scene::SurfaceKind::sphere, .R0 = 2.25, .a = 0.5625, .planar_radius = 1.5};
   return s;
 }
 

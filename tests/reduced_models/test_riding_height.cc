@@ -59,7 +59,7 @@ TEST(RidingHeight, DerivativesAgreeWithDifferences) {
 
 TEST(RidingHeight, AnotherDishNeedsNoOtherNodes) {
   scene::Bearing bearing;
-  bearing.surface = {scene::SurfaceKind::sphere, 2.25, 0.5625, 0.52};
+  bearing.surface = {.kind = scene::SurfaceKind::sphere, .R0 = 2.25, .a = 0.5625, .planar_radius = 0.52};
   const RidingHeight point(bearing), pad(bearing, 853e3);
   // a sphere has the same curvature everywhere: the pad turns with it, pressed a little deeper by the slope
   EXPECT_NEAR(pad.at(0.4, 0.1).z - point.at(0.4, 0.1).z, 0, 3e-5);

@@ -1,0 +1,135 @@
+// A slider between two like dishes: capacity, tilt and mass against searches and sums of their own; keys; refusals.
+#include "files/error.h"
+#include "scene/scene.h"
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace {
+using namespace rimpact;
+using namespace rimpact::scene;
+
+Bearing two_dishes() {
+  return builtin_bearing("dcfp-155");
+}
+
+/// The slider's lower outline in its own section: sliding face, rounding, side. From the dish's centre: out, down [m].
+std::vector<Eigen::Vector2d> outline(const Bearing &b) {
+  const double R = b.surface.R0, radius = b.slider.diameter / 2, e = b.slider.edge_radius, face = radius - e,
+               face_end = std::sqrt(R * R - face * face);
+  std::vector<Eigen::Vector2d> points;
+  constexpr int n = 20000;
+  for (int i = 0; i <= n; ++i) {
+    const double x = face * i / n, angle = std::numbers::pi / 2 * i / n;
+    points.emplace_back(x, std::sqrt(R * R - x * x));
+    points.emplace_back(face + e * std::cos(angle), face_end - e + e * std::sin(angle));
+    points.emplace_back(radius, face_end - e - 0.02 * i / n);
+  }
+  return points;
+}
+
+/// Farthest from the bearing's axis, of a slider tilted by theta about the dish's centre.
+double reach(const std::vector<Eigen::Vector2d> &outline, double theta) {
+  double farthest = 0;
+  for (const auto &p : outline) farthest = std::max(farthest, p[0] * std::cos(theta) + p[1] * std::sin(theta));
+  return farthest;
+}
+
+TEST(TwoDishes, TheEdgeMeetsTheWallAtTheCapacity) {
+  for (const double edge : {0.0005, 0.002, 0.006})
+    for (const double ledge : {0.0, 0.01}) {
+      Bearing b = two_dishes();
+      b.slider.edge_radius = edge, b.rim.ledge = ledge;
+      const double C = b.lateral_capacity(), theta = b.slider_tilt(C);
+      EXPECT_NEAR(reach(outline(b), theta), b.wall_radius(), 1e-8) << edge << " " << ledge;
+      EXPECT_NEAR(C, (2 * b.surface.R0 - b.slider.height) * std::sin(theta), 1e-12);
+    }
+  EXPECT_NEAR(two_dishes().lateral_capacity(), 0.300, 1e-5) << "the thesis's C_t";
+}
+
+TEST(TwoDishes, ASharpEdgeGivesTheRigidModelsRim) {
+  Bearing b = two_dishes();
+  b.slider.edge_radius = 1e-9;
+  DoubleConcave rigid;
+  rigid.radius = b.surface.R0, rigid.slider_diameter = b.slider.diameter;
+  rigid.top_height = rigid.bottom_height = b.slider.height / 2;
+  rigid.capacity = b.lateral_capacity();
+  EXPECT_NEAR(rigid.bottom_rim_radius(), b.wall_radius(), 1e-8);
+  EXPECT_NEAR(rigid.effective_radius(), b.ridden_surface().R0, 1e-12);
+}
+
+TEST(TwoDishes, TheTiltIsTheRiddenSpheresSlope) {
+  const Bearing b = two_dishes();
+  for (const double travel : {0.05, 0.15, 0.3}) EXPECT_NEAR(tilt(b, travel), b.slider_tilt(travel), 1e-12);
+  // What is carried rises twice as far as the slider's middle, which turns about the dish's centre.
+  const double arm = b.surface.R0 - b.slider.height / 2, theta = b.slider_tilt(0.3);
+  EXPECT_NEAR(lift(b, 0.3), 2 * arm * (1 - std::cos(theta)), 1e-12);
+}
+
+TEST(TwoDishes, TheEdgesHeightAtTouchIsThatOfItsLowestPoint) {
+  const Bearing b = two_dishes();
+  const double theta = b.slider_tilt(b.lateral_capacity()), R = b.surface.R0, e = b.slider.edge_radius;
+  double lowest = 1;
+  for (int i = 0; i <= 20000; ++i) { // the rounding as a whole circle: its lowest point may lie on the face's side
+    const double angle = 2 * std::numbers::pi * i / 20000, out = b.slider.diameter / 2 - e + e * std::cos(angle),
+                 face = b.slider.diameter / 2 - e, down = std::sqrt(R * R - face * face) - e + e * std::sin(angle);
+    lowest = std::min(lowest, R - (down * std::cos(theta) - out * std::sin(theta)));
+  }
+  EXPECT_NEAR(edge_at_touch(b), lowest, 1e-9);
+  EXPECT_GT(rim_top(b), edge_at_touch(b) + e);
+}
+
+TEST(TwoDishes, TheSlidersMassIsASumOfItsRings) {
+  const Bearing b = two_dishes();
+  const double R = b.surface.R0, radius = b.slider.diameter / 2;
+  double volume = 0;
+  constexpr int n = 100000;
+  for (int i = 0; i < n; ++i) {
+    const double r = radius * (i + 0.5) / n, rise = R - std::sqrt(R * R - r * r);
+    volume += 2 * std::numbers::pi * r * radius / n * (b.slider.height - 2 * rise);
+  }
+  EXPECT_NEAR(slider_mass(b) / (b.steel.density * volume), 1, 1e-6);
+}
+
+TEST(TwoDishes, AFileIsReadBackAsItWasWritten) {
+  const Bearing b = two_dishes();
+  const std::string text = to_toml(b);
+  EXPECT_NE(text.find("concave = \"double\""), std::string::npos) << text;
+  EXPECT_NE(text.find("height_mm = 100"), std::string::npos);
+  for (const char *of_one_dish : {"[pad]", "[foot]", "bottom_mm", "ertalyte]"})
+    EXPECT_EQ(text.find(of_one_dish), std::string::npos) << of_one_dish;
+  const Scene written = load_scene("impact-window", {"bearing.name=dcfp-155"});
+  EXPECT_TRUE(written.bearing == b);
+  const Scene again = parse_scene(to_toml(written), "again");
+  EXPECT_EQ(to_toml(again), to_toml(written));
+  EXPECT_NEAR(again.lateral_capacity(), b.lateral_capacity(), 1e-9);
+}
+
+std::string refusal_of(const std::vector<std::string> &assignments) {
+  std::vector<std::string> all{"bearing.name=dcfp-155"};
+  all.insert(all.end(), assignments.begin(), assignments.end());
+  try {
+    load_scene("impact-window", all);
+  } catch (const InputError &error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(TwoDishes, WhatCannotBeBuiltIsRefusedWithBothNumbers) {
+  const auto names = [](const std::string &sentence, std::initializer_list<const char *> words) {
+    EXPECT_FALSE(sentence.empty());
+    for (const char *word : words) EXPECT_NE(sentence.find(word), std::string::npos) << word << " in: " << sentence;
+  };
+  names(refusal_of({"bearing.slider.height_mm=18"}), {"slider.height_mm 18 mm", "18.5"});
+  names(refusal_of({"bearing.slider.height_mm=3100"}), {"slider.height_mm 3100 mm", "3100"});
+  names(refusal_of({"bearing.slider.diameter_mm=620"}), {"slider.diameter_mm 620 mm", "303.35"});
+  names(refusal_of({"bearing.slider.edge_radius_mm=150"}), {"slider.edge_radius_mm 150 mm"});
+  names(refusal_of({"bearing.rim.height_mm=1.5"}), {"rim.height_mm 1.5 mm"});
+  names(refusal_of({"bearing.surface.kind=cone"}), {"surface.concave \"double\"", "\"sphere\"", "\"cone\""});
+  names(refusal_of({"model.rung=rigid-dish"}), {"neither pad nor foot", "rung `rim`"});
+  names(refusal_of({"reduced.finite_pad=true"}), {"neither pad nor foot"});
+  EXPECT_EQ(refusal_of({}), "");
+}
+
+} // namespace
