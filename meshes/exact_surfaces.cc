@@ -27,8 +27,7 @@ Eigen::Vector3d on_cylinder(const Eigen::Vector3d &p, double x, double radius) {
 
 std::map<Surface, Place> places(const scene::Bearing &bearing, double travel) {
   const std::shared_ptr<const scene::SlidingSurface> dish = scene::make_surface(bearing.surface);
-  const double wall = bearing.wall_radius(), side = bearing.slider.diameter / 2,
-               cap = bearing.foot.cap_radius;
+  const double wall = bearing.wall_radius(), side = bearing.slider.diameter / 2, cap = bearing.foot.cap_radius;
   const double height = scene::lift(bearing, travel),
                edge = height + bearing.slider.bottom + bearing.slider.edge_radius + 1e-6;
   const double top = bearing.slider.top + height;

@@ -16,9 +16,51 @@ def value(bearing: dict[str, Any], part: str, key: str) -> float | None:
 
 
 def lateral_capacity(bearing: dict[str, Any]) -> float | None:
-    """L_c [m] by (2-5), None where the dimensions are not written out."""
+    """L_c [m] by (2-5), between two dishes that of both; None where the dimensions are not written out."""
+    if is_double_concave(bearing):
+        return TwoDishes(bearing).capacity if not TwoDishes.missing(bearing) else None
     reach, diameter = value(bearing, "surface", "planar_radius_mm"), value(bearing, "slider", "diameter_mm")
     return reach + (value(bearing, "rim", "ledge_mm") or 0.0) - diameter / 2 if reach and diameter else None
+
+
+def is_double_concave(bearing: dict[str, Any]) -> bool:
+    return bearing.get("surface", {}).get("concave") == "double"
+
+
+class TwoDishes:
+    """A slider between two like dishes: scene/bearing.h, in SI."""
+
+    KEYS = (("surface", "R0_m"), ("surface", "planar_radius_mm"), ("slider", "diameter_mm"), ("slider", "height_mm"))
+
+    @classmethod
+    def missing(cls, bearing: dict[str, Any]) -> list[str]:
+        return [f"{part}.{key}" for part, key in cls.KEYS if not value(bearing, part, key)]
+
+    def __init__(self, bearing: dict[str, Any]) -> None:
+        self.R, reach, diameter, self.height = (value(bearing, part, key) or 0.0 for part, key in self.KEYS)
+        self.radius, self.edge = diameter / 2, value(bearing, "slider", "edge_radius_mm") or 0.0
+        wall = reach + (value(bearing, "rim", "ledge_mm") or 0.0)
+        out = self.radius - self.edge
+        down = np.sqrt(self.R ** 2 - out ** 2) - self.edge
+        self.tilt = float(np.arcsin((wall - self.edge) / np.hypot(out, down)) - np.arctan2(out, down))  # where both rims are touched
+        self.capacity = float((2 * self.R - self.height) * np.sin(self.tilt))
+
+    def tilt_at(self, travel: float) -> float:
+        """At a travel of what is carried [rad]."""
+        return float(np.arcsin(travel / (2 * self.R - self.height)))
+
+    def middle(self, travel: float) -> np.ndarray:
+        """Of the slider, (x, z); the upper plate is the lower one after half a turn about it."""
+        arm, tilt = self.R - self.height / 2, self.tilt_at(travel)
+        return np.array([arm * np.sin(tilt), self.R - arm * np.cos(tilt)])
+
+    def slider(self, travel: float) -> np.ndarray:
+        """Its outline (n, 2), tilted."""
+        x = np.linspace(-self.radius, self.radius, 81)
+        face = self.R - np.sqrt(self.R ** 2 - x ** 2) - self.height / 2  # from the middle
+        outline = np.vstack([np.column_stack([x, face]), np.column_stack([x, -face])[::-1]])
+        c, s = np.cos(self.tilt_at(travel)), np.sin(self.tilt_at(travel))
+        return outline @ np.array([[c, s], [-s, c]]) + self.middle(travel)
 
 
 def height(bearing: dict[str, Any], radius: float | list[float] | np.ndarray) -> np.ndarray:

@@ -96,6 +96,23 @@ json strain_limit(const scene::Scene &scene, Summary &summary) {
           {"assumption", assumption}};
 }
 
+/// Two rims press a slider between them at different heights: a couple, which its faces hold by moving their pressure
+/// as far as their edges.
+void warn_of_tipping(const scene::Scene &scene, Summary &summary) {
+  const scene::Bearing &b = scene.bearing;
+  if (scene.double_concave() || !b.double_concave() || !summary.peak_impact_force) return;
+  const double tilt = b.slider_tilt(b.lateral_capacity()),
+               middle = b.surface.R0 - (b.surface.R0 - b.slider.height / 2) * std::cos(tilt),
+               arm = 2 * (middle - scene::edge_at_touch(b) - b.slider.edge_radius),
+               couple = *summary.peak_impact_force * arm, held = scene.load.vertical * b.slider.diameter;
+  if (couple > held)
+    warn(summary,
+         fmt::format("the rims' forces of {:.0f} kN turn the slider with {:.0f} kN m, more than the {:.0f} kN m "
+                     "that its faces hold under the dead load: it tips and may climb a rim, which this model "
+                     "does not follow",
+                     *summary.peak_impact_force / 1e3, couple / 1e3, held / 1e3));
+}
+
 json rim_foot(const scene::Scene &scene, Summary &summary) {
   if (!summary.foot) return nullptr;
   const auto &connection = scene.bearing.rim.connection;
@@ -127,6 +144,7 @@ void judge(const scene::Scene &scene, Summary &summary) {
   summary.extra["strain_limit"] = strain_limit(scene, summary);
   summary.extra["rim_foot"] = rim_foot(scene, summary);
   warn_beyond_curve(scene, summary);
+  warn_of_tipping(scene, summary);
   summary.extra["hit_limits"] = hit_limits(scene, summary);
 }
 

@@ -85,7 +85,7 @@ double slider_mass(const Bearing &bearing) {
   const auto &s = bearing.slider;
   if (bearing.double_concave()) {
     const double R = bearing.surface.R0, r = s.diameter / 2, face = R - std::sqrt(R * R - r * r); // rise of a face
-    const double beside = std::numbers::pi * (r * r * face - face * face * (R - face / 3));     // a face and its plane
+    const double beside = std::numbers::pi * (r * r * face - face * face * (R - face / 3)); // a face and its plane
     return bearing.steel.density * (std::numbers::pi * r * r * s.height - 2 * beside);
   }
   const double radius = s.diameter / 2, height = bearing.foot.cap_radius - s.bottom; // of the socket, a spherical cap

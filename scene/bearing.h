@@ -19,10 +19,10 @@
 namespace rimpact::scene {
 
 struct UpperSlider {
-  double diameter = 0.240;    ///< b_s [m]
-  double bottom = 0.05825;    ///< bottom plane above the vertex at rest [m], assumption
-  double top = 0.15825;       ///< top plane above the vertex at rest [m], assumption
-  double height = 0.100;      ///< between two dishes: H_s on its axis, from face to face [m]; bottom and top are not read
+  double diameter = 0.240; ///< b_s [m]
+  double bottom = 0.05825; ///< bottom plane above the vertex at rest [m], assumption
+  double top = 0.15825;    ///< top plane above the vertex at rest [m], assumption
+  double height = 0.100;   ///< between two dishes: H_s on its axis, from face to face [m]; bottom and top are not read
   double edge_radius = 0.002; ///< rounding of the lower edge, between two dishes of both [m], >= 0, assumption
   bool operator==(const UpperSlider &) const = default;
 };
@@ -130,7 +130,8 @@ double edge_at_touch(const Bearing &bearing);
 /// How far the slider may be lifted from its place at rest while its bottom stays below the rim's top [m]; infinite
 /// where the dimensions leave the rim's top below it even at L_c (a scene that reads the dish alone).
 double lift_over_rim(const Bearing &bearing);
-/// Mass of the upper slider [kg]: cylinder less socket, or between its two faces; its edge taken as sharp. The supported mass includes it.
+/// Mass of the upper slider [kg]: cylinder less socket, or between its two faces; its edge taken as sharp. The
+/// supported mass includes it.
 double slider_mass(const Bearing &bearing);
 
 /// Built-in bearings: shfps-225 (default) and fps-225 (a = R0). Throws InputError with the nearest name.

@@ -40,6 +40,17 @@ double contact_radius(const Scene &scene) {
   return std::sqrt(pad.outer_radius * pad.outer_radius - pad.inner_radius * pad.inner_radius);
 }
 
+namespace {
+
+/// Friction on a sliding face has its moment about the dish's centre, that of what is carried goes by the slider's
+/// middle: mu_e = 2 R mu / R_eff between two dishes, 1 on one.
+double arm_of_faces(const Scene &scene) {
+  const Bearing &b = scene.bearing;
+  return scene.double_concave() || !b.double_concave() ? 1.0 : b.dishes() * b.surface.R0 / b.ridden_surface().R0;
+}
+
+} // namespace
+
 friction::FrictionLaw sliding_law(const Scene &scene) {
   return sliding_law(scene, scene.reduced.mu_slow, scene.reduced.mu_fast);
 }
@@ -50,7 +61,7 @@ friction::FrictionLaw sliding_law(const Scene &scene, double slow, double fast) 
   friction::FrictionLaw law{.mu_slow = slow,
                             .mu_fast = fast,
                             .rate = slow == fast ? 0.0 : scene.reduced.rate,
-                            .scale = m.scale,
+                            .scale = m.scale * arm_of_faces(scene),
                             .reference_pressure = m.reference_pressure,
                             .by_temperature = m.by_temperature,
                             .table = m.table,

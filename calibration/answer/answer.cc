@@ -80,7 +80,8 @@ void name_sources(const Calibration &c, Answer &answer, const std::vector<LawErr
   answer.rungs.assign(rungs.begin(), rungs.end()), answer.meshes.assign(meshes.begin(), meshes.end());
 }
 
-/// Solids and specimens have pad and socket, whatever the fitted part of them was; a slider between two dishes has none.
+/// Solids and specimens have pad and socket, whatever the fitted part of them was; a slider between two dishes has
+/// none.
 std::optional<AnswerStack> answer_stack(const Answer &answer) {
   const scene::Scene &s = answer.scene;
   if (answer.sources == std::set{RunSource::reduced_model} || s.bearing.double_concave()) return {};

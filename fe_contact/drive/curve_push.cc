@@ -86,14 +86,12 @@ private:
     const ContactStepReport report = drive.move_to(system_, state, way_.at(d), no_load_, step_options_);
     return {report.converged, 0, report.reason};
   }
-  double force_of(const SystemState &state) const {
-    return -way_.frame.force(system_.force_of(state, Role::wall)).x();
-  }
+  double force_of(const SystemState &state) const { return -way_.frame.force(system_.force_of(state, Role::wall)).x(); }
 
   laws::CurveSamples unloading(double deepest) {
     SystemState state = state_;
     TopDrive drive = drive_;
-    const double top = force_of(state), stiffness = path_.loading.force[1] / path_.loading.penetration[1];
+    const double top = force_of(state), stiffness = stiffest();
     laws::CurveSamples back{{deepest}, {top}};
     const auto attempt = [&](double way, double step) {
       Attempt result = push(drive, state, deepest - way - step);
@@ -112,6 +110,15 @@ private:
                                       1e3 * deepest, 1e3 * report.reached, report.reason));
     if (back.force.back() != 0) end(back, 0);
     return back;
+  }
+
+  /// Of the steps of the loading so far [N/m]: an edge is soft at first, and what springs back is stiffer.
+  double stiffest() const {
+    const auto &[depth, force] = path_.loading;
+    double largest = 0;
+    for (std::size_t i = 1; i < depth.size(); ++i)
+      largest = std::max(largest, (force[i] - force[i - 1]) / (depth[i] - depth[i - 1]));
+    return largest;
   }
 
   /// The walls part between the last sample and `parted`: where the force goes on to as it came.

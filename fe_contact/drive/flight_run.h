@@ -66,7 +66,7 @@ private:
   /// Of the rim on what is carried, global [N].
   Eigen::Vector3d rim_force() const { return arc().frame.force(system_.force_of(arc().state, Role::wall)); }
   double wall_force() const { return rim_force().head<2>().norm(); } ///< [N]
-  double height_above_dish() const;                                                                ///< [m]
+  double height_above_dish() const;                                  ///< [m]
   FlightStep flight_step(const SolvedStep &step) const;
   void sample(int iterations, const MassForces &forces, double dt);
   void write_fields();

@@ -18,8 +18,7 @@ PathCourse course_from_touch(const scene::Scene &scene) {
   const scene::Excitation &e = scene.excitation;
   const auto model = std::make_shared<reduced::PhysicalModel>(scene);
   const double capacity = scene.bearing.lateral_capacity(), travel = e.travel * e.scale, deepest = e.unload ? 0.5 : 1.0;
-  const RimFrame frame =
-      RimFrame::of(scene.bearing, e.direction_deg * M_PI / 180, model->height(capacity, 0).z, false);
+  const RimFrame frame = RimFrame::of(scene.bearing, e.direction_deg * M_PI / 180, model->height(capacity, 0).z, false);
   const auto phase = [&](double from, double to, int steps) {
     const double per_metre = (to - from) / travel, longest = (to - from) / steps;
     return PathCourse::Phase{to, std::min(first_push_step * per_metre, longest), smallest_push_step * per_metre,

@@ -20,7 +20,7 @@ struct BearingModel {
                const ModelOptions &options = {});
   BearingModel(const BearingModel &) = delete;
 
-  double share() const { return mesh.half ? 2.0 : 1.0; }           ///< whole bearing over model, of forces
+  double share() const { return mesh.half ? 2.0 : 1.0; }             ///< whole bearing over model, of forces
   double energy_share() const { return share() * bearing.dishes(); } ///< and of energies: two dishes stand in series
   double own_mass() const; ///< of the carried bodies, of one dish's side of the bearing [kg]
 

@@ -16,7 +16,8 @@ void hold_sector(Supports &supports, RimState) {
 /// The edge of a slider between two dishes lies on its dish: squeezed, it cannot give way downwards.
 Pair edge_on_dish(const BearingModel &model, SurfaceContactOptions options) {
   const scene::ContactFriction &mu = model.bearing.contact;
-  options.law.friction = FrictionCoefficient{mu.steel_ertalyte, mu.steel_ertalyte_slow.value_or(mu.steel_ertalyte), mu.rate, {}};
+  options.law.friction =
+      FrictionCoefficient{mu.steel_ertalyte, mu.steel_ertalyte_slow.value_or(mu.steel_ertalyte), mu.rate, {}};
   options.carrier_faces = Surface::dish;
   return {Role::dish, Surface::slider_side,
           dish(scene::make_surface(model.bearing.surface), model.bearing.surface.planar_radius), options};

@@ -6,7 +6,7 @@ import numpy as np
 from matplotlib.axes import Axes
 from matplotlib.patches import Polygon
 
-from ..bearing import height, lateral_capacity, value
+from ..bearing import TwoDishes, height, is_double_concave, lateral_capacity, value
 from ..style import FAINT, FE, INK, MUTED, RIM, plt, save
 
 STEEL, SLIDER, PAD = "#d7dee5", "#b9cfe2", "#e9d8b4"
@@ -19,7 +19,7 @@ LABELS = {"dish_short": "dish", "rim_short": "rim", "at_rest": "at rest", "at_to
 def draw(bearing: dict[str, Any], whole: bool, path: str, labels: dict[str, str] | None = None) -> str:
     """`bearing`: the resolved [bearing] table. `whole`: pad and foot take part and are drawn. `labels`: LABELS in another language.
     Throws ValueError where a dimension is missing."""
-    size = Section(bearing)
+    size = (DoubleSection if is_double_concave(bearing) else Section)(bearing)
     fig, ax = plt.subplots(figsize=(WIDTH, WIDTH * size.aspect()), layout="constrained")
     ax.add_patch(Polygon(1e3 * size.plate(), closed=True, facecolor=STEEL, edgecolor=INK, lw=0.7, joinstyle="miter"))
     styles: tuple[tuple[float, dict[str, Any]], ...] = ((0.0, dict(facecolor="none", edgecolor=FE, ls=(0, (3, 1.6)))),
@@ -29,7 +29,7 @@ def draw(bearing: dict[str, Any], whole: bool, path: str, labels: dict[str, str]
             own = style | {"facecolor": fill} if fill and travel else style
             ax.add_patch(Polygon(1e3 * body, closed=True, lw=0.7, zorder=3, **own))
     _dimensions(ax, size, labels or LABELS)
-    ax.set_xlim(-1e3 * size.outer - 8, 1e3 * size.outer + 8)
+    ax.set_xlim(-1e3 * size.outer - 8, 1e3 * size.right() + 8)
     low, high = size.limits()
     ax.set_ylim(1e3 * low, 1e3 * high)
     ax.set_aspect("equal")
@@ -44,7 +44,8 @@ class Section:
         self.bearing = bearing
         self.missing: list[str] = []
         self.reach = self._needed("surface", "planar_radius_mm", "reach")
-        self.diameter, self.bottom, self.top = (self._needed("slider", f"{name}_mm", name) for name in ("diameter", "bottom", "top"))
+        self.diameter = self._needed("slider", "diameter_mm", "diameter")
+        self._stand()
         self.rim_height, self.thickness = self._needed("rim", "height_mm", "rim height"), self._needed("rim", "thickness_mm", "thickness")
         self.base = self._needed("plate", "base_mm", "base")
         capacity = lateral_capacity(bearing)
@@ -59,6 +60,24 @@ class Section:
         if found is None:
             self.missing.append(name)
         return found or 0.0
+
+    def _stand(self) -> None:
+        self.bottom, self.top = self._needed("slider", "bottom_mm", "bottom"), self._needed("slider", "top_mm", "top")
+
+    def middle(self, travel: float) -> np.ndarray:
+        """Of the slider."""
+        return np.array([travel, (self.bottom + self.top) / 2 + float(height(self.bearing, travel))])
+
+    def highest(self) -> float:
+        """Of the slider where it touches."""
+        return self.top + float(height(self.bearing, self.capacity))
+
+    def right(self) -> float:
+        return self.outer
+
+    def beside_touch(self) -> float:
+        """Left of what stands where the slider touches, at its top."""
+        return self.capacity - self.diameter / 2
 
     def plate(self) -> np.ndarray:
         x = np.linspace(-self.reach, self.reach, 201)
@@ -94,19 +113,48 @@ class Section:
             yield outline @ turn + [travel, lift], fill
 
     def limits(self) -> tuple[float, float]:
-        return -self.base - 0.10 * self.outer, max(self.edge + self.rim_height, self.top + float(height(self.bearing, self.capacity))) + 0.09 * self.outer
+        return -self.base - 0.10 * self.outer, max(self.edge + self.rim_height, self.highest()) + 0.09 * self.outer
 
     def aspect(self) -> float:
         low, high = self.limits()
-        return (high - low) / (2 * self.outer) * 1.02
+        return (high - low) / (self.outer + self.right()) * 1.02
+
+
+class DoubleSection(Section):
+    """Two dishes: the lower plate and its slider as they stand, the upper plate over the slider that touches."""
+
+    def _stand(self) -> None:
+        if TwoDishes.missing(self.bearing):
+            self.missing += TwoDishes.missing(self.bearing)
+            return
+        self.two = TwoDishes(self.bearing)
+
+    def middle(self, travel: float) -> np.ndarray:
+        return self.two.middle(travel)
+
+    def highest(self) -> float:
+        return 2 * float(self.middle(self.capacity)[1]) + self.base
+
+    def right(self) -> float:
+        return self.capacity + self.outer
+
+    def beside_touch(self) -> float:
+        return self.capacity - self.outer
+
+    def bodies(self, travel: float, whole: bool) -> list[tuple[np.ndarray, str | None]]:
+        bodies: list[tuple[np.ndarray, str | None]] = [(self.two.slider(travel), None)]
+        if travel:
+            bodies.insert(0, (2 * self.middle(travel) - self.plate(), STEEL))
+        return bodies
 
 
 def _dimensions(ax: Axes, s: Section, words: dict[str, str]) -> None:
-    mm, level = 1e3, 1e3 * (s.top + float(height(s.bearing, s.capacity))) + 0.035e3 * s.outer
+    mm, level = 1e3, 1e3 * s.highest() + 0.035e3 * s.outer
+    rest, touch = mm * s.middle(0.0), mm * s.middle(s.capacity)
     _arrow(ax, 0, mm * s.capacity, level, f"L$_c$ {mm * s.capacity:.4g}", RIM)
     for x in (0, mm * s.capacity):
         ax.plot([x, x], [0, level], color=MUTED, lw=0.4, ls=(0, (6, 2, 1, 2)), zorder=4)
-    _arrow(ax, mm * (s.capacity - s.diameter / 2), mm * (s.capacity + s.diameter / 2), mm * (s.bottom + s.top) / 2 + mm * float(height(s.bearing, s.capacity)),
+    _arrow(ax, touch[0] - mm * s.diameter / 2, touch[0] + mm * s.diameter / 2, touch[1],
            f"Ø {mm * s.diameter:.4g}", FE)
     below = -mm * s.base - 45 * s.outer
     _arrow(ax, 0, mm * s.reach, below, f"{words['dish_short']} {mm * s.reach:.4g}", INK)
@@ -118,8 +166,8 @@ def _dimensions(ax: Axes, s: Section, words: dict[str, str]) -> None:
     for z in (s.edge, s.edge + s.rim_height):
         ax.plot([-mm * s.wall, x + 10], [mm * z, mm * z], color=FAINT if z == s.edge else MUTED, lw=0.4)
     ax.text(x + 14 * s.outer, mm * (s.edge + s.rim_height / 2), f"{mm * s.rim_height:.4g}", fontsize=6.5, va="center")
-    ax.text(-mm * s.diameter / 2 - 10, mm * (s.bottom + s.top) / 2, words["at_rest"], fontsize=6.2, color=FE, ha="right", va="center")
-    ax.text(mm * (s.capacity - s.diameter / 2) - 10, mm * s.top + mm * float(height(s.bearing, s.capacity)), words["at_touch"], fontsize=6.2, color=FE, ha="right", va="top")
+    ax.text(-mm * s.diameter / 2 - 10, rest[1], words["at_rest"], fontsize=6.2, color=FE, ha="right", va="center")
+    ax.text(mm * s.beside_touch() - 10, mm * s.highest(), words["at_touch"], fontsize=6.2, color=FE, ha="right", va="top")
 
 
 def _arrow(ax: Axes, a: float, b: float, z: float, text: str, colour: str, side: bool = False) -> None:

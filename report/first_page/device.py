@@ -86,12 +86,15 @@ def _rows(bearing: dict[str, Any], assumed: set[str]) -> list[list[Any]]:
 
     surface = bearing.get("surface", {})
     kind = surface.get("kind", "ellipse")
+    if geometry.is_double_concave(bearing):
+        kind = f"{kind}, two dishes"
     shape = Markup(f"{escape(kind)}, ") + Markup("<i>R</i><sub>0</sub> ") + number("surface", "R0_m", "\u00a0m") \
         if is_number(surface.get("R0_m")) else Markup(escape(kind))
     if is_number(surface.get("a_m")):
         shape += Markup(", <i>a</i> ") + number("surface", "a_m", "\u00a0m")
+    tall = Markup(", ") + number("slider", "height_mm", "\u00a0mm high") if "height_mm" in bearing.get("slider", {}) else Markup("")
     rows = [["Surface", shape], ["Planar radius", number("surface", "planar_radius_mm", "\u00a0mm")],
-            ["Slider", Markup("Ø ") + number("slider", "diameter_mm", "\u00a0mm")],
+            ["Slider", Markup("Ø ") + number("slider", "diameter_mm", "\u00a0mm") + tall],
             ["Rim", number("rim", "height_mm", "\u00a0mm") + Markup(" high, ") + number("rim", "thickness_mm", "\u00a0mm") + Markup(" thick")]]
     joint = bearing.get("rim", {}).get("connection", {})
     if joint.get("kind") in JOINTS:

@@ -12,7 +12,7 @@ UNITS = {"_kg_per_m3": "kg/m³", "_kN_per_m": "kN/m", "_m_per_s2": "m/s²", "_m_
          "_g": "g", "_per_s": "1/s", "_s": "s"}
 LABELS = {
     "surface.R0": "radius of curvature at the vertex", "surface.a": "half-width of the ellipse",
-    "surface.planar_radius": "planar radius of the dish", "surface.kind": "sliding surface",
+    "surface.planar_radius": "planar radius of the dish", "surface.kind": "sliding surface", "surface.concave": "dishes", "slider.height": "slider's height on its axis",
     "slider.diameter": "diameter of the upper slider", "slider.bottom": "slider's bottom plane above the vertex",
     "slider.top": "slider's top plane above the vertex", "slider.edge_radius": "rounding of the slider's lower edge",
     "rim.height": "rim above the dish's edge", "rim.thickness": "thickness of the rim",

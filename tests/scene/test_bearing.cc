@@ -72,9 +72,7 @@ const Refused refused[] = {
     {"rim at the rounding", [](Bearing &b) { b.rim.height = 0.0141; }, {"rim.height_mm", "rounded edge"}},
     {"beyond the ellipse", [](Bearing &b) { b.surface.planar_radius = 0.6; }, {"600", "562.5", "planar_radius_mm"}},
     {"beyond the sphere",
-     [](Bearing &b) {
-       b.surface = {.kind = SurfaceKind::sphere, .R0 = 0.5, .a = 0.5, .planar_radius = 0.6};
-     },
+     [](Bearing &b) { b.surface = {.kind = SurfaceKind::sphere, .R0 = 0.5, .a = 0.5, .planar_radius = 0.6}; },
      {"600", "500", "sphere"}},
     {"beyond the table",
      [](Bearing &b) {

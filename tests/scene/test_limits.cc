@@ -48,6 +48,34 @@ TEST(Limits, DeeperThanTheRimIsThick) {
   EXPECT_TRUE(s.extra["beyond_rim"].is_null());
 }
 
+TEST(Limits, TwoRimsAreEachPressedHalfAsDeep) {
+  Scene scene;
+  scene.bearing = builtin_bearing("dcfp-155");
+  Summary s = one_impact(0.2, 0.030);
+  s.peak_displacement = scene.lateral_capacity() + 0.030;
+  judge(scene, s);
+  EXPECT_EQ(s.extra["beyond_rim"], false) << "15 mm into each rim of 20 mm";
+  s.impacts[0].peak_penetration = 0.050;
+  judge(scene, s);
+  EXPECT_EQ(s.extra["beyond_rim"], true);
+}
+
+TEST(Limits, ASliderTurnedByItsRimsTips) {
+  Scene scene;
+  scene.bearing = builtin_bearing("dcfp-155");
+  Summary s = one_impact(0.2, 0.005);
+  s.peak_displacement = scene.lateral_capacity();
+  // By hand: the rims press 51.83 mm apart; the faces hold W D_s = 853 kN x 0.3 m.
+  const double limit = 853e3 * 0.3 / 0.05183;
+  s.peak_impact_force = 0.98 * limit;
+  judge(scene, s);
+  EXPECT_TRUE(warnings(s).empty()) << warnings(s)[0];
+  s.peak_impact_force = 1.02 * limit;
+  judge(scene, s);
+  ASSERT_EQ(warnings(s).size(), 1u);
+  EXPECT_NE(warnings(s)[0].find("it tips"), std::string::npos) << warnings(s)[0];
+}
+
 TEST(Limits, PastTheDishIsNoResult) {
   Summary s; // no impact element: nothing holds it
   s.peak_displacement = 1.4;

@@ -15,13 +15,13 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "verificati
 from kept_run import command, is_kept  # noqa: E402
 
 IMBALANCE = 1e-3
-CASES = {"rim": "cases_rim", "rim-rate": "cases_rim_rate", "rigid-dish": "cases_stack", "full": "cases_stack"}
+CASES = {"rim": "cases_rim", "rim-rate": "cases_rim_rate", "double-concave": "cases_double_concave", "rigid-dish": "cases_stack", "full": "cases_stack"}
 LONGEST = 1800  # [s]
 
 
 class Table:
     def __init__(self, rung, mesh, program, folder):
-        self.options = ["--no-fields", "--rung", rung.removesuffix("-rate"), "--mesh", str(mesh)]
+        self.options = ["--no-fields", "--rung", "rim" if rung in ("rim-rate", "double-concave") else rung, "--mesh", str(mesh)]
         self.program, self.folder, self.summaries = program, folder, {}
 
     def run(self, name, scene, settings):

@@ -60,9 +60,21 @@ def timed(command, folder, log, cores):
     return time.perf_counter() - start
 
 
+def bearing_of(options):
+    return ["--set", f"bearing.name={options.bearing}"] if options.bearing else []
+
+
+def in_bearing(deck, vectors):
+    """Turns rows (x, y, z) of the model, and gives the factors that make forces and displacements those of what is carried
+    (fe_contact/rungs/rim_frame.h)."""
+    ratio, reach, turn = (float(word) for word in re.search(r"FRAME (\S+) (\S+) (\S+)", deck.read_text()).groups())
+    c, s = np.cos(turn), np.sin(turn)
+    return vectors @ np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]]).T, reach, ratio
+
+
 def run_ours(options, name, mesh):
     folder = options.folder / name
-    seconds = timed([options.rimpact, "run", "rim-push", "-o", str(folder), "--mesh", str(mesh), "--quiet"],
+    seconds = timed([options.rimpact, "run", "rim-push", "-o", str(folder), "--mesh", str(mesh), "--quiet", *bearing_of(options)],
                     options.folder, options.folder / f"{name}.log", options.cores)
     with open(folder / "response.csv") as file:
         rows = [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
@@ -100,7 +112,7 @@ def reporter(baseline):
 
 def run_ccx(options, name, mesh, *settings):
     deck = options.folder / f"{name}.inp"
-    subprocess.run([options.writer, str(deck), "--set", f"model.mesh={mesh}", *settings], check=True)
+    subprocess.run([options.writer, str(deck), "--set", f"model.mesh={mesh}", *bearing_of(options), *settings], check=True)
     seconds = timed(["ccx", name], options.folder, options.folder / f"{name}.log", options.cores)
     text = (options.folder / f"{name}.dat").read_text()
     forces = re.findall(r"total force .* TOP and time" + NUMBER + r"\s*" + 3 * NUMBER, text)
@@ -109,8 +121,10 @@ def run_ccx(options, name, mesh, *settings):
     if len(forces) == 0 or forces[-1, 0] < 2 or not np.array_equal(forces[:, 0], moves[:, 0]):
         raise SystemExit(f"ccx did not finish {deck}; see {name}.log and {name}.sta")
     zero = np.zeros(1)
-    return Run(name, np.append(zero, moves[:, 1]), np.append(zero, 2e-3 * forces[:, 1]),
-               np.append(zero, -2e-3 * forces[:, 3]), seconds, f"{unknowns(options.folder, name)} unknowns, {increments(options.folder, name)}")
+    pushed, reach, _ = in_bearing(deck, forces[:, 1:])
+    moved, _, ratio = in_bearing(deck, moves[:, 1:])
+    return Run(name, np.append(zero, ratio * moved[:, 0]), np.append(zero, 2e-3 * reach * pushed[:, 0]),
+               np.append(zero, -2e-3 * reach * pushed[:, 2]), seconds, f"{unknowns(options.folder, name)} unknowns, {increments(options.folder, name)}")
 
 
 def table(ours, ccx):
@@ -165,6 +179,7 @@ def arguments(description):
     parser.add_argument("--rimpact", required=True, help="the program rimpact or rimpact-fe")
     parser.add_argument("--folder", required=True, type=pathlib.Path)
     parser.add_argument("--write", type=pathlib.Path, help="keep the table here (the baseline)")
+    parser.add_argument("--bearing", help="a built-in bearing in place of the scene's")
     parser.add_argument("--cores", type=int, default=1)
     parser.add_argument("--meshes", help="meshes of both programs, e.g. 0,1,2")
     return parser

@@ -3,6 +3,7 @@
 // rungs/rim.cc. Units: mm, N, MPa, t, s. The half model is written: forces in the .dat file are half of the bearing's.
 #include "ccx_deck.h"
 #include "fe_contact/drive/order.h"
+#include "fe_contact/drive/path_course.h"
 #include "fe_contact/engine/solid.h"
 #include "files/error.h"
 #include "meshes/rim_mesh.h"
@@ -47,21 +48,24 @@ std::string sets_and_surfaces(const DeckMesh &deck, const meshes::HexMesh &mesh,
     for (const unsigned n : others) symmetry.erase(n);
   return node_set("FIXED", fixed) + node_set("TOP", top) + node_set("TOP_ONE", {*top.begin()}) +
          node_set("SYMMETRY", symmetry) + node_set("CUTS", cuts) + node_set("CUT_INNER", inner) +
-         node_set("CUT_END", end) + deck.surface(Surface::slider_side) + deck.surface(Surface::rim_wall);
+         node_set("CUT_END", end) + deck.surface(Surface::slider_side) + deck.surface(Surface::rim_wall) +
+         deck.surface(Surface::dish);
 }
 
 /// The top face's path over total time: pressed in during [0, 1], withdrawn during [1, 2].
 std::string path(const scene::Scene &scene, const Settings &settings) {
   const reduced::PhysicalModel model(scene);
-  const double capacity = scene.bearing.lateral_capacity(), start = model.height(capacity, 0).z;
+  const fe::RimFrame frame =
+      fe::RimFrame::of(scene.bearing, 0, model.height(scene.bearing.lateral_capacity(), 0).z, false);
   const double deepest = scene.excitation.travel * scene.excitation.scale, back = 1e-3 * settings.withdrawal;
   std::string x = "*AMPLITUDE, NAME=ALONG, TIME=TOTAL TIME\n", z = "*AMPLITUDE, NAME=UP, TIME=TOTAL TIME\n";
   constexpr int points = 128; // the height follows a curve, the cards a polygon
   for (int n = 0; n <= points; ++n) {
     const double time = 2.0 * n / points;
     const double travel = time <= 1 ? deepest * time : deepest - back * (time - 1);
-    x += fmt::format("{:.12g}, {:.12g}\n", time, 1e3 * travel);
-    z += fmt::format("{:.12g}, {:.12g}\n", time, 1e3 * (model.height(capacity + travel, 0).z - start));
+    const fe::TopTarget top = fe::beyond_touch(frame, &model, travel);
+    x += fmt::format("{:.12g}, {:.12g}\n", time, 1e3 * top.plane.x());
+    z += fmt::format("{:.12g}, {:.12g}\n", time, 1e3 * *top.height);
   }
   return x + z;
 }
@@ -109,15 +113,19 @@ void write(const Settings &settings) {
   if (!options.half) throw InputError("the deck is that of a symmetric half; leave model.symmetry at auto");
   const meshes::HexMesh mesh = meshes::rim_mesh(scene.bearing, options);
   const DeckMesh deck(mesh, settings.element.starts_with("C3D20") ? 20 : 8);
+  const fe::RimFrame frame = fe::RimFrame::of(scene.bearing, 0, 0, settings.scene != "rim-push");
 
   std::ofstream file(settings.file);
   file << "*HEADING\n"
        << settings.scene << " of " << scene.bearing.name << ", mesh " << options.level
        << ", half model; mm, N, MPa, t, s\n"
+       << fmt::format("** FRAME {:.12g} {:.12g} {:.12g}\n", frame.rate_ratio(), frame.reach, frame.turn)
        << deck.nodes_and_elements(settings.element)
        << sets_and_surfaces(deck, mesh, options, meshes::plate_cut_radius(scene.bearing))
        << material("STEEL", scene.bearing.steel) << fmt::format("*DENSITY\n{:g}\n", 1e-12 * scene.bearing.steel.density)
        << contact("WALLS", "slider_side", "rim_wall", settings.contact_stiffness, 0);
+  if (scene.bearing.double_concave())
+    file << contact("EDGE", "slider_side", "dish", settings.contact_stiffness, scene.bearing.contact.steel_ertalyte);
   for (const auto volume : {"plate", "rim", "upper_slider"})
     file << "*SOLID SECTION, ELSET=" << volume << ", MATERIAL=STEEL\n";
   file << "*TRANSFORM, NSET=CUTS, TYPE=C\n0., 0., 0., 0., 0., 1.\n" // 1 radial, 2 circumferential
