@@ -83,6 +83,12 @@ RingGrid ring_grid(const SliderShape &s, double h) {
   return grid;
 }
 
+/// The middles of a cell's lower and upper line, on their layers.
+void follow_underside(Quad9 &quad, const SliderShape &s, double below, double above) {
+  quad.nodes[1] = s.point(0.5 * (quad.nodes[0][0] + quad.nodes[2][0]), below);
+  quad.nodes[7] = s.point(0.5 * (quad.nodes[6][0] + quad.nodes[8][0]), above);
+}
+
 std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
   const std::size_t columns = grid.radii.size(), layers = grid.inner.size();
   const Point2 centre_of_edge{s.radius - s.edge, s.edge_bottom() + s.edge};
@@ -103,13 +109,7 @@ std::vector<Quad9> ring_section(const SliderShape &s, const RingGrid &grid) {
     for (std::size_t j = 0; j + 1 < layers; ++j) {
       Quad9 quad =
           straight_quad(inside(i, j), inside(i + 1, j), inside(i + 1, j + 1), inside(i, j + 1), Volume::upper_slider);
-      if (i + 2 < columns) { // lines between follow the underside
-        const auto between = [&](std::size_t layer) {
-          return s.point(0.5 * (inside(i, layer)[0] + inside(i + 1, layer)[0]), grid.inner[layer]);
-        };
-        quad.nodes[1] = between(j);
-        quad.nodes[7] = between(j + 1);
-      }
+      if (i + 2 < columns) follow_underside(quad, s, grid.inner[j], grid.inner[j + 1]);
       if (j == 0 && i + 2 == columns) {
         quad.nodes[1] = arc(-3 * M_PI / 8);
         quad.groups[2] = Surface::slider_side;
